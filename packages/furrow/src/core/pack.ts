@@ -1,0 +1,84 @@
+import { FurrowError } from './error.ts'
+import { checkImage, resampleGray } from './image.ts'
+import { DEFAULT_AREA_SIZE, MAX_AREAS } from './limits.ts'
+import type { GrayImage, RgbaImage } from './types.ts'
+
+/**
+ * Images of one size, one after the other: texel (x, y) of array layer d starts at
+ * `(x + y * width + d * width * height) * channels` (the paper's section on packing).
+ */
+export interface ImageArray {
+  width: number
+  height: number
+  /** Number of images. */
+  depth: number
+  channels: 1 | 4
+  data: Uint8Array
+}
+
+/**
+ * Packs colour images into one RGBA array: for the paper's shader its diffuse texture, smooth normals and
+ * wrinkled normals; for the default mode the normals of the layers.
+ *
+ * @param images at least one, all of one size; copied.
+ * @throws FurrowError when there is none, one is malformed, or their sizes differ.
+ */
+export function packColours(images: readonly RgbaImage[], who = 'packColours'): ImageArray {
+  if (images.length === 0) {
+    throw new FurrowError({ who, what: 'no images', value: 0, limit: 'at least 1', remedy: 'give an image' })
+  }
+  const { width, height } = images[0]
+  for (const [index, image] of images.entries()) {
+    checkImage(image, 'RGBA', `${who} image ${index}`)
+    if (image.width !== width || image.height !== height) {
+      throw new FurrowError({
+        who,
+        what: `image ${index} differs in size from image 0`,
+        value: `${image.width} x ${image.height}`,
+        limit: `${width} x ${height}, the maps of one array share their size`,
+        remedy: 'scale them to one size',
+      })
+    }
+  }
+  return concatenate(images, width, height, 4)
+}
+
+/**
+ * Packs areas of any size into one single-channel array, resampled to a common square grid.
+ *
+ * @param weights 1 to 256 gray images of weights (255 = visible); copied.
+ * @param size side of the common grid in texels, 128 as in the paper unless told.
+ * @throws FurrowError when there are none or too many, or one is malformed.
+ */
+export function packAreas(
+  weights: readonly GrayImage[],
+  size = DEFAULT_AREA_SIZE,
+  who = 'packAreas',
+): ImageArray {
+  if (weights.length < 1 || weights.length > MAX_AREAS) {
+    throw new FurrowError({
+      who,
+      what: 'number of areas out of range',
+      value: weights.length,
+      limit: `1 to ${MAX_AREAS}`,
+      remedy: 'merge areas that never move apart from each other',
+    })
+  }
+  const images = weights.map((image, index) => {
+    checkImage(image, 'gray', `${who} area ${index}`)
+    return resampleGray(image, size)
+  })
+  return concatenate(images, size, size, 1)
+}
+
+function concatenate(
+  images: readonly { data: Uint8Array }[],
+  width: number,
+  height: number,
+  channels: 1 | 4,
+): ImageArray {
+  const stride = width * height * channels
+  const data = new Uint8Array(stride * images.length)
+  for (const [index, image] of images.entries()) data.set(image.data, index * stride)
+  return { width, height, depth: images.length, channels, data }
+}

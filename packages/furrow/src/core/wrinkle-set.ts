@@ -1,0 +1,77 @@
+import { FurrowError } from './error.ts'
+import { checkImage } from './image.ts'
+import { MAX_AREAS, MAX_LAYERS } from './limits.ts'
+import type { Area, Layer, WrinkleSet } from './types.ts'
+
+/**
+ * Checks a whole wrinkle set.
+ *
+ * @throws FurrowError at the first fault: 1 to 4 layers of one size with distinct names, 1 to 256 areas with
+ *   distinct names, every area on a layer that exists.
+ */
+export function checkWrinkleSet(set: WrinkleSet, who = 'WrinkleSet'): void {
+  checkCount(set.layers.length, 'layers', MAX_LAYERS, who)
+  checkCount(set.areas.length, 'areas', MAX_AREAS, who)
+  for (const layer of set.layers) checkImage(layer.normal, 'RGBA', `${who} layer "${layer.name}"`)
+  checkNames(set.layers, 'layer', who)
+  checkNames(set.areas, 'area', who)
+  for (const area of set.areas) checkArea(area, set.layers, who)
+}
+
+/**
+ * Checks one area against the layers it may belong to.
+ *
+ * @throws FurrowError when its image is malformed or its layer unknown.
+ */
+export function checkArea(area: Area, layers: readonly Layer[], who = 'WrinkleSet'): void {
+  checkImage(area.weights, 'gray', `${who} area "${area.name}"`)
+  layerIndex(area, layers, who)
+}
+
+/** Index of the layer an area shows: the first when it names none. */
+export function layerIndex(area: Area, layers: readonly Layer[], who = 'WrinkleSet'): number {
+  if (area.layer === undefined) return 0
+  const index = layers.findIndex((layer) => layer.name === area.layer)
+  if (index < 0) {
+    throw new FurrowError({
+      who,
+      what: `area "${area.name}" is on an unknown layer`,
+      value: area.layer,
+      limit: listNames(layers),
+      remedy: 'name one of the layers of the set',
+    })
+  }
+  return index
+}
+
+/** The names of areas or layers as a list that an error can show. */
+export function listNames(named: readonly { name: string }[]): string {
+  return named.map(({ name }) => `"${name}"`).join(', ')
+}
+
+function checkCount(count: number, what: string, most: number, who: string): void {
+  if (count >= 1 && count <= most) return
+  throw new FurrowError({
+    who,
+    what: `${count === 0 ? 'no' : 'too many'} ${what}`,
+    value: count,
+    limit: `1 to ${most} ${what}`,
+    remedy:
+      count === 0 ? `give at least one of its ${what}` : 'merge those that never move apart from each other',
+  })
+}
+
+function checkNames(named: readonly { name: string }[], what: string, who: string): void {
+  const seen = new Set<string>()
+  for (const { name } of named) {
+    if (typeof name !== 'string' || name === '' || seen.has(name)) {
+      throw new FurrowError({
+        who,
+        what: seen.has(name) ? `two ${what}s of one name` : `a ${what} without a name`,
+        value: name,
+        remedy: `give every ${what} a name of its own`,
+      })
+    }
+    seen.add(name)
+  }
+}

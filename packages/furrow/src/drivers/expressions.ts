@@ -1,0 +1,48 @@
+import type { Expression } from './expression.ts'
+
+const both = (name: string, weight = 1) => ({ [`${name}Left`]: weight, [`${name}Right`]: weight })
+
+/** Expressions for a face with ARKit's blendshapes and the eight default areas; `neutral` comes first. */
+export const EXPRESSIONS: readonly Expression[] = [
+  { name: 'neutral', targets: {}, activations: {} },
+  {
+    name: 'surprised',
+    targets: { browInnerUp: 1, ...both('browOuterUp'), ...both('eyeWide', 0.8), jawOpen: 0.25 },
+    activations: both('forehead'),
+  },
+  {
+    name: 'angry',
+    targets: { ...both('browDown'), ...both('eyeSquint', 0.4), ...both('noseSneer', 0.35), ...both('mouthPress', 0.6) },
+    activations: { glabella: 1, nose: 0.35, ...both('nasolabial', 0.25) },
+  },
+  {
+    name: 'happy',
+    targets: { ...both('mouthSmile', 0.85), ...both('cheekSquint', 0.8), ...both('eyeSquint', 0.4) },
+    activations: { ...both('crowsFeet'), ...both('nasolabial', 0.9) },
+  },
+  {
+    name: 'disgusted',
+    targets: { ...both('noseSneer'), ...both('mouthUpperUp', 0.6), ...both('browDown', 0.6), ...both('eyeSquint', 0.5) },
+    activations: { nose: 1, glabella: 0.5, ...both('nasolabial', 0.8), ...both('crowsFeet', 0.3) },
+  },
+  {
+    name: 'sad',
+    targets: { browInnerUp: 0.9, ...both('mouthFrown', 0.9), mouthShrugLower: 0.4, ...both('eyeLookDown', 0.3) },
+    activations: { ...both('forehead', 0.5), glabella: 0.6, ...both('nasolabial', 0.4) },
+  },
+  {
+    name: 'leftBrow',
+    targets: { browOuterUpLeft: 1, browInnerUp: 0.25 },
+    activations: { foreheadLeft: 1 },
+  },
+  {
+    name: 'rightBrow',
+    targets: { browOuterUpRight: 1, browInnerUp: 0.25 },
+    activations: { foreheadRight: 1 },
+  },
+  {
+    name: 'leftWink',
+    targets: { eyeBlinkLeft: 1, cheekSquintLeft: 1, eyeSquintLeft: 0.6, mouthSmileLeft: 0.35 },
+    activations: { crowsFeetLeft: 1 },
+  },
+]

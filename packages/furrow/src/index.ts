@@ -1,0 +1,16 @@
+export { Activations, type Slot } from './core/activations.ts'
+export { type AreaConvention, areaWeights } from './core/area.ts'
+export {
+  parseWrinkleSetDocument,
+  type WrinkleSetDocument,
+} from './core/document.ts'
+export { FurrowError } from './core/error.ts'
+export { resampleGray } from './core/image.ts'
+export { DEFAULT_AREA_SIZE, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS } from './core/limits.ts'
+export { type ImageArray, packAreas, packColours } from './core/pack.ts'
+export * as reference from './core/reference.ts'
+export type { Area, Combine, GrayImage, Layer, LayerKind, RgbaImage, WrinkleSet } from './core/types.ts'
+export { checkWrinkleSet } from './core/wrinkle-set.ts'
+export { type Expression, ExpressionMix } from './drivers/expression.ts'
+export { EXPRESSIONS } from './drivers/expressions.ts'
+export { canonicalTargetName, findTargets } from './drivers/target-names.ts'

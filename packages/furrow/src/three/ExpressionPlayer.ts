@@ -1,0 +1,111 @@
+import type { Mesh, Object3D } from 'three'
+import { FurrowError, sentence } from '../core/error.ts'
+import { type Expression, ExpressionMix } from '../drivers/expression.ts'
+import { EXPRESSIONS } from '../drivers/expressions.ts'
+import { findTargets } from '../drivers/target-names.ts'
+import type { WrinklesBase } from './Wrinkles.ts'
+
+/** One morph target of one mesh, and the weight that drives it. */
+interface Binding {
+  influences: number[]
+  target: number
+  weight: number
+}
+
+/**
+ * Plays expressions on a face: blendshapes on every mesh that has them, and activations on its wrinkles.
+ * Call `update` once per frame; while the face is still it writes nothing, so sliders may move it too.
+ */
+export class ExpressionPlayer {
+  readonly #mix: ExpressionMix
+  readonly #wrinkles: WrinklesBase
+  readonly #bindings: Binding[]
+  readonly #areas: { name: string; index: number }[]
+
+  /**
+   * @param face any object above the meshes that move: head, eyes, teeth, lashes.
+   * @param expressions the first is the one it starts from.
+   * @throws FurrowError when nothing under `face` has morph targets. Names of an expression that no mesh and no
+   *   area has are left out with one warning.
+   */
+  constructor(face: Object3D, wrinkles: WrinklesBase, expressions: readonly Expression[] = EXPRESSIONS) {
+    this.#mix = new ExpressionMix(expressions)
+    this.#wrinkles = wrinkles
+    this.#bindings = bindTargets(face, this.#mix.targetNames)
+    this.#areas = this.#mix.areaNames
+      .map((name, index) => ({ name, index }))
+      .filter(({ name }) => wrinkles.hasArea(name))
+    const bound = new Set(this.#bindings.map(({ weight }) => this.#mix.targetNames[weight]))
+    warnOfMissing([
+      ...this.#mix.targetNames.filter((name) => !bound.has(name)),
+      ...this.#mix.areaNames.filter((name) => !wrinkles.hasArea(name)),
+    ])
+  }
+
+  /**
+   * Moves to an expression.
+   *
+   * @param seconds time to get there, 0.25 unless told.
+   * @throws FurrowError when no expression has that name.
+   */
+  play(name: string, seconds = 0.25): void {
+    this.#mix.play(name, seconds)
+    if (seconds === 0) this.#write()
+  }
+
+  /** @param delta seconds since the last frame. */
+  update(delta: number): void {
+    if (this.#mix.still) return
+    this.#mix.update(delta)
+    this.#write()
+  }
+
+  #write(): void {
+    const { targets, activations } = this.#mix
+    for (const { influences, target, weight } of this.#bindings) influences[target] = targets[weight]
+    for (const { name, index } of this.#areas) {
+      // Areas may have been removed since; their expressions then move the rest.
+      if (this.#wrinkles.hasArea(name)) this.#wrinkles.setActivation(name, activations[index])
+    }
+  }
+}
+
+function bindTargets(face: Object3D, names: readonly string[]): Binding[] {
+  const bindings: Binding[] = []
+  let meshes = 0
+  face.traverse((object) => {
+    const { morphTargetDictionary, morphTargetInfluences } = object as Mesh
+    if (!morphTargetDictionary || !morphTargetInfluences) return
+    meshes++
+    const targets = Object.keys(morphTargetDictionary)
+    for (const [weight, name] of names.entries()) {
+      for (const found of findTargets(name, targets)) {
+        bindings.push({
+          influences: morphTargetInfluences,
+          target: morphTargetDictionary[targets[found]],
+          weight,
+        })
+      }
+    }
+  })
+  if (meshes > 0) return bindings
+  throw new FurrowError({
+    who: 'ExpressionPlayer',
+    what: 'no morph targets',
+    value: face.name,
+    limit: 'at least one mesh with named blendshapes',
+    remedy: 'export the blendshapes with the face, or set activations yourself',
+  })
+}
+
+function warnOfMissing(names: string[]): void {
+  if (names.length === 0) return
+  console.warn(
+    sentence({
+      who: 'ExpressionPlayer',
+      what: 'blendshapes or areas that this face does not have',
+      value: names.join(', '),
+      remedy: 'expressions play without them',
+    }),
+  )
+}

@@ -1,0 +1,58 @@
+import {
+  ClampToEdgeWrapping,
+  DataArrayTexture,
+  DataTexture,
+  FloatType,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  NearestFilter,
+  RedFormat,
+  RGBAFormat,
+} from 'three'
+import type { Activations } from '../core/activations.ts'
+import { MAX_AREAS } from '../core/limits.ts'
+import type { ImageArray } from '../core/pack.ts'
+
+/**
+ * Areas on the GPU: one channel, filtered, without mipmaps (they are soft already, and mipmaps would bleed
+ * across UV islands). Edges are clamped, as in the reference.
+ */
+export function areaTexture(areas: ImageArray): DataArrayTexture {
+  const texture = new DataArrayTexture(areas.data, areas.width, areas.height, areas.depth)
+  texture.format = RedFormat
+  texture.minFilter = LinearFilter
+  return finish(texture)
+}
+
+/** Maps of the skin on the GPU: four channels, filtered with mipmaps, as stored (no colour conversion). */
+export function colourTexture(colours: ImageArray): DataArrayTexture {
+  const texture = new DataArrayTexture(colours.data, colours.width, colours.height, colours.depth)
+  texture.minFilter = LinearMipmapLinearFilter
+  texture.generateMipmaps = true
+  texture.anisotropy = 4
+  return finish(texture)
+}
+
+/** The table of activations on the GPU: one column per area, see `Activations`. */
+export function activationTexture(activations: Activations): DataTexture {
+  const texture = new DataTexture(activations.table, MAX_AREAS, 2, RGBAFormat, FloatType)
+  texture.minFilter = NearestFilter
+  texture.magFilter = NearestFilter
+  texture.needsUpdate = true
+  return texture
+}
+
+/** One texel that points straight out of the surface, for a material that has no normal map. */
+export function flatNormalTexture(): DataTexture {
+  const texture = new DataTexture(new Uint8Array([128, 128, 255, 255]), 1, 1)
+  texture.needsUpdate = true
+  return texture
+}
+
+function finish(texture: DataArrayTexture): DataArrayTexture {
+  texture.magFilter = LinearFilter
+  texture.wrapS = ClampToEdgeWrapping
+  texture.wrapT = ClampToEdgeWrapping
+  texture.needsUpdate = true
+  return texture
+}

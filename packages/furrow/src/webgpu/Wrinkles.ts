@@ -1,0 +1,107 @@
+import { Matrix3, type Mesh } from 'three'
+import {
+  isolate,
+  materialReference,
+  mix,
+  normalMap,
+  sRGBTransferEOTF,
+  subBuild,
+  uniform,
+  uv,
+  vec3,
+} from 'three/tsl'
+import type { MeshStandardNodeMaterial, Node, NodeBuilder, NodeMaterial } from 'three/webgpu'
+import type { WrinkleSet } from '../core/types.ts'
+import {
+  type RendererParts,
+  type WrinkleInputs,
+  type WrinkleMaterial,
+  WrinklesBase,
+  type WrinklesOptions,
+} from '../three/Wrinkles.ts'
+import { influenceMaterial } from './influence-material.ts'
+import { areaCount, influence, mixNormals, sampleLayer } from './functions.ts'
+
+/** Wrinkles on one mesh for `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
+export class Wrinkles extends WrinklesBase {
+  /**
+   * @param mesh needs UVs and normals and a material of its own that is lit: a node material or a plain one.
+   * @param set copied; later changes to it are not seen, use `addArea` and `removeArea`.
+   * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then untouched.
+   */
+  constructor(mesh: Mesh, set: WrinkleSet, options: WrinklesOptions = {}) {
+    super({ patch, influenceMaterial }, mesh, set, options)
+  }
+}
+
+/** What the patch sets; plain materials carry these too, the renderer copies them to the nodes it makes. */
+type Patched = WrinkleMaterial & Partial<Pick<MeshStandardNodeMaterial, 'normalNode' | 'colorNode' | 'setupLighting'>>
+
+const patch: RendererParts['patch'] = (material: Patched, inputs, mode) => {
+  const own = Object.fromEntries(
+    (['normalNode', 'colorNode', 'setupLighting', 'customProgramCacheKey'] as const)
+      .filter((key) => Object.hasOwn(material, key))
+      .map((key) => [key, material[key]]),
+  )
+  const place = mapUv(material)
+  const shares = influence(inputs.areas, inputs.activations, areaCount(inputs.areaCount), place)
+  const added = mode === 'paper' ? paper(inputs, place, shares) : normals(inputs, place, shares)
+  Object.assign(material, added)
+  // The renderer shares one built program among plain materials with equal properties, and nodes are not
+  // among those it compares; these read textures of their own.
+  const variant = `furrow ${mode} ${material.uuid}`
+  const cacheKey = material.customProgramCacheKey
+  material.customProgramCacheKey = () => `${cacheKey.call(material)} ${variant}`
+  return () => {
+    for (const key of [...Object.keys(added), 'customProgramCacheKey']) {
+      delete (material as unknown as Record<string, unknown>)[key]
+    }
+    Object.assign(material, own)
+  }
+}
+
+/** The default mode: normals mixed, lit once. */
+function normals(inputs: WrinkleInputs, place: Node<'vec2'>, shares: Node<'vec4'>): Partial<Patched> {
+  const base = materialReference('normalMap', 'texture') as unknown as Node<'vec4'>
+  const mixed = mixNormals(base.xyz as Node<'vec3'>, inputs.normals, inputs.kinds, shares.toVar(), place)
+  return { normalNode: normalMap(mixed, scale()) }
+}
+
+/** The paper's mode: lit with smooth normals, lit again with wrinkled ones, and the two colours mixed. */
+function paper(inputs: WrinkleInputs, place: Node<'vec2'>, shares: Node<'vec4'>): Partial<Patched> {
+  const colours = inputs.colours!
+  const smooth = normalMap(sampleLayer(colours, place, 1).xyz, scale())
+  const wrinkled = normalMap(sampleLayer(colours, place, 2).xyz, scale())
+  const diffuse = sRGBTransferEOTF(sampleLayer(colours, place, 0).rgb) as unknown as Node<'vec3'>
+  return {
+    colorNode: (materialReference('color', 'color') as unknown as Node<'vec3'>).mul(diffuse) as never,
+    normalNode: smooth as never,
+    setupLighting(this: NodeMaterial, builder: NodeBuilder) {
+      const light = Object.getPrototypeOf(this).setupLighting as NodeMaterial['setupLighting']
+      const first = vec3(light.call(this, builder) as Node<'vec3'>).toVar()
+      // A cache of its own, without the first as its parent, so that nothing computed from the smooth normal
+      // is taken for the wrinkled one.
+      const second = isolate(
+        vec3(light.call(this, builder) as Node<'vec3'>).context({
+          setupNormal: () => subBuild(wrinkled, 'NORMAL', 'vec3'),
+        }),
+      )
+      second.parent = false
+      return mix(first, second as unknown as Node<'vec3'>, shares.x)
+    },
+  }
+}
+
+/** UV of the material's normal map, its `KHR_texture_transform` applied. */
+function mapUv(material: WrinkleMaterial): Node<'vec2'> {
+  const transform = uniform(new Matrix3()).onObjectUpdate(() => {
+    const map = material.normalMap!
+    if (map.matrixAutoUpdate) map.updateMatrix()
+    return map.matrix
+  })
+  return transform.mul(vec3(uv(material.normalMap!.channel), 1)).xy as Node<'vec2'>
+}
+
+function scale(): Node<'vec2'> {
+  return materialReference('normalScale', 'vec2') as unknown as Node<'vec2'>
+}

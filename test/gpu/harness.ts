@@ -1,0 +1,113 @@
+import {
+  BufferAttribute,
+  type Camera,
+  FloatType,
+  type Material,
+  Mesh,
+  OrthographicCamera,
+  PlaneGeometry,
+  RenderTarget,
+  type Scene,
+  UnsignedByteType,
+  WebGLRenderer,
+  type WebGLRenderTarget,
+} from 'three'
+import { WebGPURenderer } from 'three/webgpu'
+import { Wrinkles as WebGLWrinkles } from 'furrow/three'
+import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
+
+/** The three ways a page can draw: each of them is tested, none is left out in silence. */
+export const RENDERERS = ['webgl', 'webgpu', 'webgpu on webgl2'] as const
+export type RendererName = (typeof RENDERERS)[number]
+
+export interface Harness {
+  name: RendererName
+  renderer: WebGLRenderer | WebGPURenderer
+  Wrinkles: typeof WebGLWrinkles | typeof WebGPUWrinkles
+  /** What the renderer runs on, as the driver names it. */
+  adapter: string
+  /** Renders into a target and reads it back: linear RGBA, row 0 at the bottom, 0..1 floats. */
+  render(scene: Scene, camera: Camera, width: number, height?: number): Promise<Float32Array>
+  /** Renders into 8 bits a channel. */
+  renderBytes(scene: Scene, camera: Camera, width: number, height?: number): Promise<Uint8Array>
+  /** Shader programs alive now. */
+  programs(): number
+  dispose(): void
+}
+
+/** Makes a renderer; fails where it is missing, and where WebGPU silently falls back to WebGL. */
+export async function createHarness(name: RendererName): Promise<Harness> {
+  const canvas = document.createElement('canvas')
+  const renderer = name === 'webgl' ? new WebGLRenderer({ canvas }) : new WebGPURenderer({ canvas, forceWebGL: name !== 'webgpu' })
+  if (renderer instanceof WebGPURenderer) await renderer.init()
+  const read = async (scene: Scene, camera: Camera, width: number, height: number, type: typeof FloatType | typeof UnsignedByteType) => {
+    const target = new RenderTarget(width, height, { type })
+    renderer.setRenderTarget(target as WebGLRenderTarget)
+    renderer.render(scene, camera)
+    renderer.setRenderTarget(null)
+    const pixels = await readBack(renderer, target, width, height)
+    target.dispose()
+    return pixels
+  }
+  return {
+    name,
+    renderer,
+    Wrinkles: name === 'webgl' ? WebGLWrinkles : WebGPUWrinkles,
+    adapter: adapterOf(renderer, name),
+    render: async (scene, camera, width, height = width) =>
+      (await read(scene, camera, width, height, FloatType)) as Float32Array,
+    renderBytes: async (scene, camera, width, height = width) =>
+      (await read(scene, camera, width, height, UnsignedByteType)) as Uint8Array,
+    programs: () =>
+      renderer instanceof WebGLRenderer ? renderer.info.programs!.length : (renderer.info.memory as unknown as { programs: number }).programs,
+    dispose: () => renderer.dispose(),
+  }
+}
+
+/** A square that fills the frame; `uv = (x, 1 - y) * scale + offset` with v downwards, as in glTF. */
+export function square(material: Material, scale = 1, offset = [0, 0]): Mesh {
+  const geometry = new PlaneGeometry(2, 2)
+  const uv = [0, 0, 1, 0, 0, 1, 1, 1].map((value, i) => value * scale + offset[i % 2])
+  geometry.setAttribute('uv', new BufferAttribute(new Float32Array(uv), 2))
+  return new Mesh(geometry, material)
+}
+
+/** Looks straight at `square`. */
+export function squareCamera(): OrthographicCamera {
+  const camera = new OrthographicCamera(-1, 1, 1, -1, 0, 10)
+  camera.position.z = 5
+  return camera
+}
+
+async function readBack(renderer: WebGLRenderer | WebGPURenderer, target: RenderTarget, width: number, height: number) {
+  if (renderer instanceof WebGLRenderer) {
+    const pixels = target.texture.type === FloatType ? new Float32Array(width * height * 4) : new Uint8Array(width * height * 4)
+    await renderer.readRenderTargetPixelsAsync(target as WebGLRenderTarget, 0, 0, width, height, pixels)
+    return pixels
+  }
+  const pixels = (await renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height)) as Float32Array | Uint8Array
+  const onWebGPU = (renderer.backend as { isWebGPUBackend?: boolean }).isWebGPUBackend === true
+  return onWebGPU ? bottomUp(pixels, width, height) : pixels
+}
+
+/** WebGPU reads rows from the top, each padded to a multiple of 256 bytes. */
+function bottomUp<T extends Float32Array | Uint8Array>(pixels: T, width: number, height: number): T {
+  const stride = (Math.ceil((width * 4 * pixels.BYTES_PER_ELEMENT) / 256) * 256) / pixels.BYTES_PER_ELEMENT
+  const rows = pixels.slice(0, width * height * 4) as T
+  for (let y = 0; y < height; y++) {
+    rows.set(pixels.subarray((height - 1 - y) * stride, (height - 1 - y) * stride + width * 4), y * width * 4)
+  }
+  return rows
+}
+
+function adapterOf(renderer: WebGLRenderer | WebGPURenderer, name: RendererName): string {
+  const gl = renderer instanceof WebGLRenderer ? renderer.getContext() : (renderer.backend as { gl?: WebGL2RenderingContext }).gl
+  if (gl) {
+    const debug = gl.getExtension('WEBGL_debug_renderer_info')
+    return String(gl.getParameter(debug ? debug.UNMASKED_RENDERER_WEBGL : gl.RENDERER))
+  }
+  const device = (renderer as WebGPURenderer & { backend: { device?: { adapterInfo?: { vendor: string; architecture: string; description: string } } } }).backend.device
+  if (!device) throw new Error(`${name}: no WebGPU here, the renderer fell back to WebGL 2`)
+  const { vendor, architecture, description } = device.adapterInfo!
+  return `${vendor} ${architecture} ${description}`.trim()
+}

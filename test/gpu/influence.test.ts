@@ -1,0 +1,61 @@
+import { type Area, packAreas, reference, type WrinkleSet } from 'furrow'
+import { MeshStandardMaterial, Scene } from 'three'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { randomSet } from '../cases.ts'
+import { seeded } from '../random.ts'
+import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+
+const CASES = 200
+const PIXELS = 32
+
+describe.each(RENDERERS)('influence on %s', (name) => {
+  let harness: Harness
+  beforeAll(async () => {
+    harness = await createHarness(name)
+    console.info(`${name}: ${harness.adapter}`)
+  })
+  afterAll(() => harness.dispose())
+
+  it(`is within 1/255 of the reference in ${CASES} random cases`, async () => {
+    const random = seeded(2008)
+    let worst = 0
+    for (let i = 0; i < CASES; i++) {
+      const count = 1 + Math.floor(random() * 64)
+      const set = randomSet(random, count, 32)
+      const scale = 0.2 + random() * 1.2
+      const offset = [random() * 0.4 - 0.2, random() * 0.4 - 0.2]
+      const activations = set.areas.map(() => (random() < 0.3 ? 0 : random() * (4 / count)))
+      worst = Math.max(worst, await largestError(harness, set, activations, scale, offset))
+    }
+    expect(worst).toBeLessThanOrEqual(1 / 255)
+  })
+})
+
+async function largestError(harness: Harness, set: WrinkleSet, activations: number[], scale: number, offset: number[]) {
+  const mesh = square(new MeshStandardMaterial(), scale, offset)
+  const wrinkles = new harness.Wrinkles(mesh, set, { areaSize: 32 })
+  for (const [i, { name }] of set.areas.entries()) wrinkles.setActivation(name, Math.min(activations[i], 1))
+  mesh.material = wrinkles.createInfluenceMaterial() as MeshStandardMaterial
+  const scene = new Scene()
+  scene.add(mesh)
+  const pixels = await harness.render(scene, squareCamera(), PIXELS)
+  const areas = packAreas(set.areas.map(({ weights }) => weights), 32)
+  const table = set.areas.map((area: Area, i) => ({
+    activation: Math.min(activations[i], 1),
+    layer: 0,
+    combine: area.combine ?? ('sum' as const),
+  }))
+  let worst = 0
+  for (let y = 0; y < PIXELS; y++) {
+    for (let x = 0; x < PIXELS; x++) {
+      const u = ((x + 0.5) / PIXELS) * scale + offset[0]
+      const v = (1 - (y + 0.5) / PIXELS) * scale + offset[1]
+      const exact = reference.influence(areas, table, u, v)
+      worst = Math.max(worst, Math.abs(pixels[(y * PIXELS + x) * 4] - exact))
+    }
+  }
+  mesh.material.dispose()
+  wrinkles.dispose()
+  mesh.geometry.dispose()
+  return worst
+}

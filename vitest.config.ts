@@ -1,0 +1,49 @@
+import { playwright } from '@vitest/browser-playwright'
+import { defineConfig } from 'vitest/config'
+
+/** Lets a headless Chromium without a GPU run both WebGL 2 and WebGPU; with a GPU it uses that. */
+const CHROMIUM_FLAGS = [
+  '--no-sandbox',
+  '--ignore-gpu-blocklist',
+  '--enable-unsafe-swiftshader',
+  '--enable-unsafe-webgpu',
+  '--use-webgpu-adapter=swiftshader',
+  '--disable-background-networking',
+]
+
+// Sources, not builds: the `furrow-source` condition of the packages' exports.
+const resolve = { conditions: ['furrow-source', 'module', 'browser', 'development|production'] }
+const ssr = { resolve: { conditions: ['furrow-source', 'module', 'node', 'development|production'] } }
+
+export default defineConfig({
+  test: {
+    projects: [
+      { resolve, ssr, test: { name: 'unit', include: ['test/unit/**/*.test.ts'] } },
+      {
+        resolve,
+        ssr,
+        test: { name: 'pages', include: ['test/pages/**/*.test.ts'], testTimeout: 120_000, hookTimeout: 120_000, fileParallelism: false },
+      },
+      {
+        resolve,
+        optimizeDeps: { include: ['three', 'three/webgpu', 'three/tsl'] },
+        server: { fs: { allow: ['..'] } },
+        test: {
+          name: 'gpu',
+          include: ['test/gpu/**/*.test.ts'],
+          testTimeout: 120_000,
+          fileParallelism: false,
+          browser: {
+            enabled: true,
+            headless: true,
+            screenshotFailures: false,
+            provider: playwright({
+              launchOptions: { executablePath: process.env.FURROW_CHROMIUM ?? '/usr/bin/chromium', args: CHROMIUM_FLAGS },
+            }),
+            instances: [{ browser: 'chromium' }],
+          },
+        },
+      },
+    ],
+  },
+})
