@@ -22,7 +22,13 @@ export default defineConfig({
       {
         resolve,
         ssr,
-        test: { name: 'pages', include: ['test/pages/**/*.test.ts'], testTimeout: 120_000, hookTimeout: 120_000, fileParallelism: false },
+        test: {
+          name: 'pages',
+          include: ['test/pages/**/*.test.ts'],
+          testTimeout: 120_000,
+          hookTimeout: 120_000,
+          fileParallelism: false,
+        },
       },
       {
         resolve,
@@ -38,7 +44,10 @@ export default defineConfig({
             headless: true,
             screenshotFailures: false,
             provider: playwright({
-              launchOptions: { executablePath: process.env.FURROW_CHROMIUM ?? '/usr/bin/chromium', args: CHROMIUM_FLAGS },
+              launchOptions: {
+                executablePath: process.env.FURROW_CHROMIUM ?? '/usr/bin/chromium',
+                args: CHROMIUM_FLAGS,
+              },
             }),
             instances: [{ browser: 'chromium' }],
           },

@@ -11,7 +11,10 @@ export function randomNormals(random: () => number, size: number): RgbaImage {
   for (let i = 0; i < size * size; i++) {
     const [x, y] = [random() - 0.5, random() - 0.5]
     const z = Math.sqrt(1 - x * x - y * y)
-    image.data.set([x, y, z, 1].map((value) => Math.round((value * 0.5 + 0.5) * 255)), i * 4)
+    image.data.set(
+      [x, y, z, 1].map((value) => Math.round((value * 0.5 + 0.5) * 255)),
+      i * 4,
+    )
   }
   return image
 }
@@ -29,7 +32,10 @@ export function randomAreas(random: () => number, count: number, size: number): 
 }
 
 export function randomSet(random: () => number, count: number, areaSize: number, mapSize = 16): WrinkleSet {
-  return { layers: [layer('skin', 'replace', randomNormals(random, mapSize))], areas: randomAreas(random, count, areaSize) }
+  return {
+    layers: [layer('skin', 'replace', randomNormals(random, mapSize))],
+    areas: randomAreas(random, count, areaSize),
+  }
 }
 
 export function layer(name: string, kind: LayerKind, normal: RgbaImage): Layer {

@@ -1,3 +1,5 @@
+import { Wrinkles as WebGLWrinkles } from 'furrow/three'
+import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import {
   BufferAttribute,
   type Camera,
@@ -10,11 +12,9 @@ import {
   type Scene,
   UnsignedByteType,
   WebGLRenderer,
-  type WebGLRenderTarget,
+  WebGLRenderTarget,
 } from 'three'
 import { WebGPURenderer } from 'three/webgpu'
-import { Wrinkles as WebGLWrinkles } from 'furrow/three'
-import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 
 /** The three ways a page can draw: each of them is tested, none is left out in silence. */
 export const RENDERERS = ['webgl', 'webgpu', 'webgpu on webgl2'] as const
@@ -38,10 +38,19 @@ export interface Harness {
 /** Makes a renderer; fails where it is missing, and where WebGPU silently falls back to WebGL. */
 export async function createHarness(name: RendererName): Promise<Harness> {
   const canvas = document.createElement('canvas')
-  const renderer = name === 'webgl' ? new WebGLRenderer({ canvas }) : new WebGPURenderer({ canvas, forceWebGL: name !== 'webgpu' })
+  const renderer =
+    name === 'webgl'
+      ? new WebGLRenderer({ canvas })
+      : new WebGPURenderer({ canvas, forceWebGL: name !== 'webgpu' })
   if (renderer instanceof WebGPURenderer) await renderer.init()
-  const read = async (scene: Scene, camera: Camera, width: number, height: number, type: typeof FloatType | typeof UnsignedByteType) => {
-    const target = new RenderTarget(width, height, { type })
+  const read = async (
+    scene: Scene,
+    camera: Camera,
+    width: number,
+    height: number,
+    type: typeof FloatType | typeof UnsignedByteType,
+  ) => {
+    const target = new (name === 'webgl' ? WebGLRenderTarget : RenderTarget)(width, height, { type })
     renderer.setRenderTarget(target as WebGLRenderTarget)
     renderer.render(scene, camera)
     renderer.setRenderTarget(null)
@@ -59,7 +68,9 @@ export async function createHarness(name: RendererName): Promise<Harness> {
     renderBytes: async (scene, camera, width, height = width) =>
       (await read(scene, camera, width, height, UnsignedByteType)) as Uint8Array,
     programs: () =>
-      renderer instanceof WebGLRenderer ? renderer.info.programs!.length : (renderer.info.memory as unknown as { programs: number }).programs,
+      renderer instanceof WebGLRenderer
+        ? renderer.info.programs!.length
+        : (renderer.info.memory as unknown as { programs: number }).programs,
     dispose: () => renderer.dispose(),
   }
 }
@@ -79,13 +90,23 @@ export function squareCamera(): OrthographicCamera {
   return camera
 }
 
-async function readBack(renderer: WebGLRenderer | WebGPURenderer, target: RenderTarget, width: number, height: number) {
+async function readBack(
+  renderer: WebGLRenderer | WebGPURenderer,
+  target: RenderTarget,
+  width: number,
+  height: number,
+) {
   if (renderer instanceof WebGLRenderer) {
-    const pixels = target.texture.type === FloatType ? new Float32Array(width * height * 4) : new Uint8Array(width * height * 4)
+    const pixels =
+      target.texture.type === FloatType
+        ? new Float32Array(width * height * 4)
+        : new Uint8Array(width * height * 4)
     await renderer.readRenderTargetPixelsAsync(target as WebGLRenderTarget, 0, 0, width, height, pixels)
     return pixels
   }
-  const pixels = (await renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height)) as Float32Array | Uint8Array
+  const pixels = (await renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height)) as
+    | Float32Array
+    | Uint8Array
   const onWebGPU = (renderer.backend as { isWebGPUBackend?: boolean }).isWebGPUBackend === true
   return onWebGPU ? bottomUp(pixels, width, height) : pixels
 }
@@ -101,12 +122,19 @@ function bottomUp<T extends Float32Array | Uint8Array>(pixels: T, width: number,
 }
 
 function adapterOf(renderer: WebGLRenderer | WebGPURenderer, name: RendererName): string {
-  const gl = renderer instanceof WebGLRenderer ? renderer.getContext() : (renderer.backend as { gl?: WebGL2RenderingContext }).gl
+  const gl =
+    renderer instanceof WebGLRenderer
+      ? renderer.getContext()
+      : (renderer.backend as { gl?: WebGL2RenderingContext }).gl
   if (gl) {
     const debug = gl.getExtension('WEBGL_debug_renderer_info')
     return String(gl.getParameter(debug ? debug.UNMASKED_RENDERER_WEBGL : gl.RENDERER))
   }
-  const device = (renderer as WebGPURenderer & { backend: { device?: { adapterInfo?: { vendor: string; architecture: string; description: string } } } }).backend.device
+  const device = (
+    renderer as WebGPURenderer & {
+      backend: { device?: { adapterInfo?: { vendor: string; architecture: string; description: string } } }
+    }
+  ).backend.device
   if (!device) throw new Error(`${name}: no WebGPU here, the renderer fell back to WebGL 2`)
   const { vendor, architecture, description } = device.adapterInfo!
   return `${vendor} ${architecture} ${description}`.trim()

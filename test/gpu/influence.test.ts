@@ -31,7 +31,13 @@ describe.each(RENDERERS)('influence on %s', (name) => {
   })
 })
 
-async function largestError(harness: Harness, set: WrinkleSet, activations: number[], scale: number, offset: number[]) {
+async function largestError(
+  harness: Harness,
+  set: WrinkleSet,
+  activations: number[],
+  scale: number,
+  offset: number[],
+) {
   const mesh = square(new MeshStandardMaterial(), scale, offset)
   const wrinkles = new harness.Wrinkles(mesh, set, { areaSize: 32 })
   for (const [i, { name }] of set.areas.entries()) wrinkles.setActivation(name, Math.min(activations[i], 1))
@@ -39,7 +45,10 @@ async function largestError(harness: Harness, set: WrinkleSet, activations: numb
   const scene = new Scene()
   scene.add(mesh)
   const pixels = await harness.render(scene, squareCamera(), PIXELS)
-  const areas = packAreas(set.areas.map(({ weights }) => weights), 32)
+  const areas = packAreas(
+    set.areas.map(({ weights }) => weights),
+    32,
+  )
   const table = set.areas.map((area: Area, i) => ({
     activation: Math.min(activations[i], 1),
     layer: 0,

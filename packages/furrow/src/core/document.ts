@@ -77,5 +77,11 @@ function choice<T extends string>(value: unknown, allowed: readonly T[], field: 
 }
 
 function fault(who: string, field: string, value: unknown, limit: string, remedy: string): FurrowError {
-  return new FurrowError({ who, what: `bad "${field}"`, value: JSON.stringify(value) ?? 'nothing', limit, remedy })
+  return new FurrowError({
+    who,
+    what: `bad "${field}"`,
+    value: JSON.stringify(value) ?? 'nothing',
+    limit,
+    remedy,
+  })
 }

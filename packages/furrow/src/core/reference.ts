@@ -60,11 +60,7 @@ export function influence(
 }
 
 /** Step 4 of the paper's shader: the colour lit with smooth normals, turned towards the wrinkled one. */
-export function mixColours(
-  smooth: readonly number[],
-  wrinkled: readonly number[],
-  amount: number,
-): number[] {
+export function mixColours(smooth: readonly number[], wrinkled: readonly number[], amount: number): number[] {
   return smooth.map((value, i) => lerp(value, wrinkled[i], amount))
 }
 

@@ -12,7 +12,12 @@ export const EXPRESSIONS: readonly Expression[] = [
   },
   {
     name: 'angry',
-    targets: { ...both('browDown'), ...both('eyeSquint', 0.4), ...both('noseSneer', 0.35), ...both('mouthPress', 0.6) },
+    targets: {
+      ...both('browDown'),
+      ...both('eyeSquint', 0.4),
+      ...both('noseSneer', 0.35),
+      ...both('mouthPress', 0.6),
+    },
     activations: { glabella: 1, nose: 0.35, ...both('nasolabial', 0.25) },
   },
   {
@@ -22,12 +27,22 @@ export const EXPRESSIONS: readonly Expression[] = [
   },
   {
     name: 'disgusted',
-    targets: { ...both('noseSneer'), ...both('mouthUpperUp', 0.6), ...both('browDown', 0.6), ...both('eyeSquint', 0.5) },
+    targets: {
+      ...both('noseSneer'),
+      ...both('mouthUpperUp', 0.6),
+      ...both('browDown', 0.6),
+      ...both('eyeSquint', 0.5),
+    },
     activations: { nose: 1, glabella: 0.5, ...both('nasolabial', 0.8), ...both('crowsFeet', 0.3) },
   },
   {
     name: 'sad',
-    targets: { browInnerUp: 0.9, ...both('mouthFrown', 0.9), mouthShrugLower: 0.4, ...both('eyeLookDown', 0.3) },
+    targets: {
+      browInnerUp: 0.9,
+      ...both('mouthFrown', 0.9),
+      mouthShrugLower: 0.4,
+      ...both('eyeLookDown', 0.3),
+    },
     activations: { ...both('forehead', 0.5), glabella: 0.6, ...both('nasolabial', 0.4) },
   },
   {

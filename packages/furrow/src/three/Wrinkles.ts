@@ -22,7 +22,8 @@ export interface WrinklesOptions {
 export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = { mode: 'default', areaSize: DEFAULT_AREA_SIZE }
 
 /** A material with normals to wrinkle: standard, physical, Phong, Lambert, Toon or MatCap. */
-export type WrinkleMaterial = Material & Pick<MeshStandardMaterial, 'normalMap' | 'normalMapType' | 'normalScale'>
+export type WrinkleMaterial = Material &
+  Pick<MeshStandardMaterial, 'normalMap' | 'normalMapType' | 'normalScale'>
 
 /** What a shader reads; the objects stay the same as long as the wrinkles live. */
 export interface WrinkleInputs {
@@ -86,7 +87,12 @@ export abstract class WrinklesBase {
     this.#activations = new Activations(slotsOf(this.#set), 'Wrinkles')
     this.#inputs = {
       areas,
-      normals: colourTexture(packColours(set.layers.map(({ normal }) => normal), 'Wrinkles layers')),
+      normals: colourTexture(
+        packColours(
+          set.layers.map(({ normal }) => normal),
+          'Wrinkles layers',
+        ),
+      ),
       colours: null,
       activations: activationTexture(this.#activations),
       areaCount: { value: set.areas.length },
@@ -194,7 +200,12 @@ export abstract class WrinklesBase {
       this.#material.normalMap = null
       this.#flat.dispose()
     }
-    for (const texture of [this.#inputs.areas, this.#inputs.normals, this.#inputs.colours, this.#inputs.activations]) {
+    for (const texture of [
+      this.#inputs.areas,
+      this.#inputs.normals,
+      this.#inputs.colours,
+      this.#inputs.activations,
+    ]) {
       texture?.dispose()
     }
     owners.delete(this.#material)

@@ -1,5 +1,5 @@
 export { decodeImage, toGray } from '../three/decode-image.ts'
 export { ExpressionPlayer } from '../three/ExpressionPlayer.ts'
 export { loadWrinkleSet } from '../three/load-wrinkle-set.ts'
-export { type WrinkleMode, WRINKLES_DEFAULTS, type WrinklesOptions } from '../three/Wrinkles.ts'
+export { WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from '../three/Wrinkles.ts'
 export { Wrinkles } from './Wrinkles.ts'

@@ -19,8 +19,8 @@ import {
   WrinklesBase,
   type WrinklesOptions,
 } from '../three/Wrinkles.ts'
-import { influenceMaterial } from './influence-material.ts'
 import { areaCount, influence, mixNormals, sampleLayer } from './functions.ts'
+import { influenceMaterial } from './influence-material.ts'
 
 /** Wrinkles on one mesh for `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
 export class Wrinkles extends WrinklesBase {
@@ -35,7 +35,8 @@ export class Wrinkles extends WrinklesBase {
 }
 
 /** What the patch sets; plain materials carry these too, the renderer copies them to the nodes it makes. */
-type Patched = WrinkleMaterial & Partial<Pick<MeshStandardNodeMaterial, 'normalNode' | 'colorNode' | 'setupLighting'>>
+type Patched = WrinkleMaterial &
+  Partial<Pick<MeshStandardNodeMaterial, 'normalNode' | 'colorNode' | 'setupLighting'>>
 
 const patch: RendererParts['patch'] = (material: Patched, inputs, mode) => {
   const own = Object.fromEntries(

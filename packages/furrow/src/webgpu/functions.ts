@@ -3,7 +3,22 @@
  * float64 reference of `core/`.
  */
 import type { DataArrayTexture, Texture } from 'three'
-import { Fn, float, int, ivec2, Loop, max, min, select, texture, textureLoad, uniform, vec2, vec3, vec4 } from 'three/tsl'
+import {
+  Fn,
+  float,
+  int,
+  ivec2,
+  Loop,
+  max,
+  min,
+  select,
+  texture,
+  textureLoad,
+  uniform,
+  vec2,
+  vec3,
+  vec4,
+} from 'three/tsl'
 import type { Node } from 'three/webgpu'
 import type { LayerKind } from '../core/types.ts'
 

@@ -1,6 +1,6 @@
 export { decodeImage, toGray } from '../three/decode-image.ts'
 export { ExpressionPlayer } from '../three/ExpressionPlayer.ts'
 export { loadWrinkleSet } from '../three/load-wrinkle-set.ts'
-export { type WrinkleMode, WRINKLES_DEFAULTS, type WrinklesOptions } from '../three/Wrinkles.ts'
-export { Wrinkles } from './Wrinkles.ts'
+export { WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from '../three/Wrinkles.ts'
 export { influence, mixNormals, reorient, sampleLayer } from './functions.ts'
+export { Wrinkles } from './Wrinkles.ts'

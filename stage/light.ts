@@ -1,0 +1,40 @@
+import { Color, DirectionalLight, type Object3D, PMREMGenerator, type Scene, type WebGLRenderer } from 'three'
+import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js'
+import { PMREMGenerator as NodePMREMGenerator, type WebGPURenderer } from 'three/webgpu'
+
+/** A photographer's three lights, in the face's own lengths: key upper left, weaker fill, rim from behind. */
+const LIGHTS = [
+  { name: 'key', colour: 0xfff1e4, intensity: 2.6, from: [-0.9, 0.9, 1.2] },
+  { name: 'fill', colour: 0xdfe8ff, intensity: 0.55, from: [1.2, 0.2, 1] },
+  { name: 'rim', colour: 0xffffff, intensity: 1.6, from: [0.8, 0.9, -1.3] },
+] as const
+
+/** Strength of the room's light; it fills the shadows and glints in the eyes. */
+const ENVIRONMENT = 0.35
+
+/** Lights a scene for a face; returns what takes the light away again. */
+export function lightScene(scene: Scene, renderer: WebGLRenderer | WebGPURenderer): () => void {
+  const pmrem = isWebGL(renderer) ? new PMREMGenerator(renderer) : new NodePMREMGenerator(renderer)
+  const room = new RoomEnvironment()
+  const environment = pmrem.fromScene(room as never, 0.04)
+  room.dispose()
+  scene.environment = environment.texture
+  scene.environmentIntensity = ENVIRONMENT
+  scene.background = new Color(0x24272c)
+  const lights: Object3D[] = LIGHTS.map(({ name, colour, intensity, from }) => {
+    const light = new DirectionalLight(colour, intensity)
+    light.name = name
+    light.position.set(...from)
+    return light
+  })
+  scene.add(...lights)
+  return () => {
+    scene.remove(...lights)
+    environment.dispose()
+    pmrem.dispose()
+  }
+}
+
+export function isWebGL(renderer: WebGLRenderer | WebGPURenderer): renderer is WebGLRenderer {
+  return (renderer as { isWebGLRenderer?: boolean }).isWebGLRenderer === true
+}

@@ -1,0 +1,92 @@
+/** The lit scene that studio, render, figures and tests share. */
+
+import type { WrinkleSet } from 'furrow'
+import { ExpressionPlayer, Wrinkles as WebGLWrinkles, type WrinklesOptions } from 'furrow/three'
+import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
+import {
+  ACESFilmicToneMapping,
+  PerspectiveCamera,
+  Scene,
+  SRGBColorSpace,
+  type Vector3,
+  WebGLRenderer,
+} from 'three'
+import { WebGPURenderer } from 'three/webgpu'
+import type { Face } from './face.ts'
+import { isWebGL, lightScene } from './light.ts'
+import { frameView, type ViewName } from './views.ts'
+
+export type RendererKind = 'webgl' | 'webgpu'
+export type Renderer = WebGLRenderer | WebGPURenderer
+export type Wrinkles = WebGLWrinkles | WebGPUWrinkles
+
+export interface Stage {
+  renderer: Renderer
+  /** What draws in the end: WebGPURenderer falls back to WebGL 2 where a browser has no WebGPU. */
+  backend: 'WebGL 2' | 'WebGPU'
+  scene: Scene
+  camera: PerspectiveCamera
+  /** Puts a face on the stage, alone. Its wrinkles and player are the caller's to dispose. */
+  show(
+    face: Face,
+    set: WrinkleSet,
+    options?: WrinklesOptions,
+  ): { wrinkles: Wrinkles; player: ExpressionPlayer }
+  /** Moves the camera; returns the point it looks at. */
+  view(name: ViewName): Vector3
+  /** @param pixelRatio device pixels per CSS pixel. */
+  resize(width: number, height: number, pixelRatio?: number): void
+  render(): void
+  dispose(): void
+}
+
+/**
+ * Sets the stage up on a canvas.
+ *
+ * @throws Error when the browser has neither WebGPU nor WebGL 2.
+ */
+export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind): Promise<Stage> {
+  const renderer =
+    kind === 'webgl'
+      ? new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true })
+      : new WebGPURenderer({ canvas, antialias: true })
+  if (!isWebGL(renderer)) await renderer.init()
+  renderer.toneMapping = ACESFilmicToneMapping
+  renderer.outputColorSpace = SRGBColorSpace
+  const scene = new Scene()
+  const camera = new PerspectiveCamera()
+  const darken = lightScene(scene, renderer)
+  let shown: Face | null = null
+  return {
+    renderer,
+    backend: backendOf(renderer),
+    scene,
+    camera,
+    show(face, set, options) {
+      if (shown) scene.remove(shown.root)
+      shown = face
+      scene.add(face.root)
+      const wrinkles = isWebGL(renderer)
+        ? new WebGLWrinkles(face.skin, set, options)
+        : new WebGPUWrinkles(face.skin, set, options)
+      return { wrinkles, player: new ExpressionPlayer(face.root, wrinkles) }
+    },
+    view: (name) => frameView(shown?.skin ?? scene, camera, name),
+    resize(width, height, pixelRatio = 1) {
+      renderer.setPixelRatio(pixelRatio)
+      renderer.setSize(width, height, false)
+      camera.aspect = width / height
+      camera.updateProjectionMatrix()
+    },
+    render: () => void renderer.render(scene, camera),
+    dispose() {
+      darken()
+      renderer.dispose()
+    },
+  }
+}
+
+function backendOf(renderer: Renderer): 'WebGL 2' | 'WebGPU' {
+  const backend = (renderer as { backend?: { isWebGPUBackend?: boolean } }).backend
+  return backend?.isWebGPUBackend ? 'WebGPU' : 'WebGL 2'
+}
