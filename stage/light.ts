@@ -24,7 +24,7 @@ export function lightScene(scene: Scene, renderer: WebGLRenderer | WebGPURendere
   const lights: Object3D[] = LIGHTS.map(({ name, colour, intensity, from }) => {
     const light = new DirectionalLight(colour, intensity)
     light.name = name
-    light.position.set(...from)
+    light.position.fromArray(from)
     return light
   })
   scene.add(...lights)

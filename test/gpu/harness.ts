@@ -50,7 +50,10 @@ export async function createHarness(name: RendererName): Promise<Harness> {
     height: number,
     type: typeof FloatType | typeof UnsignedByteType,
   ) => {
-    const target = new (name === 'webgl' ? WebGLRenderTarget : RenderTarget)(width, height, { type })
+    const target =
+      name === 'webgl'
+        ? new WebGLRenderTarget(width, height, { type })
+        : new RenderTarget(width, height, { type })
     renderer.setRenderTarget(target as WebGLRenderTarget)
     renderer.render(scene, camera)
     renderer.setRenderTarget(null)

@@ -1,9 +1,13 @@
 import { Matrix3, type Mesh } from 'three'
 import {
-  isolate,
+  cameraViewMatrix,
+  int,
+  Loop,
   materialReference,
-  mix,
   normalMap,
+  normalView,
+  normalWorld,
+  select,
   sRGBTransferEOTF,
   subBuild,
   uniform,
@@ -78,19 +82,25 @@ function paper(inputs: WrinkleInputs, place: Node<'vec2'>, shares: Node<'vec4'>)
     colorNode: (materialReference('color', 'color') as unknown as Node<'vec3'>).mul(diffuse) as never,
     normalNode: smooth as never,
     setupLighting(this: NodeMaterial, builder: NodeBuilder) {
-      const light = Object.getPrototypeOf(this).setupLighting as NodeMaterial['setupLighting']
-      const first = vec3(light.call(this, builder) as Node<'vec3'>).toVar()
-      // A cache of its own, without the first as its parent, so that nothing computed from the smooth normal
-      // is taken for the wrinkled one.
-      const second = isolate(
-        vec3(light.call(this, builder) as Node<'vec3'>).context({
-          setupNormal: () => subBuild(wrinkled, 'NORMAL', 'vec3'),
-        }),
-      )
-      second.parent = false
-      return mix(first, second as unknown as Node<'vec3'>, shares.x)
+      // One lighting graph, run twice by a loop: built twice, three.js would share the first's variables.
+      const colour = vec3(0).toVar()
+      const normals = [inView(smooth).toVar(), inView(wrinkled).toVar()]
+      const amount = shares.x.toVar()
+      Loop(2, ({ i }) => {
+        const isSecond = int(i as unknown as Node<'int'>).equal(1)
+        normalView.assign(select(isSecond, normals[1], normals[0]) as Node<'vec3'>)
+        normalWorld.assign(normalView.transformNormalByInverseViewMatrix(cameraViewMatrix))
+        const lit = vec3(Object.getPrototypeOf(this).setupLighting.call(this, builder) as Node<'vec3'>)
+        colour.addAssign(lit.mul(select(isSecond, amount, amount.oneMinus())))
+      })
+      return colour
     },
   }
+}
+
+/** A normal in view space, built as three.js builds the material's own. */
+function inView(normal: Node<'vec3'>): Node<'vec3'> {
+  return subBuild(normal, 'NORMAL', 'vec3') as unknown as Node<'vec3'>
 }
 
 /** UV of the material's normal map, its `KHR_texture_transform` applied. */

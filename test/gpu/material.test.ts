@@ -1,0 +1,147 @@
+import {
+  AmbientLight,
+  BufferAttribute,
+  DataTexture,
+  DirectionalLight,
+  type Material,
+  type Mesh,
+  MeshLambertMaterial,
+  MeshPhongMaterial,
+  MeshPhysicalMaterial,
+  MeshStandardMaterial,
+  MeshToonMaterial,
+  Scene,
+} from 'three'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { layer, randomNormals, randomSet } from '../cases.ts'
+import { seeded } from '../random.ts'
+import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+
+const MATERIALS = {
+  MeshLambertMaterial,
+  MeshPhongMaterial,
+  MeshToonMaterial,
+  MeshStandardMaterial,
+  MeshPhysicalMaterial,
+}
+
+describe.each(RENDERERS)("the user's material on %s", (name) => {
+  let harness: Harness
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterAll(() => harness.dispose())
+
+  const picture = async (mesh: Mesh) => {
+    const scene = new Scene()
+    const light = new DirectionalLight(0xffffff, 2)
+    light.position.set(1, 1, 1)
+    scene.add(mesh, light, new AmbientLight(0xffffff, 0.2))
+    return (await harness.renderBytes(scene, squareCamera(), 32)).join()
+  }
+  const wrinkled = (material: Material, mode: 'default' | 'paper' = 'default') => {
+    const mesh = square(material)
+    const wrinkles = new harness.Wrinkles(mesh, randomSet(seeded(3), 4, 8, 16), { mode, areaSize: 8 })
+    return { mesh, wrinkles }
+  }
+
+  describe.each(Object.entries(MATERIALS))('%s', (_, Kind) => {
+    it.each(['default', 'paper'] as const)('wrinkles in %s mode, and comes back as it was', async (mode) => {
+      const material = new Kind({ color: 0xd0a080 })
+      const plain = await picture(square(material))
+      const { mesh, wrinkles } = wrinkled(material, mode)
+      wrinkles.setActivation('area1', 1)
+      expect(await picture(mesh)).not.toBe(plain)
+      wrinkles.mode = 'off'
+      expect(await picture(mesh)).toBe(plain)
+      wrinkles.mode = mode
+      expect(await picture(mesh)).not.toBe(plain)
+      wrinkles.dispose()
+      expect(await picture(mesh)).toBe(plain)
+      expect(material.normalMap).toBeNull()
+    })
+  })
+
+  it('is bit-identical where no area reaches', async () => {
+    const material = new MeshStandardMaterial()
+    const base = randomNormals(seeded(1), 16)
+    material.normalMap = new DataTexture(base.data, 16, 16)
+    material.normalMap.needsUpdate = true
+    const plain = await picture(square(material))
+    const { mesh } = wrinkled(material)
+    expect(await picture(mesh)).toBe(plain)
+  })
+
+  it('keeps normalScale', async () => {
+    const material = new MeshStandardMaterial()
+    const flat = await picture(square(material))
+    const { mesh, wrinkles } = wrinkled(material)
+    for (const area of wrinkles.areaNames) wrinkles.setActivation(area, 1)
+    const full = await picture(mesh)
+    material.normalScale.set(0.3, 0.3)
+    const weak = await picture(mesh)
+    material.normalScale.set(0, 0)
+    expect(weak).not.toBe(full)
+    // A wrinkle of no slope at all is flat again: scaling acts after mixing.
+    expect(await picture(mesh)).toBe(flat)
+  })
+
+  it('keeps changes to its colour and roughness', async () => {
+    const material = new MeshStandardMaterial({ color: 0xffffff })
+    const { mesh, wrinkles } = wrinkled(material)
+    wrinkles.setActivation('area0', 1)
+    const white = await picture(mesh)
+    material.color.set(0x804020)
+    expect(await picture(mesh)).not.toBe(white)
+  })
+
+  it('keeps morph targets, and moves the wrinkles with them', async () => {
+    const material = new MeshStandardMaterial()
+    const { mesh, wrinkles } = wrinkled(material)
+    const offset = new Float32Array(12).fill(0)
+    offset[0] = offset[6] = 1
+    mesh.geometry.morphAttributes.position = [new BufferAttribute(offset, 3)]
+    mesh.geometry.morphTargetsRelative = true
+    mesh.updateMorphTargets()
+    wrinkles.setActivation('area0', 1)
+    const rest = await picture(mesh)
+    mesh.morphTargetInfluences![0] = 0.5
+    expect(await picture(mesh)).not.toBe(rest)
+  })
+
+  it('follows the transform of the base normal map', async () => {
+    const material = new MeshStandardMaterial()
+    const base = randomNormals(seeded(5), 16)
+    material.normalMap = new DataTexture(base.data, 16, 16)
+    material.normalMap.needsUpdate = true
+    const { mesh, wrinkles } = wrinkled(material)
+    wrinkles.setActivation('area0', 1)
+    const rest = await picture(mesh)
+    material.normalMap.offset.set(0.25, 0)
+    expect(await picture(mesh)).not.toBe(rest)
+  })
+
+  it('serves two meshes with activations of their own', async () => {
+    const one = wrinkled(new MeshStandardMaterial())
+    const two = wrinkled(new MeshStandardMaterial())
+    one.wrinkles.setActivation('area0', 1)
+    const first = await picture(one.mesh)
+    const second = await picture(two.mesh)
+    expect(second).not.toBe(first)
+    two.wrinkles.setActivation('area0', 1)
+    expect(await picture(two.mesh)).toBe(first)
+    expect(await picture(one.mesh)).toBe(first)
+  })
+
+  it('refuses what it cannot do, and leaves the material untouched', () => {
+    const set = randomSet(seeded(3), 1, 8, 16)
+    const material = new MeshStandardMaterial()
+    const two = { layers: [set.layers[0], layer('more', 'detail', set.layers[0].normal)], areas: set.areas }
+    expect(() => new harness.Wrinkles(square(material), two, { mode: 'paper' })).toThrow(
+      /Wrinkles.mode: the paper knows one wrinkled normal map, got "skin \(replace\), more \(detail\)", allowed: one layer/,
+    )
+    expect(material.normalMap).toBeNull()
+    new harness.Wrinkles(square(material), set)
+    expect(() => new harness.Wrinkles(square(material), set)).toThrow(/already carries wrinkles.*clone\(\)/)
+  })
+})

@@ -1,0 +1,47 @@
+import { DirectionalLight, MeshPhysicalMaterial, Scene } from 'three'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { randomAreas, randomSet } from '../cases.ts'
+import { seeded } from '../random.ts'
+import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+
+const COUNTS = [1, 2, 8, 19, 30, 256]
+
+describe.each(RENDERERS)('shader programs on %s', (name) => {
+  let harness: Harness
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterAll(() => harness.dispose())
+
+  it.each(['default', 'paper'] as const)('one program serves 1 to 256 areas in %s mode', async (mode) => {
+    const random = seeded(19)
+    const areas = randomAreas(random, 256, 8)
+    const set = randomSet(random, 1, 8)
+    const mesh = square(new MeshPhysicalMaterial())
+    const scene = new Scene()
+    scene.add(mesh, new DirectionalLight())
+    const wrinkles = new harness.Wrinkles(mesh, { ...set, areas: areas.slice(0, 1) }, { mode, areaSize: 8 })
+    const pictures: string[] = []
+    const draw = async () => {
+      const last = wrinkles.areaNames[wrinkles.areaNames.length - 1]
+      wrinkles.setActivation(last, 1)
+      const pixels = await harness.renderBytes(scene, squareCamera(), 16)
+      wrinkles.setActivation(last, 0)
+      pictures.push(pixels.join())
+      return harness.programs()
+    }
+    const programs = await draw()
+    for (const count of COUNTS) {
+      while (wrinkles.areaNames.length < count) wrinkles.addArea(areas[wrinkles.areaNames.length])
+      expect(await draw(), `${count} areas`).toBe(programs)
+    }
+    for (const count of [...COUNTS].reverse()) {
+      while (wrinkles.areaNames.length > count)
+        wrinkles.removeArea(wrinkles.areaNames[wrinkles.areaNames.length - 1])
+      expect(await draw(), `back at ${count} areas`).toBe(programs)
+    }
+    // Every count shows another last area, so the array really was made anew; and the way back shows the same.
+    expect(new Set(pictures).size).toBe(COUNTS.length)
+    wrinkles.dispose()
+  })
+})
