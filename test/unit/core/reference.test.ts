@@ -1,0 +1,73 @@
+import fc from 'fast-check'
+import { packAreas, reference } from 'furrow'
+import { describe, expect, it } from 'vitest'
+
+const flat = (value: number) => ({ width: 2, height: 2, data: new Uint8Array(4).fill(value) })
+const shown = (activation: number, combine: 'sum' | 'max' = 'sum', layer = 0) => ({
+  activation,
+  layer,
+  combine,
+})
+
+describe('reference', () => {
+  it('sums weight times activation, and keeps the sum within 1', () => {
+    const areas = packAreas([flat(51), flat(102), flat(255)], 2)
+    expect(reference.influence(areas, [shown(1), shown(0.5), shown(0)], 0.5, 0.5)).toBeCloseTo(0.4, 12)
+    expect(reference.influence(areas, [shown(1), shown(1), shown(1)], 0.5, 0.5)).toBe(1)
+  })
+
+  it('lets an area say max instead of adding up', () => {
+    const areas = packAreas([flat(102), flat(51), flat(204)], 2)
+    const influence = reference.influence(areas, [shown(1), shown(1), shown(1, 'max')], 0.5, 0.5)
+    expect(influence).toBeCloseTo(0.8, 12)
+    const less = reference.influence(areas, [shown(1), shown(1), shown(0.5, 'max')], 0.5, 0.5)
+    expect(less).toBeCloseTo(0.6, 12)
+  })
+
+  it('counts only the areas of the layer', () => {
+    const areas = packAreas([flat(255), flat(51)], 2)
+    expect(reference.influence(areas, [shown(1), shown(1, 'sum', 1)], 0.5, 0.5, 1)).toBeCloseTo(0.2, 12)
+  })
+
+  it('does not bleed from one area into the next', () => {
+    const areas = packAreas([flat(0), flat(255), flat(0)], 2)
+    for (const v of [0, 0.25, 0.999, 1]) {
+      expect(reference.sampleArray(areas, 0.5, v, 0)).toBe(0)
+      expect(reference.sampleArray(areas, 0.5, v, 1)).toBe(1)
+    }
+  })
+
+  it('leaves a colour without influence exactly as it was', () => {
+    fc.assert(
+      fc.property(
+        fc.array(fc.double({ min: 0, max: 1, noNaN: true }), { minLength: 3, maxLength: 3 }),
+        (colour) => {
+          expect(reference.mixColours(colour, [0.1, 0.2, 0.3], 0)).toEqual(colour)
+          expect(reference.mixColours([0.1, 0.2, 0.3], colour, 1)).toEqual(colour)
+        },
+      ),
+    )
+  })
+
+  it('reorients: flat over a base is the base, a detail over flat is the detail', () => {
+    const tilted = [0.6, 0, 0.8]
+    expect(close(reference.reorientNormal(tilted, [0, 0, 1]), tilted)).toBe(true)
+    expect(close(reference.reorientNormal([0, 0, 1], tilted), tilted)).toBe(true)
+  })
+
+  it('mixes layers the same in any order', () => {
+    const layers = [
+      { kind: 'replace' as const, normal: [0.5, 0.1, 0.8], influence: 0.7 },
+      { kind: 'detail' as const, normal: [-0.3, 0.2, 0.9], influence: 0.4 },
+      { kind: 'replace' as const, normal: [-0.2, 0.4, 0.85], influence: 0.9 },
+      { kind: 'detail' as const, normal: [0.1, -0.4, 0.9], influence: 0.8 },
+    ]
+    const forwards = reference.mixNormals([0.05, 0, 1], layers)
+    expect(close(forwards, reference.mixNormals([0.05, 0, 1], [...layers].reverse()))).toBe(true)
+    expect(Math.hypot(...forwards)).toBeCloseTo(1, 12)
+  })
+})
+
+function close(a: readonly number[], b: readonly number[]): boolean {
+  return a.every((value, i) => Math.abs(value - b[i]) < 1e-12)
+}

@@ -1,0 +1,104 @@
+import fc from 'fast-check'
+import { areaWeights, checkWrinkleSet, FurrowError, parseWrinkleSetDocument, type WrinkleSet } from 'furrow'
+import { describe, expect, it } from 'vitest'
+
+const normal = { width: 2, height: 2, data: new Uint8Array(16) }
+const weights = { width: 2, height: 2, data: new Uint8Array(4) }
+const good: WrinkleSet = {
+  layers: [{ name: 'skin', kind: 'replace', normal }],
+  areas: [{ name: 'nose', weights }],
+}
+
+describe('checkWrinkleSet', () => {
+  it('passes a good one', () => expect(() => checkWrinkleSet(good)).not.toThrow())
+
+  it.each<[string, WrinkleSet, string]>([
+    ['no areas', { ...good, areas: [] }, 'no areas, got 0, allowed: 1 to 256 areas; give at least one'],
+    ['no layers', { ...good, layers: [] }, 'no layers, got 0, allowed: 1 to 4 layers'],
+    [
+      'five layers',
+      { ...good, layers: [0, 1, 2, 3, 4].map((i) => ({ name: `l${i}`, kind: 'detail' as const, normal })) },
+      'too many layers, got 5, allowed: 1 to 4 layers',
+    ],
+    [
+      'two areas of one name',
+      { ...good, areas: [...good.areas, ...good.areas] },
+      'two areas of one name, got "nose"',
+    ],
+    [
+      'an area without a name',
+      { ...good, areas: [{ name: '', weights }] },
+      'an? area without a name, got ""',
+    ],
+    [
+      'an unknown layer',
+      { ...good, areas: [{ name: 'nose', weights, layer: 'skim' }] },
+      'area "nose" is on an unknown layer, got "skim", allowed: "skin"; name one of the layers',
+    ],
+    [
+      'a malformed area',
+      { ...good, areas: [{ name: 'nose', weights: { ...weights, width: 3 } }] },
+      'WrinkleSet area "nose": gray image data of the wrong length, got "4 bytes", allowed: 6 bytes for 3 x 2',
+    ],
+  ])('refuses %s', (_, set, message) => {
+    expect(() => checkWrinkleSet(set)).toThrow(new RegExp(message.replaceAll('(', '\\(')))
+  })
+})
+
+describe('areaWeights', () => {
+  const painted = { width: 2, height: 2, data: Uint8Array.of(255, 0, 128, 200) }
+
+  it("turns the paper's convention at the door", () => {
+    expect([...areaWeights(painted).data]).toEqual([0, 255, 127, 55])
+    expect([...areaWeights(painted, 'weight').data]).toEqual([255, 0, 128, 200])
+    expect([...painted.data]).toEqual([255, 0, 128, 200])
+  })
+
+  it('refuses a single texel', () => {
+    expect(() => areaWeights({ width: 1, height: 1, data: Uint8Array.of(0) }, 'paper', 'dot.png')).toThrow(
+      'dot.png: an area one texel wide cannot say where its wrinkles lie, got "1 x 1", allowed: at least 2 x 2; paint it',
+    )
+  })
+})
+
+describe('parseWrinkleSetDocument', () => {
+  const document = {
+    version: 1,
+    layers: [{ name: 'skin', normal: 'n.png' }],
+    areas: [{ name: 'nose', image: 'nose.png', later: true }],
+  }
+
+  it('fills in what was left out, and leaves unknown fields alone', () => {
+    expect(parseWrinkleSetDocument(document)).toEqual({
+      version: 1,
+      layers: [{ name: 'skin', kind: 'replace', normal: 'n.png' }],
+      areas: [{ name: 'nose', image: 'nose.png', combine: 'sum', convention: 'paper' }],
+    })
+  })
+
+  it.each<[unknown, string]>([
+    [null, 'bad "the document", got "null", allowed: an object'],
+    [{ ...document, version: 2 }, 'bad "version", got "2", allowed: 1'],
+    [{ ...document, layers: {} }, 'bad "layers", got "{}", allowed: a list'],
+    [{ ...document, areas: [{ name: 'nose' }] }, 'bad "areas[0].image", got "nothing", allowed: a text'],
+    [
+      { ...document, areas: [{ name: 'a', image: 'b', combine: 'min' }] },
+      'bad "areas[0].combine", got "\\"min\\"", allowed: sum or max',
+    ],
+  ])('refuses %j', (json, message) => {
+    expect(() => parseWrinkleSetDocument(json)).toThrow(message)
+  })
+
+  it('returns a document or throws its own error, whatever it is given', () => {
+    fc.assert(
+      fc.property(fc.jsonValue(), (json) => {
+        try {
+          expect(parseWrinkleSetDocument(json).version).toBe(1)
+        } catch (error) {
+          expect(error).toBeInstanceOf(FurrowError)
+        }
+      }),
+      { numRuns: 2000 },
+    )
+  })
+})

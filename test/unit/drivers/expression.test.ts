@@ -1,0 +1,113 @@
+import { canonicalTargetName, EXPRESSIONS, ExpressionMix, findTargets } from 'furrow'
+import { describe, expect, it } from 'vitest'
+
+const ARKIT =
+  /^(brow(Down|OuterUp)|cheekSquint|eye(Blink|Look(Down|In|Out|Up)|Squint|Wide)|mouth(Dimple|Frown|LowerDown|Press|Smile|Stretch|UpperUp)|noseSneer)(Left|Right)$|^(browInnerUp|cheekPuff|jaw(Forward|Left|Open|Right)|mouth(Close|Funnel|Left|Pucker|Right|Roll(Lower|Upper)|Shrug(Lower|Upper))|tongueOut)$/
+const AREAS = [
+  'foreheadLeft',
+  'foreheadRight',
+  'glabella',
+  'nose',
+  'crowsFeetLeft',
+  'crowsFeetRight',
+  'nasolabialLeft',
+  'nasolabialRight',
+]
+const two = [
+  { name: 'neutral', targets: {}, activations: {} },
+  { name: 'wink', targets: { eyeBlinkLeft: 1 }, activations: { crowsFeetLeft: 0.8 } },
+]
+
+describe('ExpressionMix', () => {
+  it('moves linearly over the given time, and then stands still', () => {
+    const mix = new ExpressionMix(two)
+    mix.play('wink', 2)
+    const seen = [0, 0.5, 0.5, 1, 5].map((delta) => {
+      mix.update(delta)
+      return [mix.targets[0], mix.activations[0]]
+    })
+    const expected = [0, 0.25, 0.5, 1, 1].map((share) => [share, Math.fround(0.8) * share])
+    for (const [i, pair] of seen.entries()) {
+      expect(pair[0]).toBeCloseTo(expected[i][0], 6)
+      expect(pair[1]).toBeCloseTo(expected[i][1], 6)
+    }
+    expect(mix.still).toBe(true)
+  })
+
+  it('starts from wherever it is when it is turned round midway', () => {
+    const mix = new ExpressionMix(two)
+    mix.play('wink', 1)
+    mix.update(0.5)
+    mix.play('neutral', 1)
+    mix.update(0)
+    expect(mix.targets[0]).toBeCloseTo(0.5, 6)
+    mix.update(0.5)
+    expect(mix.targets[0]).toBeCloseTo(0.25, 6)
+  })
+
+  it('arrives at once when given no time', () => {
+    const mix = new ExpressionMix(two)
+    mix.play('wink')
+    expect([...mix.targets]).toEqual([1])
+    expect(mix.still).toBe(true)
+  })
+
+  it('refuses what it does not know', () => {
+    const mix = new ExpressionMix(two)
+    expect(() => mix.play('smirk')).toThrow(
+      'ExpressionMix: unknown expression, got "smirk", allowed: neutral, wink;',
+    )
+    expect(() => mix.play('wink', Number.NaN)).toThrow(
+      'time out of range, got NaN, allowed: 0 seconds or more',
+    )
+    expect(() => mix.play('wink', -1)).toThrow('time out of range')
+    expect(() => new ExpressionMix([])).toThrow('ExpressionMix: no expressions')
+  })
+})
+
+describe('EXPRESSIONS', () => {
+  it('are the ones promised, neutral first', () => {
+    expect(EXPRESSIONS.map(({ name }) => name)).toEqual(
+      expect.arrayContaining([
+        'neutral',
+        'surprised',
+        'angry',
+        'happy',
+        'disgusted',
+        'sad',
+        'leftBrow',
+        'rightBrow',
+        'leftWink',
+      ]),
+    )
+    expect(EXPRESSIONS[0]).toEqual({ name: 'neutral', targets: {}, activations: {} })
+  })
+
+  it.each(EXPRESSIONS.map((expression) => [expression.name, expression] as const))(
+    '%s uses names that ARKit and the default areas have, within 0..1',
+    (_, { targets, activations }) => {
+      for (const name of Object.keys(targets)) expect(name).toMatch(ARKIT)
+      for (const name of Object.keys(activations)) expect(AREAS).toContain(name)
+      for (const value of [...Object.values(targets), ...Object.values(activations)]) {
+        expect(value).toBeGreaterThan(0)
+        expect(value).toBeLessThanOrEqual(1)
+      }
+    },
+  )
+})
+
+describe('target names', () => {
+  it.each([
+    ['browInnerUp', 'browInnerUp'],
+    ['blendShape1.browInnerUp', 'browInnerUp'],
+    ['browOuterUp_L', 'browOuterUpLeft'],
+    ['head.browOuterUp_R', 'browOuterUpRight'],
+  ])('%s means %s', (name, plain) => expect(canonicalTargetName(name)).toBe(plain))
+
+  it('finds a central shape in the two halves that some rigs split it into', () => {
+    const targets = ['browInnerUp_L', 'browInnerUp_R', 'jawOpen']
+    expect(findTargets('browInnerUp', targets)).toEqual([0, 1])
+    expect(findTargets('jawOpen', targets)).toEqual([2])
+    expect(findTargets('tongueOut', targets)).toEqual([])
+  })
+})
