@@ -1,4 +1,4 @@
-import { canonicalTargetName, EXPRESSIONS, ExpressionMix, findTargets } from 'furrow'
+import { canonicalTargetName, EXPRESSIONS, type Expression, ExpressionMix, findTargets } from 'furrow'
 import { describe, expect, it } from 'vitest'
 
 const ARKIT =
@@ -13,7 +13,7 @@ const AREAS = [
   'nasolabialLeft',
   'nasolabialRight',
 ]
-const two = [
+const two: Expression[] = [
   { name: 'neutral', targets: {}, activations: {} },
   { name: 'wink', targets: { eyeBlinkLeft: 1 }, activations: { crowsFeetLeft: 0.8 } },
 ]

@@ -1,0 +1,167 @@
+import { areaWeights, FurrowError } from 'furrow'
+import { decodeImage, ExpressionPlayer, loadWrinkleSet, toGray, Wrinkles } from 'furrow/three'
+import { DataTexture, Mesh, MeshBasicMaterial, MeshStandardMaterial, PlaneGeometry } from 'three'
+import { describe, expect, it, vi } from 'vitest'
+import { randomImage, randomSet } from '../cases.ts'
+import { seeded } from '../random.ts'
+import { grayPng, png } from './images.ts'
+
+describe('images', () => {
+  it('reads 8 bits exactly', async () => {
+    const values = Uint8Array.from({ length: 256 }, (_, i) => i)
+    expect([...toGray(await decodeImage(await png(256, 1, 8, 0, values), 'ramp')).data]).toEqual([...values])
+  })
+
+  it('reads 16 bits within one step of 8', async () => {
+    const raw = new Uint8Array(512)
+    for (let i = 0; i < 256; i++) new DataView(raw.buffer).setUint16(i * 2, i * 257)
+    const image = toGray(await decodeImage(await png(256, 1, 16, 0, raw), 'ramp'))
+    for (let i = 0; i < 256; i++) expect(Math.abs(image.data[i] - i)).toBeLessThanOrEqual(1)
+  })
+
+  it.each<[string, () => Promise<Blob>, RegExp]>([
+    ['empty', async () => new Blob([]), /^area.png: empty file, got "0 bytes"; export the image again$/],
+    [
+      'not an image',
+      async () => new Blob(['<html>404</html>']),
+      /^area.png: not a readable image, got "16 bytes", allowed: a whole PNG, JPEG or WebP file; export/,
+    ],
+    [
+      'transparent',
+      async () => png(2, 2, 8, 6, Uint8Array.of(9, 9, 9, 255, 9, 9, 9, 254, 9, 9, 9, 255, 9, 9, 9, 255)),
+      /^area.png: image with transparent texels, got "alpha 254", allowed: alpha 255 throughout; flatten it onto white/,
+    ],
+    [
+      '16k',
+      () => grayPng(16384, 4, 0),
+      /^area.png: image too large, got "16384 x 4", allowed: 8192 texels on a side; scale it down/,
+    ],
+  ])('refuses one that is %s', async (_, make, message) => {
+    const error = await decodeImage(await make(), 'area.png').catch((caught) => caught)
+    expect(error).toBeInstanceOf(FurrowError)
+    expect(error.message).toMatch(message)
+  })
+
+  it('refuses one that is cut off anywhere', async () => {
+    const whole = await png(
+      64,
+      64,
+      8,
+      0,
+      Uint8Array.from({ length: 4096 }, seeded(1)).map((_, i) => (i * 97) % 256),
+    )
+    for (let share = 0.05; share < 1; share += 0.1) {
+      const cut = whole.slice(0, Math.floor(whole.size * share))
+      await expect(decodeImage(cut, 'area.png'), `${share}`).rejects.toThrow(
+        /^area.png: (not a readable image|empty)/,
+      )
+    }
+  })
+
+  it('refuses an area of a single texel', async () => {
+    const image = toGray(await decodeImage(await grayPng(1, 1, 0), 'dot.png'))
+    expect(() => areaWeights(image, 'paper', 'dot.png')).toThrow(/^dot.png: an area one texel wide/)
+  })
+})
+
+describe('loadWrinkleSet', () => {
+  it.each<[string, unknown, RegExp]>([
+    [
+      'a missing file',
+      undefined,
+      /not-there\/wrinkles.json: (file not found, got "HTTP status 404"|not JSON)/,
+    ],
+    ['text that is not JSON', '{"version":', /not JSON, got ".*"; check the address and the file/],
+    ['JSON of the wrong shape', { version: 1, layers: [] }, /bad "areas", got "nothing", allowed: a list/],
+    ['no areas', { version: 1, layers: [], areas: [] }, /no layers, got 0, allowed: 1 to 4 layers/],
+  ])('refuses %s', async (_, content, message) => {
+    const url = content === undefined ? '/not-there/wrinkles.json' : URL.createObjectURL(asFile(content))
+    await expect(loadWrinkleSet(url)).rejects.toThrow(message)
+  })
+})
+
+describe('meshes', () => {
+  const set = randomSet(seeded(1), 2, 8)
+  const mesh = () => new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
+
+  it.each(['uv', 'normal', 'position'])('refuses one without %s, and leaves it as it was', (attribute) => {
+    const bare = mesh()
+    bare.name = 'head'
+    bare.geometry.deleteAttribute(attribute)
+    const before = JSON.stringify(bare.material.toJSON())
+    expect(() => new Wrinkles(bare, set)).toThrow(
+      new RegExp(
+        `^Wrinkles: mesh without ${attribute}, got "head", allowed: a mesh with positions, normals and UVs; `,
+      ),
+    )
+    expect(JSON.stringify(bare.material.toJSON())).toBe(before)
+  })
+
+  it('refuses an unlit material', () => {
+    const unlit = new Mesh(new PlaneGeometry(), new MeshBasicMaterial())
+    expect(() => new Wrinkles(unlit, set)).toThrow(/material MeshBasicMaterial has no normal map/)
+  })
+
+  it('refuses several materials', () => {
+    const several = new Mesh(new PlaneGeometry(), [new MeshStandardMaterial(), new MeshStandardMaterial()])
+    expect(() => new Wrinkles(several as unknown as Mesh, set)).toThrow(
+      /mesh with several materials.*split the mesh/,
+    )
+  })
+
+  it('refuses expressions for a face without targets', () => {
+    const bare = mesh()
+    bare.name = 'statue'
+    expect(() => new ExpressionPlayer(bare, new Wrinkles(bare, set))).toThrow(
+      'ExpressionPlayer: no morph targets, got "statue", allowed: at least one mesh with named blendshapes; export',
+    )
+  })
+})
+
+describe('maps and areas', () => {
+  it("refuses the paper's mode for maps of unequal size, and keeps the mode it had", () => {
+    const set = randomSet(seeded(1), 2, 8, 16)
+    const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
+    mesh.material.map = new DataTexture(randomImage(seeded(2), 32).data, 32, 32)
+    const wrinkles = new Wrinkles(mesh, set)
+    expect(() => {
+      wrinkles.mode = 'paper'
+    }).toThrow(/^Wrinkles.mode paper: image 1 differs in size from image 0, got "16 x 16", allowed: 32 x 32/)
+    expect(wrinkles.mode).toBe('default')
+  })
+
+  it('changes nothing when an area cannot be added or removed', () => {
+    const set = randomSet(seeded(1), 1, 8)
+    const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
+    const wrinkles = new Wrinkles(mesh, set)
+    const [area] = set.areas
+    expect(() => wrinkles.addArea(area)).toThrow(/^Wrinkles.addArea: two areas of one name, got "area0"/)
+    expect(() => wrinkles.addArea({ ...area, name: 'b', layer: 'skim' })).toThrow(/unknown layer, got "skim"/)
+    expect(() => wrinkles.removeArea('b')).toThrow(/unknown area, got "b", allowed: "area0"/)
+    expect(() => wrinkles.removeArea('area0')).toThrow(
+      /^Wrinkles.removeArea: no areas, got 0, allowed: 1 to 256 areas/,
+    )
+    expect(wrinkles.areaNames).toEqual(['area0'])
+  })
+
+  it('says in one warning which names of an expression a face lacks', () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
+    mesh.morphTargetDictionary = { jawOpen: 0 }
+    mesh.morphTargetInfluences = [0]
+    const player = new ExpressionPlayer(mesh, new Wrinkles(mesh, randomSet(seeded(1), 1, 8)), [
+      { name: 'neutral', targets: {}, activations: {} },
+      { name: 'shout', targets: { jawOpen: 1, jawDrop: 1 }, activations: { throat: 1 } },
+    ])
+    player.play('shout', 0)
+    expect(mesh.morphTargetInfluences).toEqual([1])
+    expect(warn.mock.calls.map(([text]) => text)).toEqual([
+      'ExpressionPlayer: blendshapes or areas that this face does not have, got "jawDrop, throat"; expressions play without them',
+    ])
+    warn.mockRestore()
+  })
+})
+
+function asFile(content: unknown): Blob {
+  return new Blob([typeof content === 'string' ? content : JSON.stringify(content)])
+}

@@ -1,0 +1,47 @@
+/** PNG files made byte by byte, so that tests can ask for what no canvas writes: 16 bits, huge sizes. */
+
+/** @param raw scan lines without their filter bytes. */
+export async function png(width: number, height: number, depth: 8 | 16, colour: 0 | 2 | 6, raw: Uint8Array) {
+  const stride = (raw.length / height) | 0
+  const filtered = new Uint8Array((stride + 1) * height)
+  for (let y = 0; y < height; y++)
+    filtered.set(raw.subarray(y * stride, (y + 1) * stride), y * (stride + 1) + 1)
+  const header = new Uint8Array(13)
+  const view = new DataView(header.buffer)
+  view.setUint32(0, width)
+  view.setUint32(4, height)
+  header.set([depth, colour, 0, 0, 0], 8)
+  const data = new Uint8Array(
+    await new Response(
+      new Blob([filtered]).stream().pipeThrough(new CompressionStream('deflate')),
+    ).arrayBuffer(),
+  )
+  const signature = Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a)
+  return new Blob([signature, chunk('IHDR', header), chunk('IDAT', data), chunk('IEND', new Uint8Array())], {
+    type: 'image/png',
+  })
+}
+
+/** A gray image of 8 bits, one value throughout. */
+export const grayPng = (width: number, height: number, value: number) =>
+  png(width, height, 8, 0, new Uint8Array(width * height).fill(value))
+
+function chunk(type: string, data: Uint8Array): Uint8Array<ArrayBuffer> {
+  const bytes = new Uint8Array(12 + data.length)
+  const view = new DataView(bytes.buffer)
+  view.setUint32(0, data.length)
+  for (let i = 0; i < 4; i++) bytes[4 + i] = type.charCodeAt(i)
+  bytes.set(data, 8)
+  view.setUint32(8 + data.length, crc(bytes.subarray(4, 8 + data.length)))
+  return bytes
+}
+
+/** CRC-32 as the PNG specification defines it (ISO 3309). */
+function crc(bytes: Uint8Array): number {
+  let sum = 0xffffffff
+  for (const byte of bytes) {
+    sum ^= byte
+    for (let k = 0; k < 8; k++) sum = sum & 1 ? (sum >>> 1) ^ 0xedb88320 : sum >>> 1
+  }
+  return (sum ^ 0xffffffff) >>> 0
+}

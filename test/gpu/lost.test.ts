@@ -1,0 +1,56 @@
+import { DirectionalLight, MeshPhysicalMaterial, Scene, type WebGLRenderer } from 'three'
+import type { WebGPURenderer } from 'three/webgpu'
+import { describe, expect, it } from 'vitest'
+import { randomSet } from '../cases.ts'
+import { seeded } from '../random.ts'
+import { createHarness, type Harness, square, squareCamera } from './harness.ts'
+
+function wrinkledScene(harness: Harness) {
+  const mesh = square(new MeshPhysicalMaterial())
+  const scene = new Scene()
+  const light = new DirectionalLight()
+  light.position.set(1, 1, 1)
+  scene.add(mesh, light)
+  const wrinkles = new harness.Wrinkles(mesh, randomSet(seeded(4), 6, 8, 16), { areaSize: 8 })
+  for (const area of wrinkles.areaNames) wrinkles.setActivation(area, 0.4)
+  return { scene, wrinkles }
+}
+
+describe('what is lost comes back', () => {
+  it('keeps the wrinkles when a WebGL context is lost and restored', async () => {
+    const harness = await createHarness('webgl')
+    const { scene, wrinkles } = wrinkledScene(harness)
+    const before = await harness.renderBytes(scene, squareCamera(), 32)
+    const canvas = harness.renderer.domElement
+    const loss = (harness.renderer as WebGLRenderer).getContext().getExtension('WEBGL_lose_context')!
+    const happened = (event: string) =>
+      new Promise((resolve) => canvas.addEventListener(event, resolve, { once: true }))
+    const lost = happened('webglcontextlost')
+    loss.loseContext()
+    await lost
+    const restored = happened('webglcontextrestored')
+    await new Promise((resolve) => setTimeout(resolve, 10))
+    loss.restoreContext()
+    await restored
+    expect([...(await harness.renderBytes(scene, squareCamera(), 32))]).toEqual([...before])
+    wrinkles.setActivation('area0', 1)
+    expect([...(await harness.renderBytes(scene, squareCamera(), 32))]).not.toEqual([...before])
+    harness.dispose()
+  })
+
+  it('keeps the wrinkles when a WebGPU device is lost and the page makes another renderer', async () => {
+    const harness = await createHarness('webgpu')
+    const { scene, wrinkles } = wrinkledScene(harness)
+    const before = await harness.renderBytes(scene, squareCamera(), 32)
+    const { device } = (harness.renderer as WebGPURenderer).backend as unknown as {
+      device: { destroy(): void; lost: Promise<unknown> }
+    }
+    device.destroy()
+    await device.lost
+    const next = await createHarness('webgpu')
+    expect([...(await next.renderBytes(scene, squareCamera(), 32))]).toEqual([...before])
+    wrinkles.setActivation('area0', 1)
+    expect([...(await next.renderBytes(scene, squareCamera(), 32))]).not.toEqual([...before])
+    next.dispose()
+  })
+})

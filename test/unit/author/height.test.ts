@@ -1,0 +1,162 @@
+import { describe, expect, it } from 'vitest'
+import {
+  type Metric,
+  parseStrokes,
+  type Stroke,
+  strokesToHeight,
+} from '../../../packages/furrow/src/author/index.ts'
+import { flatMetric } from './planes.ts'
+
+const strokes = (...list: object[]): Stroke[] => parseStrokes({ version: 1, strokes: list }).strokes
+
+/** A level line across the middle of the map, without ends. */
+const level = {
+  points: [
+    [0.05, 0.5],
+    [0.95, 0.5],
+  ],
+  width: 4,
+  depth: 0.6,
+  taper: 0,
+}
+
+/** Height at a place given in millimetres, between texels. */
+function sample(data: Float32Array, metric: Metric, x: number, y: number): number {
+  const column = (x / Math.sqrt(metric.uu[0]!)) * metric.width - 0.5
+  const row = (y / Math.sqrt(metric.vv[0]!)) * metric.height - 0.5
+  const [x0, y0] = [Math.floor(column), Math.floor(row)]
+  const [fx, fy] = [column - x0, row - y0]
+  const at = (i: number, k: number) => data[(y0 + k) * metric.width + x0 + i]!
+  return (1 - fy) * ((1 - fx) * at(0, 0) + fx * at(1, 0)) + fy * ((1 - fx) * at(0, 1) + fx * at(1, 1))
+}
+
+const lowestOf = (data: Float32Array) => data.reduce((low, mm) => Math.min(low, mm))
+const highestOf = (data: Float32Array) => data.reduce((high, mm) => Math.max(high, mm))
+const same = (a: Float32Array, b: Float32Array) =>
+  Buffer.compare(Buffer.from(a.buffer), Buffer.from(b.buffer)) === 0
+
+describe('strokesToHeight', () => {
+  // 100 mm in 401 texels: an odd number puts the line at v = 0.5 on the centres of a row.
+  const metric = flatMetric(100, 100, 401)
+
+  it.each([0, 0.4, 1])('gives the stated depth and width with shoulders of %d', (shoulder) => {
+    const { data } = strokesToHeight(strokes({ ...level, shoulder, softness: 0.3 }), metric)
+    expect(sample(data, metric, 50, 50)).toBeCloseTo(-0.6, 3)
+    for (const side of [-2, 2]) {
+      expect(sample(data, metric, 50, 50 + side)).toBeCloseTo((-0.6 * (1 - shoulder)) / Math.E, 2)
+    }
+    expect(lowestOf(data)).toBeGreaterThanOrEqual(-0.6001)
+  })
+
+  it('has banks only with shoulders, and exactly nothing far away', () => {
+    const bare = strokesToHeight(strokes({ ...level, shoulder: 0 }), metric).data
+    expect(highestOf(bare)).toBe(0)
+    const full = strokesToHeight(strokes({ ...level, shoulder: 1 }), metric).data
+    // Highest at t = 2: exp(-2) of the depth.
+    expect(highestOf(full)).toBeCloseTo(0.6 * Math.exp(-2), 3)
+    expect(sample(full, metric, 50, 50 + 7 * 2 + 0.5)).toBe(0)
+    expect(sample(full, metric, 50, 50 - 7 * 2 - 0.5)).toBe(0)
+  })
+
+  it('keeps the volume: with full shoulders the banks hold nine tenths of the valley', () => {
+    const { data } = strokesToHeight(strokes({ ...level, width: 8, shoulder: 1, softness: 0 }), metric)
+    let [valley, banks] = [0, 0]
+    for (let y = 0; y < 401; y++) {
+      const h = data[y * 401 + 200]!
+      if (h < 0) valley -= h
+      else banks += h
+    }
+    // The missing tenth is the fade at the far end.
+    expect(banks / valley).toBeGreaterThan(0.87)
+    expect(banks / valley).toBeLessThan(1)
+  })
+
+  it('raises the left and the right side apart', () => {
+    const { data } = strokesToHeight(strokes({ ...level, shoulder: [1, 0] }), metric)
+    // The line runs to the right, so its left side is the upper one: smaller v.
+    expect(sample(data, metric, 50, 46)).toBeGreaterThan(0.05)
+    expect(sample(data, metric, 50, 54)).toBeLessThan(-0.01)
+  })
+
+  it('measures width on the skin, however the texture is stretched', () => {
+    const wide = flatMetric(300, 100, 501)
+    const down = { ...level, points: level.points.map(([u, v]) => [v, u]), shoulder: 1 }
+    const { data } = strokesToHeight(strokes(down), wide)
+    const across = [-3, -2, -1, 1, 2, 3].map((x) => sample(data, wide, 150 + x, 50))
+    const straight = strokesToHeight(strokes({ ...level, shoulder: 1 }), wide).data
+    const along = [-3, -2, -1, 1, 2, 3].map((y) => sample(straight, wide, 150, 50 + y))
+    across.forEach((h, i) => {
+      expect(h).toBeCloseTo(along[i]!, 1.5)
+    })
+  })
+
+  it('tapers to nothing at both ends and is full between', () => {
+    const { data } = strokesToHeight(strokes({ ...level, taper: [0.2, 0.4] }), metric)
+    expect(sample(data, metric, 5.2, 50)).toBeGreaterThan(-0.01)
+    expect(sample(data, metric, 94.8, 50)).toBeGreaterThan(-0.01)
+    // Half way along a taper smoothstep is 0.5.
+    expect(sample(data, metric, 5 + 0.1 * 90, 50)).toBeCloseTo(-0.3, 2)
+    expect(sample(data, metric, 95 - 0.2 * 90, 50)).toBeCloseTo(-0.3, 2)
+    expect(sample(data, metric, 5 + 0.4 * 90, 50)).toBeCloseTo(-0.6, 2)
+    expect(sample(data, metric, 2, 50)).toBe(0)
+  })
+
+  it('takes the deeper of two valleys where they cross, in any order', () => {
+    const down = { ...level, points: level.points.map(([u, v]) => [v, u]), depth: 0.4 }
+    const { data } = strokesToHeight(strokes(level, down), metric)
+    const crossing = sample(data, metric, 50, 50)
+    expect(crossing).toBeLessThanOrEqual(-0.6)
+    expect(crossing).toBeGreaterThan(-0.6 * 1.03)
+    const twice = sample(strokesToHeight(strokes(level, level), metric).data, metric, 50, 50)
+    expect(twice).toBeCloseTo(-0.6 * 2 ** (1 / 6), 3)
+    expect(same(strokesToHeight(strokes(down, level), metric).data, data)).toBe(true)
+  })
+
+  it('follows a Bezier curve', () => {
+    // A half circle of radius 20 mm from the usual four-point arcs (error 0.03%).
+    const k = 0.2 * 0.5523
+    const arc = {
+      ...level,
+      curve: 'bezier',
+      points: [
+        [0.3, 0.5],
+        [0.3, 0.5 - k],
+        [0.5 - k, 0.3],
+        [0.5, 0.3],
+        [0.5 + k, 0.3],
+        [0.7, 0.5 - k],
+        [0.7, 0.5],
+      ],
+    }
+    const { data } = strokesToHeight(strokes(arc), metric)
+    for (const angle of [0.4, 1.2, 2.1, 2.8]) {
+      const [x, y] = [50 + 20 * Math.cos(angle), 50 - 20 * Math.sin(angle)]
+      expect(sample(data, metric, x, y)).toBeCloseTo(-0.6, 1)
+      expect(sample(data, metric, 50, 50)).toBe(0)
+    }
+  })
+
+  it('sways with waviness, the same on every run and never deeper than stated', () => {
+    const wavy = strokes({ ...level, waviness: 1 })
+    const { data } = strokesToHeight(wavy, metric)
+    expect(same(strokesToHeight(wavy, metric).data, data)).toBe(true)
+    expect(same(strokesToHeight(strokes(level), metric).data, data)).toBe(false)
+    expect(lowestOf(data)).toBeGreaterThanOrEqual(-0.6001)
+    const lowest = Array.from({ length: 90 }, (_, i) => {
+      const column = Array.from({ length: 81 }, (_, y) => sample(data, metric, 5 + i, 46 + y / 10))
+      return 46 + column.indexOf(Math.min(...column)) / 10
+    }).slice(2, -2)
+    // Aside by at most 0.4 of the width, 1.6 mm.
+    expect(Math.max(...lowest)).toBeLessThan(51.7)
+    expect(Math.min(...lowest)).toBeGreaterThan(48.3)
+    expect(Math.max(...lowest) - Math.min(...lowest)).toBeGreaterThan(0.5)
+  })
+
+  it('tells its progress stroke by stroke', () => {
+    const told: string[] = []
+    strokesToHeight(strokes(level, level), flatMetric(100, 100, 32), (done, total) =>
+      told.push(`${done}/${total}`),
+    )
+    expect(told).toEqual(['1/2', '2/2'])
+  })
+})

@@ -1,0 +1,97 @@
+import { describe, expect, it } from 'vitest'
+import { surfaceMetric } from '../../../packages/furrow/src/author/index.ts'
+import { sheet } from './planes.ts'
+
+describe('surfaceMetric', () => {
+  it('measures a sheared sheet exactly, in square millimetres', () => {
+    const metric = surfaceMetric(sheet([100, 0, 0], [30, -40, 120]), 16, 8)
+    for (let i = 0; i < 16 * 8; i++) {
+      expect(metric.uu[i]).toBeCloseTo(100 * 100, 1)
+      expect(metric.uv[i]).toBeCloseTo(100 * 30, 1)
+      expect(metric.vv[i]).toBeCloseTo(30 * 30 + 40 * 40 + 120 * 120, 1)
+      expect(metric.inside[i]).toBe(1)
+    }
+  })
+
+  it('takes a mesh without indices three vertices at a time', () => {
+    const positions = [0, 0, 0, 0, -0.05, 0, 0.1, 0, 0]
+    const metric = surfaceMetric({ positions, uvs: [0, 0, 0, 1, 1, 0] }, 8)
+    expect(metric.uu[0]).toBeCloseTo(10_000, 1)
+    expect(metric.vv[0]).toBeCloseTo(2500, 1)
+  })
+
+  it('carries the nearest values outside the islands and marks them', () => {
+    const left = sheet([100, 0, 0], [0, -100, 0], [0, 0, 0.25, 1])
+    const right = sheet([300, 0, 0], [0, -100, 0], [0.75, 0, 1, 1])
+    const metric = surfaceMetric(
+      {
+        positions: [...Array.from(left.positions), ...Array.from(right.positions)],
+        uvs: [...Array.from(left.uvs), ...Array.from(right.uvs)],
+        indices: [...Array.from(left.indices!), ...Array.from(right.indices!, (i) => i + 4)],
+      },
+      32,
+    )
+    const row = 5 * 32
+    expect(Array.from(metric.inside.subarray(row, row + 32))).toEqual(
+      Array.from({ length: 32 }, (_, x) => (x < 8 || x >= 24 ? 1 : 0)),
+    )
+    expect(metric.uu[row + 14]).toBeCloseTo(100 * 100, 1)
+    expect(metric.uu[row + 17]).toBeCloseTo(300 * 300, 0)
+  })
+
+  it('stays within 0.2% of a cylinder cut into 64 strips', () => {
+    const radius = 0.08
+    const positions: number[] = []
+    const uvs: number[] = []
+    const indices: number[] = []
+    for (let i = 0; i <= 64; i++) {
+      const angle = (i / 64) * Math.PI
+      for (const v of [0, 1]) {
+        positions.push(-radius * Math.cos(angle), -0.2 * v, radius * Math.sin(angle))
+        uvs.push(i / 64, v)
+      }
+      if (i < 64) indices.push(2 * i, 2 * i + 1, 2 * i + 3, 2 * i, 2 * i + 3, 2 * i + 2)
+    }
+    const metric = surfaceMetric({ positions, uvs, indices }, 64)
+    for (const i of [0, 1000, 64 * 64 - 1]) {
+      expect(Math.sqrt(metric.uu[i]!) / (1000 * radius * Math.PI)).toBeCloseTo(1, 2.7)
+      expect(Math.sqrt(metric.vv[i]!)).toBeCloseTo(200, 3)
+    }
+  })
+
+  it.each([
+    [
+      'positions that are no triples',
+      { positions: [0, 0, 0, 1], uvs: [] },
+      'surfaceMetric: positions are not x, y, z per vertex, got 4, allowed: a multiple of 3, at least 9; check how the mesh was read',
+    ],
+    [
+      'a missing texture coordinate',
+      { positions: new Float32Array(9), uvs: [0, 0, 1, 1] },
+      'surfaceMetric: texture coordinates do not match the vertices, got 4, allowed: 6 numbers; check how the mesh was read',
+    ],
+    [
+      'a position that is no number',
+      { positions: [0, 0, Number.NaN, 1, 0, 0, 0, 1, 0], uvs: [0, 0, 1, 0, 0, 1] },
+      'surfaceMetric: positions[2] is no number, got NaN, allowed: finite metres; check how the mesh was read',
+    ],
+    [
+      'an index beyond the vertices',
+      { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], uvs: [0, 0, 1, 0, 0, 1], indices: [0, 1, 3] },
+      'surfaceMetric: indices[2] is no vertex, got 3, allowed: 0..2; check how the mesh was read',
+    ],
+    [
+      'triangles without area in the texture',
+      { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], uvs: [0.5, 0.5, 0.5, 0.5, 0.5, 0.5] },
+      'surfaceMetric: no triangle of the mesh covers a texel of the map, allowed: texture coordinates within 0..1 and triangles with area; check the mesh for texture coordinates',
+    ],
+  ])('refuses %s', (_, mesh, message) => {
+    expect(() => surfaceMetric(mesh, 16)).toThrow(message)
+  })
+
+  it('refuses a size that is no texture size', () => {
+    expect(() => surfaceMetric(sheet([1, 0, 0], [0, 1, 0]), 0.5)).toThrow(
+      'surfaceMetric: the size of the map is no texture size, got 0.5, allowed: whole numbers, 1..8192 texels; choose a usual size such as 1024',
+    )
+  })
+})

@@ -1,0 +1,102 @@
+import { describe, expect, it } from 'vitest'
+import {
+  type HeightMap,
+  heightToNormal,
+  type Metric,
+  surfaceMetric,
+} from '../../../packages/furrow/src/author/index.ts'
+import { flatMetric, sheet } from './planes.ts'
+
+type Vector = [number, number, number]
+
+const SIDE = 256
+
+function relief(f: (u: number, v: number) => number, side = SIDE): HeightMap {
+  const data = new Float32Array(side * side)
+  for (let i = 0; i < data.length; i++) {
+    data[i] = f(((i % side) + 0.5) / side, (Math.floor(i / side) + 0.5) / side)
+  }
+  return { width: side, height: side, data }
+}
+
+const unit = (v: Vector): Vector => {
+  const length = Math.hypot(...v)
+  return [v[0] / length, v[1] / length, v[2] / length]
+}
+
+function worstAngle(map: HeightMap, metric: Metric, expected: (u: number, v: number) => Vector): number {
+  const { data } = heightToNormal(map, metric)
+  let worst = 0
+  for (let y = 4; y < SIDE - 4; y++) {
+    for (let x = 4; x < SIDE - 4; x++) {
+      const i = 4 * (y * SIDE + x)
+      const n = unit([data[i]! / 127.5 - 1, data[i + 1]! / 127.5 - 1, data[i + 2]! / 127.5 - 1])
+      const e = unit(expected((x + 0.5) / SIDE, (y + 0.5) / SIDE))
+      const cross = [n[1] * e[2] - n[2] * e[1], n[2] * e[0] - n[0] * e[2], n[0] * e[1] - n[1] * e[0]]
+      worst = Math.max(worst, Math.asin(Math.hypot(...cross)))
+    }
+  }
+  return (worst * 180) / Math.PI
+}
+
+describe('heightToNormal', () => {
+  it('gives the slopes of a sine in both directions on a stretched sheet', () => {
+    // 200 x 80 mm; 8 waves along u and 5 along v, steepest slopes 0.3 and 0.5 mm per mm.
+    const metric = flatMetric(200, 80, SIDE)
+    const [ku, kv] = [2 * Math.PI * 8, 2 * Math.PI * 5]
+    const [au, av] = [(0.3 * 200) / ku, (0.5 * 80) / kv]
+    const map = relief((u, v) => au * Math.sin(ku * u) + av * Math.sin(kv * v))
+    const worst = worstAngle(map, metric, (u, v) => [
+      -0.3 * Math.cos(ku * u),
+      // Green points to smaller v, so a relief that rises with v leans that way.
+      0.5 * Math.cos(kv * v),
+      1,
+    ])
+    expect(worst).toBeLessThan(0.5)
+  })
+
+  it('gives the slope of a cone all round', () => {
+    const metric = flatMetric(100, 100, SIDE)
+    const map = relief((u, v) => -0.7 * Math.hypot(100 * (u - 0.5), 100 * (v - 0.5)))
+    const worst = worstAngle(map, metric, (u, v) => {
+      const r = Math.hypot(u - 0.5, v - 0.5)
+      // The tip itself has no normal.
+      if (r < 0.02) {
+        const { data } = heightToNormal(map, metric)
+        const i = 4 * (Math.floor(v * SIDE) * SIDE + Math.floor(u * SIDE))
+        return [data[i]! - 127.5, data[i + 1]! - 127.5, data[i + 2]! - 127.5]
+      }
+      return [(0.7 * (u - 0.5)) / r, (-0.7 * (v - 0.5)) / r, 1]
+    })
+    expect(worst).toBeLessThan(0.5)
+  })
+
+  it('works in the orthonormal frame of a sheared texture', () => {
+    // P = u (100, 0, 0) + v (50, -80, 0) mm: +u is x, and smaller v at a right angle to it is y.
+    const metric = surfaceMetric(sheet([100, 0, 0], [50, -80, 0]), SIDE)
+    // A plane relief that falls 0.4 mm per mm along x and rises 0.3 along y, written in u and v.
+    const map = relief((u, v) => -0.4 * (100 * u + 50 * v) + 0.3 * (-80 * v))
+    expect(worstAngle(map, metric, () => [0.4, -0.3, 1])).toBeLessThan(0.3)
+  })
+
+  it('is the flat colour where nothing is drawn', () => {
+    const { data } = heightToNormal(
+      relief(() => 0, 4),
+      flatMetric(10, 10, 4),
+    )
+    for (let i = 0; i < data.length; i += 4) {
+      expect([...data.subarray(i, i + 4)]).toEqual([128, 128, 255, 255])
+    }
+  })
+
+  it('refuses a metric of another size', () => {
+    expect(() =>
+      heightToNormal(
+        relief(() => 0, 8),
+        flatMetric(10, 10, 4),
+      ),
+    ).toThrow(
+      'heightToNormal: height map and metric differ in size, got "8 x 8", allowed: 4 x 4, the metric\'s; measure the mesh at the size of the height map',
+    )
+  })
+})

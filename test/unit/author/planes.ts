@@ -1,0 +1,20 @@
+import { type Metric, type MetricMesh, surfaceMetric } from '../../../packages/furrow/src/author/index.ts'
+
+/** A flat sheet P(u, v) = u a + v b, a and b in millimetres, over a rectangle of the texture. */
+export function sheet(
+  a: [number, number, number],
+  b: [number, number, number],
+  [u0, v0, u1, v1] = [0, 0, 1, 1],
+): MetricMesh {
+  const uvs = [u0!, v0!, u1!, v0!, u1!, v1!, u0!, v1!]
+  const positions: number[] = []
+  for (let i = 0; i < 4; i++) {
+    for (let k = 0; k < 3; k++) positions.push((uvs[2 * i]! * a[k]! + uvs[2 * i + 1]! * b[k]!) / 1000)
+  }
+  return { positions, uvs, indices: [0, 3, 2, 0, 2, 1] }
+}
+
+/** Metric of an upright sheet of `width` x `height` millimetres with `texels` x `texels` texels. */
+export function flatMetric(width: number, height: number, texels: number): Metric {
+  return surfaceMetric(sheet([width, 0, 0], [0, -height, 0]), texels)
+}

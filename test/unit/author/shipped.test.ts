@@ -1,0 +1,122 @@
+import { existsSync, readFileSync } from 'node:fs'
+import sharp from 'sharp'
+import { describe, expect, it } from 'vitest'
+import { readFace } from '../../../packages/cli/src/face.ts'
+import { decodeNormalMap } from '../../../packages/cli/src/images.ts'
+import {
+  combineNormals,
+  heightToNormal,
+  paintAreas,
+  parseStrokes,
+  type StrokesDocument,
+  strokesToHeight,
+  surfaceMetric,
+} from '../../../packages/furrow/src/author/index.ts'
+import { parseWrinkleSetDocument } from '../../../packages/furrow/src/core/document.ts'
+
+const faces = new URL('../../../faces/', import.meta.url)
+const path = (name: string) => new URL(name, faces).pathname
+const json = (name: string): unknown => JSON.parse(readFileSync(path(name), 'utf8'))
+const strokes = (): StrokesDocument => parseStrokes(json('human/strokes.json'))
+
+const AREAS = [
+  'foreheadLeft',
+  'foreheadRight',
+  'glabella',
+  'nose',
+  'crowsFeetLeft',
+  'crowsFeetRight',
+  'nasolabialLeft',
+  'nasolabialRight',
+]
+
+/** Weights of a committed area, 255 = fully visible. */
+async function committed(name: string): Promise<Uint8Array> {
+  const { data, info } = await sharp(path(`human/areas/${name}.png`))
+    .toColourspace('b-w')
+    .raw()
+    .toBuffer({ resolveWithObject: true })
+  expect([info.width, info.height, info.channels]).toEqual([128, 128, 1])
+  return data.map((gray) => 255 - gray)
+}
+
+const largestDifference = (a: Uint8Array, b: Uint8Array) =>
+  a.reduce((worst, value, i) => Math.max(worst, Math.abs(value - b[i]!)), 0)
+
+const FACES = ['human', 'human-2'].filter((name) => existsSync(path(`${name}/wrinkles.json`)))
+
+describe.each(FACES)('faces/%s', (name) => {
+  it('is a wrinkle set of eight areas whose files exist', () => {
+    const set = parseWrinkleSetDocument(json(`${name}/wrinkles.json`))
+    expect(set.areas.map((area) => area.name)).toEqual(AREAS)
+    for (const address of [
+      ...set.areas.map((area) => area.image),
+      ...set.layers.map((layer) => layer.normal),
+    ]) {
+      expect(existsSync(path(`${name}/${address}`)), address).toBe(true)
+    }
+  })
+
+  it('has the wrinkled normal map that its strokes give, up to rounding', async () => {
+    const { mesh, normalMap } = await readFace(path(`${name}.glb`))
+    const file = path(`${name}/layers/expression/normal.png`)
+    const drawn = await decodeNormalMap(readFileSync(file), file)
+    const metric = surfaceMetric(mesh, 1024)
+    const detail = heightToNormal(strokesToHeight(strokes().strokes, metric), metric)
+    const base = normalMap && (await decodeNormalMap(normalMap, 'base', 1024))
+    const expected = base ? combineNormals(base, detail) : detail
+    expect(largestDifference(drawn.data, expected.data)).toBeLessThanOrEqual(1)
+  })
+})
+
+describe('the areas that ship', () => {
+  it('are what their document gives, up to rounding', async () => {
+    const { mesh } = await readFace(path('human.glb'))
+    const painted = paintAreas(strokes(), surfaceMetric(mesh, 128))
+    expect(painted.map((area) => area.name)).toEqual(AREAS)
+    for (const { name, weights } of painted) {
+      expect(largestDifference(await committed(name), weights.data), name).toBeLessThanOrEqual(1)
+    }
+  })
+
+  it('keep to their side of the face', async () => {
+    for (const name of AREAS) {
+      const weights = await committed(name)
+      // 14 mm of blend for the forehead, half of it on either side: under 0.02 of the texture.
+      for (let i = 0; i < weights.length; i++) {
+        const u = ((i % 128) + 0.5) / 128
+        if (name.endsWith('Left') && u < 0.475) expect(weights[i], name).toBe(0)
+        if (name.endsWith('Right') && u > 0.525) expect(weights[i], name).toBe(0)
+      }
+      expect(Math.max(...weights), name).toBe(255)
+    }
+  })
+
+  it('sum to the whole forehead at the middle', async () => {
+    const [left, right] = [await committed('foreheadLeft'), await committed('foreheadRight')]
+    for (let y = Math.round(0.3 * 128); y < 0.42 * 128; y++) {
+      for (let x = 60; x < 68; x++) {
+        expect(Math.abs(left[y * 128 + x]! + right[y * 128 + x]! - 255)).toBeLessThanOrEqual(2)
+      }
+      expect(left[y * 128 + 63]).toBeGreaterThan(64)
+      expect(right[y * 128 + 63]).toBeGreaterThan(64)
+    }
+  })
+
+  it('cover every stroke: no relief is left uncovered', async () => {
+    const total = new Float64Array(128 * 128)
+    for (const name of AREAS) {
+      const weights = await committed(name)
+      for (let i = 0; i < weights.length; i++) total[i]! += weights[i]!
+    }
+    const { mesh } = await readFace(path('human.glb'))
+    const { data } = strokesToHeight(strokes().strokes, surfaceMetric(mesh, 128))
+    let drawn = 0
+    for (let i = 0; i < data.length; i++) {
+      if (data[i]! > -0.1) continue
+      drawn++
+      expect(total[i], `texel ${i % 128}, ${Math.floor(i / 128)}`).toBeGreaterThanOrEqual(250)
+    }
+    expect(drawn).toBeGreaterThan(200)
+  })
+})

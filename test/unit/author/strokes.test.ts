@@ -1,0 +1,240 @@
+import { readFileSync } from 'node:fs'
+import * as fc from 'fast-check'
+import { describe, expect, it } from 'vitest'
+import { parseStrokes, STROKE_DEFAULTS } from '../../../packages/furrow/src/author/index.ts'
+import { FurrowError } from '../../../packages/furrow/src/core/error.ts'
+
+const plain = {
+  points: [
+    [0.1, 0.2],
+    [0.3, 0.4],
+  ],
+  width: 2,
+  depth: 0.5,
+}
+const document = (stroke: object, more: object = {}) => ({ version: 1, strokes: [stroke], ...more })
+const area = (shape: object, more: object = {}) =>
+  document({ ...plain, group: 'brow' }, { areas: [{ name: 'a', shapes: [shape], ...more }] })
+
+describe('parseStrokes', () => {
+  it('fills in the defaults and keeps the rest', () => {
+    expect(parseStrokes(document(plain))).toEqual({
+      version: 1,
+      strokes: [{ ...STROKE_DEFAULTS, ...plain }],
+    })
+    const full = {
+      ...plain,
+      group: 'brow',
+      curve: 'bezier',
+      points: [
+        [0, 0],
+        [0, 1],
+        [1, 0],
+        [1, 1],
+      ],
+      taper: [0.1, 0.2],
+      shoulder: 1,
+      softness: 0,
+      waviness: 1,
+    }
+    expect(parseStrokes(document(full, { size: 512 }))).toEqual({
+      version: 1,
+      size: 512,
+      strokes: [{ ...full, shoulder: [1, 1] }],
+    })
+  })
+
+  it('leaves its input alone', () => {
+    const json = Object.freeze(document(Object.freeze({ ...plain })))
+    expect(parseStrokes(json).strokes[0]).not.toBe(plain)
+  })
+
+  it('reads the areas of a document', () => {
+    const shape = { group: 'brow', radius: 3, feather: 2 }
+    expect(parseStrokes(area(shape, { within: shape })).areas).toEqual([
+      { name: 'a', shapes: [shape], within: shape },
+    ])
+  })
+
+  it.each<[string, unknown, string]>([
+    [
+      'no object',
+      [],
+      'the document must be an object, got []; write { ... } with version, size, strokes, areas',
+    ],
+    ['nothing', undefined, 'the document must be an object, got nothing'],
+    ['no version', {}, 'version is not known, got nothing, allowed: 1; write "version": 1'],
+    [
+      'a later version',
+      { ...document(plain), version: 2 },
+      'version is not known, got 2, allowed: 1; write "version": 1',
+    ],
+    [
+      'no strokes',
+      { version: 1 },
+      'strokes must be an array, got nothing, allowed: 1 to 10000 items; write [ ... ]',
+    ],
+    [
+      'an empty list',
+      { version: 1, strokes: [] },
+      'strokes has the wrong number of items, got 0, allowed: 1 to 10000 items; add or remove items',
+    ],
+    [
+      'a misspelt field',
+      document({ ...plain, widht: 3 }),
+      'strokes[0] has an unknown field, got "widht", allowed: group, curve, points, width, depth, taper, shoulder, softness, waviness; correct the name or remove it',
+    ],
+    [
+      'a width in quotes',
+      document({ ...plain, width: '2' }),
+      'strokes[0].width must be a number, got "2", allowed: 0.1..50 mm; write a plain number',
+    ],
+    [
+      'a width of nothing',
+      document({ ...plain, width: 0 }),
+      'strokes[0].width is out of range, got 0, allowed: 0.1..50 mm; choose a value inside the range',
+    ],
+    [
+      'a missing depth',
+      document({ ...plain, depth: undefined }),
+      'strokes[0].depth must be a number, got nothing, allowed: 0..10 mm; write a plain number',
+    ],
+    [
+      'an infinite depth',
+      document({ ...plain, depth: Number.POSITIVE_INFINITY }),
+      'strokes[0].depth must be a number, got Infinity, allowed: 0..10 mm; write a plain number',
+    ],
+    [
+      'a taper of three',
+      document({ ...plain, taper: [0, 0, 0] }),
+      'strokes[0].taper has the wrong number of items, got 3, allowed: 2 to 2 items; add or remove items',
+    ],
+    [
+      'shoulders that are too high',
+      document({ ...plain, shoulder: [0, 1.5] }),
+      'strokes[0].shoulder[1] is out of range, got 1.5, allowed: 0..1; choose a value inside the range',
+    ],
+    [
+      'a point outside the texture',
+      document({
+        ...plain,
+        points: [
+          [0.1, 0.2],
+          [0.3, -0.4],
+        ],
+      }),
+      'strokes[0].points[1][1] is out of range, got -0.4, allowed: 0..1 of the texture; choose a value inside the range',
+    ],
+    [
+      'a point of one number',
+      document({ ...plain, points: [[0.1], [0.3, 0.4]] }),
+      'strokes[0].points[0] has the wrong number of items, got 1, allowed: 2 to 2 items; add or remove items',
+    ],
+    [
+      'one point only',
+      document({ ...plain, points: [[0.1, 0.2]] }),
+      'strokes[0].points has the wrong number of items, got 1, allowed: 2 to 4096 items; add or remove items',
+    ],
+    [
+      'points in one place',
+      document({
+        ...plain,
+        points: [
+          [0.1, 0.2],
+          [0.1, 0.2],
+        ],
+      }),
+      'strokes[0].points all lie in one place, got 2; move them apart',
+    ],
+    [
+      'an unknown curve',
+      document({ ...plain, curve: 'spline' }),
+      'strokes[0].curve is not known, got "spline", allowed: polyline, bezier; choose one of them',
+    ],
+    [
+      'Bezier curves with a handle too many',
+      document({
+        ...plain,
+        curve: 'bezier',
+        points: [
+          [0, 0],
+          [0, 1],
+          [1, 0],
+          [1, 1],
+          [0, 0],
+        ],
+      }),
+      'strokes[0].points do not make Bezier curves, got 5, allowed: 4, 7, 10, ... points; give an end, then two handles and an end for each further piece',
+    ],
+    [
+      'a group without a name',
+      document({ ...plain, group: '' }),
+      'strokes[0].group must be text, got "", allowed: 1 to 64 characters; write a short name in quotes',
+    ],
+    ['half a texel', document(plain, { size: 100.5 }), 'size must be a whole number, got 100.5; round it'],
+    [
+      'an area that would leave its folder',
+      document(plain, { areas: [{ name: '../../x', shapes: [] }] }),
+      'areas[0].name cannot name a file, got "../../x", allowed: letters, digits, _ and -; choose another name',
+    ],
+    [
+      'an area of an unknown group',
+      area({ group: 'nose', radius: 1, feather: 1 }),
+      'areas[0].shapes[0].group has no strokes, got "nose", allowed: brow; name a group of strokes',
+    ],
+    [
+      'a shape that is two at once',
+      area({ group: 'brow', polygon: [], radius: 1, feather: 1 }),
+      'areas[0].shapes[0] is neither one shape nor the other, got {"group":"brow","polygon":[],"radius":1,"feather":1}, allowed: polygon, or group; give one of the two',
+    ],
+    [
+      'a polygon of two points',
+      area({ polygon: plain.points, feather: 1 }),
+      'areas[0].shapes[0].polygon has the wrong number of items, got 2, allowed: 3 to 4096 items; add or remove items',
+    ],
+    [
+      'a shape without softness',
+      area({ group: 'brow', radius: 1, feather: 0 }),
+      'areas[0].shapes[0].feather is out of range, got 0, allowed: 0.1..200 mm; choose a value inside the range',
+    ],
+  ])('refuses %s', (_, json, message) => {
+    const attempt = () => parseStrokes(json)
+    expect(attempt).toThrow(FurrowError)
+    expect(attempt).toThrow(`parseStrokes: ${message}`)
+  })
+
+  it('refuses two areas of one name', () => {
+    const sketch = { name: 'a', shapes: [{ group: 'brow', radius: 1, feather: 1 }] }
+    expect(() => parseStrokes(document({ ...plain, group: 'brow' }, { areas: [sketch, sketch] }))).toThrow(
+      'parseStrokes: areas[1].name is taken, got "a"; give every area its own name',
+    )
+  })
+
+  it('parses any JSON or throws a FurrowError', () => {
+    const only = (json: unknown) => {
+      try {
+        parseStrokes(json)
+      } catch (error) {
+        expect(error).toBeInstanceOf(FurrowError)
+      }
+    }
+    fc.assert(fc.property(fc.jsonValue(), only))
+    // Documents that are right but for one field reach every reader.
+    const fields = ['group', 'curve', 'points', 'width', 'depth', 'taper', 'shoulder', 'softness', 'waviness']
+    fc.assert(
+      fc.property(fc.constantFrom(...fields), fc.jsonValue(), (field, value) =>
+        only(document({ ...plain, [field]: value })),
+      ),
+    )
+    fc.assert(fc.property(fc.jsonValue(), (value) => only(document(plain, { areas: value }))))
+    fc.assert(fc.property(fc.jsonValue(), (value) => only(area({ polygon: value, feather: 1 }))))
+  })
+
+  it('reads the example of the documentation', () => {
+    const text = readFileSync(new URL('../../../docs/strokes.md', import.meta.url), 'utf8')
+    const example = /```json\n([\s\S]*?)```/.exec(text)?.[1]
+    const { strokes, areas } = parseStrokes(JSON.parse(example!))
+    expect(strokes.length).toBeGreaterThan(1)
+    expect(areas!.length).toBeGreaterThan(0)
+  })
+})

@@ -1,0 +1,50 @@
+import { setFlagsFromString } from 'node:v8'
+import { runInNewContext } from 'node:vm'
+import { EXPRESSIONS, findTargets } from 'furrow'
+import { ExpressionPlayer, Wrinkles } from 'furrow/three'
+import { BufferAttribute, Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
+import { expect, it } from 'vitest'
+import { layer, randomNormals } from '../../cases.ts'
+import { seeded } from '../../random.ts'
+
+setFlagsFromString('--expose-gc')
+const collect = runInNewContext('gc') as () => void
+
+const FRAMES = 20_000
+
+it('allocates nothing per frame while an expression moves', () => {
+  const { player } = movingFace()
+  const frames = (count: number) => {
+    for (let i = 0; i < count; i++) player.update(1e-7)
+  }
+  player.play('surprised', 1)
+  frames(FRAMES) // until the optimiser has seen it
+  const used = Array.from({ length: 5 }, () => {
+    collect()
+    const before = process.memoryUsage().heapUsed
+    frames(FRAMES)
+    return (process.memoryUsage().heapUsed - before) / FRAMES
+  })
+  // Reading the heap's size allocates a little itself; one number per frame would be 16 bytes.
+  expect(Math.min(...used)).toBeLessThan(4)
+})
+
+/** A face with every blendshape and area that the expressions use. */
+function movingFace() {
+  const targets = [...new Set(EXPRESSIONS.flatMap((expression) => Object.keys(expression.targets)))]
+  const areas = [...new Set(EXPRESSIONS.flatMap((expression) => Object.keys(expression.activations)))]
+  const geometry = new PlaneGeometry()
+  geometry.morphAttributes.position = targets.map((name) => {
+    const attribute = new BufferAttribute(new Float32Array(12), 3)
+    attribute.name = name
+    return attribute
+  })
+  const mesh = new Mesh(geometry, new MeshStandardMaterial())
+  expect(findTargets('browInnerUp', Object.keys(mesh.morphTargetDictionary!))).toHaveLength(1)
+  const weights = { width: 2, height: 2, data: new Uint8Array(4) }
+  const wrinkles = new Wrinkles(mesh, {
+    layers: [layer('skin', 'replace', randomNormals(seeded(1), 2))],
+    areas: areas.map((name) => ({ name, weights })),
+  })
+  return { player: new ExpressionPlayer(mesh, wrinkles), wrinkles }
+}
