@@ -1,3 +1,5 @@
+import { existsSync } from 'node:fs'
+import { fileURLToPath } from 'node:url'
 import { playwright } from '@vitest/browser-playwright'
 import { defineConfig } from 'vitest/config'
 
@@ -14,6 +16,9 @@ const CHROMIUM_FLAGS = [
 // Sources, not builds: the `furrow-source` condition of the packages' exports.
 const resolve = { conditions: ['furrow-source', 'module', 'browser', 'development|production'] }
 const ssr = { resolve: { conditions: ['furrow-source', 'module', 'node', 'development|production'] } }
+
+/** A scanned face that is tested where it is at hand; it is data of others and no part of this repository. */
+const realFace = fileURLToPath(new URL('../shared/real-face/ict-face.glb', import.meta.url))
 
 export default defineConfig({
   test: {
@@ -32,7 +37,10 @@ export default defineConfig({
       },
       {
         resolve,
-        optimizeDeps: { include: ['three', 'three/webgpu', 'three/tsl'] },
+        define: { __REAL_FACE__: JSON.stringify(existsSync(realFace) ? `/@fs${realFace}` : '') },
+        optimizeDeps: {
+          include: ['three', 'three/webgpu', 'three/tsl', 'three/addons/loaders/GLTFLoader.js'],
+        },
         server: { fs: { allow: ['..'] } },
         test: {
           name: 'gpu',

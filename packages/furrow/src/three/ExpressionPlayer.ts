@@ -43,12 +43,13 @@ export class ExpressionPlayer {
   }
 
   /**
-   * Moves to an expression.
+   * Moves to an expression from wherever the face is now, sliders included.
    *
    * @param seconds time to get there, 0.25 unless told.
    * @throws FurrowError when no expression has that name.
    */
   play(name: string, seconds = 0.25): void {
+    this.#read()
     this.#mix.play(name, seconds)
     if (seconds === 0) this.#write()
   }
@@ -58,6 +59,14 @@ export class ExpressionPlayer {
     if (this.#mix.still) return
     this.#mix.update(delta)
     this.#write()
+  }
+
+  #read(): void {
+    const { targets, activations } = this.#mix
+    for (const { influences, target, weight } of this.#bindings) targets[weight] = influences[target]
+    for (const { name, index } of this.#areas) {
+      if (this.#wrinkles.hasArea(name)) activations[index] = this.#wrinkles.getActivation(name)
+    }
   }
 
   #write(): void {

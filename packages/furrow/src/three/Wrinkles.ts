@@ -84,15 +84,14 @@ export abstract class WrinklesBase {
     this.#set = { layers: [...set.layers], areas: [...set.areas] }
     this.#areaSize = areaSize
     const areas = areaTexture(packAreas(weightsOf(set.areas), areaSize, 'Wrinkles'))
+    const normals = packColours(
+      set.layers.map(({ normal }) => normal),
+      'Wrinkles layers',
+    )
     this.#activations = new Activations(slotsOf(this.#set), 'Wrinkles')
     this.#inputs = {
       areas,
-      normals: colourTexture(
-        packColours(
-          set.layers.map(({ normal }) => normal),
-          'Wrinkles layers',
-        ),
-      ),
+      normals: colourTexture(normals, this.#material.normalMap?.anisotropy ?? 1),
       colours: null,
       activations: activationTexture(this.#activations),
       areaCount: { value: set.areas.length },
@@ -209,6 +208,8 @@ export abstract class WrinklesBase {
       texture?.dispose()
     }
     owners.delete(this.#material)
+    // Renderers keep a program's inputs with the material; wrinkles put on it later must bring their own.
+    this.#material.dispose()
   }
 
   #replaceAreas(areas: Area[], who: string): void {
@@ -242,7 +243,10 @@ export abstract class WrinklesBase {
       this.#flat || !this.#material.normalMap
         ? filled(wrinkled, [128, 128, 255, 255])
         : readTexture(this.#material.normalMap, 'Wrinkles.mode')
-    return colourTexture(packColours([diffuse, smooth, wrinkled], 'Wrinkles.mode paper'))
+    return colourTexture(
+      packColours([diffuse, smooth, wrinkled], 'Wrinkles.mode paper'),
+      this.#inputs.normals.anisotropy,
+    )
   }
 }
 

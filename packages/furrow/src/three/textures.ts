@@ -2,7 +2,9 @@ import {
   ClampToEdgeWrapping,
   DataArrayTexture,
   DataTexture,
+  DataUtils,
   FloatType,
+  HalfFloatType,
   LinearFilter,
   LinearMipmapLinearFilter,
   NearestFilter,
@@ -24,12 +26,16 @@ export function areaTexture(areas: ImageArray): DataArrayTexture {
   return finish(texture)
 }
 
-/** Maps of the skin on the GPU: four channels, filtered with mipmaps, as stored (no colour conversion). */
-export function colourTexture(colours: ImageArray): DataArrayTexture {
+/**
+ * Maps of the skin on the GPU: four channels, filtered with mipmaps, as stored (no colour conversion).
+ *
+ * @param anisotropy that of the map they are mixed with, so that both blur alike at a slant.
+ */
+export function colourTexture(colours: ImageArray, anisotropy: number): DataArrayTexture {
   const texture = new DataArrayTexture(colours.data, colours.width, colours.height, colours.depth)
   texture.minFilter = LinearMipmapLinearFilter
   texture.generateMipmaps = true
-  texture.anisotropy = 4
+  texture.anisotropy = anisotropy
   return finish(texture)
 }
 
@@ -42,9 +48,13 @@ export function activationTexture(activations: Activations): DataTexture {
   return texture
 }
 
-/** One texel that points straight out of the surface, for a material that has no normal map. */
+/**
+ * One texel that points straight out of the surface, for a material that has no normal map. In half floats,
+ * since no byte is exactly 0.5: skin without wrinkles must look as it did before.
+ */
 export function flatNormalTexture(): DataTexture {
-  const texture = new DataTexture(new Uint8Array([128, 128, 255, 255]), 1, 1)
+  const [half, one] = [0.5, 1].map(DataUtils.toHalfFloat)
+  const texture = new DataTexture(Uint16Array.of(half, half, one, one), 1, 1, RGBAFormat, HalfFloatType)
   texture.needsUpdate = true
   return texture
 }

@@ -1,0 +1,97 @@
+import { packAreas, reference, type WrinkleSet } from 'furrow'
+import {
+  AmbientLight,
+  DataTexture,
+  DirectionalLight,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  type Material,
+  MeshBasicMaterial,
+  type MeshStandardMaterial,
+  PerspectiveCamera,
+  Scene,
+} from 'three'
+import { uv, vec3 } from 'three/tsl'
+import { MeshBasicNodeMaterial } from 'three/webgpu'
+import type { Face } from '../../stage/face.ts'
+import { frameView, type ViewName } from '../../stage/views.ts'
+import type { Harness } from './harness.ts'
+
+export const WIDTH = 240
+export const HEIGHT = 320
+
+/** A face alone under two plain lights, so that pictures differ by its wrinkles only. */
+export function faceScene({ root, skin }: Face, view: ViewName) {
+  const scene = new Scene()
+  const key = new DirectionalLight(0xffffff, 1.6)
+  key.position.set(-1, 1, 1.5)
+  scene.add(root, key, new AmbientLight(0xffffff, 0.4))
+  const camera = new PerspectiveCamera()
+  camera.aspect = WIDTH / HEIGHT
+  frameView(skin, camera, view)
+  return { scene, camera }
+}
+
+/** Renders with another material on the skin. */
+export async function renderWith(
+  harness: Harness,
+  face: Face,
+  stage: ReturnType<typeof faceScene>,
+  material: Material,
+) {
+  const own = face.skin.material
+  face.skin.material = material
+  const pixels = await harness.render(stage.scene, stage.camera, WIDTH, HEIGHT)
+  face.skin.material = own
+  return pixels
+}
+
+/** Writes u, v and 1 where the skin is seen: a picture from which the reference reads where each pixel lies. */
+export function uvMaterial(harness: Harness): Material {
+  if (harness.name !== 'webgl') {
+    const material = new MeshBasicNodeMaterial()
+    material.colorNode = vec3(uv(), 1)
+    return material
+  }
+  const material = new MeshBasicMaterial()
+  material.defines = { USE_UV: '' }
+  material.onBeforeCompile = (shader) => {
+    shader.fragmentShader = shader.fragmentShader.replace(
+      '#include <map_fragment>',
+      'diffuseColor.rgb = vec3(vUv, 1.0);',
+    )
+  }
+  return material
+}
+
+/** The skin's own material with the wrinkled normal map in place of the smooth one. */
+export function wrinkledMaterial(plain: MeshStandardMaterial, set: WrinkleSet): MeshStandardMaterial {
+  const { data, width, height } = set.layers[0].normal
+  const material = plain.clone()
+  const map = new DataTexture(data, width, height)
+  map.minFilter = LinearMipmapLinearFilter
+  map.magFilter = LinearFilter
+  map.generateMipmaps = true
+  map.needsUpdate = true
+  material.normalMap = map
+  return material
+}
+
+/** The reference's influence at every pixel of a picture made with `uvMaterial`; NaN where no skin is seen. */
+export function referenceInfluence(
+  places: Float32Array,
+  set: WrinkleSet,
+  activations: Record<string, number>,
+): Float64Array {
+  const areas = packAreas(set.areas.map(({ weights }) => weights))
+  const table = set.areas.map(({ name, combine }) => ({
+    activation: activations[name] ?? 0,
+    layer: 0,
+    combine: combine ?? ('sum' as const),
+  }))
+  return Float64Array.from({ length: WIDTH * HEIGHT }, (_, i) =>
+    places[i * 4 + 2] === 1
+      ? reference.influence(areas, table, places[i * 4], places[i * 4 + 1])
+      : Number.NaN,
+  )
+}

@@ -1,0 +1,115 @@
+import { EXPRESSIONS, reference, type WrinkleSet } from 'furrow'
+import { ExpressionPlayer, loadWrinkleSet } from 'furrow/three'
+import type { MeshStandardMaterial } from 'three'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { type Face, loadFace } from '../../stage/face.ts'
+import {
+  faceScene,
+  HEIGHT,
+  referenceInfluence,
+  renderWith,
+  uvMaterial,
+  WIDTH,
+  wrinkledMaterial,
+} from './face.ts'
+import { createHarness, type Harness, RENDERERS } from './harness.ts'
+
+/** The paper's figures: what moves, and which areas show. */
+const FIGURES = [
+  { figure: '8', expression: 'surprised', view: 'front' },
+  { figure: '9, left brow', expression: 'leftBrow', view: 'front' },
+  { figure: '9, right brow', expression: 'rightBrow', view: 'front' },
+  { figure: '10', expression: 'leftWink', view: 'three-quarter' },
+] as const
+
+describe.each(RENDERERS)('figures on %s', (name) => {
+  let harness: Harness
+  let face: Face
+  let set: WrinkleSet
+  beforeAll(async () => {
+    harness = await createHarness(name)
+    face = await loadFace('/faces/human.glb')
+    set = await loadWrinkleSet('/faces/human/wrinkles.json')
+  })
+  afterAll(() => harness.dispose())
+
+  it.each(FIGURES)('figure $figure is what the reference computes', async ({ expression, view }) => {
+    const stage = faceScene(face, view)
+    const wrinkles = new harness.Wrinkles(face.skin, set, { mode: 'paper' })
+    const player = new ExpressionPlayer(face.root, wrinkles)
+    player.play(expression, 0)
+    const { activations } = EXPRESSIONS.find((known) => known.name === expression)!
+    const places = await renderWith(harness, face, stage, uvMaterial(harness))
+    const exact = referenceInfluence(places, set, activations)
+    const influence = await renderWith(harness, face, stage, wrinkles.createInfluenceMaterial())
+    const paper = await harness.render(stage.scene, stage.camera, WIDTH, HEIGHT)
+    wrinkles.mode = 'off'
+    const plain = face.skin.material as MeshStandardMaterial
+    const smooth = await renderWith(harness, face, stage, plain)
+    const wrinkled = await renderWith(harness, face, stage, wrinkledMaterial(plain, set))
+    player.play('neutral', 0)
+    wrinkles.dispose()
+
+    let seen = 0
+    let worst = 0
+    let off = 0
+    for (let i = 0; i < exact.length; i++) {
+      if (Number.isNaN(exact[i])) continue
+      seen++
+      worst = Math.max(worst, Math.abs(influence[i * 4] - exact[i]))
+      const pixel = (picture: Float32Array) => [...picture.subarray(i * 4, i * 4 + 3)]
+      const expected = reference.mixColours(pixel(smooth), pixel(wrinkled), exact[i])
+      if (pixel(paper).some((value, c) => Math.abs(value - expected[c]) > 2 / 255)) off++
+    }
+    expect(seen).toBeGreaterThan(0.2 * WIDTH * HEIGHT)
+    expect(worst).toBeLessThanOrEqual(1 / 255)
+    expect(off / seen).toBeLessThanOrEqual(0.001)
+  })
+
+  it.each([
+    { area: 'foreheadLeft', view: 'front' },
+    { area: 'crowsFeetLeft', view: 'three-quarter' },
+  ] as const)('$area alone changes what it reaches, and not one bit elsewhere', async ({ area, view }) => {
+    const stage = faceScene(face, view)
+    const plain = await harness.render(stage.scene, stage.camera, WIDTH, HEIGHT)
+    const wrinkles = new harness.Wrinkles(face.skin, set)
+    wrinkles.setActivation(area, 1)
+    const shown = await harness.render(stage.scene, stage.camera, WIDTH, HEIGHT)
+    const influence = await renderWith(harness, face, stage, wrinkles.createInfluenceMaterial())
+    const places = await renderWith(harness, face, stage, uvMaterial(harness))
+    wrinkles.dispose()
+
+    const counts = {
+      untouched: 0,
+      untouchedChanged: 0,
+      core: 0,
+      coreSame: 0,
+      otherSide: 0,
+      otherSideChanged: 0,
+    }
+    for (let i = 0; i < WIDTH * HEIGHT; i++) {
+      if (places[i * 4 + 2] !== 1) continue
+      const changed = [0, 1, 2].some((c) => shown[i * 4 + c] !== plain[i * 4 + c])
+      if (influence[i * 4] === 0) {
+        counts.untouched++
+        if (changed) counts.untouchedChanged++
+      }
+      if (influence[i * 4] > 0.9) {
+        counts.core++
+        if (!changed) counts.coreSame++
+      }
+      // The person's own left is u > 0.5; the areas meet softly within 5% of the middle.
+      if (places[i * 4] < 0.45) {
+        counts.otherSide++
+        if (changed) counts.otherSideChanged++
+      }
+    }
+    expect(counts.untouched).toBeGreaterThan(1000)
+    expect(counts.untouchedChanged).toBe(0)
+    expect(counts.core).toBeGreaterThan(area === 'foreheadLeft' ? 300 : 30)
+    // A wrinkled normal may light a pixel to the very same colour by chance, but hardly ever.
+    expect(counts.coreSame / counts.core).toBeLessThan(0.05)
+    expect(counts.otherSide).toBeGreaterThan(1000)
+    expect(counts.otherSideChanged).toBe(0)
+  })
+})
