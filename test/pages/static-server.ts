@@ -16,6 +16,8 @@ export async function startStaticServer(): Promise<{ origin: string; close(): vo
   const root = fileURLToPath(new URL('../../', import.meta.url))
   const server = createServer((request, response) => {
     const file = join(root, decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname))
+    // Browsers ask for an icon whether or not there is one.
+    if (file.endsWith('favicon.ico')) return response.writeHead(204).end()
     if (!existsSync(file) || !statSync(file).isFile()) return response.writeHead(404).end()
     response.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream' })
     return createReadStream(file).pipe(response)

@@ -83,7 +83,10 @@ describe('furrow strokes', () => {
     expect(printed).toContain('height.png: 201 x 201, 16-bit, 32768 = 0 mm, 1 step = 0.001 mm, -0.50..')
     const image = sharp(file('height.png'))
     expect(await image.metadata()).toMatchObject({ width: 201, height: 201, depth: 'ushort', channels: 1 })
-    const { data } = await image.raw({ depth: 'ushort' }).toBuffer({ resolveWithObject: true })
+    const { data } = await image
+      .toColourspace('grey16')
+      .raw({ depth: 'ushort' })
+      .toBuffer({ resolveWithObject: true })
     const steps = new Uint16Array(data.buffer, data.byteOffset, data.length / 2)
     expect(steps[100 * 201 + 100]).toBe(32768 - 500)
     expect(steps[0]).toBe(32768)

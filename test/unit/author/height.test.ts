@@ -4,8 +4,9 @@ import {
   parseStrokes,
   type Stroke,
   strokesToHeight,
+  surfaceMetric,
 } from '../../../packages/furrow/src/author/index.ts'
-import { flatMetric } from './planes.ts'
+import { flatMetric, sheet } from './planes.ts'
 
 const strokes = (...list: object[]): Stroke[] => parseStrokes({ version: 1, strokes: list }).strokes
 
@@ -20,13 +21,17 @@ const level = {
   taper: 0,
 }
 
-/** Height at a place given in millimetres, between texels. */
+/** Height at a place given in millimetres on an upright sheet, between texels. */
 function sample(data: Float32Array, metric: Metric, x: number, y: number): number {
-  const column = (x / Math.sqrt(metric.uu[0]!)) * metric.width - 0.5
-  const row = (y / Math.sqrt(metric.vv[0]!)) * metric.height - 0.5
+  return texelAt(data, metric, x / Math.sqrt(metric.uu[0]!), y / Math.sqrt(metric.vv[0]!))
+}
+
+/** Height at (u, v), between texels. */
+function texelAt(data: Float32Array, { width, height }: Metric, u: number, v: number): number {
+  const [column, row] = [u * width - 0.5, v * height - 0.5]
   const [x0, y0] = [Math.floor(column), Math.floor(row)]
   const [fx, fy] = [column - x0, row - y0]
-  const at = (i: number, k: number) => data[(y0 + k) * metric.width + x0 + i]!
+  const at = (i: number, k: number) => data[(y0 + k) * width + x0 + i]!
   return (1 - fy) * ((1 - fx) * at(0, 0) + fx * at(1, 0)) + fy * ((1 - fx) * at(0, 1) + fx * at(1, 1))
 }
 
@@ -88,6 +93,26 @@ describe('strokesToHeight', () => {
     across.forEach((h, i) => {
       expect(h).toBeCloseTo(along[i]!, 1.5)
     })
+  })
+
+  it('measures width on the skin where the texture is sheared', () => {
+    // P = u (100, 0, 0) + v (50, -80, 0) mm; the strokes run across and down on the skin, through (75, -40).
+    const sheared = surfaceMetric(sheet([100, 0, 0], [50, -80, 0]), 401)
+    const uv = (x: number, y: number) => [(x + (50 / 80) * y) / 100, -y / 80]
+    for (const ends of [
+      [uv(60, -40), uv(90, -40)],
+      [uv(75, -25), uv(75, -55)],
+      [uv(65, -30), uv(85, -50)],
+    ]) {
+      const { data } = strokesToHeight(strokes({ ...level, points: ends, shoulder: 0 }), sheared)
+      const [a, b] = ends as [number[], number[]]
+      const [dx, dy] = [100 * (b[0]! - a[0]!) + 50 * (b[1]! - a[1]!), -80 * (b[1]! - a[1]!)]
+      for (const side of [-2, 2]) {
+        const [x, y] = [75 - (side * dy) / Math.hypot(dx, dy), -40 + (side * dx) / Math.hypot(dx, dy)]
+        const [u, v] = uv(x, y)
+        expect(texelAt(data, sheared, u!, v!)).toBeCloseTo(-0.6 / Math.E, 2)
+      }
+    }
   })
 
   it('tapers to nothing at both ends and is full between', () => {

@@ -79,6 +79,28 @@ describe('heightToNormal', () => {
     expect(worstAngle(map, metric, () => [0.4, -0.3, 1])).toBeLessThan(0.3)
   })
 
+  it('writes what the derivative frame of three.js turns back into the slope', () => {
+    // P = u (100, 0, 0) + v (50, -80, 0) mm has the gradients grad u = (1, 0.625) / 100, grad v = (0, -1) / 80.
+    const metric = surfaceMetric(sheet([100, 0, 0], [50, -80, 0]), SIDE)
+    const map = relief((u, v) => -0.4 * (100 * u + 50 * v) + 0.3 * (-80 * v))
+    const { data } = heightToNormal(map, metric, 'derivative')
+    const longer = Math.max(Math.hypot(1, 0.625) / 100, 1 / 80)
+    const [tangent, bitangent] = [
+      [1 / 100 / longer, 0.625 / 100 / longer],
+      [0, 1 / 80 / longer],
+    ] as const
+    const i = 4 * (100 * SIDE + 100)
+    const [x, y, z] = [data[i]! / 127.5 - 1, data[i + 1]! / 127.5 - 1, data[i + 2]! / 127.5 - 1]
+    expect((x * tangent[0] + y * bitangent[0]) / z).toBeCloseTo(0.4, 1.7)
+    expect((x * tangent[1] + y * bitangent[1]) / z).toBeCloseTo(-0.3, 1.7)
+  })
+
+  it('gives the same map for both frames where the texture is square', () => {
+    const metric = flatMetric(100, 100, 64)
+    const map = relief((u, v) => Math.sin(40 * u) + Math.cos(30 * v), 64)
+    expect(heightToNormal(map, metric, 'derivative')).toEqual(heightToNormal(map, metric, 'orthonormal'))
+  })
+
   it('is the flat colour where nothing is drawn', () => {
     const { data } = heightToNormal(
       relief(() => 0, 4),

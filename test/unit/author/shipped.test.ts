@@ -58,11 +58,12 @@ describe.each(FACES)('faces/%s', (name) => {
   })
 
   it('has the wrinkled normal map that its strokes give, up to rounding', async () => {
-    const { mesh, normalMap } = await readFace(path(`${name}.glb`))
+    const { mesh, normalMap, hasTangents } = await readFace(path(`${name}.glb`))
     const file = path(`${name}/layers/expression/normal.png`)
     const drawn = await decodeNormalMap(readFileSync(file), file)
     const metric = surfaceMetric(mesh, 1024)
-    const detail = heightToNormal(strokesToHeight(strokes().strokes, metric), metric)
+    const frame = hasTangents ? 'orthonormal' : 'derivative'
+    const detail = heightToNormal(strokesToHeight(strokes().strokes, metric), metric, frame)
     const base = normalMap && (await decodeNormalMap(normalMap, 'base', 1024))
     const expected = base ? combineNormals(base, detail) : detail
     expect(largestDifference(drawn.data, expected.data)).toBeLessThanOrEqual(1)
@@ -92,9 +93,23 @@ describe('the areas that ship', () => {
     }
   })
 
+  it('leave the openings of the eyes alone', async () => {
+    const { mesh } = await readFace(path('human.glb'))
+    const { inside } = surfaceMetric(mesh, 128)
+    const openings = [...inside.keys()].filter((i) => {
+      const [u, v] = [(i % 128) / 128, Math.floor(i / 128) / 128]
+      return inside[i] === 0 && v > 0.48 && v < 0.56 && Math.abs(u - 0.5) < 0.15
+    })
+    expect(openings.length).toBeGreaterThan(20)
+    for (const name of AREAS) {
+      const weights = await committed(name)
+      for (const i of openings) expect(weights[i], name).toBe(0)
+    }
+  })
+
   it('sum to the whole forehead at the middle', async () => {
     const [left, right] = [await committed('foreheadLeft'), await committed('foreheadRight')]
-    for (let y = Math.round(0.3 * 128); y < 0.42 * 128; y++) {
+    for (let y = Math.round(0.3 * 128); y < 0.39 * 128; y++) {
       for (let x = 60; x < 68; x++) {
         expect(Math.abs(left[y * 128 + x]! + right[y * 128 + x]! - 255)).toBeLessThanOrEqual(2)
       }
@@ -115,7 +130,7 @@ describe('the areas that ship', () => {
     for (let i = 0; i < data.length; i++) {
       if (data[i]! > -0.1) continue
       drawn++
-      expect(total[i], `texel ${i % 128}, ${Math.floor(i / 128)}`).toBeGreaterThanOrEqual(250)
+      expect(total[i], `texel ${i % 128}, ${Math.floor(i / 128)}`).toBeGreaterThan(0.9 * 255)
     }
     expect(drawn).toBeGreaterThan(200)
   })

@@ -1,0 +1,94 @@
+import { readdirSync } from 'node:fs'
+import { mkdir, readFile } from 'node:fs/promises'
+import type { Browser, Page } from 'playwright-core'
+import sharp from 'sharp'
+import { afterAll, beforeAll, expect, test } from 'vitest'
+import { openBrowser, openPage } from './browser.ts'
+import { contrast, largestDifference, type Region } from './pixels.ts'
+import { type CanvasPixels, makeCanvasReadable, readCanvas } from './read-canvas.ts'
+import { startStaticServer } from './static-server.ts'
+
+const EXAMPLES = readdirSync(new URL('../../examples/', import.meta.url)).filter((name) =>
+  name.endsWith('.html'),
+)
+
+/** Where the pictures are kept to be looked at. */
+const OUTPUT = new URL('../output/examples/', import.meta.url)
+
+/** The forehead of the face that ships, as all examples frame it. */
+const FOREHEAD: Region = { left: 0.4, top: 0.2, right: 0.6, bottom: 0.38 }
+
+const SECOND = 1000
+
+/** Milliseconds after which each example's face starts to be surprised; it stays so as long again. */
+const LEAD = 1.5 * SECOND
+
+let browser: Browser
+let server: Awaited<ReturnType<typeof startStaticServer>>
+
+beforeAll(async () => {
+  browser = await openBrowser()
+  server = await startStaticServer()
+  await mkdir(OUTPUT, { recursive: true })
+})
+
+afterAll(async () => {
+  await browser?.close()
+  server?.close()
+})
+
+test('there are examples', () => expect(EXAMPLES).toContain('minimal.html'))
+
+test('the page of the README has at most 25 lines', async () => {
+  const page = await readFile(new URL('../../examples/minimal.html', import.meta.url), 'utf8')
+  expect(page.trimEnd().split('\n').length).toBeLessThanOrEqual(25)
+})
+
+test.each(EXAMPLES)('%s shows a face whose forehead creases', async (name) => {
+  const wrinkled = await shoot(name, true)
+  const smooth = await shoot(name, false)
+  await keep(wrinkled, name)
+  expect(contrast(wrinkled)).toBeGreaterThan(100)
+  expect(largestDifference(wrinkled, smooth, FOREHEAD)).toBeGreaterThan(20)
+})
+
+/** The example at the moment of surprise; without wrinkles, every area it loads is empty. */
+async function shoot(name: string, wrinkles: boolean): Promise<CanvasPixels> {
+  const { page, complaints } = await openPage(browser)
+  try {
+    await makeCanvasReadable(page)
+    if (!wrinkles) {
+      const empty = await sharp({ create: { width: 8, height: 8, channels: 3, background: '#fff' } })
+        .png()
+        .toBuffer()
+      await page.route('**/areas/*.png', (route) => route.fulfill({ contentType: 'image/png', body: empty }))
+    }
+    await page.clock.install({ time: 0 })
+    await page.goto(`${server.origin}/examples/${name}`, { waitUntil: 'networkidle' })
+    await firstPicture(page)
+    // Two leaps with a frame each: the surprise begins, and has arrived.
+    await page.clock.fastForward(LEAD + SECOND / 10)
+    await page.clock.fastForward(SECOND / 2)
+    const pixels = await readCanvas(page)
+    expect(complaints).toEqual([])
+    return pixels
+  } finally {
+    await page.close()
+  }
+}
+
+/** Time stands still in the page but for these steps, so that every run draws the same picture. */
+async function firstPicture(page: Page): Promise<void> {
+  await page.waitForSelector('canvas')
+  for (let i = 0; i < 40; i++) {
+    await page.clock.runFor(SECOND / 60)
+    if (contrast(await readCanvas(page)) > 0) return
+    await page.waitForTimeout(SECOND / 4)
+  }
+  throw new Error('the page draws nothing')
+}
+
+async function keep({ width, height, data }: CanvasPixels, name: string): Promise<void> {
+  const file = new URL(name.replace('.html', '.png'), OUTPUT).pathname
+  await sharp(data, { raw: { width, height, channels: 3 } }).toFile(file)
+}

@@ -1,0 +1,40 @@
+import type { CanvasPixels } from './read-canvas.ts'
+
+/** A rectangle of a picture in shares of its sides: 0, 0 is the top left corner. */
+export interface Region {
+  left: number
+  top: number
+  right: number
+  bottom: number
+}
+
+/** Largest difference of any channel between two pictures of one size within a region. */
+export function largestDifference(a: CanvasPixels, b: CanvasPixels, region: Region): number {
+  let largest = 0
+  eachByte(a, region, (i) => {
+    largest = Math.max(largest, Math.abs(a.data[i] - b.data[i]))
+  })
+  return largest
+}
+
+/** Difference between the darkest and the brightest byte: 0 for a blank picture. */
+export function contrast(picture: CanvasPixels): number {
+  let [low, high] = [255, 0]
+  eachByte(picture, { left: 0, top: 0, right: 1, bottom: 1 }, (i) => {
+    low = Math.min(low, picture.data[i])
+    high = Math.max(high, picture.data[i])
+  })
+  return high - low
+}
+
+function eachByte(
+  { width, height }: CanvasPixels,
+  { left, top, right, bottom }: Region,
+  visit: (i: number) => void,
+): void {
+  for (let y = Math.floor(top * height); y < bottom * height; y++) {
+    for (let x = Math.floor(left * width); x < right * width; x++) {
+      for (let k = 0; k < 3; k++) visit((y * width + x) * 3 + k)
+    }
+  }
+}

@@ -1,0 +1,109 @@
+import type { Page } from 'playwright-core'
+import sharp from 'sharp'
+
+/** Pixels of a canvas: RGB, row 0 at the top. */
+export interface CanvasPixels {
+  width: number
+  height: number
+  data: Uint8Array
+}
+
+// TypeScript knows the types of WebGPU, but not yet its constants.
+declare const GPUTextureUsage: Record<'RENDER_ATTACHMENT' | 'COPY_SRC', number>
+declare const GPUBufferUsage: Record<'COPY_DST' | 'MAP_READ', number>
+declare const GPUMapMode: Record<'READ', number>
+
+declare global {
+  interface Window {
+    readWebGPUCanvas?: () => Promise<string>
+  }
+}
+
+/**
+ * Makes the canvas of a page readable at any time; call it before the page is opened. WebGPU then draws into a
+ * texture of its own instead of the canvas: without a GPU, a headless Chromium loses the device when it presents
+ * one.
+ */
+export async function makeCanvasReadable(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    const getContext = HTMLCanvasElement.prototype.getContext as (kind: string, options?: object) => unknown
+    const contexts = new WeakMap<HTMLCanvasElement, object>()
+    HTMLCanvasElement.prototype.getContext = function (
+      this: HTMLCanvasElement,
+      kind: string,
+      options?: object,
+    ) {
+      if (kind !== 'webgpu') {
+        return getContext.call(
+          this,
+          kind,
+          kind === 'webgl2' ? { ...options, preserveDrawingBuffer: true } : options,
+        )
+      }
+      if (!contexts.has(this)) contexts.set(this, unpresented(this))
+      return contexts.get(this)
+    } as HTMLCanvasElement['getContext']
+
+    /** The part of GPUCanvasContext that three.js uses. */
+    function unpresented(canvas: HTMLCanvasElement): object {
+      let configuration: GPUCanvasConfiguration
+      let texture: GPUTexture | undefined
+      window.readWebGPUCanvas = async () => (texture ? read(configuration.device, texture) : blank())
+      return {
+        canvas,
+        configure(wanted: GPUCanvasConfiguration) {
+          configuration = wanted
+        },
+        unconfigure() {},
+        getConfiguration: () => configuration,
+        getCurrentTexture() {
+          const { width, height } = canvas
+          if (texture?.width === width && texture.height === height) return texture
+          texture?.destroy()
+          const { device, format } = configuration
+          const usage = GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC
+          texture = device.createTexture({ size: [width, height], format, usage })
+          return texture
+        },
+      }
+    }
+
+    function blank(): string {
+      return document.createElement('canvas').toDataURL()
+    }
+
+    async function read(device: GPUDevice, texture: GPUTexture): Promise<string> {
+      const { width, height } = texture
+      const bytesPerRow = Math.ceil((width * 4) / 256) * 256
+      const usage = GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ
+      const buffer = device.createBuffer({ size: bytesPerRow * height, usage })
+      const encoder = device.createCommandEncoder()
+      encoder.copyTextureToBuffer({ texture }, { buffer, bytesPerRow }, [width, height])
+      device.queue.submit([encoder.finish()])
+      await buffer.mapAsync(GPUMapMode.READ)
+      const padded = new Uint8Array(buffer.getMappedRange())
+      const order = texture.format.startsWith('bgra') ? [2, 1, 0] : [0, 1, 2]
+      const image = new ImageData(width, height)
+      for (let i = 0; i < width * height; i++) {
+        const from = Math.floor(i / width) * bytesPerRow + (i % width) * 4
+        for (let k = 0; k < 3; k++) image.data[4 * i + k] = padded[from + order[k]]
+        image.data[4 * i + 3] = 255
+      }
+      buffer.destroy()
+      const canvas = document.createElement('canvas')
+      Object.assign(canvas, { width, height })
+      canvas.getContext('2d')!.putImageData(image, 0, 0)
+      return canvas.toDataURL()
+    }
+  })
+}
+
+/** Reads the page's first canvas as it was last drawn. */
+export async function readCanvas(page: Page): Promise<CanvasPixels> {
+  const address = await page.evaluate(async () =>
+    window.readWebGPUCanvas ? window.readWebGPUCanvas() : document.querySelector('canvas')!.toDataURL(),
+  )
+  const png = Buffer.from(address.slice(address.indexOf(',') + 1), 'base64')
+  const { data, info } = await sharp(png).removeAlpha().raw().toBuffer({ resolveWithObject: true })
+  return { width: info.width, height: info.height, data }
+}

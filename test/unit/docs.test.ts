@@ -1,0 +1,79 @@
+import { readdirSync, readFileSync } from 'node:fs'
+import { dirname, join, resolve } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { parseWrinkleSetDocument } from 'furrow'
+import ts from 'typescript'
+import { describe, expect, it } from 'vitest'
+
+const ROOT = fileURLToPath(new URL('../..', import.meta.url))
+const PAGES = [
+  'README.md',
+  'CONTRIBUTING.md',
+  ...readdirSync(join(ROOT, 'docs'))
+    .filter((file) => file.endsWith('.md'))
+    .map((file) => `docs/${file}`),
+]
+
+const read = (path: string) => readFileSync(join(ROOT, path), 'utf8')
+
+/** Fenced blocks of one language on one page. */
+function blocks(page: string, language: string): string[] {
+  return [...read(page).matchAll(new RegExp(`^\`\`\`${language}\n([\\s\\S]*?)^\`\`\`$`, 'gm'))].map(
+    (match) => match[1],
+  )
+}
+
+describe('documentation', () => {
+  it('has the minimal page in the README as it is, in at most 25 lines', () => {
+    const page = read('examples/minimal.html')
+    expect(blocks('README.md', 'html')).toEqual([page])
+    expect(page.trimEnd().split('\n').length).toBeLessThanOrEqual(25)
+  })
+
+  it('has examples that compile', () => {
+    const examples = new Map(
+      PAGES.flatMap((page) =>
+        blocks(page, 'ts').map((text, i) => [join(ROOT, `test/${page.replaceAll('/', '-')}-${i}.ts`), text]),
+      ),
+    )
+    expect(examples.size).toBeGreaterThan(3)
+    expect(compile(examples)).toEqual([])
+  }, 60_000)
+
+  it('has a wrinkles.json that parses', () => {
+    const [document] = blocks('docs/guide.md', 'json')
+    expect(parseWrinkleSetDocument(JSON.parse(document)).areas.map(({ name }) => name)).toEqual([
+      'foreheadLeft',
+      'glabella',
+    ])
+  })
+
+  it.each(PAGES)('%s links to files that are there', (page) => {
+    const links = [...read(page).matchAll(/\]\((?!https?:|#)([^)#]+)\)/g)].map((match) => match[1])
+    for (const link of links) {
+      const target = resolve(ROOT, dirname(page), link)
+      expect(ts.sys.fileExists(target) || ts.sys.directoryExists(target), `${page}: ${link}`).toBe(true)
+    }
+  })
+})
+
+/** Type-checks texts as if they were files of the project; returns what the compiler says. */
+function compile(files: Map<string, string>): string[] {
+  const config = ts.readConfigFile(join(ROOT, 'tsconfig.json'), ts.sys.readFile)
+  const { options } = ts.parseJsonConfigFileContent(config.config, ts.sys, ROOT)
+  const host = ts.createCompilerHost(options)
+  const { readFile, fileExists } = host
+  host.readFile = (path) => files.get(path) ?? readFile(path)
+  host.fileExists = (path) => files.has(path) || fileExists(path)
+  const getSourceFile = host.getSourceFile.bind(host)
+  host.getSourceFile = (path, ...rest) => {
+    const text = files.get(path)
+    return text === undefined
+      ? getSourceFile(path, ...rest)
+      : ts.createSourceFile(path, text, ts.ScriptTarget.ES2022)
+  }
+  const program = ts.createProgram([...files.keys()], options, host)
+  return ts
+    .getPreEmitDiagnostics(program)
+    .map(({ file, messageText }) => `${file?.fileName}: ${ts.flattenDiagnosticMessageText(messageText, ' ')}`)
+}
