@@ -1,6 +1,6 @@
 import { EXPRESSIONS, reference, type WrinkleSet } from 'furrow'
 import { ExpressionPlayer, loadWrinkleSet } from 'furrow/three'
-import type { MeshStandardMaterial } from 'three'
+import { type MeshStandardMaterial, NoColorSpace } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { type Face, loadFace } from '../../stage/face.ts'
 import {
@@ -29,6 +29,9 @@ describe.each(RENDERERS)('figures on %s', (name) => {
   beforeAll(async () => {
     harness = await createHarness(name)
     face = await loadFace('/faces/human.glb')
+    // Colours as stored, like the paper's: decoded before or after filtering they differ where hair is fine.
+    const { map } = face.skin.material as MeshStandardMaterial
+    map!.colorSpace = NoColorSpace
     set = await loadWrinkleSet('/faces/human/wrinkles.json')
   })
   afterAll(() => harness.dispose())
@@ -107,8 +110,8 @@ describe.each(RENDERERS)('figures on %s', (name) => {
     expect(counts.untouched).toBeGreaterThan(1000)
     expect(counts.untouchedChanged).toBe(0)
     expect(counts.core).toBeGreaterThan(area === 'foreheadLeft' ? 300 : 30)
-    // A wrinkled normal may light a pixel to the very same colour by chance, but hardly ever.
-    expect(counts.coreSame / counts.core).toBeLessThan(0.05)
+    // Between two lines the skin is as smooth as ever.
+    expect(counts.coreSame / counts.core).toBeLessThan(0.2)
     expect(counts.otherSide).toBeGreaterThan(1000)
     expect(counts.otherSideChanged).toBe(0)
   })

@@ -66,7 +66,7 @@ function author({ skin }: Face): WrinkleSet {
     indices: geometry.index!.array as Uint16Array,
   }
   const metric = surfaceMetric(mesh, 512)
-  const normal = heightToNormal(strokesToHeight(document.strokes, metric), metric)
+  const normal = heightToNormal(strokesToHeight(document.strokes, metric), metric, 'derivative')
   const areas = paintAreas(document, surfaceMetric(mesh, 128))
   return { layers: [{ name: 'expression', kind: 'replace', normal }], areas }
 }

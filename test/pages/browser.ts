@@ -1,31 +1,44 @@
-import type { Browser, Page } from 'playwright-core'
-import { launchBrowser } from '../../packages/cli/src/browser.ts'
+import { type Browser, chromium, type Page } from 'playwright-core'
 
-/** A page whose complaints are kept, so that a test can demand that there are none. */
-export interface Watched {
-  page: Page
-  /** Errors and warnings that the page wrote to its console, and exceptions nobody caught. */
-  complaints: string[]
-}
+/**
+ * Lets a headless Chromium without a GPU run both WebGL 2 and WebGPU, and show what they drew. The last three
+ * put the browser's own compositor on the same software Vulkan: a WebGPU canvas hands its pictures over through
+ * Vulkan memory, and where the compositor cannot take them the GPU process dies ("A valid external Instance
+ * reference no longer exists").
+ */
+export const CHROMIUM_FLAGS = [
+  '--no-sandbox',
+  '--ignore-gpu-blocklist',
+  '--enable-unsafe-swiftshader',
+  '--enable-unsafe-webgpu',
+  '--use-webgpu-adapter=swiftshader',
+  '--disable-background-networking',
+  '--enable-features=Vulkan',
+  '--use-vulkan=swiftshader',
+  '--use-angle=swiftshader',
+]
 
-/** Starts the installed browser without a window; the test closes it. */
+/** The browser that pages are tested in; the caller closes it. */
 export function openBrowser(): Promise<Browser> {
-  return launchBrowser()
+  return chromium.launch({
+    executablePath: process.env.FURROW_CHROMIUM ?? '/usr/bin/chromium',
+    args: CHROMIUM_FLAGS,
+  })
 }
 
-export async function openPage(browser: Browser, width = 800, height = 600): Promise<Watched> {
-  const page = await browser.newPage({ viewport: { width, height } })
+/** An empty page, and what it will complain of: errors in its console, exceptions, requests that fail. */
+export async function openPage(
+  browser: Browser,
+  options?: Parameters<Browser['newPage']>[0],
+): Promise<{ page: Page; complaints: string[] }> {
+  const page = await browser.newPage(options)
   const complaints: string[] = []
   page.on('console', (message) => {
-    const text = message.text()
-    if (['error', 'warning'].includes(message.type()) && !isDriverTalk(text)) complaints.push(text)
+    if (message.type() === 'error') complaints.push(message.text())
   })
-  page.on('pageerror', (error) => complaints.push(String(error)))
-  page.on('requestfailed', (request) => complaints.push(`not loaded: ${request.url()}`))
+  page.on('pageerror', (error) => complaints.push(error.stack ?? error.message))
+  page.on('response', (response) => {
+    if (response.status() >= 400) complaints.push(`${response.status()} ${response.url()}`)
+  })
   return { page, complaints }
-}
-
-/** The graphics driver's own remarks on speed, and Chromium's on software rendering: not the page's doing. */
-function isDriverTalk(text: string): boolean {
-  return /GL Driver Message|software WebGL|powerPreference|fallback adapter/i.test(text)
 }

@@ -64,6 +64,7 @@ async function shoot(name: string, wrinkles: boolean): Promise<CanvasPixels> {
       await page.route('**/areas/*.png', (route) => route.fulfill({ contentType: 'image/png', body: empty }))
     }
     await page.clock.install({ time: 0 })
+    await page.clock.pauseAt(SECOND)
     await page.goto(`${server.origin}/examples/${name}`, { waitUntil: 'networkidle' })
     await firstPicture(page)
     // Two leaps with a frame each: the surprise begins, and has arrived.

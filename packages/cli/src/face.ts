@@ -13,6 +13,8 @@ export interface Face {
   mesh: MetricMesh
   /** The encoded image of the material's normal map, where there is one. */
   normalMap?: Uint8Array
+  /** Whether the mesh brings tangents of its own; without, three.js derives them on the GPU. */
+  hasTangents: boolean
 }
 
 const WHO = 'furrow strokes'
@@ -73,12 +75,13 @@ function trianglesOf(mesh: Mesh): Primitive[] {
   })
 }
 
-function readMesh(node: Node): Pick<Face, 'mesh' | 'normalMap'> {
+function readMesh(node: Node): Omit<Face, 'name'> {
   const placement = placementOf(node)
   const positions: number[] = []
   const uvs: number[] = []
   const indices: number[] = []
   let normalMap: Uint8Array | undefined
+  let hasTangents = true
   for (const primitive of trianglesOf(node.getMesh()!)) {
     const position = primitive.getAttribute('POSITION')!
     const uv = primitive.getAttribute('TEXCOORD_0')!
@@ -93,9 +96,10 @@ function readMesh(node: Node): Pick<Face, 'mesh' | 'normalMap'> {
     const index = primitive.getIndices()
     const count = index ? index.getCount() : position.getCount()
     for (let i = 0; i < count; i++) indices.push(first + (index ? index.getScalar(i) : i))
+    hasTangents &&= primitive.getAttribute('TANGENT') !== null
     normalMap ??= primitive.getMaterial()?.getNormalTexture()?.getImage() ?? undefined
   }
-  return { mesh: { positions, uvs, indices }, ...(normalMap && { normalMap }) }
+  return { mesh: { positions, uvs, indices }, hasTangents, ...(normalMap && { normalMap }) }
 }
 
 /** glTF places a skinned mesh by its joints, not by its node; in the rest pose all joints agree. */

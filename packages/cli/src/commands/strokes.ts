@@ -14,6 +14,7 @@ import {
   type StrokesDocument,
   strokesToHeight,
   surfaceMetric,
+  type TangentFrame,
 } from 'furrow/author'
 import { type Face, readFace } from '../face.ts'
 import {
@@ -74,7 +75,15 @@ async function drawStrokes(path: string, options: Options): Promise<void> {
     const base = options.normal ? await readBase(options, face, asked ?? document.size) : undefined
     const side = asked ?? document.size ?? USUAL_SIZE
     const metric = surfaceMetric(face.mesh, base?.width ?? side, base?.height ?? side)
-    await drawMaps(document, metric, base, options, outputs, notes)
+    await drawMaps(
+      document,
+      metric,
+      face.hasTangents ? 'orthonormal' : 'derivative',
+      base,
+      options,
+      outputs,
+      notes,
+    )
   }
   if (options.areas) {
     const folder = options.areas
@@ -91,6 +100,7 @@ async function drawStrokes(path: string, options: Options): Promise<void> {
 async function drawMaps(
   document: StrokesDocument,
   metric: Metric,
+  frame: TangentFrame,
   base: RgbaImage | undefined,
   { output, normal }: Options,
   outputs: Output[],
@@ -103,7 +113,7 @@ async function drawMaps(
     notes.push(`${output}: ${size}, 16-bit, ${HEIGHT_ZERO} = 0 mm, ${scaleText()}, ${rangeOf(relief)}`)
   }
   if (normal) {
-    const wrinkles = heightToNormal(relief, metric)
+    const wrinkles = heightToNormal(relief, metric, frame)
     const map = base ? combineNormals(base, wrinkles) : wrinkles
     outputs.push({ path: normal, bytes: await encodeNormal(map) })
     const over = base ? "over the skin's own normal map" : 'over a flat skin'

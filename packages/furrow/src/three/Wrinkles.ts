@@ -1,5 +1,5 @@
 import type { DataArrayTexture, Material, Mesh, MeshStandardMaterial, Texture } from 'three'
-import { ObjectSpaceNormalMap } from 'three'
+import { ObjectSpaceNormalMap, SRGBColorSpace } from 'three'
 import { Activations, type Slot } from '../core/activations.ts'
 import { FurrowError } from '../core/error.ts'
 import { DEFAULT_AREA_SIZE } from '../core/limits.ts'
@@ -33,6 +33,8 @@ export interface WrinkleInputs {
   normals: DataArrayTexture
   /** The paper's array: diffuse, smooth normals, wrinkled normals. In paper mode only. */
   colours: DataArrayTexture | null
+  /** Whether the diffuse texture in `colours` is encoded in sRGB, as the material's own map says. */
+  diffuseIsSrgb: boolean
   /** See `Activations.table`. */
   activations: Texture
   /** How many areas there are. */
@@ -93,6 +95,7 @@ export abstract class WrinklesBase {
       areas,
       normals: colourTexture(normals, this.#material.normalMap?.anisotropy ?? 1),
       colours: null,
+      diffuseIsSrgb: false,
       activations: activationTexture(this.#activations),
       areaCount: { value: set.areas.length },
       kinds: set.layers.map(({ kind }) => kind),
@@ -238,6 +241,7 @@ export abstract class WrinklesBase {
     }
     const wrinkled = layers[0].normal
     const { map } = this.#material as Partial<MeshStandardMaterial>
+    this.#inputs.diffuseIsSrgb = map?.colorSpace === SRGBColorSpace
     const diffuse = map ? readTexture(map, 'Wrinkles.mode') : filled(wrinkled, [255, 255, 255, 255])
     const smooth =
       this.#flat || !this.#material.normalMap

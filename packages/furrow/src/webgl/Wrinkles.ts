@@ -35,10 +35,10 @@ const patch: RendererParts['patch'] = (material, inputs, mode) => {
     Object.assign(shader.uniforms, uniforms)
     shader.fragmentShader =
       mode === 'paper'
-        ? paperFragment(shader.fragmentShader)
+        ? paperFragment(shader.fragmentShader, inputs.diffuseIsSrgb)
         : defaultFragment(shader.fragmentShader, inputs.kinds)
   }
-  const variant = mode === 'paper' ? 'paper' : `default ${inputs.kinds.join(' ')}`
+  const variant = mode === 'paper' ? `paper ${inputs.diffuseIsSrgb}` : `default ${inputs.kinds.join(' ')}`
   material.customProgramCacheKey = () => `${customProgramCacheKey.call(material)} furrow ${variant}`
   return () => Object.assign(material, own)
 }

@@ -69,8 +69,10 @@ vec3 furrowMixNormals(vec3 base, vec2 uv) {
  * The paper's shader on a built-in material: light with smooth normals, light again with wrinkled ones, mix
  * the two colours by the influence. The material's own text between its first lighting chunk and its output
  * is run twice, so any of three.js's lit materials will do.
+ *
+ * @param diffuseIsSrgb whether the diffuse layer of the array, sampled as stored, is still to be decoded.
  */
-export function paperFragment(fragment: string): string {
+export function paperFragment(fragment: string, diffuseIsSrgb: boolean): string {
   const lighting = lightingOf(fragment)
   const maps = edit(
     ShaderChunk.normal_fragment_maps,
@@ -99,8 +101,8 @@ export function paperFragment(fragment: string): string {
   }
   outgoingLight = furrowLit;
 `
-  const diffuse = /* glsl */ `
-  diffuseColor *= sRGBTransferEOTF(texture(furrowColours, vec3(vNormalMapUv, 0.0)));`
+  const stored = 'texture(furrowColours, vec3(vNormalMapUv, 0.0))'
+  const diffuse = `diffuseColor *= ${diffuseIsSrgb ? `sRGBTransferEOTF(${stored})` : stored};`
   const declarations = `${INFLUENCE}\nuniform highp sampler2DArray furrowColours;\n`
   return [
     ['void main() {', `${declarations}\nvoid main() {`],

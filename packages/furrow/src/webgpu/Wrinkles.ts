@@ -77,7 +77,8 @@ function paper(inputs: WrinkleInputs, place: Node<'vec2'>, shares: Node<'vec4'>)
   const colours = inputs.colours!
   const smooth = normalMap(sampleLayer(colours, place, 1).xyz, scale())
   const wrinkled = normalMap(sampleLayer(colours, place, 2).xyz, scale())
-  const diffuse = sRGBTransferEOTF(sampleLayer(colours, place, 0).rgb) as unknown as Node<'vec3'>
+  const stored = sampleLayer(colours, place, 0).rgb as Node<'vec3'>
+  const diffuse = inputs.diffuseIsSrgb ? (sRGBTransferEOTF(stored) as unknown as Node<'vec3'>) : stored
   return {
     colorNode: (materialReference('color', 'color') as unknown as Node<'vec3'>).mul(diffuse) as never,
     normalNode: smooth as never,

@@ -1,0 +1,16 @@
+export type { GrayImage, RgbaImage } from '../core/types.ts'
+export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas } from './areas.ts'
+export { combineNormals } from './combine.ts'
+export { type HeightMap, strokesToHeight } from './height.ts'
+export { type Metric, type MetricMesh, surfaceMetric } from './metric.ts'
+export { heightToNormal, type TangentFrame } from './normal.ts'
+export {
+  type AreaShape,
+  type AreaSketch,
+  type CurveKind,
+  parseStrokes,
+  STROKE_DEFAULTS,
+  type Stroke,
+  type StrokesDocument,
+  type Uv,
+} from './strokes.ts'

@@ -1,0 +1,117 @@
+import { MAX_AREAS, MAX_IMAGE_SIDE } from '../core/limits.ts'
+import { JsonReader, type Uv } from './json.ts'
+import { type AreaShape, type AreaSketch, readSketches } from './sketch.ts'
+
+export type { AreaShape, AreaSketch, Uv }
+
+/** How the points of a stroke are joined: by straight lines, or as a chain of cubic Bezier curves. */
+export type CurveKind = 'polyline' | 'bezier'
+
+/** One wrinkle: a curve in the texture with a measured cross-section. */
+export interface Stroke {
+  /** Name of the area it belongs to. */
+  group?: string
+  /** A chain of n cubic Bezier curves has 3 n + 1 points: an end, two handles, an end, two handles, an end... */
+  curve: CurveKind
+  /** [u, v], both 0..1, v = 0 at the top. */
+  points: Uv[]
+  /** Full width of the valley on the skin in millimetres, 0.1..50: with full shoulders it ends there. */
+  width: number
+  /** Greatest depth of the valley below the skin in millimetres, 0..10. */
+  depth: number
+  /** Share of the length, 0..1, over which the wrinkle fades in at its start and out at its end. */
+  taper: [start: number, end: number]
+  /** Raised sides, 0..1, left and right of the way along the curve: 1 = all skin pushed out of the valley. */
+  shoulder: [left: number, right: number]
+  /** Roundness of the valley's bottom, 0..1: 0 = a sharp fold, 1 = as round as it is wide. */
+  softness: number
+  /** Natural irregularity, 0..1: the line sways sideways and its depth varies. The same on every run. */
+  waviness: number
+}
+
+/** The strokes of one layer, and if wanted the areas that show them. */
+export interface StrokesDocument {
+  version: 1
+  /** Side of the maps in texels when nothing else decides, 16..8192. */
+  size?: number
+  strokes: Stroke[]
+  /** Soft shapes that become the areas; when absent every group becomes an area round its strokes. */
+  areas?: AreaSketch[]
+}
+
+/** What a stroke gets when its document leaves the field out. */
+export const STROKE_DEFAULTS = {
+  curve: 'polyline',
+  taper: [0.3, 0.3],
+  shoulder: [0.6, 0.6],
+  softness: 0.4,
+  waviness: 0,
+} as const satisfies Partial<Stroke>
+
+const STROKE_FIELDS = [
+  'group',
+  'curve',
+  'points',
+  'width',
+  'depth',
+  'taper',
+  'shoulder',
+  'softness',
+  'waviness',
+] as const
+
+/**
+ * Reads a strokes document (docs/strokes.md) and fills in the defaults. The input is left alone.
+ * Throws FurrowError naming the field by its path for anything malformed, unknown fields included.
+ */
+export function parseStrokes(json: unknown): StrokesDocument {
+  const read = new JsonReader('parseStrokes')
+  const root = read.object(json, 'the document', ['version', 'size', 'strokes', 'areas'])
+  if (root.version !== 1) read.fail('version is not known', root.version, '1', 'write "version": 1')
+  const document: StrokesDocument = {
+    version: 1,
+    strokes: read.array(root.strokes, 'strokes', 1, 10_000).map((stroke, i) => readStroke(read, stroke, i)),
+  }
+  if (root.size !== undefined) document.size = readSize(read, root.size)
+  if (root.areas !== undefined) {
+    const sketches = read.array(root.areas, 'areas', 1, MAX_AREAS)
+    const groups = new Set(document.strokes.map((stroke) => stroke.group))
+    document.areas = readSketches(read, sketches, groups)
+  }
+  return document
+}
+
+function readSize(read: JsonReader, value: unknown): number {
+  const size = read.number(value, 'size', 16, MAX_IMAGE_SIDE, 'texels')
+  if (!Number.isInteger(size)) read.fail('size must be a whole number', size, undefined, 'round it')
+  return size
+}
+
+function readStroke(read: JsonReader, json: unknown, index: number): Stroke {
+  const path = `strokes[${index}]`
+  const field = read.object(json, path, STROKE_FIELDS)
+  const curve = field.curve ?? STROKE_DEFAULTS.curve
+  if (curve !== 'polyline' && curve !== 'bezier') {
+    read.fail(`${path}.curve is not known`, curve, 'polyline, bezier', 'choose one of them')
+  }
+  const points = read.points(field.points, `${path}.points`, curve === 'bezier' ? 4 : 2)
+  if (curve === 'bezier' && points.length % 3 !== 1) {
+    const remedy = 'give an end, then two handles and an end for each further piece'
+    read.fail(`${path}.points do not make Bezier curves`, points.length, '4, 7, 10, ... points', remedy)
+  }
+  if (points.every(([u, v]) => u === points[0]![0] && v === points[0]![1])) {
+    read.fail(`${path}.points all lie in one place`, points.length, undefined, 'move them apart')
+  }
+  const stroke: Stroke = {
+    curve,
+    points,
+    width: read.number(field.width, `${path}.width`, 0.1, 50, 'mm'),
+    depth: read.number(field.depth, `${path}.depth`, 0, 10, 'mm'),
+    taper: read.pair(field.taper ?? STROKE_DEFAULTS.taper, `${path}.taper`, 0, 1),
+    shoulder: read.pair(field.shoulder ?? STROKE_DEFAULTS.shoulder, `${path}.shoulder`, 0, 1),
+    softness: read.number(field.softness ?? STROKE_DEFAULTS.softness, `${path}.softness`, 0, 1, ''),
+    waviness: read.number(field.waviness ?? STROKE_DEFAULTS.waviness, `${path}.waviness`, 0, 1, ''),
+  }
+  if (field.group !== undefined) stroke.group = read.text(field.group, `${path}.group`)
+  return stroke
+}
