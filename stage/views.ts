@@ -29,7 +29,7 @@ export function frameView(face: Object3D, camera: PerspectiveCamera, view: ViewN
   const size = box.getSize(new Vector3())
   const target = box.getCenter(new Vector3())
   // Eyes and forehead are what one looks at; they lie above the middle of head and neck.
-  if (zoom > 1) target.y += size.y * 0.17
+  if (zoom > 1) target.y += size.y * 0.12
   camera.fov = FIELD_OF_VIEW
   const half = Math.tan((FIELD_OF_VIEW * Math.PI) / 360)
   const tall = size.y / (2 * half)

@@ -57,7 +57,7 @@ export const EXPRESSIONS: readonly Expression[] = [
   },
   {
     name: 'leftWink',
-    targets: { eyeBlinkLeft: 1, cheekSquintLeft: 1, eyeSquintLeft: 0.6, mouthSmileLeft: 0.35 },
+    targets: { eyeBlinkLeft: 0.9, cheekSquintLeft: 0.7, mouthSmileLeft: 0.35 },
     activations: { crowsFeetLeft: 1 },
   },
 ]
