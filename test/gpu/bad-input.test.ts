@@ -72,8 +72,16 @@ describe('loadWrinkleSet', () => {
       /not-there\/wrinkles.json: (file not found, got "HTTP status 404"|not JSON)/,
     ],
     ['text that is not JSON', '{"version":', /not JSON, got ".*"; check the address and the file/],
-    ['JSON of the wrong shape', { version: 1, layers: [] }, /bad "areas", got "nothing", allowed: a list/],
-    ['no areas', { version: 1, layers: [], areas: [] }, /no layers, got 0, allowed: 1 to 4 layers/],
+    [
+      'JSON of the wrong shape',
+      { version: 1, layers: [] },
+      /layers has the wrong number of items, got 0, allowed: 1 to 4 items/,
+    ],
+    [
+      'no areas',
+      { version: 1, layers: [{ name: 'a', normal: 'a.png' }] },
+      /areas must be an array, got nothing/,
+    ],
   ])('refuses %s', async (_, content, message) => {
     const url = content === undefined ? '/not-there/wrinkles.json' : URL.createObjectURL(asFile(content))
     await expect(loadWrinkleSet(url)).rejects.toThrow(message)

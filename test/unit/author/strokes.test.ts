@@ -169,7 +169,7 @@ describe('parseStrokes', () => {
     [
       'a group without a name',
       document({ ...plain, group: '' }),
-      'strokes[0].group must be text, got "", allowed: 1 to 64 characters; write a short name in quotes',
+      'strokes[0].group must be text, got "", allowed: 1 to 64 characters; write it in quotes',
     ],
     ['half a texel', document(plain, { size: 100.5 }), 'size must be a whole number, got 100.5; round it'],
     [

@@ -77,13 +77,17 @@ describe('parseWrinkleSetDocument', () => {
   })
 
   it.each<[unknown, string]>([
-    [null, 'bad "the document", got "null", allowed: an object'],
-    [{ ...document, version: 2 }, 'bad "version", got "2", allowed: 1'],
-    [{ ...document, layers: {} }, 'bad "layers", got "{}", allowed: a list'],
-    [{ ...document, areas: [{ name: 'nose' }] }, 'bad "areas[0].image", got "nothing", allowed: a text'],
+    [null, 'the document must be an object, got null; write { ... }'],
+    [{ ...document, version: 2 }, 'unknown version, got 2, allowed: 1; write it in version 1'],
+    [{ ...document, layers: {} }, 'layers must be an array, got {}, allowed: 1 to 4 items'],
+    [{ ...document, areas: [] }, 'areas has the wrong number of items, got 0, allowed: 1 to 256 items'],
+    [
+      { ...document, areas: [{ name: 'nose' }] },
+      'areas[0].image must be text, got nothing, allowed: 1 to 2048 characters',
+    ],
     [
       { ...document, areas: [{ name: 'a', image: 'b', combine: 'min' }] },
-      'bad "areas[0].combine", got "\\"min\\"", allowed: sum or max',
+      'areas[0].combine is unknown, got "min", allowed: sum or max; use one of them',
     ],
   ])('refuses %j', (json, message) => {
     expect(() => parseWrinkleSetDocument(json)).toThrow(message)

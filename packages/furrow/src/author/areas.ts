@@ -1,7 +1,7 @@
 import { FurrowError } from '../core/error.ts'
+import type { Uv } from '../core/json.ts'
 import type { GrayImage } from '../core/types.ts'
 import { layOut } from './curve.ts'
-import type { Uv } from './json.ts'
 import type { Metric } from './metric.ts'
 import { nearest } from './nearest.ts'
 import { smoothstep } from './profile.ts'

@@ -1,4 +1,4 @@
-import type { Uv } from './json.ts'
+import type { Uv } from '../core/json.ts'
 import { type Metric, metricAt } from './metric.ts'
 import { smoothstep } from './profile.ts'
 import type { Stroke } from './strokes.ts'

@@ -1,5 +1,5 @@
+import { JsonReader, type Uv } from '../core/json.ts'
 import { MAX_AREAS, MAX_IMAGE_SIDE } from '../core/limits.ts'
-import { JsonReader, type Uv } from './json.ts'
 import { type AreaShape, type AreaSketch, readSketches } from './sketch.ts'
 
 export type { AreaShape, AreaSketch, Uv }

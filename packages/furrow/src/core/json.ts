@@ -1,4 +1,4 @@
-import { FurrowError } from '../core/error.ts'
+import { FurrowError } from './error.ts'
 
 /** A point of the texture: u to the right, v downwards, both 0..1. */
 export type Uv = [u: number, v: number]
@@ -11,13 +11,14 @@ export class JsonReader {
     this.#who = who
   }
 
-  /** The value as an object whose keys are all among `known`. Throws otherwise. */
-  object(value: unknown, path: string, known: readonly string[]): Record<string, unknown> {
+  /** The value as an object; its keys are all among `known`, if that is given. Throws otherwise. */
+  object(value: unknown, path: string, known?: readonly string[]): Record<string, unknown> {
     if (typeof value !== 'object' || value === null || Array.isArray(value)) {
-      this.fail(`${path} must be an object`, value, undefined, `write { ... } with ${known.join(', ')}`)
+      const fields = known ? ` with ${known.join(', ')}` : ''
+      this.fail(`${path} must be an object`, value, undefined, `write { ... }${fields}`)
     }
     for (const key of Object.keys(value)) {
-      if (!known.includes(key)) {
+      if (known && !known.includes(key)) {
         this.fail(`${path} has an unknown field`, key, known.join(', '), 'correct the name or remove it')
       }
     }
@@ -59,12 +60,20 @@ export class JsonReader {
     ]
   }
 
-  /** The value as text of 1 to 64 characters. Throws otherwise. */
-  text(value: unknown, path: string): string {
-    if (typeof value !== 'string' || value === '' || value.length > 64) {
-      this.fail(`${path} must be text`, value, '1 to 64 characters', 'write a short name in quotes')
+  /** The value as text of 1 to `longest` characters. Throws otherwise. */
+  text(value: unknown, path: string, longest = 64): string {
+    if (typeof value !== 'string' || value === '' || value.length > longest) {
+      this.fail(`${path} must be text`, value, `1 to ${longest} characters`, 'write it in quotes')
     }
     return value
+  }
+
+  /** The value as one of `allowed`. Throws otherwise. */
+  choice<T extends string>(value: unknown, path: string, allowed: readonly T[]): T {
+    if (!allowed.includes(value as T)) {
+      this.fail(`${path} is unknown`, value, allowed.join(' or '), 'use one of them')
+    }
+    return value as T
   }
 
   /** An array of `low` to 4096 points [u, v], both 0..1. Throws otherwise. */
