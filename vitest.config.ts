@@ -23,7 +23,7 @@ const realFace = fileURLToPath(new URL('../shared/real-face/ict-face.glb', impor
 export default defineConfig({
   test: {
     projects: [
-      { resolve, ssr, test: { name: 'unit', include: ['test/unit/**/*.test.ts'] } },
+      { resolve, ssr, test: { name: 'unit', include: ['test/unit/**/*.test.ts'], testTimeout: 30_000 } },
       {
         resolve,
         ssr,

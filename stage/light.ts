@@ -6,7 +6,7 @@ import { PMREMGenerator as NodePMREMGenerator, type WebGPURenderer } from 'three
 const LIGHTS = [
   { name: 'key', colour: 0xfff1e4, intensity: 3, from: [-1, 1.35, 0.95] },
   { name: 'fill', colour: 0xdfe8ff, intensity: 0.5, from: [1.3, 0.1, 0.8] },
-  { name: 'rim', colour: 0xffffff, intensity: 1.6, from: [0.8, 0.9, -1.3] },
+  { name: 'rim', colour: 0xe6eeff, intensity: 1.1, from: [1.2, 1, -1.6] },
 ] as const
 
 /** Strength of the room's light; it fills the shadows and glints in the eyes. */

