@@ -1,11 +1,23 @@
 import { fileURLToPath } from 'node:url'
-import type { Browser, Locator, Page } from 'playwright-core'
+import type { Browser, Page } from 'playwright-core'
 import sharp from 'sharp'
 import { createServer, type ViteDevServer } from 'vite'
-import { afterAll, afterEach, beforeAll, describe, expect, test, vi } from 'vitest'
+import { afterAll, afterEach, beforeAll, describe, expect, test } from 'vitest'
 import { openBrowser, openPage } from './browser.ts'
+import {
+  black,
+  difference,
+  dismiss,
+  drop,
+  expectValue,
+  face,
+  ready,
+  slider,
+  spread,
+  valuesOnTheWay,
+} from './studio-page.ts'
 
-const DESKTOP = { width: 900, height: 440 }
+const DESKTOP = { width: 800, height: 400 }
 const PHONE = { width: 390, height: 844 }
 
 let server: ViteDevServer
@@ -29,12 +41,21 @@ afterAll(async () => {
   await server?.close()
 })
 
-describe('the studio on WebGL', () => {
-  const studio = openStudio('webgl')
+const studio = openStudio()
 
+describe('the studio on WebGL', () => {
   test('shows the face, and every way of looking at it', () => showsLooks(studio.page, 'WebGL 2'))
 
   test('moves the face by expressions and sliders', () => movesFace(studio.page))
+
+  test('goes from one expression to the next in steps, unless motion is to be reduced', async () => {
+    const { page } = studio
+    await page.emulateMedia({ reducedMotion: 'no-preference' })
+    expect((await valuesOnTheWay(page, 'Angry', 'glabella')).length).toBeGreaterThan(2)
+    await page.emulateMedia({ reducedMotion: 'reduce' })
+    expect(await valuesOnTheWay(page, 'Surprised', 'glabella')).toEqual([0])
+    await expectValue(slider(page, 'foreheadLeft'), 1)
+  })
 
   test('the divider moves by keys and by pointer', async () => {
     const { page } = studio
@@ -110,7 +131,11 @@ describe('the studio on WebGL', () => {
 
   test('every control has a name and is reached by Tab, in order', () => checkControls(studio.page))
 
-  test('switches to WebGPU and back, and keeps what was set', async () => {
+  test('fits a phone without scrolling sideways, with targets for fingers', () => fitsPhone(studio.page))
+})
+
+describe('the studio on WebGPU, switched to from WebGL', () => {
+  test('keeps what was set', async () => {
     const { page } = studio
     await page.getByRole('button', { name: 'Surprised' }).click()
     await slider(page, 'glabella').fill('0.7')
@@ -118,10 +143,21 @@ describe('the studio on WebGL', () => {
     await ready(page, 'WebGPU')
     await expectValue(slider(page, 'glabella'), 0.7)
     await expectValue(slider(page, 'foreheadLeft'), 1)
-    expect(await spread(await face(page))).toBeGreaterThan(30)
+  })
+
+  test('shows the face, and every way of looking at it', () => showsLooks(studio.page, 'WebGPU'))
+
+  test('moves the face by expressions and sliders', () => movesFace(studio.page))
+
+  test('saves the picture as a PNG', () => savesPicture(studio.page))
+})
+
+describe('the studio back on WebGL', () => {
+  test('shows what it showed before', async () => {
+    const { page } = studio
     await page.getByText('WebGL', { exact: true }).click()
     await ready(page, 'WebGL 2')
-    await expectValue(slider(page, 'glabella'), 0.7)
+    await expectValue(slider(page, 'foreheadLeft'), 1)
     expect(await spread(await face(page))).toBeGreaterThan(30)
   })
 
@@ -133,18 +169,6 @@ describe('the studio on WebGL', () => {
     expect(await page.getByRole('radio', { name: 'WebGL' }).isChecked()).toBe(true)
     expect(await spread(await face(page))).toBeGreaterThan(30)
   })
-
-  test('fits a phone without scrolling sideways, with targets for fingers', () => fitsPhone(studio.page))
-})
-
-describe('the studio on WebGPU', () => {
-  const studio = openStudio('webgpu')
-
-  test('shows the face, and every way of looking at it', () => showsLooks(studio.page, 'WebGPU'))
-
-  test('moves the face by expressions and sliders', () => movesFace(studio.page))
-
-  test('saves the picture as a PNG', () => savesPicture(studio.page))
 })
 
 async function showsLooks(page: Page, backend: string): Promise<void> {
@@ -166,6 +190,7 @@ async function showsLooks(page: Page, backend: string): Promise<void> {
 }
 
 async function movesFace(page: Page): Promise<void> {
+  await page.getByRole('button', { name: 'Surprised' }).click()
   const surprised = await face(page)
   await page.getByRole('button', { name: 'Happy' }).click()
   await expectValue(slider(page, 'crowsFeetLeft'), 1)
@@ -253,14 +278,15 @@ async function fitsPhone(page: Page): Promise<void> {
   await page.getByRole('button', { name: 'Happy' }).click()
   await expectValue(slider(page, 'crowsFeetLeft'), 1)
   expect(await difference(surprised, await face(page))).toBeGreaterThan(0.2)
+  await page.setViewportSize(DESKTOP)
 }
 
-/** Opens the studio for the tests of one group, surprised and at rest; no test may make it complain. */
-function openStudio(renderer: string): { page: Page } {
+/** Opens the studio, surprised and at rest; no test may make it complain. */
+function openStudio(): { page: Page } {
   const studio = {} as Awaited<ReturnType<typeof openPage>>
   beforeAll(async () => {
     Object.assign(studio, await openPage(browser, { viewport: DESKTOP, reducedMotion: 'reduce' }))
-    await studio.page.goto(`${address}?renderer=${renderer}`)
+    await studio.page.goto(address)
     await ready(studio.page)
     await expectValue(slider(studio.page, 'foreheadLeft'), 1)
   })
@@ -270,73 +296,4 @@ function openStudio(renderer: string): { page: Page } {
   })
   afterAll(() => studio.page?.close())
   return studio
-}
-
-async function ready(page: Page, backend = ''): Promise<void> {
-  await page.locator('#backend', { hasText: new RegExp(`^${backend}`) }).waitFor({ state: 'attached' })
-  await page.locator('#stage[aria-busy=false]').waitFor({ timeout: 60_000 })
-}
-
-function slider(page: Page, name: string): Locator {
-  return page.getByLabel(name, { exact: true })
-}
-
-function expectValue(input: Locator, value: number): Promise<void> {
-  const check = async () => expect(Number(await input.inputValue())).toBeCloseTo(value, 2)
-  return vi.waitFor(check, { timeout: 30_000, interval: 100 })
-}
-
-/** The stage as the browser shows it, once two pictures in a row are the same. */
-async function face(page: Page): Promise<Buffer> {
-  const { width, height } = (await page.locator('#viewport').boundingBox())!
-  // Between toolbar and read-out, whose numbers change by themselves, and without passing messages.
-  const clip = { x: 0, y: 60, width, height: height - 180 }
-  const shoot = () => page.screenshot({ clip, style: '.messages { visibility: hidden }' })
-  for (let before = await shoot(); ; ) {
-    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))))
-    const after = await shoot()
-    if (before.equals(after)) return after
-    before = after
-  }
-}
-
-/** Mean difference of two pictures, 0..255. */
-async function difference(a: Buffer, b: Buffer): Promise<number> {
-  const [one, other] = await Promise.all([a, b].map((png) => sharp(png).removeAlpha().raw().toBuffer()))
-  expect(other.length).toBe(one.length)
-  return one.reduce((sum, value, i) => sum + Math.abs(value - other[i]), 0) / one.length
-}
-
-/** Standard deviation of a picture's brightness: 0 where it is blank. */
-async function spread(png: Buffer): Promise<number> {
-  const { channels } = await sharp(png).grayscale().stats()
-  return channels[0].stdev
-}
-
-/** Waits for an error that says so, and dismisses it. */
-async function dismiss(page: Page, text: string): Promise<void> {
-  await page.getByRole('alert').getByText(text).waitFor()
-  await page.getByRole('button', { name: 'Dismiss' }).click()
-}
-
-/** An area that is everywhere, as the paper paints them. */
-function black(): Promise<Buffer> {
-  return sharp({ create: { width: 32, height: 32, channels: 3, background: '#000' } })
-    .png()
-    .toBuffer()
-}
-
-async function drop(page: Page, name: string, content: Buffer): Promise<void> {
-  const files = await page.evaluateHandle(
-    ([fileName, base64]) => {
-      const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0))
-      const transfer = new DataTransfer()
-      transfer.items.add(new File([bytes], fileName, { type: 'image/png' }))
-      return transfer
-    },
-    [name, content.toString('base64')],
-  )
-  await page.dispatchEvent('#stage', 'dragover', { dataTransfer: files })
-  expect(await page.locator('#dropping').isVisible()).toBe(true)
-  await page.dispatchEvent('#stage', 'drop', { dataTransfer: files })
 }

@@ -1,0 +1,27 @@
+import { readFile } from 'node:fs/promises'
+import { basename, join } from 'node:path'
+import type { Plugin } from 'vite'
+
+/** Makes `/examples/NAME.html` reachable beside the studio while developing. */
+export function serveExamples(folder: string): Plugin {
+  return {
+    name: 'furrow-examples',
+    configureServer(server) {
+      server.middlewares.use(async (request, response, next) => {
+        const path = (request.url ?? '/').split('?')[0]
+        if (!path.startsWith('/examples/')) return next()
+        if (!path.endsWith('.html')) {
+          request.url = `/@fs${join(folder, request.url!.slice('/examples/'.length))}`
+          return next()
+        }
+        try {
+          const page = await readFile(join(folder, basename(path)), 'utf8')
+          response.setHeader('Content-Type', 'text/html')
+          response.end(await server.transformIndexHtml(path, page))
+        } catch (error) {
+          next(error)
+        }
+      })
+    },
+  }
+}

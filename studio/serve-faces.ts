@@ -1,0 +1,60 @@
+import { createReadStream } from 'node:fs'
+import { readdir, readFile } from 'node:fs/promises'
+import { extname, join, normalize, sep } from 'node:path'
+import type { Plugin } from 'vite'
+
+const TYPES: Record<string, string> = {
+  '.glb': 'model/gltf-binary',
+  '.json': 'application/json',
+  '.png': 'image/png',
+  '.jpg': 'image/jpeg',
+  '.webp': 'image/webp',
+}
+
+/**
+ * Serves the faces that ship under `/faces/`, and copies them into a build. `/faces/index.json` lists the names
+ * of those that are whole: `NAME.glb` with `NAME/wrinkles.json` beside it.
+ */
+export function serveFaces(folder: string): Plugin {
+  return {
+    name: 'furrow-faces',
+    configureServer({ middlewares }) {
+      middlewares.use('/faces', async (request, response, next) => {
+        const path = normalize(decodeURIComponent((request.url ?? '/').split('?')[0]))
+        response.setHeader('Cache-Control', 'no-cache')
+        if (path === `${sep}index.json`) {
+          response.setHeader('Content-Type', 'application/json')
+          response.end(JSON.stringify(await faceNames(folder)))
+          return
+        }
+        const file = (await facePaths(folder)).find((name) => join(sep, name) === path)
+        if (!file) return next()
+        response.setHeader('Content-Type', TYPES[extname(file)])
+        createReadStream(join(folder, file)).on('error', next).pipe(response)
+      })
+    },
+    async generateBundle() {
+      const names = JSON.stringify(await faceNames(folder))
+      this.emitFile({ type: 'asset', fileName: 'faces/index.json', source: names })
+      for (const path of await facePaths(folder)) {
+        const source = await readFile(join(folder, path))
+        this.emitFile({ type: 'asset', fileName: `faces/${path.split(sep).join('/')}`, source })
+      }
+    },
+  }
+}
+
+async function faceNames(folder: string): Promise<string[]> {
+  const paths = await facePaths(folder)
+  return paths
+    .filter((path) => extname(path) === '.glb' && !path.includes(sep))
+    .map((path) => path.slice(0, -'.glb'.length))
+    .filter((name) => paths.includes(join(name, 'wrinkles.json')))
+    .sort()
+}
+
+/** What a page may ask for: the faces' own files, not the scripts that build them. */
+async function facePaths(folder: string): Promise<string[]> {
+  const paths = await readdir(folder, { recursive: true })
+  return paths.filter((path) => extname(path) in TYPES && !path.startsWith(`builder${sep}`))
+}

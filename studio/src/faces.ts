@@ -1,0 +1,55 @@
+import type { WrinkleSet } from 'furrow'
+import { loadWrinkleSet } from 'furrow/three'
+import { type Face, loadFace } from '../../stage/face.ts'
+
+/** A face and what makes it wrinkle, whole. */
+export interface LoadedFace {
+  name: string
+  face: Face
+  set: WrinkleSet
+}
+
+/** Called while a face loads, with the share that is there already; null when the server does not say. */
+export type OnProgress = (share: number | null) => void
+
+/** Names of the faces that the server has. */
+export async function listFaces(): Promise<string[]> {
+  const response = await fetch(address('faces/index.json'))
+  const names = response.ok ? ((await response.json()) as string[]) : []
+  if (names.length > 0) return names
+  throw new Error(
+    'Studio: no face to show, got an empty faces/, allowed: NAME.glb with NAME/wrinkles.json; build one first',
+  )
+}
+
+export async function fetchFace(name: string, onProgress: OnProgress): Promise<LoadedFace> {
+  const set = loadWrinkleSet(address(`faces/${name}/wrinkles.json`))
+  const [file] = await Promise.all([fetchWhole(address(`faces/${name}.glb`), onProgress), set])
+  const url = URL.createObjectURL(file)
+  try {
+    return { name, face: await loadFace(url), set: await set }
+  } finally {
+    URL.revokeObjectURL(url)
+  }
+}
+
+function address(path: string): string {
+  return new URL(path, document.baseURI).href
+}
+
+async function fetchWhole(url: string, onProgress: OnProgress): Promise<Blob> {
+  const response = await fetch(url)
+  if (!response.ok || !response.body) {
+    throw new Error(`Studio: face not found, got HTTP status ${response.status} for ${url}; check the server`)
+  }
+  const length = Number(response.headers.get('Content-Length'))
+  const chunks: Uint8Array<ArrayBuffer>[] = []
+  const reader = response.body.getReader()
+  for (let loaded = 0; ; ) {
+    const { done, value } = await reader.read()
+    if (done) return new Blob(chunks)
+    chunks.push(value)
+    loaded += value.length
+    onProgress(length > 0 ? Math.min(loaded / length, 1) : null)
+  }
+}

@@ -1,0 +1,4 @@
+import { findPage } from './page.ts'
+import { Studio } from './studio.ts'
+
+void new Studio(findPage()).start()

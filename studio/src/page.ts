@@ -1,0 +1,73 @@
+/** The elements of index.html that the studio works with. */
+export interface Page {
+  stage: HTMLElement
+  viewport: HTMLElement
+  divider: HTMLElement
+  sideWith: HTMLElement
+  views: HTMLElement
+  screenshot: HTMLButtonElement
+  loading: HTMLElement
+  progress: HTMLProgressElement
+  loadingText: HTMLElement
+  backend: HTMLElement
+  adapter: HTMLElement
+  frameTime: HTMLElement
+  graph: HTMLCanvasElement
+  errors: HTMLElement
+  notes: HTMLElement
+  dropping: HTMLElement
+  face: HTMLSelectElement
+  renderer: HTMLElement
+  mode: HTMLElement
+  look: HTMLElement
+  areaRow: HTMLElement
+  area: HTMLSelectElement
+  expressions: HTMLElement
+  areas: HTMLElement
+  resetAreas: HTMLButtonElement
+  files: HTMLInputElement
+  convention: HTMLInputElement
+  targets: HTMLElement
+  resetTargets: HTMLButtonElement
+  filter: HTMLInputElement
+  found: HTMLElement
+}
+
+const IDS: Record<keyof Page, string> = {
+  stage: 'stage',
+  viewport: 'viewport',
+  divider: 'divider',
+  sideWith: 'side-with',
+  views: 'views',
+  screenshot: 'screenshot',
+  loading: 'loading',
+  progress: 'progress',
+  loadingText: 'loading-text',
+  backend: 'backend',
+  adapter: 'adapter',
+  frameTime: 'frame-time',
+  graph: 'graph',
+  errors: 'errors',
+  notes: 'notes',
+  dropping: 'dropping',
+  face: 'face',
+  renderer: 'renderer',
+  mode: 'mode',
+  look: 'look',
+  areaRow: 'area-row',
+  area: 'area',
+  expressions: 'expressions',
+  areas: 'areas',
+  resetAreas: 'reset-areas',
+  files: 'files',
+  convention: 'convention',
+  targets: 'targets',
+  resetTargets: 'reset-targets',
+  filter: 'filter',
+  found: 'found',
+}
+
+export function findPage(): Page {
+  const entries = Object.entries(IDS).map(([key, id]) => [key, document.getElementById(id)])
+  return Object.fromEntries(entries) as Page
+}

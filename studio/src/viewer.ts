@@ -1,0 +1,190 @@
+import { type Area, EXPRESSIONS, type Expression, type WrinkleSet } from 'furrow'
+import { ExpressionPlayer, Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
+import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
+import { type Color, type Material, type Mesh, NoToneMapping, type Texture } from 'three'
+import { isWebGL } from '../../stage/light.ts'
+import { createStage, type RendererKind, type Stage, type Wrinkles } from '../../stage/stage.ts'
+import { areaDials, type Dial, targetDials } from './dials.ts'
+import type { LoadedFace } from './faces.ts'
+import { type Look, Looks, type Side } from './looks.ts'
+
+/** One face on one renderer's canvas, drawn without wrinkles left of the divider and with them right of it. */
+export class Viewer {
+  readonly canvas: HTMLCanvasElement
+  readonly kind: RendererKind
+  readonly stage: Stage
+  readonly loaded: LoadedFace
+  readonly wrinkles: Wrinkles
+  readonly targets: readonly Dial[]
+  areas: readonly Dial[]
+  /** Share of the width that is drawn without wrinkles. */
+  split = 0.5
+
+  #player: ExpressionPlayer
+  #expressions: readonly Expression[]
+  #left = 0
+  #looks: Looks
+  #look: Look = { name: 'shaded' }
+  readonly #background: Color
+  readonly #toneMapping: Stage['renderer']['toneMapping']
+
+  /** @throws Error when the browser cannot draw, FurrowError when the face cannot wrinkle. */
+  static async create(canvas: HTMLCanvasElement, kind: RendererKind, loaded: LoadedFace): Promise<Viewer> {
+    const stage = await createStage(canvas, kind)
+    try {
+      return new Viewer(canvas, kind, stage, loaded)
+    } catch (error) {
+      stage.dispose()
+      throw error
+    }
+  }
+
+  private constructor(canvas: HTMLCanvasElement, kind: RendererKind, stage: Stage, loaded: LoadedFace) {
+    this.canvas = canvas
+    this.kind = kind
+    this.stage = stage
+    this.loaded = loaded
+    this.#background = (stage.scene.background as Color).clone()
+    this.#toneMapping = stage.renderer.toneMapping
+    const { face, set } = loaded
+    const plain = (face.skin.material as Material).clone()
+    const { wrinkles, player } = stage.show(face, set)
+    this.wrinkles = wrinkles
+    this.#player = player
+    this.targets = targetDials(face.root)
+    this.areas = areaDials(wrinkles)
+    this.#expressions = this.#wholeExpressions()
+    this.#player = this.#makePlayer()
+    this.#looks = new Looks(face, wrinkles, plain, {
+      makeWrinkles: (mesh, own) => this.#makeWrinkles(mesh, own),
+      set: () => this.loaded.set,
+    })
+  }
+
+  get mode(): WrinkleMode {
+    return this.wrinkles.mode
+  }
+
+  /** @throws FurrowError when this face cannot be shown in that mode; it then stays in the one it had. */
+  set mode(mode: WrinkleMode) {
+    this.wrinkles.mode = mode
+    this.look = this.#look
+  }
+
+  get look(): Look {
+    return this.#look
+  }
+
+  set look(look: Look) {
+    this.#looks.choose(look)
+    this.#look = look
+  }
+
+  /** Whether an expression is still on its way. */
+  get moving(): boolean {
+    return this.#left > 0
+  }
+
+  /** Heads for an expression from wherever face and sliders stand now. */
+  play(name: string, seconds: number): void {
+    this.#player.play(name, seconds)
+    this.#left = seconds
+  }
+
+  /** @param delta seconds since the last frame; infinite arrives at once. */
+  advance(delta: number): void {
+    if (!this.moving) return
+    this.#player.update(delta)
+    this.#left = Math.max(0, this.#left - delta)
+  }
+
+  /** @throws FurrowError when the area cannot be added; nothing changes then. */
+  addArea(area: Area): void {
+    this.wrinkles.addArea(area)
+    this.loaded.set.areas.push(area)
+    this.#areasChanged()
+  }
+
+  /** @throws FurrowError when the area is the last one. */
+  removeArea(name: string): void {
+    this.wrinkles.removeArea(name)
+    this.loaded.set.areas = this.loaded.set.areas.filter((area) => area.name !== name)
+    const showing = this.#look.name === 'influence' && this.#look.area === name
+    if (showing) this.#look = { name: 'influence' }
+    this.#areasChanged()
+  }
+
+  draw(): void {
+    const { renderer } = this.stage
+    const { clientWidth: width, clientHeight: height } = this.canvas
+    const edge = Math.round(this.split * width)
+    if (edge === 0 || edge === width) {
+      renderer.setScissorTest(false)
+      this.#drawSide(edge === 0 ? 'with' : 'without')
+      return
+    }
+    renderer.setScissorTest(true)
+    renderer.setScissor(0, 0, edge, height)
+    this.#drawSide('without')
+    renderer.setScissor(edge, 0, width - edge, height)
+    this.#drawSide('with')
+  }
+
+  /** Frees everything on the GPU; the face itself, its blendshapes and its set stay good for another viewer. */
+  dispose(): void {
+    this.#looks.dispose()
+    this.wrinkles.dispose()
+    this.stage.scene.remove(this.loaded.face.root)
+    releaseFromGPU(this.loaded)
+    const { renderer } = this.stage
+    this.stage.dispose()
+    if (isWebGL(renderer)) renderer.forceContextLoss()
+    this.canvas.remove()
+  }
+
+  #drawSide(side: Side): void {
+    const { renderer, scene } = this.stage
+    const lit = this.#looks.lit(side)
+    this.#looks.wear(side)
+    ;(scene.background as Color).copy(lit ? this.#background : this.#looks.technicalBackground)
+    // WebGPURenderer maps the tones of whole pictures and knows no `toneMapped` of materials.
+    if (!isWebGL(renderer)) renderer.toneMapping = lit ? this.#toneMapping : NoToneMapping
+    this.stage.render()
+  }
+
+  #areasChanged(): void {
+    this.areas = areaDials(this.wrinkles)
+    this.#expressions = this.#wholeExpressions()
+    this.#player = this.#makePlayer()
+    this.#left = 0
+    this.look = this.#look
+  }
+
+  #makePlayer(): ExpressionPlayer {
+    return new ExpressionPlayer(this.loaded.face.root, this.wrinkles, this.#expressions)
+  }
+
+  /** The presets, as far as this face goes; the first names all it has, so that every slider moves with them. */
+  #wholeExpressions(): Expression[] {
+    const zeros = (dials: readonly Dial[]) => Object.fromEntries(dials.map(({ name }) => [name, 0]))
+    const targets = zeros(this.targets)
+    const activations = zeros(this.areas)
+    return [{ name: EXPRESSIONS[0].name, targets, activations }, ...EXPRESSIONS.slice(1)]
+  }
+
+  #makeWrinkles(mesh: Mesh, set: WrinkleSet): Wrinkles {
+    return isWebGL(this.stage.renderer) ? new WebGLWrinkles(mesh, set) : new WebGPUWrinkles(mesh, set)
+  }
+}
+
+function releaseFromGPU({ face }: LoadedFace): void {
+  face.root.traverse((object) => {
+    if (!(object as Mesh).isMesh) return
+    const { geometry, material } = object as Mesh
+    geometry.dispose()
+    for (const own of [material].flat()) {
+      for (const value of Object.values(own)) if ((value as Texture | null)?.isTexture) value.dispose()
+      own.dispose()
+    }
+  })
+}

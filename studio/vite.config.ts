@@ -1,0 +1,30 @@
+import { fileURLToPath } from 'node:url'
+import { defineConfig } from 'vite'
+import { serveExamples } from './serve-examples.ts'
+import { serveFaces } from './serve-faces.ts'
+
+const folder = (path: string) => fileURLToPath(new URL(path, import.meta.url))
+
+export default defineConfig({
+  root: folder('.'),
+  base: './',
+  appType: 'mpa',
+  publicDir: false,
+  cacheDir: folder('../node_modules/.vite/studio'),
+  plugins: [serveFaces(folder('../faces')), serveExamples(folder('../examples'))],
+  // Sources, not builds: the `furrow-source` condition of the packages' exports.
+  resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
+  optimizeDeps: {
+    include: [
+      'three',
+      'three/webgpu',
+      'three/tsl',
+      'three/addons/controls/OrbitControls.js',
+      'three/addons/environments/RoomEnvironment.js',
+      'three/addons/loaders/GLTFLoader.js',
+    ],
+  },
+  server: { fs: { allow: [folder('..')] } },
+  // One page that needs all of three.js, twice over for its two renderers.
+  build: { outDir: folder('dist'), emptyOutDir: true, chunkSizeWarningLimit: 2500 },
+})
