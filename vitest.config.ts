@@ -2,16 +2,7 @@ import { existsSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { playwright } from '@vitest/browser-playwright'
 import { defineConfig } from 'vitest/config'
-
-/** Lets a headless Chromium without a GPU run both WebGL 2 and WebGPU; with a GPU it uses that. */
-const CHROMIUM_FLAGS = [
-  '--no-sandbox',
-  '--ignore-gpu-blocklist',
-  '--enable-unsafe-swiftshader',
-  '--enable-unsafe-webgpu',
-  '--use-webgpu-adapter=swiftshader',
-  '--disable-background-networking',
-]
+import { CHROMIUM_FLAGS } from './packages/cli/src/chromium-flags.ts'
 
 // Sources, not builds: the `furrow-source` condition of the packages' exports.
 const resolve = { conditions: ['furrow-source', 'module', 'browser', 'development|production'] }
@@ -54,7 +45,7 @@ export default defineConfig({
             provider: playwright({
               launchOptions: {
                 executablePath: process.env.FURROW_CHROMIUM ?? '/usr/bin/chromium',
-                args: CHROMIUM_FLAGS,
+                args: [...CHROMIUM_FLAGS],
               },
             }),
             instances: [{ browser: 'chromium' }],

@@ -114,12 +114,12 @@ async function readBack(
   return onWebGPU ? bottomUp(pixels, width, height) : pixels
 }
 
-/** WebGPU reads rows from the top, each padded to a multiple of 256 bytes. */
+/** WebGPU reads rows from the top. */
 function bottomUp<T extends Float32Array | Uint8Array>(pixels: T, width: number, height: number): T {
-  const stride = (Math.ceil((width * 4 * pixels.BYTES_PER_ELEMENT) / 256) * 256) / pixels.BYTES_PER_ELEMENT
-  const rows = pixels.slice(0, width * height * 4) as T
+  const rows = pixels.slice() as T
+  const stride = width * 4
   for (let y = 0; y < height; y++) {
-    rows.set(pixels.subarray((height - 1 - y) * stride, (height - 1 - y) * stride + width * 4), y * width * 4)
+    rows.set(pixels.subarray((height - 1 - y) * stride, (height - y) * stride), y * stride)
   }
   return rows
 }

@@ -1,30 +1,8 @@
-import { type Browser, chromium, type Page } from 'playwright-core'
-
-/**
- * Lets a headless Chromium without a GPU run both WebGL 2 and WebGPU, and show what they drew. The last three
- * put the browser's own compositor on the same software Vulkan: a WebGPU canvas hands its pictures over through
- * Vulkan memory, and where the compositor cannot take them the GPU process dies ("A valid external Instance
- * reference no longer exists").
- */
-export const CHROMIUM_FLAGS = [
-  '--no-sandbox',
-  '--ignore-gpu-blocklist',
-  '--enable-unsafe-swiftshader',
-  '--enable-unsafe-webgpu',
-  '--use-webgpu-adapter=swiftshader',
-  '--disable-background-networking',
-  '--enable-features=Vulkan',
-  '--use-vulkan=swiftshader',
-  '--use-angle=swiftshader',
-]
+import type { Browser, Page } from 'playwright-core'
+import { launchBrowser } from '../../packages/cli/src/browser.ts'
 
 /** The browser that pages are tested in; the caller closes it. */
-export function openBrowser(): Promise<Browser> {
-  return chromium.launch({
-    executablePath: process.env.FURROW_CHROMIUM ?? '/usr/bin/chromium',
-    args: CHROMIUM_FLAGS,
-  })
-}
+export const openBrowser = launchBrowser
 
 /** An empty page, and what it will complain of: errors in its console, exceptions, requests that fail. */
 export async function openPage(

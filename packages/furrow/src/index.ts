@@ -10,6 +10,16 @@ export { DEFAULT_AREA_SIZE, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS } from './core
 export { type ImageArray, packAreas, packColours } from './core/pack.ts'
 export * as reference from './core/reference.ts'
 export type { Area, Combine, GrayImage, Layer, LayerKind, RgbaImage, WrinkleSet } from './core/types.ts'
+export {
+  isMorphDriver,
+  type MorphDriver,
+  parseWrinkleMaps,
+  WRINKLE_MAPS,
+  type WrinkleDriver,
+  type WrinkleMaps,
+  type WrinkleMapsArea,
+  type WrinkleMapsLayer,
+} from './core/wrinkle-maps.ts'
 export { checkWrinkleSet } from './core/wrinkle-set.ts'
 export { type Expression, ExpressionMix } from './drivers/expression.ts'
 export { EXPRESSIONS } from './drivers/expressions.ts'

@@ -47,6 +47,15 @@ export class JsonReader {
     return value
   }
 
+  /** The value as a whole number in `low`..`high`. Throws otherwise. */
+  integer(value: unknown, path: string, low: number, high: number): number {
+    const number = this.number(value, path, low, high, '')
+    if (!Number.isInteger(number)) {
+      this.fail(`${path} must be a whole number`, number, `${low}..${high}`, 'write it without a fraction')
+    }
+    return number
+  }
+
   /** One number for both, or an array of two. Throws otherwise. */
   pair(value: unknown, path: string, low: number, high: number): [number, number] {
     if (!Array.isArray(value)) {

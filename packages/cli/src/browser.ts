@@ -1,0 +1,78 @@
+import { accessSync, constants } from 'node:fs'
+import { homedir } from 'node:os'
+import { join } from 'node:path'
+import { FurrowError } from 'furrow'
+import { type Browser, chromium } from 'playwright-core'
+import { CHROMIUM_FLAGS } from './chromium-flags.ts'
+
+/** Where browsers install themselves, the most common first. */
+function usualPlaces(): string[] {
+  if (process.platform === 'darwin') {
+    const apps = ['Google Chrome', 'Chromium', 'Microsoft Edge']
+    return ['/Applications', join(homedir(), 'Applications')].flatMap((folder) =>
+      apps.map((app) => join(folder, `${app}.app`, 'Contents', 'MacOS', app)),
+    )
+  }
+  if (process.platform === 'win32') {
+    const programs = ['Google/Chrome/Application/chrome.exe', 'Microsoft/Edge/Application/msedge.exe']
+    const { PROGRAMFILES, LOCALAPPDATA } = process.env
+    return [PROGRAMFILES, process.env['PROGRAMFILES(X86)'], LOCALAPPDATA]
+      .filter((folder) => folder !== undefined)
+      .flatMap((folder) => programs.map((program) => join(folder, program)))
+  }
+  const names = ['google-chrome', 'google-chrome-stable', 'chromium', 'chromium-browser', 'microsoft-edge']
+  const folders = [...(process.env.PATH ?? '').split(':'), '/usr/bin', '/usr/local/bin', '/snap/bin']
+  return names.flatMap((name) => folders.map((folder) => join(folder, name)))
+}
+
+/**
+ * Path of a Chromium-based browser: the one that `FURROW_CHROMIUM` names, else an installed Chrome, Chromium or
+ * Edge, else Playwright's own.
+ *
+ * @throws FurrowError when there is none, or `FURROW_CHROMIUM` names no program.
+ */
+export function findBrowser(): string {
+  const named = process.env.FURROW_CHROMIUM
+  if (named) {
+    if (isProgram(named)) return named
+    throw new FurrowError({
+      who: 'furrow',
+      what: 'FURROW_CHROMIUM is no program',
+      value: named,
+      limit: 'the path of Chrome, Chromium or Edge',
+      remedy: 'correct the variable, or unset it to have the browser looked for',
+    })
+  }
+  const found = [...usualPlaces(), chromium.executablePath()].find(isProgram)
+  if (found) return found
+  throw new FurrowError({
+    who: 'furrow',
+    what: 'no browser to draw with',
+    limit: 'Chrome, Chromium or Edge',
+    remedy: 'install one (e.g. "npx playwright install chromium"), or set FURROW_CHROMIUM to its path',
+  })
+}
+
+/** Starts the browser that `findBrowser` finds, with no window. The caller closes it. */
+export async function launchBrowser(): Promise<Browser> {
+  const executablePath = findBrowser()
+  try {
+    return await chromium.launch({ executablePath, args: [...CHROMIUM_FLAGS] })
+  } catch (error) {
+    throw new FurrowError({
+      who: 'furrow',
+      what: `the browser does not start (${String((error as Error).message).split('\n')[0]})`,
+      value: executablePath,
+      remedy: 'set FURROW_CHROMIUM to the path of another Chrome, Chromium or Edge',
+    })
+  }
+}
+
+function isProgram(path: string): boolean {
+  try {
+    accessSync(path, constants.X_OK)
+    return true
+  } catch {
+    return false
+  }
+}

@@ -1,0 +1,87 @@
+/** The page that `furrow render` opens: draws one picture on the shared stage and posts its pixels. */
+
+import { EXPRESSIONS, findTargets } from 'furrow'
+import { ExpressionPlayer, loadWrinkleSet } from 'furrow/three'
+import type { Mesh, Object3D } from 'three'
+import type { WebGPURenderer } from 'three/webgpu'
+import { loadFace } from '../../../../stage/face.ts'
+import { isWebGL } from '../../../../stage/light.ts'
+import { createStage, type Renderer, type Stage, type Wrinkles } from '../../../../stage/stage.ts'
+import type { ViewName } from '../../../../stage/views.ts'
+import type { PageJob, PageReport, VIEW_NAMES } from '../render/picture.ts'
+import { readPicture } from './read-canvas.ts'
+
+// Node cannot import the stage, so it keeps the names of the views itself: they must be the same.
+type Same<A, B> = [A, B] extends [B, A] ? true : never
+const sameViews: Same<ViewName, (typeof VIEW_NAMES)[number]> = true
+void sameViews
+
+const warnings: string[] = []
+console.warn = (...parts: unknown[]) => void warnings.push(parts.map(String).join(' '))
+
+window.drawPicture = async (job) => {
+  try {
+    return await draw(job)
+  } catch (error) {
+    return { error: error instanceof Error ? error.message : String(error) }
+  }
+}
+
+async function draw(job: PageJob): Promise<PageReport> {
+  const { width, height } = job
+  const stage = await createStage(document.createElement('canvas'), job.renderer)
+  if (job.renderer === 'webgpu' && stage.backend !== 'WebGPU') {
+    throw new Error('this browser has no WebGPU: use --renderer webgl')
+  }
+  const face = await loadFace(job.face, job.mesh)
+  const { wrinkles } = stage.show(face, await loadWrinkleSet(job.wrinkles), { mode: job.mode })
+  pose(face.root, wrinkles, job)
+  stage.camera.aspect = width / height
+  stage.view(job.view)
+  const pixels = await readPicture(stage, width, height)
+  const delivered = await fetch(job.deliver, { method: 'POST', body: pixels as BodyInit })
+  if (!delivered.ok) throw new Error(`the picture was not accepted (HTTP status ${delivered.status})`)
+  return { renderer: stage.backend, adapter: adapterOf(stage), warnings }
+}
+
+function pose(root: Object3D, wrinkles: Wrinkles, { expression, targets, activations }: PageJob): void {
+  const chosen = EXPRESSIONS.find(({ name }) => name === expression)
+  // No other expression is given to the player: it would warn of what only they need.
+  if (chosen) new ExpressionPlayer(root, wrinkles, [chosen]).play(chosen.name, 0)
+  root.traverse((object) => setTargets(object as Mesh, targets))
+  for (const [area, activation] of Object.entries(activations)) wrinkles.setActivation(area, activation)
+}
+
+function setTargets(
+  { morphTargetDictionary, morphTargetInfluences }: Mesh,
+  targets: Record<string, number>,
+): void {
+  if (!morphTargetDictionary || !morphTargetInfluences) return
+  const names = Object.keys(morphTargetDictionary)
+  for (const [name, weight] of Object.entries(targets)) {
+    const exact = names.indexOf(name)
+    for (const index of exact >= 0 ? [exact] : findTargets(name, names)) {
+      morphTargetInfluences[morphTargetDictionary[names[index]]] = weight
+    }
+  }
+}
+
+function adapterOf({ renderer, backend }: Stage): string {
+  return backend === 'WebGPU' ? webgpuAdapter(renderer as WebGPURenderer) : webglAdapter(renderer)
+}
+
+function webgpuAdapter(renderer: WebGPURenderer): string {
+  const { device } = renderer.backend as unknown as { device: GPUDevice }
+  const { vendor, architecture, description } = device.adapterInfo
+  return [vendor, architecture, description].filter(Boolean).join(' ')
+}
+
+function webglAdapter(renderer: Renderer): string {
+  const gl = (
+    isWebGL(renderer)
+      ? renderer.getContext()
+      : (renderer.backend as unknown as { gl: WebGLRenderingContext }).gl
+  ) as WebGL2RenderingContext
+  const debug = gl.getExtension('WEBGL_debug_renderer_info')
+  return String(gl.getParameter(debug ? debug.UNMASKED_RENDERER_WEBGL : gl.RENDERER))
+}

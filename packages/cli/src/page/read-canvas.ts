@@ -1,0 +1,79 @@
+import { type PerspectiveCamera, RenderTarget } from 'three'
+import type { WebGPURenderer } from 'three/webgpu'
+import { isWebGL } from '../../../../stage/light.ts'
+import type { Stage } from '../../../../stage/stage.ts'
+
+/** Draws what the stage's camera sees and returns its pixels: RGBA, rows from the top of the tile. */
+type DrawTile = () => Promise<Uint8Array>
+
+/** Side of a tile in pixels: a large picture's multisampled buffers would not fit into memory at once. */
+const TILE = 2048
+
+/**
+ * Draws the stage as a screen would show it (multisampled, tone mapped, sRGB) and reads the pixels.
+ *
+ * @returns RGBA, row 0 at the top.
+ */
+export async function readPicture(stage: Stage, width: number, height: number): Promise<Uint8Array> {
+  const tileWidth = Math.min(width, TILE)
+  const tileHeight = Math.min(height, TILE)
+  stage.renderer.setPixelRatio(1)
+  stage.renderer.setSize(tileWidth, tileHeight, false)
+  const draw = isWebGL(stage.renderer) ? canvasTile(stage) : targetTile(stage, tileWidth, tileHeight)
+  const picture = new Uint8Array(width * height * 4)
+  for (let y = 0; y < height; y += TILE) {
+    for (let x = 0; x < width; x += TILE) {
+      aim(stage.camera, width, height, x, y, tileWidth, tileHeight)
+      const tile = await draw()
+      const [columns, rows] = [Math.min(tileWidth, width - x), Math.min(tileHeight, height - y)]
+      for (let row = 0; row < rows; row++) {
+        const from = row * tileWidth * 4
+        picture.set(tile.subarray(from, from + columns * 4), ((y + row) * width + x) * 4)
+      }
+    }
+  }
+  return picture
+}
+
+function aim(
+  camera: PerspectiveCamera,
+  ...[width, height, x, y, tileWidth, tileHeight]: [number, number, number, number, number, number]
+): void {
+  camera.setViewOffset(width, height, x, y, tileWidth, tileHeight)
+  camera.updateProjectionMatrix()
+}
+
+/** WebGLRenderer maps tones on its way to the canvas alone, so the canvas is read, in the same breath. */
+function canvasTile(stage: Stage): DrawTile {
+  const gl = stage.renderer.getContext() as WebGL2RenderingContext
+  const { drawingBufferWidth: width, drawingBufferHeight: height } = gl
+  const pixels = new Uint8Array(width * height * 4)
+  return async () => {
+    stage.render()
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null)
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels)
+    if (gl.isContextLost()) throw new Error('the graphics context was lost')
+    return topDown(pixels, width, height)
+  }
+}
+
+/** WebGPURenderer maps tones for its output target as for a canvas; presenting a canvas may lose the device. */
+function targetTile(stage: Stage, width: number, height: number): DrawTile {
+  const renderer = stage.renderer as WebGPURenderer
+  const target = new RenderTarget(width, height, { depthBuffer: false })
+  renderer.setOutputRenderTarget(target)
+  return async () => {
+    stage.render()
+    const pixels = (await renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height)) as Uint8Array
+    return stage.backend === 'WebGPU' ? pixels : topDown(pixels, width, height)
+  }
+}
+
+function topDown(pixels: Uint8Array, width: number, height: number): Uint8Array {
+  const rows = new Uint8Array(pixels.length)
+  const stride = width * 4
+  for (let y = 0; y < height; y++) {
+    rows.set(pixels.subarray((height - 1 - y) * stride, (height - y) * stride), y * stride)
+  }
+  return rows
+}

@@ -1,0 +1,18 @@
+import { fileURLToPath } from 'node:url'
+import { defineConfig } from 'vite'
+
+/** Bundles the page that draws into dist/, so that the installed command needs no bundler. */
+export default defineConfig({
+  root: fileURLToPath(new URL('.', import.meta.url)),
+  base: './',
+  logLevel: 'warn',
+  resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
+  build: {
+    outDir: '../../dist/page',
+    emptyOutDir: true,
+    target: 'esnext',
+    license: { fileName: 'LICENSES.md' },
+    // Both renderers of three.js in one file, read from disk: its size costs nothing.
+    chunkSizeWarningLimit: 4000,
+  },
+})

@@ -1,0 +1,117 @@
+import { FurrowError } from 'furrow'
+import type { Browser, Page } from 'playwright-core'
+import { launchBrowser } from '../browser.ts'
+import { firstLine } from '../images.ts'
+import { type LocalServer, startLocalServer } from './local-server.ts'
+import type { PageJob, PageReport, PictureRequest } from './picture.ts'
+import { type PreparedPicture, preparePicture } from './prepare.ts'
+
+export interface Picture extends PageReport {
+  width: number
+  height: number
+  /** RGBA, sRGB, row 0 at the top. */
+  pixels: Uint8Array
+  /** From opening the page to the last pixel. */
+  milliseconds: number
+}
+
+/** Called before each picture and once after the last; `done` counts pictures. */
+export type Progress = (done: number, total: number) => void
+
+/**
+ * Draws pictures in one browser without a window, one after the other. Every request is checked before the
+ * browser starts. Nothing is written.
+ *
+ * @throws FurrowError when a request is bad, no browser is found, or a picture cannot be drawn.
+ */
+export async function renderPictures(
+  requests: readonly PictureRequest[],
+  progress: Progress = () => {},
+): Promise<Picture[]> {
+  const prepared: PreparedPicture[] = []
+  for (const request of requests) prepared.push(await preparePicture(request))
+  const browser = await launchBrowser()
+  try {
+    const server = await startLocalServer()
+    try {
+      return await drawAll(browser, server, prepared, progress)
+    } finally {
+      await server.close()
+    }
+  } finally {
+    await browser.close()
+  }
+}
+
+async function drawAll(
+  browser: Browser,
+  server: LocalServer,
+  prepared: PreparedPicture[],
+  progress: Progress,
+): Promise<Picture[]> {
+  const pictures: Picture[] = []
+  for (const picture of prepared) {
+    progress(pictures.length, prepared.length)
+    // A page of its own each: a lost device or a leak then cannot spoil the next.
+    const page = await browser.newPage()
+    try {
+      pictures.push(await drawOne(page, server, picture))
+    } finally {
+      await page.close()
+    }
+  }
+  progress(pictures.length, prepared.length)
+  return pictures
+}
+
+async function drawOne(page: Page, server: LocalServer, { job, files }: PreparedPicture): Promise<Picture> {
+  const start = performance.now()
+  for (const file of files) server.offer(file)
+  const inbox = server.inbox()
+  const pageJob: PageJob = {
+    ...job,
+    face: server.offer(job.face),
+    wrinkles: server.offer(job.wrinkles),
+    deliver: inbox.address,
+  }
+  const plain = (text: string) => text.replaceAll(`${server.origin}/file`, '')
+  const report = await askPage(page, server, pageJob).catch((error) => ({
+    // Playwright begins with the name of its own method, which says nothing to a user.
+    error: firstLine(error).replace(/^page\.\w+: /, ''),
+  }))
+  if ('error' in report) throw drawingFailed(job.face, plain(firstLine(report.error)))
+  const pixels = inbox.received()
+  if (!pixels) throw drawingFailed(job.face, 'the page delivered no pixels')
+  return {
+    ...report,
+    warnings: report.warnings.map(plain),
+    width: job.width,
+    height: job.height,
+    pixels,
+    milliseconds: Math.round(performance.now() - start),
+  }
+}
+
+async function askPage(
+  page: Page,
+  server: LocalServer,
+  job: PageJob,
+): Promise<PageReport | { error: string }> {
+  const crashed = new Promise<{ error: string }>((resolve) => {
+    page.once('crash', () => resolve({ error: 'the browser ran out of memory or crashed' }))
+  })
+  await page.route(
+    (url) => !url.href.startsWith(server.origin) && !['data:', 'blob:'].includes(url.protocol),
+    (route) => route.abort(),
+  )
+  await page.goto(server.page)
+  return Promise.race([crashed, page.evaluate((asked) => window.drawPicture(asked), job)])
+}
+
+function drawingFailed(face: string, problem: string): FurrowError {
+  return new FurrowError({
+    who: 'furrow render',
+    what: `${face} cannot be drawn (${problem})`,
+    remedy: 'correct the input, or try the other --renderer',
+  })
+}

@@ -1,0 +1,206 @@
+import { JsonReader } from './json.ts'
+import { MAX_AREAS, MAX_LAYERS } from './limits.ts'
+import type { Combine, LayerKind } from './types.ts'
+
+/** Name of the glTF extension of a material; docs/FURROW_wrinkle_maps.md is its specification. */
+export const WRINKLE_MAPS = 'FURROW_wrinkle_maps'
+
+/** A texture of the file, by its index, with whatever else glTF allows beside it. */
+export interface TextureReference {
+  index: number
+}
+
+/** One layer as the extension's JSON holds it, defaults filled in. */
+export interface WrinkleMapsLayer {
+  name: string
+  kind: LayerKind
+  /** Tangent-space normals, linear; `scale` multiplies x and y. */
+  normalTexture: TextureReference & { scale: number }
+  /** Skin colour fully wrinkled, sRGB. */
+  baseColorTexture?: TextureReference
+  /** Roughness in G, linear, as in glTF's metallic-roughness texture. */
+  roughnessTexture?: TextureReference
+  /** Occlusion in R, linear; `strength` as in glTF's occlusion texture. */
+  occlusionTexture?: TextureReference & { strength: number }
+  /** Height in R, linear, 0.5 = the surface; `amplitude` is the metres from black to white. */
+  heightTexture?: TextureReference & { amplitude: number }
+}
+
+/** One area as the extension's JSON holds it, defaults filled in. */
+export interface WrinkleMapsArea {
+  name: string
+  /** Index of the layer whose wrinkles it shows. */
+  layer: number
+  /** Weights, linear, 1 = fully visible: the file has no second convention. */
+  texture: TextureReference
+  /** Channel of the texture, 0 = R to 3 = A, so that four areas share one image. */
+  channel: number
+  combine: Combine
+  /** Activation at rest, 0..1. */
+  activation: number
+}
+
+/** A point of a piecewise-linear curve: input, output. */
+export type CurvePoint = [input: number, output: number]
+
+/** Activates an area by blendshapes: the curve of the weighted sum of their weights. */
+export interface MorphDriver {
+  type: 'morph'
+  /** Name of the area. */
+  area: string
+  targets: { name: string; weight: number }[]
+  /** Two or more points with growing inputs; constant beyond its ends. */
+  curve: CurvePoint[]
+}
+
+/** Drivers this version knows. Others are kept as they are, so that a later version's file survives. */
+export type WrinkleDriver = MorphDriver | { type: string; [field: string]: unknown }
+
+/** The extension's JSON on a material, checked, defaults filled in. */
+export interface WrinkleMaps {
+  layers: WrinkleMapsLayer[]
+  areas: WrinkleMapsArea[]
+  drivers: WrinkleDriver[]
+}
+
+const MAX_DRIVERS = 4096
+const MAX_TARGETS = 1024
+const MAX_CURVE_POINTS = 64
+const LONGEST_NAME = 256
+
+/** Largest weight, scale or amplitude that means something. */
+const LARGEST = 1000
+
+/**
+ * Reads the extension's JSON. Unknown fields are left alone; drivers of unknown type are kept as they are.
+ *
+ * @param json the value of `material.extensions.FURROW_wrinkle_maps`, whatever it is.
+ * @param textureCount number of textures in the file, if known, to check indices against.
+ * @throws FurrowError that names the first field which is missing, has the wrong type or is out of range.
+ */
+export function parseWrinkleMaps(
+  json: unknown,
+  textureCount = Infinity,
+  who: string = WRINKLE_MAPS,
+): WrinkleMaps {
+  const reader = new JsonReader(who)
+  const root = reader.object(json, 'the extension')
+  const texture = textureReader(reader, textureCount)
+  const layers = reader
+    .array(root.layers, 'layers', 1, MAX_LAYERS)
+    .map((item, i) => readLayer(reader, texture, item, `layers[${i}]`))
+  const areas = reader
+    .array(root.areas, 'areas', 1, MAX_AREAS)
+    .map((item, i) => readArea(reader, texture, item, `areas[${i}]`, layers.length))
+  checkNames(reader, layers, 'layers')
+  checkNames(reader, areas, 'areas')
+  const names = areas.map(({ name }) => name)
+  const drivers = reader
+    .array(root.drivers ?? [], 'drivers', 0, MAX_DRIVERS)
+    .map((item, i) => readDriver(reader, item, `drivers[${i}]`, names))
+  return { layers, areas, drivers }
+}
+
+/** Whether a driver is of the one type that this version plays. */
+export function isMorphDriver(driver: WrinkleDriver): driver is MorphDriver {
+  return driver.type === 'morph'
+}
+
+type ReadTexture = (value: unknown, path: string) => Record<string, unknown> & TextureReference
+
+function textureReader(reader: JsonReader, count: number): ReadTexture {
+  return (value, path) => {
+    const info = reader.object(value, path)
+    const index = reader.integer(info.index, `${path}.index`, 0, count - 1)
+    return { ...info, index }
+  }
+}
+
+function readLayer(reader: JsonReader, texture: ReadTexture, item: unknown, at: string): WrinkleMapsLayer {
+  const json = reader.object(item, at)
+  const number = (value: unknown, path: string, low: number) =>
+    reader.number(value, `${at}.${path}`, low, LARGEST, '')
+  const normal = texture(json.normalTexture, `${at}.normalTexture`)
+  const layer: WrinkleMapsLayer = {
+    name: reader.text(json.name, `${at}.name`, LONGEST_NAME),
+    kind: reader.choice(json.kind ?? 'replace', `${at}.kind`, ['replace', 'detail']),
+    normalTexture: { ...normal, scale: number(normal.scale ?? 1, 'normalTexture.scale', -LARGEST) },
+  }
+  for (const slot of ['baseColorTexture', 'roughnessTexture'] as const) {
+    if (json[slot] !== undefined) layer[slot] = texture(json[slot], `${at}.${slot}`)
+  }
+  if (json.occlusionTexture !== undefined) {
+    const info = texture(json.occlusionTexture, `${at}.occlusionTexture`)
+    const strength = reader.number(info.strength ?? 1, `${at}.occlusionTexture.strength`, 0, 1, '')
+    layer.occlusionTexture = { ...info, strength }
+  }
+  if (json.heightTexture !== undefined) {
+    const info = texture(json.heightTexture, `${at}.heightTexture`)
+    layer.heightTexture = { ...info, amplitude: number(info.amplitude, 'heightTexture.amplitude', 0) }
+  }
+  return layer
+}
+
+function readArea(
+  reader: JsonReader,
+  texture: ReadTexture,
+  item: unknown,
+  at: string,
+  layerCount: number,
+): WrinkleMapsArea {
+  const json = reader.object(item, at)
+  return {
+    name: reader.text(json.name, `${at}.name`, LONGEST_NAME),
+    layer: reader.integer(json.layer ?? 0, `${at}.layer`, 0, layerCount - 1),
+    texture: texture(json.texture, `${at}.texture`),
+    channel: reader.integer(json.channel ?? 0, `${at}.channel`, 0, 3),
+    combine: reader.choice(json.combine ?? 'sum', `${at}.combine`, ['sum', 'max']),
+    activation: reader.number(json.activation ?? 0, `${at}.activation`, 0, 1, ''),
+  }
+}
+
+function readDriver(reader: JsonReader, item: unknown, at: string, areas: readonly string[]): WrinkleDriver {
+  const json = reader.object(item, at)
+  const type = reader.text(json.type, `${at}.type`)
+  if (type !== 'morph') return { ...json, type }
+  const area = reader.choice(json.area, `${at}.area`, areas)
+  const targets = reader.array(json.targets, `${at}.targets`, 1, MAX_TARGETS).map((value, i) => {
+    const path = `${at}.targets[${i}]`
+    const target = reader.object(value, path)
+    return {
+      name: reader.text(target.name, `${path}.name`, LONGEST_NAME),
+      weight: reader.number(target.weight ?? 1, `${path}.weight`, -LARGEST, LARGEST, ''),
+    }
+  })
+  return { type: 'morph', area, targets, curve: readCurve(reader, json.curve, `${at}.curve`) }
+}
+
+const STRAIGHT: readonly CurvePoint[] = [
+  [0, 0],
+  [1, 1],
+]
+
+function readCurve(reader: JsonReader, value: unknown, at: string): CurvePoint[] {
+  const curve = reader.array(value ?? STRAIGHT, at, 2, MAX_CURVE_POINTS).map((item, i): CurvePoint => {
+    const [input, output] = reader.array(item, `${at}[${i}]`, 2, 2)
+    return [
+      reader.number(input, `${at}[${i}][0]`, -LARGEST, LARGEST, ''),
+      reader.number(output, `${at}[${i}][1]`, 0, 1, ''),
+    ]
+  })
+  for (let i = 1; i < curve.length; i++) {
+    if (curve[i][0] > curve[i - 1][0]) continue
+    const limit = `more than ${curve[i - 1][0]}`
+    reader.fail(`${at}[${i}][0] does not grow`, curve[i][0], limit, 'sort the points by their input')
+  }
+  return curve
+}
+
+function checkNames(reader: JsonReader, named: readonly { name: string }[], list: string): void {
+  const seen = new Set<string>()
+  for (const [i, { name }] of named.entries()) {
+    if (seen.has(name))
+      reader.fail(`${list}[${i}].name is taken`, name, undefined, 'give each a name of its own')
+    seen.add(name)
+  }
+}

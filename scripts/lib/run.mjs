@@ -1,0 +1,54 @@
+import { spawn } from 'node:child_process'
+import { fileURLToPath } from 'node:url'
+
+/** Root of the repository, where every command runs. */
+export const ROOT = fileURLToPath(new URL('../../', import.meta.url))
+
+/** One line about what a script is doing. */
+export function say(text) {
+  console.info(`furrow: ${text}`)
+}
+
+/**
+ * Runs a program to its end.
+ *
+ * @param {string[]} words program and arguments.
+ * @param {{ quiet?: boolean, env?: NodeJS.ProcessEnv }} [options] quiet: what it prints is shown only if it fails.
+ * @returns {Promise<number>} its exit code; 1 where it was killed or could not be started.
+ */
+export function run([program, ...parameters], { quiet = false, env = process.env } = {}) {
+  return new Promise((done) => {
+    const output = []
+    // On Windows npm and npx are scripts, which only a shell can start.
+    const shell = process.platform === 'win32'
+    const stdio = ['ignore', quiet ? 'pipe' : 'inherit', quiet ? 'pipe' : 'inherit']
+    const child = spawn(program, parameters, { cwd: ROOT, env, shell, stdio })
+    for (const stream of [child.stdout, child.stderr]) stream?.on('data', (data) => output.push(data))
+    const end = (code, message = '') => {
+      if (code !== 0) process.stderr.write(Buffer.concat(output).toString() + message)
+      done(code ?? 1)
+    }
+    child.on('error', (error) => end(1, `${error.message}\n`))
+    child.on('close', (code) => end(code))
+  })
+}
+
+/** Like `run`, but a failure ends the script. */
+export async function must(words, options) {
+  const code = await run(words, options)
+  if (code !== 0) throw new Failure(`"${words.join(' ')}" failed with exit code ${code}`)
+}
+
+/** Something the user can read and act upon: printed as one line, without a stack. */
+export class Failure extends Error {}
+
+/** Runs a script's main function; what fails ends it with exit code 1. */
+export async function main(work) {
+  try {
+    await work()
+  } catch (error) {
+    const known = error instanceof Failure || error.name === 'FurrowError'
+    console.error(known ? `furrow: ${error.message}` : error)
+    process.exitCode = 1
+  }
+}

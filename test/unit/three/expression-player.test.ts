@@ -1,0 +1,36 @@
+import type { Expression } from 'furrow'
+import { ExpressionPlayer, Wrinkles } from 'furrow/three'
+import { Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
+import { expect, it } from 'vitest'
+import { randomSet } from '../../cases.ts'
+import { seeded } from '../../random.ts'
+
+const EXPRESSIONS: Expression[] = [
+  { name: 'neutral', targets: {}, activations: {} },
+  { name: 'shout', targets: { jawOpen: 1 }, activations: { area0: 1 } },
+]
+
+it('starts from where the face stands, also when sliders moved it', () => {
+  const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
+  mesh.morphTargetDictionary = { jawOpen: 0 }
+  mesh.morphTargetInfluences = [0]
+  const wrinkles = new Wrinkles(mesh, randomSet(seeded(1), 1, 8))
+  const player = new ExpressionPlayer(mesh, wrinkles, EXPRESSIONS)
+  mesh.morphTargetInfluences[0] = 0.8
+  wrinkles.setActivation('area0', 0.6)
+  player.play('neutral', 1)
+  player.update(0.5)
+  expect(mesh.morphTargetInfluences[0]).toBeCloseTo(0.4, 6)
+  expect(wrinkles.getActivation('area0')).toBeCloseTo(0.3, 6)
+})
+
+it('leaves the face alone once it has arrived', () => {
+  const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
+  mesh.morphTargetDictionary = { jawOpen: 0 }
+  mesh.morphTargetInfluences = [0]
+  const player = new ExpressionPlayer(mesh, new Wrinkles(mesh, randomSet(seeded(1), 1, 8)), EXPRESSIONS)
+  player.play('shout', 0)
+  mesh.morphTargetInfluences[0] = 0.2
+  player.update(1)
+  expect(mesh.morphTargetInfluences[0]).toBe(0.2)
+})
