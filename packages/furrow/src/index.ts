@@ -23,4 +23,5 @@ export {
 export { checkWrinkleSet } from './core/wrinkle-set.ts'
 export { type Expression, ExpressionMix } from './drivers/expression.ts'
 export { EXPRESSIONS } from './drivers/expressions.ts'
+export { curveAt, MorphActivation } from './drivers/morph.ts'
 export { canonicalTargetName, findTargets } from './drivers/target-names.ts'

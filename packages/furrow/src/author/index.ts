@@ -5,6 +5,15 @@ export { type HeightMap, strokesToHeight } from './height.ts'
 export { type Metric, type MetricMesh, surfaceMetric } from './metric.ts'
 export { heightToNormal, type TangentFrame } from './normal.ts'
 export {
+  type Green,
+  type NormalMap,
+  RELIEF_DEFAULTS,
+  type Relief,
+  type ReliefOptions,
+  reliefToNormal,
+} from './relief.ts'
+export type { Edges } from './slope.ts'
+export {
   type AreaShape,
   type AreaSketch,
   type CurveKind,

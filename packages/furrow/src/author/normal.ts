@@ -2,6 +2,7 @@ import { FurrowError } from '../core/error.ts'
 import type { RgbaImage } from '../core/types.ts'
 import type { HeightMap } from './height.ts'
 import type { Metric } from './metric.ts'
+import { slopeAt } from './slope.ts'
 
 /**
  * The frame in which a renderer reads the map.
@@ -20,9 +21,8 @@ export type TangentFrame = 'orthonormal' | 'derivative'
  * glTF, alpha 255. Slopes are true ones, millimetres per millimetre on the skin: the gradient of the height is taken
  * through the first fundamental form (do Carmo, 2.5, exercise 14), then written in `frame`.
  *
- * Derivatives are central differences of fourth order over five texels (Fornberg 1988, Generation of finite
- * difference formulas), with the border's texels repeated outwards; a relief with a wavelength of 8 texels keeps
- * 95% of its slope, of 16 texels 99.8%.
+ * Derivatives are taken over five texels (`slopeAt`); a relief with a wavelength of 8 texels keeps 95% of its slope,
+ * of 16 texels 99.8%.
  * Throws FurrowError where height map and metric differ in size.
  */
 export function heightToNormal(
@@ -44,8 +44,8 @@ export function heightToNormal(
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {
       const i = y * width + x
-      const hu = slope(relief.data, y * width, x, 1, width) * width
-      const hv = slope(relief.data, x, y, width, height) * height
+      const hu = slopeAt(relief.data, y * width, x, 1, width, 'clamp') * width
+      const hv = slopeAt(relief.data, x, y, width, height, 'clamp') * height
       const uu = metric.uu[i]!
       const uv = metric.uv[i]!
       const vv = metric.vv[i]!
@@ -75,10 +75,4 @@ export function heightToNormal(
 /** -1..1 to a byte: 0 becomes 128. */
 export function toByte(n: number): number {
   return Math.min(Math.max(Math.round((n + 1) * 127.5), 0), 255)
-}
-
-/** Change per texel at position `i` of the line that starts at `start`. */
-function slope(data: Float32Array, start: number, i: number, stride: number, count: number): number {
-  const at = (k: number) => data[start + Math.min(Math.max(k, 0), count - 1) * stride]!
-  return (8 * (at(i + 1) - at(i - 1)) - (at(i + 2) - at(i - 2))) / 12
 }

@@ -1,60 +1,125 @@
 import type { AreaConvention } from './area.ts'
 import { JsonReader } from './json.ts'
-import { MAX_AREAS, MAX_LAYERS } from './limits.ts'
+import { MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS } from './limits.ts'
 import type { Combine, LayerKind } from './types.ts'
+import { LARGEST, readDrivers, type WrinkleDriver } from './wrinkle-maps.ts'
 
-/** `wrinkles.json`: a wrinkle set whose images lie beside it as files. */
+/** `wrinkles.json`: a wrinkle set whose images lie beside it as files; all addresses are relative to it. */
 export interface WrinkleSetDocument {
   version: 1
   layers: {
     name: string
     kind: LayerKind
-    /** Address of the tangent-space normal map, relative to the document. */
+    /** Tangent-space normal map. */
     normal: string
+    /** Multiplies x and y of the normals; 1 when absent. */
+    normalScale?: number
+    baseColor?: string
+    /** Its G channel counts. */
+    roughness?: string
+    /** Its R channel counts. */
+    occlusion?: string
+    /** 1 when absent. */
+    occlusionStrength?: number
+    /** Its R channel counts, 0.5 = the surface. */
+    height?: string
+    /** Metres from black to white of the height map; comes with it. */
+    heightAmplitude?: number
   }[]
   areas: {
     name: string
-    /** Address of the gray image, relative to the document. */
+    /** Gray image. */
     image: string
     layer?: string
     combine?: Combine
     convention?: AreaConvention
+    /** Activation at rest, 0..1; 0 when absent. */
+    activation?: number
   }[]
+  /** What moves the areas, as in the glTF extension. */
+  drivers?: WrinkleDriver[]
+  /** Side that areas are resampled to when they are packed; 128 when absent. */
+  areaSize?: number
 }
+
+/** The optional maps of a layer. */
+const MAPS = ['baseColor', 'roughness', 'occlusion', 'height'] as const
 
 /** Longest address of an image. */
 const LONGEST_ADDRESS = 2048
+
+const SMALLEST_AREA = 2
 
 /**
  * Reads the JSON of a wrinkle set. Unknown fields are left alone, so that later versions may add some.
  *
  * @param json anything `JSON.parse` can return.
+ * @param convention that of areas which do not name one.
  * @throws FurrowError that names the first field which is missing or has the wrong type.
  */
-export function parseWrinkleSetDocument(json: unknown, who = 'wrinkles.json'): WrinkleSetDocument {
+export function parseWrinkleSetDocument(
+  json: unknown,
+  who = 'wrinkles.json',
+  convention: AreaConvention = 'paper',
+): WrinkleSetDocument {
   const reader = new JsonReader(who)
   const root = reader.object(json, 'the document')
   if (root.version !== 1)
     reader.fail('unknown version', root.version, '1', 'write it in version 1 of the format')
-  const layers = reader.array(root.layers, 'layers', 1, MAX_LAYERS).map((item, i) => {
-    const at = `layers[${i}]`
-    const layer = reader.object(item, at)
-    return {
-      name: reader.text(layer.name, `${at}.name`),
-      kind: reader.choice(layer.kind ?? 'replace', `${at}.kind`, ['replace', 'detail']),
-      normal: reader.text(layer.normal, `${at}.normal`, LONGEST_ADDRESS),
-    }
-  })
-  const areas = reader.array(root.areas, 'areas', 1, MAX_AREAS).map((item, i) => {
-    const at = `areas[${i}]`
-    const area = reader.object(item, at)
-    return {
-      name: reader.text(area.name, `${at}.name`),
-      image: reader.text(area.image, `${at}.image`, LONGEST_ADDRESS),
-      ...(area.layer !== undefined && { layer: reader.text(area.layer, `${at}.layer`) }),
-      combine: reader.choice(area.combine ?? 'sum', `${at}.combine`, ['sum', 'max']),
-      convention: reader.choice(area.convention ?? 'paper', `${at}.convention`, ['paper', 'weight']),
-    }
-  })
-  return { version: 1, layers, areas }
+  const layers = reader
+    .array(root.layers, 'layers', 1, MAX_LAYERS)
+    .map((item, i) => readLayer(reader, item, `layers[${i}]`))
+  const areas = reader
+    .array(root.areas, 'areas', 1, MAX_AREAS)
+    .map((item, i) => readArea(reader, item, `areas[${i}]`, convention))
+  return {
+    version: 1,
+    layers,
+    areas,
+    ...(root.drivers !== undefined && { drivers: readDrivers(reader, root.drivers, areas) }),
+    ...(root.areaSize !== undefined && {
+      areaSize: reader.integer(root.areaSize, 'areaSize', SMALLEST_AREA, MAX_IMAGE_SIDE),
+    }),
+  }
+}
+
+function readLayer(reader: JsonReader, item: unknown, at: string): WrinkleSetDocument['layers'][number] {
+  const json = reader.object(item, at)
+  const layer: WrinkleSetDocument['layers'][number] = {
+    name: reader.text(json.name, `${at}.name`),
+    kind: reader.choice(json.kind ?? 'replace', `${at}.kind`, ['replace', 'detail']),
+    normal: reader.text(json.normal, `${at}.normal`, LONGEST_ADDRESS),
+  }
+  for (const map of MAPS) {
+    if (json[map] !== undefined) layer[map] = reader.text(json[map], `${at}.${map}`, LONGEST_ADDRESS)
+  }
+  if (json.normalScale !== undefined) {
+    layer.normalScale = reader.number(json.normalScale, `${at}.normalScale`, -LARGEST, LARGEST, '')
+  }
+  if (json.occlusionStrength !== undefined) {
+    layer.occlusionStrength = reader.number(json.occlusionStrength, `${at}.occlusionStrength`, 0, 1, '')
+  }
+  if (layer.height !== undefined) {
+    layer.heightAmplitude = reader.number(json.heightAmplitude, `${at}.heightAmplitude`, 0, LARGEST, 'metres')
+  }
+  return layer
+}
+
+function readArea(
+  reader: JsonReader,
+  item: unknown,
+  at: string,
+  convention: AreaConvention,
+): WrinkleSetDocument['areas'][number] {
+  const area = reader.object(item, at)
+  return {
+    name: reader.text(area.name, `${at}.name`),
+    image: reader.text(area.image, `${at}.image`, LONGEST_ADDRESS),
+    ...(area.layer !== undefined && { layer: reader.text(area.layer, `${at}.layer`) }),
+    combine: reader.choice(area.combine ?? 'sum', `${at}.combine`, ['sum', 'max']),
+    convention: reader.choice(area.convention ?? convention, `${at}.convention`, ['paper', 'weight']),
+    ...(area.activation !== undefined && {
+      activation: reader.number(area.activation, `${at}.activation`, 0, 1, ''),
+    }),
+  }
 }

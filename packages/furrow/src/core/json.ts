@@ -101,10 +101,18 @@ export class JsonReader {
   }
 }
 
-/** Objects of strangers may lack a working `toString`, so they are turned into text here. */
+/** Objects of strangers may lack a working `toString`, or be nested too deep; so they are turned into text here. */
 function shown(value: unknown): unknown {
   if (value === undefined) return { toString: () => 'nothing' }
   if (typeof value !== 'object' || value === null) return value
-  const text = JSON.stringify(value) ?? 'an object'
+  const text = jsonOf(value) ?? 'an object'
   return { toString: () => text }
+}
+
+function jsonOf(value: object): string | undefined {
+  try {
+    return JSON.stringify(value)
+  } catch {
+    return undefined
+  }
 }

@@ -29,6 +29,8 @@ export interface Layer {
   kind: LayerKind
   /** Tangent-space normal map, linear, +Y towards smaller v (glTF's convention). */
   normal: RgbaImage
+  /** Multiplies x and y of the normals; 1 when absent. */
+  normalScale?: number
 }
 
 /** How an area meets others of its layer at the same texel: added, or the larger of the two. */
@@ -43,6 +45,8 @@ export interface Area {
   layer?: string
   /** `sum` when absent. */
   combine?: Combine
+  /** Activation at rest, 0..1; 0 when absent. */
+  activation?: number
 }
 
 /** The authored whole: plain data with no engine in it. */

@@ -69,7 +69,7 @@ const MAX_CURVE_POINTS = 64
 const LONGEST_NAME = 256
 
 /** Largest weight, scale or amplitude that means something. */
-const LARGEST = 1000
+export const LARGEST = 1000
 
 /**
  * Reads the extension's JSON. Unknown fields are left alone; drivers of unknown type are kept as they are.
@@ -94,11 +94,19 @@ export function parseWrinkleMaps(
     .map((item, i) => readArea(reader, texture, item, `areas[${i}]`, layers.length))
   checkNames(reader, layers, 'layers')
   checkNames(reader, areas, 'areas')
+  return { layers, areas, drivers: readDrivers(reader, root.drivers, areas) }
+}
+
+/** Reads a list of drivers; none when it is absent. */
+export function readDrivers(
+  reader: JsonReader,
+  value: unknown,
+  areas: readonly { name: string }[],
+): WrinkleDriver[] {
   const names = areas.map(({ name }) => name)
-  const drivers = reader
-    .array(root.drivers ?? [], 'drivers', 0, MAX_DRIVERS)
+  return reader
+    .array(value ?? [], 'drivers', 0, MAX_DRIVERS)
     .map((item, i) => readDriver(reader, item, `drivers[${i}]`, names))
-  return { layers, areas, drivers }
 }
 
 /** Whether a driver is of the one type that this version plays. */

@@ -1,11 +1,13 @@
 import type { DataArrayTexture, Material, Mesh, MeshStandardMaterial, Texture } from 'three'
-import { ObjectSpaceNormalMap, SRGBColorSpace } from 'three'
+import { SRGBColorSpace } from 'three'
 import { Activations, type Slot } from '../core/activations.ts'
 import { FurrowError } from '../core/error.ts'
 import { DEFAULT_AREA_SIZE } from '../core/limits.ts'
 import { packAreas, packColours } from '../core/pack.ts'
-import type { Area, LayerKind, RgbaImage, WrinkleSet } from '../core/types.ts'
+import { scaleNormals } from '../core/scale-normals.ts'
+import type { Area, Layer, LayerKind, RgbaImage, WrinkleSet } from '../core/types.ts'
 import { checkArea, checkWrinkleSet, layerIndex } from '../core/wrinkle-set.ts'
+import { checkMaterial, checkMesh } from './check-mesh.ts'
 import { readTexture } from './read-texture.ts'
 import { activationTexture, areaTexture, colourTexture, flatNormalTexture } from './textures.ts'
 
@@ -69,6 +71,7 @@ export abstract class WrinklesBase {
   readonly #flat: Texture | null
   #mode: WrinkleMode = 'off'
   #unpatch: () => void = () => {}
+  readonly #disposers: (() => void)[] = []
 
   /**
    * @param renderer what the renderer's class adds.
@@ -82,15 +85,13 @@ export abstract class WrinklesBase {
     checkMesh(mesh)
     this.mesh = mesh
     this.#renderer = renderer
-    this.#material = checkMaterial(mesh)
+    this.#material = checkMaterial(mesh, (material) => owners.has(material))
     this.#set = { layers: [...set.layers], areas: [...set.areas] }
     this.#areaSize = areaSize
     const areas = areaTexture(packAreas(weightsOf(set.areas), areaSize, 'Wrinkles'))
-    const normals = packColours(
-      set.layers.map(({ normal }) => normal),
-      'Wrinkles layers',
-    )
+    const normals = packColours(set.layers.map(normalsOf), 'Wrinkles layers')
     this.#activations = new Activations(slotsOf(this.#set), 'Wrinkles')
+    for (const { name, activation } of set.areas) this.#activations.set(name, activation ?? 0)
     this.#inputs = {
       areas,
       normals: colourTexture(normals, this.#material.normalMap?.anisotropy ?? 1),
@@ -156,13 +157,14 @@ export abstract class WrinklesBase {
   }
 
   /**
-   * Adds an area while the program runs; its activation starts at 0. The shader program stays.
+   * Adds an area while the program runs, with its activation at rest. The shader program stays.
    *
    * @throws FurrowError when its name is taken, its image malformed or its layer unknown; nothing changes then.
    */
   addArea(area: Area): void {
     checkArea(area, this.#set.layers, 'Wrinkles.addArea')
     this.#replaceAreas([...this.#set.areas, area], 'Wrinkles.addArea')
+    this.#activations.set(area.name, area.activation ?? 0)
   }
 
   /**
@@ -195,8 +197,14 @@ export abstract class WrinklesBase {
     return material
   }
 
+  /** Has something done when these wrinkles are disposed of. */
+  onDispose(dispose: () => void): void {
+    this.#disposers.push(dispose)
+  }
+
   /** Gives the material back as it was and frees the textures. */
   dispose(): void {
+    for (const dispose of this.#disposers.splice(0)) dispose()
     this.mode = 'off'
     if (this.#flat) {
       this.#material.normalMap = null
@@ -239,7 +247,7 @@ export abstract class WrinklesBase {
         remedy: 'use the default mode',
       })
     }
-    const wrinkled = layers[0].normal
+    const wrinkled = normalsOf(layers[0])
     const { map } = this.#material as Partial<MeshStandardMaterial>
     this.#inputs.diffuseIsSrgb = map?.colorSpace === SRGBColorSpace
     const diffuse = map ? readTexture(map, 'Wrinkles.mode') : filled(wrinkled, [255, 255, 255, 255])
@@ -252,6 +260,10 @@ export abstract class WrinklesBase {
       this.#inputs.normals.anisotropy,
     )
   }
+}
+
+function normalsOf({ normal, normalScale }: Layer): RgbaImage {
+  return scaleNormals(normal, normalScale ?? 1)
 }
 
 function weightsOf(areas: readonly Area[]) {
@@ -270,50 +282,4 @@ function filled({ width, height }: RgbaImage, texel: number[]): RgbaImage {
   const data = new Uint8Array(width * height * 4)
   for (let i = 0; i < data.length; i++) data[i] = texel[i % 4]
   return { width, height, data }
-}
-
-function checkMesh(mesh: Mesh): void {
-  for (const [attribute, remedy] of [
-    ['position', 'give the mesh its vertices first'],
-    ['uv', 'unwrap the mesh: wrinkles lie in its UV layout'],
-    ['normal', 'call geometry.computeVertexNormals() first'],
-  ] as const) {
-    if (mesh?.geometry?.hasAttribute(attribute)) continue
-    throw new FurrowError({
-      who: 'Wrinkles',
-      what: `mesh without ${attribute}`,
-      value: mesh?.name ?? mesh,
-      limit: 'a mesh with positions, normals and UVs',
-      remedy,
-    })
-  }
-}
-
-function checkMaterial(mesh: Mesh): WrinkleMaterial {
-  const material = mesh.material as WrinkleMaterial
-  const problem = materialProblem(material)
-  if (!problem) return material
-  throw new FurrowError({ who: 'Wrinkles', value: mesh.name, ...problem })
-}
-
-function materialProblem(material: WrinkleMaterial): { what: string; remedy: string } | null {
-  if (Array.isArray(material)) {
-    return { what: 'mesh with several materials', remedy: 'split the mesh, one material each' }
-  }
-  if (!('normalMap' in material)) {
-    return {
-      what: `material ${(material as Material)?.type} has no normal map`,
-      remedy: 'use a lit material such as MeshStandardMaterial',
-    }
-  }
-  if (material.normalMap && material.normalMapType === ObjectSpaceNormalMap) {
-    return { what: 'object-space normal map', remedy: 'bake it to tangent space' }
-  }
-  if (owners.has(material)) {
-    return {
-      what: 'material already carries wrinkles',
-      remedy: 'give the mesh its own: mesh.material = mesh.material.clone(), or dispose the other wrinkles',
-    }
-  }
-  return null
 }

@@ -1,7 +1,7 @@
 import { FurrowError } from '../core/error.ts'
 import { MAX_IMAGE_SIDE } from '../core/limits.ts'
 import type { GrayImage, RgbaImage } from '../core/types.ts'
-import { drawImage } from './read-texture.ts'
+import { readImage } from './read-texture.ts'
 
 /**
  * Decodes an image file in the browser, without colour management. Files of 16 bits a channel come out with 8.
@@ -19,7 +19,7 @@ export async function decodeImage(file: Blob, who: string): Promise<RgbaImage> {
   if (announced) checkSize(announced.width, announced.height, who)
   const bitmap = await decode(file, who)
   checkSize(bitmap.width, bitmap.height, who)
-  const image = drawImage(bitmap)
+  const image = readImage(bitmap)
   bitmap.close()
   checkOpaque(image, who)
   return image

@@ -24,12 +24,48 @@ export function readTexture(texture: Texture, who: string): RgbaImage {
   return texture.flipY ? flipped(pixels) : pixels
 }
 
-/** Draws an image into memory. */
-export function drawImage(image: Drawable): RgbaImage {
+/**
+ * Reads an image's pixels exactly as decoded. Done by WebGL, since a 2D canvas multiplies colours by alpha and
+ * loses them where alpha is small, and areas may live in an alpha channel.
+ */
+export function readImage(image: Drawable): RgbaImage {
   const { width, height } = image
-  const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })!
-  context.drawImage(image, 0, 0)
-  return { width, height, data: new Uint8Array(context.getImageData(0, 0, width, height).data.buffer) }
+  const gl = reader()
+  const texture = gl.createTexture()
+  const framebuffer = gl.createFramebuffer()
+  gl.bindTexture(gl.TEXTURE_2D, texture)
+  gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false)
+  gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE)
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, image)
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer)
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0)
+  const data = new Uint8Array(width * height * 4)
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, data)
+  const fault = gl.getError()
+  gl.deleteFramebuffer(framebuffer)
+  gl.deleteTexture(texture)
+  if (fault === gl.NO_ERROR) return { width, height, data }
+  throw new FurrowError({
+    who: 'readImage',
+    what: 'image that the GPU does not take',
+    value: `${width} x ${height}, WebGL error ${fault}`,
+    limit: `${gl.getParameter(gl.MAX_TEXTURE_SIZE)} texels on a side`,
+    remedy: 'scale it down',
+  })
+}
+
+let context: WebGL2RenderingContext | null = null
+
+/** One small context for all reading: browsers allow a page only a few. */
+function reader(): WebGL2RenderingContext {
+  if (!context || context.isContextLost()) context = new OffscreenCanvas(1, 1).getContext('webgl2')
+  if (context) return context
+  throw new FurrowError({
+    who: 'readImage',
+    what: 'no WebGL 2 context to read images with',
+    limit: 'a browser with WebGL 2',
+    remedy: 'close other pages that draw in 3D, or update the browser',
+  })
 }
 
 function raw(image: RgbaImage): RgbaImage | undefined {
@@ -40,7 +76,7 @@ function drawn(image: object): RgbaImage | undefined {
   const drawable = [ImageBitmap, HTMLImageElement, HTMLCanvasElement, OffscreenCanvas].some(
     (type) => image instanceof type,
   )
-  return drawable && (image as Drawable).width > 0 ? drawImage(image as Drawable) : undefined
+  return drawable && (image as Drawable).width > 0 ? readImage(image as Drawable) : undefined
 }
 
 function flipped({ width, height, data }: RgbaImage): RgbaImage {

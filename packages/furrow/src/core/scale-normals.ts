@@ -1,0 +1,18 @@
+import type { RgbaImage } from './types.ts'
+
+/**
+ * Steepens or flattens a normal map: x and y times `scale`, normalised again.
+ *
+ * @returns the image itself when the scale is 1, else a new one.
+ */
+export function scaleNormals(image: RgbaImage, scale: number): RgbaImage {
+  if (scale === 1) return image
+  const data = image.data.slice()
+  for (let i = 0; i < data.length; i += 4) {
+    const [x, y, z] = [0, 1, 2].map((c) => (data[i + c] / 255) * 2 - 1)
+    const length = Math.hypot(x * scale, y * scale, z)
+    const normal = [(x * scale) / length, (y * scale) / length, z / length]
+    for (let c = 0; c < 3; c++) data[i + c] = Math.round((normal[c] * 0.5 + 0.5) * 255)
+  }
+  return { ...image, data }
+}

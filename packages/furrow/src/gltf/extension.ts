@@ -1,0 +1,80 @@
+import {
+  Extension,
+  type GLTF,
+  PropertyType,
+  type ReaderContext,
+  type WriterContext,
+} from '@gltf-transform/core'
+import { WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
+import { MaterialWrinkles } from './material-wrinkles.ts'
+import { readMaterialWrinkles } from './read.ts'
+import { WrinkleArea } from './wrinkle-area.ts'
+import { WrinkleLayer } from './wrinkle-layer.ts'
+import { writeMaterialWrinkles } from './write.ts'
+
+/**
+ * The glTF extension FURROW_wrinkle_maps for glTF-Transform: registered with an I/O class, it keeps the wrinkles
+ * of a file through any script.
+ *
+ * ```ts
+ * const io = new NodeIO().registerExtensions([...ALL_EXTENSIONS, FurrowWrinkleMaps])
+ * const document = await io.read('face.glb')
+ * const wrinkles = document.getRoot().listMaterials()[0].getExtension<MaterialWrinkles>('FURROW_wrinkle_maps')
+ * ```
+ *
+ * Reading throws FurrowError where the extension's JSON is not valid; writing does where a layer or an area lacks
+ * its texture.
+ */
+export class FurrowWrinkleMaps extends Extension {
+  static override readonly EXTENSION_NAME = WRINKLE_MAPS
+  override readonly extensionName = WRINKLE_MAPS
+  // Before the meshes, when textures and materials are complete, and before other extensions write: they still
+  // change the textures' definitions (WebP, Basis) and the texture infos (transform) made here.
+  override readonly prereadTypes: PropertyType[] = [PropertyType.MESH]
+  override readonly prewriteTypes: PropertyType[] = [PropertyType.MESH]
+
+  /** Creates the wrinkles of a material, for `material.setExtension('FURROW_wrinkle_maps', ...)`. */
+  createMaterialWrinkles(): MaterialWrinkles {
+    return new MaterialWrinkles(this.document.getGraph())
+  }
+
+  createLayer(name = ''): WrinkleLayer {
+    return new WrinkleLayer(this.document.getGraph(), name)
+  }
+
+  createArea(name = ''): WrinkleArea {
+    return new WrinkleArea(this.document.getGraph(), name)
+  }
+
+  override preread(context: ReaderContext): this {
+    for (const [index, material] of (context.jsonDoc.json.materials ?? []).entries()) {
+      if (material.extensions?.[WRINKLE_MAPS] === undefined) continue
+      const wrinkles = readMaterialWrinkles(this, context, material, whoOf(material, index))
+      context.materials[index].setExtension(WRINKLE_MAPS, wrinkles)
+    }
+    return this
+  }
+
+  override prewrite(context: WriterContext): this {
+    for (const [material, index] of context.materialIndexMap) {
+      const wrinkles = material.getExtension<MaterialWrinkles>(WRINKLE_MAPS)
+      if (!wrinkles) continue
+      const json = context.jsonDoc.json.materials![index]
+      json.extensions ??= {}
+      json.extensions[WRINKLE_MAPS] = writeMaterialWrinkles(context, wrinkles, whoOf(json, index))
+    }
+    return this
+  }
+
+  read(): this {
+    return this
+  }
+
+  write(): this {
+    return this
+  }
+}
+
+function whoOf({ name }: GLTF.IMaterial, index: number): string {
+  return `${WRINKLE_MAPS} of material ${index}${name ? ` "${name}"` : ''}`
+}

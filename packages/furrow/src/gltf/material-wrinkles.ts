@@ -1,0 +1,83 @@
+import { ExtensionProperty, type IProperty, type Nullable, PropertyType, RefSet } from '@gltf-transform/core'
+import { WRINKLE_MAPS, type WrinkleDriver } from '../core/wrinkle-maps.ts'
+import type { WrinkleArea } from './wrinkle-area.ts'
+import type { WrinkleLayer } from './wrinkle-layer.ts'
+
+interface IMaterialWrinkles extends IProperty {
+  layers: RefSet<WrinkleLayer>
+  areas: RefSet<WrinkleArea>
+  /** One JSON text per driver: copies share nothing, and equal drivers compare as equal. */
+  drivers: string[]
+  /** JSON of fields that this version does not know. */
+  unknownFields: string
+}
+
+/** The wrinkles of one material: layers, areas and drivers. See {@link FurrowWrinkleMaps}. */
+export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
+  static override readonly EXTENSION_NAME = WRINKLE_MAPS
+  declare readonly extensionName: typeof WRINKLE_MAPS
+  declare readonly propertyType: 'MaterialWrinkles'
+  declare readonly parentTypes: [PropertyType.MATERIAL]
+
+  protected override init(): void {
+    Object.assign(this, {
+      extensionName: WRINKLE_MAPS,
+      propertyType: 'MaterialWrinkles',
+      parentTypes: [PropertyType.MATERIAL],
+    })
+  }
+
+  protected override getDefaults(): Nullable<IMaterialWrinkles> {
+    return Object.assign(super.getDefaults() as IProperty, {
+      layers: new RefSet<WrinkleLayer>(),
+      areas: new RefSet<WrinkleArea>(),
+      drivers: [],
+      unknownFields: '{}',
+    })
+  }
+
+  addLayer(layer: WrinkleLayer): this {
+    return this.addRef('layers', layer)
+  }
+
+  removeLayer(layer: WrinkleLayer): this {
+    return this.removeRef('layers', layer)
+  }
+
+  listLayers(): WrinkleLayer[] {
+    return this.listRefs('layers')
+  }
+
+  addArea(area: WrinkleArea): this {
+    return this.addRef('areas', area)
+  }
+
+  removeArea(area: WrinkleArea): this {
+    return this.removeRef('areas', area)
+  }
+
+  listAreas(): WrinkleArea[] {
+    return this.listRefs('areas')
+  }
+
+  /** What moves the areas, as copies; types that this version does not know are kept as they are. */
+  getDrivers(): WrinkleDriver[] {
+    return this.get('drivers').map((text) => JSON.parse(text))
+  }
+
+  setDrivers(drivers: readonly WrinkleDriver[]): this {
+    return this.set(
+      'drivers',
+      drivers.map((driver) => JSON.stringify(driver)),
+    )
+  }
+
+  /** Fields of the JSON that this version does not know; written back as they are. */
+  getUnknownFields(): Record<string, unknown> {
+    return JSON.parse(this.get('unknownFields'))
+  }
+
+  setUnknownFields(fields: Record<string, unknown>): this {
+    return this.set('unknownFields', JSON.stringify(fields))
+  }
+}

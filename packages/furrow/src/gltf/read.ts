@@ -1,0 +1,105 @@
+import type { GLTF, ReaderContext, Texture, TextureInfo } from '@gltf-transform/core'
+import { FurrowError } from '../core/error.ts'
+import { parseWrinkleMaps, WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
+import type { FurrowWrinkleMaps } from './extension.ts'
+import type { MaterialWrinkles } from './material-wrinkles.ts'
+import { LAYER_SLOTS, type LayerSlot } from './wrinkle-layer.ts'
+
+type Json = Record<string, unknown>
+
+/** Fields of each object that are read into properties; all others are kept as they are. */
+const KNOWN = {
+  root: ['name', 'extras', 'layers', 'areas', 'drivers'],
+  layer: ['name', 'extras', 'kind', ...Object.keys(LAYER_SLOTS)],
+  area: ['name', 'extras', 'layer', 'texture', 'channel', 'combine', 'activation'],
+}
+
+/**
+ * Reads the extension of one material.
+ *
+ * @param who the material as an error shall name it.
+ * @throws FurrowError that names the first wrong field.
+ */
+export function readMaterialWrinkles(
+  extension: FurrowWrinkleMaps,
+  context: ReaderContext,
+  material: GLTF.IMaterial,
+  who: string,
+): MaterialWrinkles {
+  const json = material.extensions?.[WRINKLE_MAPS]
+  const maps = parseWrinkleMaps(json, context.jsonDoc.json.textures?.length ?? 0, who)
+  const raw = json as Json & { layers: Json[]; areas: Json[] }
+  const textureAt = (at: number) => textureOf(context, at, who)
+
+  const layers = maps.layers.map((layer, i) => {
+    const property = extension
+      .createLayer(layer.name)
+      .setKind(layer.kind)
+      .setNormalScale(layer.normalTexture.scale)
+      .setOcclusionStrength(layer.occlusionTexture?.strength ?? 1)
+      .setHeightAmplitude(layer.heightTexture?.amplitude ?? 0)
+      .setExtras(extrasOf(raw.layers[i]))
+      .setUnknownFields(without(raw.layers[i], KNOWN.layer))
+    for (const slot of Object.keys(LAYER_SLOTS) as LayerSlot[]) {
+      const info = layer[slot]
+      if (!info) continue
+      property.setTexture(slot, textureAt(info.index))
+      readTextureInfo(context, property.getTextureInfo(slot)!, info, who)
+    }
+    return property
+  })
+  const areas = maps.areas.map((area, i) => {
+    const property = extension
+      .createArea(area.name)
+      .setLayer(layers[area.layer])
+      .setTexture(textureAt(area.texture.index), area.channel)
+      .setCombine(area.combine)
+      .setActivation(area.activation)
+      .setExtras(extrasOf(raw.areas[i]))
+      .setUnknownFields(without(raw.areas[i], KNOWN.area))
+    readTextureInfo(context, property.getTextureInfo()!, area.texture, who)
+    return property
+  })
+
+  const wrinkles = extension.createMaterialWrinkles()
+  for (const layer of layers) wrinkles.addLayer(layer)
+  for (const area of areas) wrinkles.addArea(area)
+  return wrinkles.setDrivers(maps.drivers).setExtras(extrasOf(raw)).setUnknownFields(without(raw, KNOWN.root))
+}
+
+/** glTF-Transform's textures are glTF's images; an image that no extension at hand can read is missing. */
+function textureOf(context: ReaderContext, index: number, who: string): Texture {
+  const texture = context.textures[context.jsonDoc.json.textures![index]?.source ?? -1]
+  if (texture) return texture
+  throw new FurrowError({
+    who,
+    what: 'a texture has no image that can be read',
+    value: index,
+    remedy: 'register the extension of its image format, or export the file again',
+  })
+}
+
+function readTextureInfo(context: ReaderContext, info: TextureInfo, def: { index: number }, who: string) {
+  const { texCoord, extras } = def as GLTF.ITextureInfo
+  const sampler = context.jsonDoc.json.textures![def.index].sampler
+  const wrong =
+    (texCoord !== undefined && !(Number.isInteger(texCoord) && texCoord >= 0) && 'texCoord is no index') ||
+    (extras !== undefined && !isObject(extras) && 'extras are no object') ||
+    (sampler !== undefined && !context.jsonDoc.json.samplers?.[sampler] && 'sampler is missing')
+  if (wrong) {
+    throw new FurrowError({ who, what: `${wrong} at texture ${def.index}`, remedy: 'export the file again' })
+  }
+  context.setTextureInfo(info, def as GLTF.ITextureInfo)
+}
+
+function extrasOf(json: Json): Json {
+  return isObject(json.extras) ? json.extras : {}
+}
+
+function isObject(value: unknown): value is Json {
+  return typeof value === 'object' && value !== null && !Array.isArray(value)
+}
+
+function without(json: Json, known: readonly string[]): Json {
+  return Object.fromEntries(Object.entries(json).filter(([key]) => !known.includes(key)))
+}

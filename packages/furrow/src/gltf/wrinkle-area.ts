@@ -1,0 +1,111 @@
+import {
+  ExtensionProperty,
+  type IProperty,
+  type Nullable,
+  type Texture,
+  TextureChannel,
+  TextureInfo,
+} from '@gltf-transform/core'
+import type { Combine } from '../core/types.ts'
+import { WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
+import type { WrinkleLayer } from './wrinkle-layer.ts'
+
+interface IWrinkleArea extends IProperty {
+  layer: WrinkleLayer
+  weightsTexture: Texture
+  weightsTextureInfo: TextureInfo
+  channel: number
+  combine: Combine
+  activation: number
+  /** JSON of fields that this version does not know. */
+  unknownFields: string
+}
+
+const CHANNELS = [TextureChannel.R, TextureChannel.G, TextureChannel.B, TextureChannel.A]
+
+/** Where one controllable group of wrinkles lies, of a {@link MaterialWrinkles}. */
+export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
+  static override readonly EXTENSION_NAME = WRINKLE_MAPS
+  declare readonly extensionName: typeof WRINKLE_MAPS
+  declare readonly propertyType: 'WrinkleArea'
+  declare readonly parentTypes: ['MaterialWrinkles']
+
+  protected override init(): void {
+    Object.assign(this, {
+      extensionName: WRINKLE_MAPS,
+      propertyType: 'WrinkleArea',
+      parentTypes: ['MaterialWrinkles'],
+    })
+  }
+
+  protected override getDefaults(): Nullable<IWrinkleArea> {
+    return Object.assign(super.getDefaults() as IProperty, {
+      layer: null,
+      weightsTexture: null,
+      // Areas end at the edges of their image; a repeated one would bleed in from the other side.
+      weightsTextureInfo: new TextureInfo(this.graph, 'weightsTextureInfo')
+        .setWrapS(TextureInfo.WrapMode.CLAMP_TO_EDGE)
+        .setWrapT(TextureInfo.WrapMode.CLAMP_TO_EDGE),
+      channel: 0,
+      combine: 'sum' as const,
+      activation: 0,
+      unknownFields: '{}',
+    })
+  }
+
+  /** The layer whose wrinkles it shows; null = the first one. */
+  getLayer(): WrinkleLayer | null {
+    return this.getRef('layer')
+  }
+
+  setLayer(layer: WrinkleLayer | null): this {
+    return this.setRef('layer', layer)
+  }
+
+  /** Image of the weights, linear, 1 = fully visible. The slot is named so that nobody takes it for colour. */
+  getTexture(): Texture | null {
+    return this.getRef('weightsTexture')
+  }
+
+  /** @param channel the one that holds this area, 0 = R to 3 = A; other areas may use the others. */
+  setTexture(texture: Texture | null, channel = this.get('channel')): this {
+    this.set('channel', channel)
+    return this.setRef('weightsTexture', texture, { channels: CHANNELS[channel] })
+  }
+
+  getChannel(): number {
+    return this.get('channel')
+  }
+
+  /** Texture coordinates and sampler; null while it has no texture. */
+  getTextureInfo(): TextureInfo | null {
+    return this.getRef('weightsTexture') ? this.getRef('weightsTextureInfo') : null
+  }
+
+  /** How it meets other areas of its layer. */
+  getCombine(): Combine {
+    return this.get('combine')
+  }
+
+  setCombine(combine: Combine): this {
+    return this.set('combine', combine)
+  }
+
+  /** Activation at rest, 0..1. */
+  getActivation(): number {
+    return this.get('activation')
+  }
+
+  setActivation(activation: number): this {
+    return this.set('activation', activation)
+  }
+
+  /** Fields of the JSON that this version does not know; written back as they are. */
+  getUnknownFields(): Record<string, unknown> {
+    return JSON.parse(this.get('unknownFields'))
+  }
+
+  setUnknownFields(fields: Record<string, unknown>): this {
+    return this.set('unknownFields', JSON.stringify(fields))
+  }
+}

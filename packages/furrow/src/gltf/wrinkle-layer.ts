@@ -1,0 +1,136 @@
+import {
+  ExtensionProperty,
+  type IProperty,
+  type Nullable,
+  type Texture,
+  TextureChannel,
+  TextureInfo,
+} from '@gltf-transform/core'
+import type { LayerKind } from '../core/types.ts'
+import { WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
+
+interface IWrinkleLayer extends IProperty {
+  kind: LayerKind
+  normalTexture: Texture
+  normalTextureInfo: TextureInfo
+  normalScale: number
+  baseColorTexture: Texture
+  baseColorTextureInfo: TextureInfo
+  roughnessTexture: Texture
+  roughnessTextureInfo: TextureInfo
+  occlusionTexture: Texture
+  occlusionTextureInfo: TextureInfo
+  occlusionStrength: number
+  heightTexture: Texture
+  heightTextureInfo: TextureInfo
+  heightAmplitude: number
+  /** JSON of fields that this version does not know. */
+  unknownFields: string
+}
+
+/** The texture slots of a layer, and what of each image is read. */
+export const LAYER_SLOTS = {
+  normalTexture: { channels: TextureChannel.R | TextureChannel.G | TextureChannel.B },
+  baseColorTexture: { channels: TextureChannel.R | TextureChannel.G | TextureChannel.B, isColor: true },
+  roughnessTexture: { channels: TextureChannel.G },
+  occlusionTexture: { channels: TextureChannel.R },
+  heightTexture: { channels: TextureChannel.R },
+} as const
+
+export type LayerSlot = keyof typeof LAYER_SLOTS
+
+/** The maps of the skin fully wrinkled, of a {@link MaterialWrinkles}. */
+export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
+  static override readonly EXTENSION_NAME = WRINKLE_MAPS
+  declare readonly extensionName: typeof WRINKLE_MAPS
+  declare readonly propertyType: 'WrinkleLayer'
+  declare readonly parentTypes: ['MaterialWrinkles', 'WrinkleArea']
+
+  protected override init(): void {
+    Object.assign(this, {
+      extensionName: WRINKLE_MAPS,
+      propertyType: 'WrinkleLayer',
+      parentTypes: ['MaterialWrinkles', 'WrinkleArea'],
+    })
+  }
+
+  protected override getDefaults(): Nullable<IWrinkleLayer> {
+    const info = (slot: LayerSlot) => new TextureInfo(this.graph, `${slot}Info`)
+    return Object.assign(super.getDefaults() as IProperty, {
+      kind: 'replace' as const,
+      normalTexture: null,
+      normalTextureInfo: info('normalTexture'),
+      normalScale: 1,
+      baseColorTexture: null,
+      baseColorTextureInfo: info('baseColorTexture'),
+      roughnessTexture: null,
+      roughnessTextureInfo: info('roughnessTexture'),
+      occlusionTexture: null,
+      occlusionTextureInfo: info('occlusionTexture'),
+      occlusionStrength: 1,
+      heightTexture: null,
+      heightTextureInfo: info('heightTexture'),
+      heightAmplitude: 0,
+      unknownFields: '{}',
+    })
+  }
+
+  /** How the layer's normals meet the skin's own. */
+  getKind(): LayerKind {
+    return this.get('kind')
+  }
+
+  setKind(kind: LayerKind): this {
+    return this.set('kind', kind)
+  }
+
+  /** The image of one slot; every layer that is written has a `normalTexture`. */
+  getTexture(slot: LayerSlot): Texture | null {
+    return this.getRef(slot)
+  }
+
+  setTexture(slot: LayerSlot, texture: Texture | null): this {
+    return this.setRef(slot, texture, { ...LAYER_SLOTS[slot] })
+  }
+
+  /** Texture coordinates and sampler of one slot; null while it has no texture. */
+  getTextureInfo(slot: LayerSlot): TextureInfo | null {
+    return this.getRef(slot) ? this.getRef(`${slot}Info`) : null
+  }
+
+  /** Multiplies x and y of the normals. */
+  getNormalScale(): number {
+    return this.get('normalScale')
+  }
+
+  setNormalScale(scale: number): this {
+    return this.set('normalScale', scale)
+  }
+
+  /** 0 = no occlusion, 1 = as in the map. */
+  getOcclusionStrength(): number {
+    return this.get('occlusionStrength')
+  }
+
+  setOcclusionStrength(strength: number): this {
+    return this.set('occlusionStrength', strength)
+  }
+
+  /** Metres from black to white of the height map. */
+  getHeightAmplitude(): number {
+    return this.get('heightAmplitude')
+  }
+
+  setHeightAmplitude(metres: number): this {
+    return this.set('heightAmplitude', metres)
+  }
+
+  /** Fields of the JSON that this version does not know; written back as they are. */
+  getUnknownFields(): Record<string, unknown> {
+    return JSON.parse(this.get('unknownFields'))
+  }
+
+  setUnknownFields(fields: Record<string, unknown>): this {
+    return this.set('unknownFields', JSON.stringify(fields))
+  }
+}

@@ -1,0 +1,80 @@
+import type { Property, Texture, TextureInfo, WriterContext } from '@gltf-transform/core'
+import { FurrowError } from '../core/error.ts'
+import { parseWrinkleMaps } from '../core/wrinkle-maps.ts'
+import type { MaterialWrinkles } from './material-wrinkles.ts'
+import type { WrinkleArea } from './wrinkle-area.ts'
+import { LAYER_SLOTS, type LayerSlot, type WrinkleLayer } from './wrinkle-layer.ts'
+
+type Json = Record<string, unknown>
+
+/**
+ * The extension's JSON of one material; what equals its default is left out.
+ *
+ * @throws FurrowError when a texture or a layer is missing, or a value could not be read back.
+ */
+export function writeMaterialWrinkles(context: WriterContext, wrinkles: MaterialWrinkles, who: string): Json {
+  const layers = wrinkles.listLayers()
+  const drivers = wrinkles.getDrivers()
+  const json = {
+    ...wrinkles.getUnknownFields(),
+    ...context.createPropertyDef(wrinkles),
+    layers: layers.map((layer) => writeLayer(context, layer, who)),
+    areas: wrinkles.listAreas().map((area) => writeArea(context, area, layers, who)),
+    ...(drivers.length > 0 && { drivers }),
+  }
+  parseWrinkleMaps(json, Infinity, who)
+  return json
+}
+
+function writeLayer(context: WriterContext, layer: WrinkleLayer, who: string): Json {
+  const json: Json = { ...layer.getUnknownFields(), ...context.createPropertyDef(layer) }
+  if (layer.getKind() !== 'replace') json.kind = layer.getKind()
+  if (!layer.getTexture('normalTexture')) throw missing(who, 'layer', layer, 'normal texture')
+  for (const slot of Object.keys(LAYER_SLOTS) as LayerSlot[]) {
+    const info = textureInfo(context, layer.getTexture(slot), layer.getTextureInfo(slot))
+    if (info) json[slot] = Object.assign(info, numberBeside(slot, layer))
+  }
+  return json
+}
+
+function numberBeside(slot: LayerSlot, layer: WrinkleLayer): Json {
+  if (slot === 'heightTexture') return { amplitude: layer.getHeightAmplitude() }
+  if (slot === 'normalTexture' && layer.getNormalScale() !== 1) return { scale: layer.getNormalScale() }
+  if (slot === 'occlusionTexture' && layer.getOcclusionStrength() !== 1) {
+    return { strength: layer.getOcclusionStrength() }
+  }
+  return {}
+}
+
+function writeArea(
+  context: WriterContext,
+  area: WrinkleArea,
+  layers: readonly WrinkleLayer[],
+  who: string,
+): Json {
+  const json: Json = { ...area.getUnknownFields(), ...context.createPropertyDef(area) }
+  const own = area.getLayer()
+  const layer = own ? layers.indexOf(own) : 0
+  if (layer < 0) throw missing(who, 'area', area, 'layer among those of its material')
+  if (layer > 0) json.layer = layer
+  const info = textureInfo(context, area.getTexture(), area.getTextureInfo())
+  if (!info) throw missing(who, 'area', area, 'texture')
+  json.texture = info
+  if (area.getChannel() !== 0) json.channel = area.getChannel()
+  if (area.getCombine() !== 'sum') json.combine = area.getCombine()
+  if (area.getActivation() !== 0) json.activation = area.getActivation()
+  return json
+}
+
+/** The very object that the context knows is returned: other extensions may still add to it. */
+function textureInfo(context: WriterContext, texture: Texture | null, info: TextureInfo | null) {
+  return texture && info && context.createTextureInfoDef(texture, info)
+}
+
+function missing(who: string, kind: string, property: Property, what: string): FurrowError {
+  return new FurrowError({
+    who,
+    what: `${kind} "${property.getName()}" has no ${what}`,
+    remedy: `give it one, or remove the ${kind}`,
+  })
+}

@@ -1,0 +1,53 @@
+import type { Mesh } from 'three'
+import { sentence } from '../core/error.ts'
+import { isMorphDriver, type WrinkleDriver } from '../core/wrinkle-maps.ts'
+import { MorphActivation } from '../drivers/morph.ts'
+import type { WrinklesBase } from './Wrinkles.ts'
+
+/**
+ * Lets a mesh's blendshapes move its wrinkles, by themselves, each time before the mesh is drawn.
+ *
+ * @param drivers of the file; types this version does not know are left out with a warning, and so are targets
+ *   that the mesh does not have.
+ * @returns what stops it.
+ */
+export function driveByMorphs(
+  wrinkles: WrinklesBase,
+  mesh: Mesh,
+  drivers: readonly WrinkleDriver[],
+): () => void {
+  const { morphTargetDictionary, morphTargetInfluences } = mesh
+  const morph = new MorphActivation(drivers.filter(isMorphDriver), Object.keys(morphTargetDictionary ?? {}))
+  warnOfUnknown(mesh, morph, drivers)
+  if (!morphTargetInfluences || morph.areaNames.length === 0) return () => {}
+  const { areaNames, activations } = morph
+  const before = mesh.onBeforeRender
+  const drive: Mesh['onBeforeRender'] = (...frame) => {
+    before.apply(mesh, frame)
+    morph.update(morphTargetInfluences)
+    for (let i = 0; i < areaNames.length; i++) {
+      // An area may have been removed since; the others go on.
+      if (wrinkles.hasArea(areaNames[i])) wrinkles.setActivation(areaNames[i], activations[i])
+    }
+  }
+  mesh.onBeforeRender = drive
+  return () => {
+    if (mesh.onBeforeRender === drive) mesh.onBeforeRender = before
+  }
+}
+
+function warnOfUnknown(mesh: Mesh, morph: MorphActivation, drivers: readonly WrinkleDriver[]): void {
+  const types = drivers
+    .filter((driver) => !isMorphDriver(driver))
+    .map(({ type }) => `driver of type "${type}"`)
+  const targets = morph.unknownTargets.map((name) => `target "${name}"`)
+  if (types.length + targets.length === 0) return
+  console.warn(
+    sentence({
+      who: 'Wrinkles',
+      what: `the drivers of mesh "${mesh.name}" name what is not here`,
+      value: [...types, ...targets].join(', '),
+      remedy: 'the others move their areas all the same',
+    }),
+  )
+}

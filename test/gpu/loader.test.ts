@@ -1,0 +1,249 @@
+import { Document, type Material as FileMaterial, WebIO } from '@gltf-transform/core'
+import { FurrowError, packAreas, reference } from 'furrow'
+import { FurrowWrinkleMaps } from 'furrow/gltf'
+import { WrinkleLoaderPlugin as WebGLPlugin } from 'furrow/three'
+import { WrinkleLoaderPlugin as WebGPUPlugin } from 'furrow/webgpu'
+import { DirectionalLight, type Mesh, Scene, type WebGLRenderer } from 'three'
+import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest'
+import { randomNormals } from '../cases.ts'
+import { seeded } from '../random.ts'
+import { createHarness, type Harness, RENDERERS, squareCamera } from './harness.ts'
+import { png } from './images.ts'
+
+const SIZE = 16
+
+/** Weights of the four areas that share the image's channels. */
+const WEIGHTS = Uint8Array.from({ length: SIZE * SIZE * 4 }, seeded(11)).map(
+  (_, i) => (i * 37 + (i >> 4) * 11) % 256,
+)
+
+describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
+  let harness: Harness
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterAll(() => harness.dispose())
+
+  const load = async (file: Uint8Array): Promise<GLTF> => {
+    const Plugin = name === 'webgl' ? WebGLPlugin : WebGPUPlugin
+    const loader = new GLTFLoader().register((parser) => new Plugin(parser))
+    return loader.parseAsync(file.buffer as ArrayBuffer, '')
+  }
+  const picture = async ({ scene: root }: GLTF) => {
+    const scene = new Scene()
+    const light = new DirectionalLight(0xffffff, 2)
+    light.position.set(1, 1, 1)
+    scene.add(root, light)
+    return harness.render(scene, squareCamera(), 32)
+  }
+  const meshesOf = (gltf: GLTF) => {
+    const meshes: Mesh[] = []
+    gltf.scene.traverse((object) => {
+      if ((object as Mesh).isMesh) meshes.push(object as Mesh)
+    })
+    return meshes
+  }
+
+  it('wrinkles by itself as its blendshapes move', async () => {
+    const gltf = await load(await wrinkledFile())
+    const [left, right] = meshesOf(gltf)
+    const rest = await picture(gltf)
+    left.morphTargetInfluences![0] = right.morphTargetInfluences![0] = 1
+    const moved = await picture(gltf)
+    expect(moved).not.toEqual(rest)
+    // Both primitives share one material, and so its wrinkles.
+    for (const half of [0, 16]) expect(differs(rest, moved, half), `half at ${half}`).toBe(true)
+    left.morphTargetInfluences![0] = right.morphTargetInfluences![0] = 0
+    expect(await picture(gltf)).toEqual(rest)
+  })
+
+  it('activates an area as its driver says, and starts others at their resting activation', async () => {
+    const gltf = await load(await wrinkledFile())
+    const [wrinkles] = gltf.userData.wrinkles
+    expect(gltf.userData.wrinkles).toHaveLength(1)
+    expect(wrinkles.areaNames).toEqual(['a', 'b', 'c', 'd'])
+    expect(wrinkles.getActivation('b')).toBe(0.25)
+    for (const mesh of meshesOf(gltf)) mesh.morphTargetInfluences![0] = 0.6
+    await picture(gltf)
+    // The curve starts at 0.2: 0.6 is half way.
+    expect(wrinkles.getActivation('a')).toBeCloseTo(0.5, 6)
+  })
+
+  it('reads each channel exactly, alpha too', async () => {
+    const gltf = await load(await wrinkledFile())
+    const [wrinkles] = gltf.userData.wrinkles
+    const [left, right] = meshesOf(gltf)
+    for (const [channel, area] of ['a', 'b', 'c', 'd'].entries()) {
+      left.material = right.material = wrinkles.createInfluenceMaterial(area)
+      const pixels = await picture(gltf)
+      const weights = Uint8Array.from({ length: SIZE * SIZE }, (_, i) => WEIGHTS[4 * i + channel])
+      const array = packAreas([{ width: SIZE, height: SIZE, data: weights }])
+      for (let i = 0; i < 32 * 32; i++) {
+        const [x, y] = [((i % 32) + 0.5) / 32, 1 - (Math.floor(i / 32) + 0.5) / 32]
+        const exact = reference.sampleArray(array, x, y, 0)
+        expect(Math.abs(pixels[4 * i] - exact)).toBeLessThanOrEqual(1 / 255)
+      }
+    }
+  })
+
+  it('shows the plain face to a loader that does not know the extension', async () => {
+    const file = await wrinkledFile()
+    const plain = await new GLTFLoader().parseAsync(file.slice().buffer as ArrayBuffer, '')
+    const wrinkled = await load(file)
+    wrinkled.userData.wrinkles[0].setActivation('b', 0)
+    expect(await picture(plain)).toEqual(await picture(wrinkled))
+    expect(plain.userData.wrinkles).toBeUndefined()
+  })
+
+  it('gives everything back on dispose', async () => {
+    const gltf = await load(await wrinkledFile())
+    const [mesh] = meshesOf(gltf)
+    const plain = await new GLTFLoader().parseAsync((await wrinkledFile()).buffer as ArrayBuffer, '')
+    const expected = await picture(plain)
+    for (const own of meshesOf(gltf)) own.morphTargetInfluences![0] = 0
+    await picture(gltf)
+    const textures = (harness.renderer as WebGLRenderer).info.memory.textures
+    gltf.userData.wrinkles[0].dispose()
+    expect(await picture(gltf)).toEqual(expected)
+    // Areas, normals and activations.
+    expect((harness.renderer as WebGLRenderer).info.memory.textures).toBeLessThanOrEqual(textures - 3)
+    expect(mesh.onBeforeRender).toBe(Object.getPrototypeOf(mesh).onBeforeRender)
+  })
+
+  it('warns of a driver that names an unknown target, and plays the others', async () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const gltf = await load(await wrinkledFile((json) => json.drivers.push(driver('b', 'trunkUp'))))
+    expect(warn.mock.calls.map(([text]) => text)).toEqual([
+      expect.stringMatching(
+        /^Wrinkles: the drivers of mesh ".*" name what is not here, got "target \\?"trunkUp/,
+      ),
+    ])
+    warn.mockRestore()
+    for (const mesh of meshesOf(gltf)) mesh.morphTargetInfluences![0] = 1
+    await picture(gltf)
+    expect(gltf.userData.wrinkles[0].getActivation('a')).toBe(1)
+  })
+
+  it.each<[string, (json: WrinkleJson) => unknown, RegExp]>([
+    [
+      'a texture that is not there',
+      (json) => (json.layers[0].normalTexture.index = 99),
+      /layers\[0\].normalTexture.index is out of range, got 99/,
+    ],
+    [
+      'a layer that is not there',
+      (json) => (json.areas[1].layer = 3),
+      /areas\[1\].layer is out of range, got 3/,
+    ],
+    ['two areas of one name', (json) => (json.areas[1].name = 'a'), /areas\[1\].name is taken, got "a"/],
+    ['no areas', (json) => (json.areas = []), /areas has the wrong number of items, got 0/],
+  ])('refuses %s', async (_, spoil, message) => {
+    const error = await load(await wrinkledFile(spoil)).catch((caught) => caught)
+    expect(error).toBeInstanceOf(FurrowError)
+    expect(error.message).toMatch(message)
+  })
+})
+
+interface WrinkleJson {
+  layers: { normalTexture: { index: number } }[]
+  areas: { name: string; layer?: number }[]
+  drivers: unknown[]
+}
+
+const driver = (area: string, target: string) => ({
+  type: 'morph' as const,
+  area,
+  targets: [{ name: target, weight: 1 }],
+  curve: [
+    [0.2, 0],
+    [1, 1],
+  ] as [number, number][],
+})
+
+/** Two quads side by side, one material, one blendshape, four areas in the channels of one image. */
+async function wrinkledFile(
+  spoil: (json: WrinkleJson) => unknown = () => {},
+): Promise<Uint8Array<ArrayBuffer>> {
+  const document = new Document()
+  const extension = document.createExtension(FurrowWrinkleMaps)
+  const file = async (label: string, image: Promise<Blob>) =>
+    document
+      .createTexture(label)
+      .setMimeType('image/png')
+      .setImage(new Uint8Array(await (await image).arrayBuffer()))
+  const normals = await file('normal', png(SIZE, SIZE, 8, 6, randomNormals(seeded(1), SIZE).data))
+  const base = await file('base', png(SIZE, SIZE, 8, 6, randomNormals(seeded(2), SIZE).data))
+  const masks = await file('areas', png(SIZE, SIZE, 8, 6, WEIGHTS))
+  const layer = extension.createLayer('expression').setTexture('normalTexture', normals)
+  const maps = extension
+    .createMaterialWrinkles()
+    .addLayer(layer)
+    .setDrivers([driver('a', 'browInnerUp')])
+  for (const [channel, name] of ['a', 'b', 'c', 'd'].entries()) {
+    const area = extension.createArea(name).setLayer(layer).setTexture(masks, channel)
+    maps.addArea(area.setActivation(name === 'b' ? 0.25 : 0))
+  }
+  const material = document.createMaterial('skin').setNormalTexture(base).setRoughnessFactor(0.7)
+  material.setMetallicFactor(0).setExtension(FurrowWrinkleMaps.EXTENSION_NAME, maps)
+  const mesh = document
+    .createMesh('face')
+    .setExtras({ targetNames: ['browInnerUp'] })
+    .setWeights([0])
+  for (const x of [-1, 0]) mesh.addPrimitive(quad(document, x, material))
+  document.createScene().addChild(document.createNode('face').setMesh(mesh))
+  return edited(await new WebIO().registerExtensions([FurrowWrinkleMaps]).writeBinary(document), spoil)
+}
+
+function quad(document: Document, x: number, material: FileMaterial) {
+  const buffer = document.getRoot().listBuffers()[0] ?? document.createBuffer()
+  const accessor = (
+    type: 'VEC2' | 'VEC3' | 'SCALAR',
+    data: Float32Array<ArrayBuffer> | Uint16Array<ArrayBuffer>,
+  ) => document.createAccessor().setType(type).setArray(data).setBuffer(buffer)
+  const corners = [0, 0, 1, 0, 0, 1, 1, 1]
+  const at = (i: number) => [x + corners[2 * i], 2 * corners[2 * i + 1] - 1, 0]
+  const indices = [0, 1, 2, 3]
+  return document
+    .createPrimitive()
+    .setMaterial(material)
+    .setIndices(accessor('SCALAR', Uint16Array.of(0, 1, 2, 2, 1, 3)))
+    .setAttribute('POSITION', accessor('VEC3', Float32Array.from(indices.flatMap(at))))
+    .setAttribute('NORMAL', accessor('VEC3', Float32Array.from(indices.flatMap(() => [0, 0, 1]))))
+    .setAttribute(
+      'TEXCOORD_0',
+      accessor(
+        'VEC2',
+        Float32Array.from(indices.flatMap((i) => [(at(i)[0] + 1) / 2, 1 - corners[2 * i + 1]])),
+      ),
+    )
+    .addTarget(
+      document
+        .createPrimitiveTarget('browInnerUp')
+        .setAttribute('POSITION', accessor('VEC3', new Float32Array(12))),
+    )
+}
+
+/** Edits the extension's JSON in a binary file, as a careless program might. */
+function edited(file: Uint8Array, edit: (json: WrinkleJson) => unknown): Uint8Array<ArrayBuffer> {
+  const length = new DataView(file.buffer, file.byteOffset).getUint32(12, true)
+  const json = JSON.parse(new TextDecoder().decode(file.subarray(20, 20 + length)))
+  edit(json.materials[0].extensions.FURROW_wrinkle_maps)
+  const text = new TextEncoder().encode(JSON.stringify(json))
+  const padded = Math.ceil(text.length / 4) * 4
+  const out = new Uint8Array(20 + padded + file.length - 20 - length).fill(0x20, 20, 20 + padded)
+  out.set(file.subarray(0, 20))
+  out.set(text, 20)
+  out.set(file.subarray(20 + length), 20 + padded)
+  const view = new DataView(out.buffer)
+  view.setUint32(8, out.length, true)
+  view.setUint32(12, padded, true)
+  return out
+}
+
+function differs(a: Float32Array, b: Float32Array, firstColumn: number): boolean {
+  return a.some((value, i) => {
+    const column = (i >> 2) % 32
+    return column >= firstColumn && column < firstColumn + 16 && value !== b[i]
+  })
+}

@@ -1,0 +1,73 @@
+import { curveAt, MorphActivation, type MorphDriver } from 'furrow'
+import { describe, expect, it } from 'vitest'
+
+const straight: MorphDriver['curve'] = [
+  [0, 0],
+  [1, 1],
+]
+const driver = (area: string, targets: MorphDriver['targets'], curve = straight): MorphDriver => ({
+  type: 'morph',
+  area,
+  targets,
+  curve,
+})
+
+describe('curveAt', () => {
+  const late: MorphDriver['curve'] = [
+    [0.2, 0.1],
+    [0.4, 0.9],
+    [1, 0.5],
+  ]
+  it.each([
+    [-5, 0.1],
+    [0.2, 0.1],
+    [0.3, 0.5],
+    [0.4, 0.9],
+    [0.7, 0.7],
+    [2, 0.5],
+    [Number.NaN, 0.1],
+  ])('at %s is %s', (input, output) => expect(curveAt(late, input)).toBeCloseTo(output, 12))
+})
+
+describe('MorphActivation', () => {
+  it('adds up the weighted targets of a driver, and the drivers of an area to at most 1', () => {
+    const morph = new MorphActivation(
+      [
+        driver('forehead', [
+          { name: 'browInnerUp', weight: 0.5 },
+          { name: 'browOuterUpLeft', weight: 0.25 },
+        ]),
+        driver('forehead', [{ name: 'eyeWideLeft', weight: 1 }]),
+        driver('nose', [{ name: 'noseSneerLeft', weight: 1 }]),
+      ],
+      ['browInnerUp', 'browOuterUpLeft', 'eyeWideLeft', 'noseSneerLeft'],
+    )
+    expect(morph.areaNames).toEqual(['forehead', 'nose'])
+    morph.update([1, 0.4, 0.1, 0])
+    expect(morph.activations[0]).toBeCloseTo(0.7, 6)
+    expect(morph.activations[1]).toBe(0)
+    morph.update([1, 1, 1, 0.3])
+    expect(morph.activations[0]).toBe(1)
+    expect(morph.activations[1]).toBeCloseTo(0.3, 6)
+    morph.update([0, 0, 0, 0])
+    expect([...morph.activations]).toEqual([0, 0])
+  })
+
+  it('finds targets in other spellings, and counts a split shape once', () => {
+    const morph = new MorphActivation(
+      [driver('forehead', [{ name: 'browInnerUp', weight: 1 }])],
+      ['blendShape1.browInnerUp_L', 'blendShape1.browInnerUp_R'],
+    )
+    morph.update([1, 1])
+    expect(morph.activations[0]).toBe(1)
+    morph.update([1, 0])
+    expect(morph.activations[0]).toBe(0.5)
+  })
+
+  it('keeps going without targets that the mesh lacks, and tells which', () => {
+    const morph = new MorphActivation([driver('nose', [{ name: 'trunkUp', weight: 1 }])], ['jawOpen'])
+    morph.update([1])
+    expect([...morph.activations]).toEqual([0])
+    expect(morph.unknownTargets).toEqual(['trunkUp'])
+  })
+})
