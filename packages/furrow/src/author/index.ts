@@ -1,9 +1,10 @@
+export { combineNormals } from '../core/combine-normals.ts'
 export type { GrayImage, RgbaImage } from '../core/types.ts'
 export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas } from './areas.ts'
-export { combineNormals } from './combine.ts'
 export { type HeightMap, strokesToHeight } from './height.ts'
 export { type Metric, type MetricMesh, surfaceMetric } from './metric.ts'
 export { heightToNormal, type TangentFrame } from './normal.ts'
+export type { Blocked } from './occlusion.ts'
 export {
   type Green,
   type NormalMap,

@@ -1,4 +1,5 @@
 import { FurrowError } from '../core/error.ts'
+import { toByte } from '../core/normal-byte.ts'
 import type { RgbaImage } from '../core/types.ts'
 import type { HeightMap } from './height.ts'
 import type { Metric } from './metric.ts'
@@ -70,9 +71,4 @@ export function heightToNormal(
     }
   }
   return { width, height, data }
-}
-
-/** -1..1 to a byte: 0 becomes 128. */
-export function toByte(n: number): number {
-  return Math.min(Math.max(Math.round((n + 1) * 127.5), 0), 255)
 }

@@ -116,8 +116,8 @@ function readArea(
     name: reader.text(area.name, `${at}.name`),
     image: reader.text(area.image, `${at}.image`, LONGEST_ADDRESS),
     ...(area.layer !== undefined && { layer: reader.text(area.layer, `${at}.layer`) }),
-    combine: reader.choice(area.combine ?? 'sum', `${at}.combine`, ['sum', 'max']),
-    convention: reader.choice(area.convention ?? convention, `${at}.convention`, ['paper', 'weight']),
+    combine: reader.choice<Combine>(area.combine ?? 'sum', `${at}.combine`, ['sum', 'max']),
+    convention: reader.choice<AreaConvention>(area.convention ?? convention, `${at}.convention`, ['paper', 'weight']),
     ...(area.activation !== undefined && {
       activation: reader.number(area.activation, `${at}.activation`, 0, 1, ''),
     }),

@@ -1,3 +1,4 @@
+import { toByte } from './normal-byte.ts'
 import type { RgbaImage } from './types.ts'
 
 /**
@@ -12,7 +13,7 @@ export function scaleNormals(image: RgbaImage, scale: number): RgbaImage {
     const [x, y, z] = [0, 1, 2].map((c) => (data[i + c] / 255) * 2 - 1)
     const length = Math.hypot(x * scale, y * scale, z)
     const normal = [(x * scale) / length, (y * scale) / length, z / length]
-    for (let c = 0; c < 3; c++) data[i + c] = Math.round((normal[c] * 0.5 + 0.5) * 255)
+    for (let c = 0; c < 3; c++) data[i + c] = toByte(normal[c])
   }
   return { ...image, data }
 }

@@ -1,6 +1,7 @@
 import type { DataArrayTexture, Material, Mesh, MeshStandardMaterial, Texture } from 'three'
 import { SRGBColorSpace } from 'three'
 import { Activations, type Slot } from '../core/activations.ts'
+import { combineNormals } from '../core/combine-normals.ts'
 import { FurrowError } from '../core/error.ts'
 import { DEFAULT_AREA_SIZE } from '../core/limits.ts'
 import { packAreas, packColours } from '../core/pack.ts'
@@ -61,6 +62,8 @@ const owners = new WeakMap<Material, WrinklesBase>()
  */
 export abstract class WrinklesBase {
   readonly mesh: Mesh
+  /** Whether the drivers of the file move their areas; set it to false to move them yourself. */
+  driven = true
 
   readonly #renderer: RendererParts
   readonly #material: WrinkleMaterial
@@ -124,7 +127,7 @@ export abstract class WrinklesBase {
   /**
    * Changes how wrinkles are shown; the material's program is compiled anew.
    *
-   * @throws FurrowError when the paper's mode cannot be had: more than one layer, a layer of detail, or maps of
+   * @throws FurrowError when the paper's mode cannot be had: more than one layer, or maps of
    *   the material that cannot be read or differ in size; the mode then stays as it was.
    */
   set mode(mode: WrinkleMode) {
@@ -238,23 +241,24 @@ export abstract class WrinklesBase {
 
   #packPaper(): DataArrayTexture {
     const { layers } = this.#set
-    if (layers.length !== 1 || layers[0].kind !== 'replace') {
+    if (layers.length !== 1) {
       throw new FurrowError({
         who: 'Wrinkles.mode',
         what: 'the paper knows one wrinkled normal map',
-        value: layers.map(({ name, kind }) => `${name} (${kind})`).join(', '),
-        limit: 'one layer of kind "replace"',
+        value: layers.map(({ name }) => name).join(', '),
+        limit: 'one layer',
         remedy: 'use the default mode',
       })
     }
-    const wrinkled = normalsOf(layers[0])
+    const normals = normalsOf(layers[0])
     const { map } = this.#material as Partial<MeshStandardMaterial>
     this.#inputs.diffuseIsSrgb = map?.colorSpace === SRGBColorSpace
-    const diffuse = map ? readTexture(map, 'Wrinkles.mode') : filled(wrinkled, [255, 255, 255, 255])
+    const diffuse = map ? readTexture(map, 'Wrinkles.mode') : filled(normals, [255, 255, 255, 255])
     const smooth =
       this.#flat || !this.#material.normalMap
-        ? filled(wrinkled, [128, 128, 255, 255])
+        ? filled(normals, [128, 128, 255, 255])
         : readTexture(this.#material.normalMap, 'Wrinkles.mode')
+    const wrinkled = layers[0].kind === 'detail' ? combineNormals(smooth, normals) : normals
     return colourTexture(
       packColours([diffuse, smooth, wrinkled], 'Wrinkles.mode paper'),
       this.#inputs.normals.anisotropy,

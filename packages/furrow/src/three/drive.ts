@@ -5,25 +5,23 @@ import { MorphActivation } from '../drivers/morph.ts'
 import type { WrinklesBase } from './Wrinkles.ts'
 
 /**
- * Lets a mesh's blendshapes move its wrinkles, by themselves, each time before the mesh is drawn.
+ * Lets a mesh's blendshapes move its wrinkles, by themselves, each time before the mesh is drawn, as long as
+ * `wrinkles.driven` is true and the wrinkles are not disposed of.
  *
  * @param drivers of the file; types this version does not know are left out with a warning, and so are targets
  *   that the mesh does not have.
- * @returns what stops it.
  */
-export function driveByMorphs(
-  wrinkles: WrinklesBase,
-  mesh: Mesh,
-  drivers: readonly WrinkleDriver[],
-): () => void {
+export function driveByMorphs(wrinkles: WrinklesBase, drivers: readonly WrinkleDriver[]): void {
+  const { mesh } = wrinkles
   const { morphTargetDictionary, morphTargetInfluences } = mesh
   const morph = new MorphActivation(drivers.filter(isMorphDriver), Object.keys(morphTargetDictionary ?? {}))
   warnOfUnknown(mesh, morph, drivers)
-  if (!morphTargetInfluences || morph.areaNames.length === 0) return () => {}
+  if (!morphTargetInfluences || morph.areaNames.length === 0) return
   const { areaNames, activations } = morph
   const before = mesh.onBeforeRender
   const drive: Mesh['onBeforeRender'] = (...frame) => {
     before.apply(mesh, frame)
+    if (!wrinkles.driven) return
     morph.update(morphTargetInfluences)
     for (let i = 0; i < areaNames.length; i++) {
       // An area may have been removed since; the others go on.
@@ -31,9 +29,9 @@ export function driveByMorphs(
     }
   }
   mesh.onBeforeRender = drive
-  return () => {
+  wrinkles.onDispose(() => {
     if (mesh.onBeforeRender === drive) mesh.onBeforeRender = before
-  }
+  })
 }
 
 function warnOfUnknown(mesh: Mesh, morph: MorphActivation, drivers: readonly WrinkleDriver[]): void {

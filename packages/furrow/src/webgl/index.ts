@@ -1,4 +1,5 @@
 export { decodeImage, toGray } from '../three/decode-image.ts'
+export { driveByMorphs } from '../three/drive.ts'
 export { ExpressionPlayer } from '../three/ExpressionPlayer.ts'
 export { loadWrinkleSet } from '../three/load-wrinkle-set.ts'
 export { WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from '../three/Wrinkles.ts'

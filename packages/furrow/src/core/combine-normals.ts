@@ -1,6 +1,6 @@
-import { FurrowError } from '../core/error.ts'
-import type { RgbaImage } from '../core/types.ts'
-import { toByte } from './normal.ts'
+import { FurrowError } from './error.ts'
+import { toByte } from './normal-byte.ts'
+import type { RgbaImage } from './types.ts'
 
 /**
  * Lays one tangent-space normal map over another by reoriented normal mapping (Barre-Brisebois and Hill 2012,

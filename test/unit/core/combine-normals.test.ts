@@ -1,6 +1,6 @@
 import * as fc from 'fast-check'
+import { combineNormals, type RgbaImage } from 'furrow/author'
 import { describe, expect, it } from 'vitest'
-import { combineNormals, type RgbaImage } from '../../../packages/furrow/src/author/index.ts'
 
 const texel = (...rgb: number[]): RgbaImage => ({ width: 1, height: 1, data: Uint8Array.from([...rgb, 255]) })
 const FLAT = [128, 128, 255]

@@ -1,0 +1,235 @@
+import { readFileSync, writeFileSync } from 'node:fs'
+import {
+  KHR_SUPERCOMPRESSION_ZSTD,
+  read,
+  VK_FORMAT_R8_UNORM,
+  VK_FORMAT_R8G8B8A8_SRGB,
+  write,
+} from 'ktx-parse'
+import sharp from 'sharp'
+import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { NAMES_KEY } from '../../../packages/cli/src/array/ktx2.ts'
+import { arrayCommand } from '../../../packages/cli/src/commands/array.ts'
+import { seeded } from '../../random.ts'
+import { bench } from './command.ts'
+
+const at = bench(arrayCommand)
+const { file, run } = at
+
+const [WIDE, HIGH] = [24, 16]
+
+/** Smooth colours that differ per layer, so that block compression has a fair chance; alpha as said. */
+function paint(layer: number, channels: 1 | 3 | 4): Uint8Array {
+  const random = seeded(layer)
+  const [a, b, c] = [random(), random(), random()]
+  return Uint8Array.from({ length: WIDE * HIGH * channels }, (_, i) => {
+    const [x, y] = [(Math.floor(i / channels) % WIDE) / WIDE, Math.floor(i / channels / WIDE) / HIGH]
+    return [255 * (a * x + (1 - a) * y), 255 * (b * y), 200 * c + 55 * x, 128 + 100 * x][i % channels]!
+  })
+}
+
+async function picture(name: string, layer: number, channels: 1 | 3 | 4): Promise<string> {
+  const image = sharp(paint(layer, channels), { raw: { width: WIDE, height: HIGH, channels } })
+  await image.toColourspace(channels === 1 ? 'b-w' : 'srgb').toFile(file(name))
+  return file(name)
+}
+
+async function pixels(path: string) {
+  const image = sharp(path)
+  const { channels } = await image.metadata()
+  if (channels === 1) image.toColourspace('b-w')
+  return { data: new Uint8Array(await image.raw().toBuffer()), channels }
+}
+
+const open = (name: string) => read(new Uint8Array(readFileSync(file(name))))
+
+/** What three.js makes of a file on a GPU without compressed textures. */
+async function load(name: string) {
+  const loader = new KTX2Loader() as unknown as {
+    workerConfig: object
+    _createTexture(
+      bytes: ArrayBuffer,
+    ): Promise<{ image: { data: Uint8Array; width: number; height: number } }>
+  }
+  loader.workerConfig = {}
+  const bytes = readFileSync(file(name))
+  return loader._createTexture(
+    bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length) as ArrayBuffer,
+  )
+}
+
+let gray: string[]
+let colour: string[]
+
+beforeAll(async () => {
+  gray = await Promise.all([0, 1, 2].map((i) => picture(`brow ${i}.png`, i, 1)))
+  colour = [await picture('skin.png', 3, 3), await picture('veil.png', 4, 4), gray[0]!]
+})
+
+describe('furrow array', () => {
+  it.each(['none', 'zstd'])('gives gray images back bit for bit, %s', async (compress) => {
+    await run(...gray, '-o', file(`${compress}.ktx2`), '--compress', compress)
+    expect(at.printed).toContain(`${compress}.ktx2: 3 layers of 24 x 16, gray, ${compress}, `)
+    const { vkFormat, layerCount, pixelDepth, levelCount } = open(`${compress}.ktx2`)
+    expect([vkFormat, layerCount, pixelDepth, levelCount]).toEqual([VK_FORMAT_R8_UNORM, 3, 0, 1])
+    await run(file(`${compress}.ktx2`), '--extract', file(compress), '--json')
+    expect(JSON.parse(at.printed.trim().split('\n')[1]!).layers).toEqual(['brow 0', 'brow 1', 'brow 2'])
+    for (const [i, path] of gray.entries()) {
+      const { data, channels } = await pixels(file(`${compress}/brow ${i}.png`))
+      expect(channels).toBe(1)
+      expect(data).toEqual((await pixels(path)).data)
+    }
+  })
+
+  it('gives colours, transparency and gray among colours back, and keeps their kind', async () => {
+    await run(...colour, '-o', file('colour.ktx2'), '--srgb', '--json')
+    expect(JSON.parse(at.printed)).toMatchObject({
+      layers: ['skin', 'veil', 'brow 0'],
+      channels: 4,
+      srgb: true,
+      compression: 'zstd',
+      gpuBytes: 3 * 4 * WIDE * HIGH,
+      bytes: readFileSync(file('colour.ktx2')).length,
+    })
+    expect(open('colour.ktx2')).toMatchObject({
+      vkFormat: VK_FORMAT_R8G8B8A8_SRGB,
+      supercompressionScheme: KHR_SUPERCOMPRESSION_ZSTD,
+    })
+    await run(file('colour.ktx2'), '--extract', file('colour'))
+    expect(await pixels(file('colour/skin.png'))).toEqual({ data: paint(3, 3), channels: 3 })
+    expect(await pixels(file('colour/veil.png'))).toEqual({ data: paint(4, 4), channels: 4 })
+    const { data } = await pixels(file('colour/brow 0.png'))
+    expect(data.filter((_, i) => i % 3 === 1)).toEqual(paint(0, 1))
+    // A second array of what came out is the same file.
+    const again = ['skin', 'veil', 'brow 0'].map((name) => file(`colour/${name}.png`))
+    await run(...again, '-o', file('again.ktx2'), '--srgb')
+    expect(readFileSync(file('again.ktx2')).equals(readFileSync(file('colour.ktx2')))).toBe(true)
+  })
+
+  it.each([
+    ['uastc', 3],
+    ['etc1s', 10],
+  ] as const)('compresses for the GPU with %s and gives nearly the same back', async (compress, error) => {
+    const images = [colour[0]!, gray[1]!, gray[2]!]
+    await run(...images, '-o', file(`${compress}.ktx2`), '--compress', compress)
+    expect(open(`${compress}.ktx2`)).toMatchObject({
+      vkFormat: 0,
+      layerCount: 3,
+      pixelDepth: 0,
+      levelCount: 5,
+    })
+    await run(...images, '-o', file(`${compress}-1.ktx2`), '--compress', compress, '--no-mipmaps', '--json')
+    expect(open(`${compress}-1.ktx2`).levelCount).toBe(1)
+    const { gpuBytes } = JSON.parse(at.printed.trim().split('\n')[1]!)
+    expect(gpuBytes).toBe(3 * WIDE * HIGH * (compress === 'uastc' ? 1 : 0.5))
+    await run(file(`${compress}.ktx2`), '--extract', file(compress))
+    for (const [i, name] of ['skin', 'brow 1', 'brow 2'].entries()) {
+      const { data, channels } = await pixels(file(`${compress}/${name}.png`))
+      const { data: before } = await sharp(images[i])
+        .toColourspace('srgb')
+        .raw()
+        .toBuffer({ resolveWithObject: true })
+      expect(channels).toBe(3)
+      const squares = data.reduce((sum, value, k) => sum + (value - before[k]!) ** 2, 0)
+      expect(Math.sqrt(squares / data.length)).toBeLessThan(error)
+    }
+  })
+
+  it.each(['none', 'zstd'])(
+    'opens in the KTX2Loader of three.js, %s: all layers one after the other',
+    async (compress) => {
+      await run(...gray, '-o', file('three.ktx2'), '--compress', compress)
+      const { image } = await load('three.ktx2')
+      expect([image.width, image.height]).toEqual([WIDE, HIGH])
+      const layers = [0, 1, 2].flatMap((i) => [...paint(i, 1)])
+      expect([...image.data]).toEqual(layers)
+    },
+  )
+
+  it('reads arrays of others, without names', async () => {
+    await run(...gray, '-o', file('foreign.ktx2'))
+    const container = open('foreign.ktx2')
+    delete container.keyValue[NAMES_KEY]
+    writeFileSync(file('foreign.ktx2'), write(container))
+    await run(file('foreign.ktx2'), '--extract', file('foreign'))
+    expect((await pixels(file('foreign/layer-2.png'))).data).toEqual(paint(2, 1))
+  })
+})
+
+describe('furrow array says what is wrong and writes nothing:', () => {
+  beforeAll(async () => {
+    await run(...gray, '-o', file('good.ktx2'))
+    await run(...gray, '-o', file('good-none.ktx2'), '--compress', 'none')
+    await run(gray[0]!, colour[0]!, '-o', file('good-uastc.ktx2'), '--compress', 'uastc')
+    await run(gray[0]!, colour[0]!, '-o', file('good-etc1s.ktx2'), '--compress', 'etc1s')
+    const flat = { width: 30, height: 16, channels: 3 as const, background: '#123456' }
+    await sharp({ create: flat }).toFile(file('wide.png'))
+    await sharp({ create: flat }).toColourspace('rgb16').png().toFile(file('deep.png'))
+    await sharp({ create: { ...flat, width: 4000, height: 4000 } }).toFile(file('huge.png'))
+    writeFileSync(file('text.png'), 'no image')
+    writeFileSync(file('cut.png'), readFileSync(colour[0]!).subarray(0, 100))
+    writeFileSync(
+      file('text.ktx2'),
+      'no array at all, but long enough to hold a header of a KTX 2 file'.repeat(4),
+    )
+    const container = open('good.ktx2')
+    for (const [name, text] of Object.entries({
+      climb: '["../a","b","c"]',
+      twice: '["a","a","c"]',
+      few: '["a"]',
+      torn: '["a',
+    })) {
+      container.keyValue[NAMES_KEY] = text
+      writeFileSync(file(`${name}.ktx2`), write(container))
+    }
+  })
+
+  const images = (...names: string[]) => [...names.map(file), '-o', file('x.ktx2')]
+  it.each([
+    ['no task', () => [gray[0]!], 'not clear what to do'],
+    ['two tasks', () => [...images('skin.png'), '--extract', file('x')], 'not clear what to do'],
+    ['a missing image', () => images('none.png'), 'cannot read the image'],
+    ['no image', () => images('text.png'), 'cannot read the image'],
+    ['half an image', () => images('cut.png'), 'cannot read the image'],
+    ['other sizes', () => images('skin.png', 'wide.png'), `got "30 x 16", allowed: 24 x 16 as `],
+    ['16 bits', () => images('deep.png'), 'got "ushort", allowed: 8 bits per channel'],
+    ['one name twice', () => images('skin.png', 'skin.png'), 'two layers of one name, got "skin"'],
+    ['257 images', () => images(...Array(257).fill('skin.png')), 'got 257, allowed: 1 to 256'],
+    [
+      'no compression',
+      () => [...images('skin.png'), '--compress', 'jpeg'],
+      'allowed: none, zstd, uastc, etc1s',
+    ],
+    ['uneven blocks', () => [...images('wide.png'), '--compress', 'uastc'], 'allowed: multiples of 4 texels'],
+    [
+      'too much',
+      () => [...images('huge.png'), '--compress', 'etc1s'],
+      'too many texels for this compression',
+    ],
+    ['another ending', () => [gray[0]!, '-o', file('x.png')], 'does not end in .ktx2'],
+    ['a folder that is a file', () => [gray[0]!, '-o', file('skin.png/x.ktx2')], 'cannot write'],
+    ['no array', () => [file('text.ktx2'), '--extract', file('x')], 'cannot read the array'],
+    ['a missing array', () => [file('absent.ktx2'), '--extract', file('x')], 'cannot read the array'],
+    ['an image as array', () => [gray[0]!, '--extract', file('x')], 'cannot read the array'],
+    [
+      'two arrays',
+      () => [file('good.ktx2'), file('good.ktx2'), '--extract', file('x')],
+      'got 2, allowed: 1 array',
+    ],
+    ['a file as folder', () => [file('good.ktx2'), '--extract', file('skin.png')], 'is not a folder'],
+    ['names that climb', () => [file('climb.ktx2'), '--extract', file('x')], 'are not 3 different names'],
+    ['names alike', () => [file('twice.ktx2'), '--extract', file('x')], 'are not 3 different names'],
+    ['too few names', () => [file('few.ktx2'), '--extract', file('x')], 'are not 3 different names'],
+    ['torn names', () => [file('torn.ktx2'), '--extract', file('x')], 'are not 3 different names'],
+  ])('%s', (_, args, message) => at.fails(message, ...args()))
+
+  it.each(['good', 'good-none', 'good-uastc', 'good-etc1s'])('%s cut short anywhere', async (name) => {
+    const whole = readFileSync(file(`${name}.ktx2`))
+    writeFileSync(file('short.ktx2'), '')
+    for (let percent = 0; percent < 100; percent += 4) {
+      writeFileSync(file('short.ktx2'), whole.subarray(0, Math.floor((whole.length * percent) / 100)))
+      await at.fails('cannot read the array', file('short.ktx2'), '--extract', file('x'))
+    }
+  })
+})

@@ -1,0 +1,257 @@
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
+import sharp from 'sharp'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { normalsCommand } from '../../../packages/cli/src/commands/normals.ts'
+import { bench } from './command.ts'
+
+type Vector = [number, number, number]
+
+const at = bench(normalsCommand)
+const { file, run } = at
+
+/** Millimetres of a picture 100 mm wide whose white is 20 mm above black; x to the right, y upwards, from its middle. */
+const WIDE = 100
+const DEEP = 20
+const SIDE = 257
+
+/** Analytic heights in mm, 0 to 20, and their exact normals, not normalised. `inside` leaves out where there is none. */
+const SHAPES = {
+  plane: {
+    height: (x: number, y: number) => 10 + 0.12 * x - 0.05 * y,
+    normal: (): Vector => [-0.12, 0.05, 1],
+    inside: () => true,
+  },
+  // A cap of a sphere of radius 60 mm that stands out by 15 mm; its rim has two normals.
+  cap: {
+    height: (x: number, y: number) => Math.max(Math.sqrt(3600 - x * x - y * y) - 45, 0),
+    normal: (x: number, y: number): Vector => [x, y, Math.sqrt(3600 - x * x - y * y)],
+    inside: (x: number, y: number) => Math.hypot(x, y) < 38.5,
+  },
+  // Two waves across and three down: it tiles.
+  sine: {
+    height: (x: number, y: number) => 10 + 4 * Math.sin(2 * WAVE * x + 1) + 5 * Math.cos(3 * WAVE * y),
+    normal: (x: number, y: number): Vector => [
+      -8 * WAVE * Math.cos(2 * WAVE * x + 1),
+      15 * WAVE * Math.sin(3 * WAVE * y),
+      1,
+    ],
+    inside: () => true,
+  },
+} as const
+const WAVE = (2 * Math.PI) / WIDE
+
+const place = (column: number, row: number, side: number): [number, number] => [
+  ((column + 0.5) / side - 0.5) * WIDE,
+  (0.5 - (row + 0.5) / side) * WIDE,
+]
+
+async function writeHeight(path: string, height: (x: number, y: number) => number, side = SIDE, bits = 16) {
+  const full = 2 ** bits - 1
+  const values = Array.from({ length: side * side }, (_, i) =>
+    Math.round((height(...place(i % side, Math.floor(i / side), side)) / DEEP) * full),
+  )
+  const data = bits === 16 ? Uint16Array.from(values) : Uint8Array.from(values)
+  const image = sharp(data, { raw: { width: side, height: side, channels: 1 } })
+  // Without a compression of its own sharp would write a TIFF as JPEG, in 8 bits.
+  if (path.endsWith('.tif')) image.tiff({ compression: 'lzw' })
+  await image.toColourspace(bits === 16 ? 'grey16' : 'b-w').toFile(path)
+}
+
+/** Decodes a map and returns unit normals with y upwards, whatever its convention was. */
+async function readNormals(path: string, green: string): Promise<Vector[]> {
+  const { depth } = await sharp(path).metadata()
+  const wide = depth === 'ushort'
+  const image = wide ? sharp(path).toColourspace('rgb16').raw({ depth: 'ushort' }) : sharp(path).raw()
+  const { data, info } = await image.toBuffer({ resolveWithObject: true })
+  expect(info.channels).toBe(3)
+  const values = wide ? new Uint16Array(data.buffer, data.byteOffset, data.length / 2) : data
+  return Array.from({ length: info.width * info.height }, (_, i) => {
+    const [x, y, z] = [0, 1, 2].map((k) => (2 * values[3 * i + k]!) / (wide ? 65535 : 255) - 1) as Vector
+    const length = Math.hypot(x, y, z)
+    return [x / length, (green === 'up' ? y : -y) / length, z / length]
+  })
+}
+
+function angle(a: Vector, b: Vector): number {
+  const cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+  return (Math.atan2(Math.hypot(...cross), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) * 180) / Math.PI
+}
+
+async function worst(path: string, shape: (typeof SHAPES)[keyof typeof SHAPES], green: string) {
+  const normals = await readNormals(path, green)
+  const side = Math.sqrt(normals.length)
+  const angles = normals.map((normal, i) => {
+    const [x, y] = place(i % side, Math.floor(i / side), side)
+    return shape.inside(x, y) ? angle(normal, shape.normal(x, y)) : 0
+  })
+  return Math.max(...angles)
+}
+
+/** One texel of 32-bit floating point, as sculpting programs write them (TIFF 6.0, section 2). */
+function floatTiff(): Uint8Array {
+  const tags = [
+    [256, 1],
+    [257, 1],
+    [258, 32],
+    [259, 1],
+    [262, 1],
+    [273, 134],
+    [277, 1],
+    [278, 1],
+    [279, 4],
+    [339, 3],
+  ]
+  const bytes = new DataView(new ArrayBuffer(138))
+  bytes.setUint32(0, 0x49492a00)
+  bytes.setUint32(4, 8, true)
+  bytes.setUint16(8, 10, true)
+  for (const [i, [tag, value]] of tags.entries()) {
+    bytes.setUint16(10 + 12 * i, tag!, true)
+    bytes.setUint16(12 + 12 * i, 3, true)
+    bytes.setUint32(14 + 12 * i, 1, true)
+    bytes.setUint16(18 + 12 * i, value!, true)
+  }
+  bytes.setFloat32(134, 0.5, true)
+  return new Uint8Array(bytes.buffer)
+}
+
+beforeAll(async () => {
+  for (const [name, { height }] of Object.entries(SHAPES)) await writeHeight(file(`${name}.png`), height)
+  await writeHeight(file('sine.tif'), SHAPES.sine.height)
+  await writeHeight(file('small.png'), SHAPES.plane.height, 8)
+})
+
+describe('furrow normals', () => {
+  it.each([
+    ['plane', 'clamp', 'up', '8', 0.33],
+    ['plane', 'clamp', 'down', '16', 0.1],
+    ['cap', 'clamp', 'up', '8', 0.4],
+    ['cap', 'wrap', 'down', '8', 0.4],
+    ['cap', 'clamp', 'up', '16', 0.06],
+    ['sine', 'wrap', 'up', '8', 0.4],
+    ['sine', 'wrap', 'down', '16', 0.05],
+    ['sine', 'clamp', 'down', '8', 0.5],
+  ] as const)(
+    '%s, edges %s, green %s, %s bits: within %f degrees',
+    async (name, edges, green, bits, limit) => {
+      const out = file(`${name}-${edges}-${green}-${bits}.png`)
+      const strength = ['--depth', `${DEEP}`, '--width', `${WIDE}`]
+      await run(
+        file(`${name}.png`),
+        '-o',
+        out,
+        ...strength,
+        '--edges',
+        edges,
+        '--green',
+        green,
+        '--bits',
+        bits,
+        '--json',
+      )
+      expect(JSON.parse(at.printed)).toMatchObject({
+        file: out,
+        width: SIDE,
+        height: SIDE,
+        bits: Number(bits),
+        green,
+      })
+      expect(await worst(out, SHAPES[name], green)).toBeLessThan(limit)
+      const other = green === 'up' ? 'down' : 'up'
+      expect(await worst(out, SHAPES[name], other)).toBeGreaterThan(5)
+    },
+  )
+
+  it('reads 16-bit TIFF, and takes the strength in texels too', async () => {
+    const texels = (DEEP / WIDE) * SIDE
+    await run(file('sine.tif'), '-o', file('tif.png'), '--strength', `${texels}`, '--edges', 'wrap')
+    expect(await worst(file('tif.png'), SHAPES.sine, 'up')).toBeLessThan(0.4)
+    expect(at.printed).toContain(`tif.png: ${SIDE} x ${SIDE}, 8 bits, green up, steepest slope `)
+    expect(at.warned).toBe('')
+  })
+
+  it('reads 8 bits and gray stored as colour, and says what 8 bits cost', async () => {
+    await writeHeight(file('byte.png'), SHAPES.plane.height, 64, 8)
+    await sharp(file('byte.png')).toColourspace('srgb').toFile(file('rgb.png'))
+    for (const name of ['byte', 'rgb']) {
+      await run(file(`${name}.png`), '-o', file(`${name}-n.png`), '--depth', '20', '--width', '100')
+      expect(at.warned).toContain('has 8 bits, so gentle slopes come out as steps')
+    }
+    const [byte, rgb] = await Promise.all(
+      ['byte', 'rgb'].map((name) =>
+        sharp(file(`${name}-n.png`))
+          .raw()
+          .toBuffer(),
+      ),
+    )
+    expect(rgb!.equals(byte!)).toBe(true)
+    const normals = await readNormals(file('byte-n.png'), 'up')
+    const mean = normals.reduce((sum, n) => [sum[0] + n[0], sum[1] + n[1], sum[2] + n[2]] as Vector)
+    expect(angle(mean, SHAPES.plane.normal())).toBeLessThan(0.5)
+  })
+
+  it('turns the relief inside out with a negative strength', async () => {
+    await run(file('small.png'), '-o', file('out.png'), '--strength', '4')
+    await run(file('small.png'), '-o', file('in.png'), '--strength', '-4')
+    const [out] = await readNormals(file('out.png'), 'up')
+    const [turned] = await readNormals(file('in.png'), 'up')
+    expect(angle([-out![0], -out![1], out![2]], turned!)).toBeLessThan(0.7)
+    expect(out![0]).toBeLessThan(-0.01)
+  })
+
+  describe('says what is wrong and writes nothing:', () => {
+    const good = () => [file('small.png'), '-o', file('x.png')]
+    beforeAll(async () => {
+      writeFileSync(file('text.png'), 'not an image')
+      const whole = readFileSync(file('plane.png'))
+      writeFileSync(file('cut.png'), whole.subarray(0, whole.length / 2))
+      writeFileSync(file('empty.png'), '')
+      mkdirSync(file('folder.png'))
+      await sharp({ create: { width: 9, height: 9, channels: 3, background: '#8080ff' } }).toFile(
+        file('blue.png'),
+      )
+      writeFileSync(file('float.tif'), floatTiff())
+      await sharp({ create: { width: 8193, height: 1, channels: 3, background: '#888' } }).toFile(
+        file('wide.png'),
+      )
+    })
+
+    it.each([
+      ['none.png', 'cannot read the image'],
+      ['text.png', 'unsupported image format'],
+      ['cut.png', 'cannot read the image'],
+      ['empty.png', 'cannot read the image'],
+      ['folder.png', 'cannot read the image'],
+      ['blue.png', 'got "128, 128, 255 at 0, 0", allowed: gray heights'],
+      ['float.tif', 'got "float", allowed: 8 or 16 bits per channel'],
+      ['wide.png', 'got "8193 x 1", allowed: 8192 texels a side'],
+    ])('%s as input', (name, message) =>
+      at.fails(message, file(name), '-o', file('x.png'), '--strength', '5'),
+    )
+
+    it.each([
+      [
+        [],
+        'the strength is not clear, allowed: either --depth MM with --width MM, or --strength TEXELS alone',
+      ],
+      [['--depth', '2'], 'the strength is not clear'],
+      [['--depth', '2', '--width', '100', '--strength', '3'], 'the strength is not clear'],
+      [['--depth', '0', '--width', '100'], '--depth is no number in its range, got "0"'],
+      [['--depth', '2', '--width', 'ten'], '--width is no number in its range, got "ten"'],
+      [['--strength', 'NaN'], '--strength is no number in its range, got "NaN"'],
+      [['--strength', '1e300'], 'allowed: -100000..100000 texels; write e.g. --strength 10'],
+      [['--strength', ''], '--strength is no number in its range, got ""'],
+      [['--strength', '1', '--green', 'left'], '--green is unknown, got "left", allowed: up, down'],
+      [['--strength', '1', '--edges', 'mirror'], '--edges is unknown, got "mirror", allowed: wrap, clamp'],
+      [['--strength', '1', '--bits', '12'], '--bits is unknown, got "12", allowed: 8, 16'],
+    ])('%j', (args, message) => at.fails(message, ...good(), ...args))
+
+    it.each([
+      ['folder.png', 'it is a folder'],
+      ['normal.jpg', 'its name does not end in .png'],
+      ['small.png/n.png', 'cannot write'],
+    ])('%s as output', (name, message) =>
+      at.fails(message, file('small.png'), '-o', file(name), '--strength', '5'),
+    )
+  })
+})

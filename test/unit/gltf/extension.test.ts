@@ -1,0 +1,209 @@
+import { KHRTextureTransform, type Transform } from '@gltf-transform/extensions'
+import {
+  cloneDocument,
+  dedup,
+  getTextureColorSpace,
+  listTextureChannels,
+  listTextureSlots,
+  meshopt,
+  prune,
+  quantize,
+  textureCompress,
+  unpartition,
+} from '@gltf-transform/functions'
+import { FurrowError, parseWrinkleMaps } from 'furrow'
+import { MeshoptEncoder } from 'meshoptimizer'
+import sharp from 'sharp'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { createIO, createSample, DRIVERS, NAME, summary, wrinklesOf } from './sample.ts'
+
+const io = createIO()
+const texturesOf = async () => (await createSample()).getRoot().listTextures()
+
+describe('FurrowWrinkleMaps', () => {
+  it('writes JSON without defaults, which the parser accepts', async () => {
+    const { json } = await io.writeJSON(await createSample())
+    expect(json.extensionsUsed).toEqual([NAME])
+    expect(json.extensionsRequired).toBeUndefined()
+    const maps = json.materials![0].extensions![NAME] as Record<string, unknown[]>
+    expect(maps).toMatchObject({ revision: 7, extras: { by: 'hand' }, drivers: DRIVERS })
+    expect(maps.layers[1]).toEqual({ name: 'down', kind: 'detail', normalTexture: { index: 7 } })
+    expect(maps.layers[0]).toMatchObject({
+      later: { deep: [1, 2] },
+      normalTexture: { index: 2, scale: 0.5 },
+      occlusionTexture: { index: 5, strength: 0.25 },
+      heightTexture: { index: 6, amplitude: 0.004 },
+    })
+    expect(maps.areas[0]).toEqual({ name: 'brow', texture: { index: 8 } })
+    expect(maps.areas[4]).toEqual({
+      name: 'eye',
+      extras: { side: 'left' },
+      texture: { index: 9 },
+      channel: 1,
+      combine: 'max',
+      activation: 0.5,
+    })
+    expect(parseWrinkleMaps(maps, json.textures!.length).areas).toHaveLength(5)
+  })
+
+  it('reads back what it wrote, as JSON and as a binary', async () => {
+    const document = await createSample()
+    const before = summary(document)
+    expect(before.drivers).toEqual(DRIVERS)
+    expect(summary(await io.readJSON(await io.writeJSON(document)))).toEqual(before)
+    const bytes = await io.writeBinary(document)
+    const back = await io.readBinary(bytes)
+    expect(summary(back)).toEqual(before)
+    expect(await io.writeBinary(back)).toEqual(bytes)
+  })
+
+  it('survives a copy of the document, and shares nothing with it', async () => {
+    const document = await createSample()
+    const copy = cloneDocument(document)
+    const before = summary(document)
+    expect(summary(copy)).toEqual(before)
+    wrinklesOf(document).listAreas()[0].setName('other').setTexture(null)
+    wrinklesOf(document).setDrivers([])
+    expect(summary(copy)).toEqual(before)
+    expect(wrinklesOf(copy).listAreas()[1].getLayer()).toBe(wrinklesOf(copy).listLayers()[1])
+    expect(await io.writeBinary(copy)).toEqual(await io.writeBinary(await createSample()))
+  })
+
+  it('says what of each image is read, and that only base colour is colour', async () => {
+    const textures = await texturesOf()
+    const of = (name: string) => textures.find((texture) => texture.getName() === name)!
+    const [R, G, B] = [0x1000, 0x0100, 0x0010]
+    expect(listTextureChannels(of('up'))).toEqual([R, G, B])
+    expect(listTextureChannels(of('dry'))).toEqual([G])
+    expect(listTextureChannels(of('shade'))).toEqual([R])
+    expect(listTextureChannels(of('relief'))).toEqual([R])
+    expect(listTextureChannels(of('weights 0'))).toEqual([R, G, B])
+    expect(listTextureChannels(of('weights 1'))).toEqual([R, G])
+    expect(listTextureSlots(of('up'))).toEqual(['normalTexture'])
+    expect(listTextureSlots(of('weights 0'))).toEqual(['weightsTexture'])
+    const colours = textures.filter((texture) => getTextureColorSpace(texture) === 'srgb')
+    expect(colours.map((texture) => texture.getName())).toEqual(['colour', 'flushed'])
+  })
+
+  it('lets a transform of texture coordinates through', async () => {
+    const document = await createSample()
+    const transform = document.createExtension(KHRTextureTransform).createTransform().setOffset([0.25, 0])
+    const [layer] = wrinklesOf(document).listLayers()
+    layer.getTextureInfo('normalTexture')!.setTexCoord(1).setExtension('KHR_texture_transform', transform)
+    const { json } = await io.writeJSON(document)
+    expect(json.materials![0].extensions![NAME]).toMatchObject({
+      layers: [
+        {
+          normalTexture: {
+            scale: 0.5,
+            texCoord: 1,
+            extensions: { KHR_texture_transform: { offset: [0.25, 0] } },
+          },
+        },
+        {},
+      ],
+    })
+    const back = wrinklesOf(await io.readBinary(await io.writeBinary(document)))
+    const info = back.listLayers()[0].getTextureInfo('normalTexture')!
+    expect(info.getTexCoord()).toBe(1)
+    expect(info.getExtension<Transform>('KHR_texture_transform')!.getOffset()).toEqual([0.25, 0])
+  })
+
+  it('keeps two equal materials equal, and unequal ones apart', async () => {
+    const [one, two] = await Promise.all([createSample(), createSample()])
+    const materials = [one, two].map((document) => document.getRoot().listMaterials()[0])
+    expect(materials[0].equals(materials[1])).toBe(true)
+    wrinklesOf(two).setDrivers([{ type: 'bone', area: 'brow' }])
+    expect(materials[0].equals(materials[1])).toBe(false)
+  })
+
+  it.each<[string, (document: Awaited<ReturnType<typeof createSample>>) => void, string]>([
+    ['a texture', (d) => wrinklesOf(d).listAreas()[0].setTexture(null), 'area "brow" has no texture'],
+    [
+      'a normal map',
+      (d) => wrinklesOf(d).listLayers()[1].setTexture('normalTexture', null),
+      'layer "down" has no normal texture',
+    ],
+    [
+      'its layer',
+      (d) => wrinklesOf(d).removeLayer(wrinklesOf(d).listLayers()[1]),
+      'area "nose" has no layer among those of its material',
+    ],
+    [
+      'areas',
+      (d) => {
+        for (const area of wrinklesOf(d).listAreas()) area.dispose()
+      },
+      'areas has the wrong number',
+    ],
+    [
+      'a driven area',
+      (d) => wrinklesOf(d).setDrivers([{ type: 'morph', area: 'x', targets: [], curve: [] }]),
+      'drivers[0].area is unknown, got "x"',
+    ],
+  ])('refuses to write wrinkles that lack %s', async (_, spoil, message) => {
+    const document = await createSample()
+    spoil(document)
+    const failure = await io.writeBinary(document).catch((error) => error)
+    expect(failure).toBeInstanceOf(FurrowError)
+    expect(failure.message).toContain(`${NAME} of material 0 "skin": ${message}`)
+  })
+})
+
+describe('a script of glTF-Transform', () => {
+  let before: ReturnType<typeof summary>
+  let after: Awaited<ReturnType<typeof createSample>>
+
+  beforeAll(async () => {
+    const document = await createSample()
+    // The same image twice, for dedup to merge: the second layer gets a copy of the first one's normals.
+    const twin = wrinklesOf(document).listLayers()[1].getTexture('normalTexture')!
+    twin.setImage(wrinklesOf(document).listLayers()[0].getTexture('normalTexture')!.getImage()!)
+    // A flat image, which prune turns into a factor where it can.
+    const white = { width: 8, height: 8, channels: 3 as const, background: '#fff' }
+    const flat = await sharp({ create: white }).png().toBuffer()
+    wrinklesOf(document)
+      .listLayers()[0]
+      .getTexture('occlusionTexture')!
+      .setImage(flat as Uint8Array as Uint8Array<ArrayBuffer>)
+    before = summary(document)
+    await document.transform(
+      dedup(),
+      prune(),
+      textureCompress({ encoder: sharp, targetFormat: 'webp', resize: [8, 8], lossless: true }),
+      quantize(),
+      meshopt({ encoder: MeshoptEncoder, level: 'medium' }),
+      unpartition(),
+    )
+    after = await io.readBinary(await io.writeBinary(document))
+  }, 60_000)
+
+  it('keeps every layer, area and driver through dedup, prune, resize, webp, quantize and meshopt', () => {
+    const merged = structuredClone(before)
+    merged.layers[1].textures[0] = 'up'
+    expect(summary(after)).toEqual(merged)
+  })
+
+  it('leaves every image readable, at its new size and format', async () => {
+    const wrinkles = wrinklesOf(after)
+    const images = [
+      ...wrinkles.listAreas().map((area) => area.getTexture()!),
+      ...wrinkles.listLayers().map((layer) => layer.getTexture('normalTexture')!),
+    ]
+    for (const image of images) {
+      expect(image.getMimeType()).toBe('image/webp')
+      expect(await sharp(image.getImage()!).metadata()).toMatchObject({ format: 'webp', width: 8, height: 8 })
+    }
+  })
+
+  it('refers to WebP images by their extension alone', async () => {
+    const { json } = await io.writeJSON(after)
+    expect(json.extensionsUsed).toEqual(
+      expect.arrayContaining([NAME, 'EXT_texture_webp', 'EXT_meshopt_compression']),
+    )
+    for (const texture of json.textures!) {
+      expect(texture.source).toBeUndefined()
+      expect(texture.extensions!.EXT_texture_webp).toEqual({ source: expect.any(Number) })
+    }
+  })
+})

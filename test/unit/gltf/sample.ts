@@ -1,0 +1,136 @@
+import { Document, NodeIO } from '@gltf-transform/core'
+import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
+import type { WrinkleDriver } from 'furrow'
+import { FurrowWrinkleMaps, type MaterialWrinkles } from 'furrow/gltf'
+import { MeshoptDecoder, MeshoptEncoder } from 'meshoptimizer'
+import sharp from 'sharp'
+
+export const NAME = 'FURROW_wrinkle_maps'
+
+export const silent = { debug() {}, info() {}, warn() {}, error() {} }
+
+export function createIO(): NodeIO {
+  return new NodeIO()
+    .setLogger(silent)
+    .registerExtensions([...ALL_EXTENSIONS, FurrowWrinkleMaps])
+    .registerDependencies({ 'meshopt.decoder': MeshoptDecoder, 'meshopt.encoder': MeshoptEncoder })
+}
+
+/** A small PNG whose texels all differ, so that no tool takes it for a solid colour. */
+export function picture(seed: number, size = 16, channels: 3 | 4 = 3): Promise<Uint8Array> {
+  const data = Uint8Array.from({ length: size * size * channels }, (_, i) => (i * 37 + seed * 101) % 251)
+  return sharp(data, { raw: { width: size, height: size, channels } })
+    .png()
+    .toBuffer()
+}
+
+export const DRIVERS: WrinkleDriver[] = [
+  {
+    type: 'morph',
+    area: 'brow',
+    targets: [{ name: 'browInnerUp', weight: 0.5 }],
+    curve: [
+      [0, 0],
+      [0.5, 0.2],
+      [1, 1],
+    ],
+  },
+  { type: 'bone', area: 'nose', joint: 'jaw', nested: { angles: [1, 2] } },
+]
+
+/** One quad with one blendshape, two layers with every slot, and five areas that share two images. */
+export async function createSample(): Promise<Document> {
+  const document = new Document().setLogger(silent)
+  const buffer = document.createBuffer()
+  const texture = async (name: string, seed: number, channels: 3 | 4 = 3) =>
+    document
+      .createTexture(name)
+      .setMimeType('image/png')
+      .setImage((await picture(seed, 16, channels)) as Uint8Array<ArrayBuffer>)
+  const accessor = (type: 'VEC3' | 'VEC2' | 'SCALAR', values: number[]) =>
+    document
+      .createAccessor()
+      .setType(type)
+      .setArray(type === 'SCALAR' ? Uint16Array.from(values) : Float32Array.from(values))
+      .setBuffer(buffer)
+  const material = document.createMaterial('skin').setNormalTexture(await texture('smooth', 0))
+  material.setBaseColorTexture(await texture('colour', 1))
+  const target = document
+    .createPrimitiveTarget('browInnerUp')
+    .setAttribute('POSITION', accessor('VEC3', [0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0]))
+  const primitive = document
+    .createPrimitive()
+    .setAttribute('POSITION', accessor('VEC3', [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0]))
+    .setAttribute('NORMAL', accessor('VEC3', [0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]))
+    .setAttribute('TEXCOORD_0', accessor('VEC2', [0, 1, 1, 1, 0, 0, 1, 0]))
+    .setIndices(accessor('SCALAR', [0, 1, 2, 2, 1, 3]))
+    .setMaterial(material)
+    .addTarget(target)
+  const mesh = document
+    .createMesh('skin')
+    .addPrimitive(primitive)
+    .setExtras({ targetNames: ['browInnerUp'] })
+  document.createScene().addChild(document.createNode('skin').setMesh(mesh))
+
+  const extension = document.createExtension(FurrowWrinkleMaps)
+  const up = extension
+    .createLayer('up')
+    .setTexture('normalTexture', await texture('up', 2))
+    .setTexture('baseColorTexture', await texture('flushed', 3))
+    .setTexture('roughnessTexture', await texture('dry', 4))
+    .setTexture('occlusionTexture', await texture('shade', 5))
+    .setTexture('heightTexture', await texture('relief', 6))
+    .setNormalScale(0.5)
+    .setOcclusionStrength(0.25)
+    .setHeightAmplitude(0.004)
+    .setUnknownFields({ later: { deep: [1, 2] } })
+  const down = extension
+    .createLayer('down')
+    .setKind('detail')
+    .setTexture('normalTexture', await texture('down', 7))
+  const wrinkles = extension.createMaterialWrinkles().addLayer(up).addLayer(down).setDrivers(DRIVERS)
+  wrinkles.setExtras({ by: 'hand' }).setUnknownFields({ revision: 7 })
+  const shared = [await texture('weights 0', 8), await texture('weights 1', 9)]
+  for (const [i, name] of ['brow', 'nose', 'cheek', 'chin', 'eye'].entries()) {
+    const area = extension.createArea(name).setTexture(shared[Math.floor(i / 3)], i % 3)
+    wrinkles.addArea(area.setLayer(i % 2 ? down : up))
+    if (i === 4) area.setCombine('max').setActivation(0.5).setExtras({ side: 'left' })
+  }
+  material.setExtension(NAME, wrinkles)
+  return document
+}
+
+export function wrinklesOf(document: Document): MaterialWrinkles {
+  const material = document
+    .getRoot()
+    .listMaterials()
+    .find((item) => item.getName() === 'skin')!
+  return material.getExtension<MaterialWrinkles>(NAME)!
+}
+
+/** The extension as plain data, its images by their names: what no tool may change. */
+export function summary(document: Document) {
+  const wrinkles = wrinklesOf(document)
+  const slots = ['normal', 'baseColor', 'roughness', 'occlusion', 'height'] as const
+  return {
+    extras: wrinkles.getExtras(),
+    unknown: wrinkles.getUnknownFields(),
+    drivers: wrinkles.getDrivers(),
+    layers: wrinkles.listLayers().map((layer) => ({
+      name: layer.getName(),
+      kind: layer.getKind(),
+      numbers: [layer.getNormalScale(), layer.getOcclusionStrength(), layer.getHeightAmplitude()],
+      textures: slots.map((slot) => layer.getTexture(`${slot}Texture`)?.getName()),
+      unknown: layer.getUnknownFields(),
+    })),
+    areas: wrinkles.listAreas().map((area) => ({
+      name: area.getName(),
+      layer: area.getLayer()?.getName(),
+      texture: area.getTexture()?.getName(),
+      channel: area.getChannel(),
+      combine: area.getCombine(),
+      activation: area.getActivation(),
+      extras: area.getExtras(),
+    })),
+  }
+}
