@@ -1,3 +1,4 @@
+import { type LoadedWrinkles, readWrinkleMaps } from 'furrow/three'
 import type { Mesh, Object3D } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
@@ -6,6 +7,8 @@ export interface Face {
   root: Object3D
   /** The mesh that wrinkles. */
   skin: Mesh
+  /** The wrinkles that the file carries for it; null when it carries none. */
+  wrinkles: Pick<LoadedWrinkles, 'set' | 'drivers'> | null
 }
 
 /** Name of the mesh that wrinkles, where a file does not say. */
@@ -14,23 +17,31 @@ const SKIN = 'skin'
 /**
  * Loads a face.
  *
- * @param skin name of the mesh that wrinkles; `skin` unless told, and the mesh with most vertices if none has it.
+ * @param skin name of the mesh that wrinkles; unless told the one that the file has wrinkles for, else the one named
+ *   `skin`, else the one with most vertices.
  * @throws Error when the file has no mesh, or none of that name.
  */
 export async function loadFace(url: string, skin?: string): Promise<Face> {
-  const { scene: root } = await new GLTFLoader().loadAsync(url)
+  const gltf = await new GLTFLoader().loadAsync(url)
+  const { scene: root } = gltf
   const meshes: Mesh[] = []
   root.traverse((object) => {
     if ((object as Mesh).isMesh) meshes.push(object as Mesh)
   })
-  const found = meshes.find(({ name }) => name === (skin ?? SKIN)) ?? (skin ? undefined : largest(meshes))
+  const loaded = await readWrinkleMaps(gltf)
+  const found = choose(meshes, loaded, skin)
   if (!found) {
     const names = meshes.map(({ name }) => name).join(', ') || 'none'
     throw new Error(
       `face: no mesh to wrinkle, got ${JSON.stringify(skin ?? SKIN)}, allowed: ${names}; name one of them`,
     )
   }
-  return { root, skin: found }
+  return { root, skin: found, wrinkles: loaded.find(({ mesh }) => mesh === found) ?? null }
+}
+
+function choose(meshes: Mesh[], loaded: LoadedWrinkles[], skin?: string): Mesh | undefined {
+  if (skin !== undefined) return meshes.find(({ name }) => name === skin)
+  return loaded[0]?.mesh ?? meshes.find(({ name }) => name === SKIN) ?? largest(meshes)
 }
 
 function largest(meshes: Mesh[]): Mesh | undefined {

@@ -1,7 +1,12 @@
 /** The lit scene that studio, render, figures and tests share. */
 
-import type { WrinkleSet } from 'furrow'
-import { ExpressionPlayer, Wrinkles as WebGLWrinkles, type WrinklesOptions } from 'furrow/three'
+import {
+  driveByMorphs,
+  ExpressionPlayer,
+  type LoadedWrinkles,
+  Wrinkles as WebGLWrinkles,
+  type WrinklesOptions,
+} from 'furrow/three'
 import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import {
   ACESFilmicToneMapping,
@@ -29,7 +34,7 @@ export interface Stage {
   /** Puts a face on the stage, alone. Its wrinkles and player are the caller's to dispose. */
   show(
     face: Face,
-    set: WrinkleSet,
+    loaded: Pick<LoadedWrinkles, 'set' | 'drivers'>,
     options?: WrinklesOptions,
   ): { wrinkles: Wrinkles; player: ExpressionPlayer }
   /** Moves the camera; returns the point it looks at. */
@@ -62,13 +67,14 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
     backend: backendOf(renderer),
     scene,
     camera,
-    show(face, set, options) {
+    show(face, { set, drivers }, options) {
       if (shown) scene.remove(shown.root)
       shown = face
       scene.add(face.root)
       const wrinkles = isWebGL(renderer)
         ? new WebGLWrinkles(face.skin, set, options)
         : new WebGPUWrinkles(face.skin, set, options)
+      driveByMorphs(wrinkles, drivers)
       return { wrinkles, player: new ExpressionPlayer(face.root, wrinkles) }
     },
     view: (name) => frameView(shown?.skin ?? scene, camera, name),

@@ -13,7 +13,7 @@ const TYPES: Record<string, string> = {
 
 /**
  * Serves the faces that ship under `/faces/`, and copies them into a build. `/faces/index.json` lists the names
- * of those that are whole: `NAME.glb` with `NAME/wrinkles.json` beside it.
+ * of those that are there.
  */
 export function serveFaces(folder: string): Plugin {
   return {
@@ -49,7 +49,6 @@ async function faceNames(folder: string): Promise<string[]> {
   return paths
     .filter((path) => extname(path) === '.glb' && !path.includes(sep))
     .map((path) => path.slice(0, -'.glb'.length))
-    .filter((name) => paths.includes(join(name, 'wrinkles.json')))
     .sort()
 }
 

@@ -1,5 +1,4 @@
-import type { WrinkleSet } from 'furrow'
-import { loadWrinkleSet } from 'furrow/three'
+import type { WrinkleDriver, WrinkleSet } from 'furrow'
 import { type Face, loadFace } from '../../stage/face.ts'
 
 /** A face and what makes it wrinkle, whole. */
@@ -7,6 +6,7 @@ export interface LoadedFace {
   name: string
   face: Face
   set: WrinkleSet
+  drivers: WrinkleDriver[]
 }
 
 /** Called while a face loads, with the share that is there already; null when the server does not say. */
@@ -18,19 +18,19 @@ export async function listFaces(): Promise<string[]> {
   const names = response.ok ? ((await response.json()) as string[]) : []
   if (names.length > 0) return names
   throw new Error(
-    'Studio: no face to show, got an empty faces/, allowed: NAME.glb with NAME/wrinkles.json; build one first',
+    'Studio: no face to show, got an empty faces/, allowed: NAME.glb with wrinkles in it; build one first',
   )
 }
 
 export async function fetchFace(name: string, onProgress: OnProgress): Promise<LoadedFace> {
-  const set = loadWrinkleSet(address(`faces/${name}/wrinkles.json`))
-  const [file] = await Promise.all([fetchWhole(address(`faces/${name}.glb`), onProgress), set])
-  const url = URL.createObjectURL(file)
+  const url = URL.createObjectURL(await fetchWhole(address(`faces/${name}.glb`), onProgress))
   try {
-    return { name, face: await loadFace(url), set: await set }
+    const face = await loadFace(url)
+    if (face.wrinkles) return { name, face, ...face.wrinkles }
   } finally {
     URL.revokeObjectURL(url)
   }
+  throw new Error(`Studio: face without wrinkles, got ${name}.glb; put some in with furrow pack`)
 }
 
 function address(path: string): string {

@@ -1,4 +1,11 @@
-import { type Area, EXPRESSIONS, type Expression, type WrinkleSet } from 'furrow'
+import {
+  type Area,
+  EXPRESSIONS,
+  type Expression,
+  isMorphDriver,
+  MorphActivation,
+  type WrinkleSet,
+} from 'furrow'
 import { ExpressionPlayer, Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
 import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import { type Color, type Material, type Mesh, NoToneMapping, type Texture } from 'three'
@@ -20,6 +27,7 @@ export class Viewer {
   /** Share of the width that is drawn without wrinkles. */
   split = 0.5
 
+  readonly #morph: MorphActivation
   #player: ExpressionPlayer
   #expressions: readonly Expression[]
   #left = 0
@@ -46,12 +54,24 @@ export class Viewer {
     this.loaded = loaded
     this.#background = (stage.scene.background as Color).clone()
     this.#toneMapping = stage.renderer.toneMapping
-    const { face, set } = loaded
+    const { face, drivers } = loaded
     const plain = (face.skin.material as Material).clone()
-    const { wrinkles, player } = stage.show(face, set)
+    const { wrinkles, player } = stage.show(face, loaded)
     this.wrinkles = wrinkles
+    // Driven here and not while drawing, so that the sliders of the areas show it at once.
+    wrinkles.driven = false
+    this.#morph = new MorphActivation(
+      drivers.filter(isMorphDriver),
+      Object.keys(face.skin.morphTargetDictionary ?? {}),
+    )
     this.#player = player
-    this.targets = targetDials(face.root)
+    this.targets = targetDials(face.root).map((dial) => ({
+      ...dial,
+      write: (value) => {
+        dial.write(value)
+        this.#followTargets()
+      },
+    }))
     this.areas = areaDials(wrinkles)
     this.#expressions = this.#wholeExpressions()
     this.#player = this.#makePlayer()
@@ -150,6 +170,15 @@ export class Viewer {
     // WebGPURenderer maps the tones of whole pictures and knows no `toneMapped` of materials.
     if (!isWebGL(renderer)) renderer.toneMapping = lit ? this.#toneMapping : NoToneMapping
     this.stage.render()
+  }
+
+  /** Moves the areas as the file's drivers say, after a blendshape was moved by hand. */
+  #followTargets(): void {
+    const { areaNames, activations } = this.#morph
+    this.#morph.update(this.loaded.face.skin.morphTargetInfluences!)
+    for (const [i, name] of areaNames.entries()) {
+      if (this.wrinkles.hasArea(name)) this.wrinkles.setActivation(name, activations[i])
+    }
   }
 
   #areasChanged(): void {

@@ -1,4 +1,5 @@
 import { packAreas, reference, type WrinkleSet } from 'furrow'
+import { combineNormals } from 'furrow/author'
 import {
   AmbientLight,
   DataTexture,
@@ -13,6 +14,7 @@ import {
 } from 'three'
 import { uv, vec3 } from 'three/tsl'
 import { MeshBasicNodeMaterial } from 'three/webgpu'
+import { readTexture } from '../../packages/furrow/src/three/read-texture.ts'
 import type { Face } from '../../stage/face.ts'
 import { frameView, type ViewName } from '../../stage/views.ts'
 import type { Harness } from './harness.ts'
@@ -64,9 +66,9 @@ export function uvMaterial(harness: Harness): Material {
   return material
 }
 
-/** The skin's own material with the wrinkled normal map in place of the smooth one. */
+/** The skin's own material with the wrinkles laid over its normal map. */
 export function wrinkledMaterial(plain: MeshStandardMaterial, set: WrinkleSet): MeshStandardMaterial {
-  const { data, width, height } = set.layers[0].normal
+  const { data, width, height } = combineNormals(readTexture(plain.normalMap!, 'test'), set.layers[0].normal)
   const material = plain.clone()
   const map = new DataTexture(data, width, height)
   map.minFilter = LinearMipmapLinearFilter

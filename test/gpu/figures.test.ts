@@ -74,10 +74,12 @@ describe.each(RENDERERS)('figures on %s', (name) => {
     { area: 'crowsFeetLeft', view: 'three-quarter' },
   ] as const)('$area alone changes what it reaches, and not one bit elsewhere', async ({ area, view }) => {
     const stage = faceScene(face, view)
-    const plain = await harness.render(stage.scene, stage.camera, WIDTH, HEIGHT)
+    const picture = () => harness.render(stage.scene, stage.camera, WIDTH, HEIGHT)
+    const plain = await picture()
     const wrinkles = new harness.Wrinkles(face.skin, set)
+    expect(await picture(), 'nothing active').toEqual(plain)
     wrinkles.setActivation(area, 1)
-    const shown = await harness.render(stage.scene, stage.camera, WIDTH, HEIGHT)
+    const shown = await picture()
     const influence = await renderWith(harness, face, stage, wrinkles.createInfluenceMaterial())
     const places = await renderWith(harness, face, stage, uvMaterial(harness))
     wrinkles.dispose()
@@ -111,7 +113,7 @@ describe.each(RENDERERS)('figures on %s', (name) => {
     expect(counts.untouchedChanged).toBe(0)
     expect(counts.core).toBeGreaterThan(area === 'foreheadLeft' ? 300 : 30)
     // Between two lines the skin is as smooth as ever.
-    expect(counts.coreSame / counts.core).toBeLessThan(0.2)
+    expect(counts.coreSame / counts.core).toBeLessThan(0.35)
     expect(counts.otherSide).toBeGreaterThan(1000)
     expect(counts.otherSideChanged).toBe(0)
   })

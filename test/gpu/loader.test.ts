@@ -7,6 +7,7 @@ import { DirectionalLight, type Mesh, Scene, type WebGLRenderer } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest'
 import { randomNormals } from '../cases.ts'
+import { editGlb } from '../glb.ts'
 import { seeded } from '../random.ts'
 import { createHarness, type Harness, RENDERERS, squareCamera } from './harness.ts'
 import { png } from './images.ts'
@@ -192,7 +193,8 @@ async function wrinkledFile(
     .setWeights([0])
   for (const x of [-1, 0]) mesh.addPrimitive(quad(document, x, material))
   document.createScene().addChild(document.createNode('face').setMesh(mesh))
-  return edited(await new WebIO().registerExtensions([FurrowWrinkleMaps]).writeBinary(document), spoil)
+  const bytes = await new WebIO().registerExtensions([FurrowWrinkleMaps]).writeBinary(document)
+  return editGlb(bytes, (json) => spoil(json.materials[0].extensions.FURROW_wrinkle_maps))
 }
 
 function quad(document: Document, x: number, material: FileMaterial) {
@@ -222,23 +224,6 @@ function quad(document: Document, x: number, material: FileMaterial) {
         .createPrimitiveTarget('browInnerUp')
         .setAttribute('POSITION', accessor('VEC3', new Float32Array(12))),
     )
-}
-
-/** Edits the extension's JSON in a binary file, as a careless program might. */
-function edited(file: Uint8Array, edit: (json: WrinkleJson) => unknown): Uint8Array<ArrayBuffer> {
-  const length = new DataView(file.buffer, file.byteOffset).getUint32(12, true)
-  const json = JSON.parse(new TextDecoder().decode(file.subarray(20, 20 + length)))
-  edit(json.materials[0].extensions.FURROW_wrinkle_maps)
-  const text = new TextEncoder().encode(JSON.stringify(json))
-  const padded = Math.ceil(text.length / 4) * 4
-  const out = new Uint8Array(20 + padded + file.length - 20 - length).fill(0x20, 20, 20 + padded)
-  out.set(file.subarray(0, 20))
-  out.set(text, 20)
-  out.set(file.subarray(20 + length), 20 + padded)
-  const view = new DataView(out.buffer)
-  view.setUint32(8, out.length, true)
-  view.setUint32(12, padded, true)
-  return out
 }
 
 function differs(a: Float32Array, b: Float32Array, firstColumn: number): boolean {

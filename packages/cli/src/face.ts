@@ -1,5 +1,5 @@
 import { readFile } from 'node:fs/promises'
-import { type Mesh, type mat4, type Node, NodeIO, Primitive } from '@gltf-transform/core'
+import { type Document, type Mesh, type mat4, type Node, NodeIO, Primitive } from '@gltf-transform/core'
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
 import { FurrowError } from 'furrow'
 import type { MetricMesh } from 'furrow/author'
@@ -27,7 +27,12 @@ const USUAL_NAME = 'skin'
  * coordinates. Throws FurrowError where the file cannot be read or has no such mesh.
  */
 export async function readFace(path: string, meshName?: string): Promise<Face> {
-  const document = await readDocument(path)
+  const node = pickMesh(await readDocument(path, WHO), path, meshName, WHO)
+  return { name: nameOf(node), ...readMesh(node) }
+}
+
+/** The node of one mesh with texture coordinates: that of the name, or `skin`, or the only one. Throws FurrowError. */
+export function pickMesh(document: Document, path: string, meshName: string | undefined, who: string): Node {
   const nodes = document
     .getRoot()
     .listNodes()
@@ -39,23 +44,24 @@ export async function readFace(path: string, meshName?: string): Promise<Face> {
   const node = matches[0]
   if (node === undefined || (wanted === undefined && names.length > 1)) {
     throw new FurrowError({
-      who: WHO,
+      who,
       what: wanted === undefined ? `several meshes in ${path}` : `no such mesh in ${path}`,
       value: wanted,
       limit: names.length === 0 ? 'none of its meshes has texture coordinates' : names.join(', '),
       remedy: 'name one with --mesh',
     })
   }
-  return { name: nameOf(node), ...readMesh(node) }
+  return node
 }
 
-async function readDocument(path: string) {
+/** Reads a .glb or .gltf file. Throws FurrowError where that cannot be done. */
+export async function readDocument(path: string, who: string): Promise<Document> {
   try {
     await readFile(path)
     return await new NodeIO().registerExtensions(ALL_EXTENSIONS).read(path)
   } catch (error) {
     throw new FurrowError({
-      who: WHO,
+      who,
       what: `cannot read the face ${path} (${firstLine(error)})`,
       limit: 'glTF 2.0 without Draco or meshopt compression',
       remedy: 'check the path and the file',
@@ -64,11 +70,11 @@ async function readDocument(path: string) {
 }
 
 /** Files name the mesh, its node, or both. */
-function nameOf(node: Node): string {
+export function nameOf(node: Node): string {
   return node.getMesh()!.getName() || node.getName()
 }
 
-function trianglesOf(mesh: Mesh): Primitive[] {
+export function trianglesOf(mesh: Mesh): Primitive[] {
   return mesh.listPrimitives().filter((primitive) => {
     const textured = primitive.getAttribute('POSITION') && primitive.getAttribute('TEXCOORD_0')
     return textured && primitive.getMode() === Primitive.Mode.TRIANGLES
@@ -103,7 +109,7 @@ function readMesh(node: Node): Omit<Face, 'name'> {
 }
 
 /** glTF places a skinned mesh by its joints, not by its node; in the rest pose all joints agree. */
-function placementOf(node: Node): mat4 {
+export function placementOf(node: Node): mat4 {
   const skin = node.getSkin()
   const joint = skin?.listJoints()[0]
   if (!skin || !joint) return node.getWorldMatrix()

@@ -54,7 +54,7 @@ export async function encodeHeight(relief: HeightMap): Promise<Uint8Array> {
 export async function encodeNormal({ width, height, data }: RgbaImage): Promise<Uint8Array> {
   return sharp(data, { raw: { width, height, channels: 4 } })
     .removeAlpha()
-    .png({ compressionLevel: 9 })
+    .png({ compressionLevel: 9, adaptiveFiltering: true })
     .toBuffer()
 }
 
@@ -71,7 +71,7 @@ export async function encodeArea({ width, height, data }: GrayImage): Promise<Ui
  * Writes all files or none: everything goes to temporary files beside their targets first, then they are renamed.
  * Missing folders are made. Throws FurrowError naming the file that cannot be written.
  */
-export async function writeAll(outputs: readonly Output[]): Promise<void> {
+export async function writeAll(outputs: readonly Output[], who = 'furrow strokes'): Promise<void> {
   const temporary = (path: string) => `${path}.${process.pid}.tmp`
   let current = ''
   try {
@@ -87,7 +87,7 @@ export async function writeAll(outputs: readonly Output[]): Promise<void> {
   } catch (error) {
     await Promise.all(outputs.map(({ path }) => rm(temporary(path), { force: true }).catch(() => {})))
     throw new FurrowError({
-      who: 'furrow strokes',
+      who,
       what: `cannot write ${current} (${firstLine(error)})`,
       remedy: 'check the folder and its permissions',
     })

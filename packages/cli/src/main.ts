@@ -1,8 +1,15 @@
 import { readFileSync } from 'node:fs'
 import { Command } from 'commander'
 import { FurrowError } from 'furrow'
+import { arrayCommand } from './commands/array.ts'
+import { bakeCommand } from './commands/bake.ts'
+import { inspectCommand } from './commands/inspect.ts'
+import { normalsCommand } from './commands/normals.ts'
+import { packCommand } from './commands/pack.ts'
 import { renderCommand } from './commands/render.ts'
 import { strokesCommand } from './commands/strokes.ts'
+import { unpackCommand } from './commands/unpack.ts'
+import { validateCommand } from './commands/validate.ts'
 import { firstLine } from './images.ts'
 
 const { version } = JSON.parse(readFileSync(new URL('../package.json', import.meta.url), 'utf8'))
@@ -20,7 +27,17 @@ Examples:
   $ furrow help render`,
   )
 
-for (const command of [renderCommand, strokesCommand]) {
+for (const command of [
+  arrayCommand,
+  bakeCommand,
+  inspectCommand,
+  normalsCommand,
+  packCommand,
+  renderCommand,
+  strokesCommand,
+  unpackCommand,
+  validateCommand,
+]) {
   program.addCommand(command.copyInheritedSettings(program))
 }
 for (const command of [program, ...program.commands]) {

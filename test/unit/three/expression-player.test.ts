@@ -1,7 +1,7 @@
 import type { Expression } from 'furrow'
 import { ExpressionPlayer, Wrinkles } from 'furrow/three'
 import { Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
-import { expect, it } from 'vitest'
+import { expect, it, vi } from 'vitest'
 import { randomSet } from '../../cases.ts'
 import { seeded } from '../../random.ts'
 
@@ -33,4 +33,23 @@ it('leaves the face alone once it has arrived', () => {
   mesh.morphTargetInfluences[0] = 0.2
   player.update(1)
   expect(mesh.morphTargetInfluences[0]).toBe(0.2)
+})
+
+it('measures the time itself when it is not told', () => {
+  const now = vi.spyOn(performance, 'now').mockReturnValue(5000)
+  const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
+  mesh.morphTargetDictionary = { jawOpen: 0 }
+  mesh.morphTargetInfluences = [0]
+  const player = new ExpressionPlayer(mesh, new Wrinkles(mesh, randomSet(seeded(1), 1, 8)), EXPRESSIONS)
+  player.play('shout', 1)
+  for (const [time, share] of [
+    [5250, 0.25],
+    [5500, 0.5],
+    [9000, 1],
+  ]) {
+    now.mockReturnValue(time)
+    player.update()
+    expect(mesh.morphTargetInfluences[0]).toBeCloseTo(share, 6)
+  }
+  now.mockRestore()
 })

@@ -29,7 +29,10 @@ export const renderCommand = new Command('render')
   .description('make a picture of a face with its wrinkles, without a window')
   .argument('<face>', 'the face (.glb)')
   .requiredOption('-o, --output <file>', 'the picture (.png)')
-  .option('--wrinkles <file>', 'its wrinkle set (default: NAME/wrinkles.json beside NAME.glb)')
+  .option(
+    '--wrinkles <file>',
+    "another wrinkle set (default: the face's own, else NAME/wrinkles.json beside NAME.glb)",
+  )
   .option('--mesh <name>', 'the mesh that wrinkles (default: "skin", or the largest)')
   .option('--expression <name>', EXPRESSIONS.map(({ name }) => name).join(', '))
   .option('--set <target=weight...>', 'blendshapes, 0..1, on top of the expression', collectWeight)
@@ -46,7 +49,7 @@ export const renderCommand = new Command('render')
   .addHelpText(
     'after',
     `
-"left" and "right" are the person's own.
+"left" and "right" are the person's own. With --set alone the wrinkles follow the blendshapes, where the file says how.
 
 Examples:
   $ furrow render faces/human.glb -o surprised.png --expression surprised

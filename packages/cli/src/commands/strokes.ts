@@ -1,6 +1,5 @@
 import { readFile } from 'node:fs/promises'
 import { join } from 'node:path'
-import { SingleBar } from 'cli-progress'
 import { Command } from 'commander'
 import { DEFAULT_AREA_SIZE, FurrowError, MAX_IMAGE_SIDE } from 'furrow'
 import {
@@ -28,6 +27,7 @@ import {
   type Output,
   writeAll,
 } from '../images.ts'
+import { withBar } from '../progress.ts'
 
 const WHO = 'furrow strokes'
 
@@ -38,6 +38,7 @@ interface Options {
   face: string
   mesh?: string
   base?: string
+  detail?: boolean
   output?: string
   normal?: string
   areas?: string
@@ -51,6 +52,7 @@ export const strokesCommand = new Command('strokes')
   .requiredOption('--face <file>', 'the face the strokes are drawn on (.glb, .gltf)')
   .option('--mesh <name>', 'its mesh (default: "skin", or the only one)')
   .option('--base <image>', "smooth normal map under the wrinkles (default: the mesh's own)")
+  .option('--detail', 'wrinkles alone over nothing, for a layer of kind "detail"')
   .option('-o, --output <file>', 'height map, 16-bit gray PNG')
   .option('--normal <file>', 'wrinkled normal map, 8-bit RGB PNG')
   .option('--areas <folder>', 'one gray PNG per area, white = no wrinkles')
@@ -107,7 +109,7 @@ async function drawMaps(
   notes: string[],
 ): Promise<void> {
   const size = `${metric.width} x ${metric.height}`
-  const relief = withBar((progress) => strokesToHeight(document.strokes, metric, progress))
+  const relief = withBar('strokes', (progress) => strokesToHeight(document.strokes, metric, progress))
   if (output) {
     outputs.push({ path: output, bytes: await encodeHeight(relief) })
     notes.push(`${output}: ${size}, 16-bit, ${HEIGHT_ZERO} = 0 mm, ${scaleText()}, ${rangeOf(relief)}`)
@@ -118,25 +120,6 @@ async function drawMaps(
     outputs.push({ path: normal, bytes: await encodeNormal(map) })
     const over = base ? "over the skin's own normal map" : 'over a flat skin'
     notes.push(`${normal}: ${size}, ${document.strokes.length} strokes ${over}`)
-  }
-}
-
-/** Runs `work` under a bar on stderr; without a terminal there is no bar. */
-function withBar<T>(work: (progress: (done: number, total: number) => void) => T): T {
-  const bar = new SingleBar({
-    format: 'strokes {bar} {value}/{total}',
-    stream: process.stderr,
-    clearOnComplete: true,
-  })
-  let started = false
-  try {
-    return work((done, total) => {
-      if (!started) bar.start(total, 0)
-      started = true
-      bar.update(done)
-    })
-  } finally {
-    bar.stop()
   }
 }
 
@@ -179,10 +162,19 @@ async function readStrokes(path: string): Promise<StrokesDocument> {
 }
 
 async function readBase(
-  { base }: Options,
+  { base, detail }: Options,
   face: Face,
   size: number | undefined,
 ): Promise<RgbaImage | undefined> {
+  if (detail && base !== undefined) {
+    throw new FurrowError({
+      who: WHO,
+      what: 'a layer of detail has no base',
+      value: base,
+      remedy: 'leave out --base or --detail',
+    })
+  }
+  if (detail) return undefined
   if (base === undefined) {
     return face.normalMap && decodeNormalMap(face.normalMap, `of the mesh ${face.name}`, size)
   }

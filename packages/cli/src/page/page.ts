@@ -34,7 +34,10 @@ async function draw(job: PageJob): Promise<PageReport> {
     throw new Error('this browser has no WebGPU: use --renderer webgl')
   }
   const face = await loadFace(job.face, job.mesh)
-  const { wrinkles } = stage.show(face, await loadWrinkleSet(job.wrinkles), { mode: job.mode })
+  const loaded = job.wrinkles ? { set: await loadWrinkleSet(job.wrinkles), drivers: [] } : face.wrinkles!
+  const { wrinkles } = stage.show(face, loaded, { mode: job.mode })
+  // An expression and the areas named by hand say what shows; blendshapes alone leave it to the file's drivers.
+  wrinkles.driven = job.expression === undefined && Object.keys(job.activations).length === 0
   pose(face.root, wrinkles, job)
   stage.camera.aspect = width / height
   stage.view(job.view)

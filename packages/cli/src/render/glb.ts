@@ -6,6 +6,8 @@ import { firstLine } from '../images.ts'
 export interface GltfJson {
   extensionsRequired?: string[]
   meshes?: { extras?: { targetNames?: unknown }; primitives?: { targets?: unknown[] }[] }[]
+  materials?: { extensions?: Record<string, unknown> }[]
+  textures?: unknown[]
   images?: { uri?: unknown }[]
   buffers?: { uri?: unknown }[]
 }
@@ -77,7 +79,8 @@ async function read(path: string): Promise<Buffer> {
   }
 }
 
-function headerProblem(bytes: Buffer): string | undefined {
+/** Why the bytes are no whole binary glTF 2.0 file; undefined where they are. */
+export function headerProblem(bytes: Buffer): string | undefined {
   if (bytes.length === 0) return 'it is empty'
   if (bytes.length < 4 || bytes.readUInt32LE(0) !== MAGIC) return 'it does not begin with "glTF"'
   if (bytes.length < 20) return `it is cut off after ${bytes.length} bytes`

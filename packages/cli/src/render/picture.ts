@@ -12,7 +12,7 @@ export const PICTURE_SIDE = { min: 16, max: 8192 } as const
 export interface PictureRequest {
   /** The face, a `.glb` file. */
   input: string
-  /** Its wrinkle set; `<stem>/wrinkles.json` beside the face unless told. */
+  /** Its wrinkle set; unless told the one that the face carries, else `<stem>/wrinkles.json` beside it. */
   wrinkles?: string
   /** Name of the mesh that wrinkles; `skin` unless told, and the one with most vertices if none has it. */
   mesh?: string
@@ -39,8 +39,11 @@ export const PICTURE_DEFAULTS = {
 } as const satisfies Partial<PictureRequest>
 
 /** What the page is asked to draw: the request with every default filled in and files as addresses. */
-export interface PageJob extends Required<Omit<PictureRequest, 'input' | 'mesh' | 'expression'>> {
+export interface PageJob
+  extends Required<Omit<PictureRequest, 'input' | 'mesh' | 'expression' | 'wrinkles'>> {
   face: string
+  /** Absent where the face carries its own. */
+  wrinkles?: string
   mesh?: string
   expression?: string
   /** Where the page posts the pixels: RGBA, row 0 at the top. */

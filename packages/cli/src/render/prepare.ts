@@ -1,9 +1,16 @@
 import { access, readFile } from 'node:fs/promises'
 import { dirname, join, parse, resolve } from 'node:path'
 import { fileURLToPath, pathToFileURL } from 'node:url'
-import { EXPRESSIONS, FurrowError, findTargets, parseWrinkleSetDocument } from 'furrow'
+import {
+  EXPRESSIONS,
+  FurrowError,
+  findTargets,
+  parseWrinkleMaps,
+  parseWrinkleSetDocument,
+  WRINKLE_MAPS,
+} from 'furrow'
 import { firstLine } from '../images.ts'
-import { outerFiles, readGlb, targetNames } from './glb.ts'
+import { type GltfJson, outerFiles, readGlb, targetNames } from './glb.ts'
 import {
   MODE_NAMES,
   type PageJob,
@@ -31,15 +38,7 @@ export interface PreparedPicture {
  */
 export async function preparePicture(request: PictureRequest): Promise<PreparedPicture> {
   const face = resolve(request.input)
-  const wrinkles = resolve(request.wrinkles ?? usualWrinkles(request.input))
-  const job = {
-    ...PICTURE_DEFAULTS,
-    targets: {},
-    activations: {},
-    ...defined(request),
-    face,
-    wrinkles,
-  }
+  const job = { ...PICTURE_DEFAULTS, targets: {}, activations: {}, ...defined(request), face }
   checkChoice('view', job.view, VIEW_NAMES)
   checkChoice('renderer', job.renderer, RENDERER_NAMES)
   checkChoice('mode', job.mode, MODE_NAMES)
@@ -53,22 +52,35 @@ export async function preparePicture(request: PictureRequest): Promise<PreparedP
   checkSide('width', job.width)
   checkSide('height', job.height)
   const gltf = await readGlb(request.input)
-  const set = parseWrinkleSetDocument(await readJson(wrinkles), wrinkles)
+  const wrinkles = await findWrinkles(request, gltf)
   const targets = targetNames(gltf)
   checkWeights('blendshape', job.targets, [...new Set(targets.flat())], (name) =>
     targets.some((names) => names.includes(name) || findTargets(name, names).length > 0),
   )
-  const areas = set.areas.map(({ name }) => name)
-  checkWeights('area', job.activations, areas, (name) => areas.includes(name))
-  const images = [...set.layers.map(({ normal }) => normal), ...set.areas.map(({ image }) => image)]
-  const files = [
-    face,
-    wrinkles,
-    ...outerFiles(gltf).map((address) => beside(face, address)),
-    ...images.map((address) => beside(wrinkles, address)),
-  ]
+  checkWeights('area', job.activations, wrinkles.areas, (name) => wrinkles.areas.includes(name))
+  const files = [face, ...outerFiles(gltf).map((address) => beside(face, address)), ...wrinkles.files]
   await Promise.all(files.map(checkReadable))
-  return { job, files }
+  return { job: { ...job, wrinkles: wrinkles.path }, files }
+}
+
+/** The wrinkles asked for, else those in the face's file, else those in the folder beside it. */
+async function findWrinkles(
+  request: PictureRequest,
+  gltf: GltfJson,
+): Promise<{ path?: string; areas: string[]; files: string[] }> {
+  const carried = gltf.materials?.map(({ extensions }) => extensions?.[WRINKLE_MAPS]).find(Boolean)
+  if (carried && request.wrinkles === undefined) {
+    const { areas } = parseWrinkleMaps(carried, gltf.textures?.length ?? 0, request.input)
+    return { areas: areas.map(({ name }) => name), files: [] }
+  }
+  const path = resolve(request.wrinkles ?? usualWrinkles(request.input))
+  const { layers, areas } = parseWrinkleSetDocument(await readJson(path), path)
+  const images = [...layers.map(({ normal }) => normal), ...areas.map(({ image }) => image)]
+  return {
+    path,
+    areas: areas.map(({ name }) => name),
+    files: [path, ...images.map((address) => beside(path, address))],
+  }
 }
 
 /** `faces/human.glb` -> `faces/human/wrinkles.json`. */

@@ -71,7 +71,7 @@ async function drawOne(page: Page, server: LocalServer, { job, files }: Prepared
   const pageJob: PageJob = {
     ...job,
     face: server.offer(job.face),
-    wrinkles: server.offer(job.wrinkles),
+    wrinkles: job.wrinkles && server.offer(job.wrinkles),
     deliver: inbox.address,
   }
   const plain = (text: string) => text.replaceAll(`${server.origin}/file`, '')

@@ -63,5 +63,9 @@ function fault(
   problem: string,
   remedy = 'choose a file in a folder you may write to',
 ): FurrowError {
-  return new FurrowError({ who, what: `cannot write ${path.toLowerCase().endsWith('.png') ? 'the picture ' : ''}${path} (${problem})`, remedy })
+  return new FurrowError({
+    who,
+    what: `cannot write ${path.toLowerCase().endsWith('.png') ? 'the picture ' : ''}${path} (${problem})`,
+    remedy,
+  })
 }

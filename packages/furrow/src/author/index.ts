@@ -1,6 +1,15 @@
 export { combineNormals } from '../core/combine-normals.ts'
 export type { GrayImage, RgbaImage } from '../core/types.ts'
 export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas } from './areas.ts'
+export {
+  BAKE_DEFAULTS,
+  type Baked,
+  type BakeOptions,
+  type BakeTarget,
+  bakeMaps,
+  sizeOf,
+} from './bake.ts'
+export { type BakeMesh, sharedNormals } from './bake-mesh.ts'
 export { type HeightMap, strokesToHeight } from './height.ts'
 export { type Metric, type MetricMesh, surfaceMetric } from './metric.ts'
 export { heightToNormal, type TangentFrame } from './normal.ts'

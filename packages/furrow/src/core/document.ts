@@ -117,7 +117,10 @@ function readArea(
     image: reader.text(area.image, `${at}.image`, LONGEST_ADDRESS),
     ...(area.layer !== undefined && { layer: reader.text(area.layer, `${at}.layer`) }),
     combine: reader.choice<Combine>(area.combine ?? 'sum', `${at}.combine`, ['sum', 'max']),
-    convention: reader.choice<AreaConvention>(area.convention ?? convention, `${at}.convention`, ['paper', 'weight']),
+    convention: reader.choice<AreaConvention>(area.convention ?? convention, `${at}.convention`, [
+      'paper',
+      'weight',
+    ]),
     ...(area.activation !== undefined && {
       activation: reader.number(area.activation, `${at}.activation`, 0, 1, ''),
     }),

@@ -105,7 +105,7 @@ export function readDrivers(
 ): WrinkleDriver[] {
   const names = areas.map(({ name }) => name)
   return reader
-    .array(value ?? [], 'drivers', 0, MAX_DRIVERS)
+    .array(or(value, []), 'drivers', 0, MAX_DRIVERS)
     .map((item, i) => readDriver(reader, item, `drivers[${i}]`, names))
 }
 
@@ -131,15 +131,15 @@ function readLayer(reader: JsonReader, texture: ReadTexture, item: unknown, at: 
   const normal = texture(json.normalTexture, `${at}.normalTexture`)
   const layer: WrinkleMapsLayer = {
     name: reader.text(json.name, `${at}.name`, LONGEST_NAME),
-    kind: reader.choice(json.kind ?? 'replace', `${at}.kind`, ['replace', 'detail']),
-    normalTexture: { ...normal, scale: number(normal.scale ?? 1, 'normalTexture.scale', -LARGEST) },
+    kind: reader.choice(or(json.kind, 'replace'), `${at}.kind`, ['replace', 'detail']),
+    normalTexture: { ...normal, scale: number(or(normal.scale, 1), 'normalTexture.scale', -LARGEST) },
   }
   for (const slot of ['baseColorTexture', 'roughnessTexture'] as const) {
     if (json[slot] !== undefined) layer[slot] = texture(json[slot], `${at}.${slot}`)
   }
   if (json.occlusionTexture !== undefined) {
     const info = texture(json.occlusionTexture, `${at}.occlusionTexture`)
-    const strength = reader.number(info.strength ?? 1, `${at}.occlusionTexture.strength`, 0, 1, '')
+    const strength = reader.number(or(info.strength, 1), `${at}.occlusionTexture.strength`, 0, 1, '')
     layer.occlusionTexture = { ...info, strength }
   }
   if (json.heightTexture !== undefined) {
@@ -159,11 +159,11 @@ function readArea(
   const json = reader.object(item, at)
   return {
     name: reader.text(json.name, `${at}.name`, LONGEST_NAME),
-    layer: reader.integer(json.layer ?? 0, `${at}.layer`, 0, layerCount - 1),
+    layer: reader.integer(or(json.layer, 0), `${at}.layer`, 0, layerCount - 1),
     texture: texture(json.texture, `${at}.texture`),
-    channel: reader.integer(json.channel ?? 0, `${at}.channel`, 0, 3),
-    combine: reader.choice(json.combine ?? 'sum', `${at}.combine`, ['sum', 'max']),
-    activation: reader.number(json.activation ?? 0, `${at}.activation`, 0, 1, ''),
+    channel: reader.integer(or(json.channel, 0), `${at}.channel`, 0, 3),
+    combine: reader.choice(or(json.combine, 'sum'), `${at}.combine`, ['sum', 'max']),
+    activation: reader.number(or(json.activation, 0), `${at}.activation`, 0, 1, ''),
   }
 }
 
@@ -177,7 +177,7 @@ function readDriver(reader: JsonReader, item: unknown, at: string, areas: readon
     const target = reader.object(value, path)
     return {
       name: reader.text(target.name, `${path}.name`, LONGEST_NAME),
-      weight: reader.number(target.weight ?? 1, `${path}.weight`, -LARGEST, LARGEST, ''),
+      weight: reader.number(or(target.weight, 1), `${path}.weight`, -LARGEST, LARGEST, ''),
     }
   })
   return { type: 'morph', area, targets, curve: readCurve(reader, json.curve, `${at}.curve`) }
@@ -189,7 +189,7 @@ const STRAIGHT: readonly CurvePoint[] = [
 ]
 
 function readCurve(reader: JsonReader, value: unknown, at: string): CurvePoint[] {
-  const curve = reader.array(value ?? STRAIGHT, at, 2, MAX_CURVE_POINTS).map((item, i): CurvePoint => {
+  const curve = reader.array(or(value, STRAIGHT), at, 2, MAX_CURVE_POINTS).map((item, i): CurvePoint => {
     const [input, output] = reader.array(item, `${at}[${i}]`, 2, 2)
     return [
       reader.number(input, `${at}[${i}][0]`, -LARGEST, LARGEST, ''),
@@ -211,4 +211,9 @@ function checkNames(reader: JsonReader, named: readonly { name: string }[], list
       reader.fail(`${list}[${i}].name is taken`, name, undefined, 'give each a name of its own')
     seen.add(name)
   }
+}
+
+/** Only what is absent has a default: glTF knows no null. */
+function or(value: unknown, usual: unknown): unknown {
+  return value === undefined ? usual : value
 }

@@ -18,6 +18,7 @@ interface Binding {
  */
 export class ExpressionPlayer {
   readonly #mix: ExpressionMix
+  #last = 0
   readonly #wrinkles: WrinklesBase
   readonly #bindings: Binding[]
   readonly #areas: { name: string; index: number }[]
@@ -50,15 +51,24 @@ export class ExpressionPlayer {
    */
   play(name: string, seconds = 0.25): void {
     this.#read()
+    this.#last = performance.now()
     this.#mix.play(name, seconds)
     if (seconds === 0) this.#write()
   }
 
-  /** @param delta seconds since the last frame. */
-  update(delta: number): void {
+  /** @param delta seconds since the last frame; measured when absent. */
+  update(delta = this.#sinceLast()): void {
     if (this.#mix.still) return
     this.#mix.update(delta)
     this.#write()
+  }
+
+  /** Seconds since the last frame, or since `play`. */
+  #sinceLast(): number {
+    const now = performance.now()
+    const delta = (now - this.#last) / 1000
+    this.#last = now
+    return delta
   }
 
   #read(): void {

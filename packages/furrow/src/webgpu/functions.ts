@@ -83,27 +83,42 @@ export function mixNormals(
   shares: Node<'vec4'>,
   uv: Node<'vec2'>,
 ): Node<'vec3'> {
-  const layers = kinds.map((kind, layer) => ({
-    kind,
-    share: shares[CHANNELS[layer]] as Node<'float'>,
-    normal: sampleLayer(normals, uv, layer).xyz as Node<'vec3'>,
-  }))
-  const replacing = layers.filter(({ kind }) => kind === 'replace')
-  const details = layers.filter(({ kind }) => kind === 'detail')
+  return Fn(() => {
+    // Sampled before any branch: inside one, neighbouring pixels may part ways and the mip level is undefined.
+    const own = base.toVar()
+    const layers = kinds.map((kind, layer) => ({
+      kind,
+      share: shares[CHANNELS[layer]] as Node<'float'>,
+      normal: (sampleLayer(normals, uv, layer).xyz as Node<'vec3'>).toVar(),
+    }))
+    const replaced = replace(
+      own,
+      layers.filter(({ kind }) => kind === 'replace'),
+    )
+    const details = layers.filter(({ kind }) => kind === 'detail')
+    if (details.length === 0) return replaced
+    const flat = replaced.toVar()
+    const showing = details.reduce<Node<'float'>>((sum, { share }) => sum.add(share), float(0))
+    const slope = details.reduce<Node<'vec2'>>((sum, { share, normal }) => {
+      const unpacked = normal.mul(2).sub(1)
+      return sum.add(unpacked.xy.div(unpacked.z).mul(share)) as Node<'vec2'>
+    }, vec2(0))
+    const reoriented = reorient(flat.mul(2).sub(1).normalize(), vec3(slope, 1).normalize())
+    return select(showing.greaterThan(0), reoriented.mul(0.5).add(0.5), flat)
+  })() as unknown as Node<'vec3'>
+}
+
+/** Mixes layers that replace into the base by their influence, shared out where together they exceed 1. */
+function replace(
+  base: Node<'vec3'>,
+  layers: readonly { share: Node<'float'>; normal: Node<'vec3'> }[],
+): Node<'vec3'> {
   const total = max(
     float(1),
-    replacing.reduce<Node<'float'>>((sum, { share }) => sum.add(share), float(0)),
+    layers.reduce<Node<'float'>>((sum, { share }) => sum.add(share), float(0)),
   )
-  const replaced = replacing.reduce<Node<'vec3'>>(
+  return layers.reduce<Node<'vec3'>>(
     (sum, { share, normal }) => sum.add(normal.sub(base).mul(share).div(total)),
     base,
   )
-  if (details.length === 0) return replaced
-  const showing = details.reduce<Node<'float'>>((sum, { share }) => sum.add(share), float(0))
-  const slope = details.reduce<Node<'vec2'>>((sum, { share, normal }) => {
-    const unpacked = normal.mul(2).sub(1)
-    return sum.add(unpacked.xy.div(unpacked.z).mul(share)) as Node<'vec2'>
-  }, vec2(0))
-  const reoriented = reorient(replaced.mul(2).sub(1).normalize(), vec3(slope, 1).normalize())
-  return select(showing.greaterThan(0), reoriented.mul(0.5).add(0.5), replaced) as Node<'vec3'>
 }

@@ -1,0 +1,174 @@
+import { FurrowError } from 'furrow'
+import type { NamedArray } from './image-array.ts'
+
+/** What we use of the Basis Universal encoder's and transcoder's bindings (basis_wrappers.cpp, version 2.5). */
+interface Encoder {
+  setUASTC(on: boolean): void
+  setPackUASTCFlags(effort: number): void
+  setKTX2UASTCSupercompression(on: boolean): void
+  setQualityLevel(quality: number): void
+  setETC1SCompressionLevel(effort: number): void
+  setCreateKTX2File(on: boolean): void
+  setTexType(type: number): void
+  setPerceptual(on: boolean): void
+  setKTX2AndBasisSRGBTransferFunc(on: boolean): void
+  setMipGen(on: boolean): void
+  setMipSRGB(on: boolean): void
+  setMipWrapping(on: boolean): void
+  setDebug(on: boolean): void
+  setStatusOutput(on: boolean): void
+  setSliceSourceImage(slice: number, rgba: Uint8Array, width: number, height: number, type: number): boolean
+  encode(out: Uint8Array): number
+  delete(): void
+}
+
+interface Transcoder {
+  isValid(): boolean
+  isUASTC(): boolean
+  isETC1S(): boolean
+  getLayers(): number
+  startTranscoding(): boolean
+  getImageTranscodedSizeInBytes(level: number, layer: number, face: number, format: number): number
+  transcodeImage(
+    out: Uint8Array,
+    level: number,
+    layer: number,
+    face: number,
+    format: number,
+    flags: number,
+    channel0: number,
+    channel1: number,
+  ): number
+  close(): void
+  delete(): void
+}
+
+interface BasisModule {
+  BasisEncoder: new () => Encoder
+  KTX2File: new (bytes: Uint8Array) => Transcoder
+}
+
+const TEXTURE_2D_ARRAY = 1
+const RAW_RGBA = 0
+const TRANSCODE_TO_RGBA32 = 13
+
+/** Texels the encoder takes in all: its memory is that of 32-bit WebAssembly. */
+export const MOST_BASIS_TEXELS = 12 * 1024 * 1024
+
+/** UASTC effort 0 to 4. */
+const UASTC_EFFORT = 2
+/** ETC1S quality 1 to 255, and effort 0 to 6. */
+const ETC1S_QUALITY = 255
+const ETC1S_EFFORT = 2
+
+let loading: Promise<BasisModule> | undefined
+
+/** The WebAssembly lies in the package; it is loaded when it is first needed. */
+function basis(): Promise<BasisModule> {
+  loading ??= import('ktx2-encoder').then((library: unknown) => {
+    // The types of the package are those of its browser half.
+    const { NodeBasisEncoder } = library as { NodeBasisEncoder: new () => { init(): Promise<BasisModule> } }
+    return new NodeBasisEncoder().init()
+  })
+  return loading
+}
+
+/**
+ * Encodes an array as a KTX 2 file in UASTC (with Zstandard) or ETC1S. Gray goes into red, green and blue.
+ * Throws FurrowError where it is larger than the encoder takes, or its sides are no multiples of four: WebGPU
+ * demands that of textures made of 4 x 4 blocks.
+ */
+export async function encodeBasis(
+  array: NamedArray,
+  format: 'uastc' | 'etc1s',
+  mipmaps: boolean,
+): Promise<Uint8Array> {
+  const { width, height, srgb, layers } = array
+  check(array)
+  const encoder = new (await basis()).BasisEncoder()
+  try {
+    encoder.setDebug(false)
+    encoder.setStatusOutput(false)
+    encoder.setCreateKTX2File(true)
+    encoder.setTexType(TEXTURE_2D_ARRAY)
+    encoder.setUASTC(format === 'uastc')
+    encoder.setPackUASTCFlags(UASTC_EFFORT)
+    encoder.setKTX2UASTCSupercompression(true)
+    encoder.setQualityLevel(ETC1S_QUALITY)
+    encoder.setETC1SCompressionLevel(ETC1S_EFFORT)
+    encoder.setPerceptual(srgb)
+    encoder.setKTX2AndBasisSRGBTransferFunc(srgb)
+    encoder.setMipGen(mipmaps)
+    encoder.setMipSRGB(srgb)
+    encoder.setMipWrapping(false)
+    for (const [i, layer] of layers.entries()) {
+      const rgba = array.channels === 4 ? layer : spread(layer)
+      if (encoder.setSliceSourceImage(i, rgba, width, height, RAW_RGBA) === false) throw refused(array)
+    }
+    // Never larger than the pixels themselves, mipmaps (4/3) and some tables.
+    const out = new Uint8Array(Math.ceil((width * height * layers.length * 16) / 3) + 2 ** 20)
+    const length = encoder.encode(out)
+    if (length === 0) throw refused(array)
+    return out.slice(0, length)
+  } finally {
+    encoder.delete()
+  }
+}
+
+/** Decodes the largest level of every layer to RGBA. Throws Error with a short reason where that cannot be done. */
+export async function decodeBasis(
+  bytes: Uint8Array,
+  count: number,
+): Promise<{ layers: Uint8Array[]; compression: 'uastc' | 'etc1s' }> {
+  const file = new (await basis()).KTX2File(bytes)
+  try {
+    if (!file.isValid() || !(file.isUASTC() || file.isETC1S())) throw new Error('its format is unknown')
+    if (Math.max(file.getLayers(), 1) !== count || !file.startTranscoding()) throw new Error('it is damaged')
+    const layers = Array.from({ length: count }, (_, layer) => {
+      const out = new Uint8Array(file.getImageTranscodedSizeInBytes(0, layer, 0, TRANSCODE_TO_RGBA32))
+      if (!file.transcodeImage(out, 0, layer, 0, TRANSCODE_TO_RGBA32, 0, -1, -1))
+        throw new Error('it is damaged')
+      return out
+    })
+    return { layers, compression: file.isUASTC() ? 'uastc' : 'etc1s' }
+  } finally {
+    file.close()
+    file.delete()
+  }
+}
+
+function spread(gray: Uint8Array): Uint8Array {
+  const rgba = new Uint8Array(4 * gray.length).fill(255)
+  for (let i = 0; i < gray.length; i++) rgba.fill(gray[i]!, 4 * i, 4 * i + 3)
+  return rgba
+}
+
+function check({ width, height, layers }: NamedArray): void {
+  const texels = width * height * layers.length
+  if (texels > MOST_BASIS_TEXELS) {
+    throw new FurrowError({
+      who: 'furrow array',
+      what: 'too many texels for this compression',
+      value: `${layers.length} x ${width} x ${height}`,
+      limit: `${MOST_BASIS_TEXELS} in all`,
+      remedy: 'scale the images down, make several arrays, or use --compress zstd',
+    })
+  }
+  if (width % 4 === 0 && height % 4 === 0) return
+  throw new FurrowError({
+    who: 'furrow array',
+    what: 'a size that this compression cannot have',
+    value: `${width} x ${height}`,
+    limit: 'multiples of 4 texels',
+    remedy: 'scale the images, or use --compress zstd',
+  })
+}
+
+function refused({ width, height, layers }: NamedArray): FurrowError {
+  return new FurrowError({
+    who: 'furrow array',
+    what: 'the Basis Universal encoder refuses the images',
+    value: `${layers.length} x ${width} x ${height}`,
+    remedy: 'use --compress zstd, or smaller images',
+  })
+}

@@ -1,0 +1,188 @@
+import {
+  KHR_DF_CHANNEL_RGBSDA_ALPHA,
+  KHR_DF_KHR_DESCRIPTORTYPE_BASICFORMAT,
+  KHR_DF_MODEL_RGBSDA,
+  KHR_DF_PRIMARIES_BT709,
+  KHR_DF_SAMPLE_DATATYPE_LINEAR,
+  KHR_DF_TRANSFER_LINEAR,
+  KHR_DF_TRANSFER_SRGB,
+  KHR_DF_VENDORID_KHRONOS,
+  KHR_DF_VERSION,
+  KHR_SUPERCOMPRESSION_NONE,
+  KHR_SUPERCOMPRESSION_ZSTD,
+  type KTX2Container,
+  read,
+  VK_FORMAT_R8_SRGB,
+  VK_FORMAT_R8_UNORM,
+  VK_FORMAT_R8G8B8A8_SRGB,
+  VK_FORMAT_R8G8B8A8_UNORM,
+  VK_FORMAT_UNDEFINED,
+  write,
+} from 'ktx-parse'
+import { decodeBasis, encodeBasis } from './basis.ts'
+import { mendBasisTables } from './basis-tables.ts'
+import type { Compression, NamedArray } from './image-array.ts'
+import { zstd } from './zstd.ts'
+
+/** Key of the KTX 2 metadata that holds the names of the layers, a JSON array. Keys that begin with KTX are Khronos's. */
+export const NAMES_KEY = 'furrowLayers'
+
+/** Nobody needs more, and a broken file must not make us reserve memory without end. */
+const MOST_BYTES = 2 ** 31
+
+/**
+ * Writes a 2D array as a KTX 2 file (Khronos, KTX File Format Specification 2.0): R8 or RGBA8, with Zstandard if
+ * asked, or a Basis Universal format. An array of one layer is still an array (layerCount 1).
+ * `mipmaps` are made for the Basis formats only: the GPU makes them of the others.
+ */
+export async function writeArray(
+  array: NamedArray,
+  compression: Compression,
+  mipmaps = false,
+): Promise<Uint8Array> {
+  const container =
+    compression === 'uastc' || compression === 'etc1s'
+      ? readBasis(await encodeBasis(array, compression, mipmaps))
+      : await plainContainer(array, compression)
+  container.layerCount = array.layers.length
+  container.keyValue = {
+    ...container.keyValue,
+    KTXorientation: 'rd',
+    KTXwriter: 'furrow array',
+    [NAMES_KEY]: JSON.stringify(array.names),
+  }
+  return write(container, { keepWriter: true })
+}
+
+/**
+ * Reads what `writeArray` wrote, and any other 2D array or 2D texture in R8, RGBA8 or a Basis Universal format; only
+ * the largest level. Layers without names are called layer-0, layer-1 and so on.
+ * Throws Error with a short reason where the bytes are anything else.
+ */
+export async function readArray(bytes: Uint8Array): Promise<NamedArray & { compression: Compression }> {
+  const container = read(bytes)
+  const { pixelWidth: width, pixelHeight: height, vkFormat } = container
+  const count = Math.max(container.layerCount, 1)
+  if (container.faceCount !== 1 || container.pixelDepth > 0 || height === 0 || width === 0) {
+    throw new Error('it is a cube, a volume or a line')
+  }
+  const names = layerNames(container, count)
+  const srgb = container.dataFormatDescriptor[0]!.transferFunction === KHR_DF_TRANSFER_SRGB
+  const channels = CHANNELS.get(vkFormat)
+  if (width * height * count * (channels ?? 4) > MOST_BYTES) throw new Error('it says it is larger than 2 GB')
+  if (vkFormat === VK_FORMAT_UNDEFINED) {
+    const { layers, compression } = await decodeBasis(bytes, count)
+    return { width, height, channels: 4, srgb, names, layers, compression }
+  }
+  if (channels === undefined) throw new Error(`its format is ${vkFormat}, not R8 or RGBA8`)
+  const packed = container.supercompressionScheme === KHR_SUPERCOMPRESSION_ZSTD
+  if (!packed && container.supercompressionScheme !== KHR_SUPERCOMPRESSION_NONE) {
+    throw new Error(`its supercompression is ${container.supercompressionScheme}, not Zstandard`)
+  }
+  const level = container.levels[0]!
+  const size = width * height * channels
+  const { decompress } = await zstd()
+  const data = packed ? decompress(level.levelData) : level.levelData
+  if (data.length !== size * count) {
+    throw new Error(`it holds ${data.length} bytes where ${size * count} belong`)
+  }
+  const layers = names.map((_, i) => data.slice(i * size, (i + 1) * size))
+  return { width, height, channels, srgb, names, layers, compression: packed ? 'zstd' : 'none' }
+}
+
+function readBasis(bytes: Uint8Array): KTX2Container {
+  const container = read(bytes)
+  mendBasisTables(container, bytes)
+  return container
+}
+
+const CHANNELS = new Map<number, 1 | 4>([
+  [VK_FORMAT_R8_UNORM, 1],
+  [VK_FORMAT_R8_SRGB, 1],
+  [VK_FORMAT_R8G8B8A8_UNORM, 4],
+  [VK_FORMAT_R8G8B8A8_SRGB, 4],
+])
+
+async function plainContainer(array: NamedArray, compression: 'none' | 'zstd'): Promise<KTX2Container> {
+  const { width, height, channels, srgb, layers } = array
+  const size = width * height * channels
+  const data = new Uint8Array(size * layers.length)
+  for (const [i, layer] of layers.entries()) data.set(layer, i * size)
+  const { compress } = await zstd()
+  const gray = channels === 1
+  return {
+    vkFormat: gray
+      ? srgb
+        ? VK_FORMAT_R8_SRGB
+        : VK_FORMAT_R8_UNORM
+      : srgb
+        ? VK_FORMAT_R8G8B8A8_SRGB
+        : VK_FORMAT_R8G8B8A8_UNORM,
+    typeSize: 1,
+    pixelWidth: width,
+    pixelHeight: height,
+    pixelDepth: 0,
+    layerCount: layers.length,
+    faceCount: 1,
+    levelCount: 1,
+    supercompressionScheme: compression === 'zstd' ? KHR_SUPERCOMPRESSION_ZSTD : KHR_SUPERCOMPRESSION_NONE,
+    levels: [
+      {
+        levelData: compression === 'zstd' ? compress(data) : data,
+        uncompressedByteLength: data.length,
+      },
+    ],
+    dataFormatDescriptor: [
+      {
+        vendorId: KHR_DF_VENDORID_KHRONOS,
+        descriptorType: KHR_DF_KHR_DESCRIPTORTYPE_BASICFORMAT,
+        versionNumber: KHR_DF_VERSION,
+        colorModel: KHR_DF_MODEL_RGBSDA,
+        colorPrimaries: KHR_DF_PRIMARIES_BT709,
+        transferFunction: srgb ? KHR_DF_TRANSFER_SRGB : KHR_DF_TRANSFER_LINEAR,
+        flags: 0,
+        texelBlockDimension: [0, 0, 0, 0],
+        bytesPlane: [channels, 0, 0, 0, 0, 0, 0, 0],
+        samples: Array.from({ length: channels }, (_, k) => ({
+          bitOffset: 8 * k,
+          bitLength: 7,
+          // Alpha stays linear in sRGB formats (Khronos Data Format Specification 1.3, 5.14).
+          channelType: k < 3 ? k : KHR_DF_CHANNEL_RGBSDA_ALPHA | (srgb ? KHR_DF_SAMPLE_DATATYPE_LINEAR : 0),
+          samplePosition: [0, 0, 0, 0],
+          sampleLower: 0,
+          sampleUpper: 255,
+        })),
+      },
+    ],
+    keyValue: {},
+    globalData: null,
+  }
+}
+
+/** Names out of the metadata; anything that could not be the name of a file is refused. */
+function layerNames({ keyValue }: KTX2Container, count: number): string[] {
+  const text = keyValue[NAMES_KEY]
+  if (text === undefined) return Array.from({ length: count }, (_, i) => `layer-${i}`)
+  let names: unknown
+  try {
+    // Values end with NUL as KTX 2 wants of texts.
+    names = JSON.parse((typeof text === 'string' ? text : new TextDecoder().decode(text)).replace(/\0$/, ''))
+  } catch {
+    // Said below.
+  }
+  if (
+    !Array.isArray(names) ||
+    names.length !== count ||
+    !names.every(isName) ||
+    new Set(names).size !== count
+  ) {
+    throw new Error(`its ${NAMES_KEY} are not ${count} different names`)
+  }
+  return names
+}
+
+/** Whether a text can be the name of a file in a folder, and only there. */
+export function isName(text: unknown): text is string {
+  // biome-ignore lint/suspicious/noControlCharactersInRegex: these are what is kept out.
+  return typeof text === 'string' && /^[^/\\\x00-\x1f:]{1,200}$/.test(text) && text !== '.' && text !== '..'
+}

@@ -1,0 +1,103 @@
+import { Command } from 'commander'
+import { writeAll } from '../images.ts'
+import { checkWritable } from '../render/write-png.ts'
+import { driverText, inspectWrinkles, type Report } from '../wrinkles/inspect.ts'
+import { drawSheet } from '../wrinkles/sheet.ts'
+import { type GpuSizes, kilobytes } from '../wrinkles/sizes.ts'
+import { readWrinkledFile } from '../wrinkles/wrinkled-file.ts'
+
+const WHO = 'furrow inspect'
+
+interface Options {
+  material?: string
+  sheet?: string
+  json?: boolean
+}
+
+/** `furrow inspect`: what a file holds in wrinkles. */
+export const inspectCommand = new Command('inspect')
+  .description('show the layers, areas and drivers of a face, and what they cost')
+  .argument('<face>', 'a face with wrinkles (.glb)')
+  .option('--material <name>', 'the material that has them (default: the only one)')
+  .option('--sheet <file>', 'draw every map and area into one picture (.png)')
+  .option('--json', 'print it as JSON')
+  .addHelpText(
+    'after',
+    `
+On the GPU maps have mipmaps, areas have one channel and none. kB are of 1024 bytes.
+
+Examples:
+  $ furrow inspect faces/human.glb
+  $ furrow inspect faces/human.glb --sheet sheet.png --json`,
+  )
+  .action(inspect)
+
+async function inspect(path: string, { material, sheet, json }: Options): Promise<void> {
+  if (sheet !== undefined) await checkWritable(sheet, WHO)
+  const file = await readWrinkledFile(path, WHO, material)
+  const report = await inspectWrinkles(file, WHO)
+  if (sheet !== undefined) await writeAll([{ path: sheet, bytes: await drawSheet(file, WHO) }], WHO)
+  const text = json
+    ? JSON.stringify({ file: path, ...report, ...(sheet && { sheet }) })
+    : describe(path, report)
+  process.stdout.write(`${text}\n`)
+}
+
+function describe(path: string, report: Report): string {
+  const { layers, areas, drivers, gpu, imageBytes, fileBytes } = report
+  return [
+    `${path}: wrinkles on material "${report.material ?? ''}"`,
+    '',
+    ...table(
+      ['layer', 'kind', 'map', 'size', 'format', 'in the file', ...GPU_HEADS],
+      layers.flatMap((layer) =>
+        layer.maps.map((map) => [
+          layer.name,
+          layer.kind,
+          map.map === 'normal' && layer.normalScale !== 1 ? `normal x ${layer.normalScale}` : map.map,
+          `${map.width} x ${map.height}`,
+          map.mimeType.replace('image/', ''),
+          kilobytes(map.bytes),
+          ...gpuCells(map.gpu),
+        ]),
+      ),
+    ),
+    '',
+    ...table(
+      ['area', 'layer', 'size', 'image', 'overlap', 'at rest', 'covers', 'at most'],
+      areas.map((area) => [
+        area.name,
+        area.layer,
+        `${area.width} x ${area.height}`,
+        `texture ${area.texture} ${area.channel}`,
+        area.combine,
+        String(area.activation),
+        area.coverage === undefined ? '?' : `${(100 * area.coverage).toFixed(1)}%`,
+        area.largest === undefined ? '?' : area.largest.toFixed(2),
+      ]),
+    ),
+    '',
+    drivers.length === 0 ? 'no drivers: the program sets the activations' : 'drivers',
+    ...drivers.map((driver) => `  ${driverText(driver)}`),
+    '',
+    `in the file: ${kilobytes(imageBytes)} of ${kilobytes(fileBytes)}`,
+    `on the GPU: ${kilobytes(gpu.uncompressed)} uncompressed, ${kilobytes(gpu.bits8)} with maps as BC7 or ASTC 4x4,` +
+      ` ${kilobytes(gpu.bits4)} as BC1 or ETC1 (areas as BC4)`,
+  ].join('\n')
+}
+
+const GPU_HEADS = ['on the GPU', 'BC7, ASTC', 'BC1, ETC1']
+
+const gpuCells = ({ uncompressed, bits8, bits4 }: GpuSizes) => [uncompressed, bits8, bits4].map(kilobytes)
+
+/** Columns as wide as their widest cell. */
+function table(heads: string[], rows: string[][]): string[] {
+  const all = [heads, ...rows]
+  const widths = heads.map((_, i) => Math.max(...all.map((row) => row[i]!.length)))
+  return all.map((row) =>
+    row
+      .map((cell, i) => cell.padEnd(widths[i]!))
+      .join('  ')
+      .trimEnd(),
+  )
+}

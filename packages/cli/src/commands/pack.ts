@@ -1,0 +1,121 @@
+import { join } from 'node:path'
+import { Command } from 'commander'
+import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE, WRINKLE_MAPS } from 'furrow'
+import { writeAll } from '../images.ts'
+import { readChoice, readNumber } from '../numbers.ts'
+import { withBar } from '../progress.ts'
+import { checkWritable } from '../render/write-png.ts'
+import { embedWrinkles } from '../wrinkles/embed.ts'
+import { readFolder } from '../wrinkles/folder.ts'
+import { encodeGlb, readGlbFile } from '../wrinkles/glb-file.ts'
+import { packFolder, type Share, unknownTargets } from '../wrinkles/pack.ts'
+import { kilobytes } from '../wrinkles/sizes.ts'
+import { stripWrinkles } from '../wrinkles/strip.ts'
+import { findTarget, targetNamesOf } from '../wrinkles/target.ts'
+
+const WHO = 'furrow pack'
+
+interface Options {
+  output: string
+  face?: string
+  mesh?: string
+  material?: string
+  whiteIsVisible?: boolean
+  areaSize?: string
+  share: string
+  json?: boolean
+}
+
+/** `furrow pack`: puts the wrinkles of a folder into a face. */
+export const packCommand = new Command('pack')
+  .description('put wrinkles into a face: a folder of images becomes one .glb')
+  .argument('<folder>', 'face.glb, layers/NAME/normal.png, areas/NAME.png and, if wanted, wrinkles.json')
+  .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb)')
+  .option('--face <file>', 'the face (default: face.glb in the folder)')
+  .option('--mesh <name>', 'the mesh that wrinkles (default: "skin", or the only one)')
+  .option('--material <name>', 'its material (default: "skin", or the only one)')
+  .option('--white-is-visible', 'areas are white where wrinkles show (default: the other way round)')
+  .option('--area-size <texels>', `side of the areas (default: the document's, or ${DEFAULT_AREA_SIZE})`)
+  .option('--share <count>', 'areas that share an image: 1, 3 or 4 (4 puts one into alpha)', '3')
+  .option('--json', 'print what was made as JSON')
+  .addHelpText(
+    'after',
+    `
+Layers may also have baseColor.png, roughness.png, occlusion.png and height.png.
+Image tools drop the colours where alpha is 0: --share 4 is for files that no such tool will touch.
+
+Examples:
+  $ furrow pack my-face -o wrinkled.glb
+  $ furrow pack faces/human --face faces/human.glb -o human.glb
+  $ furrow pack vroid --face avatar.vrm.glb --mesh Face --material Face_SKIN -o avatar.glb --white-is-visible`,
+  )
+  .action(pack)
+
+async function pack(folder: string, options: Options): Promise<void> {
+  const { output, face = join(folder, 'face.glb'), whiteIsVisible = false } = options
+  const share = Number(readChoice(WHO, '--share', options.share, ['3', '1', '4'])) as Share
+  const rule = { low: 2, high: MAX_IMAGE_SIDE, whole: true, example: DEFAULT_AREA_SIZE }
+  const areaSize =
+    options.areaSize === undefined ? undefined : readNumber(WHO, '--area-size', options.areaSize, rule)
+  await checkWritable(output, WHO, '.glb')
+  const document = await readFolder(folder, whiteIsVisible, WHO)
+  const glb = await readGlbFile(face, WHO)
+  const target = findTarget(glb.json, WHO, options.mesh, options.material)
+  const wrinkles = await withBar('pack', (progress) =>
+    packFolder(folder, document, share, areaSize, WHO, progress),
+  )
+  const material = glb.json.materials![target.material]!
+  if (material.extensions?.[WRINKLE_MAPS] !== undefined) stripWrinkles(glb, target.material, WHO)
+  embedWrinkles(glb, target.material, wrinkles, WHO)
+  const bytes = encodeGlb(glb)
+  await writeAll([{ path: output, bytes }], WHO)
+
+  const mesh = glb.json.meshes![target.mesh]!
+  const unknown = unknownTargets(wrinkles.drivers, targetNamesOf(mesh)).map(
+    (name) => `${WHO}: a driver names the blendshape "${name}", which the mesh does not have; it is kept`,
+  )
+  for (const warning of [...glb.warnings, ...wrinkles.warnings, ...unknown]) console.error(warning)
+  const made = {
+    file: output,
+    mesh: mesh.name,
+    material: material.name,
+    layers: wrinkles.layers.map(({ name }) => name),
+    areas: wrinkles.areas.map(({ name }) => name),
+    areaSize: wrinkles.areaSize,
+    drivers: wrinkles.drivers.length,
+    bytes: bytes.length,
+    added: imageBytes(wrinkles),
+  }
+  process.stdout.write(`${options.json ? JSON.stringify(made) : sentence(made)}\n`)
+}
+
+interface Made {
+  file: string
+  material?: string
+  layers: string[]
+  areas: string[]
+  areaSize: number
+  drivers: number
+  bytes: number
+  added: number
+}
+
+function sentence({ file, material, layers, areas, areaSize, drivers, bytes, added }: Made): string {
+  const names = `layers: ${layers.join(', ')}; areas: ${areas.join(', ')} (${areaSize} x ${areaSize})`
+  const size = `${kilobytes(added)} of ${kilobytes(bytes)} are wrinkles`
+  return `${file}: material "${material ?? ''}"; ${names}; drivers: ${drivers}; ${size}`
+}
+
+function imageBytes({ layers, areas }: Awaited<ReturnType<typeof packFolder>>): number {
+  const images = new Set([
+    ...layers.flatMap((layer) => [
+      layer.normal,
+      layer.baseColor,
+      layer.roughness,
+      layer.occlusion,
+      layer.height,
+    ]),
+    ...areas.map(({ image }) => image),
+  ])
+  return [...images].reduce((sum, image) => sum + (image?.bytes.length ?? 0), 0)
+}

@@ -1,0 +1,144 @@
+import { parseWrinkleMaps, WRINKLE_MAPS, type WrinkleDriver, type WrinkleSetDocument } from 'furrow'
+import type { Glb, GltfJson } from './glb-file.ts'
+
+/** An encoded image that goes into the file. */
+export interface FileImage {
+  name: string
+  mimeType: string
+  bytes: Uint8Array
+}
+
+/** One layer with its images; numbers as in the extension. */
+export interface LayerImages {
+  name: string
+  kind: WrinkleSetDocument['layers'][number]['kind']
+  normal: FileImage
+  normalScale?: number
+  baseColor?: FileImage
+  roughness?: FileImage
+  occlusion?: FileImage
+  occlusionStrength?: number
+  height?: FileImage
+  heightAmplitude?: number
+}
+
+/** One area and its place in an image that others may share. */
+export interface AreaPlace {
+  name: string
+  image: FileImage
+  channel: number
+  /** Index of its layer. */
+  layer: number
+  combine?: WrinkleSetDocument['areas'][number]['combine']
+  activation?: number
+}
+
+export interface PackedWrinkles {
+  layers: LayerImages[]
+  areas: AreaPlace[]
+  drivers: WrinkleDriver[]
+}
+
+const CLAMP_TO_EDGE = 33071
+
+/**
+ * Puts wrinkles on a material: images at the end of the binary part, textures at the end of the list, so that no
+ * index of anything else changes.
+ *
+ * @param glb changed in place, but for its binary part, which is replaced.
+ * @throws FurrowError when the result is not valid.
+ */
+export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedWrinkles, who: string): void {
+  const { json } = glb
+  const material = json.materials![materialIndex]!
+  const normal = material.normalTexture
+  // Wrinkles lie where the skin's own normals lie; tools that prune texture coordinates see it from this.
+  const beside = normal?.texCoord ? { texCoord: normal.texCoord } : {}
+  const skinSampler = json.textures?.[normal?.index ?? -1]?.sampler
+  const adder = new TextureAdder(glb)
+  const texture = (image: FileImage | undefined, more: object = {}) =>
+    image && { index: adder.add(image, skinSampler), ...beside, ...more }
+
+  const layers = wrinkles.layers.map((layer) => ({
+    name: layer.name,
+    ...(layer.kind !== 'replace' && { kind: layer.kind }),
+    normalTexture: texture(layer.normal, unlessDefault('scale', layer.normalScale, 1)),
+    baseColorTexture: texture(layer.baseColor),
+    roughnessTexture: texture(layer.roughness),
+    occlusionTexture: texture(layer.occlusion, unlessDefault('strength', layer.occlusionStrength, 1)),
+    heightTexture: texture(layer.height, { amplitude: layer.heightAmplitude }),
+  }))
+  const areas = wrinkles.areas.map((area) => ({
+    name: area.name,
+    ...unlessDefault('layer', area.layer, 0),
+    texture: { index: adder.add(area.image, adder.clampedSampler()), ...beside },
+    ...unlessDefault('channel', area.channel, 0),
+    ...unlessDefault('combine', area.combine, 'sum'),
+    ...unlessDefault('activation', area.activation, 0),
+  }))
+  const { drivers } = wrinkles
+  // Through JSON once, so that fields without a value are gone.
+  const extension = JSON.parse(JSON.stringify({ layers, areas, ...(drivers.length > 0 && { drivers }) }))
+  parseWrinkleMaps(extension, json.textures?.length ?? 0, who)
+  material.extensions = { ...material.extensions, [WRINKLE_MAPS]: extension }
+  json.extensionsUsed = [...new Set([...(json.extensionsUsed ?? []), WRINKLE_MAPS])]
+  glb.bin = adder.bytes()
+}
+
+function unlessDefault(field: string, value: unknown, usual: unknown): object {
+  return value === undefined || value === usual ? {} : { [field]: value }
+}
+
+/** Adds textures to a file; an image that comes twice is stored once. */
+class TextureAdder {
+  readonly #json: GltfJson
+  readonly #parts: Uint8Array[]
+  readonly #added = new Map<FileImage, number>()
+  #length: number
+
+  constructor({ json, bin }: Glb) {
+    this.#json = json
+    this.#parts = [bin]
+    this.#length = bin.length
+    json.images ??= []
+    json.textures ??= []
+    json.bufferViews ??= []
+    json.buffers ??= []
+    json.buffers[0] ??= { byteLength: 0 }
+  }
+
+  /** @returns index of the texture. */
+  add(image: FileImage, sampler: number | undefined): number {
+    const known = this.#added.get(image)
+    if (known !== undefined) return known
+    const { name, mimeType, bytes } = image
+    const { images, textures, bufferViews } = this.#json
+    const byteOffset = this.#append(bytes)
+    const view = bufferViews!.push({ buffer: 0, byteOffset, byteLength: bytes.length }) - 1
+    const source = images!.push({ name, mimeType, bufferView: view }) - 1
+    const index = textures!.push({ name, ...(sampler !== undefined && { sampler }), source }) - 1
+    this.#added.set(image, index)
+    return index
+  }
+
+  /** Areas end at the edges of their image. */
+  clampedSampler(): number {
+    this.#json.samplers ??= []
+    const clamped = { wrapS: CLAMP_TO_EDGE, wrapT: CLAMP_TO_EDGE }
+    const found = this.#json.samplers.findIndex((item) => JSON.stringify(item) === JSON.stringify(clamped))
+    return found >= 0 ? found : this.#json.samplers.push(clamped) - 1
+  }
+
+  bytes(): Uint8Array {
+    this.#json.buffers![0]!.byteLength = this.#length
+    return Buffer.concat(this.#parts)
+  }
+
+  #append(bytes: Uint8Array): number {
+    const gap = (4 - (this.#length % 4)) % 4
+    this.#parts.push(Buffer.alloc(gap), bytes)
+    const at = this.#length + gap
+    this.#length = at + bytes.length
+    return at
+  }
+}

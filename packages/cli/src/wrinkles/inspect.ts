@@ -1,0 +1,159 @@
+import { FurrowError, type GrayImage, isMorphDriver, type WrinkleDriver } from 'furrow'
+import sharp from 'sharp'
+import { firstLine } from '../images.ts'
+import { channelOf, readPixels } from './map-images.ts'
+import { areaSizes, type GpuSizes, mapSizes, sumSizes } from './sizes.ts'
+import { imageOf, type TextureImage, type WrinkledFile } from './wrinkled-file.ts'
+
+/** One map of one layer. */
+export interface MapReport {
+  map: 'normal' | 'baseColor' | 'roughness' | 'occlusion' | 'height'
+  texture: number
+  mimeType: string
+  width: number
+  height: number
+  bytes: number
+  gpu: GpuSizes
+}
+
+export interface LayerReport {
+  name: string
+  kind: string
+  normalScale: number
+  maps: MapReport[]
+}
+
+export interface AreaReport {
+  name: string
+  layer: string
+  texture: number
+  channel: string
+  combine: string
+  activation: number
+  width: number
+  height: number
+  /** Share of the texels where it shows at all, 0..1, and its largest weight, 0..1; absent for compressed images. */
+  coverage?: number
+  largest?: number
+}
+
+/** What a file holds in wrinkles. */
+export interface Report {
+  material?: string
+  fileBytes: number
+  /** Bytes of the wrinkles' images in the file, each counted once. */
+  imageBytes: number
+  gpu: GpuSizes
+  layers: LayerReport[]
+  areas: AreaReport[]
+  drivers: WrinkleDriver[]
+}
+
+export const MAP_SLOTS = [
+  ['normal', 'normalTexture'],
+  ['baseColor', 'baseColorTexture'],
+  ['roughness', 'roughnessTexture'],
+  ['occlusion', 'occlusionTexture'],
+  ['height', 'heightTexture'],
+] as const
+
+/** Measures the wrinkles of a file. Throws FurrowError where an image is missing or cannot be read. */
+export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<Report> {
+  const { glb, maps } = file
+  const layers = await Promise.all(
+    maps.layers.map(async (layer): Promise<LayerReport> => {
+      const slots = MAP_SLOTS.flatMap(([map, slot]) =>
+        layer[slot] ? [{ map, index: layer[slot].index }] : [],
+      )
+      const reports = slots.map(({ map, index }) => measureMap(file, map, index, who))
+      const { name, kind, normalTexture } = layer
+      return { name, kind, normalScale: normalTexture.scale, maps: await Promise.all(reports) }
+    }),
+  )
+  const areas: AreaReport[] = []
+  for (const [i, { name, layer, texture, channel, combine, activation }] of maps.areas.entries()) {
+    const image = imageOf(glb, texture.index, who)
+    const { width, height } = await sizeOf(image, who)
+    const weights = isCompressed(image) ? undefined : await weightsOf(file, i, who)
+    areas.push({
+      name,
+      layer: maps.layers[layer]!.name,
+      texture: texture.index,
+      channel: 'RGBA'[channel]!,
+      combine,
+      activation,
+      width,
+      height,
+      ...(weights && coverageOf(weights)),
+    })
+  }
+  const textures = new Map([
+    ...layers.flatMap((layer) => layer.maps.map(({ texture, gpu }) => [texture, gpu] as const)),
+  ])
+  const images = new Set([...textures.keys(), ...areas.map(({ texture }) => texture)])
+  return {
+    material: glb.json.materials![file.material]!.name,
+    fileBytes: glb.fileBytes,
+    imageBytes: [...images].reduce((sum, index) => sum + imageOf(glb, index, who).bytes.length, 0),
+    gpu: sumSizes([...textures.values(), ...areas.map(({ width, height }) => areaSizes(width, height))]),
+    layers,
+    areas,
+    drivers: maps.drivers,
+  }
+}
+
+/** The weights of one area as they are in its image. */
+export async function weightsOf({ glb, maps }: WrinkledFile, area: number, who: string): Promise<GrayImage> {
+  const { texture, channel } = maps.areas[area]!
+  const { bytes, name } = imageOf(glb, texture.index, who)
+  return channelOf(await readPixels(bytes, `the image "${name}"`, who), channel)
+}
+
+/** Images that only a GPU reads. */
+export function isCompressed({ mimeType }: TextureImage): boolean {
+  return mimeType === 'image/ktx2'
+}
+
+/** Size of an image by its header. */
+export async function sizeOf(image: TextureImage, who: string): Promise<{ width: number; height: number }> {
+  const { bytes, name } = image
+  if (isCompressed(image) && bytes.length >= 28) {
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length)
+    return { width: view.getUint32(20, true), height: Math.max(1, view.getUint32(24, true)) }
+  }
+  try {
+    const { width, height } = await sharp(bytes).metadata()
+    return { width, height }
+  } catch (error) {
+    throw new FurrowError({
+      who,
+      what: `the image "${name}" cannot be read (${firstLine(error)})`,
+      remedy: 'export the file again',
+    })
+  }
+}
+
+/** A driver as one line: `brow = 0.5 browInnerUp + 1 browDown, curve (0, 0) (1, 1)`. */
+export function driverText(driver: WrinkleDriver): string {
+  if (!isMorphDriver(driver)) return `${driver.type}: not played by this version, kept as it is`
+  const targets = driver.targets.map(({ name, weight }) => (weight === 1 ? name : `${weight} ${name}`))
+  const curve = driver.curve.map(([input, output]) => `(${input}, ${output})`)
+  const straight = curve.join(' ') === '(0, 0) (1, 1)'
+  return `${driver.area} = ${targets.join(' + ')}${straight ? '' : `, curve ${curve.join(' ')}`}`
+}
+
+async function measureMap({ glb }: WrinkledFile, map: MapReport['map'], texture: number, who: string) {
+  const image = imageOf(glb, texture, who)
+  const { width, height } = await sizeOf(image, who)
+  const { mimeType, bytes } = image
+  return { map, texture, mimeType, width, height, bytes: bytes.length, gpu: mapSizes(width, height) }
+}
+
+function coverageOf({ data }: GrayImage): { coverage: number; largest: number } {
+  let [visible, largest] = [0, 0]
+  for (const weight of data) {
+    if (weight > 0) visible++
+    if (weight > largest) largest = weight
+  }
+  return { coverage: visible / data.length, largest: largest / 255 }
+}

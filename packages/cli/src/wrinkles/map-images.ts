@@ -1,0 +1,121 @@
+import { FurrowError, type GrayImage } from 'furrow'
+import sharp from 'sharp'
+import { firstLine } from '../images.ts'
+import type { FileImage } from './embed.ts'
+
+/** Formats that glTF has without further extensions. */
+const MIME_TYPES: Record<string, string | undefined> = { png: 'image/png', jpeg: 'image/jpeg' }
+
+/** What is known of an image once it was decoded whole. */
+export interface CheckedImage extends FileImage {
+  width: number
+  height: number
+}
+
+/**
+ * Checks that a map can go into a glTF file as it is: PNG or JPEG, whole, opaque.
+ *
+ * @throws FurrowError naming the file.
+ */
+export async function checkMap(
+  bytes: Uint8Array,
+  name: string,
+  path: string,
+  who: string,
+): Promise<CheckedImage> {
+  const { format, width, height, opaque } = await attempt(path, who, async () => {
+    const image = sharp(bytes, { failOn: 'truncated' })
+    const [metadata, stats] = [await image.metadata(), await image.stats()]
+    return { ...metadata, opaque: stats.isOpaque }
+  })
+  const mimeType = MIME_TYPES[format]
+  if (!mimeType) {
+    throw new FurrowError({
+      who,
+      what: `${path} has a format that glTF does not have`,
+      value: format,
+      limit: 'PNG or JPEG',
+      remedy: 'save it as PNG',
+    })
+  }
+  if (!opaque) throw transparent(path, who, 'flatten it onto the skin')
+  return { name, mimeType, bytes, width, height }
+}
+
+/**
+ * Decodes a painted area. Grays keep their value; colours count by their luma (ITU-R BT.601).
+ *
+ * @throws FurrowError when it is no image, cut off or transparent.
+ */
+export async function readGray(bytes: Uint8Array, path: string, who: string): Promise<GrayImage> {
+  const { data, info, opaque } = await attempt(path, who, async () => {
+    const image = sharp(bytes, { failOn: 'truncated', ignoreIcc: true })
+    const { isOpaque } = await image.stats()
+    const pixels = await image.toColourspace('srgb').removeAlpha().raw().toBuffer({ resolveWithObject: true })
+    return { ...pixels, opaque: isOpaque }
+  })
+  if (!opaque) throw transparent(path, who, 'flatten it onto white')
+  const { width, height, channels } = info
+  if (channels === 1) return { width, height, data: new Uint8Array(data) }
+  const gray = Uint8Array.from({ length: width * height }, (_, i) => {
+    const [r, g, b] = data.subarray(channels * i, channels * i + 3)
+    return Math.round(0.299 * r! + 0.587 * g! + 0.114 * b!)
+  })
+  return { width, height, data: gray }
+}
+
+/** All channels of an image of a file, side by side as they are stored. */
+export async function readPixels(bytes: Uint8Array, name: string, who: string) {
+  return attempt(name, who, async () => {
+    const { data, info } = await sharp(bytes, { failOn: 'truncated', ignoreIcc: true })
+      .toColourspace('srgb')
+      .raw()
+      .toBuffer({ resolveWithObject: true })
+    return { width: info.width, height: info.height, channels: info.channels, data: new Uint8Array(data) }
+  })
+}
+
+/** One channel, 0 = R to 3 = A, as glTF reads it: gray counts as R, G and B, and a missing alpha as 1. */
+export function channelOf(pixels: Awaited<ReturnType<typeof readPixels>>, channel: number): GrayImage {
+  const { width, height, channels, data } = pixels
+  const alpha = channels === 2 || channels === 4
+  const at = channel === 3 ? channels - 1 : channels < 3 ? 0 : channel
+  const gray = new Uint8Array(width * height).fill(255)
+  if (channel === 3 && !alpha) return { width, height, data: gray }
+  for (let i = 0; i < gray.length; i++) gray[i] = data[channels * i + at]!
+  return { width, height, data: gray }
+}
+
+/** Puts up to four areas of one size into the channels of one PNG; without a fourth there is no alpha. */
+export async function encodeShared(weights: readonly GrayImage[], name: string): Promise<FileImage> {
+  const { width, height } = weights[0]!
+  const channels = weights.length === 1 ? 1 : weights.length === 4 ? 4 : 3
+  const data = new Uint8Array(channels * width * height)
+  for (const [k, area] of weights.entries()) {
+    for (let i = 0; i < width * height; i++) data[channels * i + k] = area.data[i]!
+  }
+  const image = sharp(data, { raw: { width, height, channels } })
+  if (channels === 1) image.toColourspace('b-w')
+  return { name, mimeType: 'image/png', bytes: await image.png({ compressionLevel: 9 }).toBuffer() }
+}
+
+async function attempt<T>(path: string, who: string, work: () => Promise<T>): Promise<T> {
+  try {
+    return await work()
+  } catch (error) {
+    throw new FurrowError({
+      who,
+      what: `${path} is not a readable image (${firstLine(error)})`,
+      remedy: 'save it again as PNG; it may be cut off',
+    })
+  }
+}
+
+function transparent(path: string, who: string, remedy: string): FurrowError {
+  return new FurrowError({
+    who,
+    what: `${path} has transparent texels`,
+    limit: 'alpha 255 throughout',
+    remedy,
+  })
+}

@@ -1,0 +1,138 @@
+import { FurrowError, isMorphDriver, MorphActivation, parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
+import { firstLine } from '../images.ts'
+import type { Glb } from './glb-file.ts'
+import { inspectWrinkles, type Report } from './inspect.ts'
+import { targetNamesOf } from './target.ts'
+import { type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
+
+/** Something that is wrong with a file, or may be. */
+export interface Finding {
+  severity: 'error' | 'warning'
+  code: string
+  message: string
+  /** JSON pointer into the file. */
+  pointer?: string
+}
+
+/** Checks the extension's own rules on every material that has wrinkles; nothing is thrown. */
+export async function checkWrinkles(glb: Glb): Promise<Finding[]> {
+  const materials = wrinkledMaterials(glb)
+  if (materials.length === 0) return [warning('NO_WRINKLES', `no material has ${WRINKLE_MAPS}`)]
+  const all = await Promise.all(materials.map((material) => checkMaterial(glb, material)))
+  return [...checkLists(glb), ...all.flat()]
+}
+
+function checkLists({ json }: Glb): Finding[] {
+  const findings: Finding[] = []
+  if (!json.extensionsUsed?.includes(WRINKLE_MAPS)) {
+    findings.push(error('NOT_DECLARED', `extensionsUsed lacks ${WRINKLE_MAPS}`, '/extensionsUsed'))
+  }
+  if (json.extensionsRequired?.includes(WRINKLE_MAPS)) {
+    const message = 'extensionsRequired names it: viewers without it show nothing, not even the plain face'
+    findings.push(warning('REQUIRED', message, '/extensionsRequired'))
+  }
+  return findings
+}
+
+async function checkMaterial(glb: Glb, material: number): Promise<Finding[]> {
+  const pointer = `/materials/${material}/extensions/${WRINKLE_MAPS}`
+  const json = glb.json.materials![material]!.extensions![WRINKLE_MAPS]
+  try {
+    const maps = parseWrinkleMaps(json, glb.json.textures?.length ?? 0)
+    const file = { glb, material, maps }
+    const report = await inspectWrinkles(file, WRINKLE_MAPS)
+    const findings = [
+      ...checkSizes(report),
+      ...checkImages(report),
+      ...checkAreas(report),
+      ...checkCoordinates(file),
+      ...checkDrivers(file),
+    ]
+    return findings.map((finding) => ({ ...finding, pointer }))
+  } catch (thrown) {
+    if (!(thrown instanceof FurrowError)) throw thrown
+    return [error('INVALID', firstLine(thrown), pointer)]
+  }
+}
+
+function checkSizes({ layers }: Report): Finding[] {
+  const sizes = layers.map(({ maps }) => sizeText(maps[0]!))
+  const findings: Finding[] = []
+  if (new Set(sizes).size > 1) {
+    findings.push(error('LAYER_SIZES', `normal maps of the layers differ in size: ${sizes.join(', ')}`))
+  }
+  for (const { name, maps } of layers) {
+    for (const map of maps) {
+      if (sizeText(map) === sizeText(maps[0]!)) continue
+      const message = `layer "${name}": ${map.map} is ${sizeText(map)}, its normal map ${sizeText(maps[0]!)}`
+      findings.push(warning('MAP_SIZES', message))
+    }
+  }
+  return findings
+}
+
+function checkImages({ layers }: Report): Finding[] {
+  return layers.flatMap(({ name, maps }) => {
+    const lossy = maps[0]!.mimeType === 'image/jpeg'
+    return lossy
+      ? [warning('JPEG_NORMALS', `layer "${name}": JPEG leaves blocks in normals; use PNG or UASTC`)]
+      : []
+  })
+}
+
+function checkAreas({ areas }: Report): Finding[] {
+  const withAlpha = new Set(areas.filter(({ channel }) => channel === 'A').map(({ texture }) => texture))
+  return areas.flatMap((area) => {
+    const findings: Finding[] = []
+    if (area.largest === 0) findings.push(warning('AREA_INVISIBLE', `area "${area.name}" is visible nowhere`))
+    if (area.channel !== 'A' && withAlpha.has(area.texture)) {
+      const message = `area "${area.name}" shares texture ${area.texture} with one in alpha: tools that resize or compress it lose it where that is 0`
+      findings.push(warning('AREA_UNDER_ALPHA', message))
+    }
+    return findings
+  })
+}
+
+/** Readers take the texture coordinates of the skin's normal map for all; a file that says otherwise misleads. */
+function checkCoordinates({ glb, material, maps }: WrinkledFile): Finding[] {
+  const expected = glb.json.materials![material]!.normalTexture?.texCoord ?? 0
+  const infos = [
+    ...maps.layers.map(({ normalTexture }) => normalTexture),
+    ...maps.areas.map(({ texture }) => texture),
+  ]
+  const other = infos.find((info) => ((info as { texCoord?: number }).texCoord ?? 0) !== expected)
+  if (!other) return []
+  const message = `texture ${other.index} names other texture coordinates than the normalTexture (${expected}), whose are used`
+  return [warning('TEXCOORD', message)]
+}
+
+function checkDrivers({ glb, material, maps }: WrinkledFile): Finding[] {
+  const unknownTypes = new Set(
+    maps.drivers.filter((driver) => !isMorphDriver(driver)).map(({ type }) => type),
+  )
+  const meshes = (glb.json.meshes ?? []).filter(({ primitives }) => {
+    return primitives.some((primitive) => primitive.material === material)
+  })
+  const names = meshes.flatMap(targetNamesOf)
+  const { unknownTargets } = new MorphActivation(maps.drivers.filter(isMorphDriver), names)
+  return [
+    ...[...unknownTypes].map((type) => warning('DRIVER_TYPE', `drivers of type "${type}" are not played`)),
+    ...unknownTargets.map((name) =>
+      warning('DRIVER_TARGET', `a driver names the blendshape "${name}", which no mesh of the material has`),
+    ),
+  ]
+}
+
+const sizeText = ({ width, height }: { width: number; height: number }) => `${width} x ${height}`
+
+const error = (code: string, message: string, pointer?: string): Finding => ({
+  severity: 'error',
+  code,
+  message,
+  ...(pointer && { pointer }),
+})
+
+const warning = (code: string, message: string, pointer?: string): Finding => ({
+  ...error(code, message, pointer),
+  severity: 'warning',
+})

@@ -1,0 +1,103 @@
+import type { GrayImage } from 'furrow'
+import sharp from 'sharp'
+import { isCompressed, MAP_SLOTS, weightsOf } from './inspect.ts'
+import { imageOf, type WrinkledFile } from './wrinkled-file.ts'
+
+/** Side of one picture, height of the line under it, and the gap round both, in pixels. */
+const SIDE = 256
+const LINE = 26
+const GAP = 10
+
+const PAPER = '#1b1c1f'
+
+/** Where an area shows, and how much of the skin's own colour it hides. */
+const TINT = [255, 64, 48] as const
+const TINT_SHARE = 0.75
+
+interface Tile {
+  label: string
+  /** RGB, `SIDE` x `SIDE`. */
+  pixels: Uint8Array
+}
+
+/** Draws every map and every area, the areas over the colour of the skin, as one PNG. */
+export async function drawSheet(file: WrinkledFile, who: string): Promise<Uint8Array> {
+  const skin = await skinOf(file, who)
+  const tiles: Tile[] = []
+  for (const layer of file.maps.layers) {
+    for (const [map, slot] of MAP_SLOTS) {
+      const info = layer[slot]
+      if (!info) continue
+      const image = imageOf(file.glb, info.index, who)
+      const pixels = isCompressed(image) ? plain() : await scaled(image.bytes)
+      tiles.push({ label: `${layer.name}: ${map}`, pixels })
+    }
+  }
+  for (const [i, { name, layer, texture }] of file.maps.areas.entries()) {
+    if (isCompressed(imageOf(file.glb, texture.index, who))) continue
+    const weights = await scaledWeights(await weightsOf(file, i, who))
+    const where = file.maps.layers.length > 1 ? ` (${file.maps.layers[layer]!.name})` : ''
+    tiles.push({ label: `${name}${where}`, pixels: tinted(skin, weights) })
+  }
+  return arrange(tiles)
+}
+
+async function arrange(tiles: readonly Tile[]): Promise<Uint8Array> {
+  const columns = Math.ceil(Math.sqrt(tiles.length * 1.3))
+  const rows = Math.ceil(tiles.length / columns)
+  const width = columns * (SIDE + GAP) + GAP
+  const height = rows * (SIDE + LINE + GAP) + GAP
+  const parts = tiles.flatMap(({ label, pixels }, i) => {
+    const left = GAP + (i % columns) * (SIDE + GAP)
+    const top = GAP + Math.floor(i / columns) * (SIDE + LINE + GAP)
+    return [
+      { input: Buffer.from(pixels), raw: { width: SIDE, height: SIDE, channels: 3 as const }, left, top },
+      { input: lettering(label), left, top: top + SIDE },
+    ]
+  })
+  return sharp({ create: { width, height, channels: 3, background: PAPER } })
+    .composite(parts)
+    .removeAlpha()
+    .png({ compressionLevel: 9 })
+    .toBuffer()
+}
+
+function lettering(text: string): Buffer {
+  const short = text.length > 34 ? `${text.slice(0, 33)}…` : text
+  const safe = short
+    .replaceAll('&', '&amp;')
+    .replaceAll('<', '&lt;')
+    .replace(/\p{Cc}/gu, ' ')
+  return Buffer.from(
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${SIDE}" height="${LINE}">` +
+      `<text x="2" y="18" font-family="sans-serif" font-size="14" fill="#e6e6e6">${safe}</text></svg>`,
+  )
+}
+
+async function skinOf({ glb, material }: WrinkledFile, who: string): Promise<Uint8Array> {
+  const colour = glb.json.materials![material]!.pbrMetallicRoughness?.baseColorTexture
+  if (!colour) return plain()
+  const image = imageOf(glb, colour.index, who)
+  return isCompressed(image) ? plain() : scaled(image.bytes)
+}
+
+function plain(): Uint8Array {
+  return new Uint8Array(3 * SIDE * SIDE).fill(120)
+}
+
+async function scaled(bytes: Uint8Array): Promise<Uint8Array> {
+  const image = sharp(bytes).resize(SIDE, SIDE, { fit: 'fill' }).toColourspace('srgb').removeAlpha()
+  return image.raw().toBuffer()
+}
+
+async function scaledWeights({ width, height, data }: GrayImage): Promise<Uint8Array> {
+  const image = sharp(data, { raw: { width, height, channels: 1 } }).resize(SIDE, SIDE, { fit: 'fill' })
+  return image.toColourspace('b-w').raw().toBuffer()
+}
+
+function tinted(skin: Uint8Array, weights: Uint8Array): Uint8Array {
+  return skin.map((value, i) => {
+    const share = (TINT_SHARE * weights[Math.floor(i / 3)]!) / 255
+    return Math.round(value * (1 - share) + TINT[i % 3]! * share)
+  })
+}

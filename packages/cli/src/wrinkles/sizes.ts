@@ -1,0 +1,44 @@
+/** Bytes of one texture on the GPU. */
+export interface GpuSizes {
+  /** Four bytes per texel, or one for an area. */
+  uncompressed: number
+  /** 8 bits per texel in blocks of 4 x 4: BC7, ASTC 4x4; an area has 4 bits (BC4). */
+  bits8: number
+  /** 4 bits per texel in blocks of 4 x 4: BC1, ETC1; an area has 4 bits too. */
+  bits4: number
+}
+
+/** A map of the skin: four channels, with mipmaps. */
+export function mapSizes(width: number, height: number): GpuSizes {
+  return {
+    uncompressed: sumLevels(width, height, (w, h) => 4 * w * h),
+    bits8: sumLevels(width, height, (w, h) => 16 * blocks(w, h)),
+    bits4: sumLevels(width, height, (w, h) => 8 * blocks(w, h)),
+  }
+}
+
+/** An area: one channel, without mipmaps; they are soft already, and mipmaps would bleed across UV islands. */
+export function areaSizes(width: number, height: number): GpuSizes {
+  const compressed = 8 * blocks(width, height)
+  return { uncompressed: width * height, bits8: compressed, bits4: compressed }
+}
+
+export function sumSizes(sizes: readonly GpuSizes[]): GpuSizes {
+  const sum = (key: keyof GpuSizes) => sizes.reduce((total, size) => total + size[key], 0)
+  return { uncompressed: sum('uncompressed'), bits8: sum('bits8'), bits4: sum('bits4') }
+}
+
+/** 1 kB is 1024 bytes. */
+export function kilobytes(bytes: number): string {
+  return `${(bytes / 1024).toFixed(bytes < 100 * 1024 ? 1 : 0)} kB`
+}
+
+function blocks(width: number, height: number): number {
+  return Math.ceil(width / 4) * Math.ceil(height / 4)
+}
+
+function sumLevels(width: number, height: number, bytes: (w: number, h: number) => number): number {
+  const last = width === 1 && height === 1
+  const half = (side: number) => Math.max(1, Math.floor(side / 2))
+  return bytes(width, height) + (last ? 0 : sumLevels(half(width), half(height), bytes))
+}

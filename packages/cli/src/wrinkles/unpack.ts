@@ -1,0 +1,124 @@
+import { FurrowError, type GrayImage, type WrinkleSetDocument } from 'furrow'
+import sharp from 'sharp'
+import { encodeArea, firstLine, type Output } from '../images.ts'
+import type { Progress } from '../progress.ts'
+import { channelOf, readPixels } from './map-images.ts'
+import { imageOf, type WrinkledFile } from './wrinkled-file.ts'
+
+type LayerEntry = WrinkleSetDocument['layers'][number]
+
+/** The maps of a layer by their names in a folder and in the extension. */
+const MAPS = [
+  ['normal', 'normalTexture'],
+  ['baseColor', 'baseColorTexture'],
+  ['roughness', 'roughnessTexture'],
+  ['occlusion', 'occlusionTexture'],
+  ['height', 'heightTexture'],
+] as const
+
+/**
+ * Turns the wrinkles of a file into the files of a folder, with paths relative to it: `wrinkles.json`,
+ * `layers/NAME/*.png` and `areas/NAME.png`.
+ *
+ * @throws FurrowError when an image cannot be decoded.
+ */
+export async function unpackWrinkles(
+  file: WrinkledFile,
+  whiteIsVisible: boolean,
+  who: string,
+  progress: Progress,
+): Promise<Output[]> {
+  const { maps } = file
+  const total = maps.layers.length + maps.areas.length
+  const outputs: Output[] = []
+  const layers: LayerEntry[] = []
+  const fileNames = fileNamesOf(maps.layers)
+  for (const [i, layer] of maps.layers.entries()) {
+    const entry: Partial<LayerEntry> = { name: layer.name, kind: layer.kind }
+    for (const [map, slot] of MAPS) {
+      const info = layer[slot]
+      if (!info) continue
+      const path = `layers/${fileNames[i]}/${map}.png`
+      outputs.push({ path, bytes: await pngOf(file, info.index, who) })
+      entry[map] = encodeURI(path)
+    }
+    if (layer.normalTexture.scale !== 1) entry.normalScale = layer.normalTexture.scale
+    if (layer.occlusionTexture && layer.occlusionTexture.strength !== 1) {
+      entry.occlusionStrength = layer.occlusionTexture.strength
+    }
+    if (layer.heightTexture) entry.heightAmplitude = layer.heightTexture.amplitude
+    layers.push(entry as LayerEntry)
+    progress(i + 1, total)
+  }
+
+  const areas = await readAreas(file, who)
+  const areaFiles = fileNamesOf(maps.areas)
+  const areaEntries: WrinkleSetDocument['areas'] = []
+  for (const [i, area] of maps.areas.entries()) {
+    const path = `areas/${areaFiles[i]}.png`
+    outputs.push({ path, bytes: await encodeWeights(areas[i]!, whiteIsVisible) })
+    areaEntries.push({
+      name: area.name,
+      image: encodeURI(path),
+      ...(area.layer !== 0 && { layer: layers[area.layer]!.name }),
+      ...(area.combine !== 'sum' && { combine: area.combine }),
+      ...(whiteIsVisible && { convention: 'weight' as const }),
+      ...(area.activation !== 0 && { activation: area.activation }),
+    })
+    progress(layers.length + i + 1, total)
+  }
+
+  const document: WrinkleSetDocument = {
+    version: 1,
+    layers,
+    areas: areaEntries,
+    ...(maps.drivers.length > 0 && { drivers: maps.drivers }),
+    areaSize: Math.max(2, ...areas.flatMap(({ width, height }) => [width, height])),
+  }
+  const text = `${JSON.stringify(document, null, 2)}\n`
+  return [{ path: 'wrinkles.json', bytes: Buffer.from(text) }, ...outputs]
+}
+
+/** PNG goes through as it is; other formats are decoded once. */
+async function pngOf({ glb }: WrinkledFile, texture: number, who: string): Promise<Uint8Array> {
+  const { bytes, mimeType, name } = imageOf(glb, texture, who)
+  if (mimeType === 'image/png') return bytes
+  try {
+    return await sharp(bytes, { failOn: 'truncated' }).png({ compressionLevel: 9 }).toBuffer()
+  } catch (error) {
+    throw new FurrowError({
+      who,
+      what: `cannot decode the image "${name}" (${firstLine(error)})`,
+      value: mimeType,
+      limit: 'PNG, JPEG, WebP or AVIF',
+      remedy: 'unpack the file from before its textures were compressed',
+    })
+  }
+}
+
+/** Images that areas share are decoded once. */
+async function readAreas({ glb, maps }: WrinkledFile, who: string): Promise<GrayImage[]> {
+  const pixels = new Map<number, Awaited<ReturnType<typeof readPixels>>>()
+  for (const index of new Set(maps.areas.map(({ texture }) => texture.index))) {
+    const { bytes, name } = imageOf(glb, index, who)
+    pixels.set(index, await readPixels(bytes, `the image "${name}"`, who))
+  }
+  return maps.areas.map(({ texture, channel }) => channelOf(pixels.get(texture.index)!, channel))
+}
+
+function encodeWeights(weights: GrayImage, whiteIsVisible: boolean): Promise<Uint8Array> {
+  if (!whiteIsVisible) return encodeArea(weights)
+  return encodeArea({ ...weights, data: weights.data.map((weight) => 255 - weight) })
+}
+
+/** Names that any file system takes, no two the same even where it ignores case. */
+function fileNamesOf(named: readonly { name: string }[]): string[] {
+  const taken = new Set<string>()
+  return named.map(({ name }) => {
+    const plain = name.replaceAll(/[^\p{L}\p{N} _-]/gu, '_').trim() || '_'
+    let free = plain
+    for (let n = 2; taken.has(free.toLowerCase()); n++) free = `${plain}-${n}`
+    taken.add(free.toLowerCase())
+    return free
+  })
+}

@@ -1,0 +1,48 @@
+import { describe, expect, it } from 'vitest'
+import { dilate } from '../../../packages/furrow/src/author/dilate.ts'
+
+/** A map of 7 x 5 texels in which only the middle is known. */
+function dot() {
+  const known = new Uint8Array(35)
+  const data = new Float32Array(70)
+  known[17] = 1
+  data.set([4, -2], 34)
+  return { known, maps: [{ data, channels: 2 }] as const }
+}
+
+const rows = (known: Uint8Array) =>
+  Array.from({ length: 5 }, (_, y) => known.slice(7 * y, 7 * y + 7).join(''))
+
+describe('dilate', () => {
+  it('goes as many rings as it is told, in all directions', () => {
+    const { known, maps } = dot()
+    dilate(known, 7, maps, 1)
+    expect(rows(known)).toEqual(['0000000', '0011100', '0011100', '0011100', '0000000'])
+    dilate(known, 7, maps, 1)
+    expect(rows(known)).toEqual(['0111110', '0111110', '0111110', '0111110', '0111110'])
+    expect(
+      known.every((value, i) => !value || (maps[0].data[2 * i] === 4 && maps[0].data[2 * i + 1] === -2)),
+    ).toBe(true)
+  })
+
+  it('stops at the border, and does nothing where nothing or all is known', () => {
+    const { known, maps } = dot()
+    dilate(known, 7, maps, 100)
+    expect(known.every((value) => value === 1)).toBe(true)
+    const before = maps[0].data.slice()
+    dilate(known, 7, maps, 100)
+    expect(maps[0].data).toEqual(before)
+    const nothing = new Uint8Array(35)
+    dilate(nothing, 7, [{ data: new Float32Array(35), channels: 1 }], 5)
+    expect(nothing.every((value) => value === 0)).toBe(true)
+  })
+
+  it('takes the mean of what was there before the ring, whatever the order', () => {
+    const known = Uint8Array.from([1, 0, 1, 0, 0])
+    const data = Float32Array.from([2, 0, 6, 0, 0])
+    dilate(known, 5, [{ data, channels: 1 }], 1)
+    expect([...data]).toEqual([2, 4, 6, 6, 0])
+    dilate(known, 5, [{ data, channels: 1 }], 1)
+    expect([...data]).toEqual([2, 4, 6, 6, 6])
+  })
+})
