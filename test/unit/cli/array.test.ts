@@ -1,4 +1,5 @@
 import { readFileSync, writeFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
 import {
   KHR_SUPERCOMPRESSION_ZSTD,
   read,
@@ -57,6 +58,35 @@ async function load(name: string) {
   return loader._createTexture(
     bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length) as ArrayBuffer,
   )
+}
+
+const RGBA32 = 13
+
+interface ThreeTranscoder {
+  initializeBasis(): void
+  KTX2File: new (
+    bytes: Uint8Array,
+  ) => {
+    isValid(): boolean
+    getLayers(): number
+    getLevels(): number
+    startTranscoding(): number
+    getImageTranscodedSizeInBytes(level: number, layer: number, face: number, format: number): number
+    transcodeImage(out: Uint8Array, level: number, layer: number, face: number, ...rest: number[]): number
+    close(): void
+    delete(): void
+  }
+}
+
+/** The WebAssembly that KTX2Loader runs in its workers, which Node has not. */
+async function transcoder(): Promise<ThreeTranscoder> {
+  const folder = new URL('../../../node_modules/three/examples/jsm/libs/basis/', import.meta.url)
+  const script = readFileSync(new URL('basis_transcoder.js', folder), 'utf8')
+  const start = new Function('require', '__dirname', `${script}; return BASIS`)(
+    createRequire(import.meta.url),
+    '',
+  ) as (options: object) => Promise<ThreeTranscoder>
+  return start({ wasmBinary: readFileSync(new URL('basis_transcoder.wasm', folder)) })
 }
 
 let gray: string[]
@@ -144,6 +174,30 @@ describe('furrow array', () => {
       expect([image.width, image.height]).toEqual([WIDE, HIGH])
       const layers = [0, 1, 2].flatMap((i) => [...paint(i, 1)])
       expect([...image.data]).toEqual(layers)
+    },
+  )
+
+  it.each(['uastc', 'etc1s'])(
+    '%s: the transcoder of three.js finds every layer and every mipmap',
+    async (compress) => {
+      await run(...gray, '-o', file('basis.ktx2'), '--compress', compress)
+      await run(file('basis.ktx2'), '--extract', file(`basis-${compress}`))
+      const { KTX2File, initializeBasis } = await transcoder()
+      initializeBasis()
+      const basis = new KTX2File(new Uint8Array(readFileSync(file('basis.ktx2'))))
+      expect([basis.isValid(), basis.getLayers(), basis.getLevels()]).toEqual([true, 3, 5])
+      expect(basis.startTranscoding()).toBeTruthy()
+      for (let layer = 0; layer < 3; layer++) {
+        for (let level = 0; level < 5; level++) {
+          const out = new Uint8Array(basis.getImageTranscodedSizeInBytes(level, layer, 0, RGBA32))
+          expect(basis.transcodeImage(out, level, layer, 0, RGBA32, 0, -1, -1)).toBeTruthy()
+          if (level > 0) continue
+          const { data } = await pixels(file(`basis-${compress}/brow ${layer}.png`))
+          expect(out.filter((_, i) => i % 4 < 3)).toEqual(data)
+        }
+      }
+      basis.close()
+      basis.delete()
     },
   )
 

@@ -2,6 +2,7 @@ import type { JSONDocument } from '@gltf-transform/core'
 import fc from 'fast-check'
 import { FurrowError, parseWrinkleMaps, type WrinkleMaps } from 'furrow'
 import { beforeAll, describe, expect, it } from 'vitest'
+import { mutate, mutation } from './mutations.ts'
 import { createIO, createSample, NAME } from './sample.ts'
 
 // biome-ignore lint/suspicious/noExplicitAny: broken on purpose, everywhere
@@ -47,6 +48,7 @@ describe('a file with a wrong field', () => {
     ['areas.0.channel', 4, 'areas[0].channel is out of range, got 4'],
     ['areas.1.name', 'brow', 'areas[1].name is taken, got "brow"'],
     ['areas.0.combine', 'min', 'areas[0].combine is unknown, got "min"'],
+    ['areas.0.activation', null, 'areas[0].activation must be a number'],
     ['areas.0.activation', 2, 'areas[0].activation is out of range'],
     ['drivers', {}, 'drivers must be an array'],
     ['drivers.0.type', undefined, 'drivers[0].type must be text'],
@@ -83,74 +85,6 @@ describe('a file cut off', () => {
       await expect(io.readBinary(part), `${percent}%`).rejects.toBeInstanceOf(Error)
     }
   })
-})
-
-/** What a hostile or broken writer may put in any place. */
-const JUNK: Anything[] = [
-  null,
-  true,
-  0,
-  -1,
-  1.5,
-  4,
-  1e300,
-  '',
-  'brow',
-  'x'.repeat(300),
-  [],
-  [0, 0],
-  [[], {}],
-  {},
-  { index: 0 },
-  { index: -1 },
-  { type: 'morph' },
-  { name: 'nose' },
-  { length: 3 },
-  { toString: 1, valueOf: null },
-]
-
-type Path = (string | number)[]
-
-/** Every place of a JSON document, from the root down. */
-function placesOf(value: Anything, path: Path = []): Path[] {
-  if (typeof value !== 'object' || value === null) return [path]
-  return [path, ...Object.keys(value).flatMap((key) => placesOf(value[key], [...path, key]))]
-}
-
-interface Mutation {
-  place: number
-  deed: 'replace' | 'remove' | 'double' | 'swap' | 'nest' | 'rename'
-  junk: Anything
-}
-
-/** One small change at one place; a document stays JSON whatever is done to it. */
-function mutate(document: Anything, { place, deed, junk }: Mutation): Anything {
-  const places = placesOf(document)
-  const path = places[place % places.length]
-  if (path.length === 0) return deed === 'nest' ? [document] : structuredClone(junk)
-  const parent = path.slice(0, -1).reduce((at: Anything, key) => at[key], document)
-  const key = path.at(-1) as Anything
-  if (deed === 'replace') parent[key] = structuredClone(junk)
-  else if (deed === 'nest') parent[key] = { index: parent[key] }
-  else if (Array.isArray(parent)) {
-    if (deed === 'remove') parent.splice(key, 1)
-    else if (deed === 'double') parent.push(structuredClone(parent[key]))
-    else parent.reverse()
-  } else {
-    if (deed === 'remove' || deed === 'rename') delete parent[key]
-    if (deed === 'rename') parent[`${key}s`] = structuredClone(junk)
-    if (deed === 'swap') parent[key] = structuredClone(Object.values(parent)[0])
-  }
-  return document
-}
-
-const mutation = fc.record<Mutation>({
-  place: fc.nat(400),
-  deed: fc.constantFrom('replace', 'remove', 'double', 'swap', 'nest', 'rename'),
-  junk: fc.oneof(
-    { weight: 4, arbitrary: fc.constantFrom(...JUNK) },
-    { weight: 1, arbitrary: fc.jsonValue({ maxDepth: 2 }) },
-  ),
 })
 
 /** The rules of the extension once more, written apart from the parser. */

@@ -76,5 +76,14 @@ export function imageOf({ json, bin }: Glb, texture: number, who: string): Textu
     })
   }
   const bytes = bin.subarray(from, from + view.byteLength)
-  return { bytes, mimeType: image.mimeType ?? 'unknown', name: image.name ?? name ?? `texture ${texture}` }
+  return {
+    bytes,
+    mimeType: textOf(image.mimeType) ?? 'unknown',
+    name: textOf(image.name) ?? textOf(name) ?? `texture ${texture}`,
+  }
+}
+
+/** Files of others may hold anything where a text belongs. */
+function textOf(value: unknown): string | undefined {
+  return typeof value === 'string' ? value : undefined
 }

@@ -1,0 +1,388 @@
+import { readFileSync, writeFileSync } from 'node:fs'
+import sharp from 'sharp'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { bakeCommand } from '../../../packages/cli/src/commands/bake.ts'
+import { bench } from './command.ts'
+import { globe, icosphere, quad, writeGlb } from './spheres.ts'
+
+type Vector = [number, number, number]
+
+const at = bench(bakeCommand)
+const { file, run } = at
+const report = () => JSON.parse(at.printed.trim().split('\n').at(-1)!)
+
+const add = (...terms: [number, Vector][]): Vector =>
+  [0, 1, 2].map((k) => terms.reduce((sum, [share, v]) => sum + share * v[k]!, 0)) as Vector
+const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+const cross = (a: Vector, b: Vector): Vector => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+]
+const unit = (v: Vector) => add([1 / Math.hypot(...v), v])
+const degrees = (a: Vector, b: Vector) => (Math.atan2(Math.hypot(...cross(a, b)), dot(a, b)) * 180) / Math.PI
+
+/** Radii in metres: the sculpt lies 3 mm outside the corners of the mesh. */
+const [LOW, HIGH] = [0.1, 0.103]
+const [COLUMNS, ROWS, TILT] = [24, 12, 0.2]
+
+type Globe = ReturnType<typeof globe>
+type Place = { triangle: Vector; weights: Vector }
+type Frame = (shape: Globe, place: Place) => [Vector, Vector, Vector]
+
+const corner = (values: number[], i: number, size = 3) => values.slice(size * i, size * i + 3) as Vector
+const mix = (values: number[], { triangle, weights }: Place, of = (v: Vector, _: number) => v): Vector =>
+  add(
+    ...([0, 1, 2] as const).map(
+      (k) => [weights[k], of(corner(values, triangle[k]), triangle[k])] as [number, Vector],
+    ),
+  )
+
+/** The frame of tangents made by `tangent` from position and normal of a vertex, as glTF has it. */
+const vertexFrame =
+  (sign: number, tangent: (p: Vector, n: Vector) => Vector): Frame =>
+  (shape, place) => {
+    const tangentAt = (n: Vector, i: number) => add([sign, unit(tangent(corner(shape.positions, i), n))])
+    const t = unit(mix(shape.normals, place, tangentAt))
+    const b = unit(mix(shape.normals, place, (n, i) => add([sign, unit(cross(n, tangentAt(n, i)))])))
+    return [t, b, unit(mix(shape.normals, place))]
+  }
+
+/** The tangents written into own.glb: level, at a right angle to the normal. */
+const ownFrame = (sign: number) => vertexFrame(sign, (_, n) => [n[2], 0, -n[0]])
+
+/** MikkTSpace: the way of u on the surface, here due east, laid into the plane of the normal. */
+const mikkFrame = (sign: number) =>
+  vertexFrame(sign, (p, n) => {
+    const east: Vector = unit([p[2], 0, -p[0]])
+    return add([1, east], [-dot(east, n), n])
+  })
+
+/** What three.js's shader does without tangents, on a screen whose pixels are 0.3 and 0.2 mm steps on the triangle. */
+const screenFrame: Frame = (shape, place) => {
+  const [p0, p1, p2] = place.triangle.map((i) => corner(shape.positions, i)) as [Vector, Vector, Vector]
+  const [s0, s1, s2] = place.triangle.map((i) => shape.uvs.slice(2 * i, 2 * i + 2)) as [
+    number[],
+    number[],
+    number[],
+  ]
+  const [e, f] = [add([1, p1], [-1, p0]), add([1, p2], [-1, p0])]
+  const n = unit(mix(shape.normals, place))
+  // Two steps on the triangle, the second to the left of the first as seen from outside.
+  const steps = [
+    [0.003, 0.001],
+    [-0.0005, 0.002],
+  ] as const
+  const [q0, q1] = steps.map(([a, b]) => add([a, e], [b, f])) as [Vector, Vector]
+  const [st0, st1] = steps.map(([a, b]) => [0, 1].map((k) => a * (s1[k]! - s0[k]!) + b * (s2[k]! - s0[k]!)))
+  const [q1perp, q0perp] = [cross(q1, n), cross(n, q0)]
+  const t = add([st0![0]!, q1perp], [st1![0]!, q0perp])
+  const b = add([st0![1]!, q1perp], [st1![1]!, q0perp])
+  const scale = 1 / Math.sqrt(Math.max(dot(t, t), dot(b, b)))
+  // GLTFLoader turns normalScale.y for such meshes.
+  return [add([scale, t]), add([-scale, b]), n]
+}
+
+/** The triangle of the globe that lies at (u, v) of the texture. */
+function placeOf({ indices, uvs }: Globe, u: number, v: number): Place | undefined {
+  for (let i = 0; i < indices.length; i += 3) {
+    const triangle = indices.slice(i, i + 3) as Vector
+    const [x, y] = [0, 1].map((k) => triangle.map((c) => uvs[2 * c + k]!)) as [Vector, Vector]
+    const det = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0])
+    const b = ((u - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (v - y[0])) / det
+    const c = ((x[1] - x[0]) * (v - y[0]) - (u - x[0]) * (y[1] - y[0])) / det
+    if (b >= 0 && c >= 0 && b + c <= 1) return { triangle, weights: [1 - b - c, b, c] }
+  }
+  return undefined
+}
+
+/** Where the ray of a place meets the sphere: how far above the mesh, and the exact normal there. */
+function exact(shape: Globe, place: Place): { height: number; normal: Vector } {
+  const p = mix(shape.positions, place)
+  const n = unit(mix(shape.normals, place))
+  const half = dot(p, n)
+  const height = -half + Math.sqrt(half * half - dot(p, p) + HIGH * HIGH)
+  return { height, normal: add([1 / HIGH, add([1, p], [height, n])]) }
+}
+
+async function readPixels(path: string) {
+  const image = sharp(path)
+  const { depth, channels } = await image.metadata()
+  const wide = depth === 'ushort'
+  image.toColourspace(channels === 1 ? (wide ? 'grey16' : 'b-w') : wide ? 'rgb16' : 'srgb')
+  const { data, info } = await image
+    .raw({ depth: wide ? 'ushort' : 'uchar' })
+    .toBuffer({ resolveWithObject: true })
+  const values = wide ? new Uint16Array(data.buffer, data.byteOffset, data.length / 2) : new Uint8Array(data)
+  return { ...info, values, full: wide ? 65535 : 255 }
+}
+
+/** Share of the texture left out all round: at the rim MikkTSpace sees triangles on one side only. */
+const RIM = 0.05 + 0.9 / ROWS
+
+/** Largest angle in degrees between a map, decoded in a frame, and the sphere; over every third texel each way. */
+async function worst(path: string, shape: Globe, frame: Frame) {
+  const { values, width, full } = await readPixels(path)
+  let angle = 0
+  let tilted = 0
+  for (let y = 0; y < width; y += 3) {
+    for (let x = 0; x < width; x += 3) {
+      const [u, v] = [(x + 0.5) / width, (y + 0.5) / width]
+      const place = placeOf(shape, u, v)
+      if (!place || Math.min(u, v, 1 - u, 1 - v) < RIM) continue
+      const i = 3 * (y * width + x)
+      const [r, g, b] = [0, 1, 2].map((k) => (2 * values[i + k]!) / full - 1) as Vector
+      const [t, s, n] = frame(shape, place)
+      angle = Math.max(angle, degrees(add([r, t], [g, s], [b, n]), exact(shape, place).normal))
+      tilted = Math.max(tilted, degrees([r, g, b], [0, 0, 1]))
+    }
+  }
+  return { angle, tilted }
+}
+
+const plain = globe(LOW, COLUMNS, ROWS)
+const tilted = globe(LOW, COLUMNS, ROWS, { tilt: TILT })
+const mirrored = globe(LOW, COLUMNS, ROWS, { tilt: TILT, mirrored: true })
+
+beforeAll(async () => {
+  const ball = icosphere(HIGH, 5)
+  await writeGlb(file('ball.glb'), { ball })
+  const north = ball.indices.filter((_, i) => {
+    const first = i - (i % 3)
+    return [0, 1, 2].every((k) => ball.positions[3 * ball.indices[first + k]! + 1]! > 0)
+  })
+  await writeGlb(file('half.glb'), { ball: { ...ball, indices: north } })
+  const { normals: _, ...facets } = ball
+  await writeGlb(file('facets.glb'), { facets })
+  const easts = (sign: number) =>
+    Array.from({ length: tilted.normals.length / 3 }, (_, i) => {
+      const n = corner(tilted.normals, i)
+      return [...unit([sign * n[2], 0, -sign * n[0]]), sign]
+    }).flat()
+  await writeGlb(file('plain.glb'), { plain })
+  await writeGlb(file('tilted.glb'), { tilted })
+  await writeGlb(file('mirrored.glb'), { mirrored })
+  await writeGlb(file('own.glb'), { own: { ...tilted, tangents: easts(1) } })
+  await writeGlb(file('own-mirrored.glb'), { own: { ...mirrored, tangents: easts(-1) } })
+})
+
+describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
+  it.each([
+    ['plain', plain, 'mikktspace', mikkFrame(1)],
+    ['tilted', tilted, 'mikktspace', mikkFrame(1)],
+    ['mirrored', mirrored, 'mikktspace', mikkFrame(-1)],
+    ['own', tilted, 'of the mesh', ownFrame(1)],
+    ['own-mirrored', mirrored, 'of the mesh', ownFrame(-1)],
+    ['tilted', tilted, 'derivative', screenFrame],
+    ['mirrored', mirrored, 'derivative', screenFrame],
+  ] as const)('%s: within 0.5 degrees of the exact normal', async (name, shape, tangents, frame) => {
+    const out = file(`${name}-${tangents[0]}.png`)
+    const kind = tangents === 'of the mesh' ? [] : ['--tangents', tangents]
+    // The derivative frame jumps from triangle to triangle, so a texel across an edge is right for neither.
+    if (tangents === 'derivative') kind.push('--samples', '1')
+    await run(
+      file('ball.glb'),
+      file(`${name}.glb`),
+      '-o',
+      out,
+      '--size',
+      '128',
+      '--cage',
+      '8',
+      ...kind,
+      '--json',
+    )
+    expect(report()).toMatchObject({
+      files: [out],
+      size: 128,
+      tangents,
+      triangles: { high: 20480, low: 576 },
+      cageMm: 8,
+      misses: 0,
+      emptyTexels: 0,
+    })
+    const { angle, tilted } = await worst(out, shape, frame)
+    expect(angle).toBeLessThan(0.5)
+    // The map has something to say where the mesh's own normals are off.
+    if (name !== 'plain') expect(tilted).toBeGreaterThan(10)
+  })
+
+  it('gets closer with 16 bits, and says so of the heights', async () => {
+    await run(
+      file('ball.glb'),
+      file('tilted.glb'),
+      ...[
+        '-o',
+        file('wide.png'),
+        '--height',
+        file('height.png'),
+        '--bits',
+        '16',
+        '--size',
+        '128',
+        '--cage',
+        '8',
+      ],
+    )
+    expect((await worst(file('wide.png'), tilted, mikkFrame(1))).angle).toBeLessThan(0.15)
+    expect(at.printed).toContain('height.png: 32768 = 0 mm, 1000 steps = 1 mm')
+    const { values, width, channels } = await readPixels(file('height.png'))
+    expect(channels).toBe(1)
+    for (const [x, y] of [
+      [20, 20],
+      [64, 64],
+      [90, 33],
+      [101, 110],
+    ] as const) {
+      const place = placeOf(tilted, (x + 0.5) / width, (y + 0.5) / width)!
+      const mm = (values[y * width + x]! - 32768) / 1000
+      expect(mm).toBeCloseTo(1000 * exact(tilted, place).height, 1)
+      expect(mm).toBeGreaterThan(2.9)
+    }
+  })
+
+  it('carries the islands outwards and no further', async () => {
+    await run(file('ball.glb'), file('tilted.glb'), '-o', file('edge.png'), '--size', '128', '--margin', '3')
+    const { values } = await readPixels(file('edge.png'))
+    const texel = (x: number) => [...values.subarray(3 * (64 * 128 + x), 3 * (64 * 128 + x) + 3)]
+    // The island begins in texel 6.
+    expect(texel(3)[0]! - texel(6)[0]!).toBeLessThan(4)
+    expect(texel(3)).not.toEqual([128, 128, 255])
+    expect(texel(2)).toEqual([128, 128, 255])
+  })
+
+  it('counts the rays that met nothing', async () => {
+    await run(
+      file('half.glb'),
+      file('plain.glb'),
+      '-o',
+      file('half.png'),
+      '--size',
+      '64',
+      '--cage',
+      '8',
+      '--json',
+    )
+    const { samples, misses, emptyTexels } = report()
+    expect(samples).toBeGreaterThan(4 * 57 * 57)
+    expect(misses / samples).toBeCloseTo(0.5, 1)
+    expect(emptyTexels).toBeGreaterThan(1400)
+    await run(file('half.glb'), file('plain.glb'), '-o', file('half.png'), '--size', '64', '--cage', '8')
+    expect(at.printed).toMatch(/; \d+ of \d+ rays met nothing \((49|50|51|52)\.\d\d%\), \d+ texels empty/)
+  })
+
+  it('shows the facets of a sculpt without normals and says so', async () => {
+    await run(file('facets.glb'), file('plain.glb'), '-o', file('facets.png'), '--size', '32')
+    expect(at.warned).toContain('has no normals, so its facets show')
+  })
+
+  it('occludes a floor beside a wall by the exact share', async () => {
+    // An endless wall of height h hides (1 - d / sqrt(d^2 + h^2)) / 2 of the cosine-weighted sky at distance d.
+    const floor = quad([0, 0, 0], [0, 0, 0.2], [0.2, 0, 0])
+    const wide = quad([-1, 0, -20], [0, 0, 40], [2, 0, 0])
+    const wall = quad([0, -0.01, 20], [0, 0, -40], [0, 0.11, 0])
+    await writeGlb(file('floor.glb'), { floor })
+    await writeGlb(file('wall.glb'), { wide, wall })
+    const [ao, again] = [file('ao.png'), file('again.png')]
+    for (const out of [ao, again]) {
+      const args = ['--size', '32', '--rays', '32', '--cage', '5']
+      await run(file('wall.glb'), file('floor.glb'), '--occlusion', out, ...args)
+    }
+    expect(readFileSync(again).equals(readFileSync(ao))).toBe(true)
+    const { values } = await readPixels(ao)
+    // Distance from the wall grows along b, that is upwards in the texture.
+    for (const row of [4, 16, 27]) {
+      const d = 0.2 * (1 - (row + 0.5) / 32)
+      const open = 1 - (1 - d / Math.hypot(d, 0.1)) / 2
+      const line = Array.from(values.subarray(32 * row, 32 * row + 32))
+      const mean = line.reduce((sum, value) => sum + value, 0) / 32 / 255
+      expect(mean).toBeCloseTo(open, 1.6)
+    }
+    await run(file('wall.glb'), file('floor.glb'), '--occlusion', ao, '--size', '32', '--reach', '1')
+    expect((await readPixels(ao)).values[16 * 32]).toBe(255)
+  })
+})
+
+describe('furrow bake says what is wrong and writes nothing:', () => {
+  beforeAll(async () => {
+    const { uvs: _, ...bare } = plain
+    await writeGlb(file('bare.glb'), { bare })
+    const { normals: __, ...rough } = plain
+    await writeGlb(file('rough.glb'), { rough })
+    await writeGlb(file('two.glb'), { left: plain, right: tilted })
+    await writeGlb(file('far.glb'), { far: quad([9, 9, 9], [1, 0, 0], [0, 1, 0]) })
+    await writeGlb(file('nan.glb'), {
+      nan: { ...plain, positions: plain.positions.map((p, i) => (i === 7 ? NaN : p)) },
+    })
+    await writeGlb(file('spread.glb'), { spread: { ...plain, uvs: plain.uvs.map((t) => 1e4 * t) } })
+    await writeGlb(file('point.glb'), { point: { ...plain, uvs: plain.uvs.map(() => 0.5) } })
+    writeFileSync(file('text.glb'), 'no glTF')
+    writeFileSync(file('cut.glb'), readFileSync(file('ball.glb')).subarray(0, 5000))
+  })
+
+  const good = () => [file('ball.glb'), file('plain.glb')]
+  const out = () => ['-o', file('x.png'), '--size', '32']
+  it.each([
+    [
+      'no output',
+      () => good(),
+      'nothing to make, allowed: -o NORMAL.png, --height HEIGHT.png, --occlusion AO.png',
+    ],
+    ['one output twice', () => [...good(), ...out(), '--height', file('x.png')], 'one file for two maps'],
+    ['a missing sculpt', () => [file('none.glb'), file('plain.glb'), ...out()], 'cannot read the face'],
+    ['a missing mesh', () => [file('ball.glb'), file('none.glb'), ...out()], 'cannot read the face'],
+    ['half a sculpt', () => [file('cut.glb'), file('plain.glb'), ...out()], 'cannot read the face'],
+    ['no glTF', () => [file('text.glb'), file('plain.glb'), ...out()], 'cannot read the face'],
+    [
+      'no texture coordinates',
+      () => [file('ball.glb'), file('bare.glb'), ...out()],
+      'has texture coordinates',
+    ],
+    ['no normals', () => [file('ball.glb'), file('rough.glb'), ...out()], 'rough in '],
+    [
+      'two meshes',
+      () => [file('ball.glb'), file('two.glb'), ...out()],
+      'allowed: left, right; name one with --mesh',
+    ],
+    ['no such mesh', () => [...good(), ...out(), '--mesh', 'nose'], 'got "nose", allowed: plain'],
+    [
+      'a sculpt elsewhere',
+      () => [file('far.glb'), file('plain.glb'), ...out()],
+      'no ray met the detailed surface',
+    ],
+    [
+      'no numbers',
+      () => [file('nan.glb'), file('plain.glb'), ...out()],
+      'is at NaN, allowed: finite numbers',
+    ],
+    [
+      'absurd UVs',
+      () => [file('ball.glb'), file('spread.glb'), ...out()],
+      'a triangle is larger than the texture',
+    ],
+    ['UVs in one point', () => [file('ball.glb'), file('point.glb'), ...out()], 'no triangle covers a texel'],
+    [
+      'a size of 0',
+      () => [...good(), ...out(), '--size', '0'],
+      '--size is no whole number in its range, got "0"',
+    ],
+    [
+      'a size of 1e9',
+      () => [...good(), ...out(), '--size', '1e9'],
+      'allowed: 16..8192; write e.g. --size 1024',
+    ],
+    ['3 samples', () => [...good(), ...out(), '--samples', '3'], '--samples is unknown, got "3"'],
+    ['a cage of 0', () => [...good(), ...out(), '--cage', '0'], '--cage is no number in its range, got "0"'],
+    ['a cage of -1', () => [...good(), ...out(), '--cage=-1'], '--cage is no number in its range, got "-1"'],
+    [
+      'no cage',
+      () => [...good(), ...out(), '--cage', 'wide'],
+      '--cage is no number in its range, got "wide"',
+    ],
+    ['12 bits', () => [...good(), ...out(), '--bits', '12'], '--bits is unknown, got "12", allowed: 8, 16'],
+    ['other tangents', () => [...good(), ...out(), '--tangents', 'mine'], 'allowed: mikktspace, derivative'],
+    ['rays without end', () => [...good(), ...out(), '--rays', '1e9'], '--rays is no whole number'],
+    ['a file as folder', () => [...good(), '-o', file('ball.glb/x.png')], 'cannot write'],
+    ['another ending', () => [...good(), '-o', file('x.jpg')], 'does not end in .png'],
+  ])('%s', (_, args, message) => at.fails(message, ...args()))
+})

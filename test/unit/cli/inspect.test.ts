@@ -1,0 +1,133 @@
+import { readFileSync } from 'node:fs'
+import sharp from 'sharp'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
+import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
+import { areaSizes, mapSizes } from '../../../packages/cli/src/wrinkles/sizes.ts'
+import { jsonOf, noise, Workshop, withJson } from './workshop.ts'
+
+const shop = new Workshop()
+const face = shop.path('wrinkled.glb')
+
+beforeAll(async () => {
+  const folder = await shop.makeFolder('face')
+  shop.json('face/wrinkles.json', {
+    version: 1,
+    layers: [
+      { name: 'expression', normalScale: 0.5 },
+      { name: 'age', kind: 'detail' },
+    ],
+    drivers: [
+      { type: 'morph', area: 'nose', targets: [{ name: 'browInnerUp', weight: 0.5 }] },
+      {
+        type: 'morph',
+        area: 'brow',
+        targets: [{ name: 'browInnerUp' }],
+        curve: [
+          [0, 0],
+          [0.5, 1],
+        ],
+      },
+      { type: 'tension' },
+    ],
+  })
+  await shop.run(packCommand, folder, '-o', face)
+})
+
+describe('sizes on the GPU', () => {
+  it.each([
+    // Sums over all levels: 4 x 4 + 2 x 2 + 1 x 1 texels, and one block for each.
+    [4, 4, { uncompressed: 4 * 21, bits8: 48, bits4: 24 }],
+    [5, 2, { uncompressed: 4 * (10 + 2 + 1), bits8: 16 * (2 + 1 + 1), bits4: 8 * 4 }],
+    [512, 512, { uncompressed: 1398100, bits8: 349552, bits4: 174776 }],
+  ])('of a map of %d x %d', (width, height, sizes) => expect(mapSizes(width, height)).toEqual(sizes))
+
+  it('of an area', () => {
+    expect(areaSizes(128, 128)).toEqual({ uncompressed: 16384, bits8: 8192, bits4: 8192 })
+  })
+})
+
+describe('furrow inspect', () => {
+  it('prints layers, areas, drivers and sizes', async () => {
+    await shop.run(inspectCommand, face)
+    const lines = shop.printed.split('\n')
+    expect(lines[0]).toBe(`${face}: wrinkles on material "skin"`)
+    expect(lines).toContainEqual(
+      expect.stringMatching(/^expression +replace +normal x 0\.5 +16 x 16 +png +\d/),
+    )
+    expect(lines).toContainEqual(expect.stringMatching(/^expression +replace +baseColor /))
+    expect(lines).toContainEqual(expect.stringMatching(/^age +detail +normal +16 x 16/))
+    expect(lines).toContainEqual(
+      expect.stringMatching(/^cheek +expression +128 x 128 +texture \d+ G +sum +0 +12\.5% +1\.00$/),
+    )
+    expect(lines).toContain('  nose = 0.5 browInnerUp')
+    expect(lines).toContain('  brow = browInnerUp, curve (0, 0) (0.5, 1)')
+    expect(lines).toContain('  tension: not played by this version, kept as it is')
+  })
+
+  it('prints the same as JSON, every image counted once', async () => {
+    await shop.run(inspectCommand, face, '--json')
+    const report = JSON.parse(shop.printed)
+    const json = jsonOf(readFileSync(face))
+    const images = json.images
+      .slice(4)
+      .map(({ bufferView }: { bufferView: number }) => json.bufferViews[bufferView])
+    expect(images).toHaveLength(5)
+    expect(report.imageBytes).toBe(
+      images.reduce((sum: number, view: { byteLength: number }) => sum + view.byteLength, 0),
+    )
+    const maps = 3 * mapSizes(16, 16).uncompressed
+    expect(report.gpu.uncompressed).toBe(maps + 5 * 128 * 128)
+    expect(report.fileBytes).toBe(readFileSync(face).length)
+    expect(report.areas[0]).toMatchObject({ name: 'brow', channel: 'R', coverage: 0.125, largest: 1 })
+    expect(report.drivers).toHaveLength(3)
+  })
+
+  it('draws every map and every area into one sheet', async () => {
+    const path = shop.path('deep/sheet.png')
+    await shop.run(inspectCommand, face, '--sheet', path)
+    const { data, info } = await sharp(path).raw().toBuffer({ resolveWithObject: true })
+    // 3 maps and 5 areas in 4 columns.
+    expect(info).toMatchObject({ width: 4 * 266 + 10, height: 2 * 292 + 10, channels: 3 })
+    const red = (x: number, y: number) => data[3 * (y * info.width + x)] - data[3 * (y * info.width + x) + 1]
+    const average = (tile: number, column: number) => {
+      const [left, top] = [10 + (tile % 4) * 266 + column * 32, 10 + Math.floor(tile / 4) * 292]
+      let sum = 0
+      for (let y = 64; y < 192; y++) for (let x = 8; x < 24; x++) sum += red(left + x, top + y)
+      return sum / (128 * 16)
+    }
+    // The area `brow` shows in column 0 and `cheek` in column 1 of their pictures.
+    // The noise of the skin is the same in both pictures, and cancels out.
+    expect(average(3, 0) - average(4, 0)).toBeGreaterThan(50)
+    expect(average(4, 1) - average(3, 1)).toBeGreaterThan(50)
+    expect(average(3, 4) - average(4, 4)).toBe(0)
+  })
+
+  it('asks which material where several have wrinkles', async () => {
+    const bytes = readFileSync(face)
+    const json = jsonOf(bytes)
+    json.materials[1].extensions = json.materials[0].extensions
+    shop.write('two.glb', withJson(bytes, json))
+    const failure = await shop.failure(inspectCommand, shop.path('two.glb'))
+    expect(failure.message).toBe(
+      `furrow inspect: several materials with wrinkles in ${shop.path('two.glb')}, allowed: skin, eyes; name one with --material`,
+    )
+    await shop.run(inspectCommand, shop.path('two.glb'), '--material', 'eyes', '--json')
+    expect(JSON.parse(shop.printed).material).toBe('eyes')
+  })
+
+  it.each<[string, () => Promise<string[]> | string[], string]>([
+    ['a missing file', () => [shop.path('none.glb')], 'cannot read'],
+    ['a face without wrinkles', () => [shop.path('face/face.glb')], 'no wrinkles in'],
+    ['no glTF', async () => [shop.write('x.glb', await noise(1, 3))], 'it does not begin with "glTF"'],
+    ['half a file', () => [shop.write('half.glb', readFileSync(face).subarray(0, 4000))], 'it is cut off'],
+    ['a sheet that is no PNG', () => [face, '--sheet', shop.path('sheet.jpg')], 'does not end in .png'],
+    ['a sheet in place of a folder', () => [face, '--sheet', shop.path('face')], 'does not end in .png'],
+  ])('says one line about %s', async (_, args, message) => {
+    const failure = await shop.failure(inspectCommand, ...(await args()))
+    expect(failure.name).toBe('FurrowError')
+    expect(failure.message).toContain('furrow inspect: ')
+    expect(failure.message).toContain(message)
+    expect(failure.message).not.toContain('\n')
+  })
+})

@@ -1,0 +1,285 @@
+import { existsSync, mkdirSync, readFileSync } from 'node:fs'
+import { NodeIO } from '@gltf-transform/core'
+import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
+import { dedup, prune, textureCompress } from '@gltf-transform/functions'
+import { parseWrinkleMaps } from 'furrow'
+import { FurrowWrinkleMaps } from 'furrow/gltf'
+import sharp from 'sharp'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
+import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
+import { AREAS, faceBytes, jsonOf, noise, painted, Workshop, withJson } from './workshop.ts'
+
+const NAME = 'FURROW_wrinkle_maps'
+const shop = new Workshop()
+let folder = ''
+
+const extensionOf = (path: string, material = 0) =>
+  jsonOf(readFileSync(path)).materials[material].extensions[NAME]
+
+/** The gray image of an area, as weights, from a folder. */
+async function weights(path: string): Promise<number[]> {
+  const paper = await sharp(path).toColourspace('b-w').raw().toBuffer()
+  return [...paper.map((value) => 255 - value)]
+}
+
+beforeAll(async () => {
+  folder = await shop.makeFolder('face')
+})
+
+describe('furrow pack', () => {
+  it('takes every layer and area of a folder in alphabetical order', async () => {
+    const out = shop.path('a.glb')
+    await shop.run(packCommand, folder, '-o', out)
+    expect(shop.printed).toContain(
+      'a.glb: material "skin"; layers: age, expression; areas: brow, cheek, chin',
+    )
+    expect(shop.warned).toBe('')
+    const json = extensionOf(out)
+    const maps = parseWrinkleMaps(json, 99)
+    expect(maps.layers.map(({ name, kind }) => [name, kind])).toEqual([
+      ['age', 'replace'],
+      ['expression', 'replace'],
+    ])
+    expect(maps.layers[0].baseColorTexture).toBeUndefined()
+    expect(maps.layers[1].baseColorTexture).toBeDefined()
+    expect(maps.areas.map(({ name, layer, channel }) => [name, layer, channel])).toEqual(
+      AREAS.map((name, i) => [name, 0, i % 3]),
+    )
+    expect(new Set(maps.areas.map(({ texture }) => texture.index)).size).toBe(2)
+  })
+
+  it('leaves all else in the file as it was, even what it does not know', async () => {
+    const face = await faceBytes()
+    const json = jsonOf(face)
+    json.extensions = { VRM_like: { meta: { texture: 0 }, list: [1, 2] } }
+    json.extensionsUsed = ['VRM_like']
+    shop.write('odd.glb', withJson(face, json))
+    await shop.run(packCommand, folder, '--face', shop.path('odd.glb'), '-o', shop.path('odd-packed.glb'))
+    const packed = jsonOf(readFileSync(shop.path('odd-packed.glb')))
+    expect(packed.extensions).toEqual(json.extensions)
+    expect(packed.meshes).toEqual(json.meshes)
+    expect(packed.accessors).toEqual(json.accessors)
+    expect(packed.bufferViews.slice(0, json.bufferViews.length)).toEqual(json.bufferViews)
+    expect(packed.textures.slice(0, json.textures.length)).toEqual(json.textures)
+    expect(packed.extensionsUsed).toEqual(['VRM_like', NAME])
+    expect(packed.extensionsRequired).toBeUndefined()
+  })
+
+  it('keeps the painted weights, in either convention', async () => {
+    await shop.run(packCommand, folder, '-o', shop.path('a.glb'))
+    await shop.run(unpackCommand, shop.path('a.glb'), '-o', shop.path('w'), '--white-is-visible')
+    const document = JSON.parse(readFileSync(shop.path('w/wrinkles.json'), 'utf8'))
+    expect(document.areas[3]).toEqual({ name: 'eye', image: 'areas/eye.png', convention: 'weight' })
+    const white = await sharp(shop.path('w/areas/eye.png')).toColourspace('b-w').raw().toBuffer()
+    expect([...white]).toEqual(await weights(`${folder}/areas/eye.png`))
+    // The same images without their document: the option tells how they are painted.
+    shop.write('plain/layers/x/normal.png', await noise(1, 3))
+    shop.write('plain/areas/eye.png', readFileSync(shop.path('w/areas/eye.png')))
+    const args = [shop.path('plain'), '--face', `${folder}/face.glb`, '-o', shop.path('p.glb')]
+    await shop.run(packCommand, ...args, '--white-is-visible')
+    await shop.run(unpackCommand, shop.path('p.glb'), '-o', shop.path('pu'))
+    expect(await weights(shop.path('pu/areas/eye.png'))).toEqual([...white])
+  })
+
+  it.each(['1', '3', '4'])(
+    'gives the same folder and file back, with %s areas to an image',
+    async (share) => {
+      const rich = await shop.makeFolder('rich')
+      shop.json('rich/wrinkles.json', {
+        version: 1,
+        layers: [
+          {
+            name: 'expression',
+            normalScale: 0.5,
+            occlusion: 'layers/age/normal.png',
+            occlusionStrength: 0.5,
+          },
+          { name: 'age', kind: 'detail', height: 'layers/expression/normal.png', heightAmplitude: 0.003 },
+        ],
+        areas: [
+          { name: 'nose', image: 'areas/nose.png', combine: 'max', activation: 0.25 },
+          { name: 'br/ow', image: 'areas/brow.png', layer: 'age' },
+          { name: 'BR/OW', image: 'areas/cheek.png' },
+          { name: 'chin', image: 'areas/chin.png' },
+        ],
+        drivers: [
+          {
+            type: 'morph',
+            area: 'nose',
+            targets: [{ name: 'browInnerUp', weight: 1 }],
+            curve: [
+              [0, 0],
+              [1, 1],
+            ],
+          },
+          { type: 'tension', area: 'chin', limit: 2 },
+        ],
+      })
+      const [one, two] = [shop.path(`one${share}.glb`), shop.path(`two${share}.glb`)]
+      await shop.run(packCommand, rich, '-o', one, '--share', share)
+      await shop.run(unpackCommand, one, '-o', shop.path(`f${share}`))
+      await shop.run(packCommand, shop.path(`f${share}`), '-o', two, '--share', share)
+      await shop.run(unpackCommand, two, '-o', shop.path(`g${share}`))
+      expect(readFileSync(two).equals(readFileSync(one))).toBe(true)
+      expect(shop.files(`g${share}`)).toEqual(shop.files(`f${share}`))
+      expect(Object.keys(shop.files(`f${share}`))).toContain('areas/BR_OW-2.png')
+      expect(jsonOf(readFileSync(shop.path(`f${share}/face.glb`)))).toEqual(jsonOf(await faceBytes()))
+      expect(await weights(shop.path(`f${share}/areas/chin.png`))).toEqual(
+        await weights(`${rich}/areas/chin.png`),
+      )
+      expect(extensionOf(one)).toMatchObject({
+        layers: [
+          { name: 'expression', normalTexture: { scale: 0.5 }, occlusionTexture: { strength: 0.5 } },
+          { name: 'age', kind: 'detail', heightTexture: { amplitude: 0.003 } },
+        ],
+        areas: [{ combine: 'max', activation: 0.25 }, { layer: 1 }, {}, {}],
+        drivers: [{ type: 'morph' }, { type: 'tension', limit: 2 }],
+      })
+    },
+  )
+
+  it('replaces the wrinkles of a face that has some', async () => {
+    await shop.run(packCommand, folder, '-o', shop.path('a.glb'))
+    await shop.run(packCommand, folder, '--face', shop.path('a.glb'), '-o', shop.path('b.glb'))
+    expect(readFileSync(shop.path('b.glb')).equals(readFileSync(shop.path('a.glb')))).toBe(true)
+  })
+
+  it('resamples the areas to the size that is asked for', async () => {
+    await shop.run(packCommand, folder, '-o', shop.path('s.glb'), '--area-size', '32', '--json')
+    expect(JSON.parse(shop.printed)).toMatchObject({ areaSize: 32, areas: AREAS, drivers: 0 })
+    await shop.run(unpackCommand, shop.path('s.glb'), '-o', shop.path('s'))
+    expect(await sharp(shop.path('s/areas/nose.png')).metadata()).toMatchObject({ width: 32, height: 32 })
+  })
+
+  it('makes files whose wrinkles survive a script of glTF-Transform', async () => {
+    await shop.run(packCommand, folder, '-o', shop.path('a.glb'))
+    const io = new NodeIO().registerExtensions([...ALL_EXTENSIONS, FurrowWrinkleMaps])
+    const document = await io.read(shop.path('a.glb'))
+    await document.transform(
+      dedup(),
+      prune(),
+      textureCompress({ encoder: sharp, targetFormat: 'webp', resize: [64, 64], lossless: true }),
+    )
+    await io.write(shop.path('t.glb'), document)
+    await shop.run(unpackCommand, shop.path('t.glb'), '-o', shop.path('t'))
+    for (const [i, name] of AREAS.entries()) {
+      const small = await weights(shop.path(`t/areas/${name}.png`))
+      const [inside, outside] = [0, 4].map((shift) => small[20 * 64 + ((8 * (i + shift)) % 64) + 4])
+      expect(inside, name).toBeGreaterThan(190)
+      expect(outside, name).toBeLessThan(5)
+    }
+  })
+
+  it('warns of a blendshape that the mesh does not have and of an area that shows nowhere, and keeps both', async () => {
+    const odd = await shop.makeFolder('odd')
+    shop.json('odd/wrinkles.json', {
+      version: 1,
+      drivers: [{ type: 'morph', area: 'nose', targets: [{ name: 'noseSneer' }] }],
+    })
+    shop.write('odd/areas/zero.png', await painted(99))
+    await shop.run(packCommand, odd, '-o', shop.path('warned.glb'))
+    expect(shop.warned).toContain('a driver names the blendshape "noseSneer", which the mesh does not have')
+    expect(shop.warned).toContain('area "zero" is visible nowhere')
+    expect(extensionOf(shop.path('warned.glb')).drivers[0].targets[0].name).toBe('noseSneer')
+    expect(extensionOf(shop.path('warned.glb')).areas.at(-1).name).toBe('zero')
+  })
+})
+
+describe('furrow pack with bad input', () => {
+  const out = () => shop.path('out.glb')
+
+  /** A folder like the good one, spoilt. */
+  async function spoilt(name: string, spoil: (at: string) => unknown): Promise<string> {
+    const path = await shop.makeFolder(`bad-${name}`)
+    await spoil(`bad-${name}`)
+    return path
+  }
+  const document = (rest: object) => (at: string) => shop.json(`${at}/wrinkles.json`, { version: 1, ...rest })
+  const nose = { name: 'nose', image: 'areas/nose.png' }
+
+  it.each<[string, (at: string) => unknown, string]>([
+    ['no JSON', (at) => shop.write(`${at}/wrinkles.json`, '{'), 'wrinkles.json is no JSON'],
+    [
+      'JSON of the wrong shape',
+      (at) => shop.json(`${at}/wrinkles.json`, [1]),
+      'the document must be an object',
+    ],
+    ['no areas', document({ areas: [] }), 'no areas in'],
+    [
+      'an unknown layer',
+      document({ areas: [{ ...nose, layer: 'x' }] }),
+      'area "nose" is on an unknown layer',
+    ],
+    ['two areas of one name', document({ areas: [nose, nose] }), 'areas[1].name is taken, got "nose"'],
+    ['a missing image', document({ areas: [{ name: 'a', image: 'no.png' }] }), 'no.png (ENOENT'],
+    ['an address elsewhere', document({ areas: [{ name: 'a', image: 'https://x/y' }] }), 'cannot read'],
+    [
+      'a driver of nothing',
+      document({ drivers: [{ type: 'morph', area: 'x' }] }),
+      'drivers[0].area is unknown',
+    ],
+    [
+      'no amplitude',
+      async (at) => shop.write(`${at}/layers/age/height.png`, await noise(1, 3)),
+      'layers[0].heightAmplitude must be a number',
+    ],
+    [
+      'an image cut off',
+      async (at) => shop.write(`${at}/areas/eye.png`, (await painted(1)).subarray(0, 300)),
+      'eye.png',
+    ],
+    ['no image', (at) => shop.write(`${at}/layers/age/normal.png`, 'hello'), 'is not a readable image'],
+    [
+      'transparent texels',
+      async (at) => shop.write(`${at}/layers/age/normal.png`, await noise(1, 4)),
+      'layers/age/normal.png has transparent texels',
+    ],
+    [
+      'layers of two sizes',
+      async (at) => shop.write(`${at}/layers/age/normal.png`, await noise(1, 3, 32)),
+      'the normal maps of the layers differ in size, got "32 x 32, 16 x 16"',
+    ],
+    ['a face that is none', (at) => shop.write(`${at}/face.glb`, 'glTF'), 'is not usable'],
+    [
+      'a face without a mesh',
+      async (at) => shop.write(`${at}/face.glb`, withJson(await faceBytes(), { asset: { version: '2.0' } })),
+      'no such mesh, allowed: the file has none with texture coordinates',
+    ],
+    [
+      'two meshes to choose from',
+      async (at) => shop.write(`${at}/face.glb`, await faceBytes(['left', 'right'])),
+      'several choices of a mesh, allowed: left, right; name one with --mesh',
+    ],
+  ])('says one line about %s and writes nothing', async (name, spoil, message) => {
+    const path = await spoilt(name.replaceAll(' ', '-'), spoil)
+    const before = Object.keys(shop.files())
+    const failure = await shop.failure(packCommand, path, '-o', out())
+    expect(failure.name).toBe('FurrowError')
+    expect(failure.message).toContain('furrow pack: ')
+    expect(failure.message).toContain(message)
+    expect(failure.message).not.toContain('\n')
+    expect(Object.keys(shop.files())).toEqual(before)
+  })
+
+  it.each<[string, string[], string]>([
+    ['an unknown mesh', ['--mesh', 'nose'], 'no such mesh, got "nose", allowed: skin, eyes'],
+    ['an unknown material', ['--material', 'x'], 'no such material of that mesh, got "x", allowed: skin'],
+    ['a share of two', ['--share', '2'], '--share is unknown, got "2", allowed: 3, 1, 4'],
+    ['no size', ['--area-size', 'big'], '--area-size is no whole number in its range, got "big"'],
+    ['no such face', ['--face', 'none.glb'], 'cannot read none.glb'],
+  ])('refuses %s', async (_, args, message) => {
+    const failure = await shop.failure(packCommand, folder, '-o', out(), ...args)
+    expect(failure.name).toBe('FurrowError')
+    expect(failure.message).toContain(message)
+    expect(existsSync(out())).toBe(false)
+  })
+
+  it('refuses an output that cannot be written, before any work', async () => {
+    mkdirSync(shop.path('folder.glb'), { recursive: true })
+    for (const path of ['x.txt', 'folder.glb', 'face/face.glb/x.glb']) {
+      const failure = await shop.failure(packCommand, folder, '-o', shop.path(path))
+      expect(failure.message).toContain(`cannot write ${shop.path(path)}`)
+    }
+  })
+})

@@ -1,0 +1,141 @@
+import { Document, NodeIO } from '@gltf-transform/core'
+
+export interface Shape {
+  positions: number[]
+  normals?: number[]
+  uvs?: number[]
+  tangents?: number[]
+  indices: number[]
+}
+
+type Vector = [number, number, number]
+const unit = ([x, y, z]: Vector): Vector => {
+  const length = Math.hypot(x, y, z)
+  return [x / length, y / length, z / length]
+}
+
+/** A sphere of `radius` metres from an icosahedron whose triangles are cut in four `cuts` times. */
+export function icosphere(radius: number, cuts: number): Shape {
+  const g = (1 + Math.sqrt(5)) / 2
+  const corners = [
+    [-1, g, 0],
+    [1, g, 0],
+    [-1, -g, 0],
+    [1, -g, 0],
+  ] as Vector[]
+  const points = [0, 1, 2].flatMap((turn) =>
+    corners.map((c) => unit([c[(3 - turn) % 3]!, c[(4 - turn) % 3]!, c[(5 - turn) % 3]!])),
+  )
+  // The faces of an icosahedron are the triples of corners that are neighbours; all turn outwards.
+  let faces: Vector[] = []
+  const near = (i: number, j: number) => {
+    const dot = points[i]!.reduce((sum, value, k) => sum + value * points[j]![k]!, 0)
+    return i !== j && dot > 0.4
+  }
+  for (let i = 0; i < 12; i++) {
+    for (let j = i + 1; j < 12; j++) {
+      for (let k = j + 1; k < 12; k++) {
+        if (near(i, j) && near(j, k) && near(i, k)) faces.push(outwards(points, [i, j, k]))
+      }
+    }
+  }
+  for (let cut = 0; cut < cuts; cut++) {
+    const middles = new Map<string, number>()
+    const middle = (i: number, j: number) => {
+      const key = i < j ? `${i} ${j}` : `${j} ${i}`
+      if (!middles.has(key)) {
+        const [p, q] = [points[i]!, points[j]!]
+        middles.set(key, points.push(unit([p[0] + q[0], p[1] + q[1], p[2] + q[2]])) - 1)
+      }
+      return middles.get(key)!
+    }
+    faces = faces.flatMap(([i, j, k]) => {
+      const [ij, jk, ki] = [middle(i, j), middle(j, k), middle(k, i)]
+      return [
+        [i, ij, ki],
+        [j, jk, ij],
+        [k, ki, jk],
+        [ij, jk, ki],
+      ] as Vector[]
+    })
+  }
+  return {
+    positions: points.flat().map((value) => radius * value),
+    normals: points.flat(),
+    indices: faces.flat(),
+  }
+}
+
+function outwards(points: Vector[], [i, j, k]: Vector): Vector {
+  const [a, b, c] = [points[i]!, points[j]!, points[k]!]
+  const [u, v] = [0, 1].map((n) => [0, 1, 2].map((m) => (n ? c : b)[m]! - a[m]!)) as [number[], number[]]
+  const cross = [u[1]! * v[2]! - u[2]! * v[1]!, u[2]! * v[0]! - u[0]! * v[2]!, u[0]! * v[1]! - u[1]! * v[0]!]
+  return cross.reduce((sum, value, m) => sum + value * a[m]!, 0) > 0 ? [i, j, k] : [i, k, j]
+}
+
+/**
+ * A globe of few triangles: u goes east, v goes south, without its poles so that no UV is ambiguous. `tilt` turns its normals
+ * round the north by so many radians; `mirrored` lets u go west.
+ */
+export function globe(radius: number, columns: number, rows: number, { tilt = 0, mirrored = false } = {}) {
+  const shape = {
+    positions: [] as number[],
+    normals: [] as number[],
+    uvs: [] as number[],
+    indices: [] as number[],
+  }
+  for (let row = 0; row <= rows; row++) {
+    for (let column = 0; column <= columns; column++) {
+      const [u, v] = [column / columns, row / rows]
+      const [east, north] = [(u - 0.5) * Math.PI * 1.9, (0.5 - v) * Math.PI * 0.8]
+      const point = (turn: number) => [
+        Math.cos(north) * Math.sin(east + turn),
+        Math.sin(north),
+        Math.cos(north) * Math.cos(east + turn),
+      ]
+      shape.positions.push(...point(0).map((value) => radius * value))
+      shape.normals.push(...point(tilt))
+      shape.uvs.push(mirrored ? 0.95 - 0.9 * u : 0.05 + 0.9 * u, 0.05 + 0.9 * v)
+      if (row === rows || column === columns) continue
+      const i = row * (columns + 1) + column
+      shape.indices.push(i, i + columns + 1, i + 1, i + 1, i + columns + 1, i + columns + 2)
+    }
+  }
+  return shape
+}
+
+/** A rectangle from a corner along two edges, in metres, its texture over all of it. */
+export function quad(corner: Vector, a: Vector, b: Vector): Shape {
+  const normal = unit([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
+  const at = (s: number, t: number) => corner.map((value, k) => value + s * a[k]! + t * b[k]!)
+  return {
+    positions: [...at(0, 0), ...at(1, 0), ...at(1, 1), ...at(0, 1)],
+    normals: [0, 1, 2, 3].flatMap(() => normal),
+    uvs: [0, 1, 1, 1, 1, 0, 0, 0],
+    indices: [0, 1, 2, 0, 2, 3],
+  }
+}
+
+/** Writes shapes as meshes of a .glb, each a node of its own. */
+export async function writeGlb(path: string, shapes: Record<string, Shape>): Promise<void> {
+  const document = new Document()
+  const buffer = document.createBuffer()
+  const scene = document.createScene()
+  const accessor = (type: 'VEC2' | 'VEC3' | 'VEC4' | 'SCALAR', array: Float32Array | Uint32Array) =>
+    document
+      .createAccessor()
+      .setType(type)
+      .setArray(array as Float32Array<ArrayBuffer>)
+      .setBuffer(buffer)
+  for (const [name, { positions, normals, uvs, tangents, indices }] of Object.entries(shapes)) {
+    const primitive = document
+      .createPrimitive()
+      .setAttribute('POSITION', accessor('VEC3', Float32Array.from(positions)))
+      .setIndices(accessor('SCALAR', Uint32Array.from(indices)))
+    if (normals) primitive.setAttribute('NORMAL', accessor('VEC3', Float32Array.from(normals)))
+    if (uvs) primitive.setAttribute('TEXCOORD_0', accessor('VEC2', Float32Array.from(uvs)))
+    if (tangents) primitive.setAttribute('TANGENT', accessor('VEC4', Float32Array.from(tangents)))
+    scene.addChild(document.createNode(name).setMesh(document.createMesh(name).addPrimitive(primitive)))
+  }
+  await new NodeIO().write(path, document)
+}

@@ -1,0 +1,146 @@
+import { readFileSync } from 'node:fs'
+import fc from 'fast-check'
+import sharp from 'sharp'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
+import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
+import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
+import { mutate, mutation } from '../gltf/mutations.ts'
+import { jsonOf, noise, painted, Workshop, withJson } from './workshop.ts'
+
+const NAME = 'FURROW_wrinkle_maps'
+const shop = new Workshop()
+const face = shop.path('wrinkled.glb')
+
+type Json = ReturnType<typeof jsonOf>
+
+beforeAll(async () => {
+  await shop.run(packCommand, await shop.makeFolder('face'), '-o', face)
+})
+
+/** The codes that are found once `spoil` has changed the file's JSON. */
+async function codesOf(path: string): Promise<string[]> {
+  shop.printed = ''
+  await shop.run(validateCommand, path, '--json')
+  return JSON.parse(shop.printed).findings.map(({ code }: { code: string }) => code)
+}
+
+function spoilt(spoil: (json: Json, maps: Json) => void): string {
+  const bytes = readFileSync(face)
+  const json = jsonOf(bytes)
+  spoil(json, json.materials[0].extensions[NAME])
+  return shop.write('spoilt.glb', withJson(bytes, json))
+}
+
+describe('furrow validate', () => {
+  it('finds nothing wrong with a packed face, not even a warning', async () => {
+    await shop.run(validateCommand, face)
+    expect(shop.printed).toBe(`${face}: 0 errors, 0 warnings\n`)
+    expect(process.exitCode).toBeUndefined()
+  })
+
+  it('asks the Khronos validator', async () => {
+    const path = spoilt((json) => Object.assign(json.accessors[0], { count: 4000 }))
+    await shop.run(validateCommand, path)
+    expect(shop.printed).toMatch(/^error: \/accessors\/0.*\(ACCESSOR_TOO_LONG\)$/m)
+    expect(process.exitCode).toBe(1)
+  })
+
+  it.each<[string, (json: Json, maps: Json) => void, string]>([
+    ['an index out of range', (_, maps) => Object.assign(maps.areas[0].texture, { index: 99 }), 'INVALID'],
+    ['two areas of one name', (_, maps) => Object.assign(maps.areas[1], { name: 'brow' }), 'INVALID'],
+    ['a layer beyond the list', (_, maps) => Object.assign(maps.areas[1], { layer: 2 }), 'INVALID'],
+    [
+      'an extension that is no object',
+      (json) => Object.assign(json.materials[0].extensions, { [NAME]: 1 }),
+      'INVALID',
+    ],
+    ['a missing image', (json) => json.images.pop(), 'INVALID'],
+    ['an undeclared extension', (json) => delete json.extensionsUsed, 'NOT_DECLARED'],
+  ])('counts %s as an error', async (_, spoil, code) => {
+    expect(await codesOf(spoilt(spoil))).toContain(code)
+    expect(process.exitCode).toBe(1)
+  })
+
+  it.each<[string, (json: Json, maps: Json) => void, string]>([
+    ['a required extension', (json) => Object.assign(json, { extensionsRequired: [NAME] }), 'REQUIRED'],
+    [
+      'other texture coordinates',
+      (_, maps) => Object.assign(maps.areas[0].texture, { texCoord: 1 }),
+      'TEXCOORD',
+    ],
+    [
+      'an unknown blendshape',
+      (_, maps) =>
+        Object.assign(maps, { drivers: [{ type: 'morph', area: 'nose', targets: [{ name: 'x' }] }] }),
+      'DRIVER_TARGET',
+    ],
+    ['an unknown driver', (_, maps) => Object.assign(maps, { drivers: [{ type: 'bone' }] }), 'DRIVER_TYPE'],
+    ['no wrinkles at all', (json) => delete json.materials[0].extensions, 'NO_WRINKLES'],
+  ])('counts %s as a warning', async (_, spoil, code) => {
+    expect(await codesOf(spoilt(spoil))).toContain(code)
+    expect(process.exitCode).toBeUndefined()
+  })
+
+  it('sees in the images what the JSON does not tell', async () => {
+    const folder = await shop.makeFolder('odd')
+    const jpeg = await sharp(await noise(1, 3))
+      .jpeg()
+      .toBuffer()
+    shop.write('odd/layers/age/normal.jpg', jpeg)
+    shop.write('odd/layers/age/roughness.png', await noise(1, 3, 8))
+    shop.write('odd/areas/zero.png', await painted(99))
+    shop.json('odd/wrinkles.json', { version: 1, layers: [{ name: 'age', normal: 'layers/age/normal.jpg' }] })
+    await shop.run(packCommand, folder, '-o', shop.path('odd.glb'), '--share', '4')
+    expect(await codesOf(shop.path('odd.glb'))).toEqual([
+      'MAP_SIZES',
+      'JPEG_NORMALS',
+      'AREA_UNDER_ALPHA',
+      'AREA_UNDER_ALPHA',
+      'AREA_UNDER_ALPHA',
+      'AREA_INVISIBLE',
+    ])
+    const both = jsonOf(readFileSync(face))
+    // The second layer takes an image of another size: the first area's.
+    Object.assign(both.materials[0].extensions[NAME].layers[1].normalTexture, {
+      index: both.materials[0].extensions[NAME].areas[0].texture.index,
+    })
+    const path = shop.write('sizes.glb', withJson(readFileSync(face), both))
+    expect(await codesOf(path)).toContain('LAYER_SIZES')
+    expect(process.exitCode).toBe(1)
+  })
+
+  it('refuses a file cut off at every 1% of its length', async () => {
+    const whole = readFileSync(face)
+    for (let percent = 0; percent < 100; percent++) {
+      const path = shop.write('cut.glb', whole.subarray(0, Math.floor((whole.length * percent) / 100)))
+      const failure = await shop.failure(validateCommand, path)
+      expect(failure.name, `${percent}%: ${failure.stack}`).toBe('FurrowError')
+      expect(failure.message).toContain('furrow validate: ')
+    }
+  })
+
+  it('survives whatever stands in the JSON', async () => {
+    const bytes = readFileSync(face)
+    const json = jsonOf(bytes)
+    await fc.assert(
+      fc.asyncProperty(fc.array(mutation, { minLength: 1, maxLength: 3 }), async (mutations) => {
+        const spoiltJson = mutations.reduce(mutate, structuredClone(json))
+        const path = shop.write('mutated.glb', withJson(bytes, spoiltJson))
+        for (const args of [
+          [validateCommand, path],
+          [inspectCommand, path],
+          [packCommand, shop.path('face'), '--face', path, '-o', shop.path('again.glb')],
+        ] as const) {
+          const [command, ...rest] = args
+          const failure = await shop.run(command, ...rest).then(
+            () => undefined,
+            (error) => error,
+          )
+          if (failure !== undefined) expect(failure.name, failure.stack).toBe('FurrowError')
+        }
+      }),
+      { numRuns: Number(process.env.RUNS ?? 150), seed: 5 },
+    )
+  })
+})

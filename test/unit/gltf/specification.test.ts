@@ -1,0 +1,110 @@
+import { readdirSync, readFileSync } from 'node:fs'
+import { fileURLToPath } from 'node:url'
+import Ajv2020, { type ValidateFunction } from 'ajv/dist/2020.js'
+import fc from 'fast-check'
+import { parseWrinkleMaps } from 'furrow'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
+import { jsonOf, Workshop } from '../cli/workshop.ts'
+import { mutate, mutation } from './mutations.ts'
+import { createIO, createSample, NAME } from './sample.ts'
+
+const DOCS = fileURLToPath(new URL('../../../docs', import.meta.url))
+const page = readFileSync(`${DOCS}/FURROW_wrinkle_maps.md`, 'utf8')
+const human = fileURLToPath(new URL('../../../faces/human', import.meta.url))
+const shop = new Workshop()
+
+type Schema = Record<string, { default?: unknown }>
+
+const schemas = new Map(
+  readdirSync(`${DOCS}/schema`).map((file) => [
+    file,
+    JSON.parse(readFileSync(`${DOCS}/schema/${file}`, 'utf8')),
+  ]),
+)
+let validate: ValidateFunction
+
+beforeAll(() => {
+  const ajv = new Ajv2020({ schemas: [...schemas.values()] })
+  validate = ajv.getSchema(`material.${NAME}.schema.json`)!
+})
+
+/** The rows of the table under one heading of the page. */
+function tableOf(heading: string): { name: string; type: string; required: string }[] {
+  const [, section = ''] = page.split(`\n### ${heading}\n`)
+  const rows = section.split(/\n##/)[0].matchAll(/^\| \*\*(\w+)\*\* \| `(.+?)` \| .+ \| (.+) \|$/gm)
+  return [...rows].map(([, name, type, required]) => ({ name, type, required }))
+}
+
+describe('the page of the extension', () => {
+  it.each([
+    ['FURROW\\_wrinkle\\_maps', `material.${NAME}`],
+    ['layer', `${NAME}.layer`],
+    ['area', `${NAME}.area`],
+    ['driver', `${NAME}.driver`],
+    ['driver of type `morph`', `${NAME}.driver.morph`],
+  ])('lists the properties of its schema under "%s", with their defaults', (heading, file) => {
+    const { properties, required } = schemas.get(`${file}.schema.json`) as {
+      properties: Schema
+      required: string[]
+    }
+    const rows = tableOf(heading)
+    expect(rows.map(({ name }) => name)).toEqual(Object.keys(properties))
+    for (const row of rows) {
+      const { default: usual } = properties[row.name]
+      const text = JSON.stringify(usual, null, 1)?.replaceAll(/\n */g, '').replaceAll(',', ', ')
+      const expected = text === undefined ? 'no' : `no, default: \`${text}\``
+      expect(row.required, row.name).toBe(required.includes(row.name) ? 'yes' : expected)
+    }
+  })
+
+  it('states the limits of the schema', () => {
+    const [layers, areas, drivers] = tableOf('FURROW\\_wrinkle\\_maps').map(({ type }) => type)
+    expect([layers, areas, drivers]).toEqual(['layer [1-4]', 'area [1-256]', 'driver [0-4096]'])
+    const { properties } = schemas.get(`material.${NAME}.schema.json`)
+    expect([properties.layers.maxItems, properties.areas.maxItems]).toEqual([4, 256])
+    expect(properties.drivers.maxItems).toBe(4096)
+  })
+
+  it('has an example that the schema and the parser accept', () => {
+    const [, example] = /```json\n([\s\S]+?)```/.exec(page)!
+    const maps = JSON.parse(example).materials[0].extensions[NAME]
+    expect(validate(maps), JSON.stringify(validate.errors)).toBe(true)
+    expect(parseWrinkleMaps(maps, 11).areas).toHaveLength(3)
+  })
+})
+
+describe('the schema', () => {
+  it('accepts the human face as it is packed', async () => {
+    await shop.run(packCommand, human, '--face', `${human}.glb`, '-o', shop.path('human.glb'))
+    const json = jsonOf(readFileSync(shop.path('human.glb')))
+    const maps = json.materials[0].extensions[NAME]
+    expect(validate(maps), JSON.stringify(validate.errors)).toBe(true)
+    expect(maps.areas).toHaveLength(8)
+  })
+
+  it('accepts whatever the parser accepts, and refuses most of what it refuses', async () => {
+    const { json } = await createIO().writeJSON(await createSample())
+    const text = JSON.stringify(json.materials![0].extensions![NAME])
+    let [accepted, refused, missed] = [0, 0, 0]
+    fc.assert(
+      fc.property(fc.array(mutation, { minLength: 1, maxLength: 2 }), (mutations) => {
+        const document = mutations.reduce(mutate, JSON.parse(text))
+        const passes = validate(document)
+        try {
+          parseWrinkleMaps(document, 10)
+        } catch {
+          refused++
+          if (passes) missed++
+          return true
+        }
+        accepted++
+        return passes
+      }),
+      { numRuns: 10_000, seed: 4 },
+    )
+    expect(accepted).toBeGreaterThan(1000)
+    // Names, indices and curves are beyond a schema.
+    expect(missed / refused).toBeLessThan(0.25)
+  })
+})
