@@ -68,8 +68,9 @@ export class Viewer {
     this.targets = targetDials(face.root).map((dial) => ({
       ...dial,
       write: (value) => {
+        const before = this.#driven().slice()
         dial.write(value)
-        this.#followTargets()
+        this.#followTargets(before)
       },
     }))
     this.areas = areaDials(wrinkles)
@@ -172,12 +173,17 @@ export class Viewer {
     this.stage.render()
   }
 
-  /** Moves the areas as the file's drivers say, after a blendshape was moved by hand. */
-  #followTargets(): void {
-    const { areaNames, activations } = this.#morph
-    this.#morph.update(this.loaded.face.skin.morphTargetInfluences!)
-    for (const [i, name] of areaNames.entries()) {
-      if (this.wrinkles.hasArea(name)) this.wrinkles.setActivation(name, activations[i])
+  /** What the file's drivers make of the blendshapes as they stand. */
+  #driven(): Float32Array {
+    this.#morph.update(this.loaded.face.skin.morphTargetInfluences ?? [])
+    return this.#morph.activations
+  }
+
+  /** After a blendshape was moved by hand: moves the areas that follow it, and leaves the others as they are. */
+  #followTargets(before: Float32Array): void {
+    const now = this.#driven()
+    for (const [i, name] of this.#morph.areaNames.entries()) {
+      if (now[i] !== before[i] && this.wrinkles.hasArea(name)) this.wrinkles.setActivation(name, now[i])
     }
   }
 

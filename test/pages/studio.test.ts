@@ -205,6 +205,11 @@ async function movesFace(page: Page): Promise<void> {
   await filter.fill('jawOpen')
   await slider(page, 'jawOpen').fill('0.6')
   expect(await difference(creased, await face(page))).toBeGreaterThan(0.2)
+  // Areas follow the blendshapes that drive them, and no others: 0.8 of this one, through a curve from 0.15 to 1.
+  await filter.fill('browOuterUpRight')
+  await slider(page, 'browOuterUpRight').fill('1')
+  await expectValue(slider(page, 'foreheadRight'), (0.8 - 0.15) / 0.85)
+  await expectValue(slider(page, 'foreheadLeft'), 1)
 
   await page.getByRole('button', { name: 'Reset all areas' }).click()
   await expectValue(slider(page, 'crowsFeetLeft'), 0)
