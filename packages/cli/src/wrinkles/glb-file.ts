@@ -4,6 +4,7 @@ import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
 import { FurrowError } from 'furrow'
 import { firstLine } from '../images.ts'
 import { headerProblem } from '../render/glb.ts'
+import { shapeProblem } from './glb-shape.ts'
 
 type Extensions = Record<string, unknown>
 
@@ -53,17 +54,6 @@ export interface Glb {
   fileBytes: number
   warnings: string[]
 }
-
-const LISTS = [
-  'buffers',
-  'bufferViews',
-  'images',
-  'textures',
-  'samplers',
-  'materials',
-  'meshes',
-  'nodes',
-] as const
 
 /**
  * Reads a `.glb`, or a `.gltf` with the files beside it.
@@ -143,31 +133,6 @@ async function readGltfFile(path: string, who: string): Promise<Glb> {
   } catch (error) {
     throw error instanceof FurrowError ? error : unusable(path, who, firstLine(error))
   }
-}
-
-/** Whether the lists that are walked through are lists of objects, so that nothing below has to ask. */
-function shapeProblem(json: unknown): string | undefined {
-  if (!isObject(json)) return 'its JSON is no object'
-  for (const name of LISTS) {
-    const list = json[name]
-    if (list !== undefined && !(Array.isArray(list) && list.every(isObject))) return `its ${name} are no list`
-  }
-  for (const name of ['extensionsUsed', 'extensionsRequired']) {
-    const list = json[name]
-    if (list !== undefined && !Array.isArray(list)) return `its ${name} are no list`
-  }
-  for (const mesh of (json.meshes ?? []) as Record<string, unknown>[]) {
-    if (!(Array.isArray(mesh.primitives) && mesh.primitives.every(isObject)))
-      return 'a mesh has no primitives'
-  }
-  for (const { extensions } of (json.materials ?? []) as Record<string, unknown>[]) {
-    if (extensions !== undefined && !isObject(extensions)) return 'the extensions of a material are no object'
-  }
-  return undefined
-}
-
-function isObject(value: unknown): value is Record<string, unknown> {
-  return typeof value === 'object' && value !== null && !Array.isArray(value)
 }
 
 function padded(bytes: Uint8Array, fill: number): Uint8Array {

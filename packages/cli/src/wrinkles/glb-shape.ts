@@ -1,0 +1,77 @@
+/** Checks one value; returns whether it has its type. */
+type Check = (value: unknown) => boolean
+
+const isText: Check = (value) => typeof value === 'string'
+const isIndex: Check = (value) => Number.isInteger(value) && (value as number) >= 0
+const isObject = (value: unknown): value is Record<string, unknown> =>
+  typeof value === 'object' && value !== null && !Array.isArray(value)
+const listOf =
+  (check: Check): Check =>
+  (value) =>
+    Array.isArray(value) && value.every(check)
+const mapOf =
+  (check: Check): Check =>
+  (value) =>
+    isObject(value) && Object.values(value).every(check)
+/** An object whose fields, where they are there, pass their checks; others are not looked at. */
+const shape =
+  (fields: Record<string, Check>): Check =>
+  (value) =>
+    isObject(value) &&
+    Object.entries(fields).every(([name, check]) => value[name] === undefined || check(value[name]))
+
+const textureInfo = (value: unknown) =>
+  isObject(value) && isIndex(value.index) && shape({ texCoord: isIndex })(value)
+
+const primitive = shape({
+  attributes: mapOf(isIndex),
+  material: isIndex,
+  targets: listOf(isObject),
+})
+
+/** The lists of a glTF file that wrinkles touch, and the fields that are read from them. */
+const LISTS: Record<string, Check> = {
+  extensionsUsed: isText,
+  extensionsRequired: isText,
+  buffers: shape({ byteLength: isIndex, uri: isText }),
+  bufferViews: shape({
+    buffer: isIndex,
+    byteOffset: isIndex,
+    byteLength: isIndex,
+    extensions: mapOf(shape({ buffer: isIndex, byteOffset: isIndex, byteLength: isIndex })),
+  }),
+  images: shape({ name: isText, mimeType: isText, uri: isText, bufferView: isIndex }),
+  textures: shape({
+    name: isText,
+    sampler: isIndex,
+    source: isIndex,
+    extensions: mapOf(shape({ source: isIndex })),
+  }),
+  samplers: isObject,
+  materials: shape({
+    name: isText,
+    normalTexture: textureInfo,
+    pbrMetallicRoughness: shape({ baseColorTexture: textureInfo }),
+    extensions: isObject,
+  }),
+  meshes: (mesh) =>
+    shape({ name: isText })(mesh) && listOf(primitive)((mesh as { primitives: unknown }).primitives),
+  nodes: shape({ name: isText, mesh: isIndex }),
+}
+
+/**
+ * Whether what is read from a glTF file has the types that glTF gives it, so that nothing further on has to ask.
+ *
+ * @returns what is wrong, or undefined.
+ */
+export function shapeProblem(json: unknown): string | undefined {
+  if (!isObject(json)) return 'its JSON is no object'
+  for (const [name, check] of Object.entries(LISTS)) {
+    const list = json[name]
+    if (list === undefined) continue
+    if (!Array.isArray(list)) return `its ${name} are no list`
+    const wrong = list.findIndex((item) => !check(item))
+    if (wrong >= 0) return `${name}[${wrong}] is malformed`
+  }
+  return undefined
+}
