@@ -1,4 +1,4 @@
-import { type LoadedWrinkles, readWrinkleMaps } from 'furrow/three'
+import { dropMorphedTangents, type LoadedWrinkles, readWrinkleMaps } from 'furrow/three'
 import type { Mesh, Object3D } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
@@ -22,7 +22,14 @@ const SKIN = 'skin'
  * @throws Error when the file has no mesh, or none of that name.
  */
 export async function loadFace(url: string, skin?: string): Promise<Face> {
-  const gltf = await new GLTFLoader().loadAsync(url)
+  const loader = new GLTFLoader().register((parser) => ({
+    name: 'tangents',
+    beforeRoot() {
+      dropMorphedTangents(parser)
+      return null
+    },
+  }))
+  const gltf = await loader.loadAsync(url)
   const { scene: root } = gltf
   const meshes: Mesh[] = []
   root.traverse((object) => {
@@ -36,12 +43,12 @@ export async function loadFace(url: string, skin?: string): Promise<Face> {
       `face: no mesh to wrinkle, got ${JSON.stringify(skin ?? SKIN)}, allowed: ${names}; name one of them`,
     )
   }
-  return { root, skin: found, wrinkles: loaded.find(({ mesh }) => mesh === found) ?? null }
+  return { root, skin: found, wrinkles: loaded.find(({ meshes }) => meshes.includes(found)) ?? null }
 }
 
 function choose(meshes: Mesh[], loaded: LoadedWrinkles[], skin?: string): Mesh | undefined {
   if (skin !== undefined) return meshes.find(({ name }) => name === skin)
-  return loaded[0]?.mesh ?? meshes.find(({ name }) => name === SKIN) ?? largest(meshes)
+  return loaded[0]?.meshes[0] ?? meshes.find(({ name }) => name === SKIN) ?? largest(meshes)
 }
 
 function largest(meshes: Mesh[]): Mesh | undefined {

@@ -129,6 +129,7 @@ export class Looks {
     const flat = this.#keep(new MeshNormalMaterial())
     const standIn = new ThreeMesh(skin.geometry, make())
     this.#mirror = this.#options.makeWrinkles(standIn, this.#options.set())
+    this.#mirror.addMesh(skin)
     this.#mirror.mode = this.#wrinkles.mode === 'off' ? 'off' : 'default'
     return { without: this.#technical(make(), flat), with: this.#technical(standIn.material, flat) }
   }

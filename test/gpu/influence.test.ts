@@ -59,7 +59,7 @@ async function largestError(
     for (let x = 0; x < PIXELS; x++) {
       const u = ((x + 0.5) / PIXELS) * scale + offset[0]
       const v = (1 - (y + 0.5) / PIXELS) * scale + offset[1]
-      const exact = reference.influence(areas, table, u, v)
+      const exact = reference.influenceFromMap(areas, table, u, v)
       worst = Math.max(worst, Math.abs(pixels[(y * PIXELS + x) * 4] - exact))
     }
   }

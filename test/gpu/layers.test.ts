@@ -73,7 +73,7 @@ async function largestError(harness: Harness, random: () => number, kinds: Layer
       const shares = kinds.map((kind, k) => ({
         kind,
         normal: normalOf(k + 1),
-        influence: reference.influence(areas, table, u, v, k),
+        influence: reference.influenceFromMap(areas, table, u, v, k),
       }))
       const exact = Math.max(0, reference.mixNormals(normalOf(0), shares)[axis])
       worst = Math.max(worst, Math.abs(pixels[i * 4] - exact))

@@ -107,8 +107,8 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     const textures = (harness.renderer as WebGLRenderer).info.memory.textures
     gltf.userData.wrinkles[0].dispose()
     expect(await picture(gltf)).toEqual(expected)
-    // Areas, normals and activations.
-    expect((harness.renderer as WebGLRenderer).info.memory.textures).toBeLessThanOrEqual(textures - 3)
+    // Areas and normals; other faces still hold the atlas of influence maps.
+    expect((harness.renderer as WebGLRenderer).info.memory.textures).toBeLessThanOrEqual(textures - 2)
     expect(mesh.onBeforeRender).toBe(Object.getPrototypeOf(mesh).onBeforeRender)
   })
 

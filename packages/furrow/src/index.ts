@@ -1,4 +1,4 @@
-export { Activations, type Slot } from './core/activations.ts'
+export { Activations } from './core/activations.ts'
 export { type AreaConvention, areaWeights } from './core/area.ts'
 export {
   parseWrinkleSetDocument,
@@ -7,9 +7,18 @@ export {
 export { FurrowError } from './core/error.ts'
 export { resampleGray } from './core/image.ts'
 export { DEFAULT_AREA_SIZE, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS } from './core/limits.ts'
-export { type ImageArray, packAreas, packColours } from './core/pack.ts'
+export { type ImageArray, packAreas, packColours, packGrays } from './core/pack.ts'
 export * as reference from './core/reference.ts'
-export type { Area, Combine, GrayImage, Layer, LayerKind, RgbaImage, WrinkleSet } from './core/types.ts'
+export type {
+  Area,
+  ArraySlice,
+  Combine,
+  GrayImage,
+  Layer,
+  LayerKind,
+  RgbaImage,
+  WrinkleSet,
+} from './core/types.ts'
 export {
   isMorphDriver,
   type MorphDriver,

@@ -24,23 +24,19 @@ export interface ImageArray {
  * @throws FurrowError when there is none, one is malformed, or their sizes differ.
  */
 export function packColours(images: readonly RgbaImage[], who = 'packColours'): ImageArray {
-  if (images.length === 0) {
-    throw new FurrowError({ who, what: 'no images', value: 0, limit: 'at least 1', remedy: 'give an image' })
-  }
-  const { width, height } = images[0]
-  for (const [index, image] of images.entries()) {
-    checkImage(image, 'RGBA', `${who} image ${index}`)
-    if (image.width !== width || image.height !== height) {
-      throw new FurrowError({
-        who,
-        what: `image ${index} differs in size from image 0`,
-        value: `${image.width} x ${image.height}`,
-        limit: `${width} x ${height}, the maps of one array share their size`,
-        remedy: 'scale them to one size',
-      })
-    }
-  }
-  return concatenate(images, width, height, 4)
+  checkSizes(images, 'RGBA', who)
+  return concatenate(images, images[0].width, images[0].height, 4)
+}
+
+/**
+ * Packs single-channel maps of the skin, such as roughness, into one array.
+ *
+ * @param images at least one, all of one size; copied.
+ * @throws FurrowError when one is malformed or their sizes differ.
+ */
+export function packGrays(images: readonly GrayImage[], who = 'packGrays'): ImageArray {
+  checkSizes(images, 'gray', who)
+  return concatenate(images, images[0].width, images[0].height, 1)
 }
 
 /**
@@ -69,6 +65,24 @@ export function packAreas(
     return resampleGray(image, size)
   })
   return concatenate(images, size, size, 1)
+}
+
+function checkSizes(images: readonly (GrayImage | RgbaImage)[], layout: 'gray' | 'RGBA', who: string): void {
+  if (images.length === 0) {
+    throw new FurrowError({ who, what: 'no images', value: 0, limit: 'at least 1', remedy: 'give an image' })
+  }
+  const { width, height } = images[0]
+  for (const [index, image] of images.entries()) {
+    checkImage(image, layout, `${who} image ${index}`)
+    if (image.width === width && image.height === height) continue
+    throw new FurrowError({
+      who,
+      what: `image ${index} differs in size from image 0`,
+      value: `${image.width} x ${image.height}`,
+      limit: `${width} x ${height}, the maps of one array share their size`,
+      remedy: 'scale them to one size',
+    })
+  }
 }
 
 function concatenate(

@@ -59,6 +59,66 @@ export function influence(
   return Math.max(Math.min(added, 1), largest)
 }
 
+/**
+ * The influence map: the same, but formed at the texels of the areas and interpolated between them, cut off
+ * at 1 at the very end. Where no area combines by `max` the two are equal.
+ *
+ * @param areas single-channel array, one layer per area; its length must match `activations`.
+ * @returns influence in 0..1.
+ */
+export function influenceFromMap(
+  areas: ImageArray,
+  activations: readonly AreaActivation[],
+  u: number,
+  v: number,
+  layer = 0,
+): number {
+  const { width, height } = areas
+  const x = Math.min(Math.max(u * width - 0.5, 0), width - 1)
+  const y = Math.min(Math.max(v * height - 0.5, 0), height - 1)
+  const x0 = Math.floor(x)
+  const y0 = Math.floor(y)
+  const texel = (i: number, j: number) =>
+    unclampedTexel(areas, activations, Math.min(i, width - 1), Math.min(j, height - 1), layer)
+  const top = lerp(texel(x0, y0), texel(x0 + 1, y0), x - x0)
+  const bottom = lerp(texel(x0, y0 + 1), texel(x0 + 1, y0 + 1), x - x0)
+  return Math.min(1, lerp(top, bottom, y - y0))
+}
+
+function unclampedTexel(
+  { width, height, data }: ImageArray,
+  activations: readonly AreaActivation[],
+  i: number,
+  j: number,
+  layer: number,
+): number {
+  let added = 0
+  let largest = 0
+  for (const [index, area] of activations.entries()) {
+    if (area.layer !== layer) continue
+    const share = (data[i + j * width + index * width * height] / 255) * area.activation
+    if (area.combine === 'max') largest = Math.max(largest, share)
+    else added += share
+  }
+  return Math.max(added, largest)
+}
+
+/**
+ * Base colour, roughness or occlusion: the material's own value turned towards those of the layers that have one,
+ * shared out where their influences together exceed 1.
+ *
+ * @param base, layers' values linear.
+ */
+export function mixValues(
+  base: readonly number[],
+  layers: readonly { value: readonly number[]; influence: number }[],
+): number[] {
+  const total = Math.max(1, sum(layers.map((layer) => layer.influence)))
+  return base.map(
+    (own, i) => own + sum(layers.map((layer) => ((layer.value[i] - own) * layer.influence) / total)),
+  )
+}
+
 /** Step 4 of the paper's shader: the colour lit with smooth normals, turned towards the wrinkled one. */
 export function mixColours(smooth: readonly number[], wrinkled: readonly number[], amount: number): number[] {
   return smooth.map((value, i) => lerp(value, wrinkled[i], amount))

@@ -23,24 +23,44 @@ export interface RgbaImage {
  */
 export type LayerKind = 'replace' | 'detail'
 
-/** The maps of the skin fully wrinkled. */
-export interface Layer {
+/** A map that lies in a texture array of the engine, as KTX2 files give it; nothing in here looks inside. */
+export interface ArraySlice {
+  array: object
+  slice: number
+  /** Which channel of it, 0 = R to 3 = A, where a map has only one. */
+  channel: number
+}
+
+/**
+ * The maps of the skin fully wrinkled.
+ *
+ * @typeParam Slice `ArraySlice` where maps may also come as slices of arrays.
+ */
+export interface Layer<Slice = never> {
   name: string
   kind: LayerKind
   /** Tangent-space normal map, linear, +Y towards smaller v (glTF's convention). */
-  normal: RgbaImage
+  normal: RgbaImage | Slice
   /** Multiplies x and y of the normals; 1 when absent. */
   normalScale?: number
+  /** Skin colour, sRGB. This and the two below take the place of the material's own map where wrinkles show. */
+  baseColor?: RgbaImage | Slice
+  /** Roughness, linear, 255 = 1. */
+  roughness?: GrayImage | Slice
+  /** Ambient light that comes through, linear, 255 = all of it. */
+  occlusion?: GrayImage | Slice
+  /** How much of the occlusion is applied, 0..1; 1 when absent. */
+  occlusionStrength?: number
 }
 
 /** How an area meets others of its layer at the same texel: added, or the larger of the two. */
 export type Combine = 'sum' | 'max'
 
 /** An area of influence: where one controllable group of wrinkles lies. */
-export interface Area {
+export interface Area<Slice = never> {
   name: string
   /** Weights, 255 = fully visible; any size, resampled when packed. */
-  weights: GrayImage
+  weights: GrayImage | Slice
   /** Name of the layer whose wrinkles it shows; the first layer when absent. */
   layer?: string
   /** `sum` when absent. */
@@ -50,9 +70,9 @@ export interface Area {
 }
 
 /** The authored whole: plain data with no engine in it. */
-export interface WrinkleSet {
-  /** 1 to 4 layers, all of one size. */
-  layers: Layer[]
+export interface WrinkleSet<Slice = never> {
+  /** 1 to 4 layers; maps of one kind share their size. */
+  layers: Layer<Slice>[]
   /** 1 to 256 areas with distinct names. */
-  areas: Area[]
+  areas: Area<Slice>[]
 }

@@ -1,7 +1,7 @@
 import { FurrowError } from './error.ts'
 import { checkImage } from './image.ts'
 import { MAX_AREAS, MAX_LAYERS } from './limits.ts'
-import type { Area, Layer, WrinkleSet } from './types.ts'
+import type { Area, ArraySlice, Layer, WrinkleSet } from './types.ts'
 
 /**
  * Checks a whole wrinkle set.
@@ -9,13 +9,27 @@ import type { Area, Layer, WrinkleSet } from './types.ts'
  * @throws FurrowError at the first fault: 1 to 4 layers of one size with distinct names, 1 to 256 areas with
  *   distinct names, every area on a layer that exists.
  */
-export function checkWrinkleSet(set: WrinkleSet, who = 'WrinkleSet'): void {
+export function checkWrinkleSet(set: WrinkleSet<ArraySlice>, who = 'WrinkleSet'): void {
   checkCount(set.layers.length, 'layers', MAX_LAYERS, who)
   checkCount(set.areas.length, 'areas', MAX_AREAS, who)
-  for (const layer of set.layers) checkImage(layer.normal, 'RGBA', `${who} layer "${layer.name}"`)
+  for (const layer of set.layers) checkLayer(layer, who)
   checkNames(set.layers, 'layer', who)
   checkNames(set.areas, 'area', who)
   for (const area of set.areas) checkArea(area, set.layers, who)
+}
+
+/** Whether a map is a slice of an array and not an image. */
+export function isSlice(map: object | undefined): map is ArraySlice {
+  return map !== undefined && 'slice' in map
+}
+
+function checkLayer({ name, normal, baseColor, roughness, occlusion }: Layer<ArraySlice>, who: string): void {
+  for (const [kind, map] of Object.entries({ normal, baseColor })) {
+    if (map && !isSlice(map)) checkImage(map, 'RGBA', `${who} layer "${name}" ${kind}`)
+  }
+  for (const [kind, map] of Object.entries({ roughness, occlusion })) {
+    if (map && !isSlice(map)) checkImage(map, 'gray', `${who} layer "${name}" ${kind}`)
+  }
 }
 
 /**
@@ -23,13 +37,21 @@ export function checkWrinkleSet(set: WrinkleSet, who = 'WrinkleSet'): void {
  *
  * @throws FurrowError when its image is malformed or its layer unknown.
  */
-export function checkArea(area: Area, layers: readonly Layer[], who = 'WrinkleSet'): void {
-  checkImage(area.weights, 'gray', `${who} area "${area.name}"`)
+export function checkArea(
+  area: Area<ArraySlice>,
+  layers: readonly { name: string }[],
+  who = 'WrinkleSet',
+): void {
+  if (!isSlice(area.weights)) checkImage(area.weights, 'gray', `${who} area "${area.name}"`)
   layerIndex(area, layers, who)
 }
 
 /** Index of the layer an area shows: the first when it names none. */
-export function layerIndex(area: Area, layers: readonly Layer[], who = 'WrinkleSet'): number {
+export function layerIndex(
+  area: { name: string; layer?: string },
+  layers: readonly { name: string }[],
+  who = 'WrinkleSet',
+): number {
   if (area.layer === undefined) return 0
   const index = layers.findIndex((layer) => layer.name === area.layer)
   if (index < 0) {

@@ -101,19 +101,23 @@ export class ExpressionMix {
   /** @param delta seconds since the last call. */
   update(delta: number): void {
     this.#elapsed = Math.min(this.#elapsed + delta, this.#duration)
+    this.#interpolate('targets')
+    this.#interpolate('activations')
+  }
+
+  /** Takes no number: one that is handed to a function which is not inlined is allocated. */
+  #interpolate(values: keyof Ends): void {
     const share = this.#duration === 0 ? 1 : this.#elapsed / this.#duration
-    interpolate(this.#from.targets, this.#to.targets, share, this.targets)
-    interpolate(this.#from.activations, this.#to.activations, share, this.activations)
+    const from = this.#from[values]
+    const to = this.#to[values]
+    const out = this[values]
+    for (let i = 0; i < out.length; i++) out[i] = from[i] * (1 - share) + to[i] * share
   }
 }
 
 interface Ends {
   targets: Float32Array
   activations: Float32Array
-}
-
-function interpolate(from: Float32Array, to: Float32Array, share: number, out: Float32Array): void {
-  for (let i = 0; i < out.length; i++) out[i] = from[i] * (1 - share) + to[i] * share
 }
 
 function union(records: readonly Readonly<Record<string, number>>[]): string[] {

@@ -50,13 +50,18 @@ export class MorphActivation {
     this.unknownTargets = [...unknown]
   }
 
-  /** @param influences weights of the mesh's targets now, as three.js's `morphTargetInfluences`. */
-  update(influences: ArrayLike<number>): void {
+  /**
+   * Brings `activations` up to date.
+   *
+   * @param influences weights of the mesh's targets now, as three.js's `morphTargetInfluences`.
+   * @param offset where the first target's weight stands.
+   */
+  update(influences: ArrayLike<number>, offset = 0): void {
     this.activations.fill(0)
     for (let i = 0; i < this.#bound.length; i++) {
       const { area, targets, weights, curve } = this.#bound[i]
       let input = 0
-      for (let k = 0; k < targets.length; k++) input += influences[targets[k]] * weights[k]
+      for (let k = 0; k < targets.length; k++) input += influences[offset + targets[k]] * weights[k]
       this.activations[area] = Math.min(1, this.activations[area] + curveAt(curve, input))
     }
   }

@@ -1,16 +1,20 @@
-import type { DataArrayTexture, Material, Mesh, MeshStandardMaterial, Texture } from 'three'
-import { SRGBColorSpace } from 'three'
-import { Activations, type Slot } from '../core/activations.ts'
-import { combineNormals } from '../core/combine-normals.ts'
-import { FurrowError } from '../core/error.ts'
+import type { Camera, InstancedMesh, Material, Mesh, MeshStandardMaterial, Texture } from 'three'
 import { DEFAULT_AREA_SIZE } from '../core/limits.ts'
-import { packAreas, packColours } from '../core/pack.ts'
-import { scaleNormals } from '../core/scale-normals.ts'
-import type { Area, Layer, LayerKind, RgbaImage, WrinkleSet } from '../core/types.ts'
-import { checkArea, checkWrinkleSet, layerIndex } from '../core/wrinkle-set.ts'
+import type { Area, ArraySlice, WrinkleSet } from '../core/types.ts'
+import { checkArea, checkWrinkleSet } from '../core/wrinkle-set.ts'
+import { ActivationTable } from './activation-table.ts'
+import { createAreaArray } from './area-array.ts'
+import { releaseAtlas, sharedAtlas } from './atlases.ts'
 import { checkMaterial, checkMesh } from './check-mesh.ts'
-import { readTexture } from './read-texture.ts'
-import { activationTexture, areaTexture, colourTexture, flatNormalTexture } from './textures.ts'
+import { Face } from './face.ts'
+import type { AnyRenderer, Cell, InfluenceAtlas } from './influence-atlas.ts'
+import type { QuadMaterials } from './influence-pass.ts'
+import { createInputs, placeCells, type WrinkleInputs } from './inputs.ts'
+import { packPaperArray } from './paper-array.ts'
+import { release, retain } from './shared.ts'
+import { sizeOnScreen } from './size-on-screen.ts'
+import { flatNormalTexture } from './textures.ts'
+import { createTextures, listTextures } from './wrinkle-textures.ts'
 
 /** `default` mixes normals and lights once; `paper` lights twice and mixes colours; `off` shows none. */
 export type WrinkleMode = 'default' | 'paper' | 'off'
@@ -20,45 +24,50 @@ export interface WrinklesOptions {
   mode?: WrinkleMode
   /** Side of the common grid of the areas in texels, 128 unless told. */
   areaSize?: number
+  /**
+   * Size of the mesh on screen in pixels from which on wrinkles show in full. Below it they fade, and from half
+   * of it on they cost nothing. 0 unless told: they never fade.
+   */
+  fadeBelow?: number
 }
 
-export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = { mode: 'default', areaSize: DEFAULT_AREA_SIZE }
+export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = {
+  mode: 'default',
+  areaSize: DEFAULT_AREA_SIZE,
+  fadeBelow: 0,
+}
 
 /** A material with normals to wrinkle: standard, physical, Phong, Lambert, Toon or MatCap. */
 export type WrinkleMaterial = Material &
   Pick<MeshStandardMaterial, 'normalMap' | 'normalMapType' | 'normalScale'>
 
-/** What a shader reads; the objects stay the same as long as the wrinkles live. */
-export interface WrinkleInputs {
-  /** One layer per area, one channel; its depth changes when areas come and go. */
-  areas: DataArrayTexture
-  /** Wrinkled normals, one per layer of the set. */
-  normals: DataArrayTexture
-  /** The paper's array: diffuse, smooth normals, wrinkled normals. In paper mode only. */
-  colours: DataArrayTexture | null
-  /** Whether the diffuse texture in `colours` is encoded in sRGB, as the material's own map says. */
-  diffuseIsSrgb: boolean
-  /** See `Activations.table`. */
-  activations: Texture
-  /** How many areas there are. */
-  areaCount: { value: number }
-  /** How each layer of `normals` is laid on. */
-  kinds: readonly LayerKind[]
-}
-
 /** What a renderer's class adds. */
 export interface RendererParts {
   /** Makes a material show wrinkles, and returns what takes that back; `needsUpdate` is set by the caller. */
-  patch(material: WrinkleMaterial, inputs: WrinkleInputs, mode: Exclude<WrinkleMode, 'off'>): () => void
-  /** A material that shows the influence as gray. */
-  influenceMaterial(inputs: WrinkleInputs): Material
+  patch(
+    material: WrinkleMaterial,
+    inputs: WrinkleInputs,
+    mode: Exclude<WrinkleMode, 'off'>,
+    instanced: boolean,
+  ): () => void
+  /** A material that shows the influence as gray: that of the map, or that of a table of its own. */
+  influenceMaterial(inputs: WrinkleInputs, table: ActivationTable | null, instanced: boolean): Material
+  /** What draws influence maps. */
+  quads: QuadMaterials
 }
 
 const owners = new WeakMap<Material, WrinklesBase>()
+const wearers = new WeakMap<Mesh, WrinklesBase>()
+
+/** The wrinkles on a mesh, however they came there; of several, those put on first. */
+export function wrinklesOf(mesh: Mesh): WrinklesBase | undefined {
+  return wearers.get(mesh)
+}
 
 /**
- * Wrinkles on one mesh; each renderer's class adds its way to patch. The material stays the user's own: morphs, skinning, shadows,
- * environment and `normalScale` keep working, and `dispose` gives it back as it was.
+ * Wrinkles on one mesh, or on each instance of an `InstancedMesh`; each renderer's class adds its way to patch. The
+ * material stays the user's own: morphs, skinning, shadows, environment and `normalScale` keep working, and
+ * `dispose` gives it back as it was.
  */
 export abstract class WrinklesBase {
   readonly mesh: Mesh
@@ -66,49 +75,64 @@ export abstract class WrinklesBase {
   driven = true
 
   readonly #renderer: RendererParts
+  readonly #options: Required<WrinklesOptions>
   readonly #material: WrinkleMaterial
-  readonly #inputs: WrinkleInputs
-  readonly #set: WrinkleSet
-  readonly #areaSize: number
-  readonly #activations: Activations
   readonly #flat: Texture | null
+  readonly #atlas: InfluenceAtlas
+  readonly #faces: readonly Face[]
+  readonly #cells: readonly Cell[]
+  readonly #inputs: WrinkleInputs
+  #areas: Area<ArraySlice>[]
   #mode: WrinkleMode = 'off'
   #unpatch: () => void = () => {}
+  /** Version of the activations that the table holds. */
+  #written = -1
+  /** Influence materials alive: they want the map drawn whatever the mode. */
+  #watchers = 0
+  readonly #drivers: ((instance: number) => void)[] = []
   readonly #disposers: (() => void)[] = []
 
   /**
    * @param renderer what the renderer's class adds.
    * @param mesh needs UVs and normals and a material of its own that is lit.
-   * @param set copied; later changes to it are not seen, use `addArea` and `removeArea`.
+   * @param source a set, copied: later changes to it are not seen, use `addArea` and `removeArea`. Or the wrinkles
+   *   of another mesh, which are then shown here too, at rest, from the same textures.
    * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then untouched.
    */
-  constructor(renderer: RendererParts, mesh: Mesh, set: WrinkleSet, options: WrinklesOptions = {}) {
-    const { mode, areaSize } = { ...WRINKLES_DEFAULTS, ...options }
+  constructor(
+    renderer: RendererParts,
+    mesh: Mesh,
+    source: WrinkleSet<ArraySlice> | WrinklesBase,
+    options: WrinklesOptions = {},
+  ) {
+    const shared = source instanceof WrinklesBase ? source.#shared() : null
+    this.#options = { ...WRINKLES_DEFAULTS, ...shared?.options, ...options }
+    const set = shared?.set ?? (source as WrinkleSet<ArraySlice>)
     checkWrinkleSet(set, 'Wrinkles')
     checkMesh(mesh)
     this.mesh = mesh
     this.#renderer = renderer
     this.#material = checkMaterial(mesh, (material) => owners.has(material))
-    this.#set = { layers: [...set.layers], areas: [...set.areas] }
-    this.#areaSize = areaSize
-    const areas = areaTexture(packAreas(weightsOf(set.areas), areaSize, 'Wrinkles'))
-    const normals = packColours(set.layers.map(normalsOf), 'Wrinkles layers')
-    this.#activations = new Activations(slotsOf(this.#set), 'Wrinkles')
-    for (const { name, activation } of set.areas) this.#activations.set(name, activation ?? 0)
-    this.#inputs = {
-      areas,
-      normals: colourTexture(normals, this.#material.normalMap?.anisotropy ?? 1),
-      colours: null,
-      diffuseIsSrgb: false,
-      activations: activationTexture(this.#activations),
-      areaCount: { value: set.areas.length },
-      kinds: set.layers.map(({ kind }) => kind),
-    }
+    const areas =
+      shared?.inputs.areas ?? createAreaArray(set.areas, set.layers, this.#options.areaSize, 'Wrinkles')
+    const textures =
+      shared?.inputs.textures ?? createTextures(set.layers, this.#material.normalMap?.anisotropy ?? 1)
+    this.#areas = [...set.areas]
+    this.#atlas = sharedAtlas(renderer.quads, areas.width, areas.height, set.layers.length)
+    const count = this.#isInstanced ? (mesh as InstancedMesh).count : 1
+    this.#faces = Array.from(
+      { length: count },
+      (_, instance) => new Face(areas, this.#areas, () => this.#drive(instance)),
+    )
+    this.#cells = this.#atlas.add(this.#faces)
+    this.#inputs = createInputs(textures, areas, this.#atlas, new ActivationTable())
+    for (const texture of [areas.texture, ...listTextures(textures)]) retain(texture)
     this.#flat = this.#material.normalMap ? null : flatNormalTexture()
     if (this.#flat) this.#material.normalMap = this.#flat
     owners.set(this.#material, this)
+    this.addMesh(mesh)
     try {
-      this.mode = mode
+      this.mode = this.#options.mode
     } catch (error) {
       this.dispose()
       throw error
@@ -117,7 +141,7 @@ export abstract class WrinklesBase {
 
   /** Names of the areas, in the order they are packed. */
   get areaNames(): string[] {
-    return this.#activations.slots.map(({ name }) => name)
+    return this.#areas.map(({ name }) => name)
   }
 
   get mode(): WrinkleMode {
@@ -132,31 +156,34 @@ export abstract class WrinklesBase {
    */
   set mode(mode: WrinkleMode) {
     if (mode === this.#mode) return
-    if (mode === 'paper' && !this.#inputs.colours) this.#inputs.colours = this.#packPaper()
-    this.#unpatch()
-    this.#unpatch = mode === 'off' ? () => {} : this.#renderer.patch(this.#material, this.#inputs, mode)
+    if (mode === 'paper') {
+      this.#inputs.paper ??= packPaperArray(
+        this.#inputs.textures.layers,
+        this.#material,
+        this.#flat ? null : this.#material.normalMap,
+      )
+    }
+    this.#patch(mode)
     this.#mode = mode
-    this.#material.needsUpdate = true
   }
 
   /**
    * @param value 0..1; clamped with one warning.
+   * @param instance of an `InstancedMesh`; 0 unless told.
    * @throws FurrowError when no area has that name.
    */
-  setActivation(area: string, value: number): void {
-    const before = this.#activations.version
-    this.#activations.set(area, value)
-    if (this.#activations.version !== before) this.#inputs.activations.needsUpdate = true
+  setActivation(area: string, value: number, instance = 0): void {
+    this.#faces[instance].activations.set(area, value)
   }
 
   /** @throws FurrowError when no area has that name. */
-  getActivation(area: string): number {
-    return this.#activations.get(area)
+  getActivation(area: string, instance = 0): number {
+    return this.#faces[instance].activations.get(area)
   }
 
   /** Whether an area of that name exists. */
   hasArea(name: string): boolean {
-    return this.#activations.has(name)
+    return this.#faces[0].activations.has(name)
   }
 
   /**
@@ -165,9 +192,9 @@ export abstract class WrinklesBase {
    * @throws FurrowError when its name is taken, its image malformed or its layer unknown; nothing changes then.
    */
   addArea(area: Area): void {
-    checkArea(area, this.#set.layers, 'Wrinkles.addArea')
-    this.#replaceAreas([...this.#set.areas, area], 'Wrinkles.addArea')
-    this.#activations.set(area.name, area.activation ?? 0)
+    checkArea(area, this.#inputs.textures.layers, 'Wrinkles.addArea')
+    this.#replaceAreas([...this.#areas, area], 'Wrinkles.addArea')
+    for (const { activations } of this.#faces) activations.set(area.name, area.activation ?? 0)
   }
 
   /**
@@ -176,9 +203,9 @@ export abstract class WrinklesBase {
    * @throws FurrowError when no area has that name, or it is the last one.
    */
   removeArea(name: string): void {
-    this.#activations.get(name)
+    this.getActivation(name)
     this.#replaceAreas(
-      this.#set.areas.filter((area) => area.name !== name),
+      this.#areas.filter((area) => area.name !== name),
       'Wrinkles.removeArea',
     )
   }
@@ -191,13 +218,56 @@ export abstract class WrinklesBase {
    * @throws FurrowError when no area has that name.
    */
   createInfluenceMaterial(area?: string): Material {
-    if (area === undefined) return this.#renderer.influenceMaterial(this.#inputs)
-    const single = new Activations(this.#activations.slots, 'Wrinkles.createInfluenceMaterial')
-    single.set(area, 1)
-    const activations = activationTexture(single)
-    const material = this.#renderer.influenceMaterial({ ...this.#inputs, activations })
-    material.addEventListener('dispose', () => activations.dispose())
+    if (area === undefined) {
+      this.#watchers++
+      const material = this.#renderer.influenceMaterial(this.#inputs, null, this.#isInstanced)
+      material.addEventListener('dispose', () => this.#watchers--)
+      return material
+    }
+    this.getActivation(area)
+    const table = new ActivationTable()
+    table.write(
+      this.#inputs.areas,
+      Float32Array.from(this.#areas, ({ name }) => (name === area ? 1 : 0)),
+    )
+    const material = this.#renderer.influenceMaterial(this.#inputs, table, this.#isInstanced)
+    material.addEventListener('dispose', () => table.texture.dispose())
     return material
+  }
+
+  /**
+   * Tells of another mesh that wears the material, such as a second primitive of the face: it shows the same
+   * wrinkles, whichever of them is drawn first.
+   */
+  addMesh(mesh: Mesh): void {
+    const before = mesh.onBeforeRender
+    const prepare: Mesh['onBeforeRender'] = (...frame) => {
+      before.apply(mesh, frame)
+      const [renderer, , camera] = frame
+      this.#prepare(renderer as AnyRenderer, camera, mesh)
+    }
+    mesh.onBeforeRender = prepare
+    if (!wearers.has(mesh)) wearers.set(mesh, this)
+    this.onDispose(() => {
+      if (mesh.onBeforeRender === prepare) mesh.onBeforeRender = before
+      if (wearers.get(mesh) === this) wearers.delete(mesh)
+    })
+  }
+
+  /** A copy of the material as it is without wrinkles, for a mesh that shall have some of its own. */
+  cloneMaterial(): Material {
+    const { normalMap } = this.#material
+    this.#unpatch()
+    if (this.#flat) this.#material.normalMap = null
+    const copy = this.#material.clone()
+    this.#material.normalMap = normalMap
+    this.#unpatch = this.#patched(this.#mode)
+    return copy
+  }
+
+  /** Has something done each time before a face is drawn, while `driven` is true. */
+  onDrive(drive: (instance: number) => void): void {
+    this.#drivers.push(drive)
   }
 
   /** Has something done when these wrinkles are disposed of. */
@@ -205,85 +275,89 @@ export abstract class WrinklesBase {
     this.#disposers.push(dispose)
   }
 
-  /** Gives the material back as it was and frees the textures. */
+  /** Gives the material back as it was and frees the textures that no other face shares. */
   dispose(): void {
     for (const dispose of this.#disposers.splice(0)) dispose()
+    this.#drivers.length = 0
     this.mode = 'off'
     if (this.#flat) {
       this.#material.normalMap = null
       this.#flat.dispose()
     }
-    for (const texture of [
-      this.#inputs.areas,
-      this.#inputs.normals,
-      this.#inputs.colours,
-      this.#inputs.activations,
-    ]) {
-      texture?.dispose()
-    }
+    this.#atlas.remove(this.#cells)
+    releaseAtlas(this.#atlas)
+    const { textures, areas, paper, table } = this.#inputs
+    for (const texture of [areas.texture, ...listTextures(textures)]) release(texture)
+    paper?.texture.dispose()
+    table.texture.dispose()
     owners.delete(this.#material)
     // Renderers keep a program's inputs with the material; wrinkles put on it later must bring their own.
     this.#material.dispose()
   }
 
-  #replaceAreas(areas: Area[], who: string): void {
-    checkWrinkleSet({ layers: this.#set.layers, areas }, who)
-    const packed = packAreas(weightsOf(areas), this.#areaSize, who)
-    this.#set.areas = areas
-    this.#activations.rebind(slotsOf(this.#set))
-    // The texture object stays, since shaders hold it; only its storage is made anew at the new depth.
-    this.#inputs.areas.dispose()
-    this.#inputs.areas.image = { ...packed }
-    this.#inputs.areas.needsUpdate = true
-    this.#inputs.activations.needsUpdate = true
-    this.#inputs.areaCount.value = areas.length
+  /** What other meshes may show too. */
+  #shared() {
+    const set = { layers: [...this.#inputs.textures.layers], areas: this.#areas }
+    return { set, inputs: this.#inputs, options: this.#options }
   }
 
-  #packPaper(): DataArrayTexture {
-    const { layers } = this.#set
-    if (layers.length !== 1) {
-      throw new FurrowError({
-        who: 'Wrinkles.mode',
-        what: 'the paper knows one wrinkled normal map',
-        value: layers.map(({ name }) => name).join(', '),
-        limit: 'one layer',
-        remedy: 'use the default mode',
-      })
+  get #isInstanced(): boolean {
+    return (this.mesh as InstancedMesh).isInstancedMesh === true
+  }
+
+  #patch(mode: WrinkleMode): void {
+    this.#unpatch()
+    this.#unpatch = this.#patched(mode)
+    this.#material.needsUpdate = true
+  }
+
+  #patched(mode: WrinkleMode): () => void {
+    if (mode === 'off') return () => {}
+    return this.#renderer.patch(this.#material, this.#inputs, mode, this.#isInstanced)
+  }
+
+  #drive(instance: number): void {
+    if (this.driven) for (const drive of this.#drivers) drive(instance)
+  }
+
+  #prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
+    const { fade, areas, table } = this.#inputs
+    fade.value = this.#fadeOf(renderer, camera, mesh)
+    if (fade.value > 0 && (this.#mode === 'default' || this.#watchers > 0)) {
+      this.#atlas.update(this.#cells, renderer)
+      placeCells(this.#inputs, this.#atlas, this.#cells)
+    } else {
+      this.#faces[0].drive()
     }
-    const normals = normalsOf(layers[0])
-    const { map } = this.#material as Partial<MeshStandardMaterial>
-    this.#inputs.diffuseIsSrgb = map?.colorSpace === SRGBColorSpace
-    const diffuse = map ? readTexture(map, 'Wrinkles.mode') : filled(normals, [255, 255, 255, 255])
-    const smooth =
-      this.#flat || !this.#material.normalMap
-        ? filled(normals, [128, 128, 255, 255])
-        : readTexture(this.#material.normalMap, 'Wrinkles.mode')
-    const wrinkled = layers[0].kind === 'detail' ? combineNormals(smooth, normals) : normals
-    return colourTexture(
-      packColours([diffuse, smooth, wrinkled], 'Wrinkles.mode paper'),
-      this.#inputs.normals.anisotropy,
-    )
+    const { activations } = this.#faces[0]
+    if (this.#mode !== 'paper' || activations.version === this.#written) return
+    this.#written = activations.version
+    table.write(areas, activations.values)
   }
-}
 
-function normalsOf({ normal, normalScale }: Layer): RgbaImage {
-  return scaleNormals(normal, normalScale ?? 1)
-}
+  #fadeOf(renderer: AnyRenderer, camera: Camera, mesh: Mesh): number {
+    const { fadeBelow } = this.#options
+    if (fadeBelow === 0 || this.#isInstanced) return 1
+    return Math.min(1, Math.max(0, (2 * sizeOnScreen(mesh, camera, renderer)) / fadeBelow - 1))
+  }
 
-function weightsOf(areas: readonly Area[]) {
-  return areas.map(({ weights }) => weights)
-}
-
-function slotsOf({ layers, areas }: WrinkleSet): Slot[] {
-  return areas.map((area) => ({
-    name: area.name,
-    layer: layerIndex(area, layers),
-    combine: area.combine ?? 'sum',
-  }))
-}
-
-function filled({ width, height }: RgbaImage, texel: number[]): RgbaImage {
-  const data = new Uint8Array(width * height * 4)
-  for (let i = 0; i < data.length; i++) data[i] = texel[i % 4]
-  return { width, height, data }
+  #replaceAreas(areas: Area<ArraySlice>[], who: string): void {
+    const { textures, areas: old } = this.#inputs
+    checkWrinkleSet({ layers: [...textures.layers], areas }, who)
+    const array = createAreaArray(areas, textures.layers, this.#options.areaSize, who)
+    retain(array.texture)
+    release(old.texture)
+    this.#inputs.areas = array
+    this.#inputs.areaTexture.value = array.texture
+    this.#written = -1
+    this.#areas = areas
+    for (const [i, face] of this.#faces.entries()) {
+      face.areas = array
+      face.activations.rebind(areas)
+      this.#cells[i].stale = true
+    }
+    this.#atlas.prune()
+    // The paper's nodes hold the array itself.
+    if (this.#mode === 'paper') this.#patch('paper')
+  }
 }

@@ -1,4 +1,4 @@
-import type { Mesh } from 'three'
+import type { InstancedMesh, Mesh } from 'three'
 import { sentence } from '../core/error.ts'
 import { isMorphDriver, type WrinkleDriver } from '../core/wrinkle-maps.ts'
 import { MorphActivation } from '../drivers/morph.ts'
@@ -6,7 +6,8 @@ import type { WrinklesBase } from './Wrinkles.ts'
 
 /**
  * Lets a mesh's blendshapes move its wrinkles, by themselves, each time before the mesh is drawn, as long as
- * `wrinkles.driven` is true and the wrinkles are not disposed of.
+ * `wrinkles.driven` is true and the wrinkles are not disposed of. Instances that have weights of their own
+ * (`setMorphAt`) wrinkle by those.
  *
  * @param drivers of the file; types this version does not know are left out with a warning, and so are targets
  *   that the mesh does not have.
@@ -18,19 +19,16 @@ export function driveByMorphs(wrinkles: WrinklesBase, drivers: readonly WrinkleD
   warnOfUnknown(mesh, morph, drivers)
   if (!morphTargetInfluences || morph.areaNames.length === 0) return
   const { areaNames, activations } = morph
-  const before = mesh.onBeforeRender
-  const drive: Mesh['onBeforeRender'] = (...frame) => {
-    before.apply(mesh, frame)
-    if (!wrinkles.driven) return
-    morph.update(morphTargetInfluences)
+  wrinkles.onDrive((instance) => {
+    const { morphTexture } = mesh as Partial<InstancedMesh>
+    // Each instance's row holds the share of the base shape, then those of the targets.
+    if (morphTexture) {
+      morph.update(morphTexture.image.data as Float32Array, instance * morphTexture.image.width + 1)
+    } else morph.update(morphTargetInfluences)
     for (let i = 0; i < areaNames.length; i++) {
       // An area may have been removed since; the others go on.
-      if (wrinkles.hasArea(areaNames[i])) wrinkles.setActivation(areaNames[i], activations[i])
+      if (wrinkles.hasArea(areaNames[i])) wrinkles.setActivation(areaNames[i], activations[i], instance)
     }
-  }
-  mesh.onBeforeRender = drive
-  wrinkles.onDispose(() => {
-    if (mesh.onBeforeRender === drive) mesh.onBeforeRender = before
   })
 }
 

@@ -1,4 +1,5 @@
 import { areaWeights } from '../core/area.ts'
+import { CHANNEL, channelOf } from '../core/channels.ts'
 import { parseWrinkleSetDocument } from '../core/document.ts'
 import { FurrowError } from '../core/error.ts'
 import type { Area, Layer, WrinkleSet } from '../core/types.ts'
@@ -14,20 +15,24 @@ import { decodeImage, toGray } from './decode-image.ts'
 export async function loadWrinkleSet(url: string): Promise<WrinkleSet> {
   const address = new URL(url, globalThis.location?.href)
   const document = parseWrinkleSetDocument(await readJson(address), url)
-  const layers = document.layers.map(
-    async ({ normal, ...layer }): Promise<Layer> => ({
-      ...layer,
-      normal: await decodeImage(await fetchFile(new URL(normal, address)), normal),
-    }),
-  )
+  const image = async (file: string) => decodeImage(await fetchFile(new URL(file, address)), file)
+  const layers = document.layers.map(async (layer): Promise<Layer> => {
+    const { name, kind, normalScale, occlusionStrength, baseColor, roughness, occlusion } = layer
+    return {
+      name,
+      kind,
+      normal: await image(layer.normal),
+      ...(normalScale !== undefined && { normalScale }),
+      ...(baseColor && { baseColor: await image(baseColor) }),
+      ...(roughness && { roughness: channelOf(await image(roughness), CHANNEL.roughness) }),
+      ...(occlusion && { occlusion: channelOf(await image(occlusion), CHANNEL.occlusion) }),
+      ...(occlusionStrength !== undefined && { occlusionStrength }),
+    }
+  })
   const areas = document.areas.map(
-    async ({ image, convention, ...area }): Promise<Area> => ({
+    async ({ image: file, convention, ...area }): Promise<Area> => ({
       ...area,
-      weights: areaWeights(
-        toGray(await decodeImage(await fetchFile(new URL(image, address)), image)),
-        convention,
-        image,
-      ),
+      weights: areaWeights(toGray(await image(file)), convention, file),
     }),
   )
   const set: WrinkleSet = { layers: await Promise.all(layers), areas: await Promise.all(areas) }

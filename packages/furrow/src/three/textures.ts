@@ -1,18 +1,16 @@
 import {
   ClampToEdgeWrapping,
+  type ColorSpace,
   DataArrayTexture,
   DataTexture,
   DataUtils,
-  FloatType,
   HalfFloatType,
   LinearFilter,
   LinearMipmapLinearFilter,
-  NearestFilter,
+  NoColorSpace,
   RedFormat,
   RGBAFormat,
 } from 'three'
-import type { Activations } from '../core/activations.ts'
-import { MAX_AREAS } from '../core/limits.ts'
 import type { ImageArray } from '../core/pack.ts'
 
 /**
@@ -27,25 +25,23 @@ export function areaTexture(areas: ImageArray): DataArrayTexture {
 }
 
 /**
- * Maps of the skin on the GPU: four channels, filtered with mipmaps, as stored (no colour conversion).
+ * Maps of the skin on the GPU, one channel or four, filtered with mipmaps.
  *
  * @param anisotropy that of the map they are mixed with, so that both blur alike at a slant.
+ * @param colorSpace `SRGBColorSpace` for colours that shall be linear when sampled; as stored unless told.
  */
-export function colourTexture(colours: ImageArray, anisotropy: number): DataArrayTexture {
-  const texture = new DataArrayTexture(colours.data, colours.width, colours.height, colours.depth)
+export function mapTexture(
+  maps: ImageArray,
+  anisotropy: number,
+  colorSpace: ColorSpace = NoColorSpace,
+): DataArrayTexture {
+  const texture = new DataArrayTexture(maps.data, maps.width, maps.height, maps.depth)
+  if (maps.channels === 1) texture.format = RedFormat
+  texture.colorSpace = colorSpace
   texture.minFilter = LinearMipmapLinearFilter
   texture.generateMipmaps = true
   texture.anisotropy = anisotropy
   return finish(texture)
-}
-
-/** The table of activations on the GPU: one column per area, see `Activations`. */
-export function activationTexture(activations: Activations): DataTexture {
-  const texture = new DataTexture(activations.table, MAX_AREAS, 2, RGBAFormat, FloatType)
-  texture.minFilter = NearestFilter
-  texture.magFilter = NearestFilter
-  texture.needsUpdate = true
-  return texture
 }
 
 /**

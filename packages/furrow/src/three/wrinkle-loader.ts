@@ -1,18 +1,20 @@
-import type { Mesh } from 'three'
+import type { Material, Mesh } from 'three'
 import type { GLTF, GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import type { WrinkleSet } from '../core/types.ts'
-import { WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
+import { WRINKLE_MAPS, type WrinkleDriver } from '../core/wrinkle-maps.ts'
 import { driveByMorphs } from './drive.ts'
-import { readWrinkleMaps } from './read-wrinkle-maps.ts'
+import { dropMorphedTangents, readWrinkleMaps } from './read-wrinkle-maps.ts'
 import type { WrinklesBase } from './Wrinkles.ts'
 
 /** A renderer's class of wrinkles. */
-type WrinklesClass = new (mesh: Mesh, set: WrinkleSet) => WrinklesBase
+type WrinklesClass = new (mesh: Mesh, source: WrinkleSet | WrinklesBase) => WrinklesBase
 
 /**
  * Puts the wrinkles of FURROW_wrinkle_maps on what `GLTFLoader` loads. A loaded face wrinkles by itself as its
- * blendshapes move: nothing is to be called in the render loop. The wrinkles stand in `gltf.userData.wrinkles`,
- * one for each material that has them, to be switched, looked at or disposed of.
+ * blendshapes move: nothing is to be called in the render loop. So does each copy that `clone()` or
+ * three.js's `SkeletonUtils.clone()` makes of it, with activations of its own and the same textures. The wrinkles
+ * stand in `gltf.userData.wrinkles`, one for each face that has them, to be switched, looked at or disposed of;
+ * `wrinklesOf` tells those of a mesh, copies included.
  */
 export class WrinkleLoader {
   readonly name = WRINKLE_MAPS
@@ -24,19 +26,57 @@ export class WrinkleLoader {
     this.#Wrinkles = Wrinkles
   }
 
+  /** Called by the loader before all else. */
+  beforeRoot(): null {
+    dropMorphedTangents(this.#parser)
+    return null
+  }
+
   /** Called by the loader when all else is there. Rejects with a FurrowError where the extension is malformed. */
   async afterRoot(gltf: GLTF): Promise<void> {
     const wrinkles: WrinklesBase[] = []
+    const bySet = new Map<WrinkleSet, WrinklesBase>()
+    const byMaterial = new Map<Material, WrinklesBase>()
     try {
-      for (const { mesh, set, drivers } of await readWrinkleMaps(gltf, this.#parser)) {
-        const own = new this.#Wrinkles(mesh, set)
+      for (const { meshes, set, drivers } of await readWrinkleMaps(gltf, this.#parser)) {
+        const material = meshes[0].material as Material
+        const taken = byMaterial.get(material)?.cloneMaterial()
+        // Another face with the same material wrinkles by itself, and needs one of its own for that.
+        if (taken) for (const mesh of meshes) mesh.material = taken
+        const own = this.#wear(meshes, bySet.get(set) ?? set, drivers)
         wrinkles.push(own)
-        driveByMorphs(own, drivers)
+        if (!bySet.has(set)) bySet.set(set, own)
+        if (!taken) byMaterial.set(material, own)
       }
     } catch (error) {
       for (const own of wrinkles) own.dispose()
       throw error
     }
     if (wrinkles.length > 0) gltf.userData.wrinkles = wrinkles
+  }
+
+  /** Puts wrinkles on the meshes of one face, and has every copy of them wrinkle likewise. */
+  #wear(
+    [mesh, ...others]: readonly Mesh[],
+    source: WrinkleSet | WrinklesBase,
+    drivers: readonly WrinkleDriver[],
+  ): WrinklesBase {
+    const own = new this.#Wrinkles(mesh, source)
+    for (const other of others) own.addMesh(other)
+    driveByMorphs(own, drivers)
+    for (const part of [mesh, ...others]) this.#followClones(part, own, drivers)
+    return own
+  }
+
+  #followClones(mesh: Mesh, own: WrinklesBase, drivers: readonly WrinkleDriver[]): void {
+    mesh.clone = (recursive) => {
+      const copy: Mesh = Object.getPrototypeOf(mesh).clone.call(mesh, recursive)
+      copy.material = own.cloneMaterial()
+      this.#wear([copy], own, drivers)
+      return copy as typeof mesh
+    }
+    own.onDispose(() => {
+      delete (mesh as Partial<Mesh>).clone
+    })
   }
 }

@@ -1,44 +1,54 @@
-import type { IUniform, Mesh, WebGLProgramParametersWithUniforms, WebGLRenderer } from 'three'
-import type { WrinkleSet } from '../core/types.ts'
+import type { Mesh, WebGLProgramParametersWithUniforms, WebGLRenderer } from 'three'
+import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import { type RendererParts, WrinklesBase, type WrinklesOptions } from '../three/Wrinkles.ts'
+import type { WrinkleTextures } from '../three/wrinkle-textures.ts'
 import { influenceMaterial } from './influence-material.ts'
-import { defaultFragment, paperFragment } from './shader.ts'
+import { quadMaterials } from './influence-quads.ts'
+import { defaultFragment, instancedVertex, paperFragment, type ShaderShape } from './shader.ts'
+import { areaUniforms, layerUniforms, mapUniforms } from './uniforms.ts'
 
 /** Wrinkles on one mesh for `WebGLRenderer`. */
 export class Wrinkles extends WrinklesBase {
   /**
-   * @param mesh needs UVs and normals and a material of its own that is lit.
-   * @param set copied; later changes to it are not seen, use `addArea` and `removeArea`.
+   * @param mesh needs UVs and normals and a material of its own that is lit; each instance of an `InstancedMesh`
+   *   wrinkles by itself.
+   * @param source a set, copied: later changes to it are not seen, use `addArea` and `removeArea`. Or the wrinkles
+   *   of another mesh, which are then shown here too, at rest, from the same textures.
    * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then untouched.
    */
-  constructor(mesh: Mesh, set: WrinkleSet, options: WrinklesOptions = {}) {
-    super({ patch, influenceMaterial }, mesh, set, options)
+  constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
+    super({ patch, influenceMaterial, quads: quadMaterials }, mesh, source, options)
   }
 }
 
 /** A small patch of the material's own GLSL, chained after the user's `onBeforeCompile`, if any. */
-const patch: RendererParts['patch'] = (material, inputs, mode) => {
+const patch: RendererParts['patch'] = (material, inputs, mode, instanced) => {
   const { onBeforeCompile, customProgramCacheKey } = material
   const own = { onBeforeCompile, customProgramCacheKey }
-  const colours: Record<string, IUniform> =
-    mode === 'paper'
-      ? { furrowColours: { value: inputs.colours } }
-      : { furrowNormals: { value: inputs.normals } }
-  const uniforms = {
-    furrowAreas: { value: inputs.areas },
-    furrowActivations: { value: inputs.activations },
-    furrowAreaCount: inputs.areaCount,
-    ...colours,
-  }
+  const { paper, textures, areas, table } = inputs
+  const { kinds, normals, values } = textures
+  const shape: ShaderShape = { kinds, normals: normals.slices, values: shapesOf(values), instanced }
+  const inPaper = mode === 'paper' && paper
+  const uniforms = inPaper
+    ? { ...areaUniforms(inputs, table), furrowColours: { value: inPaper.texture } }
+    : { ...mapUniforms(inputs), ...layerUniforms(inputs) }
   material.onBeforeCompile = (shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer) => {
     onBeforeCompile.call(material, shader, renderer)
     Object.assign(shader.uniforms, uniforms)
-    shader.fragmentShader =
-      mode === 'paper'
-        ? paperFragment(shader.fragmentShader, inputs.diffuseIsSrgb)
-        : defaultFragment(shader.fragmentShader, inputs.kinds)
+    if (inPaper) {
+      shader.fragmentShader = paperFragment(shader.fragmentShader, areas.channels, inPaper.diffuseIsSrgb)
+      return
+    }
+    if (instanced) shader.vertexShader = instancedVertex(shader.vertexShader)
+    shader.fragmentShader = defaultFragment(shader.fragmentShader, shape)
   }
-  const variant = mode === 'paper' ? `paper ${inputs.diffuseIsSrgb}` : `default ${inputs.kinds.join(' ')}`
+  const variant = inPaper ? `paper ${areas.channels} ${inPaper.diffuseIsSrgb}` : JSON.stringify(shape)
   material.customProgramCacheKey = () => `${customProgramCacheKey.call(material)} furrow ${variant}`
   return () => Object.assign(material, own)
+}
+
+function shapesOf(values: WrinkleTextures['values']): ShaderShape['values'] {
+  return Object.fromEntries(
+    Object.entries(values).map(([kind, { slices, channel }]) => [kind, { slices, channel }]),
+  )
 }

@@ -1,19 +1,23 @@
-import { MeshBasicMaterial } from 'three'
-import type { WrinkleInputs } from '../three/Wrinkles.ts'
-import { influenceFragment } from './shader.ts'
+import { type IUniform, MeshBasicMaterial } from 'three'
+import type { RendererParts } from '../three/Wrinkles.ts'
+import { areasFragment, instancedVertex, mapFragment } from './shader.ts'
+import { areaUniforms, mapUniforms } from './uniforms.ts'
 
 /** Shows the influence as gray on the mesh as it moves: black = no wrinkles, white = fully visible. */
-export function influenceMaterial(inputs: WrinkleInputs): MeshBasicMaterial {
+export const influenceMaterial: RendererParts['influenceMaterial'] = (inputs, table, instanced) => {
+  const layers = inputs.textures.layers.length
+  const { channels } = inputs.areas
   const material = new MeshBasicMaterial({ toneMapped: false })
   material.defines = { USE_UV: '' }
+  const uniforms: Record<string, IUniform> = table ? areaUniforms(inputs, table) : mapUniforms(inputs)
   material.onBeforeCompile = (shader) => {
-    Object.assign(shader.uniforms, {
-      furrowAreas: { value: inputs.areas },
-      furrowActivations: { value: inputs.activations },
-      furrowAreaCount: inputs.areaCount,
-    })
-    shader.fragmentShader = influenceFragment(shader.fragmentShader)
+    Object.assign(shader.uniforms, uniforms)
+    if (!table && instanced) shader.vertexShader = instancedVertex(shader.vertexShader)
+    shader.fragmentShader = table
+      ? areasFragment(shader.fragmentShader, channels)
+      : mapFragment(shader.fragmentShader, layers, instanced)
   }
-  material.customProgramCacheKey = () => 'furrow influence'
+  const variant = table ? `areas ${channels}` : `map ${layers} ${instanced}`
+  material.customProgramCacheKey = () => `furrow influence ${variant}`
   return material
 }

@@ -1,25 +1,77 @@
 import { ShaderChunk } from 'three'
 import { FurrowError } from '../core/error.ts'
-import { MAX_LAYERS } from '../core/limits.ts'
 import type { LayerKind } from '../core/types.ts'
+import type { ValueKind } from '../three/wrinkle-textures.ts'
+import { influenceFromAreas, influenceFromMap } from './influence-glsl.ts'
 
-/** Declares what the wrinkles read, and sums the areas: the paper's step 3, for every layer at once. */
-const INFLUENCE = /* glsl */ `
-uniform highp sampler2DArray furrowAreas;
-uniform highp sampler2D furrowActivations;
-uniform int furrowAreaCount;
+/** What a program depends on: never the number of areas. */
+export interface ShaderShape {
+  kinds: readonly LayerKind[]
+  /** Slice of each layer's normals. */
+  normals: readonly (number | null)[]
+  /** Slice and channel of each layer's other maps; null for a layer without. */
+  values: Readonly<Partial<Record<ValueKind, { slices: readonly (number | null)[]; channel: number }>>>
+  instanced: boolean
+}
 
-vec4 furrowInfluence(vec2 uv) {
-  vec4 added = vec4(0.0);
-  vec4 largest = vec4(0.0);
-  for (int i = 0; i < furrowAreaCount; i++) {
-    float weight = textureLod(furrowAreas, vec3(uv, float(i)), 0.0).r;
-    added += weight * texelFetch(furrowActivations, ivec2(i, 0), 0);
-    largest = max(largest, weight * texelFetch(furrowActivations, ivec2(i, 1), 0));
-  }
-  return max(min(added, 1.0), largest);
+/**
+ * Makes a built-in material's fragment shader mix the layers' maps into its own before it lights them: `mixNormals`
+ * and `mixValues` of the reference, except that the last normalisation is left to the material.
+ */
+export function defaultFragment(fragment: string, shape: ShaderShape): string {
+  const declared = influenceFromMap(shape.kinds.length, shape.instanced) + normalMixing(shape)
+  const maps = edit(
+    ShaderChunk.normal_fragment_maps,
+    'mapN.xy *= normalScale;',
+    'mapN = furrowMixNormals(mapN);\n\tmapN.xy *= normalScale;',
+  )
+  const edits: [find: string, put: string][] = [[NORMAL_MAPS, maps], ...valueEdits(shape, fragment)]
+  const mixing = Object.keys(shape.values).map((kind) => valueMixing(shape, kind as ValueKind))
+  const started = edit(
+    fragment,
+    'void main() {',
+    `${declared}${mixing.join('')}\nvoid main() {\n\tfurrowBegin(vNormalMapUv);`,
+  )
+  return edits.reduce((text, [find, put]) => edit(text, find, put), started)
+}
+
+/** Tells the fragments of an instanced mesh which instance they belong to. */
+export function instancedVertex(vertex: string): string {
+  return edit(
+    vertex,
+    'void main() {',
+    'flat out float vFurrowInstance;\nvoid main() {\n\tvFurrowInstance = float(gl_InstanceID);',
+  )
+}
+
+function normalMixing({ kinds, normals }: ShaderShape): string {
+  const share = (layer: number) => `furrowShares[${layer}]`
+  const sampled = kinds.map(
+    (kind, layer) => /* glsl */ `
+  vec3 n${layer} = ${kind === 'replace' ? 'base' : 'vec3(0.0, 0.0, 1.0)'};
+  if (${share(layer)} > 0.0) {
+    n${layer} = furrowMap(furrowNormals, ${normals[layer]}.0).xyz * 2.0 - 1.0;
+    n${layer}.xy *= furrowNormalScale[${layer}];
+  }`,
+  )
+  const replacing = indicesOf(kinds, 'replace')
+  const details = indicesOf(kinds, 'detail')
+  const replaced = replacing.map((layer) => ` + (n${layer} - base) * ${share(layer)} / total`)
+  const slope = details.map((layer) => `n${layer}.xy / n${layer}.z * ${share(layer)}`).join(' + ')
+  const reoriented = `
+  normal = furrowReorient(normalize(normal), normalize(vec3(${slope}, 1.0)));`
+  return /* glsl */ `
+uniform highp sampler2DArray furrowNormals;
+uniform vec4 furrowNormalScale;
+${details.length > 0 ? REORIENT : ''}
+vec3 furrowMixNormals(vec3 base) {
+  if (!furrowShows) return base;${sampled.join('')}
+  float total = max(1.0, ${[...replacing.map(share), '0.0'].join(' + ')});
+  vec3 normal = base${replaced.join('')};${details.length > 0 ? reoriented : ''}
+  return normal;
 }
 `
+}
 
 /** Reoriented normal mapping, see \`reorientNormal\` in the reference. */
 const REORIENT = /* glsl */ `
@@ -30,39 +82,73 @@ vec3 furrowReorient(vec3 base, vec3 detail) {
 }
 `
 
-/**
- * Makes a built-in material's fragment shader mix the layers' normals into its own before it lights them.
- * What \`mixNormals\` in the reference does, except that the last normalisation is left to the material.
- */
-export function defaultFragment(fragment: string, kinds: readonly LayerKind[]): string {
-  const share = (layer: number) => `influence[${layer}]`
-  const sample = (layer: number) => `(texture(furrowNormals, vec3(uv, ${layer}.0)).xyz * 2.0 - 1.0)`
-  const replacing = indicesOf(kinds, 'replace')
-  const details = indicesOf(kinds, 'detail')
-  const declared = kinds.map((_, layer) => `vec3 n${layer} = ${sample(layer)};`)
-  const replaced = replacing.map((layer) => ` + (n${layer} - base) * ${share(layer)} / total`)
-  const slope = details.map((layer) => `n${layer}.xy / n${layer}.z * ${share(layer)}`).join(' + ')
-  const reoriented = `
-  float showing = ${details.map(share).join(' + ')};
-  if (showing > 0.0) normal = furrowReorient(normalize(normal), normalize(vec3(${slope}, 1.0)));`
-  const mixNormals = /* glsl */ `
-uniform highp sampler2DArray furrowNormals;
+/** The type of a kind's values, what of a texel they are, and what is done to them. */
+const VALUES: Record<ValueKind, { type: string; swizzle: (channel: number) => string; uniform?: string }> = {
+  baseColor: { type: 'vec3', swizzle: () => '.rgb' },
+  roughness: { type: 'float', swizzle: (channel) => `[${channel}]` },
+  occlusion: { type: 'float', swizzle: (channel) => `[${channel}]`, uniform: 'furrowOcclusionStrength' },
+}
 
-vec3 furrowMixNormals(vec3 base, vec2 uv) {
-  vec4 influence = furrowInfluence(uv);
-  ${declared.join('\n  ')}
-  float total = max(1.0, ${[...replacing.map(share), '0.0'].join(' + ')});
-  vec3 normal = base${replaced.join('')};${details.length > 0 ? reoriented : ''}
-  return normal;
+/** Declares `TYPE furrowMix_KIND(TYPE base)`: `mixValues` of the reference. */
+function valueMixing({ values }: ShaderShape, kind: ValueKind): string {
+  const { slices, channel } = values[kind]!
+  const { type, swizzle, uniform } = VALUES[kind]
+  const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
+  const total = layers.map(({ layer }) => `furrowShares[${layer}]`).join(' + ')
+  const mixed = layers.map(({ slice, layer }) => {
+    const stored = `furrowMap(furrow_${kind}, ${slice}.0)${swizzle(channel)}`
+    const value = uniform ? `mix(1.0, ${stored}, ${uniform}[${layer}])` : stored
+    return /* glsl */ `
+  if (furrowShares[${layer}] > 0.0) value += (${value} - base) * furrowShares[${layer}] / total;`
+  })
+  return /* glsl */ `
+uniform highp sampler2DArray furrow_${kind};
+${uniform ? `uniform vec4 ${uniform};` : ''}
+${type} furrowMix_${kind}(${type} base) {
+  ${type} value = base;
+  if (!furrowShows) return value;
+  float total = max(1.0, ${total});${mixed.join('')}
+  return value;
 }
 `
-  const maps = edit(
-    ShaderChunk.normal_fragment_maps,
-    'mapN.xy *= normalScale;',
-    'mapN = furrowMixNormals(mapN, vNormalMapUv);\n\tmapN.xy *= normalScale;',
-  )
-  const declarations = INFLUENCE + (details.length > 0 ? REORIENT : '') + mixNormals
-  return edit(edit(fragment, 'void main() {', `${declarations}\nvoid main() {`), NORMAL_MAPS, maps)
+}
+
+/** Where the material reads its own maps, with the mixed value put in; without a map its own value is 1. */
+function valueEdits({ values }: ShaderShape, fragment: string): [find: string, put: string][] {
+  const edits: [find: string, put: string][] = []
+  if (values.baseColor) {
+    const chunk = edit(
+      ShaderChunk.map_fragment,
+      'diffuseColor *= sampledDiffuseColor;',
+      'sampledDiffuseColor.rgb = furrowMix_baseColor( sampledDiffuseColor.rgb );\n\tdiffuseColor *= sampledDiffuseColor;',
+    )
+    const otherwise = 'diffuseColor.rgb *= furrowMix_baseColor( vec3( 1.0 ) );'
+    edits.push(['#include <map_fragment>', `${chunk}\n#ifndef USE_MAP\n\t${otherwise}\n#endif\n`])
+  }
+  // Only standard and physical materials have a roughness.
+  if (values.roughness && fragment.includes('#include <roughnessmap_fragment>')) {
+    const chunk = edit(
+      ShaderChunk.roughnessmap_fragment,
+      'roughnessFactor *= texelRoughness.g;',
+      'roughnessFactor *= furrowMix_roughness( texelRoughness.g );',
+    )
+    const otherwise = 'roughnessFactor *= furrowMix_roughness( 1.0 );'
+    edits.push([
+      '#include <roughnessmap_fragment>',
+      `${chunk}\n#ifndef USE_ROUGHNESSMAP\n\t${otherwise}\n#endif\n`,
+    ])
+  }
+  if (values.occlusion && fragment.includes('#include <aomap_fragment>')) {
+    const [open, own] = ['#ifdef USE_AOMAP', 'texture2D( aoMap, vAoMapUv ).r']
+    const mixed = edit(ShaderChunk.aomap_fragment, own, `furrowMix_occlusion( ${own} )`)
+    const bare = edit(
+      ShaderChunk.aomap_fragment,
+      `( ${own} - 1.0 ) * aoMapIntensity + 1.0`,
+      'furrowMix_occlusion( 1.0 )',
+    )
+    edits.push(['#include <aomap_fragment>', `${mixed}\n${edit(bare, open, '#ifndef USE_AOMAP')}`])
+  }
+  return edits
 }
 
 /**
@@ -70,9 +156,10 @@ vec3 furrowMixNormals(vec3 base, vec2 uv) {
  * the two colours by the influence. The material's own text between its first lighting chunk and its output
  * is run twice, so any of three.js's lit materials will do.
  *
+ * @param channels of the areas' array.
  * @param diffuseIsSrgb whether the diffuse layer of the array, sampled as stored, is still to be decoded.
  */
-export function paperFragment(fragment: string, diffuseIsSrgb: boolean): string {
+export function paperFragment(fragment: string, channels: 1 | 4, diffuseIsSrgb: boolean): string {
   const lighting = lightingOf(fragment)
   const maps = edit(
     ShaderChunk.normal_fragment_maps,
@@ -97,13 +184,13 @@ export function paperFragment(fragment: string, diffuseIsSrgb: boolean): string 
       sheenSpecularIndirect = vec3(0.0);
     #endif
     ${lighting}
-    furrowLit = mix(furrowLit, outgoingLight, furrowInfluence(vNormalMapUv).x);
+    furrowLit = mix(furrowLit, outgoingLight, furrowSum(vNormalMapUv).x);
   }
   outgoingLight = furrowLit;
 `
   const stored = 'texture(furrowColours, vec3(vNormalMapUv, 0.0))'
   const diffuse = `diffuseColor *= ${diffuseIsSrgb ? `sRGBTransferEOTF(${stored})` : stored};`
-  const declarations = `${INFLUENCE}\nuniform highp sampler2DArray furrowColours;\n`
+  const declarations = `${influenceFromAreas(channels)}\nuniform highp sampler2DArray furrowColours;\n`
   return [
     ['void main() {', `${declarations}\nvoid main() {`],
     ['#include <map_fragment>', diffuse],
@@ -112,13 +199,22 @@ export function paperFragment(fragment: string, diffuseIsSrgb: boolean): string 
   ].reduce((text, [find, put]) => edit(text, find, put), fragment)
 }
 
-/** Makes an unlit material show the largest influence of any layer as gray. */
-export function influenceFragment(fragment: string): string {
-  const shown = /* glsl */ `
-  vec4 furrowShares = furrowInfluence(vUv);
-  diffuseColor.rgb = vec3(max(max(furrowShares.x, furrowShares.y), max(furrowShares.z, furrowShares.w)));`
-  const declared = edit(fragment, 'void main() {', `${INFLUENCE}\nvoid main() {`)
-  return edit(declared, '#include <map_fragment>', shown)
+const LARGEST = 'diffuseColor.rgb = vec3(max(max(shares.x, shares.y), max(shares.z, shares.w)));'
+
+/** Makes an unlit material show the largest influence of any layer as gray, from the map. */
+export function mapFragment(fragment: string, layers: number, instanced: boolean): string {
+  const declared = edit(
+    fragment,
+    'void main() {',
+    `${influenceFromMap(layers, instanced)}\nvoid main() {\n\tfurrowBegin(vUv);`,
+  )
+  return edit(declared, '#include <map_fragment>', `vec4 shares = furrowShares;\n\t${LARGEST}`)
+}
+
+/** The same, from the areas themselves. */
+export function areasFragment(fragment: string, channels: 1 | 4): string {
+  const declared = edit(fragment, 'void main() {', `${influenceFromAreas(channels)}\nvoid main() {`)
+  return edit(declared, '#include <map_fragment>', `vec4 shares = furrowSum(vUv);\n\t${LARGEST}`)
 }
 
 const NORMAL_MAPS = '#include <normal_fragment_maps>'
@@ -133,7 +229,7 @@ function lightingOf(fragment: string): string {
 }
 
 function indicesOf(kinds: readonly LayerKind[], kind: LayerKind): number[] {
-  return kinds.slice(0, MAX_LAYERS).flatMap((own, layer) => (own === kind ? [layer] : []))
+  return kinds.flatMap((own, layer) => (own === kind ? [layer] : []))
 }
 
 function edit(text: string, find: string, put: string): string {

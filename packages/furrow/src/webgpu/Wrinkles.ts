@@ -1,4 +1,4 @@
-import { Matrix3, type Mesh } from 'three'
+import { Matrix3, type Mesh, type MeshStandardMaterial } from 'three'
 import {
   cameraViewMatrix,
   int,
@@ -10,51 +10,69 @@ import {
   select,
   sRGBTransferEOTF,
   subBuild,
+  texture,
   uniform,
   uv,
   vec3,
+  vec4,
 } from 'three/tsl'
 import type { MeshStandardNodeMaterial, Node, NodeBuilder, NodeMaterial } from 'three/webgpu'
-import type { WrinkleSet } from '../core/types.ts'
+import type { ArraySlice, WrinkleSet } from '../core/types.ts'
+import type { WrinkleInputs } from '../three/inputs.ts'
+import type { PaperArray } from '../three/paper-array.ts'
 import {
   type RendererParts,
-  type WrinkleInputs,
   type WrinkleMaterial,
   WrinklesBase,
   type WrinklesOptions,
 } from '../three/Wrinkles.ts'
-import { areaCount, influence, mixNormals, sampleLayer } from './functions.ts'
+import { influenceFromAreas, influenceFromMap } from './influence.ts'
 import { influenceMaterial } from './influence-material.ts'
+import { quadMaterials } from './influence-quads.ts'
+import { mixNormals, mixValues, type Shares } from './mix.ts'
 
 /** Wrinkles on one mesh for `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
 export class Wrinkles extends WrinklesBase {
   /**
-   * @param mesh needs UVs and normals and a material of its own that is lit: a node material or a plain one.
-   * @param set copied; later changes to it are not seen, use `addArea` and `removeArea`.
+   * @param mesh needs UVs and normals and a material of its own that is lit: a node material or a plain one; each
+   *   instance of an `InstancedMesh` wrinkles by itself.
+   * @param source a set, copied: later changes to it are not seen, use `addArea` and `removeArea`. Or the wrinkles
+   *   of another mesh, which are then shown here too, at rest, from the same textures.
    * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then untouched.
    */
-  constructor(mesh: Mesh, set: WrinkleSet, options: WrinklesOptions = {}) {
-    super({ patch, influenceMaterial }, mesh, set, options)
+  constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
+    super({ patch, influenceMaterial, quads: quadMaterials }, mesh, source, options)
   }
 }
 
+const PATCHED = [
+  'normalNode',
+  'colorNode',
+  'roughnessNode',
+  'aoNode',
+  'setupLighting',
+  'customProgramCacheKey',
+] as const
+
 /** What the patch sets; plain materials carry these too, the renderer copies them to the nodes it makes. */
 type Patched = WrinkleMaterial &
-  Partial<Pick<MeshStandardNodeMaterial, 'normalNode' | 'colorNode' | 'setupLighting'>>
+  Partial<Pick<MeshStandardNodeMaterial, Exclude<(typeof PATCHED)[number], 'customProgramCacheKey'>>>
 
-const patch: RendererParts['patch'] = (material: Patched, inputs, mode) => {
+let patches = 0
+
+const patch: RendererParts['patch'] = (material: Patched, inputs, mode, instanced) => {
   const own = Object.fromEntries(
-    (['normalNode', 'colorNode', 'setupLighting', 'customProgramCacheKey'] as const)
-      .filter((key) => Object.hasOwn(material, key))
-      .map((key) => [key, material[key]]),
+    PATCHED.filter((key) => Object.hasOwn(material, key)).map((key) => [key, material[key]]),
   )
   const place = mapUv(material)
-  const shares = influence(inputs.areas, inputs.activations, areaCount(inputs.areaCount), place)
-  const added = mode === 'paper' ? paper(inputs, place, shares) : normals(inputs, place, shares)
+  const added =
+    mode === 'paper'
+      ? paper(inputs.paper!, place, influenceFromAreas(inputs, inputs.table, place))
+      : layers(material, inputs, { influence: influenceFromMap(inputs, place, instanced), uv: place })
   Object.assign(material, added)
   // The renderer shares one built program among plain materials with equal properties, and nodes are not
   // among those it compares; these read textures of their own.
-  const variant = `furrow ${mode} ${material.uuid}`
+  const variant = `furrow ${mode} ${patches++}`
   const cacheKey = material.customProgramCacheKey
   material.customProgramCacheKey = () => `${cacheKey.call(material)} ${variant}`
   return () => {
@@ -65,22 +83,46 @@ const patch: RendererParts['patch'] = (material: Patched, inputs, mode) => {
   }
 }
 
-/** The default mode: normals mixed, lit once. */
-function normals(inputs: WrinkleInputs, place: Node<'vec2'>, shares: Node<'vec4'>): Partial<Patched> {
-  const base = materialReference('normalMap', 'texture') as unknown as Node<'vec4'>
-  const mixed = mixNormals(base.xyz as Node<'vec3'>, inputs.normals, inputs.kinds, shares.toVar(), place)
-  return { normalNode: normalMap(mixed, scale()) }
+/** The default mode: the layers' maps mixed into the material's, lit once. */
+function layers(material: Patched, inputs: WrinkleInputs, shares: Shares): Partial<Patched> {
+  const base = reference<'vec4'>('normalMap', 'texture')
+  const mixed = mixNormals(base.xyz as Node<'vec3'>, inputs, shares)
+  const added: Partial<Patched> = { normalNode: normalMap(mixed, scale()) }
+  const { baseColor, roughness, occlusion } = inputs.textures.values
+  const { map, roughnessMap, aoMap } = material as Partial<MeshStandardMaterial>
+  const white = vec3(1) as unknown as Node<'vec3'>
+  if (baseColor) {
+    const own = map ? reference<'vec4'>('map', 'texture') : (vec4(1) as unknown as Node<'vec4'>)
+    const colour = mixValues('baseColor', own.rgb as Node<'vec3'>, inputs, shares)
+    added.colorNode = vec4(reference<'vec3'>('color', 'color').mul(colour) as Node<'vec3'>, own.a) as never
+  }
+  if (roughness && 'roughness' in material) {
+    const own = roughnessMap ? vec3(reference<'vec4'>('roughnessMap', 'texture').g) : white
+    const value = mixValues('roughness', own as Node<'vec3'>, inputs, shares).x
+    added.roughnessNode = reference<'float'>('roughness', 'float').mul(value) as never
+  }
+  if (occlusion && 'aoMap' in material) {
+    const intensity = reference<'float'>('aoMapIntensity', 'float')
+    const own = aoMap ? vec3(reference<'vec4'>('aoMap', 'texture').r) : white
+    const value = mixValues('occlusion', own as Node<'vec3'>, inputs, shares).x
+    added.aoNode = (aoMap ? value.sub(1).mul(intensity).add(1) : value) as never
+  }
+  return added
 }
 
 /** The paper's mode: lit with smooth normals, lit again with wrinkled ones, and the two colours mixed. */
-function paper(inputs: WrinkleInputs, place: Node<'vec2'>, shares: Node<'vec4'>): Partial<Patched> {
-  const colours = inputs.colours!
-  const smooth = normalMap(sampleLayer(colours, place, 1).xyz, scale())
-  const wrinkled = normalMap(sampleLayer(colours, place, 2).xyz, scale())
-  const stored = sampleLayer(colours, place, 0).rgb as Node<'vec3'>
-  const diffuse = inputs.diffuseIsSrgb ? (sRGBTransferEOTF(stored) as unknown as Node<'vec3'>) : stored
+function paper(
+  { texture: colours, diffuseIsSrgb }: PaperArray,
+  place: Node<'vec2'>,
+  shares: Node<'vec4'>,
+): Partial<Patched> {
+  const sample = (slice: number) => texture(colours, place).depth(int(slice)) as unknown as Node<'vec4'>
+  const smooth = normalMap(sample(1).xyz, scale())
+  const wrinkled = normalMap(sample(2).xyz, scale())
+  const stored = sample(0).rgb as Node<'vec3'>
+  const diffuse = diffuseIsSrgb ? (sRGBTransferEOTF(stored) as unknown as Node<'vec3'>) : stored
   return {
-    colorNode: (materialReference('color', 'color') as unknown as Node<'vec3'>).mul(diffuse) as never,
+    colorNode: reference<'vec3'>('color', 'color').mul(diffuse) as never,
     normalNode: smooth as never,
     setupLighting(this: NodeMaterial, builder: NodeBuilder) {
       // One lighting graph, run twice by a loop: built twice, three.js would share the first's variables.
@@ -115,5 +157,10 @@ function mapUv(material: WrinkleMaterial): Node<'vec2'> {
 }
 
 function scale(): Node<'vec2'> {
-  return materialReference('normalScale', 'vec2') as unknown as Node<'vec2'>
+  return reference('normalScale', 'vec2')
+}
+
+/** A property of the material, as it is when it is drawn. */
+function reference<T extends string>(property: string, type: string): Node<T> {
+  return materialReference(property, type as never) as unknown as Node<T>
 }

@@ -1,0 +1,25 @@
+import type { ImageArray } from './pack.ts'
+
+/** A rectangle of texels: columns x0 to x1 and rows y0 to y1, the ends not included. */
+export interface Bounds {
+  x0: number
+  y0: number
+  x1: number
+  y1: number
+}
+
+/** The smallest rectangle of one image of a single-channel array that holds all its texels above 0; empty if none is. */
+export function boundsOf({ width, height, data }: ImageArray, slice: number): Bounds {
+  const bounds = { x0: width, y0: height, x1: 0, y1: 0 }
+  const start = slice * width * height
+  for (let y = 0; y < height; y++) {
+    for (let x = 0; x < width; x++) {
+      if (data[start + y * width + x] === 0) continue
+      bounds.x0 = Math.min(bounds.x0, x)
+      bounds.x1 = Math.max(bounds.x1, x + 1)
+      bounds.y0 = Math.min(bounds.y0, y)
+      bounds.y1 = y + 1
+    }
+  }
+  return bounds
+}

@@ -1,0 +1,58 @@
+import { type Texture, Vector2, Vector3, Vector4 } from 'three'
+import type { Layer } from '../core/types.ts'
+import type { ActivationTable } from './activation-table.ts'
+import type { AreaArray } from './area-array.ts'
+import type { Cell, InfluenceAtlas } from './influence-atlas.ts'
+import type { PaperArray } from './paper-array.ts'
+import type { WrinkleTextures } from './wrinkle-textures.ts'
+
+/** What shaders read, `{ value }` as uniforms; the objects stay the same as long as the wrinkles live. */
+export interface WrinkleInputs {
+  readonly textures: WrinkleTextures
+  /** For shaders that loop over the areas themselves. */
+  areas: AreaArray
+  readonly areaTexture: { value: Texture }
+  /** The atlas of influence maps. */
+  readonly influence: { value: Texture }
+  /** Columns and rows of its cells, and the number of this mesh's first one. */
+  readonly grid: { value: Vector3 }
+  /** Half a texel of a cell in 0..1: no sample reaches further out. */
+  readonly inset: { value: Vector2 }
+  /** 1 = wrinkles in full, 0 = too far away to show. */
+  readonly fade: { value: number }
+  /** Per layer: scale of its normals, strength of its occlusion. */
+  readonly normalScale: { value: Vector4 }
+  readonly occlusionStrength: { value: Vector4 }
+  /** In the paper's mode only. */
+  paper: PaperArray | null
+  readonly table: ActivationTable
+}
+
+/** Inputs of a set whose faces stand in an atlas. */
+export function createInputs(
+  textures: WrinkleTextures,
+  areas: AreaArray,
+  atlas: InfluenceAtlas,
+  table: ActivationTable,
+): WrinkleInputs {
+  const perLayer = (number: (layer: Pick<Layer, 'normalScale' | 'occlusionStrength'>) => number) =>
+    new Vector4().fromArray([...textures.layers.map(number), 1, 1, 1])
+  return {
+    textures,
+    areas,
+    areaTexture: { value: areas.texture },
+    influence: { value: atlas.target.texture },
+    grid: { value: new Vector3() },
+    inset: { value: new Vector2(0.5 / atlas.width, 0.5 / atlas.height) },
+    fade: { value: 1 },
+    normalScale: { value: perLayer(({ normalScale }) => normalScale ?? 1) },
+    occlusionStrength: { value: perLayer(({ occlusionStrength }) => occlusionStrength ?? 1) },
+    paper: null,
+    table,
+  }
+}
+
+/** Tells the shaders where the cells of a mesh are; an atlas may have grown. */
+export function placeCells({ grid }: WrinkleInputs, atlas: InfluenceAtlas, [first]: readonly Cell[]): void {
+  grid.value.set(atlas.grid.columns, atlas.grid.rows, first.index)
+}

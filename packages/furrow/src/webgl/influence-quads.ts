@@ -1,0 +1,76 @@
+import {
+  AddEquation,
+  CustomBlending,
+  DoubleSide,
+  GLSL3,
+  MaxEquation,
+  NoBlending,
+  OneFactor,
+  ShaderMaterial,
+  type WebGLRenderer,
+} from 'three'
+import type { QuadMaterials } from '../three/influence-pass.ts'
+
+const VERTEX = /* glsl */ `
+in vec4 furrowTo;
+in vec4 furrowFrom;
+in vec4 furrowAt;
+in vec4 furrowShare;
+out vec2 texel;
+flat out ivec2 at;
+flat out vec4 share;
+
+void main() {
+  texel = mix(furrowFrom.xy, furrowFrom.zw, position.xy);
+  at = ivec2(furrowAt.xy);
+  share = furrowShare;
+  gl_Position = vec4(mix(furrowTo.xy, furrowTo.zw, position.xy) * 2.0 - 1.0, 0.0, 1.0);
+}
+`
+
+const FRAGMENT = /* glsl */ `
+uniform highp sampler2DArray areas;
+in vec2 texel;
+flat in ivec2 at;
+flat in vec4 share;
+out vec4 influence;
+
+void main() {
+  influence = texelFetch(areas, ivec3(ivec2(texel), at.x), 0)[at.y] * share;
+}
+`
+
+const CLEAR = /* glsl */ `
+out vec4 influence;
+
+void main() {
+  influence = vec4(0.0);
+}
+`
+
+/** The materials that draw influence maps on `WebGLRenderer`. */
+export const quadMaterials: QuadMaterials = {
+  create(rule, areas) {
+    return new ShaderMaterial({
+      name: `furrow ${rule}`,
+      glslVersion: GLSL3,
+      vertexShader: VERTEX,
+      fragmentShader: areas ? FRAGMENT : CLEAR,
+      uniforms: areas ? { areas: { value: areas.texture } } : {},
+      blending: rule === 'clear' ? NoBlending : CustomBlending,
+      blendEquation: rule === 'max' ? MaxEquation : AddEquation,
+      blendSrc: OneFactor,
+      blendDst: OneFactor,
+      side: DoubleSide,
+      depthTest: false,
+      depthWrite: false,
+      transparent: true,
+    })
+  },
+  survives(renderer, { target }) {
+    // A context that was lost and came back has none of its textures.
+    const { properties } = renderer as WebGLRenderer
+    const held = properties.get(target.texture) as { __webglTexture?: unknown }
+    return held.__webglTexture !== undefined
+  },
+}

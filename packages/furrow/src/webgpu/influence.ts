@@ -1,0 +1,106 @@
+/** How much of each layer shows at a point, in TSL; the same formulas as the GLSL of `webgl/`. */
+import {
+  Fn,
+  float,
+  If,
+  instanceIndex,
+  int,
+  ivec2,
+  Loop,
+  max,
+  min,
+  texture,
+  textureLoad,
+  uniform,
+  varying,
+  vec2,
+  vec4,
+} from 'three/tsl'
+import type { Node } from 'three/webgpu'
+import type { ActivationTable } from '../three/activation-table.ts'
+import type { WrinkleInputs } from '../three/inputs.ts'
+import type { ArrayTexture } from '../three/wrinkle-textures.ts'
+
+/** A uniform that follows what an input's `value` is when an object is drawn. */
+export function follow<T extends string>(input: { readonly value: unknown }): Node<T> {
+  return uniform(input.value as never).onObjectUpdate(() => input.value as never) as unknown as Node<T>
+}
+
+/**
+ * From the atlas of influence maps: one sample, however many areas there are.
+ *
+ * @param instanced whether each instance of the mesh has a cell of its own.
+ * @returns influence of layers 0..3 in x, y, z, w, each 0..1.
+ */
+export function influenceFromMap(inputs: WrinkleInputs, uv: Node<'vec2'>, instanced: boolean): Node<'vec4'> {
+  const grid = follow<'vec3'>(inputs.grid)
+  const inset = follow<'vec2'>(inputs.inset)
+  const fade = follow<'float'>(inputs.fade)
+  const layers = inputs.textures.layers.length
+  return Fn(() => {
+    const shares = vec4(0).toVar()
+    If(fade.greaterThan(0), () => {
+      const first = grid.z
+      const index = instanced ? first.add(varying(float(instanceIndex))) : first
+      const row = index.add(0.5).div(grid.x).floor().toVar()
+      const corner = vec2(index.sub(row.mul(grid.x)) as Node<'float'>, row)
+      const inside = uv.clamp(inset, inset.oneMinus()) as Node<'vec2'>
+      const place = corner.add(inside).div(grid.xy) as Node<'vec2'>
+      const sampled = texture(inputs.influence.value, place).level(int(0)) as unknown as Node<'vec4'>
+      // Channels without a layer hold whatever the format gives them.
+      const used = vec4(
+        ...([0, 1, 2, 3].map((i) => (i < layers ? 1 : 0)) as [number, number, number, number]),
+      )
+      shares.assign(min(sampled, vec4(1)).mul(fade).mul(used))
+    })
+    return shares
+  })() as unknown as Node<'vec4'>
+}
+
+/**
+ * From the areas themselves, as in the paper's step 3: a loop over all of them, for every layer at once.
+ *
+ * @param table says which activations belong to which slice and channel.
+ */
+export function influenceFromAreas(
+  { areas }: WrinkleInputs,
+  table: ActivationTable,
+  uv: Node<'vec2'>,
+): Node<'vec4'> {
+  const count = uniform(table.count.value, 'int').onObjectUpdate(
+    () => table.count.value,
+  ) as unknown as Node<'int'>
+  return Fn(() => {
+    const added = vec4(0).toVar()
+    const largest = vec4(0).toVar()
+    Loop({ start: int(0), end: count, type: 'int', condition: '<' }, ({ i: index }) => {
+      const i = index as unknown as Node<'int'>
+      const slice = areas.channels === 1 ? i : (i.div(int(4)) as Node<'int'>)
+      const texel = texture(areas.texture, uv).depth(slice).level(int(0)) as unknown as Node<'vec4'>
+      const weight = (areas.channels === 1 ? texel.x : texel.dot(channelMask(float(i.mod(int(4)))))).toVar()
+      added.addAssign(textureLoad(table.texture, ivec2(i, int(0))).mul(weight))
+      largest.assign(max(largest, textureLoad(table.texture, ivec2(i, int(1))).mul(weight)))
+    })
+    return max(min(added, vec4(1)), largest)
+  })() as unknown as Node<'vec4'>
+}
+
+/** 1 in the channel of that number, 0 in the others. */
+export function channelMask(channel: Node<'float'>): Node<'vec4'> {
+  return vec4(0, 1, 2, 3).sub(channel).abs().oneMinus().clamp(0, 1) as unknown as Node<'vec4'>
+}
+
+/** One texel of one slice of an array, filtered with the gradients of the coordinates: safe inside a branch. */
+export function sampleSlice(array: ArrayTexture, at: Gradients, slice: number): Node<'vec4'> {
+  const sampled = texture(array, at.uv).depth(int(slice)) as unknown as {
+    grad(x: Node, y: Node): Node<'vec4'>
+  }
+  return sampled.grad(at.dx, at.dy)
+}
+
+/** Texture coordinates and how they change from pixel to pixel. */
+export interface Gradients {
+  uv: Node<'vec2'>
+  dx: Node<'vec2'>
+  dy: Node<'vec2'>
+}
