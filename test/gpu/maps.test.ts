@@ -1,0 +1,193 @@
+import { type GrayImage, type Layer, packAreas, packColours, packGrays, reference } from 'furrow'
+import {
+  AmbientLight,
+  DataTexture,
+  DirectionalLight,
+  FloatType,
+  LinearFilter,
+  MeshStandardMaterial,
+  Scene,
+  SRGBColorSpace,
+} from 'three'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { randomAreas, randomImage } from '../cases.ts'
+import { seeded } from '../random.ts'
+import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+
+const PIXELS = 32
+const MAP = 16
+const KINDS = ['baseColor', 'roughness', 'occlusion'] as const
+type Kind = (typeof KINDS)[number]
+
+/** The kinds of map of each layer; a layer may leave some out. */
+const LAYERS: Kind[][][] = [
+  [['baseColor']],
+  [['roughness']],
+  [['occlusion']],
+  [['baseColor', 'roughness', 'occlusion']],
+  [['baseColor', 'occlusion'], ['roughness'], [], ['baseColor', 'roughness', 'occlusion']],
+]
+
+describe.each(RENDERERS)("the layers' other maps on %s", (name) => {
+  let harness: Harness
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterAll(() => harness.dispose())
+
+  describe.each([
+    ['with maps of its own', true],
+    ['without', false],
+  ])('on a material %s', (_, hasMaps) => {
+    it.each(LAYERS.map((layers) => [layers]))('are mixed in as in the reference: %j', async (layers) => {
+      const random = seeded(23)
+      for (let i = 0; i < 3; i++) {
+        const { shown, exact, plain } = await compare(harness, random, layers, hasMaps)
+        expect(distance(shown, exact)).toBeLessThanOrEqual(2 / 255)
+        // What they do is a multiple of what is allowed to be wrong.
+        expect(distance(plain, exact)).toBeGreaterThan(8 / 255)
+      }
+    })
+  })
+})
+
+/** A picture with wrinkles, one of a plain material whose maps hold the reference's mixture at every pixel, one at rest. */
+async function compare(harness: Harness, random: () => number, kinds: Kind[][], hasMaps: boolean) {
+  const layers = kinds.map((own, i) => randomLayer(random, `layer${i}`, own))
+  const areas = randomAreas(random, 12, MAP).map((area, i) => ({
+    ...area,
+    layer: `layer${i % layers.length}`,
+  }))
+  const own = { baseColor: randomImage(random, MAP), rest: randomImage(random, MAP) }
+  const material = new MeshStandardMaterial({ roughness: 0.8, color: 0xd0e0f0, aoMapIntensity: 0.7 })
+  if (hasMaps) {
+    material.map = mapOf(own.baseColor)
+    material.map.colorSpace = SRGBColorSpace
+    material.roughnessMap = material.aoMap = mapOf(own.rest)
+  }
+  const mesh = square(material, 0.8, [0.1, 0.1])
+  const wrinkles = new harness.Wrinkles(mesh, { layers, areas }, { areaSize: MAP })
+  const scene = new Scene()
+  const light = new DirectionalLight(0xffffff, 2)
+  light.position.set(0.3, 0.2, 1)
+  scene.add(mesh, light, new AmbientLight(0xffffff, 1.5))
+  const plain = await harness.render(scene, squareCamera(), PIXELS)
+  for (const { name } of areas) wrinkles.setActivation(name, random() * 0.6)
+  const shown = await harness.render(scene, squareCamera(), PIXELS)
+
+  const packed = packAreas(
+    areas.map(({ weights }) => weights),
+    MAP,
+  )
+  const table = areas.map(({ name, combine }, i) => ({
+    activation: wrinkles.getActivation(name),
+    layer: i % layers.length,
+    combine: combine ?? ('sum' as const),
+  }))
+  const mixed = (kind: Kind) => (u: number, v: number) =>
+    reference.mixValues(
+      ownValue(kind, hasMaps ? own : null, u, v),
+      layers.flatMap((layer, i) =>
+        layer[kind]
+          ? [
+              {
+                value: layerValue(layer, kind, u, v),
+                influence: reference.influenceFromMap(packed, table, u, v, i),
+              },
+            ]
+          : [],
+      ),
+    )
+  wrinkles.dispose()
+  const exactMaterial = material.clone()
+  exactMaterial.map = pictureOf(mixed('baseColor'))
+  exactMaterial.roughnessMap = pictureOf(mixed('roughness'))
+  // The material's intensity is for a map of its own; a layer brings its strength.
+  if (!hasMaps) exactMaterial.aoMapIntensity = 1
+  exactMaterial.aoMap = pictureOf(mixed('occlusion'))
+  mesh.material = exactMaterial
+  const exact = await harness.render(scene, squareCamera(), PIXELS)
+  mesh.geometry.dispose()
+  return { shown, exact, plain }
+}
+
+function randomLayer(random: () => number, name: string, kinds: Kind[]): Layer {
+  const gray = (): GrayImage => ({
+    width: MAP,
+    height: MAP,
+    data: Uint8Array.from({ length: MAP * MAP }, () => random() * 256),
+  })
+  const flat = { width: MAP, height: MAP, data: new Uint8Array(MAP * MAP * 4).fill(128) }
+  for (let i = 2; i < flat.data.length; i += 4) flat.data[i] = 255
+  return {
+    name,
+    kind: 'detail',
+    normal: flat,
+    normalScale: 0,
+    occlusionStrength: 0.6,
+    ...(kinds.includes('baseColor') && { baseColor: randomImage(random, MAP) }),
+    ...(kinds.includes('roughness') && { roughness: gray() }),
+    ...(kinds.includes('occlusion') && { occlusion: gray() }),
+  }
+}
+
+function layerValue(layer: Layer, kind: Kind, u: number, v: number): number[] {
+  if (kind === 'baseColor') return colourAt(layer.baseColor!, u, v)
+  const value = reference.sampleArray(packGrays([layer[kind]!]), u, v, 0)
+  return [kind === 'occlusion' ? 1 + (value - 1) * layer.occlusionStrength! : value]
+}
+
+function ownValue(
+  kind: Kind,
+  own: Record<'baseColor' | 'rest', ReturnType<typeof randomImage>> | null,
+  u: number,
+  v: number,
+) {
+  if (!own) return kind === 'baseColor' ? [1, 1, 1] : [1]
+  if (kind === 'baseColor') return colourAt(own.baseColor, u, v)
+  return [reference.sampleArray(packColours([own.rest]), u, v, 0, kind === 'roughness' ? 1 : 0)]
+}
+
+/** GPUs decode sRGB before they interpolate. */
+function colourAt({ width, height, data }: ReturnType<typeof randomImage>, u: number, v: number): number[] {
+  const x = Math.min(Math.max(u * width - 0.5, 0), width - 1)
+  const y = Math.min(Math.max(v * height - 0.5, 0), height - 1)
+  const [i, j] = [Math.floor(x), Math.floor(y)]
+  return [0, 1, 2].map((c) => {
+    const texel = (dx: number, dy: number) =>
+      linear(data[4 * (Math.min(i + dx, width - 1) + Math.min(j + dy, height - 1) * width) + c] / 255)
+    const row = (dy: number) => texel(0, dy) * (1 - (x - i)) + texel(1, dy) * (x - i)
+    return row(0) * (1 - (y - j)) + row(1) * (y - j)
+  })
+}
+
+function linear(stored: number): number {
+  return stored <= 0.04045 ? stored / 12.92 : ((stored + 0.055) / 1.055) ** 2.4
+}
+
+function mapOf(image: ReturnType<typeof randomImage>): DataTexture {
+  const map = new DataTexture(image.data, MAP, MAP)
+  map.minFilter = map.magFilter = LinearFilter
+  map.needsUpdate = true
+  return map
+}
+
+/** A value for every pixel of the picture, in all channels where it is one number. */
+function pictureOf(at: (u: number, v: number) => number[]): DataTexture {
+  const data = new Float32Array(PIXELS * PIXELS * 4).fill(1)
+  for (let i = 0; i < PIXELS * PIXELS; i++) {
+    const [x, y] = [(i % PIXELS) + 0.5, Math.floor(i / PIXELS) + 0.5]
+    const value = at((x / PIXELS) * 0.8 + 0.1, (1 - y / PIXELS) * 0.8 + 0.1)
+    data.set(value.length === 1 ? [...value, ...value, ...value] : value, 4 * i)
+  }
+  const map = new DataTexture(data, PIXELS, PIXELS, undefined, FloatType)
+  // From the square's own coordinates back to pixels.
+  map.matrixAutoUpdate = false
+  map.matrix.set(1 / 0.8, 0, -0.125, 0, -1 / 0.8, 1.125, 0, 0, 1)
+  map.needsUpdate = true
+  return map
+}
+
+function distance(a: Float32Array, b: Float32Array): number {
+  return a.reduce((worst, value, i) => Math.max(worst, Math.abs(value - b[i])), 0)
+}
