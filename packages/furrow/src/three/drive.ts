@@ -14,22 +14,27 @@ import type { WrinklesBase } from './Wrinkles.ts'
  */
 export function driveByMorphs(wrinkles: WrinklesBase, drivers: readonly WrinkleDriver[]): void {
   const { mesh } = wrinkles
-  const { morphTargetDictionary, morphTargetInfluences } = mesh
-  const morph = new MorphActivation(drivers.filter(isMorphDriver), Object.keys(morphTargetDictionary ?? {}))
+  const morph = new MorphActivation(drivers.filter(isMorphDriver), targetNames(mesh))
   warnOfUnknown(mesh, morph, drivers)
-  if (!morphTargetInfluences || morph.areaNames.length === 0) return
+  if (morph.areaNames.length === 0) return
   const { areaNames, activations } = morph
   wrinkles.onDrive((instance) => {
-    const { morphTexture } = mesh as Partial<InstancedMesh>
+    const { morphTargetInfluences, morphTexture } = mesh as Partial<InstancedMesh>
     // Each instance's row holds the share of the base shape, then those of the targets.
-    if (morphTexture) {
-      morph.update(morphTexture.image.data as Float32Array, instance * morphTexture.image.width + 1)
-    } else morph.update(morphTargetInfluences)
+    if (morphTexture) morph.update(morphTexture.image.data!, instance * morphTexture.image.width + 1)
+    else if (morphTargetInfluences) morph.update(morphTargetInfluences)
+    else return
     for (let i = 0; i < areaNames.length; i++) {
       // An area may have been removed since; the others go on.
       if (wrinkles.hasArea(areaNames[i])) wrinkles.setActivation(areaNames[i], activations[i], instance)
     }
   })
+}
+
+/** Names in the order of the weights. An `InstancedMesh` has no list of its own; its geometry may. */
+function targetNames({ geometry, morphTargetDictionary }: Mesh): string[] {
+  if (!morphTargetDictionary) return geometry.morphAttributes.position?.map(({ name }) => name) ?? []
+  return Object.keys(morphTargetDictionary)
 }
 
 function warnOfUnknown(mesh: Mesh, morph: MorphActivation, drivers: readonly WrinkleDriver[]): void {

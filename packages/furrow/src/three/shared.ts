@@ -13,8 +13,3 @@ export function release(texture: Texture): void {
   users.set(texture, left)
   if (left === 0) texture.dispose()
 }
-
-/** Whether more than one uses it. */
-export function isShared(texture: Texture): boolean {
-  return (users.get(texture) ?? 0) > 1
-}

@@ -1,0 +1,240 @@
+import type { WrinkleSet } from 'furrow'
+import {
+  BufferAttribute,
+  DirectionalLight,
+  InstancedMesh,
+  Matrix4,
+  type Mesh,
+  MeshStandardMaterial,
+  type OrthographicCamera,
+  Scene,
+} from 'three'
+import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
+import { randomSet } from '../cases.ts'
+import { seeded } from '../random.ts'
+import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+
+const PIXELS = 32
+const HALF = PIXELS / 2
+
+/** Four faces in the four quarters of the picture, row by row from the bottom. */
+const PLACES = [
+  [-0.5, -0.5],
+  [0.5, -0.5],
+  [-0.5, 0.5],
+  [0.5, 0.5],
+] as const
+
+/** How far each of them wrinkles, area by area. */
+const ACTIVATIONS = [
+  [0, 0, 0],
+  [1, 0, 0.5],
+  [0, 0.75, 0.25],
+  [0.5, 1, 1],
+] as const
+
+describe.each(RENDERERS)('a crowd on %s', (name) => {
+  let harness: Harness
+  let set: WrinkleSet
+  beforeAll(async () => {
+    harness = await createHarness(name)
+    set = randomSet(seeded(5), 3, 8)
+  })
+  afterAll(() => harness.dispose())
+  afterEach(() => {
+    vi.restoreAllMocks()
+  })
+
+  const face = ([x, y]: readonly [number, number]): Mesh => {
+    const mesh = square(new MeshStandardMaterial({ roughness: 0.5 }))
+    mesh.position.set(x, y, 0)
+    mesh.scale.setScalar(0.5)
+    return mesh
+  }
+  const wear = (mesh: Mesh) => new harness.Wrinkles(mesh, set, { areaSize: 8 })
+  const move = (wrinkles: ReturnType<typeof wear>, values: readonly number[], instance = 0) => {
+    for (const [i, value] of values.entries()) wrinkles.setActivation(`area${i}`, value, instance)
+  }
+  const sceneOf = (...meshes: Mesh[]) => {
+    const scene = new Scene()
+    const light = new DirectionalLight(0xffffff, 2)
+    light.position.set(1, 1, 1.5)
+    return scene.add(light, ...meshes)
+  }
+  const draw = (scene: Scene, camera: OrthographicCamera = squareCamera()) =>
+    harness.renderBytes(scene, camera, PIXELS)
+  /** The pictures of each face alone. */
+  const alone = () =>
+    Promise.all(
+      PLACES.map(async (place, i) => {
+        const mesh = face(place)
+        const wrinkles = wear(mesh)
+        move(wrinkles, ACTIVATIONS[i])
+        const picture = quarter(await draw(sceneOf(mesh)), i)
+        wrinkles.dispose()
+        return picture
+      }),
+    )
+
+  it('wrinkles each face by itself, faces that come and go included', async () => {
+    const expected = await alone()
+    expect(new Set(expected.map(String)).size).toBe(4)
+    const scene = sceneOf()
+    const worn = []
+    for (const [i, place] of PLACES.entries()) {
+      const mesh = face(place)
+      scene.add(mesh)
+      worn.push(wear(mesh))
+      move(worn[i], ACTIVATIONS[i])
+      const picture = await draw(scene)
+      for (let k = 0; k <= i; k++) expect(quarter(picture, k), `face ${k} of ${i + 1}`).toEqual(expected[k])
+    }
+    worn[1].dispose()
+    const picture = await draw(scene)
+    for (const k of [0, 2, 3]) expect(quarter(picture, k), `face ${k} without 1`).toEqual(expected[k])
+    expect(quarter(picture, 1)).not.toEqual(expected[1])
+    for (const k of [0, 2, 3]) worn[k].dispose()
+  })
+
+  it('wrinkles each instance of a mesh by itself', async () => {
+    const expected = await alone()
+    const instances = new InstancedMesh(
+      face([0, 0]).geometry,
+      new MeshStandardMaterial({ roughness: 0.5 }),
+      4,
+    )
+    for (const [i, [x, y]] of PLACES.entries()) {
+      instances.setMatrixAt(i, new Matrix4().makeScale(0.5, 0.5, 1).setPosition(x, y, 0))
+    }
+    const wrinkles = wear(instances)
+    for (const [i, values] of ACTIVATIONS.entries()) move(wrinkles, values, i)
+    const picture = await draw(sceneOf(instances))
+    for (const i of PLACES.keys()) expect(quarter(picture, i), `instance ${i}`).toEqual(expected[i])
+    wrinkles.dispose()
+  })
+
+  it('shares the textures of other wrinkles, and keeps them until the last is gone', async () => {
+    const expected = await alone()
+    const meshes = PLACES.map(face)
+    const first = wear(meshes[0])
+    const all = [first, ...meshes.slice(1).map((mesh) => new harness.Wrinkles(mesh, first))]
+    for (const [i, wrinkles] of all.entries()) move(wrinkles, ACTIVATIONS[i])
+    const scene = sceneOf(...meshes)
+    await draw(scene)
+    first.dispose()
+    const picture = await draw(scene)
+    for (const i of [1, 2, 3]) expect(quarter(picture, i), `face ${i}`).toEqual(expected[i])
+    all[1].removeArea('area2')
+    const fewer = await draw(scene)
+    expect(quarter(fewer, 1)).not.toEqual(expected[1])
+    for (const i of [2, 3]) expect(quarter(fewer, i), `face ${i}`).toEqual(expected[i])
+    for (const wrinkles of all.slice(1)) wrinkles.dispose()
+  })
+
+  it('draws the influence of all faces at once, and only when one moved by more than 1/510', async () => {
+    const meshes = PLACES.map(face)
+    const worn = meshes.map(wear)
+    const scene = sceneOf(...meshes)
+    for (const wrinkles of worn) move(wrinkles, [0.5, 0, 0])
+    await draw(scene)
+    const render = vi.spyOn(harness.renderer, 'render')
+    const passes = async () => {
+      render.mockClear()
+      await draw(scene)
+      return render.mock.calls.length - 1
+    }
+    expect(await passes(), 'nothing moved').toBe(0)
+    for (const wrinkles of worn) move(wrinkles, [0.6, 0.2, 0])
+    expect(await passes(), 'all moved').toBe(1)
+    worn[2].setActivation('area0', 0.6 + 0.9 / 510)
+    expect(await passes(), 'moved by too little').toBe(0)
+    worn[2].setActivation('area0', 0.6 + 1.1 / 510)
+    expect(await passes(), 'moved a little further').toBe(1)
+    worn[2].setActivation('area1', 1e-4)
+    expect(await passes(), 'moved down').toBe(1)
+    worn[2].setActivation('area1', 0)
+    expect(await passes(), 'an area that goes counts however little it moved').toBe(1)
+    for (const wrinkles of worn) wrinkles.dispose()
+  })
+
+  it('compiles nothing after the first frame', async () => {
+    const meshes = PLACES.map(face)
+    const worn = meshes.map(wear)
+    const scene = sceneOf(...meshes)
+    for (const wrinkles of worn) move(wrinkles, [0.5, 0.5, 0.5])
+    await draw(scene)
+    const programs = harness.programs()
+    for (const [i, wrinkles] of worn.entries()) move(wrinkles, ACTIVATIONS[i])
+    await draw(scene)
+    expect(harness.programs()).toBe(programs)
+    for (const wrinkles of worn) wrinkles.dispose()
+  })
+
+  it('fades wrinkles of faces that are small on screen', async () => {
+    const mesh = face([0, 0])
+    const scene = sceneOf(mesh)
+    const plain = await draw(scene)
+    const shown = async (fadeBelow: number) => {
+      const wrinkles = new harness.Wrinkles(mesh, set, { areaSize: 8, fadeBelow })
+      move(wrinkles, [1, 1, 1])
+      const picture = await draw(scene)
+      wrinkles.dispose()
+      return difference(plain, picture)
+    }
+    // The square's bounding sphere is as wide as its diagonal: 22.6 of 32 pixels.
+    const [full, half, none] = [await shown(20), await shown((22.6 * 4) / 3), await shown(46)]
+    expect(full).toBe(await shown(0))
+    expect(none).toBe(0)
+    expect(half).toBeGreaterThan(0.2 * full)
+    expect(half).toBeLessThan(0.8 * full)
+  })
+
+  it('moves each instance by its own blendshapes', async () => {
+    const geometry = square(new MeshStandardMaterial()).geometry
+    const target = new BufferAttribute(new Float32Array(12), 3)
+    target.name = 'browInnerUp'
+    geometry.morphAttributes.position = [target]
+    geometry.morphTargetsRelative = true
+    const instances = new InstancedMesh(geometry, new MeshStandardMaterial({ roughness: 0.5 }), 2)
+    const pose = face([0, 0])
+    pose.geometry = geometry
+    pose.updateMorphTargets()
+    for (const i of [0, 1]) {
+      instances.setMatrixAt(
+        i,
+        new Matrix4().makeScale(0.5, 0.5, 1).setPosition(PLACES[i][0], PLACES[i][1], 0),
+      )
+      pose.morphTargetInfluences![0] = [0.25, 0.75][i]
+      instances.setMorphAt(i, pose)
+    }
+    const wrinkles = wear(instances)
+    const { driveByMorphs } = await import('furrow/three')
+    driveByMorphs(wrinkles, [
+      {
+        type: 'morph',
+        area: 'area0',
+        targets: [{ name: 'browInnerUp', weight: 1 }],
+        curve: [
+          [0, 0],
+          [1, 1],
+        ],
+      },
+    ])
+    await draw(sceneOf(instances))
+    expect([0, 1].map((i) => wrinkles.getActivation('area0', i))).toEqual([0.25, 0.75])
+    wrinkles.dispose()
+  })
+})
+
+/** The bytes of one quarter of a picture. */
+function quarter(picture: Uint8Array, i: number): Uint8Array {
+  const rows = Array.from({ length: HALF }, (_, y) => {
+    const start = ((y + (i >> 1) * HALF) * PIXELS + (i % 2) * HALF) * 4
+    return [...picture.subarray(start, start + HALF * 4)]
+  })
+  return Uint8Array.from(rows.flat())
+}
+
+function difference(a: Uint8Array, b: Uint8Array): number {
+  return a.reduce((sum, value, i) => sum + Math.abs(value - b[i]), 0)
+}
