@@ -30,7 +30,7 @@ export default defineConfig({
         resolve,
         define: { __REAL_FACE__: JSON.stringify(existsSync(realFace) ? `/@fs${realFace}` : '') },
         optimizeDeps: {
-          include: ['three', 'three/webgpu', 'three/tsl', 'three/addons/loaders/GLTFLoader.js'],
+          include: ['three', 'three/webgpu', 'three/tsl', 'three/addons/loaders/GLTFLoader.js', 'three/addons/utils/SkeletonUtils.js'],
         },
         server: { fs: { allow: ['..'] } },
         test: {

@@ -1,10 +1,11 @@
 import { Document, type Material as FileMaterial, WebIO } from '@gltf-transform/core'
 import { FurrowError, packAreas, reference } from 'furrow'
 import { FurrowWrinkleMaps } from 'furrow/gltf'
-import { WrinkleLoaderPlugin as WebGLPlugin } from 'furrow/three'
+import { WrinkleLoaderPlugin as WebGLPlugin, wrinklesOf } from 'furrow/three'
 import { WrinkleLoaderPlugin as WebGPUPlugin } from 'furrow/webgpu'
 import { DirectionalLight, type Mesh, Scene, type WebGLRenderer } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
 import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest'
 import { randomNormals } from '../cases.ts'
 import { editGlb } from '../glb.ts'
@@ -97,6 +98,81 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     expect(plain.userData.wrinkles).toBeUndefined()
   })
 
+  it('gives each copy of a face wrinkles of its own, from the same textures', async () => {
+    const gltf = await load(await wrinkledFile())
+    await picture(gltf)
+    const { textures } = (harness.renderer as WebGLRenderer).info.memory
+    const copy = cloneSkinned(gltf.scene)
+    const [original, cloned] = [gltf.scene, copy].map((root) => meshesOf({ scene: root } as GLTF))
+    for (const mesh of cloned) mesh.morphTargetInfluences![0] = 1
+    const [moved, rest] = [await picture({ scene: copy } as GLTF), await picture(gltf)]
+    for (const half of [0, 16]) expect(differs(rest, moved, half), `half at ${half}`).toBe(true)
+    expect(original.map((mesh) => wrinklesOf(mesh)!.getActivation('a'))).toEqual([0, 0])
+    expect(cloned.map((mesh) => wrinklesOf(mesh)!.getActivation('a'))).toEqual([1, 1])
+    // A copy is what the original would be with the same blendshapes.
+    for (const mesh of original) mesh.morphTargetInfluences![0] = 1
+    expect(await picture(gltf)).toEqual(moved)
+    // The base map belongs to the file; nothing else came but what a larger atlas needs.
+    expect((harness.renderer as WebGLRenderer).info.memory.textures).toBeLessThanOrEqual(textures + 1)
+    gltf.userData.wrinkles[0].dispose()
+    expect(await picture({ scene: copy } as GLTF), 'the original is gone').toEqual(moved)
+    for (const mesh of cloned) wrinklesOf(mesh)!.dispose()
+    expect(cloned.map((mesh) => wrinklesOf(mesh))).toEqual([undefined, undefined])
+  })
+
+  it('lets two faces with one material wrinkle each by itself', async () => {
+    const gltf = await load(
+      await wrinkledFile(undefined, (json) => {
+        json.nodes.push({ ...json.nodes[0], name: 'twin', translation: [0, 0, -1] })
+        json.scenes[0].nodes.push(json.nodes.length - 1)
+      }),
+    )
+    expect(gltf.userData.wrinkles).toHaveLength(2)
+    const twins = ['face', 'twin'].map((twin) => gltf.scene.getObjectByName(twin)!.children as Mesh[])
+    for (const mesh of twins[1]) mesh.morphTargetInfluences![0] = 1
+    await picture(gltf)
+    expect(twins.map(([mesh]) => wrinklesOf(mesh)!.getActivation('a'))).toEqual([0, 1])
+    for (const wrinkles of gltf.userData.wrinkles) wrinkles.dispose()
+  })
+
+  it('leaves tangents of a face that moves out, since three.js does not morph them', async () => {
+    const withTangents = (json: { meshes: { primitives: { attributes: Record<string, number> }[] }[] }) => {
+      // Any four floats would do here: they must not be looked at.
+      for (const { attributes } of json.meshes[0].primitives) attributes.TANGENT = attributes.NORMAL
+    }
+    const [plain, tangents] = [await wrinkledFile(), await wrinkledFile(undefined, withTangents)]
+    const expected = await picture(await load(plain))
+    const gltf = await load(tangents)
+    expect(meshesOf(gltf).map(({ geometry }) => geometry.hasAttribute('tangent'))).toEqual([false, false])
+    expect(await picture(gltf)).toEqual(expected)
+  })
+
+  it("follows the base normal map's KHR_texture_transform", async () => {
+    const transformed = (offset: number) =>
+      wrinkledFile(undefined, (json) => {
+        json.extensionsUsed.push('KHR_texture_transform')
+        const { normalTexture } = json.materials[0]
+        normalTexture.extensions = { KHR_texture_transform: { offset: [offset, 0] } }
+      })
+    const influence = async (offset: number) => {
+      const gltf = await load(await transformed(offset))
+      const material = gltf.userData.wrinkles[0].createInfluenceMaterial()
+      for (const mesh of meshesOf(gltf)) {
+        mesh.morphTargetInfluences![0] = 1
+        mesh.material = material
+      }
+      return picture(gltf)
+    }
+    const base = await influence(0)
+    const moved = await influence(0.25)
+    // A quarter of the UV square is a quarter of the picture.
+    for (let y = 0; y < 32; y++) {
+      for (let x = 0; x < 20; x++) {
+        expect(Math.abs(moved[4 * (y * 32 + x)] - base[4 * (y * 32 + x + 8)])).toBeLessThanOrEqual(1 / 255)
+      }
+    }
+  })
+
   it('gives everything back on dispose', async () => {
     const gltf = await load(await wrinkledFile())
     const [mesh] = meshesOf(gltf)
@@ -165,6 +241,8 @@ const driver = (area: string, target: string) => ({
 /** Two quads side by side, one material, one blendshape, four areas in the channels of one image. */
 async function wrinkledFile(
   spoil: (json: WrinkleJson) => unknown = () => {},
+  // biome-ignore lint/suspicious/noExplicitAny: the whole JSON of the file, as a careless program would edit it
+  edit: (json: any) => unknown = () => {},
 ): Promise<Uint8Array<ArrayBuffer>> {
   const document = new Document()
   const extension = document.createExtension(FurrowWrinkleMaps)
@@ -194,7 +272,10 @@ async function wrinkledFile(
   for (const x of [-1, 0]) mesh.addPrimitive(quad(document, x, material))
   document.createScene().addChild(document.createNode('face').setMesh(mesh))
   const bytes = await new WebIO().registerExtensions([FurrowWrinkleMaps]).writeBinary(document)
-  return editGlb(bytes, (json) => spoil(json.materials[0].extensions.FURROW_wrinkle_maps))
+  return editGlb(bytes, (json) => {
+    spoil(json.materials[0].extensions.FURROW_wrinkle_maps)
+    edit(json)
+  })
 }
 
 function quad(document: Document, x: number, material: FileMaterial) {

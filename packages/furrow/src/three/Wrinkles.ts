@@ -50,8 +50,16 @@ export interface RendererParts {
     mode: Exclude<WrinkleMode, 'off'>,
     instanced: boolean,
   ): () => void
-  /** A material that shows the influence as gray: that of the map, or that of a table of its own. */
-  influenceMaterial(inputs: WrinkleInputs, table: ActivationTable | null, instanced: boolean): Material
+  /**
+   * A material that shows the influence of another's wrinkles as gray: that of the map, or that of a table of
+   * its own.
+   */
+  influenceMaterial(
+    material: WrinkleMaterial,
+    inputs: WrinkleInputs,
+    table: ActivationTable | null,
+    instanced: boolean,
+  ): Material
   /** What draws influence maps. */
   quads: QuadMaterials
 }
@@ -220,7 +228,7 @@ export abstract class WrinklesBase {
   createInfluenceMaterial(area?: string): Material {
     if (area === undefined) {
       this.#watchers++
-      const material = this.#renderer.influenceMaterial(this.#inputs, null, this.#isInstanced)
+      const material = this.#influenceMaterial(null)
       material.addEventListener('dispose', () => this.#watchers--)
       return material
     }
@@ -230,7 +238,7 @@ export abstract class WrinklesBase {
       this.#inputs.areas,
       Float32Array.from(this.#areas, ({ name }) => (name === area ? 1 : 0)),
     )
-    const material = this.#renderer.influenceMaterial(this.#inputs, table, this.#isInstanced)
+    const material = this.#influenceMaterial(table)
     material.addEventListener('dispose', () => table.texture.dispose())
     return material
   }
@@ -293,6 +301,10 @@ export abstract class WrinklesBase {
     owners.delete(this.#material)
     // Renderers keep a program's inputs with the material; wrinkles put on it later must bring their own.
     this.#material.dispose()
+  }
+
+  #influenceMaterial(table: ActivationTable | null): Material {
+    return this.#renderer.influenceMaterial(this.#material, this.#inputs, table, this.#isInstanced)
   }
 
   /** What other meshes may show too. */

@@ -4,11 +4,16 @@ import { areasFragment, instancedVertex, mapFragment } from './shader.ts'
 import { areaUniforms, mapUniforms } from './uniforms.ts'
 
 /** Shows the influence as gray on the mesh as it moves: black = no wrinkles, white = fully visible. */
-export const influenceMaterial: RendererParts['influenceMaterial'] = (inputs, table, instanced) => {
+export const influenceMaterial: RendererParts['influenceMaterial'] = (
+  { normalMap },
+  inputs,
+  table,
+  instanced,
+) => {
   const layers = inputs.textures.layers.length
   const { channels } = inputs.areas
-  const material = new MeshBasicMaterial({ toneMapped: false })
-  material.defines = { USE_UV: '' }
+  // The map lends its texture coordinates, transform included; the shader samples the areas instead.
+  const material = new MeshBasicMaterial({ map: normalMap, toneMapped: false })
   const uniforms: Record<string, IUniform> = table ? areaUniforms(inputs, table) : mapUniforms(inputs)
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, uniforms)

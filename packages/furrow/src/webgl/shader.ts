@@ -206,7 +206,7 @@ export function mapFragment(fragment: string, layers: number, instanced: boolean
   const declared = edit(
     fragment,
     'void main() {',
-    `${influenceFromMap(layers, instanced)}\nvoid main() {\n\tfurrowBegin(vUv);`,
+    `${influenceFromMap(layers, instanced)}\nvoid main() {\n\tfurrowBegin(vMapUv);`,
   )
   return edit(declared, '#include <map_fragment>', `vec4 shares = furrowShares;\n\t${LARGEST}`)
 }
@@ -214,7 +214,7 @@ export function mapFragment(fragment: string, layers: number, instanced: boolean
 /** The same, from the areas themselves. */
 export function areasFragment(fragment: string, channels: 1 | 4): string {
   const declared = edit(fragment, 'void main() {', `${influenceFromAreas(channels)}\nvoid main() {`)
-  return edit(declared, '#include <map_fragment>', `vec4 shares = furrowSum(vUv);\n\t${LARGEST}`)
+  return edit(declared, '#include <map_fragment>', `vec4 shares = furrowSum(vMapUv);\n\t${LARGEST}`)
 }
 
 const NORMAL_MAPS = '#include <normal_fragment_maps>'

@@ -1,4 +1,4 @@
-import { Matrix3, type Mesh, type MeshStandardMaterial } from 'three'
+import type { Mesh, MeshStandardMaterial } from 'three'
 import {
   cameraViewMatrix,
   int,
@@ -11,8 +11,6 @@ import {
   sRGBTransferEOTF,
   subBuild,
   texture,
-  uniform,
-  uv,
   vec3,
   vec4,
 } from 'three/tsl'
@@ -26,7 +24,7 @@ import {
   WrinklesBase,
   type WrinklesOptions,
 } from '../three/Wrinkles.ts'
-import { influenceFromAreas, influenceFromMap } from './influence.ts'
+import { influenceFromAreas, influenceFromMap, mapUv } from './influence.ts'
 import { influenceMaterial } from './influence-material.ts'
 import { quadMaterials } from './influence-quads.ts'
 import { mixNormals, mixValues, type Shares } from './mix.ts'
@@ -144,16 +142,6 @@ function paper(
 /** A normal in view space, built as three.js builds the material's own. */
 function inView(normal: Node<'vec3'>): Node<'vec3'> {
   return subBuild(normal, 'NORMAL', 'vec3') as unknown as Node<'vec3'>
-}
-
-/** UV of the material's normal map, its `KHR_texture_transform` applied. */
-function mapUv(material: WrinkleMaterial): Node<'vec2'> {
-  const transform = uniform(new Matrix3()).onObjectUpdate(() => {
-    const map = material.normalMap!
-    if (map.matrixAutoUpdate) map.updateMatrix()
-    return map.matrix
-  })
-  return transform.mul(vec3(uv(material.normalMap!.channel), 1)).xy as Node<'vec2'>
 }
 
 function scale(): Node<'vec2'> {

@@ -1,4 +1,5 @@
 /** How much of each layer shows at a point, in TSL; the same formulas as the GLSL of `webgl/`. */
+import { Matrix3 } from 'three'
 import {
   Fn,
   float,
@@ -12,13 +13,16 @@ import {
   texture,
   textureLoad,
   uniform,
+  uv,
   varying,
   vec2,
+  vec3,
   vec4,
 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
 import type { ActivationTable } from '../three/activation-table.ts'
 import type { WrinkleInputs } from '../three/inputs.ts'
+import type { WrinkleMaterial } from '../three/Wrinkles.ts'
 import type { ArrayTexture } from '../three/wrinkle-textures.ts'
 
 /** A uniform that follows what an input's `value` is when an object is drawn. */
@@ -96,6 +100,16 @@ export function sampleSlice(array: ArrayTexture, at: Gradients, slice: number): 
     grad(x: Node, y: Node): Node<'vec4'>
   }
   return sampled.grad(at.dx, at.dy)
+}
+
+/** UV of the material's normal map, its `KHR_texture_transform` applied. */
+export function mapUv(material: WrinkleMaterial): Node<'vec2'> {
+  const transform = uniform(new Matrix3()).onObjectUpdate(() => {
+    const map = material.normalMap!
+    if (map.matrixAutoUpdate) map.updateMatrix()
+    return map.matrix
+  })
+  return transform.mul(vec3(uv(material.normalMap!.channel), 1)).xy as Node<'vec2'>
 }
 
 /** Texture coordinates and how they change from pixel to pixel. */
