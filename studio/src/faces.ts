@@ -1,11 +1,11 @@
-import type { WrinkleDriver, WrinkleSet } from 'furrow'
+import type { ArraySlice, WrinkleDriver, WrinkleSet } from 'furrow'
 import { type Face, loadFace } from '../../stage/face.ts'
 
 /** A face and what makes it wrinkle, whole. */
 export interface LoadedFace {
   name: string
   face: Face
-  set: WrinkleSet
+  set: WrinkleSet<ArraySlice>
   drivers: WrinkleDriver[]
 }
 

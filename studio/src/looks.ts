@@ -1,4 +1,4 @@
-import type { WrinkleSet } from 'furrow'
+import type { ArraySlice, WrinkleSet } from 'furrow'
 import type { WrinkleMode } from 'furrow/three'
 import {
   Color,
@@ -22,9 +22,9 @@ export type Side = 'without' | 'with'
 
 export interface LooksOptions {
   /** Made by the renderer's own class, for a stand-in of the skin. */
-  makeWrinkles(mesh: Mesh, set: WrinkleSet): Wrinkles
+  makeWrinkles(mesh: Mesh, set: WrinkleSet<ArraySlice>): Wrinkles
   /** The set as it is now. */
-  set(): WrinkleSet
+  set(): WrinkleSet<ArraySlice>
 }
 
 /** Behind a look that is not lit. */

@@ -1,5 +1,6 @@
 import {
   type Area,
+  type ArraySlice,
   EXPRESSIONS,
   type Expression,
   isMorphDriver,
@@ -207,7 +208,7 @@ export class Viewer {
     return [{ name: EXPRESSIONS[0].name, targets, activations }, ...EXPRESSIONS.slice(1)]
   }
 
-  #makeWrinkles(mesh: Mesh, set: WrinkleSet): Wrinkles {
+  #makeWrinkles(mesh: Mesh, set: WrinkleSet<ArraySlice>): Wrinkles {
     return isWebGL(this.stage.renderer) ? new WebGLWrinkles(mesh, set) : new WebGPUWrinkles(mesh, set)
   }
 }

@@ -23,6 +23,7 @@ export {
   isMorphDriver,
   type MorphDriver,
   parseWrinkleMaps,
+  type TextureReference,
   WRINKLE_MAPS,
   type WrinkleDriver,
   type WrinkleMaps,

@@ -69,11 +69,11 @@ function describe(path: string, report: Report): string {
         area.name,
         area.layer,
         `${area.width} x ${area.height}`,
-        `texture ${area.texture} ${area.channel}`,
+        `texture ${area.texture}${area.slice === undefined ? '' : ` slice ${area.slice}`} ${area.channel}`,
         area.combine,
         String(area.activation),
-        area.coverage === undefined ? '?' : `${(100 * area.coverage).toFixed(1)}%`,
-        area.largest === undefined ? '?' : area.largest.toFixed(2),
+        `${(100 * area.coverage).toFixed(1)}%`,
+        area.largest.toFixed(2),
       ]),
     ),
     '',
@@ -82,7 +82,7 @@ function describe(path: string, report: Report): string {
     '',
     `in the file: ${kilobytes(imageBytes)} of ${kilobytes(fileBytes)}`,
     `on the GPU: ${kilobytes(gpu.uncompressed)} uncompressed, ${kilobytes(gpu.bits8)} with maps as BC7 or ASTC 4x4,` +
-      ` ${kilobytes(gpu.bits4)} as BC1 or ETC1 (areas as BC4)`,
+      ` ${kilobytes(gpu.bits4)} as BC1 or ETC1 (areas as BC4; those of an array as BC7 or ASTC 4x4)`,
   ].join('\n')
 }
 

@@ -23,6 +23,8 @@ interface Options {
   whiteIsVisible?: boolean
   areaSize?: string
   share: string
+  ktx2?: boolean
+  size?: string
   json?: boolean
 }
 
@@ -37,6 +39,8 @@ export const packCommand = new Command('pack')
   .option('--white-is-visible', 'areas are white where wrinkles show (default: the other way round)')
   .option('--area-size <texels>', `side of the areas (default: the document's, or ${DEFAULT_AREA_SIZE})`)
   .option('--share <count>', 'areas that share an image: 1, 3 or 4 (4 puts one into alpha)', '3')
+  .option('--ktx2', 'maps and areas as KTX 2 arrays (UASTC), which stay compressed on the GPU')
+  .option('--size <texels>', "side of the layers' maps (default: as they are)")
   .option('--json', 'print what was made as JSON')
   .addHelpText(
     'after',
@@ -47,6 +51,7 @@ Image tools drop the colours where alpha is 0: --share 4 is for files that no su
 Examples:
   $ furrow pack my-face -o wrinkled.glb
   $ furrow pack faces/human --face faces/human.glb -o human.glb
+  $ furrow pack faces/human --face faces/human.glb --ktx2 --size 512 -o small.glb
   $ furrow pack vroid --face avatar.vrm.glb --mesh Face --material Face_SKIN -o avatar.glb --white-is-visible`,
   )
   .action(pack)
@@ -54,15 +59,14 @@ Examples:
 async function pack(folder: string, options: Options): Promise<void> {
   const { output, face = join(folder, 'face.glb'), whiteIsVisible = false } = options
   const share = Number(readChoice(WHO, '--share', options.share, ['3', '1', '4'])) as Share
-  const rule = { low: 2, high: MAX_IMAGE_SIDE, whole: true, example: DEFAULT_AREA_SIZE }
-  const areaSize =
-    options.areaSize === undefined ? undefined : readNumber(WHO, '--area-size', options.areaSize, rule)
+  const areaSize = readSide('--area-size', options.areaSize, DEFAULT_AREA_SIZE)
+  const size = readSide('--size', options.size, 512)
   await checkWritable(output, WHO, '.glb')
   const document = await readFolder(folder, whiteIsVisible, WHO)
   const glb = await readGlbFile(face, WHO)
   const target = findTarget(glb.json, WHO, options.mesh, options.material)
   const wrinkles = await withBar('pack', (progress) =>
-    packFolder(folder, document, share, areaSize, WHO, progress),
+    packFolder(folder, document, { share, ktx2: options.ktx2 ?? false, areaSize, size }, WHO, progress),
   )
   const material = glb.json.materials![target.material]!
   if (material.extensions?.[WRINKLE_MAPS] !== undefined) stripWrinkles(glb, target.material, WHO)
@@ -89,6 +93,11 @@ async function pack(folder: string, options: Options): Promise<void> {
   process.stdout.write(`${options.json ? JSON.stringify(made) : sentence(made)}\n`)
 }
 
+function readSide(option: string, text: string | undefined, example: number): number | undefined {
+  if (text === undefined) return undefined
+  return readNumber(WHO, option, text, { low: 2, high: MAX_IMAGE_SIDE, whole: true, example })
+}
+
 interface Made {
   file: string
   material?: string
@@ -107,15 +116,17 @@ function sentence({ file, material, layers, areas, areaSize, drivers, bytes, add
 }
 
 function imageBytes({ layers, areas }: Awaited<ReturnType<typeof packFolder>>): number {
-  const images = new Set([
-    ...layers.flatMap((layer) => [
-      layer.normal,
-      layer.baseColor,
-      layer.roughness,
-      layer.occlusion,
-      layer.height,
-    ]),
-    ...areas.map(({ image }) => image),
-  ])
-  return [...images].reduce((sum, image) => sum + (image?.bytes.length ?? 0), 0)
+  const images = new Set(
+    [
+      ...layers.flatMap((layer) => [
+        layer.normal,
+        layer.baseColor,
+        layer.roughness,
+        layer.occlusion,
+        layer.height,
+      ]),
+      ...areas.map(({ image }) => image),
+    ].map((image) => image?.bytes),
+  )
+  return [...images].reduce((sum, bytes) => sum + (bytes?.length ?? 0), 0)
 }

@@ -5,7 +5,10 @@ import type { Glb, GltfJson } from './glb-file.ts'
 export interface FileImage {
   name: string
   mimeType: string
+  /** Images with the same bytes are stored once. */
   bytes: Uint8Array
+  /** Which slice of it is meant, where it is an array. */
+  slice?: number
 }
 
 /** One layer with its images; numbers as in the extension. */
@@ -41,6 +44,9 @@ export interface PackedWrinkles {
 
 const CLAMP_TO_EDGE = 33071
 
+/** The extension for KTX 2 images. */
+const BASIS = 'KHR_texture_basisu'
+
 /**
  * Puts wrinkles on a material: images at the end of the binary part, textures at the end of the list, so that no
  * index of anything else changes.
@@ -57,7 +63,7 @@ export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedW
   const skinSampler = json.textures?.[normal?.index ?? -1]?.sampler
   const adder = new TextureAdder(glb)
   const texture = (image: FileImage | undefined, more: object = {}) =>
-    image && { index: adder.add(image, skinSampler), ...beside, ...more }
+    image && { ...adder.place(image, skinSampler), ...beside, ...more }
 
   const layers = wrinkles.layers.map((layer) => ({
     name: layer.name,
@@ -71,7 +77,7 @@ export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedW
   const areas = wrinkles.areas.map((area) => ({
     name: area.name,
     ...unlessDefault('layer', area.layer, 0),
-    texture: { index: adder.add(area.image, adder.clampedSampler()), ...beside },
+    texture: { ...adder.place(area.image, adder.clampedSampler()), ...beside },
     ...unlessDefault('channel', area.channel, 0),
     ...unlessDefault('combine', area.combine, 'sum'),
     ...unlessDefault('activation', area.activation, 0),
@@ -81,7 +87,8 @@ export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedW
   const extension = JSON.parse(JSON.stringify({ layers, areas, ...(drivers.length > 0 && { drivers }) }))
   parseWrinkleMaps(extension, json.textures?.length ?? 0, who)
   material.extensions = { ...material.extensions, [WRINKLE_MAPS]: extension }
-  json.extensionsUsed = [...new Set([...(json.extensionsUsed ?? []), WRINKLE_MAPS])]
+  const basis = adder.hasArrays ? [BASIS] : []
+  json.extensionsUsed = [...new Set([...(json.extensionsUsed ?? []), WRINKLE_MAPS, ...basis])]
   glb.bin = adder.bytes()
 }
 
@@ -93,7 +100,8 @@ function unlessDefault(field: string, value: unknown, usual: unknown): object {
 class TextureAdder {
   readonly #json: GltfJson
   readonly #parts: Uint8Array[]
-  readonly #added = new Map<FileImage, number>()
+  readonly #added = new Map<Uint8Array, number>()
+  hasArrays = false
   #length: number
 
   constructor({ json, bin }: Glb) {
@@ -107,17 +115,21 @@ class TextureAdder {
     json.buffers[0] ??= { byteLength: 0 }
   }
 
-  /** @returns index of the texture. */
-  add(image: FileImage, sampler: number | undefined): number {
-    const known = this.#added.get(image)
-    if (known !== undefined) return known
-    const { name, mimeType, bytes } = image
+  /** @returns what a texture info says of it. */
+  place(image: FileImage, sampler: number | undefined): { index: number; slice?: number } {
+    const index = this.#added.get(image.bytes) ?? this.#add(image, sampler)
+    return { index, ...(image.slice !== undefined && { slice: image.slice }) }
+  }
+
+  #add({ name, mimeType, bytes, slice }: FileImage, sampler: number | undefined): number {
     const { images, textures, bufferViews } = this.#json
     const byteOffset = this.#append(bytes)
     const view = bufferViews!.push({ buffer: 0, byteOffset, byteLength: bytes.length }) - 1
     const source = images!.push({ name, mimeType, bufferView: view }) - 1
-    const index = textures!.push({ name, ...(sampler !== undefined && { sampler }), source }) - 1
-    this.#added.set(image, index)
+    const image = slice === undefined ? { source } : { extensions: { [BASIS]: { source } } }
+    if (slice !== undefined) this.hasArrays = true
+    const index = textures!.push({ name, ...(sampler !== undefined && { sampler }), ...image }) - 1
+    this.#added.set(bytes, index)
     return index
   }
 

@@ -1,14 +1,17 @@
-import { FurrowError, type GrayImage, isMorphDriver, type WrinkleDriver } from 'furrow'
+import { FurrowError, type GrayImage, isMorphDriver, type TextureReference, type WrinkleDriver } from 'furrow'
 import sharp from 'sharp'
 import { firstLine } from '../images.ts'
-import { channelOf, readPixels } from './map-images.ts'
-import { areaSizes, type GpuSizes, mapSizes, sumSizes } from './sizes.ts'
-import { imageOf, type TextureImage, type WrinkledFile } from './wrinkled-file.ts'
+import { channelOf } from './map-images.ts'
+import { pixelsOf } from './pixels.ts'
+import { areaSizes, areaSliceSizes, type GpuSizes, mapSizes, sumSizes } from './sizes.ts'
+import { imageOf, isKtx2, type TextureImage, type WrinkledFile } from './wrinkled-file.ts'
 
 /** One map of one layer. */
 export interface MapReport {
   map: 'normal' | 'baseColor' | 'roughness' | 'occlusion' | 'height'
   texture: number
+  /** Of a KTX 2 array, whose bytes in the file all slices share. */
+  slice?: number
   mimeType: string
   width: number
   height: number
@@ -27,14 +30,17 @@ export interface AreaReport {
   name: string
   layer: string
   texture: number
+  /** Of a KTX 2 array. */
+  slice?: number
   channel: string
   combine: string
   activation: number
   width: number
   height: number
-  /** Share of the texels where it shows at all, 0..1, and its largest weight, 0..1; absent for compressed images. */
-  coverage?: number
-  largest?: number
+  /** Share of the texels where it shows at all, 0..1. */
+  coverage: number
+  /** Its largest weight, 0..1. */
+  largest: number
 }
 
 /** What a file holds in wrinkles. */
@@ -62,40 +68,39 @@ export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<
   const { glb, maps } = file
   const layers = await Promise.all(
     maps.layers.map(async (layer): Promise<LayerReport> => {
-      const slots = MAP_SLOTS.flatMap(([map, slot]) =>
-        layer[slot] ? [{ map, index: layer[slot].index }] : [],
-      )
-      const reports = slots.map(({ map, index }) => measureMap(file, map, index, who))
+      const slots = MAP_SLOTS.flatMap(([map, slot]) => (layer[slot] ? [{ map, info: layer[slot] }] : []))
+      const reports = slots.map(({ map, info }) => measureMap(file, map, info, who))
       const { name, kind, normalTexture } = layer
       return { name, kind, normalScale: normalTexture.scale, maps: await Promise.all(reports) }
     }),
   )
   const areas: AreaReport[] = []
   for (const [i, { name, layer, texture, channel, combine, activation }] of maps.areas.entries()) {
-    const image = imageOf(glb, texture.index, who)
-    const { width, height } = await sizeOf(image, who)
-    const weights = isCompressed(image) ? undefined : await weightsOf(file, i, who)
+    const weights = await weightsOf(file, i, who)
     areas.push({
       name,
       layer: maps.layers[layer]!.name,
       texture: texture.index,
+      ...(texture.slice !== undefined && { slice: texture.slice }),
       channel: 'RGBA'[channel]!,
       combine,
       activation,
-      width,
-      height,
-      ...(weights && coverageOf(weights)),
+      width: weights.width,
+      height: weights.height,
+      ...coverageOf(weights),
     })
   }
-  const textures = new Map([
-    ...layers.flatMap((layer) => layer.maps.map(({ texture, gpu }) => [texture, gpu] as const)),
-  ])
-  const images = new Set([...textures.keys(), ...areas.map(({ texture }) => texture)])
+  const textures = new Map(
+    layers.flatMap(({ maps }) =>
+      maps.map(({ texture, slice, gpu }) => [`${texture} ${slice}`, gpu] as const),
+    ),
+  )
+  const images = new Set([...layers.flatMap(({ maps }) => maps), ...areas].map(({ texture }) => texture))
   return {
     material: glb.json.materials![file.material]!.name,
     fileBytes: glb.fileBytes,
     imageBytes: [...images].reduce((sum, index) => sum + imageOf(glb, index, who).bytes.length, 0),
-    gpu: sumSizes([...textures.values(), ...areas.map(({ width, height }) => areaSizes(width, height))]),
+    gpu: sumSizes([...textures.values(), ...gpuOfAreas(areas)]),
     layers,
     areas,
     drivers: maps.drivers,
@@ -105,19 +110,13 @@ export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<
 /** The weights of one area as they are in its image. */
 export async function weightsOf({ glb, maps }: WrinkledFile, area: number, who: string): Promise<GrayImage> {
   const { texture, channel } = maps.areas[area]!
-  const { bytes, name } = imageOf(glb, texture.index, who)
-  return channelOf(await readPixels(bytes, `the image "${name}"`, who), channel)
-}
-
-/** Images that only a GPU reads. */
-export function isCompressed({ mimeType }: TextureImage): boolean {
-  return mimeType === 'image/ktx2'
+  return channelOf(await pixelsOf(glb, texture, who), channel)
 }
 
 /** Size of an image by its header. */
 export async function sizeOf(image: TextureImage, who: string): Promise<{ width: number; height: number }> {
   const { bytes, name } = image
-  if (isCompressed(image) && bytes.length >= 28) {
+  if (isKtx2(image) && bytes.length >= 28) {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length)
     return { width: view.getUint32(20, true), height: Math.max(1, view.getUint32(24, true)) }
   }
@@ -142,11 +141,26 @@ export function driverText(driver: WrinkleDriver): string {
   return `${driver.area} = ${targets.join(' + ')}${straight ? '' : `, curve ${curve.join(' ')}`}`
 }
 
-async function measureMap({ glb }: WrinkledFile, map: MapReport['map'], texture: number, who: string) {
-  const image = imageOf(glb, texture, who)
+async function measureMap(
+  { glb }: WrinkledFile,
+  map: MapReport['map'],
+  { index, slice }: TextureReference,
+  who: string,
+): Promise<MapReport> {
+  const image = imageOf(glb, index, who)
   const { width, height } = await sizeOf(image, who)
   const { mimeType, bytes } = image
-  return { map, texture, mimeType, width, height, bytes: bytes.length, gpu: mapSizes(width, height) }
+  const place = { map, texture: index, ...(slice !== undefined && { slice }) }
+  return { ...place, mimeType, width, height, bytes: bytes.length, gpu: mapSizes(width, height) }
+}
+
+/** Images become one slice for each area; an array stays as it is, several areas to a slice. */
+function gpuOfAreas(areas: readonly AreaReport[]): GpuSizes[] {
+  const slices = new Map(areas.map((area) => [`${area.texture} ${area.slice}`, area]))
+  if (areas[0]!.slice !== undefined) {
+    return [...slices.values()].map(({ width, height }) => areaSliceSizes(width, height))
+  }
+  return areas.map(({ width, height }) => areaSizes(width, height))
 }
 
 function coverageOf({ data }: GrayImage): { coverage: number; largest: number } {

@@ -6,6 +6,14 @@ import type { FileImage } from './embed.ts'
 /** Formats that glTF has without further extensions. */
 const MIME_TYPES: Record<string, string | undefined> = { png: 'image/png', jpeg: 'image/jpeg' }
 
+/** Channels side by side, row 0 at the top. */
+export interface Pixels {
+  width: number
+  height: number
+  channels: 1 | 2 | 3 | 4
+  data: Uint8Array
+}
+
 /** What is known of an image once it was decoded whole. */
 export interface CheckedImage extends FileImage {
   width: number
@@ -43,6 +51,36 @@ export async function checkMap(
 }
 
 /**
+ * Scales a map to a square. Normals are filtered as vectors and made as long as 1 again.
+ *
+ * @returns the image itself when it has that size already, else a new one (PNG).
+ */
+export async function scaleMap(
+  image: CheckedImage,
+  size: number,
+  kind: 'normals' | 'values',
+): Promise<CheckedImage> {
+  if (image.width === size && image.height === size) return image
+  const scaled = sharp(image.bytes, { ignoreIcc: true }).resize(size, size, {
+    fit: 'fill',
+    kernel: 'mitchell',
+  })
+  const { data, info } = await scaled.toColourspace('srgb').raw().toBuffer({ resolveWithObject: true })
+  if (kind === 'normals') normalise(data, info.channels)
+  const raw = { width: size, height: size, channels: info.channels }
+  const bytes = await sharp(data, { raw }).png({ compressionLevel: 9 }).toBuffer()
+  return { ...image, mimeType: 'image/png', bytes, width: size, height: size }
+}
+
+function normalise(data: Uint8Array, channels: number): void {
+  for (let i = 0; i < data.length; i += channels) {
+    const vector = [0, 1, 2].map((k) => (data[i + k]! / 255) * 2 - 1)
+    const length = Math.hypot(...vector) || 1
+    for (const [k, value] of vector.entries()) data[i + k] = Math.round((value / length / 2 + 0.5) * 255)
+  }
+}
+
+/**
  * Decodes a painted area. Grays keep their value; colours count by their luma (ITU-R BT.601).
  *
  * @throws FurrowError when it is no image, cut off or transparent.
@@ -65,7 +103,7 @@ export async function readGray(bytes: Uint8Array, path: string, who: string): Pr
 }
 
 /** All channels of an image of a file, side by side as they are stored. */
-export async function readPixels(bytes: Uint8Array, name: string, who: string) {
+export async function readPixels(bytes: Uint8Array, name: string, who: string): Promise<Pixels> {
   return attempt(name, who, async () => {
     const { data, info } = await sharp(bytes, { failOn: 'truncated', ignoreIcc: true })
       .toColourspace('srgb')
@@ -76,7 +114,7 @@ export async function readPixels(bytes: Uint8Array, name: string, who: string) {
 }
 
 /** One channel, 0 = R to 3 = A, as glTF reads it: gray counts as R, G and B, and a missing alpha as 1. */
-export function channelOf(pixels: Awaited<ReturnType<typeof readPixels>>, channel: number): GrayImage {
+export function channelOf(pixels: Pixels, channel: number): GrayImage {
   const { width, height, channels, data } = pixels
   const alpha = channels === 2 || channels === 4
   const at = channel === 3 ? channels - 1 : channels < 3 ? 0 : channel

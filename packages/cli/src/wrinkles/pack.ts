@@ -10,12 +10,25 @@ import {
   type WrinkleSetDocument,
 } from 'furrow'
 import type { Progress } from '../progress.ts'
+import { AREAS_PER_SLICE, areaArray, mapArrays } from './arrays.ts'
 import type { AreaPlace, FileImage, LayerImages, PackedWrinkles } from './embed.ts'
 import { readBeside } from './folder.ts'
-import { type CheckedImage, checkMap, encodeShared, readGray } from './map-images.ts'
+import { type CheckedImage, checkMap, encodeShared, readGray, scaleMap } from './map-images.ts'
 
 /** How many areas may share one image. */
 export type Share = 1 | 3 | 4
+
+/** How the images go into the file. */
+export interface PackOptions {
+  /** Areas to an image; those of a KTX 2 array lie four to a slice. */
+  share: Share
+  /** Whether maps and areas become KTX 2 arrays. */
+  ktx2: boolean
+  /** Side of the areas; the document's, or 128, unless told. */
+  areaSize?: number
+  /** Side that the layers' maps are scaled to; as they are unless told. */
+  size?: number
+}
 
 /** What a folder becomes: its images as a file holds them, and what the user should know. */
 export interface PackedFolder extends PackedWrinkles {
@@ -32,32 +45,35 @@ export interface PackedFolder extends PackedWrinkles {
 export async function packFolder(
   folder: string,
   document: WrinkleSetDocument,
-  share: Share,
-  areaSize: number | undefined,
+  { share, ktx2, areaSize, size }: PackOptions,
   who: string,
   progress: Progress,
 ): Promise<PackedFolder> {
-  const size = areaSize ?? document.areaSize ?? DEFAULT_AREA_SIZE
-  const total = document.layers.length + document.areas.length
+  const side = areaSize ?? document.areaSize ?? DEFAULT_AREA_SIZE
+  const total = document.layers.length + document.areas.length + (ktx2 ? 2 : 0)
   let done = 0
   const step = () => progress(++done, total)
   const warnings: string[] = []
-  const layers = await packLayers(folder, document.layers, who, step)
+  const maps = await packLayers(folder, document.layers, size, who, step)
 
   const weights: GrayImage[] = []
   for (const { name, image, convention } of document.areas) {
-    weights.push(await readWeights(folder, image, convention, size, who))
+    weights.push(await readWeights(folder, image, convention, side, who))
     if (weights.at(-1)!.data.every((value) => value === 0)) {
       warnings.push(`${who}: area "${name}" is visible nowhere; is ${image} in the other convention?`)
     }
     step()
   }
-  const images = await shareImages(weights, share)
+  const layers = ktx2 ? await mapArrays(maps, who) : maps
+  if (ktx2) step()
+  const images = ktx2 ? await areaArray(weights, who) : await shareImages(weights, share)
+  if (ktx2) step()
+  const perImage = ktx2 ? AREAS_PER_SLICE : share
   const areas = document.areas.map(({ name, layer, combine, activation }, i): AreaPlace => {
-    const place = { image: images[Math.floor(i / share)]!, channel: i % share }
+    const place = { image: images[Math.floor(i / perImage)]!, channel: i % perImage }
     return { name, ...place, layer: layerIndex(document, layer, name, who), combine, activation }
   })
-  return { layers, areas, drivers: document.drivers ?? [], areaSize: size, warnings }
+  return { layers, areas, drivers: document.drivers ?? [], areaSize: side, warnings }
 }
 
 /** What drivers name and the mesh does not have; they count as 0, so this is worth a warning and no more. */
@@ -68,16 +84,17 @@ export function unknownTargets(drivers: PackedWrinkles['drivers'], targetNames: 
 async function packLayers(
   folder: string,
   layers: WrinkleSetDocument['layers'],
+  size: number | undefined,
   who: string,
   step: () => void,
-): Promise<LayerImages[]> {
+): Promise<(LayerImages & { normal: CheckedImage })[]> {
   // Maps that are the same file, or the same bytes, go in once.
   const known = new Map<string, CheckedImage>()
-  const load = async (address: string | undefined, name: string) => {
+  const load = async (address: string | undefined, name: string, kind: 'normals' | 'values' = 'values') => {
     if (address === undefined) return undefined
     const bytes = await readBeside(folder, address, who)
-    const key = Buffer.from(bytes).toString('latin1')
-    const image = known.get(key) ?? (await checkMap(bytes, name, address, who))
+    const key = `${kind} ${Buffer.from(bytes).toString('latin1')}`
+    const image = known.get(key) ?? (await scaledTo(size, await checkMap(bytes, name, address, who), kind))
     known.set(key, image)
     return image
   }
@@ -86,7 +103,7 @@ async function packLayers(
     packed.push({
       ...rest,
       name,
-      normal: (await load(normal, `${name} normal`))!,
+      normal: (await load(normal, `${name} normal`, 'normals'))!,
       baseColor: await load(baseColor, `${name} base colour`),
       roughness: await load(roughness, `${name} roughness`),
       occlusion: await load(occlusion, `${name} occlusion`),
@@ -105,6 +122,10 @@ async function packLayers(
     })
   }
   return packed
+}
+
+async function scaledTo(size: number | undefined, image: CheckedImage, kind: 'normals' | 'values') {
+  return size === undefined ? image : scaleMap(image, size, kind)
 }
 
 async function readWeights(

@@ -1,7 +1,8 @@
 import { FurrowError, isMorphDriver, MorphActivation, parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
 import { firstLine } from '../images.ts'
 import type { Glb } from './glb-file.ts'
-import { inspectWrinkles, type Report } from './inspect.ts'
+import { inspectWrinkles, MAP_SLOTS, type Report } from './inspect.ts'
+import { arrayOf } from './pixels.ts'
 import { targetNamesOf } from './target.ts'
 import { type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
 
@@ -44,6 +45,7 @@ async function checkMaterial(glb: Glb, material: number): Promise<Finding[]> {
     const findings = [
       ...checkSizes(report),
       ...checkImages(report),
+      ...(await checkArrays(file)),
       ...checkAreas(report),
       ...checkCoordinates(file),
       ...checkDrivers(file),
@@ -80,8 +82,32 @@ function checkImages({ layers }: Report): Finding[] {
   })
 }
 
+/** Every slice exists; blocks of 4 x 4 texels that share two colours show in normals. */
+async function checkArrays({ glb, maps }: WrinkledFile): Promise<Finding[]> {
+  const findings: Finding[] = []
+  for (const layer of maps.layers) {
+    for (const [map, slot] of MAP_SLOTS) {
+      const info = layer[slot]
+      if (info?.slice === undefined) continue
+      const { layers, compression } = await arrayOf(glb, info.index, WRINKLE_MAPS)
+      if (info.slice >= layers.length) {
+        const message = `layer "${layer.name}": ${map} is slice ${info.slice} of ${layers.length}`
+        findings.push(error('NO_SLICE', message))
+      }
+      if (map === 'normal' && compression === 'etc1s') {
+        findings.push(
+          warning('ETC1S_NORMALS', `layer "${layer.name}": ETC1S leaves blocks in normals; use UASTC`),
+        )
+      }
+    }
+  }
+  return findings
+}
+
 function checkAreas({ areas }: Report): Finding[] {
-  const withAlpha = new Set(areas.filter(({ channel }) => channel === 'A').map(({ texture }) => texture))
+  // No image tool opens an array; in images it would be lost.
+  const inImages = areas.filter(({ channel, slice }) => channel === 'A' && slice === undefined)
+  const withAlpha = new Set(inImages.map(({ texture }) => texture))
   return areas.flatMap((area) => {
     const findings: Finding[] = []
     if (area.largest === 0) findings.push(warning('AREA_INVISIBLE', `area "${area.name}" is visible nowhere`))

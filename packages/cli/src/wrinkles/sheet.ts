@@ -1,7 +1,9 @@
 import type { GrayImage } from 'furrow'
 import sharp from 'sharp'
-import { isCompressed, MAP_SLOTS, weightsOf } from './inspect.ts'
-import { imageOf, type WrinkledFile } from './wrinkled-file.ts'
+import { MAP_SLOTS, weightsOf } from './inspect.ts'
+import type { Pixels } from './map-images.ts'
+import { pixelsOf } from './pixels.ts'
+import type { WrinkledFile } from './wrinkled-file.ts'
 
 /** Side of one picture, height of the line under it, and the gap round both, in pixels. */
 const SIDE = 256
@@ -28,13 +30,11 @@ export async function drawSheet(file: WrinkledFile, who: string): Promise<Uint8A
     for (const [map, slot] of MAP_SLOTS) {
       const info = layer[slot]
       if (!info) continue
-      const image = imageOf(file.glb, info.index, who)
-      const pixels = isCompressed(image) ? plain() : await scaled(image.bytes)
+      const pixels = await scaled(await pixelsOf(file.glb, info, who))
       tiles.push({ label: `${layer.name}: ${map}`, pixels })
     }
   }
-  for (const [i, { name, layer, texture }] of file.maps.areas.entries()) {
-    if (isCompressed(imageOf(file.glb, texture.index, who))) continue
+  for (const [i, { name, layer }] of file.maps.areas.entries()) {
     const weights = await scaledWeights(await weightsOf(file, i, who))
     const where = file.maps.layers.length > 1 ? ` (${file.maps.layers[layer]!.name})` : ''
     tiles.push({ label: `${name}${where}`, pixels: tinted(skin, weights) })
@@ -76,18 +76,12 @@ function lettering(text: string): Buffer {
 
 async function skinOf({ glb, material }: WrinkledFile, who: string): Promise<Uint8Array> {
   const colour = glb.json.materials![material]!.pbrMetallicRoughness?.baseColorTexture
-  if (!colour) return plain()
-  const image = imageOf(glb, colour.index, who)
-  return isCompressed(image) ? plain() : scaled(image.bytes)
+  return colour ? scaled(await pixelsOf(glb, colour, who)) : new Uint8Array(3 * SIDE * SIDE).fill(120)
 }
 
-function plain(): Uint8Array {
-  return new Uint8Array(3 * SIDE * SIDE).fill(120)
-}
-
-async function scaled(bytes: Uint8Array): Promise<Uint8Array> {
-  const image = sharp(bytes).resize(SIDE, SIDE, { fit: 'fill' }).toColourspace('srgb').removeAlpha()
-  return image.raw().toBuffer()
+async function scaled({ width, height, channels, data }: Pixels): Promise<Uint8Array> {
+  const image = sharp(data, { raw: { width, height, channels } }).resize(SIDE, SIDE, { fit: 'fill' })
+  return image.toColourspace('srgb').removeAlpha().raw().toBuffer()
 }
 
 async function scaledWeights({ width, height, data }: GrayImage): Promise<Uint8Array> {

@@ -23,6 +23,12 @@ export function areaSizes(width: number, height: number): GpuSizes {
   return { uncompressed: width * height, bits8: compressed, bits4: compressed }
 }
 
+/** A slice of up to four areas, without mipmaps. Areas share its channels, so that it needs 8 bits per texel. */
+export function areaSliceSizes(width: number, height: number): GpuSizes {
+  const compressed = 16 * blocks(width, height)
+  return { uncompressed: 4 * width * height, bits8: compressed, bits4: compressed }
+}
+
 export function sumSizes(sizes: readonly GpuSizes[]): GpuSizes {
   const sum = (key: keyof GpuSizes) => sizes.reduce((total, size) => total + size[key], 0)
   return { uncompressed: sum('uncompressed'), bits8: sum('bits8'), bits4: sum('bits4') }

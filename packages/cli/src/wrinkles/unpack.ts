@@ -1,9 +1,10 @@
-import { FurrowError, type GrayImage, type WrinkleSetDocument } from 'furrow'
+import { FurrowError, type GrayImage, type TextureReference, type WrinkleSetDocument } from 'furrow'
 import sharp from 'sharp'
 import { encodeArea, firstLine, type Output } from '../images.ts'
 import type { Progress } from '../progress.ts'
-import { channelOf, readPixels } from './map-images.ts'
-import { imageOf, type WrinkledFile } from './wrinkled-file.ts'
+import { channelOf, type Pixels } from './map-images.ts'
+import { encodePixels, pixelsOf } from './pixels.ts'
+import { imageOf, isKtx2, type WrinkledFile } from './wrinkled-file.ts'
 
 type LayerEntry = WrinkleSetDocument['layers'][number]
 
@@ -39,7 +40,7 @@ export async function unpackWrinkles(
       const info = layer[slot]
       if (!info) continue
       const path = `layers/${fileNames[i]}/${map}.png`
-      outputs.push({ path, bytes: await pngOf(file, info.index, who) })
+      outputs.push({ path, bytes: await pngOf(file, info, who) })
       entry[map] = encodeURI(path)
     }
     if (layer.normalTexture.scale !== 1) entry.normalScale = layer.normalTexture.scale
@@ -80,8 +81,10 @@ export async function unpackWrinkles(
 }
 
 /** PNG goes through as it is; other formats are decoded once. */
-async function pngOf({ glb }: WrinkledFile, texture: number, who: string): Promise<Uint8Array> {
-  const { bytes, mimeType, name } = imageOf(glb, texture, who)
+async function pngOf({ glb }: WrinkledFile, info: TextureReference, who: string): Promise<Uint8Array> {
+  const image = imageOf(glb, info.index, who)
+  if (isKtx2(image)) return encodePixels(await pixelsOf(glb, info, who))
+  const { bytes, mimeType, name } = image
   if (mimeType === 'image/png') return bytes
   try {
     return await sharp(bytes, { failOn: 'truncated' }).png({ compressionLevel: 9 }).toBuffer()
@@ -98,12 +101,15 @@ async function pngOf({ glb }: WrinkledFile, texture: number, who: string): Promi
 
 /** Images that areas share are decoded once. */
 async function readAreas({ glb, maps }: WrinkledFile, who: string): Promise<GrayImage[]> {
-  const pixels = new Map<number, Awaited<ReturnType<typeof readPixels>>>()
-  for (const index of new Set(maps.areas.map(({ texture }) => texture.index))) {
-    const { bytes, name } = imageOf(glb, index, who)
-    pixels.set(index, await readPixels(bytes, `the image "${name}"`, who))
-  }
-  return maps.areas.map(({ texture, channel }) => channelOf(pixels.get(texture.index)!, channel))
+  const decoded = new Map<string, Promise<Pixels>>()
+  return Promise.all(
+    maps.areas.map(async ({ texture, channel }) => {
+      const key = `${texture.index} ${texture.slice}`
+      const pixels = decoded.get(key) ?? pixelsOf(glb, texture, who)
+      decoded.set(key, pixels)
+      return channelOf(await pixels, channel)
+    }),
+  )
 }
 
 function encodeWeights(weights: GrayImage, whiteIsVisible: boolean): Promise<Uint8Array> {

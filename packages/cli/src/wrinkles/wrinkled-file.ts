@@ -83,6 +83,11 @@ export function imageOf({ json, bin }: Glb, texture: number, who: string): Textu
   }
 }
 
+/** Whether an image is a KTX 2 file. */
+export function isKtx2({ mimeType }: TextureImage): boolean {
+  return mimeType === 'image/ktx2'
+}
+
 /** Files of others may hold anything where a text belongs. */
 function textOf(value: unknown): string | undefined {
   return typeof value === 'string' ? value : undefined

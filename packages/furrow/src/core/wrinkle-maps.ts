@@ -8,6 +8,8 @@ export const WRINKLE_MAPS = 'FURROW_wrinkle_maps'
 /** A texture of the file, by its index, with whatever else glTF allows beside it. */
 export interface TextureReference {
   index: number
+  /** Slice of a KTX 2 texture array; absent: the texture is an ordinary image. */
+  slice?: number
 }
 
 /** One layer as the extension's JSON holds it, defaults filled in. */
@@ -67,6 +69,8 @@ const MAX_DRIVERS = 4096
 const MAX_TARGETS = 1024
 const MAX_CURVE_POINTS = 64
 const LONGEST_NAME = 256
+/** Every WebGL 2 and WebGPU device has arrays of 256 slices; one that had more would be found out when it is loaded. */
+const MAX_SLICES = 2048
 
 /** Largest weight, scale or amplitude that means something. */
 export const LARGEST = 1000
@@ -94,6 +98,7 @@ export function parseWrinkleMaps(
     .map((item, i) => readArea(reader, texture, item, `areas[${i}]`, layers.length))
   checkNames(reader, layers, 'layers')
   checkNames(reader, areas, 'areas')
+  checkSlices(reader, layers, areas)
   return { layers, areas, drivers: readDrivers(reader, root.drivers, areas) }
 }
 
@@ -114,13 +119,22 @@ export function isMorphDriver(driver: WrinkleDriver): driver is MorphDriver {
   return driver.type === 'morph'
 }
 
+const LAYER_SLOTS = [
+  'normalTexture',
+  'baseColorTexture',
+  'roughnessTexture',
+  'occlusionTexture',
+  'heightTexture',
+] as const
+
 type ReadTexture = (value: unknown, path: string) => Record<string, unknown> & TextureReference
 
 function textureReader(reader: JsonReader, count: number): ReadTexture {
   return (value, path) => {
     const info = reader.object(value, path)
     const index = reader.integer(info.index, `${path}.index`, 0, count - 1)
-    return { ...info, index }
+    if (info.slice === undefined) return { ...info, index } as ReturnType<ReadTexture>
+    return { ...info, index, slice: reader.integer(info.slice, `${path}.slice`, 0, MAX_SLICES - 1) }
   }
 }
 
@@ -210,6 +224,31 @@ function checkNames(reader: JsonReader, named: readonly { name: string }[], list
     if (seen.has(name))
       reader.fail(`${list}[${i}].name is taken`, name, undefined, 'give each a name of its own')
     seen.add(name)
+  }
+}
+
+/** Every kind of map: either images, or slices of one array that serves nothing else. */
+function checkSlices(reader: JsonReader, layers: WrinkleMapsLayer[], areas: WrinkleMapsArea[]): void {
+  const arrays = new Map<number, string>()
+  const images = new Map<number, string>()
+  for (const slot of [...LAYER_SLOTS, 'texture'] as const) {
+    const [list, owners] = slot === 'texture' ? (['areas', areas] as const) : (['layers', layers] as const)
+    const found = owners.flatMap((owner, i) => {
+      const info = (owner as Partial<Record<typeof slot, TextureReference>>)[slot]
+      return info ? [{ ...info, at: `${list}[${i}].${slot}` }] : []
+    })
+    const array = found.find(({ slice }) => slice !== undefined)
+    for (const { index, slice, at } of found) {
+      if ((slice !== undefined) !== (array !== undefined) || (array && index !== array.index)) {
+        const limit = `slices of texture ${array!.index}, as ${array!.at}, or no slices at all`
+        reader.fail(`${at} is not in the same array`, index, limit, 'put all of them into one array')
+      }
+      ;(slice === undefined ? images : arrays).set(index, at)
+    }
+  }
+  for (const [index, at] of arrays) {
+    if (!images.has(index)) continue
+    reader.fail(`${images.get(index)} has no slice`, index, `a slice, as ${at}`, 'name its slice')
   }
 }
 

@@ -43,7 +43,7 @@ export function readMaterialWrinkles(
     for (const slot of Object.keys(LAYER_SLOTS) as LayerSlot[]) {
       const info = layer[slot]
       if (!info) continue
-      property.setTexture(slot, textureAt(info.index))
+      property.setTexture(slot, textureAt(info.index)).setSlice(slot, info.slice ?? null)
       readTextureInfo(context, property.getTextureInfo(slot)!, info, who)
     }
     return property
@@ -53,6 +53,7 @@ export function readMaterialWrinkles(
       .createArea(area.name)
       .setLayer(layers[area.layer])
       .setTexture(textureAt(area.texture.index), area.channel)
+      .setSlice(area.texture.slice ?? null)
       .setCombine(area.combine)
       .setActivation(area.activation)
       .setExtras(extrasOf(raw.areas[i]))

@@ -8,12 +8,13 @@ import {
 } from '@gltf-transform/core'
 import type { Combine } from '../core/types.ts'
 import { WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
-import type { WrinkleLayer } from './wrinkle-layer.ts'
+import { NO_SLICE, type WrinkleLayer } from './wrinkle-layer.ts'
 
 interface IWrinkleArea extends IProperty {
   layer: WrinkleLayer
   weightsTexture: Texture
   weightsTextureInfo: TextureInfo
+  slice: number
   channel: number
   combine: Combine
   activation: number
@@ -46,6 +47,7 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
       weightsTextureInfo: new TextureInfo(this.graph, 'weightsTextureInfo')
         .setWrapS(TextureInfo.WrapMode.CLAMP_TO_EDGE)
         .setWrapT(TextureInfo.WrapMode.CLAMP_TO_EDGE),
+      slice: NO_SLICE,
       channel: 0,
       combine: 'sum' as const,
       activation: 0,
@@ -75,6 +77,16 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
 
   getChannel(): number {
     return this.get('channel')
+  }
+
+  /** Slice of its texture, where that is a KTX 2 array; null where it is an ordinary image. */
+  getSlice(): number | null {
+    const slice = this.get('slice')
+    return slice === NO_SLICE ? null : slice
+  }
+
+  setSlice(slice: number | null): this {
+    return this.set('slice', slice ?? NO_SLICE)
   }
 
   /** Texture coordinates and sampler; null while it has no texture. */

@@ -13,20 +13,28 @@ interface IWrinkleLayer extends IProperty {
   kind: LayerKind
   normalTexture: Texture
   normalTextureInfo: TextureInfo
+  normalTextureSlice: number
   normalScale: number
   baseColorTexture: Texture
   baseColorTextureInfo: TextureInfo
+  baseColorTextureSlice: number
   roughnessTexture: Texture
   roughnessTextureInfo: TextureInfo
+  roughnessTextureSlice: number
   occlusionTexture: Texture
   occlusionTextureInfo: TextureInfo
+  occlusionTextureSlice: number
   occlusionStrength: number
   heightTexture: Texture
   heightTextureInfo: TextureInfo
+  heightTextureSlice: number
   heightAmplitude: number
   /** JSON of fields that this version does not know. */
   unknownFields: string
 }
+
+/** Stands for an ordinary image, where a texture might be an array. */
+export const NO_SLICE = -1
 
 /** The texture slots of a layer, and what of each image is read. */
 export const LAYER_SLOTS = {
@@ -60,16 +68,21 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
       kind: 'replace' as const,
       normalTexture: null,
       normalTextureInfo: info('normalTexture'),
+      normalTextureSlice: NO_SLICE,
       normalScale: 1,
       baseColorTexture: null,
       baseColorTextureInfo: info('baseColorTexture'),
+      baseColorTextureSlice: NO_SLICE,
       roughnessTexture: null,
       roughnessTextureInfo: info('roughnessTexture'),
+      roughnessTextureSlice: NO_SLICE,
       occlusionTexture: null,
       occlusionTextureInfo: info('occlusionTexture'),
+      occlusionTextureSlice: NO_SLICE,
       occlusionStrength: 1,
       heightTexture: null,
       heightTextureInfo: info('heightTexture'),
+      heightTextureSlice: NO_SLICE,
       heightAmplitude: 0,
       unknownFields: '{}',
     })
@@ -91,6 +104,16 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
 
   setTexture(slot: LayerSlot, texture: Texture | null): this {
     return this.setRef(slot, texture, { ...LAYER_SLOTS[slot] })
+  }
+
+  /** Slice of the slot's texture, where that is a KTX 2 array; null where it is an ordinary image. */
+  getSlice(slot: LayerSlot): number | null {
+    const slice = this.get(`${slot}Slice`)
+    return slice === NO_SLICE ? null : slice
+  }
+
+  setSlice(slot: LayerSlot, slice: number | null): this {
+    return this.set(`${slot}Slice`, slice ?? NO_SLICE)
   }
 
   /** Texture coordinates and sampler of one slot; null while it has no texture. */

@@ -32,9 +32,13 @@ function writeLayer(context: WriterContext, layer: WrinkleLayer, who: string): J
   if (!layer.getTexture('normalTexture')) throw missing(who, 'layer', layer, 'normal texture')
   for (const slot of Object.keys(LAYER_SLOTS) as LayerSlot[]) {
     const info = textureInfo(context, layer.getTexture(slot), layer.getTextureInfo(slot))
-    if (info) json[slot] = Object.assign(info, numberBeside(slot, layer))
+    if (info) json[slot] = Object.assign(info, sliceOf(layer.getSlice(slot)), numberBeside(slot, layer))
   }
   return json
+}
+
+function sliceOf(slice: number | null): Json {
+  return slice === null ? {} : { slice }
 }
 
 function numberBeside(slot: LayerSlot, layer: WrinkleLayer): Json {
@@ -59,7 +63,7 @@ function writeArea(
   if (layer > 0) json.layer = layer
   const info = textureInfo(context, area.getTexture(), area.getTextureInfo())
   if (!info) throw missing(who, 'area', area, 'texture')
-  json.texture = info
+  json.texture = Object.assign(info, sliceOf(area.getSlice()))
   if (area.getChannel() !== 0) json.channel = area.getChannel()
   if (area.getCombine() !== 'sum') json.combine = area.getCombine()
   if (area.getActivation() !== 0) json.activation = area.getActivation()

@@ -1,9 +1,9 @@
-import type { CompressedArrayTexture, DataArrayTexture } from 'three'
 import { type Bounds, boundsOf } from '../core/bounds.ts'
 import { FurrowError } from '../core/error.ts'
 import { packAreas } from '../core/pack.ts'
 import type { Area, ArraySlice, Combine, GrayImage } from '../core/types.ts'
 import { isSlice, layerIndex } from '../core/wrinkle-set.ts'
+import type { ArrayTexture } from './texture-arrays.ts'
 import { areaTexture } from './textures.ts'
 
 /** An area as the GPU sees it; its activation stands at the same index as it in the list. */
@@ -19,7 +19,7 @@ export interface Slot {
 
 /** The areas of a set as one array on the GPU. */
 export interface AreaArray {
-  texture: DataArrayTexture | CompressedArrayTexture
+  texture: ArrayTexture
   width: number
   height: number
   /** Channels of a slice that hold areas: 1, or up to 4. */
@@ -60,7 +60,7 @@ function packed(weights: readonly GrayImage[], size: number, who: string): Maps 
 
 function sliced(weights: readonly (GrayImage | ArraySlice)[], who: string): Maps {
   const slices = weights.filter(isSlice)
-  const texture = slices[0].array as AreaArray['texture']
+  const texture = slices[0].array as ArrayTexture
   if (slices.length < weights.length || slices.some(({ array }) => array !== texture)) {
     throw new FurrowError({
       who,

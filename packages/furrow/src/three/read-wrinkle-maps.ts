@@ -1,16 +1,25 @@
 import type { Material, Mesh, Object3D, Texture } from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import { CHANNEL, channelOf } from '../core/channels.ts'
-import type { Area, Layer, RgbaImage, WrinkleSet } from '../core/types.ts'
-import { parseWrinkleMaps, WRINKLE_MAPS, type WrinkleDriver, type WrinkleMaps } from '../core/wrinkle-maps.ts'
+import { FurrowError } from '../core/error.ts'
+import type { Area, ArraySlice, GrayImage, Layer, RgbaImage, WrinkleSet } from '../core/types.ts'
+import {
+  parseWrinkleMaps,
+  type TextureReference,
+  WRINKLE_MAPS,
+  type WrinkleDriver,
+  type WrinkleMaps,
+  type WrinkleMapsLayer,
+} from '../core/wrinkle-maps.ts'
 import { readTexture } from './read-texture.ts'
+import { type ArrayTexture, loadAreaArray, loadMapArray } from './texture-arrays.ts'
 
 /** What a file says of one face's wrinkles. */
 export interface LoadedWrinkles {
   /** The meshes of the face, which share its material: the primitives of one glTF mesh. The first one drives. */
   meshes: [Mesh, ...Mesh[]]
   /** The same object for all faces with one material in the file. */
-  set: WrinkleSet
+  set: WrinkleSet<ArraySlice>
   drivers: WrinkleDriver[]
 }
 
@@ -24,7 +33,7 @@ type Parser = GLTF['parser']
  */
 export async function readWrinkleMaps(gltf: GLTF, parser: Parser = gltf.parser): Promise<LoadedWrinkles[]> {
   const found: LoadedWrinkles[] = []
-  const sets = new Map<object, Promise<WrinkleSet>>()
+  const sets = new Map<object, Promise<WrinkleSet<ArraySlice>>>()
   for (const meshes of facesOf(gltf, parser)) {
     const json = extensionOf(meshes[0].material as Material, parser)
     if (!json) continue
@@ -78,52 +87,88 @@ function extensionOf(material: Material, parser: Parser): object | undefined {
   return index === undefined ? undefined : parser.json.materials[index].extensions?.[WRINKLE_MAPS]
 }
 
-async function readSet(maps: WrinkleMaps, parser: Parser): Promise<WrinkleSet> {
-  const images = await readImages(maps, parser)
-  const layers = maps.layers.map((layer): Layer => {
-    const { name, kind, normalTexture, baseColorTexture, roughnessTexture, occlusionTexture } = layer
-    return {
-      name,
-      kind,
-      normal: images.get(normalTexture.index)!,
-      normalScale: normalTexture.scale,
-      ...(baseColorTexture && { baseColor: images.get(baseColorTexture.index)! }),
-      ...(roughnessTexture && {
-        roughness: channelOf(images.get(roughnessTexture.index)!, CHANNEL.roughness),
-      }),
-      ...(occlusionTexture && {
-        occlusion: channelOf(images.get(occlusionTexture.index)!, CHANNEL.occlusion),
-        occlusionStrength: occlusionTexture.strength,
-      }),
-    }
-  })
+async function readSet(maps: WrinkleMaps, parser: Parser): Promise<WrinkleSet<ArraySlice>> {
+  const source = new MapSource(parser)
+  const layers = await Promise.all(maps.layers.map((layer) => readLayer(layer, source)))
   const areas = maps.areas.map(
-    ({ name, layer, texture, channel, combine, activation }): Area => ({
+    async ({ name, layer, texture, channel, combine, activation }): Promise<Area<ArraySlice>> => ({
       name,
       layer: layers[layer].name,
       combine,
       activation,
-      weights: channelOf(images.get(texture.index)!, channel),
+      weights: await source.gray(texture, channel, loadAreaArray),
     }),
   )
-  return { layers, areas }
+  return { layers, areas: await Promise.all(areas) }
 }
 
-/** The pixels of all textures that a set needs, by their index; heights are for tools. */
-async function readImages({ layers, areas }: WrinkleMaps, parser: Parser): Promise<Map<number, RgbaImage>> {
-  const references = [
-    ...layers.flatMap((layer) => [
-      layer.normalTexture,
-      layer.baseColorTexture,
-      layer.roughnessTexture,
-      layer.occlusionTexture,
-    ]),
-    ...areas.map(({ texture }) => texture),
-  ]
-  const images = new Map<number, RgbaImage>()
-  for (const index of new Set(references.flatMap((reference) => reference?.index ?? []))) {
-    const texture = (await parser.getDependency('texture', index)) as Texture
-    images.set(index, readTexture(texture, `${WRINKLE_MAPS} texture ${index}`))
+/** Heights are for tools. */
+async function readLayer(layer: WrinkleMapsLayer, source: MapSource): Promise<Layer<ArraySlice>> {
+  const { name, kind, normalTexture, baseColorTexture, roughnessTexture, occlusionTexture } = layer
+  const gray = (info: TextureReference, channel: number) => source.gray(info, channel, loadMapArray)
+  return {
+    name,
+    kind,
+    normal: await source.colours(normalTexture),
+    normalScale: normalTexture.scale,
+    ...(baseColorTexture && { baseColor: await source.colours(baseColorTexture) }),
+    ...(roughnessTexture && { roughness: await gray(roughnessTexture, CHANNEL.roughness) }),
+    ...(occlusionTexture && {
+      occlusion: await gray(occlusionTexture, CHANNEL.occlusion),
+      occlusionStrength: occlusionTexture.strength,
+    }),
   }
-  return images
+}
+
+type LoadArray = typeof loadMapArray
+
+/** The images and arrays of a file, each read once. */
+class MapSource {
+  readonly #parser: Parser
+  readonly #images = new Map<number, Promise<RgbaImage>>()
+  readonly #arrays = new Map<number, Promise<ArrayTexture>>()
+
+  constructor(parser: Parser) {
+    this.#parser = parser
+  }
+
+  async colours(info: TextureReference): Promise<RgbaImage | ArraySlice> {
+    return info.slice === undefined ? this.#image(info.index) : this.#slice(info, 0, loadMapArray)
+  }
+
+  async gray(info: TextureReference, channel: number, load: LoadArray): Promise<GrayImage | ArraySlice> {
+    if (info.slice !== undefined) return this.#slice(info, channel, load)
+    return channelOf(await this.#image(info.index), channel)
+  }
+
+  #image(index: number): Promise<RgbaImage> {
+    const read = async () => {
+      const texture = (await this.#parser.getDependency('texture', index)) as Texture
+      return readTexture(texture, `${WRINKLE_MAPS} texture ${index}`)
+    }
+    return once(this.#images, index, read)
+  }
+
+  async #slice(
+    { index, slice = 0 }: TextureReference,
+    channel: number,
+    load: LoadArray,
+  ): Promise<ArraySlice> {
+    const array = await once(this.#arrays, index, () => load(this.#parser, index))
+    const { depth } = array.image
+    if (slice < depth) return { array, slice, channel }
+    throw new FurrowError({
+      who: `${WRINKLE_MAPS} texture ${index}`,
+      what: 'no such slice',
+      value: slice,
+      limit: `0 to ${depth - 1}`,
+      remedy: 'pack the file again',
+    })
+  }
+}
+
+function once<T>(known: Map<number, Promise<T>>, index: number, make: () => Promise<T>): Promise<T> {
+  const found = known.get(index) ?? make()
+  known.set(index, found)
+  return found
 }

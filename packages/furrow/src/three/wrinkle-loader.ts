@@ -1,13 +1,13 @@
 import type { Material, Mesh } from 'three'
 import type { GLTF, GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
-import type { WrinkleSet } from '../core/types.ts'
+import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import { WRINKLE_MAPS, type WrinkleDriver } from '../core/wrinkle-maps.ts'
 import { driveByMorphs } from './drive.ts'
 import { dropMorphedTangents, readWrinkleMaps } from './read-wrinkle-maps.ts'
 import type { WrinklesBase } from './Wrinkles.ts'
 
 /** A renderer's class of wrinkles. */
-type WrinklesClass = new (mesh: Mesh, source: WrinkleSet | WrinklesBase) => WrinklesBase
+type WrinklesClass = new (mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase) => WrinklesBase
 
 /**
  * Puts the wrinkles of FURROW_wrinkle_maps on what `GLTFLoader` loads. A loaded face wrinkles by itself as its
@@ -35,7 +35,7 @@ export class WrinkleLoader {
   /** Called by the loader when all else is there. Rejects with a FurrowError where the extension is malformed. */
   async afterRoot(gltf: GLTF): Promise<void> {
     const wrinkles: WrinklesBase[] = []
-    const bySet = new Map<WrinkleSet, WrinklesBase>()
+    const bySet = new Map<WrinkleSet<ArraySlice>, WrinklesBase>()
     const byMaterial = new Map<Material, WrinklesBase>()
     try {
       for (const { meshes, set, drivers } of await readWrinkleMaps(gltf, this.#parser)) {
@@ -58,7 +58,7 @@ export class WrinkleLoader {
   /** Puts wrinkles on the meshes of one face, and has every copy of them wrinkle likewise. */
   #wear(
     [mesh, ...others]: readonly Mesh[],
-    source: WrinkleSet | WrinklesBase,
+    source: WrinkleSet<ArraySlice> | WrinklesBase,
     drivers: readonly WrinkleDriver[],
   ): WrinklesBase {
     const own = new this.#Wrinkles(mesh, source)

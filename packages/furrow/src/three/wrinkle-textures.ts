@@ -1,11 +1,10 @@
-import { type CompressedArrayTexture, type DataArrayTexture, SRGBColorSpace } from 'three'
+import { SRGBColorSpace } from 'three'
 import { FurrowError } from '../core/error.ts'
 import { packColours, packGrays } from '../core/pack.ts'
 import type { ArraySlice, GrayImage, Layer, LayerKind, RgbaImage } from '../core/types.ts'
 import { isSlice } from '../core/wrinkle-set.ts'
+import type { ArrayTexture } from './texture-arrays.ts'
 import { mapTexture } from './textures.ts'
-
-export type ArrayTexture = DataArrayTexture | CompressedArrayTexture
 
 /** One kind of map of all layers, as one array on the GPU. */
 export interface LayerMaps {
@@ -68,7 +67,9 @@ function layerMaps(
   const slices = maps.map((map) => (isSlice(map) ? map.slice : null))
   if (!present.every((map) => isSlice(map) && map.array === first.array))
     throw mixed('Wrinkles', `${kind} maps`)
-  return { texture: first.array as ArrayTexture, slices, channel: first.channel }
+  const texture = first.array as ArrayTexture
+  texture.anisotropy = anisotropy
+  return { texture, slices, channel: first.channel }
 }
 
 function packMaps(images: (RgbaImage | GrayImage)[], kind: 'normal' | ValueKind, anisotropy: number) {

@@ -22,8 +22,8 @@ import {
 import type { Node } from 'three/webgpu'
 import type { ActivationTable } from '../three/activation-table.ts'
 import type { WrinkleInputs } from '../three/inputs.ts'
+import type { ArrayTexture } from '../three/texture-arrays.ts'
 import type { WrinkleMaterial } from '../three/Wrinkles.ts'
-import type { ArrayTexture } from '../three/wrinkle-textures.ts'
 
 /** A uniform that follows what an input's `value` is when an object is drawn. */
 export function follow<T extends string>(input: { readonly value: unknown }): Node<T> {
