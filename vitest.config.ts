@@ -1,4 +1,5 @@
 import { existsSync } from 'node:fs'
+import { tmpdir } from 'node:os'
 import { fileURLToPath } from 'node:url'
 import { playwright } from '@vitest/browser-playwright'
 import { defineConfig } from 'vitest/config'
@@ -30,12 +31,20 @@ export default defineConfig({
         resolve,
         define: { __REAL_FACE__: JSON.stringify(existsSync(realFace) ? `/@fs${realFace}` : '') },
         optimizeDeps: {
-          include: ['three', 'three/webgpu', 'three/tsl', 'three/addons/loaders/GLTFLoader.js', 'three/addons/utils/SkeletonUtils.js'],
+          include: [
+            'three',
+            'three/webgpu',
+            'three/tsl',
+            'three/addons/loaders/GLTFLoader.js',
+            'three/addons/loaders/KTX2Loader.js',
+            'three/addons/utils/SkeletonUtils.js',
+          ],
         },
-        server: { fs: { allow: ['..'] } },
+        server: { fs: { allow: ['..', tmpdir()] } },
         test: {
           name: 'gpu',
           include: ['test/gpu/**/*.test.ts'],
+          globalSetup: 'test/gpu/pack-faces.ts',
           testTimeout: 120_000,
           fileParallelism: false,
           browser: {

@@ -32,7 +32,7 @@ export interface Cell {
   readonly drawn: Float32Array
   /** Whether the areas themselves changed. */
   stale: boolean
-  /** The round in which it was brought up to date, and that in which it was seen. */
+  /** The frame in which it was brought up to date, and that in which it was seen. */
   updated: number
   seen: number
 }
@@ -66,7 +66,9 @@ export class InfluenceAtlas {
   readonly #cells: (Cell | null)[] = []
   readonly #changed: Cell[] = []
   #renderer: AnyRenderer | null = null
-  #round = 0
+  #frame = 0
+  /** How often the renderer had been told to render when the atlas was last brought up to date. */
+  #renders = -1
 
   /**
    * @param width, height of a cell: those of the faces' areas.
@@ -135,16 +137,14 @@ export class InfluenceAtlas {
    */
   update(cells: readonly Cell[], renderer: AnyRenderer): void {
     this.#notice(renderer)
-    const { seen, updated } = cells[0]
-    if (seen === this.#round) this.#nextRound()
-    else if (updated < 0) this.#bringNew()
+    if (renderCount(renderer) !== this.#renders) this.#nextFrame()
     for (const cell of cells) {
-      if (cell.updated !== this.#round) this.#bring(cell)
-      cell.seen = this.#round
+      if (cell.updated !== this.#frame) this.#bring(cell)
+      cell.seen = this.#frame
     }
-    if (this.#changed.length === 0) return
-    this.#pass.draw(renderer, this.#changed)
+    if (this.#changed.length > 0) this.#pass.draw(renderer, this.#changed)
     this.#changed.length = 0
+    this.#renders = renderCount(renderer)
   }
 
   dispose(): void {
@@ -152,18 +152,13 @@ export class InfluenceAtlas {
     this.#pass.dispose()
   }
 
-  /** A face that was seen in this round is about to be drawn again: that is the next frame, or the next view. */
-  #nextRound(): void {
-    const last = this.#round++
-    for (const cell of this.#cells) if (cell?.seen === last) this.#bring(cell)
-  }
-
-  #bringNew(): void {
-    for (const cell of this.#cells) if (cell && cell.updated < 0) this.#bring(cell)
+  #nextFrame(): void {
+    const last = this.#frame++
+    for (const cell of this.#cells) if (cell && (cell.seen === last || cell.updated < 0)) this.#bring(cell)
   }
 
   #bring(cell: Cell): void {
-    cell.updated = this.#round
+    cell.updated = this.#frame
     cell.face.drive()
     if (hasMoved(cell)) this.#changed.push(cell)
   }
@@ -208,6 +203,11 @@ export class InfluenceAtlas {
     this.target.setSize(columns * this.width, rows * this.height)
     this.#forget()
   }
+}
+
+/** Grows with every call of `render`, those within another included. */
+function renderCount({ info }: AnyRenderer): number {
+  return 'calls' in info ? info.calls : info.render.frame
 }
 
 function hasMoved({ face, drawn, stale }: Cell): boolean {

@@ -1,6 +1,6 @@
 import {
   ClampToEdgeWrapping,
-  type CompressedArrayTexture,
+  CompressedArrayTexture,
   type CompressedTexture,
   type DataArrayTexture,
   LinearFilter,
@@ -12,8 +12,16 @@ import { WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
 
 export type ArrayTexture = CompressedArrayTexture | DataArrayTexture
 
-/** What a KTX2Loader found out about the GPU; three.js's types leave it out. */
-type Transcoding = { workerConfig: Record<string, boolean> | null; transcoderPath: string }
+/** What three.js's types leave out of a KTX2Loader. */
+type Transcoder = KTX2Loader & {
+  /** What it found out about the GPU. */
+  workerConfig: NonNullable<KTX2Loader['workerConfig']> | null
+  transcoderPending: Promise<unknown> | null
+  transcoderBinary: ArrayBuffer
+  workerSourceURL: string
+  workerPool: { setWorkerCreator(create: () => Worker): void; dispose(): void }
+  init(): Promise<unknown>
+}
 
 /**
  * Loads the areas of a file, a KTX 2 array, in the best format that the GPU has.
@@ -34,19 +42,36 @@ export async function loadAreaArray(parser: GLTFParser, index: number): Promise<
  * @throws FurrowError as `loadAreaArray` does.
  */
 export async function loadMapArray(parser: GLTFParser, index: number): Promise<ArrayTexture> {
-  const usual = ktx2LoaderOf(parser)
-  const { workerConfig, transcoderPath } = usual as unknown as Transcoding
+  const usual = ktx2LoaderOf(parser) as Transcoder
+  const { workerConfig } = usual
   if (!workerConfig?.dxtSupported) return loadArray(parser, index, usual)
-  const small = new (usual.constructor as new () => KTX2Loader)()
-  Object.assign(small, {
-    transcoderPath,
-    workerConfig: { ...workerConfig, astcSupported: false, bptcSupported: false },
-  })
+  const small = await withFormats(usual, { ...workerConfig, ...NO_OTHERS })
   try {
     return await loadArray(parser, index, small)
   } finally {
-    small.dispose()
+    small.workerPool.dispose()
   }
+}
+
+/** All formats but BC1 to BC3. */
+const NO_OTHERS = { astcSupported: false, bptcSupported: false, etc1Supported: false, etc2Supported: false }
+
+/** A second loader that transcodes to other formats; a whole one would fetch the transcoder again, and three.js warns of it. */
+async function withFormats(
+  loader: Transcoder,
+  workerConfig: Transcoder['workerConfig'],
+): Promise<Transcoder> {
+  await loader.init()
+  const { transcoderBinary, workerSourceURL } = loader
+  const other = new (loader.constructor as new () => Transcoder)()
+  other.transcoderPending = Promise.resolve()
+  other.workerConfig = workerConfig
+  other.workerPool.setWorkerCreator(() => {
+    const worker = new Worker(workerSourceURL)
+    worker.postMessage({ type: 'init', config: workerConfig, transcoderBinary })
+    return worker
+  })
+  return other
 }
 
 async function loadArray(parser: GLTFParser, index: number, loader: KTX2Loader): Promise<ArrayTexture> {
@@ -60,13 +85,14 @@ async function loadArray(parser: GLTFParser, index: number, loader: KTX2Loader):
       remedy: 'pack the file again',
     })
   }
-  const texture = (await parser.loadTextureImage(index, source, loader)) as CompressedTexture | null
-  if (!texture || !isArray(texture)) {
+  const loaded = (await parser.loadTextureImage(index, source, loader)) as CompressedTexture | null
+  const texture = loaded && asArray(loaded)
+  if (!texture) {
     throw new FurrowError({
       who: `${WRINKLE_MAPS} texture ${index}`,
       what: 'a slice of what is no array',
-      value: texture ? `${texture.image.width} x ${texture.image.height}` : 'nothing that can be read',
-      limit: 'a KTX 2 file with layers',
+      value: loaded ? `${loaded.image.width} x ${loaded.image.height}` : 'nothing that can be read',
+      limit: 'a compressed KTX 2 file, or one with layers',
       remedy: 'pack the file again',
     })
   }
@@ -75,8 +101,19 @@ async function loadArray(parser: GLTFParser, index: number, loader: KTX2Loader):
   return texture
 }
 
-function isArray(texture: object): texture is ArrayTexture {
-  return 'isCompressedArrayTexture' in texture || 'isDataArrayTexture' in texture
+/** `KTX2Loader` makes a plain texture of an array of one slice. */
+function asArray(texture: CompressedTexture): ArrayTexture | null {
+  if ('isCompressedArrayTexture' in texture || 'isDataArrayTexture' in texture) {
+    return texture as unknown as ArrayTexture
+  }
+  if (!texture.isCompressedTexture) return null
+  const { mipmaps, format, type, minFilter, colorSpace } = texture
+  const { width, height } = texture.image
+  const array = new CompressedArrayTexture(mipmaps!, width, height, 1, format, type)
+  array.minFilter = minFilter
+  array.colorSpace = colorSpace
+  array.needsUpdate = true
+  return array
 }
 
 function ktx2LoaderOf(parser: GLTFParser): KTX2Loader {
