@@ -1,0 +1,162 @@
+import { readFileSync } from 'node:fs'
+import { NodeIO } from '@gltf-transform/core'
+import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
+import { dedup, prune, textureCompress } from '@gltf-transform/functions'
+import { FurrowWrinkleMaps } from 'furrow/gltf'
+import sharp from 'sharp'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
+import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
+import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
+import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
+import { AREAS, jsonOf, noise, Workshop, withJson } from './workshop.ts'
+
+const NAME = 'FURROW_wrinkle_maps'
+const shop = new Workshop()
+const packed = shop.path('packed.glb')
+let folder = ''
+
+type Json = ReturnType<typeof jsonOf>
+
+const mapsOf = (path: string) => jsonOf(readFileSync(path)).materials[0].extensions[NAME]
+
+beforeAll(async () => {
+  folder = await shop.makeFolder('face')
+  await shop.run(packCommand, folder, '--ktx2', '-o', packed)
+})
+
+/** The codes found, and messages, once `spoil` has changed the file's JSON. */
+async function findings(spoil: (json: Json, maps: Json) => void): Promise<string> {
+  const bytes = readFileSync(packed)
+  const json = jsonOf(bytes)
+  spoil(json, json.materials[0].extensions[NAME])
+  shop.printed = ''
+  await shop.run(validateCommand, shop.write('spoilt.glb', withJson(bytes, json)))
+  return shop.printed
+}
+
+async function pixels(path: string): Promise<number[]> {
+  return [...(await sharp(path).toColourspace('srgb').removeAlpha().raw().toBuffer())]
+}
+
+const furthest = (a: number[], b: number[]) =>
+  a.reduce((most, value, i) => Math.max(most, Math.abs(value - b[i]!)), a.length - b.length)
+
+describe('furrow pack --ktx2', () => {
+  it('puts each kind of map into an array, and areas four to a slice', () => {
+    const { layers, areas } = mapsOf(packed)
+    expect(layers.map(({ normalTexture }: Json) => normalTexture.slice)).toEqual([0, 1])
+    expect(new Set(layers.map(({ normalTexture }: Json) => normalTexture.index)).size).toBe(1)
+    expect(layers[1].baseColorTexture.slice).toBe(0)
+    expect(areas.map(({ texture, channel = 0 }: Json) => [texture.slice, channel])).toEqual(
+      AREAS.map((_, i) => [Math.floor(i / 4), i % 4]),
+    )
+    const { extensionsUsed, extensionsRequired, textures, images } = jsonOf(readFileSync(packed))
+    expect(extensionsUsed).toContain('KHR_texture_basisu')
+    expect(extensionsRequired).toBeUndefined()
+    const texture = textures[areas[0].texture.index]
+    expect(texture.source).toBeUndefined()
+    expect(images[texture.extensions.KHR_texture_basisu.source].mimeType).toBe('image/ktx2')
+  })
+
+  it('is valid, and its areas are those of the folder but for what compression takes', async () => {
+    await shop.run(validateCommand, packed)
+    expect(shop.printed).toBe(`${packed}: 0 errors, 0 warnings\n`)
+    shop.printed = ''
+    await shop.run(inspectCommand, packed, '--json')
+    const report = JSON.parse(shop.printed)
+    // Two slices of 128 x 128 with 8 bits per texel, and the mipmaps of three maps of 16 x 16: 21 and some blocks.
+    expect(report.gpu.bits8).toBe(2 * 128 * 128 + 3 * (16 + 4 + 1 + 1 + 1) * 16)
+    expect(report.areas.map(({ name }: Json) => name)).toEqual(AREAS)
+    const out = shop.path('unpacked')
+    await shop.run(unpackCommand, packed, '-o', out)
+    for (const area of AREAS) {
+      const [before, after] = [`${folder}/areas/${area}.png`, `${out}/areas/${area}.png`]
+      expect(furthest(await pixels(before), await pixels(after)), area).toBeLessThan(40)
+    }
+  })
+
+  it('gives the same JSON when what was unpacked is packed again', async () => {
+    const [first, again] = [shop.path('first'), shop.path('again.glb')]
+    await shop.run(unpackCommand, packed, '-o', first)
+    await shop.run(packCommand, first, '--ktx2', '-o', again)
+    expect(mapsOf(again)).toEqual(mapsOf(packed))
+    const second = shop.path('second')
+    await shop.run(unpackCommand, again, '-o', second)
+    const documents = ['first', 'second'].map((name) => shop.files(name)['wrinkles.json'])
+    expect(documents[1]).toBe(documents[0])
+  })
+
+  it('survives dedup, prune and WebP', async () => {
+    const io = new NodeIO().registerExtensions([...ALL_EXTENSIONS, FurrowWrinkleMaps])
+    const document = await io.read(packed)
+    await document.transform(dedup(), prune(), textureCompress({ encoder: sharp, targetFormat: 'webp' }))
+    const path = shop.write('transformed.glb', await io.writeBinary(document))
+    const [before, after] = [mapsOf(packed), mapsOf(path)]
+    const slices = ({ layers, areas }: Json) => [
+      ...layers.map(({ normalTexture }: Json) => normalTexture.slice),
+      ...areas.map(({ texture }: Json) => texture.slice),
+    ]
+    expect(slices(after)).toEqual(slices(before))
+    const [one, two] = [shop.path('one'), shop.path('two')]
+    await shop.run(unpackCommand, packed, '-o', one)
+    await shop.run(unpackCommand, path, '-o', two)
+    for (const area of AREAS) {
+      const file = `areas/${area}.png`
+      expect(shop.files('two')[file], area).toBe(shop.files('one')[file])
+    }
+  })
+
+  it('scales maps, normals as vectors', async () => {
+    const out = shop.path('small.glb')
+    await shop.run(packCommand, folder, '--size', '8', '-o', out)
+    const small = shop.path('small')
+    await shop.run(unpackCommand, out, '-o', small)
+    const normals = await pixels(`${small}/layers/age/normal.png`)
+    expect(normals).toHaveLength(3 * 8 * 8)
+    for (let i = 0; i < normals.length; i += 3) {
+      const length = Math.hypot(...normals.slice(i, i + 3).map((value) => (value / 255) * 2 - 1))
+      expect(Math.abs(length - 1)).toBeLessThan(0.01)
+    }
+  })
+
+  it('refuses sizes that have no whole blocks, and says what helps', async () => {
+    const odd = await shop.makeFolder('odd')
+    shop.write('odd/layers/age/normal.png', await noise(1, 3, 18))
+    shop.write('odd/layers/expression/normal.png', await noise(2, 3, 18))
+    const before = shop.files()
+    const error = await shop.failure(packCommand, odd, '--ktx2', '-o', shop.path('odd.glb'))
+    expect(error.message).toMatch(/got "18 x 18", allowed: multiples of 4 texels; .*--size/)
+    expect(shop.files()).toEqual(before)
+  })
+})
+
+describe('slices', () => {
+  it.each<[string, (json: Json, maps: Json) => void, RegExp]>([
+    [
+      'a normal map outside the array',
+      (_, maps) => (maps.layers[1].normalTexture.slice = 7),
+      /"expression": normal is slice 7 of 2/,
+    ],
+    ['an area outside the array', (_, maps) => (maps.areas[0].texture.slice = 9), /no such slice, got 9/],
+    [
+      'an image among slices',
+      (_, maps) => delete maps.layers[0].normalTexture.slice,
+      /layers\[0\]\.normalTexture is not in the same array/,
+    ],
+    [
+      'two arrays for one kind of map',
+      (_, maps) => (maps.areas[2].texture.index = maps.layers[0].normalTexture.index),
+      /areas\[2\]\.texture is not in the same array/,
+    ],
+    [
+      'an array that serves as an image too',
+      (_, maps) => (maps.layers[0].occlusionTexture = { index: maps.areas[0].texture.index }),
+      /occlusionTexture has no slice/,
+    ],
+    ['a negative slice', (_, maps) => (maps.areas[0].texture.slice = -1), /slice is out of range, got -1/],
+  ])('are checked: %s', async (_, spoil, message) => {
+    expect(await findings(spoil)).toMatch(message)
+    expect(process.exitCode).toBe(1)
+  })
+})
