@@ -35,6 +35,7 @@ export default defineConfig({
             'three',
             'three/webgpu',
             'three/tsl',
+            'three/addons/libs/meshopt_decoder.module.js',
             'three/addons/loaders/GLTFLoader.js',
             'three/addons/loaders/KTX2Loader.js',
             'three/addons/utils/SkeletonUtils.js',

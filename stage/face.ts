@@ -1,5 +1,6 @@
 import { dropMorphedTangents, type LoadedWrinkles, readWrinkleMaps } from 'furrow/three'
 import type { Mesh, Object3D } from 'three'
+import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
 export interface Face {
@@ -22,7 +23,7 @@ const SKIN = 'skin'
  * @throws Error when the file has no mesh, or none of that name.
  */
 export async function loadFace(url: string, skin?: string): Promise<Face> {
-  const loader = new GLTFLoader().register((parser) => ({
+  const loader = new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).register((parser) => ({
     name: 'tangents',
     beforeRoot() {
       dropMorphedTangents(parser)

@@ -1,15 +1,10 @@
 import { FurrowError } from 'furrow'
-import { WrinkleLoaderPlugin as WebGLPlugin, wrinklesOf } from 'furrow/three'
-import { WrinkleLoaderPlugin as WebGPUPlugin } from 'furrow/webgpu'
-import type { Mesh } from 'three'
-import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
-import { afterAll, beforeAll, describe, expect, inject, it } from 'vitest'
-import { faceScene, HEIGHT, WIDTH } from './face.ts'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { HEIGHT, WIDTH } from './face.ts'
 import { createHarness, type Harness, RENDERERS } from './harness.ts'
-
-/** What one expression moves. */
-const POSE = { browInnerUp: 1, browOuterUpLeft: 1, mouthSmileLeft: 1, mouthSmileRight: 1, cheekSquintLeft: 1 }
+import { compareWrinkles, loadPacked, posedPicture } from './packed.ts'
 
 describe.each(RENDERERS)('maps in KTX 2 arrays on %s', (name) => {
   let harness: Harness
@@ -24,28 +19,15 @@ describe.each(RENDERERS)('maps in KTX 2 arrays on %s', (name) => {
     harness.dispose()
   })
 
-  const load = (file: 'images' | 'arrays', loader = new GLTFLoader().setKTX2Loader(ktx2)): Promise<GLTF> => {
-    const Plugin = name === 'webgl' ? WebGLPlugin : WebGPUPlugin
-    return loader.register((parser) => new Plugin(parser)).loadAsync(`${inject('packedFaces')}/${file}.glb`)
-  }
-  const picture = async (gltf: GLTF, mode: 'default' | 'off' | 'influence') => {
-    const skin = gltf.scene.getObjectByName('skin') as Mesh
-    const wrinkles = wrinklesOf(skin)!
-    for (const [target, weight] of Object.entries(POSE)) {
-      skin.morphTargetInfluences![skin.morphTargetDictionary![target]] = weight
-    }
-    const { scene, camera } = faceScene({ root: gltf.scene, skin, wrinkles: null }, 'front')
-    const own = skin.material
-    if (mode === 'influence') skin.material = wrinkles.createInfluenceMaterial()
-    wrinkles.mode = mode === 'off' ? 'off' : 'default'
-    const pixels = await harness.render(scene, camera, WIDTH, HEIGHT)
-    skin.material = own
-    return pixels
-  }
+  const load = (file: 'images' | 'arrays', loader = new GLTFLoader().setKTX2Loader(ktx2)) =>
+    loadPacked(harness, file, loader)
 
   it('show the same wrinkles as images do', async () => {
     const [images, arrays] = [await load('images'), await load('arrays')]
-    const influence = [await picture(images, 'influence'), await picture(arrays, 'influence')]
+    const influence = [
+      await posedPicture(harness, images, 'influence'),
+      await posedPicture(harness, arrays, 'influence'),
+    ]
     const worst = influence[0].reduce(
       (most, value, i) => Math.max(most, Math.abs(value - influence[1][i])),
       0,
@@ -57,15 +39,10 @@ describe.each(RENDERERS)('maps in KTX 2 arrays on %s', (name) => {
     // Four areas share the channels of a slice, and UASTC keeps 8 bits per texel for all of them.
     expect(worst).toBeLessThan(0.12)
     expect(mean).toBeLessThan(0.004)
-    // What wrinkles do to the picture, in both forms: as strong, and in the same places.
-    const smooth = await picture(images, 'off')
-    const done = [await picture(images, 'default'), await picture(arrays, 'default')].map((shown) =>
-      shown.map((value, i) => value - smooth[i]),
-    )
-    const [own, other, both] = [dot(done[0], done[0]), dot(done[1], done[1]), dot(done[0], done[1])]
-    expect(own).toBeGreaterThan(1)
-    expect(both / Math.sqrt(own * other)).toBeGreaterThan(0.95)
-    expect(Math.abs(other / own - 1)).toBeLessThan(0.1)
+    const { strength, correlation, ratio } = await compareWrinkles(harness, images, arrays)
+    expect(strength).toBeGreaterThan(1)
+    expect(correlation).toBeGreaterThan(0.95)
+    expect(Math.abs(ratio - 1)).toBeLessThan(0.1)
     const [wrinkles] = arrays.userData.wrinkles
     expect(wrinkles.areaNames).toEqual(images.userData.wrinkles[0].areaNames)
     for (const { userData } of [images, arrays]) userData.wrinkles[0].dispose()
@@ -88,11 +65,7 @@ describe.each(RENDERERS)('maps in KTX 2 arrays on %s', (name) => {
     expect(() => wrinkles.addArea({ name: 'more', weights })).toThrow(/lie in different arrays/)
     wrinkles.removeArea('nose')
     expect(wrinkles.areaNames).not.toContain('nose')
-    await picture(gltf, 'default')
+    await posedPicture(harness, gltf, 'default')
     wrinkles.dispose()
   })
 })
-
-function dot(a: Float32Array, b: Float32Array): number {
-  return a.reduce((sum, value, i) => sum + value * b[i], 0)
-}

@@ -16,8 +16,8 @@ const WHO = 'furrow render'
 const MAGIC = 0x46546c67
 const JSON_CHUNK = 0x4e4f534a
 
-/** Compressions whose decoders are no part of three.js's core. */
-const COMPRESSIONS = ['KHR_draco_mesh_compression', 'EXT_meshopt_compression', 'KHR_texture_basisu']
+/** Compressions whose decoders would have to be fetched. */
+const COMPRESSIONS = ['KHR_draco_mesh_compression', 'KHR_texture_basisu']
 
 /**
  * Reads the JSON of a `.glb` file.
@@ -41,7 +41,7 @@ export async function readGlb(path: string): Promise<GltfJson> {
       who: WHO,
       what: `the face ${path} is compressed`,
       value: compression,
-      limit: 'no Draco, meshopt or Basis compression',
+      limit: 'no Draco or Basis compression',
       remedy: 'export it uncompressed',
     })
   }

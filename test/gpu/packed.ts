@@ -1,0 +1,52 @@
+import { WrinkleLoaderPlugin as WebGLPlugin, wrinklesOf } from 'furrow/three'
+import { WrinkleLoaderPlugin as WebGPUPlugin } from 'furrow/webgpu'
+import type { Mesh } from 'three'
+import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js'
+import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { inject } from 'vitest'
+import { faceScene, HEIGHT, WIDTH } from './face.ts'
+import type { Harness } from './harness.ts'
+
+/** What one expression moves. */
+const POSE = { browInnerUp: 1, browOuterUpLeft: 1, mouthSmileLeft: 1, mouthSmileRight: 1, cheekSquintLeft: 1 }
+
+/** Loads one of the files of `pack-faces.ts` with its wrinkles. */
+export function loadPacked(harness: Harness, file: string, loader = new GLTFLoader()): Promise<GLTF> {
+  const Plugin = harness.name === 'webgl' ? WebGLPlugin : WebGPUPlugin
+  return loader
+    .setMeshoptDecoder(MeshoptDecoder)
+    .register((parser) => new Plugin(parser))
+    .loadAsync(`${inject('packedFaces')}/${file}.glb`)
+}
+
+/** The posed face with its wrinkles, without, or their influence as gray. */
+export async function posedPicture(harness: Harness, gltf: GLTF, mode: 'default' | 'off' | 'influence') {
+  const skin = gltf.scene.getObjectByName('skin') as Mesh
+  const wrinkles = wrinklesOf(skin)!
+  for (const [target, weight] of Object.entries(POSE)) {
+    skin.morphTargetInfluences![skin.morphTargetDictionary![target]] = weight
+  }
+  const { scene, camera } = faceScene({ root: gltf.scene, skin, wrinkles: null }, 'front')
+  const own = skin.material
+  if (mode === 'influence') skin.material = wrinkles.createInfluenceMaterial()
+  wrinkles.mode = mode === 'off' ? 'off' : 'default'
+  const pixels = await harness.render(scene, camera, WIDTH, HEIGHT)
+  skin.material = own
+  return pixels
+}
+
+/** What wrinkles do to the picture of one face against that of another: in the same places (1), and as strong (1). */
+export async function compareWrinkles(harness: Harness, one: GLTF, other: GLTF) {
+  const [a, b] = [await wrinklesAlone(harness, one), await wrinklesAlone(harness, other)]
+  const [own, others] = [dot(a, a), dot(b, b)]
+  return { strength: own, correlation: dot(a, b) / Math.sqrt(own * others), ratio: others / own }
+}
+
+async function wrinklesAlone(harness: Harness, gltf: GLTF): Promise<Float32Array> {
+  const smooth = await posedPicture(harness, gltf, 'off')
+  return (await posedPicture(harness, gltf, 'default')).map((value, i) => value - smooth[i])
+}
+
+function dot(a: Float32Array, b: Float32Array): number {
+  return a.reduce((sum, value, i) => sum + value * b[i], 0)
+}

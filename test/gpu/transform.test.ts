@@ -1,0 +1,24 @@
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { createHarness, type Harness, RENDERERS } from './harness.ts'
+import { compareWrinkles, loadPacked } from './packed.ts'
+
+describe.each(RENDERERS)('a face that glTF-Transform made smaller, on %s', (name) => {
+  let harness: Harness
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterAll(() => harness.dispose())
+
+  // Wrinkles that were lost, moved or halved would fail all three.
+  it.each([
+    ['lossless', 'transformed', 0.98, 0.1],
+    ['lossy', 'transformed-lossy', 0.9, 0.35],
+  ])('still wrinkles after dedup, prune, resize, %s WebP and meshopt', async (_, file, least, most) => {
+    const [shipped, transformed] = [await loadPacked(harness, 'shipped'), await loadPacked(harness, file)]
+    const { strength, correlation, ratio } = await compareWrinkles(harness, shipped, transformed)
+    expect(strength).toBeGreaterThan(1)
+    expect(correlation).toBeGreaterThan(least)
+    expect(Math.abs(ratio - 1)).toBeLessThan(most)
+    for (const { userData } of [shipped, transformed]) userData.wrinkles[0].dispose()
+  })
+})
