@@ -1,4 +1,4 @@
-import { dropMorphedTangents, type LoadedWrinkles, readWrinkleMaps } from 'furrow/three'
+import { type LoadedWrinkles, readWrinkleMaps } from 'furrow/three'
 import type { Mesh, Object3D } from 'three'
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
@@ -23,14 +23,7 @@ const SKIN = 'skin'
  * @throws Error when the file has no mesh, or none of that name.
  */
 export async function loadFace(url: string, skin?: string): Promise<Face> {
-  const loader = new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).register((parser) => ({
-    name: 'tangents',
-    beforeRoot() {
-      dropMorphedTangents(parser)
-      return null
-    },
-  }))
-  const gltf = await loader.loadAsync(url)
+  const gltf = await new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).loadAsync(url)
   const { scene: root } = gltf
   const meshes: Mesh[] = []
   root.traverse((object) => {

@@ -135,18 +135,6 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     for (const wrinkles of gltf.userData.wrinkles) wrinkles.dispose()
   })
 
-  it('leaves tangents of a face that moves out, since three.js does not morph them', async () => {
-    const withTangents = (json: { meshes: { primitives: { attributes: Record<string, number> }[] }[] }) => {
-      // Any four floats would do here: they must not be looked at.
-      for (const { attributes } of json.meshes[0].primitives) attributes.TANGENT = attributes.NORMAL
-    }
-    const [plain, tangents] = [await wrinkledFile(), await wrinkledFile(undefined, withTangents)]
-    const expected = await picture(await load(plain))
-    const gltf = await load(tangents)
-    expect(meshesOf(gltf).map(({ geometry }) => geometry.hasAttribute('tangent'))).toEqual([false, false])
-    expect(await picture(gltf)).toEqual(expected)
-  })
-
   it("follows the base normal map's KHR_texture_transform", async () => {
     const transformed = (offset: number) =>
       wrinkledFile(undefined, (json) => {

@@ -45,18 +45,6 @@ export async function readWrinkleMaps(gltf: GLTF, parser: Parser = gltf.parser):
   return found
 }
 
-/**
- * Takes the tangents of wrinkled meshes with blendshapes out of a file about to be loaded, to be called by a plugin's
- * `beforeRoot`: three.js does not morph tangents, and derives better ones from the moved surface at each pixel.
- */
-export function dropMorphedTangents({ json }: Parser): void {
-  for (const { primitives } of json.meshes ?? []) {
-    for (const { attributes, targets, material } of primitives) {
-      if (targets && json.materials?.[material]?.extensions?.[WRINKLE_MAPS]) delete attributes.TANGENT
-    }
-  }
-}
-
 /** Meshes by the face they belong to: the primitives of one glTF mesh that share a material are one. */
 function facesOf(gltf: GLTF, parser: Parser): [Mesh, ...Mesh[]][] {
   const faces = new Map<Object3D, Map<Material, [Mesh, ...Mesh[]]>>()

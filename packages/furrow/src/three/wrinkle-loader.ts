@@ -3,7 +3,7 @@ import type { GLTF, GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import { WRINKLE_MAPS, type WrinkleDriver } from '../core/wrinkle-maps.ts'
 import { driveByMorphs } from './drive.ts'
-import { dropMorphedTangents, readWrinkleMaps } from './read-wrinkle-maps.ts'
+import { readWrinkleMaps } from './read-wrinkle-maps.ts'
 import type { WrinklesBase } from './Wrinkles.ts'
 
 /** A renderer's class of wrinkles. */
@@ -24,12 +24,6 @@ export class WrinkleLoader {
   constructor(parser: GLTFParser, Wrinkles: WrinklesClass) {
     this.#parser = parser
     this.#Wrinkles = Wrinkles
-  }
-
-  /** Called by the loader before all else. */
-  beforeRoot(): null {
-    dropMorphedTangents(this.#parser)
-    return null
   }
 
   /** Called by the loader when all else is there. Rejects with a FurrowError where the extension is malformed. */

@@ -2,7 +2,7 @@ export { decodeImage, toGray } from '../three/decode-image.ts'
 export { driveByMorphs } from '../three/drive.ts'
 export { ExpressionPlayer } from '../three/ExpressionPlayer.ts'
 export { loadWrinkleSet } from '../three/load-wrinkle-set.ts'
-export { dropMorphedTangents, type LoadedWrinkles, readWrinkleMaps } from '../three/read-wrinkle-maps.ts'
+export { type LoadedWrinkles, readWrinkleMaps } from '../three/read-wrinkle-maps.ts'
 export {
   WRINKLES_DEFAULTS,
   type WrinkleMode,

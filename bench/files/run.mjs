@@ -1,0 +1,87 @@
+// What wrinkles cost when a file is packed and when it is loaded, beyond decoding and encoding their images:
+// `node bench/files/run.mjs [--rounds 15] [--json FILE]`, after `npm run build`.
+
+import { writeFileSync } from 'node:fs'
+import { cpus } from 'node:os'
+import { fileURLToPath } from 'node:url'
+import { parseArgs } from 'node:util'
+import { createServer } from 'vite'
+import { launchBrowser } from '../../packages/cli/dist/browser.js'
+import { withBar } from '../../packages/cli/dist/progress.js'
+import { packOnce } from './pack.mjs'
+
+const ROOT = fileURLToPath(new URL('../..', import.meta.url))
+const { values: options } = parseArgs({
+  options: { rounds: { type: 'string', default: '15' }, json: { type: 'string' } },
+})
+const rounds = Number(options.rounds)
+
+const packed = await withBar('pack', async (progress) => {
+  const times = []
+  // The first round warms the codecs up, and is not counted.
+  for (let i = 0; i <= rounds; i++) {
+    const time = await packOnce(`${ROOT}faces`)
+    if (i > 0) times.push(time)
+    progress(i + 1, rounds + 1)
+  }
+  return times
+})
+const loaded = await load()
+const rows = [
+  row(
+    'pack',
+    packed,
+    ({ total }) => total,
+    ({ codecs }) => codecs,
+  ),
+  row(
+    'load',
+    loaded,
+    (time) => time.with - time.without,
+    ({ images }) => images,
+  ),
+]
+const text = (ms) => `${ms.toFixed(0)} ms`.padStart(16)
+process.stdout.write(`${cpus()[0].model}, ${cpus().length} cores, medians of ${rounds} rounds\n`)
+process.stdout.write(
+  `${['', 'with wrinkles', 'their images', 'beyond'].map((head) => head.padStart(16)).join('')}\n`,
+)
+for (const { what, wrinkles, images, beyond } of rows) {
+  process.stdout.write(`${what.padStart(16)}${[wrinkles, images, beyond].map(text).join('')}\n`)
+}
+if (options.json) writeFileSync(options.json, `${JSON.stringify(rows, null, 2)}\n`)
+
+/** Loads the file in a browser, from sources. */
+async function load() {
+  const server = await createServer({
+    configFile: false,
+    root: ROOT,
+    logLevel: 'error',
+    resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
+  })
+  await server.listen()
+  const browser = await launchBrowser()
+  try {
+    const page = await browser.newPage()
+    await page.goto(`${server.resolvedUrls.local[0]}bench/files/page.html`)
+    await page.waitForFunction(() => 'measure' in window)
+    return await page.evaluate((count) => window.measure(count), rounds)
+  } finally {
+    await browser.close()
+    await server.close()
+  }
+}
+
+function row(what, times, whole, images) {
+  return {
+    what,
+    wrinkles: median(times.map(whole)),
+    images: median(times.map(images)),
+    beyond: median(times.map((time) => whole(time) - images(time))),
+  }
+}
+
+function median(values) {
+  const sorted = values.toSorted((a, b) => a - b)
+  return (sorted[(sorted.length - 1) >> 1] + sorted[sorted.length >> 1]) / 2
+}
