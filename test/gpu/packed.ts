@@ -39,7 +39,7 @@ export async function posedPicture(harness: Harness, gltf: GLTF, mode: 'default'
 export async function compareWrinkles(harness: Harness, one: GLTF, other: GLTF) {
   const [a, b] = [await wrinklesAlone(harness, one), await wrinklesAlone(harness, other)]
   const [own, others] = [dot(a, a), dot(b, b)]
-  return { strength: own, correlation: dot(a, b) / Math.sqrt(own * others), ratio: others / own }
+  return { strength: own, correlation: dot(a, b) / Math.sqrt(own * others), ratio: Math.sqrt(others / own) }
 }
 
 async function wrinklesAlone(harness: Harness, gltf: GLTF): Promise<Float32Array> {

@@ -9,10 +9,10 @@ describe.each(RENDERERS)('a face that glTF-Transform made smaller, on %s', (name
   })
   afterAll(() => harness.dispose())
 
-  // Wrinkles that were lost, moved or halved would fail all three.
+  // Wrinkles that were lost or moved would not correlate; wrinkles that were halved would have half the strength.
   it.each([
-    ['lossless', 'transformed', 0.98, 0.1],
-    ['lossy', 'transformed-lossy', 0.9, 0.35],
+    ['lossless', 'transformed', 0.98, 0.05],
+    ['lossy', 'transformed-lossy', 0.9, 0.2],
   ])('still wrinkles after dedup, prune, resize, %s WebP and meshopt', async (_, file, least, most) => {
     const [shipped, transformed] = [await loadPacked(harness, 'shipped'), await loadPacked(harness, file)]
     const { strength, correlation, ratio } = await compareWrinkles(harness, shipped, transformed)
