@@ -9,7 +9,7 @@ import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
 import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
 import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
-import { AREAS, jsonOf, noise, Workshop, withJson } from './workshop.ts'
+import { AREAS, faceBytes, jsonOf, noise, Workshop, withJson } from './workshop.ts'
 
 const NAME = 'FURROW_wrinkle_maps'
 const shop = new Workshop()
@@ -85,6 +85,14 @@ describe('furrow pack --ktx2', () => {
     await shop.run(unpackCommand, again, '-o', second)
     const documents = ['first', 'second'].map((name) => shop.files(name)['wrinkles.json'])
     expect(documents[1]).toBe(documents[0])
+  })
+
+  it('leaves nothing of its arrays in a face that was unpacked or packed anew', async () => {
+    const out = shop.path('bare')
+    await shop.run(unpackCommand, packed, '-o', out)
+    expect(jsonOf(readFileSync(`${out}/face.glb`))).toEqual(jsonOf(await faceBytes()))
+    await shop.run(packCommand, folder, '--face', packed, '--ktx2', '-o', shop.path('anew.glb'))
+    expect(readFileSync(shop.path('anew.glb')).equals(readFileSync(packed))).toBe(true)
   })
 
   it('survives dedup, prune and WebP', async () => {

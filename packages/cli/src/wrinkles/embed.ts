@@ -45,7 +45,7 @@ export interface PackedWrinkles {
 const CLAMP_TO_EDGE = 33071
 
 /** The extension for KTX 2 images. */
-const BASIS = 'KHR_texture_basisu'
+export const BASIS = 'KHR_texture_basisu'
 
 /**
  * Puts wrinkles on a material: images at the end of the binary part, textures at the end of the list, so that no

@@ -1,4 +1,5 @@
 import { parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
+import { BASIS } from './embed.ts'
 import type { Glb, GltfJson } from './glb-file.ts'
 
 type BufferView = NonNullable<GltfJson['bufferViews']>[number]
@@ -16,18 +17,19 @@ export function stripWrinkles(glb: Glb, materialIndex: number, who: string): num
   const own = ownTextures(json, material.extensions![WRINKLE_MAPS], who)
   material.extensions = without(material.extensions!, WRINKLE_MAPS)
   if (Object.keys(material.extensions).length === 0) delete material.extensions
-  if (!json.materials!.some(({ extensions }) => extensions?.[WRINKLE_MAPS])) {
-    json.extensionsUsed = json.extensionsUsed?.filter((name) => name !== WRINKLE_MAPS)
-    if (json.extensionsUsed?.length === 0) delete json.extensionsUsed
-  }
+  if (!json.materials!.some(({ extensions }) => extensions?.[WRINKLE_MAPS])) undeclare(json, WRINKLE_MAPS)
 
   const others = indicesUnder({ materials: json.materials, extensions: json.extensions }, /tex/i)
   const textures = popWhile(json, 'textures', (index) => own.has(index) && !others.has(index))
   popWhile(
     json,
     'images',
-    (index) => textures.some(({ source }) => source === index) && !usesImage(json, index),
+    (index) => textures.some((texture) => imagesOf(texture).has(index)) && !usesImage(json, index),
   )
+  const arrays = textures.some(({ extensions }) => extensions?.[BASIS] !== undefined)
+  if (arrays && !json.textures?.some(({ extensions }) => extensions?.[BASIS] !== undefined)) {
+    undeclare(json, BASIS)
+  }
   const views = indicesUnder(json, /^bufferView$/)
   const dropped = popWhile(json, 'bufferViews', (index) => !views.has(index))
   popWhile(
@@ -52,10 +54,19 @@ function ownTextures(json: GltfJson, extension: unknown, who: string): Set<numbe
   return new Set(all.flatMap((info) => (info ? [info.index] : [])))
 }
 
+/** Images of a texture, those that extensions name among them. */
+function imagesOf(texture: object): Set<number> {
+  return indicesUnder(texture, /^source$/)
+}
+
+function undeclare(json: GltfJson, extension: string): void {
+  json.extensionsUsed = json.extensionsUsed?.filter((name) => name !== extension)
+  if (json.extensionsUsed?.length === 0) delete json.extensionsUsed
+}
+
 function usesImage({ textures = [], extensions }: GltfJson, index: number): boolean {
   return (
-    textures.some((texture) => indicesUnder(texture, /^source$/).has(index)) ||
-    indicesUnder(extensions, /image/i).has(index)
+    textures.some((texture) => imagesOf(texture).has(index)) || indicesUnder(extensions, /image/i).has(index)
   )
 }
 
