@@ -4,7 +4,7 @@ import type { Glb } from './glb-file.ts'
 import { inspectWrinkles, MAP_SLOTS, type Report } from './inspect.ts'
 import { arrayOf } from './pixels.ts'
 import { targetNamesOf } from './target.ts'
-import { type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
+import { imageOf, layerCount, type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
 
 /** Something that is wrong with a file, or may be. */
 export interface Finding {
@@ -101,7 +101,32 @@ async function checkArrays({ glb, maps }: WrinkledFile): Promise<Finding[]> {
       }
     }
   }
-  return findings
+  return [...findings, ...checkUsers(glb, maps)]
+}
+
+/** KHR_texture_basisu allows plain 2D images only; an array serves nothing but texture infos that name its slices. */
+function checkUsers(glb: Glb, maps: WrinkledFile['maps']): Finding[] {
+  const own = [
+    ...maps.layers.flatMap((layer) => MAP_SLOTS.flatMap(([, slot]) => layer[slot] ?? [])),
+    ...maps.areas.map(({ texture }) => texture),
+  ]
+  const plain = plainTextures([glb.json.materials, glb.json.extensions])
+  const wrong = new Set(own.map(({ index }) => index).filter((index) => plain.has(index)))
+  return [...wrong].flatMap((index) => {
+    const count = layerCount(imageOf(glb, index, WRINKLE_MAPS))
+    if (count === 0) return []
+    const message = `texture ${index} is an array of ${count}, and a texture info without a slice names it`
+    return [error('ARRAY_AS_IMAGE', message)]
+  })
+}
+
+/** Textures that some texture info takes as a plain image, wherever it stands below. */
+function plainTextures(value: unknown, key = '', found = new Set<number>()): Set<number> {
+  if (typeof value !== 'object' || value === null) return found
+  const { index, slice } = value as { index?: unknown; slice?: unknown }
+  if (/texture$/i.test(key) && typeof index === 'number' && slice === undefined) found.add(index)
+  for (const [name, item] of Object.entries(value)) plainTextures(item, name, found)
+  return found
 }
 
 function checkAreas({ areas }: Report): Finding[] {

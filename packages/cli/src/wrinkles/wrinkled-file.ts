@@ -88,6 +88,15 @@ export function isKtx2({ mimeType }: TextureImage): boolean {
   return mimeType === 'image/ktx2'
 }
 
+/** Where a KTX 2 file says how many layers it has (KTX 2.0, 3.1): after twelve bytes and five words. */
+const LAYER_COUNT = 32
+
+/** Layers of a KTX 2 array; 0 for a plain image. */
+export function layerCount(image: TextureImage): number {
+  if (!isKtx2(image) || image.bytes.length < LAYER_COUNT + 4) return 0
+  return Buffer.from(image.bytes).readUInt32LE(LAYER_COUNT)
+}
+
 /** Files of others may hold anything where a text belongs. */
 function textOf(value: unknown): string | undefined {
   return typeof value === 'string' ? value : undefined
