@@ -139,6 +139,22 @@ describe('furrow pack --ktx2', () => {
   })
 })
 
+describe('furrow pack --ktx2 with what it cannot do', () => {
+  it('refuses more texels than the encoder takes, in its own name', async () => {
+    const big = await shop.makeFolder('big')
+    const flat = sharp({ create: { width: 4096, height: 4096, channels: 3, background: '#8080ff' } })
+    const normal = await flat.png().toBuffer()
+    for (const layer of ['age', 'expression']) shop.write(`big/layers/${layer}/normal.png`, normal)
+    const error = await shop.failure(packCommand, big, '--ktx2', '-o', shop.path('big.glb'))
+    expect(error.message).toMatch(/^furrow pack: too many texels .*got "2 x 4096 x 4096".*--size/)
+  })
+
+  it('refuses a number of areas to an image, which an array does not have', async () => {
+    const args = [folder, '--ktx2', '--share', '1', '-o', shop.path('shared.glb')]
+    expect((await shop.failure(packCommand, ...args)).message).toContain('--share and --ktx2')
+  })
+})
+
 describe('slices', () => {
   it.each<[string, (json: Json, maps: Json) => void, RegExp]>([
     [
@@ -161,6 +177,18 @@ describe('slices', () => {
       'an array that serves as an image too',
       (_, maps) => (maps.layers[0].occlusionTexture = { index: maps.areas[0].texture.index }),
       /occlusionTexture has no slice/,
+    ],
+    [
+      'an array as the normal map of the skin',
+      (json, maps) => (json.materials[0].normalTexture.index = maps.layers[0].normalTexture.index),
+      /is an array of 2, and a texture info without a slice names it \(ARRAY_AS_IMAGE\)/,
+    ],
+    [
+      'arrays without slices',
+      (_, maps) => {
+        for (const { texture } of maps.areas) delete texture.slice
+      },
+      /ARRAY_AS_IMAGE/,
     ],
     ['a negative slice', (_, maps) => (maps.areas[0].texture.slice = -1), /slice is out of range, got -1/],
   ])('are checked: %s', async (_, spoil, message) => {

@@ -1,6 +1,6 @@
 import { join } from 'node:path'
 import { Command } from 'commander'
-import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE, WRINKLE_MAPS } from 'furrow'
+import { DEFAULT_AREA_SIZE, FurrowError, MAX_IMAGE_SIDE, WRINKLE_MAPS } from 'furrow'
 import { writeAll } from '../images.ts'
 import { readChoice, readNumber } from '../numbers.ts'
 import { withBar } from '../progress.ts'
@@ -22,7 +22,7 @@ interface Options {
   material?: string
   whiteIsVisible?: boolean
   areaSize?: string
-  share: string
+  share?: string
   ktx2?: boolean
   size?: string
   json?: boolean
@@ -38,7 +38,7 @@ export const packCommand = new Command('pack')
   .option('--material <name>', 'its material (default: "skin", or the only one)')
   .option('--white-is-visible', 'areas are white where wrinkles show (default: the other way round)')
   .option('--area-size <texels>', `side of the areas (default: the document's, or ${DEFAULT_AREA_SIZE})`)
-  .option('--share <count>', 'areas that share an image: 1, 3 or 4 (4 puts one into alpha)', '3')
+  .option('--share <count>', 'areas that share an image: 3 (default), 1, or 4 (puts one into alpha)')
   .option('--ktx2', 'maps and areas as KTX 2 arrays (UASTC), which stay compressed on the GPU')
   .option('--size <texels>', "side of the layers' maps (default: as they are)")
   .option('--json', 'print what was made as JSON')
@@ -58,7 +58,16 @@ Examples:
 
 async function pack(folder: string, options: Options): Promise<void> {
   const { output, face = join(folder, 'face.glb'), whiteIsVisible = false } = options
-  const share = Number(readChoice(WHO, '--share', options.share, ['3', '1', '4'])) as Share
+  if (options.ktx2 && options.share !== undefined) {
+    throw new FurrowError({
+      who: WHO,
+      what: '--share and --ktx2 do not go together',
+      value: options.share,
+      limit: 'areas of an array lie four to a slice',
+      remedy: 'leave one of them away',
+    })
+  }
+  const share = Number(readChoice(WHO, '--share', options.share ?? '3', ['3', '1', '4'])) as Share
   const areaSize = readSide('--area-size', options.areaSize, DEFAULT_AREA_SIZE)
   const size = readSide('--size', options.size, 512)
   await checkWritable(output, WHO, '.glb')

@@ -1,5 +1,6 @@
 import { FurrowError, type GrayImage } from 'furrow'
 import sharp from 'sharp'
+import { MOST_BASIS_TEXELS } from '../array/basis.ts'
 import { writeArray } from '../array/ktx2.ts'
 import type { FileImage, LayerImages } from './embed.ts'
 import type { CheckedImage } from './map-images.ts'
@@ -55,7 +56,16 @@ export async function areaArray(weights: readonly GrayImage[], who: string): Pro
 }
 
 async function encode(array: Parameters<typeof writeArray>[0], mipmaps: boolean, who: string) {
-  const { width, height } = array
+  const { width, height, layers } = array
+  if (width * height * layers.length > MOST_BASIS_TEXELS) {
+    throw new FurrowError({
+      who,
+      what: 'too many texels for one compressed array',
+      value: `${layers.length} x ${width} x ${height}`,
+      limit: `${MOST_BASIS_TEXELS} in all`,
+      remedy: 'scale the images (--size, --area-size), or leave --ktx2 away',
+    })
+  }
   if (width % 4 !== 0 || height % 4 !== 0) {
     throw new FurrowError({
       who,
