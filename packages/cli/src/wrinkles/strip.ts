@@ -60,8 +60,10 @@ function imagesOf(texture: object): Set<number> {
 }
 
 function undeclare(json: GltfJson, extension: string): void {
-  json.extensionsUsed = json.extensionsUsed?.filter((name) => name !== extension)
-  if (json.extensionsUsed?.length === 0) delete json.extensionsUsed
+  for (const list of ['extensionsUsed', 'extensionsRequired'] as const) {
+    json[list] = json[list]?.filter((name) => name !== extension)
+    if (!json[list]?.length) delete json[list]
+  }
 }
 
 function usesImage({ textures = [], extensions }: GltfJson, index: number): boolean {
