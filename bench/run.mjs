@@ -1,0 +1,95 @@
+// Times wrinkles against a plain face: `npm run bench`, or `npm run bench -- --quick`. bench/README.md tells more.
+
+import { writeFile } from 'node:fs/promises'
+import { fileURLToPath } from 'node:url'
+import { parseArgs } from 'node:util'
+import { SingleBar } from 'cli-progress'
+import { createServer } from 'vite'
+
+const ROOT = fileURLToPath(new URL('..', import.meta.url))
+
+const { values: options } = parseArgs({
+  options: {
+    quick: { type: 'boolean', default: false },
+    json: { type: 'string' },
+    size: { type: 'string', default: '800x600' },
+    renderer: { type: 'string', multiple: true },
+  },
+})
+
+// Sources, not builds: the `furrow-source` condition of the packages' exports.
+const server = await createServer({
+  root: ROOT,
+  configFile: false,
+  cacheDir: 'node_modules/.vite-bench',
+  logLevel: 'warn',
+  resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
+  ssr: { resolve: { conditions: ['furrow-source', 'module', 'node', 'development|production'] } },
+  optimizeDeps: {
+    entries: ['bench/index.html'],
+    include: ['three', 'three/webgpu', 'three/tsl', 'three/addons/loaders/GLTFLoader.js'],
+  },
+  // A file that is saved while frames are timed must not load the page anew.
+  server: { host: '127.0.0.1', port: 0, hmr: false, watch: null },
+})
+try {
+  await server.listen()
+  await run()
+} catch (error) {
+  process.stderr.write(`${error.message}\n`)
+  process.exitCode = 1
+} finally {
+  await server.close()
+}
+
+async function run() {
+  const { listCases, PLANS, RENDERER_KINDS } = await server.ssrLoadModule('/bench/case.ts')
+  const { toResults, toTable } = await server.ssrLoadModule('/bench/report.ts')
+  const { launchBrowser } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
+  const renderers = wanted(options.renderer ?? RENDERER_KINDS, RENDERER_KINDS)
+  const { width, height } = parseSize(options.size)
+  const cases = listCases(options.quick)
+  const plan = options.quick ? PLANS.quick : PLANS.full
+  const results = []
+  const bar = new SingleBar({ format: 'bench {bar} {value}/{total} {eta_formatted}', stream: process.stderr })
+  bar.start(renderers.length * cases.length, 0)
+  const browser = await launchBrowser()
+  try {
+    for (const renderer of renderers) {
+      const page = await browser.newPage()
+      await page.goto(new URL('/bench/index.html', server.resolvedUrls.local[0]).href)
+      await page.waitForFunction(() => 'bench' in globalThis)
+      const open = ([...args]) => globalThis.bench.open(...args)
+      const adapter = await page.evaluate(open, [renderer, width, height])
+      for (const shown of cases) {
+        const measured = await page.evaluate(
+          ([shown, plan]) => globalThis.bench.measure(shown, plan),
+          [shown, plan],
+        )
+        results.push(...toResults(shown, { width, height, renderer, adapter }, measured))
+        bar.increment()
+      }
+      await page.close()
+    }
+  } finally {
+    await browser.close()
+    bar.stop()
+  }
+  if (options.json) await writeFile(options.json, `${JSON.stringify(results, null, 2)}\n`)
+  const adapters = new Set(results.map(({ adapter }) => adapter))
+  process.stdout.write(`${[...adapters].join('\n')}\n${toTable(results)}\n`)
+}
+
+function wanted(names, allowed) {
+  const unknown = names.find((name) => !allowed.includes(name))
+  if (unknown === undefined) return names
+  throw new Error(
+    `bench: unknown renderer, got "${unknown}", allowed: ${allowed.join(', ')}; name one of these`,
+  )
+}
+
+function parseSize(text) {
+  const match = /^([1-9]\d{0,3})x([1-9]\d{0,3})$/.exec(text)
+  if (match) return { width: Number(match[1]), height: Number(match[2]) }
+  throw new Error(`bench: no size, got "${text}", allowed: 1x1 to 9999x9999; write e.g. --size 3840x2160`)
+}
