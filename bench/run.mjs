@@ -3,7 +3,6 @@
 import { writeFile } from 'node:fs/promises'
 import { fileURLToPath } from 'node:url'
 import { parseArgs } from 'node:util'
-import { SingleBar } from 'cli-progress'
 import { createServer } from 'vite'
 
 const ROOT = fileURLToPath(new URL('..', import.meta.url))
@@ -46,35 +45,32 @@ async function run() {
   const { listCases, PLANS, RENDERER_KINDS } = await server.ssrLoadModule('/bench/case.ts')
   const { toResults, toTable } = await server.ssrLoadModule('/bench/report.ts')
   const { launchBrowser } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
+  const { withBar } = await server.ssrLoadModule('/packages/cli/src/progress.ts')
   const renderers = wanted(options.renderer ?? RENDERER_KINDS, RENDERER_KINDS)
   const { width, height } = parseSize(options.size)
   const cases = listCases(options.quick)
   const plan = options.quick ? PLANS.quick : PLANS.full
-  const results = []
-  const bar = new SingleBar({ format: 'bench {bar} {value}/{total} {eta_formatted}', stream: process.stderr })
-  bar.start(renderers.length * cases.length, 0)
   const browser = await launchBrowser()
-  try {
-    for (const renderer of renderers) {
+  const results = await withBar('bench', async (progress) => {
+    const found = []
+    for (const [i, renderer] of renderers.entries()) {
       const page = await browser.newPage()
       await page.goto(new URL('/bench/index.html', server.resolvedUrls.local[0]).href)
       await page.waitForFunction(() => 'bench' in globalThis)
       const open = ([...args]) => globalThis.bench.open(...args)
       const adapter = await page.evaluate(open, [renderer, width, height])
-      for (const shown of cases) {
+      for (const [k, shown] of cases.entries()) {
         const measured = await page.evaluate(
           ([shown, plan]) => globalThis.bench.measure(shown, plan),
           [shown, plan],
         )
-        results.push(...toResults(shown, { width, height, renderer, adapter }, measured))
-        bar.increment()
+        found.push(...toResults(shown, { width, height, renderer, adapter }, measured))
+        progress(i * cases.length + k + 1, renderers.length * cases.length)
       }
       await page.close()
     }
-  } finally {
-    await browser.close()
-    bar.stop()
-  }
+    return found
+  }).finally(() => browser.close())
   if (options.json) await writeFile(options.json, `${JSON.stringify(results, null, 2)}\n`)
   const adapters = new Set(results.map(({ adapter }) => adapter))
   process.stdout.write(`${[...adapters].join('\n')}\n${toTable(results)}\n`)

@@ -50,15 +50,16 @@ export function createSkin({ skin }: Face): Mesh {
 /**
  * As many layers and areas as a case asks for: the file's own layer over and over, and blobs on the front of the face.
  *
- * @throws Error when the file carries no wrinkles.
+ * @throws Error when the file carries no wrinkles, or not as images.
  */
 export function createSet({ skin, wrinkles }: Face, areas: number, layers: number): WrinkleSet {
   if (!wrinkles) throw new Error('bench: the face carries no wrinkles; take faces/human.glb')
-  const [layer] = wrinkles.set.layers
+  const [{ kind, normal }] = wrinkles.set.layers
+  if ('slice' in normal) throw new Error('bench: the wrinkles are a KTX 2 array; take faces/human.glb')
   const copies = Array.from({ length: layers }, (_, i) => ({
-    ...layer,
     name: `layer${i}`,
-    normal: { ...layer.normal, data: layer.normal.data.slice() },
+    kind,
+    normal: { ...normal, data: normal.data.slice() },
   }))
   const names = copies.map(({ name }) => name)
   return { layers: copies, areas: createBlobs(areas, frontPlaces(skin), names) }
