@@ -1,4 +1,5 @@
 import type { Area } from 'furrow'
+import { seeded } from '../test/random.ts'
 
 /** Side of an area in texels. */
 const SIDE = 128
@@ -33,15 +34,4 @@ function blob(u: number, v: number, radius: number): Uint8Array {
     data[i] = Math.round(255 * near * near * (3 - 2 * near))
   }
   return data
-}
-
-/** Mulberry32, a public-domain generator by Tommy Ettinger: numbers in 0..1 that depend on the seed alone. */
-function seeded(seed: number): () => number {
-  let state = seed
-  return () => {
-    state = (state + 0x6d2b79f5) | 0
-    let mixed = Math.imul(state ^ (state >>> 15), state | 1)
-    mixed ^= mixed + Math.imul(mixed ^ (mixed >>> 7), mixed | 61)
-    return ((mixed ^ (mixed >>> 14)) >>> 0) / 4294967296
-  }
 }

@@ -1,11 +1,8 @@
 // Times wrinkles against a plain face: `npm run bench`, or `npm run bench -- --quick`. bench/README.md tells more.
 
 import { writeFile } from 'node:fs/promises'
-import { fileURLToPath } from 'node:url'
 import { parseArgs } from 'node:util'
-import { createServer } from 'vite'
-
-const ROOT = fileURLToPath(new URL('..', import.meta.url))
+import { openPage, serve } from './serve.mjs'
 
 const { values: options } = parseArgs({
   options: {
@@ -16,23 +13,8 @@ const { values: options } = parseArgs({
   },
 })
 
-// Sources, not builds: the `furrow-source` condition of the packages' exports.
-const server = await createServer({
-  root: ROOT,
-  configFile: false,
-  cacheDir: 'node_modules/.vite-bench',
-  logLevel: 'warn',
-  resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
-  ssr: { resolve: { conditions: ['furrow-source', 'module', 'node', 'development|production'] } },
-  optimizeDeps: {
-    entries: ['bench/index.html'],
-    include: ['three', 'three/webgpu', 'three/tsl', 'three/addons/loaders/GLTFLoader.js'],
-  },
-  // A file that is saved while frames are timed must not load the page anew.
-  server: { host: '127.0.0.1', port: 0, hmr: false, watch: null },
-})
+const server = await serve()
 try {
-  await server.listen()
   await run()
 } catch (error) {
   process.stderr.write(`${error.message}\n`)
@@ -54,9 +36,7 @@ async function run() {
   const results = await withBar('bench', async (progress) => {
     const found = []
     for (const [i, renderer] of renderers.entries()) {
-      const page = await browser.newPage()
-      await page.goto(new URL('/bench/index.html', server.resolvedUrls.local[0]).href)
-      await page.waitForFunction(() => 'bench' in globalThis)
+      const page = await openPage(server, browser, '/bench/index.html', 'bench')
       const open = ([...args]) => globalThis.bench.open(...args)
       const adapter = await page.evaluate(open, [renderer, width, height])
       for (const [k, shown] of cases.entries()) {

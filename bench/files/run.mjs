@@ -3,14 +3,12 @@
 
 import { writeFileSync } from 'node:fs'
 import { cpus } from 'node:os'
-import { fileURLToPath } from 'node:url'
 import { parseArgs } from 'node:util'
-import { createServer } from 'vite'
 import { launchBrowser } from '../../packages/cli/dist/browser.js'
 import { withBar } from '../../packages/cli/dist/progress.js'
+import { openPage, ROOT, serve } from '../serve.mjs'
 import { packOnce } from './pack.mjs'
 
-const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 const { values: options } = parseArgs({
   options: { rounds: { type: 'string', default: '15' }, json: { type: 'string' } },
 })
@@ -26,7 +24,9 @@ const packed = await withBar('pack', async (progress) => {
   }
   return times
 })
-const loaded = await load()
+const server = await serve()
+const { median } = await server.ssrLoadModule('/bench/statistics.ts')
+const loaded = await load().finally(() => server.close())
 const rows = [
   row(
     'pack',
@@ -53,22 +53,12 @@ if (options.json) writeFileSync(options.json, `${JSON.stringify(rows, null, 2)}\
 
 /** Loads the file in a browser, from sources. */
 async function load() {
-  const server = await createServer({
-    configFile: false,
-    root: ROOT,
-    logLevel: 'error',
-    resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
-  })
-  await server.listen()
   const browser = await launchBrowser()
   try {
-    const page = await browser.newPage()
-    await page.goto(`${server.resolvedUrls.local[0]}bench/files/page.html`)
-    await page.waitForFunction(() => 'measure' in window)
+    const page = await openPage(server, browser, '/bench/files/page.html', 'measure')
     return await page.evaluate((count) => window.measure(count), rounds)
   } finally {
     await browser.close()
-    await server.close()
   }
 }
 
@@ -79,9 +69,4 @@ function row(what, times, whole, images) {
     images: median(times.map(images)),
     beyond: median(times.map((time) => whole(time) - images(time))),
   }
-}
-
-function median(values) {
-  const sorted = values.toSorted((a, b) => a - b)
-  return (sorted[(sorted.length - 1) >> 1] + sorted[sorted.length >> 1]) / 2
 }

@@ -1,0 +1,32 @@
+import { fileURLToPath } from 'node:url'
+import { createServer } from 'vite'
+
+export const ROOT = fileURLToPath(new URL('..', import.meta.url))
+
+/** Serves the repository to a browser, and to this process by `ssrLoadModule`; close it when done. */
+export async function serve() {
+  // Sources, not builds: the `furrow-source` condition of the packages' exports.
+  const server = await createServer({
+    root: ROOT,
+    configFile: false,
+    cacheDir: 'node_modules/.vite-bench',
+    logLevel: 'warn',
+    resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
+    ssr: { resolve: { conditions: ['furrow-source', 'module', 'node', 'development|production'] } },
+    optimizeDeps: {
+      entries: ['bench/index.html', 'bench/files/page.html'],
+      include: ['three', 'three/webgpu', 'three/tsl', 'three/addons/loaders/GLTFLoader.js'],
+    },
+    // A file that is saved while frames are timed must not load the page anew.
+    server: { host: '127.0.0.1', port: 0, hmr: false, watch: null },
+  })
+  return server.listen()
+}
+
+/** Opens one of its pages, once that has put `ready` on its window. */
+export async function openPage(server, browser, path, ready) {
+  const page = await browser.newPage()
+  await page.goto(new URL(path, server.resolvedUrls.local[0]).href)
+  await page.waitForFunction((name) => name in globalThis, ready)
+  return page
+}
