@@ -84,7 +84,7 @@ export async function encodeBasis(
   mipmaps: boolean,
 ): Promise<Uint8Array> {
   const { width, height, srgb, layers } = array
-  check(array)
+  checkBasisSize(array, 'furrow array', 'scale the images, make several arrays, or use --compress zstd')
   const encoder = new (await basis()).BasisEncoder()
   try {
     encoder.setDebug(false)
@@ -143,24 +143,29 @@ function spread(gray: Uint8Array): Uint8Array {
   return rgba
 }
 
-function check({ width, height, layers }: NamedArray): void {
-  const texels = width * height * layers.length
-  if (texels > MOST_BASIS_TEXELS) {
+/**
+ * Checks that the encoder takes an array: texels in all, and whole blocks of 4 x 4 texels.
+ *
+ * @param who, remedy the command that makes the array, and what helps there.
+ * @throws FurrowError where it does not.
+ */
+export function checkBasisSize({ width, height, layers }: NamedArray, who: string, remedy: string): void {
+  if (width * height * layers.length > MOST_BASIS_TEXELS) {
     throw new FurrowError({
-      who: 'furrow array',
+      who,
       what: 'too many texels for this compression',
       value: `${layers.length} x ${width} x ${height}`,
       limit: `${MOST_BASIS_TEXELS} in all`,
-      remedy: 'scale the images down, make several arrays, or use --compress zstd',
+      remedy,
     })
   }
   if (width % 4 === 0 && height % 4 === 0) return
   throw new FurrowError({
-    who: 'furrow array',
+    who,
     what: 'a size that this compression cannot have',
     value: `${width} x ${height}`,
     limit: 'multiples of 4 texels',
-    remedy: 'scale the images, or use --compress zstd',
+    remedy,
   })
 }
 

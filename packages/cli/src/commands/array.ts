@@ -2,7 +2,6 @@ import { readFile, stat } from 'node:fs/promises'
 import { join } from 'node:path'
 import { Command } from 'commander'
 import { FurrowError } from 'furrow'
-import sharp from 'sharp'
 import { COMPRESSIONS, type Compression, type NamedArray } from '../array/image-array.ts'
 import { readArray, writeArray } from '../array/ktx2.ts'
 import { readLayers } from '../array/read-layers.ts'
@@ -10,6 +9,7 @@ import { firstLine, writeAll } from '../images.ts'
 import { readChoice } from '../numbers.ts'
 import { withBar } from '../progress.ts'
 import { checkWritable } from '../render/write-png.ts'
+import { encodePixels } from '../wrinkles/map-images.ts'
 
 const WHO = 'furrow array'
 
@@ -105,7 +105,7 @@ async function unpack(files: string[], folder: string): Promise<Made> {
   const outputs = await Promise.all(
     array.layers.map(async (layer, i) => ({
       path: join(folder, `${array.names[i]}.png`),
-      bytes: await encodeLayer(array, layer),
+      bytes: await encodePixels({ ...array, data: layer }),
     })),
   )
   for (const output of outputs) await checkWritable(output.path, WHO)
@@ -125,14 +125,6 @@ async function readFileOf(path: string) {
       remedy: 'check the path and the file',
     })
   }
-}
-
-/** A gray array gives gray files; of the others those without transparency are plain RGB. */
-async function encodeLayer({ width, height, channels }: NamedArray, layer: Uint8Array): Promise<Uint8Array> {
-  let image = sharp(layer, { raw: { width, height, channels } })
-  if (channels === 1) image = image.toColourspace('b-w')
-  else if (layer.every((value, i) => i % 4 !== 3 || value === 255)) image = image.removeAlpha()
-  return image.png({ compressionLevel: 9 }).toBuffer()
 }
 
 /**

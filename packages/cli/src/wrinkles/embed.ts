@@ -47,6 +47,10 @@ const CLAMP_TO_EDGE = 33071
 /** The extension for KTX 2 images. */
 export const BASIS = 'KHR_texture_basisu'
 
+export function usesBasis({ textures = [] }: GltfJson): boolean {
+  return textures.some(({ extensions }) => extensions?.[BASIS] !== undefined)
+}
+
 /**
  * Puts wrinkles on a material: images at the end of the binary part, textures at the end of the list, so that no
  * index of anything else changes.
@@ -87,7 +91,7 @@ export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedW
   const extension = JSON.parse(JSON.stringify({ layers, areas, ...(drivers.length > 0 && { drivers }) }))
   parseWrinkleMaps(extension, json.textures?.length ?? 0, who)
   material.extensions = { ...material.extensions, [WRINKLE_MAPS]: extension }
-  const basis = adder.hasArrays ? [BASIS] : []
+  const basis = usesBasis(json) ? [BASIS] : []
   json.extensionsUsed = [...new Set([...(json.extensionsUsed ?? []), WRINKLE_MAPS, ...basis])]
   glb.bin = adder.bytes()
 }
@@ -101,7 +105,6 @@ class TextureAdder {
   readonly #json: GltfJson
   readonly #parts: Uint8Array[]
   readonly #added = new Map<Uint8Array, number>()
-  hasArrays = false
   #length: number
 
   constructor({ json, bin }: Glb) {
@@ -127,7 +130,6 @@ class TextureAdder {
     const view = bufferViews!.push({ buffer: 0, byteOffset, byteLength: bytes.length }) - 1
     const source = images!.push({ name, mimeType, bufferView: view }) - 1
     const image = slice === undefined ? { source } : { extensions: { [BASIS]: { source } } }
-    if (slice !== undefined) this.hasArrays = true
     const index = textures!.push({ name, ...(sampler !== undefined && { sampler }), ...image }) - 1
     this.#added.set(bytes, index)
     return index

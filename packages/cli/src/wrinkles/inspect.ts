@@ -4,7 +4,7 @@ import { firstLine } from '../images.ts'
 import { channelOf } from './map-images.ts'
 import { pixelsOf } from './pixels.ts'
 import { areaSizes, areaSliceSizes, type GpuSizes, mapSizes, sumSizes } from './sizes.ts'
-import { imageOf, isKtx2, type TextureImage, type WrinkledFile } from './wrinkled-file.ts'
+import { imageOf, isKtx2, MAP_SLOTS, type TextureImage, type WrinkledFile } from './wrinkled-file.ts'
 
 /** One map of one layer. */
 export interface MapReport {
@@ -54,14 +54,6 @@ export interface Report {
   areas: AreaReport[]
   drivers: WrinkleDriver[]
 }
-
-export const MAP_SLOTS = [
-  ['normal', 'normalTexture'],
-  ['baseColor', 'baseColorTexture'],
-  ['roughness', 'roughnessTexture'],
-  ['occlusion', 'occlusionTexture'],
-  ['height', 'heightTexture'],
-] as const
 
 /** Measures the wrinkles of a file. Throws FurrowError where an image is missing or cannot be read. */
 export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<Report> {

@@ -113,6 +113,14 @@ export async function readPixels(bytes: Uint8Array, name: string, who: string): 
   })
 }
 
+/** As a PNG file: one channel as gray, four without alpha where that is 1 throughout. */
+export async function encodePixels({ width, height, channels, data }: Pixels): Promise<Uint8Array> {
+  let image = sharp(data, { raw: { width, height, channels } })
+  if (channels === 1) image = image.toColourspace('b-w')
+  if (channels === 4 && data.every((value, i) => i % 4 !== 3 || value === 255)) image = image.removeAlpha()
+  return image.png({ compressionLevel: 9 }).toBuffer()
+}
+
 /** One channel, 0 = R to 3 = A, as glTF reads it: gray counts as R, G and B, and a missing alpha as 1. */
 export function channelOf(pixels: Pixels, channel: number): GrayImage {
   const { width, height, channels, data } = pixels
@@ -124,14 +132,33 @@ export function channelOf(pixels: Pixels, channel: number): GrayImage {
   return { width, height, data: gray }
 }
 
+/** Areas of one size side by side, as the channels of one image; channels without an area are 0. */
+export function interleave(weights: readonly GrayImage[], channels: number): Uint8Array {
+  const data = new Uint8Array(channels * weights[0]!.data.length)
+  for (const [k, area] of weights.entries()) {
+    for (let i = 0; i < area.data.length; i++) data[channels * i + k] = area.data[i]!
+  }
+  return data
+}
+
+/** Throws FurrowError where maps of one kind differ in size, as they may not within one array. */
+export function checkOneSize(images: readonly CheckedImage[], kind: string, who: string): void {
+  const sizes = images.map(({ width, height }) => `${width} x ${height}`)
+  if (new Set(sizes).size <= 1) return
+  throw new FurrowError({
+    who,
+    what: `the ${kind} maps of the layers differ in size`,
+    value: sizes.join(', '),
+    limit: 'one size for all layers',
+    remedy: 'scale them to one size',
+  })
+}
+
 /** Puts up to four areas of one size into the channels of one PNG; without a fourth there is no alpha. */
 export async function encodeShared(weights: readonly GrayImage[], name: string): Promise<FileImage> {
   const { width, height } = weights[0]!
   const channels = weights.length === 1 ? 1 : weights.length === 4 ? 4 : 3
-  const data = new Uint8Array(channels * width * height)
-  for (const [k, area] of weights.entries()) {
-    for (let i = 0; i < width * height; i++) data[channels * i + k] = area.data[i]!
-  }
+  const data = interleave(weights, channels)
   const image = sharp(data, { raw: { width, height, channels } })
   if (channels === 1) image.toColourspace('b-w')
   return { name, mimeType: 'image/png', bytes: await image.png({ compressionLevel: 9 }).toBuffer() }

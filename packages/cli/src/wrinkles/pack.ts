@@ -13,7 +13,7 @@ import type { Progress } from '../progress.ts'
 import { AREAS_PER_SLICE, areaArray, mapArrays } from './arrays.ts'
 import type { AreaPlace, FileImage, LayerImages, PackedWrinkles } from './embed.ts'
 import { readBeside } from './folder.ts'
-import { type CheckedImage, checkMap, encodeShared, readGray, scaleMap } from './map-images.ts'
+import { type CheckedImage, checkMap, checkOneSize, encodeShared, readGray, scaleMap } from './map-images.ts'
 
 /** How many areas may share one image. */
 export type Share = 1 | 3 | 4
@@ -111,16 +111,11 @@ async function packLayers(
     })
     step()
   }
-  const sizes = packed.map(({ normal }) => `${normal.width} x ${normal.height}`)
-  if (new Set(sizes).size > 1) {
-    throw new FurrowError({
-      who,
-      what: 'the normal maps of the layers differ in size',
-      value: sizes.join(', '),
-      limit: 'one size for all layers',
-      remedy: 'scale them to one size',
-    })
-  }
+  checkOneSize(
+    packed.map(({ normal }) => normal),
+    'normal',
+    who,
+  )
   return packed
 }
 

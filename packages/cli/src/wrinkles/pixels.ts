@@ -1,5 +1,4 @@
 import { FurrowError, type TextureReference } from 'furrow'
-import sharp from 'sharp'
 import { readArray } from '../array/ktx2.ts'
 import { firstLine } from '../images.ts'
 import type { Glb } from './glb-file.ts'
@@ -8,7 +7,11 @@ import { imageOf, isKtx2 } from './wrinkled-file.ts'
 
 type DecodedArray = Awaited<ReturnType<typeof readArray>>
 
-const arrays = new WeakMap<Glb, Map<number, Promise<DecodedArray>>>()
+/** What was decoded, by the index of its texture. */
+type Decoded<T> = WeakMap<Glb, Map<number, Promise<T>>>
+
+const images: Decoded<Pixels> = new WeakMap()
+const arrays: Decoded<DecodedArray> = new WeakMap()
 
 /**
  * What a texture info means, decoded: an image, or one slice of a KTX 2 array.
@@ -21,7 +24,9 @@ export async function pixelsOf(
   who: string,
 ): Promise<Pixels> {
   const image = imageOf(glb, index, who)
-  if (!isKtx2(image)) return readPixels(image.bytes, `the image "${image.name}"`, who)
+  if (!isKtx2(image)) {
+    return once(images, glb, index, () => readPixels(image.bytes, `the image "${image.name}"`, who))
+  }
   const { width, height, channels, layers } = await arrayOf(glb, index, who)
   const data = layers[slice]
   if (data) return { width, height, channels, data }
@@ -34,20 +39,18 @@ export async function pixelsOf(
   })
 }
 
-/** A KTX 2 image decoded, once for all that ask. */
+/** All layers of a KTX 2 image. */
 export function arrayOf(glb: Glb, index: number, who: string): Promise<DecodedArray> {
-  const known = arrays.get(glb) ?? new Map<number, Promise<DecodedArray>>()
-  arrays.set(glb, known)
-  const found = known.get(index) ?? decode(glb, index, who)
-  known.set(index, found)
-  return found
+  return once(arrays, glb, index, () => decode(glb, index, who))
 }
 
-/** As a PNG file; without alpha where that is 1 throughout. */
-export async function encodePixels({ width, height, channels, data }: Pixels): Promise<Uint8Array> {
-  const image = sharp(data, { raw: { width, height, channels } })
-  const opaque = channels === 4 && data.every((value, i) => i % 4 !== 3 || value === 255)
-  return (opaque ? image.removeAlpha() : image).png({ compressionLevel: 9 }).toBuffer()
+/** Several areas share an image, and several maps an array. */
+function once<T>(decoded: Decoded<T>, glb: Glb, index: number, make: () => Promise<T>): Promise<T> {
+  const known = decoded.get(glb) ?? new Map<number, Promise<T>>()
+  decoded.set(glb, known)
+  const found = known.get(index) ?? make()
+  known.set(index, found)
+  return found
 }
 
 async function decode(glb: Glb, index: number, who: string): Promise<DecodedArray> {

@@ -1,10 +1,10 @@
 import { FurrowError, isMorphDriver, MorphActivation, parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
 import { firstLine } from '../images.ts'
 import type { Glb } from './glb-file.ts'
-import { inspectWrinkles, MAP_SLOTS, type Report } from './inspect.ts'
+import { inspectWrinkles, type Report } from './inspect.ts'
 import { arrayOf } from './pixels.ts'
 import { targetNamesOf } from './target.ts'
-import { imageOf, layerCount, type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
+import { imageOf, layerCount, MAP_SLOTS, type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
 
 /** Something that is wrong with a file, or may be. */
 export interface Finding {

@@ -1,9 +1,9 @@
 import type { GrayImage } from 'furrow'
 import sharp from 'sharp'
-import { MAP_SLOTS, weightsOf } from './inspect.ts'
+import { weightsOf } from './inspect.ts'
 import type { Pixels } from './map-images.ts'
 import { pixelsOf } from './pixels.ts'
-import type { WrinkledFile } from './wrinkled-file.ts'
+import { MAP_SLOTS, type WrinkledFile } from './wrinkled-file.ts'
 
 /** Side of one picture, height of the line under it, and the gap round both, in pixels. */
 const SIDE = 256

@@ -1,5 +1,5 @@
 import { parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
-import { BASIS } from './embed.ts'
+import { BASIS, usesBasis } from './embed.ts'
 import type { Glb, GltfJson } from './glb-file.ts'
 
 type BufferView = NonNullable<GltfJson['bufferViews']>[number]
@@ -26,10 +26,7 @@ export function stripWrinkles(glb: Glb, materialIndex: number, who: string): num
     'images',
     (index) => textures.some((texture) => imagesOf(texture).has(index)) && !usesImage(json, index),
   )
-  const arrays = textures.some(({ extensions }) => extensions?.[BASIS] !== undefined)
-  if (arrays && !json.textures?.some(({ extensions }) => extensions?.[BASIS] !== undefined)) {
-    undeclare(json, BASIS)
-  }
+  if (usesBasis({ textures }) && !usesBasis(json)) undeclare(json, BASIS)
   const views = indicesUnder(json, /^bufferView$/)
   const dropped = popWhile(json, 'bufferViews', (index) => !views.has(index))
   popWhile(

@@ -2,20 +2,12 @@ import { FurrowError, type GrayImage, type TextureReference, type WrinkleSetDocu
 import sharp from 'sharp'
 import { encodeArea, firstLine, type Output } from '../images.ts'
 import type { Progress } from '../progress.ts'
-import { channelOf, type Pixels } from './map-images.ts'
-import { encodePixels, pixelsOf } from './pixels.ts'
-import { imageOf, isKtx2, type WrinkledFile } from './wrinkled-file.ts'
+import { weightsOf } from './inspect.ts'
+import { encodePixels } from './map-images.ts'
+import { pixelsOf } from './pixels.ts'
+import { imageOf, isKtx2, MAP_SLOTS, type WrinkledFile } from './wrinkled-file.ts'
 
 type LayerEntry = WrinkleSetDocument['layers'][number]
-
-/** The maps of a layer by their names in a folder and in the extension. */
-const MAPS = [
-  ['normal', 'normalTexture'],
-  ['baseColor', 'baseColorTexture'],
-  ['roughness', 'roughnessTexture'],
-  ['occlusion', 'occlusionTexture'],
-  ['height', 'heightTexture'],
-] as const
 
 /**
  * Turns the wrinkles of a file into the files of a folder, with paths relative to it: `wrinkles.json`,
@@ -36,7 +28,7 @@ export async function unpackWrinkles(
   const fileNames = fileNamesOf(maps.layers)
   for (const [i, layer] of maps.layers.entries()) {
     const entry: Partial<LayerEntry> = { name: layer.name, kind: layer.kind }
-    for (const [map, slot] of MAPS) {
+    for (const [map, slot] of MAP_SLOTS) {
       const info = layer[slot]
       if (!info) continue
       const path = `layers/${fileNames[i]}/${map}.png`
@@ -52,7 +44,7 @@ export async function unpackWrinkles(
     progress(i + 1, total)
   }
 
-  const areas = await readAreas(file, who)
+  const areas = await Promise.all(maps.areas.map((_, i) => weightsOf(file, i, who)))
   const areaFiles = fileNamesOf(maps.areas)
   const areaEntries: WrinkleSetDocument['areas'] = []
   for (const [i, area] of maps.areas.entries()) {
@@ -97,19 +89,6 @@ async function pngOf({ glb }: WrinkledFile, info: TextureReference, who: string)
       remedy: 'unpack the file from before its textures were compressed',
     })
   }
-}
-
-/** Images that areas share are decoded once. */
-async function readAreas({ glb, maps }: WrinkledFile, who: string): Promise<GrayImage[]> {
-  const decoded = new Map<string, Promise<Pixels>>()
-  return Promise.all(
-    maps.areas.map(async ({ texture, channel }) => {
-      const key = `${texture.index} ${texture.slice}`
-      const pixels = decoded.get(key) ?? pixelsOf(glb, texture, who)
-      decoded.set(key, pixels)
-      return channelOf(await pixels, channel)
-    }),
-  )
 }
 
 function encodeWeights(weights: GrayImage, whiteIsVisible: boolean): Promise<Uint8Array> {

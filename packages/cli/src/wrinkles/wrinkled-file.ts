@@ -49,6 +49,15 @@ export async function readWrinkledFile(
   return { glb, material, maps: parseWrinkleMaps(json, glb.json.textures?.length ?? 0, `${who}: ${path}`) }
 }
 
+/** The maps of a layer by their names in a folder and in the extension. */
+export const MAP_SLOTS = [
+  ['normal', 'normalTexture'],
+  ['baseColor', 'baseColorTexture'],
+  ['roughness', 'roughnessTexture'],
+  ['occlusion', 'occlusionTexture'],
+  ['height', 'heightTexture'],
+] as const
+
 /** The encoded image of a texture. */
 export interface TextureImage {
   bytes: Uint8Array
