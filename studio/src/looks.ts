@@ -1,4 +1,3 @@
-import type { ArraySlice, WrinkleSet } from 'furrow'
 import type { WrinkleMode } from 'furrow/three'
 import {
   Color,
@@ -19,13 +18,6 @@ export type LookName = 'shaded' | 'normals' | 'influence' | 'wireframe'
 export type Look = { name: Exclude<LookName, 'influence'> } | { name: 'influence'; area?: string }
 
 export type Side = 'without' | 'with'
-
-export interface LooksOptions {
-  /** Made by the renderer's own class, for a stand-in of the skin. */
-  makeWrinkles(mesh: Mesh, set: WrinkleSet<ArraySlice>): Wrinkles
-  /** The set as it is now. */
-  set(): WrinkleSet<ArraySlice>
-}
 
 /** Behind a look that is not lit. */
 const TECHNICAL_BACKGROUND = new Color(0x131518)
@@ -48,7 +40,7 @@ interface Dress {
 export class Looks {
   readonly #face: Face
   readonly #wrinkles: Wrinkles
-  readonly #options: LooksOptions
+  readonly #mirrorOn: (mesh: Mesh) => Wrinkles
   readonly #own: ReadonlyMap<Mesh, Material>
   /** The skin as it was before it wrinkled. */
   readonly #plain: Material
@@ -57,12 +49,15 @@ export class Looks {
   #made: { dispose(): void }[] = []
   #mirror: Wrinkles | null = null
 
-  /** @param plain a clone of the skin's material, taken before it wrinkled; disposed with this. */
-  constructor(face: Face, wrinkles: Wrinkles, plain: Material, options: LooksOptions) {
+  /**
+   * @param plain a clone of the skin's material, taken before it wrinkled; disposed with this.
+   * @param mirrorOn puts the same wrinkles on a stand-in of the skin, by the renderer's own class.
+   */
+  constructor(face: Face, wrinkles: Wrinkles, plain: Material, mirrorOn: (mesh: Mesh) => Wrinkles) {
     this.#face = face
     this.#wrinkles = wrinkles
     this.#plain = plain
-    this.#options = options
+    this.#mirrorOn = mirrorOn
     const own = new Map<Mesh, Material>()
     face.root.traverse((object) => {
       if ((object as Mesh).isMesh) own.set(object as Mesh, (object as Mesh).material as Material)
@@ -128,7 +123,7 @@ export class Looks {
     const make = () => this.#keep(new MeshNormalMaterial({ normalMap, normalScale, side }))
     const flat = this.#keep(new MeshNormalMaterial())
     const standIn = new ThreeMesh(skin.geometry, make())
-    this.#mirror = this.#options.makeWrinkles(standIn, this.#options.set())
+    this.#mirror = this.#mirrorOn(standIn)
     this.#mirror.addMesh(skin)
     this.#mirror.mode = this.#wrinkles.mode === 'off' ? 'off' : 'default'
     return { without: this.#technical(make(), flat), with: this.#technical(standIn.material, flat) }

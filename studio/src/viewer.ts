@@ -1,12 +1,4 @@
-import {
-  type Area,
-  type ArraySlice,
-  EXPRESSIONS,
-  type Expression,
-  isMorphDriver,
-  MorphActivation,
-  type WrinkleSet,
-} from 'furrow'
+import { type Area, EXPRESSIONS, type Expression, isMorphDriver, MorphActivation } from 'furrow'
 import { ExpressionPlayer, Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
 import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import { type Color, type Material, type Mesh, NoToneMapping, type Texture } from 'three'
@@ -77,10 +69,7 @@ export class Viewer {
     this.areas = areaDials(wrinkles)
     this.#expressions = this.#wholeExpressions()
     this.#player = this.#makePlayer()
-    this.#looks = new Looks(face, wrinkles, plain, {
-      makeWrinkles: (mesh, own) => this.#makeWrinkles(mesh, own),
-      set: () => this.loaded.set,
-    })
+    this.#looks = new Looks(face, wrinkles, plain, (mesh) => this.#mirrorOn(mesh))
   }
 
   get mode(): WrinkleMode {
@@ -208,8 +197,11 @@ export class Viewer {
     return [{ name: EXPRESSIONS[0].name, targets, activations }, ...EXPRESSIONS.slice(1)]
   }
 
-  #makeWrinkles(mesh: Mesh, set: WrinkleSet<ArraySlice>): Wrinkles {
-    return isWebGL(this.stage.renderer) ? new WebGLWrinkles(mesh, set) : new WebGPUWrinkles(mesh, set)
+  #mirrorOn(mesh: Mesh): Wrinkles {
+    const { wrinkles } = this
+    return isWebGL(this.stage.renderer)
+      ? new WebGLWrinkles(mesh, wrinkles)
+      : new WebGPUWrinkles(mesh, wrinkles)
   }
 }
 

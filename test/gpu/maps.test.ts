@@ -149,16 +149,10 @@ function ownValue(
 }
 
 /** GPUs decode sRGB before they interpolate. */
-function colourAt({ width, height, data }: ReturnType<typeof randomImage>, u: number, v: number): number[] {
-  const x = Math.min(Math.max(u * width - 0.5, 0), width - 1)
-  const y = Math.min(Math.max(v * height - 0.5, 0), height - 1)
-  const [i, j] = [Math.floor(x), Math.floor(y)]
-  return [0, 1, 2].map((c) => {
-    const texel = (dx: number, dy: number) =>
-      linear(data[4 * (Math.min(i + dx, width - 1) + Math.min(j + dy, height - 1) * width) + c] / 255)
-    const row = (dy: number) => texel(0, dy) * (1 - (x - i)) + texel(1, dy) * (x - i)
-    return row(0) * (1 - (y - j)) + row(1) * (y - j)
-  })
+function colourAt(image: ReturnType<typeof randomImage>, u: number, v: number): number[] {
+  return [0, 1, 2].map((c) =>
+    reference.interpolate(image, u, v, (i, j) => linear(image.data[4 * (i + j * image.width) + c] / 255)),
+  )
 }
 
 function linear(stored: number): number {

@@ -22,16 +22,26 @@ export interface AreaActivation {
  */
 export function sampleArray(array: ImageArray, u: number, v: number, layer: number, channel = 0): number {
   const { width, height, channels, data } = array
+  const texel = (i: number, j: number) => data[(i + j * width + layer * width * height) * channels + channel]
+  return interpolate(array, u, v, texel) / 255
+}
+
+/** Interpolates bilinearly between the values of texels; edges are clamped. */
+export function interpolate(
+  { width, height }: { width: number; height: number },
+  u: number,
+  v: number,
+  texel: (i: number, j: number) => number,
+): number {
   const x = Math.min(Math.max(u * width - 0.5, 0), width - 1)
   const y = Math.min(Math.max(v * height - 0.5, 0), height - 1)
   const x0 = Math.floor(x)
   const y0 = Math.floor(y)
   const x1 = Math.min(x0 + 1, width - 1)
   const y1 = Math.min(y0 + 1, height - 1)
-  const texel = (i: number, j: number) => data[(i + j * width + layer * width * height) * channels + channel]
   const top = lerp(texel(x0, y0), texel(x1, y0), x - x0)
   const bottom = lerp(texel(x0, y1), texel(x1, y1), x - x0)
-  return lerp(top, bottom, y - y0) / 255
+  return lerp(top, bottom, y - y0)
 }
 
 /**
@@ -48,14 +58,7 @@ export function influence(
   v: number,
   layer = 0,
 ): number {
-  let added = 0
-  let largest = 0
-  for (const [index, area] of activations.entries()) {
-    if (area.layer !== layer) continue
-    const share = sampleArray(areas, u, v, index) * area.activation
-    if (area.combine === 'max') largest = Math.max(largest, share)
-    else added += share
-  }
+  const { added, largest } = combine(activations, layer, (index) => sampleArray(areas, u, v, index))
   return Math.max(Math.min(added, 1), largest)
 }
 
@@ -73,34 +76,30 @@ export function influenceFromMap(
   v: number,
   layer = 0,
 ): number {
-  const { width, height } = areas
-  const x = Math.min(Math.max(u * width - 0.5, 0), width - 1)
-  const y = Math.min(Math.max(v * height - 0.5, 0), height - 1)
-  const x0 = Math.floor(x)
-  const y0 = Math.floor(y)
-  const texel = (i: number, j: number) =>
-    unclampedTexel(areas, activations, Math.min(i, width - 1), Math.min(j, height - 1), layer)
-  const top = lerp(texel(x0, y0), texel(x0 + 1, y0), x - x0)
-  const bottom = lerp(texel(x0, y0 + 1), texel(x0 + 1, y0 + 1), x - x0)
-  return Math.min(1, lerp(top, bottom, y - y0))
+  const { width, height, data } = areas
+  const texel = (i: number, j: number) => {
+    const weight = (index: number) => data[i + j * width + index * width * height] / 255
+    const { added, largest } = combine(activations, layer, weight)
+    return Math.max(added, largest)
+  }
+  return Math.min(1, interpolate(areas, u, v, texel))
 }
 
-function unclampedTexel(
-  { width, height, data }: ImageArray,
+/** The shares of a layer's areas that add up, as their sum, and the largest of the others. */
+function combine(
   activations: readonly AreaActivation[],
-  i: number,
-  j: number,
   layer: number,
-): number {
+  weightOf: (index: number) => number,
+): { added: number; largest: number } {
   let added = 0
   let largest = 0
   for (const [index, area] of activations.entries()) {
     if (area.layer !== layer) continue
-    const share = (data[i + j * width + index * width * height] / 255) * area.activation
+    const share = weightOf(index) * area.activation
     if (area.combine === 'max') largest = Math.max(largest, share)
     else added += share
   }
-  return Math.max(added, largest)
+  return { added, largest }
 }
 
 /**

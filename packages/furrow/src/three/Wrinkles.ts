@@ -133,7 +133,7 @@ export abstract class WrinklesBase {
       (_, instance) => new Face(areas, this.#areas, () => this.#drive(instance)),
     )
     this.#cells = this.#atlas.add(this.#faces)
-    this.#inputs = createInputs(textures, areas, this.#atlas, new ActivationTable())
+    this.#inputs = createInputs(textures, areas, this.#atlas)
     for (const texture of [areas.texture, ...listTextures(textures)]) retain(texture)
     this.#flat = this.#material.normalMap ? null : flatNormalTexture()
     if (this.#flat) this.#material.normalMap = this.#flat
@@ -165,11 +165,11 @@ export abstract class WrinklesBase {
   set mode(mode: WrinkleMode) {
     if (mode === this.#mode) return
     if (mode === 'paper') {
-      this.#inputs.paper ??= packPaperArray(
-        this.#inputs.textures.layers,
-        this.#material,
-        this.#flat ? null : this.#material.normalMap,
-      )
+      const smooth = this.#flat ? null : this.#material.normalMap
+      this.#inputs.paper ??= {
+        ...packPaperArray(this.#inputs.textures.layers, this.#material, smooth),
+        table: new ActivationTable(),
+      }
     }
     this.#patch(mode)
     this.#mode = mode
@@ -294,10 +294,10 @@ export abstract class WrinklesBase {
     }
     this.#atlas.remove(this.#cells)
     releaseAtlas(this.#atlas)
-    const { textures, areas, paper, table } = this.#inputs
+    const { textures, areas, paper } = this.#inputs
     for (const texture of [areas.texture, ...listTextures(textures)]) release(texture)
     paper?.texture.dispose()
-    table.texture.dispose()
+    paper?.table.texture.dispose()
     owners.delete(this.#material)
     // Renderers keep a program's inputs with the material; wrinkles put on it later must bring their own.
     this.#material.dispose()
@@ -333,7 +333,7 @@ export abstract class WrinklesBase {
   }
 
   #prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
-    const { fade, areas, table } = this.#inputs
+    const { fade, areas, paper } = this.#inputs
     fade.value = this.#fadeOf(renderer, camera, mesh)
     if (fade.value > 0 && (this.#mode === 'default' || this.#watchers > 0)) {
       this.#atlas.update(this.#cells, renderer)
@@ -344,7 +344,7 @@ export abstract class WrinklesBase {
     const { activations } = this.#faces[0]
     if (this.#mode !== 'paper' || activations.version === this.#written) return
     this.#written = activations.version
-    table.write(areas, activations.values)
+    paper!.table.write(areas, activations.values)
   }
 
   #fadeOf(renderer: AnyRenderer, camera: Camera, mesh: Mesh): number {

@@ -1,9 +1,8 @@
 import { type Bounds, boundsOf } from '../core/bounds.ts'
-import { FurrowError } from '../core/error.ts'
 import { packAreas } from '../core/pack.ts'
 import type { Area, ArraySlice, Combine, GrayImage } from '../core/types.ts'
 import { isSlice, layerIndex } from '../core/wrinkle-set.ts'
-import type { ArrayTexture } from './texture-arrays.ts'
+import { type ArrayTexture, arrayOf } from './texture-arrays.ts'
 import { areaTexture } from './textures.ts'
 
 /** An area as the GPU sees it; its activation stands at the same index as it in the list. */
@@ -59,19 +58,10 @@ function packed(weights: readonly GrayImage[], size: number, who: string): Maps 
 }
 
 function sliced(weights: readonly (GrayImage | ArraySlice)[], who: string): Maps {
-  const slices = weights.filter(isSlice)
-  const texture = slices[0].array as ArrayTexture
-  if (slices.length < weights.length || slices.some(({ array }) => array !== texture)) {
-    throw new FurrowError({
-      who,
-      what: 'areas that lie in different arrays',
-      limit: 'all images, or all slices of one array',
-      remedy: 'pack them in one way',
-    })
-  }
+  const texture = arrayOf(weights, who, 'areas')
   const { width, height } = texture.image
   // Nobody looks into compressed blocks: weights above 0 may be anywhere.
   const bounds = { x0: 0, y0: 0, x1: width, y1: height }
-  const places = slices.map(({ slice, channel }) => ({ slice, channel, bounds }))
+  const places = weights.filter(isSlice).map(({ slice, channel }) => ({ slice, channel, bounds }))
   return { texture, width, height, channels: 4, places }
 }

@@ -1,13 +1,5 @@
 import type { WebGLRenderer } from 'three'
-import {
-  HalfFloatType,
-  LinearFilter,
-  RedFormat,
-  RenderTarget,
-  RGBAFormat,
-  RGFormat,
-  type Vector4,
-} from 'three'
+import { HalfFloatType, LinearFilter, RedFormat, RenderTarget, RGBAFormat, RGFormat } from 'three'
 import type { WebGPURenderer } from 'three/webgpu'
 import { FurrowError } from '../core/error.ts'
 import type { AreaArray } from './area-array.ts'
@@ -123,12 +115,6 @@ export class InfluenceAtlas {
   /** Frees what was held for areas that no face has any more. */
   prune(): void {
     this.#pass.prune(new Set(this.#cells.flatMap((cell) => (cell ? [cell.face.areas] : []))))
-  }
-
-  /** Where a shader finds a cell: its first corner in x, y and its size in z, w, in 0..1 of the texture. */
-  place({ index }: Cell, out: Vector4): Vector4 {
-    const { columns, rows } = this.grid
-    return out.set((index % columns) / columns, Math.floor(index / columns) / rows, 1 / columns, 1 / rows)
   }
 
   /**

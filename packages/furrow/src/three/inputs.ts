@@ -24,8 +24,7 @@ export interface WrinkleInputs {
   readonly normalScale: { value: Vector4 }
   readonly occlusionStrength: { value: Vector4 }
   /** In the paper's mode only. */
-  paper: PaperArray | null
-  readonly table: ActivationTable
+  paper: (PaperArray & { table: ActivationTable }) | null
 }
 
 /** Inputs of a set whose faces stand in an atlas. */
@@ -33,7 +32,6 @@ export function createInputs(
   textures: WrinkleTextures,
   areas: AreaArray,
   atlas: InfluenceAtlas,
-  table: ActivationTable,
 ): WrinkleInputs {
   const perLayer = (number: (layer: Pick<Layer, 'normalScale' | 'occlusionStrength'>) => number) =>
     new Vector4().fromArray([...textures.layers.map(number), 1, 1, 1])
@@ -48,7 +46,6 @@ export function createInputs(
     normalScale: { value: perLayer(({ normalScale }) => normalScale ?? 1) },
     occlusionStrength: { value: perLayer(({ occlusionStrength }) => occlusionStrength ?? 1) },
     paper: null,
-    table,
   }
 }
 

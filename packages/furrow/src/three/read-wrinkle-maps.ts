@@ -39,8 +39,8 @@ export async function readWrinkleMaps(gltf: GLTF, parser: Parser = gltf.parser):
     if (!json) continue
     const maps = parseWrinkleMaps(json, parser.json.textures?.length ?? 0)
     // Materials that the loader cloned from one of the file share what was read for it.
-    if (!sets.has(json)) sets.set(json, readSet(maps, parser))
-    found.push({ meshes, set: await sets.get(json)!, drivers: maps.drivers })
+    const set = await once(sets, json, () => readSet(maps, parser))
+    found.push({ meshes, set, drivers: maps.drivers })
   }
   return found
 }
@@ -155,8 +155,8 @@ class MapSource {
   }
 }
 
-function once<T>(known: Map<number, Promise<T>>, index: number, make: () => Promise<T>): Promise<T> {
-  const found = known.get(index) ?? make()
-  known.set(index, found)
+function once<K, T>(known: Map<K, Promise<T>>, key: K, make: () => Promise<T>): Promise<T> {
+  const found = known.get(key) ?? make()
+  known.set(key, found)
   return found
 }

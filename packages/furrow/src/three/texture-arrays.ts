@@ -9,8 +9,26 @@ import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { FurrowError } from '../core/error.ts'
 import { WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
+import { isSlice } from '../core/wrinkle-set.ts'
 
 export type ArrayTexture = CompressedArrayTexture | DataArrayTexture
+
+/**
+ * The array in which all of some maps lie.
+ *
+ * @param what the maps as an error shall name them.
+ * @throws FurrowError where one of them is an image, or lies in another array.
+ */
+export function arrayOf(maps: readonly object[], who: string, what: string): ArrayTexture {
+  const [first] = maps.filter(isSlice)
+  if (maps.every((map) => isSlice(map) && map.array === first.array)) return first.array as ArrayTexture
+  throw new FurrowError({
+    who,
+    what: `${what} that lie in different arrays`,
+    limit: 'all images, or all slices of one array',
+    remedy: 'pack them in one way',
+  })
+}
 
 /** What three.js's types leave out of a KTX2Loader. */
 type Transcoder = KTX2Loader & {
@@ -37,7 +55,7 @@ export async function loadAreaArray(parser: GLTFParser, index: number): Promise<
 
 /**
  * Loads maps of a file's layers, a KTX 2 array, in half the memory where the GPU can: BC1 in place of BC7. Creases survive it,
- * see "Sizes" in docs/FURROW_wrinkle_maps.md.
+ * see "Sizes" in docs/pack.md.
  *
  * @throws FurrowError as `loadAreaArray` does.
  */
@@ -92,7 +110,7 @@ async function loadArray(parser: GLTFParser, index: number, loader: KTX2Loader):
       who: `${WRINKLE_MAPS} texture ${index}`,
       what: 'a slice of what is no array',
       value: loaded ? `${loaded.image.width} x ${loaded.image.height}` : 'nothing that can be read',
-      limit: 'a compressed KTX 2 file, or one with layers',
+      limit: 'a compressed KTX 2 file',
       remedy: 'pack the file again',
     })
   }
@@ -102,10 +120,8 @@ async function loadArray(parser: GLTFParser, index: number, loader: KTX2Loader):
 }
 
 /** `KTX2Loader` makes a plain texture of an array of one slice. */
-function asArray(texture: CompressedTexture): ArrayTexture | null {
-  if ('isCompressedArrayTexture' in texture || 'isDataArrayTexture' in texture) {
-    return texture as unknown as ArrayTexture
-  }
+function asArray(texture: CompressedTexture): CompressedArrayTexture | null {
+  if ('isCompressedArrayTexture' in texture) return texture as CompressedArrayTexture
   if (!texture.isCompressedTexture) return null
   const { mipmaps, format, type, minFilter, colorSpace } = texture
   const { width, height } = texture.image

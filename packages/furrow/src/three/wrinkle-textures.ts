@@ -1,9 +1,8 @@
 import { SRGBColorSpace } from 'three'
-import { FurrowError } from '../core/error.ts'
 import { packColours, packGrays } from '../core/pack.ts'
 import type { ArraySlice, GrayImage, Layer, LayerKind, RgbaImage } from '../core/types.ts'
 import { isSlice } from '../core/wrinkle-set.ts'
-import type { ArrayTexture } from './texture-arrays.ts'
+import { type ArrayTexture, arrayOf } from './texture-arrays.ts'
 import { mapTexture } from './textures.ts'
 
 /** One kind of map of all layers, as one array on the GPU. */
@@ -63,13 +62,10 @@ function layerMaps(
     const slices = maps.map((map) => (map ? next++ : null))
     return { texture: packMaps(present as (RgbaImage | GrayImage)[], kind, anisotropy), slices, channel: 0 }
   }
-  const [first] = present.filter(isSlice)
-  const slices = maps.map((map) => (isSlice(map) ? map.slice : null))
-  if (!present.every((map) => isSlice(map) && map.array === first.array))
-    throw mixed('Wrinkles', `${kind} maps`)
-  const texture = first.array as ArrayTexture
+  const texture = arrayOf(present, 'Wrinkles', `${kind} maps`)
   texture.anisotropy = anisotropy
-  return { texture, slices, channel: first.channel }
+  const slices = maps.map((map) => (isSlice(map) ? map.slice : null))
+  return { texture, slices, channel: (present[0] as ArraySlice).channel }
 }
 
 function packMaps(images: (RgbaImage | GrayImage)[], kind: 'normal' | ValueKind, anisotropy: number) {
@@ -78,13 +74,4 @@ function packMaps(images: (RgbaImage | GrayImage)[], kind: 'normal' | ValueKind,
   if (kind === 'baseColor')
     return mapTexture(packColours(images as RgbaImage[], who), anisotropy, SRGBColorSpace)
   return mapTexture(packGrays(images, who), anisotropy)
-}
-
-function mixed(who: string, what: string): FurrowError {
-  return new FurrowError({
-    who,
-    what: `${what} that lie in different arrays`,
-    limit: 'all images, or all slices of one array',
-    remedy: 'pack them in one way',
-  })
 }

@@ -25,12 +25,12 @@ export class Wrinkles extends WrinklesBase {
 const patch: RendererParts['patch'] = (material, inputs, mode, instanced) => {
   const { onBeforeCompile, customProgramCacheKey } = material
   const own = { onBeforeCompile, customProgramCacheKey }
-  const { paper, textures, areas, table } = inputs
+  const { paper, textures, areas } = inputs
   const { kinds, normals, values } = textures
   const shape: ShaderShape = { kinds, normals: normals.slices, values: shapesOf(values), instanced }
   const inPaper = mode === 'paper' && paper
   const uniforms = inPaper
-    ? { ...areaUniforms(inputs, table), furrowColours: { value: inPaper.texture } }
+    ? { ...areaUniforms(inputs, inPaper.table), furrowColours: { value: inPaper.texture } }
     : { ...mapUniforms(inputs), ...layerUniforms(inputs) }
   material.onBeforeCompile = (shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer) => {
     onBeforeCompile.call(material, shader, renderer)

@@ -65,7 +65,7 @@ const patch: RendererParts['patch'] = (material: Patched, inputs, mode, instance
   const place = mapUv(material)
   const added =
     mode === 'paper'
-      ? paper(inputs.paper!, place, influenceFromAreas(inputs, inputs.table, place))
+      ? paper(inputs.paper!, place, influenceFromAreas(inputs, inputs.paper!.table, place))
       : layers(material, inputs, { influence: influenceFromMap(inputs, place, instanced), uv: place })
   Object.assign(material, added)
   // The renderer shares one built program among plain materials with equal properties, and nodes are not

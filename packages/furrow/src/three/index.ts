@@ -1,0 +1,13 @@
+/** What `furrow/three` and `furrow/webgpu` have in common. */
+export { decodeImage, toGray } from './decode-image.ts'
+export { driveByMorphs } from './drive.ts'
+export { ExpressionPlayer } from './ExpressionPlayer.ts'
+export { loadWrinkleSet } from './load-wrinkle-set.ts'
+export { type LoadedWrinkles, readWrinkleMaps } from './read-wrinkle-maps.ts'
+export {
+  WRINKLES_DEFAULTS,
+  type WrinkleMode,
+  type WrinklesBase,
+  type WrinklesOptions,
+  wrinklesOf,
+} from './Wrinkles.ts'
