@@ -27,6 +27,7 @@ from builder.recipes import RECIPES
 from builder.shirt import shirt_part
 from builder.skin_maps import encode, paint_colour, paint_pores, paint_specular, paint_surface
 from builder.source import BadInput, Mesh, Wheel
+from builder.tangents import tangents
 
 MAP_SIZE = 1024  # pixels
 LARGEST_FILE = 5_000_000  # bytes
@@ -68,6 +69,7 @@ def build(wheel: Wheel, mesh: Mesh, recipe: dict, tell) -> bytes:
         "brow": shell_map(look),
         "lash": lash_map(look),
     }
+    skin.tangents = tangents(skin)
     glb = Glb(listed, {name: painted[name] for name in names})
     parts = [
         skin, *eyes, shade_part(head, mesh), brow_part(skin), lash_part(head, mesh, look),

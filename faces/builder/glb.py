@@ -11,9 +11,9 @@ from .source import ARKIT
 # Displacements (metres) and changes of unit normals below the first number are left out, and up to the second they
 # are faded in, so that no step shows where they end. A third of a millimetre is less than half a pixel on a face
 # that fills the screen. Parts that carry no changes of normals are hidden or thin, and may be rougher.
-SHIFT_FADE = (3e-4, 8e-4)
+SHIFT_FADE = (3.4e-4, 8e-4)
 SHIFT_FADE_UNLIT = (5e-4, 1.2e-3)
-TURN_FADE = (0.06, 0.13)
+TURN_FADE = (0.068, 0.138)
 
 # Values are rounded to these steps, far below what can be seen, so that the last bits, in which processors differ, do
 # not reach the file.
@@ -60,6 +60,8 @@ class Glb:
             "indices": self._indices(part.triangles),
             "material": [m["name"] for m in self._json["materials"]].index(part.material),
         }
+        if part.tangents is not None:
+            primitive["attributes"]["TANGENT"] = self._accessor(part.tangents, "VEC4", FINE_NORMAL)
         if part.uv is not None:
             primitive["attributes"]["TEXCOORD_0"] = self._accessor(part.uv, "VEC2", FINE_UV)
         if part.colours is not None:

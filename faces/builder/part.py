@@ -19,6 +19,7 @@ class Part:
     # ARKit name -> displacement of every vertex, and change of every normal (None where shading need not follow)
     targets: dict[str, tuple[np.ndarray, np.ndarray | None]] = field(default_factory=dict)
     complete: bool = False  # list every ARKit name, also those that do not move this part
+    tangents: np.ndarray | None = None  # (n, 4), where a normal map is laid on; see tangents.py
 
 
 def triangulate(quads: np.ndarray, positions: np.ndarray) -> np.ndarray:

@@ -94,8 +94,8 @@ def paint_pores(fields: Fields, depth: float) -> np.ndarray:
     normal = np.stack([-depth * right, depth * down, np.ones_like(height)], axis=2)
     normal[~fields.near] = [0, 0, 1]
     normal /= np.linalg.norm(normal, axis=2, keepdims=True)
-    # In steps of 2/127 round the exact middle (128/255 stands for zero): half the bytes, and no pore is that precise.
-    steps = np.round(normal[..., :2] * 127 / 2) * 2
+    # In steps of 3/127 round the exact middle (128/255 stands for zero): 0.4 of the bytes, and no pore is that precise.
+    steps = np.round(normal[..., :2] * 127 / 3) * 3
     flat = np.concatenate([steps, np.full((*steps.shape[:2], 1), 127.0)], axis=2)
     return (flat + 128) / 255
 

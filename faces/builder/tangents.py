@@ -1,0 +1,34 @@
+"""Tangents as MikkTSpace (M. S. Mikkelsen, 2008) defines them, for parts whose texture layout is not mirrored."""
+
+import numpy as np
+
+from .part import Part
+
+
+def tangents(part: Part) -> np.ndarray:
+    """(n, 4): the direction of growing u in the surface, and 1: up in the image is the cross of normal and tangent.
+
+    The mean over the triangles round a vertex, each projected into the vertex's plane and weighted by its angle there.
+    """
+    up = part.uv * [1, -1]  # v downwards becomes v upwards
+    corners = part.triangles
+    p, t = part.positions[corners], up[corners]
+    first, second = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]
+    a, b = t[:, 1] - t[:, 0], t[:, 2] - t[:, 0]
+    area = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    if (area < 0).any():
+        raise ValueError(f"tangents: {np.sum(area < 0)} triangles of {part.name} are mirrored in the layout, 0 allowed")
+    along = _unit(b[:, 1:] * first - a[:, 1:] * second)
+    total = np.zeros_like(part.positions)
+    for k in range(3):
+        vertex = corners[:, k]
+        normal = part.normals[vertex]
+        into = lambda vector: _unit(vector - normal * np.sum(normal * vector, axis=1, keepdims=True))
+        sides = [into(p[:, (k + i) % 3] - p[:, k]) for i in (1, 2)]
+        angle = np.arccos(np.clip(np.sum(sides[0] * sides[1], axis=1, keepdims=True), -1, 1))
+        np.add.at(total, vertex, angle * into(along))
+    return np.concatenate([_unit(total), np.ones((len(total), 1))], axis=1)
+
+
+def _unit(vectors: np.ndarray) -> np.ndarray:
+    return vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), 1e-20)
