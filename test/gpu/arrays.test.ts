@@ -6,7 +6,7 @@ import { HEIGHT, WIDTH } from './face.ts'
 import { createHarness, type Harness, RENDERERS } from './harness.ts'
 import { compareWrinkles, loadPacked, posedPicture } from './packed.ts'
 
-describe.each(RENDERERS)('maps in KTX 2 arrays on %s', (name) => {
+describe.each(RENDERERS)('maps in KTX 2 on %s', (name) => {
   let harness: Harness
   let ktx2: KTX2Loader
   beforeAll(async () => {
@@ -19,11 +19,14 @@ describe.each(RENDERERS)('maps in KTX 2 arrays on %s', (name) => {
     harness.dispose()
   })
 
-  const load = (file: 'images' | 'arrays', loader = new GLTFLoader().setKTX2Loader(ktx2)) =>
+  const load = (file: 'images' | 'arrays' | 'ktx2', loader = new GLTFLoader().setKTX2Loader(ktx2)) =>
     loadPacked(harness, file, loader)
 
-  it('show the same wrinkles as images do', async () => {
-    const [images, arrays] = [await load('images'), await load('arrays')]
+  it.each([
+    ['in arrays', 'arrays'],
+    ['an image each', 'ktx2'],
+  ] as const)('show the same wrinkles, %s, as PNG images do', async (_, file) => {
+    const [images, arrays] = [await load('images'), await load(file)]
     const influence = [
       await posedPicture(harness, images, 'influence'),
       await posedPicture(harness, arrays, 'influence'),

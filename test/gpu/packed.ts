@@ -2,10 +2,13 @@ import { WrinkleLoaderPlugin as WebGLPlugin, wrinklesOf } from 'furrow/three'
 import { WrinkleLoaderPlugin as WebGPUPlugin } from 'furrow/webgpu'
 import type { Mesh } from 'three'
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js'
+import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { inject } from 'vitest'
 import { faceScene, HEIGHT, WIDTH } from './face.ts'
 import type { Harness } from './harness.ts'
+
+const draco = new DRACOLoader().setDecoderPath('/node_modules/three/examples/jsm/libs/draco/gltf/')
 
 /** What one expression moves. */
 const POSE = { browInnerUp: 1, browOuterUpLeft: 1, mouthSmileLeft: 1, mouthSmileRight: 1, cheekSquintLeft: 1 }
@@ -15,6 +18,7 @@ export function loadPacked(harness: Harness, file: string, loader = new GLTFLoad
   const Plugin = harness.name === 'webgl' ? WebGLPlugin : WebGPUPlugin
   return loader
     .setMeshoptDecoder(MeshoptDecoder)
+    .setDRACOLoader(draco)
     .register((parser) => new Plugin(parser))
     .loadAsync(`${inject('packedFaces')}/${file}.glb`)
 }

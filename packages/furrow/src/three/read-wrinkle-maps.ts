@@ -1,4 +1,12 @@
-import type { Material, Mesh, Object3D, Texture } from 'three'
+import {
+  type ColorSpace,
+  type Material,
+  type Mesh,
+  NoColorSpace,
+  type Object3D,
+  SRGBColorSpace,
+  type Texture,
+} from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import { CHANNEL, channelOf } from '../core/channels.ts'
 import { FurrowError } from '../core/error.ts'
@@ -11,8 +19,9 @@ import {
   type WrinkleMaps,
   type WrinkleMapsLayer,
 } from '../core/wrinkle-maps.ts'
+import { joinArrays } from './join-arrays.ts'
 import { readTexture } from './read-texture.ts'
-import { type ArrayTexture, loadAreaArray, loadMapArray } from './texture-arrays.ts'
+import { type ArrayTexture, isCompressed, loadAreaArray, loadMapArray } from './texture-arrays.ts'
 
 /** What a file says of one face's wrinkles. */
 export interface LoadedWrinkles {
@@ -87,7 +96,7 @@ async function readSet(maps: WrinkleMaps, parser: Parser): Promise<WrinkleSet<Ar
       weights: await source.gray(texture, channel, loadAreaArray),
     }),
   )
-  return { layers, areas: await Promise.all(areas) }
+  return joinArrays({ layers, areas: await Promise.all(areas) })
 }
 
 /** Heights are for tools. */
@@ -99,7 +108,7 @@ async function readLayer(layer: WrinkleMapsLayer, source: MapSource): Promise<La
     kind,
     normal: await source.colours(normalTexture),
     normalScale: normalTexture.scale,
-    ...(baseColorTexture && { baseColor: await source.colours(baseColorTexture) }),
+    ...(baseColorTexture && { baseColor: await source.colours(baseColorTexture, SRGBColorSpace) }),
     ...(roughnessTexture && { roughness: await gray(roughnessTexture, CHANNEL.roughness) }),
     ...(occlusionTexture && {
       occlusion: await gray(occlusionTexture, CHANNEL.occlusion),
@@ -120,13 +129,18 @@ class MapSource {
     this.#parser = parser
   }
 
-  async colours(info: TextureReference): Promise<RgbaImage | ArraySlice> {
-    return info.slice === undefined ? this.#image(info.index) : this.#slice(info, 0, loadMapArray)
+  async colours(info: TextureReference, space?: ColorSpace): Promise<RgbaImage | ArraySlice> {
+    return this.#isSlice(info) ? this.#slice(info, 0, loadMapArray, space) : this.#image(info.index)
   }
 
   async gray(info: TextureReference, channel: number, load: LoadArray): Promise<GrayImage | ArraySlice> {
-    if (info.slice !== undefined) return this.#slice(info, channel, load)
+    if (this.#isSlice(info)) return this.#slice(info, channel, load)
     return channelOf(await this.#image(info.index), channel)
+  }
+
+  /** A compressed image is read as an array of one slice. */
+  #isSlice({ index, slice }: TextureReference): boolean {
+    return slice !== undefined || isCompressed(this.#parser, index)
   }
 
   #image(index: number): Promise<RgbaImage> {
@@ -141,8 +155,11 @@ class MapSource {
     { index, slice = 0 }: TextureReference,
     channel: number,
     load: LoadArray,
+    space: ColorSpace = NoColorSpace,
   ): Promise<ArraySlice> {
     const array = await once(this.#arrays, index, () => load(this.#parser, index))
+    // glTF goes by what a texture is used for, and not by what its file says.
+    array.colorSpace = space
     const { depth } = array.image
     if (slice < depth) return { array, slice, channel }
     throw new FurrowError({

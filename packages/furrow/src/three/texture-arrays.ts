@@ -30,6 +30,17 @@ export function arrayOf(maps: readonly object[], who: string, what: string): Arr
   })
 }
 
+/** Whether a texture comes as KTX 2: it is nothing else, or the loader prefers that to the image beside it. */
+export function isCompressed(parser: GLTFParser, index: number): boolean {
+  const { source, extensions } = parser.json.textures[index]
+  if (!extensions?.KHR_texture_basisu) return false
+  return source === undefined || Boolean((parser.options as LoaderOptions).ktx2Loader)
+}
+
+interface LoaderOptions {
+  ktx2Loader?: KTX2Loader | null
+}
+
 /** What three.js's types leave out of a KTX2Loader. */
 type Transcoder = KTX2Loader & {
   /** What it found out about the GPU. */
@@ -42,9 +53,9 @@ type Transcoder = KTX2Loader & {
 }
 
 /**
- * Loads the areas of a file, a KTX 2 array, in the best format that the GPU has.
+ * Loads the areas of a file, a KTX 2 image or array, in the best format that the GPU has.
  *
- * @throws FurrowError when the page gave the loader no KTX2Loader, or the texture is no array.
+ * @throws FurrowError when the page gave the loader no KTX2Loader, or the texture is not compressed.
  */
 export async function loadAreaArray(parser: GLTFParser, index: number): Promise<ArrayTexture> {
   const array = await loadArray(parser, index, ktx2LoaderOf(parser))
@@ -54,7 +65,7 @@ export async function loadAreaArray(parser: GLTFParser, index: number): Promise<
 }
 
 /**
- * Loads maps of a file's layers, a KTX 2 array, in half the memory where the GPU can: BC1 in place of BC7. Creases survive it,
+ * Loads maps of a file's layers, a KTX 2 image or array, in half the memory where the GPU can: BC1 in place of BC7. Creases survive it,
  * see "Sizes" in docs/pack.md.
  *
  * @throws FurrowError as `loadAreaArray` does.
@@ -108,9 +119,9 @@ async function loadArray(parser: GLTFParser, index: number, loader: KTX2Loader):
   if (!texture) {
     throw new FurrowError({
       who: `${WRINKLE_MAPS} texture ${index}`,
-      what: 'a slice of what is no array',
+      what: 'no compressed image or array',
       value: loaded ? `${loaded.image.width} x ${loaded.image.height}` : 'nothing that can be read',
-      limit: 'a compressed KTX 2 file',
+      limit: 'KTX 2 in UASTC or ETC1S',
       remedy: 'pack the file again',
     })
   }
@@ -133,11 +144,11 @@ function asArray(texture: CompressedTexture): CompressedArrayTexture | null {
 }
 
 function ktx2LoaderOf(parser: GLTFParser): KTX2Loader {
-  const { ktx2Loader } = parser.options as { ktx2Loader?: KTX2Loader | null }
+  const { ktx2Loader } = parser.options as LoaderOptions
   if (ktx2Loader) return ktx2Loader
   throw new FurrowError({
     who: WRINKLE_MAPS,
-    what: 'the maps are KTX 2 arrays, and the loader cannot read those',
+    what: 'the maps are KTX 2, and the loader cannot read that',
     limit: 'a GLTFLoader with a KTX2Loader',
     remedy: 'call loader.setKTX2Loader(new KTX2Loader().setTranscoderPath(...).detectSupport(renderer))',
   })
