@@ -38,6 +38,7 @@ export default defineConfig({
             'three/addons/libs/meshopt_decoder.module.js',
             'three/addons/loaders/GLTFLoader.js',
             'three/addons/loaders/KTX2Loader.js',
+            'three/addons/loaders/DRACOLoader.js',
             'three/addons/utils/SkeletonUtils.js',
           ],
         },

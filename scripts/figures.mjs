@@ -1,7 +1,8 @@
-// Remakes the pictures of the README into docs/figures/: `npm run figures`, or some: `npm run figures -- hero`.
+// Remakes the pictures of the README and the docs into docs/figures/: `npm run figures`, or some: `npm run figures -- hero`.
 // 8, 9 and 10 are the paper's.
 
-import { mkdir, rename } from 'node:fs/promises'
+import { mkdir, mkdtemp, rename, rm } from 'node:fs/promises'
+import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { ensureBrowser } from './lib/browser.mjs'
 import { Failure, main, ROOT, say } from './lib/run.mjs'
@@ -22,6 +23,15 @@ const EYE = {
   crop: { left: 700, top: 330, width: 720, height: 540 },
 }
 
+const BROW = {
+  width: 1600,
+  height: 1200,
+  view: 'close',
+  targets: { browOuterUpLeft: 1, browInnerUp: 0.4 },
+  crop: { left: 480, top: 130, width: 720, height: 480 },
+}
+const FOREHEAD = { ...PORTRAIT, expression: 'surprised', crop: { ...PORTRAIT.crop, height: 480 } }
+
 /** Each figure is a row of pictures, from left to right. */
 const FIGURES = {
   'figure-8': [
@@ -40,6 +50,19 @@ const FIGURES = {
     { ...PORTRAIT, expression: 'surprised' },
     { ...PORTRAIT, expression: 'happy' },
   ],
+  ktx2: [
+    { ...BROW, face: 'images' },
+    { ...BROW, face: 'arrays' },
+  ],
+  transform: [FOREHEAD, { ...FOREHEAD, face: 'lossless' }, { ...FOREHEAD, face: 'lossy' }],
+}
+
+/** The face in other forms, and what makes them. */
+const FACES = {
+  images: (file) => pack(file),
+  arrays: (file) => pack(file, '--ktx2'),
+  lossless: (file) => shrink(file, true),
+  lossy: (file) => shrink(file, false),
 }
 
 await main(async () => {
@@ -47,10 +70,19 @@ await main(async () => {
   await setUp()
   process.env.FURROW_CHROMIUM = await ensureBrowser()
   const { renderPictures } = await import('../packages/cli/dist/render/render-pictures.js')
-  const requests = Object.values(figures)
-    .flat()
-    .map(({ crop, ...picture }) => ({ input: FACE, ...picture }))
-  const pictures = await withBar((progress) => renderPictures(requests, progress))
+  const rows = Object.values(figures).flat()
+  const folder = await mkdtemp(join(tmpdir(), 'furrow-figures-'))
+  let pictures
+  try {
+    const files = await makeFaces(rows, folder)
+    const requests = rows.map(({ crop, face, ...picture }) => ({
+      input: files.get(face) ?? FACE,
+      ...picture,
+    }))
+    pictures = await withBar((progress) => renderPictures(requests, progress))
+  } finally {
+    await rm(folder, { recursive: true })
+  }
   await mkdir(FOLDER, { recursive: true })
   for (const [name, row] of Object.entries(figures)) {
     const parts = row.map(({ crop }) => ({ ...pictures.shift(), crop }))
@@ -66,6 +98,28 @@ function wanted(names) {
     return names.length > 0 ? Object.fromEntries(names.map((name) => [name, FIGURES[name]])) : FIGURES
   const allowed = Object.keys(FIGURES).join(', ')
   throw new Failure(`unknown figure, got "${unknown}", allowed: ${allowed}; name one of these`)
+}
+
+/** Makes those of `FACES` that some pictures are of; returns their files by name. */
+async function makeFaces(pictures, folder) {
+  const files = new Map()
+  for (const { face } of pictures) {
+    if (face === undefined || files.has(face)) continue
+    files.set(face, join(folder, `${face}.glb`))
+    await FACES[face](files.get(face))
+  }
+  return files
+}
+
+async function pack(file, ...options) {
+  const { packCommand } = await import('../packages/cli/dist/commands/pack.js')
+  const words = [join(ROOT, 'faces/human'), '--face', FACE, '--size', '512', '-o', file, ...options]
+  await packCommand.parseAsync(words, { from: 'user' })
+}
+
+async function shrink(file, lossless) {
+  const { shrinking, transformFile } = await import('./lib/transform.mjs')
+  await transformFile(FACE, file, shrinking(lossless))
 }
 
 async function withBar(work) {

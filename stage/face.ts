@@ -20,10 +20,11 @@ const SKIN = 'skin'
  *
  * @param skin name of the mesh that wrinkles; unless told the one that the file has wrinkles for, else the one named
  *   `skin`, else the one with most vertices.
+ * @param loader one with more decoders, if the file needs them.
  * @throws Error when the file has no mesh, or none of that name.
  */
-export async function loadFace(url: string, skin?: string): Promise<Face> {
-  const gltf = await new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).loadAsync(url)
+export async function loadFace(url: string, skin?: string, loader = new GLTFLoader()): Promise<Face> {
+  const gltf = await loader.setMeshoptDecoder(MeshoptDecoder).loadAsync(url)
   const { scene: root } = gltf
   const meshes: Mesh[] = []
   root.traverse((object) => {

@@ -1,23 +1,21 @@
-import { copyFileSync, mkdtempSync, rmSync } from 'node:fs'
+import { copyFileSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
-import { Logger, NodeIO, type Transform } from '@gltf-transform/core'
-import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
-import { dedup, draco, meshopt, prune, quantize, textureCompress } from '@gltf-transform/functions'
-import draco3d from 'draco3d'
-import { FurrowWrinkleMaps } from 'furrow/gltf'
+import type { Transform } from '@gltf-transform/core'
+import { draco, quantize } from '@gltf-transform/functions'
 import { ktx2 } from 'ktx2-encoder/gltf-transform'
-import { MeshoptDecoder, MeshoptEncoder } from 'meshoptimizer'
 import sharp from 'sharp'
 import type { TestProject } from 'vitest/node'
 import { packCommand } from '../../packages/cli/src/commands/pack.ts'
+import { shrinking, transformFile } from '../../scripts/lib/transform.mjs'
+import { hasScan, packScan } from '../real-face/pack-scan.ts'
 
 declare module 'vitest' {
   export interface ProvidedContext {
     /**
      * Address of a folder with `images.glb` and `arrays.glb`, the shipped face with maps of 512 x 512 in both forms, `shipped.glb`,
-     * that face itself, and those of `TRANSFORMED`, as glTF-Transform leaves them.
+     * that face itself, `scan.glb` where the scanned face is at hand, and those of `TRANSFORMED`, as glTF-Transform leaves them.
      */
     packedFaces: string
   }
@@ -36,15 +34,14 @@ export default async function packFaces({ provide }: TestProject): Promise<() =>
     await packCommand.parseAsync([join(faces, 'human'), '-o', output, ...face, ...form], { from: 'user' })
   }
   copyFileSync(join(faces, 'human.glb'), join(folder, 'shipped.glb'))
+  if (hasScan) await writeScan(folder)
   for (const [name, [from, ...transforms]] of Object.entries(TRANSFORMED)) {
-    await writeTransformed(join(folder, `${from}.glb`), join(folder, `${name}.glb`), transforms)
+    if (from === 'scan' && !hasScan) continue
+    await transformFile(join(folder, `${from}.glb`), join(folder, `${name}.glb`), transforms)
   }
   provide('packedFaces', `/@fs${folder}`)
   return () => rmSync(folder, { recursive: true })
 }
-
-const webp = (lossless: boolean) =>
-  textureCompress({ encoder: sharp, targetFormat: 'webp', resize: [512, 512], lossless })
 
 const imageDecoder = async (bytes: Uint8Array) => {
   const { data, info } = await sharp(bytes).ensureAlpha().raw().toBuffer({ resolveWithObject: true })
@@ -64,25 +61,19 @@ const basis = (slots: RegExp, isColour: boolean) =>
 
 /** What users do to files before they publish them, and to which file. */
 const TRANSFORMED: Record<string, [from: string, ...transforms: Transform[]]> = {
-  transformed: ['shipped', dedup(), prune(), webp(true), meshopt({ encoder: MeshoptEncoder })],
-  'transformed-lossy': ['shipped', dedup(), prune(), webp(false), meshopt({ encoder: MeshoptEncoder })],
+  transformed: ['shipped', ...shrinking(true)],
+  'transformed-lossy': ['shipped', ...shrinking(false)],
+  'scan-transformed': ['scan', ...shrinking(true)],
   draco: ['images', draco()],
   quantized: ['images', quantize()],
   // One image each, as tools write them that know of no arrays.
   ktx2: ['images', basis(/color/i, true), basis(/.*/, false)],
 }
 
-async function writeTransformed(input: string, output: string, transforms: Transform[]): Promise<void> {
-  await MeshoptEncoder.ready
-  const io = new NodeIO()
-    .setLogger(new Logger(Logger.Verbosity.SILENT))
-    .registerExtensions([...ALL_EXTENSIONS, FurrowWrinkleMaps])
-    .registerDependencies({
-      'meshopt.decoder': MeshoptDecoder,
-      'meshopt.encoder': MeshoptEncoder,
-      'draco3d.encoder': await draco3d.createEncoderModule(),
-    })
-  const document = await io.read(input)
-  await document.transform(...transforms)
-  await io.write(output, document)
+async function writeScan(folder: string): Promise<void> {
+  mkdirSync(join(folder, 'scan'))
+  const packed = await packScan(join(folder, 'scan'), (command, ...words) =>
+    command.parseAsync(words, { from: 'user' }),
+  )
+  copyFileSync(packed, join(folder, 'scan.glb'))
 }

@@ -1,3 +1,4 @@
+import { findTargets } from 'furrow'
 import { WrinkleLoaderPlugin as WebGLPlugin, wrinklesOf } from 'furrow/three'
 import { WrinkleLoaderPlugin as WebGPUPlugin } from 'furrow/webgpu'
 import type { Mesh } from 'three'
@@ -25,10 +26,11 @@ export function loadPacked(harness: Harness, file: string, loader = new GLTFLoad
 
 /** The posed face with its wrinkles, without, or their influence as gray. */
 export async function posedPicture(harness: Harness, gltf: GLTF, mode: 'default' | 'off' | 'influence') {
-  const skin = gltf.scene.getObjectByName('skin') as Mesh
+  const skin = skinOf(gltf)
   const wrinkles = wrinklesOf(skin)!
-  for (const [target, weight] of Object.entries(POSE)) {
-    skin.morphTargetInfluences![skin.morphTargetDictionary![target]] = weight
+  const targets = Object.keys(skin.morphTargetDictionary!)
+  for (const [name, weight] of Object.entries(POSE)) {
+    for (const index of findTargets(name, targets)) skin.morphTargetInfluences![index] = weight
   }
   const { scene, camera } = faceScene({ root: gltf.scene, skin, wrinkles: null }, 'front')
   const own = skin.material
@@ -37,6 +39,14 @@ export async function posedPicture(harness: Harness, gltf: GLTF, mode: 'default'
   const pixels = await harness.render(scene, camera, WIDTH, HEIGHT)
   skin.material = own
   return pixels
+}
+
+function skinOf(gltf: GLTF): Mesh {
+  let skin: Mesh | undefined
+  gltf.scene.traverse((object) => {
+    if (wrinklesOf(object as Mesh)) skin ??= object as Mesh
+  })
+  return skin!
 }
 
 /** What wrinkles do to the picture of one face against that of another: in the same places (1), and as strong (1). */

@@ -3,8 +3,10 @@ import { mkdir, mkdtemp, readdir, readFile, rm, truncate, writeFile } from 'node
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
+import { draco } from '@gltf-transform/functions'
 import sharp from 'sharp'
 import { afterAll, beforeAll, beforeEach, describe, expect, test } from 'vitest'
+import { transformFile } from '../../scripts/lib/transform.mjs'
 import { editGlb } from '../glb.ts'
 import { largestDifference, type Region } from './pixels.ts'
 import type { CanvasPixels } from './read-canvas.ts'
@@ -59,6 +61,25 @@ describe('furrow render', () => {
     expect((await readdir(out)).sort()).toEqual(['off.png', 'on.png'])
   })
 
+  test.each([
+    ['webgl', 'KTX 2 arrays', (file: string) => pack(file, '--ktx2')],
+    ['webgpu', 'KTX 2 arrays', (file: string) => pack(file, '--ktx2')],
+    ['webgl', 'Draco', writeDraco],
+  ])('shows on %s a face in %s as one in PNG', async (renderer, _, write) => {
+    const options = ['--expression', 'surprised', '--renderer', renderer, '--size', '400x304']
+    const [compressed, images] = [join(out, 'compressed.glb'), join(out, 'images.glb')]
+    await pack(images)
+    await write(compressed)
+    const draw = async (face: string, ...mode: string[]) => {
+      const made = await furrow('render', face, '-o', `${face}.png`, ...options, ...mode)
+      expect(made.stderr).toBe('')
+      return read(`${face}.png`)
+    }
+    const [plain, smooth] = [await draw(images), await draw(images, '--mode', 'off')]
+    const difference = largestDifference(await draw(compressed), plain, FOREHEAD)
+    expect(difference).toBeLessThan(largestDifference(plain, smooth, FOREHEAD) / 3)
+  })
+
   test('takes blendshapes, activations, a view and the mode of the paper', async () => {
     const file = join(out, 'new', 'folder', 'brow.png')
     const options = ['--view', 'close', '--mode', 'paper', '--size', '160x120']
@@ -81,6 +102,16 @@ describe('furrow render', () => {
     expect(mean).toBeLessThan(1)
   })
 })
+
+function pack(file: string, ...options: string[]): Promise<Ended> {
+  const wrinkles = join(ROOT, 'faces/human')
+  return furrow('pack', wrinkles, '--face', FACE, '--size', '512', '-o', file, ...options)
+}
+
+async function writeDraco(file: string): Promise<void> {
+  await pack(file)
+  await transformFile(file, file, [draco({ quantizePosition: 16 })])
+}
 
 describe('furrow render refuses', () => {
   const cases: [string, (file: (name: string) => string) => string[], RegExp][] = [

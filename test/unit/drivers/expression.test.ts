@@ -109,5 +109,9 @@ describe('target names', () => {
     expect(findTargets('browInnerUp', targets)).toEqual([0, 1])
     expect(findTargets('jawOpen', targets)).toEqual([2])
     expect(findTargets('tongueOut', targets)).toEqual([])
+    // A rig's own name, also where ARKit's could be read into it, and one rig's name on another.
+    expect(findTargets('browInnerUp_R', targets)).toEqual([1])
+    expect(findTargets('browUp_L', ['browUpLeft', 'browUp_L'])).toEqual([1])
+    expect(findTargets('blendShape1.jawOpen', ['x.jawOpen'])).toEqual([0])
   })
 })

@@ -69,6 +69,39 @@ describe('FurrowWrinkleMaps', () => {
     expect(await io.writeBinary(copy)).toEqual(await io.writeBinary(await createSample()))
   })
 
+  it('keeps slices, in a file and in a copy, and tells two slices of an array apart', async () => {
+    const document = await createSample()
+    const [layers, areas] = [wrinklesOf(document).listLayers(), wrinklesOf(document).listAreas()]
+    const array = areas[0].getTexture()
+    for (const [slice, area] of areas.entries()) area.setTexture(array, 0).setSlice(slice)
+    layers[0].setSlice('occlusionTexture', 3)
+    const slicesOf = (from: typeof document) => [
+      wrinklesOf(from)
+        .listAreas()
+        .map((area) => area.getSlice()),
+      wrinklesOf(from)
+        .listLayers()
+        .map((layer) => [layer.getSlice('occlusionTexture'), layer.getSlice('normalTexture')]),
+    ]
+    const expected = [
+      [0, 1, 2, 3, 4],
+      [
+        [3, null],
+        [null, null],
+      ],
+    ]
+    const { json } = await io.writeJSON(document)
+    const maps = json.materials![0].extensions![NAME] as Record<string, unknown[]>
+    expect(maps.areas[0]).toEqual({ name: 'brow', texture: { index: 8, slice: 0 } })
+    expect(maps.layers[0]).toMatchObject({ occlusionTexture: { index: 5, strength: 0.25, slice: 3 } })
+    expect(slicesOf(await io.readBinary(await io.writeBinary(document)))).toEqual(expected)
+    expect(slicesOf(cloneDocument(document))).toEqual(expected)
+    const twin = areas[0].clone()
+    expect(twin.equals(areas[0])).toBe(true)
+    expect(twin.setSlice(1).equals(areas[0])).toBe(false)
+    expect(layers[0].clone().setSlice('normalTexture', 1).equals(layers[0])).toBe(false)
+  })
+
   it('says what of each image is read, and that only base colour is colour', async () => {
     const textures = await texturesOf()
     const of = (name: string) => textures.find((texture) => texture.getName() === name)!

@@ -21,6 +21,8 @@ const JUNK: Anything[] = [
   {},
   { index: 0 },
   { index: -1 },
+  { index: 0, slice: 1 },
+  { index: 0, slice: -1 },
   { type: 'morph' },
   { name: 'nose' },
   { length: 3 },

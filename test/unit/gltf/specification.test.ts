@@ -43,6 +43,7 @@ describe('the page of the extension', () => {
     ['area', `${NAME}.area`],
     ['driver', `${NAME}.driver`],
     ['driver of type `morph`', `${NAME}.driver.morph`],
+    ['textureInfo', 'textureInfo'],
   ])('lists the properties of its schema under "%s", with their defaults', (heading, file) => {
     const { properties, required } = schemas.get(`${file}.schema.json`) as {
       properties: Schema

@@ -82,7 +82,8 @@ function describe(path: string, report: Report): string {
     '',
     `in the file: ${kilobytes(imageBytes)} of ${kilobytes(fileBytes)}`,
     `on the GPU: ${kilobytes(gpu.uncompressed)} uncompressed, ${kilobytes(gpu.bits8)} with maps as BC7 or ASTC 4x4,` +
-      ` ${kilobytes(gpu.bits4)} as BC1 or ETC1 (areas as BC4; those of an array as BC7 or ASTC 4x4)`,
+      ` ${kilobytes(gpu.bits4)} as BC1 or ETC1 (areas as BC4; those of an array as BC7 or ASTC 4x4);` +
+      ` and ${kilobytes(report.influenceMapBytes)} for the influence map of each face`,
   ].join('\n')
 }
 

@@ -3,6 +3,9 @@
 import { EXPRESSIONS, findTargets } from 'furrow'
 import { ExpressionPlayer, loadWrinkleSet } from 'furrow/three'
 import type { Mesh, Object3D } from 'three'
+import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js'
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import type { WebGPURenderer } from 'three/webgpu'
 import { loadFace } from '../../../../stage/face.ts'
 import { isWebGL } from '../../../../stage/light.ts'
@@ -33,7 +36,7 @@ async function draw(job: PageJob): Promise<PageReport> {
   if (job.renderer === 'webgpu' && stage.backend !== 'WebGPU') {
     throw new Error('this browser has no WebGPU: use --renderer webgl')
   }
-  const face = await loadFace(job.face, job.mesh)
+  const face = await loadFace(job.face, job.mesh, loaderFor(stage.renderer))
   const loaded = job.wrinkles ? { set: await loadWrinkleSet(job.wrinkles), drivers: [] } : face.wrinkles!
   const { wrinkles } = stage.show(face, loaded, { mode: job.mode })
   // An expression and the areas named by hand say what shows; blendshapes alone leave it to the file's drivers.
@@ -45,6 +48,13 @@ async function draw(job: PageJob): Promise<PageReport> {
   const delivered = await fetch(job.deliver, { method: 'POST', body: pixels as BodyInit })
   if (!delivered.ok) throw new Error(`the picture was not accepted (HTTP status ${delivered.status})`)
   return { renderer: stage.backend, adapter: adapterOf(stage), warnings }
+}
+
+/** A loader for files in every compression that glTF knows. */
+function loaderFor(renderer: Renderer): GLTFLoader {
+  return new GLTFLoader()
+    .setDRACOLoader(new DRACOLoader())
+    .setKTX2Loader(new KTX2Loader().detectSupport(renderer))
 }
 
 function pose(root: Object3D, wrinkles: Wrinkles, { expression, targets, activations }: PageJob): void {
@@ -62,8 +72,7 @@ function setTargets(
   if (!morphTargetDictionary || !morphTargetInfluences) return
   const names = Object.keys(morphTargetDictionary)
   for (const [name, weight] of Object.entries(targets)) {
-    const exact = names.indexOf(name)
-    for (const index of exact >= 0 ? [exact] : findTargets(name, names)) {
+    for (const index of findTargets(name, names)) {
       morphTargetInfluences[morphTargetDictionary[names[index]]] = weight
     }
   }

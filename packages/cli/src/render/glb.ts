@@ -4,7 +4,6 @@ import { firstLine } from '../images.ts'
 
 /** The parts of a glTF document that are looked at before a browser is started. */
 export interface GltfJson {
-  extensionsRequired?: string[]
   meshes?: { extras?: { targetNames?: unknown }; primitives?: { targets?: unknown[] }[] }[]
   materials?: { extensions?: Record<string, unknown> }[]
   textures?: unknown[]
@@ -16,13 +15,10 @@ const WHO = 'furrow render'
 const MAGIC = 0x46546c67
 const JSON_CHUNK = 0x4e4f534a
 
-/** Compressions whose decoders would have to be fetched. */
-const COMPRESSIONS = ['KHR_draco_mesh_compression', 'KHR_texture_basisu']
-
 /**
  * Reads the JSON of a `.glb` file.
  *
- * @throws FurrowError when the file is missing, no binary glTF 2.0, cut off, or compressed.
+ * @throws FurrowError when the file is missing, no binary glTF 2.0, or cut off.
  */
 export async function readGlb(path: string): Promise<GltfJson> {
   const bytes = await read(path)
@@ -34,16 +30,6 @@ export async function readGlb(path: string): Promise<GltfJson> {
     json = JSON.parse(bytes.toString('utf8', 20, end))
   } catch (error) {
     throw fault(path, `its JSON is broken (${firstLine(error)})`)
-  }
-  const compression = json.extensionsRequired?.find((name) => COMPRESSIONS.includes(name))
-  if (compression) {
-    throw new FurrowError({
-      who: WHO,
-      what: `the face ${path} is compressed`,
-      value: compression,
-      limit: 'no Draco or Basis compression',
-      remedy: 'export it uncompressed',
-    })
   }
   return json
 }

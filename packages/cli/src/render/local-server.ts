@@ -12,6 +12,7 @@ const TYPES: Record<string, string> = {
   '.html': 'text/html',
   '.js': 'text/javascript',
   '.json': 'application/json',
+  '.wasm': 'application/wasm',
 }
 
 /** Serves the page and the files it was promised, to this computer alone, and takes its pictures. */

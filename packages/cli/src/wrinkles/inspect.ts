@@ -3,7 +3,7 @@ import sharp from 'sharp'
 import { firstLine } from '../images.ts'
 import { channelOf } from './map-images.ts'
 import { pixelsOf } from './pixels.ts'
-import { areaSizes, areaSliceSizes, type GpuSizes, mapSizes, sumSizes } from './sizes.ts'
+import { areaSizes, areaSliceSizes, type GpuSizes, influenceMapBytes, mapSizes, sumSizes } from './sizes.ts'
 import { imageOf, isKtx2, MAP_SLOTS, type TextureImage, type WrinkledFile } from './wrinkled-file.ts'
 
 /** One map of one layer. */
@@ -49,7 +49,10 @@ export interface Report {
   fileBytes: number
   /** Bytes of the wrinkles' images in the file, each counted once. */
   imageBytes: number
+  /** Maps and areas, which all faces with them share. */
   gpu: GpuSizes
+  /** What each face needs besides. */
+  influenceMapBytes: number
   layers: LayerReport[]
   areas: AreaReport[]
   drivers: WrinkleDriver[]
@@ -93,6 +96,7 @@ export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<
     fileBytes: glb.fileBytes,
     imageBytes: [...images].reduce((sum, index) => sum + imageOf(glb, index, who).bytes.length, 0),
     gpu: sumSizes([...textures.values(), ...gpuOfAreas(areas)]),
+    influenceMapBytes: influenceMapBytes(areas[0]!.width, areas[0]!.height, layers.length),
     layers,
     areas,
     drivers: maps.drivers,

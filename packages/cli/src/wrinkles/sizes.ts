@@ -29,6 +29,14 @@ export function areaSliceSizes(width: number, height: number): GpuSizes {
   return { uncompressed: 4 * width * height, bits8: compressed, bits4: compressed }
 }
 
+/** Half floats per texel of an influence map, by the number of layers: there is no format with three. */
+const INFLUENCE_CHANNELS = [1, 2, 4, 4]
+
+/** Bytes of the influence map that every face has: as large as an area, a channel for each layer. */
+export function influenceMapBytes(width: number, height: number, layers: number): number {
+  return 2 * INFLUENCE_CHANNELS[layers - 1]! * width * height
+}
+
 export function sumSizes(sizes: readonly GpuSizes[]): GpuSizes {
   const sum = (key: keyof GpuSizes) => sizes.reduce((total, size) => total + size[key], 0)
   return { uncompressed: sum('uncompressed'), bits8: sum('bits8'), bits4: sum('bits4') }
