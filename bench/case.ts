@@ -20,7 +20,7 @@ export interface Plan {
 
 export const PLANS = {
   full: { rounds: 5, frames: 2 },
-  quick: { rounds: 3, frames: 2 },
+  quick: { rounds: 5, frames: 1 },
 } as const satisfies Record<string, Plan>
 
 const AREAS = [2, 8, 16, 64, 256]

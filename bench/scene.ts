@@ -1,16 +1,15 @@
-import type { WrinkleSet } from 'furrow'
+import type { GrayImage, WrinkleSet } from 'furrow'
 import {
   DirectionalLight,
   Mesh,
-  MeshPhysicalMaterial,
-  type MeshStandardMaterial,
+  type MeshPhysicalMaterial,
   PerspectiveCamera,
   Scene,
   type Vector3Tuple,
 } from 'three'
 import type { Face } from '../stage/face.ts'
 import { frameView } from '../stage/views.ts'
-import { createBlobs } from './blobs.ts'
+import { divideAreas } from './areas.ts'
 
 const LIGHTS: readonly Vector3Tuple[] = [
   [-1, 1.35, 0.95],
@@ -18,8 +17,10 @@ const LIGHTS: readonly Vector3Tuple[] = [
   [1.2, 1, -1.6],
 ]
 
-/** How much nearer than the stage's close view: the skin reaches every side of the frame. */
-const ZOOM = 2
+/** How much nearer than the stage's view from the front: the face reaches every side of the frame, from the forehead to the mouth. */
+const ZOOM = 3.1
+/** Metres from the middle of head and neck up to that of the face. */
+const UP = 0.025
 
 /** Lights and a camera that looks at a face from so near that it fills the frame. */
 export function createScene(face: Face, aspect: number): { scene: Scene; camera: PerspectiveCamera } {
@@ -31,28 +32,29 @@ export function createScene(face: Face, aspect: number): { scene: Scene; camera:
   }
   const camera = new PerspectiveCamera()
   camera.aspect = aspect
-  frameView(face.skin, camera, 'close')
+  frameView(face.skin, camera, 'front')
   camera.zoom = ZOOM
+  camera.position.y += UP
   camera.updateProjectionMatrix()
   return { scene, camera }
 }
 
 /** The face's skin once more, with a physical material of its own; geometry and textures are shared. */
 export function createSkin({ skin }: Face): Mesh {
-  const { map, normalMap, normalScale, roughnessMap, roughness } = skin.material as MeshStandardMaterial
-  const material = new MeshPhysicalMaterial({ map, normalMap, roughnessMap, roughness, metalness: 0 })
-  material.normalScale.copy(normalScale)
-  const mesh = new Mesh(skin.geometry, material)
+  const material = skin.material as MeshPhysicalMaterial
+  if (!material.isMeshPhysicalMaterial)
+    throw new Error('bench: the skin is not physical; take faces/human.glb')
+  const mesh = new Mesh(skin.geometry, material.clone())
   skin.matrixWorld.decompose(mesh.position, mesh.quaternion, mesh.scale)
   return mesh
 }
 
 /**
- * As many layers and areas as a case asks for: the file's own layer over and over, and blobs on the front of the face.
+ * As many layers and areas as a case asks for: the file's own layer over and over, and its own areas, divided.
  *
  * @throws Error when the file carries no wrinkles, or not as images.
  */
-export function createSet({ skin, wrinkles }: Face, areas: number, layers: number): WrinkleSet {
+export function createSet({ wrinkles }: Face, areas: number, layers: number): WrinkleSet {
   if (!wrinkles) throw new Error('bench: the face carries no wrinkles; take faces/human.glb')
   const [{ kind, normal }] = wrinkles.set.layers
   if ('slice' in normal) throw new Error('bench: the wrinkles are a KTX 2 array; take faces/human.glb')
@@ -61,14 +63,7 @@ export function createSet({ skin, wrinkles }: Face, areas: number, layers: numbe
     kind,
     normal: { ...normal, data: normal.data.slice() },
   }))
+  const own = wrinkles.set.areas.map(({ weights }) => weights as GrayImage)
   const names = copies.map(({ name }) => name)
-  return { layers: copies, areas: createBlobs(areas, frontPlaces(skin), names) }
-}
-
-/** UVs of the vertices that look forwards. */
-function frontPlaces({ geometry }: Mesh): Float32Array {
-  const { uv, normal } = geometry.attributes
-  const places: number[] = []
-  for (let i = 0; i < uv.count; i++) if (normal.getZ(i) > 0.5) places.push(uv.getX(i), uv.getY(i))
-  return Float32Array.from(places)
+  return { layers: copies, areas: divideAreas(own, areas, names) }
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest'
-import { createBlobs } from '../../../bench/blobs.ts'
+import { divideAreas } from '../../../bench/areas.ts'
 import { activationOf, listCases } from '../../../bench/case.ts'
 
 describe('bench cases', () => {
@@ -21,24 +21,36 @@ describe('bench cases', () => {
   })
 })
 
-describe('bench blobs', () => {
-  const places = new Float32Array([0.5, 0.25, 0.2, 0.8])
+describe('bench areas', () => {
+  /** A bar of eight columns and a dot. */
+  const bar = { width: 16, height: 2, data: new Uint8Array(32).fill(200, 4, 12) }
+  const dot = { width: 16, height: 2, data: new Uint8Array(32).fill(255, 20, 21) }
 
-  it('are the same in every run, and fewer are the first of more', () => {
-    expect(createBlobs(4, places, ['a', 'b'])).toEqual(createBlobs(8, places, ['a', 'b']).slice(0, 4))
+  it("are the face's first ones where few are asked for", () => {
+    const [first, ...others] = divideAreas([bar, dot], 1, ['a'])
+    expect(others).toEqual([])
+    expect(first).toEqual({ name: 'area0', layer: 'a', weights: bar })
   })
 
-  it('are fullest at a place of the face and nothing far from it', () => {
-    for (const { weights } of createBlobs(8, places, ['a'])) {
-      const peak = weights.data.indexOf(Math.max(...weights.data))
-      const [u, v] = [((peak % 128) + 0.5) / 128, (Math.floor(peak / 128) + 0.5) / 128]
-      expect(Math.min(Math.hypot(u - 0.5, v - 0.25), Math.hypot(u - 0.2, v - 0.8))).toBeLessThan(0.01)
-      expect(weights.data[peak]).toBeGreaterThan(245)
-      expect(weights.data.filter((value) => value > 0).length / weights.data.length).toBeLessThan(0.032)
+  it.each([2, 4, 8, 16])('cut into %d sum to what they were cut from', (count) => {
+    const areas = divideAreas([bar, dot], count, ['a'])
+    expect(areas).toHaveLength(count)
+    for (const [k, whole] of [bar, dot].entries()) {
+      const parts = areas.slice((k * count) / 2, ((k + 1) * count) / 2)
+      const sum = [...whole.data.keys()].map((i) =>
+        parts.reduce((all, { weights }) => all + weights.data[i], 0),
+      )
+      for (const [i, value] of sum.entries()) expect(Math.abs(value - whole.data[i])).toBeLessThanOrEqual(1)
     }
+    const used = areas.slice(0, count / 2).map(({ weights }) => weights.data.some((weight) => weight > 0))
+    expect(used).not.toContain(false)
   })
 
   it('take turns on the layers', () => {
-    expect(createBlobs(4, places, ['a', 'b']).map(({ layer }) => layer)).toEqual(['a', 'b', 'a', 'b'])
+    expect(divideAreas([bar, dot], 4, ['a', 'b']).map(({ layer }) => layer)).toEqual(['a', 'b', 'a', 'b'])
+  })
+
+  it('refuse a number that cannot be divided among them', () => {
+    expect(() => divideAreas([bar, dot], 3, ['a'])).toThrow(/3 areas of 2/)
   })
 })

@@ -27,7 +27,14 @@ const patch: RendererParts['patch'] = (material, inputs, mode, instanced) => {
   const own = { onBeforeCompile, customProgramCacheKey }
   const { paper, textures, areas } = inputs
   const { kinds, normals, values } = textures
-  const shape: ShaderShape = { kinds, normals: normals.slices, values: shapesOf(values), instanced }
+  const anisotropic = normals.texture.anisotropy > 1
+  const shape: ShaderShape = {
+    kinds,
+    normals: normals.slices,
+    values: shapesOf(values),
+    instanced,
+    anisotropic,
+  }
   const inPaper = mode === 'paper' && paper
   const uniforms = inPaper
     ? { ...areaUniforms(inputs, inPaper.table), furrowColours: { value: inPaper.texture } }

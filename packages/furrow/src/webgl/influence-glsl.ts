@@ -1,9 +1,12 @@
 /**
  * How much of each layer shows: one sample of the atlas of influence maps. `furrowBegin` is called first in `main`;
- * what it leaves is read by all the rest. Maps of layers are sampled with gradients taken here, since they are sampled
+ * what it leaves is read by all the rest. Maps of layers are sampled by gradients taken here, since they are sampled
  * inside branches, where neighbouring pixels part ways.
+ *
+ * @param anisotropic whether the maps' samplers are: only then are the gradients themselves needed, which cost more than the
+ *   level they come to.
  */
-export function influenceFromMap(layers: number, instanced: boolean): string {
+export function influenceFromMap(layers: number, instanced: boolean, anisotropic: boolean): string {
   const channels = Array.from({ length: 4 }, (_, i) => (i < layers ? `shares[${i}]` : '0.0'))
   return /* glsl */ `
 uniform highp sampler2D furrowInfluence;
@@ -32,10 +35,18 @@ void furrowBegin(vec2 uv) {
 }
 
 vec4 furrowMap(highp sampler2DArray maps, float slice) {
-  return textureGrad(maps, vec3(furrowUv, slice), furrowDx, furrowDy);
+  ${anisotropic ? GRADIENTS : LEVEL}
 }
 `
 }
+
+const GRADIENTS = 'return textureGrad(maps, vec3(furrowUv, slice), furrowDx, furrowDy);'
+
+/** The level of OpenGL ES 3.0, equations 3.18 and 3.21. */
+const LEVEL = /* glsl */ `vec2 size = vec2(textureSize(maps, 0).xy);
+  vec2 dx = furrowDx * size;
+  vec2 dy = furrowDy * size;
+  return textureLod(maps, vec3(furrowUv, slice), 0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1.0)));`
 
 /** The same from the areas themselves, as in the paper's step 3: a loop over all of them, for every layer at once. */
 export function influenceFromAreas(channels: 1 | 4): string {

@@ -12,6 +12,8 @@ export interface ShaderShape {
   /** Slice and channel of each layer's other maps; null for a layer without. */
   values: Readonly<Partial<Record<ValueKind, { slices: readonly (number | null)[]; channel: number }>>>
   instanced: boolean
+  /** Whether the layers' maps are sampled with anisotropy. */
+  anisotropic: boolean
 }
 
 /**
@@ -19,7 +21,8 @@ export interface ShaderShape {
  * and `mixValues` of the reference, except that the last normalisation is left to the material.
  */
 export function defaultFragment(fragment: string, shape: ShaderShape): string {
-  const declared = influenceFromMap(shape.kinds.length, shape.instanced) + normalMixing(shape)
+  const declared =
+    influenceFromMap(shape.kinds.length, shape.instanced, shape.anisotropic) + normalMixing(shape)
   const maps = edit(
     ShaderChunk.normal_fragment_maps,
     'mapN.xy *= normalScale;',
@@ -206,7 +209,7 @@ export function mapFragment(fragment: string, layers: number, instanced: boolean
   const declared = edit(
     fragment,
     'void main() {',
-    `${influenceFromMap(layers, instanced)}\nvoid main() {\n\tfurrowBegin(vMapUv);`,
+    `${influenceFromMap(layers, instanced, false)}\nvoid main() {\n\tfurrowBegin(vMapUv);`,
   )
   return edit(declared, '#include <map_fragment>', `vec4 shares = furrowShares;\n\t${LARGEST}`)
 }

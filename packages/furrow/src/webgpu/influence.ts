@@ -12,6 +12,7 @@ import {
   min,
   texture,
   textureLoad,
+  textureSize,
   uniform,
   uv,
   varying,
@@ -94,12 +95,23 @@ export function channelMask(channel: Node<'float'>): Node<'vec4'> {
   return vec4(0, 1, 2, 3).sub(channel).abs().oneMinus().clamp(0, 1) as unknown as Node<'vec4'>
 }
 
-/** One texel of one slice of an array, filtered with the gradients of the coordinates: safe inside a branch. */
-export function sampleSlice(array: ArrayTexture, at: Gradients, slice: number): Node<'vec4'> {
-  const sampled = texture(array, at.uv).depth(int(slice)) as unknown as {
-    grad(x: Node, y: Node): Node<'vec4'>
-  }
-  return sampled.grad(at.dx, at.dy)
+/**
+ * One texel of one slice of an array, filtered by the gradients of the coordinates: safe inside a branch. Only an anisotropic
+ * sampler needs the gradients themselves, which cost more than the level they come to (OpenGL ES 3.0, equations 3.18 and 3.21).
+ */
+export function sampleSlice(array: ArrayTexture, { uv, dx, dy }: Gradients, slice: number): Node<'vec4'> {
+  const sampled = texture(array, uv).depth(int(slice)) as unknown as Sampled
+  if (array.anisotropy > 1) return sampled.grad(dx, dy)
+  const size = vec2(textureSize(texture(array), int(0)) as never) as unknown as Node<'vec2'>
+  const [across, down] = [dx.mul(size), dy.mul(size)] as [Node<'vec2'>, Node<'vec2'>]
+  const level = max(across.dot(across), down.dot(down), 1).log2().mul(0.5)
+  return sampled.level(level)
+}
+
+/** What the types leave out. */
+interface Sampled {
+  grad(x: Node, y: Node): Node<'vec4'>
+  level(level: Node): Node<'vec4'>
 }
 
 /** UV of the material's normal map, its `KHR_texture_transform` applied. */
