@@ -2,7 +2,9 @@
 
 import { writeFile } from 'node:fs/promises'
 import { parseArgs } from 'node:util'
+import { measureCpu } from './cpu.mjs'
 import { openPage, serve } from './serve.mjs'
+import { measureSizes } from './size.mjs'
 
 const { values: options } = parseArgs({
   options: {
@@ -53,8 +55,17 @@ async function run() {
   }).finally(() => browser.close())
   if (options.json) await writeFile(options.json, `${JSON.stringify(results, null, 2)}\n`)
   const adapters = new Set(results.map(({ adapter }) => adapter))
-  process.stdout.write(`${[...adapters].join('\n')}\n${toTable(results)}\n`)
+  process.stdout.write(`${[...adapters].join('\n')}\n${toTable(results)}\n\n`)
+  const { targets, areas, microseconds, bytes } = measureCpu()
+  process.stdout.write(
+    `processor: ${microseconds.toFixed(1)} microseconds and ${bytes.toFixed(1)} bytes a frame, one face, ${targets} blendshapes that drive ${areas} areas\n`,
+  )
+  for (const [entry, { minified, gzipped }] of Object.entries(await measureSizes())) {
+    process.stdout.write(`download: ${entry} ${kilo(gzipped)} gzipped, ${kilo(minified)} minified\n`)
+  }
 }
+
+const kilo = (bytes) => `${(bytes / 1024).toFixed(1)} kB`
 
 function wanted(names, allowed) {
   const unknown = names.find((name) => !allowed.includes(name))

@@ -249,9 +249,9 @@ export abstract class WrinklesBase {
    */
   addMesh(mesh: Mesh): void {
     const before = mesh.onBeforeRender
-    const prepare: Mesh['onBeforeRender'] = (...frame) => {
-      before.apply(mesh, frame)
-      const [renderer, , camera] = frame
+    // All named: a list of the rest would be allocated in every frame.
+    const prepare: Mesh['onBeforeRender'] = (renderer, scene, camera, geometry, material, group) => {
+      before.call(mesh, renderer, scene, camera, geometry, material, group)
       this.#prepare(renderer as AnyRenderer, camera, mesh)
     }
     mesh.onBeforeRender = prepare

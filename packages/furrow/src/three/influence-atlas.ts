@@ -56,7 +56,9 @@ export class InfluenceAtlas {
 
   readonly #pass: InfluencePass
   readonly #cells: (Cell | null)[] = []
+  /** Those to be drawn, and how many they are: a list that is emptied would allocate anew each time it is filled. */
   readonly #changed: Cell[] = []
+  #changes = 0
   #renderer: AnyRenderer | null = null
   #frame = 0
   /** How often the renderer had been told to render when the atlas was last brought up to date. */
@@ -108,6 +110,7 @@ export class InfluenceAtlas {
 
   remove(cells: readonly Cell[]): void {
     for (const { index } of cells) this.#cells[index] = null
+    this.#changed.length = 0
     while (this.#cells.length > 0 && this.#cells[this.#cells.length - 1] === null) this.#cells.pop()
     this.prune()
   }
@@ -128,8 +131,8 @@ export class InfluenceAtlas {
       if (cell.updated !== this.#frame) this.#bring(cell)
       cell.seen = this.#frame
     }
-    if (this.#changed.length > 0) this.#pass.draw(renderer, this.#changed)
-    this.#changed.length = 0
+    if (this.#changes > 0) this.#pass.draw(renderer, this.#changed, this.#changes)
+    this.#changes = 0
     this.#renders = renderCount(renderer)
   }
 
@@ -146,7 +149,7 @@ export class InfluenceAtlas {
   #bring(cell: Cell): void {
     cell.updated = this.#frame
     cell.face.drive()
-    if (hasMoved(cell)) this.#changed.push(cell)
+    if (hasMoved(cell)) this.#changed[this.#changes++] = cell
   }
 
   /** Another renderer, or a context that was lost, has nothing of what was drawn. */

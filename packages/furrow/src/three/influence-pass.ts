@@ -10,6 +10,13 @@ export interface QuadMaterials {
   survives(renderer: AnyRenderer, atlas: InfluenceAtlas): boolean
 }
 
+/** Quads of the areas of one array. */
+interface Batch {
+  areas: AreaArray
+  sum: Quads
+  max: Quads
+}
+
 /** Draws cells of an atlas: clears them, adds up their areas, and takes the largest of those that say so. */
 export class InfluencePass {
   readonly #atlas: InfluenceAtlas
@@ -18,7 +25,8 @@ export class InfluencePass {
   readonly #camera = new OrthographicCamera()
   readonly #cleared: Quads
   readonly #whole: Slot
-  readonly #batches = new Map<AreaArray, { sum: Quads; max: Quads }>()
+  /** A list and no map: going through it allocates nothing. */
+  #batches: Batch[] = []
 
   constructor(atlas: InfluenceAtlas, materials: QuadMaterials) {
     this.#atlas = atlas
@@ -33,16 +41,16 @@ export class InfluencePass {
     return this.#materials.survives(renderer, this.#atlas)
   }
 
-  /** @param cells whose faces' activations stand as they shall be drawn; their `drawn` is set. */
-  draw(renderer: AnyRenderer, cells: readonly Cell[]): void {
+  /** @param cells of which the first `count` have activations as they shall be drawn; their `drawn` is set. */
+  draw(renderer: AnyRenderer, cells: readonly Cell[], count: number): void {
     this.#cleared.begin()
-    for (const { sum, max } of this.#batches.values()) {
+    for (const { sum, max } of this.#batches) {
       sum.begin()
       max.begin()
     }
-    for (const cell of cells) this.#put(cell)
+    for (let i = 0; i < count; i++) this.#put(cells[i])
     this.#cleared.end()
-    for (const { sum, max } of this.#batches.values()) {
+    for (const { sum, max } of this.#batches) {
       sum.end()
       max.end()
     }
@@ -51,14 +59,13 @@ export class InfluencePass {
 
   /** Frees what belongs to arrays of areas that no face has any more. */
   prune(used: ReadonlySet<AreaArray>): void {
-    for (const [areas, { sum, max }] of [...this.#batches]) {
-      if (used.has(areas)) continue
+    for (const { sum, max } of this.#batches.filter(({ areas }) => !used.has(areas))) {
       for (const quads of [sum, max]) {
         this.#scene.remove(quads.mesh)
         quads.dispose()
       }
-      this.#batches.delete(areas)
     }
+    this.#batches = this.#batches.filter(({ areas }) => used.has(areas))
   }
 
   dispose(): void {
@@ -85,14 +92,12 @@ export class InfluencePass {
     cell.stale = false
   }
 
-  #batchOf(areas: AreaArray): { sum: Quads; max: Quads } {
-    let batch = this.#batches.get(areas)
-    if (!batch) {
-      batch = { sum: this.#quads('sum', areas), max: this.#quads('max', areas) }
-      this.#batches.set(areas, batch)
-      batch.sum.begin()
-      batch.max.begin()
-    }
+  #batchOf(areas: AreaArray): Batch {
+    for (const batch of this.#batches) if (batch.areas === areas) return batch
+    const batch = { areas, sum: this.#quads('sum', areas), max: this.#quads('max', areas) }
+    this.#batches.push(batch)
+    batch.sum.begin()
+    batch.max.begin()
     return batch
   }
 
@@ -108,7 +113,8 @@ export class InfluencePass {
   #render(renderer: AnyRenderer): void {
     const gl = renderer as WebGLRenderer
     const target = gl.getRenderTarget()
-    const [face, level] = [gl.getActiveCubeFace(), gl.getActiveMipmapLevel()]
+    const face = gl.getActiveCubeFace()
+    const level = gl.getActiveMipmapLevel()
     const { autoClear } = renderer
     const { autoReset } = renderer.info
     const xr = renderer.xr.enabled
