@@ -65,7 +65,9 @@ async function run() {
   }
 }
 
-const kilo = (bytes) => `${(bytes / 1024).toFixed(1)} kB`
+function kilo(bytes) {
+  return `${(bytes / 1024).toFixed(1)} kB`
+}
 
 function wanted(names, allowed) {
   const unknown = names.find((name) => !allowed.includes(name))

@@ -3,7 +3,7 @@
 /** Where the camera stands, as `stage/views.ts` has it; `left` shows the person's own left side. */
 export const VIEW_NAMES = ['front', 'left', 'right', 'three-quarter', 'close'] as const
 export const RENDERER_NAMES = ['webgl', 'webgpu'] as const
-export const MODE_NAMES = ['default', 'paper', 'off'] as const
+export const MODE_NAMES = ['default', 'paper', 'composed', 'off'] as const
 
 /** Shortest and longest side of a picture in pixels. */
 export const PICTURE_SIDE = { min: 16, max: 8192 } as const

@@ -5,7 +5,8 @@ import { checkArea, checkWrinkleSet } from '../core/wrinkle-set.ts'
 import { ActivationTable } from './activation-table.ts'
 import { createAreaArray } from './area-array.ts'
 import { releaseAtlas, sharedAtlas } from './atlases.ts'
-import { checkMaterial, checkMesh } from './check-mesh.ts'
+import { checkMaterial, checkMesh, checkNotInstanced } from './check-mesh.ts'
+import { ComposedMap } from './composed-map.ts'
 import { Face } from './face.ts'
 import type { AnyRenderer, Cell, InfluenceAtlas } from './influence-atlas.ts'
 import type { QuadMaterials } from './influence-pass.ts'
@@ -16,8 +17,11 @@ import { sizeOnScreen } from './size-on-screen.ts'
 import { flatNormalTexture } from './textures.ts'
 import { createTextures, listTextures } from './wrinkle-textures.ts'
 
-/** `default` mixes normals and lights once; `paper` lights twice and mixes colours; `off` shows none. */
-export type WrinkleMode = 'default' | 'paper' | 'off'
+/**
+ * `default` mixes normals and lights once; `paper` lights twice and mixes colours; `composed` writes the normals into a map
+ * that the material then shows as its own; `off` shows none.
+ */
+export type WrinkleMode = 'default' | 'paper' | 'composed' | 'off'
 
 export interface WrinklesOptions {
   /** `default` unless told. */
@@ -47,9 +51,11 @@ export interface RendererParts {
   patch(
     material: WrinkleMaterial,
     inputs: WrinkleInputs,
-    mode: Exclude<WrinkleMode, 'off'>,
+    mode: 'default' | 'paper',
     instanced: boolean,
   ): () => void
+  /** A material of `Quads` that writes the material's own normal map with the wrinkles in it. */
+  composeMaterial(base: Texture, inputs: WrinkleInputs): Material
   /**
    * A material that shows the influence of another's wrinkles as gray: that of the map, or that of a table of
    * its own.
@@ -93,6 +99,7 @@ export abstract class WrinklesBase {
   #areas: Area<ArraySlice>[]
   #mode: WrinkleMode = 'off'
   #unpatch: () => void = () => {}
+  #composed: ComposedMap | null = null
   /** Version of the activations that the table holds. */
   #written = -1
   /** Influence materials alive: they want the map drawn whatever the mode. */
@@ -157,10 +164,11 @@ export abstract class WrinklesBase {
   }
 
   /**
-   * Changes how wrinkles are shown; the material's program is compiled anew.
+   * Changes how wrinkles are shown; the material's program is compiled anew. The composed mode shows the layers' normals
+   * alone, and does not fade.
    *
    * @throws FurrowError when the paper's mode cannot be had: more than one layer, or maps of
-   *   the material that cannot be read or differ in size; the mode then stays as it was.
+   *   the material that cannot be read or differ in size; or the composed one, for instances. The mode then stays as it was.
    */
   set mode(mode: WrinkleMode) {
     if (mode === this.#mode) return
@@ -171,6 +179,7 @@ export abstract class WrinklesBase {
         table: new ActivationTable(),
       }
     }
+    if (mode === 'composed') checkNotInstanced(this.mesh)
     this.#patch(mode)
     this.#mode = mode
   }
@@ -264,8 +273,8 @@ export abstract class WrinklesBase {
 
   /** A copy of the material as it is without wrinkles, for a mesh that shall have some of its own. */
   cloneMaterial(): Material {
-    const { normalMap } = this.#material
     this.#unpatch()
+    const { normalMap } = this.#material
     if (this.#flat) this.#material.normalMap = null
     const copy = this.#material.clone()
     this.#material.normalMap = normalMap
@@ -325,7 +334,23 @@ export abstract class WrinklesBase {
 
   #patched(mode: WrinkleMode): () => void {
     if (mode === 'off') return () => {}
+    if (mode === 'composed') return this.#compose()
     return this.#renderer.patch(this.#material, this.#inputs, mode, this.#isInstanced)
+  }
+
+  /** Puts the composed map in the place of the material's own. */
+  #compose(): () => void {
+    const { composeMaterial, quads } = this.#renderer
+    const base = this.#material.normalMap!
+    const normals = this.#inputs.textures.normals.texture
+    const composed = new ComposedMap(base, normals, composeMaterial(base, this.#inputs), quads.survives)
+    this.#composed = composed
+    this.#material.normalMap = composed.target.texture
+    return () => {
+      this.#material.normalMap = base
+      this.#composed = null
+      composed.dispose()
+    }
   }
 
   #drive(instance: number): void {
@@ -334,10 +359,11 @@ export abstract class WrinklesBase {
 
   #prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
     const { fade, areas, paper } = this.#inputs
-    fade.value = this.#fadeOf(renderer, camera, mesh)
-    if (fade.value > 0 && (this.#mode === 'default' || this.#watchers > 0)) {
+    fade.value = this.#composed ? 1 : this.#fadeOf(renderer, camera, mesh)
+    if (fade.value > 0 && (this.#mode === 'default' || this.#composed || this.#watchers > 0)) {
       this.#atlas.update(this.#cells, renderer)
       placeCells(this.#inputs, this.#atlas, this.#cells)
+      this.#composed?.update(renderer, areas, this.#faces[0].values)
     } else {
       this.#faces[0].drive()
     }

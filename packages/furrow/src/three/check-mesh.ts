@@ -1,4 +1,4 @@
-import { type Material, type Mesh, ObjectSpaceNormalMap } from 'three'
+import { type InstancedMesh, type Material, type Mesh, ObjectSpaceNormalMap } from 'three'
 import { FurrowError } from '../core/error.ts'
 import type { WrinkleMaterial } from './Wrinkles.ts'
 
@@ -18,6 +18,18 @@ export function checkMesh(mesh: Mesh): void {
       remedy,
     })
   }
+}
+
+/** Checks that a mesh has one normal map to compose: instances share it. */
+export function checkNotInstanced(mesh: Mesh): void {
+  if (!(mesh as Partial<InstancedMesh>).isInstancedMesh) return
+  throw new FurrowError({
+    who: 'Wrinkles',
+    what: 'composed mode on instances, which share a normal map',
+    value: mesh.name,
+    limit: 'a mesh of its own',
+    remedy: 'use the default mode',
+  })
 }
 
 /**

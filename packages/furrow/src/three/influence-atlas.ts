@@ -149,7 +149,7 @@ export class InfluenceAtlas {
   #bring(cell: Cell): void {
     cell.updated = this.#frame
     cell.face.drive()
-    if (hasMoved(cell)) this.#changed[this.#changes++] = cell
+    if (isOld(cell)) this.#changed[this.#changes++] = cell
   }
 
   /** Another renderer, or a context that was lost, has nothing of what was drawn. */
@@ -199,14 +199,19 @@ function renderCount({ info }: AnyRenderer): number {
   return 'calls' in info ? info.calls : info.render.frame
 }
 
-function hasMoved({ face, drawn, stale }: Cell): boolean {
+function isOld({ face, drawn, stale }: Cell): boolean {
   if (stale) return true
   const { values } = face
   const count = face.areas.slots.length
-  for (let i = 0; i < count; i++) {
-    const change = Math.abs(values[i] - drawn[i])
-    // An area that comes or goes counts however little it moved: where it is 0, skin is smooth to the last bit.
-    if (change > LEAST_CHANGE || (change > 0 && (values[i] === 0 || drawn[i] === 0))) return true
-  }
+  for (let i = 0; i < count; i++) if (hasMoved(values[i], drawn[i])) return true
   return false
+}
+
+/**
+ * Whether an activation is to be drawn anew. An area that comes or goes counts however little it moved: where it is 0, skin is
+ * smooth to the last bit.
+ */
+export function hasMoved(value: number, drawn: number): boolean {
+  const change = Math.abs(value - drawn)
+  return change > LEAST_CHANGE || (change > 0 && (value === 0 || drawn === 0))
 }

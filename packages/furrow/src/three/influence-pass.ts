@@ -1,5 +1,6 @@
-import { type Material, OrthographicCamera, Scene, type WebGLRenderer } from 'three'
+import { type Material, OrthographicCamera, type RenderTarget, Scene } from 'three'
 import type { AreaArray, Slot } from './area-array.ts'
+import { drawAside } from './draw-aside.ts'
 import type { AnyRenderer, Cell, InfluenceAtlas } from './influence-atlas.ts'
 import { Quads } from './quads.ts'
 
@@ -7,7 +8,7 @@ import { Quads } from './quads.ts'
 export interface QuadMaterials {
   /** Writes 0, or adds the areas' shares up, or takes the largest; see `Quads` for the attributes. */
   create(rule: 'clear' | 'sum' | 'max', areas: AreaArray | null): Material
-  survives(renderer: AnyRenderer, atlas: InfluenceAtlas): boolean
+  survives(renderer: AnyRenderer, drawn: { readonly target: RenderTarget }): boolean
 }
 
 /** Quads of the areas of one array. */
@@ -54,7 +55,7 @@ export class InfluencePass {
       sum.end()
       max.end()
     }
-    this.#render(renderer)
+    drawAside(renderer, this.#atlas.target, this.#scene, this.#camera)
   }
 
   /** Frees what belongs to arrays of areas that no face has any more. */
@@ -107,28 +108,5 @@ export class InfluencePass {
     quads.mesh.renderOrder = { clear: 0, sum: 1, max: 2 }[rule]
     this.#scene.add(quads.mesh)
     return quads
-  }
-
-  /** Draws in the midst of another rendering, and leaves the renderer as it was. */
-  #render(renderer: AnyRenderer): void {
-    const gl = renderer as WebGLRenderer
-    const target = gl.getRenderTarget()
-    const face = gl.getActiveCubeFace()
-    const level = gl.getActiveMipmapLevel()
-    const { autoClear } = renderer
-    const { autoReset } = renderer.info
-    const xr = renderer.xr.enabled
-    const shadows = gl.shadowMap?.autoUpdate
-    renderer.autoClear = false
-    renderer.info.autoReset = false
-    renderer.xr.enabled = false
-    if (gl.shadowMap) gl.shadowMap.autoUpdate = false
-    gl.setRenderTarget(this.#atlas.target as never)
-    renderer.render(this.#scene, this.#camera)
-    gl.setRenderTarget(target, face, level)
-    if (gl.shadowMap) gl.shadowMap.autoUpdate = shadows
-    renderer.xr.enabled = xr
-    renderer.info.autoReset = autoReset
-    renderer.autoClear = autoClear
   }
 }

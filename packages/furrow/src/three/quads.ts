@@ -9,11 +9,17 @@ import {
 } from 'three'
 import { MAX_LAYERS } from '../core/limits.ts'
 import type { Slot } from './area-array.ts'
-import type { InfluenceAtlas } from './influence-atlas.ts'
 
 /** Four vectors of four numbers for each instance. */
 const ATTRIBUTES = ['furrowTo', 'furrowFrom', 'furrowAt', 'furrowShare'] as const
 const STRIDE = 4 * ATTRIBUTES.length
+
+/** What they are drawn onto: cells in columns and rows, each so many texels of an area wide and high. */
+interface Sheet {
+  readonly width: number
+  readonly height: number
+  readonly grid: { readonly columns: number; readonly rows: number }
+}
 
 /**
  * Rectangles drawn as instances of one square, whose corners are 0 or 1. Attributes of an instance:
@@ -22,13 +28,13 @@ const STRIDE = 4 * ATTRIBUTES.length
  */
 export class Quads {
   readonly mesh: Mesh<InstancedBufferGeometry, Material>
-  readonly #atlas: InfluenceAtlas
+  readonly #sheet: Sheet
   #data = new Float32Array(16 * STRIDE)
   #buffer!: InstancedInterleavedBuffer
   #count = 0
 
-  constructor(atlas: InfluenceAtlas, material: Material) {
-    this.#atlas = atlas
+  constructor(sheet: Sheet, material: Material) {
+    this.#sheet = sheet
     this.mesh = new Mesh(new InstancedBufferGeometry(), material)
     this.mesh.frustumCulled = false
     this.mesh.matrixAutoUpdate = false
@@ -42,7 +48,7 @@ export class Quads {
   /** Adds the rectangle of one area in the cell at `column` and `row`. */
   put(column: number, row: number, { bounds, slice, channel, layer }: Slot, share: number): void {
     if ((this.#count + 1) * STRIDE > this.#data.length) this.#grow()
-    const { width, height, grid } = this.#atlas
+    const { width, height, grid } = this.#sheet
     const { x0, y0, x1, y1 } = bounds
     const data = this.#data
     const at = STRIDE * this.#count++

@@ -2,6 +2,7 @@ import type { Mesh, WebGLProgramParametersWithUniforms, WebGLRenderer } from 'th
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import { type RendererParts, WrinklesBase, type WrinklesOptions } from '../three/Wrinkles.ts'
 import type { WrinkleTextures } from '../three/wrinkle-textures.ts'
+import { composeMaterial } from './compose-material.ts'
 import { influenceMaterial } from './influence-material.ts'
 import { quadMaterials } from './influence-quads.ts'
 import { defaultFragment, instancedVertex, paperFragment, type ShaderShape } from './shader.ts'
@@ -17,7 +18,7 @@ export class Wrinkles extends WrinklesBase {
    * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then untouched.
    */
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
-    super({ patch, influenceMaterial, quads: quadMaterials }, mesh, source, options)
+    super({ patch, influenceMaterial, composeMaterial, quads: quadMaterials }, mesh, source, options)
   }
 }
 

@@ -11,12 +11,14 @@ import {
 } from 'three'
 import type { QuadMaterials } from '../three/influence-pass.ts'
 
-const VERTEX = /* glsl */ `
+/** Of all that draws `Quads`: `place` is the point of the target, 0..1, `texel` that of the area. */
+export const QUADS_VERTEX = /* glsl */ `
 in vec4 furrowTo;
 in vec4 furrowFrom;
 in vec4 furrowAt;
 in vec4 furrowShare;
 out vec2 texel;
+out vec2 place;
 flat out ivec2 at;
 flat out vec4 share;
 
@@ -24,7 +26,8 @@ void main() {
   texel = mix(furrowFrom.xy, furrowFrom.zw, position.xy);
   at = ivec2(furrowAt.xy);
   share = furrowShare;
-  gl_Position = vec4(mix(furrowTo.xy, furrowTo.zw, position.xy) * 2.0 - 1.0, 0.0, 1.0);
+  place = mix(furrowTo.xy, furrowTo.zw, position.xy);
+  gl_Position = vec4(place * 2.0 - 1.0, 0.0, 1.0);
 }
 `
 
@@ -54,7 +57,7 @@ export const quadMaterials: QuadMaterials = {
     return new ShaderMaterial({
       name: `furrow ${rule}`,
       glslVersion: GLSL3,
-      vertexShader: VERTEX,
+      vertexShader: QUADS_VERTEX,
       fragmentShader: areas ? FRAGMENT : CLEAR,
       uniforms: areas ? { areas: { value: areas.texture } } : {},
       blending: rule === 'clear' ? NoBlending : CustomBlending,

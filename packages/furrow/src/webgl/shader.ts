@@ -38,6 +38,21 @@ export function defaultFragment(fragment: string, shape: ShaderShape): string {
   return edits.reduce((text, [find, put]) => edit(text, find, put), started)
 }
 
+/** Writes the normals that `defaultFragment` would give a material, as its map would store them; `place` is where. */
+export function composedFragment(shape: ShaderShape): string {
+  return /* glsl */ `${influenceFromMap(shape.kinds.length, false, false)}${normalMixing(shape)}
+uniform sampler2D furrowBase;
+in vec2 place;
+out vec4 composed;
+
+void main() {
+  furrowBegin(place);
+  vec3 base = textureLod(furrowBase, place, 0.0).xyz * 2.0 - 1.0;
+  composed = vec4(furrowMixNormals(base) * 0.5 + 0.5, 1.0);
+}
+`
+}
+
 /** Tells the fragments of an instanced mesh which instance they belong to. */
 export function instancedVertex(vertex: string): string {
   return edit(

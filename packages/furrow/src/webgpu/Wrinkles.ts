@@ -24,6 +24,7 @@ import {
   WrinklesBase,
   type WrinklesOptions,
 } from '../three/Wrinkles.ts'
+import { composeMaterial } from './compose-material.ts'
 import { influenceFromAreas, influenceFromMap, mapUv } from './influence.ts'
 import { influenceMaterial } from './influence-material.ts'
 import { quadMaterials } from './influence-quads.ts'
@@ -39,7 +40,7 @@ export class Wrinkles extends WrinklesBase {
    * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then untouched.
    */
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
-    super({ patch, influenceMaterial, quads: quadMaterials }, mesh, source, options)
+    super({ patch, influenceMaterial, composeMaterial, quads: quadMaterials }, mesh, source, options)
   }
 }
 

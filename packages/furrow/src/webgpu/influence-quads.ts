@@ -10,7 +10,7 @@ export const quadMaterials: QuadMaterials = {
   create(rule, areas) {
     const material = new NodeMaterial()
     material.name = `furrow ${rule}`
-    material.vertexNode = corner()
+    material.vertexNode = quadCorner()
     material.fragmentNode = areas ? share(areas) : vec4(0)
     material.blending = rule === 'clear' ? NoBlending : CustomBlending
     material.blendEquation = rule === 'max' ? MaxEquation : AddEquation
@@ -33,11 +33,15 @@ function vector(name: string): Node<'vec4'> {
   return attribute(name, 'vec4') as unknown as Node<'vec4'>
 }
 
-/** Row 0 of the atlas is at the top: three.js turns render targets so on both backends. */
-function corner(): Node<'vec4'> {
+/** The point of the target, 0..1, where a vertex of `Quads` lies. */
+export function quadPlace(): Node<'vec2'> {
   const to = vector('furrowTo')
-  const place = mix(to.xy, to.zw, positionGeometry.xy) as unknown as Node<'vec2'>
-  return vec4(place.mul(vec2(2, -2)).add(vec2(-1, 1)), 0, 1) as unknown as Node<'vec4'>
+  return mix(to.xy, to.zw, positionGeometry.xy) as unknown as Node<'vec2'>
+}
+
+/** Its position. Row 0 of the target is at the top: three.js turns render targets so on both backends. */
+export function quadCorner(): Node<'vec4'> {
+  return vec4(quadPlace().mul(vec2(2, -2)).add(vec2(-1, 1)), 0, 1) as unknown as Node<'vec4'>
 }
 
 function share({ texture, channels }: AreaArray): Node<'vec4'> {

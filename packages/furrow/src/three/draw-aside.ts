@@ -1,0 +1,25 @@
+import type { Camera, RenderTarget, Scene, WebGLRenderer } from 'three'
+import type { AnyRenderer } from './influence-atlas.ts'
+
+/** Draws into a target in the midst of another rendering, over what stands there, and leaves the renderer as it was. */
+export function drawAside(renderer: AnyRenderer, target: RenderTarget, scene: Scene, camera: Camera): void {
+  const gl = renderer as WebGLRenderer
+  const before = gl.getRenderTarget()
+  const face = gl.getActiveCubeFace()
+  const level = gl.getActiveMipmapLevel()
+  const { autoClear } = renderer
+  const { autoReset } = renderer.info
+  const xr = renderer.xr.enabled
+  const shadows = gl.shadowMap?.autoUpdate
+  renderer.autoClear = false
+  renderer.info.autoReset = false
+  renderer.xr.enabled = false
+  if (gl.shadowMap) gl.shadowMap.autoUpdate = false
+  gl.setRenderTarget(target as never)
+  renderer.render(scene, camera)
+  gl.setRenderTarget(before, face, level)
+  if (gl.shadowMap) gl.shadowMap.autoUpdate = shadows
+  renderer.xr.enabled = xr
+  renderer.info.autoReset = autoReset
+  renderer.autoClear = autoClear
+}

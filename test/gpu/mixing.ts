@@ -1,0 +1,103 @@
+import { type GrayImage, type LayerKind, packAreas, packColours, reference } from 'furrow'
+import type { WrinklesOptions } from 'furrow/three'
+import { type Camera, DataTexture, DirectionalLight, LinearFilter, MeshLambertMaterial, Scene } from 'three'
+import { layer, randomAreas, randomNormals } from '../cases.ts'
+import { type Harness, square } from './harness.ts'
+
+/** Side of the areas in texels, and of the maps unless told. */
+const AREA = 16
+
+/** A square with random maps, layers of these kinds and areas at rest, and what the reference says of it. */
+export function mixingCase(
+  harness: Harness,
+  random: () => number,
+  kinds: readonly LayerKind[],
+  {
+    scale = 1,
+    offset = 0,
+    map = AREA,
+    ...options
+  }: WrinklesOptions & {
+    scale?: number
+    offset?: number
+    map?: number
+  },
+) {
+  const base = randomNormals(random, map)
+  const layers = kinds.map((kind, i) => layer(`layer${i}`, kind, randomNormals(random, map)))
+  let areas = randomAreas(random, 12, AREA).map((area, i) => ({
+    ...area,
+    layer: `layer${i % kinds.length}`,
+    weights: i % 2 ? area.weights : cropped(area.weights as GrayImage, i),
+  }))
+  const normalMap = new DataTexture(base.data, map, map)
+  normalMap.minFilter = LinearFilter
+  normalMap.magFilter = LinearFilter
+  normalMap.needsUpdate = true
+  const material = new MeshLambertMaterial({ normalMap })
+  material.normalScale.set(1, -1)
+  const mesh = square(material, scale, [offset, offset])
+  const wrinkles = new harness.Wrinkles(mesh, { layers, areas }, { areaSize: AREA, ...options })
+  const maps = packColours([base, ...layers.map(({ normal }) => normal)])
+  const scene = new Scene()
+  const light = new DirectionalLight(0xffffff, Math.PI)
+  scene.add(mesh, light)
+  return {
+    wrinkles,
+    material,
+    normalMap,
+    remove(name: string) {
+      wrinkles.removeArea(name)
+      areas = areas.filter((area) => area.name !== name)
+    },
+    /**
+     * Largest difference to the reference over a picture that the square fills. Three lights along the axes read the three
+     * components of the shaded normal, one per picture.
+     */
+    async largestError(camera: Camera, pixels: number): Promise<number> {
+      const packed = packAreas(
+        areas.map(({ weights }) => weights),
+        AREA,
+      )
+      const table = areas.map(({ name, combine, layer: own }) => ({
+        activation: wrinkles.getActivation(name),
+        layer: layers.findIndex((known) => known.name === own),
+        combine: combine ?? ('sum' as const),
+      }))
+      const exactAt = (u: number, v: number) => {
+        const normalOf = (map: number) =>
+          reference.unpackNormal([0, 1, 2].map((c) => reference.sampleArray(maps, u, v, map, c)))
+        const shares = kinds.map((kind, k) => ({
+          kind,
+          normal: normalOf(k + 1),
+          influence: reference.influenceFromMap(packed, table, u, v, k),
+        }))
+        return reference.mixNormals(normalOf(0), shares)
+      }
+      let worst = 0
+      for (const axis of [0, 1, 2]) {
+        light.position.set(0, 0, 0).setComponent(axis, 1)
+        const shown = await harness.render(scene, camera, pixels)
+        for (let i = 0; i < pixels * pixels; i++) {
+          const u = (((i % pixels) + 0.5) / pixels) * scale + offset
+          const v = (1 - (Math.floor(i / pixels) + 0.5) / pixels) * scale + offset
+          worst = Math.max(worst, Math.abs(shown[i * 4] - Math.max(0, exactAt(u, v)[axis])))
+        }
+      }
+      return worst
+    },
+    dispose() {
+      wrinkles.dispose()
+      normalMap.dispose()
+      material.dispose()
+      mesh.geometry.dispose()
+    },
+  }
+}
+
+/** What is left of an area in a part of it. */
+function cropped({ width, height, data }: GrayImage, from: number): GrayImage {
+  const isInside = (at: number) => at >= from / 2 && at < from / 2 + 7
+  const kept = data.map((weight, i) => (isInside(i % width) && isInside(Math.floor(i / width)) ? weight : 0))
+  return { width, height, data: kept }
+}
