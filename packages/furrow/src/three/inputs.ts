@@ -4,6 +4,7 @@ import type { ActivationTable } from './activation-table.ts'
 import type { AreaArray } from './area-array.ts'
 import type { Cell, InfluenceAtlas } from './influence-atlas.ts'
 import type { PaperArray } from './paper-array.ts'
+import { findReach, reachAll } from './reach.ts'
 import type { WrinkleTextures } from './wrinkle-textures.ts'
 
 /** What shaders read, `{ value }` as uniforms; the objects stay the same as long as the wrinkles live. */
@@ -18,6 +19,8 @@ export interface WrinkleInputs {
   readonly grid: { value: Vector3 }
   /** Half a texel of a cell in 0..1: no sample reaches further out. */
   readonly inset: { value: Vector2 }
+  /** Texture coordinates outside of which nothing shows now: u0, v0, u1, v1. */
+  readonly reach: { value: Vector4 }
   /** 1 = wrinkles in full, 0 = too far away to show. */
   readonly fade: { value: number }
   /** Per layer: scale of its normals, strength of its occlusion. */
@@ -42,6 +45,7 @@ export function createInputs(
     influence: { value: atlas.target.texture },
     grid: { value: new Vector3() },
     inset: { value: new Vector2(0.5 / atlas.width, 0.5 / atlas.height) },
+    reach: { value: new Vector4() },
     fade: { value: 1 },
     normalScale: { value: perLayer(({ normalScale }) => normalScale ?? 1) },
     occlusionStrength: { value: perLayer(({ occlusionStrength }) => occlusionStrength ?? 1) },
@@ -49,7 +53,13 @@ export function createInputs(
   }
 }
 
-/** Tells the shaders where the cells of a mesh are; an atlas may have grown. */
-export function placeCells({ grid }: WrinkleInputs, atlas: InfluenceAtlas, [first]: readonly Cell[]): void {
-  grid.value.set(atlas.grid.columns, atlas.grid.rows, first.index)
+/** Tells the shaders where the cells of a mesh are, since an atlas may have grown, and where anything shows in them. */
+export function placeCells(
+  { grid, reach, areas }: WrinkleInputs,
+  atlas: InfluenceAtlas,
+  cells: readonly Cell[],
+): void {
+  grid.value.set(atlas.grid.columns, atlas.grid.rows, cells[0].index)
+  if (cells.length === 1) findReach(areas, cells[0].face.values, reach.value)
+  else reachAll(reach.value)
 }

@@ -12,6 +12,7 @@ export function influenceFromMap(layers: number, instanced: boolean, anisotropic
 uniform highp sampler2D furrowInfluence;
 uniform vec3 furrowGrid;
 uniform vec2 furrowInset;
+uniform vec4 furrowReach;
 uniform float furrowFade;
 ${instanced ? 'flat in float vFurrowInstance;' : 'const float vFurrowInstance = 0.0;'}
 vec4 furrowShares = vec4(0.0);
@@ -24,7 +25,7 @@ void furrowBegin(vec2 uv) {
   furrowUv = uv;
   furrowDx = dFdx(uv);
   furrowDy = dFdy(uv);
-  if (furrowFade <= 0.0) return;
+  if (furrowFade <= 0.0 || any(lessThan(uv, furrowReach.xy)) || any(greaterThan(uv, furrowReach.zw))) return;
   float index = furrowGrid.z + vFurrowInstance;
   float row = floor((index + 0.5) / furrowGrid.x);
   vec2 corner = vec2(index - row * furrowGrid.x, row);

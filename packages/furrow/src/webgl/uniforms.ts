@@ -8,6 +8,7 @@ export function mapUniforms(inputs: WrinkleInputs): Record<string, IUniform> {
     furrowInfluence: inputs.influence,
     furrowGrid: inputs.grid,
     furrowInset: inputs.inset,
+    furrowReach: inputs.reach,
     furrowFade: inputs.fade,
   }
 }

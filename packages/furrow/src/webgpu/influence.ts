@@ -40,11 +40,16 @@ export function follow<T extends string>(input: { readonly value: unknown }): No
 export function influenceFromMap(inputs: WrinkleInputs, uv: Node<'vec2'>, instanced: boolean): Node<'vec4'> {
   const grid = follow<'vec3'>(inputs.grid)
   const inset = follow<'vec2'>(inputs.inset)
+  const reach = follow<'vec4'>(inputs.reach)
   const fade = follow<'float'>(inputs.fade)
   const layers = inputs.textures.layers.length
   return Fn(() => {
     const shares = vec4(0).toVar()
-    If(fade.greaterThan(0), () => {
+    const isReached = uv
+      .greaterThanEqual(reach.xy as never)
+      .all()
+      .and(uv.lessThanEqual(reach.zw as never).all())
+    If(fade.greaterThan(0).and(isReached as never), () => {
       const first = grid.z
       const index = instanced ? first.add(varying(float(instanceIndex))) : first
       const row = index.add(0.5).div(grid.x).floor().toVar()
