@@ -1,5 +1,6 @@
 import { loadFace } from '../stage/face.ts'
 import type { Case, Plan, RendererKind } from './case.ts'
+import { measureCrowd } from './crowd.ts'
 import { createDrawer } from './draw.ts'
 import { type Bench, measure } from './measure.ts'
 import type { Measured } from './report.ts'
@@ -10,6 +11,8 @@ export interface BenchPage {
   /** Sets the scene up; returns the adapter's name. */
   open(renderer: RendererKind, width: number, height: number): Promise<string>
   measure(shown: Case, plan: Plan): Promise<Measured[]>
+  /** Share of a crowd's frame that goes into influence maps, 0..1. */
+  measureCrowd(plan: Plan): Promise<number>
 }
 
 let bench: Bench
@@ -22,5 +25,6 @@ const page: BenchPage = {
     return drawer.adapter
   },
   measure: (shown, plan) => measure(bench, shown, plan),
+  measureCrowd: (plan) => measureCrowd(bench, plan),
 }
 Object.assign(globalThis, { bench: page })

@@ -1,6 +1,7 @@
 // Times wrinkles against a plain face: `npm run bench`, or `npm run bench -- --quick`. bench/README.md tells more.
 
-import { writeFile } from 'node:fs/promises'
+import { mkdir, writeFile } from 'node:fs/promises'
+import { join } from 'node:path'
 import { parseArgs } from 'node:util'
 import { measureCpu } from './cpu.mjs'
 import { openPage, serve } from './serve.mjs'
@@ -12,6 +13,7 @@ const { values: options } = parseArgs({
     json: { type: 'string' },
     size: { type: 'string', default: '800x600' },
     renderer: { type: 'string', multiple: true },
+    plot: { type: 'string' },
   },
 })
 
@@ -27,6 +29,7 @@ try {
 
 async function run() {
   const { listCases, PLANS, RENDERER_KINDS } = await server.ssrLoadModule('/bench/case.ts')
+  const { toPlot } = await server.ssrLoadModule('/bench/plot.ts')
   const { toResults, toTable } = await server.ssrLoadModule('/bench/report.ts')
   const { launchBrowser } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
   const { withBar } = await server.ssrLoadModule('/packages/cli/src/progress.ts')
@@ -35,6 +38,7 @@ async function run() {
   const cases = listCases(options.quick)
   const plan = options.quick ? PLANS.quick : PLANS.full
   const browser = await launchBrowser()
+  const crowds = []
   const results = await withBar('bench', async (progress) => {
     const found = []
     for (const [i, renderer] of renderers.entries()) {
@@ -49,19 +53,35 @@ async function run() {
         found.push(...toResults(shown, { width, height, renderer, adapter }, measured))
         progress(i * cases.length + k + 1, renderers.length * cases.length)
       }
+      crowds.push([renderer, await page.evaluate((plan) => globalThis.bench.measureCrowd(plan), plan)])
       await page.close()
     }
     return found
   }).finally(() => browser.close())
   if (options.json) await writeFile(options.json, `${JSON.stringify(results, null, 2)}\n`)
+  if (options.plot) await writePlots(options.plot, results, toPlot)
   const adapters = new Set(results.map(({ adapter }) => adapter))
   process.stdout.write(`${[...adapters].join('\n')}\n${toTable(results)}\n\n`)
+  for (const [renderer, share] of crowds) {
+    process.stdout.write(
+      `crowd: ${(100 * share).toFixed(1)}% of a frame with 1,000 faces on ${renderer} are influence maps\n`,
+    )
+  }
   const { targets, areas, microseconds, bytes } = measureCpu()
   process.stdout.write(
     `processor: ${microseconds.toFixed(1)} microseconds and ${bytes.toFixed(1)} bytes a frame, one face, ${targets} blendshapes that drive ${areas} areas\n`,
   )
   for (const [entry, { minified, gzipped }] of Object.entries(await measureSizes())) {
     process.stdout.write(`download: ${entry} ${kilo(gzipped)} gzipped, ${kilo(minified)} minified\n`)
+  }
+}
+
+/** One for each renderer. */
+async function writePlots(folder, results, toPlot) {
+  await mkdir(folder, { recursive: true })
+  for (const kind of new Set(results.map(({ renderer }) => renderer))) {
+    const own = results.filter(({ renderer }) => renderer === kind)
+    await writeFile(join(folder, `${kind}.svg`), toPlot(own))
   }
 }
 

@@ -4,5 +4,5 @@ import type { Variant } from '../variant.ts'
 /** Furrow as it is unless told otherwise: the influence map, light once. */
 export const variant: Variant = {
   canShow: () => true,
-  wear: (mesh, set, renderer) => wearFurrow(mesh, set, renderer, 'default'),
+  wear: (mesh, set, renderer) => wearFurrow(mesh, set, renderer, { mode: 'default' }),
 }

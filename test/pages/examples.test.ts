@@ -45,12 +45,27 @@ test('the page of the README has at most 25 lines', async () => {
   expect(page.trimEnd().split('\n').length).toBeLessThanOrEqual(25)
 })
 
-test.each(EXAMPLES)('%s shows a face whose forehead creases', async (name) => {
+/** Examples of one face. */
+const PORTRAITS = EXAMPLES.filter((name) => name !== 'crowd.html')
+
+test.each(PORTRAITS)('%s shows a face whose forehead creases', async (name) => {
   const wrinkled = await shoot(name, true)
   const smooth = await shoot(name, false)
   await keep(wrinkled, name)
   expect(contrast(wrinkled)).toBeGreaterThan(100)
   expect(largestDifference(wrinkled, smooth, FOREHEAD)).toBeGreaterThan(20)
+})
+
+test('crowd.html shows faces that wrinkle each by itself', async () => {
+  const wrinkled = await shoot('crowd.html?count=6', true)
+  const smooth = await shoot('crowd.html?count=6', false)
+  await keep(wrinkled, 'crowd.html')
+  expect(contrast(wrinkled)).toBeGreaterThan(100)
+  // Some of the six in their columns, of which four wrinkle at any time.
+  const columns = [0, 1, 2, 3].map((i) => ({ left: i / 4, top: 0, right: (i + 1) / 4, bottom: 1 }))
+  expect(
+    columns.filter((column) => largestDifference(wrinkled, smooth, column) > 20).length,
+  ).toBeGreaterThanOrEqual(2)
 })
 
 /** Takes the slope out of the wrinkles that a file carries. */

@@ -1,0 +1,93 @@
+import type { Result } from './report.ts'
+
+const SIZE = { width: 720, height: 400 }
+const MARGIN = { left: 56, right: 120, top: 44, bottom: 48 }
+/** Told apart without red and green (Okabe and Ito's palette). */
+const COLOURS: Record<string, string> = {
+  plain: '#999999',
+  furrow: '#0072b2',
+  composed: '#56b4e9',
+  jimenez: '#009e73',
+  o3de: '#e69f00',
+  paper: '#d55e00',
+}
+
+/**
+ * Frame times over the number of areas, as multiples of the plain face's, of one renderer: an SVG. Both axes are logarithmic.
+ *
+ * @param results of one renderer; those with one layer, and all areas active and moving, are drawn.
+ */
+export function toPlot(results: readonly Result[]): string {
+  const shown = results.filter(
+    ({ layers, still, areas, active }) => layers === 1 && !still && areas === active,
+  )
+  const counts = [...new Set(shown.map(({ areas }) => areas))].sort((a, b) => a - b)
+  const most = Math.max(1.2, ...shown.map(({ ratioToPlain }) => ratioToPlain)) * 1.05
+  const x = axis(counts[0], counts[counts.length - 1], MARGIN.left, SIZE.width - MARGIN.right)
+  const y = axis(0.9, most, SIZE.height - MARGIN.bottom, MARGIN.top)
+  const lines = [0.9, 1, 1.1, 1.2, 1.5, 2, 3, 5, 10, 20].filter((value) => value >= 0.9 && value <= most)
+  const [{ renderer, adapter, width, height }] = shown
+  return [
+    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${SIZE.width} ${SIZE.height}" font-family="sans-serif" font-size="12">`,
+    `<rect width="100%" height="100%" fill="#ffffff"/>`,
+    text(
+      MARGIN.left,
+      18,
+      `Frame time over that of the plain face, ${renderer}, ${width} x ${height}`,
+      'font-weight="bold"',
+    ),
+    text(MARGIN.left, 33, escape(adapter), 'fill="#666666" font-size="10"'),
+    ...lines.map((value) => grid(y(value), value)),
+    ...counts.map((count) =>
+      text(x(count), SIZE.height - MARGIN.bottom + 18, `${count}`, 'text-anchor="middle"'),
+    ),
+    text(
+      (MARGIN.left + SIZE.width - MARGIN.right) / 2,
+      SIZE.height - 12,
+      'areas, all moving',
+      'text-anchor="middle"',
+    ),
+    ...Object.keys(COLOURS).map((variant) => curve(variant, shown, x, y)),
+    '</svg>',
+    '',
+  ].join('\n')
+}
+
+function axis(least: number, most: number, from: number, to: number): (value: number) => number {
+  const span = Math.log(most / least) || 1
+  return (value) => from + ((to - from) * Math.log(value / least)) / span
+}
+
+function grid(y: number, value: number): string {
+  const [from, to] = [MARGIN.left, SIZE.width - MARGIN.right]
+  const line = `<line x1="${from}" x2="${to}" y1="${y.toFixed(1)}" y2="${y.toFixed(1)}" stroke="#e5e5e5"/>`
+  return line + text(from - 8, y + 4, `${value}`, 'text-anchor="end"')
+}
+
+function curve(
+  variant: string,
+  results: readonly Result[],
+  x: (value: number) => number,
+  y: (value: number) => number,
+): string {
+  const points = results
+    .filter((result) => result.variant === variant)
+    .sort((a, b) => a.areas - b.areas)
+    .map(({ areas, ratioToPlain }) => [x(areas), y(ratioToPlain)].map((value) => value.toFixed(1)))
+  if (points.length === 0) return ''
+  const colour = COLOURS[variant]
+  const [endX, endY] = points[points.length - 1].map(Number)
+  return [
+    `<polyline fill="none" stroke="${colour}" stroke-width="2" points="${points.map((point) => point.join()).join(' ')}"/>`,
+    ...points.map(([cx, cy]) => `<circle cx="${cx}" cy="${cy}" r="3" fill="${colour}"/>`),
+    text(endX + 8, endY + 4, variant, `fill="${colour}"`),
+  ].join('')
+}
+
+function text(x: number, y: number, words: string, attributes = ''): string {
+  return `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" ${attributes}>${words}</text>`
+}
+
+function escape(words: string): string {
+  return words.replaceAll('&', '&amp;').replaceAll('<', '&lt;')
+}
