@@ -36,7 +36,7 @@ export function toPlot(results: readonly Result[]): string {
       `Frame time over that of the plain face, ${renderer}, ${width} x ${height}`,
       'font-weight="bold"',
     ),
-    text(MARGIN.left, 33, escape(adapter), 'fill="#666666" font-size="10"'),
+    text(MARGIN.left, 33, escaped(adapter), 'fill="#666666" font-size="10"'),
     ...lines.map((value) => grid(y(value), value)),
     ...counts.map((count) =>
       text(x(count), SIZE.height - MARGIN.bottom + 18, `${count}`, 'text-anchor="middle"'),
@@ -88,6 +88,6 @@ function text(x: number, y: number, words: string, attributes = ''): string {
   return `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" ${attributes}>${words}</text>`
 }
 
-function escape(words: string): string {
+function escaped(words: string): string {
   return words.replaceAll('&', '&amp;').replaceAll('<', '&lt;')
 }
