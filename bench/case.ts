@@ -19,7 +19,7 @@ export interface Plan {
 }
 
 export const PLANS = {
-  full: { rounds: 5, frames: 2 },
+  full: { rounds: 7, frames: 1 },
   quick: { rounds: 5, frames: 1 },
 } as const satisfies Record<string, Plan>
 
@@ -39,7 +39,8 @@ export function listCases(quick: boolean): Case[] {
 
 /** An area's activation in a frame, 0..1: waves out of step with each other, so that no two areas move alike. */
 export function activationOf(area: number, frame: number, { areas, active, still }: Case): number {
+  // The middle one of as many: where areas are strips of others, the outer ones hardly show.
   const every = areas / active
-  if (area % every !== 0) return 0
+  if (area % every !== Math.floor(every / 2)) return 0
   return 0.5 + 0.5 * Math.sin((still ? 0 : frame) * 0.37 + area * 2.4)
 }

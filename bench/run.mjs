@@ -71,8 +71,8 @@ async function run() {
   process.stdout.write(
     `processor: ${microseconds.toFixed(1)} microseconds and ${bytes.toFixed(1)} bytes a frame, one face, ${targets} blendshapes that drive ${areas} areas\n`,
   )
-  for (const [entry, { minified, gzipped }] of Object.entries(await measureSizes())) {
-    process.stdout.write(`download: ${entry} ${kilo(gzipped)} gzipped, ${kilo(minified)} minified\n`)
+  for (const { page, gzipped } of await measureSizes()) {
+    process.stdout.write(`download: ${page}: ${kilo(gzipped)} gzipped\n`)
   }
 }
 

@@ -1,35 +1,44 @@
-// What a page downloads of the library: each renderer's entry with all that it exports, minified and gzipped; three.js and the
-// user's own code apart.
+// What a page downloads of the library, minified and gzipped; three.js and the user's own code apart.
 
-import { fileURLToPath } from 'node:url'
 import { gzipSync } from 'node:zlib'
 import { build } from 'vite'
 import { ROOT } from './serve.mjs'
 
-/** Bytes by entry. */
+/** Pages, by what they import. */
+const PAGES = {
+  'the loader, furrow/three': "export { WrinkleLoaderPlugin } from 'furrow/three'",
+  'the loader, furrow/webgpu': "export { WrinkleLoaderPlugin } from 'furrow/webgpu'",
+  'all of furrow/three': "export * from 'furrow/three'",
+  'all of furrow/webgpu': "export * from 'furrow/webgpu'",
+}
+
+const PAGE = 'virtual:page'
+
+/** Bytes by page. */
 export async function measureSizes() {
-  const sizes = {}
-  for (const entry of ['three', 'webgpu']) {
+  const sizes = []
+  for (const [page, code] of Object.entries(PAGES)) {
     const { output } = await build({
       root: ROOT,
       configFile: false,
       logLevel: 'silent',
+      plugins: [virtualPage(code)],
       build: {
         write: false,
         minify: true,
         // Not as a library: of those Vite leaves the spaces.
-        rolldownOptions: {
-          input: fileURLToPath(import.meta.resolve(`furrow/${entry}`)),
-          external: /^three(\/|$)/,
-          preserveEntrySignatures: 'strict',
-        },
+        rolldownOptions: { input: PAGE, external: /^three(\/|$)/, preserveEntrySignatures: 'strict' },
       },
     })
-    const code = output.map((chunk) => chunk.code ?? '').join('')
-    sizes[`furrow/${entry}`] = {
-      minified: Buffer.byteLength(code),
-      gzipped: gzipSync(code, { level: 9 }).length,
-    }
+    sizes.push({ page, gzipped: gzipSync(output[0].code, { level: 9 }).length })
   }
   return sizes
+}
+
+function virtualPage(code) {
+  return {
+    name: 'virtual-page',
+    resolveId: (id) => (id === PAGE ? `${ROOT}bench/${PAGE}.js` : undefined),
+    load: (id) => (id.endsWith(`${PAGE}.js`) ? code : undefined),
+  }
 }
