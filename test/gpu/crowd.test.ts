@@ -1,5 +1,6 @@
 import type { WrinkleSet } from 'furrow'
 import {
+  BatchedMesh,
   BufferAttribute,
   DirectionalLight,
   InstancedMesh,
@@ -111,6 +112,26 @@ describe.each(RENDERERS)('a crowd on %s', (name) => {
     const picture = await draw(sceneOf(instances))
     for (const i of PLACES.keys()) expect(quarter(picture, i), `instance ${i}`).toEqual(expected[i])
     wrinkles.dispose()
+  })
+
+  it('wrinkles each instance of a batch by itself, in whatever order they are drawn', async () => {
+    const expected = await alone()
+    const batch = new BatchedMesh(6, 4, 6, new MeshStandardMaterial({ roughness: 0.5 }))
+    const quad = batch.addGeometry(face([0, 0]).geometry)
+    // Two that are not shown shift the order of those that are.
+    const ids = Array.from({ length: 6 }, () => batch.addInstance(quad))
+    batch.setVisibleAt(ids[0], false)
+    batch.setVisibleAt(ids[3], false)
+    const shown = [ids[5], ids[1], ids[4], ids[2]]
+    for (const [i, [x, y]] of PLACES.entries()) {
+      batch.setMatrixAt(shown[i], new Matrix4().makeScale(0.5, 0.5, 1).setPosition(x, y, 0))
+    }
+    const wrinkles = wear(batch)
+    for (const [i, values] of ACTIVATIONS.entries()) move(wrinkles, values, shown[i])
+    const picture = await draw(sceneOf(batch))
+    for (const i of PLACES.keys()) expect(quarter(picture, i), `instance ${i}`).toEqual(expected[i])
+    wrinkles.dispose()
+    batch.dispose()
   })
 
   it('shares the textures of other wrinkles, and keeps them until the last is gone', async () => {

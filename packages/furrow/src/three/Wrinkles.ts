@@ -1,5 +1,4 @@
-import type { Camera, InstancedMesh, Material, Mesh, MeshStandardMaterial, Texture } from 'three'
-import { DEFAULT_AREA_SIZE } from '../core/limits.ts'
+import type { Camera, Material, Mesh, Texture } from 'three'
 import type { Area, ArraySlice, WrinkleSet } from '../core/types.ts'
 import { checkArea, checkWrinkleSet } from '../core/wrinkle-set.ts'
 import { ActivationTable } from './activation-table.ts'
@@ -9,66 +8,15 @@ import { checkMaterial, checkMesh, checkNotInstanced } from './check-mesh.ts'
 import { ComposedMap } from './composed-map.ts'
 import { Face } from './face.ts'
 import type { AnyRenderer, Cell, InfluenceAtlas } from './influence-atlas.ts'
-import type { QuadMaterials } from './influence-pass.ts'
 import { createInputs, placeCells, type WrinkleInputs } from './inputs.ts'
+import { countFaces, instancesOf } from './instances.ts'
+import { WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from './options.ts'
 import { packPaperArray } from './paper-array.ts'
+import type { RendererParts, WrinkleMaterial } from './renderer-parts.ts'
 import { release, retain } from './shared.ts'
 import { sizeOnScreen } from './size-on-screen.ts'
 import { flatNormalTexture } from './textures.ts'
 import { createTextures, listTextures } from './wrinkle-textures.ts'
-
-/**
- * `default` mixes normals and lights once; `paper` lights twice and mixes colours; `composed` writes the normals into a map
- * that the material then shows as its own; `off` shows none.
- */
-export type WrinkleMode = 'default' | 'paper' | 'composed' | 'off'
-
-export interface WrinklesOptions {
-  /** `default` unless told. */
-  mode?: WrinkleMode
-  /** Side of the common grid of the areas in texels, 128 unless told. */
-  areaSize?: number
-  /**
-   * Size of the mesh on screen in pixels from which on wrinkles show in full. Below it they fade, and from half
-   * of it on they cost nothing. 0 unless told: they never fade.
-   */
-  fadeBelow?: number
-}
-
-export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = {
-  mode: 'default',
-  areaSize: DEFAULT_AREA_SIZE,
-  fadeBelow: 0,
-}
-
-/** A material with normals to wrinkle: standard, physical, Phong, Lambert, Toon or MatCap. */
-export type WrinkleMaterial = Material &
-  Pick<MeshStandardMaterial, 'normalMap' | 'normalMapType' | 'normalScale'>
-
-/** What a renderer's class adds. */
-export interface RendererParts {
-  /** Makes a material show wrinkles, and returns what takes that back; `needsUpdate` is set by the caller. */
-  patch(
-    material: WrinkleMaterial,
-    inputs: WrinkleInputs,
-    mode: 'default' | 'paper',
-    instanced: boolean,
-  ): () => void
-  /** A material of `Quads` that writes the material's own normal map with the wrinkles in it. */
-  composeMaterial(base: Texture, inputs: WrinkleInputs): Material
-  /**
-   * A material that shows the influence of another's wrinkles as gray: that of the map, or that of a table of
-   * its own.
-   */
-  influenceMaterial(
-    material: WrinkleMaterial,
-    inputs: WrinkleInputs,
-    table: ActivationTable | null,
-    instanced: boolean,
-  ): Material
-  /** What draws influence maps. */
-  quads: QuadMaterials
-}
 
 const owners = new WeakMap<Material, WrinklesBase>()
 const wearers = new WeakMap<Mesh, WrinklesBase>()
@@ -79,7 +27,7 @@ export function wrinklesOf(mesh: Mesh): WrinklesBase | undefined {
 }
 
 /**
- * Wrinkles on one mesh, or on each instance of an `InstancedMesh`; each renderer's class adds its way to patch. The
+ * Wrinkles on one mesh, or on each instance of an `InstancedMesh` or `BatchedMesh`; each renderer's class adds its way to patch. The
  * material stays the user's own: morphs, skinning, shadows, environment and `normalScale` keep working, and
  * `dispose` gives it back as it was.
  */
@@ -134,9 +82,8 @@ export abstract class WrinklesBase {
       shared?.inputs.textures ?? createTextures(set.layers, this.#material.normalMap?.anisotropy ?? 1)
     this.#areas = [...set.areas]
     this.#atlas = sharedAtlas(renderer.quads, areas.width, areas.height, set.layers.length)
-    const count = this.#isInstanced ? (mesh as InstancedMesh).count : 1
     this.#faces = Array.from(
-      { length: count },
+      { length: countFaces(mesh) },
       (_, instance) => new Face(areas, this.#areas, () => this.#drive(instance)),
     )
     this.#cells = this.#atlas.add(this.#faces)
@@ -186,7 +133,7 @@ export abstract class WrinklesBase {
 
   /**
    * @param value 0..1; clamped with one warning.
-   * @param instance of an `InstancedMesh`; 0 unless told.
+   * @param instance of an `InstancedMesh` or `BatchedMesh`; 0 unless told.
    * @throws FurrowError when no area has that name.
    */
   setActivation(area: string, value: number, instance = 0): void {
@@ -313,17 +260,13 @@ export abstract class WrinklesBase {
   }
 
   #influenceMaterial(table: ActivationTable | null): Material {
-    return this.#renderer.influenceMaterial(this.#material, this.#inputs, table, this.#isInstanced)
+    return this.#renderer.influenceMaterial(this.#material, this.#inputs, table, instancesOf(this.mesh))
   }
 
   /** What other meshes may show too. */
   #shared() {
     const set = { layers: [...this.#inputs.textures.layers], areas: this.#areas }
     return { set, inputs: this.#inputs, options: this.#options }
-  }
-
-  get #isInstanced(): boolean {
-    return (this.mesh as InstancedMesh).isInstancedMesh === true
   }
 
   #patch(mode: WrinkleMode): void {
@@ -335,7 +278,7 @@ export abstract class WrinklesBase {
   #patched(mode: WrinkleMode): () => void {
     if (mode === 'off') return () => {}
     if (mode === 'composed') return this.#compose()
-    return this.#renderer.patch(this.#material, this.#inputs, mode, this.#isInstanced)
+    return this.#renderer.patch(this.#material, this.#inputs, mode, instancesOf(this.mesh))
   }
 
   /** Puts the composed map in the place of the material's own. */
@@ -375,7 +318,7 @@ export abstract class WrinklesBase {
 
   #fadeOf(renderer: AnyRenderer, camera: Camera, mesh: Mesh): number {
     const { fadeBelow } = this.#options
-    if (fadeBelow === 0 || this.#isInstanced) return 1
+    if (fadeBelow === 0 || instancesOf(this.mesh)) return 1
     return Math.min(1, Math.max(0, (2 * sizeOnScreen(mesh, camera, renderer)) / fadeBelow - 1))
   }
 

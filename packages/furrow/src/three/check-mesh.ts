@@ -1,6 +1,7 @@
-import { type InstancedMesh, type Material, type Mesh, ObjectSpaceNormalMap } from 'three'
+import { type Material, type Mesh, ObjectSpaceNormalMap } from 'three'
 import { FurrowError } from '../core/error.ts'
-import type { WrinkleMaterial } from './Wrinkles.ts'
+import { instancesOf } from './instances.ts'
+import type { WrinkleMaterial } from './renderer-parts.ts'
 
 /** Checks that a mesh has what wrinkles need: positions, normals and UVs. */
 export function checkMesh(mesh: Mesh): void {
@@ -22,7 +23,7 @@ export function checkMesh(mesh: Mesh): void {
 
 /** Checks that a mesh has one normal map to compose: instances share it. */
 export function checkNotInstanced(mesh: Mesh): void {
-  if (!(mesh as Partial<InstancedMesh>).isInstancedMesh) return
+  if (!instancesOf(mesh)) return
   throw new FurrowError({
     who: 'Wrinkles',
     what: 'composed mode on instances, which share a normal map',

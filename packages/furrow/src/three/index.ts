@@ -3,11 +3,6 @@ export { decodeImage, toGray } from './decode-image.ts'
 export { driveByMorphs } from './drive.ts'
 export { ExpressionPlayer } from './ExpressionPlayer.ts'
 export { loadWrinkleSet } from './load-wrinkle-set.ts'
+export { WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from './options.ts'
 export { type LoadedWrinkles, readWrinkleMaps } from './read-wrinkle-maps.ts'
-export {
-  WRINKLES_DEFAULTS,
-  type WrinkleMode,
-  type WrinklesBase,
-  type WrinklesOptions,
-  wrinklesOf,
-} from './Wrinkles.ts'
+export { type WrinklesBase, wrinklesOf } from './Wrinkles.ts'

@@ -1,6 +1,8 @@
 import type { Mesh, WebGLProgramParametersWithUniforms, WebGLRenderer } from 'three'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
-import { type RendererParts, WrinklesBase, type WrinklesOptions } from '../three/Wrinkles.ts'
+import type { WrinklesOptions } from '../three/options.ts'
+import type { RendererParts } from '../three/renderer-parts.ts'
+import { WrinklesBase } from '../three/Wrinkles.ts'
 import type { WrinkleTextures } from '../three/wrinkle-textures.ts'
 import { composeMaterial } from './compose-material.ts'
 import { influenceMaterial } from './influence-material.ts'
@@ -12,7 +14,7 @@ import { areaUniforms, layerUniforms, mapUniforms } from './uniforms.ts'
 export class Wrinkles extends WrinklesBase {
   /**
    * @param mesh needs UVs and normals and a material of its own that is lit; each instance of an `InstancedMesh`
-   *   wrinkles by itself.
+   *   or `BatchedMesh` wrinkles by itself.
    * @param source a set, copied: later changes to it are not seen, use `addArea` and `removeArea`. Or the wrinkles
    *   of another mesh, which are then shown here too, at rest, from the same textures.
    * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then untouched.
@@ -23,7 +25,7 @@ export class Wrinkles extends WrinklesBase {
 }
 
 /** A small patch of the material's own GLSL, chained after the user's `onBeforeCompile`, if any. */
-const patch: RendererParts['patch'] = (material, inputs, mode, instanced) => {
+const patch: RendererParts['patch'] = (material, inputs, mode, instances) => {
   const { onBeforeCompile, customProgramCacheKey } = material
   const own = { onBeforeCompile, customProgramCacheKey }
   const { paper, textures, areas } = inputs
@@ -33,7 +35,7 @@ const patch: RendererParts['patch'] = (material, inputs, mode, instanced) => {
     kinds,
     normals: normals.slices,
     values: shapesOf(values),
-    instanced,
+    instances,
     anisotropic,
   }
   const inPaper = mode === 'paper' && paper
@@ -47,7 +49,7 @@ const patch: RendererParts['patch'] = (material, inputs, mode, instanced) => {
       shader.fragmentShader = paperFragment(shader.fragmentShader, areas.channels, inPaper.diffuseIsSrgb)
       return
     }
-    if (instanced) shader.vertexShader = instancedVertex(shader.vertexShader)
+    if (instances) shader.vertexShader = instancedVertex(shader.vertexShader, instances)
     shader.fragmentShader = defaultFragment(shader.fragmentShader, shape)
   }
   const variant = inPaper ? `paper ${areas.channels} ${inPaper.diffuseIsSrgb}` : JSON.stringify(shape)

@@ -3,10 +3,10 @@
  * what it leaves is read by all the rest. Maps of layers are sampled by gradients taken here, since they are sampled
  * inside branches, where neighbouring pixels part ways.
  *
- * @param anisotropic whether the maps' samplers are: only then are the gradients themselves needed, which cost more than the
+ * @param isAnisotropic whether the maps' samplers are: only then are the gradients themselves needed, which cost more than the
  *   level they come to.
  */
-export function influenceFromMap(layers: number, instanced: boolean, anisotropic: boolean): string {
+export function influenceFromMap(layers: number, isInstanced: boolean, isAnisotropic: boolean): string {
   const channels = Array.from({ length: 4 }, (_, i) => (i < layers ? `shares[${i}]` : '0.0'))
   return /* glsl */ `
 uniform highp sampler2D furrowInfluence;
@@ -14,7 +14,7 @@ uniform vec3 furrowGrid;
 uniform vec2 furrowInset;
 uniform vec4 furrowReach;
 uniform float furrowFade;
-${instanced ? 'flat in float vFurrowInstance;' : 'const float vFurrowInstance = 0.0;'}
+${isInstanced ? 'flat in float vFurrowInstance;' : 'const float vFurrowInstance = 0.0;'}
 vec4 furrowShares = vec4(0.0);
 bool furrowShows = false;
 vec2 furrowUv;
@@ -36,7 +36,7 @@ void furrowBegin(vec2 uv) {
 }
 
 vec4 furrowMap(highp sampler2DArray maps, float slice) {
-  ${anisotropic ? GRADIENTS : LEVEL}
+  ${isAnisotropic ? GRADIENTS : LEVEL}
 }
 `
 }

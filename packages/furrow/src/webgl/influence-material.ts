@@ -1,5 +1,5 @@
 import { type IUniform, MeshBasicMaterial } from 'three'
-import type { RendererParts } from '../three/Wrinkles.ts'
+import type { RendererParts } from '../three/renderer-parts.ts'
 import { areasFragment, instancedVertex, mapFragment } from './shader.ts'
 import { areaUniforms, mapUniforms } from './uniforms.ts'
 
@@ -8,7 +8,7 @@ export const influenceMaterial: RendererParts['influenceMaterial'] = (
   { normalMap },
   inputs,
   table,
-  instanced,
+  instances,
 ) => {
   const layers = inputs.textures.layers.length
   const { channels } = inputs.areas
@@ -17,12 +17,12 @@ export const influenceMaterial: RendererParts['influenceMaterial'] = (
   const uniforms: Record<string, IUniform> = table ? areaUniforms(inputs, table) : mapUniforms(inputs)
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, uniforms)
-    if (!table && instanced) shader.vertexShader = instancedVertex(shader.vertexShader)
+    if (!table && instances) shader.vertexShader = instancedVertex(shader.vertexShader, instances)
     shader.fragmentShader = table
       ? areasFragment(shader.fragmentShader, channels)
-      : mapFragment(shader.fragmentShader, layers, instanced)
+      : mapFragment(shader.fragmentShader, layers, instances !== null)
   }
-  const variant = table ? `areas ${channels}` : `map ${layers} ${instanced}`
+  const variant = table ? `areas ${channels}` : `map ${layers} ${instances}`
   material.customProgramCacheKey = () => `furrow influence ${variant}`
   return material
 }

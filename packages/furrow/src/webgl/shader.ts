@@ -1,6 +1,7 @@
 import { ShaderChunk } from 'three'
 import { FurrowError } from '../core/error.ts'
 import type { LayerKind } from '../core/types.ts'
+import type { Instances } from '../three/instances.ts'
 import type { ValueKind } from '../three/wrinkle-textures.ts'
 import { influenceFromAreas, influenceFromMap } from './influence-glsl.ts'
 
@@ -11,7 +12,7 @@ export interface ShaderShape {
   normals: readonly (number | null)[]
   /** Slice and channel of each layer's other maps; null for a layer without. */
   values: Readonly<Partial<Record<ValueKind, { slices: readonly (number | null)[]; channel: number }>>>
-  instanced: boolean
+  instances: Instances
   /** Whether the layers' maps are sampled with anisotropy. */
   anisotropic: boolean
 }
@@ -22,7 +23,7 @@ export interface ShaderShape {
  */
 export function defaultFragment(fragment: string, shape: ShaderShape): string {
   const declared =
-    influenceFromMap(shape.kinds.length, shape.instanced, shape.anisotropic) + normalMixing(shape)
+    influenceFromMap(shape.kinds.length, shape.instances !== null, shape.anisotropic) + normalMixing(shape)
   const maps = edit(
     ShaderChunk.normal_fragment_maps,
     'mapN.xy *= normalScale;',
@@ -53,12 +54,14 @@ void main() {
 `
 }
 
-/** Tells the fragments of an instanced mesh which instance they belong to. */
-export function instancedVertex(vertex: string): string {
+/** Tells the fragments of a mesh with instances which one they belong to. */
+export function instancedVertex(vertex: string, instances: 'instanced' | 'batched'): string {
+  // A batch draws what it shows in an order of its own.
+  const index = instances === 'instanced' ? 'float(gl_InstanceID)' : 'getIndirectIndex(gl_DrawID)'
   return edit(
     vertex,
     'void main() {',
-    'flat out float vFurrowInstance;\nvoid main() {\n\tvFurrowInstance = float(gl_InstanceID);',
+    `flat out float vFurrowInstance;\nvoid main() {\n\tvFurrowInstance = ${index};`,
   )
 }
 
@@ -220,11 +223,11 @@ export function paperFragment(fragment: string, channels: 1 | 4, diffuseIsSrgb: 
 const LARGEST = 'diffuseColor.rgb = vec3(max(max(shares.x, shares.y), max(shares.z, shares.w)));'
 
 /** Makes an unlit material show the largest influence of any layer as gray, from the map. */
-export function mapFragment(fragment: string, layers: number, instanced: boolean): string {
+export function mapFragment(fragment: string, layers: number, isInstanced: boolean): string {
   const declared = edit(
     fragment,
     'void main() {',
-    `${influenceFromMap(layers, instanced, false)}\nvoid main() {\n\tfurrowBegin(vMapUv);`,
+    `${influenceFromMap(layers, isInstanced, false)}\nvoid main() {\n\tfurrowBegin(vMapUv);`,
   )
   return edit(declared, '#include <map_fragment>', `vec4 shares = furrowShares;\n\t${LARGEST}`)
 }

@@ -17,13 +17,10 @@ import {
 import type { MeshStandardNodeMaterial, Node, NodeBuilder, NodeMaterial } from 'three/webgpu'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import type { WrinkleInputs } from '../three/inputs.ts'
+import type { WrinklesOptions } from '../three/options.ts'
 import type { PaperArray } from '../three/paper-array.ts'
-import {
-  type RendererParts,
-  type WrinkleMaterial,
-  WrinklesBase,
-  type WrinklesOptions,
-} from '../three/Wrinkles.ts'
+import type { RendererParts, WrinkleMaterial } from '../three/renderer-parts.ts'
+import { WrinklesBase } from '../three/Wrinkles.ts'
 import { composeMaterial } from './compose-material.ts'
 import { influenceFromAreas, influenceFromMap, mapUv } from './influence.ts'
 import { influenceMaterial } from './influence-material.ts'
@@ -34,7 +31,7 @@ import { mixNormals, mixValues, type Shares } from './mix.ts'
 export class Wrinkles extends WrinklesBase {
   /**
    * @param mesh needs UVs and normals and a material of its own that is lit: a node material or a plain one; each
-   *   instance of an `InstancedMesh` wrinkles by itself.
+   *   instance of an `InstancedMesh` or `BatchedMesh` wrinkles by itself.
    * @param source a set, copied: later changes to it are not seen, use `addArea` and `removeArea`. Or the wrinkles
    *   of another mesh, which are then shown here too, at rest, from the same textures.
    * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then untouched.
@@ -59,7 +56,7 @@ type Patched = WrinkleMaterial &
 
 let patches = 0
 
-const patch: RendererParts['patch'] = (material: Patched, inputs, mode, instanced) => {
+const patch: RendererParts['patch'] = (material: Patched, inputs, mode, instances) => {
   const own = Object.fromEntries(
     PATCHED.filter((key) => Object.hasOwn(material, key)).map((key) => [key, material[key]]),
   )
@@ -67,7 +64,7 @@ const patch: RendererParts['patch'] = (material: Patched, inputs, mode, instance
   const added =
     mode === 'paper'
       ? paper(inputs.paper!, place, influenceFromAreas(inputs, inputs.paper!.table, place))
-      : layers(material, inputs, { influence: influenceFromMap(inputs, place, instanced), uv: place })
+      : layers(material, inputs, { influence: influenceFromMap(inputs, place, instances), uv: place })
   Object.assign(material, added)
   // The renderer shares one built program among plain materials with equal properties, and nodes are not
   // among those it compares; these read textures of their own.

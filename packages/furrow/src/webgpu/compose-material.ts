@@ -1,7 +1,7 @@
 import { DoubleSide, NoBlending } from 'three'
 import { int, texture, varying, vec4 } from 'three/tsl'
 import { type Node, NodeMaterial } from 'three/webgpu'
-import type { RendererParts } from '../three/Wrinkles.ts'
+import type { RendererParts } from '../three/renderer-parts.ts'
 import { influenceFromMap } from './influence.ts'
 import { quadCorner, quadPlace } from './influence-quads.ts'
 import { mixNormals } from './mix.ts'
@@ -10,7 +10,7 @@ import { mixNormals } from './mix.ts'
 export const composeMaterial: RendererParts['composeMaterial'] = (base, inputs) => {
   const uv = varying(quadPlace()) as Node<'vec2'>
   const own = texture(base, uv).level(int(0)).xyz as Node<'vec3'>
-  const mixed = mixNormals(own, inputs, { influence: influenceFromMap(inputs, uv, false), uv })
+  const mixed = mixNormals(own, inputs, { influence: influenceFromMap(inputs, uv, null), uv })
   const material = new NodeMaterial()
   material.name = 'furrow composed'
   material.vertexNode = quadCorner()

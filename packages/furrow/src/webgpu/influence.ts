@@ -1,6 +1,7 @@
 /** How much of each layer shows at a point, in TSL; the same formulas as the GLSL of `webgl/`. */
-import { Matrix3 } from 'three'
+import { Matrix3, type Texture } from 'three'
 import {
+  drawIndex,
   Fn,
   float,
   If,
@@ -23,8 +24,9 @@ import {
 import type { Node } from 'three/webgpu'
 import type { ActivationTable } from '../three/activation-table.ts'
 import type { WrinkleInputs } from '../three/inputs.ts'
+import type { Instances } from '../three/instances.ts'
+import type { WrinkleMaterial } from '../three/renderer-parts.ts'
 import type { ArrayTexture } from '../three/texture-arrays.ts'
-import type { WrinkleMaterial } from '../three/Wrinkles.ts'
 
 /** A uniform that follows what an input's `value` is when an object is drawn. */
 export function follow<T extends string>(input: { readonly value: unknown }): Node<T> {
@@ -34,10 +36,14 @@ export function follow<T extends string>(input: { readonly value: unknown }): No
 /**
  * From the atlas of influence maps: one sample, however many areas there are.
  *
- * @param instanced whether each instance of the mesh has a cell of its own.
+ * @param instances of the mesh, each of which has a cell of its own.
  * @returns influence of layers 0..3 in x, y, z, w, each 0..1.
  */
-export function influenceFromMap(inputs: WrinkleInputs, uv: Node<'vec2'>, instanced: boolean): Node<'vec4'> {
+export function influenceFromMap(
+  inputs: WrinkleInputs,
+  uv: Node<'vec2'>,
+  instances: Instances,
+): Node<'vec4'> {
   const grid = follow<'vec3'>(inputs.grid)
   const inset = follow<'vec2'>(inputs.inset)
   const reach = follow<'vec4'>(inputs.reach)
@@ -51,7 +57,7 @@ export function influenceFromMap(inputs: WrinkleInputs, uv: Node<'vec2'>, instan
       .and(uv.lessThanEqual(reach.zw as never).all())
     If(fade.greaterThan(0).and(isReached as never), () => {
       const first = grid.z
-      const index = instanced ? first.add(varying(float(instanceIndex))) : first
+      const index = instances ? first.add(varying(instanceOf(instances))) : first
       const row = index.add(0.5).div(grid.x).floor().toVar()
       const corner = vec2(index.sub(row.mul(grid.x)) as Node<'float'>, row)
       const inside = uv.clamp(inset, inset.oneMinus()) as Node<'vec2'>
@@ -65,6 +71,26 @@ export function influenceFromMap(inputs: WrinkleInputs, uv: Node<'vec2'>, instan
     })
     return shares
   })() as unknown as Node<'vec4'>
+}
+
+/** Number of the instance that is drawn. A batch draws what it shows in an order of its own, which is in a texture. */
+function instanceOf(instances: 'instanced' | 'batched'): Node<'float'> {
+  if (instances === 'instanced') return float(instanceIndex) as unknown as Node<'float'>
+  return (Fn as unknown as FnOfBuilder)((_, builder) => {
+    const drawn = int((builder.getDrawIndex() === null ? instanceIndex : drawIndex) as never)
+    const order = builder.object._indirectTexture
+    const { width } = order.image as { width: number }
+    const place = ivec2(drawn.mod(int(width)) as never, drawn.div(int(width)) as never)
+    return float(textureLoad(order, place).x as never)
+  })() as Node<'float'>
+}
+
+/** What the types leave out. */
+type FnOfBuilder = (build: (inputs: unknown, builder: Builder) => unknown) => () => unknown
+
+interface Builder {
+  object: { _indirectTexture: Texture }
+  getDrawIndex(): string | null
 }
 
 /**
