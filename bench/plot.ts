@@ -27,15 +27,12 @@ export function toPlot(results: readonly Result[]): string {
   const y = axis(0.9, most, SIZE.height - MARGIN.bottom, MARGIN.top)
   const lines = [0.9, 1, 1.1, 1.2, 1.5, 2, 3, 5, 10, 20].filter((value) => value >= 0.9 && value <= most)
   const [{ renderer, adapter, width, height }] = shown
+  const title = `Frame time over that of the plain face, ${renderer}, ${width} x ${height}`
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${SIZE.width} ${SIZE.height}" font-family="sans-serif" font-size="12">`,
+    `<title>${title}</title>`,
     `<rect width="100%" height="100%" fill="#ffffff"/>`,
-    text(
-      MARGIN.left,
-      18,
-      `Frame time over that of the plain face, ${renderer}, ${width} x ${height}`,
-      'font-weight="bold"',
-    ),
+    text(MARGIN.left, 18, title, 'font-weight="bold"'),
     text(MARGIN.left, 33, escaped(adapter), 'fill="#666666" font-size="10"'),
     ...lines.map((value) => grid(y(value), value)),
     ...counts.map((count) =>

@@ -13,6 +13,8 @@ import { type AnyRenderer, hasMoved } from './influence-atlas.ts'
 import type { QuadMaterials } from './influence-pass.ts'
 import { Quads } from './quads.ts'
 
+const WHOLE: Slot = { layer: 0, combine: 'sum', slice: 0, channel: 0, bounds: { x0: 0, y0: 0, x1: 1, y1: 1 } }
+
 /**
  * A face's normal map with its wrinkles in it, drawn in the map's own space: for materials whose shader cannot be patched,
  * and for faces that seldom move, which then cost what a plain face costs.
@@ -26,6 +28,7 @@ export class ComposedMap {
   #renderer: AnyRenderer | null = null
   #areas: AreaArray | null = null
   #slots: Slot[] = []
+  readonly #span: Slot = { ...WHOLE, bounds: { ...WHOLE.bounds } }
   #drawn = new Float32Array(0)
 
   /**
@@ -62,8 +65,8 @@ export class ComposedMap {
   /** Draws where areas moved since the last time; the influence map must be up to date. */
   update(renderer: AnyRenderer, areas: AreaArray, values: Float32Array): void {
     this.#quads.begin()
-    if (this.#isLost(renderer) || areas !== this.#areas) this.#drawAll(areas, values)
-    else for (let i = 0; i < this.#slots.length; i++) this.#drawMoved(i, values[i])
+    if (this.#isLost(renderer) || areas !== this.#areas) this.#takeAll(areas, values)
+    else this.#takeMoved(values)
     this.#quads.end()
     if (this.#quads.mesh.visible) drawAside(renderer, this.target, this.#scene, this.#camera)
   }
@@ -79,21 +82,37 @@ export class ComposedMap {
     return lost
   }
 
-  #drawAll(areas: AreaArray, values: Float32Array): void {
+  #takeAll(areas: AreaArray, values: Float32Array): void {
     this.#areas = areas
     this.#slots = areas.slots.map((slot) => reached(slot, areas))
     this.#drawn = values.slice(0, areas.slots.length)
     this.#quads.put(0, 0, WHOLE, 0)
   }
 
-  #drawMoved(area: number, value: number): void {
-    if (!hasMoved(value, this.#drawn[area])) return
-    this.#drawn[area] = value
-    this.#quads.put(0, 0, this.#slots[area], 0)
+  /** The parts that moved one by one, or all that they span where that is less, since they overlap. */
+  #takeMoved(values: Float32Array): void {
+    const { bounds } = this.#span
+    bounds.x0 = bounds.y0 = 1
+    bounds.x1 = bounds.y1 = 0
+    let sum = 0
+    for (let i = 0; i < this.#slots.length; i++) {
+      if (!hasMoved(values[i], this.#drawn[i])) continue
+      const { x0, y0, x1, y1 } = this.#slots[i].bounds
+      bounds.x0 = Math.min(bounds.x0, x0)
+      bounds.y0 = Math.min(bounds.y0, y0)
+      bounds.x1 = Math.max(bounds.x1, x1)
+      bounds.y1 = Math.max(bounds.y1, y1)
+      sum += (x1 - x0) * (y1 - y0)
+    }
+    const spansLess = (bounds.x1 - bounds.x0) * (bounds.y1 - bounds.y0) < sum
+    for (let i = 0; i < this.#slots.length; i++) {
+      if (!hasMoved(values[i], this.#drawn[i])) continue
+      this.#drawn[i] = values[i]
+      if (!spansLess) this.#quads.put(0, 0, this.#slots[i], 0)
+    }
+    if (spansLess) this.#quads.put(0, 0, this.#span, 0)
   }
 }
-
-const WHOLE: Slot = { layer: 0, combine: 'sum', slice: 0, channel: 0, bounds: { x0: 0, y0: 0, x1: 1, y1: 1 } }
 
 /** The part of the map, 0..1, that an area reaches: filtered, its outermost texels reach to the middle of the next ones. */
 function reached(slot: Slot, { width, height }: AreaArray): Slot {
