@@ -17,7 +17,7 @@ const ROUNDS = 15
 const FRAMES = 20_000
 
 /** Medians over rounds: microseconds and bytes for each frame. */
-export function measureCpu() {
+export function measureCpu(median) {
   const frame = movingFace()
   for (let i = 0; i < 3 * FRAMES; i++) frame(i)
   const rounds = Array.from({ length: ROUNDS }, (_, round) => {
@@ -31,7 +31,6 @@ export function measureCpu() {
       bytes: (process.memoryUsage().heapUsed - used) / FRAMES,
     }
   })
-  const median = (values) => values.sort((a, b) => a - b)[Math.floor(ROUNDS / 2)]
   return {
     targets: TARGETS,
     areas: AREAS,

@@ -1,10 +1,9 @@
 /** What the variants of others share: another way to the normal, in GLSL for one renderer and in TSL for the other. */
-import type { GrayImage, WrinkleSet } from 'furrow'
+import { type GrayImage, packColours, type WrinkleSet } from 'furrow'
 import {
-  DataArrayTexture,
+  type DataArrayTexture,
   DataTexture,
   LinearFilter,
-  LinearMipmapLinearFilter,
   type Mesh,
   type MeshPhysicalMaterial,
   ShaderChunk,
@@ -12,6 +11,7 @@ import {
 } from 'three'
 import { normalMap, texture, uniform } from 'three/tsl'
 import type { Node } from 'three/webgpu'
+import { mapTexture } from '../packages/furrow/src/three/textures.ts'
 import type { RendererKind } from './case.ts'
 import type { Worn } from './variant.ts'
 
@@ -95,14 +95,5 @@ export function maskTexture(images: readonly (GrayImage | undefined)[]): DataTex
 
 /** The layers' normal maps in one array, so that they take one sampler. */
 export function normalArray({ layers }: WrinkleSet): DataArrayTexture {
-  const { width, height } = layers[0].normal
-  const size = 4 * width * height
-  const data = new Uint8Array(size * layers.length)
-  for (const [i, { normal }] of layers.entries()) data.set(normal.data, i * size)
-  const array = new DataArrayTexture(data, width, height, layers.length)
-  array.magFilter = LinearFilter
-  array.minFilter = LinearMipmapLinearFilter
-  array.generateMipmaps = true
-  array.needsUpdate = true
-  return array
+  return mapTexture(packColours(layers.map(({ normal }) => normal)), 1)
 }

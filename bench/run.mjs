@@ -31,6 +31,8 @@ async function run() {
   const { listCases, PLANS, RENDERER_KINDS } = await server.ssrLoadModule('/bench/case.ts')
   const { toPlot } = await server.ssrLoadModule('/bench/plot.ts')
   const { toResults, toTable } = await server.ssrLoadModule('/bench/report.ts')
+  const { median } = await server.ssrLoadModule('/bench/statistics.ts')
+  const { kilobytes } = await server.ssrLoadModule('/packages/cli/src/wrinkles/sizes.ts')
   const { launchBrowser } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
   const { withBar } = await server.ssrLoadModule('/packages/cli/src/progress.ts')
   const renderers = wanted(options.renderer ?? RENDERER_KINDS, RENDERER_KINDS)
@@ -67,12 +69,12 @@ async function run() {
       `crowd: ${(100 * share).toFixed(1)}% of a frame with 1,000 faces on ${renderer} are influence maps\n`,
     )
   }
-  const { targets, areas, microseconds, bytes } = measureCpu()
+  const { targets, areas, microseconds, bytes } = measureCpu(median)
   process.stdout.write(
     `processor: ${microseconds.toFixed(1)} microseconds and ${bytes.toFixed(1)} bytes a frame, one face, ${targets} blendshapes that drive ${areas} areas\n`,
   )
   for (const { page, gzipped } of await measureSizes()) {
-    process.stdout.write(`download: ${page}: ${kilo(gzipped)} gzipped\n`)
+    process.stdout.write(`download: ${page}: ${kilobytes(gzipped)} gzipped\n`)
   }
 }
 
@@ -83,10 +85,6 @@ async function writePlots(folder, results, toPlot) {
     const own = results.filter(({ renderer }) => renderer === kind)
     await writeFile(join(folder, `${kind}.svg`), toPlot(own))
   }
-}
-
-function kilo(bytes) {
-  return `${(bytes / 1024).toFixed(1)} kB`
 }
 
 function wanted(names, allowed) {

@@ -1,3 +1,4 @@
+import type { GrayImage } from 'furrow'
 import { dot, int, texture, uv, vec3, vec4 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
 import { maskTexture, normalArray, wearPeer } from '../peer.ts'
@@ -11,9 +12,7 @@ import type { Variant } from '../variant.ts'
 export const variant: Variant = {
   canShow: ({ areas, layers }) => areas === 8 && layers === 1,
   wear: (mesh, set, renderer) => {
-    const weights = set.areas.map(
-      ({ weights }) => weights as { width: number; height: number; data: Uint8Array },
-    )
+    const weights = set.areas.map(({ weights }) => weights as GrayImage)
     const textures = {
       peerWrinkles: normalArray(set),
       peerMask0: maskTexture(weights.slice(0, 4)),

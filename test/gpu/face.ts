@@ -1,4 +1,4 @@
-import { packAreas, reference, type WrinkleSet } from 'furrow'
+import { packAreas, type RgbaImage, reference, type WrinkleSet } from 'furrow'
 import { combineNormals } from 'furrow/author'
 import {
   AmbientLight,
@@ -68,15 +68,21 @@ export function uvMaterial(harness: Harness): Material {
 
 /** The skin's own material with the wrinkles laid over its normal map. */
 export function wrinkledMaterial(plain: MeshStandardMaterial, set: WrinkleSet): MeshStandardMaterial {
-  const { data, width, height } = combineNormals(readTexture(plain.normalMap!, 'test'), set.layers[0].normal)
+  const combined = combineNormals(readTexture(plain.normalMap!, 'test'), set.layers[0].normal)
   const material = plain.clone()
+  material.normalMap = mapOf(combined)
+  return material
+}
+
+/** A map filtered as the layers' are. */
+export function mapOf({ data, width, height }: RgbaImage, anisotropy = 1): DataTexture {
   const map = new DataTexture(data, width, height)
   map.minFilter = LinearMipmapLinearFilter
   map.magFilter = LinearFilter
   map.generateMipmaps = true
+  map.anisotropy = anisotropy
   map.needsUpdate = true
-  material.normalMap = map
-  return material
+  return map
 }
 
 /** The reference's influence at every pixel of a picture made with `uvMaterial`; NaN where no skin is seen. */

@@ -1,15 +1,9 @@
 import type { RgbaImage } from 'furrow'
-import {
-  DataTexture,
-  DirectionalLight,
-  LinearFilter,
-  LinearMipmapLinearFilter,
-  MeshStandardMaterial,
-  Scene,
-} from 'three'
+import { DirectionalLight, MeshStandardMaterial, Scene } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { layer, randomNormals } from '../cases.ts'
 import { seeded } from '../random.ts'
+import { mapOf } from './face.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
 
 const PIXELS = 32
@@ -62,16 +56,6 @@ describe.each(RENDERERS)("the layers' maps seen from afar on %s", (name) => {
     },
   )
 })
-
-function mapOf({ data, width, height }: RgbaImage, anisotropy: number): DataTexture {
-  const map = new DataTexture(data, width, height)
-  map.minFilter = LinearMipmapLinearFilter
-  map.magFilter = LinearFilter
-  map.generateMipmaps = true
-  map.anisotropy = anisotropy
-  map.needsUpdate = true
-  return map
-}
 
 function largest(a: Float32Array, b: Float32Array): number {
   return a.reduce((most, value, i) => Math.max(most, Math.abs(value - b[i])), 0)

@@ -8,6 +8,14 @@ export interface Bounds {
   y1: number
 }
 
+/** Makes a rectangle hold another too. */
+export function widen(bounds: Bounds, { x0, y0, x1, y1 }: Readonly<Bounds>): void {
+  bounds.x0 = Math.min(bounds.x0, x0)
+  bounds.y0 = Math.min(bounds.y0, y0)
+  bounds.x1 = Math.max(bounds.x1, x1)
+  bounds.y1 = Math.max(bounds.y1, y1)
+}
+
 /** The smallest rectangle of one image of a single-channel array that holds all its texels above 0; empty if none is. */
 export function boundsOf({ width, height, data }: ImageArray, slice: number): Bounds {
   const bounds = { x0: width, y0: height, x1: 0, y1: 0 }

@@ -7,6 +7,7 @@ import {
   Scene,
   type Texture,
 } from 'three'
+import { type Bounds, widen } from '../core/bounds.ts'
 import type { AreaArray, Slot } from './area-array.ts'
 import { drawAside } from './draw-aside.ts'
 import { type AnyRenderer, hasMoved } from './influence-atlas.ts'
@@ -97,20 +98,15 @@ export class ComposedMap {
     let sum = 0
     for (let i = 0; i < this.#slots.length; i++) {
       if (!hasMoved(values[i], this.#drawn[i])) continue
-      const { x0, y0, x1, y1 } = this.#slots[i].bounds
-      bounds.x0 = Math.min(bounds.x0, x0)
-      bounds.y0 = Math.min(bounds.y0, y0)
-      bounds.x1 = Math.max(bounds.x1, x1)
-      bounds.y1 = Math.max(bounds.y1, y1)
-      sum += (x1 - x0) * (y1 - y0)
-    }
-    const spansLess = (bounds.x1 - bounds.x0) * (bounds.y1 - bounds.y0) < sum
-    for (let i = 0; i < this.#slots.length; i++) {
-      if (!hasMoved(values[i], this.#drawn[i])) continue
       this.#drawn[i] = values[i]
-      if (!spansLess) this.#quads.put(0, 0, this.#slots[i], 0)
+      const slot = this.#slots[i]
+      this.#quads.put(0, 0, slot, 0)
+      widen(bounds, slot.bounds)
+      sum += sizeOf(slot.bounds)
     }
-    if (spansLess) this.#quads.put(0, 0, this.#span, 0)
+    if (sizeOf(bounds) >= sum) return
+    this.#quads.begin()
+    this.#quads.put(0, 0, this.#span, 0)
   }
 }
 
@@ -124,4 +120,8 @@ function reached(slot: Slot, { width, height }: AreaArray): Slot {
     y1: Math.min(height, y1 + 1) / height,
   }
   return { ...slot, bounds }
+}
+
+function sizeOf({ x0, y0, x1, y1 }: Bounds): number {
+  return (x1 - x0) * (y1 - y0)
 }

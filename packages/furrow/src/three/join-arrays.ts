@@ -3,8 +3,9 @@ import { FurrowError } from '../core/error.ts'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import { WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
 import { isSlice } from '../core/wrinkle-set.ts'
+import { VALUE_KINDS } from './wrinkle-textures.ts'
 
-const KINDS = ['normal', 'baseColor', 'roughness', 'occlusion'] as const
+const KINDS = ['normal', ...VALUE_KINDS] as const
 
 /**
  * Has all maps of a kind lie in one array, since a shader reads them through one sampler: compressed images that came each by

@@ -1,8 +1,12 @@
 import type { Vector4 } from 'three'
+import { type Bounds, widen } from '../core/bounds.ts'
 import type { AreaArray } from './area-array.ts'
 
 /** Beyond any texture coordinate. */
 const FAR = 1e9
+
+/** Filled anew by each call, so that a frame allocates none. */
+const span: Bounds = { x0: 0, y0: 0, x1: 0, y1: 0 }
 
 /**
  * The rectangle of texture coordinates outside of which nothing shows: that of all areas that are not at rest. Skin outside of
@@ -12,18 +16,12 @@ const FAR = 1e9
  * @param reach is set to u0, v0, u1, v1.
  */
 export function findReach({ slots, width, height }: AreaArray, values: Float32Array, reach: Vector4): void {
-  let x0 = width
-  let y0 = height
-  let x1 = 0
-  let y1 = 0
-  for (let i = 0; i < slots.length; i++) {
-    if (values[i] === 0) continue
-    const { bounds } = slots[i]
-    x0 = Math.min(x0, bounds.x0)
-    y0 = Math.min(y0, bounds.y0)
-    x1 = Math.max(x1, bounds.x1)
-    y1 = Math.max(y1, bounds.y1)
-  }
+  span.x0 = width
+  span.y0 = height
+  span.x1 = 0
+  span.y1 = 0
+  for (let i = 0; i < slots.length; i++) if (values[i] !== 0) widen(span, slots[i].bounds)
+  const { x0, y0, x1, y1 } = span
   // Filtered, a texel reaches to the middle of the next one, and the outermost ones of the map reach everywhere.
   // One by one: numbers given to a function may be allocated.
   reach.x = x0 < 1 ? -FAR : (x0 - 0.5) / width

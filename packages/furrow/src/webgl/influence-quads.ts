@@ -12,7 +12,7 @@ import {
 import type { QuadMaterials } from '../three/influence-pass.ts'
 
 /** Of all that draws `Quads`: `place` is the point of the target, 0..1, `texel` that of the area. */
-export const QUADS_VERTEX = /* glsl */ `
+const VERTEX = /* glsl */ `
 in vec4 furrowTo;
 in vec4 furrowFrom;
 in vec4 furrowAt;
@@ -51,22 +51,28 @@ void main() {
 }
 `
 
+/** What all materials of `Quads` have in common. */
+export const QUAD_SETTINGS = {
+  glslVersion: GLSL3,
+  vertexShader: VERTEX,
+  blending: NoBlending,
+  side: DoubleSide,
+  depthTest: false,
+  depthWrite: false,
+} as const
+
 /** The materials that draw influence maps on `WebGLRenderer`. */
 export const quadMaterials: QuadMaterials = {
   create(rule, areas) {
     return new ShaderMaterial({
+      ...QUAD_SETTINGS,
       name: `furrow ${rule}`,
-      glslVersion: GLSL3,
-      vertexShader: QUADS_VERTEX,
       fragmentShader: areas ? FRAGMENT : CLEAR,
       uniforms: areas ? { areas: { value: areas.texture } } : {},
       blending: rule === 'clear' ? NoBlending : CustomBlending,
       blendEquation: rule === 'max' ? MaxEquation : AddEquation,
       blendSrc: OneFactor,
       blendDst: OneFactor,
-      side: DoubleSide,
-      depthTest: false,
-      depthWrite: false,
       transparent: true,
     })
   },

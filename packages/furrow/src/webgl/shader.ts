@@ -17,6 +17,9 @@ export interface ShaderShape {
   anisotropic: boolean
 }
 
+/** What of it the mixing of normals depends on. */
+type NormalShape = Pick<ShaderShape, 'kinds' | 'normals'>
+
 /**
  * Makes a built-in material's fragment shader mix the layers' maps into its own before it lights them: `mixNormals`
  * and `mixValues` of the reference, except that the last normalisation is left to the material.
@@ -40,7 +43,7 @@ export function defaultFragment(fragment: string, shape: ShaderShape): string {
 }
 
 /** Writes the normals that `defaultFragment` would give a material, as its map would store them; `place` is where. */
-export function composedFragment(shape: ShaderShape): string {
+export function composedFragment(shape: NormalShape): string {
   return /* glsl */ `${influenceFromMap(shape.kinds.length, false, false)}${normalMixing(shape)}
 uniform sampler2D furrowBase;
 in vec2 place;
@@ -65,7 +68,7 @@ export function instancedVertex(vertex: string, instances: 'instanced' | 'batche
   )
 }
 
-function normalMixing({ kinds, normals }: ShaderShape): string {
+function normalMixing({ kinds, normals }: NormalShape): string {
   const share = (layer: number) => `furrowShares[${layer}]`
   const sampled = kinds.map(
     (kind, layer) => /* glsl */ `

@@ -1,9 +1,8 @@
-import { DoubleSide, NoBlending } from 'three'
 import { int, texture, varying, vec4 } from 'three/tsl'
-import { type Node, NodeMaterial } from 'three/webgpu'
+import type { Node } from 'three/webgpu'
 import type { RendererParts } from '../three/renderer-parts.ts'
 import { influenceFromMap } from './influence.ts'
-import { quadCorner, quadPlace } from './influence-quads.ts'
+import { quadMaterial, quadPlace } from './influence-quads.ts'
 import { mixNormals } from './mix.ts'
 
 /** Draws the composed normal map on `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
@@ -11,16 +10,5 @@ export const composeMaterial: RendererParts['composeMaterial'] = (base, inputs) 
   const uv = varying(quadPlace()) as Node<'vec2'>
   const own = texture(base, uv).level(int(0)).xyz as Node<'vec3'>
   const mixed = mixNormals(own, inputs, { influence: influenceFromMap(inputs, uv, null), uv })
-  const material = new NodeMaterial()
-  material.name = 'furrow composed'
-  material.vertexNode = quadCorner()
-  material.fragmentNode = vec4(mixed, 1)
-  material.blending = NoBlending
-  material.side = DoubleSide
-  material.depthTest = false
-  material.depthWrite = false
-  material.fog = false
-  material.lights = false
-  material.toneMapped = false
-  return material
+  return quadMaterial('composed', vec4(mixed, 1) as unknown as Node<'vec4'>)
 }

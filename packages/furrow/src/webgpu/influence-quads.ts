@@ -8,25 +8,32 @@ import { channelMask } from './influence.ts'
 /** The materials that draw influence maps on `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
 export const quadMaterials: QuadMaterials = {
   create(rule, areas) {
-    const material = new NodeMaterial()
-    material.name = `furrow ${rule}`
-    material.vertexNode = quadCorner()
-    material.fragmentNode = areas ? share(areas) : vec4(0)
+    const material = quadMaterial(rule, areas ? share(areas) : (vec4(0) as unknown as Node<'vec4'>))
     material.blending = rule === 'clear' ? NoBlending : CustomBlending
     material.blendEquation = rule === 'max' ? MaxEquation : AddEquation
     material.blendSrc = OneFactor
     material.blendDst = OneFactor
-    material.side = DoubleSide
-    material.depthTest = false
-    material.depthWrite = false
     material.transparent = true
-    material.fog = false
-    material.lights = false
-    material.toneMapped = false
     return material
   },
   // A device that is lost does not come back; the page makes another renderer.
   survives: () => true,
+}
+
+/** A material of `Quads`, drawn over whatever stands there. */
+export function quadMaterial(what: string, fragment: Node<'vec4'>): NodeMaterial {
+  const material = new NodeMaterial()
+  material.name = `furrow ${what}`
+  material.vertexNode = corner()
+  material.fragmentNode = fragment
+  material.blending = NoBlending
+  material.side = DoubleSide
+  material.depthTest = false
+  material.depthWrite = false
+  material.fog = false
+  material.lights = false
+  material.toneMapped = false
+  return material
 }
 
 function vector(name: string): Node<'vec4'> {
@@ -40,7 +47,7 @@ export function quadPlace(): Node<'vec2'> {
 }
 
 /** Its position. Row 0 of the target is at the top: three.js turns render targets so on both backends. */
-export function quadCorner(): Node<'vec4'> {
+function corner(): Node<'vec4'> {
   return vec4(quadPlace().mul(vec2(2, -2)).add(vec2(-1, 1)), 0, 1) as unknown as Node<'vec4'>
 }
 
