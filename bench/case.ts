@@ -14,13 +14,11 @@ export interface Case {
 /** How long it is watched. */
 export interface Plan {
   rounds: number
-  /** Frames that are timed in each round, after one that is not. */
-  frames: number
 }
 
 export const PLANS = {
-  full: { rounds: 7, frames: 1 },
-  quick: { rounds: 5, frames: 1 },
+  full: { rounds: 7 },
+  quick: { rounds: 5 },
 } as const satisfies Record<string, Plan>
 
 const AREAS = [2, 8, 16, 64, 256]

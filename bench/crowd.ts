@@ -1,5 +1,5 @@
 import { MeshoptSimplifier } from 'meshoptimizer'
-import { InstancedMesh, Matrix4 } from 'three'
+import { InstancedMesh, type Material, Matrix4 } from 'three'
 import type { Plan } from './case.ts'
 import { wearFurrow } from './furrow.ts'
 import type { Bench } from './measure.ts'
@@ -62,10 +62,7 @@ export async function measureCrowd(
       }
     }
     crowd.morphTexture!.needsUpdate = true
-    const start = performance.now()
-    drawer.draw(scene, camera)
-    await drawer.done()
-    return performance.now() - start
+    return drawer.time(() => drawer.draw(scene, camera))
   }
   await time(true)
   const [still, moving]: number[][] = [[], []]
@@ -76,5 +73,6 @@ export async function measureCrowd(
   wrinkles.dispose()
   scene.remove(crowd)
   geometry.dispose()
+  ;(skin.material as Material).dispose()
   return 1 - ratio(still, moving)
 }

@@ -4,11 +4,15 @@ import { activationOf, type Case, type Plan, type RendererKind } from './case.ts
 import type { Drawer } from './draw.ts'
 import type { Measured } from './report.ts'
 import { createSet, createSkin } from './scene.ts'
-import { median, turns } from './statistics.ts'
+import { turns } from './statistics.ts'
 import { VARIANTS, type Worn } from './variant.ts'
 
 /** Least share of pixels that wrinkles must change: a variant that shows none would be fast. */
 const LEAST_CHANGED = 0.005
+/** What is timed at once: clocks are as coarse as a tenth of a millisecond. */
+const LEAST_MS = 20
+/** A frame has up to a dozen passes, of which a clock counts some thousand. */
+const MOST_FRAMES = 64
 
 export interface Bench {
   renderer: RendererKind
@@ -36,7 +40,7 @@ export async function measure(bench: Bench, shown: Case, plan: Plan): Promise<Me
     const changed = await compare(bench, shown, candidates)
     for (let round = 0; round < plan.rounds; round++) {
       for (const i of turns(candidates.length, round)) {
-        candidates[i].rounds.push(await time(bench, shown, candidates[i], plan.frames))
+        candidates[i].rounds.push(await time(bench, shown, candidates[i]))
       }
     }
     return candidates.map(({ name, rounds }, i) => ({ variant: name, rounds, changed: changed[i] }))
@@ -86,16 +90,15 @@ function changedShare(a: Uint8Array, b: Uint8Array): number {
   return changed / (a.length / 4)
 }
 
-/** Milliseconds of a frame, median of some, after one that is not timed. */
-async function time(bench: Bench, shown: Case, candidate: Candidate, frames: number): Promise<number> {
-  const times: number[] = []
-  for (let i = 0; i <= frames; i++) {
-    const start = performance.now()
-    frame(bench, shown, candidate, candidate.rounds.length * frames + i)
-    await bench.drawer.done()
-    if (i > 0) times.push(performance.now() - start)
+/** Milliseconds of a frame, mean of as many as take long enough to be timed well, after one that is not counted. */
+async function time(bench: Bench, shown: Case, candidate: Candidate): Promise<number> {
+  let at = candidate.rounds.length
+  const frames = (count: number) => () => {
+    for (let i = 0; i < count; i++) frame(bench, shown, candidate, at++)
   }
-  return median(times)
+  const first = await bench.drawer.time(frames(1))
+  const count = Math.min(Math.max(Math.ceil(LEAST_MS / first), 1), MOST_FRAMES)
+  return (await bench.drawer.time(frames(count))) / count
 }
 
 /** One frame of one variant alone. */

@@ -1,4 +1,5 @@
 import type { Case, RendererKind } from './case.ts'
+import type { Drawer } from './draw.ts'
 import { median, ratio, spread } from './statistics.ts'
 
 /** What a page measured of one variant in one case. */
@@ -16,6 +17,8 @@ export interface Setting {
   height: number
   renderer: RendererKind
   adapter: string
+  /** Whose clock told the times. */
+  timing: Drawer['timing']
 }
 
 /** One entry of the JSON. */

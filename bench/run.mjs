@@ -4,7 +4,8 @@ import { mkdir, writeFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import { parseArgs } from 'node:util'
 import { measureCpu } from './cpu.mjs'
-import { openPage, serve } from './serve.mjs'
+import { chromiumHost, nodeHost } from './hosts.mjs'
+import { serve } from './serve.mjs'
 import { measureSizes } from './size.mjs'
 
 const { values: options } = parseArgs({
@@ -14,6 +15,7 @@ const { values: options } = parseArgs({
     size: { type: 'string', default: '800x600' },
     renderer: { type: 'string', multiple: true },
     plot: { type: 'string' },
+    node: { type: 'boolean', default: false },
   },
 })
 
@@ -26,6 +28,8 @@ try {
 } finally {
   await server.close()
 }
+// Dawn keeps a process alive.
+if (options.node) process.exit()
 
 async function run() {
   const { listCases, PLANS, RENDERER_KINDS } = await server.ssrLoadModule('/bench/case.ts')
@@ -33,36 +37,32 @@ async function run() {
   const { toResults, toTable } = await server.ssrLoadModule('/bench/report.ts')
   const { median } = await server.ssrLoadModule('/bench/statistics.ts')
   const { kilobytes } = await server.ssrLoadModule('/packages/cli/src/wrinkles/sizes.ts')
-  const { launchBrowser } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
   const { withBar } = await server.ssrLoadModule('/packages/cli/src/progress.ts')
-  const renderers = wanted(options.renderer ?? RENDERER_KINDS, RENDERER_KINDS)
+  const allowed = options.node ? ['webgpu'] : RENDERER_KINDS
+  const renderers = wanted(options.renderer ?? allowed, allowed)
   const { width, height } = parseSize(options.size)
   const cases = listCases(options.quick)
   const plan = options.quick ? PLANS.quick : PLANS.full
-  const browser = await launchBrowser()
+  const host = await (options.node ? nodeHost : chromiumHost)(server)
+  const face = new URL('/faces/human.glb', server.resolvedUrls.local[0]).href
   const crowds = []
   const results = await withBar('bench', async (progress) => {
     const found = []
     for (const [i, renderer] of renderers.entries()) {
-      const page = await openPage(server, browser, '/bench/index.html', 'bench')
-      const open = ([...args]) => globalThis.bench.open(...args)
-      const adapter = await page.evaluate(open, [renderer, width, height])
+      const page = await host.open()
+      const setting = { width, height, renderer, ...(await page.open(renderer, width, height, face)) }
       for (const [k, shown] of cases.entries()) {
-        const measured = await page.evaluate(
-          ([shown, plan]) => globalThis.bench.measure(shown, plan),
-          [shown, plan],
-        )
-        found.push(...toResults(shown, { width, height, renderer, adapter }, measured))
+        found.push(...toResults(shown, setting, await page.measure(shown, plan)))
         progress(i * cases.length + k + 1, renderers.length * cases.length)
       }
-      crowds.push([renderer, await page.evaluate((plan) => globalThis.bench.measureCrowd(plan), plan)])
+      crowds.push([renderer, await page.measureCrowd(plan)])
       await page.close()
     }
     return found
-  }).finally(() => browser.close())
+  }).finally(() => host.close())
   if (options.json) await writeFile(options.json, `${JSON.stringify(results, null, 2)}\n`)
   if (options.plot) await writePlots(options.plot, results, toPlot)
-  const adapters = new Set(results.map(({ adapter }) => adapter))
+  const adapters = new Set(results.map(({ adapter, timing }) => `${adapter}, timed by ${timing}`))
   process.stdout.write(`${[...adapters].join('\n')}\n${toTable(results)}\n\n`)
   for (const [renderer, share] of crowds) {
     process.stdout.write(
@@ -91,7 +91,7 @@ function wanted(names, allowed) {
   const unknown = names.find((name) => !allowed.includes(name))
   if (unknown === undefined) return names
   throw new Error(
-    `bench: unknown renderer, got "${unknown}", allowed: ${allowed.join(', ')}; name one of these`,
+    `bench: renderer not known here, got "${unknown}", allowed: ${allowed.join(', ')}; name one of these`,
   )
 }
 

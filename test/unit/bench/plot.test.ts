@@ -17,6 +17,7 @@ const result = (
   height: 600,
   renderer: 'webgl',
   adapter: 'A <fast> one',
+  timing: 'fence',
   medianMs: 1,
   spreadMs: 0,
   ratioToPlain,

@@ -2,7 +2,13 @@ import { describe, expect, it } from 'vitest'
 import { type Measured, toResults, toTable } from '../../../bench/report.ts'
 
 const shown = { areas: 8, active: 8, layers: 1, still: false }
-const setting = { width: 800, height: 600, renderer: 'webgl', adapter: 'an adapter' } as const
+const setting = {
+  width: 800,
+  height: 600,
+  renderer: 'webgl',
+  adapter: 'an adapter',
+  timing: 'fence',
+} as const
 const measured: Measured[] = [
   { variant: 'plain', rounds: [10, 20, 12], changed: 0 },
   { variant: 'paper', rounds: [20, 40, 24], changed: 0.3 },

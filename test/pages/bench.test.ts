@@ -1,0 +1,49 @@
+import { execFile } from 'node:child_process'
+import { existsSync, mkdtempSync, readFileSync, realpathSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { dirname, join } from 'node:path'
+import { promisify } from 'node:util'
+import { afterAll, expect, it } from 'vitest'
+import type { Result } from '../../bench/report.ts'
+import { findBrowser } from '../../packages/cli/src/browser.ts'
+
+const folder = mkdtempSync(join(tmpdir(), 'furrow-bench-'))
+afterAll(() => rmSync(folder, { recursive: true }))
+
+/** Dawn draws by the Vulkan loader and the software rasteriser that come with a Chromium. */
+function dawnEnvironment(): NodeJS.ProcessEnv {
+  const places = [dirname(realpathSync(findBrowser())), '/usr/lib/chromium']
+  const home = places.find((place) => existsSync(join(place, 'vk_swiftshader_icd.json')))
+  if (!home) return process.env
+  return {
+    ...process.env,
+    LD_LIBRARY_PATH: home,
+    VK_DRIVER_FILES: join(home, 'vk_swiftshader_icd.json'),
+  }
+}
+
+const runBench = (...args: string[]) =>
+  promisify(execFile)(process.execPath, ['bench/run.mjs', '--node', '--quick', '--size', '64x48', ...args], {
+    env: dawnEnvironment(),
+  })
+
+it('runs in Node on Dawn, timed by timestamps', async () => {
+  const json = join(folder, 'results.json')
+  const { stdout } = await runBench('--json', json)
+  const results: Result[] = JSON.parse(readFileSync(json, 'utf8'))
+  const variants = new Set(results.map(({ variant }) => variant))
+  expect([...variants].sort()).toEqual(['composed', 'furrow', 'jimenez', 'o3de', 'paper', 'plain'])
+  for (const result of results) {
+    expect(result).toMatchObject({ renderer: 'webgpu', timing: 'timestamps', width: 64, height: 48 })
+    expect(result.adapter).not.toBe('')
+    expect(result.medianMs).toBeGreaterThan(0)
+    expect(result.ratioToPlain).toBeGreaterThan(0)
+  }
+  expect(stdout).toMatch(/\d% of a frame with 1,000 faces on webgpu/)
+})
+
+it('says that WebGL is not to be had in Node', async () => {
+  await expect(runBench('--renderer', 'webgl')).rejects.toThrow(
+    'renderer not known here, got "webgl", allowed: webgpu',
+  )
+})
