@@ -1,10 +1,19 @@
-// What one face costs the processor per frame: 57 blendshapes drive 64 areas, all of which move. Uses the build of the
-// packages, as pages do, and a renderer that draws nothing.
+// What one face costs the processor per frame: 57 blendshapes drive 64 areas, all of which move; and the same with every other
+// type of driver besides. Uses the build of the packages, as pages do, and a renderer that draws nothing.
 
 import { setFlagsFromString } from 'node:v8'
 import { runInNewContext } from 'node:vm'
-import { driveByMorphs, Wrinkles } from 'furrow/three'
-import { BufferAttribute, Mesh, MeshStandardMaterial, PerspectiveCamera, PlaneGeometry, Scene } from 'three'
+import { addDrivers, Wrinkles } from 'furrow/three'
+import {
+  Bone,
+  BufferAttribute,
+  MeshStandardMaterial,
+  PerspectiveCamera,
+  PlaneGeometry,
+  Scene,
+  Skeleton,
+  SkinnedMesh,
+} from 'three'
 
 setFlagsFromString('--expose-gc')
 const collect = runInNewContext('gc')
@@ -16,9 +25,22 @@ const LINKS = 4
 const ROUNDS = 15
 const FRAMES = 20_000
 
-/** Medians over rounds: microseconds and bytes for each frame. */
-export function measureCpu(median) {
-  const frame = movingFace()
+const CURVE = [
+  [0.1, 0],
+  [0.6, 0.7],
+  [1, 1],
+]
+
+/** Areas that tension drives besides: those of one expression. */
+const TENSE = 8
+
+/**
+ * Medians over rounds: microseconds and bytes for each frame.
+ *
+ * @param all whether joints, tension, age, time, other areas and conflicts drive areas too.
+ */
+export function measureCpu(median, all) {
+  const frame = movingFace(all)
   for (let i = 0; i < 3 * FRAMES; i++) frame(i)
   const rounds = Array.from({ length: ROUNDS }, (_, round) => {
     collect()
@@ -40,32 +62,65 @@ export function measureCpu(median) {
 }
 
 /** Draws one frame with all blendshapes elsewhere. */
-function movingFace() {
-  const geometry = new PlaneGeometry()
+function movingFace(all) {
+  const geometry = new PlaneGeometry(1, 1, 16, 16)
+  const { count } = geometry.getAttribute('position')
   geometry.morphAttributes.position = Array.from({ length: TARGETS }, (_, i) => {
-    const attribute = new BufferAttribute(new Float32Array(12), 3)
+    const attribute = new BufferAttribute(new Float32Array(3 * count), 3)
     attribute.name = `target${i}`
     return attribute
   })
-  const mesh = new Mesh(geometry, new MeshStandardMaterial())
+  geometry.setAttribute('skinIndex', new BufferAttribute(new Uint16Array(4 * count), 4))
+  const skinWeights = Float32Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 ? 1 : 0))
+  geometry.setAttribute('skinWeight', new BufferAttribute(skinWeights, 4))
+  const mesh = new SkinnedMesh(geometry, new MeshStandardMaterial())
+  const bones = ['neck', 'head'].map((name) => Object.assign(new Bone(), { name }))
+  mesh.add(bones[0].add(bones[1]))
+  mesh.bind(new Skeleton(bones))
   const side = 16
   const weights = { width: side, height: side, data: new Uint8Array(side * side).fill(255) }
   const normal = { width: 1, height: 1, data: Uint8Array.of(128, 128, 255, 255) }
   const areas = Array.from({ length: AREAS }, (_, i) => ({ name: `area${i}`, weights }))
   const wrinkles = new Wrinkles(mesh, { layers: [{ name: 'all', kind: 'detail', normal }], areas })
-  driveByMorphs(
-    wrinkles,
-    areas.map(({ name }, i) => driver(name, i)),
-  )
+  addDrivers(wrinkles, [
+    ...areas.map(({ name }, i) => driver(name, i)),
+    ...(all ? areas.flatMap(({ name }, i) => otherDrivers(name, i)) : []),
+  ])
   const renderer = idleRenderer()
   const scene = new Scene()
   const camera = new PerspectiveCamera()
   const influences = mesh.morphTargetInfluences
   return (at) => {
     for (let i = 0; i < TARGETS; i++) influences[i] = ((at * 7 + i * 13) % 100) / 100
+    if (all) {
+      bones[1].rotation.x = ((at * 3) % 50) / 50
+      mesh.updateMatrixWorld()
+    }
     renderer.info.calls++
     mesh.onBeforeRender(renderer, scene, camera, geometry, mesh.material, null)
   }
+}
+
+/** Every other type, on one area. */
+function otherDrivers(area, i) {
+  return [
+    { type: 'age', area, curve: CURVE },
+    { type: 'time', area, attack: 0.05, release: 0.4 },
+    ...(i === AREAS - 1
+      ? []
+      : [
+          {
+            type: 'area',
+            area,
+            areas: [{ name: `area${(i + 1) % AREAS}`, weight: 0.1 }],
+            rule: 'sum',
+            curve: CURVE,
+          },
+        ]),
+    { type: 'bone', area, joints: ['neck', 'head'], measure: 'angle', axis: [1, 0, 0], curve: CURVE },
+    { type: 'conflict', targets: [`target${i % TARGETS}`, `target${(i + 7) % TARGETS}`] },
+    ...(i < TENSE ? [{ type: 'tension', area, measure: 'compression', curve: CURVE }] : []),
+  ]
 }
 
 function driver(area, i) {
@@ -73,12 +128,7 @@ function driver(area, i) {
     name: `target${(i * 5 + k * 11) % TARGETS}`,
     weight: 0.4,
   }))
-  const curve = [
-    [0.1, 0],
-    [0.6, 0.7],
-    [1, 1],
-  ]
-  return { type: 'morph', area, targets, curve }
+  return { type: 'morph', area, targets, rule: 'sum', curve: CURVE }
 }
 
 /** As much of a renderer as is called; what it does with the draw is three.js's part and the same for any draw. */

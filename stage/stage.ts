@@ -1,7 +1,7 @@
 /** The lit scene that studio, render, figures and tests share. */
 
 import {
-  driveByMorphs,
+  addDrivers,
   ExpressionPlayer,
   type LoadedWrinkles,
   Wrinkles as WebGLWrinkles,
@@ -74,7 +74,7 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
       const wrinkles = isWebGL(renderer)
         ? new WebGLWrinkles(face.skin, set, options)
         : new WebGPUWrinkles(face.skin, set, options)
-      driveByMorphs(wrinkles, drivers)
+      addDrivers(wrinkles, drivers)
       return { wrinkles, player: new ExpressionPlayer(face.root, wrinkles) }
     },
     view: (name) => frameView(shown?.skin ?? scene, camera, name),

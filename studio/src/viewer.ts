@@ -1,4 +1,4 @@
-import { type Area, EXPRESSIONS, type Expression, isMorphDriver, MorphActivation } from 'furrow'
+import { type Area, driversOf, EXPRESSIONS, type Expression, MorphActivation } from 'furrow'
 import { ExpressionPlayer, Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
 import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import { type Color, type Material, type Mesh, NoToneMapping, type Texture } from 'three'
@@ -54,7 +54,7 @@ export class Viewer {
     // Driven here and not while drawing, so that the sliders of the areas show it at once.
     wrinkles.driven = false
     this.#morph = new MorphActivation(
-      drivers.filter(isMorphDriver),
+      driversOf('morph', drivers),
       Object.keys(face.skin.morphTargetDictionary ?? {}),
     )
     this.#player = player

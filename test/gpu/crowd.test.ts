@@ -229,8 +229,8 @@ describe.each(RENDERERS)('a crowd on %s', (name) => {
       instances.setMorphAt(i, pose)
     }
     const wrinkles = wear(instances)
-    const { driveByMorphs } = await import('furrow/three')
-    driveByMorphs(wrinkles, [
+    const { addDrivers } = await import('furrow/three')
+    addDrivers(wrinkles, [
       {
         type: 'morph',
         area: 'area0',

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs'
 import { Command } from 'commander'
 import { FurrowError } from 'furrow'
+import { activationsCommand } from './commands/activations.ts'
 import { arrayCommand } from './commands/array.ts'
 import { bakeCommand } from './commands/bake.ts'
 import { inspectCommand } from './commands/inspect.ts'
@@ -28,6 +29,7 @@ Examples:
   )
 
 for (const command of [
+  activationsCommand,
   arrayCommand,
   bakeCommand,
   inspectCommand,

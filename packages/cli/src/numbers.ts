@@ -41,3 +41,20 @@ export function readChoice<T extends string>(
     remedy: `write e.g. ${option} ${allowed[0]}`,
   })
 }
+
+/** Reads `name=weight`, 0..1, for an option that takes several. Throws FurrowError where it is none. */
+export function weightCollector(who: string) {
+  return (text: string, before: Record<string, number> = {}): Record<string, number> => {
+    const at = text.lastIndexOf('=')
+    const [name, number] = [text.slice(0, at), text.slice(at + 1).trim()]
+    const value = number === '' ? Number.NaN : Number(number)
+    if (at > 0 && value >= 0 && value <= 1) return { ...before, [name]: value }
+    throw new FurrowError({
+      who,
+      what: 'no weight',
+      value: text,
+      limit: 'NAME=0 to NAME=1',
+      remedy: 'write e.g. --set jawOpen=0.5; files go before these options',
+    })
+  }
+}

@@ -4,6 +4,27 @@ export {
   parseWrinkleSetDocument,
   type WrinkleSetDocument,
 } from './core/document.ts'
+export {
+  type AgeDriver,
+  type AreaDriver,
+  type BoneDriver,
+  type ConflictDriver,
+  type Curve,
+  type CurvePoint,
+  DRIVER_TYPES,
+  type DriverOf,
+  type DriverType,
+  driversOf,
+  type ExpressionDriver,
+  isKnownDriver,
+  type Link,
+  type MorphDriver,
+  type MuscleDriver,
+  type Rule,
+  type TensionDriver,
+  type TimeDriver,
+  type WrinkleDriver,
+} from './core/driver-types.ts'
 export { FurrowError } from './core/error.ts'
 export { resampleGray } from './core/image.ts'
 export { DEFAULT_AREA_SIZE, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS } from './core/limits.ts'
@@ -20,18 +41,27 @@ export type {
   WrinkleSet,
 } from './core/types.ts'
 export {
-  isMorphDriver,
-  type MorphDriver,
   parseWrinkleMaps,
   type TextureReference,
   WRINKLE_MAPS,
-  type WrinkleDriver,
   type WrinkleMaps,
   type WrinkleMapsArea,
   type WrinkleMapsLayer,
 } from './core/wrinkle-maps.ts'
 export { checkWrinkleSet } from './core/wrinkle-set.ts'
-export { type Expression, ExpressionMix } from './drivers/expression.ts'
+export { AGES, AgeActivation } from './drivers/age.ts'
+export { ALIASES } from './drivers/aliases.ts'
+export { AreaActivation } from './drivers/area.ts'
+export { BoneActivation } from './drivers/bone.ts'
+export { Conflicts } from './drivers/conflict.ts'
+export { curveAt } from './drivers/curve.ts'
+export type { Driver } from './drivers/driver.ts'
+export { type Explanation, explain, type LinkPart, type Part } from './drivers/explain.ts'
+export { type Expression, ExpressionMix, expressionsOf } from './drivers/expression.ts'
 export { EXPRESSIONS } from './drivers/expressions.ts'
-export { curveAt, MorphActivation } from './drivers/morph.ts'
+export { MorphActivation } from './drivers/morph.ts'
+export { type DriverState, DriverSum } from './drivers/sum.ts'
 export { canonicalTargetName, findTargets } from './drivers/target-names.ts'
+export { TensionActivation, type TensionSample } from './drivers/tension.ts'
+export { type SampledMesh, sampleTriangles } from './drivers/tension-samples.ts'
+export { Delay } from './drivers/time.ts'

@@ -113,7 +113,7 @@ describe('furrow pack', () => {
               [1, 1],
             ],
           },
-          { type: 'tension', area: 'chin', limit: 2 },
+          { type: 'weather', area: 'chin', limit: 2 },
         ],
       })
       const [one, two] = [shop.path(`one${share}.glb`), shop.path(`two${share}.glb`)]
@@ -134,7 +134,7 @@ describe('furrow pack', () => {
           { name: 'age', kind: 'detail', heightTexture: { amplitude: 0.003 } },
         ],
         areas: [{ combine: 'max', activation: 0.25 }, { layer: 1 }, {}, {}],
-        drivers: [{ type: 'morph' }, { type: 'tension', limit: 2 }],
+        drivers: [{ type: 'morph' }, { type: 'weather', limit: 2 }],
       })
     },
   )
@@ -179,7 +179,7 @@ describe('furrow pack', () => {
     })
     shop.write('odd/areas/zero.png', await painted(99))
     await shop.run(packCommand, odd, '-o', shop.path('warned.glb'))
-    expect(shop.warned).toContain('a driver names the blendshape "noseSneer", which the mesh does not have')
+    expect(shop.warned).toContain('a driver names the target "noseSneer", which is not there')
     expect(shop.warned).toContain('area "zero" is visible nowhere')
     expect(extensionOf(shop.path('warned.glb')).drivers[0].targets[0].name).toBe('noseSneer')
     expect(extensionOf(shop.path('warned.glb')).areas.at(-1).name).toBe('zero')

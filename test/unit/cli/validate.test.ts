@@ -73,9 +73,13 @@ describe('furrow validate', () => {
       'an unknown blendshape',
       (_, maps) =>
         Object.assign(maps, { drivers: [{ type: 'morph', area: 'nose', targets: [{ name: 'x' }] }] }),
-      'DRIVER_TARGET',
+      'DRIVER_NAME',
     ],
-    ['an unknown driver', (_, maps) => Object.assign(maps, { drivers: [{ type: 'bone' }] }), 'DRIVER_TYPE'],
+    [
+      'an unknown driver',
+      (_, maps) => Object.assign(maps, { drivers: [{ type: 'weather' }] }),
+      'DRIVER_TYPE',
+    ],
     ['no wrinkles at all', (json) => delete json.materials[0].extensions, 'NO_WRINKLES'],
   ])('counts %s as a warning', async (_, spoil, code) => {
     expect(await codesOf(spoilt(spoil))).toContain(code)

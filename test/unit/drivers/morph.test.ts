@@ -9,6 +9,7 @@ const driver = (area: string, targets: MorphDriver['targets'], curve = straight)
   type: 'morph',
   area,
   targets,
+  rule: 'sum',
   curve,
 })
 
@@ -68,6 +69,6 @@ describe('MorphActivation', () => {
     const morph = new MorphActivation([driver('nose', [{ name: 'trunkUp', weight: 1 }])], ['jawOpen'])
     morph.update([1])
     expect([...morph.activations]).toEqual([0])
-    expect(morph.unknownTargets).toEqual(['trunkUp'])
+    expect(morph.missing).toEqual(['target "trunkUp"'])
   })
 })

@@ -146,7 +146,7 @@ describe('FurrowWrinkleMaps', () => {
     const [one, two] = await Promise.all([createSample(), createSample()])
     const materials = [one, two].map((document) => document.getRoot().listMaterials()[0])
     expect(materials[0].equals(materials[1])).toBe(true)
-    wrinklesOf(two).setDrivers([{ type: 'bone', area: 'brow' }])
+    wrinklesOf(two).setDrivers([{ type: 'weather', area: 'brow' }])
     expect(materials[0].equals(materials[1])).toBe(false)
   })
 

@@ -1,6 +1,6 @@
 import { Document, NodeIO } from '@gltf-transform/core'
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
-import type { WrinkleDriver } from 'furrow'
+import type { Curve, WrinkleDriver } from 'furrow'
 import { FurrowWrinkleMaps, type MaterialWrinkles } from 'furrow/gltf'
 import { MeshoptDecoder, MeshoptEncoder } from 'meshoptimizer'
 import sharp from 'sharp'
@@ -24,18 +24,47 @@ export function picture(seed: number, size = 16, channels: 3 | 4 = 3): Promise<U
     .toBuffer()
 }
 
+const CURVE: Curve = [
+  [0, 0],
+  [0.5, 0.2],
+  [1, 1],
+]
+
+/** One of every type, as it reads with its defaults, and one that no version knows. */
 export const DRIVERS: WrinkleDriver[] = [
   {
     type: 'morph',
     area: 'brow',
-    targets: [{ name: 'browInnerUp', weight: 0.5 }],
-    curve: [
-      [0, 0],
-      [0.5, 0.2],
-      [1, 1],
-    ],
+    targets: [{ name: 'browInnerUp', weight: 0.5, curve: CURVE }],
+    rule: 'max',
+    curve: CURVE,
   },
-  { type: 'bone', area: 'nose', joint: 'jaw', nested: { angles: [1, 2] } },
+  { type: 'weather', area: 'nose', joint: 'jaw', nested: { angles: [1, 2] } },
+  { type: 'area', area: 'nose', areas: [{ name: 'brow', weight: -1 }], rule: 'sum', curve: CURVE },
+  { type: 'conflict', targets: ['browInnerUp', 'browDown'] },
+  { type: 'bone', area: 'nose', joints: ['head', 'jaw'], measure: 'angle', axis: [1, 0, 0], curve: CURVE },
+  { type: 'tension', area: 'brow', measure: 'stretch', curve: CURVE },
+  {
+    type: 'muscle',
+    name: 'frontalis',
+    area: 'brow',
+    kind: 'sheet',
+    origin: [0, 1, 0],
+    insertion: [0, 0.5, 0.1],
+    angle: 0.4,
+    width: 0.02,
+    inner: 0.5,
+    outer: 1.5,
+    strength: 0.2,
+  },
+  { type: 'age', area: 'brow', curve: CURVE },
+  { type: 'time', area: 'brow', attack: 0.1, release: 0.6 },
+  {
+    type: 'expression',
+    name: 'doubt',
+    targets: [{ name: 'browInnerUp', weight: 0.7 }],
+    activations: [{ area: 'nose', activation: 0.2 }],
+  },
 ]
 
 /** One quad with one blendshape, two layers with every slot, and five areas that share two images. */

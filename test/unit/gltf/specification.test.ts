@@ -2,7 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import Ajv2020, { type ValidateFunction } from 'ajv/dist/2020.js'
 import fc from 'fast-check'
-import { parseWrinkleMaps } from 'furrow'
+import { DRIVER_TYPES, parseWrinkleMaps } from 'furrow'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import { jsonOf, Workshop } from '../cli/workshop.ts'
@@ -42,10 +42,12 @@ describe('the page of the extension', () => {
     ['layer', `${NAME}.layer`],
     ['area', `${NAME}.area`],
     ['driver', `${NAME}.driver`],
-    ['driver of type `morph`', `${NAME}.driver.morph`],
+    ...DRIVER_TYPES.map((type) => [`driver of type \`${type}\``, `${NAME}.driver.${type}`]),
+    ['link', `${NAME}.driver.morph`],
     ['textureInfo', 'textureInfo'],
   ])('lists the properties of its schema under "%s", with their defaults', (heading, file) => {
-    const { properties, required } = schemas.get(`${file}.schema.json`) as {
+    const schema = schemas.get(`${file}.schema.json`)
+    const { properties, required } = (heading === 'link' ? schema.properties.targets.items : schema) as {
       properties: Schema
       required: string[]
     }

@@ -8,10 +8,11 @@ import { checkWritable } from '../render/write-png.ts'
 import { embedWrinkles } from '../wrinkles/embed.ts'
 import { readFolder } from '../wrinkles/folder.ts'
 import { encodeGlb, readGlbFile } from '../wrinkles/glb-file.ts'
-import { packFolder, type Share, unknownTargets } from '../wrinkles/pack.ts'
+import { missingOf } from '../wrinkles/missing.ts'
+import { packFolder, type Share } from '../wrinkles/pack.ts'
 import { kilobytes } from '../wrinkles/sizes.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
-import { findTarget, targetNamesOf } from '../wrinkles/target.ts'
+import { findTarget, jointNamesOf, targetNamesOf } from '../wrinkles/target.ts'
 
 const WHO = 'furrow pack'
 
@@ -84,8 +85,8 @@ async function pack(folder: string, options: Options): Promise<void> {
   await writeAll([{ path: output, bytes }], WHO)
 
   const mesh = glb.json.meshes![target.mesh]!
-  const unknown = unknownTargets(wrinkles.drivers, targetNamesOf(mesh)).map(
-    (name) => `${WHO}: a driver names the blendshape "${name}", which the mesh does not have; it is kept`,
+  const unknown = missingOf(wrinkles.drivers, targetNamesOf(mesh), jointNamesOf(glb.json)).map(
+    (what) => `${WHO}: a driver names the ${what}, which is not there; it is kept`,
   )
   for (const warning of [...glb.warnings, ...wrinkles.warnings, ...unknown]) console.error(warning)
   const made = {

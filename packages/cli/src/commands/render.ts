@@ -2,6 +2,7 @@ import { performance } from 'node:perf_hooks'
 import { SingleBar } from 'cli-progress'
 import { Command } from 'commander'
 import { EXPRESSIONS, FurrowError } from 'furrow'
+import { weightCollector } from '../numbers.ts'
 import {
   MODE_NAMES,
   PICTURE_DEFAULTS,
@@ -35,11 +36,11 @@ export const renderCommand = new Command('render')
   )
   .option('--mesh <name>', 'the mesh that wrinkles (default: "skin", or the largest)')
   .option('--expression <name>', EXPRESSIONS.map(({ name }) => name).join(', '))
-  .option('--set <target=weight...>', 'blendshapes, 0..1, on top of the expression', collectWeight)
+  .option('--set <target=weight...>', 'blendshapes, 0..1, on top of the expression', weightCollector(WHO))
   .option(
     '--activation <area=share...>',
     'wrinkles of an area, 0..1, on top of the expression',
-    collectWeight,
+    weightCollector(WHO),
   )
   .option('--size <size>', `WIDTHxHEIGHT in pixels (default: ${sizeText()})`, parseSize)
   .option('--view <name>', `${VIEW_NAMES.join(', ')} (default: ${PICTURE_DEFAULTS.view})`)
@@ -87,20 +88,6 @@ async function drawWithBar(request: PictureRequest): Promise<Picture[]> {
   } finally {
     bar.stop()
   }
-}
-
-function collectWeight(text: string, before: Record<string, number> = {}): Record<string, number> {
-  const at = text.lastIndexOf('=')
-  const [name, number] = [text.slice(0, at), text.slice(at + 1).trim()]
-  const value = number === '' ? Number.NaN : Number(number)
-  if (at > 0 && value >= 0 && value <= 1) return { ...before, [name]: value }
-  throw new FurrowError({
-    who: WHO,
-    what: 'no weight',
-    value: text,
-    limit: 'NAME=0 to NAME=1',
-    remedy: 'write e.g. --set jawOpen=0.5; files go before these options',
-  })
 }
 
 function parseSize(text: string): { width: number; height: number } {

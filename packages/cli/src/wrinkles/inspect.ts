@@ -1,4 +1,4 @@
-import { FurrowError, type GrayImage, isMorphDriver, type TextureReference, type WrinkleDriver } from 'furrow'
+import { FurrowError, type GrayImage, type TextureReference, type WrinkleDriver } from 'furrow'
 import sharp from 'sharp'
 import { firstLine } from '../images.ts'
 import { channelOf } from './map-images.ts'
@@ -126,15 +126,6 @@ export async function sizeOf(image: TextureImage, who: string): Promise<{ width:
       remedy: 'export the file again',
     })
   }
-}
-
-/** A driver as one line: `brow = 0.5 browInnerUp + 1 browDown, curve (0, 0) (1, 1)`. */
-export function driverText(driver: WrinkleDriver): string {
-  if (!isMorphDriver(driver)) return `${driver.type}: not played by this version, kept as it is`
-  const targets = driver.targets.map(({ name, weight }) => (weight === 1 ? name : `${weight} ${name}`))
-  const curve = driver.curve.map(([input, output]) => `(${input}, ${output})`)
-  const straight = curve.join(' ') === '(0, 0) (1, 1)'
-  return `${driver.area} = ${targets.join(' + ')}${straight ? '' : `, curve ${curve.join(' ')}`}`
 }
 
 async function measureMap(

@@ -4,8 +4,6 @@ import {
   DEFAULT_AREA_SIZE,
   FurrowError,
   type GrayImage,
-  isMorphDriver,
-  MorphActivation,
   resampleGray,
   type WrinkleSetDocument,
 } from 'furrow'
@@ -74,11 +72,6 @@ export async function packFolder(
     return { name, ...place, layer: layerIndex(document, layer, name, who), combine, activation }
   })
   return { layers, areas, drivers: document.drivers ?? [], areaSize: side, warnings }
-}
-
-/** What drivers name and the mesh does not have; they count as 0, so this is worth a warning and no more. */
-export function unknownTargets(drivers: PackedWrinkles['drivers'], targetNames: readonly string[]): string[] {
-  return [...new MorphActivation(drivers.filter(isMorphDriver), targetNames).unknownTargets]
 }
 
 async function packLayers(

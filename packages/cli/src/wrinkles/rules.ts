@@ -1,9 +1,10 @@
-import { FurrowError, isMorphDriver, MorphActivation, parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
+import { AreaActivation, driversOf, FurrowError, parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
 import { firstLine } from '../images.ts'
 import type { Glb } from './glb-file.ts'
 import { inspectWrinkles, type Report } from './inspect.ts'
+import { missingOf, unknownTypes } from './missing.ts'
 import { arrayOf } from './pixels.ts'
-import { targetNamesOf } from './target.ts'
+import { jointNamesOf, targetNamesOf } from './target.ts'
 import { imageOf, layerCount, MAP_SLOTS, type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
 
 /** Something that is wrong with a file, or may be. */
@@ -157,19 +158,19 @@ function checkCoordinates({ glb, material, maps }: WrinkledFile): Finding[] {
   return [warning('TEXCOORD', message)]
 }
 
-function checkDrivers({ glb, material, maps }: WrinkledFile): Finding[] {
-  const unknownTypes = new Set(
-    maps.drivers.filter((driver) => !isMorphDriver(driver)).map(({ type }) => type),
-  )
+function checkDrivers({ glb, material, maps: { drivers } }: WrinkledFile): Finding[] {
   const meshes = (glb.json.meshes ?? []).filter(({ primitives }) => {
     return primitives.some((primitive) => primitive.material === material)
   })
-  const names = meshes.flatMap(targetNamesOf)
-  const { unknownTargets } = new MorphActivation(maps.drivers.filter(isMorphDriver), names)
   return [
-    ...[...unknownTypes].map((type) => warning('DRIVER_TYPE', `drivers of type "${type}" are not played`)),
-    ...unknownTargets.map((name) =>
-      warning('DRIVER_TARGET', `a driver names the blendshape "${name}", which no mesh of the material has`),
+    ...unknownTypes(drivers).map((type) =>
+      warning('DRIVER_TYPE', `drivers of type "${type}" are not played`),
+    ),
+    ...missingOf(drivers, meshes.flatMap(targetNamesOf), jointNamesOf(glb.json)).map((what) =>
+      warning('DRIVER_NAME', `a driver names the ${what}, which is not there`),
+    ),
+    ...new AreaActivation(driversOf('area', drivers), []).cyclic.map((area) =>
+      warning('DRIVER_CYCLE', `area "${area}" drives itself; its drivers between areas are not played`),
     ),
   ]
 }

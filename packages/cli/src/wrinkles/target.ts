@@ -39,6 +39,11 @@ export function targetNamesOf(mesh: GltfMesh): string[] {
   return Array.from({ length: count }, (_, i) => String(i))
 }
 
+/** Names of all nodes, any of which a driver may name as a joint. */
+export function jointNamesOf({ nodes = [] }: GltfJson): string[] {
+  return nodes.flatMap(({ name }) => (name === undefined ? [] : [name]))
+}
+
 function hasTexture({ attributes }: GltfMesh['primitives'][number]): boolean {
   return attributes?.TEXCOORD_0 !== undefined
 }

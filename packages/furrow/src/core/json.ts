@@ -101,6 +101,11 @@ export class JsonReader {
   }
 }
 
+/** Only what is absent has a default: glTF knows no null. */
+export function or(value: unknown, usual: unknown): unknown {
+  return value === undefined ? usual : value
+}
+
 /** Objects of strangers may lack a working `toString`, or be nested too deep; so they are turned into text here. */
 function shown(value: unknown): unknown {
   if (value === undefined) return { toString: () => 'nothing' }

@@ -9,3 +9,9 @@ export const DEFAULT_AREA_SIZE = 128
 
 /** Longest side of an image in texels: the texture size every WebGPU device guarantees. */
 export const MAX_IMAGE_SIDE = 8192
+
+/** Most characters of a name in a file. */
+export const LONGEST_NAME = 256
+
+/** Largest weight, scale or amplitude that means something. */
+export const LARGEST = 1000

@@ -1,5 +1,7 @@
-import { JsonReader } from './json.ts'
-import { MAX_AREAS, MAX_LAYERS } from './limits.ts'
+import type { WrinkleDriver } from './driver-types.ts'
+import { JsonReader, or } from './json.ts'
+import { LARGEST, LONGEST_NAME, MAX_AREAS, MAX_LAYERS } from './limits.ts'
+import { readDrivers } from './read-drivers.ts'
 import type { Combine, LayerKind } from './types.ts'
 
 /** Name of the glTF extension of a material; docs/FURROW_wrinkle_maps.md is its specification. */
@@ -42,22 +44,6 @@ export interface WrinkleMapsArea {
   activation: number
 }
 
-/** A point of a piecewise-linear curve: input, output. */
-export type CurvePoint = [input: number, output: number]
-
-/** Activates an area by blendshapes: the curve of the weighted sum of their weights. */
-export interface MorphDriver {
-  type: 'morph'
-  /** Name of the area. */
-  area: string
-  targets: { name: string; weight: number }[]
-  /** Two or more points with growing inputs; constant beyond its ends. */
-  curve: CurvePoint[]
-}
-
-/** Drivers this version knows. Others are kept as they are, so that a later version's file survives. */
-export type WrinkleDriver = MorphDriver | { type: string; [field: string]: unknown }
-
 /** The extension's JSON on a material, checked, defaults filled in. */
 export interface WrinkleMaps {
   layers: WrinkleMapsLayer[]
@@ -65,15 +51,8 @@ export interface WrinkleMaps {
   drivers: WrinkleDriver[]
 }
 
-const MAX_DRIVERS = 4096
-const MAX_TARGETS = 1024
-const MAX_CURVE_POINTS = 64
-const LONGEST_NAME = 256
 /** Every WebGL 2 and WebGPU device has arrays of 256 slices; one that had more would be found out when it is loaded. */
 const MAX_SLICES = 2048
-
-/** Largest weight, scale or amplitude that means something. */
-export const LARGEST = 1000
 
 /**
  * Reads the extension's JSON. Unknown fields are left alone; drivers of unknown type are kept as they are.
@@ -100,23 +79,6 @@ export function parseWrinkleMaps(
   checkNames(reader, areas, 'areas')
   checkSlices(reader, layers, areas)
   return { layers, areas, drivers: readDrivers(reader, root.drivers, areas) }
-}
-
-/** Reads a list of drivers; none when it is absent. */
-export function readDrivers(
-  reader: JsonReader,
-  value: unknown,
-  areas: readonly { name: string }[],
-): WrinkleDriver[] {
-  const names = areas.map(({ name }) => name)
-  return reader
-    .array(or(value, []), 'drivers', 0, MAX_DRIVERS)
-    .map((item, i) => readDriver(reader, item, `drivers[${i}]`, names))
-}
-
-/** Whether a driver is of the one type that this version plays. */
-export function isMorphDriver(driver: WrinkleDriver): driver is MorphDriver {
-  return driver.type === 'morph'
 }
 
 const LAYER_SLOTS = [
@@ -181,43 +143,6 @@ function readArea(
   }
 }
 
-function readDriver(reader: JsonReader, item: unknown, at: string, areas: readonly string[]): WrinkleDriver {
-  const json = reader.object(item, at)
-  const type = reader.text(json.type, `${at}.type`)
-  if (type !== 'morph') return { ...json, type }
-  const area = reader.choice(json.area, `${at}.area`, areas)
-  const targets = reader.array(json.targets, `${at}.targets`, 1, MAX_TARGETS).map((value, i) => {
-    const path = `${at}.targets[${i}]`
-    const target = reader.object(value, path)
-    return {
-      name: reader.text(target.name, `${path}.name`, LONGEST_NAME),
-      weight: reader.number(or(target.weight, 1), `${path}.weight`, -LARGEST, LARGEST, ''),
-    }
-  })
-  return { type: 'morph', area, targets, curve: readCurve(reader, json.curve, `${at}.curve`) }
-}
-
-const STRAIGHT: readonly CurvePoint[] = [
-  [0, 0],
-  [1, 1],
-]
-
-function readCurve(reader: JsonReader, value: unknown, at: string): CurvePoint[] {
-  const curve = reader.array(or(value, STRAIGHT), at, 2, MAX_CURVE_POINTS).map((item, i): CurvePoint => {
-    const [input, output] = reader.array(item, `${at}[${i}]`, 2, 2)
-    return [
-      reader.number(input, `${at}[${i}][0]`, -LARGEST, LARGEST, ''),
-      reader.number(output, `${at}[${i}][1]`, 0, 1, ''),
-    ]
-  })
-  for (let i = 1; i < curve.length; i++) {
-    if (curve[i][0] > curve[i - 1][0]) continue
-    const limit = `more than ${curve[i - 1][0]}`
-    reader.fail(`${at}[${i}][0] does not grow`, curve[i][0], limit, 'sort the points by their input')
-  }
-  return curve
-}
-
 function checkNames(reader: JsonReader, named: readonly { name: string }[], list: string): void {
   const seen = new Set<string>()
   for (const [i, { name }] of named.entries()) {
@@ -250,9 +175,4 @@ function checkSlices(reader: JsonReader, layers: WrinkleMapsLayer[], areas: Wrin
     if (!images.has(index)) continue
     reader.fail(`${images.get(index)} has no slice`, index, `a slice, as ${at}`, 'name its slice')
   }
-}
-
-/** Only what is absent has a default: glTF knows no null. */
-function or(value: unknown, usual: unknown): unknown {
-  return value === undefined ? usual : value
 }

@@ -1,3 +1,4 @@
+import { driversOf, type WrinkleDriver } from '../core/driver-types.ts'
 import { FurrowError } from '../core/error.ts'
 
 /** What a face does: how far each blendshape goes and how much of each area shows. */
@@ -7,6 +8,15 @@ export interface Expression {
   targets: Readonly<Record<string, number>>
   /** Activations by area, 0..1; what is not named is 0. */
   activations: Readonly<Record<string, number>>
+}
+
+/** The presets among a file's drivers. */
+export function expressionsOf(drivers: readonly WrinkleDriver[]): Expression[] {
+  return driversOf('expression', drivers).map(({ name, targets, activations }) => ({
+    name,
+    targets: Object.fromEntries(targets.map(({ name, weight }) => [name, weight])),
+    activations: Object.fromEntries(activations.map(({ area, activation }) => [area, activation])),
+  }))
 }
 
 /**

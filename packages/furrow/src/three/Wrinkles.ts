@@ -1,6 +1,9 @@
 import type { Camera, Material, Mesh, Texture } from 'three'
+import { FurrowError } from '../core/error.ts'
 import type { Area, ArraySlice, WrinkleSet } from '../core/types.ts'
 import { checkArea, checkWrinkleSet } from '../core/wrinkle-set.ts'
+import { AGES } from '../drivers/age.ts'
+import type { Expression } from '../drivers/expression.ts'
 import { ActivationTable } from './activation-table.ts'
 import { createAreaArray } from './area-array.ts'
 import { releaseAtlas, sharedAtlas } from './atlases.ts'
@@ -21,6 +24,9 @@ import { createTextures, listTextures } from './wrinkle-textures.ts'
 const owners = new WeakMap<Material, WrinklesBase>()
 const wearers = new WeakMap<Mesh, WrinklesBase>()
 
+/** Brings one face's activations up to date. */
+type Drive = (face: Face, instance: number) => void
+
 /** The wrinkles on a mesh, however they came there; of several, those put on first. */
 export function wrinklesOf(mesh: Mesh): WrinklesBase | undefined {
   return wearers.get(mesh)
@@ -35,6 +41,10 @@ export abstract class WrinklesBase {
   readonly mesh: Mesh
   /** Whether the drivers of the file move their areas; set it to false to move them yourself. */
   driven = true
+  /** Presets that the file brings. */
+  expressions: readonly Expression[] = []
+  /** Tells milliseconds to drivers that take their time; replace it where frames are not drawn as time passes. */
+  clock: { now(): number } = performance
 
   readonly #renderer: RendererParts
   readonly #options: Required<WrinklesOptions>
@@ -45,6 +55,7 @@ export abstract class WrinklesBase {
   readonly #cells: readonly Cell[]
   readonly #inputs: WrinkleInputs
   #areas: Area<ArraySlice>[]
+  #age: number = AGES.youngest
   #mode: WrinkleMode = 'off'
   #unpatch: () => void = () => {}
   #composed: ComposedMap | null = null
@@ -52,7 +63,7 @@ export abstract class WrinklesBase {
   #written = -1
   /** Influence materials alive: they want the map drawn whatever the mode. */
   #watchers = 0
-  readonly #drivers: ((instance: number) => void)[] = []
+  readonly #drivers: Drive[] = []
   readonly #disposers: (() => void)[] = []
 
   /**
@@ -84,7 +95,7 @@ export abstract class WrinklesBase {
     this.#atlas = sharedAtlas(renderer.quads, areas.width, areas.height, set.layers.length)
     this.#faces = Array.from(
       { length: countFaces(mesh) },
-      (_, instance) => new Face(areas, this.#areas, () => this.#drive(instance)),
+      (_, instance) => new Face(areas, this.#areas, (face) => this.#drive(face, instance)),
     )
     this.#cells = this.#atlas.add(this.#faces)
     this.#inputs = createInputs(textures, areas, this.#atlas)
@@ -145,6 +156,45 @@ export abstract class WrinklesBase {
     return this.#faces[instance].activations.get(area)
   }
 
+  /**
+   * Changes an area's activation at rest, to which drivers add: key frames of a file do, and so may you.
+   *
+   * @param value 0..1; clamped with one warning.
+   * @throws FurrowError when no area has that name.
+   */
+  setRestingActivation(area: string, value: number, instance = 0): void {
+    this.#faces[instance].rest(area, value)
+  }
+
+  /** @throws FurrowError when no area has that name. */
+  getRestingActivation(area: string, instance = 0): number {
+    return this.#faces[instance].resting.get(area)
+  }
+
+  /** The person's age in years, for areas with drivers of type `age`; 20 unless told. */
+  get age(): number {
+    return this.#age
+  }
+
+  /** @throws FurrowError when it is no number. */
+  set age(years: number) {
+    if (!Number.isFinite(years)) {
+      throw new FurrowError({
+        who: 'Wrinkles.age',
+        what: 'no age',
+        value: years,
+        limit: 'a number of years; faces change from 20 to 80',
+        remedy: 'give one',
+      })
+    }
+    this.#age = years
+  }
+
+  /** One of the areas as it was given. */
+  getArea(name: string): Area<ArraySlice> | undefined {
+    return this.#areas.find((area) => area.name === name)
+  }
+
   /** Whether an area of that name exists. */
   hasArea(name: string): boolean {
     return this.#faces[0].activations.has(name)
@@ -158,7 +208,7 @@ export abstract class WrinklesBase {
   addArea(area: Area): void {
     checkArea(area, this.#inputs.textures.layers, 'Wrinkles.addArea')
     this.#replaceAreas([...this.#areas, area], 'Wrinkles.addArea')
-    for (const { activations } of this.#faces) activations.set(area.name, area.activation ?? 0)
+    for (const face of this.#faces) face.rest(area.name, area.activation ?? 0)
   }
 
   /**
@@ -230,7 +280,7 @@ export abstract class WrinklesBase {
   }
 
   /** Has something done each time before a face is drawn, while `driven` is true. */
-  onDrive(drive: (instance: number) => void): void {
+  onDrive(drive: Drive): void {
     this.#drivers.push(drive)
   }
 
@@ -296,8 +346,8 @@ export abstract class WrinklesBase {
     }
   }
 
-  #drive(instance: number): void {
-    if (this.driven) for (const drive of this.#drivers) drive(instance)
+  #drive(face: Face, instance: number): void {
+    if (this.driven) for (const drive of this.#drivers) drive(face, instance)
   }
 
   #prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
@@ -333,8 +383,7 @@ export abstract class WrinklesBase {
     this.#written = -1
     this.#areas = areas
     for (const [i, face] of this.#faces.entries()) {
-      face.areas = array
-      face.activations.rebind(areas)
+      face.rebind(array, areas)
       this.#cells[i].stale = true
     }
     this.#atlas.prune()

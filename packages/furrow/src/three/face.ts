@@ -6,14 +6,34 @@ import type { AtlasFace } from './influence-atlas.ts'
 export class Face implements AtlasFace {
   areas: AreaArray
   readonly activations: Activations
-  readonly #drive: () => void
+  /** Activations at rest, to which drivers add. */
+  readonly resting: Activations
+  readonly #drive: (face: Face) => void
 
   /** @param drive brings the activations up to date with whatever moves them. */
-  constructor(areas: AreaArray, named: readonly { name: string; activation?: number }[], drive: () => void) {
+  constructor(
+    areas: AreaArray,
+    named: readonly { name: string; activation?: number }[],
+    drive: (face: Face) => void,
+  ) {
     this.areas = areas
     this.activations = new Activations(named, 'Wrinkles')
-    for (const { name, activation } of named) this.activations.set(name, activation ?? 0)
+    this.resting = new Activations(named, 'Wrinkles')
+    for (const { name, activation } of named) this.rest(name, activation ?? 0)
     this.#drive = drive
+  }
+
+  /** Sets an activation at rest, which shows until a driver says more. */
+  rest(area: string, value: number): void {
+    this.resting.set(area, value)
+    this.activations.set(area, value)
+  }
+
+  /** Takes another list of areas; those whose names stay keep their activations. */
+  rebind(areas: AreaArray, named: readonly { name: string }[]): void {
+    this.areas = areas
+    this.activations.rebind(named)
+    this.resting.rebind(named)
   }
 
   get values(): Float32Array {
@@ -21,6 +41,6 @@ export class Face implements AtlasFace {
   }
 
   drive(): void {
-    this.#drive()
+    this.#drive(this)
   }
 }

@@ -1,6 +1,6 @@
 /** What `furrow/three` and `furrow/webgpu` have in common. */
 export { decodeImage, toGray } from './decode-image.ts'
-export { driveByMorphs } from './drive.ts'
+export { addDrivers } from './drivers.ts'
 export { ExpressionPlayer } from './ExpressionPlayer.ts'
 export { loadWrinkleSet } from './load-wrinkle-set.ts'
 export { WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from './options.ts'

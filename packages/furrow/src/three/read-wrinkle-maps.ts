@@ -9,13 +9,13 @@ import {
 } from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import { CHANNEL, channelOf } from '../core/channels.ts'
+import type { WrinkleDriver } from '../core/driver-types.ts'
 import { FurrowError } from '../core/error.ts'
 import type { Area, ArraySlice, GrayImage, Layer, RgbaImage, WrinkleSet } from '../core/types.ts'
 import {
   parseWrinkleMaps,
   type TextureReference,
   WRINKLE_MAPS,
-  type WrinkleDriver,
   type WrinkleMaps,
   type WrinkleMapsLayer,
 } from '../core/wrinkle-maps.ts'

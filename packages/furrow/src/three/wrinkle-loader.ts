@@ -1,8 +1,9 @@
 import type { Material, Mesh } from 'three'
 import type { GLTF, GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
+import type { WrinkleDriver } from '../core/driver-types.ts'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
-import { WRINKLE_MAPS, type WrinkleDriver } from '../core/wrinkle-maps.ts'
-import { driveByMorphs } from './drive.ts'
+import { WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
+import { addDrivers } from './drivers.ts'
 import { readWrinkleMaps } from './read-wrinkle-maps.ts'
 import type { WrinklesBase } from './Wrinkles.ts'
 
@@ -57,7 +58,7 @@ export class WrinkleLoader {
   ): WrinklesBase {
     const own = new this.#Wrinkles(mesh, source)
     for (const other of others) own.addMesh(other)
-    driveByMorphs(own, drivers)
+    addDrivers(own, drivers)
     for (const part of [mesh, ...others]) this.#followClones(part, own, drivers)
     return own
   }

@@ -1,0 +1,107 @@
+import { Command } from 'commander'
+import { AGES, EXPRESSIONS, type Explanation, explain, FurrowError, findTargets } from 'furrow'
+import { readChoice, readNumber, weightCollector } from '../numbers.ts'
+import { driverText, linkText } from '../wrinkles/driver-text.ts'
+import { targetNamesOf } from '../wrinkles/target.ts'
+import { readWrinkledFile } from '../wrinkles/wrinkled-file.ts'
+
+const WHO = 'furrow activations'
+
+interface Options {
+  material?: string
+  expression?: string
+  set?: Record<string, number>
+  age?: string
+  json?: boolean
+}
+
+/** `furrow activations`: why a wrinkle shows. */
+export const activationsCommand = new Command('activations')
+  .description('show the activation of each area of a face, and which link gave it')
+  .argument('<face>', 'a face with wrinkles (.glb)')
+  .option('--set <target=weight...>', 'blendshapes, on top of the expression', weightCollector(WHO))
+  .option('--expression <name>', EXPRESSIONS.map(({ name }) => name).join(', '))
+  .option('--age <years>', `for areas that age drives (default: ${AGES.youngest})`)
+  .option('--material <name>', 'the material that has the wrinkles (default: the only one)')
+  .option('--json', 'print it as JSON')
+  .addHelpText(
+    'after',
+    `
+Joints and tension move areas too, but need the moving mesh: such drivers are listed without a number.
+
+Examples:
+  $ furrow activations faces/human.glb --set mouthSmileLeft=1 cheekSquintLeft=0.5
+  $ furrow activations faces/human.glb --expression angry --json`,
+  )
+  .action(activations)
+
+async function activations(path: string, options: Options): Promise<void> {
+  const { glb, material, maps } = await readWrinkledFile(path, WHO, options.material)
+  const mesh = (glb.json.meshes ?? []).find(({ primitives }) =>
+    primitives.some((primitive) => primitive.material === material),
+  )
+  const targetNames = mesh ? targetNamesOf(mesh) : []
+  const weights = weightsOf(targetNames, { ...expressionTargets(options.expression), ...options.set })
+  const age =
+    options.age === undefined
+      ? AGES.youngest
+      : readNumber(WHO, '--age', options.age, { low: 0, high: 120, unit: 'years', example: 50 })
+  const explanations = explain(maps.drivers, maps.areas, { targetNames, weights, age })
+  const others = maps.drivers.filter(({ type }) => type === 'bone' || type === 'tension').map(driverText)
+  const text = options.json
+    ? JSON.stringify({
+        file: path,
+        areas: explanations,
+        ...(others.length > 0 && { needTheMovingMesh: others }),
+      })
+    : [...explanations.flatMap(describe), ...others.map((text) => `needs the moving mesh: ${text}`)].join(
+        '\n',
+      )
+  process.stdout.write(`${text}\n`)
+}
+
+/** `nose 0.62`, and below it what gave it, the largest first; what gives nothing is left out. */
+function describe({ area, activation, resting, parts }: Explanation): string[] {
+  const lines = parts
+    .filter((part) => part.activation > 0)
+    .sort((a, b) => b.activation - a.activation)
+    .flatMap(({ driver, activation, links }) => [
+      `  ${number(activation)}  ${driverText(driver)}`,
+      ...links
+        .filter(({ value }) => value !== 0)
+        .map(({ link, value }) => `        ${number(value)}  ${linkText(link)}`),
+    ])
+  return [
+    `${number(activation)}  ${area}`,
+    ...(resting > 0 ? [`  ${number(resting)}  at rest`] : []),
+    ...lines,
+  ]
+}
+
+const number = (value: number) => value.toFixed(3)
+
+function expressionTargets(name: string | undefined): Readonly<Record<string, number>> {
+  if (name === undefined) return {}
+  const names = EXPRESSIONS.map((expression) => expression.name)
+  const chosen = readChoice(WHO, '--expression', name, names)
+  return EXPRESSIONS.find((expression) => expression.name === chosen)!.targets
+}
+
+/** In the order of the mesh's blendshapes. Throws FurrowError where it has none of a name. */
+function weightsOf(targetNames: readonly string[], set: Readonly<Record<string, number>>): Float64Array {
+  const weights = new Float64Array(targetNames.length)
+  for (const [name, weight] of Object.entries(set)) {
+    const places = findTargets(name, targetNames)
+    if (places.length === 0) {
+      throw new FurrowError({
+        who: WHO,
+        what: 'no such blendshape',
+        value: name,
+        limit: targetNames.join(', ') || 'the mesh has none',
+        remedy: 'name one of these',
+      })
+    }
+    for (const place of places) weights[place] = weight
+  }
+  return weights
+}

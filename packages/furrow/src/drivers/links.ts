@@ -1,0 +1,103 @@
+import type { Curve, Link, Rule } from '../core/driver-types.ts'
+import { sentence } from '../core/error.ts'
+import { curveAt } from './curve.ts'
+
+/** A driver that joins several inputs. */
+export interface Linked {
+  /** Place of its area in the list that results are added to. */
+  area: number
+  links: readonly Link[]
+  rule: Rule
+  curve: Curve
+}
+
+interface BoundLink {
+  name: string
+  indices: Uint16Array
+  weight: number
+  curve?: Curve
+}
+
+interface Bound {
+  area: number
+  links: readonly BoundLink[]
+  rule: Rule
+  curve: Curve
+}
+
+/** Drivers whose links are bound to places in one array of inputs. Nothing is allocated by `addTo`. */
+export class BoundLinks {
+  /** Names that no input has; they count as 0. */
+  readonly unknown: readonly string[]
+  readonly #bound: readonly Bound[]
+  readonly #who: string
+  readonly #warned = new Set<string>()
+
+  /** @param find places of an input by name: none, one, or those of its parts, of which the mean counts. */
+  constructor(drivers: readonly Linked[], find: (name: string) => readonly number[], who: string) {
+    const unknown = new Set<string>()
+    this.#bound = drivers.map(({ area, links, rule, curve }) => ({
+      area,
+      rule,
+      curve,
+      links: links.map(({ name, weight, curve }) => {
+        const indices = Uint16Array.from(find(name))
+        if (indices.length === 0) unknown.add(name)
+        return { name, indices, weight, ...(curve && { curve }) }
+      }),
+    }))
+    this.unknown = [...unknown]
+    this.#who = who
+  }
+
+  /**
+   * Adds what the drivers make of the inputs to their areas.
+   *
+   * @param offset where the first input stands.
+   */
+  addTo(activations: Float32Array, inputs: ArrayLike<number>, offset: number): void {
+    for (let i = 0; i < this.#bound.length; i++) this.#add(this.#bound[i], activations, inputs, offset)
+  }
+
+  /** One driver after the other, each adding to its area; its inputs are read when it is its turn. */
+  #add(
+    { area, links, rule, curve }: Bound,
+    activations: Float32Array,
+    inputs: ArrayLike<number>,
+    offset: number,
+  ) {
+    let joined = rule === 'product' ? 1 : 0
+    for (let i = 0; i < links.length; i++) {
+      const link = links[i]
+      const value = this.#linkValue(link, inputs, offset)
+      if (rule === 'sum') joined += value
+      else if (rule === 'product') joined *= value
+      else if (i === 0) joined = value
+      else joined = rule === 'max' ? Math.max(joined, value) : Math.min(joined, value)
+    }
+    activations[area] = Math.min(1, activations[area] + curveAt(curve, joined))
+  }
+
+  #linkValue({ name, indices, weight, curve }: BoundLink, inputs: ArrayLike<number>, offset: number): number {
+    let input = 0
+    for (let k = 0; k < indices.length; k++) input += inputs[offset + indices[k]] / indices.length
+    if (Number.isNaN(input)) {
+      this.#warn(name)
+      input = 0
+    }
+    return weight * (curve ? curveAt(curve, input) : input)
+  }
+
+  #warn(name: string): void {
+    if (this.#warned.has(name)) return
+    this.#warned.add(name)
+    console.warn(
+      sentence({
+        who: this.#who,
+        what: `the weight of "${name}" is no number`,
+        value: Number.NaN,
+        remedy: 'it counts as 0; this is said once',
+      }),
+    )
+  }
+}

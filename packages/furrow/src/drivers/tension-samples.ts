@@ -1,0 +1,57 @@
+import type { GrayImage } from '../core/types.ts'
+
+/** A mesh's triangles, unindexed or not. */
+export interface SampledMesh {
+  /** x, y and z of each vertex at rest. */
+  positions: ArrayLike<number>
+  /** u and v of each vertex, v downwards, in the layout of the areas. */
+  uvs: ArrayLike<number>
+  /** Three vertices for each triangle. */
+  triangles: ArrayLike<number>
+}
+
+/**
+ * Triangles that stand for an area: as many as asked for, evenly spread over the skin it covers in proportion to its weights, so that
+ * a plain mean over them is the mean over the area. Where the mesh has fewer some come more than once.
+ *
+ * @param weights of the area, row 0 at v = 0.
+ * @returns three vertices of the mesh for each; empty where the area covers no triangle.
+ */
+export function sampleTriangles(mesh: SampledMesh, weights: GrayImage, count: number): Uint32Array {
+  const { triangles } = mesh
+  const total = triangles.length / 3
+  const reached = new Float64Array(total)
+  let sum = 0
+  for (let k = 0; k < total; k++) {
+    sum += weightOf(mesh, weights, k) * surface(mesh, k)
+    reached[k] = sum
+  }
+  if (!(sum > 0)) return new Uint32Array()
+  const corners: number[] = []
+  let k = 0
+  for (let i = 0; i < count; i++) {
+    while (reached[k] < ((i + 0.5) / count) * sum) k++
+    corners.push(triangles[3 * k], triangles[3 * k + 1], triangles[3 * k + 2])
+  }
+  return Uint32Array.from(corners)
+}
+
+/** That in the triangle's middle, 0..1. */
+function weightOf({ uvs, triangles }: SampledMesh, { width, height, data }: GrayImage, k: number): number {
+  let [u, v] = [0, 0]
+  for (let corner = 0; corner < 3; corner++) {
+    u += uvs[2 * triangles[3 * k + corner]] / 3
+    v += uvs[2 * triangles[3 * k + corner] + 1] / 3
+  }
+  const texel = (place: number, size: number) => Math.min(Math.max(Math.floor(place * size), 0), size - 1)
+  return data[texel(v, height) * width + texel(u, width)] / 255 || 0
+}
+
+/** Of a triangle at rest; 0 where its positions are no numbers. */
+function surface({ positions, triangles }: SampledMesh, k: number): number {
+  const edge = (corner: number, axis: number) =>
+    positions[3 * triangles[3 * k + corner] + axis] - positions[3 * triangles[3 * k] + axis]
+  const cross = (a: number, b: number) => edge(1, a) * edge(2, b) - edge(1, b) * edge(2, a)
+  const area = Math.hypot(cross(1, 2), cross(2, 0), cross(0, 1)) / 2
+  return Number.isFinite(area) ? area : 0
+}

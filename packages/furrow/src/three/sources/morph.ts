@@ -1,0 +1,32 @@
+import type { InstancedMesh, Mesh } from 'three'
+import { driversOf } from '../../core/driver-types.ts'
+import { MorphActivation } from '../../drivers/morph.ts'
+import type { SourceType } from './source.ts'
+
+/** Reads the mesh's blendshapes. Instances that have weights of their own (`setMorphAt`) wrinkle by those. */
+export const morphSource: SourceType = {
+  type: 'morph',
+  create({ mesh }, drivers) {
+    const driver = new MorphActivation(
+      driversOf('morph', drivers),
+      targetNames(mesh),
+      driversOf('conflict', drivers),
+    )
+    return {
+      type: 'morph',
+      driver,
+      update(instance) {
+        const { morphTargetInfluences, morphTexture } = mesh as Partial<InstancedMesh>
+        // Each instance's row holds the share of the base shape, then those of the targets.
+        if (morphTexture) driver.update(morphTexture.image.data!, instance * morphTexture.image.width + 1)
+        else if (morphTargetInfluences) driver.update(morphTargetInfluences)
+      },
+    }
+  },
+}
+
+/** Names in the order of the weights. An `InstancedMesh` has no list of its own; its geometry may. */
+function targetNames({ geometry, morphTargetDictionary }: Mesh): string[] {
+  if (!morphTargetDictionary) return geometry.morphAttributes.position?.map(({ name }) => name) ?? []
+  return Object.keys(morphTargetDictionary)
+}

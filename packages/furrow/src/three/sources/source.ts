@@ -1,0 +1,18 @@
+import type { DriverType, WrinkleDriver } from '../../core/driver-types.ts'
+import type { Driver } from '../../drivers/driver.ts'
+import type { WrinklesBase } from '../Wrinkles.ts'
+
+/** A driver and what it reads of a mesh. */
+export interface Source {
+  type: DriverType
+  driver: Driver
+  /** Brings the driver up to date with one face of the mesh. */
+  update(instance: number): void
+}
+
+/** How drivers of one type are bound to a mesh. */
+export interface SourceType {
+  type: DriverType
+  /** @param drivers of all types. */
+  create(wrinkles: WrinklesBase, drivers: readonly WrinkleDriver[]): Source
+}

@@ -1,0 +1,81 @@
+import { type Mesh, type MeshStandardMaterial, Vector2, Vector3 } from 'three'
+import { driversOf } from '../../core/driver-types.ts'
+import type { GrayImage } from '../../core/types.ts'
+import { TensionActivation } from '../../drivers/tension.ts'
+import { type SampledMesh, sampleTriangles } from '../../drivers/tension-samples.ts'
+import type { WrinklesBase } from '../Wrinkles.ts'
+import type { SourceType } from './source.ts'
+
+/** Triangles that stand for an area: each costs three vertices, deformed by the processor as the mesh is. */
+const SAMPLES = 16
+
+/** Measures the mesh as skinning and blendshapes deform it, and its positions where something else does. */
+export const tensionSource: SourceType = {
+  type: 'tension',
+  create(wrinkles, drivers) {
+    const own = driversOf('tension', drivers)
+    const { mesh } = wrinkles
+    const sampled = sampledMesh(mesh)
+    const samples = [...new Set(own.map(({ area }) => area))].map((area) => {
+      const weights = weightsOf(wrinkles, area)
+      return { area, triangles: weights ? sampleTriangles(sampled, weights, SAMPLES) : new Uint32Array() }
+    })
+    const vertices = Uint32Array.from(new Set(samples.flatMap(({ triangles }) => [...triangles])))
+    const places = new Map([...vertices].map((vertex, i) => [vertex, i]))
+    const rest = Float64Array.from(
+      vertices.length * 3 === 0 ? [] : [...vertices].flatMap((vertex) => corner(sampled, vertex)),
+    )
+    const bound = samples.map(({ area, triangles }) => ({
+      area,
+      triangles: triangles.map((vertex) => places.get(vertex)!),
+    }))
+    const driver = new TensionActivation(own, bound, rest)
+    const positions = new Float64Array(rest.length)
+    const at = new Vector3()
+    return {
+      type: 'tension',
+      driver,
+      update() {
+        for (let i = 0; i < vertices.length; i++) {
+          mesh.getVertexPosition(vertices[i], at)
+          positions[3 * i] = at.x
+          positions[3 * i + 1] = at.y
+          positions[3 * i + 2] = at.z
+        }
+        driver.update(positions)
+      },
+    }
+  },
+}
+
+/** Areas of compressed textures cannot be read. */
+function weightsOf(wrinkles: WrinklesBase, name: string): GrayImage | undefined {
+  const weights = wrinkles.getArea(name)?.weights
+  return weights && 'data' in weights ? weights : undefined
+}
+
+function corner({ positions }: SampledMesh, vertex: number): number[] {
+  return [positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2]]
+}
+
+/** The mesh at rest, with the texture coordinates that the areas have: those of the normal map. */
+function sampledMesh({ geometry, material }: Mesh): SampledMesh {
+  const position = geometry.getAttribute('position')
+  const { normalMap } = material as MeshStandardMaterial
+  const uv = geometry.getAttribute(normalMap?.channel ? `uv${normalMap.channel}` : 'uv')
+  const positions = new Float64Array(3 * position.count)
+  const uvs = new Float64Array(2 * position.count)
+  const place = new Vector2()
+  normalMap?.updateMatrix()
+  for (let i = 0; i < position.count; i++) {
+    positions.set([position.getX(i), position.getY(i), position.getZ(i)], 3 * i)
+    place.fromBufferAttribute(uv as never, i)
+    if (normalMap) place.applyMatrix3(normalMap.matrix)
+    uvs.set([place.x, place.y], 2 * i)
+  }
+  return {
+    positions,
+    uvs,
+    triangles: geometry.index?.array ?? positions.map((_, i) => i).subarray(0, position.count),
+  }
+}

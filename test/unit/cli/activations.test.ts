@@ -1,0 +1,47 @@
+import { describe, expect, it } from 'vitest'
+import { activationsCommand } from '../../../packages/cli/src/commands/activations.ts'
+import { bench } from './command.ts'
+
+const human = 'faces/human.glb'
+const shop = bench(activationsCommand)
+
+describe('furrow activations', () => {
+  it('prints the activation of each area, and below it what gave it', async () => {
+    await shop.run(human, '--set', 'mouthSmileLeft=1', 'cheekSquintLeft=0.5')
+    const lines = shop.printed.split('\n')
+    // 0.8 x 0.5 + 0.3 x 1 = 0.7, on the curve from (0.25, 0) to (0.9, 1).
+    const at = lines.indexOf('0.692  crowsFeetLeft')
+    expect(at).toBeGreaterThanOrEqual(0)
+    expect(lines[at + 1]).toMatch(
+      /^ {2}0\.692 {2}crowsFeetLeft = 0\.8 cheekSquintLeft \+ 0\.3 mouthSmileLeft/,
+    )
+    expect(lines[at + 2]).toBe('        0.400  0.8 cheekSquintLeft')
+    expect(lines[at + 3]).toBe('        0.300  0.3 mouthSmileLeft')
+    expect(lines).toContain('0.000  crowsFeetRight')
+    expect(lines).toContain('1.000  nasolabialLeft')
+  })
+
+  it('prints the same as JSON, for an expression and what is set on top', async () => {
+    await shop.run(human, '--expression', 'angry', '--set', 'noseSneer_L=0', '--json')
+    const { file, areas } = JSON.parse(shop.printed)
+    expect(file).toBe(human)
+    const of = (name: string) => areas.find(({ area }: { area: string }) => area === name)
+    // Both brows down: 1, beyond the curve's end at 0.9.
+    expect(of('glabella').activation).toBe(1)
+    // 0.5 x 0.35 of the right side alone, on the curve from (0.05, 0) to (0.8, 1).
+    expect(of('nose').activation).toBeCloseTo((0.175 - 0.05) / 0.75, 6)
+    expect(of('nose').parts[0].links).toContainEqual({
+      link: { name: 'noseSneerRight', weight: 0.5 },
+      value: expect.closeTo(0.175, 9),
+    })
+  })
+
+  it.each([
+    [['--set', 'trunkUp=1'], 'no such blendshape, got "trunkUp"'],
+    [['--set', 'jawOpen=2'], 'no weight, got "jawOpen=2"'],
+    [['--expression', 'bored'], '--expression is unknown, got "bored"'],
+    [['--age', 'old'], '--age is no number in its range, got "old"'],
+  ])('refuses %j', async (args, message) => {
+    await shop.fails(message, human, ...args)
+  })
+})

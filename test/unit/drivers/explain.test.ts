@@ -1,0 +1,51 @@
+import { type Curve, explain, type WrinkleDriver } from 'furrow'
+import { expect, it } from 'vitest'
+
+const STRAIGHT: Curve = [
+  [0, 0],
+  [1, 1],
+]
+const drivers: WrinkleDriver[] = [
+  {
+    type: 'morph',
+    area: 'glabella',
+    targets: [
+      { name: 'browDownLeft', weight: 1 },
+      { name: 'browDownRight', weight: 0.5 },
+    ],
+    rule: 'min',
+    curve: STRAIGHT,
+  },
+  { type: 'conflict', targets: ['browDownLeft', 'browOuterUpLeft'] },
+  { type: 'area', area: 'nose', areas: [{ name: 'glabella', weight: 0.5 }], rule: 'sum', curve: STRAIGHT },
+  {
+    type: 'age',
+    area: 'nose',
+    curve: [
+      [20, 0],
+      [80, 0.6],
+    ],
+  },
+  { type: 'time', area: 'nose', attack: 5, release: 5 },
+  { type: 'area', area: 'chin', areas: [{ name: 'chin', weight: 1 }], rule: 'sum', curve: STRAIGHT },
+]
+
+it('says what each link and driver gives', () => {
+  const [glabella, nose, chin] = explain(
+    drivers,
+    [{ name: 'glabella' }, { name: 'nose', activation: 0.1 }, { name: 'chin', activation: 0.3 }],
+    { targetNames: ['browDown_L', 'browDown_R', 'browOuterUp_L'], weights: [0.9, 0.8, 0.3], age: 50 },
+  )
+  expect(glabella.activation).toBeCloseTo(0.4, 6)
+  expect(glabella.parts[0].links.map(({ value }) => Math.round(10 * value) / 10)).toEqual([0.6, 0.4])
+  // 0.1 at rest, 0.2 from the glabella, 0.3 by age.
+  expect(nose.activation).toBeCloseTo(0.6, 6)
+  expect(nose.resting).toBe(0.1)
+  expect(nose.parts.map(({ driver, activation }) => [driver.type, Math.round(10 * activation) / 10])).toEqual(
+    [
+      ['area', 0.2],
+      ['age', 0.3],
+    ],
+  )
+  expect(chin).toEqual({ area: 'chin', activation: expect.closeTo(0.3, 6), resting: 0.3, parts: [] })
+})

@@ -1,0 +1,131 @@
+import { type Curve, type Link, MorphActivation, type Rule } from 'furrow'
+import { afterEach, describe, expect, it, vi } from 'vitest'
+
+const STRAIGHT: Curve = [
+  [0, 0],
+  [1, 1],
+]
+const names = ['browDownLeft', 'browDownRight', 'browOuterUpLeft']
+const link = (name: string, weight = 1, curve?: Curve): Link => ({ name, weight, ...(curve && { curve }) })
+
+function activation(rule: Rule, links: Link[], weights: number[], curve = STRAIGHT): number {
+  const morph = new MorphActivation([{ type: 'morph', area: 'glabella', targets: links, rule, curve }], names)
+  morph.update(weights)
+  return morph.activations[0]
+}
+
+afterEach(() => vi.restoreAllMocks())
+
+describe('rules', () => {
+  const both = [link('browDownLeft', 0.5), link('browDownRight', 0.25)]
+  it.each<[Rule, number]>([
+    ['sum', 0.8 * 0.5 + 0.4 * 0.25],
+    ['max', 0.8 * 0.5],
+    ['min', 0.4 * 0.25],
+    ['product', 0.8 * 0.5 * 0.4 * 0.25],
+  ])('%s', (rule, expected) => {
+    expect(activation(rule, both, [0.8, 0.4, 0])).toBeCloseTo(expected, 6)
+  })
+
+  it('both brows are needed where the rule says so', () => {
+    const links = [link('browDownLeft'), link('browDownRight')]
+    expect(activation('min', links, [1, 0, 0])).toBe(0)
+    expect(activation('product', links, [1, 0, 0])).toBe(0)
+    expect(activation('min', links, [1, 0.7, 0])).toBeCloseTo(0.7, 6)
+  })
+
+  it('a weight below 0 takes away', () => {
+    const links = [link('browDownLeft'), link('browOuterUpLeft', -0.5)]
+    expect(activation('sum', links, [0.9, 0, 0.6])).toBeCloseTo(0.6, 6)
+    expect(activation('sum', links, [0.1, 0, 1])).toBe(0)
+    expect(activation('max', [link('browDownLeft', -1)], [0.5, 0, 0])).toBe(0)
+  })
+
+  it("a link's curve comes before its weight, and the driver's after the rule", () => {
+    const late: Curve = [
+      [0.5, 0],
+      [1, 2],
+    ]
+    const halved: Curve = [
+      [0, 0],
+      [2, 1],
+    ]
+    // 0.75 -> 1 on its own curve, times 0.8, plus 0.4.
+    const links = [link('browDownLeft', 0.8, late), link('browDownRight')]
+    expect(activation('sum', links, [0.75, 0.4, 0], halved)).toBeCloseTo(0.6, 6)
+    expect(activation('sum', links, [0.5, 0.4, 0], halved)).toBeCloseTo(0.2, 6)
+  })
+
+  it('a weight that is no number counts as 0 and is said once, with its name', () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const morph = new MorphActivation(
+      [{ type: 'morph', area: 'glabella', targets: both, rule: 'sum', curve: STRAIGHT }],
+      names,
+    )
+    for (let i = 0; i < 3; i++) morph.update([Number.NaN, 0.4, 0])
+    expect(morph.activations[0]).toBeCloseTo(0.1, 6)
+    expect(warn).toHaveBeenCalledTimes(1)
+    expect(warn.mock.calls[0][0]).toContain('the weight of "browDownLeft" is no number, got NaN')
+  })
+})
+
+describe('conflicts', () => {
+  const driven = (conflicts: [string, string][], targetNames: string[], weights: number[]) => {
+    const morph = new MorphActivation(
+      ['browOuterUpLeft', 'browDownLeft'].map((name) => ({
+        type: 'morph',
+        area: name,
+        targets: [link(name)],
+        rule: 'sum',
+        curve: STRAIGHT,
+      })),
+      targetNames,
+      conflicts.map((targets) => ({ type: 'conflict', targets })),
+    )
+    morph.update(weights)
+    return { activations: [...morph.activations].map((value) => Math.round(1000 * value) / 1000), morph }
+  }
+  const pair: [string, string] = ['browOuterUpLeft', 'browDownLeft']
+
+  it.each([
+    [
+      [0.7, 0.7],
+      [0, 0],
+    ],
+    [
+      [0.9, 0.2],
+      [0.7, 0],
+    ],
+    [
+      [0.1, 0.6],
+      [0, 0.5],
+    ],
+    [
+      [0.8, 0],
+      [0.8, 0],
+    ],
+    [
+      [0.8, -0.5],
+      [0.8, 0],
+    ],
+  ])('raised and lowered by %j leaves %j', (weights, left) => {
+    expect(driven([pair], ['browOuterUpLeft', 'browDownLeft'], weights).activations).toEqual(left)
+  })
+
+  it('leaves the weights of the mesh alone, and finds halves and other spellings', () => {
+    const weights = [0.5, 0.3, 0.2]
+    const targets = ['browDown_L', 'browOuterUp_L', 'jawOpen']
+    expect(driven([pair], targets, weights).activations).toEqual([0, 0.2])
+    expect(weights).toEqual([0.5, 0.3, 0.2])
+  })
+
+  it('goes on without a target that is missing, and tells which', () => {
+    const { activations, morph } = driven(
+      [['browOuterUpLeft', 'tail']],
+      ['browOuterUpLeft', 'browDownLeft'],
+      [0.5, 0.5],
+    )
+    expect(activations).toEqual([0.5, 0.5])
+    expect(morph.missing).toEqual(['target "tail"'])
+  })
+})

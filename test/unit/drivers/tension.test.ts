@@ -1,0 +1,133 @@
+import { type Curve, type GrayImage, sampleTriangles, TensionActivation, type TensionDriver } from 'furrow'
+import { Euler, Matrix4, Vector3 } from 'three'
+import { describe, expect, it } from 'vitest'
+import { seeded } from '../../random.ts'
+
+const RULER: Curve = [
+  [-1, 0],
+  [1, 1],
+]
+const full: GrayImage = { width: 4, height: 4, data: new Uint8Array(16).fill(255) }
+const driver = (measure: TensionDriver['measure'], area = 'sheet'): TensionDriver => ({
+  type: 'tension',
+  area,
+  measure,
+  curve: RULER,
+})
+
+/** A sheet of 1 x 1 in the plane z = 0, of `side` x `side` squares, its inner points shifted at random. */
+function sheet(side: number, wobble = 0) {
+  const random = seeded(side)
+  const [positions, uvs, triangles]: number[][] = [[], [], []]
+  for (let y = 0; y <= side; y++) {
+    for (let x = 0; x <= side; x++) {
+      const [u, v] = [x, y].map((place) =>
+        place > 0 && place < side ? (place + wobble * (random() - 0.5)) / side : place / side,
+      )
+      positions.push(u, v, 0)
+      uvs.push(u, v)
+    }
+  }
+  for (let y = 0; y < side; y++) {
+    for (let x = 0; x < side; x++) {
+      const a = y * (side + 1) + x
+      triangles.push(a, a + 1, a + side + 2, a, a + side + 2, a + side + 1)
+    }
+  }
+  return { positions, uvs, triangles }
+}
+
+type Sheet = ReturnType<typeof sheet>
+
+/** What a driver measures once every point has moved. */
+function measure(
+  rest: Sheet,
+  measure: TensionDriver['measure'],
+  move: (point: Vector3) => Vector3,
+  count = 24,
+) {
+  const triangles = sampleTriangles(rest, full, count)
+  expect(triangles).toHaveLength(3 * count)
+  const tension = new TensionActivation([driver(measure)], [{ area: 'sheet', triangles }], rest.positions)
+  const now = rest.positions.slice()
+  for (let i = 0; i < now.length; i += 3) move(new Vector3().fromArray(rest.positions, i)).toArray(now, i)
+  tension.update(now)
+  expect(tension.activations[0]).toBeCloseTo(tension.measured[0] / 2 + 0.5, 5)
+  return tension.measured[0]
+}
+
+describe('TensionActivation', () => {
+  const turn = new Matrix4().makeRotationFromEuler(new Euler(0.4, 1.2, -2)).setPosition(3, -1, 7)
+
+  it.each([1, 2, 5, 16, 40])('a sheet of %d squares shortened by 20%% along x reports 0.20', (side) => {
+    const shorten = (point: Vector3) => point.multiply(new Vector3(0.8, 1, 1))
+    expect(measure(sheet(side), 'compression', shorten)).toBeCloseTo(0.2, 9)
+    expect(
+      measure(sheet(side, 0.6), 'compression', (point) => shorten(point).applyMatrix4(turn)),
+    ).toBeCloseTo(0.2, 6)
+  })
+
+  it('whatever the direction, and stretched as well', () => {
+    for (const angle of [0.3, 1, 2.4]) {
+      const there = new Matrix4().makeRotationZ(angle)
+      const along = new Matrix4().makeScale(1.3, 0.9, 1)
+      const move = there.clone().multiply(along).multiply(there.clone().invert())
+      expect(measure(sheet(6, 0.5), 'compression', (point) => point.applyMatrix4(move))).toBeCloseTo(0.1, 6)
+      expect(measure(sheet(6, 0.5), 'stretch', (point) => point.applyMatrix4(move))).toBeCloseTo(0.3, 6)
+    }
+  })
+
+  it('a rigid motion reports 0', () => {
+    for (const kind of ['compression', 'stretch'] as const) {
+      expect(Math.abs(measure(sheet(7, 0.6), kind, (point) => point.applyMatrix4(turn)))).toBeLessThan(1e-7)
+    }
+  })
+
+  it('folding without a change of length reports 0', () => {
+    const fold = (point: Vector3) => new Vector3(Math.min(point.x, 0.5), point.y, Math.max(0, point.x - 0.5))
+    expect(Math.abs(measure(sheet(8), 'compression', fold, 64))).toBeLessThan(1e-7)
+  })
+
+  it('is the mean over the area', () => {
+    // Compressed by 0 at y = 0 and 40% at y = 1, linearly; cut into thin rows.
+    const fan = (point: Vector3) => point.set(point.x, point.y * (1 - 0.2 * point.y), 0)
+    expect(measure(sheet(40), 'compression', fan, 400)).toBeCloseTo(0.2, 2)
+  })
+
+  it('tells pulled from pushed by the sign', () => {
+    const grow = (point: Vector3) => point.multiplyScalar(1.25)
+    expect(measure(sheet(4), 'compression', grow)).toBeCloseTo(-0.25, 9)
+    expect(measure(sheet(4), 'stretch', (point) => point.multiplyScalar(0.5))).toBeCloseTo(-0.5, 9)
+  })
+
+  it('goes on without an area that covers nothing, and without triangles that are none', () => {
+    const rest = sheet(1)
+    const triangles = [0, 0, 0, 0, 1, 1, ...rest.triangles]
+    const tension = new TensionActivation(
+      [driver('compression'), driver('compression', 'gone')],
+      [{ area: 'sheet', triangles }],
+      rest.positions,
+    )
+    expect(tension.missing).toEqual(['triangles under area "gone"'])
+    tension.update(rest.positions.map((value, i) => (i % 3 === 0 ? value * 0.7 : value)))
+    expect(tension.measured[0]).toBeCloseTo(0.3, 9)
+    expect(tension.activations[1]).toBe(0)
+  })
+})
+
+describe('sampleTriangles', () => {
+  it('takes triangles by the weight they have, and none where there is none', () => {
+    const left: GrayImage = { width: 2, height: 1, data: Uint8Array.of(255, 0) }
+    const mesh = sheet(10)
+    const chosen = sampleTriangles(mesh, left, 50)
+    for (const vertex of chosen) expect(mesh.positions[3 * vertex]).toBeLessThanOrEqual(0.5 + 1e-9)
+    expect(new Set(chosen).size).toBeGreaterThan(30)
+    expect(sampleTriangles(mesh, { width: 1, height: 1, data: Uint8Array.of(0) }, 50)).toHaveLength(0)
+  })
+
+  it('passes over positions that are no numbers', () => {
+    const mesh = sheet(3)
+    mesh.positions[0] = Number.NaN
+    expect([...sampleTriangles(mesh, full, 200)]).not.toContain(0)
+  })
+})
