@@ -57,8 +57,16 @@ export { Conflicts } from './drivers/conflict.ts'
 export { curveAt } from './drivers/curve.ts'
 export type { Driver } from './drivers/driver.ts'
 export { type Explanation, explain, type LinkPart, type Part } from './drivers/explain.ts'
-export { type Expression, ExpressionMix, expressionsOf } from './drivers/expression.ts'
+export {
+  EASINGS,
+  type Easing,
+  type Expression,
+  type ExpressionChoice,
+  ExpressionMix,
+  expressionsOf,
+} from './drivers/expression.ts'
 export { EXPRESSIONS } from './drivers/expressions.ts'
+export { type ActivationPointer, parseActivationPointer } from './drivers/key-frames.ts'
 export { MorphActivation } from './drivers/morph.ts'
 export { type DriverState, DriverSum } from './drivers/sum.ts'
 export { canonicalTargetName, findTargets } from './drivers/target-names.ts'

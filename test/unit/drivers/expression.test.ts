@@ -1,4 +1,11 @@
-import { canonicalTargetName, EXPRESSIONS, type Expression, ExpressionMix, findTargets } from 'furrow'
+import {
+  canonicalTargetName,
+  type Easing,
+  EXPRESSIONS,
+  type Expression,
+  ExpressionMix,
+  findTargets,
+} from 'furrow'
 import { describe, expect, it } from 'vitest'
 
 const ARKIT =
@@ -50,6 +57,38 @@ describe('ExpressionMix', () => {
     mix.play('wink')
     expect([...mix.targets]).toEqual([1])
     expect(mix.still).toBe(true)
+  })
+
+  it('plays several at once, which add up to at most 1', () => {
+    const mix = new ExpressionMix([
+      { name: 'a', targets: { jawOpen: 0.5, browDownLeft: 1 }, activations: { nose: 0.4 } },
+      { name: 'b', targets: { jawOpen: 1 }, activations: { nose: 1, chin: 0.5 } },
+    ])
+    mix.play({ a: 0.5, b: 0.25 })
+    expect([...mix.targets]).toEqual([0.5, 0.5])
+    expect([...mix.activations].map((value) => Math.round(1e4 * value) / 1e4)).toEqual([0.45, 0.125])
+    mix.play({ a: 1, b: 1 })
+    expect([...mix.targets]).toEqual([1, 1])
+    mix.play({})
+    expect([...mix.targets, ...mix.activations]).toEqual([0, 0, 0, 0])
+    expect(() => mix.play({ a: 1.5 })).toThrow('weight of "a" out of range, got 1.5, allowed: 0 to 1')
+  })
+
+  it.each<[Easing, number, number]>([
+    ['linear', 0.25, 0.75],
+    ['easeIn', 0.0625, 0.5625],
+    ['easeOut', 0.4375, 0.9375],
+    ['easeInOut', 0.15625, 0.84375],
+    [(share) => share ** 3, 0.015625, 0.421875],
+  ])('eases %s', (easing, quarter, threeQuarters) => {
+    const mix = new ExpressionMix(two)
+    mix.play('wink', 2, easing)
+    mix.update(0.5)
+    expect(mix.targets[0]).toBeCloseTo(quarter, 6)
+    mix.update(1)
+    expect(mix.targets[0]).toBeCloseTo(threeQuarters, 6)
+    mix.update(5)
+    expect(mix.targets[0]).toBe(1)
   })
 
   it('refuses what it does not know', () => {

@@ -19,9 +19,24 @@ export function expressionsOf(drivers: readonly WrinkleDriver[]): Expression[] {
   }))
 }
 
+/** How a transition goes: shares of its time, 0..1, to shares of the way. */
+export const EASINGS = {
+  linear: (share: number) => share,
+  easeIn: (share: number) => share * share,
+  easeOut: (share: number) => share * (2 - share),
+  /** Hermite's smooth step. */
+  easeInOut: (share: number) => share * share * (3 - 2 * share),
+} as const
+
+/** One of `EASINGS`, or a function of one's own. */
+export type Easing = keyof typeof EASINGS | ((share: number) => number)
+
+/** One expression by name, or several with weights, which add up. */
+export type ExpressionChoice = string | Readonly<Record<string, number>>
+
 /**
- * Linear interpolation from one expression to the next over a given time, on the CPU (the paper's own way of
- * driving the wrinkles). Values stand in one array whose order `names` gives; nothing is allocated by `update`.
+ * Interpolation from one expression, or several at once, to the next over a given time, on the CPU (the paper's own way of
+ * driving the wrinkles, linear unless told). Values stand in one array whose order `names` gives; nothing is allocated by `update`.
  */
 export class ExpressionMix {
   /** The union of all names that any of the expressions uses, targets and activations apart. */
@@ -33,10 +48,13 @@ export class ExpressionMix {
   readonly activations: Float32Array
 
   readonly #expressions: ReadonlyMap<string, Ends>
-  #from: Ends
-  #to: Ends
+  readonly #from: Ends
+  readonly #to: Ends
+  #easing: (share: number) => number = EASINGS.linear
   #duration = 0
   #elapsed = 0
+  /** Of the way; in an array, since a number that is handed over may be allocated. */
+  readonly #share = new Float64Array(1)
 
   /**
    * @param expressions at least one; the first is where the mix starts.
@@ -63,10 +81,11 @@ export class ExpressionMix {
         },
       ]),
     )
-    this.#to = this.#expressions.get(expressions[0].name)!
-    this.targets = this.#to.targets.slice()
-    this.activations = this.#to.activations.slice()
+    const first = this.#expressions.get(expressions[0].name)!
+    this.targets = first.targets.slice()
+    this.activations = first.activations.slice()
     this.#from = { targets: this.targets.slice(), activations: this.activations.slice() }
+    this.#to = { targets: this.targets.slice(), activations: this.activations.slice() }
   }
 
   /** Whether it has arrived. */
@@ -75,22 +94,15 @@ export class ExpressionMix {
   }
 
   /**
-   * Heads for an expression from wherever the mix is now.
+   * Heads for an expression from wherever the mix is now, or for several at once: `{ happy: 0.6, surprised: 0.4 }`. Their
+   * weights add up target by target and area by area, to at most 1.
    *
-   * @param seconds time to get there; 0 arrives at the next `update`.
-   * @throws FurrowError when no expression has that name, or the time is negative or not finite.
+   * @param seconds time to get there; 0 arrives at once.
+   * @throws FurrowError when no expression has that name, a weight is not within 0..1, or the time is negative or not finite.
    */
-  play(name: string, seconds = 0): void {
-    const to = this.#expressions.get(name)
-    if (to === undefined) {
-      throw new FurrowError({
-        who: 'ExpressionMix',
-        what: 'unknown expression',
-        value: name,
-        limit: [...this.#expressions.keys()].join(', '),
-        remedy: 'use one of these, or pass your own list of expressions',
-      })
-    }
+  play(choice: ExpressionChoice, seconds = 0, easing: Easing = 'linear'): void {
+    const weights = typeof choice === 'string' ? { [choice]: 1 } : choice
+    for (const [name, weight] of Object.entries(weights)) this.#check(name, weight)
     if (!(seconds >= 0 && seconds < Infinity)) {
       throw new FurrowError({
         who: 'ExpressionMix',
@@ -100,9 +112,16 @@ export class ExpressionMix {
         remedy: 'give the time the change shall take, e.g. 0.3',
       })
     }
-    this.#from.targets.set(this.targets)
-    this.#from.activations.set(this.activations)
-    this.#to = to
+    for (const values of ['targets', 'activations'] as const) {
+      this.#from[values].set(this[values])
+      this.#to[values].fill(0)
+      for (const [name, weight] of Object.entries(weights)) {
+        const own = this.#expressions.get(name)![values]
+        const sum = this.#to[values]
+        for (let i = 0; i < sum.length; i++) sum[i] = Math.min(1, sum[i] + weight * own[i])
+      }
+    }
+    this.#easing = typeof easing === 'function' ? easing : EASINGS[easing]
     this.#duration = seconds
     this.#elapsed = 0
     if (seconds === 0) this.update(0)
@@ -111,17 +130,37 @@ export class ExpressionMix {
   /** @param delta seconds since the last call. */
   update(delta: number): void {
     this.#elapsed = Math.min(this.#elapsed + delta, this.#duration)
+    this.#share[0] = this.still ? 1 : this.#easing(this.#elapsed / this.#duration)
     this.#interpolate('targets')
     this.#interpolate('activations')
   }
 
-  /** Takes no number: one that is handed to a function which is not inlined is allocated. */
   #interpolate(values: keyof Ends): void {
-    const share = this.#duration === 0 ? 1 : this.#elapsed / this.#duration
+    const share = this.#share[0]
     const from = this.#from[values]
     const to = this.#to[values]
     const out = this[values]
     for (let i = 0; i < out.length; i++) out[i] = from[i] * (1 - share) + to[i] * share
+  }
+
+  #check(name: string, weight: number): void {
+    if (!this.#expressions.has(name)) {
+      throw new FurrowError({
+        who: 'ExpressionMix',
+        what: 'unknown expression',
+        value: name,
+        limit: [...this.#expressions.keys()].join(', '),
+        remedy: 'use one of these, or pass your own list of expressions',
+      })
+    }
+    if (weight >= 0 && weight <= 1) return
+    throw new FurrowError({
+      who: 'ExpressionMix',
+      what: `weight of "${name}" out of range`,
+      value: weight,
+      limit: '0 to 1',
+      remedy: 'correct it',
+    })
   }
 }
 

@@ -1,16 +1,9 @@
-import type { Mesh, Object3D } from 'three'
-import { FurrowError, sentence } from '../core/error.ts'
-import { type Expression, ExpressionMix } from '../drivers/expression.ts'
+import type { Object3D } from 'three'
+import { sentence } from '../core/error.ts'
+import { type Easing, type Expression, type ExpressionChoice, ExpressionMix } from '../drivers/expression.ts'
 import { EXPRESSIONS } from '../drivers/expressions.ts'
-import { findTargets } from '../drivers/target-names.ts'
+import { bindTargets, type TargetBinding } from './bind-targets.ts'
 import type { WrinklesBase } from './Wrinkles.ts'
-
-/** One morph target of one mesh, and the weight that drives it. */
-interface Binding {
-  influences: number[]
-  target: number
-  weight: number
-}
 
 /**
  * Plays expressions on a face: blendshapes on every mesh that has them, and activations on its wrinkles.
@@ -20,19 +13,20 @@ export class ExpressionPlayer {
   readonly #mix: ExpressionMix
   #last = 0
   readonly #wrinkles: WrinklesBase
-  readonly #bindings: Binding[]
+  readonly #bindings: TargetBinding[]
   readonly #areas: { name: string; index: number }[]
 
   /**
    * @param face any object above the meshes that move: head, eyes, teeth, lashes.
-   * @param expressions the first is the one it starts from.
+   * @param expressions the first is the one it starts from; unless told those of the file, or `EXPRESSIONS` where it has none.
    * @throws FurrowError when nothing under `face` has morph targets. Names of an expression that no mesh and no
    *   area has are left out with one warning.
    */
-  constructor(face: Object3D, wrinkles: WrinklesBase, expressions: readonly Expression[] = EXPRESSIONS) {
-    this.#mix = new ExpressionMix(expressions)
+  constructor(face: Object3D, wrinkles: WrinklesBase, expressions?: readonly Expression[]) {
+    const own = wrinkles.expressions.length > 0 ? wrinkles.expressions : EXPRESSIONS
+    this.#mix = new ExpressionMix(expressions ?? own)
     this.#wrinkles = wrinkles
-    this.#bindings = bindTargets(face, this.#mix.targetNames)
+    this.#bindings = bindTargets(face, this.#mix.targetNames, 'ExpressionPlayer')
     this.#areas = this.#mix.areaNames
       .map((name, index) => ({ name, index }))
       .filter(({ name }) => wrinkles.hasArea(name))
@@ -44,15 +38,17 @@ export class ExpressionPlayer {
   }
 
   /**
-   * Moves to an expression from wherever the face is now, sliders included.
+   * Moves to an expression from wherever the face is now, sliders included; or to several at once, which add up:
+   * `{ happy: 0.6, surprised: 0.4 }`.
    *
    * @param seconds time to get there, 0.25 unless told.
-   * @throws FurrowError when no expression has that name.
+   * @param easing linear unless told.
+   * @throws FurrowError when no expression has that name, or a weight is not within 0..1.
    */
-  play(name: string, seconds = 0.25): void {
+  play(choice: ExpressionChoice, seconds = 0.25, easing: Easing = 'linear'): void {
     this.#read()
     this.#last = performance.now()
-    this.#mix.play(name, seconds)
+    this.#mix.play(choice, seconds, easing)
     if (seconds === 0) this.#write()
   }
 
@@ -87,34 +83,6 @@ export class ExpressionPlayer {
       if (this.#wrinkles.hasArea(name)) this.#wrinkles.setActivation(name, activations[index])
     }
   }
-}
-
-function bindTargets(face: Object3D, names: readonly string[]): Binding[] {
-  const bindings: Binding[] = []
-  let meshes = 0
-  face.traverse((object) => {
-    const { morphTargetDictionary, morphTargetInfluences } = object as Mesh
-    if (!morphTargetDictionary || !morphTargetInfluences) return
-    meshes++
-    const targets = Object.keys(morphTargetDictionary)
-    for (const [weight, name] of names.entries()) {
-      for (const found of findTargets(name, targets)) {
-        bindings.push({
-          influences: morphTargetInfluences,
-          target: morphTargetDictionary[targets[found]],
-          weight,
-        })
-      }
-    }
-  })
-  if (meshes > 0) return bindings
-  throw new FurrowError({
-    who: 'ExpressionPlayer',
-    what: 'no morph targets',
-    value: face.name,
-    limit: 'at least one mesh with named blendshapes',
-    remedy: 'export the blendshapes with the face, or set activations yourself',
-  })
 }
 
 function warnOfMissing(names: string[]): void {

@@ -13,6 +13,7 @@ import { Face } from './face.ts'
 import type { AnyRenderer, Cell, InfluenceAtlas } from './influence-atlas.ts'
 import { createInputs, placeCells, type WrinkleInputs } from './inputs.ts'
 import { countFaces, instancesOf } from './instances.ts'
+import { exposeAreas } from './key-frames.ts'
 import { WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from './options.ts'
 import { packPaperArray } from './paper-array.ts'
 import type { RendererParts, WrinkleMaterial } from './renderer-parts.ts'
@@ -262,6 +263,7 @@ export abstract class WrinklesBase {
     }
     mesh.onBeforeRender = prepare
     if (!wearers.has(mesh)) wearers.set(mesh, this)
+    if (mesh === this.mesh) exposeAreas(mesh, this)
     this.onDispose(() => {
       if (mesh.onBeforeRender === prepare) mesh.onBeforeRender = before
       if (wearers.get(mesh) === this) wearers.delete(mesh)
@@ -387,6 +389,7 @@ export abstract class WrinklesBase {
       this.#cells[i].stale = true
     }
     this.#atlas.prune()
+    exposeAreas(this.mesh, this)
     // The paper's nodes hold the array itself.
     if (this.#mode === 'paper') this.#patch('paper')
   }

@@ -2,6 +2,8 @@
 export { decodeImage, toGray } from './decode-image.ts'
 export { addDrivers } from './drivers.ts'
 export { ExpressionPlayer } from './ExpressionPlayer.ts'
+export { type FaceScore, FaceScores } from './FaceScores.ts'
+export { activationTrack } from './key-frames.ts'
 export { loadWrinkleSet } from './load-wrinkle-set.ts'
 export { WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from './options.ts'
 export { type LoadedWrinkles, readWrinkleMaps } from './read-wrinkle-maps.ts'

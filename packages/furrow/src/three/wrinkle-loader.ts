@@ -4,6 +4,7 @@ import type { WrinkleDriver } from '../core/driver-types.ts'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import { WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
 import { addDrivers } from './drivers.ts'
+import { addActivationTracks } from './key-frames.ts'
 import { readWrinkleMaps } from './read-wrinkle-maps.ts'
 import type { WrinklesBase } from './Wrinkles.ts'
 
@@ -31,6 +32,7 @@ export class WrinkleLoader {
   async afterRoot(gltf: GLTF): Promise<void> {
     const wrinkles: WrinklesBase[] = []
     const bySet = new Map<WrinkleSet<ArraySlice>, WrinklesBase>()
+    const faces = new Map<number, WrinklesBase[]>()
     const byMaterial = new Map<Material, WrinklesBase>()
     try {
       for (const { meshes, set, drivers } of await readWrinkleMaps(gltf, this.#parser)) {
@@ -40,9 +42,12 @@ export class WrinkleLoader {
         if (taken) for (const mesh of meshes) mesh.material = taken
         const own = this.#wear(meshes, bySet.get(set) ?? set, drivers)
         wrinkles.push(own)
+        const index = this.#parser.associations.get(material)!.materials!
+        faces.set(index, [...(faces.get(index) ?? []), own])
         if (!bySet.has(set)) bySet.set(set, own)
         if (!taken) byMaterial.set(material, own)
       }
+      await addActivationTracks(gltf, this.#parser, faces)
     } catch (error) {
       for (const own of wrinkles) own.dispose()
       throw error

@@ -1,0 +1,146 @@
+import { activationTrack, WrinkleLoaderPlugin, type WrinklesBase, wrinklesOf } from 'furrow/three'
+import { AnimationClip, AnimationMixer, type Object3D } from 'three'
+import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js'
+import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { clone } from 'three/addons/utils/SkeletonUtils.js'
+import { afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
+import { editGlb } from '../glb.ts'
+
+const NOSE = 3
+const TIMES = [0, 0.5, 2]
+const LINEAR = [0, 1, 0.25]
+/** In-tangent, value and out-tangent of each key frame. */
+const CUBIC = [0, 0.1, 2, 1, 0.8, -1, 0, 0.2, 0]
+
+let file: Uint8Array
+
+beforeAll(async () => {
+  file = new Uint8Array(await (await fetch('/faces/human.glb')).arrayBuffer())
+})
+afterEach(() => vi.restoreAllMocks())
+
+interface Sampler {
+  values: number[]
+  interpolation?: string
+  pointer?: string
+}
+
+/** The human face with an animation of its areas. */
+async function load(...channels: Sampler[]): Promise<GLTF> {
+  const animated = editGlb(file, (json) => {
+    const add = (values: number[]) => {
+      const bytes = new Uint8Array(Float32Array.from(values).buffer)
+      const uri = `data:application/octet-stream;base64,${btoa(String.fromCharCode(...bytes))}`
+      const buffer = json.buffers.push({ uri, byteLength: bytes.length }) - 1
+      const bufferView = json.bufferViews.push({ buffer, byteLength: bytes.length }) - 1
+      return (
+        json.accessors.push({ bufferView, componentType: 5126, type: 'SCALAR', count: values.length }) - 1
+      )
+    }
+    const input = add(TIMES)
+    json.extensionsUsed.push('KHR_animation_pointer')
+    json.animations = [
+      {
+        name: 'frown',
+        samplers: channels.map(({ values, interpolation }) => ({
+          input,
+          output: add(values),
+          ...(interpolation && { interpolation }),
+        })),
+        channels: channels.map(({ pointer }, sampler) => ({
+          sampler,
+          target: { path: 'pointer', extensions: { KHR_animation_pointer: { pointer } } },
+        })),
+      },
+    ]
+  })
+  const loader = new GLTFLoader().setMeshoptDecoder(MeshoptDecoder)
+  loader.register((parser) => new WrinkleLoaderPlugin(parser))
+  return loader.parseAsync(animated.buffer as ArrayBuffer, '')
+}
+
+const pointerTo = (area: number) => `/materials/0/extensions/FURROW_wrinkle_maps/areas/${area}/activation`
+
+/** Activations of an area while a clip plays on an object. */
+function played(root: Object3D, clip: AnimationClip, wrinkles: WrinklesBase, area: string, times: number[]) {
+  const mixer = new AnimationMixer(root)
+  mixer.clipAction(clip).play()
+  return times.map((time) => {
+    mixer.setTime(time)
+    return wrinkles.getActivation(area)
+  })
+}
+
+const SEEN = [0, 0.1, 0.4, 0.5, 1, 1.5, 1.9]
+
+describe('key frames of a file', () => {
+  it('move an area as the same track made in code does', async () => {
+    const gltf = await load({ values: LINEAR, pointer: pointerTo(NOSE) })
+    const [wrinkles]: WrinklesBase[] = gltf.userData.wrinkles
+    const area = wrinkles.areaNames[NOSE]
+    const [clip] = gltf.animations
+    expect([clip.name, clip.duration]).toEqual(['frown', 2])
+    const fromFile = played(gltf.scene, clip, wrinkles, area, SEEN)
+    const expected = SEEN.map((t) => (t < 0.5 ? t / 0.5 : 1 - ((t - 0.5) / 1.5) * 0.75))
+    for (const [i, value] of fromFile.entries()) expect(value).toBeCloseTo(expected[i], 5)
+    const own = new AnimationClip('own', -1, [activationTrack(wrinkles.mesh, area, TIMES, LINEAR)])
+    expect(played(gltf.scene, own, wrinkles, area, SEEN)).toEqual(fromFile)
+  })
+
+  it('may be steps or splines', async () => {
+    const gltf = await load(
+      { values: LINEAR, interpolation: 'STEP', pointer: pointerTo(0) },
+      { values: CUBIC, interpolation: 'CUBICSPLINE', pointer: pointerTo(1) },
+    )
+    const [wrinkles]: WrinklesBase[] = gltf.userData.wrinkles
+    const [clip] = gltf.animations
+    const [stepped, curved] = [0, 1].map((i) =>
+      played(gltf.scene, clip, wrinkles, wrinkles.areaNames[i], SEEN),
+    )
+    expect(stepped).toEqual([0, 0, 0, 1, 1, 1, 1])
+    const spline = (t: number) => {
+      const [k, t0, t1] = t < 0.5 ? [0, 0, 0.5] : [1, 0.5, 2]
+      const s = (t - t0) / (t1 - t0)
+      const [p0, m0, m1, p1] = [CUBIC[3 * k + 1], CUBIC[3 * k + 2], CUBIC[3 * k + 3], CUBIC[3 * k + 4]]
+      return (
+        p0 * (1 + 2 * s) * (1 - s) ** 2 +
+        (t1 - t0) * m0 * s * (1 - s) ** 2 +
+        p1 * s * s * (3 - 2 * s) +
+        (t1 - t0) * m1 * s * s * (s - 1)
+      )
+    }
+    for (const [i, t] of SEEN.entries()) expect(curved[i], `at ${t}`).toBeCloseTo(Math.min(1, spline(t)), 5)
+  })
+
+  it('play on a copy by itself, and add to what drivers give', async () => {
+    const gltf = await load({ values: LINEAR, pointer: pointerTo(NOSE) })
+    const [wrinkles]: WrinklesBase[] = gltf.userData.wrinkles
+    const area = wrinkles.areaNames[NOSE]
+    const copy = clone(gltf.scene)
+    const own = wrinklesOf(copy.getObjectByName('skin') as typeof wrinkles.mesh)!
+    expect(played(copy, gltf.animations[0], own, area, [0.25])).toEqual([0.5])
+    expect(wrinkles.getActivation(area)).toBe(0)
+    expect(own.getRestingActivation(area)).toBe(0.5)
+  })
+
+  it('say once that an area is gone, and pass over pointers to something else', async () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const gltf = await load(
+      { values: LINEAR, pointer: pointerTo(NOSE) },
+      { values: LINEAR, pointer: pointerTo(99) },
+      { values: LINEAR, pointer: '/nodes/0/translation' },
+      { values: LINEAR },
+    )
+    const [wrinkles]: WrinklesBase[] = gltf.userData.wrinkles
+    expect(gltf.animations[0].tracks).toHaveLength(1)
+    const mixer = new AnimationMixer(gltf.scene)
+    mixer.clipAction(gltf.animations[0]).play()
+    mixer.setTime(0.1)
+    wrinkles.removeArea(wrinkles.areaNames[NOSE])
+    warn.mockClear()
+    mixer.setTime(0.2)
+    mixer.setTime(0.3)
+    expect(warn).toHaveBeenCalledTimes(1)
+    expect(warn.mock.calls[0][0]).toContain('an animation moves an area that is gone')
+  })
+})

@@ -1,0 +1,45 @@
+import { FaceScores } from 'furrow/three'
+import { Group, Mesh } from 'three'
+import { afterEach, expect, it, vi } from 'vitest'
+
+/** A mesh with blendshapes, all at rest. */
+function meshWith(...names: string[]): Mesh {
+  const mesh = new Mesh()
+  mesh.morphTargetDictionary = Object.fromEntries(names.map((name, i) => [name, i]))
+  mesh.morphTargetInfluences = names.map(() => 0)
+  return mesh
+}
+
+const list = (scores: Record<string, number>) =>
+  Object.entries(scores).map(([categoryName, score]) => ({ categoryName, score }))
+
+afterEach(() => vi.restoreAllMocks())
+
+it('moves every mesh of the face by its own spelling, and leaves other blendshapes alone', () => {
+  const warn = vi.spyOn(console, 'warn')
+  const skin = meshWith('browDown_L', 'browInnerUp_L', 'browInnerUp_R', 'tongueOut')
+  const lashes = meshWith('Fcl.browDownLeft')
+  skin.morphTargetInfluences![3] = 0.3
+  const scores = new FaceScores(new Group().add(skin, lashes))
+  scores.set(list({ _neutral: 0.9, browDownLeft: 0.7, browInnerUp: 0.4 }))
+  expect(skin.morphTargetInfluences).toEqual([0.7, 0.4, 0.4, 0.3])
+  expect(lashes.morphTargetInfluences).toEqual([0.7])
+  // Another order, fewer names, and a score that is none.
+  scores.set(list({ browInnerUp: Number.NaN, browDownLeft: 0.1 }))
+  expect(skin.morphTargetInfluences).toEqual([0.1, 0, 0, 0.3])
+  expect(warn).not.toHaveBeenCalled()
+})
+
+it('says once which names the face does not have', () => {
+  const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+  const face = meshWith('jawOpen')
+  const scores = new FaceScores(face)
+  for (let i = 0; i < 3; i++) scores.set(list({ _neutral: 1, trunkUp: 1, jawOpen: 0.5 }))
+  expect(face.morphTargetInfluences).toEqual([0.5])
+  expect(warn).toHaveBeenCalledTimes(1)
+  expect(warn.mock.calls[0][0]).toContain('got "trunkUp"')
+})
+
+it('refuses a face without blendshapes', () => {
+  expect(() => new FaceScores(new Group()).set(list({ jawOpen: 1 }))).toThrow(/FaceScores: no morph targets/)
+})
