@@ -1,5 +1,6 @@
 export { Activations } from './core/activations.ts'
 export { type AreaConvention, areaWeights } from './core/area.ts'
+export { DeformedNormals, type RestMesh } from './core/deformed-normals.ts'
 export {
   parseWrinkleSetDocument,
   type WrinkleSetDocument,
@@ -68,6 +69,7 @@ export {
 export { EXPRESSIONS } from './drivers/expressions.ts'
 export { type ActivationPointer, parseActivationPointer } from './drivers/key-frames.ts'
 export { MorphActivation } from './drivers/morph.ts'
+export { muscleLinks, muscleOffsets } from './drivers/muscles.ts'
 export { type DriverState, DriverSum } from './drivers/sum.ts'
 export { canonicalTargetName, findTargets } from './drivers/target-names.ts'
 export { TensionActivation, type TensionSample } from './drivers/tension.ts'

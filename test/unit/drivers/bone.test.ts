@@ -100,6 +100,6 @@ describe('BoneActivation', () => {
     )
     bones.update(numbers(joint([0, 0, 0], restHand), joint([0, 1, 0], restFinger)))
     expect(bones.activations[0]).toBeCloseTo(0.6, 6)
-    expect(bones.missing).toEqual(['joint "sixthFinger"'])
+    expect(bones.missing).toEqual(['joint "sixthFinger" of a driver of area "palm"'])
   })
 })

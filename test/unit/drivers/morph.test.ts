@@ -69,6 +69,6 @@ describe('MorphActivation', () => {
     const morph = new MorphActivation([driver('nose', [{ name: 'trunkUp', weight: 1 }])], ['jawOpen'])
     morph.update([1])
     expect([...morph.activations]).toEqual([0])
-    expect(morph.missing).toEqual(['target "trunkUp"'])
+    expect(morph.missing).toEqual(['target "trunkUp" of a driver of area "nose"'])
   })
 })

@@ -126,6 +126,6 @@ describe('conflicts', () => {
       [0.5, 0.5],
     )
     expect(activations).toEqual([0.5, 0.5])
-    expect(morph.missing).toEqual(['target "tail"'])
+    expect(morph.missing).toEqual(['target "tail" of a conflict'])
   })
 })

@@ -108,7 +108,7 @@ describe('TensionActivation', () => {
       [{ area: 'sheet', triangles }],
       rest.positions,
     )
-    expect(tension.missing).toEqual(['triangles under area "gone"'])
+    expect(tension.missing).toEqual(['triangles for a tension driver of area "gone"'])
     tension.update(rest.positions.map((value, i) => (i % 3 === 0 ? value * 0.7 : value)))
     expect(tension.measured[0]).toBeCloseTo(0.3, 9)
     expect(tension.activations[1]).toBe(0)

@@ -147,12 +147,12 @@ describe('addDrivers', () => {
   })
 
   it.each<[string, WrinkleDriver, string, string[]?]>([
-    ['a target', morph('nose', 'trunkUp'), 'target \\"trunkUp\\" of a morph driver'],
-    ['all targets', morph('nose', 'jawOpen'), 'target \\"jawOpen\\" of a morph driver', []],
+    ['a target', morph('nose', 'trunkUp'), 'target \\"trunkUp\\" of a driver of area \\"nose\\"'],
+    ['all targets', morph('nose', 'jawOpen'), 'target \\"jawOpen\\" of a driver of area \\"nose\\"', []],
     [
       'a joint',
       { type: 'bone', area: 'nose', joints: ['head', 'tail'], measure: 'angle', curve: STRAIGHT },
-      'joint \\"tail\\" of a bone driver',
+      'joint \\"tail\\" of a driver of area \\"nose\\"',
     ],
     ['a type', { type: 'weather', area: 'nose' }, 'driver of type \\"weather\\"'],
     [

@@ -86,7 +86,7 @@ async function pack(folder: string, options: Options): Promise<void> {
 
   const mesh = glb.json.meshes![target.mesh]!
   const unknown = missingOf(wrinkles.drivers, targetNamesOf(mesh), jointNamesOf(glb.json)).map(
-    (what) => `${WHO}: a driver names the ${what}, which is not there; it is kept`,
+    (what) => `${WHO}: ${what} is not there; it is kept`,
   )
   for (const warning of [...glb.warnings, ...wrinkles.warnings, ...unknown]) console.error(warning)
   const made = {

@@ -5,7 +5,7 @@ export function unknownTypes(drivers: readonly WrinkleDriver[]): string[] {
   return [...new Set(drivers.filter((driver) => !isKnownDriver(driver)).map(({ type }) => type))]
 }
 
-/** What drivers name and a face does not have, e.g. `target "jawOpen"`; it counts as 0, so this is worth a warning and no more. */
+/** What drivers name and a face does not have, e.g. `target "jawOpen" of a driver of area "chin"`; it counts as 0, so this is worth a warning and no more. */
 export function missingOf(
   drivers: readonly WrinkleDriver[],
   targetNames: readonly string[],

@@ -167,7 +167,7 @@ function checkDrivers({ glb, material, maps: { drivers } }: WrinkledFile): Findi
       warning('DRIVER_TYPE', `drivers of type "${type}" are not played`),
     ),
     ...missingOf(drivers, meshes.flatMap(targetNamesOf), jointNamesOf(glb.json)).map((what) =>
-      warning('DRIVER_NAME', `a driver names the ${what}, which is not there`),
+      warning('DRIVER_NAME', `${what} is not there`),
     ),
     ...new AreaActivation(driversOf('area', drivers), []).cyclic.map((area) =>
       warning('DRIVER_CYCLE', `area "${area}" drives itself; its drivers between areas are not played`),

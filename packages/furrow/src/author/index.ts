@@ -33,3 +33,4 @@ export {
   type StrokesDocument,
   type Uv,
 } from './strokes.ts'
+export { targetArea } from './target-area.ts'

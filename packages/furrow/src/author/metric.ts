@@ -1,5 +1,6 @@
 import { FurrowError } from '../core/error.ts'
 import { MAX_IMAGE_SIDE } from '../core/limits.ts'
+import { coverTexels } from './cover-texels.ts'
 
 /** What the metric needs of a mesh. Nothing is changed or kept. */
 export interface MetricMesh {
@@ -120,31 +121,16 @@ function rasterise(mesh: MetricMesh, vertex: Float64Array, t: number, metric: Me
   const { width, height } = metric
   const ids = [corner(mesh, t), corner(mesh, t + 1), corner(mesh, t + 2)] as const
   if (ids.some((i) => vertex[4 * i + 3] === 0)) return
-  const x = ids.map((i) => mesh.uvs[2 * i]! * width - 0.5)
-  const y = ids.map((i) => mesh.uvs[2 * i + 1]! * height - 0.5)
-  const det = (x[1]! - x[0]!) * (y[2]! - y[0]!) - (x[2]! - x[0]!) * (y[1]! - y[0]!)
-  if (Math.abs(det) < 1e-9) return
   const form = ids.map((i) => [0, 1, 2].map((k) => vertex[4 * i + k]! / vertex[4 * i + 3]!))
-  const firstRow = Math.max(Math.ceil(Math.min(...y)), 0)
-  const lastRow = Math.min(Math.floor(Math.max(...y)), height - 1)
-  const firstColumn = Math.max(Math.ceil(Math.min(...x)), 0)
-  const lastColumn = Math.min(Math.floor(Math.max(...x)), width - 1)
-  for (let row = firstRow; row <= lastRow; row++) {
-    for (let column = firstColumn; column <= lastColumn; column++) {
-      const b = ((column - x[0]!) * (y[2]! - y[0]!) - (x[2]! - x[0]!) * (row - y[0]!)) / det
-      const c = ((x[1]! - x[0]!) * (row - y[0]!) - (column - x[0]!) * (y[1]! - y[0]!)) / det
-      const a = 1 - b - c
-      if (a < -1e-6 || b < -1e-6 || c < -1e-6) continue
-      const mix = (k: number) => a * form[0]![k]! + b * form[1]![k]! + c * form[2]![k]!
-      const texel = row * width + column
-      const [uu, vv] = [mix(0), mix(2)]
-      const limit = Math.sqrt((1 - THINNEST) * uu * vv)
-      metric.uu[texel] = uu
-      metric.uv[texel] = Math.min(Math.max(mix(1), -limit), limit)
-      metric.vv[texel] = vv
-      metric.inside[texel] = 1
-    }
-  }
+  coverTexels(mesh.uvs, ids, width, height, (texel, a, b, c) => {
+    const mix = (k: number) => a * form[0]![k]! + b * form[1]![k]! + c * form[2]![k]!
+    const [uu, vv] = [mix(0), mix(2)]
+    const limit = Math.sqrt((1 - THINNEST) * uu * vv)
+    metric.uu[texel] = uu
+    metric.uv[texel] = Math.min(Math.max(mix(1), -limit), limit)
+    metric.vv[texel] = vv
+    metric.inside[texel] = 1
+  })
 }
 
 /** Carries the values outwards from the islands, ring by ring (breadth first over the four neighbours). */

@@ -41,9 +41,11 @@ export class BoneActivation implements Driver {
     const pairs = drivers.map(({ joints: names }) => names.map((name) => joints.indexOf(name)))
     this.areaNames = areaNames
     this.activations = new Float32Array(areaNames.length)
-    this.missing = [
-      ...new Set(drivers.flatMap(({ joints: names }) => names.filter((name) => !joints.includes(name)))),
-    ].map((name) => `joint "${name}"`)
+    this.missing = drivers.flatMap(({ area, joints: names }) =>
+      names
+        .filter((name) => !joints.includes(name))
+        .map((name) => `joint "${name}" of a driver of area "${area}"`),
+    )
     this.#bound = drivers.flatMap((driver, i) => {
       const [from, joint] = pairs[i].map((place) => place * MATRIX)
       if (from < 0 || joint < 0) return []

@@ -4,7 +4,7 @@ export interface Driver {
   readonly areaNames: readonly string[]
   /** Activations in the order of `areaNames`, 0..1, as of its last update. */
   readonly activations: Float32Array
-  /** What drivers name and is not there, e.g. `target "jawOpen" (area "chin")`: it counts as 0, or at rest. */
+  /** What drivers name and is not there, e.g. `target "jawOpen" of a driver of area "chin"`: it counts as 0, or at rest. */
   readonly missing: readonly string[]
 }
 

@@ -27,26 +27,26 @@ interface Bound {
 
 /** Drivers whose links are bound to places in one array of inputs. Nothing is allocated by `addTo`. */
 export class BoundLinks {
-  /** Names that no input has; they count as 0. */
-  readonly unknown: readonly string[]
+  /** Names that no input has, and the place of the area they are for; they count as 0. */
+  readonly unknown: readonly { name: string; area: number }[]
   readonly #bound: readonly Bound[]
   readonly #who: string
   readonly #warned = new Set<string>()
 
   /** @param find places of an input by name: none, one, or those of its parts, of which the mean counts. */
   constructor(drivers: readonly Linked[], find: (name: string) => readonly number[], who: string) {
-    const unknown = new Set<string>()
+    const unknown: { name: string; area: number }[] = []
     this.#bound = drivers.map(({ area, links, rule, curve }) => ({
       area,
       rule,
       curve,
       links: links.map(({ name, weight, curve }) => {
         const indices = Uint16Array.from(find(name))
-        if (indices.length === 0) unknown.add(name)
+        if (indices.length === 0) unknown.push({ name, area })
         return { name, indices, weight, ...(curve && { curve }) }
       }),
     }))
-    this.unknown = [...unknown]
+    this.unknown = unknown
     this.#who = who
   }
 

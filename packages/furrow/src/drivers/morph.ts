@@ -37,9 +37,12 @@ export class MorphActivation implements Driver {
     this.#conflicts = new Conflicts(conflicts, find, targetNames.length)
     this.areaNames = areaNames
     this.activations = new Float32Array(areaNames.length)
-    this.missing = [...new Set([...this.#links.unknown, ...this.#conflicts.unknown])].map(
-      (name) => `target "${name}"`,
-    )
+    this.missing = [
+      ...this.#links.unknown.map(
+        ({ name, area }) => `target "${name}" of a driver of area "${areaNames[area]}"`,
+      ),
+      ...this.#conflicts.unknown.map((name) => `target "${name}" of a conflict`),
+    ]
   }
 
   /**

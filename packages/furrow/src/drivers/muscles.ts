@@ -27,7 +27,9 @@ export function muscleOffsets(muscle: MuscleDriver, positions: ArrayLike<number>
 /** Muscles with an area, as drivers by their morph targets: the activation is the contraction. */
 export function muscleLinks(muscles: readonly MuscleDriver[]): MorphDriver[] {
   return muscles.flatMap(({ name, area }) =>
-    area === undefined ? [] : [{ type: 'morph', area, targets: [{ name, weight: 1 }], rule: 'sum', curve: STRAIGHT }],
+    area === undefined
+      ? []
+      : [{ type: 'morph', area, targets: [{ name, weight: 1 }], rule: 'sum', curve: STRAIGHT }],
   )
 }
 

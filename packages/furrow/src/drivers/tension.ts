@@ -47,7 +47,7 @@ export class TensionActivation implements Driver {
     })
     this.missing = drivers
       .filter((_, i) => !this.#bound[i])
-      .map(({ area }) => `triangles under area "${area}"`)
+      .map(({ area }) => `triangles for a tension driver of area "${area}"`)
   }
 
   /**

@@ -22,8 +22,8 @@ const SOURCES = [morphSource, boneSource, tensionSource, ageSource]
 export function addDrivers(wrinkles: WrinklesBase, drivers: readonly WrinkleDriver[]): void {
   wrinkles.expressions = expressionsOf(drivers)
   const known = drivers.filter(isKnownDriver)
-  const sources = SOURCES.flatMap(({ type, create }) =>
-    driversOf(type, known).length > 0 ? [create(wrinkles, known)] : [],
+  const sources = SOURCES.filter(({ types }) => known.some(({ type }) => types.includes(type))).map(
+    ({ create }) => create(wrinkles, known),
   )
   const sum = new DriverSum(
     sources.map(({ driver }) => driver),
@@ -31,7 +31,7 @@ export function addDrivers(wrinkles: WrinklesBase, drivers: readonly WrinkleDriv
   )
   warn(wrinkles, [
     ...drivers.filter((driver) => !isKnownDriver(driver)).map(({ type }) => `driver of type "${type}"`),
-    ...sources.flatMap(({ driver, type }) => driver.missing.map((what) => `${what} of a ${type} driver`)),
+    ...sources.flatMap(({ driver }) => driver.missing),
     ...sum.cyclic.map((area) => `an end to the drivers of area "${area}", which drives itself`),
   ])
   if (sum.areaNames.length === 0) return

@@ -4,9 +4,9 @@ import type { SourceType } from './source.ts'
 
 /** Reads `wrinkles.age`. */
 export const ageSource: SourceType = {
-  type: 'age',
+  types: ['age'],
   create(wrinkles, drivers) {
     const driver = new AgeActivation(driversOf('age', drivers))
-    return { type: 'age', driver, update: () => driver.update(wrinkles.age) }
+    return { driver, update: () => driver.update(wrinkles.age) }
   },
 }

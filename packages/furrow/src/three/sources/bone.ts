@@ -10,7 +10,7 @@ const MATRIX = 16
  * when the drivers are added.
  */
 export const boneSource: SourceType = {
-  type: 'bone',
+  types: ['bone'],
   create({ mesh }, drivers) {
     const own = driversOf('bone', drivers)
     const names = [...new Set(own.flatMap(({ joints }) => joints))].filter((name) => findJoint(mesh, name))
@@ -19,7 +19,6 @@ export const boneSource: SourceType = {
     let joints: Object3D[] = []
     let skeleton: unknown
     return {
-      type: 'bone',
       driver,
       update() {
         // A copy of a skinned mesh gets its own skeleton only after it was made.

@@ -1,19 +1,22 @@
 import type { InstancedMesh, Mesh } from 'three'
 import { driversOf } from '../../core/driver-types.ts'
 import { MorphActivation } from '../../drivers/morph.ts'
+import { muscleLinks } from '../../drivers/muscles.ts'
+import { addMuscles } from '../muscles.ts'
 import type { SourceType } from './source.ts'
 
-/** Reads the mesh's blendshapes. Instances that have weights of their own (`setMorphAt`) wrinkle by those. */
+/** Reads the mesh's blendshapes, of which each muscle becomes one. Instances that have weights of their own (`setMorphAt`) wrinkle by those. */
 export const morphSource: SourceType = {
-  type: 'morph',
+  types: ['morph', 'muscle'],
   create({ mesh }, drivers) {
+    const muscles = driversOf('muscle', drivers)
+    addMuscles(mesh, muscles)
     const driver = new MorphActivation(
-      driversOf('morph', drivers),
+      [...driversOf('morph', drivers), ...muscleLinks(muscles)],
       targetNames(mesh),
       driversOf('conflict', drivers),
     )
     return {
-      type: 'morph',
       driver,
       update(instance) {
         const { morphTargetInfluences, morphTexture } = mesh as Partial<InstancedMesh>

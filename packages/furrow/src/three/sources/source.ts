@@ -4,7 +4,6 @@ import type { WrinklesBase } from '../Wrinkles.ts'
 
 /** A driver and what it reads of a mesh. */
 export interface Source {
-  type: DriverType
   driver: Driver
   /** Brings the driver up to date with one face of the mesh. */
   update(instance: number): void
@@ -12,7 +11,8 @@ export interface Source {
 
 /** How drivers of one type are bound to a mesh. */
 export interface SourceType {
-  type: DriverType
+  /** Types of drivers that it plays. */
+  types: readonly DriverType[]
   /** @param drivers of all types. */
   create(wrinkles: WrinklesBase, drivers: readonly WrinkleDriver[]): Source
 }

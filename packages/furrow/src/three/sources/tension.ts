@@ -11,7 +11,7 @@ const SAMPLES = 16
 
 /** Measures the mesh as skinning and blendshapes deform it, and its positions where something else does. */
 export const tensionSource: SourceType = {
-  type: 'tension',
+  types: ['tension'],
   create(wrinkles, drivers) {
     const own = driversOf('tension', drivers)
     const { mesh } = wrinkles
@@ -33,7 +33,6 @@ export const tensionSource: SourceType = {
     const positions = new Float64Array(rest.length)
     const at = new Vector3()
     return {
-      type: 'tension',
       driver,
       update() {
         for (let i = 0; i < vertices.length; i++) {
