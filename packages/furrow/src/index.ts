@@ -30,6 +30,7 @@ export { FurrowError } from './core/error.ts'
 export { resampleGray } from './core/image.ts'
 export { DEFAULT_AREA_SIZE, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS } from './core/limits.ts'
 export { type ImageArray, packAreas, packColours, packGrays } from './core/pack.ts'
+export { parseDrivers } from './core/read-drivers.ts'
 export * as reference from './core/reference.ts'
 export type {
   Area,

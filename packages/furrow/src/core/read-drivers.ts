@@ -1,5 +1,5 @@
 import type { Curve, CurvePoint, DriverOf, DriverType, Link, Rule, WrinkleDriver } from './driver-types.ts'
-import { type JsonReader, or } from './json.ts'
+import { JsonReader, or } from './json.ts'
 import { LARGEST, LONGEST_NAME } from './limits.ts'
 
 const MAX_DRIVERS = 4096
@@ -69,6 +69,18 @@ const STRAIGHT: readonly CurvePoint[] = [
   [0, 0],
   [1, 1],
 ]
+
+/**
+ * Reads drivers from JSON, as `drivers` of the format are written, and fills their defaults in.
+ *
+ * @param json a list, whatever is in it.
+ * @param areas names that drivers may use.
+ * @throws FurrowError that names the first field which is missing, has the wrong type or is out of range.
+ */
+export function parseDrivers(json: unknown, areas: readonly string[], who = 'parseDrivers'): WrinkleDriver[] {
+  const named = areas.map((name) => ({ name }))
+  return readDrivers(new JsonReader(who), json, named)
+}
 
 /**
  * Reads a list of drivers; none when it is absent. Types that this version does not know are kept as they are.

@@ -1,0 +1,99 @@
+/** What the pages about drivers share: a face in good light, and controls beneath it. Not part of the library. */
+
+import { Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, WebGLRenderer } from 'three'
+
+/**
+ * Shows a face and draws it for good.
+ *
+ * @param {import('three').Object3D} face
+ * @param {(seconds: number) => void} [beforeFrame] called with the seconds since the page began.
+ */
+export function showFace(face, beforeFrame = () => {}) {
+  const key = new DirectionalLight('#fff1e4', 3)
+  key.position.set(-0.9, 0.9, 0.8)
+  const scene = new Scene()
+  scene.background = new Color('#d9d6d1')
+  scene.add(face, key, new HemisphereLight('#dfe8ff', '#6b5a50', 0.8))
+  const camera = new PerspectiveCamera(22, 1, 0.1, 10)
+  camera.position.set(0, 0.765, 0.93)
+  const renderer = new WebGLRenderer({ antialias: true })
+  renderer.setPixelRatio(Math.min(devicePixelRatio, 2))
+  document.body.prepend(renderer.domElement)
+  const resize = () => {
+    const { clientWidth: width } = document.body
+    const height = Math.max(240, innerHeight - controls().offsetHeight)
+    camera.aspect = width / height
+    // On a narrow page the whole face must still fit.
+    camera.fov = Math.min(48, 22 / Math.min(1, camera.aspect / 0.8))
+    camera.updateProjectionMatrix()
+    renderer.setSize(width, height)
+  }
+  addEventListener('resize', resize)
+  resize()
+  renderer.setAnimationLoop((milliseconds) => {
+    beforeFrame(milliseconds / 1000)
+    renderer.render(scene, camera)
+  })
+}
+
+/** A slider with its name; tells each change. Returns what sets it from outside. */
+export function addSlider(name, { min = 0, max = 1, step = 0.01, value = 0 }, onChange) {
+  const label = document.createElement('label')
+  const input = Object.assign(document.createElement('input'), { type: 'range', min, max, step, value })
+  const shown = document.createElement('output')
+  const show = () => {
+    shown.textContent = step >= 1 ? input.value : Number(input.value).toFixed(2)
+  }
+  input.addEventListener('input', () => {
+    show()
+    onChange(Number(input.value))
+  })
+  label.append(name, input, shown)
+  controls().append(label)
+  show()
+  return (value) => {
+    input.value = value
+    show()
+  }
+}
+
+/** A button for each name. */
+export function addButtons(names, onPress) {
+  const row = document.createElement('div')
+  for (const name of names) {
+    const button = Object.assign(document.createElement('button'), { textContent: name })
+    button.addEventListener('click', () => onPress(name))
+    row.append(button)
+  }
+  controls().append(row)
+}
+
+/** A box to tick. */
+export function addCheck(name, checked, onChange) {
+  const label = document.createElement('label')
+  const input = Object.assign(document.createElement('input'), { type: 'checkbox', checked })
+  input.addEventListener('change', () => onChange(input.checked))
+  label.append(input, name)
+  controls().append(label)
+}
+
+function controls() {
+  const found = document.querySelector('form')
+  if (found) return found
+  const form = document.createElement('form')
+  form.addEventListener('submit', (event) => event.preventDefault())
+  document.body.append(form)
+  const style = document.createElement('style')
+  style.textContent = `
+    body { margin: 0; font: 14px/1.4 system-ui, sans-serif; background: #23262b; color: #eee; overflow-x: hidden }
+    canvas { display: block }
+    form { display: flex; flex-wrap: wrap; gap: 6px 14px; padding: 10px; max-height: 32vh; overflow-y: auto; box-sizing: border-box }
+    label { display: flex; align-items: center; gap: 6px; min-height: 32px }
+    input[type=range] { width: 110px }
+    output { width: 2.6em; font-variant-numeric: tabular-nums }
+    div { display: flex; flex-wrap: wrap; gap: 6px; flex-basis: 100% }
+    button { font: inherit; padding: 7px 12px; border: 0; border-radius: 6px; background: #4b5563; color: inherit; cursor: pointer }
+    button:hover, button:focus-visible { background: #6b7688 }`
+  document.head.append(style)
+  return form
+}

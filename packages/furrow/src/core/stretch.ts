@@ -1,0 +1,69 @@
+/** A triangle at rest: the inverse of its two edges in its own plane, xx, xy, yy (upper triangular). */
+export type RestInverse = ArrayLike<number>
+
+/**
+ * Measures a triangle at rest, for `principalStretches`.
+ *
+ * @param positions x, y and z of each vertex.
+ * @returns undefined where it has no surface.
+ */
+export function restInverse(
+  a: number,
+  b: number,
+  c: number,
+  positions: ArrayLike<number>,
+): number[] | undefined {
+  let [uu, uv, vv] = [0, 0, 0]
+  for (let axis = 0; axis < 3; axis++) {
+    const u = positions[3 * b + axis] - positions[3 * a + axis]
+    const v = positions[3 * c + axis] - positions[3 * a + axis]
+    uu += u * u
+    uv += u * v
+    vv += v * v
+  }
+  // Its first edge is (along, 0) there, its second one (across, height).
+  const along = Math.sqrt(uu)
+  const across = uv / along
+  const height = Math.sqrt(Math.max(0, vv - across * across))
+  const inverse = [1 / along, -across / (along * height), 1 / height]
+  return inverse.every(Number.isFinite) ? inverse : undefined
+}
+
+/**
+ * How far a triangle is stretched in its own plane: the roots of the eigenvalues of the right Cauchy-Green tensor (Bonet, Wood:
+ * Nonlinear Continuum Mechanics, 3.6). A motion that deforms nothing gives 1 and 1.
+ *
+ * @param out takes the smaller and the larger one.
+ * @param inverses of `restInverse`, from `at` on.
+ * @param positions of the vertices now.
+ */
+export function principalStretches(
+  out: Float64Array,
+  inverses: RestInverse,
+  at: number,
+  a: number,
+  b: number,
+  c: number,
+  positions: ArrayLike<number>,
+): void {
+  let uu = 0
+  let uv = 0
+  let vv = 0
+  for (let axis = 0; axis < 3; axis++) {
+    const u = positions[3 * b + axis] - positions[3 * a + axis]
+    const v = positions[3 * c + axis] - positions[3 * a + axis]
+    uu += u * u
+    uv += u * v
+    vv += v * v
+  }
+  const xx = inverses[at]
+  const xy = inverses[at + 1]
+  const yy = inverses[at + 2]
+  const c00 = xx * xx * uu
+  const c01 = xx * (xy * uu + yy * uv)
+  const c11 = xy * xy * uu + 2 * xy * yy * uv + yy * yy * vv
+  const mean = (c00 + c11) / 2
+  const spread = Math.sqrt(((c00 - c11) / 2) ** 2 + c01 * c01)
+  out[0] = Math.sqrt(Math.max(0, mean - spread))
+  out[1] = Math.sqrt(mean + spread)
+}

@@ -1,0 +1,77 @@
+import type { MuscleDriver } from 'furrow'
+import { addMorphNormals, addMuscles } from 'furrow/three'
+import { Float32BufferAttribute, Mesh, PlaneGeometry } from 'three'
+import { describe, expect, it } from 'vitest'
+
+const muscle = (name: string): MuscleDriver => ({
+  type: 'muscle',
+  name,
+  kind: 'sheet',
+  origin: [0, 0, -1],
+  insertion: [0, 0, 0],
+  angle: 0.5,
+  width: 0.7,
+  inner: 1,
+  outer: 2,
+  strength: 0.25,
+})
+
+describe('addMuscles', () => {
+  it('gives a mesh morph targets with normals, whose weights are contractions', () => {
+    const mesh = new Mesh(new PlaneGeometry(2, 2, 8, 8))
+    addMuscles(mesh, [muscle('a'), muscle('b')])
+    expect(mesh.morphTargetDictionary).toEqual({ a: 0, b: 1 })
+    expect(mesh.morphTargetInfluences).toEqual([0, 0])
+    const { position, normal } = mesh.geometry.morphAttributes as Required<
+      typeof mesh.geometry.morphAttributes
+    >
+    expect(position.map(({ name }) => name)).toEqual(['a', 'b'])
+    // The middle of the sheet is drawn in by a quarter of the muscle's length; the rim holds still.
+    const middle = 40
+    expect(position[0].getZ(middle)).toBeCloseTo(-0.25, 6)
+    expect(position[0].getZ(0)).toBe(0)
+    // To the right of the middle the surface now faces left.
+    const { normal: rest } = mesh.geometry.attributes
+    const at = middle + 2
+    expect(rest.getX(at) + normal[0].getX(at)).toBeLessThan(-0.2)
+    expect(normal[0].getX(middle)).toBeCloseTo(0, 6)
+    // Once more changes nothing.
+    addMuscles(mesh, [muscle('a')])
+    expect(position).toHaveLength(2)
+  })
+
+  it.each([true, false])('adds to blendshapes that are there, relative: %s', (relative) => {
+    const geometry = new PlaneGeometry(2, 2, 4, 4)
+    const rest = geometry.attributes.position
+    const raised = new Float32BufferAttribute(new Float32Array(3 * rest.count), 3)
+    for (let i = 0; i < rest.count; i++) {
+      const base = relative ? [0, 0, 0] : [rest.getX(i), rest.getY(i), rest.getZ(i)]
+      raised.setXYZ(i, base[0], base[1], base[2] + (i === 12 ? 0.5 : 0))
+    }
+    geometry.morphAttributes.position = [raised]
+    geometry.morphTargetsRelative = relative
+    const mesh = new Mesh(geometry)
+    mesh.morphTargetDictionary = { raised: 0 }
+    mesh.morphTargetInfluences = [0.3]
+    addMuscles(mesh, [muscle('a')])
+    expect(mesh.morphTargetDictionary).toEqual({ raised: 0, a: 1 })
+    expect(mesh.morphTargetInfluences).toEqual([0.3, 0])
+    expect(geometry.morphAttributes.position[1].getZ(12)).toBeCloseTo(-0.25, 6)
+    const [first] = geometry.morphAttributes.normal!
+    expect(first.getX(13)).toBeGreaterThan(0.1)
+    expect(first.getZ(13)).toBeLessThan(relative ? 0 : 1)
+  })
+})
+
+describe('addMorphNormals', () => {
+  it('leaves a geometry alone that has nothing to add', () => {
+    const geometry = new PlaneGeometry()
+    addMorphNormals(geometry)
+    expect(geometry.morphAttributes).toEqual({})
+    geometry.morphAttributes.position = [geometry.attributes.position as Float32BufferAttribute]
+    const own = [geometry.attributes.normal as Float32BufferAttribute]
+    geometry.morphAttributes.normal = own
+    addMorphNormals(geometry)
+    expect(geometry.morphAttributes.normal).toBe(own)
+  })
+})
