@@ -45,8 +45,57 @@ test('the page of the README has at most 25 lines', async () => {
   expect(page.trimEnd().split('\n').length).toBeLessThanOrEqual(25)
 })
 
-/** Examples of one face. */
-const PORTRAITS = EXAMPLES.filter((name) => name !== 'crowd.html')
+/** Examples of one face that is surprised again and again. */
+const PORTRAITS = ['minimal.html', 'webgpu.html']
+
+/**
+ * Examples of drivers: what makes them wrinkle, and where on the picture. Left is the person's right.
+ */
+const DRIVERS: readonly (readonly [page: string, driven: string, atRest: string, where: Region])[] = [
+  ['age.html', '?age=75', '?age=20', { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }],
+  ['expressions.html', '?happy=0.7&surprised=0.6', '', { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }],
+  ['key-frames.html', '?time=2.2', '?time=0', { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }],
+  [
+    'muscles.html',
+    '?expression=surprise',
+    '?expression=neutral',
+    { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 },
+  ],
+  ['tension.html', '?push=0.3', '?push=0', { left: 0.4, top: 0.3, right: 0.6, bottom: 0.8 }],
+]
+
+test('every example is opened', () => {
+  const opened = [...PORTRAITS, ...DRIVERS.map(([page]) => page), 'crowd.html']
+  expect(opened.sort()).toEqual([...EXAMPLES].sort())
+})
+
+test.each(DRIVERS)('%s%s wrinkles', async (name, driven, atRest, where) => {
+  const wrinkled = await shoot(`${name}${driven}`, true)
+  await keep(wrinkled, name)
+  expect(contrast(wrinkled)).toBeGreaterThan(100)
+  expect(largestDifference(wrinkled, await shoot(`${name}${atRest}`, true), where)).toBeGreaterThan(20)
+  // The cloth's wrinkles are not the face's.
+  if (name === 'tension.html') return
+  expect(largestDifference(wrinkled, await shoot(`${name}${driven}`, false), where)).toBeGreaterThan(20)
+})
+
+test('a list of scores moves the face as the same blendshapes do', async () => {
+  const scored = await shoot('expressions.html?scores', true)
+  const played = await shoot('expressions.html?surprised=1', true)
+  const rest = await shoot('expressions.html', true)
+  const forehead = DRIVERS[1][3]
+  expect(largestDifference(scored, rest, forehead)).toBeGreaterThan(20)
+  expect(largestDifference(scored, played, forehead)).toBeLessThan(largestDifference(scored, rest, forehead))
+})
+
+test.each([...DRIVERS.map(([page]) => page)])('%s fits a phone', async (name) => {
+  const { page, complaints } = await openPage(browser, { viewport: { width: 390, height: 844 } })
+  await page.goto(`${server.origin}/examples/${name}`)
+  await page.waitForSelector('canvas')
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390)
+  expect(complaints).toEqual([])
+  await page.close()
+})
 
 test.each(PORTRAITS)('%s shows a face whose forehead creases', async (name) => {
   const wrinkled = await shoot(name, true)
