@@ -23,8 +23,10 @@ export function showFace(face, beforeFrame = () => {}) {
     const { clientWidth: width } = document.body
     const height = Math.max(240, innerHeight - controls().offsetHeight)
     camera.aspect = width / height
-    // On a narrow page the whole face must still fit.
+    // On a narrow page the whole face must still fit ...
     camera.fov = Math.min(48, 22 / Math.min(1, camera.aspect / 0.8))
+    // ... and the shirt's lower edge stay out of sight.
+    camera.position.y = 0.765 + 0.11 * (camera.fov / 22 - 1)
     camera.updateProjectionMatrix()
     renderer.setSize(width, height)
   }

@@ -1,5 +1,13 @@
 import { readFile } from 'node:fs/promises'
-import { type Document, type Mesh, type mat4, type Node, NodeIO, Primitive } from '@gltf-transform/core'
+import {
+  type Document,
+  Logger,
+  type Mesh,
+  type mat4,
+  type Node,
+  NodeIO,
+  Primitive,
+} from '@gltf-transform/core'
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
 import { FurrowError } from 'furrow'
 import type { MetricMesh } from 'furrow/author'
@@ -58,7 +66,9 @@ export function pickMesh(document: Document, path: string, meshName: string | un
 export async function readDocument(path: string, who: string): Promise<Document> {
   try {
     await readFile(path)
-    return await new NodeIO().registerExtensions(ALL_EXTENSIONS).read(path)
+    // Of extensions that are none of its business it would warn.
+    const io = new NodeIO().setLogger(new Logger(Logger.Verbosity.ERROR))
+    return await io.registerExtensions(ALL_EXTENSIONS).read(path)
   } catch (error) {
     throw new FurrowError({
       who,

@@ -9,6 +9,7 @@ import { embedWrinkles } from '../wrinkles/embed.ts'
 import { readFolder } from '../wrinkles/folder.ts'
 import { encodeGlb, readGlbFile } from '../wrinkles/glb-file.ts'
 import { missingOf } from '../wrinkles/missing.ts'
+import { addMorphNormals } from '../wrinkles/morph-normals.ts'
 import { packFolder, type Share } from '../wrinkles/pack.ts'
 import { kilobytes } from '../wrinkles/sizes.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
@@ -26,6 +27,7 @@ interface Options {
   share?: string
   ktx2?: boolean
   size?: string
+  morphNormals?: boolean
   json?: boolean
 }
 
@@ -42,6 +44,7 @@ export const packCommand = new Command('pack')
   .option('--share <count>', 'areas that share an image: 3 (default), 1, or 4 (puts one into alpha)')
   .option('--ktx2', 'maps and areas as KTX 2 arrays (UASTC), which stay compressed on the GPU')
   .option('--size <texels>', "side of the layers' maps (default: as they are)")
+  .option('--morph-normals', 'give blendshapes normals where they have none, so that light follows them')
   .option('--json', 'print what was made as JSON')
   .addHelpText(
     'after',
@@ -81,6 +84,9 @@ async function pack(folder: string, options: Options): Promise<void> {
   const material = glb.json.materials![target.material]!
   if (material.extensions?.[WRINKLE_MAPS] !== undefined) stripWrinkles(glb, target.material, WHO)
   embedWrinkles(glb, target.material, wrinkles, WHO)
+  const morphNormals = options.morphNormals
+    ? await withBar('normals', (progress) => addMorphNormals(glb, face, target.mesh, WHO, progress))
+    : 0
   const bytes = encodeGlb(glb)
   await writeAll([{ path: output, bytes }], WHO)
 
@@ -99,6 +105,7 @@ async function pack(folder: string, options: Options): Promise<void> {
     drivers: wrinkles.drivers.length,
     bytes: bytes.length,
     added: imageBytes(wrinkles),
+    morphNormals,
   }
   process.stdout.write(`${options.json ? JSON.stringify(made) : sentence(made)}\n`)
 }
@@ -117,12 +124,24 @@ interface Made {
   drivers: number
   bytes: number
   added: number
+  morphNormals: number
 }
 
-function sentence({ file, material, layers, areas, areaSize, drivers, bytes, added }: Made): string {
+function sentence({
+  file,
+  material,
+  layers,
+  areas,
+  areaSize,
+  drivers,
+  bytes,
+  added,
+  morphNormals,
+}: Made): string {
   const names = `layers: ${layers.join(', ')}; areas: ${areas.join(', ')} (${areaSize} x ${areaSize})`
+  const normals = morphNormals > 0 ? `; blendshapes that got normals: ${morphNormals}` : ''
   const size = `${kilobytes(added)} of ${kilobytes(bytes)} are wrinkles`
-  return `${file}: material "${material ?? ''}"; ${names}; drivers: ${drivers}; ${size}`
+  return `${file}: material "${material ?? ''}"; ${names}; drivers: ${drivers}; ${size}${normals}`
 }
 
 function imageBytes({ layers, areas }: Awaited<ReturnType<typeof packFolder>>): number {

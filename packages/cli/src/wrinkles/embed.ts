@@ -1,5 +1,6 @@
 import { parseWrinkleMaps, WRINKLE_MAPS, type WrinkleDriver, type WrinkleSetDocument } from 'furrow'
 import type { Glb, GltfJson } from './glb-file.ts'
+import { ViewAdder } from './view-adder.ts'
 
 /** An encoded image that goes into the file. */
 export interface FileImage {
@@ -93,7 +94,7 @@ export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedW
   material.extensions = { ...material.extensions, [WRINKLE_MAPS]: extension }
   const basis = usesBasis(json) ? [BASIS] : []
   json.extensionsUsed = [...new Set([...(json.extensionsUsed ?? []), WRINKLE_MAPS, ...basis])]
-  glb.bin = adder.bytes()
+  adder.finish()
 }
 
 function unlessDefault(field: string, value: unknown, usual: unknown): object {
@@ -103,19 +104,14 @@ function unlessDefault(field: string, value: unknown, usual: unknown): object {
 /** Adds textures to a file; an image that comes twice is stored once. */
 class TextureAdder {
   readonly #json: GltfJson
-  readonly #parts: Uint8Array[]
+  readonly #views: ViewAdder
   readonly #added = new Map<Uint8Array, number>()
-  #length: number
 
-  constructor({ json, bin }: Glb) {
-    this.#json = json
-    this.#parts = [bin]
-    this.#length = bin.length
-    json.images ??= []
-    json.textures ??= []
-    json.bufferViews ??= []
-    json.buffers ??= []
-    json.buffers[0] ??= { byteLength: 0 }
+  constructor(glb: Glb) {
+    this.#json = glb.json
+    this.#views = new ViewAdder(glb)
+    glb.json.images ??= []
+    glb.json.textures ??= []
   }
 
   /** @returns what a texture info says of it. */
@@ -125,10 +121,8 @@ class TextureAdder {
   }
 
   #add({ name, mimeType, bytes, slice }: FileImage, sampler: number | undefined): number {
-    const { images, textures, bufferViews } = this.#json
-    const byteOffset = this.#append(bytes)
-    const view = bufferViews!.push({ buffer: 0, byteOffset, byteLength: bytes.length }) - 1
-    const source = images!.push({ name, mimeType, bufferView: view }) - 1
+    const { images, textures } = this.#json
+    const source = images!.push({ name, mimeType, bufferView: this.#views.add(bytes) }) - 1
     const image = slice === undefined ? { source } : { extensions: { [BASIS]: { source } } }
     const index = textures!.push({ name, ...(sampler !== undefined && { sampler }), ...image }) - 1
     this.#added.set(bytes, index)
@@ -143,16 +137,7 @@ class TextureAdder {
     return found >= 0 ? found : this.#json.samplers.push(clamped) - 1
   }
 
-  bytes(): Uint8Array {
-    this.#json.buffers![0]!.byteLength = this.#length
-    return Buffer.concat(this.#parts)
-  }
-
-  #append(bytes: Uint8Array): number {
-    const gap = (4 - (this.#length % 4)) % 4
-    this.#parts.push(Buffer.alloc(gap), bytes)
-    const at = this.#length + gap
-    this.#length = at + bytes.length
-    return at
+  finish(): void {
+    this.#views.finish()
   }
 }

@@ -25,7 +25,7 @@ export interface GltfMesh {
   primitives: {
     attributes?: Record<string, number>
     material?: number
-    targets?: unknown[]
+    targets?: Record<string, number>[]
   }[]
   extras?: { targetNames?: unknown }
 }
@@ -36,6 +36,7 @@ export interface GltfJson {
   extensionsRequired?: string[]
   buffers?: { byteLength: number; uri?: string }[]
   bufferViews?: { buffer: number; byteOffset?: number; byteLength: number }[]
+  accessors?: object[]
   images?: { name?: string; mimeType?: string; uri?: string; bufferView?: number }[]
   textures?: { name?: string; sampler?: number; source?: number; extensions?: Extensions }[]
   samplers?: object[]

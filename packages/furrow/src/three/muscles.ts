@@ -2,6 +2,7 @@ import { BufferAttribute, type BufferGeometry, type Mesh } from 'three'
 import { DeformedNormals } from '../core/deformed-normals.ts'
 import type { MuscleDriver } from '../core/driver-types.ts'
 import { muscleOffsets } from '../drivers/muscles.ts'
+import { coordinates } from './coordinates.ts'
 
 /**
  * Gives a mesh virtual muscles: each becomes a morph target of its name, with normals, whose weight is the contraction. Muscles
@@ -52,13 +53,6 @@ export function addMorphNormals(geometry: BufferGeometry): void {
     known.push(named(new BufferAttribute(own, 3), targets[i].name))
   }
   morphAttributes.normal = known
-}
-
-/** Numbers of an attribute, whatever it is stored as. */
-function coordinates(attribute: { count: number; getComponent(i: number, k: number): number }): Float32Array {
-  const out = new Float32Array(3 * attribute.count)
-  for (let i = 0; i < out.length; i++) out[i] = attribute.getComponent(Math.floor(i / 3), i % 3)
-  return out
 }
 
 function named(attribute: BufferAttribute, name: string): BufferAttribute {

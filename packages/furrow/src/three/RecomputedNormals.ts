@@ -1,0 +1,112 @@
+import { BufferAttribute, type BufferGeometry, DynamicDrawUsage, type Mesh } from 'three'
+import { DeformedNormals } from '../core/deformed-normals.ts'
+import { coordinates } from './coordinates.ts'
+
+/** Of one blendshape: the vertices that it moves, and how far. */
+interface Offsets {
+  vertices: Uint32Array
+  values: Float32Array
+}
+
+/**
+ * Recomputes a mesh's normals and tangents on the processor as its blendshapes deform it, as the paper does, so that light and
+ * wrinkles follow: three.js shades a face whose targets lack normals as if at rest, and never moves tangents. Skinning goes on top
+ * of it as before. The mesh gets a geometry of its own. Call `update` once per frame; while no weight changes it does nothing, and it never
+ * allocates. It costs the vertices that move; `furrow pack --morph-normals` costs a file's size instead, and the tangents stay.
+ */
+export class RecomputedNormals {
+  readonly #mesh: Mesh
+  readonly #before: BufferGeometry
+  readonly #geometry: BufferGeometry
+  readonly #deformed: DeformedNormals
+  readonly #rest: Float32Array
+  readonly #now: Float32Array
+  readonly #normal: BufferAttribute
+  readonly #tangent: BufferAttribute | null
+  readonly #restTangents: Float32Array | null
+  readonly #targets: readonly Offsets[]
+  /** Weights as they were when the normals were last made. */
+  readonly #weights: Float32Array
+
+  /** @param mesh with normals. Without blendshapes `update` does nothing. */
+  constructor(mesh: Mesh) {
+    this.#mesh = mesh
+    this.#before = mesh.geometry
+    this.#geometry = mesh.geometry.clone()
+    const { attributes, morphAttributes, morphTargetsRelative, index } = this.#geometry
+    this.#rest = coordinates(attributes.position)
+    this.#now = this.#rest.slice()
+    const normals = coordinates(attributes.normal)
+    const triangles = index?.array ?? Uint32Array.from({ length: this.#rest.length / 3 }, (_, i) => i)
+    this.#deformed = new DeformedNormals({ positions: this.#rest, normals, triangles })
+    this.#normal = new BufferAttribute(normals, 3).setUsage(DynamicDrawUsage)
+    this.#restTangents = attributes.tangent ? coordinates(attributes.tangent, 4) : null
+    this.#tangent =
+      this.#restTangents && new BufferAttribute(this.#restTangents.slice(), 4).setUsage(DynamicDrawUsage)
+    this.#geometry.setAttribute('normal', this.#normal)
+    if (this.#tangent) this.#geometry.setAttribute('tangent', this.#tangent)
+    delete morphAttributes.normal
+    this.#targets = (morphAttributes.position ?? []).map((target) =>
+      offsetsOf(coordinates(target), morphTargetsRelative ? null : this.#rest),
+    )
+    this.#weights = new Float32Array(this.#targets.length)
+    mesh.geometry = this.#geometry
+  }
+
+  /** Brings normals and tangents up to date with the mesh's blendshapes. */
+  update(): void {
+    const influences = this.#mesh.morphTargetInfluences
+    if (!influences || !this.#takeWeights(influences)) return
+    this.#now.set(this.#rest)
+    for (let i = 0; i < this.#targets.length; i++) this.#add(this.#targets[i], i)
+    this.#deformed.update(this.#now, this.#normal.array as Float32Array)
+    this.#normal.needsUpdate = true
+    if (!this.#tangent || !this.#restTangents) return
+    const tangents = this.#tangent.array as Float32Array
+    tangents.set(this.#restTangents)
+    this.#deformed.turn(tangents, 4)
+    this.#tangent.needsUpdate = true
+  }
+
+  /** Gives the mesh its geometry back. */
+  dispose(): void {
+    this.#mesh.geometry = this.#before
+    this.#geometry.dispose()
+  }
+
+  /** Whether any has changed. */
+  #takeWeights(influences: readonly number[]): boolean {
+    let changed = false
+    for (let i = 0; i < this.#weights.length; i++) {
+      const before = this.#weights[i]
+      this.#weights[i] = influences[i]
+      if (this.#weights[i] !== before) changed = true
+    }
+    return changed
+  }
+
+  #add({ vertices, values }: Offsets, target: number): void {
+    const weight = this.#weights[target]
+    if (weight === 0) return
+    for (let i = 0; i < vertices.length; i++) {
+      const at = 3 * vertices[i]
+      this.#now[at] += weight * values[3 * i]
+      this.#now[at + 1] += weight * values[3 * i + 1]
+      this.#now[at + 2] += weight * values[3 * i + 2]
+    }
+  }
+}
+
+/** @param base to take from what stands there, where targets are not relative. */
+function offsetsOf(values: Float32Array, base: Float32Array | null): Offsets {
+  const offsets = base ? values.map((value, i) => value - base[i]) : values
+  const vertices = Array.from({ length: offsets.length / 3 }, (_, i) => i).filter(
+    (i) => offsets[3 * i] !== 0 || offsets[3 * i + 1] !== 0 || offsets[3 * i + 2] !== 0,
+  )
+  return {
+    vertices: Uint32Array.from(vertices),
+    values: Float32Array.from(
+      vertices.flatMap((i) => [offsets[3 * i], offsets[3 * i + 1], offsets[3 * i + 2]]),
+    ),
+  }
+}
