@@ -6,7 +6,7 @@ import type { Face } from './face.ts'
 import { ageSource } from './sources/age.ts'
 import { boneSource } from './sources/bone.ts'
 import { morphSource } from './sources/morph.ts'
-import type { Source } from './sources/source.ts'
+import type { DriversOptions, Source } from './sources/source.ts'
 import { tensionSource } from './sources/tension.ts'
 import type { WrinklesBase } from './Wrinkles.ts'
 
@@ -19,11 +19,15 @@ const SOURCES = [morphSource, boneSource, tensionSource, ageSource]
  * @param drivers types this version does not know are left out with a warning, and so is what they name and the mesh does not
  *   have: targets, joints, areas.
  */
-export function addDrivers(wrinkles: WrinklesBase, drivers: readonly WrinkleDriver[]): void {
+export function addDrivers(
+  wrinkles: WrinklesBase,
+  drivers: readonly WrinkleDriver[],
+  options: DriversOptions = {},
+): void {
   wrinkles.expressions = expressionsOf(drivers)
   const known = drivers.filter(isKnownDriver)
   const sources = SOURCES.filter(({ types }) => known.some(({ type }) => types.includes(type))).map(
-    ({ create }) => create(wrinkles, known),
+    ({ create }) => create(wrinkles, known, options),
   )
   const sum = new DriverSum(
     sources.map(({ driver }) => driver),

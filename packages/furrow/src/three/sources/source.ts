@@ -1,5 +1,6 @@
 import type { DriverType, WrinkleDriver } from '../../core/driver-types.ts'
 import type { Driver } from '../../drivers/driver.ts'
+import type { VrmExpressions } from '../../drivers/vrm.ts'
 import type { WrinklesBase } from '../Wrinkles.ts'
 
 /** A driver and what it reads of a mesh. */
@@ -9,10 +10,15 @@ export interface Source {
   update(instance: number): void
 }
 
+export interface DriversOptions {
+  /** A VRM's expressions (`vrm.expressionManager` of three-vrm): links may name them as well as blendshapes. */
+  expressions?: VrmExpressions
+}
+
 /** How drivers of one type are bound to a mesh. */
 export interface SourceType {
   /** Types of drivers that it plays. */
   types: readonly DriverType[]
   /** @param drivers of all types. */
-  create(wrinkles: WrinklesBase, drivers: readonly WrinkleDriver[]): Source
+  create(wrinkles: WrinklesBase, drivers: readonly WrinkleDriver[], options: DriversOptions): Source
 }

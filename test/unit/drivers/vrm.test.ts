@@ -1,0 +1,76 @@
+import {
+  VRMExpression,
+  VRMExpressionManager,
+  VRMExpressionMorphTargetBind,
+  VRMExpressionOverrideType,
+} from '@pixiv/three-vrm-core'
+import { VrmWeights } from 'furrow'
+import { addDrivers, Wrinkles } from 'furrow/three'
+import { Float32BufferAttribute, Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
+import { describe, expect, it } from 'vitest'
+import { randomSet } from '../../cases.ts'
+import { seeded } from '../../random.ts'
+import { frameOf } from '../three/stub-renderer.ts'
+
+/** A face whose expressions each move a target of their own, with what they do to others. */
+function avatar() {
+  const names = ['blink', 'blinkLeft', 'aa', 'lookUp', 'happy', 'surprised']
+  const geometry = new PlaneGeometry()
+  geometry.morphTargetsRelative = true
+  geometry.morphAttributes.position = names.map((name) =>
+    Object.assign(new Float32BufferAttribute(new Float32Array(12), 3), { name: `shape_${name}_x` }),
+  )
+  const mesh = new Mesh(geometry, new MeshStandardMaterial())
+  const manager = new VRMExpressionManager()
+  for (const [index, name] of names.entries()) {
+    const expression = new VRMExpression(name)
+    expression.addBind(new VRMExpressionMorphTargetBind({ primitives: [mesh], index, weight: 1 }))
+    manager.registerExpression(expression)
+  }
+  const of = (name: string) => manager.getExpression(name)!
+  of('happy').overrideBlink = VRMExpressionOverrideType.Blend
+  of('happy').overrideMouth = VRMExpressionOverrideType.Block
+  of('surprised').overrideLookAt = VRMExpressionOverrideType.Blend
+  of('blinkLeft').isBinary = true
+  return { mesh, manager, names }
+}
+
+describe('VrmWeights', () => {
+  it('are what three-vrm applies to the mesh, for random weights', () => {
+    const { mesh, manager, names } = avatar()
+    const vrm = new VrmWeights(manager)
+    const weights = new Float32Array(names.length)
+    const random = seeded(9)
+    expect(vrm.names).toEqual(names)
+    for (let i = 0; i < 200; i++) {
+      for (const name of names) manager.setValue(name, random() < 0.3 ? 0 : random())
+      manager.update()
+      vrm.writeTo(weights, 0)
+      for (const [k, shown] of mesh.morphTargetInfluences!.entries()) expect(weights[k]).toBeCloseTo(shown, 6)
+    }
+  })
+
+  it('drive areas by the names of expressions, after their overrides', () => {
+    const { mesh, manager } = avatar()
+    const wrinkles = new Wrinkles(mesh, randomSet(seeded(1), 1, 8))
+    const [area] = wrinkles.areaNames
+    const straight: [number, number][] = [
+      [0, 0],
+      [1, 1],
+    ]
+    const targets = [{ name: 'blink', weight: 1 }]
+    addDrivers(wrinkles, [{ type: 'morph', area, targets, rule: 'sum', curve: straight }], {
+      expressions: manager,
+    })
+    const frame = frameOf(mesh)
+    const shown = (values: Record<string, number>) => {
+      for (const [name, value] of Object.entries(values)) manager.setValue(name, value)
+      manager.update()
+      frame()
+      return wrinkles.getActivation(area)
+    }
+    expect(shown({ blink: 0.8 })).toBeCloseTo(0.8, 6)
+    expect(shown({ happy: 0.75 })).toBeCloseTo(0.2, 6)
+    expect(shown({ happy: 0 })).toBeCloseTo(0.8, 6)
+  })
+})
