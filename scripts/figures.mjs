@@ -5,6 +5,7 @@ import { mkdir, mkdtemp, rename, rm } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { ensureBrowser } from './lib/browser.mjs'
+import { shootPages } from './lib/pages.mjs'
 import { Failure, main, ROOT, say } from './lib/run.mjs'
 import { setUp } from './lib/set-up.mjs'
 
@@ -32,6 +33,10 @@ const BROW = {
 }
 const FOREHEAD = { ...PORTRAIT, expression: 'surprised', crop: { ...PORTRAIT.crop, height: 480 } }
 
+/** An example page's own picture. */
+const PAGE = { width: 720, height: 900, crop: { left: 135, top: 20, width: 450, height: 540 } }
+const BASIC_EXPRESSIONS = ['neutral', 'happiness', 'surprise', 'anger', 'sadness', 'fear', 'disgust']
+
 /** Each figure is a row of pictures, from left to right. */
 const FIGURES = {
   'figure-8': [
@@ -54,6 +59,8 @@ const FIGURES = {
     { ...BROW, face: 'images' },
     { ...BROW, face: 'arrays' },
   ],
+  muscles: BASIC_EXPRESSIONS.map((name) => ({ ...PAGE, page: `muscles.html?expression=${name}` })),
+  age: [20, 40, 60, 80].map((years) => ({ ...PAGE, page: `age.html?age=${years}` })),
   transform: [FOREHEAD, { ...FOREHEAD, face: 'lossless' }, { ...FOREHEAD, face: 'lossy' }],
 }
 
@@ -70,7 +77,8 @@ await main(async () => {
   await setUp()
   process.env.FURROW_CHROMIUM = await ensureBrowser()
   const { renderPictures } = await import('../packages/cli/dist/render/render-pictures.js')
-  const rows = Object.values(figures).flat()
+  const parts = Object.values(figures).flat()
+  const rows = parts.filter(({ page }) => page === undefined)
   const folder = await mkdtemp(join(tmpdir(), 'furrow-figures-'))
   let pictures
   try {
@@ -79,14 +87,15 @@ await main(async () => {
       input: files.get(face) ?? FACE,
       ...picture,
     }))
-    pictures = await withBar((progress) => renderPictures(requests, progress))
+    pictures = requests.length > 0 ? await withBar((progress) => renderPictures(requests, progress)) : []
   } finally {
     await rm(folder, { recursive: true })
   }
+  const pages = await shootPages(parts.filter(({ page }) => page !== undefined))
   await mkdir(FOLDER, { recursive: true })
   for (const [name, row] of Object.entries(figures)) {
-    const parts = row.map(({ crop }) => ({ ...pictures.shift(), crop }))
-    await compose(parts, join(FOLDER, `${name}.png`))
+    const shown = row.map(({ page, crop }) => ({ ...(page ? pages : pictures).shift(), crop }))
+    await compose(shown, join(FOLDER, `${name}.png`))
     say(`docs/figures/${name}.png`)
   }
 })

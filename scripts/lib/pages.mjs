@@ -1,0 +1,39 @@
+import { ROOT } from './run.mjs'
+
+/** Milliseconds until a page has loaded its face and drawn it. */
+const SETTLED = 3000
+
+/**
+ * Pictures of the canvas of example pages, in their order.
+ *
+ * @param {{ page: string, width: number, height: number }[]} pages names with whatever they are asked; size of the window.
+ * @returns {Promise<{ width: number, height: number, pixels: Uint8Array }[]>} RGBA bytes.
+ */
+export async function shootPages(pages) {
+  if (pages.length === 0) return []
+  const { default: sharp } = await import('sharp')
+  const { preview } = await import('vite')
+  const { launchBrowser } = await import('../../packages/cli/dist/browser.js')
+  const options = { configFile: false, logLevel: 'silent', root: ROOT, build: { outDir: '.' } }
+  const server = await preview({ ...options, preview: { host: '127.0.0.1', port: 0 } })
+  const browser = await launchBrowser()
+  const pictures = []
+  try {
+    for (const { page: name, width, height } of pages) {
+      const page = await browser.newPage({ viewport: { width, height } })
+      await page.goto(new URL(`/examples/${name}`, server.resolvedUrls.local[0]).href)
+      const canvas = await page.waitForSelector('canvas')
+      await page.waitForTimeout(SETTLED)
+      const picture = sharp(await canvas.screenshot())
+        .ensureAlpha()
+        .raw()
+      const { data, info } = await picture.toBuffer({ resolveWithObject: true })
+      pictures.push({ width: info.width, height: info.height, pixels: data })
+      await page.close()
+    }
+  } finally {
+    await browser.close()
+    await server.close()
+  }
+  return pictures
+}
