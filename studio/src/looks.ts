@@ -14,8 +14,10 @@ import type { Wrinkles } from '../../stage/stage.ts'
 /** What the side with wrinkles shows: the lit face, or something about it that light hides. */
 export type LookName = 'shaded' | 'normals' | 'influence' | 'wireframe'
 
-/** @property area shows the influence of this one alone, whatever its activation. */
-export type Look = { name: Exclude<LookName, 'influence'> } | { name: 'influence'; area?: string }
+/** @property area shows the influence of this one alone, or these, whatever their activations. */
+export type Look =
+  | { name: Exclude<LookName, 'influence'> }
+  | { name: 'influence'; area?: string | readonly string[] }
 
 export type Side = 'without' | 'with'
 
@@ -182,7 +184,7 @@ function wiresOf(skin: Mesh): Mesh {
 
 /** What stands beside the divider, on the side with wrinkles. */
 export function lookLabel(look: Look, mode: WrinkleMode): string {
-  if (look.name === 'influence') return look.area ?? 'Influence'
+  if (look.name === 'influence') return look.area === undefined ? 'Influence' : [look.area].flat().join(', ')
   if (look.name === 'wireframe') return 'Wireframe'
   return mode === 'off' ? 'Wrinkles off' : 'With wrinkles'
 }

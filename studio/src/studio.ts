@@ -82,6 +82,7 @@ export class Studio {
         }),
       addAreas: (files) => this.#addAreas(files),
       removeArea: (name) => this.#removeArea(name),
+      light: (areas) => this.#change((viewer) => viewer.light(areas)),
     })
     page.screenshot.addEventListener('click', () => this.#savePicture())
     takeDrops(page.dropping, (files) => this.#addAreas(files))

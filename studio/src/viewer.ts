@@ -1,4 +1,13 @@
-import { type Area, driversOf, EXPRESSIONS, type Expression, MorphActivation } from 'furrow'
+import {
+  AGES,
+  type Area,
+  canonicalTargetName,
+  driversOf,
+  EXPRESSIONS,
+  type Expression,
+  explain,
+  MorphActivation,
+} from 'furrow'
 import { ExpressionPlayer, Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
 import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import { type Color, type Material, type Mesh, NoToneMapping, type Texture } from 'three'
@@ -89,6 +98,42 @@ export class Viewer {
   set look(look: Look) {
     this.#looks.choose(look)
     this.#look = look
+  }
+
+  /** Blendshapes that drive an area, by the names of their dials. */
+  driversOf(area: string): string[] {
+    return driversOf('morph', this.loaded.drivers)
+      .filter((driver) => driver.area === area)
+      .flatMap(({ targets }) => targets.map(({ name }) => canonicalTargetName(name)))
+  }
+
+  /** Areas that a blendshape drives, as far as they are still there. */
+  drivenBy(target: string): string[] {
+    const driven = driversOf('morph', this.loaded.drivers).filter(({ targets }) =>
+      targets.some(({ name }) => canonicalTargetName(name) === target),
+    )
+    return [...new Set(driven.map(({ area }) => area))].filter((name) => this.wrinkles.hasArea(name))
+  }
+
+  /** What the file's drivers make of an area now, and which link gives it, a line for each. */
+  explain(area: string): string[] {
+    const { skin } = this.loaded.face
+    const situation = {
+      targetNames: Object.keys(skin.morphTargetDictionary ?? {}),
+      weights: skin.morphTargetInfluences ?? [],
+      age: AGES.youngest,
+    }
+    const [why] = explain(this.loaded.drivers, [{ name: area }], situation)
+    if (why.parts.length === 0) return [`${area} has no driver: nothing but its slider moves it`]
+    return why.parts.flatMap(({ activation, links }) => [
+      `${activation.toFixed(2)} of ${area} from`,
+      ...links.map(({ link, value }) => `${value.toFixed(2)} by ${link.name}`),
+    ])
+  }
+
+  /** Lights areas up on the face, whatever their activations; with none it shows what it showed before. */
+  light(areas: readonly string[]): void {
+    this.#looks.choose(areas.length > 0 ? { name: 'influence', area: areas } : this.#look)
   }
 
   /** Whether an expression is still on its way. */

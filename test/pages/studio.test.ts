@@ -57,6 +57,36 @@ describe('the studio on WebGL', () => {
     await expectValue(slider(page, 'foreheadLeft'), 1)
   })
 
+  test('pointing at an area shows what drives it, and at a blendshape the areas it drives', async () => {
+    const { page } = studio
+    await page.getByRole('button', { name: 'Happy' }).click()
+    await expectValue(slider(page, 'mouthSmileLeft'), 0.85)
+    const before = await face(page)
+    await page.locator('#areas label', { hasText: 'crowsFeetLeft' }).hover()
+    const why = page.locator('.why')
+    expect(await why.innerText()).toContain('1.00 of crowsFeetLeft from')
+    expect(await why.innerText()).toContain('0.64 by cheekSquintLeft')
+    const linked = () => page.locator('.row.linked label').allTextContents()
+    expect((await linked()).sort()).toEqual([
+      'cheekSquintLeft',
+      'eyeBlinkLeft',
+      'eyeSquintLeft',
+      'mouthSmileLeft',
+    ])
+    // The area itself, on the face.
+    expect(await difference(before, await face(page))).toBeGreaterThan(2)
+    await page.locator('#filter').fill('mouthSmileLeft')
+    await page.locator('#targets label', { hasText: 'mouthSmileLeft' }).hover()
+    expect((await linked()).sort()).toEqual(['crowsFeetLeft', 'nasolabialLeft'])
+    expect(await why.isVisible()).toBe(false)
+    await page.locator('#filter').fill('')
+    await page.locator('#filter').hover()
+    expect(await linked()).toEqual([])
+    expect(await difference(before, await face(page))).toBeLessThan(0.5)
+    await page.getByRole('button', { name: 'Surprised' }).click()
+    await expectValue(slider(page, 'foreheadLeft'), 1)
+  })
+
   test('the divider moves by keys and by pointer', async () => {
     const { page } = studio
     const divider = page.getByRole('slider', { name: /^Divider/ })

@@ -22,6 +22,8 @@ export interface PanelActions {
   reset(dials: readonly Dial[]): void
   addAreas(files: File[]): void
   removeArea(name: string): void
+  /** Areas that shall light up on the face; none any more. */
+  light(areas: readonly string[]): void
 }
 
 /** The controls beside the stage: they ask, and they show what is. */
@@ -44,8 +46,20 @@ export class Panel {
     page.area.addEventListener('change', () => actions.look(this.#chosenLook()))
     const names = EXPRESSIONS.map(({ name }) => name)
     this.#expressions = new Buttons(page.expressions, names, actions.play)
-    this.#areas = new AreasPanel(page.areas, { input: actions.input, remove: actions.removeArea })
-    this.#targets = new TargetsPanel(page.targets, page.filter, page.found, actions.input)
+    this.#areas = new AreasPanel(page.areas, {
+      input: actions.input,
+      remove: actions.removeArea,
+      point: (dial) => {
+        this.#targets.mark(dial ? (this.#viewer?.driversOf(dial.name) ?? []) : [])
+        this.#areas.explain(dial ? (this.#viewer?.explain(dial.name) ?? []) : [])
+        actions.light(dial ? [dial.name] : [])
+      },
+    })
+    this.#targets = new TargetsPanel(page.targets, page.filter, page.found, actions.input, (dial) => {
+      const driven = dial ? (this.#viewer?.drivenBy(dial.name) ?? []) : []
+      this.#areas.mark(driven)
+      actions.light(driven)
+    })
     page.resetAreas.addEventListener('click', () => actions.reset(this.#viewer?.areas ?? []))
     page.resetTargets.addEventListener('click', () => actions.reset(this.#viewer?.targets ?? []))
     page.files.addEventListener('change', () => {
@@ -84,7 +98,8 @@ export class Panel {
     this.#modes.show(mode)
     this.#looks.show(look.name)
     this.#page.areaRow.hidden = look.name !== 'influence'
-    this.#page.area.value = look.name === 'influence' && look.area ? `area:${look.area}` : 'all'
+    this.#page.area.value =
+      look.name === 'influence' && typeof look.area === 'string' ? `area:${look.area}` : 'all'
   }
 
   /** Shows which expression the face has or heads for; null when sliders made it another. */

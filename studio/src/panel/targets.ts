@@ -13,6 +13,7 @@ export class TargetsPanel {
   readonly #filter: HTMLInputElement
   readonly #count: HTMLElement
   readonly #onInput: (dial: Dial, value: number) => void
+  readonly #onPoint: (dial: Dial | null) => void
   #groups: Group[] = []
   #folded = new Map<string, boolean>()
 
@@ -21,11 +22,13 @@ export class TargetsPanel {
     filter: HTMLInputElement,
     count: HTMLElement,
     onInput: (dial: Dial, value: number) => void,
+    onPoint: (dial: Dial | null) => void,
   ) {
     this.#list = list
     this.#filter = filter
     this.#count = count
     this.#onInput = onInput
+    this.#onPoint = onPoint
     filter.addEventListener('input', () => this.#apply())
   }
 
@@ -36,7 +39,7 @@ export class TargetsPanel {
       const summary = document.createElement('summary')
       const number = document.createElement('span')
       summary.append(group.name, number)
-      const sliders = group.dials.map((dial) => new Slider(dial, this.#onInput))
+      const sliders = group.dials.map((dial) => new Slider(dial, this.#onInput, this.#onPoint))
       element.append(summary, ...sliders.map(({ row }) => row))
       element.dataset.name = group.name
       element.open = this.#folded.get(group.name) === false
@@ -48,6 +51,17 @@ export class TargetsPanel {
 
   follow(): void {
     for (const { sliders } of this.#groups) for (const slider of sliders) slider.follow()
+  }
+
+  /** Marks the blendshapes that move something. */
+  mark(names: readonly string[]): void {
+    for (const { element, sliders } of this.#groups) {
+      for (const slider of sliders) slider.mark(names.includes(slider.dial.name))
+      element.classList.toggle(
+        'linked',
+        sliders.some(({ dial }) => names.includes(dial.name)),
+      )
+    }
   }
 
   /** While a filter is set every group with a match is unfolded; afterwards they are as they were. */

@@ -227,23 +227,24 @@ export abstract class WrinklesBase {
 
   /**
    * A material that shows where wrinkles are, as gray on the moving mesh: how much of them now, or the extent of
-   * one area whatever its activation. Made for looking; dispose it when done, and make it anew after areas
+   * one area, or several, whatever their activations. Made for looking; dispose it when done, and make it anew after areas
    * came or went.
    *
    * @throws FurrowError when no area has that name.
    */
-  createInfluenceMaterial(area?: string): Material {
+  createInfluenceMaterial(area?: string | readonly string[]): Material {
     if (area === undefined) {
       this.#watchers++
       const material = this.#influenceMaterial(null)
       material.addEventListener('dispose', () => this.#watchers--)
       return material
     }
-    this.getActivation(area)
+    const chosen = typeof area === 'string' ? [area] : area
+    for (const name of chosen) this.getActivation(name)
     const table = new ActivationTable()
     table.write(
       this.#inputs.areas,
-      Float32Array.from(this.#areas, ({ name }) => (name === area ? 1 : 0)),
+      Float32Array.from(this.#areas, ({ name }) => (chosen.includes(name) ? 1 : 0)),
     )
     const material = this.#influenceMaterial(table)
     material.addEventListener('dispose', () => table.texture.dispose())
