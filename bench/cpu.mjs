@@ -14,6 +14,7 @@ import {
   Skeleton,
   SkinnedMesh,
 } from 'three'
+import { idleRenderer } from './idle-renderer.mjs'
 
 setFlagsFromString('--expose-gc')
 const collect = runInNewContext('gc')
@@ -129,23 +130,4 @@ function driver(area, i) {
     weight: 0.4,
   }))
   return { type: 'morph', area, targets, rule: 'sum', curve: CURVE }
-}
-
-/** As much of a renderer as is called; what it does with the draw is three.js's part and the same for any draw. */
-function idleRenderer() {
-  const held = { __webglTexture: true }
-  return {
-    info: { calls: 0, autoReset: true },
-    autoClear: true,
-    xr: { enabled: false },
-    shadowMap: { autoUpdate: true },
-    properties: { get: () => held },
-    getRenderTarget: () => null,
-    getActiveCubeFace: () => 0,
-    getActiveMipmapLevel: () => 0,
-    setRenderTarget() {},
-    render() {
-      this.info.calls++
-    },
-  }
 }

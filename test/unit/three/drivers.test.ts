@@ -1,67 +1,7 @@
-import type { Curve, WrinkleDriver } from 'furrow'
-import { addDrivers, Wrinkles } from 'furrow/three'
-import {
-  Bone,
-  Float32BufferAttribute,
-  type Mesh,
-  MeshStandardMaterial,
-  PlaneGeometry,
-  Skeleton,
-  SkinnedMesh,
-} from 'three'
+import type { WrinkleDriver } from 'furrow'
+import { ExpressionPlayer } from 'furrow/three'
 import { afterEach, describe, expect, it, vi } from 'vitest'
-import { layer, randomNormals } from '../../cases.ts'
-import { seeded } from '../../random.ts'
-import { frameOf } from './stub-renderer.ts'
-
-const STRAIGHT: Curve = [
-  [0, 0],
-  [1, 1],
-]
-const AREAS = ['brow', 'nose', 'neck']
-
-/** A square with two blendshapes, of which the first makes it half as wide, and two joints. */
-function face(drivers: WrinkleDriver[], targets = ['browDown_L', 'jawOpen']) {
-  const geometry = new PlaneGeometry(1, 1, 4, 4)
-  const { count } = geometry.getAttribute('position')
-  geometry.morphTargetsRelative = true
-  geometry.morphAttributes.position = targets.map((name, i) => {
-    const offsets = new Float32Array(3 * count)
-    for (let k = 0; k < count; k++) if (i === 0) offsets[3 * k] = -geometry.attributes.position.getX(k) / 2
-    return Object.assign(new Float32BufferAttribute(offsets, 3), { name })
-  })
-  if (targets.length === 0) geometry.morphAttributes = {}
-  geometry.setAttribute('skinIndex', new Float32BufferAttribute(new Float32Array(4 * count), 4))
-  const one = Float32Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 ? 1 : 0))
-  geometry.setAttribute('skinWeight', new Float32BufferAttribute(one, 4))
-  const mesh = new SkinnedMesh(geometry, new MeshStandardMaterial())
-  const [chest, head] = ['chest', 'head'].map((name) => Object.assign(new Bone(), { name }))
-  head.position.y = 1
-  mesh.add(chest.add(head))
-  mesh.bind(new Skeleton([chest, head]))
-  const weights = { width: 2, height: 2, data: new Uint8Array(4).fill(255) }
-  const wrinkles = new Wrinkles(mesh, {
-    layers: [layer('skin', 'detail', randomNormals(seeded(1), 2))],
-    areas: AREAS.map((name) => ({ name, weights, ...(name === 'nose' && { activation: 0.2 }) })),
-  })
-  addDrivers(wrinkles, drivers)
-  const draw = frameOf(mesh as Mesh)
-  const activations = () => {
-    draw()
-    return AREAS.map((name) =>
-      wrinkles.hasArea(name) ? Math.round(1e4 * wrinkles.getActivation(name)) / 1e4 : null,
-    )
-  }
-  return { mesh, head, wrinkles, activations }
-}
-
-const morph = (area: string, name: string, weight = 1): WrinkleDriver => ({
-  type: 'morph',
-  area,
-  targets: [{ name, weight }],
-  rule: 'sum',
-  curve: STRAIGHT,
-})
+import { face, morph, STRAIGHT } from './driven-face.ts'
 
 afterEach(() => vi.restoreAllMocks())
 
@@ -112,6 +52,67 @@ describe('addDrivers', () => {
     wrinkles.driven = false
     wrinkles.setActivation('brow', 0.9)
     expect(activations()).toEqual([0.9, 0.2, 0.9])
+  })
+
+  it('age adds to what is set, and delays follow it, where nothing else moves an area', () => {
+    const { wrinkles, activations } = face([
+      {
+        type: 'age',
+        area: 'brow',
+        curve: [
+          [20, 0],
+          [70, 0.5],
+        ],
+      },
+      { type: 'time', area: 'neck', attack: 0.1, release: 0.1 },
+    ])
+    let milliseconds = 0
+    wrinkles.clock = { now: () => milliseconds }
+    wrinkles.age = 70
+    wrinkles.setActivation('brow', 0.3)
+    for (let i = 0; i < 3; i++) expect(activations()).toEqual([0.8, 0.2, 0])
+    wrinkles.setActivation('neck', 1)
+    milliseconds += 100
+    expect(activations()[2]).toBeCloseTo(1 - Math.exp(-1), 3)
+    expect([wrinkles.isDriven('brow'), wrinkles.isDriven('neck')]).toEqual([false, false])
+  })
+
+  it('presets play on an aging face without drifting', () => {
+    const { mesh, wrinkles, activations } = face([
+      {
+        type: 'age',
+        area: 'brow',
+        curve: [
+          [20, 0],
+          [70, 0.5],
+        ],
+      },
+    ])
+    wrinkles.age = 70
+    const player = new ExpressionPlayer(mesh, wrinkles, [
+      { name: 'rest', targets: {}, activations: {} },
+      { name: 'frown', targets: { jawOpen: 1 }, activations: { brow: 0.4 } },
+    ])
+    for (let i = 0; i < 3; i++) {
+      player.play('frown', 0.1)
+      player.update(1)
+      expect(activations()[0]).toBe(0.9)
+      player.play('rest', 0.1)
+      player.update(1)
+      expect(activations()[0]).toBe(0.5)
+    }
+  })
+
+  it('a preset and the blendshapes that it sets move the areas alike', () => {
+    const drivers = [morph('brow', 'browDownLeft', 0.5), morph('neck', 'jawOpen')]
+    const [played, set] = [face(drivers), face(drivers)]
+    new ExpressionPlayer(played.mesh, played.wrinkles, [
+      { name: 'frown', targets: { browDownLeft: 0.7, jawOpen: 0.2 }, activations: { brow: 1, neck: 1 } },
+    ]).play('frown', 0)
+    set.mesh.morphTargetInfluences![0] = 0.7
+    set.mesh.morphTargetInfluences![1] = 0.2
+    expect(played.activations()).toEqual([0.35, 0.2, 0.2])
+    expect(set.activations()).toEqual([0.35, 0.2, 0.2])
   })
 
   it('follows with a delay by the clock, the first frame at once', () => {

@@ -68,6 +68,21 @@ export class Activations {
     }
   }
 
+  /**
+   * Takes many over by name; those that do not exist are passed over. Nothing is allocated, as a number that is handed to `set` may be.
+   *
+   * @param values 0..1, in the order of the names.
+   * @param except names that are passed over too.
+   */
+  takeNamed(names: readonly string[], values: Float32Array, except?: ReadonlySet<string>): void {
+    for (let i = 0; i < names.length; i++) {
+      const index = this.#indices.get(names[i])
+      if (index === undefined || this.#values[index] === values[i] || except?.has(names[i])) continue
+      this.#values[index] = values[i]
+      this.version++
+    }
+  }
+
   /** Whether an area of that name exists. */
   has(name: string): boolean {
     return this.#indices.has(name)

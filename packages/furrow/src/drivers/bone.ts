@@ -1,5 +1,5 @@
 import type { BoneDriver } from '../core/driver-types.ts'
-import { curveAt } from './curve.ts'
+import { applyCurve } from './curve.ts'
 import { areasOf, type Driver } from './driver.ts'
 
 /** Numbers of a matrix, columns first, as three.js's `Matrix4.elements`. */
@@ -67,8 +67,8 @@ export class BoneActivation implements Driver {
       const bound = this.#bound[i]
       if (bound.driver.measure === 'distance') readDistance(this.#read, matrices, bound)
       else this.#readAngle(matrices, bound)
-      const activation = this.activations[bound.area] + curveAt(bound.driver.curve, this.#read[0])
-      this.activations[bound.area] = Math.min(1, activation)
+      applyCurve(bound.driver.curve, this.#read)
+      this.activations[bound.area] = Math.min(1, this.activations[bound.area] + this.#read[0])
     }
   }
 

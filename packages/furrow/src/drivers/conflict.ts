@@ -35,17 +35,15 @@ export class Conflicts {
     for (let i = 0; i < out.length; i++) out[i] = weights[offset + i]
     for (let i = 0; i < this.#pairs.length; i++) {
       const { a, b } = this.#pairs[i]
-      const shared = Math.min(mean(out, a), mean(out, b))
+      let ofA = 0
+      let ofB = 0
+      for (let k = 0; k < a.length; k++) ofA += out[a[k]] / a.length
+      for (let k = 0; k < b.length; k++) ofB += out[b[k]] / b.length
+      const shared = Math.min(ofA, ofB)
       if (!(shared > 0)) continue
       for (let k = 0; k < a.length; k++) out[a[k]] -= shared
       for (let k = 0; k < b.length; k++) out[b[k]] -= shared
     }
     return out
   }
-}
-
-function mean(weights: Float32Array, indices: Uint16Array): number {
-  let sum = 0
-  for (let k = 0; k < indices.length; k++) sum += weights[indices[k]]
-  return sum / indices.length
 }

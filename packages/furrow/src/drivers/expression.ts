@@ -36,7 +36,7 @@ export type ExpressionChoice = string | Readonly<Record<string, number>>
 
 /**
  * Interpolation from one expression, or several at once, to the next over a given time, on the CPU (the paper's own way of
- * driving the wrinkles, linear unless told). Values stand in one array whose order `names` gives; nothing is allocated by `update`.
+ * driving the wrinkles, linear unless told). Values stand in one array whose order `names` gives; nothing is allocated by `update`, but for what an easing may.
  */
 export class ExpressionMix {
   /** The union of all names that any of the expressions uses, targets and activations apart. */
@@ -50,11 +50,11 @@ export class ExpressionMix {
   readonly #expressions: ReadonlyMap<string, Ends>
   readonly #from: Ends
   readonly #to: Ends
-  #easing: (share: number) => number = EASINGS.linear
+  /** None where the way is straight: then nothing is handed over, and nothing allocated. */
+  #easing: ((share: number) => number) | null = null
   #duration = 0
-  #elapsed = 0
-  /** Of the way; in an array, since a number that is handed over may be allocated. */
-  readonly #share = new Float64Array(1)
+  /** Seconds since the start, and the share of the way; in an array, since a number that changes may be allocated. */
+  readonly #now = new Float64Array(2)
 
   /**
    * @param expressions at least one; the first is where the mix starts.
@@ -90,7 +90,7 @@ export class ExpressionMix {
 
   /** Whether it has arrived. */
   get still(): boolean {
-    return this.#elapsed >= this.#duration
+    return this.#now[0] >= this.#duration
   }
 
   /**
@@ -121,22 +121,30 @@ export class ExpressionMix {
         for (let i = 0; i < sum.length; i++) sum[i] = Math.min(1, sum[i] + weight * own[i])
       }
     }
-    this.#easing = typeof easing === 'function' ? easing : EASINGS[easing]
+    this.#easing = easing === 'linear' ? null : typeof easing === 'function' ? easing : EASINGS[easing]
     this.#duration = seconds
-    this.#elapsed = 0
+    this.#now[0] = 0
     if (seconds === 0) this.update(0)
   }
 
   /** @param delta seconds since the last call. */
   update(delta: number): void {
-    this.#elapsed = Math.min(this.#elapsed + delta, this.#duration)
-    this.#share[0] = this.still ? 1 : this.#easing(this.#elapsed / this.#duration)
+    // Short enough to be inlined, so that the number need not be allocated.
+    this.#now[0] += delta
+    this.#follow()
+  }
+
+  #follow(): void {
+    const now = this.#now
+    if (now[0] > this.#duration) now[0] = this.#duration
+    now[1] = this.still ? 1 : now[0] / this.#duration
+    if (this.#easing && !this.still) now[1] = this.#easing(now[1])
     this.#interpolate('targets')
     this.#interpolate('activations')
   }
 
   #interpolate(values: keyof Ends): void {
-    const share = this.#share[0]
+    const share = this.#now[1]
     const from = this.#from[values]
     const to = this.#to[values]
     const out = this[values]

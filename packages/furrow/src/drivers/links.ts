@@ -1,6 +1,6 @@
 import type { Curve, Link, Rule } from '../core/driver-types.ts'
 import { sentence } from '../core/error.ts'
-import { curveAt } from './curve.ts'
+import { applyCurve } from './curve.ts'
 
 /** A driver that joins several inputs. */
 export interface Linked {
@@ -32,6 +32,8 @@ export class BoundLinks {
   readonly #bound: readonly Bound[]
   readonly #who: string
   readonly #warned = new Set<string>()
+  /** What was read last; in an array, since a number that a function returns may be allocated. */
+  readonly #value = new Float64Array(1)
 
   /** @param find places of an input by name: none, one, or those of its parts, of which the mean counts. */
   constructor(drivers: readonly Linked[], find: (name: string) => readonly number[], who: string) {
@@ -66,26 +68,31 @@ export class BoundLinks {
     inputs: ArrayLike<number>,
     offset: number,
   ) {
+    const value = this.#value
     let joined = rule === 'product' ? 1 : 0
     for (let i = 0; i < links.length; i++) {
-      const link = links[i]
-      const value = this.#linkValue(link, inputs, offset)
-      if (rule === 'sum') joined += value
-      else if (rule === 'product') joined *= value
-      else if (i === 0) joined = value
-      else joined = rule === 'max' ? Math.max(joined, value) : Math.min(joined, value)
+      this.#read(links[i], inputs, offset)
+      if (rule === 'sum') joined += value[0]
+      else if (rule === 'product') joined *= value[0]
+      else if (i === 0) joined = value[0]
+      else joined = rule === 'max' ? Math.max(joined, value[0]) : Math.min(joined, value[0])
     }
-    activations[area] = Math.min(1, activations[area] + curveAt(curve, joined))
+    value[0] = joined
+    applyCurve(curve, value)
+    activations[area] = Math.min(1, activations[area] + value[0])
   }
 
-  #linkValue({ name, indices, weight, curve }: BoundLink, inputs: ArrayLike<number>, offset: number): number {
-    let input = 0
-    for (let k = 0; k < indices.length; k++) input += inputs[offset + indices[k]] / indices.length
-    if (Number.isNaN(input)) {
+  /** What a link gives. */
+  #read({ name, indices, weight, curve }: BoundLink, inputs: ArrayLike<number>, offset: number): void {
+    const value = this.#value
+    value[0] = 0
+    for (let k = 0; k < indices.length; k++) value[0] += inputs[offset + indices[k]] / indices.length
+    if (Number.isNaN(value[0])) {
       this.#warn(name)
-      input = 0
+      value[0] = 0
     }
-    return weight * (curve ? curveAt(curve, input) : input)
+    if (curve) applyCurve(curve, value)
+    value[0] *= weight
   }
 
   #warn(name: string): void {

@@ -1,6 +1,6 @@
 import type { TensionDriver } from '../core/driver-types.ts'
 import { principalStretches, restInverse } from '../core/stretch.ts'
-import { curveAt } from './curve.ts'
+import { applyCurve } from './curve.ts'
 import { areasOf, type Driver } from './driver.ts'
 
 /** Triangles that stand for an area. */
@@ -74,7 +74,9 @@ export class TensionActivation implements Driver {
       sum += isStretch ? stretches[1] - 1 : 1 - stretches[0]
     }
     this.measured[i] = sum / count
-    this.activations[area] = Math.min(1, this.activations[area] + curveAt(driver.curve, this.measured[i]))
+    stretches[0] = this.measured[i]
+    applyCurve(driver.curve, stretches)
+    this.activations[area] = Math.min(1, this.activations[area] + stretches[0])
   }
 }
 

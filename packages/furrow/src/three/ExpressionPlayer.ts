@@ -71,17 +71,18 @@ export class ExpressionPlayer {
     const { targets, activations } = this.#mix
     for (const { influences, target, weight } of this.#bindings) targets[weight] = influences[target]
     for (const { name, index } of this.#areas) {
-      if (this.#wrinkles.hasArea(name)) activations[index] = this.#wrinkles.getActivation(name)
+      if (!this.#wrinkles.hasArea(name)) continue
+      // Without what age adds to it.
+      activations[index] = this.#wrinkles.isDriven(name)
+        ? this.#wrinkles.getActivation(name)
+        : this.#wrinkles.getRestingActivation(name)
     }
   }
 
   #write(): void {
-    const { targets, activations } = this.#mix
+    const { targets, areaNames, activations } = this.#mix
     for (const { influences, target, weight } of this.#bindings) influences[target] = targets[weight]
-    for (const { name, index } of this.#areas) {
-      // Areas may have been removed since; their expressions then move the rest.
-      if (this.#wrinkles.hasArea(name)) this.#wrinkles.setActivation(name, activations[index])
-    }
+    this.#wrinkles.setActivations(areaNames, activations)
   }
 }
 

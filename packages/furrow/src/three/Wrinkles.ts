@@ -65,6 +65,8 @@ export abstract class WrinklesBase {
   /** Influence materials alive: they want the map drawn whatever the mode. */
   #watchers = 0
   readonly #drivers: Drive[] = []
+  /** Areas that drivers set in every frame, whatever they were set to. */
+  #driven: ReadonlySet<string> = new Set()
   readonly #disposers: (() => void)[] = []
 
   /**
@@ -149,7 +151,21 @@ export abstract class WrinklesBase {
    * @throws FurrowError when no area has that name.
    */
   setActivation(area: string, value: number, instance = 0): void {
-    this.#faces[instance].activations.set(area, value)
+    const face = this.#faces[instance]
+    // What nothing else moves stays as it is set; age adds to it, and delays follow it.
+    if (this.#driven.has(area)) face.activations.set(area, value)
+    else face.rest(area, value)
+  }
+
+  /**
+   * The same for many at once; names that no area has are passed over, and nothing is allocated.
+   *
+   * @param values 0..1, in the order of the names.
+   */
+  setActivations(names: readonly string[], values: Float32Array, instance = 0): void {
+    const { activations, resting } = this.#faces[instance]
+    activations.takeNamed(names, values)
+    resting.takeNamed(names, values, this.#driven)
   }
 
   /** @throws FurrowError when no area has that name. */
@@ -282,9 +298,19 @@ export abstract class WrinklesBase {
     return copy
   }
 
-  /** Has something done each time before a face is drawn, while `driven` is true. */
-  onDrive(drive: Drive): void {
+  /**
+   * Has something done each time before a face is drawn, while `driven` is true.
+   *
+   * @param areas that it sets, whatever they were set to.
+   */
+  onDrive(drive: Drive, areas: readonly string[]): void {
     this.#drivers.push(drive)
+    this.#driven = new Set([...this.#driven, ...areas])
+  }
+
+  /** Whether blendshapes, joints or the like move an area, so that `setActivation` lasts until the next frame only. */
+  isDriven(area: string): boolean {
+    return this.driven && this.#driven.has(area)
   }
 
   /** Has something done when these wrinkles are disposed of. */

@@ -1,5 +1,6 @@
 import { driversOf, isKnownDriver, type WrinkleDriver } from '../core/driver-types.ts'
 import { sentence } from '../core/error.ts'
+import { AgeActivation } from '../drivers/age.ts'
 import { expressionsOf } from '../drivers/expression.ts'
 import { type DriverState, DriverSum } from '../drivers/sum.ts'
 import type { Face } from './face.ts'
@@ -40,7 +41,11 @@ export function addDrivers(
   ])
   if (sum.areaNames.length === 0) return
   const play = new Play(wrinkles, sources, sum, driversOf('time', known).length > 0)
-  wrinkles.onDrive((face, instance) => play.drive(face, instance))
+  const moved = [
+    ...sources.flatMap(({ driver }) => (driver instanceof AgeActivation ? [] : driver.areaNames)),
+    ...driversOf('area', known).map(({ area }) => area),
+  ]
+  wrinkles.onDrive((face, instance) => play.drive(face, instance), moved)
 }
 
 /** Drivers at work on the faces of one mesh. Nothing is allocated by `drive` once a face was seen. */

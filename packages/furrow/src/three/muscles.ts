@@ -10,6 +10,7 @@ import { coordinates } from './coordinates.ts'
  * space of the muscles; the geometry is changed, for all meshes that share it.
  */
 export function addMuscles(mesh: Mesh, muscles: readonly MuscleDriver[]): void {
+  if (muscles.length === 0) return
   const { geometry } = mesh
   mesh.morphTargetDictionary ??= {}
   mesh.morphTargetInfluences ??= []
