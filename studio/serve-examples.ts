@@ -6,6 +6,12 @@ import type { Plugin } from 'vite'
 export function serveExamples(folder: string): Plugin {
   return {
     name: 'furrow-examples',
+    // A page's own script has no place on the disk, from which what lies beside it could be found.
+    resolveId(source, importer) {
+      return source.startsWith('./') && importer?.includes('/examples/') && importer.includes('html-proxy')
+        ? join(folder, source)
+        : null
+    },
     configureServer(server) {
       server.middlewares.use(async (request, response, next) => {
         const path = (request.url ?? '/').split('?')[0]
