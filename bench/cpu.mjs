@@ -107,19 +107,12 @@ function otherDrivers(area, i) {
   return [
     { type: 'age', area, curve: CURVE },
     { type: 'time', area, attack: 0.05, release: 0.4 },
-    ...(i === AREAS - 1
-      ? []
-      : [
-          {
-            type: 'area',
-            area,
-            areas: [{ name: `area${(i + 1) % AREAS}`, weight: 0.1 }],
-            rule: 'sum',
-            curve: CURVE,
-          },
-        ]),
     { type: 'bone', area, joints: ['neck', 'head'], measure: 'angle', axis: [1, 0, 0], curve: CURVE },
     { type: 'conflict', targets: [`target${i % TARGETS}`, `target${(i + 7) % TARGETS}`] },
+    // The last one reads none, or all would drive themselves.
+    ...(i + 1 < AREAS
+      ? [{ type: 'area', area, areas: [{ name: `area${i + 1}`, weight: 0.1 }], rule: 'sum', curve: CURVE }]
+      : []),
     ...(i < TENSE ? [{ type: 'tension', area, measure: 'compression', curve: CURVE }] : []),
   ]
 }

@@ -1,6 +1,6 @@
 export { Activations } from './core/activations.ts'
 export { type AreaConvention, areaWeights } from './core/area.ts'
-export { DeformedNormals, type RestMesh } from './core/deformed-normals.ts'
+export { DeformedNormals, normalChanges, type RestMesh } from './core/deformed-normals.ts'
 export {
   parseWrinkleSetDocument,
   type WrinkleSetDocument,

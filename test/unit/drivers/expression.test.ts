@@ -1,11 +1,4 @@
-import {
-  canonicalTargetName,
-  type Easing,
-  EXPRESSIONS,
-  type Expression,
-  ExpressionMix,
-  findTargets,
-} from 'furrow'
+import { type Easing, EXPRESSIONS, type Expression, ExpressionMix } from 'furrow'
 import { describe, expect, it } from 'vitest'
 
 const ARKIT =
@@ -133,24 +126,4 @@ describe('EXPRESSIONS', () => {
       }
     },
   )
-})
-
-describe('target names', () => {
-  it.each([
-    ['browInnerUp', 'browInnerUp'],
-    ['blendShape1.browInnerUp', 'browInnerUp'],
-    ['browOuterUp_L', 'browOuterUpLeft'],
-    ['head.browOuterUp_R', 'browOuterUpRight'],
-  ])('%s means %s', (name, plain) => expect(canonicalTargetName(name)).toBe(plain))
-
-  it('finds a central shape in the two halves that some rigs split it into', () => {
-    const targets = ['browInnerUp_L', 'browInnerUp_R', 'jawOpen']
-    expect(findTargets('browInnerUp', targets)).toEqual([0, 1])
-    expect(findTargets('jawOpen', targets)).toEqual([2])
-    expect(findTargets('tongueOut', targets)).toEqual([])
-    // A rig's own name, also where ARKit's could be read into it, and one rig's name on another.
-    expect(findTargets('browInnerUp_R', targets)).toEqual([1])
-    expect(findTargets('browUp_L', ['browUpLeft', 'browUp_L'])).toEqual([1])
-    expect(findTargets('blendShape1.jawOpen', ['x.jawOpen'])).toEqual([0])
-  })
 })

@@ -45,3 +45,23 @@ describe('findTargets', () => {
     ['_neutral', ['jawOpen'], []],
   ])('finds %s among %j', (name, targets, expected) => expect(findTargets(name, targets)).toEqual(expected))
 })
+
+describe('target names', () => {
+  it.each([
+    ['browInnerUp', 'browInnerUp'],
+    ['blendShape1.browInnerUp', 'browInnerUp'],
+    ['browOuterUp_L', 'browOuterUpLeft'],
+    ['head.browOuterUp_R', 'browOuterUpRight'],
+  ])('%s means %s', (name, plain) => expect(canonicalTargetName(name)).toBe(plain))
+
+  it('finds a central shape in the two halves that some rigs split it into', () => {
+    const targets = ['browInnerUp_L', 'browInnerUp_R', 'jawOpen']
+    expect(findTargets('browInnerUp', targets)).toEqual([0, 1])
+    expect(findTargets('jawOpen', targets)).toEqual([2])
+    expect(findTargets('tongueOut', targets)).toEqual([])
+    // A rig's own name, also where ARKit's could be read into it, and one rig's name on another.
+    expect(findTargets('browInnerUp_R', targets)).toEqual([1])
+    expect(findTargets('browUp_L', ['browUpLeft', 'browUp_L'])).toEqual([1])
+    expect(findTargets('blendShape1.jawOpen', ['x.jawOpen'])).toEqual([0])
+  })
+})

@@ -1,5 +1,5 @@
 import type { Accessor, Primitive } from '@gltf-transform/core'
-import { DeformedNormals } from 'furrow'
+import { normalChanges } from 'furrow'
 import { readDocument } from '../face.ts'
 import type { Progress } from '../progress.ts'
 import type { Glb, GltfJson } from './glb-file.ts'
@@ -34,13 +34,13 @@ export async function addMorphNormals(
   let [done, added] = [0, 0]
   const total = primitives.reduce((sum, primitive) => sum + primitive.listTargets().length, 0)
   for (const [i, primitive] of primitives.entries()) {
-    const deform = deformer(primitive)
+    const changes = changesOf(primitive)
     for (const [k, target] of primitive.listTargets().entries()) {
       progress(++done, total)
       const offsets = target.getAttribute('POSITION')
-      if (!deform || !offsets || target.getAttribute('NORMAL')) continue
+      if (!changes || !offsets || target.getAttribute('NORMAL')) continue
       const own = glb.json.meshes![mesh]!.primitives[i]!.targets![k]!
-      own.NORMAL = addAccessor(glb.json, adder, deform(numbersOf(offsets)))
+      own.NORMAL = addAccessor(glb.json, adder, changes(numbersOf(offsets)))
       added++
     }
   }
@@ -48,22 +48,13 @@ export async function addMorphNormals(
   return added
 }
 
-/** Turns what a target adds to positions into what it adds to normals; nothing where the primitive has no normals. */
-function deformer(primitive: Primitive): ((offsets: Float32Array) => Float32Array) | undefined {
+/** What targets of a primitive do to its normals; nothing where it has none. */
+function changesOf(primitive: Primitive): ReturnType<typeof normalChanges> | undefined {
   const [position, normal] = [primitive.getAttribute('POSITION'), primitive.getAttribute('NORMAL')]
   if (!position || !normal) return undefined
-  const [positions, normals] = [numbersOf(position), numbersOf(normal)]
   const triangles =
     primitive.getIndices()?.getArray() ?? Uint32Array.from({ length: position.getCount() }, (_, i) => i)
-  const deformed = new DeformedNormals({ positions, normals, triangles })
-  const now = new Float32Array(normals.length)
-  return (offsets) => {
-    deformed.update(
-      positions.map((value, i) => value + offsets[i]!),
-      now,
-    )
-    return now.map((value, i) => value - normals[i]!)
-  }
+  return normalChanges({ positions: numbersOf(position), normals: numbersOf(normal), triangles })
 }
 
 /** Quantised or not. */

@@ -1,4 +1,4 @@
-import { AreaActivation, driversOf, FurrowError, parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
+import { DriverSum, FurrowError, parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
 import { firstLine } from '../images.ts'
 import type { Glb } from './glb-file.ts'
 import { inspectWrinkles, type Report } from './inspect.ts'
@@ -169,7 +169,7 @@ function checkDrivers({ glb, material, maps: { drivers } }: WrinkledFile): Findi
     ...missingOf(drivers, meshes.flatMap(targetNamesOf), jointNamesOf(glb.json)).map((what) =>
       warning('DRIVER_NAME', `${what} is not there`),
     ),
-    ...new AreaActivation(driversOf('area', drivers), []).cyclic.map((area) =>
+    ...new DriverSum([], drivers).cyclic.map((area) =>
       warning('DRIVER_CYCLE', `area "${area}" drives itself; its drivers between areas are not played`),
     ),
   ]

@@ -11,6 +11,21 @@ export interface RestMesh {
 /** Squared length of a sum of normals below which a vertex has no direction. */
 const NO_DIRECTION = 1e-24
 
+/** Turns what a morph target adds to positions into what it adds to normals. */
+export function normalChanges(mesh: RestMesh): (offsets: ArrayLike<number>) => Float32Array {
+  const positions = Float32Array.from(mesh.positions)
+  const normals = Float32Array.from(mesh.normals)
+  const deformed = new DeformedNormals(mesh)
+  const turned = new Float32Array(normals.length)
+  return (offsets) => {
+    deformed.update(
+      positions.map((value, i) => value + offsets[i]),
+      turned,
+    )
+    return turned.map((value, i) => value - normals[i])
+  }
+}
+
 /**
  * Shading normals of a mesh that something deforms. Vertices at one place share one direction, the sum of the normals of the triangles
  * round it by their areas, so that neither seams of the texture nor hard edges open; each authored normal is turned as that

@@ -4,6 +4,12 @@ export type CurvePoint = [input: number, output: number]
 /** Two or more points with growing inputs; constant beyond its ends. */
 export type Curve = CurvePoint[]
 
+/** What goes in comes out, within 0..1. */
+export const STRAIGHT: Readonly<Curve> = [
+  [0, 0],
+  [1, 1],
+]
+
 /**
  * How the links of one driver meet: added, the largest, the smallest (two brows lowered together crease the middle), or
  * multiplied (one gates the other).

@@ -1,4 +1,13 @@
-import type { Curve, CurvePoint, DriverOf, DriverType, Link, Rule, WrinkleDriver } from './driver-types.ts'
+import {
+  type Curve,
+  type CurvePoint,
+  type DriverOf,
+  type DriverType,
+  type Link,
+  type Rule,
+  STRAIGHT,
+  type WrinkleDriver,
+} from './driver-types.ts'
 import { JsonReader, or } from './json.ts'
 import { LARGEST, LONGEST_NAME } from './limits.ts'
 
@@ -64,11 +73,6 @@ const TYPES: { [T in DriverType]: Read<T> } = {
     })),
   }),
 }
-
-const STRAIGHT: readonly CurvePoint[] = [
-  [0, 0],
-  [1, 1],
-]
 
 /**
  * Reads drivers from JSON, as `drivers` of the format are written, and fills their defaults in.
@@ -157,7 +161,7 @@ class Fields {
     const read = (item: Fields) => ({
       name: known ? item.choice('name', known) : item.name('name'),
       weight: item.weight(),
-      ...(item.#json.curve !== undefined && { curve: item.#curve(-LARGEST, LARGEST) }),
+      ...(item.has('curve') && { curve: item.#curve(-LARGEST, LARGEST) }),
     })
     return this.list(field, read, 1)
   }

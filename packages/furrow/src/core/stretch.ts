@@ -1,11 +1,11 @@
-/** A triangle at rest: the inverse of its two edges in its own plane, xx, xy, yy (upper triangular). */
-export type RestInverse = ArrayLike<number>
+/** Of the triangle that is looked at: the products of its two edges, uu, uv, vv. Filled anew by each call, so that none is allocated. */
+const products = new Float64Array(3)
 
 /**
- * Measures a triangle at rest, for `principalStretches`.
+ * Measures a triangle at rest, for `principalStretches`: the inverse of its two edges in its own plane.
  *
  * @param positions x, y and z of each vertex.
- * @returns undefined where it has no surface.
+ * @returns xx, xy and yy, an upper triangular matrix; undefined where the triangle has no surface.
  */
 export function restInverse(
   a: number,
@@ -13,14 +13,8 @@ export function restInverse(
   c: number,
   positions: ArrayLike<number>,
 ): number[] | undefined {
-  let [uu, uv, vv] = [0, 0, 0]
-  for (let axis = 0; axis < 3; axis++) {
-    const u = positions[3 * b + axis] - positions[3 * a + axis]
-    const v = positions[3 * c + axis] - positions[3 * a + axis]
-    uu += u * u
-    uv += u * v
-    vv += v * v
-  }
+  multiplyEdges(a, b, c, positions)
+  const [uu, uv, vv] = products
   // Its first edge is (along, 0) there, its second one (across, height).
   const along = Math.sqrt(uu)
   const across = uv / along
@@ -39,23 +33,17 @@ export function restInverse(
  */
 export function principalStretches(
   out: Float64Array,
-  inverses: RestInverse,
+  inverses: ArrayLike<number>,
   at: number,
   a: number,
   b: number,
   c: number,
   positions: ArrayLike<number>,
 ): void {
-  let uu = 0
-  let uv = 0
-  let vv = 0
-  for (let axis = 0; axis < 3; axis++) {
-    const u = positions[3 * b + axis] - positions[3 * a + axis]
-    const v = positions[3 * c + axis] - positions[3 * a + axis]
-    uu += u * u
-    uv += u * v
-    vv += v * v
-  }
+  multiplyEdges(a, b, c, positions)
+  const uu = products[0]
+  const uv = products[1]
+  const vv = products[2]
   const xx = inverses[at]
   const xy = inverses[at + 1]
   const yy = inverses[at + 2]
@@ -66,4 +54,20 @@ export function principalStretches(
   const spread = Math.sqrt(((c00 - c11) / 2) ** 2 + c01 * c01)
   out[0] = Math.sqrt(Math.max(0, mean - spread))
   out[1] = Math.sqrt(mean + spread)
+}
+
+function multiplyEdges(a: number, b: number, c: number, positions: ArrayLike<number>): void {
+  let uu = 0
+  let uv = 0
+  let vv = 0
+  for (let axis = 0; axis < 3; axis++) {
+    const u = positions[3 * b + axis] - positions[3 * a + axis]
+    const v = positions[3 * c + axis] - positions[3 * a + axis]
+    uu += u * u
+    uv += u * v
+    vv += v * v
+  }
+  products[0] = uu
+  products[1] = uv
+  products[2] = vv
 }

@@ -3,7 +3,7 @@ import { applyCurve } from './curve.ts'
 import { areasOf, type Driver } from './driver.ts'
 
 /** Numbers of a matrix, columns first, as three.js's `Matrix4.elements`. */
-const MATRIX = 16
+export const MATRIX = 16
 
 /** Of one driver, bound to its joints. */
 interface Bound {

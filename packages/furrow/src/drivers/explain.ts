@@ -7,11 +7,10 @@ import {
   type WrinkleDriver,
 } from '../core/driver-types.ts'
 import { AgeActivation } from './age.ts'
-import { Conflicts } from './conflict.ts'
 import { curveAt } from './curve.ts'
+import { BoundLinks, type Joined } from './links.ts'
 import { MorphActivation } from './morph.ts'
 import { DriverSum } from './sum.ts'
-import { targetFinder } from './target-names.ts'
 
 /** What one link gives to its driver, before the driver's rule and curve. */
 export interface LinkPart {
@@ -67,16 +66,17 @@ export function explain(
     sum.createState(),
   )
   const shown = new Map(sum.areaNames.map((name, i) => [name, sum.activations[i]]))
-  const inputs = weightsByName(drivers, targetNames, weights)
   const cyclic = new Set(sum.cyclic)
   return areas.map(({ name, activation = 0 }) => ({
     area: name,
     activation: shown.get(name) ?? activation,
     resting: activation,
     parts: [
-      ...ofArea('morph', name, drivers).map((driver) => partOf(driver, driver.targets, inputs)),
+      ...driversOf('morph', drivers).flatMap((driver, i) =>
+        driver.area === name ? [partOf(driver, driver.targets, morph.explain(i, weights))] : [],
+      ),
       ...ofArea('area', name, cyclic.has(name) ? [] : drivers).map((driver) =>
-        partOf(driver, driver.areas, (area) => shown.get(area) ?? resting.get(area) ?? 0),
+        partOf(driver, driver.areas, explainArea(driver, sum)),
       ),
       ...ofArea('age', name, drivers).map((driver) => ({
         driver,
@@ -87,44 +87,20 @@ export function explain(
   }))
 }
 
-function ofArea<T extends 'morph' | 'area' | 'age'>(
-  type: T,
-  area: string,
-  drivers: readonly WrinkleDriver[],
-) {
+function ofArea<T extends 'area' | 'age'>(type: T, area: string, drivers: readonly WrinkleDriver[]) {
   return driversOf(type, drivers).filter((driver) => driver.area === area)
 }
 
 function partOf(
   driver: MorphDriver | AreaDriver,
   links: readonly Link[],
-  inputOf: (name: string) => number,
+  { activation, links: values }: Joined,
 ): Part {
-  const parts = links.map((link) => {
-    const input = inputOf(link.name)
-    return { link, value: link.weight * (link.curve ? curveAt(link.curve, input) : input) }
-  })
-  const values = parts.map(({ value }) => value)
-  const joined = {
-    sum: () => values.reduce((a, b) => a + b, 0),
-    product: () => values.reduce((a, b) => a * b, 1),
-    max: () => Math.max(...values),
-    min: () => Math.min(...values),
-  }[driver.rule]()
-  return { driver, activation: curveAt(driver.curve, joined), links: parts }
+  return { driver, activation, links: links.map((link, i) => ({ link, value: values[i] })) }
 }
 
-/** Weights as drivers see them: conflicts resolved, the mean of split shapes. */
-function weightsByName(
-  drivers: readonly WrinkleDriver[],
-  targetNames: readonly string[],
-  weights: ArrayLike<number>,
-): (name: string) => number {
-  const find = targetFinder(targetNames)
-  const conflicts = new Conflicts(driversOf('conflict', drivers), find, targetNames.length)
-  const resolved = conflicts.any ? conflicts.resolve(weights, 0) : weights
-  return (name) => {
-    const places = find(name)
-    return places.reduce((sum, place) => sum + resolved[place] / places.length, 0) || 0
-  }
+/** Other areas as they show. */
+function explainArea({ areas, rule, curve }: AreaDriver, { areaNames, activations }: DriverSum): Joined {
+  const find = (name: string) => [areaNames.indexOf(name)]
+  return new BoundLinks([{ area: 0, links: areas, rule, curve }], find, 'explain').explain(0, activations)
 }

@@ -11,6 +11,12 @@ export interface Linked {
   curve: Curve
 }
 
+/** What a driver gives, and each of its links before rule and curve. */
+export interface Joined {
+  activation: number
+  links: number[]
+}
+
 interface BoundLink {
   name: string
   indices: Uint16Array
@@ -61,13 +67,25 @@ export class BoundLinks {
     for (let i = 0; i < this.#bound.length; i++) this.#add(this.#bound[i], activations, inputs, offset)
   }
 
+  /** What one driver makes of the inputs, by its place in the list. For looking: it allocates. */
+  explain(driver: number, inputs: ArrayLike<number>): Joined {
+    const bound = this.#bound[driver]
+    const links = bound.links.map((link) => {
+      this.#read(link, inputs, 0)
+      return this.#value[0]
+    })
+    this.#join(bound, inputs, 0)
+    return { activation: this.#value[0], links }
+  }
+
   /** One driver after the other, each adding to its area; its inputs are read when it is its turn. */
-  #add(
-    { area, links, rule, curve }: Bound,
-    activations: Float32Array,
-    inputs: ArrayLike<number>,
-    offset: number,
-  ) {
+  #add(bound: Bound, activations: Float32Array, inputs: ArrayLike<number>, offset: number): void {
+    this.#join(bound, inputs, offset)
+    activations[bound.area] = Math.min(1, activations[bound.area] + this.#value[0])
+  }
+
+  /** What a driver gives. */
+  #join({ links, rule, curve }: Bound, inputs: ArrayLike<number>, offset: number): void {
     const value = this.#value
     let joined = rule === 'product' ? 1 : 0
     for (let i = 0; i < links.length; i++) {
@@ -79,7 +97,6 @@ export class BoundLinks {
     }
     value[0] = joined
     applyCurve(curve, value)
-    activations[area] = Math.min(1, activations[area] + value[0])
   }
 
   /** What a link gives. */

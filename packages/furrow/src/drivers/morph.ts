@@ -1,7 +1,7 @@
 import type { ConflictDriver, MorphDriver } from '../core/driver-types.ts'
 import { Conflicts } from './conflict.ts'
 import { areasOf, type Driver } from './driver.ts'
-import { BoundLinks } from './links.ts'
+import { BoundLinks, type Joined } from './links.ts'
 import { targetFinder } from './target-names.ts'
 
 /**
@@ -58,5 +58,12 @@ export class MorphActivation implements Driver {
     } else {
       this.#links.addTo(this.activations, influences, offset)
     }
+  }
+  /** What one driver makes of the weights, by its place in the list. For looking: it allocates. */
+  explain(driver: number, influences: ArrayLike<number>): Joined {
+    return this.#links.explain(
+      driver,
+      this.#conflicts.any ? this.#conflicts.resolve(influences, 0) : influences,
+    )
   }
 }

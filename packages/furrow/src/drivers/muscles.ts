@@ -1,4 +1,4 @@
-import type { MorphDriver, MuscleDriver } from '../core/driver-types.ts'
+import { type MorphDriver, type MuscleDriver, STRAIGHT } from '../core/driver-types.ts'
 
 type Vector = readonly [number, number, number]
 
@@ -29,14 +29,9 @@ export function muscleLinks(muscles: readonly MuscleDriver[]): MorphDriver[] {
   return muscles.flatMap(({ name, area }) =>
     area === undefined
       ? []
-      : [{ type: 'morph', area, targets: [{ name, weight: 1 }], rule: 'sum', curve: STRAIGHT }],
+      : [{ type: 'morph', area, targets: [{ name, weight: 1 }], rule: 'sum', curve: [...STRAIGHT] }],
   )
 }
-
-const STRAIGHT: MorphDriver['curve'] = [
-  [0, 0],
-  [1, 1],
-]
 
 /** Way of a vertex at strength 1; nothing outside of the zone. */
 type Pull = (muscle: MuscleDriver, from: Vector, along: Vector, length: number) => Vector | undefined

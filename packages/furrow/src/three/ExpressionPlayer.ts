@@ -14,7 +14,6 @@ export class ExpressionPlayer {
   #last = 0
   readonly #wrinkles: WrinklesBase
   readonly #bindings: TargetBinding[]
-  readonly #areas: { name: string; index: number }[]
 
   /**
    * @param face any object above the meshes that move: head, eyes, teeth, lashes.
@@ -27,9 +26,6 @@ export class ExpressionPlayer {
     this.#mix = new ExpressionMix(expressions ?? own)
     this.#wrinkles = wrinkles
     this.#bindings = bindTargets(face, this.#mix.targetNames, 'ExpressionPlayer')
-    this.#areas = this.#mix.areaNames
-      .map((name, index) => ({ name, index }))
-      .filter(({ name }) => wrinkles.hasArea(name))
     const bound = new Set(this.#bindings.map(({ weight }) => this.#mix.targetNames[weight]))
     warnOfMissing([
       ...this.#mix.targetNames.filter((name) => !bound.has(name)),
@@ -68,9 +64,9 @@ export class ExpressionPlayer {
   }
 
   #read(): void {
-    const { targets, activations } = this.#mix
+    const { targets, areaNames, activations } = this.#mix
     for (const { influences, target, weight } of this.#bindings) targets[weight] = influences[target]
-    for (const { name, index } of this.#areas) {
+    for (const [index, name] of areaNames.entries()) {
       if (!this.#wrinkles.hasArea(name)) continue
       // Without what age adds to it.
       activations[index] = this.#wrinkles.isDriven(name)

@@ -1,6 +1,6 @@
 import { BufferAttribute, type BufferGeometry, DynamicDrawUsage, type Mesh } from 'three'
 import { DeformedNormals } from '../core/deformed-normals.ts'
-import { coordinates } from './coordinates.ts'
+import { coordinates, targetOffsets, trianglesOf } from './coordinates.ts'
 
 /** Of one blendshape: the vertices that it moves, and how far. */
 interface Offsets {
@@ -33,11 +33,11 @@ export class RecomputedNormals {
     this.#mesh = mesh
     this.#before = mesh.geometry
     this.#geometry = mesh.geometry.clone()
-    const { attributes, morphAttributes, morphTargetsRelative, index } = this.#geometry
+    const { attributes, morphAttributes } = this.#geometry
     this.#rest = coordinates(attributes.position)
     this.#now = this.#rest.slice()
     const normals = coordinates(attributes.normal)
-    const triangles = index?.array ?? Uint32Array.from({ length: this.#rest.length / 3 }, (_, i) => i)
+    const triangles = trianglesOf(this.#geometry)
     this.#deformed = new DeformedNormals({ positions: this.#rest, normals, triangles })
     this.#normal = new BufferAttribute(normals, 3).setUsage(DynamicDrawUsage)
     this.#restTangents = attributes.tangent ? coordinates(attributes.tangent, 4) : null
@@ -46,9 +46,7 @@ export class RecomputedNormals {
     this.#geometry.setAttribute('normal', this.#normal)
     if (this.#tangent) this.#geometry.setAttribute('tangent', this.#tangent)
     delete morphAttributes.normal
-    this.#targets = (morphAttributes.position ?? []).map((target) =>
-      offsetsOf(coordinates(target), morphTargetsRelative ? null : this.#rest),
-    )
+    this.#targets = targetOffsets(this.#geometry).map(movedOnly)
     this.#weights = new Float32Array(this.#targets.length)
     mesh.geometry = this.#geometry
   }
@@ -97,9 +95,7 @@ export class RecomputedNormals {
   }
 }
 
-/** @param base to take from what stands there, where targets are not relative. */
-function offsetsOf(values: Float32Array, base: Float32Array | null): Offsets {
-  const offsets = base ? values.map((value, i) => value - base[i]) : values
+function movedOnly(offsets: Float32Array): Offsets {
   const vertices = Array.from({ length: offsets.length / 3 }, (_, i) => i).filter(
     (i) => offsets[3 * i] !== 0 || offsets[3 * i + 1] !== 0 || offsets[3 * i + 2] !== 0,
   )

@@ -1,3 +1,5 @@
+import type { BufferGeometry } from 'three'
+
 /** Numbers of an attribute, whatever it is stored as: quantised, interleaved or plain. */
 export function coordinates(
   attribute: { count: number; getComponent(i: number, k: number): number },
@@ -6,4 +8,21 @@ export function coordinates(
   const out = new Float32Array(size * attribute.count)
   for (let i = 0; i < out.length; i++) out[i] = attribute.getComponent(Math.floor(i / size), i % size)
   return out
+}
+
+/** Three vertices for each triangle, also of a geometry without an index. */
+export function trianglesOf({ attributes, index }: BufferGeometry): ArrayLike<number> {
+  return index?.array ?? Uint32Array.from({ length: attributes.position.count }, (_, i) => i)
+}
+
+/** What each morph target adds to the positions, whether they are relative or not. */
+export function targetOffsets({
+  attributes,
+  morphAttributes,
+  morphTargetsRelative,
+}: BufferGeometry): Float32Array[] {
+  const targets = (morphAttributes.position ?? []).map((target) => coordinates(target))
+  if (morphTargetsRelative || targets.length === 0) return targets
+  const rest = coordinates(attributes.position)
+  return targets.map((target) => target.map((value, i) => value - rest[i]))
 }

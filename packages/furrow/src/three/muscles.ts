@@ -1,8 +1,8 @@
 import { BufferAttribute, type BufferGeometry, type Mesh } from 'three'
-import { DeformedNormals } from '../core/deformed-normals.ts'
+import { normalChanges } from '../core/deformed-normals.ts'
 import type { MuscleDriver } from '../core/driver-types.ts'
 import { muscleOffsets } from '../drivers/muscles.ts'
-import { coordinates } from './coordinates.ts'
+import { coordinates, targetOffsets, trianglesOf } from './coordinates.ts'
 
 /**
  * Gives a mesh virtual muscles: each becomes a morph target of its name, with normals, whose weight is the contraction. Muscles
@@ -41,17 +41,17 @@ export function addMorphNormals(geometry: BufferGeometry): void {
   const normal = geometry.getAttribute('normal')
   const known = morphAttributes.normal ?? []
   if (!normal || known.length >= targets.length) return
-  const rest = coordinates(geometry.getAttribute('position'))
   const normals = coordinates(normal)
-  const triangles = geometry.index?.array ?? Uint32Array.from({ length: rest.length / 3 }, (_, i) => i)
-  const deformed = new DeformedNormals({ positions: rest, normals, triangles })
-  const turned = new Float32Array(normals.length)
-  for (let i = known.length; i < targets.length; i++) {
-    const target = coordinates(targets[i])
-    const moved = morphTargetsRelative ? target.map((offset, k) => rest[k] + offset) : target
-    deformed.update(moved, turned)
-    const own = morphTargetsRelative ? turned.map((value, k) => value - normals[k]) : turned.slice()
-    known.push(named(new BufferAttribute(own, 3), targets[i].name))
+  const changes = normalChanges({
+    positions: coordinates(geometry.getAttribute('position')),
+    normals,
+    triangles: trianglesOf(geometry),
+  })
+  for (const [i, offsets] of targetOffsets(geometry).entries()) {
+    if (i < known.length) continue
+    const own = changes(offsets)
+    const stored = morphTargetsRelative ? own : own.map((change, k) => normals[k] + change)
+    known.push(named(new BufferAttribute(stored, 3), targets[i].name))
   }
   morphAttributes.normal = known
 }

@@ -1,9 +1,7 @@
 import { type Bone, Matrix4, type Mesh, type Object3D, PropertyBinding, type SkinnedMesh } from 'three'
 import { driversOf } from '../../core/driver-types.ts'
-import { BoneActivation } from '../../drivers/bone.ts'
+import { BoneActivation, MATRIX } from '../../drivers/bone.ts'
 import type { SourceType } from './source.ts'
-
-const MATRIX = 16
 
 /**
  * Reads joints: the bones of the mesh's skeleton at rest as they were bound, or other nodes of the model, at rest as they are

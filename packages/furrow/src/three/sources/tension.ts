@@ -3,6 +3,7 @@ import { driversOf } from '../../core/driver-types.ts'
 import type { GrayImage } from '../../core/types.ts'
 import { TensionActivation } from '../../drivers/tension.ts'
 import { type SampledMesh, sampleTriangles } from '../../drivers/tension-samples.ts'
+import { trianglesOf } from '../coordinates.ts'
 import type { WrinklesBase } from '../Wrinkles.ts'
 import type { SourceType } from './source.ts'
 
@@ -22,9 +23,7 @@ export const tensionSource: SourceType = {
     })
     const vertices = Uint32Array.from(new Set(samples.flatMap(({ triangles }) => [...triangles])))
     const places = new Map([...vertices].map((vertex, i) => [vertex, i]))
-    const rest = Float64Array.from(
-      vertices.length * 3 === 0 ? [] : [...vertices].flatMap((vertex) => corner(sampled, vertex)),
-    )
+    const rest = Float64Array.from([...vertices].flatMap((vertex) => corner(sampled, vertex)))
     const bound = samples.map(({ area, triangles }) => ({
       area,
       triangles: triangles.map((vertex) => places.get(vertex)!),
@@ -72,9 +71,5 @@ function sampledMesh({ geometry, material }: Mesh): SampledMesh {
     if (normalMap) place.applyMatrix3(normalMap.matrix)
     uvs.set([place.x, place.y], 2 * i)
   }
-  return {
-    positions,
-    uvs,
-    triangles: geometry.index?.array ?? positions.map((_, i) => i).subarray(0, position.count),
-  }
+  return { positions, uvs, triangles: trianglesOf(geometry) }
 }
