@@ -7,7 +7,7 @@ import { packCommand } from '../../packages/cli/src/commands/pack.ts'
 import { strokesCommand } from '../../packages/cli/src/commands/strokes.ts'
 
 const fromHere = (path: string) => fileURLToPath(new URL(path, import.meta.url))
-const SCAN = fromHere('../../../shared/real-face/ict-face.glb')
+export const SCAN = fromHere('../../../shared/real-face/ict-face.glb')
 
 /** The scan is data of others, and not everybody has it. */
 export const hasScan = existsSync(SCAN)

@@ -3,6 +3,7 @@ import { Command } from 'commander'
 import { FurrowError } from 'furrow'
 import { activationsCommand } from './commands/activations.ts'
 import { arrayCommand } from './commands/array.ts'
+import { autoCommand } from './commands/auto.ts'
 import { bakeCommand } from './commands/bake.ts'
 import { inspectCommand } from './commands/inspect.ts'
 import { normalsCommand } from './commands/normals.ts'
@@ -31,6 +32,7 @@ Examples:
 for (const command of [
   activationsCommand,
   arrayCommand,
+  autoCommand,
   bakeCommand,
   inspectCommand,
   normalsCommand,

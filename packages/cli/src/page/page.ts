@@ -1,6 +1,6 @@
 /** The page that `furrow render` opens: draws one picture on the shared stage and posts its pixels. */
 
-import { EXPRESSIONS, findTargets } from 'furrow'
+import { EXPRESSIONS, type Expression, findTargets } from 'furrow'
 import { ExpressionPlayer, loadWrinkleSet } from 'furrow/three'
 import type { Mesh, Object3D } from 'three'
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js'
@@ -39,9 +39,11 @@ async function draw(job: PageJob): Promise<PageReport> {
   const face = await loadFace(job.face, job.mesh, loaderFor(stage.renderer))
   const loaded = job.wrinkles ? { set: await loadWrinkleSet(job.wrinkles), drivers: [] } : face.wrinkles!
   const { wrinkles } = stage.show(face, loaded, { mode: job.mode })
-  // An expression and the areas named by hand say what shows; blendshapes alone leave it to the file's drivers.
-  wrinkles.driven = job.expression === undefined && Object.keys(job.activations).length === 0
-  pose(face.root, wrinkles, job)
+  const named = EXPRESSIONS.find(({ name }) => name === job.expression)
+  const fits = named && Object.keys(named.activations).every((area) => wrinkles.hasArea(area))
+  // An expression for these areas, and the areas named by hand, say what shows; blendshapes alone leave it to the file's drivers.
+  wrinkles.driven = !fits && Object.keys(job.activations).length === 0
+  pose(face.root, wrinkles, wrinkles.driven && named ? { ...named, activations: {} } : named, job)
   stage.camera.aspect = width / height
   stage.view(job.view)
   const pixels = await readPicture(stage, width, height)
@@ -57,8 +59,12 @@ function loaderFor(renderer: Renderer): GLTFLoader {
     .setKTX2Loader(new KTX2Loader().detectSupport(renderer))
 }
 
-function pose(root: Object3D, wrinkles: Wrinkles, { expression, targets, activations }: PageJob): void {
-  const chosen = EXPRESSIONS.find(({ name }) => name === expression)
+function pose(
+  root: Object3D,
+  wrinkles: Wrinkles,
+  chosen: Expression | undefined,
+  { targets, activations }: PageJob,
+): void {
   // No other expression is given to the player: it would warn of what only they need.
   if (chosen) new ExpressionPlayer(root, wrinkles, [chosen]).play(chosen.name, 0)
   root.traverse((object) => setTargets(object as Mesh, targets))

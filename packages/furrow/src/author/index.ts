@@ -2,6 +2,15 @@ export { combineNormals } from '../core/combine-normals.ts'
 export type { GrayImage, RgbaImage } from '../core/types.ts'
 export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas } from './areas.ts'
 export {
+  AUTO_DEFAULTS,
+  type AutoArea,
+  type AutoLayer,
+  type AutoOptions,
+  type AutoWrinkles,
+  autoWrinkles,
+} from './auto/auto.ts'
+export type { Skin, SkinTarget } from './auto/surface.ts'
+export {
   BAKE_DEFAULTS,
   type Baked,
   type BakeOptions,

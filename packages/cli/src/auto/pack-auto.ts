@@ -1,0 +1,60 @@
+import type { GrayImage } from 'furrow'
+import type { AutoWrinkles, RgbaImage } from 'furrow/author'
+import sharp from 'sharp'
+import { encodeNormal } from '../images.ts'
+import type { AreaPlace, FileImage, LayerImages, PackedWrinkles } from '../wrinkles/embed.ts'
+import { encodeShared } from '../wrinkles/map-images.ts'
+
+/** Areas to an image: R, G and B, which every image tool leaves alone. */
+const SHARE = 3
+
+/** Encodes the maps of automatic wrinkles as a file holds them. */
+export async function packAuto({ layers, areas }: AutoWrinkles): Promise<PackedWrinkles> {
+  const maps = await Promise.all(
+    layers.map(async ({ name, normal, relief, occlusion }): Promise<LayerImages> => {
+      const heights = heightImage(relief.data)
+      return {
+        name,
+        kind: 'detail',
+        normal: await normalImage(`${name} normal`, normal),
+        occlusion: await grayImage(`${name} occlusion`, occlusion),
+        height: await grayImage(`${name} height`, { ...relief, data: heights.data }),
+        heightAmplitude: heights.amplitude,
+      }
+    }),
+  )
+  const images = await Promise.all(
+    Array.from({ length: Math.ceil(areas.length / SHARE) }, (_, i) =>
+      encodeShared(
+        areas.slice(SHARE * i, SHARE * (i + 1)).map(({ weights }) => weights),
+        `areas ${i + 1}`,
+      ),
+    ),
+  )
+  const places = areas.map(
+    ({ name, layer }, i): AreaPlace => ({
+      name,
+      layer,
+      image: images[Math.floor(i / SHARE)]!,
+      channel: i % SHARE,
+    }),
+  )
+  return { layers: maps, areas: places, drivers: areas.map(({ driver }) => driver) }
+}
+
+async function normalImage(name: string, map: RgbaImage): Promise<FileImage> {
+  return { name, mimeType: 'image/png', bytes: await encodeNormal(map) }
+}
+
+async function grayImage(name: string, { width, height, data }: GrayImage): Promise<FileImage> {
+  const raw = { width, height, channels: 1 } as const
+  const bytes = await sharp(data, { raw }).toColourspace('b-w').png({ compressionLevel: 9 }).toBuffer()
+  return { name, mimeType: 'image/png', bytes }
+}
+
+/** Millimetres as bytes, 128 at the surface; the amplitude is metres from black to white. */
+function heightImage(millimetres: Float32Array): { data: Uint8Array; amplitude: number } {
+  const farthest = millimetres.reduce((most, value) => Math.max(most, Math.abs(value)), 0.001)
+  const data = Uint8Array.from(millimetres, (value) => Math.round(127.5 + (127.5 * value) / farthest))
+  return { data, amplitude: (2 * farthest) / 1000 }
+}

@@ -1,0 +1,181 @@
+import type { MorphDriver } from '../../core/driver-types.ts'
+import type { GrayImage, RgbaImage } from '../../core/types.ts'
+import type { HeightMap } from '../height.ts'
+import { surfaceMetric } from '../metric.ts'
+import { heightToNormal, type TangentFrame } from '../normal.ts'
+import { checkSkin } from './check-skin.ts'
+import type { CreasedRegion } from './crease.ts'
+import { drawAreas, drawCreases } from './draw.ts'
+import { findFace, poseOf } from './face.ts'
+import { faceRegions } from './face-regions.ts'
+import { layersOf } from './layers.ts'
+import { fitDriver } from './links.ts'
+import { strainRegions } from './strain-regions.ts'
+import { joinSurface, pointAreas, pointOffsets, type Skin, type Surface } from './surface.ts'
+
+export interface AutoOptions {
+  /** Years, 20..80: lines grow in number, length and depth. */
+  age?: number
+  /** Multiplies the depth, 0..2. */
+  strength?: number
+  /** Side of the maps in texels. */
+  size?: number
+  /** Side of the areas in texels. */
+  areaSize?: number
+  /** Any whole number; the same one gives the same wrinkles. */
+  seed?: number
+  /** Layers that there may be, 1..4. */
+  layers?: number
+  /** Areas that there may be, 1..64; those that are shortened least are left out. */
+  areas?: number
+  /** The frame in which renderers read the normal maps, see `heightToNormal`. */
+  frame?: TangentFrame
+}
+
+export const AUTO_DEFAULTS = {
+  age: 45,
+  strength: 1,
+  size: 1024,
+  areaSize: 128,
+  seed: 1,
+  layers: 4,
+  areas: 24,
+  frame: 'orthonormal',
+} as const satisfies AutoOptions
+
+/** Maps of one layer. */
+export interface AutoLayer {
+  name: string
+  /** Of kind `detail`: wrinkles over nothing. */
+  normal: RgbaImage
+  relief: HeightMap
+  /** 255 = open to the light. */
+  occlusion: GrayImage
+}
+
+/** One area with what drives it. */
+export interface AutoArea {
+  name: string
+  /** Index of its layer. */
+  layer: number
+  weights: GrayImage
+  driver: MorphDriver
+  /** Share by which its own expression shortens the skin across its lines. */
+  compression: number
+  /** Root mean square of the driver's activation less the measured one, over single targets and some together, 0..1. */
+  error: number
+  lines: number
+}
+
+/** What blendshapes say of wrinkles. */
+export interface AutoWrinkles {
+  /** Whether a face was found by what the targets move; otherwise strain alone placed the lines. */
+  isFace: boolean
+  layers: AutoLayer[]
+  areas: AutoArea[]
+  /** What the user should know, a sentence each. */
+  warnings: string[]
+}
+
+/** Told before each step, and at the end. */
+export type AutoProgress = (done: number, total: number, step: string) => void
+
+const STEPS = ['face', 'lines', 'drivers', 'layers', 'maps'] as const
+
+/**
+ * Makes wrinkles from a character's own blendshapes: where they push the skin together it creases, and where a face is recognised
+ * anatomy says how. The same input and seed give the same maps, bit by bit.
+ *
+ * @throws FurrowError when the skin has no targets, no texture coordinates that span a surface, or numbers that are none.
+ */
+export function autoWrinkles(
+  skin: Skin,
+  options: AutoOptions = {},
+  progress: AutoProgress = () => {},
+): AutoWrinkles {
+  const {
+    age,
+    strength,
+    size,
+    areaSize,
+    seed,
+    layers: most,
+    areas: mostAreas,
+    frame,
+  } = { ...AUTO_DEFAULTS, ...options }
+  const tell = (step: (typeof STEPS)[number]) => progress(STEPS.indexOf(step), STEPS.length, step)
+  tell('face')
+  const { skin: usable, warnings } = checkSkin(skin)
+  const names = usable.targets.map(({ name }) => name)
+  const face = findFace(usable)
+  const { surface, offsets } = face ?? inMillimetres(usable)
+  const grown = (age - 20) / 60
+  tell('lines')
+  const creased = face
+    ? faceRegions(face, grown, strength, seed)
+    : strainRegions(surface, offsets, names, grown, strength, mostAreas)
+  if (!face)
+    warnings.push(
+      'no face was found by what the blendshapes move: strain alone places the wrinkles, and carefully',
+    )
+  tell('drivers')
+  const find = face?.find ?? ((name: string) => [names.indexOf(name)])
+  const fitted = creased
+    .flatMap((region) => {
+      const cause = poseOf(find, region.region.cause)
+      const fit = fitDriver(surface, region, offsets, names, cause)
+      return fit ? [{ region, ...fit }] : []
+    })
+    .sort((a, b) => b.region.compression - a.region.compression)
+    .slice(0, mostAreas)
+    .sort((a, b) => creased.indexOf(a.region) - creased.indexOf(b.region))
+  if (fitted.length === 0) warnings.push('no blendshape pushes skin together enough to crease it')
+  tell('layers')
+  const layerOf = layersOf(
+    fitted.map(({ region }) => region),
+    most,
+  )
+  tell('maps')
+  const canvas = { skin: usable, surface }
+  const metric = surfaceMetric({ ...usable, positions: inMetres(surface) }, size)
+  const layers: AutoLayer[] = []
+  const images = new Map<CreasedRegion, GrayImage>()
+  for (let layer = 0; layer <= Math.max(-1, ...layerOf); layer++) {
+    const regions = fitted.flatMap(({ region }, i) => (layerOf[i] === layer ? [region] : []))
+    const creases = [...new Set(regions.map((region) => region.creases))].flat()
+    const drawn = drawCreases(canvas, creases, size)
+    layers.push({ name: `auto${layer + 1}`, normal: heightToNormal(drawn.relief, metric, frame), ...drawn })
+    for (const [i, image] of drawAreas(canvas, regions, areaSize).entries()) images.set(regions[i]!, image)
+  }
+  progress(STEPS.length, STEPS.length, 'done')
+  const areas = fitted.map(({ region, driver, error }, i) => ({
+    name: region.region.name,
+    layer: layerOf[i]!,
+    weights: images.get(region)!,
+    driver,
+    compression: region.compression,
+    error,
+    lines: region.creases.length,
+  }))
+  return { isFace: face !== undefined, layers, areas, warnings }
+}
+
+/** A skin that is no face, as glTF has it in metres. */
+function inMillimetres(skin: Skin): { surface: Surface; offsets: Float64Array[] } {
+  const joined = joinSurface(skin)
+  const points = joined.points.map((metres) => 1000 * metres)
+  const surface = { ...joined, points, areas: pointAreas(points, joined.corners) }
+  return {
+    surface,
+    offsets: skin.targets.map((target) => pointOffsets(joined, target).map((metres) => 1000 * metres)),
+  }
+}
+
+/** Positions of the skin's vertices as its surface is scaled. */
+function inMetres({ pointOf, points }: Surface): Float64Array {
+  const out = new Float64Array(3 * pointOf.length)
+  for (const [vertex, point] of pointOf.entries()) {
+    for (let k = 0; k < 3; k++) out[3 * vertex + k] = points[3 * point + k]! / 1000
+  }
+  return out
+}

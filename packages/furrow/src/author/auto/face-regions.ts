@@ -1,0 +1,48 @@
+import type { Build } from './anatomy/region.ts'
+import { regionsOf } from './anatomy/regions.ts'
+import { Chart } from './chart.ts'
+import { type CreasedRegion, creaseLines } from './crease.ts'
+import { type Face, poseOf } from './face.ts'
+import { layGuides } from './guided-lines.ts'
+import { Random } from './random.ts'
+import { compressionTensors, smooth, TENSOR } from './strain.ts'
+
+/** Millimetres over which strain is evened: that of one triangle says little. */
+const EVEN = 3
+
+/**
+ * Lays the lines of all regions on a face.
+ *
+ * @param age 0 at 20 years, 1 at 80.
+ * @param strength multiplies the depth.
+ */
+export function faceRegions(face: Face, age: number, strength: number, seed: number): CreasedRegion[] {
+  const build: Build = { landmarks: face.landmarks, age, random: (name) => new Random(seed, name) }
+  const chart = new Chart(face.surface)
+  const strains = new Map<string, Float64Array>()
+  const known = new Map<unknown, Omit<CreasedRegion, 'region'>>()
+  return regionsOf(build).flatMap((region): CreasedRegion[] => {
+    const expression = region.together ?? region.cause
+    const key = JSON.stringify(expression)
+    const tensors = strains.get(key) ?? strainOf(face, expression)
+    strains.set(key, tensors)
+    const lines =
+      known.get(region.guides) ??
+      creaseLines(region, layGuides(face.surface, chart, region.guides, tensors), strength)
+    known.set(region.guides, lines)
+    return lines.creases.length > 0 ? [{ region, ...lines }] : []
+  })
+}
+
+function strainOf(
+  { surface, offsets, find }: Face,
+  expression: Readonly<Record<string, number>>,
+): Float64Array {
+  const sum = new Float64Array(surface.points.length)
+  for (const [target, weight] of poseOf(find, expression)) {
+    for (let i = 0; i < sum.length; i++) sum[i]! += weight * offsets[target]![i]!
+  }
+  const tensors = compressionTensors(surface, sum)
+  smooth(surface, tensors, TENSOR, EVEN)
+  return tensors
+}

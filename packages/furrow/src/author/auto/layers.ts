@@ -1,0 +1,59 @@
+import type { Crease, CreasedRegion } from './crease.ts'
+import { NearCreases } from './near.ts'
+
+/** Angle from which on lines of two regions disagree: its cosine. */
+const DISAGREE = Math.cos((35 * Math.PI) / 180)
+
+/**
+ * Puts regions whose lines cross on different layers, so that one can crease without the other. Regions that share their lines stay
+ * together.
+ *
+ * @param most layers that there may be, 1 to 4; what then still disagrees shares a layer.
+ * @returns the layer of each region, from 0.
+ */
+export function layersOf(regions: readonly CreasedRegion[], most: number): number[] {
+  const layers: number[] = []
+  for (const [i, region] of regions.entries()) {
+    const same = regions.findIndex((other) => other.creases === region.creases)
+    if (same < i) {
+      layers.push(layers[same]!)
+      continue
+    }
+    const crossed = Array.from({ length: most }, () => 0)
+    for (let k = 0; k < i; k++) crossed[layers[k]!]! += crossings(region, regions[k]!)
+    const free = crossed.indexOf(0)
+    layers.push(free >= 0 ? free : crossed.indexOf(Math.min(...crossed)))
+  }
+  return layers
+}
+
+/** Points of one region's lines that lie within the other's reach and run another way. */
+function crossings(one: CreasedRegion, other: CreasedRegion): number {
+  const reach = other.region.reach + other.region.feather / 2
+  const near = new NearCreases(
+    other.creases,
+    other.creases.map(() => reach),
+  )
+  let count = 0
+  for (const { points: p, normals: n } of one.creases) {
+    for (let i = 0; i + 5 < p.length; i += 3) {
+      const way = [p[i + 3]! - p[i]!, p[i + 4]! - p[i + 1]!, p[i + 5]! - p[i + 2]!] as const
+      let crosses = false
+      near.visit(p[i]!, p[i + 1]!, p[i + 2]!, n[i]!, n[i + 1]!, n[i + 2]!, (line, _, piece) => {
+        crosses ||= cosine(way, other.creases[line]!, piece) < DISAGREE
+      })
+      if (crosses) count++
+    }
+  }
+  return count
+}
+
+/** Of the angle between two lines, which have no sense. */
+function cosine([x, y, z]: readonly [number, number, number], { points: p }: Crease, piece: number): number {
+  const [u, v, w] = [0, 1, 2].map((k) => p[3 * piece + 3 + k]! - p[3 * piece + k]!) as [
+    number,
+    number,
+    number,
+  ]
+  return Math.abs(x * u + y * v + z * w) / (Math.hypot(x, y, z) * Math.hypot(u, v, w) || 1)
+}

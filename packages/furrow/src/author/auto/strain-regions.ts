@@ -1,0 +1,119 @@
+import { type CreasedRegion, creaseLines, type LineStyle, type SkinRegion } from './crease.ts'
+import { layFreeLines } from './free-lines.ts'
+import { crossed } from './principal.ts'
+import { along, compressionTensors, smooth, TENSOR } from './strain.ts'
+import type { Surface } from './surface.ts'
+
+/** Millimetres over which strain is evened. */
+const EVEN = 5
+/** Compression from which on skin may crease: more than where anatomy is known. */
+const LEAST = 0.07
+/** Square millimetres below which a spot is none. */
+const SMALLEST = 80
+/** Share of the smaller of two spots that both have in common, from which on they are one. */
+const COMMON = 0.5
+const SPACING = 6
+const STYLE: LineStyle = { width: 3, depth: 1, taper: [0.4, 0.4], shoulder: [0.9, 0.9], softness: 0.5 }
+
+/** Skin that one or several targets push together. */
+interface Spot {
+  points: ReadonlySet<number>
+  surface: number
+  /** Index of the target that does so most. */
+  target: number
+}
+
+/**
+ * Regions of a skin of which nothing is known but what its targets do to it: connected spots that they push together, the largest
+ * first. More cautious than anatomy: only strong compression creases, and not deeply.
+ *
+ * @param age 0 at 20 years, 1 at 80.
+ * @param most regions that there may be.
+ */
+export function strainRegions(
+  surface: Surface,
+  offsets: readonly Float64Array[],
+  names: readonly string[],
+  age: number,
+  strength: number,
+  most: number,
+): CreasedRegion[] {
+  const spots = offsets.flatMap((offset, target) => spotsOf(surface, strainOf(surface, offset), target))
+  const chosen: Spot[] = []
+  for (const spot of spots.sort((a, b) => b.surface - a.surface)) {
+    if (chosen.length === most) break
+    if (!chosen.some((other) => isSame(spot, other))) chosen.push(spot)
+  }
+  const used = new Map<string, number>()
+  return chosen.flatMap((spot): CreasedRegion[] => {
+    const name = names[spot.target]!
+    const tensors = strainOf(surface, offsets[spot.target]!)
+    keepOnly(tensors, spot.points)
+    const lines = layFreeLines(surface, tensors, { spacing: SPACING, least: LEAST, style: STYLE })
+    if (lines.length === 0) return []
+    const times = (used.get(name) ?? 0) + 1
+    used.set(name, times)
+    const region: SkinRegion = {
+      name: times === 1 ? name : `${name} ${times}`,
+      cause: { [name]: 1 },
+      spacing: SPACING,
+      hidden: 0.25 + 0.35 * age,
+      deepest: 0.4 + 0.4 * age,
+      reach: 4,
+      feather: 6,
+    }
+    return [{ region, ...creaseLines(region, lines, strength) }]
+  })
+}
+
+function strainOf(surface: Surface, offset: Float64Array): Float64Array {
+  const tensors = compressionTensors(surface, offset)
+  smooth(surface, tensors, TENSOR, EVEN)
+  return tensors
+}
+
+/** Connected points that lose enough. */
+function spotsOf(surface: Surface, tensors: Float64Array, target: number): Spot[] {
+  const { areas, starts, neighbours, normals } = surface
+  const open = new Set<number>()
+  for (let i = 0; i < areas.length; i++) if (largestLoss(tensors, normals, i) >= LEAST) open.add(i)
+  const spots: Spot[] = []
+  for (const first of open) {
+    const points = new Set([first])
+    open.delete(first)
+    for (const point of points) {
+      for (let n = starts[point]!; n < starts[point + 1]!; n++) {
+        const next = neighbours[n]!
+        if (open.delete(next)) points.add(next)
+      }
+    }
+    const size = [...points].reduce((sum, point) => sum + areas[point]!, 0)
+    if (size >= SMALLEST) spots.push({ points, surface: size, target })
+  }
+  return spots
+}
+
+/** The largest principal value in the skin's plane. */
+function largestLoss(tensors: Float64Array, normals: Float64Array, point: number): number {
+  const n = [0, 1, 2].map((k) => normals[3 * point + k]!)
+  const aside = Math.abs(n[0]!) < 0.9 ? [1, 0, 0] : [0, 1, 0]
+  const raw = crossed(n, aside)
+  const length = Math.hypot(...raw) || 1
+  const x = raw.map((value) => value / length) as [number, number, number]
+  const y = crossed(n, x)
+  const at = TENSOR * point
+  const [xx, yy] = [along(tensors, at, ...x), along(tensors, at, ...y)]
+  const diagonal = [0, 1, 2].map((k) => (x[k]! + y[k]!) / Math.SQRT2) as [number, number, number]
+  const xy = along(tensors, at, ...diagonal) - (xx + yy) / 2
+  return (xx + yy) / 2 + Math.hypot((xx - yy) / 2, xy)
+}
+
+function isSame(a: Spot, b: Spot): boolean {
+  let common = 0
+  for (const point of a.points) if (b.points.has(point)) common++
+  return common >= COMMON * Math.min(a.points.size, b.points.size)
+}
+
+function keepOnly(tensors: Float64Array, points: ReadonlySet<number>): void {
+  for (let i = 0; i < tensors.length; i++) if (!points.has(Math.floor(i / TENSOR))) tensors[i] = 0
+}

@@ -1,0 +1,98 @@
+import { describe, expect, test } from 'vitest'
+import { creaseDepth, creaseLines } from '../../../../packages/furrow/src/author/auto/crease.ts'
+import { drawCreases } from '../../../../packages/furrow/src/author/auto/draw.ts'
+import { layFreeLines } from '../../../../packages/furrow/src/author/auto/free-lines.ts'
+import { compressionTensors, smooth, TENSOR } from '../../../../packages/furrow/src/author/auto/strain.ts'
+import { joinSurface } from '../../../../packages/furrow/src/author/auto/surface.ts'
+
+/** Millimetres. */
+const SIDE = 80
+const LOST = 0.2
+const SIZE = 512
+
+/** A flat sheet of n x n squares, shortened by a fifth along a direction. */
+function sheet(n: number, degrees: number) {
+  const [cosine, sine] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)]
+  const [positions, uvs, indices, offsets]: number[][] = [[], [], [], []]
+  for (let j = 0; j <= n; j++) {
+    for (let i = 0; i <= n; i++) {
+      const [x, y] = [(i / n) * SIDE, (j / n) * SIDE]
+      positions.push(x, y, 0)
+      uvs.push(i / n, 1 - j / n)
+      const along = (x - SIDE / 2) * cosine + (y - SIDE / 2) * sine
+      offsets.push(-LOST * along * cosine, -LOST * along * sine, 0)
+      const p = j * (n + 1) + i
+      if (i < n && j < n) indices.push(p, p + 1, p + n + 2, p, p + n + 2, p + n + 1)
+    }
+  }
+  return { surface: joinSurface({ positions, indices }), uvs, indices, offsets, cosine, sine }
+}
+
+describe.each([
+  [20, 0, 6],
+  [20, 25, 6],
+  [7, 70, 9],
+  [40, 45, 5],
+])('a sheet of %d squares a side, shortened at %d degrees, spacing %d mm', (n, degrees, spacing) => {
+  const { surface, uvs, indices, offsets, cosine, sine } = sheet(n, degrees)
+  const tensors = compressionTensors(surface, offsets)
+  smooth(surface, tensors, TENSOR, 3)
+  const style = { width: spacing / 2, depth: 1, taper: [0, 0], shoulder: [0.9, 0.9], softness: 0.5 } as const
+  const lines = layFreeLines(surface, tensors, { spacing, least: 0.05, style })
+
+  test('lines run across within 5 degrees', () => {
+    for (const { points } of lines) {
+      const [x, y] = [0, 1].map((k) => points[points.length - 3 + k]! - points[k]!) as [number, number]
+      const off = (Math.asin(Math.abs(x * cosine + y * sine) / Math.hypot(x, y)) * 180) / Math.PI
+      expect(off).toBeLessThan(5)
+    }
+  })
+
+  test('they lie as far apart as asked', () => {
+    const places = lines.map(({ points }) => {
+      const middle = 3 * Math.floor(points.length / 6)
+      return (points[middle]! - SIDE / 2) * cosine + (points[middle + 1]! - SIDE / 2) * sine
+    })
+    const gaps = places.sort((a, b) => a - b).flatMap((place, i) => (i > 0 ? [place - places[i - 1]!] : []))
+    expect(gaps.length).toBeGreaterThan(SIDE / spacing / 2)
+    expect(Math.min(...gaps)).toBeGreaterThan(0.85 * spacing)
+    expect(Math.max(...gaps)).toBeLessThan(1.15 * spacing)
+  })
+
+  test('the relief takes up the length that the sheet loses', () => {
+    const { creases, compression } = creaseLines({ spacing, hidden: 1, deepest: Infinity }, lines, 1)
+    expect(compression).toBeCloseTo(LOST, 3)
+    const { data } = drawCreases({ skin: { uvs, indices }, surface }, creases, SIZE).relief
+    const texel = SIDE / SIZE
+    let [length, count] = [0, 0]
+    for (let row = 150; row < SIZE - 150; row++) {
+      for (let column = 150; column < SIZE - 150; column++) {
+        const i = row * SIZE + column
+        const slope =
+          ((data[i + 1]! - data[i - 1]!) * cosine - (data[i + SIZE]! - data[i - SIZE]!) * sine) / (2 * texel)
+        length += Math.hypot(1 - LOST, slope)
+        count++
+      }
+    }
+    const hidden = (length / count - (1 - LOST)) / LOST
+    expect(hidden).toBeGreaterThan(0.9)
+    expect(hidden).toBeLessThan(1.1)
+  })
+})
+
+test('rigid motion is no strain', () => {
+  const { surface } = sheet(5, 0)
+  const turned = Float64Array.from(surface.points, (value, i) => {
+    const [x, z] = [surface.points[3 * Math.floor(i / 3)]!, 0]
+    return (
+      [Math.cos(1) * x - Math.sin(1) * z + 7, surface.points[i]! - 3, Math.sin(1) * x + 2][i % 3]! - value
+    )
+  })
+  for (const value of compressionTensors(surface, turned)) expect(Math.abs(value)).toBeLessThan(1e-12)
+})
+
+test('nothing lost needs no depth, and more lost needs more', () => {
+  const depths = [0, 0.05, 0.1, 0.2, 0.4].map((lost) => creaseDepth(lost, 6, 1.5, [0.9, 0.9], 0.5))
+  expect(depths[0]).toBeLessThan(0.001)
+  for (let i = 1; i < depths.length; i++) expect(depths[i]).toBeGreaterThan(depths[i - 1]!)
+})
