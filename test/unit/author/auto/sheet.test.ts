@@ -4,6 +4,7 @@ import { drawCreases } from '../../../../packages/furrow/src/author/auto/draw.ts
 import { layFreeLines } from '../../../../packages/furrow/src/author/auto/free-lines.ts'
 import { compressionTensors, smooth, TENSOR } from '../../../../packages/furrow/src/author/auto/strain.ts'
 import { joinSurface } from '../../../../packages/furrow/src/author/auto/surface.ts'
+import { SkinTexels } from '../../../../packages/furrow/src/author/auto/texels.ts'
 
 /** Millimetres. */
 const SIDE = 80
@@ -62,7 +63,8 @@ describe.each([
   test('the relief takes up the length that the sheet loses', () => {
     const { creases, compression } = creaseLines({ spacing, hidden: 1, deepest: Infinity }, lines, 1)
     expect(compression).toBeCloseTo(LOST, 3)
-    const { data } = drawCreases({ skin: { uvs, indices }, surface }, creases, SIZE).relief
+    const texels = new SkinTexels({ uvs, indices }, surface, SIZE)
+    const { data } = drawCreases({ surface, texels }, creases).relief
     const texel = SIDE / SIZE
     let [length, count] = [0, 0]
     for (let row = 150; row < SIZE - 150; row++) {

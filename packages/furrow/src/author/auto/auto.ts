@@ -12,6 +12,7 @@ import { layersOf } from './layers.ts'
 import { fitDriver } from './links.ts'
 import { strainRegions } from './strain-regions.ts'
 import { joinSurface, pointAreas, pointOffsets, type Skin, type Surface } from './surface.ts'
+import { SkinTexels } from './texels.ts'
 
 export interface AutoOptions {
   /** Years, 20..80: lines grow in number, length and depth. */
@@ -136,16 +137,17 @@ export function autoWrinkles(
     most,
   )
   tell('maps')
-  const canvas = { skin: usable, surface }
+  const canvas = { surface, texels: new SkinTexels(usable, surface, size) }
+  const small = { surface, texels: new SkinTexels(usable, surface, areaSize) }
   const metric = surfaceMetric({ ...usable, positions: inMetres(surface) }, size)
   const layers: AutoLayer[] = []
   const images = new Map<CreasedRegion, GrayImage>()
   for (let layer = 0; layer <= Math.max(-1, ...layerOf); layer++) {
     const regions = fitted.flatMap(({ region }, i) => (layerOf[i] === layer ? [region] : []))
     const creases = [...new Set(regions.map((region) => region.creases))].flat()
-    const drawn = drawCreases(canvas, creases, size)
+    const drawn = drawCreases(canvas, creases)
     layers.push({ name: `auto${layer + 1}`, normal: heightToNormal(drawn.relief, metric, frame), ...drawn })
-    for (const [i, image] of drawAreas(canvas, regions, areaSize).entries()) images.set(regions[i]!, image)
+    for (const [i, image] of drawAreas(small, regions).entries()) images.set(regions[i]!, image)
   }
   progress(STEPS.length, STEPS.length, 'done')
   const areas = fitted.map(({ region, driver, error }, i) => ({

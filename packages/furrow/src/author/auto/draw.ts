@@ -4,18 +4,18 @@ import { profile, REACH, smoothstep } from '../profile.ts'
 import { unroll } from './chart.ts'
 import type { Crease, CreasedRegion } from './crease.ts'
 import { NearCreases } from './near.ts'
-import type { Skin, Surface } from './surface.ts'
-import { visitTexels } from './texels.ts'
+import type { Surface } from './surface.ts'
+import type { SkinTexels } from './texels.ts'
 
 /** Exponent with which creases are joined, as in `strokesToHeight`: crossing ones are as deep as the deeper. */
 const JOIN = 6
 /** How much of the light a valley loses, per share of its depth in its width. */
 const SHADE = 1.1
 
-/** A skin and its surface. */
+/** A surface and the texels of a map that it covers. */
 export interface Canvas {
-  skin: Pick<Skin, 'uvs' | 'indices'>
   surface: Surface
+  texels: SkinTexels
 }
 
 /** The relief of some regions, and how open to the light it is. */
@@ -27,14 +27,15 @@ export interface DrawnLayer {
 }
 
 /** Draws creases as a height map. Distances are measured in space, so that seams of the texture are no seams of the skin. */
-export function drawCreases(canvas: Canvas, creases: readonly Crease[], size: number): DrawnLayer {
+export function drawCreases(canvas: Canvas, creases: readonly Crease[]): DrawnLayer {
+  const { size } = canvas.texels
   const relief = new Float32Array(size * size)
   const occlusion = new Uint8Array(size * size).fill(255)
   const near = new NearCreases(
     creases,
     creases.map(({ halfWidths }) => REACH * halfWidths.reduce((a, b) => Math.max(a, b), 0)),
   )
-  visitNear(canvas, near, size, (texel, x, y, z, normal) => {
+  visitNear(canvas, near, (texel, x, y, z, normal) => {
     let [valley, bank, shade] = [0, 0, 0]
     near.visit(x, y, z, normal[0]!, normal[1]!, normal[2]!, (index, distance, piece, share, side) => {
       const crease = creases[index]!
@@ -62,7 +63,8 @@ export function drawCreases(canvas: Canvas, creases: readonly Crease[], size: nu
  *
  * @returns weights, 255 = fully visible.
  */
-export function drawAreas(canvas: Canvas, regions: readonly CreasedRegion[], size: number): GrayImage[] {
+export function drawAreas(canvas: Canvas, regions: readonly CreasedRegion[]): GrayImage[] {
+  const { size } = canvas.texels
   const images = regions.map(() => new Uint8Array(size * size))
   // Regions that share their lines share an owner.
   const owners = regions.map(({ creases }) => regions.findIndex((other) => other.creases === creases))
@@ -75,7 +77,7 @@ export function drawAreas(canvas: Canvas, regions: readonly CreasedRegion[], siz
     lines.map(({ owner }) => 2 * reachOf(owner)),
   )
   const distances = new Float64Array(regions.length)
-  visitNear(canvas, near, size, (texel, x, y, z, normal) => {
+  visitNear(canvas, near, (texel, x, y, z, normal) => {
     distances.fill(Infinity)
     near.visit(x, y, z, normal[0]!, normal[1]!, normal[2]!, (line, distance) => {
       const { owner } = lines[line]!
@@ -97,9 +99,8 @@ export function drawAreas(canvas: Canvas, regions: readonly CreasedRegion[], siz
 
 /** Visits the texels that have creases near them, with their place and normal. */
 function visitNear(
-  { skin, surface }: Canvas,
+  { surface, texels }: Canvas,
   near: NearCreases,
-  size: number,
   visit: (texel: number, x: number, y: number, z: number, normal: Float64Array) => void,
 ): void {
   const { points, normals, corners } = surface
@@ -115,7 +116,7 @@ function visitNear(
     }
     return near.isNear(low, high)
   }
-  visitTexels(skin, surface, size, isWanted, (texel, triangle, a, b, c) => {
+  texels.visit(isWanted, (texel, triangle, a, b, c) => {
     const [p, q, r] = [
       3 * corners[3 * triangle]!,
       3 * corners[3 * triangle + 1]!,

@@ -3,88 +3,97 @@ import type { Skin, Surface } from './surface.ts'
 /** Texels by which the skin goes on beyond the islands of its texture, in its own plane: slopes there are its own. */
 const MARGIN = 3
 
-/**
- * Visits the texels of a skin, those whose centres its triangles cover and a few round its islands, with where they lie on it.
- *
- * @param wanted tells of each triangle whether to visit its texels.
- * @param visit is given the texel's index, row by row, the triangle and the shares of its corners, which are below 0 beyond an island.
- */
-export function visitTexels(
-  { uvs, indices }: Pick<Skin, 'uvs' | 'indices'>,
-  { triangleOf }: Surface,
-  size: number,
-  wanted: (triangle: number) => boolean,
-  visit: (texel: number, triangle: number, a: number, b: number, c: number) => void,
-): void {
-  const nearest = new Float32Array(size * size).fill(Infinity)
-  const owner = new Int32Array(size * size).fill(-1)
-  const corners = (t: number) => {
-    const vertex = (k: number) => 2 * indices[3 * triangleOf[t]! + k]!
-    return [0, 1, 2].map((k) => [uvs[vertex(k)]! * size - 0.5, uvs[vertex(k) + 1]! * size - 0.5]) as Corners
-  }
-  for (let t = 0; t < triangleOf.length; t++) claim(corners(t), t, size, nearest, owner)
-  const shares = new Float64Array(3)
-  let last = -1
-  let placed: Corners = [
-    [0, 0],
-    [0, 0],
-    [0, 0],
-  ]
-  const known = new Int8Array(triangleOf.length).fill(-1)
-  for (let texel = 0; texel < owner.length; texel++) {
-    const t = owner[texel]!
-    if (t < 0) continue
-    if (known[t]! < 0) known[t] = wanted(t) ? 1 : 0
-    if (known[t] === 0) continue
-    if (t !== last) placed = corners(t)
-    last = t
-    if (!sharesOf(placed, texel % size, Math.floor(texel / size), shares)) continue
-    visit(texel, t, shares[0]!, shares[1]!, shares[2]!)
-  }
-}
+/** Which texels of a map a skin covers, and where on it they lie. */
+export class SkinTexels {
+  readonly size: number
+  readonly #skin: Pick<Skin, 'uvs' | 'indices'>
+  readonly #surface: Surface
+  /** For each texel its triangle, or -1. */
+  readonly #owner: Int32Array
 
-type Corners = [[number, number], [number, number], [number, number]]
-
-/** Gives a triangle the texels that it covers, and those near it that no other is nearer to. */
-function claim(
-  corners: Corners,
-  triangle: number,
-  size: number,
-  nearest: Float32Array,
-  owner: Int32Array,
-): void {
-  const [[ax, ay], [bx, by], [cx, cy]] = corners
-  const det = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay)
-  if (Math.abs(det) < 1e-9) return
-  const firstRow = Math.max(Math.ceil(Math.min(ay, by, cy) - MARGIN), 0)
-  const lastRow = Math.min(Math.floor(Math.max(ay, by, cy) + MARGIN), size - 1)
-  const firstColumn = Math.max(Math.ceil(Math.min(ax, bx, cx) - MARGIN), 0)
-  const lastColumn = Math.min(Math.floor(Math.max(ax, bx, cx) + MARGIN), size - 1)
-  const turn = Math.sign(det)
-  const edges = corners.map(([x, y], k) => {
-    const [toX, toY] = corners[(k + 1) % 3]!
-    const length = Math.hypot(toX - x, toY - y) || 1
-    return [(turn * (toY - y)) / length, (-turn * (toX - x)) / length, x, y] as const
-  })
-  for (let row = firstRow; row <= lastRow; row++) {
-    for (let column = firstColumn; column <= lastColumn; column++) {
-      let outside = -Infinity
-      for (const [nx, ny, x, y] of edges) outside = Math.max(outside, nx * (column - x) + ny * (row - y))
-      if (outside > MARGIN) continue
-      const texel = row * size + column
-      const distance = Math.max(0, outside)
-      if (distance >= nearest[texel]!) continue
-      nearest[texel] = distance
-      owner[texel] = triangle
+  /** @param size side of the map in texels. */
+  constructor(skin: Pick<Skin, 'uvs' | 'indices'>, surface: Surface, size: number) {
+    this.size = size
+    this.#skin = skin
+    this.#surface = surface
+    this.#owner = new Int32Array(size * size).fill(-1)
+    const nearest = new Float32Array(size * size).fill(Infinity)
+    const place = new Float64Array(6)
+    for (let t = 0; t < surface.triangleOf.length; t++) {
+      this.#place(t, place)
+      this.#claim(t, place, nearest)
     }
   }
-}
 
-function sharesOf([[ax, ay], [bx, by], [cx, cy]]: Corners, x: number, y: number, out: Float64Array): boolean {
-  const det = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay)
-  if (det === 0) return false
-  out[1] = ((x - ax) * (cy - ay) - (cx - ax) * (y - ay)) / det
-  out[2] = ((bx - ax) * (y - ay) - (x - ax) * (by - ay)) / det
-  out[0] = 1 - out[1]! - out[2]!
-  return true
+  /**
+   * Visits the texels whose centres triangles cover and a few round the islands.
+   *
+   * @param wanted tells of each triangle whether to visit its texels.
+   * @param visit is given the texel's index, row by row, the triangle and the shares of its corners, which are below 0 beyond an island.
+   */
+  visit(
+    wanted: (triangle: number) => boolean,
+    visit: (texel: number, triangle: number, a: number, b: number, c: number) => void,
+  ): void {
+    const place = new Float64Array(6)
+    const known = new Int8Array(this.#surface.triangleOf.length).fill(-1)
+    let last = -1
+    for (let texel = 0; texel < this.#owner.length; texel++) {
+      const t = this.#owner[texel]!
+      if (t < 0) continue
+      if (known[t]! < 0) known[t] = wanted(t) ? 1 : 0
+      if (known[t] === 0) continue
+      if (t !== last) this.#place(t, place)
+      last = t
+      const x = (texel % this.size) - place[0]!
+      const y = Math.floor(texel / this.size) - place[1]!
+      const ux = place[2]! - place[0]!
+      const uy = place[3]! - place[1]!
+      const vx = place[4]! - place[0]!
+      const vy = place[5]! - place[1]!
+      const det = ux * vy - uy * vx
+      const b = (x * vy - vx * y) / det
+      const c = (ux * y - x * uy) / det
+      visit(texel, t, 1 - b - c, b, c)
+    }
+  }
+
+  /** x and y of a triangle's corners in texels. */
+  #place(triangle: number, out: Float64Array): void {
+    const { uvs, indices } = this.#skin
+    for (let k = 0; k < 3; k++) {
+      const vertex = 2 * indices[3 * this.#surface.triangleOf[triangle]! + k]!
+      out[2 * k] = uvs[vertex]! * this.size - 0.5
+      out[2 * k + 1] = uvs[vertex + 1]! * this.size - 0.5
+    }
+  }
+
+  /** Gives a triangle the texels that it covers, and those near it that no other is nearer to. */
+  #claim(triangle: number, p: Float64Array, nearest: Float32Array): void {
+    const { size } = this
+    const det = (p[2]! - p[0]!) * (p[5]! - p[1]!) - (p[4]! - p[0]!) * (p[3]! - p[1]!)
+    if (Math.abs(det) < 1e-9) return
+    const firstRow = Math.max(Math.ceil(Math.min(p[1]!, p[3]!, p[5]!) - MARGIN), 0)
+    const lastRow = Math.min(Math.floor(Math.max(p[1]!, p[3]!, p[5]!) + MARGIN), size - 1)
+    const firstColumn = Math.max(Math.ceil(Math.min(p[0]!, p[2]!, p[4]!) - MARGIN), 0)
+    const lastColumn = Math.min(Math.floor(Math.max(p[0]!, p[2]!, p[4]!) + MARGIN), size - 1)
+    const turn = Math.sign(det)
+    for (let row = firstRow; row <= lastRow; row++) {
+      for (let column = firstColumn; column <= lastColumn; column++) {
+        let outside = -Infinity
+        for (let k = 0; k < 6; k += 2) {
+          const dx = p[(k + 2) % 6]! - p[k]!
+          const dy = p[(k + 3) % 6]! - p[k + 1]!
+          const off = (turn * (dy * (column - p[k]!) - dx * (row - p[k + 1]!))) / Math.sqrt(dx * dx + dy * dy)
+          if (off > outside) outside = off
+        }
+        if (outside > MARGIN) continue
+        const texel = row * size + column
+        const distance = outside > 0 ? outside : 0
+        if (distance >= nearest[texel]!) continue
+        nearest[texel] = distance
+        this.#owner[texel] = triangle
+      }
+    }
+  }
 }
