@@ -62,21 +62,37 @@ export function pickMesh(document: Document, path: string, meshName: string | un
   return node
 }
 
-/** Reads a .glb or .gltf file. Throws FurrowError where that cannot be done. */
+/** Reads a .glb or .gltf file, compressed or not. Throws FurrowError where that cannot be done. */
 export async function readDocument(path: string, who: string): Promise<Document> {
   try {
-    await readFile(path)
+    const bytes = await readFile(path)
     // Of extensions that are none of its business it would warn.
-    const io = new NodeIO().setLogger(new Logger(Logger.Verbosity.ERROR))
-    return await io.registerExtensions(ALL_EXTENSIONS).read(path)
+    const io = new NodeIO().setLogger(new Logger(Logger.Verbosity.ERROR)).registerExtensions(ALL_EXTENSIONS)
+    io.registerDependencies(await decodersFor(bytes))
+    return await io.read(path)
   } catch (error) {
     throw new FurrowError({
       who,
       what: `cannot read the face ${path} (${firstLine(error)})`,
-      limit: 'glTF 2.0 without Draco or meshopt compression',
+      limit: 'glTF 2.0',
       remedy: 'check the path and the file',
     })
   }
+}
+
+/** Decoders take their time to start, and few files need them. */
+async function decodersFor(bytes: Buffer): Promise<Record<string, unknown>> {
+  const decoders: Record<string, unknown> = {}
+  if (bytes.includes('KHR_draco_mesh_compression')) {
+    const { default: draco3d } = await import('draco3d')
+    decoders['draco3d.decoder'] = await draco3d.createDecoderModule()
+  }
+  if (bytes.includes('_meshopt_compression')) {
+    const { MeshoptDecoder } = await import('meshoptimizer/decoder')
+    await MeshoptDecoder.ready
+    decoders['meshopt.decoder'] = MeshoptDecoder
+  }
+  return decoders
 }
 
 /** Files name the mesh, its node, or both. */

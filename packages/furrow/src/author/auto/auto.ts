@@ -9,7 +9,8 @@ import { drawAreas, drawCreases } from './draw.ts'
 import { findFace, poseOf } from './face.ts'
 import { faceRegions } from './face-regions.ts'
 import { layersOf } from './layers.ts'
-import { fitDriver } from './links.ts'
+import { type FittedRegion, fitDriver } from './links.ts'
+import { findOverlap, isOverlapped, leftTriangles, onBothSides } from './mirror.ts'
 import { strainRegions } from './strain-regions.ts'
 import { joinSurface, pointAreas, pointOffsets, type Skin, type Surface } from './surface.ts'
 import { SkinTexels } from './texels.ts'
@@ -112,6 +113,15 @@ export function autoWrinkles(
   const { surface, offsets } = face ?? inMillimetres(usable)
   const grown = (age - 20) / 60
   tell('lines')
+  const overlap = findOverlap(usable, surface)
+  const isMirrored = face !== undefined && overlap.isMirrored
+  if (isMirrored)
+    warnings.push('left and right share their texels: both sides crease at once, each driven by half')
+  else if (isOverlapped(overlap)) {
+    warnings.push(
+      `${Math.round(100 * overlap.share)}% of the texture is used twice: what creases one place creases the other`,
+    )
+  }
   const creased = face
     ? faceRegions(face, grown, strength, seed)
     : strainRegions(surface, offsets, names, grown, strength, mostAreas)
@@ -121,45 +131,44 @@ export function autoWrinkles(
     )
   tell('drivers')
   const find = face?.find ?? ((name: string) => [names.indexOf(name)])
-  const fitted = creased
-    .flatMap((region) => {
-      const cause = poseOf(find, region.region.cause)
-      const fit = fitDriver(surface, region, offsets, names, cause)
-      return fit ? [{ region, ...fit }] : []
-    })
-    .sort((a, b) => b.region.compression - a.region.compression)
-    .slice(0, mostAreas)
-    .sort((a, b) => creased.indexOf(a.region) - creased.indexOf(b.region))
+  const everyFit = creased.flatMap(
+    (region) => fitDriver(surface, region, offsets, names, poseOf(find, region.region.cause)) ?? [],
+  )
+  const fitted = strongest(isMirrored ? onBothSides(everyFit, names, find) : everyFit, mostAreas)
   if (fitted.length === 0) warnings.push('no blendshape pushes skin together enough to crease it')
   tell('layers')
-  const layerOf = layersOf(
-    fitted.map(({ region }) => region),
-    most,
-  )
+  const layerOf = layersOf(fitted, most)
   tell('maps')
-  const canvas = { surface, texels: new SkinTexels(usable, surface, size) }
-  const small = { surface, texels: new SkinTexels(usable, surface, areaSize) }
+  const drawn = isMirrored ? leftTriangles(surface) : undefined
+  const canvas = { surface, texels: new SkinTexels(usable, surface, size, drawn) }
+  const small = { surface, texels: new SkinTexels(usable, surface, areaSize, drawn) }
   const metric = surfaceMetric({ ...usable, positions: inMetres(surface) }, size)
   const layers: AutoLayer[] = []
   const images = new Map<CreasedRegion, GrayImage>()
   for (let layer = 0; layer <= Math.max(-1, ...layerOf); layer++) {
-    const regions = fitted.flatMap(({ region }, i) => (layerOf[i] === layer ? [region] : []))
+    const regions = fitted.filter((_, i) => layerOf[i] === layer)
     const creases = [...new Set(regions.map((region) => region.creases))].flat()
     const drawn = drawCreases(canvas, creases)
     layers.push({ name: `auto${layer + 1}`, normal: heightToNormal(drawn.relief, metric, frame), ...drawn })
     for (const [i, image] of drawAreas(small, regions).entries()) images.set(regions[i]!, image)
   }
   progress(STEPS.length, STEPS.length, 'done')
-  const areas = fitted.map(({ region, driver, error }, i) => ({
-    name: region.region.name,
+  const areas = fitted.map((fit, i) => ({
+    name: fit.region.name,
     layer: layerOf[i]!,
-    weights: images.get(region)!,
-    driver,
-    compression: region.compression,
-    error,
-    lines: region.creases.length,
+    weights: images.get(fit)!,
+    driver: fit.driver,
+    compression: fit.compression,
+    error: fit.error,
+    lines: fit.creases.length,
   }))
   return { isFace: face !== undefined, layers, areas, warnings }
+}
+
+/** Those whose skin loses most, in the order they came in. */
+function strongest(fitted: readonly FittedRegion[], most: number): FittedRegion[] {
+  const least = fitted.map(({ compression }) => compression).sort((a, b) => b - a)[most] ?? -1
+  return fitted.filter(({ compression }) => compression > least).slice(0, most)
 }
 
 /** A skin that is no face, as glTF has it in metres. */

@@ -6,8 +6,8 @@ import { NearCreases } from './near.ts'
 import { Random } from './random.ts'
 import { crossOf, type Surface } from './surface.ts'
 
-/** How well a driver says what the skin does. */
-export interface FittedDriver {
+/** A region with what drives it. */
+export interface FittedRegion extends CreasedRegion {
   driver: MorphDriver
   /** Root mean square of its activation less the measured one, over the poses it was fitted to, 0..1. */
   error: number
@@ -51,11 +51,12 @@ const RIDGE = 0.02
  */
 export function fitDriver(
   surface: Surface,
-  { region, creases }: CreasedRegion,
+  creased: CreasedRegion,
   offsets: readonly Float64Array[],
   names: readonly string[],
   cause: ReadonlyMap<number, number>,
-): FittedDriver | undefined {
+): FittedRegion | undefined {
+  const { region, creases } = creased
   const gauge = gaugeOf(surface, region, creases)
   if (gauge.weights.length === 0) return undefined
   const measure = (pose: ReadonlyMap<number, number>) => compressionOf(surface, gauge, offsets, pose)
@@ -103,7 +104,7 @@ export function fitDriver(
       [1, 1],
     ],
   }
-  return { driver, error: Math.sqrt(squares / poses.length) }
+  return { ...creased, driver, error: Math.sqrt(squares / poses.length) }
 }
 
 /** Triangles within reach of a region's lines. */

@@ -11,8 +11,16 @@ export class SkinTexels {
   /** For each texel its triangle, or -1. */
   readonly #owner: Int32Array
 
-  /** @param size side of the map in texels. */
-  constructor(skin: Pick<Skin, 'uvs' | 'indices'>, surface: Surface, size: number) {
+  /**
+   * @param size side of the map in texels.
+   * @param drawn tells of each triangle whether it has a say in the texture.
+   */
+  constructor(
+    skin: Pick<Skin, 'uvs' | 'indices'>,
+    surface: Surface,
+    size: number,
+    drawn: (triangle: number) => boolean = () => true,
+  ) {
     this.size = size
     this.#skin = skin
     this.#surface = surface
@@ -20,6 +28,7 @@ export class SkinTexels {
     const nearest = new Float32Array(size * size).fill(Infinity)
     const place = new Float64Array(6)
     for (let t = 0; t < surface.triangleOf.length; t++) {
+      if (!drawn(t)) continue
       this.#place(t, place)
       this.#claim(t, place, nearest)
     }
