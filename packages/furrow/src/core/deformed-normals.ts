@@ -9,7 +9,54 @@ export interface RestMesh {
 }
 
 /** Squared length of a sum of normals below which a vertex has no direction. */
-const NO_DIRECTION = 1e-24
+export const NO_DIRECTION = 1e-24
+
+/** Cosine of a turn below which it is turned right round, for which there is no shortest turn. */
+export const TURNED_ROUND = -0.9999
+
+/** Numbers the places of a mesh: vertices at one position, at rest, share one. */
+export function placesOf(positions: ArrayLike<number>): { places: Uint32Array; count: number } {
+  const numbers = new Map<string, number>()
+  const places = new Uint32Array(positions.length / 3)
+  for (let i = 0; i < places.length; i++) {
+    const key = `${positions[3 * i]} ${positions[3 * i + 1]} ${positions[3 * i + 2]}`
+    if (!numbers.has(key)) numbers.set(key, numbers.size)
+    places[i] = numbers.get(key)!
+  }
+  return { places, count: numbers.size }
+}
+
+/**
+ * Sums the normals of the triangles round each place, each as long as twice the triangle's surface.
+ *
+ * @param sums takes x, y and z of each place.
+ * @param places of `placesOf`.
+ */
+export function sumNormals(
+  sums: Float64Array,
+  positions: ArrayLike<number>,
+  triangles: ArrayLike<number>,
+  places: Uint32Array,
+): void {
+  sums.fill(0)
+  for (let t = 0; t + 2 < triangles.length; t += 3) {
+    const a = 3 * triangles[t]
+    const b = 3 * triangles[t + 1]
+    const c = 3 * triangles[t + 2]
+    const ux = positions[b] - positions[a]
+    const uy = positions[b + 1] - positions[a + 1]
+    const uz = positions[b + 2] - positions[a + 2]
+    const vx = positions[c] - positions[a]
+    const vy = positions[c + 1] - positions[a + 1]
+    const vz = positions[c + 2] - positions[a + 2]
+    for (let k = 0; k < 3; k++) {
+      const place = 3 * places[triangles[t + k]]
+      sums[place] += uy * vz - uz * vy
+      sums[place + 1] += uz * vx - ux * vz
+      sums[place + 2] += ux * vy - uy * vx
+    }
+  }
+}
 
 /** Turns what a morph target adds to positions into what it adds to normals. */
 export function normalChanges(mesh: RestMesh): (offsets: ArrayLike<number>) => Float32Array {
@@ -43,16 +90,11 @@ export class DeformedNormals {
   constructor({ positions, normals, triangles }: RestMesh) {
     this.#rest = Float32Array.from(normals)
     this.#triangles = Uint32Array.from(triangles)
-    const places = new Map<string, number>()
-    this.#places = new Uint32Array(positions.length / 3)
-    for (let i = 0; i < this.#places.length; i++) {
-      const key = `${positions[3 * i]} ${positions[3 * i + 1]} ${positions[3 * i + 2]}`
-      if (!places.has(key)) places.set(key, places.size)
-      this.#places[i] = places.get(key)!
-    }
-    this.#from = new Float64Array(3 * places.size)
-    this.#to = new Float64Array(3 * places.size)
-    this.#sum(positions, this.#from)
+    const { places, count } = placesOf(positions)
+    this.#places = places
+    this.#from = new Float64Array(3 * count)
+    this.#to = new Float64Array(3 * count)
+    sumNormals(this.#from, positions, this.#triangles, places)
   }
 
   /**
@@ -62,7 +104,7 @@ export class DeformedNormals {
    * @param normals takes x, y and z of each, of length 1.
    */
   update(positions: ArrayLike<number>, normals: Float32Array): void {
-    this.#sum(positions, this.#to)
+    sumNormals(this.#to, positions, this.#triangles, this.#places)
     normals.set(this.#rest)
     for (let i = 0; i < this.#places.length; i++) this.#turn(normals, 3 * i, 3 * this.#places[i])
   }
@@ -76,28 +118,6 @@ export class DeformedNormals {
     for (let i = 0; i < this.#places.length; i++) this.#turn(directions, stride * i, 3 * this.#places[i])
   }
 
-  #sum(positions: ArrayLike<number>, sums: Float64Array): void {
-    const triangles = this.#triangles
-    sums.fill(0)
-    for (let t = 0; t + 2 < triangles.length; t += 3) {
-      const a = 3 * triangles[t]
-      const b = 3 * triangles[t + 1]
-      const c = 3 * triangles[t + 2]
-      const ux = positions[b] - positions[a]
-      const uy = positions[b + 1] - positions[a + 1]
-      const uz = positions[b + 2] - positions[a + 2]
-      const vx = positions[c] - positions[a]
-      const vy = positions[c + 1] - positions[a + 1]
-      const vz = positions[c + 2] - positions[a + 2]
-      for (let k = 0; k < 3; k++) {
-        const place = 3 * this.#places[triangles[t + k]]
-        sums[place] += uy * vz - uz * vy
-        sums[place + 1] += uz * vx - ux * vz
-        sums[place + 2] += ux * vy - uy * vx
-      }
-    }
-  }
-
   /** The shortest turn from one direction to another, by Rodrigues' formula: d c + (a x d) + a (a . d) / (1 + c), a = from x to. */
   #turn(out: Float32Array, at: number, place: number): void {
     const from = this.#from
@@ -108,8 +128,7 @@ export class DeformedNormals {
     const scale = 1 / Math.sqrt(fromLength * toLength)
     const cosine =
       scale * (from[place] * to[place] + from[place + 1] * to[place + 1] + from[place + 2] * to[place + 2])
-    // Turned right round there is no shortest turn.
-    if (cosine < -0.9999) return
+    if (cosine < TURNED_ROUND) return
     const ax = scale * (from[place + 1] * to[place + 2] - from[place + 2] * to[place + 1])
     const ay = scale * (from[place + 2] * to[place] - from[place] * to[place + 2])
     const az = scale * (from[place] * to[place + 1] - from[place + 1] * to[place])

@@ -19,13 +19,11 @@ export interface SampledMesh {
  */
 export function sampleTriangles(mesh: SampledMesh, weights: GrayImage, count: number): Uint32Array {
   const { triangles } = mesh
-  const total = triangles.length / 3
-  const reached = new Float64Array(total)
   let sum = 0
-  for (let k = 0; k < total; k++) {
-    sum += weightOf(mesh, weights, k) * surface(mesh, k)
-    reached[k] = sum
-  }
+  const reached = coverage(mesh, weights).map((covered) => {
+    sum += covered
+    return sum
+  })
   if (!(sum > 0)) return new Uint32Array()
   const corners: number[] = []
   let k = 0
@@ -34,6 +32,14 @@ export function sampleTriangles(mesh: SampledMesh, weights: GrayImage, count: nu
     corners.push(triangles[3 * k], triangles[3 * k + 1], triangles[3 * k + 2])
   }
   return Uint32Array.from(corners)
+}
+
+/** How much of each triangle an area covers: its weight in the triangle's middle times the surface at rest. */
+export function coverage(mesh: SampledMesh, weights: GrayImage): Float64Array {
+  return Float64Array.from(
+    { length: mesh.triangles.length / 3 },
+    (_, k) => weightOf(mesh, weights, k) * surface(mesh, k),
+  )
 }
 
 /** That in the triangle's middle, 0..1. */

@@ -57,14 +57,24 @@ export class TensionActivation implements Driver {
    * @param positions of all corners as the mesh is now deformed.
    */
   update(positions: ArrayLike<number>): void {
-    this.activations.fill(0)
     for (let i = 0; i < this.#bound.length; i++) {
       const bound = this.#bound[i]
       if (bound) this.#measure(i, bound, positions)
     }
+    this.#activate()
   }
 
-  #measure(i: number, { area, corners, inverses, driver }: Bound, positions: ArrayLike<number>): void {
+  /**
+   * Brings `activations` up to date with what was measured elsewhere.
+   *
+   * @param measured as the property of that name; drivers without triangles are passed over.
+   */
+  takeMeasured(measured: ArrayLike<number>): void {
+    for (let i = 0; i < this.#bound.length; i++) if (this.#bound[i]) this.measured[i] = measured[i]
+    this.#activate()
+  }
+
+  #measure(i: number, { corners, inverses, driver }: Bound, positions: ArrayLike<number>): void {
     const isStretch = driver.measure === 'stretch'
     const count = corners.length / 3
     const stretches = this.#stretches
@@ -74,9 +84,18 @@ export class TensionActivation implements Driver {
       sum += isStretch ? stretches[1] - 1 : 1 - stretches[0]
     }
     this.measured[i] = sum / count
-    stretches[0] = this.measured[i]
-    applyCurve(driver.curve, stretches)
-    this.activations[area] = Math.min(1, this.activations[area] + stretches[0])
+  }
+
+  #activate(): void {
+    this.activations.fill(0)
+    for (let i = 0; i < this.#bound.length; i++) {
+      const bound = this.#bound[i]
+      if (!bound) continue
+      const { area, driver } = bound
+      this.#stretches[0] = this.measured[i]
+      applyCurve(driver.curve, this.#stretches)
+      this.activations[area] = Math.min(1, this.activations[area] + this.#stretches[0])
+    }
   }
 }
 

@@ -1,6 +1,6 @@
 import { BufferAttribute, type BufferGeometry, DynamicDrawUsage, type Mesh } from 'three'
 import { DeformedNormals } from '../core/deformed-normals.ts'
-import { coordinates, targetOffsets, trianglesOf } from './coordinates.ts'
+import { coordinates, takeNumbers, targetOffsets, trianglesOf } from './coordinates.ts'
 
 /** Of one blendshape: the vertices that it moves, and how far. */
 interface Offsets {
@@ -54,7 +54,7 @@ export class RecomputedNormals {
   /** Brings normals and tangents up to date with the mesh's blendshapes. */
   update(): void {
     const influences = this.#mesh.morphTargetInfluences
-    if (!influences || !this.#takeWeights(influences)) return
+    if (!influences || !takeNumbers(this.#weights, influences)) return
     this.#now.set(this.#rest)
     for (let i = 0; i < this.#targets.length; i++) this.#add(this.#targets[i], i)
     this.#deformed.update(this.#now, this.#normal.array as Float32Array)
@@ -70,17 +70,6 @@ export class RecomputedNormals {
   dispose(): void {
     this.#mesh.geometry = this.#before
     this.#geometry.dispose()
-  }
-
-  /** Whether any has changed. */
-  #takeWeights(influences: readonly number[]): boolean {
-    let changed = false
-    for (let i = 0; i < this.#weights.length; i++) {
-      const before = this.#weights[i]
-      this.#weights[i] = influences[i]
-      if (this.#weights[i] !== before) changed = true
-    }
-    return changed
   }
 
   #add({ vertices, values }: Offsets, target: number): void {

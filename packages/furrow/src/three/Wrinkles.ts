@@ -26,7 +26,7 @@ const owners = new WeakMap<Material, WrinklesBase>()
 const wearers = new WeakMap<Mesh, WrinklesBase>()
 
 /** Brings one face's activations up to date. */
-type Drive = (face: Face, instance: number) => void
+type Drive = (face: Face, instance: number, renderer: AnyRenderer) => void
 
 /** The wrinkles on a mesh, however they came there; of several, those put on first. */
 export function wrinklesOf(mesh: Mesh): WrinklesBase | undefined {
@@ -98,7 +98,8 @@ export abstract class WrinklesBase {
     this.#atlas = sharedAtlas(renderer.quads, areas.width, areas.height, set.layers.length)
     this.#faces = Array.from(
       { length: countFaces(mesh) },
-      (_, instance) => new Face(areas, this.#areas, (face) => this.#drive(face, instance)),
+      (_, instance) =>
+        new Face(areas, this.#areas, (face, renderer) => this.#drive(face, instance, renderer)),
     )
     this.#cells = this.#atlas.add(this.#faces)
     this.#inputs = createInputs(textures, areas, this.#atlas)
@@ -375,8 +376,8 @@ export abstract class WrinklesBase {
     }
   }
 
-  #drive(face: Face, instance: number): void {
-    if (this.driven) for (const drive of this.#drivers) drive(face, instance)
+  #drive(face: Face, instance: number, renderer: AnyRenderer): void {
+    if (this.driven) for (const drive of this.#drivers) drive(face, instance, renderer)
   }
 
   #prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
@@ -387,7 +388,7 @@ export abstract class WrinklesBase {
       placeCells(this.#inputs, this.#atlas, this.#cells)
       this.#composed?.update(renderer, areas, this.#faces[0].values)
     } else {
-      this.#faces[0].drive()
+      this.#faces[0].drive(renderer)
     }
     const { activations } = this.#faces[0]
     if (this.#mode !== 'paper' || activations.version === this.#written) return

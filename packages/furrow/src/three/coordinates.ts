@@ -26,3 +26,14 @@ export function targetOffsets({
   const rest = coordinates(attributes.position)
   return targets.map((target) => target.map((value, i) => value - rest[i]))
 }
+
+/** Copies numbers; tells whether any was another. */
+export function takeNumbers(out: Float32Array, values: ArrayLike<number>): boolean {
+  let changed = false
+  for (let i = 0; i < out.length; i++) {
+    const before = out[i]
+    out[i] = values[i]
+    if (out[i] !== before) changed = true
+  }
+  return changed
+}

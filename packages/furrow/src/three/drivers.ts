@@ -4,14 +4,20 @@ import { AgeActivation } from '../drivers/age.ts'
 import { expressionsOf } from '../drivers/expression.ts'
 import { type DriverState, DriverSum } from '../drivers/sum.ts'
 import type { Face } from './face.ts'
+import type { AnyRenderer } from './influence-atlas.ts'
 import { ageSource } from './sources/age.ts'
 import { boneSource } from './sources/bone.ts'
 import { morphSource } from './sources/morph.ts'
-import type { DriversOptions, Source } from './sources/source.ts'
+import type { DriversOptions, Source, SourceType } from './sources/source.ts'
 import { tensionSource } from './sources/tension.ts'
 import type { WrinklesBase } from './Wrinkles.ts'
 
-const SOURCES = [morphSource, boneSource, tensionSource, ageSource]
+/** Lets a file's drivers move wrinkles. */
+export type AddDrivers = (
+  wrinkles: WrinklesBase,
+  drivers: readonly WrinkleDriver[],
+  options?: DriversOptions,
+) => void
 
 /**
  * Lets a file's drivers move wrinkles, by themselves, each time before the mesh is drawn, as long as `wrinkles.driven` is true
@@ -20,16 +26,25 @@ const SOURCES = [morphSource, boneSource, tensionSource, ageSource]
  * @param drivers types this version does not know are left out with a warning, and so is what they name and the mesh does not
  *   have: targets, joints, areas.
  */
-export function addDrivers(
+export const addDrivers: AddDrivers = (wrinkles, drivers, options = {}) =>
+  playDrivers(wrinkles, drivers, options, tensionSource)
+
+/**
+ * The same for each renderer's way to measure tension.
+ *
+ * @param tension plays drivers of that type.
+ */
+export function playDrivers(
   wrinkles: WrinklesBase,
   drivers: readonly WrinkleDriver[],
-  options: DriversOptions = {},
+  options: DriversOptions,
+  tension: SourceType,
 ): void {
   wrinkles.expressions = expressionsOf(drivers)
   const known = drivers.filter(isKnownDriver)
-  const sources = SOURCES.filter(({ types }) => known.some(({ type }) => types.includes(type))).map(
-    ({ create }) => create(wrinkles, known, options),
-  )
+  const sources = [morphSource, boneSource, tension, ageSource]
+    .filter(({ types }) => known.some(({ type }) => types.includes(type)))
+    .map(({ create }) => create(wrinkles, known, options))
   const sum = new DriverSum(
     sources.map(({ driver }) => driver),
     known,
@@ -45,7 +60,7 @@ export function addDrivers(
     ...sources.flatMap(({ driver }) => (driver instanceof AgeActivation ? [] : driver.areaNames)),
     ...driversOf('area', known).map(({ area }) => area),
   ]
-  wrinkles.onDrive((face, instance) => play.drive(face, instance), moved)
+  wrinkles.onDrive((face, instance, renderer) => play.drive(face, instance, renderer), moved)
 }
 
 /** Drivers at work on the faces of one mesh. Nothing is allocated by `drive` once a face was seen. */
@@ -69,9 +84,9 @@ class Play {
     this.#places = new Uint16Array(sum.areaNames.length)
   }
 
-  drive(face: Face, instance: number): void {
+  drive(face: Face, instance: number, renderer: AnyRenderer): void {
     if (face.areas !== this.#areas) this.#bind(face)
-    for (let i = 0; i < this.#sources.length; i++) this.#sources[i].update(instance)
+    for (let i = 0; i < this.#sources.length; i++) this.#sources[i].update(instance, renderer)
     const { values } = face.resting
     for (let i = 0; i < this.#places.length; i++) this.#resting[i] = values[this.#places[i]]
     this.#faces[instance] ??= { state: this.#sum.createState(), seen: new Float64Array(1) }

@@ -1,6 +1,6 @@
 import { Activations } from '../core/activations.ts'
 import type { AreaArray } from './area-array.ts'
-import type { AtlasFace } from './influence-atlas.ts'
+import type { AnyRenderer, AtlasFace } from './influence-atlas.ts'
 
 /** One face: a mesh, or one instance of it, with activations of its own. */
 export class Face implements AtlasFace {
@@ -8,13 +8,13 @@ export class Face implements AtlasFace {
   readonly activations: Activations
   /** Activations at rest, to which drivers add. */
   readonly resting: Activations
-  readonly #drive: (face: Face) => void
+  readonly #drive: (face: Face, renderer: AnyRenderer) => void
 
   /** @param drive brings the activations up to date with whatever moves them. */
   constructor(
     areas: AreaArray,
     named: readonly { name: string; activation?: number }[],
-    drive: (face: Face) => void,
+    drive: (face: Face, renderer: AnyRenderer) => void,
   ) {
     this.areas = areas
     this.activations = new Activations(named, 'Wrinkles')
@@ -40,7 +40,7 @@ export class Face implements AtlasFace {
     return this.activations.values
   }
 
-  drive(): void {
-    this.#drive(this)
+  drive(renderer: AnyRenderer): void {
+    this.#drive(this, renderer)
   }
 }

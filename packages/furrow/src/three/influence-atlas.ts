@@ -13,7 +13,7 @@ export interface AtlasFace {
   readonly areas: AreaArray
   readonly values: Float32Array
   /** Brings `values` up to date with whatever drives them. */
-  drive(): void
+  drive(renderer: AnyRenderer): void
 }
 
 /** A face's place, and what stands there. */
@@ -126,9 +126,9 @@ export class InfluenceAtlas {
    */
   update(cells: readonly Cell[], renderer: AnyRenderer): void {
     this.#notice(renderer)
-    if (renderCount(renderer) !== this.#renders) this.#nextFrame()
+    if (renderCount(renderer) !== this.#renders) this.#nextFrame(renderer)
     for (const cell of cells) {
-      if (cell.updated !== this.#frame) this.#bring(cell)
+      if (cell.updated !== this.#frame) this.#bring(cell, renderer)
       cell.seen = this.#frame
     }
     if (this.#changes > 0) this.#pass.draw(renderer, this.#changed, this.#changes)
@@ -141,14 +141,15 @@ export class InfluenceAtlas {
     this.#pass.dispose()
   }
 
-  #nextFrame(): void {
+  #nextFrame(renderer: AnyRenderer): void {
     const last = this.#frame++
-    for (const cell of this.#cells) if (cell && (cell.seen === last || cell.updated < 0)) this.#bring(cell)
+    for (const cell of this.#cells)
+      if (cell && (cell.seen === last || cell.updated < 0)) this.#bring(cell, renderer)
   }
 
-  #bring(cell: Cell): void {
+  #bring(cell: Cell, renderer: AnyRenderer): void {
     cell.updated = this.#frame
-    cell.face.drive()
+    cell.face.drive(renderer)
     if (isOld(cell)) this.#changed[this.#changes++] = cell
   }
 

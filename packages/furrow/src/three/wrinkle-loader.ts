@@ -3,7 +3,7 @@ import type { GLTF, GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import type { WrinkleDriver } from '../core/driver-types.ts'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import { WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
-import { addDrivers } from './drivers.ts'
+import type { AddDrivers } from './drivers.ts'
 import { addActivationTracks } from './key-frames.ts'
 import { readWrinkleMaps } from './read-wrinkle-maps.ts'
 import type { WrinklesBase } from './Wrinkles.ts'
@@ -22,10 +22,12 @@ export class WrinkleLoader {
   readonly name = WRINKLE_MAPS
   readonly #parser: GLTFParser
   readonly #Wrinkles: WrinklesClass
+  readonly #addDrivers: AddDrivers
 
-  constructor(parser: GLTFParser, Wrinkles: WrinklesClass) {
+  constructor(parser: GLTFParser, Wrinkles: WrinklesClass, addDrivers: AddDrivers) {
     this.#parser = parser
     this.#Wrinkles = Wrinkles
+    this.#addDrivers = addDrivers
   }
 
   /** Called by the loader when all else is there. Rejects with a FurrowError where the extension is malformed. */
@@ -63,7 +65,7 @@ export class WrinkleLoader {
   ): WrinklesBase {
     const own = new this.#Wrinkles(mesh, source)
     for (const other of others) own.addMesh(other)
-    addDrivers(own, drivers)
+    this.#addDrivers(own, drivers)
     for (const part of [mesh, ...others]) this.#followClones(part, own, drivers)
     return own
   }

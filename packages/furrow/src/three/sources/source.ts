@@ -1,13 +1,14 @@
 import type { DriverType, WrinkleDriver } from '../../core/driver-types.ts'
 import type { Driver } from '../../drivers/driver.ts'
 import type { VrmExpressions } from '../../drivers/vrm.ts'
+import type { AnyRenderer } from '../influence-atlas.ts'
 import type { WrinklesBase } from '../Wrinkles.ts'
 
 /** A driver and what it reads of a mesh. */
 export interface Source {
   driver: Driver
-  /** Brings the driver up to date with one face of the mesh. */
-  update(instance: number): void
+  /** Brings the driver up to date with one face of the mesh, before this renderer draws it. */
+  update(instance: number, renderer: AnyRenderer): void
 }
 
 export interface DriversOptions {

@@ -1,6 +1,7 @@
 import { type Mesh, type MeshStandardMaterial, Vector2, Vector3 } from 'three'
-import { driversOf } from '../../core/driver-types.ts'
+import { driversOf, type TensionDriver, type WrinkleDriver } from '../../core/driver-types.ts'
 import type { GrayImage } from '../../core/types.ts'
+import { areasOf } from '../../drivers/driver.ts'
 import { TensionActivation } from '../../drivers/tension.ts'
 import { type SampledMesh, sampleTriangles } from '../../drivers/tension-samples.ts'
 import { trianglesOf } from '../coordinates.ts'
@@ -11,16 +12,16 @@ import type { SourceType } from './source.ts'
 const SAMPLES = 16
 
 /** Measures the mesh as skinning and blendshapes deform it, and its positions where something else does. */
-export const tensionSource: SourceType = {
+export const tensionSource = {
   types: ['tension'],
-  create(wrinkles, drivers) {
+  create(wrinkles: WrinklesBase, drivers: readonly WrinkleDriver[]) {
     const own = driversOf('tension', drivers)
     const { mesh } = wrinkles
     const sampled = sampledMesh(mesh)
-    const samples = [...new Set(own.map(({ area }) => area))].map((area) => {
-      const weights = weightsOf(wrinkles, area)
-      return { area, triangles: weights ? sampleTriangles(sampled, weights, SAMPLES) : new Uint32Array() }
-    })
+    const samples = tenseAreas(wrinkles, own).map(({ area, weights }) => ({
+      area,
+      triangles: weights ? sampleTriangles(sampled, weights, SAMPLES) : new Uint32Array(),
+    }))
     const vertices = Uint32Array.from(new Set(samples.flatMap(({ triangles }) => [...triangles])))
     const places = new Map([...vertices].map((vertex, i) => [vertex, i]))
     const rest = Float64Array.from([...vertices].flatMap((vertex) => corner(sampled, vertex)))
@@ -44,12 +45,17 @@ export const tensionSource: SourceType = {
       },
     }
   },
-}
+} satisfies SourceType
 
-/** Areas of compressed textures cannot be read. */
-function weightsOf(wrinkles: WrinklesBase, name: string): GrayImage | undefined {
-  const weights = wrinkles.getArea(name)?.weights
-  return weights && 'data' in weights ? weights : undefined
+/** The areas of some drivers, each once, with their weights; areas of compressed textures cannot be read. */
+export function tenseAreas(
+  wrinkles: WrinklesBase,
+  drivers: readonly TensionDriver[],
+): { area: string; weights: GrayImage | undefined }[] {
+  return areasOf(drivers).areaNames.map((area) => {
+    const weights = wrinkles.getArea(area)?.weights
+    return { area, weights: weights && 'data' in weights ? weights : undefined }
+  })
 }
 
 function corner({ positions }: SampledMesh, vertex: number): number[] {
@@ -57,7 +63,7 @@ function corner({ positions }: SampledMesh, vertex: number): number[] {
 }
 
 /** The mesh at rest, with the texture coordinates that the areas have: those of the normal map. */
-function sampledMesh({ geometry, material }: Mesh): SampledMesh {
+export function sampledMesh({ geometry, material }: Mesh): SampledMesh {
   const position = geometry.getAttribute('position')
   const { normalMap } = material as MeshStandardMaterial
   const uv = geometry.getAttribute(normalMap?.channel ? `uv${normalMap.channel}` : 'uv')

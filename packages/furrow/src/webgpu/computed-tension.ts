@@ -1,0 +1,35 @@
+import { driversOf } from '../core/driver-types.ts'
+import type { SourceType } from '../three/sources/source.ts'
+import { sampledMesh, tenseAreas, tensionSource } from '../three/sources/tension.ts'
+import { AreaTension } from './area-tension.ts'
+import { canCompute } from './buffers.ts'
+
+/**
+ * Measures all triangles under an area on the graphics card. Until its first result is there, and where the renderer has no
+ * compute passes, the processor measures a sample of them.
+ */
+export const computedTension: SourceType = {
+  types: ['tension'],
+  create(wrinkles, drivers) {
+    const own = driversOf('tension', drivers)
+    const { driver, update } = tensionSource.create(wrinkles, drivers)
+    const areas = tenseAreas(wrinkles, own)
+    const weights = areas.map(({ weights }) => weights)
+    const tension = new AreaTension(wrinkles.mesh, sampledMesh(wrinkles.mesh), weights)
+    wrinkles.onDispose(() => tension.dispose())
+    const places = own.map(
+      ({ area, measure }) =>
+        2 * areas.findIndex((found) => found.area === area) + (measure === 'stretch' ? 1 : 0),
+    )
+    const measured = new Float64Array(own.length)
+    return {
+      driver,
+      update(_, renderer) {
+        if (canCompute(renderer)) tension.update(renderer)
+        if (!tension.isReady) return update()
+        for (let i = 0; i < measured.length; i++) measured[i] = tension.values[places[i]]
+        driver.takeMeasured(measured)
+      },
+    }
+  },
+}

@@ -1,0 +1,12 @@
+import type { WebGPURenderer } from 'three/webgpu'
+import type { Harness } from './harness.ts'
+
+/** Whatever a renderer's device complains of from now on. */
+export function deviceErrors({ renderer }: Harness): string[] {
+  const { device } = (renderer as WebGPURenderer).backend as unknown as { device: EventTarget }
+  const errors: string[] = []
+  device.addEventListener('uncapturederror', (event) => {
+    errors.push((event as Event & { error: Error }).error.message)
+  })
+  return errors
+}

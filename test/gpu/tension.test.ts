@@ -1,0 +1,295 @@
+import { type GrayImage, TensionActivation, type TensionDriver } from 'furrow'
+import { addDrivers, Wrinkles, wrinklesOf } from 'furrow/webgpu'
+import {
+  Bone,
+  type BufferGeometry,
+  Euler,
+  Float32BufferAttribute,
+  Matrix4,
+  Mesh,
+  MeshStandardMaterial,
+  PlaneGeometry,
+  Scene,
+  Skeleton,
+  SkinnedMesh,
+  Vector3,
+} from 'three'
+import { Fn, instanceIndex, storage, uniform, vec3 } from 'three/tsl'
+import { StorageBufferAttribute, type WebGPURenderer } from 'three/webgpu'
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
+import { principalStretches, restInverse } from '../../packages/furrow/src/core/stretch.ts'
+import { layer, randomNormals } from '../cases.ts'
+import { seeded } from '../random.ts'
+import { deviceErrors } from './device-errors.ts'
+import { createHarness, type Harness, type RendererName, squareCamera } from './harness.ts'
+
+const full: GrayImage = { width: 1, height: 1, data: Uint8Array.of(255) }
+const MEASURES = ['compression', 'stretch'] as const
+const disposers: (() => void)[] = []
+
+let harness: Harness
+let errors: string[]
+const taken = vi.spyOn(TensionActivation.prototype, 'takeMeasured')
+
+async function begin(name: RendererName) {
+  harness = await createHarness(name)
+  errors = name === 'webgpu' ? deviceErrors(harness) : []
+}
+
+beforeEach(() => {
+  taken.mockClear()
+})
+afterEach(() => {
+  for (const dispose of disposers.splice(0)) dispose()
+})
+
+/** Puts wrinkles on a mesh whose activations tell what is measured; returns what draws it until that has come back. */
+function measured(mesh: Mesh, weights = full) {
+  mesh.material = new MeshStandardMaterial()
+  mesh.frustumCulled = false
+  const layers = [layer('skin', 'detail', randomNormals(seeded(1), 2))]
+  const wrinkles = new Wrinkles(mesh, { layers, areas: MEASURES.map((name) => ({ name, weights })) })
+  const curve: TensionDriver['curve'] = [
+    [-1, 0],
+    [1, 1],
+  ]
+  addDrivers(
+    wrinkles,
+    MEASURES.map((measure) => ({ type: 'tension', area: measure, measure, curve })),
+  )
+  disposers.push(() => wrinkles.dispose())
+  const scene = new Scene()
+  scene.add(mesh)
+  return async () => {
+    // The first frame starts a measurement that may be of an earlier one, the second begins the one that the third shows.
+    for (let frame = 0; frame < 3; frame++) await harness.renderBytes(scene, squareCamera(), 4)
+    const [compression, stretch] = MEASURES.map((name) => 2 * wrinkles.getActivation(name) - 1)
+    return { compression, stretch }
+  }
+}
+
+/** A sheet of 1 x 1, of `side` x `side` squares. */
+function sheet(side: number): BufferGeometry {
+  return new PlaneGeometry(1, 1, side, side)
+}
+
+function move({ attributes: { position } }: BufferGeometry, change: (point: Vector3) => Vector3) {
+  const point = new Vector3()
+  for (let i = 0; i < position.count; i++) {
+    change(point.fromBufferAttribute(position, i))
+    position.setXYZ(i, point.x, point.y, point.z)
+  }
+  position.needsUpdate = true
+}
+
+/** In float64, over all triangles: the mean by what each weighs. */
+function reference(mesh: Mesh, rest: ArrayLike<number>, weigh: (middle: number[]) => number = () => 1) {
+  const { count } = mesh.geometry.attributes.position
+  const now = new Float64Array(3 * count)
+  for (let i = 0; i < count; i++) mesh.getVertexPosition(i, new Vector3()).toArray(now, 3 * i)
+  const triangles = mesh.geometry.index!.array
+  const stretches = new Float64Array(2)
+  let [sum, compression, stretch] = [0, 0, 0]
+  for (let k = 0; k < triangles.length; k += 3) {
+    const corners = [...triangles.slice(k, k + 3)] as [number, number, number]
+    const [a, b, c] = corners.map((i) => new Vector3().fromArray(rest as number[], 3 * i))
+    const surface = b.clone().sub(a).cross(c.clone().sub(a)).length()
+    const weight = surface * weigh(a.add(b).add(c).divideScalar(3).toArray())
+    principalStretches(stretches, restInverse(...corners, rest)!, 0, ...corners, now)
+    sum += weight
+    compression += weight * (1 - stretches[0])
+    stretch += weight * (stretches[1] - 1)
+  }
+  return { compression: compression / sum, stretch: stretch / sum }
+}
+
+/** A sheet whose upper half a joint turns and stretches. */
+function bent(): SkinnedMesh {
+  const geometry = sheet(12)
+  const { position } = geometry.attributes
+  const upper = Array.from({ length: position.count }, (_, i) =>
+    Math.min(1, Math.max(0, position.getY(i) + 0.5)),
+  )
+  geometry.setAttribute(
+    'skinIndex',
+    new Float32BufferAttribute(
+      upper.flatMap(() => [0, 1, 0, 0]),
+      4,
+    ),
+  )
+  geometry.setAttribute(
+    'skinWeight',
+    new Float32BufferAttribute(
+      upper.flatMap((share) => [1 - share, share, 0, 0]),
+      4,
+    ),
+  )
+  const mesh = new SkinnedMesh(geometry)
+  const [lower, head] = [new Bone(), new Bone()]
+  mesh.position.set(0.2, 0, 0)
+  mesh.add(lower.add(head))
+  mesh.updateMatrixWorld(true)
+  mesh.bind(new Skeleton([lower, head]))
+  head.rotation.set(0.7, 0.2, 0.1)
+  head.scale.set(0.9, 1.2, 1)
+  head.position.y = -0.1
+  return mesh
+}
+
+/** Two blendshapes that pull vertices about. */
+function addTargets(mesh: Mesh): void {
+  const random = seeded(9)
+  const { position } = mesh.geometry.attributes
+  mesh.geometry.morphTargetsRelative = true
+  mesh.geometry.morphAttributes.position = [0, 1].map(
+    () =>
+      new Float32BufferAttribute(
+        Float32Array.from({ length: 3 * position.count }, () => 0.05 * (random() - 0.5)),
+        3,
+      ),
+  )
+  mesh.updateMorphTargets()
+}
+
+describe('tension on WebGPU', () => {
+  beforeAll(() => begin('webgpu'))
+  afterEach(() => {
+    expect(taken, 'measured on the graphics card').toHaveBeenCalled()
+    expect(errors).toEqual([])
+  })
+  afterAll(() => harness.dispose())
+
+  it.each([1, 7, 40])(
+    'a sheet of %d squares a side shortened by a fifth along x reports 0.20',
+    async (side) => {
+      const mesh = new Mesh(sheet(side))
+      const measure = measured(mesh)
+      move(mesh.geometry, (point) => point.multiply(new Vector3(0.8, 1, 1)))
+      const { compression, stretch } = await measure()
+      expect(Math.abs(compression - 0.2)).toBeLessThan(0.005)
+      expect(Math.abs(stretch)).toBeLessThan(1e-5)
+    },
+  )
+
+  it.each([1, 7, 40])('a rigid motion of %d squares a side reports 0', async (side) => {
+    const mesh = new Mesh(sheet(side))
+    const measure = measured(mesh)
+    const turn = new Matrix4().makeRotationFromEuler(new Euler(0.4, 1.2, -2)).setPosition(0.3, -0.1, 0.7)
+    move(mesh.geometry, (point) => point.applyMatrix4(turn))
+    for (const value of Object.values(await measure())) expect(Math.abs(value)).toBeLessThan(1e-5)
+  })
+
+  it('a fold along an edge reports 0', async () => {
+    const mesh = new Mesh(sheet(8))
+    const measure = measured(mesh)
+    move(mesh.geometry, ({ x, y }) => new Vector3(Math.min(x, 0), y, Math.max(0, x)))
+    for (const value of Object.values(await measure())) expect(Math.abs(value)).toBeLessThan(1e-5)
+  })
+
+  it.each([
+    ['blendshapes', () => new Mesh(sheet(12)), true],
+    ['a skeleton', bent, false],
+    ['a skeleton on top of blendshapes', bent, true],
+  ] as const)('is the mean over all triangles that %s deform', async (_, make, hasTargets) => {
+    const mesh = make()
+    if (hasTargets) addTargets(mesh)
+    mesh.morphTargetInfluences?.splice(0, 2, 0.9, -0.4)
+    const random = seeded(3)
+    const size = 5
+    const weights = {
+      width: size,
+      height: size,
+      data: Uint8Array.from({ length: size * size }, () => 255 * random()),
+    }
+    const rest = mesh.geometry.attributes.position.array
+    const found = await measured(mesh, weights)()
+    const texel = (place: number) => Math.floor(place * size)
+    // A plane's v runs upwards as y does, and an image's rows begin at v = 0.
+    const expected = reference(mesh, rest, ([x, y]) => weights.data[texel(y + 0.5) * size + texel(x + 0.5)])
+    expect(Math.abs(expected.compression)).toBeGreaterThan(0.02)
+    expect(Math.abs(found.compression - expected.compression)).toBeLessThan(1e-4)
+    expect(Math.abs(found.stretch - expected.stretch)).toBeLessThan(1e-4)
+  })
+
+  it('follows a mesh that goes on moving, and does nothing while it rests', async () => {
+    const mesh = new Mesh(sheet(3))
+    const measure = measured(mesh)
+    for (const width of [0.9, 0.7, 1.1]) {
+      const now = mesh.geometry.attributes.position.getX(3)
+      move(mesh.geometry, (point) => point.setX((point.x * width * 0.5) / now))
+      expect((await measure()).compression).toBeCloseTo(Math.max(0, 1 - width), 4)
+    }
+    const { compute } = harness.renderer.info as unknown as { compute: { calls: number } }
+    const before = compute.calls
+    await measure()
+    expect(compute.calls).toBe(before)
+  })
+
+  it('measures what a simulation on the graphics card does', async () => {
+    const geometry = sheet(6)
+    const { array, count } = geometry.attributes.position
+    const position = new StorageBufferAttribute(array.slice(), 3)
+    geometry.setAttribute('position', position)
+    const mesh = new Mesh(geometry)
+    const measure = measured(mesh)
+    const width = uniform(1)
+    const places = storage(position, 'vec3', count)
+    const rest = storage(new StorageBufferAttribute(array.slice(), 3), 'vec3', count)
+    const shorten = Fn(() => {
+      const place = rest.element(instanceIndex)
+      places.element(instanceIndex).assign(place.mul(vec3(width, 1, 1)) as never)
+    })().compute(count)
+    for (const share of [0.75, 0.6]) {
+      width.value = share
+      ;(harness.renderer as WebGPURenderer).compute(shorten)
+      expect((await measure()).compression).toBeCloseTo(1 - share, 4)
+    }
+  })
+
+  it('is what the processor measures until the first result is there', async () => {
+    const mesh = new Mesh(sheet(4))
+    measured(mesh)
+    const scene = new Scene()
+    scene.add(mesh)
+    move(mesh.geometry, (point) => point.multiply(new Vector3(0.7, 1, 1)))
+    harness.renderer.render(scene, squareCamera())
+    expect(2 * wrinklesOf(mesh)!.getActivation('compression') - 1).toBeCloseTo(0.3, 5)
+    await vi.waitFor(() => {
+      harness.renderer.render(scene, squareCamera())
+      expect(taken).toHaveBeenCalled()
+    })
+  })
+})
+
+describe('tension on WebGPU that fails', () => {
+  beforeAll(() => begin('webgpu'))
+  afterAll(() => harness.dispose())
+
+  it('leaves it to the processor where results cannot be read back, and says so once', async () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const renderer = harness.renderer as WebGPURenderer
+    const read = vi.spyOn(renderer, 'getArrayBufferAsync').mockRejectedValue(new Error('no'))
+    const mesh = new Mesh(sheet(4))
+    const measure = measured(mesh)
+    move(mesh.geometry, (point) => point.multiply(new Vector3(0.7, 1, 1)))
+    expect((await measure()).compression).toBeCloseTo(0.3, 5)
+    expect(taken).not.toHaveBeenCalled()
+    expect(warn).toHaveBeenCalledTimes(1)
+    expect(warn.mock.calls[0][0]).toMatch(/read back/)
+    read.mockRestore()
+    warn.mockRestore()
+  })
+})
+
+describe("tension on WebGPURenderer's WebGL 2", () => {
+  beforeAll(() => begin('webgpu on webgl2'))
+  afterAll(() => harness.dispose())
+
+  it('is measured by the processor', async () => {
+    const mesh = new Mesh(sheet(7))
+    const measure = measured(mesh)
+    move(mesh.geometry, (point) => point.multiply(new Vector3(0.8, 1, 1)))
+    expect((await measure()).compression).toBeCloseTo(0.2, 5)
+    expect(taken).not.toHaveBeenCalled()
+  })
+})
