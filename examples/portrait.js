@@ -1,14 +1,22 @@
 /** What the pages about drivers share: a face in good light, and controls beneath it. Not part of the library. */
 
-import { Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, WebGLRenderer } from 'three'
+import * as three from 'three'
+
+const { Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene } = three
 
 /**
  * Shows a face and draws it for good.
  *
  * @param {import('three').Object3D} face
  * @param {(seconds: number) => void} [beforeFrame] called with the seconds since the page began.
+ * @param {import('three').WebGLRenderer | import('three/webgpu').WebGPURenderer} [renderer] pages of the latter have a `three` without
+ *   the former.
  */
-export function showFace(face, beforeFrame = () => {}) {
+export function showFace(
+  face,
+  beforeFrame = () => {},
+  renderer = new three.WebGLRenderer({ antialias: true }),
+) {
   const key = new DirectionalLight('#fff1e4', 3)
   key.position.set(-0.9, 0.9, 0.8)
   const scene = new Scene()
@@ -16,7 +24,6 @@ export function showFace(face, beforeFrame = () => {}) {
   scene.add(face, key, new HemisphereLight('#dfe8ff', '#6b5a50', 0.8))
   const camera = new PerspectiveCamera(22, 1, 0.1, 10)
   camera.position.set(0, 0.765, 0.93)
-  const renderer = new WebGLRenderer({ antialias: true })
   renderer.setPixelRatio(Math.min(devicePixelRatio, 2))
   document.body.prepend(renderer.domElement)
   const resize = () => {
@@ -70,6 +77,23 @@ export function addButtons(names, onPress) {
   controls().append(row)
 }
 
+/** One of several names to choose. */
+export function addChoice(names, chosen, onChoose) {
+  const row = document.createElement('div')
+  for (const name of names) {
+    const label = document.createElement('label')
+    const input = Object.assign(document.createElement('input'), {
+      type: 'radio',
+      name: 'choice',
+      checked: name === chosen,
+    })
+    input.addEventListener('change', () => onChoose(name))
+    label.append(input, name)
+    row.append(label)
+  }
+  controls().append(row)
+}
+
 /** A box to tick. */
 export function addCheck(name, checked, onChange) {
   const label = document.createElement('label')
@@ -94,6 +118,7 @@ function controls() {
     input[type=range] { width: 110px }
     output { width: 2.6em; font-variant-numeric: tabular-nums }
     div { display: flex; flex-wrap: wrap; gap: 6px; flex-basis: 100% }
+    div label { margin-right: 8px }
     button { font: inherit; padding: 7px 12px; border: 0; border-radius: 6px; background: #4b5563; color: inherit; cursor: pointer }
     button:hover, button:focus-visible { background: #6b7688 }`
   document.head.append(style)

@@ -35,6 +35,8 @@ const FOREHEAD = { ...PORTRAIT, expression: 'surprised', crop: { ...PORTRAIT.cro
 
 /** An example page's own picture. */
 const PAGE = { width: 720, height: 900, crop: { left: 135, top: 20, width: 450, height: 540 } }
+/** WebGPU's canvas has no picture to take without a graphics card; on WebGL 2 the same page shows the same. */
+const CHEEKS = { width: 1100, height: 1300, crop: { left: 300, top: 400, width: 500, height: 500 } }
 const BASIC_EXPRESSIONS = ['neutral', 'happiness', 'surprise', 'anger', 'sadness', 'fear', 'disgust']
 
 /** Each figure is a row of pictures, from left to right. */
@@ -61,6 +63,10 @@ const FIGURES = {
   ],
   muscles: BASIC_EXPRESSIONS.map((name) => ({ ...PAGE, page: `muscles.html?expression=${name}` })),
   age: [20, 40, 60, 80].map((years) => ({ ...PAGE, page: `age.html?age=${years}` })),
+  normals: ['none', 'baked', 'recomputed'].map((remedy) => ({
+    ...CHEEKS,
+    page: `normals.html?webgl&remedy=${remedy}&cheekPuff=1&mouthPucker=0.7`,
+  })),
   transform: [FOREHEAD, { ...FOREHEAD, face: 'lossless' }, { ...FOREHEAD, face: 'lossy' }],
 }
 

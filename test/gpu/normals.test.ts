@@ -178,6 +178,16 @@ describe('RecomputedNormals on WebGPU', () => {
     normals.dispose()
   })
 
+  it('frees what the graphics card held', () => {
+    const { memory } = renderer.info as unknown as { memory: { storageAttributes: number } }
+    const before = memory.storageAttributes
+    const normals = new RecomputedNormals(ball())
+    normals.update(renderer)
+    expect(memory.storageAttributes).toBeGreaterThan(before)
+    normals.dispose()
+    expect(memory.storageAttributes).toBe(before)
+  })
+
   it('draws what the processor draws, and gives the geometry back', async () => {
     const face = await loadFace('/faces/human.glb')
     const { skin } = face

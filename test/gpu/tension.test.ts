@@ -246,6 +246,20 @@ describe('tension on WebGPU', () => {
     }
   })
 
+  it('frees what the graphics card held, also while a result is on its way', async () => {
+    const { memory } = harness.renderer.info as unknown as { memory: { storageAttributes: number } }
+    const before = memory.storageAttributes
+    const mesh = new Mesh(sheet(4))
+    await measured(mesh)()
+    expect(memory.storageAttributes).toBeGreaterThan(before)
+    move(mesh.geometry, (point) => point.multiplyScalar(2))
+    const scene = new Scene()
+    scene.add(mesh)
+    harness.renderer.render(scene, squareCamera())
+    disposers.pop()!()
+    await vi.waitFor(() => expect(memory.storageAttributes).toBe(before))
+  })
+
   it('is what the processor measures until the first result is there', async () => {
     const mesh = new Mesh(sheet(4))
     measured(mesh)

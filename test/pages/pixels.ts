@@ -17,6 +17,16 @@ export function largestDifference(a: CanvasPixels, b: CanvasPixels, region: Regi
   return largest
 }
 
+/** Mean difference of all channels between two pictures of one size within a region. */
+export function meanDifference(a: CanvasPixels, b: CanvasPixels, region: Region): number {
+  let [sum, count] = [0, 0]
+  eachByte(a, region, (i) => {
+    sum += Math.abs(a.data[i] - b.data[i])
+    count++
+  })
+  return sum / count
+}
+
 /** Difference between the darkest and the brightest byte: 0 for a blank picture. */
 export function contrast(picture: CanvasPixels): number {
   let [low, high] = [255, 0]

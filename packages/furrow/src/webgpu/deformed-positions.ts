@@ -123,8 +123,8 @@ function movedBy(targets: readonly Float32Array[], count: number) {
   const starts = new Uint32Array(count + 1)
   const entries: number[] = []
   for (let i = 0; i < count; i++) {
-    for (const [target, offsets] of targets.entries()) {
-      const [x, y, z] = offsets.subarray(3 * i, 3 * i + 3)
+    for (let target = 0; target < targets.length; target++) {
+      const [x, y, z] = [targets[target][3 * i], targets[target][3 * i + 1], targets[target][3 * i + 2]]
       if (x !== 0 || y !== 0 || z !== 0) entries.push(x, y, z, target)
     }
     starts[i + 1] = entries.length / 4
