@@ -100,6 +100,18 @@ describe('TensionActivation', () => {
     expect(measure(sheet(4), 'stretch', (point) => point.multiplyScalar(0.5))).toBeCloseTo(-0.5, 9)
   })
 
+  it('takes what was measured elsewhere, but for areas without triangles', () => {
+    const rest = sheet(1)
+    const drivers = [driver('compression'), driver('stretch'), driver('compression', 'gone')]
+    const samples = [{ area: 'sheet', triangles: rest.triangles }]
+    const tension = new TensionActivation(drivers, samples, rest.positions)
+    tension.takeMeasured([-0.8, -0.6, 0.5])
+    // Both drivers of the sheet add up.
+    expect(tension.activations[0]).toBeCloseTo(0.1 + 0.2, 6)
+    expect(tension.activations[1]).toBe(0)
+    expect([...tension.measured]).toEqual([-0.8, -0.6, 0])
+  })
+
   it('goes on without an area that covers nothing, and without triangles that are none', () => {
     const rest = sheet(1)
     const triangles = [0, 0, 0, 0, 1, 1, ...rest.triangles]

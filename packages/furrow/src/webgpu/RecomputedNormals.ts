@@ -24,7 +24,7 @@ export class RecomputedNormals {
    * weight changes it does nothing, nor before the renderer is initialised.
    */
   update(renderer: WebGPURenderer): void {
-    if (!renderer.initialized) return
+    if (!renderer.hasInitialized()) return
     this.#normals ??= canCompute(renderer)
       ? new ComputedNormals(this.#mesh)
       : new NormalsOnProcessor(this.#mesh)

@@ -173,7 +173,9 @@ function meanOf(
   ]
   const sums = workgroupArray('vec2', LANES) as unknown as StorageBufferNode<'vec2'>
   const lane = localId.x
-  const pass = Fn(() => {
+  // As many workgroups as areas; the types know numbers of invocations only.
+  const workgroups = [areas, 1, 1] as unknown as number
+  return Fn(() => {
     const area = workgroupId.x
     const sum = vec2(0).toVar()
     const range = {
@@ -202,9 +204,7 @@ function meanOf(
     If(lane.equal(0), () => {
       at(result, area).assign(at(sums, lane))
     })
-  })().computeKernel([LANES])
-  pass.dispatchSize = [areas, 1, 1]
-  return pass
+  })().compute(workgroups, [LANES])
 }
 
 /** `principalStretches` of core/stretch: 1 - the smaller one, and the larger one - 1. */

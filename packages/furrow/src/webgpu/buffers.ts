@@ -1,7 +1,13 @@
 /** What the computations on the graphics card share. */
 import type { TypedArray } from 'three'
-import { storage } from 'three/tsl'
-import { type Node, StorageBufferAttribute, type StorageBufferNode, type WebGPURenderer } from 'three/webgpu'
+import { Fn, If, instanceIndex, storage } from 'three/tsl'
+import {
+  type ComputeNode,
+  type Node,
+  StorageBufferAttribute,
+  type StorageBufferNode,
+  type WebGPURenderer,
+} from 'three/webgpu'
 import type { AnyRenderer } from '../three/influence-atlas.ts'
 
 const SIZES = { float: 1, uint: 1, vec2: 2, vec4: 4, uvec4: 4, mat4: 16 } as const
@@ -29,6 +35,17 @@ export function at<T>(buffer: StorageBufferNode<T>, index: Node): Node<T> {
   return buffer.element(index) as unknown as Node<T>
 }
 
+/**
+ * A pass with an invocation for each of `count` elements. Those beyond the last, of which a workgroup is full, do nothing: some versions
+ * of three.js do not stop them, and what they wrote would land on the last element.
+ */
+export function passOver(count: number, body: (i: Node<'uint'>) => void): ComputeNode {
+  return Fn(() => {
+    const i = instanceIndex as Node<'uint'>
+    If(i.lessThan(count), () => body(i))
+  })().compute(count)
+}
+
 /** Whether a renderer can compute with storage buffers: on WebGPU, not on its WebGL 2 backend. */
 export function canCompute(renderer: AnyRenderer): renderer is WebGPURenderer {
   const { backend } = renderer as WebGPURenderer & { backend?: { isWebGPUBackend?: boolean } }
@@ -42,11 +59,4 @@ export function padded(
 ): Float32Array {
   for (let i = 0; i < values.length; i++) out[4 * Math.floor(i / 3) + (i % 3)] = values[i]
   return out
-}
-
-/** Lists of numbers one after the other, and where each of them starts, and the last ends. */
-export function joinLists(lists: readonly (readonly number[])[]): { starts: Uint32Array; joined: number[] } {
-  const starts = new Uint32Array(lists.length + 1)
-  for (let i = 0; i < lists.length; i++) starts[i + 1] = starts[i] + lists[i].length
-  return { starts, joined: lists.flat() }
 }

@@ -1,9 +1,9 @@
-import { BufferGeometry, type Mesh } from 'three'
-import { cross, Fn, float, If, instanceIndex, Loop, vec3, vec4 } from 'three/tsl'
+import { BufferAttribute, BufferGeometry, type Mesh } from 'three'
+import { cross, float, If, Loop, vec3, vec4 } from 'three/tsl'
 import type { ComputeNode, Node, StorageBufferNode, WebGPURenderer } from 'three/webgpu'
 import { NO_DIRECTION, placesOf, sumNormals, TURNED_ROUND } from '../core/deformed-normals.ts'
 import { coordinates, trianglesOf } from '../three/coordinates.ts'
-import { at, Buffers, joinLists, padded } from './buffers.ts'
+import { at, Buffers, padded, passOver } from './buffers.ts'
 import { DeformedPositions } from './deformed-positions.ts'
 
 /** The mesh at rest, as numbers. */
@@ -52,7 +52,7 @@ export class ComputedNormals {
 
   dispose(): void {
     this.#mesh.geometry = this.#before
-    unshare(this.#geometry)
+    unshare(this.#geometry, this.#before)
     this.#geometry.dispose()
     for (const pass of this.#passes) pass.dispose()
     this.#positions.dispose()
@@ -73,8 +73,7 @@ export class ComputedNormals {
         this.#geometry.setAttribute(name, to.value)
         return { from, to }
       })
-    return Fn(() => {
-      const i = instanceIndex as Node<'uint'>
+    return passOver(rest.places.length, (i) => {
       const place = at(places, i).toVar()
       const before = at(directions, place).xyz.toVar() as Node<'vec3'>
       const sum = at(now, place).xyz.toVar() as Node<'vec3'>
@@ -94,7 +93,7 @@ export class ComputedNormals {
         const own = at(from, i).toVar()
         at(to, i).assign(vec4(rotate(own.xyz as Node<'vec3'>, axis, cosine), own.w))
       }
-    })().compute(rest.places.length)
+    })
   }
 }
 
@@ -129,16 +128,13 @@ function gatherNormals(
   sums: StorageBufferNode<'vec4'>,
   buffers: Buffers,
 ): ComputeNode {
-  const round = Array.from({ length: placeCount }, (): number[] => [])
-  for (let k = 0; k < triangles.length; k++) round[places[triangles[k]]].push(Math.floor(k / 3))
-  const { starts, joined } = joinLists(round)
+  const { starts, list: around } = trianglesRound(places, placeCount, triangles)
   const [bounds, list, corners] = [
     buffers.create('uint', starts),
-    buffers.create('uint', Uint32Array.from(joined)),
+    buffers.create('uint', around),
     buffers.create('uint', Uint32Array.from(triangles)),
   ]
-  return Fn(() => {
-    const i = instanceIndex as Node<'uint'>
+  return passOver(placeCount, (i) => {
     const sum = vec3(0).toVar()
     const range = { start: at(bounds, i), end: at(bounds, i.add(1)), type: 'uint', condition: '<' } as const
     Loop(range, ({ i: k }) => {
@@ -149,7 +145,17 @@ function gatherNormals(
       sum.addAssign(cross(b.sub(a), c.sub(a)))
     })
     at(sums, i).assign(vec4(sum, 0))
-  })().compute(placeCount)
+  })
+}
+
+/** Numbers of the triangles round each place, one place after the other, and where each begins, and the last ends. */
+function trianglesRound(places: Uint32Array, placeCount: number, triangles: ArrayLike<number>) {
+  const lists = Array.from({ length: placeCount }, (): number[] => [])
+  const complete = triangles.length - (triangles.length % 3)
+  for (let k = 0; k < complete; k++) lists[places[triangles[k]]].push(Math.floor(k / 3))
+  const starts = new Uint32Array(placeCount + 1)
+  for (let i = 0; i < placeCount; i++) starts[i + 1] = starts[i] + lists[i].length
+  return { starts, list: Uint32Array.from(lists.flat()) }
 }
 
 /** A geometry that draws from another's buffers, so that whatever moves its positions moves both; without normals of targets. */
@@ -165,8 +171,11 @@ function shareGeometry(geometry: BufferGeometry): BufferGeometry {
   })
 }
 
-/** Takes out what is another's, since renderers free all that a geometry still has when it is disposed of. */
-function unshare(geometry: BufferGeometry): void {
+/** Puts empty buffers in the place of another's, since renderers free all that a geometry has when it is disposed of. */
+function unshare(geometry: BufferGeometry, { attributes }: BufferGeometry): void {
   geometry.setIndex(null)
-  geometry.attributes = {}
+  for (const [name, own] of Object.entries(geometry.attributes)) {
+    if (own === attributes[name])
+      geometry.setAttribute(name, new BufferAttribute(new Float32Array(), own.itemSize))
+  }
 }

@@ -6,13 +6,10 @@ import {
   type Mesh,
   type SkinnedMesh,
 } from 'three'
-import { Fn, instanceIndex, Loop, storage, uint, vec3, vec4 } from 'three/tsl'
+import { Loop, storage, uint, vec3, vec4 } from 'three/tsl'
 import type { ComputeNode, Node, StorageBufferNode } from 'three/webgpu'
 import { coordinates, takeNumbers, targetOffsets } from '../three/coordinates.ts'
-import { at, Buffers, padded } from './buffers.ts'
-
-/** Invocations that a pass over vertices takes, each its own. */
-type Index = Node<'uint'>
+import { at, Buffers, padded, passOver } from './buffers.ts'
 
 /**
  * Where a mesh's vertices are, computed on the graphics card from the positions in its geometry: moved by its blendshapes and, if
@@ -86,7 +83,8 @@ function morphing(
   create: () => StorageBufferNode<'vec4'>,
 ): Step | null {
   const targets = targetOffsets(mesh.geometry)
-  const { starts, entries } = movedBy(targets, mesh.geometry.attributes.position.count)
+  const { position } = mesh.geometry.attributes
+  const { starts, entries } = movedBy(targets, position.count)
   if (entries.length === 0 || !mesh.morphTargetInfluences) return null
   const values = new Float32Array(targets.length)
   const [weights, bounds, offsets] = [
@@ -95,12 +93,11 @@ function morphing(
     buffers.create('vec4', entries),
   ]
   const node = create()
-  const pass = Fn(() => {
-    const i = instanceIndex as Index
+  const pass = passOver(position.count, (i) => {
     const sum = vec3(at(from, i).xyz as Node<'vec3'>).toVar()
     const range = {
       start: at(bounds, i),
-      end: at(bounds, i.add(1) as Index),
+      end: at(bounds, i.add(1)),
       type: 'uint',
       condition: '<',
     } as const
@@ -109,7 +106,7 @@ function morphing(
       sum.addAssign(entry.xyz.mul(at(weights, uint(entry.w))))
     })
     at(node, i).assign(vec4(sum, 1))
-  })().compute(starts.length - 1)
+  })
   const take = () => {
     const changed = takeNumbers(values, mesh.morphTargetInfluences!)
     if (changed) weights.value.needsUpdate = true
@@ -149,15 +146,14 @@ function skinning(
     buffers.create('vec4', coordinates(skinWeight, 4)),
   ]
   const node = create()
-  const pass = Fn(() => {
-    const i = instanceIndex as Index
+  const pass = passOver(skinIndex.count, (i) => {
     const rest = vec4(at(from, i).xyz as Node<'vec3'>, 1).toVar()
     const joint = at(joints, i).toVar()
     const share = at(shares, i).toVar()
     const moved = (axis: 'x' | 'y' | 'z' | 'w') =>
       at(matrices, joint[axis]).mul(rest).xyz.mul(share[axis]) as Node<'vec3'>
     at(node, i).assign(vec4(moved('x').add(moved('y'), moved('z'), moved('w')), 1))
-  })().compute(skinIndex.count)
+  })
   const now = values.slice()
   const take = () => {
     writeJoints(mesh as SkinnedMesh, now)
