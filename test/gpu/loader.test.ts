@@ -1,4 +1,5 @@
 import { Document, type Material as FileMaterial, WebIO } from '@gltf-transform/core'
+import { VRMExpressionLoaderPlugin } from '@pixiv/three-vrm-core'
 import { FurrowError, packAreas, reference } from 'furrow'
 import { FurrowWrinkleMaps } from 'furrow/gltf'
 import { WrinkleLoaderPlugin as WebGLPlugin, wrinklesOf } from 'furrow/three'
@@ -70,6 +71,53 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     await picture(gltf)
     // The curve starts at 0.2: 0.6 is half way.
     expect(wrinkles.getActivation('a')).toBeCloseTo(0.5, 6)
+  })
+
+  it.each([
+    ['before', true],
+    ['after', false],
+  ])("follows a VRM's expressions by name, its plugin registered %s three-vrm's", async (_, isFirst) => {
+    const file = editGlb(await wrinkledFile(), (json) => {
+      const node = json.nodes.findIndex(({ mesh }: { mesh?: number }) => mesh !== undefined)
+      const smile = { morphTargetBinds: [{ node, index: 0, weight: 0 }], overrideBlink: 'block' }
+      json.extensionsUsed = [...json.extensionsUsed, 'VRMC_vrm']
+      json.extensions = {
+        VRMC_vrm: {
+          specVersion: '1.0',
+          expressions: {
+            preset: { happy: smile, blink: { morphTargetBinds: [{ node, index: 0, weight: 0 }] } },
+          },
+        },
+      }
+      const drivers = ['happy', 'blink'].map((target, i) => ({
+        type: 'morph',
+        area: ['a', 'b'][i],
+        targets: [{ name: target }],
+      }))
+      for (const material of json.materials) {
+        if (material.extensions) Object.assign(material.extensions.FURROW_wrinkle_maps, { drivers })
+      }
+    })
+    const Plugin = name === 'webgl' ? WebGLPlugin : WebGPUPlugin
+    const loader = new GLTFLoader()
+    if (isFirst) loader.register((parser) => new Plugin(parser))
+    loader.register((parser) => new VRMExpressionLoaderPlugin(parser))
+    if (!isFirst) loader.register((parser) => new Plugin(parser))
+    const gltf = await loader.parseAsync(file.buffer, '')
+    const [wrinkles] = gltf.userData.wrinkles
+    const expressions = gltf.userData.vrmExpressionManager
+    const b = wrinkles.getActivation('b')
+    expressions.setValue('happy', 0.5)
+    expressions.setValue('blink', 1)
+    expressions.update()
+    await picture(gltf)
+    expect(wrinkles.getActivation('a')).toBeCloseTo(0.5, 6)
+    // A happy face does not blink: what the blink drives is as at rest.
+    expect(wrinkles.getActivation('b')).toBeCloseTo(b, 6)
+    expressions.setValue('happy', 0)
+    expressions.update()
+    await picture(gltf)
+    expect(wrinkles.getActivation('b')).toBe(1)
   })
 
   it('reads each channel exactly, alpha too', async () => {

@@ -13,6 +13,9 @@ const EXAMPLES = readdirSync(new URL('../../examples/', import.meta.url)).filter
   name.endsWith('.html'),
 )
 
+/** All of a picture. */
+const WHOLE: Region = { left: 0, top: 0, right: 1, bottom: 1 }
+
 /** Where the pictures are kept to be looked at. */
 const OUTPUT = new URL('../output/examples/', import.meta.url)
 
@@ -61,6 +64,7 @@ const DRIVERS: readonly (readonly [page: string, driven: string, atRest: string,
     '?expression=neutral',
     { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 },
   ],
+  ['vrm.html', '?happy=1&blink=1', '', { left: 0.25, top: 0.3, right: 0.75, bottom: 0.7 }],
   ['tension.html', '?push=0.3', '?push=0', { left: 0.4, top: 0.3, right: 0.6, bottom: 0.8 }],
 ]
 
@@ -77,6 +81,12 @@ test.each(DRIVERS)('%s%s wrinkles', async (name, driven, atRest, where) => {
   // The cloth's wrinkles are not the face's.
   if (name === 'tension.html') return
   expect(largestDifference(wrinkled, await shoot(`${name}${driven}`, false), where)).toBeGreaterThan(20)
+})
+
+test('an expression that blocks the blink keeps its wrinkles away too', async () => {
+  const both = await shoot('vrm.html?happy=1&blink=1', true)
+  expect(largestDifference(both, await shoot('vrm.html?happy=1', true), WHOLE)).toBe(0)
+  expect(largestDifference(both, await shoot('vrm.html?blink=1', true), WHOLE)).toBeGreaterThan(20)
 })
 
 test('a list of scores moves the face as the same blendshapes do', async () => {

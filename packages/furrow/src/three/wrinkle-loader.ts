@@ -3,6 +3,8 @@ import type { GLTF, GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import type { WrinkleDriver } from '../core/driver-types.ts'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import { WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
+import { expressionsOf } from '../drivers/expression.ts'
+import type { VrmExpressions } from '../drivers/vrm.ts'
 import type { AddDrivers } from './drivers.ts'
 import { addActivationTracks } from './key-frames.ts'
 import { readWrinkleMaps } from './read-wrinkle-maps.ts'
@@ -16,7 +18,8 @@ type WrinklesClass = new (mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesB
  * blendshapes move: nothing is to be called in the render loop. So does each copy that `clone()` or
  * three.js's `SkeletonUtils.clone()` makes of it, with activations of its own and the same textures. The wrinkles
  * stand in `gltf.userData.wrinkles`, one for each face that has them, to be switched, looked at or disposed of;
- * `wrinklesOf` tells those of a mesh, copies included.
+ * `wrinklesOf` tells those of a mesh, copies included. Links of a VRM's drivers may name its expressions, where three-vrm's plugin is
+ * registered as well.
  */
 export class WrinkleLoader {
   readonly name = WRINKLE_MAPS
@@ -42,7 +45,12 @@ export class WrinkleLoader {
         const taken = byMaterial.get(material)?.cloneMaterial()
         // Another face with the same material wrinkles by itself, and needs one of its own for that.
         if (taken) for (const mesh of meshes) mesh.material = taken
-        const own = this.#wear(meshes, bySet.get(set) ?? set, drivers)
+        const own = this.#wear(
+          meshes,
+          bySet.get(set) ?? set,
+          drivers,
+          this.#isVrm() ? () => vrmOf(gltf) : undefined,
+        )
         wrinkles.push(own)
         const index = this.#parser.associations.get(material)!.materials!
         faces.set(index, [...(faces.get(index) ?? []), own])
@@ -57,17 +65,40 @@ export class WrinkleLoader {
     if (wrinkles.length > 0) gltf.userData.wrinkles = wrinkles
   }
 
+  #isVrm(): boolean {
+    const used: unknown[] = this.#parser.json.extensionsUsed ?? []
+    return used.includes('VRMC_vrm') || used.includes('VRM')
+  }
+
   /** Puts wrinkles on the meshes of one face, and has every copy of them wrinkle likewise. */
   #wear(
     [mesh, ...others]: readonly Mesh[],
     source: WrinkleSet<ArraySlice> | WrinklesBase,
     drivers: readonly WrinkleDriver[],
+    expressions?: () => VrmExpressions | undefined,
   ): WrinklesBase {
     const own = new this.#Wrinkles(mesh, source)
     for (const other of others) own.addMesh(other)
-    this.#addDrivers(own, drivers)
+    if (expressions) this.#addWhenDrawn(own, drivers, expressions)
+    else this.#addDrivers(own, drivers)
     for (const part of [mesh, ...others]) this.#followClones(part, own, drivers)
     return own
+  }
+
+  /** three-vrm makes a VRM's expressions while this plugin is at work, so drivers look for them when the face is first drawn. */
+  #addWhenDrawn(
+    own: WrinklesBase,
+    drivers: readonly WrinkleDriver[],
+    expressions: () => VrmExpressions | undefined,
+  ): void {
+    own.expressions = expressionsOf(drivers)
+    let isAdded = false
+    const areas = drivers.flatMap((driver) => ('area' in driver ? [String(driver.area)] : []))
+    own.onDrive(() => {
+      if (isAdded) return
+      isAdded = true
+      this.#addDrivers(own, drivers, { expressions: expressions() })
+    }, areas)
   }
 
   #followClones(mesh: Mesh, own: WrinklesBase, drivers: readonly WrinkleDriver[]): void {
@@ -81,4 +112,9 @@ export class WrinkleLoader {
       delete (mesh as Partial<Mesh>).clone
     })
   }
+}
+
+/** What three-vrm's plugins leave there. */
+function vrmOf({ userData }: GLTF): VrmExpressions | undefined {
+  return userData.vrmExpressionManager ?? userData.vrm?.expressionManager
 }
