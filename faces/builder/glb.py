@@ -4,8 +4,10 @@ import json
 import struct
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from .part import Part
+from .rig import Rig
 from .source import ARKIT
 
 # Displacements (metres) and changes of unit normals below the first number are left out, and up to the second they
@@ -17,7 +19,7 @@ TURN_FADE = (0.068, 0.138)
 
 # Values are rounded to these steps, far below what can be seen, so that the last bits, in which processors differ, do
 # not reach the file.
-MICRON, FINE_UV, FINE_NORMAL, FINE_TURN = 1e-6, 1e-6, 1e-5, 1e-4
+MICRON, FINE_UV, FINE_NORMAL, FINE_TURN, FINE_TURNED = 1e-6, 1e-6, 1e-5, 1e-4, 1e-7
 
 FLOAT, USHORT, UBYTE = 5126, 5123, 5121
 ARRAY_BUFFER, ELEMENT_BUFFER = 34962, 34963
@@ -66,6 +68,9 @@ class Glb:
             primitive["attributes"]["TEXCOORD_0"] = self._accessor(part.uv, "VEC2", FINE_UV)
         if part.colours is not None:
             primitive["attributes"]["COLOR_0"] = self._colours(part.colours)
+        if part.joints is not None:
+            primitive["attributes"]["JOINTS_0"] = self._integers(part.joints, np.uint8)
+            primitive["attributes"]["WEIGHTS_0"] = self._integers(part.weights, np.uint16, normalized=True)
         mesh = {"name": part.name, "primitives": [primitive]}
         names = []
         still = np.zeros_like(part.positions)
@@ -80,8 +85,46 @@ class Glb:
             mesh["weights"] = [0.0] * len(names)
             mesh["extras"] = {"targetNames": names}
         self._json["meshes"].append(mesh)
-        self._json["nodes"].append({"name": part.name, "mesh": len(self._json["meshes"]) - 1})
-        self._json["scenes"][0]["nodes"].append(len(self._json["nodes"]) - 1)
+        node = {"name": part.name, "mesh": len(self._json["meshes"]) - 1}
+        siblings = self._json["scenes"][0]["nodes"]
+        if part.joints is not None:
+            node["skin"] = 0
+        if part.parent is not None:
+            joint = self._rig.names.index(part.parent)
+            turn = self._rig.frames[joint].T
+            node.update(_node(turn, -turn @ self._rig.places[joint]))
+            siblings = self._json["nodes"][joint].setdefault("children", [])
+        siblings.append(len(self._json["nodes"]))
+        self._json["nodes"].append(node)
+
+    def skeleton(self, rig: Rig) -> None:
+        """Adds the joints as the first nodes; comes before the parts that they move."""
+        self._rig = rig
+        inverse = np.zeros((len(rig.names), 4, 4))
+        for j, (name, parent) in enumerate(zip(rig.names, rig.parents)):
+            turn, place = rig.frames[j], rig.places[j]
+            inverse[j, :3, :3], inverse[j, :3, 3], inverse[j, 3, 3] = turn.T, -turn.T @ place, 1
+            above = rig.frames[parent].T if parent >= 0 else np.eye(3)
+            origin = rig.places[parent] if parent >= 0 else np.zeros(3)
+            self._json["nodes"].append({"name": name, **_node(above @ turn, above @ (place - origin))})
+            siblings = self._json["nodes"][parent].setdefault("children", []) if parent >= 0 else self._json["scenes"][0]["nodes"]
+            siblings.append(j)
+        columns = inverse.transpose(0, 2, 1).reshape(-1, 16)
+        self._json["skins"] = [{"joints": list(range(len(rig.names))), "skeleton": 0,
+                                "inverseBindMatrices": self._accessor(columns, "MAT4", FINE_TURNED, target=None)}]
+
+    def animation(self, name: str, seconds: np.ndarray, turns: dict[str, np.ndarray]) -> None:
+        """Joints that turn: for each a matrix of 3 x 3 in its own frame at every one of the times."""
+        rig = self._rig
+        clip = {"name": name, "samplers": [], "channels": []}
+        times = self._accessor(seconds[:, None], "SCALAR", MICRON, bounds=True, target=None)
+        for joint, matrices in turns.items():
+            node, parent = rig.names.index(joint), rig.parents[rig.names.index(joint)]
+            rest = (rig.frames[parent].T if parent >= 0 else np.eye(3)) @ rig.frames[node]
+            values = _unbroken(np.array([_quaternion(rest @ matrix) for matrix in matrices]))
+            clip["channels"].append({"sampler": len(clip["samplers"]), "target": {"node": node, "path": "rotation"}})
+            clip["samplers"].append({"input": times, "output": self._accessor(values, "VEC4", FINE_TURNED, target=None)})
+        self._json.setdefault("animations", []).append(clip)
 
     def finish(self) -> bytes:
         sparse = [a["sparse"] for a in self._json["accessors"] if "sparse" in a]
@@ -128,10 +171,10 @@ class Glb:
         self._values += values.tobytes()
         return self._push(accessor)
 
-    def _accessor(self, values: np.ndarray, kind: str, step: float, bounds=False) -> int:
+    def _accessor(self, values: np.ndarray, kind: str, step: float, bounds=False, target=ARRAY_BUFFER) -> int:
         values = _settled(values, step)
         accessor = {
-            "bufferView": self._view(values.tobytes(), ARRAY_BUFFER),
+            "bufferView": self._view(values.tobytes(), target),
             "componentType": FLOAT, "count": len(values), "type": kind,
         }
         if bounds:
@@ -139,11 +182,15 @@ class Glb:
         return self._push(accessor)
 
     def _colours(self, colours: np.ndarray) -> int:
-        data = np.round(np.clip(colours, 0, 1) * 255).astype(np.uint8)
-        return self._push({
-            "bufferView": self._view(data.tobytes(), ARRAY_BUFFER), "componentType": UBYTE, "normalized": True,
-            "count": len(data), "type": "VEC4",
-        })
+        return self._integers(np.round(np.clip(colours, 0, 1) * 255), np.uint8, normalized=True)
+
+    def _integers(self, values: np.ndarray, kind: type, normalized=False) -> int:
+        """Four numbers for each vertex."""
+        data = values.astype(kind)
+        accessor = {"bufferView": self._view(data.tobytes(), ARRAY_BUFFER), "componentType": UBYTE if kind is np.uint8 else USHORT}
+        if normalized:
+            accessor["normalized"] = True
+        return self._push({**accessor, "count": len(data), "type": "VEC4"})
 
     def _indices(self, triangles: np.ndarray) -> int:
         data = triangles.astype("<u2").tobytes()
@@ -173,6 +220,22 @@ def _fade(change: np.ndarray, low: float, high: float) -> np.ndarray:
     length = np.linalg.norm(change, axis=1, keepdims=True)
     share = np.clip((length - low) / (high - low), 0, 1)
     return change * share * share * (3 - 2 * share)
+
+
+def _node(turn: np.ndarray, place: np.ndarray) -> dict:
+    return {"rotation": _settled(_quaternion(turn), FINE_TURNED).tolist(), "translation": _settled(place, MICRON).tolist()}
+
+
+def _quaternion(turn: np.ndarray) -> np.ndarray:
+    """x, y, z, w with w not below 0 (S. W. Shepperd, "Quaternion from rotation matrix", 1978)."""
+    return Rotation.from_matrix(turn).as_quat(canonical=True)
+
+
+def _unbroken(values: np.ndarray) -> np.ndarray:
+    """A quaternion and its opposite are the same turn; of each the one next to that before it."""
+    for k in range(1, len(values)):
+        values[k] *= 1 if values[k] @ values[k - 1] >= 0 else -1
+    return values
 
 
 def _settled(values: np.ndarray, step: float) -> np.ndarray:

@@ -6,36 +6,51 @@ def materials(look: dict) -> tuple[list[dict], list[str]]:
     images = ["skin-colour", "skin-normal", "skin-surface", "skin-specular", "eye", "brow", "lash"]
     texture = {name: {"index": i} for i, name in enumerate(images)}
 
-    def plain(name, roughness, colour=(1, 1, 1, 1), **more):
-        return {"name": name, "pbrMetallicRoughness": {
-            "baseColorFactor": list(colour), "metallicFactor": 0, "roughnessFactor": roughness}, **more}
-
-    def textured(name, image, roughness, **more):
-        return {"name": name, "pbrMetallicRoughness": {
-            "baseColorTexture": texture[image], "metallicFactor": 0, "roughnessFactor": roughness}, **more}
-
-    skin = textured(
-        "skin", "skin-colour", 1.0,
-        normalTexture=texture["skin-normal"], occlusionTexture=texture["skin-surface"],
-        # Skin reflects 2.8 per cent head on (index of refraction 1.4); sheen stands for the fuzz and the light that
-        # comes back out of the skin at grazing angles.
-        extensions={
-            "KHR_materials_ior": {"ior": 1.4},
-            "KHR_materials_specular": {"specularTexture": texture["skin-specular"]},
-            "KHR_materials_sheen": {"sheenColorFactor": look["fuzz"], "sheenRoughnessFactor": 0.45},
-        },
-    )
-    skin["pbrMetallicRoughness"]["metallicRoughnessTexture"] = texture["skin-surface"]
     hair = {"KHR_materials_specular": {"specularFactor": 0.3}}
+    textured = lambda name, image, *rest, **more: _textured(name, texture[image], *rest, **more)
     return [
-        skin,
+        _skin(texture, look),
         textured("eye", "eye", 0.32, extensions={
             "KHR_materials_clearcoat": {"clearcoatFactor": 1.0, "clearcoatRoughnessFactor": 0.02}}),
-        plain("lid-shade", 0.9, alphaMode="BLEND", extensions={"KHR_materials_specular": {"specularFactor": 0.0}}),
+        _plain("lid-shade", 0.9, alphaMode="BLEND", extensions={"KHR_materials_specular": {"specularFactor": 0.0}}),
         textured("brow", "brow", 0.75, alphaMode="BLEND", extensions=hair),
         textured("lash", "lash", 0.75, alphaMode="BLEND", doubleSided=True, extensions=hair),
-        plain("teeth", 0.28),
-        plain("tongue", 0.45, extensions={"KHR_materials_specular": {"specularFactor": 0.25}}),
-        plain("mouth", 0.8, extensions={"KHR_materials_specular": {"specularFactor": 0.0}}),
-        plain("shirt", 0.92, (*look["shirt"], 1), doubleSided=True),
+        _plain("teeth", 0.28),
+        _plain("tongue", 0.45, extensions={"KHR_materials_specular": {"specularFactor": 0.25}}),
+        _plain("mouth", 0.8, extensions={"KHR_materials_specular": {"specularFactor": 0.0}}),
+        _plain("shirt", 0.92, (*look["shirt"], 1), doubleSided=True),
     ], images
+
+
+def hand_materials(look: dict) -> tuple[list[dict], list[str]]:
+    """As `materials`, of a hand in a cuff."""
+    images = ["skin-colour", "skin-normal", "skin-surface"]
+    texture = {name: {"index": i} for i, name in enumerate(images)}
+    return [_skin(texture, look), _plain("shirt", 0.92, (*look["shirt"], 1), doubleSided=True)], images
+
+
+def _plain(name, roughness, colour=(1, 1, 1, 1), **more):
+    return {"name": name, "pbrMetallicRoughness": {
+        "baseColorFactor": list(colour), "metallicFactor": 0, "roughnessFactor": roughness}, **more}
+
+
+def _textured(name, texture, roughness, **more):
+    return {"name": name, "pbrMetallicRoughness": {
+        "baseColorTexture": texture, "metallicFactor": 0, "roughnessFactor": roughness}, **more}
+
+
+def _skin(texture, look):
+    extensions = {
+        # Skin reflects 2.8 per cent head on (index of refraction 1.4); sheen stands for the fuzz and the light that
+        # comes back out of the skin at grazing angles.
+        "KHR_materials_ior": {"ior": 1.4},
+        "KHR_materials_specular": {"specularTexture": texture["skin-specular"]} if "skin-specular" in texture else None,
+        "KHR_materials_sheen": {"sheenColorFactor": look["fuzz"], "sheenRoughnessFactor": 0.45},
+    }
+    skin = _textured(
+        "skin", texture["skin-colour"], 1.0,
+        normalTexture=texture["skin-normal"], occlusionTexture=texture["skin-surface"],
+        extensions={name: value for name, value in extensions.items() if value},
+    )
+    skin["pbrMetallicRoughness"]["metallicRoughnessTexture"] = texture["skin-surface"]
+    return skin

@@ -20,6 +20,9 @@ class Part:
     targets: dict[str, tuple[np.ndarray, np.ndarray | None]] = field(default_factory=dict)
     complete: bool = False  # list every ARKit name, also those that do not move this part
     tangents: np.ndarray | None = None  # (n, 4), where a normal map is laid on; see tangents.py
+    joints: np.ndarray | None = None  # (n, 4) into the skeleton's joints, of what they deform; see rig.py
+    weights: np.ndarray | None = None  # (n, 4) in parts of 65535
+    parent: str | None = None  # the joint to which what no joint deforms is fixed
 
 
 def triangulate(quads: np.ndarray, positions: np.ndarray) -> np.ndarray:

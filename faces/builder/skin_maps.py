@@ -7,20 +7,14 @@ from PIL import Image
 from scipy.ndimage import gaussian_filter
 
 from .brows import paint_brows
-from .fields import Fields
+from .fields import FaceFields, Fields
 from .landmarks import BEARD, HAIR, LOWER_LIP, UPPER_LIP
 
 
-def paint_colour(fields: Fields, occlusion: np.ndarray, look: dict) -> np.ndarray:
+def paint_colour(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.ndarray:
     """(size, size, 3). Layers from the flesh outwards; each is a colour and how much of it lies where."""
-    skin = np.broadcast_to(np.array(look["skin"]), (fields.size, fields.size, 3)).copy()
     spot, rough, noise = fields.spot, fields.rough, fields.noise
-
-    # Tone: uneven blood and pigment, at three sizes.
-    blood = 0.5 * rough(0.020, 1) + 0.5 * rough(0.006, 5)
-    pigment = 0.6 * rough(0.014, 9) + 0.5 * rough(0.0035, 13)
-    skin *= 1 + look["mottle"] * (blood[..., None] * [0.2, -0.7, -0.6] + pigment[..., None] * [-0.5, -0.7, -1.0])
-    skin *= 1 + 0.018 * noise(0.0007, 17)[..., None] + 0.016 * noise(0.0013, 18)[..., None]
+    skin = mottled(fields, look)
 
     # Where blood is near the surface, and where it is not.
     red = (
@@ -28,22 +22,22 @@ def paint_colour(fields: Fields, occlusion: np.ndarray, look: dict) -> np.ndarra
         + 0.7 * spot("nose-wing", 0.009) + 0.9 * np.maximum.reduce([spot("ear-top", 0.02), spot("ear-middle", 0.022), spot("ear-lobe", 0.016)])
         + 0.35 * spot("chin", 0.018) + 0.3 * spot("glabella", 0.014) + 0.30 * spot("throat", 0.045)
     ) * (1 + 0.22 * rough(0.005, 21))
-    skin = _lay(skin, np.array(look["blood"]), np.clip(look["redness"] * red, 0, 0.85))
+    skin = lay(skin, np.array(look["blood"]), np.clip(look["redness"] * red, 0, 0.85))
     pale = 0.35 * spot("forehead", 0.04) + 0.3 * spot("philtrum", 0.012)
-    skin = _lay(skin, np.array(look["pale"]), 0.4 * pale)
+    skin = lay(skin, np.array(look["pale"]), 0.4 * pale)
 
     # Round the eyes the skin is thin: darker and a little violet, most at the inner corner and in the bag.
     lids = np.maximum.reduce([spot("upper-lid", 0.010, (1.5, 1, 1)), 0.8 * spot("lower-lid", 0.009, (1.6, 1, 1)),
                               0.95 * spot("eye-inner", 0.009), 0.7 * spot("eye-outer", 0.008)])
-    skin = _lay(skin, np.array(look["lid"]), np.clip(look["tired"] * lids, 0, 1))
-    skin = _lay(skin, np.array(look["lid"]), 0.6 * look["tired"] * spot("eye-bag", 0.009, (1.6, 0.8, 1)))
+    skin = lay(skin, np.array(look["lid"]), np.clip(look["tired"] * lids, 0, 1))
+    skin = lay(skin, np.array(look["lid"]), 0.6 * look["tired"] * spot("eye-bag", 0.009, (1.6, 0.8, 1)))
     rim = np.maximum(gaussian_filter(fields.eye_holes, 3), 0) * 1.3
-    skin = _lay(skin, np.array(look["rim"]), np.clip(rim, 0, 0.9))
+    skin = lay(skin, np.array(look["rim"]), np.clip(rim, 0, 0.9))
 
     # Sun spots and moles.
     freckles = np.clip(noise(0.0032, 25) - 1.9, 0, 1) + np.clip(noise(0.0055, 26) - 2.3, 0, 1)
     sun = np.clip(0.3 + spot("cheek", 0.05) + spot("forehead", 0.06) + spot("temple", 0.05), 0, 1)
-    skin = _lay(skin, np.array(look["freckle"]), np.clip(look["freckles"] * freckles * sun, 0, 0.6))
+    skin = lay(skin, np.array(look["freckle"]), np.clip(look["freckles"] * freckles * sun, 0, 0.6))
 
     # Shadow in folds, warm because light bounces between red walls.
     dark = (1 - occlusion)[..., None]
@@ -54,22 +48,22 @@ def paint_colour(fields: Fields, occlusion: np.ndarray, look: dict) -> np.ndarra
     lips = np.clip(lips * (1 + 0.10 * rough(0.004, 29)), 0, 1)
     creases = fields.stripes(0.0011, 33)
     lip = np.array(look["lip"]) * (1 + 0.05 * creases[..., None] + 0.04 * rough(0.002, 30)[..., None])
-    skin = _lay(skin, lip, look["lips"] * lips)
+    skin = lay(skin, lip, look["lips"] * lips)
     line = np.clip(gaussian_filter(fields.mouth_hole, 3) * 2.0, 0, 1)
-    skin = _lay(skin, np.array(look["lip_line"]), 0.92 * line)
+    skin = lay(skin, np.array(look["lip_line"]), 0.92 * line)
 
     # Beard shadow and cropped hair: a tone under the skin, and stubs as fine specks.
     specks = np.clip(noise(0.00055, 41), -1.4, 1.8)
     if look["beard"]:
         beard = fields.outline(BEARD, 0.010) * (1 - 0.9 * np.clip(lips * 1.5, 0, 1)) * (0.8 + 0.2 * rough(0.012, 45))
-        skin = _lay(skin, np.array(look["beard_colour"]), np.clip(look["beard"] * beard * (0.85 + 0.30 * specks), 0, 0.85))
+        skin = lay(skin, np.array(look["beard_colour"]), np.clip(look["beard"] * beard * (0.85 + 0.30 * specks), 0, 0.85))
     hair = fields.outline(HAIR, look["hair_softness"])
     edge = 4 * hair * (1 - hair)  # 1 on the hairline, where single hairs stand apart
     ragged = np.clip(hair + (0.10 * rough(0.0022, 49) + 0.14 * noise(0.0007, 54)) * edge, 0, 1)
     strength = ragged**1.4 * (1 - look["thinning"] * spot("hairline", 0.06))
     grey = np.clip(look["grey"] * (0.6 + spot("temple", 0.05) + 0.2 * rough(0.01, 52)) + 0.12 * noise(0.0006, 53), 0, 1)
     tone = np.array(look["hair"]) + (np.array(look["hair_grey"]) - np.array(look["hair"])) * grey[..., None]
-    skin = _lay(skin, tone, np.clip(look["hair_cover"] * strength * (0.93 + 0.16 * specks), 0, 0.97))
+    skin = lay(skin, tone, np.clip(look["hair_cover"] * strength * (0.93 + 0.16 * specks), 0, 0.97))
 
     skin = paint_brows(skin, look, fields.size)
     # Far from the skin a flat colour: nothing samples it, and it packs small.
@@ -77,7 +71,17 @@ def paint_colour(fields: Fields, occlusion: np.ndarray, look: dict) -> np.ndarra
     return np.clip(skin, 0, 1)
 
 
-def paint_pores(fields: Fields, depth: float) -> np.ndarray:
+def mottled(fields: Fields, look: dict) -> np.ndarray:
+    """The bare tone of the skin: uneven blood and pigment, at three sizes."""
+    rough, noise = fields.rough, fields.noise
+    skin = np.broadcast_to(np.array(look["skin"]), (fields.size, fields.size, 3)).copy()
+    blood = 0.5 * rough(0.020, 1) + 0.5 * rough(0.006, 5)
+    pigment = 0.6 * rough(0.014, 9) + 0.5 * rough(0.0035, 13)
+    skin *= 1 + look["mottle"] * (blood[..., None] * [0.2, -0.7, -0.6] + pigment[..., None] * [-0.5, -0.7, -1.0])
+    return skin * (1 + 0.018 * noise(0.0007, 17)[..., None] + 0.016 * noise(0.0013, 18)[..., None])
+
+
+def paint_pores(fields: FaceFields, depth: float) -> np.ndarray:
     """A tangent-space normal map (size, size, 3) in 0..1: pores only, from height in the layout's own grid."""
     spot = fields.spot
     # Cells of two sizes; pores are the pits where the noise is low.
@@ -89,10 +93,15 @@ def paint_pores(fields: Fields, depth: float) -> np.ndarray:
     height = gaussian_filter(pits * where, 0.8)
     lips = fields.outline(UPPER_LIP + LOWER_LIP[1:], 0.002)
     height = height * (1 - lips) + 1.1 * gaussian_filter(fields.stripes(0.0011, 33), 1.0) * lips
-    # Height in texels: x to the right, y upwards, so down the image is minus y.
+    return relief(height, depth, fields.near)
+
+
+def relief(height: np.ndarray, depth: float, near: np.ndarray) -> np.ndarray:
+    """The tangent-space normal map of a height in texels, flat where nothing is near."""
+    # x to the right, y upwards, so down the image is minus y.
     right, down = np.gradient(height, axis=1), np.gradient(height, axis=0)
     normal = np.stack([-depth * right, depth * down, np.ones_like(height)], axis=2)
-    normal[~fields.near] = [0, 0, 1]
+    normal[~near] = [0, 0, 1]
     normal /= np.linalg.norm(normal, axis=2, keepdims=True)
     # In steps of 3/127 round the exact middle (128/255 stands for zero): 0.4 of the bytes, and no pore is that precise.
     steps = np.round(normal[..., :2] * 127 / 3) * 3
@@ -100,7 +109,7 @@ def paint_pores(fields: Fields, depth: float) -> np.ndarray:
     return (flat + 128) / 255
 
 
-def paint_surface(fields: Fields, occlusion: np.ndarray, look: dict) -> np.ndarray:
+def paint_surface(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.ndarray:
     """glTF's packing: occlusion in red, roughness in green, metalness (none) in blue."""
     spot = fields.spot
     oily = np.clip(0.9 * spot("nose-tip", 0.018) + 0.6 * spot("forehead", 0.038) + 0.5 * spot("nose-bridge", 0.018)
@@ -118,7 +127,7 @@ def paint_surface(fields: Fields, occlusion: np.ndarray, look: dict) -> np.ndarr
     return packed
 
 
-def paint_specular(fields: Fields, occlusion: np.ndarray) -> np.ndarray:
+def paint_specular(fields: FaceFields, occlusion: np.ndarray) -> np.ndarray:
     """How much of a highlight each place may have, in alpha: none where the face itself would block the light.
 
     Lights rarely cast shadows as fine as the line between the lips, where they would leave a white thread.
@@ -139,5 +148,5 @@ def encode(image: np.ndarray, kind: str, quality=88) -> tuple[str, bytes]:
     return f"image/{kind}", out.getvalue()
 
 
-def _lay(under: np.ndarray, colour: np.ndarray, amount: np.ndarray) -> np.ndarray:
+def lay(under: np.ndarray, colour: np.ndarray, amount: np.ndarray) -> np.ndarray:
     return under + (colour - under) * np.clip(amount, 0, 1)[..., None]

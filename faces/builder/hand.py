@@ -1,0 +1,207 @@
+"""The left hand with its wrist and a piece of forearm: cut out, subdivided once, laid out and skinned."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+
+from .layout import borders
+from .part import Part, triangulate
+from .rig import Rig, read_rig, strongest
+from .source import Mesh, Wheel
+from .subdivide import catmull_clark, vertex_normals
+
+FINGERS = range(1, 6)  # the thumb is 1
+JOINTS = (
+    ["lowerarm01.L", "lowerarm02.L", "wrist.L", *[f"metacarpal{k}.L" for k in range(1, 5)]]
+    + [f"finger{finger}-{k}.L" for finger in FINGERS for k in (1, 2, 3)]
+)
+ARM_RINGS = 6  # rings of quads of the forearm that are skin
+CUFF_RINGS = 9  # and that end under the cuff, which goes on
+CUFF_COVERS = 3  # rings of skin that the cuff hides
+EASE, HEM = 2.2e-3, 3.0e-3  # metres from the skin to the cuff, and how far its hem turns in
+GROOVE = 0.04  # sine by which the skin rises beside a nail
+MARGIN = 0.012  # of the layout, round everything
+STRIP = (0.015, 0.015, 0.505, 0.290)  # u0, v0, u1, v1 of the forearm in the layout: where the hand leaves room
+
+
+@dataclass
+class Hand:
+    rig: Rig
+    part: Part
+    cuff: Part
+    weights: np.ndarray  # (n, j) of the part's vertices
+    inner: np.ndarray  # (n,) how far the skin faces to where its joints bend: 1 the palm's side, -1 the back
+    nails: np.ndarray  # (q, 4, 2) the layout's quads that are nails
+    nail_way: np.ndarray  # (n,) along a nail: 0 at its root, 1 at its free edge
+
+
+def build_hand(wheel: Wheel, mesh: Mesh, shapes: dict[str, float]) -> Hand:
+    base = wheel.blended(shapes)
+    rig = read_rig(wheel, mesh, base, JOINTS, Inwards(wheel, mesh, base))
+    island = _hand_island(mesh)
+    rings = _arm_rings(mesh, island)
+    quads = np.concatenate([mesh.quads[island], *rings[:ARM_RINGS]])
+    uv, uv_quads = _layout(mesh, island, rings[:ARM_RINGS], base)
+
+    used, index = np.unique(quads, return_inverse=True)
+    matrix, fine = catmull_clark(index.reshape(-1, 4), len(used))
+    positions = np.round(matrix @ base[used], 7)
+    normals = vertex_normals(positions, fine)
+    uv_matrix, uv_fine = catmull_clark(uv_quads, len(uv))
+    fine_uv = np.round(uv_matrix @ uv, 7)
+    pairs, corner = np.unique(np.stack([fine.ravel(), uv_fine.ravel()], 1), axis=0, return_inverse=True)
+    vertex = pairs[:, 0]
+    weights = (matrix @ rig.weights[used])[vertex]
+    triangles = triangulate(corner.reshape(-1, 4), positions[vertex])
+    part = Part("skin", "skin", positions[vertex], normals[vertex], fine_uv[pairs[:, 1]], triangles)
+    part.joints, part.weights = strongest(weights)
+    inner = (part.normals * np.einsum("nj,jk->nk", weights, rig.frames[:, :, 2])).sum(axis=1)
+    nails, way = _nails(rig, part, corner.reshape(-1, 4), weights)
+    cuff = _cuff(rig, base, rings[ARM_RINGS - CUFF_COVERS:CUFF_RINGS])
+    return Hand(rig, part, cuff, weights, inner, part.uv[nails], way)
+
+
+class Inwards:
+    """To where each joint of the hand bends: the fingers towards the palm, the thumb across it."""
+
+    def __init__(self, wheel: Wheel, mesh: Mesh, base: np.ndarray):
+        still = read_rig(wheel, mesh, base, JOINTS, lambda name: np.array([-0.78, -0.62, -0.01]))
+        wrist, index, little = still.at("wrist.L"), still.at("finger2-1.L"), still.at("finger5-1.L")
+        self.palm = _unit(np.cross(little - wrist, index - wrist))
+        # The thumb is bent a little at rest; the turns that bent it tell its axis.
+        along = [still.frames[JOINTS.index(f"finger1-{k}.L")][:, 1] for k in (1, 2, 3)]
+        axis = _unit(_unit(np.cross(along[0], along[1])) + _unit(np.cross(along[1], along[2])))
+        self.thumb = [np.cross(axis, y) for y in along]
+
+    def __call__(self, name: str) -> np.ndarray:
+        return self.thumb[int(name[8]) - 1] if name.startswith("finger1-") else self.palm
+
+
+def _hand_island(mesh: Mesh) -> np.ndarray:
+    """The quads of the body whose island in the source's layout is that of the left hand: the one with its finger tips."""
+    body = np.flatnonzero(mesh.groups == "body")
+    quads, count = mesh.uv_quads[body], len(mesh.uv)
+    a, b = quads.ravel(), np.roll(quads, -1, axis=1).ravel()
+    island = connected_components(coo_matrix((np.ones(len(a)), (a, b)), (count, count)), directed=False)[1][quads[:, 0]]
+    tip = mesh.positions[np.unique(mesh.quads[mesh.groups == "joint-l-finger-3-4"])].mean(axis=0)
+    nearest = np.argmin(np.linalg.norm(mesh.positions[mesh.quads[body]].mean(axis=1) - tip, axis=1))
+    return body[island == island[nearest]]
+
+
+def _arm_rings(mesh: Mesh, island: np.ndarray) -> list[np.ndarray]:
+    """Rings of quads up the arm from where the hand ends."""
+    body = np.flatnonzero(mesh.groups == "body")
+    taken = np.isin(body, island)
+    rings = []
+    for _ in range(CUFF_RINGS):
+        reached = np.isin(mesh.quads[body], np.unique(mesh.quads[body[taken]])).any(axis=1) & ~taken
+        rings.append(mesh.quads[body[reached]])
+        taken |= reached
+    return rings
+
+
+def _layout(mesh: Mesh, island: np.ndarray, rings: list[np.ndarray], base: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(u, v) downwards, and the quads over them: the source's island of the hand enlarged, the forearm as a strip beside it."""
+    used, hand = np.unique(mesh.uv_quads[island], return_inverse=True)
+    source = mesh.uv[used] * [1, -1]
+    low, high = source.min(axis=0), source.max(axis=0)
+    uv = MARGIN + (source - low) / (high - low).max() * (1 - 2 * MARGIN)
+    uv[:, 1] += 1 - MARGIN - uv[:, 1].max()
+
+    loops = [max(borders(mesh.quads[island]), key=len)]
+    for ring in rings:
+        loops.append(_next_loop(loops[-1], ring))
+    # Once round and back to where the seam is, which lies on the side of the little finger.
+    seam = np.argmin(base[loops[0], 1] - base[loops[0], 0] + base[loops[0], 2])
+    grid = np.array([np.append(np.roll(loop, -seam), loop[seam]) for loop in loops])
+    around = np.linalg.norm(np.diff(base[grid], axis=1), axis=2).mean(axis=0)
+    along = np.linalg.norm(np.diff(base[grid], axis=0), axis=2).mean(axis=1)
+    share = lambda steps: np.concatenate([[0], np.cumsum(steps)]) / steps.sum()
+    u0, v0, u1, v1 = STRIP
+    u, v = np.meshgrid(u0 + (u1 - u0) * share(around), v1 + (v0 - v1) * share(along))
+    strip = np.stack([u.ravel(), v.ravel()], axis=1)
+
+    column = {(r, grid[r, c]): c for r in range(len(grid)) for c in range(grid.shape[1] - 1)}
+    width = grid.shape[1]
+    quads = []
+    for r, ring in enumerate(rings):
+        for quad in ring:
+            cells = [(r + k, column[r + k, vertex]) for vertex in quad for k in (0, 1) if (r + k, vertex) in column]
+            wraps = max(c for _, c in cells) - min(c for _, c in cells) > 1
+            quads.append([row * width + (width - 1 if wraps and c == 0 else c) for row, c in cells])
+    strip_quads = np.array(quads)
+    if _turns(strip, strip_quads) != _turns(uv, hand.reshape(-1, 4)):
+        strip[:, 0] = u0 + u1 - strip[:, 0]
+    return np.concatenate([uv, strip]), np.concatenate([hand.reshape(-1, 4), strip_quads + len(uv)])
+
+
+def _next_loop(loop: np.ndarray, ring: np.ndarray) -> np.ndarray:
+    """The vertices across a ring of quads, in the order of those on this side."""
+    across = {}
+    for quad in ring:
+        for a, b in zip(quad, np.roll(quad, -1)):
+            if (a in loop) != (b in loop):
+                across[a if a in loop else b] = b if a in loop else a
+    return np.array([across[vertex] for vertex in loop])
+
+
+def _turns(uv: np.ndarray, quads: np.ndarray) -> bool:
+    a, b, c, d = (uv[quads[:, k]] for k in range(4))
+    p, q = c - a, d - b
+    return (p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]).sum() > 0
+
+
+def _nails(rig: Rig, part: Part, quads: np.ndarray, weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The quads of the nails, found by growing from the middle of each over all that is not a groove or the tip's edge."""
+    centre, normal = part.positions[quads].mean(axis=1), part.normals[quads].mean(axis=1)
+    # Over a seam of the layout vertices are doubled; here quads are neighbours in space.
+    place = np.unique(np.round(part.positions, 6), axis=0, return_inverse=True)[1].ravel()[quads]
+    found, way = [], np.zeros(len(part.positions))
+    for finger in FINGERS:
+        joint = rig.names.index(f"finger{finger}-3.L")
+        frame, own = rig.frames[joint], weights[quads, joint].min(axis=1) > 0.5
+        local = (centre - rig.places[joint]) @ frame
+        length = local[own, 1].max()
+        facing = normal @ -frame[:, 2]
+        seed = np.argmin(np.hypot(local[:, 0], local[:, 1] - 0.72 * length) + 1e3 * (~own | (facing < 0.7)))
+        flat = own & (normal @ normal[seed] > 0.55)
+        nail, edge = {seed}, [seed]
+        while edge:
+            here = edge.pop()
+            beside = np.flatnonzero(flat & (np.isin(place, place[here]).sum(axis=1) == 2))
+            for quad in beside:
+                hollow = ((centre[quad] - centre[here]) @ normal[here]) / np.linalg.norm(centre[quad] - centre[here])
+                if hollow < GROOVE and quad not in nail:
+                    nail.add(quad)
+                    edge.append(quad)
+        nail = quads[sorted(nail)]
+        along = (part.positions - rig.places[joint]) @ frame[:, 1]
+        low, high = along[nail].min(), along[nail].max()
+        way = np.where(weights[:, joint] > 0.5, np.clip((along - low) / (high - low), 0, 1), way)
+        found.append(nail)
+    return np.concatenate(found), way
+
+
+def _cuff(rig: Rig, base: np.ndarray, rings: list[np.ndarray]) -> Part:
+    """A sleeve's end over the forearm's, with a hem that turns in to the skin."""
+    quads = np.concatenate(rings)
+    used, index = np.unique(quads, return_inverse=True)
+    matrix, fine = catmull_clark(index.reshape(-1, 4), len(used))
+    body = matrix @ base[used]
+    out = vertex_normals(body, fine)
+    weights = matrix @ rig.weights[used]
+    hand = rig.at("wrist.L")
+    wrist = min(borders(fine), key=lambda loop: np.linalg.norm(body[loop].mean(axis=0) - hand))
+    count = len(body)
+    inner = count + np.arange(len(wrist))
+    positions = np.concatenate([body + out * EASE, body[wrist] + out[wrist] * (EASE - HEM)])
+    quads = np.concatenate([fine, np.stack([np.roll(wrist, -1), wrist, inner, np.roll(inner, -1)], axis=1)])
+    part = Part("cuff", "shirt", positions, vertex_normals(positions, quads), None, triangulate(quads, positions))
+    part.joints, part.weights = strongest(np.concatenate([weights, weights[wrist]]))
+    return part
+
+
+def _unit(vector: np.ndarray) -> np.ndarray:
+    return vector / np.linalg.norm(vector)

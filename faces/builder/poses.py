@@ -1,0 +1,42 @@
+"""How joints turn: the fist of a hand, the turn and the nod of a head. Degrees; angles of joints follow A. I. Kapandji,
+"The Physiology of the Joints", volumes 1 and 3.
+"""
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+# Joint -> bend about its x (above 0 towards the palm), turn about its bone (y), sway about its z.
+FIST = {
+    "finger2-1.L": (76, 17, -5), "finger2-2.L": (92, 0, 0), "finger2-3.L": (52, 0, 0),
+    "finger3-1.L": (80, 6, -2), "finger3-2.L": (96, 0, 0), "finger3-3.L": (56, 0, 0),
+    "finger4-1.L": (82, -4, 3), "finger4-2.L": (96, 0, 0), "finger4-3.L": (56, 0, 0),
+    "finger5-1.L": (84, -15, 8), "finger5-2.L": (92, 0, 0), "finger5-3.L": (56, 0, 0),
+    "finger1-1.L": (30, -20, 4), "finger1-2.L": (38, 0, 0), "finger1-3.L": (58, 0, 0),
+}
+STEP = 0.1  # seconds between two key frames
+
+
+def hand_clip() -> tuple[np.ndarray, dict[str, np.ndarray]]:
+    """The thumb comes when the fingers are out of its way."""
+    return clip(FIST, 1.4, 0.6, lambda joint, t: 1.6 * t - 0.6 if joint.startswith("finger1-") else 1.25 * t)
+
+
+def clip(pose: dict, closing: float, held: float, share=lambda joint, t: t) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+    """From rest to a pose, held, and back: times, and every joint's turns as matrices.
+
+    `share(joint, t)` is how far a joint has come at a share t of the way; eased at both ends.
+    """
+    seconds = np.arange(round((2 * closing + held) / STEP) + 1) * STEP
+    way = np.clip(np.minimum(seconds, 2 * closing + held - seconds) / closing, 0, 1)
+    turns = {}
+    for joint, angles in pose.items():
+        t = np.clip(share(joint, way), 0, 1)
+        t = t * t * (3 - 2 * t)
+        turns[joint] = np.array([turn(np.array(angles) * s) for s in t])
+    return seconds, turns
+
+
+def turn(angles) -> np.ndarray:
+    """Of the joint's own frame: bent first, then swayed, then twisted about the bone it starts with."""
+    x, y, z = angles
+    return Rotation.from_euler("YZX", [y, z, x], degrees=True).as_matrix()

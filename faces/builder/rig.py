@@ -1,0 +1,97 @@
+"""The joints of the base figure and how much of each vertex they move, from the source's own rig."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .source import Mesh, Wheel
+
+MOST = 4  # joints that may move one vertex
+WHOLE = 65535  # a weight of 1, as the file writes it
+
+
+@dataclass
+class Rig:
+    """Some joints of the figure, parents first. Frames are matrices of 3 x 3 whose columns are a joint's axes in space:
+
+    y runs along the bone, z towards the side to which it bends, so that a turn about x above 0 bends it.
+    """
+
+    names: list[str]
+    parents: list[int]  # into names, -1 for the root
+    places: np.ndarray  # (j, 3) metres
+    frames: np.ndarray  # (j, 3, 3)
+    weights: np.ndarray  # (n, j) for every vertex of the base figure; rows sum to 1 where the source has weights
+
+    def at(self, name: str) -> np.ndarray:
+        return self.places[self.names.index(name)]
+
+
+def read_rig(wheel: Wheel, mesh: Mesh, base: np.ndarray, kept: list[str], inwards) -> Rig:
+    """The joints of these names, which must come parents first.
+
+    `base` is the blended figure, from which the joints' places follow. `inwards(name)` is the direction to which a joint
+    bends. What the source hangs on other joints follows the nearest kept one above them, or the root.
+    """
+    bones, source = wheel.rig(), wheel.weights()
+    place = lambda end: base[_vertices(mesh, end)].mean(axis=0)
+    places = np.array([place(bones[name]["head"]) for name in kept])
+    tails = np.array([place(bones[name]["tail"]) for name in kept])
+
+    frames = []
+    for name, head, tail in zip(kept, places, tails):
+        y = _unit(tail - head)
+        x = _unit(np.cross(y, inwards(name)))
+        frames.append(np.stack([x, y, np.cross(x, y)], axis=1))
+
+    parents = []
+    for name in kept:
+        above = _nearest(bones, bones[name]["parent"], kept)
+        parents.append(-1 if above is None else kept.index(above))
+    weights = np.zeros((len(base), len(kept)))
+    for name, pairs in source.items():
+        joint = _nearest(bones, name, kept)
+        for vertex, share in pairs:
+            weights[int(vertex), 0 if joint is None else kept.index(joint)] += share
+    total = weights.sum(axis=1, keepdims=True)
+    weights = np.divide(weights, total, out=np.zeros_like(weights), where=total > 0)
+    return Rig(kept, parents, np.round(places, 7), np.round(np.array(frames), 9), weights)
+
+
+def strongest(weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Of every vertex the joints that move it most, (n, 4), and their weights in parts of 65535, whose sum is exact."""
+    joints = np.argsort(-np.round(weights, 6), axis=1, kind="stable")[:, :MOST]
+    shares = np.take_along_axis(np.round(weights, 6), joints, axis=1)
+    parts = np.round(shares / shares.sum(axis=1, keepdims=True) * WHOLE).astype(int)
+    parts[:, 0] += WHOLE - parts.sum(axis=1)
+    return np.where(parts > 0, joints, 0), parts
+
+
+def posed(rig: Rig, turns: dict[str, np.ndarray]) -> np.ndarray:
+    """Matrices (j, 3, 4) from rest to a pose; a joint's turn is a matrix in its own frame."""
+    moved = np.zeros((len(rig.names), 3, 4))
+    for j, name in enumerate(rig.names):
+        frame, pivot, parent = rig.frames[j], rig.places[j], rig.parents[j]
+        turn = frame @ turns.get(name, np.eye(3)) @ frame.T
+        own = np.concatenate([turn, (pivot - turn @ pivot)[:, None]], axis=1)
+        above = moved[parent] if parent >= 0 else np.eye(3, 4)
+        moved[j] = above[:, :3] @ own
+        moved[j][:, 3] += above[:, 3]
+    return moved
+
+
+def _vertices(mesh: Mesh, end: dict) -> np.ndarray:
+    """A joint lies in the middle of a small cube of helper vertices, or of a few vertices of the skin."""
+    if end["strategy"] == "MEAN":
+        return np.array(end["vertex_indices"])
+    return np.unique(mesh.quads[mesh.groups == end["cube_name"]])
+
+
+def _nearest(bones: dict, name: str | None, kept: list[str]) -> str | None:
+    while name and name not in kept:
+        name = bones[name]["parent"]
+    return name or None
+
+
+def _unit(vector: np.ndarray) -> np.ndarray:
+    return vector / np.linalg.norm(vector)
