@@ -21,7 +21,8 @@ ARM_RINGS = 6  # rings of quads of the forearm that are skin
 CUFF_RINGS = 9  # and that end under the cuff, which goes on
 CUFF_COVERS = 3  # rings of skin that the cuff hides
 EASE, HEM = 2.2e-3, 3.0e-3  # metres from the skin to the cuff, and how far its hem turns in
-GROOVE = 0.04  # sine by which the skin rises beside a nail
+NAIL_MIDDLE = 0.72  # of the way from the last joint to the tip
+NAIL_QUADS = 0.22  # of the middle quad's size, at least, is every quad of a nail
 MARGIN = 0.012  # of the layout, round everything
 STRIP = (0.015, 0.015, 0.505, 0.290)  # u0, v0, u1, v1 of the forearm in the layout: where the hand leaves room
 
@@ -58,9 +59,15 @@ def build_hand(wheel: Wheel, mesh: Mesh, shapes: dict[str, float]) -> Hand:
     part = Part("skin", "skin", positions[vertex], normals[vertex], fine_uv[pairs[:, 1]], triangles)
     part.joints, part.weights = strongest(weights)
     inner = (part.normals * np.einsum("nj,jk->nk", weights, rig.frames[:, :, 2])).sum(axis=1)
-    nails, way = _nails(rig, part, corner.reshape(-1, 4), weights)
+    way, nails = np.zeros(len(vertex)), []
+    for finger, nail in zip(FINGERS, _nails(rig, base, quads)):
+        nails.append(corner.reshape(-1, 4, 4)[nail].reshape(-1, 4))
+        joint = rig.names.index(f"finger{finger}-3.L")
+        along = (part.positions - rig.places[joint]) @ rig.frames[joint][:, 1]
+        low, high = along[nails[-1]].min(), along[nails[-1]].max()
+        way = np.where(weights[:, joint] > 0.5, np.clip((along - low) / (high - low), 0, 1), way)
     cuff = _cuff(rig, base, rings[ARM_RINGS - CUFF_COVERS:CUFF_RINGS])
-    return Hand(rig, part, cuff, weights, inner, part.uv[nails], way)
+    return Hand(rig, part, cuff, weights, inner, part.uv[np.concatenate(nails)], way)
 
 
 class Inwards:
@@ -153,35 +160,35 @@ def _turns(uv: np.ndarray, quads: np.ndarray) -> bool:
     return (p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]).sum() > 0
 
 
-def _nails(rig: Rig, part: Part, quads: np.ndarray, weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The quads of the nails, found by growing from the middle of each over all that is not a groove or the tip's edge."""
-    centre, normal = part.positions[quads].mean(axis=1), part.normals[quads].mean(axis=1)
-    # Over a seam of the layout vertices are doubled; here quads are neighbours in space.
-    place = np.unique(np.round(part.positions, 6), axis=0, return_inverse=True)[1].ravel()[quads]
-    found, way = [], np.zeros(len(part.positions))
+def _nails(rig: Rig, base: np.ndarray, quads: np.ndarray) -> list[np.ndarray]:
+    """Which of the source's quads are each nail: grown from its middle as far as they are wide and face as it does.
+
+    The grooves round a nail are of narrow quads, and the tip's edge faces elsewhere.
+    """
+    corners = base[quads]
+    centre = corners.mean(axis=1)
+    normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    size = np.linalg.norm(normal, axis=1, keepdims=True)
+    normal /= size
+    nails = []
     for finger in FINGERS:
         joint = rig.names.index(f"finger{finger}-3.L")
-        frame, own = rig.frames[joint], weights[quads, joint].min(axis=1) > 0.5
-        local = (centre - rig.places[joint]) @ frame
-        length = local[own, 1].max()
-        facing = normal @ -frame[:, 2]
-        seed = np.argmin(np.hypot(local[:, 0], local[:, 1] - 0.72 * length) + 1e3 * (~own | (facing < 0.7)))
-        flat = own & (normal @ normal[seed] > 0.55)
+        own = rig.weights[quads, joint].min(axis=1) > 0.5
+        local = (centre - rig.places[joint]) @ rig.frames[joint]
+        on_back = own & (normal @ -rig.frames[joint][:, 2] > 0.6)
+        middle = np.hypot(local[:, 0], local[:, 1] - NAIL_MIDDLE * local[own, 1].max())
+        seed = np.argmin(np.where(on_back, middle, np.inf))
+        fits = own & (size[:, 0] > NAIL_QUADS * size[seed, 0]) & (normal @ normal[seed] > 0.75)
         nail, edge = {seed}, [seed]
         while edge:
             here = edge.pop()
-            beside = np.flatnonzero(flat & (np.isin(place, place[here]).sum(axis=1) == 2))
-            for quad in beside:
-                hollow = ((centre[quad] - centre[here]) @ normal[here]) / np.linalg.norm(centre[quad] - centre[here])
-                if hollow < GROOVE and quad not in nail:
-                    nail.add(quad)
-                    edge.append(quad)
-        nail = quads[sorted(nail)]
-        along = (part.positions - rig.places[joint]) @ frame[:, 1]
-        low, high = along[nail].min(), along[nail].max()
-        way = np.where(weights[:, joint] > 0.5, np.clip((along - low) / (high - low), 0, 1), way)
-        found.append(nail)
-    return np.concatenate(found), way
+            across = centre - centre[here]
+            rises = (across @ normal[here]) / np.maximum(np.linalg.norm(across, axis=1), 1e-9)
+            beside = np.flatnonzero(fits & (np.isin(quads, quads[here]).sum(axis=1) == 2) & (rises < 0.06))
+            edge += [quad for quad in beside if quad not in nail]
+            nail |= set(beside)
+        nails.append(np.array(sorted(nail)))
+    return nails
 
 
 def _cuff(rig: Rig, base: np.ndarray, rings: list[np.ndarray]) -> Part:
