@@ -14,6 +14,7 @@ from builder.command import Job, run
 from builder.fields import occlusion
 from builder.glb import Glb
 from builder.hand import build_hand
+from builder.hand_creases import hand_strokes
 from builder.hand_maps import HandFields, paint_hand, paint_hand_relief, paint_hand_surface
 from builder.materials import hand_materials
 from builder.poses import hand_clip
@@ -46,7 +47,7 @@ def hand(wheel, mesh, tell):
     glb.add(skin)
     glb.add(hand.cuff)
     glb.animation("fist", *hand_clip())
-    return glb.finish(), {}
+    return glb.finish(), {"hand/strokes.json": hand_strokes(hand)}
 
 
 JOBS = [Job("hand.glb", ["shape", "maps", "file"], 2_000_000, hand)]

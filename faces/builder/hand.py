@@ -70,13 +70,20 @@ def build_hand(wheel: Wheel, mesh: Mesh, shapes: dict[str, float]) -> Hand:
     return Hand(rig, part, cuff, weights, inner, part.uv[np.concatenate(nails)], way)
 
 
+def palm_frame(rig: Rig) -> np.ndarray:
+    """Columns: towards the little finger, towards the fingers, out of the palm."""
+    wrist = rig.at("wrist.L")
+    z = _unit(np.cross(rig.at("finger5-1.L") - wrist, rig.at("finger2-1.L") - wrist))
+    y = _unit(rig.at("finger3-1.L") - wrist)
+    return np.stack([_unit(np.cross(y, z)), y, z], axis=1)
+
+
 class Inwards:
     """To where each joint of the hand bends: the fingers towards the palm, the thumb across it."""
 
     def __init__(self, wheel: Wheel, mesh: Mesh, base: np.ndarray):
-        still = read_rig(wheel, mesh, base, JOINTS, lambda name: np.array([-0.78, -0.62, -0.01]))
-        wrist, index, little = still.at("wrist.L"), still.at("finger2-1.L"), still.at("finger5-1.L")
-        self.palm = _unit(np.cross(little - wrist, index - wrist))
+        still = read_rig(wheel, mesh, base, JOINTS, lambda name: np.array([-1.0, 0.0, 0.0]))  # any frame will do here
+        self.palm = palm_frame(still)[:, 2]
         # The thumb is bent a little at rest; the turns that bent it tell its axis.
         along = [still.frames[JOINTS.index(f"finger1-{k}.L")][:, 1] for k in (1, 2, 3)]
         axis = _unit(_unit(np.cross(along[0], along[1])) + _unit(np.cross(along[1], along[2])))

@@ -1,0 +1,84 @@
+"""The creases of a hand: where its skin is hinged (F. Wood Jones, "The Principles of Anatomy as Seen in the Hand", 1920)."""
+
+import numpy as np
+
+from .creases import Chart, document
+from .hand import FINGERS, Hand, palm_frame
+
+NAMES = {1: "thumb", 2: "index", 3: "middle", 4: "ring", 5: "little"}
+MAP_SIZE = 2048  # pixels: the finest lines are 1 mm wide
+
+# In the palm's frame, millimetres: x towards the little finger, y towards the fingers.
+PALM = {
+    "palm": [
+        ([(47, 77), (30, 79), (12, 86), (-3, 98), (-10, 110)], 2.4, 0.75),  # distal transverse
+        ([(-38, 87), (-20, 83), (0, 73), (18, 60), (31, 47)], 2.2, 0.65),  # proximal transverse
+        ([(39, 68), (30, 71), (20, 74)], 1.4, 0.25),
+        ([(24, 68), (12, 76), (4, 80)], 1.3, 0.22),
+    ],
+    "thenar": [
+        ([(-38, 85), (-24, 80), (-9, 66), (-2, 48), (-3, 30), (-8, 14)], 2.4, 0.75),
+        ([(-20, 62), (-12, 52), (-9, 40)], 1.4, 0.25),
+        ([(-30, 64), (-20, 52), (-15, 38)], 1.3, 0.20),
+    ],
+}
+# Across the inside of a finger, at its joint k and y millimetres beyond: y, bow towards the tip, width, depth.
+FLEXION = {
+    1: [(15.5, -1.0, 1.9, 0.50), (18.0, -0.5, 1.3, 0.25)],
+    2: [(-1.0, -0.8, 1.9, 0.55), (1.6, 0.6, 1.6, 0.40)],
+    3: [(-1.2, -0.6, 1.8, 0.50), (0.8, 0.4, 1.1, 0.20)],
+}
+# Across its back, which is smooth when the finger is bent.
+EXTENSION = {
+    2: [(-3.6, -1.6, 1.3, 0.24), (-2.0, -1.0, 1.4, 0.32), (-0.5, -0.3, 1.5, 0.36), (1.0, 0.5, 1.4, 0.32), (2.6, 1.3, 1.3, 0.24)],
+    3: [(-1.2, -0.5, 1.1, 0.20), (0.2, 0.0, 1.2, 0.24), (1.6, 0.5, 1.1, 0.18)],
+}
+REACH = 11.0  # millimetres to either side, more than a finger is wide
+SHARE_OF_BACK = 0.55  # of the way round, on the back
+
+
+def hand_strokes(hand: Hand) -> str:
+    flat = (hand.part.positions - hand.rig.at("wrist.L")) @ palm_frame(hand.rig)[:, :2] * 1e3
+    thumb = _own(hand, 1, 2) > 0.6
+    palm = Chart(hand.part, flat, (hand.inner > 0.15) & ~thumb)
+    strokes = [s for group, lines in PALM.items() for points, width, depth in lines
+               for s in palm.stroke(group, points, width, depth, taper=0.35, softness=0.3, waviness=0.3)]
+    for finger in FINGERS:
+        strokes += _finger(hand, finger)
+    feathered = lambda name, radius, feather: {"name": name, "shapes": [{"group": name, "radius": radius, "feather": feather}]}
+    areas = [feathered(name, 3.5, 4) for name in NAMES.values()]
+    areas += [feathered("knuckles", 3.5, 4), feathered("palm", 5, 6), feathered("thenar", 5, 6)]
+    return document(strokes, areas, MAP_SIZE)
+
+
+def _finger(hand: Hand, finger: int) -> list[dict]:
+    strokes = []
+    for k in (1, 2, 3):
+        joint = hand.rig.names.index(f"finger{finger}-{k}.L")
+        flat = (hand.part.positions - hand.rig.places[joint]) @ hand.rig.frames[joint][:, :2] * 1e3
+        own = _own(hand, finger, max(1, k - 1)) > 0.4
+        inside = Chart(hand.part, flat, own & (hand.inner > 0.0))
+        back = Chart(hand.part, flat, own & (hand.inner < -0.1))
+        # The thumb's first joint lies in the ball of the thumb, whose crease is the palm's.
+        for y, bow, width, depth in FLEXION[k] if (finger, k) != (1, 1) else []:
+            strokes += inside.stroke(NAMES[finger], _arc(y, bow, REACH), width, depth, taper=0.25, softness=0.3, waviness=0.25)
+        size = _width(hand, finger, joint) * SHARE_OF_BACK
+        for y, bow, width, depth in EXTENSION.get(k, []):
+            strokes += back.stroke("knuckles", _arc(y, bow, size), width, depth, taper=0.5, shoulder=0.9, softness=0.4, waviness=0.5)
+    return strokes
+
+
+def _arc(y: float, bow: float, reach: float) -> list[tuple[float, float]]:
+    return [(x * reach, y + bow * (1 - x * x)) for x in np.linspace(-1, 1, 7)]
+
+
+def _own(hand: Hand, finger: int, first: int) -> np.ndarray:
+    """How much of every vertex moves with a finger, from its joint `first` on."""
+    return hand.weights[:, [hand.rig.names.index(f"finger{finger}-{k}.L") for k in range(first, 4)]].sum(axis=1)
+
+
+def _width(hand: Hand, finger: int, joint: int) -> float:
+    """Half of a finger's width at a joint, in millimetres."""
+    local = (hand.part.positions - hand.rig.places[joint]) @ hand.rig.frames[joint] * 1e3
+    ring = (np.abs(local[:, 1]) < 3) & (_own(hand, finger, 1) > 0.4)
+    return np.abs(local[ring, 0]).max()
