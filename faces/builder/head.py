@@ -125,17 +125,20 @@ def _settled(values: np.ndarray) -> np.ndarray:
     return np.round(values, 7)
 
 
-def skin_part(head: Head) -> tuple[Part, np.ndarray]:
+def skin_part(head: Head, dense_neck=False) -> tuple[Part, np.ndarray]:
     """The skin, split only where the texture layout has its seam, and which fine vertex each of its vertices is.
 
-    The neck keeps the subdivided surface but not its density: nothing there moves much, and vertices are dear.
+    The neck keeps the subdivided surface but its density only if wanted: vertices are dear where nothing moves much.
     """
     quads = head.fine_quads[head.region == "skin"]
     pairs, index = np.unique(np.stack([quads.ravel(), head.uv_quads.ravel()], 1), axis=0, return_inverse=True)
     index = index.reshape(-1, 4, 4)
     positions = head.positions[pairs[:, 0]]
-    fine = index[~head.neck].reshape(-1, 4)
-    triangles = np.concatenate([triangulate(fine, positions), thin_out(index[head.neck], fine)])
+    if dense_neck:
+        triangles = triangulate(index.reshape(-1, 4), positions)
+    else:
+        fine = index[~head.neck].reshape(-1, 4)
+        triangles = np.concatenate([triangulate(fine, positions), thin_out(index[head.neck], fine)])
     kept, triangles = np.unique(triangles, return_inverse=True)
     vertices = pairs[kept, 0]
     part = _part(head, "skin", "skin", vertices, head.uv[pairs[kept, 1]], triangles.reshape(-1, 3))

@@ -13,12 +13,23 @@ FIST = {
     "finger5-1.L": (84, -15, 8), "finger5-2.L": (92, 0, 0), "finger5-3.L": (56, 0, 0),
     "finger1-1.L": (30, -20, 4), "finger1-2.L": (38, 0, 0), "finger1-3.L": (58, 0, 0),
 }
+# A head turns by about 60 degrees to either side and bows by 40; every joint of the neck does a part.
+TURN = {"neck01": (0, 11, 0), "neck02": (0, 15, 0), "neck03": (0, 17, 0), "head": (0, 17, 0)}
+NOD = {"neck01": (7, 0, 0), "neck02": (9, 0, 0), "neck03": (10, 0, 0), "head": (12, 0, 0)}
 STEP = 0.1  # seconds between two key frames
 
 
 def hand_clip() -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """The thumb comes when the fingers are out of its way."""
     return clip(FIST, 1.4, 0.6, lambda joint, t: 1.6 * t - 0.6 if joint.startswith("finger1-") else 1.25 * t)
+
+
+def neck_clips() -> dict[str, tuple[np.ndarray, dict[str, np.ndarray]]]:
+    """Left and back, right and back; down and back."""
+    seconds, left = clip(TURN, 1.2, 0.4)
+    right = clip({joint: (0, -angles[1], 0) for joint, angles in TURN.items()}, 1.2, 0.4)[1]
+    both = {joint: np.concatenate([left[joint], right[joint][1:]]) for joint in TURN}
+    return {"turn": (np.concatenate([seconds, seconds[-1] + seconds[1:]]), both), "nod": clip(NOD, 1.0, 0.4)}
 
 
 def clip(pose: dict, closing: float, held: float, share=lambda joint, t: t) -> tuple[np.ndarray, dict[str, np.ndarray]]:
