@@ -19,6 +19,7 @@ from builder.hand_creases import hand_strokes
 from builder.hand_maps import HandFields, paint_hand, paint_hand_relief, paint_hand_surface
 from builder.materials import hand_materials, materials
 from builder.neck import build_neck, follow_body, spread_map, spread_out, without_targets
+from builder.neck_creases import neck_strokes
 from builder.poses import hand_clip, neck_clips
 from builder.raster import Atlas
 from builder.recipes import HAND, HUMAN
@@ -57,7 +58,7 @@ def neck(wheel, mesh, tell):
     tell("shape")
     neck = build_neck(wheel, mesh, HUMAN["shapes"], HUMAN["rest"])
     face = Face(neck.head, mesh, neck.skin, neck.vertices, look, tell)
-    parts = [without_targets(part) for part in face.parts()]
+    parts = [without_targets(part) for part in face.parts(overlap=1)]
     shirt = parts[-1]
     for part in parts[:-1]:
         part.parent = "head"
@@ -74,7 +75,7 @@ def neck(wheel, mesh, tell):
     for name, clip in neck_clips().items():
         glb.animation(name, *clip)
     tell("file")
-    return glb.finish(), {}
+    return glb.finish(), {"neck/strokes.json": neck_strokes(neck)}
 
 
 JOBS = [

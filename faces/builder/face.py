@@ -11,7 +11,7 @@ from .lashes import lash_map, lash_part
 from .mouth import mouth_part, socket_part, teeth_part, tongue_part
 from .part import Part
 from .raster import Atlas
-from .shirt import shirt_part
+from .shirt import OVERLAP, shirt_part
 from .skin_maps import encode, paint_colour, paint_pores, paint_specular, paint_surface
 from .source import Mesh
 
@@ -54,12 +54,12 @@ class Face:
             "lash": lash_map(look),
         }
 
-    def parts(self) -> list[Part]:
-        """All but the skin; the shirt comes last."""
+    def parts(self, overlap=OVERLAP) -> list[Part]:
+        """All but the skin; the shirt comes last, and covers so many of the skin's last rings."""
         head, mesh, look = self._head, self._mesh, self._look
         self._tell("parts")
         return [
             *self._eyes, shade_part(head, mesh), brow_part(self._skin), lash_part(head, mesh, look),
             teeth_part(head, mesh, "upper"), teeth_part(head, mesh, "lower"), tongue_part(head, mesh), mouth_part(head),
-            socket_part(head), shirt_part(head, mesh),
+            socket_part(head), shirt_part(head, mesh, overlap),
         ]

@@ -13,9 +13,9 @@ FIST = {
     "finger5-1.L": (84, -15, 8), "finger5-2.L": (92, 0, 0), "finger5-3.L": (56, 0, 0),
     "finger1-1.L": (30, -20, 4), "finger1-2.L": (38, 0, 0), "finger1-3.L": (58, 0, 0),
 }
-# A head turns by about 60 degrees to either side and bows by 40; every joint of the neck does a part.
+# A head turns by about 60 degrees to either side and bows by 26; every joint of the neck does a part.
 TURN = {"neck01": (0, 11, 0), "neck02": (0, 15, 0), "neck03": (0, 17, 0), "head": (0, 17, 0)}
-NOD = {"neck01": (7, 0, 0), "neck02": (9, 0, 0), "neck03": (10, 0, 0), "head": (12, 0, 0)}
+NOD = {"neck01": (4, 0, 0), "neck02": (6, 0, 0), "neck03": (7, 0, 0), "head": (9, 0, 0)}
 STEP = 0.1  # seconds between two key frames
 
 

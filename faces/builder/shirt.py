@@ -18,8 +18,8 @@ BAND = 0.010  # metres of neckline that stand out a little more
 BAND_LIFT = 1.0e-3
 
 
-def shirt_part(head: Head, mesh: Mesh) -> Part:
-    name, _ = regions(mesh, NECK_RINGS - OVERLAP)
+def shirt_part(head: Head, mesh: Mesh, overlap=OVERLAP) -> Part:
+    name, _ = regions(mesh, NECK_RINGS - overlap)
     used, quads = np.unique(mesh.quads[name == "shirt"], return_inverse=True)
     quads = quads.reshape(-1, 4)
     matrix, fine = catmull_clark(quads, len(used))
