@@ -57,8 +57,13 @@ const PORTRAITS = ['minimal.html', 'webgpu.html']
 const DRIVERS: readonly (readonly [page: string, driven: string, atRest: string, where: Region])[] = [
   ['age.html', '?age=75', '?age=20', { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }],
   ['expressions.html', '?happy=0.7&surprised=0.6', '', { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }],
-  ['joints.html', '?fist=1', '?fist=0', { left: 0.45, top: 0.35, right: 0.6, bottom: 0.6 }],
-  ['joints.html', '?model=neck&turn=1', '?model=neck&turn=0', { left: 0.5, top: 0.55, right: 0.65, bottom: 0.75 }],
+  ['joints.html', '?fist=1', '?fist=0', { left: 0.4, top: 0.45, right: 0.6, bottom: 0.95 }],
+  [
+    'joints.html',
+    '?model=neck&turn=1',
+    '?model=neck&turn=0',
+    { left: 0.5, top: 0.55, right: 0.65, bottom: 0.75 },
+  ],
   ['key-frames.html', '?time=2.2', '?time=0', { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }],
   [
     'muscles.html',

@@ -1,0 +1,173 @@
+import { fileURLToPath } from 'node:url'
+import { type Document, NodeIO } from '@gltf-transform/core'
+import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
+import { cloneDocument } from '@gltf-transform/functions'
+import { BoneActivation, type BoneDriver, type Curve } from 'furrow'
+import { FurrowWrinkleMaps, type MaterialWrinkles } from 'furrow/gltf'
+import { Matrix4, Quaternion, Vector3 } from 'three'
+import { describe, expect, it } from 'vitest'
+
+const io = new NodeIO().registerExtensions([...ALL_EXTENSIONS, FurrowWrinkleMaps])
+const read = (name: string) => io.read(fileURLToPath(new URL(`../../../faces/${name}.glb`, import.meta.url)))
+const documents = { hand: await read('hand'), neck: await read('neck') }
+
+/** Largest whole weight, as 16 bits write it. */
+const WHOLE = 65535
+
+describe.each(Object.entries(documents))('the shipped %s', (_, document) => {
+  it('is skinned with weights that sum to exactly 1', () => {
+    const skinned = document
+      .getRoot()
+      .listNodes()
+      .filter((node) => node.getSkin())
+    expect(skinned.map((node) => node.getName())).toContain('skin')
+    for (const node of skinned) {
+      const [primitive] = node.getMesh()!.listPrimitives()
+      const weights = primitive.getAttribute('WEIGHTS_0')!.getArray()!
+      const joints = primitive.getAttribute('JOINTS_0')!.getArray()!
+      expect(Math.max(...joints)).toBeLessThan(node.getSkin()!.listJoints().length)
+      for (let i = 0; i < weights.length; i += 4) {
+        if (weights[i] + weights[i + 1] + weights[i + 2] + weights[i + 3] !== WHOLE)
+          expect.fail(`vertex ${i / 4} of ${node.getName()}`)
+      }
+    }
+  })
+
+  it('rests where its skin was bound', () => {
+    const { rest, now } = jointsOf(document)
+    for (const [i, value] of now().entries()) expect(value).toBeCloseTo(rest[i], 5)
+  })
+})
+
+describe('the hand', () => {
+  it.each([0, 0.2, 0.7, 1.1, 1.6])('creases as its curves say when its joints bend by %d', (angle) => {
+    const { pose, activations, drivers, place } = jointsOf(documents.hand)
+    const bent = ['finger1-3', 'finger2-2', 'finger3-2', 'finger4-2', 'finger5-2', 'finger1-1']
+    for (const name of bent) pose(`${name}.L`, [1, 0, 0], angle)
+    const distance = place('wrist.L').distanceTo(place('finger3-3.L'))
+    const found = activations()
+    for (const { area, curve, measure } of drivers)
+      expect(found[area]).toBeCloseTo(interpolate(curve, measure === 'angle' ? angle : distance), 5)
+    expect(Object.keys(found)).toEqual([
+      'thumb',
+      'index',
+      'middle',
+      'ring',
+      'little',
+      'knuckles',
+      'palm',
+      'thenar',
+    ])
+  })
+
+  it('has all its creases and smooth knuckles when it is a fist', () => {
+    const { play, activations } = jointsOf(documents.hand)
+    play('fist', 1.5)
+    const { knuckles, ...others } = activations()
+    expect(knuckles).toBe(0)
+    for (const activation of Object.values(others)) expect(activation).toBe(1)
+  })
+})
+
+describe('the neck', () => {
+  it.each([-0.25, -0.1, 0, 0.08, 0.2])('creases by the whole turn of its joints, %d each', (angle) => {
+    const { pose, activations, drivers, turned } = jointsOf(documents.neck)
+    for (const name of ['neck01', 'neck02', 'neck03', 'head']) {
+      pose(name, [0.3, 1, 0], angle)
+    }
+    const { x, y, w } = turned('spine01', 'head')
+    const found = activations()
+    for (const { area, curve, axis } of drivers) {
+      const angle = 2 * Math.atan2(axis![0] === 1 ? x : y, w)
+      expect(found[area]).toBeCloseTo(interpolate(curve, angle), 5)
+    }
+  })
+
+  it.each([
+    ['turn', 1.4, 'neckLeft'],
+    ['turn', 4.2, 'neckRight'],
+    ['nod', 1.2, 'neckFront'],
+  ])('shows only its own creases in %s at %d s', (clip, seconds, area) => {
+    const { play, activations } = jointsOf(documents.neck)
+    play(clip, seconds)
+    const { [area]: own, ...others } = activations()
+    expect(own).toBeGreaterThan(0.9)
+    expect(Math.max(...Object.values(others))).toBeLessThan(0.1)
+  })
+})
+
+/** Joints of a model, at rest until they are posed, and what its own drivers make of the pose. */
+function jointsOf(shared: Document) {
+  const document = cloneDocument(shared)
+  const [skin] = document.getRoot().listSkins()
+  const joints = skin.listJoints()
+  const rests = joints.map((joint) => joint.getRotation())
+  const names = joints.map((joint) => joint.getName())
+  const inverse = skin.getInverseBindMatrices()!
+  const rest = joints.flatMap((_, i) => {
+    const elements = inverse.getElement(i, [])
+    return new Matrix4().fromArray(elements).invert().elements
+  })
+  const material = document
+    .getRoot()
+    .listMaterials()
+    .find((one) => one.getName() === 'skin')!
+  const wrinkles = material.getExtension<MaterialWrinkles>('FURROW_wrinkle_maps')!
+  const drivers = wrinkles.getDrivers() as BoneDriver[]
+  const now = () => joints.flatMap((joint) => joint.getWorldMatrix() as number[])
+  const joint = (name: string) => joints[names.indexOf(name)]
+  const turnOf = (matrix: Matrix4) => new Quaternion().setFromRotationMatrix(matrix)
+  return {
+    drivers,
+    rest,
+    now,
+    /** Turns a joint from its rest, about an axis of its own frame, in radians. */
+    pose(name: string, axis: [number, number, number], angle: number) {
+      const turn = new Quaternion().setFromAxisAngle(new Vector3(...axis).normalize(), angle)
+      const rotation = new Quaternion().fromArray(rests[names.indexOf(name)]).multiply(turn)
+      joint(name).setRotation(rotation.toArray() as [number, number, number, number])
+    },
+    /** Poses all joints as a clip has them at the last key frame that is not after `seconds`. */
+    play(clip: string, seconds: number) {
+      const animation = document
+        .getRoot()
+        .listAnimations()
+        .find((one) => one.getName() === clip)!
+      for (const channel of animation.listChannels()) {
+        const sampler = channel.getSampler()!
+        const times = [...sampler.getInput()!.getArray()!]
+        const key = times.findLastIndex((time) => time <= seconds + 1e-4)
+        const rotation = sampler.getOutput()!.getElement(key, []) as [number, number, number, number]
+        channel.getTargetNode()!.setRotation(rotation)
+      }
+    },
+    place: (name: string) => new Vector3(...joint(name).getWorldTranslation()),
+    /** The turn of a joint from its rest, as seen from another. */
+    turned(from: string, name: string) {
+      const seen = (matrices: readonly number[]) => {
+        const [a, b] = [from, name].map((one) =>
+          turnOf(new Matrix4().fromArray(matrices, 16 * names.indexOf(one))),
+        )
+        return a.invert().multiply(b)
+      }
+      return seen(rest).invert().multiply(seen(now()))
+    },
+    activations(): Record<string, number> {
+      const bones = new BoneActivation(drivers, names, rest)
+      expect(bones.missing).toEqual([])
+      bones.update(now())
+      return Object.fromEntries(bones.areaNames.map((name, i) => [name, bones.activations[i]]))
+    },
+  }
+}
+
+/** Straight between the points of a curve, constant beyond its ends. */
+function interpolate(curve: Curve, input: number): number {
+  const [[firstInput, first]] = curve
+  if (input <= firstInput) return first
+  for (let i = 1; i < curve.length; i++) {
+    const [[a, from], [b, to]] = [curve[i - 1], curve[i]]
+    if (input <= b) return from + ((to - from) * (input - a)) / (b - a)
+  }
+  return curve[curve.length - 1][1]
+}
