@@ -37,6 +37,8 @@ const FOREHEAD = { ...PORTRAIT, expression: 'surprised', crop: { ...PORTRAIT.cro
 const PAGE = { width: 720, height: 900, crop: { left: 135, top: 20, width: 450, height: 540 } }
 /** WebGPU's canvas has no picture to take without a graphics card; on WebGL 2 the same page shows the same. */
 const CHEEKS = { width: 1100, height: 1300, crop: { left: 300, top: 400, width: 500, height: 500 } }
+const HAND = { width: 900, height: 900, crop: { left: 246, top: 130, width: 450, height: 660 } }
+const NECK = { width: 900, height: 900, crop: { left: 270, top: 130, width: 450, height: 660 } }
 const BASIC_EXPRESSIONS = ['neutral', 'happiness', 'surprise', 'anger', 'sadness', 'fear', 'disgust']
 
 /** Each figure is a row of pictures, from left to right. */
@@ -62,6 +64,13 @@ const FIGURES = {
     { ...BROW, face: 'arrays' },
   ],
   muscles: BASIC_EXPRESSIONS.map((name) => ({ ...PAGE, page: `muscles.html?expression=${name}` })),
+  joints: [
+    { ...HAND, page: 'joints.html?fist=0' },
+    { ...HAND, page: 'joints.html?fist=1&smooth' },
+    { ...HAND, page: 'joints.html?fist=1' },
+    { ...NECK, page: 'joints.html?model=neck&turn=1&smooth' },
+    { ...NECK, page: 'joints.html?model=neck&turn=1' },
+  ],
   age: [20, 40, 60, 80].map((years) => ({ ...PAGE, page: `age.html?age=${years}` })),
   normals: ['none', 'baked', 'recomputed'].map((remedy) => ({
     ...CHEEKS,

@@ -3,12 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
+from .head import islands
 from .layout import borders
 from .part import Part, triangulate
-from .rig import Rig, read_rig, strongest
+from .rig import Rig, read_rig, strongest, unit
 from .source import Mesh, Wheel
 from .subdivide import catmull_clark, vertex_normals
 
@@ -73,9 +72,9 @@ def build_hand(wheel: Wheel, mesh: Mesh, shapes: dict[str, float]) -> Hand:
 def palm_frame(rig: Rig) -> np.ndarray:
     """Columns: towards the little finger, towards the fingers, out of the palm."""
     wrist = rig.at("wrist.L")
-    z = _unit(np.cross(rig.at("finger5-1.L") - wrist, rig.at("finger2-1.L") - wrist))
-    y = _unit(rig.at("finger3-1.L") - wrist)
-    return np.stack([_unit(np.cross(y, z)), y, z], axis=1)
+    z = unit(np.cross(rig.at("finger5-1.L") - wrist, rig.at("finger2-1.L") - wrist))
+    y = unit(rig.at("finger3-1.L") - wrist)
+    return np.stack([unit(np.cross(y, z)), y, z], axis=1)
 
 
 class Inwards:
@@ -86,7 +85,7 @@ class Inwards:
         self.palm = palm_frame(still)[:, 2]
         # The thumb is bent a little at rest; the turns that bent it tell its axis.
         along = [still.frames[JOINTS.index(f"finger1-{k}.L")][:, 1] for k in (1, 2, 3)]
-        axis = _unit(_unit(np.cross(along[0], along[1])) + _unit(np.cross(along[1], along[2])))
+        axis = unit(unit(np.cross(along[0], along[1])) + unit(np.cross(along[1], along[2])))
         self.thumb = [np.cross(axis, y) for y in along]
 
     def __call__(self, name: str) -> np.ndarray:
@@ -96,9 +95,7 @@ class Inwards:
 def _hand_island(mesh: Mesh) -> np.ndarray:
     """The quads of the body whose island in the source's layout is that of the left hand: the one with its finger tips."""
     body = np.flatnonzero(mesh.groups == "body")
-    quads, count = mesh.uv_quads[body], len(mesh.uv)
-    a, b = quads.ravel(), np.roll(quads, -1, axis=1).ravel()
-    island = connected_components(coo_matrix((np.ones(len(a)), (a, b)), (count, count)), directed=False)[1][quads[:, 0]]
+    island = islands(mesh, body)
     tip = mesh.positions[np.unique(mesh.quads[mesh.groups == "joint-l-finger-3-4"])].mean(axis=0)
     nearest = np.argmin(np.linalg.norm(mesh.positions[mesh.quads[body]].mean(axis=1) - tip, axis=1))
     return body[island == island[nearest]]
@@ -215,7 +212,3 @@ def _cuff(rig: Rig, base: np.ndarray, rings: list[np.ndarray]) -> Part:
     part = Part("cuff", "shirt", positions, vertex_normals(positions, quads), None, triangulate(quads, positions))
     part.joints, part.weights = strongest(np.concatenate([weights, weights[wrist]]))
     return part
-
-
-def _unit(vector: np.ndarray) -> np.ndarray:
-    return vector / np.linalg.norm(vector)

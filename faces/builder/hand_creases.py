@@ -11,13 +11,15 @@ MAP_SIZE = 2048  # pixels: the finest lines are 1 mm wide
 # In the palm's frame, millimetres: x towards the little finger, y towards the fingers.
 PALM = {
     "palm": [
-        ([(47, 77), (30, 79), (12, 86), (-3, 98), (-10, 110)], 2.6, 1.15),  # distal transverse
-        ([(-38, 87), (-20, 83), (0, 73), (18, 60), (31, 47)], 2.4, 1.0),  # proximal transverse
+        ([(47, 77), (30, 79), (12, 86), (-3, 98), (-10, 110)], 3.0, 1.5),  # distal transverse
+        ([(-38, 87), (-20, 83), (0, 73), (18, 60), (31, 47)], 2.8, 1.3),  # proximal transverse
         ([(39, 68), (30, 71), (20, 74)], 1.5, 0.4),
+        ([(56, 86), (47, 85), (38, 87)], 2.2, 0.8),  # at the little finger's edge, which a fist folds most
+        ([(54, 71), (45, 70), (35, 73)], 2.0, 0.7),
         ([(24, 68), (12, 76), (4, 80)], 1.4, 0.35),
     ],
     "thenar": [
-        ([(-38, 85), (-24, 80), (-9, 66), (-2, 48), (-3, 30), (-8, 14)], 2.6, 1.15),
+        ([(-38, 85), (-24, 80), (-9, 66), (-2, 48), (-3, 30), (-8, 14)], 3.0, 1.5),
         ([(-20, 62), (-12, 52), (-9, 40)], 1.5, 0.4),
         ([(-30, 64), (-20, 52), (-15, 38)], 1.4, 0.35),
     ],
@@ -40,7 +42,7 @@ SHARE_OF_BACK = 0.55  # of the way round, on the back
 def hand_strokes(hand: Hand) -> str:
     flat = (hand.part.positions - hand.rig.at("wrist.L")) @ palm_frame(hand.rig)[:, :2] * 1e3
     thumb = _own(hand, 1, 2) > 0.6
-    palm = Chart(hand.part, flat, (hand.inner > 0.15) & ~thumb)
+    palm = Chart(hand.part, flat, (hand.inner > -0.15) & ~thumb)
     strokes = [s for group, lines in PALM.items() for points, width, depth in lines
                for s in palm.stroke(group, points, width, depth, taper=0.35, softness=0.3, waviness=0.3)]
     for finger in FINGERS:

@@ -36,16 +36,20 @@ class Head:
     moves: dict[str, tuple[np.ndarray, np.ndarray]]  # ARKit name -> fine displacement, change of normal
 
 
+def islands(mesh: Mesh, faces: np.ndarray) -> np.ndarray:
+    """A number for each of these quads: that of the piece of the source's texture layout that it lies in."""
+    quads, count = mesh.uv_quads[faces], len(mesh.uv)
+    a, b = quads.ravel(), np.roll(quads, -1, axis=1).ravel()
+    return connected_components(coo_matrix((np.ones(len(a)), (a, b)), (count, count)), directed=False)[1][quads[:, 0]]
+
+
 def regions(mesh: Mesh, neck_rings=NECK_RINGS) -> tuple[np.ndarray, np.ndarray]:
     """Names the part that every quad of the body belongs to: skin, mouth, socket-left, socket-right, shirt or "".
 
     Also marks the quads of the source's own head island.
     """
     body = np.flatnonzero(mesh.groups == "body")
-    quads = mesh.uv_quads[body]
-    count = len(mesh.uv)
-    a, b = quads.ravel(), np.roll(quads, -1, axis=1).ravel()
-    island = connected_components(coo_matrix((np.ones(len(a)), (a, b)), (count, count)), directed=False)[1][quads[:, 0]]
+    island = islands(mesh, body)
     name = np.full(len(mesh.quads), "", dtype="U16")
     above = []
     for i in np.unique(island):

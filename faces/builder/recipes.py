@@ -71,6 +71,6 @@ HAND = {
     "shapes": HUMAN["shapes"],
     "look": HUMAN["look"] | {
         "seed": 5, "skin": (0.770, 0.585, 0.490), "blood": (0.735, 0.420, 0.350), "palm": (0.840, 0.640, 0.565),
-        "nail": (0.820, 0.605, 0.545), "nail_edge": (0.890, 0.835, 0.775), "pores": 0.16, "roughness": 0.56,
+        "nail": (0.820, 0.605, 0.545), "nail_edge": (0.890, 0.835, 0.775), "pores": 0.12, "roughness": 0.56,
     },
 }

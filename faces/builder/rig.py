@@ -40,8 +40,8 @@ def read_rig(wheel: Wheel, mesh: Mesh, base: np.ndarray, kept: list[str], inward
 
     frames = []
     for name, head, tail in zip(kept, places, tails):
-        y = _unit(tail - head)
-        x = _unit(np.cross(y, inwards(name)))
+        y = unit(tail - head)
+        x = unit(np.cross(y, inwards(name)))
         frames.append(np.stack([x, y, np.cross(x, y)], axis=1))
 
     parents = []
@@ -67,19 +67,6 @@ def strongest(weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return np.where(parts > 0, joints, 0), parts
 
 
-def posed(rig: Rig, turns: dict[str, np.ndarray]) -> np.ndarray:
-    """Matrices (j, 3, 4) from rest to a pose; a joint's turn is a matrix in its own frame."""
-    moved = np.zeros((len(rig.names), 3, 4))
-    for j, name in enumerate(rig.names):
-        frame, pivot, parent = rig.frames[j], rig.places[j], rig.parents[j]
-        turn = frame @ turns.get(name, np.eye(3)) @ frame.T
-        own = np.concatenate([turn, (pivot - turn @ pivot)[:, None]], axis=1)
-        above = moved[parent] if parent >= 0 else np.eye(3, 4)
-        moved[j] = above[:, :3] @ own
-        moved[j][:, 3] += above[:, 3]
-    return moved
-
-
 def _vertices(mesh: Mesh, end: dict) -> np.ndarray:
     """A joint lies in the middle of a small cube of helper vertices, or of a few vertices of the skin."""
     if end["strategy"] == "MEAN":
@@ -93,5 +80,6 @@ def _nearest(bones: dict, name: str | None, kept: list[str]) -> str | None:
     return name or None
 
 
-def _unit(vector: np.ndarray) -> np.ndarray:
+def unit(vector: np.ndarray) -> np.ndarray:
+    """The vector at length 1."""
     return vector / np.linalg.norm(vector)
