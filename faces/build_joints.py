@@ -29,7 +29,7 @@ from builder.tangents import tangents
 MAP_SIZE = 1024  # pixels
 
 
-def hand(wheel, mesh, tell):
+def make_hand(wheel, mesh, tell):
     look = HAND["look"]
     tell("shape")
     hand = build_hand(wheel, mesh, HAND["shapes"])
@@ -53,7 +53,7 @@ def hand(wheel, mesh, tell):
     return glb.finish(), {"hand/strokes.json": hand_strokes(hand)}
 
 
-def neck(wheel, mesh, tell):
+def make_neck(wheel, mesh, tell):
     look = HUMAN["look"]
     tell("shape")
     neck = build_neck(wheel, mesh, HUMAN["shapes"], HUMAN["rest"])
@@ -79,8 +79,8 @@ def neck(wheel, mesh, tell):
 
 
 JOBS = [
-    Job("hand.glb", ["shape", "maps", "file"], 2_000_000, hand),
-    Job("neck.glb", ["shape", *STEPS, "file"], 3_000_000, neck),
+    Job("hand.glb", ["shape", "maps", "file"], 2_000_000, make_hand),
+    Job("neck.glb", ["shape", *STEPS, "file"], 3_000_000, make_neck),
 ]
 
 if __name__ == "__main__":

@@ -21,7 +21,7 @@ CUFF_RINGS = 9  # and that end under the cuff, which goes on
 CUFF_COVERS = 3  # rings of skin that the cuff hides
 EASE, HEM = 2.2e-3, 3.0e-3  # metres from the skin to the cuff, and how far its hem turns in
 NAIL_MIDDLE = 0.72  # of the way from the last joint to the tip
-NAIL_QUADS = 0.22  # of the middle quad's size, at least, is every quad of a nail
+NAIL_QUADS = 0.25  # of the middle quad's size, at least, is every quad of a nail
 MARGIN = 0.012  # of the layout, round everything
 STRIP = (0.015, 0.015, 0.505, 0.290)  # u0, v0, u1, v1 of the forearm in the layout: where the hand leaves room
 

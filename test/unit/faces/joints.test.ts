@@ -1,5 +1,5 @@
 import { fileURLToPath } from 'node:url'
-import { type Document, NodeIO } from '@gltf-transform/core'
+import { type Document, NodeIO, type vec4 } from '@gltf-transform/core'
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
 import { cloneDocument } from '@gltf-transform/functions'
 import { BoneActivation, type BoneDriver, type Curve } from 'furrow'
@@ -125,7 +125,7 @@ function jointsOf(shared: Document) {
     pose(name: string, axis: [number, number, number], angle: number) {
       const turn = new Quaternion().setFromAxisAngle(new Vector3(...axis).normalize(), angle)
       const rotation = new Quaternion().fromArray(rests[names.indexOf(name)]).multiply(turn)
-      joint(name).setRotation(rotation.toArray() as [number, number, number, number])
+      joint(name).setRotation(rotation.toArray() as vec4)
     },
     /** Poses all joints as a clip has them at the last key frame that is not after `seconds`. */
     play(clip: string, seconds: number) {
@@ -137,7 +137,7 @@ function jointsOf(shared: Document) {
         const sampler = channel.getSampler()!
         const times = [...sampler.getInput()!.getArray()!]
         const key = times.findLastIndex((time) => time <= seconds + 1e-4)
-        const rotation = sampler.getOutput()!.getElement(key, []) as [number, number, number, number]
+        const rotation = sampler.getOutput()!.getElement<vec4>(key, [0, 0, 0, 1])
         channel.getTargetNode()!.setRotation(rotation)
       }
     },
