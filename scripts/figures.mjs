@@ -37,7 +37,7 @@ const FOREHEAD = { ...PORTRAIT, expression: 'surprised', crop: { ...PORTRAIT.cro
 const PAGE = { width: 720, height: 900, crop: { left: 135, top: 20, width: 450, height: 540 } }
 /** WebGPU's canvas has no picture to take without a graphics card; on WebGL 2 the same page shows the same. */
 const CHEEKS = { width: 1100, height: 1300, crop: { left: 300, top: 400, width: 500, height: 500 } }
-const HAND = { width: 900, height: 900, crop: { left: 246, top: 130, width: 450, height: 660 } }
+const HAND = { width: 900, height: 900, crop: { left: 190, top: 130, width: 490, height: 660 } }
 const NECK = { width: 900, height: 900, crop: { left: 270, top: 130, width: 450, height: 660 } }
 const BASIC_EXPRESSIONS = ['neutral', 'happiness', 'surprise', 'anger', 'sadness', 'fear', 'disgust']
 
