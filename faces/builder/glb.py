@@ -227,7 +227,7 @@ def _node(turn: np.ndarray, place: np.ndarray) -> dict:
 
 
 def _quaternion(turn: np.ndarray) -> np.ndarray:
-    """x, y, z, w with w not below 0 (S. W. Shepperd, "Quaternion from rotation matrix", 1978)."""
+    """x, y, z, w with w not below 0."""
     return Rotation.from_matrix(turn).as_quat(canonical=True)
 
 

@@ -1,4 +1,4 @@
-"""The creases of a hand: where its skin is hinged (F. Wood Jones, "The Principles of Anatomy as Seen in the Hand", 1920)."""
+"""The creases of a hand, placed by eye where its skin is hinged: across the joints of the fingers, and in the palm."""
 
 import numpy as np
 

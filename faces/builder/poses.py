@@ -1,5 +1,6 @@
-"""How joints turn: the fist of a hand, the turn and the nod of a head. Degrees; angles of joints follow A. I. Kapandji,
-"The Physiology of the Joints", volumes 1 and 3.
+"""How joints turn: the fist of a hand, the turn and the nod of a head.
+
+Degrees, chosen by eye so that the fingers close without passing through each other, as far as a rigid skeleton can.
 """
 
 import numpy as np
