@@ -16,7 +16,7 @@ function crowsFeet({ landmarks, age, random }: Build, side: 1 | -1, name: string
     const degrees = 32 - 80 * share
     const strength = 1 - 0.55 * Math.abs(2 * share - 0.9) ** 1.6
     const length = grown(age, 24, 44) * (0.65 + 0.35 * strength) * numbers.between(0.9, 1.1)
-    const first = 9 + 2 * Math.abs(2 * share - 1)
+    const first = 6.5 + 1.5 * Math.abs(2 * share - 1)
     // The outer ends bend on, up above and down below, as the muscle's ring does.
     const bend = degrees * 0.45 + numbers.sway(5)
     let [x, y] = [corner + first * cos(degrees), up + first * sin(degrees)]
@@ -30,7 +30,7 @@ function crowsFeet({ landmarks, age, random }: Build, side: 1 | -1, name: string
       }),
       width: grown(age, 2.4, 3),
       depth: strength,
-      taper: [0.3, 0.6],
+      taper: [0.22, 0.6],
       shoulder: [0.9, 0.9],
       softness: grown(age, 0.5, 0.4),
     }

@@ -114,7 +114,7 @@ function lip({ landmarks, age, random }: Build, name: string, way: 1 | -1): Regi
   const numbers = random(name)
   const [corner, mouth] = spotOf(landmarks.mouthCorner)
   const lines = Math.round(grown(age, 7, 11))
-  const edge = corner * (way > 0 ? 0.27 : 0.36)
+  const edge = corner * (way > 0 ? 0.28 : 0.44)
   const space = way > 0 ? landmarks.noseBase - mouth - edge : corner * 0.5
   const guides = Array.from({ length: lines }, (_, i): Guide => {
     const across = corner * 0.86 * ((2 * (i + numbers.sway(0.22))) / (lines - 1) - 1)
