@@ -1,6 +1,7 @@
 // Remakes the pictures of the README and the docs into docs/figures/: `npm run figures`, or some: `npm run figures -- hero`.
 // 8, 9 and 10 are the paper's.
 
+import { existsSync } from 'node:fs'
 import { mkdir, mkdtemp, rename, rm } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
@@ -11,6 +12,8 @@ import { setUp } from './lib/set-up.mjs'
 
 const FOLDER = join(ROOT, 'docs/figures')
 const FACE = join(ROOT, 'faces/human.glb')
+/** A scanned face that is no part of this repository; without it its figure stays as it is. */
+const SCAN = join(ROOT, '../shared/real-face/ict-face.glb')
 
 /** Pixels between two pictures of a figure. */
 const GAP = 8
@@ -40,6 +43,36 @@ const CHEEKS = { width: 1100, height: 1300, crop: { left: 300, top: 400, width: 
 const HAND = { width: 900, height: 900, crop: { left: 190, top: 130, width: 490, height: 660 } }
 const NECK = { width: 900, height: 900, crop: { left: 270, top: 130, width: 450, height: 660 } }
 const BASIC_EXPRESSIONS = ['neutral', 'happiness', 'surprise', 'anger', 'sadness', 'fear', 'disgust']
+
+const both = (name, weight = 1) => ({ [`${name}Left`]: weight, [`${name}Right`]: weight })
+
+/** What automatic wrinkles are looked at in. */
+const POSES = [
+  { browInnerUp: 1, ...both('browOuterUp'), ...both('eyeWide', 0.8), jawOpen: 0.25 },
+  { ...both('browDown'), ...both('eyeSquint', 0.3), ...both('mouthPress', 0.4) },
+  { ...both('mouthSmile', 0.9), ...both('cheekSquint', 0.8), ...both('eyeSquint', 0.3) },
+  { ...both('noseSneer'), ...both('mouthUpperUp', 0.5), ...both('browDown', 0.4) },
+  { ...both('eyeSquint'), ...both('cheekSquint') },
+  { mouthPucker: 1 },
+  { browOuterUpLeft: 1, browInnerUp: 0.2 },
+  { mouthSmileRight: 1, cheekSquintRight: 0.8 },
+]
+const AGES = [30, 50, 70]
+
+/** One row without wrinkles, and one for each age. */
+const aged = (name, picture) =>
+  [undefined, ...AGES].flatMap((age) =>
+    POSES.map((targets, i) => ({
+      ...picture,
+      targets,
+      face: `${name}${age ?? AGES[0]}`,
+      mode: age === undefined ? 'off' : 'default',
+      beginsRow: i === 0,
+    })),
+  )
+
+/** Figures of many faces are stored as photographs are. */
+const PHOTOS = ['auto-human', 'auto-scan']
 
 /** Each figure is a row of pictures, from left to right. */
 const FIGURES = {
@@ -76,6 +109,17 @@ const FIGURES = {
     ...CHEEKS,
     page: `normals.html?webgl&remedy=${remedy}&cheekPuff=1&mouthPucker=0.7`,
   })),
+  'auto-human': aged('human', {
+    width: 630,
+    height: 540,
+    crop: { left: 157, top: 36, width: 315, height: 374 },
+  }),
+  'auto-scan': aged('scan', {
+    mesh: 'face',
+    width: 630,
+    height: 540,
+    crop: { left: 157, top: 8, width: 315, height: 374 },
+  }),
   transform: [FOREHEAD, { ...FOREHEAD, face: 'lossless' }, { ...FOREHEAD, face: 'lossy' }],
 }
 
@@ -85,6 +129,12 @@ const FACES = {
   arrays: (file) => pack(file, '--ktx2'),
   lossless: (file) => shrink(file, true),
   lossy: (file) => shrink(file, false),
+  ...Object.fromEntries(
+    AGES.flatMap((age) => [
+      [`human${age}`, (file) => auto(FACE, file, age)],
+      [`scan${age}`, (file) => auto(SCAN, file, age)],
+    ]),
+  ),
 }
 
 await main(async () => {
@@ -98,7 +148,7 @@ await main(async () => {
   let pictures
   try {
     const files = await makeFaces(rows, folder)
-    const requests = rows.map(({ crop, face, ...picture }) => ({
+    const requests = rows.map(({ crop, face, beginsRow, ...picture }) => ({
       input: files.get(face) ?? FACE,
       ...picture,
     }))
@@ -109,9 +159,14 @@ await main(async () => {
   const pages = await shootPages(parts.filter(({ page }) => page !== undefined))
   await mkdir(FOLDER, { recursive: true })
   for (const [name, row] of Object.entries(figures)) {
-    const shown = row.map(({ page, crop }) => ({ ...(page ? pages : pictures).shift(), crop }))
-    await compose(shown, join(FOLDER, `${name}.png`))
-    say(`docs/figures/${name}.png`)
+    const shown = row.map(({ page, crop, beginsRow }) => ({
+      ...(page ? pages : pictures).shift(),
+      crop,
+      beginsRow,
+    }))
+    const file = `${name}.${PHOTOS.includes(name) ? 'jpg' : 'png'}`
+    await compose(shown, join(FOLDER, file))
+    say(`docs/figures/${file}`)
   }
 })
 
@@ -119,7 +174,11 @@ await main(async () => {
 function wanted(names) {
   const unknown = names.find((name) => !(name in FIGURES))
   if (unknown === undefined)
-    return names.length > 0 ? Object.fromEntries(names.map((name) => [name, FIGURES[name]])) : FIGURES
+    return Object.fromEntries(
+      (names.length > 0 ? names : Object.keys(FIGURES))
+        .filter((name) => name !== 'auto-scan' || existsSync(SCAN))
+        .map((name) => [name, FIGURES[name]]),
+    )
   const allowed = Object.keys(FIGURES).join(', ')
   throw new Failure(`unknown figure, got "${unknown}", allowed: ${allowed}; name one of these`)
 }
@@ -139,6 +198,11 @@ async function pack(file, ...options) {
   const { packCommand } = await import('../packages/cli/dist/commands/pack.js')
   const words = [join(ROOT, 'faces/human'), '--face', FACE, '--size', '512', '-o', file, ...options]
   await packCommand.parseAsync(words, { from: 'user' })
+}
+
+async function auto(face, file, age) {
+  const { autoCommand } = await import('../packages/cli/dist/commands/auto.js')
+  await autoCommand.parseAsync([face, '-o', file, '--age', String(age), '--replace'], { from: 'user' })
 }
 
 async function shrink(file, lossless) {
@@ -165,21 +229,31 @@ async function withBar(work) {
   }
 }
 
-/** Sets pictures of one height side by side; what is between them is transparent. */
+/** Sets pictures of one size side by side, in rows; what is between them is transparent, or white in a photograph. */
 async function compose(pictures, file) {
   const { default: sharp } = await import('sharp')
-  let left = 0
+  let [left, top, width] = [0, 0, 0]
   const layers = []
-  for (const { width, height, pixels, crop } of pictures) {
-    const input = await sharp(pixels, { raw: { width, height, channels: 4 } })
+  for (const [i, { beginsRow, crop, pixels, ...size }] of pictures.entries()) {
+    if (i === 0 || beginsRow) {
+      left = 0
+      if (i > 0) top += GAP + crop.height
+    }
+    const input = await sharp(pixels, { raw: { width: size.width, height: size.height, channels: 4 } })
       .extract(crop)
       .png()
       .toBuffer()
-    layers.push({ input, left, top: 0 })
+    layers.push({ input, left, top })
     left += crop.width + GAP
+    width = Math.max(width, left - GAP)
   }
-  const background = { r: 0, g: 0, b: 0, alpha: 0 }
-  const canvas = { width: left - GAP, height: pictures[0].crop.height, channels: 4, background }
-  await sharp({ create: canvas }).composite(layers).png({ compressionLevel: 9 }).toFile(`${file}.tmp`)
+  const background = { r: 255, g: 255, b: 255, alpha: 0 }
+  const canvas = { width, height: top + pictures[0].crop.height, channels: 4, background }
+  const image = sharp(await sharp({ create: canvas }).composite(layers).png().toBuffer())
+  const isPhoto = file.endsWith('.jpg')
+  const done = isPhoto
+    ? image.flatten({ background: '#fff' }).jpeg({ quality: 88, mozjpeg: true })
+    : image.png({ compressionLevel: 9 })
+  await done.toFile(`${file}.tmp`)
   await rename(`${file}.tmp`, file)
 }

@@ -121,15 +121,18 @@ test('normals.html lights cheeks by the normals that their blendshapes need', as
   expect(meanDifference(baked, recomputed, cheeks)).toBeLessThan(meanDifference(none, recomputed, cheeks) / 6)
 })
 
-test.each([...new Set([...DRIVERS.map(([page]) => page), 'normals.html'])])('%s fits a phone', async (name) => {
-  const { page, complaints } = await openPage(browser, { viewport: { width: 390, height: 844 } })
-  await makeCanvasReadable(page)
-  await page.goto(`${server.origin}/examples/${name}`)
-  await page.waitForSelector('canvas')
-  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390)
-  expect(complaints).toEqual([])
-  await page.close()
-})
+test.each([...new Set([...DRIVERS.map(([page]) => page), 'normals.html'])])(
+  '%s fits a phone',
+  async (name) => {
+    const { page, complaints } = await openPage(browser, { viewport: { width: 390, height: 844 } })
+    await makeCanvasReadable(page)
+    await page.goto(`${server.origin}/examples/${name}`)
+    await page.waitForSelector('canvas')
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390)
+    expect(complaints).toEqual([])
+    await page.close()
+  },
+)
 
 test.each(PORTRAITS)('%s shows a face whose forehead creases', async (name) => {
   const wrinkled = await shoot(name, true)
