@@ -88,9 +88,10 @@ function movingFace(all, ownClock) {
     ...areas.map(({ name }, i) => driver(name, i)),
     ...(all ? areas.flatMap(({ name }, i) => otherDrivers(name, i)) : []),
   ])
-  // As a page has it that steps by its own time. The usual clock returns a number that JavaScript must allocate, 16 bytes.
-  const time = new Float64Array(1)
-  if (ownClock) wrinkles.clock = { now: () => time[0] }
+  // As a page has it that steps by its own time, in whole milliseconds. What the usual clock returns is no whole number, and
+  // JavaScript must allocate it, 16 bytes.
+  let milliseconds = 0
+  if (ownClock) wrinkles.clock = { now: () => milliseconds }
   const renderer = idleRenderer()
   const scene = new Scene()
   const camera = new PerspectiveCamera()
@@ -101,7 +102,7 @@ function movingFace(all, ownClock) {
       bones[1].rotation.x = ((at * 3) % 50) / 50
       mesh.updateMatrixWorld()
     }
-    time[0] = (at * 1000) / 60
+    milliseconds = 16 * at
     renderer.info.calls++
     mesh.onBeforeRender(renderer, scene, camera, geometry, mesh.material, null)
   }
