@@ -9,7 +9,7 @@ import { encodeShared } from '../wrinkles/map-images.ts'
 const SHARE = 3
 
 /** Encodes the maps of automatic wrinkles as a file holds them. */
-export async function packAuto({ layers, areas }: AutoWrinkles): Promise<PackedWrinkles> {
+export async function packAuto({ layers, areas, expressions }: AutoWrinkles): Promise<PackedWrinkles> {
   const maps = await Promise.all(
     layers.map(async ({ name, normal, relief, occlusion }): Promise<LayerImages> => {
       const heights = heightImage(relief.data)
@@ -39,7 +39,7 @@ export async function packAuto({ layers, areas }: AutoWrinkles): Promise<PackedW
       channel: i % SHARE,
     }),
   )
-  return { layers: maps, areas: places, drivers: areas.map(({ driver }) => driver) }
+  return { layers: maps, areas: places, drivers: [...areas.map(({ driver }) => driver), ...expressions] }
 }
 
 async function normalImage(name: string, map: RgbaImage): Promise<FileImage> {

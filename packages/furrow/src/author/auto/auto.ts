@@ -1,5 +1,6 @@
-import type { MorphDriver } from '../../core/driver-types.ts'
+import type { ExpressionDriver, MorphDriver } from '../../core/driver-types.ts'
 import type { GrayImage, RgbaImage } from '../../core/types.ts'
+import { EXPRESSIONS } from '../../drivers/expressions.ts'
 import type { HeightMap } from '../height.ts'
 import { surfaceMetric } from '../metric.ts'
 import { heightToNormal, type TangentFrame } from '../normal.ts'
@@ -75,6 +76,8 @@ export interface AutoWrinkles {
   isFace: boolean
   layers: AutoLayer[]
   areas: AutoArea[]
+  /** Presets of those blendshapes that the face has; its areas' drivers add the wrinkles. */
+  expressions: ExpressionDriver[]
   /** What the user should know, a sentence each. */
   warnings: string[]
 }
@@ -162,7 +165,25 @@ export function autoWrinkles(
     error: fit.error,
     lines: fit.creases.length,
   }))
-  return { isFace: face !== undefined, layers, areas, warnings }
+  return {
+    isFace: face !== undefined,
+    layers,
+    areas,
+    expressions: face ? presetsOf(face.find) : [],
+    warnings,
+  }
+}
+
+/** `EXPRESSIONS` without the activations of areas that other faces have. */
+function presetsOf(find: (name: string) => number[]): ExpressionDriver[] {
+  return EXPRESSIONS.map(({ name, targets }) => ({
+    type: 'expression',
+    name,
+    targets: Object.entries(targets).flatMap(([target, weight]) =>
+      find(target).length > 0 ? [{ name: target, weight }] : [],
+    ),
+    activations: [],
+  }))
 }
 
 /** Those whose skin loses most, in the order they came in. */

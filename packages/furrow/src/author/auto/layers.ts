@@ -5,26 +5,34 @@ import { NearCreases } from './near.ts'
 const DISAGREE = Math.cos((35 * Math.PI) / 180)
 
 /**
- * Puts regions whose lines cross on different layers, so that one can crease without the other. Regions that share their lines stay
- * together.
+ * Puts regions whose lines cross on different layers, so that one can crease without the other. Left and right, and regions that
+ * share their lines, stay together.
  *
  * @param most layers that there may be, 1 to 4; what then still disagrees shares a layer.
  * @returns the layer of each region, from 0.
  */
 export function layersOf(regions: readonly CreasedRegion[], most: number): number[] {
+  const groups: CreasedRegion[][] = []
+  for (const region of regions) {
+    const group = groups.find(([first]) => belongTogether(first!, region))
+    if (group) group.push(region)
+    else groups.push([region])
+  }
   const layers: number[] = []
-  for (const [i, region] of regions.entries()) {
-    const same = regions.findIndex((other) => other.creases === region.creases)
-    if (same < i) {
-      layers.push(layers[same]!)
-      continue
-    }
+  for (const [i, group] of groups.entries()) {
     const crossed = Array.from({ length: most }, () => 0)
-    for (let k = 0; k < i; k++) crossed[layers[k]!]! += crossings(region, regions[k]!)
+    for (let k = 0; k < i; k++) {
+      for (const one of group) for (const other of groups[k]!) crossed[layers[k]!]! += crossings(one, other)
+    }
     const free = crossed.indexOf(0)
     layers.push(free >= 0 ? free : crossed.indexOf(Math.min(...crossed)))
   }
-  return layers
+  return regions.map((region) => layers[groups.findIndex((group) => group.includes(region))]!)
+}
+
+function belongTogether(one: CreasedRegion, other: CreasedRegion): boolean {
+  const whole = ({ region }: CreasedRegion) => region.name.replace(/(Left|Right)$/, '')
+  return one.creases === other.creases || whole(one) === whole(other)
 }
 
 /** Points of one region's lines that lie within the other's reach and run another way. */

@@ -32,7 +32,7 @@ const LINKS = 12
 const FAINT = 0.08
 /** Poses of several targets at once that a fit is held to. */
 const POSES = 120
-/** Bounds of a link's weight: of a cause, of another shape; and how much one may take away. */
+/** Bounds of a link's weight: of a cause, times its part; of another shape; and how much one may take away. */
 const HIGHEST = 1.2
 const BESIDE = 0.5
 const LOWEST = -1
@@ -60,11 +60,11 @@ export function fitDriver(
   const gauge = gaugeOf(surface, region, creases)
   if (gauge.weights.length === 0) return undefined
   const measure = (pose: ReadonlyMap<number, number>) => compressionOf(surface, gauge, offsets, pose)
-  const highest = names.map((name) => highestOf(name, region))
+  const bounds = names.map((name) => boundOf(name, region))
   const lost = offsets.map((_, target) => measure(new Map([[target, 1]])))
   // Full is what the cause does; or nearly what a single target does that is believed, where that is more.
   const full = lost.reduce(
-    (most, share, target) => Math.max(most, highest[target]! > 0 ? ALONE * share : 0),
+    (most, share, target) => Math.max(most, bounds[target]!.highest > 0 ? ALONE * share : 0),
     measure(cause),
   )
   if (full < LEAST) return undefined
@@ -82,7 +82,7 @@ export function fitDriver(
     poses.map((pose) => chosen.map((target) => pose.get(target) ?? 0)),
     wanted,
     chosen.map((target) => alone[target]!),
-    chosen.map((target) => highest[target]!),
+    chosen.map((target) => bounds[target]!),
   )
   const links = chosen
     .map((target, i) => ({ name: names[target]!, weight: round(weights[i]!) }))
@@ -232,7 +232,7 @@ function leastSquares(
   rows: readonly number[][],
   b: readonly number[],
   usual: readonly number[],
-  highest: readonly number[],
+  bounds: readonly Bound[],
 ): number[] {
   const n = usual.length
   const ridge = RIDGE * rows.length
@@ -246,21 +246,26 @@ function leastSquares(
       let rest = right[i]!
       for (let j = 0; j < n; j++) if (j !== i) rest -= matrix[i]![j]! * weights[j]!
       // What belongs to the cause does not work against it.
-      const lowest = highest[i] === HIGHEST ? 0 : LOWEST
-      weights[i] = Math.min(Math.max(rest / matrix[i]![i]!, lowest), highest[i]!)
+      const { highest, isCause } = bounds[i]!
+      weights[i] = Math.min(Math.max(rest / matrix[i]![i]!, isCause ? 0 : LOWEST), highest)
     }
   }
   return weights
 }
 
-/** What a target may add at most. Shapes that are no cause of the region are believed less, and those that pull skin taut not at all. */
-function highestOf(name: string, { cause, name: area }: SkinRegion): number {
+/** What a target may add at most: what belongs to the cause by its part in it. */
+interface Bound {
+  highest: number
+  isCause: boolean
+}
+
+/** Shapes that are no cause of the region are believed less; those of the other side, and those that pull skin taut, not at all. */
+function boundOf(name: string, { cause, name: area }: SkinRegion): Bound {
   const shape = canonicalTargetName(name)
-  const known = Object.keys(cause)
-  if (known.includes(shape) || known.some((own) => shape === `${own}Left` || shape === `${own}Right`))
-    return HIGHEST
+  const own = Object.keys(cause).find((known) => [known, `${known}Left`, `${known}Right`].includes(shape))
+  if (own !== undefined || name in cause) return { highest: HIGHEST * cause[own ?? name]!, isCause: true }
   const isOpposite = /Left$/.test(area) ? /Right$/.test(shape) : /Right$/.test(area) && /Left$/.test(shape)
-  return isOpposite || TAUT.test(shape) ? 0 : BESIDE
+  return { highest: isOpposite || TAUT.test(shape) ? 0 : BESIDE, isCause: false }
 }
 
 function round(value: number): number {
