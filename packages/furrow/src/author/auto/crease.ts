@@ -13,6 +13,8 @@ export interface LineStyle {
   shoulder: readonly [left: number, right: number]
   /** Roundness of the valley's bottom, 0..1. */
   softness: number
+  /** Whether it runs as it likes, so that nothing is measured across it. */
+  isDimple?: boolean
 }
 
 /** A line on the skin. */
@@ -54,6 +56,7 @@ export interface Crease {
   /** Raised sides, left and right of its way, seen from outside; 0..1. */
   shoulder: readonly [number, number]
   softness: number
+  isDimple: boolean
 }
 
 /** A region whose lines lie on the skin. Regions that share their lines have the same list. */
@@ -85,7 +88,9 @@ export function creaseLines(
   lines: readonly LaidLine[],
   strength: number,
 ): Omit<CreasedRegion, 'region'> {
-  const pushed = lines.flatMap(({ lost }) => lost.filter((share) => share > 0)).sort((a, b) => b - a)
+  const pushed = lines
+    .flatMap(({ style, lost }) => (style.isDimple ? [] : lost.filter((share) => share > 0)))
+    .sort((a, b) => b - a)
   const compression = pushed[Math.floor(ABOVE * pushed.length)] ?? 0
   const creases = lines.map(({ style, points, normals, lost }): Crease => {
     const { width, shoulder, softness, taper } = style
@@ -106,6 +111,7 @@ export function creaseLines(
       halfWidths: Float64Array.from(fades, (fade) => (width / 2) * (END_WIDTH + (1 - END_WIDTH) * fade)),
       shoulder,
       softness,
+      isDimple: style.isDimple ?? false,
     }
   })
   return { creases, compression }

@@ -57,7 +57,8 @@ export function fitDriver(
   cause: ReadonlyMap<number, number>,
 ): FittedRegion | undefined {
   const { region, creases } = creased
-  const gauge = gaugeOf(surface, region, creases)
+  const folds = creases.filter(({ isDimple }) => !isDimple)
+  const gauge = gaugeOf(surface, region, folds)
   if (gauge.weights.length === 0) return undefined
   const measure = (pose: ReadonlyMap<number, number>) => compressionOf(surface, gauge, offsets, pose)
   const bounds = names.map((name) => boundOf(name, region))

@@ -48,6 +48,7 @@ function chin({ landmarks, age, random }: Build): Region {
       taper: [0.3, 0.3],
       shoulder: [0.9, 0.9],
       softness: 0.9,
+      isDimple: true,
     })
   }
   return {
