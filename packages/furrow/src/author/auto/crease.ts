@@ -39,6 +39,8 @@ export interface SkinRegion {
   hidden: number
   /** Greatest depth in millimetres that is believed. */
   deepest: number
+  /** Compression of muscles that pucker skin within itself, which no target shows: what drives the area is its cause alone. */
+  assumed?: number
   /** How far its area reaches beyond its lines, in millimetres, and over how many it fades. */
   reach: number
   feather: number
@@ -84,14 +86,14 @@ const ABOVE = 0.3
  * @param strength multiplies the depth.
  */
 export function creaseLines(
-  { spacing, hidden, deepest }: Pick<SkinRegion, 'spacing' | 'hidden' | 'deepest'>,
+  { spacing, hidden, deepest, assumed = 0 }: Pick<SkinRegion, 'spacing' | 'hidden' | 'deepest' | 'assumed'>,
   lines: readonly LaidLine[],
   strength: number,
 ): Omit<CreasedRegion, 'region'> {
   const pushed = lines
     .flatMap(({ style, lost }) => (style.isDimple ? [] : lost.filter((share) => share > 0)))
     .sort((a, b) => b - a)
-  const compression = pushed[Math.floor(ABOVE * pushed.length)] ?? 0
+  const compression = Math.max(assumed, pushed[Math.floor(ABOVE * pushed.length)] ?? 0)
   const creases = lines.map(({ style, points, normals, lost }): Crease => {
     const { width, shoulder, softness, taper } = style
     const full = creaseDepth(hidden * compression, spacing, width / 2, shoulder, softness)

@@ -9,7 +9,7 @@ import { crossOf, type Surface } from './surface.ts'
 /** A region with what drives it. */
 export interface FittedRegion extends CreasedRegion {
   driver: MorphDriver
-  /** Root mean square of its activation less the measured one, over the poses it was fitted to, 0..1. */
+  /** Root mean square of its activation less the measured one, over the poses it was fitted to, 0..1; 0 where nothing is measured. */
   error: number
 }
 
@@ -57,6 +57,10 @@ export function fitDriver(
   cause: ReadonlyMap<number, number>,
 ): FittedRegion | undefined {
   const { region, creases } = creased
+  if (region.assumed !== undefined) {
+    if (cause.size === 0) return undefined
+    return { ...creased, driver: driverOf(region, linksOf(cause, names)), error: 0 }
+  }
   const folds = creases.filter(({ isDimple }) => !isDimple)
   const gauge = gaugeOf(surface, region, folds)
   if (gauge.weights.length === 0) return undefined
@@ -95,17 +99,25 @@ export function fitDriver(
     const said = chosen.reduce((sum, target, k) => sum + weights[k]! * (pose.get(target) ?? 0), 0)
     squares += (activation(said) - activation(wanted[i]!)) ** 2
   }
-  const driver: MorphDriver = {
+  const driver = driverOf(region, links)
+  return { ...creased, driver, error: Math.sqrt(squares / poses.length) }
+}
+
+function driverOf({ name }: SkinRegion, targets: MorphDriver['targets']): MorphDriver {
+  return {
     type: 'morph',
-    area: region.name,
-    targets: links,
+    area: name,
+    targets,
     rule: 'sum',
     curve: [
       [ONSET, 0],
       [1, 1],
     ],
   }
-  return { ...creased, driver, error: Math.sqrt(squares / poses.length) }
+}
+
+function linksOf(pose: ReadonlyMap<number, number>, names: readonly string[]): MorphDriver['targets'] {
+  return [...pose].map(([target, weight]) => ({ name: names[target]!, weight }))
 }
 
 /** Triangles within reach of a region's lines. */

@@ -58,6 +58,7 @@ function chin({ landmarks, age, random }: Build): Region {
     spacing: 7,
     hidden: grown(age, 0.3, 0.7),
     deepest: grown(age, 0.6, 1),
+    assumed: 0.1,
     reach: 3,
     feather: 5,
   }

@@ -117,10 +117,10 @@ function lip({ landmarks, age, random }: Build, name: string, way: 1 | -1): Regi
   const edge = corner * (way > 0 ? 0.28 : 0.44)
   const space = way > 0 ? landmarks.noseBase - mouth - edge : corner * 0.5
   const guides = Array.from({ length: lines }, (_, i): Guide => {
-    const across = corner * 0.86 * ((2 * (i + numbers.sway(0.22))) / (lines - 1) - 1)
+    const across = corner * 0.86 * ((2 * (i + numbers.sway(0.36))) / (lines - 1) - 1)
     const sink = edge * (1 - 0.55 * (across / corner) ** 2)
-    const length = Math.max(4, space * numbers.between(0.5, 0.85))
-    const lean = 0.16 * across + numbers.sway(0.5)
+    const length = Math.max(4, space * numbers.between(0.3, 0.9))
+    const lean = 0.16 * across + numbers.sway(1.1)
     const from = mouth + way * sink
     return {
       spots: bezier(
