@@ -1,7 +1,8 @@
-import type { Document, Mesh, Primitive } from '@gltf-transform/core'
-import { FurrowError, findTargets } from 'furrow'
-import type { Skin } from 'furrow/author'
-import { trianglesOf } from '../face.ts'
+import type { Accessor, Document, Material, Mesh, mat4, Node, Primitive } from '@gltf-transform/core'
+import { FurrowError } from 'furrow'
+import { faceShapeFinder, type Skin } from 'furrow/author'
+import { placementOf, trianglesOf } from '../face.ts'
+import { readCoordinates } from './coordinates.ts'
 
 /** The skin that was chosen: the primitives of one mesh that wear one material. */
 export interface FoundSkin {
@@ -11,6 +12,8 @@ export interface FoundSkin {
   material: number
   meshName: string
   materialName: string
+  /** Why it was chosen, in a few words. */
+  reason: string
   /** Whether all primitives bring tangents of their own. */
   hasTangents: boolean
 }
@@ -27,29 +30,24 @@ const TELLING = [
 ]
 
 /**
- * Chooses what wrinkles: of all meshes and materials the one of whose surface brows, lids and mouth move most.
+ * Chooses what wrinkles: of all meshes and materials the one of whose surface brows, lids and mouth move most; where no shape has
+ * such a name, the one that all shapes together move most.
  *
  * @param meshName only this mesh, or that of a node of this name.
  * @throws FurrowError when there is none.
  */
 export function findSkin(document: Document, path: string, who: string, meshName?: string): FoundSkin {
-  const root = document.getRoot()
-  const meshes = root.listMeshes()
+  const meshes = document.getRoot().listMeshes()
   const wanted = meshes.flatMap((mesh, index) => (isNamed(mesh, meshName) ? [{ mesh, index }] : []))
-  const candidates = wanted.flatMap(({ mesh, index }) => {
-    const materials = new Set(trianglesOf(mesh).map((primitive) => primitive.getMaterial()))
-    return [...materials].flatMap((material) => {
-      if (!material) return []
-      const primitives = trianglesOf(mesh).filter((primitive) => primitive.getMaterial() === material)
-      const skin = readSkin(mesh, primitives)
-      const hasTangents = primitives.every((primitive) => primitive.getAttribute('TANGENT') !== null)
-      const names = { meshName: nameOf(mesh, index), materialName: material.getName() }
-      return [{ skin, mesh: index, material: root.listMaterials().indexOf(material), hasTangents, ...names }]
-    })
-  })
-  const scored = candidates.map((candidate) => ({ candidate, moved: movedSurface(candidate.skin) }))
-  const best = scored.reduce((a, b) => (b.moved > a.moved ? b : a), { candidate: candidates[0], moved: -1 })
-  if (best.candidate) return best.candidate
+  const candidates = wanted.flatMap(({ mesh, index }) => candidatesOf(document, mesh, index))
+  const byFace = candidates.map(({ skin }) => movedSurface(skin, tellingTargets(skin)))
+  const isFace = byFace.some((moved) => moved > 0)
+  const moved = isFace ? byFace : candidates.map(({ skin }) => movedSurface(skin, [...skin.targets.keys()]))
+  const best = candidates[moved.indexOf(Math.max(...moved))]
+  if (best) {
+    const share = Math.max(...moved) / moved.reduce((a, b) => a + b, 0)
+    return { ...best, reason: reasonOf(isFace, share, candidates.length) }
+  }
   throw new FurrowError({
     who,
     what:
@@ -63,6 +61,33 @@ export function findSkin(document: Document, path: string, who: string, meshName
   })
 }
 
+function reasonOf(isFace: boolean, share: number, count: number): string {
+  if (count === 1) return 'no other has triangles with texture coordinates and a material'
+  if (!(share > 0)) return 'the first one: no blendshape moves any'
+  const movers = isFace ? 'brows, lids and mouth' : 'the blendshapes'
+  return `${Math.round(100 * share)}% of what ${movers} move`
+}
+
+/** The skins of a mesh: the primitives of each of its materials. */
+function candidatesOf(document: Document, mesh: Mesh, index: number): Omit<FoundSkin, 'reason'>[] {
+  const triangles = trianglesOf(mesh)
+  const materials = [...new Set(triangles.map((primitive) => primitive.getMaterial()))]
+  return materials.flatMap((material) => {
+    if (!material) return []
+    const primitives = triangles.filter((primitive) => primitive.getMaterial() === material)
+    return [
+      {
+        skin: readSkin(mesh, primitives, material),
+        mesh: index,
+        material: document.getRoot().listMaterials().indexOf(material),
+        meshName: nameOf(mesh, index),
+        materialName: material.getName(),
+        hasTangents: primitives.every((primitive) => primitive.getAttribute('TANGENT') !== null),
+      },
+    ]
+  })
+}
+
 function isNamed(mesh: Mesh, name: string | undefined): boolean {
   if (name === undefined || mesh.getName() === name) return true
   return mesh.listParents().some((parent) => parent.propertyType === 'Node' && parent.getName() === name)
@@ -72,32 +97,62 @@ function nameOf(mesh: Mesh, index: number): string {
   return mesh.getName() || String(index)
 }
 
-function readSkin(mesh: Mesh, primitives: readonly Primitive[]): Skin {
+/** As its first node or skeleton places it, in metres. Vertices that no triangle uses are left out: primitives often share all of them. */
+function readSkin(mesh: Mesh, primitives: readonly Primitive[], material: Material): Skin {
   const names = targetNames(mesh, primitives)
-  const counts = primitives.map((primitive) => primitive.getAttribute('POSITION')!.getCount())
-  const total = counts.reduce((a, b) => a + b, 0)
+  const parts = primitives.map((primitive) => ({ primitive, ...usedVertices(primitive) }))
+  const total = parts.reduce((sum, { used }) => sum + used.length, 0)
   const positions = new Float32Array(3 * total)
   const uvs = new Float32Array(2 * total)
   const offsets = names.map(() => new Float32Array(3 * total))
-  const indices: number[] = []
-  let first = 0
-  for (const [i, primitive] of primitives.entries()) {
-    copyInto(positions, primitive.getAttribute('POSITION')!, 3, first)
-    copyInto(uvs, primitive.getAttribute('TEXCOORD_0')!, 2, first)
+  const indices = new Uint32Array(parts.reduce((sum, { corners }) => sum + corners.length, 0))
+  let [first, corner] = [0, 0]
+  for (const { primitive, used, corners } of parts) {
+    copyInto(positions, primitive.getAttribute('POSITION')!, used, first)
+    readCoordinates(primitive, material, used, uvs.subarray(2 * first))
     for (const [k, target] of primitive.listTargets().entries()) {
       const moved = target.getAttribute('POSITION')
-      if (moved && offsets[k]) copyInto(offsets[k], moved, 3, first)
+      if (moved && offsets[k]) copyInto(offsets[k], moved, used, first)
     }
-    const index = primitive.getIndices()
-    for (let k = 0; k < (index?.getCount() ?? counts[i]!); k++)
-      indices.push(first + (index?.getScalar(k) ?? k))
-    first += counts[i]!
+    for (const vertex of corners) indices[corner++] = first + vertex
+    first += used.length
   }
-  return {
-    positions,
-    uvs,
-    indices: Uint32Array.from(indices),
-    targets: names.map((name, k) => ({ name, offsets: offsets[k]! })),
+  const placement = placementOfMesh(mesh)
+  if (placement) {
+    place(positions, placement, 1)
+    for (const offset of offsets) place(offset, placement, 0)
+  }
+  return { positions, uvs, indices, targets: names.map((name, k) => ({ name, offsets: offsets[k]! })) }
+}
+
+/** Vertices that triangles use, in their order, and each triangle's corners as indices into them. */
+function usedVertices(primitive: Primitive): { used: Uint32Array; corners: Uint32Array } {
+  const index = primitive.getIndices()
+  const count = primitive.getAttribute('POSITION')!.getCount()
+  const corners = Uint32Array.from({ length: index?.getCount() ?? count }, (_, k) => index?.getScalar(k) ?? k)
+  const isUsed = new Uint8Array(count)
+  for (const vertex of corners) isUsed[vertex] = 1
+  const used = Uint32Array.from({ length: count }, (_, i) => i).filter((i) => isUsed[i] === 1)
+  const placeOf = new Uint32Array(count)
+  for (const [place, vertex] of used.entries()) placeOf[vertex] = place
+  return { used, corners: corners.map((vertex) => placeOf[vertex]!) }
+}
+
+/** undefined where it is where its numbers say. */
+function placementOfMesh(mesh: Mesh): mat4 | undefined {
+  const node = mesh.listParents().find((parent) => parent.propertyType === 'Node') as Node | undefined
+  const placement = node && placementOf(node)
+  return placement?.every((value, i) => value === (i % 5 === 0 ? 1 : 0)) ? undefined : placement
+}
+
+/** @param isPlace 0 for ways, which are turned and scaled but not moved. */
+function place(values: Float32Array, placement: mat4, isPlace: 0 | 1): void {
+  for (let i = 0; i < values.length; i += 3) {
+    const [x, y, z] = [values[i]!, values[i + 1]!, values[i + 2]!]
+    for (let k = 0; k < 3; k++) {
+      const moved = placement[k]! * x + placement[4 + k]! * y + placement[8 + k]! * z
+      values[i + k] = moved + isPlace * placement[12 + k]!
+    }
   }
 }
 
@@ -111,26 +166,39 @@ function targetNames(mesh: Mesh, primitives: readonly Primitive[]): string[] {
 }
 
 /** Quantised or not. */
-function copyInto(
-  out: Float32Array,
-  accessor: NonNullable<ReturnType<Primitive['getAttribute']>>,
-  size: number,
-  first: number,
-): void {
+function copyInto(out: Float32Array, accessor: Accessor, used: Uint32Array, first: number): void {
   const element: number[] = []
-  for (let i = 0; i < accessor.getCount(); i++) {
-    accessor.getElement(i, element)
-    for (let k = 0; k < size; k++) out[size * (first + i) + k] = element[k]!
+  for (const [i, vertex] of used.entries()) {
+    accessor.getElement(vertex, element)
+    for (let k = 0; k < 3; k++) out[3 * (first + i) + k] = element[k]!
   }
 }
 
-/** How many vertices brows, lids and mouth move. */
-function movedSurface({ targets }: Skin): number {
-  const names = targets.map(({ name }) => name)
+/** Targets of brows, lids and mouth. */
+function tellingTargets({ targets }: Skin): number[] {
+  const find = faceShapeFinder(targets.map(({ name }) => name))
+  return [...new Set(TELLING.flatMap(find))]
+}
+
+/** How much surface some targets move, times how far. */
+function movedSurface({ positions, indices, targets }: Skin, chosen: readonly number[]): number {
+  const ways = new Float64Array(positions.length / 3)
+  for (const { offsets } of chosen.map((index) => targets[index]!)) {
+    for (let i = 0; i < ways.length; i++)
+      ways[i]! += Math.hypot(offsets[3 * i]!, offsets[3 * i + 1]!, offsets[3 * i + 2]!)
+  }
   let sum = 0
-  for (const index of TELLING.flatMap((name) => findTargets(name, names))) {
-    const { offsets } = targets[index]!
-    for (let i = 0; i < offsets.length; i += 3) if (offsets[i] || offsets[i + 1] || offsets[i + 2]) sum++
+  for (let t = 0; t + 2 < indices.length; t += 3) {
+    const way = ways[indices[t]!]! + ways[indices[t + 1]!]! + ways[indices[t + 2]!]!
+    const area = areaOf(positions, indices[t]!, indices[t + 1]!, indices[t + 2]!)
+    if (way > 0 && area > 0) sum += way * area
   }
   return sum
+}
+
+function areaOf(positions: ArrayLike<number>, a: number, b: number, c: number): number {
+  const [ux, uy, uz, vx, vy, vz] = [b, c].flatMap((end) =>
+    [0, 1, 2].map((k) => positions[3 * end + k]! - positions[3 * a + k]!),
+  ) as [number, number, number, number, number, number]
+  return Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2
 }

@@ -9,6 +9,7 @@ export {
   type AutoWrinkles,
   autoWrinkles,
 } from './auto/auto.ts'
+export { faceShapeFinder } from './auto/stand-ins.ts'
 export type { Skin, SkinTarget } from './auto/surface.ts'
 export {
   BAKE_DEFAULTS,

@@ -13,8 +13,10 @@ import { layersOf } from './layers.ts'
 import { type FittedRegion, fitDriver } from './links.ts'
 import { findOverlap, isOverlapped, leftTriangles, onBothSides } from './mirror.ts'
 import { strainRegions } from './strain-regions.ts'
+import { standInsOf } from './stand-ins.ts'
 import { joinSurface, pointAreas, pointOffsets, type Skin, type Surface } from './surface.ts'
 import { SkinTexels } from './texels.ts'
+import { inFirstTile } from './tiles.ts'
 
 export interface AutoOptions {
   /** Years, 20..80: lines grow in number, length and depth. */
@@ -110,7 +112,12 @@ export function autoWrinkles(
   } = { ...AUTO_DEFAULTS, ...options }
   const tell = (step: (typeof STEPS)[number]) => progress(STEPS.indexOf(step), STEPS.length, step)
   tell('face')
-  const { skin: usable, warnings } = checkSkin(skin)
+  const { skin: checked, warnings } = checkSkin(skin)
+  const { skin: usable, crossing } = inFirstTile(checked)
+  if (crossing > 0) {
+    const share = Math.max(1, Math.round(100 * crossing))
+    warnings.push(`${share}% of the skin crosses the edges of its texture: nothing is drawn beyond them`)
+  }
   const names = usable.targets.map(({ name }) => name)
   const face = findFace(usable)
   const { surface, offsets } = face ?? inMillimetres(usable)
@@ -139,6 +146,14 @@ export function autoWrinkles(
   )
   const fitted = strongest(isMirrored ? onBothSides(everyFit, names, find) : everyFit, mostAreas)
   if (fitted.length === 0) warnings.push('no blendshape pushes skin together enough to crease it')
+  const stoodIn = face ? standInsOf(names) : []
+  if (stoodIn.length > 0) {
+    const still = creased.filter(({ region }) => !everyFit.some((fit) => fit.region === region))
+    const smooth = still.map(({ region }) => region.name).join(', ')
+    warnings.push(
+      `${stoodIn.join(', ')} stand in for ARKit's shapes${smooth && `; none moves these, which stay smooth: ${smooth}`}`,
+    )
+  }
   tell('layers')
   const layerOf = layersOf(fitted, most)
   tell('maps')

@@ -5,6 +5,7 @@ import { type CreasedRegion, creaseLines } from './crease.ts'
 import { type Face, poseOf } from './face.ts'
 import { layGuides } from './guided-lines.ts'
 import { Random } from './random.ts'
+import { poseInOwnShapes } from './stand-ins.ts'
 import { compressionTensors, smooth, TENSOR } from './strain.ts'
 
 /** Millimetres over which strain is evened: that of one triangle says little. */
@@ -21,8 +22,9 @@ export function faceRegions(face: Face, age: number, strength: number, seed: num
   const chart = new Chart(face.surface)
   const strains = new Map<string, Float64Array>()
   const known = new Map<unknown, Omit<CreasedRegion, 'region'>>()
-  return regionsOf(build).flatMap((region): CreasedRegion[] => {
-    const expression = region.together ?? region.cause
+  return regionsOf(build).flatMap((asArkit): CreasedRegion[] => {
+    const region = { ...asArkit, cause: poseInOwnShapes(asArkit.cause, face.names) }
+    const expression = poseInOwnShapes(asArkit.together ?? asArkit.cause, face.names)
     const key = JSON.stringify(expression)
     const tensors = strains.get(key) ?? strainOf(face, expression)
     strains.set(key, tensors)

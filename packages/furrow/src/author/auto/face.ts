@@ -1,4 +1,4 @@
-import { targetFinder } from '../../drivers/target-names.ts'
+import { faceShapeFinder } from './stand-ins.ts'
 import { joinSurface, pointAreas, pointOffsets, type Skin, type Surface } from './surface.ts'
 
 /** x, y and z: to the person's left, up and forwards, in millimetres from the middle between the eyes. */
@@ -29,7 +29,9 @@ export interface Face {
   landmarks: Landmarks
   /** What each target adds to the points, in millimetres, in the order of the skin's targets. */
   offsets: readonly Float64Array[]
-  /** Indices of the targets of that name, in any rig's spelling. */
+  /** Names of the targets. */
+  names: readonly string[]
+  /** Indices of the targets of that name, in any rig's spelling, or of what stands in for it. */
   find(name: string): number[]
 }
 
@@ -39,6 +41,9 @@ const EYE_DISTANCE = 63
 const LID = 0.15
 /** Of those points that move most, the share of the largest way that a feature's place is taken from. */
 const FEATURE = 0.85
+
+/** Half the width, in millimetres, of the strip in which the end of a brow is looked for. */
+const NEAR = 5
 
 /** Places of one side are found by targets that move it. */
 const SIDES = ['Left', 'Right'] as const
@@ -50,9 +55,10 @@ const SIDES = ['Left', 'Right'] as const
  */
 export function findFace(skin: Skin): Face | undefined {
   const joined = joinSurface(skin)
-  const find = targetFinder(skin.targets.map(({ name }) => name))
+  const names = skin.targets.map(({ name }) => name)
+  const find = faceShapeFinder(names)
   const raw = skin.targets.map((target) => pointOffsets(joined, target))
-  const ways = (...names: string[]) => sumOfWays(raw, names.flatMap(find), joined.areas.length)
+  const ways = (...shapes: string[]) => sumOfWays(raw, shapes.flatMap(find), joined.areas.length)
   const eyes = SIDES.map((side) => centreOf(joined, ways(`eyeBlink${side}`), 0.3))
   const mouth = centreOf(joined, ways('mouthSmileLeft', 'mouthSmileRight', 'mouthStretch', 'mouthFrown'), 0.5)
   const brows = centreOf(joined, ways('browInnerUp', 'browDownLeft', 'browDownRight', 'browOuterUp'), 0.3)
@@ -63,10 +69,11 @@ export function findFace(skin: Skin): Face | undefined {
   const areas = pointAreas(points, joined.corners)
   const surface = { ...joined, points, areas, normals: turn(joined.normals, 0) }
   const offsets = raw.map((offset) => turn(offset, 0, true))
-  const landmarks = findLandmarks(surface, (...names) =>
-    sumOfWays(offsets, names.flatMap(find), surface.areas.length),
+  const browsMoveAsOne = `${find('browInnerUp')}` === `${find('browOuterUpLeft')}`
+  const landmarks = findLandmarks(surface, browsMoveAsOne, (...shapes) =>
+    sumOfWays(offsets, shapes.flatMap(find), surface.areas.length),
   )
-  return landmarks && { surface, landmarks, offsets, find }
+  return landmarks && { surface, landmarks, offsets, names, find }
 }
 
 /** Turns coordinates into the frame of the face; the middle between the eyes becomes the origin. */
@@ -96,20 +103,29 @@ function frameOf([left, right]: [number[], number[]], mouth: number[]) {
   }
 }
 
-function findLandmarks(surface: Surface, ways: (...names: string[]) => Float64Array): Landmarks | undefined {
+function findLandmarks(
+  surface: Surface,
+  browsMoveAsOne: boolean,
+  ways: (...names: string[]) => Float64Array,
+): Landmarks | undefined {
   /** A feature's place, the mean of both sides' with the right one mirrored. */
-  const feature = (share: number, ...names: string[]) =>
+  const feature = (share: number, ...names: string[]) => featureNear(undefined, share, ...names)
+  /** The same of what lies under a place across the face. */
+  const featureNear = (across: number | undefined, share: number, ...names: string[]) =>
     mirroredMean(
-      SIDES.map((side, i) =>
-        centreOf(surface, onSide(surface, ways(...names.map((name) => name + side), ...names), i), share),
-      ),
+      SIDES.map((side, i) => {
+        const moved = onSide(surface, ways(...names.map((name) => name + side), ...names), i)
+        return centreOf(surface, across === undefined ? moved : onlyNear(surface, moved, across), share)
+      }),
     )
+  const lid = spanOf(surface, onSide(surface, ways('eyeBlinkLeft'), 0), LID)
   const eye = feature(0.3, 'eyeBlink')
-  const innerBrow = feature(FEATURE, 'browInnerUp') ?? feature(FEATURE, 'browDown')
-  const outerBrow = feature(FEATURE, 'browOuterUp') ?? feature(FEATURE, 'browDown')
+  // Where one shape raises the whole brow, its ends are known by the eye: they lie above its corners.
+  const [inner, outer] = browsMoveAsOne ? [lid.least, lid.most] : []
+  const innerBrow = featureNear(inner, FEATURE, 'browInnerUp') ?? feature(FEATURE, 'browDown')
+  const outerBrow = featureNear(outer, FEATURE, 'browOuterUp') ?? feature(FEATURE, 'browDown')
   const mouthCorner = feature(FEATURE, 'mouthSmile')
   if (!eye || !innerBrow || !outerBrow || !mouthCorner) return undefined
-  const lid = spanOf(surface, onSide(surface, ways('eyeBlinkLeft'), 0), LID)
   const tip = foremost(surface, mouthCorner[1] * 0.75, mouthCorner[1] * 0.25)
   const browHeight = (innerBrow[1] + outerBrow[1]) / 2
   // The face is three thirds: hairline, brows, base of the nose, chin; the lips meet a third below the nose (Farkas 1994 finds it near enough).
@@ -148,6 +164,11 @@ function sumOfWays(
 /** Nothing of the other side; 0 is the left one. */
 function onSide({ points }: Surface, ways: Float64Array, side: number): Float64Array {
   return ways.map((way, i) => (points[3 * i]! > 0 === (side === 0) ? way : 0))
+}
+
+/** Nothing but what lies within a few millimetres of a place across the face. */
+function onlyNear({ points }: Surface, ways: Float64Array, across: number): Float64Array {
+  return ways.map((way, i) => (Math.abs(Math.abs(points[3 * i]!) - across) < NEAR ? way : 0))
 }
 
 /** Mean place of the points that go at least `share` of the longest way, by surface and way. */

@@ -1,0 +1,66 @@
+import type { Skin } from './surface.ts'
+
+/** Share of the texture's surface beyond the edges of its tile that is let pass: borders of islands may stick out. */
+const OVERHANG = 0.01
+
+/**
+ * Moves each island of the texture by whole tiles to 0..1, where renderers look for what lies outside.
+ *
+ * @returns the skin itself where nothing lies outside, and the share of the texture that crosses the edges of its tile, where no
+ *   lines can be drawn; 0 where it is small.
+ */
+export function inFirstTile(skin: Skin): { skin: Skin; crossing: number } {
+  const { uvs, indices } = skin
+  if (!isOutside(uvs)) return { skin, crossing: 0 }
+  const islandOf = islandsOf(indices, uvs.length / 2)
+  const moved = Float64Array.from(uvs)
+  for (let k = 0; k < 2; k++) {
+    const low = new Float64Array(uvs.length / 2).fill(Infinity)
+    const high = new Float64Array(uvs.length / 2).fill(-Infinity)
+    for (const [vertex, island] of islandOf.entries()) {
+      low[island] = Math.min(low[island]!, uvs[2 * vertex + k]!)
+      high[island] = Math.max(high[island]!, uvs[2 * vertex + k]!)
+    }
+    for (const [vertex, island] of islandOf.entries())
+      moved[2 * vertex + k] = uvs[2 * vertex + k]! - Math.floor((low[island]! + high[island]!) / 2)
+  }
+  const crossing = shareOutside(moved, indices)
+  return { skin: { ...skin, uvs: moved }, crossing: crossing > OVERHANG ? crossing : 0 }
+}
+
+function isOutside(uvs: ArrayLike<number>): boolean {
+  for (let i = 0; i < uvs.length; i++) if (uvs[i]! < 0 || uvs[i]! > 1) return true
+  return false
+}
+
+/** For each vertex the first one that triangles connect it with (union by path halving). */
+function islandsOf(indices: ArrayLike<number>, count: number): Uint32Array {
+  const parents = Uint32Array.from({ length: count }, (_, i) => i)
+  const rootOf = (vertex: number) => {
+    let at = vertex
+    while (parents[at] !== at) {
+      parents[at] = parents[parents[at]!]!
+      at = parents[at]!
+    }
+    return at
+  }
+  for (let t = 0; t + 2 < indices.length; t += 3) {
+    const first = rootOf(indices[t]!)
+    for (let k = 1; k < 3; k++) parents[rootOf(indices[t + k]!)] = first
+  }
+  return parents.map((_, vertex) => rootOf(vertex))
+}
+
+/** Surface in the texture of triangles that leave 0..1, as a share. */
+function shareOutside(uvs: ArrayLike<number>, indices: ArrayLike<number>): number {
+  let [outside, all] = [0, 0]
+  for (let t = 0; t + 2 < indices.length; t += 3) {
+    const [a, b, c] = [2 * indices[t]!, 2 * indices[t + 1]!, 2 * indices[t + 2]!]
+    const doubled = Math.abs(
+      (uvs[b]! - uvs[a]!) * (uvs[c + 1]! - uvs[a + 1]!) - (uvs[b + 1]! - uvs[a + 1]!) * (uvs[c]! - uvs[a]!),
+    )
+    all += doubled
+    if ([a, b, c].some((i) => isOutside([uvs[i]!, uvs[i + 1]!]))) outside += doubled
+  }
+  return all > 0 ? outside / all : 0
+}

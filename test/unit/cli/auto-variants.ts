@@ -1,0 +1,192 @@
+import { readFileSync, writeFileSync } from 'node:fs'
+import { fileURLToPath } from 'node:url'
+import { type Document, Logger, type Mesh, NodeIO, type Primitive } from '@gltf-transform/core'
+import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
+import draco3d from 'draco3d'
+import { type GrayImage, MorphActivation, type MorphDriver } from 'furrow'
+import { faceShapeFinder } from 'furrow/author'
+import { MeshoptDecoder } from 'meshoptimizer/decoder'
+import { MeshoptEncoder } from 'meshoptimizer/encoder'
+import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
+import { weightsOf } from '../../../packages/cli/src/wrinkles/inspect.ts'
+import { readPixels } from '../../../packages/cli/src/wrinkles/map-images.ts'
+import {
+  imageOf,
+  readWrinkledFile,
+  type WrinkledFile,
+} from '../../../packages/cli/src/wrinkles/wrinkled-file.ts'
+import type { Workshop } from './workshop.ts'
+
+export const HUMAN = fileURLToPath(new URL('../../../faces/human.glb', import.meta.url))
+
+/** Poses by ARKit's names. */
+const POSES: readonly Readonly<Record<string, number>>[] = [
+  { browInnerUp: 1, browOuterUpLeft: 1, browOuterUpRight: 1 },
+  { browDownLeft: 1, browDownRight: 1 },
+  { browOuterUpLeft: 0.7 },
+  { mouthSmileLeft: 1, cheekSquintLeft: 0.5 },
+  { mouthSmileRight: 0.8, mouthSmileLeft: 0.8 },
+  { eyeSquintRight: 1, noseSneerRight: 1 },
+  { mouthPucker: 1 },
+  { jawOpen: 1 },
+]
+
+let io: NodeIO | undefined
+
+/** Reads and writes whatever is compressed. */
+export async function anyIO(): Promise<NodeIO> {
+  if (io) return io
+  await Promise.all([MeshoptDecoder.ready, MeshoptEncoder.ready])
+  io = new NodeIO()
+    .setLogger(new Logger(Logger.Verbosity.SILENT))
+    .registerExtensions(ALL_EXTENSIONS)
+    .registerDependencies({
+      'draco3d.decoder': await draco3d.createDecoderModule(),
+      'draco3d.encoder': await draco3d.createEncoderModule(),
+      'meshopt.decoder': MeshoptDecoder,
+      'meshopt.encoder': MeshoptEncoder,
+    })
+  return io
+}
+
+/** The shipped face, or another, as it was before it had wrinkles. */
+export async function plainFace(path = HUMAN): Promise<Document> {
+  return (await anyIO()).readBinary(new Uint8Array(readFileSync(path)))
+}
+
+/** The mesh of that name. */
+export function meshOf(document: Document, name: string): Mesh {
+  return document
+    .getRoot()
+    .listMeshes()
+    .find((mesh) => mesh.getName() === name)!
+}
+
+export function targetNamesOf(mesh: Mesh): string[] {
+  return mesh.getExtras().targetNames as string[]
+}
+
+/** Changes every element of an attribute, of the base or of all targets. */
+export function mapAttribute(
+  primitives: readonly (Primitive | ReturnType<Primitive['listTargets']>[number])[],
+  semantic: string,
+  change: (values: number[]) => number[],
+): void {
+  const done = new Set<unknown>()
+  for (const primitive of primitives) {
+    const accessor = primitive.getAttribute(semantic)
+    if (!accessor || done.has(accessor)) continue
+    done.add(accessor)
+    for (let i = 0; i < accessor.getCount(); i++) accessor.setElement(i, change(accessor.getElement(i, [])))
+  }
+}
+
+/** What `furrow auto` made of a file. */
+export interface Made {
+  /** The file before and after. */
+  plain: string
+  path: string
+  file: WrinkledFile
+  areas: ReadonlyMap<string, GrayImage>
+  /** What the command printed. */
+  printed: string
+  warned: string
+}
+
+/** Writes a document, makes its wrinkles, and reads them back from what was written. */
+export async function makeWrinkles(
+  workshop: Workshop,
+  name: string,
+  document: Document,
+  ...options: string[]
+): Promise<Made> {
+  const plain = workshop.path(`${name}.glb`)
+  writeFileSync(plain, await (await anyIO()).writeBinary(document))
+  return wrinklesOf(workshop, plain, ...options)
+}
+
+/** Makes the wrinkles of a file, and reads them back from what was written. */
+export async function wrinklesOf(workshop: Workshop, plain: string, ...options: string[]): Promise<Made> {
+  const path = plain.replace(/\.glb$/, '-wrinkled.glb')
+  workshop.printed = ''
+  workshop.warned = ''
+  await workshop.run(autoCommand, plain, '-o', path, '--size', '512', ...options)
+  const file = await readWrinkledFile(path, 'test')
+  const weights = await Promise.all(file.maps.areas.map((_, i) => weightsOf(file, i, 'test')))
+  const areas = new Map(file.maps.areas.map(({ name: area }, i) => [area, weights[i]!]))
+  return { plain, path, file, areas, printed: workshop.printed, warned: workshop.warned }
+}
+
+/** Activations of a pose, by area. */
+export function activationsOf({ file }: Made, pose: Readonly<Record<string, number>>): Map<string, number> {
+  const { meshes = [] } = file.glb.json
+  const mesh = meshes.find(({ primitives }) => primitives.some(({ material }) => material === file.material))!
+  const names = mesh.extras!.targetNames as string[]
+  const morph = new MorphActivation(
+    file.maps.drivers.filter((driver): driver is MorphDriver => driver.type === 'morph'),
+    names,
+  )
+  const weights = new Float32Array(names.length)
+  const find = faceShapeFinder(names)
+  for (const [shape, weight] of Object.entries(pose))
+    for (const target of find(shape)) weights[target] = weight
+  morph.update(weights)
+  return new Map(morph.areaNames.map((area, i) => [area, morph.activations[i]!]))
+}
+
+/** The largest difference of an activation in any pose. */
+export function activationsApart(a: Made, b: Made): number {
+  return Math.max(
+    ...POSES.flatMap((pose) => {
+      const [first, second] = [activationsOf(a, pose), activationsOf(b, pose)]
+      return [...first].map(([area, value]) => Math.abs(value - (second.get(area) ?? 0)))
+    }),
+  )
+}
+
+/** The mean difference of each area's weights, in levels of 255, where either face has any; the largest of all areas. */
+export function areasApart(a: Made, b: Made, names = [...a.areas.keys()]): number {
+  return Math.max(...names.map((name) => levelsApart(a.areas.get(name)!.data, b.areas.get(name)!.data)))
+}
+
+export function levelsApart(first: ArrayLike<number>, second: ArrayLike<number>): number {
+  let [sum, count] = [0, 0]
+  for (let i = 0; i < first.length; i++) {
+    if (first[i] === 0 && second[i] === 0) continue
+    sum += Math.abs(first[i]! - second[i]!)
+    count++
+  }
+  return count > 0 ? sum / count : 0
+}
+
+/** The mean angle between the normals of two layers, in degrees, where either is not flat. */
+export async function normalsApart(a: Made, b: Made): Promise<number> {
+  const angles = await Promise.all(
+    a.file.maps.layers.map(async (_, layer) => {
+      const [first, second] = await Promise.all([a, b].map(({ file }) => normalsOf(file, layer)))
+      return meanAngle(first!, second!)
+    }),
+  )
+  return Math.max(...angles)
+}
+
+async function normalsOf(file: WrinkledFile, layer: number): Promise<Uint8Array> {
+  const image = imageOf(file.glb, file.maps.layers[layer]!.normalTexture.index, 'test')
+  return (await readPixels(image.bytes, 'normals', 'test')).data
+}
+
+/** Of three bytes each. */
+function meanAngle(first: Uint8Array, second: Uint8Array): number {
+  let [sum, count] = [0, 0]
+  for (let i = 0; i < first.length; i += 3) {
+    const [a, b] = [first, second].map((data) => [0, 1, 2].map((k) => data[i + k]! / 127.5 - 1)) as [
+      number[],
+      number[],
+    ]
+    if (Math.max(Math.hypot(a[0]!, a[1]!), Math.hypot(b[0]!, b[1]!)) < 0.05) continue
+    const cosine = a.reduce((dot, value, k) => dot + value * b[k]!, 0) / Math.hypot(...a) / Math.hypot(...b)
+    sum += (Math.acos(Math.min(1, cosine)) * 180) / Math.PI
+    count++
+  }
+  return count > 0 ? sum / count : 0
+}
