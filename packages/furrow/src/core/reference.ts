@@ -3,6 +3,7 @@
  * "Real-time Simulation of Wrinkles", WSCG 2008). Every GPU path is compared with these numbers.
  */
 import type { ImageArray } from './pack.ts'
+import { repeat } from './repeat.ts'
 import type { Combine, LayerKind } from './types.ts'
 
 /** What the influence of a texel depends on besides the areas' weights. */
@@ -16,7 +17,7 @@ export interface AreaActivation {
 
 /**
  * One channel of an array, sampled bilinearly with its edges clamped, as a GPU does: texel centres lie at
- * (i + 0.5) / width.
+ * (i + 0.5) / width. Outside 0..1 it repeats.
  *
  * @returns the value in 0..1.
  */
@@ -26,15 +27,15 @@ export function sampleArray(array: ImageArray, u: number, v: number, layer: numb
   return interpolate(array, u, v, texel) / 255
 }
 
-/** Interpolates bilinearly between the values of texels; edges are clamped. */
+/** Interpolates bilinearly between the values of texels; edges are clamped, and outside 0..1 it repeats. */
 export function interpolate(
   { width, height }: { width: number; height: number },
   u: number,
   v: number,
   texel: (i: number, j: number) => number,
 ): number {
-  const x = Math.min(Math.max(u * width - 0.5, 0), width - 1)
-  const y = Math.min(Math.max(v * height - 0.5, 0), height - 1)
+  const x = Math.min(Math.max(repeat(u) * width - 0.5, 0), width - 1)
+  const y = Math.min(Math.max(repeat(v) * height - 0.5, 0), height - 1)
   const x0 = Math.floor(x)
   const y0 = Math.floor(y)
   const x1 = Math.min(x0 + 1, width - 1)

@@ -1,3 +1,4 @@
+import { repeat } from '../core/repeat.ts'
 import type { GrayImage } from '../core/types.ts'
 
 /** A mesh's triangles, unindexed or not. */
@@ -50,7 +51,7 @@ function weightOf({ uvs, triangles }: SampledMesh, { width, height, data }: Gray
     v += uvs[2 * triangles[3 * k + corner] + 1] / 3
   }
   const texel = (place: number, size: number) => Math.min(Math.max(Math.floor(place * size), 0), size - 1)
-  return data[texel(v, height) * width + texel(u, width)] / 255 || 0
+  return data[texel(repeat(v), height) * width + texel(repeat(u), width)] / 255 || 0
 }
 
 /** Of a triangle at rest; 0 where its positions are no numbers. */

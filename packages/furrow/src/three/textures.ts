@@ -9,6 +9,7 @@ import {
   LinearMipmapLinearFilter,
   NoColorSpace,
   RedFormat,
+  RepeatWrapping,
   RGBAFormat,
 } from 'three'
 import type { ImageArray } from '../core/pack.ts'
@@ -51,6 +52,8 @@ export function mapTexture(
 export function flatNormalTexture(): DataTexture {
   const [half, one] = [0.5, 1].map(DataUtils.toHalfFloat)
   const texture = new DataTexture(Uint16Array.of(half, half, one, one), 1, 1, RGBAFormat, HalfFloatType)
+  // A map that is composed from it repeats as the layers do.
+  texture.wrapS = texture.wrapT = RepeatWrapping
   texture.needsUpdate = true
   return texture
 }

@@ -8,7 +8,7 @@
  */
 export function influenceFromMap(layers: number, isInstanced: boolean, isAnisotropic: boolean): string {
   const channels = Array.from({ length: 4 }, (_, i) => (i < layers ? `shares[${i}]` : '0.0'))
-  return /* glsl */ `
+  return /* glsl */ `${REPEAT}
 uniform highp sampler2D furrowInfluence;
 uniform vec3 furrowGrid;
 uniform vec2 furrowInset;
@@ -21,10 +21,11 @@ vec2 furrowUv;
 vec2 furrowDx;
 vec2 furrowDy;
 
-void furrowBegin(vec2 uv) {
+void furrowBegin(vec2 place) {
+  vec2 uv = furrowRepeat(place);
   furrowUv = uv;
-  furrowDx = dFdx(uv);
-  furrowDy = dFdy(uv);
+  furrowDx = dFdx(place);
+  furrowDy = dFdy(place);
   if (furrowFade <= 0.0 || any(lessThan(uv, furrowReach.xy)) || any(greaterThan(uv, furrowReach.zw))) return;
   float index = furrowGrid.z + vFurrowInstance;
   float row = floor((index + 0.5) / furrowGrid.x);
@@ -41,6 +42,13 @@ vec4 furrowMap(highp sampler2DArray maps, float slice) {
 `
 }
 
+/** Texture coordinates outside 0..1 less their whole numbers, see `repeat` in core; those within are left exactly as they are. */
+const REPEAT = /* glsl */ `
+vec2 furrowRepeat(vec2 uv) {
+  return uv - max(ceil(uv) - 1.0, min(floor(uv), 0.0));
+}
+`
+
 const GRADIENTS = 'return textureGrad(maps, vec3(furrowUv, slice), furrowDx, furrowDy);'
 
 /** The level of OpenGL ES 3.0, equations 3.18 and 3.21. */
@@ -53,12 +61,13 @@ const LEVEL = /* glsl */ `vec2 size = vec2(textureSize(maps, 0).xy);
 export function influenceFromAreas(channels: 1 | 4): string {
   const weight = channels === 1 ? 'texel.r' : 'texel[i % 4]'
   const slice = channels === 1 ? 'i' : 'i / 4'
-  return /* glsl */ `
+  return /* glsl */ `${REPEAT}
 uniform highp sampler2DArray furrowAreas;
 uniform highp sampler2D furrowActivations;
 uniform int furrowAreaCount;
 
-vec4 furrowSum(vec2 uv) {
+vec4 furrowSum(vec2 place) {
+  vec2 uv = furrowRepeat(place);
   vec4 added = vec4(0.0);
   vec4 largest = vec4(0.0);
   for (int i = 0; i < furrowAreaCount; i++) {

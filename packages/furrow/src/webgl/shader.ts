@@ -189,10 +189,10 @@ export function paperFragment(fragment: string, channels: 1 | 4, diffuseIsSrgb: 
     ShaderChunk.normal_fragment_maps,
     'vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;',
     /* glsl */ `
-  vec3 furrowWrinkled = texture(furrowColours, vec3(vNormalMapUv, 2.0)).xyz * 2.0 - 1.0;
+  vec3 furrowWrinkled = texture(furrowColours, vec3(furrowRepeat(vNormalMapUv), 2.0)).xyz * 2.0 - 1.0;
   furrowWrinkled.xy *= normalScale;
   furrowWrinkled = normalize(tbn * furrowWrinkled);
-  vec3 mapN = texture(furrowColours, vec3(vNormalMapUv, 1.0)).xyz * 2.0 - 1.0;`,
+  vec3 mapN = texture(furrowColours, vec3(furrowRepeat(vNormalMapUv), 1.0)).xyz * 2.0 - 1.0;`,
   )
   const twice = /* glsl */ `${lighting}
   vec3 furrowLit = outgoingLight;
@@ -212,7 +212,7 @@ export function paperFragment(fragment: string, channels: 1 | 4, diffuseIsSrgb: 
   }
   outgoingLight = furrowLit;
 `
-  const stored = 'texture(furrowColours, vec3(vNormalMapUv, 0.0))'
+  const stored = 'texture(furrowColours, vec3(furrowRepeat(vNormalMapUv), 0.0))'
   const diffuse = `diffuseColor *= ${diffuseIsSrgb ? `sRGBTransferEOTF(${stored})` : stored};`
   const declarations = `${influenceFromAreas(channels)}\nuniform highp sampler2DArray furrowColours;\n`
   return [

@@ -22,7 +22,7 @@ import type { PaperArray } from '../three/paper-array.ts'
 import type { RendererParts, WrinkleMaterial } from '../three/renderer-parts.ts'
 import { WrinklesBase } from '../three/Wrinkles.ts'
 import { composeMaterial } from './compose-material.ts'
-import { influenceFromAreas, influenceFromMap, mapUv } from './influence.ts'
+import { influenceFromAreas, influenceFromMap, mapUv, repeat } from './influence.ts'
 import { influenceMaterial } from './influence-material.ts'
 import { quadMaterials } from './influence-quads.ts'
 import { mixNormals, mixValues, type Shares } from './mix.ts'
@@ -112,7 +112,8 @@ function paper(
   place: Node<'vec2'>,
   shares: Node<'vec4'>,
 ): Partial<Patched> {
-  const sample = (slice: number) => texture(colours, place).depth(int(slice)) as unknown as Node<'vec4'>
+  const sample = (slice: number) =>
+    texture(colours, repeat(place)).depth(int(slice)) as unknown as Node<'vec4'>
   const smooth = normalMap(sample(1).xyz, scale())
   const wrinkled = normalMap(sample(2).xyz, scale())
   const stored = sample(0).rgb as Node<'vec3'>

@@ -41,7 +41,7 @@ export function follow<T extends string>(input: { readonly value: unknown }): No
  */
 export function influenceFromMap(
   inputs: WrinkleInputs,
-  uv: Node<'vec2'>,
+  place: Node<'vec2'>,
   instances: Instances,
 ): Node<'vec4'> {
   const grid = follow<'vec3'>(inputs.grid)
@@ -51,6 +51,7 @@ export function influenceFromMap(
   const layers = inputs.textures.layers.length
   return Fn(() => {
     const shares = vec4(0).toVar()
+    const uv = repeat(place).toVar() as Node<'vec2'>
     const isReached = uv
       .greaterThanEqual(reach.xy as never)
       .all()
@@ -61,8 +62,8 @@ export function influenceFromMap(
       const row = index.add(0.5).div(grid.x).floor().toVar()
       const corner = vec2(index.sub(row.mul(grid.x)) as Node<'float'>, row)
       const inside = uv.clamp(inset, inset.oneMinus()) as Node<'vec2'>
-      const place = corner.add(inside).div(grid.xy) as Node<'vec2'>
-      const sampled = texture(inputs.influence.value, place).level(int(0)) as unknown as Node<'vec4'>
+      const texel = corner.add(inside).div(grid.xy) as Node<'vec2'>
+      const sampled = texture(inputs.influence.value, texel).level(int(0)) as unknown as Node<'vec4'>
       // Channels without a layer hold whatever the format gives them.
       const used = vec4(
         ...([0, 1, 2, 3].map((i) => (i < layers ? 1 : 0)) as [number, number, number, number]),
@@ -101,7 +102,7 @@ interface Builder {
 export function influenceFromAreas(
   { areas }: WrinkleInputs,
   table: ActivationTable,
-  uv: Node<'vec2'>,
+  place: Node<'vec2'>,
 ): Node<'vec4'> {
   const count = uniform(table.count.value, 'int').onObjectUpdate(
     () => table.count.value,
@@ -109,6 +110,7 @@ export function influenceFromAreas(
   return Fn(() => {
     const added = vec4(0).toVar()
     const largest = vec4(0).toVar()
+    const uv = repeat(place).toVar() as Node<'vec2'>
     Loop({ start: int(0), end: count, type: 'int', condition: '<' }, ({ i: index }) => {
       const i = index as unknown as Node<'int'>
       const slice = areas.channels === 1 ? i : (i.div(int(4)) as Node<'int'>)
@@ -143,6 +145,11 @@ export function sampleSlice(array: ArrayTexture, { uv, dx, dy }: Gradients, slic
 interface Sampled {
   grad(x: Node, y: Node): Node<'vec4'>
   level(level: Node): Node<'vec4'>
+}
+
+/** Texture coordinates outside 0..1 less their whole numbers, see `repeat` in core; those within are left exactly as they are. */
+export function repeat(uv: Node<'vec2'>): Node<'vec2'> {
+  return uv.sub(max(uv.ceil().sub(1), min(uv.floor(), 0))) as Node<'vec2'>
 }
 
 /** UV of the material's normal map, its `KHR_texture_transform` applied. */

@@ -4,7 +4,7 @@ import type { Node } from 'three/webgpu'
 import type { LayerKind } from '../core/types.ts'
 import type { WrinkleInputs } from '../three/inputs.ts'
 import type { ValueKind } from '../three/wrinkle-textures.ts'
-import { follow, type Gradients, sampleSlice } from './influence.ts'
+import { follow, type Gradients, repeat, sampleSlice } from './influence.ts'
 
 /** Channels of a `vec4` in the order of the layers. */
 const CHANNELS = ['x', 'y', 'z', 'w'] as const
@@ -108,7 +108,11 @@ function of(kind: LayerKind, layers: readonly Share[]): Share[] {
 /** Taken outside of any branch: inside one, neighbouring pixels may part ways. */
 function gradients(uv: Node<'vec2'>): Gradients {
   const at = uv.toVar()
-  return { uv: at, dx: at.dFdx().toVar() as Node<'vec2'>, dy: at.dFdy().toVar() as Node<'vec2'> }
+  return {
+    uv: repeat(at).toVar() as Node<'vec2'>,
+    dx: at.dFdx().toVar() as Node<'vec2'>,
+    dy: at.dFdy().toVar() as Node<'vec2'>,
+  }
 }
 
 function unpack(stored: Node<'vec3'>): Node<'vec3'> {

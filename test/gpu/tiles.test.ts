@@ -1,0 +1,97 @@
+import { type RgbaImage, reference } from 'furrow'
+import {
+  AmbientLight,
+  DataTexture,
+  DirectionalLight,
+  LinearFilter,
+  MeshLambertMaterial,
+  RepeatWrapping,
+  Scene,
+} from 'three'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { randomImage, randomNormals, randomSet } from '../cases.ts'
+import { seeded } from '../random.ts'
+import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+
+const MAP = 16
+const PIXELS = 64
+/** Within a tile, in steps that floats hold exactly in any of these tiles. */
+const [SCALE, FROM] = [0.875, 0.0625]
+const TILES = [
+  [1, -1],
+  [-3, 2],
+]
+
+describe.each(RENDERERS)('skin in another tile of its texture, on %s', (name) => {
+  let harness: Harness
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterAll(() => harness.dispose())
+
+  it.each([
+    ['default', true],
+    ['default', false],
+    ['composed', true],
+    ['composed', false],
+    ['paper', true],
+  ] as const)('is drawn as in the first one, in the mode %s (own normal map: %s)', async (mode, hasMap) => {
+    const first = await draw(harness, mode, hasMap, [0, 0])
+    expect(new Set(first).size).toBeGreaterThan(50)
+    for (const tile of TILES) expect(await draw(harness, mode, hasMap, tile)).toEqual(first)
+  })
+
+  it('shows the same influence', async () => {
+    for (const mode of ['default', 'paper'] as const) {
+      const first = await draw(harness, mode, true, [0, 0], true)
+      expect(new Set(first).size).toBeGreaterThan(50)
+      for (const tile of TILES) expect(await draw(harness, mode, true, tile, true)).toEqual(first)
+    }
+  })
+})
+
+it('within 0..1, both ends included, nothing repeats', () => {
+  const array = { width: 4, height: 1, depth: 1, channels: 1, data: Uint8Array.of(10, 90, 170, 250) } as const
+  const at = (u: number) => 255 * reference.sampleArray(array, u, 0.5, 0)
+  expect([at(0), at(1)]).toEqual([10, 250])
+  for (const u of [0.1, 0.375, 0.9])
+    for (const whole of [-2, -1, 1, 3]) expect(at(u + whole)).toBeCloseTo(at(u), 9)
+})
+
+/** A lit square with random maps and areas. */
+async function draw(
+  harness: Harness,
+  mode: 'default' | 'composed' | 'paper',
+  hasMap: boolean,
+  tile: readonly number[],
+  influence = false,
+): Promise<Uint8Array> {
+  const random = seeded(20)
+  const set = randomSet(random, 12, MAP, MAP)
+  const [colour, normals] = [repeating(randomImage(random, MAP)), repeating(randomNormals(random, MAP))]
+  const material = new MeshLambertMaterial({ map: colour, ...(hasMap && { normalMap: normals }) })
+  const mesh = square(
+    material,
+    SCALE,
+    tile.map((whole) => whole + FROM),
+  )
+  const wrinkles = new harness.Wrinkles(mesh, set, { mode, areaSize: MAP })
+  for (const area of wrinkles.areaNames) wrinkles.setActivation(area, 0.2 * random())
+  if (influence) mesh.material = wrinkles.createInfluenceMaterial()
+  const scene = new Scene()
+  const light = new DirectionalLight(0xffffff, 2)
+  light.position.set(0.4, 0.3, 1)
+  scene.add(mesh, light, new AmbientLight(0xffffff, 0.3))
+  const pixels = await harness.renderBytes(scene, squareCamera(), PIXELS)
+  wrinkles.dispose()
+  for (const used of [colour, normals, material, mesh.geometry]) used.dispose()
+  return pixels
+}
+
+function repeating({ data, width, height }: RgbaImage): DataTexture {
+  const texture = new DataTexture(data, width, height)
+  texture.wrapS = texture.wrapT = RepeatWrapping
+  texture.minFilter = texture.magFilter = LinearFilter
+  texture.needsUpdate = true
+  return texture
+}
