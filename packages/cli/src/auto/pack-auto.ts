@@ -54,7 +54,10 @@ async function grayImage(name: string, { width, height, data }: GrayImage): Prom
 
 /** Millimetres as bytes, 128 at the surface; the amplitude is metres from black to white. */
 function heightImage(millimetres: Float32Array): { data: Uint8Array; amplitude: number } {
-  const farthest = millimetres.reduce((most, value) => Math.max(most, Math.abs(value)), 0.001)
-  const data = Uint8Array.from(millimetres, (value) => Math.round(127.5 + (127.5 * value) / farthest))
+  let farthest = 0.001
+  for (let i = 0; i < millimetres.length; i++) farthest = Math.max(farthest, Math.abs(millimetres[i]!))
+  // In loops: `from` and `reduce` take a second for the millions of texels, and ten times the memory.
+  const data = new Uint8Array(millimetres.length)
+  for (let i = 0; i < data.length; i++) data[i] = Math.round(127.5 + (127.5 * millimetres[i]!) / farthest)
   return { data, amplitude: (2 * farthest) / 1000 }
 }

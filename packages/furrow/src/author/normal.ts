@@ -42,11 +42,20 @@ export function heightToNormal(
     })
   }
   const data = new Uint8Array(4 * width * height)
+  const flat = toByte(0)
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {
       const i = y * width + x
       const hu = slopeAt(relief.data, y * width, x, 1, width, 'clamp') * width
       const hv = slopeAt(relief.data, x, y, width, height, 'clamp') * height
+      // Most skin has no wrinkle.
+      if (hu === 0 && hv === 0) {
+        data[4 * i] = flat
+        data[4 * i + 1] = flat
+        data[4 * i + 2] = 255
+        data[4 * i + 3] = 255
+        continue
+      }
       const uu = metric.uu[i]!
       const uv = metric.uv[i]!
       const vv = metric.vv[i]!

@@ -18,10 +18,8 @@ export function slopeAt(
 ): number {
   const at = start + i * stride
   if (i >= 2 && i < count - 2) {
-    const [near, far] = [
-      data[at + stride]! - data[at - stride]!,
-      data[at + 2 * stride]! - data[at - 2 * stride]!,
-    ]
+    const near = data[at + stride]! - data[at - stride]!
+    const far = data[at + 2 * stride]! - data[at - 2 * stride]!
     return (8 * near - far) / 12
   }
   const read = (k: number) =>

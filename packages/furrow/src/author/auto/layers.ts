@@ -19,10 +19,13 @@ export function layersOf(regions: readonly CreasedRegion[], most: number): numbe
     else groups.push([region])
   }
   const layers: number[] = []
+  const nears = new Map(regions.map((region) => [region, nearOf(region)]))
   for (const [i, group] of groups.entries()) {
     const crossed = Array.from({ length: most }, () => 0)
     for (let k = 0; k < i; k++) {
-      for (const one of group) for (const other of groups[k]!) crossed[layers[k]!]! += crossings(one, other)
+      for (const one of group) {
+        for (const other of groups[k]!) crossed[layers[k]!]! += crossings(one, other, nears.get(other)!)
+      }
     }
     const free = crossed.indexOf(0)
     layers.push(free >= 0 ? free : crossed.indexOf(Math.min(...crossed)))
@@ -35,13 +38,16 @@ function belongTogether(one: CreasedRegion, other: CreasedRegion): boolean {
   return one.creases === other.creases || whole(one) === whole(other)
 }
 
-/** Points of one region's lines that lie within the other's reach and run another way. */
-function crossings(one: CreasedRegion, other: CreasedRegion): number {
-  const reach = other.region.reach + other.region.feather / 2
-  const near = new NearCreases(
-    other.creases,
-    other.creases.map(() => reach),
+function nearOf({ region, creases }: CreasedRegion): NearCreases {
+  const reach = region.reach + region.feather / 2
+  return new NearCreases(
+    creases,
+    creases.map(() => reach),
   )
+}
+
+/** Points of one region's lines that lie near the other's, within its reach, and run another way. */
+function crossings(one: CreasedRegion, other: CreasedRegion, near: NearCreases): number {
   let count = 0
   for (const { points: p, normals: n } of one.creases) {
     for (let i = 0; i + 5 < p.length; i += 3) {

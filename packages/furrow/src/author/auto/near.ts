@@ -2,6 +2,8 @@ import type { Crease } from './crease.ts'
 
 /** Side of a cell in millimetres. */
 const CELL = 4
+/** From its middle to its corners, and a little more for rounding. */
+const CELL_RADIUS = 2.001 * Math.sqrt(3)
 /** Cosine between normals below which two places face different ways: a lip is not the other one. */
 const FACING = 0.25
 /** Numbers of a piece: where it begins, its way, one over its squared length, its normal. */
@@ -127,6 +129,18 @@ export class NearCreases {
     this.#pieces[PIECE * piece + 6] = square > 0 ? 1 / square : 0
   }
 
+  /** From the middle of a cell to a piece. */
+  #distanceTo(piece: number, cellX: number, cellY: number, cellZ: number): number {
+    const p = this.#pieces
+    const at = PIECE * piece
+    const x = (cellX + 0.5) * CELL - p[at]!
+    const y = (cellY + 0.5) * CELL - p[at + 1]!
+    const z = (cellZ + 0.5) * CELL - p[at + 2]!
+    const along = (p[at + 3]! * x + p[at + 4]! * y + p[at + 5]! * z) * p[at + 6]!
+    const share = along < 0 ? 0 : along > 1 ? 1 : along
+    return Math.hypot(x - share * p[at + 3]!, y - share * p[at + 4]!, z - share * p[at + 5]!)
+  }
+
   #file(piece: number): void {
     const reach = this.#reaches[this.#creaseOf[piece]!]!
     const bound = (k: number, high: boolean) => {
@@ -137,6 +151,7 @@ export class NearCreases {
     for (let x = bound(0, false); x <= bound(0, true); x++) {
       for (let y = bound(1, false); y <= bound(1, true); y++) {
         for (let z = bound(2, false); z <= bound(2, true); z++) {
+          if (this.#distanceTo(piece, x, y, z) > reach + CELL_RADIUS) continue
           const key = keyOf(x, y, z)
           const cell = this.#cells.get(key)
           if (cell) cell.push(piece)

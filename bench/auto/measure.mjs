@@ -1,0 +1,47 @@
+// Makes the wrinkles of one face once, as `furrow auto` does, in a process of its own; prints milliseconds of each stage and the
+// peak of its memory as JSON: `node bench/auto/measure.mjs face.glb 1024`. Uses the build.
+
+import { mkdtemp, rm } from 'node:fs/promises'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { autoWrinkles } from 'furrow/author'
+import { packAuto } from '../../packages/cli/dist/auto/pack-auto.js'
+import { findSkin } from '../../packages/cli/dist/auto/read-skin.js'
+import { readDocument } from '../../packages/cli/dist/face.js'
+import { writeAll } from '../../packages/cli/dist/images.js'
+import { embedWrinkles } from '../../packages/cli/dist/wrinkles/embed.js'
+import { encodeGlb, readGlbFile } from '../../packages/cli/dist/wrinkles/glb-file.js'
+
+const [path, size] = process.argv.slice(2)
+const WHO = 'bench'
+const stages = {}
+let stage = 'start'
+let since = 0
+
+/** Ends a stage and begins the next; the first one began with the process. */
+function begin(next) {
+  const now = performance.now()
+  stages[stage] = now - since
+  stage = next
+  since = now
+}
+
+const folder = await mkdtemp(join(tmpdir(), 'furrow-bench-'))
+try {
+  begin('read')
+  const glb = await readGlbFile(path, WHO)
+  const found = findSkin(await readDocument(path, WHO), path, WHO)
+  const frame = found.hasTangents ? 'orthonormal' : 'derivative'
+  const made = autoWrinkles(found.skin, { size: Number(size), frame }, (_, __, step) =>
+    begin(step === 'done' ? 'encode' : step),
+  )
+  embedWrinkles(glb, found.material, await packAuto(made), WHO)
+  const bytes = encodeGlb(glb)
+  begin('write')
+  await writeAll([{ path: join(folder, 'out.glb'), bytes }], WHO)
+  begin('end')
+} finally {
+  await rm(folder, { recursive: true })
+}
+const megabytes = process.resourceUsage().maxRSS / 1024
+process.stdout.write(JSON.stringify({ stages, megabytes }))
