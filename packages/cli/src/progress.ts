@@ -1,22 +1,22 @@
 import { SingleBar } from 'cli-progress'
 
-/** Told now and then how much of a long work is done. */
-export type Progress = (done: number, total: number) => void
+/** Told now and then how much of a long work is done, and what is being done. */
+export type Progress = (done: number, total: number, step?: string) => void
 
 /** Runs `work`, which may be asynchronous, under a bar on stderr; without a terminal there is no bar. */
 export function withBar<T>(name: string, work: (progress: Progress) => T): T {
   const bar = new SingleBar({
-    format: `${name} {bar} {value}/{total}`,
+    format: `${name} {bar} {step}`,
     stream: process.stderr,
     clearOnComplete: true,
   })
   let started = false
   let waiting = false
   try {
-    const result = work((done, total) => {
-      if (!started) bar.start(total, 0)
+    const result = work((done, total, step = `${done}/${total}`) => {
+      if (!started) bar.start(total, 0, { step })
       started = true
-      bar.update(done)
+      bar.update(done, { step })
     })
     if (!(result instanceof Promise)) return result
     waiting = true

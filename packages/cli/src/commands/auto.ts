@@ -1,20 +1,28 @@
+import { join } from 'node:path'
 import { Command } from 'commander'
 import { FurrowError, WRINKLE_MAPS } from 'furrow'
-import { AUTO_DEFAULTS, type AutoWrinkles, autoWrinkles } from 'furrow/author'
+import { AUTO_DEFAULTS, AUTO_STEPS, type AutoWrinkles, autoWrinkles } from 'furrow/author'
+import { checkTriangles } from '../auto/check-triangles.ts'
 import { packAuto } from '../auto/pack-auto.ts'
-import { findSkin } from '../auto/read-skin.ts'
+import { type FoundSkin, findSkin } from '../auto/read-skin.ts'
+import { makeReport } from '../auto/report.ts'
+import { Steps } from '../auto/steps.ts'
 import { readDocument } from '../face.ts'
 import { writeAll } from '../images.ts'
 import { readChoice, readNumber } from '../numbers.ts'
 import { withBar } from '../progress.ts'
 import { checkWritable } from '../render/write-png.ts'
 import { embedWrinkles } from '../wrinkles/embed.ts'
-import { encodeGlb, readGlbFile } from '../wrinkles/glb-file.ts'
+import { encodeGlb, type Glb, readGlbFile } from '../wrinkles/glb-file.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
 
 const WHO = 'furrow auto'
 
 const SIZES = ['512', '1024', '2048', '4096']
+
+/** Steps of the work besides those of `autoWrinkles`: reading, encoding, writing; and with a report its maps and pictures. */
+const OWN_STEPS = 3
+const REPORT_STEPS = 2
 
 interface Options {
   output: string
@@ -24,7 +32,9 @@ interface Options {
   seed?: string
   mesh?: string
   layers?: string
+  areas?: string
   replace?: boolean
+  report?: string
   json?: boolean
 }
 
@@ -39,59 +49,114 @@ export const autoCommand = new Command('auto')
   .option('--seed <number>', 'another number draws other lines; the same one the same bytes (default: 1)')
   .option('--mesh <name>', 'the mesh that wrinkles (default: the one whose skin brows, lids and mouth move)')
   .option('--layers <count>', 'layers that lines which cross may lie on: 1 to 4 (default: 4)')
+  .option('--areas <count>', `areas that there may be: 1 to 64 (default: ${AUTO_DEFAULTS.areas})`)
   .option('--replace', 'drop the wrinkles that the file has')
+  .option('--report <folder>', 'write a page there: before and after, strain, areas, layers, drivers')
   .option('--json', 'print what was made as JSON')
   .addHelpText(
     'after',
     `
 Examples:
   $ furrow auto avatar.glb -o wrinkled.glb
-  $ furrow auto avatar.glb -o old.glb --age 70 --size 2048`,
+  $ furrow auto avatar.glb -o old.glb --age 70 --size 2048 --report report`,
   )
   .action(auto)
 
 async function auto(face: string, options: Options): Promise<void> {
-  const age = readNumber(WHO, '--age', options.age ?? String(AUTO_DEFAULTS.age), {
-    low: 20,
-    high: 80,
-    example: 45,
+  const { output, report, mesh } = options
+  const settings = readSettings(options)
+  await checkWritable(output, WHO, '.glb')
+  if (report !== undefined) await checkWritable(join(report, 'index.html'), WHO, '.html')
+  const total = OWN_STEPS + AUTO_STEPS.length + (report === undefined ? 0 : REPORT_STEPS)
+  const { found, wrinkles, bytes, warnings } = await withBar('auto', async (progress) => {
+    const steps = new Steps(progress, total)
+    steps.begin('reading')
+    const glb = await readGlbFile(face, WHO)
+    checkTriangles(glb, WHO, mesh)
+    const found = findSkin(await readDocument(face, WHO), face, WHO, mesh)
+    makeRoom(glb, found, options.replace ?? false)
+    const frame = found.hasTangents ? 'orthonormal' : 'derivative'
+    const wrinkles = guarded(() =>
+      autoWrinkles(found.skin, { ...settings, frame }, (done, count, step) => {
+        if (done < count) steps.begin(step)
+      }),
+    )
+    if (wrinkles.areas.length === 0) throw nothingCreases(found.meshName)
+    steps.begin('encoding')
+    embedWrinkles(glb, found.material, await packAuto(wrinkles), WHO)
+    const bytes = encodeGlb(glb)
+    await writeAll([{ path: output, bytes }], WHO)
+    const warnings = [...glb.warnings, ...wrinkles.warnings.map((text) => `${WHO}: ${text}`)]
+    if (report !== undefined) {
+      const source = { path: output, glb, found, wrinkles, settings, warnings }
+      const { files, missing } = await makeReport(source, report, steps, WHO)
+      steps.begin('writing')
+      await writeAll(files, WHO)
+      if (missing) warnings.push(`${WHO}: the report has no pictures of the face (${missing})`)
+    }
+    return { found, wrinkles, bytes: bytes.length, warnings }
   })
-  const strength = readNumber(WHO, '--strength', options.strength ?? '1', { low: 0, high: 2, example: 1 })
-  const size = Number(readChoice(WHO, '--size', options.size ?? String(AUTO_DEFAULTS.size), SIZES))
-  const seed = readNumber(WHO, '--seed', options.seed ?? '1', {
-    low: 0,
-    high: 2 ** 31 - 1,
-    whole: true,
-    example: 1,
-  })
-  const layers = readNumber(WHO, '--layers', options.layers ?? '4', {
-    low: 1,
-    high: 4,
-    whole: true,
-    example: 4,
-  })
-  await checkWritable(options.output, WHO, '.glb')
-  const glb = await readGlbFile(face, WHO)
-  const found = findSkin(await readDocument(face, WHO), face, WHO, options.mesh)
-  const material = glb.json.materials![found.material]!
-  if (material.extensions?.[WRINKLE_MAPS] !== undefined) {
-    if (!options.replace) throw hasWrinkles(found.materialName)
-    stripWrinkles(glb, found.material, WHO)
-  }
-  const frame = found.hasTangents ? 'orthonormal' : 'derivative'
-  const wrinkles = withBar('auto', (progress) =>
-    autoWrinkles(found.skin, { age, strength, size, seed, layers, frame }, progress),
-  )
-  embedWrinkles(glb, found.material, await packAuto(wrinkles), WHO)
-  const bytes = encodeGlb(glb)
-  await writeAll([{ path: options.output, bytes }], WHO)
-  for (const warning of [...glb.warnings, ...wrinkles.warnings.map((text) => `${WHO}: ${text}`)])
-    console.error(warning)
+  for (const warning of warnings) console.error(warning)
   process.stdout.write(
     options.json
-      ? `${JSON.stringify(summary(wrinkles, found, options.output, bytes.length))}\n`
-      : text(wrinkles, found, options.output),
+      ? `${JSON.stringify(summary(wrinkles, found, options, bytes))}\n`
+      : text(wrinkles, found, options),
   )
+}
+
+function readSettings(options: Options) {
+  const whole = (option: 'seed' | 'layers' | 'areas', low: number, high: number) =>
+    readNumber(WHO, `--${option}`, options[option] ?? String(AUTO_DEFAULTS[option]), {
+      low,
+      high,
+      whole: true,
+      example: AUTO_DEFAULTS[option],
+    })
+  const number = (option: 'age' | 'strength', low: number, high: number) =>
+    readNumber(WHO, `--${option}`, options[option] ?? String(AUTO_DEFAULTS[option]), {
+      low,
+      high,
+      example: AUTO_DEFAULTS[option],
+    })
+  return {
+    age: number('age', 20, 80),
+    strength: number('strength', 0, 2),
+    size: Number(readChoice(WHO, '--size', options.size ?? String(AUTO_DEFAULTS.size), SIZES)),
+    seed: whole('seed', 0, 2 ** 31 - 1),
+    layers: whole('layers', 1, 4),
+    areas: whole('areas', 1, 64),
+  }
+}
+
+/** A material has one set of wrinkles: those that it has go only if the user says so. */
+function makeRoom(glb: Glb, { material, materialName }: FoundSkin, replace: boolean): void {
+  if (glb.json.materials![material]!.extensions?.[WRINKLE_MAPS] === undefined) return
+  if (!replace) throw hasWrinkles(materialName)
+  stripWrinkles(glb, material, WHO)
+}
+
+/** The command speaks for the functions: users know none of them, and no memory that cannot be had. */
+function guarded<T>(work: () => T): T {
+  try {
+    return work()
+  } catch (error) {
+    if (error instanceof FurrowError) error.message = error.message.replace(/^\w+(?=:)/, WHO)
+    if (!(error instanceof RangeError)) throw error
+    throw new FurrowError({
+      who: WHO,
+      what: 'not enough memory for maps of this size',
+      remedy: 'choose a smaller --size',
+    })
+  }
+}
+
+function nothingCreases(mesh: string): FurrowError {
+  return new FurrowError({
+    who: WHO,
+    what: 'no blendshape pushes the skin together enough to crease it',
+    value: mesh,
+    remedy: 'name another mesh with --mesh, or draw the wrinkles with furrow strokes',
+  })
 }
 
 function hasWrinkles(material: string): FurrowError {
@@ -103,22 +168,20 @@ function hasWrinkles(material: string): FurrowError {
   })
 }
 
-interface Names {
-  meshName: string
-  materialName: string
-}
-
 function summary(
-  { layers, areas }: AutoWrinkles,
-  { meshName, materialName }: Names,
-  file: string,
+  { layers, areas, landmarks, warnings }: AutoWrinkles,
+  { meshName, materialName }: FoundSkin,
+  { output, report }: Options,
   bytes: number,
 ) {
   return {
-    file,
+    file: output,
+    ...(report !== undefined && { report: join(report, 'index.html') }),
     mesh: meshName,
     material: materialName,
     bytes,
+    isFace: landmarks !== undefined,
+    warnings,
     layers: layers.map(({ name }) => name),
     areas: areas.map(({ name, layer, driver, compression, error, lines }) => ({
       name,
@@ -131,12 +194,17 @@ function summary(
   }
 }
 
-function text({ layers, areas }: AutoWrinkles, { meshName, materialName }: Names, file: string): string {
-  const head = `${file}: mesh "${meshName}", material "${materialName}"; layers: ${layers.length}; areas: ${areas.length}`
+function text(
+  { layers, areas }: AutoWrinkles,
+  { meshName, materialName }: FoundSkin,
+  { output, report }: Options,
+): string {
+  const head = `${output}: mesh "${meshName}", material "${materialName}"; layers: ${layers.length}; areas: ${areas.length}`
   const rows = areas.map(({ name, layer, compression, error, driver }) => {
     const links = driver.targets.map(({ name: target, weight }) => `${target} ${weight ?? 1}`).join(', ')
     const share = `${Math.round(100 * compression)}%`.padStart(4)
     return `  ${name.padEnd(20)} layer ${layer + 1}  shortened by ${share}  error ${error.toFixed(2)}  ${links}`
   })
-  return `${[head, ...rows].join('\n')}\n`
+  const page = report === undefined ? [] : [`${join(report, 'index.html')}: the report`]
+  return `${[head, ...rows, ...page].join('\n')}\n`
 }

@@ -24,6 +24,8 @@ export interface GltfMesh {
   name?: string
   primitives: {
     attributes?: Record<string, number>
+    indices?: number
+    mode?: number
     material?: number
     targets?: Record<string, number>[]
   }[]

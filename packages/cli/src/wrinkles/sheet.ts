@@ -1,5 +1,6 @@
 import type { GrayImage } from 'furrow'
 import sharp from 'sharp'
+import { escaped } from '../markup.ts'
 import { weightsOf } from './inspect.ts'
 import type { Pixels } from './map-images.ts'
 import { pixelsOf } from './pixels.ts'
@@ -64,32 +65,32 @@ async function arrange(tiles: readonly Tile[]): Promise<Uint8Array> {
 
 function lettering(text: string): Buffer {
   const short = text.length > 34 ? `${text.slice(0, 33)}…` : text
-  const safe = short
-    .replaceAll('&', '&amp;')
-    .replaceAll('<', '&lt;')
-    .replace(/\p{Cc}/gu, ' ')
   return Buffer.from(
     `<svg xmlns="http://www.w3.org/2000/svg" width="${SIDE}" height="${LINE}">` +
-      `<text x="2" y="18" font-family="sans-serif" font-size="14" fill="#e6e6e6">${safe}</text></svg>`,
+      `<text x="2" y="18" font-family="sans-serif" font-size="14" fill="#e6e6e6">${escaped(short)}</text></svg>`,
   )
 }
 
-async function skinOf({ glb, material }: WrinkledFile, who: string): Promise<Uint8Array> {
+/** The colour of the skin as RGB, `side` x `side`; gray where it has no texture. */
+export async function skinOf({ glb, material }: WrinkledFile, who: string, side = SIDE): Promise<Uint8Array> {
   const colour = glb.json.materials![material]!.pbrMetallicRoughness?.baseColorTexture
-  return colour ? scaled(await pixelsOf(glb, colour, who)) : new Uint8Array(3 * SIDE * SIDE).fill(120)
+  return colour ? scaled(await pixelsOf(glb, colour, who), side) : new Uint8Array(3 * side * side).fill(120)
 }
 
-async function scaled({ width, height, channels, data }: Pixels): Promise<Uint8Array> {
-  const image = sharp(data, { raw: { width, height, channels } }).resize(SIDE, SIDE, { fit: 'fill' })
+/** An image as RGB, `side` x `side`. */
+export async function scaled({ width, height, channels, data }: Pixels, side = SIDE): Promise<Uint8Array> {
+  const image = sharp(data, { raw: { width, height, channels } }).resize(side, side, { fit: 'fill' })
   return image.toColourspace('srgb').removeAlpha().raw().toBuffer()
 }
 
-async function scaledWeights({ width, height, data }: GrayImage): Promise<Uint8Array> {
-  const image = sharp(data, { raw: { width, height, channels: 1 } }).resize(SIDE, SIDE, { fit: 'fill' })
+/** The weights of an area, `side` x `side`. */
+export async function scaledWeights({ width, height, data }: GrayImage, side = SIDE): Promise<Uint8Array> {
+  const image = sharp(data, { raw: { width, height, channels: 1 } }).resize(side, side, { fit: 'fill' })
   return image.toColourspace('b-w').raw().toBuffer()
 }
 
-function tinted(skin: Uint8Array, weights: Uint8Array): Uint8Array {
+/** Shows on an RGB image where an area lies. */
+export function tinted(skin: Uint8Array, weights: Uint8Array): Uint8Array {
   return skin.map((value, i) => {
     const share = (TINT_SHARE * weights[Math.floor(i / 3)]!) / 255
     return Math.round(value * (1 - share) + TINT[i % 3]! * share)

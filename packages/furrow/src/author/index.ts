@@ -3,13 +3,17 @@ export type { GrayImage, RgbaImage } from '../core/types.ts'
 export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas } from './areas.ts'
 export {
   AUTO_DEFAULTS,
+  AUTO_STEPS,
   type AutoArea,
   type AutoLayer,
   type AutoOptions,
   type AutoWrinkles,
   autoWrinkles,
 } from './auto/auto.ts'
+export { MOST_TRIANGLES } from './auto/check-skin.ts'
+export type { Landmarks, Place } from './auto/face.ts'
 export { faceShapeFinder } from './auto/stand-ins.ts'
+export { type StrainMap, strainMaps } from './auto/strain-map.ts'
 export type { Skin, SkinTarget } from './auto/surface.ts'
 export {
   BAKE_DEFAULTS,

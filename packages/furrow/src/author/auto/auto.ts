@@ -7,14 +7,15 @@ import { heightToNormal, type TangentFrame } from '../normal.ts'
 import { checkSkin } from './check-skin.ts'
 import type { CreasedRegion } from './crease.ts'
 import { drawAreas, drawCreases } from './draw.ts'
-import { findFace, poseOf } from './face.ts'
+import { findFace, type Landmarks, poseOf } from './face.ts'
 import { faceRegions } from './face-regions.ts'
 import { layersOf } from './layers.ts'
 import { type FittedRegion, fitDriver } from './links.ts'
+import { inMillimetres } from './millimetres.ts'
 import { findOverlap, isOverlapped, leftTriangles, onBothSides } from './mirror.ts'
 import { standInsOf } from './stand-ins.ts'
 import { strainRegions } from './strain-regions.ts'
-import { joinSurface, pointAreas, pointOffsets, type Skin, type Surface } from './surface.ts'
+import type { Skin, Surface } from './surface.ts'
 import { SkinTexels } from './texels.ts'
 import { inFirstTile } from './tiles.ts'
 
@@ -74,8 +75,10 @@ export interface AutoArea {
 
 /** What blendshapes say of wrinkles. */
 export interface AutoWrinkles {
-  /** Whether a face was found by what the targets move; otherwise strain alone placed the lines. */
-  isFace: boolean
+  /** Where the features are, if a face was found by what the targets move; otherwise strain alone placed the lines. */
+  landmarks: Landmarks | undefined
+  /** Names of the targets that were used: those that are not broken. */
+  targets: string[]
   layers: AutoLayer[]
   areas: AutoArea[]
   /** Presets of those blendshapes that the face has; its areas' drivers add the wrinkles. */
@@ -87,7 +90,8 @@ export interface AutoWrinkles {
 /** Told before each step, and at the end. */
 export type AutoProgress = (done: number, total: number, step: string) => void
 
-const STEPS = ['face', 'lines', 'drivers', 'layers', 'maps'] as const
+/** What `autoWrinkles` does, in this order. */
+export const AUTO_STEPS = ['face', 'lines', 'drivers', 'layers', 'maps'] as const
 
 /**
  * Makes wrinkles from a character's own blendshapes: where they push the skin together it creases, and where a face is recognised
@@ -110,7 +114,8 @@ export function autoWrinkles(
     areas: mostAreas,
     frame,
   } = { ...AUTO_DEFAULTS, ...options }
-  const tell = (step: (typeof STEPS)[number]) => progress(STEPS.indexOf(step), STEPS.length, step)
+  const tell = (step: (typeof AUTO_STEPS)[number]) =>
+    progress(AUTO_STEPS.indexOf(step), AUTO_STEPS.length, step)
   tell('face')
   const { skin: checked, warnings } = checkSkin(skin)
   const { skin: usable, crossing } = inFirstTile(checked)
@@ -170,7 +175,7 @@ export function autoWrinkles(
     layers.push({ name: `auto${layer + 1}`, normal: heightToNormal(drawn.relief, metric, frame), ...drawn })
     for (const [i, image] of drawAreas(small, regions).entries()) images.set(regions[i]!, image)
   }
-  progress(STEPS.length, STEPS.length, 'done')
+  progress(AUTO_STEPS.length, AUTO_STEPS.length, 'done')
   const areas = fitted.map((fit, i) => ({
     name: fit.region.name,
     layer: layerOf[i]!,
@@ -181,7 +186,8 @@ export function autoWrinkles(
     lines: fit.creases.length,
   }))
   return {
-    isFace: face !== undefined,
+    landmarks: face?.landmarks,
+    targets: names,
     layers,
     areas,
     expressions: face ? presetsOf(face.find) : [],
@@ -205,17 +211,6 @@ function presetsOf(find: (name: string) => number[]): ExpressionDriver[] {
 function strongest(fitted: readonly FittedRegion[], most: number): FittedRegion[] {
   const least = fitted.map(({ compression }) => compression).sort((a, b) => b - a)[most] ?? -1
   return fitted.filter(({ compression }) => compression > least).slice(0, most)
-}
-
-/** A skin that is no face, as glTF has it in metres. */
-function inMillimetres(skin: Skin): { surface: Surface; offsets: Float64Array[] } {
-  const joined = joinSurface(skin)
-  const points = joined.points.map((metres) => 1000 * metres)
-  const surface = { ...joined, points, areas: pointAreas(points, joined.corners) }
-  return {
-    surface,
-    offsets: skin.targets.map((target) => pointOffsets(joined, target).map((metres) => 1000 * metres)),
-  }
 }
 
 /** Positions of the skin's vertices as its surface is scaled. */

@@ -5,8 +5,8 @@ const WHO = 'autoWrinkles'
 
 /** Way in sizes of the skin beyond which a target is taken for broken. */
 const FARTHEST = 2
-/** Largest skin that is worked on. */
-const MOST_TRIANGLES = 2_000_000
+/** Largest skin that `autoWrinkles` works on. */
+export const MOST_TRIANGLES = 2_000_000
 
 /**
  * Checks a skin, and leaves out targets that move nothing or cannot be right.
@@ -35,6 +35,14 @@ export function checkSkin(skin: Skin): { skin: Skin; warnings: string[] } {
     fail('a position is no number', 'NaN', 'finite numbers', 'check how the mesh was exported')
   if (!allFinite(uvs))
     fail('a texture coordinate is no number', 'NaN', 'finite numbers', 'check how the mesh was exported')
+  if (!allVertices(indices, vertices)) {
+    fail(
+      'a triangle has a corner that is no vertex',
+      undefined,
+      `0..${vertices - 1}`,
+      'export the mesh again',
+    )
+  }
   if (spanOf(uvs, indices) === 0) {
     fail('the texture coordinates span no surface', undefined, 'an unwrapped skin', 'unwrap the mesh')
   }
@@ -65,6 +73,11 @@ function problemOf({ offsets }: SkinTarget, size: number): string | undefined {
 
 function allFinite(values: ArrayLike<number>): boolean {
   for (let i = 0; i < values.length; i++) if (!Number.isFinite(values[i]!)) return false
+  return true
+}
+
+function allVertices(indices: ArrayLike<number>, vertices: number): boolean {
+  for (let i = 0; i < indices.length; i++) if (!(indices[i]! >= 0 && indices[i]! < vertices)) return false
   return true
 }
 

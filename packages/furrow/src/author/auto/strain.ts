@@ -4,6 +4,8 @@ import type { Surface } from './surface.ts'
 export const TENSOR = 6
 /** Share of the way to its neighbours' mean that a point goes in one round of smoothing, at most. */
 const LARGEST_STEP = 0.8
+/** Rounds of smoothing, at most: meshes far finer than skin creases are smoothed less than asked for. */
+const MOST_ROUNDS = 1000
 
 /**
  * How far skin is shortened at each point, and in which direction: I - U, where U is the right stretch tensor of each triangle in its own
@@ -94,9 +96,12 @@ export function smooth(surface: Surface, values: Float64Array, size: number, sig
       squares[i]! += distanceSquared(points, i, neighbours[n]!)
     squares[i]! /= Math.max(1, starts[i + 1]! - starts[i]!)
   }
-  const fine = Float64Array.from(squares).sort()[Math.floor(count / 4)]!
+  // Points of no triangle, as files have them that share vertices among meshes, say nothing of how fine this one is.
+  const known = squares.filter((square) => square > 0).sort()
+  const fine = known[Math.floor(known.length / 4)] ?? 0
   // A step of length d in a random direction, taken with probability p, adds p d^2 / 2 to the variance along each axis.
-  const rounds = Math.ceil((2 * sigma * sigma) / (LARGEST_STEP * Math.max(fine, 1e-12)))
+  const asked = Math.ceil((2 * sigma * sigma) / (LARGEST_STEP * Math.max(fine, 1e-12)))
+  const rounds = Math.min(asked, MOST_ROUNDS)
   const before = new Float64Array(values.length)
   for (let round = 0; round < rounds; round++) {
     before.set(values)
