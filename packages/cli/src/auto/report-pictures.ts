@@ -7,6 +7,7 @@ import { pixelsOf } from '../wrinkles/pixels.ts'
 import { scaled, scaledWeights, skinOf, tinted } from '../wrinkles/sheet.ts'
 import type { WrinkledFile } from '../wrinkles/wrinkled-file.ts'
 import type { ShownPose } from './expressions.ts'
+import { movingPart, type Part } from './moving-part.ts'
 import { colourStrain } from './strain-colours.ts'
 
 /** An image of the report. */
@@ -19,7 +20,7 @@ export interface ReportImage {
 }
 
 /** Sides in pixels. */
-const FACE = { width: 640, height: 960 }
+const FACE = { width: 660, height: 880 }
 const STRAIN = 512
 const AREA = 256
 const MAP = 1024
@@ -47,10 +48,15 @@ export async function drawFaces(
     if (error instanceof FurrowError) return error.message
     throw error
   }
+  const part = movingPart(
+    drawn.map(({ pixels }) => pixels),
+    FACE.width,
+    FACE.height,
+  )
   const images = await Promise.all(
     drawn.map(({ pixels }, i) => {
       const name = `${i % 2 === 0 ? 'before' : 'after'}-${Math.floor(i / 2) + 1}`
-      return encode(name, pixels, FACE.width, FACE.height)
+      return encode(name, pixels, FACE.width, FACE.height, part)
     }),
   )
   return poses.map((_, i) => [images[2 * i]!, images[2 * i + 1]!] as const)
@@ -98,10 +104,17 @@ export function drawLayers({ glb, maps }: WrinkledFile, who: string): Promise<Re
   }
 }
 
-async function encode(name: string, pixels: Uint8Array, width: number, height = width): Promise<ReportImage> {
+async function encode(
+  name: string,
+  pixels: Uint8Array,
+  width: number,
+  height = width,
+  part: Part = { left: 0, top: 0, width, height },
+): Promise<ReportImage> {
   const channels = pixels.length === 3 * width * height ? 3 : 4
   const bytes = await sharp(pixels, { raw: { width, height, channels } })
+    .extract(part)
     .webp({ quality: 90, smartSubsample: true })
     .toBuffer()
-  return { file: `${name}.webp`, width, height, bytes }
+  return { file: `${name}.webp`, width: part.width, height: part.height, bytes }
 }

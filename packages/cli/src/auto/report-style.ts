@@ -26,7 +26,7 @@ figure { margin: 0; }
 figcaption { padding-top: 8px; font-size: 14px; }
 .warnings { margin: 16px 0 0; padding: 12px 16px 12px 34px; border-radius: 8px; background: var(--warn); color: var(--warn-ink); }
 .missing { padding: 14px 16px; border: 1px solid var(--line); border-radius: 8px; }
-.pairs { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 32px 24px; }
+.pairs { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 28px 24px; }
 .pair { display: grid; grid-template-columns: 1fr 1fr; gap: 2px; }
 .pair a:first-child img { border-radius: 6px 0 0 6px; }
 .pair a:last-child img { border-radius: 0 6px 6px 0; }

@@ -139,7 +139,7 @@ export function autoWrinkles(
   }
   const creased = face
     ? faceRegions(face, grown, strength, seed)
-    : strainRegions(surface, offsets, names, grown, strength, mostAreas)
+    : strainRegions(surface, offsets, names, grown, strength, seed, mostAreas)
   if (!face)
     warnings.push(
       'no face was found by what the blendshapes move: strain alone places the wrinkles, and carefully',
@@ -209,8 +209,8 @@ function presetsOf(find: (name: string) => number[]): ExpressionDriver[] {
 
 /** Those whose skin loses most, in the order they came in. */
 function strongest(fitted: readonly FittedRegion[], most: number): FittedRegion[] {
-  const least = fitted.map(({ compression }) => compression).sort((a, b) => b - a)[most] ?? -1
-  return fitted.filter(({ compression }) => compression > least).slice(0, most)
+  const kept = new Set([...fitted].sort((a, b) => b.compression - a.compression).slice(0, most))
+  return fitted.filter((fit) => kept.has(fit))
 }
 
 /** Positions of the skin's vertices as its surface is scaled. */

@@ -1,5 +1,5 @@
 import { FurrowError } from '../../core/error.ts'
-import type { Skin, SkinTarget } from './surface.ts'
+import { crossOf, type Skin, type SkinTarget } from './surface.ts'
 
 const WHO = 'autoWrinkles'
 
@@ -46,9 +46,9 @@ export function checkSkin(skin: Skin): { skin: Skin; warnings: string[] } {
   if (spanOf(uvs, indices) === 0) {
     fail('the texture coordinates span no surface', undefined, 'an unwrapped skin', 'unwrap the mesh')
   }
-  const size = sizeOf(positions)
-  if (!(size > 0))
+  if (!hasSurface(positions, indices))
     fail('the mesh has no surface', undefined, 'triangles with area', 'check how the mesh was exported')
+  const size = sizeOf(positions)
   const warnings: string[] = []
   const kept = targets.filter((target) => {
     const problem = problemOf(target, size)
@@ -96,6 +96,14 @@ function sizeOf(positions: ArrayLike<number>): number {
     high[i % 3] = Math.max(high[i % 3]!, positions[i]!)
   }
   return Math.max(...high.map((value, k) => value - low[k]!))
+}
+
+function hasSurface(positions: ArrayLike<number>, indices: ArrayLike<number>): boolean {
+  const normal = new Float64Array(3)
+  for (let t = 0; t + 2 < indices.length; t += 3) {
+    if (crossOf(positions, indices[t]!, indices[t + 1]!, indices[t + 2]!, normal) > 0) return true
+  }
+  return false
 }
 
 /** Surface of all triangles in the texture. */

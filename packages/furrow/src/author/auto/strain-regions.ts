@@ -1,6 +1,7 @@
 import { type CreasedRegion, creaseLines, type LineStyle, type SkinRegion } from './crease.ts'
 import { layFreeLines } from './free-lines.ts'
 import { crossed } from './principal.ts'
+import { Random } from './random.ts'
 import { along, compressionTensors, smooth, TENSOR } from './strain.ts'
 import type { Surface } from './surface.ts'
 
@@ -36,6 +37,7 @@ export function strainRegions(
   names: readonly string[],
   age: number,
   strength: number,
+  seed: number,
   most: number,
 ): CreasedRegion[] {
   const spots = offsets.flatMap((offset, target) => spotsOf(surface, strainOf(surface, offset), target))
@@ -47,9 +49,11 @@ export function strainRegions(
   const used = new Map<string, number>()
   return chosen.flatMap((spot): CreasedRegion[] => {
     const name = names[spot.target]!
+    const numbers = new Random(seed, name)
     const tensors = strainOf(surface, offsets[spot.target]!)
     keepOnly(tensors, spot.points)
-    const lines = layFreeLines(surface, tensors, { spacing: SPACING, least: LEAST, style: STYLE })
+    const laid = layFreeLines(surface, tensors, { spacing: SPACING, least: LEAST, style: STYLE })
+    const lines = laid.map((line) => ({ ...line, style: varied(numbers) }))
     if (lines.length === 0) return []
     const times = (used.get(name) ?? 0) + 1
     used.set(name, times)
@@ -64,6 +68,17 @@ export function strainRegions(
     }
     return [{ region, ...creaseLines(region, lines, strength) }]
   })
+}
+
+/** Lines as deep and as wide as each other would look like stripes. */
+function varied(numbers: Random): LineStyle {
+  const end = () => numbers.between(0.3, 0.5)
+  return {
+    ...STYLE,
+    width: STYLE.width * numbers.between(0.85, 1.1),
+    depth: numbers.between(0.7, 1),
+    taper: [end(), end()],
+  }
 }
 
 function strainOf(surface: Surface, offset: Float64Array): Float64Array {
