@@ -1,4 +1,3 @@
-import { spawn } from 'node:child_process'
 import { mkdir, mkdtemp, readdir, readFile, rm, truncate, writeFile } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
@@ -10,20 +9,14 @@ import { transformFile } from '../../scripts/lib/transform.mjs'
 import { editGlb } from '../glb.ts'
 import { largestDifference, type Region } from './pixels.ts'
 import type { CanvasPixels } from './read-canvas.ts'
+import { type Ended, runFurrow } from './run-furrow.ts'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
-const BIN = join(ROOT, 'packages/cli/bin/furrow.js')
 const FACE = join(ROOT, 'faces/human.glb')
 
 /** The forehead from the front, and what wrinkles of the forehead never reach. */
 const FOREHEAD: Region = { left: 0.42, top: 0.18, right: 0.58, bottom: 0.34 }
 const CHIN: Region = { left: 0.42, top: 0.62, right: 0.58, bottom: 0.74 }
-
-interface Ended {
-  code: number | null
-  stdout: string
-  stderr: string
-}
 
 let folder: string
 let out: string
@@ -235,20 +228,7 @@ function furrow(...words: string[]): Promise<Ended> {
 }
 
 function furrowWith(env: NodeJS.ProcessEnv, ...words: string[]): Promise<Ended> {
-  return new Promise((resolve, reject) => {
-    const child = spawn(process.execPath, [BIN, ...words], {
-      cwd: folder,
-      env: { ...process.env, ...env },
-      stdio: ['ignore', 'pipe', 'pipe'],
-    })
-    const [stdout, stderr]: [Buffer[], Buffer[]] = [[], []]
-    child.stdout.on('data', (data) => stdout.push(data))
-    child.stderr.on('data', (data) => stderr.push(data))
-    child.on('error', reject)
-    child.on('close', (code) =>
-      resolve({ code, stdout: String(Buffer.concat(stdout)), stderr: String(Buffer.concat(stderr)) }),
-    )
-  })
+  return runFurrow(folder, env, ...words)
 }
 
 /** One line on stderr that says what is wrong, and nothing else. */

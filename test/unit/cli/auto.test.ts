@@ -1,6 +1,10 @@
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { SingleBar } from 'cli-progress'
 import { parseWrinkleMaps } from 'furrow'
-import { describe, expect, test } from 'vitest'
+import { AUTO_STEPS } from 'furrow/author'
+import sharp from 'sharp'
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
 import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
 import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
 import { editGlb } from '../../glb.ts'
@@ -104,6 +108,62 @@ describe('bytes', () => {
     expect(json).toEqual(old)
     const [was, is] = [binOf(before), binOf(after)]
     expect(is.subarray(0, was.length).equals(was)).toBe(true)
+  })
+})
+
+describe('the report', () => {
+  const page = (folder: string) => readFileSync(join(folder, 'index.html'), 'utf8')
+
+  /** Where there is no browser it is written all the same. */
+  beforeEach(() => void vi.stubEnv('FURROW_CHROMIUM', '/nowhere/chromium'))
+  afterEach(() => void vi.unstubAllEnvs())
+
+  test('is written without a browser, and says so', async () => {
+    await run(await write('body.glb'), '-o', file('out.glb'), '--report', file('report'), '--json')
+    expect(JSON.parse(at.printed).report).toBe(file('report/index.html'))
+    expect(at.warned).toContain(
+      'furrow auto: the report has no pictures of the face (furrow: FURROW_CHROMIUM',
+    )
+    const html = page(file('report'))
+    expect(html).toContain('The face was not drawn.')
+    expect(html).toContain('no face was found')
+    const sources = [...html.matchAll(/<img src="([^"]+)"/g)].map(([, source]) => source!)
+    const areas = areasOf(file('out.glb')).map((_, i) => `area-${i + 1}.webp`)
+    const maps = ['strain-1.webp', ...areas, 'layer-1-normal.webp', 'layer-1-relief.webp']
+    expect(sources).toEqual(maps)
+    expect(readdirSync(file('report')).sort()).toEqual([...maps, 'index.html'].sort())
+    for (const source of sources)
+      expect((await sharp(join(file('report'), source)).metadata()).format).toBe('webp')
+  })
+
+  test('escapes what others named, and needs no script', async () => {
+    const face = await write('odd.glb', ({ targets }) => {
+      targets['<img src=x onerror=alert(1)>"&\n\''] = targets.bend!
+      delete targets.bend
+    })
+    await run(face, '-o', file('out.glb'), '--report', file('odd'))
+    const html = page(file('odd'))
+    expect(html).toContain('&lt;img src=x onerror=alert(1)&gt;&quot;&amp; &#39;')
+    expect(html).not.toMatch(/<img src=x|<script/)
+    expect([...html.matchAll(/<img [^>]*>/g)].every(([tag]) => /alt="[^"]+"/.test(tag))).toBe(true)
+  })
+
+  test('replaces an older one and leaves the files of others', async () => {
+    mkdirSync(file('old'))
+    writeFileSync(file('old/index.html'), 'old')
+    writeFileSync(file('old/notes.txt'), 'mine')
+    await run(await write('body.glb'), '-o', file('out.glb'), '--report', file('old'))
+    expect(page(file('old'))).toContain('<!doctype html>')
+    expect(readFileSync(file('old/notes.txt'), 'utf8')).toBe('mine')
+  })
+
+  test('the bar names each step once, from start to end', async () => {
+    const start = vi.spyOn(SingleBar.prototype, 'start')
+    const update = vi.spyOn(SingleBar.prototype, 'update')
+    await run(await write('body.glb'), '-o', file('out.glb'), '--report', file('report'))
+    const steps = ['reading', ...AUTO_STEPS, 'encoding', 'report', 'pictures', 'writing']
+    expect(start.mock.calls).toEqual([[steps.length, 0, { step: 'reading' }]])
+    expect(update.mock.calls).toEqual(steps.map((step, i) => [i, { step }]))
   })
 })
 

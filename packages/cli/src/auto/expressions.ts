@@ -46,7 +46,7 @@ const EXPRESSIONS: readonly ShownPose[] = [
 const MOST = 8
 
 /** The expressions that a face can make; of a skin that can make none, what creases it most. */
-export function posesOf({ targets, areas }: AutoWrinkles): ShownPose[] {
+export function posesOf({ targets, areas }: Pick<AutoWrinkles, 'targets' | 'areas'>): ShownPose[] {
   const expressions = EXPRESSIONS.flatMap(({ name, targets: asked }): ShownPose[] => {
     const found = Object.entries(asked).map(([shape, weight]) => {
       return { weight, names: findTargets(shape, targets).map((index) => targets[index]!) }

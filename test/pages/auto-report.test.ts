@@ -1,0 +1,84 @@
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { fileURLToPath, pathToFileURL } from 'node:url'
+import type { Browser } from 'playwright-core'
+import { afterAll, beforeAll, expect, test } from 'vitest'
+import { editGlb } from '../glb.ts'
+import { openBrowser, openPage } from './browser.ts'
+import { type Ended, runFurrow } from './run-furrow.ts'
+
+/** What the face keeps its names of: enough to be recognised, and for one expression. */
+const KEPT = /^(eyeBlink|mouthSmileLeft|browDown|browInnerUp)/
+
+const folder = mkdtempSync(join(tmpdir(), 'furrow-report-'))
+let browser: Browser
+let made: Ended
+
+interface Json {
+  meshes: { extras?: { targetNames?: string[] } }[]
+}
+
+beforeAll(async () => {
+  const face = fileURLToPath(new URL('../../faces/human.glb', import.meta.url))
+  const bytes = editGlb(readFileSync(face), ({ meshes }: Json) => {
+    for (const { extras } of meshes) {
+      if (extras?.targetNames)
+        extras.targetNames = extras.targetNames.map((name, i) => (KEPT.test(name) ? name : `own ${i}`))
+    }
+  })
+  writeFileSync(join(folder, 'face.glb'), bytes)
+  const options = ['--size', '512', '--replace', '--report', join(folder, 'report')]
+  made = await runFurrow(
+    folder,
+    {},
+    'auto',
+    join(folder, 'face.glb'),
+    '-o',
+    join(folder, 'out.glb'),
+    ...options,
+  )
+  browser = await openBrowser()
+})
+
+afterAll(async () => {
+  await browser?.close()
+  rmSync(folder, { recursive: true })
+})
+
+test('furrow auto --report is silent but for its result', () => {
+  expect(made.stderr).toBe('')
+  expect(made.code).toBe(0)
+  expect(made.stdout).toContain('index.html: the report')
+})
+
+test.each([
+  [1280, 800],
+  [390, 844],
+])('the report fits into %d x %d', async (width, height) => {
+  const { page, complaints } = await openPage(browser, { viewport: { width, height } })
+  await page.goto(pathToFileURL(join(folder, 'report/index.html')).href)
+  const seen = await page.evaluate(() => ({
+    scrolled: document.documentElement.scrollWidth,
+    images: [...document.images].map(({ naturalWidth, width, alt }) => ({ naturalWidth, width, alt })),
+    names: [...document.querySelectorAll('.pairs figcaption > b')].map(({ textContent }) => textContent),
+    headings: [...document.querySelectorAll('h2')].length,
+  }))
+  expect(complaints).toEqual([])
+  expect(seen.scrolled).toBe(width)
+  expect(seen.headings).toBe(5)
+  expect(seen.names).toEqual(['Frown'])
+  for (const image of seen.images) {
+    expect(image.naturalWidth).toBeGreaterThan(0)
+    expect(image.width).toBeGreaterThan(80)
+    expect(image.alt).not.toBe('')
+  }
+  await page.close()
+})
+
+test('before and after differ', () => {
+  const [before, after] = ['before', 'after'].map((name) =>
+    readFileSync(join(folder, `report/${name}-1.webp`)),
+  )
+  expect(before!.equals(after!)).toBe(false)
+})

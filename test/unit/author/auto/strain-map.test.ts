@@ -1,0 +1,55 @@
+import { strainMaps } from 'furrow/author'
+import { describe, expect, test } from 'vitest'
+
+/** Metres, and texels. */
+const SIDE = 0.2
+const SIZE = 64
+
+/** A sheet in the left half of its texture, which targets shorten by a share across and up. */
+function skin(n: number) {
+  const [positions, uvs, indices, across, up]: number[][] = [[], [], [], [], []]
+  for (let j = 0; j <= n; j++) {
+    for (let i = 0; i <= n; i++) {
+      const [x, y] = [(SIDE * i) / n, (SIDE * j) / n]
+      positions.push(x, y, 0)
+      uvs.push(i / n / 2, 1 - j / n)
+      across.push(-0.1 * x, 0, 0)
+      up.push(0, -0.06 * y, 0)
+      const p = j * (n + 1) + i
+      if (i < n && j < n) indices.push(p, p + 1, p + n + 2, p, p + n + 2, p + n + 1)
+    }
+  }
+  const targets = [
+    { name: 'across', offsets: across },
+    { name: 'up', offsets: up },
+  ]
+  return { positions, uvs, indices, targets }
+}
+
+describe('strain maps', () => {
+  // Expected is what the targets are made of: principal compression, and none where skin is stretched.
+  test.each<[Record<string, number>, number]>([
+    [{ across: 1 }, 0.1],
+    [{ across: 0.5, up: 0.5 }, 0.05],
+    [{ up: 1, across: -1 }, 0.06],
+    [{ across: -1 }, 0],
+    [{}, 0],
+    [{ nothing: 1 }, 0],
+  ])('of %j', (pose, lost) => {
+    const [map] = strainMaps(skin(12), [pose], SIZE)
+    expect([map!.width, map!.height, map!.data.length]).toEqual([SIZE, SIZE, SIZE * SIZE])
+    for (let row = 0; row < SIZE; row++) {
+      for (let column = 0; column < SIZE / 2; column++) {
+        expect(Math.abs(map!.data[row * SIZE + column]! - lost)).toBeLessThan(1e-6)
+      }
+    }
+  })
+
+  test('have nothing where there is no skin', () => {
+    const [map] = strainMaps(skin(3), [{ across: 1 }], SIZE)
+    for (let row = 0; row < SIZE; row++) {
+      for (let column = SIZE / 2 + 4; column < SIZE; column++)
+        expect(map!.data[row * SIZE + column]).toBeNaN()
+    }
+  })
+})
