@@ -37,7 +37,7 @@ const areasOf = (path: string) => {
 describe('a body without a face', () => {
   test('is creased by strain alone, and says so', async () => {
     await run(await write('body.glb'), '-o', file('out.glb'))
-    expect(at.printed).toMatch(/mesh "torso", material "cloth"; layers: 1; areas: [1-9]/)
+    expect(at.printed).toMatch(/mesh "torso", material "cloth" \(no other has .+\); layers: 1; areas: [1-9]/)
     expect(at.warned).toMatch(/^furrow auto: no face was found .*\n$/)
     expect(areasOf(file('out.glb'))[0].name).toBe('bend')
     at.printed = ''
@@ -52,6 +52,7 @@ describe('a body without a face', () => {
       file: file('out.glb'),
       mesh: 'torso',
       material: 'cloth',
+      reason: expect.stringContaining('no other has'),
       bytes: readFileSync(file('out.glb')).length,
       isFace: false,
       warnings: [expect.stringContaining('no face was found')],

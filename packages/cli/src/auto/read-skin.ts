@@ -125,6 +125,9 @@ function readSkin(mesh: Mesh, primitives: readonly Primitive[], material: Materi
   return { positions, uvs, indices, targets: names.map((name, k) => ({ name, offsets: offsets[k]! })) }
 }
 
+/** Stands for a corner that is no vertex: the skin is refused for it later. */
+const NOWHERE = 2 ** 31
+
 /** Vertices that triangles use, in their order, and each triangle's corners as indices into them. */
 function usedVertices(primitive: Primitive): { used: Uint32Array; corners: Uint32Array } {
   const index = primitive.getIndices()
@@ -135,7 +138,7 @@ function usedVertices(primitive: Primitive): { used: Uint32Array; corners: Uint3
   const used = Uint32Array.from({ length: count }, (_, i) => i).filter((i) => isUsed[i] === 1)
   const placeOf = new Uint32Array(count)
   for (const [place, vertex] of used.entries()) placeOf[vertex] = place
-  return { used, corners: corners.map((vertex) => placeOf[vertex]!) }
+  return { used, corners: corners.map((vertex) => placeOf[vertex] ?? NOWHERE) }
 }
 
 /** undefined where it is where its numbers say. */

@@ -170,7 +170,7 @@ function hasWrinkles(material: string): FurrowError {
 
 function summary(
   { layers, areas, landmarks, warnings }: AutoWrinkles,
-  { meshName, materialName }: FoundSkin,
+  { meshName, materialName, reason }: FoundSkin,
   { output, report }: Options,
   bytes: number,
 ) {
@@ -179,6 +179,7 @@ function summary(
     ...(report !== undefined && { report: join(report, 'index.html') }),
     mesh: meshName,
     material: materialName,
+    reason,
     bytes,
     isFace: landmarks !== undefined,
     warnings,
@@ -196,10 +197,10 @@ function summary(
 
 function text(
   { layers, areas }: AutoWrinkles,
-  { meshName, materialName }: FoundSkin,
+  { meshName, materialName, reason }: FoundSkin,
   { output, report }: Options,
 ): string {
-  const head = `${output}: mesh "${meshName}", material "${materialName}"; layers: ${layers.length}; areas: ${areas.length}`
+  const head = `${output}: mesh "${meshName}", material "${materialName}" (${reason}); layers: ${layers.length}; areas: ${areas.length}`
   const rows = areas.map(({ name, layer, compression, error, driver }) => {
     const links = driver.targets.map(({ name: target, weight }) => `${target} ${weight ?? 1}`).join(', ')
     const share = `${Math.round(100 * compression)}%`.padStart(4)
