@@ -44,12 +44,22 @@ export function serveFaces(folder: string): Plugin {
   }
 }
 
+/** Of what lies there, what has blendshapes; a hand is no face. */
 async function faceNames(folder: string): Promise<string[]> {
-  const paths = await facePaths(folder)
-  return paths
-    .filter((path) => extname(path) === '.glb' && !path.includes(sep))
+  const files = (await facePaths(folder)).filter((path) => extname(path) === '.glb' && !path.includes(sep))
+  const moves = await Promise.all(files.map((path) => hasBlendshapes(join(folder, path))))
+  return files
+    .filter((_, i) => moves[i])
     .map((path) => path.slice(0, -'.glb'.length))
     .sort()
+}
+
+/** A .glb begins with its JSON: after twelve bytes its length, after twenty itself (glTF 2.0, 4.4). */
+async function hasBlendshapes(path: string): Promise<boolean> {
+  const bytes = await readFile(path)
+  const json = JSON.parse(bytes.toString('utf8', 20, 20 + bytes.readUInt32LE(12)))
+  const meshes: { primitives: { targets?: unknown[] }[] }[] = json.meshes ?? []
+  return meshes.some(({ primitives }) => primitives.some(({ targets }) => (targets?.length ?? 0) > 0))
 }
 
 /** What a page may ask for: the faces' own files, not the scripts that build them. */

@@ -7,10 +7,9 @@ const BROWS_UP = { browInnerUp: 1, browOuterUpLeft: 1, browOuterUpRight: 1 }
 const BROWS_DOWN = { browDownLeft: 1, browDownRight: 1 }
 const SMILE = { mouthSmileLeft: 1, mouthSmileRight: 1, cheekSquintLeft: 1, cheekSquintRight: 1 }
 
-test.skipIf(hasScan)(
-  'the scanned face is not at hand: automatic wrinkles are tested on the shipped one alone',
-  () => {},
-)
+if (!hasScan) {
+  test.skip('the scanned face is not at hand: automatic wrinkles are tested on the shipped one alone', () => {})
+}
 
 describe.each(FACES)('%s', (_, path) => {
   let measured: Measured
