@@ -45,6 +45,11 @@ describe('a body without a face', () => {
     expect(at.printed).toContain('0 errors')
   })
 
+  test('has no regions to choose from', async () => {
+    const body = await write('body.glb')
+    await fails('regions cannot be chosen', body, '-o', file('x.glb'), '--regions', 'neck', 'chin')
+  })
+
   test('is told as JSON', async () => {
     await run(await write('body.glb'), '-o', file('out.glb'), '--json')
     const told = JSON.parse(at.printed)
@@ -381,6 +386,7 @@ describe('files', () => {
     ['--areas', '0'],
     ['--areas', '65'],
     ['--areas', ''],
+    ['--regions', 'ears'],
   ])('%s %s is refused', async (option, value) => {
     await fails(option, file('never-read.glb'), '-o', file('x.glb'), option, value)
   })
@@ -400,6 +406,12 @@ describe('the shipped face', () => {
       areas.map((area: { compression: number }) => area.compression).sort((a: number, b: number) => a - b)
     expect(few.areas).toHaveLength(5)
     expect(compressions(few)).toEqual(compressions(all).slice(-5))
+  })
+
+  test('creases only in the regions that are named', async () => {
+    await run(FACE, '-o', file('some.glb'), '--replace', '--regions', 'upperLip', 'crowsFeet')
+    const names = areasOf(file('some.glb')).map(({ name }) => name)
+    expect(names).toEqual(['crowsFeetLeft', 'crowsFeetRight', 'upperLip'])
   })
 })
 

@@ -1,7 +1,14 @@
 import { join } from 'node:path'
 import { Command } from 'commander'
 import { FurrowError, WRINKLE_MAPS } from 'furrow'
-import { AUTO_DEFAULTS, AUTO_STEPS, type AutoWrinkles, autoWrinkles } from 'furrow/author'
+import {
+  AUTO_DEFAULTS,
+  AUTO_REGIONS,
+  AUTO_STEPS,
+  type AutoRegion,
+  type AutoWrinkles,
+  autoWrinkles,
+} from 'furrow/author'
 import { checkTriangles } from '../auto/check-triangles.ts'
 import { packAuto } from '../auto/pack-auto.ts'
 import { type FoundSkin, findSkin } from '../auto/read-skin.ts'
@@ -33,6 +40,7 @@ interface Options {
   mesh?: string
   layers?: string
   areas?: string
+  regions?: AutoRegion[]
   replace?: boolean
   report?: string
   json?: boolean
@@ -50,6 +58,14 @@ export const autoCommand = new Command('auto')
   .option('--mesh <name>', 'the mesh that wrinkles (default: the one whose skin brows, lids and mouth move)')
   .option('--layers <count>', 'layers that lines which cross may lie on: 1 to 4 (default: 4)')
   .option('--areas <count>', `areas that there may be: 1 to 64 (default: ${AUTO_DEFAULTS.areas})`)
+  .option(
+    '--regions <names...>',
+    `parts of a face that may crease (default: all): ${AUTO_REGIONS.join(', ')}`,
+    (name: string, before: AutoRegion[] = []) => [
+      ...before,
+      readChoice(WHO, '--regions', name, AUTO_REGIONS),
+    ],
+  )
   .option('--replace', 'drop the wrinkles that the file has')
   .option('--report <folder>', 'write a page there: before and after, strain, areas, layers, drivers')
   .option('--json', 'print what was made as JSON')
@@ -88,7 +104,8 @@ async function auto(face: string, options: Options): Promise<void> {
     await writeAll([{ path: output, bytes }], WHO)
     const warnings = [...glb.warnings, ...wrinkles.warnings.map((text) => `${WHO}: ${text}`)]
     if (report !== undefined) {
-      const source = { path: output, glb, found, wrinkles, settings, warnings }
+      const shown = { ...settings, regions: settings.regions?.join(', ') ?? 'all' }
+      const source = { path: output, glb, found, wrinkles, settings: shown, warnings }
       const { files, missing } = await makeReport(source, report, steps, WHO)
       steps.begin('writing')
       await writeAll(files, WHO)
@@ -125,6 +142,7 @@ function readSettings(options: Options) {
     seed: whole('seed', 0, 2 ** 31 - 1),
     layers: whole('layers', 1, 4),
     areas: whole('areas', 1, 64),
+    ...(options.regions && { regions: options.regions }),
   }
 }
 

@@ -1,6 +1,7 @@
 export { combineNormals } from '../core/combine-normals.ts'
 export type { GrayImage, RgbaImage } from '../core/types.ts'
 export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas } from './areas.ts'
+export { AUTO_REGIONS, type AutoRegion } from './auto/anatomy/regions.ts'
 export {
   AUTO_DEFAULTS,
   AUTO_STEPS,

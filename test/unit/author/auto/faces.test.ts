@@ -1,3 +1,4 @@
+import { AUTO_REGIONS } from 'furrow/author'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { faceRegions } from '../../../../packages/furrow/src/author/auto/face-regions.ts'
 import { hasScan } from '../../../real-face/pack-scan.ts'
@@ -27,7 +28,9 @@ describe.each(FACES)('%s', (_, path) => {
 
   /** Of the lines of some areas, each piece's length and how steeply it rises, in degrees. */
   const pieces = (name: RegExp) => {
-    const regions = faceRegions(measured.face, 0.5, 1, 1).filter(({ region }) => name.test(region.name))
+    const regions = faceRegions(measured.face, 0.5, 1, 1, AUTO_REGIONS).filter(({ region }) =>
+      name.test(region.name),
+    )
     return [...new Set(regions.flatMap(({ creases }) => creases))].flatMap(({ points, depths }) =>
       Array.from({ length: depths.length - 1 }, (_, i) => {
         const way = [0, 1, 2].map((k) => points[3 * i + 3 + k]! - points[3 * i + k]!)
@@ -50,6 +53,11 @@ describe.each(FACES)('%s', (_, path) => {
     expect(layers.length).toBeLessThanOrEqual(4)
     const names = measured.skin.targets.map(({ name }) => name)
     for (const { driver } of areas) for (const { name } of driver.targets) expect(names).toContain(name)
+  })
+
+  test('has an area of every region', () => {
+    const regions = measured.wrinkles.areas.map(({ name }) => name.replace(/(Left|Right)$/, ''))
+    expect(new Set(regions)).toEqual(new Set(AUTO_REGIONS))
   })
 
   test('left and right lie on one layer', () => {

@@ -1,5 +1,5 @@
 import { simplify, weld } from '@gltf-transform/functions'
-import { type AutoWrinkles, autoWrinkles } from 'furrow/author'
+import { AUTO_REGIONS, type AutoWrinkles, autoWrinkles } from 'furrow/author'
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { findSkin } from '../../../../packages/cli/src/auto/read-skin.ts'
@@ -58,7 +58,7 @@ async function draw(ratio: number): Promise<Drawn> {
   if (ratio < 1)
     await document.transform(weld(), simplify({ simplifier: MeshoptSimplifier, ratio, error: 1 }))
   const { skin } = findSkin(document, path, 'test')
-  const regions = faceRegions(findFace(skin)!, (AGE - 20) / 60, 1, 1)
+  const regions = faceRegions(findFace(skin)!, (AGE - 20) / 60, 1, 1, AUTO_REGIONS)
   return {
     vertices: skin.positions.length / 3,
     wrinkles: autoWrinkles(skin, { age: AGE, size: SIZE }),

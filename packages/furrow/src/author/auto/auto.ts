@@ -1,9 +1,11 @@
 import type { ExpressionDriver, MorphDriver } from '../../core/driver-types.ts'
+import { FurrowError } from '../../core/error.ts'
 import type { GrayImage, RgbaImage } from '../../core/types.ts'
 import { EXPRESSIONS } from '../../drivers/expressions.ts'
 import type { HeightMap } from '../height.ts'
 import { surfaceMetric } from '../metric.ts'
 import { heightToNormal, type TangentFrame } from '../normal.ts'
+import { AUTO_REGIONS, type AutoRegion } from './anatomy/regions.ts'
 import { checkSkin } from './check-skin.ts'
 import type { CreasedRegion } from './crease.ts'
 import { drawAreas, drawCreases } from './draw.ts'
@@ -34,6 +36,8 @@ export interface AutoOptions {
   layers?: number
   /** Areas that there may be, 1..64; those that are shortened least are left out. */
   areas?: number
+  /** Parts of a face that may crease, all unless told. Without a face there are none to choose from. */
+  regions?: readonly AutoRegion[]
   /** The frame in which renderers read the normal maps, see `heightToNormal`. */
   frame?: TangentFrame
 }
@@ -46,6 +50,7 @@ export const AUTO_DEFAULTS = {
   seed: 1,
   layers: 4,
   areas: 24,
+  regions: AUTO_REGIONS,
   frame: 'orthonormal',
 } as const satisfies AutoOptions
 
@@ -97,7 +102,8 @@ export const AUTO_STEPS = ['face', 'lines', 'drivers', 'layers', 'maps'] as cons
  * Makes wrinkles from a character's own blendshapes: where they push the skin together it creases, and where a face is recognised
  * anatomy says how. The same input and seed give the same maps, bit by bit.
  *
- * @throws FurrowError when the skin has no targets, no texture coordinates that span a surface, or numbers that are none.
+ * @throws FurrowError when the skin has no targets, no texture coordinates that span a surface, or numbers that are none; when
+ *   regions are asked for and no face is found.
  */
 export function autoWrinkles(
   skin: Skin,
@@ -112,6 +118,7 @@ export function autoWrinkles(
     seed,
     layers: most,
     areas: mostAreas,
+    regions,
     frame,
   } = { ...AUTO_DEFAULTS, ...options }
   const tell = (step: (typeof AUTO_STEPS)[number]) =>
@@ -125,6 +132,7 @@ export function autoWrinkles(
   }
   const names = usable.targets.map(({ name }) => name)
   const face = findFace(usable)
+  if (!face && options.regions) throw noRegions(options.regions)
   const { surface, offsets } = face ?? inMillimetres(usable)
   const grown = (age - 20) / 60
   tell('lines')
@@ -138,7 +146,7 @@ export function autoWrinkles(
     )
   }
   const creased = face
-    ? faceRegions(face, grown, strength, seed)
+    ? faceRegions(face, grown, strength, seed, regions)
     : strainRegions(surface, offsets, names, grown, strength, seed, mostAreas)
   if (!face)
     warnings.push(
@@ -193,6 +201,15 @@ export function autoWrinkles(
     expressions: face ? presetsOf(face.find) : [],
     warnings,
   }
+}
+
+function noRegions(asked: readonly string[]): FurrowError {
+  return new FurrowError({
+    who: 'autoWrinkles',
+    what: 'regions cannot be chosen, since no face was found by what the blendshapes move',
+    value: asked.join(', '),
+    remedy: 'leave the regions out, or name the mesh of the face',
+  })
 }
 
 /** `EXPRESSIONS` without the activations of areas that other faces have. */

@@ -1,5 +1,5 @@
 import type { Build } from './anatomy/region.ts'
-import { regionsOf } from './anatomy/regions.ts'
+import { type AutoRegion, regionsOf } from './anatomy/regions.ts'
 import { Chart } from './chart.ts'
 import { type CreasedRegion, creaseLines } from './crease.ts'
 import { type Face, poseOf } from './face.ts'
@@ -12,17 +12,23 @@ import { compressionTensors, smooth, TENSOR } from './strain.ts'
 const EVEN = 3
 
 /**
- * Lays the lines of all regions on a face.
+ * Lays the lines of the wanted regions on a face.
  *
  * @param age 0 at 20 years, 1 at 80.
  * @param strength multiplies the depth.
  */
-export function faceRegions(face: Face, age: number, strength: number, seed: number): CreasedRegion[] {
+export function faceRegions(
+  face: Face,
+  age: number,
+  strength: number,
+  seed: number,
+  wanted: readonly AutoRegion[],
+): CreasedRegion[] {
   const build: Build = { landmarks: face.landmarks, age, random: (name) => new Random(seed, name) }
   const chart = new Chart(face.surface)
   const strains = new Map<string, Float64Array>()
   const known = new Map<unknown, Omit<CreasedRegion, 'region'>>()
-  return regionsOf(build).flatMap((asArkit): CreasedRegion[] => {
+  return regionsOf(build, wanted).flatMap((asArkit): CreasedRegion[] => {
     const region = { ...asArkit, cause: poseInOwnShapes(asArkit.cause, face.names) }
     const expression = poseInOwnShapes(asArkit.together ?? asArkit.cause, face.names)
     const key = JSON.stringify(expression)

@@ -6,7 +6,29 @@ import { mouth } from './mouth.ts'
 import { nose } from './nose.ts'
 import type { Build, Region } from './region.ts'
 
-/** All parts of a face that crease. */
-export function regionsOf(build: Build): Region[] {
-  return [forehead, frown, nose, eyes, mouth, chinAndNeck].flatMap((part) => part(build))
+/** Parts of a face that crease: names of areas without their side. */
+export const AUTO_REGIONS = [
+  'foreheadInner',
+  'foreheadOuter',
+  'glabella',
+  'noseRoot',
+  'nose',
+  'crowsFeet',
+  'underEye',
+  'nasolabial',
+  'mouthCorner',
+  'upperLip',
+  'lowerLip',
+  'chin',
+  'neck',
+] as const
+
+export type AutoRegion = (typeof AUTO_REGIONS)[number]
+
+/** The parts that are wanted, both sides of each. */
+export function regionsOf(build: Build, wanted: readonly AutoRegion[]): Region[] {
+  const names = new Set<string>(wanted)
+  return [forehead, frown, nose, eyes, mouth, chinAndNeck]
+    .flatMap((part) => part(build))
+    .filter(({ name }) => names.has(name.replace(/(Left|Right)$/, '')))
 }
