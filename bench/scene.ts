@@ -19,6 +19,8 @@ const LIGHTS: readonly Vector3Tuple[] = [
 
 /** How much nearer than the stage's view from the front: the face reaches every side of the frame, from the forehead to the mouth. */
 const ZOOM = 3.1
+/** As many of the face's areas as the masks of the other techniques hold: its first. */
+const OWN_AREAS = 8
 /** Metres from the middle of head and neck up to that of the face. */
 const UP = 0.025
 
@@ -63,7 +65,7 @@ export function createSet({ wrinkles }: Face, areas: number, layers: number): Wr
     kind,
     normal: { ...normal, data: normal.data.slice() },
   }))
-  const own = wrinkles.set.areas.map(({ weights }) => weights as GrayImage)
+  const own = wrinkles.set.areas.slice(0, OWN_AREAS).map(({ weights }) => weights as GrayImage)
   const names = copies.map(({ name }) => name)
   return { layers: copies, areas: divideAreas(own, areas, names) }
 }

@@ -77,7 +77,7 @@ describe('the studio on WebGL', () => {
     expect(await difference(before, await face(page))).toBeGreaterThan(2)
     await page.locator('#filter').fill('mouthSmileLeft')
     await page.locator('#targets label', { hasText: 'mouthSmileLeft' }).hover()
-    expect((await linked()).sort()).toEqual(['crowsFeetLeft', 'nasolabialLeft'])
+    expect((await linked()).sort()).toEqual(['crowsFeetLeft', 'nasolabialLeft', 'underEyeLeft'])
     expect(await why.isVisible()).toBe(false)
     await page.locator('#filter').fill('')
     await page.locator('#filter').hover()

@@ -2,7 +2,7 @@ import type { Expression } from './expression.ts'
 
 const both = (name: string, weight = 1) => ({ [`${name}Left`]: weight, [`${name}Right`]: weight })
 
-/** Expressions for a face with ARKit's blendshapes and the eight default areas; `neutral` comes first. */
+/** Expressions for a face with ARKit's blendshapes and the areas of the shipped faces; `neutral` comes first. */
 export const EXPRESSIONS: readonly Expression[] = [
   { name: 'neutral', targets: {}, activations: {} },
   {
@@ -18,12 +18,12 @@ export const EXPRESSIONS: readonly Expression[] = [
       ...both('noseSneer', 0.35),
       ...both('mouthPress', 0.6),
     },
-    activations: { glabella: 1, nose: 0.35, ...both('nasolabial', 0.25) },
+    activations: { glabella: 1, nose: 0.35, ...both('nasolabial', 0.25), ...both('underEye', 0.2) },
   },
   {
     name: 'happy',
     targets: { ...both('mouthSmile', 0.85), ...both('cheekSquint', 0.8), ...both('eyeSquint', 0.4) },
-    activations: { ...both('crowsFeet'), ...both('nasolabial', 0.9) },
+    activations: { ...both('crowsFeet'), ...both('nasolabial', 0.9), ...both('underEye', 0.9) },
   },
   {
     name: 'disgusted',
@@ -33,7 +33,13 @@ export const EXPRESSIONS: readonly Expression[] = [
       ...both('browDown', 0.6),
       ...both('eyeSquint', 0.5),
     },
-    activations: { nose: 1, glabella: 0.5, ...both('nasolabial', 0.8), ...both('crowsFeet', 0.3) },
+    activations: {
+      nose: 1,
+      glabella: 0.5,
+      ...both('nasolabial', 0.8),
+      ...both('crowsFeet', 0.3),
+      ...both('underEye', 0.5),
+    },
   },
   {
     name: 'sad',
@@ -58,6 +64,6 @@ export const EXPRESSIONS: readonly Expression[] = [
   {
     name: 'leftWink',
     targets: { eyeBlinkLeft: 0.9, cheekSquintLeft: 0.7, mouthSmileLeft: 0.35 },
-    activations: { crowsFeetLeft: 1 },
+    activations: { crowsFeetLeft: 1, underEyeLeft: 0.5 },
   },
 ]
