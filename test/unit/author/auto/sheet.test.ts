@@ -3,31 +3,10 @@ import { creaseDepth, creaseLines } from '../../../../packages/furrow/src/author
 import { drawCreases } from '../../../../packages/furrow/src/author/auto/draw.ts'
 import { layFreeLines } from '../../../../packages/furrow/src/author/auto/free-lines.ts'
 import { compressionTensors, smooth, TENSOR } from '../../../../packages/furrow/src/author/auto/strain.ts'
-import { joinSurface } from '../../../../packages/furrow/src/author/auto/surface.ts'
 import { SkinTexels } from '../../../../packages/furrow/src/author/auto/texels.ts'
+import { LOST, SIDE, sheet } from './sheet.ts'
 
-/** Millimetres. */
-const SIDE = 80
-const LOST = 0.2
 const SIZE = 512
-
-/** A flat sheet of n x n squares, shortened by a fifth along a direction. */
-function sheet(n: number, degrees: number) {
-  const [cosine, sine] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)]
-  const [positions, uvs, indices, offsets]: number[][] = [[], [], [], []]
-  for (let j = 0; j <= n; j++) {
-    for (let i = 0; i <= n; i++) {
-      const [x, y] = [(i / n) * SIDE, (j / n) * SIDE]
-      positions.push(x, y, 0)
-      uvs.push(i / n, 1 - j / n)
-      const along = (x - SIDE / 2) * cosine + (y - SIDE / 2) * sine
-      offsets.push(-LOST * along * cosine, -LOST * along * sine, 0)
-      const p = j * (n + 1) + i
-      if (i < n && j < n) indices.push(p, p + 1, p + n + 2, p, p + n + 2, p + n + 1)
-    }
-  }
-  return { surface: joinSurface({ positions, indices }), uvs, indices, offsets, cosine, sine }
-}
 
 describe.each([
   [20, 0, 6],

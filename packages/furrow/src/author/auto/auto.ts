@@ -6,6 +6,7 @@ import type { HeightMap } from '../height.ts'
 import { surfaceMetric } from '../metric.ts'
 import { heightToNormal, type TangentFrame } from '../normal.ts'
 import { AUTO_REGIONS, type AutoRegion } from './anatomy/regions.ts'
+import { Chart } from './chart.ts'
 import { checkSkin } from './check-skin.ts'
 import type { CreasedRegion } from './crease.ts'
 import { drawAreas, drawCreases } from './draw.ts'
@@ -18,7 +19,7 @@ import { findOverlap, isOverlapped, leftTriangles, onBothSides } from './mirror.
 import { standInsOf } from './stand-ins.ts'
 import { strainRegions } from './strain-regions.ts'
 import type { Skin, Surface } from './surface.ts'
-import { SkinTexels } from './texels.ts'
+import { MIP_MARGIN, SkinTexels } from './texels.ts'
 import { inFirstTile } from './tiles.ts'
 
 export interface AutoOptions {
@@ -171,8 +172,9 @@ export function autoWrinkles(
   const layerOf = layersOf(fitted, most)
   tell('maps')
   const drawn = isMirrored ? leftTriangles(surface) : undefined
-  const canvas = { surface, texels: new SkinTexels(usable, surface, size, drawn) }
+  const canvas = { surface, texels: new SkinTexels(usable, surface, size, drawn, MIP_MARGIN) }
   const small = { surface, texels: new SkinTexels(usable, surface, areaSize, drawn) }
+  const chart = face && new Chart(surface)
   const metric = surfaceMetric({ ...usable, positions: inMetres(surface) }, size)
   const layers: AutoLayer[] = []
   const images = new Map<CreasedRegion, GrayImage>()
@@ -181,7 +183,7 @@ export function autoWrinkles(
     const creases = [...new Set(regions.map((region) => region.creases))].flat()
     const drawn = drawCreases(canvas, creases)
     layers.push({ name: `auto${layer + 1}`, normal: heightToNormal(drawn.relief, metric, frame), ...drawn })
-    for (const [i, image] of drawAreas(small, regions).entries()) images.set(regions[i]!, image)
+    for (const [i, image] of drawAreas(small, regions, chart).entries()) images.set(regions[i]!, image)
   }
   progress(AUTO_STEPS.length, AUTO_STEPS.length, 'done')
   const areas = fitted.map((fit, i) => ({

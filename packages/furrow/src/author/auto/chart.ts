@@ -83,6 +83,16 @@ export class Chart {
     return found
   }
 
+  /** Of a place, the cosine between its normal and the way out of the head, and millimetres that it lies behind the outermost skin. */
+  outwards(x: number, y: number, z: number, normal: ArrayLike<number>): { facing: number; behind: number } {
+    const rho = Math.hypot(x, z + RADIUS)
+    const [ox, , oz] = this.find(unroll(x, y, z))?.point ?? [x, y, z]
+    return {
+      facing: (normal[0]! * x + normal[2]! * (z + RADIUS)) / rho,
+      behind: Math.hypot(ox, oz + RADIUS) - rho,
+    }
+  }
+
   #file(triangle: number): void {
     const spots = [0, 1, 2].map((k) => this.#surface.corners[3 * triangle + k]!)
     const across = spots.map((i) => this.#spots[2 * i]!)

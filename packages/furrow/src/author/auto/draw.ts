@@ -1,9 +1,10 @@
 import type { GrayImage } from '../../core/types.ts'
 import type { HeightMap } from '../height.ts'
 import { profile, REACH, smoothstep } from '../profile.ts'
-import { unroll } from './chart.ts'
+import { type Chart, unroll } from './chart.ts'
 import type { Crease, CreasedRegion } from './crease.ts'
 import { NearCreases } from './near.ts'
+import { seenShare } from './seen.ts'
 import type { Surface } from './surface.ts'
 import type { SkinTexels } from './texels.ts'
 
@@ -61,9 +62,10 @@ export function drawCreases(canvas: Canvas, creases: readonly Crease[]): DrawnLa
 /**
  * The areas of regions on one layer: each lies round its own lines, and gives way where another's are nearer.
  *
+ * @param chart of a face, where skin that is not seen from outside has no weight.
  * @returns weights, 255 = fully visible.
  */
-export function drawAreas(canvas: Canvas, regions: readonly CreasedRegion[]): GrayImage[] {
+export function drawAreas(canvas: Canvas, regions: readonly CreasedRegion[], chart?: Chart): GrayImage[] {
   const { size } = canvas.texels
   const images = regions.map(() => new Uint8Array(size * size))
   // Regions that share their lines share an owner.
@@ -83,7 +85,9 @@ export function drawAreas(canvas: Canvas, regions: readonly CreasedRegion[]): Gr
       const { owner } = lines[line]!
       distances[owner] = Math.min(distances[owner]!, distance)
     })
+    if (regions.every((_, i) => distances[owners[i]!]! >= reachOf(i))) return
     const spot = unroll(x, y, z)
+    const seen = chart ? seenShare(chart, x, y, z, normal) : 1
     for (const [i, { region }] of regions.entries()) {
       const own = distances[owners[i]!]!
       if (own >= reachOf(i)) continue
@@ -91,7 +95,7 @@ export function drawAreas(canvas: Canvas, regions: readonly CreasedRegion[]): Gr
       for (let k = 0; k < distances.length; k++) if (k !== owners[i]) other = Math.min(other, distances[k]!)
       const inside = 1 - smoothstep((own - region.reach) / region.feather)
       const mine = other === Infinity ? 1 : smoothstep((other - own) / 4 + 0.5)
-      images[i]![texel] = Math.round(255 * inside * mine * (region.share?.(spot) ?? 1))
+      images[i]![texel] = Math.round(255 * inside * mine * seen * (region.share?.(spot) ?? 1))
     }
   })
   return images.map((data) => ({ width: size, height: size, data }))
@@ -122,9 +126,11 @@ function visitNear(
       3 * corners[3 * triangle + 1]!,
       3 * corners[3 * triangle + 2]!,
     ]
+    // Beyond an island places lie in the triangle's plane, but normals stay those of its edge.
+    const [near1, near2, near3] = [Math.max(a, 0), Math.max(b, 0), Math.max(c, 0)]
     for (let k = 0; k < 3; k++) {
       place[k] = a * points[p + k]! + b * points[q + k]! + c * points[r + k]!
-      normal[k] = a * normals[p + k]! + b * normals[q + k]! + c * normals[r + k]!
+      normal[k] = near1 * normals[p + k]! + near2 * normals[q + k]! + near3 * normals[r + k]!
     }
     visit(texel, place[0]!, place[1]!, place[2]!, normal)
   })

@@ -1,43 +1,51 @@
+import { coverTexels } from '../cover-texels.ts'
 import type { Skin, Surface } from './surface.ts'
 
-/** Texels by which the skin goes on beyond the islands of its texture, in its own plane: slopes there are its own. */
+/** Texels by which the skin goes on beyond the islands of its texture, in its own plane: enough for filtering without mipmaps. */
 const MARGIN = 3
+/** The same for maps with mipmaps: at the third level filtering reaches 12 texels out, and slopes are taken over two more. */
+export const MIP_MARGIN = 14
 
 /** Which texels of a map a skin covers, and where on it they lie. */
 export class SkinTexels {
   readonly size: number
   readonly #skin: Pick<Skin, 'uvs' | 'indices'>
   readonly #surface: Surface
-  /** For each texel its triangle, or -1. */
+  /** For each texel its triangle; -2 less the triangle beyond the islands, -1 far from them. */
   readonly #owner: Int32Array
 
   /**
    * @param size side of the map in texels.
    * @param drawn tells of each triangle whether it has a say in the texture.
+   * @param margin texels by which the skin goes on beyond its islands.
    */
   constructor(
     skin: Pick<Skin, 'uvs' | 'indices'>,
     surface: Surface,
     size: number,
     drawn: (triangle: number) => boolean = () => true,
+    margin = MARGIN,
   ) {
     this.size = size
     this.#skin = skin
     this.#surface = surface
     this.#owner = new Int32Array(size * size).fill(-1)
+    const isDrawn = surface.triangleOf.map((_, t) => (drawn(t) ? 1 : 0))
+    for (const [t, isOne] of isDrawn.entries()) if (isOne) this.#cover(t)
     const nearest = new Float32Array(size * size).fill(Infinity)
-    const place = new Float64Array(6)
-    for (let t = 0; t < surface.triangleOf.length; t++) {
-      if (!drawn(t)) continue
-      this.#place(t, place)
-      this.#claim(t, place, nearest)
+    for (const [t, isOne] of isDrawn.entries()) {
+      for (let k = 0; isOne && k < 3; k++) {
+        const beyond = surface.beyond[3 * t + k]!
+        if (beyond < 0 || isDrawn[beyond] === 0 || this.#isCut(t, k, beyond))
+          this.#goOn(t, k, margin, nearest)
+      }
     }
   }
 
   /**
    * Visits the texels whose centres triangles cover and a few round the islands.
    *
-   * @param wanted tells of each triangle whether to visit its texels.
+   * @param wanted tells of each triangle whether to visit the texels that it covers; those beyond the islands always are.
    * @param visit is given the texel's index, row by row, the triangle and the shares of its corners, which are below 0 beyond an island.
    */
   visit(
@@ -48,10 +56,11 @@ export class SkinTexels {
     const known = new Int8Array(this.#surface.triangleOf.length).fill(-1)
     let last = -1
     for (let texel = 0; texel < this.#owner.length; texel++) {
-      const t = this.#owner[texel]!
-      if (t < 0) continue
+      const owner = this.#owner[texel]!
+      if (owner === -1) continue
+      const t = owner < 0 ? -2 - owner : owner
       if (known[t]! < 0) known[t] = wanted(t) ? 1 : 0
-      if (known[t] === 0) continue
+      if (owner >= 0 && known[t] === 0) continue
       if (t !== last) this.#place(t, place)
       last = t
       const x = (texel % this.size) - place[0]!
@@ -69,40 +78,62 @@ export class SkinTexels {
 
   /** x and y of a triangle's corners in texels. */
   #place(triangle: number, out: Float64Array): void {
-    const { uvs, indices } = this.#skin
+    const { uvs } = this.#skin
     for (let k = 0; k < 3; k++) {
-      const vertex = 2 * indices[3 * this.#surface.triangleOf[triangle]! + k]!
+      const vertex = 2 * this.#vertex(triangle, k)
       out[2 * k] = uvs[vertex]! * this.size - 0.5
       out[2 * k + 1] = uvs[vertex + 1]! * this.size - 0.5
     }
   }
 
-  /** Gives a triangle the texels that it covers, and those near it that no other is nearer to. */
-  #claim(triangle: number, p: Float64Array, nearest: Float32Array): void {
+  /** Gives a triangle the texels whose centres it covers and no other had. */
+  #cover(triangle: number): void {
+    const corners = [0, 1, 2].map((k) => this.#vertex(triangle, k)) as [number, number, number]
+    coverTexels(this.#skin.uvs, corners, this.size, this.size, (texel) => {
+      if (this.#owner[texel]! < 0) this.#owner[texel] = triangle
+    })
+  }
+
+  /** Whether two triangles that share an edge in space do not in the texture. */
+  #isCut(triangle: number, edge: number, beyond: number): boolean {
+    const { uvs } = this.#skin
+    const others = [0, 1, 2].map((k) => 2 * this.#vertex(beyond, k))
+    return [edge, (edge + 1) % 3].some((k) => {
+      const own = 2 * this.#vertex(triangle, k)
+      return !others.some((other) => uvs[other] === uvs[own] && uvs[other + 1] === uvs[own + 1])
+    })
+  }
+
+  /** Gives a triangle the free texels beyond an edge that no other edge of an island is nearer to. */
+  #goOn(triangle: number, edge: number, margin: number, nearest: Float32Array): void {
     const { size } = this
-    const det = (p[2]! - p[0]!) * (p[5]! - p[1]!) - (p[4]! - p[0]!) * (p[3]! - p[1]!)
-    if (Math.abs(det) < 1e-9) return
-    const firstRow = Math.max(Math.ceil(Math.min(p[1]!, p[3]!, p[5]!) - MARGIN), 0)
-    const lastRow = Math.min(Math.floor(Math.max(p[1]!, p[3]!, p[5]!) + MARGIN), size - 1)
-    const firstColumn = Math.max(Math.ceil(Math.min(p[0]!, p[2]!, p[4]!) - MARGIN), 0)
-    const lastColumn = Math.min(Math.floor(Math.max(p[0]!, p[2]!, p[4]!) + MARGIN), size - 1)
-    const turn = Math.sign(det)
-    for (let row = firstRow; row <= lastRow; row++) {
-      for (let column = firstColumn; column <= lastColumn; column++) {
-        let outside = -Infinity
-        for (let k = 0; k < 6; k += 2) {
-          const dx = p[(k + 2) % 6]! - p[k]!
-          const dy = p[(k + 3) % 6]! - p[k + 1]!
-          const off = (turn * (dy * (column - p[k]!) - dx * (row - p[k + 1]!))) / Math.sqrt(dx * dx + dy * dy)
-          if (off > outside) outside = off
-        }
-        if (outside > MARGIN) continue
+    const place = new Float64Array(6)
+    this.#place(triangle, place)
+    const [x1, y1, x2, y2, x3, y3] = [...place] as [number, number, number, number, number, number]
+    if (Math.abs((x2 - x1) * (y3 - y1) - (x3 - x1) * (y2 - y1)) < 1e-9) return
+    const [x, y] = [place[2 * edge]!, place[2 * edge + 1]!]
+    const [dx, dy] = [place[(2 * edge + 2) % 6]! - x, place[(2 * edge + 3) % 6]! - y]
+    const square = dx * dx + dy * dy || 1
+    const lastRow = Math.min(Math.floor(Math.max(y, y + dy) + margin), size - 1)
+    const lastColumn = Math.min(Math.floor(Math.max(x, x + dx) + margin), size - 1)
+    for (let row = Math.max(Math.ceil(Math.min(y, y + dy) - margin), 0); row <= lastRow; row++) {
+      for (
+        let column = Math.max(Math.ceil(Math.min(x, x + dx) - margin), 0);
+        column <= lastColumn;
+        column++
+      ) {
         const texel = row * size + column
-        const distance = outside > 0 ? outside : 0
-        if (distance >= nearest[texel]!) continue
+        if (this.#owner[texel]! >= 0) continue
+        const share = Math.min(1, Math.max(0, ((column - x) * dx + (row - y) * dy) / square))
+        const distance = Math.hypot(column - x - share * dx, row - y - share * dy)
+        if (distance > margin || distance >= nearest[texel]!) continue
         nearest[texel] = distance
-        this.#owner[texel] = triangle
+        this.#owner[texel] = -2 - triangle
       }
     }
+  }
+
+  #vertex(triangle: number, corner: number): number {
+    return this.#skin.indices[3 * this.#surface.triangleOf[triangle]! + corner]!
   }
 }
