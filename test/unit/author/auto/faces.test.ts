@@ -1,23 +1,36 @@
 import { AUTO_REGIONS } from 'furrow/author'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { faceRegions } from '../../../../packages/furrow/src/author/auto/face-regions.ts'
+import { coverTexels } from '../../../../packages/furrow/src/author/cover-texels.ts'
 import { hasScan } from '../../../real-face/pack-scan.ts'
 import { FACES, Measured } from './faces.ts'
+import { shippedEars, smoothPlaces, trianglesIn, verticesOf } from './places.ts'
+import { type Channels, sample } from './slopes.ts'
 
 const BROWS_UP = { browInnerUp: 1, browOuterUpLeft: 1, browOuterUpRight: 1 }
 const BROWS_DOWN = { browDownLeft: 1, browDownRight: 1 }
 const SMILE = { mouthSmileLeft: 1, mouthSmileRight: 1, cheekSquintLeft: 1, cheekSquintRight: 1 }
 
+/** Millimetres, and bytes of a normal map: a hundredth of a millimetre over a texel of 0.6 mm is 2 bytes. */
+const FLAT = 0.01
+const STRAIGHT = 3
+
 if (!hasScan) {
   test.skip('the scanned face is not at hand: automatic wrinkles are tested on the shipped one alone', () => {})
 }
 
-describe.each(FACES)('%s', (_, path) => {
+describe.each(FACES)('%s', (name, path) => {
   let measured: Measured
+  /** Triangles on which nothing may crease. */
+  let smooth: [name: string, triangles: number[]][]
 
   beforeAll(async () => {
     measured = await Measured.read(path)
-  })
+    const { skin, face } = measured
+    const places = Object.entries(smoothPlaces(face.surface))
+    if (name === 'human') places.push(['ears by the landmarks', shippedEars(skin, face.surface)])
+    smooth = places.map(([name, points]) => [name, trianglesIn(face.surface, points)])
+  }, 60_000)
 
   /** The middle of each cheek: between the outer corner of the eye and that of the mouth, where fat lies. */
   const onCheek = (x: number, y: number): boolean => {
@@ -102,6 +115,75 @@ describe.each(FACES)('%s', (_, path) => {
     const smiled = measured.activated(SMILE, () => true)
     expect(measured.activated({ jawOpen: 1 }, (_, y) => y > 5) / smiled).toBeLessThan(0.005)
     expect(measured.activated({ jawOpen: 1 }, onCheek) / smiled).toBeLessThan(0.005)
+  })
+
+  /** The most by which a channel departs from a value in the corners and the middles of triangles. */
+  const departure = (map: Channels, triangles: readonly number[], flat: number, channel = 0) => {
+    const { skin, face } = measured
+    let most = 0
+    for (const triangle of triangles) {
+      const corners = verticesOf(skin, face.surface, triangle).map((i) => [
+        skin.uvs[2 * i]!,
+        skin.uvs[2 * i + 1]!,
+      ])
+      const middle = [0, 1].map((k) => corners.reduce((sum, uv) => sum + uv[k]! / 3, 0))
+      for (const [u, v] of [...corners, middle])
+        most = Math.max(most, Math.abs(sample(map, [u!, v!], channel) - flat))
+    }
+    return most
+  }
+
+  /** How far the layers depart from flat, in millimetres and in bytes. */
+  const departures = (triangles: readonly number[]) => {
+    const { layers } = measured.wrinkles
+    return {
+      relief: Math.max(...layers.map(({ relief }) => departure({ ...relief, channels: 1 }, triangles, 0))),
+      normal: Math.max(
+        ...layers.flatMap(({ normal }) =>
+          [0, 1].map((k) => departure({ ...normal, channels: 4 }, triangles, 128, k)),
+        ),
+      ),
+      shade: Math.max(
+        ...layers.map(({ occlusion }) => departure({ ...occlusion, channels: 1 }, triangles, 255)),
+      ),
+    }
+  }
+
+  /** The largest weight of any area at the texels whose centres triangles cover, and how many these are. */
+  const weights = (triangles: readonly number[]) => {
+    const { skin, face, wrinkles } = measured
+    const { width, height } = wrinkles.areas[0]!.weights
+    let [most, count] = [0, 0]
+    for (const triangle of triangles) {
+      const vertices = verticesOf(skin, face.surface, triangle)
+      coverTexels(skin.uvs, vertices, width, height, (texel) => {
+        count++
+        for (const { weights } of wrinkles.areas) most = Math.max(most, weights.data[texel]!)
+      })
+    }
+    return { most, count }
+  }
+
+  test('nothing creases on eyes, in lips, or on ears', () => {
+    const everywhere = departures([...measured.face.surface.triangleOf.keys()])
+    expect(everywhere.relief).toBeGreaterThan(1)
+    expect(everywhere.normal).toBeGreaterThan(80)
+    for (const [name, triangles] of smooth) {
+      expect(triangles.length, name).toBeGreaterThan(150)
+      const { relief, normal, shade } = departures(triangles)
+      expect(relief, name).toBeLessThan(FLAT)
+      expect(normal, name).toBeLessThan(STRAIGHT)
+      expect(shade, name).toBeLessThan(1)
+    }
+  })
+
+  test('no area has weight there', () => {
+    expect(weights([...measured.face.surface.triangleOf.keys()]).most).toBe(255)
+    for (const [name, triangles] of smooth) {
+      const { most, count } = weights(triangles)
+      expect(count, name).toBeGreaterThan(10)
+      expect(most, name).toBe(0)
+    }
   })
 
   test('drivers follow what was measured', () => {

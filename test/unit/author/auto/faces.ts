@@ -31,7 +31,7 @@ export class Measured {
 
   static async read(path: string): Promise<Measured> {
     const { skin } = findSkin(await readDocument(path, 'test'), path, 'test')
-    return new Measured(skin, findFace(skin)!, autoWrinkles(skin, { age: 50, size: 256 }))
+    return new Measured(skin, findFace(skin)!, autoWrinkles(skin, { age: 70, size: 512 }))
   }
 
   /** Activations of a pose, by area. */
