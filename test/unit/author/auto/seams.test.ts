@@ -1,4 +1,4 @@
-import { autoWrinkles, heightToNormal, type Skin, surfaceMetric } from 'furrow/author'
+import { AUTO_REGIONS, autoWrinkles, heightToNormal, type Skin, surfaceMetric } from 'furrow/author'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { findSkin } from '../../../../packages/cli/src/auto/read-skin.ts'
 import { readDocument } from '../../../../packages/cli/src/face.ts'
@@ -203,7 +203,7 @@ async function make(path: string): Promise<Made> {
     [0, 1, 2].reduce((sum, k) => sum + skin.positions[3 * skin.indices[3 * triangle + k]!]!, 0) < 0
   const skins = cutInTwo(skin, isRight, halfTurn)
   const face = findFace(skins.cut)!
-  return { ...skins, surface: face.surface, regions: faceRegions(face, AGE, 1, 1) }
+  return { ...skins, surface: face.surface, regions: faceRegions(face, AGE, 1, 1, AUTO_REGIONS) }
 }
 
 /** All lines on one layer. */
