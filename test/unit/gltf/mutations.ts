@@ -29,12 +29,20 @@ const JUNK: Anything[] = [
   { toString: 1, valueOf: null },
 ]
 
-type Path = (string | number)[]
+/** A place of a JSON document: what holds it, and under which key; the root is held by nothing. */
+interface Place {
+  parent?: Anything
+  key: string
+}
 
 /** Every place of a JSON document, from the root down. */
-function placesOf(value: Anything, path: Path = []): Path[] {
-  if (typeof value !== 'object' || value === null) return [path]
-  return [path, ...Object.keys(value).flatMap((key) => placesOf(value[key], [...path, key]))]
+function placesOf(value: Anything, places: Place[] = [{ key: '' }]): Place[] {
+  if (typeof value !== 'object' || value === null) return places
+  for (const key of Object.keys(value)) {
+    places.push({ parent: value, key })
+    placesOf(value[key], places)
+  }
+  return places
 }
 
 interface Mutation {
@@ -46,10 +54,8 @@ interface Mutation {
 /** One small change at one place; a document stays JSON whatever is done to it. */
 export function mutate(document: Anything, { place, deed, junk }: Mutation): Anything {
   const places = placesOf(document)
-  const path = places[place % places.length]
-  if (path.length === 0) return deed === 'nest' ? [document] : structuredClone(junk)
-  const parent = path.slice(0, -1).reduce((at: Anything, key) => at[key], document)
-  const key = path.at(-1) as Anything
+  const { parent, key }: { parent?: Anything; key: Anything } = places[place % places.length]
+  if (!parent) return deed === 'nest' ? [document] : structuredClone(junk)
   if (deed === 'replace') parent[key] = structuredClone(junk)
   else if (deed === 'nest') parent[key] = { index: parent[key] }
   else if (Array.isArray(parent)) {

@@ -1,13 +1,13 @@
-/** The page that `furrow render` opens: draws one picture on the shared stage and posts its pixels. */
+/** The page that `furrow render` opens: draws pictures of one face on the shared stage and posts their pixels. */
 
 import { EXPRESSIONS, type Expression, findTargets } from 'furrow'
-import { ExpressionPlayer, loadWrinkleSet } from 'furrow/three'
+import { ExpressionPlayer, type LoadedWrinkles, loadWrinkleSet } from 'furrow/three'
 import type { Mesh, Object3D } from 'three'
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import type { WebGPURenderer } from 'three/webgpu'
-import { loadFace } from '../../../../stage/face.ts'
+import { type Face, loadFace } from '../../../../stage/face.ts'
 import { isWebGL } from '../../../../stage/light.ts'
 import { createStage, type Renderer, type Stage, type Wrinkles } from '../../../../stage/stage.ts'
 import type { ViewName } from '../../../../stage/views.ts'
@@ -30,15 +30,28 @@ window.drawPicture = async (job) => {
   }
 }
 
+/** What all pictures of a page are drawn of. */
+interface Scene {
+  stage: Stage
+  face: Face
+  loaded: Pick<LoadedWrinkles, 'set' | 'drivers'>
+  /** Blendshape weights as the file has them. */
+  resting: Map<Mesh, readonly number[]>
+}
+
+let scene: Scene | undefined
+let worn: Wrinkles | undefined
+
 async function draw(job: PageJob): Promise<PageReport> {
   const { width, height } = job
-  const stage = await createStage(document.createElement('canvas'), job.renderer)
-  if (job.renderer === 'webgpu' && stage.backend !== 'WebGPU') {
-    throw new Error('this browser has no WebGPU: use --renderer webgl')
-  }
-  const face = await loadFace(job.face, job.mesh, loaderFor(stage.renderer))
-  const loaded = job.wrinkles ? { set: await loadWrinkleSet(job.wrinkles), drivers: [] } : face.wrinkles!
+  warnings.length = 0
+  // Light, textures and programs are most of the work, and the same for each picture of a face.
+  scene ??= await open(job)
+  const { stage, face, loaded, resting } = scene
+  for (const [mesh, weights] of resting) mesh.morphTargetInfluences = [...weights]
+  worn?.dispose()
   const { wrinkles } = stage.show(face, loaded, { mode: job.mode })
+  worn = wrinkles
   const named = EXPRESSIONS.find(({ name }) => name === job.expression)
   const fits = named && Object.keys(named.activations).every((area) => wrinkles.hasArea(area))
   // An expression for these areas, and the areas named by hand, say what shows; blendshapes alone leave it to the file's drivers.
@@ -50,6 +63,21 @@ async function draw(job: PageJob): Promise<PageReport> {
   const delivered = await fetch(job.deliver, { method: 'POST', body: pixels as BodyInit })
   if (!delivered.ok) throw new Error(`the picture was not accepted (HTTP status ${delivered.status})`)
   return { renderer: stage.backend, adapter: adapterOf(stage), warnings }
+}
+
+async function open(job: PageJob): Promise<Scene> {
+  const stage = await createStage(document.createElement('canvas'), job.renderer)
+  if (job.renderer === 'webgpu' && stage.backend !== 'WebGPU') {
+    throw new Error('this browser has no WebGPU: use --renderer webgl')
+  }
+  const face = await loadFace(job.face, job.mesh, loaderFor(stage.renderer))
+  const loaded = job.wrinkles ? { set: await loadWrinkleSet(job.wrinkles), drivers: [] } : face.wrinkles!
+  const resting = new Map<Mesh, readonly number[]>()
+  face.root.traverse((object) => {
+    const { morphTargetInfluences } = object as Mesh
+    if (morphTargetInfluences) resting.set(object as Mesh, [...morphTargetInfluences])
+  })
+  return { stage, face, loaded, resting }
 }
 
 /** A loader for files in every compression that glTF knows. */

@@ -60,6 +60,7 @@ function canvasTile(stage: Stage): DrawTile {
 /** WebGPURenderer maps tones for its output target as for a canvas; presenting a canvas may lose the device. */
 function targetTile(stage: Stage, width: number, height: number): DrawTile {
   const renderer = stage.renderer as WebGPURenderer
+  renderer.getOutputRenderTarget()?.dispose()
   const target = new RenderTarget(width, height, { depthBuffer: false })
   renderer.setOutputRenderTarget(target)
   return async () => {

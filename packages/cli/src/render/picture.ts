@@ -62,7 +62,7 @@ export interface PageReport {
 
 declare global {
   interface Window {
-    /** Set by the page; Node calls it. */
+    /** Set by the page; Node calls it, again and again for pictures of one face, mesh, wrinkle set and renderer. */
     drawPicture(job: PageJob): Promise<PageReport | { error: string }>
   }
 }
