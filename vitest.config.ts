@@ -9,21 +9,24 @@ import { CHROMIUM_FLAGS } from './packages/cli/src/chromium-flags.ts'
 const resolve = { conditions: ['furrow-source', 'module', 'browser', 'development|production'] }
 const ssr = { resolve: { conditions: ['furrow-source', 'module', 'node', 'development|production'] } }
 
+// Milliseconds. Limits guard against a hang and no more: a slow or busy machine is no fault.
+const SOON = { testTimeout: 300_000, hookTimeout: 300_000 }
+const LATE = { testTimeout: 900_000, hookTimeout: 900_000 }
+
 /** A scanned face that is tested where it is at hand; it is data of others and no part of this repository. */
 const realFace = fileURLToPath(new URL('../shared/real-face/ict-face.glb', import.meta.url))
 
 export default defineConfig({
   test: {
     projects: [
-      { resolve, ssr, test: { name: 'unit', include: ['test/unit/**/*.test.ts'], testTimeout: 30_000 } },
+      { resolve, ssr, test: { name: 'unit', include: ['test/unit/**/*.test.ts'], ...SOON } },
       {
         resolve,
         ssr,
         test: {
           name: 'pages',
           include: ['test/pages/**/*.test.ts'],
-          testTimeout: 120_000,
-          hookTimeout: 120_000,
+          ...LATE,
           fileParallelism: false,
         },
       },
@@ -47,9 +50,10 @@ export default defineConfig({
           name: 'gpu',
           include: ['test/gpu/**/*.test.ts'],
           globalSetup: 'test/gpu/pack-faces.ts',
-          testTimeout: 120_000,
+          ...LATE,
           fileParallelism: false,
           browser: {
+            connectTimeout: LATE.hookTimeout,
             enabled: true,
             headless: true,
             screenshotFailures: false,

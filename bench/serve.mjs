@@ -25,7 +25,8 @@ export async function serve() {
 
 /** Opens one of its pages, once that has put `ready` on its window. */
 export async function openPage(server, browser, path, ready) {
-  const page = await browser.newPage()
+  const { newPage } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
+  const page = await newPage(browser)
   await page.goto(new URL(path, server.resolvedUrls.local[0]).href)
   await page.waitForFunction((name) => name in globalThis, ready)
   return page

@@ -41,3 +41,12 @@ export function randomSet(random: () => number, count: number, areaSize: number,
 export function layer(name: string, kind: LayerKind, normal: RgbaImage): Layer {
   return { name, kind, normal }
 }
+
+/** The smallest wrinkle set, as its file has it: one image is all that it has. */
+export function setOf(image: string): object {
+  return {
+    version: 1,
+    layers: [{ name: 'expression', kind: 'replace', normal: image }],
+    areas: [{ name: 'forehead', image }],
+  }
+}

@@ -37,12 +37,12 @@ async function installByApt(findBrowser) {
 
 /** What the browser draws with, by API. Throws where WebGL 2 or WebGPU is missing: nothing is left out in silence. */
 export async function readAdapters() {
-  const { launchBrowser } = await import('../../packages/cli/dist/browser.js')
+  const { launchBrowser, newPage } = await import('../../packages/cli/dist/browser.js')
   const { startLocalServer } = await import('../../packages/cli/dist/render/local-server.js')
   const server = await startLocalServer()
   const browser = await launchBrowser()
   try {
-    const page = await browser.newPage()
+    const page = await newPage(browser)
     // WebGPU is there for secure addresses alone, of which this computer's own are.
     await page.goto(`${server.origin}/page/index.html`)
     return await page.evaluate(adaptersOfPage)

@@ -1,6 +1,6 @@
 import { ROOT } from './run.mjs'
 
-/** Milliseconds until a page has loaded its face and drawn it. */
+/** Milliseconds that a face takes to come to rest, from its first picture. */
 const SETTLED = 3000
 
 /**
@@ -13,17 +13,19 @@ export async function shootPages(pages) {
   if (pages.length === 0) return []
   const { default: sharp } = await import('sharp')
   const { preview } = await import('vite')
-  const { launchBrowser } = await import('../../packages/cli/dist/browser.js')
+  const { launchBrowser, newPage } = await import('../../packages/cli/dist/browser.js')
   const options = { configFile: false, logLevel: 'silent', root: ROOT, build: { outDir: '.' } }
   const server = await preview({ ...options, preview: { host: '127.0.0.1', port: 0 } })
   const browser = await launchBrowser()
   const pictures = []
   try {
     for (const { page: name, width, height } of pages) {
-      const page = await browser.newPage({ viewport: { width, height } })
+      const page = await newPage(browser, { viewport: { width, height } })
       await page.goto(new URL(`/examples/${name}`, server.resolvedUrls.local[0]).href)
       const canvas = await page.waitForSelector('canvas')
+      await drawn(page)
       await page.waitForTimeout(SETTLED)
+      await drawn(page)
       const picture = sharp(await canvas.screenshot())
         .ensureAlpha()
         .raw()
@@ -36,4 +38,9 @@ export async function shootPages(pages) {
     await server.close()
   }
   return pictures
+}
+
+/** Waits until the page has drawn once more, however long that takes. */
+function drawn(page) {
+  return page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))))
 }

@@ -25,6 +25,8 @@ import { createHarness, type Harness, type RendererName, squareCamera } from './
 
 const full: GrayImage = { width: 1, height: 1, data: Uint8Array.of(255) }
 const MEASURES = ['compression', 'stretch'] as const
+/** Milliseconds to wait for the graphics card, which may be a slow processor. */
+const PATIENCE = 300_000
 const disposers: (() => void)[] = []
 
 let harness: Harness
@@ -257,7 +259,7 @@ describe('tension on WebGPU', () => {
     scene.add(mesh)
     harness.renderer.render(scene, squareCamera())
     disposers.pop()!()
-    await vi.waitFor(() => expect(memory.storageAttributes).toBe(before))
+    await vi.waitFor(() => expect(memory.storageAttributes).toBe(before), PATIENCE)
   })
 
   it('is what the processor measures until the first result is there', async () => {
@@ -271,7 +273,7 @@ describe('tension on WebGPU', () => {
     await vi.waitFor(() => {
       harness.renderer.render(scene, squareCamera())
       expect(taken).toHaveBeenCalled()
-    })
+    }, PATIENCE)
   })
 })
 

@@ -1,5 +1,5 @@
 import type { Browser, Page } from 'playwright-core'
-import { launchBrowser } from '../../packages/cli/src/browser.ts'
+import { launchBrowser, newPage } from '../../packages/cli/src/browser.ts'
 
 /** The browser that pages are tested in; the caller closes it. */
 export const openBrowser = launchBrowser
@@ -9,7 +9,7 @@ export async function openPage(
   browser: Browser,
   options?: Parameters<Browser['newPage']>[0],
 ): Promise<{ page: Page; complaints: string[] }> {
-  const page = await browser.newPage(options)
+  const page = await newPage(browser, options)
   const complaints: string[] = []
   page.on('console', (message) => {
     if (message.type() === 'error') complaints.push(message.text())

@@ -3,6 +3,13 @@ import { fileURLToPath } from 'node:url'
 
 const BIN = fileURLToPath(new URL('../../packages/cli/bin/furrow.js', import.meta.url))
 
+// As built, for its page is built too.
+const DRAWING = '../../packages/cli/dist/render/render-pictures.js'
+
+/** What `furrow render` draws with. */
+export const { renderPictures }: typeof import('../../packages/cli/src/render/render-pictures.ts') =
+  await import(DRAWING)
+
 export interface Ended {
   code: number | null
   stdout: string

@@ -6,7 +6,7 @@ import { expect, vi } from 'vitest'
 
 export async function ready(page: Page, backend = ''): Promise<void> {
   await page.locator('#backend', { hasText: new RegExp(`^${backend}`) }).waitFor({ state: 'attached' })
-  await page.locator('#stage[aria-busy=false]').waitFor({ timeout: 60_000 })
+  await page.locator('#stage[aria-busy=false]').waitFor()
 }
 
 export function slider(page: Page, name: string): Locator {
@@ -15,7 +15,7 @@ export function slider(page: Page, name: string): Locator {
 
 export function expectValue(input: Locator, value: number): Promise<void> {
   const check = async () => expect(Number(await input.inputValue())).toBeCloseTo(value, 2)
-  return vi.waitFor(check, { timeout: 30_000, interval: 100 })
+  return vi.waitFor(check, { timeout: 300_000, interval: 100 })
 }
 
 /** The stage as the browser shows it, once two pictures in a row are the same. */

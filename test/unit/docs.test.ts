@@ -38,7 +38,7 @@ describe('documentation', () => {
     )
     expect(examples.size).toBeGreaterThan(3)
     expect(compile(examples)).toEqual([])
-  }, 60_000)
+  })
 
   it('has a wrinkles.json that parses', () => {
     const [document] = blocks('docs/guide.md', 'json')

@@ -2,8 +2,11 @@ import { accessSync, constants } from 'node:fs'
 import { homedir } from 'node:os'
 import { join } from 'node:path'
 import { FurrowError } from 'furrow'
-import { type Browser, chromium } from 'playwright-core'
+import { type Browser, chromium, type Page } from 'playwright-core'
 import { CHROMIUM_FLAGS } from './chromium-flags.ts'
+
+/** Milliseconds that a browser may take to start. */
+const START = 300_000
 
 /** Where browsers install themselves, the most common first. */
 function usualPlaces(): string[] {
@@ -57,7 +60,7 @@ export function findBrowser(): string {
 export async function launchBrowser(): Promise<Browser> {
   const executablePath = findBrowser()
   try {
-    return await chromium.launch({ executablePath, args: [...CHROMIUM_FLAGS] })
+    return await chromium.launch({ executablePath, args: [...CHROMIUM_FLAGS], timeout: START })
   } catch (error) {
     throw new FurrowError({
       who: 'furrow',
@@ -66,6 +69,13 @@ export async function launchBrowser(): Promise<Browser> {
       remedy: 'set FURROW_CHROMIUM to the path of another Chrome, Chromium or Edge',
     })
   }
+}
+
+/** An empty page. What is done in it may take as long as it must: a slow computer is no fault. */
+export async function newPage(browser: Browser, options?: Parameters<Browser['newPage']>[0]): Promise<Page> {
+  const page = await browser.newPage(options)
+  page.setDefaultTimeout(0)
+  return page
 }
 
 function isProgram(path: string): boolean {

@@ -19,4 +19,4 @@ it('drivers allocate nothing per frame, but for the number that the usual clock 
   expect(blendshapes.bytes).toBeLessThan(4)
   expect(every.bytes).toBeLessThan(4)
   expect(withClock.bytes).toBeLessThan(20)
-}, 120_000)
+})

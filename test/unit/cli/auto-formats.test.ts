@@ -38,7 +38,7 @@ let face: Made
 
 beforeAll(async () => {
   face = await makeWrinkles(workshop, 'face', await plainFace())
-}, 60_000)
+})
 
 /** Each format is the same face: the wrinkles must be the same too. */
 const VARIANTS: [string, { change: (document: Document) => unknown; levels?: number; degrees?: number }][] = [
@@ -122,7 +122,7 @@ describe('a face in the manner of VRoid Studio', () => {
     const document = await plainFace()
     toVRoid(document)
     made = await makeWrinkles(workshop, 'vroid', document)
-  }, 60_000)
+  })
 
   test('is recognised by its own shapes, which are named', () => {
     expect(made.warned).toContain('Fcl_BRW_Surprised, Fcl_BRW_Angry, Fcl_EYE_Close_L, Fcl_EYE_Close_R')

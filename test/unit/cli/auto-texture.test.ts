@@ -15,7 +15,7 @@ let face: Made
 
 beforeAll(async () => {
   face = await makeWrinkles(workshop, 'face', await plainFace())
-}, 60_000)
+})
 
 describe('a texture that is used twice', () => {
   test('by left and right: both sides have one area, driven by both', async () => {

@@ -60,8 +60,8 @@ function canvasTile(stage: Stage): DrawTile {
 /** WebGPURenderer maps tones for its output target as for a canvas; presenting a canvas may lose the device. */
 function targetTile(stage: Stage, width: number, height: number): DrawTile {
   const renderer = stage.renderer as WebGPURenderer
-  renderer.getOutputRenderTarget()?.dispose()
-  const target = new RenderTarget(width, height, { depthBuffer: false })
+  const target = renderer.getOutputRenderTarget() ?? new RenderTarget(width, height, { depthBuffer: false })
+  target.setSize(width, height)
   renderer.setOutputRenderTarget(target)
   return async () => {
     stage.render()

@@ -1,6 +1,6 @@
 import { FurrowError } from 'furrow'
 import type { Browser, Page } from 'playwright-core'
-import { launchBrowser } from '../browser.ts'
+import { launchBrowser, newPage } from '../browser.ts'
 import { firstLine } from '../images.ts'
 import { type LocalServer, startLocalServer } from './local-server.ts'
 import type { PageJob, PageReport, PictureRequest } from './picture.ts'
@@ -57,7 +57,7 @@ async function drawAll(
     // A page for each face: a lost device or a leak then cannot spoil the next.
     if (i === 0 || !isOfOneScene(picture, prepared[i - 1]!)) {
       await page?.close()
-      page = await browser.newPage()
+      page = await newPage(browser)
     }
     pictures.push(await drawOne(page!, server, picture))
   }
@@ -67,9 +67,7 @@ async function drawAll(
 
 /** Whether a page that has drawn one can draw the other too. */
 function isOfOneScene({ job: a }: PreparedPicture, { job: b }: PreparedPicture): boolean {
-  return (
-    a.face === b.face && a.wrinkles === b.wrinkles && a.mesh === b.mesh && a.renderer === b.renderer
-  )
+  return a.face === b.face && a.wrinkles === b.wrinkles && a.mesh === b.mesh && a.renderer === b.renderer
 }
 
 async function drawOne(page: Page, server: LocalServer, { job, files }: PreparedPicture): Promise<Picture> {
@@ -113,8 +111,6 @@ async function askPage(
 }
 
 async function open(page: Page, server: LocalServer): Promise<void> {
-  // A slow computer is no fault.
-  page.setDefaultTimeout(0)
   await page.route(
     (url) => !url.href.startsWith(server.origin) && !['data:', 'blob:'].includes(url.protocol),
     (route) => route.abort(),
