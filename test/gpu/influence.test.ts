@@ -47,7 +47,8 @@ async function largestError(
   const mesh = square(new MeshStandardMaterial(), scale, offset)
   const wrinkles = new harness.Wrinkles(mesh, set, { areaSize: 32 })
   for (const [i, { name }] of set.areas.entries()) wrinkles.setActivation(name, Math.min(activations[i], 1))
-  mesh.material = wrinkles.createInfluenceMaterial() as MeshStandardMaterial
+  const material = wrinkles.createInfluenceMaterial()
+  mesh.material = material as MeshStandardMaterial
   const scene = new Scene()
   scene.add(mesh)
   const pixels = await harness.render(scene, squareCamera(), PIXELS)
@@ -70,7 +71,7 @@ async function largestError(
     }
   }
   const dispose = () => {
-    mesh.material.dispose()
+    material.dispose()
     wrinkles.dispose()
     mesh.geometry.dispose()
   }
