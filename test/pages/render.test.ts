@@ -36,6 +36,15 @@ afterAll(() => rm(folder, { recursive: true, force: true }))
 /** Of every picture that is compared. */
 const SURPRISED = { expression: 'surprised', width: 200, height: 152 }
 
+/** All that the others do not set. */
+const ANGRY: Partial<PictureRequest> = {
+  mode: 'composed',
+  view: 'close',
+  expression: 'angry',
+  targets: { mouthPucker: 1 },
+  activations: { nose: 1 },
+}
+
 describe('furrow render', () => {
   /** What its own function draws of one face is drawn in one page. */
   const drawn = new Map<string, Picture>()
@@ -53,6 +62,8 @@ describe('furrow render', () => {
       'webgl off': { input: images, ...SURPRISED, mode: 'off' },
       'webgl large': { ...wide, width: 2112, height: 96 },
       'webgl small': { ...wide, width: 1056, height: 48 },
+      'webgl angry': { ...wide, ...ANGRY, width: 96, height: 96 },
+      'webgl again': { input: images, ...SURPRISED },
       'webgl KTX 2 arrays': { input: arrays, ...SURPRISED },
       'webgl Draco': { input: compressed, ...SURPRISED },
       'webgpu images': { input: images, ...SURPRISED, renderer: 'webgpu' },
@@ -94,6 +105,11 @@ describe('furrow render', () => {
     expect(compressed.warnings).toEqual([])
     const difference = largestDifference(opaque(`${renderer} ${form}`), plain, FOREHEAD)
     expect(difference).toBeLessThan(largestDifference(plain, smooth, FOREHEAD) / 3)
+  })
+
+  test('draws the same picture whatever its page has drawn before', () => {
+    expect(drawn.get('webgl angry')!.pixels.length).toBe(4 * 96 * 96)
+    expect(opaque('webgl again')).toEqual(opaque('webgl images'))
   })
 
   test('takes blendshapes, activations, a view and the mode of the paper', async () => {
