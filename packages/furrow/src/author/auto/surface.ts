@@ -1,3 +1,5 @@
+import { placesOf } from '../../core/deformed-normals.ts'
+
 /** A skin at rest with what can move it. Nothing is changed or kept. */
 export interface Skin {
   /** x, y and z of each vertex, y upwards, in any unit. */
@@ -112,19 +114,12 @@ export function crossOf(
 }
 
 function joinPoints(positions: ArrayLike<number>) {
-  const places = new Map<string, number>()
-  const pointOf = new Uint32Array(positions.length / 3)
-  const points: number[] = []
-  for (let i = 0; i < pointOf.length; i++) {
-    const [x, y, z] = [positions[3 * i]!, positions[3 * i + 1]!, positions[3 * i + 2]!]
-    const key = `${x} ${y} ${z}`
-    const known = places.get(key)
-    pointOf[i] = known ?? places.size
-    if (known !== undefined) continue
-    places.set(key, places.size)
-    points.push(x, y, z)
+  const { places: pointOf, count } = placesOf(positions)
+  const points = new Float64Array(3 * count)
+  for (const [vertex, point] of pointOf.entries()) {
+    for (let k = 0; k < 3; k++) points[3 * point + k] = positions[3 * vertex + k]!
   }
-  return { pointOf, points: Float64Array.from(points) }
+  return { pointOf, points }
 }
 
 function trianglesBeyond(corners: Uint32Array): Int32Array {
