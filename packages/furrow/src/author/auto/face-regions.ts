@@ -6,10 +6,7 @@ import { type Face, poseOf } from './face.ts'
 import { layGuides } from './guided-lines.ts'
 import { Random } from './random.ts'
 import { poseInOwnShapes } from './stand-ins.ts'
-import { compressionTensors, smooth, TENSOR } from './strain.ts'
-
-/** Millimetres over which strain is evened: that of one triangle says little. */
-const EVEN = 3
+import { strainOf } from './strain.ts'
 
 /**
  * Lays the lines of the wanted regions on a face.
@@ -32,7 +29,7 @@ export function faceRegions(
     const region = { ...asArkit, cause: poseInOwnShapes(asArkit.cause, face.names) }
     const expression = poseInOwnShapes(asArkit.together ?? asArkit.cause, face.names)
     const key = JSON.stringify(expression)
-    const tensors = strains.get(key) ?? strainOf(face, expression)
+    const tensors = strains.get(key) ?? strainOf(face.surface, face.offsets, poseOf(face.find, expression))
     strains.set(key, tensors)
     const lines =
       known.get(region.guides) ??
@@ -40,17 +37,4 @@ export function faceRegions(
     known.set(region.guides, lines)
     return lines.creases.length > 0 ? [{ region, ...lines }] : []
   })
-}
-
-function strainOf(
-  { surface, offsets, find }: Face,
-  expression: Readonly<Record<string, number>>,
-): Float64Array {
-  const sum = new Float64Array(surface.points.length)
-  for (const [target, weight] of poseOf(find, expression)) {
-    for (let i = 0; i < sum.length; i++) sum[i]! += weight * offsets[target]![i]!
-  }
-  const tensors = compressionTensors(surface, sum)
-  smooth(surface, tensors, TENSOR, EVEN)
-  return tensors
 }

@@ -3,12 +3,9 @@ import { checkSkin } from './check-skin.ts'
 import { findFace, poseOf } from './face.ts'
 import { inMillimetres } from './millimetres.ts'
 import { principalAt } from './principal.ts'
-import { compressionTensors, smooth, TENSOR } from './strain.ts'
+import { strainOf } from './strain.ts'
 import type { Skin, Surface } from './surface.ts'
 import { SkinTexels } from './texels.ts'
-
-/** Millimetres over which strain is evened, as where lines are placed by it. */
-const EVEN = 3
 
 /** How far skin is pushed together, in its texture. */
 export interface StrainMap {
@@ -34,15 +31,7 @@ export function strainMaps(
   const { surface, offsets } = findFace(usable) ?? inMillimetres(usable)
   const find = targetFinder(usable.targets.map(({ name }) => name))
   const texels = new SkinTexels(usable, surface, size)
-  return poses.map((pose) => {
-    const moved = new Float64Array(surface.points.length)
-    for (const [target, weight] of poseOf(find, pose)) {
-      for (let i = 0; i < moved.length; i++) moved[i]! += weight * offsets[target]![i]!
-    }
-    const tensors = compressionTensors(surface, moved)
-    smooth(surface, tensors, TENSOR, EVEN)
-    return strainMap(surface, tensors, texels)
-  })
+  return poses.map((pose) => strainMap(surface, strainOf(surface, offsets, poseOf(find, pose)), texels))
 }
 
 /** The principal compression of one field of tensors at each texel. */

@@ -2,10 +2,10 @@ import { type CreasedRegion, creaseLines, type LineStyle, type SkinRegion } from
 import { layFreeLines } from './free-lines.ts'
 import { crossed } from './principal.ts'
 import { Random } from './random.ts'
-import { along, compressionTensors, smooth, TENSOR } from './strain.ts'
+import { along, strainOf, TENSOR } from './strain.ts'
 import type { Surface } from './surface.ts'
 
-/** Millimetres over which strain is evened. */
+/** Millimetres over which strain is evened: no anatomy tells a spot from noise. */
 const EVEN = 5
 /** Compression from which on skin may crease: more than where anatomy is known. */
 const LEAST = 0.07
@@ -40,7 +40,8 @@ export function strainRegions(
   seed: number,
   most: number,
 ): CreasedRegion[] {
-  const spots = offsets.flatMap((offset, target) => spotsOf(surface, strainOf(surface, offset), target))
+  const strainBy = (target: number) => strainOf(surface, offsets, new Map([[target, 1]]), EVEN)
+  const spots = names.flatMap((_, target) => spotsOf(surface, strainBy(target), target))
   const chosen: Spot[] = []
   for (const spot of spots.sort((a, b) => b.surface - a.surface)) {
     if (chosen.length === most) break
@@ -50,7 +51,7 @@ export function strainRegions(
   return chosen.flatMap((spot): CreasedRegion[] => {
     const name = names[spot.target]!
     const numbers = new Random(seed, name)
-    const tensors = strainOf(surface, offsets[spot.target]!)
+    const tensors = strainBy(spot.target)
     keepOnly(tensors, spot.points)
     const laid = layFreeLines(surface, tensors, { spacing: SPACING, least: LEAST, style: STYLE })
     const lines = laid.map((line) => ({ ...line, style: varied(numbers) }))
@@ -79,12 +80,6 @@ function varied(numbers: Random): LineStyle {
     depth: numbers.between(0.7, 1),
     taper: [end(), end()],
   }
-}
-
-function strainOf(surface: Surface, offset: Float64Array): Float64Array {
-  const tensors = compressionTensors(surface, offset)
-  smooth(surface, tensors, TENSOR, EVEN)
-  return tensors
 }
 
 /** Connected points that lose enough. */

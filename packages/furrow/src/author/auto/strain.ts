@@ -2,10 +2,34 @@ import type { Surface } from './surface.ts'
 
 /** Numbers of a symmetric tensor of three dimensions: xx, xy, xz, yy, yz, zz. */
 export const TENSOR = 6
+/** Millimetres over which the strain of a pose is evened, unless told: that of one triangle says little. */
+const EVEN = 3
 /** Share of the way to its neighbours' mean that a point goes in one round of smoothing, at most. */
 const LARGEST_STEP = 0.8
 /** Rounds of smoothing, at most: meshes far finer than skin creases are smoothed less than asked for. */
 const MOST_ROUNDS = 1000
+
+/**
+ * What a pose does to the skin, as `compressionTensors`, smoothed.
+ *
+ * @param offsets x, y and z that each target adds to each point, in millimetres.
+ * @param pose weights by target.
+ * @param even millimetres over which it is evened.
+ */
+export function strainOf(
+  surface: Surface,
+  offsets: readonly Float64Array[],
+  pose: ReadonlyMap<number, number>,
+  even = EVEN,
+): Float64Array {
+  const moved = new Float64Array(surface.points.length)
+  for (const [target, weight] of pose) {
+    for (let i = 0; i < moved.length; i++) moved[i]! += weight * offsets[target]![i]!
+  }
+  const tensors = compressionTensors(surface, moved)
+  smooth(surface, tensors, TENSOR, even)
+  return tensors
+}
 
 /**
  * How far skin is shortened at each point, and in which direction: I - U, where U is the right stretch tensor of each triangle in its own
