@@ -45,6 +45,16 @@ describe('strain maps', () => {
     }
   })
 
+  test('of a skin in another tile of its texture are those of the first tile', () => {
+    const first = skin(12)
+    const moved = { ...first, uvs: first.uvs.map((value, i) => value + (i % 2 === 0 ? 2 : -1)) }
+    const [map, expected] = [moved, first].map((one) => strainMaps(one, [{ across: 1 }], SIZE)[0]!.data)
+    for (const [i, lost] of expected!.entries()) {
+      if (Number.isNaN(lost)) expect(map![i]).toBeNaN()
+      else expect(map![i]).toBeCloseTo(lost, 6)
+    }
+  })
+
   test('have nothing where there is no skin', () => {
     const [map] = strainMaps(skin(3), [{ across: 1 }], SIZE)
     for (let row = 0; row < SIZE; row++) {

@@ -7,20 +7,18 @@ import { surfaceMetric } from '../metric.ts'
 import { heightToNormal, type TangentFrame } from '../normal.ts'
 import { AUTO_REGIONS, type AutoRegion } from './anatomy/regions.ts'
 import { Chart } from './chart.ts'
-import { checkSkin } from './check-skin.ts'
 import type { CreasedRegion } from './crease.ts'
 import { drawAreas, drawCreases } from './draw.ts'
-import { findFace, type Landmarks, poseOf } from './face.ts'
+import { type Landmarks, poseOf } from './face.ts'
 import { faceRegions } from './face-regions.ts'
 import { layersOf } from './layers.ts'
 import { type FittedRegion, fitDriver } from './links.ts'
-import { inMillimetres } from './millimetres.ts'
 import { findOverlap, isOverlapped, leftTriangles, onBothSides } from './mirror.ts'
+import { prepareSkin } from './prepare.ts'
 import { standInsOf } from './stand-ins.ts'
 import { strainRegions } from './strain-regions.ts'
 import type { Skin, Surface } from './surface.ts'
 import { MIP_MARGIN, SkinTexels } from './texels.ts'
-import { inFirstTile } from './tiles.ts'
 
 export interface AutoOptions {
   /** Years, 20..80: lines grow in number, length and depth. */
@@ -125,16 +123,9 @@ export function autoWrinkles(
   const tell = (step: (typeof AUTO_STEPS)[number]) =>
     progress(AUTO_STEPS.indexOf(step), AUTO_STEPS.length, step)
   tell('face')
-  const { skin: checked, warnings } = checkSkin(skin)
-  const { skin: usable, crossing } = inFirstTile(checked)
-  if (crossing > 0) {
-    const share = Math.max(1, Math.round(100 * crossing))
-    warnings.push(`${share}% of the skin crosses the edges of its texture: nothing is drawn beyond them`)
-  }
+  const { skin: usable, face, surface, offsets, warnings } = prepareSkin(skin)
   const names = usable.targets.map(({ name }) => name)
-  const face = findFace(usable)
   if (!face && options.regions) throw noRegions(options.regions)
-  const { surface, offsets } = face ?? inMillimetres(usable)
   const grown = (age - 20) / 60
   tell('lines')
   const overlap = findOverlap(usable, surface)

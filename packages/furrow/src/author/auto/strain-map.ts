@@ -1,7 +1,6 @@
 import { targetFinder } from '../../drivers/target-names.ts'
-import { checkSkin } from './check-skin.ts'
-import { findFace, poseOf } from './face.ts'
-import { inMillimetres } from './millimetres.ts'
+import { poseOf } from './face.ts'
+import { prepareSkin } from './prepare.ts'
 import { principalAt } from './principal.ts'
 import { strainOf } from './strain.ts'
 import type { Skin, Surface } from './surface.ts'
@@ -27,8 +26,7 @@ export function strainMaps(
   poses: readonly Readonly<Record<string, number>>[],
   size: number,
 ): StrainMap[] {
-  const { skin: usable } = checkSkin(skin)
-  const { surface, offsets } = findFace(usable) ?? inMillimetres(usable)
+  const { skin: usable, surface, offsets } = prepareSkin(skin)
   const find = targetFinder(usable.targets.map(({ name }) => name))
   const texels = new SkinTexels(usable, surface, size)
   return poses.map((pose) => strainMap(surface, strainOf(surface, offsets, poseOf(find, pose)), texels))
