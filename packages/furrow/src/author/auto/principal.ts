@@ -1,6 +1,8 @@
 import { along, TENSOR } from './strain.ts'
 import type { Surface } from './surface.ts'
 
+type Vector = [x: number, y: number, z: number]
+
 const found = new Float64Array(TENSOR)
 
 /** The tensor at a place of a triangle; filled anew by each call. */
@@ -19,7 +21,7 @@ export function tensorAt(
 }
 
 /** At a right angle to a direction of the skin, in the skin. */
-export function crossed(n: ArrayLike<number>, d: ArrayLike<number>): [number, number, number] {
+export function crossed(n: ArrayLike<number>, d: ArrayLike<number>): Vector {
   return [n[1]! * d[2]! - n[2]! * d[1]!, n[2]! * d[0]! - n[0]! * d[2]!, n[0]! * d[1]! - n[1]! * d[0]!]
 }
 
@@ -38,7 +40,7 @@ export function principalAt(
   tensors: Float64Array,
   triangle: number,
   shares: ArrayLike<number>,
-): { way: [number, number, number]; lost: number } {
+): { way: Vector; lost: number } {
   const { points, corners } = surface
   const [a, b, c] = [0, 1, 2].map((k) => 3 * corners[3 * triangle + k]!) as [number, number, number]
   const u = [0, 1, 2].map((k) => points[b + k]! - points[a + k]!)
@@ -46,16 +48,32 @@ export function principalAt(
   const normal = unit(crossed(u, v))
   const x = unit(u)
   const y = crossed(normal, x)
-  const t = tensorAt(surface, tensors, triangle, shares)
-  const [xx, xy, yy] = [along(t, 0, x[0], x[1], x[2]), between(t, x, y), along(t, 0, y[0], y[1], y[2])]
-  // Principal values and axes of a symmetric 2 x 2 matrix (Mohr's circle); the largest one lies at half that angle.
-  const angle = 0.5 * Math.atan2(2 * xy, xx - yy)
+  const { lost, angle } = largestIn(tensorAt(surface, tensors, triangle, shares), x, y)
   const [cosine, sine] = [Math.cos(angle), Math.sin(angle)]
-  const way = [0, 1, 2].map((k) => cosine * y[k]! - sine * x[k]!) as [number, number, number]
-  return { way, lost: (xx + yy) / 2 + Math.hypot((xx - yy) / 2, xy) }
+  const way = [0, 1, 2].map((k) => cosine * y[k]! - sine * x[k]!) as Vector
+  return { way, lost }
 }
 
-function unit([x, y, z]: readonly number[]): [number, number, number] {
+/** What the skin loses at a point in the direction in which it is shortened most. */
+export function lossAt({ normals }: Surface, tensors: Float64Array, point: number): number {
+  const normal = normals.subarray(3 * point, 3 * point + 3)
+  const x = unit(crossed(normal, Math.abs(normal[0]!) < 0.9 ? [1, 0, 0] : [0, 1, 0]))
+  const tensor = tensors.subarray(TENSOR * point, TENSOR * (point + 1))
+  return largestIn(tensor, x, crossed(normal, x)).lost
+}
+
+/**
+ * The largest principal value of a tensor in a plane, and by what angle its axis is turned from x to y: those of a symmetric 2 x 2
+ * matrix (Mohr's circle).
+ *
+ * @param x of length 1, as is y: the plane, at a right angle to each other.
+ */
+function largestIn(t: Float64Array, x: Vector, y: Vector): { lost: number; angle: number } {
+  const [xx, xy, yy] = [along(t, 0, ...x), between(t, x, y), along(t, 0, ...y)]
+  return { lost: (xx + yy) / 2 + Math.hypot((xx - yy) / 2, xy), angle: 0.5 * Math.atan2(2 * xy, xx - yy) }
+}
+
+function unit([x, y, z]: readonly number[]): Vector {
   const length = Math.hypot(x!, y!, z!) || 1
   return [x! / length, y! / length, z! / length]
 }

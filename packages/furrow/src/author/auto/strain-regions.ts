@@ -1,8 +1,8 @@
 import { type CreasedRegion, creaseLines, type LineStyle, type SkinRegion } from './crease.ts'
 import { layFreeLines } from './free-lines.ts'
-import { crossed } from './principal.ts'
+import { lossAt } from './principal.ts'
 import { Random } from './random.ts'
-import { along, strainOf, TENSOR } from './strain.ts'
+import { strainOf, TENSOR } from './strain.ts'
 import type { Surface } from './surface.ts'
 
 /** Millimetres over which strain is evened: no anatomy tells a spot from noise. */
@@ -84,9 +84,9 @@ function varied(numbers: Random): LineStyle {
 
 /** Connected points that lose enough. */
 function spotsOf(surface: Surface, tensors: Float64Array, target: number): Spot[] {
-  const { areas, starts, neighbours, normals } = surface
+  const { areas, starts, neighbours } = surface
   const open = new Set<number>()
-  for (let i = 0; i < areas.length; i++) if (largestLoss(tensors, normals, i) >= LEAST) open.add(i)
+  for (let i = 0; i < areas.length; i++) if (lossAt(surface, tensors, i) >= LEAST) open.add(i)
   const spots: Spot[] = []
   for (const first of open) {
     const points = new Set([first])
@@ -101,21 +101,6 @@ function spotsOf(surface: Surface, tensors: Float64Array, target: number): Spot[
     if (size >= SMALLEST) spots.push({ points, surface: size, target })
   }
   return spots
-}
-
-/** The largest principal value in the skin's plane. */
-function largestLoss(tensors: Float64Array, normals: Float64Array, point: number): number {
-  const n = [0, 1, 2].map((k) => normals[3 * point + k]!)
-  const aside = Math.abs(n[0]!) < 0.9 ? [1, 0, 0] : [0, 1, 0]
-  const raw = crossed(n, aside)
-  const length = Math.hypot(...raw) || 1
-  const x = raw.map((value) => value / length) as [number, number, number]
-  const y = crossed(n, x)
-  const at = TENSOR * point
-  const [xx, yy] = [along(tensors, at, ...x), along(tensors, at, ...y)]
-  const diagonal = [0, 1, 2].map((k) => (x[k]! + y[k]!) / Math.SQRT2) as [number, number, number]
-  const xy = along(tensors, at, ...diagonal) - (xx + yy) / 2
-  return (xx + yy) / 2 + Math.hypot((xx - yy) / 2, xy)
 }
 
 function isSame(a: Spot, b: Spot): boolean {
