@@ -1,5 +1,5 @@
 import type { SurfacePlace } from './chart.ts'
-import type { Surface } from './surface.ts'
+import { crossOf, type Surface } from './surface.ts'
 
 /** Millimetres between points of a line. */
 export const STEP = 0.6
@@ -101,11 +101,9 @@ function pullIn({ points, corners }: Surface, triangle: number, at: Float64Array
 
 /** Turns a direction into a triangle's plane, of length 1. */
 function flatten({ points, corners }: Surface, triangle: number, way: Float64Array, out: Float64Array): void {
-  const [a, b, c] = [0, 1, 2].map((k) => 3 * corners[3 * triangle + k]!) as [number, number, number]
-  const edge = (to: number, k: number) => points[to + k]! - points[a + k]!
-  const nx = edge(b, 1) * edge(c, 2) - edge(b, 2) * edge(c, 1)
-  const ny = edge(b, 2) * edge(c, 0) - edge(b, 0) * edge(c, 2)
-  const nz = edge(b, 0) * edge(c, 1) - edge(b, 1) * edge(c, 0)
+  const first = 3 * triangle
+  crossOf(points, corners[first]!, corners[first + 1]!, corners[first + 2]!, out)
+  const [nx, ny, nz] = [out[0]!, out[1]!, out[2]!]
   const rise = (nx * way[0]! + ny * way[1]! + nz * way[2]!) / (nx * nx + ny * ny + nz * nz)
   out[0] = way[0]! - rise * nx
   out[1] = way[1]! - rise * ny
