@@ -101,15 +101,12 @@ function oneWay(
 ): Way {
   const lost: number[] = []
   const places: SurfacePlace[] = []
-  const before = new Float64Array(3)
+  const goOn = keepSense(sense)
   const direction: Direction = (point, _, triangle, shares, out) => {
     const { way, lost: here } = principalAt(surface, tensors, triangle, shares)
     lost.push(here)
     places.push({ triangle, point: [point[0]!, point[1]!, point[2]!] })
-    const isFirst = places.length === 1
-    const same = way[0] * before[0]! + way[1] * before[1]! + way[2] * before[2]!
-    const turn = isFirst ? sense : Math.sign(same) || 1
-    for (let k = 0; k < 3; k++) before[k] = out[k] = turn * way[k]!
+    goOn(way, out)
     return here >= least && isFree(point)
   }
   const { points, normals } = traceLine(surface, start, direction, LONGEST)
@@ -128,16 +125,11 @@ function besides(
   const every = Math.max(1, Math.round(spacing / 2 / STEP))
   for (let i = 0; i < places.length; i += every) {
     for (const sense of [-1, 1]) {
-      const before = new Float64Array(3)
+      const goOn = keepSense(sense)
       let last: SurfacePlace | undefined
-      let first = true
       const across: Direction = (point, normal, triangle, shares, out) => {
         const { way } = principalAt(surface, tensors, triangle, shares)
-        const [x, y, z] = crossed(normal, way)
-        const same = x * before[0]! + y * before[1]! + z * before[2]!
-        const turn = first ? sense : Math.sign(same) || 1
-        first = false
-        for (const [k, value] of [x, y, z].entries()) before[k] = out[k] = turn * value
+        goOn(crossed(normal, way), out)
         last = { triangle, point: [point[0]!, point[1]!, point[2]!] }
         return true
       }
@@ -146,6 +138,22 @@ function besides(
     }
   }
   return found
+}
+
+/**
+ * Principal directions have no sense: the first is taken as it is or turned round, each later one so that the line does not turn back.
+ *
+ * @param first 1 or -1.
+ */
+function keepSense(first: number): (way: readonly [number, number, number], out: Float64Array) => void {
+  const before = new Float64Array(3)
+  let isFirst = true
+  return (way, out) => {
+    const same = way[0] * before[0]! + way[1] * before[1]! + way[2] * before[2]!
+    const turn = isFirst ? first : Math.sign(same) || 1
+    isFirst = false
+    for (let k = 0; k < 3; k++) before[k] = out[k] = turn * way[k]!
+  }
 }
 
 function reversed(values: readonly number[], size: number): number[] {
