@@ -1,4 +1,5 @@
 import type { Uv } from '../core/json.ts'
+import { bezierAt } from './bezier.ts'
 import { type Metric, metricAt } from './metric.ts'
 import { smoothstep } from './profile.ts'
 import type { Stroke } from './strokes.ts'
@@ -64,13 +65,7 @@ function cutBezier(points: Uv[]): Uv[] {
   const cut: Uv[] = [points[0]!]
   for (let i = 0; i + 3 < points.length; i += 3) {
     const [a, b, c, d] = [points[i]!, points[i + 1]!, points[i + 2]!, points[i + 3]!]
-    for (let k = 1; k <= BEZIER_PIECES; k++) {
-      const t = k / BEZIER_PIECES
-      const s = 1 - t
-      const at = (axis: 0 | 1) =>
-        s * s * s * a[axis] + 3 * s * s * t * b[axis] + 3 * s * t * t * c[axis] + t * t * t * d[axis]
-      cut.push([at(0), at(1)])
-    }
+    for (let k = 1; k <= BEZIER_PIECES; k++) cut.push(bezierAt(a, b, c, d, k / BEZIER_PIECES))
   }
   return cut
 }

@@ -1,3 +1,4 @@
+import { bezierAt } from '../../bezier.ts'
 import { type Spot, unroll } from '../chart.ts'
 import type { LineStyle, SkinRegion } from '../crease.ts'
 import type { Landmarks, Place } from '../face.ts'
@@ -50,8 +51,7 @@ export function curve(count: number, at: (t: number) => Spot): Spot[] {
 /** A cubic Bezier curve, mirrored to the side. */
 export function bezier(side: Side, a: Spot, b: Spot, c: Spot, d: Spot): Spot[] {
   return curve(16, (t) => {
-    const s = 1 - t
-    const at = (k: 0 | 1) => s * s * s * a[k] + 3 * s * s * t * b[k] + 3 * s * t * t * c[k] + t * t * t * d[k]
-    return [side * at(0), at(1)]
+    const [across, up] = bezierAt(a, b, c, d, t)
+    return [side * across, up]
   })
 }
