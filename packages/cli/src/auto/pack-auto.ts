@@ -1,9 +1,8 @@
 import type { GrayImage } from 'furrow'
 import type { AutoWrinkles, RgbaImage } from 'furrow/author'
-import sharp from 'sharp'
 import { encodeNormal } from '../images.ts'
 import type { AreaPlace, FileImage, LayerImages, PackedWrinkles } from '../wrinkles/embed.ts'
-import { encodeShared } from '../wrinkles/map-images.ts'
+import { encodePixels, shareImages } from '../wrinkles/map-images.ts'
 
 /** Areas to an image: R, G and B, which every image tool leaves alone. */
 const SHARE = 3
@@ -23,13 +22,9 @@ export async function packAuto({ layers, areas, expressions }: AutoWrinkles): Pr
       }
     }),
   )
-  const images = await Promise.all(
-    Array.from({ length: Math.ceil(areas.length / SHARE) }, (_, i) =>
-      encodeShared(
-        areas.slice(SHARE * i, SHARE * (i + 1)).map(({ weights }) => weights),
-        `areas ${i + 1}`,
-      ),
-    ),
+  const images = await shareImages(
+    areas.map(({ weights }) => weights),
+    SHARE,
   )
   const places = areas.map(
     ({ name, layer }, i): AreaPlace => ({
@@ -46,10 +41,8 @@ async function normalImage(name: string, map: RgbaImage): Promise<FileImage> {
   return { name, mimeType: 'image/png', bytes: await encodeNormal(map) }
 }
 
-async function grayImage(name: string, { width, height, data }: GrayImage): Promise<FileImage> {
-  const raw = { width, height, channels: 1 } as const
-  const bytes = await sharp(data, { raw }).toColourspace('b-w').png({ compressionLevel: 9 }).toBuffer()
-  return { name, mimeType: 'image/png', bytes }
+async function grayImage(name: string, image: GrayImage): Promise<FileImage> {
+  return { name, mimeType: 'image/png', bytes: await encodePixels({ ...image, channels: 1 }) }
 }
 
 /** Millimetres as bytes, 128 at the surface; the amplitude is metres from black to white. */

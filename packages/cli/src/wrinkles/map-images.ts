@@ -6,6 +6,9 @@ import type { FileImage } from './embed.ts'
 /** Formats that glTF has without further extensions. */
 const MIME_TYPES: Record<string, string | undefined> = { png: 'image/png', jpeg: 'image/jpeg' }
 
+/** How many areas may share one image. */
+export type Share = 1 | 3 | 4
+
 /** Channels side by side, row 0 at the top. */
 export interface Pixels {
   width: number
@@ -154,8 +157,16 @@ export function checkOneSize(images: readonly CheckedImage[], kind: string, who:
   })
 }
 
+/** Encodes areas of one size, so many to an image, as its channels in their order. */
+export function shareImages(weights: readonly GrayImage[], share: Share): Promise<FileImage[]> {
+  const groups = Array.from({ length: Math.ceil(weights.length / share) }, (_, i) => {
+    return encodeShared(weights.slice(i * share, (i + 1) * share), `areas ${i + 1}`)
+  })
+  return Promise.all(groups)
+}
+
 /** Puts up to four areas of one size into the channels of one PNG; without a fourth there is no alpha. */
-export async function encodeShared(weights: readonly GrayImage[], name: string): Promise<FileImage> {
+async function encodeShared(weights: readonly GrayImage[], name: string): Promise<FileImage> {
   const { width, height } = weights[0]!
   const channels = weights.length === 1 ? 1 : weights.length === 4 ? 4 : 3
   const data = interleave(weights, channels)

@@ -9,12 +9,17 @@ import {
 } from 'furrow'
 import type { Progress } from '../progress.ts'
 import { AREAS_PER_SLICE, areaArray, mapArrays } from './arrays.ts'
-import type { AreaPlace, FileImage, LayerImages, PackedWrinkles } from './embed.ts'
+import type { AreaPlace, LayerImages, PackedWrinkles } from './embed.ts'
 import { readBeside } from './folder.ts'
-import { type CheckedImage, checkMap, checkOneSize, encodeShared, readGray, scaleMap } from './map-images.ts'
-
-/** How many areas may share one image. */
-export type Share = 1 | 3 | 4
+import {
+  type CheckedImage,
+  checkMap,
+  checkOneSize,
+  readGray,
+  type Share,
+  scaleMap,
+  shareImages,
+} from './map-images.ts'
 
 /** How the images go into the file. */
 export interface PackOptions {
@@ -125,13 +130,6 @@ async function readWeights(
 ): Promise<GrayImage> {
   const painted = await readGray(await readBeside(folder, address, who), address, who)
   return resampleGray(areaWeights(painted, convention, `${who}: ${address}`), size)
-}
-
-function shareImages(weights: readonly GrayImage[], share: Share): Promise<FileImage[]> {
-  const groups = Array.from({ length: Math.ceil(weights.length / share) }, (_, i) => {
-    return encodeShared(weights.slice(i * share, (i + 1) * share), `areas ${i + 1}`)
-  })
-  return Promise.all(groups)
 }
 
 function layerIndex({ layers }: WrinkleSetDocument, name: string | undefined, area: string, who: string) {
