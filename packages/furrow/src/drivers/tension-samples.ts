@@ -19,10 +19,14 @@ export interface SampledMesh {
  * @returns three vertices of the mesh for each; empty where the area covers no triangle.
  */
 export function sampleTriangles(mesh: SampledMesh, weights: GrayImage, count: number): Uint32Array {
-  const { triangles } = mesh
+  return sampleCovered(mesh, coverage(mesh, weights), count)
+}
+
+/** The same of an area whose coverage is known; empty where it has none. */
+export function sampleCovered({ triangles }: SampledMesh, covered: Float64Array, count: number): Uint32Array {
   let sum = 0
-  const reached = coverage(mesh, weights).map((covered) => {
-    sum += covered
+  const reached = covered.map((share) => {
+    sum += share
     return sum
   })
   if (!(sum > 0)) return new Uint32Array()

@@ -3,8 +3,7 @@ import { Fn, If, Loop, localId, max, vec2, workgroupArray, workgroupBarrier, wor
 import type { ComputeNode, Node, StorageBufferNode, WebGPURenderer } from 'three/webgpu'
 import { sentence } from '../core/error.ts'
 import { restInverse } from '../core/stretch.ts'
-import type { GrayImage } from '../core/types.ts'
-import { coverage, type SampledMesh } from '../drivers/tension-samples.ts'
+import type { TenseMesh } from '../three/sources/tension.ts'
 import { at, Buffers } from './buffers.ts'
 import { DeformedPositions } from './deformed-positions.ts'
 
@@ -33,14 +32,11 @@ export class AreaTension {
   #isDisposed = false
   #hasFailed = false
 
-  /**
-   * @param sampled the mesh at rest.
-   * @param weights of each area; undefined where there are none, which measures 0.
-   */
-  constructor(mesh: Mesh, sampled: SampledMesh, weights: readonly (GrayImage | undefined)[]) {
+  /** @param tense the mesh at rest; areas that cover nothing of it measure 0. */
+  constructor(mesh: Mesh, tense: TenseMesh) {
     this.#mesh = mesh
-    this.#lists = listTriangles(sampled, weights)
-    this.values = new Float32Array(PER_AREA * weights.length)
+    this.#lists = listTriangles(tense)
+    this.values = new Float32Array(PER_AREA * tense.areas.length)
   }
 
   /** Starts to measure the mesh as it is now, unless a measurement is under way or nothing has changed. Never waits, never throws. */
@@ -108,12 +104,10 @@ interface TriangleLists {
   shares: Float32Array
 }
 
-function listTriangles(mesh: SampledMesh, weights: readonly (GrayImage | undefined)[]): TriangleLists {
-  const { positions, triangles } = mesh
+function listTriangles({ sampled: { positions, triangles }, areas }: TenseMesh): TriangleLists {
   const [corners, shares]: number[][] = [[], []]
-  const starts = Uint32Array.from([0, ...weights.map(() => 0)])
-  for (const [area, image] of weights.entries()) {
-    const covered = image ? coverage(mesh, image) : new Float64Array()
+  const starts = new Uint32Array(areas.length + 1)
+  for (const [area, { covered }] of areas.entries()) {
     const found: { k: number; inverse: number[] }[] = []
     let sum = 0
     for (const [k, share] of covered.entries()) {

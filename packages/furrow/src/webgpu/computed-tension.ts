@@ -1,6 +1,6 @@
 import { driversOf } from '../core/driver-types.ts'
 import type { SourceType } from '../three/sources/source.ts'
-import { sampledMesh, tenseAreas, tensionSource } from '../three/sources/tension.ts'
+import { sampledTension, tenseMesh } from '../three/sources/tension.ts'
 import { AreaTension } from './area-tension.ts'
 import { canCompute } from './buffers.ts'
 
@@ -12,14 +12,13 @@ export const computedTension: SourceType = {
   types: ['tension'],
   create(wrinkles, drivers) {
     const own = driversOf('tension', drivers)
-    const { driver, update } = tensionSource.create(wrinkles, drivers)
-    const areas = tenseAreas(wrinkles, own)
-    const weights = areas.map(({ weights }) => weights)
-    const tension = new AreaTension(wrinkles.mesh, sampledMesh(wrinkles.mesh), weights)
+    const tense = tenseMesh(wrinkles, own)
+    const { driver, update } = sampledTension(wrinkles.mesh, tense, own)
+    const tension = new AreaTension(wrinkles.mesh, tense)
     wrinkles.onDispose(() => tension.dispose())
     const places = own.map(
       ({ area, measure }) =>
-        2 * areas.findIndex((found) => found.area === area) + (measure === 'stretch' ? 1 : 0),
+        2 * tense.areas.findIndex((found) => found.area === area) + (measure === 'stretch' ? 1 : 0),
     )
     const measured = new Float64Array(own.length)
     return {

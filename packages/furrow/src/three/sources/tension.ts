@@ -1,9 +1,8 @@
 import { type Mesh, type MeshStandardMaterial, Vector2, Vector3 } from 'three'
-import { driversOf, type TensionDriver, type WrinkleDriver } from '../../core/driver-types.ts'
-import type { GrayImage } from '../../core/types.ts'
+import { driversOf, type TensionDriver } from '../../core/driver-types.ts'
 import { areasOf } from '../../drivers/driver.ts'
 import { TensionActivation } from '../../drivers/tension.ts'
-import { type SampledMesh, sampleTriangles } from '../../drivers/tension-samples.ts'
+import { coverage, type SampledMesh, sampleCovered } from '../../drivers/tension-samples.ts'
 import { trianglesOf } from '../coordinates.ts'
 import type { WrinklesBase } from '../Wrinkles.ts'
 import type { SourceType } from './source.ts'
@@ -11,51 +10,65 @@ import type { SourceType } from './source.ts'
 /** Triangles that stand for an area: each costs three vertices, deformed by the processor as the mesh is. */
 const SAMPLES = 16
 
-/** Measures the mesh as skinning and blendshapes deform it, and its positions where something else does. */
-export const tensionSource = {
-  types: ['tension'],
-  create(wrinkles: WrinklesBase, drivers: readonly WrinkleDriver[]) {
-    const own = driversOf('tension', drivers)
-    const { mesh } = wrinkles
-    const sampled = sampledMesh(mesh)
-    const samples = tenseAreas(wrinkles, own).map(({ area, weights }) => ({
-      area,
-      triangles: weights ? sampleTriangles(sampled, weights, SAMPLES) : new Uint32Array(),
-    }))
-    const vertices = Uint32Array.from(new Set(samples.flatMap(({ triangles }) => [...triangles])))
-    const places = new Map([...vertices].map((vertex, i) => [vertex, i]))
-    const rest = Float64Array.from([...vertices].flatMap((vertex) => corner(sampled, vertex)))
-    const bound = samples.map(({ area, triangles }) => ({
-      area,
-      triangles: triangles.map((vertex) => places.get(vertex)!),
-    }))
-    const driver = new TensionActivation(own, bound, rest)
-    const positions = new Float64Array(rest.length)
-    const at = new Vector3()
-    return {
-      driver,
-      update() {
-        for (let i = 0; i < vertices.length; i++) {
-          mesh.getVertexPosition(vertices[i], at)
-          positions[3 * i] = at.x
-          positions[3 * i + 1] = at.y
-          positions[3 * i + 2] = at.z
-        }
-        driver.update(positions)
-      },
-    }
-  },
-} satisfies SourceType
+/** What tension is measured on: a mesh at rest, and areas of it. */
+export interface TenseMesh {
+  sampled: SampledMesh
+  /** Each once, and how much of each triangle it covers (`coverage`): nothing where its weights cannot be read. */
+  areas: readonly { area: string; covered: Float64Array }[]
+}
 
-/** The areas of some drivers, each once, with their weights; areas of compressed textures cannot be read. */
-export function tenseAreas(
-  wrinkles: WrinklesBase,
-  drivers: readonly TensionDriver[],
-): { area: string; weights: GrayImage | undefined }[] {
-  return areasOf(drivers).areaNames.map((area) => {
+/** The areas of some drivers on their mesh; those of compressed textures cannot be read. */
+export function tenseMesh(wrinkles: WrinklesBase, drivers: readonly TensionDriver[]): TenseMesh {
+  const sampled = sampledMesh(wrinkles.mesh)
+  const areas = areasOf(drivers).areaNames.map((area) => {
     const weights = wrinkles.getArea(area)?.weights
-    return { area, weights: weights && 'data' in weights ? weights : undefined }
+    const isReadable = weights && 'data' in weights
+    return { area, covered: isReadable ? coverage(sampled, weights) : new Float64Array() }
   })
+  return { sampled, areas }
+}
+
+/** Measures the mesh as skinning and blendshapes deform it, and its positions where something else does. */
+export const tensionSource: SourceType = {
+  types: ['tension'],
+  create(wrinkles, drivers) {
+    const own = driversOf('tension', drivers)
+    return sampledTension(wrinkles.mesh, tenseMesh(wrinkles, own), own)
+  },
+}
+
+/** Measures a few triangles of each area on the processor. */
+export function sampledTension(
+  mesh: Mesh,
+  { sampled, areas }: TenseMesh,
+  drivers: readonly TensionDriver[],
+): { driver: TensionActivation; update(): void } {
+  const samples = areas.map(({ area, covered }) => ({
+    area,
+    triangles: sampleCovered(sampled, covered, SAMPLES),
+  }))
+  const vertices = Uint32Array.from(new Set(samples.flatMap(({ triangles }) => [...triangles])))
+  const places = new Map([...vertices].map((vertex, i) => [vertex, i]))
+  const rest = Float64Array.from([...vertices].flatMap((vertex) => corner(sampled, vertex)))
+  const bound = samples.map(({ area, triangles }) => ({
+    area,
+    triangles: triangles.map((vertex) => places.get(vertex)!),
+  }))
+  const driver = new TensionActivation(drivers, bound, rest)
+  const positions = new Float64Array(rest.length)
+  const at = new Vector3()
+  return {
+    driver,
+    update() {
+      for (let i = 0; i < vertices.length; i++) {
+        mesh.getVertexPosition(vertices[i], at)
+        positions[3 * i] = at.x
+        positions[3 * i + 1] = at.y
+        positions[3 * i + 2] = at.z
+      }
+      driver.update(positions)
+    },
+  }
 }
 
 function corner({ positions }: SampledMesh, vertex: number): number[] {
@@ -63,7 +76,7 @@ function corner({ positions }: SampledMesh, vertex: number): number[] {
 }
 
 /** The mesh at rest, with the texture coordinates that the areas have: those of the normal map. */
-export function sampledMesh({ geometry, material }: Mesh): SampledMesh {
+function sampledMesh({ geometry, material }: Mesh): SampledMesh {
   const position = geometry.getAttribute('position')
   const { normalMap } = material as MeshStandardMaterial
   const uv = geometry.getAttribute(normalMap?.channel ? `uv${normalMap.channel}` : 'uv')
