@@ -36,7 +36,7 @@ export class AreaTension {
   constructor(mesh: Mesh, tense: TenseMesh) {
     this.#mesh = mesh
     this.#lists = listTriangles(tense)
-    this.values = new Float32Array(PER_AREA * tense.areas.length)
+    this.values = new Float32Array(PER_AREA * tense.covered.length)
   }
 
   /** Starts to measure the mesh as it is now, unless a measurement is under way or nothing has changed. Never waits, never throws. */
@@ -104,13 +104,13 @@ interface TriangleLists {
   shares: Float32Array
 }
 
-function listTriangles({ sampled: { positions, triangles }, areas }: TenseMesh): TriangleLists {
+function listTriangles({ sampled: { positions, triangles }, covered }: TenseMesh): TriangleLists {
   const [corners, shares]: number[][] = [[], []]
-  const starts = new Uint32Array(areas.length + 1)
-  for (const [area, { covered }] of areas.entries()) {
+  const starts = new Uint32Array(covered.length + 1)
+  for (const [area, ofArea] of covered.entries()) {
     const found: { k: number; inverse: number[] }[] = []
     let sum = 0
-    for (const [k, share] of covered.entries()) {
+    for (const [k, share] of ofArea.entries()) {
       const [a, b, c] = [3 * k, 3 * k + 1, 3 * k + 2].map((corner) => triangles[corner])
       const inverse = share > 0 && restInverse(a, b, c, positions)
       if (!inverse) continue
@@ -119,7 +119,7 @@ function listTriangles({ sampled: { positions, triangles }, areas }: TenseMesh):
     }
     for (const { k, inverse } of found) {
       corners.push(triangles[3 * k], triangles[3 * k + 1], triangles[3 * k + 2], 0)
-      shares.push(...inverse, covered[k] / sum)
+      shares.push(...inverse, ofArea[k] / sum)
     }
     starts[area + 1] = corners.length / 4
   }

@@ -1,4 +1,5 @@
 import { driversOf } from '../core/driver-types.ts'
+import { areasOf } from '../drivers/driver.ts'
 import type { SourceType } from '../three/sources/source.ts'
 import { sampledTension, tenseMesh } from '../three/sources/tension.ts'
 import { AreaTension } from './area-tension.ts'
@@ -16,10 +17,8 @@ export const computedTension: SourceType = {
     const { driver, update } = sampledTension(wrinkles.mesh, tense, own)
     const tension = new AreaTension(wrinkles.mesh, tense)
     wrinkles.onDispose(() => tension.dispose())
-    const places = own.map(
-      ({ area, measure }) =>
-        2 * tense.areas.findIndex((found) => found.area === area) + (measure === 'stretch' ? 1 : 0),
-    )
+    const areas = areasOf(own).places
+    const places = own.map(({ measure }, i) => 2 * areas[i] + (measure === 'stretch' ? 1 : 0))
     const measured = new Float64Array(own.length)
     return {
       driver,

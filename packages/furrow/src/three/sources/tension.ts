@@ -10,22 +10,22 @@ import type { SourceType } from './source.ts'
 /** Triangles that stand for an area: each costs three vertices, deformed by the processor as the mesh is. */
 const SAMPLES = 16
 
-/** What tension is measured on: a mesh at rest, and areas of it. */
+/** What tension is measured on. */
 export interface TenseMesh {
+  /** At rest. */
   sampled: SampledMesh
-  /** Each once, and how much of each triangle it covers (`coverage`): nothing where its weights cannot be read. */
-  areas: readonly { area: string; covered: Float64Array }[]
+  /** How much of each triangle each area of the drivers covers (`areasOf`, `coverage`); nothing where that cannot be known. */
+  covered: readonly Float64Array[]
 }
 
-/** The areas of some drivers on their mesh; those of compressed textures cannot be read. */
+/** The mesh of some drivers. Areas of compressed textures cannot be read. */
 export function tenseMesh(wrinkles: WrinklesBase, drivers: readonly TensionDriver[]): TenseMesh {
   const sampled = sampledMesh(wrinkles.mesh)
-  const areas = areasOf(drivers).areaNames.map((area) => {
+  const covered = areasOf(drivers).areaNames.map((area) => {
     const weights = wrinkles.getArea(area)?.weights
-    const isReadable = weights && 'data' in weights
-    return { area, covered: isReadable ? coverage(sampled, weights) : new Float64Array() }
+    return weights && 'data' in weights ? coverage(sampled, weights) : new Float64Array()
   })
-  return { sampled, areas }
+  return { sampled, covered }
 }
 
 /** Measures the mesh as skinning and blendshapes deform it, and its positions where something else does. */
@@ -40,19 +40,18 @@ export const tensionSource: SourceType = {
 /** Measures a few triangles of each area on the processor. */
 export function sampledTension(
   mesh: Mesh,
-  { sampled, areas }: TenseMesh,
+  { sampled, covered }: TenseMesh,
   drivers: readonly TensionDriver[],
 ): { driver: TensionActivation; update(): void } {
-  const samples = areas.map(({ area, covered }) => ({
-    area,
-    triangles: sampleCovered(sampled, covered, SAMPLES),
-  }))
-  const vertices = Uint32Array.from(new Set(samples.flatMap(({ triangles }) => [...triangles])))
+  const samples = covered.map((shares) => sampleCovered(sampled, shares, SAMPLES))
+  const vertices = Uint32Array.from(new Set(samples.flatMap((triangles) => [...triangles])))
   const places = new Map([...vertices].map((vertex, i) => [vertex, i]))
-  const rest = Float64Array.from([...vertices].flatMap((vertex) => corner(sampled, vertex)))
-  const bound = samples.map(({ area, triangles }) => ({
+  const rest = Float64Array.from(
+    [...vertices].flatMap((vertex) => [0, 1, 2].map((k) => sampled.positions[3 * vertex + k])),
+  )
+  const bound = areasOf(drivers).areaNames.map((area, i) => ({
     area,
-    triangles: triangles.map((vertex) => places.get(vertex)!),
+    triangles: samples[i].map((vertex) => places.get(vertex)!),
   }))
   const driver = new TensionActivation(drivers, bound, rest)
   const positions = new Float64Array(rest.length)
@@ -62,17 +61,11 @@ export function sampledTension(
     update() {
       for (let i = 0; i < vertices.length; i++) {
         mesh.getVertexPosition(vertices[i], at)
-        positions[3 * i] = at.x
-        positions[3 * i + 1] = at.y
-        positions[3 * i + 2] = at.z
+        at.toArray(positions, 3 * i)
       }
       driver.update(positions)
     },
   }
-}
-
-function corner({ positions }: SampledMesh, vertex: number): number[] {
-  return [positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2]]
 }
 
 /** The mesh at rest, with the texture coordinates that the areas have: those of the normal map. */
