@@ -1,7 +1,7 @@
 import { FurrowError } from './error.ts'
 import { checkImage } from './image.ts'
 import { MAX_AREAS, MAX_LAYERS } from './limits.ts'
-import type { Area, ArraySlice, Layer, WrinkleSet } from './types.ts'
+import type { Area, ArraySlice, Layer } from './types.ts'
 
 /**
  * Checks a whole wrinkle set.
@@ -9,7 +9,10 @@ import type { Area, ArraySlice, Layer, WrinkleSet } from './types.ts'
  * @throws FurrowError at the first fault: 1 to 4 layers of one size with distinct names, 1 to 256 areas with
  *   distinct names, every area on a layer that exists.
  */
-export function checkWrinkleSet(set: WrinkleSet<ArraySlice>, who = 'WrinkleSet'): void {
+export function checkWrinkleSet(
+  set: { layers: readonly Layer<ArraySlice>[]; areas: readonly Area<ArraySlice>[] },
+  who = 'WrinkleSet',
+): void {
   checkCount(set.layers.length, 'layers', MAX_LAYERS, who)
   checkCount(set.areas.length, 'areas', MAX_AREAS, who)
   for (const layer of set.layers) checkLayer(layer, who)

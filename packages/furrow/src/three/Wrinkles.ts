@@ -1,32 +1,23 @@
-import type { Camera, Material, Mesh, Texture } from 'three'
-import { FurrowError } from '../core/error.ts'
+import type { Camera, Material, Mesh } from 'three'
 import type { Area, ArraySlice, WrinkleSet } from '../core/types.ts'
 import { checkArea, checkWrinkleSet } from '../core/wrinkle-set.ts'
-import { AGES } from '../drivers/age.ts'
-import type { Expression } from '../drivers/expression.ts'
 import { ActivationTable } from './activation-table.ts'
 import { createAreaArray } from './area-array.ts'
 import { releaseAtlas, sharedAtlas } from './atlases.ts'
-import { checkMaterial, checkMesh, checkNotInstanced } from './check-mesh.ts'
-import { ComposedMap } from './composed-map.ts'
-import { Face } from './face.ts'
+import { checkMesh } from './check-mesh.ts'
+import { DrivenFaces } from './driven-faces.ts'
 import type { AnyRenderer, Cell, InfluenceAtlas } from './influence-atlas.ts'
 import { createInputs, placeCells, type WrinkleInputs } from './inputs.ts'
-import { countFaces, instancesOf } from './instances.ts'
+import { instancesOf } from './instances.ts'
 import { exposeAreas } from './key-frames.ts'
 import { WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from './options.ts'
-import { packPaperArray } from './paper-array.ts'
-import type { RendererParts, WrinkleMaterial } from './renderer-parts.ts'
+import type { RendererParts } from './renderer-parts.ts'
 import { release, retain } from './shared.ts'
 import { sizeOnScreen } from './size-on-screen.ts'
-import { flatNormalTexture } from './textures.ts'
+import { freeMaterial, WornMaterial } from './worn-material.ts'
 import { createTextures, listTextures } from './wrinkle-textures.ts'
 
-const owners = new WeakMap<Material, WrinklesBase>()
 const wearers = new WeakMap<Mesh, WrinklesBase>()
-
-/** Brings one face's activations up to date. */
-type Drive = (face: Face, instance: number, renderer: AnyRenderer) => void
 
 /** The wrinkles on a mesh, however they came there; of several, those put on first. */
 export function wrinklesOf(mesh: Mesh): WrinklesBase | undefined {
@@ -38,36 +29,16 @@ export function wrinklesOf(mesh: Mesh): WrinklesBase | undefined {
  * material stays the user's own: morphs, skinning, shadows, environment and `normalScale` keep working, and
  * `dispose` gives it back as it was.
  */
-export abstract class WrinklesBase {
-  readonly mesh: Mesh
-  /** Whether the drivers of the file move their areas; set it to false to move them yourself. */
-  driven = true
-  /** Presets that the file brings. */
-  expressions: readonly Expression[] = []
-  /** Tells milliseconds to drivers that take their time; replace it where frames are not drawn as time passes. */
-  clock: { now(): number } = performance
-
-  readonly #renderer: RendererParts
+export abstract class WrinklesBase extends DrivenFaces {
   readonly #options: Required<WrinklesOptions>
-  readonly #material: WrinkleMaterial
-  readonly #flat: Texture | null
   readonly #atlas: InfluenceAtlas
-  readonly #faces: readonly Face[]
   readonly #cells: readonly Cell[]
   readonly #inputs: WrinkleInputs
-  #areas: Area<ArraySlice>[]
-  #age: number = AGES.youngest
-  #mode: WrinkleMode = 'off'
-  #unpatch: () => void = () => {}
-  #composed: ComposedMap | null = null
+  readonly #worn: WornMaterial
   /** Version of the activations that the table holds. */
   #written = -1
   /** Influence materials alive: they want the map drawn whatever the mode. */
   #watchers = 0
-  readonly #drivers: Drive[] = []
-  /** Areas that drivers set in every frame, whatever they were set to. */
-  #driven: ReadonlySet<string> = new Set()
-  readonly #disposers: (() => void)[] = []
 
   /**
    * @param renderer what the renderer's class adds.
@@ -82,47 +53,34 @@ export abstract class WrinklesBase {
     source: WrinkleSet<ArraySlice> | WrinklesBase,
     options: WrinklesOptions = {},
   ) {
-    const shared = source instanceof WrinklesBase ? source.#shared() : null
-    this.#options = { ...WRINKLES_DEFAULTS, ...shared?.options, ...options }
-    const set = shared?.set ?? (source as WrinkleSet<ArraySlice>)
+    const [set, inputs, own] =
+      source instanceof WrinklesBase
+        ? [{ layers: source.#inputs.textures.layers, areas: source.areas }, source.#inputs, source.#options]
+        : [source, null, null]
+    const full = { ...WRINKLES_DEFAULTS, ...own, ...options }
     checkWrinkleSet(set, 'Wrinkles')
     checkMesh(mesh)
-    this.mesh = mesh
-    this.#renderer = renderer
-    this.#material = checkMaterial(mesh, (material) => owners.has(material))
-    const areas =
-      shared?.inputs.areas ?? createAreaArray(set.areas, set.layers, this.#options.areaSize, 'Wrinkles')
-    const textures =
-      shared?.inputs.textures ?? createTextures(set.layers, this.#material.normalMap?.anisotropy ?? 1)
-    this.#areas = [...set.areas]
+    const material = freeMaterial(mesh)
+    const areas = inputs?.areas ?? createAreaArray(set.areas, set.layers, full.areaSize, 'Wrinkles')
+    const textures = inputs?.textures ?? createTextures(set.layers, material.normalMap?.anisotropy ?? 1)
+    super(mesh, set.areas, areas)
+    this.#options = full
     this.#atlas = sharedAtlas(renderer.quads, areas.width, areas.height, set.layers.length)
-    this.#faces = Array.from(
-      { length: countFaces(mesh) },
-      (_, instance) =>
-        new Face(areas, this.#areas, (face, renderer) => this.#drive(face, instance, renderer)),
-    )
-    this.#cells = this.#atlas.add(this.#faces)
+    this.#cells = this.#atlas.add(this.faces)
     this.#inputs = createInputs(textures, areas, this.#atlas)
     for (const texture of [areas.texture, ...listTextures(textures)]) retain(texture)
-    this.#flat = this.#material.normalMap ? null : flatNormalTexture()
-    if (this.#flat) this.#material.normalMap = this.#flat
-    owners.set(this.#material, this)
+    this.#worn = new WornMaterial(mesh, material, this.#inputs, renderer)
     this.addMesh(mesh)
     try {
-      this.mode = this.#options.mode
+      this.mode = full.mode
     } catch (error) {
       this.dispose()
       throw error
     }
   }
 
-  /** Names of the areas, in the order they are packed. */
-  get areaNames(): string[] {
-    return this.#areas.map(({ name }) => name)
-  }
-
   get mode(): WrinkleMode {
-    return this.#mode
+    return this.#worn.mode
   }
 
   /**
@@ -133,89 +91,7 @@ export abstract class WrinklesBase {
    *   the material that cannot be read or differ in size; or the composed one, for instances. The mode then stays as it was.
    */
   set mode(mode: WrinkleMode) {
-    if (mode === this.#mode) return
-    if (mode === 'paper') {
-      const smooth = this.#flat ? null : this.#material.normalMap
-      this.#inputs.paper ??= {
-        ...packPaperArray(this.#inputs.textures.layers, this.#material, smooth),
-        table: new ActivationTable(),
-      }
-    }
-    if (mode === 'composed') checkNotInstanced(this.mesh)
-    this.#patch(mode)
-    this.#mode = mode
-  }
-
-  /**
-   * @param value 0..1; clamped with one warning.
-   * @param instance of an `InstancedMesh` or `BatchedMesh`; 0 unless told.
-   * @throws FurrowError when no area has that name.
-   */
-  setActivation(area: string, value: number, instance = 0): void {
-    const face = this.#faces[instance]
-    // What nothing else moves stays as it is set; age adds to it, and delays follow it.
-    if (this.#driven.has(area)) face.activations.set(area, value)
-    else face.rest(area, value)
-  }
-
-  /**
-   * The same for many at once; names that no area has are passed over, and nothing is allocated.
-   *
-   * @param values 0..1, in the order of the names.
-   */
-  setActivations(names: readonly string[], values: Float32Array, instance = 0): void {
-    const { activations, resting } = this.#faces[instance]
-    activations.takeNamed(names, values)
-    resting.takeNamed(names, values, this.#driven)
-  }
-
-  /** @throws FurrowError when no area has that name. */
-  getActivation(area: string, instance = 0): number {
-    return this.#faces[instance].activations.get(area)
-  }
-
-  /**
-   * Changes an area's activation at rest, to which drivers add: key frames of a file do, and so may you.
-   *
-   * @param value 0..1; clamped with one warning.
-   * @throws FurrowError when no area has that name.
-   */
-  setRestingActivation(area: string, value: number, instance = 0): void {
-    this.#faces[instance].rest(area, value)
-  }
-
-  /** @throws FurrowError when no area has that name. */
-  getRestingActivation(area: string, instance = 0): number {
-    return this.#faces[instance].resting.get(area)
-  }
-
-  /** The person's age in years, for areas with drivers of type `age`; 20 unless told. */
-  get age(): number {
-    return this.#age
-  }
-
-  /** @throws FurrowError when it is no number. */
-  set age(years: number) {
-    if (!Number.isFinite(years)) {
-      throw new FurrowError({
-        who: 'Wrinkles.age',
-        what: 'no age',
-        value: years,
-        limit: 'a number of years; faces change from 20 to 80',
-        remedy: 'give one',
-      })
-    }
-    this.#age = years
-  }
-
-  /** One of the areas as it was given. */
-  getArea(name: string): Area<ArraySlice> | undefined {
-    return this.#areas.find((area) => area.name === name)
-  }
-
-  /** Whether an area of that name exists. */
-  hasArea(name: string): boolean {
-    return this.#faces[0].activations.has(name)
+    if (mode !== this.mode) this.#worn.show(mode)
   }
 
   /**
@@ -225,8 +101,8 @@ export abstract class WrinklesBase {
    */
   addArea(area: Area): void {
     checkArea(area, this.#inputs.textures.layers, 'Wrinkles.addArea')
-    this.#replaceAreas([...this.#areas, area], 'Wrinkles.addArea')
-    for (const face of this.#faces) face.rest(area.name, area.activation ?? 0)
+    this.#replaceAreas([...this.areas, area], 'Wrinkles.addArea')
+    for (const face of this.faces) face.rest(area.name, area.activation ?? 0)
   }
 
   /**
@@ -237,7 +113,7 @@ export abstract class WrinklesBase {
   removeArea(name: string): void {
     this.getActivation(name)
     this.#replaceAreas(
-      this.#areas.filter((area) => area.name !== name),
+      this.areas.filter((area) => area.name !== name),
       'Wrinkles.removeArea',
     )
   }
@@ -250,21 +126,13 @@ export abstract class WrinklesBase {
    * @throws FurrowError when no area has that name.
    */
   createInfluenceMaterial(area?: string | readonly string[]): Material {
-    if (area === undefined) {
-      this.#watchers++
-      const material = this.#influenceMaterial(null)
-      material.addEventListener('dispose', () => this.#watchers--)
-      return material
-    }
-    const chosen = typeof area === 'string' ? [area] : area
-    for (const name of chosen) this.getActivation(name)
-    const table = new ActivationTable()
-    table.write(
-      this.#inputs.areas,
-      Float32Array.from(this.#areas, ({ name }) => (chosen.includes(name) ? 1 : 0)),
-    )
-    const material = this.#influenceMaterial(table)
-    material.addEventListener('dispose', () => table.texture.dispose())
+    const table = area === undefined ? null : this.#extentOf([area].flat())
+    const material = this.#worn.influenceMaterial(table)
+    if (!table) this.#watchers++
+    material.addEventListener('dispose', () => {
+      if (table) table.texture.dispose()
+      else this.#watchers--
+    })
     return material
   }
 
@@ -290,135 +158,69 @@ export abstract class WrinklesBase {
 
   /** A copy of the material as it is without wrinkles, for a mesh that shall have some of its own. */
   cloneMaterial(): Material {
-    this.#unpatch()
-    const { normalMap } = this.#material
-    if (this.#flat) this.#material.normalMap = null
-    const copy = this.#material.clone()
-    this.#material.normalMap = normalMap
-    this.#unpatch = this.#patched(this.#mode)
-    return copy
-  }
-
-  /**
-   * Has something done each time before a face is drawn, while `driven` is true.
-   *
-   * @param areas that it sets, whatever they were set to.
-   */
-  onDrive(drive: Drive, areas: readonly string[]): void {
-    this.#drivers.push(drive)
-    this.#driven = new Set([...this.#driven, ...areas])
-  }
-
-  /** Whether blendshapes, joints or the like move an area, so that `setActivation` lasts until the next frame only. */
-  isDriven(area: string): boolean {
-    return this.driven && this.#driven.has(area)
-  }
-
-  /** Has something done when these wrinkles are disposed of. */
-  onDispose(dispose: () => void): void {
-    this.#disposers.push(dispose)
+    return this.#worn.clone()
   }
 
   /** Gives the material back as it was and frees the textures that no other face shares. */
-  dispose(): void {
-    for (const dispose of this.#disposers.splice(0)) dispose()
-    this.#drivers.length = 0
-    this.mode = 'off'
-    if (this.#flat) {
-      this.#material.normalMap = null
-      this.#flat.dispose()
-    }
+  override dispose(): void {
+    super.dispose()
+    this.#worn.dispose()
     this.#atlas.remove(this.#cells)
     releaseAtlas(this.#atlas)
     const { textures, areas, paper } = this.#inputs
     for (const texture of [areas.texture, ...listTextures(textures)]) release(texture)
     paper?.texture.dispose()
     paper?.table.texture.dispose()
-    owners.delete(this.#material)
-    // Renderers keep a program's inputs with the material; wrinkles put on it later must bring their own.
-    this.#material.dispose()
   }
 
-  #influenceMaterial(table: ActivationTable | null): Material {
-    return this.#renderer.influenceMaterial(this.#material, this.#inputs, table, instancesOf(this.mesh))
-  }
-
-  /** What other meshes may show too. */
-  #shared() {
-    const set = { layers: [...this.#inputs.textures.layers], areas: this.#areas }
-    return { set, inputs: this.#inputs, options: this.#options }
-  }
-
-  #patch(mode: WrinkleMode): void {
-    this.#unpatch()
-    this.#unpatch = this.#patched(mode)
-    this.#material.needsUpdate = true
-  }
-
-  #patched(mode: WrinkleMode): () => void {
-    if (mode === 'off') return () => {}
-    if (mode === 'composed') return this.#compose()
-    return this.#renderer.patch(this.#material, this.#inputs, mode, instancesOf(this.mesh))
-  }
-
-  /** Puts the composed map in the place of the material's own. */
-  #compose(): () => void {
-    const { composeMaterial, quads } = this.#renderer
-    const base = this.#material.normalMap!
-    const normals = this.#inputs.textures.normals.texture
-    const composed = new ComposedMap(base, normals, composeMaterial(base, this.#inputs), quads.survives)
-    this.#composed = composed
-    this.#material.normalMap = composed.target.texture
-    return () => {
-      this.#material.normalMap = base
-      this.#composed = null
-      composed.dispose()
-    }
-  }
-
-  #drive(face: Face, instance: number, renderer: AnyRenderer): void {
-    if (this.driven) for (const drive of this.#drivers) drive(face, instance, renderer)
+  /** Some areas in full, and no others. */
+  #extentOf(names: readonly string[]): ActivationTable {
+    for (const name of names) this.getActivation(name)
+    const table = new ActivationTable()
+    table.write(
+      this.#inputs.areas,
+      Float32Array.from(this.areas, ({ name }) => Number(names.includes(name))),
+    )
+    return table
   }
 
   #prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
     const { fade, areas, paper } = this.#inputs
-    fade.value = this.#composed ? 1 : this.#fadeOf(renderer, camera, mesh)
-    if (fade.value > 0 && (this.#mode === 'default' || this.#composed || this.#watchers > 0)) {
+    const { mode, composed } = this.#worn
+    const { fadeBelow } = this.#options
+    const isFull = composed || fadeBelow === 0 || instancesOf(this.mesh)
+    const share = isFull ? 1 : (2 * sizeOnScreen(mesh, camera, renderer)) / fadeBelow - 1
+    fade.value = Math.min(1, Math.max(0, share))
+    if (fade.value > 0 && (mode === 'default' || composed || this.#watchers > 0)) {
       this.#atlas.update(this.#cells, renderer)
       placeCells(this.#inputs, this.#atlas, this.#cells)
-      this.#composed?.update(renderer, areas, this.#faces[0].values)
+      composed?.update(renderer, areas, this.faces[0].values)
     } else {
-      this.#faces[0].drive(renderer)
+      this.faces[0].drive(renderer)
     }
-    const { activations } = this.#faces[0]
-    if (this.#mode !== 'paper' || activations.version === this.#written) return
+    const { activations } = this.faces[0]
+    if (mode !== 'paper' || activations.version === this.#written) return
     this.#written = activations.version
     paper!.table.write(areas, activations.values)
   }
 
-  #fadeOf(renderer: AnyRenderer, camera: Camera, mesh: Mesh): number {
-    const { fadeBelow } = this.#options
-    if (fadeBelow === 0 || instancesOf(this.mesh)) return 1
-    return Math.min(1, Math.max(0, (2 * sizeOnScreen(mesh, camera, renderer)) / fadeBelow - 1))
-  }
-
   #replaceAreas(areas: Area<ArraySlice>[], who: string): void {
     const { textures, areas: old } = this.#inputs
-    checkWrinkleSet({ layers: [...textures.layers], areas }, who)
+    checkWrinkleSet({ layers: textures.layers, areas }, who)
     const array = createAreaArray(areas, textures.layers, this.#options.areaSize, who)
     retain(array.texture)
     release(old.texture)
     this.#inputs.areas = array
     this.#inputs.areaTexture.value = array.texture
     this.#written = -1
-    this.#areas = areas
-    for (const [i, face] of this.#faces.entries()) {
+    this.areas = areas
+    for (const [i, face] of this.faces.entries()) {
       face.rebind(array, areas)
       this.#cells[i].stale = true
     }
     this.#atlas.prune()
     exposeAreas(this.mesh, this)
     // The paper's nodes hold the array itself.
-    if (this.#mode === 'paper') this.#patch('paper')
+    if (this.mode === 'paper') this.#worn.show('paper')
   }
 }

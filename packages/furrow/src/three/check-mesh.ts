@@ -1,7 +1,6 @@
-import { type Material, type Mesh, ObjectSpaceNormalMap } from 'three'
+import type { Mesh } from 'three'
 import { FurrowError } from '../core/error.ts'
 import { instancesOf } from './instances.ts'
-import type { WrinkleMaterial } from './renderer-parts.ts'
 
 /** Checks that a mesh has what wrinkles need: positions, normals and UVs. */
 export function checkMesh(mesh: Mesh): void {
@@ -31,41 +30,4 @@ export function checkNotInstanced(mesh: Mesh): void {
     limit: 'a mesh of its own',
     remedy: 'use the default mode',
   })
-}
-
-/**
- * The material of a mesh, if it can be patched.
- *
- * @param isTaken whether other wrinkles are on a material already.
- */
-export function checkMaterial(mesh: Mesh, isTaken: (material: Material) => boolean): WrinkleMaterial {
-  const material = mesh.material as WrinkleMaterial
-  const problem = materialProblem(material, isTaken)
-  if (!problem) return material
-  throw new FurrowError({ who: 'Wrinkles', value: mesh.name, ...problem })
-}
-
-function materialProblem(
-  material: WrinkleMaterial,
-  isTaken: (material: Material) => boolean,
-): { what: string; remedy: string } | null {
-  if (Array.isArray(material)) {
-    return { what: 'mesh with several materials', remedy: 'split the mesh, one material each' }
-  }
-  if (!('normalMap' in material)) {
-    return {
-      what: `material ${(material as Material)?.type} has no normal map`,
-      remedy: 'use a lit material such as MeshStandardMaterial',
-    }
-  }
-  if (material.normalMap && material.normalMapType === ObjectSpaceNormalMap) {
-    return { what: 'object-space normal map', remedy: 'bake it to tangent space' }
-  }
-  if (isTaken(material)) {
-    return {
-      what: 'material already carries wrinkles',
-      remedy: 'give the mesh its own: mesh.material = mesh.material.clone(), or dispose the other wrinkles',
-    }
-  }
-  return null
 }
