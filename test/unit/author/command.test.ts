@@ -5,6 +5,7 @@ import { Document, NodeIO } from '@gltf-transform/core'
 import sharp from 'sharp'
 import { afterAll, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
 import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
+import { accessorsOf } from '../../accessors.ts'
 import { sheet } from './planes.ts'
 
 const folder = mkdtempSync(join(tmpdir(), 'furrow-strokes-'))
@@ -31,16 +32,10 @@ const DOCUMENT = {
 /** Writes a sheet of 100 x 100 mm per name as a glTF file; the last one gets a tilted normal map. */
 async function writeFace(target: string, names: string[], normalMap?: Uint8Array): Promise<void> {
   const document = new Document()
-  const buffer = document.createBuffer()
+  const accessor = accessorsOf(document)
   const scene = document.createScene()
   for (const name of names) {
     const { positions, uvs, indices } = sheet([100, 0, 0], [0, -100, 0])
-    const accessor = (type: 'VEC3' | 'VEC2' | 'SCALAR', array: Float32Array | Uint16Array) =>
-      document
-        .createAccessor()
-        .setType(type)
-        .setArray(array as Float32Array<ArrayBuffer>)
-        .setBuffer(buffer)
     const primitive = document
       .createPrimitive()
       .setAttribute('POSITION', accessor('VEC3', Float32Array.from(positions)))

@@ -1,21 +1,17 @@
-import { beforeAll, describe, expect, test } from 'vitest'
+import { describe, expect, test } from 'vitest'
 import { skinOf } from './auto-changes.ts'
 import {
   activationsOf,
   levelsApart,
-  type Made,
   makeWrinkles,
   mapAttribute,
   plainFace,
+  plainWrinkles,
 } from './auto-variants.ts'
 import { Workshop } from './workshop.ts'
 
 const workshop = new Workshop()
-let face: Made
-
-beforeAll(async () => {
-  face = await makeWrinkles(workshop, 'face', await plainFace())
-})
+const face = plainWrinkles(workshop)
 
 describe('a texture that is used twice', () => {
   test('by left and right: both sides have one area, driven by both', async () => {
@@ -26,7 +22,9 @@ describe('a texture that is used twice', () => {
     expect([...made.areas.keys()].filter((name) => /Left$|Right$/.test(name))).toEqual([])
     for (const region of ['foreheadOuter', 'crowsFeet', 'underEye', 'nasolabial', 'mouthCorner']) {
       // Drawn once, where the left side of the plain face has it.
-      expect(levelsApart(face.areas.get(`${region}Left`)!.data, made.areas.get(region)!.data)).toBeLessThan(2)
+      expect(levelsApart(face().areas.get(`${region}Left`)!.data, made.areas.get(region)!.data)).toBeLessThan(
+        2,
+      )
       const [left, right, both] = ['Left', 'Right', 'Both'].map((side) =>
         activationsOf(made, sidesOf(POSE_OF[region]!, side)).get(region),
       ) as [number, number, number]

@@ -7,6 +7,7 @@ import { type GrayImage, MorphActivation, type MorphDriver } from 'furrow'
 import { faceShapeFinder } from 'furrow/author'
 import { MeshoptDecoder } from 'meshoptimizer/decoder'
 import { MeshoptEncoder } from 'meshoptimizer/encoder'
+import { beforeAll } from 'vitest'
 import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
 import { weightsOf } from '../../../packages/cli/src/wrinkles/inspect.ts'
 import { readPixels } from '../../../packages/cli/src/wrinkles/map-images.ts'
@@ -115,6 +116,15 @@ export async function wrinklesOf(workshop: Workshop, plain: string, ...options: 
   const weights = await Promise.all(file.maps.areas.map((_, i) => weightsOf(file, i, 'test')))
   const areas = new Map(file.maps.areas.map(({ name: area }, i) => [area, weights[i]!]))
   return { plain, path, file, areas, printed: workshop.printed, warned: workshop.warned }
+}
+
+/** Makes the wrinkles of the plain face before the first test of a file, for others to be compared with. */
+export function plainWrinkles(workshop: Workshop): () => Made {
+  let made: Made
+  beforeAll(async () => {
+    made = await makeWrinkles(workshop, 'face', await plainFace())
+  }, 60_000)
+  return () => made
 }
 
 /** Activations of a pose, by area. */

@@ -1,4 +1,5 @@
 import { Document, NodeIO } from '@gltf-transform/core'
+import { accessorsOf } from '../../accessors.ts'
 
 /** A sheet of skin, 300 mm a side, as arrays that a test may spoil. */
 export interface Sheet {
@@ -41,13 +42,7 @@ export function sheet(n = 40): Sheet {
 /** A `.glb` of one mesh `torso` with one material. */
 export async function sheetGlb({ positions, uvs, indices, targets }: Sheet): Promise<Uint8Array> {
   const document = new Document()
-  const buffer = document.createBuffer()
-  const accessor = (type: 'VEC2' | 'VEC3' | 'SCALAR', array: Float32Array | Uint32Array) =>
-    document
-      .createAccessor()
-      .setType(type)
-      .setArray(array as Float32Array<ArrayBuffer>)
-      .setBuffer(buffer)
+  const accessor = accessorsOf(document)
   const primitive = document
     .createPrimitive()
     .setAttribute('POSITION', accessor('VEC3', positions))

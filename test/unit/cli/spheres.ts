@@ -1,4 +1,5 @@
 import { Document, NodeIO } from '@gltf-transform/core'
+import { accessorsOf } from '../../accessors.ts'
 
 export interface Shape {
   positions: number[]
@@ -119,14 +120,8 @@ export function quad(corner: Vector, a: Vector, b: Vector): Shape {
 /** Writes shapes as meshes of a .glb, each a node of its own. */
 export async function writeGlb(path: string, shapes: Record<string, Shape>): Promise<void> {
   const document = new Document()
-  const buffer = document.createBuffer()
   const scene = document.createScene()
-  const accessor = (type: 'VEC2' | 'VEC3' | 'VEC4' | 'SCALAR', array: Float32Array | Uint32Array) =>
-    document
-      .createAccessor()
-      .setType(type)
-      .setArray(array as Float32Array<ArrayBuffer>)
-      .setBuffer(buffer)
+  const accessor = accessorsOf(document)
   for (const [name, { positions, normals, uvs, tangents, indices }] of Object.entries(shapes)) {
     const primitive = document
       .createPrimitive()

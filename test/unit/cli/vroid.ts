@@ -1,4 +1,5 @@
 import type { Accessor, Document, Mesh, Primitive } from '@gltf-transform/core'
+import { accessorsOf } from '../../accessors.ts'
 import { meshOf, targetNamesOf } from './auto-variants.ts'
 
 /** VRoid's shapes as sums of ARKit's. */
@@ -49,12 +50,10 @@ export const VROID_SKIN = PARTS[2][1]
  * their vertices, each with its own material, VRoid's shapes alone, and turned to look along -Z.
  */
 export function toVRoid(document: Document): void {
-  const buffer = document.getRoot().listBuffers()[0]!
   const parts = PARTS.map(([name, material]) => ({ mesh: meshOf(document, name), material }))
   const counts = parts.map(({ mesh }) => mesh.listPrimitives()[0]!.getAttribute('POSITION')!.getCount())
   const total = counts.reduce((a, b) => a + b, 0)
-  const accessor = (type: 'VEC2' | 'VEC3' | 'SCALAR', array: Float32Array | Uint32Array) =>
-    document.createAccessor().setType(type).setArray(array).setBuffer(buffer)
+  const accessor = accessorsOf(document)
   const joined = (semantic: string, size: number, turned: boolean) => {
     const out = new Float32Array(size * total)
     parts.reduce((first, { mesh }, i) => {

@@ -1,0 +1,15 @@
+import type { Accessor, Document } from '@gltf-transform/core'
+
+/** Returns what makes accessors of a document, all in its first buffer. */
+export function accessorsOf(document: Document) {
+  const buffer = document.getRoot().listBuffers()[0] ?? document.createBuffer()
+  return (
+    type: 'SCALAR' | 'VEC2' | 'VEC3' | 'VEC4',
+    array: Float32Array | Uint16Array | Uint32Array,
+  ): Accessor =>
+    document
+      .createAccessor()
+      .setType(type)
+      .setArray(array as Float32Array<ArrayBuffer>)
+      .setBuffer(buffer)
+}
