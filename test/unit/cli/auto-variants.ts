@@ -123,7 +123,7 @@ export function plainWrinkles(workshop: Workshop): () => Made {
   let made: Made
   beforeAll(async () => {
     made = await makeWrinkles(workshop, 'face', await plainFace())
-  }, 60_000)
+  })
   return () => made
 }
 

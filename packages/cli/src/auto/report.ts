@@ -21,6 +21,7 @@ export interface ReportSource {
   warnings: readonly string[]
 }
 
+/** What `makeReport` made. */
 export interface Report {
   files: Output[]
   /** Why it has no pictures of the face, where it has none. */

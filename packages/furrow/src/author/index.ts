@@ -8,6 +8,7 @@ export {
   type AutoArea,
   type AutoLayer,
   type AutoOptions,
+  type AutoProgress,
   type AutoWrinkles,
   autoWrinkles,
 } from './auto/auto.ts'

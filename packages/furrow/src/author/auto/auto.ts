@@ -20,6 +20,7 @@ import { strainRegions } from './strain-regions.ts'
 import type { Skin, Surface } from './surface.ts'
 import { MIP_MARGIN, SkinTexels } from './texels.ts'
 
+/** How the wrinkles are made; `AUTO_DEFAULTS` where nothing is told. */
 export interface AutoOptions {
   /** Years, 20..80: lines grow in number, length and depth. */
   age?: number
@@ -41,6 +42,7 @@ export interface AutoOptions {
   frame?: TangentFrame
 }
 
+/** What is done unless told otherwise. */
 export const AUTO_DEFAULTS = {
   age: 45,
   strength: 1,
@@ -162,9 +164,9 @@ export function autoWrinkles(
   tell('layers')
   const layerOf = layersOf(fitted, most)
   tell('maps')
-  const drawn = isMirrored ? leftTriangles(surface) : undefined
-  const canvas = { surface, texels: new SkinTexels(usable, surface, size, drawn, MIP_MARGIN) }
-  const small = { surface, texels: new SkinTexels(usable, surface, areaSize, drawn) }
+  const isDrawn = isMirrored ? leftTriangles(surface) : undefined
+  const canvas = { surface, texels: new SkinTexels(usable, surface, size, isDrawn, MIP_MARGIN) }
+  const small = { surface, texels: new SkinTexels(usable, surface, areaSize, isDrawn) }
   const chart = face && new Chart(surface)
   const metric = surfaceMetric({ ...usable, positions: inMetres(surface) }, size)
   const layers: AutoLayer[] = []

@@ -12,6 +12,10 @@ import type { SkinTexels } from './texels.ts'
 const JOIN = 6
 /** How much of the light a valley loses, per share of its depth in its width. */
 const SHADE = 1.1
+/** Share of the light that it loses at most. */
+const DARKEST = 0.75
+/** Difference of the distances to the lines of two areas, in millimetres, over which one gives way to the other. */
+const BORDER = 4
 
 /** A surface and the texels of a map that it covers. */
 export interface Canvas {
@@ -51,7 +55,7 @@ export function drawCreases(canvas: Canvas, creases: readonly Crease[]): DrawnLa
       } else bank += height ** JOIN
     })
     relief[texel] = bank ** (1 / JOIN) - valley ** (1 / JOIN)
-    occlusion[texel] = Math.round(255 * (1 - Math.min(0.75, shade)))
+    occlusion[texel] = Math.round(255 * (1 - Math.min(DARKEST, shade)))
   })
   return {
     relief: { width: size, height: size, data: relief },
@@ -94,7 +98,7 @@ export function drawAreas(canvas: Canvas, regions: readonly CreasedRegion[], cha
       let other = Infinity
       for (let k = 0; k < distances.length; k++) if (k !== owners[i]) other = Math.min(other, distances[k]!)
       const inside = 1 - smoothstep((own - region.reach) / region.feather)
-      const mine = other === Infinity ? 1 : smoothstep((other - own) / 4 + 0.5)
+      const mine = other === Infinity ? 1 : smoothstep((other - own) / BORDER + 0.5)
       images[i]![texel] = Math.round(255 * inside * mine * seen * (region.share?.(spot) ?? 1))
     }
   })

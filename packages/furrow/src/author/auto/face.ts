@@ -41,7 +41,6 @@ const EYE_DISTANCE = 63
 const LID = 0.15
 /** Of those points that move most, the share of the largest way that a feature's place is taken from. */
 const FEATURE = 0.85
-
 /** Half the width, in millimetres, of the strip in which the end of a brow is looked for. */
 const NEAR = 5
 
@@ -76,7 +75,10 @@ export function findFace(skin: Skin): Face | undefined {
   return landmarks && { surface, landmarks, offsets, names, find }
 }
 
-/** Turns coordinates into the frame of the face; the middle between the eyes becomes the origin. */
+/**
+ * Turns coordinates into the frame of the face: places so that the middle between the eyes becomes the origin, in millimetres; ways
+ * are turned alone, and scaled where they are lengths.
+ */
 function frameOf([left, right]: [number[], number[]], mouth: number[]) {
   const middle = left.map((value, k) => (value + right[k]!) / 2)
   const across = left.map((value, k) => value - right[k]!)

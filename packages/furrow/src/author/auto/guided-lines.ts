@@ -54,6 +54,7 @@ function follow(surface: Surface, chart: Chart, { spots }: Guide, tensors: Float
     return !isOver
   }
   const trace = traceLine(surface, start, direction, 2 * lengthOf(spots))
+  // Three points at least: a line has a beginning, a middle and an end.
   if (trace.points.length < 9) return undefined
   const points = Float64Array.from(trace.points)
   return { points, normals: Float64Array.from(trace.normals), lost: lost.slice(0, points.length / 3) }

@@ -3,6 +3,7 @@ import { canonicalTargetName } from '../../drivers/target-names.ts'
 import { unroll } from './chart.ts'
 import type { CreasedRegion, SkinRegion } from './crease.ts'
 import { NearCreases } from './near.ts'
+import { crossed } from './principal.ts'
 import { Random } from './random.ts'
 import { crossOf, type Surface } from './surface.ts'
 
@@ -90,7 +91,7 @@ export function fitDriver(
     chosen.map((target) => bounds[target]!),
   )
   const links = chosen
-    .map((target, i) => ({ name: names[target]!, weight: round(weights[i]!) }))
+    .map((target, i) => ({ name: names[target]!, weight: roundWeight(weights[i]!) }))
     .filter(({ weight }) => Math.abs(weight) >= FAINT / 2)
   if (!links.some(({ weight }) => weight > 0)) return undefined
   const activation = (share: number) => Math.min(1, Math.max(0, (share - ONSET) / (1 - ONSET)))
@@ -153,10 +154,7 @@ function gaugeOf(
     if (!(weight > 0)) continue
     const p = creases[line]!.points
     const way = [0, 1, 2].map((k) => p[3 * piece + 3 + k]! - p[3 * piece + k]!)
-    const v = [0, 1, 2].map(
-      (k) => normal[(k + 1) % 3]! * way[(k + 2) % 3]! - normal[(k + 2) % 3]! * way[(k + 1) % 3]!,
-    )
-    const shares = edgeShares(points, a, b, c, v)
+    const shares = edgeShares(points, a, b, c, crossed(normal, way))
     if (!shares) continue
     chosen.push(a, b, c)
     across.push(...shares)
@@ -281,6 +279,7 @@ function boundOf(name: string, { cause, name: area }: SkinRegion): Bound {
   return { highest: isOpposite || TAUT.test(shape) ? 0 : BESIDE, isCause: false }
 }
 
-function round(value: number): number {
-  return Math.round(1000 * value) / 1000
+/** A link's weight as it is written: further decimals only lengthen the file. */
+export function roundWeight(weight: number): number {
+  return Math.round(1000 * weight) / 1000
 }

@@ -2,7 +2,7 @@ import type { MorphDriver } from '../../core/driver-types.ts'
 import { canonicalTargetName } from '../../drivers/target-names.ts'
 import { coverTexels } from '../cover-texels.ts'
 import type { Spot } from './chart.ts'
-import type { FittedRegion } from './links.ts'
+import { type FittedRegion, roundWeight } from './links.ts'
 import type { Skin, Surface } from './surface.ts'
 
 /** Side of the map on which overlaps are looked for, in texels. */
@@ -89,5 +89,5 @@ function bothTargets(
 function merged(links: MorphDriver['targets']): MorphDriver['targets'] {
   const sums = new Map<string, number>()
   for (const { name, weight = 1 } of links) sums.set(name, (sums.get(name) ?? 0) + weight)
-  return [...sums].map(([name, weight]) => ({ name, weight: Math.round(1000 * weight) / 1000 }))
+  return [...sums].map(([name, weight]) => ({ name, weight: roundWeight(weight) }))
 }

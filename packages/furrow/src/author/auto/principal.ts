@@ -20,7 +20,7 @@ export function tensorAt(
   return found
 }
 
-/** At a right angle to a direction of the skin, in the skin. */
+/** n x d: at a right angle to a direction of the skin, in the skin, where n is its normal. */
 export function crossed(n: ArrayLike<number>, d: ArrayLike<number>): Vector {
   return [n[1]! * d[2]! - n[2]! * d[1]!, n[2]! * d[0]! - n[0]! * d[2]!, n[0]! * d[1]! - n[1]! * d[0]!]
 }

@@ -33,7 +33,7 @@ export function strainMaps(
 }
 
 /** The principal compression of one field of tensors at each texel. */
-export function strainMap(surface: Surface, tensors: Float64Array, texels: SkinTexels): StrainMap {
+function strainMap(surface: Surface, tensors: Float64Array, texels: SkinTexels): StrainMap {
   const { size } = texels
   const data = new Float32Array(size * size).fill(Number.NaN)
   texels.visit(

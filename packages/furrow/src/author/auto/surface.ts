@@ -122,6 +122,9 @@ function joinPoints(positions: ArrayLike<number>) {
   return { pointOf, points }
 }
 
+/** More than triangles can have; a pair of points below it is one whole number below 2^53. */
+const MOST_POINTS = 2 ** 26
+
 function trianglesBeyond(corners: Uint32Array): Int32Array {
   const count = corners.length
   const edges = new Map<number, number>()
@@ -129,8 +132,8 @@ function trianglesBeyond(corners: Uint32Array): Int32Array {
   for (let t = 0; t < count; t += 3) {
     for (let k = 0; k < 3; k++) {
       const [from, to] = [corners[t + k]!, corners[t + ((k + 1) % 3)]!]
-      const other = edges.get(to * 2 ** 26 + from)
-      edges.set(from * 2 ** 26 + to, t + k)
+      const other = edges.get(to * MOST_POINTS + from)
+      edges.set(from * MOST_POINTS + to, t + k)
       if (other === undefined) continue
       beyond[t + k] = Math.floor(other / 3)
       beyond[other] = t / 3

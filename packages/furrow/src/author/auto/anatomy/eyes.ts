@@ -1,5 +1,15 @@
 import type { Spot } from '../chart.ts'
-import { type Build, bezier, curve, type Guide, grown, type Region, SIDES, spotOf } from './region.ts'
+import {
+  type Build,
+  bezier,
+  curve,
+  type Guide,
+  grown,
+  type Region,
+  SIDES,
+  type Side,
+  spotOf,
+} from './region.ts'
 
 /** Round the eyes: crow's feet and the fine lines below the lower lid (orbicularis oculi). */
 export function eyes(build: Build): Region[] {
@@ -7,7 +17,7 @@ export function eyes(build: Build): Region[] {
 }
 
 /** A fan from the outer corner: long lines, finer ones that begin farther out between them, and one that forks. */
-function crowsFeet({ landmarks, age, random }: Build, side: 1 | -1, name: string): Region {
+function crowsFeet({ landmarks, age, random }: Build, side: Side, name: string): Region {
   const numbers = random(`crowsFeet${name}`)
   const [corner, up] = spotOf(landmarks.outerCorner)
   const lines = Math.round(grown(age, 3, 5))
@@ -63,7 +73,7 @@ function crowsFeet({ landmarks, age, random }: Build, side: 1 | -1, name: string
 }
 
 /** Arcs that follow the lower lid, finer than the others. */
-function underEye({ landmarks, age, random }: Build, side: 1 | -1, name: string): Region {
+function underEye({ landmarks, age, random }: Build, side: Side, name: string): Region {
   const numbers = random(`underEye${name}`)
   const [inner] = spotOf(landmarks.innerCorner)
   const [outer] = spotOf(landmarks.outerCorner)
@@ -104,7 +114,7 @@ function underEye({ landmarks, age, random }: Build, side: 1 | -1, name: string)
 const BRANCH = { width: 1.7, taper: [0.3, 0.6], shoulder: [0.8, 0.8], softness: 0.5 } as const
 
 /** Points of a walk outwards and, from 0 to 1 of its length, in a direction of so many degrees above the horizontal. */
-function walk(side: 1 | -1, [x, y]: Spot, length: number, rise: (t: number) => number): Spot[] {
+function walk(side: Side, [x, y]: Spot, length: number, rise: (t: number) => number): Spot[] {
   let [across, up] = [x, y]
   return curve(WALK, (t): Spot => {
     if (t > 0) {

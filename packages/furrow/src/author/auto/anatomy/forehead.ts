@@ -1,6 +1,6 @@
 import { smoothstep } from '../../profile.ts'
 import type { Spot } from '../chart.ts'
-import { type Build, curve, type Guide, grown, type Region, SIDES, spotOf } from './region.ts'
+import { type Build, curve, type Guide, grown, type Region, SIDES, type Side, spotOf } from './region.ts'
 
 /** Half the width in millimetres in which left and right, and inner and outer half, pass into one another. */
 const MIDDLE = 4
@@ -58,7 +58,7 @@ export function forehead({ landmarks, age, random }: Build): Region[] {
     if (i > 0 && numbers.next() < grown(age, 0.45, 0.9))
       guides.push(between(at, height / lines, reach, numbers.sway(0.6), age))
   }
-  const region = (side: 1 | -1, sideName: string, half: 'Inner' | 'Outer'): Region => ({
+  const region = (side: Side, sideName: string, half: 'Inner' | 'Outer'): Region => ({
     name: `forehead${half}${sideName}`,
     cause:
       half === 'Inner'

@@ -1,5 +1,5 @@
 import { smoothstep } from '../../profile.ts'
-import { type Build, bezier, type Guide, grown, type Region, SIDES, spotOf } from './region.ts'
+import { type Build, bezier, type Guide, grown, type Region, SIDES, type Side, spotOf } from './region.ts'
 
 /** Half the width in millimetres in which left and right pass into one another. */
 const MIDDLE = 2
@@ -9,7 +9,7 @@ export function frown(build: Build): Region[] {
   return [...SIDES.map(([side, name]) => glabella(build, side, name)), noseRoot(build)]
 }
 
-function glabella({ landmarks, age, random }: Build, side: 1 | -1, name: string): Region {
+function glabella({ landmarks, age, random }: Build, side: Side, name: string): Region {
   const numbers = random(`glabella${name}`)
   const [inner, brow] = spotOf(landmarks.innerBrow)
   const across = 0.5 * inner + numbers.sway(0.5)

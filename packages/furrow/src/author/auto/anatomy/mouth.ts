@@ -1,4 +1,4 @@
-import { type Build, bezier, type Guide, grown, type Region, SIDES, spotOf } from './region.ts'
+import { type Build, bezier, type Guide, grown, type Region, SIDES, type Side, spotOf } from './region.ts'
 
 /** Round the mouth: the fold from the nose, lines beside the corners, and upright ones on the lips. */
 export function mouth(build: Build): Region[] {
@@ -10,7 +10,7 @@ export function mouth(build: Build): Region[] {
 }
 
 /** One deep line from the wing of the nose to beside the corner of the mouth; the cheek's side of it bulges. */
-function nasolabial({ landmarks, age, random }: Build, side: 1 | -1, name: string): Region {
+function nasolabial({ landmarks, age, random }: Build, side: Side, name: string): Region {
   const numbers = random(`nasolabial${name}`)
   const [wing, base] = spotOf(landmarks.wing)
   const [corner, mouth] = spotOf(landmarks.mouthCorner)
@@ -63,7 +63,7 @@ function nasolabial({ landmarks, age, random }: Build, side: 1 | -1, name: strin
 }
 
 /** Short arcs beside the corner, and below it the line that a downturned mouth digs with age. */
-function mouthCorner({ landmarks, age, random }: Build, side: 1 | -1, name: string): Region {
+function mouthCorner({ landmarks, age, random }: Build, side: Side, name: string): Region {
   const numbers = random(`mouthCorner${name}`)
   const [corner, mouth] = spotOf(landmarks.mouthCorner)
   const arc = (out: number, high: number, low: number, width: number, depth: number): Guide => ({

@@ -1,11 +1,11 @@
-import { type Build, bezier, type Guide, grown, type Region, SIDES, spotOf } from './region.ts'
+import { type Build, bezier, type Guide, grown, type Region, SIDES, type Side, spotOf } from './region.ts'
 
 /** The sides of the nose: short lines that run outwards from its ridge (nasalis). */
 export function nose(build: Build): Region[] {
   return SIDES.map(([side, name]) => bunnyLines(build, side, name))
 }
 
-function bunnyLines({ landmarks, age, random }: Build, side: 1 | -1, name: string): Region {
+function bunnyLines({ landmarks, age, random }: Build, side: Side, name: string): Region {
   const numbers = random(`nose${name}`)
   const [corner] = spotOf(landmarks.innerCorner)
   const eye = landmarks.eye[1]

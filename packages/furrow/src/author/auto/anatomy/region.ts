@@ -28,6 +28,7 @@ export interface Build {
 /** 1 for the person's left, -1 for the right. */
 export type Side = 1 | -1
 
+/** Both, with the ends that ARKit's names have. */
 export const SIDES = [
   [1, 'Left'],
   [-1, 'Right'],
