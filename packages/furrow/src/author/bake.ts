@@ -3,6 +3,7 @@ import { MAX_IMAGE_SIDE } from '../core/limits.ts'
 import type { GrayImage } from '../core/types.ts'
 import { frameOf, interpolate } from './bake-frame.ts'
 import { type BakeMesh, sharedNormals } from './bake-mesh.ts'
+import { boxSides } from './box.ts'
 import { dilate } from './dilate.ts'
 import type { HeightMap } from './height.ts'
 import { type Blocked, openness } from './occlusion.ts'
@@ -211,13 +212,7 @@ function coveredSamples({ uvs }: BakeMesh, side: number): number {
 
 /** Diagonal of the box round a mesh, in metres. */
 export function sizeOf({ positions }: Pick<BakeMesh, 'positions'>): number {
-  const low = [Infinity, Infinity, Infinity]
-  const high = [-Infinity, -Infinity, -Infinity]
-  for (let i = 0; i < positions.length; i++) {
-    low[i % 3] = Math.min(low[i % 3]!, positions[i]!)
-    high[i % 3] = Math.max(high[i % 3]!, positions[i]!)
-  }
-  return Math.hypot(high[0]! - low[0]!, high[1]! - low[1]!, high[2]! - low[2]!)
+  return Math.hypot(...boxSides(positions))
 }
 
 /** Unit vectors, 0 to the middle of the range. */

@@ -1,4 +1,5 @@
 import { FurrowError } from '../../core/error.ts'
+import { boxSides } from '../box.ts'
 import { crossOf, type Skin, type SkinTarget } from './surface.ts'
 
 const WHO = 'autoWrinkles'
@@ -48,7 +49,7 @@ export function checkSkin(skin: Skin): { skin: Skin; warnings: string[] } {
   }
   if (!hasSurface(positions, indices))
     fail('the mesh has no surface', undefined, 'triangles with area', 'check how the mesh was exported')
-  const size = sizeOf(positions)
+  const size = Math.max(...boxSides(positions))
   const warnings: string[] = []
   const kept = targets.filter((target) => {
     const problem = problemOf(target, size)
@@ -85,17 +86,6 @@ function farthest(offsets: ArrayLike<number>): number {
   let most = 0
   for (let i = 0; i < offsets.length; i++) most = Math.max(most, Math.abs(offsets[i]!))
   return most
-}
-
-/** Longest side of the box round the mesh. */
-function sizeOf(positions: ArrayLike<number>): number {
-  const low = [Infinity, Infinity, Infinity]
-  const high = [-Infinity, -Infinity, -Infinity]
-  for (let i = 0; i < positions.length; i++) {
-    low[i % 3] = Math.min(low[i % 3]!, positions[i]!)
-    high[i % 3] = Math.max(high[i % 3]!, positions[i]!)
-  }
-  return Math.max(...high.map((value, k) => value - low[k]!))
 }
 
 function hasSurface(positions: ArrayLike<number>, indices: ArrayLike<number>): boolean {
