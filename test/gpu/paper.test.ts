@@ -1,4 +1,5 @@
 import { packAreas, packColours, reference } from 'furrow'
+import type { WrinkleMode } from 'furrow/three'
 import {
   AmbientLight,
   DataTexture,
@@ -45,10 +46,18 @@ describe.each(RENDERERS)("the paper's mode on %s", (name) => {
     expect(errors).toHaveLength(CASES * PIXELS * PIXELS)
     expect(over / errors.length).toBeLessThanOrEqual(0.001)
   })
+
+  it("packs the material's own normals, whatever mode was shown before", async () => {
+    for (const mode of ['composed', 'default', 'off'] as const) {
+      const { errors, dispose } = await colourErrors(harness, seeded(7), mode)
+      expect(errors.filter((error) => error > 2 / 255).length / errors.length, mode).toBeLessThanOrEqual(0.01)
+      dispose()
+    }
+  })
 })
 
-/** Lights a square by the paper's four steps on the CPU and on the GPU; returns each pixel's largest error. */
-async function colourErrors(harness: Harness, random: () => number) {
+/** Lights a square by the paper's four steps on the CPU and, after another mode, on the GPU; returns each pixel's largest error. */
+async function colourErrors(harness: Harness, random: () => number, first: WrinkleMode = 'paper') {
   const set = randomSet(random, 1 + Math.floor(random() * 64), MAP, MAP)
   const [diffuse, smooth] = [randomImage(random, MAP), randomNormals(random, MAP)]
   const [normalScale, sun, ambient] = [0.5 + random(), 0.5 + random() * 2, random()]
@@ -67,7 +76,8 @@ async function colourErrors(harness: Harness, random: () => number) {
   const light = new DirectionalLight(0xffffff, sun)
   light.position.copy(from)
   scene.add(mesh, light, new AmbientLight(0xffffff, ambient))
-  const wrinkles = new harness.Wrinkles(mesh, set, { mode: 'paper', areaSize: MAP })
+  const wrinkles = new harness.Wrinkles(mesh, set, { mode: first, areaSize: MAP })
+  wrinkles.mode = 'paper'
   for (const { name } of set.areas) wrinkles.setActivation(name, random() * 0.1)
   const pixels = await harness.render(scene, squareCamera(), PIXELS)
 

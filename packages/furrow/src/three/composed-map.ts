@@ -22,6 +22,8 @@ const WHOLE: Slot = { layer: 0, combine: 'sum', slice: 0, channel: 0, bounds: { 
  */
 export class ComposedMap {
   readonly target: RenderTarget
+  /** The material's own normal map. */
+  readonly base: Texture
   readonly #quads: Quads
   readonly #scene = new Scene()
   readonly #camera = new OrthographicCamera()
@@ -33,11 +35,12 @@ export class ComposedMap {
   #drawn = new Float32Array(0)
 
   /**
-   * @param base the material's own normal map; the composed one takes its place, with its filters and transform.
+   * @param base what the composed one takes the place of, with its filters and transform.
    * @param normals the layers', in an array: the larger of both gives the size.
    * @param material draws `Quads` of the composed map.
    */
   constructor(base: Texture, normals: Texture, material: Material, survives: QuadMaterials['survives']) {
+    this.base = base
     const [own, layered] = [base, normals].map(({ image }) => image as { width: number; height: number })
     const [width, height] = [Math.max(own.width, layered.width), Math.max(own.height, layered.height)]
     this.target = new RenderTarget(width, height, {

@@ -50,7 +50,7 @@ export class WornMaterial {
   /** @throws FurrowError when the mode cannot be had; it then stays as it was. */
   show(mode: WrinkleMode): void {
     if (mode === 'paper') {
-      const smooth = this.#flat ? null : this.#material.normalMap
+      const smooth = this.#flat ? null : (this.composed?.base ?? this.#material.normalMap)
       this.#inputs.paper ??= {
         ...packPaperArray(this.#inputs.textures.layers, this.#material, smooth),
         table: new ActivationTable(),
@@ -106,7 +106,7 @@ export class WornMaterial {
     this.composed = composed
     this.#material.normalMap = composed.target.texture
     return () => {
-      this.#material.normalMap = base
+      this.#material.normalMap = composed.base
       this.composed = null
       composed.dispose()
     }
