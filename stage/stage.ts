@@ -2,7 +2,6 @@
 
 import {
   addDrivers,
-  ExpressionPlayer,
   type LoadedWrinkles,
   Wrinkles as WebGLWrinkles,
   type WrinklesOptions,
@@ -31,12 +30,8 @@ export interface Stage {
   backend: 'WebGL 2' | 'WebGPU'
   scene: Scene
   camera: PerspectiveCamera
-  /** Puts a face on the stage, alone. Its wrinkles and player are the caller's to dispose. */
-  show(
-    face: Face,
-    loaded: Pick<LoadedWrinkles, 'set' | 'drivers'>,
-    options?: WrinklesOptions,
-  ): { wrinkles: Wrinkles; player: ExpressionPlayer }
+  /** Puts a face on the stage, alone. Its wrinkles are the caller's to dispose. */
+  show(face: Face, loaded: Pick<LoadedWrinkles, 'set' | 'drivers'>, options?: WrinklesOptions): Wrinkles
   /** Moves the camera; returns the point it looks at. */
   view(name: ViewName): Vector3
   /** @param pixelRatio device pixels per CSS pixel. */
@@ -75,7 +70,7 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
         ? new WebGLWrinkles(face.skin, set, options)
         : new WebGPUWrinkles(face.skin, set, options)
       addDrivers(wrinkles, drivers)
-      return { wrinkles, player: new ExpressionPlayer(face.root, wrinkles) }
+      return wrinkles
     },
     view: (name) => frameView(shown?.skin ?? scene, camera, name),
     resize(width, height, pixelRatio = 1) {

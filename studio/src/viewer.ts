@@ -58,7 +58,7 @@ export class Viewer {
     this.#toneMapping = stage.renderer.toneMapping
     const { face, drivers } = loaded
     const plain = (face.skin.material as Material).clone()
-    const { wrinkles, player } = stage.show(face, loaded)
+    const wrinkles = stage.show(face, loaded)
     this.wrinkles = wrinkles
     // Driven here and not while drawing, so that the sliders of the areas show it at once.
     wrinkles.driven = false
@@ -66,7 +66,6 @@ export class Viewer {
       driversOf('morph', drivers),
       Object.keys(face.skin.morphTargetDictionary ?? {}),
     )
-    this.#player = player
     this.targets = targetDials(face.root).map((dial) => ({
       ...dial,
       write: (value) => {

@@ -9,6 +9,7 @@ import type { PictureRequest } from '../../packages/cli/src/render/picture.ts'
 import type { Picture } from '../../packages/cli/src/render/render-pictures.ts'
 import { transformFile } from '../../scripts/lib/transform.mjs'
 import { setOf } from '../cases.ts'
+import { editGlb } from '../glb.ts'
 import { largestDifference, type Region } from './pixels.ts'
 import type { CanvasPixels } from './read-canvas.ts'
 import { type Ended, renderPictures, runFurrow } from './run-furrow.ts'
@@ -19,6 +20,8 @@ const FACE = join(ROOT, 'faces/human.glb')
 /** The forehead from the front, and what wrinkles of the forehead never reach. */
 const FOREHEAD: Region = { left: 0.42, top: 0.18, right: 0.58, bottom: 0.34 }
 const CHIN: Region = { left: 0.42, top: 0.62, right: 0.58, bottom: 0.74 }
+/** Cheeks and mouth. */
+const FOLDS: Region = { left: 0.35, top: 0.45, right: 0.65, bottom: 0.65 }
 
 let folder: string
 let out: string
@@ -35,6 +38,7 @@ afterAll(() => rm(folder, { recursive: true, force: true }))
 
 /** Of every picture that is compared. */
 const SURPRISED = { expression: 'surprised', width: 200, height: 152 }
+const HAPPY = { ...SURPRISED, expression: 'happy' }
 
 /** All that the others do not set. */
 const ANGRY: Partial<PictureRequest> = {
@@ -56,6 +60,8 @@ describe('furrow render', () => {
     await pack(images)
     await pack(arrays, '--ktx2')
     await transformFile(images, compressed, [draco({ quantizePosition: 16 })])
+    const bare = join(folder, 'bare.glb')
+    await writeFile(bare, editGlb(await readFile(FACE), strip))
     const wide = { input: images, mode: 'off', view: 'front' } as const
     const requests: Record<string, PictureRequest> = {
       'webgl images': { input: images, ...SURPRISED },
@@ -66,6 +72,8 @@ describe('furrow render', () => {
       'webgl again': { input: images, ...SURPRISED },
       'webgl KTX 2 arrays': { input: arrays, ...SURPRISED },
       'webgl Draco': { input: compressed, ...SURPRISED },
+      'webgl bare': { input: bare, ...HAPPY },
+      'webgl bare off': { input: bare, ...HAPPY, mode: 'off' },
       'webgpu images': { input: images, ...SURPRISED, renderer: 'webgpu' },
       'webgpu off': { input: images, ...SURPRISED, renderer: 'webgpu', mode: 'off' },
       'webgpu KTX 2 arrays': { input: arrays, ...SURPRISED, renderer: 'webgpu' },
@@ -110,6 +118,12 @@ describe('furrow render', () => {
   test('draws the same picture whatever its page has drawn before', () => {
     expect(drawn.get('webgl angry')!.pixels.length).toBe(4 * 96 * 96)
     expect(opaque('webgl again')).toEqual(opaque('webgl images'))
+  })
+
+  test('shows what areas there are of an expression, where no drivers would', () => {
+    const { warnings } = drawn.get('webgl bare')!
+    expect(warnings).toEqual([expect.stringContaining('underEyeLeft, underEyeRight')])
+    expect(largestDifference(opaque('webgl bare'), opaque('webgl bare off'), FOLDS)).toBeGreaterThan(20)
   })
 
   test('takes blendshapes, activations, a view and the mode of the paper', async () => {
@@ -223,4 +237,19 @@ async function listing(path: string): Promise<string[]> {
 async function read(file: string): Promise<CanvasPixels> {
   const { data, info } = await sharp(file).removeAlpha().raw().toBuffer({ resolveWithObject: true })
   return { width: info.width, height: info.height, data }
+}
+
+/** As a face may be whose wrinkles were made before there were areas under the eyes, and that is told what to show. */
+function strip(json: { materials: { extensions?: { FURROW_wrinkle_maps?: Wrinkled } }[] }): void {
+  for (const { extensions } of json.materials) {
+    const wrinkled = extensions?.FURROW_wrinkle_maps
+    if (!wrinkled) continue
+    delete wrinkled.drivers
+    wrinkled.areas = wrinkled.areas.filter(({ name }) => !name.startsWith('underEye'))
+  }
+}
+
+interface Wrinkled {
+  areas: { name: string }[]
+  drivers?: unknown
 }

@@ -50,10 +50,11 @@ async function draw(job: PageJob): Promise<PageReport> {
   const { stage, face, loaded, resting } = scene
   for (const [mesh, weights] of resting) mesh.morphTargetInfluences = [...weights]
   worn?.dispose()
-  const { wrinkles } = stage.show(face, loaded, { mode: job.mode })
+  const wrinkles = stage.show(face, loaded, { mode: job.mode })
   worn = wrinkles
   const named = EXPRESSIONS.find(({ name }) => name === job.expression)
-  const fits = named && Object.keys(named.activations).every((area) => wrinkles.hasArea(area))
+  const isComplete = named && Object.keys(named.activations).every((area) => wrinkles.hasArea(area))
+  const fits = isComplete || (named && loaded.drivers.length === 0)
   // An expression for these areas, and the areas named by hand, say what shows; blendshapes alone leave it to the file's drivers.
   wrinkles.driven = !fits && Object.keys(job.activations).length === 0
   pose(face.root, wrinkles, wrinkles.driven && named ? { ...named, activations: {} } : named, job)
@@ -93,7 +94,7 @@ function pose(
   chosen: Expression | undefined,
   { targets, activations }: PageJob,
 ): void {
-  // No other expression is given to the player: it would warn of what only they need.
+  // One expression is given to the player, since it warns of what any of them lacks.
   if (chosen) new ExpressionPlayer(root, wrinkles, [chosen]).play(chosen.name, 0)
   root.traverse((object) => setTargets(object as Mesh, targets))
   for (const [area, activation] of Object.entries(activations)) wrinkles.setActivation(area, activation)
