@@ -2,6 +2,8 @@ import type { Result } from './report.ts'
 
 const SIZE = { width: 720, height: 400 }
 const MARGIN = { left: 56, right: 120, top: 44, bottom: 48 }
+/** Height of a line of text. */
+const LINE = 13
 /** Told apart without red and green (Okabe and Ito's palette). */
 const COLOURS: Record<string, string> = {
   plain: '#999999',
@@ -25,9 +27,10 @@ export function toPlot(results: readonly Result[]): string {
   const most = Math.max(1.2, ...shown.map(({ ratioToPlain }) => ratioToPlain)) * 1.05
   const x = axis(counts[0], counts[counts.length - 1], MARGIN.left, SIZE.width - MARGIN.right)
   const y = axis(0.9, most, SIZE.height - MARGIN.bottom, MARGIN.top)
-  const lines = [0.9, 1, 1.1, 1.2, 1.5, 2, 3, 5, 10, 20].filter((value) => value >= 0.9 && value <= most)
+  const lines = [1, 1.2, 1.5, 2, 3, 5, 10, 20].filter((value) => value <= most)
   const [{ renderer, adapter, width, height }] = shown
   const title = `Frame time over that of the plain face, ${renderer}, ${width} x ${height}`
+  const curves = Object.keys(COLOURS).flatMap((variant) => curveOf(variant, shown, x, y))
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${SIZE.width} ${SIZE.height}" font-family="sans-serif" font-size="12">`,
     `<title>${title}</title>`,
@@ -44,7 +47,8 @@ export function toPlot(results: readonly Result[]): string {
       'areas, all moving',
       'text-anchor="middle"',
     ),
-    ...Object.keys(COLOURS).map((variant) => curve(variant, shown, x, y)),
+    ...curves.map(draw),
+    ...labels(curves),
     '</svg>',
     '',
   ].join('\n')
@@ -61,24 +65,45 @@ function grid(y: number, value: number): string {
   return line + text(from - 8, y + 4, `${value}`, 'text-anchor="end"')
 }
 
-function curve(
+interface Curve {
+  variant: string
+  points: [x: number, y: number][]
+}
+
+/** None where a variant has no results. */
+function curveOf(
   variant: string,
   results: readonly Result[],
   x: (value: number) => number,
   y: (value: number) => number,
-): string {
+): Curve[] {
   const points = results
     .filter((result) => result.variant === variant)
     .sort((a, b) => a.areas - b.areas)
-    .map(({ areas, ratioToPlain }) => [x(areas), y(ratioToPlain)].map((value) => value.toFixed(1)))
-  if (points.length === 0) return ''
+    .map(({ areas, ratioToPlain }): [number, number] => [x(areas), y(ratioToPlain)])
+  return points.length > 0 ? [{ variant, points }] : []
+}
+
+function draw({ variant, points }: Curve): string {
   const colour = COLOURS[variant]
-  const [endX, endY] = points[points.length - 1].map(Number)
+  const places = points.map((point) => point.map((value) => value.toFixed(1)))
   return [
-    `<polyline fill="none" stroke="${colour}" stroke-width="2" points="${points.map((point) => point.join()).join(' ')}"/>`,
-    ...points.map(([cx, cy]) => `<circle cx="${cx}" cy="${cy}" r="3" fill="${colour}"/>`),
-    text(endX + 8, endY + 4, variant, `fill="${colour}"`),
+    `<polyline fill="none" stroke="${colour}" stroke-width="2" points="${places.map((place) => place.join()).join(' ')}"/>`,
+    ...places.map(([cx, cy]) => `<circle cx="${cx}" cy="${cy}" r="3" fill="${colour}"/>`),
   ].join('')
+}
+
+/** Names at the curves' ends; where ends are close, one above the other. */
+function labels(curves: readonly Curve[]): string[] {
+  const ends = curves.map(({ variant, points }) => ({ variant, end: points[points.length - 1] }))
+  const free = new Map<number, number>()
+  return ends
+    .sort((a, b) => b.end[1] - a.end[1])
+    .map(({ variant, end: [x, y] }) => {
+      const height = Math.min(y, free.get(x) ?? y)
+      free.set(x, height - LINE)
+      return text(x + 8, height + 4, variant, `fill="${COLOURS[variant]}"`)
+    })
 }
 
 function text(x: number, y: number, words: string, attributes = ''): string {
