@@ -1,6 +1,6 @@
 import type { Accessor, Document, Material, Mesh, mat4, Node, Primitive } from '@gltf-transform/core'
 import { FurrowError } from 'furrow'
-import { faceShapeFinder, type Skin } from 'furrow/author'
+import { crossOf, faceShapeFinder, type Skin } from 'furrow/author'
 import { placementOf, trianglesOf } from '../face.ts'
 import { readCoordinates } from './coordinates.ts'
 
@@ -190,18 +190,12 @@ function movedSurface({ positions, indices, targets }: Skin, chosen: readonly nu
     for (let i = 0; i < ways.length; i++)
       ways[i]! += Math.hypot(offsets[3 * i]!, offsets[3 * i + 1]!, offsets[3 * i + 2]!)
   }
+  const normal = new Float64Array(3)
   let sum = 0
   for (let t = 0; t + 2 < indices.length; t += 3) {
     const way = ways[indices[t]!]! + ways[indices[t + 1]!]! + ways[indices[t + 2]!]!
-    const area = areaOf(positions, indices[t]!, indices[t + 1]!, indices[t + 2]!)
+    const area = crossOf(positions, indices[t]!, indices[t + 1]!, indices[t + 2]!, normal) / 2
     if (way > 0 && area > 0) sum += way * area
   }
   return sum
-}
-
-function areaOf(positions: ArrayLike<number>, a: number, b: number, c: number): number {
-  const [ux, uy, uz, vx, vy, vz] = [b, c].flatMap((end) =>
-    [0, 1, 2].map((k) => positions[3 * end + k]! - positions[3 * a + k]!),
-  ) as [number, number, number, number, number, number]
-  return Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2
 }

@@ -122,26 +122,18 @@ async function auto(face: string, options: Options): Promise<void> {
 }
 
 function readSettings(options: Options) {
-  const whole = (option: 'seed' | 'layers' | 'areas', low: number, high: number) =>
-    readNumber(WHO, `--${option}`, options[option] ?? String(AUTO_DEFAULTS[option]), {
-      low,
-      high,
-      whole: true,
-      example: AUTO_DEFAULTS[option],
-    })
-  const number = (option: 'age' | 'strength', low: number, high: number) =>
-    readNumber(WHO, `--${option}`, options[option] ?? String(AUTO_DEFAULTS[option]), {
-      low,
-      high,
-      example: AUTO_DEFAULTS[option],
-    })
+  type Numeric = 'age' | 'strength' | 'seed' | 'layers' | 'areas'
+  const number = (option: Numeric, low: number, high: number, whole = false) => {
+    const example = AUTO_DEFAULTS[option]
+    return readNumber(WHO, `--${option}`, options[option] ?? String(example), { low, high, whole, example })
+  }
   return {
     age: number('age', 20, 80),
     strength: number('strength', 0, 2),
     size: Number(readChoice(WHO, '--size', options.size ?? String(AUTO_DEFAULTS.size), SIZES)),
-    seed: whole('seed', 0, 2 ** 31 - 1),
-    layers: whole('layers', 1, 4),
-    areas: whole('areas', 1, 64),
+    seed: number('seed', 0, 2 ** 31 - 1, true),
+    layers: number('layers', 1, 4, true),
+    areas: number('areas', 1, 64, true),
     ...(options.regions && { regions: options.regions }),
   }
 }

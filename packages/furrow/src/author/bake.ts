@@ -8,6 +8,7 @@ import { dilate } from './dilate.ts'
 import type { HeightMap } from './height.ts'
 import { type Blocked, openness } from './occlusion.ts'
 import type { NormalMap } from './relief.ts'
+import { uvArea } from './uv-area.ts'
 
 /** The detailed surface, as rays see it. Directions are unit vectors, lengths are metres. */
 export interface BakeTarget {
@@ -202,11 +203,7 @@ const wrap = (i: number, side: number) => ((i % side) + side) % side
 /** About how many samples lie on the mesh: its area in the texture. */
 function coveredSamples({ uvs }: BakeMesh, side: number): number {
   let sum = 0
-  for (let i = 0; i < uvs.length; i += 6) {
-    const [u1, v1] = [uvs[i + 2]! - uvs[i]!, uvs[i + 3]! - uvs[i + 1]!]
-    const [u2, v2] = [uvs[i + 4]! - uvs[i]!, uvs[i + 5]! - uvs[i + 1]!]
-    sum += Math.abs(u1 * v2 - u2 * v1) / 2
-  }
+  for (let i = 0; 2 * i < uvs.length; i += 3) sum += uvArea(uvs, i, i + 1, i + 2)
   return sum * side * side
 }
 

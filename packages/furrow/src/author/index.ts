@@ -16,7 +16,7 @@ export { MOST_TRIANGLES } from './auto/check-skin.ts'
 export type { Landmarks, Place } from './auto/face.ts'
 export { faceShapeFinder } from './auto/stand-ins.ts'
 export { type StrainMap, strainMaps } from './auto/strain-map.ts'
-export type { Skin, SkinTarget } from './auto/surface.ts'
+export { crossOf, type Skin, type SkinTarget } from './auto/surface.ts'
 export {
   BAKE_DEFAULTS,
   type Baked,

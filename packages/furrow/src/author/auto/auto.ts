@@ -6,7 +6,6 @@ import type { HeightMap } from '../height.ts'
 import { surfaceMetric } from '../metric.ts'
 import { heightToNormal, type TangentFrame } from '../normal.ts'
 import { AUTO_REGIONS, type AutoRegion } from './anatomy/regions.ts'
-import { Chart } from './chart.ts'
 import type { CreasedRegion } from './crease.ts'
 import { drawAreas, drawCreases } from './draw.ts'
 import { type Landmarks, poseOf } from './face.ts'
@@ -167,7 +166,6 @@ export function autoWrinkles(
   const isDrawn = isMirrored ? leftTriangles(surface) : undefined
   const canvas = { surface, texels: new SkinTexels(usable, surface, size, isDrawn, MIP_MARGIN) }
   const small = { surface, texels: new SkinTexels(usable, surface, areaSize, isDrawn) }
-  const chart = face && new Chart(surface)
   const metric = surfaceMetric({ ...usable, positions: inMetres(surface) }, size)
   const layers: AutoLayer[] = []
   const images = new Map<CreasedRegion, GrayImage>()
@@ -176,7 +174,7 @@ export function autoWrinkles(
     const creases = [...new Set(regions.map((region) => region.creases))].flat()
     const drawn = drawCreases(canvas, creases)
     layers.push({ name: `auto${layer + 1}`, normal: heightToNormal(drawn.relief, metric, frame), ...drawn })
-    for (const [i, image] of drawAreas(small, regions, chart).entries()) images.set(regions[i]!, image)
+    for (const [i, image] of drawAreas(small, regions, face?.chart).entries()) images.set(regions[i]!, image)
   }
   progress(AUTO_STEPS.length, AUTO_STEPS.length, 'done')
   const areas = fitted.map((fit, i) => ({

@@ -1,5 +1,6 @@
 import { FurrowError } from '../../core/error.ts'
 import { boxSides } from '../box.ts'
+import { uvArea } from '../uv-area.ts'
 import { crossOf, type Skin, type SkinTarget } from './surface.ts'
 
 const WHO = 'autoWrinkles'
@@ -99,15 +100,7 @@ function hasSurface(positions: ArrayLike<number>, indices: ArrayLike<number>): b
 /** Surface of all triangles in the texture. */
 function spanOf(uvs: ArrayLike<number>, indices: ArrayLike<number>): number {
   let sum = 0
-  for (let t = 0; t + 2 < indices.length; t += 3) {
-    const [a, b, c] = [2 * indices[t]!, 2 * indices[t + 1]!, 2 * indices[t + 2]!]
-    const [ux, uy, vx, vy] = [
-      uvs[b]! - uvs[a]!,
-      uvs[b + 1]! - uvs[a + 1]!,
-      uvs[c]! - uvs[a]!,
-      uvs[c + 1]! - uvs[a + 1]!,
-    ]
-    sum += Math.abs(ux * vy - uy * vx) / 2
-  }
+  for (let t = 0; t + 2 < indices.length; t += 3)
+    sum += uvArea(uvs, indices[t]!, indices[t + 1]!, indices[t + 2]!)
   return sum
 }

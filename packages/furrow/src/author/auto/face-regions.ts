@@ -1,6 +1,5 @@
 import type { Build } from './anatomy/region.ts'
 import { type AutoRegion, regionsOf } from './anatomy/regions.ts'
-import { Chart } from './chart.ts'
 import { type CreasedRegion, creaseLines } from './crease.ts'
 import { type Face, poseOf } from './face.ts'
 import { layGuides } from './guided-lines.ts'
@@ -22,7 +21,6 @@ export function faceRegions(
   wanted: readonly AutoRegion[],
 ): CreasedRegion[] {
   const build: Build = { landmarks: face.landmarks, age, random: (name) => new Random(seed, name) }
-  const chart = new Chart(face.surface)
   const strains = new Map<string, Float64Array>()
   const known = new Map<unknown, Omit<CreasedRegion, 'region'>>()
   return regionsOf(build, wanted).flatMap((asArkit): CreasedRegion[] => {
@@ -33,7 +31,7 @@ export function faceRegions(
     strains.set(key, tensors)
     const lines =
       known.get(region.guides) ??
-      creaseLines(region, layGuides(face.surface, chart, region.guides, tensors), strength)
+      creaseLines(region, layGuides(face.surface, face.chart, region.guides, tensors), strength)
     known.set(region.guides, lines)
     return lines.creases.length > 0 ? [{ region, ...lines }] : []
   })

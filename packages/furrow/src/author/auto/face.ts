@@ -1,3 +1,4 @@
+import { Chart } from './chart.ts'
 import { faceShapeFinder } from './stand-ins.ts'
 import { joinSurface, pointAreas, pointOffsets, type Skin, type Surface } from './surface.ts'
 
@@ -26,6 +27,8 @@ export interface Landmarks {
 export interface Face {
   /** In millimetres, in the frame of the face. */
   surface: Surface
+  /** The same, unrolled. */
+  chart: Chart
   landmarks: Landmarks
   /** What each target adds to the points, in millimetres, in the order of the skin's targets. */
   offsets: readonly Float64Array[]
@@ -72,7 +75,7 @@ export function findFace(skin: Skin): Face | undefined {
   const landmarks = findLandmarks(surface, browsMoveAsOne, (...shapes) =>
     sumOfWays(offsets, shapes.flatMap(find), surface.areas.length),
   )
-  return landmarks && { surface, landmarks, offsets, names, find }
+  return landmarks && { surface, chart: new Chart(surface), landmarks, offsets, names, find }
 }
 
 /**

@@ -93,7 +93,14 @@ export function pointOffsets(surface: Surface, { offsets }: SkinTarget): Float64
   return out
 }
 
-/** The cross product of two edges of a triangle; returns its length, twice the triangle's area. */
+/**
+ * The cross product of two edges of a triangle, along its normal.
+ *
+ * @param points x, y and z of each.
+ * @param a, b, c the triangle's points, counterclockwise as seen from outside.
+ * @param out takes x, y and z.
+ * @returns its length, twice the triangle's area.
+ */
 export function crossOf(
   points: ArrayLike<number>,
   a: number,

@@ -1,3 +1,4 @@
+import { uvArea } from '../uv-area.ts'
 import type { Skin } from './surface.ts'
 
 /** Share of the texture's surface beyond the edges of its tile that is let pass: borders of islands may stick out. */
@@ -55,12 +56,10 @@ function islandsOf(indices: ArrayLike<number>, count: number): Uint32Array {
 function shareOutside(uvs: ArrayLike<number>, indices: ArrayLike<number>): number {
   let [outside, all] = [0, 0]
   for (let t = 0; t + 2 < indices.length; t += 3) {
-    const [a, b, c] = [2 * indices[t]!, 2 * indices[t + 1]!, 2 * indices[t + 2]!]
-    const doubled = Math.abs(
-      (uvs[b]! - uvs[a]!) * (uvs[c + 1]! - uvs[a + 1]!) - (uvs[b + 1]! - uvs[a + 1]!) * (uvs[c]! - uvs[a]!),
-    )
-    all += doubled
-    if ([a, b, c].some((i) => isOutside([uvs[i]!, uvs[i + 1]!]))) outside += doubled
+    const [a, b, c] = [indices[t]!, indices[t + 1]!, indices[t + 2]!]
+    const area = uvArea(uvs, a, b, c)
+    all += area
+    if ([a, b, c].some((i) => isOutside([uvs[2 * i]!, uvs[2 * i + 1]!]))) outside += area
   }
   return all > 0 ? outside / all : 0
 }
