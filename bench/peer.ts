@@ -11,7 +11,7 @@ import {
 } from 'three'
 import { normalMap, texture, uniform } from 'three/tsl'
 import type { Node } from 'three/webgpu'
-import { mapTexture } from '../packages/furrow/src/three/textures.ts'
+import { mapTexture } from '../packages/furrow/src/three/material/textures.ts'
 import type { RendererKind } from './case.ts'
 import type { Worn } from './variant.ts'
 

@@ -14,7 +14,7 @@ import {
 } from 'three'
 import { uv, vec3 } from 'three/tsl'
 import { MeshBasicNodeMaterial } from 'three/webgpu'
-import { readTexture } from '../../packages/furrow/src/three/read-texture.ts'
+import { readTexture } from '../../packages/furrow/src/three/loader/read-texture.ts'
 import type { Face } from '../../stage/face.ts'
 import { frameView, type ViewName } from '../../stage/views.ts'
 import type { Harness } from './harness.ts'

@@ -17,7 +17,7 @@ import {
 import { Fn, instanceIndex, storage, uniform, vec3 } from 'three/tsl'
 import { StorageBufferAttribute, type WebGPURenderer } from 'three/webgpu'
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
-import { principalStretches, restInverse } from '../../packages/furrow/src/core/stretch.ts'
+import { principalStretches, restInverse } from '../../packages/furrow/src/math/stretch.ts'
 import { layer, randomNormals } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { deviceErrors } from './device-errors.ts'

@@ -1,7 +1,7 @@
 import { CompressedArrayTexture, LinearFilter, LinearMipmapLinearFilter, RGBA_BPTC_Format } from 'three'
 import { describe, expect, it } from 'vitest'
 import type { Area, ArraySlice, Layer } from '../../../packages/furrow/src/core/types.ts'
-import { joinArrays } from '../../../packages/furrow/src/three/join-arrays.ts'
+import { joinArrays } from '../../../packages/furrow/src/three/loader/join-arrays.ts'
 
 /** Blocks of 16 bytes, each of one value, with two levels: 8 x 8 texels and 4 x 4. */
 function array(depth: number, value: number, size = 8): CompressedArrayTexture {

@@ -1,5 +1,5 @@
-import { principalStretches, restInverse } from '../core/stretch.ts'
 import type { GrayImage } from '../core/types.ts'
+import { principalStretches, restInverse } from '../math/stretch.ts'
 import { coverTexels } from './cover-texels.ts'
 import { dilate } from './dilate.ts'
 import type { MetricMesh } from './metric.ts'

@@ -1,8 +1,8 @@
+import { readDrivers } from '../drivers/read.ts'
+import type { WrinkleDriver } from '../drivers/types.ts'
 import type { AreaConvention } from './area.ts'
-import type { WrinkleDriver } from './driver-types.ts'
 import { JsonReader } from './json.ts'
 import { LARGEST, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS } from './limits.ts'
-import { readDrivers } from './read-drivers.ts'
 import type { Combine, LayerKind } from './types.ts'
 
 /** `wrinkles.json`: a wrinkle set whose images lie beside it as files; all addresses are relative to it. */

@@ -1,7 +1,7 @@
-import type { WrinkleDriver } from './driver-types.ts'
+import { readDrivers } from '../drivers/read.ts'
+import type { WrinkleDriver } from '../drivers/types.ts'
 import { JsonReader, or } from './json.ts'
 import { LARGEST, LONGEST_NAME, MAX_AREAS, MAX_LAYERS } from './limits.ts'
-import { readDrivers } from './read-drivers.ts'
 import type { Combine, LayerKind } from './types.ts'
 
 /** Name of the glTF extension of a material; docs/FURROW_wrinkle_maps.md is its specification. */

@@ -1,6 +1,6 @@
-import type { AgeDriver } from '../core/driver-types.ts'
 import { curveAt } from './curve.ts'
 import { areasOf, type Driver } from './driver.ts'
+import type { AgeDriver } from './types.ts'
 
 /** Years within which faces are drawn; drivers' curves are constant beyond their ends. */
 export const AGES = { youngest: 20, oldest: 80 } as const

@@ -1,5 +1,5 @@
-import type { AreaDriver } from '../core/driver-types.ts'
 import { BoundLinks } from './links.ts'
+import type { AreaDriver } from './types.ts'
 
 /** Activates areas by other areas, each after those it is driven by. Nothing is allocated by `addTo`. */
 export class AreaActivation {

@@ -1,6 +1,6 @@
-import type { BoneDriver } from '../core/driver-types.ts'
 import { applyCurve } from './curve.ts'
 import { areasOf, type Driver } from './driver.ts'
+import type { BoneDriver } from './types.ts'
 
 /** Numbers of a matrix, columns first, as three.js's `Matrix4.elements`. */
 export const MATRIX = 16

@@ -1,4 +1,4 @@
-import type { ConflictDriver } from '../core/driver-types.ts'
+import type { ConflictDriver } from './types.ts'
 
 interface Pair {
   a: Uint16Array

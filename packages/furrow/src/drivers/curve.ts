@@ -1,4 +1,4 @@
-import type { Curve } from '../core/driver-types.ts'
+import type { Curve } from './types.ts'
 
 /** A piecewise-linear curve, constant beyond its ends. NaN counts as the least input. */
 export function curveAt(curve: Readonly<Curve>, input: number): number {

@@ -1,3 +1,8 @@
+import { AgeActivation } from './age.ts'
+import { curveAt } from './curve.ts'
+import { BoundLinks, type Joined } from './links.ts'
+import { MorphActivation } from './morph.ts'
+import { DriverSum } from './sum.ts'
 import {
   type AgeDriver,
   type AreaDriver,
@@ -5,12 +10,7 @@ import {
   type Link,
   type MorphDriver,
   type WrinkleDriver,
-} from '../core/driver-types.ts'
-import { AgeActivation } from './age.ts'
-import { curveAt } from './curve.ts'
-import { BoundLinks, type Joined } from './links.ts'
-import { MorphActivation } from './morph.ts'
-import { DriverSum } from './sum.ts'
+} from './types.ts'
 
 /** What one link gives to its driver, before the driver's rule and curve. */
 export interface LinkPart {

@@ -1,5 +1,5 @@
-import { driversOf, type WrinkleDriver } from '../core/driver-types.ts'
 import { FurrowError } from '../core/error.ts'
+import { driversOf, type WrinkleDriver } from './types.ts'
 
 /** What a face does: how far each blendshape goes and how much of each area shows. */
 export interface Expression {

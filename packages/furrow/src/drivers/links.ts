@@ -1,6 +1,6 @@
-import type { Curve, Link, Rule } from '../core/driver-types.ts'
 import { sentence } from '../core/error.ts'
 import { applyCurve } from './curve.ts'
+import type { Curve, Link, Rule } from './types.ts'
 
 /** A driver that joins several inputs. */
 export interface Linked {

@@ -1,8 +1,8 @@
-import type { ConflictDriver, MorphDriver } from '../core/driver-types.ts'
 import { Conflicts } from './conflict.ts'
 import { areasOf, type Driver } from './driver.ts'
 import { BoundLinks, type Joined } from './links.ts'
 import { targetFinder } from './target-names.ts'
+import type { ConflictDriver, MorphDriver } from './types.ts'
 
 /**
  * Activates areas by blendshapes: each driver joins its links by its rule and takes the result through its curve; drivers

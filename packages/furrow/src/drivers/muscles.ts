@@ -1,4 +1,4 @@
-import { type MorphDriver, type MuscleDriver, STRAIGHT } from '../core/driver-types.ts'
+import { type MorphDriver, type MuscleDriver, STRAIGHT } from './types.ts'
 
 type Vector = readonly [number, number, number]
 

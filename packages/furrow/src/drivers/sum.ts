@@ -1,8 +1,8 @@
-import type { WrinkleDriver } from '../core/driver-types.ts'
-import { driversOf } from '../core/driver-types.ts'
 import { AreaActivation } from './area.ts'
 import type { Driver } from './driver.ts'
 import { Delay } from './time.ts'
+import type { WrinkleDriver } from './types.ts'
+import { driversOf } from './types.ts'
 
 /** What a face remembers from one frame to the next. */
 export interface DriverState {

@@ -1,7 +1,7 @@
-import type { TensionDriver } from '../core/driver-types.ts'
-import { principalStretches, restInverse } from '../core/stretch.ts'
+import { principalStretches, restInverse } from '../math/stretch.ts'
 import { applyCurve } from './curve.ts'
 import { areasOf, type Driver } from './driver.ts'
+import type { TensionDriver } from './types.ts'
 
 /** Triangles that stand for an area. */
 export interface TensionSample {

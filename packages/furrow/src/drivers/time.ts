@@ -1,4 +1,4 @@
-import type { TimeDriver } from '../core/driver-types.ts'
+import type { TimeDriver } from './types.ts'
 
 /**
  * Lets activations follow with a delay, each with its own time to grow and to fade. What is missing shrinks exponentially, so

@@ -2,8 +2,8 @@ import type { Object3D } from 'three'
 import { sentence } from '../core/error.ts'
 import { type Easing, type Expression, type ExpressionChoice, ExpressionMix } from '../drivers/expression.ts'
 import { EXPRESSIONS } from '../drivers/expressions.ts'
-import { bindTargets, type TargetBinding } from './bind-targets.ts'
-import type { WrinklesBase } from './Wrinkles.ts'
+import { bindTargets, type TargetBinding } from './sources/bind-targets.ts'
+import type { WrinklesBase } from './wrinkles-base.ts'
 
 /**
  * Plays expressions on a face: blendshapes on every mesh that has them, and activations on its wrinkles.

@@ -1,6 +1,6 @@
 import type { Object3D } from 'three'
 import { sentence } from '../core/error.ts'
-import { bindTargets, type TargetBinding } from './bind-targets.ts'
+import { bindTargets, type TargetBinding } from './sources/bind-targets.ts'
 
 /** A blendshape by name and how much of it a camera sees, as MediaPipe's face landmarker lists them. */
 export interface FaceScore {

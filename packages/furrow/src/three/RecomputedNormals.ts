@@ -1,6 +1,6 @@
 import { BufferAttribute, type BufferGeometry, DynamicDrawUsage, type Mesh } from 'three'
-import { DeformedNormals } from '../core/deformed-normals.ts'
-import { coordinates, takeNumbers, targetOffsets, trianglesOf } from './coordinates.ts'
+import { DeformedNormals } from '../math/deformed-normals.ts'
+import { coordinates, takeNumbers, targetOffsets, trianglesOf } from './sources/geometry-arrays.ts'
 
 /** Of one blendshape: the vertices that it moves, and how far. */
 interface Offsets {

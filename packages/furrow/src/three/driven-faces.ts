@@ -3,9 +3,9 @@ import { FurrowError } from '../core/error.ts'
 import type { Area, ArraySlice } from '../core/types.ts'
 import { AGES } from '../drivers/age.ts'
 import type { Expression } from '../drivers/expression.ts'
-import type { AreaArray } from './area-array.ts'
+import type { AreaArray } from './atlas/area-array.ts'
+import type { AnyRenderer } from './atlas/influence-atlas.ts'
 import { Face } from './face.ts'
-import type { AnyRenderer } from './influence-atlas.ts'
 import { countFaces } from './instances.ts'
 
 /** Brings one face's activations up to date. */

@@ -1,16 +1,16 @@
-import { driversOf, isKnownDriver, type WrinkleDriver } from '../core/driver-types.ts'
 import { sentence } from '../core/error.ts'
 import { AgeActivation } from '../drivers/age.ts'
 import { expressionsOf } from '../drivers/expression.ts'
 import { type DriverState, DriverSum } from '../drivers/sum.ts'
+import { driversOf, isKnownDriver, type WrinkleDriver } from '../drivers/types.ts'
+import type { AnyRenderer } from './atlas/influence-atlas.ts'
 import type { Face } from './face.ts'
-import type { AnyRenderer } from './influence-atlas.ts'
 import { ageSource } from './sources/age.ts'
 import { boneSource } from './sources/bone.ts'
 import { morphSource } from './sources/morph.ts'
 import type { DriversOptions, Source, SourceType } from './sources/source.ts'
 import { tensionSource } from './sources/tension.ts'
-import type { WrinklesBase } from './Wrinkles.ts'
+import type { WrinklesBase } from './wrinkles-base.ts'
 
 /** Lets a file's drivers move wrinkles. */
 export type AddDrivers = (

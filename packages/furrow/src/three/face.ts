@@ -1,6 +1,6 @@
-import { Activations } from '../core/activations.ts'
-import type { AreaArray } from './area-array.ts'
-import type { AnyRenderer, AtlasFace } from './influence-atlas.ts'
+import { Activations } from '../runtime/activations.ts'
+import type { AreaArray } from './atlas/area-array.ts'
+import type { AnyRenderer, AtlasFace } from './atlas/influence-atlas.ts'
 
 /** One face: a mesh, or one instance of it, with activations of its own. */
 export class Face implements AtlasFace {

@@ -1,6 +1,6 @@
 import type { Vector4 } from 'three'
 import { type Bounds, widen } from '../core/bounds.ts'
-import type { AreaArray } from './area-array.ts'
+import type { AreaArray } from './atlas/area-array.ts'
 
 /** Beyond any texture coordinate. */
 const FAR = 1e9

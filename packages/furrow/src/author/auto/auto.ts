@@ -1,7 +1,7 @@
-import type { ExpressionDriver, MorphDriver } from '../../core/driver-types.ts'
 import { FurrowError } from '../../core/error.ts'
 import type { GrayImage, RgbaImage } from '../../core/types.ts'
 import { EXPRESSIONS } from '../../drivers/expressions.ts'
+import type { ExpressionDriver, MorphDriver } from '../../drivers/types.ts'
 import type { HeightMap } from '../height.ts'
 import { surfaceMetric } from '../metric.ts'
 import { heightToNormal, type TangentFrame } from '../normal.ts'

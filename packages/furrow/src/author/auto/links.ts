@@ -1,5 +1,5 @@
-import type { MorphDriver } from '../../core/driver-types.ts'
 import { canonicalTargetName } from '../../drivers/target-names.ts'
+import type { MorphDriver } from '../../drivers/types.ts'
 import { unroll } from './chart.ts'
 import type { CreasedRegion, SkinRegion } from './crease.ts'
 import { NearCreases } from './near.ts'

@@ -1,4 +1,4 @@
-import { placesOf } from '../../core/deformed-normals.ts'
+import { placesOf } from '../../math/deformed-normals.ts'
 
 /** A skin at rest with what can move it. Nothing is changed or kept. */
 export interface Skin {

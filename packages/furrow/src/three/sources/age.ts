@@ -1,5 +1,5 @@
-import { driversOf } from '../../core/driver-types.ts'
 import { AgeActivation } from '../../drivers/age.ts'
+import { driversOf } from '../../drivers/types.ts'
 import type { SourceType } from './source.ts'
 
 /** Reads `wrinkles.age`. */

@@ -1,6 +1,6 @@
 import { type Bone, Matrix4, type Mesh, type Object3D, PropertyBinding, type SkinnedMesh } from 'three'
-import { driversOf } from '../../core/driver-types.ts'
 import { BoneActivation, MATRIX } from '../../drivers/bone.ts'
+import { driversOf } from '../../drivers/types.ts'
 import type { SourceType } from './source.ts'
 
 /**

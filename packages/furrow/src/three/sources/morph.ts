@@ -1,9 +1,9 @@
 import type { InstancedMesh, Mesh } from 'three'
-import { driversOf } from '../../core/driver-types.ts'
 import { MorphActivation } from '../../drivers/morph.ts'
 import { muscleLinks } from '../../drivers/muscles.ts'
+import { driversOf } from '../../drivers/types.ts'
 import { VrmWeights } from '../../drivers/vrm.ts'
-import { addMuscles } from '../muscles.ts'
+import { addMuscles } from './muscles.ts'
 import type { SourceType } from './source.ts'
 
 /** Reads the mesh's blendshapes, of which each muscle becomes one. Instances that have weights of their own (`setMorphAt`) wrinkle by those. */

@@ -1,8 +1,8 @@
-import type { DriverType, WrinkleDriver } from '../../core/driver-types.ts'
 import type { Driver } from '../../drivers/driver.ts'
+import type { DriverType, WrinkleDriver } from '../../drivers/types.ts'
 import type { VrmExpressions } from '../../drivers/vrm.ts'
-import type { AnyRenderer } from '../influence-atlas.ts'
-import type { WrinklesBase } from '../Wrinkles.ts'
+import type { AnyRenderer } from '../atlas/influence-atlas.ts'
+import type { WrinklesBase } from '../wrinkles-base.ts'
 
 /** A driver and what it reads of a mesh. */
 export interface Source {

@@ -1,10 +1,10 @@
 import { type Mesh, type MeshStandardMaterial, Vector2, Vector3 } from 'three'
-import { driversOf, type TensionDriver } from '../../core/driver-types.ts'
 import { areasOf } from '../../drivers/driver.ts'
 import { TensionActivation } from '../../drivers/tension.ts'
 import { coverage, type SampledMesh, sampleCovered } from '../../drivers/tension-samples.ts'
-import { trianglesOf } from '../coordinates.ts'
-import type { WrinklesBase } from '../Wrinkles.ts'
+import { driversOf, type TensionDriver } from '../../drivers/types.ts'
+import type { WrinklesBase } from '../wrinkles-base.ts'
+import { trianglesOf } from './geometry-arrays.ts'
 import type { SourceType } from './source.ts'
 
 /** Triangles that stand for an area: each costs three vertices, deformed by the processor as the mesh is. */

@@ -1,0 +1,66 @@
+import { areaWeights } from '../../core/area.ts'
+import { CHANNEL, channelOf } from '../../core/channels.ts'
+import { parseWrinkleSetDocument } from '../../core/document.ts'
+import { FurrowError } from '../../core/error.ts'
+import type { Area, Layer, WrinkleSet } from '../../core/types.ts'
+import { checkWrinkleSet } from '../../core/wrinkle-set.ts'
+import { decodeImage, toGray } from './decode-image.ts'
+
+/**
+ * Loads a wrinkle set from its `wrinkles.json` and the images beside it.
+ *
+ * @param url address of the document, relative to the page.
+ * @throws FurrowError when a file is missing, malformed or no image; nothing half-loaded is returned.
+ */
+export async function loadWrinkleSet(url: string): Promise<WrinkleSet> {
+  const address = new URL(url, globalThis.location?.href)
+  const document = parseWrinkleSetDocument(await readJson(address), url)
+  const image = async (file: string) => decodeImage(await fetchFile(new URL(file, address)), file)
+  const layers = document.layers.map(async (layer): Promise<Layer> => {
+    const { name, kind, normalScale, occlusionStrength, baseColor, roughness, occlusion } = layer
+    return {
+      name,
+      kind,
+      normal: await image(layer.normal),
+      ...(normalScale !== undefined && { normalScale }),
+      ...(baseColor && { baseColor: await image(baseColor) }),
+      ...(roughness && { roughness: channelOf(await image(roughness), CHANNEL.roughness) }),
+      ...(occlusion && { occlusion: channelOf(await image(occlusion), CHANNEL.occlusion) }),
+      ...(occlusionStrength !== undefined && { occlusionStrength }),
+    }
+  })
+  const areas = document.areas.map(
+    async ({ image: file, convention, ...area }): Promise<Area> => ({
+      ...area,
+      weights: areaWeights(toGray(await image(file)), convention, file),
+    }),
+  )
+  const set: WrinkleSet = { layers: await Promise.all(layers), areas: await Promise.all(areas) }
+  checkWrinkleSet(set, url)
+  return set
+}
+
+async function readJson(address: URL): Promise<unknown> {
+  const text = await (await fetchFile(address)).text()
+  try {
+    return JSON.parse(text)
+  } catch (error) {
+    throw new FurrowError({
+      who: address.pathname,
+      what: 'not JSON',
+      value: (error as Error).message,
+      remedy: 'check the address and the file',
+    })
+  }
+}
+
+async function fetchFile(address: URL): Promise<Blob> {
+  const response = await fetch(address)
+  if (response.ok) return response.blob()
+  throw new FurrowError({
+    who: address.pathname,
+    what: 'file not found',
+    value: `HTTP status ${response.status}`,
+    remedy: 'check that the server serves it at this address',
+  })
+}

@@ -1,0 +1,89 @@
+import type { Texture } from 'three'
+import { FurrowError } from '../../core/error.ts'
+import type { RgbaImage } from '../../core/types.ts'
+
+type Drawable = ImageBitmap | HTMLImageElement | HTMLCanvasElement | OffscreenCanvas
+
+/**
+ * Reads the pixels of a texture back as the file stored them, row 0 at v = 0.
+ *
+ * @throws FurrowError when the texture has no image that can be read: compressed, video, or not loaded yet.
+ */
+export function readTexture(texture: Texture, who: string): RgbaImage {
+  const image = texture.image as (Partial<RgbaImage> & object) | undefined
+  const pixels = image && (image.data instanceof Uint8Array ? raw(image as RgbaImage) : drawn(image))
+  if (!pixels) {
+    throw new FurrowError({
+      who,
+      what: 'texture without readable pixels',
+      value: texture.name || texture.uuid,
+      limit: 'an image that is loaded and not GPU-compressed',
+      remedy: 'await the loader first, or use the default mode',
+    })
+  }
+  return texture.flipY ? flipped(pixels) : pixels
+}
+
+/**
+ * Reads an image's pixels exactly as decoded. Done by WebGL, since a 2D canvas multiplies colours by alpha and
+ * loses them where alpha is small, and areas may live in an alpha channel.
+ */
+export function readImage(image: Drawable): RgbaImage {
+  const { width, height } = image
+  const gl = reader()
+  const texture = gl.createTexture()
+  const framebuffer = gl.createFramebuffer()
+  gl.bindTexture(gl.TEXTURE_2D, texture)
+  gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false)
+  gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE)
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, image)
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer)
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0)
+  const data = new Uint8Array(width * height * 4)
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, data)
+  const fault = gl.getError()
+  gl.deleteFramebuffer(framebuffer)
+  gl.deleteTexture(texture)
+  if (fault === gl.NO_ERROR) return { width, height, data }
+  throw new FurrowError({
+    who: 'readImage',
+    what: 'image that the GPU does not take',
+    value: `${width} x ${height}, WebGL error ${fault}`,
+    limit: `${gl.getParameter(gl.MAX_TEXTURE_SIZE)} texels on a side`,
+    remedy: 'scale it down',
+  })
+}
+
+let context: WebGL2RenderingContext | null = null
+
+/** One small context for all reading: browsers allow a page only a few. */
+function reader(): WebGL2RenderingContext {
+  if (!context || context.isContextLost()) context = new OffscreenCanvas(1, 1).getContext('webgl2')
+  if (context) return context
+  throw new FurrowError({
+    who: 'readImage',
+    what: 'no WebGL 2 context to read images with',
+    limit: 'a browser with WebGL 2',
+    remedy: 'close other pages that draw in 3D, or update the browser',
+  })
+}
+
+function raw(image: RgbaImage): RgbaImage | undefined {
+  return image.data.length === image.width * image.height * 4 ? image : undefined
+}
+
+function drawn(image: object): RgbaImage | undefined {
+  const drawable = [ImageBitmap, HTMLImageElement, HTMLCanvasElement, OffscreenCanvas].some(
+    (type) => image instanceof type,
+  )
+  return drawable && (image as Drawable).width > 0 ? readImage(image as Drawable) : undefined
+}
+
+function flipped({ width, height, data }: RgbaImage): RgbaImage {
+  const rows = new Uint8Array(data.length)
+  const stride = width * 4
+  for (let y = 0; y < height; y++) {
+    rows.set(data.subarray(y * stride, (y + 1) * stride), (height - 1 - y) * stride)
+  }
+  return { width, height, data: rows }
+}

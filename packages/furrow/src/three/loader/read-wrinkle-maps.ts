@@ -1,0 +1,179 @@
+import {
+  type ColorSpace,
+  type Material,
+  type Mesh,
+  NoColorSpace,
+  type Object3D,
+  SRGBColorSpace,
+  type Texture,
+} from 'three'
+import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
+import { CHANNEL, channelOf } from '../../core/channels.ts'
+import { FurrowError } from '../../core/error.ts'
+import type { Area, ArraySlice, GrayImage, Layer, RgbaImage, WrinkleSet } from '../../core/types.ts'
+import {
+  parseWrinkleMaps,
+  type TextureReference,
+  WRINKLE_MAPS,
+  type WrinkleMaps,
+  type WrinkleMapsLayer,
+} from '../../core/wrinkle-maps.ts'
+import type { WrinkleDriver } from '../../drivers/types.ts'
+import { joinArrays } from './join-arrays.ts'
+import { readTexture } from './read-texture.ts'
+import { type ArrayTexture, isCompressed, loadAreaArray, loadMapArray } from './texture-arrays.ts'
+
+/** What a file says of one face's wrinkles. */
+export interface LoadedWrinkles {
+  /** The meshes of the face, which share its material: the primitives of one glTF mesh. The first one drives. */
+  meshes: [Mesh, ...Mesh[]]
+  /** The same object for all faces with one material in the file. */
+  set: WrinkleSet<ArraySlice>
+  drivers: WrinkleDriver[]
+}
+
+type Parser = GLTF['parser']
+
+/**
+ * Reads FURROW_wrinkle_maps from a file that three.js's `GLTFLoader` has loaded, one entry for each face that
+ * has it. Plain data, for whatever renderer; `WrinkleLoaderPlugin` does it by itself.
+ *
+ * @throws FurrowError where the extension is malformed or an image cannot be read.
+ */
+export async function readWrinkleMaps(gltf: GLTF, parser: Parser = gltf.parser): Promise<LoadedWrinkles[]> {
+  const found: LoadedWrinkles[] = []
+  const sets = new Map<object, Promise<WrinkleSet<ArraySlice>>>()
+  for (const meshes of facesOf(gltf, parser)) {
+    const json = extensionOf(meshes[0].material as Material, parser)
+    if (!json) continue
+    const maps = parseWrinkleMaps(json, parser.json.textures?.length ?? 0)
+    // Materials that the loader cloned from one of the file share what was read for it.
+    const set = await once(sets, json, () => readSet(maps, parser))
+    found.push({ meshes, set, drivers: maps.drivers })
+  }
+  return found
+}
+
+/** Meshes by the face they belong to: the primitives of one glTF mesh that share a material are one. */
+function facesOf(gltf: GLTF, parser: Parser): [Mesh, ...Mesh[]][] {
+  const faces = new Map<Object3D, Map<Material, [Mesh, ...Mesh[]]>>()
+  for (const scene of gltf.scenes) {
+    scene.traverse((object) => {
+      const mesh = object as Mesh
+      if (!mesh.isMesh) return
+      const whole = isPart(mesh, parser) ? mesh.parent! : mesh
+      const parts = faces.get(whole) ?? new Map<Material, [Mesh, ...Mesh[]]>()
+      faces.set(whole, parts)
+      const material = mesh.material as Material
+      const meshes = parts.get(material)
+      if (!meshes) parts.set(material, [mesh])
+      else if (!meshes.includes(mesh)) meshes.push(mesh)
+    })
+  }
+  return [...faces.values()].flatMap((parts) => [...parts.values()])
+}
+
+/** Whether the loader made a group of a glTF mesh, and this of one of its primitives. */
+function isPart(mesh: Mesh, parser: Parser): boolean {
+  const index = parser.associations.get(mesh)?.meshes
+  return index !== undefined && parser.json.meshes[index].primitives.length > 1
+}
+
+function extensionOf(material: Material, parser: Parser): object | undefined {
+  const index = parser.associations.get(material)?.materials
+  return index === undefined ? undefined : parser.json.materials[index].extensions?.[WRINKLE_MAPS]
+}
+
+async function readSet(maps: WrinkleMaps, parser: Parser): Promise<WrinkleSet<ArraySlice>> {
+  const source = new MapSource(parser)
+  const layers = await Promise.all(maps.layers.map((layer) => readLayer(layer, source)))
+  const areas = maps.areas.map(
+    async ({ name, layer, texture, channel, combine, activation }): Promise<Area<ArraySlice>> => ({
+      name,
+      layer: layers[layer].name,
+      combine,
+      activation,
+      weights: await source.gray(texture, channel, loadAreaArray),
+    }),
+  )
+  return joinArrays({ layers, areas: await Promise.all(areas) })
+}
+
+/** Heights are for tools. */
+async function readLayer(layer: WrinkleMapsLayer, source: MapSource): Promise<Layer<ArraySlice>> {
+  const { name, kind, normalTexture, baseColorTexture, roughnessTexture, occlusionTexture } = layer
+  const gray = (info: TextureReference, channel: number) => source.gray(info, channel, loadMapArray)
+  return {
+    name,
+    kind,
+    normal: await source.colours(normalTexture),
+    normalScale: normalTexture.scale,
+    ...(baseColorTexture && { baseColor: await source.colours(baseColorTexture, SRGBColorSpace) }),
+    ...(roughnessTexture && { roughness: await gray(roughnessTexture, CHANNEL.roughness) }),
+    ...(occlusionTexture && {
+      occlusion: await gray(occlusionTexture, CHANNEL.occlusion),
+      occlusionStrength: occlusionTexture.strength,
+    }),
+  }
+}
+
+type LoadArray = typeof loadMapArray
+
+/** The images and arrays of a file, each read once. */
+class MapSource {
+  readonly #parser: Parser
+  readonly #images = new Map<number, Promise<RgbaImage>>()
+  readonly #arrays = new Map<number, Promise<ArrayTexture>>()
+
+  constructor(parser: Parser) {
+    this.#parser = parser
+  }
+
+  async colours(info: TextureReference, space?: ColorSpace): Promise<RgbaImage | ArraySlice> {
+    return this.#isSlice(info) ? this.#slice(info, 0, loadMapArray, space) : this.#image(info.index)
+  }
+
+  async gray(info: TextureReference, channel: number, load: LoadArray): Promise<GrayImage | ArraySlice> {
+    if (this.#isSlice(info)) return this.#slice(info, channel, load)
+    return channelOf(await this.#image(info.index), channel)
+  }
+
+  /** A compressed image is read as an array of one slice. */
+  #isSlice({ index, slice }: TextureReference): boolean {
+    return slice !== undefined || isCompressed(this.#parser, index)
+  }
+
+  #image(index: number): Promise<RgbaImage> {
+    const read = async () => {
+      const texture = (await this.#parser.getDependency('texture', index)) as Texture
+      return readTexture(texture, `${WRINKLE_MAPS} texture ${index}`)
+    }
+    return once(this.#images, index, read)
+  }
+
+  async #slice(
+    { index, slice = 0 }: TextureReference,
+    channel: number,
+    load: LoadArray,
+    space: ColorSpace = NoColorSpace,
+  ): Promise<ArraySlice> {
+    const array = await once(this.#arrays, index, () => load(this.#parser, index))
+    // glTF goes by what a texture is used for, and not by what its file says.
+    array.colorSpace = space
+    const { depth } = array.image
+    if (slice < depth) return { array, slice, channel }
+    throw new FurrowError({
+      who: `${WRINKLE_MAPS} texture ${index}`,
+      what: 'no such slice',
+      value: slice,
+      limit: `0 to ${depth - 1}`,
+      remedy: 'pack the file again',
+    })
+  }
+}
+
+function once<K, T>(known: Map<K, Promise<T>>, key: K, make: () => Promise<T>): Promise<T> {
+  const found = known.get(key) ?? make()
+  known.set(key, found)
+  return found
+}

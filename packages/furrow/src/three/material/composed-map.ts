@@ -1,0 +1,130 @@
+import {
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  type Material,
+  OrthographicCamera,
+  RenderTarget,
+  Scene,
+  type Texture,
+} from 'three'
+import { type Bounds, widen } from '../../core/bounds.ts'
+import type { AreaArray, Slot } from '../atlas/area-array.ts'
+import { type AnyRenderer, hasMoved } from '../atlas/influence-atlas.ts'
+import type { QuadMaterials } from '../atlas/influence-pass.ts'
+import { Quads } from '../atlas/quads.ts'
+import { drawAside } from '../atlas/render-preserving-state.ts'
+
+const WHOLE: Slot = { layer: 0, combine: 'sum', slice: 0, channel: 0, bounds: { x0: 0, y0: 0, x1: 1, y1: 1 } }
+
+/**
+ * A face's normal map with its wrinkles in it, drawn in the map's own space: for materials whose shader cannot be patched,
+ * and for faces that seldom move, which then cost what a plain face costs.
+ */
+export class ComposedMap {
+  readonly target: RenderTarget
+  /** The material's own normal map. */
+  readonly base: Texture
+  readonly #quads: Quads
+  readonly #scene = new Scene()
+  readonly #camera = new OrthographicCamera()
+  readonly #survives: QuadMaterials['survives']
+  #renderer: AnyRenderer | null = null
+  #areas: AreaArray | null = null
+  #slots: Slot[] = []
+  readonly #span: Slot = { ...WHOLE, bounds: { ...WHOLE.bounds } }
+  #drawn = new Float32Array(0)
+
+  /**
+   * @param base what the composed one takes the place of, with its filters and transform.
+   * @param normals the layers', in an array: the larger of both gives the size.
+   * @param material draws `Quads` of the composed map.
+   */
+  constructor(base: Texture, normals: Texture, material: Material, survives: QuadMaterials['survives']) {
+    this.base = base
+    const [own, layered] = [base, normals].map(({ image }) => image as { width: number; height: number })
+    const [width, height] = [Math.max(own.width, layered.width), Math.max(own.height, layered.height)]
+    this.target = new RenderTarget(width, height, {
+      depthBuffer: false,
+      generateMipmaps: true,
+      magFilter: LinearFilter,
+      minFilter: LinearMipmapLinearFilter,
+      anisotropy: base.anisotropy,
+      wrapS: base.wrapS,
+      wrapT: base.wrapT,
+    })
+    const { texture } = this.target
+    texture.channel = base.channel
+    texture.matrixAutoUpdate = base.matrixAutoUpdate
+    texture.offset.copy(base.offset)
+    texture.repeat.copy(base.repeat)
+    texture.center.copy(base.center)
+    texture.rotation = base.rotation
+    texture.matrix.copy(base.matrix)
+    this.#survives = survives
+    this.#quads = new Quads({ width: 1, height: 1, grid: { columns: 1, rows: 1 } }, material)
+    this.#scene.matrixWorldAutoUpdate = false
+    this.#scene.add(this.#quads.mesh)
+  }
+
+  /** Draws where areas moved since the last time; the influence map must be up to date. */
+  update(renderer: AnyRenderer, areas: AreaArray, values: Float32Array): void {
+    this.#quads.begin()
+    if (this.#isLost(renderer) || areas !== this.#areas) this.#takeAll(areas, values)
+    else this.#takeMoved(values)
+    this.#quads.end()
+    if (this.#quads.mesh.visible) drawAside(renderer, this.target, this.#scene, this.#camera)
+  }
+
+  dispose(): void {
+    this.target.dispose()
+    this.#quads.dispose()
+  }
+
+  #isLost(renderer: AnyRenderer): boolean {
+    const lost = renderer !== this.#renderer || !this.#survives(renderer, this)
+    this.#renderer = renderer
+    return lost
+  }
+
+  #takeAll(areas: AreaArray, values: Float32Array): void {
+    this.#areas = areas
+    this.#slots = areas.slots.map((slot) => reached(slot, areas))
+    this.#drawn = values.slice(0, areas.slots.length)
+    this.#quads.put(0, 0, WHOLE, 0)
+  }
+
+  /** The parts that moved one by one, or all that they span where that is less, since they overlap. */
+  #takeMoved(values: Float32Array): void {
+    const { bounds } = this.#span
+    bounds.x0 = bounds.y0 = 1
+    bounds.x1 = bounds.y1 = 0
+    let sum = 0
+    for (let i = 0; i < this.#slots.length; i++) {
+      if (!hasMoved(values[i], this.#drawn[i])) continue
+      this.#drawn[i] = values[i]
+      const slot = this.#slots[i]
+      this.#quads.put(0, 0, slot, 0)
+      widen(bounds, slot.bounds)
+      sum += sizeOf(slot.bounds)
+    }
+    if (sizeOf(bounds) >= sum) return
+    this.#quads.begin()
+    this.#quads.put(0, 0, this.#span, 0)
+  }
+}
+
+/** The part of the map, 0..1, that an area reaches: filtered, its outermost texels reach to the middle of the next ones. */
+function reached(slot: Slot, { width, height }: AreaArray): Slot {
+  const { x0, y0, x1, y1 } = slot.bounds
+  const bounds = {
+    x0: Math.max(0, x0 - 1) / width,
+    y0: Math.max(0, y0 - 1) / height,
+    x1: Math.min(width, x1 + 1) / width,
+    y1: Math.min(height, y1 + 1) / height,
+  }
+  return { ...slot, bounds }
+}
+
+function sizeOf({ x0, y0, x1, y1 }: Bounds): number {
+  return (x1 - x0) * (y1 - y0)
+}

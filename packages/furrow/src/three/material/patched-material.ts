@@ -1,0 +1,136 @@
+import { type Material, type Mesh, ObjectSpaceNormalMap, type Texture } from 'three'
+import { FurrowError } from '../../core/error.ts'
+import { checkNotInstanced } from '../check-mesh.ts'
+import { instancesOf } from '../instances.ts'
+import type { WrinkleMode } from '../options.ts'
+import { ActivationTable } from './activation-table.ts'
+import { ComposedMap } from './composed-map.ts'
+import { packPaperArray } from './paper-array.ts'
+import type { RendererParts, WrinkleMaterial } from './renderer-parts.ts'
+import type { WrinkleInputs } from './shader-inputs.ts'
+import { flatNormalTexture } from './textures.ts'
+
+const worn = new WeakSet<Material>()
+
+/**
+ * The material of a mesh, if it can be patched and wears no wrinkles yet.
+ *
+ * @throws FurrowError naming the mesh.
+ */
+export function freeMaterial(mesh: Mesh): WrinkleMaterial {
+  const material = mesh.material as WrinkleMaterial
+  const problem = problemOf(material)
+  if (!problem) return material
+  throw new FurrowError({ who: 'Wrinkles', value: mesh.name, ...problem })
+}
+
+/** The user's own material while it wears wrinkles. */
+export class WornMaterial {
+  mode: WrinkleMode = 'off'
+  /** Shown in the place of the material's own normal map, in the composed mode. */
+  composed: ComposedMap | null = null
+  readonly #mesh: Mesh
+  readonly #material: WrinkleMaterial
+  readonly #inputs: WrinkleInputs
+  readonly #renderer: RendererParts
+  /** Stands in where the material has no normal map. */
+  readonly #flat: Texture | null
+  #unpatch: () => void = () => {}
+
+  constructor(mesh: Mesh, material: WrinkleMaterial, inputs: WrinkleInputs, renderer: RendererParts) {
+    this.#mesh = mesh
+    this.#material = material
+    this.#inputs = inputs
+    this.#renderer = renderer
+    this.#flat = material.normalMap ? null : flatNormalTexture()
+    if (this.#flat) material.normalMap = this.#flat
+    worn.add(material)
+  }
+
+  /** @throws FurrowError when the mode cannot be had; it then stays as it was. */
+  show(mode: WrinkleMode): void {
+    if (mode === 'paper') {
+      const smooth = this.#flat ? null : (this.composed?.base ?? this.#material.normalMap)
+      this.#inputs.paper ??= {
+        ...packPaperArray(this.#inputs.textures.layers, this.#material, smooth),
+        table: new ActivationTable(),
+      }
+    }
+    if (mode === 'composed') checkNotInstanced(this.#mesh)
+    this.#unpatch()
+    this.#unpatch = this.#patched(mode)
+    this.#material.needsUpdate = true
+    this.mode = mode
+  }
+
+  /** A copy of the material as it is without wrinkles. */
+  clone(): Material {
+    this.#unpatch()
+    const { normalMap } = this.#material
+    if (this.#flat) this.#material.normalMap = null
+    const copy = this.#material.clone()
+    this.#material.normalMap = normalMap
+    this.#unpatch = this.#patched(this.mode)
+    return copy
+  }
+
+  /** @param table activations of its own; null for those of now. */
+  influenceMaterial(table: ActivationTable | null): Material {
+    return this.#renderer.influenceMaterial(this.#material, this.#inputs, table, instancesOf(this.#mesh))
+  }
+
+  /** Gives the material back as it was. */
+  dispose(): void {
+    this.show('off')
+    if (this.#flat) {
+      this.#material.normalMap = null
+      this.#flat.dispose()
+    }
+    worn.delete(this.#material)
+    // Renderers keep a program's inputs with the material; wrinkles put on it later must bring their own.
+    this.#material.dispose()
+  }
+
+  #patched(mode: WrinkleMode): () => void {
+    if (mode === 'off') return () => {}
+    if (mode === 'composed') return this.#compose()
+    return this.#renderer.patch(this.#material, this.#inputs, mode, instancesOf(this.#mesh))
+  }
+
+  /** Puts the composed map in the place of the material's own. */
+  #compose(): () => void {
+    const { composeMaterial, quads } = this.#renderer
+    const base = this.#material.normalMap!
+    const normals = this.#inputs.textures.normals.texture
+    const composed = new ComposedMap(base, normals, composeMaterial(base, this.#inputs), quads.survives)
+    this.composed = composed
+    this.#material.normalMap = composed.target.texture
+    return () => {
+      this.#material.normalMap = composed.base
+      this.composed = null
+      composed.dispose()
+    }
+  }
+}
+
+function problemOf(material: WrinkleMaterial): { what: string; remedy: string } | null {
+  if (Array.isArray(material)) {
+    return { what: 'mesh with several materials', remedy: 'split the mesh, one material each' }
+  }
+  if (!('normalMap' in material)) {
+    return {
+      what: `material ${(material as Material)?.type} has no normal map`,
+      remedy: 'use a lit material such as MeshStandardMaterial',
+    }
+  }
+  if (material.normalMap && material.normalMapType === ObjectSpaceNormalMap) {
+    return { what: 'object-space normal map', remedy: 'bake it to tangent space' }
+  }
+  if (worn.has(material)) {
+    return {
+      what: 'material already carries wrinkles',
+      remedy: 'give the mesh its own: mesh.material = mesh.material.clone(), or dispose the other wrinkles',
+    }
+  }
+  return null
+}

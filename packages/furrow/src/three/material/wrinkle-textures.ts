@@ -1,0 +1,77 @@
+import { SRGBColorSpace } from 'three'
+import { packColours, packGrays } from '../../core/pack.ts'
+import type { ArraySlice, GrayImage, Layer, LayerKind, RgbaImage } from '../../core/types.ts'
+import { isSlice } from '../../core/wrinkle-set.ts'
+import { type ArrayTexture, arrayOf } from '../loader/texture-arrays.ts'
+import { mapTexture } from './textures.ts'
+
+/** One kind of map of all layers, as one array on the GPU. */
+export interface LayerMaps {
+  texture: ArrayTexture
+  /** Where each layer's map lies; null for a layer that has none. */
+  slices: readonly (number | null)[]
+  /** Channel of maps that have only one. */
+  channel: number
+}
+
+/** Kinds of maps that a layer may have besides its normals. */
+export const VALUE_KINDS = ['baseColor', 'roughness', 'occlusion'] as const
+export type ValueKind = (typeof VALUE_KINDS)[number]
+
+/** A wrinkle set on the GPU. Faces that show the same set may share it, see `retain` and `release`. */
+export interface WrinkleTextures {
+  readonly layers: readonly Layer<ArraySlice>[]
+  readonly kinds: readonly LayerKind[]
+  readonly normals: LayerMaps
+  readonly values: Readonly<Partial<Record<ValueKind, LayerMaps>>>
+}
+
+/**
+ * Puts the maps of a set's layers on the GPU.
+ *
+ * @param anisotropy of the map they are mixed with.
+ * @throws FurrowError where maps of one kind differ in size, or lie in several arrays.
+ */
+export function createTextures(layers: readonly Layer<ArraySlice>[], anisotropy: number): WrinkleTextures {
+  const values = VALUE_KINDS.flatMap((kind) => {
+    const maps = layerMaps(layers, kind, anisotropy)
+    return maps ? [[kind, maps]] : []
+  })
+  const normals = layerMaps(layers, 'normal', anisotropy)!
+  const kinds = layers.map(({ kind }) => kind)
+  return { layers: [...layers], kinds, normals, values: Object.fromEntries(values) }
+}
+
+/** All textures of them. */
+export function listTextures({ normals, values }: WrinkleTextures): ArrayTexture[] {
+  return [normals, ...Object.values(values)].map(({ texture }) => texture)
+}
+
+type Map = RgbaImage | GrayImage | ArraySlice
+
+function layerMaps(
+  layers: readonly Layer<ArraySlice>[],
+  kind: 'normal' | ValueKind,
+  anisotropy: number,
+): LayerMaps | undefined {
+  const maps = layers.map((layer): Map | undefined => layer[kind])
+  const present = maps.filter((map): map is Map => map !== undefined)
+  if (present.length === 0) return undefined
+  if (!present.some(isSlice)) {
+    let next = 0
+    const slices = maps.map((map) => (map ? next++ : null))
+    return { texture: packMaps(present as (RgbaImage | GrayImage)[], kind, anisotropy), slices, channel: 0 }
+  }
+  const texture = arrayOf(present, 'Wrinkles', `${kind} maps`)
+  texture.anisotropy = anisotropy
+  const slices = maps.map((map) => (isSlice(map) ? map.slice : null))
+  return { texture, slices, channel: (present[0] as ArraySlice).channel }
+}
+
+function packMaps(images: (RgbaImage | GrayImage)[], kind: 'normal' | ValueKind, anisotropy: number) {
+  const who = `Wrinkles ${kind} maps of the layers`
+  if (kind === 'normal') return mapTexture(packColours(images as RgbaImage[], who), anisotropy)
+  if (kind === 'baseColor')
+    return mapTexture(packColours(images as RgbaImage[], who), anisotropy, SRGBColorSpace)
+  return mapTexture(packGrays(images, who), anisotropy)
+}

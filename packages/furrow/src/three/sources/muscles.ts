@@ -1,0 +1,62 @@
+import { BufferAttribute, type BufferGeometry, type Mesh } from 'three'
+import { muscleOffsets } from '../../drivers/muscles.ts'
+import type { MuscleDriver } from '../../drivers/types.ts'
+import { normalChanges } from '../../math/deformed-normals.ts'
+import { coordinates, targetOffsets, trianglesOf } from './geometry-arrays.ts'
+
+/**
+ * Gives a mesh virtual muscles: each becomes a morph target of its name, with normals, whose weight is the contraction. Muscles
+ * that the mesh has a target for already are passed over. Call it for every mesh of a face (brows and lashes too), all in the
+ * space of the muscles; the geometry is changed, for all meshes that share it.
+ */
+export function addMuscles(mesh: Mesh, muscles: readonly MuscleDriver[]): void {
+  if (muscles.length === 0) return
+  const { geometry } = mesh
+  mesh.morphTargetDictionary ??= {}
+  mesh.morphTargetInfluences ??= []
+  const { morphTargetDictionary: targets, morphTargetInfluences: influences } = mesh
+  const missing = muscles.filter(({ name }) => targets[name] === undefined)
+  if (missing.length === 0) return
+  const position = coordinates(geometry.getAttribute('position'))
+  const { morphAttributes } = geometry
+  morphAttributes.position ??= []
+  if (morphAttributes.position.length === 0) geometry.morphTargetsRelative = true
+  for (const muscle of missing) {
+    const offsets = muscleOffsets(muscle, position)
+    targets[muscle.name] = influences.length
+    influences.push(0)
+    const own = geometry.morphTargetsRelative ? offsets : offsets.map((offset, i) => offset + position[i])
+    morphAttributes.position.push(named(new BufferAttribute(own, 3), muscle.name))
+  }
+  addMorphNormals(geometry)
+}
+
+/**
+ * Gives the morph targets of a geometry normals where they have none, so that light follows what they do: three.js otherwise shades
+ * the face at rest. Does nothing where the geometry has no normals, or all its targets have some.
+ */
+export function addMorphNormals(geometry: BufferGeometry): void {
+  const { morphAttributes, morphTargetsRelative } = geometry
+  const targets = morphAttributes.position ?? []
+  const normal = geometry.getAttribute('normal')
+  const known = morphAttributes.normal ?? []
+  if (!normal || known.length >= targets.length) return
+  const normals = coordinates(normal)
+  const changes = normalChanges({
+    positions: coordinates(geometry.getAttribute('position')),
+    normals,
+    triangles: trianglesOf(geometry),
+  })
+  for (const [i, offsets] of targetOffsets(geometry).entries()) {
+    if (i < known.length) continue
+    const own = changes(offsets)
+    const stored = morphTargetsRelative ? own : own.map((change, k) => normals[k] + change)
+    known.push(named(new BufferAttribute(stored, 3), targets[i].name))
+  }
+  morphAttributes.normal = known
+}
+
+function named(attribute: BufferAttribute, name: string): BufferAttribute {
+  attribute.name = name
+  return attribute
+}

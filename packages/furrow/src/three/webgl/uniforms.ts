@@ -1,0 +1,41 @@
+import type { IUniform } from 'three'
+import type { ActivationTable } from '../material/activation-table.ts'
+import type { WrinkleInputs } from '../material/shader-inputs.ts'
+
+/** For shaders that read the influence map. */
+export function mapUniforms(inputs: WrinkleInputs): Record<string, IUniform> {
+  return {
+    furrowInfluence: inputs.influence,
+    furrowGrid: inputs.grid,
+    furrowInset: inputs.inset,
+    furrowReach: inputs.reach,
+    furrowFade: inputs.fade,
+  }
+}
+
+/** For shaders that sum the areas themselves. */
+export function areaUniforms(inputs: WrinkleInputs, table: ActivationTable): Record<string, IUniform> {
+  return {
+    furrowAreas: inputs.areaTexture,
+    furrowActivations: { value: table.texture },
+    furrowAreaCount: table.count,
+  }
+}
+
+/** For shaders that mix the layers' maps. */
+export function layerUniforms({
+  textures,
+  normalScale,
+  occlusionStrength,
+}: WrinkleInputs): Record<string, IUniform> {
+  const values = Object.entries(textures.values).map(([kind, { texture }]) => [
+    `furrow_${kind}`,
+    { value: texture },
+  ])
+  return {
+    furrowNormals: { value: textures.normals.texture },
+    furrowNormalScale: normalScale,
+    furrowOcclusionStrength: occlusionStrength,
+    ...Object.fromEntries(values),
+  }
+}

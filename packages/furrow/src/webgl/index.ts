@@ -1,3 +1,0 @@
-export * from '../three/index.ts'
-export { WrinkleLoaderPlugin } from './WrinkleLoaderPlugin.ts'
-export { Wrinkles } from './Wrinkles.ts'

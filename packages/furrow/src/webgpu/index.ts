@@ -1,7 +1,0 @@
-export * from '../three/index.ts'
-export { addDrivers } from './drivers.ts'
-export { type Gradients, influenceFromMap, sampleSlice } from './influence.ts'
-export { mixNormals, mixValues, reorient, type Shares } from './mix.ts'
-export { RecomputedNormals } from './RecomputedNormals.ts'
-export { WrinkleLoaderPlugin } from './WrinkleLoaderPlugin.ts'
-export { Wrinkles } from './Wrinkles.ts'
