@@ -121,7 +121,7 @@ function readMesh(node: Node): Omit<Face, 'name'> {
     for (let i = 0; i < position.getCount(); i++) {
       const [x, y, z] = position.getElement(i, [0, 0, 0]) as [number, number, number]
       for (let k = 0; k < 3; k++) {
-        positions.push(placement[k]! * x + placement[4 + k]! * y + placement[8 + k]! * z + placement[12 + k]!)
+        positions.push(placement[k] * x + placement[4 + k] * y + placement[8 + k] * z + placement[12 + k])
       }
       uvs.push(...uv.getElement(i, [0, 0]))
     }
@@ -145,6 +145,6 @@ export function placementOf(node: Node): mat4 {
   const bind = inverseBind.getElement(0, new Array(16).fill(0))
   return Array.from({ length: 16 }, (_, i) => {
     const [row, column] = [i % 4, 4 * Math.floor(i / 4)]
-    return [0, 1, 2, 3].reduce((sum, k) => sum + world[4 * k + row]! * bind[column + k]!, 0)
+    return [0, 1, 2, 3].reduce((sum, k) => sum + world[4 * k + row] * bind[column + k]!, 0)
   }) as mat4
 }

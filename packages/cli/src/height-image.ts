@@ -36,7 +36,7 @@ export async function readHeightImage(path: string, who: string): Promise<Height
   if (channels === 1) return { width, height, bits, data }
   const gray = new (bits === 8 ? Uint8Array : Uint16Array)(width * height)
   for (let i = 0; i < gray.length; i++) {
-    const [r, g, b] = [data[channels * i]!, data[channels * i + 1]!, data[channels * i + 2]!]
+    const [r, g, b] = [data[channels * i], data[channels * i + 1], data[channels * i + 2]]
     if (Math.max(r, g, b) - Math.min(r, g, b) > GRAY_TOLERANCE * full) {
       const at = `${r}, ${g}, ${b} at ${i % width}, ${Math.floor(i / width)}`
       throw refuse('colours in', at, 'gray heights', 'save the height map in gray; a normal map is none')

@@ -26,7 +26,7 @@ export async function decodeNormalMap(bytes: Uint8Array, name: string, size?: nu
     const { width, height, channels } = info
     const rgba = new Uint8Array(4 * width * height).fill(255)
     for (let i = 0; i < width * height; i++) {
-      for (let k = 0; k < 3; k++) rgba[4 * i + k] = data[channels * i + Math.min(k, channels - 1)]!
+      for (let k = 0; k < 3; k++) rgba[4 * i + k] = data[channels * i + Math.min(k, channels - 1)]
     }
     return { width, height, data: rgba }
   } catch (error) {
@@ -96,5 +96,5 @@ export async function writeAll(outputs: readonly Output[], who = 'furrow strokes
 
 /** The first line of whatever was thrown: libraries add stacks and hints that do not fit one line. */
 export function firstLine(error: unknown): string {
-  return (error instanceof Error ? error.message : String(error)).split('\n')[0]!.trim()
+  return (error instanceof Error ? error.message : String(error)).split('\n')[0].trim()
 }

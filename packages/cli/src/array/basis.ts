@@ -139,7 +139,7 @@ export async function decodeBasis(
 
 function spread(gray: Uint8Array): Uint8Array {
   const rgba = new Uint8Array(4 * gray.length).fill(255)
-  for (let i = 0; i < gray.length; i++) rgba.fill(gray[i]!, 4 * i, 4 * i + 3)
+  for (let i = 0; i < gray.length; i++) rgba.fill(gray[i], 4 * i, 4 * i + 3)
   return rgba
 }
 

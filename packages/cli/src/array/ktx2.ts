@@ -67,7 +67,7 @@ export async function readArray(bytes: Uint8Array): Promise<NamedArray & { compr
     throw new Error('it is a cube, a volume or a line')
   }
   const names = layerNames(container, count)
-  const srgb = container.dataFormatDescriptor[0]!.transferFunction === KHR_DF_TRANSFER_SRGB
+  const srgb = container.dataFormatDescriptor[0].transferFunction === KHR_DF_TRANSFER_SRGB
   const channels = CHANNELS.get(vkFormat)
   if (width * height * count * (channels ?? 4) > MOST_BYTES) throw new Error('it says it is larger than 2 GB')
   if (vkFormat === VK_FORMAT_UNDEFINED) {
@@ -79,7 +79,7 @@ export async function readArray(bytes: Uint8Array): Promise<NamedArray & { compr
   if (!packed && container.supercompressionScheme !== KHR_SUPERCOMPRESSION_NONE) {
     throw new Error(`its supercompression is ${container.supercompressionScheme}, not Zstandard`)
   }
-  const level = container.levels[0]!
+  const level = container.levels[0]
   const size = width * height * channels
   const { decompress } = await zstd()
   const data = packed ? decompress(level.levelData) : level.levelData

@@ -36,7 +36,7 @@ export async function readLayers(
     pictures.push(picture)
     progress?.(i + 1, paths.length)
   }
-  const { width, height } = pictures[0]!
+  const { width, height } = pictures[0]
   // No GPU format is gray in sRGB.
   const gray = !srgb && pictures.every(({ rgba }) => isGray(rgba))
   const layers = pictures.map(({ rgba }) => (gray ? rgba.filter((_, i) => i % 4 === 0) : rgba))

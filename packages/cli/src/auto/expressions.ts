@@ -49,7 +49,7 @@ const MOST = 8
 export function posesOf({ targets, areas }: Pick<AutoWrinkles, 'targets' | 'areas'>): ShownPose[] {
   const expressions = EXPRESSIONS.flatMap(({ name, targets: asked }): ShownPose[] => {
     const found = Object.entries(asked).map(([shape, weight]) => {
-      return { weight, names: findTargets(shape, targets).map((index) => targets[index]!) }
+      return { weight, names: findTargets(shape, targets).map((index) => targets[index]) }
     })
     if (found.some(({ weight, names }) => weight === 1 && names.length === 0)) return []
     const pairs = found.flatMap(({ weight, names }) => names.map((own) => [own, weight] as const))

@@ -17,11 +17,11 @@ const MARGIN = 0.15
  * @param pictures RGBA bytes.
  */
 export function movingPart(pictures: readonly Uint8Array[], width: number, height: number): Part {
-  const first = pictures[0]!
+  const first = pictures[0]
   let [left, top, right, bottom] = [width, height, -1, -1]
   for (const other of pictures) {
     for (let i = 0; i < other.length; i++) {
-      if (Math.abs(other[i]! - first[i]!) < OTHER) continue
+      if (Math.abs(other[i] - first[i]) < OTHER) continue
       const [x, y] = [(i >> 2) % width, Math.floor((i >> 2) / width)]
       left = Math.min(left, x)
       right = Math.max(right, x)

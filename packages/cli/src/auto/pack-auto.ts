@@ -30,7 +30,7 @@ export async function packAuto({ layers, areas, expressions }: AutoWrinkles): Pr
     ({ name, layer }, i): AreaPlace => ({
       name,
       layer,
-      image: images[Math.floor(i / SHARE)]!,
+      image: images[Math.floor(i / SHARE)],
       channel: i % SHARE,
     }),
   )
@@ -48,9 +48,9 @@ async function grayImage(name: string, image: GrayImage): Promise<FileImage> {
 /** Millimetres as bytes, 128 at the surface; the amplitude is metres from black to white. */
 function heightImage(millimetres: Float32Array): { data: Uint8Array; amplitude: number } {
   let farthest = 0.001
-  for (let i = 0; i < millimetres.length; i++) farthest = Math.max(farthest, Math.abs(millimetres[i]!))
+  for (let i = 0; i < millimetres.length; i++) farthest = Math.max(farthest, Math.abs(millimetres[i]))
   // In loops: `from` and `reduce` take a second for the millions of texels, and ten times the memory.
   const data = new Uint8Array(millimetres.length)
-  for (let i = 0; i < data.length; i++) data[i] = Math.round(127.5 + (127.5 * millimetres[i]!) / farthest)
+  for (let i = 0; i < data.length; i++) data[i] = Math.round(127.5 + (127.5 * millimetres[i]) / farthest)
   return { data, amplitude: (2 * farthest) / 1000 }
 }

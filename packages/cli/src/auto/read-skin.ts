@@ -122,7 +122,7 @@ function readSkin(mesh: Mesh, primitives: readonly Primitive[], material: Materi
     place(positions, placement, 1)
     for (const offset of offsets) place(offset, placement, 0)
   }
-  return { positions, uvs, indices, targets: names.map((name, k) => ({ name, offsets: offsets[k]! })) }
+  return { positions, uvs, indices, targets: names.map((name, k) => ({ name, offsets: offsets[k] })) }
 }
 
 /** Stands for a corner that is no vertex: the skin is refused for it later. */
@@ -151,10 +151,10 @@ function placementOfMesh(mesh: Mesh): mat4 | undefined {
 /** @param isPlace 0 for ways, which are turned and scaled but not moved. */
 function place(values: Float32Array, placement: mat4, isPlace: 0 | 1): void {
   for (let i = 0; i < values.length; i += 3) {
-    const [x, y, z] = [values[i]!, values[i + 1]!, values[i + 2]!]
+    const [x, y, z] = [values[i], values[i + 1], values[i + 2]]
     for (let k = 0; k < 3; k++) {
-      const moved = placement[k]! * x + placement[4 + k]! * y + placement[8 + k]! * z
-      values[i + k] = moved + isPlace * placement[12 + k]!
+      const moved = placement[k] * x + placement[4 + k] * y + placement[8 + k] * z
+      values[i + k] = moved + isPlace * placement[12 + k]
     }
   }
 }
@@ -173,7 +173,7 @@ function copyInto(out: Float32Array, accessor: Accessor, used: Uint32Array, firs
   const element: number[] = []
   for (const [i, vertex] of used.entries()) {
     accessor.getElement(vertex, element)
-    for (let k = 0; k < 3; k++) out[3 * (first + i) + k] = element[k]!
+    for (let k = 0; k < 3; k++) out[3 * (first + i) + k] = element[k]
   }
 }
 
@@ -186,15 +186,15 @@ function tellingTargets({ targets }: Skin): number[] {
 /** How much surface some targets move, times how far. */
 function movedSurface({ positions, indices, targets }: Skin, chosen: readonly number[]): number {
   const ways = new Float64Array(positions.length / 3)
-  for (const { offsets } of chosen.map((index) => targets[index]!)) {
+  for (const { offsets } of chosen.map((index) => targets[index])) {
     for (let i = 0; i < ways.length; i++)
-      ways[i]! += Math.hypot(offsets[3 * i]!, offsets[3 * i + 1]!, offsets[3 * i + 2]!)
+      ways[i] += Math.hypot(offsets[3 * i], offsets[3 * i + 1], offsets[3 * i + 2])
   }
   const normal = new Float64Array(3)
   let sum = 0
   for (let t = 0; t + 2 < indices.length; t += 3) {
-    const way = ways[indices[t]!]! + ways[indices[t + 1]!]! + ways[indices[t + 2]!]!
-    const area = crossOf(positions, indices[t]!, indices[t + 1]!, indices[t + 2]!, normal) / 2
+    const way = ways[indices[t]] + ways[indices[t + 1]] + ways[indices[t + 2]]
+    const area = crossOf(positions, indices[t], indices[t + 1], indices[t + 2], normal) / 2
     if (way > 0 && area > 0) sum += way * area
   }
   return sum

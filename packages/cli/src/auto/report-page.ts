@@ -47,7 +47,7 @@ ${beforeAndAfter(source.faces, poses)}
 <h2>Where the skin is pushed together</h2>
 <p>The share of its length that skin loses, in the direction in which it loses most, over the texture.</p>
 ${legend()}
-<div class="tiles">${poses.map((pose, i) => strainTile(pose, source.strain[i]!))}</div>
+<div class="tiles">${poses.map((pose, i) => strainTile(pose, source.strain[i]))}</div>
 </section>
 <section>
 <h2>Areas</h2>
@@ -57,7 +57,7 @@ ${areaTable(areas, source.areas)}
 </section>
 <section>
 <h2>Layers</h2>
-<div class="tiles">${layers.map(({ name }, i) => layerTiles(name, source.layers[i]!))}</div>
+<div class="tiles">${layers.map(({ name }, i) => layerTiles(name, source.layers[i]))}</div>
 </section>
 <section>
 <h2>What was found, and how long it took</h2>
@@ -97,7 +97,7 @@ function beforeAndAfter(faces: PageSource['faces'], poses: readonly ShownPose[])
   return html`<p>The same pose without wrinkles, and with them.</p>
 <div class="pairs">${poses.map(
     (pose, i) => html`<figure>
-<div class="pair">${image(faces[i]![0], `${pose.name}, without wrinkles`)}${image(faces[i]![1], `${pose.name}, with wrinkles`)}</div>
+<div class="pair">${image(faces[i][0], `${pose.name}, without wrinkles`)}${image(faces[i][1], `${pose.name}, with wrinkles`)}</div>
 ${caption(pose)}
 </figure>`,
   )}</div>`
@@ -124,7 +124,7 @@ function areaTable(areas: readonly AutoArea[], images: readonly ReportImage[]): 
   const rows = areas.map(({ name, layer, lines, compression, error, driver }, i) => {
     const links = [...driver.targets].sort((a, b) => (b.weight ?? 1) - (a.weight ?? 1))
     return html`<tr>
-<td class="map">${image(images[i]!, `Area ${name} in the texture`)}</td>
+<td class="map">${image(images[i], `Area ${name} in the texture`)}</td>
 <th scope="row">${name}</th>
 <td data-label="Layer">${layer + 1}</td>
 <td data-label="Lines">${lines}</td>

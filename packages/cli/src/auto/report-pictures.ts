@@ -59,7 +59,7 @@ export async function drawFaces(
       return encode(name, pixels, FACE.width, FACE.height, part)
     }),
   )
-  return poses.map((_, i) => [images[2 * i]!, images[2 * i + 1]!] as const)
+  return poses.map((_, i) => [images[2 * i], images[2 * i + 1]] as const)
 }
 
 /** What each pose does to the skin, in its texture. */

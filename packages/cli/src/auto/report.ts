@@ -41,7 +41,7 @@ export async function makeReport(
 ): Promise<Report> {
   const { path, glb, found, wrinkles } = source
   steps.begin('report')
-  const extension = glb.json.materials![found.material]!.extensions![WRINKLE_MAPS]
+  const extension = glb.json.materials![found.material].extensions![WRINKLE_MAPS]
   const maps = parseWrinkleMaps(extension, glb.json.textures?.length ?? 0, who)
   const file = { glb, material: found.material, maps }
   const poses = posesOf(wrinkles)

@@ -27,6 +27,6 @@ export class Steps {
   /** Seconds of each step so far. */
   times(): { step: string; seconds: number }[] {
     const ends = [...this.#begun.slice(1).map(({ at }) => at), performance.now()]
-    return this.#begun.map(({ step, at }, i) => ({ step, seconds: (ends[i]! - at) / 1000 }))
+    return this.#begun.map(({ step, at }, i) => ({ step, seconds: (ends[i] - at) / 1000 }))
   }
 }

@@ -20,7 +20,7 @@ export function colourStrain({ data }: StrainMap): Uint8Array {
     const place = (Math.min(share, MOST_SHARE) / MOST_SHARE) * (SCALE.length - 1)
     const first = Math.min(Math.floor(place), SCALE.length - 2)
     for (let k = 0; k < 3; k++) {
-      const [from, to] = [SCALE[first]![k]!, SCALE[first + 1]![k]!]
+      const [from, to] = [SCALE[first][k], SCALE[first + 1][k]]
       pixels[4 * i + k] = Math.round(from + (place - first) * (to - from))
     }
     pixels[4 * i + 3] = 255

@@ -101,7 +101,7 @@ async function unpack(files: string[], folder: string): Promise<Made> {
       remedy: 'name a folder for the layers',
     })
   }
-  const { bytes, array } = await readFileOf(path!)
+  const { bytes, array } = await readFileOf(path)
   const outputs = await Promise.all(
     array.layers.map(async (layer, i) => ({
       path: join(folder, `${array.names[i]}.png`),

@@ -140,7 +140,7 @@ function readSettings(options: Options) {
 
 /** A material has one set of wrinkles: those that it has go only if the user says so. */
 function makeRoom(glb: Glb, { material, materialName }: FoundSkin, replace: boolean): void {
-  if (glb.json.materials![material]!.extensions?.[WRINKLE_MAPS] === undefined) return
+  if (glb.json.materials![material].extensions?.[WRINKLE_MAPS] === undefined) return
   if (!replace) throw hasWrinkles(materialName)
   stripWrinkles(glb, material, WHO)
 }

@@ -95,10 +95,10 @@ const gpuCells = ({ uncompressed, bits8, bits4 }: GpuSizes) => [uncompressed, bi
 /** Columns as wide as their widest cell. */
 function table(heads: string[], rows: string[][]): string[] {
   const all = [heads, ...rows]
-  const widths = heads.map((_, i) => Math.max(...all.map((row) => row[i]!.length)))
+  const widths = heads.map((_, i) => Math.max(...all.map((row) => row[i].length)))
   return all.map((row) =>
     row
-      .map((cell, i) => cell.padEnd(widths[i]!))
+      .map((cell, i) => cell.padEnd(widths[i]))
       .join('  ')
       .trimEnd(),
   )

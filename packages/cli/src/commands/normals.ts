@@ -94,13 +94,13 @@ function readRise({ depth, width, strength }: Options): (texels: number) => numb
 function inTexels({ data, bits }: HeightImage, rise: number): Float32Array {
   const scale = rise / (2 ** bits - 1)
   const texels = new Float32Array(data.length)
-  for (let i = 0; i < data.length; i++) texels[i] = data[i]! * scale
+  for (let i = 0; i < data.length; i++) texels[i] = data[i] * scale
   return texels
 }
 
 /** In degrees, as read from the map. */
 function steepest({ data }: NormalMap, bits: 8 | 16): number {
   let lowest = 1
-  for (let i = 2; i < data.length; i += 3) lowest = Math.min(lowest, (2 * data[i]!) / (2 ** bits - 1) - 1)
+  for (let i = 2; i < data.length; i += 3) lowest = Math.min(lowest, (2 * data[i]) / (2 ** bits - 1) - 1)
   return Math.round(1800 * (Math.acos(lowest) / Math.PI)) / 10
 }

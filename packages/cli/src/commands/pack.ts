@@ -82,7 +82,7 @@ async function pack(folder: string, options: Options): Promise<void> {
   const wrinkles = await withBar('pack', (progress) =>
     packFolder(folder, document, { share, ktx2: options.ktx2 ?? false, areaSize, size }, WHO, progress),
   )
-  const material = glb.json.materials![target.material]!
+  const material = glb.json.materials![target.material]
   if (material.extensions?.[WRINKLE_MAPS] !== undefined) stripWrinkles(glb, target.material, WHO)
   embedWrinkles(glb, target.material, wrinkles, WHO)
   const morphNormals = options.morphNormals
@@ -91,7 +91,7 @@ async function pack(folder: string, options: Options): Promise<void> {
   const bytes = encodeGlb(glb)
   await writeAll([{ path: output, bytes }], WHO)
 
-  const mesh = glb.json.meshes![target.mesh]!
+  const mesh = glb.json.meshes![target.mesh]
   const unknown = missingOf(wrinkles.drivers, targetNamesOf(mesh), jointNamesOf(glb.json)).map(
     (what) => `${WHO}: ${what} is not there; it is kept`,
   )

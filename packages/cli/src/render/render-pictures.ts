@@ -55,7 +55,7 @@ async function drawAll(
   for (const [i, picture] of prepared.entries()) {
     progress(i, prepared.length)
     // A page for each face: a lost device or a leak then cannot spoil the next.
-    if (i === 0 || !isOfOneScene(picture, prepared[i - 1]!)) {
+    if (i === 0 || !isOfOneScene(picture, prepared[i - 1])) {
       await page?.close()
       page = await newPage(browser)
     }

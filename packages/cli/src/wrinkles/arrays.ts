@@ -29,7 +29,7 @@ export async function mapArrays(
     if (having.length === 0) continue
     const images = having.map((layer) => layer[kind] as CheckedImage)
     checkOneSize(images, kind, who)
-    const { width, height } = images[0]!
+    const { width, height } = images[0]
     const pixels = await Promise.all(images.map(({ bytes }) => rgba(bytes)))
     const names = having.map((_, i) => `layer-${i}`)
     const bytes = await encode({ width, height, channels: 4, srgb, names, layers: pixels }, true, who)
@@ -41,7 +41,7 @@ export async function mapArrays(
 
 /** Puts areas of one size into one KTX 2 array in UASTC, four to a slice, without mipmaps: those bleed across UV islands. */
 export async function areaArray(weights: readonly GrayImage[], who: string): Promise<FileImage[]> {
-  const { width, height } = weights[0]!
+  const { width, height } = weights[0]
   const slices = Array.from({ length: Math.ceil(weights.length / AREAS_PER_SLICE) }, (_, slice) => {
     const first = slice * AREAS_PER_SLICE
     return interleave(weights.slice(first, first + AREAS_PER_SLICE), 4)

@@ -61,7 +61,7 @@ export function usesBasis({ textures = [] }: GltfJson): boolean {
  */
 export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedWrinkles, who: string): void {
   const { json } = glb
-  const material = json.materials![materialIndex]!
+  const material = json.materials![materialIndex]
   const normal = material.normalTexture
   // Wrinkles lie where the skin's own normals lie; tools that prune texture coordinates see it from this.
   const beside = normal?.texCoord ? { texCoord: normal.texCoord } : {}

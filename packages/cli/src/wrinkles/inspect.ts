@@ -74,10 +74,10 @@ export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<
     const weights = await weightsOf(file, i, who)
     areas.push({
       name,
-      layer: maps.layers[layer]!.name,
+      layer: maps.layers[layer].name,
       texture: texture.index,
       ...(texture.slice !== undefined && { slice: texture.slice }),
-      channel: 'RGBA'[channel]!,
+      channel: 'RGBA'[channel],
       combine,
       activation,
       width: weights.width,
@@ -92,11 +92,11 @@ export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<
   )
   const images = new Set([...layers.flatMap(({ maps }) => maps), ...areas].map(({ texture }) => texture))
   return {
-    material: glb.json.materials![file.material]!.name,
+    material: glb.json.materials![file.material].name,
     fileBytes: glb.fileBytes,
     imageBytes: [...images].reduce((sum, index) => sum + imageOf(glb, index, who).bytes.length, 0),
     gpu: sumSizes([...textures.values(), ...gpuOfAreas(areas)]),
-    influenceMapBytes: influenceMapBytes(areas[0]!.width, areas[0]!.height, layers.length),
+    influenceMapBytes: influenceMapBytes(areas[0].width, areas[0].height, layers.length),
     layers,
     areas,
     drivers: maps.drivers,
@@ -105,7 +105,7 @@ export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<
 
 /** The weights of one area as they are in its image. */
 export async function weightsOf({ glb, maps }: WrinkledFile, area: number, who: string): Promise<GrayImage> {
-  const { texture, channel } = maps.areas[area]!
+  const { texture, channel } = maps.areas[area]
   return channelOf(await pixelsOf(glb, texture, who), channel)
 }
 
@@ -144,7 +144,7 @@ async function measureMap(
 /** Images become one slice for each area; an array stays as it is, several areas to a slice. */
 function gpuOfAreas(areas: readonly AreaReport[]): GpuSizes[] {
   const slices = new Map(areas.map((area) => [`${area.texture} ${area.slice}`, area]))
-  if (areas[0]!.slice !== undefined) {
+  if (areas[0].slice !== undefined) {
     return [...slices.values()].map(({ width, height }) => areaSliceSizes(width, height))
   }
   return areas.map(({ width, height }) => areaSizes(width, height))

@@ -77,7 +77,7 @@ export async function scaleMap(
 
 function normalise(data: Uint8Array, channels: number): void {
   for (let i = 0; i < data.length; i += channels) {
-    const vector = [0, 1, 2].map((k) => (data[i + k]! / 255) * 2 - 1)
+    const vector = [0, 1, 2].map((k) => (data[i + k] / 255) * 2 - 1)
     const length = Math.hypot(...vector) || 1
     for (const [k, value] of vector.entries()) data[i + k] = Math.round((value / length / 2 + 0.5) * 255)
   }
@@ -100,7 +100,7 @@ export async function readGray(bytes: Uint8Array, path: string, who: string): Pr
   if (channels === 1) return { width, height, data: new Uint8Array(data) }
   const gray = Uint8Array.from({ length: width * height }, (_, i) => {
     const [r, g, b] = data.subarray(channels * i, channels * i + 3)
-    return Math.round(0.299 * r! + 0.587 * g! + 0.114 * b!)
+    return Math.round(0.299 * r + 0.587 * g + 0.114 * b)
   })
   return { width, height, data: gray }
 }
@@ -131,15 +131,15 @@ export function channelOf(pixels: Pixels, channel: number): GrayImage {
   const at = channel === 3 ? channels - 1 : channels < 3 ? 0 : channel
   const gray = new Uint8Array(width * height).fill(255)
   if (channel === 3 && !alpha) return { width, height, data: gray }
-  for (let i = 0; i < gray.length; i++) gray[i] = data[channels * i + at]!
+  for (let i = 0; i < gray.length; i++) gray[i] = data[channels * i + at]
   return { width, height, data: gray }
 }
 
 /** Areas of one size side by side, as the channels of one image; channels without an area are 0. */
 export function interleave(weights: readonly GrayImage[], channels: number): Uint8Array {
-  const data = new Uint8Array(channels * weights[0]!.data.length)
+  const data = new Uint8Array(channels * weights[0].data.length)
   for (const [k, area] of weights.entries()) {
-    for (let i = 0; i < area.data.length; i++) data[channels * i + k] = area.data[i]!
+    for (let i = 0; i < area.data.length; i++) data[channels * i + k] = area.data[i]
   }
   return data
 }
@@ -167,7 +167,7 @@ export function shareImages(weights: readonly GrayImage[], share: Share): Promis
 
 /** Puts up to four areas of one size into the channels of one PNG; without a fourth there is no alpha. */
 async function encodeShared(weights: readonly GrayImage[], name: string): Promise<FileImage> {
-  const { width, height } = weights[0]!
+  const { width, height } = weights[0]
   const channels = weights.length === 1 ? 1 : weights.length === 4 ? 4 : 3
   const data = interleave(weights, channels)
   const image = sharp(data, { raw: { width, height, channels } })

@@ -73,7 +73,7 @@ export async function packFolder(
   if (ktx2) step()
   const perImage = ktx2 ? AREAS_PER_SLICE : share
   const areas = document.areas.map(({ name, layer, combine, activation }, i): AreaPlace => {
-    const place = { image: images[Math.floor(i / perImage)]!, channel: i % perImage }
+    const place = { image: images[Math.floor(i / perImage)], channel: i % perImage }
     return { name, ...place, layer: layerIndex(document, layer, name, who), combine, activation }
   })
   return { layers, areas, drivers: document.drivers ?? [], areaSize: side, warnings }

@@ -38,7 +38,7 @@ function checkLists({ json }: Glb): Finding[] {
 
 async function checkMaterial(glb: Glb, material: number): Promise<Finding[]> {
   const pointer = `/materials/${material}/extensions/${WRINKLE_MAPS}`
-  const json = glb.json.materials![material]!.extensions![WRINKLE_MAPS]
+  const json = glb.json.materials![material].extensions![WRINKLE_MAPS]
   try {
     const maps = parseWrinkleMaps(json, glb.json.textures?.length ?? 0)
     const file = { glb, material, maps }
@@ -59,15 +59,15 @@ async function checkMaterial(glb: Glb, material: number): Promise<Finding[]> {
 }
 
 function checkSizes({ layers }: Report): Finding[] {
-  const sizes = layers.map(({ maps }) => sizeText(maps[0]!))
+  const sizes = layers.map(({ maps }) => sizeText(maps[0]))
   const findings: Finding[] = []
   if (new Set(sizes).size > 1) {
     findings.push(error('LAYER_SIZES', `normal maps of the layers differ in size: ${sizes.join(', ')}`))
   }
   for (const { name, maps } of layers) {
     for (const map of maps) {
-      if (sizeText(map) === sizeText(maps[0]!)) continue
-      const message = `layer "${name}": ${map.map} is ${sizeText(map)}, its normal map ${sizeText(maps[0]!)}`
+      if (sizeText(map) === sizeText(maps[0])) continue
+      const message = `layer "${name}": ${map.map} is ${sizeText(map)}, its normal map ${sizeText(maps[0])}`
       findings.push(warning('MAP_SIZES', message))
     }
   }
@@ -76,7 +76,7 @@ function checkSizes({ layers }: Report): Finding[] {
 
 function checkImages({ layers }: Report): Finding[] {
   return layers.flatMap(({ name, maps }) => {
-    const lossy = maps[0]!.mimeType === 'image/jpeg'
+    const lossy = maps[0].mimeType === 'image/jpeg'
     return lossy
       ? [warning('JPEG_NORMALS', `layer "${name}": JPEG leaves blocks in normals; use PNG or UASTC`)]
       : []
@@ -147,7 +147,7 @@ function checkAreas({ areas }: Report): Finding[] {
 
 /** Readers take the texture coordinates of the skin's normal map for all; a file that says otherwise misleads. */
 function checkCoordinates({ glb, material, maps }: WrinkledFile): Finding[] {
-  const expected = glb.json.materials![material]!.normalTexture?.texCoord ?? 0
+  const expected = glb.json.materials![material].normalTexture?.texCoord ?? 0
   const infos = [
     ...maps.layers.map(({ normalTexture }) => normalTexture),
     ...maps.areas.map(({ texture }) => texture),

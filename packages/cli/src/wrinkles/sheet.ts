@@ -37,7 +37,7 @@ export async function drawSheet(file: WrinkledFile, who: string): Promise<Uint8A
   }
   for (const [i, { name, layer }] of file.maps.areas.entries()) {
     const weights = await scaledWeights(await weightsOf(file, i, who))
-    const where = file.maps.layers.length > 1 ? ` (${file.maps.layers[layer]!.name})` : ''
+    const where = file.maps.layers.length > 1 ? ` (${file.maps.layers[layer].name})` : ''
     tiles.push({ label: `${name}${where}`, pixels: tinted(skin, weights) })
   }
   return arrange(tiles)
@@ -73,7 +73,7 @@ function lettering(text: string): Buffer {
 
 /** The colour of the skin as RGB, `side` x `side`; gray where it has no texture. */
 export async function skinOf({ glb, material }: WrinkledFile, who: string, side = SIDE): Promise<Uint8Array> {
-  const colour = glb.json.materials![material]!.pbrMetallicRoughness?.baseColorTexture
+  const colour = glb.json.materials![material].pbrMetallicRoughness?.baseColorTexture
   return colour ? scaled(await pixelsOf(glb, colour, who), side) : new Uint8Array(3 * side * side).fill(120)
 }
 
@@ -92,7 +92,7 @@ export async function scaledWeights({ width, height, data }: GrayImage, side = S
 /** Shows on an RGB image where an area lies. */
 export function tinted(skin: Uint8Array, weights: Uint8Array): Uint8Array {
   return skin.map((value, i) => {
-    const share = (TINT_SHARE * weights[Math.floor(i / 3)]!) / 255
-    return Math.round(value * (1 - share) + TINT[i % 3]! * share)
+    const share = (TINT_SHARE * weights[Math.floor(i / 3)]) / 255
+    return Math.round(value * (1 - share) + TINT[i % 3] * share)
   })
 }

@@ -34,7 +34,7 @@ const INFLUENCE_CHANNELS = [1, 2, 4, 4]
 
 /** Bytes of the influence map that every face has: as large as an area, a channel for each layer. */
 export function influenceMapBytes(width: number, height: number, layers: number): number {
-  return 2 * INFLUENCE_CHANNELS[layers - 1]! * width * height
+  return 2 * INFLUENCE_CHANNELS[layers - 1] * width * height
 }
 
 export function sumSizes(sizes: readonly GpuSizes[]): GpuSizes {

@@ -13,7 +13,7 @@ type BufferView = NonNullable<GltfJson['bufferViews']>[number]
  */
 export function stripWrinkles(glb: Glb, materialIndex: number, who: string): number {
   const { json } = glb
-  const material = json.materials![materialIndex]!
+  const material = json.materials![materialIndex]
   const own = ownTextures(json, material.extensions![WRINKLE_MAPS], who)
   material.extensions = without(material.extensions!, WRINKLE_MAPS)
   if (Object.keys(material.extensions).length === 0) delete material.extensions

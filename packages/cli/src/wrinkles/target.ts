@@ -23,7 +23,7 @@ export function findTarget(json: GltfJson, who: string, meshName?: string, mater
     return mesh.primitives.some(hasTexture) ? [{ index, names: namesOf(json, mesh, index) }] : []
   })
   const mesh = choose(meshes, meshName, who, 'mesh', '--mesh')
-  const used = new Set(json.meshes![mesh]!.primitives.filter(hasTexture).map(({ material }) => material))
+  const used = new Set(json.meshes![mesh].primitives.filter(hasTexture).map(({ material }) => material))
   const materials = [...used].flatMap((index) => {
     const material = index === undefined ? undefined : json.materials?.[index]
     return material ? [{ index: index!, names: [material.name ?? String(index)] }] : []

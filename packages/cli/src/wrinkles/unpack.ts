@@ -49,11 +49,11 @@ export async function unpackWrinkles(
   const areaEntries: WrinkleSetDocument['areas'] = []
   for (const [i, area] of maps.areas.entries()) {
     const path = `areas/${areaFiles[i]}.png`
-    outputs.push({ path, bytes: await encodeWeights(areas[i]!, whiteIsVisible) })
+    outputs.push({ path, bytes: await encodeWeights(areas[i], whiteIsVisible) })
     areaEntries.push({
       name: area.name,
       image: encodeURI(path),
-      ...(area.layer !== 0 && { layer: layers[area.layer]!.name }),
+      ...(area.layer !== 0 && { layer: layers[area.layer].name }),
       ...(area.combine !== 'sum' && { combine: area.combine }),
       ...(whiteIsVisible && { convention: 'weight' as const }),
       ...(area.activation !== 0 && { activation: area.activation }),

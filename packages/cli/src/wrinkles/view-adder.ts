@@ -26,7 +26,7 @@ export class ViewAdder {
 
   /** Replaces the binary part by the longer one. */
   finish(): void {
-    this.#glb.json.buffers![0]!.byteLength = this.#length
+    this.#glb.json.buffers![0].byteLength = this.#length
     this.#glb.bin = Buffer.concat(this.#parts)
   }
 }

@@ -30,9 +30,9 @@ export async function readWrinkledFile(
   const materials = glb.json.materials ?? []
   const all = wrinkledMaterials(glb)
   const found =
-    materialName === undefined ? all : all.filter((index) => materials[index]!.name === materialName)
+    materialName === undefined ? all : all.filter((index) => materials[index].name === materialName)
   if (found.length !== 1) {
-    const names = all.map((index) => materials[index]!.name ?? String(index))
+    const names = all.map((index) => materials[index].name ?? String(index))
     throw new FurrowError({
       who,
       what:
@@ -44,8 +44,8 @@ export async function readWrinkledFile(
       remedy: all.length === 0 ? 'put some in with furrow pack' : 'name one with --material',
     })
   }
-  const material = found[0]!
-  const json = materials[material]!.extensions![WRINKLE_MAPS]
+  const material = found[0]
+  const json = materials[material].extensions![WRINKLE_MAPS]
   return { glb, material, maps: parseWrinkleMaps(json, glb.json.textures?.length ?? 0, `${who}: ${path}`) }
 }
 
