@@ -2,7 +2,8 @@ import { type mat4, type Node, Primitive } from '@gltf-transform/core'
 import { FurrowError } from 'furrow'
 import type { BakeMesh } from 'furrow/author'
 import { generateTangents } from 'mikktspace'
-import { nameOf, pickMesh, placementOf, readDocument, trianglesOf } from '../face.ts'
+import { nameOf, pickMesh, placementOf, trianglesOf } from '../gltf/mesh-nodes.ts'
+import { readDocument } from '../gltf/read-document.ts'
 
 const WHO = 'furrow bake'
 

@@ -1,8 +1,9 @@
-import { Command } from 'commander'
+import { Option } from 'commander'
 import { AGES, EXPRESSIONS, type Explanation, explain, FurrowError, findTargets } from 'furrow'
-import { readChoice, readNumber, weightCollector } from '../numbers.ts'
+import { createCommand } from '../command.ts'
+import { targetNamesOf } from '../gltf/gltf-json.ts'
+import { numberParser, parseWeight } from '../options.ts'
 import { driverText, linkText } from '../wrinkles/driver-text.ts'
-import { targetNamesOf } from '../wrinkles/target.ts'
 import { readWrinkledFile } from '../wrinkles/wrinkled-file.ts'
 
 const WHO = 'furrow activations'
@@ -11,17 +12,21 @@ interface Options {
   material?: string
   expression?: string
   set?: Record<string, number>
-  age?: string
+  age: number
   json?: boolean
 }
 
 /** `furrow activations`: why a wrinkle shows. */
-export const activationsCommand = new Command('activations')
+export const activationsCommand = createCommand('activations')
   .description('show the activation of each area of a face, and which link gave it')
   .argument('<face>', 'a face with wrinkles (.glb)')
-  .option('--set <target=weight...>', 'blendshapes, on top of the expression', weightCollector(WHO))
-  .option('--expression <name>', EXPRESSIONS.map(({ name }) => name).join(', '))
-  .option('--age <years>', `for areas that age drives (default: ${AGES.youngest})`)
+  .option('--set <target=weight...>', 'blendshapes, 0 to 1, on top of the expression', parseWeight)
+  .addOption(new Option('--expression <name>', 'an expression').choices(EXPRESSIONS.map(({ name }) => name)))
+  .addOption(
+    new Option('--age <years>', 'for areas driven by age, 0 to 120')
+      .argParser(numberParser({ min: 0, max: 120, unit: 'years' }))
+      .default(AGES.youngest),
+  )
   .option('--material <name>', 'the material that has the wrinkles (default: the only one)')
   .option('--json', 'print it as JSON')
   .addHelpText(
@@ -42,11 +47,7 @@ async function activations(path: string, options: Options): Promise<void> {
   )
   const targetNames = mesh ? targetNamesOf(mesh) : []
   const weights = weightsOf(targetNames, { ...expressionTargets(options.expression), ...options.set })
-  const age =
-    options.age === undefined
-      ? AGES.youngest
-      : readNumber(WHO, '--age', options.age, { low: 0, high: 120, unit: 'years', example: 50 })
-  const explanations = explain(maps.drivers, maps.areas, { targetNames, weights, age })
+  const explanations = explain(maps.drivers, maps.areas, { targetNames, weights, age: options.age })
   const others = maps.drivers.filter(({ type }) => type === 'bone' || type === 'tension').map(driverText)
   const text = options.json
     ? JSON.stringify({
@@ -81,10 +82,7 @@ function describe({ area, activation, resting, parts }: Explanation): string[] {
 const number = (value: number) => value.toFixed(3)
 
 function expressionTargets(name: string | undefined): Readonly<Record<string, number>> {
-  if (name === undefined) return {}
-  const names = EXPRESSIONS.map((expression) => expression.name)
-  const chosen = readChoice(WHO, '--expression', name, names)
-  return EXPRESSIONS.find((expression) => expression.name === chosen)!.targets
+  return EXPRESSIONS.find((expression) => expression.name === name)?.targets ?? {}
 }
 
 /** In the order of the mesh's blendshapes. Throws FurrowError where it has none of a name. */
@@ -94,6 +92,7 @@ function weightsOf(targetNames: readonly string[], set: Readonly<Record<string, 
     const places = findTargets(name, targetNames)
     if (places.length === 0) {
       throw new FurrowError({
+        code: 'unknown-name',
         who: WHO,
         what: 'no such blendshape',
         value: name,

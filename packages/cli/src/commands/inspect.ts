@@ -1,6 +1,5 @@
-import { Command } from 'commander'
-import { writeAll } from '../images.ts'
-import { checkWritable } from '../render/write-png.ts'
+import { createCommand } from '../command.ts'
+import { checkWritable, writeAll } from '../files.ts'
 import { driverText } from '../wrinkles/driver-text.ts'
 import { inspectWrinkles, type Report } from '../wrinkles/inspect.ts'
 import { drawSheet } from '../wrinkles/sheet.ts'
@@ -15,17 +14,17 @@ interface Options {
   json?: boolean
 }
 
-/** `furrow inspect`: what a file holds in wrinkles. */
-export const inspectCommand = new Command('inspect')
+/** `furrow inspect`: shows the wrinkles of a file. */
+export const inspectCommand = createCommand('inspect')
   .description('show the layers, areas and drivers of a face, and what they cost')
   .argument('<face>', 'a face with wrinkles (.glb)')
-  .option('--material <name>', 'the material that has them (default: the only one)')
-  .option('--sheet <file>', 'draw every map and area into one picture (.png)')
-  .option('--json', 'print it as JSON')
+  .option('--material <name>', 'the material with the wrinkles (default: the only one)')
+  .option('--sheet <file>', 'draw all maps and areas into one picture (.png)')
+  .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
     `
-On the GPU maps have mipmaps, areas have one channel and none. kB are of 1024 bytes.
+On the GPU, maps have mipmaps; areas have one channel and no mipmaps. 1 kB is 1024 bytes.
 
 Examples:
   $ furrow inspect faces/human.glb
@@ -78,7 +77,7 @@ function describe(path: string, report: Report): string {
       ]),
     ),
     '',
-    drivers.length === 0 ? 'no drivers: the program sets the activations' : 'drivers',
+    drivers.length === 0 ? 'no drivers: the application sets the activations' : 'drivers',
     ...drivers.map((driver) => `  ${driverText(driver)}`),
     '',
     `in the file: ${kilobytes(imageBytes)} of ${kilobytes(fileBytes)}`,
@@ -92,7 +91,7 @@ const GPU_HEADS = ['on the GPU', 'BC7, ASTC', 'BC1, ETC1']
 
 const gpuCells = ({ uncompressed, bits8, bits4 }: GpuSizes) => [uncompressed, bits8, bits4].map(kilobytes)
 
-/** Columns as wide as their widest cell. */
+/** Lines of a table, each column as wide as its widest cell. */
 function table(heads: string[], rows: string[][]): string[] {
   const all = [heads, ...rows]
   const widths = heads.map((_, i) => Math.max(...all.map((row) => row[i].length)))

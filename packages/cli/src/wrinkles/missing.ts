@@ -1,11 +1,14 @@
 import { BoneActivation, driversOf, isKnownDriver, MorphActivation, type WrinkleDriver } from 'furrow'
 
-/** Types that this version does not play, each once. */
+/** Types of drivers that this version does not know, each once. */
 export function unknownTypes(drivers: readonly WrinkleDriver[]): string[] {
   return [...new Set(drivers.filter((driver) => !isKnownDriver(driver)).map(({ type }) => type))]
 }
 
-/** What drivers name and a face does not have, e.g. `target "jawOpen" of a driver of area "chin"`; it counts as 0, so this is worth a warning and no more. */
+/**
+ * What drivers name and a face does not have, e.g. `target "jawOpen" of a driver of area "chin"`. It counts as 0, so
+ * that it is worth a warning and no more.
+ */
 export function missingOf(
   drivers: readonly WrinkleDriver[],
   targetNames: readonly string[],

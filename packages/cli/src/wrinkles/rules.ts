@@ -1,13 +1,14 @@
 import { DriverSum, FurrowError, parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
-import { firstLine } from '../images.ts'
-import type { Glb } from './glb-file.ts'
+import { firstLine } from '../errors.ts'
+import type { Glb } from '../gltf/glb-file.ts'
+import { jointNamesOf, targetNamesOf } from '../gltf/gltf-json.ts'
+import { imageOf, layerCount } from '../gltf/texture-image.ts'
+import { arrayOf } from '../gltf/texture-pixels.ts'
 import { inspectWrinkles, type Report } from './inspect.ts'
 import { missingOf, unknownTypes } from './missing.ts'
-import { arrayOf } from './pixels.ts'
-import { jointNamesOf, targetNamesOf } from './target.ts'
-import { imageOf, layerCount, MAP_SLOTS, type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
+import { MAP_SLOTS, type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
 
-/** Something that is wrong with a file, or may be. */
+/** An error or a warning about a file. */
 export interface Finding {
   severity: 'error' | 'warning'
   code: string
@@ -16,7 +17,7 @@ export interface Finding {
   pointer?: string
 }
 
-/** Checks the extension's own rules on every material that has wrinkles; nothing is thrown. */
+/** Checks the rules of the extension on every material with wrinkles. Never throws FurrowError. */
 export async function checkWrinkles(glb: Glb): Promise<Finding[]> {
   const materials = wrinkledMaterials(glb)
   if (materials.length === 0) return [warning('NO_WRINKLES', `no material has ${WRINKLE_MAPS}`)]
@@ -30,7 +31,7 @@ function checkLists({ json }: Glb): Finding[] {
     findings.push(error('NOT_DECLARED', `extensionsUsed lacks ${WRINKLE_MAPS}`, '/extensionsUsed'))
   }
   if (json.extensionsRequired?.includes(WRINKLE_MAPS)) {
-    const message = 'extensionsRequired names it: viewers without it show nothing, not even the plain face'
+    const message = 'extensionsRequired lists it: viewers without it will not open the file at all'
     findings.push(warning('REQUIRED', message, '/extensionsRequired'))
   }
   return findings
@@ -78,12 +79,12 @@ function checkImages({ layers }: Report): Finding[] {
   return layers.flatMap(({ name, maps }) => {
     const lossy = maps[0].mimeType === 'image/jpeg'
     return lossy
-      ? [warning('JPEG_NORMALS', `layer "${name}": JPEG leaves blocks in normals; use PNG or UASTC`)]
+      ? [warning('JPEG_NORMALS', `layer "${name}": JPEG causes blocks in normals; use PNG or UASTC`)]
       : []
   })
 }
 
-/** Every slice exists; blocks of 4 x 4 texels that share two colours show in normals. */
+/** Every slice must exist; the blocks of ETC1S, 4 x 4 texels between two colours, show in normals. */
 async function checkArrays({ glb, maps }: WrinkledFile): Promise<Finding[]> {
   const findings: Finding[] = []
   for (const layer of maps.layers) {
@@ -97,16 +98,16 @@ async function checkArrays({ glb, maps }: WrinkledFile): Promise<Finding[]> {
       }
       if (map === 'normal' && compression === 'etc1s') {
         findings.push(
-          warning('ETC1S_NORMALS', `layer "${layer.name}": ETC1S leaves blocks in normals; use UASTC`),
+          warning('ETC1S_NORMALS', `layer "${layer.name}": ETC1S causes blocks in normals; use UASTC`),
         )
       }
     }
   }
-  return [...findings, ...checkUsers(glb, maps)]
+  return [...findings, ...checkArrayUses(glb, maps)]
 }
 
-/** KHR_texture_basisu allows plain 2D images only; an array serves nothing but texture infos that name its slices. */
-function checkUsers(glb: Glb, maps: WrinkledFile['maps']): Finding[] {
+/** KHR_texture_basisu allows plain 2D images only, so that an array may be used only by texture infos with a slice. */
+function checkArrayUses(glb: Glb, maps: WrinkledFile['maps']): Finding[] {
   const own = [
     ...maps.layers.flatMap((layer) => MAP_SLOTS.flatMap(([, slot]) => layer[slot] ?? [])),
     ...maps.areas.map(({ texture }) => texture),
@@ -116,12 +117,12 @@ function checkUsers(glb: Glb, maps: WrinkledFile['maps']): Finding[] {
   return [...wrong].flatMap((index) => {
     const count = layerCount(imageOf(glb, index, WRINKLE_MAPS))
     if (count === 0) return []
-    const message = `texture ${index} is an array of ${count}, and a texture info without a slice names it`
+    const message = `texture ${index} is an array of ${count}, and a texture info without a slice refers to it`
     return [error('ARRAY_AS_IMAGE', message)]
   })
 }
 
-/** Textures that some texture info takes as a plain image, wherever it stands below. */
+/** Indices of the textures that texture infos anywhere below `value` use as plain images. */
 function plainTextures(value: unknown, key = '', found = new Set<number>()): Set<number> {
   if (typeof value !== 'object' || value === null) return found
   const { index, slice } = value as { index?: unknown; slice?: unknown }
@@ -131,21 +132,21 @@ function plainTextures(value: unknown, key = '', found = new Set<number>()): Set
 }
 
 function checkAreas({ areas }: Report): Finding[] {
-  // No image tool opens an array; in images it would be lost.
+  // Image tools do not open arrays, so that only images are at risk.
   const inImages = areas.filter(({ channel, slice }) => channel === 'A' && slice === undefined)
   const withAlpha = new Set(inImages.map(({ texture }) => texture))
   return areas.flatMap((area) => {
     const findings: Finding[] = []
     if (area.largest === 0) findings.push(warning('AREA_INVISIBLE', `area "${area.name}" is visible nowhere`))
     if (area.channel !== 'A' && withAlpha.has(area.texture)) {
-      const message = `area "${area.name}" shares texture ${area.texture} with one in alpha: tools that resize or compress it lose it where that is 0`
+      const message = `area "${area.name}" shares texture ${area.texture} with an area in alpha: tools that resize or compress it lose the colours where alpha is 0`
       findings.push(warning('AREA_UNDER_ALPHA', message))
     }
     return findings
   })
 }
 
-/** Readers take the texture coordinates of the skin's normal map for all; a file that says otherwise misleads. */
+/** Readers use the texture coordinates of the skin's normal map for all maps; a file that says otherwise misleads. */
 function checkCoordinates({ glb, material, maps }: WrinkledFile): Finding[] {
   const expected = glb.json.materials![material].normalTexture?.texCoord ?? 0
   const infos = [
@@ -154,7 +155,7 @@ function checkCoordinates({ glb, material, maps }: WrinkledFile): Finding[] {
   ]
   const other = infos.find((info) => ((info as { texCoord?: number }).texCoord ?? 0) !== expected)
   if (!other) return []
-  const message = `texture ${other.index} names other texture coordinates than the normalTexture (${expected}), whose are used`
+  const message = `texture ${other.index} has another texCoord than the normalTexture (${expected}), which is used instead`
   return [warning('TEXCOORD', message)]
 }
 
@@ -164,13 +165,13 @@ function checkDrivers({ glb, material, maps: { drivers } }: WrinkledFile): Findi
   })
   return [
     ...unknownTypes(drivers).map((type) =>
-      warning('DRIVER_TYPE', `drivers of type "${type}" are not played`),
+      warning('DRIVER_TYPE', `drivers of type "${type}" are unknown and ignored`),
     ),
     ...missingOf(drivers, meshes.flatMap(targetNamesOf), jointNamesOf(glb.json)).map((what) =>
-      warning('DRIVER_NAME', `${what} is not there`),
+      warning('DRIVER_NAME', `${what} does not exist`),
     ),
     ...new DriverSum([], drivers).cyclic.map((area) =>
-      warning('DRIVER_CYCLE', `area "${area}" drives itself; its drivers between areas are not played`),
+      warning('DRIVER_CYCLE', `area "${area}" drives itself; its drivers of type area are ignored`),
     ),
   ]
 }

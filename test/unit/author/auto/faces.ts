@@ -1,8 +1,8 @@
 import { fileURLToPath } from 'node:url'
 import { MorphActivation } from 'furrow'
 import { type AutoWrinkles, autoWrinkles, type Skin } from 'furrow/author'
-import { findSkin } from '../../../../packages/cli/src/auto/read-skin.ts'
-import { readDocument } from '../../../../packages/cli/src/face.ts'
+import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
+import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
 import { type Face, findFace, poseOf } from '../../../../packages/furrow/src/author/auto/face.ts'
 import { hasScan, SCAN } from '../../../real-face/pack-scan.ts'
 
