@@ -1,17 +1,12 @@
 import { parse } from 'node:path'
-import { FurrowError, MAX_AREAS, MAX_IMAGE_SIDE } from 'furrow'
+import { type ErrorCode, FurrowError, MAX_AREAS, MAX_IMAGE_SIDE } from 'furrow'
+import type { RgbaImage } from 'furrow/author'
 import sharp from 'sharp'
 import { withImageErrors } from '../images/pixels.ts'
 import type { NamedArray } from './image-array.ts'
 import { isName } from './ktx2.ts'
 
 const WHO = 'furrow array'
-
-interface RgbaImage {
-  width: number
-  height: number
-  rgba: Uint8Array
-}
 
 /**
  * Reads images as the layers of an array, named after their files. Values are kept as they are: colour profiles are not
@@ -39,14 +34,20 @@ export async function readLayers(
   }
   const { width, height } = images[0]
   // GPUs have no gray sRGB format.
-  const gray = !srgb && images.every(({ rgba }) => isGray(rgba))
-  const layers = images.map(({ rgba }) => (gray ? rgba.filter((_, i) => i % 4 === 0) : rgba))
+  const gray = !srgb && images.every(({ data }) => isGray(data))
+  const layers = images.map(({ data }) => (gray ? data.filter((_, i) => i % 4 === 0) : data))
   return { width, height, channels: gray ? 1 : 4, srgb, names, layers }
 }
 
 function checkNames(names: readonly string[], paths: readonly string[]): void {
   if (names.length < 1 || names.length > MAX_AREAS) {
-    fail('number of images out of range', names.length, `1 to ${MAX_AREAS}`, 'make several arrays')
+    fail(
+      'number of images out of range',
+      names.length,
+      `1 to ${MAX_AREAS}`,
+      'make several arrays',
+      'out-of-range',
+    )
   }
   for (const [i, name] of names.entries()) {
     const other = names.indexOf(name)
@@ -61,17 +62,24 @@ async function readImage(path: string): Promise<RgbaImage> {
   const decode = async () => {
     const image = sharp(path, { ignoreIcc: true })
     const { width, height, depth } = await image.metadata()
-    if (depth !== 'uchar')
+    if (depth !== 'uchar') {
       fail(`unsupported bit depth of ${path}`, depth, '8 bits per channel', 'save it in 8 bits')
+    }
     if (width > MAX_IMAGE_SIDE || height > MAX_IMAGE_SIDE) {
-      fail(`${path} is too large`, `${width} x ${height}`, `${MAX_IMAGE_SIDE} texels a side`, 'scale it down')
+      fail(
+        `${path} is too large`,
+        `${width} x ${height}`,
+        `${MAX_IMAGE_SIDE} texels a side`,
+        'scale it down',
+        'out-of-range',
+      )
     }
     const { data, info } = await image
       .toColourspace('srgb')
       .ensureAlpha()
       .raw()
       .toBuffer({ resolveWithObject: true })
-    return { width: info.width, height: info.height, rgba: data }
+    return { width: info.width, height: info.height, data }
   }
   const hints = { limit: 'PNG, TIFF, WebP or JPEG', remedy: 'check the path and the file' }
   return withImageErrors(path, WHO, decode, hints)
@@ -84,6 +92,6 @@ function isGray(rgba: Uint8Array): boolean {
   return true
 }
 
-function fail(what: string, value: unknown, limit: string, remedy: string): never {
-  throw new FurrowError({ who: WHO, what, value, limit, remedy })
+function fail(what: string, value: unknown, limit: string, remedy: string, code?: ErrorCode): never {
+  throw new FurrowError({ code, who: WHO, what, value, limit, remedy })
 }

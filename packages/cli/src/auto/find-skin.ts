@@ -58,7 +58,7 @@ export function findSkin(document: Document, path: string, who: string, meshName
     remedy:
       meshName === undefined
         ? 'unwrap the face and give it a material'
-        : `name one of ${meshes.map(nameOf).join(', ')}`,
+        : `name one of ${meshes.map(labelOf).join(', ')}`,
   })
 }
 
@@ -81,7 +81,7 @@ function candidatesOf(document: Document, mesh: Mesh, index: number): Omit<Found
         skin: readSkin(mesh, primitives, material),
         mesh: index,
         material: document.getRoot().listMaterials().indexOf(material),
-        meshName: nameOf(mesh, index),
+        meshName: labelOf(mesh, index),
         materialName: material.getName(),
         hasTangents: primitives.every((primitive) => primitive.getAttribute('TANGENT') !== null),
       },
@@ -89,12 +89,14 @@ function candidatesOf(document: Document, mesh: Mesh, index: number): Omit<Found
   })
 }
 
+/** Whether the mesh, or a node of it, has that name; true for no name. */
 function isNamed(mesh: Mesh, name: string | undefined): boolean {
   if (name === undefined || mesh.getName() === name) return true
   return mesh.listParents().some((parent) => parent.propertyType === 'Node' && parent.getName() === name)
 }
 
-function nameOf(mesh: Mesh, index: number): string {
+/** Its name, or its index where it has none. */
+function labelOf(mesh: Mesh, index: number): string {
   return mesh.getName() || String(index)
 }
 

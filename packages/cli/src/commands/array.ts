@@ -15,7 +15,7 @@ const WHO = 'furrow array'
 interface Options {
   output?: string
   extract?: string
-  srgb: boolean
+  srgb?: boolean
   compress: Compression
   mipmaps: boolean
   json?: boolean
@@ -32,7 +32,7 @@ export const arrayCommand = createCommand('array')
       'write the layers of an array as PNG files with their original names',
     ).conflicts('output'),
   )
-  .option('--srgb', 'the images are colours; not for normal maps, areas and other data', false)
+  .option('--srgb', 'the images are colours; not for normal maps, areas and other data')
   .addOption(
     new Option('--compress <kind>', 'none and zstd are exact, uastc and etc1s stay compressed on the GPU')
       .choices(COMPRESSIONS)
@@ -50,13 +50,13 @@ Examples:
   )
   .action(packOrExtract)
 
-/** An array that was packed or extracted, for the report. */
+/** An array that was packed or extracted. */
 type Result = NamedArray & { file: string; compression: Compression; bytes: number; gpuBytes?: number }
 
 async function packOrExtract(files: string[], options: Options): Promise<void> {
   const { output, extract } = options
-  if (output !== undefined) return report(await packImages(files, output, options), options)
-  if (extract !== undefined) return report(await extractLayers(files, extract), options)
+  if (output !== undefined) return printSummary(await packImages(files, output, options), options)
+  if (extract !== undefined) return printSummary(await extractLayers(files, extract), options)
   throw new FurrowError({
     code: 'usage',
     who: WHO,
@@ -69,7 +69,7 @@ async function packOrExtract(files: string[], options: Options): Promise<void> {
 async function packImages(
   files: string[],
   output: string,
-  { compress, mipmaps, srgb }: Options,
+  { compress, mipmaps, srgb = false }: Options,
 ): Promise<Result> {
   await checkWritable(output, WHO, '.ktx2')
   const array = await withBar('array', (progress) => readLayers(files, srgb, progress))
@@ -128,7 +128,7 @@ function sizeOnGpu(array: NamedArray, compression: Compression, mipmaps: boolean
   return blocks * (compression === 'uastc' ? 16 : 8) * layers.length
 }
 
-function report(result: Result, { json }: Options): void {
+function printSummary(result: Result, { json }: Options): void {
   const { width, height, channels, srgb, names, file, bytes, gpuBytes, compression } = result
   const format = `${channels === 1 ? 'gray' : 'RGBA'}${srgb ? ' sRGB' : ''}, ${compression}`
   const onGpu = gpuBytes === undefined ? '' : `, ${kibibytes(gpuBytes)} on the GPU`

@@ -42,7 +42,7 @@ interface Options {
   layers: number
   areas: number
   regions?: AutoRegion[]
-  replace: boolean
+  replace?: boolean
   report?: string
   json?: boolean
 }
@@ -94,11 +94,11 @@ export const autoCommand = createCommand('auto')
     }).default(AUTO_DEFAULTS.areas),
   )
   .addOption(
-    new Option('--regions <names...>', 'parts of a face that may crease (default: all)').choices(
+    new Option('--regions <names...>', 'parts of a face that may crease, all by default').choices(
       AUTO_REGIONS,
     ),
   )
-  .option('--replace', 'replace existing wrinkles', false)
+  .option('--replace', 'replace existing wrinkles')
   .option('--report <folder>', 'write a page there: before and after, strain, areas, layers, drivers')
   .option('--json', 'print the result as JSON')
   .addHelpText(
@@ -130,7 +130,7 @@ async function auto(face: string, options: Options): Promise<void> {
     const glb = await readGlbFile(face, WHO)
     checkTriangles(glb, WHO, mesh)
     const found = findSkin(await readDocument(face, WHO), face, WHO, mesh)
-    removeOldWrinkles(glb, found, options.replace)
+    removeOldWrinkles(glb, found, options.replace ?? false)
     const frame = found.hasTangents ? 'orthonormal' : 'derivative'
     const wrinkles = withCommandErrors(WHO, () =>
       autoWrinkles(found.skin, { ...settings, frame }, (done, count, step) => {

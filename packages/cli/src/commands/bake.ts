@@ -113,7 +113,7 @@ async function bake(high: string, low: string, options: Options): Promise<void> 
     withBar('bake', (progress) => bakeMaps(mesh, target, { ...settingsOf(options), cage }, progress)),
   )
   await writeAll(await encodeAll(baked, options), WHO)
-  report(
+  printSummary(
     baked,
     {
       files: paths,
@@ -181,7 +181,7 @@ async function encodeAll(baked: Baked, { output, height, occlusion }: Options): 
   return outputs
 }
 
-interface Report {
+interface Summary {
   files: string[]
   mesh: string
   size: number
@@ -194,10 +194,11 @@ interface Report {
   milliseconds: number
 }
 
-function report(baked: Baked, facts: Report, options: Options): void {
-  const { files, mesh, size, tangents, triangles, cageMm, samples, misses, emptyTexels, milliseconds } = facts
+function printSummary(baked: Baked, summary: Summary, options: Options): void {
+  const { files, mesh, size, tangents, triangles, cageMm, samples, misses, emptyTexels, milliseconds } =
+    summary
   const text = options.json
-    ? JSON.stringify(facts)
+    ? JSON.stringify(summary)
     : [
         `${files.join(', ')}: ${size} x ${size}, ${triangles.high} triangles onto ${triangles.low} of ${mesh}, cage ${cageMm} mm, ${(milliseconds / 1000).toFixed(1)} s`,
         `tangents ${tangents === 'of the mesh' ? tangents : `by ${tangents}`}; ${misses} of ${samples} rays missed (${((100 * misses) / samples).toFixed(2)}%), ${emptyTexels} texels without a hit`,

@@ -1,7 +1,7 @@
 import { createCommand } from '../command.ts'
 import { checkWritable, writeAll } from '../files.ts'
 import { driverText } from '../wrinkles/driver-text.ts'
-import { inspectWrinkles, type Report } from '../wrinkles/inspect.ts'
+import { type Inspection, inspectWrinkles } from '../wrinkles/inspect.ts'
 import { drawSheet } from '../wrinkles/sheet.ts'
 import { type GpuSizes, kilobytes } from '../wrinkles/sizes.ts'
 import { readWrinkledFile } from '../wrinkles/wrinkled-file.ts'
@@ -43,7 +43,7 @@ async function inspect(path: string, { material, sheet, json }: Options): Promis
   process.stdout.write(`${text}\n`)
 }
 
-function describe(path: string, report: Report): string {
+function describe(path: string, report: Inspection): string {
   const { layers, areas, drivers, gpu, imageBytes, fileBytes } = report
   return [
     `${path}: wrinkles on material "${report.material ?? ''}"`,

@@ -24,12 +24,12 @@ interface Options {
   face?: string
   mesh?: string
   material?: string
-  whiteIsVisible: boolean
+  whiteIsVisible?: boolean
   areaSize?: number
   share: `${AreasPerImage}`
-  ktx2: boolean
+  ktx2?: boolean
   size?: number
-  morphNormals: boolean
+  morphNormals?: boolean
   json?: boolean
 }
 
@@ -43,7 +43,7 @@ export const packCommand = createCommand('pack')
   .option('--face <file>', 'the face (default: face.glb in the folder)')
   .option('--mesh <name>', 'the mesh that wrinkles (default: "skin", or the only one)')
   .option('--material <name>', 'its material (default: "skin", or the only one)')
-  .option('--white-is-visible', 'areas are white where wrinkles show, instead of black', false)
+  .option('--white-is-visible', 'areas are white where wrinkles show, instead of black')
   .option(
     '--area-size <texels>',
     `side of the areas (default: wrinkles.json's, or ${DEFAULT_AREA_SIZE})`,
@@ -55,12 +55,13 @@ export const packCommand = createCommand('pack')
       .default(String(PACK_DEFAULTS.areasPerImage)),
   )
   .addOption(
-    new Option('--ktx2', 'maps and areas as KTX 2 arrays (UASTC), which stay compressed on the GPU')
-      .default(PACK_DEFAULTS.ktx2)
-      .conflicts('share'),
+    new Option(
+      '--ktx2',
+      'maps and areas as KTX 2 arrays (UASTC), which stay compressed on the GPU',
+    ).conflicts('share'),
   )
   .option('--size <texels>', "side of the layers' maps (default: unchanged)", imageSide)
-  .option('--morph-normals', 'add normals to blendshapes that have none, so that shading follows them', false)
+  .option('--morph-normals', 'add normals to blendshapes that have none, so that shading follows them')
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
@@ -78,7 +79,14 @@ Examples:
   .action(pack)
 
 async function pack(folder: string, options: Options): Promise<void> {
-  const { output, face = join(folder, 'face.glb'), whiteIsVisible, ktx2, areaSize, size } = options
+  const {
+    output,
+    face = join(folder, 'face.glb'),
+    whiteIsVisible = false,
+    ktx2 = PACK_DEFAULTS.ktx2,
+    areaSize,
+    size,
+  } = options
   const areasPerImage = Number(options.share) as AreasPerImage
   await checkWritable(output, WHO, '.glb')
   const document = await readFolder(folder, whiteIsVisible, WHO)

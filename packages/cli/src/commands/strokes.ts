@@ -5,14 +5,12 @@ import {
   combineNormals,
   type HeightMap,
   heightToNormal,
-  type Metric,
   paintAreas,
   parseStrokes,
   type RgbaImage,
   type StrokesDocument,
   strokesToHeight,
   surfaceMetric,
-  type TangentFrame,
 } from 'furrow/author'
 import { createCommand } from '../command.ts'
 import { type OutputFile, readBytes, readJson, writeAll } from '../files.ts'
@@ -37,7 +35,7 @@ interface Options {
   face: string
   mesh?: string
   base?: string
-  detail: boolean
+  detail?: boolean
   output?: string
   normal?: string
   areas?: string
@@ -52,9 +50,7 @@ export const strokesCommand = createCommand('strokes')
   .option('--mesh <name>', 'its mesh (default: "skin", or the only one)')
   .option('--base <image>', "smooth normal map under the wrinkles (default: the mesh's own)")
   .addOption(
-    new Option('--detail', 'wrinkles without a base, for a layer of kind "detail"')
-      .default(false)
-      .conflicts('base'),
+    new Option('--detail', 'wrinkles without a base, for a layer of kind "detail"').conflicts('base'),
   )
   .option('-o, --output <file>', 'height map, 16-bit gray PNG')
   .option('--normal <file>', 'wrinkled normal map, 8-bit RGB PNG')
@@ -78,61 +74,55 @@ async function drawStrokes(path: string, options: Options): Promise<void> {
   }
   const document = parseStrokes(await readJson(path, WHO, 'the strokes'))
   const face = await readFaceMesh(options.face, WHO, options.mesh)
-  const size = options.size ?? document.size
-  const outputs: OutputFile[] = []
-  const notes: string[] = []
-  if (options.output || options.normal) {
-    const base = options.normal ? await readBase(options, face, size) : undefined
-    const side = size ?? DEFAULT_SIZE
-    const metric = surfaceMetric(face.mesh, base?.width ?? side, base?.height ?? side)
-    await drawMaps(
-      document,
-      metric,
-      face.hasTangents ? 'orthonormal' : 'derivative',
-      base,
-      options,
-      outputs,
-      notes,
-    )
-  }
-  if (options.areas) {
-    const folder = options.areas
-    for (const { name, weights } of paintAreas(document, surfaceMetric(face.mesh, DEFAULT_AREA_SIZE))) {
-      const file = join(folder, `${name}.png`)
-      outputs.push({ path: file, bytes: await encodeArea(weights) })
-      notes.push(`${file}: ${weights.width} x ${weights.height}, white = no wrinkles`)
-    }
-  }
-  await writeAll(outputs, WHO)
-  process.stdout.write(`${notes.join('\n')}\n`)
+  const drawn = [...(await drawMaps(document, face, options)), ...(await drawAreas(document, face, options))]
+  await writeAll(drawn, WHO)
+  process.stdout.write(`${drawn.map(({ path, note }) => `${path}: ${note}`).join('\n')}\n`)
 }
 
-async function drawMaps(
-  document: StrokesDocument,
-  metric: Metric,
-  frame: TangentFrame,
-  base: RgbaImage | undefined,
-  { output, normal }: Options,
-  outputs: OutputFile[],
-  notes: string[],
-): Promise<void> {
-  const size = `${metric.width} x ${metric.height}`
-  const relief = withBar('strokes', (progress) => strokesToHeight(document.strokes, metric, progress))
+/** A file to write, and what to print about it. */
+interface DrawnFile extends OutputFile {
+  note: string
+}
+
+/** The height map and the normal map, where they are asked for. */
+async function drawMaps(document: StrokesDocument, face: FaceMesh, options: Options): Promise<DrawnFile[]> {
+  const { output, normal } = options
+  if (!output && !normal) return []
+  const size = options.size ?? document.size
+  const base = normal ? await readBase(options, face, size) : undefined
+  const side = size ?? DEFAULT_SIZE
+  const metric = surfaceMetric(face.mesh, base?.width ?? side, base?.height ?? side)
+  const heights = withBar('strokes', (progress) => strokesToHeight(document.strokes, metric, progress))
+  const drawn: DrawnFile[] = []
+  const sizeText = `${metric.width} x ${metric.height}`
   if (output) {
-    outputs.push({ path: output, bytes: await encodeHeight(relief) })
-    notes.push(`${output}: ${size}, 16-bit, ${HEIGHT_ZERO} = 0 mm, ${scaleText()}, ${rangeOf(relief)}`)
+    const scale = `${HEIGHT_ZERO} = 0 mm, 1 step = ${1 / HEIGHT_STEPS_PER_MM} mm`
+    const note = `${sizeText}, 16-bit, ${scale}, ${rangeOf(heights)}`
+    drawn.push({ path: output, bytes: await encodeHeight(heights), note })
   }
   if (normal) {
-    const wrinkles = heightToNormal(relief, metric, frame)
-    const map = base ? combineNormals(base, wrinkles) : wrinkles
-    outputs.push({ path: normal, bytes: await encodeRgbaNormalMap(map) })
+    const wrinkles = heightToNormal(heights, metric, face.hasTangents ? 'orthonormal' : 'derivative')
+    const bytes = await encodeRgbaNormalMap(base ? combineNormals(base, wrinkles) : wrinkles)
     const over = base ? "over the skin's own normal map" : 'over a flat skin'
-    notes.push(`${normal}: ${size}, ${document.strokes.length} strokes ${over}`)
+    drawn.push({ path: normal, bytes, note: `${sizeText}, ${document.strokes.length} strokes ${over}` })
   }
+  return drawn
 }
 
-const scaleText = () => `1 step = ${1 / HEIGHT_STEPS_PER_MM} mm`
+/** A gray image per area, where they are asked for. */
+function drawAreas(document: StrokesDocument, face: FaceMesh, { areas }: Options): Promise<DrawnFile[]> {
+  if (!areas) return Promise.resolve([])
+  const painted = paintAreas(document, surfaceMetric(face.mesh, DEFAULT_AREA_SIZE))
+  return Promise.all(
+    painted.map(async ({ name, weights }) => ({
+      path: join(areas, `${name}.png`),
+      bytes: await encodeArea(weights),
+      note: `${weights.width} x ${weights.height}, white = no wrinkles`,
+    })),
+  )
+}
 
+/** The lowest and highest value. */
 function rangeOf({ data }: HeightMap): string {
   let [low, high] = [0, 0]
   for (const mm of data) {

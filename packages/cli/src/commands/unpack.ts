@@ -11,7 +11,7 @@ const WHO = 'furrow unpack'
 interface Options {
   output: string
   material?: string
-  whiteIsVisible: boolean
+  whiteIsVisible?: boolean
   json?: boolean
 }
 
@@ -21,7 +21,7 @@ export const unpackCommand = createCommand('unpack')
   .argument('<face>', 'a face with wrinkles (.glb)')
   .requiredOption('-o, --output <folder>', 'the folder, which must be new or empty')
   .option('--material <name>', 'the material with the wrinkles (default: the only one)')
-  .option('--white-is-visible', 'write areas white where wrinkles show, instead of black', false)
+  .option('--white-is-visible', 'write areas white where wrinkles show, instead of black')
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
@@ -33,7 +33,10 @@ Example:
   )
   .action(unpack)
 
-async function unpack(path: string, { output, material, whiteIsVisible, json }: Options): Promise<void> {
+async function unpack(
+  path: string,
+  { output, material, whiteIsVisible = false, json }: Options,
+): Promise<void> {
   await checkNewFolder(output, WHO)
   const file = await readWrinkledFile(path, WHO, material)
   const outputs = await withBar('unpack', (progress) => unpackWrinkles(file, whiteIsVisible, WHO, progress))

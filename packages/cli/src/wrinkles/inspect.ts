@@ -44,7 +44,7 @@ export interface AreaReport {
 }
 
 /** What wrinkles a file has, and what they cost. */
-export interface Report {
+export interface Inspection {
   material?: string
   fileBytes: number
   /** Bytes of the wrinkles' images in the file, each image once. */
@@ -59,7 +59,7 @@ export interface Report {
 }
 
 /** Measures the wrinkles of a file. Throws FurrowError when an image is missing or cannot be decoded. */
-export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<Report> {
+export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<Inspection> {
   const { glb, maps } = file
   const layers = await Promise.all(
     maps.layers.map(async (layer): Promise<LayerReport> => {

@@ -4,7 +4,7 @@ import type { Glb } from '../gltf/glb-file.ts'
 import { jointNamesOf, targetNamesOf } from '../gltf/gltf-json.ts'
 import { imageOf, layerCount } from '../gltf/texture-image.ts'
 import { arrayOf } from '../gltf/texture-pixels.ts'
-import { inspectWrinkles, type Report } from './inspect.ts'
+import { type Inspection, inspectWrinkles } from './inspect.ts'
 import { missingOf, unknownTypes } from './missing.ts'
 import { MAP_SLOTS, type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
 
@@ -59,7 +59,7 @@ async function checkMaterial(glb: Glb, material: number): Promise<Finding[]> {
   }
 }
 
-function checkSizes({ layers }: Report): Finding[] {
+function checkSizes({ layers }: Inspection): Finding[] {
   const sizes = layers.map(({ maps }) => sizeText(maps[0]))
   const findings: Finding[] = []
   if (new Set(sizes).size > 1) {
@@ -75,7 +75,7 @@ function checkSizes({ layers }: Report): Finding[] {
   return findings
 }
 
-function checkImages({ layers }: Report): Finding[] {
+function checkImages({ layers }: Inspection): Finding[] {
   return layers.flatMap(({ name, maps }) => {
     const lossy = maps[0].mimeType === 'image/jpeg'
     return lossy
@@ -131,7 +131,7 @@ function plainTextures(value: unknown, key = '', found = new Set<number>()): Set
   return found
 }
 
-function checkAreas({ areas }: Report): Finding[] {
+function checkAreas({ areas }: Inspection): Finding[] {
   // Image tools do not open arrays, so that only images are at risk.
   const inImages = areas.filter(({ channel, slice }) => channel === 'A' && slice === undefined)
   const withAlpha = new Set(inImages.map(({ texture }) => texture))

@@ -22,7 +22,7 @@ export interface ReportSource {
 }
 
 /** The files of a report. */
-export interface Report {
+export interface ReportFiles {
   files: OutputFile[]
   /** Why it has no pictures of the face; absent where it has them. */
   missing?: string
@@ -39,7 +39,7 @@ export async function makeReport(
   folder: string,
   steps: Steps,
   who: string,
-): Promise<Report> {
+): Promise<ReportFiles> {
   const { path, glb, found, wrinkles } = source
   steps.begin('report')
   const extension = glb.json.materials![found.material].extensions![WRINKLE_MAPS]
