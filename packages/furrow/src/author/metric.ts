@@ -171,6 +171,7 @@ function extend(metric: Metric): void {
 function checkSize(side: number): void {
   if (Number.isInteger(side) && side >= 1 && side <= MAX_IMAGE_SIDE) return
   throw new FurrowError({
+    code: 'out-of-range',
     who: 'surfaceMetric',
     what: 'the size of the map is no texture size',
     value: side,

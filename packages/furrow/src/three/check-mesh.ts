@@ -24,6 +24,7 @@ export function checkMesh(mesh: Mesh): void {
 export function checkNotInstanced(mesh: Mesh): void {
   if (!instancesOf(mesh)) return
   throw new FurrowError({
+    code: 'unsupported',
     who: 'Wrinkles',
     what: 'composed mode on instances, which share a normal map',
     value: mesh.name,
