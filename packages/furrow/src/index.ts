@@ -1,9 +1,16 @@
+/**
+ * The data of wrinkles and what drives them, without an engine: wrinkle sets, activations, drivers and expressions.
+ *
+ * @module furrow
+ */
+
 export { type ActivationPointer, parseActivationPointer } from './core/activation-pointer.ts'
 export { type AreaConvention, areaWeights } from './core/area.ts'
 export { FurrowError } from './core/error.ts'
 export { resampleGray } from './core/image.ts'
 export { DEFAULT_AREA_SIZE, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS } from './core/limits.ts'
 export { type ImageArray, packAreas, packColours, packGrays } from './core/pack.ts'
+/** The paper's formulas in float64 on the CPU, which every GPU path is compared with. */
 export * as reference from './core/reference.ts'
 export type {
   Area,
