@@ -19,14 +19,22 @@ export function numberParser({ min, max, unit = '', integer = false }: NumberRul
   }
 }
 
-/** A parser for an option that takes several `NAME=VALUE`, values 0..1; gathers them by name. */
-export function parseWeight(text: string, gathered: Record<string, number> = {}): Record<string, number> {
-  const at = text.lastIndexOf('=')
-  const [name, number] = [text.slice(0, at), text.slice(at + 1).trim()]
-  const value = number === '' ? Number.NaN : Number(number)
-  if (at > 0 && value >= 0 && value <= 1) return { ...gathered, [name]: value }
-  // An option that takes several values also takes a file name behind them.
-  throw new InvalidArgumentError(
-    'It must be NAME=VALUE with a value from 0 to 1; files go before this option.',
-  )
+/**
+ * A parser for options that take several `NAME=VALUE`; gathers them by name.
+ *
+ * @param min, max of the values; any finite number by default.
+ */
+export function assignmentParser({ min = -Number.MAX_VALUE, max = Number.MAX_VALUE } = {}) {
+  const values = Number.isFinite(max - min) ? `a value from ${min} to ${max}` : 'a finite value'
+  return (text: string, gathered: Record<string, number> = {}): Record<string, number> => {
+    const at = text.lastIndexOf('=')
+    const [name, number] = [text.slice(0, at), text.slice(at + 1).trim()]
+    const value = number === '' ? Number.NaN : Number(number)
+    if (at > 0 && value >= min && value <= max) return { ...gathered, [name]: value }
+    // Without `--` such an option takes a file name behind it as another value.
+    throw new InvalidArgumentError(`It must be NAME=VALUE with ${values}; files go before this option.`)
+  }
 }
+
+/** Parses `NAME=VALUE` of a weight or activation, 0..1. */
+export const parseWeight = assignmentParser({ min: 0, max: 1 })

@@ -46,10 +46,7 @@ describe('furrow activations', () => {
       ['--expression', 'bored'],
       "option '--expression <name>' argument 'bored' is invalid. Allowed choices are ",
     ],
-    [
-      ['--age', 'old'],
-      "option '--age <years>' argument 'old' is invalid. It must be a number from 0 to 120 years",
-    ],
+    [['--input', 'age=old'], "argument 'age=old' is invalid. It must be NAME=VALUE with a finite value"],
   ])('refuses %j', async (args, message) => {
     await shop.fails(message, human, ...args)
   })

@@ -1,9 +1,17 @@
 import { Option } from 'commander'
-import { AGES, EXPRESSIONS, type Explanation, explain, FurrowError, findTargets } from 'furrow'
+import {
+  describeDriver,
+  EXPRESSIONS,
+  type Explanation,
+  explain,
+  FurrowError,
+  findTargets,
+  linkText,
+  needsMesh,
+} from 'furrow'
 import { createCommand } from '../command.ts'
 import { targetNamesOf } from '../gltf/gltf-json.ts'
-import { numberParser, parseWeight } from '../options.ts'
-import { driverText, linkText } from '../wrinkles/driver-text.ts'
+import { assignmentParser, parseWeight } from '../options.ts'
 import { readWrinkledFile } from '../wrinkles/wrinkled-file.ts'
 
 const WHO = 'furrow activations'
@@ -12,7 +20,7 @@ interface Options {
   material?: string
   expression?: string
   set?: Record<string, number>
-  age: number
+  input?: Record<string, number>
   json?: boolean
 }
 
@@ -22,21 +30,21 @@ export const activationsCommand = createCommand('activations')
   .argument('<face>', 'a face with wrinkles (.glb)')
   .option('--set <target=weight...>', 'blendshapes, 0 to 1, on top of the expression', parseWeight)
   .addOption(new Option('--expression <name>', 'an expression').choices(EXPRESSIONS.map(({ name }) => name)))
-  .addOption(
-    new Option('--age <years>', 'for areas driven by age, 0 to 120')
-      .argParser(numberParser({ min: 0, max: 120, unit: 'years' }))
-      .default(AGES.youngest),
+  .option(
+    '--input <name=value...>',
+    'inputs that an application would set, such as age=50',
+    assignmentParser(),
   )
-  .option('--material <name>', 'the material that has the wrinkles (default: the only one)')
-  .option('--json', 'print it as JSON')
+  .option('--material <name>', 'the material with the wrinkles (default: the only one)')
+  .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
     `
-Joints and tension move areas too, but need the moving mesh: such drivers are listed without a number.
+Drivers that read joints or tension need the moving mesh: they are listed without a number.
 
 Examples:
   $ furrow activations faces/human.glb --set mouthSmileLeft=1 cheekSquintLeft=0.5
-  $ furrow activations faces/human.glb --expression angry --json`,
+  $ furrow activations faces/human.glb --expression angry --input age=60 --json`,
   )
   .action(activations)
 
@@ -47,13 +55,17 @@ async function activations(path: string, options: Options): Promise<void> {
   )
   const targetNames = mesh ? targetNamesOf(mesh) : []
   const weights = weightsOf(targetNames, { ...expressionTargets(options.expression), ...options.set })
-  const explanations = explain(maps.drivers, maps.areas, { targetNames, weights, age: options.age })
-  const others = maps.drivers.filter(({ type }) => type === 'bone' || type === 'tension').map(driverText)
+  const explanations = explain(maps.drivers, maps.areas, {
+    targetNames,
+    weights,
+    inputs: options.input,
+  })
+  const others = maps.drivers.filter(needsMesh).map(describeDriver)
   const text = options.json
     ? JSON.stringify({
         file: path,
         areas: explanations,
-        ...(others.length > 0 && { needTheMovingMesh: others }),
+        ...(others.length > 0 && { needMovingMesh: others }),
       })
     : [...explanations.flatMap(describe), ...others.map((text) => `needs the moving mesh: ${text}`)].join(
         '\n',
@@ -61,13 +73,13 @@ async function activations(path: string, options: Options): Promise<void> {
   process.stdout.write(`${text}\n`)
 }
 
-/** `nose 0.62`, and below it what gave it, the largest first; what gives nothing is left out. */
+/** `0.620  nose`, and below it what each driver and link contributed, largest first; zeros are left out. */
 function describe({ area, activation, resting, parts }: Explanation): string[] {
   const lines = parts
     .filter((part) => part.activation > 0)
     .sort((a, b) => b.activation - a.activation)
     .flatMap(({ driver, activation, links }) => [
-      `  ${number(activation)}  ${driverText(driver)}`,
+      `  ${number(activation)}  ${describeDriver(driver)}`,
       ...links
         .filter(({ value }) => value !== 0)
         .map(({ link, value }) => `        ${number(value)}  ${linkText(link)}`),
@@ -89,8 +101,8 @@ function expressionTargets(name: string | undefined): Readonly<Record<string, nu
 function weightsOf(targetNames: readonly string[], set: Readonly<Record<string, number>>): Float64Array {
   const weights = new Float64Array(targetNames.length)
   for (const [name, weight] of Object.entries(set)) {
-    const places = findTargets(name, targetNames)
-    if (places.length === 0) {
+    const indices = findTargets(name, targetNames)
+    if (indices.length === 0) {
       throw new FurrowError({
         code: 'unknown-name',
         who: WHO,
@@ -100,7 +112,7 @@ function weightsOf(targetNames: readonly string[], set: Readonly<Record<string, 
         remedy: 'name one of these',
       })
     }
-    for (const place of places) weights[place] = weight
+    for (const index of indices) weights[index] = weight
   }
   return weights
 }

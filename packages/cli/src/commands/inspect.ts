@@ -1,6 +1,6 @@
+import { describeDriver } from 'furrow'
 import { createCommand } from '../command.ts'
 import { checkWritable, writeAll } from '../files.ts'
-import { driverText } from '../wrinkles/driver-text.ts'
 import { type Inspection, inspectWrinkles } from '../wrinkles/inspect.ts'
 import { drawSheet } from '../wrinkles/sheet.ts'
 import { type GpuSizes, kilobytes } from '../wrinkles/sizes.ts'
@@ -78,7 +78,7 @@ function describe(path: string, report: Inspection): string {
     ),
     '',
     drivers.length === 0 ? 'no drivers: the application sets the activations' : 'drivers',
-    ...drivers.map((driver) => `  ${driverText(driver)}`),
+    ...drivers.map((driver) => `  ${describeDriver(driver)}`),
     '',
     `in the file: ${kilobytes(imageBytes)} of ${kilobytes(fileBytes)}`,
     `on the GPU: ${kilobytes(gpu.uncompressed)} uncompressed, ${kilobytes(gpu.bits8)} with maps as BC7 or ASTC 4x4,` +

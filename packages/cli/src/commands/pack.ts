@@ -10,9 +10,9 @@ import { findTarget } from '../gltf/target.ts'
 import { numberParser } from '../options.ts'
 import { withBar } from '../progress.ts'
 import type { AreasPerImage } from '../wrinkles/area-images.ts'
+import { findDriverFaults } from '../wrinkles/driver-faults.ts'
 import { embedWrinkles } from '../wrinkles/embed.ts'
 import { readFolder } from '../wrinkles/folder.ts'
-import { missingOf } from '../wrinkles/missing.ts'
 import { PACK_DEFAULTS, type PackedFolder, packFolder } from '../wrinkles/pack.ts'
 import { kilobytes } from '../wrinkles/sizes.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
@@ -105,10 +105,9 @@ async function pack(folder: string, options: Options): Promise<void> {
   await writeAll([{ path: output, bytes }], WHO)
 
   const mesh = glb.json.meshes![target.mesh]
-  const missing = missingOf(wrinkles.drivers, targetNamesOf(mesh), jointNamesOf(glb.json)).map(
-    (what) => `${WHO}: ${what} does not exist in the face; it is kept`,
-  )
-  for (const warning of [...glb.warnings, ...wrinkles.warnings, ...missing]) console.error(warning)
+  const { missing } = findDriverFaults(wrinkles.drivers, targetNamesOf(mesh), jointNamesOf(glb.json))
+  const unknown = missing.map((what) => `${WHO}: ${what} does not exist; it is kept`)
+  for (const warning of [...glb.warnings, ...wrinkles.warnings, ...unknown]) console.error(warning)
   const result: Result = {
     file: output,
     mesh: mesh.name,

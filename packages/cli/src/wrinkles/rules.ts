@@ -1,11 +1,11 @@
-import { DriverSum, FurrowError, parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
+import { FurrowError, parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
 import { firstLine } from '../errors.ts'
 import type { Glb } from '../gltf/glb-file.ts'
 import { jointNamesOf, targetNamesOf } from '../gltf/gltf-json.ts'
 import { imageOf, layerCount } from '../gltf/texture-image.ts'
 import { arrayOf } from '../gltf/texture-pixels.ts'
+import { findDriverFaults } from './driver-faults.ts'
 import { type Inspection, inspectWrinkles } from './inspect.ts'
-import { missingOf, unknownTypes } from './missing.ts'
 import { MAP_SLOTS, type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
 
 /** An error or a warning about a file. */
@@ -163,15 +163,16 @@ function checkDrivers({ glb, material, maps: { drivers } }: WrinkledFile): Findi
   const meshes = (glb.json.meshes ?? []).filter(({ primitives }) => {
     return primitives.some((primitive) => primitive.material === material)
   })
+  const { unknownTypes, missing, cyclicAreas } = findDriverFaults(
+    drivers,
+    meshes.flatMap(targetNamesOf),
+    jointNamesOf(glb.json),
+  )
   return [
-    ...unknownTypes(drivers).map((type) =>
-      warning('DRIVER_TYPE', `drivers of type "${type}" are unknown and ignored`),
-    ),
-    ...missingOf(drivers, meshes.flatMap(targetNamesOf), jointNamesOf(glb.json)).map((what) =>
-      warning('DRIVER_NAME', `${what} does not exist`),
-    ),
-    ...new DriverSum([], drivers).cyclic.map((area) =>
-      warning('DRIVER_CYCLE', `area "${area}" drives itself; its drivers of type area are ignored`),
+    ...unknownTypes.map((type) => warning('DRIVER_TYPE', `drivers of type "${type}" are ignored`)),
+    ...missing.map((what) => warning('DRIVER_NAME', `${what} does not exist`)),
+    ...cyclicAreas.map((area) =>
+      warning('DRIVER_CYCLE', `area "${area}" drives itself; its drivers that read areas are ignored`),
     ),
   ]
 }

@@ -1,6 +1,7 @@
 import type { GLTF, ReaderContext, Texture, TextureInfo } from '@gltf-transform/core'
 import { FurrowError } from '../core/error.ts'
-import { parseWrinkleMaps, WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
+import { WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
+import { parseWrinkleMaps } from '../drivers/parse.ts'
 import type { FurrowWrinkleMaps } from './extension.ts'
 import type { MaterialWrinkles } from './material-wrinkles.ts'
 import { LAYER_SLOTS, type LayerSlot } from './wrinkle-layer.ts'

@@ -7,8 +7,8 @@ import {
   type TypedArray,
 } from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
+import { parseActivationPointer } from '../../core/activation-pointer.ts'
 import { sentence } from '../../core/error.ts'
-import { parseActivationPointer } from '../../drivers/key-frames.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 
 type Parser = GLTF['parser']
