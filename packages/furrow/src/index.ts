@@ -29,23 +29,14 @@ export {
   type WrinkleMapsLayer,
 } from './core/wrinkle-maps.ts'
 export { checkWrinkleSet } from './core/wrinkle-set.ts'
+export type { AreaActivation, Input, InputKind, InputLink, InputOf, Rule } from './drivers/activation.ts'
 export { AGES, type AgeDriver } from './drivers/age/definition.ts'
 export type { AreaDriver } from './drivers/area/definition.ts'
 export type { BoneDriver } from './drivers/bone/definition.ts'
 export { JointMeasurement } from './drivers/bone/measure.ts'
 export type { ConflictDriver } from './drivers/conflict/definition.ts'
 export { type Curve, type CurvePoint, curveAt } from './drivers/curve.ts'
-export type {
-  ActivationFilter,
-  AreaActivation,
-  DriverDefinition,
-  Input,
-  InputFilter,
-  InputKind,
-  InputLink,
-  InputOf,
-  Rule,
-} from './drivers/definition.ts'
+export type { ActivationFilter, DriverDefinition, InputFilter } from './drivers/definition.ts'
 export {
   type Explanation,
   explain,
