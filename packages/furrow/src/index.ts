@@ -29,23 +29,11 @@ export {
   type WrinkleMapsLayer,
 } from './core/wrinkle-maps.ts'
 export { checkWrinkleSet } from './core/wrinkle-set.ts'
+export type { AreaActivation, Input, InputKind, InputLink, InputOf, Rule } from './drivers/activation.ts'
 export { AGES, type AgeDriver } from './drivers/age/definition.ts'
-export type { AreaDriver } from './drivers/area/definition.ts'
-export type { BoneDriver } from './drivers/bone/definition.ts'
 export { JointMeasurement } from './drivers/bone/measure.ts'
-export type { ConflictDriver } from './drivers/conflict/definition.ts'
 export { type Curve, type CurvePoint, curveAt } from './drivers/curve.ts'
-export type {
-  ActivationFilter,
-  AreaActivation,
-  DriverDefinition,
-  Input,
-  InputFilter,
-  InputKind,
-  InputLink,
-  InputOf,
-  Rule,
-} from './drivers/definition.ts'
+export type { ActivationFilter, DriverDefinition, InputFilter } from './drivers/definition.ts'
 export {
   type Explanation,
   explain,
@@ -54,17 +42,13 @@ export {
   type Part,
   type Situation,
 } from './drivers/explain.ts'
-export type { ExpressionDriver } from './drivers/expression/definition.ts'
 export { type Expression, expressionsOf } from './drivers/expression/expression.ts'
 export { EXPRESSIONS } from './drivers/expression/presets.ts'
 export type { Fields } from './drivers/fields.ts'
-export type { InputDriver } from './drivers/input/definition.ts'
 export type { Link } from './drivers/link.ts'
 export { ALIASES } from './drivers/morph/aliases.ts'
-export type { MorphDriver } from './drivers/morph/definition.ts'
 export { canonicalTargetName, findTargets } from './drivers/morph/target-names.ts'
 export { type VrmExpression, type VrmExpressions, VrmWeights } from './drivers/morph/vrm.ts'
-export type { MuscleDriver } from './drivers/muscle/definition.ts'
 export { muscleOffsets } from './drivers/muscle/offsets.ts'
 export {
   parseDrivers,
@@ -81,22 +65,18 @@ export {
   type InputSource,
   type InputSources,
 } from './drivers/program.ts'
+export type * from './drivers/registry.ts'
 export {
   DRIVER_TYPES,
-  type DriverOf,
-  type DriverType,
   describeDriver,
   driversOf,
   isKnownDriver,
   registerDriver,
-  type WrinkleDriver,
 } from './drivers/registry.ts'
 export { measuredSource, targetSource, valueSource } from './drivers/sources.ts'
-export type { TensionDriver } from './drivers/tension/definition.ts'
 export { TensionMeasurement, type TensionSample } from './drivers/tension/measure.ts'
 export { type SampledMesh, sampleTriangles } from './drivers/tension/samples.ts'
 export { linkText } from './drivers/text.ts'
-export type { TimeDriver } from './drivers/time/definition.ts'
 export { DeformedNormals, normalChanges, type RestMesh } from './math/deformed-normals.ts'
 export { Activations } from './runtime/activations.ts'
 export { EASINGS, type Easing, type ExpressionChoice, ExpressionMix } from './runtime/expression-mix.ts'

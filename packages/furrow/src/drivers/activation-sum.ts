@@ -1,6 +1,6 @@
 import { sentence } from '../core/error.ts'
+import type { AreaActivation } from './activation.ts'
 import { applyCurve } from './curve.ts'
-import type { AreaActivation } from './definition.ts'
 
 /** Where a link's input is: in the inputs, or among the areas' activations. */
 export interface BoundLink {

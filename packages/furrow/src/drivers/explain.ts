@@ -1,4 +1,4 @@
-import { inputName } from './definition.ts'
+import { inputName } from './activation.ts'
 import type { Link } from './link.ts'
 import { planDrivers } from './plan.ts'
 import { DriverProgram } from './program.ts'

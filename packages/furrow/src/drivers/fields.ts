@@ -1,8 +1,8 @@
 import type { JsonReader } from '../core/json.ts'
 import { or } from '../core/json.ts'
 import { LARGEST, LONGEST_NAME } from '../core/limits.ts'
+import type { Rule } from './activation.ts'
 import type { Curve, CurvePoint } from './curve.ts'
-import type { Rule } from './definition.ts'
 import type { Link } from './link.ts'
 
 const MAX_LINKS = 1024

@@ -1,5 +1,5 @@
+import type { Input, InputLink } from './activation.ts'
 import type { Curve } from './curve.ts'
-import type { Input, InputLink } from './definition.ts'
 
 /** One input of a driver as files hold it, by name: its value through the curve, if there is one, times the weight. */
 export interface Link {

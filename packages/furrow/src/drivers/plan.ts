@@ -1,11 +1,5 @@
-import type {
-  ActivationFilter,
-  AreaActivation,
-  Input,
-  InputFilter,
-  InputKind,
-  InputOf,
-} from './definition.ts'
+import type { AreaActivation, Input, InputKind, InputOf } from './activation.ts'
+import type { ActivationFilter, InputFilter } from './definition.ts'
 import { definitionOf, isKnownDriver, type WrinkleDriver } from './registry.ts'
 
 /** One driver that activates an area. */

@@ -1,5 +1,6 @@
+import { type ExternalInputKind, type Input, inputName } from './activation.ts'
 import { ActivationSum, type BoundActivation, type BoundLink, type Contribution } from './activation-sum.ts'
-import { type ActivationFilter, type ExternalInputKind, type Input, inputName } from './definition.ts'
+import type { ActivationFilter } from './definition.ts'
 import type { DriverPlan, PlannedActivation } from './plan.ts'
 
 /** Where a source keeps one input. */

@@ -11,6 +11,17 @@ import { muscle } from './muscle/definition.ts'
 import { tension } from './tension/definition.ts'
 import { time } from './time/definition.ts'
 
+export type { AgeDriver } from './age/definition.ts'
+export type { AreaDriver } from './area/definition.ts'
+export type { BoneDriver } from './bone/definition.ts'
+export type { ConflictDriver } from './conflict/definition.ts'
+export type { ExpressionDriver } from './expression/definition.ts'
+export type { InputDriver } from './input/definition.ts'
+export type { MorphDriver } from './morph/definition.ts'
+export type { MuscleDriver } from './muscle/definition.ts'
+export type { TensionDriver } from './tension/definition.ts'
+export type { TimeDriver } from './time/definition.ts'
+
 /** Every type of driver of this version, in the order of the specification. */
 const DEFINITIONS = { morph, area, conflict, bone, tension, muscle, age, input, time, expression } as const
 

@@ -1,4 +1,4 @@
-import type { InputOf } from './definition.ts'
+import type { InputOf } from './activation.ts'
 import { targetFinder } from './morph/target-names.ts'
 import type { InputSource } from './program.ts'
 

@@ -1,5 +1,5 @@
+import type { Rule } from './activation.ts'
 import type { Curve } from './curve.ts'
-import type { Rule } from './definition.ts'
 import type { Link } from './link.ts'
 
 /** Links and their rule in one line: sums read as sums, the other rules as functions. */

@@ -1,5 +1,5 @@
 import { sentence } from '../core/error.ts'
-import type { ExternalInputKind } from '../drivers/definition.ts'
+import type { ExternalInputKind } from '../drivers/activation.ts'
 import type { DriverPlan } from '../drivers/plan.ts'
 import { DriverProgram, type DriverState, type InputSource } from '../drivers/program.ts'
 import { valueSource } from '../drivers/sources.ts'

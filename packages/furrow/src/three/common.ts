@@ -1,10 +1,10 @@
 /** What `furrow/three` and `furrow/webgpu` have in common. */
 
 export type { FaceScore } from '../runtime/face-scores.ts'
+export { activationTrack } from './animated-areas.ts'
 export { ExpressionPlayer } from './ExpressionPlayer.ts'
 export { FaceScores } from './FaceScores.ts'
 export { decodeImage, toGray } from './loader/decode-image.ts'
-export { activationTrack } from './loader/key-frames.ts'
 export { loadWrinkleSet } from './loader/load-wrinkle-set.ts'
 export { type LoadedWrinkles, readWrinkleMaps } from './loader/read-wrinkle-maps.ts'
 export { WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from './options.ts'

@@ -1,6 +1,7 @@
 import { Frame } from '../runtime/frame.ts'
-import { type AnyRenderer, InfluenceAtlas } from './atlas/influence-atlas.ts'
+import { InfluenceAtlas } from './atlas/influence-atlas.ts'
 import type { QuadMaterials } from './atlas/influence-pass.ts'
+import type { AnyRenderer } from './renderer.ts'
 
 /** The frames of one kind of renderer, with the atlases that its faces share. */
 export class RendererFrame extends Frame<AnyRenderer> {

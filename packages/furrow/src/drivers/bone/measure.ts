@@ -1,4 +1,4 @@
-import type { InputOf } from '../definition.ts'
+import type { InputOf } from '../activation.ts'
 
 /** Numbers of a 4 x 4 matrix, column-major, as three.js's `Matrix4.elements`. */
 export const MATRIX = 16

@@ -1,5 +1,6 @@
+import type { Rule } from '../activation.ts'
 import { type Curve, IDENTITY } from '../curve.ts'
-import type { DriverDefinition, Rule } from '../definition.ts'
+import type { DriverDefinition } from '../definition.ts'
 import { type Link, linksTo } from '../link.ts'
 import { curveText, linksText } from '../text.ts'
 

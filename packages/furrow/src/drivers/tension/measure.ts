@@ -1,5 +1,5 @@
 import { principalStretches, restInverse } from '../../math/stretch.ts'
-import type { InputOf } from '../definition.ts'
+import type { InputOf } from '../activation.ts'
 
 /** Triangles that represent an area. */
 export interface TensionSample {

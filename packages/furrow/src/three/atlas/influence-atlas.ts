@@ -1,13 +1,10 @@
-import type { WebGLRenderer } from 'three'
 import { HalfFloatType, LinearFilter, RedFormat, RenderTarget, RGBAFormat, RGFormat } from 'three'
-import type { WebGPURenderer } from 'three/webgpu'
 import { AtlasCells, type Cell } from '../../runtime/atlas-cells.ts'
 import type { Face } from '../../runtime/face.ts'
 import type { InfluenceTarget } from '../../runtime/frame.ts'
+import type { AnyRenderer } from '../renderer.ts'
 import type { AreaArray } from './area-array.ts'
 import { InfluencePass, type QuadMaterials } from './influence-pass.ts'
-
-export type AnyRenderer = WebGLRenderer | WebGPURenderer
 
 const FORMATS = [RedFormat, RGFormat, RGBAFormat, RGBAFormat] as const
 

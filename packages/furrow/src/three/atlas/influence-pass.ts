@@ -1,8 +1,8 @@
 import { type Material, OrthographicCamera, type RenderTarget, Scene } from 'three'
 import type { AreaSlot } from '../../runtime/area-slots.ts'
 import type { AtlasCells, Cell } from '../../runtime/atlas-cells.ts'
+import type { AnyRenderer } from '../renderer.ts'
 import type { AreaArray } from './area-array.ts'
-import type { AnyRenderer } from './influence-atlas.ts'
 import { Quads } from './quads.ts'
 import { renderPreservingState } from './render-preserving-state.ts'
 

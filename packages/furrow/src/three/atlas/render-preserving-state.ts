@@ -1,5 +1,5 @@
 import type { Camera, RenderTarget, Scene, WebGLRenderer } from 'three'
-import type { AnyRenderer } from './influence-atlas.ts'
+import type { AnyRenderer } from '../renderer.ts'
 
 /** Renders into a target while another render call is in progress, without clearing it, and restores the renderer's state. */
 export function renderPreservingState(

@@ -11,10 +11,10 @@ import { type Bounds, widen } from '../../core/bounds.ts'
 import type { AreaSlot } from '../../runtime/area-slots.ts'
 import { hasMoved } from '../../runtime/atlas-cells.ts'
 import type { AreaArray } from '../atlas/area-array.ts'
-import type { AnyRenderer } from '../atlas/influence-atlas.ts'
 import type { QuadMaterials } from '../atlas/influence-pass.ts'
 import { Quads } from '../atlas/quads.ts'
 import { renderPreservingState } from '../atlas/render-preserving-state.ts'
+import type { AnyRenderer } from '../renderer.ts'
 
 const WHOLE: AreaSlot = {
   layer: 0,

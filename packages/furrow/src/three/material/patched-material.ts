@@ -6,9 +6,10 @@ import type { WrinkleMode } from '../options.ts'
 import { ActivationTable } from './activation-table.ts'
 import { ComposedMap } from './composed-map.ts'
 import { packPaperArray } from './paper-array.ts'
-import type { RendererParts, WrinkleMaterial } from './renderer-parts.ts'
+import type { RendererParts } from './renderer-parts.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import { flatNormalTexture } from './textures.ts'
+import type { WrinkleMaterial } from './wrinkle-material.ts'
 
 const patchedMaterials = new WeakSet<Material>()
 

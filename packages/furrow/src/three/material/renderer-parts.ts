@@ -1,12 +1,9 @@
-import type { Material, MeshStandardMaterial, Texture } from 'three'
+import type { Material, Texture } from 'three'
 import type { QuadMaterials } from '../atlas/influence-pass.ts'
 import type { Instances } from '../instances.ts'
 import type { ActivationTable } from './activation-table.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
-
-/** A material with normals to wrinkle: standard, physical, Phong, Lambert, Toon or MatCap. */
-export type WrinkleMaterial = Material &
-  Pick<MeshStandardMaterial, 'normalMap' | 'normalMapType' | 'normalScale'>
+import type { WrinkleMaterial } from './wrinkle-material.ts'
 
 /** What a renderer's class adds. */
 export interface RendererParts {

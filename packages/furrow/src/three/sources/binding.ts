@@ -1,8 +1,8 @@
-import type { InputOf } from '../../drivers/definition.ts'
+import type { InputOf } from '../../drivers/activation.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 import type { InputReader, InputReaders, MeasuredKind } from '../../runtime/driver-runtime.ts'
-import type { AnyRenderer } from '../atlas/influence-atlas.ts'
+import type { AnyRenderer } from '../renderer.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 
 export interface DriversOptions {

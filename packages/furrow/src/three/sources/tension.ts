@@ -1,5 +1,5 @@
 import { type Mesh, type MeshStandardMaterial, Vector2, Vector3 } from 'three'
-import type { InputOf } from '../../drivers/definition.ts'
+import type { InputOf } from '../../drivers/activation.ts'
 import { measuredSource } from '../../drivers/sources.ts'
 import { TensionMeasurement } from '../../drivers/tension/measure.ts'
 import { coverage, type SampledMesh, sampleCovered } from '../../drivers/tension/samples.ts'

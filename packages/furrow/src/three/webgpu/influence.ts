@@ -25,8 +25,8 @@ import type { Node } from 'three/webgpu'
 import type { Instances } from '../instances.ts'
 import type { ArrayTexture } from '../loader/texture-arrays.ts'
 import type { ActivationTable } from '../material/activation-table.ts'
-import type { WrinkleMaterial } from '../material/renderer-parts.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
+import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
 
 /** A uniform that follows what an input's `value` is when an object is drawn. */
 export function follow<T extends string>(input: { readonly value: unknown }): Node<T> {
