@@ -19,7 +19,7 @@ import { withCommandErrors } from '../errors.ts'
 import { checkWritable, writeAll } from '../files.ts'
 import { encodeGlb, type Glb, readGlbFile } from '../gltf/glb-file.ts'
 import { readDocument } from '../gltf/read-document.ts'
-import { type NumberRule, numberParser } from '../options.ts'
+import { numberParser } from '../options.ts'
 import { withBar } from '../progress.ts'
 import { embedWrinkles } from '../wrinkles/embed.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
@@ -47,52 +47,34 @@ interface Options {
   json?: boolean
 }
 
+const years = numberParser({ min: 20, max: 80, unit: 'years' })
+const factor = numberParser({ min: 0, max: 2 })
+const count = (min: number, max: number) => numberParser({ min, max, integer: true })
+
 /** `furrow auto`: makes wrinkles from a face's own blendshapes. */
 export const autoCommand = createCommand('auto')
   .description("make wrinkles from a face's own blendshapes, where they compress the skin")
   .argument('<face>', 'a face with blendshapes (.glb)')
   .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb)')
-  .addOption(
-    numberOption('--age <years>', 'lines grow in number, length and depth, 20 to 80', {
-      min: 20,
-      max: 80,
-      unit: 'years',
-    }).default(AUTO_DEFAULTS.age),
-  )
-  .addOption(
-    numberOption('--strength <factor>', 'multiplies the depth, 0 to 2', { min: 0, max: 2 }).default(
-      AUTO_DEFAULTS.strength,
-    ),
-  )
+  .option('--age <years>', 'lines grow in number, length and depth, 20 to 80', years, AUTO_DEFAULTS.age)
+  .option('--strength <factor>', 'multiplies the depth, 0 to 2', factor, AUTO_DEFAULTS.strength)
   .addOption(
     new Option('--size <texels>', 'side of the maps').choices(SIZES).default(String(AUTO_DEFAULTS.size)),
   )
-  .addOption(
-    numberOption('--seed <number>', 'another number draws other lines; the same one gives the same bytes', {
-      min: 0,
-      max: 2 ** 31 - 1,
-      integer: true,
-    }).default(AUTO_DEFAULTS.seed),
+  .option(
+    '--seed <number>',
+    'another number draws other lines; the same one gives the same bytes',
+    count(0, 2 ** 31 - 1),
+    AUTO_DEFAULTS.seed,
   )
   .option('--mesh <name>', 'the mesh that wrinkles (default: the one whose skin brows, lids and mouth move)')
-  .addOption(
-    numberOption(
-      '--layers <count>',
-      'largest number of layers, over which crossing lines are spread, 1 to 4',
-      {
-        min: 1,
-        max: 4,
-        integer: true,
-      },
-    ).default(AUTO_DEFAULTS.layers),
+  .option(
+    '--layers <count>',
+    'largest number of layers, over which crossing lines are spread, 1 to 4',
+    count(1, 4),
+    AUTO_DEFAULTS.layers,
   )
-  .addOption(
-    numberOption('--areas <count>', 'largest number of areas, 1 to 64', {
-      min: 1,
-      max: 64,
-      integer: true,
-    }).default(AUTO_DEFAULTS.areas),
-  )
+  .option('--areas <count>', 'largest number of areas, 1 to 64', count(1, 64), AUTO_DEFAULTS.areas)
   .addOption(
     new Option('--regions <names...>', 'parts of a face that may crease, all by default').choices(
       AUTO_REGIONS,
@@ -159,10 +141,6 @@ async function auto(face: string, options: Options): Promise<void> {
       ? `${JSON.stringify(summary(wrinkles, found, options, bytes))}\n`
       : describe(wrinkles, found, options),
   )
-}
-
-function numberOption(flags: string, description: string, rule: NumberRule): Option {
-  return new Option(flags, description).argParser(numberParser(rule))
 }
 
 /** A material has one set of wrinkles: existing ones are removed only with `--replace`. */

@@ -45,6 +45,7 @@ interface Options {
 }
 
 const millimetres = numberParser({ min: 0.001, max: 100_000, unit: 'mm' })
+const count = (min: number, max: number) => numberParser({ min, max, integer: true })
 
 /** `furrow bake`: bakes a detailed sculpt into maps of a low-polygon mesh. */
 export const bakeCommand = createCommand('bake')
@@ -55,11 +56,7 @@ export const bakeCommand = createCommand('bake')
   .option('--height <file>', 'height above the low mesh, 16-bit gray PNG')
   .option('--occlusion <file>', 'ambient occlusion, 8-bit gray PNG, white = open')
   .option('--mesh <name>', 'mesh of the low file (default: "skin", or the only one)')
-  .addOption(
-    new Option('--size <texels>', 'side of the maps')
-      .argParser(numberParser({ min: 16, max: MAX_IMAGE_SIDE, integer: true }))
-      .default(BAKE_DEFAULTS.size),
-  )
+  .option('--size <texels>', 'side of the maps', count(16, MAX_IMAGE_SIDE), BAKE_DEFAULTS.size)
   .option(
     '--cage <mm>',
     `largest distance of the sculpt from the mesh (default: ${100 * DEFAULT_CAGE}% of its size)`,
@@ -75,21 +72,18 @@ export const bakeCommand = createCommand('bake')
       .choices(['mikktspace', 'derivative'])
       .default('mikktspace'),
   )
-  .addOption(
-    new Option('--margin <texels>', 'width of the margin around UV islands')
-      .argParser(numberParser({ min: 0, max: MAX_IMAGE_SIDE, integer: true }))
-      .default(BAKE_DEFAULTS.margin),
+  .option(
+    '--margin <texels>',
+    'width of the margin around UV islands',
+    count(0, MAX_IMAGE_SIDE),
+    BAKE_DEFAULTS.margin,
   )
   .addOption(
     new Option('--bits <bits>', 'bits per channel of the normal map')
       .choices(['8', '16'])
       .default(String(BAKE_DEFAULTS.bits)),
   )
-  .addOption(
-    new Option('--rays <count>', 'occlusion rays per sample')
-      .argParser(numberParser({ min: 1, max: 4096, integer: true }))
-      .default(DEFAULT_RAYS),
-  )
+  .option('--rays <count>', 'occlusion rays per sample', count(1, 4096), DEFAULT_RAYS)
   .option('--reach <mm>', 'largest distance at which something occludes (default: any)', millimetres)
   .option('--json', 'print the result as JSON')
   .addHelpText(
