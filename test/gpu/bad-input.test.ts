@@ -143,7 +143,9 @@ describe('maps and areas', () => {
     const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
     const wrinkles = new Wrinkles(mesh, set)
     const [area] = set.areas
-    expect(() => wrinkles.addArea(area)).toThrow(/^Wrinkles.addArea: two areas of one name, got "area0"/)
+    expect(() => wrinkles.addArea(area)).toThrow(
+      /^Wrinkles.addArea: two areas with the same name, got "area0"/,
+    )
     expect(() => wrinkles.addArea({ ...area, name: 'b', layer: 'skim' })).toThrow(/unknown layer, got "skim"/)
     expect(() => wrinkles.removeArea('b')).toThrow(/unknown area, got "b", allowed: "area0"/)
     expect(() => wrinkles.removeArea('area0')).toThrow(

@@ -137,7 +137,7 @@ describe('the studio on WebGL', () => {
     await dismiss(page, 'bad.png: not a readable image')
     expect(await slider(page, 'bad').count()).toBe(0)
     await drop(page, 'nose.png', await black())
-    await dismiss(page, 'two areas of one name')
+    await dismiss(page, 'two areas with the same name')
   })
 
   test('saves the picture as a PNG', () => savesPicture(studio.page))

@@ -25,7 +25,7 @@ describe('packColours', () => {
   it('refuses maps of unequal size, and says which', () => {
     const random = seeded(1)
     expect(() => packColours([randomImage(random, 4), randomImage(random, 4, 8)])).toThrow(
-      'packColours: image 1 differs in size from image 0, got "4 x 8", allowed: 4 x 4, the maps of one array share their size; scale them to one size',
+      'packColours: image 1 differs in size from image 0, got "4 x 8", allowed: 4 x 4, as all images of one array; scale them to one size',
     )
   })
 

@@ -23,7 +23,7 @@ describe('checkWrinkleSet', () => {
     [
       'two areas of one name',
       { ...good, areas: [...good.areas, ...good.areas] },
-      'two areas of one name, got "nose"',
+      'two areas with the same name, got "nose"',
     ],
     [
       'an area without a name',
@@ -56,7 +56,7 @@ describe('areaWeights', () => {
 
   it('refuses a single texel', () => {
     expect(() => areaWeights({ width: 1, height: 1, data: Uint8Array.of(0) }, 'paper', 'dot.png')).toThrow(
-      'dot.png: an area one texel wide cannot say where its wrinkles lie, got "1 x 1", allowed: at least 2 x 2; paint it',
+      'dot.png: an area one texel wide or high cannot say where its wrinkles are, got "1 x 1", allowed: at least 2 x 2; paint it',
     )
   })
 })

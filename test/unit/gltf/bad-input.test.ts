@@ -54,7 +54,7 @@ describe('a file with a wrong field', () => {
     ['drivers.0.type', undefined, 'drivers[0].type must be text'],
     ['drivers.0.area', 'x', 'drivers[0].area is unknown, got "x"'],
     ['drivers.0.targets', [], 'drivers[0].targets has the wrong number'],
-    ['drivers.0.curve.1.0', 0, 'drivers[0].curve[1][0] does not grow'],
+    ['drivers.0.curve.1.0', 0, 'drivers[0].curve[1][0] does not increase'],
     ['/textures.8.source', undefined, 'a texture has no image that can be read, got 8'],
     ['/textures.8.sampler', 9, 'sampler is missing at texture 8'],
     ['areas.0.texture.texCoord', '0', 'texCoord is no index at texture 8'],

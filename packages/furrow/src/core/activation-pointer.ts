@@ -1,14 +1,20 @@
 import { WRINKLE_MAPS } from './wrinkle-maps.ts'
 
-/** What an animation of a file moves: the activation at rest of one area, by index. */
+/** Target of an animation channel: the activation at rest of one area. */
 export interface ActivationPointer {
+  /** Index of the material in the file. */
   material: number
+  /** Index of the area in the material's extension. */
   area: number
 }
 
 const POINTER = new RegExp(`^/materials/(\\d+)/extensions/${WRINKLE_MAPS}/areas/(\\d+)/activation$`)
 
-/** Reads a pointer of KHR_animation_pointer; undefined where it points at something else. */
+/**
+ * Parses a pointer of KHR_animation_pointer, such as `/materials/0/extensions/FURROW_wrinkle_maps/areas/2/activation`.
+ *
+ * @returns undefined if it points at anything else.
+ */
 export function parseActivationPointer(pointer: unknown): ActivationPointer | undefined {
   const match = typeof pointer === 'string' ? POINTER.exec(pointer) : null
   return match ? { material: Number(match[1]), area: Number(match[2]) } : undefined

@@ -2,15 +2,17 @@ import { FurrowError } from './error.ts'
 import { checkImage } from './image.ts'
 import type { GrayImage } from './types.ts'
 
-/** `paper`: white = no wrinkles, black = fully visible. `weight`: the other way round, as in memory. */
+/** `paper`: white = no wrinkles, black = fully visible. `weight`: the opposite, as in memory. */
 export type AreaConvention = 'paper' | 'weight'
 
 /**
- * Turns a painted gray image into the weights an area holds in memory (255 = fully visible).
+ * Converts a painted gray image to the weights of an area (255 = fully visible).
  *
  * @param image painted gray, 8 bits; not modified.
- * @param convention how it was painted; the paper's unless told.
- * @throws FurrowError when the image is malformed, or a single texel, which cannot say where wrinkles lie.
+ * @param convention how it was painted; `paper` by default.
+ * @param who names the image in errors.
+ * @returns a new image of the same size.
+ * @throws FurrowError when the image is malformed, or only one texel wide or high: it cannot say where wrinkles are.
  */
 export function areaWeights(
   image: GrayImage,
@@ -22,7 +24,7 @@ export function areaWeights(
     throw new FurrowError({
       code: 'out-of-range',
       who,
-      what: 'an area one texel wide cannot say where its wrinkles lie',
+      what: 'an area one texel wide or high cannot say where its wrinkles are',
       value: `${image.width} x ${image.height}`,
       limit: 'at least 2 x 2',
       remedy: 'paint it in the UV layout of the mesh, at 128 x 128 or so',

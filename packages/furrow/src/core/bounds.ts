@@ -1,6 +1,6 @@
 import type { ImageArray } from './pack.ts'
 
-/** A rectangle of texels: columns x0 to x1 and rows y0 to y1, the ends not included. */
+/** A rectangle of texels: columns x0 to x1 and rows y0 to y1, x1 and y1 excluded; empty where x1 <= x0. */
 export interface Bounds {
   x0: number
   y0: number
@@ -8,7 +8,7 @@ export interface Bounds {
   y1: number
 }
 
-/** Makes a rectangle hold another too. */
+/** Extends a rectangle to contain another. */
 export function widen(bounds: Bounds, { x0, y0, x1, y1 }: Readonly<Bounds>): void {
   bounds.x0 = Math.min(bounds.x0, x0)
   bounds.y0 = Math.min(bounds.y0, y0)
@@ -16,7 +16,7 @@ export function widen(bounds: Bounds, { x0, y0, x1, y1 }: Readonly<Bounds>): voi
   bounds.y1 = Math.max(bounds.y1, y1)
 }
 
-/** The smallest rectangle of one image of a single-channel array that holds all its texels above 0; empty if none is. */
+/** The smallest rectangle that contains all texels above 0 of one slice of a single-channel array; empty if there are none. */
 export function boundsOf({ width, height, data }: ImageArray, slice: number): Bounds {
   const bounds = { x0: width, y0: height, x1: 0, y1: 0 }
   const start = slice * width * height

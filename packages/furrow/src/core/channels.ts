@@ -1,10 +1,10 @@
 import type { GrayImage, RgbaImage } from './types.ts'
 
-/** Which channel of its image a map of one value per texel lies in: glTF's own choice. */
+/** Channels of single-value maps in their images, as in glTF: 0 = R, 1 = G. */
 export const CHANNEL = { occlusion: 0, roughness: 1 } as const
 
 /**
- * One channel of an image, as it is.
+ * Extracts one channel of an image, its values unchanged.
  *
  * @param channel 0 = R to 3 = A.
  */

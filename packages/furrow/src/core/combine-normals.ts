@@ -3,12 +3,14 @@ import { toByte } from './normal-byte.ts'
 import type { RgbaImage } from './types.ts'
 
 /**
- * Lays one tangent-space normal map over another by reoriented normal mapping (Barre-Brisebois and Hill 2012,
- * Blending in Detail): `detail` is turned by the rotation that takes (0, 0, 1) to the normal of `base`, so both
- * keep their full strength. Both maps are linear, of one size, with +Y towards smaller v.
+ * Lays one tangent-space normal map over another by reoriented normal mapping (C. Barre-Brisebois, S. Hill, "Blending in Detail",
+ * 2012): `detail` is rotated as (0, 0, 1) is to the normal of `base`, so both keep their full strength. Texels where one of the two is
+ * flat are the other's bytes unchanged: away from wrinkles the result is the base, bit for bit.
  *
- * Texels where one of the two is flat are the other's bytes unchanged: away from wrinkles the result is the base,
- * bit for bit. Returns a new image with alpha 255; throws FurrowError where the sizes differ.
+ * @param base linear, +Y towards smaller v; not modified.
+ * @param detail the same, of the same size.
+ * @returns a new image with alpha 255.
+ * @throws FurrowError when the sizes differ.
  */
 export function combineNormals(base: RgbaImage, detail: RgbaImage): RgbaImage {
   const { width, height } = base
@@ -36,20 +38,19 @@ function isFlat(data: Uint8Array, i: number): boolean {
 }
 
 function copy(from: Uint8Array, i: number, to: Uint8Array): void {
-  to[i] = from[i]!
-  to[i + 1] = from[i + 1]!
-  to[i + 2] = from[i + 2]!
+  to[i] = from[i]
+  to[i + 1] = from[i + 1]
+  to[i + 2] = from[i + 2]
 }
 
 function blend(base: Uint8Array, detail: Uint8Array, i: number, out: Uint8Array): void {
-  const tx = base[i]! / 127.5 - 1
-  const ty = base[i + 1]! / 127.5 - 1
-  const tz = base[i + 2]! / 127.5
-  // 128 stands for 0 but reads as half a step above it. The base keeps that half step, the detail must not
-  // bring a second one.
-  const ux = -(detail[i]! - 128) / 127.5
-  const uy = -(detail[i + 1]! - 128) / 127.5
-  const uz = detail[i + 2]! / 127.5 - 1
+  const tx = base[i] / 127.5 - 1
+  const ty = base[i + 1] / 127.5 - 1
+  const tz = base[i + 2] / 127.5
+  // 128 encodes 0 but decodes to half a step above it. The base keeps that half step; the detail must not add another.
+  const ux = -(detail[i] - 128) / 127.5
+  const uy = -(detail[i + 1] - 128) / 127.5
+  const uz = detail[i + 2] / 127.5 - 1
   const scale = (tx * ux + ty * uy + tz * uz) / Math.max(tz, 1e-6)
   const [x, y, z] = [tx * scale - ux, ty * scale - uy, tz * scale - uz]
   const length = Math.hypot(x, y, z)

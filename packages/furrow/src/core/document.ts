@@ -3,56 +3,60 @@ import type { JsonReader } from './json.ts'
 import { LARGEST, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS } from './limits.ts'
 import type { Combine, LayerKind } from './types.ts'
 
-/** The layers and areas of `wrinkles.json`; images are files, their addresses relative to it. */
+/** The layers and areas of `wrinkles.json`; image URLs are relative to it. */
 export interface SetDocument {
   version: 1
   layers: {
     name: string
     kind: LayerKind
-    /** Tangent-space normal map. */
+    /** Tangent-space normal map, linear, +Y towards smaller v. */
     normal: string
-    /** Multiplies x and y of the normals; 1 when absent. */
+    /** Factor on x and y of the normals, 1 by default. */
     normalScale?: number
+    /** Skin colour, sRGB. */
     baseColor?: string
-    /** Its G channel counts. */
+    /** Roughness in the G channel, linear. */
     roughness?: string
-    /** Its R channel counts. */
+    /** Occlusion in the R channel, linear. */
     occlusion?: string
-    /** 1 when absent. */
+    /** 0 = none, 1 = as in the map; 1 by default. */
     occlusionStrength?: number
-    /** Its R channel counts, 0.5 = the surface. */
+    /** Height in the R channel, linear, 0.5 = the surface. */
     height?: string
-    /** Metres from black to white of the height map; comes with it. */
+    /** Metres from black to white of the height map; required with it. */
     heightAmplitude?: number
   }[]
   areas: {
     name: string
     /** Gray image. */
     image: string
+    /** Name of its layer; the first by default. */
     layer?: string
+    /** `sum` by default. */
     combine?: Combine
+    /** `paper` by default. */
     convention?: AreaConvention
-    /** Activation at rest, 0..1; 0 when absent. */
+    /** Activation at rest, 0..1, 0 by default. */
     activation?: number
   }[]
-  /** Side that areas are resampled to when they are packed; 128 when absent. */
+  /** Side in texels that areas are resampled to when they are packed, 128 by default. */
   areaSize?: number
 }
 
 /** The optional maps of a layer. */
 const MAPS = ['baseColor', 'roughness', 'occlusion', 'height'] as const
 
-/** Longest address of an image. */
-const LONGEST_ADDRESS = 2048
+/** Most characters of an image's URL. */
+const MAX_URL_LENGTH = 2048
 
-const SMALLEST_AREA = 2
+const MIN_AREA_SIZE = 2
 
 /**
- * Reads `wrinkles.json`, but for its drivers, which are returned as they are.
+ * Reads `wrinkles.json` except its drivers, which are returned unchecked.
  *
  * @param json anything `JSON.parse` can return.
  * @param convention of areas that do not name one.
- * @throws FurrowError that names the first field which is missing or has the wrong type.
+ * @throws FurrowError that names the first field which is missing, has the wrong type or is out of range.
  */
 export function readSetDocument(
   reader: JsonReader,
@@ -74,7 +78,7 @@ export function readSetDocument(
     areas,
     drivers: root.drivers,
     ...(root.areaSize !== undefined && {
-      areaSize: reader.integer(root.areaSize, 'areaSize', SMALLEST_AREA, MAX_IMAGE_SIDE),
+      areaSize: reader.integer(root.areaSize, 'areaSize', MIN_AREA_SIZE, MAX_IMAGE_SIDE),
     }),
   }
 }
@@ -84,10 +88,10 @@ function readLayer(reader: JsonReader, item: unknown, at: string): SetDocument['
   const layer: SetDocument['layers'][number] = {
     name: reader.text(json.name, `${at}.name`),
     kind: reader.choice(json.kind ?? 'replace', `${at}.kind`, ['replace', 'detail']),
-    normal: reader.text(json.normal, `${at}.normal`, LONGEST_ADDRESS),
+    normal: reader.text(json.normal, `${at}.normal`, MAX_URL_LENGTH),
   }
   for (const map of MAPS) {
-    if (json[map] !== undefined) layer[map] = reader.text(json[map], `${at}.${map}`, LONGEST_ADDRESS)
+    if (json[map] !== undefined) layer[map] = reader.text(json[map], `${at}.${map}`, MAX_URL_LENGTH)
   }
   if (json.normalScale !== undefined) {
     layer.normalScale = reader.number(json.normalScale, `${at}.normalScale`, -LARGEST, LARGEST, '')
@@ -110,7 +114,7 @@ function readArea(
   const area = reader.object(item, at)
   return {
     name: reader.text(area.name, `${at}.name`),
-    image: reader.text(area.image, `${at}.image`, LONGEST_ADDRESS),
+    image: reader.text(area.image, `${at}.image`, MAX_URL_LENGTH),
     ...(area.layer !== undefined && { layer: reader.text(area.layer, `${at}.layer`) }),
     combine: reader.choice<Combine>(area.combine ?? 'sum', `${at}.combine`, ['sum', 'max']),
     convention: reader.choice<AreaConvention>(area.convention ?? convention, `${at}.convention`, [

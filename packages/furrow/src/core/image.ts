@@ -5,10 +5,10 @@ import type { GrayImage, RgbaImage } from './types.ts'
 const CHANNELS_OF = { gray: 1, RGBA: 4 } as const
 
 /**
- * Checks that an image holds what it says.
+ * Checks an image's size and the length of its data.
  *
- * @throws FurrowError when a side is not a whole number from 1 to 8192, or the data has another length than
- *   width x height x channels (1 for gray, 4 for RGBA).
+ * @throws FurrowError when a side is not an integer from 1 to 8192, or the data is not width x height x channels bytes long
+ *   (1 channel for gray, 4 for RGBA).
  */
 export function checkImage(
   image: GrayImage | RgbaImage,
@@ -40,37 +40,39 @@ export function checkImage(
 }
 
 /**
- * Resamples a gray image to a square of `size` texels: bilinear where it grows, a triangle filter as wide as
- * the old texels' footprint where it shrinks, so that thin features are averaged and not skipped.
+ * Resamples a gray image to a square: bilinearly where it grows; where it shrinks by a triangle filter as wide as a new texel's
+ * footprint, so that thin features are averaged instead of skipped.
  *
- * @returns the image itself when it has that size already, else a new one.
+ * @param size side of the square in texels.
+ * @returns the image itself if it has that size already, otherwise a new one.
  */
 export function resampleGray(image: GrayImage, size: number): GrayImage {
   if (image.width === size && image.height === size) return image
   const columns = filterTaps(image.width, size)
   const rows = filterTaps(image.height, size)
-  const wide = new Float64Array(image.height * size)
+  const stretched = new Float64Array(image.height * size)
   for (let y = 0; y < image.height; y++) {
     for (let x = 0; x < size; x++) {
-      wide[y * size + x] = weigh(columns[x], (i) => image.data[y * image.width + i])
+      stretched[y * size + x] = weightedSum(columns[x], (i) => image.data[y * image.width + i])
     }
   }
   const data = new Uint8Array(size * size)
   for (let y = 0; y < size; y++) {
     for (let x = 0; x < size; x++) {
-      data[y * size + x] = Math.round(weigh(rows[y], (i) => wide[i * size + x]))
+      data[y * size + x] = Math.round(weightedSum(rows[y], (i) => stretched[i * size + x]))
     }
   }
   return { width: size, height: size, data }
 }
 
-/** Which old texels make a new one, and how much of each; the weights add up to 1. */
+/** The consecutive source texels that make up a new one. */
 interface Taps {
   first: number
+  /** Sum to 1. */
   weights: number[]
 }
 
-/** Triangle filter centred on each new texel, at least one old texel wide; edges are clamped. */
+/** Triangle filter centred on each new texel, with a radius of at least one source texel; edges are clamped. */
 function filterTaps(from: number, to: number): Taps[] {
   const scale = from / to
   const radius = Math.max(scale, 1)
@@ -85,7 +87,7 @@ function filterTaps(from: number, to: number): Taps[] {
   })
 }
 
-function weigh(taps: Taps, at: (i: number) => number): number {
+function weightedSum(taps: Taps, at: (i: number) => number): number {
   let sum = 0
   for (let k = 0; k < taps.weights.length; k++) sum += taps.weights[k] * at(taps.first + k)
   return sum

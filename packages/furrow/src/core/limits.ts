@@ -1,17 +1,17 @@
-/** Layers a set may hold: one channel each in the influence of a texel. */
+/** Most layers of a set: the influence of a texel has one channel for each. */
 export const MAX_LAYERS = 4
 
-/** Areas a set may hold: the array layers that every WebGPU and WebGL 2 device guarantees. */
+/** Most areas of a set: the array layers that every WebGPU and WebGL 2 device guarantees. */
 export const MAX_AREAS = 256
 
-/** Side of the common grid that areas are resampled to; the paper's. */
+/** Default side, in texels, of the grid that areas are resampled to; the paper's. */
 export const DEFAULT_AREA_SIZE = 128
 
-/** Longest side of an image in texels: the texture size every WebGPU device guarantees. */
+/** Longest side of an image in texels: the texture size that every WebGPU device guarantees. */
 export const MAX_IMAGE_SIDE = 8192
 
 /** Most characters of a name in a file. */
 export const LONGEST_NAME = 256
 
-/** Largest weight, scale or amplitude that means something. */
+/** Largest weight, scale or amplitude, and the largest coordinate, that files may hold. */
 export const LARGEST = 1000

@@ -4,23 +4,26 @@ import { DEFAULT_AREA_SIZE, MAX_AREAS } from './limits.ts'
 import type { GrayImage, RgbaImage } from './types.ts'
 
 /**
- * Images of one size, one after the other: texel (x, y) of array layer d starts at
- * `(x + y * width + d * width * height) * channels` (the paper's section on packing).
+ * Images of one size in one buffer: texel (x, y) of slice d starts at `(x + y * width + d * width * height) * channels` (the paper's
+ * section on packing).
  */
 export interface ImageArray {
+  /** Size of each image in texels. */
   width: number
   height: number
   /** Number of images. */
   depth: number
   channels: 1 | 4
+  /** width x height x depth x channels bytes. */
   data: Uint8Array
 }
 
 /**
- * Packs colour images into one RGBA array: for the paper's shader its diffuse texture, smooth normals and
- * wrinkled normals; for the default mode the normals of the layers.
+ * Packs RGBA images into one array: for the paper's shader its diffuse texture, smooth normals and wrinkled normals; for the default
+ * mode the normals, or the base colours, of the layers.
  *
  * @param images at least one, all of one size; copied.
+ * @param who names the caller in errors.
  * @throws FurrowError when there is none, one is malformed, or their sizes differ.
  */
 export function packColours(images: readonly RgbaImage[], who = 'packColours'): ImageArray {
@@ -32,7 +35,8 @@ export function packColours(images: readonly RgbaImage[], who = 'packColours'): 
  * Packs single-channel maps of the skin, such as roughness, into one array.
  *
  * @param images at least one, all of one size; copied.
- * @throws FurrowError when one is malformed or their sizes differ.
+ * @param who names the caller in errors.
+ * @throws FurrowError when there is none, one is malformed, or their sizes differ.
  */
 export function packGrays(images: readonly GrayImage[], who = 'packGrays'): ImageArray {
   checkSizes(images, 'gray', who)
@@ -40,10 +44,11 @@ export function packGrays(images: readonly GrayImage[], who = 'packGrays'): Imag
 }
 
 /**
- * Packs areas of any size into one single-channel array, resampled to a common square grid.
+ * Packs areas of any size into one single-channel array by resampling them to a common square grid.
  *
- * @param weights 1 to 256 gray images of weights (255 = visible); copied.
- * @param size side of the common grid in texels, 128 as in the paper unless told.
+ * @param weights 1 to 256 gray images of weights (255 = fully visible); copied.
+ * @param size side of the common grid in texels; 128 by default, as in the paper.
+ * @param who names the caller in errors.
  * @throws FurrowError when there are none or too many, or one is malformed.
  */
 export function packAreas(
@@ -58,7 +63,7 @@ export function packAreas(
       what: 'number of areas out of range',
       value: weights.length,
       limit: `1 to ${MAX_AREAS}`,
-      remedy: 'merge areas that never move apart from each other',
+      remedy: 'merge areas that always move together',
     })
   }
   const images = weights.map((image, index) => {
@@ -80,7 +85,7 @@ function checkSizes(images: readonly (GrayImage | RgbaImage)[], layout: 'gray' |
       who,
       what: `image ${index} differs in size from image 0`,
       value: `${image.width} x ${image.height}`,
-      limit: `${width} x ${height}, the maps of one array share their size`,
+      limit: `${width} x ${height}, as all images of one array`,
       remedy: 'scale them to one size',
     })
   }

@@ -1,39 +1,52 @@
 /**
- * The judge: the paper's formulas in float64 on the CPU (C. D. G. Reis, J. M. De Martino, H. C. Batagelo,
- * "Real-time Simulation of Wrinkles", WSCG 2008). Every GPU path is compared with these numbers.
+ * The paper's formulas in float64 on the CPU (C. D. G. Reis, J. M. De Martino, H. C. Batagelo, "Real-time Simulation of Wrinkles",
+ * WSCG 2008): the reference that tests compare every GPU path with. Colours and values are linear.
  */
 import type { ImageArray } from './pack.ts'
 import { repeat } from './repeat.ts'
 import type { Combine, LayerKind } from './types.ts'
 
-/** What the influence of a texel depends on besides the areas' weights. */
-export interface AreaActivation {
+/** An area as far as the influence depends on it, apart from its weights. */
+export interface ActiveArea {
   /** 0..1 */
   activation: number
-  /** Index of the layer the area shows. */
+  /** Index of the layer whose wrinkles it shows. */
   layer: number
+  /** How it combines with others of that layer. */
   combine: Combine
 }
 
 /**
- * One channel of an array, sampled bilinearly with its edges clamped, as a GPU does: texel centres lie at
- * (i + 0.5) / width. Outside 0..1 it repeats.
+ * Samples one channel of an array bilinearly with clamped edges, as a GPU does: texel centres are at (i + 0.5) / width.
  *
- * @returns the value in 0..1.
+ * @param array 8 bits per channel.
+ * @param u texture coordinate, repeating outside 0..1.
+ * @param v the same, downwards.
+ * @param slice index in the array.
+ * @param channel index within a texel.
+ * @returns the value, 0..1.
  */
-export function sampleArray(array: ImageArray, u: number, v: number, layer: number, channel = 0): number {
+export function sampleArray(array: ImageArray, u: number, v: number, slice: number, channel = 0): number {
   const { width, height, channels, data } = array
-  const texel = (i: number, j: number) => data[(i + j * width + layer * width * height) * channels + channel]
+  const texel = (i: number, j: number) => data[(i + j * width + slice * width * height) * channels + channel]
   return interpolate(array, u, v, texel) / 255
 }
 
-/** Interpolates bilinearly between the values of texels; edges are clamped, and outside 0..1 it repeats. */
+/**
+ * Interpolates the values of texels bilinearly, with clamped edges.
+ *
+ * @param size of the texture, in texels.
+ * @param u texture coordinate, repeating outside 0..1.
+ * @param v the same, downwards.
+ * @param texel value of the texel in column i and row j.
+ */
 export function interpolate(
-  { width, height }: { width: number; height: number },
+  size: { width: number; height: number },
   u: number,
   v: number,
   texel: (i: number, j: number) => number,
 ): number {
+  const { width, height } = size
   const x = Math.min(Math.max(repeat(u) * width - 0.5, 0), width - 1)
   const y = Math.min(Math.max(repeat(v) * height - 0.5, 0), height - 1)
   const x0 = Math.floor(x)
@@ -46,33 +59,41 @@ export function interpolate(
 }
 
 /**
- * How much of one layer's wrinkles shows at a point: the paper's sum over all areas of weight times
- * activation, kept within 1, and no less than any single area that combines by `max`.
+ * The influence of one layer at a point: the paper's sum over all areas of weight times activation, clamped to 1, and no less than
+ * that of any area that combines by `max`.
  *
- * @param areas single-channel array, one layer per area; its length must match `activations`.
- * @returns influence in 0..1.
+ * @param areas single-channel array, one slice per area.
+ * @param active one for each slice, in their order.
+ * @param u texture coordinate, repeating outside 0..1.
+ * @param v the same, downwards.
+ * @param layer index of the layer.
+ * @returns the influence, 0..1.
  */
 export function influence(
   areas: ImageArray,
-  activations: readonly AreaActivation[],
+  active: readonly ActiveArea[],
   u: number,
   v: number,
   layer = 0,
 ): number {
-  const { added, largest } = combine(activations, layer, (index) => sampleArray(areas, u, v, index))
-  return Math.max(Math.min(added, 1), largest)
+  const { sum, max } = combine(active, layer, (index) => sampleArray(areas, u, v, index))
+  return Math.max(Math.min(sum, 1), max)
 }
 
 /**
- * The influence map: the same, but formed at the texels of the areas and interpolated between them, cut off
- * at 1 at the very end. Where no area combines by `max` the two are equal.
+ * The same as the influence map of the default mode gives it: computed at the texels of the areas, interpolated between them, and
+ * clamped to 1 last. Equal to `influence` where no area combines by `max`.
  *
- * @param areas single-channel array, one layer per area; its length must match `activations`.
- * @returns influence in 0..1.
+ * @param areas single-channel array, one slice per area.
+ * @param active one for each slice, in their order.
+ * @param u texture coordinate, repeating outside 0..1.
+ * @param v the same, downwards.
+ * @param layer index of the layer.
+ * @returns the influence, 0..1.
  */
 export function influenceFromMap(
   areas: ImageArray,
-  activations: readonly AreaActivation[],
+  active: readonly ActiveArea[],
   u: number,
   v: number,
   layer = 0,
@@ -80,34 +101,35 @@ export function influenceFromMap(
   const { width, height, data } = areas
   const texel = (i: number, j: number) => {
     const weight = (index: number) => data[i + j * width + index * width * height] / 255
-    const { added, largest } = combine(activations, layer, weight)
-    return Math.max(added, largest)
+    const { sum, max } = combine(active, layer, weight)
+    return Math.max(sum, max)
   }
   return Math.min(1, interpolate(areas, u, v, texel))
 }
 
-/** The shares of a layer's areas that add up, as their sum, and the largest of the others. */
+/** Weight times activation of a layer's areas: the sum over those that add up, and the maximum of the others. */
 function combine(
-  activations: readonly AreaActivation[],
+  active: readonly ActiveArea[],
   layer: number,
   weightOf: (index: number) => number,
-): { added: number; largest: number } {
-  let added = 0
-  let largest = 0
-  for (const [index, area] of activations.entries()) {
+): { sum: number; max: number } {
+  let sum = 0
+  let max = 0
+  for (const [index, area] of active.entries()) {
     if (area.layer !== layer) continue
-    const share = weightOf(index) * area.activation
-    if (area.combine === 'max') largest = Math.max(largest, share)
-    else added += share
+    const influence = weightOf(index) * area.activation
+    if (area.combine === 'max') max = Math.max(max, influence)
+    else sum += influence
   }
-  return { added, largest }
+  return { sum, max }
 }
 
 /**
- * Base colour, roughness or occlusion: the material's own value turned towards those of the layers that have one,
- * shared out where their influences together exceed 1.
+ * Base colour, roughness or occlusion: the material's own value, interpolated towards those of the layers that have one. Where their
+ * influences sum to more than 1, they are divided by the sum.
  *
- * @param base, layers' values linear.
+ * @param base the material's own value, linear, any number of channels.
+ * @param layers of each the value, with as many channels, and the influence, 0..1.
  */
 export function mixValues(
   base: readonly number[],
@@ -119,21 +141,33 @@ export function mixValues(
   )
 }
 
-/** Step 4 of the paper's shader: the colour lit with smooth normals, turned towards the wrinkled one. */
-export function mixColours(smooth: readonly number[], wrinkled: readonly number[], amount: number): number[] {
-  return smooth.map((value, i) => lerp(value, wrinkled[i], amount))
+/**
+ * Step 4 of the paper's shader: interpolates between two lit colours.
+ *
+ * @param smooth lit with smooth normals, linear.
+ * @param wrinkled lit with wrinkled normals, linear.
+ * @param influence 0..1.
+ */
+export function mixColours(
+  smooth: readonly number[],
+  wrinkled: readonly number[],
+  influence: number,
+): number[] {
+  return smooth.map((value, i) => lerp(value, wrinkled[i], influence))
 }
 
-/** A normal as stored in a map (each channel 0..1), unpacked to -1..1; not normalised. */
+/** Unpacks a normal as stored in a map, each channel 0..1, to -1..1; it is not normalised. */
 export function unpackNormal(rgb: readonly number[]): number[] {
   return rgb.map((value) => value * 2 - 1)
 }
 
 /**
- * Lays a detail normal over a base normal by reoriented normal mapping: the detail is rotated by the turn
- * that takes (0, 0, 1) to the base (C. Barre-Brisebois, S. Hill, "Blending in Detail", 2012).
+ * Lays a detail normal over a base normal by reoriented normal mapping: the detail is rotated as (0, 0, 1) is to the base
+ * (C. Barre-Brisebois, S. Hill, "Blending in Detail", 2012).
  *
- * @param base, detail unit vectors in tangent space, z > -1.
+ * @param base unit vector in tangent space, z > -1.
+ * @param detail the same.
+ * @returns unit vector in tangent space.
  */
 export function reorientNormal(base: readonly number[], detail: readonly number[]): number[] {
   const t = [base[0], base[1], base[2] + 1]
@@ -142,24 +176,24 @@ export function reorientNormal(base: readonly number[], detail: readonly number[
   return normalize([t[0] * scale - r[0], t[1] * scale - r[1], t[2] * scale - r[2]])
 }
 
-/** One layer of the default path. */
-export interface LayerShare {
+/** The normal of one layer at a point, and its influence there. */
+export interface LayerNormal {
+  /** How it combines with the skin's own. */
   kind: LayerKind
-  /** Normal of the layer's map in tangent space, not normalised. */
+  /** As in the layer's map, unpacked: in tangent space, not normalised. */
   normal: readonly number[]
   /** 0..1 */
   influence: number
 }
 
 /**
- * The default path: normals mixed first, then lit once. Layers that replace are mixed in by their influence
- * (shared out where together they exceed 1); layers of detail add up as slopes, which no order can change,
- * and are laid over the result by reoriented normal mapping.
+ * The normal of the default mode, which is then lit once. Layers that replace are mixed in by their influence, divided by the sum where
+ * that exceeds 1; slopes of detail layers are added, in any order, and laid over the result by reoriented normal mapping.
  *
- * @param base normal of the smooth map in tangent space, not normalised.
+ * @param base normal of the material's own map in tangent space, not normalised.
  * @returns unit normal in tangent space.
  */
-export function mixNormals(base: readonly number[], layers: readonly LayerShare[]): number[] {
+export function mixNormals(base: readonly number[], layers: readonly LayerNormal[]): number[] {
   const replacing = layers.filter((layer) => layer.kind === 'replace')
   const total = Math.max(1, sum(replacing.map((layer) => layer.influence)))
   const mixed = base.map(
@@ -177,8 +211,8 @@ function sum(values: readonly number[]): number {
   return values.reduce((total, value) => total + value, 0)
 }
 
-function lerp(from: number, to: number, amount: number): number {
-  return from * (1 - amount) + to * amount
+function lerp(a: number, b: number, t: number): number {
+  return a * (1 - t) + b * t
 }
 
 function normalize(vector: readonly number[]): number[] {

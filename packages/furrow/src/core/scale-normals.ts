@@ -2,9 +2,9 @@ import { toByte } from './normal-byte.ts'
 import type { RgbaImage } from './types.ts'
 
 /**
- * Steepens or flattens a normal map: x and y times `scale`, normalised again.
+ * Scales x and y of a normal map and renormalises.
  *
- * @returns the image itself when the scale is 1, else a new one.
+ * @returns the image itself if the scale is 1, otherwise a new one.
  */
 export function scaleNormals(image: RgbaImage, scale: number): RgbaImage {
   if (scale === 1) return image

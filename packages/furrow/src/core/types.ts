@@ -1,11 +1,11 @@
 /**
- * One byte per texel, row by row from the top: row 0 is v = 0, as in glTF. As an area it holds weights,
- * 255 = wrinkles fully visible; as a file in the paper's convention it is the other way round.
+ * One byte per texel, row by row from the top: row 0 is v = 0, as in glTF. An area in memory holds weights, 255 = wrinkles fully
+ * visible; a file in the paper's convention holds the opposite.
  */
 export interface GrayImage {
   width: number
   height: number
-  /** width x height bytes. */
+  /** width x height bytes, linear. */
   data: Uint8Array
 }
 
@@ -18,60 +18,70 @@ export interface RgbaImage {
 }
 
 /**
- * How a layer's normal map meets the skin's own. `replace`: it holds pores and wrinkles, the two are mixed.
- * `detail`: it holds wrinkles alone, laid over the skin's own by reoriented normal mapping.
+ * How a layer's normal map combines with the skin's own. `replace`: it holds pores and wrinkles, and the two are mixed. `detail`: it
+ * holds wrinkles only, laid over the skin's own by reoriented normal mapping.
  */
 export type LayerKind = 'replace' | 'detail'
 
-/** A map that lies in a texture array of the engine, as KTX2 files give it; nothing in here looks inside. */
+/** A map in a texture array of the engine, as KTX 2 files have them. */
 export interface ArraySlice {
+  /** The engine's texture; opaque to everything without an engine. */
   array: object
+  /** Index in the array. */
   slice: number
-  /** Which channel of it, 0 = R to 3 = A, where a map has only one. */
+  /** Channel of a single-channel map, 0 = R to 3 = A. */
   channel: number
 }
 
 /**
  * The maps of the skin fully wrinkled.
  *
- * @typeParam Slice `ArraySlice` where maps may also come as slices of arrays.
+ * @typeParam Slice `ArraySlice` where maps may also be slices of arrays.
  */
 export interface Layer<Slice = never> {
   name: string
   kind: LayerKind
   /** Tangent-space normal map, linear, +Y towards smaller v (glTF's convention). */
   normal: RgbaImage | Slice
-  /** Multiplies x and y of the normals; 1 when absent. */
+  /** Factor on x and y of the normals, 1 by default. */
   normalScale?: number
-  /** Skin colour, sRGB. This and the two below take the place of the material's own map where wrinkles show. */
+  /** Skin colour, sRGB. This and the two below replace the material's own map where wrinkles show. */
   baseColor?: RgbaImage | Slice
   /** Roughness, linear, 255 = 1. */
   roughness?: GrayImage | Slice
-  /** Ambient light that comes through, linear, 255 = all of it. */
+  /** Fraction of the ambient light that arrives, linear, 255 = 1. */
   occlusion?: GrayImage | Slice
-  /** How much of the occlusion is applied, 0..1; 1 when absent. */
+  /** 0 = no occlusion, 1 = as in the map; 1 by default. */
   occlusionStrength?: number
 }
 
-/** How an area meets others of its layer at the same texel: added, or the larger of the two. */
+/** How an area combines with others of its layer at the same texel: added, or the maximum of both. */
 export type Combine = 'sum' | 'max'
 
-/** An area of influence: where one controllable group of wrinkles lies. */
+/**
+ * An area of influence: where one controllable group of wrinkles is.
+ *
+ * @typeParam Slice `ArraySlice` where weights may also be slices of arrays.
+ */
 export interface Area<Slice = never> {
   name: string
   /** Weights, 255 = fully visible; any size, resampled when packed. */
   weights: GrayImage | Slice
-  /** Name of the layer whose wrinkles it shows; the first layer when absent. */
+  /** Name of the layer whose wrinkles it shows; the first layer by default. */
   layer?: string
-  /** `sum` when absent. */
+  /** `sum` by default. */
   combine?: Combine
-  /** Activation at rest, 0..1; 0 when absent. */
+  /** Activation at rest, 0..1, 0 by default. */
   activation?: number
 }
 
-/** The authored whole: plain data with no engine in it. */
+/**
+ * All that an artist makes for one face: plain data, independent of any engine.
+ *
+ * @typeParam Slice `ArraySlice` where maps and weights may also be slices of arrays.
+ */
 export interface WrinkleSet<Slice = never> {
-  /** 1 to 4 layers; maps of one kind share their size. */
+  /** 1 to 4 layers; all maps of one kind have one size. */
   layers: Layer<Slice>[]
   /** 1 to 256 areas with distinct names. */
   areas: Area<Slice>[]

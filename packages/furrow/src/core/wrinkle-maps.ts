@@ -2,21 +2,22 @@ import { type JsonReader, or } from './json.ts'
 import { LARGEST, LONGEST_NAME, MAX_AREAS, MAX_LAYERS } from './limits.ts'
 import type { Combine, LayerKind } from './types.ts'
 
-/** Name of the glTF extension of a material; docs/FURROW_wrinkle_maps.md is its specification. */
+/** Name of the glTF material extension specified in docs/FURROW_wrinkle_maps.md. */
 export const WRINKLE_MAPS = 'FURROW_wrinkle_maps'
 
-/** A texture of the file, by its index, with whatever else glTF allows beside it. */
+/** A glTF texture info: a texture by its index, with whatever other fields glTF allows. */
 export interface TextureReference {
+  /** Index among the file's textures. */
   index: number
-  /** Slice of a KTX 2 texture array; absent: the texture is an ordinary image. */
+  /** Slice of a KTX 2 texture array; absent for an ordinary image. */
   slice?: number
 }
 
-/** One layer as the extension's JSON holds it, defaults filled in. */
+/** One layer of the extension's JSON, defaults filled in. */
 export interface WrinkleMapsLayer {
   name: string
   kind: LayerKind
-  /** Tangent-space normals, linear; `scale` multiplies x and y. */
+  /** Tangent-space normals, linear, +Y towards smaller v; `scale` multiplies x and y. */
   normalTexture: TextureReference & { scale: number }
   /** Skin colour fully wrinkled, sRGB. */
   baseColorTexture?: TextureReference
@@ -28,34 +29,34 @@ export interface WrinkleMapsLayer {
   heightTexture?: TextureReference & { amplitude: number }
 }
 
-/** One area as the extension's JSON holds it, defaults filled in. */
+/** One area of the extension's JSON, defaults filled in. */
 export interface WrinkleMapsArea {
   name: string
   /** Index of the layer whose wrinkles it shows. */
   layer: number
-  /** Weights, linear, 1 = fully visible: the file has no second convention. */
+  /** Weights, linear, 1 = fully visible; the extension has no other convention. */
   texture: TextureReference
-  /** Channel of the texture, 0 = R to 3 = A, so that four areas share one image. */
+  /** Channel of the texture, 0 = R to 3 = A: one image may hold four areas. */
   channel: number
   combine: Combine
   /** Activation at rest, 0..1. */
   activation: number
 }
 
-/** The layers and areas of the extension's JSON, checked, defaults filled in. */
+/** The layers and areas of the extension's JSON, checked and with defaults filled in. */
 export interface MapsAndAreas {
   layers: WrinkleMapsLayer[]
   areas: WrinkleMapsArea[]
 }
 
-/** Every WebGL 2 and WebGPU device has arrays of 256 slices; one that had more would be found out when it is loaded. */
+/** A sanity limit: devices guarantee 256 slices, and loading a larger array fails where the device has fewer. */
 const MAX_SLICES = 2048
 
 /**
- * Reads the extension's JSON, but for its drivers, which are returned as they are.
+ * Reads the extension's JSON except its drivers, which are returned unchecked.
  *
- * @param json the value of `material.extensions.FURROW_wrinkle_maps`, whatever it is.
- * @param textureCount number of textures in the file, if known, to check indices against.
+ * @param json the value of `material.extensions.FURROW_wrinkle_maps`, of any type.
+ * @param textureCount number of textures in the file, to check indices against; Infinity if unknown.
  * @throws FurrowError that names the first field which is missing, has the wrong type or is out of range.
  */
 export function readMaps(
@@ -143,12 +144,12 @@ function checkNames(reader: JsonReader, named: readonly { name: string }[], list
   const seen = new Set<string>()
   for (const [i, { name }] of named.entries()) {
     if (seen.has(name))
-      reader.fail(`${list}[${i}].name is taken`, name, undefined, 'give each a name of its own')
+      reader.fail(`${list}[${i}].name is taken`, name, undefined, 'give each a distinct name')
     seen.add(name)
   }
 }
 
-/** Every kind of map: either images, or slices of one array that serves nothing else. */
+/** Maps of one kind are either all images, or all slices of one array that no ordinary map uses. */
 function checkSlices(reader: JsonReader, layers: WrinkleMapsLayer[], areas: WrinkleMapsArea[]): void {
   const arrays = new Map<number, string>()
   const images = new Map<number, string>()

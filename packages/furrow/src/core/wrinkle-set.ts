@@ -4,10 +4,11 @@ import { MAX_AREAS, MAX_LAYERS } from './limits.ts'
 import type { Area, ArraySlice, Layer } from './types.ts'
 
 /**
- * Checks a whole wrinkle set.
+ * Checks a wrinkle set: 1 to 4 layers with distinct names, 1 to 256 areas with distinct names, each on a layer that exists, and
+ * well-formed images.
  *
- * @throws FurrowError at the first fault: 1 to 4 layers of one size with distinct names, 1 to 256 areas with
- *   distinct names, every area on a layer that exists.
+ * @param who names the caller in errors.
+ * @throws FurrowError at the first fault.
  */
 export function checkWrinkleSet(
   set: { layers: readonly Layer<ArraySlice>[]; areas: readonly Area<ArraySlice>[] },
@@ -21,7 +22,7 @@ export function checkWrinkleSet(
   for (const area of set.areas) checkArea(area, set.layers, who)
 }
 
-/** Whether a map is a slice of an array and not an image. */
+/** Whether a map is a slice of an array instead of an image. */
 export function isSlice(map: object | undefined): map is ArraySlice {
   return map !== undefined && 'slice' in map
 }
@@ -49,7 +50,11 @@ export function checkArea(
   layerIndex(area, layers, who)
 }
 
-/** Index of the layer an area shows: the first when it names none. */
+/**
+ * Index of the layer that an area is on: the first if it names none.
+ *
+ * @throws FurrowError when it names an unknown one.
+ */
 export function layerIndex(
   area: { name: string; layer?: string },
   layers: readonly { name: string }[],
@@ -70,7 +75,7 @@ export function layerIndex(
   return index
 }
 
-/** The names of areas or layers as a list that an error can show. */
+/** The names of areas or layers, for errors. */
 export function listNames(named: readonly { name: string }[]): string {
   return named.map(({ name }) => `"${name}"`).join(', ')
 }
@@ -83,8 +88,7 @@ function checkCount(count: number, what: string, most: number, who: string): voi
     what: `${count === 0 ? 'no' : 'too many'} ${what}`,
     value: count,
     limit: `1 to ${most} ${what}`,
-    remedy:
-      count === 0 ? `give at least one of its ${what}` : 'merge those that never move apart from each other',
+    remedy: count === 0 ? 'give at least one' : 'merge those that always move together',
   })
 }
 
@@ -94,9 +98,9 @@ function checkNames(named: readonly { name: string }[], what: string, who: strin
     if (typeof name !== 'string' || name === '' || seen.has(name)) {
       throw new FurrowError({
         who,
-        what: seen.has(name) ? `two ${what}s of one name` : `a ${what} without a name`,
+        what: seen.has(name) ? `two ${what}s with the same name` : `a ${what} without a name`,
         value: name,
-        remedy: `give every ${what} a name of its own`,
+        remedy: `give every ${what} a distinct name`,
       })
     }
     seen.add(name)

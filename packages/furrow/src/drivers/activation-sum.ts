@@ -2,17 +2,19 @@ import { sentence } from '../core/error.ts'
 import type { AreaActivation } from './activation.ts'
 import { applyCurve } from './curve.ts'
 
-/** Where a link's input is: in the inputs, or among the areas' activations. */
+/** A link, its input resolved to values among the inputs or the areas' activations. */
 export interface BoundLink {
+  /** Of the input, for people. */
   name: string
-  /** It is the mean of these; 0 where there are none. */
+  /** The input is the mean of these values; 0 if there are none. */
   indices: Uint16Array
+  /** Whether the values are activations. */
   isArea: boolean
   weight: number
   curve?: AreaActivation['curve']
 }
 
-/** An area activation with its area and inputs found. */
+/** An area activation, its area and inputs resolved to indices. */
 export interface BoundActivation {
   /** Index of the area. */
   area: number
@@ -21,19 +23,21 @@ export interface BoundActivation {
   curve: AreaActivation['curve']
 }
 
-/** What a driver gives, and each of its links before rule and curve. */
+/** What one driver adds to its area. */
 export interface Contribution {
+  /** 0..1. */
   activation: number
+  /** Value of each link, before rule and curve. */
   links: number[]
 }
 
-/** Evaluates area activations one after the other. Nothing is allocated by `addTo`, unless a registered rule does. */
+/** Evaluates area activations in order. `addTo` allocates nothing, unless a registered rule does. */
 export class ActivationSum {
   readonly #activations: readonly BoundActivation[]
   /** Scratch for registered rules: one value per link. */
   readonly #linkValues: readonly Float64Array[]
   readonly #warned = new Set<string>()
-  /** What was read last; in an array, since a number that a function returns may be boxed. */
+  /** Result of `#read` and `#combine`; in an array, since a number that a function returns may be boxed. */
   readonly #value = new Float64Array(1)
 
   constructor(activations: readonly BoundActivation[]) {
@@ -41,7 +45,12 @@ export class ActivationSum {
     this.#linkValues = activations.map(({ links }) => new Float64Array(links.length))
   }
 
-  /** Adds to each area what its drivers give, to at most 1; an area is read as it is when it is a driver's turn. */
+  /**
+   * Adds to each area what its drivers give, up to 1. A driver reads areas as the drivers before it left them.
+   *
+   * @param areas activations by area; changed.
+   * @param inputs values of all inputs.
+   */
   addTo(areas: Float32Array, inputs: Float64Array): void {
     for (let i = 0; i < this.#activations.length; i++) {
       const { area } = this.#activations[i]
@@ -50,7 +59,7 @@ export class ActivationSum {
     }
   }
 
-  /** What one driver gives, by its index. Allocates. */
+  /** The contribution of one driver, by its index. Allocates. */
   explain(index: number, areas: Float32Array, inputs: Float64Array): Contribution {
     const links = this.#activations[index].links.map((link) => {
       this.#read(link, areas, inputs)

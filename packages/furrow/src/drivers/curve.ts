@@ -1,16 +1,16 @@
 /** A point of a piecewise-linear curve: input, output. */
 export type CurvePoint = [input: number, output: number]
 
-/** Two or more points with growing inputs; constant beyond its ends. */
+/** A piecewise-linear curve: two or more points with increasing inputs. It is constant beyond its ends. */
 export type Curve = CurvePoint[]
 
-/** The identity, within 0..1. */
+/** The identity, clamped to 0..1. */
 export const IDENTITY: Readonly<Curve> = [
   [0, 0],
   [1, 1],
 ]
 
-/** Evaluates a curve. NaN counts as the smallest input. */
+/** Evaluates a curve. NaN gives the output of the first point. */
 export function curveAt(curve: Readonly<Curve>, input: number): number {
   const value = Float64Array.of(input)
   applyCurve(curve, value)
@@ -20,7 +20,7 @@ export function curveAt(curve: Readonly<Curve>, input: number): number {
 /**
  * The same without allocation: a number that is passed to a function or returned by one may be boxed.
  *
- * @param value one number, which is replaced by the curve's.
+ * @param value one number, the input; replaced by the output.
  */
 export function applyCurve(curve: Readonly<Curve>, value: Float64Array): void {
   const input = value[0]

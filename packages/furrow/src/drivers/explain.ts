@@ -5,48 +5,59 @@ import { DriverProgram } from './program.ts'
 import type { WrinkleDriver } from './registry.ts'
 import { targetSource, valueSource } from './sources.ts'
 
-/** What one link gives to its driver, before the driver's rule and curve. */
+/** What one link contributes to its driver. */
 export interface LinkPart {
   link: Link
+  /** Before the driver's rule and curve. */
   value: number
 }
 
-/** What one driver gives to an area. */
+/** What one driver adds to an area. */
 export interface Part {
   driver: WrinkleDriver
-  /** 0..1; all of an area's and its activation at rest add up to at most 1. */
+  /** 0..1; the sum over an area's drivers and its activation at rest is clamped to 1. */
   activation: number
+  /** In the order of the driver. */
   links: LinkPart[]
 }
 
-/** Why an area shows. */
+/** Where the activation of an area comes from. */
 export interface Explanation {
+  /** Name of the area. */
   area: string
+  /** 0..1. */
   activation: number
+  /** Activation at rest, 0..1. */
   resting: number
+  /** Its drivers, in the order they run in. */
   parts: Part[]
 }
 
-/** What the drivers are asked about. */
+/** The state of a face that `explain` is asked about. */
 export interface Situation {
-  /** Names of the mesh's blendshapes, and their weights in the same order. */
+  /** Names of the mesh's blendshapes. */
   targetNames: readonly string[]
+  /** Their weights, in the same order. */
   weights: ArrayLike<number>
-  /** What the application sets, by name, such as `age` in years. */
+  /** Numbers that the application sets by name, such as `age` in years. */
   inputs?: Readonly<Record<string, number>>
 }
 
 /**
- * Says of each area how much of it shows and which link gave it, as far as blendshapes, the application's inputs and other areas
- * decide; joints and tension need the moving mesh. Delays are left out: the result is where the face comes to rest.
+ * Evaluates drivers for one state of a face, and tells what each link contributes. Drivers of joints and tension are left out
+ * (`needsMesh`), as are delays: the result is what the activations converge to.
  *
- * @param areas with their activations at rest.
+ * @param drivers all drivers of the face.
+ * @param areas with their activations at rest, 0..1, 0 by default.
+ * @param situation weights of blendshapes, and the application's inputs.
+ * @returns one explanation for each area, in their order.
  */
 export function explain(
   drivers: readonly WrinkleDriver[],
   areas: readonly { name: string; activation?: number }[],
-  { targetNames, weights, inputs = {} }: Situation,
+  situation: Situation,
 ): Explanation[] {
+  const { targetNames, weights, inputs = {} } = situation
   const plan = planDrivers(drivers)
   const values = valueSource(plan.inputs.value)
   const program = new DriverProgram(plan, {
@@ -78,7 +89,7 @@ export function explain(
   })
 }
 
-/** Whether a driver reads what only the moving mesh tells: joints or tension. */
+/** Whether a driver reads inputs that can only be measured on the moving mesh: joints or tension. */
 export function needsMesh(driver: WrinkleDriver): boolean {
   const { joint, tension } = planDrivers([driver]).inputs
   return joint.length + tension.length > 0

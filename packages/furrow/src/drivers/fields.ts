@@ -8,12 +8,11 @@ import type { Link } from './link.ts'
 const MAX_LINKS = 1024
 const MAX_CURVE_POINTS = 64
 
-type Vector = [number, number, number]
 type Json = Record<string, unknown>
 
 /**
- * The fields of one driver's JSON, or of an object in it, read one by one. Every method throws a FurrowError that names the
- * field where it is missing, has the wrong type or is out of range.
+ * Reads the JSON fields of one driver, or of an object in it. Every method throws a FurrowError that names the field if it is
+ * missing, has the wrong type or is out of range.
  */
 export class Fields {
   /** Names of all areas. */
@@ -29,32 +28,37 @@ export class Fields {
     this.areas = areas
   }
 
-  /** The name of an area that exists. */
+  /** `area`: the name of an area that exists. */
   area(): string {
     return this.choice('area', this.areas)
   }
 
+  /** `rule`, `sum` by default. */
   rule(): Rule {
     return this.choice('rule', ['sum', 'max', 'min', 'product'], 'sum')
   }
 
+  /** `weight`, -1000..1000, 1 by default. */
   weight(): number {
     return this.number('weight', -LARGEST, LARGEST, 1)
   }
 
+  /** A name of 1 to 256 characters. */
   name(field: string): string {
     return this.#reader.text(this.#json[field], `${this.#at}.${field}`, LONGEST_NAME)
   }
 
+  /** A number from `low` to `high`; `fallback` if it is absent. */
   number(field: string, low: number, high: number, fallback: number): number {
     return this.#reader.number(or(this.#json[field], fallback), `${this.#at}.${field}`, low, high, '')
   }
 
+  /** One of the allowed values; `fallback` if it is absent. */
   choice<T extends string>(field: string, allowed: readonly T[], fallback?: T): T {
     return this.#reader.choice(or(this.#json[field], fallback), `${this.#at}.${field}`, allowed)
   }
 
-  /** A pair of names. */
+  /** Two names. */
   names(field: string): [string, string] {
     const path = `${this.#at}.${field}`
     const [a, b] = this.#reader.array(this.#json[field], path, 2, 2)
@@ -64,7 +68,11 @@ export class Fields {
     ]
   }
 
-  /** @param known the allowed names; absent: any. */
+  /**
+   * At least one link.
+   *
+   * @param known the allowed names; any by default.
+   */
   links(field: string, known?: readonly string[]): Link[] {
     const read = (item: Fields) => ({
       name: known ? item.choice('name', known) : item.name('name'),
@@ -74,7 +82,7 @@ export class Fields {
     return this.list(field, read, 1)
   }
 
-  /** Items of an array; none where the field is absent, unless `least` are required. */
+  /** Items of an array; none if the field is absent and `least`, the number required, is 0. */
   list<T>(field: string, read: (item: Fields) => T, least = 0): T[] {
     const path = `${this.#at}.${field}`
     const value = least === 0 ? or(this.#json[field], []) : this.#json[field]
@@ -84,31 +92,33 @@ export class Fields {
     })
   }
 
-  /** A curve whose outputs are activations, 0..1. */
+  /** `curve`, whose outputs are activations, 0..1; `fallback` if it is absent. */
   curve(fallback?: readonly CurvePoint[]): Curve {
     return this.#curve(0, 1, fallback)
   }
 
+  /** Whether the field is present. */
   has(field: string): boolean {
     return this.#json[field] !== undefined
   }
 
-  axis(): { axis?: Vector } {
+  /** `axis`, of any length but 0; nothing if it is absent. */
+  axis(): { axis?: [number, number, number] } {
     if (!this.has('axis')) return {}
     const axis = this.#vector('axis')
     if (Math.hypot(...axis) > 0) return { axis }
     this.#reader.fail(`${this.#at}.axis has no direction`, '0, 0, 0', undefined, 'write e.g. 1, 0, 0')
   }
 
-  /** The two ends of a muscle, which differ. */
-  muscleAxis(): { origin: Vector; insertion: Vector } {
+  /** `origin` and `insertion` of a muscle, which differ. */
+  muscleAxis(): Record<'origin' | 'insertion', [number, number, number]> {
     const [origin, insertion] = [this.#vector('origin'), this.#vector('insertion')]
     if (origin.some((value, i) => value !== insertion[i])) return { origin, insertion }
     const at = `${this.#at}.insertion`
-    this.#reader.fail(`${at} is the origin`, insertion.join(', '), undefined, 'give the muscle a length')
+    this.#reader.fail(`${at} equals the origin`, insertion.join(', '), undefined, 'give the muscle a length')
   }
 
-  /** Where a muscle's pull is strongest and where it ends, in lengths of the muscle. */
+  /** `inner` and `outer` of a muscle: where its pull is strongest and where it ends, as fractions of its length. */
   zone(): { inner: number; outer: number } {
     const [inner, outer] = [this.number('inner', 0, 10, 0.8), this.number('outer', 0.001, 10, 1.2)]
     if (outer > inner) return { inner, outer }
@@ -120,11 +130,15 @@ export class Fields {
     )
   }
 
-  #vector(field: string): Vector {
+  #vector(field: string): [number, number, number] {
     const path = `${this.#at}.${field}`
     return this.#reader
       .array(this.#json[field], path, 3, 3)
-      .map((value, i) => this.#reader.number(value, `${path}[${i}]`, -LARGEST, LARGEST, '')) as Vector
+      .map((value, i) => this.#reader.number(value, `${path}[${i}]`, -LARGEST, LARGEST, '')) as [
+      number,
+      number,
+      number,
+    ]
   }
 
   #curve(low: number, high: number, fallback?: readonly CurvePoint[]): Curve {
@@ -141,7 +155,7 @@ export class Fields {
     for (let i = 1; i < curve.length; i++) {
       if (curve[i][0] > curve[i - 1][0]) continue
       const limit = `more than ${curve[i - 1][0]}`
-      reader.fail(`${at}[${i}][0] does not grow`, curve[i][0], limit, 'sort the points by their input')
+      reader.fail(`${at}[${i}][0] does not increase`, curve[i][0], limit, 'sort the points by their input')
     }
     return curve
   }

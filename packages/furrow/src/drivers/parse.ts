@@ -7,22 +7,24 @@ import { definitionOf, type WrinkleDriver } from './registry.ts'
 
 const MAX_DRIVERS = 4096
 
-/** The JSON of the glTF extension on a material, checked, defaults filled in. */
+/** The JSON of the glTF extension on a material, checked and with defaults filled in. */
 export interface WrinkleMaps extends MapsAndAreas {
+  /** In the order of the file. */
   drivers: WrinkleDriver[]
 }
 
-/** `wrinkles.json`: a wrinkle set whose images are files beside it; all addresses are relative to it. */
+/** `wrinkles.json`: a wrinkle set whose images are files beside it; their URLs are relative to it. */
 export interface WrinkleSetDocument extends SetDocument {
   /** What activates the areas, as in the glTF extension. */
   drivers?: WrinkleDriver[]
 }
 
 /**
- * Reads the JSON of the glTF extension. Unknown fields are ignored; drivers of unknown type are kept as they are.
+ * Reads the JSON of the glTF extension. Unknown fields are ignored, and drivers of unknown type are kept as they are.
  *
- * @param json the value of `material.extensions.FURROW_wrinkle_maps`, whatever it is.
- * @param textureCount number of textures in the file, if known, to check indices against.
+ * @param json the value of `material.extensions.FURROW_wrinkle_maps`, of any type.
+ * @param textureCount number of textures in the file, to check indices against; not checked by default.
+ * @param who names the file or material in errors.
  * @throws FurrowError that names the first field which is missing, has the wrong type or is out of range.
  */
 export function parseWrinkleMaps(
@@ -38,7 +40,8 @@ export function parseWrinkleMaps(
 /**
  * Reads `wrinkles.json`. Unknown fields are ignored, so that later versions may add some.
  *
- * @param json anything `JSON.parse` can return.
+ * @param json anything that `JSON.parse` can return.
+ * @param who names the file in errors.
  * @param convention of areas that do not name one.
  * @throws FurrowError that names the first field which is missing, has the wrong type or is out of range.
  */
@@ -56,10 +59,11 @@ export function parseWrinkleSetDocument(
 }
 
 /**
- * Reads drivers from JSON as files hold them, and fills in their defaults.
+ * Reads drivers from JSON, as in files, and fills in their defaults. Drivers of unknown type are kept as they are.
  *
- * @param json a list of drivers, whatever it is.
- * @param areas names that drivers may use.
+ * @param json a list of drivers, of any type; undefined for none.
+ * @param areas names of the areas that drivers may use.
+ * @param who names the caller in errors.
  * @throws FurrowError that names the first field which is missing, has the wrong type or is out of range.
  */
 export function parseDrivers(json: unknown, areas: readonly string[], who = 'parseDrivers'): WrinkleDriver[] {
@@ -67,7 +71,6 @@ export function parseDrivers(json: unknown, areas: readonly string[], who = 'par
   return readDrivers(new JsonReader(who), json, named)
 }
 
-/** Reads a list of drivers; none when it is absent. Those of unknown type are kept as they are. */
 function readDrivers(
   reader: JsonReader,
   value: unknown,

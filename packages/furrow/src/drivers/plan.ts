@@ -5,39 +5,41 @@ import { definitionOf, isKnownDriver, type WrinkleDriver } from './registry.ts'
 /** One driver that activates an area. */
 export interface PlannedActivation {
   driver: WrinkleDriver
+  /** What it adds. */
   activation: AreaActivation
 }
 
 /** One driver that filters inputs. */
 export interface PlannedFilter {
   driver: WrinkleDriver
+  /** What it changes. */
   filter: InputFilter
 }
 
-/** Drivers in the order they run in; plain data, the same for all faces that have them. */
+/** Drivers in the order in which they run: plain data, shared by all faces that have these drivers. */
 export interface DriverPlan {
   /** Every area that a driver reads or writes. */
   readonly areaNames: readonly string[]
   /**
-   * Areas that the face's own motion activates: blendshapes, joints, tension or other areas. What is set on them lasts
-   * until the next frame; on all others it stays, and the application's inputs add to it.
+   * Areas that the face's own motion activates: blendshapes, joints, tension or other areas. An activation set on them lasts until
+   * the next frame; on all others it stays, and the application's inputs add to it.
    */
   readonly movedAreas: ReadonlySet<string>
-  /** Change inputs, in the order of the file. */
+  /** Drivers that filter inputs, in the order of the file. */
   readonly inputFilters: readonly PlannedFilter[]
-  /** Those that read no area, in the order of the file; then the others, each after those it depends on. */
+  /** Drivers that read no area, in the order of the file; then the others, each after those that it depends on. */
   readonly activations: readonly PlannedActivation[]
-  /** Change activations; at most one per area. */
+  /** At most one per area. */
   readonly activationFilters: readonly ActivationFilter[]
-  /** Every input that is read, as objects of the filters and links. */
+  /** All inputs that are read, by kind: the same objects as in the filters and links. */
   readonly inputs: { readonly [K in InputKind]: readonly InputOf<K>[] }
-  /** Areas that drive themselves, directly or through others: their drivers that read areas are left out. */
+  /** Areas that drive themselves, directly or through others; their drivers that read areas are left out. */
   readonly cyclicAreas: readonly string[]
-  /** Types that nobody here knows. */
+  /** Types that are neither of this version nor registered; their drivers are left out. */
   readonly unknownTypes: readonly string[]
 }
 
-/** Puts the drivers of a face in order. */
+/** Orders the drivers of a face for evaluation. Drivers of unknown type are left out. */
 export function planDrivers(drivers: readonly WrinkleDriver[]): DriverPlan {
   const known = drivers.filter(isKnownDriver)
   const planned = known.flatMap((driver): PlannedActivation[] => {
@@ -45,18 +47,18 @@ export function planDrivers(drivers: readonly WrinkleDriver[]): DriverPlan {
     return activation ? [{ driver, activation }] : []
   })
   const external = planned.filter((own) => readAreas(own).length === 0)
-  const between = planned.filter((own) => readAreas(own).length > 0)
-  const cyclicAreas = findCycles(between)
+  const dependent = planned.filter((own) => readAreas(own).length > 0)
+  const cyclicAreas = findCycles(dependent)
   const activations = [
     ...external,
-    ...sortByDependency(between.filter(({ activation }) => !cyclicAreas.includes(activation.area))),
+    ...sortByDependency(dependent.filter(({ activation }) => !cyclicAreas.includes(activation.area))),
   ]
   const inputFilters = known.flatMap((driver): PlannedFilter[] => {
     const filter = definitionOf(driver.type)!.filterInputs?.(driver)
     return filter ? [{ driver, filter }] : []
   })
   const filters = known.flatMap((driver) => definitionOf(driver.type)!.filterActivation?.(driver) ?? [])
-  // Of several for one area the last one counts.
+  // The last of several for one area counts.
   const activationFilters = [...new Map(filters.map((filter) => [filter.area, filter])).values()]
   const inputs = [
     ...inputFilters.flatMap(({ filter }) => filter.inputs),
@@ -67,7 +69,7 @@ export function planDrivers(drivers: readonly WrinkleDriver[]): DriverPlan {
     areaNames: [
       ...new Set([
         ...external.map(({ activation }) => activation.area),
-        ...between.flatMap((own) => [own.activation.area, ...readAreas(own)]),
+        ...dependent.flatMap((own) => [own.activation.area, ...readAreas(own)]),
         ...activationFilters.map(({ area }) => area),
       ]),
     ],
@@ -99,7 +101,7 @@ function readAreas({ activation }: PlannedActivation): string[] {
   return activation.links.flatMap(({ input }) => (input.kind === 'area' ? [input.name] : []))
 }
 
-/** In an order in which the drivers of an area come after all that activate what it reads. */
+/** Sorts drivers so that each comes after all that activate an area it reads. */
 function sortByDependency(planned: readonly PlannedActivation[]): PlannedActivation[] {
   const sorted: PlannedActivation[] = []
   let rest = planned

@@ -3,11 +3,11 @@ import { ActivationSum, type BoundActivation, type BoundLink, type Contribution 
 import type { ActivationFilter } from './definition.ts'
 import type { DriverPlan, PlannedActivation } from './plan.ts'
 
-/** Where a source keeps one input. */
+/** One input, resolved to values of a source. */
 export interface BoundInput {
-  /** Indices among the source's values; the input is their mean. Empty where the model lacks it. */
+  /** Indices among the source's values; the input is their mean. Empty if the model lacks it. */
   indices: readonly number[]
-  /** What the model lacks, for people: `target "jawOpen"`. */
+  /** What the model lacks, for warnings: `target "jawOpen"`. */
   missing: readonly string[]
 }
 
@@ -19,22 +19,22 @@ export interface InputSource {
   readonly inputs: readonly BoundInput[]
 }
 
-/** Sources by kind of input. Drivers that read a kind without a source are left out. */
+/** Sources by kind of input. Drivers that read a kind that has no source are left out. */
 export type InputSources = { readonly [K in ExternalInputKind]?: InputSource }
 
-/** What the drivers of one face read, remember and give. */
+/** The inputs and outputs of the drivers of one face, and what they remember between frames. */
 export interface DriverState {
-  /** All values, which the program reads and its input filters change. */
+  /** All inputs, which the program reads and its input filters change. */
   readonly values: Float64Array
-  /** The values of each source, views of `values`: written by whoever measures them. */
+  /** The inputs by kind, as views of `values`; written by the caller before each `evaluate`. */
   readonly inputs: Readonly<Record<ExternalInputKind, Float64Array>>
-  /** Activations at rest by area, 0..1, to which drivers add. */
+  /** Activations at rest, 0..1, by area of the plan; written by the caller. Drivers add to them. */
   readonly resting: Float32Array
-  /** The result by area, 0..1. */
+  /** The result, 0..1, by area of the plan. */
   readonly activations: Float32Array
   /** The result of the frame before. */
   readonly previous: Float64Array
-  /** One number: seconds since the frame before. */
+  /** One number, written by the caller: seconds since the frame before. */
   readonly seconds: Float64Array
   /** Whether there was a frame before. */
   hasRun: boolean
@@ -43,20 +43,21 @@ export interface DriverState {
 const KINDS = ['target', 'joint', 'tension', 'value'] as const satisfies readonly ExternalInputKind[]
 
 /**
- * A plan bound to the inputs of a model: a pure function from inputs to activations. In the order of the specification: input filters,
- * drivers that read inputs, drivers that read areas, activation filters.
+ * A plan bound to the inputs of a model. It evaluates in the order of the specification: input filters, drivers that read inputs,
+ * drivers that read areas, activation filters. All state is the caller's (`createState`).
  */
 export class DriverProgram {
   readonly plan: DriverPlan
-  /** What drivers name and the model lacks, e.g. `target "jawOpen" of a driver of area "chin"`. */
+  /** What drivers name but the model lacks, e.g. `target "jawOpen" of a driver of area "chin"`. */
   readonly missing: readonly string[]
-  /** The plan's activations that are evaluated, in this order. */
+  /** The plan's activations that can be evaluated, in order. */
   readonly activations: readonly PlannedActivation[]
   readonly #sum: ActivationSum
   readonly #inputFilters: readonly ((values: Float64Array) => void)[]
   readonly #activationFilters: readonly ReturnType<ActivationFilter['bind']>[]
   readonly #ranges: Readonly<Record<ExternalInputKind, { start: number; end: number }>>
 
+  /** @param sources their inputs are those of the plan, in its order. */
   constructor(plan: DriverPlan, sources: InputSources) {
     const ranges = {} as Record<ExternalInputKind, { start: number; end: number }>
     const bound = new Map<Input, BoundInput>()
@@ -90,7 +91,7 @@ export class DriverProgram {
     this.missing = listMissing(plan, bound)
   }
 
-  /** State for one face. */
+  /** Creates the state of one face. */
   createState(): DriverState {
     const areas = this.plan.areaNames.length
     const values = new Float64Array(this.#ranges.value.end)
@@ -112,7 +113,7 @@ export class DriverProgram {
     }
   }
 
-  /** Brings `activations` up to date with `inputs` and `resting`, which hold this frame's. Allocates nothing. */
+  /** Computes `activations` from this frame's `inputs`, `resting` and `seconds`. Allocates nothing. */
   evaluate(state: DriverState): void {
     const { values, resting, activations, previous, seconds } = state
     for (let i = 0; i < this.#inputFilters.length; i++) this.#inputFilters[i](values)
@@ -125,13 +126,18 @@ export class DriverProgram {
     }
   }
 
-  /** What one of `activations` gives in a state that was evaluated. Allocates. */
+  /**
+   * What one of `activations` adds to its area. Allocates.
+   *
+   * @param index of it.
+   * @param state an evaluated one.
+   */
   explain(index: number, state: DriverState): Contribution {
     return this.#sum.explain(index, state.activations, state.values)
   }
 }
 
-/** A target that is missing has weight 0; a joint or a surface that is missing cannot be measured. */
+/** A missing target has weight 0; a missing joint or surface cannot be measured. */
 function canRead(input: Input, bound: BoundInput | undefined): boolean {
   return bound !== undefined && (input.kind === 'target' || bound.indices.length > 0)
 }

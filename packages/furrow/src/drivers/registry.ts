@@ -1,50 +1,75 @@
 import { FurrowError } from '../core/error.ts'
-import { age } from './age/definition.ts'
-import { area } from './area/definition.ts'
-import { bone } from './bone/definition.ts'
-import { conflict } from './conflict/definition.ts'
+import { type AgeDriver, age } from './age/definition.ts'
+import { type AreaDriver, area } from './area/definition.ts'
+import { type BoneDriver, bone } from './bone/definition.ts'
+import { type ConflictDriver, conflict } from './conflict/definition.ts'
 import type { DriverDefinition } from './definition.ts'
-import { expression } from './expression/definition.ts'
-import { input } from './input/definition.ts'
-import { morph } from './morph/definition.ts'
-import { muscle } from './muscle/definition.ts'
-import { tension } from './tension/definition.ts'
-import { time } from './time/definition.ts'
+import { type ExpressionDriver, expression } from './expression/definition.ts'
+import { type InputDriver, input } from './input/definition.ts'
+import { type MorphDriver, morph } from './morph/definition.ts'
+import { type MuscleDriver, muscle } from './muscle/definition.ts'
+import { type TensionDriver, tension } from './tension/definition.ts'
+import { type TimeDriver, time } from './time/definition.ts'
 
-export type { AgeDriver } from './age/definition.ts'
-export type { AreaDriver } from './area/definition.ts'
-export type { BoneDriver } from './bone/definition.ts'
-export type { ConflictDriver } from './conflict/definition.ts'
-export type { ExpressionDriver } from './expression/definition.ts'
-export type { InputDriver } from './input/definition.ts'
-export type { MorphDriver } from './morph/definition.ts'
-export type { MuscleDriver } from './muscle/definition.ts'
-export type { TensionDriver } from './tension/definition.ts'
-export type { TimeDriver } from './time/definition.ts'
+export type {
+  AgeDriver,
+  AreaDriver,
+  BoneDriver,
+  ConflictDriver,
+  ExpressionDriver,
+  InputDriver,
+  MorphDriver,
+  MuscleDriver,
+  TensionDriver,
+  TimeDriver,
+}
 
-/** Every type of driver of this version, in the order of the specification. */
-const DEFINITIONS = { morph, area, conflict, bone, tension, muscle, age, input, time, expression } as const
+/** The drivers of this version. */
+export type KnownDriver =
+  | MorphDriver
+  | AreaDriver
+  | ConflictDriver
+  | BoneDriver
+  | TensionDriver
+  | MuscleDriver
+  | AgeDriver
+  | InputDriver
+  | TimeDriver
+  | ExpressionDriver
 
-type Definitions = typeof DEFINITIONS
+/** Types of drivers of this version. */
+export type DriverType = KnownDriver['type']
 
-export type DriverType = keyof Definitions
+/** Drivers of one type. */
+export type DriverOf<T extends DriverType> = Extract<KnownDriver, { type: T }>
 
-/** A driver of one type. */
-export type DriverOf<T extends DriverType> = Definitions[T] extends DriverDefinition<infer D> ? D : never
+/** A driver. Those of a type that this version does not know are kept as they are, so that files of later versions survive. */
+export type WrinkleDriver = KnownDriver | { type: string; [field: string]: unknown }
 
-/** A driver. Types that this version does not know are kept as they are, so that a later version's file survives. */
-export type WrinkleDriver = DriverOf<DriverType> | { type: string; [field: string]: unknown }
+/** The definition of every type, in the order of the specification. */
+const DEFINITIONS: { readonly [T in DriverType]: DriverDefinition<DriverOf<T>> } = {
+  morph,
+  area,
+  conflict,
+  bone,
+  tension,
+  muscle,
+  age,
+  input,
+  time,
+  expression,
+}
 
-/** Names of the types of this version. */
+/** Types of drivers of this version, in the order of the specification. */
 export const DRIVER_TYPES = Object.keys(DEFINITIONS) as readonly DriverType[]
 
-const definitions = new Map<string, DriverDefinition>(Object.entries(DEFINITIONS))
+const definitions = new Map(Object.entries(DEFINITIONS) as [string, DriverDefinition][])
 
 /**
- * Adds a type of driver of the application's own, for all faces that are read afterwards. Files may carry drivers of it;
- * readers that do not know the type keep them and play the others.
+ * Registers a type of driver of the application's own, for all files that are read afterwards. Readers that do not know the type keep
+ * such drivers and run the others.
  *
- * @throws FurrowError when the type exists.
+ * @throws FurrowError when the type exists already.
  */
 export function registerDriver<D extends { type: string }>(definition: DriverDefinition<D>): void {
   if (definitions.has(definition.type)) {
@@ -52,23 +77,23 @@ export function registerDriver<D extends { type: string }>(definition: DriverDef
       who: 'registerDriver',
       what: 'a driver of that type exists',
       value: definition.type,
-      remedy: 'choose another name for the type, and register it once',
+      remedy: 'choose another name, and register it only once',
     })
   }
   definitions.set(definition.type, definition as unknown as DriverDefinition)
 }
 
-/** The definition of a type; undefined where neither this version nor the application has one. */
+/** The definition of a type; undefined if it is neither of this version nor registered. */
 export function definitionOf(type: string): DriverDefinition | undefined {
   return definitions.get(type)
 }
 
-/** Whether a driver has any effect here: its type is of this version or registered. */
+/** Whether a driver's type is of this version or registered; others have no effect. */
 export function isKnownDriver(driver: WrinkleDriver): boolean {
   return definitions.has(driver.type)
 }
 
-/** The drivers of one type, in their order. */
+/** The drivers of one type, in order. */
 export function driversOf<T extends DriverType>(type: T, drivers: readonly WrinkleDriver[]): DriverOf<T>[] {
   return drivers.filter((driver): driver is DriverOf<T> => driver.type === type)
 }

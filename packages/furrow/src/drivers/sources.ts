@@ -2,7 +2,7 @@ import type { InputOf } from './activation.ts'
 import { targetFinder } from './morph/target-names.ts'
 import type { InputSource } from './program.ts'
 
-/** The weights of a mesh's morph targets, in the order of their names. */
+/** A source of a mesh's morph target weights, in the order of their names. */
 export function targetSource(
   inputs: readonly InputOf<'target'>[],
   targetNames: readonly string[],
@@ -17,7 +17,7 @@ export function targetSource(
   }
 }
 
-/** What the application sets, one value for each distinct name; `initial` until it is set. */
+/** A source of numbers that the application sets, one for each distinct name; `initial` holds the values until then. */
 export function valueSource(
   inputs: readonly InputOf<'value'>[],
 ): InputSource & { readonly names: readonly string[]; readonly initial: readonly number[] } {
@@ -32,7 +32,11 @@ export function valueSource(
   }
 }
 
-/** A list of measurements, one value for each input. */
+/**
+ * A source of measurements, one value for each input.
+ *
+ * @param missing per input: what the model lacks, for warnings; empty if the input is measured.
+ */
 export function measuredSource(missing: readonly (readonly string[])[]): InputSource {
   return {
     count: missing.length,

@@ -3,15 +3,16 @@ import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
 import { curveText } from '../text.ts'
 
-/** Activates an area by the person's age in years: wrinkles that stay. */
+/** Activates an area by the person's age: wrinkles that stay. */
 export interface AgeDriver {
   type: 'age'
+  /** Name of the area. */
   area: string
   /** Points [years, activation]. */
   curve: Curve
 }
 
-/** Years within which faces are drawn; a face is `youngest` until the application sets the input `age`. */
+/** Range of ages, in years, that wrinkles are drawn for. A face is `youngest` until the application sets the input `age`. */
 export const AGES = { youngest: 20, oldest: 80 } as const
 
 export const age: DriverDefinition<AgeDriver> = {

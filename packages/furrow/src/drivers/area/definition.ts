@@ -4,12 +4,15 @@ import type { DriverDefinition } from '../definition.ts'
 import { type Link, linksTo } from '../link.ts'
 import { curveText, linksText } from '../text.ts'
 
-/** Activates an area by other areas: its links to their activations, combined by the rule, through the curve. */
+/** Activates an area by other areas: links to their activations, combined by the rule and passed through the curve. */
 export interface AreaDriver {
   type: 'area'
+  /** Name of the area that is activated. */
   area: string
+  /** The areas that are read. */
   areas: Link[]
   rule: Rule
+  /** Outputs are activations, 0..1. */
   curve: Curve
 }
 

@@ -3,16 +3,18 @@ import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
 import { curveText } from '../text.ts'
 
-/** Activates an area by a joint: how far it has turned, or how far it is from another. */
+/** Activates an area by a joint: by how far it is rotated, or how far it is from another. */
 export interface BoneDriver {
   type: 'bone'
+  /** Name of the area. */
   area: string
-  /** Names of two nodes: what the joint is measured from, and the joint. */
+  /** Names of two nodes: the one that the joint is measured from, and the joint. */
   joints: [from: string, joint: string]
-  /** `angle`: radians by which the joint is turned from its rest pose, as seen from the other. `distance`: metres between the two. */
+  /** `angle`: radians by which the joint is rotated from its rest pose, relative to the other. `distance`: metres between the two. */
   measure: 'angle' | 'distance'
-  /** Of an angle: the axis it is counted about, in the frame of the joint at rest, signed; absent: about any axis. */
+  /** Of an angle: measure the signed rotation about this axis only, in the frame of the joint at rest; about any axis by default. */
   axis?: [number, number, number]
+  /** Points [radians or metres, activation]. */
   curve: Curve
 }
 
@@ -28,7 +30,7 @@ export const bone: DriverDefinition<BoneDriver> = {
   describe: ({ area, joints: [from, joint], measure, axis, curve }) =>
     measure === 'distance'
       ? `${area} = metres from joint ${from} to ${joint}${curveText(curve)}`
-      : `${area} = turn of joint ${joint} seen from ${from}${axis ? ` about ${axis.join(' ')}` : ''}${curveText(curve)}`,
+      : `${area} = rotation of joint ${joint} relative to ${from}${axis ? ` about ${axis.join(' ')}` : ''}${curveText(curve)}`,
   activate: ({ area, joints: [from, joint], measure, axis, curve }) => ({
     area,
     links: linkTo({ kind: 'joint', from, joint, measure, ...(axis && { axis }) }),

@@ -1,16 +1,16 @@
 import type { InputOf } from '../activation.ts'
 
-/** Numbers of a 4 x 4 matrix, column-major, as three.js's `Matrix4.elements`. */
+/** Numbers per 4 x 4 matrix; column-major, like three.js's `Matrix4.elements`. */
 export const MATRIX = 16
 
 type JointInput = InputOf<'joint'>
 
 /** One input, bound to its joints. */
 interface BoundJoint {
-  /** Offsets of the matrices of its two joints. */
+  /** Offsets of the two joints' matrices. */
   from: number
   joint: number
-  /** Rotation of the joint at rest as seen from the other: 3 x 3, column-major. */
+  /** Rotation of the joint at rest relative to the other: 3 x 3, column-major. */
   rest: Float64Array
   /** Of unit length, in the frame of the joint at rest. */
   axis: readonly number[] | null
@@ -18,18 +18,19 @@ interface BoundJoint {
 }
 
 /**
- * Measures joints: the angle by which one has turned from its rest pose as seen from another, in radians, or the distance of the
- * two in metres. Nothing is allocated by `measure`.
+ * Measures joints: the angle, in radians, by which one is rotated from its rest pose relative to another, or the distance between the
+ * two in metres. `measure` allocates nothing.
  */
 export class JointMeasurement {
-  /** Per input: the joints that the model lacks, for people. Such an input is not measured. */
+  /** Per input: the joints that the model lacks, for warnings. Such an input is not measured. */
   readonly missing: readonly (readonly string[])[]
   readonly #bound: readonly (BoundJoint | null)[]
   readonly #rotation = new Float64Array(9)
 
   /**
-   * @param joints names, in the order of the matrices.
-   * @param rest world matrices at rest, 16 numbers for each joint, column-major; their scales do not matter.
+   * @param inputs what to measure, as in `DriverPlan.inputs.joint`.
+   * @param joints names of the joints that exist, in the order of the matrices.
+   * @param rest world matrices at rest, 16 numbers each, column-major, in metres; scales are ignored.
    */
   constructor(inputs: readonly JointInput[], joints: readonly string[], rest: ArrayLike<number>) {
     this.missing = inputs.map(({ from, joint }) =>
@@ -45,8 +46,10 @@ export class JointMeasurement {
   }
 
   /**
-   * @param matrices world matrices now, as `rest`.
-   * @param out one number per input.
+   * Measures all inputs.
+   *
+   * @param matrices current world matrices, laid out like `rest`.
+   * @param out receives one number per input.
    */
   measure(matrices: ArrayLike<number>, out: Float64Array): void {
     for (let i = 0; i < this.#bound.length; i++) {
@@ -57,16 +60,16 @@ export class JointMeasurement {
     }
   }
 
-  /** The angle of the rotation now after the inverse of that at rest. */
+  /** The angle of the current rotation composed with the inverse of that at rest. */
   #measureAngle(out: Float64Array, i: number, matrices: ArrayLike<number>, bound: BoundJoint): void {
     const { from, joint, rest, axis } = bound
-    const now = this.#rotation
-    relativeRotation(now, matrices, from, joint)
-    // The rotation is rest^T now, in the frame of the joint at rest; its antisymmetric part is the axis times the sine.
-    const x = (dot(rest, 2, now, 1) - dot(rest, 1, now, 2)) / 2
-    const y = (dot(rest, 0, now, 2) - dot(rest, 2, now, 0)) / 2
-    const z = (dot(rest, 1, now, 0) - dot(rest, 0, now, 1)) / 2
-    const cosine = (dot(rest, 0, now, 0) + dot(rest, 1, now, 1) + dot(rest, 2, now, 2) - 1) / 2
+    const current = this.#rotation
+    relativeRotation(current, matrices, from, joint)
+    // The rotation is rest^T current, in the frame of the joint at rest; its antisymmetric part is the axis times the sine.
+    const x = (dot(rest, 2, current, 1) - dot(rest, 1, current, 2)) / 2
+    const y = (dot(rest, 0, current, 2) - dot(rest, 2, current, 0)) / 2
+    const z = (dot(rest, 1, current, 0) - dot(rest, 0, current, 1)) / 2
+    const cosine = (dot(rest, 0, current, 0) + dot(rest, 1, current, 1) + dot(rest, 2, current, 2) - 1) / 2
     if (axis) {
       // The twist about the axis (swing-twist decomposition): as a quaternion the rotation is w = cos(angle / 2) and
       // (x, y, z) / (2 w).
@@ -78,7 +81,7 @@ export class JointMeasurement {
   }
 }
 
-/** Of two columns. */
+/** Dot product of two columns. */
 function dot(a: Float64Array, i: number, b: Float64Array, j: number): number {
   return a[3 * i] * b[3 * j] + a[3 * i + 1] * b[3 * j + 1] + a[3 * i + 2] * b[3 * j + 2]
 }
@@ -95,7 +98,7 @@ function measureDistance(
   out[i] = Math.sqrt(x * x + y * y + z * z)
 }
 
-/** The rotation of one joint as seen from another: from^T joint, of their normalised columns. */
+/** The rotation of one joint relative to another: from^T joint, of their normalised columns. */
 function relativeRotation(out: Float64Array, matrices: ArrayLike<number>, from: number, joint: number): void {
   for (let column = 0; column < 3; column++) {
     for (let row = 0; row < 3; row++) {

@@ -1,11 +1,12 @@
 import type { DriverDefinition } from '../definition.ts'
 
 /**
- * Two blendshapes that undo each other, as raising and lowering one brow: what both have is subtracted from both, before
- * any driver reads them. The mesh itself moves as it did.
+ * Two blendshapes that cancel each other, such as raising and lowering one brow: the smaller weight is subtracted from both before any
+ * driver reads them. The mesh itself moves as before.
  */
 export interface ConflictDriver {
   type: 'conflict'
+  /** Names of the two blendshapes. */
   targets: [string, string]
 }
 
@@ -18,14 +19,14 @@ export const conflict: DriverDefinition<ConflictDriver> = {
     bind:
       ([a, b]) =>
       (values) => {
-        let ofA = 0
-        let ofB = 0
-        for (let k = 0; k < a.length; k++) ofA += values[a[k]] / a.length
-        for (let k = 0; k < b.length; k++) ofB += values[b[k]] / b.length
-        const both = Math.min(ofA, ofB)
-        if (!(both > 0)) return
-        for (let k = 0; k < a.length; k++) values[a[k]] -= both
-        for (let k = 0; k < b.length; k++) values[b[k]] -= both
+        let weightA = 0
+        let weightB = 0
+        for (let k = 0; k < a.length; k++) weightA += values[a[k]] / a.length
+        for (let k = 0; k < b.length; k++) weightB += values[b[k]] / b.length
+        const common = Math.min(weightA, weightB)
+        if (!(common > 0)) return
+        for (let k = 0; k < a.length; k++) values[a[k]] -= common
+        for (let k = 0; k < b.length; k++) values[b[k]] -= common
       },
   }),
 }

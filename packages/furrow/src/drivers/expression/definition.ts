@@ -1,11 +1,13 @@
 import type { DriverDefinition } from '../definition.ts'
 
-/** A preset of the file: blendshapes and activations by name. */
+/** A preset expression in a file, for `ExpressionPlayer`; it drives nothing by itself. */
 export interface ExpressionDriver {
   type: 'expression'
+  /** Name of the expression. */
   name: string
+  /** Blendshapes by name; others are 0. */
   targets: { name: string; weight: number }[]
-  /** For faces without other drivers. */
+  /** Activations by area, 0..1, for areas that no other driver activates. */
   activations: { area: string; activation: number }[]
 }
 

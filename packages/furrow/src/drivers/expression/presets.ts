@@ -2,7 +2,7 @@ import type { Expression } from './expression.ts'
 
 const both = (name: string, weight = 1) => ({ [`${name}Left`]: weight, [`${name}Right`]: weight })
 
-/** Expressions for a face with ARKit's blendshapes and the areas of the shipped faces; `neutral` comes first. */
+/** Expressions for faces with ARKit's blendshapes and the areas of the shipped faces; `neutral` comes first. */
 export const EXPRESSIONS: readonly Expression[] = [
   { name: 'neutral', targets: {}, activations: {} },
   {

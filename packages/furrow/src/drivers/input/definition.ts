@@ -3,11 +3,12 @@ import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
 import { curveText } from '../text.ts'
 
-/** Activates an area by a number that the application knows and sets by name: stress, cold, loudness. */
+/** Activates an area by a number that the application sets by name: stress, cold, loudness. */
 export interface InputDriver {
   type: 'input'
   /** Name of the input, as in `wrinkles.inputs.set(name, value)`; 0 until it is set. */
   name: string
+  /** Name of the area. */
   area: string
   /** Points [input, activation]. */
   curve: Curve

@@ -1,6 +1,6 @@
 /**
- * Names of one and the same shape in different rigs; the first of each line is the one used here. Spelling, prefixes and `_L` / `_R` are
- * no matter of this table (see `target-names.ts`). ARKit's 52 are also those of MediaPipe's face landmarker, in the same spelling.
+ * Names of the same shape in different rigs; the first of each line is the canonical one. Spelling, prefixes and `_L` / `_R` are handled
+ * by `target-names.ts`. ARKit's 52 names are also MediaPipe's, in the same spelling.
  */
 const BOTH_SIDES = [
   ['browDown'],
@@ -23,7 +23,7 @@ const BOTH_SIDES = [
   ['noseSneer'],
 ]
 
-const WHOLE = [
+const UNSIDED = [
   ['browInnerUp'],
   ['cheekPuff'],
   ['jawForward'],
@@ -40,7 +40,7 @@ const WHOLE = [
   ['mouthShrugLower'],
   ['mouthShrugUpper'],
   ['tongueOut'],
-  // Oculus' visemes, VRChat's of the same sounds, VRM's and VRoid's vowels.
+  // Oculus visemes, VRChat's of the same sounds, and VRM's and VRoid's vowels.
   ['viseme_sil', 'vrc.v_sil'],
   ['viseme_PP', 'vrc.v_pp'],
   ['viseme_FF', 'vrc.v_ff'],
@@ -56,7 +56,7 @@ const WHOLE = [
   ['viseme_I', 'vrc.v_ih', 'ih', 'Fcl_MTH_I'],
   ['viseme_O', 'vrc.v_oh', 'oh', 'Fcl_MTH_O'],
   ['viseme_U', 'vrc.v_ou', 'ou', 'Fcl_MTH_U'],
-  // VRM's expressions, VRoid's shapes and VRM 0's names.
+  // VRM 1.0 expressions, VRoid's shapes and VRM 0.x names.
   ['happy', 'Fcl_ALL_Joy', 'joy'],
   ['angry', 'Fcl_ALL_Angry'],
   ['sad', 'Fcl_ALL_Sorrow', 'sorrow'],
@@ -67,8 +67,8 @@ const WHOLE = [
   ['blinkRight', 'Fcl_EYE_Close_R'],
 ]
 
-/** Names of one shape each, the first of them the one used here. */
+/** Names of blendshapes in different rigs: one list per shape, its canonical name first. */
 export const ALIASES: readonly (readonly string[])[] = [
   ...BOTH_SIDES.flatMap((names) => ['Left', 'Right'].map((side) => names.map((name) => `${name}${side}`))),
-  ...WHOLE,
+  ...UNSIDED,
 ]

@@ -4,13 +4,15 @@ import type { DriverDefinition } from '../definition.ts'
 import { type Link, linksTo } from '../link.ts'
 import { curveText, linksText } from '../text.ts'
 
-/** Activates an area by blendshapes: its links to them combined by the rule, through the curve. */
+/** Activates an area by blendshapes: links to their weights, combined by the rule and passed through the curve. */
 export interface MorphDriver {
   type: 'morph'
   /** Name of the area. */
   area: string
+  /** The blendshapes that are read, in any spelling that `findTargets` knows. */
   targets: Link[]
   rule: Rule
+  /** Outputs are activations, 0..1. */
   curve: Curve
 }
 

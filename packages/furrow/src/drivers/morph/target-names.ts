@@ -1,16 +1,16 @@
 import { ALIASES } from './aliases.ts'
 
-/** What exporters put before a name: `blendShape1.`, `Face.M_F00_000_00_`, `BS_`. */
+/** Prefixes that exporters add: `blendShape1.`, `Face.M_F00_000_00_`, `BS_`. */
 const PREFIXES = [/^.*\.(?=[^.]{2})/, /^M_F\d+(_\d+)*_/i, /^BS_/i]
 
 /**
- * Maps a blendshape name to the targets of one mesh. Rigs write the same shape as `browOuterUpLeft`, `browOuterUp_L`,
- * `BrowOuterUp.L` or `blendShape1.browOuterUpLeft`, or give it a name of their own (`ALIASES`); some split a central shape in
- * two (`browInnerUp_L`, `browInnerUp_R`), and then both are meant.
+ * Finds the morph targets of a mesh that a blendshape name means. Rigs spell the same shape `browOuterUpLeft`, `browOuterUp_L`,
+ * `BrowOuterUp.L` or `blendShape1.browOuterUpLeft`, or have another name for it (`ALIASES`); some split a central shape in two
+ * (`browInnerUp_L`, `browInnerUp_R`), and then both are meant.
  *
- * @param name the mesh's own name, which comes first, or the shape in any of these spellings.
- * @param targets the mesh's names.
- * @returns indices into `targets`; empty when the mesh has no such shape.
+ * @param name a name of the mesh, which takes precedence, or of the shape in any of these spellings.
+ * @param targets names of the mesh's targets.
+ * @returns indices into `targets`; empty if the mesh has no such shape.
  */
 export function findTargets(name: string, targets: readonly string[]): number[] {
   return targetFinder(targets)(name)
@@ -29,7 +29,7 @@ export function targetFinder(targets: readonly string[]): (name: string) => numb
   }
 }
 
-/** `blendShape1.browOuterUp_L` -> `browOuterUpLeft`: the name used here, or without prefix where the shape is not known here. */
+/** The canonical name of a blendshape: `blendShape1.browOuterUp_L` -> `browOuterUpLeft`. Of an unknown shape, its name without prefix. */
 export function canonicalTargetName(name: string): string {
   const known = CANONICAL.get(keyOf(name))
   if (known) return known
@@ -37,12 +37,12 @@ export function canonicalTargetName(name: string): string {
   return CANONICAL.get(keyOf(plain)) ?? plain
 }
 
-/** `_L`, `.L` or ` L` at the end is the left side. */
+/** Spells out a side at the end: `_L`, `.L`, `-L` or ` L` becomes `Left`. */
 function withSide(name: string): string {
   return name.replace(/[_. -]L$/, 'Left').replace(/[_. -]R$/, 'Right')
 }
 
-/** Spellings that differ by capitals and separators have the same key. */
+/** The same for spellings that differ only in capitals and separators. */
 function keyOf(name: string): string {
   const letters = withSide(name)
     .toLowerCase()

@@ -1,18 +1,24 @@
 /** The part of three-vrm's `VRMExpression` that is read. */
 export interface VrmExpression {
+  /** Its name. */
   expressionName: string
-  /** Its weight, 0 or 1 where it is binary. */
+  /** Its weight before overrides, 0..1; 0 or 1 if it is binary. */
   outputWeight: number
+  /** Whether its weight is only ever 0 or 1. */
   isBinary: boolean
-  /** How much it suppresses all expressions of a kind, 0..1. */
+  /** How much it suppresses expressions that blink, 0..1. */
   overrideBlinkAmount: number
+  /** How much it suppresses expressions that move the eyes, 0..1. */
   overrideLookAtAmount: number
+  /** How much it suppresses expressions of the mouth, 0..1. */
   overrideMouthAmount: number
 }
 
 /** The part of three-vrm's `VRMExpressionManager` that is read. */
 export interface VrmExpressions {
+  /** All expressions. */
   expressions: readonly VrmExpression[]
+  /** Names of those that each override suppresses. */
   blinkExpressionNames: readonly string[]
   lookAtExpressionNames: readonly string[]
   mouthExpressionNames: readonly string[]
@@ -22,15 +28,16 @@ export interface VrmExpressions {
 type Kind = 'blink' | 'lookAt' | 'mouth' | null
 
 /**
- * The weights of a VRM's expressions as they are drawn: after their overrides (VRM 1.0, `VRMC_vrm` expressions), which the
- * expressions' own weights leave out. Nothing is allocated by `writeTo`.
+ * The weights of a VRM's expressions after their overrides (VRM 1.0, `VRMC_vrm` expressions), as they are drawn. `writeTo` allocates
+ * nothing.
  */
 export class VrmWeights {
-  /** In the order that they are written. */
+  /** Names of the expressions, in the order in which `writeTo` writes them. */
   readonly names: readonly string[]
   readonly #expressions: readonly VrmExpression[]
   readonly #kinds: readonly Kind[]
 
+  /** @param manager its list of expressions is copied; weights are read in every `writeTo`. */
   constructor(manager: VrmExpressions) {
     this.#expressions = [...manager.expressions]
     this.names = this.#expressions.map(({ expressionName }) => expressionName)
@@ -41,7 +48,12 @@ export class VrmWeights {
     })
   }
 
-  /** @param weights receives one for each name, from `offset` on. */
+  /**
+   * Writes the current weights, 0..1.
+   *
+   * @param weights receives one for each name.
+   * @param offset index of the first.
+   */
   writeTo(weights: Float32Array | Float64Array, offset: number): void {
     let blink = 1
     let lookAt = 1

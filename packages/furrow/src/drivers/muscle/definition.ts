@@ -4,28 +4,30 @@ import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
 
 /**
- * A virtual muscle (Waters 1987): it pulls the skin in its zone as a morph target of its name, whose weight is its contraction, and
- * activates its area by that. Positions are metres in the space of the mesh at rest.
+ * A virtual muscle (Waters 1987). It becomes a morph target of its name, which pulls the skin in its zone and whose weight is the
+ * contraction; that activates its area. Positions are in metres, in the space of the mesh at rest.
  */
 export interface MuscleDriver {
   type: 'muscle'
+  /** Name of the muscle and its morph target. */
   name: string
-  /** Absent: it moves the skin alone. */
+  /** Name of the area; if absent, the muscle only moves the skin. */
   area?: string
-  /** `linear`: a cone that converges on its origin; `sheet`: parallel fibres; `sphincter`: an ellipse that closes on its centre. */
+  /** `linear`: a cone that converges at its origin; `sheet`: parallel fibres; `sphincter`: an ellipse that contracts to its centre. */
   kind: 'linear' | 'sheet' | 'sphincter'
-  /** Where it is attached; a sphincter's centre. */
+  /** Where it is attached to the bone; a sphincter's centre. */
   origin: [number, number, number]
-  /** Where it ends in the skin; the end of a sphincter's semi-axis. */
+  /** Where it is attached to the skin; the end of a sphincter's semi-axis. */
   insertion: [number, number, number]
-  /** Of a linear muscle: radians from its axis to the edge of its zone. */
+  /** Of a linear muscle: the angle from its axis to the edge of its zone, in radians, 0.001..1.57. */
   angle: number
-  /** Metres: half a sheet's width, or a sphincter's other semi-axis. */
+  /** Half the width of a sheet, or a sphincter's other semi-axis, in metres. */
   width: number
-  /** Where the pull is strongest and where it ends, as fractions of the distance from origin to insertion. */
+  /** Where the pull is strongest, as a fraction of the distance from origin to insertion. */
   inner: number
+  /** Where the pull ends, as the same fraction; more than `inner`. */
   outer: number
-  /** Fraction of the way to the origin that skin goes at full contraction. */
+  /** How far skin moves towards the origin at full contraction, as a fraction of its distance, -1..1. */
   strength: number
 }
 

@@ -3,12 +3,12 @@ import type { MuscleDriver } from './definition.ts'
 type Vector = readonly [number, number, number]
 
 /**
- * How a muscle moves each vertex at full contraction; at less it moves them in proportion, so a muscle is a morph target. After
- * K. Waters: A Muscle Model for Animating Three-Dimensional Facial Expression, SIGGRAPH 1987, with zones in units of the muscle's length
- * and a smooth edge in the angle, where Waters' cosine stops short.
+ * The displacement of each vertex at full contraction of a muscle; it is linear in the contraction, so a muscle is a morph target.
+ * After K. Waters, "A Muscle Model for Animating Three-Dimensional Facial Expression", SIGGRAPH 1987, but with zones in units of the
+ * muscle's length, and a fall-off to the edge of the angle that is continuous, unlike Waters' cosine.
  *
- * @param positions x, y and z of each vertex at rest, metres, in the space of the muscle; not modified.
- * @returns x, y and z by which each moves; exactly 0 outside of the zone.
+ * @param positions x, y and z of each vertex at rest, in metres, in the space of the muscle; not modified.
+ * @returns x, y and z by which each moves; exactly 0 outside the zone.
  */
 export function muscleOffsets(muscle: MuscleDriver, positions: ArrayLike<number>): Float32Array {
   const offsets = new Float32Array(positions.length)
@@ -24,7 +24,7 @@ export function muscleOffsets(muscle: MuscleDriver, positions: ArrayLike<number>
   return offsets
 }
 
-/** Displacement of a vertex at strength 1; undefined outside of the zone. */
+/** Displacement of a vertex at strength 1; undefined outside the zone. */
 type Pull = (muscle: MuscleDriver, from: Vector, along: Vector, length: number) => Vector | undefined
 
 const PULLS: Record<MuscleDriver['kind'], Pull> = {
@@ -50,7 +50,7 @@ const PULLS: Record<MuscleDriver['kind'], Pull> = {
   },
 }
 
-/** 0 at the bone, 1 at `inner`, 0 again from `outer` on; distances in lengths of the muscle. */
+/** 0 at the origin, 1 at `inner`, 0 from `outer` on; distances as fractions of the muscle's length. */
 function rise(muscle: MuscleDriver, distance: number): number {
   return distance > muscle.inner
     ? fallOff(muscle, distance)

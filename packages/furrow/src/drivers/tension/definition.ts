@@ -3,12 +3,14 @@ import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
 import { curveText } from '../text.ts'
 
-/** Activates an area by what happens to the skin under it, whatever deforms the mesh. */
+/** Activates an area by the strain of the skin under it, whatever deforms the mesh. */
 export interface TensionDriver {
   type: 'tension'
+  /** Name of the area. */
   area: string
-  /** `compression`: fraction by which skin is shortened where it is shortened most; `stretch`: by which it is lengthened. */
+  /** Fraction by which the skin is shortened, or lengthened, along its principal direction. */
   measure: 'compression' | 'stretch'
+  /** Points [fraction, activation]. */
   curve: Curve
 }
 

@@ -3,8 +3,9 @@ import type { InputOf } from '../activation.ts'
 
 /** Triangles that represent an area. */
 export interface TensionSample {
+  /** Name of the area. */
   area: string
-  /** Three indices of positions per triangle. */
+  /** Three indices of vertices per triangle. */
   triangles: ArrayLike<number>
 }
 
@@ -17,17 +18,21 @@ interface BoundTension {
 }
 
 /**
- * Measures how far the skin under areas is pushed together or pulled apart, whatever deforms it. Each triangle's stretch in its
- * own plane has two principal values; the result is the mean over an area's triangles of 1 - the smaller one (`compression`),
- * or of the larger one - 1 (`stretch`). A rigid motion gives 0. Nothing is allocated by `measure`.
+ * Measures how far the skin under areas is compressed or stretched, whatever deforms it: the mean over an area's triangles of
+ * 1 - their smaller principal stretch (`compression`), or of the larger one - 1 (`stretch`). A rigid motion gives 0. `measure` allocates
+ * nothing.
  */
 export class TensionMeasurement {
-  /** Per input: `triangles` where its area has none, for people. Such an input is not measured. */
+  /** Per input: `triangles` if its area has none, for warnings. Such an input is not measured. */
   readonly missing: readonly (readonly string[])[]
   readonly #bound: readonly (BoundTension | null)[]
   readonly #stretches = new Float64Array(2)
 
-  /** @param rest positions at rest of all corners, x, y and z each; in any unit, the same as in `measure`. */
+  /**
+   * @param inputs what to measure, as in `DriverPlan.inputs.tension`.
+   * @param samples triangles of the inputs' areas; degenerate ones are left out.
+   * @param rest x, y and z of each vertex at rest, in any unit.
+   */
   constructor(
     inputs: readonly InputOf<'tension'>[],
     samples: readonly TensionSample[],
@@ -42,8 +47,10 @@ export class TensionMeasurement {
   }
 
   /**
-   * @param positions of all corners as the mesh is deformed now.
-   * @param out one number per input: a fraction of the length, negative where the opposite happens.
+   * Measures all inputs.
+   *
+   * @param positions x, y and z of each vertex as deformed, in the unit of `rest`.
+   * @param out receives one number per input: a fraction of the length, negative for the opposite strain.
    */
   measure(positions: ArrayLike<number>, out: Float64Array): void {
     for (let i = 0; i < this.#bound.length; i++) {

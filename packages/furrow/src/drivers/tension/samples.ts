@@ -1,28 +1,29 @@
 import { repeat } from '../../core/repeat.ts'
 import type { GrayImage } from '../../core/types.ts'
 
-/** A mesh's triangles, unindexed or not. */
+/** The triangles of a mesh, and where areas are on them. */
 export interface SampledMesh {
   /** x, y and z of each vertex at rest. */
   positions: ArrayLike<number>
-  /** u and v of each vertex, v downwards, in the layout of the areas. */
+  /** u and v of each vertex, v downwards, in the UV layout of the areas; they repeat outside 0..1. */
   uvs: ArrayLike<number>
-  /** Three vertices for each triangle. */
+  /** Three indices of vertices per triangle. */
   triangles: ArrayLike<number>
 }
 
 /**
- * Samples the triangles under an area: `count` of them, spread evenly over the skin it covers in proportion to its weights, so that
- * their plain mean is the mean over the area. Where the mesh has fewer, some are repeated.
+ * Samples triangles under an area, with a density proportional to surface times weight, so that their unweighted mean is the mean over
+ * the area. A triangle may be sampled more than once.
  *
  * @param weights of the area, row 0 at v = 0.
- * @returns three vertices of the mesh for each; empty where the area covers no triangle.
+ * @param count number of samples.
+ * @returns three indices of vertices per sample; empty if the area covers no triangle.
  */
 export function sampleTriangles(mesh: SampledMesh, weights: GrayImage, count: number): Uint32Array {
   return sampleCovered(mesh, coverage(mesh, weights), count)
 }
 
-/** The same for an area whose coverage is known; empty where it is 0 everywhere. */
+/** The same for an area whose coverage is known; empty if it is 0 everywhere. */
 export function sampleCovered({ triangles }: SampledMesh, covered: Float64Array, count: number): Uint32Array {
   let sum = 0
   const cumulative = covered.map((coverage) => {
@@ -39,7 +40,7 @@ export function sampleCovered({ triangles }: SampledMesh, covered: Float64Array,
   return Uint32Array.from(corners)
 }
 
-/** How much of each triangle an area covers: its weight at the centroid times the surface at rest. */
+/** How much an area covers of each triangle: its weight at the centroid, 0..1, times the surface at rest. */
 export function coverage(mesh: SampledMesh, weights: GrayImage): Float64Array {
   return Float64Array.from(
     { length: mesh.triangles.length / 3 },

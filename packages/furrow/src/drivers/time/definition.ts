@@ -1,27 +1,26 @@
 import type { DriverDefinition } from '../definition.ts'
 
-/** Lets an area follow its drivers with a delay: skin creases quickly and relaxes slowly. */
+/** Delays an area's activation: skin creases quickly and relaxes slowly. */
 export interface TimeDriver {
   type: 'time'
+  /** Name of the area. */
   area: string
-  /** Seconds in which it covers 63% of the remaining difference, as it grows and as it fades. */
+  /** Time constant while the activation rises, in seconds, 0..60: it covers 63% of the difference in that time. */
   attack: number
+  /** The same while it falls. */
   release: number
 }
 
-/** Longest attack or release, seconds. */
-const SLOWEST = 60
+/** Longest attack or release, in seconds. */
+const MAX_TIME = 60
 
-/**
- * What remains shrinks exponentially, so that ten steps of a hundredth of a second and one of a tenth give the same. Of
- * several for one area the last one counts.
- */
+/** The difference decays exponentially, so that ten steps of 10 ms give the same as one of 100 ms. */
 export const time: DriverDefinition<TimeDriver> = {
   type: 'time',
   read: (fields) => ({
     area: fields.area(),
-    attack: fields.number('attack', 0, SLOWEST, 0),
-    release: fields.number('release', 0, SLOWEST, 0),
+    attack: fields.number('attack', 0, MAX_TIME, 0),
+    release: fields.number('release', 0, MAX_TIME, 0),
   }),
   describe: ({ area, attack, release }) => `${area} follows in ${attack} s, fades in ${release} s`,
   filterActivation: ({ area, attack, release }) => ({
