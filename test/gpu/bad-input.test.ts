@@ -166,7 +166,7 @@ describe('maps and areas', () => {
     player.play('shout', 0)
     expect(mesh.morphTargetInfluences).toEqual([1])
     expect(warn.mock.calls.map(([text]) => text)).toEqual([
-      'ExpressionPlayer: blendshapes or areas that this face does not have, got "jawDrop, throat"; expressions play without them',
+      'ExpressionPlayer: this face lacks blendshapes or areas, got "jawDrop, throat"; expressions play without them',
     ])
     warn.mockRestore()
   })

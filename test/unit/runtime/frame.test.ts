@@ -157,7 +157,7 @@ describe('instances', () => {
     expect(() => {
       wrinkles.mode = mode
     }).toThrow(
-      new RegExp(`Wrinkles.mode: instances cannot have wrinkles of their own in this mode, got "${mode}"`),
+      new RegExp(`Wrinkles.mode: instances cannot wrinkle independently in this mode, got "${mode}"`),
     )
     expect(wrinkles.mode).toBe('default')
     draw()

@@ -2,9 +2,9 @@ import { FurrowError, sentence } from '../core/error.ts'
 import { MAX_AREAS } from '../core/limits.ts'
 import { listNames } from '../core/wrinkle-set.ts'
 
-/** The activation vector: one number in 0..1 per area, bound by name. */
+/** The activation vector: one number, 0..1, per area, bound by name. */
 export class Activations {
-  /** Grows by one with every change. */
+  /** Incremented by every change. */
   version = 0
 
   #areas: readonly { name: string }[] = []
@@ -13,22 +13,26 @@ export class Activations {
   readonly #values = new Float32Array(MAX_AREAS)
   readonly #who: string
 
+  /**
+   * @param areas at most 256, with distinct names. Their activations are 0.
+   * @param who names the object in errors.
+   */
   constructor(areas: readonly { name: string }[], who = 'Activations') {
     this.#who = who
     this.rebind(areas)
   }
 
-  /** In the order of the areas, 0 beyond them; read only. */
+  /** In the order of the areas, 0 beyond them; always the same array. Read only. */
   get values(): Float32Array {
     return this.#values
   }
 
-  /** Names of the areas, in their order. */
+  /** Names of the areas, in order. */
   get names(): string[] {
     return this.#areas.map(({ name }) => name)
   }
 
-  /** Takes another list of areas; those whose names stay keep their activations. */
+  /** Changes the list of areas. Those whose names stay keep their activations; others are 0. */
   rebind(areas: readonly { name: string }[]): void {
     const kept = areas.map(({ name }) => this.#values[this.#indices.get(name) ?? MAX_AREAS] ?? 0)
     this.#areas = areas.map(({ name }) => ({ name }))
@@ -38,40 +42,46 @@ export class Activations {
     this.version++
   }
 
-  /** @throws FurrowError when no area has that name. */
+  /**
+   * The activation of an area, 0..1.
+   *
+   * @throws FurrowError when no area has that name.
+   */
   get(name: string): number {
     return this.#values[this.#indexOf(name)]
   }
 
   /**
-   * @param value 0..1; anything outside is clamped and NaN is taken as 0, with one warning per object.
+   * Sets the activation of an area.
+   *
+   * @param value 0..1; others are clamped and NaN counts as 0, with one warning per object.
    * @throws FurrowError when no area has that name.
    */
   set(name: string, value: number): void {
     const index = this.#indexOf(name)
-    const allowed = value >= 0 && value <= 1 ? value : this.#clamp(name, value)
-    if (this.#values[index] === Math.fround(allowed)) return
-    this.#values[index] = allowed
+    const clamped = value >= 0 && value <= 1 ? value : this.#clamp(name, value)
+    if (this.#values[index] === Math.fround(clamped)) return
+    this.#values[index] = clamped
     this.version++
   }
 
   /**
-   * Sets one by its index, from a list; nothing is allocated, as a number that is passed to `set` may be boxed.
+   * Sets an activation by the index of its area. Allocates nothing, unlike `set`, whose argument may be boxed.
    *
    * @param values 0..1.
-   * @param at index of the value in the list.
+   * @param source index of the value among them.
    */
-  setAt(index: number, values: Float32Array, at: number): void {
-    if (this.#values[index] === values[at]) return
-    this.#values[index] = values[at]
+  setAt(index: number, values: Float32Array, source: number): void {
+    if (this.#values[index] === values[source]) return
+    this.#values[index] = values[source]
     this.version++
   }
 
   /**
-   * Sets many by name; names that no area has are ignored. Nothing is allocated.
+   * Sets several activations by name; names that no area has are ignored. Allocates nothing.
    *
    * @param values 0..1, in the order of the names.
-   * @param except names that are ignored too.
+   * @param except names to ignore as well.
    */
   setNamed(names: readonly string[], values: Float32Array, except?: ReadonlySet<string>): void {
     for (let i = 0; i < names.length; i++) {
@@ -100,7 +110,7 @@ export class Activations {
   }
 
   #clamp(name: string, value: number): number {
-    const allowed = value > 1 ? 1 : 0
+    const clamped = value > 1 ? 1 : 0
     if (!this.#warned) {
       this.#warned = true
       console.warn(
@@ -109,10 +119,10 @@ export class Activations {
           what: `activation of "${name}" out of range`,
           value,
           limit: '0 to 1',
-          remedy: `clamped to ${allowed}; this warning is not repeated`,
+          remedy: `clamped to ${clamped}; this warning is not repeated`,
         }),
       )
     }
-    return allowed
+    return clamped
   }
 }

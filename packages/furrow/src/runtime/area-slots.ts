@@ -1,15 +1,15 @@
 import type { Bounds } from '../core/bounds.ts'
 import type { Combine } from '../core/types.ts'
 
-/** Where one area is in an array of areas; its activation has the same index. */
+/** Where one area is in an array of areas. Slots and activations are in the same order. */
 export interface AreaSlot {
   /** Index of its layer. */
   layer: number
   combine: Combine
-  /** Slice of the array, channel of that slice. */
   slice: number
+  /** Channel of the slice, 0 = R to 3 = A. */
   channel: number
-  /** The texels where its weight is above 0. */
+  /** Contains all texels where its weight is above 0. */
   bounds: Bounds
 }
 

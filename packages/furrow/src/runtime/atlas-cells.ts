@@ -1,30 +1,31 @@
 import { FurrowError } from '../core/error.ts'
 import type { Face } from './face.ts'
 
-/** A face's part of the atlas, and what is drawn there. */
+/** The rectangle of the atlas that holds the influence map of one face. */
 export interface Cell {
   readonly face: Face
+  /** Row by row. */
   readonly index: number
-  /** The activations drawn last, by area; NaN where nothing is drawn yet. */
+  /** The activations that were drawn last, by area; NaN if none were. */
   readonly drawn: Float32Array
-  /** Whether it must be drawn whatever its activations: its areas changed, or the texture is new. */
+  /** Whether it must be drawn even if no activation has changed: its areas have, or the texture is new. */
   stale: boolean
 }
 
-/** A smaller change of an activation changes no byte of the influence. */
+/** Half a step of 8 bits: a smaller change of an activation is invisible. */
 const SMALLEST_CHANGE = 1 / 510
 
-/** Every WebGL 2 and WebGPU device in use supports textures of this size. */
+/** In texels. All WebGL 2 and WebGPU devices in use support textures of this size. */
 const LARGEST_SIDE = 8192
 
-/** The layout of an atlas of influence maps: cells of one size in columns and rows, and which of them must be drawn again. */
+/** The layout of an atlas of influence maps: a grid of cells of one size, and which of them must be redrawn. */
 export class AtlasCells {
-  /** Size of a cell in texels: that of the faces' areas. */
+  /** Size of a cell in texels, that of the faces' areas. */
   readonly width: number
   readonly height: number
   /** Columns and rows of cells. */
   readonly grid = { columns: 1, rows: 1 }
-  /** Those to be drawn, of which the first `changes`: emptying the list would allocate. */
+  /** The cells to redraw are the first `changes` of these: emptying the list would allocate. */
   readonly changed: Cell[] = []
   changes = 0
   readonly #cells: (Cell | null)[] = []
@@ -38,18 +39,18 @@ export class AtlasCells {
     return this.#cells.every((cell) => cell === null)
   }
 
-  /** The arrays of areas that its faces have. */
+  /** The arrays of areas that the faces use. */
   get slots(): Set<Face['slots']> {
     return new Set(this.#cells.flatMap((cell) => (cell ? [cell.face.slots] : [])))
   }
 
   /**
-   * Gives faces consecutive cells. The grid may grow: compare its size before and after.
+   * Allocates consecutive cells to faces. The grid may grow, and then all cells are stale.
    *
-   * @throws FurrowError where they do not fit into the largest texture.
+   * @throws FurrowError when they do not fit into the largest texture.
    */
   add(faces: readonly Face[]): Cell[] {
-    const first = this.#findRoom(faces.length)
+    const first = this.#findFree(faces.length)
     this.#grow(first + faces.length)
     return faces.map((face, i) => {
       const drawn = new Float32Array(face.activations.values.length).fill(Number.NaN)
@@ -59,6 +60,7 @@ export class AtlasCells {
     })
   }
 
+  /** Frees cells. */
   remove(cells: readonly Cell[]): void {
     for (const { index } of cells) this.#cells[index] = null
     this.changed.length = 0
@@ -66,18 +68,18 @@ export class AtlasCells {
     while (this.#cells.length > 0 && this.#cells[this.#cells.length - 1] === null) this.#cells.pop()
   }
 
-  /** Adds those among some cells whose activations have changed since they were drawn. */
+  /** Adds to `changed` those of some cells that must be redrawn. */
   collect(cells: readonly Cell[]): void {
     for (let i = 0; i < cells.length; i++) if (hasChanged(cells[i])) this.changed[this.changes++] = cells[i]
   }
 
-  /** Has all cells drawn again: their texture is gone. */
+  /** Marks all cells stale: what was drawn is lost. */
   invalidate(): void {
     for (const cell of this.#cells) if (cell) cell.stale = true
   }
 
-  /** Index of the first of as many free cells in a row. */
-  #findRoom(count: number): number {
+  /** Index of the first of `count` consecutive free cells. */
+  #findFree(count: number): number {
     let run = 0
     for (let i = 0; i < this.#cells.length; i++) {
       run = this.#cells[i] === null ? run + 1 : 0
@@ -117,8 +119,8 @@ function hasChanged({ face, drawn, stale }: Cell): boolean {
 }
 
 /**
- * Whether an activation must be drawn again. One that starts or ends at 0 counts however little it moved: where it is 0, skin is
- * smooth to the last bit.
+ * Whether an activation has changed enough to be redrawn. Any change from or to 0 counts: at 0, skin must be smooth to the
+ * last bit.
  */
 export function hasMoved(value: number, drawn: number): boolean {
   const change = Math.abs(value - drawn)

@@ -10,9 +10,11 @@ import type { NamedInputs } from './named-inputs.ts'
 /** Reads the inputs of one kind from an engine's objects. */
 export interface InputReader<Engine> extends InputSource {
   /**
-   * @param values receives them, `count` numbers.
-   * @param instance of an instanced mesh, else 0.
-   * @param engine what draws the frame; null where nothing is drawn.
+   * Reads the inputs of one face. It runs in every frame and should not allocate.
+   *
+   * @param values receives `count` numbers.
+   * @param instance index of the instance; 0 for other meshes.
+   * @param engine what draws the frame, e.g. a renderer; null if nothing is drawn.
    */
   read(values: Float64Array, instance: number, engine: Engine | null): void
 }
@@ -20,14 +22,15 @@ export interface InputReader<Engine> extends InputSource {
 /** Kinds of inputs that an engine measures. */
 export type MeasuredKind = Exclude<ExternalInputKind, 'value'>
 
+/** A reader for each kind. */
 export type InputReaders<Engine> = { readonly [K in MeasuredKind]: InputReader<Engine> }
 
 const MEASURED = ['target', 'joint', 'tension'] as const satisfies readonly MeasuredKind[]
 
-/** Stands for an area that the face no longer has. */
-const GONE = 0xffff
+/** Index of an area that the face does not have. */
+const NO_AREA = 0xffff
 
-/** Drivers at work on the faces of one mesh, a method for each phase. Nothing is allocated once all faces have run. */
+/** Runs drivers on the faces of one mesh, with one method per phase. Allocates nothing after the first frame. */
 export class DriverRuntime<Engine> {
   readonly plan: DriverPlan
   readonly #bind: () => InputReaders<Engine>
@@ -35,15 +38,17 @@ export class DriverRuntime<Engine> {
   readonly #label: string
   #bound: Bound<Engine> | null = null
   readonly #states: DriverState[] = []
-  /** Per face: milliseconds when it was last read. */
+  /** Per face: when its inputs were last read, in milliseconds. */
   readonly #times: Float64Array
-  /** Per area of the plan: its index among the face's areas. */
+  /** Per area of the plan: its index among the faces' areas. */
   readonly #indices: Uint16Array
-  /** The areas that `#indices` is for. */
+  /** The areas that `#indices` was made for. */
   #slots: Face['slots'] | null = null
 
   /**
-   * @param bind finds the inputs of the plan on the mesh; called when the first frame begins, or by `bind`.
+   * @param bind finds the inputs of the plan on the mesh; called at the first frame, or by `bind`.
+   * @param inputs what the application sets.
+   * @param faces number of faces.
    * @param label names the mesh in warnings.
    */
   constructor(
@@ -59,12 +64,12 @@ export class DriverRuntime<Engine> {
     this.#label = label
     this.#times = new Float64Array(faces)
     this.#indices = new Uint16Array(plan.areaNames.length)
-    // So that they can be asked for before the first frame.
+    // So that their values can be read before the first frame.
     const { names, initial } = valueSource(plan.inputs.value)
     for (const [i, name] of names.entries()) inputs.declare(name, initial[i])
   }
 
-  /** Finds the inputs, and warns once of those that the mesh lacks. */
+  /** Finds the inputs, unless it has done so, and warns of those that the mesh lacks. */
   bind(): Bound<Engine> {
     if (this.#bound) return this.#bound
     const { plan } = this
@@ -86,11 +91,11 @@ export class DriverRuntime<Engine> {
     return this.#bound
   }
 
-  /** Phase 1: reads what the drivers of all faces need. */
+  /** Phase 1: reads the inputs of all faces. */
   readInputs(faces: readonly Face[], clock: { now(): number }, engine: Engine | null): void {
     const { program, readers, named } = this.bind()
-    const takesTime = this.plan.activationFilters.length > 0
-    const now = takesTime ? clock.now() : 0
+    const needsTime = this.plan.activationFilters.length > 0
+    const now = needsTime ? clock.now() : 0
     for (let i = 0; i < faces.length; i++) {
       this.#states[i] ??= program.createState()
       const { inputs, seconds } = this.#states[i]
@@ -101,7 +106,7 @@ export class DriverRuntime<Engine> {
     }
   }
 
-  /** Phase 2: from inputs and activations at rest to what the drivers make of them. */
+  /** Phase 2: evaluates the drivers of all faces. */
   evaluate(faces: readonly Face[]): void {
     if (faces[0].slots !== this.#slots) this.#findAreas(faces[0])
     const { program } = this.bind()
@@ -109,7 +114,7 @@ export class DriverRuntime<Engine> {
       const { resting } = this.#states[i]
       const { values } = faces[i].resting
       for (let k = 0; k < this.#indices.length; k++) {
-        resting[k] = this.#indices[k] === GONE ? 0 : values[this.#indices[k]]
+        resting[k] = this.#indices[k] === NO_AREA ? 0 : values[this.#indices[k]]
       }
       program.evaluate(this.#states[i])
     }
@@ -120,17 +125,17 @@ export class DriverRuntime<Engine> {
     for (let i = 0; i < faces.length; i++) setAll(faces[i].activations, this.#indices, this.#states[i])
   }
 
-  /** Areas come and go: warns of those that are gone, and drives the others. */
+  /** Resolves the areas, which may be added and removed, and warns of those that are missing. */
   #findAreas({ slots, activations }: Face): void {
     this.#slots = slots
     const { names } = activations
-    const gone: string[] = []
+    const missing: string[] = []
     for (const [i, name] of this.plan.areaNames.entries()) {
       const index = names.indexOf(name)
-      this.#indices[i] = index < 0 ? GONE : index
-      if (index < 0) gone.push(`area "${name}"`)
+      this.#indices[i] = index < 0 ? NO_AREA : index
+      if (index < 0) missing.push(`area "${name}"`)
     }
-    this.#warn(gone)
+    this.#warn(missing)
   }
 
   #warn(missing: readonly string[]): void {
@@ -149,10 +154,10 @@ export class DriverRuntime<Engine> {
 interface Bound<Engine> {
   program: DriverProgram
   readers: readonly { kind: MeasuredKind; reader: InputReader<Engine> }[]
-  /** Per value of the source: the value of each face. */
+  /** Per name: the value of each face. */
   named: readonly Float64Array[]
 }
 
 function setAll(activations: Activations, indices: Uint16Array, { activations: values }: DriverState): void {
-  for (let i = 0; i < indices.length; i++) if (indices[i] !== GONE) activations.setAt(indices[i], values, i)
+  for (let i = 0; i < indices.length; i++) if (indices[i] !== NO_AREA) activations.setAt(indices[i], values, i)
 }

@@ -1,41 +1,45 @@
 import { FurrowError } from '../core/error.ts'
 import type { Expression } from '../drivers/expression/expression.ts'
 
-/** Easing functions: fraction of the time, 0..1, to fraction of the way. */
+/** Easing functions, from the fraction of the time to the fraction of the way, both 0..1. */
 export const EASINGS = {
+  /** Constant speed. */
   linear: (t: number) => t,
+  /** Starts slowly: t^2. */
   easeIn: (t: number) => t * t,
+  /** Ends slowly: t (2 - t). */
   easeOut: (t: number) => t * (2 - t),
-  /** Smoothstep. */
+  /** Starts and ends slowly: smoothstep, t^2 (3 - 2 t). */
   easeInOut: (t: number) => t * t * (3 - 2 * t),
 } as const
 
-/** One of `EASINGS`, or a function. */
+/** One of `EASINGS`, or a function from the fraction of the time to the fraction of the way. */
 export type Easing = keyof typeof EASINGS | ((t: number) => number)
 
-/** One expression by name, or several with weights, which add up. */
+/** One expression by name, or several with weights, 0..1, which are added. */
 export type ExpressionChoice = string | Readonly<Record<string, number>>
 
 /**
- * Interpolates from one expression, or several at once, to the next over a given time: the paper's own way of driving the wrinkles,
- * linear by default. `update` allocates nothing, unless a custom easing does.
+ * Interpolates from one expression, or several at once, to the next over a given time, as the paper drives its wrinkles. `update`
+ * allocates nothing, unless a custom easing does.
  */
 export class ExpressionMix {
-  /** The union of all names that any of the expressions uses, targets and activations apart. */
+  /** Names of all blendshapes that any of the expressions uses. */
   readonly targetNames: readonly string[]
+  /** Names of all areas that any of the expressions uses. */
   readonly areaNames: readonly string[]
-  /** Weights now, in the order of `targetNames`. */
+  /** Current weights, in the order of `targetNames`. */
   readonly targets: Float32Array
-  /** Activations now, in the order of `areaNames`. */
+  /** Current activations, in the order of `areaNames`. */
   readonly activations: Float32Array
 
-  readonly #expressions: ReadonlyMap<string, Ends>
-  readonly #from: Ends
-  readonly #to: Ends
-  /** Null for linear: then no number is passed, and none boxed. */
+  readonly #expressions: ReadonlyMap<string, Pose>
+  readonly #from: Pose
+  readonly #to: Pose
+  /** Null for linear: then no number is passed, and none is boxed. */
   #easing: ((t: number) => number) | null = null
   #duration = 0
-  /** Seconds since the start, and the fraction of the way; in an array, since a field that changes may be boxed. */
+  /** Seconds since the start, and the fraction of the way; in an array, since a number in a field may be boxed. */
   readonly #now = new Float64Array(2)
 
   /**
@@ -76,11 +80,13 @@ export class ExpressionMix {
   }
 
   /**
-   * Starts a transition to an expression from the current values, or to several at once: `{ happy: 0.6, surprised: 0.4 }`. Their
-   * values add up target by target and area by area, to at most 1.
+   * Starts a transition from the current values to an expression, or to several at once: `{ happy: 0.6, surprised: 0.4 }`. Their
+   * values are added by target and by area, and clamped to 1.
    *
-   * @param seconds time to get there; 0 arrives at once.
-   * @throws FurrowError when no expression has that name, a weight is not within 0..1, or the time is negative or not finite.
+   * @param choice names and weights.
+   * @param seconds duration; 0 by default, which takes effect at once.
+   * @param easing linear by default.
+   * @throws FurrowError when no expression has that name, a weight is not within 0..1, or the time is negative, NaN or infinite.
    */
   play(choice: ExpressionChoice, seconds = 0, easing: Easing = 'linear'): void {
     const weights = typeof choice === 'string' ? { [choice]: 1 } : choice
@@ -92,7 +98,7 @@ export class ExpressionMix {
         what: 'time out of range',
         value: seconds,
         limit: '0 seconds or more',
-        remedy: 'give the time the change shall take, e.g. 0.3',
+        remedy: 'give the duration of the transition, e.g. 0.3',
       })
     }
     for (const values of ['targets', 'activations'] as const) {
@@ -110,14 +116,18 @@ export class ExpressionMix {
     if (seconds === 0) this.update(0)
   }
 
-  /** @param delta seconds since the last call. */
+  /**
+   * Advances the transition.
+   *
+   * @param delta seconds since the last call.
+   */
   update(delta: number): void {
     // Short enough to be inlined, so that the number is not boxed.
     this.#now[0] += delta
-    this.#follow()
+    this.#advance()
   }
 
-  #follow(): void {
+  #advance(): void {
     const now = this.#now
     if (now[0] > this.#duration) now[0] = this.#duration
     now[1] = this.still ? 1 : now[0] / this.#duration
@@ -126,7 +136,7 @@ export class ExpressionMix {
     this.#interpolate('activations')
   }
 
-  #interpolate(values: keyof Ends): void {
+  #interpolate(values: keyof Pose): void {
     const t = this.#now[1]
     const from = this.#from[values]
     const to = this.#to[values]
@@ -157,7 +167,7 @@ export class ExpressionMix {
   }
 }
 
-interface Ends {
+interface Pose {
   targets: Float32Array
   activations: Float32Array
 }

@@ -5,10 +5,7 @@ import { type Easing, type ExpressionChoice, ExpressionMix } from './expression-
 import type { BindTargets, TargetBinding } from './target-binding.ts'
 import type { WrinkleFaces } from './wrinkle-faces.ts'
 
-/**
- * Plays expressions on a face: blendshapes on every mesh that has them, and activations on its wrinkles.
- * Call `update` once per frame; while nothing is playing it writes nothing, so sliders may move the face too.
- */
+/** `ExpressionPlayer`, independent of the engine. */
 export class ExpressionPlayerBase {
   readonly #mix: ExpressionMix
   #last = 0
@@ -16,8 +13,9 @@ export class ExpressionPlayerBase {
   readonly #bindings: TargetBinding[]
 
   /**
+   * @param wrinkles of the face.
    * @param bind finds blendshapes on the meshes of the face.
-   * @param expressions the first is the initial one; by default those of the file, or `EXPRESSIONS` where it has none.
+   * @param expressions the first is the initial one; by default those of the file, or `EXPRESSIONS` if it has none.
    */
   constructor(wrinkles: WrinkleFaces, bind: BindTargets, expressions?: readonly Expression[]) {
     const own = wrinkles.expressions.length > 0 ? wrinkles.expressions : EXPRESSIONS
@@ -32,12 +30,13 @@ export class ExpressionPlayerBase {
   }
 
   /**
-   * Starts a transition to an expression from the face as it is now, sliders included; or to several at once, which add up:
+   * Starts a transition from the current face, sliders included, to an expression, or to several at once, which are added:
    * `{ happy: 0.6, surprised: 0.4 }`.
    *
-   * @param seconds duration, 0.25 by default.
+   * @param choice names and weights, 0..1.
+   * @param seconds duration, 0.25 by default; 0 takes effect at once.
    * @param easing linear by default.
-   * @throws FurrowError when no expression has that name, or a weight is not within 0..1.
+   * @throws FurrowError when no expression has that name, a weight is not within 0..1, or the time is negative, NaN or infinite.
    */
   play(choice: ExpressionChoice, seconds = 0.25, easing: Easing = 'linear'): void {
     this.#read()
@@ -46,7 +45,11 @@ export class ExpressionPlayerBase {
     if (seconds === 0) this.#write()
   }
 
-  /** @param delta seconds since the last frame; measured when absent. */
+  /**
+   * Advances the transition, if any. Call it once per frame.
+   *
+   * @param delta seconds since the last frame; measured by default.
+   */
   update(delta = this.#sinceLast()): void {
     if (this.#mix.still) return
     this.#mix.update(delta)
@@ -66,7 +69,7 @@ export class ExpressionPlayerBase {
     for (const { influences, target, name } of this.#bindings) targets[name] = influences[target]
     for (const [index, name] of areaNames.entries()) {
       if (!this.#wrinkles.hasArea(name)) continue
-      // Without what age and other inputs add to it.
+      // Of areas that are not driven, without what age and other inputs add.
       activations[index] = this.#wrinkles.isDriven(name)
         ? this.#wrinkles.getActivation(name)
         : this.#wrinkles.getRestingActivation(name)
@@ -85,7 +88,7 @@ function warnOfMissing(names: string[]): void {
   console.warn(
     sentence({
       who: 'ExpressionPlayer',
-      what: 'blendshapes or areas that this face does not have',
+      what: 'this face lacks blendshapes or areas',
       value: names.join(', '),
       remedy: 'expressions play without them',
     }),

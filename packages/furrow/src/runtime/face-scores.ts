@@ -1,17 +1,18 @@
 import { sentence } from '../core/error.ts'
 import type { BindTargets, TargetBinding } from './target-binding.ts'
 
-/** A blendshape by name and how much of it a camera sees, as MediaPipe's face landmarker lists them. */
+/** A blendshape and its score, as in the lists of MediaPipe's face landmarker. */
 export interface FaceScore {
+  /** Name of the blendshape. */
   categoryName: string
-  /** 0..1. */
+  /** Weight of the blendshape, 0..1. */
   score: number
 }
 
 /** MediaPipe's first category: the score of a neutral face. */
 const NEUTRAL = '_neutral'
 
-/** Sets the blendshapes of a face by lists of names and scores. */
+/** `FaceScores`, independent of the engine. */
 export class FaceScoresBase {
   readonly #bind: BindTargets
   #names: string[] = []
@@ -23,8 +24,8 @@ export class FaceScoresBase {
   }
 
   /**
-   * Sets the blendshapes that the list names, and leaves others as they are. Nothing is allocated while the names stay the same.
-   * `_neutral` is ignored, names that no mesh has are left out with one warning, and a score that is NaN counts as 0.
+   * Sets the blendshapes in the list; others stay as they are. `_neutral` is ignored, names that no mesh has are left out with one
+   * warning, and NaN counts as 0. Allocates nothing while the names stay the same.
    *
    * @throws FurrowError when nothing under the face has morph targets.
    */
@@ -52,7 +53,7 @@ export class FaceScoresBase {
     console.warn(
       sentence({
         who: 'FaceScores',
-        what: 'blendshapes that this face does not have',
+        what: 'this face lacks blendshapes',
         value: missing.join(', '),
         remedy: 'the others are set',
       }),

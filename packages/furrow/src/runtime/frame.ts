@@ -1,16 +1,18 @@
-/** The faces of one mesh, as a frame sees them. A phase reads what the phases before it wrote, and calls none of them. */
+/** The faces of one mesh, which take part in frames. A phase reads what earlier phases wrote, and never calls one. */
 export interface FrameMember<Engine> {
-  /** Blendshapes, joints, tension and the application's inputs, as numbers. */
+  /** Phase 1: reads blendshapes, joints, tension and the application's inputs. */
   readInputs(engine: Engine | null): void
+  /** Phase 2: from inputs to the drivers' activations. */
   evaluateDrivers(): void
+  /** Phase 3: sets the activations of the faces. */
   applyActivations(): void
   /**
-   * Tells the atlas which influence maps have changed.
+   * Phase 4: tells the atlas which influence maps have changed.
    *
-   * @returns whether they are wanted at all.
+   * @returns whether they are used at all in this frame.
    */
   collectInfluence(engine: Engine): boolean
-  /** Draws what is derived from the influence maps. */
+  /** Phase 5: draws what is derived from the influence maps. */
   composeNormals(engine: Engine): void
 }
 
@@ -19,19 +21,21 @@ export interface InfluenceTarget<Engine> {
   draw(engine: Engine): void
 }
 
-/** A member's place in the order of frames. */
+/** A member, and the numbers of the frames that it last took part in. */
 export interface FrameEntry<Engine> {
   readonly member: FrameMember<Engine>
-  /** Frame in which it was drawn last, its phases ran last, and its influence was collected last. */
+  /** In which it was drawn. */
   seen: number
+  /** In which its phases ran. */
   updated: number
+  /** In which its influence was collected. */
   collected: number
 }
 
 /**
- * Runs the phases of frames: inputs -> drivers -> activations -> influence -> draw, each for all faces before the next. Drawing is the
- * engine's; it calls `begin` before it draws a member, and the first member of a frame starts the phases for all that the
- * frame before has seen. A member that comes into sight later in a frame runs its phases then.
+ * Runs the phases of frames: inputs -> drivers -> activations -> influence -> draw, each for all faces before the next. The engine
+ * draws, and calls `begin` before it draws a member: the first one in a frame runs the phases of all members that were drawn in the
+ * frame before, or never ran. A member that comes into view later in a frame runs its phases then.
  *
  * @typeParam Engine what draws, e.g. a renderer.
  */
@@ -39,40 +43,42 @@ export class Frame<Engine> {
   readonly targets: InfluenceTarget<Engine>[] = []
   readonly #entries: FrameEntry<Engine>[] = []
   readonly #renderCount: (engine: Engine) => number
-  /** Members whose phases run, of which the first `#count`: emptying the list would allocate. */
+  /** The members whose phases run are the first `#count` of these: emptying the list would allocate. */
   readonly #due: FrameEntry<Engine>[] = []
   #count = 0
   #number = 0
   #renders = -1
 
-  /** @param renderCount grows with every picture that the engine draws. */
+  /** @param renderCount a number that changes with every image that the engine draws. */
   constructor(renderCount: (engine: Engine) => number) {
     this.#renderCount = renderCount
   }
 
+  /** Adds a member; the entry is for the methods below. */
   add(member: FrameMember<Engine>): FrameEntry<Engine> {
     const entry = { member, seen: -1, updated: -1, collected: -1 }
     this.#entries.push(entry)
     return entry
   }
 
+  /** Removes a member. */
   remove(entry: FrameEntry<Engine>): void {
     this.#entries.splice(this.#entries.indexOf(entry), 1)
     this.#due.length = 0
   }
 
-  /** Called before a member is drawn. */
+  /** To be called before a member is drawn. */
   begin(entry: FrameEntry<Engine>, engine: Engine): void {
     this.#count = 0
     if (this.#renderCount(engine) !== this.#renders) this.#startNext()
     if (entry.updated !== this.#number) this.#schedule(entry)
     entry.seen = this.#number
     if (this.#count > 0) this.#run(engine)
-    else if (entry.collected !== this.#number) this.#showLate(entry, engine)
+    else if (entry.collected !== this.#number) this.#collectLate(entry, engine)
     this.#renders = this.#renderCount(engine)
   }
 
-  /** Runs a member's phases by hand, up to the influence where there is an engine to draw it. */
+  /** Runs the phases of one member now; influence is drawn only with an engine. */
   update(entry: FrameEntry<Engine>, engine: Engine | null): void {
     this.#count = 0
     this.#due[this.#count++] = entry
@@ -109,8 +115,8 @@ export class Frame<Engine> {
     if (entry.member.collectInfluence(engine)) entry.collected = this.#number
   }
 
-  /** A member whose influence was not wanted when the frame began. */
-  #showLate(entry: FrameEntry<Engine>, engine: Engine): void {
+  /** For a member whose influence was not used when its phases ran, but is now. */
+  #collectLate(entry: FrameEntry<Engine>, engine: Engine): void {
     this.#collect(entry, engine)
     if (entry.collected !== this.#number) return
     for (let i = 0; i < this.targets.length; i++) this.targets[i].draw(engine)

@@ -2,28 +2,28 @@ import { FurrowError } from '../core/error.ts'
 
 /**
  * Numbers that the application sets by name, for drivers of type `age` and `input`: the person's age, stress, cold, loudness. Each
- * instance has its own.
+ * instance of a mesh has its own values.
  */
 export class NamedInputs {
   readonly #values = new Map<string, Float64Array>()
   readonly #faces: number
 
-  /** @param faces number of instances. */
+  /** @param faces number of instances, 1 for any other mesh. */
   constructor(faces: number) {
     this.#faces = faces
   }
 
-  /** Names that a driver reads or that were set. */
+  /** Names that a driver reads or that have been set. */
   get names(): string[] {
     return [...this.#values.keys()]
   }
 
   /**
-   * Sets an input. Names that no driver reads are allowed: drivers may come later.
+   * Sets an input. The name may be one that no driver reads yet.
    *
    * @param value in the unit that the drivers' curves expect, e.g. years.
-   * @param instance of an instanced mesh; all by default.
-   * @throws FurrowError when the value is NaN or infinite, or there is no such instance.
+   * @param instance index of an instance; all instances by default.
+   * @throws FurrowError when the value is NaN or infinite, or the instance does not exist.
    */
   set(name: string, value: number, instance?: number): void {
     if (!Number.isFinite(value)) {
@@ -43,17 +43,23 @@ export class NamedInputs {
     }
   }
 
-  /** The value of an input: as it was set, else what its drivers start from (`age`: 20), else 0. */
+  /**
+   * The value of an input: as set, or its drivers' initial value (`age`: 20), or 0.
+   *
+   * @param instance index of an instance, 0 by default.
+   * @throws FurrowError when the instance does not exist.
+   */
   get(name: string, instance = 0): number {
     this.#check(instance)
     return this.#values.get(name)?.[instance] ?? 0
   }
 
   /**
-   * Makes sure that an input exists.
+   * Creates an input if it does not exist.
    *
    * @param initial its value until it is set.
-   * @returns its value for each instance; changes as it is set.
+   * @returns its current value for each instance; always the same array.
+   * @internal
    */
   declare(name: string, initial: number): Float64Array {
     const known = this.#values.get(name)

@@ -1,7 +1,7 @@
 import { type Bounds, widen } from '../core/bounds.ts'
 import type { AreaSlots } from './area-slots.ts'
 
-/** A rectangle of texture coordinates: u0, v0, u1, v1 as x, y, z, w. Any engine's vector of four numbers will do. */
+/** A rectangle of texture coordinates: u0, v0, u1, v1 as x, y, z, w, so that any engine's vector of four numbers fits. */
 export interface Reach {
   x: number
   y: number
@@ -12,15 +12,15 @@ export interface Reach {
 /** Beyond any texture coordinate. */
 const FAR = 1e9
 
-/** Reused by every call, so that a frame allocates none. */
+/** Reused by every call, so that frames allocate nothing. */
 const span: Bounds = { x0: 0, y0: 0, x1: 0, y1: 0 }
 
 /**
- * The rectangle of texture coordinates outside of which nothing shows: that of all areas that are active. Skin outside of it need
- * not even sample the influence map. Empty where no area is active.
+ * Computes the rectangle of texture coordinates that contains all active areas. Skin outside it need not sample the influence map.
+ * Empty if no area is active.
  *
- * @param values activations in the order of the areas.
- * @param reach is set.
+ * @param values activations, in the order of the areas.
+ * @param reach receives the rectangle.
  */
 export function findReach({ slots, width, height }: AreaSlots, values: Float32Array, reach: Reach): void {
   span.x0 = width
@@ -29,15 +29,15 @@ export function findReach({ slots, width, height }: AreaSlots, values: Float32Ar
   span.y1 = 0
   for (let i = 0; i < slots.length; i++) if (values[i] !== 0) widen(span, slots[i].bounds)
   const { x0, y0, x1, y1 } = span
-  // Bilinear filtering spreads a texel to the centre of the next one, and clamping spreads those at the border without end.
-  // One by one: numbers that are passed to a function may be boxed.
+  // Bilinear filtering spreads a texel to the centres of its neighbours; clamping spreads those at the border infinitely.
+  // No function for the four: a number that is passed may be boxed.
   reach.x = x0 < 1 ? -FAR : (x0 - 0.5) / width
   reach.y = y0 < 1 ? -FAR : (y0 - 0.5) / height
   reach.z = x1 > width - 1 ? FAR : (x1 + 0.5) / width
   reach.w = y1 > height - 1 ? FAR : (y1 + 0.5) / height
 }
 
-/** For several faces at once: everything is within reach. */
+/** Sets a rectangle that contains everything, for several faces at once. */
 export function reachAll(reach: Reach): void {
   reach.x = -FAR
   reach.y = -FAR

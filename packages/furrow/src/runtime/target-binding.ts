@@ -1,11 +1,12 @@
-/** One morph target of one mesh, and which of a list of names sets it. */
+/** One morph target of one mesh, and the name that it was found by. */
 export interface TargetBinding {
-  /** Weights of the mesh's targets, written in place. */
+  /** Weights of the mesh's targets, which are written to. */
   influences: number[]
+  /** Index of the target among them. */
   target: number
-  /** Index into the names. */
+  /** Index of the name in the list. */
   name: number
 }
 
-/** Finds the targets of some names on every mesh of a face. */
+/** Finds the morph targets with some names on all meshes of a face. */
 export type BindTargets = (names: readonly string[]) => TargetBinding[]

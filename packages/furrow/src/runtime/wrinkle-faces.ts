@@ -5,23 +5,30 @@ import type { DriverRuntime } from './driver-runtime.ts'
 import { Face } from './face.ts'
 import { NamedInputs } from './named-inputs.ts'
 
+/** A source of time. */
+export interface Clock {
+  /** Milliseconds since any fixed moment. */
+  now(): number
+}
+
 /**
- * The wrinkles of a mesh, or of each of its instances, as far as no engine is needed: areas, activations, inputs and drivers.
+ * The wrinkles of a mesh, or of each of its instances, independent of the engine: areas, activations, inputs and drivers.
  *
  * @typeParam Engine what draws a frame, e.g. a renderer.
  */
 export abstract class WrinkleFaces<Engine = unknown> {
-  /** Whether the drivers of the file activate their areas; set it to false to activate them yourself. */
+  /** Whether drivers activate their areas; set it to false to activate them yourself. */
   driven = true
-  /** Presets of the file. */
+  /** Preset expressions of the file. */
   expressions: readonly Expression[] = []
-  /** Milliseconds, for drivers with a delay; replace it where frames are not drawn in real time. */
-  clock: { now(): number } = performance
-  /** What the application tells drivers: `inputs.set('age', 40)`. */
+  /** The time for drivers with a delay; replace it if frames are not drawn in real time. */
+  clock: Clock = performance
+  /** Numbers that the application sets for drivers: `inputs.set('age', 40)`. */
   readonly inputs: NamedInputs
 
   /** One per instance. */
   protected readonly faces: readonly Face[]
+  /** In the order of the activations. */
   protected areas: Area<ArraySlice>[]
   #drivers: DriverRuntime<Engine> | null = null
   readonly #disposers: (() => void)[] = []
@@ -36,12 +43,12 @@ export abstract class WrinkleFaces<Engine = unknown> {
     this.inputs = new NamedInputs(count)
   }
 
-  /** Names of the areas, in the order they are packed. */
+  /** Names of the areas, in the order of the activations. */
   get areaNames(): string[] {
     return this.areas.map(({ name }) => name)
   }
 
-  /** An area as it was given. */
+  /** The area of that name, as it was given; undefined if there is none. */
   getArea(name: string): Area<ArraySlice> | undefined {
     return this.areas.find((area) => area.name === name)
   }
@@ -52,23 +59,24 @@ export abstract class WrinkleFaces<Engine = unknown> {
   }
 
   /**
-   * Activates an area. On an area that blendshapes, joints and the like drive (`isDriven`), this lasts until the next frame;
-   * on all others it stays, and what the application's inputs add, such as age, comes on top.
+   * Activates an area. If the face's motion drives it (`isDriven`), this lasts until the next frame; otherwise it stays, and the
+   * application's inputs, such as age, add to it.
    *
-   * @param value 0..1; clamped with one warning.
-   * @param instance of an instanced mesh; 0 by default.
+   * @param value 0..1; clamped, with one warning.
+   * @param instance index of an instance, 0 by default.
    * @throws FurrowError when no area has that name.
    */
   setActivation(area: string, value: number, instance = 0): void {
     const face = this.faces[instance]
     if (this.#isMoved(area)) face.activations.set(area, value)
-    else face.rest(area, value)
+    else face.setResting(area, value)
   }
 
   /**
-   * The same for many at once; names that no area has are ignored, and nothing is allocated.
+   * Activates several areas, as `setActivation` does, but ignores names that no area has, and allocates nothing.
    *
    * @param values 0..1, in the order of the names.
+   * @param instance index of an instance, 0 by default.
    */
   setActivations(names: readonly string[], values: Float32Array, instance = 0): void {
     const { activations, resting } = this.faces[instance]
@@ -76,56 +84,68 @@ export abstract class WrinkleFaces<Engine = unknown> {
     resting.setNamed(names, values, this.#drivers?.plan.movedAreas)
   }
 
-  /** @throws FurrowError when no area has that name. */
+  /**
+   * The activation of an area, 0..1, as of the last frame or `setActivation`.
+   *
+   * @throws FurrowError when no area has that name.
+   */
   getActivation(area: string, instance = 0): number {
     return this.faces[instance].activations.get(area)
   }
 
   /**
-   * Sets an area's activation at rest, to which drivers add. Key frames of a file do this.
+   * Sets an area's activation at rest, to which drivers add. Animations of a file do this.
    *
-   * @param value 0..1; clamped with one warning.
+   * @param value 0..1; clamped, with one warning.
    * @throws FurrowError when no area has that name.
    */
   setRestingActivation(area: string, value: number, instance = 0): void {
-    this.faces[instance].rest(area, value)
+    this.faces[instance].setResting(area, value)
   }
 
-  /** @throws FurrowError when no area has that name. */
+  /**
+   * The activation of an area at rest, 0..1.
+   *
+   * @throws FurrowError when no area has that name.
+   */
   getRestingActivation(area: string, instance = 0): number {
     return this.faces[instance].resting.get(area)
   }
 
-  /** Whether blendshapes, joints or the like drive an area, so that `setActivation` lasts until the next frame only. */
+  /**
+   * Whether blendshapes, joints, tension or other areas drive an area now, so that `setActivation` lasts until the next frame only.
+   * False for names that no area has.
+   */
   isDriven(area: string): boolean {
     return this.driven && this.#isMoved(area)
   }
 
-  /** Sets what drives the areas, in place of what did before. */
+  /** Replaces the drivers. @internal */
   setDrivers(drivers: DriverRuntime<Engine>): void {
     this.#drivers = drivers
   }
 
-  /** Phase 1 of a frame; see `Frame`. */
+  /** Phase 1 of a frame, see `Frame`. @internal */
   readInputs(engine: Engine | null): void {
     if (this.driven) this.#drivers?.readInputs(this.faces, this.clock, engine)
   }
 
-  /** Phase 2. */
+  /** Phase 2. @internal */
   evaluateDrivers(): void {
     if (this.driven) this.#drivers?.evaluate(this.faces)
   }
 
-  /** Phase 3. */
+  /** Phase 3. @internal */
   applyActivations(): void {
     if (this.driven) this.#drivers?.apply(this.faces)
   }
 
-  /** Calls a function when these wrinkles are disposed of. */
+  /** Registers a function to be called by `dispose`. */
   onDispose(dispose: () => void): void {
     this.#disposers.push(dispose)
   }
 
+  /** Calls the functions registered by `onDispose`, and drops the drivers. */
   dispose(): void {
     for (const dispose of this.#disposers.splice(0)) dispose()
     this.#drivers = null

@@ -5,15 +5,16 @@ import { bindTargets } from './sources/bind-targets.ts'
 import type { WrinklesBase } from './wrinkles-base.ts'
 
 /**
- * Plays expressions on a face: blendshapes on every mesh that has them, and activations on its wrinkles.
- * Call `update` once per frame; while nothing is playing it writes nothing, so sliders may move the face too.
+ * Plays expressions on a face: blendshapes on every mesh that has them, and activations on its wrinkles. Call `update` once per
+ * frame; while nothing is playing it writes nothing, so that sliders can move the face too.
  */
 export class ExpressionPlayer extends ExpressionPlayerBase {
   /**
-   * @param face any object above the meshes that move: head, eyes, teeth, lashes.
-   * @param expressions the first is the initial one; by default those of the file, or `EXPRESSIONS` where it has none.
-   * @throws FurrowError when nothing under `face` has morph targets. Names of an expression that no mesh and no
-   *   area has are left out with one warning.
+   * @param face the root of the meshes that move: head, eyes, teeth, lashes.
+   * @param wrinkles of the face.
+   * @param expressions the first is the initial one; by default those of the file, or `EXPRESSIONS` if it has none. Names that no mesh
+   *   or area has are left out with one warning.
+   * @throws FurrowError when no mesh under `face` has morph targets.
    */
   constructor(face: Object3D, wrinkles: WrinklesBase, expressions?: readonly Expression[]) {
     super(wrinkles, (names) => bindTargets(face, names, 'ExpressionPlayer'), expressions)

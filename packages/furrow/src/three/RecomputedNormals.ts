@@ -2,17 +2,19 @@ import { BufferAttribute, type BufferGeometry, DynamicDrawUsage, type Mesh } fro
 import { DeformedNormals } from '../math/deformed-normals.ts'
 import { coordinates, takeNumbers, targetOffsets, trianglesOf } from './sources/geometry-arrays.ts'
 
-/** Of one blendshape: the vertices that it moves, and how far. */
+/** The vertices that a blendshape moves. */
 interface Offsets {
   vertices: Uint32Array
+  /** x, y and z by which each moves. */
   values: Float32Array
 }
 
 /**
- * Recomputes a mesh's normals and tangents on the processor as its blendshapes deform it, as the paper does, so that light and
- * wrinkles follow: three.js shades a face whose targets lack normals as if at rest, and never moves tangents. Skinning goes on top
- * of it as before. The mesh gets a geometry of its own. Call `update` once per frame; while no weight changes it does nothing, and it never
- * allocates. It costs the vertices that move; `furrow pack --morph-normals` costs a file's size instead, and the tangents stay.
+ * Recomputes a mesh's normals and tangents on the CPU as its blendshapes deform it, as the paper does, so that light and wrinkles
+ * follow: three.js shades a face whose targets lack normals as if at rest, and never deforms tangents. Skinning is applied afterwards, as
+ * before. The mesh gets a geometry of its own. Call `update` once per frame; while no weight changes it does nothing, and it never
+ * allocates. Its cost is proportional to the vertices that move. `furrow pack --morph-normals` makes the file larger instead, and leaves
+ * the tangents at rest.
  */
 export class RecomputedNormals {
   readonly #mesh: Mesh
@@ -25,10 +27,10 @@ export class RecomputedNormals {
   readonly #tangent: BufferAttribute | null
   readonly #restTangents: Float32Array | null
   readonly #targets: readonly Offsets[]
-  /** Weights as they were when the normals were last made. */
+  /** Weights that the normals were last computed for. */
   readonly #weights: Float32Array
 
-  /** @param mesh with normals. Without blendshapes `update` does nothing. */
+  /** @param mesh with normals; without blendshapes `update` does nothing. */
   constructor(mesh: Mesh) {
     this.#mesh = mesh
     this.#before = mesh.geometry
@@ -66,7 +68,7 @@ export class RecomputedNormals {
     this.#tangent.needsUpdate = true
   }
 
-  /** Gives the mesh its geometry back. */
+  /** Restores the mesh's geometry. */
   dispose(): void {
     this.#mesh.geometry = this.#before
     this.#geometry.dispose()
@@ -76,14 +78,15 @@ export class RecomputedNormals {
     const weight = this.#weights[target]
     if (weight === 0) return
     for (let i = 0; i < vertices.length; i++) {
-      const at = 3 * vertices[i]
-      this.#now[at] += weight * values[3 * i]
-      this.#now[at + 1] += weight * values[3 * i + 1]
-      this.#now[at + 2] += weight * values[3 * i + 2]
+      const x = 3 * vertices[i]
+      this.#now[x] += weight * values[3 * i]
+      this.#now[x + 1] += weight * values[3 * i + 1]
+      this.#now[x + 2] += weight * values[3 * i + 2]
     }
   }
 }
 
+/** Leaves out vertices that do not move. */
 function movedOnly(offsets: Float32Array): Offsets {
   const vertices = Array.from({ length: offsets.length / 3 }, (_, i) => i).filter(
     (i) => offsets[3 * i] !== 0 || offsets[3 * i + 1] !== 0 || offsets[3 * i + 2] !== 0,

@@ -2,16 +2,17 @@ import { type Mesh, NumberKeyframeTrack } from 'three'
 import { sentence } from '../core/error.ts'
 import type { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
 
-/** What a mixer finds on a mesh as `wrinkles[AREA].activation`. */
+/** What an animation mixer finds on a mesh as `wrinkles[AREA].activation`. */
 export type AnimatedAreas = Record<string, { activation: number }>
 
 /**
- * Key frames of an area's activation at rest, for an `AnimationClip` that three.js's `AnimationMixer` plays on the mesh or any
- * object above it, together with whatever else the clip moves. Drivers add to it.
+ * Creates key frames of an area's activation at rest, for an `AnimationClip` that three.js's `AnimationMixer` plays on the mesh or an
+ * ancestor of it. Drivers add to it.
  *
- * @param mesh with wrinkles; by its name, as clips of files do, so that copies play it too.
- * @param times seconds, growing.
- * @param values 0..1, one for each time; linear between them.
+ * @param mesh with wrinkles; bound by its name, as in clips of files, so that copies play it too.
+ * @param area name of the area.
+ * @param times seconds, increasing.
+ * @param values 0..1, one per time, interpolated linearly.
  */
 export function activationTrack(
   mesh: Mesh,
@@ -23,14 +24,14 @@ export function activationTrack(
   return new NumberKeyframeTrack(name, Array.from(times), Array.from(values))
 }
 
-/** Lets mixers reach the areas of a mesh; call it again after areas were added or removed. */
+/** Exposes the areas of a mesh to animation mixers; to be called again after areas were added or removed. */
 export function exposeAreas(mesh: Mesh, wrinkles: WrinkleFaces<never>): void {
   const areas: AnimatedAreas = {}
   for (const name of wrinkles.areaNames) areas[name] = animatedArea(wrinkles, name)
   ;(mesh as Mesh & { wrinkles?: AnimatedAreas }).wrinkles = areas
 }
 
-/** A mixer keeps it even when the area is gone: one warning says so. */
+/** A mixer keeps this object even after the area was removed; it then warns once. */
 function animatedArea(wrinkles: WrinkleFaces<never>, name: string): { activation: number } {
   let hasWarned = false
   return {
@@ -38,7 +39,7 @@ function animatedArea(wrinkles: WrinkleFaces<never>, name: string): { activation
       return wrinkles.hasArea(name) ? wrinkles.getRestingActivation(name) : 0
     },
     set activation(value) {
-      // Splines may overshoot.
+      // Cubic splines may overshoot.
       if (wrinkles.hasArea(name)) wrinkles.setRestingActivation(name, Math.min(Math.max(value, 0), 1))
       else if (!hasWarned) {
         hasWarned = true

@@ -1,6 +1,8 @@
-/** What `furrow/three` and `furrow/webgpu` have in common. */
+/** The exports that `furrow/three` and `furrow/webgpu` have in common. */
 
 export type { FaceScore } from '../runtime/face-scores.ts'
+export type { NamedInputs } from '../runtime/named-inputs.ts'
+export type { Clock } from '../runtime/wrinkle-faces.ts'
 export { activationTrack } from './animated-areas.ts'
 export { ExpressionPlayer } from './ExpressionPlayer.ts'
 export { FaceScores } from './FaceScores.ts'
@@ -9,7 +11,8 @@ export { loadWrinkleSet } from './loader/load-wrinkle-set.ts'
 export { type LoadedWrinkles, readWrinkleMaps } from './loader/read-wrinkle-maps.ts'
 export { WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from './options.ts'
 export { RecomputedNormals } from './RecomputedNormals.ts'
-export { addDrivers } from './sources/add-drivers.ts'
+export type { AnyRenderer } from './renderer.ts'
+export { type AddDrivers, addDrivers } from './sources/add-drivers.ts'
 export type { DriversOptions } from './sources/binding.ts'
 export { addMorphNormals, addMuscles } from './sources/muscles.ts'
 export { type WrinklesBase, wrinklesOf } from './wrinkles-base.ts'

@@ -3,7 +3,7 @@ import { InfluenceAtlas } from './atlas/influence-atlas.ts'
 import type { QuadMaterials } from './atlas/influence-pass.ts'
 import type { AnyRenderer } from './renderer.ts'
 
-/** The frames of one kind of renderer, with the atlases that its faces share. */
+/** The frames of one kind of renderer, and the atlases of their faces. */
 export class RendererFrame extends Frame<AnyRenderer> {
   readonly #atlases: InfluenceAtlas[] = []
   readonly #materials: QuadMaterials
@@ -13,7 +13,7 @@ export class RendererFrame extends Frame<AnyRenderer> {
     this.#materials = materials
   }
 
-  /** The atlas that all faces share whose size of areas and number of layers are the same. */
+  /** The atlas of all faces with this size of areas, in texels, and number of layers. */
   atlasFor(width: number, height: number, layers: number): InfluenceAtlas {
     const shared = this.#atlases.find(
       (atlas) => atlas.cells.width === width && atlas.cells.height === height && atlas.layers === layers,
@@ -25,7 +25,7 @@ export class RendererFrame extends Frame<AnyRenderer> {
     return atlas
   }
 
-  /** Frees an atlas that no face uses any more. */
+  /** Frees an atlas if no face uses it any more. */
   release(atlas: InfluenceAtlas): void {
     if (!atlas.cells.isEmpty) return
     atlas.dispose()
@@ -36,14 +36,14 @@ export class RendererFrame extends Frame<AnyRenderer> {
 
 const frames = new Map<QuadMaterials, RendererFrame>()
 
-/** The frames of a kind of renderer: there is one object for all its faces. */
+/** The frames of a kind of renderer, one object for all its faces. */
 export function frameOf(materials: QuadMaterials): RendererFrame {
   const frame = frames.get(materials) ?? new RendererFrame(materials)
   frames.set(materials, frame)
   return frame
 }
 
-/** Grows with every call of `render`, nested ones included. */
+/** Changes with every call of `render`, nested ones included. */
 function renderCount({ info }: AnyRenderer): number {
   return 'calls' in info ? info.calls : info.render.frame
 }

@@ -1,14 +1,15 @@
 import type { BatchedMesh, InstancedMesh, Mesh } from 'three'
 
-/** How a mesh tells its instances apart, each of which has wrinkles of its own; null where it is one face. */
+/** The kind of mesh, if it has instances, each of which wrinkles independently; null if it is one face. */
 export type Instances = 'instanced' | 'batched' | null
 
+/** Whether a mesh has instances, and of which kind. */
 export function instancesOf(mesh: Mesh): Instances {
   if ((mesh as Partial<InstancedMesh>).isInstancedMesh) return 'instanced'
   return (mesh as Partial<BatchedMesh>).isBatchedMesh ? 'batched' : null
 }
 
-/** How many faces a mesh has room for. */
+/** Number of faces: instances that a mesh may have, 1 for any other mesh. */
 export function countFaces(mesh: Mesh): number {
   const instances = instancesOf(mesh)
   if (!instances) return 1

@@ -1,23 +1,25 @@
 import { DEFAULT_AREA_SIZE } from '../core/limits.ts'
 
 /**
- * `default` mixes normals and lights once; `paper` lights twice and mixes colours; `composed` writes the normals into a map
- * that the material then shows as its own; `off` shows none.
+ * `default` mixes normals and lights once; `paper` lights twice and mixes colours; `composed` draws the mixed normals into a texture
+ * that replaces the material's normal map; `off` shows no wrinkles.
  */
 export type WrinkleMode = 'default' | 'paper' | 'composed' | 'off'
 
+/** How wrinkles are shown; defaults are in `WRINKLES_DEFAULTS`. */
 export interface WrinklesOptions {
-  /** `default` unless told. */
+  /** `default` by default. */
   mode?: WrinkleMode
-  /** Side of the common grid of the areas in texels, 128 unless told. */
+  /** Side of the square grid that areas are resampled to, in texels, 128 by default. Areas in texture arrays keep their size. */
   areaSize?: number
   /**
-   * Size of the mesh on screen in pixels from which on wrinkles show in full. Below it they fade, and from half
-   * of it on they cost nothing. 0 unless told: they never fade.
+   * Size of the mesh on screen, in pixels, below which wrinkles fade; at half of it they are gone and cost nothing. 0 by default: they
+   * never fade.
    */
   fadeBelow?: number
 }
 
+/** The defaults of `WrinklesOptions`. */
 export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = {
   mode: 'default',
   areaSize: DEFAULT_AREA_SIZE,

@@ -1,5 +1,5 @@
 import type { WebGLRenderer } from 'three'
 import type { WebGPURenderer } from 'three/webgpu'
 
-/** Either of three.js's renderers. */
+/** One of three.js's two renderers. */
 export type AnyRenderer = WebGLRenderer | WebGPURenderer

@@ -22,17 +22,17 @@ import { sizeOnScreen } from './size-on-screen.ts'
 
 const wrinklesByMesh = new WeakMap<Mesh, WrinklesBase>()
 
-/** The wrinkles of a mesh, however they were added; of several, the first. */
+/** The wrinkles of a mesh, however they were added, or undefined; if there are several, the first. */
 export function wrinklesOf(mesh: Mesh): WrinklesBase | undefined {
   return wrinklesByMesh.get(mesh)
 }
 
 /**
- * Wrinkles on one mesh, or on each instance of an `InstancedMesh` or `BatchedMesh`; each renderer's class adds its way to patch. The
- * material stays the user's own: morphs, skinning, shadows, environment and `normalScale` keep working, and
- * `dispose` restores it.
+ * Wrinkles on one mesh, or on each instance of an `InstancedMesh` or `BatchedMesh`: the base of both renderers' `Wrinkles`. The
+ * material remains the user's: morphs, skinning, shadows, environment and `normalScale` keep working, and `dispose` restores it.
  */
 export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> implements FrameMember<AnyRenderer> {
+  /** The mesh that drives: its blendshapes, skeleton and surface are measured. */
   readonly mesh: Mesh
   readonly #options: Required<WrinklesOptions>
   readonly #frame: RendererFrame
@@ -41,16 +41,16 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> implements 
   readonly #cells: readonly Cell[]
   readonly #inputs: ShaderInputs
   readonly #material: PatchedMaterial
-  /** Version of the activations that the paper's table holds. */
+  /** Version of the activations in the paper's table. */
   #tableVersion = -1
-  /** Influence materials in use: they show the map in any mode. */
+  /** Number of influence materials in use: they need the map in any mode. */
   #influenceViews = 0
 
   /**
-   * @param renderer what the renderer's class adds.
-   * @param mesh needs UVs and normals and a lit material of its own.
-   * @param source a set, copied: later changes to it are not seen, use `addArea` and `removeArea`. Or the wrinkles
-   *   of another mesh, which are then shown here too, at rest, from the same textures.
+   * @param renderer what depends on the renderer.
+   * @param mesh with UVs, normals, and a lit material of its own.
+   * @param source a wrinkle set, copied: later changes have no effect, use `addArea` and `removeArea`. Or the wrinkles of another mesh,
+   *   whose set and textures are used, with activations at rest.
    * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then unchanged.
    */
   constructor(
@@ -88,13 +88,13 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> implements 
     }
   }
 
+  /** How wrinkles are shown. */
   get mode(): WrinkleMode {
     return this.#material.mode
   }
 
   /**
-   * Changes how wrinkles are shown; the material's program is compiled again. The composed mode shows the layers' normals
-   * alone, and does not fade.
+   * Changes how wrinkles are shown; the material's program is recompiled. The composed mode shows normals only, and does not fade.
    *
    * @throws FurrowError when the mode is not possible: `paper` with more than one layer, or with maps of the material that
    *   cannot be read or differ in size; `paper` and `composed` for instances. The mode then stays as it was.
@@ -103,34 +103,34 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> implements 
     if (mode !== this.mode) this.#material.show(mode)
   }
 
-  /** Number of instances, 1 for any other mesh. */
+  /** Number of faces: instances, or 1 for any other mesh. */
   get faceCount(): number {
     return this.faces.length
   }
 
   /**
-   * Brings inputs, drivers and activations up to date now. Frames do so by themselves before they are drawn; this is for
-   * tests, and for pages that read activations without drawing.
+   * Updates inputs, drivers and activations now. Every frame does so before it is drawn; this is for tests, and for pages that read
+   * activations without drawing.
    *
-   * @param renderer draws the influence maps too; without one, what only a renderer can measure keeps its last value.
+   * @param renderer also draws the influence maps. Without one, inputs that only a renderer can measure keep their last value.
    */
   update(renderer: AnyRenderer | null = null): void {
     this.#frame.update(this.#entry, renderer)
   }
 
   /**
-   * Adds an area while the program runs, with its activation at rest. The shader program stays.
+   * Adds an area at run time, with its activation at rest. Shaders are not recompiled.
    *
-   * @throws FurrowError when its name is taken, its image malformed or its layer unknown; nothing changes then.
+   * @throws FurrowError when its name is taken, its image malformed or its layer unknown; nothing then changes.
    */
   addArea(area: Area): void {
     checkArea(area, this.#inputs.textures.layers, 'Wrinkles.addArea')
     this.#replaceAreas([...this.areas, area], 'Wrinkles.addArea')
-    for (const face of this.faces) face.rest(area.name, area.activation ?? 0)
+    for (const face of this.faces) face.setResting(area.name, area.activation ?? 0)
   }
 
   /**
-   * Removes an area while the program runs. The shader program stays.
+   * Removes an area at run time. Shaders are not recompiled.
    *
    * @throws FurrowError when no area has that name, or it is the last one.
    */
@@ -143,8 +143,10 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> implements 
   }
 
   /**
-   * A material that shows the influence as gray on the moving mesh: the current one, or the extent of one area, or of
-   * several, whatever their activations. Dispose it when done, and create it again after areas were added or removed.
+   * Creates a material that shows influence as gray on the moving mesh, black = none, white = 1: the current influence, or the weights
+   * of some areas, whatever their activations. Dispose of it after use, and create it again after areas were added or removed.
+   *
+   * @param area name or names; by default, the current influence.
    *
    * @throws FurrowError when no area has that name.
    */
@@ -160,12 +162,12 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> implements 
   }
 
   /**
-   * Adds another mesh that has the material, such as a second primitive of the face: it shows the same wrinkles,
-   * whichever of them is drawn first.
+   * Adds another mesh with the same material, such as a second primitive of the face. It shows the same wrinkles, whichever mesh is
+   * drawn first.
    */
   addMesh(mesh: Mesh): void {
     const before = mesh.onBeforeRender
-    // All named: a rest parameter would allocate in every frame.
+    // All parameters by name: a rest parameter would allocate in every frame.
     const prepare: Mesh['onBeforeRender'] = (renderer, scene, camera, geometry, material, group) => {
       before.call(mesh, renderer, scene, camera, geometry, material, group)
       this.#prepare(renderer as AnyRenderer, camera, mesh)
@@ -179,23 +181,23 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> implements 
     })
   }
 
-  /** A copy of the material as it is without wrinkles, for another mesh with wrinkles of its own. */
+  /** Copies the material without its wrinkles, for another mesh with wrinkles of its own. */
   cloneMaterial(): Material {
     return this.#material.clone()
   }
 
-  /** Phase 4 of a frame: influence maps, or the paper's table. */
+  /** Phase 4 of a frame, see `Frame`: influence maps, or the paper's table. @internal */
   collectInfluence(renderer: AnyRenderer): boolean {
     const { fade, areas, paper } = this.#inputs
     const { mode, composed } = this.#material
     if (mode === 'paper') this.#writeTable(areas, paper!.table)
-    const isShown = mode === 'default' || composed !== null || this.#influenceViews > 0
-    if (fade.value === 0 || !isShown) return false
+    const isUsed = mode === 'default' || composed !== null || this.#influenceViews > 0
+    if (fade.value === 0 || !isUsed) return false
     this.#atlas.collect(this.#cells, renderer)
     return true
   }
 
-  /** Phase 5: the composed normal map, in its mode. */
+  /** Phase 5: the composed normal map, in its mode. @internal */
   composeNormals(renderer: AnyRenderer): void {
     const { composed } = this.#material
     if (!composed) return
@@ -203,7 +205,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> implements 
     composed.update(renderer, this.#inputs.areas, this.faces[0].activations.values)
   }
 
-  /** Restores the material and frees the textures that no other face shares. */
+  /** Restores the material, and frees the textures that no other face uses. */
   override dispose(): void {
     super.dispose()
     this.#frame.remove(this.#entry)
@@ -216,7 +218,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> implements 
     paper?.table.texture.dispose()
   }
 
-  /** Some areas in full, and no others. */
+  /** A table in which some areas have activation 1 and all others 0. */
   #extentOf(names: readonly string[]): ActivationTable {
     for (const name of names) this.getActivation(name)
     const table = new ActivationTable()
@@ -227,14 +229,14 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> implements 
     return table
   }
 
-  /** Before a mesh is drawn: the frame up to the influence, then what its shader reads. */
+  /** Called before a mesh is drawn: runs the phases up to the influence, then sets what the mesh's shader reads. */
   #prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
     this.#inputs.fade.value = this.#fadeOf(mesh, camera, renderer)
     this.#frame.begin(this.#entry, renderer)
     placeCells(this.#inputs, this.#atlas, this.#cells)
   }
 
-  /** 1 = wrinkles in full, 0 = the mesh is too small on screen. */
+  /** 1 = not faded, 0 = the mesh is too small on screen to show wrinkles. */
   #fadeOf(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
     const { fadeBelow } = this.#options
     if (fadeBelow === 0 || this.#material.composed || instancesOf(this.mesh)) return 1
@@ -264,7 +266,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> implements 
     }
     this.#atlas.prune()
     exposeAreas(this.mesh, this)
-    // The paper's nodes hold the array itself.
+    // The shader graph of the paper's mode holds the array itself.
     if (this.mode === 'paper') this.#material.show('paper')
   }
 }

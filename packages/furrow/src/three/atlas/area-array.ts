@@ -9,16 +9,17 @@ import { areaTexture } from '../material/textures.ts'
 /** The areas of a set as one array on the GPU. */
 export interface AreaArray extends AreaSlots {
   readonly texture: ArrayTexture
-  /** Channels of a slice that hold areas: 1, or up to 4. */
+  /** Channels per slice, each of which may hold an area. */
   readonly channels: 1 | 4
 }
 
 /**
- * Puts areas on the GPU: images are packed one per slice, resampled to a common square grid; slices of one array
- * are used as they are.
+ * Creates the array of a set's areas. Images are resampled to a square grid and packed one per slice; slices of one array are used
+ * unchanged.
  *
  * @param size side of the grid in texels.
- * @throws FurrowError where an image is malformed, or the areas lie in several arrays.
+ * @param who names the caller in errors.
+ * @throws FurrowError when an image is malformed, or the areas are in several arrays.
  */
 export function createAreaArray(
   areas: readonly Area<ArraySlice>[],
@@ -26,8 +27,10 @@ export function createAreaArray(
   size: number,
   who: string,
 ): AreaArray {
-  const own = areas.map(({ weights }) => weights)
-  const { locations, ...array } = own.some(isSlice) ? sliced(own, who) : packed(own as GrayImage[], size, who)
+  const weights = areas.map((area) => area.weights)
+  const { locations, ...array } = weights.some(isSlice)
+    ? sliced(weights, who)
+    : packed(weights as GrayImage[], size, who)
   const slots = areas.map((area, i) => ({
     layer: layerIndex(area, layers),
     combine: area.combine ?? ('sum' as const),
@@ -36,20 +39,21 @@ export function createAreaArray(
   return { ...array, slots }
 }
 
-type UnassignedArray = Omit<AreaArray, 'slots'> & {
+/** An array, and where each area is in it. */
+type LocatedAreas = Omit<AreaArray, 'slots'> & {
   locations: Pick<AreaSlot, 'slice' | 'channel' | 'bounds'>[]
 }
 
-function packed(weights: readonly GrayImage[], size: number, who: string): UnassignedArray {
+function packed(weights: readonly GrayImage[], size: number, who: string): LocatedAreas {
   const array = packAreas(weights, size, who)
   const locations = weights.map((_, slice) => ({ slice, channel: 0, bounds: boundsOf(array, slice) }))
   return { texture: areaTexture(array), width: size, height: size, channels: 1, locations }
 }
 
-function sliced(weights: readonly (GrayImage | ArraySlice)[], who: string): UnassignedArray {
+function sliced(weights: readonly (GrayImage | ArraySlice)[], who: string): LocatedAreas {
   const texture = arrayOf(weights, who, 'areas')
   const { width, height } = texture.image
-  // Compressed blocks are not decoded: weights above 0 may be anywhere.
+  // Compressed blocks are not decoded, so weights above 0 may be anywhere.
   const bounds = { x0: 0, y0: 0, x1: width, y1: height }
   const locations = weights.filter(isSlice).map(({ slice, channel }) => ({ slice, channel, bounds }))
   return { texture, width, height, channels: 4, locations }

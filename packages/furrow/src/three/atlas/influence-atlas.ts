@@ -9,13 +9,13 @@ import { InfluencePass, type QuadMaterials } from './influence-pass.ts'
 const FORMATS = [RedFormat, RGFormat, RGBAFormat, RGBAFormat] as const
 
 /**
- * The influence maps of all faces of one kind, side by side in one texture: per layer, the sum of a face's areas
- * times their activations, in UV space at the areas' resolution. A cell is drawn only when an activation of its face
- * has changed, and then only over the rectangles of areas that are active; all cells that changed in a frame are drawn in one pass.
- * Shaders of faces take one sample of it, however many areas there are.
+ * The influence maps of all faces of one kind, side by side in one texture: per layer, the sum of a face's areas times their
+ * activations, in UV space at the areas' resolution. A cell is redrawn only when an activation of its face has changed, and then only
+ * over the rectangles of active areas; one pass draws all cells of a frame. Shaders of faces take one sample of it, however many areas
+ * there are.
  *
- * Texels hold T = max(sum, largest `max`) unclamped, in half floats; shaders take min(1, T) after
- * interpolation, so that a sum is clamped exactly where the reference clamps it.
+ * Texels hold T = max(sum, largest `max`), unclamped, in half floats; shaders take min(1, T) after interpolation, and so clamp exactly
+ * where the reference does.
  */
 export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   readonly layers: number
@@ -25,8 +25,9 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   #renderer: AnyRenderer | null = null
 
   /**
-   * @param width, height of a cell: those of the faces' areas.
-   * @param layers of the faces, one channel each.
+   * @param width of a cell and of the faces' areas, in texels.
+   * @param height the same.
+   * @param layers number of the faces' layers, with one channel each.
    */
   constructor(width: number, height: number, layers: number, materials: QuadMaterials) {
     this.layers = layers
@@ -42,9 +43,9 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   }
 
   /**
-   * Gives faces consecutive cells.
+   * Allocates consecutive cells to faces.
    *
-   * @throws FurrowError where they do not fit into the largest texture.
+   * @throws FurrowError when they do not fit into the largest texture.
    */
   add(faces: readonly Face[]): Cell[] {
     const added = this.cells.add(faces)
@@ -53,17 +54,18 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     return added
   }
 
+  /** Frees cells. */
   remove(cells: readonly Cell[]): void {
     this.cells.remove(cells)
     this.prune()
   }
 
-  /** Frees what was held for arrays of areas that no face has any more. */
+  /** Frees the resources of arrays of areas that no face uses any more. */
   prune(): void {
     this.#pass.prune(this.cells.slots as Set<AreaArray>)
   }
 
-  /** Marks those among some cells that have changed, to be drawn by `draw`. */
+  /** Collects those of some cells that have changed, for `draw`. */
   collect(cells: readonly Cell[], renderer: AnyRenderer): void {
     this.#checkContents(renderer)
     this.cells.collect(cells)
@@ -81,7 +83,7 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     this.#pass.dispose()
   }
 
-  /** Another renderer, or a context that was lost, has nothing of what was drawn. */
+  /** What was drawn is missing in another renderer, and after a lost context. */
   #checkContents(renderer: AnyRenderer): void {
     if (renderer === this.#renderer && this.#pass.hasContents(renderer)) return
     this.#renderer = renderer

@@ -6,10 +6,11 @@ import type { AreaArray } from './area-array.ts'
 import { Quads } from './quads.ts'
 import { renderPreservingState } from './render-preserving-state.ts'
 
-/** What a renderer's class adds: the quads' materials, and whether a target still holds what was drawn. */
+/** What depends on the renderer: the quads' materials, and whether a target still holds what was drawn. */
 export interface QuadMaterials {
-  /** Writes 0, adds weight x activation, or takes the larger; see `Quads` for the attributes. */
+  /** A material that writes 0, adds weight x activation, or takes the maximum with it; see `Quads` for the attributes. */
   create(rule: 'clear' | 'sum' | 'max', areas: AreaArray | null): Material
+  /** False after the renderer's context was lost. */
   hasContents(renderer: AnyRenderer, target: RenderTarget): boolean
 }
 
@@ -20,7 +21,7 @@ interface Batch {
   max: Quads
 }
 
-/** Draws cells of an atlas: clears them, adds up their areas, and takes the largest of those that combine by `max`. */
+/** Draws cells of an atlas: clears them, adds up their areas, and takes the maximum with those that combine by `max`. */
 export class InfluencePass {
   readonly #cells: AtlasCells
   readonly #target: RenderTarget
@@ -47,7 +48,7 @@ export class InfluencePass {
     return this.#materials.hasContents(renderer, this.#target)
   }
 
-  /** @param cells of which the first `count` are drawn, with their faces' activations. */
+  /** Draws the first `count` of some cells with their faces' activations. */
   draw(renderer: AnyRenderer, cells: readonly Cell[], count: number): void {
     this.#cleared.begin()
     for (const { sum, max } of this.#batches) {
@@ -63,7 +64,7 @@ export class InfluencePass {
     renderPreservingState(renderer, this.#target, this.#scene, this.#camera)
   }
 
-  /** Frees what belongs to arrays of areas that are no longer used. */
+  /** Frees the resources of all other arrays of areas. */
   prune(used: ReadonlySet<AreaArray>): void {
     for (const { sum, max } of this.#batches.filter(({ areas }) => !used.has(areas))) {
       for (const quads of [sum, max]) {
@@ -111,7 +112,7 @@ export class InfluencePass {
 
   #quads(rule: 'clear' | 'sum' | 'max', areas: AreaArray | null): Quads {
     const quads = new Quads(this.#cells, this.#materials.create(rule, areas))
-    // All are cleared before any is added to, and added up before the maximum.
+    // All cells are cleared before sums are added, and sums are complete before the maximum.
     quads.mesh.renderOrder = { clear: 0, sum: 1, max: 2 }[rule]
     this.#scene.add(quads.mesh)
     return quads

@@ -1,7 +1,7 @@
 import type { Camera, RenderTarget, Scene, WebGLRenderer } from 'three'
 import type { AnyRenderer } from '../renderer.ts'
 
-/** Renders into a target while another render call is in progress, without clearing it, and restores the renderer's state. */
+/** Renders into a target, without clearing it, during another render call, and restores the renderer's state. */
 export function renderPreservingState(
   renderer: AnyRenderer,
   target: RenderTarget,
