@@ -107,7 +107,7 @@ describe('meshes', () => {
 
   it('refuses an unlit material', () => {
     const unlit = new Mesh(new PlaneGeometry(), new MeshBasicMaterial())
-    expect(() => new Wrinkles(unlit, set)).toThrow(/material MeshBasicMaterial has no normal map/)
+    expect(() => new Wrinkles(unlit, set)).toThrow(/material MeshBasicMaterial does not support normal maps/)
   })
 
   it('refuses several materials', () => {

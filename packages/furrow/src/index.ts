@@ -29,7 +29,16 @@ export {
   type WrinkleMapsLayer,
 } from './core/wrinkle-maps.ts'
 export { checkWrinkleSet } from './core/wrinkle-set.ts'
-export type { AreaActivation, Input, InputKind, InputLink, InputOf, Rule } from './drivers/activation.ts'
+export type {
+  AreaActivation,
+  ExternalInputKind,
+  Input,
+  InputKind,
+  InputLink,
+  InputOf,
+  Rule,
+} from './drivers/activation.ts'
+export type { Contribution } from './drivers/activation-sum.ts'
 export { AGES, type AgeDriver } from './drivers/age/definition.ts'
 export { JointMeasurement } from './drivers/bone/measure.ts'
 export { type Curve, type CurvePoint, curveAt } from './drivers/curve.ts'
@@ -57,7 +66,7 @@ export {
   type WrinkleMaps,
   type WrinkleSetDocument,
 } from './drivers/parse.ts'
-export { type DriverPlan, planDrivers } from './drivers/plan.ts'
+export { type DriverPlan, type PlannedActivation, type PlannedFilter, planDrivers } from './drivers/plan.ts'
 export {
   type BoundInput,
   DriverProgram,

@@ -57,8 +57,8 @@ describe('a file with a wrong field', () => {
     ['drivers.0.curve.1.0', 0, 'drivers[0].curve[1][0] does not increase'],
     ['/textures.8.source', undefined, 'a texture has no image that can be read, got 8'],
     ['/textures.8.sampler', 9, 'sampler is missing at texture 8'],
-    ['areas.0.texture.texCoord', '0', 'texCoord is no index at texture 8'],
-    ['areas.0.texture.extras', 1, 'extras are no object at texture 8'],
+    ['areas.0.texture.texCoord', '0', 'texCoord is not an index at texture 8'],
+    ['areas.0.texture.extras', 1, 'extras are not an object at texture 8'],
   ])('names it: %s = %j', async (path, value, message) => {
     const failure = await readWith(path, value).catch((error) => error)
     expect(failure).toBeInstanceOf(FurrowError)

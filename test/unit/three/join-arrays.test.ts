@@ -103,7 +103,7 @@ describe('joinArrays', () => {
     const of = (normal: CompressedArrayTexture) => layer('b', { normal: slice(normal) })
     const joining = (normal: CompressedArrayTexture) => () =>
       joinArrays({ layers: [layer('a', {}), of(normal)], areas: [] })
-    expect(joining(array(1, 0, 16))).toThrow(/normal maps that differ, got .*16 x 16.*8 x 8/)
+    expect(joining(array(1, 0, 16))).toThrow(/normal maps with different layouts, got .*16 x 16.*8 x 8/)
     const flat = array(1, 0)
     flat.mipmaps!.pop()
     expect(joining(flat)).toThrow(/1 levels.*2 levels/)

@@ -13,8 +13,7 @@ import { WrinkleLayer } from './wrinkle-layer.ts'
 import { writeMaterialWrinkles } from './write.ts'
 
 /**
- * The glTF extension FURROW_wrinkle_maps for glTF-Transform: registered with an I/O class, it keeps the wrinkles
- * of a file through any script.
+ * The glTF extension FURROW_wrinkle_maps for glTF-Transform. Registered with an I/O class, it preserves the wrinkles of files.
  *
  * ```ts
  * const io = new NodeIO().registerExtensions([...ALL_EXTENSIONS, FurrowWrinkleMaps])
@@ -22,14 +21,14 @@ import { writeMaterialWrinkles } from './write.ts'
  * const wrinkles = document.getRoot().listMaterials()[0].getExtension<MaterialWrinkles>('FURROW_wrinkle_maps')
  * ```
  *
- * Reading throws FurrowError where the extension's JSON is not valid; writing does where a layer or an area lacks
- * its texture.
+ * Reading throws FurrowError when the extension's JSON is invalid; writing does when a layer or area lacks its texture, or a value is
+ * invalid.
  */
 export class FurrowWrinkleMaps extends Extension {
   static override readonly EXTENSION_NAME = WRINKLE_MAPS
   override readonly extensionName = WRINKLE_MAPS
-  // Before the meshes, when textures and materials are complete, and before other extensions write: they still
-  // change the textures' definitions (WebP, Basis) and the texture infos (transform) made here.
+  // Before meshes are read, since textures and materials are complete then; and before other extensions write, which still change the
+  // texture definitions (WebP, Basis) and texture infos (transform) made here.
   override readonly prereadTypes: PropertyType[] = [PropertyType.MESH]
   override readonly prewriteTypes: PropertyType[] = [PropertyType.MESH]
 

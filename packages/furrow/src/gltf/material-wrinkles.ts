@@ -7,9 +7,9 @@ import type { WrinkleLayer } from './wrinkle-layer.ts'
 interface IMaterialWrinkles extends IProperty {
   layers: RefSet<WrinkleLayer>
   areas: RefSet<WrinkleArea>
-  /** One JSON text per driver: copies share nothing, and equal drivers compare as equal. */
+  /** One JSON text per driver, so that copies are deep and equal drivers compare as equal. */
   drivers: string[]
-  /** JSON of fields that this version does not know. */
+  /** JSON of unknown fields. */
   unknownFields: string
 }
 
@@ -37,12 +37,12 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     })
   }
 
-  /** Adds a layer after the others. The specification allows 1 to 4. */
+  /** Appends a layer. The specification allows 1 to 4. */
   addLayer(layer: WrinkleLayer): this {
     return this.addRef('layers', layer)
   }
 
-  /** Removes a layer. Writing throws while an area still shows it. */
+  /** Removes a layer. Writing throws while an area is still on it. */
   removeLayer(layer: WrinkleLayer): this {
     return this.removeRef('layers', layer)
   }
@@ -52,12 +52,12 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     return this.listRefs('layers')
   }
 
-  /** Adds an area after the others. The specification allows 1 to 256. */
+  /** Appends an area. The specification allows 1 to 256. */
   addArea(area: WrinkleArea): this {
     return this.addRef('areas', area)
   }
 
-  /** Removes an area; drivers that name it stay. */
+  /** Removes an area; drivers that name it stay, and writing throws until they are changed. */
   removeArea(area: WrinkleArea): this {
     return this.removeRef('areas', area)
   }
@@ -67,12 +67,12 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     return this.listRefs('areas')
   }
 
-  /** What moves the areas, as copies; types that this version does not know are kept as they are. */
+  /** Copies of the drivers; those of types unknown to this version are kept as they are. */
   getDrivers(): WrinkleDriver[] {
     return this.get('drivers').map((text) => JSON.parse(text))
   }
 
-  /** Replaces all drivers by copies of these, which must be plain JSON. */
+  /** Replaces all drivers with copies of these, which must be plain JSON. */
   setDrivers(drivers: readonly WrinkleDriver[]): this {
     return this.set(
       'drivers',
@@ -80,12 +80,12 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     )
   }
 
-  /** Fields of the JSON that this version does not know; written back as they are. */
+  /** Fields of the JSON that are unknown to this version; they are written back unchanged. */
   getUnknownFields(): Record<string, unknown> {
     return JSON.parse(this.get('unknownFields'))
   }
 
-  /** Replaces the unknown fields by a copy of these, which must be plain JSON. */
+  /** Replaces the unknown fields with a copy of these, which must be plain JSON. */
   setUnknownFields(fields: Record<string, unknown>): this {
     return this.set('unknownFields', JSON.stringify(fields))
   }

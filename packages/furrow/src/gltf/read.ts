@@ -8,14 +8,14 @@ import { LAYER_SLOTS, type LayerSlot, type WrinkleLayer } from './wrinkle-layer.
 
 type Json = Record<string, unknown>
 
-/** Creates properties of the document that is read. */
+/** Creates properties of a document. */
 interface PropertyFactory {
   createMaterialWrinkles(): MaterialWrinkles
   createLayer(name: string): WrinkleLayer
   createArea(name: string): WrinkleArea
 }
 
-/** Fields of each object that are read into properties; all others are kept as they are. */
+/** Fields that are read into properties; all others are kept as unknown fields. */
 const KNOWN = {
   root: ['name', 'extras', 'layers', 'areas', 'drivers'],
   layer: ['name', 'extras', 'kind', ...Object.keys(LAYER_SLOTS)],
@@ -25,7 +25,7 @@ const KNOWN = {
 /**
  * Reads the extension of one material.
  *
- * @param who the material as an error shall name it.
+ * @param who names the material in errors.
  * @throws FurrowError that names the first wrong field.
  */
 export function readMaterialWrinkles(
@@ -76,7 +76,7 @@ export function readMaterialWrinkles(
   return wrinkles.setDrivers(maps.drivers).setExtras(extrasOf(raw)).setUnknownFields(without(raw, KNOWN.root))
 }
 
-/** glTF-Transform's textures are glTF's images; an image that no extension at hand can read is missing. */
+/** glTF-Transform's textures are glTF's images; one that no registered extension can read is missing. */
 function textureOf(context: ReaderContext, index: number, who: string): Texture {
   const texture = context.textures[context.jsonDoc.json.textures![index]?.source ?? -1]
   if (texture) return texture
@@ -93,8 +93,10 @@ function readTextureInfo(context: ReaderContext, info: TextureInfo, def: { index
   const { texCoord, extras } = def as GLTF.ITextureInfo
   const sampler = context.jsonDoc.json.textures![def.index].sampler
   const wrong =
-    (texCoord !== undefined && !(Number.isInteger(texCoord) && texCoord >= 0) && 'texCoord is no index') ||
-    (extras !== undefined && !isObject(extras) && 'extras are no object') ||
+    (texCoord !== undefined &&
+      !(Number.isInteger(texCoord) && texCoord >= 0) &&
+      'texCoord is not an index') ||
+    (extras !== undefined && !isObject(extras) && 'extras are not an object') ||
     (sampler !== undefined && !context.jsonDoc.json.samplers?.[sampler] && 'sampler is missing')
   if (wrong) {
     throw new FurrowError({ who, what: `${wrong} at texture ${def.index}`, remedy: 'export the file again' })

@@ -18,13 +18,13 @@ interface IWrinkleArea extends IProperty {
   channel: number
   combine: Combine
   activation: number
-  /** JSON of fields that this version does not know. */
+  /** JSON of unknown fields. */
   unknownFields: string
 }
 
 const CHANNELS = [TextureChannel.R, TextureChannel.G, TextureChannel.B, TextureChannel.A]
 
-/** Where one controllable group of wrinkles lies, of a {@link MaterialWrinkles}. */
+/** An area of influence of {@link MaterialWrinkles}: where one controllable group of wrinkles is. */
 export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
   static override readonly EXTENSION_NAME = WRINKLE_MAPS
   declare readonly extensionName: typeof WRINKLE_MAPS
@@ -43,7 +43,7 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
     return Object.assign(super.getDefaults() as IProperty, {
       layer: null,
       weightsTexture: null,
-      // Areas end at the edges of their image; a repeated one would bleed in from the other side.
+      // Areas end at the edges of their image; repeating would filter texels of the opposite edge in.
       weightsTextureInfo: new TextureInfo(this.graph, 'weightsTextureInfo')
         .setWrapS(TextureInfo.WrapMode.CLAMP_TO_EDGE)
         .setWrapT(TextureInfo.WrapMode.CLAMP_TO_EDGE),
@@ -55,17 +55,17 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
     })
   }
 
-  /** The layer whose wrinkles it shows; null = the first one. */
+  /** The layer whose wrinkles it shows; null for the first. */
   getLayer(): WrinkleLayer | null {
     return this.getRef('layer')
   }
 
-  /** Sets the layer whose wrinkles it shows; null = the first one. */
+  /** Sets the layer whose wrinkles it shows; null for the first. */
   setLayer(layer: WrinkleLayer | null): this {
     return this.setRef('layer', layer)
   }
 
-  /** Image of the weights, linear, 1 = fully visible. The slot is named so that nobody takes it for colour. */
+  /** The image of the weights, linear, 1 = fully visible; its slot is `weightsTexture`, which no tool takes for colour. */
   getTexture(): Texture | null {
     return this.getRef('weightsTexture')
   }
@@ -73,7 +73,8 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
   /**
    * Sets the image of the weights.
    *
-   * @param channel the one that holds this area, 0 = R to 3 = A; other areas may use the others.
+   * @param texture linear, 1 = fully visible; null for none.
+   * @param channel the one that holds this area, 0 = R to 3 = A; unchanged by default. Other areas may use the others.
    */
   setTexture(texture: Texture | null, channel = this.get('channel')): this {
     this.set('channel', channel)
@@ -85,13 +86,13 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
     return this.get('channel')
   }
 
-  /** Slice of its texture, where that is a KTX 2 array; null where it is an ordinary image. */
+  /** Slice of its texture if that is a KTX 2 array; null if it is an ordinary image. */
   getSlice(): number | null {
     const slice = this.get('slice')
     return slice === NO_SLICE ? null : slice
   }
 
-  /** Sets the slice of its texture, where that is a KTX 2 array; null for an ordinary image. */
+  /** Sets the slice of its texture if that is a KTX 2 array; null for an ordinary image. */
   setSlice(slice: number | null): this {
     return this.set('slice', slice ?? NO_SLICE)
   }
@@ -101,7 +102,7 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
     return this.getRef('weightsTexture') ? this.getRef('weightsTextureInfo') : null
   }
 
-  /** How it meets other areas of its layer. */
+  /** How it combines with other areas of its layer: `sum` or `max`. */
   getCombine(): Combine {
     return this.get('combine')
   }
@@ -121,12 +122,12 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
     return this.set('activation', activation)
   }
 
-  /** Fields of the JSON that this version does not know; written back as they are. */
+  /** Fields of the JSON that are unknown to this version; they are written back unchanged. */
   getUnknownFields(): Record<string, unknown> {
     return JSON.parse(this.get('unknownFields'))
   }
 
-  /** Replaces the unknown fields by a copy of these, which must be plain JSON. */
+  /** Replaces the unknown fields with a copy of these, which must be plain JSON. */
   setUnknownFields(fields: Record<string, unknown>): this {
     return this.set('unknownFields', JSON.stringify(fields))
   }

@@ -29,26 +29,31 @@ interface IWrinkleLayer extends IProperty {
   heightTextureInfo: TextureInfo
   heightTextureSlice: number
   heightAmplitude: number
-  /** JSON of fields that this version does not know. */
+  /** JSON of unknown fields. */
   unknownFields: string
 }
 
-/** Stands for an ordinary image, where a texture might be an array. */
+/** Slice of a texture that is an ordinary image. */
 export const NO_SLICE = -1
 
-/** The texture slots of a layer, and what of each image is read. */
-export const LAYER_SLOTS = {
+/** A texture slot of a layer, as in the extension's JSON. */
+export type LayerSlot =
+  | 'normalTexture'
+  | 'baseColorTexture'
+  | 'roughnessTexture'
+  | 'occlusionTexture'
+  | 'heightTexture'
+
+/** The channels that are read of each slot's image, and whether they are colours. */
+export const LAYER_SLOTS: Readonly<Record<LayerSlot, { channels: number; isColor?: boolean }>> = {
   normalTexture: { channels: TextureChannel.R | TextureChannel.G | TextureChannel.B },
   baseColorTexture: { channels: TextureChannel.R | TextureChannel.G | TextureChannel.B, isColor: true },
   roughnessTexture: { channels: TextureChannel.G },
   occlusionTexture: { channels: TextureChannel.R },
   heightTexture: { channels: TextureChannel.R },
-} as const
+}
 
-/** A texture slot of a layer, as in the extension's JSON. */
-export type LayerSlot = keyof typeof LAYER_SLOTS
-
-/** The maps of the skin fully wrinkled, of a {@link MaterialWrinkles}. */
+/** A layer of {@link MaterialWrinkles}: maps of the skin fully wrinkled. */
 export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
   static override readonly EXTENSION_NAME = WRINKLE_MAPS
   declare readonly extensionName: typeof WRINKLE_MAPS
@@ -89,7 +94,7 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
     })
   }
 
-  /** How the layer's normals meet the skin's own. */
+  /** How the layer's normals combine with the skin's own: `replace` or `detail`. */
   getKind(): LayerKind {
     return this.get('kind')
   }
@@ -99,33 +104,33 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
     return this.set('kind', kind)
   }
 
-  /** The image of one slot; every layer that is written has a `normalTexture`. */
+  /** The image of a slot. Writing requires a `normalTexture`. */
   getTexture(slot: LayerSlot): Texture | null {
     return this.getRef(slot)
   }
 
-  /** Sets the image of one slot; null empties it. */
+  /** Sets the image of a slot; null for none. */
   setTexture(slot: LayerSlot, texture: Texture | null): this {
     return this.setRef(slot, texture, { ...LAYER_SLOTS[slot] })
   }
 
-  /** Slice of the slot's texture, where that is a KTX 2 array; null where it is an ordinary image. */
+  /** Slice of the slot's texture if that is a KTX 2 array; null if it is an ordinary image. */
   getSlice(slot: LayerSlot): number | null {
     const slice = this.get(`${slot}Slice`)
     return slice === NO_SLICE ? null : slice
   }
 
-  /** Sets the slice of the slot's texture, where that is a KTX 2 array; null for an ordinary image. */
+  /** Sets the slice of the slot's texture if that is a KTX 2 array; null for an ordinary image. */
   setSlice(slot: LayerSlot, slice: number | null): this {
     return this.set(`${slot}Slice`, slice ?? NO_SLICE)
   }
 
-  /** Texture coordinates and sampler of one slot; null while it has no texture. */
+  /** Texture coordinates and sampler of a slot; null while it has no texture. */
   getTextureInfo(slot: LayerSlot): TextureInfo | null {
     return this.getRef(slot) ? this.getRef(`${slot}Info`) : null
   }
 
-  /** Multiplies x and y of the normals. */
+  /** The factor on x and y of the normals. */
   getNormalScale(): number {
     return this.get('normalScale')
   }
@@ -135,7 +140,7 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
     return this.set('normalScale', scale)
   }
 
-  /** 0 = no occlusion, 1 = as in the map. */
+  /** The strength of the occlusion, 0 = none, 1 = as in the map. */
   getOcclusionStrength(): number {
     return this.get('occlusionStrength')
   }
@@ -155,12 +160,12 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
     return this.set('heightAmplitude', metres)
   }
 
-  /** Fields of the JSON that this version does not know; written back as they are. */
+  /** Fields of the JSON that are unknown to this version; they are written back unchanged. */
   getUnknownFields(): Record<string, unknown> {
     return JSON.parse(this.get('unknownFields'))
   }
 
-  /** Replaces the unknown fields by a copy of these, which must be plain JSON. */
+  /** Replaces the unknown fields with a copy of these, which must be plain JSON. */
   setUnknownFields(fields: Record<string, unknown>): this {
     return this.set('unknownFields', JSON.stringify(fields))
   }

@@ -8,9 +8,10 @@ import { LAYER_SLOTS, type LayerSlot, type WrinkleLayer } from './wrinkle-layer.
 type Json = Record<string, unknown>
 
 /**
- * The extension's JSON of one material; what equals its default is left out.
+ * The extension's JSON of one material; defaults are left out.
  *
- * @throws FurrowError when a texture or a layer is missing, or a value could not be read back.
+ * @param who names the material in errors.
+ * @throws FurrowError when a texture or layer is missing, or a value is invalid.
  */
 export function writeMaterialWrinkles(context: WriterContext, wrinkles: MaterialWrinkles, who: string): Json {
   const layers = wrinkles.listLayers()
@@ -32,7 +33,7 @@ function writeLayer(context: WriterContext, layer: WrinkleLayer, who: string): J
   if (!layer.getTexture('normalTexture')) throw missing(who, 'layer', layer, 'normal texture')
   for (const slot of Object.keys(LAYER_SLOTS) as LayerSlot[]) {
     const info = textureInfo(context, layer.getTexture(slot), layer.getTextureInfo(slot))
-    if (info) json[slot] = Object.assign(info, sliceOf(layer.getSlice(slot)), numberBeside(slot, layer))
+    if (info) json[slot] = Object.assign(info, sliceOf(layer.getSlice(slot)), numberOf(slot, layer))
   }
   return json
 }
@@ -41,7 +42,7 @@ function sliceOf(slice: number | null): Json {
   return slice === null ? {} : { slice }
 }
 
-function numberBeside(slot: LayerSlot, layer: WrinkleLayer): Json {
+function numberOf(slot: LayerSlot, layer: WrinkleLayer): Json {
   if (slot === 'heightTexture') return { amplitude: layer.getHeightAmplitude() }
   if (slot === 'normalTexture' && layer.getNormalScale() !== 1) return { scale: layer.getNormalScale() }
   if (slot === 'occlusionTexture' && layer.getOcclusionStrength() !== 1) {
@@ -70,7 +71,7 @@ function writeArea(
   return json
 }
 
-/** The very object that the context knows is returned: other extensions may still add to it. */
+/** Returns the object that the context keeps: other extensions may still add to it. */
 function textureInfo(context: WriterContext, texture: Texture | null, info: TextureInfo | null) {
   return texture && info && context.createTextureInfoDef(texture, info)
 }

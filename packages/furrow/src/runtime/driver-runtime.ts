@@ -159,5 +159,6 @@ interface Bound<Engine> {
 }
 
 function setAll(activations: Activations, indices: Uint16Array, { activations: values }: DriverState): void {
-  for (let i = 0; i < indices.length; i++) if (indices[i] !== NO_AREA) activations.setAt(indices[i], values, i)
+  for (let i = 0; i < indices.length; i++)
+    if (indices[i] !== NO_AREA) activations.setAt(indices[i], values, i)
 }

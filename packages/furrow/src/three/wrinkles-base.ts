@@ -13,7 +13,7 @@ import { countFaces, instancesOf } from './instances.ts'
 import { ActivationTable } from './material/activation-table.ts'
 import { checkMaterial, PatchedMaterial } from './material/patched-material.ts'
 import type { RendererParts } from './material/renderer-parts.ts'
-import { createShaderInputs, placeCells, type ShaderInputs } from './material/shader-inputs.ts'
+import { createShaderInputs, locateCells, type ShaderInputs } from './material/shader-inputs.ts'
 import { release, retain } from './material/texture-users.ts'
 import { createTextures, listTextures } from './material/wrinkle-textures.ts'
 import { WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from './options.ts'
@@ -201,7 +201,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> implements 
   composeNormals(renderer: AnyRenderer): void {
     const { composed } = this.#material
     if (!composed) return
-    placeCells(this.#inputs, this.#atlas, this.#cells)
+    locateCells(this.#inputs, this.#atlas, this.#cells)
     composed.update(renderer, this.#inputs.areas, this.faces[0].activations.values)
   }
 
@@ -233,7 +233,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> implements 
   #prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
     this.#inputs.fade.value = this.#fadeOf(mesh, camera, renderer)
     this.#frame.begin(this.#entry, renderer)
-    placeCells(this.#inputs, this.#atlas, this.#cells)
+    locateCells(this.#inputs, this.#atlas, this.#cells)
   }
 
   /** 1 = not faded, 0 = the mesh is too small on screen to show wrinkles. */

@@ -4,12 +4,13 @@ import type { GrayImage, RgbaImage } from '../../core/types.ts'
 import { readImage } from './read-texture.ts'
 
 /**
- * Decodes an image file in the browser, without colour management. Files of 16 bits a channel come out with 8.
+ * Decodes an image file in the browser, without colour management, to 8 bits per channel.
  *
- * @param file PNG, JPEG, WebP or whatever else the browser reads.
- * @param who the file as an error shall name it.
- * @throws FurrowError when the file is empty, truncated, no image, larger than 8192 texels on a side, or
- *   transparent anywhere: a map means something at every texel.
+ * @param file PNG, JPEG, WebP or any other format that the browser reads.
+ * @param who names the file in errors.
+ * @returns colours as stored, alpha 255.
+ * @throws FurrowError when the file is empty, truncated or not an image, larger than 8192 texels on a side, or has transparent texels:
+ *   every texel of a map counts.
  */
 export async function decodeImage(file: Blob, who: string): Promise<RgbaImage> {
   if (file.size === 0) {
@@ -31,7 +32,7 @@ export async function decodeImage(file: Blob, who: string): Promise<RgbaImage> {
   return image
 }
 
-/** Reduces colours to gray by the luma weights of ITU-R BT.601; grays keep their value exactly. */
+/** Converts colours, as stored, to gray by the luma weights of ITU-R BT.601. Grays keep their value exactly. */
 export function toGray({ width, height, data }: RgbaImage): GrayImage {
   const gray = new Uint8Array(width * height)
   for (let i = 0; i < gray.length; i++) {
@@ -80,7 +81,7 @@ function checkOpaque({ data }: RgbaImage, who: string): void {
   }
 }
 
-/** Size in a PNG's header, so that a huge image is refused before it is decoded; undefined for other files. */
+/** Size in the header of a PNG, to refuse huge images before they are decoded; undefined for other formats. */
 async function pngSize(file: Blob): Promise<{ width: number; height: number } | undefined> {
   const head = new DataView(await file.slice(0, 24).arrayBuffer())
   const isPng = head.byteLength === 24 && head.getUint32(0) === 0x89504e47

@@ -8,23 +8,24 @@ import { VALUE_KINDS } from '../material/wrinkle-textures.ts'
 const KINDS = ['normal', ...VALUE_KINDS] as const
 
 /**
- * Has all maps of a kind lie in one array, since a shader reads them through one sampler: compressed images that came each by
- * itself are put together, block by block. Images that are not compressed stay.
+ * Joins separate compressed images of one kind of map into one array, since shaders read them through one sampler; blocks are copied as
+ * they are. Uncompressed images are left alone.
  *
- * @throws FurrowError where maps of a kind differ in size, format or mipmaps.
+ * @returns a set whose slices of one kind are in one array.
+ * @throws FurrowError when maps of a kind differ in size, format or mipmaps.
  */
 export function joinArrays({ layers, areas }: WrinkleSet<ArraySlice>): WrinkleSet<ArraySlice> {
   const joined = layers.map((layer) => ({ ...layer }))
-  // Occlusion and roughness may share their images, and then share the array.
+  // Occlusion and roughness may be channels of the same images, and then use the same array.
   const known = new Map<string, Compressed>()
   for (const kind of KINDS) {
-    const having = joined.filter((layer) => isSlice(layer[kind]))
-    const slices = join(having.map((layer) => layer[kind]) as ArraySlice[], `${kind} maps`, known)
-    for (const [i, layer] of having.entries()) Object.assign(layer, { [kind]: slices[i] })
+    const sliced = joined.filter((layer) => isSlice(layer[kind]))
+    const slices = join(sliced.map((layer) => layer[kind]) as ArraySlice[], `${kind} maps`, known)
+    for (const [i, layer] of sliced.entries()) Object.assign(layer, { [kind]: slices[i] })
   }
-  const sliced = areas.filter(({ weights }) => isSlice(weights))
-  const weights = join(sliced.map((area) => area.weights) as ArraySlice[], 'areas', known)
-  const weightsOf = new Map(sliced.map((area, i) => [area, weights[i]]))
+  const slicedAreas = areas.filter(({ weights }) => isSlice(weights))
+  const weights = join(slicedAreas.map((area) => area.weights) as ArraySlice[], 'areas', known)
+  const weightsOf = new Map(slicedAreas.map((area, i) => [area, weights[i]]))
   return {
     layers: joined,
     areas: areas.map((area) => ({ ...area, weights: weightsOf.get(area) ?? area.weights })),
@@ -41,11 +42,11 @@ function join(
   const key = arrays.map(({ uuid }) => uuid).join()
   const array = known.get(key) ?? concatenate(arrays, what)
   known.set(key, array)
-  const firsts = arrays.map((_, i) => arrays.slice(0, i).reduce((sum, { image }) => sum + image.depth, 0))
+  const offsets = arrays.map((_, i) => arrays.slice(0, i).reduce((sum, { image }) => sum + image.depth, 0))
   return maps.map((map) => ({
     ...map,
     array,
-    slice: firsts[arrays.indexOf(map.array as Compressed)] + map.slice,
+    slice: offsets[arrays.indexOf(map.array as Compressed)] + map.slice,
   }))
 }
 
@@ -55,7 +56,7 @@ function concatenate(arrays: readonly Compressed[], what: string): Compressed {
   if (other) {
     throw new FurrowError({
       who: WRINKLE_MAPS,
-      what: `${what} that differ`,
+      what: `${what} with different layouts`,
       value: layoutOf(other),
       limit: layoutOf(first),
       remedy: 'give all of a kind one size and one encoding, or let `furrow pack --ktx2` do it',
@@ -64,7 +65,7 @@ function concatenate(arrays: readonly Compressed[], what: string): Compressed {
   const mipmaps = first.mipmaps!.map(({ width, height }, level) => ({
     width,
     height,
-    data: concatenated(arrays.map((array) => array.mipmaps![level].data as Uint8Array)),
+    data: concatenateBytes(arrays.map((array) => array.mipmaps![level].data as Uint8Array)),
   }))
   const depth = arrays.reduce((sum, { image }) => sum + image.depth, 0)
   const { width, height } = first.image
@@ -73,13 +74,13 @@ function concatenate(arrays: readonly Compressed[], what: string): Compressed {
   return Object.assign(array, { minFilter, magFilter, wrapS, wrapT, colorSpace, needsUpdate: true })
 }
 
-/** Size, number of mipmaps and format (a number of three.js's), as an error can show it. */
+/** Size, number of mipmaps and format (three.js's constant), for errors. */
 function layoutOf({ image, mipmaps, format, colorSpace }: Compressed): string {
   const encoding = `${colorSpace || 'linear'} format ${format}`
   return `${image.width} x ${image.height} with ${mipmaps?.length} levels, ${encoding}`
 }
 
-function concatenated(parts: readonly Uint8Array[]): Uint8Array {
+function concatenateBytes(parts: readonly Uint8Array[]): Uint8Array {
   const whole = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0))
   let offset = 0
   for (const part of parts) {

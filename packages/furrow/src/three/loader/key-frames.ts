@@ -6,13 +6,13 @@ import type { WrinklesBase } from '../wrinkles-base.ts'
 
 type Parser = GLTF['parser']
 
-/** The faces of a material by the index that it has in the file. */
+/** The faces of each material, by its index in the file. */
 export type FacesByMaterial = ReadonlyMap<number, readonly WrinklesBase[]>
 
 /**
- * Adds to the clips of a file what animates its areas by KHR_animation_pointer.
+ * Adds to the clips of a file the tracks that animate its areas through KHR_animation_pointer.
  *
- * @throws FurrowError or whatever the loader throws where an accessor cannot be read.
+ * @throws the loader's error when an accessor cannot be read.
  */
 export async function addActivationTracks(gltf: GLTF, parser: Parser, faces: FacesByMaterial): Promise<void> {
   for (const [i, { channels, samplers }] of ((parser.json.animations ?? []) as AnimationJson[]).entries()) {
@@ -58,7 +58,7 @@ async function readTrack(
     if (interpolation === 'STEP') track.setInterpolation(InterpolateDiscrete)
     return track
   }
-  // The mixer is told one value for each key frame, and takes tangents and all from the interpolant.
+  // The track holds one value per key frame; the mixer gets values and tangents from the interpolant.
   const track = activationTrack(
     mesh,
     area,
@@ -71,14 +71,14 @@ async function readTrack(
   return track
 }
 
-/** Normalised integers as numbers 0..1. */
+/** Reads an accessor of scalars; normalised integers become 0..1. */
 function numbersOf(accessor: { count: number; getX(i: number): number }): number[] {
   return Array.from({ length: accessor.count }, (_, i) => accessor.getX(i))
 }
 
-/** glTF 2.0, appendix C: each key frame holds an in-tangent, a value and an out-tangent. */
+/** Cubic spline interpolation of glTF 2.0, appendix C. A key frame is an in-tangent, a value and an out-tangent. */
 class CubicSpline extends Interpolant {
-  /** Before the first key frame and after the last one. */
+  /** For times before the first key frame and after the last. */
   override copySampleValue_(index: number): TypedArray {
     this.resultBuffer[0] = this.sampleValues[3 * index + 1]
     return this.resultBuffer
@@ -87,14 +87,14 @@ class CubicSpline extends Interpolant {
   override interpolate_(next: number, t0: number, t: number, t1: number): TypedArray {
     const values = this.sampleValues
     const last = 3 * (next - 1)
-    const [from, leaving] = [values[last + 1], values[last + 2] * (t1 - t0)]
-    const [arriving, to] = [values[3 * next] * (t1 - t0), values[3 * next + 1]]
+    const [from, outTangent] = [values[last + 1], values[last + 2] * (t1 - t0)]
+    const [inTangent, to] = [values[3 * next] * (t1 - t0), values[3 * next + 1]]
     const s = (t - t0) / (t1 - t0)
     this.resultBuffer[0] =
       (2 * s ** 3 - 3 * s ** 2 + 1) * from +
-      (s ** 3 - 2 * s ** 2 + s) * leaving +
+      (s ** 3 - 2 * s ** 2 + s) * outTangent +
       (3 * s ** 2 - 2 * s ** 3) * to +
-      (s ** 3 - s ** 2) * arriving
+      (s ** 3 - s ** 2) * inTangent
     return this.resultBuffer
   }
 }

@@ -7,15 +7,15 @@ import { parseWrinkleSetDocument } from '../../drivers/parse.ts'
 import { decodeImage, toGray } from './decode-image.ts'
 
 /**
- * Loads a wrinkle set from its `wrinkles.json` and the images beside it.
+ * Loads a wrinkle set from a `wrinkles.json` and the images beside it. Drivers are left out: read them by `parseWrinkleSetDocument`.
  *
- * @param url address of the document, relative to the page.
- * @throws FurrowError when a file is missing, malformed or no image; nothing half-loaded is returned.
+ * @param url of the document, relative to the page.
+ * @throws FurrowError when a file is missing or malformed.
  */
 export async function loadWrinkleSet(url: string): Promise<WrinkleSet> {
-  const address = new URL(url, globalThis.location?.href)
-  const document = parseWrinkleSetDocument(await readJson(address), url)
-  const image = async (file: string) => decodeImage(await fetchFile(new URL(file, address)), file)
+  const base = new URL(url, globalThis.location?.href)
+  const document = parseWrinkleSetDocument(await readJson(base), url)
+  const image = async (file: string) => decodeImage(await fetchFile(new URL(file, base)), file)
   const layers = document.layers.map(async (layer): Promise<Layer> => {
     const { name, kind, normalScale, occlusionStrength, baseColor, roughness, occlusion } = layer
     return {

@@ -5,9 +5,10 @@ import type { RgbaImage } from '../../core/types.ts'
 type Drawable = ImageBitmap | HTMLImageElement | HTMLCanvasElement | OffscreenCanvas
 
 /**
- * Reads the pixels of a texture back as the file stored them, row 0 at v = 0.
+ * Reads the pixels of a texture as stored in its file, row 0 at v = 0.
  *
- * @throws FurrowError when the texture has no image that can be read: compressed, video, or not loaded yet.
+ * @param who names the texture in errors.
+ * @throws FurrowError when its image cannot be read: it is compressed, a video, or not loaded yet.
  */
 export function readTexture(texture: Texture, who: string): RgbaImage {
   const image = texture.image as (Partial<RgbaImage> & object) | undefined
@@ -26,8 +27,8 @@ export function readTexture(texture: Texture, who: string): RgbaImage {
 }
 
 /**
- * Reads an image's pixels exactly as decoded. Done by WebGL, since a 2D canvas multiplies colours by alpha and
- * loses them where alpha is small, and areas may live in an alpha channel.
+ * Reads an image's pixels exactly as decoded. It uses WebGL, since a 2D canvas multiplies colours by alpha and loses them where that is
+ * small, and an alpha channel may hold an area.
  */
 export function readImage(image: Drawable): RgbaImage {
   const { width, height } = image
@@ -49,7 +50,7 @@ export function readImage(image: Drawable): RgbaImage {
   throw new FurrowError({
     code: 'unsupported',
     who: 'readImage',
-    what: 'image that the GPU does not take',
+    what: 'image that WebGL cannot read',
     value: `${width} x ${height}, WebGL error ${fault}`,
     limit: `${gl.getParameter(gl.MAX_TEXTURE_SIZE)} texels on a side`,
     remedy: 'scale it down',
@@ -58,7 +59,7 @@ export function readImage(image: Drawable): RgbaImage {
 
 let context: WebGL2RenderingContext | null = null
 
-/** One small context for all reading: browsers allow a page only a few. */
+/** One small context for all images: browsers allow only a few per page. */
 function reader(): WebGL2RenderingContext {
   if (!context || context.isContextLost()) context = new OffscreenCanvas(1, 1).getContext('webgl2')
   if (context) return context
@@ -67,7 +68,7 @@ function reader(): WebGL2RenderingContext {
     who: 'readImage',
     what: 'no WebGL 2 context to read images with',
     limit: 'a browser with WebGL 2',
-    remedy: 'close other pages that draw in 3D, or update the browser',
+    remedy: 'close other pages that use WebGL, or update the browser',
   })
 }
 

@@ -23,22 +23,26 @@ import { joinArrays } from './join-arrays.ts'
 import { readTexture } from './read-texture.ts'
 import { type ArrayTexture, isCompressed, loadAreaArray, loadMapArray } from './texture-arrays.ts'
 
-/** What a file says of one face's wrinkles. */
+/** The wrinkles of one face in a file. */
 export interface LoadedWrinkles {
-  /** The meshes of the face, which share its material: the primitives of one glTF mesh. The first one drives. */
+  /** The meshes of the face, which have one material: the primitives of a glTF mesh. The first one drives. */
   meshes: [Mesh, ...Mesh[]]
-  /** The same object for all faces with one material in the file. */
+  /** The same object for all faces that have the same material in the file. */
   set: WrinkleSet<ArraySlice>
+  /** For `addDrivers`. */
   drivers: WrinkleDriver[]
 }
 
 type Parser = GLTF['parser']
 
 /**
- * Reads FURROW_wrinkle_maps from a file that three.js's `GLTFLoader` has loaded, one entry for each face that
- * has it. Plain data, for whatever renderer; `WrinkleLoaderPlugin` does it by itself.
+ * Reads FURROW_wrinkle_maps from a file that three.js's `GLTFLoader` has loaded, as plain data for any renderer. `WrinkleLoaderPlugin`
+ * calls it by itself.
  *
- * @throws FurrowError where the extension is malformed or an image cannot be read.
+ * @param gltf what the loader returned.
+ * @param parser the loader's, `gltf.parser` by default.
+ * @returns one entry for each face that has the extension.
+ * @throws FurrowError when the extension is malformed or an image cannot be read.
  */
 export async function readWrinkleMaps(gltf: GLTF, parser: Parser = gltf.parser): Promise<LoadedWrinkles[]> {
   const found: LoadedWrinkles[] = []
@@ -47,14 +51,14 @@ export async function readWrinkleMaps(gltf: GLTF, parser: Parser = gltf.parser):
     const json = extensionOf(meshes[0].material as Material, parser)
     if (!json) continue
     const maps = parseWrinkleMaps(json, parser.json.textures?.length ?? 0)
-    // Materials that the loader cloned from one of the file share what was read for it.
+    // The loader clones materials; all clones use what was read for the file's.
     const set = await once(sets, json, () => readSet(maps, parser))
     found.push({ meshes, set, drivers: maps.drivers })
   }
   return found
 }
 
-/** Meshes by the face they belong to: the primitives of one glTF mesh that share a material are one. */
+/** Groups meshes by face: the primitives of a glTF mesh that have one material are one face. */
 function facesOf(gltf: GLTF, parser: Parser): [Mesh, ...Mesh[]][] {
   const faces = new Map<Object3D, Map<Material, [Mesh, ...Mesh[]]>>()
   for (const scene of gltf.scenes) {
@@ -73,7 +77,7 @@ function facesOf(gltf: GLTF, parser: Parser): [Mesh, ...Mesh[]][] {
   return [...faces.values()].flatMap((parts) => [...parts.values()])
 }
 
-/** Whether the loader made a group of a glTF mesh, and this of one of its primitives. */
+/** Whether a mesh is one of several primitives of a glTF mesh, which the loader turns into a group. */
 function isPart(mesh: Mesh, parser: Parser): boolean {
   const index = parser.associations.get(mesh)?.meshes
   return index !== undefined && parser.json.meshes[index].primitives.length > 1
@@ -99,7 +103,7 @@ async function readSet(maps: MapsAndAreas, parser: Parser): Promise<WrinkleSet<A
   return joinArrays({ layers, areas: await Promise.all(areas) })
 }
 
-/** Heights are for tools. */
+/** All maps but heights, which are for tools. */
 async function readLayer(layer: WrinkleMapsLayer, source: MapSource): Promise<Layer<ArraySlice>> {
   const { name, kind, normalTexture, baseColorTexture, roughnessTexture, occlusionTexture } = layer
   const gray = (info: TextureReference, channel: number) => source.gray(info, channel, loadMapArray)
@@ -119,7 +123,7 @@ async function readLayer(layer: WrinkleMapsLayer, source: MapSource): Promise<La
 
 type LoadArray = typeof loadMapArray
 
-/** The images and arrays of a file, each read once. */
+/** Reads the images and arrays of a file, each once. */
 class MapSource {
   readonly #parser: Parser
   readonly #images = new Map<number, Promise<RgbaImage>>()
@@ -138,7 +142,7 @@ class MapSource {
     return channelOf(await this.#image(info.index), channel)
   }
 
-  /** A compressed image is read as an array of one slice. */
+  /** Compressed images are read as arrays of one slice. */
   #isSlice({ index, slice }: TextureReference): boolean {
     return slice !== undefined || isCompressed(this.#parser, index)
   }
@@ -158,7 +162,7 @@ class MapSource {
     space: ColorSpace = NoColorSpace,
   ): Promise<ArraySlice> {
     const array = await once(this.#arrays, index, () => load(this.#parser, index))
-    // glTF goes by what a texture is used for, and not by what its file says.
+    // In glTF the use of a texture decides, not the colour space in its file.
     array.colorSpace = space
     const { depth } = array.image
     if (slice < depth) return { array, slice, channel }

@@ -11,6 +11,7 @@ import { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/wrinkle-maps.ts'
 import { isSlice } from '../../core/wrinkle-set.ts'
 
+/** A texture array, compressed or not. */
 export type ArrayTexture = CompressedArrayTexture | DataArrayTexture
 
 /**

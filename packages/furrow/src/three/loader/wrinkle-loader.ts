@@ -10,15 +10,14 @@ import type { WrinklesBase } from '../wrinkles-base.ts'
 import { addActivationTracks } from './key-frames.ts'
 import { readWrinkleMaps } from './read-wrinkle-maps.ts'
 
-/** A renderer's class of wrinkles. */
+/** The `Wrinkles` class of a renderer. */
 type WrinklesClass = new (mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase) => WrinklesBase
 
 /**
- * Adds the wrinkles of FURROW_wrinkle_maps to what `GLTFLoader` loads. A loaded face wrinkles by itself as its
- * blendshapes move; the render loop has nothing to call. So does each copy that `clone()` or
- * three.js's `SkeletonUtils.clone()` makes of it, with activations of its own and the same textures.
- * `gltf.userData.wrinkles` holds the wrinkles, one for each face that has them; `wrinklesOf` finds those of a mesh, copies
- * included. Drivers of a VRM may read its expressions, where three-vrm's plugin is registered as well.
+ * Adds the wrinkles of FURROW_wrinkle_maps to what `GLTFLoader` loads. A loaded face wrinkles by itself as its blendshapes move, without
+ * calls in the render loop. So does each copy made by `clone()` or three.js's `SkeletonUtils.clone()`, with activations of its own and
+ * the same textures. `gltf.userData.wrinkles` lists the wrinkles, one per face; `wrinklesOf` finds those of a mesh, copies included.
+ * Drivers of a VRM may read its expressions if three-vrm's plugin is registered too.
  */
 export class WrinkleLoader {
   readonly name = WRINKLE_MAPS
@@ -32,7 +31,11 @@ export class WrinkleLoader {
     this.#bindings = bindings
   }
 
-  /** Called by the loader when everything else is loaded. Rejects with a FurrowError where the extension is malformed. */
+  /**
+   * Called by the loader when everything else is loaded.
+   *
+   * @throws FurrowError when the extension is malformed or an image cannot be read; no wrinkles are then added.
+   */
   async afterRoot(gltf: GLTF): Promise<void> {
     const wrinkles: WrinklesBase[] = []
     const bySet = new Map<WrinkleSet<ArraySlice>, WrinklesBase>()
@@ -42,7 +45,7 @@ export class WrinkleLoader {
       for (const { meshes, set, drivers } of await readWrinkleMaps(gltf, this.#parser)) {
         const material = meshes[0].material as Material
         const copy = byMaterial.get(material)?.cloneMaterial()
-        // Another face with the same material has activations of its own, and so needs a material of its own.
+        // Another face with the same material has its own activations, and so needs its own material.
         if (copy) for (const mesh of meshes) mesh.material = copy
         const own = this.#addWrinkles(
           meshes,
@@ -69,7 +72,7 @@ export class WrinkleLoader {
     return used.includes('VRMC_vrm') || used.includes('VRM')
   }
 
-  /** Adds wrinkles to the meshes of one face, and to every copy that is made of them. */
+  /** Adds wrinkles to the meshes of one face, and to every copy of them. */
   #addWrinkles(
     [mesh, ...others]: readonly Mesh[],
     source: WrinkleSet<ArraySlice> | WrinklesBase,
@@ -79,7 +82,7 @@ export class WrinkleLoader {
     const own = new this.#Wrinkles(mesh, source)
     for (const other of others) own.addMesh(other)
     const runtime = bindDrivers(own, drivers, () => ({ expressions: expressions?.() }), this.#bindings)
-    // three-vrm creates a VRM's expressions while this plugin is at work: they are looked for when the face is first drawn.
+    // three-vrm may create a VRM's expressions after this: they are looked up when the face is first drawn.
     if (!expressions) runtime.bind()
     for (const part of [mesh, ...others]) this.#followClones(part, own, drivers)
     return own

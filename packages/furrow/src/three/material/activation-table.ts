@@ -2,19 +2,19 @@ import { DataTexture, FloatType, NearestFilter, RGBAFormat } from 'three'
 import { MAX_AREAS, MAX_LAYERS } from '../../core/limits.ts'
 import type { AreaArray } from '../atlas/area-array.ts'
 
-/** One column per channel of a slice: as many as there could be. */
+/** One for each channel of the largest array of areas. */
 const COLUMNS = 4 * MAX_AREAS
 
 /**
  * Activations as a texture, for shaders that loop over all areas as the paper does.
  *
- * Column `slice * channels + channel` belongs to the area whose weights lie there. Row 0 serves areas that add up, row 1 those that
- * combine by `max`; the activation stands in the channel of the area's layer, all else is 0. So one loop sums
- * every layer at once, and neither the number of areas nor the layer of an area is part of a shader program.
+ * Column `slice * channels + channel` is for the area whose weights are there. Row 0 is for areas that combine by `sum`, row 1 for
+ * `max`. The activation is in the channel of the area's layer; all else is 0. So one loop computes all layers at once, and shader
+ * programs depend neither on the number of areas nor on their layers.
  */
 export class ActivationTable {
   readonly texture: DataTexture
-  /** Columns in use; a uniform. */
+  /** Number of columns in use; a uniform. */
   readonly count = { value: 0 }
   readonly #table = new Float32Array(COLUMNS * 2 * MAX_LAYERS)
 
@@ -24,7 +24,11 @@ export class ActivationTable {
     this.texture.magFilter = NearestFilter
   }
 
-  /** Takes the activations over, in the order of the areas. */
+  /**
+   * Writes the activations of all areas.
+   *
+   * @param values 0..1, in the order of the areas.
+   */
   write({ slots, channels }: AreaArray, values: Float32Array): void {
     this.#table.fill(0)
     this.count.value = 0

@@ -25,8 +25,8 @@ const WHOLE: AreaSlot = {
 }
 
 /**
- * A face's normal map with its wrinkles in it, drawn in UV space: for materials whose shader cannot be patched, and for faces that
- * seldom move, which then cost what a plain face costs.
+ * A face's normal map with its wrinkles mixed in, drawn in UV space: for materials whose shader cannot be patched, and for faces that
+ * seldom move, which then cost as much as a plain face.
  */
 export class ComposedMap {
   readonly target: RenderTarget
@@ -43,8 +43,8 @@ export class ComposedMap {
   #drawn = new Float32Array(0)
 
   /**
-   * @param base what the composed one takes the place of, with its filters and transform.
-   * @param normals the layers', in an array: the larger of both gives the size.
+   * @param base the map to replace, whose filters and transform are kept.
+   * @param normals the array of the layers' normals. The composed map has the size of the larger of both.
    * @param material draws `Quads` of the composed map.
    */
   constructor(
@@ -79,7 +79,7 @@ export class ComposedMap {
     this.#scene.add(this.#quads.mesh)
   }
 
-  /** Draws where areas have moved since the last time; the influence map must be up to date. */
+  /** Redraws where activations have changed; the influence map must be up to date. */
   update(renderer: AnyRenderer, areas: AreaArray, values: Float32Array): void {
     this.#quads.begin()
     if (this.#isOutdated(renderer) || areas !== this.#areas) this.#putAll(areas, values)
@@ -106,7 +106,7 @@ export class ComposedMap {
     this.#quads.put(0, 0, WHOLE, 0)
   }
 
-  /** The rectangles of areas that moved, or the one around them all where that is smaller, since they overlap. */
+  /** Puts the rectangles of areas that have moved, or their bounding rectangle if that is smaller: they may overlap. */
   #putMoved(values: Float32Array): void {
     const { bounds } = this.#span
     bounds.x0 = bounds.y0 = 1
@@ -126,7 +126,7 @@ export class ComposedMap {
   }
 }
 
-/** The part of the map, 0..1, that an area reaches: bilinear filtering spreads its outermost texels to the centres of the next ones. */
+/** The part of the map, 0..1, that an area affects: bilinear filtering spreads its outermost texels to the centres of their neighbours. */
 function reachOf(slot: AreaSlot, { width, height }: AreaArray): AreaSlot {
   const { x0, y0, x1, y1 } = slot.bounds
   const bounds = {

@@ -9,7 +9,7 @@ import { readTexture } from '../loader/read-texture.ts'
 import { mapTexture } from './textures.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
-/** The paper's array: diffuse, smooth normals, wrinkled normals. */
+/** The array that the paper's shader reads: diffuse texture, smooth normals, wrinkled normals. */
 export interface PaperArray {
   texture: DataArrayTexture
   /** Whether the diffuse texture is encoded in sRGB, as the material's own map says. */
@@ -17,10 +17,10 @@ export interface PaperArray {
 }
 
 /**
- * Packs what the paper's shader reads.
+ * Packs the paper's array.
  *
- * @param smoothMap the material's own normal map; null where it has none.
- * @throws FurrowError with more than one layer, or maps that cannot be read or differ in size.
+ * @param smoothMap the material's own normal map; null if it has none.
+ * @throws FurrowError when there are several layers, or maps cannot be read or differ in size.
  */
 export function packPaperArray(
   layers: readonly Layer<ArraySlice>[],
@@ -31,7 +31,7 @@ export function packPaperArray(
     throw new FurrowError({
       code: 'unsupported',
       who: 'Wrinkles.mode',
-      what: 'the paper knows one wrinkled normal map',
+      what: "the paper's mode has one wrinkled normal map",
       value: layers.map(({ name }) => name).join(', '),
       limit: 'one layer',
       remedy: 'use the default mode',
@@ -42,7 +42,7 @@ export function packPaperArray(
     throw new FurrowError({
       code: 'unsupported',
       who: 'Wrinkles.mode',
-      what: "the paper's array cannot be packed from compressed maps",
+      what: "compressed maps cannot be packed for the paper's mode",
       value: layers[0].name,
       remedy: 'use the default mode, or a file with PNG or WebP maps',
     })

@@ -14,9 +14,9 @@ import type { WrinkleMaterial } from './wrinkle-material.ts'
 const patchedMaterials = new WeakSet<Material>()
 
 /**
- * The material of a mesh, where it can be patched and is not patched yet.
+ * The material of a mesh.
  *
- * @throws FurrowError that names the mesh.
+ * @throws FurrowError, which names the mesh, when it cannot be patched or is patched already.
  */
 export function checkMaterial(mesh: Mesh): WrinkleMaterial {
   const material = mesh.material as WrinkleMaterial
@@ -28,13 +28,13 @@ export function checkMaterial(mesh: Mesh): WrinkleMaterial {
 /** The user's own material while it shows wrinkles. */
 export class PatchedMaterial {
   mode: WrinkleMode = 'off'
-  /** In the composed mode: what replaces the material's own normal map. */
+  /** Replaces the material's own normal map in the composed mode. */
   composed: ComposedMap | null = null
   readonly #mesh: Mesh
   readonly #material: WrinkleMaterial
   readonly #inputs: ShaderInputs
   readonly #renderer: RendererParts
-  /** Used where the material has no normal map. */
+  /** The normal map of a material that has none. */
   readonly #flat: Texture | null
   #unpatch: () => void = () => {}
 
@@ -48,7 +48,11 @@ export class PatchedMaterial {
     patchedMaterials.add(material)
   }
 
-  /** @throws FurrowError when the mode is not possible; it then stays as it was. */
+  /**
+   * Changes the mode.
+   *
+   * @throws FurrowError when the mode is not possible; it then stays as it was.
+   */
   show(mode: WrinkleMode): void {
     if (mode === 'paper' || mode === 'composed') checkNotInstanced(this.#mesh, mode)
     if (mode === 'paper') {
@@ -64,7 +68,7 @@ export class PatchedMaterial {
     this.mode = mode
   }
 
-  /** A copy of the material as it is without wrinkles. */
+  /** Copies the material without its wrinkles. */
   clone(): Material {
     this.#unpatch()
     const { normalMap } = this.#material
@@ -75,12 +79,16 @@ export class PatchedMaterial {
     return copy
   }
 
-  /** @param table fixed activations; null for the current ones. */
+  /**
+   * Creates a material that shows influence as gray.
+   *
+   * @param table fixed activations; null for the current ones.
+   */
   influenceMaterial(table: ActivationTable | null): Material {
     return this.#renderer.influenceMaterial(this.#material, this.#inputs, table, instancesOf(this.#mesh))
   }
 
-  /** Gives the material back as it was. */
+  /** Restores the material. */
   dispose(): void {
     this.show('off')
     if (this.#flat) {
@@ -88,7 +96,7 @@ export class PatchedMaterial {
       this.#flat.dispose()
     }
     patchedMaterials.delete(this.#material)
-    // Renderers keep a program's uniforms with the material; wrinkles added later need their own.
+    // Renderers cache uniforms with the material; wrinkles added later need their own.
     this.#material.dispose()
   }
 
@@ -120,7 +128,7 @@ function problemOf(material: WrinkleMaterial): { what: string; remedy: string } 
   }
   if (!('normalMap' in material)) {
     return {
-      what: `material ${(material as Material)?.type} has no normal map`,
+      what: `material ${(material as Material)?.type} does not support normal maps`,
       remedy: 'use a lit material such as MeshStandardMaterial',
     }
   }

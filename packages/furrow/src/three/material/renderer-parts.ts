@@ -5,20 +5,19 @@ import type { ActivationTable } from './activation-table.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
-/** What a renderer's class adds. */
+/** What depends on the renderer. */
 export interface RendererParts {
-  /** Makes a material show wrinkles, and returns what takes that back; `needsUpdate` is set by the caller. */
+  /** Makes a material show wrinkles, and returns a function that undoes it; the caller sets `needsUpdate`. */
   patch(
     material: WrinkleMaterial,
     inputs: ShaderInputs,
     mode: 'default' | 'paper',
     instances: Instances,
   ): () => void
-  /** A material of `Quads` that writes the material's own normal map with the wrinkles in it. */
+  /** A material for `Quads` that draws the composed normal map: `base` with the wrinkles mixed in. */
   composeMaterial(base: Texture, inputs: ShaderInputs): Material
   /**
-   * A material that shows the influence of another's wrinkles as gray: that of the map, or that of a table of
-   * its own.
+   * A material that shows influence as gray: that of the influence map, or that of a table of activations.
    */
   influenceMaterial(
     material: WrinkleMaterial,

@@ -8,30 +8,31 @@ import type { ActivationTable } from './activation-table.ts'
 import type { PaperArray } from './paper-array.ts'
 import type { WrinkleTextures } from './wrinkle-textures.ts'
 
-/** What shaders read, as uniforms `{ value }`; the objects stay the same as long as the wrinkles exist. */
+/** What shaders read, as uniforms `{ value }`. The objects stay the same for the lifetime of the wrinkles. */
 export interface ShaderInputs {
   readonly textures: WrinkleTextures
-  /** For shaders that loop over the areas themselves. */
   areas: AreaArray
+  /** Their texture, for shaders that loop over the areas. */
   readonly areaTexture: { value: Texture }
   /** The atlas of influence maps. */
   readonly influence: { value: Texture }
-  /** Columns and rows of its cells, and the number of this mesh's first one. */
+  /** Columns and rows of its cells, and the index of this mesh's first cell. */
   readonly grid: { value: Vector3 }
-  /** Half a texel of a cell in 0..1: no sample reaches further out. */
+  /** Half a texel of a cell, in 0..1: samples are clamped to stay this far inside it. */
   readonly inset: { value: Vector2 }
-  /** Texture coordinates outside of which nothing shows now: u0, v0, u1, v1. */
+  /** Texture coordinates outside which there are no wrinkles now: u0, v0, u1, v1. */
   readonly reach: { value: Vector4 }
-  /** 1 = wrinkles in full, 0 = too far away to show. */
+  /** 1 = not faded, 0 = too far away to show wrinkles. */
   readonly fade: { value: number }
-  /** Per layer: scale of its normals, strength of its occlusion. */
+  /** Scale of normals, per layer. */
   readonly normalScale: { value: Vector4 }
+  /** Strength of occlusion, per layer. */
   readonly occlusionStrength: { value: Vector4 }
   /** In the paper's mode only. */
   paper: (PaperArray & { table: ActivationTable }) | null
 }
 
-/** Inputs of a set whose faces stand in an atlas. */
+/** Creates the inputs of a set whose faces have cells in an atlas. */
 export function createShaderInputs(
   textures: WrinkleTextures,
   areas: AreaArray,
@@ -55,16 +56,13 @@ export function createShaderInputs(
   }
 }
 
-/** Tells the shaders where the cells of a mesh are, since an atlas may have grown, and where anything shows in them. */
-export function placeCells(
+/** Updates where the cells of a mesh are, since an atlas may grow, and where there are active areas in them. */
+export function locateCells(
   { grid, reach, areas }: ShaderInputs,
-  {
-    cells: {
-      grid: { columns, rows },
-    },
-  }: InfluenceAtlas,
+  atlas: InfluenceAtlas,
   cells: readonly Cell[],
 ): void {
+  const { columns, rows } = atlas.cells.grid
   grid.value.set(columns, rows, cells[0].index)
   if (cells.length === 1) findReach(areas, cells[0].face.activations.values, reach.value)
   else reachAll(reach.value)

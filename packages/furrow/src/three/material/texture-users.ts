@@ -2,12 +2,12 @@ import type { Texture } from 'three'
 
 const users = new WeakMap<Texture, number>()
 
-/** Counts one user more of a texture. */
+/** Adds a user of a texture. */
 export function retain(texture: Texture): void {
   users.set(texture, (users.get(texture) ?? 0) + 1)
 }
 
-/** Counts one user less, and frees the texture after the last. */
+/** Removes a user of a texture, and frees it with the last one. */
 export function release(texture: Texture): void {
   const left = (users.get(texture) ?? 1) - 1
   users.set(texture, left)

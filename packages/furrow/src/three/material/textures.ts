@@ -15,8 +15,8 @@ import {
 import type { ImageArray } from '../../core/pack.ts'
 
 /**
- * Areas on the GPU: one channel, filtered, without mipmaps (they are soft already, and mipmaps would bleed
- * across UV islands). Edges are clamped, as in the reference.
+ * A texture of areas: one channel, filtered, without mipmaps (areas are smooth already, and mipmaps would bleed across UV islands).
+ * Edges are clamped, as in the reference.
  */
 export function areaTexture(areas: ImageArray): DataArrayTexture {
   const texture = new DataArrayTexture(areas.data, areas.width, areas.height, areas.depth)
@@ -26,10 +26,10 @@ export function areaTexture(areas: ImageArray): DataArrayTexture {
 }
 
 /**
- * Maps of the skin on the GPU, one channel or four, filtered with mipmaps.
+ * A texture of layers' maps, with one channel or four, filtered with mipmaps.
  *
- * @param anisotropy that of the map they are mixed with, so that both blur alike at a slant.
- * @param colorSpace `SRGBColorSpace` for colours that shall be linear when sampled; as stored unless told.
+ * @param anisotropy that of the map they are mixed with, so that both blur alike at grazing angles.
+ * @param colorSpace `SRGBColorSpace` for colours to be decoded when sampled; none by default.
  */
 export function mapTexture(
   maps: ImageArray,
@@ -46,13 +46,13 @@ export function mapTexture(
 }
 
 /**
- * One texel that points straight out of the surface, for a material that has no normal map. In half floats,
- * since no byte is exactly 0.5: skin without wrinkles must look as it did before.
+ * A normal map of one flat texel, for a material that has none. In half floats, since no byte is exactly 0.5: skin without wrinkles
+ * must look as it did before.
  */
 export function flatNormalTexture(): DataTexture {
   const [half, one] = [0.5, 1].map(DataUtils.toHalfFloat)
   const texture = new DataTexture(Uint16Array.of(half, half, one, one), 1, 1, RGBAFormat, HalfFloatType)
-  // A map that is composed from it repeats as the layers do.
+  // A composed map inherits this, and must repeat as the layers do.
   texture.wrapS = texture.wrapT = RepeatWrapping
   texture.needsUpdate = true
   return texture

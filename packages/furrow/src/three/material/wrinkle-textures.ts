@@ -8,9 +8,9 @@ import { mapTexture } from './textures.ts'
 /** One kind of map of all layers, as one array on the GPU. */
 export interface LayerMaps {
   texture: ArrayTexture
-  /** Where each layer's map lies; null for a layer that has none. */
+  /** Slice of each layer's map; null for a layer that has none. */
   slices: readonly (number | null)[]
-  /** Channel of maps that have only one. */
+  /** Channel of single-channel maps, 0 = R to 3 = A. */
   channel: number
 }
 
@@ -18,7 +18,7 @@ export interface LayerMaps {
 export const VALUE_KINDS = ['baseColor', 'roughness', 'occlusion'] as const
 export type ValueKind = (typeof VALUE_KINDS)[number]
 
-/** A wrinkle set on the GPU. Faces that show the same set may share it, see `retain` and `release`. */
+/** The maps of a set's layers on the GPU, which several faces may use; see `retain` and `release`. */
 export interface WrinkleTextures {
   readonly layers: readonly Layer<ArraySlice>[]
   readonly kinds: readonly LayerKind[]
@@ -27,10 +27,10 @@ export interface WrinkleTextures {
 }
 
 /**
- * Puts the maps of a set's layers on the GPU.
+ * Creates the textures of a set's layers.
  *
- * @param anisotropy of the map they are mixed with.
- * @throws FurrowError where maps of one kind differ in size, or lie in several arrays.
+ * @param anisotropy that of the map they are mixed with.
+ * @throws FurrowError when maps of one kind differ in size, or are in several arrays.
  */
 export function createTextures(layers: readonly Layer<ArraySlice>[], anisotropy: number): WrinkleTextures {
   const values = VALUE_KINDS.flatMap((kind) => {
@@ -42,7 +42,7 @@ export function createTextures(layers: readonly Layer<ArraySlice>[], anisotropy:
   return { layers: [...layers], kinds, normals, values: Object.fromEntries(values) }
 }
 
-/** All textures of them. */
+/** All textures of a set's layers. */
 export function listTextures({ normals, values }: WrinkleTextures): ArrayTexture[] {
   return [normals, ...Object.values(values)].map(({ texture }) => texture)
 }

@@ -9,7 +9,7 @@ import { bindJoints } from './joint.ts'
 import { bindTargetWeights } from './morph.ts'
 import { bindTension } from './tension.ts'
 
-/** Lets the drivers of a file activate areas. */
+/** The signature of `addDrivers`. */
 export type AddDrivers = (
   wrinkles: WrinklesBase,
   drivers: readonly WrinkleDriver[],
@@ -24,21 +24,21 @@ export const BINDINGS: InputBindings = {
 }
 
 /**
- * Lets drivers activate areas before each frame, as long as `wrinkles.driven` is true and the wrinkles are not disposed of. Per
- * area they add to the activation at rest, to at most 1. Drivers that were added before are replaced.
+ * Lets drivers activate areas before each frame, as long as `wrinkles.driven` is true and the wrinkles are not disposed of. They add to
+ * an area's activation at rest, up to 1. Drivers that were added before are replaced, and `wrinkles.expressions` with them.
  *
- * @param drivers types that nobody here knows are left out with a warning, and so is what drivers name and the mesh does not
- *   have: targets, joints, areas.
+ * @param wrinkles of the face.
+ * @param drivers as in a file. Unknown types are left out with a warning, as are targets, joints and areas that do not exist.
+ * @param options a VRM's expressions.
  */
 export const addDrivers: AddDrivers = (wrinkles, drivers, options = {}) => {
   bindDrivers(wrinkles, drivers, () => options, BINDINGS).bind()
 }
 
 /**
- * The same with a renderer's own ways to read inputs. These are found on the mesh when the first frame begins, or by `bind` of
- * the result.
+ * The same with a renderer's own bindings. Inputs are found on the mesh at the first frame, or by `bind` of the result.
  *
- * @param optionsOf called then, since a VRM's expressions may not exist before.
+ * @param optionsOf called then: a VRM's expressions may not exist before.
  */
 export function bindDrivers(
   wrinkles: WrinklesBase,

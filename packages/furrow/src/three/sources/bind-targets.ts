@@ -4,9 +4,9 @@ import { targetFinder } from '../../drivers/morph/target-names.ts'
 import type { TargetBinding } from '../../runtime/target-binding.ts'
 
 /**
- * Finds the targets of some names on every mesh under an object, in any spelling that `findTargets` knows.
+ * Finds the morph targets with some names, in any spelling that `findTargets` knows, on all meshes under an object.
  *
- * @throws FurrowError when no mesh has morph targets at all.
+ * @throws FurrowError when no mesh has morph targets.
  */
 export function bindTargets(face: Object3D, names: readonly string[], who: string): TargetBinding[] {
   const bindings: TargetBinding[] = []

@@ -1,12 +1,13 @@
 import type { InputOf } from '../../drivers/activation.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
-import type { InputReader, InputReaders, MeasuredKind } from '../../runtime/driver-runtime.ts'
+import type { InputReader, MeasuredKind } from '../../runtime/driver-runtime.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 
+/** Options of `addDrivers`. */
 export interface DriversOptions {
-  /** A VRM's expressions (`vrm.expressionManager` of three-vrm): links may name them as well as blendshapes. */
+  /** A VRM's expressions (`vrm.expressionManager` of three-vrm), which links may name like blendshapes. */
   expressions?: VrmExpressions
 }
 
@@ -20,5 +21,3 @@ export type BindInputs<K extends MeasuredKind> = (
 
 /** How a renderer reads each kind of input. */
 export type InputBindings = { readonly [K in MeasuredKind]: BindInputs<K> }
-
-export type ThreeReaders = InputReaders<AnyRenderer>

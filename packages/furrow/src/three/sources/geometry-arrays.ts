@@ -1,6 +1,6 @@
 import type { BufferGeometry } from 'three'
 
-/** Numbers of an attribute, whatever it is stored as: quantised, interleaved or plain. */
+/** Copies an attribute to floats, whether it is quantised, interleaved or plain. */
 export function coordinates(
   attribute: { count: number; getComponent(i: number, k: number): number },
   size = 3,
@@ -10,12 +10,12 @@ export function coordinates(
   return out
 }
 
-/** Three vertices for each triangle, also of a geometry without an index. */
+/** Three indices of vertices per triangle, even if the geometry has no index. */
 export function trianglesOf({ attributes, index }: BufferGeometry): ArrayLike<number> {
   return index?.array ?? Uint32Array.from({ length: attributes.position.count }, (_, i) => i)
 }
 
-/** What each morph target adds to the positions, whether they are relative or not. */
+/** The displacements of each morph target, whether targets are stored relative or not. */
 export function targetOffsets({
   attributes,
   morphAttributes,
@@ -27,7 +27,7 @@ export function targetOffsets({
   return targets.map((target) => target.map((value, i) => value - rest[i]))
 }
 
-/** Copies numbers; tells whether any was another. */
+/** Copies numbers; returns whether any has changed. */
 export function takeNumbers(out: Float32Array, values: ArrayLike<number>): boolean {
   let changed = false
   for (let i = 0; i < out.length; i++) {

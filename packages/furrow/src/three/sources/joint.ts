@@ -4,8 +4,8 @@ import { measuredSource } from '../../drivers/sources.ts'
 import type { BindInputs } from './binding.ts'
 
 /**
- * Measures joints: bones of the mesh's skeleton against the bind pose, or other nodes of the model against their pose when the drivers
- * are added.
+ * Measures joints: relative to the bind pose if all are bones of the mesh's skeleton, otherwise relative to their pose when inputs
+ * are bound.
  */
 export const bindJoints: BindInputs<'joint'> = ({ mesh }, inputs) => {
   const all = [...new Set(inputs.flatMap(({ from, joint }) => [from, joint]))]
@@ -17,13 +17,13 @@ export const bindJoints: BindInputs<'joint'> = ({ mesh }, inputs) => {
   return {
     ...measuredSource(measurement.missing),
     read(values) {
-      // A copy of a skinned mesh gets its own skeleton only after it was made.
+      // A copy of a skinned mesh gets its own skeleton only after it is created.
       if (joints.length === 0 || (mesh as SkinnedMesh).skeleton !== skeleton) {
         skeleton = (mesh as SkinnedMesh).skeleton
         joints = names.map((name) => findJoint(mesh, name)!)
       }
       for (let i = 0; i < joints.length; i++) {
-        // One by one: `set` of a plain array allocates.
+        // One number at a time: `set` with a plain array allocates.
         const { elements } = joints[i].matrixWorld
         for (let k = 0; k < MATRIX; k++) matrices[MATRIX * i + k] = elements[k]
       }
@@ -32,7 +32,7 @@ export const bindJoints: BindInputs<'joint'> = ({ mesh }, inputs) => {
   }
 }
 
-/** By the name in the file, or what `GLTFLoader` makes of it. */
+/** Finds a node by its name in the file, or that name as `GLTFLoader` sanitizes it. */
 function findJoint(mesh: Mesh, name: string): Object3D | undefined {
   const isNamed = (object: Object3D) =>
     object.name === name || object.name === PropertyBinding.sanitizeNodeName(name)
@@ -47,7 +47,7 @@ function findJoint(mesh: Mesh, name: string): Object3D | undefined {
   return found
 }
 
-/** The bind pose where all joints are in the skeleton, so that the pose the model was loaded in does not matter. */
+/** World matrices at rest: of the bind pose if all joints are bones, so that the pose the model was loaded in does not matter. */
 function restMatrices(mesh: Mesh, names: readonly string[]): Float64Array {
   const joints = names.map((name) => findJoint(mesh, name)!)
   const { skeleton } = mesh as Partial<SkinnedMesh>

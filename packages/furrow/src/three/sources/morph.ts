@@ -5,7 +5,7 @@ import { targetSource } from '../../drivers/sources.ts'
 import type { BindInputs } from './binding.ts'
 import { addMuscles } from './muscles.ts'
 
-/** Reads the mesh's blendshapes, of which each muscle becomes one. Instances with weights of their own (`setMorphAt`) wrinkle by those. */
+/** Reads the weights of the mesh's blendshapes, muscles included; of instances, their own if they have any (`setMorphAt`). */
 export const bindTargetWeights: BindInputs<'target'> = ({ mesh }, inputs, drivers, { expressions }) => {
   addMuscles(mesh, driversOf('muscle', drivers))
   const own = targetNames(mesh)
@@ -15,7 +15,7 @@ export const bindTargetWeights: BindInputs<'target'> = ({ mesh }, inputs, driver
     read(values, instance) {
       const { morphTargetInfluences, morphTexture } = mesh as Partial<InstancedMesh>
       if (morphTexture) {
-        // Each instance's row holds the weight of the base shape, then those of the targets.
+        // One row per instance: the weight of the base shape, then those of the targets.
         const { data, width } = morphTexture.image
         for (let i = 0; i < own.length; i++) values[i] = data![instance * width + 1 + i]
         return
@@ -26,7 +26,7 @@ export const bindTargetWeights: BindInputs<'target'> = ({ mesh }, inputs, driver
   }
 }
 
-/** Names in the order of the weights. An `InstancedMesh` has no list of its own; its geometry may. */
+/** Names in the order of the weights. An `InstancedMesh` may have them in its geometry only. */
 function targetNames({ geometry, morphTargetDictionary }: Mesh): string[] {
   if (!morphTargetDictionary) return geometry.morphAttributes.position?.map(({ name }) => name) ?? []
   return Object.keys(morphTargetDictionary)

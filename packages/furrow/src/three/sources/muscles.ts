@@ -5,9 +5,11 @@ import { normalChanges } from '../../math/deformed-normals.ts'
 import { coordinates, targetOffsets, trianglesOf } from './geometry-arrays.ts'
 
 /**
- * Gives a mesh virtual muscles: each becomes a morph target of its name, with normals, whose weight is the contraction. Muscles
- * that the mesh has a target for already are passed over. Call it for every mesh of a face (brows and lashes too), all in the
- * space of the muscles; the geometry is changed, for all meshes that share it.
+ * Adds virtual muscles to a mesh: each becomes a morph target of its name, with normals, whose weight is the contraction. Muscles
+ * whose name is a target already are skipped. Call it for every mesh of a face (brows and lashes too).
+ *
+ * @param mesh in the space of the muscles; its geometry is changed, for all meshes that use it.
+ * @param muscles drivers of type `muscle`, see `driversOf`.
  */
 export function addMuscles(mesh: Mesh, muscles: readonly MuscleDriver[]): void {
   if (muscles.length === 0) return
@@ -32,8 +34,8 @@ export function addMuscles(mesh: Mesh, muscles: readonly MuscleDriver[]): void {
 }
 
 /**
- * Gives the morph targets of a geometry normals where they have none, so that light follows what they do: three.js otherwise shades
- * the face at rest. Does nothing where the geometry has no normals, or all its targets have some.
+ * Adds normals to the morph targets of a geometry that lack them: three.js otherwise shades the face as if at rest. Does nothing if
+ * the geometry has no normals, or no target lacks them.
  */
 export function addMorphNormals(geometry: BufferGeometry): void {
   const { morphAttributes, morphTargetsRelative } = geometry

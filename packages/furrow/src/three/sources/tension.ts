@@ -8,20 +8,20 @@ import type { WrinklesBase } from '../wrinkles-base.ts'
 import type { BindInputs } from './binding.ts'
 import { trianglesOf } from './geometry-arrays.ts'
 
-/** Triangles that represent an area: each costs three vertices, deformed on the CPU as the mesh is. */
+/** Triangles per area: each costs three vertices, which are deformed on the CPU. */
 const SAMPLES = 16
 
-/** What tension is measured on. */
+/** The surface that tension is measured on. */
 export interface TenseMesh {
-  /** At rest. */
+  /** The mesh at rest. */
   sampled: SampledMesh
   /** Areas whose tension is measured, each once. */
   areaNames: readonly string[]
-  /** Per area: how much of each triangle it covers (`coverage`); empty where that cannot be known. */
+  /** Per area: how much it covers of each triangle (`coverage`); empty if that is unknown. */
   covered: readonly Float64Array[]
 }
 
-/** The mesh for some inputs. Areas of compressed textures cannot be read. */
+/** Prepares the surface for some inputs. The coverage of areas in compressed textures is unknown. */
 export function tenseMesh(wrinkles: WrinklesBase, inputs: readonly InputOf<'tension'>[]): TenseMesh {
   const areaNames = [...new Set(inputs.map(({ area }) => area))]
   if (areaNames.length === 0) return { sampled: EMPTY, areaNames, covered: [] }
@@ -35,7 +35,7 @@ export function tenseMesh(wrinkles: WrinklesBase, inputs: readonly InputOf<'tens
 
 const EMPTY: SampledMesh = { positions: [], uvs: [], triangles: [] }
 
-/** Measures the mesh as skinning and blendshapes deform it, and its positions where something else does. */
+/** Measures the mesh as skinning and blendshapes deform it, on the CPU. */
 export const bindTension: BindInputs<'tension'> = (wrinkles, inputs) =>
   sampledTension(wrinkles.mesh, tenseMesh(wrinkles, inputs), inputs)
 
@@ -70,7 +70,7 @@ export function sampledTension(
   }
 }
 
-/** The mesh at rest, with the texture coordinates of the areas: those of the normal map. */
+/** The mesh at rest, with the texture coordinates of the areas, which are the normal map's. */
 function sampledMesh({ geometry, material }: Mesh): SampledMesh {
   const position = geometry.getAttribute('position')
   const { normalMap } = material as MeshStandardMaterial
