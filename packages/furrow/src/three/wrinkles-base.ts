@@ -2,7 +2,7 @@ import type { Camera, Material, Mesh } from 'three'
 import type { Area, ArraySlice, WrinkleSet } from '../core/types.ts'
 import { checkArea, checkWrinkleSet } from '../core/wrinkle-set.ts'
 import type { Cell } from '../runtime/atlas-cells.ts'
-import type { FrameEntry, FrameMember } from '../runtime/frame.ts'
+import type { FrameEntry } from '../runtime/frame.ts'
 import { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
 import { exposeAreas } from './animated-areas.ts'
 import { createAreaArray } from './atlas/area-array.ts'
@@ -31,7 +31,7 @@ export function wrinklesOf(mesh: Mesh): WrinklesBase | undefined {
  * Wrinkles on one mesh, or on each instance of an `InstancedMesh` or `BatchedMesh`: the base of both renderers' `Wrinkles`. The
  * material remains the user's: morphs, skinning, shadows, environment and `normalScale` keep working, and `dispose` restores it.
  */
-export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> implements FrameMember<AnyRenderer> {
+export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   /** The mesh that drives: its blendshapes, skeleton and surface are measured. */
   readonly mesh: Mesh
   readonly #options: Required<WrinklesOptions>
