@@ -155,7 +155,7 @@ export class InfluenceAtlas {
 
   /** Another renderer, or a context that was lost, has nothing of what was drawn. */
   #notice(renderer: AnyRenderer): void {
-    if (renderer === this.#renderer && this.#pass.survives(renderer)) return
+    if (renderer === this.#renderer && this.#pass.hasContents(renderer)) return
     this.#renderer = renderer
     this.#forget()
   }

@@ -8,7 +8,7 @@ import { drawAside } from './render-preserving-state.ts'
 export interface QuadMaterials {
   /** Writes 0, or adds the areas' shares up, or takes the largest; see `Quads` for the attributes. */
   create(rule: 'clear' | 'sum' | 'max', areas: AreaArray | null): Material
-  survives(renderer: AnyRenderer, drawn: { readonly target: RenderTarget }): boolean
+  hasContents(renderer: AnyRenderer, drawn: { readonly target: RenderTarget }): boolean
 }
 
 /** Quads of the areas of one array. */
@@ -38,8 +38,8 @@ export class InfluencePass {
     this.#whole = { layer: 0, combine: 'sum', slice: 0, channel: 0, bounds }
   }
 
-  survives(renderer: AnyRenderer): boolean {
-    return this.#materials.survives(renderer, this.#atlas)
+  hasContents(renderer: AnyRenderer): boolean {
+    return this.#materials.hasContents(renderer, this.#atlas)
   }
 
   /** @param cells of which the first `count` have activations as they shall be drawn; their `drawn` is set. */

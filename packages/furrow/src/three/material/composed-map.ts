@@ -27,7 +27,7 @@ export class ComposedMap {
   readonly #quads: Quads
   readonly #scene = new Scene()
   readonly #camera = new OrthographicCamera()
-  readonly #survives: QuadMaterials['survives']
+  readonly #hasContents: QuadMaterials['hasContents']
   #renderer: AnyRenderer | null = null
   #areas: AreaArray | null = null
   #slots: Slot[] = []
@@ -39,7 +39,12 @@ export class ComposedMap {
    * @param normals the layers', in an array: the larger of both gives the size.
    * @param material draws `Quads` of the composed map.
    */
-  constructor(base: Texture, normals: Texture, material: Material, survives: QuadMaterials['survives']) {
+  constructor(
+    base: Texture,
+    normals: Texture,
+    material: Material,
+    hasContents: QuadMaterials['hasContents'],
+  ) {
     this.base = base
     const [own, layered] = [base, normals].map(({ image }) => image as { width: number; height: number })
     const [width, height] = [Math.max(own.width, layered.width), Math.max(own.height, layered.height)]
@@ -60,7 +65,7 @@ export class ComposedMap {
     texture.center.copy(base.center)
     texture.rotation = base.rotation
     texture.matrix.copy(base.matrix)
-    this.#survives = survives
+    this.#hasContents = hasContents
     this.#quads = new Quads({ width: 1, height: 1, grid: { columns: 1, rows: 1 } }, material)
     this.#scene.matrixWorldAutoUpdate = false
     this.#scene.add(this.#quads.mesh)
@@ -81,7 +86,7 @@ export class ComposedMap {
   }
 
   #isLost(renderer: AnyRenderer): boolean {
-    const lost = renderer !== this.#renderer || !this.#survives(renderer, this)
+    const lost = renderer !== this.#renderer || !this.#hasContents(renderer, this)
     this.#renderer = renderer
     return lost
   }

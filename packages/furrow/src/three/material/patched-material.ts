@@ -102,7 +102,7 @@ export class WornMaterial {
     const { composeMaterial, quads } = this.#renderer
     const base = this.#material.normalMap!
     const normals = this.#inputs.textures.normals.texture
-    const composed = new ComposedMap(base, normals, composeMaterial(base, this.#inputs), quads.survives)
+    const composed = new ComposedMap(base, normals, composeMaterial(base, this.#inputs), quads.hasContents)
     this.composed = composed
     this.#material.normalMap = composed.target.texture
     return () => {

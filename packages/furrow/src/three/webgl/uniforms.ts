@@ -5,10 +5,10 @@ import type { WrinkleInputs } from '../material/shader-inputs.ts'
 /** For shaders that read the influence map. */
 export function mapUniforms(inputs: WrinkleInputs): Record<string, IUniform> {
   return {
-    furrowInfluence: inputs.influence,
+    furrowInfluenceMap: inputs.influence,
     furrowGrid: inputs.grid,
     furrowInset: inputs.inset,
-    furrowReach: inputs.reach,
+    furrowBounds: inputs.reach,
     furrowFade: inputs.fade,
   }
 }
