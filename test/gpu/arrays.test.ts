@@ -65,7 +65,7 @@ describe.each(RENDERERS)('maps in KTX 2 on %s', (name) => {
     }).toThrow(/cannot be packed from compressed maps/)
     expect(wrinkles.mode).toBe('default')
     const weights = { width: 4, height: 4, data: new Uint8Array(16) }
-    expect(() => wrinkles.addArea({ name: 'more', weights })).toThrow(/lie in different arrays/)
+    expect(() => wrinkles.addArea({ name: 'more', weights })).toThrow(/are in different arrays/)
     wrinkles.removeArea('nose')
     expect(wrinkles.areaNames).not.toContain('nose')
     await posedPicture(harness, gltf, 'default')

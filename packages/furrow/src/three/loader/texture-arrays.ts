@@ -10,27 +10,28 @@ import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/wrinkle-maps.ts'
 import { isSlice } from '../../core/wrinkle-set.ts'
+import { requireInternal } from '../three-version.ts'
 
 export type ArrayTexture = CompressedArrayTexture | DataArrayTexture
 
 /**
- * The array in which all of some maps lie.
+ * The array that maps are slices of.
  *
- * @param what the maps as an error shall name them.
- * @throws FurrowError where one of them is an image, or lies in another array.
+ * @param what names the maps in errors.
+ * @throws FurrowError when one of them is an image or a slice of another array.
  */
 export function arrayOf(maps: readonly object[], who: string, what: string): ArrayTexture {
   const [first] = maps.filter(isSlice)
   if (maps.every((map) => isSlice(map) && map.array === first.array)) return first.array as ArrayTexture
   throw new FurrowError({
     who,
-    what: `${what} that lie in different arrays`,
+    what: `${what} that are in different arrays`,
     limit: 'all images, or all slices of one array',
-    remedy: 'pack them in one way',
+    remedy: 'pack them in the same way',
   })
 }
 
-/** Whether a texture comes as KTX 2: it is nothing else, or the loader prefers that to the image beside it. */
+/** Whether a texture is read as KTX 2: it has no other image, or the loader can read KTX 2 and prefers it. */
 export function isCompressed(parser: GLTFParser, index: number): boolean {
   const { source, extensions } = parser.json.textures[index]
   if (!extensions?.KHR_texture_basisu) return false
@@ -41,63 +42,73 @@ interface LoaderOptions {
   ktx2Loader?: KTX2Loader | null
 }
 
-/** What three.js's types leave out of a KTX2Loader. */
+/** A KTX2Loader with its internals, which three.js's types leave out and `requireInternal` guards. */
 type Transcoder = KTX2Loader & {
-  /** What it found out about the GPU. */
+  /** The formats that the GPU supports. */
   workerConfig: NonNullable<KTX2Loader['workerConfig']> | null
   transcoderPending: Promise<unknown> | null
-  transcoderBinary: ArrayBuffer
-  workerSourceURL: string
-  workerPool: { setWorkerCreator(create: () => Worker): void; dispose(): void }
-  init(): Promise<unknown>
+  transcoderBinary?: ArrayBuffer
+  workerSourceURL?: string
+  workerPool?: { setWorkerCreator?(create: () => Worker): void; dispose?(): void }
+  init?(): Promise<unknown>
 }
 
 /**
- * Loads the areas of a file, a KTX 2 image or array, in the best format that the GPU has.
+ * Loads the areas of a file, a KTX 2 image or array, in the best format that the GPU supports.
  *
- * @throws FurrowError when the page gave the loader no KTX2Loader, or the texture is not compressed.
+ * @throws FurrowError when the loader has no KTX2Loader, or the texture is not compressed.
  */
 export async function loadAreaArray(parser: GLTFParser, index: number): Promise<ArrayTexture> {
   const array = await loadArray(parser, index, ktx2LoaderOf(parser))
-  // Areas are soft already, and mipmaps would bleed across UV islands.
+  // Areas are smooth already, and mipmaps would bleed across UV islands.
   array.minFilter = LinearFilter
   return array
 }
 
 /**
- * Loads maps of a file's layers, a KTX 2 image or array, in half the memory where the GPU can: BC1 in place of BC7. Creases survive it,
+ * Loads maps of a file's layers, a KTX 2 image or array, in half the memory where the GPU can: BC1 instead of BC7. Creases stay visible,
  * see "Sizes" in docs/pack.md.
  *
- * @throws FurrowError as `loadAreaArray` does.
+ * @throws FurrowError as `loadAreaArray` does, or when three.js's KTX2Loader lacks an internal that this needs.
  */
 export async function loadMapArray(parser: GLTFParser, index: number): Promise<ArrayTexture> {
   const usual = ktx2LoaderOf(parser) as Transcoder
   const { workerConfig } = usual
   if (!workerConfig?.dxtSupported) return loadArray(parser, index, usual)
-  const small = await withFormats(usual, { ...workerConfig, ...NO_OTHERS })
+  const small = await withFormats(usual, { ...workerConfig, ...BC1_TO_BC3 })
   try {
     return await loadArray(parser, index, small)
   } finally {
-    small.workerPool.dispose()
+    small.workerPool?.dispose?.()
   }
 }
 
-/** All formats but BC1 to BC3. */
-const NO_OTHERS = { astcSupported: false, bptcSupported: false, etc1Supported: false, etc2Supported: false }
+/** Rules out all formats but BC1 to BC3. */
+const BC1_TO_BC3 = { astcSupported: false, bptcSupported: false, etc1Supported: false, etc2Supported: false }
 
-/** A second loader that transcodes to other formats; a whole one would fetch the transcoder again, and three.js warns of it. */
+/**
+ * A second loader that transcodes to other formats. It shares the transcoder: a loader of its own would fetch that again, of which
+ * three.js warns.
+ */
 async function withFormats(
   loader: Transcoder,
   workerConfig: Transcoder['workerConfig'],
 ): Promise<Transcoder> {
-  await loader.init()
-  const { transcoderBinary, workerSourceURL } = loader
+  await requireInternal(loader.init, WRINKLE_MAPS, 'KTX2Loader.init').call(loader)
+  const binary = requireInternal(loader.transcoderBinary, WRINKLE_MAPS, 'KTX2Loader.transcoderBinary')
+  const source = requireInternal(loader.workerSourceURL, WRINKLE_MAPS, 'KTX2Loader.workerSourceURL')
   const other = new (loader.constructor as new () => Transcoder)()
+  const { workerPool } = other
+  const setWorkerCreator = requireInternal(
+    workerPool?.setWorkerCreator,
+    WRINKLE_MAPS,
+    'KTX2Loader.workerPool.setWorkerCreator',
+  )
   other.transcoderPending = Promise.resolve()
   other.workerConfig = workerConfig
-  other.workerPool.setWorkerCreator(() => {
-    const worker = new Worker(workerSourceURL)
-    worker.postMessage({ type: 'init', config: workerConfig, transcoderBinary })
+  setWorkerCreator.call(workerPool, () => {
+    const worker = new Worker(source)
+    worker.postMessage({ type: 'init', config: workerConfig, transcoderBinary: binary })
     return worker
   })
   return other
@@ -109,7 +120,7 @@ async function loadArray(parser: GLTFParser, index: number, loader: KTX2Loader):
   if (typeof source !== 'number' || !parser.json.images?.[source]) {
     throw new FurrowError({
       who: `${WRINKLE_MAPS} texture ${index}`,
-      what: 'a slice of what is no KTX 2 image',
+      what: 'a slice of an image that is not KTX 2',
       limit: 'a texture with KHR_texture_basisu',
       remedy: 'pack the file again',
     })
@@ -119,8 +130,8 @@ async function loadArray(parser: GLTFParser, index: number, loader: KTX2Loader):
   if (!texture) {
     throw new FurrowError({
       who: `${WRINKLE_MAPS} texture ${index}`,
-      what: 'no compressed image or array',
-      value: loaded ? `${loaded.image.width} x ${loaded.image.height}` : 'nothing that can be read',
+      what: 'not a compressed image or array',
+      value: loaded ? `${loaded.image.width} x ${loaded.image.height}` : 'nothing readable',
       limit: 'KTX 2 in UASTC or ETC1S',
       remedy: 'pack the file again',
     })
@@ -130,7 +141,7 @@ async function loadArray(parser: GLTFParser, index: number, loader: KTX2Loader):
   return texture
 }
 
-/** `KTX2Loader` makes a plain texture of an array of one slice. */
+/** `KTX2Loader` returns an array of one slice as a plain texture. */
 function asArray(texture: CompressedTexture): CompressedArrayTexture | null {
   if ('isCompressedArrayTexture' in texture) return texture as CompressedArrayTexture
   if (!texture.isCompressedTexture) return null
@@ -148,7 +159,7 @@ function ktx2LoaderOf(parser: GLTFParser): KTX2Loader {
   if (ktx2Loader) return ktx2Loader
   throw new FurrowError({
     who: WRINKLE_MAPS,
-    what: 'the maps are KTX 2, and the loader cannot read that',
+    what: 'the maps are KTX 2, which the loader cannot read',
     limit: 'a GLTFLoader with a KTX2Loader',
     remedy: 'call loader.setKTX2Loader(new KTX2Loader().setTranscoderPath(...).detectSupport(renderer))',
   })
