@@ -4,6 +4,7 @@ import { fileURLToPath } from 'node:url'
 import { playwright } from '@vitest/browser-playwright'
 import { defineConfig } from 'vitest/config'
 import { CHROMIUM_FLAGS } from './packages/cli/src/chromium-flags.ts'
+import { withOldestThree } from './test/gpu/oldest-three.ts'
 
 // Sources, not builds: the `furrow-source` condition of the packages' exports.
 const resolve = { conditions: ['furrow-source', 'module', 'browser', 'development|production'] }
@@ -18,7 +19,7 @@ const realFace = fileURLToPath(new URL('../shared/real-face/ict-face.glb', impor
 
 export default defineConfig({
   test: {
-    projects: [
+    projects: withOldestThree([
       { resolve, ssr, test: { name: 'unit', include: ['test/unit/**/*.test.ts'], ...SOON } },
       {
         resolve,
@@ -67,6 +68,6 @@ export default defineConfig({
           },
         },
       },
-    ],
+    ]),
   },
 })
