@@ -9,7 +9,6 @@ import {
   type WebGPURenderer,
 } from 'three/webgpu'
 import type { AnyRenderer } from '../atlas/influence-atlas.ts'
-import { typedBuffer } from './node.ts'
 
 const SIZES = { float: 1, uint: 1, vec2: 2, vec4: 4, uvec4: 4, mat4: 16 } as const
 type BufferType = keyof typeof SIZES
@@ -22,7 +21,7 @@ export class Buffers {
   create<T extends BufferType>(type: T, values: TypedArray): StorageBufferNode<T> {
     const attribute = new StorageBufferAttribute(values, SIZES[type])
     this.#attributes.push(attribute)
-    return typedBuffer(storage(attribute, type, attribute.count))
+    return storage(attribute, type, attribute.count)
   }
 
   dispose(): void {
