@@ -21,6 +21,7 @@ export default defineConfig({
   test: {
     projects: withOldestThree([
       { resolve, ssr, test: { name: 'unit', include: ['test/unit/**/*.test.ts'], ...SOON } },
+      { test: { name: 'packages', include: ['test/packages/**/*.test.ts'], ...LATE } },
       {
         resolve,
         ssr,

@@ -92,7 +92,7 @@ describe('internals of three.js', () => {
   it('are named where WebGLRenderer lacks what it knows of a target', () => {
     const texture = {} as Texture
     const hasContents = (renderer: object) =>
-      quadMaterials.hasContents(renderer as WebGLRenderer, { target: { texture } as never })
+      quadMaterials.hasContents(renderer as WebGLRenderer, { texture } as never)
     const knowing = (known: object) => ({ properties: { get: () => known } })
     expect(() => hasContents({})).toThrow(found('renderer.properties'))
     expect(hasContents(knowing({}))).toBe(false)

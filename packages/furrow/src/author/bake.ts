@@ -30,6 +30,7 @@ export interface BakeTarget {
   blocked: Blocked
 }
 
+/** Options of {@link bakeMaps}; defaults are {@link BAKE_DEFAULTS}. */
 export interface BakeOptions {
   /** Side of the maps in texels. */
   size?: number
@@ -47,6 +48,7 @@ export interface BakeOptions {
   bits?: 8 | 16
 }
 
+/** Defaults of {@link BakeOptions}; `cage` has none. */
 export const BAKE_DEFAULTS = {
   size: 1024,
   samples: 4,
@@ -56,6 +58,7 @@ export const BAKE_DEFAULTS = {
   bits: 8,
 } as const satisfies Omit<BakeOptions, 'cage'>
 
+/** The maps that {@link bakeMaps} makes, and how many of its rays missed. */
 export interface Baked {
   /** Green towards smaller v. */
   normal: NormalMap

@@ -1,3 +1,9 @@
+/**
+ * Makes the maps of wrinkles, from strokes, heights, detailed surfaces or blendshapes. Pure functions on typed arrays.
+ *
+ * @module furrow/author
+ */
+
 export { combineNormals } from '../core/combine-normals.ts'
 export type { GrayImage, RgbaImage } from '../core/types.ts'
 export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas } from './areas.ts'
@@ -38,6 +44,7 @@ export {
   type ReliefOptions,
   reliefToNormal,
 } from './relief.ts'
+export type { GroupShape, PolygonShape } from './sketch.ts'
 export type { Edges } from './slope.ts'
 export {
   type AreaShape,

@@ -78,7 +78,7 @@ export const quadMaterials: QuadMaterials = {
       transparent: true,
     })
   },
-  hasContents(renderer, { target }) {
+  hasContents(renderer, target) {
     // A context that was lost and restored has none of its textures, nor anything known of them.
     const properties = requireInternal((renderer as WebGLRenderer).properties, WHO, 'renderer.properties')
     const known = properties.get(target.texture) as { __webglTexture?: unknown }

@@ -59,6 +59,11 @@ export class AreaTension {
       })
   }
 
+  /** Copies measurements, by their indices in `values`. */
+  copyTo(out: Float64Array, indices: readonly number[]): void {
+    for (let i = 0; i < indices.length; i++) out[i] = this.values[indices[i]]
+  }
+
   /** Frees the buffers, once no read is pending. */
   dispose(): void {
     this.#isDisposed = true

@@ -20,7 +20,7 @@ import {
 import { type Node, NodeBuilder } from 'three/webgpu'
 import type { Instances } from '../instances.ts'
 import type { ActivationTable } from '../material/activation-table.ts'
-import type { WrinkleInputs } from '../material/shader-inputs.ts'
+import type { ShaderInputs } from '../material/shader-inputs.ts'
 import { requireInternal } from '../three-version.ts'
 import { inputUniform } from './node.ts'
 import { repeat } from './texture-sampling.ts'
@@ -32,11 +32,7 @@ import { repeat } from './texture-sampling.ts'
  * @param instances of the mesh, each of which has a cell of its own.
  * @returns influence of layers 0..3 in x, y, z, w, each 0..1.
  */
-export function influenceFromMap(
-  inputs: WrinkleInputs,
-  uv: Node<'vec2'>,
-  instances: Instances,
-): Node<'vec4'> {
+export function influenceFromMap(inputs: ShaderInputs, uv: Node<'vec2'>, instances: Instances): Node<'vec4'> {
   const grid = inputUniform<'vec3'>(inputs.grid)
   const inset = inputUniform<'vec2'>(inputs.inset)
   const bounds = inputUniform<'vec4'>(inputs.reach)
@@ -106,7 +102,7 @@ export function checkBatch(mesh: object): void {
  * @returns influence of layers 0..3 in x, y, z, w, each 0..1.
  */
 export function influenceFromAreas(
-  { areas }: WrinkleInputs,
+  { areas }: ShaderInputs,
   table: ActivationTable,
   uv: Node<'vec2'>,
 ): Node<'vec4'> {

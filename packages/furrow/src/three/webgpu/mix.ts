@@ -2,7 +2,7 @@
 import { Fn, float, If, max, vec2, vec3, vec4 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
 import type { LayerKind } from '../../core/types.ts'
-import type { WrinkleInputs } from '../material/shader-inputs.ts'
+import type { ShaderInputs } from '../material/shader-inputs.ts'
 import type { ValueKind } from '../material/wrinkle-textures.ts'
 import { inputUniform } from './node.ts'
 import { gradientsOf, sampleSlice } from './texture-sampling.ts'
@@ -31,7 +31,7 @@ export function reorient(base: Node<'vec3'>, detail: Node<'vec3'>): Node<'vec3'>
  */
 export function mixNormals(
   base: Node<'vec3'>,
-  { textures, normalScale }: WrinkleInputs,
+  { textures, normalScale }: ShaderInputs,
   { influence, uv }: LayerInfluence,
 ): Node<'vec3'> {
   const { kinds, normals } = textures
@@ -70,7 +70,7 @@ export function mixNormals(
 export function mixValues(
   kind: ValueKind,
   base: Node<'vec3'>,
-  { textures, occlusionStrength }: WrinkleInputs,
+  { textures, occlusionStrength }: ShaderInputs,
   { influence, uv }: LayerInfluence,
 ): Node<'vec3'> {
   const { texture, slices, channel } = textures.values[kind]!

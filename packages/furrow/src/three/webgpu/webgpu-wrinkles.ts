@@ -16,8 +16,9 @@ import type { MeshStandardNodeMaterial, Node, NodeBuilder, NodeMaterial } from '
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { instancesOf } from '../instances.ts'
 import type { PaperArray } from '../material/paper-array.ts'
-import type { RendererParts, WrinkleMaterial } from '../material/renderer-parts.ts'
-import type { WrinkleInputs } from '../material/shader-inputs.ts'
+import type { RendererParts } from '../material/renderer-parts.ts'
+import type { ShaderInputs } from '../material/shader-inputs.ts'
+import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { checkThree } from '../three-version.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
@@ -83,7 +84,7 @@ const patch: RendererParts['patch'] = (material: Patched, inputs, mode, instance
 }
 
 /** The default mode: the layers' maps mixed into the material's, lit once. */
-function layerNodes(material: Patched, inputs: WrinkleInputs, layers: LayerInfluence): Partial<Patched> {
+function layerNodes(material: Patched, inputs: ShaderInputs, layers: LayerInfluence): Partial<Patched> {
   const mixed = mixNormals(materialProperty('normalMap', 'texture').xyz, inputs, layers)
   const added: Partial<Patched> = { normalNode: normalMap(mixed, normalScale()) }
   const { baseColor, roughness, occlusion } = inputs.textures.values
