@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest'
-import { type Blocked, openness } from '../../../packages/furrow/src/author/occlusion.ts'
+import { type Blocked, openness } from '../../../packages/furrow/src/author/bake/occlusion.ts'
 import { seeded } from '../../random.ts'
 
 const ORIGIN = [0, 0, 0]

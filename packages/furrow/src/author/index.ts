@@ -1,6 +1,5 @@
 export { combineNormals } from '../core/combine-normals.ts'
 export type { GrayImage, RgbaImage } from '../core/types.ts'
-export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas } from './areas.ts'
 export { AUTO_REGIONS, type AutoRegion } from './auto/anatomy/regions.ts'
 export {
   AUTO_DEFAULTS,
@@ -24,12 +23,11 @@ export {
   type BakeTarget,
   bakeMaps,
   sizeOf,
-} from './bake.ts'
-export { type BakeMesh, sharedNormals } from './bake-mesh.ts'
-export { type HeightMap, strokesToHeight } from './height.ts'
+} from './bake/bake.ts'
+export { type BakeMesh, sharedNormals } from './bake/mesh.ts'
+export type { Blocked } from './bake/occlusion.ts'
 export { type Metric, type MetricMesh, surfaceMetric } from './metric.ts'
-export { heightToNormal, type TangentFrame } from './normal.ts'
-export type { Blocked } from './occlusion.ts'
+export { heightToNormal, type TangentFrame } from './relief/height-to-normal.ts'
 export {
   type Green,
   type NormalMap,
@@ -37,8 +35,9 @@ export {
   type Relief,
   type ReliefOptions,
   reliefToNormal,
-} from './relief.ts'
-export type { Edges } from './slope.ts'
+} from './relief/relief-to-normal.ts'
+export type { Edges } from './relief/slope.ts'
+export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas } from './strokes/areas.ts'
 export {
   type AreaShape,
   type AreaSketch,
@@ -48,5 +47,6 @@ export {
   type Stroke,
   type StrokesDocument,
   type Uv,
-} from './strokes.ts'
+} from './strokes/document.ts'
+export { type HeightMap, strokesToHeight } from './strokes/height.ts'
 export { targetArea } from './target-area.ts'

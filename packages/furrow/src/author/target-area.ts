@@ -3,7 +3,7 @@ import { principalStretches, restInverse } from '../math/stretch.ts'
 import { coverTexels } from './cover-texels.ts'
 import { dilate } from './dilate.ts'
 import type { MetricMesh } from './metric.ts'
-import { smoothstep } from './profile.ts'
+import { smoothstep } from './strokes/profile.ts'
 
 /** Texels by which an area reaches beyond the islands of the texture, so that filtering finds no seam. */
 const RINGS = 2

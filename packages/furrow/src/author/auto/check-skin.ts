@@ -1,6 +1,6 @@
 import { FurrowError } from '../../core/error.ts'
-import { boxSides } from '../box.ts'
-import { uvArea } from '../uv-area.ts'
+import { boxSides } from '../../math/box.ts'
+import { uvArea } from '../../math/triangle.ts'
 import { crossOf, type Skin, type SkinTarget } from './surface.ts'
 
 const WHO = 'autoWrinkles'

@@ -1,4 +1,4 @@
-import { profile, REACH, smoothstep } from '../profile.ts'
+import { profile, REACH, smoothstep } from '../strokes/profile.ts'
 import type { Spot } from './chart.ts'
 
 /** How a line looks. */

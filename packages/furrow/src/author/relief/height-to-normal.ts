@@ -1,8 +1,8 @@
-import { FurrowError } from '../core/error.ts'
-import { toByte } from '../core/normal-byte.ts'
-import type { RgbaImage } from '../core/types.ts'
-import type { HeightMap } from './height.ts'
-import type { Metric } from './metric.ts'
+import { FurrowError } from '../../core/error.ts'
+import { toByte } from '../../core/normal-byte.ts'
+import type { RgbaImage } from '../../core/types.ts'
+import type { Metric } from '../metric.ts'
+import type { HeightMap } from '../strokes/height.ts'
 import { slopeAt } from './slope.ts'
 
 /**

@@ -1,4 +1,4 @@
-import { type Metric, metricAt } from './metric.ts'
+import { type Metric, metricAt } from '../metric.ts'
 
 /**
  * What is told of a texel near a path: its index; the distance in millimetres; on which side it lies, -1 left

@@ -1,8 +1,8 @@
-import { layOut, type Path } from './curve.ts'
-import type { Metric } from './metric.ts'
+import type { Metric } from '../metric.ts'
+import type { Stroke } from './document.ts'
 import { nearest } from './nearest.ts'
+import { layOut, type Path } from './path.ts'
 import { profile, REACH } from './profile.ts'
-import type { Stroke } from './strokes.ts'
 
 /** Relief of the skin. */
 export interface HeightMap {

@@ -1,4 +1,4 @@
-import type { BakeMesh } from './bake-mesh.ts'
+import type { BakeMesh } from './mesh.ts'
 
 /** Turns a direction in space into tangent space, at a place of one triangle. */
 export interface Frame {

@@ -1,4 +1,4 @@
-import type { JsonReader, Uv } from '../core/json.ts'
+import type { JsonReader, Uv } from '../../core/json.ts'
 
 /** A soft shape: the inside of a polygon, or all that lies near the strokes of a group. */
 export type AreaShape = PolygonShape | GroupShape

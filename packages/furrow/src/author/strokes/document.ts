@@ -1,6 +1,6 @@
-import { JsonReader, type Uv } from '../core/json.ts'
-import { MAX_AREAS, MAX_IMAGE_SIDE } from '../core/limits.ts'
-import { type AreaShape, type AreaSketch, readSketches } from './sketch.ts'
+import { JsonReader, type Uv } from '../../core/json.ts'
+import { MAX_AREAS, MAX_IMAGE_SIDE } from '../../core/limits.ts'
+import { type AreaShape, type AreaSketch, readSketches } from './area-shapes.ts'
 
 export type { AreaShape, AreaSketch, Uv }
 

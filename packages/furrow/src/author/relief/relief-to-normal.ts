@@ -1,4 +1,4 @@
-import { FurrowError } from '../core/error.ts'
+import { FurrowError } from '../../core/error.ts'
 import { type Edges, slopeAt } from './slope.ts'
 
 /** A relief on a flat picture, as painted or photographed: no mesh is needed to measure it. */
