@@ -75,5 +75,5 @@ export {
   type WrinkleDriver,
 } from './drivers/types.ts'
 export { type VrmExpression, type VrmExpressions, VrmWeights } from './drivers/vrm.ts'
-export { DeformedNormals, normalChanges, type RestMesh } from './math/deformed-normals.ts'
+export { DeformedNormals, morphNormalDeltas, type RestMesh } from './math/deformed-normals.ts'
 export { Activations } from './runtime/activations.ts'

@@ -1,5 +1,5 @@
 import type { Accessor, Primitive } from '@gltf-transform/core'
-import { normalChanges } from 'furrow'
+import { morphNormalDeltas } from 'furrow'
 import { readDocument } from '../face.ts'
 import type { Progress } from '../progress.ts'
 import type { Glb, GltfJson } from './glb-file.ts'
@@ -49,12 +49,12 @@ export async function addMorphNormals(
 }
 
 /** What targets of a primitive do to its normals; nothing where it has none. */
-function changesOf(primitive: Primitive): ReturnType<typeof normalChanges> | undefined {
+function changesOf(primitive: Primitive): ReturnType<typeof morphNormalDeltas> | undefined {
   const [position, normal] = [primitive.getAttribute('POSITION'), primitive.getAttribute('NORMAL')]
   if (!position || !normal) return undefined
   const triangles =
     primitive.getIndices()?.getArray() ?? Uint32Array.from({ length: position.getCount() }, (_, i) => i)
-  return normalChanges({ positions: numbersOf(position), normals: numbersOf(normal), triangles })
+  return morphNormalDeltas({ positions: numbersOf(position), normals: numbersOf(normal), triangles })
 }
 
 /** Quantised or not. */

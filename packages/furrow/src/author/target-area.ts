@@ -1,9 +1,9 @@
 import type { GrayImage } from '../core/types.ts'
+import { smoothstep } from '../math/scalar.ts'
 import { principalStretches, restInverse } from '../math/stretch.ts'
 import { coverTexels } from './cover-texels.ts'
 import { dilate } from './dilate.ts'
 import type { MetricMesh } from './metric.ts'
-import { smoothstep } from './strokes/profile.ts'
 
 /** Texels by which an area reaches beyond the islands of the texture, so that filtering finds no seam. */
 const RINGS = 2

@@ -1,6 +1,7 @@
 import type { GrayImage } from '../../core/types.ts'
+import { smoothstep } from '../../math/scalar.ts'
 import type { HeightMap } from '../strokes/height.ts'
-import { profile, REACH, smoothstep } from '../strokes/profile.ts'
+import { profile, REACH } from '../strokes/profile.ts'
 import { type Chart, unroll } from './chart.ts'
 import type { Crease, CreasedRegion } from './crease.ts'
 import { NearCreases } from './near.ts'

@@ -1,7 +1,7 @@
 import { FurrowError } from '../../core/error.ts'
 import { MAX_IMAGE_SIDE } from '../../core/limits.ts'
 import type { GrayImage } from '../../core/types.ts'
-import { boxSides } from '../../math/box.ts'
+import { boundingBoxSize } from '../../math/bounds.ts'
 import { uvArea } from '../../math/triangle.ts'
 import { dilate } from '../dilate.ts'
 import type { NormalMap } from '../relief/relief-to-normal.ts'
@@ -209,7 +209,7 @@ function coveredSamples({ uvs }: BakeMesh, side: number): number {
 
 /** Diagonal of the box round a mesh, in metres. */
 export function sizeOf({ positions }: Pick<BakeMesh, 'positions'>): number {
-  return Math.hypot(...boxSides(positions))
+  return Math.hypot(...boundingBoxSize(positions))
 }
 
 /** Unit vectors, 0 to the middle of the range. */

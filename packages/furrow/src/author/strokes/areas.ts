@@ -1,12 +1,12 @@
 import { FurrowError } from '../../core/error.ts'
 import type { Uv } from '../../core/json.ts'
 import type { GrayImage } from '../../core/types.ts'
+import { smoothstep } from '../../math/scalar.ts'
 import type { Metric } from '../metric.ts'
 import type { AreaShape, AreaSketch } from './area-shapes.ts'
 import type { Stroke, StrokesDocument } from './document.ts'
 import { nearest } from './nearest.ts'
 import { layOut } from './path.ts'
-import { smoothstep } from './profile.ts'
 
 /** A painted area: the part of `Area` that a document of strokes can give. */
 export interface PaintedArea {

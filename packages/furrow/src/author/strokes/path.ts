@@ -1,8 +1,8 @@
 import type { Uv } from '../../core/json.ts'
 import { bezierAt } from '../../math/bezier.ts'
+import { smoothstep } from '../../math/scalar.ts'
 import { type Metric, metricAt } from '../metric.ts'
 import type { Stroke } from './document.ts'
-import { smoothstep } from './profile.ts'
 
 /** A stroke laid out on the skin: short straight pieces with the wrinkle's strength along the way. */
 export interface Path {

@@ -1,3 +1,5 @@
+import { smoothstep } from '../../math/scalar.ts'
+
 /** Distance in half widths at which a profile is exactly zero. */
 export const REACH = 7
 
@@ -20,10 +22,4 @@ export function profile(distance: number, shoulder: number, softness: number): n
   const t = (Math.hypot(distance, softness) - softness) / (Math.hypot(1, softness) - softness)
   const height = -(1 - shoulder * t) * Math.exp(-t)
   return distance <= FADE ? height : height * (1 - smoothstep((distance - FADE) / (REACH - FADE)))
-}
-
-/** 0 below 0, 1 above 1, 3 x^2 - 2 x^3 between. */
-export function smoothstep(x: number): number {
-  const t = Math.min(Math.max(x, 0), 1)
-  return t * t * (3 - 2 * t)
 }
