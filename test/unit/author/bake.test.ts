@@ -12,8 +12,8 @@ function square(): BakeMesh {
   const positions: number[] = []
   const uvs: number[] = []
   for (let i = 0; i < 12; i += 2) {
-    positions.push(0.1 * corners[i]!, 0.1 * corners[i + 1]!, 0)
-    uvs.push(corners[i]!, 1 - corners[i + 1]!)
+    positions.push(0.1 * corners[i], 0.1 * corners[i + 1], 0)
+    uvs.push(corners[i], 1 - corners[i + 1])
   }
   const repeat = (values: number[]) => Float32Array.from(Array.from({ length: 6 }, () => values).flat())
   return {
@@ -60,9 +60,9 @@ describe('bakeMaps', () => {
     expect(rest.samples).toBeLessThanOrEqual(256 * samples + 16 * Math.sqrt(samples))
     expect(told.at(-1)).toBe(1)
     for (let i = 0; i < 256; i++) {
-      const n = [0, 1, 2].map((k) => (2 * normal.data[3 * i + k]!) / 65535 - 1)
-      expect(n[0]! / n[2]!).toBeCloseTo(-0.1, 3)
-      expect(n[1]!).toBeCloseTo(0, 4)
+      const n = [0, 1, 2].map((k) => (2 * normal.data[3 * i + k]) / 65535 - 1)
+      expect(n[0] / n[2]).toBeCloseTo(-0.1, 3)
+      expect(n[1]).toBeCloseTo(0, 4)
       expect(height.data[i]).toBeCloseTo(10 * (((i % 16) + 0.5) / 16) - 4, 1)
     }
   })
@@ -74,7 +74,7 @@ describe('bakeMaps', () => {
       (x) => (Math.floor(320 * x) % 2 === 0 ? 1 : -1),
     )
     const fine = bakeMaps(square(), stripes, { size: 16, cage: 0.01, samples: 16 })
-    expect(fine.normal.data.every((value, i) => Math.abs(value - [127.5, 127.5, 255][i % 3]!) < 1)).toBe(true)
+    expect(fine.normal.data.every((value, i) => Math.abs(value - [127.5, 127.5, 255][i % 3]) < 1)).toBe(true)
     const coarse = bakeMaps(square(), stripes, { size: 16, cage: 0.01, samples: 1 })
     expect(coarse.normal.data[0]).not.toBe(128)
   })

@@ -19,7 +19,7 @@ describe('openness', () => {
     for (const n of NORMALS) {
       for (const angle of [0.3, 0.8, 1.2]) {
         const outside: Blocked = (_x, _y, _z, dx, dy, dz) =>
-          dx * n[0]! + dy * n[1]! + dz * n[2]! < Math.cos(angle)
+          dx * n[0] + dy * n[1] + dz * n[2] < Math.cos(angle)
         expect(Math.abs(openness(outside, ORIGIN, n, 256, 1, 7) - Math.sin(angle) ** 2)).toBeLessThan(0.01)
       }
     }
@@ -27,10 +27,10 @@ describe('openness', () => {
 
   it('is one half beside a wall without end, and all or nothing without walls', () => {
     for (const n of NORMALS) {
-      const side = n.map((_, k) => n[(k + 1) % 3]! - n[(k + 2) % 3]!)
-      const level = side[0]! * n[0]! + side[1]! * n[1]! + side[2]! * n[2]!
-      const wall = side.map((value, k) => value - level * n[k]!)
-      const half: Blocked = (_x, _y, _z, dx, dy, dz) => dx * wall[0]! + dy * wall[1]! + dz * wall[2]! > 0
+      const side = n.map((_, k) => n[(k + 1) % 3] - n[(k + 2) % 3])
+      const level = side[0] * n[0] + side[1] * n[1] + side[2] * n[2]
+      const wall = side.map((value, k) => value - level * n[k])
+      const half: Blocked = (_x, _y, _z, dx, dy, dz) => dx * wall[0] + dy * wall[1] + dz * wall[2] > 0
       if (Math.hypot(...wall) > 0.1) {
         expect(Math.abs(openness(half, ORIGIN, n, 256, 1, 3) - 0.5)).toBeLessThan(0.03)
       }
@@ -47,8 +47,8 @@ describe('openness', () => {
     }
     for (const [x, y, z, dx, dy, dz, far] of rays(1)) {
       expect([x, y, z, far]).toEqual([1, 2, 3, 5])
-      expect(Math.hypot(dx!, dy!, dz!)).toBeCloseTo(1, 12)
-      expect(0.6 * dy! + 0.8 * dz!).toBeGreaterThanOrEqual(0)
+      expect(Math.hypot(dx, dy, dz)).toBeCloseTo(1, 12)
+      expect(0.6 * dy + 0.8 * dz).toBeGreaterThanOrEqual(0)
     }
     expect(rays(1)).toEqual(rays(1))
     expect(rays(1)).not.toEqual(rays(2))

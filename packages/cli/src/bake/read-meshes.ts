@@ -96,7 +96,7 @@ function readCorners(node: Node, primitive: Primitive, own: boolean, wanted: Tan
     const values = elements(primitive, name, size)
     const out = new Float32Array(size * corners.length)
     for (let i = 0; i < corners.length; i++) {
-      for (let k = 0; k < size; k++) out[size * i + k] = values[size * corners[i]! + k]!
+      for (let k = 0; k < size; k++) out[size * i + k] = values[size * corners[i] + k]
     }
     return out
   }
@@ -119,7 +119,7 @@ function readCorners(node: Node, primitive: Primitive, own: boolean, wanted: Tan
 /** MikkTSpace counts v upwards, glTF downwards: its sign is the other one. */
 function mikktspace(positions: Float32Array, normals: Float32Array, uvs: Float32Array): Float32Array {
   const tangents = generateTangents(positions, normals, uvs)
-  for (let i = 3; i < tangents.length; i += 4) tangents[i]! *= -1
+  for (let i = 3; i < tangents.length; i += 4) tangents[i] *= -1
   return tangents
 }
 
@@ -129,7 +129,7 @@ function elements(primitive: Primitive, name: string, size: number): Float32Arra
   const element: number[] = []
   for (let i = 0; i < accessor.getCount(); i++) {
     accessor.getElement(i, element)
-    for (let k = 0; k < size; k++) out[size * i + k] = element[k]!
+    for (let k = 0; k < size; k++) out[size * i + k] = element[k]
   }
   return out
 }
@@ -141,8 +141,8 @@ function cornersOf(primitive: Primitive, turned: boolean): Uint32Array {
   const corners = new Uint32Array(count - (count % 3))
   for (let i = 0; i < corners.length; i++) corners[i] = index ? index.getScalar(i) : i
   for (let i = 0; turned && i < corners.length; i += 3) {
-    const second = corners[i + 1]!
-    corners[i + 1] = corners[i + 2]!
+    const second = corners[i + 1]
+    corners[i + 1] = corners[i + 2]
     corners[i + 2] = second
   }
   return corners
@@ -151,8 +151,8 @@ function cornersOf(primitive: Primitive, turned: boolean): Uint32Array {
 function placed(m: mat4, vectors: Float32Array, w: 0 | 1): Float32Array {
   const out = new Float32Array(vectors.length)
   for (let i = 0; i < vectors.length; i += 3) {
-    const [x, y, z] = [vectors[i]!, vectors[i + 1]!, vectors[i + 2]!]
-    for (let k = 0; k < 3; k++) out[i + k] = m[k]! * x + m[4 + k]! * y + m[8 + k]! * z + w * m[12 + k]!
+    const [x, y, z] = [vectors[i], vectors[i + 1], vectors[i + 2]]
+    for (let k = 0; k < 3; k++) out[i + k] = m[k] * x + m[4 + k] * y + m[8 + k] * z + w * m[12 + k]
   }
   return out
 }
@@ -162,7 +162,7 @@ function placedNormals(m: mat4, normals: Float32Array): Float32Array {
   const turned = isMirrored(m) ? -1 : 1
   const cofactor = (row: number, column: number) => {
     const [r1, r2, c1, c2] = [(row + 1) % 3, (row + 2) % 3, (column + 1) % 3, (column + 2) % 3]
-    return turned * (m[4 * c1 + r1]! * m[4 * c2 + r2]! - m[4 * c1 + r2]! * m[4 * c2 + r1]!)
+    return turned * (m[4 * c1 + r1] * m[4 * c2 + r2] - m[4 * c1 + r2] * m[4 * c2 + r1])
   }
   const c = Array.from({ length: 16 }, (_, i) =>
     i % 4 < 3 && i < 12 ? cofactor(i % 4, Math.floor(i / 4)) : 0,
@@ -172,16 +172,16 @@ function placedNormals(m: mat4, normals: Float32Array): Float32Array {
 
 function placedTangents(m: mat4, tangents: Float32Array): Float32Array {
   const directions = Float32Array.from({ length: (tangents.length / 4) * 3 }, (_, i) => {
-    return tangents[4 * Math.floor(i / 3) + (i % 3)]!
+    return tangents[4 * Math.floor(i / 3) + (i % 3)]
   })
   const turned = unit(placed(m, directions, 0))
-  return tangents.map((value, i) => (i % 4 === 3 ? value : turned[3 * Math.floor(i / 4) + (i % 4)]!))
+  return tangents.map((value, i) => (i % 4 === 3 ? value : turned[3 * Math.floor(i / 4) + (i % 4)]))
 }
 
 function unit(vectors: Float32Array): Float32Array {
   for (let i = 0; i < vectors.length; i += 3) {
-    const length = Math.hypot(vectors[i]!, vectors[i + 1]!, vectors[i + 2]!) || 1
-    for (let k = 0; k < 3; k++) vectors[i + k]! /= length
+    const length = Math.hypot(vectors[i], vectors[i + 1], vectors[i + 2]) || 1
+    for (let k = 0; k < 3; k++) vectors[i + k] /= length
   }
   return vectors
 }
@@ -189,9 +189,9 @@ function unit(vectors: Float32Array): Float32Array {
 function isMirrored(m: mat4): boolean {
   const [a, b, c] = [m.slice(0, 3), m.slice(4, 7), m.slice(8, 11)] as [number[], number[], number[]]
   return (
-    a[0]! * (b[1]! * c[2]! - b[2]! * c[1]!) -
-      a[1]! * (b[0]! * c[2]! - b[2]! * c[0]!) +
-      a[2]! * (b[0]! * c[1]! - b[1]! * c[0]!) <
+    a[0] * (b[1] * c[2] - b[2] * c[1]) -
+      a[1] * (b[0] * c[2] - b[2] * c[0]) +
+      a[2] * (b[0] * c[1] - b[1] * c[0]) <
     0
   )
 }

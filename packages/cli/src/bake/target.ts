@@ -40,9 +40,9 @@ function blend(
   { x, y, z }: { x: number; y: number; z: number },
   hit: Float64Array,
 ): void {
-  const [ax, ay, az] = [positions[3 * a]!, positions[3 * a + 1]!, positions[3 * a + 2]!]
-  const [ex, ey, ez] = [positions[3 * b]! - ax, positions[3 * b + 1]! - ay, positions[3 * b + 2]! - az]
-  const [fx, fy, fz] = [positions[3 * c]! - ax, positions[3 * c + 1]! - ay, positions[3 * c + 2]! - az]
+  const [ax, ay, az] = [positions[3 * a], positions[3 * a + 1], positions[3 * a + 2]]
+  const [ex, ey, ez] = [positions[3 * b] - ax, positions[3 * b + 1] - ay, positions[3 * b + 2] - az]
+  const [fx, fy, fz] = [positions[3 * c] - ax, positions[3 * c + 1] - ay, positions[3 * c + 2] - az]
   const [px, py, pz] = [x - ax, y - ay, z - az]
   const ee = ex * ex + ey * ey + ez * ez
   const ef = ex * fx + ey * fy + ez * fz
@@ -55,9 +55,9 @@ function blend(
   const wa = 1 - wb - wc
   let length = 0
   for (let k = 0; k < 3; k++) {
-    const value = wa * normals[3 * a + k]! + wb * normals[3 * b + k]! + wc * normals[3 * c + k]!
+    const value = wa * normals[3 * a + k] + wb * normals[3 * b + k] + wc * normals[3 * c + k]
     hit[1 + k] = value
     length += value * value
   }
-  for (let k = 1; k < 4; k++) hit[k]! /= Math.sqrt(length) || 1
+  for (let k = 1; k < 4; k++) hit[k] /= Math.sqrt(length) || 1
 }

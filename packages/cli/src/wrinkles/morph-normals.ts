@@ -29,7 +29,7 @@ export async function addMorphNormals(
   progress: Progress = () => {},
 ): Promise<number> {
   const document = await readDocument(path, who)
-  const primitives = document.getRoot().listMeshes()[mesh]!.listPrimitives()
+  const primitives = document.getRoot().listMeshes()[mesh].listPrimitives()
   const adder = new ViewAdder(glb)
   let [done, added] = [0, 0]
   const total = primitives.reduce((sum, primitive) => sum + primitive.listTargets().length, 0)
@@ -39,7 +39,7 @@ export async function addMorphNormals(
       progress(++done, total)
       const offsets = target.getAttribute('POSITION')
       if (!changes || !offsets || target.getAttribute('NORMAL')) continue
-      const own = glb.json.meshes![mesh]!.primitives[i]!.targets![k]!
+      const own = glb.json.meshes![mesh].primitives[i].targets![k]
       own.NORMAL = addAccessor(glb.json, adder, changes(numbersOf(offsets)))
       added++
     }
@@ -68,7 +68,7 @@ function numbersOf(accessor: Accessor): Float32Array {
 function addAccessor(json: GltfJson, adder: ViewAdder, changes: Float32Array): number {
   const count = changes.length / 3
   const moved = Array.from({ length: count }, (_, i) => i).filter((i) =>
-    [0, 1, 2].some((k) => Math.abs(changes[3 * i + k]!) > NOTHING),
+    [0, 1, 2].some((k) => Math.abs(changes[3 * i + k]) > NOTHING),
   )
   const accessor = { componentType: FLOAT, type: 'VEC3', count }
   json.accessors ??= []

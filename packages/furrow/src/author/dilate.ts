@@ -39,7 +39,7 @@ function fill(
   for (const { data, channels } of maps) {
     for (let k = 0; k < channels; k++) {
       let sum = 0
-      for (const j of from) sum += data[channels * j + k]!
+      for (const j of from) sum += data[channels * j + k]
       data[channels * i + k] = sum / from.length
     }
   }

@@ -72,14 +72,14 @@ export function metricAt(metric: Metric, u: number, v: number, out: Float64Array
   const fx = x - x0
   const fy = y - y0
   const mix = (map: Float32Array) =>
-    (1 - fy) * ((1 - fx) * map[a]! + fx * map[a + right]!) + fy * ((1 - fx) * map[b]! + fx * map[b + right]!)
+    (1 - fy) * ((1 - fx) * map[a] + fx * map[a + right]) + fy * ((1 - fx) * map[b] + fx * map[b + right])
   out[0] = mix(metric.uu)
   out[1] = mix(metric.uv)
   out[2] = mix(metric.vv)
 }
 
 function corner(mesh: MetricMesh, i: number): number {
-  return mesh.indices ? mesh.indices[i]! : i
+  return mesh.indices ? mesh.indices[i] : i
 }
 
 /** uu, uv, vv and total weight per vertex, averaged over its triangles by their area in space. */
@@ -89,29 +89,29 @@ function vertexForms({ positions, uvs, indices }: MetricMesh): Float64Array {
   const mesh = { positions, uvs, indices } as MetricMesh
   for (let t = 0; t + 2 < count; t += 3) {
     const [a, b, c] = [corner(mesh, t), corner(mesh, t + 1), corner(mesh, t + 2)]
-    const [u1, v1] = [uvs[2 * b]! - uvs[2 * a]!, uvs[2 * b + 1]! - uvs[2 * a + 1]!]
-    const [u2, v2] = [uvs[2 * c]! - uvs[2 * a]!, uvs[2 * c + 1]! - uvs[2 * a + 1]!]
+    const [u1, v1] = [uvs[2 * b] - uvs[2 * a], uvs[2 * b + 1] - uvs[2 * a + 1]]
+    const [u2, v2] = [uvs[2 * c] - uvs[2 * a], uvs[2 * c + 1] - uvs[2 * a + 1]]
     const det = u1 * v2 - u2 * v1
     if (Math.abs(det) < 1e-14) continue
     // P(u, v) is linear on a triangle: [Pu Pv] = [e1 e2] inverse([u1 u2; v1 v2]).
     const pu = [0, 0, 0]
     const pv = [0, 0, 0]
     for (let k = 0; k < 3; k++) {
-      const e1 = 1000 * (positions[3 * b + k]! - positions[3 * a + k]!)
-      const e2 = 1000 * (positions[3 * c + k]! - positions[3 * a + k]!)
+      const e1 = 1000 * (positions[3 * b + k] - positions[3 * a + k])
+      const e2 = 1000 * (positions[3 * c + k] - positions[3 * a + k])
       pu[k] = (e1 * v2 - e2 * v1) / det
       pv[k] = (e2 * u1 - e1 * u2) / det
     }
-    const uu = pu[0]! ** 2 + pu[1]! ** 2 + pu[2]! ** 2
-    const vv = pv[0]! ** 2 + pv[1]! ** 2 + pv[2]! ** 2
-    const uv = pu[0]! * pv[0]! + pu[1]! * pv[1]! + pu[2]! * pv[2]!
+    const uu = pu[0] ** 2 + pu[1] ** 2 + pu[2] ** 2
+    const vv = pv[0] ** 2 + pv[1] ** 2 + pv[2] ** 2
+    const uv = pu[0] * pv[0] + pu[1] * pv[1] + pu[2] * pv[2]
     const area = Math.sqrt(Math.max(uu * vv - uv * uv, 0)) * Math.abs(det)
     if (!(area > 0)) continue
     for (const i of [a, b, c]) {
-      sums[4 * i]! += area * uu
-      sums[4 * i + 1]! += area * uv
-      sums[4 * i + 2]! += area * vv
-      sums[4 * i + 3]! += area
+      sums[4 * i] += area * uu
+      sums[4 * i + 1] += area * uv
+      sums[4 * i + 2] += area * vv
+      sums[4 * i + 3] += area
     }
   }
   return sums
@@ -121,9 +121,9 @@ function rasterise(mesh: MetricMesh, vertex: Float64Array, t: number, metric: Me
   const { width, height } = metric
   const ids = [corner(mesh, t), corner(mesh, t + 1), corner(mesh, t + 2)] as const
   if (ids.some((i) => vertex[4 * i + 3] === 0)) return
-  const form = ids.map((i) => [0, 1, 2].map((k) => vertex[4 * i + k]! / vertex[4 * i + 3]!))
+  const form = ids.map((i) => [0, 1, 2].map((k) => vertex[4 * i + k] / vertex[4 * i + 3]))
   coverTexels(mesh.uvs, ids, width, height, (texel, a, b, c) => {
-    const mix = (k: number) => a * form[0]![k]! + b * form[1]![k]! + c * form[2]![k]!
+    const mix = (k: number) => a * form[0][k] + b * form[1][k] + c * form[2][k]
     const [uu, vv] = [mix(0), mix(2)]
     const limit = Math.sqrt((1 - THINNEST) * uu * vv)
     metric.uu[texel] = uu
@@ -149,7 +149,7 @@ function extend(metric: Metric): void {
     })
   }
   for (let head = 0; head < end; head++) {
-    const from = queue[head]!
+    const from = queue[head]
     const x = from % width
     const next = [
       x > 0 ? from - 1 : -1,
@@ -160,9 +160,9 @@ function extend(metric: Metric): void {
     for (const to of next) {
       if (to < 0 || reached[to]) continue
       reached[to] = 1
-      uu[to] = uu[from]!
-      uv[to] = uv[from]!
-      vv[to] = vv[from]!
+      uu[to] = uu[from]
+      uv[to] = uv[from]
+      vv[to] = vv[from]
       queue[end++] = to
     }
   }
@@ -197,7 +197,7 @@ function checkMesh({ positions, uvs, indices }: MetricMesh): void {
     if (!Number.isFinite(uvs[i])) fail(`uvs[${i}] is no number`, uvs[i], 'finite texture coordinates')
   }
   for (let i = 0; indices && i < indices.length; i++) {
-    const index = indices[i]!
+    const index = indices[i]
     if (!(index >= 0 && index < vertices)) fail(`indices[${i}] is no vertex`, index, `0..${vertices - 1}`)
   }
 }

@@ -29,19 +29,19 @@ export function targetArea(mesh: MetricMesh, offsets: ArrayLike<number>, size: n
   const known = new Uint8Array(size * size)
   const weights = new Float32Array(size * size)
   for (let t = 0; t + 2 < triangles.length; t += 3) {
-    const corners = [triangles[t]!, triangles[t + 1]!, triangles[t + 2]!] as const
-    const [p, q, r] = corners.map((i) => moved[i]!) as [number, number, number]
+    const corners = [triangles[t], triangles[t + 1], triangles[t + 2]] as const
+    const [p, q, r] = corners.map((i) => moved[i]) as [number, number, number]
     coverTexels(uvs, corners, size, size, (texel, a, b, c) => {
-      weights[texel] = Math.max(weights[texel]!, a * p + b * q + c * r)
+      weights[texel] = Math.max(weights[texel], a * p + b * q + c * r)
       known[texel] = 1
     })
   }
   // Triangles may be too small to cover the centre of a texel.
   for (const [i, weight] of moved.entries()) {
-    const column = Math.min(Math.max(Math.floor(uvs[2 * i]! * size), 0), size - 1)
-    const row = Math.min(Math.max(Math.floor(uvs[2 * i + 1]! * size), 0), size - 1)
+    const column = Math.min(Math.max(Math.floor(uvs[2 * i] * size), 0), size - 1)
+    const row = Math.min(Math.max(Math.floor(uvs[2 * i + 1] * size), 0), size - 1)
     const texel = row * size + column
-    weights[texel] = Math.max(weights[texel]!, weight)
+    weights[texel] = Math.max(weights[texel], weight)
     known[texel] = 1
   }
   dilate(known, size, [{ data: weights, channels: 1 }], RINGS)
@@ -56,7 +56,7 @@ function vertexWeights(
 ): Float64Array {
   const weights = new Float64Array(offsets.length / 3)
   for (let i = 0; i < weights.length; i++) {
-    weights[i] = Math.hypot(offsets[3 * i]!, offsets[3 * i + 1]!, offsets[3 * i + 2]!)
+    weights[i] = Math.hypot(offsets[3 * i], offsets[3 * i + 1], offsets[3 * i + 2])
   }
   const most = weights.reduce((a, b) => Math.max(a, b), 0)
   if (!(most > 0)) return weights
@@ -64,7 +64,7 @@ function vertexWeights(
   const strongest = pushed.reduce((a, b) => Math.max(a, b), 1e-9)
   return weights.map((way, i) => {
     if (way === 0) return 0
-    const together = smoothstep(pushed[i]! / (ENOUGH * strongest))
+    const together = smoothstep(pushed[i] / (ENOUGH * strongest))
     return Math.max(LEAST, Math.sqrt(way / most) * (STRETCHED + (1 - STRETCHED) * together))
   })
 }
@@ -75,19 +75,19 @@ function compressions(
   triangles: ArrayLike<number>,
   offsets: ArrayLike<number>,
 ): Float64Array {
-  const now = Float64Array.from(positions, (value, i) => value + offsets[i]!)
+  const now = Float64Array.from(positions, (value, i) => value + offsets[i])
   const sums = new Float64Array(positions.length / 3)
   const counts = new Uint32Array(sums.length)
   const stretches = new Float64Array(2)
   for (let t = 0; t + 2 < triangles.length; t += 3) {
-    const [a, b, c] = [triangles[t]!, triangles[t + 1]!, triangles[t + 2]!]
+    const [a, b, c] = [triangles[t], triangles[t + 1], triangles[t + 2]]
     const inverse = restInverse(a, b, c, positions)
     if (!inverse) continue
     principalStretches(stretches, inverse, 0, a, b, c, now)
     for (const i of [a, b, c]) {
-      sums[i]! += Math.max(0, 1 - stretches[0]!)
-      counts[i]!++
+      sums[i] += Math.max(0, 1 - stretches[0])
+      counts[i]++
     }
   }
-  return sums.map((sum, i) => sum / Math.max(1, counts[i]!))
+  return sums.map((sum, i) => sum / Math.max(1, counts[i]))
 }

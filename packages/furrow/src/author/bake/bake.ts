@@ -109,24 +109,23 @@ export function bakeMaps(
     interpolate(outwards, 3, first, a, b, c, way)
     for (let k = 0; k < 3; k++) {
       const i = 3 * first + k
-      at[k] =
-        a * mesh.positions[i]! + b * mesh.positions[i + 3]! + c * mesh.positions[i + 6]! + cage * way[k]!
+      at[k] = a * mesh.positions[i] + b * mesh.positions[i + 3] + c * mesh.positions[i + 6] + cage * way[k]
     }
-    const [dx, dy, dz] = [-way[0]!, -way[1]!, -way[2]!]
-    if (!target.nearest(at[0]!, at[1]!, at[2]!, dx, dy, dz, 2 * cage, hit)) {
+    const [dx, dy, dz] = [-way[0], -way[1], -way[2]]
+    if (!target.nearest(at[0], at[1], at[2], dx, dy, dz, 2 * cage, hit)) {
       misses++
       return
     }
-    for (let k = 0; k < 3; k++) normal[k] = hit[k + 1]!
+    for (let k = 0; k < 3; k++) normal[k] = hit[k + 1]
     if (!frame.toTangent(a, b, c, normal, tangent)) tangent.set([0, 0, 1])
-    const length = Math.sqrt(tangent[0]! ** 2 + tangent[1]! ** 2 + tangent[2]! ** 2) || 1
-    for (let k = 0; k < 3; k++) normals[3 * texel + k]! += tangent[k]! / length
-    heights[texel]! += 1000 * (cage - hit[0]!)
+    const length = Math.sqrt(tangent[0] ** 2 + tangent[1] ** 2 + tangent[2] ** 2) || 1
+    for (let k = 0; k < 3; k++) normals[3 * texel + k] += tangent[k] / length
+    heights[texel] += 1000 * (cage - hit[0])
     if (occlusionRays > 0) {
-      for (let k = 0; k < 3; k++) at[k]! += -way[k]! * hit[0]! + lift * normal[k]!
-      open[texel]! += openness(target.blocked, at, normal, occlusionRays, occlusionReach, seed)
+      for (let k = 0; k < 3; k++) at[k] += -way[k] * hit[0] + lift * normal[k]
+      open[texel] += openness(target.blocked, at, normal, occlusionRays, occlusionReach, seed)
     }
-    hits[texel]! = Math.min(hits[texel]! + 1, 65535)
+    hits[texel] = Math.min(hits[texel] + 1, 65535)
   }
   for (let first = 0; first < mesh.positions.length / 3; first += 3) {
     frame.triangle(first)
@@ -139,14 +138,14 @@ export function bakeMaps(
   let emptyTexels = 0
   for (let i = 0; i < texels; i++) {
     if (hits[i] === 0) {
-      emptyTexels += touched[i]!
+      emptyTexels += touched[i]
       normals[3 * i + 2] = 1
       if (open.length > 0) open[i] = 1
       continue
     }
     known[i] = 1
-    heights[i]! /= hits[i]!
-    if (open.length > 0) open[i]! /= hits[i]!
+    heights[i] /= hits[i]
+    if (open.length > 0) open[i] /= hits[i]
   }
   const maps = [
     { data: normals, channels: 3 },
@@ -181,8 +180,8 @@ function scan(
   visit: (first: number, a: number, b: number, c: number, texel: number, seed: number) => void,
 ): void {
   const side = size * grid
-  const x = [0, 1, 2].map((i) => uvs[2 * (first + i)]! * side - 0.5) as [number, number, number]
-  const y = [0, 1, 2].map((i) => uvs[2 * (first + i) + 1]! * side - 0.5) as [number, number, number]
+  const x = [0, 1, 2].map((i) => uvs[2 * (first + i)] * side - 0.5) as [number, number, number]
+  const y = [0, 1, 2].map((i) => uvs[2 * (first + i) + 1] * side - 0.5) as [number, number, number]
   const det = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0])
   if (Math.abs(det) < 1e-9) return
   for (let row = Math.ceil(Math.min(...y)); row <= Math.max(...y); row++) {
@@ -217,7 +216,7 @@ function encode(normals: Float32Array, bits: 8 | 16): Uint8Array | Uint16Array {
   const out = new (bits === 8 ? Uint8Array : Uint16Array)(normals.length)
   const half = (2 ** bits - 1) / 2
   for (let i = 0; i < normals.length; i += 3) {
-    const [x, y, z] = [normals[i]!, normals[i + 1]!, normals[i + 2]!]
+    const [x, y, z] = [normals[i], normals[i + 1], normals[i + 2]]
     const length = Math.sqrt(x * x + y * y + z * z) || 1
     out[i] = Math.round((1 + x / length) * half)
     out[i + 1] = Math.round((1 + y / length) * half)
@@ -238,7 +237,7 @@ function check(mesh: BakeMesh, { size, cage, samples }: Required<BakeOptions>): 
   }
   // A longer triangle would repeat the texture across itself, or be absurd, and is never meant.
   for (let i = 0; i < mesh.uvs.length; i++) {
-    const apart = mesh.uvs[i]! - mesh.uvs[i - (i % 6) + (i % 2)]!
+    const apart = mesh.uvs[i] - mesh.uvs[i - (i % 6) + (i % 2)]
     if (!(Math.abs(apart) <= 1)) {
       fail('a triangle is larger than the texture', apart, 'at most 1 along u and v', 'unwrap the mesh')
     }

@@ -25,16 +25,15 @@ export function sharedNormals({ positions, normals }: Pick<BakeMesh, 'positions'
       sum = new Float64Array(3)
       sums.set(key, sum)
     }
-    for (let k = 0; k < 3; k++) sum[k]! += normals[3 * i + k]!
+    for (let k = 0; k < 3; k++) sum[k] += normals[3 * i + k]
     owner.push(sum)
   }
   const shared = new Float32Array(positions.length)
   for (let i = 0; i < corners; i++) {
-    const [x, y, z] = owner[i]! as unknown as [number, number, number]
+    const [x, y, z] = owner[i] as unknown as [number, number, number]
     const length = Math.hypot(x, y, z)
     // Where normals cancel out, on a knife's edge, each corner keeps its own.
-    for (let k = 0; k < 3; k++)
-      shared[3 * i + k] = length > 1e-3 ? owner[i]![k]! / length : normals[3 * i + k]!
+    for (let k = 0; k < 3; k++) shared[3 * i + k] = length > 1e-3 ? owner[i][k] / length : normals[3 * i + k]
   }
   return shared
 }

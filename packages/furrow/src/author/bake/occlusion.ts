@@ -22,7 +22,7 @@ export function openness(
   far: number,
   seed: number,
 ): number {
-  const [nx, ny, nz] = [n[0]!, n[1]!, n[2]!]
+  const [nx, ny, nz] = [n[0], n[1], n[2]]
   // Two vectors at right angles to n (Duff et al. 2017, Building an Orthonormal Basis, Revisited).
   const sign = nz < 0 ? -1 : 1
   const a = -1 / (sign + nz)
@@ -38,7 +38,7 @@ export function openness(
     const dx = p * sx + q * tx + r * nx
     const dy = p * sy + q * ty + r * ny
     const dz = p * sz + q * tz + r * nz
-    if (!blocked(at[0]!, at[1]!, at[2]!, dx, dy, dz, far)) open++
+    if (!blocked(at[0], at[1], at[2], dx, dy, dz, far)) open++
   }
   return open / rays
 }

@@ -56,9 +56,9 @@ export function heightToNormal(
         data[4 * i + 3] = 255
         continue
       }
-      const uu = metric.uu[i]!
-      const uv = metric.uv[i]!
-      const vv = metric.vv[i]!
+      const uu = metric.uu[i]
+      const uv = metric.uv[i]
+      const vv = metric.vv[i]
       const det = uu * vv - uv * uv
       let slopeX: number
       let slopeY: number

@@ -18,23 +18,23 @@ export function slopeAt(
 ): number {
   const at = start + i * stride
   if (i >= 2 && i < count - 2) {
-    const near = data[at + stride]! - data[at - stride]!
-    const far = data[at + 2 * stride]! - data[at - 2 * stride]!
+    const near = data[at + stride] - data[at - stride]
+    const far = data[at + 2 * stride] - data[at - 2 * stride]
     return (8 * near - far) / 12
   }
   const read = (k: number) =>
     edges === 'wrap'
-      ? data[start + (((k % count) + count) % count) * stride]!
+      ? data[start + (((k % count) + count) % count) * stride]
       : beyond(data, start, k, stride, count)
   return (8 * (read(i + 1) - read(i - 1)) - (read(i + 2) - read(i - 2))) / 12
 }
 
 /** The value at `k`, also where that is outside: the parabola, line or constant through the nearest texels. */
 function beyond(data: ArrayLike<number>, start: number, k: number, stride: number, count: number): number {
-  if (k >= 0 && k < count) return data[start + k * stride]!
+  if (k >= 0 && k < count) return data[start + k * stride]
   // t texels beyond the border, whose own texel is 0 and whose neighbours inwards are 1 and 2.
   const t = k < 0 ? -k : k - count + 1
-  const inner = (n: number) => data[start + (k < 0 ? n : count - 1 - n) * stride]!
+  const inner = (n: number) => data[start + (k < 0 ? n : count - 1 - n) * stride]
   if (count === 1) return inner(0)
   if (count === 2) return (1 + t) * inner(0) - t * inner(1)
   return ((t + 1) * (t + 2) * inner(0)) / 2 - t * (t + 2) * inner(1) + (t * (t + 1) * inner(2)) / 2

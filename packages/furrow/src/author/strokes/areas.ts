@@ -50,11 +50,11 @@ export function paintArea(sketch: AreaSketch, strokes: readonly Stroke[], metric
   const total = new Float32Array(width * height)
   for (const shape of sketch.shapes) {
     const weights = paintShape(shape, strokes, metric)
-    for (let i = 0; i < total.length; i++) total[i] = Math.max(total[i]!, weights[i]!)
+    for (let i = 0; i < total.length; i++) total[i] = Math.max(total[i], weights[i])
   }
   const within = sketch.within && paintShape(sketch.within, strokes, metric)
   const data = new Uint8Array(width * height)
-  for (let i = 0; i < data.length; i++) data[i] = Math.round(255 * total[i]! * (within ? within[i]! : 1))
+  for (let i = 0; i < data.length; i++) data[i] = Math.round(255 * total[i] * (within ? within[i] : 1))
   return { width, height, data }
 }
 
@@ -66,7 +66,7 @@ function paintShape(shape: AreaShape, strokes: readonly Stroke[], metric: Metric
     for (const stroke of strokes) {
       if (stroke.group !== shape.group) continue
       nearest(layOut(stroke, metric).points, metric, shape.radius + feather / 2, (texel, distance) => {
-        weights[texel] = Math.max(weights[texel]!, weight(distance - shape.radius, feather))
+        weights[texel] = Math.max(weights[texel], weight(distance - shape.radius, feather))
       })
     }
     return weights
@@ -74,7 +74,7 @@ function paintShape(shape: AreaShape, strokes: readonly Stroke[], metric: Metric
   for (let texel = 0; texel < weights.length; texel++) {
     if (insidePolygon(shape.polygon, metric, texel)) weights[texel] = 1
   }
-  const outline = Float64Array.from([...shape.polygon, shape.polygon[0]!].flat())
+  const outline = Float64Array.from([...shape.polygon, shape.polygon[0]].flat())
   nearest(outline, metric, feather / 2, (texel, distance) => {
     weights[texel] = weight(weights[texel] === 1 ? -distance : distance, feather)
   })
@@ -92,7 +92,7 @@ function insidePolygon(polygon: Uv[], metric: Metric, texel: number): boolean {
   const v = (Math.floor(texel / metric.width) + 0.5) / metric.height
   let inside = false
   for (let i = 0, k = polygon.length - 1; i < polygon.length; k = i++) {
-    const [a, b] = [polygon[i]!, polygon[k]!]
+    const [a, b] = [polygon[i], polygon[k]]
     if (a[1] > v === b[1] > v) continue
     if (u < a[0] + ((v - a[1]) / (b[1] - a[1])) * (b[0] - a[0])) inside = !inside
   }

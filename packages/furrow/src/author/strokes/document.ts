@@ -99,7 +99,7 @@ function readStroke(read: JsonReader, json: unknown, index: number): Stroke {
     const remedy = 'give an end, then two handles and an end for each further piece'
     read.fail(`${path}.points do not make Bezier curves`, points.length, '4, 7, 10, ... points', remedy)
   }
-  if (points.every(([u, v]) => u === points[0]![0] && v === points[0]![1])) {
+  if (points.every(([u, v]) => u === points[0][0] && v === points[0][1])) {
     read.fail(`${path}.points all lie in one place`, points.length, undefined, 'move them apart')
   }
   const stroke: Stroke = {

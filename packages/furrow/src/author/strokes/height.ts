@@ -38,7 +38,7 @@ export function strokesToHeight(
   })
   const data = new Float32Array(width * height)
   for (let i = 0; i < data.length; i++) {
-    if (valley[i] !== 0 || bank[i] !== 0) data[i] = bank[i]! ** (1 / JOIN) - valley[i]! ** (1 / JOIN)
+    if (valley[i] !== 0 || bank[i] !== 0) data[i] = bank[i] ** (1 / JOIN) - valley[i] ** (1 / JOIN)
   }
   return { width, height, data }
 }
@@ -46,18 +46,18 @@ export function strokesToHeight(
 function draw(stroke: Stroke, path: Path, metric: Metric, valley: Float64Array, bank: Float64Array): void {
   const half = stroke.width / 2
   nearest(path.points, metric, REACH * half, (texel, distance, side, piece, share) => {
-    const at = (values: Float64Array) => values[piece]! + share * (values[piece + 1]! - values[piece]!)
+    const at = (values: Float64Array) => values[piece] + share * (values[piece + 1] - values[piece])
     const depth = stroke.depth * at(path.depth)
     if (depth === 0) return
     const reach = half * at(path.width)
     const texelSize = Math.sqrt(
-      Math.max(metric.uu[texel]! / metric.width ** 2, metric.vv[texel]! / metric.height ** 2),
+      Math.max(metric.uu[texel] / metric.width ** 2, metric.vv[texel] / metric.height ** 2),
     )
     const softness = Math.max(stroke.softness, (0.5 * texelSize) / reach)
     const [left, right] = stroke.shoulder
     const shoulder = left + (right - left) * 0.5 * (1 + side)
     const h = depth * profile(distance / reach, shoulder, softness)
-    if (h < 0) valley[texel]! += (-h) ** JOIN
-    else bank[texel]! += h ** JOIN
+    if (h < 0) valley[texel] += (-h) ** JOIN
+    else bank[texel] += h ** JOIN
   })
 }

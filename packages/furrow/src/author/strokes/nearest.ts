@@ -22,20 +22,20 @@ export function nearest(points: Float64Array, metric: Metric, reach: number, vis
   const form = new Float64Array(3)
   let [left, top, right, bottom] = [width, height, -1, -1]
   for (let i = 0; i < pieces; i++) {
-    const [u0, v0, u1, v1] = [points[2 * i]!, points[2 * i + 1]!, points[2 * i + 2]!, points[2 * i + 3]!]
+    const [u0, v0, u1, v1] = [points[2 * i], points[2 * i + 1], points[2 * i + 2], points[2 * i + 3]]
     metricAt(metric, (u0 + u1) / 2, (v0 + v1) / 2, form)
     // Extent of the ellipse of all steps that are `reach` long.
-    const det = form[0]! * form[2]! - form[1]! * form[1]!
-    const du = SLACK * reach * Math.sqrt(form[2]! / det)
-    const dv = SLACK * reach * Math.sqrt(form[0]! / det)
+    const det = form[0] * form[2] - form[1] * form[1]
+    const du = SLACK * reach * Math.sqrt(form[2] / det)
+    const dv = SLACK * reach * Math.sqrt(form[0] / det)
     boxes[4 * i] = Math.max(Math.floor((Math.min(u0, u1) - du) * width), 0)
     boxes[4 * i + 1] = Math.max(Math.floor((Math.min(v0, v1) - dv) * height), 0)
     boxes[4 * i + 2] = Math.min(Math.ceil((Math.max(u0, u1) + du) * width), width - 1)
     boxes[4 * i + 3] = Math.min(Math.ceil((Math.max(v0, v1) + dv) * height), height - 1)
-    left = Math.min(left, boxes[4 * i]!)
-    top = Math.min(top, boxes[4 * i + 1]!)
-    right = Math.max(right, boxes[4 * i + 2]!)
-    bottom = Math.max(bottom, boxes[4 * i + 3]!)
+    left = Math.min(left, boxes[4 * i])
+    top = Math.min(top, boxes[4 * i + 1])
+    right = Math.max(right, boxes[4 * i + 2])
+    bottom = Math.max(bottom, boxes[4 * i + 3])
   }
   if (right < left || bottom < top) return
   const columns = right - left + 1
@@ -44,23 +44,23 @@ export function nearest(points: Float64Array, metric: Metric, reach: number, vis
   const bestPiece = new Int32Array(cells)
   const bestShare = new Float32Array(cells)
   for (let i = 0; i < pieces; i++) {
-    const [u0, v0] = [points[2 * i]!, points[2 * i + 1]!]
-    const [du, dv] = [points[2 * i + 2]! - u0, points[2 * i + 3]! - v0]
-    for (let y = boxes[4 * i + 1]!; y <= boxes[4 * i + 3]!; y++) {
+    const [u0, v0] = [points[2 * i], points[2 * i + 1]]
+    const [du, dv] = [points[2 * i + 2] - u0, points[2 * i + 3] - v0]
+    for (let y = boxes[4 * i + 1]; y <= boxes[4 * i + 3]; y++) {
       const qv = (y + 0.5) / height - v0
-      for (let x = boxes[4 * i]!; x <= boxes[4 * i + 2]!; x++) {
+      for (let x = boxes[4 * i]; x <= boxes[4 * i + 2]; x++) {
         const qu = (x + 0.5) / width - u0
         const texel = y * width + x
-        const uu = metric.uu[texel]!
-        const uv = metric.uv[texel]!
-        const vv = metric.vv[texel]!
+        const uu = metric.uu[texel]
+        const uv = metric.uv[texel]
+        const vv = metric.vv[texel]
         const along = uu * du * qu + uv * (du * qv + dv * qu) + vv * dv * qv
         const length = uu * du * du + 2 * uv * du * dv + vv * dv * dv
         const share = along <= 0 || length === 0 ? 0 : along >= length ? 1 : along / length
         const [ru, rv] = [qu - share * du, qv - share * dv]
         const squared = uu * ru * ru + 2 * uv * ru * rv + vv * rv * rv
         const cell = (y - top) * columns + x - left
-        if (squared < best[cell]!) {
+        if (squared < best[cell]) {
           best[cell] = squared
           bestPiece[cell] = i
           bestShare[cell] = share
@@ -69,14 +69,14 @@ export function nearest(points: Float64Array, metric: Metric, reach: number, vis
     }
   }
   for (let cell = 0; cell < cells; cell++) {
-    const distance = Math.sqrt(Math.max(best[cell]!, 0))
+    const distance = Math.sqrt(Math.max(best[cell], 0))
     if (distance >= reach) continue
     const x = left + (cell % columns)
     const y = top + Math.floor(cell / columns)
     const texel = y * width + x
-    const i = bestPiece[cell]!
+    const i = bestPiece[cell]
     const side = sideOf(points, i, (x + 0.5) / width, (y + 0.5) / height, metric, texel, distance)
-    visit(texel, distance, side, i, bestShare[cell]!)
+    visit(texel, distance, side, i, bestShare[cell])
   }
 }
 
@@ -91,9 +91,9 @@ function sideOf(
   distance: number,
 ): number {
   if (distance === 0) return 0
-  const [u0, v0] = [points[2 * piece]!, points[2 * piece + 1]!]
-  const [du, dv] = [points[2 * piece + 2]! - u0, points[2 * piece + 3]! - v0]
-  const [uu, uv, vv] = [metric.uu[texel]!, metric.uv[texel]!, metric.vv[texel]!]
+  const [u0, v0] = [points[2 * piece], points[2 * piece + 1]]
+  const [du, dv] = [points[2 * piece + 2] - u0, points[2 * piece + 3] - v0]
+  const [uu, uv, vv] = [metric.uu[texel], metric.uv[texel], metric.vv[texel]]
   const length = Math.sqrt(uu * du * du + 2 * uv * du * dv + vv * dv * dv)
   if (length === 0) return 0
   // v points down, so a positive cross product lies to the right of the way.

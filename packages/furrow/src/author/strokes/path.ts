@@ -31,21 +31,21 @@ export function layOut(stroke: Stroke, metric: Metric): Path {
   const raw = stroke.curve === 'bezier' ? cutBezier(stroke.points) : stroke.points
   const form = new Float64Array(3)
   const lengths = measure(raw, metric, form)
-  const total = lengths[lengths.length - 1]!
+  const total = lengths[lengths.length - 1]
   const pieces = Math.max(Math.ceil(total / STEP), 2)
   const path: Path = {
     points: new Float64Array(2 * (pieces + 1)),
     depth: new Float64Array(pieces + 1),
     width: new Float64Array(pieces + 1),
   }
-  const seed = seedOf(stroke.points[0]!)
+  const seed = seedOf(stroke.points[0])
   let k = 0
   for (let i = 0; i <= pieces; i++) {
     const at = (total * i) / pieces
-    while (k < raw.length - 2 && lengths[k + 1]! < at) k++
-    const share = (at - lengths[k]!) / Math.max(lengths[k + 1]! - lengths[k]!, 1e-12)
-    const a = raw[k]!
-    const b = raw[k + 1]!
+    while (k < raw.length - 2 && lengths[k + 1] < at) k++
+    const share = (at - lengths[k]) / Math.max(lengths[k + 1] - lengths[k], 1e-12)
+    const a = raw[k]
+    const b = raw[k + 1]
     const u = a[0] + share * (b[0] - a[0])
     const v = a[1] + share * (b[1] - a[1])
     const fade = taper(i / pieces, stroke.taper)
@@ -62,9 +62,9 @@ export function layOut(stroke: Stroke, metric: Metric): Path {
 }
 
 function cutBezier(points: Uv[]): Uv[] {
-  const cut: Uv[] = [points[0]!]
+  const cut: Uv[] = [points[0]]
   for (let i = 0; i + 3 < points.length; i += 3) {
-    const [a, b, c, d] = [points[i]!, points[i + 1]!, points[i + 2]!, points[i + 3]!]
+    const [a, b, c, d] = [points[i], points[i + 1], points[i + 2], points[i + 3]]
     for (let k = 1; k <= BEZIER_PIECES; k++) cut.push(bezierAt(a, b, c, d, k / BEZIER_PIECES))
   }
   return cut
@@ -74,17 +74,17 @@ function cutBezier(points: Uv[]): Uv[] {
 function measure(points: Uv[], metric: Metric, form: Float64Array): Float64Array {
   const lengths = new Float64Array(points.length)
   for (let i = 1; i < points.length; i++) {
-    const [a, b] = [points[i - 1]!, points[i]!]
+    const [a, b] = [points[i - 1], points[i]]
     const [du, dv] = [b[0] - a[0], b[1] - a[1]]
     metricAt(metric, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, form)
-    lengths[i] = lengths[i - 1]! + Math.sqrt(form[0]! * du * du + 2 * form[1]! * du * dv + form[2]! * dv * dv)
+    lengths[i] = lengths[i - 1] + Math.sqrt(form[0] * du * du + 2 * form[1] * du * dv + form[2] * dv * dv)
   }
   return lengths
 }
 
 /** The step in (u, v) of one millimetre at a right angle to (du, dv) on the skin. */
 function perpendicular(du: number, dv: number, form: Float64Array): [number, number] {
-  const [uu, uv, vv] = [form[0]!, form[1]!, form[2]!]
+  const [uu, uv, vv] = [form[0], form[1], form[2]]
   const length = Math.sqrt(uu * du * du + 2 * uv * du * dv + vv * dv * dv)
   const scale = Math.sqrt(Math.max(uu * vv - uv * uv, 0)) * length
   return scale === 0 ? [0, 0] : [-(uv * du + vv * dv) / scale, (uu * du + uv * dv) / scale]
