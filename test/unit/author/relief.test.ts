@@ -82,7 +82,7 @@ describe('reliefToNormal', () => {
 
   it('refuses data that does not fit its size', () => {
     expect(() => reliefToNormal({ width: 4, height: 4, data: [1, 2, 3] })).toThrow(
-      'reliefToNormal: relief data of the wrong length, got 3, allowed: 16 heights for 4 x 4; give one height per texel',
+      'reliefToNormal: wrong number of heights, got 3, allowed: 16 for 4 x 4; give one height per texel',
     )
   })
 })

@@ -18,14 +18,14 @@ export { type StrainMap, strainMaps } from './auto/strain-map.ts'
 export { crossOf, type Skin, type SkinTarget } from './auto/surface.ts'
 export {
   BAKE_DEFAULTS,
-  type Baked,
+  type BakedMaps,
   type BakeOptions,
-  type BakeTarget,
+  type BakeSource,
   bakeMaps,
-  sizeOf,
+  meshDiagonal,
 } from './bake/bake.ts'
 export { type BakeMesh, sharedNormals } from './bake/mesh.ts'
-export type { Blocked } from './bake/occlusion.ts'
+export type { AnyHit } from './bake/occlusion.ts'
 export { type Metric, type MetricMesh, surfaceMetric } from './metric.ts'
 export { heightToNormal, type TangentFrame } from './relief/height-to-normal.ts'
 export {
@@ -37,10 +37,9 @@ export {
   reliefToNormal,
 } from './relief/relief-to-normal.ts'
 export type { Edges } from './relief/slope.ts'
-export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas } from './strokes/areas.ts'
 export {
+  type AreaDefinition,
   type AreaShape,
-  type AreaSketch,
   type CurveKind,
   parseStrokes,
   STROKE_DEFAULTS,
@@ -49,4 +48,5 @@ export {
   type Uv,
 } from './strokes/document.ts'
 export { type HeightMap, strokesToHeight } from './strokes/height.ts'
+export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas } from './strokes/paint-areas.ts'
 export { targetArea } from './target-area.ts'

@@ -1,22 +1,25 @@
 import { FurrowError } from '../../core/error.ts'
 import { MAX_IMAGE_SIDE } from '../../core/limits.ts'
 import type { GrayImage } from '../../core/types.ts'
+import { interpolate } from '../../math/barycentrics.ts'
 import { boundingBoxSize } from '../../math/bounds.ts'
-import { uvArea } from '../../math/triangle.ts'
+import { rasterize } from '../../math/rasterize.ts'
+import { uvArea, uvToTexels } from '../../math/triangle.ts'
+import { length } from '../../math/vector.ts'
 import { dilate } from '../dilate.ts'
 import type { NormalMap } from '../relief/relief-to-normal.ts'
 import type { HeightMap } from '../strokes/height.ts'
 import { type BakeMesh, sharedNormals } from './mesh.ts'
-import { type Blocked, openness } from './occlusion.ts'
-import { frameOf, interpolate } from './tangent-frame.ts'
+import { type AnyHit, ambientVisibility } from './occlusion.ts'
+import { interpolateUnit, type TangentSpace, tangentSpaceOf } from './tangent-frame.ts'
 
-/** The detailed surface, as rays see it. Directions are unit vectors, lengths are metres. */
-export interface BakeTarget {
+/** The detailed surface as rays see it. Directions are unit vectors, lengths are metres. */
+export interface BakeSource {
   /**
-   * Finds the nearest hit within `far` on the outside of the surface and writes its distance and the shading normal there
-   * into `hit` (four numbers). Returns false where there is none.
+   * Finds the nearest hit within `far` on the front of the surface and writes its distance and shading normal (four numbers)
+   * into `hit`. Returns false if there is none.
    */
-  nearest(
+  closestHit(
     x: number,
     y: number,
     z: number,
@@ -26,22 +29,22 @@ export interface BakeTarget {
     far: number,
     hit: Float64Array,
   ): boolean
-  /** Whether anything, inside or outside, lies on the way; for occlusion alone. */
-  blocked: Blocked
+  /** For occlusion only. */
+  anyHit: AnyHit
 }
 
 export interface BakeOptions {
   /** Side of the maps in texels. */
   size?: number
-  /** How far the detailed surface may lie outside or inside the low one, in metres. */
+  /** Largest distance of the detailed surface from the low mesh, outwards or inwards, in metres. */
   cage: number
   /** Rays per texel: 1, 4, 9 or 16. */
   samples?: number
-  /** Rays per sample for the occlusion; 0 = no occlusion. */
+  /** Occlusion rays per sample; 0 = no occlusion. */
   occlusionRays?: number
-  /** How far away something still occludes, in metres. */
+  /** Largest distance of an occluder in metres. */
   occlusionReach?: number
-  /** How many texels the islands are carried outwards. */
+  /** Texels by which UV islands are dilated. */
   margin?: number
   /** Bits per channel of the normal map. */
   bits?: 8 | 16
@@ -56,35 +59,39 @@ export const BAKE_DEFAULTS = {
   bits: 8,
 } as const satisfies Omit<BakeOptions, 'cage'>
 
-export interface Baked {
+export interface BakedMaps {
   /** Green towards smaller v. */
   normal: NormalMap
   height: HeightMap
-  /** 255 = sees the whole sky. */
+  /** 255 = open. */
   occlusion?: GrayImage
-  /** Samples that lay on the mesh, and those of them whose ray met nothing. */
+  /** Samples on the mesh, and how many of their rays hit nothing. */
   samples: number
   misses: number
-  /** Texels of the mesh's islands none of whose rays met anything; they were filled from beside them, or left flat. */
+  /** Texels of the UV islands all of whose rays hit nothing: filled from their neighbours, or flat. */
   emptyTexels: number
 }
 
-/** Lifts the origins of occlusion rays off the surface, as a share of the mesh's size: float32 hits are not exact. */
-const LIFT = 1e-4
+/** Bias of the origins of occlusion rays, as a fraction of the mesh's diagonal: float32 hits are inexact. */
+const BIAS = 1e-4
+
+/** Tolerance of barycentric coordinates: samples on an edge count for both triangles, none is lost to rounding. */
+const TOLERANCE = 1e-9
 
 /**
- * Bakes a detailed surface into maps of a low mesh. From every sample a ray goes from `cage` outside the mesh inwards
- * against its smooth normals; the first hit within twice the cage gives the normal, written in the frame in which
- * renderers read the map, and the height above the mesh. Samples are averaged per texel; where islands overlap, all
- * count. `progress` is told about how many samples of how many are done.
- * Throws FurrowError where mesh or options make no sense.
+ * Bakes a detailed surface into maps of a low mesh. From each sample a ray starts `cage` outside the mesh and goes inwards
+ * against its smooth normals; the first hit within twice the cage gives the normal, written in the frame in which renderers
+ * read the map, and the height above the mesh. Samples are averaged per texel; where islands overlap, all count.
+ *
+ * @param progress is called now and then with the approximate number of samples done.
+ * @throws FurrowError if mesh or options are invalid, or no ray hits anything.
  */
 export function bakeMaps(
   mesh: BakeMesh,
-  target: BakeTarget,
+  source: BakeSource,
   options: BakeOptions,
   progress?: (done: number, total: number) => void,
-): Baked {
+): BakedMaps {
   const settings = { ...BAKE_DEFAULTS, ...options }
   const { size, cage, samples, occlusionRays, occlusionReach, margin, bits } = settings
   check(mesh, settings)
@@ -92,47 +99,53 @@ export function bakeMaps(
   const texels = size * size
   const normals = new Float32Array(3 * texels)
   const heights = new Float32Array(texels)
-  const open = new Float32Array(occlusionRays > 0 ? texels : 0)
+  const visibility = new Float32Array(occlusionRays > 0 ? texels : 0)
   const hits = new Uint16Array(texels)
   const touched = new Uint8Array(texels)
-  const frame = frameOf(mesh)
+  const tangentSpace = tangentSpaceOf(mesh)
   const outwards = sharedNormals(mesh)
-  const [way, at, hit, normal, tangent] = Array.from({ length: 5 }, () => new Float64Array(4)) as Vectors
-  const lift = LIFT * sizeOf(mesh)
-  const total = Math.max(1, Math.round(coveredSamples(mesh, size * grid)))
+  const [direction, origin, normal, tangent] = Array.from({ length: 4 }, () => new Float64Array(3))
+  const hit = new Float64Array(4)
+  const bias = BIAS * meshDiagonal(mesh)
+  const total = Math.max(1, Math.round(countSamples(mesh, size * grid)))
   let done = 0
   let misses = 0
 
   const sample = (first: number, a: number, b: number, c: number, texel: number, seed: number) => {
     if (++done % 16384 === 0) progress?.(Math.min(done, total), total)
     touched[texel] = 1
-    interpolate(outwards, 3, first, a, b, c, way)
+    interpolateUnit(direction, outwards, 3, first, a, b, c)
+    interpolate(origin, mesh.positions, 3, first, first + 1, first + 2, a, b, c)
     for (let k = 0; k < 3; k++) {
-      const i = 3 * first + k
-      at[k] = a * mesh.positions[i] + b * mesh.positions[i + 3] + c * mesh.positions[i + 6] + cage * way[k]
+      origin[k] += cage * direction[k]
+      direction[k] = -direction[k]
     }
-    const [dx, dy, dz] = [-way[0], -way[1], -way[2]]
-    if (!target.nearest(at[0], at[1], at[2], dx, dy, dz, 2 * cage, hit)) {
+    const [x, y, z] = [origin[0], origin[1], origin[2]]
+    if (!source.closestHit(x, y, z, direction[0], direction[1], direction[2], 2 * cage, hit)) {
       misses++
       return
     }
     for (let k = 0; k < 3; k++) normal[k] = hit[k + 1]
-    if (!frame.toTangent(a, b, c, normal, tangent)) tangent.set([0, 0, 1])
-    const length = Math.sqrt(tangent[0] ** 2 + tangent[1] ** 2 + tangent[2] ** 2) || 1
-    for (let k = 0; k < 3; k++) normals[3 * texel + k] += tangent[k] / length
+    if (!tangentSpace.encode(a, b, c, normal, tangent)) tangent.set([0, 0, 1])
+    const scale = Math.sqrt(tangent[0] ** 2 + tangent[1] ** 2 + tangent[2] ** 2) || 1
+    for (let k = 0; k < 3; k++) normals[3 * texel + k] += tangent[k] / scale
     heights[texel] += 1000 * (cage - hit[0])
     if (occlusionRays > 0) {
-      for (let k = 0; k < 3; k++) at[k] += -way[k] * hit[0] + lift * normal[k]
-      open[texel] += openness(target.blocked, at, normal, occlusionRays, occlusionReach, seed)
+      for (let k = 0; k < 3; k++) origin[k] += direction[k] * hit[0] + bias * normal[k]
+      visibility[texel] += ambientVisibility(
+        source.anyHit,
+        origin,
+        normal,
+        occlusionRays,
+        occlusionReach,
+        seed,
+      )
     }
     hits[texel] = Math.min(hits[texel] + 1, 65535)
   }
-  for (let first = 0; first < mesh.positions.length / 3; first += 3) {
-    frame.triangle(first)
-    scan(mesh, first, size, grid, sample)
-  }
+  visitSamples(mesh, tangentSpace, size, grid, sample)
   progress?.(total, total)
-  if (done === misses) throw nothingMet(done, cage)
+  if (done === misses) throw nothingHit(done, cage)
 
   const known = new Uint8Array(texels)
   let emptyTexels = 0
@@ -140,27 +153,27 @@ export function bakeMaps(
     if (hits[i] === 0) {
       emptyTexels += touched[i]
       normals[3 * i + 2] = 1
-      if (open.length > 0) open[i] = 1
+      if (visibility.length > 0) visibility[i] = 1
       continue
     }
     known[i] = 1
     heights[i] /= hits[i]
-    if (open.length > 0) open[i] /= hits[i]
+    if (visibility.length > 0) visibility[i] /= hits[i]
   }
   const maps = [
     { data: normals, channels: 3 },
     { data: heights, channels: 1 },
   ]
-  if (open.length > 0) maps.push({ data: open, channels: 1 })
+  if (visibility.length > 0) maps.push({ data: visibility, channels: 1 })
   dilate(known, size, maps, margin)
   return {
     normal: { width: size, height: size, data: encode(normals, bits) },
     height: { width: size, height: size, data: heights },
-    ...(open.length > 0 && {
+    ...(visibility.length > 0 && {
       occlusion: {
         width: size,
         height: size,
-        data: Uint8Array.from(open, (share) => Math.round(255 * share)),
+        data: Uint8Array.from(visibility, (fraction) => Math.round(255 * fraction)),
       },
     }),
     samples: done,
@@ -169,58 +182,52 @@ export function bakeMaps(
   }
 }
 
-type Vectors = [Float64Array, Float64Array, Float64Array, Float64Array, Float64Array]
+type VisitSample = (first: number, a: number, b: number, c: number, texel: number, seed: number) => void
 
-/** Calls `visit` for every sample whose place in the texture lies in the triangle. */
-function scan(
+/** Visits the samples on each triangle, selected in `tangentSpace`; the texture repeats. */
+function visitSamples(
   { uvs }: BakeMesh,
-  first: number,
+  tangentSpace: TangentSpace,
   size: number,
   grid: number,
-  visit: (first: number, a: number, b: number, c: number, texel: number, seed: number) => void,
+  visit: VisitSample,
 ): void {
   const side = size * grid
-  const x = [0, 1, 2].map((i) => uvs[2 * (first + i)] * side - 0.5) as [number, number, number]
-  const y = [0, 1, 2].map((i) => uvs[2 * (first + i) + 1] * side - 0.5) as [number, number, number]
-  const det = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0])
-  if (Math.abs(det) < 1e-9) return
-  for (let row = Math.ceil(Math.min(...y)); row <= Math.max(...y); row++) {
-    const texelRow = Math.floor(wrap(row, side) / grid) * size
-    for (let column = Math.ceil(Math.min(...x)); column <= Math.max(...x); column++) {
-      const b = ((column - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (row - y[0])) / det
-      const c = ((x[1] - x[0]) * (row - y[0]) - (column - x[0]) * (y[1] - y[0])) / det
-      const a = 1 - b - c
-      if (a < -1e-9 || b < -1e-9 || c < -1e-9) continue
-      const across = wrap(column, side)
-      visit(first, a, b, c, texelRow + Math.floor(across / grid), wrap(row, side) * side + across)
-    }
+  const triangle = new Float64Array(6)
+  for (let first = 0; 2 * first < uvs.length; first += 3) {
+    tangentSpace.select(first)
+    uvToTexels(triangle, uvs, first, first + 1, first + 2, side, side)
+    rasterize(triangle, TOLERANCE, (column, row, a, b, c) => {
+      const [x, y] = [wrap(column, side), wrap(row, side)]
+      visit(first, a, b, c, Math.floor(y / grid) * size + Math.floor(x / grid), y * side + x)
+    })
   }
 }
 
 const wrap = (i: number, side: number) => ((i % side) + side) % side
 
-/** About how many samples lie on the mesh: its area in the texture. */
-function coveredSamples({ uvs }: BakeMesh, side: number): number {
+/** Approximate number of samples on the mesh, by its area in the texture. */
+function countSamples({ uvs }: BakeMesh, side: number): number {
   let sum = 0
   for (let i = 0; 2 * i < uvs.length; i += 3) sum += uvArea(uvs, i, i + 1, i + 2)
   return sum * side * side
 }
 
-/** Diagonal of the box round a mesh, in metres. */
-export function sizeOf({ positions }: Pick<BakeMesh, 'positions'>): number {
-  return Math.hypot(...boundingBoxSize(positions))
+/** Diagonal of the mesh's bounding box in metres. */
+export function meshDiagonal({ positions }: Pick<BakeMesh, 'positions'>): number {
+  return length(boundingBoxSize(positions))
 }
 
-/** Unit vectors, 0 to the middle of the range. */
+/** Normalises, and maps -1..1 to the full range of the bits. */
 function encode(normals: Float32Array, bits: 8 | 16): Uint8Array | Uint16Array {
   const out = new (bits === 8 ? Uint8Array : Uint16Array)(normals.length)
   const half = (2 ** bits - 1) / 2
   for (let i = 0; i < normals.length; i += 3) {
     const [x, y, z] = [normals[i], normals[i + 1], normals[i + 2]]
-    const length = Math.sqrt(x * x + y * y + z * z) || 1
-    out[i] = Math.round((1 + x / length) * half)
-    out[i + 1] = Math.round((1 + y / length) * half)
-    out[i + 2] = Math.round((1 + z / length) * half)
+    const scale = Math.sqrt(x * x + y * y + z * z) || 1
+    out[i] = Math.round((1 + x / scale) * half)
+    out[i + 1] = Math.round((1 + y / scale) * half)
+    out[i + 2] = Math.round((1 + z / scale) * half)
   }
   return out
 }
@@ -235,11 +242,11 @@ function check(mesh: BakeMesh, { size, cage, samples }: Required<BakeOptions>): 
   if (!fits || (mesh.tangents && mesh.tangents.length !== 4 * corners)) {
     fail('arrays of the mesh differ in length', mesh.uvs.length, `${corners} corners`, 'check the mesh')
   }
-  // A longer triangle would repeat the texture across itself, or be absurd, and is never meant.
+  // A larger triangle would repeat the texture across itself, which is never intended.
   for (let i = 0; i < mesh.uvs.length; i++) {
-    const apart = mesh.uvs[i] - mesh.uvs[i - (i % 6) + (i % 2)]
-    if (!(Math.abs(apart) <= 1)) {
-      fail('a triangle is larger than the texture', apart, 'at most 1 along u and v', 'unwrap the mesh')
+    const extent = mesh.uvs[i] - mesh.uvs[i - (i % 6) + (i % 2)]
+    if (!(Math.abs(extent) <= 1)) {
+      fail('a triangle is larger than the texture', extent, 'at most 1 along u and v', 'unwrap the mesh')
     }
   }
   if (!Number.isInteger(size) || size < 1 || size > MAX_IMAGE_SIDE) {
@@ -249,12 +256,12 @@ function check(mesh: BakeMesh, { size, cage, samples }: Required<BakeOptions>): 
   if (![1, 4, 9, 16].includes(samples)) fail('samples out of range', samples, '1, 4, 9, 16', 'choose 4')
 }
 
-function nothingMet(samples: number, cage: number): FurrowError {
+function nothingHit(samples: number, cage: number): FurrowError {
   return new FurrowError({
     who: 'bakeMaps',
-    what: samples === 0 ? 'no triangle covers a texel' : 'no ray met the detailed surface',
+    what: samples === 0 ? 'no triangle covers a texel' : 'no ray hit the detailed surface',
     value: `${samples} rays`,
     limit: `surfaces within ${1000 * cage} mm of each other`,
-    remedy: 'put both meshes in one place and size, or widen the cage',
+    remedy: 'align both meshes in position and scale, or widen the cage',
   })
 }

@@ -1,5 +1,7 @@
-/** Says whether a ray from a point meets anything within `far` metres. */
-export type Blocked = (
+import { hash32 } from '../../math/hash.ts'
+
+/** Whether a ray hits anything within `far` metres, on either side of a surface. The direction is a unit vector. */
+export type AnyHit = (
   x: number,
   y: number,
   z: number,
@@ -10,13 +12,18 @@ export type Blocked = (
 ) => boolean
 
 /**
- * Share of the sky that a point with normal n sees, weighted by the cosine to the normal as diffuse light is: rays spread
- * by Malley's method over a disc (Pharr, Jakob and Humphreys, Physically Based Rendering, 13.6.3), a Hammersley set turned
- * by a random amount that depends on `seed` alone, so that the same seed gives the same share.
+ * Ambient visibility of a point: the cosine-weighted fraction of the hemisphere round its normal that is open, 0..1. Rays are
+ * distributed by Malley's method (Pharr, Jakob and Humphreys, Physically Based Rendering, 13.6.3) over a Hammersley set,
+ * rotated by a random amount that depends on `seed` alone, so that the same seed gives the same result.
+ *
+ * @param point x, y and z.
+ * @param n unit normal.
+ * @param rays how many.
+ * @param far length of the rays in metres.
  */
-export function openness(
-  blocked: Blocked,
-  at: ArrayLike<number>,
+export function ambientVisibility(
+  anyHit: AnyHit,
+  point: ArrayLike<number>,
   n: ArrayLike<number>,
   rays: number,
   far: number,
@@ -29,31 +36,28 @@ export function openness(
   const b = nx * ny * a
   const [sx, sy, sz] = [1 + sign * nx * nx * a, sign * b, -sign * nx]
   const [tx, ty, tz] = [b, sign + ny * ny * a, -ny]
-  const [turn1, turn2] = [hash(seed), hash(seed ^ 0x5bd1e995)]
+  const [shift, turn] = [random(seed), random(seed ^ 0x5bd1e995)]
   let open = 0
   for (let i = 0; i < rays; i++) {
-    const u = (i + turn1) / rays
-    const angle = 2 * Math.PI * (radicalInverse(i) + turn2)
+    const u = (i + shift) / rays
+    const angle = 2 * Math.PI * (radicalInverse(i) + turn)
     const [p, q, r] = [Math.sqrt(u) * Math.cos(angle), Math.sqrt(u) * Math.sin(angle), Math.sqrt(1 - u)]
     const dx = p * sx + q * tx + r * nx
     const dy = p * sy + q * ty + r * ny
     const dz = p * sz + q * tz + r * nz
-    if (!blocked(at[0], at[1], at[2], dx, dy, dz, far)) open++
+    if (!anyHit(point[0], point[1], point[2], dx, dy, dz, far)) open++
   }
   return open / rays
 }
 
-/** The bits of i mirrored behind the point (van der Corput). */
+/** The bits of i mirrored about the binary point (van der Corput). */
 function radicalInverse(i: number): number {
   let value = 0
   for (let half = 0.5, k = i; k > 0; half /= 2, k >>>= 1) if (k & 1) value += half
   return value
 }
 
-/** A number in 0..1 that looks random (the finaliser of MurmurHash3, A. Appleby, public domain). */
-function hash(seed: number): number {
-  let h = seed | 0
-  h = Math.imul(h ^ (h >>> 16), 0x85ebca6b)
-  h = Math.imul(h ^ (h >>> 13), 0xc2b2ae35)
-  return ((h ^ (h >>> 16)) >>> 0) / 4294967296
+/** 0..1, 1 excluded. */
+function random(seed: number): number {
+  return hash32(seed) / 4294967296
 }

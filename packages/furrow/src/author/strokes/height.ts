@@ -1,7 +1,8 @@
+import { lerp } from '../../math/scalar.ts'
 import type { Metric } from '../metric.ts'
 import type { Stroke } from './document.ts'
-import { nearest } from './nearest.ts'
-import { layOut, type Path } from './path.ts'
+import { visitTexelsNear } from './near-texels.ts'
+import { layOutStroke } from './path.ts'
 import { profile, REACH } from './profile.ts'
 
 /** Relief of the skin. */
@@ -13,16 +14,17 @@ export interface HeightMap {
 }
 
 /**
- * Exponent with which strokes are joined: (a^6 + b^6)^(1/6) is the larger of two, rounded off where they are
- * alike (at most 12% more). Two valleys that cross are as deep as the deeper, not as both together.
+ * Exponent of the smooth maximum that joins strokes: (a^6 + b^6)^(1/6) is the larger of two, at most 12% more where they are
+ * equal. Valleys that cross are as deep as the deeper one, not as both together.
  */
 const JOIN = 6
 
 /**
- * Draws strokes as a height map of the metric's size. Distances are measured on the skin, texel by texel.
- * Valleys are joined with valleys and banks with banks (see JOIN), then added, so the order of the strokes has
- * no influence and a single stroke keeps its exact profile. No valley's bottom is drawn sharper than a texel.
- * `progress` is told after every stroke how many are done.
+ * Draws strokes as a height map of the metric's size. Distances are measured on the skin, texel by texel. Valleys are joined
+ * with valleys and banks with banks (see JOIN), then added, so the order of the strokes does not matter and a single stroke
+ * keeps its exact profile. No valley is drawn sharper than a texel.
+ *
+ * @param progress is called after each stroke.
  */
 export function strokesToHeight(
   strokes: readonly Stroke[],
@@ -30,34 +32,34 @@ export function strokesToHeight(
   progress?: (done: number, total: number) => void,
 ): HeightMap {
   const { width, height } = metric
-  const valley = new Float64Array(width * height)
-  const bank = new Float64Array(width * height)
+  const valleys = new Float64Array(width * height)
+  const banks = new Float64Array(width * height)
   strokes.forEach((stroke, i) => {
-    draw(stroke, layOut(stroke, metric), metric, valley, bank)
+    drawStroke(stroke, metric, valleys, banks)
     progress?.(i + 1, strokes.length)
   })
   const data = new Float32Array(width * height)
   for (let i = 0; i < data.length; i++) {
-    if (valley[i] !== 0 || bank[i] !== 0) data[i] = bank[i] ** (1 / JOIN) - valley[i] ** (1 / JOIN)
+    if (valleys[i] !== 0 || banks[i] !== 0) data[i] = banks[i] ** (1 / JOIN) - valleys[i] ** (1 / JOIN)
   }
   return { width, height, data }
 }
 
-function draw(stroke: Stroke, path: Path, metric: Metric, valley: Float64Array, bank: Float64Array): void {
-  const half = stroke.width / 2
-  nearest(path.points, metric, REACH * half, (texel, distance, side, piece, share) => {
-    const at = (values: Float64Array) => values[piece] + share * (values[piece + 1] - values[piece])
-    const depth = stroke.depth * at(path.depth)
+function drawStroke(stroke: Stroke, metric: Metric, valleys: Float64Array, banks: Float64Array): void {
+  const path = layOutStroke(stroke, metric)
+  const halfWidth = stroke.width / 2
+  visitTexelsNear(path.points, metric, REACH * halfWidth, (texel, distance, side, segment, t) => {
+    const depth = stroke.depth * lerp(path.depth[segment], path.depth[segment + 1], t)
     if (depth === 0) return
-    const reach = half * at(path.width)
+    const scale = halfWidth * lerp(path.width[segment], path.width[segment + 1], t)
     const texelSize = Math.sqrt(
       Math.max(metric.uu[texel] / metric.width ** 2, metric.vv[texel] / metric.height ** 2),
     )
-    const softness = Math.max(stroke.softness, (0.5 * texelSize) / reach)
+    const softness = Math.max(stroke.softness, (0.5 * texelSize) / scale)
     const [left, right] = stroke.shoulder
     const shoulder = left + (right - left) * 0.5 * (1 + side)
-    const h = depth * profile(distance / reach, shoulder, softness)
-    if (h < 0) valley[texel] += (-h) ** JOIN
-    else bank[texel] += h ** JOIN
+    const h = depth * profile(distance / scale, shoulder, softness)
+    if (h < 0) valleys[texel] += (-h) ** JOIN
+    else banks[texel] += h ** JOIN
   })
 }
