@@ -21,12 +21,12 @@ const level = {
   taper: 0,
 }
 
-/** Height at a place given in millimetres on an upright sheet, between texels. */
+/** Height at x, y in millimetres on an upright sheet, interpolated between texels. */
 function sample(data: Float32Array, metric: Metric, x: number, y: number): number {
   return texelAt(data, metric, x / Math.sqrt(metric.uu[0]), y / Math.sqrt(metric.vv[0]))
 }
 
-/** Height at (u, v), between texels. */
+/** Height at (u, v), interpolated between texels. */
 function texelAt(data: Float32Array, { width, height }: Metric, u: number, v: number): number {
   const [column, row] = [u * width - 0.5, v * height - 0.5]
   const [x0, y0] = [Math.floor(column), Math.floor(row)]
@@ -161,7 +161,7 @@ describe('strokesToHeight', () => {
     }
   })
 
-  it('sways with waviness, the same on every run and never deeper than stated', () => {
+  it('meanders with waviness, the same on every run and never deeper than stated', () => {
     const wavy = strokes({ ...level, waviness: 1 })
     const { data } = strokesToHeight(wavy, metric)
     expect(same(strokesToHeight(wavy, metric).data, data)).toBe(true)

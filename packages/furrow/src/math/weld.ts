@@ -9,8 +9,8 @@ export function weldVertices(positions: ArrayLike<number>): { pointOf: Uint32Arr
   const pointOf = new Uint32Array(positions.length / 3)
   for (let i = 0; i < pointOf.length; i++) {
     const key = `${positions[3 * i]} ${positions[3 * i + 1]} ${positions[3 * i + 2]}`
-    if (!points.has(key)) points.set(key, points.size)
-    pointOf[i] = points.get(key)!
+    pointOf[i] = points.get(key) ?? points.size
+    points.set(key, pointOf[i])
   }
   return { pointOf, count: points.size }
 }
