@@ -20,6 +20,7 @@ export default defineConfig({
   test: {
     projects: [
       { resolve, ssr, test: { name: 'unit', include: ['test/unit/**/*.test.ts'], ...SOON } },
+      { test: { name: 'packages', include: ['test/packages/**/*.test.ts'], ...LATE } },
       {
         resolve,
         ssr,

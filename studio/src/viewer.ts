@@ -1,12 +1,14 @@
 import {
-  AGES,
   type Area,
   canonicalTargetName,
+  DriverProgram,
+  type DriverState,
   driversOf,
   EXPRESSIONS,
   type Expression,
   explain,
-  MorphActivation,
+  planDrivers,
+  targetSource,
 } from 'furrow'
 import { ExpressionPlayer, Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
 import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
@@ -29,7 +31,8 @@ export class Viewer {
   /** Share of the width that is drawn without wrinkles. */
   split = 0.5
 
-  readonly #morph: MorphActivation
+  readonly #program: DriverProgram
+  readonly #state: DriverState
   #player: ExpressionPlayer
   #expressions: readonly Expression[]
   #left = 0
@@ -62,10 +65,10 @@ export class Viewer {
     this.wrinkles = wrinkles
     // Driven here and not while drawing, so that the sliders of the areas show it at once.
     wrinkles.driven = false
-    this.#morph = new MorphActivation(
-      driversOf('morph', drivers),
-      Object.keys(face.skin.morphTargetDictionary ?? {}),
-    )
+    const plan = planDrivers(driversOf('morph', drivers))
+    const targetNames = Object.keys(face.skin.morphTargetDictionary ?? {})
+    this.#program = new DriverProgram(plan, { target: targetSource(plan.inputs.target, targetNames) })
+    this.#state = this.#program.createState()
     this.targets = targetDials(face.root).map((dial) => ({
       ...dial,
       write: (value) => {
@@ -120,7 +123,6 @@ export class Viewer {
     const situation = {
       targetNames: Object.keys(skin.morphTargetDictionary ?? {}),
       weights: skin.morphTargetInfluences ?? [],
-      age: AGES.youngest,
     }
     const [why] = explain(this.loaded.drivers, [{ name: area }], situation)
     if (why.parts.length === 0) return [`${area} has no driver: nothing but its slider moves it`]
@@ -209,14 +211,15 @@ export class Viewer {
 
   /** What the file's drivers make of the blendshapes as they stand. */
   #driven(): Float32Array {
-    this.#morph.update(this.loaded.face.skin.morphTargetInfluences ?? [])
-    return this.#morph.activations
+    this.#state.inputs.target.set(this.loaded.face.skin.morphTargetInfluences ?? [])
+    this.#program.evaluate(this.#state)
+    return this.#state.activations
   }
 
   /** After a blendshape was moved by hand: moves the areas that follow it, and leaves the others as they are. */
   #followTargets(before: Float32Array): void {
     const now = this.#driven()
-    for (const [i, name] of this.#morph.areaNames.entries()) {
+    for (const [i, name] of this.#program.plan.areaNames.entries()) {
       if (now[i] !== before[i] && this.wrinkles.hasArea(name)) this.wrinkles.setActivation(name, now[i])
     }
   }

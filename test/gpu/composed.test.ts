@@ -93,7 +93,7 @@ describe.each(RENDERERS)('the composed mode on %s', (name) => {
     )
     expect(() => {
       wrinkles.mode = 'composed'
-    }).toThrow(/composed mode on instances/)
+    }).toThrow(/instances cannot have wrinkles of their own in this mode, got "composed"/)
     expect(wrinkles.mode).toBe('default')
     wrinkles.dispose()
   })

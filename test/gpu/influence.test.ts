@@ -1,12 +1,12 @@
-import { type Area, packAreas, reference, type WrinkleSet } from 'furrow'
-import { MeshStandardMaterial, Scene } from 'three'
+import type { WrinkleSet } from 'furrow'
+import { MeshStandardMaterial } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { createHarness, type Harness, RENDERERS, square } from './harness.ts'
+import { influenceError } from './influence-error.ts'
 
 const CASES = 200
-const PIXELS = 32
 
 describe.each(RENDERERS)('influence on %s', (name) => {
   let harness: Harness
@@ -46,34 +46,7 @@ async function largestError(
 ) {
   const mesh = square(new MeshStandardMaterial(), scale, offset)
   const wrinkles = new harness.Wrinkles(mesh, set, { areaSize: 32 })
-  for (const [i, { name }] of set.areas.entries()) wrinkles.setActivation(name, Math.min(activations[i], 1))
-  const material = wrinkles.createInfluenceMaterial()
-  mesh.material = material as MeshStandardMaterial
-  const scene = new Scene()
-  scene.add(mesh)
-  const pixels = await harness.render(scene, squareCamera(), PIXELS)
-  const areas = packAreas(
-    set.areas.map(({ weights }) => weights),
-    32,
-  )
-  const table = set.areas.map((area: Area, i) => ({
-    activation: Math.min(activations[i], 1),
-    layer: 0,
-    combine: area.combine ?? ('sum' as const),
-  }))
-  let worst = 0
-  for (let y = 0; y < PIXELS; y++) {
-    for (let x = 0; x < PIXELS; x++) {
-      const u = ((x + 0.5) / PIXELS) * scale + offset[0]
-      const v = (1 - (y + 0.5) / PIXELS) * scale + offset[1]
-      const exact = reference.influenceFromMap(areas, table, u, v)
-      worst = Math.max(worst, Math.abs(pixels[(y * PIXELS + x) * 4] - exact))
-    }
-  }
-  const dispose = () => {
-    material.dispose()
-    wrinkles.dispose()
-    mesh.geometry.dispose()
-  }
-  return { error: worst, dispose }
+  const clamped = activations.map((activation) => Math.min(activation, 1))
+  for (const [i, { name }] of set.areas.entries()) wrinkles.setActivation(name, clamped[i])
+  return influenceError(harness, mesh, wrinkles, set, clamped, { scale, offset })
 }

@@ -142,6 +142,6 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
     )
     expect(material.normalMap).toBeNull()
     new harness.Wrinkles(square(material), set)
-    expect(() => new harness.Wrinkles(square(material), set)).toThrow(/already carries wrinkles.*clone\(\)/)
+    expect(() => new harness.Wrinkles(square(material), set)).toThrow(/already shows wrinkles.*clone\(\)/)
   })
 })

@@ -1,4 +1,4 @@
-import { type GrayImage, TensionActivation, type TensionDriver } from 'furrow'
+import type { GrayImage, TensionDriver } from 'furrow'
 import { addDrivers, Wrinkles, wrinklesOf } from 'furrow/webgpu'
 import {
   Bone,
@@ -18,6 +18,7 @@ import { Fn, instanceIndex, storage, uniform, vec3 } from 'three/tsl'
 import { StorageBufferAttribute, type WebGPURenderer } from 'three/webgpu'
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
 import { principalStretches, restInverse } from '../../packages/furrow/src/math/stretch.ts'
+import { AreaTension } from '../../packages/furrow/src/three/webgpu/area-tension.ts'
 import { layer, randomNormals } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { deviceErrors } from './device-errors.ts'
@@ -31,7 +32,7 @@ const disposers: (() => void)[] = []
 
 let harness: Harness
 let errors: string[]
-const taken = vi.spyOn(TensionActivation.prototype, 'takeMeasured')
+const taken = vi.spyOn(AreaTension.prototype, 'copyTo')
 
 async function begin(name: RendererName) {
   harness = await createHarness(name)

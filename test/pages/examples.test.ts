@@ -66,6 +66,7 @@ const PORTRAITS = ['minimal.html', 'webgpu.html']
 const DRIVERS: readonly (readonly [page: string, driven: string, atRest: string, where: Region])[] = [
   ['age.html', '?age=75', '?age=20', { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }],
   ['expressions.html', '?happy=0.7&surprised=0.6', '', { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }],
+  ['inputs.html', '?stress=100', '?stress=0', { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }],
   ['joints.html', '?fist=1', '?fist=0', { left: 0.4, top: 0.45, right: 0.6, bottom: 0.95 }],
   [
     'joints.html',

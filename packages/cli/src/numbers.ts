@@ -42,19 +42,35 @@ export function readChoice<T extends string>(
   })
 }
 
-/** Reads `name=weight`, 0..1, for an option that takes several. Throws FurrowError where it is none. */
+/** Reads `name=weight`, 0..1, for an option that takes several. Throws FurrowError where it is not one. */
 export function weightCollector(who: string) {
+  return collector((value) => value >= 0 && value <= 1, {
+    who,
+    what: 'no weight',
+    limit: 'NAME=0 to NAME=1',
+    remedy: 'write e.g. --set jawOpen=0.5; files go before these options',
+  })
+}
+
+/** Reads `name=value`, any finite number, for an option that takes several. Throws FurrowError where it is not one. */
+export function inputCollector(who: string) {
+  return collector(Number.isFinite, {
+    who,
+    what: 'no input',
+    limit: 'NAME=NUMBER',
+    remedy: 'write e.g. --input age=50; files go before these options',
+  })
+}
+
+function collector(
+  isValid: (value: number) => boolean,
+  error: { who: string; what: string; limit: string; remedy: string },
+) {
   return (text: string, before: Record<string, number> = {}): Record<string, number> => {
     const at = text.lastIndexOf('=')
     const [name, number] = [text.slice(0, at), text.slice(at + 1).trim()]
     const value = number === '' ? Number.NaN : Number(number)
-    if (at > 0 && value >= 0 && value <= 1) return { ...before, [name]: value }
-    throw new FurrowError({
-      who,
-      what: 'no weight',
-      value: text,
-      limit: 'NAME=0 to NAME=1',
-      remedy: 'write e.g. --set jawOpen=0.5; files go before these options',
-    })
+    if (at > 0 && isValid(value)) return { ...before, [name]: value }
+    throw new FurrowError({ ...error, value: text })
   }
 }

@@ -1,12 +1,16 @@
+/**
+ * The data of wrinkles and what drives them, without an engine: wrinkle sets, activations, drivers and expressions.
+ *
+ * @module furrow
+ */
+
+export { type ActivationPointer, parseActivationPointer } from './core/activation-pointer.ts'
 export { type AreaConvention, areaWeights } from './core/area.ts'
-export {
-  parseWrinkleSetDocument,
-  type WrinkleSetDocument,
-} from './core/document.ts'
 export { FurrowError } from './core/error.ts'
 export { resampleGray } from './core/image.ts'
 export { DEFAULT_AREA_SIZE, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS } from './core/limits.ts'
 export { type ImageArray, packAreas, packColours, packGrays } from './core/pack.ts'
+/** The paper's formulas in float64 on the CPU, which every GPU path is compared with. */
 export * as reference from './core/reference.ts'
 export type {
   Area,
@@ -19,61 +23,60 @@ export type {
   WrinkleSet,
 } from './core/types.ts'
 export {
-  parseWrinkleMaps,
   type TextureReference,
   WRINKLE_MAPS,
-  type WrinkleMaps,
   type WrinkleMapsArea,
   type WrinkleMapsLayer,
 } from './core/wrinkle-maps.ts'
 export { checkWrinkleSet } from './core/wrinkle-set.ts'
-export { AGES, AgeActivation } from './drivers/age.ts'
-export { ALIASES } from './drivers/aliases.ts'
-export { AreaActivation } from './drivers/area.ts'
-export { BoneActivation } from './drivers/bone.ts'
-export { Conflicts } from './drivers/conflict.ts'
-export { curveAt } from './drivers/curve.ts'
-export type { Driver } from './drivers/driver.ts'
-export { type Explanation, explain, type LinkPart, type Part } from './drivers/explain.ts'
+export type { AreaActivation, Input, InputKind, InputLink, InputOf, Rule } from './drivers/activation.ts'
+export { AGES, type AgeDriver } from './drivers/age/definition.ts'
+export { JointMeasurement } from './drivers/bone/measure.ts'
+export { type Curve, type CurvePoint, curveAt } from './drivers/curve.ts'
+export type { ActivationFilter, DriverDefinition, InputFilter } from './drivers/definition.ts'
 export {
-  EASINGS,
-  type Easing,
-  type Expression,
-  type ExpressionChoice,
-  ExpressionMix,
-  expressionsOf,
-} from './drivers/expression.ts'
-export { EXPRESSIONS } from './drivers/expressions.ts'
-export { type ActivationPointer, parseActivationPointer } from './drivers/key-frames.ts'
-export { MorphActivation } from './drivers/morph.ts'
-export { muscleLinks, muscleOffsets } from './drivers/muscles.ts'
-export { parseDrivers } from './drivers/read.ts'
-export { type DriverState, DriverSum } from './drivers/sum.ts'
-export { canonicalTargetName, findTargets } from './drivers/target-names.ts'
-export { TensionActivation, type TensionSample } from './drivers/tension.ts'
-export { type SampledMesh, sampleTriangles } from './drivers/tension-samples.ts'
-export { Delay } from './drivers/time.ts'
+  type Explanation,
+  explain,
+  type LinkPart,
+  needsMesh,
+  type Part,
+  type Situation,
+} from './drivers/explain.ts'
+export { type Expression, expressionsOf } from './drivers/expression/expression.ts'
+export { EXPRESSIONS } from './drivers/expression/presets.ts'
+export type { Fields } from './drivers/fields.ts'
+export type { Link } from './drivers/link.ts'
+export { ALIASES } from './drivers/morph/aliases.ts'
+export { canonicalTargetName, findTargets } from './drivers/morph/target-names.ts'
+export { type VrmExpression, type VrmExpressions, VrmWeights } from './drivers/morph/vrm.ts'
+export { muscleOffsets } from './drivers/muscle/offsets.ts'
 export {
-  type AgeDriver,
-  type AreaDriver,
-  type BoneDriver,
-  type ConflictDriver,
-  type Curve,
-  type CurvePoint,
+  parseDrivers,
+  parseWrinkleMaps,
+  parseWrinkleSetDocument,
+  type WrinkleMaps,
+  type WrinkleSetDocument,
+} from './drivers/parse.ts'
+export { type DriverPlan, planDrivers } from './drivers/plan.ts'
+export {
+  type BoundInput,
+  DriverProgram,
+  type DriverState,
+  type InputSource,
+  type InputSources,
+} from './drivers/program.ts'
+export type * from './drivers/registry.ts'
+export {
   DRIVER_TYPES,
-  type DriverOf,
-  type DriverType,
+  describeDriver,
   driversOf,
-  type ExpressionDriver,
   isKnownDriver,
-  type Link,
-  type MorphDriver,
-  type MuscleDriver,
-  type Rule,
-  type TensionDriver,
-  type TimeDriver,
-  type WrinkleDriver,
-} from './drivers/types.ts'
-export { type VrmExpression, type VrmExpressions, VrmWeights } from './drivers/vrm.ts'
+  registerDriver,
+} from './drivers/registry.ts'
+export { measuredSource, targetSource, valueSource } from './drivers/sources.ts'
+export { TensionMeasurement, type TensionSample } from './drivers/tension/measure.ts'
+export { type SampledMesh, sampleTriangles } from './drivers/tension/samples.ts'
+export { linkText } from './drivers/text.ts'
 export { DeformedNormals, morphNormalDeltas, type RestMesh } from './math/deformed-normals.ts'
 export { Activations } from './runtime/activations.ts'
+export { EASINGS, type Easing, type ExpressionChoice, ExpressionMix } from './runtime/expression-mix.ts'

@@ -1,4 +1,5 @@
 import { existsSync, readFileSync } from 'node:fs'
+import { parseWrinkleSetDocument } from 'furrow'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { findSkin } from '../../../packages/cli/src/auto/read-skin.ts'
@@ -16,7 +17,6 @@ import {
   strokesToHeight,
   surfaceMetric,
 } from '../../../packages/furrow/src/author/index.ts'
-import { parseWrinkleSetDocument } from '../../../packages/furrow/src/core/document.ts'
 
 const faces = new URL('../../../faces/', import.meta.url)
 const path = (name: string) => new URL(name, faces).pathname

@@ -3,7 +3,7 @@ import { fileURLToPath } from 'node:url'
 import { type Document, Logger, type Mesh, NodeIO, type Primitive } from '@gltf-transform/core'
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
 import draco3d from 'draco3d'
-import { type GrayImage, MorphActivation, type MorphDriver } from 'furrow'
+import { driversOf, type GrayImage } from 'furrow'
 import { faceShapeFinder } from 'furrow/author'
 import { MeshoptDecoder } from 'meshoptimizer/decoder'
 import { MeshoptEncoder } from 'meshoptimizer/encoder'
@@ -16,6 +16,7 @@ import {
   readWrinkledFile,
   type WrinkledFile,
 } from '../../../packages/cli/src/wrinkles/wrinkled-file.ts'
+import { driven } from '../../driven.ts'
 import type { Workshop } from './workshop.ts'
 
 export const HUMAN = fileURLToPath(new URL('../../../faces/human.glb', import.meta.url))
@@ -132,16 +133,13 @@ export function activationsOf({ file }: Made, pose: Readonly<Record<string, numb
   const { meshes = [] } = file.glb.json
   const mesh = meshes.find(({ primitives }) => primitives.some(({ material }) => material === file.material))!
   const names = mesh.extras!.targetNames as string[]
-  const morph = new MorphActivation(
-    file.maps.drivers.filter((driver): driver is MorphDriver => driver.type === 'morph'),
-    names,
-  )
   const weights = new Float32Array(names.length)
   const find = faceShapeFinder(names)
   for (const [shape, weight] of Object.entries(pose))
     for (const target of find(shape)) weights[target] = weight
-  morph.update(weights)
-  return new Map(morph.areaNames.map((area, i) => [area, morph.activations[i]!]))
+  return new Map(
+    Object.entries(driven(driversOf('morph', file.maps.drivers), names).activations({ weights })),
+  )
 }
 
 /** The largest difference of an activation in any pose. */

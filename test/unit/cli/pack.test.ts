@@ -179,7 +179,7 @@ describe('furrow pack', () => {
     })
     shop.write('odd/areas/zero.png', await painted(99))
     await shop.run(packCommand, odd, '-o', shop.path('warned.glb'))
-    expect(shop.warned).toContain('target "noseSneer" of a driver of area "nose" is not there')
+    expect(shop.warned).toContain('target "noseSneer" of a driver of area "nose" does not exist')
     expect(shop.warned).toContain('area "zero" is visible nowhere')
     expect(extensionOf(shop.path('warned.glb')).drivers[0].targets[0].name).toBe('noseSneer')
     expect(extensionOf(shop.path('warned.glb')).areas.at(-1).name).toBe('zero')

@@ -23,7 +23,7 @@ describe('Activations', () => {
     expect(activations.get('nose')).toBe(taken)
     expect(warn).toHaveBeenCalledTimes(1)
     expect(warn.mock.calls[0][0]).toBe(
-      `Activations: activation of "nose" out of range, got ${value}, allowed: 0 to 1; taken as ${taken}; this is said once`,
+      `Activations: activation of "nose" out of range, got ${value}, allowed: 0 to 1; clamped to ${taken}; this warning is not repeated`,
     )
   })
 

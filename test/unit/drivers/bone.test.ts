@@ -1,4 +1,11 @@
-import { BoneActivation, type BoneDriver, type Curve } from 'furrow'
+import {
+  type BoneDriver,
+  type Curve,
+  DriverProgram,
+  JointMeasurement,
+  measuredSource,
+  planDrivers,
+} from 'furrow'
 import { Euler, Matrix4, Quaternion, Vector3 } from 'three'
 import { describe, expect, it } from 'vitest'
 import { seeded } from '../../random.ts'
@@ -29,13 +36,21 @@ const restHand = turned([1, 2, 3], 0.7)
 const restFinger = turned([-1, 0.5, 2], 1.9)
 const rest = numbers(joint([0, 1, 0], restHand), joint([0.1, 1, 0], restFinger))
 
-function read(bone: BoneDriver, hand: Matrix4, finger: Matrix4): number {
-  const bones = new BoneActivation([bone], ['hand', 'finger'], rest)
-  bones.update(numbers(hand, finger))
-  return measured(bones.activations[0])
+function activate(drivers: BoneDriver[], hand: Matrix4, finger: Matrix4) {
+  const plan = planDrivers(drivers)
+  const joints = new JointMeasurement(plan.inputs.joint, ['hand', 'finger'], rest)
+  const program = new DriverProgram(plan, { joint: measuredSource(joints.missing) })
+  const state = program.createState()
+  joints.measure(numbers(hand, finger), state.inputs.joint)
+  program.evaluate(state)
+  return { activation: state.activations[0], missing: program.missing }
 }
 
-describe('BoneActivation', () => {
+function read(bone: BoneDriver, hand: Matrix4, finger: Matrix4): number {
+  return measured(activate([bone], hand, finger).activation)
+}
+
+describe('bone drivers', () => {
   it.each([0, 0.3, 1.2, 2.5, 3.1])(
     'reads a turn of %d, whatever the axis and however both are moved',
     (angle) => {
@@ -89,17 +104,16 @@ describe('BoneActivation', () => {
       [0, 0],
       [1, 0.3],
     ]
-    const bones = new BoneActivation(
+    const { activation, missing } = activate(
       [
         { ...driver('distance'), curve: bend },
         { ...driver('distance'), curve: bend },
         { ...driver('angle'), joints: ['hand', 'sixthFinger'] },
       ],
-      ['hand', 'finger'],
-      rest,
+      joint([0, 0, 0], restHand),
+      joint([0, 1, 0], restFinger),
     )
-    bones.update(numbers(joint([0, 0, 0], restHand), joint([0, 1, 0], restFinger)))
-    expect(bones.activations[0]).toBeCloseTo(0.6, 6)
-    expect(bones.missing).toEqual(['joint "sixthFinger" of a driver of area "palm"'])
+    expect(activation).toBeCloseTo(0.6, 6)
+    expect(missing).toEqual(['joint "sixthFinger" of a driver of area "palm"'])
   })
 })

@@ -34,7 +34,11 @@ it('says what each link and driver gives', () => {
   const [glabella, nose, chin] = explain(
     drivers,
     [{ name: 'glabella' }, { name: 'nose', activation: 0.1 }, { name: 'chin', activation: 0.3 }],
-    { targetNames: ['browDown_L', 'browDown_R', 'browOuterUp_L'], weights: [0.9, 0.8, 0.3], age: 50 },
+    {
+      targetNames: ['browDown_L', 'browDown_R', 'browOuterUp_L'],
+      weights: [0.9, 0.8, 0.3],
+      inputs: { age: 50 },
+    },
   )
   expect(glabella.activation).toBeCloseTo(0.4, 6)
   expect(glabella.parts[0].links.map(({ value }) => Math.round(10 * value) / 10)).toEqual([0.6, 0.4])
@@ -43,8 +47,8 @@ it('says what each link and driver gives', () => {
   expect(nose.resting).toBe(0.1)
   expect(nose.parts.map(({ driver, activation }) => [driver.type, Math.round(10 * activation) / 10])).toEqual(
     [
-      ['area', 0.2],
       ['age', 0.3],
+      ['area', 0.2],
     ],
   )
   expect(chin).toEqual({ area: 'chin', activation: expect.closeTo(0.3, 6), resting: 0.3, parts: [] })

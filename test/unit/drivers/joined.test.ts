@@ -1,23 +1,21 @@
-import {
-  AgeActivation,
-  type AreaDriver,
-  type Curve,
-  Delay,
-  type Driver,
-  DriverSum,
-  type WrinkleDriver,
-} from 'furrow'
+import type { AreaDriver, Curve, MorphDriver, WrinkleDriver } from 'furrow'
 import { describe, expect, it } from 'vitest'
+import { driven } from '../../driven.ts'
 
 const STRAIGHT: Curve = [
   [0, 0],
   [1, 1],
 ]
 
-/** One that gives what it is told. */
-function given(activations: Record<string, number>): Driver {
-  const areaNames = Object.keys(activations)
-  return { areaNames, activations: Float32Array.from(Object.values(activations)), missing: [] }
+/** Drivers that activate areas by these amounts, each by a target of the area's name. */
+function given(activations: Record<string, number>): MorphDriver[] {
+  return Object.entries(activations).map(([area, weight]) => ({
+    type: 'morph',
+    area,
+    targets: [{ name: 'all', weight }],
+    rule: 'sum',
+    curve: STRAIGHT,
+  }))
 }
 
 const between = (area: string, from: Record<string, number>): AreaDriver => ({
@@ -29,42 +27,42 @@ const between = (area: string, from: Record<string, number>): AreaDriver => ({
 })
 
 /** Activations by area, rounded. */
-function joined(drivers: Driver[], all: WrinkleDriver[], resting: Record<string, number> = {}) {
-  const sum = new DriverSum(drivers, all)
-  sum.update(
-    sum.areaNames.map((name) => resting[name] ?? 0),
-    sum.createState(),
-  )
-  const values = [...sum.activations].map((value) => Math.round(value * 1e6) / 1e6)
-  return { ...Object.fromEntries(sum.areaNames.map((name, i) => [name, values[i]])), cyclic: sum.cyclic }
+function joined(
+  drivers: WrinkleDriver[],
+  { resting = {}, inputs = {} }: { resting?: Record<string, number>; inputs?: Record<string, number> } = {},
+) {
+  const { activations, plan } = driven(drivers, ['all'])
+  const values = Object.entries(activations({ weights: [1], resting, inputs }))
+  const rounded = values.map(([area, value]) => [area, Math.round(value * 1e6) / 1e6])
+  return { ...Object.fromEntries(rounded), cyclic: plan.cyclicAreas }
 }
 
-describe('DriverSum', () => {
-  it('adds what is at rest and every driver, to at most 1', () => {
-    const drivers = [given({ nose: 0.25, brow: 0.5 }), given({ nose: 0.5 })]
-    expect(joined(drivers, [], { brow: 0.7 })).toEqual({ nose: 0.75, brow: 1, cyclic: [] })
+describe('the drivers of a face together', () => {
+  it('add to what is at rest, to at most 1', () => {
+    const drivers = [...given({ nose: 0.25, brow: 0.5 }), ...given({ nose: 0.5 })]
+    expect(joined(drivers, { resting: { brow: 0.7 } })).toEqual({ nose: 0.75, brow: 1, cyclic: [] })
   })
 
-  it('lets areas drive areas, each after those it reads, in whatever order they are listed', () => {
+  it('let areas drive areas, each after those it reads, in whatever order they are listed', () => {
     const chain = [between('c', { b: 0.5 }), between('b', { a: 0.5, x: 1 }), between('x', { a: 0.25 })]
     // x = 0.2, b = 0.4 + 0.2, c = 0.3.
-    expect(joined([given({ a: 0.8 })], chain)).toEqual({ a: 0.8, c: 0.3, b: 0.6, x: 0.2, cyclic: [] })
+    expect(joined([...chain, ...given({ a: 0.8 })])).toEqual({ a: 0.8, c: 0.3, b: 0.6, x: 0.2, cyclic: [] })
   })
 
-  it('leaves out areas that drive themselves, and no others', () => {
+  it('leave out areas that drive themselves, and no others', () => {
     const rules = [
       between('a', { b: 1 }),
       between('b', { a: 1 }),
       between('c', { a: 0.5 }),
       between('d', { d: 1 }),
     ]
-    const result = joined([given({ a: 0.4 })], rules)
+    const result = joined([...given({ a: 0.4 }), ...rules])
     expect(result).toEqual({ a: 0.4, b: 0, c: 0.2, d: 0, cyclic: ['a', 'b', 'd'] })
   })
 })
 
-describe('AgeActivation', () => {
-  const wrinkles = new AgeActivation([
+describe('drivers of the application’s inputs', () => {
+  const aging: WrinkleDriver[] = [
     {
       type: 'age',
       area: 'forehead',
@@ -81,42 +79,81 @@ describe('AgeActivation', () => {
         [60, 0.5],
       ],
     },
-  ])
+  ]
 
   it.each([
     [20, 0, 0.1],
     [30, 0, 0.1],
     [50, 0.4, 0.3],
     [80, 0.8, 0.5],
-  ])('at %d', (years, forehead, crowsFeet) => {
-    wrinkles.update(years)
-    expect(wrinkles.activations[0]).toBeCloseTo(forehead, 6)
-    expect(wrinkles.activations[1]).toBeCloseTo(crowsFeet, 6)
+  ])('age: at %d', (age, forehead, crowsFeet) => {
+    expect(joined(aging, { inputs: { age } })).toEqual({ forehead, crowsFeet, cyclic: [] })
   })
 
-  it('expressions add on top', () => {
-    wrinkles.update(50)
-    expect(joined([wrinkles, given({ forehead: 0.5 })], [])).toMatchObject({ forehead: 0.9, crowsFeet: 0.3 })
+  it('age: a face is 20 until it is told, and expressions add on top', () => {
+    expect(joined(aging)).toMatchObject({ forehead: 0, crowsFeet: 0.1 })
+    const both = joined([...aging, ...given({ forehead: 0.5 })], { inputs: { age: 50 } })
+    expect(both).toMatchObject({ forehead: 0.9, crowsFeet: 0.3 })
+  })
+
+  it('input: any number by name, 0 until it is set, several on one area', () => {
+    const drivers: WrinkleDriver[] = [
+      {
+        type: 'input',
+        name: 'stress',
+        area: 'glabella',
+        curve: [
+          [20, 0],
+          [120, 1],
+        ],
+      },
+      {
+        type: 'input',
+        name: 'cold',
+        area: 'glabella',
+        curve: [
+          [-10, 0.5],
+          [10, 0],
+        ],
+      },
+    ]
+    expect(joined(drivers, { inputs: { stress: 50, cold: 15 } })).toMatchObject({ glabella: 0.3 })
+    expect(joined(drivers, { inputs: { stress: 50, cold: -30 } })).toMatchObject({ glabella: 0.8 })
+    // Not set: stress 0 gives nothing, cold 0 is half way.
+    expect(joined(drivers)).toMatchObject({ glabella: 0.25 })
   })
 })
 
-describe('Delay', () => {
-  const delay = new Delay([{ type: 'time', area: 'brow', attack: 0.1, release: 0.5 }], ['nose', 'brow'])
-
+describe('time drivers', () => {
   /** Where an area is after some seconds at some frame rate. */
   function after(from: number, to: number, seconds: number, frames: number): number {
-    const before = Float64Array.of(0, from)
-    let shown = 0
+    const { activations } = driven(
+      [
+        ...['brow', 'nose'].map(
+          (area): MorphDriver => ({
+            type: 'morph',
+            area,
+            targets: [{ name: area, weight: 1 }],
+            rule: 'sum',
+            curve: STRAIGHT,
+          }),
+        ),
+        { type: 'time', area: 'brow', attack: 0.1, release: 0.5 },
+      ],
+      ['brow', 'nose'],
+    )
+    // The first frame starts where it is driven to, without a delay.
+    expect(activations({ weights: [from, 0.5], seconds: 9 }).brow).toBeCloseTo(from, 6)
+    let shown = from
     for (let i = 0; i < frames; i++) {
-      const activations = Float32Array.of(0.5, to)
-      delay.follow(activations, before, Float64Array.of(seconds / frames))
-      shown = activations[1]
-      expect(activations[0]).toBe(0.5)
+      const { brow, nose } = activations({ weights: [to, 0.5], seconds: seconds / frames })
+      shown = brow
+      expect(nose).toBe(0.5)
     }
     return shown
   }
 
-  it('makes up for 63% of what is missing in its time, quickly up and slowly down', () => {
+  it('cover 63% of the difference in their time, quickly up and slowly down', () => {
     expect(after(0, 1, 0.1, 1)).toBeCloseTo(1 - Math.exp(-1), 6)
     expect(after(1, 0, 0.5, 1)).toBeCloseTo(Math.exp(-1), 6)
     expect(after(0.2, 0.7, 0.05, 1)).toBeCloseTo(0.7 - 0.5 * Math.exp(-0.5), 6)
@@ -131,10 +168,16 @@ describe('Delay', () => {
     expect(after(from, to, 0.3, 300)).toBeCloseTo(slow, 6)
   })
 
-  it('starts where it is driven to, without a delay', () => {
-    const sum = new DriverSum([given({ brow: 1 })], [{ type: 'time', area: 'brow', attack: 5, release: 5 }])
-    sum.seconds[0] = 0.01
-    sum.update([0], sum.createState())
-    expect(sum.activations[0]).toBe(1)
+  it('of several for one area the last one counts', () => {
+    const { activations } = driven(
+      [
+        ...given({ brow: 1 }),
+        { type: 'time', area: 'brow', attack: 50, release: 50 },
+        { type: 'time', area: 'brow', attack: 0.1, release: 0.1 },
+      ],
+      ['all'],
+    )
+    activations({ weights: [0] })
+    expect(activations({ weights: [1], seconds: 0.1 }).brow).toBeCloseTo(1 - Math.exp(-1), 6)
   })
 })

@@ -1,5 +1,6 @@
-import { curveAt, MorphActivation, type MorphDriver } from 'furrow'
+import { curveAt, type MorphDriver } from 'furrow'
 import { describe, expect, it } from 'vitest'
+import { driven } from '../../driven.ts'
 
 const straight: MorphDriver['curve'] = [
   [0, 0],
@@ -30,9 +31,9 @@ describe('curveAt', () => {
   ])('at %s is %s', (input, output) => expect(curveAt(late, input)).toBeCloseTo(output, 12))
 })
 
-describe('MorphActivation', () => {
+describe('morph drivers', () => {
   it('adds up the weighted targets of a driver, and the drivers of an area to at most 1', () => {
-    const morph = new MorphActivation(
+    const morph = driven(
       [
         driver('forehead', [
           { name: 'browInnerUp', weight: 0.5 },
@@ -43,32 +44,24 @@ describe('MorphActivation', () => {
       ],
       ['browInnerUp', 'browOuterUpLeft', 'eyeWideLeft', 'noseSneerLeft'],
     )
-    expect(morph.areaNames).toEqual(['forehead', 'nose'])
-    morph.update([1, 0.4, 0.1, 0])
-    expect(morph.activations[0]).toBeCloseTo(0.7, 6)
-    expect(morph.activations[1]).toBe(0)
-    morph.update([1, 1, 1, 0.3])
-    expect(morph.activations[0]).toBe(1)
-    expect(morph.activations[1]).toBeCloseTo(0.3, 6)
-    morph.update([0, 0, 0, 0])
-    expect([...morph.activations]).toEqual([0, 0])
+    const at = (...weights: number[]) => morph.activations({ weights })
+    expect(at(1, 0.4, 0.1, 0)).toEqual({ forehead: expect.closeTo(0.7, 6), nose: 0 })
+    expect(at(1, 1, 1, 0.3)).toEqual({ forehead: 1, nose: expect.closeTo(0.3, 6) })
+    expect(at(0, 0, 0, 0)).toEqual({ forehead: 0, nose: 0 })
   })
 
   it('finds targets in other spellings, and counts a split shape once', () => {
-    const morph = new MorphActivation(
+    const morph = driven(
       [driver('forehead', [{ name: 'browInnerUp', weight: 1 }])],
       ['blendShape1.browInnerUp_L', 'blendShape1.browInnerUp_R'],
     )
-    morph.update([1, 1])
-    expect(morph.activations[0]).toBe(1)
-    morph.update([1, 0])
-    expect(morph.activations[0]).toBe(0.5)
+    expect(morph.activations({ weights: [1, 1] }).forehead).toBe(1)
+    expect(morph.activations({ weights: [1, 0] }).forehead).toBe(0.5)
   })
 
   it('keeps going without targets that the mesh lacks, and tells which', () => {
-    const morph = new MorphActivation([driver('nose', [{ name: 'trunkUp', weight: 1 }])], ['jawOpen'])
-    morph.update([1])
-    expect([...morph.activations]).toEqual([0])
+    const morph = driven([driver('nose', [{ name: 'trunkUp', weight: 1 }])], ['jawOpen'])
+    expect(morph.activations({ weights: [1] })).toEqual({ nose: 0 })
     expect(morph.missing).toEqual(['target "trunkUp" of a driver of area "nose"'])
   })
 })

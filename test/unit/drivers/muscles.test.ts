@@ -1,16 +1,10 @@
 import { readFileSync } from 'node:fs'
-import {
-  driversOf,
-  MorphActivation,
-  type MuscleDriver,
-  muscleLinks,
-  muscleOffsets,
-  parseDrivers,
-} from 'furrow'
+import { driversOf, type MuscleDriver, muscleOffsets, parseDrivers } from 'furrow'
 import { targetArea } from 'furrow/author'
 import { Vector3 } from 'three'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { readFace } from '../../../packages/cli/src/face.ts'
+import { driven } from '../../driven.ts'
 import { seeded } from '../../random.ts'
 
 const muscle = (more: Partial<MuscleDriver>): MuscleDriver => ({
@@ -93,11 +87,10 @@ describe('muscleOffsets', () => {
 })
 
 it('activates its area by the contraction', () => {
-  const links = muscleLinks([muscle({ name: 'zygomaticMajorLeft', area: 'cheek' }), muscle({ name: 'bare' })])
-  const morph = new MorphActivation(links, ['zygomaticMajorLeft'])
-  morph.update([0.37])
-  expect(morph.areaNames).toEqual(['cheek'])
-  expect(morph.activations[0]).toBeCloseTo(0.37, 6)
+  const muscles = [muscle({ name: 'zygomaticMajorLeft', area: 'cheek' }), muscle({ name: 'bare' })]
+  expect(driven(muscles, ['zygomaticMajorLeft']).activations({ weights: [0.37] })).toEqual({
+    cheek: expect.closeTo(0.37, 6),
+  })
 })
 
 describe.each(['human', 'human-2'])('the muscles of %s', (name) => {

@@ -1,5 +1,6 @@
-import { type Curve, type Link, MorphActivation, type Rule } from 'furrow'
+import type { Curve, Link, MorphDriver, Rule, WrinkleDriver } from 'furrow'
 import { afterEach, describe, expect, it, vi } from 'vitest'
+import { driven } from '../../driven.ts'
 
 const STRAIGHT: Curve = [
   [0, 0],
@@ -9,9 +10,8 @@ const names = ['browDownLeft', 'browDownRight', 'browOuterUpLeft']
 const link = (name: string, weight = 1, curve?: Curve): Link => ({ name, weight, ...(curve && { curve }) })
 
 function activation(rule: Rule, links: Link[], weights: number[], curve = STRAIGHT): number {
-  const morph = new MorphActivation([{ type: 'morph', area: 'glabella', targets: links, rule, curve }], names)
-  morph.update(weights)
-  return morph.activations[0]
+  const drivers: MorphDriver[] = [{ type: 'morph', area: 'glabella', targets: links, rule, curve }]
+  return driven(drivers, names).activations({ weights }).glabella
 }
 
 afterEach(() => vi.restoreAllMocks())
@@ -56,34 +56,39 @@ describe('rules', () => {
     expect(activation('sum', links, [0.5, 0.4, 0], halved)).toBeCloseTo(0.2, 6)
   })
 
-  it('a weight that is no number counts as 0 and is said once, with its name', () => {
+  it('a weight that is NaN counts as 0, with one warning that names it', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
-    const morph = new MorphActivation(
+    const morph = driven(
       [{ type: 'morph', area: 'glabella', targets: both, rule: 'sum', curve: STRAIGHT }],
       names,
     )
-    for (let i = 0; i < 3; i++) morph.update([Number.NaN, 0.4, 0])
-    expect(morph.activations[0]).toBeCloseTo(0.1, 6)
+    for (let i = 0; i < 3; i++) {
+      expect(morph.activations({ weights: [Number.NaN, 0.4, 0] }).glabella).toBeCloseTo(0.1, 6)
+    }
     expect(warn).toHaveBeenCalledTimes(1)
-    expect(warn.mock.calls[0][0]).toContain('the weight of "browDownLeft" is no number, got NaN')
+    expect(warn.mock.calls[0][0]).toContain('the input "browDownLeft" of a driver is NaN')
   })
 })
 
 describe('conflicts', () => {
-  const driven = (conflicts: [string, string][], targetNames: string[], weights: number[]) => {
-    const morph = new MorphActivation(
-      ['browOuterUpLeft', 'browDownLeft'].map((name) => ({
-        type: 'morph',
-        area: name,
-        targets: [link(name)],
-        rule: 'sum',
-        curve: STRAIGHT,
-      })),
+  const resolved = (conflicts: [string, string][], targetNames: string[], weights: number[]) => {
+    const { activations, missing } = driven(
+      [
+        ...['browOuterUpLeft', 'browDownLeft'].map(
+          (name): WrinkleDriver => ({
+            type: 'morph',
+            area: name,
+            targets: [link(name)],
+            rule: 'sum',
+            curve: STRAIGHT,
+          }),
+        ),
+        ...conflicts.map((targets): WrinkleDriver => ({ type: 'conflict', targets })),
+      ],
       targetNames,
-      conflicts.map((targets) => ({ type: 'conflict', targets })),
     )
-    morph.update(weights)
-    return { activations: [...morph.activations].map((value) => Math.round(1000 * value) / 1000), morph }
+    const values = Object.values(activations({ weights }))
+    return { activations: values.map((value) => Math.round(1000 * value) / 1000), missing }
   }
   const pair: [string, string] = ['browOuterUpLeft', 'browDownLeft']
 
@@ -109,23 +114,23 @@ describe('conflicts', () => {
       [0.8, 0],
     ],
   ])('raised and lowered by %j leaves %j', (weights, left) => {
-    expect(driven([pair], ['browOuterUpLeft', 'browDownLeft'], weights).activations).toEqual(left)
+    expect(resolved([pair], ['browOuterUpLeft', 'browDownLeft'], weights).activations).toEqual(left)
   })
 
   it('leaves the weights of the mesh alone, and finds halves and other spellings', () => {
     const weights = [0.5, 0.3, 0.2]
     const targets = ['browDown_L', 'browOuterUp_L', 'jawOpen']
-    expect(driven([pair], targets, weights).activations).toEqual([0, 0.2])
+    expect(resolved([pair], targets, weights).activations).toEqual([0, 0.2])
     expect(weights).toEqual([0.5, 0.3, 0.2])
   })
 
   it('goes on without a target that is missing, and tells which', () => {
-    const { activations, morph } = driven(
+    const { activations, missing } = resolved(
       [['browOuterUpLeft', 'tail']],
       ['browOuterUpLeft', 'browDownLeft'],
       [0.5, 0.5],
     )
     expect(activations).toEqual([0.5, 0.5])
-    expect(morph.missing).toEqual(['target "tail" of a conflict'])
+    expect(missing).toEqual(['target "tail" of a driver of type "conflict"'])
   })
 })

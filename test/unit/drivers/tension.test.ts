@@ -1,4 +1,14 @@
-import { type Curve, type GrayImage, sampleTriangles, TensionActivation, type TensionDriver } from 'furrow'
+import {
+  type Curve,
+  DriverProgram,
+  type GrayImage,
+  measuredSource,
+  planDrivers,
+  sampleTriangles,
+  type TensionDriver,
+  TensionMeasurement,
+  type TensionSample,
+} from 'furrow'
 import { Euler, Matrix4, Vector3 } from 'three'
 import { describe, expect, it } from 'vitest'
 import { seeded } from '../../random.ts'
@@ -48,15 +58,35 @@ function measure(
 ) {
   const triangles = sampleTriangles(rest, full, count)
   expect(triangles).toHaveLength(3 * count)
-  const tension = new TensionActivation([driver(measure)], [{ area: 'sheet', triangles }], rest.positions)
   const now = rest.positions.slice()
   for (let i = 0; i < now.length; i += 3) move(new Vector3().fromArray(rest.positions, i)).toArray(now, i)
-  tension.update(now)
-  expect(tension.activations[0]).toBeCloseTo(tension.measured[0] / 2 + 0.5, 5)
-  return tension.measured[0]
+  const { activations, measured } = drive(
+    [driver(measure)],
+    [{ area: 'sheet', triangles }],
+    rest.positions,
+    now,
+  )
+  expect(activations[0]).toBeCloseTo(measured[0] / 2 + 0.5, 5)
+  return measured[0]
 }
 
-describe('TensionActivation', () => {
+/** What drivers measure and make of it when corners have moved. */
+function drive(
+  drivers: TensionDriver[],
+  samples: TensionSample[],
+  rest: ArrayLike<number>,
+  now: ArrayLike<number>,
+) {
+  const plan = planDrivers(drivers)
+  const tension = new TensionMeasurement(plan.inputs.tension, samples, rest)
+  const program = new DriverProgram(plan, { tension: measuredSource(tension.missing) })
+  const state = program.createState()
+  tension.measure(now, state.inputs.tension)
+  program.evaluate(state)
+  return { activations: state.activations, measured: state.inputs.tension, missing: program.missing }
+}
+
+describe('tension drivers', () => {
   const turn = new Matrix4().makeRotationFromEuler(new Euler(0.4, 1.2, -2)).setPosition(3, -1, 7)
 
   it.each([1, 2, 5, 16, 40])('a sheet of %d squares shortened by 20%% along x reports 0.20', (side) => {
@@ -100,30 +130,29 @@ describe('TensionActivation', () => {
     expect(measure(sheet(4), 'stretch', (point) => point.multiplyScalar(0.5))).toBeCloseTo(-0.5, 9)
   })
 
-  it('takes what was measured elsewhere, but for areas without triangles', () => {
-    const rest = sheet(1)
-    const drivers = [driver('compression'), driver('stretch'), driver('compression', 'gone')]
-    const samples = [{ area: 'sheet', triangles: rest.triangles }]
-    const tension = new TensionActivation(drivers, samples, rest.positions)
-    tension.takeMeasured([-0.8, -0.6, 0.5])
+  it('take what was measured elsewhere, but for areas without triangles', () => {
+    const plan = planDrivers([driver('compression'), driver('stretch'), driver('compression', 'gone')])
+    const program = new DriverProgram(plan, { tension: measuredSource([[], [], ['triangles']]) })
+    const state = program.createState()
+    state.inputs.tension.set([-0.8, -0.6, 0.5])
+    program.evaluate(state)
     // Both drivers of the sheet add up.
-    expect(tension.activations[0]).toBeCloseTo(0.1 + 0.2, 6)
-    expect(tension.activations[1]).toBe(0)
-    expect([...tension.measured]).toEqual([-0.8, -0.6, 0])
+    expect(state.activations[0]).toBeCloseTo(0.1 + 0.2, 6)
+    expect(state.activations[1]).toBe(0)
   })
 
   it('goes on without an area that covers nothing, and without triangles that are none', () => {
     const rest = sheet(1)
     const triangles = [0, 0, 0, 0, 1, 1, ...rest.triangles]
-    const tension = new TensionActivation(
+    const { activations, measured, missing } = drive(
       [driver('compression'), driver('compression', 'gone')],
       [{ area: 'sheet', triangles }],
       rest.positions,
+      rest.positions.map((value, i) => (i % 3 === 0 ? value * 0.7 : value)),
     )
-    expect(tension.missing).toEqual(['triangles for a tension driver of area "gone"'])
-    tension.update(rest.positions.map((value, i) => (i % 3 === 0 ? value * 0.7 : value)))
-    expect(tension.measured[0]).toBeCloseTo(0.3, 9)
-    expect(tension.activations[1]).toBe(0)
+    expect(missing).toEqual(['triangles of a driver of area "gone"'])
+    expect(measured[0]).toBeCloseTo(0.3, 9)
+    expect(activations[1]).toBe(0)
   })
 })
 

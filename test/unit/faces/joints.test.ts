@@ -2,7 +2,14 @@ import { fileURLToPath } from 'node:url'
 import { type Document, NodeIO, type vec4 } from '@gltf-transform/core'
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
 import { cloneDocument } from '@gltf-transform/functions'
-import { BoneActivation, type BoneDriver, type Curve } from 'furrow'
+import {
+  type BoneDriver,
+  type Curve,
+  DriverProgram,
+  JointMeasurement,
+  measuredSource,
+  planDrivers,
+} from 'furrow'
 import { FurrowWrinkleMaps, type MaterialWrinkles } from 'furrow/gltf'
 import { Matrix4, Quaternion, Vector3 } from 'three'
 import { describe, expect, it } from 'vitest'
@@ -153,10 +160,14 @@ function jointsOf(shared: Document) {
       return seen(rest).invert().multiply(seen(now()))
     },
     activations(): Record<string, number> {
-      const bones = new BoneActivation(drivers, names, rest)
-      expect(bones.missing).toEqual([])
-      bones.update(now())
-      return Object.fromEntries(bones.areaNames.map((name, i) => [name, bones.activations[i]]))
+      const plan = planDrivers(drivers)
+      const joints = new JointMeasurement(plan.inputs.joint, names, rest)
+      const program = new DriverProgram(plan, { joint: measuredSource(joints.missing) })
+      expect(program.missing).toEqual([])
+      const state = program.createState()
+      joints.measure(now(), state.inputs.joint)
+      program.evaluate(state)
+      return Object.fromEntries(plan.areaNames.map((name, i) => [name, state.activations[i]]))
     },
   }
 }

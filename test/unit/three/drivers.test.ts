@@ -1,5 +1,5 @@
 import type { WrinkleDriver } from 'furrow'
-import { ExpressionPlayer } from 'furrow/three'
+import { addDrivers, ExpressionPlayer } from 'furrow/three'
 import { afterEach, describe, expect, it, vi } from 'vitest'
 import { face, morph, STRAIGHT } from './driven-face.ts'
 
@@ -32,7 +32,7 @@ describe('addDrivers', () => {
     mesh.morphTargetInfluences![0] = 0.6
     mesh.morphTargetInfluences![1] = 0.1
     head.rotation.x = 0.4
-    wrinkles.age = 50
+    wrinkles.inputs.set('age', 50)
     // The square is 30% narrower, and so is the brow; half of 0.6 comes from the blendshape itself.
     expect(activations()).toEqual([0.6, 0.6, 0.4])
     // Moved as a whole nothing else happens.
@@ -68,7 +68,7 @@ describe('addDrivers', () => {
     ])
     let milliseconds = 0
     wrinkles.clock = { now: () => milliseconds }
-    wrinkles.age = 70
+    wrinkles.inputs.set('age', 70)
     wrinkles.setActivation('brow', 0.3)
     for (let i = 0; i < 3; i++) expect(activations()).toEqual([0.8, 0.2, 0])
     wrinkles.setActivation('neck', 1)
@@ -88,7 +88,7 @@ describe('addDrivers', () => {
         ],
       },
     ])
-    wrinkles.age = 70
+    wrinkles.inputs.set('age', 70)
     const player = new ExpressionPlayer(mesh, wrinkles, [
       { name: 'rest', targets: {}, activations: {} },
       { name: 'frown', targets: { jawOpen: 1 }, activations: { brow: 0.4 } },
@@ -157,11 +157,11 @@ describe('addDrivers', () => {
     ],
     ['a type', { type: 'weather', area: 'nose' }, 'driver of type \\"weather\\"'],
     [
-      'an end',
+      'an area that drives itself',
       { type: 'area', area: 'nose', areas: [{ name: 'nose', weight: 1 }], rule: 'sum', curve: STRAIGHT },
-      'an end to the drivers of area \\"nose\\"',
+      'area \\"nose\\", which drives itself,',
     ],
-  ])('says once that %s is missing, and moves the rest', (_, driver, message, targets) => {
+  ])('warns once of %s, and drives the rest', (_, driver, message, targets) => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const { head, activations } = face(
       [driver, { type: 'bone', area: 'neck', joints: ['chest', 'head'], measure: 'angle', curve: STRAIGHT }],
@@ -187,9 +187,41 @@ describe('addDrivers', () => {
     expect(warn.mock.calls[0][0]).toContain('area \\"brow\\"')
   })
 
-  it('refuses an age that is none', () => {
-    expect(() => {
-      face([]).wrinkles.age = Number.NaN
-    }).toThrow(/Wrinkles.age: no age, got NaN/)
+  it('refuses an input that is NaN, or of an instance that does not exist', () => {
+    const { inputs } = face([]).wrinkles
+    expect(() => inputs.set('age', Number.NaN)).toThrow(
+      'Wrinkles.inputs: value of "age" is NaN or infinite, got NaN, allowed: a finite number',
+    )
+    expect(() => inputs.set('age', 40, 1)).toThrow('no such instance, got 1, allowed: 0 to 0')
+  })
+
+  it('inputs start from what their drivers say, and can be set before there are drivers', () => {
+    const age: WrinkleDriver = {
+      type: 'age',
+      area: 'brow',
+      curve: [
+        [20, 0.1],
+        [70, 0.6],
+      ],
+    }
+    const { wrinkles, activations } = face([age, { ...age, type: 'input', name: 'stress', area: 'neck' }])
+    expect([wrinkles.inputs.get('age'), wrinkles.inputs.get('stress'), wrinkles.inputs.get('cold')]).toEqual([
+      20, 0, 0,
+    ])
+    expect(wrinkles.inputs.names).toEqual(['age', 'stress'])
+    expect(activations()).toEqual([0.1, 0.2, 0.1])
+    wrinkles.inputs.set('stress', 45)
+    wrinkles.inputs.set('cold', 1)
+    expect(activations()).toEqual([0.1, 0.2, 0.35])
+    addDrivers(wrinkles, [{ ...age, type: 'input', name: 'cold', area: 'nose', curve: STRAIGHT }])
+    expect(activations()[1]).toBe(1)
+  })
+
+  it('brings activations up to date without drawing by update()', () => {
+    const { mesh, wrinkles } = face([morph('brow', 'browDownLeft')])
+    mesh.morphTargetInfluences![0] = 0.7
+    expect(wrinkles.getActivation('brow')).toBe(0)
+    wrinkles.update()
+    expect(wrinkles.getActivation('brow')).toBeCloseTo(0.7, 6)
   })
 })

@@ -1,7 +1,7 @@
 import { Vector4 } from 'three'
 import { expect, it } from 'vitest'
+import { findReach, reachAll } from '../../../packages/furrow/src/runtime/reach.ts'
 import type { AreaArray } from '../../../packages/furrow/src/three/atlas/area-array.ts'
-import { findReach, reachAll } from '../../../packages/furrow/src/three/reach.ts'
 
 const slot = (x0: number, y0: number, x1: number, y1: number) => ({ bounds: { x0, y0, x1, y1 } })
 const areas = {

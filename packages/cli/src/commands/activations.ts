@@ -1,7 +1,15 @@
 import { Command } from 'commander'
-import { AGES, EXPRESSIONS, type Explanation, explain, FurrowError, findTargets } from 'furrow'
-import { readChoice, readNumber, weightCollector } from '../numbers.ts'
-import { driverText, linkText } from '../wrinkles/driver-text.ts'
+import {
+  describeDriver,
+  EXPRESSIONS,
+  type Explanation,
+  explain,
+  FurrowError,
+  findTargets,
+  linkText,
+  needsMesh,
+} from 'furrow'
+import { inputCollector, readChoice, weightCollector } from '../numbers.ts'
 import { targetNamesOf } from '../wrinkles/target.ts'
 import { readWrinkledFile } from '../wrinkles/wrinkled-file.ts'
 
@@ -11,7 +19,7 @@ interface Options {
   material?: string
   expression?: string
   set?: Record<string, number>
-  age?: string
+  input?: Record<string, number>
   json?: boolean
 }
 
@@ -21,17 +29,21 @@ export const activationsCommand = new Command('activations')
   .argument('<face>', 'a face with wrinkles (.glb)')
   .option('--set <target=weight...>', 'blendshapes, on top of the expression', weightCollector(WHO))
   .option('--expression <name>', EXPRESSIONS.map(({ name }) => name).join(', '))
-  .option('--age <years>', `for areas that age drives (default: ${AGES.youngest})`)
+  .option(
+    '--input <name=value...>',
+    'inputs that an application would set, such as age=50',
+    inputCollector(WHO),
+  )
   .option('--material <name>', 'the material that has the wrinkles (default: the only one)')
   .option('--json', 'print it as JSON')
   .addHelpText(
     'after',
     `
-Joints and tension move areas too, but need the moving mesh: such drivers are listed without a number.
+Drivers that read joints or tension need the moving mesh: they are listed without a number.
 
 Examples:
   $ furrow activations faces/human.glb --set mouthSmileLeft=1 cheekSquintLeft=0.5
-  $ furrow activations faces/human.glb --expression angry --json`,
+  $ furrow activations faces/human.glb --expression angry --input age=60 --json`,
   )
   .action(activations)
 
@@ -42,17 +54,17 @@ async function activations(path: string, options: Options): Promise<void> {
   )
   const targetNames = mesh ? targetNamesOf(mesh) : []
   const weights = weightsOf(targetNames, { ...expressionTargets(options.expression), ...options.set })
-  const age =
-    options.age === undefined
-      ? AGES.youngest
-      : readNumber(WHO, '--age', options.age, { low: 0, high: 120, unit: 'years', example: 50 })
-  const explanations = explain(maps.drivers, maps.areas, { targetNames, weights, age })
-  const others = maps.drivers.filter(({ type }) => type === 'bone' || type === 'tension').map(driverText)
+  const explanations = explain(maps.drivers, maps.areas, {
+    targetNames,
+    weights,
+    inputs: options.input,
+  })
+  const others = maps.drivers.filter(needsMesh).map(describeDriver)
   const text = options.json
     ? JSON.stringify({
         file: path,
         areas: explanations,
-        ...(others.length > 0 && { needTheMovingMesh: others }),
+        ...(others.length > 0 && { needMovingMesh: others }),
       })
     : [...explanations.flatMap(describe), ...others.map((text) => `needs the moving mesh: ${text}`)].join(
         '\n',
@@ -60,13 +72,13 @@ async function activations(path: string, options: Options): Promise<void> {
   process.stdout.write(`${text}\n`)
 }
 
-/** `nose 0.62`, and below it what gave it, the largest first; what gives nothing is left out. */
+/** `0.620  nose`, and below it what each driver and link contributed, largest first; zeros are left out. */
 function describe({ area, activation, resting, parts }: Explanation): string[] {
   const lines = parts
     .filter((part) => part.activation > 0)
     .sort((a, b) => b.activation - a.activation)
     .flatMap(({ driver, activation, links }) => [
-      `  ${number(activation)}  ${driverText(driver)}`,
+      `  ${number(activation)}  ${describeDriver(driver)}`,
       ...links
         .filter(({ value }) => value !== 0)
         .map(({ link, value }) => `        ${number(value)}  ${linkText(link)}`),
@@ -91,8 +103,8 @@ function expressionTargets(name: string | undefined): Readonly<Record<string, nu
 function weightsOf(targetNames: readonly string[], set: Readonly<Record<string, number>>): Float64Array {
   const weights = new Float64Array(targetNames.length)
   for (const [name, weight] of Object.entries(set)) {
-    const places = findTargets(name, targetNames)
-    if (places.length === 0) {
+    const indices = findTargets(name, targetNames)
+    if (indices.length === 0) {
       throw new FurrowError({
         who: WHO,
         what: 'no such blendshape',
@@ -101,7 +113,7 @@ function weightsOf(targetNames: readonly string[], set: Readonly<Record<string, 
         remedy: 'name one of these',
       })
     }
-    for (const place of places) weights[place] = weight
+    for (const index of indices) weights[index] = weight
   }
   return weights
 }

@@ -1,7 +1,7 @@
 import { Command } from 'commander'
+import { describeDriver } from 'furrow'
 import { writeAll } from '../images.ts'
 import { checkWritable } from '../render/write-png.ts'
-import { driverText } from '../wrinkles/driver-text.ts'
 import { inspectWrinkles, type Report } from '../wrinkles/inspect.ts'
 import { drawSheet } from '../wrinkles/sheet.ts'
 import { type GpuSizes, kilobytes } from '../wrinkles/sizes.ts'
@@ -79,7 +79,7 @@ function describe(path: string, report: Report): string {
     ),
     '',
     drivers.length === 0 ? 'no drivers: the program sets the activations' : 'drivers',
-    ...drivers.map((driver) => `  ${driverText(driver)}`),
+    ...drivers.map((driver) => `  ${describeDriver(driver)}`),
     '',
     `in the file: ${kilobytes(imageBytes)} of ${kilobytes(fileBytes)}`,
     `on the GPU: ${kilobytes(gpu.uncompressed)} uncompressed, ${kilobytes(gpu.bits8)} with maps as BC7 or ASTC 4x4,` +

@@ -5,11 +5,11 @@ import { writeAll } from '../images.ts'
 import { readChoice, readNumber } from '../numbers.ts'
 import { withBar } from '../progress.ts'
 import { checkWritable } from '../render/write-png.ts'
+import { findDriverFaults } from '../wrinkles/driver-faults.ts'
 import { embedWrinkles } from '../wrinkles/embed.ts'
 import { readFolder } from '../wrinkles/folder.ts'
 import { encodeGlb, readGlbFile } from '../wrinkles/glb-file.ts'
 import type { Share } from '../wrinkles/map-images.ts'
-import { missingOf } from '../wrinkles/missing.ts'
 import { addMorphNormals } from '../wrinkles/morph-normals.ts'
 import { packFolder } from '../wrinkles/pack.ts'
 import { kilobytes } from '../wrinkles/sizes.ts'
@@ -92,9 +92,8 @@ async function pack(folder: string, options: Options): Promise<void> {
   await writeAll([{ path: output, bytes }], WHO)
 
   const mesh = glb.json.meshes![target.mesh]!
-  const unknown = missingOf(wrinkles.drivers, targetNamesOf(mesh), jointNamesOf(glb.json)).map(
-    (what) => `${WHO}: ${what} is not there; it is kept`,
-  )
+  const faults = findDriverFaults(wrinkles.drivers, targetNamesOf(mesh), jointNamesOf(glb.json))
+  const unknown = faults.missing.map((what) => `${WHO}: ${what} does not exist; it is kept`)
   for (const warning of [...glb.warnings, ...wrinkles.warnings, ...unknown]) console.error(warning)
   const made = {
     file: output,

@@ -1,8 +1,8 @@
-import { DriverSum, FurrowError, parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
+import { FurrowError, parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
 import { firstLine } from '../images.ts'
+import { findDriverFaults } from './driver-faults.ts'
 import type { Glb } from './glb-file.ts'
 import { inspectWrinkles, type Report } from './inspect.ts'
-import { missingOf, unknownTypes } from './missing.ts'
 import { arrayOf } from './pixels.ts'
 import { jointNamesOf, targetNamesOf } from './target.ts'
 import { imageOf, layerCount, MAP_SLOTS, type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
@@ -162,15 +162,16 @@ function checkDrivers({ glb, material, maps: { drivers } }: WrinkledFile): Findi
   const meshes = (glb.json.meshes ?? []).filter(({ primitives }) => {
     return primitives.some((primitive) => primitive.material === material)
   })
+  const { unknownTypes, missing, cyclicAreas } = findDriverFaults(
+    drivers,
+    meshes.flatMap(targetNamesOf),
+    jointNamesOf(glb.json),
+  )
   return [
-    ...unknownTypes(drivers).map((type) =>
-      warning('DRIVER_TYPE', `drivers of type "${type}" are not played`),
-    ),
-    ...missingOf(drivers, meshes.flatMap(targetNamesOf), jointNamesOf(glb.json)).map((what) =>
-      warning('DRIVER_NAME', `${what} is not there`),
-    ),
-    ...new DriverSum([], drivers).cyclic.map((area) =>
-      warning('DRIVER_CYCLE', `area "${area}" drives itself; its drivers between areas are not played`),
+    ...unknownTypes.map((type) => warning('DRIVER_TYPE', `drivers of type "${type}" are ignored`)),
+    ...missing.map((what) => warning('DRIVER_NAME', `${what} does not exist`)),
+    ...cyclicAreas.map((area) =>
+      warning('DRIVER_CYCLE', `area "${area}" drives itself; its drivers that read areas are ignored`),
     ),
   ]
 }

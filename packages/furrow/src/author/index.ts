@@ -1,3 +1,9 @@
+/**
+ * Makes the maps of wrinkles, from strokes, heights, detailed surfaces or blendshapes. Pure functions on typed arrays.
+ *
+ * @module furrow/author
+ */
+
 export { combineNormals } from '../core/combine-normals.ts'
 export type { GrayImage, RgbaImage } from '../core/types.ts'
 export { AUTO_REGIONS, type AutoRegion } from './auto/anatomy/regions.ts'
@@ -37,6 +43,7 @@ export {
   reliefToNormal,
 } from './relief/relief-to-normal.ts'
 export type { Edges } from './relief/slope.ts'
+export type { GroupShape, PolygonShape } from './strokes/area-definitions.ts'
 export {
   type AreaDefinition,
   type AreaShape,

@@ -1,12 +1,10 @@
-import { readDrivers } from '../drivers/read.ts'
-import type { WrinkleDriver } from '../drivers/types.ts'
 import type { AreaConvention } from './area.ts'
-import { JsonReader } from './json.ts'
+import type { JsonReader } from './json.ts'
 import { LARGEST, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS } from './limits.ts'
 import type { Combine, LayerKind } from './types.ts'
 
-/** `wrinkles.json`: a wrinkle set whose images lie beside it as files; all addresses are relative to it. */
-export interface WrinkleSetDocument {
+/** The layers and areas of `wrinkles.json`; images are files, their addresses relative to it. */
+export interface SetDocument {
   version: 1
   layers: {
     name: string
@@ -37,8 +35,6 @@ export interface WrinkleSetDocument {
     /** Activation at rest, 0..1; 0 when absent. */
     activation?: number
   }[]
-  /** What moves the areas, as in the glTF extension. */
-  drivers?: WrinkleDriver[]
   /** Side that areas are resampled to when they are packed; 128 when absent. */
   areaSize?: number
 }
@@ -52,18 +48,17 @@ const LONGEST_ADDRESS = 2048
 const SMALLEST_AREA = 2
 
 /**
- * Reads the JSON of a wrinkle set. Unknown fields are left alone, so that later versions may add some.
+ * Reads `wrinkles.json`, but for its drivers, which are returned as they are.
  *
  * @param json anything `JSON.parse` can return.
- * @param convention that of areas which do not name one.
+ * @param convention of areas that do not name one.
  * @throws FurrowError that names the first field which is missing or has the wrong type.
  */
-export function parseWrinkleSetDocument(
+export function readSetDocument(
+  reader: JsonReader,
   json: unknown,
-  who = 'wrinkles.json',
-  convention: AreaConvention = 'paper',
-): WrinkleSetDocument {
-  const reader = new JsonReader(who)
+  convention: AreaConvention,
+): SetDocument & { drivers: unknown } {
   const root = reader.object(json, 'the document')
   if (root.version !== 1)
     reader.fail('unknown version', root.version, '1', 'write it in version 1 of the format')
@@ -77,16 +72,16 @@ export function parseWrinkleSetDocument(
     version: 1,
     layers,
     areas,
-    ...(root.drivers !== undefined && { drivers: readDrivers(reader, root.drivers, areas) }),
+    drivers: root.drivers,
     ...(root.areaSize !== undefined && {
       areaSize: reader.integer(root.areaSize, 'areaSize', SMALLEST_AREA, MAX_IMAGE_SIDE),
     }),
   }
 }
 
-function readLayer(reader: JsonReader, item: unknown, at: string): WrinkleSetDocument['layers'][number] {
+function readLayer(reader: JsonReader, item: unknown, at: string): SetDocument['layers'][number] {
   const json = reader.object(item, at)
-  const layer: WrinkleSetDocument['layers'][number] = {
+  const layer: SetDocument['layers'][number] = {
     name: reader.text(json.name, `${at}.name`),
     kind: reader.choice(json.kind ?? 'replace', `${at}.kind`, ['replace', 'detail']),
     normal: reader.text(json.normal, `${at}.normal`, LONGEST_ADDRESS),
@@ -111,7 +106,7 @@ function readArea(
   item: unknown,
   at: string,
   convention: AreaConvention,
-): WrinkleSetDocument['areas'][number] {
+): SetDocument['areas'][number] {
   const area = reader.object(item, at)
   return {
     name: reader.text(area.name, `${at}.name`),

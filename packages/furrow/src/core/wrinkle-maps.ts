@@ -1,6 +1,4 @@
-import { readDrivers } from '../drivers/read.ts'
-import type { WrinkleDriver } from '../drivers/types.ts'
-import { JsonReader, or } from './json.ts'
+import { type JsonReader, or } from './json.ts'
 import { LARGEST, LONGEST_NAME, MAX_AREAS, MAX_LAYERS } from './limits.ts'
 import type { Combine, LayerKind } from './types.ts'
 
@@ -44,29 +42,27 @@ export interface WrinkleMapsArea {
   activation: number
 }
 
-/** The extension's JSON on a material, checked, defaults filled in. */
-export interface WrinkleMaps {
+/** The layers and areas of the extension's JSON, checked, defaults filled in. */
+export interface MapsAndAreas {
   layers: WrinkleMapsLayer[]
   areas: WrinkleMapsArea[]
-  drivers: WrinkleDriver[]
 }
 
 /** Every WebGL 2 and WebGPU device has arrays of 256 slices; one that had more would be found out when it is loaded. */
 const MAX_SLICES = 2048
 
 /**
- * Reads the extension's JSON. Unknown fields are left alone; drivers of unknown type are kept as they are.
+ * Reads the extension's JSON, but for its drivers, which are returned as they are.
  *
  * @param json the value of `material.extensions.FURROW_wrinkle_maps`, whatever it is.
  * @param textureCount number of textures in the file, if known, to check indices against.
  * @throws FurrowError that names the first field which is missing, has the wrong type or is out of range.
  */
-export function parseWrinkleMaps(
+export function readMaps(
+  reader: JsonReader,
   json: unknown,
-  textureCount = Infinity,
-  who: string = WRINKLE_MAPS,
-): WrinkleMaps {
-  const reader = new JsonReader(who)
+  textureCount: number,
+): MapsAndAreas & { drivers: unknown } {
   const root = reader.object(json, 'the extension')
   const texture = textureReader(reader, textureCount)
   const layers = reader
@@ -78,7 +74,7 @@ export function parseWrinkleMaps(
   checkNames(reader, layers, 'layers')
   checkNames(reader, areas, 'areas')
   checkSlices(reader, layers, areas)
-  return { layers, areas, drivers: readDrivers(reader, root.drivers, areas) }
+  return { layers, areas, drivers: root.drivers }
 }
 
 const LAYER_SLOTS = [

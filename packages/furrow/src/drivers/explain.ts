@@ -1,16 +1,9 @@
-import { AgeActivation } from './age.ts'
-import { curveAt } from './curve.ts'
-import { BoundLinks, type Joined } from './links.ts'
-import { MorphActivation } from './morph.ts'
-import { DriverSum } from './sum.ts'
-import {
-  type AgeDriver,
-  type AreaDriver,
-  driversOf,
-  type Link,
-  type MorphDriver,
-  type WrinkleDriver,
-} from './types.ts'
+import { inputName } from './activation.ts'
+import type { Link } from './link.ts'
+import { planDrivers } from './plan.ts'
+import { DriverProgram } from './program.ts'
+import type { WrinkleDriver } from './registry.ts'
+import { targetSource, valueSource } from './sources.ts'
 
 /** What one link gives to its driver, before the driver's rule and curve. */
 export interface LinkPart {
@@ -20,10 +13,9 @@ export interface LinkPart {
 
 /** What one driver gives to an area. */
 export interface Part {
-  driver: MorphDriver | AreaDriver | AgeDriver
+  driver: WrinkleDriver
   /** 0..1; all of an area's and its activation at rest add up to at most 1. */
   activation: number
-  /** None where the driver has no links. */
   links: LinkPart[]
 }
 
@@ -35,72 +27,59 @@ export interface Explanation {
   parts: Part[]
 }
 
-/** What the drivers are to be asked about. */
+/** What the drivers are asked about. */
 export interface Situation {
   /** Names of the mesh's blendshapes, and their weights in the same order. */
   targetNames: readonly string[]
   weights: ArrayLike<number>
-  /** Years. */
-  age: number
+  /** What the application sets, by name, such as `age` in years. */
+  inputs?: Readonly<Record<string, number>>
 }
 
 /**
- * Says of each area how much of it shows and which link gave it, as far as blendshapes, other areas and age decide; joints and
- * tension need the moving mesh. Delays are left out: it is where the face comes to rest.
+ * Says of each area how much of it shows and which link gave it, as far as blendshapes, the application's inputs and other areas
+ * decide; joints and tension need the moving mesh. Delays are left out: the result is where the face comes to rest.
  *
  * @param areas with their activations at rest.
  */
 export function explain(
   drivers: readonly WrinkleDriver[],
   areas: readonly { name: string; activation?: number }[],
-  { targetNames, weights, age }: Situation,
+  { targetNames, weights, inputs = {} }: Situation,
 ): Explanation[] {
-  const morph = new MorphActivation(driversOf('morph', drivers), targetNames, driversOf('conflict', drivers))
-  morph.update(weights)
-  const ages = new AgeActivation(driversOf('age', drivers))
-  ages.update(age)
-  const sum = new DriverSum([morph, ages], driversOf('area', drivers))
+  const plan = planDrivers(drivers)
+  const values = valueSource(plan.inputs.value)
+  const program = new DriverProgram(plan, {
+    target: targetSource(plan.inputs.target, targetNames),
+    value: values,
+  })
+  const state = program.createState()
+  state.inputs.target.set(weights)
+  state.inputs.value.set(values.names.map((name, i) => inputs[name] ?? values.initial[i]))
   const resting = new Map(areas.map(({ name, activation = 0 }) => [name, activation]))
-  sum.update(
-    sum.areaNames.map((name) => resting.get(name) ?? 0),
-    sum.createState(),
-  )
-  const shown = new Map(sum.areaNames.map((name, i) => [name, sum.activations[i]]))
-  const cyclic = new Set(sum.cyclic)
-  return areas.map(({ name, activation = 0 }) => ({
-    area: name,
-    activation: shown.get(name) ?? activation,
-    resting: activation,
-    parts: [
-      ...driversOf('morph', drivers).flatMap((driver, i) =>
-        driver.area === name ? [partOf(driver, driver.targets, morph.explain(i, weights))] : [],
-      ),
-      ...ofArea('area', name, cyclic.has(name) ? [] : drivers).map((driver) =>
-        partOf(driver, driver.areas, explainArea(driver, sum)),
-      ),
-      ...ofArea('age', name, drivers).map((driver) => ({
-        driver,
-        activation: curveAt(driver.curve, age),
-        links: [],
-      })),
-    ],
-  }))
+  state.resting.set(plan.areaNames.map((name) => resting.get(name) ?? 0))
+  program.evaluate(state)
+  const parts = program.activations.map(({ driver, activation: { area, links } }, i) => {
+    const { activation, links: values } = program.explain(i, state)
+    const linkParts = links.map(({ input, ...link }, k) => ({
+      link: { name: inputName(input), ...link } as Link,
+      value: values[k],
+    }))
+    return { area, part: { driver, activation, links: linkParts } }
+  })
+  return areas.map(({ name, activation = 0 }) => {
+    const index = plan.areaNames.indexOf(name)
+    return {
+      area: name,
+      activation: index < 0 ? activation : state.activations[index],
+      resting: activation,
+      parts: parts.filter(({ area }) => area === name).map(({ part }) => part),
+    }
+  })
 }
 
-function ofArea<T extends 'area' | 'age'>(type: T, area: string, drivers: readonly WrinkleDriver[]) {
-  return driversOf(type, drivers).filter((driver) => driver.area === area)
-}
-
-function partOf(
-  driver: MorphDriver | AreaDriver,
-  links: readonly Link[],
-  { activation, links: values }: Joined,
-): Part {
-  return { driver, activation, links: links.map((link, i) => ({ link, value: values[i] })) }
-}
-
-/** Other areas as they show. */
-function explainArea({ areas, rule, curve }: AreaDriver, { areaNames, activations }: DriverSum): Joined {
-  const find = (name: string) => [areaNames.indexOf(name)]
-  return new BoundLinks([{ area: 0, links: areas, rule, curve }], find, 'explain').explain(0, activations)
+/** Whether a driver reads what only the moving mesh tells: joints or tension. */
+export function needsMesh(driver: WrinkleDriver): boolean {
+  const { joint, tension } = planDrivers([driver]).inputs
+  return joint.length + tension.length > 0
 }

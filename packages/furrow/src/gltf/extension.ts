@@ -38,10 +38,12 @@ export class FurrowWrinkleMaps extends Extension {
     return new MaterialWrinkles(this.document.getGraph())
   }
 
+  /** Creates a layer, for {@link MaterialWrinkles.addLayer}. */
   createLayer(name = ''): WrinkleLayer {
     return new WrinkleLayer(this.document.getGraph(), name)
   }
 
+  /** Creates an area, for {@link MaterialWrinkles.addArea}. */
   createArea(name = ''): WrinkleArea {
     return new WrinkleArea(this.document.getGraph(), name)
   }

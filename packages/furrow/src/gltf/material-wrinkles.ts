@@ -1,6 +1,6 @@
 import { ExtensionProperty, type IProperty, type Nullable, PropertyType, RefSet } from '@gltf-transform/core'
 import { WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
-import type { WrinkleDriver } from '../drivers/types.ts'
+import type { WrinkleDriver } from '../drivers/registry.ts'
 import type { WrinkleArea } from './wrinkle-area.ts'
 import type { WrinkleLayer } from './wrinkle-layer.ts'
 
@@ -37,26 +37,32 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     })
   }
 
+  /** Adds a layer after the others. The specification allows 1 to 4. */
   addLayer(layer: WrinkleLayer): this {
     return this.addRef('layers', layer)
   }
 
+  /** Removes a layer. Writing throws while an area still shows it. */
   removeLayer(layer: WrinkleLayer): this {
     return this.removeRef('layers', layer)
   }
 
+  /** The layers, in the order in which they are written. */
   listLayers(): WrinkleLayer[] {
     return this.listRefs('layers')
   }
 
+  /** Adds an area after the others. The specification allows 1 to 256. */
   addArea(area: WrinkleArea): this {
     return this.addRef('areas', area)
   }
 
+  /** Removes an area; drivers that name it stay. */
   removeArea(area: WrinkleArea): this {
     return this.removeRef('areas', area)
   }
 
+  /** The areas, in the order in which they are written. */
   listAreas(): WrinkleArea[] {
     return this.listRefs('areas')
   }
@@ -66,6 +72,7 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     return this.get('drivers').map((text) => JSON.parse(text))
   }
 
+  /** Replaces all drivers by copies of these, which must be plain JSON. */
   setDrivers(drivers: readonly WrinkleDriver[]): this {
     return this.set(
       'drivers',
@@ -78,6 +85,7 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     return JSON.parse(this.get('unknownFields'))
   }
 
+  /** Replaces the unknown fields by a copy of these, which must be plain JSON. */
   setUnknownFields(fields: Record<string, unknown>): this {
     return this.set('unknownFields', JSON.stringify(fields))
   }

@@ -1,11 +1,19 @@
 import type { GLTF, ReaderContext, Texture, TextureInfo } from '@gltf-transform/core'
 import { FurrowError } from '../core/error.ts'
-import { parseWrinkleMaps, WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
-import type { FurrowWrinkleMaps } from './extension.ts'
+import { WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
+import { parseWrinkleMaps } from '../drivers/parse.ts'
 import type { MaterialWrinkles } from './material-wrinkles.ts'
-import { LAYER_SLOTS, type LayerSlot } from './wrinkle-layer.ts'
+import type { WrinkleArea } from './wrinkle-area.ts'
+import { LAYER_SLOTS, type LayerSlot, type WrinkleLayer } from './wrinkle-layer.ts'
 
 type Json = Record<string, unknown>
+
+/** Creates properties of the document that is read. */
+interface PropertyFactory {
+  createMaterialWrinkles(): MaterialWrinkles
+  createLayer(name: string): WrinkleLayer
+  createArea(name: string): WrinkleArea
+}
 
 /** Fields of each object that are read into properties; all others are kept as they are. */
 const KNOWN = {
@@ -21,7 +29,7 @@ const KNOWN = {
  * @throws FurrowError that names the first wrong field.
  */
 export function readMaterialWrinkles(
-  extension: FurrowWrinkleMaps,
+  properties: PropertyFactory,
   context: ReaderContext,
   material: GLTF.IMaterial,
   who: string,
@@ -32,7 +40,7 @@ export function readMaterialWrinkles(
   const textureAt = (at: number) => textureOf(context, at, who)
 
   const layers = maps.layers.map((layer, i) => {
-    const property = extension
+    const property = properties
       .createLayer(layer.name)
       .setKind(layer.kind)
       .setNormalScale(layer.normalTexture.scale)
@@ -49,7 +57,7 @@ export function readMaterialWrinkles(
     return property
   })
   const areas = maps.areas.map((area, i) => {
-    const property = extension
+    const property = properties
       .createArea(area.name)
       .setLayer(layers[area.layer])
       .setTexture(textureAt(area.texture.index), area.channel)
@@ -62,7 +70,7 @@ export function readMaterialWrinkles(
     return property
   })
 
-  const wrinkles = extension.createMaterialWrinkles()
+  const wrinkles = properties.createMaterialWrinkles()
   for (const layer of layers) wrinkles.addLayer(layer)
   for (const area of areas) wrinkles.addArea(area)
   return wrinkles.setDrivers(maps.drivers).setExtras(extrasOf(raw)).setUnknownFields(without(raw, KNOWN.root))

@@ -60,6 +60,7 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
     return this.getRef('layer')
   }
 
+  /** Sets the layer whose wrinkles it shows; null = the first one. */
   setLayer(layer: WrinkleLayer | null): this {
     return this.setRef('layer', layer)
   }
@@ -69,12 +70,17 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
     return this.getRef('weightsTexture')
   }
 
-  /** @param channel the one that holds this area, 0 = R to 3 = A; other areas may use the others. */
+  /**
+   * Sets the image of the weights.
+   *
+   * @param channel the one that holds this area, 0 = R to 3 = A; other areas may use the others.
+   */
   setTexture(texture: Texture | null, channel = this.get('channel')): this {
     this.set('channel', channel)
     return this.setRef('weightsTexture', texture, { channels: CHANNELS[channel] })
   }
 
+  /** The channel of the texture that holds this area, 0 = R to 3 = A. */
   getChannel(): number {
     return this.get('channel')
   }
@@ -85,6 +91,7 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
     return slice === NO_SLICE ? null : slice
   }
 
+  /** Sets the slice of its texture, where that is a KTX 2 array; null for an ordinary image. */
   setSlice(slice: number | null): this {
     return this.set('slice', slice ?? NO_SLICE)
   }
@@ -99,6 +106,7 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
     return this.get('combine')
   }
 
+  /** Sets how it combines with other areas of its layer: `sum` or `max`. */
   setCombine(combine: Combine): this {
     return this.set('combine', combine)
   }
@@ -108,6 +116,7 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
     return this.get('activation')
   }
 
+  /** Sets the activation at rest, 0..1. */
   setActivation(activation: number): this {
     return this.set('activation', activation)
   }
@@ -117,6 +126,7 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
     return JSON.parse(this.get('unknownFields'))
   }
 
+  /** Replaces the unknown fields by a copy of these, which must be plain JSON. */
   setUnknownFields(fields: Record<string, unknown>): this {
     return this.set('unknownFields', JSON.stringify(fields))
   }

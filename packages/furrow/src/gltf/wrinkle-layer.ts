@@ -45,6 +45,7 @@ export const LAYER_SLOTS = {
   heightTexture: { channels: TextureChannel.R },
 } as const
 
+/** A texture slot of a layer, as in the extension's JSON. */
 export type LayerSlot = keyof typeof LAYER_SLOTS
 
 /** The maps of the skin fully wrinkled, of a {@link MaterialWrinkles}. */
@@ -93,6 +94,7 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
     return this.get('kind')
   }
 
+  /** Sets how the layer's normals combine with the skin's own: `replace` or `detail`. */
   setKind(kind: LayerKind): this {
     return this.set('kind', kind)
   }
@@ -102,6 +104,7 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
     return this.getRef(slot)
   }
 
+  /** Sets the image of one slot; null empties it. */
   setTexture(slot: LayerSlot, texture: Texture | null): this {
     return this.setRef(slot, texture, { ...LAYER_SLOTS[slot] })
   }
@@ -112,6 +115,7 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
     return slice === NO_SLICE ? null : slice
   }
 
+  /** Sets the slice of the slot's texture, where that is a KTX 2 array; null for an ordinary image. */
   setSlice(slot: LayerSlot, slice: number | null): this {
     return this.set(`${slot}Slice`, slice ?? NO_SLICE)
   }
@@ -126,6 +130,7 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
     return this.get('normalScale')
   }
 
+  /** Sets the factor on x and y of the normals. */
   setNormalScale(scale: number): this {
     return this.set('normalScale', scale)
   }
@@ -135,6 +140,7 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
     return this.get('occlusionStrength')
   }
 
+  /** Sets the strength of the occlusion, 0 = none, 1 = as in the map. */
   setOcclusionStrength(strength: number): this {
     return this.set('occlusionStrength', strength)
   }
@@ -144,6 +150,7 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
     return this.get('heightAmplitude')
   }
 
+  /** Sets the metres from black to white of the height map. */
   setHeightAmplitude(metres: number): this {
     return this.set('heightAmplitude', metres)
   }
@@ -153,6 +160,7 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
     return JSON.parse(this.get('unknownFields'))
   }
 
+  /** Replaces the unknown fields by a copy of these, which must be plain JSON. */
   setUnknownFields(fields: Record<string, unknown>): this {
     return this.set('unknownFields', JSON.stringify(fields))
   }

@@ -1,6 +1,6 @@
 import type { Property, Texture, TextureInfo, WriterContext } from '@gltf-transform/core'
 import { FurrowError } from '../core/error.ts'
-import { parseWrinkleMaps } from '../core/wrinkle-maps.ts'
+import { parseWrinkleMaps } from '../drivers/parse.ts'
 import type { MaterialWrinkles } from './material-wrinkles.ts'
 import type { WrinkleArea } from './wrinkle-area.ts'
 import { LAYER_SLOTS, type LayerSlot, type WrinkleLayer } from './wrinkle-layer.ts'

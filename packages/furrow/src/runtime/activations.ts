@@ -2,9 +2,9 @@ import { FurrowError, sentence } from '../core/error.ts'
 import { MAX_AREAS } from '../core/limits.ts'
 import { listNames } from '../core/wrinkle-set.ts'
 
-/** The narrow waist: one number in 0..1 per area, bound by name. */
+/** The activation vector: one number in 0..1 per area, bound by name. */
 export class Activations {
-  /** Grows by one with every change; compare it to know whether anything is to be done. */
+  /** Grows by one with every change. */
   version = 0
 
   #areas: readonly { name: string }[] = []
@@ -18,7 +18,7 @@ export class Activations {
     this.rebind(areas)
   }
 
-  /** In the order of the areas; change them by `set`. */
+  /** In the order of the areas, 0 beyond them; read only. */
   get values(): Float32Array {
     return this.#values
   }
@@ -56,30 +56,28 @@ export class Activations {
   }
 
   /**
-   * Takes many over at once, by their places in the order of the areas; nothing is allocated.
+   * Sets one by its index, from a list; nothing is allocated, as a number that is passed to `set` may be boxed.
    *
    * @param values 0..1.
+   * @param at index of the value in the list.
    */
-  take(places: ArrayLike<number>, values: Float32Array): void {
-    for (let i = 0; i < places.length; i++) {
-      if (this.#values[places[i]] === values[i]) continue
-      this.#values[places[i]] = values[i]
-      this.version++
-    }
+  setAt(index: number, values: Float32Array, at: number): void {
+    if (this.#values[index] === values[at]) return
+    this.#values[index] = values[at]
+    this.version++
   }
 
   /**
-   * Takes many over by name; those that do not exist are passed over. Nothing is allocated, as a number that is handed to `set` may be.
+   * Sets many by name; names that no area has are ignored. Nothing is allocated.
    *
    * @param values 0..1, in the order of the names.
-   * @param except names that are passed over too.
+   * @param except names that are ignored too.
    */
-  takeNamed(names: readonly string[], values: Float32Array, except?: ReadonlySet<string>): void {
+  setNamed(names: readonly string[], values: Float32Array, except?: ReadonlySet<string>): void {
     for (let i = 0; i < names.length; i++) {
       const index = this.#indices.get(names[i])
-      if (index === undefined || this.#values[index] === values[i] || except?.has(names[i])) continue
-      this.#values[index] = values[i]
-      this.version++
+      if (index === undefined || except?.has(names[i])) continue
+      this.setAt(index, values, i)
     }
   }
 
@@ -110,7 +108,7 @@ export class Activations {
           what: `activation of "${name}" out of range`,
           value,
           limit: '0 to 1',
-          remedy: `taken as ${allowed}; this is said once`,
+          remedy: `clamped to ${allowed}; this warning is not repeated`,
         }),
       )
     }

@@ -20,14 +20,14 @@ export function checkMesh(mesh: Mesh): void {
   }
 }
 
-/** Checks that a mesh has one normal map to compose: instances share it. */
-export function checkNotInstanced(mesh: Mesh): void {
+/** Checks that a mesh is not instanced: in some modes all instances would show the same wrinkles. */
+export function checkNotInstanced(mesh: Mesh, mode: string): void {
   if (!instancesOf(mesh)) return
   throw new FurrowError({
-    who: 'Wrinkles',
-    what: 'composed mode on instances, which share a normal map',
-    value: mesh.name,
-    limit: 'a mesh of its own',
+    who: 'Wrinkles.mode',
+    what: 'instances cannot have wrinkles of their own in this mode',
+    value: mode,
+    limit: 'default or off for an InstancedMesh or BatchedMesh',
     remedy: 'use the default mode',
   })
 }

@@ -1,3 +1,9 @@
+/**
+ * Wrinkles for three.js and its `WebGLRenderer`.
+ *
+ * @module furrow/three
+ */
+
 export * from './common.ts'
 export { WrinkleLoaderPlugin } from './webgl/WrinkleLoaderPlugin.ts'
 export { Wrinkles } from './webgl/webgl-wrinkles.ts'

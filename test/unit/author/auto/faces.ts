@@ -1,9 +1,9 @@
 import { fileURLToPath } from 'node:url'
-import { MorphActivation } from 'furrow'
 import { type AutoWrinkles, autoWrinkles, type Skin } from 'furrow/author'
 import { findSkin } from '../../../../packages/cli/src/auto/read-skin.ts'
 import { readDocument } from '../../../../packages/cli/src/face.ts'
 import { type Face, findFace, poseOf } from '../../../../packages/furrow/src/author/auto/face.ts'
+import { driven } from '../../../driven.ts'
 import { hasScan, SCAN } from '../../../real-face/pack-scan.ts'
 
 /** The face that ships, and the scan where it is at hand. */
@@ -17,13 +17,13 @@ export class Measured {
   readonly skin: Skin
   readonly face: Face
   readonly wrinkles: AutoWrinkles
-  readonly #morph: MorphActivation
+  readonly #driven: ReturnType<typeof driven>
 
   constructor(skin: Skin, face: Face, wrinkles: AutoWrinkles) {
     this.skin = skin
     this.face = face
     this.wrinkles = wrinkles
-    this.#morph = new MorphActivation(
+    this.#driven = driven(
       wrinkles.areas.map(({ driver }) => driver),
       skin.targets.map(({ name }) => name),
     )
@@ -38,8 +38,7 @@ export class Measured {
   activations(pose: Readonly<Record<string, number>>): Map<string, number> {
     const weights = new Float32Array(this.skin.targets.length)
     for (const [target, weight] of poseOf(this.face.find, pose)) weights[target] = weight
-    this.#morph.update(weights)
-    return new Map(this.#morph.areaNames.map((name, i) => [name, this.#morph.activations[i]!]))
+    return new Map(Object.entries(this.#driven.activations({ weights })))
   }
 
   /**

@@ -1,5 +1,5 @@
-import { canonicalTargetName } from '../../drivers/target-names.ts'
-import type { MorphDriver } from '../../drivers/types.ts'
+import type { MorphDriver } from '../../drivers/morph/definition.ts'
+import { canonicalTargetName } from '../../drivers/morph/target-names.ts'
 import { coverTexels } from '../cover-texels.ts'
 import type { Spot } from './chart.ts'
 import { type FittedRegion, roundWeight } from './links.ts'

@@ -1,4 +1,4 @@
-import { canonicalTargetName, targetFinder } from '../../drivers/target-names.ts'
+import { canonicalTargetName, targetFinder } from '../../drivers/morph/target-names.ts'
 
 /**
  * What stands in for a shape that a rig does not have: shapes of a part of the face that move the same skin in the same way, the

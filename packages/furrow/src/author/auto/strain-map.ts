@@ -1,4 +1,4 @@
-import { targetFinder } from '../../drivers/target-names.ts'
+import { targetFinder } from '../../drivers/morph/target-names.ts'
 import { poseOf } from './face.ts'
 import { prepareSkin } from './prepare.ts'
 import { principalAt } from './principal.ts'

@@ -97,7 +97,9 @@ export function pointOffsets(surface: Surface, { offsets }: SkinTarget): Float64
  * The cross product of two edges of a triangle, along its normal.
  *
  * @param points x, y and z of each.
- * @param a, b, c the triangle's points, counterclockwise as seen from outside.
+ * @param a first corner; the corners are counterclockwise as seen from outside.
+ * @param b second corner.
+ * @param c third corner.
  * @param out takes x, y and z.
  * @returns its length, twice the triangle's area.
  */

@@ -33,6 +33,7 @@ export interface BakeSource {
   anyHit: AnyHit
 }
 
+/** Options of {@link bakeMaps}; defaults are {@link BAKE_DEFAULTS}. */
 export interface BakeOptions {
   /** Side of the maps in texels. */
   size?: number
@@ -50,6 +51,7 @@ export interface BakeOptions {
   bits?: 8 | 16
 }
 
+/** Defaults of {@link BakeOptions}; `cage` has none. */
 export const BAKE_DEFAULTS = {
   size: 1024,
   samples: 4,
@@ -59,6 +61,7 @@ export const BAKE_DEFAULTS = {
   bits: 8,
 } as const satisfies Omit<BakeOptions, 'cage'>
 
+/** The maps that {@link bakeMaps} makes, and how many of its rays missed. */
 export interface BakedMaps {
   /** Green towards smaller v. */
   normal: NormalMap

@@ -20,12 +20,14 @@ export interface NormalMap {
 /** Direction of green: `up`, towards smaller v, as in glTF and OpenGL; `down` as in Direct3D. */
 export type Green = 'up' | 'down'
 
+/** Options of {@link reliefToNormal}; defaults are {@link RELIEF_DEFAULTS}. */
 export interface ReliefOptions {
   edges?: Edges
   green?: Green
   bits?: 8 | 16
 }
 
+/** Defaults of {@link ReliefOptions}: edges clamped, green up, 8 bits per channel. */
 export const RELIEF_DEFAULTS = { edges: 'clamp', green: 'up', bits: 8 } as const satisfies ReliefOptions
 
 /**

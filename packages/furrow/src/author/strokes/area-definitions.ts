@@ -3,6 +3,7 @@ import type { JsonReader, Uv } from '../../core/json.ts'
 /** A soft shape: the inside of a polygon, or everything near the strokes of a group. */
 export type AreaShape = PolygonShape | GroupShape
 
+/** The inside of a polygon in the texture, with a soft edge. */
 export interface PolygonShape {
   /** At least 3 points [u, v], 0..1; the last is joined to the first. */
   polygon: Uv[]
@@ -10,6 +11,7 @@ export interface PolygonShape {
   feather: number
 }
 
+/** All that is near the strokes of a group, with a soft edge. */
 export interface GroupShape {
   /** Name of a group of strokes in the same document. */
   group: string

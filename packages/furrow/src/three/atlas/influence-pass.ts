@@ -1,14 +1,16 @@
 import { type Material, OrthographicCamera, type RenderTarget, Scene } from 'three'
-import type { AreaArray, Slot } from './area-array.ts'
-import type { AnyRenderer, Cell, InfluenceAtlas } from './influence-atlas.ts'
+import type { AreaSlot } from '../../runtime/area-slots.ts'
+import type { AtlasCells, Cell } from '../../runtime/atlas-cells.ts'
+import type { AnyRenderer } from '../renderer.ts'
+import type { AreaArray } from './area-array.ts'
 import { Quads } from './quads.ts'
-import { drawAside } from './render-preserving-state.ts'
+import { renderPreservingState } from './render-preserving-state.ts'
 
-/** What a renderer's class adds: materials of the quads, and whether a target still holds what was drawn. */
+/** What a renderer's class adds: the quads' materials, and whether a target still holds what was drawn. */
 export interface QuadMaterials {
-  /** Writes 0, or adds the areas' shares up, or takes the largest; see `Quads` for the attributes. */
+  /** Writes 0, adds weight x activation, or takes the larger; see `Quads` for the attributes. */
   create(rule: 'clear' | 'sum' | 'max', areas: AreaArray | null): Material
-  survives(renderer: AnyRenderer, drawn: { readonly target: RenderTarget }): boolean
+  hasContents(renderer: AnyRenderer, target: RenderTarget): boolean
 }
 
 /** Quads of the areas of one array. */
@@ -18,31 +20,34 @@ interface Batch {
   max: Quads
 }
 
-/** Draws cells of an atlas: clears them, adds up their areas, and takes the largest of those that say so. */
+/** Draws cells of an atlas: clears them, adds up their areas, and takes the largest of those that combine by `max`. */
 export class InfluencePass {
-  readonly #atlas: InfluenceAtlas
+  readonly #cells: AtlasCells
+  readonly #target: RenderTarget
   readonly #materials: QuadMaterials
   readonly #scene = new Scene()
   readonly #camera = new OrthographicCamera()
   readonly #cleared: Quads
-  readonly #whole: Slot
-  /** A list and no map: going through it allocates nothing. */
+  readonly #whole: AreaSlot
+  /** A list rather than a map: iterating it allocates nothing. */
   #batches: Batch[] = []
 
-  constructor(atlas: InfluenceAtlas, materials: QuadMaterials) {
-    this.#atlas = atlas
+  constructor(cells: AtlasCells, target: RenderTarget, materials: QuadMaterials) {
+    this.#cells = cells
+    this.#target = target
     this.#materials = materials
     this.#scene.matrixWorldAutoUpdate = false
     this.#cleared = this.#quads('clear', null)
-    const bounds = { x0: 0, y0: 0, x1: atlas.width, y1: atlas.height }
+    const bounds = { x0: 0, y0: 0, x1: cells.width, y1: cells.height }
     this.#whole = { layer: 0, combine: 'sum', slice: 0, channel: 0, bounds }
   }
 
-  survives(renderer: AnyRenderer): boolean {
-    return this.#materials.survives(renderer, this.#atlas)
+  /** Whether the target still holds what was drawn. */
+  hasContents(renderer: AnyRenderer): boolean {
+    return this.#materials.hasContents(renderer, this.#target)
   }
 
-  /** @param cells of which the first `count` have activations as they shall be drawn; their `drawn` is set. */
+  /** @param cells of which the first `count` are drawn, with their faces' activations. */
   draw(renderer: AnyRenderer, cells: readonly Cell[], count: number): void {
     this.#cleared.begin()
     for (const { sum, max } of this.#batches) {
@@ -55,10 +60,10 @@ export class InfluencePass {
       sum.end()
       max.end()
     }
-    drawAside(renderer, this.#atlas.target, this.#scene, this.#camera)
+    renderPreservingState(renderer, this.#target, this.#scene, this.#camera)
   }
 
-  /** Frees what belongs to arrays of areas that no face has any more. */
+  /** Frees what belongs to arrays of areas that are no longer used. */
   prune(used: ReadonlySet<AreaArray>): void {
     for (const { sum, max } of this.#batches.filter(({ areas }) => !used.has(areas))) {
       for (const quads of [sum, max]) {
@@ -76,14 +81,16 @@ export class InfluencePass {
 
   #put(cell: Cell): void {
     const { face, drawn, index } = cell
-    const { grid } = this.#atlas
+    const { grid } = this.#cells
     const column = index % grid.columns
     const row = Math.floor(index / grid.columns)
     this.#cleared.put(column, row, this.#whole, 0)
-    const { sum, max } = this.#batchOf(face.areas)
-    const { slots } = face.areas
+    const areas = face.slots as AreaArray
+    const { sum, max } = this.#batchOf(areas)
+    const { slots } = areas
+    const { values } = face.activations
     for (let i = 0; i < slots.length; i++) {
-      const value = face.values[i]
+      const value = values[i]
       drawn[i] = value
       const slot = slots[i]
       if (value === 0 || slot.bounds.x1 <= slot.bounds.x0) continue
@@ -103,8 +110,8 @@ export class InfluencePass {
   }
 
   #quads(rule: 'clear' | 'sum' | 'max', areas: AreaArray | null): Quads {
-    const quads = new Quads(this.#atlas, this.#materials.create(rule, areas))
-    // All are cleared before any is added to, and added up before the largest is taken.
+    const quads = new Quads(this.#cells, this.#materials.create(rule, areas))
+    // All are cleared before any is added to, and added up before the maximum.
     quads.mesh.renderOrder = { clear: 0, sum: 1, max: 2 }[rule]
     this.#scene.add(quads.mesh)
     return quads

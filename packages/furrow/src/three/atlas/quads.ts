@@ -8,14 +8,14 @@ import {
   Mesh,
 } from 'three'
 import { MAX_LAYERS } from '../../core/limits.ts'
-import type { Slot } from './area-array.ts'
+import type { AreaSlot } from '../../runtime/area-slots.ts'
 
 /** Four vectors of four numbers for each instance. */
 const ATTRIBUTES = ['furrowTo', 'furrowFrom', 'furrowAt', 'furrowShare'] as const
 const STRIDE = 4 * ATTRIBUTES.length
 
-/** What they are drawn onto: cells in columns and rows, each so many texels of an area wide and high. */
-interface Sheet {
+/** What they are drawn onto: a grid of cells, each `width` x `height` texels of an area. */
+interface CellGrid {
   readonly width: number
   readonly height: number
   readonly grid: { readonly columns: number; readonly rows: number }
@@ -28,13 +28,13 @@ interface Sheet {
  */
 export class Quads {
   readonly mesh: Mesh<InstancedBufferGeometry, Material>
-  readonly #sheet: Sheet
+  readonly #cells: CellGrid
   #data = new Float32Array(16 * STRIDE)
   #buffer!: InstancedInterleavedBuffer
   #count = 0
 
-  constructor(sheet: Sheet, material: Material) {
-    this.#sheet = sheet
+  constructor(cells: CellGrid, material: Material) {
+    this.#cells = cells
     this.mesh = new Mesh(new InstancedBufferGeometry(), material)
     this.mesh.frustumCulled = false
     this.mesh.matrixAutoUpdate = false
@@ -46,9 +46,9 @@ export class Quads {
   }
 
   /** Adds the rectangle of one area in the cell at `column` and `row`. */
-  put(column: number, row: number, { bounds, slice, channel, layer }: Slot, share: number): void {
+  put(column: number, row: number, { bounds, slice, channel, layer }: AreaSlot, activation: number): void {
     if ((this.#count + 1) * STRIDE > this.#data.length) this.#grow()
-    const { width, height, grid } = this.#sheet
+    const { width, height, grid } = this.#cells
     const { x0, y0, x1, y1 } = bounds
     const data = this.#data
     const at = STRIDE * this.#count++
@@ -62,7 +62,7 @@ export class Quads {
     data[at + 7] = y1
     data[at + 8] = slice
     data[at + 9] = channel
-    for (let i = 0; i < MAX_LAYERS; i++) data[at + 12 + i] = i === layer ? share : 0
+    for (let i = 0; i < MAX_LAYERS; i++) data[at + 12 + i] = i === layer ? activation : 0
   }
 
   end(): void {

@@ -1,8 +1,13 @@
 import type { Camera, RenderTarget, Scene, WebGLRenderer } from 'three'
-import type { AnyRenderer } from './influence-atlas.ts'
+import type { AnyRenderer } from '../renderer.ts'
 
-/** Draws into a target in the midst of another rendering, over what stands there, and leaves the renderer as it was. */
-export function drawAside(renderer: AnyRenderer, target: RenderTarget, scene: Scene, camera: Camera): void {
+/** Renders into a target while another render call is in progress, without clearing it, and restores the renderer's state. */
+export function renderPreservingState(
+  renderer: AnyRenderer,
+  target: RenderTarget,
+  scene: Scene,
+  camera: Camera,
+): void {
   const gl = renderer as WebGLRenderer
   const before = gl.getRenderTarget()
   const face = gl.getActiveCubeFace()

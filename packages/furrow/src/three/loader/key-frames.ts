@@ -1,70 +1,10 @@
-import {
-  Interpolant,
-  InterpolateDiscrete,
-  type KeyframeTrack,
-  type Mesh,
-  NumberKeyframeTrack,
-  type TypedArray,
-} from 'three'
+import { Interpolant, InterpolateDiscrete, type KeyframeTrack, type Mesh, type TypedArray } from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
-import { sentence } from '../../core/error.ts'
-import { parseActivationPointer } from '../../drivers/key-frames.ts'
+import { parseActivationPointer } from '../../core/activation-pointer.ts'
+import { activationTrack } from '../animated-areas.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 
 type Parser = GLTF['parser']
-
-/** What a mixer finds on a mesh as `wrinkles[AREA].activation`. */
-export type AnimatedAreas = Record<string, { activation: number }>
-
-/**
- * Key frames of an area's activation at rest, for an `AnimationClip` that three.js's `AnimationMixer` plays on the mesh or any
- * object above it, together with whatever else the clip moves. Drivers add to it.
- *
- * @param mesh with wrinkles; by its name, as clips of files do, so that copies play it too.
- * @param times seconds, growing.
- * @param values 0..1, one for each time; linear between them.
- */
-export function activationTrack(
-  mesh: Mesh,
-  area: string,
-  times: ArrayLike<number>,
-  values: ArrayLike<number>,
-): NumberKeyframeTrack {
-  const name = `${mesh.name || mesh.uuid}.wrinkles[${area}].activation`
-  return new NumberKeyframeTrack(name, Array.from(times), Array.from(values))
-}
-
-/** Lets mixers reach the areas of a mesh; call it again after areas came or went. */
-export function exposeAreas(mesh: Mesh, wrinkles: WrinklesBase): void {
-  const areas: AnimatedAreas = {}
-  for (const name of wrinkles.areaNames) areas[name] = animatedArea(wrinkles, name)
-  ;(mesh as Mesh & { wrinkles?: AnimatedAreas }).wrinkles = areas
-}
-
-/** A mixer holds on to it, also when the area is gone: that is said once. */
-function animatedArea(wrinkles: WrinklesBase, name: string): { activation: number } {
-  let said = false
-  return {
-    get activation() {
-      return wrinkles.hasArea(name) ? wrinkles.getRestingActivation(name) : 0
-    },
-    set activation(value) {
-      // Splines may overshoot.
-      if (wrinkles.hasArea(name)) wrinkles.setRestingActivation(name, Math.min(Math.max(value, 0), 1))
-      else if (!said) {
-        said = true
-        console.warn(
-          sentence({
-            who: 'Wrinkles',
-            what: `an animation moves an area that is gone`,
-            value: name,
-            remedy: 'the rest of it plays all the same',
-          }),
-        )
-      }
-    },
-  }
-}
 
 /** The faces of a material by the index that it has in the file. */
 export type FacesByMaterial = ReadonlyMap<number, readonly WrinklesBase[]>

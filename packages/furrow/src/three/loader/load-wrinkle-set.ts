@@ -1,9 +1,9 @@
 import { areaWeights } from '../../core/area.ts'
 import { CHANNEL, channelOf } from '../../core/channels.ts'
-import { parseWrinkleSetDocument } from '../../core/document.ts'
 import { FurrowError } from '../../core/error.ts'
 import type { Area, Layer, WrinkleSet } from '../../core/types.ts'
 import { checkWrinkleSet } from '../../core/wrinkle-set.ts'
+import { parseWrinkleSetDocument } from '../../drivers/parse.ts'
 import { decodeImage, toGray } from './decode-image.ts'
 
 /**

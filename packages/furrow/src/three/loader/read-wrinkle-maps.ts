@@ -12,13 +12,13 @@ import { CHANNEL, channelOf } from '../../core/channels.ts'
 import { FurrowError } from '../../core/error.ts'
 import type { Area, ArraySlice, GrayImage, Layer, RgbaImage, WrinkleSet } from '../../core/types.ts'
 import {
-  parseWrinkleMaps,
+  type MapsAndAreas,
   type TextureReference,
   WRINKLE_MAPS,
-  type WrinkleMaps,
   type WrinkleMapsLayer,
 } from '../../core/wrinkle-maps.ts'
-import type { WrinkleDriver } from '../../drivers/types.ts'
+import { parseWrinkleMaps } from '../../drivers/parse.ts'
+import type { WrinkleDriver } from '../../drivers/registry.ts'
 import { joinArrays } from './join-arrays.ts'
 import { readTexture } from './read-texture.ts'
 import { type ArrayTexture, isCompressed, loadAreaArray, loadMapArray } from './texture-arrays.ts'
@@ -84,7 +84,7 @@ function extensionOf(material: Material, parser: Parser): object | undefined {
   return index === undefined ? undefined : parser.json.materials[index].extensions?.[WRINKLE_MAPS]
 }
 
-async function readSet(maps: WrinkleMaps, parser: Parser): Promise<WrinkleSet<ArraySlice>> {
+async function readSet(maps: MapsAndAreas, parser: Parser): Promise<WrinkleSet<ArraySlice>> {
   const source = new MapSource(parser)
   const layers = await Promise.all(maps.layers.map((layer) => readLayer(layer, source)))
   const areas = maps.areas.map(

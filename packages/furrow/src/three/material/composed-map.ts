@@ -8,17 +8,25 @@ import {
   type Texture,
 } from 'three'
 import { type Bounds, widen } from '../../core/bounds.ts'
-import type { AreaArray, Slot } from '../atlas/area-array.ts'
-import { type AnyRenderer, hasMoved } from '../atlas/influence-atlas.ts'
+import type { AreaSlot } from '../../runtime/area-slots.ts'
+import { hasMoved } from '../../runtime/atlas-cells.ts'
+import type { AreaArray } from '../atlas/area-array.ts'
 import type { QuadMaterials } from '../atlas/influence-pass.ts'
 import { Quads } from '../atlas/quads.ts'
-import { drawAside } from '../atlas/render-preserving-state.ts'
+import { renderPreservingState } from '../atlas/render-preserving-state.ts'
+import type { AnyRenderer } from '../renderer.ts'
 
-const WHOLE: Slot = { layer: 0, combine: 'sum', slice: 0, channel: 0, bounds: { x0: 0, y0: 0, x1: 1, y1: 1 } }
+const WHOLE: AreaSlot = {
+  layer: 0,
+  combine: 'sum',
+  slice: 0,
+  channel: 0,
+  bounds: { x0: 0, y0: 0, x1: 1, y1: 1 },
+}
 
 /**
- * A face's normal map with its wrinkles in it, drawn in the map's own space: for materials whose shader cannot be patched,
- * and for faces that seldom move, which then cost what a plain face costs.
+ * A face's normal map with its wrinkles in it, drawn in UV space: for materials whose shader cannot be patched, and for faces that
+ * seldom move, which then cost what a plain face costs.
  */
 export class ComposedMap {
   readonly target: RenderTarget
@@ -27,11 +35,11 @@ export class ComposedMap {
   readonly #quads: Quads
   readonly #scene = new Scene()
   readonly #camera = new OrthographicCamera()
-  readonly #survives: QuadMaterials['survives']
+  readonly #hasContents: QuadMaterials['hasContents']
   #renderer: AnyRenderer | null = null
   #areas: AreaArray | null = null
-  #slots: Slot[] = []
-  readonly #span: Slot = { ...WHOLE, bounds: { ...WHOLE.bounds } }
+  #slots: AreaSlot[] = []
+  readonly #span: AreaSlot = { ...WHOLE, bounds: { ...WHOLE.bounds } }
   #drawn = new Float32Array(0)
 
   /**
@@ -39,7 +47,12 @@ export class ComposedMap {
    * @param normals the layers', in an array: the larger of both gives the size.
    * @param material draws `Quads` of the composed map.
    */
-  constructor(base: Texture, normals: Texture, material: Material, survives: QuadMaterials['survives']) {
+  constructor(
+    base: Texture,
+    normals: Texture,
+    material: Material,
+    hasContents: QuadMaterials['hasContents'],
+  ) {
     this.base = base
     const [own, layered] = [base, normals].map(({ image }) => image as { width: number; height: number })
     const [width, height] = [Math.max(own.width, layered.width), Math.max(own.height, layered.height)]
@@ -60,19 +73,19 @@ export class ComposedMap {
     texture.center.copy(base.center)
     texture.rotation = base.rotation
     texture.matrix.copy(base.matrix)
-    this.#survives = survives
+    this.#hasContents = hasContents
     this.#quads = new Quads({ width: 1, height: 1, grid: { columns: 1, rows: 1 } }, material)
     this.#scene.matrixWorldAutoUpdate = false
     this.#scene.add(this.#quads.mesh)
   }
 
-  /** Draws where areas moved since the last time; the influence map must be up to date. */
+  /** Draws where areas have moved since the last time; the influence map must be up to date. */
   update(renderer: AnyRenderer, areas: AreaArray, values: Float32Array): void {
     this.#quads.begin()
-    if (this.#isLost(renderer) || areas !== this.#areas) this.#takeAll(areas, values)
-    else this.#takeMoved(values)
+    if (this.#isOutdated(renderer) || areas !== this.#areas) this.#putAll(areas, values)
+    else this.#putMoved(values)
     this.#quads.end()
-    if (this.#quads.mesh.visible) drawAside(renderer, this.target, this.#scene, this.#camera)
+    if (this.#quads.mesh.visible) renderPreservingState(renderer, this.target, this.#scene, this.#camera)
   }
 
   dispose(): void {
@@ -80,21 +93,21 @@ export class ComposedMap {
     this.#quads.dispose()
   }
 
-  #isLost(renderer: AnyRenderer): boolean {
-    const lost = renderer !== this.#renderer || !this.#survives(renderer, this)
+  #isOutdated(renderer: AnyRenderer): boolean {
+    const isOutdated = renderer !== this.#renderer || !this.#hasContents(renderer, this.target)
     this.#renderer = renderer
-    return lost
+    return isOutdated
   }
 
-  #takeAll(areas: AreaArray, values: Float32Array): void {
+  #putAll(areas: AreaArray, values: Float32Array): void {
     this.#areas = areas
-    this.#slots = areas.slots.map((slot) => reached(slot, areas))
+    this.#slots = areas.slots.map((slot) => reachOf(slot, areas))
     this.#drawn = values.slice(0, areas.slots.length)
     this.#quads.put(0, 0, WHOLE, 0)
   }
 
-  /** The parts that moved one by one, or all that they span where that is less, since they overlap. */
-  #takeMoved(values: Float32Array): void {
+  /** The rectangles of areas that moved, or the one around them all where that is smaller, since they overlap. */
+  #putMoved(values: Float32Array): void {
     const { bounds } = this.#span
     bounds.x0 = bounds.y0 = 1
     bounds.x1 = bounds.y1 = 0
@@ -113,8 +126,8 @@ export class ComposedMap {
   }
 }
 
-/** The part of the map, 0..1, that an area reaches: filtered, its outermost texels reach to the middle of the next ones. */
-function reached(slot: Slot, { width, height }: AreaArray): Slot {
+/** The part of the map, 0..1, that an area reaches: bilinear filtering spreads its outermost texels to the centres of the next ones. */
+function reachOf(slot: AreaSlot, { width, height }: AreaArray): AreaSlot {
   const { x0, y0, x1, y1 } = slot.bounds
   const bounds = {
     x0: Math.max(0, x0 - 1) / width,

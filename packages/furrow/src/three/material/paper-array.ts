@@ -6,8 +6,8 @@ import { scaleNormals } from '../../core/scale-normals.ts'
 import type { ArraySlice, Layer, RgbaImage } from '../../core/types.ts'
 import { isSlice } from '../../core/wrinkle-set.ts'
 import { readTexture } from '../loader/read-texture.ts'
-import type { WrinkleMaterial } from './renderer-parts.ts'
 import { mapTexture } from './textures.ts'
+import type { WrinkleMaterial } from './wrinkle-material.ts'
 
 /** The paper's array: diffuse, smooth normals, wrinkled normals. */
 export interface PaperArray {

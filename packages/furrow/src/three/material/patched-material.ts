@@ -6,49 +6,51 @@ import type { WrinkleMode } from '../options.ts'
 import { ActivationTable } from './activation-table.ts'
 import { ComposedMap } from './composed-map.ts'
 import { packPaperArray } from './paper-array.ts'
-import type { RendererParts, WrinkleMaterial } from './renderer-parts.ts'
-import type { WrinkleInputs } from './shader-inputs.ts'
+import type { RendererParts } from './renderer-parts.ts'
+import type { ShaderInputs } from './shader-inputs.ts'
 import { flatNormalTexture } from './textures.ts'
+import type { WrinkleMaterial } from './wrinkle-material.ts'
 
-const worn = new WeakSet<Material>()
+const patchedMaterials = new WeakSet<Material>()
 
 /**
- * The material of a mesh, if it can be patched and wears no wrinkles yet.
+ * The material of a mesh, where it can be patched and is not patched yet.
  *
- * @throws FurrowError naming the mesh.
+ * @throws FurrowError that names the mesh.
  */
-export function freeMaterial(mesh: Mesh): WrinkleMaterial {
+export function checkMaterial(mesh: Mesh): WrinkleMaterial {
   const material = mesh.material as WrinkleMaterial
   const problem = problemOf(material)
   if (!problem) return material
   throw new FurrowError({ who: 'Wrinkles', value: mesh.name, ...problem })
 }
 
-/** The user's own material while it wears wrinkles. */
-export class WornMaterial {
+/** The user's own material while it shows wrinkles. */
+export class PatchedMaterial {
   mode: WrinkleMode = 'off'
-  /** Shown in the place of the material's own normal map, in the composed mode. */
+  /** In the composed mode: what replaces the material's own normal map. */
   composed: ComposedMap | null = null
   readonly #mesh: Mesh
   readonly #material: WrinkleMaterial
-  readonly #inputs: WrinkleInputs
+  readonly #inputs: ShaderInputs
   readonly #renderer: RendererParts
-  /** Stands in where the material has no normal map. */
+  /** Used where the material has no normal map. */
   readonly #flat: Texture | null
   #unpatch: () => void = () => {}
 
-  constructor(mesh: Mesh, material: WrinkleMaterial, inputs: WrinkleInputs, renderer: RendererParts) {
+  constructor(mesh: Mesh, material: WrinkleMaterial, inputs: ShaderInputs, renderer: RendererParts) {
     this.#mesh = mesh
     this.#material = material
     this.#inputs = inputs
     this.#renderer = renderer
     this.#flat = material.normalMap ? null : flatNormalTexture()
     if (this.#flat) material.normalMap = this.#flat
-    worn.add(material)
+    patchedMaterials.add(material)
   }
 
-  /** @throws FurrowError when the mode cannot be had; it then stays as it was. */
+  /** @throws FurrowError when the mode is not possible; it then stays as it was. */
   show(mode: WrinkleMode): void {
+    if (mode === 'paper' || mode === 'composed') checkNotInstanced(this.#mesh, mode)
     if (mode === 'paper') {
       const smooth = this.#flat ? null : (this.composed?.base ?? this.#material.normalMap)
       this.#inputs.paper ??= {
@@ -56,9 +58,8 @@ export class WornMaterial {
         table: new ActivationTable(),
       }
     }
-    if (mode === 'composed') checkNotInstanced(this.#mesh)
     this.#unpatch()
-    this.#unpatch = this.#patched(mode)
+    this.#unpatch = this.#patch(mode)
     this.#material.needsUpdate = true
     this.mode = mode
   }
@@ -70,11 +71,11 @@ export class WornMaterial {
     if (this.#flat) this.#material.normalMap = null
     const copy = this.#material.clone()
     this.#material.normalMap = normalMap
-    this.#unpatch = this.#patched(this.mode)
+    this.#unpatch = this.#patch(this.mode)
     return copy
   }
 
-  /** @param table activations of its own; null for those of now. */
+  /** @param table fixed activations; null for the current ones. */
   influenceMaterial(table: ActivationTable | null): Material {
     return this.#renderer.influenceMaterial(this.#material, this.#inputs, table, instancesOf(this.#mesh))
   }
@@ -86,23 +87,23 @@ export class WornMaterial {
       this.#material.normalMap = null
       this.#flat.dispose()
     }
-    worn.delete(this.#material)
-    // Renderers keep a program's inputs with the material; wrinkles put on it later must bring their own.
+    patchedMaterials.delete(this.#material)
+    // Renderers keep a program's uniforms with the material; wrinkles added later need their own.
     this.#material.dispose()
   }
 
-  #patched(mode: WrinkleMode): () => void {
+  #patch(mode: WrinkleMode): () => void {
     if (mode === 'off') return () => {}
     if (mode === 'composed') return this.#compose()
     return this.#renderer.patch(this.#material, this.#inputs, mode, instancesOf(this.#mesh))
   }
 
-  /** Puts the composed map in the place of the material's own. */
+  /** Replaces the material's own normal map by the composed one. */
   #compose(): () => void {
     const { composeMaterial, quads } = this.#renderer
     const base = this.#material.normalMap!
     const normals = this.#inputs.textures.normals.texture
-    const composed = new ComposedMap(base, normals, composeMaterial(base, this.#inputs), quads.survives)
+    const composed = new ComposedMap(base, normals, composeMaterial(base, this.#inputs), quads.hasContents)
     this.composed = composed
     this.#material.normalMap = composed.target.texture
     return () => {
@@ -126,9 +127,9 @@ function problemOf(material: WrinkleMaterial): { what: string; remedy: string } 
   if (material.normalMap && material.normalMapType === ObjectSpaceNormalMap) {
     return { what: 'object-space normal map', remedy: 'bake it to tangent space' }
   }
-  if (worn.has(material)) {
+  if (patchedMaterials.has(material)) {
     return {
-      what: 'material already carries wrinkles',
+      what: 'the material already shows wrinkles',
       remedy: 'give the mesh its own: mesh.material = mesh.material.clone(), or dispose the other wrinkles',
     }
   }

@@ -1,14 +1,15 @@
 import { type Texture, Vector2, Vector3, Vector4 } from 'three'
 import type { Layer } from '../../core/types.ts'
+import type { Cell } from '../../runtime/atlas-cells.ts'
+import { findReach, reachAll } from '../../runtime/reach.ts'
 import type { AreaArray } from '../atlas/area-array.ts'
-import type { Cell, InfluenceAtlas } from '../atlas/influence-atlas.ts'
-import { findReach, reachAll } from '../reach.ts'
+import type { InfluenceAtlas } from '../atlas/influence-atlas.ts'
 import type { ActivationTable } from './activation-table.ts'
 import type { PaperArray } from './paper-array.ts'
 import type { WrinkleTextures } from './wrinkle-textures.ts'
 
-/** What shaders read, `{ value }` as uniforms; the objects stay the same as long as the wrinkles live. */
-export interface WrinkleInputs {
+/** What shaders read, as uniforms `{ value }`; the objects stay the same as long as the wrinkles exist. */
+export interface ShaderInputs {
   readonly textures: WrinkleTextures
   /** For shaders that loop over the areas themselves. */
   areas: AreaArray
@@ -31,20 +32,21 @@ export interface WrinkleInputs {
 }
 
 /** Inputs of a set whose faces stand in an atlas. */
-export function createInputs(
+export function createShaderInputs(
   textures: WrinkleTextures,
   areas: AreaArray,
   atlas: InfluenceAtlas,
-): WrinkleInputs {
+): ShaderInputs {
+  const { cells, target } = atlas
   const perLayer = (number: (layer: Pick<Layer, 'normalScale' | 'occlusionStrength'>) => number) =>
     new Vector4().fromArray([...textures.layers.map(number), 1, 1, 1])
   return {
     textures,
     areas,
     areaTexture: { value: areas.texture },
-    influence: { value: atlas.target.texture },
+    influence: { value: target.texture },
     grid: { value: new Vector3() },
-    inset: { value: new Vector2(0.5 / atlas.width, 0.5 / atlas.height) },
+    inset: { value: new Vector2(0.5 / cells.width, 0.5 / cells.height) },
     reach: { value: new Vector4() },
     fade: { value: 1 },
     normalScale: { value: perLayer(({ normalScale }) => normalScale ?? 1) },
@@ -55,11 +57,15 @@ export function createInputs(
 
 /** Tells the shaders where the cells of a mesh are, since an atlas may have grown, and where anything shows in them. */
 export function placeCells(
-  { grid, reach, areas }: WrinkleInputs,
-  atlas: InfluenceAtlas,
+  { grid, reach, areas }: ShaderInputs,
+  {
+    cells: {
+      grid: { columns, rows },
+    },
+  }: InfluenceAtlas,
   cells: readonly Cell[],
 ): void {
-  grid.value.set(atlas.grid.columns, atlas.grid.rows, cells[0].index)
-  if (cells.length === 1) findReach(areas, cells[0].face.values, reach.value)
+  grid.value.set(columns, rows, cells[0].index)
+  if (cells.length === 1) findReach(areas, cells[0].face.activations.values, reach.value)
   else reachAll(reach.value)
 }

@@ -1,14 +1,7 @@
 import type { Mesh, Object3D } from 'three'
 import { FurrowError } from '../../core/error.ts'
-import { targetFinder } from '../../drivers/target-names.ts'
-
-/** One morph target of one mesh, and which of the names moves it. */
-export interface TargetBinding {
-  influences: number[]
-  target: number
-  /** Index into the names. */
-  weight: number
-}
+import { targetFinder } from '../../drivers/morph/target-names.ts'
+import type { TargetBinding } from '../../runtime/target-binding.ts'
 
 /**
  * Finds the targets of some names on every mesh under an object, in any spelling that `findTargets` knows.
@@ -24,10 +17,10 @@ export function bindTargets(face: Object3D, names: readonly string[], who: strin
     meshes++
     const targets = Object.keys(morphTargetDictionary)
     const find = targetFinder(targets)
-    for (const [weight, name] of names.entries()) {
+    for (const [index, name] of names.entries()) {
       for (const found of find(name)) {
         const target = morphTargetDictionary[targets[found]]
-        bindings.push({ influences: morphTargetInfluences, target, weight })
+        bindings.push({ influences: morphTargetInfluences, target, name: index })
       }
     }
   })

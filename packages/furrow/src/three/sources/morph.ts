@@ -1,39 +1,29 @@
 import type { InstancedMesh, Mesh } from 'three'
-import { MorphActivation } from '../../drivers/morph.ts'
-import { muscleLinks } from '../../drivers/muscles.ts'
-import { driversOf } from '../../drivers/types.ts'
-import { VrmWeights } from '../../drivers/vrm.ts'
+import { VrmWeights } from '../../drivers/morph/vrm.ts'
+import { driversOf } from '../../drivers/registry.ts'
+import { targetSource } from '../../drivers/sources.ts'
+import type { BindInputs } from './binding.ts'
 import { addMuscles } from './muscles.ts'
-import type { SourceType } from './source.ts'
 
-/** Reads the mesh's blendshapes, of which each muscle becomes one. Instances that have weights of their own (`setMorphAt`) wrinkle by those. */
-export const morphSource: SourceType = {
-  types: ['morph', 'muscle'],
-  create({ mesh }, drivers, { expressions }) {
-    const muscles = driversOf('muscle', drivers)
-    addMuscles(mesh, muscles)
-    const own = targetNames(mesh)
-    const vrm = expressions && new VrmWeights(expressions)
-    const driver = new MorphActivation(
-      [...driversOf('morph', drivers), ...muscleLinks(muscles)],
-      vrm ? [...own, ...vrm.names] : own,
-      driversOf('conflict', drivers),
-    )
-    const both = new Float32Array(vrm ? own.length + vrm.names.length : 0)
-    return {
-      driver,
-      update(instance) {
-        const { morphTargetInfluences, morphTexture } = mesh as Partial<InstancedMesh>
-        // Each instance's row holds the share of the base shape, then those of the targets.
-        if (morphTexture) driver.update(morphTexture.image.data!, instance * morphTexture.image.width + 1)
-        else if (vrm) {
-          for (let i = 0; i < own.length; i++) both[i] = morphTargetInfluences![i]
-          vrm.writeTo(both, own.length)
-          driver.update(both)
-        } else if (morphTargetInfluences) driver.update(morphTargetInfluences)
-      },
-    }
-  },
+/** Reads the mesh's blendshapes, of which each muscle becomes one. Instances with weights of their own (`setMorphAt`) wrinkle by those. */
+export const bindTargetWeights: BindInputs<'target'> = ({ mesh }, inputs, drivers, { expressions }) => {
+  addMuscles(mesh, driversOf('muscle', drivers))
+  const own = targetNames(mesh)
+  const vrm = expressions && new VrmWeights(expressions)
+  return {
+    ...targetSource(inputs, vrm ? [...own, ...vrm.names] : own),
+    read(values, instance) {
+      const { morphTargetInfluences, morphTexture } = mesh as Partial<InstancedMesh>
+      if (morphTexture) {
+        // Each instance's row holds the weight of the base shape, then those of the targets.
+        const { data, width } = morphTexture.image
+        for (let i = 0; i < own.length; i++) values[i] = data![instance * width + 1 + i]
+        return
+      }
+      if (morphTargetInfluences) for (let i = 0; i < own.length; i++) values[i] = morphTargetInfluences[i]
+      vrm?.writeTo(values, own.length)
+    },
+  }
 }
 
 /** Names in the order of the weights. An `InstancedMesh` has no list of its own; its geometry may. */

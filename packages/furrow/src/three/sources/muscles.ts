@@ -1,6 +1,6 @@
 import { BufferAttribute, type BufferGeometry, type Mesh } from 'three'
-import { muscleOffsets } from '../../drivers/muscles.ts'
-import type { MuscleDriver } from '../../drivers/types.ts'
+import type { MuscleDriver } from '../../drivers/muscle/definition.ts'
+import { muscleOffsets } from '../../drivers/muscle/offsets.ts'
 import { morphNormalDeltas } from '../../math/deformed-normals.ts'
 import { coordinates, targetOffsets, trianglesOf } from './geometry-arrays.ts'
 

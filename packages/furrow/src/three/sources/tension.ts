@@ -1,87 +1,89 @@
 import { type Mesh, type MeshStandardMaterial, Vector2, Vector3 } from 'three'
-import { areasOf } from '../../drivers/driver.ts'
-import { TensionActivation } from '../../drivers/tension.ts'
-import { coverage, type SampledMesh, sampleCovered } from '../../drivers/tension-samples.ts'
-import { driversOf, type TensionDriver } from '../../drivers/types.ts'
+import type { InputOf } from '../../drivers/activation.ts'
+import { measuredSource } from '../../drivers/sources.ts'
+import { TensionMeasurement } from '../../drivers/tension/measure.ts'
+import { coverage, type SampledMesh, sampleCovered } from '../../drivers/tension/samples.ts'
+import type { InputReader } from '../../runtime/driver-runtime.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
+import type { BindInputs } from './binding.ts'
 import { trianglesOf } from './geometry-arrays.ts'
-import type { SourceType } from './source.ts'
 
-/** Triangles that stand for an area: each costs three vertices, deformed by the processor as the mesh is. */
+/** Triangles that represent an area: each costs three vertices, deformed on the CPU as the mesh is. */
 const SAMPLES = 16
 
 /** What tension is measured on. */
 export interface TenseMesh {
   /** At rest. */
   sampled: SampledMesh
-  /** How much of each triangle each area of the drivers covers (`areasOf`, `coverage`); nothing where that cannot be known. */
+  /** Areas whose tension is measured, each once. */
+  areaNames: readonly string[]
+  /** Per area: how much of each triangle it covers (`coverage`); empty where that cannot be known. */
   covered: readonly Float64Array[]
 }
 
-/** The mesh of some drivers. Areas of compressed textures cannot be read. */
-export function tenseMesh(wrinkles: WrinklesBase, drivers: readonly TensionDriver[]): TenseMesh {
+/** The mesh for some inputs. Areas of compressed textures cannot be read. */
+export function tenseMesh(wrinkles: WrinklesBase, inputs: readonly InputOf<'tension'>[]): TenseMesh {
+  const areaNames = [...new Set(inputs.map(({ area }) => area))]
+  if (areaNames.length === 0) return { sampled: EMPTY, areaNames, covered: [] }
   const sampled = sampledMesh(wrinkles.mesh)
-  const covered = areasOf(drivers).areaNames.map((area) => {
+  const covered = areaNames.map((area) => {
     const weights = wrinkles.getArea(area)?.weights
     return weights && 'data' in weights ? coverage(sampled, weights) : new Float64Array()
   })
-  return { sampled, covered }
+  return { sampled, areaNames, covered }
 }
+
+const EMPTY: SampledMesh = { positions: [], uvs: [], triangles: [] }
 
 /** Measures the mesh as skinning and blendshapes deform it, and its positions where something else does. */
-export const tensionSource: SourceType = {
-  types: ['tension'],
-  create(wrinkles, drivers) {
-    const own = driversOf('tension', drivers)
-    return sampledTension(wrinkles.mesh, tenseMesh(wrinkles, own), own)
-  },
-}
+export const bindTension: BindInputs<'tension'> = (wrinkles, inputs) =>
+  sampledTension(wrinkles.mesh, tenseMesh(wrinkles, inputs), inputs)
 
-/** Measures a few triangles of each area on the processor. */
+/** Measures a few triangles of each area on the CPU. */
 export function sampledTension(
   mesh: Mesh,
-  { sampled, covered }: TenseMesh,
-  drivers: readonly TensionDriver[],
-): { driver: TensionActivation; update(): void } {
-  const samples = covered.map((shares) => sampleCovered(sampled, shares, SAMPLES))
+  { sampled, areaNames, covered }: TenseMesh,
+  inputs: readonly InputOf<'tension'>[],
+): InputReader<unknown> {
+  const samples = covered.map((coverage) => sampleCovered(sampled, coverage, SAMPLES))
   const vertices = Uint32Array.from(new Set(samples.flatMap((triangles) => [...triangles])))
-  const places = new Map([...vertices].map((vertex, i) => [vertex, i]))
+  const indices = new Map([...vertices].map((vertex, i) => [vertex, i]))
   const rest = Float64Array.from(
     [...vertices].flatMap((vertex) => [0, 1, 2].map((k) => sampled.positions[3 * vertex + k])),
   )
-  const bound = areasOf(drivers).areaNames.map((area, i) => ({
+  const bound = areaNames.map((area, i) => ({
     area,
-    triangles: samples[i].map((vertex) => places.get(vertex)!),
+    triangles: samples[i].map((vertex) => indices.get(vertex)!),
   }))
-  const driver = new TensionActivation(drivers, bound, rest)
+  const measurement = new TensionMeasurement(inputs, bound, rest)
   const positions = new Float64Array(rest.length)
-  const at = new Vector3()
+  const position = new Vector3()
   return {
-    driver,
-    update() {
+    ...measuredSource(measurement.missing),
+    read(values) {
       for (let i = 0; i < vertices.length; i++) {
-        mesh.getVertexPosition(vertices[i], at)
-        at.toArray(positions, 3 * i)
+        mesh.getVertexPosition(vertices[i], position)
+        position.toArray(positions, 3 * i)
       }
-      driver.update(positions)
+      measurement.measure(positions, values)
     },
   }
 }
 
-/** The mesh at rest, with the texture coordinates that the areas have: those of the normal map. */
+/** The mesh at rest, with the texture coordinates of the areas: those of the normal map. */
 function sampledMesh({ geometry, material }: Mesh): SampledMesh {
   const position = geometry.getAttribute('position')
   const { normalMap } = material as MeshStandardMaterial
-  const uv = geometry.getAttribute(normalMap?.channel ? `uv${normalMap.channel}` : 'uv')
+  const attribute = geometry.getAttribute(normalMap?.channel ? `uv${normalMap.channel}` : 'uv')
   const positions = new Float64Array(3 * position.count)
   const uvs = new Float64Array(2 * position.count)
-  const place = new Vector2()
+  const uv = new Vector2()
   normalMap?.updateMatrix()
   for (let i = 0; i < position.count; i++) {
     positions.set([position.getX(i), position.getY(i), position.getZ(i)], 3 * i)
-    place.fromBufferAttribute(uv as never, i)
-    if (normalMap) place.applyMatrix3(normalMap.matrix)
-    uvs.set([place.x, place.y], 2 * i)
+    uv.fromBufferAttribute(attribute as never, i)
+    if (normalMap) uv.applyMatrix3(normalMap.matrix)
+    uvs.set([uv.x, uv.y], 2 * i)
   }
   return { positions, uvs, triangles: trianglesOf(geometry) }
 }

@@ -76,7 +76,7 @@ export const quadMaterials: QuadMaterials = {
       transparent: true,
     })
   },
-  survives(renderer, { target }) {
+  hasContents(renderer, target) {
     // A context that was lost and came back has none of its textures.
     const { properties } = renderer as WebGLRenderer
     const held = properties.get(target.texture) as { __webglTexture?: unknown }

@@ -1,9 +1,9 @@
 import type { IUniform } from 'three'
 import type { ActivationTable } from '../material/activation-table.ts'
-import type { WrinkleInputs } from '../material/shader-inputs.ts'
+import type { ShaderInputs } from '../material/shader-inputs.ts'
 
 /** For shaders that read the influence map. */
-export function mapUniforms(inputs: WrinkleInputs): Record<string, IUniform> {
+export function mapUniforms(inputs: ShaderInputs): Record<string, IUniform> {
   return {
     furrowInfluence: inputs.influence,
     furrowGrid: inputs.grid,
@@ -14,7 +14,7 @@ export function mapUniforms(inputs: WrinkleInputs): Record<string, IUniform> {
 }
 
 /** For shaders that sum the areas themselves. */
-export function areaUniforms(inputs: WrinkleInputs, table: ActivationTable): Record<string, IUniform> {
+export function areaUniforms(inputs: ShaderInputs, table: ActivationTable): Record<string, IUniform> {
   return {
     furrowAreas: inputs.areaTexture,
     furrowActivations: { value: table.texture },
@@ -27,7 +27,7 @@ export function layerUniforms({
   textures,
   normalScale,
   occlusionStrength,
-}: WrinkleInputs): Record<string, IUniform> {
+}: ShaderInputs): Record<string, IUniform> {
   const values = Object.entries(textures.values).map(([kind, { texture }]) => [
     `furrow_${kind}`,
     { value: texture },

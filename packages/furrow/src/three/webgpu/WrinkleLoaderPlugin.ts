@@ -1,11 +1,11 @@
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import { WrinkleLoader } from '../loader/wrinkle-loader.ts'
-import { addDrivers } from './drivers.ts'
+import { BINDINGS } from './drivers.ts'
 import { Wrinkles } from './webgpu-wrinkles.ts'
 
 /** For `GLTFLoader` and `WebGPURenderer`: `loader.register((parser) => new WrinkleLoaderPlugin(parser))`. */
 export class WrinkleLoaderPlugin extends WrinkleLoader {
   constructor(parser: GLTFParser) {
-    super(parser, Wrinkles, addDrivers)
+    super(parser, Wrinkles, BINDINGS)
   }
 }

@@ -58,6 +58,11 @@ export class AreaTension {
       })
   }
 
+  /** Copies measurements, by their indices in `values`. */
+  copyTo(out: Float64Array, indices: readonly number[]): void {
+    for (let i = 0; i < indices.length; i++) out[i] = this.values[indices[i]]
+  }
+
   /** Frees what the graphics card holds, once nothing is read from it any more. */
   dispose(): void {
     this.#isDisposed = true

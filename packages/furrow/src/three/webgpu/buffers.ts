@@ -8,7 +8,7 @@ import {
   type StorageBufferNode,
   type WebGPURenderer,
 } from 'three/webgpu'
-import type { AnyRenderer } from '../atlas/influence-atlas.ts'
+import type { AnyRenderer } from '../renderer.ts'
 
 const SIZES = { float: 1, uint: 1, vec2: 2, vec4: 4, uvec4: 4, mat4: 16 } as const
 type BufferType = keyof typeof SIZES

@@ -1,12 +1,17 @@
-import { type AddDrivers, playDrivers } from '../drivers.ts'
-import { computedTension } from './computed-tension.ts'
+import { type AddDrivers, bindDrivers, BINDINGS as WEBGL_BINDINGS } from '../sources/add-drivers.ts'
+import type { InputBindings } from '../sources/binding.ts'
+import { bindComputedTension } from './computed-tension.ts'
+
+/** How `furrow/webgpu` reads each kind of input. */
+export const BINDINGS: InputBindings = { ...WEBGL_BINDINGS, tension: bindComputedTension }
 
 /**
- * Lets a file's drivers move wrinkles, as `addDrivers` of furrow/three does, and measures tension on the graphics card where the
- * renderer runs on WebGPU.
+ * Lets drivers activate areas, as `addDrivers` of furrow/three does, and measures tension in compute passes where the renderer
+ * runs on WebGPU.
  *
- * @param drivers types this version does not know are left out with a warning, and so is what they name and the mesh does not
+ * @param drivers types that nobody here knows are left out with a warning, and so is what drivers name and the mesh does not
  *   have: targets, joints, areas.
  */
-export const addDrivers: AddDrivers = (wrinkles, drivers, options = {}) =>
-  playDrivers(wrinkles, drivers, options, computedTension)
+export const addDrivers: AddDrivers = (wrinkles, drivers, options = {}) => {
+  bindDrivers(wrinkles, drivers, () => options, BINDINGS).bind()
+}

@@ -1,3 +1,9 @@
+/**
+ * Wrinkles for three.js and its `WebGPURenderer`, on WebGPU and on its WebGL 2 backend.
+ *
+ * @module furrow/webgpu
+ */
+
 export * from '../common.ts'
 export { addDrivers } from './drivers.ts'
 export { type Gradients, influenceFromMap, sampleSlice } from './influence.ts'

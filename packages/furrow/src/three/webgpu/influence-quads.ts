@@ -17,7 +17,7 @@ export const quadMaterials: QuadMaterials = {
     return material
   },
   // A device that is lost does not come back; the page makes another renderer.
-  survives: () => true,
+  hasContents: () => true,
 }
 
 /** A material of `Quads`, drawn over whatever stands there. */

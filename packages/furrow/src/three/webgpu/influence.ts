@@ -25,8 +25,8 @@ import type { Node } from 'three/webgpu'
 import type { Instances } from '../instances.ts'
 import type { ArrayTexture } from '../loader/texture-arrays.ts'
 import type { ActivationTable } from '../material/activation-table.ts'
-import type { WrinkleMaterial } from '../material/renderer-parts.ts'
-import type { WrinkleInputs } from '../material/shader-inputs.ts'
+import type { ShaderInputs } from '../material/shader-inputs.ts'
+import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
 
 /** A uniform that follows what an input's `value` is when an object is drawn. */
 export function follow<T extends string>(input: { readonly value: unknown }): Node<T> {
@@ -40,7 +40,7 @@ export function follow<T extends string>(input: { readonly value: unknown }): No
  * @returns influence of layers 0..3 in x, y, z, w, each 0..1.
  */
 export function influenceFromMap(
-  inputs: WrinkleInputs,
+  inputs: ShaderInputs,
   place: Node<'vec2'>,
   instances: Instances,
 ): Node<'vec4'> {
@@ -100,7 +100,7 @@ interface Builder {
  * @param table says which activations belong to which slice and channel.
  */
 export function influenceFromAreas(
-  { areas }: WrinkleInputs,
+  { areas }: ShaderInputs,
   table: ActivationTable,
   place: Node<'vec2'>,
 ): Node<'vec4'> {

@@ -2,7 +2,7 @@
 import { Fn, float, If, max, vec2, vec3, vec4 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
 import type { LayerKind } from '../../core/types.ts'
-import type { WrinkleInputs } from '../material/shader-inputs.ts'
+import type { ShaderInputs } from '../material/shader-inputs.ts'
 import type { ValueKind } from '../material/wrinkle-textures.ts'
 import { follow, type Gradients, repeat, sampleSlice } from './influence.ts'
 
@@ -30,7 +30,7 @@ export function reorient(base: Node<'vec3'>, detail: Node<'vec3'>): Node<'vec3'>
  */
 export function mixNormals(
   base: Node<'vec3'>,
-  inputs: WrinkleInputs,
+  inputs: ShaderInputs,
   { influence, uv }: Shares,
 ): Node<'vec3'> {
   const { textures, normalScale } = inputs
@@ -69,7 +69,7 @@ export function mixNormals(
 export function mixValues(
   kind: ValueKind,
   base: Node<'vec3'>,
-  { textures, occlusionStrength }: WrinkleInputs,
+  { textures, occlusionStrength }: ShaderInputs,
   { influence, uv }: Shares,
 ): Node<'vec3'> {
   const { texture, slices, channel } = textures.values[kind]!

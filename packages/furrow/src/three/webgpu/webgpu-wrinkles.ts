@@ -17,8 +17,9 @@ import {
 import type { MeshStandardNodeMaterial, Node, NodeBuilder, NodeMaterial } from 'three/webgpu'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { PaperArray } from '../material/paper-array.ts'
-import type { RendererParts, WrinkleMaterial } from '../material/renderer-parts.ts'
-import type { WrinkleInputs } from '../material/shader-inputs.ts'
+import type { RendererParts } from '../material/renderer-parts.ts'
+import type { ShaderInputs } from '../material/shader-inputs.ts'
+import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import { composeMaterial } from './compose-material.ts'
@@ -80,7 +81,7 @@ const patch: RendererParts['patch'] = (material: Patched, inputs, mode, instance
 }
 
 /** The default mode: the layers' maps mixed into the material's, lit once. */
-function layers(material: Patched, inputs: WrinkleInputs, shares: Shares): Partial<Patched> {
+function layers(material: Patched, inputs: ShaderInputs, shares: Shares): Partial<Patched> {
   const base = reference<'vec4'>('normalMap', 'texture')
   const mixed = mixNormals(base.xyz as Node<'vec3'>, inputs, shares)
   const added: Partial<Patched> = { normalNode: normalMap(mixed, scale()) }

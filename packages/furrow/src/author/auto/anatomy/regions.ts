@@ -23,6 +23,7 @@ export const AUTO_REGIONS = [
   'neck',
 ] as const
 
+/** A part of the face whose wrinkles {@link autoWrinkles} makes. */
 export type AutoRegion = (typeof AUTO_REGIONS)[number]
 
 /** The parts that are wanted, both sides of each. */

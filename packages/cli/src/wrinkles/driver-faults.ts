@@ -1,0 +1,38 @@
+import {
+  type DriverPlan,
+  DriverProgram,
+  measuredSource,
+  planDrivers,
+  targetSource,
+  valueSource,
+  type WrinkleDriver,
+} from 'furrow'
+
+/** What is wrong with drivers, worth a warning and no more: a player leaves these out and plays the others. */
+export interface DriverFaults {
+  /** Types that are neither of this version nor registered, each once. */
+  unknownTypes: readonly string[]
+  /** What drivers use and a face does not have, e.g. `target "jawOpen" of a driver of area "chin"`. */
+  missing: readonly string[]
+  /** Areas that drive themselves. */
+  cyclicAreas: readonly string[]
+}
+
+/** Checks drivers against the names that a face has. */
+export function findDriverFaults(
+  drivers: readonly WrinkleDriver[],
+  targetNames: readonly string[],
+  jointNames: readonly string[],
+): DriverFaults {
+  const plan = planDrivers(drivers)
+  const { missing } = new DriverProgram(plan, {
+    target: targetSource(plan.inputs.target, targetNames),
+    joint: measuredSource(plan.inputs.joint.map((input) => missingJoints(input, jointNames))),
+    value: valueSource(plan.inputs.value),
+  })
+  return { unknownTypes: plan.unknownTypes, missing, cyclicAreas: plan.cyclicAreas }
+}
+
+function missingJoints({ from, joint }: DriverPlan['inputs']['joint'][number], names: readonly string[]) {
+  return [from, joint].filter((name) => !names.includes(name)).map((name) => `joint "${name}"`)
+}

@@ -1,0 +1,120 @@
+import type { InputOf } from '../activation.ts'
+
+/** Numbers of a 4 x 4 matrix, column-major, as three.js's `Matrix4.elements`. */
+export const MATRIX = 16
+
+type JointInput = InputOf<'joint'>
+
+/** One input, bound to its joints. */
+interface BoundJoint {
+  /** Offsets of the matrices of its two joints. */
+  from: number
+  joint: number
+  /** Rotation of the joint at rest as seen from the other: 3 x 3, column-major. */
+  rest: Float64Array
+  /** Of unit length, in the frame of the joint at rest. */
+  axis: readonly number[] | null
+  measure: JointInput['measure']
+}
+
+/**
+ * Measures joints: the angle by which one has turned from its rest pose as seen from another, in radians, or the distance of the
+ * two in metres. Nothing is allocated by `measure`.
+ */
+export class JointMeasurement {
+  /** Per input: the joints that the model lacks, for people. Such an input is not measured. */
+  readonly missing: readonly (readonly string[])[]
+  readonly #bound: readonly (BoundJoint | null)[]
+  readonly #rotation = new Float64Array(9)
+
+  /**
+   * @param joints names, in the order of the matrices.
+   * @param rest world matrices at rest, 16 numbers for each joint, column-major; their scales do not matter.
+   */
+  constructor(inputs: readonly JointInput[], joints: readonly string[], rest: ArrayLike<number>) {
+    this.missing = inputs.map(({ from, joint }) =>
+      [from, joint].filter((name) => !joints.includes(name)).map((name) => `joint "${name}"`),
+    )
+    this.#bound = inputs.map(({ measure, axis, ...names }) => {
+      const [from, joint] = [names.from, names.joint].map((name) => joints.indexOf(name) * MATRIX)
+      if (from < 0 || joint < 0) return null
+      const rotation = new Float64Array(9)
+      relativeRotation(rotation, rest, from, joint)
+      return { from, joint, rest: rotation, axis: axis ? normalize(axis) : null, measure }
+    })
+  }
+
+  /**
+   * @param matrices world matrices now, as `rest`.
+   * @param out one number per input.
+   */
+  measure(matrices: ArrayLike<number>, out: Float64Array): void {
+    for (let i = 0; i < this.#bound.length; i++) {
+      const bound = this.#bound[i]
+      if (bound === null) continue
+      if (bound.measure === 'distance') measureDistance(out, i, matrices, bound)
+      else this.#measureAngle(out, i, matrices, bound)
+    }
+  }
+
+  /** The angle of the rotation now after the inverse of that at rest. */
+  #measureAngle(out: Float64Array, i: number, matrices: ArrayLike<number>, bound: BoundJoint): void {
+    const { from, joint, rest, axis } = bound
+    const now = this.#rotation
+    relativeRotation(now, matrices, from, joint)
+    // The rotation is rest^T now, in the frame of the joint at rest; its antisymmetric part is the axis times the sine.
+    const x = (dot(rest, 2, now, 1) - dot(rest, 1, now, 2)) / 2
+    const y = (dot(rest, 0, now, 2) - dot(rest, 2, now, 0)) / 2
+    const z = (dot(rest, 1, now, 0) - dot(rest, 0, now, 1)) / 2
+    const cosine = (dot(rest, 0, now, 0) + dot(rest, 1, now, 1) + dot(rest, 2, now, 2) - 1) / 2
+    if (axis) {
+      // The twist about the axis (swing-twist decomposition): as a quaternion the rotation is w = cos(angle / 2) and
+      // (x, y, z) / (2 w).
+      const along = x * axis[0] + y * axis[1] + z * axis[2]
+      out[i] = 2 * Math.atan2(along / 2, Math.max(0, (1 + cosine) / 2))
+    } else {
+      out[i] = Math.atan2(Math.sqrt(x * x + y * y + z * z), cosine)
+    }
+  }
+}
+
+/** Of two columns. */
+function dot(a: Float64Array, i: number, b: Float64Array, j: number): number {
+  return a[3 * i] * b[3 * j] + a[3 * i + 1] * b[3 * j + 1] + a[3 * i + 2] * b[3 * j + 2]
+}
+
+function measureDistance(
+  out: Float64Array,
+  i: number,
+  matrices: ArrayLike<number>,
+  { from, joint }: BoundJoint,
+): void {
+  const x = matrices[joint + 12] - matrices[from + 12]
+  const y = matrices[joint + 13] - matrices[from + 13]
+  const z = matrices[joint + 14] - matrices[from + 14]
+  out[i] = Math.sqrt(x * x + y * y + z * z)
+}
+
+/** The rotation of one joint as seen from another: from^T joint, of their normalised columns. */
+function relativeRotation(out: Float64Array, matrices: ArrayLike<number>, from: number, joint: number): void {
+  for (let column = 0; column < 3; column++) {
+    for (let row = 0; row < 3; row++) {
+      let sum = 0
+      let fromLength = 0
+      let jointLength = 0
+      for (let k = 0; k < 3; k++) {
+        const a = matrices[from + 4 * row + k]
+        const b = matrices[joint + 4 * column + k]
+        sum += a * b
+        fromLength += a * a
+        jointLength += b * b
+      }
+      out[3 * column + row] = sum / Math.sqrt(fromLength * jointLength)
+    }
+  }
+}
+
+function normalize(axis: readonly number[]): number[] {
+  const length = Math.hypot(...axis)
+  return axis.map((value) => value / length)
+}

@@ -1,0 +1,148 @@
+import type { JsonReader } from '../core/json.ts'
+import { or } from '../core/json.ts'
+import { LARGEST, LONGEST_NAME } from '../core/limits.ts'
+import type { Rule } from './activation.ts'
+import type { Curve, CurvePoint } from './curve.ts'
+import type { Link } from './link.ts'
+
+const MAX_LINKS = 1024
+const MAX_CURVE_POINTS = 64
+
+type Vector = [number, number, number]
+type Json = Record<string, unknown>
+
+/**
+ * The fields of one driver's JSON, or of an object in it, read one by one. Every method throws a FurrowError that names the
+ * field where it is missing, has the wrong type or is out of range.
+ */
+export class Fields {
+  /** Names of all areas. */
+  readonly areas: readonly string[]
+  readonly #reader: JsonReader
+  readonly #json: Json
+  readonly #at: string
+
+  constructor(reader: JsonReader, json: Json, at: string, areas: readonly string[]) {
+    this.#reader = reader
+    this.#json = json
+    this.#at = at
+    this.areas = areas
+  }
+
+  /** The name of an area that exists. */
+  area(): string {
+    return this.choice('area', this.areas)
+  }
+
+  rule(): Rule {
+    return this.choice('rule', ['sum', 'max', 'min', 'product'], 'sum')
+  }
+
+  weight(): number {
+    return this.number('weight', -LARGEST, LARGEST, 1)
+  }
+
+  name(field: string): string {
+    return this.#reader.text(this.#json[field], `${this.#at}.${field}`, LONGEST_NAME)
+  }
+
+  number(field: string, low: number, high: number, fallback: number): number {
+    return this.#reader.number(or(this.#json[field], fallback), `${this.#at}.${field}`, low, high, '')
+  }
+
+  choice<T extends string>(field: string, allowed: readonly T[], fallback?: T): T {
+    return this.#reader.choice(or(this.#json[field], fallback), `${this.#at}.${field}`, allowed)
+  }
+
+  /** A pair of names. */
+  names(field: string): [string, string] {
+    const path = `${this.#at}.${field}`
+    const [a, b] = this.#reader.array(this.#json[field], path, 2, 2)
+    return [
+      this.#reader.text(a, `${path}[0]`, LONGEST_NAME),
+      this.#reader.text(b, `${path}[1]`, LONGEST_NAME),
+    ]
+  }
+
+  /** @param known the allowed names; absent: any. */
+  links(field: string, known?: readonly string[]): Link[] {
+    const read = (item: Fields) => ({
+      name: known ? item.choice('name', known) : item.name('name'),
+      weight: item.weight(),
+      ...(item.has('curve') && { curve: item.#curve(-LARGEST, LARGEST) }),
+    })
+    return this.list(field, read, 1)
+  }
+
+  /** Items of an array; none where the field is absent, unless `least` are required. */
+  list<T>(field: string, read: (item: Fields) => T, least = 0): T[] {
+    const path = `${this.#at}.${field}`
+    const value = least === 0 ? or(this.#json[field], []) : this.#json[field]
+    return this.#reader.array(value, path, least, MAX_LINKS).map((item, i) => {
+      const at = `${path}[${i}]`
+      return read(new Fields(this.#reader, this.#reader.object(item, at), at, this.areas))
+    })
+  }
+
+  /** A curve whose outputs are activations, 0..1. */
+  curve(fallback?: readonly CurvePoint[]): Curve {
+    return this.#curve(0, 1, fallback)
+  }
+
+  has(field: string): boolean {
+    return this.#json[field] !== undefined
+  }
+
+  axis(): { axis?: Vector } {
+    if (!this.has('axis')) return {}
+    const axis = this.#vector('axis')
+    if (Math.hypot(...axis) > 0) return { axis }
+    this.#reader.fail(`${this.#at}.axis has no direction`, '0, 0, 0', undefined, 'write e.g. 1, 0, 0')
+  }
+
+  /** The two ends of a muscle, which differ. */
+  muscleAxis(): { origin: Vector; insertion: Vector } {
+    const [origin, insertion] = [this.#vector('origin'), this.#vector('insertion')]
+    if (origin.some((value, i) => value !== insertion[i])) return { origin, insertion }
+    const at = `${this.#at}.insertion`
+    this.#reader.fail(`${at} is the origin`, insertion.join(', '), undefined, 'give the muscle a length')
+  }
+
+  /** Where a muscle's pull is strongest and where it ends, in lengths of the muscle. */
+  zone(): { inner: number; outer: number } {
+    const [inner, outer] = [this.number('inner', 0, 10, 0.8), this.number('outer', 0.001, 10, 1.2)]
+    if (outer > inner) return { inner, outer }
+    this.#reader.fail(
+      `${this.#at}.outer is too small`,
+      outer,
+      `more than ${inner}`,
+      'make it larger than inner',
+    )
+  }
+
+  #vector(field: string): Vector {
+    const path = `${this.#at}.${field}`
+    return this.#reader
+      .array(this.#json[field], path, 3, 3)
+      .map((value, i) => this.#reader.number(value, `${path}[${i}]`, -LARGEST, LARGEST, '')) as Vector
+  }
+
+  #curve(low: number, high: number, fallback?: readonly CurvePoint[]): Curve {
+    const reader = this.#reader
+    const at = `${this.#at}.curve`
+    const points = reader.array(or(this.#json.curve, fallback), at, 2, MAX_CURVE_POINTS)
+    const curve = points.map((item, i): CurvePoint => {
+      const [input, output] = reader.array(item, `${at}[${i}]`, 2, 2)
+      return [
+        reader.number(input, `${at}[${i}][0]`, -LARGEST, LARGEST, ''),
+        reader.number(output, `${at}[${i}][1]`, low, high, ''),
+      ]
+    })
+    for (let i = 1; i < curve.length; i++) {
+      if (curve[i][0] > curve[i - 1][0]) continue
+      const limit = `more than ${curve[i - 1][0]}`
+      reader.fail(`${at}[${i}][0] does not grow`, curve[i][0], limit, 'sort the points by their input')
+    }
+    return curve
+  }
+}

@@ -1,0 +1,26 @@
+import type { Curve } from '../curve.ts'
+import type { DriverDefinition } from '../definition.ts'
+import { linkTo } from '../link.ts'
+import { curveText } from '../text.ts'
+
+/** Activates an area by a number that the application knows and sets by name: stress, cold, loudness. */
+export interface InputDriver {
+  type: 'input'
+  /** Name of the input, as in `wrinkles.inputs.set(name, value)`; 0 until it is set. */
+  name: string
+  area: string
+  /** Points [input, activation]. */
+  curve: Curve
+}
+
+export const input: DriverDefinition<InputDriver> = {
+  type: 'input',
+  read: (fields) => ({ name: fields.name('name'), area: fields.area(), curve: fields.curve() }),
+  describe: ({ name, area, curve }) => `${area} = ${name} (input)${curveText(curve)}`,
+  activate: ({ name, area, curve }) => ({
+    area,
+    links: linkTo({ kind: 'value', name }),
+    rule: 'sum',
+    curve,
+  }),
+}

@@ -1,0 +1,127 @@
+import type { AreaActivation, Input, InputKind, InputOf } from './activation.ts'
+import type { ActivationFilter, InputFilter } from './definition.ts'
+import { definitionOf, isKnownDriver, type WrinkleDriver } from './registry.ts'
+
+/** One driver that activates an area. */
+export interface PlannedActivation {
+  driver: WrinkleDriver
+  activation: AreaActivation
+}
+
+/** One driver that filters inputs. */
+export interface PlannedFilter {
+  driver: WrinkleDriver
+  filter: InputFilter
+}
+
+/** Drivers in the order they run in; plain data, the same for all faces that have them. */
+export interface DriverPlan {
+  /** Every area that a driver reads or writes. */
+  readonly areaNames: readonly string[]
+  /**
+   * Areas that the face's own motion activates: blendshapes, joints, tension or other areas. What is set on them lasts
+   * until the next frame; on all others it stays, and the application's inputs add to it.
+   */
+  readonly movedAreas: ReadonlySet<string>
+  /** Change inputs, in the order of the file. */
+  readonly inputFilters: readonly PlannedFilter[]
+  /** Those that read no area, in the order of the file; then the others, each after those it depends on. */
+  readonly activations: readonly PlannedActivation[]
+  /** Change activations; at most one per area. */
+  readonly activationFilters: readonly ActivationFilter[]
+  /** Every input that is read, as objects of the filters and links. */
+  readonly inputs: { readonly [K in InputKind]: readonly InputOf<K>[] }
+  /** Areas that drive themselves, directly or through others: their drivers that read areas are left out. */
+  readonly cyclicAreas: readonly string[]
+  /** Types that nobody here knows. */
+  readonly unknownTypes: readonly string[]
+}
+
+/** Puts the drivers of a face in order. */
+export function planDrivers(drivers: readonly WrinkleDriver[]): DriverPlan {
+  const known = drivers.filter(isKnownDriver)
+  const planned = known.flatMap((driver): PlannedActivation[] => {
+    const activation = definitionOf(driver.type)!.activate?.(driver)
+    return activation ? [{ driver, activation }] : []
+  })
+  const external = planned.filter((own) => readAreas(own).length === 0)
+  const between = planned.filter((own) => readAreas(own).length > 0)
+  const cyclicAreas = findCycles(between)
+  const activations = [
+    ...external,
+    ...sortByDependency(between.filter(({ activation }) => !cyclicAreas.includes(activation.area))),
+  ]
+  const inputFilters = known.flatMap((driver): PlannedFilter[] => {
+    const filter = definitionOf(driver.type)!.filterInputs?.(driver)
+    return filter ? [{ driver, filter }] : []
+  })
+  const filters = known.flatMap((driver) => definitionOf(driver.type)!.filterActivation?.(driver) ?? [])
+  // Of several for one area the last one counts.
+  const activationFilters = [...new Map(filters.map((filter) => [filter.area, filter])).values()]
+  const inputs = [
+    ...inputFilters.flatMap(({ filter }) => filter.inputs),
+    ...planned.flatMap(({ activation }) => activation.links.map((link) => link.input)),
+  ]
+  const written = planned.map(({ activation }) => activation.area)
+  return {
+    areaNames: [
+      ...new Set([
+        ...external.map(({ activation }) => activation.area),
+        ...between.flatMap((own) => [own.activation.area, ...readAreas(own)]),
+        ...activationFilters.map(({ area }) => area),
+      ]),
+    ],
+    movedAreas: new Set(written.filter((_, i) => isMotion(planned[i].activation))),
+    inputFilters,
+    activations,
+    activationFilters,
+    inputs: {
+      target: ofKind('target', inputs),
+      joint: ofKind('joint', inputs),
+      tension: ofKind('tension', inputs),
+      value: ofKind('value', inputs),
+      area: ofKind('area', inputs),
+    },
+    cyclicAreas,
+    unknownTypes: [...new Set(drivers.filter((driver) => !isKnownDriver(driver)).map(({ type }) => type))],
+  }
+}
+
+function ofKind<K extends InputKind>(kind: K, inputs: readonly Input[]): InputOf<K>[] {
+  return inputs.filter((input): input is InputOf<K> => input.kind === kind)
+}
+
+function isMotion({ links }: AreaActivation): boolean {
+  return links.some(({ input }) => input.kind !== 'value')
+}
+
+function readAreas({ activation }: PlannedActivation): string[] {
+  return activation.links.flatMap(({ input }) => (input.kind === 'area' ? [input.name] : []))
+}
+
+/** In an order in which the drivers of an area come after all that activate what it reads. */
+function sortByDependency(planned: readonly PlannedActivation[]): PlannedActivation[] {
+  const sorted: PlannedActivation[] = []
+  let rest = planned
+  while (rest.length > 0) {
+    const pending = new Set(rest.map(({ activation }) => activation.area))
+    const isReady = (own: PlannedActivation) => readAreas(own).every((name) => !pending.has(name))
+    sorted.push(...rest.filter(isReady))
+    rest = rest.filter((own) => !isReady(own))
+  }
+  return sorted
+}
+
+function findCycles(planned: readonly PlannedActivation[]): string[] {
+  const reads = (area: string) =>
+    planned.flatMap((own) => (own.activation.area === area ? readAreas(own) : []))
+  const reaches = (from: string, to: string, seen: Set<string>): boolean =>
+    reads(from).some((name) => {
+      if (name === to) return true
+      if (seen.has(name)) return false
+      seen.add(name)
+      return reaches(name, to, seen)
+    })
+  const areas = new Set(planned.map(({ activation }) => activation.area))
+  return [...areas].filter((area) => reaches(area, area, new Set()))
+}

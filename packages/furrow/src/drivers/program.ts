@@ -1,0 +1,168 @@
+import { type ExternalInputKind, type Input, inputName } from './activation.ts'
+import { ActivationSum, type BoundActivation, type BoundLink, type Contribution } from './activation-sum.ts'
+import type { ActivationFilter } from './definition.ts'
+import type { DriverPlan, PlannedActivation } from './plan.ts'
+
+/** Where a source keeps one input. */
+export interface BoundInput {
+  /** Indices among the source's values; the input is their mean. Empty where the model lacks it. */
+  indices: readonly number[]
+  /** What the model lacks, for people: `target "jawOpen"`. */
+  missing: readonly string[]
+}
+
+/** Provides the inputs of one kind as a list of values per face. */
+export interface InputSource {
+  /** Number of values. */
+  readonly count: number
+  /** In the order of the plan's inputs of that kind. */
+  readonly inputs: readonly BoundInput[]
+}
+
+/** Sources by kind of input. Drivers that read a kind without a source are left out. */
+export type InputSources = { readonly [K in ExternalInputKind]?: InputSource }
+
+/** What the drivers of one face read, remember and give. */
+export interface DriverState {
+  /** All values, which the program reads and its input filters change. */
+  readonly values: Float64Array
+  /** The values of each source, views of `values`: written by whoever measures them. */
+  readonly inputs: Readonly<Record<ExternalInputKind, Float64Array>>
+  /** Activations at rest by area, 0..1, to which drivers add. */
+  readonly resting: Float32Array
+  /** The result by area, 0..1. */
+  readonly activations: Float32Array
+  /** The result of the frame before. */
+  readonly previous: Float64Array
+  /** One number: seconds since the frame before. */
+  readonly seconds: Float64Array
+  /** Whether there was a frame before. */
+  hasRun: boolean
+}
+
+const KINDS = ['target', 'joint', 'tension', 'value'] as const satisfies readonly ExternalInputKind[]
+
+/**
+ * A plan bound to the inputs of a model: a pure function from inputs to activations. In the order of the specification: input filters,
+ * drivers that read inputs, drivers that read areas, activation filters.
+ */
+export class DriverProgram {
+  readonly plan: DriverPlan
+  /** What drivers name and the model lacks, e.g. `target "jawOpen" of a driver of area "chin"`. */
+  readonly missing: readonly string[]
+  /** The plan's activations that are evaluated, in this order. */
+  readonly activations: readonly PlannedActivation[]
+  readonly #sum: ActivationSum
+  readonly #inputFilters: readonly ((values: Float64Array) => void)[]
+  readonly #activationFilters: readonly ReturnType<ActivationFilter['bind']>[]
+  readonly #ranges: Readonly<Record<ExternalInputKind, { start: number; end: number }>>
+
+  constructor(plan: DriverPlan, sources: InputSources) {
+    const ranges = {} as Record<ExternalInputKind, { start: number; end: number }>
+    const bound = new Map<Input, BoundInput>()
+    let end = 0
+    for (const kind of KINDS) {
+      const source = sources[kind]
+      const start = end
+      end += source?.count ?? 0
+      ranges[kind] = { start, end }
+      for (const [i, { indices, missing }] of (source?.inputs ?? []).entries()) {
+        bound.set(plan.inputs[kind][i], { indices: indices.map((index) => start + index), missing })
+      }
+    }
+    for (const input of plan.inputs.area) {
+      bound.set(input, { indices: [plan.areaNames.indexOf(input.name)], missing: [] })
+    }
+    this.plan = plan
+    this.#ranges = ranges
+    this.activations = plan.activations.filter(({ activation: { links } }) => {
+      return links.every(({ input }) => canRead(input, bound.get(input)))
+    })
+    this.#sum = new ActivationSum(this.activations.map(({ activation }) => bind(activation, plan, bound)))
+    this.#inputFilters = plan.inputFilters
+      .filter(({ filter }) => filter.inputs.every((input) => (bound.get(input)?.indices.length ?? 0) > 0))
+      .map(({ filter }) =>
+        filter.bind(filter.inputs.map((input) => Uint16Array.from(bound.get(input)!.indices))),
+      )
+    this.#activationFilters = plan.activationFilters.map((filter) =>
+      filter.bind(plan.areaNames.indexOf(filter.area)),
+    )
+    this.missing = listMissing(plan, bound)
+  }
+
+  /** State for one face. */
+  createState(): DriverState {
+    const areas = this.plan.areaNames.length
+    const values = new Float64Array(this.#ranges.value.end)
+    const view = (kind: ExternalInputKind) =>
+      values.subarray(this.#ranges[kind].start, this.#ranges[kind].end)
+    return {
+      values,
+      inputs: {
+        target: view('target'),
+        joint: view('joint'),
+        tension: view('tension'),
+        value: view('value'),
+      },
+      resting: new Float32Array(areas),
+      activations: new Float32Array(areas),
+      previous: new Float64Array(areas),
+      seconds: new Float64Array(1),
+      hasRun: false,
+    }
+  }
+
+  /** Brings `activations` up to date with `inputs` and `resting`, which hold this frame's. Allocates nothing. */
+  evaluate(state: DriverState): void {
+    const { values, resting, activations, previous, seconds } = state
+    for (let i = 0; i < this.#inputFilters.length; i++) this.#inputFilters[i](values)
+    activations.set(resting)
+    this.#sum.addTo(activations, values)
+    if (!state.hasRun) previous.set(activations)
+    state.hasRun = true
+    for (let i = 0; i < this.#activationFilters.length; i++) {
+      this.#activationFilters[i](activations, previous, seconds)
+    }
+  }
+
+  /** What one of `activations` gives in a state that was evaluated. Allocates. */
+  explain(index: number, state: DriverState): Contribution {
+    return this.#sum.explain(index, state.activations, state.values)
+  }
+}
+
+/** A target that is missing has weight 0; a joint or a surface that is missing cannot be measured. */
+function canRead(input: Input, bound: BoundInput | undefined): boolean {
+  return bound !== undefined && (input.kind === 'target' || bound.indices.length > 0)
+}
+
+function bind(
+  { area, links, rule, curve }: PlannedActivation['activation'],
+  { areaNames }: DriverPlan,
+  bound: ReadonlyMap<Input, BoundInput>,
+): BoundActivation {
+  const boundLinks = links.map(
+    ({ input, weight, curve }): BoundLink => ({
+      name: inputName(input),
+      indices: Uint16Array.from(bound.get(input)!.indices),
+      isArea: input.kind === 'area',
+      weight,
+      ...(curve && { curve }),
+    }),
+  )
+  return { area: areaNames.indexOf(area), links: boundLinks, rule, curve }
+}
+
+function listMissing(plan: DriverPlan, bound: ReadonlyMap<Input, BoundInput>): string[] {
+  const missingOf = (input: Input) => bound.get(input)?.missing ?? []
+  return [
+    ...plan.activations.flatMap(({ activation: { area, links } }) =>
+      links.flatMap(({ input }) => missingOf(input).map((what) => `${what} of a driver of area "${area}"`)),
+    ),
+    ...plan.inputFilters.flatMap(({ driver, filter }) =>
+      filter.inputs.flatMap((input) =>
+        missingOf(input).map((what) => `${what} of a driver of type "${driver.type}"`),
+      ),
+    ),
+  ]
+}

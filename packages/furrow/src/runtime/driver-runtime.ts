@@ -1,0 +1,158 @@
+import { sentence } from '../core/error.ts'
+import type { ExternalInputKind } from '../drivers/activation.ts'
+import type { DriverPlan } from '../drivers/plan.ts'
+import { DriverProgram, type DriverState, type InputSource } from '../drivers/program.ts'
+import { valueSource } from '../drivers/sources.ts'
+import type { Activations } from './activations.ts'
+import type { Face } from './face.ts'
+import type { NamedInputs } from './named-inputs.ts'
+
+/** Reads the inputs of one kind from an engine's objects. */
+export interface InputReader<Engine> extends InputSource {
+  /**
+   * @param values receives them, `count` numbers.
+   * @param instance of an instanced mesh, else 0.
+   * @param engine what draws the frame; null where nothing is drawn.
+   */
+  read(values: Float64Array, instance: number, engine: Engine | null): void
+}
+
+/** Kinds of inputs that an engine measures. */
+export type MeasuredKind = Exclude<ExternalInputKind, 'value'>
+
+export type InputReaders<Engine> = { readonly [K in MeasuredKind]: InputReader<Engine> }
+
+const MEASURED = ['target', 'joint', 'tension'] as const satisfies readonly MeasuredKind[]
+
+/** Stands for an area that the face no longer has. */
+const GONE = 0xffff
+
+/** Drivers at work on the faces of one mesh, a method for each phase. Nothing is allocated once all faces have run. */
+export class DriverRuntime<Engine> {
+  readonly plan: DriverPlan
+  readonly #bind: () => InputReaders<Engine>
+  readonly #inputs: NamedInputs
+  readonly #label: string
+  #bound: Bound<Engine> | null = null
+  readonly #states: DriverState[] = []
+  /** Per face: milliseconds when it was last read. */
+  readonly #times: Float64Array
+  /** Per area of the plan: its index among the face's areas. */
+  readonly #indices: Uint16Array
+  /** The areas that `#indices` is for. */
+  #slots: Face['slots'] | null = null
+
+  /**
+   * @param bind finds the inputs of the plan on the mesh; called when the first frame begins, or by `bind`.
+   * @param label names the mesh in warnings.
+   */
+  constructor(
+    plan: DriverPlan,
+    bind: () => InputReaders<Engine>,
+    inputs: NamedInputs,
+    faces: number,
+    label: string,
+  ) {
+    this.plan = plan
+    this.#bind = bind
+    this.#inputs = inputs
+    this.#label = label
+    this.#times = new Float64Array(faces)
+    this.#indices = new Uint16Array(plan.areaNames.length)
+    // So that they can be asked for before the first frame.
+    const { names, initial } = valueSource(plan.inputs.value)
+    for (const [i, name] of names.entries()) inputs.declare(name, initial[i])
+  }
+
+  /** Finds the inputs, and warns once of those that the mesh lacks. */
+  bind(): Bound<Engine> {
+    if (this.#bound) return this.#bound
+    const { plan } = this
+    const readers = this.#bind()
+    const values = valueSource(plan.inputs.value)
+    const program = new DriverProgram(plan, { ...readers, value: values })
+    this.#bound = {
+      program,
+      readers: MEASURED.map((kind) => ({ kind, reader: readers[kind] })).filter(
+        ({ kind }) => plan.inputs[kind].length > 0,
+      ),
+      named: values.names.map((name, i) => this.#inputs.declare(name, values.initial[i])),
+    }
+    this.#warn([
+      ...plan.unknownTypes.map((type) => `driver of type "${type}"`),
+      ...program.missing,
+      ...plan.cyclicAreas.map((area) => `area "${area}", which drives itself,`),
+    ])
+    return this.#bound
+  }
+
+  /** Phase 1: reads what the drivers of all faces need. */
+  readInputs(faces: readonly Face[], clock: { now(): number }, engine: Engine | null): void {
+    const { program, readers, named } = this.bind()
+    const takesTime = this.plan.activationFilters.length > 0
+    const now = takesTime ? clock.now() : 0
+    for (let i = 0; i < faces.length; i++) {
+      this.#states[i] ??= program.createState()
+      const { inputs, seconds } = this.#states[i]
+      for (let k = 0; k < readers.length; k++) readers[k].reader.read(inputs[readers[k].kind], i, engine)
+      for (let k = 0; k < named.length; k++) inputs.value[k] = named[k][i]
+      seconds[0] = (now - this.#times[i]) / 1000
+      this.#times[i] = now
+    }
+  }
+
+  /** Phase 2: from inputs and activations at rest to what the drivers make of them. */
+  evaluate(faces: readonly Face[]): void {
+    if (faces[0].slots !== this.#slots) this.#findAreas(faces[0])
+    const { program } = this.bind()
+    for (let i = 0; i < faces.length; i++) {
+      const { resting } = this.#states[i]
+      const { values } = faces[i].resting
+      for (let k = 0; k < this.#indices.length; k++) {
+        resting[k] = this.#indices[k] === GONE ? 0 : values[this.#indices[k]]
+      }
+      program.evaluate(this.#states[i])
+    }
+  }
+
+  /** Phase 3: sets the faces' activations. */
+  apply(faces: readonly Face[]): void {
+    for (let i = 0; i < faces.length; i++) setAll(faces[i].activations, this.#indices, this.#states[i])
+  }
+
+  /** Areas come and go: warns of those that are gone, and drives the others. */
+  #findAreas({ slots, activations }: Face): void {
+    this.#slots = slots
+    const { names } = activations
+    const gone: string[] = []
+    for (const [i, name] of this.plan.areaNames.entries()) {
+      const index = names.indexOf(name)
+      this.#indices[i] = index < 0 ? GONE : index
+      if (index < 0) gone.push(`area "${name}"`)
+    }
+    this.#warn(gone)
+  }
+
+  #warn(missing: readonly string[]): void {
+    if (missing.length === 0) return
+    console.warn(
+      sentence({
+        who: 'Wrinkles',
+        what: `drivers of mesh "${this.#label}" use what is not available`,
+        value: missing.join(', '),
+        remedy: 'all other drivers work',
+      }),
+    )
+  }
+}
+
+interface Bound<Engine> {
+  program: DriverProgram
+  readers: readonly { kind: MeasuredKind; reader: InputReader<Engine> }[]
+  /** Per value of the source: the value of each face. */
+  named: readonly Float64Array[]
+}
+
+function setAll(activations: Activations, indices: Uint16Array, { activations: values }: DriverState): void {
+  for (let i = 0; i < indices.length; i++) if (indices[i] !== GONE) activations.setAt(indices[i], values, i)
+}

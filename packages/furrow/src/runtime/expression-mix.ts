@@ -1,0 +1,164 @@
+import { FurrowError } from '../core/error.ts'
+import type { Expression } from '../drivers/expression/expression.ts'
+
+/** Easing functions: fraction of the time, 0..1, to fraction of the way. */
+export const EASINGS = {
+  linear: (t: number) => t,
+  easeIn: (t: number) => t * t,
+  easeOut: (t: number) => t * (2 - t),
+  /** Smoothstep. */
+  easeInOut: (t: number) => t * t * (3 - 2 * t),
+} as const
+
+/** One of `EASINGS`, or a function. */
+export type Easing = keyof typeof EASINGS | ((t: number) => number)
+
+/** One expression by name, or several with weights, which add up. */
+export type ExpressionChoice = string | Readonly<Record<string, number>>
+
+/**
+ * Interpolates from one expression, or several at once, to the next over a given time: the paper's own way of driving the wrinkles,
+ * linear by default. `update` allocates nothing, unless a custom easing does.
+ */
+export class ExpressionMix {
+  /** The union of all names that any of the expressions uses, targets and activations apart. */
+  readonly targetNames: readonly string[]
+  readonly areaNames: readonly string[]
+  /** Weights now, in the order of `targetNames`. */
+  readonly targets: Float32Array
+  /** Activations now, in the order of `areaNames`. */
+  readonly activations: Float32Array
+
+  readonly #expressions: ReadonlyMap<string, Ends>
+  readonly #from: Ends
+  readonly #to: Ends
+  /** Null for linear: then no number is passed, and none boxed. */
+  #easing: ((t: number) => number) | null = null
+  #duration = 0
+  /** Seconds since the start, and the fraction of the way; in an array, since a field that changes may be boxed. */
+  readonly #now = new Float64Array(2)
+
+  /**
+   * @param expressions at least one; the first is where the mix starts.
+   * @throws FurrowError when there is none.
+   */
+  constructor(expressions: readonly Expression[]) {
+    if (expressions.length === 0) {
+      throw new FurrowError({
+        who: 'ExpressionMix',
+        what: 'no expressions',
+        value: 0,
+        limit: 'at least 1',
+        remedy: 'give a list such as EXPRESSIONS',
+      })
+    }
+    this.targetNames = union(expressions.map((expression) => expression.targets))
+    this.areaNames = union(expressions.map((expression) => expression.activations))
+    this.#expressions = new Map(
+      expressions.map(({ name, targets, activations }) => [
+        name,
+        {
+          targets: Float32Array.from(this.targetNames, (target) => targets[target] ?? 0),
+          activations: Float32Array.from(this.areaNames, (area) => activations[area] ?? 0),
+        },
+      ]),
+    )
+    const first = this.#expressions.get(expressions[0].name)!
+    this.targets = first.targets.slice()
+    this.activations = first.activations.slice()
+    this.#from = { targets: this.targets.slice(), activations: this.activations.slice() }
+    this.#to = { targets: this.targets.slice(), activations: this.activations.slice() }
+  }
+
+  /** Whether the transition is over. */
+  get still(): boolean {
+    return this.#now[0] >= this.#duration
+  }
+
+  /**
+   * Starts a transition to an expression from the current values, or to several at once: `{ happy: 0.6, surprised: 0.4 }`. Their
+   * values add up target by target and area by area, to at most 1.
+   *
+   * @param seconds time to get there; 0 arrives at once.
+   * @throws FurrowError when no expression has that name, a weight is not within 0..1, or the time is negative or not finite.
+   */
+  play(choice: ExpressionChoice, seconds = 0, easing: Easing = 'linear'): void {
+    const weights = typeof choice === 'string' ? { [choice]: 1 } : choice
+    for (const [name, weight] of Object.entries(weights)) this.#check(name, weight)
+    if (!(seconds >= 0 && seconds < Infinity)) {
+      throw new FurrowError({
+        who: 'ExpressionMix',
+        what: 'time out of range',
+        value: seconds,
+        limit: '0 seconds or more',
+        remedy: 'give the time the change shall take, e.g. 0.3',
+      })
+    }
+    for (const values of ['targets', 'activations'] as const) {
+      this.#from[values].set(this[values])
+      this.#to[values].fill(0)
+      for (const [name, weight] of Object.entries(weights)) {
+        const own = this.#expressions.get(name)![values]
+        const sum = this.#to[values]
+        for (let i = 0; i < sum.length; i++) sum[i] = Math.min(1, sum[i] + weight * own[i])
+      }
+    }
+    this.#easing = easing === 'linear' ? null : typeof easing === 'function' ? easing : EASINGS[easing]
+    this.#duration = seconds
+    this.#now[0] = 0
+    if (seconds === 0) this.update(0)
+  }
+
+  /** @param delta seconds since the last call. */
+  update(delta: number): void {
+    // Short enough to be inlined, so that the number is not boxed.
+    this.#now[0] += delta
+    this.#follow()
+  }
+
+  #follow(): void {
+    const now = this.#now
+    if (now[0] > this.#duration) now[0] = this.#duration
+    now[1] = this.still ? 1 : now[0] / this.#duration
+    if (this.#easing && !this.still) now[1] = this.#easing(now[1])
+    this.#interpolate('targets')
+    this.#interpolate('activations')
+  }
+
+  #interpolate(values: keyof Ends): void {
+    const t = this.#now[1]
+    const from = this.#from[values]
+    const to = this.#to[values]
+    const out = this[values]
+    for (let i = 0; i < out.length; i++) out[i] = from[i] * (1 - t) + to[i] * t
+  }
+
+  #check(name: string, weight: number): void {
+    if (!this.#expressions.has(name)) {
+      throw new FurrowError({
+        who: 'ExpressionMix',
+        what: 'unknown expression',
+        value: name,
+        limit: [...this.#expressions.keys()].join(', '),
+        remedy: 'use one of these, or pass your own list of expressions',
+      })
+    }
+    if (weight >= 0 && weight <= 1) return
+    throw new FurrowError({
+      who: 'ExpressionMix',
+      what: `weight of "${name}" out of range`,
+      value: weight,
+      limit: '0 to 1',
+      remedy: 'correct it',
+    })
+  }
+}
+
+interface Ends {
+  targets: Float32Array
+  activations: Float32Array
+}
+
+function union(records: readonly Readonly<Record<string, number>>[]): string[] {
+  return [...new Set(records.flatMap((record) => Object.keys(record)))]
+}

@@ -1,0 +1,93 @@
+import { sentence } from '../core/error.ts'
+import type { Expression } from '../drivers/expression/expression.ts'
+import { EXPRESSIONS } from '../drivers/expression/presets.ts'
+import { type Easing, type ExpressionChoice, ExpressionMix } from './expression-mix.ts'
+import type { BindTargets, TargetBinding } from './target-binding.ts'
+import type { WrinkleFaces } from './wrinkle-faces.ts'
+
+/**
+ * Plays expressions on a face: blendshapes on every mesh that has them, and activations on its wrinkles.
+ * Call `update` once per frame; while nothing is playing it writes nothing, so sliders may move the face too.
+ */
+export class ExpressionPlayerBase {
+  readonly #mix: ExpressionMix
+  #last = 0
+  readonly #wrinkles: WrinkleFaces
+  readonly #bindings: TargetBinding[]
+
+  /**
+   * @param bind finds blendshapes on the meshes of the face.
+   * @param expressions the first is the initial one; by default those of the file, or `EXPRESSIONS` where it has none.
+   */
+  constructor(wrinkles: WrinkleFaces, bind: BindTargets, expressions?: readonly Expression[]) {
+    const own = wrinkles.expressions.length > 0 ? wrinkles.expressions : EXPRESSIONS
+    this.#mix = new ExpressionMix(expressions ?? own)
+    this.#wrinkles = wrinkles
+    this.#bindings = bind(this.#mix.targetNames)
+    const bound = new Set(this.#bindings.map(({ name }) => this.#mix.targetNames[name]))
+    warnOfMissing([
+      ...this.#mix.targetNames.filter((name) => !bound.has(name)),
+      ...this.#mix.areaNames.filter((name) => !wrinkles.hasArea(name)),
+    ])
+  }
+
+  /**
+   * Starts a transition to an expression from the face as it is now, sliders included; or to several at once, which add up:
+   * `{ happy: 0.6, surprised: 0.4 }`.
+   *
+   * @param seconds duration, 0.25 by default.
+   * @param easing linear by default.
+   * @throws FurrowError when no expression has that name, or a weight is not within 0..1.
+   */
+  play(choice: ExpressionChoice, seconds = 0.25, easing: Easing = 'linear'): void {
+    this.#read()
+    this.#last = performance.now()
+    this.#mix.play(choice, seconds, easing)
+    if (seconds === 0) this.#write()
+  }
+
+  /** @param delta seconds since the last frame; measured when absent. */
+  update(delta = this.#sinceLast()): void {
+    if (this.#mix.still) return
+    this.#mix.update(delta)
+    this.#write()
+  }
+
+  /** Seconds since the last frame, or since `play`. */
+  #sinceLast(): number {
+    const now = performance.now()
+    const delta = (now - this.#last) / 1000
+    this.#last = now
+    return delta
+  }
+
+  #read(): void {
+    const { targets, areaNames, activations } = this.#mix
+    for (const { influences, target, name } of this.#bindings) targets[name] = influences[target]
+    for (const [index, name] of areaNames.entries()) {
+      if (!this.#wrinkles.hasArea(name)) continue
+      // Without what age and other inputs add to it.
+      activations[index] = this.#wrinkles.isDriven(name)
+        ? this.#wrinkles.getActivation(name)
+        : this.#wrinkles.getRestingActivation(name)
+    }
+  }
+
+  #write(): void {
+    const { targets, areaNames, activations } = this.#mix
+    for (const { influences, target, name } of this.#bindings) influences[target] = targets[name]
+    this.#wrinkles.setActivations(areaNames, activations)
+  }
+}
+
+function warnOfMissing(names: string[]): void {
+  if (names.length === 0) return
+  console.warn(
+    sentence({
+      who: 'ExpressionPlayer',
+      what: 'blendshapes or areas that this face does not have',
+      value: names.join(', '),
+      remedy: 'expressions play without them',
+    }),
+  )
+}

@@ -1,0 +1,46 @@
+import { type Bounds, widen } from '../core/bounds.ts'
+import type { AreaSlots } from './area-slots.ts'
+
+/** A rectangle of texture coordinates: u0, v0, u1, v1 as x, y, z, w. Any engine's vector of four numbers will do. */
+export interface Reach {
+  x: number
+  y: number
+  z: number
+  w: number
+}
+
+/** Beyond any texture coordinate. */
+const FAR = 1e9
+
+/** Reused by every call, so that a frame allocates none. */
+const span: Bounds = { x0: 0, y0: 0, x1: 0, y1: 0 }
+
+/**
+ * The rectangle of texture coordinates outside of which nothing shows: that of all areas that are active. Skin outside of it need
+ * not even sample the influence map. Empty where no area is active.
+ *
+ * @param values activations in the order of the areas.
+ * @param reach is set.
+ */
+export function findReach({ slots, width, height }: AreaSlots, values: Float32Array, reach: Reach): void {
+  span.x0 = width
+  span.y0 = height
+  span.x1 = 0
+  span.y1 = 0
+  for (let i = 0; i < slots.length; i++) if (values[i] !== 0) widen(span, slots[i].bounds)
+  const { x0, y0, x1, y1 } = span
+  // Bilinear filtering spreads a texel to the centre of the next one, and clamping spreads those at the border without end.
+  // One by one: numbers that are passed to a function may be boxed.
+  reach.x = x0 < 1 ? -FAR : (x0 - 0.5) / width
+  reach.y = y0 < 1 ? -FAR : (y0 - 0.5) / height
+  reach.z = x1 > width - 1 ? FAR : (x1 + 0.5) / width
+  reach.w = y1 > height - 1 ? FAR : (y1 + 0.5) / height
+}
+
+/** For several faces at once: everything is within reach. */
+export function reachAll(reach: Reach): void {
+  reach.x = -FAR
+  reach.y = -FAR
+  reach.z = FAR
+  reach.w = FAR
+}

@@ -1,0 +1,49 @@
+import { Frame } from '../runtime/frame.ts'
+import { InfluenceAtlas } from './atlas/influence-atlas.ts'
+import type { QuadMaterials } from './atlas/influence-pass.ts'
+import type { AnyRenderer } from './renderer.ts'
+
+/** The frames of one kind of renderer, with the atlases that its faces share. */
+export class RendererFrame extends Frame<AnyRenderer> {
+  readonly #atlases: InfluenceAtlas[] = []
+  readonly #materials: QuadMaterials
+
+  constructor(materials: QuadMaterials) {
+    super(renderCount)
+    this.#materials = materials
+  }
+
+  /** The atlas that all faces share whose size of areas and number of layers are the same. */
+  atlasFor(width: number, height: number, layers: number): InfluenceAtlas {
+    const shared = this.#atlases.find(
+      (atlas) => atlas.cells.width === width && atlas.cells.height === height && atlas.layers === layers,
+    )
+    if (shared) return shared
+    const atlas = new InfluenceAtlas(width, height, layers, this.#materials)
+    this.#atlases.push(atlas)
+    this.targets.push(atlas)
+    return atlas
+  }
+
+  /** Frees an atlas that no face uses any more. */
+  release(atlas: InfluenceAtlas): void {
+    if (!atlas.cells.isEmpty) return
+    atlas.dispose()
+    this.#atlases.splice(this.#atlases.indexOf(atlas), 1)
+    this.targets.splice(this.targets.indexOf(atlas), 1)
+  }
+}
+
+const frames = new Map<QuadMaterials, RendererFrame>()
+
+/** The frames of a kind of renderer: there is one object for all its faces. */
+export function frameOf(materials: QuadMaterials): RendererFrame {
+  const frame = frames.get(materials) ?? new RendererFrame(materials)
+  frames.set(materials, frame)
+  return frame
+}
+
+/** Grows with every call of `render`, nested ones included. */
+function renderCount({ info }: AnyRenderer): number {
+  return 'calls' in info ? info.calls : info.render.frame
+}

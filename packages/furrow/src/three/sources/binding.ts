@@ -1,0 +1,24 @@
+import type { InputOf } from '../../drivers/activation.ts'
+import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
+import type { WrinkleDriver } from '../../drivers/registry.ts'
+import type { InputReader, InputReaders, MeasuredKind } from '../../runtime/driver-runtime.ts'
+import type { AnyRenderer } from '../renderer.ts'
+import type { WrinklesBase } from '../wrinkles-base.ts'
+
+export interface DriversOptions {
+  /** A VRM's expressions (`vrm.expressionManager` of three-vrm): links may name them as well as blendshapes. */
+  expressions?: VrmExpressions
+}
+
+/** Finds inputs of one kind on a mesh. */
+export type BindInputs<K extends MeasuredKind> = (
+  wrinkles: WrinklesBase,
+  inputs: readonly InputOf<K>[],
+  drivers: readonly WrinkleDriver[],
+  options: DriversOptions,
+) => InputReader<AnyRenderer>
+
+/** How a renderer reads each kind of input. */
+export type InputBindings = { readonly [K in MeasuredKind]: BindInputs<K> }
+
+export type ThreeReaders = InputReaders<AnyRenderer>

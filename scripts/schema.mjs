@@ -1,0 +1,21 @@
+// Publishes the schemas of all drivers in docs/schema: one file each, as it is in the driver's folder, and the list of them.
+
+import { readFileSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { ROOT } from './lib/run.mjs'
+
+const { DRIVER_TYPES } = await import(join(ROOT, 'packages/furrow/dist/index.js'))
+
+const published = (name) => join(ROOT, `docs/schema/FURROW_wrinkle_maps.driver${name}.schema.json`)
+
+for (const type of DRIVER_TYPES) {
+  const schema = readFileSync(join(ROOT, `packages/furrow/src/drivers/${type}/schema.json`))
+  writeFileSync(published(`.${type}`), schema)
+}
+const list = JSON.parse(readFileSync(published(''), 'utf8'))
+list.allOf = DRIVER_TYPES.map((type) => ({
+  if: { properties: { type: { const: type } } },
+  // biome-ignore lint/suspicious/noThenProperty: a keyword of JSON Schema
+  then: { $ref: `FURROW_wrinkle_maps.driver.${type}.schema.json` },
+}))
+writeFileSync(published(''), `${JSON.stringify(list, null, 2)}\n`)

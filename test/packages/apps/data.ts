@@ -1,0 +1,27 @@
+// `furrow` and `furrow/author`, where nothing else is installed.
+import { EXPRESSIONS, FurrowError, parseWrinkleSetDocument, type WrinkleSetDocument } from 'furrow'
+import { type NormalMap, reliefToNormal } from 'furrow/author'
+
+const set: WrinkleSetDocument = parseWrinkleSetDocument({
+  version: 1,
+  layers: [{ name: 'expression', normal: 'normal.png' }],
+  areas: [{ name: 'nose', image: 'nose.png' }],
+})
+
+let message = ''
+try {
+  parseWrinkleSetDocument({ version: 2 })
+} catch (error) {
+  if (error instanceof FurrowError) message = error.message
+}
+
+const flat: NormalMap = reliefToNormal({ width: 2, height: 1, data: new Float32Array(2) })
+
+console.info(
+  JSON.stringify({
+    areas: set.areas.map(({ name }) => name),
+    surprised: EXPRESSIONS.some(({ name }) => name === 'surprised'),
+    message,
+    normal: [...flat.data],
+  }),
+)

@@ -1,0 +1,21 @@
+// `furrow/three` and `furrow/webgpu`, where only three.js is installed beside them.
+import { ExpressionPlayer, WrinkleLoaderPlugin, Wrinkles } from 'furrow/three'
+import { WrinkleLoaderPlugin as WebgpuLoaderPlugin, Wrinkles as WebgpuWrinkles } from 'furrow/webgpu'
+import type { Mesh, Object3D } from 'three'
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+
+export async function load(url: string, webgpu: boolean): Promise<Object3D> {
+  const Plugin = webgpu ? WebgpuLoaderPlugin : WrinkleLoaderPlugin
+  const loader = new GLTFLoader().register((parser) => new Plugin(parser))
+  const { scene, userData } = await loader.loadAsync(url)
+  new ExpressionPlayer(scene, userData.wrinkles[0]).play('surprised', 0.4)
+  return scene
+}
+
+export function copy(from: Wrinkles | WebgpuWrinkles, to: Mesh): Wrinkles | WebgpuWrinkles {
+  const wrinkles = from instanceof Wrinkles ? new Wrinkles(to, from) : new WebgpuWrinkles(to, from)
+  wrinkles.setActivation('nose', 1)
+  return wrinkles
+}
+
+console.info(JSON.stringify({ classes: [Wrinkles.name, WebgpuWrinkles.name] }))

@@ -1,0 +1,79 @@
+import { existsSync, readdirSync, readFileSync } from 'node:fs'
+import { mkdir, readFile } from 'node:fs/promises'
+import { dirname, join, resolve } from 'node:path'
+import { checkPackage, createPackageFromTarballData } from '@arethetypeswrong/core'
+import { publint } from 'publint'
+import { formatMessage } from 'publint/utils'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { pack, ROOT, remove, run, temporaryFolder } from './npm.ts'
+
+/** The packages are ES modules: these two ways to resolve find CommonJS only. */
+const COMMONJS = ['node10', 'node16-cjs']
+
+let folder: string
+beforeAll(async () => {
+  folder = await temporaryFolder()
+})
+afterAll(() => remove(folder))
+
+describe.each([
+  { name: 'furrow', top: ['LICENSE', 'README.md', 'dist', 'package.json', 'src'] },
+  { name: 'furrow-cli', top: ['LICENSE', 'README.md', 'bin', 'dist', 'package.json'] },
+])('the tarball of $name', ({ name, top }) => {
+  let tarball: Buffer<ArrayBuffer>
+  let content: string
+  let files: string[]
+
+  beforeAll(async () => {
+    const path = await pack(name, folder)
+    const target = join(folder, name)
+    await mkdir(target)
+    await run(target, 'tar', '-xzf', path)
+    tarball = await readFile(path)
+    content = join(target, 'package')
+    files = readdirSync(content, { recursive: true, encoding: 'utf8' }).map((file) => join(content, file))
+  })
+  const read = (file: string) => readFileSync(file, 'utf8')
+
+  it('holds what users need', () => {
+    expect(readdirSync(content).sort()).toEqual(top)
+    expect(read(join(content, 'LICENSE'))).toBe(read(join(ROOT, 'LICENSE')))
+  })
+
+  it('has no fault that publint finds', async () => {
+    const { buffer, byteOffset, length } = tarball
+    const { messages, pkg } = await publint({
+      pack: { tarball: buffer.slice(byteOffset, byteOffset + length) },
+      strict: true,
+    })
+    expect(messages.map((message) => formatMessage(message, pkg))).toEqual([])
+  })
+
+  it('has source maps whose sources are there', () => {
+    const maps = files.filter((file) => file.endsWith('.map'))
+    expect(maps.length).toBeGreaterThan(10)
+    for (const map of maps) {
+      const { sources, sourcesContent } = JSON.parse(read(map))
+      const missing = (source: string, i: number) =>
+        !sourcesContent?.[i] && !existsSync(resolve(dirname(map), source))
+      expect(sources.filter(missing), map).toEqual([])
+    }
+  })
+
+  if (name !== 'furrow') return
+
+  it('has types that resolve at every entry', async () => {
+    const analysis = await checkPackage(createPackageFromTarballData(tarball))
+    if (!analysis.types) throw new Error('there are no types')
+    const problems = analysis.problems.filter(
+      (problem) => !('resolutionKind' in problem && COMMONJS.includes(problem.resolutionKind)),
+    )
+    expect(problems).toEqual([])
+  })
+
+  it('has no module that is imported for its side effects, as "sideEffects": false promises', () => {
+    const modules = files.filter((file) => file.endsWith('.js'))
+    expect(modules.length).toBeGreaterThan(10)
+    expect(modules.filter((file) => /^import ['"]/m.test(read(file)))).toEqual([])
+  })
+})

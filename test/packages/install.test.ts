@@ -1,0 +1,90 @@
+import { readFileSync } from 'node:fs'
+import { readFile, writeFile } from 'node:fs/promises'
+import { join } from 'node:path'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { createApp, pack, ROOT, remove, run, temporaryFolder } from './npm.ts'
+
+const TSC = join(ROOT, 'node_modules/typescript/bin/tsc')
+const { devDependencies } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8'))
+const { dependencies } = JSON.parse(readFileSync(join(ROOT, 'packages/cli/package.json'), 'utf8'))
+const THREE = [`three@${devDependencies.three}`, `@types/three@${devDependencies['@types/three']}`]
+const GLTF_TRANSFORM = [`@gltf-transform/core@${dependencies['@gltf-transform/core']}`]
+
+let folder: string
+let furrow: string
+let cli: string
+
+beforeAll(async () => {
+  folder = await temporaryFolder()
+  ;[furrow, cli] = [await pack('furrow', folder), await pack('furrow-cli', folder)]
+})
+afterAll(() => remove(folder))
+
+/** Each app has only those peers of furrow that its entries need. */
+describe.each([
+  {
+    source: 'data.ts',
+    peers: [],
+    prints: {
+      areas: ['nose'],
+      surprised: true,
+      message: expect.stringContaining('unknown version, got 2'),
+      normal: [128, 128, 255, 128, 128, 255],
+    },
+  },
+  { source: 'gltf.ts', peers: GLTF_TRANSFORM, prints: { areas: ['nose'] } },
+  { source: 'scene.ts', peers: THREE, prints: { classes: ['Wrinkles', 'Wrinkles'] } },
+])('apps/$source', ({ source, peers, prints }) => {
+  let app: string
+  beforeAll(async () => {
+    app = await createApp(join(folder, source.replace('.ts', '')), [furrow, ...peers], source)
+  })
+
+  it('compiles as for a bundler', () => compile(app, source, 'esnext', 'bundler'))
+
+  it('compiles as for Node, and runs in it', async () => {
+    await compile(app, source, 'nodenext', 'nodenext')
+    const printed = await run(app, process.execPath, source.replace('.ts', '.js'))
+    expect(JSON.parse(printed)).toEqual(prints)
+  })
+})
+
+/** Type-checks an app as strictly as TypeScript can, declarations of packages included. */
+async function compile(app: string, source: string, module: string, moduleResolution: string): Promise<void> {
+  const compilerOptions = {
+    module,
+    moduleResolution,
+    target: 'es2022',
+    // glTF-Transform's own declarations name Float16Array.
+    lib: ['esnext', 'dom'],
+    types: [],
+    strict: true,
+    exactOptionalPropertyTypes: true,
+    noUncheckedIndexedAccess: true,
+    skipLibCheck: false,
+  }
+  await writeFile(join(app, 'tsconfig.json'), JSON.stringify({ compilerOptions, files: [source] }))
+  await run(app, process.execPath, TSC)
+}
+
+describe('furrow-cli', () => {
+  let app: string
+  beforeAll(async () => {
+    app = await createApp(join(folder, 'cli'), [furrow, cli])
+  })
+  // Offline: what is not installed is not fetched either.
+  const npx = (...words: string[]) => run(app, 'npx', '--offline', ...words)
+
+  it('tells its version', async () => {
+    const { version } = JSON.parse(await readFile(join(ROOT, 'packages/cli/package.json'), 'utf8'))
+    expect(await npx('furrow-cli', '--version')).toBe(`${version}\n`)
+  })
+
+  it('lists its commands', async () => {
+    expect(await npx('furrow-cli', '--help')).toMatch(/^Usage: furrow .*\n {2}inspect /s)
+  })
+
+  it('inspects a face, as `furrow` too', async () => {
+    expect(await npx('furrow', 'inspect', join(ROOT, 'faces/human.glb'))).toContain('foreheadLeft')
+  })
+})

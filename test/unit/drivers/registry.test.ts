@@ -1,0 +1,120 @@
+import { readdirSync, readFileSync } from 'node:fs'
+import {
+  DRIVER_TYPES,
+  type DriverDefinition,
+  describeDriver,
+  explain,
+  isKnownDriver,
+  parseDrivers,
+  parseWrinkleMaps,
+  registerDriver,
+  type WrinkleDriver,
+} from 'furrow'
+import { describe, expect, it } from 'vitest'
+import { driven } from '../../driven.ts'
+
+const folder = new URL('../../../packages/furrow/src/drivers/', import.meta.url)
+
+describe('the registry', () => {
+  it('has an entry for every folder of drivers/, whose schema is of its type', () => {
+    const folders = readdirSync(folder, { withFileTypes: true }).filter((entry) => entry.isDirectory())
+    expect(folders.map(({ name }) => name).sort()).toEqual([...DRIVER_TYPES].sort())
+    for (const type of DRIVER_TYPES) {
+      const schema = JSON.parse(readFileSync(new URL(`${type}/schema.json`, folder), 'utf8'))
+      expect(schema.properties.type.const).toBe(type)
+    }
+  })
+
+  it('is what the published schema lists', () => {
+    const path = new URL('../../../docs/schema/', import.meta.url)
+    const { allOf } = JSON.parse(
+      readFileSync(new URL('FURROW_wrinkle_maps.driver.schema.json', path), 'utf8'),
+    )
+    expect(allOf).toEqual(
+      DRIVER_TYPES.map((type) => ({
+        if: { properties: { type: { const: type } } },
+        // biome-ignore lint/suspicious/noThenProperty: a keyword of JSON Schema
+        then: { $ref: `FURROW_wrinkle_maps.driver.${type}.schema.json` },
+      })),
+    )
+    for (const type of DRIVER_TYPES) {
+      const published = readFileSync(new URL(`FURROW_wrinkle_maps.driver.${type}.schema.json`, path), 'utf8')
+      expect(JSON.parse(published)).toEqual(
+        JSON.parse(readFileSync(new URL(`${type}/schema.json`, folder), 'utf8')),
+      )
+    }
+  })
+})
+
+interface BreathDriver {
+  type: 'breath'
+  area: string
+  depth: number
+}
+
+/** Two inputs that the application sets, combined by a function of its own. */
+const breath: DriverDefinition<BreathDriver> = {
+  type: 'breath',
+  read: (fields) => ({ area: fields.area(), depth: fields.number('depth', 0, 1, 0.5) }),
+  describe: ({ area, depth }) => `${area} = breath x ${depth}`,
+  activate: ({ area, depth }) => ({
+    area,
+    links: ['phase', 'effort'].map((name) => ({ input: { kind: 'value', name }, weight: 1 })),
+    rule: ([phase, effort]) => depth * effort * (0.5 - 0.5 * Math.cos(2 * Math.PI * phase)),
+    curve: [
+      [0, 0],
+      [1, 1],
+    ],
+  }),
+}
+
+describe('registerDriver', () => {
+  const json = { type: 'breath', area: 'nose', effort: 3 }
+
+  it('keeps a type that nobody knows, and then knows it', () => {
+    const [unknown] = parseDrivers([json], ['nose'])
+    expect(unknown).toEqual(json)
+    expect(isKnownDriver(unknown)).toBe(false)
+    expect(describeDriver(unknown)).toContain('breath: unknown type')
+    expect(driven([unknown]).plan.unknownTypes).toEqual(['breath'])
+
+    registerDriver(breath)
+    const [known] = parseDrivers([json], ['nose'])
+    expect(known).toEqual({ type: 'breath', area: 'nose', depth: 0.5 })
+    expect(describeDriver(known)).toBe('nose = breath x 0.5')
+    const { activations, plan } = driven([known])
+    expect(plan.unknownTypes).toEqual([])
+    const { nose } = activations({ inputs: { phase: 0.5, effort: 0.8 } })
+    expect(nose).toBeCloseTo(0.4, 6)
+    const [why] = explain([known], [{ name: 'nose' }], {
+      targetNames: [],
+      weights: [],
+      inputs: { phase: 0.5, effort: 0.8 },
+    })
+    expect(why.activation).toBeCloseTo(0.4, 6)
+    expect(why.parts[0].links.map(({ link, value }) => [link.name, value])).toEqual([
+      ['phase', 0.5],
+      ['effort', 0.8],
+    ])
+  })
+
+  it('checks its fields, and files carry it', () => {
+    const texture = { index: 0 }
+    const maps = (driver: WrinkleDriver) =>
+      parseWrinkleMaps({
+        layers: [{ name: 'skin', normalTexture: texture }],
+        areas: [{ name: 'nose', texture }],
+        drivers: [driver],
+      })
+    expect(maps({ ...json, depth: 0.2 }).drivers).toEqual([{ type: 'breath', area: 'nose', depth: 0.2 }])
+    expect(() => maps({ ...json, depth: 7 })).toThrow('drivers[0].depth is out of range, got 7')
+    expect(() => maps({ ...json, area: 'tail' })).toThrow('drivers[0].area is unknown')
+  })
+
+  it('refuses a type that exists', () => {
+    expect(() => registerDriver({ ...breath, type: 'morph' as never })).toThrow(
+      'registerDriver: a driver of that type exists, got "morph"',
+    )
+    expect(() => registerDriver(breath)).toThrow('a driver of that type exists, got "breath"')
+  })
+})

@@ -1,0 +1,209 @@
+import type { WrinkleDriver } from 'furrow'
+import { addDrivers, Wrinkles } from 'furrow/three'
+import { BufferAttribute, InstancedMesh, Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
+import { describe, expect, it } from 'vitest'
+import { Frame, type FrameMember } from '../../../packages/furrow/src/runtime/frame.ts'
+import { BINDINGS, bindDrivers } from '../../../packages/furrow/src/three/sources/add-drivers.ts'
+import { layer, randomNormals } from '../../cases.ts'
+import { seeded } from '../../random.ts'
+import { morph, STRAIGHT } from '../three/driven-face.ts'
+import { frameOf } from '../three/stub-renderer.ts'
+
+/** A renderer that counts the pictures it draws. */
+interface Engine {
+  pictures: number
+}
+
+/** Members that write down what is called, and a frame of them. */
+function recorded(names: string[]) {
+  const log: string[] = []
+  const frame = new Frame<Engine>((engine) => engine.pictures)
+  const hidden = new Set<string>()
+  const entries = Object.fromEntries(
+    names.map((name) => {
+      const member: FrameMember<Engine> = {
+        readInputs: () => log.push(`inputs ${name}`),
+        evaluateDrivers: () => log.push(`drivers ${name}`),
+        applyActivations: () => log.push(`activations ${name}`),
+        collectInfluence() {
+          if (hidden.has(name)) return false
+          log.push(`influence ${name}`)
+          return true
+        },
+        composeNormals: () => log.push(`compose ${name}`),
+      }
+      return [name, frame.add(member)]
+    }),
+  )
+  frame.targets.push({ draw: () => log.push('atlas') })
+  const engine = { pictures: 0 }
+  return {
+    frame,
+    entries,
+    hidden,
+    engine,
+    /** Draws one picture of some members, and returns what was called. */
+    draw(...seen: string[]): string[] {
+      log.length = 0
+      engine.pictures++
+      for (const name of seen) {
+        frame.begin(entries[name], engine)
+        log.push(`draw ${name}`)
+      }
+      return [...log]
+    },
+    log,
+  }
+}
+
+/** All phases of some members. */
+const phases = (...names: string[]) => [
+  ...['inputs', 'drivers', 'activations', 'influence'].flatMap((phase) =>
+    names.map((name) => `${phase} ${name}`),
+  ),
+  'atlas',
+  ...names.map((name) => `compose ${name}`),
+]
+
+describe('a frame', () => {
+  it('does each phase for all faces before the next, when the first face is drawn', () => {
+    const { draw } = recorded(['a', 'b', 'c'])
+    expect(draw('a', 'b', 'c')).toEqual([...phases('a', 'b', 'c'), 'draw a', 'draw b', 'draw c'])
+    expect(draw('b', 'a')).toEqual([...phases('a', 'b', 'c'), 'draw b', 'draw a'])
+    // `c` was out of sight in the last frame.
+    expect(draw('a', 'b')).toEqual([...phases('a', 'b'), 'draw a', 'draw b'])
+  })
+
+  it('runs the phases of a face that comes into sight later by themselves, and each once in a frame', () => {
+    const { draw } = recorded(['a', 'b'])
+    draw('a', 'b')
+    draw('a')
+    expect(draw('a', 'a', 'b', 'b')).toEqual([
+      ...phases('a'),
+      'draw a',
+      'draw a',
+      ...phases('b'),
+      'draw b',
+      'draw b',
+    ])
+  })
+
+  it('drives a face that shows no influence, and draws it as soon as it does', () => {
+    const { draw, hidden } = recorded(['a', 'b'])
+    draw('a', 'b')
+    hidden.add('a')
+    const without = phases('a', 'b').filter((call) => call !== 'influence a')
+    expect(draw('a', 'b')).toEqual([...without, 'draw a', 'draw b'])
+    const { frame, entries, engine, log } = recorded(['c'])
+    engine.pictures++
+    frame.begin(entries.c, engine)
+    expect(log).toEqual(phases('c'))
+  })
+
+  it('is brought up to date by hand, up to the activations where nothing draws', () => {
+    const { frame, entries, engine, log } = recorded(['a', 'b'])
+    frame.update(entries.b, null)
+    expect(log).toEqual(['inputs b', 'drivers b', 'activations b'])
+    log.length = 0
+    frame.update(entries.b, engine)
+    expect(log).toEqual(phases('b'))
+  })
+})
+
+const aging: WrinkleDriver = {
+  type: 'age',
+  area: 'brow',
+  curve: [
+    [20, 0],
+    [70, 0.5],
+  ],
+}
+
+function wrinklesOn<M extends Mesh>(mesh: M) {
+  const weights = { width: 2, height: 2, data: new Uint8Array(4).fill(255) }
+  const layers = [layer('skin', 'detail', randomNormals(seeded(1), 2))]
+  const wrinkles = new Wrinkles(mesh, { layers, areas: ['brow', 'nose'].map((name) => ({ name, weights })) })
+  return { mesh, wrinkles, draw: frameOf(mesh) }
+}
+
+/** Two instances whose blendshape is at 0.25 and 0.75. */
+function instances() {
+  const geometry = new PlaneGeometry()
+  geometry.morphAttributes.position = [
+    Object.assign(new BufferAttribute(new Float32Array(12), 3), { name: 'jawOpen' }),
+  ]
+  const mesh = new InstancedMesh(geometry, new MeshStandardMaterial(), 2)
+  const pose = new Mesh(geometry)
+  for (const [i, weight] of [0.25, 0.75].entries()) {
+    pose.morphTargetInfluences![0] = weight
+    mesh.setMorphAt(i, pose)
+  }
+  const face = wrinklesOn(mesh)
+  addDrivers(face.wrinkles, [morph('brow', 'jawOpen'), { ...aging, area: 'nose' }])
+  const activations = (area: string) => [0, 1].map((i) => face.wrinkles.getActivation(area, i))
+  return { ...face, activations }
+}
+
+describe('instances', () => {
+  it.each(['default', 'off'] as const)('are all driven in mode %s', (mode) => {
+    const { wrinkles, draw, activations } = instances()
+    wrinkles.mode = mode
+    draw()
+    expect(activations('brow')).toEqual([0.25, 0.75])
+  })
+
+  it.each(['paper', 'composed'] as const)('are refused by mode %s, which has one face for all', (mode) => {
+    const { wrinkles, draw, activations } = instances()
+    expect(() => {
+      wrinkles.mode = mode
+    }).toThrow(
+      new RegExp(`Wrinkles.mode: instances cannot have wrinkles of their own in this mode, got "${mode}"`),
+    )
+    expect(wrinkles.mode).toBe('default')
+    draw()
+    expect(activations('brow')).toEqual([0.25, 0.75])
+  })
+
+  it('have inputs of their own', () => {
+    const { wrinkles, draw, activations } = instances()
+    wrinkles.inputs.set('age', 70)
+    wrinkles.inputs.set('age', 45, 1)
+    draw()
+    expect(activations('nose')).toEqual([0.5, 0.25])
+  })
+})
+
+it('keeps what is set on an area that age alone drives, also before a VRM’s expressions are found', () => {
+  const { wrinkles, draw } = wrinklesOn(new Mesh(new PlaneGeometry(), new MeshStandardMaterial()))
+  let found = 0
+  bindDrivers(
+    wrinkles,
+    [aging],
+    () => {
+      found++
+      return {}
+    },
+    BINDINGS,
+  )
+  wrinkles.setActivation('brow', 0.3)
+  wrinkles.inputs.set('age', 70)
+  expect([found, wrinkles.isDriven('brow')]).toEqual([0, false])
+  for (let i = 0; i < 3; i++) {
+    draw()
+    expect(wrinkles.getActivation('brow')).toBeCloseTo(0.8, 6)
+  }
+  expect(found).toBe(1)
+})
+
+it('knows what is driven from the drivers alone', () => {
+  const { wrinkles } = wrinklesOn(new Mesh(new PlaneGeometry(), new MeshStandardMaterial()))
+  const between: WrinkleDriver = {
+    type: 'area',
+    area: 'nose',
+    areas: [{ name: 'brow', weight: 1 }],
+    rule: 'sum',
+    curve: STRAIGHT,
+  }
+  bindDrivers(wrinkles, [aging, between], () => ({}), BINDINGS)
+  expect([wrinkles.isDriven('brow'), wrinkles.isDriven('nose')]).toEqual([false, true])
+})
