@@ -1,10 +1,10 @@
 import { performance } from 'node:perf_hooks'
 import { Command } from 'commander'
 import { FurrowError, type GrayImage, MAX_IMAGE_SIDE } from 'furrow'
-import { BAKE_DEFAULTS, type Baked, bakeMaps, sizeOf } from 'furrow/author'
+import { BAKE_DEFAULTS, type BakedMaps, bakeMaps, meshDiagonal } from 'furrow/author'
 import sharp from 'sharp'
+import { raySourceOf } from '../bake/ray-source.ts'
 import { readLow, readSurface } from '../bake/read-meshes.ts'
-import { targetOf } from '../bake/target.ts'
 import { encodeHeight, HEIGHT_STEPS_PER_MM, HEIGHT_ZERO, type Output, writeAll } from '../images.ts'
 import { encodeNormalMap } from '../normal-map.ts'
 import { readChoice, readNumber } from '../numbers.ts'
@@ -76,10 +76,10 @@ async function bake(high: string, low: string, options: Options): Promise<void> 
   const paths = await checkOutputs(options)
   const { name, mesh, tangents } = await readLow(low, options.mesh, settings.tangents)
   const surface = await readSurface(high)
-  const cage = settings.cage ?? USUAL_CAGE * sizeOf(mesh)
-  const target = targetOf(surface)
+  const cage = settings.cage ?? USUAL_CAGE * meshDiagonal(mesh)
+  const source = raySourceOf(surface)
   const baked = guarded(() =>
-    withBar('bake', (progress) => bakeMaps(mesh, target, { ...settings, cage }, progress)),
+    withBar('bake', (progress) => bakeMaps(mesh, source, { ...settings, cage }, progress)),
   )
   await writeAll(await encodeAll(baked, options), WHO)
   report(
@@ -150,7 +150,7 @@ function guarded<T>(work: () => T): T {
   }
 }
 
-async function encodeAll(baked: Baked, { output, height, occlusion }: Options): Promise<Output[]> {
+async function encodeAll(baked: BakedMaps, { output, height, occlusion }: Options): Promise<Output[]> {
   const outputs: Output[] = []
   if (output) outputs.push({ path: output, bytes: await encodeNormalMap(baked.normal) })
   if (height) outputs.push({ path: height, bytes: await encodeHeight(baked.height) })
@@ -178,7 +178,7 @@ interface Report {
   milliseconds: number
 }
 
-function report(baked: Baked, facts: Report, options: Options): void {
+function report(baked: BakedMaps, facts: Report, options: Options): void {
   const { files, mesh, size, tangents, triangles, cageMm, samples, misses, emptyTexels, milliseconds } = facts
   const text = options.json
     ? JSON.stringify(facts)

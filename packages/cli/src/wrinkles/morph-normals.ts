@@ -1,25 +1,25 @@
 import type { Accessor, Primitive } from '@gltf-transform/core'
-import { normalChanges } from 'furrow'
+import { morphNormalDeltas } from 'furrow'
 import { readDocument } from '../face.ts'
 import type { Progress } from '../progress.ts'
 import type { Glb, GltfJson } from './glb-file.ts'
 import { ViewAdder } from './view-adder.ts'
 
-/** Change of a normal, per axis, that is not worth its bytes: half a step of a byte. */
-const NOTHING = 1 / 510
-/** Share of vertices above which a list of those that change is no shorter than all. */
-const FEW = 0.7
+/** Delta of a normal, per axis, that is not worth its bytes: half a step of a byte. */
+const NEGLIGIBLE = 1 / 510
+/** Fraction of changed vertices above which a sparse accessor is no smaller than a full one. */
+const MAX_SPARSE_FRACTION = 0.7
 
 const UNSIGNED_INT = 5125
 const FLOAT = 5126
 
 /**
- * Gives the morph targets of one mesh normals where they have none, so that light follows what they do.
+ * Adds normals to the morph targets of one mesh that have none, so that the shading follows the shape.
  *
- * @param glb changed in place; what is there keeps its index.
- * @param path of the file it was read from, which is read once more with whatever compression it has.
+ * @param glb changed in place; existing objects keep their indices.
+ * @param path of the file that `glb` was read from; read again, for its geometry may be compressed.
  * @returns how many targets got normals.
- * @throws FurrowError when the file cannot be read.
+ * @throws FurrowError if the file cannot be read.
  */
 export async function addMorphNormals(
   glb: Glb,
@@ -29,18 +29,17 @@ export async function addMorphNormals(
   progress: Progress = () => {},
 ): Promise<number> {
   const document = await readDocument(path, who)
-  const primitives = document.getRoot().listMeshes()[mesh]!.listPrimitives()
+  const primitives = document.getRoot().listMeshes()[mesh].listPrimitives()
   const adder = new ViewAdder(glb)
   let [done, added] = [0, 0]
   const total = primitives.reduce((sum, primitive) => sum + primitive.listTargets().length, 0)
-  for (const [i, primitive] of primitives.entries()) {
-    const changes = changesOf(primitive)
-    for (const [k, target] of primitive.listTargets().entries()) {
+  for (const [i, { targets = [] }] of (glb.json.meshes?.[mesh].primitives ?? []).entries()) {
+    const deltasOf = normalDeltasOf(primitives[i])
+    for (const [k, target] of primitives[i].listTargets().entries()) {
       progress(++done, total)
       const offsets = target.getAttribute('POSITION')
-      if (!changes || !offsets || target.getAttribute('NORMAL')) continue
-      const own = glb.json.meshes![mesh]!.primitives[i]!.targets![k]!
-      own.NORMAL = addAccessor(glb.json, adder, changes(numbersOf(offsets)))
+      if (!deltasOf || !offsets || target.getAttribute('NORMAL')) continue
+      targets[k].NORMAL = addAccessor(glb.json, adder, deltasOf(readVectors(offsets)))
       added++
     }
   }
@@ -48,38 +47,38 @@ export async function addMorphNormals(
   return added
 }
 
-/** What targets of a primitive do to its normals; nothing where it has none. */
-function changesOf(primitive: Primitive): ReturnType<typeof normalChanges> | undefined {
+/** From the position deltas of a primitive's target to its normal deltas; undefined if the primitive has no normals. */
+function normalDeltasOf(primitive: Primitive): ReturnType<typeof morphNormalDeltas> | undefined {
   const [position, normal] = [primitive.getAttribute('POSITION'), primitive.getAttribute('NORMAL')]
   if (!position || !normal) return undefined
   const triangles =
     primitive.getIndices()?.getArray() ?? Uint32Array.from({ length: position.getCount() }, (_, i) => i)
-  return normalChanges({ positions: numbersOf(position), normals: numbersOf(normal), triangles })
+  return morphNormalDeltas({ positions: readVectors(position), normals: readVectors(normal), triangles })
 }
 
-/** Quantised or not. */
-function numbersOf(accessor: Accessor): Float32Array {
+/** Dequantised. */
+function readVectors(accessor: Accessor): Float32Array {
   const out = new Float32Array(3 * accessor.getCount())
   const element: number[] = []
   for (let i = 0; i < accessor.getCount(); i++) out.set(accessor.getElement(i, element), 3 * i)
   return out
 }
 
-function addAccessor(json: GltfJson, adder: ViewAdder, changes: Float32Array): number {
-  const count = changes.length / 3
-  const moved = Array.from({ length: count }, (_, i) => i).filter((i) =>
-    [0, 1, 2].some((k) => Math.abs(changes[3 * i + k]!) > NOTHING),
+function addAccessor(json: GltfJson, adder: ViewAdder, deltas: Float32Array): number {
+  const count = deltas.length / 3
+  const changed = Array.from({ length: count }, (_, i) => i).filter((i) =>
+    [0, 1, 2].some((k) => Math.abs(deltas[3 * i + k]) > NEGLIGIBLE),
   )
   const accessor = { componentType: FLOAT, type: 'VEC3', count }
   json.accessors ??= []
-  // glTF wants at least one entry in a sparse accessor, and has zeros where there is no view at all.
-  if (moved.length === 0) return json.accessors.push(accessor) - 1
-  if (moved.length > FEW * count)
-    return json.accessors.push({ ...accessor, bufferView: adder.add(bytesOf(changes)) }) - 1
-  const values = Float32Array.from(moved.flatMap((i) => [...changes.subarray(3 * i, 3 * i + 3)]))
+  // A sparse accessor needs at least one entry, and an accessor without a view is all zeros.
+  if (changed.length === 0) return json.accessors.push(accessor) - 1
+  if (changed.length > MAX_SPARSE_FRACTION * count)
+    return json.accessors.push({ ...accessor, bufferView: adder.add(bytesOf(deltas)) }) - 1
+  const values = Float32Array.from(changed.flatMap((i) => [...deltas.subarray(3 * i, 3 * i + 3)]))
   const sparse = {
-    count: moved.length,
-    indices: { bufferView: adder.add(bytesOf(Uint32Array.from(moved))), componentType: UNSIGNED_INT },
+    count: changed.length,
+    indices: { bufferView: adder.add(bytesOf(Uint32Array.from(changed))), componentType: UNSIGNED_INT },
     values: { bufferView: adder.add(bytesOf(values)) },
   }
   return json.accessors.push({ ...accessor, sparse }) - 1
