@@ -11,17 +11,17 @@ export {
   AUTO_DEFAULTS,
   AUTO_STEPS,
   type AutoArea,
-  type AutoLayer,
   type AutoOptions,
   type AutoProgress,
   type AutoWrinkles,
   autoWrinkles,
 } from './auto/auto.ts'
-export { MOST_TRIANGLES } from './auto/check-skin.ts'
-export type { Landmarks, Place } from './auto/face.ts'
-export { faceShapeFinder } from './auto/stand-ins.ts'
+export type { AutoLayer } from './auto/raster/draw-maps.ts'
 export { type StrainMap, strainMaps } from './auto/strain-map.ts'
-export { crossOf, type Skin, type SkinTarget } from './auto/surface.ts'
+export { MOST_TRIANGLES } from './auto/surface/check-skin.ts'
+export type { LandmarkPosition as Place, Landmarks } from './auto/surface/landmarks.ts'
+export { faceShapeFinder } from './auto/surface/stand-ins.ts'
+export { crossOf, type Skin, type SkinTarget } from './auto/surface/surface.ts'
 export {
   BAKE_DEFAULTS,
   type BakedMaps,

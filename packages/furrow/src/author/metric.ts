@@ -2,6 +2,7 @@ import { FurrowError } from '../core/error.ts'
 import { MAX_IMAGE_SIDE } from '../core/limits.ts'
 import { interpolate } from '../math/barycentrics.ts'
 import { clamp } from '../math/scalar.ts'
+import { copyNearest } from './border.ts'
 import { coverTexels } from './cover-texels.ts'
 
 /** What the metric needs of a mesh. Its arrays are neither changed nor kept. */
@@ -57,7 +58,15 @@ export function surfaceMetric(mesh: MetricMesh, width: number, height = width): 
   }
   const forms = vertexForms(mesh)
   for (let t = 0; t + 2 < cornerCount(mesh); t += 3) rasterizeForms(metric, mesh, forms, t)
-  copyOutwards(metric)
+  if (!metric.inside.includes(1)) {
+    throw new FurrowError({
+      who: 'surfaceMetric',
+      what: 'no triangle of the mesh covers a texel of the map',
+      limit: 'texture coordinates within 0..1 and triangles with area',
+      remedy: 'check that the mesh is unwrapped',
+    })
+  }
+  copyNearest(metric.inside, width, [metric.uu, metric.uv, metric.vv])
   return metric
 }
 
@@ -142,41 +151,6 @@ function rasterizeForms(metric: Metric, mesh: MetricMesh, forms: Float64Array, c
     metric.vv[texel] = form[2]
     metric.inside[texel] = 1
   })
-}
-
-/** Copies values outwards from the islands, breadth first over the four neighbours. */
-function copyOutwards(metric: Metric): void {
-  const { width, height, inside, uu, uv, vv } = metric
-  const reached = Uint8Array.from(inside)
-  const queue = new Uint32Array(width * height)
-  let end = 0
-  for (let i = 0; i < reached.length; i++) if (reached[i]) queue[end++] = i
-  if (end === 0) {
-    throw new FurrowError({
-      who: 'surfaceMetric',
-      what: 'no triangle of the mesh covers a texel of the map',
-      limit: 'texture coordinates within 0..1 and triangles with area',
-      remedy: 'check that the mesh is unwrapped',
-    })
-  }
-  for (let head = 0; head < end; head++) {
-    const from = queue[head]
-    const column = from % width
-    const next = [
-      column > 0 ? from - 1 : -1,
-      column < width - 1 ? from + 1 : -1,
-      from - width,
-      from + width < width * height ? from + width : -1,
-    ]
-    for (const to of next) {
-      if (to < 0 || reached[to]) continue
-      reached[to] = 1
-      uu[to] = uu[from]
-      uv[to] = uv[from]
-      vv[to] = vv[from]
-      queue[end++] = to
-    }
-  }
 }
 
 function checkSize(side: number): void {

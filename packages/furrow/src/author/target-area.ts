@@ -1,8 +1,8 @@
 import type { GrayImage } from '../core/types.ts'
 import { clamp, smoothstep } from '../math/scalar.ts'
 import { principalStretches, restInverse } from '../math/stretch.ts'
+import { dilate } from './border.ts'
 import { coverTexels } from './cover-texels.ts'
-import { dilate } from './dilate.ts'
 import type { MetricMesh } from './metric.ts'
 
 /** Texels by which an area extends beyond the UV islands, so that filtering shows no seams. */
