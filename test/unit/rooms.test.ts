@@ -18,7 +18,9 @@ const sources: Source[] = readdirSync(SOURCES, { recursive: true, encoding: 'utf
 
 function importsOf(path: string): string[] {
   const text = readFileSync(join(SOURCES, path), 'utf8')
-  const specifiers = [...text.matchAll(/(?:from|import)\s*\(?\s*'([^']+)'/g)].map(([, specifier]) => specifier)
+  const specifiers = [...text.matchAll(/(?:from|import)\s*\(?\s*'([^']+)'/g)].map(
+    ([, specifier]) => specifier,
+  )
   return specifiers.map((specifier) =>
     specifier.startsWith('.')
       ? relative(SOURCES, resolve(SOURCES, dirname(path), specifier))

@@ -1,6 +1,6 @@
 import { FurrowError } from '../../core/error.ts'
-import { boxSides } from '../box.ts'
-import { uvArea } from '../uv-area.ts'
+import { boundingBoxSize } from '../../math/bounds.ts'
+import { uvArea } from '../../math/triangle.ts'
 import { crossOf, type Skin, type SkinTarget } from './surface.ts'
 
 const WHO = 'autoWrinkles'
@@ -50,7 +50,7 @@ export function checkSkin(skin: Skin): { skin: Skin; warnings: string[] } {
   }
   if (!hasSurface(positions, indices))
     fail('the mesh has no surface', undefined, 'triangles with area', 'check how the mesh was exported')
-  const size = Math.max(...boxSides(positions))
+  const size = Math.max(...boundingBoxSize(positions))
   const warnings: string[] = []
   const kept = targets.filter((target) => {
     const problem = problemOf(target, size)

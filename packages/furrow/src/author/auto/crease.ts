@@ -1,4 +1,5 @@
-import { profile, REACH, smoothstep } from '../profile.ts'
+import { smoothstep } from '../../math/scalar.ts'
+import { profile, REACH } from '../strokes/profile.ts'
 import type { Spot } from './chart.ts'
 
 /** How a line looks. */

@@ -1,4 +1,4 @@
-import { smoothstep } from '../profile.ts'
+import { smoothstep } from '../../math/scalar.ts'
 import type { Guide } from './anatomy/region.ts'
 import { type Chart, rollUp, type Spot, unroll } from './chart.ts'
 import type { LaidLine } from './crease.ts'

@@ -1,4 +1,4 @@
-import { smoothstep } from '../profile.ts'
+import { smoothstep } from '../../math/scalar.ts'
 import type { Chart } from './chart.ts'
 
 /** Millimetres behind other skin at which a place begins to be hidden, and over which it is so altogether. */

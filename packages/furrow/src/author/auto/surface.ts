@@ -1,4 +1,4 @@
-import { placesOf } from '../../math/deformed-normals.ts'
+import { weldVertices } from '../../math/weld.ts'
 
 /** A skin at rest with what can move it. Nothing is changed or kept. */
 export interface Skin {
@@ -123,7 +123,7 @@ export function crossOf(
 }
 
 function joinPoints(positions: ArrayLike<number>) {
-  const { places: pointOf, count } = placesOf(positions)
+  const { pointOf, count } = weldVertices(positions)
   const points = new Float64Array(3 * count)
   for (const [vertex, point] of pointOf.entries()) {
     for (let k = 0; k < 3; k++) points[3 * point + k] = positions[3 * vertex + k]!

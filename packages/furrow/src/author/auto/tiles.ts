@@ -1,4 +1,4 @@
-import { uvArea } from '../uv-area.ts'
+import { uvArea } from '../../math/triangle.ts'
 import type { Skin } from './surface.ts'
 
 /** Share of the texture's surface beyond the edges of its tile that is let pass: borders of islands may stick out. */

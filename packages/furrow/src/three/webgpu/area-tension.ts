@@ -206,7 +206,7 @@ function meanOf(
   })().compute(workgroups, [LANES])
 }
 
-/** `principalStretches` of core/stretch: 1 - the smaller one, and the larger one - 1. */
+/** `principalStretches` of math/stretch: 1 - the smaller one, and the larger one - 1. */
 function changeOf(u: Node<'vec3'>, v: Node<'vec3'>, inverse: Node<'vec4'>): Node<'vec2'> {
   const [xx, xy, yy] = [inverse.x, inverse.y, inverse.z]
   // The edges as they would be were the triangle at rest the unit one: their products are the Cauchy-Green tensor.

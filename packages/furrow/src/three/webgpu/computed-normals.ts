@@ -1,7 +1,8 @@
 import { BufferAttribute, BufferGeometry, type Mesh } from 'three'
 import { cross, float, If, Loop, vec3, vec4 } from 'three/tsl'
 import type { ComputeNode, Node, StorageBufferNode, WebGPURenderer } from 'three/webgpu'
-import { NO_DIRECTION, placesOf, sumNormals, TURNED_ROUND } from '../../math/deformed-normals.ts'
+import { HALF_TURN, NO_DIRECTION, sumNormals } from '../../math/deformed-normals.ts'
+import { weldVertices } from '../../math/weld.ts'
 import { coordinates, trianglesOf } from '../sources/geometry-arrays.ts'
 import { at, Buffers, padded, passOver } from './buffers.ts'
 import { DeformedPositions } from './deformed-positions.ts'
@@ -15,7 +16,7 @@ interface Rest {
 }
 
 /**
- * `DeformedNormals` of core/ on the graphics card. Positions are deformed; each place gathers the normals of the triangles round it, since
+ * `DeformedNormals` of math/ on the GPU. Positions are deformed; each place gathers the normals of the triangles round it, since
  * there is no atomic sum of floats; each vertex turns its authored normal and tangent as its place's direction has
  * turned, in the very buffers that it is drawn from.
  */
@@ -83,7 +84,7 @@ export class ComputedNormals {
       If(squared.greaterThan(NO_DIRECTION), () => {
         const after = sum.div(squared.sqrt()).toVar() as Node<'vec3'>
         // A place without a direction at rest has (0, 0, 0) there; whatever it comes to it is left as it was.
-        const isTurned = before.dot(before).greaterThan(0).and(before.dot(after).greaterThan(TURNED_ROUND))
+        const isTurned = before.dot(before).greaterThan(0).and(before.dot(after).greaterThan(HALF_TURN))
         If(isTurned, () => {
           cosine.assign(before.dot(after))
           axis.assign(cross(before, after))
@@ -97,7 +98,7 @@ export class ComputedNormals {
   }
 }
 
-/** The shortest turn, by Rodrigues' formula as in core/deformed-normals: d c + (a x d) + a (a . d) / (1 + c). */
+/** The shortest turn, by Rodrigues' formula as in math/deformed-normals: d c + (a x d) + a (a . d) / (1 + c). */
 function rotate(direction: Node<'vec3'>, axis: Node<'vec3'>, cosine: Node<'float'>): Node<'vec3'> {
   const along = axis.dot(direction).div(cosine.add(1))
   return direction.mul(cosine).add(cross(axis, direction), axis.mul(along)) as Node<'vec3'>
@@ -105,7 +106,7 @@ function rotate(direction: Node<'vec3'>, axis: Node<'vec3'>, cosine: Node<'float
 
 function measure(geometry: BufferGeometry): Rest {
   const positions = coordinates(geometry.attributes.position)
-  const { places, count } = placesOf(positions)
+  const { pointOf: places, count } = weldVertices(positions)
   return { positions, triangles: trianglesOf(geometry), places, placeCount: count }
 }
 

@@ -1,4 +1,4 @@
-import { smoothstep } from '../../profile.ts'
+import { smoothstep } from '../../../math/scalar.ts'
 import type { Spot } from '../chart.ts'
 import { type Build, curve, type Guide, grown, type Region, SIDES, type Side, spotOf } from './region.ts'
 

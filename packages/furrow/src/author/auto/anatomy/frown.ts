@@ -1,4 +1,4 @@
-import { smoothstep } from '../../profile.ts'
+import { smoothstep } from '../../../math/scalar.ts'
 import { type Build, bezier, type Guide, grown, type Region, SIDES, type Side, spotOf } from './region.ts'
 
 /** Half the width in millimetres in which left and right pass into one another. */

@@ -1,4 +1,4 @@
-import { bezierAt } from '../../bezier.ts'
+import { bezierAt } from '../../../math/bezier.ts'
 import { type Spot, unroll } from '../chart.ts'
 import type { LineStyle, SkinRegion } from '../crease.ts'
 import type { Landmarks, Place } from '../face.ts'

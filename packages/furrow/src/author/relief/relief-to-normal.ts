@@ -1,7 +1,7 @@
-import { FurrowError } from '../core/error.ts'
+import { FurrowError } from '../../core/error.ts'
 import { type Edges, slopeAt } from './slope.ts'
 
-/** A relief on a flat picture, as painted or photographed: no mesh is needed to measure it. */
+/** A relief on a flat image, painted or photographed; needs no mesh to be measured on. */
 export interface Relief {
   width: number
   height: number
@@ -13,11 +13,11 @@ export interface Relief {
 export interface NormalMap {
   width: number
   height: number
-  /** Three values per texel, (n + 1) / 2 of the full range, linear. */
+  /** Three values per texel: (n + 1) / 2 of the full range, linear. */
   data: Uint8Array | Uint16Array
 }
 
-/** Which way green grows: `up`, towards smaller v, is glTF's and OpenGL's, `down` is Direct3D's. */
+/** Direction of green: `up`, towards smaller v, as in glTF and OpenGL; `down` as in Direct3D. */
 export type Green = 'up' | 'down'
 
 /** Options of {@link reliefToNormal}; defaults are {@link RELIEF_DEFAULTS}. */
@@ -31,11 +31,12 @@ export interface ReliefOptions {
 export const RELIEF_DEFAULTS = { edges: 'clamp', green: 'up', bits: 8 } as const satisfies ReliefOptions
 
 /**
- * Normal map of a relief whose texels are square and of one size all over: n = (-dh/dx, -dh/dy, 1), normalised
- * (do Carmo, Differential Geometry of Curves and Surfaces, 2.5: the normal of a graph), dh by `slopeAt`.
+ * Normal map of a relief with square texels of uniform size: n = (-dh/dx, -dh/dy, 1), normalised (do Carmo, Differential Geometry of
+ * Curves and Surfaces, 2.5: the normal of a graph), dh by `slopeAt`. Rounding turns a normal by up to 0.32 degrees with 8 bits, 0.0012
+ * degrees with 16.
  *
- * Rounding turns a normal by up to 0.32 degrees with 8 bits, by 0.0012 degrees with 16.
- * `progress` is told now and then how many rows are done. Throws FurrowError where the data does not fit its size.
+ * @param progress is called now and then with the number of rows done.
+ * @throws FurrowError if the data does not match its size.
  */
 export function reliefToNormal(
   relief: Relief,
@@ -47,16 +48,16 @@ export function reliefToNormal(
   if (relief.data.length !== width * height) {
     throw new FurrowError({
       who: 'reliefToNormal',
-      what: 'relief data of the wrong length',
+      what: 'wrong number of heights',
       value: relief.data.length,
-      limit: `${width * height} heights for ${width} x ${height}`,
+      limit: `${width * height} for ${width} x ${height}`,
       remedy: 'give one height per texel',
     })
   }
   const data = new (bits === 8 ? Uint8Array : Uint16Array)(3 * width * height)
   const half = (2 ** bits - 1) / 2
   // Rows go down, green goes up: a relief that rises downwards leans upwards.
-  const turn = green === 'up' ? 1 : -1
+  const greenSign = green === 'up' ? 1 : -1
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {
       const slopeX = slopeAt(relief.data, y * width, x, 1, width, edges)
@@ -64,7 +65,7 @@ export function reliefToNormal(
       const z = 1 / Math.sqrt(slopeX * slopeX + slopeY * slopeY + 1)
       const i = 3 * (y * width + x)
       data[i] = Math.round((1 - slopeX * z) * half)
-      data[i + 1] = Math.round((1 + turn * slopeY * z) * half)
+      data[i + 1] = Math.round((1 + greenSign * slopeY * z) * half)
       data[i + 2] = Math.round((1 + z) * half)
     }
     if (y % 64 === 63 || y === height - 1) progress?.(y + 1, height)

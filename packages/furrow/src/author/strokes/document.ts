@@ -1,45 +1,45 @@
-import { JsonReader, type Uv } from '../core/json.ts'
-import { MAX_AREAS, MAX_IMAGE_SIDE } from '../core/limits.ts'
-import { type AreaShape, type AreaSketch, readSketches } from './sketch.ts'
+import { JsonReader, type Uv } from '../../core/json.ts'
+import { MAX_AREAS, MAX_IMAGE_SIDE } from '../../core/limits.ts'
+import { type AreaDefinition, type AreaShape, readAreaDefinitions } from './area-definitions.ts'
 
-export type { AreaShape, AreaSketch, Uv }
+export type { AreaDefinition, AreaShape, Uv }
 
-/** How the points of a stroke are joined: by straight lines, or as a chain of cubic Bezier curves. */
+/** How the points of a stroke are joined: by straight lines, or by a chain of cubic Bezier curves. */
 export type CurveKind = 'polyline' | 'bezier'
 
 /** One wrinkle: a curve in the texture with a measured cross-section. */
 export interface Stroke {
-  /** Name of the area it belongs to. */
+  /** Name of the area that shows it. */
   group?: string
-  /** A chain of n cubic Bezier curves has 3 n + 1 points: an end, two handles, an end, two handles, an end... */
+  /** A chain of n cubic Bezier curves has 3 n + 1 points: end, two handles, end, two handles, end... */
   curve: CurveKind
   /** [u, v], both 0..1, v = 0 at the top. */
   points: Uv[]
-  /** Full width of the valley on the skin in millimetres, 0.1..50: with full shoulders it ends there. */
+  /** Full width of the valley on the skin in millimetres, 0.1..50: where it reaches zero with full shoulders. */
   width: number
   /** Greatest depth of the valley below the skin in millimetres, 0..10. */
   depth: number
-  /** Share of the length, 0..1, over which the wrinkle fades in at its start and out at its end. */
+  /** Fraction of the length, 0..1, over which the wrinkle fades in at its start and out at its end. */
   taper: [start: number, end: number]
-  /** Raised sides, 0..1, left and right of the way along the curve: 1 = all skin pushed out of the valley. */
+  /** Raised banks, 0..1, left and right along the curve: 1 = they hold all the skin pushed out of the valley. */
   shoulder: [left: number, right: number]
-  /** Roundness of the valley's bottom, 0..1: 0 = a sharp fold, 1 = as round as it is wide. */
+  /** Roundness of the valley's bottom, 0..1: 0 = a sharp fold, 1 = as round as the valley is wide. */
   softness: number
-  /** Natural irregularity, 0..1: the line sways sideways and its depth varies. The same on every run. */
+  /** Irregularity, 0..1: the line meanders and its depth varies, the same on every run. */
   waviness: number
 }
 
-/** The strokes of one layer, and if wanted the areas that show them. */
+/** The strokes of one layer, and optionally the areas that show them. */
 export interface StrokesDocument {
   version: 1
-  /** Side of the maps in texels when nothing else decides, 16..8192. */
+  /** Default side of the maps in texels, 16..8192. */
   size?: number
   strokes: Stroke[]
-  /** Soft shapes that become the areas; when absent every group becomes an area round its strokes. */
-  areas?: AreaSketch[]
+  /** Soft shapes that become the areas; by default every group becomes an area round its strokes. */
+  areas?: AreaDefinition[]
 }
 
-/** What a stroke gets when its document leaves the field out. */
+/** Values of the fields that a document omits. */
 export const STROKE_DEFAULTS = {
   curve: 'polyline',
   taper: [0.3, 0.3],
@@ -61,22 +61,23 @@ const STROKE_FIELDS = [
 ] as const
 
 /**
- * Reads a strokes document (docs/strokes.md) and fills in the defaults. The input is left alone.
- * Throws FurrowError naming the field by its path for anything malformed, unknown fields included.
+ * Reads a strokes document (docs/strokes.md) and fills in the defaults. The input is not changed.
+ *
+ * @throws FurrowError that names the field by its path, for anything malformed, unknown fields included.
  */
 export function parseStrokes(json: unknown): StrokesDocument {
   const read = new JsonReader('parseStrokes')
   const root = read.object(json, 'the document', ['version', 'size', 'strokes', 'areas'])
-  if (root.version !== 1) read.fail('version is not known', root.version, '1', 'write "version": 1')
+  if (root.version !== 1) read.fail('unknown version', root.version, '1', 'write "version": 1')
   const document: StrokesDocument = {
     version: 1,
     strokes: read.array(root.strokes, 'strokes', 1, 10_000).map((stroke, i) => readStroke(read, stroke, i)),
   }
   if (root.size !== undefined) document.size = readSize(read, root.size)
   if (root.areas !== undefined) {
-    const sketches = read.array(root.areas, 'areas', 1, MAX_AREAS)
+    const areas = read.array(root.areas, 'areas', 1, MAX_AREAS)
     const groups = new Set(document.strokes.map((stroke) => stroke.group))
-    document.areas = readSketches(read, sketches, groups)
+    document.areas = readAreaDefinitions(read, areas, groups)
   }
   return document
 }
@@ -92,15 +93,15 @@ function readStroke(read: JsonReader, json: unknown, index: number): Stroke {
   const field = read.object(json, path, STROKE_FIELDS)
   const curve = field.curve ?? STROKE_DEFAULTS.curve
   if (curve !== 'polyline' && curve !== 'bezier') {
-    read.fail(`${path}.curve is not known`, curve, 'polyline, bezier', 'choose one of them')
+    read.fail(`${path}.curve is unknown`, curve, 'polyline, bezier', 'use one of them')
   }
   const points = read.points(field.points, `${path}.points`, curve === 'bezier' ? 4 : 2)
   if (curve === 'bezier' && points.length % 3 !== 1) {
-    const remedy = 'give an end, then two handles and an end for each further piece'
-    read.fail(`${path}.points do not make Bezier curves`, points.length, '4, 7, 10, ... points', remedy)
+    const remedy = 'give one end, then two handles and an end per curve'
+    read.fail(`${path}.points do not form Bezier curves`, points.length, '4, 7, 10, ... points', remedy)
   }
-  if (points.every(([u, v]) => u === points[0]![0] && v === points[0]![1])) {
-    read.fail(`${path}.points all lie in one place`, points.length, undefined, 'move them apart')
+  if (points.every(([u, v]) => u === points[0][0] && v === points[0][1])) {
+    read.fail(`${path}.points all coincide`, points.length, undefined, 'move them apart')
   }
   const stroke: Stroke = {
     curve,

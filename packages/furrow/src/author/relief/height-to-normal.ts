@@ -1,17 +1,17 @@
-import { FurrowError } from '../core/error.ts'
-import { toByte } from '../core/normal-byte.ts'
-import type { RgbaImage } from '../core/types.ts'
-import type { HeightMap } from './height.ts'
-import type { Metric } from './metric.ts'
+import { FurrowError } from '../../core/error.ts'
+import { toByte } from '../../core/normal-byte.ts'
+import type { RgbaImage } from '../../core/types.ts'
+import type { Metric } from '../metric.ts'
+import type { HeightMap } from '../strokes/height.ts'
 import { slopeAt } from './slope.ts'
 
 /**
- * The frame in which a renderer reads the map.
+ * The frame in which a renderer reads a normal map.
  *
  * `orthonormal`: MikkTSpace's, for meshes with tangents: unit tangent along +u, unit bitangent at a right angle to it.
- * `derivative`: three.js's for meshes without tangents, the gradients of u and v on the surface, both divided by the
- * longer of the two (Schueler, Normal Mapping Without Precomputed Tangents, ShaderX 5, 2006). It moves with the deformed
- * surface, so that a crease drawn for it stays whole where an expression shears the skin.
+ * `derivative`: three.js's for meshes without tangents: the gradients of u and v on the surface, both divided by the
+ * longer of the two (Schueler, Normal Mapping Without Precomputed Tangents, ShaderX 5, 2006). It follows the deformed
+ * surface, so that a crease drawn for it survives where an expression shears the skin.
  *
  * The two agree wherever the texture is neither stretched nor sheared.
  */
@@ -19,12 +19,11 @@ export type TangentFrame = 'orthonormal' | 'derivative'
 
 /**
  * Tangent-space normal map of a relief: linear bytes, (n + 1) * 127.5 rounded, +Y (green) towards smaller v as in
- * glTF, alpha 255. Slopes are true ones, millimetres per millimetre on the skin: the gradient of the height is taken
- * through the first fundamental form (do Carmo, 2.5, exercise 14), then written in `frame`.
+ * glTF, alpha 255. Slopes are millimetres per millimetre on the skin: the gradient of the height is taken through the
+ * first fundamental form (do Carmo, 2.5, exercise 14), then written in `frame`. Derivatives span five texels
+ * (`slopeAt`); a relief with a wavelength of 8 texels keeps 95% of its slope, of 16 texels 99.8%.
  *
- * Derivatives are taken over five texels (`slopeAt`); a relief with a wavelength of 8 texels keeps 95% of its slope,
- * of 16 texels 99.8%.
- * Throws FurrowError where height map and metric differ in size.
+ * @throws FurrowError if height map and metric differ in size.
  */
 export function heightToNormal(
   relief: HeightMap,
@@ -56,9 +55,9 @@ export function heightToNormal(
         data[4 * i + 3] = 255
         continue
       }
-      const uu = metric.uu[i]!
-      const uv = metric.uv[i]!
-      const vv = metric.vv[i]!
+      const uu = metric.uu[i]
+      const uv = metric.uv[i]
+      const vv = metric.vv[i]
       const det = uu * vv - uv * uv
       let slopeX: number
       let slopeY: number
@@ -68,7 +67,7 @@ export function heightToNormal(
         slopeX = -longer * hu
         slopeY = longer * hv
       } else {
-        // Across u the surface grows by sqrt(det / uu) per unit of v; what v does along u is taken off.
+        // At a right angle to u the surface extends sqrt(det / uu) per unit of v; the part of v along u is subtracted.
         slopeX = -hu / Math.sqrt(uu)
         slopeY = (hv - (uv / uu) * hu) * Math.sqrt(uu / det)
       }

@@ -69,7 +69,7 @@ describe('DeformedNormals', () => {
     ).toBeLessThan(0.02)
     // Directions that lie in the surface stay in it.
     const tangents = moved(mesh.normals, (n) => new Vector3(0, 1, 0).cross(n))
-    deformed.turn(tangents, 3)
+    deformed.rotate(tangents, 3)
     for (let i = 0; i < out.length; i += 3) {
       expect(
         Math.abs(new Vector3().fromArray(tangents, i).dot(new Vector3().fromArray(out, i))),

@@ -1,4 +1,4 @@
-/** The place on a cubic Bezier curve at t, 0..1, by its four points (Bernstein's form). */
+/** The point of a cubic Bezier curve at t, 0..1, by its four control points (Bernstein's form). */
 export function bezierAt(
   a: readonly [number, number],
   b: readonly [number, number],
