@@ -6,7 +6,7 @@
 
 export { type ActivationPointer, parseActivationPointer } from './core/activation-pointer.ts'
 export { type AreaConvention, areaWeights } from './core/area.ts'
-export { FurrowError } from './core/error.ts'
+export { type ErrorCode, type ErrorParts, FurrowError } from './core/error.ts'
 export { resampleGray } from './core/image.ts'
 export { DEFAULT_AREA_SIZE, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS } from './core/limits.ts'
 export { type ImageArray, packAreas, packColours, packGrays } from './core/pack.ts'

@@ -2,9 +2,10 @@ import { existsSync, readFileSync } from 'node:fs'
 import { parseWrinkleSetDocument } from 'furrow'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { findSkin } from '../../../packages/cli/src/auto/read-skin.ts'
-import { readDocument, readFace } from '../../../packages/cli/src/face.ts'
-import { decodeNormalMap } from '../../../packages/cli/src/images.ts'
+import { findSkin } from '../../../packages/cli/src/auto/find-skin.ts'
+import { readFaceMesh } from '../../../packages/cli/src/gltf/face-mesh.ts'
+import { readDocument } from '../../../packages/cli/src/gltf/read-document.ts'
+import { decodeNormalMap } from '../../../packages/cli/src/images/decode-normal-map.ts'
 import {
   type AutoOptions,
   type AutoWrinkles,
@@ -79,9 +80,9 @@ describe.each(FACES)('faces/%s', (name) => {
   })
 
   it('has the normal map that its strokes give over what its blendshapes give, up to rounding', async () => {
-    const { mesh } = await readFace(path(`${name}.glb`))
+    const { mesh } = await readFaceMesh(path(`${name}.glb`), 'test')
     const file = path(`${name}/layers/expression/normal.png`)
-    const shipped = await decodeNormalMap(readFileSync(file), file)
+    const shipped = await decodeNormalMap(readFileSync(file), file, 'test')
     const metric = surfaceMetric(mesh, 1024)
     const drawn = heightToNormal(strokesToHeight(strokes().strokes, metric), metric, OPTIONS.frame)
     const expected = combineNormals(made.layers[0].normal, drawn)
@@ -91,7 +92,7 @@ describe.each(FACES)('faces/%s', (name) => {
 
 describe('the areas that ship', () => {
   it('are what their document gives, up to rounding', async () => {
-    const { mesh } = await readFace(path('human.glb'))
+    const { mesh } = await readFaceMesh(path('human.glb'), 'test')
     const painted = paintAreas(strokes(), surfaceMetric(mesh, 128))
     expect(painted.map((area) => area.name)).toEqual(DRAWN)
     for (const { name, weights } of painted) {
@@ -113,7 +114,7 @@ describe('the areas that ship', () => {
   })
 
   it('leave the openings of the eyes alone', async () => {
-    const { mesh } = await readFace(path('human.glb'))
+    const { mesh } = await readFaceMesh(path('human.glb'), 'test')
     const { inside } = surfaceMetric(mesh, 128)
     const openings = [...inside.keys()].filter((i) => {
       const [u, v] = [(i % 128) / 128, Math.floor(i / 128) / 128]
@@ -143,7 +144,7 @@ describe('the areas that ship', () => {
       const weights = await committed(name)
       for (let i = 0; i < weights.length; i++) total[i] += weights[i]
     }
-    const { mesh } = await readFace(path('human.glb'))
+    const { mesh } = await readFaceMesh(path('human.glb'), 'test')
     const { data } = strokesToHeight(strokes().strokes, surfaceMetric(mesh, 128))
     let drawn = 0
     for (let i = 0; i < data.length; i++) {

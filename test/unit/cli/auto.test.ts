@@ -37,7 +37,9 @@ const areasOf = (path: string) => {
 describe('a body without a face', () => {
   test('is creased by strain alone, and says so', async () => {
     await run(await write('body.glb'), '-o', file('out.glb'))
-    expect(at.printed).toMatch(/mesh "torso", material "cloth" \(no other has .+\); layers: 1; areas: [1-9]/)
+    expect(at.printed).toMatch(
+      /mesh "torso", material "cloth" \(the only one with .+\); layers: 1; areas: [1-9]/,
+    )
     expect(at.warned).toMatch(/^furrow auto: no face was found .*\n$/)
     expect(areasOf(file('out.glb'))[0].name).toBe('bend')
     at.printed = ''
@@ -57,7 +59,7 @@ describe('a body without a face', () => {
       file: file('out.glb'),
       mesh: 'torso',
       material: 'cloth',
-      reason: expect.stringContaining('no other has'),
+      reason: expect.stringContaining('the only one with'),
       bytes: readFileSync(file('out.glb')).length,
       isFace: false,
       warnings: [expect.stringContaining('no face was found')],
@@ -266,7 +268,7 @@ describe('what no wrinkles can be made from is refused in one line', () => {
       ({ targets }) => {
         targets.bend!.fill(0.1)
       },
-      'no blendshape pushes the skin together',
+      'no blendshape compresses the skin enough',
     ],
     [
       'no texture coordinates',
@@ -346,7 +348,7 @@ describe('files', () => {
   test('wrinkles that are there are replaced only if the user says so', async () => {
     const face = await write('body.glb')
     await run(face, '-o', file('once.glb'))
-    await fails('the material has wrinkles, got "cloth"', file('once.glb'), '-o', file('x.glb'))
+    await fails('the material already has wrinkles, got "cloth"', file('once.glb'), '-o', file('x.glb'))
     await run(file('once.glb'), '-o', file('twice.glb'), '--replace')
     expect(readFileSync(file('twice.glb')).equals(readFileSync(file('once.glb')))).toBe(true)
     await run(file('once.glb'), '-o', file('once.glb'), '--replace', '--seed', '2')
@@ -394,7 +396,7 @@ describe('files', () => {
 
 describe('the shipped face', () => {
   test('has wrinkles, which are replaced; --areas keeps those that are shortened most', async () => {
-    await fails('the material has wrinkles', FACE, '-o', file('x.glb'))
+    await fails('the material already has wrinkles', FACE, '-o', file('x.glb'))
     await run(FACE, '-o', file('all.glb'), '--replace', '--json')
     const all = JSON.parse(at.printed)
     expect(all.isFace).toBe(true)

@@ -3,7 +3,8 @@ import { FurrowError } from 'furrow'
 import type { BakeMesh } from 'furrow/author'
 import { generateTangents } from 'mikktspace'
 import { BufferAttribute, Matrix4, Vector3 } from 'three'
-import { nameOf, pickMesh, placementOf, readDocument, trianglesOf } from '../face.ts'
+import { nameOf, pickMesh, placementOf, trianglesOf } from '../gltf/mesh-nodes.ts'
+import { readDocument } from '../gltf/read-document.ts'
 
 const WHO = 'furrow bake'
 

@@ -156,6 +156,7 @@ function rasterizeForms(metric: Metric, mesh: MetricMesh, forms: Float64Array, c
 function checkSize(side: number): void {
   if (Number.isInteger(side) && side >= 1 && side <= MAX_IMAGE_SIDE) return
   throw new FurrowError({
+    code: 'out-of-range',
     who: 'surfaceMetric',
     what: 'invalid map size',
     value: side,

@@ -118,6 +118,7 @@ async function loadArray(parser: GLTFParser, index: number, loader: KTX2Loader):
   const texture = loaded && asArray(loaded)
   if (!texture) {
     throw new FurrowError({
+      code: 'unreadable',
       who: `${WRINKLE_MAPS} texture ${index}`,
       what: 'no compressed image or array',
       value: loaded ? `${loaded.image.width} x ${loaded.image.height}` : 'nothing that can be read',
@@ -147,6 +148,7 @@ function ktx2LoaderOf(parser: GLTFParser): KTX2Loader {
   const { ktx2Loader } = parser.options as LoaderOptions
   if (ktx2Loader) return ktx2Loader
   throw new FurrowError({
+    code: 'unsupported',
     who: WRINKLE_MAPS,
     what: 'the maps are KTX 2, and the loader cannot read that',
     limit: 'a GLTFLoader with a KTX2Loader',

@@ -263,6 +263,7 @@ function edit(text: string, find: string, put: string): string {
 
 function unpatchable(find: string): FurrowError {
   return new FurrowError({
+    code: 'unsupported',
     who: 'Wrinkles',
     what: 'material whose shader cannot be patched, it lacks',
     value: find,

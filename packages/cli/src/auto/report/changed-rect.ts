@@ -1,27 +1,28 @@
-/** A part of a picture in pixels. */
-export interface Part {
+/** A rectangle of a picture, in pixels. */
+export interface Rect {
   left: number
   top: number
   width: number
   height: number
 }
 
-/** Difference of a channel from which on a pixel counts as another. */
-const OTHER = 24
-/** What is shown round it, as a share of its longer side. */
+/** Smallest difference of a channel, 0..255, that counts as a change. */
+const THRESHOLD = 24
+/** Margin on each side, as a fraction of the longer side. */
 const MARGIN = 0.15
 
 /**
- * The part of some pictures of one size in which they differ, with a margin: of a face in several poses, the face.
+ * The rectangle in which pictures of one size differ, with a margin: of one head in several poses, its face. The whole
+ * picture where they do not differ.
  *
  * @param pictures RGBA bytes.
  */
-export function movingPart(pictures: readonly Uint8Array[], width: number, height: number): Part {
-  const first = pictures[0]!
+export function changedRect(pictures: readonly Uint8Array[], width: number, height: number): Rect {
+  const first = pictures[0]
   let [left, top, right, bottom] = [width, height, -1, -1]
   for (const other of pictures) {
     for (let i = 0; i < other.length; i++) {
-      if (Math.abs(other[i]! - first[i]!) < OTHER) continue
+      if (Math.abs(other[i] - first[i]) < THRESHOLD) continue
       const [x, y] = [(i >> 2) % width, Math.floor((i >> 2) / width)]
       left = Math.min(left, x)
       right = Math.max(right, x)

@@ -1,24 +1,24 @@
 import type { AutoArea, Landmarks, Place } from 'furrow/author'
-import { type Content, html, type Markup } from '../markup.ts'
-import type { ShownPose } from './expressions.ts'
-import type { ReportSource } from './report.ts'
-import type { BeforeAndAfter, ReportImage } from './report-pictures.ts'
-import { STYLE } from './report-style.ts'
-import { MOST_SHARE, SCALE } from './strain-colours.ts'
+import { type Content, html, type Markup } from '../../markup.ts'
+import type { ReportSource } from './make-report.ts'
+import type { BeforeAndAfter, ReportImage } from './pictures.ts'
+import type { Pose } from './poses.ts'
+import { COLOUR_SCALE, MAX_COMPRESSION } from './strain-colours.ts'
+import { STYLE } from './style.ts'
 
-/** What the page shows. Images are in the order of what they show. */
+/** What the page shows. Images are in the order of the poses, areas and layers. */
 export interface PageSource extends Omit<ReportSource, 'path' | 'glb'> {
   title: string
-  poses: readonly ShownPose[]
+  poses: readonly Pose[]
   strain: readonly ReportImage[]
   areas: readonly ReportImage[]
   layers: readonly (readonly ReportImage[])[]
-  /** Why there are none, where the face could not be drawn. */
+  /** The reason as text where the face could not be drawn. */
   faces: readonly BeforeAndAfter[] | string
   times: readonly { step: string; seconds: number }[]
 }
 
-/** The page of a report, beside whose file its images lie. */
+/** The HTML of a report; its images are in the same folder. */
 export function reportPage(source: PageSource): string {
   const { title, wrinkles, poses } = source
   const { layers, areas, targets, landmarks } = wrinkles
@@ -35,7 +35,7 @@ export function reportPage(source: PageSource): string {
 <header>
 <h1>${title}</h1>
 <p>${count(areas.length, 'area')} on ${count(layers.length, 'layer')}, made from ${count(targets.length, 'blendshape')} by
-<b>furrow auto</b>. ${landmarks ? 'A face was recognised.' : 'No face was recognised: strain alone placed the lines.'}</p>
+<b>furrow auto</b>. ${landmarks ? 'A face was recognised.' : 'No face was recognised: the lines follow strain alone.'}</p>
 ${warnings(source.warnings)}
 </header>
 <main>
@@ -45,19 +45,19 @@ ${beforeAndAfter(source.faces, poses)}
 </section>
 <section>
 <h2>Where the skin is pushed together</h2>
-<p>The share of its length that skin loses, in the direction in which it loses most, over the texture.</p>
+<p>The fraction of its length that the skin loses, in the direction of greatest loss, over its texture.</p>
 ${legend()}
-<div class="tiles">${poses.map((pose, i) => strainTile(pose, source.strain[i]!))}</div>
+<div class="tiles">${poses.map((pose, i) => strainTile(pose, source.strain[i]))}</div>
 </section>
 <section>
 <h2>Areas</h2>
-<p>Compression is what the area’s own expression does to the skin across its lines. The error is that of the driver’s activation against
-the measured one, root mean square over many poses, from 0 to 1.</p>
+<p>Compression is that of the skin across the lines in the area’s own expression. The error is the root mean square difference between
+the driver’s activation and the measured one over many poses, from 0 to 1.</p>
 ${areaTable(areas, source.areas)}
 </section>
 <section>
 <h2>Layers</h2>
-<div class="tiles">${layers.map(({ name }, i) => layerTiles(name, source.layers[i]!))}</div>
+<div class="tiles">${layers.map(({ name }, i) => layerTiles(name, source.layers[i]))}</div>
 </section>
 <section>
 <h2>What was found, and how long it took</h2>
@@ -92,29 +92,31 @@ function warnings(texts: readonly string[]): Markup | undefined {
     : undefined
 }
 
-function beforeAndAfter(faces: PageSource['faces'], poses: readonly ShownPose[]): Markup {
+function beforeAndAfter(faces: PageSource['faces'], poses: readonly Pose[]): Markup {
   if (typeof faces === 'string') return html`<p class="missing">The face was not drawn. ${faces}.</p>`
   return html`<p>The same pose without wrinkles, and with them.</p>
 <div class="pairs">${poses.map(
     (pose, i) => html`<figure>
-<div class="pair">${image(faces[i]![0], `${pose.name}, without wrinkles`)}${image(faces[i]![1], `${pose.name}, with wrinkles`)}</div>
+<div class="pair">${image(faces[i][0], `${pose.name}, without wrinkles`)}${image(faces[i][1], `${pose.name}, with wrinkles`)}</div>
 ${caption(pose)}
 </figure>`,
   )}</div>`
 }
 
-function caption({ name, targets }: ShownPose): Markup {
+function caption({ name, targets }: Pose): Markup {
   const weights = Object.entries(targets).map(([target, weight]) => chip(target, weight))
   return html`<figcaption><b>${name}</b><span class="chips">${weights}</span></figcaption>`
 }
 
-function strainTile(pose: ShownPose, map: ReportImage): Markup {
+function strainTile(pose: Pose, map: ReportImage): Markup {
   return html`<figure>${image(map, `${pose.name}: compression of the skin in its texture`)}<figcaption><b>${pose.name}</b></figcaption></figure>`
 }
 
 function legend(): Markup {
-  const colours = SCALE.map((rgb) => `rgb(${rgb.join(' ')})`).join(', ')
-  const marks = SCALE.map((_, i) => `${Math.round((100 * MOST_SHARE * i) / (SCALE.length - 1))}%`)
+  const colours = COLOUR_SCALE.map((rgb) => `rgb(${rgb.join(' ')})`).join(', ')
+  const marks = COLOUR_SCALE.map(
+    (_, i) => `${Math.round((100 * MAX_COMPRESSION * i) / (COLOUR_SCALE.length - 1))}%`,
+  )
   marks[marks.length - 1] += ' and more'
   return html`<div class="legend"><div style="background: linear-gradient(to right, ${colours})"></div>
 <p>${marks.map((mark) => html`<span>${mark}</span>`)}</p></div>`
@@ -124,7 +126,7 @@ function areaTable(areas: readonly AutoArea[], images: readonly ReportImage[]): 
   const rows = areas.map(({ name, layer, lines, compression, error, driver }, i) => {
     const links = [...driver.targets].sort((a, b) => (b.weight ?? 1) - (a.weight ?? 1))
     return html`<tr>
-<td class="map">${image(images[i]!, `Area ${name} in the texture`)}</td>
+<td class="map">${image(images[i], `Area ${name} in the texture`)}</td>
 <th scope="row">${name}</th>
 <td data-label="Layer">${layer + 1}</td>
 <td data-label="Lines">${lines}</td>
@@ -150,13 +152,13 @@ function layerTiles(name: string, images: readonly ReportImage[]): Content {
   ]
 }
 
-/** A blendshape and its weight; those below 0 take away. */
+/** A blendshape and its weight, coloured by sign. */
 function chip(target: string, weight: number): Markup {
   const sign = weight < 0 ? 'less' : 'more'
   return html`<span class="chip ${sign}">${target} <b>${signed(Number(weight.toFixed(2)))}</b></span>`
 }
 
-/** Opens in full when it is clicked. */
+/** An image that links to its file. */
 function image({ file, width, height }: ReportImage, alt: string): Markup {
   return html`<a href="${file}"><img src="${file}" width="${width}" height="${height}" alt="${alt}"></a>`
 }
@@ -166,18 +168,18 @@ function facts(title: string, rows: readonly (readonly [string, string | number]
 }
 
 function landmarkFacts(landmarks: Landmarks): Markup {
-  const rows = Object.entries(landmarks).map(([name, at]: [string, Place | number]) => {
+  const rows = Object.entries(landmarks).map(([name, point]: [string, Place | number]) => {
     const words = name.replace(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`)
-    const place =
-      typeof at === 'number'
-        ? `${signed(Math.round(at))} up`
-        : at.map((mm) => signed(Math.round(mm))).join(', ')
-    return [words, place] as const
+    const position =
+      typeof point === 'number'
+        ? `${signed(Math.round(point))} up`
+        : point.map((mm) => signed(Math.round(mm))).join(', ')
+    return [words, position] as const
   })
   return facts('Landmarks (mm left, up, forwards)', rows)
 }
 
-/** With a true minus, and never -0. */
+/** With a minus sign rather than a hyphen, and never -0. */
 function signed(value: number): string {
   return String(value === 0 ? 0 : value).replace('-', '−')
 }

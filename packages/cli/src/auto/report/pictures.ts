@@ -1,41 +1,42 @@
 import { FurrowError } from 'furrow'
 import { type Skin, strainMaps } from 'furrow/author'
 import sharp from 'sharp'
-import { type Picture, type Progress, renderPictures } from '../render/render-pictures.ts'
-import { weightsOf } from '../wrinkles/inspect.ts'
-import { pixelsOf } from '../wrinkles/pixels.ts'
-import { scaled, scaledWeights, skinOf, tinted } from '../wrinkles/sheet.ts'
-import type { WrinkledFile } from '../wrinkles/wrinkled-file.ts'
-import type { ShownPose } from './expressions.ts'
-import { movingPart, type Part } from './moving-part.ts'
+import { pixelsOf } from '../../gltf/texture-pixels.ts'
+import type { Progress } from '../../progress.ts'
+import { type Picture, renderPictures } from '../../render/render-pictures.ts'
+import { weightsOf } from '../../wrinkles/inspect.ts'
+import { scaled, scaledWeights, skinOf, tinted } from '../../wrinkles/sheet.ts'
+import type { WrinkledFile } from '../../wrinkles/wrinkled-file.ts'
+import { changedRect, type Rect } from './changed-rect.ts'
+import type { Pose } from './poses.ts'
 import { colourStrain } from './strain-colours.ts'
 
 /** An image of the report. */
 export interface ReportImage {
-  /** Its name in the folder. */
+  /** File name in the report's folder. */
   file: string
   width: number
   height: number
   bytes: Uint8Array
 }
 
-/** Sides in pixels. */
+// Sizes of the images in pixels.
 const FACE = { width: 660, height: 880 }
-const STRAIN = 512
-const AREA = 256
-const MAP = 1024
+const STRAIN_SIDE = 512
+const AREA_SIDE = 256
+const MAX_MAP_SIDE = 1024
 
-/** A pose without and with the wrinkles. */
+/** A pose without and with wrinkles. */
 export type BeforeAndAfter = readonly [before: ReportImage, after: ReportImage]
 
 /**
  * Draws the face of a file in each pose, without and with its wrinkles.
  *
- * @returns a text that says why, where the face cannot be drawn here.
+ * @returns the reason as text where the face cannot be drawn, e.g. without a browser.
  */
 export async function drawFaces(
   path: string,
-  poses: readonly ShownPose[],
+  poses: readonly Pose[],
   progress: Progress,
 ): Promise<BeforeAndAfter[] | string> {
   const requests = poses.flatMap(({ targets }) =>
@@ -48,7 +49,7 @@ export async function drawFaces(
     if (error instanceof FurrowError) return error.message
     throw error
   }
-  const part = movingPart(
+  const rect = changedRect(
     drawn.map(({ pixels }) => pixels),
     FACE.width,
     FACE.height,
@@ -56,34 +57,36 @@ export async function drawFaces(
   const images = await Promise.all(
     drawn.map(({ pixels }, i) => {
       const name = `${i % 2 === 0 ? 'before' : 'after'}-${Math.floor(i / 2) + 1}`
-      return encode(name, pixels, FACE.width, FACE.height, part)
+      return encode(name, pixels, FACE.width, FACE.height, rect)
     }),
   )
-  return poses.map((_, i) => [images[2 * i]!, images[2 * i + 1]!] as const)
+  return poses.map((_, i) => [images[2 * i], images[2 * i + 1]] as const)
 }
 
-/** What each pose does to the skin, in its texture. */
-export function drawStrain(skin: Skin, poses: readonly ShownPose[]): Promise<ReportImage[]> {
+/** Draws the compression of the skin in each pose, over its texture coordinates. */
+export function drawStrain(skin: Skin, poses: readonly Pose[]): Promise<ReportImage[]> {
   const maps = strainMaps(
     skin,
     poses.map(({ targets }) => targets),
-    STRAIN,
+    STRAIN_SIDE,
   )
-  return Promise.all(maps.map((map, i) => encode(`strain-${i + 1}`, colourStrain(map), STRAIN)))
+  return Promise.all(maps.map((map, i) => encode(`strain-${i + 1}`, colourStrain(map), STRAIN_SIDE)))
 }
 
-/** Where each area lies, over the colour of the skin; over gray where that is no image of the file. */
+/** Draws each area over the base colour of the skin, or over gray where the file does not have it. */
 export async function drawAreas(file: WrinkledFile, who: string): Promise<ReportImage[]> {
-  const skin = await skinOf(file, who, AREA).catch(() => new Uint8Array(3 * AREA * AREA).fill(120))
+  const skin = await skinOf(file, who, AREA_SIDE).catch(() =>
+    new Uint8Array(3 * AREA_SIDE * AREA_SIDE).fill(120),
+  )
   return Promise.all(
     file.maps.areas.map(async (_, i) => {
-      const weights = await scaledWeights(await weightsOf(file, i, who), AREA)
-      return encode(`area-${i + 1}`, tinted(skin, weights), AREA)
+      const weights = await scaledWeights(await weightsOf(file, i, who), AREA_SIDE)
+      return encode(`area-${i + 1}`, tinted(skin, weights), AREA_SIDE)
     }),
   )
 }
 
-/** Normal map and relief of each layer. */
+/** Draws the normal map and relief of each layer. */
 export function drawLayers({ glb, maps }: WrinkledFile, who: string): Promise<ReportImage[][]> {
   return Promise.all(
     maps.layers.map((layer, i) => {
@@ -99,7 +102,7 @@ export function drawLayers({ glb, maps }: WrinkledFile, who: string): Promise<Re
 
   async function drawMap(name: string, texture: Parameters<typeof pixelsOf>[1]): Promise<ReportImage> {
     const pixels = await pixelsOf(glb, texture, who)
-    const side = Math.min(MAP, pixels.width)
+    const side = Math.min(MAX_MAP_SIDE, pixels.width)
     return encode(name, await scaled(pixels, side), side)
   }
 }
@@ -109,12 +112,12 @@ async function encode(
   pixels: Uint8Array,
   width: number,
   height = width,
-  part: Part = { left: 0, top: 0, width, height },
+  rect: Rect = { left: 0, top: 0, width, height },
 ): Promise<ReportImage> {
   const channels = pixels.length === 3 * width * height ? 3 : 4
   const bytes = await sharp(pixels, { raw: { width, height, channels } })
-    .extract(part)
+    .extract(rect)
     .webp({ quality: 90, smartSubsample: true })
     .toBuffer()
-  return { file: `${name}.webp`, width: part.width, height: part.height, bytes }
+  return { file: `${name}.webp`, width: rect.width, height: rect.height, bytes }
 }

@@ -1,4 +1,4 @@
-/** Checks one value; returns whether it has its type. */
+/** Whether a value has its type. */
 type Check = (value: unknown) => boolean
 
 const isText: Check = (value) => typeof value === 'string'
@@ -13,7 +13,7 @@ const mapOf =
   (check: Check): Check =>
   (value) =>
     isObject(value) && Object.values(value).every(check)
-/** An object whose fields, where they are there, pass their checks; others are not looked at. */
+/** An object whose fields, where present, pass their checks; other fields are ignored. */
 const shape =
   (fields: Record<string, Check>): Check =>
   (value) =>
@@ -29,7 +29,7 @@ const primitive = shape({
   targets: listOf(isObject),
 })
 
-/** The lists of a glTF file that wrinkles touch, and the fields that are read from them. */
+/** The lists of a glTF file that commands use, and the fields that they read. */
 const LISTS: Record<string, Check> = {
   extensionsUsed: isText,
   extensionsRequired: isText,
@@ -60,16 +60,16 @@ const LISTS: Record<string, Check> = {
 }
 
 /**
- * Whether what is read from a glTF file has the types that glTF gives it, so that nothing further on has to ask.
+ * Checks that what commands read of a glTF document has the types of the specification, so that no later code has to.
  *
  * @returns what is wrong, or undefined.
  */
 export function shapeProblem(json: unknown): string | undefined {
-  if (!isObject(json)) return 'its JSON is no object'
+  if (!isObject(json)) return 'its JSON is not an object'
   for (const [name, check] of Object.entries(LISTS)) {
     const list = json[name]
     if (list === undefined) continue
-    if (!Array.isArray(list)) return `its ${name} are no list`
+    if (!Array.isArray(list)) return `its ${name} are not a list`
     const wrong = list.findIndex((item) => !check(item))
     if (wrong >= 0) return `${name}[${wrong}] is malformed`
   }

@@ -1,47 +1,48 @@
 import { basename, join } from 'node:path'
 import { parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
 import type { AutoWrinkles } from 'furrow/author'
-import type { Output } from '../images.ts'
-import type { Glb } from '../wrinkles/glb-file.ts'
-import { posesOf } from './expressions.ts'
-import type { FoundSkin } from './read-skin.ts'
-import { reportPage } from './report-page.ts'
-import { drawAreas, drawFaces, drawLayers, drawStrain } from './report-pictures.ts'
-import type { Steps } from './steps.ts'
+import type { OutputFile } from '../../files.ts'
+import type { Glb } from '../../gltf/glb-file.ts'
+import type { FoundSkin } from '../find-skin.ts'
+import type { Steps } from '../steps.ts'
+import { reportPage } from './page.ts'
+import { drawAreas, drawFaces, drawLayers, drawStrain } from './pictures.ts'
+import { posesOf } from './poses.ts'
 
-/** What a report is made from. */
+/** The input of a report. */
 export interface ReportSource {
-  /** The file with the wrinkles, as it was written. */
+  /** The file with the wrinkles, which has been written. */
   path: string
   glb: Glb
   found: FoundSkin
   wrinkles: AutoWrinkles
-  /** By name, as the user could have written them. */
+  /** By name, as on the command line. */
   settings: Readonly<Record<string, string | number>>
   warnings: readonly string[]
 }
 
-/** What `makeReport` made. */
-export interface Report {
-  files: Output[]
-  /** Why it has no pictures of the face, where it has none. */
+/** The files of a report. */
+export interface ReportFiles {
+  files: OutputFile[]
+  /** Why it has no pictures of the face; absent where it has them. */
   missing?: string
 }
 
 /**
- * Makes the report of `furrow auto`: a page and its pictures, for one folder.
+ * Makes the report of `furrow auto`: a page and its pictures.
  *
- * @param steps two are begun.
+ * @param folder for the paths of the files; nothing is written.
+ * @param steps two of them begin here: `report` and `pictures`.
  */
 export async function makeReport(
   source: ReportSource,
   folder: string,
   steps: Steps,
   who: string,
-): Promise<Report> {
+): Promise<ReportFiles> {
   const { path, glb, found, wrinkles } = source
   steps.begin('report')
-  const extension = glb.json.materials![found.material]!.extensions![WRINKLE_MAPS]
+  const extension = glb.json.materials![found.material].extensions![WRINKLE_MAPS]
   const maps = parseWrinkleMaps(extension, glb.json.textures?.length ?? 0, who)
   const file = { glb, material: found.material, maps }
   const poses = posesOf(wrinkles)

@@ -1,7 +1,7 @@
 import type { Glb } from './glb-file.ts'
 
-/** Puts data at the end of a file's binary part, so that no index of anything else changes. */
-export class ViewAdder {
+/** Appends data to the binary chunk of a file as new buffer views, so that all indices stay valid. */
+export class BufferViewWriter {
   readonly #glb: Glb
   readonly #parts: Uint8Array[]
   #length: number
@@ -15,7 +15,7 @@ export class ViewAdder {
     glb.json.buffers[0] ??= { byteLength: 0 }
   }
 
-  /** @returns the index of a buffer view of the bytes. */
+  /** @returns the index of the new buffer view. */
   add(bytes: Uint8Array): number {
     const gap = (4 - (this.#length % 4)) % 4
     this.#parts.push(Buffer.alloc(gap), bytes)
@@ -24,9 +24,9 @@ export class ViewAdder {
     return this.#glb.json.bufferViews!.push({ buffer: 0, byteOffset, byteLength: bytes.length }) - 1
   }
 
-  /** Replaces the binary part by the longer one. */
+  /** Replaces the binary chunk by the longer one; to be called once, after the last `add`. */
   finish(): void {
-    this.#glb.json.buffers![0]!.byteLength = this.#length
+    this.#glb.json.buffers![0].byteLength = this.#length
     this.#glb.bin = Buffer.concat(this.#parts)
   }
 }

@@ -1,15 +1,17 @@
 import type { Accessor, Primitive } from '@gltf-transform/core'
 import { morphNormalDeltas } from 'furrow'
-import { readDocument } from '../face.ts'
 import type { Progress } from '../progress.ts'
-import type { Glb, GltfJson } from './glb-file.ts'
-import { ViewAdder } from './view-adder.ts'
+import { BufferViewWriter } from './buffer-view-writer.ts'
+import type { Glb } from './glb-file.ts'
+import type { GltfJson } from './gltf-json.ts'
+import { readDocument } from './read-document.ts'
 
 /** Delta of a normal, per axis, that is not worth its bytes: half a step of a byte. */
 const NEGLIGIBLE = 1 / 510
 /** Fraction of changed vertices above which a sparse accessor is no smaller than a full one. */
 const MAX_SPARSE_FRACTION = 0.7
 
+// Component types of glTF.
 const UNSIGNED_INT = 5125
 const FLOAT = 5126
 
@@ -30,7 +32,7 @@ export async function addMorphNormals(
 ): Promise<number> {
   const document = await readDocument(path, who)
   const primitives = document.getRoot().listMeshes()[mesh].listPrimitives()
-  const adder = new ViewAdder(glb)
+  const views = new BufferViewWriter(glb)
   let [done, added] = [0, 0]
   const total = primitives.reduce((sum, primitive) => sum + primitive.listTargets().length, 0)
   for (const [i, { targets = [] }] of (glb.json.meshes?.[mesh].primitives ?? []).entries()) {
@@ -39,11 +41,11 @@ export async function addMorphNormals(
       progress(++done, total)
       const offsets = target.getAttribute('POSITION')
       if (!deltasOf || !offsets || target.getAttribute('NORMAL')) continue
-      targets[k].NORMAL = addAccessor(glb.json, adder, deltasOf(readVectors(offsets)))
+      targets[k].NORMAL = addAccessor(glb.json, views, deltasOf(readVectors(offsets)))
       added++
     }
   }
-  adder.finish()
+  views.finish()
   return added
 }
 
@@ -64,7 +66,7 @@ function readVectors(accessor: Accessor): Float32Array {
   return out
 }
 
-function addAccessor(json: GltfJson, adder: ViewAdder, deltas: Float32Array): number {
+function addAccessor(json: GltfJson, views: BufferViewWriter, deltas: Float32Array): number {
   const count = deltas.length / 3
   const changed = Array.from({ length: count }, (_, i) => i).filter((i) =>
     [0, 1, 2].some((k) => Math.abs(deltas[3 * i + k]) > NEGLIGIBLE),
@@ -73,13 +75,14 @@ function addAccessor(json: GltfJson, adder: ViewAdder, deltas: Float32Array): nu
   json.accessors ??= []
   // A sparse accessor needs at least one entry, and an accessor without a view is all zeros.
   if (changed.length === 0) return json.accessors.push(accessor) - 1
-  if (changed.length > MAX_SPARSE_FRACTION * count)
-    return json.accessors.push({ ...accessor, bufferView: adder.add(bytesOf(deltas)) }) - 1
+  if (changed.length > MAX_SPARSE_FRACTION * count) {
+    return json.accessors.push({ ...accessor, bufferView: views.add(bytesOf(deltas)) }) - 1
+  }
   const values = Float32Array.from(changed.flatMap((i) => [...deltas.subarray(3 * i, 3 * i + 3)]))
   const sparse = {
     count: changed.length,
-    indices: { bufferView: adder.add(bytesOf(Uint32Array.from(changed))), componentType: UNSIGNED_INT },
-    values: { bufferView: adder.add(bytesOf(values)) },
+    indices: { bufferView: views.add(bytesOf(Uint32Array.from(changed))), componentType: UNSIGNED_INT },
+    values: { bufferView: views.add(bytesOf(values)) },
   }
   return json.accessors.push({ ...accessor, sparse }) - 1
 }

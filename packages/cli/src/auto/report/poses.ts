@@ -2,14 +2,17 @@ import { findTargets } from 'furrow'
 import type { AutoWrinkles } from 'furrow/author'
 
 /** A pose that the report shows. */
-export interface ShownPose {
+export interface Pose {
   name: string
-  /** Weights 0..1 by target, as the face has them. */
+  /** Weights 0..1 by target, as the face names them. */
   targets: Record<string, number>
 }
 
-/** What faces do most; a face that lacks a shape of weight 1 does not show the expression, the others are thrown in where it has them. */
-const EXPRESSIONS: readonly ShownPose[] = [
+/**
+ * Common expressions. A face must have all blendshapes of weight 1 to show an expression; the others are used where it
+ * has them.
+ */
+const EXPRESSIONS: readonly Pose[] = [
   {
     name: 'Surprise',
     targets: {
@@ -42,17 +45,17 @@ const EXPRESSIONS: readonly ShownPose[] = [
   { name: 'Right side of the smile alone', targets: { mouthSmileRight: 1, cheekSquintRight: 0.8 } },
 ]
 
-/** Poses that are shown of a skin without any expression. */
-const MOST = 8
+/** Largest number of poses of a skin without any of these expressions. */
+const MAX_POSES = 8
 
-/** The expressions that a face can make; of a skin that can make none, what creases it most. */
-export function posesOf({ targets, areas }: Pick<AutoWrinkles, 'targets' | 'areas'>): ShownPose[] {
-  const expressions = EXPRESSIONS.flatMap(({ name, targets: asked }): ShownPose[] => {
-    const found = Object.entries(asked).map(([shape, weight]) => {
-      return { weight, names: findTargets(shape, targets).map((index) => targets[index]!) }
+/** The expressions that a face can show; of a skin that can show none, the blendshapes that crease it most. */
+export function posesOf({ targets, areas }: Pick<AutoWrinkles, 'targets' | 'areas'>): Pose[] {
+  const expressions = EXPRESSIONS.flatMap(({ name, targets: wanted }): Pose[] => {
+    const found = Object.entries(wanted).map(([shape, weight]) => {
+      return { weight, names: findTargets(shape, targets).map((index) => targets[index]) }
     })
     if (found.some(({ weight, names }) => weight === 1 && names.length === 0)) return []
-    const pairs = found.flatMap(({ weight, names }) => names.map((own) => [own, weight] as const))
+    const pairs = found.flatMap(({ weight, names }) => names.map((name) => [name, weight] as const))
     return [{ name, targets: Object.fromEntries(pairs) }]
   })
   if (expressions.length > 0) return expressions
@@ -61,5 +64,5 @@ export function posesOf({ targets, areas }: Pick<AutoWrinkles, 'targets' | 'area
     const [first] = [...driver.targets].sort((a, b) => (b.weight ?? 1) - (a.weight ?? 1))
     return first ? [first.name] : []
   })
-  return [...new Set(causes)].slice(0, MOST).map((name) => ({ name, targets: { [name]: 1 } }))
+  return [...new Set(causes)].slice(0, MAX_POSES).map((name) => ({ name, targets: { [name]: 1 } }))
 }
