@@ -4,12 +4,13 @@ import { join } from 'node:path'
 import { FurrowError } from 'furrow'
 import { type Browser, chromium, type Page } from 'playwright-core'
 import { CHROMIUM_FLAGS } from './chromium-flags.ts'
+import { firstLine } from './errors.ts'
 
-/** Milliseconds that a browser may take to start. */
-const START = 300_000
+/** Milliseconds until the start of a browser is given up. */
+const START_TIMEOUT = 300_000
 
-/** Where browsers install themselves, the most common first. */
-function usualPlaces(): string[] {
+/** Paths at which browsers are usually installed, the most common first. */
+function installPaths(): string[] {
   if (process.platform === 'darwin') {
     const apps = ['Google Chrome', 'Chromium', 'Microsoft Edge']
     return ['/Applications', join(homedir(), 'Applications')].flatMap((folder) =>
@@ -29,56 +30,63 @@ function usualPlaces(): string[] {
 }
 
 /**
- * Path of a Chromium-based browser: the one that `FURROW_CHROMIUM` names, else an installed Chrome, Chromium or
- * Edge, else Playwright's own.
+ * Finds a Chromium-based browser: the one that `FURROW_CHROMIUM` names, otherwise an installed Chrome, Chromium or
+ * Edge, otherwise Playwright's own.
  *
- * @throws FurrowError when there is none, or `FURROW_CHROMIUM` names no program.
+ * @returns its path.
+ * @throws FurrowError when there is none, or `FURROW_CHROMIUM` is not a program.
  */
 export function findBrowser(): string {
   const named = process.env.FURROW_CHROMIUM
   if (named) {
-    if (isProgram(named)) return named
+    if (isExecutable(named)) return named
     throw new FurrowError({
+      code: 'unreadable',
       who: 'furrow',
-      what: 'FURROW_CHROMIUM is no program',
+      what: 'FURROW_CHROMIUM is not a program',
       value: named,
       limit: 'the path of Chrome, Chromium or Edge',
-      remedy: 'correct the variable, or unset it to have the browser looked for',
+      remedy: 'correct the variable, or unset it to use an installed browser',
     })
   }
-  const found = [...usualPlaces(), chromium.executablePath()].find(isProgram)
+  const found = [...installPaths(), chromium.executablePath()].find(isExecutable)
   if (found) return found
   throw new FurrowError({
+    code: 'unsupported',
     who: 'furrow',
-    what: 'no browser to draw with',
+    what: 'no browser found',
     limit: 'Chrome, Chromium or Edge',
     remedy: 'install one (e.g. "npx playwright install chromium"), or set FURROW_CHROMIUM to its path',
   })
 }
 
-/** Starts the browser that `findBrowser` finds, with no window. The caller closes it. */
+/** Starts the browser that `findBrowser` finds, headless. The caller closes it. */
 export async function launchBrowser(): Promise<Browser> {
   const executablePath = findBrowser()
   try {
-    return await chromium.launch({ executablePath, args: [...CHROMIUM_FLAGS], timeout: START })
+    return await chromium.launch({ executablePath, args: [...CHROMIUM_FLAGS], timeout: START_TIMEOUT })
   } catch (error) {
-    throw new FurrowError({
-      who: 'furrow',
-      what: `the browser does not start (${String((error as Error).message).split('\n')[0]})`,
-      value: executablePath,
-      remedy: 'set FURROW_CHROMIUM to the path of another Chrome, Chromium or Edge',
-    })
+    throw new FurrowError(
+      {
+        code: 'unsupported',
+        who: 'furrow',
+        what: `the browser does not start (${firstLine(error)})`,
+        value: executablePath,
+        remedy: 'set FURROW_CHROMIUM to the path of another Chrome, Chromium or Edge',
+      },
+      { cause: error },
+    )
   }
 }
 
-/** An empty page. What is done in it may take as long as it must: a slow computer is no fault. */
+/** Opens an empty page without time limits, since software rasterisers can be slow. */
 export async function newPage(browser: Browser, options?: Parameters<Browser['newPage']>[0]): Promise<Page> {
   const page = await browser.newPage(options)
   page.setDefaultTimeout(0)
   return page
 }
 
-function isProgram(path: string): boolean {
+function isExecutable(path: string): boolean {
   try {
     accessSync(path, constants.X_OK)
     return true

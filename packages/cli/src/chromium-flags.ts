@@ -1,20 +1,20 @@
 import { existsSync } from 'node:fs'
 
-/** Whether Linux has a graphics device at all; elsewhere there always is one. */
+/** Whether there is a graphics device; assumed on systems other than Linux. */
 const HAS_GPU = process.platform !== 'linux' || existsSync('/dev/dri') || existsSync('/dev/nvidia0')
 
 /**
- * Puts drawing, WebGPU and the browser's own compositor on one Vulkan. A WebGPU canvas hands its pictures over
- * through Vulkan memory; where the compositor cannot take them the GPU process dies ("A valid external Instance
- * reference no longer exists"), so on the software rasteriser all three must be named.
+ * Makes drawing, WebGPU and the browser's compositor use the same Vulkan. A WebGPU canvas passes its pictures through
+ * Vulkan memory; if the compositor cannot read them the GPU process crashes ("A valid external Instance reference no
+ * longer exists"). With the software rasteriser all three flags are needed.
  */
 const VULKAN = HAS_GPU
   ? ['--enable-features=Vulkan', '--use-angle=vulkan']
   : ['--enable-features=Vulkan', '--use-angle=swiftshader', '--use-vulkan=swiftshader']
 
 /**
- * Lets a Chromium without a window system draw with WebGL 2 and WebGPU: on a GPU where there is one, else on its
- * software rasteriser.
+ * Flags with which a headless Chromium draws with WebGL 2 and WebGPU: on the GPU, or on its software rasteriser where
+ * there is none.
  */
 export const CHROMIUM_FLAGS: readonly string[] = [
   '--no-sandbox',

@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs'
-import { Command } from 'commander'
 import { FurrowError } from 'furrow'
+import { createCommand } from './command.ts'
 import { activationsCommand } from './commands/activations.ts'
 import { arrayCommand } from './commands/array.ts'
 import { autoCommand } from './commands/auto.ts'
@@ -12,14 +12,13 @@ import { renderCommand } from './commands/render.ts'
 import { strokesCommand } from './commands/strokes.ts'
 import { unpackCommand } from './commands/unpack.ts'
 import { validateCommand } from './commands/validate.ts'
-import { firstLine } from './images.ts'
+import { firstLine } from './errors.ts'
 
 const { version } = JSON.parse(readFileSync(new URL('../package.json', import.meta.url), 'utf8'))
 
-const program = new Command('furrow')
-  .description('Wrinkles for glTF characters: author them, and see them')
+const program = createCommand('furrow')
+  .description('Wrinkles for glTF characters: author, render and inspect them')
   .version(version, '-v, --version')
-  .showSuggestionAfterError(false)
   .addHelpText(
     'after',
     `
@@ -42,19 +41,13 @@ for (const command of [
   unpackCommand,
   validateCommand,
 ]) {
-  program.addCommand(command.copyInheritedSettings(program))
-}
-for (const command of [program, ...program.commands]) {
-  command.configureOutput({
-    outputError: (text, write) =>
-      write(`furrow: ${text.trim().replace(/^error: /, '')}; see furrow --help\n`),
-  })
+  program.addCommand(command)
 }
 
 try {
   await program.parseAsync()
 } catch (error) {
-  // What users can mend is one line; anything else is a fault of ours, and says where it is.
+  // Users get one line; anything else is a bug, and gets a stack.
   console.error(error instanceof FurrowError ? firstLine(error) : error)
   process.exitCode = 1
 }

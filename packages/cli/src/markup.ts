@@ -1,4 +1,4 @@
-/** Text that is markup already. */
+/** Markup, which is not escaped again. */
 export class Markup {
   readonly text: string
 
@@ -7,16 +7,16 @@ export class Markup {
   }
 }
 
-/** What can stand in markup: text is escaped, lists are joined, and what is missing is nothing. */
+/** What can be put into markup: text is escaped, lists are joined, `undefined` is left out. */
 export type Content = Markup | string | number | undefined | readonly Content[]
 
-/** HTML from a template; whatever is put in is escaped unless it is markup itself. */
+/** HTML from a template; all values are escaped except markup. */
 export function html(parts: TemplateStringsArray, ...values: Content[]): Markup {
   return new Markup(String.raw({ raw: parts }, ...values.map(textOf)))
 }
 
-/** A text as it stands between tags and in quoted attributes of HTML, XML and SVG. */
-export function escaped(text: string): string {
+/** Escapes a text for content and quoted attributes of HTML, XML and SVG. */
+export function escapeMarkup(text: string): string {
   return text
     .replaceAll('&', '&amp;')
     .replaceAll('<', '&lt;')
@@ -29,5 +29,5 @@ export function escaped(text: string): string {
 function textOf(value: Content): string {
   if (value instanceof Markup) return value.text
   if (Array.isArray(value)) return value.map(textOf).join('')
-  return value === undefined ? '' : escaped(String(value))
+  return value === undefined ? '' : escapeMarkup(String(value))
 }

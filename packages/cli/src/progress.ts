@@ -1,9 +1,9 @@
 import { SingleBar } from 'cli-progress'
 
-/** Told now and then how much of a long work is done, and what is being done. */
+/** Called now and then during a long task with how much of it is done, and the name of the current step. */
 export type Progress = (done: number, total: number, step?: string) => void
 
-/** Runs `work`, which may be asynchronous, under a bar on stderr; without a terminal there is no bar. */
+/** Runs `work`, synchronous or not, with a progress bar on stderr; without a terminal there is none. */
 export function withBar<T>(name: string, work: (progress: Progress) => T): T {
   const bar = new SingleBar({
     format: `${name} {bar} {step}`,

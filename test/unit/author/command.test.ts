@@ -111,7 +111,7 @@ describe('furrow strokes', () => {
   })
 
   it.each([
-    ['no output', () => [strokes, '--face', face], 'nothing to make, allowed: -o HEIGHT.png'],
+    ['no output', () => [strokes, '--face', face], 'no output, allowed: -o HEIGHT.png'],
     [
       'no such document',
       () => [file('none.json'), '--face', face, '-o', file('x.png')],
@@ -135,15 +135,15 @@ describe('furrow strokes', () => {
     [
       'a size that is none',
       () => [strokes, '--face', face, '--size', '1k', '-o', file('x.png')],
-      '--size is no size of a map, got "1k", allowed: whole numbers, 16..8192; choose e.g. 1024',
+      "option '--size <texels>' argument '1k' is invalid. It must be an integer from 16 to 8192 texels; see furrow strokes --help",
     ],
     [
       'a base that is no image',
       () => [strokes, '--face', face, '--base', strokes, '--normal', file('x.png')],
-      'is not a readable image',
+      'cannot read the normal map',
     ],
     [
-      'a folder in the place of a file',
+      'a folder instead of a file',
       () => [strokes, '--face', face, '-o', folder, '--normal', file('x.png'), '--size', '32'],
       'cannot write',
     ],

@@ -2,9 +2,10 @@ import { existsSync, readFileSync } from 'node:fs'
 import { parseWrinkleSetDocument } from 'furrow'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { findSkin } from '../../../packages/cli/src/auto/read-skin.ts'
-import { readDocument, readFace } from '../../../packages/cli/src/face.ts'
-import { decodeNormalMap } from '../../../packages/cli/src/images.ts'
+import { findSkin } from '../../../packages/cli/src/auto/find-skin.ts'
+import { readFaceMesh } from '../../../packages/cli/src/gltf/face-mesh.ts'
+import { readDocument } from '../../../packages/cli/src/gltf/read-document.ts'
+import { decodeNormalMap } from '../../../packages/cli/src/images/decode-normal-map.ts'
 import {
   type AutoOptions,
   type AutoWrinkles,
@@ -48,7 +49,7 @@ async function committed(name: string, face = 'human'): Promise<Uint8Array> {
 }
 
 const largestDifference = (a: Uint8Array, b: Uint8Array) =>
-  a.reduce((worst, value, i) => Math.max(worst, Math.abs(value - b[i]!)), 0)
+  a.reduce((worst, value, i) => Math.max(worst, Math.abs(value - b[i])), 0)
 
 const FACES = ['human', 'human-2'].filter((name) => existsSync(path(`${name}/wrinkles.json`)))
 
@@ -79,19 +80,19 @@ describe.each(FACES)('faces/%s', (name) => {
   })
 
   it('has the normal map that its strokes give over what its blendshapes give, up to rounding', async () => {
-    const { mesh } = await readFace(path(`${name}.glb`))
+    const { mesh } = await readFaceMesh(path(`${name}.glb`), 'test')
     const file = path(`${name}/layers/expression/normal.png`)
-    const shipped = await decodeNormalMap(readFileSync(file), file)
+    const shipped = await decodeNormalMap(readFileSync(file), file, 'test')
     const metric = surfaceMetric(mesh, 1024)
     const drawn = heightToNormal(strokesToHeight(strokes().strokes, metric), metric, OPTIONS.frame)
-    const expected = combineNormals(made.layers[0]!.normal, drawn)
+    const expected = combineNormals(made.layers[0].normal, drawn)
     expect(largestDifference(shipped.data, expected.data)).toBeLessThanOrEqual(1)
   })
 })
 
 describe('the areas that ship', () => {
   it('are what their document gives, up to rounding', async () => {
-    const { mesh } = await readFace(path('human.glb'))
+    const { mesh } = await readFaceMesh(path('human.glb'), 'test')
     const painted = paintAreas(strokes(), surfaceMetric(mesh, 128))
     expect(painted.map((area) => area.name)).toEqual(DRAWN)
     for (const { name, weights } of painted) {
@@ -113,7 +114,7 @@ describe('the areas that ship', () => {
   })
 
   it('leave the openings of the eyes alone', async () => {
-    const { mesh } = await readFace(path('human.glb'))
+    const { mesh } = await readFaceMesh(path('human.glb'), 'test')
     const { inside } = surfaceMetric(mesh, 128)
     const openings = [...inside.keys()].filter((i) => {
       const [u, v] = [(i % 128) / 128, Math.floor(i / 128) / 128]
@@ -130,7 +131,7 @@ describe('the areas that ship', () => {
     const [left, right] = [await committed('foreheadLeft'), await committed('foreheadRight')]
     for (let y = Math.round(0.3 * 128); y < 0.39 * 128; y++) {
       for (let x = 60; x < 68; x++) {
-        expect(Math.abs(left[y * 128 + x]! + right[y * 128 + x]! - 255)).toBeLessThanOrEqual(2)
+        expect(Math.abs(left[y * 128 + x] + right[y * 128 + x] - 255)).toBeLessThanOrEqual(2)
       }
       expect(left[y * 128 + 63]).toBeGreaterThan(64)
       expect(right[y * 128 + 63]).toBeGreaterThan(64)
@@ -141,13 +142,13 @@ describe('the areas that ship', () => {
     const total = new Float64Array(128 * 128)
     for (const name of AREAS) {
       const weights = await committed(name)
-      for (let i = 0; i < weights.length; i++) total[i]! += weights[i]!
+      for (let i = 0; i < weights.length; i++) total[i] += weights[i]
     }
-    const { mesh } = await readFace(path('human.glb'))
+    const { mesh } = await readFaceMesh(path('human.glb'), 'test')
     const { data } = strokesToHeight(strokes().strokes, surfaceMetric(mesh, 128))
     let drawn = 0
     for (let i = 0; i < data.length; i++) {
-      if (data[i]! > -0.1) continue
+      if (data[i] > -0.1) continue
       drawn++
       expect(total[i], `texel ${i % 128}, ${Math.floor(i / 128)}`).toBeGreaterThan(0.9 * 255)
     }

@@ -38,9 +38,15 @@ describe('furrow activations', () => {
 
   it.each([
     [['--set', 'trunkUp=1'], 'no such blendshape, got "trunkUp"'],
-    [['--set', 'jawOpen=2'], 'no weight, got "jawOpen=2"'],
-    [['--expression', 'bored'], '--expression is unknown, got "bored"'],
-    [['--age', 'old'], '--age is no number in its range, got "old"'],
+    [
+      ['--set', 'jawOpen=2'],
+      "argument 'jawOpen=2' is invalid. It must be NAME=VALUE with a value from 0 to 1",
+    ],
+    [
+      ['--expression', 'bored'],
+      "option '--expression <name>' argument 'bored' is invalid. Allowed choices are ",
+    ],
+    [['--input', 'age=old'], "argument 'age=old' is invalid. It must be NAME=VALUE with a finite value"],
   ])('refuses %j', async (args, message) => {
     await shop.fails(message, human, ...args)
   })

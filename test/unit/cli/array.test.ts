@@ -241,19 +241,23 @@ describe('furrow array says what is wrong and writes nothing:', () => {
 
   const images = (...names: string[]) => [...names.map(file), '-o', file('x.ktx2')]
   it.each([
-    ['no task', () => [gray[0]!], 'not clear what to do'],
-    ['two tasks', () => [...images('skin.png'), '--extract', file('x')], 'not clear what to do'],
+    ['no task', () => [gray[0]!], 'no output, allowed: IMAGES -o ARRAY.ktx2, or'],
+    [
+      'two tasks',
+      () => [...images('skin.png'), '--extract', file('x')],
+      "option '--extract <folder>' cannot be used with option '-o, --output <file>'",
+    ],
     ['a missing image', () => images('none.png'), 'cannot read the image'],
     ['no image', () => images('text.png'), 'cannot read the image'],
     ['half an image', () => images('cut.png'), 'cannot read the image'],
     ['other sizes', () => images('skin.png', 'wide.png'), `got "30 x 16", allowed: 24 x 16 as `],
     ['16 bits', () => images('deep.png'), 'got "ushort", allowed: 8 bits per channel'],
-    ['one name twice', () => images('skin.png', 'skin.png'), 'two layers of one name, got "skin"'],
+    ['one name twice', () => images('skin.png', 'skin.png'), 'two layers with the same name, got "skin"'],
     ['257 images', () => images(...Array(257).fill('skin.png')), 'got 257, allowed: 1 to 256'],
     [
       'no compression',
       () => [...images('skin.png'), '--compress', 'jpeg'],
-      'allowed: none, zstd, uastc, etc1s',
+      "argument 'jpeg' is invalid. Allowed choices are none, zstd, uastc, etc1s; see furrow array --help",
     ],
     ['uneven blocks', () => [...images('wide.png'), '--compress', 'uastc'], 'allowed: multiples of 4 texels'],
     [

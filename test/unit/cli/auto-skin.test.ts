@@ -1,6 +1,6 @@
 import type { Document } from '@gltf-transform/core'
 import { describe, expect, test } from 'vitest'
-import { findSkin } from '../../../packages/cli/src/auto/read-skin.ts'
+import { findSkin } from '../../../packages/cli/src/auto/find-skin.ts'
 import { hasScan, SCAN } from '../../real-face/pack-scan.ts'
 import { skinOf } from './auto-changes.ts'
 import { meshOf, plainFace, targetNamesOf } from './auto-variants.ts'

@@ -9,13 +9,10 @@ import { MeshoptDecoder } from 'meshoptimizer/decoder'
 import { MeshoptEncoder } from 'meshoptimizer/encoder'
 import { beforeAll } from 'vitest'
 import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
+import { imageOf } from '../../../packages/cli/src/gltf/texture-image.ts'
+import { decodePixels } from '../../../packages/cli/src/images/pixels.ts'
 import { weightsOf } from '../../../packages/cli/src/wrinkles/inspect.ts'
-import { readPixels } from '../../../packages/cli/src/wrinkles/map-images.ts'
-import {
-  imageOf,
-  readWrinkledFile,
-  type WrinkledFile,
-} from '../../../packages/cli/src/wrinkles/wrinkled-file.ts'
+import { readWrinkledFile, type WrinkledFile } from '../../../packages/cli/src/wrinkles/wrinkled-file.ts'
 import { driven } from '../../driven.ts'
 import type { Workshop } from './workshop.ts'
 
@@ -180,7 +177,7 @@ export async function normalsApart(a: Made, b: Made): Promise<number> {
 
 async function normalsOf(file: WrinkledFile, layer: number): Promise<Uint8Array> {
   const image = imageOf(file.glb, file.maps.layers[layer]!.normalTexture.index, 'test')
-  return (await readPixels(image.bytes, 'normals', 'test')).data
+  return (await decodePixels(image.bytes, 'normals', 'test')).data
 }
 
 /** Of three bytes each. */

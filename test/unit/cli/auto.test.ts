@@ -37,7 +37,9 @@ const areasOf = (path: string) => {
 describe('a body without a face', () => {
   test('is creased by strain alone, and says so', async () => {
     await run(await write('body.glb'), '-o', file('out.glb'))
-    expect(at.printed).toMatch(/mesh "torso", material "cloth" \(no other has .+\); layers: 1; areas: [1-9]/)
+    expect(at.printed).toMatch(
+      /mesh "torso", material "cloth" \(the only one with .+\); layers: 1; areas: [1-9]/,
+    )
     expect(at.warned).toMatch(/^furrow auto: no face was found .*\n$/)
     expect(areasOf(file('out.glb'))[0].name).toBe('bend')
     at.printed = ''
@@ -57,7 +59,7 @@ describe('a body without a face', () => {
       file: file('out.glb'),
       mesh: 'torso',
       material: 'cloth',
-      reason: expect.stringContaining('no other has'),
+      reason: expect.stringContaining('the only one with'),
       bytes: readFileSync(file('out.glb')).length,
       isFace: false,
       warnings: [expect.stringContaining('no face was found')],
@@ -188,9 +190,9 @@ describe('blendshapes that are of no use', () => {
   })
 
   test.each([
-    ['one that goes too far', 1e6, 'moves farther than the face is large'],
-    ['one with NaN', Number.NaN, 'moves something to no place'],
-    ['one with Infinity', Number.POSITIVE_INFINITY, 'moves something to no place'],
+    ['one that goes too far', 1e6, 'moves vertices farther than 2 times the size of the face'],
+    ['one with NaN', Number.NaN, 'has offsets that are NaN or infinite'],
+    ['one with Infinity', Number.POSITIVE_INFINITY, 'has offsets that are NaN or infinite'],
   ])('%s is left out, and named', async (_, value, problem) => {
     const face = await write('odd.glb', (shape) => {
       const odd = zeros(shape)
@@ -266,7 +268,7 @@ describe('what no wrinkles can be made from is refused in one line', () => {
       ({ targets }) => {
         targets.bend!.fill(0.1)
       },
-      'no blendshape pushes the skin together',
+      'no blendshape compresses the skin enough',
     ],
     [
       'no texture coordinates',
@@ -275,30 +277,30 @@ describe('what no wrinkles can be made from is refused in one line', () => {
       },
       'can wrinkle',
     ],
-    ['texture coordinates on one spot', ({ uvs }) => void uvs!.fill(0.5), 'span no surface'],
+    ['texture coordinates on one spot', ({ uvs }) => void uvs!.fill(0.5), 'span no area'],
     [
       'texture coordinates that are NaN',
       ({ uvs }) => void uvs!.fill(Number.NaN, 7, 8),
-      'a texture coordinate is no number',
+      'a texture coordinate is NaN or infinite',
     ],
     [
       'a position that is NaN',
       ({ positions }) => void positions.fill(Number.NaN, 7, 8),
-      'a position is no number',
+      'a position is NaN or infinite',
     ],
     ['all triangles without surface', ({ indices }) => void indices.fill(3), 'furrow auto'],
-    ['all vertices at one place', ({ positions }) => void positions.fill(1), 'the mesh has no surface'],
+    ['all vertices at one place', ({ positions }) => void positions.fill(1), 'the mesh has no area'],
     [
       'all vertices on one line',
       ({ positions }) => {
         for (let i = 0; i < positions.length; i++) if (i % 3 > 0) positions[i] = 0
       },
-      'no surface',
+      'no area',
     ],
     [
-      'a corner that is no vertex',
+      'an index out of range',
       ({ indices }) => void indices.fill(1e6, 5, 6),
-      'a triangle has a corner that is no vertex',
+      'a triangle has an index out of range',
     ],
   ])('%s', async (_, spoil, message) => {
     await fails(message, await write('bad.glb', spoil), '-o', file('x.glb'), '--size', '512')
@@ -346,7 +348,7 @@ describe('files', () => {
   test('wrinkles that are there are replaced only if the user says so', async () => {
     const face = await write('body.glb')
     await run(face, '-o', file('once.glb'))
-    await fails('the material has wrinkles, got "cloth"', file('once.glb'), '-o', file('x.glb'))
+    await fails('the material already has wrinkles, got "cloth"', file('once.glb'), '-o', file('x.glb'))
     await run(file('once.glb'), '-o', file('twice.glb'), '--replace')
     expect(readFileSync(file('twice.glb')).equals(readFileSync(file('once.glb')))).toBe(true)
     await run(file('once.glb'), '-o', file('once.glb'), '--replace', '--seed', '2')
@@ -394,7 +396,7 @@ describe('files', () => {
 
 describe('the shipped face', () => {
   test('has wrinkles, which are replaced; --areas keeps those that are shortened most', async () => {
-    await fails('the material has wrinkles', FACE, '-o', file('x.glb'))
+    await fails('the material already has wrinkles', FACE, '-o', file('x.glb'))
     await run(FACE, '-o', file('all.glb'), '--replace', '--json')
     const all = JSON.parse(at.printed)
     expect(all.isFace).toBe(true)

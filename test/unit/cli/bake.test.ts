@@ -268,7 +268,7 @@ describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
     expect(misses / samples).toBeCloseTo(0.5, 1)
     expect(emptyTexels).toBeGreaterThan(1400)
     await run(file('half.glb'), file('plain.glb'), '-o', file('half.png'), '--size', '64', '--cage', '8')
-    expect(at.printed).toMatch(/; \d+ of \d+ rays met nothing \((49|50|51|52)\.\d\d%\), \d+ texels empty/)
+    expect(at.printed).toMatch(/; \d+ of \d+ rays missed \((49|50|51|52)\.\d\d%\), \d+ texels without a hit/)
   })
 
   it('shows the facets of a sculpt without normals and says so', async () => {
@@ -323,11 +323,7 @@ describe('furrow bake says what is wrong and writes nothing:', () => {
   const good = () => [file('ball.glb'), file('plain.glb')]
   const out = () => ['-o', file('x.png'), '--size', '32']
   it.each([
-    [
-      'no output',
-      () => good(),
-      'nothing to make, allowed: -o NORMAL.png, --height HEIGHT.png, --occlusion AO.png',
-    ],
+    ['no output', () => good(), 'no output, allowed: -o NORMAL.png, --height HEIGHT.png, --occlusion AO.png'],
     ['one output twice', () => [...good(), ...out(), '--height', file('x.png')], 'one file for two maps'],
     ['a missing sculpt', () => [file('none.glb'), file('plain.glb'), ...out()], 'cannot read the face'],
     ['a missing mesh', () => [file('ball.glb'), file('none.glb'), ...out()], 'cannot read the face'],
@@ -348,7 +344,7 @@ describe('furrow bake says what is wrong and writes nothing:', () => {
     [
       'a sculpt elsewhere',
       () => [file('far.glb'), file('plain.glb'), ...out()],
-      'no ray met the detailed surface',
+      'no ray hit the detailed surface',
     ],
     [
       'no numbers',
@@ -364,24 +360,48 @@ describe('furrow bake says what is wrong and writes nothing:', () => {
     [
       'a size of 0',
       () => [...good(), ...out(), '--size', '0'],
-      '--size is no whole number in its range, got "0"',
+      "option '--size <texels>' argument '0' is invalid. It must be an integer from 16 to 8192",
     ],
     [
       'a size of 1e9',
       () => [...good(), ...out(), '--size', '1e9'],
-      'allowed: 16..8192; write e.g. --size 1024',
+      "argument '1e9' is invalid. It must be an integer from 16 to 8192; see furrow bake --help",
     ],
-    ['3 samples', () => [...good(), ...out(), '--samples', '3'], '--samples is unknown, got "3"'],
-    ['a cage of 0', () => [...good(), ...out(), '--cage', '0'], '--cage is no number in its range, got "0"'],
-    ['a cage of -1', () => [...good(), ...out(), '--cage=-1'], '--cage is no number in its range, got "-1"'],
+    [
+      '3 samples',
+      () => [...good(), ...out(), '--samples', '3'],
+      "option '--samples <count>' argument '3' is invalid. Allowed choices are 1, 4, 9, 16",
+    ],
+    [
+      'a cage of 0',
+      () => [...good(), ...out(), '--cage', '0'],
+      "option '--cage <mm>' argument '0' is invalid. It must be a number from 0.001 to 100000 mm",
+    ],
+    [
+      'a cage of -1',
+      () => [...good(), ...out(), '--cage=-1'],
+      "option '--cage <mm>' argument '-1' is invalid. It must be a number",
+    ],
     [
       'no cage',
       () => [...good(), ...out(), '--cage', 'wide'],
-      '--cage is no number in its range, got "wide"',
+      "option '--cage <mm>' argument 'wide' is invalid. It must be a number",
     ],
-    ['12 bits', () => [...good(), ...out(), '--bits', '12'], '--bits is unknown, got "12", allowed: 8, 16'],
-    ['other tangents', () => [...good(), ...out(), '--tangents', 'mine'], 'allowed: mikktspace, derivative'],
-    ['rays without end', () => [...good(), ...out(), '--rays', '1e9'], '--rays is no whole number'],
+    [
+      '12 bits',
+      () => [...good(), ...out(), '--bits', '12'],
+      "option '--bits <bits>' argument '12' is invalid. Allowed choices are 8, 16",
+    ],
+    [
+      'other tangents',
+      () => [...good(), ...out(), '--tangents', 'mine'],
+      "argument 'mine' is invalid. Allowed choices are mikktspace, derivative",
+    ],
+    [
+      'rays without end',
+      () => [...good(), ...out(), '--rays', '1e9'],
+      "option '--rays <count>' argument '1e9' is invalid. It must be an integer from 1 to 4096",
+    ],
     ['a file as folder', () => [...good(), '-o', file('ball.glb/x.png')], 'cannot write'],
     ['another ending', () => [...good(), '-o', file('x.jpg')], 'does not end in .png'],
   ])('%s', (_, args, message) => at.fails(message, ...args()))

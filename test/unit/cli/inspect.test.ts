@@ -62,7 +62,7 @@ describe('furrow inspect', () => {
     )
     expect(lines).toContain('  nose = 0.5 browInnerUp')
     expect(lines).toContain('  brow = browInnerUp, curve (0, 0) (0.5, 1)')
-    expect(lines).toContain('  weather: not played by this version, kept as it is')
+    expect(lines).toContain('  weather: unknown type, kept as it is')
   })
 
   it('prints the same as JSON, every image counted once', async () => {

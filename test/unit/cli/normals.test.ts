@@ -175,7 +175,7 @@ describe('furrow normals', () => {
     await sharp(file('byte.png')).toColourspace('srgb').toFile(file('rgb.png'))
     for (const name of ['byte', 'rgb']) {
       await run(file(`${name}.png`), '-o', file(`${name}-n.png`), '--depth', '20', '--width', '100')
-      expect(at.warned).toContain('has 8 bits, so gentle slopes come out as steps')
+      expect(at.warned).toContain('has 8 bits, so gentle slopes become steps; use a 16-bit height map')
     }
     const [byte, rgb] = await Promise.all(
       ['byte', 'rgb'].map((name) =>
@@ -230,20 +230,38 @@ describe('furrow normals', () => {
     )
 
     it.each([
+      [[], 'no strength, allowed: either --depth MM with --width MM, or --strength TEXELS alone'],
+      [['--depth', '2'], 'no strength, allowed'],
       [
-        [],
-        'the strength is not clear, allowed: either --depth MM with --width MM, or --strength TEXELS alone',
+        ['--depth', '2', '--width', '100', '--strength', '3'],
+        "option '--strength <texels>' cannot be used with option '--depth <mm>'",
       ],
-      [['--depth', '2'], 'the strength is not clear'],
-      [['--depth', '2', '--width', '100', '--strength', '3'], 'the strength is not clear'],
-      [['--depth', '0', '--width', '100'], '--depth is no number in its range, got "0"'],
-      [['--depth', '2', '--width', 'ten'], '--width is no number in its range, got "ten"'],
-      [['--strength', 'NaN'], '--strength is no number in its range, got "NaN"'],
-      [['--strength', '1e300'], 'allowed: -100000..100000 texels; write e.g. --strength 10'],
-      [['--strength', ''], '--strength is no number in its range, got ""'],
-      [['--strength', '1', '--green', 'left'], '--green is unknown, got "left", allowed: up, down'],
-      [['--strength', '1', '--edges', 'mirror'], '--edges is unknown, got "mirror", allowed: wrap, clamp'],
-      [['--strength', '1', '--bits', '12'], '--bits is unknown, got "12", allowed: 8, 16'],
+      [
+        ['--depth', '0', '--width', '100'],
+        "option '--depth <mm>' argument '0' is invalid. It must be a number from 0.000001 to 1000000 mm",
+      ],
+      [
+        ['--depth', '2', '--width', 'ten'],
+        "option '--width <mm>' argument 'ten' is invalid. It must be a number",
+      ],
+      [['--strength', 'NaN'], "option '--strength <texels>' argument 'NaN' is invalid. It must be a number"],
+      [
+        ['--strength', '1e300'],
+        "argument '1e300' is invalid. It must be a number from -100000 to 100000 texels; see furrow normals --help",
+      ],
+      [['--strength', ''], "option '--strength <texels>' argument '' is invalid. It must be a number"],
+      [
+        ['--strength', '1', '--green', 'left'],
+        "option '--green <direction>' argument 'left' is invalid. Allowed choices are up, down",
+      ],
+      [
+        ['--strength', '1', '--edges', 'mirror'],
+        "option '--edges <kind>' argument 'mirror' is invalid. Allowed choices are wrap, clamp",
+      ],
+      [
+        ['--strength', '1', '--bits', '12'],
+        "option '--bits <bits>' argument '12' is invalid. Allowed choices are 8, 16",
+      ],
     ])('%j', (args, message) => at.fails(message, ...good(), ...args))
 
     it.each([

@@ -179,7 +179,7 @@ describe('furrow pack', () => {
     })
     shop.write('odd/areas/zero.png', await painted(99))
     await shop.run(packCommand, odd, '-o', shop.path('warned.glb'))
-    expect(shop.warned).toContain('target "noseSneer" of a driver of area "nose" does not exist')
+    expect(shop.warned).toContain('target "noseSneer" of a driver of area "nose" does not exist; it is kept')
     expect(shop.warned).toContain('area "zero" is visible nowhere')
     expect(extensionOf(shop.path('warned.glb')).drivers[0].targets[0].name).toBe('noseSneer')
     expect(extensionOf(shop.path('warned.glb')).areas.at(-1).name).toBe('zero')
@@ -199,7 +199,7 @@ describe('furrow pack with bad input', () => {
   const nose = { name: 'nose', image: 'areas/nose.png' }
 
   it.each<[string, (at: string) => unknown, string]>([
-    ['no JSON', (at) => shop.write(`${at}/wrinkles.json`, '{'), 'wrinkles.json is no JSON'],
+    ['no JSON', (at) => shop.write(`${at}/wrinkles.json`, '{'), ', allowed: JSON; correct the file'],
     [
       'JSON of the wrong shape',
       (at) => shop.json(`${at}/wrinkles.json`, [1]),
@@ -229,7 +229,11 @@ describe('furrow pack with bad input', () => {
       async (at) => shop.write(`${at}/areas/eye.png`, (await painted(1)).subarray(0, 300)),
       'eye.png',
     ],
-    ['no image', (at) => shop.write(`${at}/layers/age/normal.png`, 'hello'), 'is not a readable image'],
+    [
+      'no image',
+      (at) => shop.write(`${at}/layers/age/normal.png`, 'hello'),
+      'cannot read the image layers/age/normal.png',
+    ],
     [
       'transparent texels',
       async (at) => shop.write(`${at}/layers/age/normal.png`, await noise(1, 4)),
@@ -249,7 +253,7 @@ describe('furrow pack with bad input', () => {
     [
       'two meshes to choose from',
       async (at) => shop.write(`${at}/face.glb`, await faceBytes(['left', 'right'])),
-      'several choices of a mesh, allowed: left, right; name one with --mesh',
+      'several candidates for the mesh, allowed: left, right; name one with --mesh',
     ],
   ])('says one line about %s and writes nothing', async (name, spoil, message) => {
     const path = await spoilt(name.replaceAll(' ', '-'), spoil)
@@ -265,9 +269,17 @@ describe('furrow pack with bad input', () => {
   it.each<[string, string[], string]>([
     ['an unknown mesh', ['--mesh', 'nose'], 'no such mesh, got "nose", allowed: skin, eyes'],
     ['an unknown material', ['--material', 'x'], 'no such material of that mesh, got "x", allowed: skin'],
-    ['a share of two', ['--share', '2'], '--share is unknown, got "2", allowed: 3, 1, 4'],
-    ['no size', ['--area-size', 'big'], '--area-size is no whole number in its range, got "big"'],
-    ['no such face', ['--face', 'none.glb'], 'cannot read none.glb'],
+    [
+      'a share of two',
+      ['--share', '2'],
+      "option '--share <count>' argument '2' is invalid. Allowed choices are 1, 3, 4",
+    ],
+    [
+      'no size',
+      ['--area-size', 'big'],
+      "option '--area-size <texels>' argument 'big' is invalid. It must be an integer from 2 to 8192",
+    ],
+    ['no such face', ['--face', 'none.glb'], 'cannot read the face none.glb'],
   ])('refuses %s', async (_, args, message) => {
     const failure = await shop.failure(packCommand, folder, '-o', out(), ...args)
     expect(failure.name).toBe('FurrowError')

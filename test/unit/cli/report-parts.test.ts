@@ -1,8 +1,12 @@
 import { describe, expect, test } from 'vitest'
-import { posesOf } from '../../../packages/cli/src/auto/expressions.ts'
-import { movingPart } from '../../../packages/cli/src/auto/moving-part.ts'
+import { changedRect } from '../../../packages/cli/src/auto/report/changed-rect.ts'
+import { posesOf } from '../../../packages/cli/src/auto/report/poses.ts'
+import {
+  COLOUR_SCALE,
+  colourStrain,
+  MAX_COMPRESSION,
+} from '../../../packages/cli/src/auto/report/strain-colours.ts'
 import { Steps } from '../../../packages/cli/src/auto/steps.ts'
-import { colourStrain, MOST_SHARE, SCALE } from '../../../packages/cli/src/auto/strain-colours.ts'
 import { html } from '../../../packages/cli/src/markup.ts'
 
 const made = (...targets: string[]) => ({
@@ -70,19 +74,23 @@ describe('poses', () => {
 })
 
 test('compression has the colours of the scale, evenly apart, and none where there is no skin', () => {
-  const last = SCALE.length - 1
-  const shares = [...SCALE.map((_, i) => (MOST_SHARE * i) / last), 1, MOST_SHARE / last / 2]
-  const data = Float32Array.from([...shares, Number.NaN])
+  const last = COLOUR_SCALE.length - 1
+  const compressions = [
+    ...COLOUR_SCALE.map((_, i) => (MAX_COMPRESSION * i) / last),
+    1,
+    MAX_COMPRESSION / last / 2,
+  ]
+  const data = Float32Array.from([...compressions, Number.NaN])
   const pixels = colourStrain({ width: data.length, height: 1, data })
-  const middle = [0, 1, 2].map((k) => (SCALE[0][k]! + SCALE[1][k]!) / 2)
-  const wanted = [...SCALE, SCALE[last], middle].map((rgb) => [...rgb, 255])
+  const middle = [0, 1, 2].map((k) => (COLOUR_SCALE[0][k]! + COLOUR_SCALE[1][k]!) / 2)
+  const wanted = [...COLOUR_SCALE, COLOUR_SCALE[last], middle].map((rgb) => [...rgb, 255])
   for (const [i, rgba] of [...wanted, [0, 0, 0, 0]].entries()) {
     for (const [k, value] of rgba.entries())
       expect(Math.abs(pixels[4 * i + k]! - value)).toBeLessThanOrEqual(1)
   }
 })
 
-describe('the part of pictures that moves', () => {
+describe('the rectangle in which pictures differ', () => {
   const [width, height] = [40, 60]
   const picture = (...spots: [number, number][]) => {
     const pixels = new Uint8Array(4 * width * height).fill(100)
@@ -91,14 +99,14 @@ describe('the part of pictures that moves', () => {
   }
 
   test('has all differences in it and a margin round them', () => {
-    const part = movingPart([picture(), picture([15, 20]), picture([20, 40])], width, height)
-    expect(part).toEqual({ left: 12, top: 17, width: 12, height: 27 })
+    const rect = changedRect([picture(), picture([15, 20]), picture([20, 40])], width, height)
+    expect(rect).toEqual({ left: 12, top: 17, width: 12, height: 27 })
   })
 
   test('ends at the edges, and is all of it where nothing moves', () => {
     const whole = { left: 0, top: 0, width, height }
-    expect(movingPart([picture(), picture([0, 0], [39, 59])], width, height)).toEqual(whole)
-    expect(movingPart([picture(), picture()], width, height)).toEqual(whole)
+    expect(changedRect([picture(), picture([0, 0], [39, 59])], width, height)).toEqual(whole)
+    expect(changedRect([picture(), picture()], width, height)).toEqual(whole)
   })
 })
 

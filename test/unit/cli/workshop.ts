@@ -57,10 +57,6 @@ export class Workshop {
   }
 
   run(command: Command, ...args: string[]): Promise<Command> {
-    // Values of an earlier run would stay otherwise.
-    for (const option of command.options) {
-      command.setOptionValueWithSource(option.attributeName(), option.defaultValue, 'default')
-    }
     return command.parseAsync(args, { from: 'user' })
   }
 

@@ -31,6 +31,7 @@ describe('Activations', () => {
     const activations = new Activations([area('nose'), area('glabella')])
     expect(() => activations.set('noze', 1)).toThrow(
       new FurrowError({
+        code: 'unknown-name',
         who: 'Activations',
         what: 'unknown area',
         value: 'noze',

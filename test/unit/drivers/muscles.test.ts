@@ -3,7 +3,7 @@ import { driversOf, type MuscleDriver, muscleOffsets, parseDrivers } from 'furro
 import { targetArea } from 'furrow/author'
 import { Vector3 } from 'three'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { readFace } from '../../../packages/cli/src/face.ts'
+import { readFaceMesh } from '../../../packages/cli/src/gltf/face-mesh.ts'
 import { driven } from '../../driven.ts'
 import { seeded } from '../../random.ts'
 
@@ -100,10 +100,10 @@ describe.each(['human', 'human-2'])('the muscles of %s', (name) => {
     json.flatMap(({ area }) => area ?? []),
   )
   const muscles = driversOf('muscle', drivers)
-  let mesh: Awaited<ReturnType<typeof readFace>>['mesh']
+  let mesh: Awaited<ReturnType<typeof readFaceMesh>>['mesh']
 
   beforeAll(async () => {
-    mesh = (await readFace(`faces/${name}.glb`)).mesh
+    mesh = (await readFaceMesh(`faces/${name}.glb`, 'test')).mesh
   })
 
   it('are those of the face, left and right, and do the six basic expressions', () => {

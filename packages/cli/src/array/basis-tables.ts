@@ -1,23 +1,25 @@
 import type { KTX2Container } from 'ktx-parse'
 
-/** Where a KTX 2 file says at which byte its global data begins (KTX 2.0, 3.1: after twelve bytes, nine words, four words). */
+/** Position of the offset of the global data in a KTX 2 file (KTX 2.0, 3.1). */
 const GLOBAL_DATA_OFFSET = 64
-/** Bytes of the head of the ETC1S tables, and of the description of one image in them (KTX 2.0, 3.12.2). */
-const HEAD = 20
-const IMAGE = 20
+/** Bytes of the header of the ETC1S tables, and of one image description in them (KTX 2.0, 3.12.2). */
+const HEADER_BYTES = 20
+const IMAGE_BYTES = 20
 
 /**
- * Reads the ETC1S tables of an array again: ktx-parse (1.1 and 2.0) expects one image per level in them and takes the
- * descriptions of the other layers for codebooks, so that what it writes cannot be decoded any more.
+ * Reads the ETC1S tables of an array again. ktx-parse (1.1 and 2.0) expects one image description per level and reads
+ * those of the other layers as codebooks, so that what it writes cannot be decoded.
+ *
+ * @param container as read from `bytes`; its tables are replaced.
  */
-export function mendBasisTables(container: KTX2Container, bytes: Uint8Array): void {
+export function fixBasisTables(container: KTX2Container, bytes: Uint8Array): void {
   const tables = container.globalData
   const images = Math.max(container.levelCount, 1) * Math.max(container.layerCount, 1)
   if (!tables || tables.imageDescs.length === images) return
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength)
   const start = Number(view.getBigUint64(GLOBAL_DATA_OFFSET, true))
   tables.imageDescs = Array.from({ length: images }, (_, i) => {
-    const word = (k: number) => view.getUint32(start + HEAD + i * IMAGE + 4 * k, true)
+    const word = (k: number) => view.getUint32(start + HEADER_BYTES + i * IMAGE_BYTES + 4 * k, true)
     return {
       imageFlags: word(0),
       rgbSliceByteOffset: word(1),
@@ -26,10 +28,10 @@ export function mendBasisTables(container: KTX2Container, bytes: Uint8Array): vo
       alphaSliceByteLength: word(4),
     }
   })
-  let at = start + HEAD + images * IMAGE
+  let offset = start + HEADER_BYTES + images * IMAGE_BYTES
   const next = (length: number) => {
-    at += length
-    return bytes.slice(at - length, at)
+    offset += length
+    return bytes.slice(offset - length, offset)
   }
   tables.endpointsData = next(tables.endpointsData.length)
   tables.selectorsData = next(tables.selectorsData.length)

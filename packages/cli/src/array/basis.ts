@@ -1,7 +1,7 @@
 import { FurrowError } from 'furrow'
 import type { NamedArray } from './image-array.ts'
 
-/** What we use of the Basis Universal encoder's and transcoder's bindings (basis_wrappers.cpp, version 2.5). */
+/** The parts used here of the Basis Universal encoder's bindings (basis_wrappers.cpp, version 2.5). */
 interface Encoder {
   setUASTC(on: boolean): void
   setPackUASTCFlags(effort: number): void
@@ -22,6 +22,7 @@ interface Encoder {
   delete(): void
 }
 
+/** The parts used here of its transcoder's bindings. */
 interface Transcoder {
   isValid(): boolean
   isUASTC(): boolean
@@ -52,21 +53,22 @@ const TEXTURE_2D_ARRAY = 1
 const RAW_RGBA = 0
 const TRANSCODE_TO_RGBA32 = 13
 
-/** Texels the encoder takes in all: its memory is that of 32-bit WebAssembly. */
-export const MOST_BASIS_TEXELS = 12 * 1024 * 1024
+/** Texels of all layers that fit into the encoder's memory (32-bit WebAssembly). */
+const MAX_TEXELS = 12 * 1024 * 1024
 
-/** UASTC effort 0 to 4. */
+/** 0 to 4. */
 const UASTC_EFFORT = 2
-/** ETC1S quality 1 to 255, and effort 0 to 6. */
+/** 1 to 255. */
 const ETC1S_QUALITY = 255
+/** 0 to 6. */
 const ETC1S_EFFORT = 2
 
 let loading: Promise<BasisModule> | undefined
 
-/** The WebAssembly lies in the package; it is loaded when it is first needed. */
+/** Loads the WebAssembly of the package at the first call. */
 function basis(): Promise<BasisModule> {
   loading ??= import('ktx2-encoder').then((library: unknown) => {
-    // The types of the package are those of its browser half.
+    // The package has types for browsers only.
     const { NodeBasisEncoder } = library as { NodeBasisEncoder: new () => { init(): Promise<BasisModule> } }
     return new NodeBasisEncoder().init()
   })
@@ -74,9 +76,9 @@ function basis(): Promise<BasisModule> {
 }
 
 /**
- * Encodes an array as a KTX 2 file in UASTC (with Zstandard) or ETC1S. Gray goes into red, green and blue.
- * Throws FurrowError where it is larger than the encoder takes, or its sides are no multiples of four: WebGPU
- * demands that of textures made of 4 x 4 blocks.
+ * Encodes an array as a KTX 2 file in UASTC (with Zstandard) or ETC1S. Gray becomes red, green and blue.
+ *
+ * @throws FurrowError when it is too large for the encoder, or its sides are not multiples of four.
  */
 export async function encodeBasis(
   array: NamedArray,
@@ -102,20 +104,20 @@ export async function encodeBasis(
     encoder.setMipSRGB(srgb)
     encoder.setMipWrapping(false)
     for (const [i, layer] of layers.entries()) {
-      const rgba = array.channels === 4 ? layer : spread(layer)
-      if (encoder.setSliceSourceImage(i, rgba, width, height, RAW_RGBA) === false) throw refused(array)
+      const rgba = array.channels === 4 ? layer : grayToRgba(layer)
+      if (encoder.setSliceSourceImage(i, rgba, width, height, RAW_RGBA) === false) throw encoderError(array)
     }
-    // Never larger than the pixels themselves, mipmaps (4/3) and some tables.
+    // At most the pixels with their mipmaps (4/3), and some tables.
     const out = new Uint8Array(Math.ceil((width * height * layers.length * 16) / 3) + 2 ** 20)
     const length = encoder.encode(out)
-    if (length === 0) throw refused(array)
+    if (length === 0) throw encoderError(array)
     return out.slice(0, length)
   } finally {
     encoder.delete()
   }
 }
 
-/** Decodes the largest level of every layer to RGBA. Throws Error with a short reason where that cannot be done. */
+/** Decodes the largest level of every layer to RGBA. Throws Error with a short reason when it cannot. */
 export async function decodeBasis(
   bytes: Uint8Array,
   count: number,
@@ -137,42 +139,44 @@ export async function decodeBasis(
   }
 }
 
-function spread(gray: Uint8Array): Uint8Array {
+function grayToRgba(gray: Uint8Array): Uint8Array {
   const rgba = new Uint8Array(4 * gray.length).fill(255)
-  for (let i = 0; i < gray.length; i++) rgba.fill(gray[i]!, 4 * i, 4 * i + 3)
+  for (let i = 0; i < gray.length; i++) rgba.fill(gray[i], 4 * i, 4 * i + 3)
   return rgba
 }
 
 /**
- * Checks that the encoder takes an array: texels in all, and whole blocks of 4 x 4 texels.
+ * Checks that an array can be encoded: its number of texels, and sides in whole blocks of 4 x 4 texels, as WebGPU
+ * requires of textures in block formats.
  *
- * @param who, remedy the command that makes the array, and what helps there.
- * @throws FurrowError where it does not.
+ * @param who, remedy for the error.
+ * @throws FurrowError when it cannot.
  */
 export function checkBasisSize({ width, height, layers }: NamedArray, who: string, remedy: string): void {
-  if (width * height * layers.length > MOST_BASIS_TEXELS) {
+  if (width * height * layers.length > MAX_TEXELS) {
     throw new FurrowError({
+      code: 'out-of-range',
       who,
       what: 'too many texels for this compression',
       value: `${layers.length} x ${width} x ${height}`,
-      limit: `${MOST_BASIS_TEXELS} in all`,
+      limit: `${MAX_TEXELS} in total`,
       remedy,
     })
   }
   if (width % 4 === 0 && height % 4 === 0) return
   throw new FurrowError({
     who,
-    what: 'a size that this compression cannot have',
+    what: 'this compression does not support the size',
     value: `${width} x ${height}`,
     limit: 'multiples of 4 texels',
     remedy,
   })
 }
 
-function refused({ width, height, layers }: NamedArray): FurrowError {
+function encoderError({ width, height, layers }: NamedArray): FurrowError {
   return new FurrowError({
     who: 'furrow array',
-    what: 'the Basis Universal encoder refuses the images',
+    what: 'the Basis Universal encoder rejected the images',
     value: `${layers.length} x ${width} x ${height}`,
     remedy: 'use --compress zstd, or smaller images',
   })

@@ -1,17 +1,17 @@
-/** Images of one size that become one texture array. */
+/** Images of one size as the layers of one texture array. */
 export interface NamedArray {
   width: number
   height: number
   /** 1 = gray, 4 = RGBA. */
   channels: 1 | 4
-  /** Whether the values are colours in sRGB; otherwise they are plain numbers, as in normal maps and areas. */
+  /** Whether the values are sRGB colours; otherwise they are linear, as in normal maps and areas. */
   srgb: boolean
-  /** One name per layer, all different; they become the names of files again. */
+  /** A unique name per layer, valid as the name of a file. */
   names: string[]
   /** width x height x channels bytes per layer, row 0 at the top. */
   layers: Uint8Array[]
 }
 
-/** How the layers lie in the file: `none` and `zstd` lose nothing, the others stay compressed on the GPU. */
+/** Compression of the layers: `none` and `zstd` are lossless; `uastc` and `etc1s` stay compressed on the GPU. */
 export type Compression = 'none' | 'zstd' | 'uastc' | 'etc1s'
 export const COMPRESSIONS = ['none', 'zstd', 'uastc', 'etc1s'] as const satisfies readonly Compression[]

@@ -20,20 +20,21 @@ import {
   write,
 } from 'ktx-parse'
 import { decodeBasis, encodeBasis } from './basis.ts'
-import { mendBasisTables } from './basis-tables.ts'
+import { fixBasisTables } from './basis-tables.ts'
 import type { Compression, NamedArray } from './image-array.ts'
 import { zstd } from './zstd.ts'
 
-/** Key of the KTX 2 metadata that holds the names of the layers, a JSON array. Keys that begin with KTX are Khronos's. */
+/** Key of the names of the layers, a JSON array, in the KTX 2 metadata. Khronos reserves keys that begin with KTX. */
 export const NAMES_KEY = 'furrowLayers'
 
-/** Nobody needs more, and a broken file must not make us reserve memory without end. */
-const MOST_BYTES = 2 ** 31
+/** A malformed file must not make us allocate more. */
+const MAX_BYTES = 2 ** 31
 
 /**
- * Writes a 2D array as a KTX 2 file (Khronos, KTX File Format Specification 2.0): R8 or RGBA8, with Zstandard if
- * asked, or a Basis Universal format. An array of one layer is still an array (layerCount 1).
- * `mipmaps` are made for the Basis formats only: the GPU makes them of the others.
+ * Writes a 2D array as a KTX 2 file (Khronos, KTX File Format Specification 2.0) in R8 or RGBA8, optionally with
+ * Zstandard, or in a Basis Universal format. An array of one layer is still an array (layerCount 1).
+ *
+ * @param mipmaps for the Basis Universal formats only: of the others the GPU generates them.
  */
 export async function writeArray(
   array: NamedArray,
@@ -55,44 +56,45 @@ export async function writeArray(
 }
 
 /**
- * Reads what `writeArray` wrote, and any other 2D array or 2D texture in R8, RGBA8 or a Basis Universal format; only
- * the largest level. Layers without names are called layer-0, layer-1 and so on.
- * Throws Error with a short reason where the bytes are anything else.
+ * Reads the largest level of a 2D array or 2D texture in R8, RGBA8 or a Basis Universal format. Layers without names are
+ * called layer-0, layer-1 and so on.
+ *
+ * @throws Error with a short reason when the bytes are anything else.
  */
 export async function readArray(bytes: Uint8Array): Promise<NamedArray & { compression: Compression }> {
   const container = read(bytes)
   const { pixelWidth: width, pixelHeight: height, vkFormat } = container
   const count = Math.max(container.layerCount, 1)
   if (container.faceCount !== 1 || container.pixelDepth > 0 || height === 0 || width === 0) {
-    throw new Error('it is a cube, a volume or a line')
+    throw new Error('it is a cube, 3D or 1D texture')
   }
   const names = layerNames(container, count)
-  const srgb = container.dataFormatDescriptor[0]!.transferFunction === KHR_DF_TRANSFER_SRGB
+  const srgb = container.dataFormatDescriptor[0].transferFunction === KHR_DF_TRANSFER_SRGB
   const channels = CHANNELS.get(vkFormat)
-  if (width * height * count * (channels ?? 4) > MOST_BYTES) throw new Error('it says it is larger than 2 GB')
+  if (width * height * count * (channels ?? 4) > MAX_BYTES) throw new Error('its header gives more than 2 GB')
   if (vkFormat === VK_FORMAT_UNDEFINED) {
     const { layers, compression } = await decodeBasis(bytes, count)
     return { width, height, channels: 4, srgb, names, layers, compression }
   }
   if (channels === undefined) throw new Error(`its format is ${vkFormat}, not R8 or RGBA8`)
-  const packed = container.supercompressionScheme === KHR_SUPERCOMPRESSION_ZSTD
-  if (!packed && container.supercompressionScheme !== KHR_SUPERCOMPRESSION_NONE) {
+  const isCompressed = container.supercompressionScheme === KHR_SUPERCOMPRESSION_ZSTD
+  if (!isCompressed && container.supercompressionScheme !== KHR_SUPERCOMPRESSION_NONE) {
     throw new Error(`its supercompression is ${container.supercompressionScheme}, not Zstandard`)
   }
-  const level = container.levels[0]!
+  const level = container.levels[0]
   const size = width * height * channels
   const { decompress } = await zstd()
-  const data = packed ? decompress(level.levelData) : level.levelData
+  const data = isCompressed ? decompress(level.levelData) : level.levelData
   if (data.length !== size * count) {
-    throw new Error(`it holds ${data.length} bytes where ${size * count} belong`)
+    throw new Error(`it has ${data.length} bytes instead of ${size * count}`)
   }
   const layers = names.map((_, i) => data.slice(i * size, (i + 1) * size))
-  return { width, height, channels, srgb, names, layers, compression: packed ? 'zstd' : 'none' }
+  return { width, height, channels, srgb, names, layers, compression: isCompressed ? 'zstd' : 'none' }
 }
 
 function readBasis(bytes: Uint8Array): KTX2Container {
   const container = read(bytes)
-  mendBasisTables(container, bytes)
+  fixBasisTables(container, bytes)
   return container
 }
 
@@ -159,16 +161,16 @@ async function plainContainer(array: NamedArray, compression: 'none' | 'zstd'): 
   }
 }
 
-/** Names out of the metadata; anything that could not be the name of a file is refused. */
+/** The names in the metadata. Throws Error when they are not unique, or not valid as names of files. */
 function layerNames({ keyValue }: KTX2Container, count: number): string[] {
   const text = keyValue[NAMES_KEY]
   if (text === undefined) return Array.from({ length: count }, (_, i) => `layer-${i}`)
   let names: unknown
   try {
-    // Values end with NUL as KTX 2 wants of texts.
+    // KTX 2 ends texts with NUL.
     names = JSON.parse((typeof text === 'string' ? text : new TextDecoder().decode(text)).replace(/\0$/, ''))
   } catch {
-    // Said below.
+    // Reported below.
   }
   if (
     !Array.isArray(names) ||
@@ -181,8 +183,8 @@ function layerNames({ keyValue }: KTX2Container, count: number): string[] {
   return names
 }
 
-/** Whether a text can be the name of a file in a folder, and only there. */
+/** Whether a text is a file name without a path. */
 export function isName(text: unknown): text is string {
-  // biome-ignore lint/suspicious/noControlCharactersInRegex: these are what is kept out.
+  // biome-ignore lint/suspicious/noControlCharactersInRegex: they are what is excluded.
   return typeof text === 'string' && /^[^/\\\x00-\x1f:]{1,200}$/.test(text) && text !== '.' && text !== '..'
 }

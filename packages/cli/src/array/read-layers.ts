@@ -1,22 +1,18 @@
 import { parse } from 'node:path'
-import { FurrowError, MAX_AREAS, MAX_IMAGE_SIDE } from 'furrow'
+import { type ErrorCode, FurrowError, MAX_AREAS, MAX_IMAGE_SIDE } from 'furrow'
+import type { RgbaImage } from 'furrow/author'
 import sharp from 'sharp'
-import { firstLine } from '../images.ts'
+import { withImageErrors } from '../images/pixels.ts'
 import type { NamedArray } from './image-array.ts'
 import { isName } from './ktx2.ts'
 
 const WHO = 'furrow array'
 
-interface Picture {
-  width: number
-  height: number
-  rgba: Uint8Array
-}
-
 /**
- * Reads images as the layers of an array, named after their files. Bytes are kept as they are, colour profiles are not
- * applied. The array is gray where every texel of every image is gray and opaque, and the values are no colours.
- * Throws FurrowError where an image cannot be read, has more than 8 bits, or differs in size from the first.
+ * Reads images as the layers of an array, named after their files. Values are kept as they are: colour profiles are not
+ * applied. The array is gray if every texel of every image is gray and opaque, unless it is sRGB.
+ *
+ * @throws FurrowError when an image cannot be read, has more than 8 bits, or differs in size from the first.
  */
 export async function readLayers(
   paths: readonly string[],
@@ -25,59 +21,68 @@ export async function readLayers(
 ): Promise<NamedArray> {
   const names = paths.map((path) => parse(path).name)
   checkNames(names, paths)
-  const pictures: Picture[] = []
+  const images: RgbaImage[] = []
   for (const [i, path] of paths.entries()) {
-    const picture = await readPicture(path)
-    const first = pictures[0] ?? picture
-    if (picture.width !== first.width || picture.height !== first.height) {
-      const limit = `${first.width} x ${first.height} as ${paths[0]}`
-      fail(`another size in ${path}`, `${picture.width} x ${picture.height}`, limit, 'scale all to one size')
+    const image = await readImage(path)
+    const first = images.at(0) ?? image
+    if (image.width !== first.width || image.height !== first.height) {
+      const limit = `${first.width} x ${first.height} as ${paths[0]} has`
+      fail(`${path} has another size`, `${image.width} x ${image.height}`, limit, 'scale all to one size')
     }
-    pictures.push(picture)
+    images.push(image)
     progress?.(i + 1, paths.length)
   }
-  const { width, height } = pictures[0]!
-  // No GPU format is gray in sRGB.
-  const gray = !srgb && pictures.every(({ rgba }) => isGray(rgba))
-  const layers = pictures.map(({ rgba }) => (gray ? rgba.filter((_, i) => i % 4 === 0) : rgba))
+  const { width, height } = images[0]
+  // GPUs have no gray sRGB format.
+  const gray = !srgb && images.every(({ data }) => isGray(data))
+  const layers = images.map(({ data }) => (gray ? data.filter((_, i) => i % 4 === 0) : data))
   return { width, height, channels: gray ? 1 : 4, srgb, names, layers }
 }
 
 function checkNames(names: readonly string[], paths: readonly string[]): void {
   if (names.length < 1 || names.length > MAX_AREAS) {
-    fail('number of images out of range', names.length, `1 to ${MAX_AREAS}`, 'make several arrays')
+    fail(
+      'number of images out of range',
+      names.length,
+      `1 to ${MAX_AREAS}`,
+      'make several arrays',
+      'out-of-range',
+    )
   }
   for (const [i, name] of names.entries()) {
     const other = names.indexOf(name)
-    if (other < i)
-      fail('two layers of one name', name, `not ${paths[other]} and ${paths[i]}`, 'rename one file')
-    if (!isName(name)) fail('no name of a layer', name, '1 to 200 plain characters', 'rename the file')
+    if (other < i) {
+      fail('two layers with the same name', name, `not ${paths[other]} and ${paths[i]}`, 'rename one file')
+    }
+    if (!isName(name)) fail('invalid name of a layer', name, '1 to 200 plain characters', 'rename the file')
   }
 }
 
-async function readPicture(path: string): Promise<Picture> {
-  try {
+async function readImage(path: string): Promise<RgbaImage> {
+  const decode = async () => {
     const image = sharp(path, { ignoreIcc: true })
     const { width, height, depth } = await image.metadata()
-    if (depth !== 'uchar') fail(`unusable depth of ${path}`, depth, '8 bits per channel', 'save it in 8 bits')
+    if (depth !== 'uchar') {
+      fail(`unsupported bit depth of ${path}`, depth, '8 bits per channel', 'save it in 8 bits')
+    }
     if (width > MAX_IMAGE_SIDE || height > MAX_IMAGE_SIDE) {
-      fail(`too large a ${path}`, `${width} x ${height}`, `${MAX_IMAGE_SIDE} texels a side`, 'scale it down')
+      fail(
+        `${path} is too large`,
+        `${width} x ${height}`,
+        `${MAX_IMAGE_SIDE} texels a side`,
+        'scale it down',
+        'out-of-range',
+      )
     }
     const { data, info } = await image
       .toColourspace('srgb')
       .ensureAlpha()
       .raw()
       .toBuffer({ resolveWithObject: true })
-    return { width: info.width, height: info.height, rgba: data }
-  } catch (error) {
-    if (error instanceof FurrowError) throw error
-    throw new FurrowError({
-      who: WHO,
-      what: `cannot read the image ${path} (${firstLine(error)})`,
-      limit: 'PNG, TIFF, WebP or JPEG',
-      remedy: 'check the path and the file',
-    })
+    return { width: info.width, height: info.height, data }
   }
+  const hints = { limit: 'PNG, TIFF, WebP or JPEG', remedy: 'check the path and the file' }
+  return withImageErrors(path, WHO, decode, hints)
 }
 
 function isGray(rgba: Uint8Array): boolean {
@@ -87,6 +92,6 @@ function isGray(rgba: Uint8Array): boolean {
   return true
 }
 
-function fail(what: string, value: unknown, limit: string, remedy: string): never {
-  throw new FurrowError({ who: WHO, what, value, limit, remedy })
+function fail(what: string, value: unknown, limit: string, remedy: string, code?: ErrorCode): never {
+  throw new FurrowError({ code, who: WHO, what, value, limit, remedy })
 }

@@ -1,13 +1,15 @@
 import { FurrowError } from 'furrow'
 import { MOST_TRIANGLES } from 'furrow/author'
-import type { Glb, GltfMesh } from '../wrinkles/glb-file.ts'
+import type { Glb } from '../gltf/glb-file.ts'
+import type { GltfMesh } from '../gltf/gltf-json.ts'
 
+/** The mode of a primitive of triangles. */
 const TRIANGLES = 4
 
 /**
- * Refuses by the file's own numbers what is too large to be worked on, before any of it is decoded.
+ * Checks by the counts in the file that its meshes are not too large, before any of them is decoded.
  *
- * @param meshName only this mesh, or that of a node of this name.
+ * @param meshName only this mesh, or the mesh of a node of this name; all by default.
  * @throws FurrowError naming the mesh.
  */
 export function checkTriangles({ json }: Glb, who: string, meshName?: string): void {
@@ -16,19 +18,20 @@ export function checkTriangles({ json }: Glb, who: string, meshName?: string): v
   for (const [index, mesh] of meshes.entries()) {
     const names = [mesh.name, ...nodes.filter((node) => node.mesh === index).map(({ name }) => name)]
     if (meshName !== undefined && !names.includes(meshName)) continue
-    const most = Math.max(0, ...trianglesByMaterial(mesh, countOf).values())
-    if (most <= MOST_TRIANGLES) continue
+    const largest = Math.max(0, ...trianglesByMaterial(mesh, countOf).values())
+    if (largest <= MOST_TRIANGLES) continue
     throw new FurrowError({
+      code: 'out-of-range',
       who,
       what: `the mesh "${mesh.name ?? index}" has too many triangles`,
-      value: most,
+      value: largest,
       limit: `${MOST_TRIANGLES.toLocaleString('en')} triangles of one material`,
-      remedy: 'decimate it, the maps hold the detail; or name another mesh with --mesh',
+      remedy: 'decimate it (the maps keep the detail), or name another mesh with --mesh',
     })
   }
 }
 
-/** Triangles that blendshapes move. */
+/** Triangles with blendshapes, by index of their material. */
 function trianglesByMaterial(
   { primitives }: GltfMesh,
   countOf: (accessor?: number) => number,

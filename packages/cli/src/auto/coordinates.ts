@@ -1,36 +1,37 @@
 import type { Material, Primitive } from '@gltf-transform/core'
 import { KHRTextureTransform, type Transform } from '@gltf-transform/extensions'
+import { Matrix3, Vector2 } from 'three'
 
 /**
- * Reads the texture coordinates at which renderers look for wrinkles: those of the material's normal map, with its
- * KHR_texture_transform; the first ones where it has no normal map.
+ * Reads the texture coordinates that renderers use for wrinkles: those of the material's normal map, with its
+ * KHR_texture_transform; TEXCOORD_0 where it has no normal map.
  *
- * @param used the vertices that are wanted.
+ * @param vertices indices of the vertices to read.
  * @param out u and v of each of them.
  */
 export function readCoordinates(
   primitive: Primitive,
   material: Material,
-  used: Uint32Array,
+  vertices: Uint32Array,
   out: Float32Array,
 ): void {
   const info = material.getNormalTextureInfo()
   const transform = info?.getExtension<Transform>(KHRTextureTransform.EXTENSION_NAME)
   const channel = transform?.getTexCoord() ?? info?.getTexCoord() ?? 0
   const accessor = primitive.getAttribute(`TEXCOORD_${channel}`) ?? primitive.getAttribute('TEXCOORD_0')!
-  const matrix = transform ? matrixOf(transform) : undefined
+  const matrix = transform && matrixOf(transform)
+  const uv = new Vector2()
   const element: number[] = []
-  for (const [i, vertex] of used.entries()) {
-    accessor.getElement(vertex, element)
-    const [u, v] = element as [number, number]
-    out[2 * i] = matrix ? matrix[0] * u + matrix[1] * v + matrix[2] : u
-    out[2 * i + 1] = matrix ? matrix[3] * u + matrix[4] * v + matrix[5] : v
+  for (const [i, vertex] of vertices.entries()) {
+    uv.fromArray(accessor.getElement(vertex, element))
+    if (matrix) uv.applyMatrix3(matrix)
+    uv.toArray(out, 2 * i)
   }
 }
 
-/** Scaled, turned, then moved (KHR_texture_transform); rows of a 2 x 3 matrix. */
-function matrixOf(transform: Transform): [number, number, number, number, number, number] {
-  const [[x, y], [across, down]] = [transform.getOffset(), transform.getScale()]
-  const [cosine, sine] = [Math.cos(transform.getRotation()), Math.sin(transform.getRotation())]
-  return [cosine * across, sine * down, x, -sine * across, cosine * down, y]
+/** Scaled, rotated clockwise, then translated (KHR_texture_transform); `Matrix3.setUvTransform` scales last. */
+function matrixOf(transform: Transform): Matrix3 {
+  const matrix = new Matrix3().makeTranslation(...transform.getOffset())
+  matrix.multiply(new Matrix3().makeRotation(-transform.getRotation()))
+  return matrix.multiply(new Matrix3().makeScale(...transform.getScale()))
 }

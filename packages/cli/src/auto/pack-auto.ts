@@ -1,17 +1,17 @@
 import type { GrayImage } from 'furrow'
 import type { AutoWrinkles, RgbaImage } from 'furrow/author'
-import { encodeNormal } from '../images.ts'
-import type { AreaPlace, FileImage, LayerImages, PackedWrinkles } from '../wrinkles/embed.ts'
-import { encodePixels, shareImages } from '../wrinkles/map-images.ts'
+import { encodePng, encodeRgbaNormalMap } from '../images/encode.ts'
+import { encodeAreaImages } from '../wrinkles/area-images.ts'
+import type { FileImage, LayerImages, PackedArea, PackedWrinkles } from '../wrinkles/embed.ts'
 
-/** Areas to an image: R, G and B, which every image tool leaves alone. */
-const SHARE = 3
+/** Without alpha, since image tools drop colours where it is 0. */
+const AREAS_PER_IMAGE = 3
 
-/** Encodes the maps of automatic wrinkles as a file holds them. */
+/** Encodes the maps and areas of automatic wrinkles for a file. */
 export async function packAuto({ layers, areas, expressions }: AutoWrinkles): Promise<PackedWrinkles> {
   const maps = await Promise.all(
     layers.map(async ({ name, normal, relief, occlusion }): Promise<LayerImages> => {
-      const heights = heightImage(relief.data)
+      const heights = quantiseHeights(relief.data)
       return {
         name,
         kind: 'detail',
@@ -22,35 +22,35 @@ export async function packAuto({ layers, areas, expressions }: AutoWrinkles): Pr
       }
     }),
   )
-  const images = await shareImages(
+  const images = await encodeAreaImages(
     areas.map(({ weights }) => weights),
-    SHARE,
+    AREAS_PER_IMAGE,
   )
-  const places = areas.map(
-    ({ name, layer }, i): AreaPlace => ({
+  const packed = areas.map(
+    ({ name, layer }, i): PackedArea => ({
       name,
       layer,
-      image: images[Math.floor(i / SHARE)]!,
-      channel: i % SHARE,
+      image: images[Math.floor(i / AREAS_PER_IMAGE)],
+      channel: i % AREAS_PER_IMAGE,
     }),
   )
-  return { layers: maps, areas: places, drivers: [...areas.map(({ driver }) => driver), ...expressions] }
+  return { layers: maps, areas: packed, drivers: [...areas.map(({ driver }) => driver), ...expressions] }
 }
 
 async function normalImage(name: string, map: RgbaImage): Promise<FileImage> {
-  return { name, mimeType: 'image/png', bytes: await encodeNormal(map) }
+  return { name, mimeType: 'image/png', bytes: await encodeRgbaNormalMap(map) }
 }
 
 async function grayImage(name: string, image: GrayImage): Promise<FileImage> {
-  return { name, mimeType: 'image/png', bytes: await encodePixels({ ...image, channels: 1 }) }
+  return { name, mimeType: 'image/png', bytes: await encodePng({ ...image, channels: 1 }) }
 }
 
-/** Millimetres as bytes, 128 at the surface; the amplitude is metres from black to white. */
-function heightImage(millimetres: Float32Array): { data: Uint8Array; amplitude: number } {
-  let farthest = 0.001
-  for (let i = 0; i < millimetres.length; i++) farthest = Math.max(farthest, Math.abs(millimetres[i]!))
-  // In loops: `from` and `reduce` take a second for the millions of texels, and ten times the memory.
+/** Heights in millimetres as bytes, 127.5 = 0 mm; `amplitude` is the height of white above black in metres. */
+function quantiseHeights(millimetres: Float32Array): { data: Uint8Array; amplitude: number } {
+  let largest = 0.001
+  for (let i = 0; i < millimetres.length; i++) largest = Math.max(largest, Math.abs(millimetres[i]))
+  // Loops: with millions of texels `from` and `reduce` take a second, and ten times the memory.
   const data = new Uint8Array(millimetres.length)
-  for (let i = 0; i < data.length; i++) data[i] = Math.round(127.5 + (127.5 * millimetres[i]!) / farthest)
-  return { data, amplitude: (2 * farthest) / 1000 }
+  for (let i = 0; i < data.length; i++) data[i] = Math.round(127.5 + (127.5 * millimetres[i]) / largest)
+  return { data, amplitude: (2 * largest) / 1000 }
 }

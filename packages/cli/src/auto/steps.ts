@@ -1,32 +1,32 @@
 import { performance } from 'node:perf_hooks'
 import type { Progress } from '../progress.ts'
 
-/** The steps of a long work, one after the other: shows them on a bar, and keeps how long each took. */
+/** The steps of a long task: reports them to a progress bar and measures how long each takes. */
 export class Steps {
   readonly #progress: Progress
   readonly #total: number
-  readonly #begun: { step: string; at: number }[] = []
+  readonly #started: { step: string; time: number }[] = []
 
-  /** @param total steps that there will be. */
+  /** @param total number of steps that will begin. */
   constructor(progress: Progress, total: number) {
     this.#progress = progress
     this.#total = total
   }
 
   begin(step: string): void {
-    this.#begun.push({ step, at: performance.now() })
-    this.#progress(this.#begun.length - 1, this.#total, step)
+    this.#started.push({ step, time: performance.now() })
+    this.#progress(this.#started.length - 1, this.#total, step)
   }
 
-  /** Of the step that was begun last. */
+  /** Reports that `done` of the parts of the current step are done. */
   part(done: number, parts: number): void {
-    const step = `${this.#begun.at(-1)!.step} ${Math.min(done + 1, parts)}/${parts}`
-    this.#progress(this.#begun.length - 1 + done / parts, this.#total, step)
+    const step = `${this.#started.at(-1)!.step} ${Math.min(done + 1, parts)}/${parts}`
+    this.#progress(this.#started.length - 1 + done / parts, this.#total, step)
   }
 
-  /** Seconds of each step so far. */
+  /** Seconds of each step; the last one ends now. */
   times(): { step: string; seconds: number }[] {
-    const ends = [...this.#begun.slice(1).map(({ at }) => at), performance.now()]
-    return this.#begun.map(({ step, at }, i) => ({ step, seconds: (ends[i]! - at) / 1000 }))
+    const ends = [...this.#started.slice(1).map(({ time }) => time), performance.now()]
+    return this.#started.map(({ step, time }, i) => ({ step, seconds: (ends[i] - time) / 1000 }))
   }
 }

@@ -1,4 +1,4 @@
-import { Command } from 'commander'
+import { Option } from 'commander'
 import {
   describeDriver,
   EXPRESSIONS,
@@ -9,8 +9,9 @@ import {
   linkText,
   needsMesh,
 } from 'furrow'
-import { inputCollector, readChoice, weightCollector } from '../numbers.ts'
-import { targetNamesOf } from '../wrinkles/target.ts'
+import { createCommand } from '../command.ts'
+import { targetNamesOf } from '../gltf/gltf-json.ts'
+import { assignmentParser, parseWeight } from '../options.ts'
 import { readWrinkledFile } from '../wrinkles/wrinkled-file.ts'
 
 const WHO = 'furrow activations'
@@ -24,18 +25,18 @@ interface Options {
 }
 
 /** `furrow activations`: why a wrinkle shows. */
-export const activationsCommand = new Command('activations')
+export const activationsCommand = createCommand('activations')
   .description('show the activation of each area of a face, and which link gave it')
   .argument('<face>', 'a face with wrinkles (.glb)')
-  .option('--set <target=weight...>', 'blendshapes, on top of the expression', weightCollector(WHO))
-  .option('--expression <name>', EXPRESSIONS.map(({ name }) => name).join(', '))
+  .option('--set <target=weight...>', 'blendshapes, 0 to 1, on top of the expression', parseWeight)
+  .addOption(new Option('--expression <name>', 'an expression').choices(EXPRESSIONS.map(({ name }) => name)))
   .option(
     '--input <name=value...>',
     'inputs that an application would set, such as age=50',
-    inputCollector(WHO),
+    assignmentParser(),
   )
-  .option('--material <name>', 'the material that has the wrinkles (default: the only one)')
-  .option('--json', 'print it as JSON')
+  .option('--material <name>', 'the material with the wrinkles (default: the only one)')
+  .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
     `
@@ -93,10 +94,7 @@ function describe({ area, activation, resting, parts }: Explanation): string[] {
 const number = (value: number) => value.toFixed(3)
 
 function expressionTargets(name: string | undefined): Readonly<Record<string, number>> {
-  if (name === undefined) return {}
-  const names = EXPRESSIONS.map((expression) => expression.name)
-  const chosen = readChoice(WHO, '--expression', name, names)
-  return EXPRESSIONS.find((expression) => expression.name === chosen)!.targets
+  return EXPRESSIONS.find((expression) => expression.name === name)?.targets ?? {}
 }
 
 /** In the order of the mesh's blendshapes. Throws FurrowError where it has none of a name. */
@@ -106,6 +104,7 @@ function weightsOf(targetNames: readonly string[], set: Readonly<Record<string, 
     const indices = findTargets(name, targetNames)
     if (indices.length === 0) {
       throw new FurrowError({
+        code: 'unknown-name',
         who: WHO,
         what: 'no such blendshape',
         value: name,

@@ -1,8 +1,7 @@
-import { Command } from 'commander'
 import { describeDriver } from 'furrow'
-import { writeAll } from '../images.ts'
-import { checkWritable } from '../render/write-png.ts'
-import { inspectWrinkles, type Report } from '../wrinkles/inspect.ts'
+import { createCommand } from '../command.ts'
+import { checkWritable, writeAll } from '../files.ts'
+import { type Inspection, inspectWrinkles } from '../wrinkles/inspect.ts'
 import { drawSheet } from '../wrinkles/sheet.ts'
 import { type GpuSizes, kilobytes } from '../wrinkles/sizes.ts'
 import { readWrinkledFile } from '../wrinkles/wrinkled-file.ts'
@@ -15,17 +14,17 @@ interface Options {
   json?: boolean
 }
 
-/** `furrow inspect`: what a file holds in wrinkles. */
-export const inspectCommand = new Command('inspect')
+/** `furrow inspect`: shows the wrinkles of a file. */
+export const inspectCommand = createCommand('inspect')
   .description('show the layers, areas and drivers of a face, and what they cost')
   .argument('<face>', 'a face with wrinkles (.glb)')
-  .option('--material <name>', 'the material that has them (default: the only one)')
-  .option('--sheet <file>', 'draw every map and area into one picture (.png)')
-  .option('--json', 'print it as JSON')
+  .option('--material <name>', 'the material with the wrinkles (default: the only one)')
+  .option('--sheet <file>', 'draw all maps and areas into one picture (.png)')
+  .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
     `
-On the GPU maps have mipmaps, areas have one channel and none. kB are of 1024 bytes.
+On the GPU, maps have mipmaps; areas have one channel and no mipmaps. 1 kB is 1024 bytes.
 
 Examples:
   $ furrow inspect faces/human.glb
@@ -44,7 +43,7 @@ async function inspect(path: string, { material, sheet, json }: Options): Promis
   process.stdout.write(`${text}\n`)
 }
 
-function describe(path: string, report: Report): string {
+function describe(path: string, report: Inspection): string {
   const { layers, areas, drivers, gpu, imageBytes, fileBytes } = report
   return [
     `${path}: wrinkles on material "${report.material ?? ''}"`,
@@ -78,7 +77,7 @@ function describe(path: string, report: Report): string {
       ]),
     ),
     '',
-    drivers.length === 0 ? 'no drivers: the program sets the activations' : 'drivers',
+    drivers.length === 0 ? 'no drivers: the application sets the activations' : 'drivers',
     ...drivers.map((driver) => `  ${describeDriver(driver)}`),
     '',
     `in the file: ${kilobytes(imageBytes)} of ${kilobytes(fileBytes)}`,
@@ -92,13 +91,13 @@ const GPU_HEADS = ['on the GPU', 'BC7, ASTC', 'BC1, ETC1']
 
 const gpuCells = ({ uncompressed, bits8, bits4 }: GpuSizes) => [uncompressed, bits8, bits4].map(kilobytes)
 
-/** Columns as wide as their widest cell. */
+/** Lines of a table, each column as wide as its widest cell. */
 function table(heads: string[], rows: string[][]): string[] {
   const all = [heads, ...rows]
-  const widths = heads.map((_, i) => Math.max(...all.map((row) => row[i]!.length)))
+  const widths = heads.map((_, i) => Math.max(...all.map((row) => row[i].length)))
   return all.map((row) =>
     row
-      .map((cell, i) => cell.padEnd(widths[i]!))
+      .map((cell, i) => cell.padEnd(widths[i]))
       .join('  ')
       .trimEnd(),
   )

@@ -1,8 +1,11 @@
 import { performance } from 'node:perf_hooks'
 import { SingleBar } from 'cli-progress'
-import { Command } from 'commander'
-import { EXPRESSIONS, FurrowError } from 'furrow'
-import { weightCollector } from '../numbers.ts'
+import { InvalidArgumentError, Option } from 'commander'
+import { EXPRESSIONS } from 'furrow'
+import { createCommand } from '../command.ts'
+import { checkWritable, writeAll } from '../files.ts'
+import { encodeRgb } from '../images/encode.ts'
+import { parseWeight } from '../options.ts'
 import {
   MODE_NAMES,
   PICTURE_DEFAULTS,
@@ -12,45 +15,50 @@ import {
   VIEW_NAMES,
 } from '../render/picture.ts'
 import { type Picture, renderPictures } from '../render/render-pictures.ts'
-import { checkWritable, writePng } from '../render/write-png.ts'
 
 const WHO = 'furrow render'
+
+const DEFAULT_SIZE = `${PICTURE_DEFAULTS.width}x${PICTURE_DEFAULTS.height}`
 
 interface Options
   extends Pick<PictureRequest, 'wrinkles' | 'mesh' | 'expression' | 'view' | 'renderer' | 'mode'> {
   output: string
   set?: Record<string, number>
   activation?: Record<string, number>
-  size?: { width: number; height: number }
+  size: { width: number; height: number }
   json?: boolean
 }
 
-/** `furrow render`: one picture of a face with its wrinkles. */
-export const renderCommand = new Command('render')
-  .description('make a picture of a face with its wrinkles, without a window')
+/** `furrow render`: draws a picture of a face with its wrinkles. */
+export const renderCommand = createCommand('render')
+  .description('draw a picture of a face with its wrinkles, without a window')
   .argument('<face>', 'the face (.glb)')
   .requiredOption('-o, --output <file>', 'the picture (.png)')
   .option(
     '--wrinkles <file>',
-    "another wrinkle set (default: the face's own, else NAME/wrinkles.json beside NAME.glb)",
+    "another wrinkle set (default: the face's own, or NAME/wrinkles.json beside NAME.glb)",
   )
   .option('--mesh <name>', 'the mesh that wrinkles (default: "skin", or the largest)')
-  .option('--expression <name>', EXPRESSIONS.map(({ name }) => name).join(', '))
-  .option('--set <target=weight...>', 'blendshapes, 0..1, on top of the expression', weightCollector(WHO))
-  .option(
-    '--activation <area=share...>',
-    'wrinkles of an area, 0..1, on top of the expression',
-    weightCollector(WHO),
+  .addOption(new Option('--expression <name>', 'an expression').choices(EXPRESSIONS.map(({ name }) => name)))
+  .option('--set <target=weight...>', 'blendshapes, 0 to 1, on top of the expression', parseWeight)
+  .option('--activation <area=value...>', 'areas of wrinkles, 0 to 1, on top of the expression', parseWeight)
+  .addOption(
+    new Option('--size <size>', 'WIDTHxHEIGHT in pixels')
+      .argParser(parseSize)
+      .default({ width: PICTURE_DEFAULTS.width, height: PICTURE_DEFAULTS.height }, DEFAULT_SIZE),
   )
-  .option('--size <size>', `WIDTHxHEIGHT in pixels (default: ${sizeText()})`, parseSize)
-  .option('--view <name>', `${VIEW_NAMES.join(', ')} (default: ${PICTURE_DEFAULTS.view})`)
-  .option('--renderer <name>', `${RENDERER_NAMES.join(', ')} (default: ${PICTURE_DEFAULTS.renderer})`)
-  .option('--mode <name>', `${MODE_NAMES.join(', ')} (default: ${PICTURE_DEFAULTS.mode})`)
-  .option('--json', 'print what was made as JSON')
+  .addOption(new Option('--view <name>', 'camera view').choices(VIEW_NAMES).default(PICTURE_DEFAULTS.view))
+  .addOption(
+    new Option('--renderer <name>', 'renderer').choices(RENDERER_NAMES).default(PICTURE_DEFAULTS.renderer),
+  )
+  .addOption(
+    new Option('--mode <name>', 'mode of the wrinkles').choices(MODE_NAMES).default(PICTURE_DEFAULTS.mode),
+  )
+  .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
     `
-"left" and "right" are the person's own. With --set alone the wrinkles follow the blendshapes, where the file says how.
+"left" and "right" are the person's own. With --set alone the drivers of the file set the wrinkles.
 
 Examples:
   $ furrow render faces/human.glb -o surprised.png --expression surprised
@@ -65,16 +73,17 @@ async function render(input: string, options: Options): Promise<void> {
   await checkWritable(output, WHO)
   const [picture] = await drawWithBar({ input, ...rest, ...size, targets: set, activations: activation })
   for (const warning of picture.warnings) console.error(warning)
-  await writePng(output, picture, WHO)
+  const { width, height, pixels, renderer, adapter } = picture
+  const bytes = await encodeRgb({ width, height, channels: 4, data: pixels })
+  await writeAll([{ path: output, bytes }], WHO)
   const milliseconds = Math.round(performance.now() - start)
-  const { width, height, renderer, adapter } = picture
   const text = json
     ? JSON.stringify({ file: output, width, height, renderer, adapter, milliseconds })
     : `${output}: ${width} x ${height}, ${renderer} on ${adapter}, ${(milliseconds / 1000).toFixed(1)} s`
   process.stdout.write(`${text}\n`)
 }
 
-/** On a terminal stderr shows the steps; elsewhere it stays silent. */
+/** Draws with a progress bar on stderr; without a terminal there is none. */
 async function drawWithBar(request: PictureRequest): Promise<Picture[]> {
   const bar = new SingleBar({
     format: 'render {bar} {step}',
@@ -95,15 +104,5 @@ function parseSize(text: string): { width: number; height: number } {
   const [width, height] = match ? [Number(match[1]), Number(match[2])] : [Number.NaN, Number.NaN]
   const { min, max } = PICTURE_SIDE
   if ([width, height].every((side) => side >= min && side <= max)) return { width, height }
-  throw new FurrowError({
-    who: WHO,
-    what: 'no size of a picture',
-    value: text,
-    limit: `WIDTHxHEIGHT, ${min}..${max} pixels each`,
-    remedy: `write e.g. --size ${sizeText()}`,
-  })
-}
-
-function sizeText(): string {
-  return `${PICTURE_DEFAULTS.width}x${PICTURE_DEFAULTS.height}`
+  throw new InvalidArgumentError(`It must be WIDTHxHEIGHT with sides from ${min} to ${max} pixels.`)
 }

@@ -1,4 +1,4 @@
-/** The page that `furrow render` opens: draws pictures of one face on the shared stage and posts their pixels. */
+/** The page of `furrow render`: draws pictures of one face on the shared stage and posts their pixels to Node. */
 
 import { EXPRESSIONS, type Expression, findTargets } from 'furrow'
 import { ExpressionPlayer, type LoadedWrinkles, loadWrinkleSet } from 'furrow/three'
@@ -14,7 +14,7 @@ import type { ViewName } from '../../../../stage/views.ts'
 import type { PageJob, PageReport, VIEW_NAMES } from '../render/picture.ts'
 import { readPicture } from './read-canvas.ts'
 
-// Node cannot import the stage, so it keeps the names of the views itself: they must be the same.
+// Node cannot import the stage and has its own list of views: it must be the same.
 type Same<A, B> = [A, B] extends [B, A] ? true : never
 const sameViews: Same<ViewName, (typeof VIEW_NAMES)[number]> = true
 void sameViews
@@ -30,39 +30,41 @@ window.drawPicture = async (job) => {
   }
 }
 
-/** What all pictures of a page are drawn of. */
+/** What all pictures of a page have in common. */
 interface Scene {
   stage: Stage
   face: Face
   loaded: Pick<LoadedWrinkles, 'set' | 'drivers'>
-  /** Blendshape weights as the file has them. */
-  resting: Map<Mesh, readonly number[]>
+  /** Blendshape weights of the file. */
+  initialWeights: Map<Mesh, readonly number[]>
 }
 
 let scene: Scene | undefined
-let worn: Wrinkles | undefined
+/** The wrinkles of the last picture. */
+let shown: Wrinkles | undefined
 
 async function draw(job: PageJob): Promise<PageReport> {
   const { width, height } = job
   warnings.length = 0
-  // Light, textures and programs are most of the work, and the same for each picture of a face.
+  // Lights, textures and shaders take most of the time, and are the same for all pictures of a face.
   scene ??= await open(job)
-  const { stage, face, loaded, resting } = scene
-  for (const [mesh, weights] of resting) mesh.morphTargetInfluences = [...weights]
-  worn?.dispose()
+  const { stage, face, loaded, initialWeights } = scene
+  for (const [mesh, weights] of initialWeights) mesh.morphTargetInfluences = [...weights]
+  shown?.dispose()
   const wrinkles = stage.show(face, loaded, { mode: job.mode })
-  worn = wrinkles
+  shown = wrinkles
   const named = EXPRESSIONS.find(({ name }) => name === job.expression)
   const isComplete = named && Object.keys(named.activations).every((area) => wrinkles.hasArea(area))
   const fits = isComplete || (named && loaded.drivers.length === 0)
-  // An expression for these areas, and the areas named by hand, say what shows; blendshapes alone leave it to the file's drivers.
+  // Activations that are given, or those of an expression for these areas, replace the file's drivers; with
+  // blendshapes alone the drivers run.
   wrinkles.driven = !fits && Object.keys(job.activations).length === 0
   pose(face.root, wrinkles, wrinkles.driven && named ? { ...named, activations: {} } : named, job)
   stage.camera.aspect = width / height
   stage.view(job.view)
   const pixels = await readPicture(stage, width, height)
-  const delivered = await fetch(job.deliver, { method: 'POST', body: pixels as BodyInit })
-  if (!delivered.ok) throw new Error(`the picture was not accepted (HTTP status ${delivered.status})`)
+  const response = await fetch(job.uploadTo, { method: 'POST', body: pixels as BodyInit })
+  if (!response.ok) throw new Error(`the picture was not received (HTTP status ${response.status})`)
   return { renderer: stage.backend, adapter: adapterOf(stage), warnings }
 }
 
@@ -73,15 +75,15 @@ async function open(job: PageJob): Promise<Scene> {
   }
   const face = await loadFace(job.face, job.mesh, loaderFor(stage.renderer))
   const loaded = job.wrinkles ? { set: await loadWrinkleSet(job.wrinkles), drivers: [] } : face.wrinkles!
-  const resting = new Map<Mesh, readonly number[]>()
+  const initialWeights = new Map<Mesh, readonly number[]>()
   face.root.traverse((object) => {
     const { morphTargetInfluences } = object as Mesh
-    if (morphTargetInfluences) resting.set(object as Mesh, [...morphTargetInfluences])
+    if (morphTargetInfluences) initialWeights.set(object as Mesh, [...morphTargetInfluences])
   })
-  return { stage, face, loaded, resting }
+  return { stage, face, loaded, initialWeights }
 }
 
-/** A loader for files in every compression that glTF knows. */
+/** A loader for meshes in Draco and textures in KTX 2. */
 function loaderFor(renderer: Renderer): GLTFLoader {
   return new GLTFLoader()
     .setDRACOLoader(new DRACOLoader())
@@ -91,11 +93,11 @@ function loaderFor(renderer: Renderer): GLTFLoader {
 function pose(
   root: Object3D,
   wrinkles: Wrinkles,
-  chosen: Expression | undefined,
+  expression: Expression | undefined,
   { targets, activations }: PageJob,
 ): void {
-  // One expression is given to the player, since it warns of what any of them lacks.
-  if (chosen) new ExpressionPlayer(root, wrinkles, [chosen]).play(chosen.name, 0)
+  // The player warns of whatever its expressions need and the face lacks, so it gets only this one.
+  if (expression) new ExpressionPlayer(root, wrinkles, [expression]).play(expression.name, 0)
   root.traverse((object) => setTargets(object as Mesh, targets))
   for (const [area, activation] of Object.entries(activations)) wrinkles.setActivation(area, activation)
 }

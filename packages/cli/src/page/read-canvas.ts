@@ -3,10 +3,10 @@ import type { WebGPURenderer } from 'three/webgpu'
 import { isWebGL } from '../../../../stage/light.ts'
 import type { Stage } from '../../../../stage/stage.ts'
 
-/** Draws what the stage's camera sees and returns its pixels: RGBA, rows from the top of the tile. */
+/** Draws what the camera sees and returns its pixels: RGBA, row 0 at the top. */
 type DrawTile = () => Promise<Uint8Array>
 
-/** Side of a tile in pixels: a large picture's multisampled buffers would not fit into memory at once. */
+/** Side of a tile in pixels: the multisampled buffers of a whole large picture would not fit into memory. */
 const TILE = 2048
 
 /**
@@ -43,7 +43,7 @@ function aim(
   camera.updateProjectionMatrix()
 }
 
-/** WebGLRenderer maps tones on its way to the canvas alone, so the canvas is read, in the same breath. */
+/** WebGLRenderer maps tones only when it draws to the canvas, so that the canvas is read, right after drawing. */
 function canvasTile(stage: Stage): DrawTile {
   const gl = stage.renderer.getContext() as WebGL2RenderingContext
   const { drawingBufferWidth: width, drawingBufferHeight: height } = gl
@@ -57,7 +57,7 @@ function canvasTile(stage: Stage): DrawTile {
   }
 }
 
-/** WebGPURenderer maps tones for its output target as for a canvas; presenting a canvas may lose the device. */
+/** WebGPURenderer maps tones for its output target as for a canvas, whose presentation can lose the device. */
 function targetTile(stage: Stage, width: number, height: number): DrawTile {
   const renderer = stage.renderer as WebGPURenderer
   const target = renderer.getOutputRenderTarget() ?? new RenderTarget(width, height, { depthBuffer: false })

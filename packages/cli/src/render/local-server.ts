@@ -8,36 +8,37 @@ import { fileURLToPath, pathToFileURL } from 'node:url'
 
 const PAGE_FOLDER = fileURLToPath(new URL('../page/', import.meta.url))
 
-const TYPES: Record<string, string> = {
+const MIME_TYPES: Record<string, string> = {
   '.html': 'text/html',
   '.js': 'text/javascript',
   '.json': 'application/json',
   '.wasm': 'application/wasm',
 }
 
-/** Serves the page and the files it was promised, to this computer alone, and takes its pictures. */
+/** Serves the page and the files that it needs, to this computer only, and receives its pictures. */
 export interface LocalServer {
-  /** Begins every address; ends without a slash. */
+  /** The beginning of every address, without a slash at its end. */
   origin: string
   page: string
-  /** Allows a file to be read; addresses within it resolve as they do on disk. */
+  /** Makes a file readable and returns its address; relative addresses in the file resolve as on disk. */
   offer(path: string): string
-  /** A place to post one picture to. */
+  /** Opens an address to which one picture can be posted. */
   inbox(): { address: string; received: () => Uint8Array | undefined }
   close(): Promise<void>
 }
 
 export async function startLocalServer(): Promise<LocalServer> {
-  // Other programs on this computer can reach the port, but cannot guess this.
+  // Other programs on this computer can reach the port, but cannot guess the address.
   const secret = `/${randomUUID()}`
   const offered = new Map<string, string>()
   const inboxes = new Map<string, Uint8Array | undefined>()
   const server = createServer((request, response) => {
     const path = new URL(request.url ?? '/', 'http://localhost').pathname
     if (!path.startsWith(secret)) return refuse(response)
-    const place = path.slice(secret.length)
-    if (request.method === 'POST' && inboxes.has(place)) return void take(request, response, place, inboxes)
-    const file = place.startsWith('/page/') ? join(PAGE_FOLDER, place.slice(6)) : offered.get(place)
+    const route = path.slice(secret.length)
+    if (request.method === 'POST' && inboxes.has(route))
+      return void receive(request, response, route, inboxes)
+    const file = route.startsWith('/page/') ? join(PAGE_FOLDER, route.slice(6)) : offered.get(route)
     return file ? send(response, file) : refuse(response)
   })
   await new Promise<void>((ready, failed) => {
@@ -49,14 +50,14 @@ export async function startLocalServer(): Promise<LocalServer> {
     origin,
     page: `${origin}/page/index.html`,
     offer(path) {
-      const place = `/file${pathToFileURL(path).pathname}`
-      offered.set(place, path)
-      return `${origin}${place}`
+      const route = `/file${pathToFileURL(path).pathname}`
+      offered.set(route, path)
+      return `${origin}${route}`
     },
     inbox() {
-      const place = `/inbox/${inboxes.size}`
-      inboxes.set(place, undefined)
-      return { address: `${origin}${place}`, received: () => inboxes.get(place) }
+      const route = `/inbox/${inboxes.size}`
+      inboxes.set(route, undefined)
+      return { address: `${origin}${route}`, received: () => inboxes.get(route) }
     },
     close: () =>
       new Promise((closed) => {
@@ -70,14 +71,14 @@ function refuse(response: ServerResponse): void {
   response.writeHead(404).end()
 }
 
-async function take(
+async function receive(
   request: IncomingMessage,
   response: ServerResponse,
-  place: string,
+  route: string,
   inboxes: Map<string, Uint8Array | undefined>,
 ): Promise<void> {
   try {
-    inboxes.set(place, await buffer(request))
+    inboxes.set(route, await buffer(request))
     response.writeHead(204).end()
   } catch {
     response.destroy()
@@ -87,7 +88,7 @@ async function take(
 function send(response: ServerResponse, file: string): void {
   const stream = createReadStream(file)
   stream.once('open', () => {
-    response.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream' })
+    response.writeHead(200, { 'content-type': MIME_TYPES[extname(file)] ?? 'application/octet-stream' })
     stream.pipe(response)
   })
   stream.once('error', () => (response.headersSent ? response.destroy() : refuse(response)))

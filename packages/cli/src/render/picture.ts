@@ -1,22 +1,22 @@
-/** What a picture is made of, in words that both Node and the page understand: plain data, no imports. */
+/** What Node and the page tell each other about a picture: plain data, no imports. */
 
-/** Where the camera stands, as `stage/views.ts` has it; `left` shows the person's own left side. */
+/** Camera views, as in `stage/views.ts`; `left` shows the person's own left side. */
 export const VIEW_NAMES = ['front', 'left', 'right', 'three-quarter', 'close'] as const
 export const RENDERER_NAMES = ['webgl', 'webgpu'] as const
 export const MODE_NAMES = ['default', 'paper', 'composed', 'off'] as const
 
-/** Shortest and longest side of a picture in pixels. */
+/** Limits of the sides of a picture in pixels. */
 export const PICTURE_SIDE = { min: 16, max: 8192 } as const
 
-/** One picture to make. */
+/** One picture to draw. */
 export interface PictureRequest {
   /** The face, a `.glb` file. */
   input: string
-  /** Its wrinkle set; unless told the one that the face carries, else `<stem>/wrinkles.json` beside it. */
+  /** Path of a wrinkle set; by default the face's own, otherwise `NAME/wrinkles.json` beside `NAME.glb`. */
   wrinkles?: string
-  /** Name of the mesh that wrinkles; `skin` unless told, and the one with most vertices if none has it. */
+  /** Name of the mesh with wrinkles; by default `skin`, otherwise the mesh with most vertices. */
   mesh?: string
-  /** Name of one of the library's expressions; the face as its file has it unless told. */
+  /** Name of one of the library's expressions; by default the blendshapes are as in the file. */
   expression?: string
   /** Blendshape weights 0..1, on top of the expression. */
   targets?: Record<string, number>
@@ -38,31 +38,31 @@ export const PICTURE_DEFAULTS = {
   mode: 'default',
 } as const satisfies Partial<PictureRequest>
 
-/** What the page is asked to draw: the request with every default filled in and files as addresses. */
+/** What the page is to draw: the request with all defaults applied and files as addresses. */
 export interface PageJob
   extends Required<Omit<PictureRequest, 'input' | 'mesh' | 'expression' | 'wrinkles'>> {
   face: string
-  /** Absent where the face carries its own. */
+  /** Absent where the face has its own. */
   wrinkles?: string
   mesh?: string
   expression?: string
-  /** Where the page posts the pixels: RGBA, row 0 at the top. */
-  deliver: string
+  /** Address to which the page posts the pixels: RGBA, row 0 at the top. */
+  uploadTo: string
 }
 
-/** What the page says about the picture it has delivered. */
+/** What the page reports about the picture that it has posted. */
 export interface PageReport {
-  /** What drew. */
+  /** The graphics API. */
   renderer: 'WebGL 2' | 'WebGPU'
-  /** The GPU or software rasteriser, as its driver names it. */
+  /** The GPU or software rasteriser, as named by its driver. */
   adapter: string
-  /** What library and three.js warned of. */
+  /** Warnings of the library and three.js. */
   warnings: string[]
 }
 
 declare global {
   interface Window {
-    /** Set by the page; Node calls it, again and again for pictures of one face, mesh, wrinkle set and renderer. */
+    /** Defined by the page and called by Node, once per picture of one face, mesh, wrinkle set and renderer. */
     drawPicture(job: PageJob): Promise<PageReport | { error: string }>
   }
 }

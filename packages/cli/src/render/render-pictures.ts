@@ -1,29 +1,28 @@
 import { FurrowError } from 'furrow'
 import type { Browser, Page } from 'playwright-core'
 import { launchBrowser, newPage } from '../browser.ts'
-import { firstLine } from '../images.ts'
+import { firstLine } from '../errors.ts'
+import type { Progress } from '../progress.ts'
 import { type LocalServer, startLocalServer } from './local-server.ts'
 import type { PageJob, PageReport, PictureRequest } from './picture.ts'
 import { type PreparedPicture, preparePicture } from './prepare.ts'
 
+/** A picture that was drawn. */
 export interface Picture extends PageReport {
   width: number
   height: number
   /** RGBA, sRGB, row 0 at the top. */
   pixels: Uint8Array
-  /** Until the last pixel; for the first picture of a face from opening its page. */
+  /** Time to draw it; for the first picture of a face including the loading of its page. */
   milliseconds: number
 }
 
-/** Called before each picture and once after the last; `done` counts pictures. */
-export type Progress = (done: number, total: number) => void
-
 /**
- * Draws pictures in one browser without a window, one after the other; those of one face that follow each other are
- * drawn in one page, which takes a fraction of the time. Every request is checked before the browser starts. Nothing is
- * written.
+ * Draws pictures in a headless browser, one after the other. Consecutive pictures of one face are drawn in one page,
+ * which takes a fraction of the time. All requests are checked before the browser starts. No files are written.
  *
- * @throws FurrowError when a request is bad, no browser is found, or a picture cannot be drawn.
+ * @param progress called before each picture and once after the last.
+ * @throws FurrowError when a request is invalid, no browser is found, or a picture cannot be drawn.
  */
 export async function renderPictures(
   requests: readonly PictureRequest[],
@@ -54,8 +53,8 @@ async function drawAll(
   let page: Page | undefined
   for (const [i, picture] of prepared.entries()) {
     progress(i, prepared.length)
-    // A page for each face: a lost device or a leak then cannot spoil the next.
-    if (i === 0 || !isOfOneScene(picture, prepared[i - 1]!)) {
+    // A page per face, so that a lost device or a leak does not affect the next.
+    if (i === 0 || !haveSameScene(picture, prepared[i - 1])) {
       await page?.close()
       page = await newPage(browser)
     }
@@ -65,8 +64,8 @@ async function drawAll(
   return pictures
 }
 
-/** Whether a page that has drawn one can draw the other too. */
-function isOfOneScene({ job: a }: PreparedPicture, { job: b }: PreparedPicture): boolean {
+/** Whether one page can draw both. */
+function haveSameScene({ job: a }: PreparedPicture, { job: b }: PreparedPicture): boolean {
   return a.face === b.face && a.wrinkles === b.wrinkles && a.mesh === b.mesh && a.renderer === b.renderer
 }
 
@@ -78,19 +77,20 @@ async function drawOne(page: Page, server: LocalServer, { job, files }: Prepared
     ...job,
     face: server.offer(job.face),
     wrinkles: job.wrinkles && server.offer(job.wrinkles),
-    deliver: inbox.address,
+    uploadTo: inbox.address,
   }
-  const plain = (text: string) => text.replaceAll(`${server.origin}/file`, '')
+  // Users know files by their paths.
+  const withPaths = (text: string) => text.replaceAll(`${server.origin}/file`, '')
   const report = await askPage(page, server, pageJob).catch((error) => ({
-    // Playwright begins with the name of its own method, which says nothing to a user.
+    // Playwright's messages begin with the name of its method.
     error: firstLine(error).replace(/^page\.\w+: /, ''),
   }))
-  if ('error' in report) throw drawingFailed(job.face, plain(firstLine(report.error)))
+  if ('error' in report) throw drawingFailed(job.face, withPaths(firstLine(report.error)))
   const pixels = inbox.received()
-  if (!pixels) throw drawingFailed(job.face, 'the page delivered no pixels')
+  if (!pixels) throw drawingFailed(job.face, 'the page posted no pixels')
   return {
     ...report,
-    warnings: report.warnings.map(plain),
+    warnings: report.warnings.map(withPaths),
     width: job.width,
     height: job.height,
     pixels,
@@ -107,7 +107,7 @@ async function askPage(
     page.once('crash', () => resolve({ error: 'the browser ran out of memory or crashed' }))
   })
   if (page.url() !== server.page) await open(page, server)
-  return Promise.race([crashed, page.evaluate((asked) => window.drawPicture(asked), job)])
+  return Promise.race([crashed, page.evaluate((job) => window.drawPicture(job), job)])
 }
 
 async function open(page: Page, server: LocalServer): Promise<void> {
@@ -120,6 +120,7 @@ async function open(page: Page, server: LocalServer): Promise<void> {
 
 function drawingFailed(face: string, problem: string): FurrowError {
   return new FurrowError({
+    code: 'unsupported',
     who: 'furrow render',
     what: `${face} cannot be drawn (${problem})`,
     remedy: 'correct the input, or try the other --renderer',

@@ -1,18 +1,19 @@
 import { parseWrinkleMaps, WRINKLE_MAPS, type WrinkleDriver, type WrinkleSetDocument } from 'furrow'
-import type { Glb, GltfJson } from './glb-file.ts'
-import { ViewAdder } from './view-adder.ts'
+import { BufferViewWriter } from '../gltf/buffer-view-writer.ts'
+import type { Glb } from '../gltf/glb-file.ts'
+import type { GltfJson } from '../gltf/gltf-json.ts'
 
-/** An encoded image that goes into the file. */
+/** An encoded image to embed in a file. */
 export interface FileImage {
   name: string
   mimeType: string
   /** Images with the same bytes are stored once. */
   bytes: Uint8Array
-  /** Which slice of it is meant, where it is an array. */
+  /** Index of the slice, where it is an array. */
   slice?: number
 }
 
-/** One layer with its images; numbers as in the extension. */
+/** A layer with its images; numbers as in the extension. */
 export interface LayerImages {
   name: string
   kind: WrinkleSetDocument['layers'][number]['kind']
@@ -26,10 +27,11 @@ export interface LayerImages {
   heightAmplitude?: number
 }
 
-/** One area and its place in an image that others may share. */
-export interface AreaPlace {
+/** An area and the channel of the image that holds it; other areas may use the other channels. */
+export interface PackedArea {
   name: string
   image: FileImage
+  /** 0 = R to 3 = A. */
   channel: number
   /** Index of its layer. */
   layer: number
@@ -37,85 +39,87 @@ export interface AreaPlace {
   activation?: number
 }
 
+/** Wrinkles with their images encoded. */
 export interface PackedWrinkles {
   layers: LayerImages[]
-  areas: AreaPlace[]
+  areas: PackedArea[]
   drivers: WrinkleDriver[]
 }
 
 const CLAMP_TO_EDGE = 33071
 
-/** The extension for KTX 2 images. */
-export const BASIS = 'KHR_texture_basisu'
+/** The extension of textures with KTX 2 images. */
+export const KTX2_EXTENSION = 'KHR_texture_basisu'
 
-export function usesBasis({ textures = [] }: GltfJson): boolean {
-  return textures.some(({ extensions }) => extensions?.[BASIS] !== undefined)
+/** Whether any texture has a KTX 2 image. */
+export function usesKtx2({ textures = [] }: GltfJson): boolean {
+  return textures.some(({ extensions }) => extensions?.[KTX2_EXTENSION] !== undefined)
 }
 
 /**
- * Puts wrinkles on a material: images at the end of the binary part, textures at the end of the list, so that no
- * index of anything else changes.
+ * Adds wrinkles to a material: images at the end of the binary chunk and textures at the end of their list, so that all
+ * existing indices stay valid.
  *
- * @param glb changed in place, but for its binary part, which is replaced.
+ * @param glb changed in place; its binary chunk is replaced.
  * @throws FurrowError when the result is not valid.
  */
 export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedWrinkles, who: string): void {
   const { json } = glb
-  const material = json.materials![materialIndex]!
+  const material = json.materials![materialIndex]
   const normal = material.normalTexture
-  // Wrinkles lie where the skin's own normals lie; tools that prune texture coordinates see it from this.
-  const beside = normal?.texCoord ? { texCoord: normal.texCoord } : {}
+  // Wrinkles use the texture coordinates of the skin's normal map. It is written down for tools that prune unused ones.
+  const texCoord = normal?.texCoord ? { texCoord: normal.texCoord } : {}
   const skinSampler = json.textures?.[normal?.index ?? -1]?.sampler
-  const adder = new TextureAdder(glb)
-  const texture = (image: FileImage | undefined, more: object = {}) =>
-    image && { ...adder.place(image, skinSampler), ...beside, ...more }
+  const textures = new TextureWriter(glb)
+  const textureInfo = (image: FileImage | undefined, more: object = {}) =>
+    image && { ...textures.add(image, skinSampler), ...texCoord, ...more }
 
   const layers = wrinkles.layers.map((layer) => ({
     name: layer.name,
     ...(layer.kind !== 'replace' && { kind: layer.kind }),
-    normalTexture: texture(layer.normal, unlessDefault('scale', layer.normalScale, 1)),
-    baseColorTexture: texture(layer.baseColor),
-    roughnessTexture: texture(layer.roughness),
-    occlusionTexture: texture(layer.occlusion, unlessDefault('strength', layer.occlusionStrength, 1)),
-    heightTexture: texture(layer.height, { amplitude: layer.heightAmplitude }),
+    normalTexture: textureInfo(layer.normal, omitDefault('scale', layer.normalScale, 1)),
+    baseColorTexture: textureInfo(layer.baseColor),
+    roughnessTexture: textureInfo(layer.roughness),
+    occlusionTexture: textureInfo(layer.occlusion, omitDefault('strength', layer.occlusionStrength, 1)),
+    heightTexture: textureInfo(layer.height, { amplitude: layer.heightAmplitude }),
   }))
   const areas = wrinkles.areas.map((area) => ({
     name: area.name,
-    ...unlessDefault('layer', area.layer, 0),
-    texture: { ...adder.place(area.image, adder.clampedSampler()), ...beside },
-    ...unlessDefault('channel', area.channel, 0),
-    ...unlessDefault('combine', area.combine, 'sum'),
-    ...unlessDefault('activation', area.activation, 0),
+    ...omitDefault('layer', area.layer, 0),
+    texture: { ...textures.add(area.image, textures.clampedSampler()), ...texCoord },
+    ...omitDefault('channel', area.channel, 0),
+    ...omitDefault('combine', area.combine, 'sum'),
+    ...omitDefault('activation', area.activation, 0),
   }))
   const { drivers } = wrinkles
-  // Through JSON once, so that fields without a value are gone.
+  // JSON drops the fields without a value.
   const extension = JSON.parse(JSON.stringify({ layers, areas, ...(drivers.length > 0 && { drivers }) }))
   parseWrinkleMaps(extension, json.textures?.length ?? 0, who)
   material.extensions = { ...material.extensions, [WRINKLE_MAPS]: extension }
-  const basis = usesBasis(json) ? [BASIS] : []
-  json.extensionsUsed = [...new Set([...(json.extensionsUsed ?? []), WRINKLE_MAPS, ...basis])]
-  adder.finish()
+  const ktx2 = usesKtx2(json) ? [KTX2_EXTENSION] : []
+  json.extensionsUsed = [...new Set([...(json.extensionsUsed ?? []), WRINKLE_MAPS, ...ktx2])]
+  textures.finish()
 }
 
-function unlessDefault(field: string, value: unknown, usual: unknown): object {
-  return value === undefined || value === usual ? {} : { [field]: value }
+function omitDefault(field: string, value: unknown, byDefault: unknown): object {
+  return value === undefined || value === byDefault ? {} : { [field]: value }
 }
 
-/** Adds textures to a file; an image that comes twice is stored once. */
-class TextureAdder {
+/** Adds textures to a file; an image that is added twice is stored once. */
+class TextureWriter {
   readonly #json: GltfJson
-  readonly #views: ViewAdder
+  readonly #views: BufferViewWriter
   readonly #added = new Map<Uint8Array, number>()
 
   constructor(glb: Glb) {
     this.#json = glb.json
-    this.#views = new ViewAdder(glb)
+    this.#views = new BufferViewWriter(glb)
     glb.json.images ??= []
     glb.json.textures ??= []
   }
 
-  /** @returns what a texture info says of it. */
-  place(image: FileImage, sampler: number | undefined): { index: number; slice?: number } {
+  /** @returns the fields of a texture info that refer to it. */
+  add(image: FileImage, sampler: number | undefined): { index: number; slice?: number } {
     const index = this.#added.get(image.bytes) ?? this.#add(image, sampler)
     return { index, ...(image.slice !== undefined && { slice: image.slice }) }
   }
@@ -123,13 +127,13 @@ class TextureAdder {
   #add({ name, mimeType, bytes, slice }: FileImage, sampler: number | undefined): number {
     const { images, textures } = this.#json
     const source = images!.push({ name, mimeType, bufferView: this.#views.add(bytes) }) - 1
-    const image = slice === undefined ? { source } : { extensions: { [BASIS]: { source } } }
+    const image = slice === undefined ? { source } : { extensions: { [KTX2_EXTENSION]: { source } } }
     const index = textures!.push({ name, ...(sampler !== undefined && { sampler }), ...image }) - 1
     this.#added.set(bytes, index)
     return index
   }
 
-  /** Areas end at the edges of their image. */
+  /** Areas do not repeat. Returns the index of a sampler that clamps. */
   clampedSampler(): number {
     this.#json.samplers ??= []
     const clamped = { wrapS: CLAMP_TO_EDGE, wrapT: CLAMP_TO_EDGE }

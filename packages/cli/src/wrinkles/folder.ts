@@ -1,18 +1,18 @@
-import { access, readdir, readFile } from 'node:fs/promises'
+import { readdir } from 'node:fs/promises'
 import { join } from 'node:path'
 import { fileURLToPath, pathToFileURL } from 'node:url'
 import { FurrowError, parseWrinkleSetDocument, type WrinkleSetDocument } from 'furrow'
-import { firstLine } from '../images.ts'
-
-/** The maps a layer's folder may hold, `NAME.png` each. */
-const MAPS = ['normal', 'baseColor', 'roughness', 'occlusion', 'height'] as const
+import { cannotRead } from '../errors.ts'
+import { readBytes, readJson } from '../files.ts'
+import { MAP_SLOTS } from './wrinkled-file.ts'
 
 type Json = Record<string, unknown>
 
 /**
- * Reads what a folder says of its wrinkles: its `wrinkles.json`, completed by the files that lie in `layers/` and
- * `areas/`. Without that document every layer and area found there counts, in alphabetical order.
+ * Reads the wrinkle set of a folder: its `wrinkles.json`, completed by the files in `layers/` and `areas/`. Without
+ * that document, all layers and areas found there are used, in alphabetical order.
  *
+ * @param whiteIsVisible the convention of areas that name none.
  * @throws FurrowError when the document is malformed or there are no layers or areas.
  */
 export async function readFolder(
@@ -21,8 +21,8 @@ export async function readFolder(
   who: string,
 ): Promise<WrinkleSetDocument> {
   const path = join(folder, 'wrinkles.json')
-  const files = await filesOf(folder, who)
-  const json = await readDocument(path, files, who)
+  const files = await listFiles(folder, who)
+  const json = files.includes('wrinkles.json') ? await readJson(path, who) : { version: 1 }
   if (isObject(json)) {
     json.layers ??= foundLayers(files)
     json.areas ??= foundAreas(files)
@@ -31,52 +31,32 @@ export async function readFolder(
       [json.layers, 'layers'],
       [json.areas, 'areas'],
     ] as const) {
-      if (Array.isArray(list) && list.length === 0) throw nothingIn(folder, kind, who)
+      if (Array.isArray(list) && list.length === 0) throw noneIn(folder, kind, who)
     }
   }
   return parseWrinkleSetDocument(json, `${who}: ${path}`, whiteIsVisible ? 'weight' : 'paper')
 }
 
-/** A file that the document names, wherever it lies on this computer. */
-export async function readBeside(folder: string, address: string, who: string): Promise<Uint8Array> {
-  let path = join(folder, address)
+/** Reads a file that `wrinkles.json` refers to. Throws FurrowError when it cannot be read, or is not on this computer. */
+export async function readReferenced(folder: string, uri: string, who: string): Promise<Uint8Array> {
+  const remedy = 'check the name in wrinkles.json and the file'
+  let path: string
   try {
-    path = fileURLToPath(new URL(address, pathToFileURL(join(folder, 'wrinkles.json'))))
-    return await readFile(path)
+    path = fileURLToPath(new URL(uri, pathToFileURL(join(folder, 'wrinkles.json'))))
   } catch (error) {
-    throw new FurrowError({
-      who,
-      what: `cannot read ${path} (${firstLine(error)})`,
-      remedy: 'check the name in wrinkles.json and the file',
-    })
+    throw cannotRead(who, join(folder, uri), error, { remedy })
   }
+  return readBytes(path, who, '', remedy)
 }
 
-/** Paths of the folder's files that matter, relative to it, with `/`. */
-async function filesOf(folder: string, who: string): Promise<string[]> {
+/** Paths of all files below a folder, relative to it, with `/`, sorted. */
+async function listFiles(folder: string, who: string): Promise<string[]> {
   try {
-    await access(folder)
     const all = await readdir(folder, { recursive: true, withFileTypes: false })
     return all.map((name) => name.replaceAll('\\', '/')).sort()
   } catch (error) {
-    throw new FurrowError({
-      who,
-      what: `cannot read the folder ${folder} (${firstLine(error)})`,
-      remedy: 'name a folder with layers/NAME/normal.png and areas/NAME.png',
-    })
-  }
-}
-
-async function readDocument(path: string, files: readonly string[], who: string): Promise<unknown> {
-  if (!files.includes('wrinkles.json')) return { version: 1 }
-  try {
-    return JSON.parse(await readFile(path, 'utf8'))
-  } catch (error) {
-    throw new FurrowError({
-      who,
-      what: `${path} is no JSON (${firstLine(error)})`,
-      remedy: 'correct the file',
-    })
+    const remedy = 'name a folder with layers/NAME/normal.png and areas/NAME.png'
+    throw cannotRead(who, `the folder ${folder}`, error, { remedy })
   }
 }
 
@@ -91,11 +71,11 @@ function foundAreas(files: readonly string[]): Json[] {
   }))
 }
 
-/** A map that lies in the layer's folder need not be named in the document. */
+/** Adds the maps in a layer's folder that the document does not name. */
 function completeLayers(layers: unknown[], files: readonly string[]): void {
   for (const layer of layers) {
     if (!isObject(layer)) continue
-    for (const map of MAPS) {
+    for (const [map] of MAP_SLOTS) {
       const file = `layers/${layer.name}/${map}.png`
       if (layer[map] === undefined && files.includes(file)) layer[map] = encodeURI(file)
     }
@@ -106,13 +86,13 @@ function matches(files: readonly string[], pattern: RegExp): string[] {
   return files.flatMap((file) => pattern.exec(file)?.[1] ?? [])
 }
 
-function nothingIn(folder: string, kind: 'layers' | 'areas', who: string): FurrowError {
+function noneIn(folder: string, kind: 'layers' | 'areas', who: string): FurrowError {
   const file = kind === 'layers' ? 'layers/NAME/normal.png' : 'areas/NAME.png'
   return new FurrowError({
     who,
     what: `no ${kind} in ${folder}`,
     limit: `at least one ${file}`,
-    remedy: `put the images there, or name them in wrinkles.json`,
+    remedy: 'put the images there, or name them in wrinkles.json',
   })
 }
 

@@ -1,16 +1,16 @@
-import { FurrowError, type GrayImage, type TextureReference, type WrinkleDriver } from 'furrow'
+import type { GrayImage, TextureReference, WrinkleDriver } from 'furrow'
 import sharp from 'sharp'
-import { firstLine } from '../images.ts'
-import { channelOf } from './map-images.ts'
-import { pixelsOf } from './pixels.ts'
+import { imageOf, isKtx2, ktx2Size, type TextureImage } from '../gltf/texture-image.ts'
+import { pixelsOf } from '../gltf/texture-pixels.ts'
+import { channelOf, withImageErrors } from '../images/pixels.ts'
 import { areaSizes, areaSliceSizes, type GpuSizes, influenceMapBytes, mapSizes, sumSizes } from './sizes.ts'
-import { imageOf, isKtx2, MAP_SLOTS, type TextureImage, type WrinkledFile } from './wrinkled-file.ts'
+import { MAP_SLOTS, type MapName, type WrinkledFile } from './wrinkled-file.ts'
 
 /** One map of one layer. */
 export interface MapReport {
-  map: 'normal' | 'baseColor' | 'roughness' | 'occlusion' | 'height'
+  map: MapName
   texture: number
-  /** Of a KTX 2 array, whose bytes in the file all slices share. */
+  /** Index in a KTX 2 array; `bytes` are those of the whole array. */
   slice?: number
   mimeType: string
   width: number
@@ -30,36 +30,36 @@ export interface AreaReport {
   name: string
   layer: string
   texture: number
-  /** Of a KTX 2 array. */
+  /** Index in a KTX 2 array. */
   slice?: number
   channel: string
   combine: string
   activation: number
   width: number
   height: number
-  /** Share of the texels where it shows at all, 0..1. */
+  /** Fraction of the texels with a weight above 0, 0..1. */
   coverage: number
   /** Its largest weight, 0..1. */
   largest: number
 }
 
-/** What a file holds in wrinkles. */
-export interface Report {
+/** What wrinkles a file has, and what they cost. */
+export interface Inspection {
   material?: string
   fileBytes: number
-  /** Bytes of the wrinkles' images in the file, each counted once. */
+  /** Bytes of the wrinkles' images in the file, each image once. */
   imageBytes: number
-  /** Maps and areas, which all faces with them share. */
+  /** Maps and areas, used by all faces of the file. */
   gpu: GpuSizes
-  /** What each face needs besides. */
+  /** In addition, for each face. */
   influenceMapBytes: number
   layers: LayerReport[]
   areas: AreaReport[]
   drivers: WrinkleDriver[]
 }
 
-/** Measures the wrinkles of a file. Throws FurrowError where an image is missing or cannot be read. */
-export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<Report> {
+/** Measures the wrinkles of a file. Throws FurrowError when an image is missing or cannot be decoded. */
+export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<Inspection> {
   const { glb, maps } = file
   const layers = await Promise.all(
     maps.layers.map(async (layer): Promise<LayerReport> => {
@@ -74,10 +74,10 @@ export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<
     const weights = await weightsOf(file, i, who)
     areas.push({
       name,
-      layer: maps.layers[layer]!.name,
+      layer: maps.layers[layer].name,
       texture: texture.index,
       ...(texture.slice !== undefined && { slice: texture.slice }),
-      channel: 'RGBA'[channel]!,
+      channel: 'RGBA'[channel],
       combine,
       activation,
       width: weights.width,
@@ -92,59 +92,55 @@ export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<
   )
   const images = new Set([...layers.flatMap(({ maps }) => maps), ...areas].map(({ texture }) => texture))
   return {
-    material: glb.json.materials![file.material]!.name,
+    material: glb.json.materials![file.material].name,
     fileBytes: glb.fileBytes,
     imageBytes: [...images].reduce((sum, index) => sum + imageOf(glb, index, who).bytes.length, 0),
-    gpu: sumSizes([...textures.values(), ...gpuOfAreas(areas)]),
-    influenceMapBytes: influenceMapBytes(areas[0]!.width, areas[0]!.height, layers.length),
+    gpu: sumSizes([...textures.values(), ...areaGpuSizes(areas)]),
+    influenceMapBytes: influenceMapBytes(areas[0].width, areas[0].height, layers.length),
     layers,
     areas,
     drivers: maps.drivers,
   }
 }
 
-/** The weights of one area as they are in its image. */
+/** The weights of one area, at the size of its image. */
 export async function weightsOf({ glb, maps }: WrinkledFile, area: number, who: string): Promise<GrayImage> {
-  const { texture, channel } = maps.areas[area]!
+  const { texture, channel } = maps.areas[area]
   return channelOf(await pixelsOf(glb, texture, who), channel)
 }
 
 /** Size of an image by its header. */
-export async function sizeOf(image: TextureImage, who: string): Promise<{ width: number; height: number }> {
-  const { bytes, name } = image
-  if (isKtx2(image) && bytes.length >= 28) {
-    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length)
-    return { width: view.getUint32(20, true), height: Math.max(1, view.getUint32(24, true)) }
-  }
-  try {
-    const { width, height } = await sharp(bytes).metadata()
-    return { width, height }
-  } catch (error) {
-    throw new FurrowError({
-      who,
-      what: `the image "${name}" cannot be read (${firstLine(error)})`,
-      remedy: 'export the file again',
-    })
-  }
+async function sizeOf(image: TextureImage, who: string): Promise<{ width: number; height: number }> {
+  const size = isKtx2(image) ? ktx2Size(image) : undefined
+  const hints = { remedy: 'export the file again' }
+  return size ?? withImageErrors(`"${image.name}"`, who, () => sharp(image.bytes).metadata(), hints)
 }
 
 async function measureMap(
   { glb }: WrinkledFile,
-  map: MapReport['map'],
+  map: MapName,
   { index, slice }: TextureReference,
   who: string,
 ): Promise<MapReport> {
   const image = imageOf(glb, index, who)
   const { width, height } = await sizeOf(image, who)
   const { mimeType, bytes } = image
-  const place = { map, texture: index, ...(slice !== undefined && { slice }) }
-  return { ...place, mimeType, width, height, bytes: bytes.length, gpu: mapSizes(width, height) }
+  return {
+    map,
+    texture: index,
+    ...(slice !== undefined && { slice }),
+    mimeType,
+    width,
+    height,
+    bytes: bytes.length,
+    gpu: mapSizes(width, height),
+  }
 }
 
-/** Images become one slice for each area; an array stays as it is, several areas to a slice. */
-function gpuOfAreas(areas: readonly AreaReport[]): GpuSizes[] {
+/** On the GPU an image becomes a slice per area; an array keeps its slices of several areas. */
+function areaGpuSizes(areas: readonly AreaReport[]): GpuSizes[] {
   const slices = new Map(areas.map((area) => [`${area.texture} ${area.slice}`, area]))
-  if (areas[0]!.slice !== undefined) {
+  if (areas[0].slice !== undefined) {
     return [...slices.values()].map(({ width, height }) => areaSliceSizes(width, height))
   }
   return areas.map(({ width, height }) => areaSizes(width, height))

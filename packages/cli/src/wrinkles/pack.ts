@@ -7,48 +7,44 @@ import {
   resampleGray,
   type WrinkleSetDocument,
 } from 'furrow'
+import { decodeGray } from '../images/pixels.ts'
 import type { Progress } from '../progress.ts'
-import { AREAS_PER_SLICE, areaArray, mapArrays } from './arrays.ts'
-import type { AreaPlace, LayerImages, PackedWrinkles } from './embed.ts'
-import { readBeside } from './folder.ts'
-import {
-  type CheckedImage,
-  checkMap,
-  checkOneSize,
-  readGray,
-  type Share,
-  scaleMap,
-  shareImages,
-} from './map-images.ts'
+import { type AreasPerImage, encodeAreaImages } from './area-images.ts'
+import { type CheckedImage, checkMap, checkOneSize, scaleMap } from './checked-image.ts'
+import type { LayerImages, PackedArea, PackedWrinkles } from './embed.ts'
+import { readReferenced } from './folder.ts'
+import { AREAS_PER_SLICE, encodeAreaArray, encodeMapArrays } from './ktx2-images.ts'
 
 /** How the images go into the file. */
 export interface PackOptions {
-  /** Areas to an image; those of a KTX 2 array lie four to a slice. */
-  share: Share
+  /** Areas in the channels of one PNG image; a slice of a KTX 2 array always holds four. */
+  areasPerImage: AreasPerImage
   /** Whether maps and areas become KTX 2 arrays. */
   ktx2: boolean
-  /** Side of the areas; the document's, or 128, unless told. */
+  /** Side of the areas in texels; by default the document's, or 128. */
   areaSize?: number
-  /** Side that the layers' maps are scaled to; as they are unless told. */
+  /** Side in texels that the layers' maps are scaled to; by default they keep their size. */
   size?: number
 }
 
-/** What a folder becomes: its images as a file holds them, and what the user should know. */
+export const PACK_DEFAULTS = { areasPerImage: 3, ktx2: false } as const satisfies PackOptions
+
+/** The wrinkles of a folder with their images encoded, and warnings for the user. */
 export interface PackedFolder extends PackedWrinkles {
-  /** Side of the areas. */
+  /** Side of the areas in texels. */
   areaSize: number
   warnings: string[]
 }
 
 /**
- * Turns a wrinkle set and its images into what goes into a file.
+ * Encodes the images of a wrinkle set for a file.
  *
- * @throws FurrowError at the first image that cannot be used, or name that does not fit.
+ * @throws FurrowError at the first image that cannot be used, or layer that does not exist.
  */
 export async function packFolder(
   folder: string,
   document: WrinkleSetDocument,
-  { share, ktx2, areaSize, size }: PackOptions,
+  { areasPerImage, ktx2, areaSize, size }: PackOptions,
   who: string,
   progress: Progress,
 ): Promise<PackedFolder> {
@@ -63,19 +59,27 @@ export async function packFolder(
   for (const { name, image, convention } of document.areas) {
     weights.push(await readWeights(folder, image, convention, side, who))
     if (weights.at(-1)!.data.every((value) => value === 0)) {
-      warnings.push(`${who}: area "${name}" is visible nowhere; is ${image} in the other convention?`)
+      warnings.push(
+        `${who}: area "${name}" is visible nowhere; is ${image} in the other convention (--white-is-visible)?`,
+      )
     }
     step()
   }
-  const layers = ktx2 ? await mapArrays(maps, who) : maps
+  const layers = ktx2 ? await encodeMapArrays(maps, who) : maps
   if (ktx2) step()
-  const images = ktx2 ? await areaArray(weights, who) : await shareImages(weights, share)
+  const images = ktx2 ? await encodeAreaArray(weights, who) : await encodeAreaImages(weights, areasPerImage)
   if (ktx2) step()
-  const perImage = ktx2 ? AREAS_PER_SLICE : share
-  const areas = document.areas.map(({ name, layer, combine, activation }, i): AreaPlace => {
-    const place = { image: images[Math.floor(i / perImage)]!, channel: i % perImage }
-    return { name, ...place, layer: layerIndex(document, layer, name, who), combine, activation }
-  })
+  const perImage = ktx2 ? AREAS_PER_SLICE : areasPerImage
+  const areas = document.areas.map(
+    ({ name, layer, combine, activation }, i): PackedArea => ({
+      name,
+      image: images[Math.floor(i / perImage)],
+      channel: i % perImage,
+      layer: layerIndex(document, layer, name, who),
+      combine,
+      activation,
+    }),
+  )
   return { layers, areas, drivers: document.drivers ?? [], areaSize: side, warnings }
 }
 
@@ -86,14 +90,14 @@ async function packLayers(
   who: string,
   step: () => void,
 ): Promise<(LayerImages & { normal: CheckedImage })[]> {
-  // Maps that are the same file, or the same bytes, go in once.
-  const known = new Map<string, CheckedImage>()
-  const load = async (address: string | undefined, name: string, kind: 'normals' | 'values' = 'values') => {
-    if (address === undefined) return undefined
-    const bytes = await readBeside(folder, address, who)
+  // Maps with the same bytes are stored once.
+  const loaded = new Map<string, CheckedImage>()
+  const load = async (uri: string | undefined, name: string, kind: 'normals' | 'values' = 'values') => {
+    if (uri === undefined) return undefined
+    const bytes = await readReferenced(folder, uri, who)
     const key = `${kind} ${Buffer.from(bytes).toString('latin1')}`
-    const image = known.get(key) ?? (await scaledTo(size, await checkMap(bytes, name, address, who), kind))
-    known.set(key, image)
+    const image = loaded.get(key) ?? (await scaledTo(size, await checkMap(bytes, name, uri, who), kind))
+    loaded.set(key, image)
     return image
   }
   const packed: (LayerImages & { normal: CheckedImage })[] = []
@@ -123,19 +127,20 @@ async function scaledTo(size: number | undefined, image: CheckedImage, kind: 'no
 
 async function readWeights(
   folder: string,
-  address: string,
+  uri: string,
   convention: AreaConvention | undefined,
   size: number,
   who: string,
 ): Promise<GrayImage> {
-  const painted = await readGray(await readBeside(folder, address, who), address, who)
-  return resampleGray(areaWeights(painted, convention, `${who}: ${address}`), size)
+  const painted = await decodeGray(await readReferenced(folder, uri, who), uri, who)
+  return resampleGray(areaWeights(painted, convention, `${who}: ${uri}`), size)
 }
 
 function layerIndex({ layers }: WrinkleSetDocument, name: string | undefined, area: string, who: string) {
   const index = name === undefined ? 0 : layers.findIndex((layer) => layer.name === name)
   if (index >= 0) return index
   throw new FurrowError({
+    code: 'unknown-name',
     who,
     what: `area "${area}" is on an unknown layer`,
     value: name,

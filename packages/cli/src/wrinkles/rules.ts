@@ -1,13 +1,14 @@
 import { FurrowError, parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
-import { firstLine } from '../images.ts'
+import { firstLine } from '../errors.ts'
+import type { Glb } from '../gltf/glb-file.ts'
+import { jointNamesOf, targetNamesOf } from '../gltf/gltf-json.ts'
+import { imageOf, layerCount } from '../gltf/texture-image.ts'
+import { arrayOf } from '../gltf/texture-pixels.ts'
 import { findDriverFaults } from './driver-faults.ts'
-import type { Glb } from './glb-file.ts'
-import { inspectWrinkles, type Report } from './inspect.ts'
-import { arrayOf } from './pixels.ts'
-import { jointNamesOf, targetNamesOf } from './target.ts'
-import { imageOf, layerCount, MAP_SLOTS, type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
+import { type Inspection, inspectWrinkles } from './inspect.ts'
+import { MAP_SLOTS, type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
 
-/** Something that is wrong with a file, or may be. */
+/** An error or a warning about a file. */
 export interface Finding {
   severity: 'error' | 'warning'
   code: string
@@ -16,7 +17,7 @@ export interface Finding {
   pointer?: string
 }
 
-/** Checks the extension's own rules on every material that has wrinkles; nothing is thrown. */
+/** Checks the rules of the extension on every material with wrinkles. Never throws FurrowError. */
 export async function checkWrinkles(glb: Glb): Promise<Finding[]> {
   const materials = wrinkledMaterials(glb)
   if (materials.length === 0) return [warning('NO_WRINKLES', `no material has ${WRINKLE_MAPS}`)]
@@ -30,7 +31,7 @@ function checkLists({ json }: Glb): Finding[] {
     findings.push(error('NOT_DECLARED', `extensionsUsed lacks ${WRINKLE_MAPS}`, '/extensionsUsed'))
   }
   if (json.extensionsRequired?.includes(WRINKLE_MAPS)) {
-    const message = 'extensionsRequired names it: viewers without it show nothing, not even the plain face'
+    const message = 'extensionsRequired lists it: viewers without it will not open the file at all'
     findings.push(warning('REQUIRED', message, '/extensionsRequired'))
   }
   return findings
@@ -38,7 +39,7 @@ function checkLists({ json }: Glb): Finding[] {
 
 async function checkMaterial(glb: Glb, material: number): Promise<Finding[]> {
   const pointer = `/materials/${material}/extensions/${WRINKLE_MAPS}`
-  const json = glb.json.materials![material]!.extensions![WRINKLE_MAPS]
+  const json = glb.json.materials![material].extensions![WRINKLE_MAPS]
   try {
     const maps = parseWrinkleMaps(json, glb.json.textures?.length ?? 0)
     const file = { glb, material, maps }
@@ -58,32 +59,32 @@ async function checkMaterial(glb: Glb, material: number): Promise<Finding[]> {
   }
 }
 
-function checkSizes({ layers }: Report): Finding[] {
-  const sizes = layers.map(({ maps }) => sizeText(maps[0]!))
+function checkSizes({ layers }: Inspection): Finding[] {
+  const sizes = layers.map(({ maps }) => sizeText(maps[0]))
   const findings: Finding[] = []
   if (new Set(sizes).size > 1) {
     findings.push(error('LAYER_SIZES', `normal maps of the layers differ in size: ${sizes.join(', ')}`))
   }
   for (const { name, maps } of layers) {
     for (const map of maps) {
-      if (sizeText(map) === sizeText(maps[0]!)) continue
-      const message = `layer "${name}": ${map.map} is ${sizeText(map)}, its normal map ${sizeText(maps[0]!)}`
+      if (sizeText(map) === sizeText(maps[0])) continue
+      const message = `layer "${name}": ${map.map} is ${sizeText(map)}, its normal map ${sizeText(maps[0])}`
       findings.push(warning('MAP_SIZES', message))
     }
   }
   return findings
 }
 
-function checkImages({ layers }: Report): Finding[] {
+function checkImages({ layers }: Inspection): Finding[] {
   return layers.flatMap(({ name, maps }) => {
-    const lossy = maps[0]!.mimeType === 'image/jpeg'
+    const lossy = maps[0].mimeType === 'image/jpeg'
     return lossy
-      ? [warning('JPEG_NORMALS', `layer "${name}": JPEG leaves blocks in normals; use PNG or UASTC`)]
+      ? [warning('JPEG_NORMALS', `layer "${name}": JPEG causes blocks in normals; use PNG or UASTC`)]
       : []
   })
 }
 
-/** Every slice exists; blocks of 4 x 4 texels that share two colours show in normals. */
+/** Every slice must exist; the blocks of ETC1S, 4 x 4 texels between two colours, show in normals. */
 async function checkArrays({ glb, maps }: WrinkledFile): Promise<Finding[]> {
   const findings: Finding[] = []
   for (const layer of maps.layers) {
@@ -97,16 +98,16 @@ async function checkArrays({ glb, maps }: WrinkledFile): Promise<Finding[]> {
       }
       if (map === 'normal' && compression === 'etc1s') {
         findings.push(
-          warning('ETC1S_NORMALS', `layer "${layer.name}": ETC1S leaves blocks in normals; use UASTC`),
+          warning('ETC1S_NORMALS', `layer "${layer.name}": ETC1S causes blocks in normals; use UASTC`),
         )
       }
     }
   }
-  return [...findings, ...checkUsers(glb, maps)]
+  return [...findings, ...checkArrayUses(glb, maps)]
 }
 
-/** KHR_texture_basisu allows plain 2D images only; an array serves nothing but texture infos that name its slices. */
-function checkUsers(glb: Glb, maps: WrinkledFile['maps']): Finding[] {
+/** KHR_texture_basisu allows plain 2D images only, so that an array may be used only by texture infos with a slice. */
+function checkArrayUses(glb: Glb, maps: WrinkledFile['maps']): Finding[] {
   const own = [
     ...maps.layers.flatMap((layer) => MAP_SLOTS.flatMap(([, slot]) => layer[slot] ?? [])),
     ...maps.areas.map(({ texture }) => texture),
@@ -116,12 +117,12 @@ function checkUsers(glb: Glb, maps: WrinkledFile['maps']): Finding[] {
   return [...wrong].flatMap((index) => {
     const count = layerCount(imageOf(glb, index, WRINKLE_MAPS))
     if (count === 0) return []
-    const message = `texture ${index} is an array of ${count}, and a texture info without a slice names it`
+    const message = `texture ${index} is an array of ${count}, and a texture info without a slice refers to it`
     return [error('ARRAY_AS_IMAGE', message)]
   })
 }
 
-/** Textures that some texture info takes as a plain image, wherever it stands below. */
+/** Indices of the textures that texture infos anywhere below `value` use as plain images. */
 function plainTextures(value: unknown, key = '', found = new Set<number>()): Set<number> {
   if (typeof value !== 'object' || value === null) return found
   const { index, slice } = value as { index?: unknown; slice?: unknown }
@@ -130,31 +131,31 @@ function plainTextures(value: unknown, key = '', found = new Set<number>()): Set
   return found
 }
 
-function checkAreas({ areas }: Report): Finding[] {
-  // No image tool opens an array; in images it would be lost.
+function checkAreas({ areas }: Inspection): Finding[] {
+  // Image tools do not open arrays, so that only images are at risk.
   const inImages = areas.filter(({ channel, slice }) => channel === 'A' && slice === undefined)
   const withAlpha = new Set(inImages.map(({ texture }) => texture))
   return areas.flatMap((area) => {
     const findings: Finding[] = []
     if (area.largest === 0) findings.push(warning('AREA_INVISIBLE', `area "${area.name}" is visible nowhere`))
     if (area.channel !== 'A' && withAlpha.has(area.texture)) {
-      const message = `area "${area.name}" shares texture ${area.texture} with one in alpha: tools that resize or compress it lose it where that is 0`
+      const message = `area "${area.name}" shares texture ${area.texture} with an area in alpha: tools that resize or compress it lose the colours where alpha is 0`
       findings.push(warning('AREA_UNDER_ALPHA', message))
     }
     return findings
   })
 }
 
-/** Readers take the texture coordinates of the skin's normal map for all; a file that says otherwise misleads. */
+/** Readers use the texture coordinates of the skin's normal map for all maps; a file that says otherwise misleads. */
 function checkCoordinates({ glb, material, maps }: WrinkledFile): Finding[] {
-  const expected = glb.json.materials![material]!.normalTexture?.texCoord ?? 0
+  const expected = glb.json.materials![material].normalTexture?.texCoord ?? 0
   const infos = [
     ...maps.layers.map(({ normalTexture }) => normalTexture),
     ...maps.areas.map(({ texture }) => texture),
   ]
   const other = infos.find((info) => ((info as { texCoord?: number }).texCoord ?? 0) !== expected)
   if (!other) return []
-  const message = `texture ${other.index} names other texture coordinates than the normalTexture (${expected}), whose are used`
+  const message = `texture ${other.index} has another texCoord than the normalTexture (${expected}), which is used instead`
   return [warning('TEXCOORD', message)]
 }
 

@@ -1,21 +1,21 @@
 import type { GrayImage } from 'furrow'
 import sharp from 'sharp'
-import { escaped } from '../markup.ts'
+import { pixelsOf } from '../gltf/texture-pixels.ts'
+import type { Pixels } from '../images/pixels.ts'
+import { escapeMarkup } from '../markup.ts'
 import { weightsOf } from './inspect.ts'
-import type { Pixels } from './map-images.ts'
-import { pixelsOf } from './pixels.ts'
 import { MAP_SLOTS, type WrinkledFile } from './wrinkled-file.ts'
 
-/** Side of one picture, height of the line under it, and the gap round both, in pixels. */
+/** Side of one tile, height of its label, and the gap around both, in pixels. */
 const SIDE = 256
-const LINE = 26
+const LABEL_HEIGHT = 26
 const GAP = 10
 
-const PAPER = '#1b1c1f'
+const BACKGROUND = '#1b1c1f'
 
-/** Where an area shows, and how much of the skin's own colour it hides. */
+/** Colour and opacity of an area over the skin. */
 const TINT = [255, 64, 48] as const
-const TINT_SHARE = 0.75
+const TINT_OPACITY = 0.75
 
 interface Tile {
   label: string
@@ -23,7 +23,7 @@ interface Tile {
   pixels: Uint8Array
 }
 
-/** Draws every map and every area, the areas over the colour of the skin, as one PNG. */
+/** Draws every map, and every area over the base colour of the skin, as one PNG file. */
 export async function drawSheet(file: WrinkledFile, who: string): Promise<Uint8Array> {
   const skin = await skinOf(file, who)
   const tiles: Tile[] = []
@@ -37,7 +37,7 @@ export async function drawSheet(file: WrinkledFile, who: string): Promise<Uint8A
   }
   for (const [i, { name, layer }] of file.maps.areas.entries()) {
     const weights = await scaledWeights(await weightsOf(file, i, who))
-    const where = file.maps.layers.length > 1 ? ` (${file.maps.layers[layer]!.name})` : ''
+    const where = file.maps.layers.length > 1 ? ` (${file.maps.layers[layer].name})` : ''
     tiles.push({ label: `${name}${where}`, pixels: tinted(skin, weights) })
   }
   return arrange(tiles)
@@ -47,52 +47,52 @@ async function arrange(tiles: readonly Tile[]): Promise<Uint8Array> {
   const columns = Math.ceil(Math.sqrt(tiles.length * 1.3))
   const rows = Math.ceil(tiles.length / columns)
   const width = columns * (SIDE + GAP) + GAP
-  const height = rows * (SIDE + LINE + GAP) + GAP
+  const height = rows * (SIDE + LABEL_HEIGHT + GAP) + GAP
   const parts = tiles.flatMap(({ label, pixels }, i) => {
     const left = GAP + (i % columns) * (SIDE + GAP)
-    const top = GAP + Math.floor(i / columns) * (SIDE + LINE + GAP)
+    const top = GAP + Math.floor(i / columns) * (SIDE + LABEL_HEIGHT + GAP)
     return [
       { input: Buffer.from(pixels), raw: { width: SIDE, height: SIDE, channels: 3 as const }, left, top },
-      { input: lettering(label), left, top: top + SIDE },
+      { input: renderLabel(label), left, top: top + SIDE },
     ]
   })
-  return sharp({ create: { width, height, channels: 3, background: PAPER } })
+  return sharp({ create: { width, height, channels: 3, background: BACKGROUND } })
     .composite(parts)
     .removeAlpha()
     .png({ compressionLevel: 9 })
     .toBuffer()
 }
 
-function lettering(text: string): Buffer {
+function renderLabel(text: string): Buffer {
   const short = text.length > 34 ? `${text.slice(0, 33)}…` : text
   return Buffer.from(
-    `<svg xmlns="http://www.w3.org/2000/svg" width="${SIDE}" height="${LINE}">` +
-      `<text x="2" y="18" font-family="sans-serif" font-size="14" fill="#e6e6e6">${escaped(short)}</text></svg>`,
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${SIDE}" height="${LABEL_HEIGHT}">` +
+      `<text x="2" y="18" font-family="sans-serif" font-size="14" fill="#e6e6e6">${escapeMarkup(short)}</text></svg>`,
   )
 }
 
-/** The colour of the skin as RGB, `side` x `side`; gray where it has no texture. */
+/** The base colour of the skin as RGB, `side` x `side` pixels; gray where it has no texture. */
 export async function skinOf({ glb, material }: WrinkledFile, who: string, side = SIDE): Promise<Uint8Array> {
-  const colour = glb.json.materials![material]!.pbrMetallicRoughness?.baseColorTexture
+  const colour = glb.json.materials![material].pbrMetallicRoughness?.baseColorTexture
   return colour ? scaled(await pixelsOf(glb, colour, who), side) : new Uint8Array(3 * side * side).fill(120)
 }
 
-/** An image as RGB, `side` x `side`. */
+/** An image scaled to RGB, `side` x `side` pixels. */
 export async function scaled({ width, height, channels, data }: Pixels, side = SIDE): Promise<Uint8Array> {
   const image = sharp(data, { raw: { width, height, channels } }).resize(side, side, { fit: 'fill' })
   return image.toColourspace('srgb').removeAlpha().raw().toBuffer()
 }
 
-/** The weights of an area, `side` x `side`. */
+/** The weights of an area scaled to `side` x `side` pixels. */
 export async function scaledWeights({ width, height, data }: GrayImage, side = SIDE): Promise<Uint8Array> {
   const image = sharp(data, { raw: { width, height, channels: 1 } }).resize(side, side, { fit: 'fill' })
   return image.toColourspace('b-w').raw().toBuffer()
 }
 
-/** Shows on an RGB image where an area lies. */
+/** Tints an RGB image by the weights of an area. */
 export function tinted(skin: Uint8Array, weights: Uint8Array): Uint8Array {
   return skin.map((value, i) => {
-    const share = (TINT_SHARE * weights[Math.floor(i / 3)]!) / 255
-    return Math.round(value * (1 - share) + TINT[i % 3]! * share)
+    const opacity = (TINT_OPACITY * weights[Math.floor(i / 3)]) / 255
+    return Math.round(value * (1 - opacity) + TINT[i % 3] * opacity)
   })
 }

@@ -1,14 +1,14 @@
 /** Bytes of one texture on the GPU. */
 export interface GpuSizes {
-  /** Four bytes per texel, or one for an area. */
+  /** 4 bytes per texel, 1 for an area. */
   uncompressed: number
-  /** 8 bits per texel in blocks of 4 x 4: BC7, ASTC 4x4; an area has 4 bits (BC4). */
+  /** 8 bits per texel in blocks of 4 x 4: BC7, ASTC 4x4; 4 bits for an area (BC4). */
   bits8: number
-  /** 4 bits per texel in blocks of 4 x 4: BC1, ETC1; an area has 4 bits too. */
+  /** 4 bits per texel in blocks of 4 x 4: BC1, ETC1; BC4 for an area. */
   bits4: number
 }
 
-/** A map of the skin: four channels, with mipmaps. */
+/** Sizes of a map: four channels, with mipmaps. */
 export function mapSizes(width: number, height: number): GpuSizes {
   return {
     uncompressed: sumLevels(width, height, (w, h) => 4 * w * h),
@@ -17,24 +17,24 @@ export function mapSizes(width: number, height: number): GpuSizes {
   }
 }
 
-/** An area: one channel, without mipmaps; they are soft already, and mipmaps would bleed across UV islands. */
+/** Sizes of an area: one channel, without mipmaps, which would bleed across UV islands. */
 export function areaSizes(width: number, height: number): GpuSizes {
   const compressed = 8 * blocks(width, height)
   return { uncompressed: width * height, bits8: compressed, bits4: compressed }
 }
 
-/** A slice of up to four areas, without mipmaps. Areas share its channels, so that it needs 8 bits per texel. */
+/** Sizes of a slice of up to four areas, one per channel, without mipmaps: 8 bits per texel. */
 export function areaSliceSizes(width: number, height: number): GpuSizes {
   const compressed = 16 * blocks(width, height)
   return { uncompressed: 4 * width * height, bits8: compressed, bits4: compressed }
 }
 
-/** Half floats per texel of an influence map, by the number of layers: there is no format with three. */
+/** Channels of an influence map of half floats, by number of layers less 1: no format has three. */
 const INFLUENCE_CHANNELS = [1, 2, 4, 4]
 
-/** Bytes of the influence map that every face has: as large as an area, a channel for each layer. */
+/** Bytes of the influence map of a face: as large as an area, one channel per layer. */
 export function influenceMapBytes(width: number, height: number, layers: number): number {
-  return 2 * INFLUENCE_CHANNELS[layers - 1]! * width * height
+  return 2 * INFLUENCE_CHANNELS[layers - 1] * width * height
 }
 
 export function sumSizes(sizes: readonly GpuSizes[]): GpuSizes {
@@ -42,7 +42,7 @@ export function sumSizes(sizes: readonly GpuSizes[]): GpuSizes {
   return { uncompressed: sum('uncompressed'), bits8: sum('bits8'), bits4: sum('bits4') }
 }
 
-/** 1 kB is 1024 bytes. */
+/** As text, of 1024 bytes each. */
 export function kilobytes(bytes: number): string {
   return `${(bytes / 1024).toFixed(bytes < 100 * 1024 ? 1 : 0)} kB`
 }

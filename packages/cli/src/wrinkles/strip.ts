@@ -1,21 +1,22 @@
 import { parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
-import { BASIS, usesBasis } from './embed.ts'
-import type { Glb, GltfJson } from './glb-file.ts'
+import type { Glb } from '../gltf/glb-file.ts'
+import type { GltfJson } from '../gltf/gltf-json.ts'
+import { KTX2_EXTENSION, usesKtx2 } from './embed.ts'
 
 type BufferView = NonNullable<GltfJson['bufferViews']>[number]
 
 /**
- * Takes the wrinkles off a material again, with their textures, images and bytes as far as these stand at the end
- * of the file, where `furrow pack` puts them: whatever stands before them keeps its index.
+ * Removes the wrinkles of a material. Their textures, images and bytes are removed as far as they are at the end of
+ * the file, where `furrow pack` puts them, so that all other indices stay valid.
  *
- * @param glb changed in place; its binary part is cut, not copied.
- * @returns number of textures that had to stay, because others follow them.
+ * @param glb changed in place; its binary chunk is cut, not copied.
+ * @returns the number of textures that had to stay because others follow them.
  */
 export function stripWrinkles(glb: Glb, materialIndex: number, who: string): number {
   const { json } = glb
-  const material = json.materials![materialIndex]!
+  const material = json.materials![materialIndex]
   const own = ownTextures(json, material.extensions![WRINKLE_MAPS], who)
-  material.extensions = without(material.extensions!, WRINKLE_MAPS)
+  material.extensions = omit(material.extensions!, WRINKLE_MAPS)
   if (Object.keys(material.extensions).length === 0) delete material.extensions
   if (!json.materials!.some(({ extensions }) => extensions?.[WRINKLE_MAPS])) undeclare(json, WRINKLE_MAPS)
 
@@ -26,15 +27,15 @@ export function stripWrinkles(glb: Glb, materialIndex: number, who: string): num
     'images',
     (index) => textures.some((texture) => imagesOf(texture).has(index)) && !usesImage(json, index),
   )
-  if (usesBasis({ textures }) && !usesBasis(json)) undeclare(json, BASIS)
+  if (usesKtx2({ textures }) && !usesKtx2(json)) undeclare(json, KTX2_EXTENSION)
   const views = indicesUnder(json, /^bufferView$/)
-  const dropped = popWhile(json, 'bufferViews', (index) => !views.has(index))
+  const removed = popWhile(json, 'bufferViews', (index) => !views.has(index))
   popWhile(
     json,
     'samplers',
     (index) => textures.some((t) => t.sampler === index) && !usesSampler(json, index),
   )
-  if (dropped.length > 0) cutBinary(glb, dropped)
+  if (removed.length > 0) cutBinaryChunk(glb, removed)
   return own.size - textures.length
 }
 
@@ -51,7 +52,7 @@ function ownTextures(json: GltfJson, extension: unknown, who: string): Set<numbe
   return new Set(all.flatMap((info) => (info ? [info.index] : [])))
 }
 
-/** Images of a texture, those that extensions name among them. */
+/** Indices of the images of a texture, including those of its extensions. */
 function imagesOf(texture: object): Set<number> {
   return indicesUnder(texture, /^source$/)
 }
@@ -73,20 +74,20 @@ function usesSampler({ textures = [] }: GltfJson, index: number): boolean {
   return textures.some(({ sampler }) => sampler === index)
 }
 
-/** Removes items from the end of a list while `goes` says so, and the list itself when it is empty. */
+/** Removes items from the end of a list while `isUnused`, and the list itself when it becomes empty. */
 function popWhile<K extends 'textures' | 'images' | 'bufferViews' | 'samplers'>(
   json: GltfJson,
   key: K,
-  goes: (index: number) => boolean,
+  isUnused: (index: number) => boolean,
 ): NonNullable<GltfJson[K]>[number][] {
   const list = (json[key] ?? []) as NonNullable<GltfJson[K]>[number][]
-  const gone = []
-  while (list.length > 0 && goes(list.length - 1)) gone.push(list.pop()!)
+  const removed = []
+  while (list.length > 0 && isUnused(list.length - 1)) removed.push(list.pop()!)
   if (list.length === 0) delete json[key]
-  return gone
+  return removed
 }
 
-/** Every whole number below a field of that name, however deep: extensions of others are not known here. */
+/** All numbers anywhere below fields whose name matches: the extensions of others are unknown here. */
 function indicesUnder(value: unknown, name: RegExp, inside = false, found = new Set<number>()): Set<number> {
   if (inside && typeof value === 'number') found.add(value)
   if (typeof value !== 'object' || value === null) return found
@@ -96,25 +97,25 @@ function indicesUnder(value: unknown, name: RegExp, inside = false, found = new 
   return found
 }
 
-/** Ends the binary part where the dropped views begin, unless others still lie behind. */
-function cutBinary(glb: Glb, dropped: readonly BufferView[]): void {
+/** Cuts the binary chunk where the removed views begin, or behind the last view that is kept. */
+function cutBinaryChunk(glb: Glb, removed: readonly BufferView[]): void {
   const { bufferViews = [], buffers = [] } = glb.json
   const kept = bufferViews
     .flatMap((view) => [view, ...compressedViews(view)])
     .filter(({ buffer }) => buffer === 0)
     .map(({ byteOffset = 0, byteLength }) => byteOffset + byteLength)
-  const begins = Math.min(...dropped.map(({ byteOffset = 0 }) => byteOffset))
-  const end = Math.min(Math.max(begins, ...kept), glb.bin.length)
+  const start = Math.min(...removed.map(({ byteOffset = 0 }) => byteOffset))
+  const end = Math.min(Math.max(start, ...kept), glb.bin.length)
   glb.bin = glb.bin.subarray(0, end)
   if (buffers[0]) buffers[0].byteLength = end
   if (end === 0 && buffers.length === 1) delete glb.json.buffers
 }
 
-/** Compressed meshes name their bytes in an extension of the view. */
+/** Views of compressed meshes refer to their bytes in an extension. */
 function compressedViews({ extensions = {} }: BufferView & { extensions?: object }): BufferView[] {
   return Object.values(extensions).filter((value) => typeof value === 'object' && value?.byteLength > 0)
 }
 
-function without(object: Record<string, unknown>, key: string): Record<string, unknown> {
+function omit(object: Record<string, unknown>, key: string): Record<string, unknown> {
   return Object.fromEntries(Object.entries(object).filter(([name]) => name !== key))
 }

@@ -1,18 +1,21 @@
-import { FurrowError, type GrayImage, type TextureReference, type WrinkleSetDocument } from 'furrow'
+import type { GrayImage, TextureReference, WrinkleSetDocument } from 'furrow'
 import sharp from 'sharp'
-import { encodeArea, firstLine, type Output } from '../images.ts'
+import type { OutputFile } from '../files.ts'
+import { imageOf, isKtx2 } from '../gltf/texture-image.ts'
+import { pixelsOf } from '../gltf/texture-pixels.ts'
+import { encodeArea, encodePngWithoutOpaqueAlpha } from '../images/encode.ts'
+import { withImageErrors } from '../images/pixels.ts'
 import type { Progress } from '../progress.ts'
 import { weightsOf } from './inspect.ts'
-import { encodePixels } from './map-images.ts'
-import { pixelsOf } from './pixels.ts'
-import { imageOf, isKtx2, MAP_SLOTS, type WrinkledFile } from './wrinkled-file.ts'
+import { MAP_SLOTS, type WrinkledFile } from './wrinkled-file.ts'
 
 type LayerEntry = WrinkleSetDocument['layers'][number]
 
 /**
- * Turns the wrinkles of a file into the files of a folder, with paths relative to it: `wrinkles.json`,
- * `layers/NAME/*.png` and `areas/NAME.png`.
+ * Makes the files of a folder from the wrinkles of a file: `wrinkles.json`, `layers/NAME/*.png` and `areas/NAME.png`.
  *
+ * @param whiteIsVisible the convention to write areas in.
+ * @returns the files, with paths relative to the folder.
  * @throws FurrowError when an image cannot be decoded.
  */
 export async function unpackWrinkles(
@@ -20,10 +23,10 @@ export async function unpackWrinkles(
   whiteIsVisible: boolean,
   who: string,
   progress: Progress,
-): Promise<Output[]> {
+): Promise<OutputFile[]> {
   const { maps } = file
   const total = maps.layers.length + maps.areas.length
-  const outputs: Output[] = []
+  const outputs: OutputFile[] = []
   const layers: LayerEntry[] = []
   const fileNames = fileNamesOf(maps.layers)
   for (const [i, layer] of maps.layers.entries()) {
@@ -49,11 +52,11 @@ export async function unpackWrinkles(
   const areaEntries: WrinkleSetDocument['areas'] = []
   for (const [i, area] of maps.areas.entries()) {
     const path = `areas/${areaFiles[i]}.png`
-    outputs.push({ path, bytes: await encodeWeights(areas[i]!, whiteIsVisible) })
+    outputs.push({ path, bytes: await encodeWeights(areas[i], whiteIsVisible) })
     areaEntries.push({
       name: area.name,
       image: encodeURI(path),
-      ...(area.layer !== 0 && { layer: layers[area.layer]!.name }),
+      ...(area.layer !== 0 && { layer: layers[area.layer].name }),
       ...(area.combine !== 'sum' && { combine: area.combine }),
       ...(whiteIsVisible && { convention: 'weight' as const }),
       ...(area.activation !== 0 && { activation: area.activation }),
@@ -72,23 +75,18 @@ export async function unpackWrinkles(
   return [{ path: 'wrinkles.json', bytes: Buffer.from(text) }, ...outputs]
 }
 
-/** PNG goes through as it is; other formats are decoded once. */
+/** A map as a PNG file; one that is PNG already is not encoded again. */
 async function pngOf({ glb }: WrinkledFile, info: TextureReference, who: string): Promise<Uint8Array> {
   const image = imageOf(glb, info.index, who)
-  if (isKtx2(image)) return encodePixels(await pixelsOf(glb, info, who))
+  if (isKtx2(image)) return encodePngWithoutOpaqueAlpha(await pixelsOf(glb, info, who))
   const { bytes, mimeType, name } = image
   if (mimeType === 'image/png') return bytes
-  try {
-    return await sharp(bytes, { failOn: 'truncated' }).png({ compressionLevel: 9 }).toBuffer()
-  } catch (error) {
-    throw new FurrowError({
-      who,
-      what: `cannot decode the image "${name}" (${firstLine(error)})`,
-      value: mimeType,
-      limit: 'PNG, JPEG, WebP or AVIF',
-      remedy: 'unpack the file from before its textures were compressed',
-    })
-  }
+  const encode = () => sharp(bytes, { failOn: 'truncated' }).png({ compressionLevel: 9 }).toBuffer()
+  const remedy = 'unpack the file from before its textures were compressed'
+  return withImageErrors(`"${name}" of type ${mimeType}`, who, encode, {
+    limit: 'PNG, JPEG, WebP or AVIF',
+    remedy,
+  })
 }
 
 function encodeWeights(weights: GrayImage, whiteIsVisible: boolean): Promise<Uint8Array> {
@@ -96,14 +94,14 @@ function encodeWeights(weights: GrayImage, whiteIsVisible: boolean): Promise<Uin
   return encodeArea({ ...weights, data: weights.data.map((weight) => 255 - weight) })
 }
 
-/** Names that any file system takes, no two the same even where it ignores case. */
+/** Names that are valid on any file system, and unique even where it ignores case. */
 function fileNamesOf(named: readonly { name: string }[]): string[] {
   const taken = new Set<string>()
   return named.map(({ name }) => {
     const plain = name.replaceAll(/[^\p{L}\p{N} _-]/gu, '_').trim() || '_'
-    let free = plain
-    for (let n = 2; taken.has(free.toLowerCase()); n++) free = `${plain}-${n}`
-    taken.add(free.toLowerCase())
-    return free
+    let unique = plain
+    for (let n = 2; taken.has(unique.toLowerCase()); n++) unique = `${plain}-${n}`
+    taken.add(unique.toLowerCase())
+    return unique
   })
 }

@@ -20,6 +20,7 @@ export function areaWeights(
   checkImage(image, 'gray', who)
   if (image.width === 1 || image.height === 1) {
     throw new FurrowError({
+      code: 'out-of-range',
       who,
       what: 'an area one texel wide cannot say where its wrinkles lie',
       value: `${image.width} x ${image.height}`,

@@ -18,6 +18,7 @@ export function checkImage(
   for (const side of [image.width, image.height]) {
     if (!Number.isInteger(side) || side < 1 || side > MAX_IMAGE_SIDE) {
       throw new FurrowError({
+        code: 'out-of-range',
         who,
         what: 'image side out of range',
         value: `${image.width} x ${image.height}`,

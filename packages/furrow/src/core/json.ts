@@ -1,9 +1,9 @@
-import { FurrowError } from './error.ts'
+import { type ErrorCode, FurrowError } from './error.ts'
 
 /** A point of the texture: u to the right, v downwards, both 0..1. */
 export type Uv = [u: number, v: number]
 
-/** Reads one JSON document; every complaint names the field by its path. */
+/** Checks one JSON document field by field; errors name the field by its path, e.g. `areas[2].name`. */
 export class JsonReader {
   readonly #who: string
 
@@ -11,7 +11,7 @@ export class JsonReader {
     this.#who = who
   }
 
-  /** The value as an object; its keys are all among `known`, if that is given. Throws otherwise. */
+  /** The value as an object without keys other than `known`, where that is given. Throws otherwise. */
   object(value: unknown, path: string, known?: readonly string[]): Record<string, unknown> {
     if (typeof value !== 'object' || value === null || Array.isArray(value)) {
       const fields = known ? ` with ${known.join(', ')}` : ''
@@ -19,35 +19,47 @@ export class JsonReader {
     }
     for (const key of Object.keys(value)) {
       if (known && !known.includes(key)) {
-        this.fail(`${path} has an unknown field`, key, known.join(', '), 'correct the name or remove it')
+        this.fail(
+          `${path} has an unknown field`,
+          key,
+          known.join(', '),
+          'correct the name or remove it',
+          'unknown-name',
+        )
       }
     }
     return value as Record<string, unknown>
   }
 
-  /** The value as an array of `low`..`high` items. Throws otherwise. */
+  /** The value as an array of `low` to `high` items. Throws otherwise. */
   array(value: unknown, path: string, low: number, high: number): unknown[] {
     const range = `${low} to ${high} items`
     if (!Array.isArray(value)) this.fail(`${path} must be an array`, value, range, 'write [ ... ]')
     if (value.length < low || value.length > high) {
-      this.fail(`${path} has the wrong number of items`, value.length, range, 'add or remove items')
+      this.fail(
+        `${path} has the wrong number of items`,
+        value.length,
+        range,
+        'add or remove items',
+        'out-of-range',
+      )
     }
     return value
   }
 
-  /** The value as a finite number in `low`..`high`. Throws otherwise. */
+  /** The value as a finite number from `low` to `high`. Throws otherwise. */
   number(value: unknown, path: string, low: number, high: number, unit: string): number {
     const range = `${low}..${high}${unit === '' ? '' : ` ${unit}`}`
     if (typeof value !== 'number' || !Number.isFinite(value)) {
       this.fail(`${path} must be a number`, value, range, 'write a plain number')
     }
     if (value < low || value > high) {
-      this.fail(`${path} is out of range`, value, range, 'choose a value inside the range')
+      this.fail(`${path} is out of range`, value, range, 'choose a value inside the range', 'out-of-range')
     }
     return value
   }
 
-  /** The value as a whole number in `low`..`high`. Throws otherwise. */
+  /** The value as an integer from `low` to `high`. Throws otherwise. */
   integer(value: unknown, path: string, low: number, high: number): number {
     const number = this.number(value, path, low, high, '')
     if (!Number.isInteger(number)) {
@@ -56,7 +68,7 @@ export class JsonReader {
     return number
   }
 
-  /** One number for both, or an array of two. Throws otherwise. */
+  /** Two numbers, or one number that counts for both. Throws otherwise. */
   pair(value: unknown, path: string, low: number, high: number): [number, number] {
     if (!Array.isArray(value)) {
       const both = this.number(value, path, low, high, '')
@@ -80,7 +92,7 @@ export class JsonReader {
   /** The value as one of `allowed`. Throws otherwise. */
   choice<T extends string>(value: unknown, path: string, allowed: readonly T[]): T {
     if (!allowed.includes(value as T)) {
-      this.fail(`${path} is unknown`, value, allowed.join(' or '), 'use one of them')
+      this.fail(`${path} is unknown`, value, allowed.join(' or '), 'use one of them', 'unknown-name')
     }
     return value as T
   }
@@ -96,28 +108,14 @@ export class JsonReader {
     })
   }
 
-  fail(what: string, value: unknown, limit: string | undefined, remedy: string): never {
-    throw new FurrowError({ who: this.#who, what, value: shown(value), limit, remedy })
+  /** Throws FurrowError. Of a field that is missing it says so: `undefined` would not be printed. */
+  fail(what: string, value: unknown, limit: string | undefined, remedy: string, code?: ErrorCode): never {
+    const problem = value === undefined ? `${what}, got nothing` : what
+    throw new FurrowError({ code, who: this.#who, what: problem, value, limit, remedy })
   }
 }
 
-/** Only what is absent has a default: glTF knows no null. */
+/** Applies a default. `null` gets none: glTF has no null. */
 export function or(value: unknown, usual: unknown): unknown {
   return value === undefined ? usual : value
-}
-
-/** Objects of strangers may lack a working `toString`, or be nested too deep; so they are turned into text here. */
-function shown(value: unknown): unknown {
-  if (value === undefined) return { toString: () => 'nothing' }
-  if (typeof value !== 'object' || value === null) return value
-  const text = jsonOf(value) ?? 'an object'
-  return { toString: () => text }
-}
-
-function jsonOf(value: object): string | undefined {
-  try {
-    return JSON.stringify(value)
-  } catch {
-    return undefined
-  }
 }

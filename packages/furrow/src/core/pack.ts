@@ -53,6 +53,7 @@ export function packAreas(
 ): ImageArray {
   if (weights.length < 1 || weights.length > MAX_AREAS) {
     throw new FurrowError({
+      code: 'out-of-range',
       who,
       what: 'number of areas out of range',
       value: weights.length,

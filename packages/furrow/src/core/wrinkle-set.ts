@@ -59,6 +59,7 @@ export function layerIndex(
   const index = layers.findIndex((layer) => layer.name === area.layer)
   if (index < 0) {
     throw new FurrowError({
+      code: 'unknown-name',
       who,
       what: `area "${area.name}" is on an unknown layer`,
       value: area.layer,
@@ -77,6 +78,7 @@ export function listNames(named: readonly { name: string }[]): string {
 function checkCount(count: number, what: string, most: number, who: string): void {
   if (count >= 1 && count <= most) return
   throw new FurrowError({
+    code: 'out-of-range',
     who,
     what: `${count === 0 ? 'no' : 'too many'} ${what}`,
     value: count,

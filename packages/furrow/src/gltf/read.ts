@@ -81,6 +81,7 @@ function textureOf(context: ReaderContext, index: number, who: string): Texture 
   const texture = context.textures[context.jsonDoc.json.textures![index]?.source ?? -1]
   if (texture) return texture
   throw new FurrowError({
+    code: 'unreadable',
     who,
     what: 'a texture has no image that can be read',
     value: index,

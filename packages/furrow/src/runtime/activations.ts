@@ -90,6 +90,7 @@ export class Activations {
     const index = this.#indices.get(name)
     if (index !== undefined) return index
     throw new FurrowError({
+      code: 'unknown-name',
       who: this.#who,
       what: 'unknown area',
       value: name,

@@ -95,6 +95,7 @@ export class AtlasCells {
     if (columns === this.grid.columns && rows === this.grid.rows) return
     if (Math.max(columns * this.width, rows * this.height) > LARGEST_SIDE) {
       throw new FurrowError({
+        code: 'out-of-range',
         who: 'Wrinkles',
         what: 'too many faces with influence maps of this size',
         value: `${count} of ${this.width} x ${this.height} texels`,

@@ -87,6 +87,7 @@ export class ExpressionMix {
     for (const [name, weight] of Object.entries(weights)) this.#check(name, weight)
     if (!(seconds >= 0 && seconds < Infinity)) {
       throw new FurrowError({
+        code: 'out-of-range',
         who: 'ExpressionMix',
         what: 'time out of range',
         value: seconds,
@@ -136,6 +137,7 @@ export class ExpressionMix {
   #check(name: string, weight: number): void {
     if (!this.#expressions.has(name)) {
       throw new FurrowError({
+        code: 'unknown-name',
         who: 'ExpressionMix',
         what: 'unknown expression',
         value: name,
@@ -145,6 +147,7 @@ export class ExpressionMix {
     }
     if (weight >= 0 && weight <= 1) return
     throw new FurrowError({
+      code: 'out-of-range',
       who: 'ExpressionMix',
       what: `weight of "${name}" out of range`,
       value: weight,

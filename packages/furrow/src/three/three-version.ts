@@ -28,6 +28,7 @@ export function requireInternal<T>(value: T | null | undefined, who: string, nam
 
 function unsupported(who: string, what: string): FurrowError {
   return new FurrowError({
+    code: 'unsupported',
     who,
     what,
     value: `r${REVISION}`,

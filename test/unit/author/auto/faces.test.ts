@@ -1,11 +1,11 @@
 import { AUTO_REGIONS } from 'furrow/author'
 import { beforeAll, describe, expect, test } from 'vitest'
-import { faceRegions } from '../../../../packages/furrow/src/author/auto/face-regions.ts'
+import { skinVertices } from '../../../../packages/furrow/src/author/auto/surface/surface.ts'
 import { coverTexels } from '../../../../packages/furrow/src/author/cover-texels.ts'
 import { hasScan } from '../../../real-face/pack-scan.ts'
-import { FACES, Measured } from './faces.ts'
-import { shippedEars, smoothPlaces, trianglesIn, verticesOf } from './places.ts'
+import { FACES, facialCreases, MeasuredFace } from './faces.ts'
 import { type Channels, sample } from './slopes.ts'
+import { shippedEars, smoothRegions, trianglesIn } from './smooth-regions.ts'
 
 const BROWS_UP = { browInnerUp: 1, browOuterUpLeft: 1, browOuterUpRight: 1 }
 const BROWS_DOWN = { browDownLeft: 1, browDownRight: 1 }
@@ -16,46 +16,47 @@ const FLAT = 0.01
 const STRAIGHT = 3
 
 if (!hasScan) {
-  test.skip('the scanned face is not at hand: automatic wrinkles are tested on the shipped one alone', () => {})
+  test.skip('the scanned face is not available: automatic wrinkles are tested on the shipped one alone', () => {})
 }
 
 describe.each(FACES)('%s', (name, path) => {
-  let measured: Measured
+  let measured: MeasuredFace
   /** Triangles on which nothing may crease. */
   let smooth: [name: string, triangles: number[]][]
 
   beforeAll(async () => {
-    measured = await Measured.read(path)
+    measured = await MeasuredFace.read(path)
     const { skin, face } = measured
-    const places = Object.entries(smoothPlaces(face.surface))
-    if (name === 'human') places.push(['ears by the landmarks', shippedEars(skin, face.surface)])
-    smooth = places.map(([name, points]) => [name, trianglesIn(face.surface, points)])
+    const regions = Object.entries(smoothRegions(face.surface))
+    if (name === 'human') regions.push(['ears by the landmarks', shippedEars(skin, face.surface)])
+    smooth = regions.map(([name, points]) => [name, trianglesIn(face.surface, points)])
   }, 60_000)
 
-  /** The middle of each cheek: between the outer corner of the eye and that of the mouth, where fat lies. */
+  /** The middle of each cheek, between the outer corner of the eye and that of the mouth, where fat is. */
   const onCheek = (x: number, y: number): boolean => {
     const { outerCorner, mouthCorner } = measured.face.landmarks
     const middle = [(outerCorner[0] + mouthCorner[0]) / 2 + 6, (outerCorner[1] + mouthCorner[1]) / 2]
     return Math.hypot(Math.abs(x) - middle[0], y - middle[1]) < 13
   }
 
-  /** Of the lines of some areas, each piece's length and how steeply it rises, in degrees. */
-  const pieces = (name: RegExp) => {
-    const regions = faceRegions(measured.face, 0.5, 1, 1, AUTO_REGIONS).filter(({ region }) =>
-      name.test(region.name),
-    )
+  /** The segments of the lines of some areas: slope from the horizontal in degrees, weight by length and depth, start. */
+  const segmentsOf = (name: RegExp) => {
+    const regions = facialCreases(measured.prepared, 0.5).filter(({ region }) => name.test(region.name))
     return [...new Set(regions.flatMap(({ creases }) => creases))].flatMap(({ points, depths }) =>
       Array.from({ length: depths.length - 1 }, (_, i) => {
-        const way = [0, 1, 2].map((k) => points[3 * i + 3 + k]! - points[3 * i + k]!)
-        const length = Math.hypot(...way)
-        const rise = (Math.asin(Math.abs(way[1]!) / (length || 1)) * 180) / Math.PI
-        return { rise, weight: length * depths[i]!, at: points.slice(3 * i, 3 * i + 3) }
+        const vector = [0, 1, 2].map((k) => points[3 * i + 3 + k] - points[3 * i + k])
+        const length = Math.hypot(...vector)
+        const rise = (Math.asin(Math.abs(vector[1]) / (length || 1)) * 180) / Math.PI
+        return { rise, weight: length * depths[i], start: points.slice(3 * i, 3 * i + 3) }
       }),
     )
   }
 
-  /** The share of the lines, by length and depth, for which something holds. */
-  const shareOf = (all: ReturnType<typeof pieces>, holds: (piece: (typeof all)[number]) => boolean) =>
+  /** The fraction of segments, by weight, for which a condition holds. */
+  const fractionOf = (
+    all: ReturnType<typeof segmentsOf>,
+    holds: (segment: (typeof all)[number]) => boolean,
+  ) =>
     all.filter(holds).reduce((sum, { weight }) => sum + weight, 0) /
     all.reduce((sum, { weight }) => sum + weight, 0)
 
@@ -81,32 +82,32 @@ describe.each(FACES)('%s', (name, path) => {
     }
   })
 
-  test('raised brows crease what lies above the eyes', () => {
-    expect(measured.share(BROWS_UP, (_, y) => y > 0)).toBeGreaterThanOrEqual(0.85)
+  test('raised brows crease the skin above the eyes', () => {
+    expect(measured.activatedFraction(BROWS_UP, (_, y) => y > 0)).toBeGreaterThanOrEqual(0.85)
     expect(measured.activations(BROWS_UP).get('foreheadOuterLeft')).toBeGreaterThan(0.8)
   })
 
   test('lines of the forehead run within 20 degrees of the horizontal', () => {
-    expect(shareOf(pieces(/^forehead/), ({ rise }) => rise <= 20)).toBeGreaterThanOrEqual(0.95)
+    expect(fractionOf(segmentsOf(/^forehead/), ({ rise }) => rise <= 20)).toBeGreaterThanOrEqual(0.95)
   })
 
-  test('lowered brows crease upright lines between them', () => {
-    const between = measured.face.landmarks.innerBrow[0]
-    const lines = pieces(/^glabella/)
-    expect(shareOf(lines, ({ rise }) => rise >= 65)).toBeGreaterThanOrEqual(0.9)
-    expect(shareOf(lines, ({ at }) => Math.abs(at[0]!) < between)).toBeGreaterThanOrEqual(0.9)
+  test('lowered brows crease vertical lines between them', () => {
+    const innerBrow = measured.face.landmarks.innerBrow[0]
+    const lines = segmentsOf(/^glabella/)
+    expect(fractionOf(lines, ({ rise }) => rise >= 65)).toBeGreaterThanOrEqual(0.9)
+    expect(fractionOf(lines, ({ start }) => Math.abs(start[0]) < innerBrow)).toBeGreaterThanOrEqual(0.9)
     const activations = measured.activations(BROWS_DOWN)
     for (const side of ['Left', 'Right']) expect(activations.get(`glabella${side}`)).toBeGreaterThan(0.8)
     expect(activations.get('foreheadOuterLeft')).toBe(0)
   })
 
   test('one raised brow leaves the other side alone', () => {
-    expect(measured.share({ browOuterUpLeft: 1 }, (x) => x < 0)).toBeLessThanOrEqual(0.03)
-    expect(measured.share({ browOuterUpRight: 1 }, (x) => x > 0)).toBeLessThanOrEqual(0.03)
+    expect(measured.activatedFraction({ browOuterUpLeft: 1 }, (x) => x < 0)).toBeLessThanOrEqual(0.03)
+    expect(measured.activatedFraction({ browOuterUpRight: 1 }, (x) => x > 0)).toBeLessThanOrEqual(0.03)
   })
 
   test('a smile does not crease the middle of the cheeks', () => {
-    expect(measured.share(SMILE, onCheek)).toBeLessThanOrEqual(0.05)
+    expect(measured.activatedFraction(SMILE, onCheek)).toBeLessThanOrEqual(0.05)
     expect(measured.activations(SMILE).get('nasolabialLeft')).toBeGreaterThan(0.5)
     expect(measured.activations(SMILE).get('crowsFeetLeft')).toBeGreaterThan(0.5)
   })
@@ -117,60 +118,60 @@ describe.each(FACES)('%s', (name, path) => {
     expect(measured.activated({ jawOpen: 1 }, onCheek) / smiled).toBeLessThan(0.005)
   })
 
-  /** The most by which a channel departs from a value in the corners and the middles of triangles. */
-  const departure = (map: Channels, triangles: readonly number[], flat: number, channel = 0) => {
+  /** The largest deviation of a channel from a value, at the corners and the centroids of triangles. */
+  const deviation = (map: Channels, triangles: readonly number[], flat: number, channel = 0) => {
     const { skin, face } = measured
     let most = 0
     for (const triangle of triangles) {
-      const corners = verticesOf(skin, face.surface, triangle).map((i) => [
-        skin.uvs[2 * i]!,
-        skin.uvs[2 * i + 1]!,
+      const corners = skinVertices(skin, face.surface, triangle).map((i) => [
+        skin.uvs[2 * i],
+        skin.uvs[2 * i + 1],
       ])
-      const middle = [0, 1].map((k) => corners.reduce((sum, uv) => sum + uv[k]! / 3, 0))
+      const middle = [0, 1].map((k) => corners.reduce((sum, uv) => sum + uv[k] / 3, 0))
       for (const [u, v] of [...corners, middle])
-        most = Math.max(most, Math.abs(sample(map, [u!, v!], channel) - flat))
+        most = Math.max(most, Math.abs(sample(map, [u, v], channel) - flat))
     }
     return most
   }
 
-  /** How far the layers depart from flat, in millimetres and in bytes. */
-  const departures = (triangles: readonly number[]) => {
+  /** How far the layers deviate from flat, in millimetres and in bytes. */
+  const deviations = (triangles: readonly number[]) => {
     const { layers } = measured.wrinkles
     return {
-      relief: Math.max(...layers.map(({ relief }) => departure({ ...relief, channels: 1 }, triangles, 0))),
+      relief: Math.max(...layers.map(({ relief }) => deviation({ ...relief, channels: 1 }, triangles, 0))),
       normal: Math.max(
         ...layers.flatMap(({ normal }) =>
-          [0, 1].map((k) => departure({ ...normal, channels: 4 }, triangles, 128, k)),
+          [0, 1].map((k) => deviation({ ...normal, channels: 4 }, triangles, 128, k)),
         ),
       ),
       shade: Math.max(
-        ...layers.map(({ occlusion }) => departure({ ...occlusion, channels: 1 }, triangles, 255)),
+        ...layers.map(({ occlusion }) => deviation({ ...occlusion, channels: 1 }, triangles, 255)),
       ),
     }
   }
 
-  /** The largest weight of any area at the texels whose centres triangles cover, and how many these are. */
+  /** The largest weight of any area at the texels whose centres triangles cover, and the number of these texels. */
   const weights = (triangles: readonly number[]) => {
     const { skin, face, wrinkles } = measured
-    const { width, height } = wrinkles.areas[0]!.weights
+    const { width, height } = wrinkles.areas[0].weights
     let [most, count] = [0, 0]
     for (const triangle of triangles) {
-      const vertices = verticesOf(skin, face.surface, triangle)
+      const vertices = skinVertices(skin, face.surface, triangle)
       coverTexels(skin.uvs, vertices, width, height, (texel) => {
         count++
-        for (const { weights } of wrinkles.areas) most = Math.max(most, weights.data[texel]!)
+        for (const { weights } of wrinkles.areas) most = Math.max(most, weights.data[texel])
       })
     }
     return { most, count }
   }
 
   test('nothing creases on eyes, in lips, or on ears', () => {
-    const everywhere = departures([...measured.face.surface.triangleOf.keys()])
+    const everywhere = deviations([...measured.face.surface.skinTriangles.keys()])
     expect(everywhere.relief).toBeGreaterThan(1)
     expect(everywhere.normal).toBeGreaterThan(80)
     for (const [name, triangles] of smooth) {
       expect(triangles.length, name).toBeGreaterThan(150)
-      const { relief, normal, shade } = departures(triangles)
+      const { relief, normal, shade } = deviations(triangles)
       expect(relief, name).toBeLessThan(FLAT)
       expect(normal, name).toBeLessThan(STRAIGHT)
       expect(shade, name).toBeLessThan(1)
@@ -178,7 +179,7 @@ describe.each(FACES)('%s', (name, path) => {
   })
 
   test('no area has weight there', () => {
-    expect(weights([...measured.face.surface.triangleOf.keys()]).most).toBe(255)
+    expect(weights([...measured.face.surface.skinTriangles.keys()]).most).toBe(255)
     for (const [name, triangles] of smooth) {
       const { most, count } = weights(triangles)
       expect(count, name).toBeGreaterThan(10)

@@ -13,7 +13,13 @@ import { readImage } from './read-texture.ts'
  */
 export async function decodeImage(file: Blob, who: string): Promise<RgbaImage> {
   if (file.size === 0) {
-    throw new FurrowError({ who, what: 'empty file', value: '0 bytes', remedy: 'export the image again' })
+    throw new FurrowError({
+      code: 'unreadable',
+      who,
+      what: 'empty file',
+      value: '0 bytes',
+      remedy: 'export the image again',
+    })
   }
   const announced = await pngSize(file)
   if (announced) checkSize(announced.width, announced.height, who)
@@ -39,6 +45,7 @@ async function decode(file: Blob, who: string): Promise<ImageBitmap> {
     return await createImageBitmap(file, { colorSpaceConversion: 'none', premultiplyAlpha: 'none' })
   } catch {
     throw new FurrowError({
+      code: 'unreadable',
       who,
       what: 'not a readable image',
       value: `${file.size} bytes`,
@@ -51,6 +58,7 @@ async function decode(file: Blob, who: string): Promise<ImageBitmap> {
 function checkSize(width: number, height: number, who: string): void {
   if (Math.max(width, height) <= MAX_IMAGE_SIDE) return
   throw new FurrowError({
+    code: 'out-of-range',
     who,
     what: 'image too large',
     value: `${width} x ${height}`,

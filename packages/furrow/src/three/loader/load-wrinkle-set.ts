@@ -46,6 +46,7 @@ async function readJson(address: URL): Promise<unknown> {
     return JSON.parse(text)
   } catch (error) {
     throw new FurrowError({
+      code: 'unreadable',
       who: address.pathname,
       what: 'not JSON',
       value: (error as Error).message,
@@ -58,6 +59,7 @@ async function fetchFile(address: URL): Promise<Blob> {
   const response = await fetch(address)
   if (response.ok) return response.blob()
   throw new FurrowError({
+    code: 'unreadable',
     who: address.pathname,
     what: 'file not found',
     value: `HTTP status ${response.status}`,

@@ -14,6 +14,7 @@ export function readTexture(texture: Texture, who: string): RgbaImage {
   const pixels = image && (image.data instanceof Uint8Array ? raw(image as RgbaImage) : drawn(image))
   if (!pixels) {
     throw new FurrowError({
+      code: 'unsupported',
       who,
       what: 'texture without readable pixels',
       value: texture.name || texture.uuid,
@@ -46,6 +47,7 @@ export function readImage(image: Drawable): RgbaImage {
   gl.deleteTexture(texture)
   if (fault === gl.NO_ERROR) return { width, height, data }
   throw new FurrowError({
+    code: 'unsupported',
     who: 'readImage',
     what: 'image that the GPU does not take',
     value: `${width} x ${height}, WebGL error ${fault}`,
@@ -61,6 +63,7 @@ function reader(): WebGL2RenderingContext {
   if (!context || context.isContextLost()) context = new OffscreenCanvas(1, 1).getContext('webgl2')
   if (context) return context
   throw new FurrowError({
+    code: 'unsupported',
     who: 'readImage',
     what: 'no WebGL 2 context to read images with',
     limit: 'a browser with WebGL 2',

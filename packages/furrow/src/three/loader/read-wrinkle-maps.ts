@@ -163,6 +163,7 @@ class MapSource {
     const { depth } = array.image
     if (slice < depth) return { array, slice, channel }
     throw new FurrowError({
+      code: 'out-of-range',
       who: `${WRINKLE_MAPS} texture ${index}`,
       what: 'no such slice',
       value: slice,

@@ -129,6 +129,7 @@ async function loadArray(parser: GLTFParser, index: number, loader: KTX2Loader):
   const texture = loaded && asArray(loaded)
   if (!texture) {
     throw new FurrowError({
+      code: 'unreadable',
       who: `${WRINKLE_MAPS} texture ${index}`,
       what: 'not a compressed image or array',
       value: loaded ? `${loaded.image.width} x ${loaded.image.height}` : 'nothing readable',
@@ -158,6 +159,7 @@ function ktx2LoaderOf(parser: GLTFParser): KTX2Loader {
   const { ktx2Loader } = parser.options as LoaderOptions
   if (ktx2Loader) return ktx2Loader
   throw new FurrowError({
+    code: 'unsupported',
     who: WRINKLE_MAPS,
     what: 'the maps are KTX 2, which the loader cannot read',
     limit: 'a GLTFLoader with a KTX2Loader',

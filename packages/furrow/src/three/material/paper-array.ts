@@ -29,6 +29,7 @@ export function packPaperArray(
 ): PaperArray {
   if (layers.length !== 1) {
     throw new FurrowError({
+      code: 'unsupported',
       who: 'Wrinkles.mode',
       what: 'the paper knows one wrinkled normal map',
       value: layers.map(({ name }) => name).join(', '),
@@ -39,6 +40,7 @@ export function packPaperArray(
   const [{ kind, normal, normalScale }] = layers
   if (isSlice(normal)) {
     throw new FurrowError({
+      code: 'unsupported',
       who: 'Wrinkles.mode',
       what: "the paper's array cannot be packed from compressed maps",
       value: layers[0].name,

@@ -16,6 +16,7 @@ export function replace(shader: string, text: string, replacement: string): stri
 /** What is thrown for a shader without a text that the patch needs. */
 export function unpatchable(missing: string): FurrowError {
   return new FurrowError({
+    code: 'unsupported',
     who: 'Wrinkles',
     what: `material whose shader cannot be patched in three.js r${REVISION}, it lacks`,
     value: missing,

@@ -1,7 +1,8 @@
 import { BufferAttribute, BufferGeometry, type Mesh } from 'three'
 import { cross, float, If, Loop, vec3, vec4 } from 'three/tsl'
 import type { ComputeNode, Node, StorageBufferNode, WebGPURenderer } from 'three/webgpu'
-import { NO_DIRECTION, placesOf, sumNormals, TURNED_ROUND } from '../../math/deformed-normals.ts'
+import { HALF_TURN, NO_DIRECTION, sumNormals } from '../../math/deformed-normals.ts'
+import { weldVertices } from '../../math/weld.ts'
 import { coordinates, trianglesOf } from '../sources/geometry-arrays.ts'
 import { Buffers, computePass, padToVec4 } from './buffers.ts'
 import { DeformedPositions } from './deformed-positions.ts'
@@ -87,7 +88,7 @@ export class ComputedNormals {
       If(squared.greaterThan(NO_DIRECTION), () => {
         const after = sum.div(squared.sqrt()).toVar()
         // A welded vertex without a direction at rest has (0, 0, 0) there: what was authored is kept.
-        const isRotated = before.dot(before).greaterThan(0).and(before.dot(after).greaterThan(TURNED_ROUND))
+        const isRotated = before.dot(before).greaterThan(0).and(before.dot(after).greaterThan(HALF_TURN))
         If(isRotated, () => {
           cosine.assign(before.dot(after))
           axis.assign(cross(before, after))
@@ -109,7 +110,7 @@ function rotate(direction: Node<'vec3'>, axis: Node<'vec3'>, cosine: Node<'float
 
 function weld(geometry: BufferGeometry): Rest {
   const positions = coordinates(geometry.attributes.position)
-  const { places: welded, count: weldedCount } = placesOf(positions)
+  const { pointOf: welded, count: weldedCount } = weldVertices(positions)
   return { positions, triangles: trianglesOf(geometry), welded, weldedCount }
 }
 

@@ -1,0 +1,42 @@
+/** A rectangle of a picture, in pixels. */
+export interface Rect {
+  left: number
+  top: number
+  width: number
+  height: number
+}
+
+/** Smallest difference of a channel, 0..255, that counts as a change. */
+const THRESHOLD = 24
+/** Margin on each side, as a fraction of the longer side. */
+const MARGIN = 0.15
+
+/**
+ * The rectangle in which pictures of one size differ, with a margin: of one head in several poses, its face. The whole
+ * picture where they do not differ.
+ *
+ * @param pictures RGBA bytes.
+ */
+export function changedRect(pictures: readonly Uint8Array[], width: number, height: number): Rect {
+  const first = pictures[0]
+  let [left, top, right, bottom] = [width, height, -1, -1]
+  for (const other of pictures) {
+    for (let i = 0; i < other.length; i++) {
+      if (Math.abs(other[i] - first[i]) < THRESHOLD) continue
+      const [x, y] = [(i >> 2) % width, Math.floor((i >> 2) / width)]
+      left = Math.min(left, x)
+      right = Math.max(right, x)
+      top = Math.min(top, y)
+      bottom = Math.max(bottom, y)
+    }
+  }
+  if (right < 0) return { left: 0, top: 0, width, height }
+  const margin = Math.round(MARGIN * Math.max(right - left, bottom - top))
+  const [x, y] = [Math.max(0, left - margin), Math.max(0, top - margin)]
+  return {
+    left: x,
+    top: y,
+    width: Math.min(width, right + margin + 1) - x,
+    height: Math.min(height, bottom + margin + 1) - y,
+  }
+}

@@ -1,0 +1,71 @@
+import { basename, join } from 'node:path'
+import { parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
+import type { AutoWrinkles } from 'furrow/author'
+import type { OutputFile } from '../../files.ts'
+import type { Glb } from '../../gltf/glb-file.ts'
+import type { FoundSkin } from '../find-skin.ts'
+import type { Steps } from '../steps.ts'
+import { reportPage } from './page.ts'
+import { drawAreas, drawFaces, drawLayers, drawStrain } from './pictures.ts'
+import { posesOf } from './poses.ts'
+
+/** The input of a report. */
+export interface ReportSource {
+  /** The file with the wrinkles, which has been written. */
+  path: string
+  glb: Glb
+  found: FoundSkin
+  wrinkles: AutoWrinkles
+  /** By name, as on the command line. */
+  settings: Readonly<Record<string, string | number>>
+  warnings: readonly string[]
+}
+
+/** The files of a report. */
+export interface ReportFiles {
+  files: OutputFile[]
+  /** Why it has no pictures of the face; absent where it has them. */
+  missing?: string
+}
+
+/**
+ * Makes the report of `furrow auto`: a page and its pictures.
+ *
+ * @param folder for the paths of the files; nothing is written.
+ * @param steps two of them begin here: `report` and `pictures`.
+ */
+export async function makeReport(
+  source: ReportSource,
+  folder: string,
+  steps: Steps,
+  who: string,
+): Promise<ReportFiles> {
+  const { path, glb, found, wrinkles } = source
+  steps.begin('report')
+  const extension = glb.json.materials![found.material].extensions![WRINKLE_MAPS]
+  const maps = parseWrinkleMaps(extension, glb.json.textures?.length ?? 0, who)
+  const file = { glb, material: found.material, maps }
+  const poses = posesOf(wrinkles)
+  const strain = await drawStrain(found.skin, poses)
+  const areas = await drawAreas(file, who)
+  const layers = await drawLayers(file, who)
+  steps.begin('pictures')
+  const faces = await drawFaces(path, poses, (done, total) => steps.part(done, total))
+  const page = reportPage({
+    ...source,
+    title: basename(path),
+    poses,
+    strain,
+    areas,
+    layers,
+    faces,
+    times: steps.times(),
+  })
+  const isDrawn = typeof faces !== 'string'
+  const images = [...strain, ...areas, ...layers.flat(), ...(isDrawn ? faces.flat() : [])]
+  const files = images.map(({ file: name, bytes }) => ({ path: join(folder, name), bytes }))
+  return {
+    files: [...files, { path: join(folder, 'index.html'), bytes: Buffer.from(page) }],
+    ...(!isDrawn && { missing: faces }),
+  }
+}

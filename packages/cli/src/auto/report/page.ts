@@ -1,0 +1,185 @@
+import type { AutoArea, Landmarks, Place } from 'furrow/author'
+import { type Content, html, type Markup } from '../../markup.ts'
+import type { ReportSource } from './make-report.ts'
+import type { BeforeAndAfter, ReportImage } from './pictures.ts'
+import type { Pose } from './poses.ts'
+import { COLOUR_SCALE, MAX_COMPRESSION } from './strain-colours.ts'
+import { STYLE } from './style.ts'
+
+/** What the page shows. Images are in the order of the poses, areas and layers. */
+export interface PageSource extends Omit<ReportSource, 'path' | 'glb'> {
+  title: string
+  poses: readonly Pose[]
+  strain: readonly ReportImage[]
+  areas: readonly ReportImage[]
+  layers: readonly (readonly ReportImage[])[]
+  /** The reason as text where the face could not be drawn. */
+  faces: readonly BeforeAndAfter[] | string
+  times: readonly { step: string; seconds: number }[]
+}
+
+/** The HTML of a report; its images are in the same folder. */
+export function reportPage(source: PageSource): string {
+  const { title, wrinkles, poses } = source
+  const { layers, areas, targets, landmarks } = wrinkles
+  return html`<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="dark light">
+<title>${title}: wrinkles by furrow auto</title>
+<style>${STYLE}</style>
+</head>
+<body>
+<header>
+<h1>${title}</h1>
+<p>${count(areas.length, 'area')} on ${count(layers.length, 'layer')}, made from ${count(targets.length, 'blendshape')} by
+<b>furrow auto</b>. ${landmarks ? 'A face was recognised.' : 'No face was recognised: the lines follow strain alone.'}</p>
+${warnings(source.warnings)}
+</header>
+<main>
+<section>
+<h2>Before and after</h2>
+${beforeAndAfter(source.faces, poses)}
+</section>
+<section>
+<h2>Where the skin is pushed together</h2>
+<p>The fraction of its length that the skin loses, in the direction of greatest loss, over its texture.</p>
+${legend()}
+<div class="tiles">${poses.map((pose, i) => strainTile(pose, source.strain[i]))}</div>
+</section>
+<section>
+<h2>Areas</h2>
+<p>Compression is that of the skin across the lines in the area’s own expression. The error is the root mean square difference between
+the driver’s activation and the measured one over many poses, from 0 to 1.</p>
+${areaTable(areas, source.areas)}
+</section>
+<section>
+<h2>Layers</h2>
+<div class="tiles">${layers.map(({ name }, i) => layerTiles(name, source.layers[i]))}</div>
+</section>
+<section>
+<h2>What was found, and how long it took</h2>
+<div class="facts">
+${facts('Skin', [
+  ['Mesh', source.found.meshName],
+  ['Material', source.found.materialName],
+  ['Triangles', (source.found.skin.indices.length / 3).toLocaleString('en')],
+  ['Blendshapes', `${targets.length} of ${source.found.skin.targets.length} used`],
+])}
+${facts('Settings', Object.entries(source.settings))}
+${facts(
+  'Time',
+  source.times.map(({ step, seconds }) => [step, `${seconds.toFixed(1)} s`]),
+)}
+${landmarks && landmarkFacts(landmarks)}
+</div>
+</section>
+</main>
+</body>
+</html>
+`.text
+}
+
+function count(number: number, word: string): string {
+  return `${number} ${word}${number === 1 ? '' : 's'}`
+}
+
+function warnings(texts: readonly string[]): Markup | undefined {
+  return texts.length > 0
+    ? html`<ul class="warnings">${texts.map((text) => html`<li>${text}</li>`)}</ul>`
+    : undefined
+}
+
+function beforeAndAfter(faces: PageSource['faces'], poses: readonly Pose[]): Markup {
+  if (typeof faces === 'string') return html`<p class="missing">The face was not drawn. ${faces}.</p>`
+  return html`<p>The same pose without wrinkles, and with them.</p>
+<div class="pairs">${poses.map(
+    (pose, i) => html`<figure>
+<div class="pair">${image(faces[i][0], `${pose.name}, without wrinkles`)}${image(faces[i][1], `${pose.name}, with wrinkles`)}</div>
+${caption(pose)}
+</figure>`,
+  )}</div>`
+}
+
+function caption({ name, targets }: Pose): Markup {
+  const weights = Object.entries(targets).map(([target, weight]) => chip(target, weight))
+  return html`<figcaption><b>${name}</b><span class="chips">${weights}</span></figcaption>`
+}
+
+function strainTile(pose: Pose, map: ReportImage): Markup {
+  return html`<figure>${image(map, `${pose.name}: compression of the skin in its texture`)}<figcaption><b>${pose.name}</b></figcaption></figure>`
+}
+
+function legend(): Markup {
+  const colours = COLOUR_SCALE.map((rgb) => `rgb(${rgb.join(' ')})`).join(', ')
+  const marks = COLOUR_SCALE.map(
+    (_, i) => `${Math.round((100 * MAX_COMPRESSION * i) / (COLOUR_SCALE.length - 1))}%`,
+  )
+  marks[marks.length - 1] += ' and more'
+  return html`<div class="legend"><div style="background: linear-gradient(to right, ${colours})"></div>
+<p>${marks.map((mark) => html`<span>${mark}</span>`)}</p></div>`
+}
+
+function areaTable(areas: readonly AutoArea[], images: readonly ReportImage[]): Markup {
+  const rows = areas.map(({ name, layer, lines, compression, error, driver }, i) => {
+    const links = [...driver.targets].sort((a, b) => (b.weight ?? 1) - (a.weight ?? 1))
+    return html`<tr>
+<td class="map">${image(images[i], `Area ${name} in the texture`)}</td>
+<th scope="row">${name}</th>
+<td data-label="Layer">${layer + 1}</td>
+<td data-label="Lines">${lines}</td>
+<td data-label="Compression">${(100 * compression).toFixed(0)}%</td>
+<td data-label="Error">${error.toFixed(2)}</td>
+<td class="links"><span class="chips">${links.map(({ name: target, weight }) => chip(target, weight ?? 1))}</span></td>
+</tr>`
+  })
+  return html`<table>
+<thead><tr><td></td><th scope="col">Area</th><th scope="col">Layer</th><th scope="col">Lines</th><th scope="col">Compression</th>
+<th scope="col">Error</th><th scope="col">Driven by</th></tr></thead>
+<tbody>${rows}</tbody>
+</table>`
+}
+
+function layerTiles(name: string, images: readonly ReportImage[]): Content {
+  const [normal, relief] = images
+  return [
+    normal &&
+      html`<figure>${image(normal, `Normal map of layer ${name}`)}<figcaption><b>${name}</b> normal</figcaption></figure>`,
+    relief &&
+      html`<figure>${image(relief, `Relief of layer ${name}`)}<figcaption><b>${name}</b> relief</figcaption></figure>`,
+  ]
+}
+
+/** A blendshape and its weight, coloured by sign. */
+function chip(target: string, weight: number): Markup {
+  const sign = weight < 0 ? 'less' : 'more'
+  return html`<span class="chip ${sign}">${target} <b>${signed(Number(weight.toFixed(2)))}</b></span>`
+}
+
+/** An image that links to its file. */
+function image({ file, width, height }: ReportImage, alt: string): Markup {
+  return html`<a href="${file}"><img src="${file}" width="${width}" height="${height}" alt="${alt}"></a>`
+}
+
+function facts(title: string, rows: readonly (readonly [string, string | number])[]): Markup {
+  return html`<div><h3>${title}</h3><dl>${rows.map(([name, value]) => html`<div><dt>${name}</dt><dd>${value}</dd></div>`)}</dl></div>`
+}
+
+function landmarkFacts(landmarks: Landmarks): Markup {
+  const rows = Object.entries(landmarks).map(([name, point]: [string, Place | number]) => {
+    const words = name.replace(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`)
+    const position =
+      typeof point === 'number'
+        ? `${signed(Math.round(point))} up`
+        : point.map((mm) => signed(Math.round(mm))).join(', ')
+    return [words, position] as const
+  })
+  return facts('Landmarks (mm left, up, forwards)', rows)
+}
+
+/** With a minus sign rather than a hyphen, and never -0. */
+function signed(value: number): string {
+  return String(value === 0 ? 0 : value).replace('-', '−')
+}

@@ -1,0 +1,123 @@
+import { FurrowError } from 'furrow'
+import { type Skin, strainMaps } from 'furrow/author'
+import sharp from 'sharp'
+import { pixelsOf } from '../../gltf/texture-pixels.ts'
+import type { Progress } from '../../progress.ts'
+import { type Picture, renderPictures } from '../../render/render-pictures.ts'
+import { weightsOf } from '../../wrinkles/inspect.ts'
+import { scaled, scaledWeights, skinOf, tinted } from '../../wrinkles/sheet.ts'
+import type { WrinkledFile } from '../../wrinkles/wrinkled-file.ts'
+import { changedRect, type Rect } from './changed-rect.ts'
+import type { Pose } from './poses.ts'
+import { colourStrain } from './strain-colours.ts'
+
+/** An image of the report. */
+export interface ReportImage {
+  /** File name in the report's folder. */
+  file: string
+  width: number
+  height: number
+  bytes: Uint8Array
+}
+
+// Sizes of the images in pixels.
+const FACE = { width: 660, height: 880 }
+const STRAIN_SIDE = 512
+const AREA_SIDE = 256
+const MAX_MAP_SIDE = 1024
+
+/** A pose without and with wrinkles. */
+export type BeforeAndAfter = readonly [before: ReportImage, after: ReportImage]
+
+/**
+ * Draws the face of a file in each pose, without and with its wrinkles.
+ *
+ * @returns the reason as text where the face cannot be drawn, e.g. without a browser.
+ */
+export async function drawFaces(
+  path: string,
+  poses: readonly Pose[],
+  progress: Progress,
+): Promise<BeforeAndAfter[] | string> {
+  const requests = poses.flatMap(({ targets }) =>
+    (['off', 'default'] as const).map((mode) => ({ input: path, targets, mode, ...FACE })),
+  )
+  let drawn: Picture[]
+  try {
+    drawn = await renderPictures(requests, progress)
+  } catch (error) {
+    if (error instanceof FurrowError) return error.message
+    throw error
+  }
+  const rect = changedRect(
+    drawn.map(({ pixels }) => pixels),
+    FACE.width,
+    FACE.height,
+  )
+  const images = await Promise.all(
+    drawn.map(({ pixels }, i) => {
+      const name = `${i % 2 === 0 ? 'before' : 'after'}-${Math.floor(i / 2) + 1}`
+      return encode(name, pixels, FACE.width, FACE.height, rect)
+    }),
+  )
+  return poses.map((_, i) => [images[2 * i], images[2 * i + 1]] as const)
+}
+
+/** Draws the compression of the skin in each pose, over its texture coordinates. */
+export function drawStrain(skin: Skin, poses: readonly Pose[]): Promise<ReportImage[]> {
+  const maps = strainMaps(
+    skin,
+    poses.map(({ targets }) => targets),
+    STRAIN_SIDE,
+  )
+  return Promise.all(maps.map((map, i) => encode(`strain-${i + 1}`, colourStrain(map), STRAIN_SIDE)))
+}
+
+/** Draws each area over the base colour of the skin, or over gray where the file does not have it. */
+export async function drawAreas(file: WrinkledFile, who: string): Promise<ReportImage[]> {
+  const skin = await skinOf(file, who, AREA_SIDE).catch(() =>
+    new Uint8Array(3 * AREA_SIDE * AREA_SIDE).fill(120),
+  )
+  return Promise.all(
+    file.maps.areas.map(async (_, i) => {
+      const weights = await scaledWeights(await weightsOf(file, i, who), AREA_SIDE)
+      return encode(`area-${i + 1}`, tinted(skin, weights), AREA_SIDE)
+    }),
+  )
+}
+
+/** Draws the normal map and relief of each layer. */
+export function drawLayers({ glb, maps }: WrinkledFile, who: string): Promise<ReportImage[][]> {
+  return Promise.all(
+    maps.layers.map((layer, i) => {
+      const slots = [
+        ['normal', layer.normalTexture],
+        ['relief', layer.heightTexture],
+      ] as const
+      return Promise.all(
+        slots.flatMap(([name, texture]) => (texture ? [drawMap(`layer-${i + 1}-${name}`, texture)] : [])),
+      )
+    }),
+  )
+
+  async function drawMap(name: string, texture: Parameters<typeof pixelsOf>[1]): Promise<ReportImage> {
+    const pixels = await pixelsOf(glb, texture, who)
+    const side = Math.min(MAX_MAP_SIDE, pixels.width)
+    return encode(name, await scaled(pixels, side), side)
+  }
+}
+
+async function encode(
+  name: string,
+  pixels: Uint8Array,
+  width: number,
+  height = width,
+  rect: Rect = { left: 0, top: 0, width, height },
+): Promise<ReportImage> {
+  const channels = pixels.length === 3 * width * height ? 3 : 4
+  const bytes = await sharp(pixels, { raw: { width, height, channels } })
+    .extract(rect)
+    .webp({ quality: 90, smartSubsample: true })
+    .toBuffer()
+  return { file: `${name}.webp`, width: rect.width, height: rect.height, bytes }
+}

@@ -1,0 +1,53 @@
+import type { Node } from '@gltf-transform/core'
+import type { MetricMesh } from 'furrow/author'
+import { Matrix4, Vector3 } from 'three'
+import { nameOf, pickMesh, placementOf, trianglesOf } from './mesh-nodes.ts'
+import { readDocument } from './read-document.ts'
+
+/** What strokes need of a character: one mesh, its texture coordinates, and its skin's own normal map. */
+export interface FaceMesh {
+  /** Name of the mesh. */
+  name: string
+  /** Positions in metres in world space, in the rest pose without blendshapes. */
+  mesh: MetricMesh
+  /** The encoded normal map of the material, where it has one. */
+  normalMap?: Uint8Array
+  /** Whether the mesh has tangents; without, three.js derives them on the GPU. */
+  hasTangents: boolean
+}
+
+/**
+ * Reads one mesh of a .glb or .gltf file.
+ *
+ * @param meshName by default the one named `skin`, or the only one with texture coordinates.
+ * @throws FurrowError when the file cannot be read or has no such mesh.
+ */
+export async function readFaceMesh(path: string, who: string, meshName?: string): Promise<FaceMesh> {
+  const node = pickMesh(await readDocument(path, who), path, meshName, who)
+  return { name: nameOf(node), ...readMesh(node) }
+}
+
+function readMesh(node: Node): Omit<FaceMesh, 'name'> {
+  const placement = new Matrix4().fromArray(placementOf(node))
+  const point = new Vector3()
+  const positions: number[] = []
+  const uvs: number[] = []
+  const indices: number[] = []
+  let normalMap: Uint8Array | undefined
+  let hasTangents = true
+  for (const primitive of trianglesOf(node.getMesh()!)) {
+    const position = primitive.getAttribute('POSITION')!
+    const uv = primitive.getAttribute('TEXCOORD_0')!
+    const first = positions.length / 3
+    for (let i = 0; i < position.getCount(); i++) {
+      positions.push(...point.fromArray(position.getElement(i, [])).applyMatrix4(placement))
+      uvs.push(...uv.getElement(i, []))
+    }
+    const index = primitive.getIndices()
+    const count = index ? index.getCount() : position.getCount()
+    for (let i = 0; i < count; i++) indices.push(first + (index ? index.getScalar(i) : i))
+    hasTangents &&= primitive.getAttribute('TANGENT') !== null
+    normalMap ??= primitive.getMaterial()?.getNormalTexture()?.getImage() ?? undefined
+  }
+  return { mesh: { positions, uvs, indices }, hasTangents, ...(normalMap && { normalMap }) }
+}

@@ -1,0 +1,122 @@
+import { Logger, NodeIO } from '@gltf-transform/core'
+import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
+import { FurrowError } from 'furrow'
+import { firstLine } from '../errors.ts'
+import { readBytes } from '../files.ts'
+import { shapeProblem } from './glb-shape.ts'
+import type { GltfJson } from './gltf-json.ts'
+
+/** A binary glTF file in its two parts. Commands edit the parts in place, so that whatever else it holds is kept. */
+export interface Glb {
+  json: GltfJson
+  /** The binary chunk; empty where there is none. */
+  bin: Uint8Array
+  /** Size of the file that it was read from. */
+  fileBytes: number
+  warnings: string[]
+}
+
+// glTF 2.0, section 4.4 (GLB file format): a header of 12 bytes, then chunks of 8 bytes and their data.
+const MAGIC = 0x46546c67
+const JSON_CHUNK = 0x4e4f534a
+const BIN_CHUNK = 0x004e4942
+/** Where the data of the first chunk begins. */
+const JSON_START = 20
+
+/**
+ * Reads a `.glb`, or a `.gltf` with the files beside it.
+ *
+ * @throws FurrowError when the file is missing, cut off, or not glTF 2.0.
+ */
+export async function readGlbFile(path: string, who: string): Promise<Glb> {
+  if (/\.gltf$/i.test(path)) return readGltfFile(path, who)
+  return decodeGlb(await readBytes(path, who, 'the face'), path, who)
+}
+
+/** Splits the bytes of a `.glb` into its parts. Throws FurrowError as `readGlbFile` does. */
+export function decodeGlb(bytes: Buffer, path: string, who: string): Glb {
+  const problem = headerProblem(bytes)
+  if (problem) throw unusable(path, who, problem)
+  const end = JSON_START + bytes.readUInt32LE(12)
+  let json: GltfJson
+  try {
+    json = JSON.parse(bytes.toString('utf8', JSON_START, end))
+  } catch (error) {
+    throw unusable(path, who, `its JSON is malformed (${firstLine(error)})`)
+  }
+  const wrong = shapeProblem(json)
+  if (wrong) throw unusable(path, who, wrong)
+  const bin = binaryChunk(bytes, end)
+  if (!bin) throw unusable(path, who, 'its binary chunk is cut off')
+  return { json, bin, fileBytes: bytes.length, warnings: [] }
+}
+
+/** Joins the parts to the bytes of a `.glb`. */
+export function encodeGlb({ json, bin }: Glb): Uint8Array {
+  const text = padded(Buffer.from(JSON.stringify(json)), 0x20)
+  const data = padded(bin, 0)
+  const header = Buffer.alloc(JSON_START)
+  const length = JSON_START + text.length + (data.length > 0 ? 8 + data.length : 0)
+  for (const [i, value] of [MAGIC, 2, length, text.length, JSON_CHUNK].entries()) {
+    header.writeUInt32LE(value, 4 * i)
+  }
+  if (data.length === 0) return Buffer.concat([header, text])
+  const chunkHeader = Buffer.alloc(8)
+  chunkHeader.writeUInt32LE(data.length, 0)
+  chunkHeader.writeUInt32LE(BIN_CHUNK, 4)
+  return Buffer.concat([header, text, chunkHeader, data])
+}
+
+/** Why the bytes are not a whole binary glTF 2.0 file up to the end of its JSON; undefined where they are. */
+function headerProblem(bytes: Buffer): string | undefined {
+  if (bytes.length === 0) return 'it is empty'
+  if (bytes.length < 4 || bytes.readUInt32LE(0) !== MAGIC) return 'it does not begin with "glTF"'
+  if (bytes.length < JSON_START) return `it is cut off after ${bytes.length} bytes`
+  if (bytes.readUInt32LE(4) !== 2) return `it has version ${bytes.readUInt32LE(4)}`
+  const length = bytes.readUInt32LE(8)
+  if (length > bytes.length || JSON_START + bytes.readUInt32LE(12) > bytes.length) {
+    return `it is cut off: ${bytes.length} of ${length} bytes`
+  }
+  if (bytes.readUInt32LE(16) !== JSON_CHUNK) return 'its first chunk is not JSON'
+  return undefined
+}
+
+/** The data of the chunk at `start`; empty where it is not a binary chunk, undefined where it is cut off. */
+function binaryChunk(bytes: Buffer, start: number): Uint8Array | undefined {
+  if (bytes.length < start + 8) return new Uint8Array()
+  if (bytes.readUInt32LE(start + 4) !== BIN_CHUNK) return new Uint8Array()
+  const end = start + 8 + bytes.readUInt32LE(start)
+  return end > bytes.length ? undefined : bytes.subarray(start + 8, end)
+}
+
+/** Converts a text file to a binary one; glTF-Transform drops extensions that it does not know. */
+async function readGltfFile(path: string, who: string): Promise<Glb> {
+  try {
+    const io = new NodeIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS)
+    const source = await io.readAsJSON(path)
+    const known = ALL_EXTENSIONS.map(({ EXTENSION_NAME }) => EXTENSION_NAME)
+    const lost = (source.json.extensionsUsed ?? []).filter((name) => !known.includes(name))
+    const glb = decodeGlb(Buffer.from(await io.writeBinary(await io.readJSON(source))), path, who)
+    if (lost.length > 0) {
+      glb.warnings.push(`${who}: ${path} loses ${lost.join(', ')}; convert it to .glb to keep everything`)
+    }
+    return glb
+  } catch (error) {
+    throw error instanceof FurrowError ? error : unusable(path, who, firstLine(error))
+  }
+}
+
+function padded(bytes: Uint8Array, fill: number): Uint8Array {
+  const gap = (4 - (bytes.length % 4)) % 4
+  return gap === 0 ? bytes : Buffer.concat([bytes, Buffer.alloc(gap, fill)])
+}
+
+function unusable(path: string, who: string, problem: string): FurrowError {
+  return new FurrowError({
+    code: 'unreadable',
+    who,
+    what: `${path} is not usable: ${problem}`,
+    limit: 'a whole glTF 2.0 file (.glb, .gltf)',
+    remedy: 'export it again',
+  })
+}

@@ -1,0 +1,62 @@
+type Extensions = Record<string, unknown>
+
+/** A reference to a texture. */
+export interface TextureInfo {
+  index: number
+  texCoord?: number
+}
+
+export interface GltfMaterial {
+  name?: string
+  pbrMetallicRoughness?: { baseColorTexture?: TextureInfo }
+  normalTexture?: TextureInfo
+  extensions?: Extensions
+}
+
+export interface GltfMesh {
+  name?: string
+  primitives: {
+    attributes?: Record<string, number>
+    indices?: number
+    mode?: number
+    material?: number
+    targets?: Record<string, number>[]
+  }[]
+  extras?: { targetNames?: unknown }
+}
+
+/** The parts of a glTF document that wrinkles touch; everything else is kept as it is. */
+export interface GltfJson {
+  extensionsUsed?: string[]
+  extensionsRequired?: string[]
+  buffers?: { byteLength: number; uri?: string }[]
+  bufferViews?: { buffer: number; byteOffset?: number; byteLength: number }[]
+  accessors?: object[]
+  images?: { name?: string; mimeType?: string; uri?: string; bufferView?: number }[]
+  textures?: { name?: string; sampler?: number; source?: number; extensions?: Extensions }[]
+  samplers?: object[]
+  materials?: GltfMaterial[]
+  meshes?: GltfMesh[]
+  nodes?: { name?: string; mesh?: number }[]
+  extensions?: Extensions
+}
+
+/** Names of the blendshapes of a mesh, as three.js and others know them. */
+export function targetNamesOf(mesh: GltfMesh): string[] {
+  const count = mesh.primitives[0]?.targets?.length ?? 0
+  const names = mesh.extras?.targetNames
+  if (Array.isArray(names) && names.length === count) return names.map(String)
+  return Array.from({ length: count }, (_, i) => String(i))
+}
+
+/** Names of all nodes: drivers may name any of them as a joint. */
+export function jointNamesOf({ nodes = [] }: GltfJson): string[] {
+  return nodes.flatMap(({ name }) => (name === undefined ? [] : [name]))
+}
+
+/** Addresses of the files beside it that a document needs. */
+export function externalUris({ images = [], buffers = [] }: GltfJson): string[] {
+  return [...images, ...buffers].flatMap(({ uri }) =>
+    uri === undefined || uri.startsWith('data:') ? [] : [uri],
+  )
+}

@@ -1,0 +1,67 @@
+import type { GrayImage } from 'furrow'
+import sharp from 'sharp'
+import { checkBasisSize } from '../array/basis.ts'
+import type { NamedArray } from '../array/image-array.ts'
+import { writeArray } from '../array/ktx2.ts'
+import { interleave } from './area-images.ts'
+import { type CheckedImage, checkOneSize } from './checked-image.ts'
+import type { FileImage, LayerImages } from './embed.ts'
+
+/** Areas per slice of an array: one per channel. */
+export const AREAS_PER_SLICE = 4
+
+const MIME_TYPE = 'image/ktx2'
+
+/** Whether the maps of each kind are colours. */
+const IS_SRGB = { normal: false, baseColor: true, roughness: false, occlusion: false, height: false } as const
+
+/**
+ * Encodes the maps of each kind as one KTX 2 array in UASTC, with mipmaps.
+ *
+ * @throws FurrowError where maps of one kind differ in size, or their sides are not multiples of 4 texels.
+ */
+export async function encodeMapArrays(
+  layers: readonly (LayerImages & { normal: CheckedImage })[],
+  who: string,
+): Promise<LayerImages[]> {
+  const encoded: LayerImages[] = layers.map((layer) => ({ ...layer }))
+  for (const [kind, srgb] of Object.entries(IS_SRGB) as [keyof typeof IS_SRGB, boolean][]) {
+    const withMap = encoded.filter((layer) => layer[kind])
+    if (withMap.length === 0) continue
+    const images = withMap.map((layer) => layer[kind] as CheckedImage)
+    checkOneSize(images, kind, who)
+    const { width, height } = images[0]
+    const pixels = await Promise.all(images.map(({ bytes }) => decodeRgba(bytes)))
+    const names = withMap.map((_, i) => `layer-${i}`)
+    const bytes = await encode({ width, height, channels: 4, srgb, names, layers: pixels }, true, who)
+    for (const [slice, layer] of withMap.entries()) {
+      layer[kind] = { name: `${kind} maps`, mimeType: MIME_TYPE, bytes, slice }
+    }
+  }
+  return encoded
+}
+
+/**
+ * Encodes areas of one size as one KTX 2 array in UASTC, four to a slice. It has no mipmaps, which would bleed across
+ * UV islands.
+ */
+export async function encodeAreaArray(weights: readonly GrayImage[], who: string): Promise<FileImage[]> {
+  const { width, height } = weights[0]
+  const slices = Array.from({ length: Math.ceil(weights.length / AREAS_PER_SLICE) }, (_, slice) => {
+    const first = slice * AREAS_PER_SLICE
+    return interleave(weights.slice(first, first + AREAS_PER_SLICE), 4).data
+  })
+  const names = slices.map((_, i) => `areas-${i}`)
+  const bytes = await encode({ width, height, channels: 4, srgb: false, names, layers: slices }, false, who)
+  return slices.map((_, slice) => ({ name: 'areas', mimeType: MIME_TYPE, bytes, slice }))
+}
+
+function encode(array: NamedArray, mipmaps: boolean, who: string): Promise<Uint8Array> {
+  checkBasisSize(array, who, 'scale the images (--size, --area-size), or omit --ktx2')
+  return writeArray(array, 'uastc', mipmaps)
+}
+
+async function decodeRgba(bytes: Uint8Array): Promise<Uint8Array> {
+  const image = sharp(bytes, { failOn: 'truncated', ignoreIcc: true }).toColourspace('srgb').ensureAlpha()
+  return new Uint8Array(await image.raw().toBuffer())
+}

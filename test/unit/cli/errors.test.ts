@@ -1,0 +1,132 @@
+import { Option } from 'commander'
+import { FurrowError } from 'furrow'
+import { describe, expect, it, vi } from 'vitest'
+import { createCommand } from '../../../packages/cli/src/command.ts'
+import { bakeCommand } from '../../../packages/cli/src/commands/bake.ts'
+import { cannotRead, withCommandErrors } from '../../../packages/cli/src/errors.ts'
+import { numberParser, parseWeight } from '../../../packages/cli/src/options.ts'
+
+/** What `work` throws or rejects with. */
+async function failure(work: () => unknown): Promise<unknown> {
+  try {
+    return await work()
+  } catch (error) {
+    return error
+  }
+}
+
+describe('errors of the library in a command', () => {
+  const parts = {
+    code: 'out-of-range',
+    what: 'too large',
+    value: 9,
+    limit: '0..1',
+    remedy: 'scale it',
+  } as const
+
+  it('are reported by the command, with all other parts and the original as their cause', async () => {
+    const original = new FurrowError({ who: 'bakeMaps', ...parts })
+    const error = await failure(() =>
+      withCommandErrors('furrow bake', () => {
+        throw original
+      }),
+    )
+    expect(error).toMatchObject({ who: 'furrow bake', ...parts, cause: original })
+  })
+
+  it('about memory name what helps', async () => {
+    const error = await failure(() => withCommandErrors('furrow bake', () => new Float64Array(2 ** 52)))
+    expect(error).toMatchObject({ name: 'FurrowError', code: 'unsupported', who: 'furrow bake' })
+    expect((error as Error).message).toContain('choose a smaller --size')
+  })
+
+  it('that are bugs stay what they are', async () => {
+    const bug = new TypeError('x is not a function')
+    const error = await failure(() =>
+      withCommandErrors('furrow bake', () => {
+        throw bug
+      }),
+    )
+    expect(error).toBe(bug)
+  })
+
+  it('give their result where there are none', () => {
+    expect(withCommandErrors('furrow bake', () => 7)).toBe(7)
+  })
+})
+
+describe('errors of files', () => {
+  it('have a code, and the first line of their cause', async () => {
+    const cause = new Error('broken header\n  at decoder')
+    expect(cannotRead('furrow pack', 'the face a.glb', cause)).toMatchObject({
+      code: 'unreadable',
+      message: 'furrow pack: cannot read the face a.glb (broken header); check the path',
+      cause,
+    })
+    const missing = await failure(() =>
+      bakeCommand.parseAsync(['none.glb', 'none.glb', '-o', 'x.png'], { from: 'user' }),
+    )
+    expect(missing).toMatchObject({ code: 'unreadable', who: 'furrow bake' })
+  })
+})
+
+describe('the command line', () => {
+  const run = (...args: string[]) => {
+    const command = createCommand('knit')
+      .argument('<yarn>')
+      .requiredOption('-o, --output <file>', 'the result')
+      .option('--rows <count>', 'rows', numberParser({ min: 1, max: 9, unit: 'cm', integer: true }))
+      .option('--set <name=value...>', 'weights', parseWeight)
+      .addOption(new Option('--stitch <kind>', 'stitch').choices(['plain', 'purl']).default('plain'))
+      .addOption(new Option('--crochet', 'instead').conflicts('rows'))
+    let options: unknown
+    command.action((_, given) => {
+      options = given
+    })
+    return command.parseAsync(args, { from: 'user' }).then(() => options)
+  }
+
+  it('is read with its defaults', async () => {
+    expect(await run('wool', '-o', 'x')).toEqual({ output: 'x', stitch: 'plain' })
+    expect(await run('wool', '-o', 'x', '--rows', '3', '--set', 'a=1', 'b=c=0.5')).toEqual({
+      output: 'x',
+      stitch: 'plain',
+      rows: 3,
+      set: { a: 1, 'b=c': 0.5 },
+    })
+  })
+
+  it.each<[string[], string]>([
+    [['wool'], "required option '-o, --output <file>' not specified"],
+    [['-o', 'x'], "missing required argument 'yarn'"],
+    [['wool', '-o', 'x', '--purl'], "unknown option '--purl'"],
+    [['wool', 'silk', '-o', 'x'], 'too many arguments. Expected 1 argument but got 2'],
+    [
+      ['wool', '-o', 'x', '--stitch', 'cable'],
+      "option '--stitch <kind>' argument 'cable' is invalid. Allowed choices are plain, purl",
+    ],
+    [
+      ['wool', '-o', 'x', '--rows', '2.5'],
+      "option '--rows <count>' argument '2.5' is invalid. It must be an integer from 1 to 9 cm",
+    ],
+    [
+      ['wool', '-o', 'x', '--crochet', '--rows', '2'],
+      "option '--crochet' cannot be used with option '--rows <count>'",
+    ],
+  ])('%j is refused in one line, and nothing is printed', async (args, what) => {
+    const write = vi.spyOn(process.stderr, 'write')
+    const error = await failure(() => run(...args))
+    expect(error).toBeInstanceOf(FurrowError)
+    expect(error).toMatchObject({ code: 'usage', who: 'furrow knit', what })
+    expect((error as Error).message).toMatch(/; see furrow knit --help$/)
+    expect(write).not.toHaveBeenCalled()
+    write.mockRestore()
+  })
+
+  it.each(['', ' ', 'x', '0', '10', '1e1', 'NaN', 'Infinity', '2.5'])(
+    '%j is not an integer from 1 to 9',
+    (text) => {
+      expect(() => numberParser({ min: 1, max: 9, integer: true })(text)).toThrow('an integer from 1 to 9.')
+    },
+  )
+})
