@@ -17,8 +17,8 @@ FORMATS = {5123: np.uint16, 5125: np.uint32, 5126: np.float32}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 
 # Name, kind, origin and insertion in uv, and what differs from the format's defaults; lengths in metres. `depth` is the
-# origin's under the skin, negative in front of it. With `sides` there is one on either side, given for the left. Openings
-# have no skin in their middle, which is the mean of several points instead.
+# origin's under the skin, negative in front of it. With `sides` there is one on either side, given for the left.
+# Openings have no skin in their middle, which is the mean of several points instead.
 MUSCLES = [
     (
         "frontalisInner",
