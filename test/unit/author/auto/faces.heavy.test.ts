@@ -2,7 +2,6 @@ import { AUTO_REGIONS } from 'furrow/author'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { faceRegions } from '../../../../packages/furrow/src/author/auto/face-regions.ts'
 import { coverTexels } from '../../../../packages/furrow/src/author/cover-texels.ts'
-import { hasScan } from '../../../real-face/pack-scan.ts'
 import { FACES, Measured } from './faces.ts'
 import { shippedEars, smoothPlaces, trianglesIn, verticesOf } from './places.ts'
 import { type Channels, sample } from './slopes.ts'
@@ -14,10 +13,6 @@ const SMILE = { mouthSmileLeft: 1, mouthSmileRight: 1, cheekSquintLeft: 1, cheek
 /** Millimetres, and bytes of a normal map: a hundredth of a millimetre over a texel of 0.6 mm is 2 bytes. */
 const FLAT = 0.01
 const STRAIGHT = 3
-
-if (!hasScan) {
-  test.skip('the scanned face is not at hand: automatic wrinkles are tested on the shipped one alone', () => {})
-}
 
 describe.each(FACES)('%s', (name, path) => {
   let measured: Measured
