@@ -21,7 +21,12 @@ export interface BareFace {
 
 const SCAN = fromHere('../../../shared/real-face/ict-face.glb')
 
-/** One of ours, which everybody has, and a scan that is no part of the repository, where it is at hand. */
+/** A scan that is not part of the repository; none where it is not at hand. */
+export const SCANS: readonly BareFace[] = existsSync(SCAN)
+  ? [{ name: 'scan', path: SCAN, material: 'face', strokes: fromHere('scan-strokes.json') }]
+  : []
+
+/** One of ours, which everybody has, and the scan. */
 export const BARE_FACES: readonly BareFace[] = [
   {
     name: 'bare human-2',
@@ -29,9 +34,7 @@ export const BARE_FACES: readonly BareFace[] = [
     material: 'skin',
     strokes: fromHere('../../faces/human/strokes.json'),
   },
-  ...(existsSync(SCAN)
-    ? [{ name: 'scan', path: SCAN, material: 'face', strokes: fromHere('scan-strokes.json') }]
-    : []),
+  ...SCANS,
 ]
 
 /** Made once per content of what it is made from. */

@@ -1,6 +1,6 @@
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { NodeIO } from '@gltf-transform/core'
+import { Logger, NodeIO } from '@gltf-transform/core'
 import type { Command } from 'commander'
 import { packCommand } from '../../packages/cli/src/commands/pack.ts'
 import { strokesCommand } from '../../packages/cli/src/commands/strokes.ts'
@@ -34,7 +34,8 @@ export async function drawAndPack(
 ): Promise<string> {
   const file = (name: string) => join(folder, name)
   // The scan has wrong bounds in its accessors; any tool that writes the file again computes them.
-  writeFileSync(file('face.glb'), await new NodeIO().writeBinary(await new NodeIO().read(path)))
+  const io = new NodeIO().setLogger(new Logger(Logger.Verbosity.SILENT))
+  writeFileSync(file('face.glb'), await io.writeBinary(await io.read(path)))
   for (const made of ['layers/expression', 'areas']) mkdirSync(file(`drawn/${made}`), { recursive: true })
   const { areas } = JSON.parse(readFileSync(strokes, 'utf8')) as { areas: { name: string }[] }
   const drivers = DRIVERS.filter(({ area }) => areas.some(({ name }) => name === area))

@@ -1,4 +1,11 @@
-import { type Accessor, type Mesh, NodeIO, type Primitive, type PrimitiveTarget } from '@gltf-transform/core'
+import {
+  type Accessor,
+  Logger,
+  type Mesh,
+  NodeIO,
+  type Primitive,
+  type PrimitiveTarget,
+} from '@gltf-transform/core'
 import { prune } from '@gltf-transform/functions'
 
 /** Targets of ours that move both sides, where others have one each. */
@@ -10,7 +17,8 @@ const FADE = 0.01
 /** One of the shipped faces without what `furrow` or its builder put there, in a `.glb`: see `BareFace`. */
 export async function makeBare(path: string): Promise<Uint8Array> {
   // The wrinkles are lost on reading, since their extension is not registered.
-  const document = await new NodeIO().read(path)
+  const io = new NodeIO().setLogger(new Logger(Logger.Verbosity.SILENT))
+  const document = await io.read(path)
   const root = document.getRoot()
   for (const texture of root.listTextures()) texture.dispose()
   for (const named of [...root.listMeshes(), ...root.listNodes()]) {
@@ -24,7 +32,7 @@ export async function makeBare(path: string): Promise<Uint8Array> {
     renameTargets(mesh)
   }
   await document.transform(prune({ keepLeaves: true, keepAttributes: true, keepExtras: true }))
-  return new NodeIO().writeBinary(document)
+  return io.writeBinary(document)
 }
 
 /** `mouthSmileLeft` becomes `mouthSmile_L`, and `browInnerUp` two targets, `browInnerUp_L` and `browInnerUp_R`. */

@@ -4,12 +4,12 @@ import { type AutoWrinkles, autoWrinkles, type Skin } from 'furrow/author'
 import { findSkin } from '../../../../packages/cli/src/auto/read-skin.ts'
 import { readDocument } from '../../../../packages/cli/src/face.ts'
 import { type Face, findFace, poseOf } from '../../../../packages/furrow/src/author/auto/face.ts'
-import { BARE_FACES } from '../../../bare-faces/bare-faces.ts'
+import { SCANS } from '../../../bare-faces/bare-faces.ts'
 
-/** The face that ships, and bare ones. */
+/** The face that ships, and the scan where it is at hand. */
 export const FACES = [
   ['human', fileURLToPath(new URL('../../../../faces/human.glb', import.meta.url))],
-  ...BARE_FACES.map(({ name, path }) => [name, path] as const),
+  ...SCANS.map(({ name, path }) => [name, path] as const),
 ] as readonly (readonly [string, string])[]
 
 /** A face with its automatic wrinkles, and what is measured of them. */
