@@ -37,7 +37,7 @@ export default defineConfig({
       {
         resolve,
         ssr,
-        plugins: [servePackedFaces()],
+        plugins: [servePackedFaces(ssr)],
         optimizeDeps: {
           include: [
             'three',

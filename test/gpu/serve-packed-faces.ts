@@ -2,28 +2,26 @@ import { createReadStream, mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
-import type { Plugin } from 'vite'
+import { createServer, type InlineConfig, type Plugin } from 'vite'
 
 const PACK = fileURLToPath(new URL('pack-faces.ts', import.meta.url))
 
 /**
  * Serves the faces of `pack-faces.ts` at `/packed/NAME.glb`, each of which is packed when it is first asked for, and the
  * list of bare faces at `/packed/bare-faces.json`.
+ *
+ * @param ssr how the modules that pack are resolved, in Node.
  */
-export function servePackedFaces(): Plugin {
+export function servePackedFaces(ssr: InlineConfig['ssr']): Plugin {
   return {
     name: 'furrow-packed-faces',
-    configureServer(server) {
-      let folder = ''
-      const open = async () => {
-        folder = mkdtempSync(join(tmpdir(), 'furrow-faces-'))
-        const { BARE_FACES, facePacker } = await server.ssrLoadModule(PACK)
-        return { faces: BARE_FACES, pathOf: facePacker(folder) as (name: string) => Promise<string> }
-      }
-      let opened: ReturnType<typeof open> | undefined
-      server.middlewares.use('/packed', async ({ url = '' }, response, next) => {
+    configureServer({ middlewares, config: { root } }) {
+      const folder = mkdtempSync(join(tmpdir(), 'furrow-faces-'))
+      process.once('exit', () => rmSync(folder, { recursive: true, force: true }))
+      let opened: ReturnType<typeof openPacker> | undefined
+      middlewares.use('/packed', async ({ url = '' }, response, next) => {
         try {
-          opened ??= open()
+          opened ??= openPacker(root, ssr, folder)
           const { faces, pathOf } = await opened
           if (url.startsWith('/bare-faces.json')) return void response.end(JSON.stringify(faces))
           const [, name] = /^\/([\w-]+)\.glb/.exec(url) ?? []
@@ -32,7 +30,19 @@ export function servePackedFaces(): Plugin {
           next(error)
         }
       })
-      process.once('exit', () => folder && rmSync(folder, { recursive: true, force: true }))
     },
   }
+}
+
+/** In a server of its own: Vitest's changes dynamic imports so that they work in the browser alone. */
+async function openPacker(root: string, ssr: InlineConfig['ssr'], folder: string) {
+  const server = await createServer({
+    root,
+    configFile: false,
+    ssr,
+    optimizeDeps: { noDiscovery: true },
+    server: { middlewareMode: true, hmr: false, ws: false, watch: null },
+  })
+  const { BARE_FACES, facePacker } = await server.ssrLoadModule(PACK)
+  return { faces: BARE_FACES, pathOf: facePacker(folder) as (name: string) => Promise<string> }
 }
