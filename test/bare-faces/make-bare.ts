@@ -5,6 +5,7 @@ import {
   NodeIO,
   type Primitive,
   type PrimitiveTarget,
+  VertexLayout,
 } from '@gltf-transform/core'
 import { prune } from '@gltf-transform/functions'
 
@@ -17,7 +18,9 @@ const FADE = 0.01
 /** One of the shipped faces without what `furrow` or its builder put there, in a `.glb`: see `BareFace`. */
 export async function makeBare(path: string): Promise<Uint8Array> {
   // The wrinkles are lost on reading, since their extension is not registered.
-  const io = new NodeIO().setLogger(new Logger(Logger.Verbosity.SILENT))
+  const io = new NodeIO()
+    .setLogger(new Logger(Logger.Verbosity.SILENT))
+    .setVertexLayout(VertexLayout.SEPARATE)
   const document = await io.read(path)
   const root = document.getRoot()
   for (const texture of root.listTextures()) texture.dispose()
