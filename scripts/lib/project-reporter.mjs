@@ -11,13 +11,13 @@ export default class ProjectReporter {
   #projects = new Map()
 
   onTestModuleStart(module) {
-    const name = module.project.name
+    const name = nameOf(module.project)
     if (this.#projects.has(name)) return
     this.#projects.set(name, { name, files: 0, passed: 0, failed: 0, leftOut: [], start: performance.now() })
   }
 
   onTestModuleEnd(module) {
-    const project = this.#projects.get(module.project.name)
+    const project = this.#projects.get(nameOf(module.project))
     project.files++
     project.end = performance.now()
     // A file that failed to load has no tests.
@@ -36,4 +36,9 @@ export default class ProjectReporter {
     }))
     writeFileSync(process.env.FURROW_TEST_REPORT, JSON.stringify(projects))
   }
+}
+
+/** Without the browser, which Vitest adds: `gpu (chromium)`. */
+function nameOf({ name }) {
+  return name.replace(/ \(.*\)$/, '')
 }

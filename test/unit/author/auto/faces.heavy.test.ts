@@ -25,7 +25,7 @@ describe.each(FACES)('%s', (name, path) => {
     const places = Object.entries(smoothPlaces(face.surface))
     if (name === 'human') places.push(['ears by the landmarks', shippedEars(skin, face.surface)])
     smooth = places.map(([name, points]) => [name, trianglesIn(face.surface, points)])
-  }, 60_000)
+  })
 
   /** The middle of each cheek: between the outer corner of the eye and that of the mouth, where fat lies. */
   const onCheek = (x: number, y: number): boolean => {
