@@ -11,13 +11,13 @@ import {
   type PreparedSkin,
   prepareSkin,
 } from '../../../../packages/furrow/src/author/auto/surface/prepare-skin.ts'
+import { SCANS } from '../../../bare-faces/bare-faces.ts'
 import { driven } from '../../../driven.ts'
-import { hasScan, SCAN } from '../../../real-face/pack-scan.ts'
 
 /** The face that ships, and the scan where it is available. */
 export const FACES = [
   ['human', fileURLToPath(new URL('../../../../faces/human.glb', import.meta.url))],
-  ...(hasScan ? ([['scan', SCAN]] as const) : []),
+  ...SCANS.map(({ name, path }) => [name, path] as const),
 ] as readonly (readonly [string, string])[]
 
 /** A skin on which a face was detected. */

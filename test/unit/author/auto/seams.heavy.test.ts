@@ -41,7 +41,7 @@ describe.each(FACES)('%s, its texture cut in two at the middle', (_, path) => {
     whole = draw(face.whole, face, MIPMAP_MARGIN)
     cut = draw(face.cut, face, MIPMAP_MARGIN)
     points = findCuts(face.cut)
-  }, 60_000)
+  })
 
   /** The largest difference of a map between the two sides of a cut. */
   const difference = (map: Channels) =>

@@ -2,7 +2,6 @@ import { AUTO_REGIONS } from 'furrow/author'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { skinVertices } from '../../../../packages/furrow/src/author/auto/surface/surface.ts'
 import { coverTexels } from '../../../../packages/furrow/src/author/cover-texels.ts'
-import { hasScan } from '../../../real-face/pack-scan.ts'
 import { FACES, facialCreases, MeasuredFace } from './faces.ts'
 import { type Channels, sample } from './slopes.ts'
 import { shippedEars, smoothRegions, trianglesIn } from './smooth-regions.ts'
@@ -15,10 +14,6 @@ const SMILE = { mouthSmileLeft: 1, mouthSmileRight: 1, cheekSquintLeft: 1, cheek
 const FLAT = 0.01
 const STRAIGHT = 3
 
-if (!hasScan) {
-  test.skip('the scanned face is not available: automatic wrinkles are tested on the shipped one alone', () => {})
-}
-
 describe.each(FACES)('%s', (name, path) => {
   let measured: MeasuredFace
   /** Triangles on which nothing may crease. */
@@ -30,7 +25,7 @@ describe.each(FACES)('%s', (name, path) => {
     const regions = Object.entries(smoothRegions(face.surface))
     if (name === 'human') regions.push(['ears by the landmarks', shippedEars(skin, face.surface)])
     smooth = regions.map(([name, points]) => [name, trianglesIn(face.surface, points)])
-  }, 60_000)
+  })
 
   /** The middle of each cheek, between the outer corner of the eye and that of the mouth, where fat is. */
   const onCheek = (x: number, y: number): boolean => {

@@ -8,13 +8,11 @@ import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
 import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
 import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
 import { editGlb } from '../../glb.ts'
-import { hasScan, SCAN } from '../../real-face/pack-scan.ts'
 import { bench } from './command.ts'
 import { PUSHED, type Sheet, sheet, sheetGlb } from './sheet.ts'
 import { jsonOf } from './workshop.ts'
 
 const NAME = 'FURROW_wrinkle_maps'
-const FACE = 'faces/human.glb'
 const at = bench(autoCommand)
 const { file, fails } = at
 
@@ -241,12 +239,6 @@ describe('geometry that is partly broken', () => {
   })
 })
 
-test('400,000 triangles are worked on', async () => {
-  const face = await write('fine.glb', () => {}, 448)
-  await run(face, '-o', file('out.glb'))
-  expect(areasOf(file('out.glb')).length).toBeGreaterThan(0)
-})
-
 describe('what no wrinkles can be made from is refused in one line', () => {
   test.each<[string, (shape: Sheet) => void, string]>([
     [
@@ -392,36 +384,6 @@ describe('files', () => {
   ])('%s %s is refused', async (option, value) => {
     await fails(option, file('never-read.glb'), '-o', file('x.glb'), option, value)
   })
-})
-
-describe('the shipped face', () => {
-  test('has wrinkles, which are replaced; --areas keeps those that are shortened most', async () => {
-    await fails('the material already has wrinkles', FACE, '-o', file('x.glb'))
-    await run(FACE, '-o', file('all.glb'), '--replace', '--json')
-    const all = JSON.parse(at.printed)
-    expect(all.isFace).toBe(true)
-    expect(at.warned).toBe('')
-    at.printed = ''
-    await run(FACE, '-o', file('few.glb'), '--replace', '--json', '--areas', '5')
-    const few = JSON.parse(at.printed)
-    const compressions = ({ areas }: typeof all) =>
-      areas.map((area: { compression: number }) => area.compression).sort((a: number, b: number) => a - b)
-    expect(few.areas).toHaveLength(5)
-    expect(compressions(few)).toEqual(compressions(all).slice(-5))
-  })
-
-  test('creases only in the regions that are named', async () => {
-    await run(FACE, '-o', file('some.glb'), '--replace', '--regions', 'upperLip', 'crowsFeet')
-    const names = areasOf(file('some.glb')).map(({ name }) => name)
-    expect(names).toEqual(['crowsFeetLeft', 'crowsFeetRight', 'upperLip'])
-  })
-})
-
-test.skipIf(!hasScan)('the scan is a face', async () => {
-  await run(SCAN, '-o', file('scan.glb'), '--json')
-  const { isFace, areas } = JSON.parse(at.printed)
-  expect(isFace).toBe(true)
-  expect(areas.length).toBeGreaterThanOrEqual(8)
 })
 
 interface Json {

@@ -5,7 +5,7 @@ import { draco, meshopt, quantize, sparse } from '@gltf-transform/functions'
 import { MeshoptEncoder } from 'meshoptimizer/encoder'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
-import { hasScan, SCAN } from '../../real-face/pack-scan.ts'
+import { BARE_FACES } from '../../bare-faces/bare-faces.ts'
 import {
   addShapes,
   dense,
@@ -163,14 +163,14 @@ describe('a face in the manner of VRoid Studio', () => {
   })
 })
 
-test('the scan gets the wrinkles that it has under names of ARKit', { skip: !hasScan }, async () => {
-  const scan = await wrinklesOf(workshop, await copyOf(await plainFace(SCAN), 'scan'))
-  const renamed = await plainFace(SCAN)
+test.each(BARE_FACES)('$name gets the wrinkles that it has under names of ARKit', async ({ name, path }) => {
+  const bare = await wrinklesOf(workshop, await copyOf(await plainFace(path), name))
+  const renamed = await plainFace(path)
   rename(meshOf(renamed, 'face'), (name) => name.replace(/_L$/, 'Left').replace(/_R$/, 'Right'))
-  const made = await makeWrinkles(workshop, 'renamed scan', renamed)
-  expect([...made.areas.keys()]).toEqual([...scan.areas.keys()])
-  expect(activationsApart(scan, made)).toBe(0)
-  expect(areasApart(scan, made)).toBe(0)
+  const made = await makeWrinkles(workshop, `renamed ${name}`, renamed)
+  expect([...made.areas.keys()]).toEqual([...bare.areas.keys()])
+  expect(activationsApart(bare, made)).toBe(0)
+  expect(areasApart(bare, made)).toBe(0)
 })
 
 /** The part of an area's weight that another one has too. */
