@@ -9,7 +9,7 @@ import {
 } from 'three'
 import { NodeBuilder } from 'three/webgpu'
 import { afterEach, describe, expect, it, vi } from 'vitest'
-import { loadMapArray } from '../../../packages/furrow/src/three/loader/texture-arrays.ts'
+import { loadMapArray } from '../../../packages/furrow/src/three/loader/ktx2.ts'
 import {
   checkThree,
   requireInternal,

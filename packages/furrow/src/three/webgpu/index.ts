@@ -5,7 +5,7 @@
  */
 
 export * from '../common.ts'
-export { addDrivers } from './drivers.ts'
+export { addDrivers } from './add-drivers.ts'
 export { influenceFromMap } from './influence.ts'
 export { type LayerInfluence, mixNormals, mixValues, reorient } from './mix.ts'
 export { RecomputedNormals } from './RecomputedNormals.ts'

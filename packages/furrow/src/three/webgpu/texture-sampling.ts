@@ -2,7 +2,7 @@
 import { Matrix3 } from 'three'
 import { int, max, min, texture, uniform, uv, vec2, vec3 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
-import type { ArrayTexture } from '../loader/texture-arrays.ts'
+import type { ArrayTexture } from '../material/array-texture.ts'
 import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
 import { sizeOf } from './node.ts'
 

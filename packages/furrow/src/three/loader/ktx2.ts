@@ -1,42 +1,10 @@
-import {
-  ClampToEdgeWrapping,
-  CompressedArrayTexture,
-  type CompressedTexture,
-  type DataArrayTexture,
-  LinearFilter,
-} from 'three'
+import { ClampToEdgeWrapping, CompressedArrayTexture, type CompressedTexture, LinearFilter } from 'three'
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/wrinkle-maps.ts'
-import { isSlice } from '../../core/wrinkle-set.ts'
+import type { ArrayTexture } from '../material/array-texture.ts'
 import { requireInternal } from '../three-version.ts'
-
-export type ArrayTexture = CompressedArrayTexture | DataArrayTexture
-
-/**
- * The array that maps are slices of.
- *
- * @param what names the maps in errors.
- * @throws FurrowError when one of them is an image or a slice of another array.
- */
-export function arrayOf(maps: readonly object[], who: string, what: string): ArrayTexture {
-  const [first] = maps.filter(isSlice)
-  if (maps.every((map) => isSlice(map) && map.array === first.array)) return first.array as ArrayTexture
-  throw new FurrowError({
-    who,
-    what: `${what} that are in different arrays`,
-    limit: 'all images, or all slices of one array',
-    remedy: 'pack them in the same way',
-  })
-}
-
-/** Whether a texture is read as KTX 2: it has no other image, or the loader can read KTX 2 and prefers it. */
-export function isCompressed(parser: GLTFParser, index: number): boolean {
-  const { source, extensions } = parser.json.textures[index]
-  if (!extensions?.KHR_texture_basisu) return false
-  return source === undefined || Boolean((parser.options as LoaderOptions).ktx2Loader)
-}
 
 interface LoaderOptions {
   ktx2Loader?: KTX2Loader | null
