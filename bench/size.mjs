@@ -24,11 +24,12 @@ export async function measureSizes() {
       configFile: false,
       logLevel: 'silent',
       plugins: [virtualPage(`${code}; globalThis.used = used`)],
+      ssr: { noExternal: true },
       build: {
         write: false,
         minify: true,
-        // Vite's own code for older browsers is no part of the library.
-        modulePreload: false,
+        // Without Vite's own helper for dynamic imports.
+        ssr: true,
         // Not as a library: of those Vite leaves the spaces.
         rolldownOptions: { input: PAGE, external: /^three(\/|$)/ },
       },
