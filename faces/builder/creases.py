@@ -1,4 +1,4 @@
-"""Carries lines that are drawn on a body, in millimetres from a joint, into the texture, as strokes of docs/strokes.md."""
+"""Converts lines drawn on a body, in millimetres from a joint, to strokes in its texture (docs/strokes.md)."""
 
 import json
 
@@ -8,12 +8,12 @@ from scipy.interpolate import PchipInterpolator
 from .part import Part
 
 SAMPLES = 24  # points of a stroke
-LEAP = 0.03  # of the texture: two neighbours further apart lie on either side of a seam
-SHORTEST = 4  # points of a stroke that a seam has cut
+LEAP = 0.03  # in uv: neighbouring samples further apart are on opposite sides of a seam
+SHORTEST = 4  # points that a stroke cut by a seam must have
 
 
 class Chart:
-    """A piece of skin spread out flat: two coordinates of every vertex, and which vertices belong to it."""
+    """A flattened piece of skin: `flat` (n, 2) are coordinates of every vertex, `belongs` (n,) marks its own."""
 
     def __init__(self, part: Part, flat: np.ndarray, belongs: np.ndarray):
         self._uv = part.uv
@@ -21,20 +21,25 @@ class Chart:
         self._corners = flat[self._triangles]
 
     def uv(self, points: np.ndarray) -> np.ndarray:
-        """Where the points lie in the texture; nan beside the piece."""
+        """(n, 2) uv of points (n, 2) in the chart's units; nan outside the piece."""
         a, b, c = (self._corners[:, k] for k in range(3))
         area = _cross(b - a, c - a)
         found = np.full((len(points), 2), np.nan)
         for i, point in enumerate(points):
             with np.errstate(divide="ignore", invalid="ignore"):
-                shares = np.stack([_cross(b - point, c - point), _cross(c - point, a - point), _cross(a - point, b - point)], 1) / area[:, None]
-            inside = np.flatnonzero((shares >= -1e-9).all(axis=1))
+                barycentrics = (
+                    np.stack(
+                        [_cross(b - point, c - point), _cross(c - point, a - point), _cross(a - point, b - point)], 1
+                    )
+                    / area[:, None]
+                )
+            inside = np.flatnonzero((barycentrics >= -1e-9).all(axis=1))
             if len(inside):
-                found[i] = shares[inside[0]] @ self._uv[self._triangles[inside[0]]]
+                found[i] = barycentrics[inside[0]] @ self._uv[self._triangles[inside[0]]]
         return found
 
     def stroke(self, group: str, points, width: float, depth: float, **more) -> list[dict]:
-        """A smooth line through the points, in the chart's units, as none or one stroke; `width` and `depth` in millimetres."""
+        """A smooth line through points in the chart's units, as at most one stroke; `width`, `depth` in millimetres."""
         points = np.array(points, float)
         steps = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
         uv = self.uv(PchipInterpolator(steps, points)(np.linspace(0, steps[-1], SAMPLES)))
@@ -48,9 +53,15 @@ class Chart:
 
 
 def document(strokes: list[dict], areas: list[dict], size: int) -> str:
-    """JSON, one stroke or area a line."""
-    lines = lambda items: ",\n".join("    " + json.dumps(item) for item in items)
-    return f'{{\n  "version": 1,\n  "size": {size},\n  "strokes": [\n{lines(strokes)}\n  ],\n  "areas": [\n{lines(areas)}\n  ]\n}}\n'
+    """JSON with one stroke or area per line."""
+
+    def lines(items):
+        return ",\n".join("    " + json.dumps(item) for item in items)
+
+    return (
+        f'{{\n  "version": 1,\n  "size": {size},\n  "strokes": [\n{lines(strokes)}\n  ],\n'
+        f'  "areas": [\n{lines(areas)}\n  ]\n}}\n'
+    )
 
 
 def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""Paints the eyeball: iris, pupil, white and veins, on a map whose radius is the angle from the front pole."""
+"""Paints the eyeball (iris, pupil, white, veins) on a map whose radius is the angle from the front pole."""
 
 import numpy as np
 from PIL import Image, ImageDraw
@@ -35,17 +35,22 @@ def paint_eye(look: dict, limbus: float, size=512) -> np.ndarray:
     veins = gaussian_filter(np.asarray(veins.reduce(2), float) / 255, 0.6)
     white += (np.array([0.62, 0.16, 0.12]) - white) * (0.55 * veins)[..., None]
 
-    # Iris: fibres from the pupil outwards, a lighter collar round the pupil, a dark ring at the edge.
-    waves = sum(
-        np.sin(turn * n + random.uniform(0, 6.3) + 1.5 * np.sin(3 * r + random.uniform(0, 6.3))) * a
-        for n, a in zip(random.integers(18, 140, 16), random.uniform(0.3, 1, 16))
-    ) / 4
+    # Iris: radial fibres, a lighter collar around the pupil, a dark ring at the edge.
+    waves = (
+        sum(
+            np.sin(turn * n + random.uniform(0, 6.3) + 1.5 * np.sin(3 * r + random.uniform(0, 6.3))) * a
+            for n, a in zip(random.integers(18, 140, 16), random.uniform(0.3, 1, 16), strict=True)
+        )
+        / 4
+    )
     blotch = gaussian_filter(random.normal(size=(size, size)), 5) * 8
     iris = np.ones((size, size, 3)) * look["iris"]
     inner = np.exp(-(((r - 0.46) / 0.17) ** 2))[..., None]
     iris += (np.array(look["iris_inner"]) - iris) * 0.75 * inner
     iris *= (1 + 0.20 * waves + 0.07 * blotch)[..., None]
-    iris *= (1.12 - 0.30 * np.clip((-y / (limbus / REACH)) + 0.1, -1, 1) * 0.9)[..., None]  # lit from below, shaded by the lid
+    iris *= (1.12 - 0.30 * np.clip((-y / (limbus / REACH)) + 0.1, -1, 1) * 0.9)[
+        ..., None
+    ]  # lit from below, shaded by the lid
     iris *= (1 - 0.78 * _step(r, 0.80, 1.0))[..., None]
     iris *= (1 - _step(-r, -0.385, -0.345))[..., None]  # pupil
     blend = _step(r, 0.93, 1.06)[..., None]

@@ -1,4 +1,4 @@
-"""Eyeballs with a cornea, and the soft shade that the lids throw on them."""
+"""Eyeballs with a cornea, and the soft shade of the lids on them."""
 
 from dataclasses import dataclass
 
@@ -8,12 +8,12 @@ from .head import Head
 from .part import Part
 from .source import Mesh
 
-# The helper eye of the source is a little squashed. A true ball that touches the lids sits this much off its centre.
+# The source's helper eye is slightly squashed: a sphere that touches the lids has its centre this far from it.
 OFFSET = np.array([0.0, -0.9e-3, 0.6e-3])  # metres
-BITE = 0.35e-3  # metres that the ball may cut into the nearest rim of the lids, so that it fills the far corner too
+BITE = 0.35e-3  # metres the ball may cut into the nearest lid rim, so that it also fills the far corner
 IRIS_RADIUS = 5.85e-3  # an adult's iris measures 11.7 mm (Rüfer, Schröder, Erb 2005)
-CORNEA_RISE = 1.1e-3  # how far the cornea stands out of the ball
-REACH = np.radians(110)  # the ball is drawn to this angle from its front pole; the rest never shows
+CORNEA_RISE = 1.1e-3  # metres that the cornea rises above the ball
+REACH = np.radians(110)  # radians from the front pole; the rest of the ball is never visible
 RINGS, SPOKES = 21, 36
 
 
@@ -21,7 +21,7 @@ RINGS, SPOKES = 21, 36
 class Ball:
     centre: np.ndarray
     radius: float
-    limbus: float  # angle of the iris's edge from the front pole
+    limbus: float  # radians from the front pole to the edge of the iris
 
 
 def ball_of(head: Head, mesh: Mesh, side: str) -> Ball:
@@ -35,7 +35,7 @@ def ball_of(head: Head, mesh: Mesh, side: str) -> Ball:
 
 
 def lid_rim(head: Head, side: str) -> np.ndarray:
-    """Vertices shared by the skin and the eye's socket, in order round the eye (counter-clockwise from outside)."""
+    """Vertices that the skin and the eye's socket have in common, counter-clockwise seen from outside."""
     skin = np.unique(head.fine_quads[head.region == "skin"])
     socket = np.unique(head.fine_quads[head.region == f"socket-{side}"])
     rim = np.intersect1d(skin, socket)
@@ -45,15 +45,19 @@ def lid_rim(head: Head, side: str) -> np.ndarray:
 
 
 def _rise(tilt: np.ndarray, ball: Ball) -> np.ndarray:
-    """How far the cornea stands out of the ball at an angle from the front pole."""
+    """Metres that the cornea rises above the ball at angles from the front pole."""
     return CORNEA_RISE * np.clip(1 - (tilt / (1.08 * ball.limbus)) ** 2, 0, None) ** 1.2
 
 
 def eye_part(head: Head, mesh: Mesh, side: str) -> Part:
     ball = ball_of(head, mesh, side)
-    # Rings lie denser round the iris's edge, where cornea and ball meet.
-    tilt = np.concatenate([np.linspace(0, 1.25, RINGS * 2 // 3) * ball.limbus,
-                           np.linspace(1.25 * ball.limbus, REACH, RINGS - RINGS * 2 // 3 + 1)[1:]])
+    # Rings are denser around the edge of the iris, where cornea and ball meet.
+    tilt = np.concatenate(
+        [
+            np.linspace(0, 1.25, RINGS * 2 // 3) * ball.limbus,
+            np.linspace(1.25 * ball.limbus, REACH, RINGS - RINGS * 2 // 3 + 1)[1:],
+        ]
+    )
     turn = np.arange(SPOKES + 1) / SPOKES * 2 * np.pi
     tilts, turns = (x.ravel() for x in np.meshgrid(tilt, turn, indexing="ij"))
     rise = _rise(tilts, ball)
@@ -62,10 +66,13 @@ def eye_part(head: Head, mesh: Mesh, side: str) -> Part:
     uv = 0.5 + 0.5 * (tilts / REACH)[:, None] * np.stack([np.cos(turns), -np.sin(turns)], axis=1)
 
     i, j = (x.ravel() for x in np.meshgrid(np.arange(len(tilt) - 1), np.arange(SPOKES), indexing="ij"))
-    at = lambda ring, spoke: ring * (SPOKES + 1) + spoke
+
+    def at(ring, spoke):
+        return ring * (SPOKES + 1) + spoke
+
     quads = np.stack([at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)], axis=1)
     triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
-    triangles = triangles[(tilts[triangles] > 0).sum(axis=1) > 1]  # at the pole one of each two is empty
+    triangles = triangles[(tilts[triangles] > 0).sum(axis=1) > 1]  # drop the degenerate ones at the pole
     normals = _grid_normals(local, triangles, len(tilt))
 
     targets = {}
@@ -78,10 +85,13 @@ def eye_part(head: Head, mesh: Mesh, side: str) -> Part:
 
 
 def shade_part(head: Head, mesh: Mesh) -> Part:
-    """A dark, see-through band along the inside of each lid, which moves with the lid: its shade on the eyeball."""
+    """A dark transparent band along the inside of each lid that moves with it: its shade on the eyeball."""
     parts = [_shade(head, ball_of(head, mesh, side), lid_rim(head, side)) for side in ("left", "right")]
     counts = np.cumsum([0] + [len(p[0]) for p in parts])
-    join = lambda k: np.concatenate([p[k] for p in parts])
+
+    def join(k):
+        return np.concatenate([p[k] for p in parts])
+
     targets = {
         name: (np.concatenate([p[4].get(name, np.zeros_like(p[0])) for p in parts]), None)
         for name in sorted({name for p in parts for name in p[4]})
@@ -90,7 +100,7 @@ def shade_part(head: Head, mesh: Mesh) -> Part:
     return Part("lid-shade", "lid-shade", join(0), join(1), None, triangles, join(2), targets)
 
 
-# Distance from the lid's rim in metres, and how dark the shade is there under the upper and the lower lid.
+# Distance from the lid's rim in metres, and the opacity there under the upper and the lower lid.
 SHADE = [(-0.8e-3, 0.85, 0.7), (0.2e-3, 0.75, 0.5), (1.2e-3, 0.42, 0.2), (2.6e-3, 0.16, 0.05), (4.6e-3, 0.0, 0.0)]
 
 
@@ -98,9 +108,9 @@ def _shade(head: Head, ball: Ball, rim: np.ndarray):
     def band(shift):
         edge = head.positions[rim] + shift
         inward = edge.mean(axis=0) - edge
-        # Where the lids are close together, the two bands meet in the middle and go no further.
+        # Where the lids are close together, the two bands end where they meet.
         room = np.abs(inward[:, 1:2]) + 0.4e-3
-        inward[:, 0] *= 0.5  # mostly up and down: the corners' shade does not run along the lids
+        inward[:, 0] *= 0.5  # mostly vertical: at the corners the shade does not run along the lids
         inward /= np.linalg.norm(inward, axis=1, keepdims=True)
         rows = np.concatenate([edge + inward * np.minimum(distance, room) for distance, _, _ in SHADE])
         direction = rows - ball.centre
@@ -112,7 +122,7 @@ def _shade(head: Head, ball: Ball, rim: np.ndarray):
     normals = here / np.linalg.norm(here, axis=1, keepdims=True)
     upper = head.positions[rim, 1] > head.positions[rim, 1].mean()
     alpha = np.concatenate([np.where(upper, up, low) for _, up, low in SHADE])
-    tint = np.array([0.10, 0.035, 0.025])  # linear; blood shows through the lids
+    tint = np.array([0.10, 0.035, 0.025])  # linear; red, as light passes through the lids
     colours = np.concatenate([np.tile(tint, (len(alpha), 1)), alpha[:, None]], axis=1)
     n = len(rim)
     i, j = (x.ravel() for x in np.meshgrid(np.arange(len(SHADE) - 1), np.arange(n), indexing="ij"))
@@ -127,7 +137,7 @@ def _shade(head: Head, ball: Ball, rim: np.ndarray):
 
 
 def _rotation(before: np.ndarray, after: np.ndarray) -> np.ndarray:
-    """The rotation that best turns one point cloud into the other (W. Kabsch 1976)."""
+    """The (3, 3) rotation that best aligns one point cloud with the other (W. Kabsch 1976)."""
     u, _, vt = np.linalg.svd((before - before.mean(axis=0)).T @ (after - after.mean(axis=0)))
     keep_handed = np.diag([1, 1, np.sign(np.linalg.det(vt.T @ u.T))])
     return vt.T @ keep_handed @ u.T
@@ -136,7 +146,9 @@ def _rotation(before: np.ndarray, after: np.ndarray) -> np.ndarray:
 def _grid_normals(points: np.ndarray, triangles: np.ndarray, rings: int) -> np.ndarray:
     a, b, c = (points[triangles[:, k]] for k in range(3))
     face = np.cross(b - a, c - a)
-    total = np.stack([np.bincount(triangles.ravel(), np.repeat(face[:, k], 3), minlength=len(points)) for k in range(3)], 1)
+    total = np.stack(
+        [np.bincount(triangles.ravel(), np.repeat(face[:, k], 3), minlength=len(points)) for k in range(3)], 1
+    )
     grid = total.reshape(rings, SPOKES + 1, 3)
     grid[:, 0] += grid[:, -1]  # the seam's two columns are one in space
     grid[:, -1] = grid[:, 0]

@@ -1,4 +1,4 @@
-"""What every model of a face has: the maps of its skin, and the parts that are not skin."""
+"""The maps of a face's skin, and its other parts."""
 
 import numpy as np
 
@@ -20,7 +20,7 @@ STEPS = ["occlusion", "colour", "normals", "surface", "parts"]
 
 
 class Face:
-    """Made in the order of `STEPS`; `tell` is called at the start of each."""
+    """Built in the order of `STEPS`; `tell(step)` is called at the start of each."""
 
     def __init__(self, head: Head, mesh: Mesh, skin: Part, vertices: np.ndarray, look: dict, tell):
         self._head, self._mesh, self._skin, self._look, self._tell = head, mesh, skin, look, tell
@@ -31,7 +31,7 @@ class Face:
         self._eyes = [eye_part(head, mesh, side) for side in ("left", "right")]
         scene = np.concatenate([fields.space[atlas.covered], *[e.positions for e in self._eyes]])
         open_sky = atlas.spread(occlusion(skin.positions, skin.normals, scene))
-        # The upper lid is folded away at rest and must not come out black when the eye closes.
+        # The upper lid is folded at rest and must not be black when the eye closes.
         open_sky += (1 - open_sky) * 0.65 * fields.spot("upper-lid", 0.010, (1.6, 1, 1))
         tell("colour")
         self.colour = paint_colour(fields, open_sky, look)
@@ -42,7 +42,7 @@ class Face:
         self.specular = paint_specular(fields, open_sky)
 
     def images(self) -> dict[str, tuple[str, bytes]]:
-        """By the names that `materials` uses."""
+        """MIME type and bytes, by the names that `materials` uses."""
         look = self._look
         return {
             "skin-colour": encode(self.colour, "jpeg"),
@@ -55,11 +55,18 @@ class Face:
         }
 
     def parts(self, overlap=OVERLAP) -> list[Part]:
-        """All but the skin; the shirt comes last, and covers so many of the skin's last rings."""
+        """All parts but the skin; the last is the shirt, which covers the skin's last `overlap` rings."""
         head, mesh, look = self._head, self._mesh, self._look
         self._tell("parts")
         return [
-            *self._eyes, shade_part(head, mesh), brow_part(self._skin), lash_part(head, mesh, look),
-            teeth_part(head, mesh, "upper"), teeth_part(head, mesh, "lower"), tongue_part(head, mesh), mouth_part(head),
-            socket_part(head), shirt_part(head, mesh, overlap),
+            *self._eyes,
+            shade_part(head, mesh),
+            brow_part(self._skin),
+            lash_part(head, mesh, look),
+            teeth_part(head, mesh, "upper"),
+            teeth_part(head, mesh, "lower"),
+            tongue_part(head, mesh),
+            mouth_part(head),
+            socket_part(head),
+            shirt_part(head, mesh, overlap),
         ]

@@ -1,4 +1,4 @@
-"""Writes parts, materials and images as one binary glTF 2.0 file. Same input, same bytes."""
+"""Writes parts, materials and images as a binary glTF 2.0 file. The same input gives the same bytes."""
 
 import json
 import struct
@@ -10,15 +10,15 @@ from .part import Part
 from .rig import Rig
 from .source import ARKIT
 
-# Displacements (metres) and changes of unit normals below the first number are left out, and up to the second they
-# are faded in, so that no step shows where they end. A third of a millimetre is less than half a pixel on a face
-# that fills the screen. Parts that carry no changes of normals are hidden or thin, and may be rougher.
+# Displacements (metres) and changes of unit normals below the first number are dropped; up to the second they fade
+# in, so that no step is visible where they end. A third of a millimetre is less than half a pixel on a face that fills
+# the screen. Parts without changes of normals are hidden or thin, and may be coarser.
 SHIFT_FADE = (3.4e-4, 8e-4)
 SHIFT_FADE_UNLIT = (5e-4, 1.2e-3)
 TURN_FADE = (0.068, 0.138)
 
-# Values are rounded to these steps, far below what can be seen, so that the last bits, in which processors differ, do
-# not reach the file.
+# Values are rounded to these steps, far below what is visible, so that the last bits, which differ between processors,
+# do not reach the file.
 MICRON, FINE_UV, FINE_NORMAL, FINE_TURN, FINE_TURNED = 1e-6, 1e-6, 1e-5, 1e-4, 1e-7
 
 FLOAT, USHORT, UBYTE = 5126, 5123, 5121
@@ -26,7 +26,7 @@ ARRAY_BUFFER, ELEMENT_BUFFER = 34962, 34963
 
 
 class Glb:
-    """Collects parts in the order they are given, then gives the file's bytes."""
+    """Collects parts in the order given, then returns the file's bytes."""
 
     def __init__(self, materials: list[dict], images: dict[str, tuple[str, bytes]]):
         self._bytes, self._rows, self._values = bytearray(), bytearray(), bytearray()
@@ -92,29 +92,38 @@ class Glb:
         if part.parent is not None:
             joint = self._rig.names.index(part.parent)
             turn = self._rig.frames[joint].T
-            node.update(_node(turn, -turn @ self._rig.places[joint]))
+            node.update(_node(turn, -turn @ self._rig.positions[joint]))
             siblings = self._json["nodes"][joint].setdefault("children", [])
         siblings.append(len(self._json["nodes"]))
         self._json["nodes"].append(node)
 
     def skeleton(self, rig: Rig) -> None:
-        """Adds the joints as the first nodes; comes before the parts that they move."""
+        """Adds the joints as the first nodes; call it before `add`."""
         self._rig = rig
         inverse = np.zeros((len(rig.names), 4, 4))
-        for j, (name, parent) in enumerate(zip(rig.names, rig.parents)):
-            turn, place = rig.frames[j], rig.places[j]
-            inverse[j, :3, :3], inverse[j, :3, 3], inverse[j, 3, 3] = turn.T, -turn.T @ place, 1
+        for j, (name, parent) in enumerate(zip(rig.names, rig.parents, strict=True)):
+            turn, origin = rig.frames[j], rig.positions[j]
+            inverse[j, :3, :3], inverse[j, :3, 3], inverse[j, 3, 3] = turn.T, -turn.T @ origin, 1
             above = rig.frames[parent].T if parent >= 0 else np.eye(3)
-            origin = rig.places[parent] if parent >= 0 else np.zeros(3)
-            self._json["nodes"].append({"name": name, **_node(above @ turn, above @ (place - origin))})
-            siblings = self._json["nodes"][parent].setdefault("children", []) if parent >= 0 else self._json["scenes"][0]["nodes"]
+            start = rig.positions[parent] if parent >= 0 else np.zeros(3)
+            self._json["nodes"].append({"name": name, **_node(above @ turn, above @ (origin - start))})
+            siblings = (
+                self._json["nodes"][parent].setdefault("children", [])
+                if parent >= 0
+                else self._json["scenes"][0]["nodes"]
+            )
             siblings.append(j)
         columns = inverse.transpose(0, 2, 1).reshape(-1, 16)
-        self._json["skins"] = [{"joints": list(range(len(rig.names))), "skeleton": 0,
-                                "inverseBindMatrices": self._accessor(columns, "MAT4", FINE_TURNED, target=None)}]
+        self._json["skins"] = [
+            {
+                "joints": list(range(len(rig.names))),
+                "skeleton": 0,
+                "inverseBindMatrices": self._accessor(columns, "MAT4", FINE_TURNED, target=None),
+            }
+        ]
 
     def animation(self, name: str, seconds: np.ndarray, turns: dict[str, np.ndarray]) -> None:
-        """Joints that turn: for each a matrix of 3 x 3 in its own frame at every one of the times."""
+        """Rotations of joints: for each (t, 3, 3) matrices in its own frame, at the times (t,)."""
         rig = self._rig
         clip = {"name": name, "samplers": [], "channels": []}
         times = self._accessor(seconds[:, None], "SCALAR", MICRON, bounds=True, target=None)
@@ -123,7 +132,9 @@ class Glb:
             rest = (rig.frames[parent].T if parent >= 0 else np.eye(3)) @ rig.frames[node]
             values = _unbroken(np.array([_quaternion(rest @ matrix) for matrix in matrices]))
             clip["channels"].append({"sampler": len(clip["samplers"]), "target": {"node": node, "path": "rotation"}})
-            clip["samplers"].append({"input": times, "output": self._accessor(values, "VEC4", FINE_TURNED, target=None)})
+            clip["samplers"].append(
+                {"input": times, "output": self._accessor(values, "VEC4", FINE_TURNED, target=None)}
+            )
         self._json.setdefault("animations", []).append(clip)
 
     def finish(self) -> bytes:
@@ -137,11 +148,15 @@ class Glb:
         text = json.dumps(document, separators=(",", ":")).encode()
         text += b" " * (-len(text) % 4)
         total = 12 + 8 + len(text) + 8 + len(self._bytes)
-        return b"".join([
-            struct.pack("<III", 0x46546C67, 2, total),
-            struct.pack("<II", len(text), 0x4E4F534A), text,
-            struct.pack("<II", len(self._bytes), 0x004E4942), bytes(self._bytes),
-        ])
+        return b"".join(
+            [
+                struct.pack("<III", 0x46546C67, 2, total),
+                struct.pack("<II", len(text), 0x4E4F534A),
+                text,
+                struct.pack("<II", len(self._bytes), 0x004E4942),
+                bytes(self._bytes),
+            ]
+        )
 
     def _target(self, shift: np.ndarray, turn: np.ndarray | None, keep: bool) -> dict | None:
         shift = _fade(shift, *(SHIFT_FADE_UNLIT if turn is None else SHIFT_FADE))
@@ -154,14 +169,14 @@ class Glb:
 
     def _sparse(self, dense: np.ndarray, bounds=False) -> int:
         rows = np.flatnonzero(dense.any(axis=1))
-        if not len(rows):  # every target of a mesh must have the same attributes, and a sparse accessor one entry
+        if not len(rows):  # every target of a mesh must have the same attributes, and a sparse accessor an entry
             rows = np.zeros(1, int)
         values = _settled(dense[rows], MICRON if bounds else FINE_TURN)
         accessor = {"componentType": FLOAT, "count": len(dense), "type": "VEC3"}
         if bounds:  # zeros count too, unless every vertex moves
             every = values if len(rows) == len(dense) else np.vstack([values, np.zeros((1, 3), "<f4")])
             accessor["min"], accessor["max"] = every.min(axis=0).tolist(), every.max(axis=0).tolist()
-        # All sparse data shares two buffer views, the indices' and the values'; finish() places them.
+        # All sparse data is in two buffer views, for indices and values, which finish() appends.
         accessor["sparse"] = {
             "count": len(rows),
             "indices": {"bufferView": -1, "byteOffset": len(self._rows), "componentType": USHORT},
@@ -175,7 +190,9 @@ class Glb:
         values = _settled(values, step)
         accessor = {
             "bufferView": self._view(values.tobytes(), target),
-            "componentType": FLOAT, "count": len(values), "type": kind,
+            "componentType": FLOAT,
+            "count": len(values),
+            "type": kind,
         }
         if bounds:
             accessor["min"], accessor["max"] = values.min(axis=0).tolist(), values.max(axis=0).tolist()
@@ -185,19 +202,26 @@ class Glb:
         return self._integers(np.round(np.clip(colours, 0, 1) * 255), np.uint8, normalized=True)
 
     def _integers(self, values: np.ndarray, kind: type, normalized=False) -> int:
-        """Four numbers for each vertex."""
+        """Four integers per vertex."""
         data = values.astype(kind)
-        accessor = {"bufferView": self._view(data.tobytes(), ARRAY_BUFFER), "componentType": UBYTE if kind is np.uint8 else USHORT}
+        accessor = {
+            "bufferView": self._view(data.tobytes(), ARRAY_BUFFER),
+            "componentType": UBYTE if kind is np.uint8 else USHORT,
+        }
         if normalized:
             accessor["normalized"] = True
         return self._push({**accessor, "count": len(data), "type": "VEC4"})
 
     def _indices(self, triangles: np.ndarray) -> int:
         data = triangles.astype("<u2").tobytes()
-        return self._push({
-            "bufferView": self._view(data, ELEMENT_BUFFER), "componentType": USHORT,
-            "count": triangles.size, "type": "SCALAR",
-        })
+        return self._push(
+            {
+                "bufferView": self._view(data, ELEMENT_BUFFER),
+                "componentType": USHORT,
+                "count": triangles.size,
+                "type": "SCALAR",
+            }
+        )
 
     def _push(self, accessor: dict) -> int:
         self._json["accessors"].append(accessor)
@@ -218,12 +242,15 @@ class Glb:
 
 def _fade(change: np.ndarray, low: float, high: float) -> np.ndarray:
     length = np.linalg.norm(change, axis=1, keepdims=True)
-    share = np.clip((length - low) / (high - low), 0, 1)
-    return change * share * share * (3 - 2 * share)
+    t = np.clip((length - low) / (high - low), 0, 1)
+    return change * t * t * (3 - 2 * t)
 
 
-def _node(turn: np.ndarray, place: np.ndarray) -> dict:
-    return {"rotation": _settled(_quaternion(turn), FINE_TURNED).tolist(), "translation": _settled(place, MICRON).tolist()}
+def _node(turn: np.ndarray, position: np.ndarray) -> dict:
+    return {
+        "rotation": _settled(_quaternion(turn), FINE_TURNED).tolist(),
+        "translation": _settled(position, MICRON).tolist(),
+    }
 
 
 def _quaternion(turn: np.ndarray) -> np.ndarray:
@@ -232,7 +259,7 @@ def _quaternion(turn: np.ndarray) -> np.ndarray:
 
 
 def _unbroken(values: np.ndarray) -> np.ndarray:
-    """A quaternion and its opposite are the same turn; of each the one next to that before it."""
+    """Of q and -q, the same rotation, picks the one closer to its predecessor."""
     for k in range(1, len(values)):
         values[k] *= 1 if values[k] @ values[k - 1] >= 0 else -1
     return values

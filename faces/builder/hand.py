@@ -1,4 +1,4 @@
-"""The left hand with its wrist and a piece of forearm: cut out, subdivided once, laid out and skinned."""
+"""The left hand with its wrist and part of the forearm: cut out, subdivided once, unwrapped and skinned."""
 
 from dataclasses import dataclass
 
@@ -12,18 +12,17 @@ from .source import Mesh, Wheel
 from .subdivide import catmull_clark, vertex_normals
 
 FINGERS = range(1, 6)  # the thumb is 1
-JOINTS = (
-    ["lowerarm01.L", "lowerarm02.L", "wrist.L", *[f"metacarpal{k}.L" for k in range(1, 5)]]
-    + [f"finger{finger}-{k}.L" for finger in FINGERS for k in (1, 2, 3)]
-)
+JOINTS = ["lowerarm01.L", "lowerarm02.L", "wrist.L", *[f"metacarpal{k}.L" for k in range(1, 5)]] + [
+    f"finger{finger}-{k}.L" for finger in FINGERS for k in (1, 2, 3)
+]
 ARM_RINGS = 6  # rings of quads of the forearm that are skin
-CUFF_RINGS = 9  # and that end under the cuff, which goes on
+CUFF_RINGS = 9  # and that the cuff follows
 CUFF_COVERS = 3  # rings of skin that the cuff hides
-EASE, HEM = 2.2e-3, 3.0e-3  # metres from the skin to the cuff, and how far its hem turns in
-NAIL_MIDDLE = 0.72  # of the way from the last joint to the tip
-NAIL_QUADS = 0.25  # of the middle quad's size, at least, is every quad of a nail
-MARGIN = 0.012  # of the layout, round everything
-STRIP = (0.015, 0.015, 0.505, 0.290)  # u0, v0, u1, v1 of the forearm in the layout: where the hand leaves room
+EASE, HEM = 2.2e-3, 3.0e-3  # metres from the skin to the cuff, and that its hem turns in
+NAIL_MIDDLE = 0.72  # fraction of the way from the last joint to the tip
+NAIL_QUADS = 0.25  # least size of a nail's quads, as a fraction of the middle one's
+MARGIN = 0.012  # in uv
+STRIP = (0.015, 0.015, 0.505, 0.290)  # u0, v0, u1, v1 of the forearm, where the hand leaves room
 
 
 @dataclass
@@ -32,8 +31,8 @@ class Hand:
     part: Part
     cuff: Part
     weights: np.ndarray  # (n, j) of the part's vertices
-    inner: np.ndarray  # (n,) how far the skin faces to where its joints bend: 1 the palm's side, -1 the back
-    nails: np.ndarray  # (q, 4, 2) the layout's quads that are nails
+    inner: np.ndarray  # (n,) how far the skin faces the side to which its joints bend: 1 palm, -1 back
+    nails: np.ndarray  # (q, 4, 2) uv of the quads of nails
     nail_way: np.ndarray  # (n,) along a nail: 0 at its root, 1 at its free edge
 
 
@@ -59,18 +58,18 @@ def build_hand(wheel: Wheel, mesh: Mesh, shapes: dict[str, float]) -> Hand:
     part.joints, part.weights = strongest(weights)
     inner = (part.normals * np.einsum("nj,jk->nk", weights, rig.frames[:, :, 2])).sum(axis=1)
     way, nails = np.zeros(len(vertex)), []
-    for finger, nail in zip(FINGERS, _nails(rig, base, quads)):
+    for finger, nail in zip(FINGERS, _nails(rig, base, quads), strict=True):
         nails.append(corner.reshape(-1, 4, 4)[nail].reshape(-1, 4))
         joint = rig.names.index(f"finger{finger}-3.L")
-        along = (part.positions - rig.places[joint]) @ rig.frames[joint][:, 1]
+        along = (part.positions - rig.positions[joint]) @ rig.frames[joint][:, 1]
         low, high = along[nails[-1]].min(), along[nails[-1]].max()
         way = np.where(weights[:, joint] > 0.5, np.clip((along - low) / (high - low), 0, 1), way)
-    cuff = _cuff(rig, base, rings[ARM_RINGS - CUFF_COVERS:CUFF_RINGS])
+    cuff = _cuff(rig, base, rings[ARM_RINGS - CUFF_COVERS : CUFF_RINGS])
     return Hand(rig, part, cuff, weights, inner, part.uv[np.concatenate(nails)], way)
 
 
 def palm_frame(rig: Rig) -> np.ndarray:
-    """Columns: towards the little finger, towards the fingers, out of the palm."""
+    """(3, 3) with columns towards the little finger, towards the fingers, out of the palm."""
     wrist = rig.at("wrist.L")
     z = unit(np.cross(rig.at("finger5-1.L") - wrist, rig.at("finger2-1.L") - wrist))
     y = unit(rig.at("finger3-1.L") - wrist)
@@ -78,12 +77,12 @@ def palm_frame(rig: Rig) -> np.ndarray:
 
 
 class Inwards:
-    """To where each joint of the hand bends: the fingers towards the palm, the thumb across it."""
+    """The direction to which each joint bends: the fingers towards the palm, the thumb across it."""
 
     def __init__(self, wheel: Wheel, mesh: Mesh, base: np.ndarray):
-        still = read_rig(wheel, mesh, base, JOINTS, lambda name: np.array([-1.0, 0.0, 0.0]))  # any frame will do here
+        still = read_rig(wheel, mesh, base, JOINTS, lambda name: np.array([-1.0, 0.0, 0.0]))  # any frame does
         self.palm = palm_frame(still)[:, 2]
-        # The thumb is bent a little at rest; the turns that bent it tell its axis.
+        # The thumb is slightly bent at rest, which gives its axis.
         along = [still.frames[JOINTS.index(f"finger1-{k}.L")][:, 1] for k in (1, 2, 3)]
         axis = unit(unit(np.cross(along[0], along[1])) + unit(np.cross(along[1], along[2])))
         self.thumb = [np.cross(axis, y) for y in along]
@@ -93,7 +92,7 @@ class Inwards:
 
 
 def _hand_island(mesh: Mesh) -> np.ndarray:
-    """The quads of the body whose island in the source's layout is that of the left hand: the one with its finger tips."""
+    """The body's quads in the left hand's island of the source's layout, which is the one with the finger tips."""
     body = np.flatnonzero(mesh.groups == "body")
     island = islands(mesh, body)
     tip = mesh.positions[np.unique(mesh.quads[mesh.groups == "joint-l-finger-3-4"])].mean(axis=0)
@@ -102,7 +101,7 @@ def _hand_island(mesh: Mesh) -> np.ndarray:
 
 
 def _arm_rings(mesh: Mesh, island: np.ndarray) -> list[np.ndarray]:
-    """Rings of quads up the arm from where the hand ends."""
+    """Rings of quads up the arm from the edge of the hand."""
     body = np.flatnonzero(mesh.groups == "body")
     taken = np.isin(body, island)
     rings = []
@@ -114,7 +113,7 @@ def _arm_rings(mesh: Mesh, island: np.ndarray) -> list[np.ndarray]:
 
 
 def _layout(mesh: Mesh, island: np.ndarray, rings: list[np.ndarray], base: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(u, v) downwards, and the quads over them: the source's island of the hand enlarged, the forearm as a strip beside it."""
+    """uv, v down, and quads over them: the source's island of the hand, enlarged, and the forearm as a strip."""
     used, hand = np.unique(mesh.uv_quads[island], return_inverse=True)
     source = mesh.uv[used] * [1, -1]
     low, high = source.min(axis=0), source.max(axis=0)
@@ -124,14 +123,17 @@ def _layout(mesh: Mesh, island: np.ndarray, rings: list[np.ndarray], base: np.nd
     loops = [max(borders(mesh.quads[island]), key=len)]
     for ring in rings:
         loops.append(_next_loop(loops[-1], ring))
-    # Once round and back to where the seam is, which lies on the side of the little finger.
+    # Once around from the seam, which is on the side of the little finger.
     seam = np.argmin(base[loops[0], 1] - base[loops[0], 0] + base[loops[0], 2])
     grid = np.array([np.append(np.roll(loop, -seam), loop[seam]) for loop in loops])
     around = np.linalg.norm(np.diff(base[grid], axis=1), axis=2).mean(axis=0)
     along = np.linalg.norm(np.diff(base[grid], axis=0), axis=2).mean(axis=1)
-    share = lambda steps: np.concatenate([[0], np.cumsum(steps)]) / steps.sum()
+
+    def fractions(steps):
+        return np.concatenate([[0], np.cumsum(steps)]) / steps.sum()
+
     u0, v0, u1, v1 = STRIP
-    u, v = np.meshgrid(u0 + (u1 - u0) * share(around), v1 + (v0 - v1) * share(along))
+    u, v = np.meshgrid(u0 + (u1 - u0) * fractions(around), v1 + (v0 - v1) * fractions(along))
     strip = np.stack([u.ravel(), v.ravel()], axis=1)
 
     column = {(r, grid[r, c]): c for r in range(len(grid)) for c in range(grid.shape[1] - 1)}
@@ -149,10 +151,10 @@ def _layout(mesh: Mesh, island: np.ndarray, rings: list[np.ndarray], base: np.nd
 
 
 def _next_loop(loop: np.ndarray, ring: np.ndarray) -> np.ndarray:
-    """The vertices across a ring of quads, in the order of those on this side."""
+    """The vertices across a ring of quads, in the order of `loop` on this side."""
     across = {}
     for quad in ring:
-        for a, b in zip(quad, np.roll(quad, -1)):
+        for a, b in zip(quad, np.roll(quad, -1), strict=True):
             if (a in loop) != (b in loop):
                 across[a if a in loop else b] = b if a in loop else a
     return np.array([across[vertex] for vertex in loop])
@@ -165,9 +167,9 @@ def _turns(uv: np.ndarray, quads: np.ndarray) -> bool:
 
 
 def _nails(rig: Rig, base: np.ndarray, quads: np.ndarray) -> list[np.ndarray]:
-    """Which of the source's quads are each nail: grown from its middle as far as they are wide and face as it does.
+    """Indices of the quads of each nail: grown from its middle while quads are wide and face the same way.
 
-    The grooves round a nail are of narrow quads, and the tip's edge faces elsewhere.
+    The grooves around a nail have narrow quads, and the edge of the tip faces elsewhere.
     """
     corners = base[quads]
     centre = corners.mean(axis=1)
@@ -178,7 +180,7 @@ def _nails(rig: Rig, base: np.ndarray, quads: np.ndarray) -> list[np.ndarray]:
     for finger in FINGERS:
         joint = rig.names.index(f"finger{finger}-3.L")
         own = rig.weights[quads, joint].min(axis=1) > 0.5
-        local = (centre - rig.places[joint]) @ rig.frames[joint]
+        local = (centre - rig.positions[joint]) @ rig.frames[joint]
         on_back = own & (normal @ -rig.frames[joint][:, 2] > 0.6)
         middle = np.hypot(local[:, 0], local[:, 1] - NAIL_MIDDLE * local[own, 1].max())
         seed = np.argmin(np.where(on_back, middle, np.inf))
@@ -196,7 +198,7 @@ def _nails(rig: Rig, base: np.ndarray, quads: np.ndarray) -> list[np.ndarray]:
 
 
 def _cuff(rig: Rig, base: np.ndarray, rings: list[np.ndarray]) -> Part:
-    """A sleeve's end over the forearm's, with a hem that turns in to the skin."""
+    """The end of a sleeve over that of the forearm, with a hem that turns in to the skin."""
     quads = np.concatenate(rings)
     used, index = np.unique(quads, return_inverse=True)
     matrix, fine = catmull_clark(index.reshape(-1, 4), len(used))

@@ -1,4 +1,4 @@
-"""The creases of a hand, placed by eye where its skin is hinged: across the joints of the fingers, and in the palm."""
+"""The creases of a hand, drawn by eye where its skin folds: across the joints of the fingers, and in the palm."""
 
 import numpy as np
 
@@ -14,7 +14,7 @@ PALM = {
         ([(47, 77), (30, 79), (12, 86), (-3, 98), (-10, 110)], 3.0, 1.5),  # distal transverse
         ([(-38, 87), (-20, 83), (0, 73), (18, 60), (31, 47)], 2.8, 1.3),  # proximal transverse
         ([(39, 68), (30, 71), (20, 74)], 1.5, 0.4),
-        ([(56, 86), (47, 85), (38, 87)], 2.2, 0.8),  # at the little finger's edge, which a fist folds most
+        ([(56, 86), (47, 85), (38, 87)], 2.2, 0.8),  # at the little finger's edge, where a fist folds most
         ([(54, 71), (45, 70), (35, 73)], 2.0, 0.7),
         ([(24, 68), (12, 76), (4, 80)], 1.4, 0.35),
     ],
@@ -24,30 +24,46 @@ PALM = {
         ([(-30, 64), (-20, 52), (-15, 38)], 1.4, 0.35),
     ],
 }
-# Across the inside of a finger, at its joint k and y millimetres beyond: y, bow towards the tip, width, depth.
+# Across the inside of a finger, by joint: y in millimetres beyond it, bow towards the tip, width, depth.
 FLEXION = {
     1: [(15.5, -1.0, 2.1, 0.80), (18.0, -0.5, 1.4, 0.40)],
     2: [(-1.0, -0.8, 2.1, 0.85), (1.6, 0.6, 1.8, 0.60)],
     3: [(-1.2, -0.6, 2.0, 0.80), (0.8, 0.4, 1.2, 0.35)],
 }
-# Across its back, which is smooth when the finger is bent.
+# Across its back, where bending smooths them.
 EXTENSION = {
-    2: [(-3.6, -1.6, 1.3, 0.24), (-2.0, -1.0, 1.4, 0.32), (-0.5, -0.3, 1.5, 0.36), (1.0, 0.5, 1.4, 0.32), (2.6, 1.3, 1.3, 0.24)],
+    2: [
+        (-3.6, -1.6, 1.3, 0.24),
+        (-2.0, -1.0, 1.4, 0.32),
+        (-0.5, -0.3, 1.5, 0.36),
+        (1.0, 0.5, 1.4, 0.32),
+        (2.6, 1.3, 1.3, 0.24),
+    ],
     3: [(-1.2, -0.5, 1.1, 0.20), (0.2, 0.0, 1.2, 0.24), (1.6, 0.5, 1.1, 0.18)],
 }
 REACH = 11.0  # millimetres to either side, more than a finger is wide
-SHARE_OF_BACK = 0.55  # of the way round, on the back
+BACK_WIDTH = 0.55  # of a finger's half width
 
 
 def hand_strokes(hand: Hand) -> str:
     flat = (hand.part.positions - hand.rig.at("wrist.L")) @ palm_frame(hand.rig)[:, :2] * 1e3
     thumb = _own(hand, 1, 2) > 0.6
     palm = Chart(hand.part, flat, (hand.inner > -0.15) & ~thumb)
-    strokes = [s for group, lines in PALM.items() for points, width, depth in lines
-               for s in palm.stroke(group, points, width, depth, taper=0.35, softness=0.3, waviness=0.3)]
+    strokes = [
+        s
+        for group, lines in PALM.items()
+        for points, width, depth in lines
+        for s in palm.stroke(group, points, width, depth, taper=0.35, softness=0.3, waviness=0.3)
+    ]
     for finger in FINGERS:
         strokes += _finger(hand, finger)
-    feathered = lambda name, radius, feather: {"name": name, "shapes": [{"group": name, "radius": radius, "feather": feather}]}
+
+    def feathered(name, radius, feather):
+        return {
+            "name": name,
+            "shapes": [{"group": name, "radius": radius, "feather": feather}],
+        }
+
     areas = [feathered(name, 3.5, 4) for name in NAMES.values()]
     areas += [feathered("knuckles", 3.5, 4), feathered("palm", 5, 6), feathered("thenar", 5, 6)]
     return document(strokes, areas, MAP_SIZE)
@@ -57,16 +73,20 @@ def _finger(hand: Hand, finger: int) -> list[dict]:
     strokes = []
     for k in (1, 2, 3):
         joint = hand.rig.names.index(f"finger{finger}-{k}.L")
-        flat = (hand.part.positions - hand.rig.places[joint]) @ hand.rig.frames[joint][:, :2] * 1e3
+        flat = (hand.part.positions - hand.rig.positions[joint]) @ hand.rig.frames[joint][:, :2] * 1e3
         own = _own(hand, finger, max(1, k - 1)) > 0.4
         inside = Chart(hand.part, flat, own & (hand.inner > 0.0))
         back = Chart(hand.part, flat, own & (hand.inner < -0.1))
-        # The thumb's first joints lie in its ball, whose creases are the palm's.
+        # The thumb's first joints are in its ball, whose creases are the palm's.
         for y, bow, width, depth in FLEXION[k] if finger > 1 or k > 2 else []:
-            strokes += inside.stroke(NAMES[finger], _arc(y, bow, REACH), width, depth, taper=0.25, softness=0.3, waviness=0.25)
-        size = _width(hand, finger, joint) * SHARE_OF_BACK
+            strokes += inside.stroke(
+                NAMES[finger], _arc(y, bow, REACH), width, depth, taper=0.25, softness=0.3, waviness=0.25
+            )
+        size = _width(hand, finger, joint) * BACK_WIDTH
         for y, bow, width, depth in EXTENSION.get(k, []):
-            strokes += back.stroke("knuckles", _arc(y, bow, size), width, depth, taper=0.5, shoulder=0.9, softness=0.4, waviness=0.5)
+            strokes += back.stroke(
+                "knuckles", _arc(y, bow, size), width, depth, taper=0.5, shoulder=0.9, softness=0.4, waviness=0.5
+            )
     return strokes
 
 
@@ -75,12 +95,12 @@ def _arc(y: float, bow: float, reach: float) -> list[tuple[float, float]]:
 
 
 def _own(hand: Hand, finger: int, first: int) -> np.ndarray:
-    """How much of every vertex moves with a finger, from its joint `first` on."""
+    """(n,) the weight of a finger's joints from `first` on."""
     return hand.weights[:, [hand.rig.names.index(f"finger{finger}-{k}.L") for k in range(first, 4)]].sum(axis=1)
 
 
 def _width(hand: Hand, finger: int, joint: int) -> float:
-    """Half of a finger's width at a joint, in millimetres."""
-    local = (hand.part.positions - hand.rig.places[joint]) @ hand.rig.frames[joint] * 1e3
+    """Half a finger's width at a joint, in millimetres."""
+    local = (hand.part.positions - hand.rig.positions[joint]) @ hand.rig.frames[joint] * 1e3
     ring = (np.abs(local[:, 1]) < 3) & (_own(hand, finger, 1) > 0.4)
     return np.abs(local[ring, 0]).max()

@@ -1,4 +1,4 @@
-"""Paints the hand: colour, fine relief, and roughness with occlusion. Colours are sRGB shares of 0..1."""
+"""Paints the hand: colour, fine relief, roughness with occlusion. Colours are sRGB, 0..1."""
 
 import numpy as np
 from PIL import Image, ImageDraw
@@ -11,7 +11,7 @@ from .skin_maps import lay, mottled, relief
 
 
 class HandFields(Fields):
-    """Fields that know where a hand has what."""
+    """Fields of a hand, by its joints."""
 
     def __init__(self, hand: Hand, atlas: Atlas, seed: int):
         super().__init__(atlas, hand.part.positions, seed)
@@ -20,18 +20,40 @@ class HandFields(Fields):
         self.nails = self._filled(hand.nails)
         self.nail_way = atlas.spread(hand.nail_way)
         rig = hand.rig
-        back = lambda name, out: rig.at(name) - rig.frames[rig.names.index(name)][:, 2] * out
+
+        def back(name, out):
+            return rig.at(name) - rig.frames[rig.names.index(name)][:, 2] * out
+
         joints = [(f"finger{f}-{k}.L", 0.009 - 0.001 * k) for f in FINGERS for k in (1, 2, 3) if (f, k) != (1, 1)]
-        self.knuckles = np.maximum.reduce([self.near_to(back(name, out), 0.0095) for name, out in joints]) * (1 - self.palm)
-        tips = [rig.at(f"finger{f}-3.L") + rig.frames[rig.names.index(f"finger{f}-3.L")] @ [0, 0.020, 0.004] for f in FINGERS]
+        self.knuckles = np.maximum.reduce([self.near_to(back(name, out), 0.0095) for name, out in joints]) * (
+            1 - self.palm
+        )
+        tips = [
+            rig.at(f"finger{f}-3.L") + rig.frames[rig.names.index(f"finger{f}-3.L")] @ [0, 0.020, 0.004]
+            for f in FINGERS
+        ]
         self.tips = np.maximum.reduce([self.near_to(tip, 0.010) for tip in tips])
-        self.pads = np.maximum.reduce([
-            *[self.near_to(rig.at(f"finger{f}-1.L") + rig.frames[rig.names.index(f"finger{f}-1.L")] @ [0, 0.002, 0.012], 0.011) for f in FINGERS[1:]],
-            self.near_to(rig.at("finger1-2.L") + rig.frames[rig.names.index("finger1-2.L")] @ [0, 0, 0.012], 0.018),
-        ]) * self.palm
+        self.pads = (
+            np.maximum.reduce(
+                [
+                    *[
+                        self.near_to(
+                            rig.at(f"finger{f}-1.L")
+                            + rig.frames[rig.names.index(f"finger{f}-1.L")] @ [0, 0.002, 0.012],
+                            0.011,
+                        )
+                        for f in FINGERS[1:]
+                    ],
+                    self.near_to(
+                        rig.at("finger1-2.L") + rig.frames[rig.names.index("finger1-2.L")] @ [0, 0, 0.012], 0.018
+                    ),
+                ]
+            )
+            * self.palm
+        )
 
     def _filled(self, quads: np.ndarray) -> np.ndarray:
-        """1 inside these quads of the layout, with round corners and a soft edge."""
+        """1 inside quads (q, 4, 2) in uv, with round corners and a soft edge."""
         scale = 2
         image = Image.new("L", (self.size * scale, self.size * scale), 0)
         draw = ImageDraw.Draw(image)
@@ -41,13 +63,13 @@ class HandFields(Fields):
 
 
 def paint_hand(fields: HandFields, occlusion: np.ndarray, look: dict) -> np.ndarray:
-    """(size, size, 3), from the flesh outwards."""
+    """(size, size, 3), in layers from the flesh outwards."""
     rough, noise, palm = fields.rough, fields.noise, fields.palm
     skin = mottled(fields, look)
     skin = lay(skin, np.array(look["palm"]), 0.75 * palm)
     red = (0.55 * fields.knuckles + 0.55 * fields.tips + 0.5 * fields.pads) * (1 + 0.25 * rough(0.004, 21))
     skin = lay(skin, np.array(look["blood"]), np.clip(red, 0, 0.8))
-    # Palms are blotched: pale where they are pressed, red beside it.
+    # Palms are blotched pale and red.
     skin = lay(skin, np.array(look["blood"]), np.clip(0.14 * palm * np.clip(rough(0.003, 31), 0, 2), 0, 0.4))
     freckles = np.clip(noise(0.0022, 25) - 2.0, 0, 1) + np.clip(noise(0.004, 26) - 2.4, 0, 1)
     skin = lay(skin, np.array(look["freckle"]), np.clip(0.5 * freckles * (1 - palm), 0, 0.5))
@@ -64,7 +86,7 @@ def paint_hand(fields: HandFields, occlusion: np.ndarray, look: dict) -> np.ndar
 
 
 def paint_hand_relief(fields: HandFields, depth: float) -> np.ndarray:
-    """A fine net on the back, hardly anything on the palm, nothing on nails."""
+    """Normals (size, size, 3), 0..1: a fine net on the back, little on the palm, none on nails."""
     net = -np.clip(-fields.noise(0.0009, 61) - 0.1, 0, 2) + 0.5 * fields.noise(0.0017, 62)
     height = gaussian_filter(net * (1 - 0.72 * fields.palm), 0.8)
     return relief(height * (1 - np.clip(gaussian_filter(fields.nails, 1.5) * 1.3, 0, 1)), depth, fields.near)

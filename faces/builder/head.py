@@ -1,4 +1,4 @@
-"""Head and neck from the base figure: blended, cut out, subdivided once, with every target carried along."""
+"""Head and neck of the base figure: blended, cut out, subdivided once, with all targets."""
 
 from dataclasses import dataclass
 
@@ -11,11 +11,11 @@ from .part import Part, triangulate
 from .source import ARKIT, Mesh, Wheel
 from .subdivide import catmull_clark, vertex_normals
 
-COLLAR = 0.61  # metres above the source's origin; islands wholly above it belong to the head
+COLLAR = 0.61  # metres above the source's origin; islands entirely above it belong to the head
 NECK_RINGS = 5  # rings of quads below the head's island that are skin
-SHIRT_RINGS = 9  # rings below the head's island in all: the rest is the shirt
+SHIRT_RINGS = 9  # all rings below the head's island: those that are not skin are the shirt
 SOCKET_RINGS = 6  # rings of fine quads of the eye sockets that are kept
-NAPE = 0.02  # metres; neck vertices on the midline behind it lie on the seam
+NAPE = 0.02  # metres; neck vertices on the midline behind it are on the seam
 
 
 @dataclass
@@ -37,17 +37,14 @@ class Head:
 
 
 def islands(mesh: Mesh, faces: np.ndarray) -> np.ndarray:
-    """A number for each of these quads: that of the piece of the source's texture layout that it lies in."""
+    """(f,) the number of each quad's island in the source's texture layout; `faces` are indices of quads."""
     quads, count = mesh.uv_quads[faces], len(mesh.uv)
     a, b = quads.ravel(), np.roll(quads, -1, axis=1).ravel()
     return connected_components(coo_matrix((np.ones(len(a)), (a, b)), (count, count)), directed=False)[1][quads[:, 0]]
 
 
 def regions(mesh: Mesh, neck_rings=NECK_RINGS) -> tuple[np.ndarray, np.ndarray]:
-    """Names the part that every quad of the body belongs to: skin, mouth, socket-left, socket-right, shirt or "".
-
-    Also marks the quads of the source's own head island.
-    """
+    """(f,) each quad's part: skin, mouth, socket-left, socket-right, shirt or ""; (f,) the source's head island."""
     body = np.flatnonzero(mesh.groups == "body")
     island = islands(mesh, body)
     name = np.full(len(mesh.quads), "", dtype="U16")
@@ -66,18 +63,20 @@ def regions(mesh: Mesh, neck_rings=NECK_RINGS) -> tuple[np.ndarray, np.ndarray]:
             name[faces] = "mouth"
     name[max(above, key=len)] = "skin"
     head_island = name == "skin"
-    # The source's head island ends under the jaw. The neck and the shoulders come as rings of quads grown from there.
+    # The source's head island ends under the jaw; neck and shoulders are rings of quads grown from there.
     for ring in range(SHIRT_RINGS):
         reached = np.isin(mesh.quads[body], np.unique(mesh.quads[(name == "skin") | (name == "shirt")])).any(axis=1)
         name[body[reached & (name[body] == "")]] = "skin" if ring < neck_rings else "shirt"
     return name, head_island
 
 
-def cut_at_the_back(mesh: Mesh, quads: np.ndarray, uv_quads: np.ndarray, island: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Doubles the vertices on the seam down the back of the head, and carries the seam on down the nape.
+def cut_at_the_back(
+    mesh: Mesh, quads: np.ndarray, uv_quads: np.ndarray, island: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Splits the vertices on the seam down the back of the head, and continues the seam down the nape.
 
-    Returns the quads over the cut vertices, and which vertex of the figure each cut vertex is. `island` marks the quads
-    of the source's own head island, whose texture coordinates say where its seam runs.
+    Returns the quads over the cut vertices, and the figure's vertex of each. `island` (f,) marks the quads of the
+    source's head island, whose texture coordinates give its seam.
     """
     pairs = np.unique(np.stack([quads[island].ravel(), uv_quads[island].ravel()], 1), axis=0)
     vertex, copies = np.unique(pairs[:, 0], return_counts=True)
@@ -91,7 +90,7 @@ def cut_at_the_back(mesh: Mesh, quads: np.ndarray, uv_quads: np.ndarray, island:
 
 
 def build_head(wheel: Wheel, mesh: Mesh, shapes: dict[str, float], rest: dict[str, float]) -> Head:
-    """`shapes` are who it is, `rest` the expressions that belong to the resting face, each with its amount."""
+    """`shapes` are amounts of targets of identity, `rest` of the expressions that are part of the resting face."""
     base = mesh.positions.copy()
     for target, amount in shapes.items():
         base += amount * wheel.shape(target)
@@ -121,7 +120,9 @@ def build_head(wheel: Wheel, mesh: Mesh, shapes: dict[str, float], rest: dict[st
     uv = _settled(uv_matrix @ skin_layout(source, cut, mesh.positions[vertex]))
 
     fine_region = np.repeat(region[chosen], 4)
-    return Head(base, units, used, positions, normals, fine_quads, fine_region, matrix, uv, uv_fine, ~island[on_skin], moves)
+    return Head(
+        base, units, used, positions, normals, fine_quads, fine_region, matrix, uv, uv_fine, ~island[on_skin], moves
+    )
 
 
 def _settled(values: np.ndarray) -> np.ndarray:
@@ -153,13 +154,17 @@ def skin_part(head: Head, dense_neck=False) -> tuple[Part, np.ndarray]:
 def thin_out(neck: np.ndarray, beside: np.ndarray) -> np.ndarray:
     """Triangles over the corners of the neck's old quads, and over edge points only where the fine skin has them too.
 
-    `neck` is old quads x 4 fine quads x 4 vertices, in the order of `catmull_clark`: corner, edge point, face point, edge
-    point. A quad that borders on fine skin becomes a fan round its first edge point, so that no gap can open.
+    `neck` is old quads x 4 fine quads x 4 vertices, in the order of `catmull_clark`: corner, edge point, face point,
+    edge point. A quad beside fine skin becomes a fan around its first edge point, which leaves no gap.
     """
-    shared = np.isin(neck[:, :, 1], beside)
+    meeting = np.isin(neck[:, :, 1], beside)
     triangles = []
-    for corners, edges, meets in zip(neck[:, :, 0], neck[:, :, 1], shared):
-        rim = [v for corner, edge, met in zip(corners, edges, meets) for v in ((corner, edge) if met else (corner,))]
+    for corners, edges, meets in zip(neck[:, :, 0], neck[:, :, 1], meeting, strict=True):
+        rim = [
+            v
+            for corner, edge, met in zip(corners, edges, meets, strict=True)
+            for v in ((corner, edge) if met else (corner,))
+        ]
         first = rim.index(edges[meets.argmax()]) if meets.any() else 0
         fan = rim[first:] + rim[:first]
         triangles += [(fan[0], fan[i], fan[i + 1]) for i in range(1, len(fan) - 1)]
@@ -171,7 +176,7 @@ def mouth_lining(head: Head) -> Part:
 
 
 def socket_lining(head: Head) -> Part:
-    """The inner rim of the lids. The rest of the sockets lies behind the eyeballs and is never seen."""
+    """The inner rim of the lids; the rest of the sockets is hidden behind the eyeballs."""
     skin = np.unique(head.fine_quads[head.region == "skin"])
     quads = np.flatnonzero(np.char.startswith(head.region, "socket"))
     near = skin
@@ -181,7 +186,7 @@ def socket_lining(head: Head) -> Part:
 
 
 def _lining(head: Head, chosen: np.ndarray, name: str) -> Part:
-    """Linings have no texture layout, and their shading need not follow the targets: they lie in the dark."""
+    """Linings have no uv, and being dark, no changes of normals."""
     used, index = np.unique(head.fine_quads[chosen], return_inverse=True)
     triangles = triangulate(index.reshape(-1, 4), head.positions[used])
     part = _part(head, name, "mouth", used, None, triangles)

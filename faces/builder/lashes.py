@@ -1,4 +1,4 @@
-"""Eyelashes: the source's helper strips beside the lids, with hairs drawn on a see-through map."""
+"""Eyelashes: the source's helper strips beside the lids, with hairs drawn on a transparent map."""
 
 import io
 
@@ -10,7 +10,7 @@ from .part import Part, triangulate
 from .source import Mesh
 from .subdivide import catmull_clark, vertex_normals
 
-SIZE = (512, 64)  # pixels; the upper lid's lashes in the upper half, the lower lid's below; roots at the bottom of each
+SIZE = (512, 64)  # pixels; the upper lid's lashes are in the upper half; roots are at the bottom of each half
 
 
 def lash_part(head: Head, mesh: Mesh, look: dict) -> Part:
@@ -19,7 +19,10 @@ def lash_part(head: Head, mesh: Mesh, look: dict) -> Part:
         for row, number in ((0, 2), (1, 1)):
             pieces.append(_strip(head, mesh, f"helper-{letter}-eyelashes-{number}", side, row, look))
     counts = np.cumsum([0] + [len(p[0]) for p in pieces])
-    join = lambda k: np.concatenate([p[k] for p in pieces])
+
+    def join(k):
+        return np.concatenate([p[k] for p in pieces])
+
     targets = {}
     for name in sorted({n for p in pieces for n in p[4]}):
         targets[name] = (np.concatenate([p[4].get(name, np.zeros_like(p[0])) for p in pieces]), None)
@@ -30,24 +33,26 @@ def lash_part(head: Head, mesh: Mesh, look: dict) -> Part:
 def _strip(head, mesh, group, side, row, look):
     on = mesh.groups == group
     used, quads = np.unique(mesh.quads[on], return_inverse=True)
-    uv_used, uv_quads = np.unique(mesh.uv_quads[on], return_inverse=True)
-    quads, uv_quads = quads.reshape(-1, 4), uv_quads.reshape(-1, 4)
+    quads = quads.reshape(-1, 4)
     uv = np.zeros((len(used), 2))
     uv[quads] = mesh.uv[mesh.uv_quads[on]]
     uv = (uv - uv.min(axis=0)) / (uv.max(axis=0) - uv.min(axis=0))
     matrix, fine = catmull_clark(quads, len(used))
     rim = np.unique(head.fine_quads[head.region == f"socket-{side}"])
-    # Which end of the strip is at the lid: the one nearer to the rim.
+    # The end of the strip nearer to the rim is at the lid.
     points = head.base[used]
     gap = np.linalg.norm(points[:, None] - head.positions[rim][None], axis=2).min(axis=1)
     if gap[uv[:, 1] > 0.7].mean() < gap[uv[:, 1] < 0.3].mean():
         uv[:, 1] = 1 - uv[:, 1]
     positions, uv = matrix @ points, matrix @ uv
-    # Shorten: every vertex goes towards the root line's nearest point.
+    # Shortened: every vertex moves towards the nearest root.
     roots = np.flatnonzero(uv[:, 1] < 0.12)
     nearest = roots[np.abs(uv[:, None, 0] - uv[None, roots, 0]).argmin(axis=1)]
     keep = look["lash_length"] * (1.0 if row == 0 else 0.8)
-    mix = lambda values: values[nearest] + (values - values[nearest]) * keep
+
+    def mix(values):
+        return values[nearest] + (values - values[nearest]) * keep
+
     positions = mix(positions)
     normals = vertex_normals(positions, fine)
     targets = {}

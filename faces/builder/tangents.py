@@ -1,4 +1,4 @@
-"""Tangents as MikkTSpace (M. S. Mikkelsen, 2008) defines them, for parts whose texture layout is not mirrored."""
+"""Tangents as MikkTSpace (M. S. Mikkelsen, 2008) defines them, for parts without mirrored uv."""
 
 import numpy as np
 
@@ -6,11 +6,11 @@ from .part import Part
 
 
 def tangents(part: Part) -> np.ndarray:
-    """(n, 4): the direction of growing u in the surface, and 1: up in the image is the cross of normal and tangent.
+    """(n, 4): the direction of growing u, and 1 (the bitangent, up in the image, is cross(normal, tangent)).
 
-    The mean over the triangles round a vertex, each projected into the vertex's plane and weighted by its angle there.
+    The mean over the triangles around a vertex, each projected into the vertex's plane and weighted by its angle.
     """
-    up = part.uv * [1, -1]  # v downwards becomes v upwards
+    up = part.uv * [1, -1]  # v up
     corners = part.triangles
     p, t = part.positions[corners], up[corners]
     first, second = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]
@@ -23,11 +23,14 @@ def tangents(part: Part) -> np.ndarray:
     for k in range(3):
         vertex = corners[:, k]
         normal = part.normals[vertex]
-        into = lambda vector: _unit(vector - normal * np.sum(normal * vector, axis=1, keepdims=True))
-        sides = [into(p[:, (k + i) % 3] - p[:, k]) for i in (1, 2)]
+        sides = [_into_plane(p[:, (k + i) % 3] - p[:, k], normal) for i in (1, 2)]
         angle = np.arccos(np.clip(np.sum(sides[0] * sides[1], axis=1, keepdims=True), -1, 1))
-        np.add.at(total, vertex, angle * into(along))
+        np.add.at(total, vertex, angle * _into_plane(along, normal))
     return np.concatenate([_unit(total), np.ones((len(total), 1))], axis=1)
+
+
+def _into_plane(vectors: np.ndarray, normals: np.ndarray) -> np.ndarray:
+    return _unit(vectors - normals * np.sum(normals * vectors, axis=1, keepdims=True))
 
 
 def _unit(vectors: np.ndarray) -> np.ndarray:

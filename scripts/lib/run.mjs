@@ -13,15 +13,16 @@ export function say(text) {
  * Runs a program to its end.
  *
  * @param {string[]} words program and arguments.
- * @param {{ quiet?: boolean, env?: NodeJS.ProcessEnv }} [options] quiet: what it prints is shown only if it fails.
+ * @param {{ quiet?: boolean, env?: NodeJS.ProcessEnv, input?: 'ignore' | 'inherit' }} [options] quiet: what it prints is
+ *   shown only if it fails. input: whether it reads our standard input.
  * @returns {Promise<number>} its exit code; 1 where it was killed or could not be started.
  */
-export function run([program, ...parameters], { quiet = false, env = process.env } = {}) {
+export function run([program, ...parameters], { quiet = false, env = process.env, input = 'ignore' } = {}) {
   return new Promise((done) => {
     const output = []
     // On Windows npm and npx are scripts, which only a shell can start.
     const shell = process.platform === 'win32'
-    const stdio = ['ignore', quiet ? 'pipe' : 'inherit', quiet ? 'pipe' : 'inherit']
+    const stdio = [input, quiet ? 'pipe' : 'inherit', quiet ? 'pipe' : 'inherit']
     const child = spawn(program, parameters, { cwd: ROOT, env, shell, stdio })
     for (const stream of [child.stdout, child.stderr]) stream?.on('data', (data) => output.push(data))
     const end = (code, message = '') => {

@@ -4,7 +4,7 @@ import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { HEIGHT, WIDTH } from './face.ts'
 import { createHarness, type Harness, RENDERERS } from './harness.ts'
-import { compareWrinkles, loadPacked, posedPicture } from './packed.ts'
+import { compareWrinkles, loadPacked, posedPicture, wrinklesAlone } from './packed.ts'
 
 describe.each(RENDERERS)('maps in KTX 2 on %s', (name) => {
   let harness: Harness
@@ -42,7 +42,10 @@ describe.each(RENDERERS)('maps in KTX 2 on %s', (name) => {
     // Four areas share the channels of a slice, and UASTC keeps 8 bits per texel for all of them.
     expect(worst).toBeLessThan(0.12)
     expect(mean).toBeLessThan(0.004)
-    const { strength, correlation, ratio } = await compareWrinkles(harness, images, arrays)
+    const { strength, correlation, ratio } = compareWrinkles(
+      await wrinklesAlone(harness, images),
+      await wrinklesAlone(harness, arrays),
+    )
     expect(strength).toBeGreaterThan(1)
     expect(correlation).toBeGreaterThan(0.95)
     expect(Math.abs(ratio - 1)).toBeLessThan(0.05)
@@ -65,7 +68,7 @@ describe.each(RENDERERS)('maps in KTX 2 on %s', (name) => {
     }).toThrow(/compressed maps cannot be packed/)
     expect(wrinkles.mode).toBe('default')
     const weights = { width: 4, height: 4, data: new Uint8Array(16) }
-    expect(() => wrinkles.addArea({ name: 'more', weights })).toThrow(/lie in different arrays/)
+    expect(() => wrinkles.addArea({ name: 'more', weights })).toThrow(/are in different arrays/)
     wrinkles.removeArea('nose')
     expect(wrinkles.areaNames).not.toContain('nose')
     await posedPicture(harness, gltf, 'default')

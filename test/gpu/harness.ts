@@ -111,7 +111,17 @@ async function readBack(
     | Float32Array
     | Uint8Array
   const onWebGPU = (renderer.backend as { isWebGPUBackend?: boolean }).isWebGPUBackend === true
-  return onWebGPU ? bottomUp(pixels, width, height) : pixels
+  return onWebGPU ? bottomUp(unpadded(pixels, width, height), width, height) : pixels
+}
+
+/** r186 returns rows padded to 256 bytes, as WebGPU copies them. */
+function unpadded<T extends Float32Array | Uint8Array>(pixels: T, width: number, height: number): T {
+  const row = width * 4
+  if (pixels.length === row * height) return pixels
+  const stride = (Math.ceil((row * pixels.BYTES_PER_ELEMENT) / 256) * 256) / pixels.BYTES_PER_ELEMENT
+  const rows = pixels.slice(0, row * height) as T
+  for (let y = 0; y < height; y++) rows.set(pixels.subarray(y * stride, y * stride + row), y * row)
+  return rows
 }
 
 /** WebGPU reads rows from the top. */

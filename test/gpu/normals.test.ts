@@ -8,6 +8,7 @@ import {
   Mesh,
   MeshStandardMaterial,
   PlaneGeometry,
+  REVISION,
   Skeleton,
   SkinnedMesh,
   SphereGeometry,
@@ -178,7 +179,8 @@ describe('RecomputedNormals on WebGPU', () => {
     normals.dispose()
   })
 
-  it('frees what the graphics card held', () => {
+  // three.js r186 frees storage buffers with the renderer only.
+  it.skipIf(Number.parseInt(REVISION, 10) < 187)('frees what the graphics card held', () => {
     const { memory } = renderer.info as unknown as { memory: { storageAttributes: number } }
     const before = memory.storageAttributes
     const normals = new RecomputedNormals(ball())

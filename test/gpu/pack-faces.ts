@@ -1,79 +1,102 @@
-import { copyFileSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs'
-import { tmpdir } from 'node:os'
+import { mkdirSync } from 'node:fs'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import type { Transform } from '@gltf-transform/core'
 import { draco, quantize } from '@gltf-transform/functions'
+import type { Command } from 'commander'
 import { ktx2 } from 'ktx2-encoder/gltf-transform'
 import sharp from 'sharp'
-import type { TestProject } from 'vitest/node'
 import { packCommand } from '../../packages/cli/src/commands/pack.ts'
 import { shrinking, transformFile } from '../../scripts/lib/transform.mjs'
-import { hasScan, packScan } from '../real-face/pack-scan.ts'
+import { BARE_FACES } from '../bare-faces/bare-faces.ts'
+import { drawAndPack } from '../bare-faces/draw-and-pack.ts'
 
-declare module 'vitest' {
-  export interface ProvidedContext {
-    /**
-     * Address of a folder with `images.glb` and `arrays.glb`, the shipped face with maps of 512 x 512 in both forms, `shipped.glb`,
-     * that face itself, `scan.glb` where the scanned face is at hand, and those of `TRANSFORMED`, as glTF-Transform leaves them.
-     */
-    packedFaces: string
-  }
+export { BARE_FACES }
+
+const FACES = fileURLToPath(new URL('../../faces', import.meta.url))
+
+/** What users do to files before they publish them, and to which file. */
+const TRANSFORMED: Record<string, [from: string, ...transforms: Transform[]]> = {
+  transformed: ['shipped', ...shrinking(true)],
+  'transformed-lossy': ['shipped', ...shrinking(false)],
+  draco: ['images', draco()],
+  quantized: ['images', quantize()],
+  // One image each, as tools write them that know of no arrays.
+  ktx2: ['images', basis(/color/i, true), basis(/.*/, false)],
+  ...Object.fromEntries(
+    BARE_FACES.map((_, i) => [`drawn-${i}-transformed`, [`drawn-${i}`, ...shrinking(true)]]),
+  ),
 }
 
-/** Packs what tests in the browser load. */
-export default async function packFaces({ provide }: TestProject): Promise<() => void> {
-  const folder = mkdtempSync(join(tmpdir(), 'furrow-faces-'))
-  const faces = fileURLToPath(new URL('../../faces', import.meta.url))
-  const face = ['--face', join(faces, 'human.glb'), '--size', '512', '--json']
-  for (const [name, form] of [
-    ['images', []],
-    ['arrays', ['--ktx2']],
-  ] as const) {
-    const output = join(folder, `${name}.glb`)
-    await packCommand.parseAsync([join(faces, 'human'), '-o', output, ...face, ...form], { from: 'user' })
+/**
+ * Packs what tests in the browser load, each file once: `images` and `arrays`, the shipped face with maps of 512 x 512 in both forms;
+ * `shipped`, that face itself; `bare-0`, `bare-1` ... of `BARE_FACES`, and `drawn-0` ..., these with drawn wrinkles; and those
+ * of `TRANSFORMED`, as glTF-Transform leaves them.
+ *
+ * @param folder an empty one.
+ * @returns a function from a name to the path of its file.
+ */
+export function facePacker(folder: string): (name: string) => Promise<string> {
+  const packed = new Map<string, Promise<string>>()
+  // Commands keep the options of their last run, so only one may run at a time.
+  let last: Promise<unknown> = Promise.resolve()
+  const run = (command: Command, ...words: string[]) => {
+    last = last.catch(() => {}).then(() => runAlone(command, words))
+    return last
   }
-  copyFileSync(join(faces, 'human.glb'), join(folder, 'shipped.glb'))
-  if (hasScan) await writeScan(folder)
-  for (const [name, [from, ...transforms]] of Object.entries(TRANSFORMED)) {
-    if (from === 'scan' && !hasScan) continue
-    await transformFile(join(folder, `${from}.glb`), join(folder, `${name}.glb`), transforms)
+  const pathOf = (name: string) => {
+    const path = packed.get(name) ?? make(name)
+    packed.set(name, path)
+    return path
   }
-  provide('packedFaces', `/@fs${folder}`)
-  return () => rmSync(folder, { recursive: true })
+
+  async function make(name: string): Promise<string> {
+    const path = join(folder, `${name}.glb`)
+    const [, kind, index] = /^(bare|drawn)-(\d+)$/.exec(name) ?? []
+    const face = BARE_FACES[Number(index)]
+    if (name === 'shipped') return join(FACES, 'human.glb')
+    if (kind === 'bare') return face.path
+    if (kind === 'drawn') {
+      mkdirSync(join(folder, name))
+      return drawAndPack(face, join(folder, name), run)
+    }
+    if (name === 'images' || name === 'arrays') {
+      const options = ['--face', await pathOf('shipped'), '--size', '512', '--json']
+      await run(
+        packCommand,
+        join(FACES, 'human'),
+        '-o',
+        path,
+        ...options,
+        ...(name === 'arrays' ? ['--ktx2'] : []),
+      )
+      return path
+    }
+    const [from, ...transforms] = TRANSFORMED[name]
+    await transformFile(await pathOf(from), path, transforms)
+    return path
+  }
+  return pathOf
 }
 
-const imageDecoder = async (bytes: Uint8Array) => {
-  const { data, info } = await sharp(bytes).ensureAlpha().raw().toBuffer({ resolveWithObject: true })
-  return { data: new Uint8Array(data), width: info.width, height: info.height }
+function runAlone(command: Command, words: string[]): Promise<unknown> {
+  for (const option of command.options) {
+    command.setOptionValueWithSource(option.attributeName(), option.defaultValue, 'default')
+  }
+  return command.parseAsync(words, { from: 'user' })
 }
 
-const basis = (slots: RegExp, isColour: boolean) =>
-  ktx2({
+function basis(slots: RegExp, isColour: boolean): Transform {
+  return ktx2({
     slots,
     isUASTC: true,
     generateMipmap: true,
     isPerceptual: isColour,
     isSetKTX2SRGBTransferFunc: isColour,
     enableDebug: false,
-    imageDecoder,
+    imageDecoder: async (bytes: Uint8Array) => {
+      const { data, info } = await sharp(bytes).ensureAlpha().raw().toBuffer({ resolveWithObject: true })
+      return { data: new Uint8Array(data), width: info.width, height: info.height }
+    },
   })
-
-/** What users do to files before they publish them, and to which file. */
-const TRANSFORMED: Record<string, [from: string, ...transforms: Transform[]]> = {
-  transformed: ['shipped', ...shrinking(true)],
-  'transformed-lossy': ['shipped', ...shrinking(false)],
-  'scan-transformed': ['scan', ...shrinking(true)],
-  draco: ['images', draco()],
-  quantized: ['images', quantize()],
-  // One image each, as tools write them that know of no arrays.
-  ktx2: ['images', basis(/color/i, true), basis(/.*/, false)],
-}
-
-async function writeScan(folder: string): Promise<void> {
-  mkdirSync(join(folder, 'scan'))
-  const packed = await packScan(join(folder, 'scan'), (command, ...words) =>
-    command.parseAsync(words, { from: 'user' }),
-  )
-  copyFileSync(packed, join(folder, 'scan.glb'))
 }

@@ -5,7 +5,6 @@ import type { Mesh } from 'three'
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js'
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
-import { inject } from 'vitest'
 import { faceScene, HEIGHT, WIDTH } from './face.ts'
 import type { Harness } from './harness.ts'
 
@@ -14,14 +13,14 @@ const draco = new DRACOLoader().setDecoderPath('/node_modules/three/examples/jsm
 /** What one expression moves. */
 const POSE = { browInnerUp: 1, browOuterUpLeft: 1, mouthSmileLeft: 1, mouthSmileRight: 1, cheekSquintLeft: 1 }
 
-/** Loads one of the files of `pack-faces.ts` with its wrinkles. */
+/** Loads one of the faces of `pack-faces.ts` with its wrinkles. */
 export function loadPacked(harness: Harness, file: string, loader = new GLTFLoader()): Promise<GLTF> {
   const Plugin = harness.name === 'webgl' ? WebGLPlugin : WebGPUPlugin
   return loader
     .setMeshoptDecoder(MeshoptDecoder)
     .setDRACOLoader(draco)
     .register((parser) => new Plugin(parser))
-    .loadAsync(`${inject('packedFaces')}/${file}.glb`)
+    .loadAsync(`/packed/${file}.glb`)
 }
 
 /** The posed face with its wrinkles, without, or their influence as gray. */
@@ -49,16 +48,16 @@ function skinOf(gltf: GLTF): Mesh {
   return skin!
 }
 
-/** What wrinkles do to the picture of one face against that of another: in the same places (1), and as strong (1). */
-export async function compareWrinkles(harness: Harness, one: GLTF, other: GLTF) {
-  const [a, b] = [await wrinklesAlone(harness, one), await wrinklesAlone(harness, other)]
-  const [own, others] = [dot(a, a), dot(b, b)]
-  return { strength: own, correlation: dot(a, b) / Math.sqrt(own * others), ratio: Math.sqrt(others / own) }
-}
-
-async function wrinklesAlone(harness: Harness, gltf: GLTF): Promise<Float32Array> {
+/** What wrinkles do to the picture of a face. */
+export async function wrinklesAlone(harness: Harness, gltf: GLTF): Promise<Float32Array> {
   const smooth = await posedPicture(harness, gltf, 'off')
   return (await posedPicture(harness, gltf, 'default')).map((value, i) => value - smooth[i])
+}
+
+/** Compares what `wrinklesAlone` gives of two faces: in the same places (1), and as strong (1). */
+export function compareWrinkles(a: Float32Array, b: Float32Array) {
+  const [own, others] = [dot(a, a), dot(b, b)]
+  return { strength: own, correlation: dot(a, b) / Math.sqrt(own * others), ratio: Math.sqrt(others / own) }
 }
 
 function dot(a: Float32Array, b: Float32Array): number {

@@ -23,9 +23,13 @@ function dawnEnvironment(): NodeJS.ProcessEnv {
 }
 
 const runBench = (...args: string[]) =>
-  promisify(execFile)(process.execPath, ['bench/run.mjs', '--node', '--quick', '--size', '64x48', ...args], {
-    env: dawnEnvironment(),
-  })
+  promisify(execFile)(
+    process.execPath,
+    ['bench/run.mjs', '--node', '--quick', '--rounds', '1', '--size', '64x48', ...args],
+    {
+      env: dawnEnvironment(),
+    },
+  )
 
 it('runs in Node on Dawn, timed by timestamps', async () => {
   const json = join(folder, 'results.json')

@@ -35,7 +35,7 @@ describe('paintAreas', () => {
       for (let x = 0; x < 128; x++) {
         const [px, py] = [x + 0.5, y + 0.5]
         const inside = Math.min(px - 32, 96 - px, py - 32, 96 - py)
-        const weight = weights.data[y * 128 + x]!
+        const weight = weights.data[y * 128 + x]
         if (inside >= 4) expect(weight).toBe(255)
         if (inside <= -4) expect(weight).toBe(0)
         if (inside > 0 && inside < 4) expect(weight).toBeGreaterThan(127)
@@ -51,7 +51,7 @@ describe('paintAreas', () => {
       [{ name: 'brow', shapes: [{ group: 'brow', radius: 6, feather: 4 }] }],
       [line(0.5, 'brow'), line(0.1, 'other')],
     )
-    const column = Array.from({ length: 128 }, (_, y) => area!.weights.data[y * 128 + 64]!)
+    const column = Array.from({ length: 128 }, (_, y) => area.weights.data[y * 128 + 64])
     for (let y = 0; y < 128; y++) {
       const distance = Math.abs(y + 0.5 - 64)
       if (distance <= 4) expect(column[y]).toBe(255)
@@ -65,7 +65,7 @@ describe('paintAreas', () => {
     const shape = { polygon: square, feather: 8 }
     const [once] = paint([{ name: 'a', shapes: [shape] }])
     const [twice] = paint([{ name: 'a', shapes: [shape, shape] }])
-    expect(twice!.weights.data).toEqual(once!.weights.data)
+    expect(twice.weights.data).toEqual(once.weights.data)
   })
 
   it('splits into halves that sum to the whole, each zero beyond the blend', () => {
@@ -88,12 +88,12 @@ describe('paintAreas', () => {
       const x = (i % 128) + 0.5
       // At the border of the map the outline of a half is softened too.
       if (x < 10 || x > 118) continue
-      const sum = left!.weights.data[i]! + right!.weights.data[i]!
-      expect(Math.abs(sum - whole!.weights.data[i]!)).toBeLessThanOrEqual(1)
-      if (x < 64 - 5) expect(left!.weights.data[i]).toBe(0)
-      if (x > 64 + 5) expect(right!.weights.data[i]).toBe(0)
+      const sum = left.weights.data[i] + right.weights.data[i]
+      expect(Math.abs(sum - whole.weights.data[i])).toBeLessThanOrEqual(1)
+      if (x < 64 - 5) expect(left.weights.data[i]).toBe(0)
+      if (x > 64 + 5) expect(right.weights.data[i]).toBe(0)
     }
-    expect(left!.weights.data[64 * 128 + 70]).toBe(255)
+    expect(left.weights.data[64 * 128 + 70]).toBe(255)
   })
 
   it('makes one area per group where the document describes none', () => {
@@ -103,8 +103,8 @@ describe('paintAreas', () => {
     })
     const areas = paintAreas(document, metric)
     expect(areas.map((area) => area.name)).toEqual(['upper', 'lower'])
-    expect(areas[0]!.weights.data[Math.floor(0.3 * 128) * 128 + 64]).toBe(255)
-    expect(areas[0]!.weights.data[Math.floor(0.7 * 128) * 128 + 64]).toBe(0)
+    expect(areas[0].weights.data[Math.floor(0.3 * 128) * 128 + 64]).toBe(255)
+    expect(areas[0].weights.data[Math.floor(0.7 * 128) * 128 + 64]).toBe(0)
   })
 
   it('refuses a document with neither areas nor groups', () => {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import {
   type BakeMesh,
-  type BakeTarget,
+  type BakeSource,
   bakeMaps,
   sharedNormals,
 } from '../../../packages/furrow/src/author/index.ts'
@@ -12,8 +12,8 @@ function square(): BakeMesh {
   const positions: number[] = []
   const uvs: number[] = []
   for (let i = 0; i < 12; i += 2) {
-    positions.push(0.1 * corners[i]!, 0.1 * corners[i + 1]!, 0)
-    uvs.push(corners[i]!, 1 - corners[i + 1]!)
+    positions.push(0.1 * corners[i], 0.1 * corners[i + 1], 0)
+    uvs.push(corners[i], 1 - corners[i + 1])
   }
   const repeat = (values: number[]) => Float32Array.from(Array.from({ length: 6 }, () => values).flat())
   return {
@@ -25,9 +25,9 @@ function square(): BakeMesh {
 }
 
 /** A surface z = f(x) in metres, seen by rays that go straight down; `slope` is its derivative. */
-function ridge(f: (x: number) => number, slope: (x: number) => number): BakeTarget {
+function ridge(f: (x: number) => number, slope: (x: number) => number): BakeSource {
   return {
-    nearest(x, _y, z, _dx, _dy, dz, far, hit) {
+    closestHit(x, _y, z, _dx, _dy, dz, far, hit) {
       expect(dz).toBe(-1)
       const distance = z - f(x)
       if (!(distance >= 0 && distance <= far)) return false
@@ -35,7 +35,7 @@ function ridge(f: (x: number) => number, slope: (x: number) => number): BakeTarg
       hit.set([distance, -slope(x) / length, 0, 1 / length])
       return true
     },
-    blocked: () => false,
+    anyHit: () => false,
   }
 }
 
@@ -60,9 +60,9 @@ describe('bakeMaps', () => {
     expect(rest.samples).toBeLessThanOrEqual(256 * samples + 16 * Math.sqrt(samples))
     expect(told.at(-1)).toBe(1)
     for (let i = 0; i < 256; i++) {
-      const n = [0, 1, 2].map((k) => (2 * normal.data[3 * i + k]!) / 65535 - 1)
-      expect(n[0]! / n[2]!).toBeCloseTo(-0.1, 3)
-      expect(n[1]!).toBeCloseTo(0, 4)
+      const n = [0, 1, 2].map((k) => (2 * normal.data[3 * i + k]) / 65535 - 1)
+      expect(n[0] / n[2]).toBeCloseTo(-0.1, 3)
+      expect(n[1]).toBeCloseTo(0, 4)
       expect(height.data[i]).toBeCloseTo(10 * (((i % 16) + 0.5) / 16) - 4, 1)
     }
   })
@@ -74,12 +74,12 @@ describe('bakeMaps', () => {
       (x) => (Math.floor(320 * x) % 2 === 0 ? 1 : -1),
     )
     const fine = bakeMaps(square(), stripes, { size: 16, cage: 0.01, samples: 16 })
-    expect(fine.normal.data.every((value, i) => Math.abs(value - [127.5, 127.5, 255][i % 3]!) < 1)).toBe(true)
+    expect(fine.normal.data.every((value, i) => Math.abs(value - [127.5, 127.5, 255][i % 3]) < 1)).toBe(true)
     const coarse = bakeMaps(square(), stripes, { size: 16, cage: 0.01, samples: 1 })
     expect(coarse.normal.data[0]).not.toBe(128)
   })
 
-  it('leaves flat and open what no ray met, counts it, and fills it from beside', () => {
+  it('leaves texels without a hit flat and open, counts them, and fills them from their neighbours', () => {
     const half = ridge(
       (x) => (x < 0.05 ? 0.002 : -1),
       () => 0,
@@ -111,7 +111,7 @@ describe('bakeMaps', () => {
   })
 
   it.each([
-    ['no hit', {}, 'no ray met the detailed surface'],
+    ['no hit', {}, 'no ray hit the detailed surface'],
     [
       'size',
       { size: 0.5 },
@@ -120,7 +120,7 @@ describe('bakeMaps', () => {
     ['samples', { samples: 5 }, 'bakeMaps: samples out of range, got 5, allowed: 1, 4, 9, 16; choose 4'],
     ['cage', { cage: Number.NaN }, 'bakeMaps: cage out of range, got NaN, allowed: above 0 metres'],
   ])('refuses %s', (_, options, message) => {
-    const nothing = { nearest: () => false, blocked: () => false }
+    const nothing = { closestHit: () => false, anyHit: () => false }
     expect(() => bakeMaps(square(), nothing, { size: 4, cage: 0.01, ...options })).toThrow(message)
   })
 
@@ -141,7 +141,7 @@ describe('bakeMaps', () => {
 })
 
 describe('sharedNormals', () => {
-  it('gives corners at one place their mean, and keeps the rest', () => {
+  it('gives corners at the same position their mean, and keeps the rest', () => {
     const positions = Float32Array.from([0, 0, 0, 1, 0, 0, 0, 0, 0])
     const normals = Float32Array.from([1, 0, 0, 0, 0, 1, 0, 1, 0])
     const root = Math.fround(Math.SQRT1_2)

@@ -143,7 +143,7 @@ describe('furrow strokes', () => {
       'cannot read the normal map',
     ],
     [
-      'a folder in the place of a file',
+      'a folder instead of a file',
       () => [strokes, '--face', face, '-o', folder, '--normal', file('x.png'), '--size', '32'],
       'cannot write',
     ],

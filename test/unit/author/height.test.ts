@@ -21,17 +21,17 @@ const level = {
   taper: 0,
 }
 
-/** Height at a place given in millimetres on an upright sheet, between texels. */
+/** Height at x, y in millimetres on an upright sheet, interpolated between texels. */
 function sample(data: Float32Array, metric: Metric, x: number, y: number): number {
-  return texelAt(data, metric, x / Math.sqrt(metric.uu[0]!), y / Math.sqrt(metric.vv[0]!))
+  return texelAt(data, metric, x / Math.sqrt(metric.uu[0]), y / Math.sqrt(metric.vv[0]))
 }
 
-/** Height at (u, v), between texels. */
+/** Height at (u, v), interpolated between texels. */
 function texelAt(data: Float32Array, { width, height }: Metric, u: number, v: number): number {
   const [column, row] = [u * width - 0.5, v * height - 0.5]
   const [x0, y0] = [Math.floor(column), Math.floor(row)]
   const [fx, fy] = [column - x0, row - y0]
-  const at = (i: number, k: number) => data[(y0 + k) * width + x0 + i]!
+  const at = (i: number, k: number) => data[(y0 + k) * width + x0 + i]
   return (1 - fy) * ((1 - fx) * at(0, 0) + fx * at(1, 0)) + fy * ((1 - fx) * at(0, 1) + fx * at(1, 1))
 }
 
@@ -67,7 +67,7 @@ describe('strokesToHeight', () => {
     const { data } = strokesToHeight(strokes({ ...level, width: 8, shoulder: 1, softness: 0 }), metric)
     let [valley, banks] = [0, 0]
     for (let y = 0; y < 401; y++) {
-      const h = data[y * 401 + 200]!
+      const h = data[y * 401 + 200]
       if (h < 0) valley -= h
       else banks += h
     }
@@ -91,7 +91,7 @@ describe('strokesToHeight', () => {
     const straight = strokesToHeight(strokes({ ...level, shoulder: 1 }), wide).data
     const along = [-3, -2, -1, 1, 2, 3].map((y) => sample(straight, wide, 150, 50 + y))
     across.forEach((h, i) => {
-      expect(h).toBeCloseTo(along[i]!, 1.5)
+      expect(h).toBeCloseTo(along[i], 1.5)
     })
   })
 
@@ -106,11 +106,11 @@ describe('strokesToHeight', () => {
     ]) {
       const { data } = strokesToHeight(strokes({ ...level, points: ends, shoulder: 0 }), sheared)
       const [a, b] = ends as [number[], number[]]
-      const [dx, dy] = [100 * (b[0]! - a[0]!) + 50 * (b[1]! - a[1]!), -80 * (b[1]! - a[1]!)]
+      const [dx, dy] = [100 * (b[0] - a[0]) + 50 * (b[1] - a[1]), -80 * (b[1] - a[1])]
       for (const side of [-2, 2]) {
         const [x, y] = [75 - (side * dy) / Math.hypot(dx, dy), -40 + (side * dx) / Math.hypot(dx, dy)]
         const [u, v] = uv(x, y)
-        expect(texelAt(data, sheared, u!, v!)).toBeCloseTo(-0.6 / Math.E, 2)
+        expect(texelAt(data, sheared, u, v)).toBeCloseTo(-0.6 / Math.E, 2)
       }
     }
   })
@@ -161,7 +161,7 @@ describe('strokesToHeight', () => {
     }
   })
 
-  it('sways with waviness, the same on every run and never deeper than stated', () => {
+  it('meanders with waviness, the same on every run and never deeper than stated', () => {
     const wavy = strokes({ ...level, waviness: 1 })
     const { data } = strokesToHeight(wavy, metric)
     expect(same(strokesToHeight(wavy, metric).data, data)).toBe(true)

@@ -54,44 +54,44 @@ describe('surfaceMetric', () => {
     }
     const metric = surfaceMetric({ positions, uvs, indices }, 64)
     for (const i of [0, 1000, 64 * 64 - 1]) {
-      expect(Math.sqrt(metric.uu[i]!) / (1000 * radius * Math.PI)).toBeCloseTo(1, 2.7)
-      expect(Math.sqrt(metric.vv[i]!)).toBeCloseTo(200, 3)
+      expect(Math.sqrt(metric.uu[i]) / (1000 * radius * Math.PI)).toBeCloseTo(1, 2.7)
+      expect(Math.sqrt(metric.vv[i])).toBeCloseTo(200, 3)
     }
   })
 
   it.each([
     [
-      'positions that are no triples',
+      'positions that are not triples',
       { positions: [0, 0, 0, 1], uvs: [] },
-      'surfaceMetric: positions are not x, y, z per vertex, got 4, allowed: a multiple of 3, at least 9; check how the mesh was read',
+      'surfaceMetric: positions must have x, y and z per vertex, got 4, allowed: a multiple of 3, at least 9; check how the mesh was read',
     ],
     [
       'a missing texture coordinate',
       { positions: new Float32Array(9), uvs: [0, 0, 1, 1] },
-      'surfaceMetric: texture coordinates do not match the vertices, got 4, allowed: 6 numbers; check how the mesh was read',
+      'surfaceMetric: wrong number of texture coordinates, got 4, allowed: 6, two per vertex; check how the mesh was read',
     ],
     [
-      'a position that is no number',
+      'a position that is NaN',
       { positions: [0, 0, Number.NaN, 1, 0, 0, 0, 1, 0], uvs: [0, 0, 1, 0, 0, 1] },
-      'surfaceMetric: positions[2] is no number, got NaN, allowed: finite metres; check how the mesh was read',
+      'surfaceMetric: positions[2] is NaN or infinite, got NaN, allowed: finite metres; check how the mesh was read',
     ],
     [
       'an index beyond the vertices',
       { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], uvs: [0, 0, 1, 0, 0, 1], indices: [0, 1, 3] },
-      'surfaceMetric: indices[2] is no vertex, got 3, allowed: 0..2; check how the mesh was read',
+      'surfaceMetric: indices[2] is out of range, got 3, allowed: 0..2; check how the mesh was read',
     ],
     [
       'triangles without area in the texture',
       { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], uvs: [0.5, 0.5, 0.5, 0.5, 0.5, 0.5] },
-      'surfaceMetric: no triangle of the mesh covers a texel of the map, allowed: texture coordinates within 0..1 and triangles with area; check the mesh for texture coordinates',
+      'surfaceMetric: no triangle of the mesh covers a texel of the map, allowed: texture coordinates within 0..1 and triangles with area; check that the mesh is unwrapped',
     ],
   ])('refuses %s', (_, mesh, message) => {
     expect(() => surfaceMetric(mesh, 16)).toThrow(message)
   })
 
-  it('refuses a size that is no texture size', () => {
+  it('refuses an invalid size', () => {
     expect(() => surfaceMetric(sheet([1, 0, 0], [0, 1, 0]), 0.5)).toThrow(
-      'surfaceMetric: the size of the map is no texture size, got 0.5, allowed: whole numbers, 1..8192 texels; choose a usual size such as 1024',
+      'surfaceMetric: invalid map size, got 0.5, allowed: whole numbers, 1..8192 texels; choose a common size such as 1024',
     )
   })
 })

@@ -30,7 +30,7 @@ function worstAngle(map: HeightMap, metric: Metric, expected: (u: number, v: num
   for (let y = 4; y < SIDE - 4; y++) {
     for (let x = 4; x < SIDE - 4; x++) {
       const i = 4 * (y * SIDE + x)
-      const n = unit([data[i]! / 127.5 - 1, data[i + 1]! / 127.5 - 1, data[i + 2]! / 127.5 - 1])
+      const n = unit([data[i] / 127.5 - 1, data[i + 1] / 127.5 - 1, data[i + 2] / 127.5 - 1])
       const e = unit(expected((x + 0.5) / SIDE, (y + 0.5) / SIDE))
       const cross = [n[1] * e[2] - n[2] * e[1], n[2] * e[0] - n[0] * e[2], n[0] * e[1] - n[1] * e[0]]
       worst = Math.max(worst, Math.asin(Math.hypot(...cross)))
@@ -64,7 +64,7 @@ describe('heightToNormal', () => {
       if (r < 0.02) {
         const { data } = heightToNormal(map, metric)
         const i = 4 * (Math.floor(v * SIDE) * SIDE + Math.floor(u * SIDE))
-        return [data[i]! - 127.5, data[i + 1]! - 127.5, data[i + 2]! - 127.5]
+        return [data[i] - 127.5, data[i + 1] - 127.5, data[i + 2] - 127.5]
       }
       return [(0.7 * (u - 0.5)) / r, (-0.7 * (v - 0.5)) / r, 1]
     })
@@ -90,7 +90,7 @@ describe('heightToNormal', () => {
       [0, 1 / 80 / longer],
     ] as const
     const i = 4 * (100 * SIDE + 100)
-    const [x, y, z] = [data[i]! / 127.5 - 1, data[i + 1]! / 127.5 - 1, data[i + 2]! / 127.5 - 1]
+    const [x, y, z] = [data[i] / 127.5 - 1, data[i + 1] / 127.5 - 1, data[i + 2] / 127.5 - 1]
     expect((x * tangent[0] + y * bitangent[0]) / z).toBeCloseTo(0.4, 1.7)
     expect((x * tangent[1] + y * bitangent[1]) / z).toBeCloseTo(-0.3, 1.7)
   })

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest'
-import { type Blocked, openness } from '../../../packages/furrow/src/author/occlusion.ts'
+import { type AnyHit, ambientVisibility } from '../../../packages/furrow/src/author/bake/occlusion.ts'
 import { seeded } from '../../random.ts'
 
 const ORIGIN = [0, 0, 0]
@@ -14,41 +14,43 @@ const NORMALS = [
   }),
 ]
 
-describe('openness', () => {
+describe('ambientVisibility', () => {
   it('is the squared sine of the cone that is open, for any normal', () => {
     for (const n of NORMALS) {
       for (const angle of [0.3, 0.8, 1.2]) {
-        const outside: Blocked = (_x, _y, _z, dx, dy, dz) =>
-          dx * n[0]! + dy * n[1]! + dz * n[2]! < Math.cos(angle)
-        expect(Math.abs(openness(outside, ORIGIN, n, 256, 1, 7) - Math.sin(angle) ** 2)).toBeLessThan(0.01)
+        const outside: AnyHit = (_x, _y, _z, dx, dy, dz) =>
+          dx * n[0] + dy * n[1] + dz * n[2] < Math.cos(angle)
+        expect(
+          Math.abs(ambientVisibility(outside, ORIGIN, n, 256, 1, 7) - Math.sin(angle) ** 2),
+        ).toBeLessThan(0.01)
       }
     }
   })
 
   it('is one half beside a wall without end, and all or nothing without walls', () => {
     for (const n of NORMALS) {
-      const side = n.map((_, k) => n[(k + 1) % 3]! - n[(k + 2) % 3]!)
-      const level = side[0]! * n[0]! + side[1]! * n[1]! + side[2]! * n[2]!
-      const wall = side.map((value, k) => value - level * n[k]!)
-      const half: Blocked = (_x, _y, _z, dx, dy, dz) => dx * wall[0]! + dy * wall[1]! + dz * wall[2]! > 0
+      const side = n.map((_, k) => n[(k + 1) % 3] - n[(k + 2) % 3])
+      const level = side[0] * n[0] + side[1] * n[1] + side[2] * n[2]
+      const wall = side.map((value, k) => value - level * n[k])
+      const half: AnyHit = (_x, _y, _z, dx, dy, dz) => dx * wall[0] + dy * wall[1] + dz * wall[2] > 0
       if (Math.hypot(...wall) > 0.1) {
-        expect(Math.abs(openness(half, ORIGIN, n, 256, 1, 3) - 0.5)).toBeLessThan(0.03)
+        expect(Math.abs(ambientVisibility(half, ORIGIN, n, 256, 1, 3) - 0.5)).toBeLessThan(0.03)
       }
-      expect(openness(() => false, ORIGIN, n, 8, 1, 1)).toBe(1)
-      expect(openness(() => true, ORIGIN, n, 8, 1, 1)).toBe(0)
+      expect(ambientVisibility(() => false, ORIGIN, n, 8, 1, 1)).toBe(1)
+      expect(ambientVisibility(() => true, ORIGIN, n, 8, 1, 1)).toBe(0)
     }
   })
 
-  it('sends unit vectors from the point as far as told, the same for one seed and others for another', () => {
+  it('sends unit vectors from the point of the given length, the same for one seed and others for another', () => {
     const rays = (seed: number) => {
       const seen: number[][] = []
-      openness((...ray) => seen.push(ray) > 0, [1, 2, 3], [0, 0.6, 0.8], 16, 5, seed)
+      ambientVisibility((...ray) => seen.push(ray) > 0, [1, 2, 3], [0, 0.6, 0.8], 16, 5, seed)
       return seen
     }
     for (const [x, y, z, dx, dy, dz, far] of rays(1)) {
       expect([x, y, z, far]).toEqual([1, 2, 3, 5])
-      expect(Math.hypot(dx!, dy!, dz!)).toBeCloseTo(1, 12)
-      expect(0.6 * dy! + 0.8 * dz!).toBeGreaterThanOrEqual(0)
+      expect(Math.hypot(dx, dy, dz)).toBeCloseTo(1, 12)
+      expect(0.6 * dy + 0.8 * dz).toBeGreaterThanOrEqual(0)
     }
     expect(rays(1)).toEqual(rays(1))
     expect(rays(1)).not.toEqual(rays(2))

@@ -6,10 +6,10 @@ export function sheet(
   b: [number, number, number],
   [u0, v0, u1, v1] = [0, 0, 1, 1],
 ): MetricMesh {
-  const uvs = [u0!, v0!, u1!, v0!, u1!, v1!, u0!, v1!]
+  const uvs = [u0, v0, u1, v0, u1, v1, u0, v1]
   const positions: number[] = []
   for (let i = 0; i < 4; i++) {
-    for (let k = 0; k < 3; k++) positions.push((uvs[2 * i]! * a[k]! + uvs[2 * i + 1]! * b[k]!) / 1000)
+    for (let k = 0; k < 3; k++) positions.push((uvs[2 * i] * a[k] + uvs[2 * i + 1] * b[k]) / 1000)
   }
   return { positions, uvs, indices: [0, 3, 2, 0, 2, 1] }
 }

@@ -17,14 +17,10 @@ function worst(
   const full = options.bits === 16 ? 65535 : 255
   let angle = 0
   for (let i = 0; i < map.width * map.height; i++) {
-    const n = [0, 1, 2].map((k) => (2 * data[3 * i + k]!) / full - 1)
+    const n = [0, 1, 2].map((k) => (2 * data[3 * i + k]) / full - 1)
     const [sx, sy] = exact(i % map.width, Math.floor(i / map.width))
     const e = [-sx, options.green === 'down' ? -sy : sy, 1]
-    const cross = [
-      n[1]! * e[2]! - n[2]! * e[1]!,
-      n[2]! * e[0]! - n[0]! * e[2]!,
-      n[0]! * e[1]! - n[1]! * e[0]!,
-    ]
+    const cross = [n[1] * e[2] - n[2] * e[1], n[2] * e[0] - n[0] * e[2], n[0] * e[1] - n[1] * e[0]]
     angle = Math.max(angle, Math.asin(Math.hypot(...cross) / Math.hypot(...n) / Math.hypot(...e)))
   }
   return (angle * 180) / Math.PI
@@ -61,7 +57,7 @@ describe('reliefToNormal', () => {
     const down = reliefToNormal(plane, { green: 'down' }).data
     for (let i = 0; i < up.length; i++) {
       // Rounding halves upwards can tell the two apart by one step.
-      expect(Math.abs(i % 3 === 1 ? up[i]! + down[i]! - 255 : up[i]! - down[i]!)).toBeLessThanOrEqual(1)
+      expect(Math.abs(i % 3 === 1 ? up[i] + down[i] - 255 : up[i] - down[i])).toBeLessThanOrEqual(1)
     }
     expect(up[1]).toBeLessThan(128)
   })
@@ -86,7 +82,7 @@ describe('reliefToNormal', () => {
 
   it('refuses data that does not fit its size', () => {
     expect(() => reliefToNormal({ width: 4, height: 4, data: [1, 2, 3] })).toThrow(
-      'reliefToNormal: relief data of the wrong length, got 3, allowed: 16 heights for 4 x 4; give one height per texel',
+      'reliefToNormal: wrong number of heights, got 3, allowed: 16 for 4 x 4; give one height per texel',
     )
   })
 })

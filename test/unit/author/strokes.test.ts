@@ -58,16 +58,16 @@ describe('parseStrokes', () => {
 
   it.each<[string, unknown, string]>([
     [
-      'no object',
+      'an array',
       [],
       'the document must be an object, got []; write { ... } with version, size, strokes, areas',
     ],
     ['nothing', undefined, 'the document must be an object, got nothing'],
-    ['no version', {}, 'version is not known, got nothing, allowed: 1; write "version": 1'],
+    ['no version', {}, 'unknown version, got nothing, allowed: 1; write "version": 1'],
     [
       'a later version',
       { ...document(plain), version: 2 },
-      'version is not known, got 2, allowed: 1; write "version": 1',
+      'unknown version, got 2, allowed: 1; write "version": 1',
     ],
     [
       'no strokes',
@@ -90,7 +90,7 @@ describe('parseStrokes', () => {
       'strokes[0].width must be a number, got "2", allowed: 0.1..50 mm; write a plain number',
     ],
     [
-      'a width of nothing',
+      'a width of zero',
       document({ ...plain, width: 0 }),
       'strokes[0].width is out of range, got 0, allowed: 0.1..50 mm; choose a value inside the range',
     ],
@@ -136,7 +136,7 @@ describe('parseStrokes', () => {
       'strokes[0].points has the wrong number of items, got 1, allowed: 2 to 4096 items; add or remove items',
     ],
     [
-      'points in one place',
+      'points that coincide',
       document({
         ...plain,
         points: [
@@ -144,12 +144,12 @@ describe('parseStrokes', () => {
           [0.1, 0.2],
         ],
       }),
-      'strokes[0].points all lie in one place, got 2; move them apart',
+      'strokes[0].points all coincide, got 2; move them apart',
     ],
     [
       'an unknown curve',
       document({ ...plain, curve: 'spline' }),
-      'strokes[0].curve is not known, got "spline", allowed: polyline, bezier; choose one of them',
+      'strokes[0].curve is unknown, got "spline", allowed: polyline, bezier; use one of them',
     ],
     [
       'Bezier curves with a handle too many',
@@ -164,7 +164,7 @@ describe('parseStrokes', () => {
           [0, 0],
         ],
       }),
-      'strokes[0].points do not make Bezier curves, got 5, allowed: 4, 7, 10, ... points; give an end, then two handles and an end for each further piece',
+      'strokes[0].points do not form Bezier curves, got 5, allowed: 4, 7, 10, ... points; give one end, then two handles and an end per curve',
     ],
     [
       'a group without a name',
@@ -175,17 +175,17 @@ describe('parseStrokes', () => {
     [
       'an area that would leave its folder',
       document(plain, { areas: [{ name: '../../x', shapes: [] }] }),
-      'areas[0].name cannot name a file, got "../../x", allowed: letters, digits, _ and -; choose another name',
+      'areas[0].name is not a valid file name, got "../../x", allowed: letters, digits, _ and -; choose another name',
     ],
     [
       'an area of an unknown group',
       area({ group: 'nose', radius: 1, feather: 1 }),
-      'areas[0].shapes[0].group has no strokes, got "nose", allowed: brow; name a group of strokes',
+      'areas[0].shapes[0].group has no strokes, got "nose", allowed: brow; use the name of a group of strokes',
     ],
     [
       'a shape that is two at once',
       area({ group: 'brow', polygon: [], radius: 1, feather: 1 }),
-      'areas[0].shapes[0] is neither one shape nor the other, got {"group":"brow","polygon":[],"radius":1,"feather":1}, allowed: polygon, or group; give one of the two',
+      'areas[0].shapes[0] must have exactly one kind of shape, got {"group":"brow","polygon":[],"radius":1,"feather":1}, allowed: polygon or group; give one of the two',
     ],
     [
       'a polygon of two points',
@@ -206,7 +206,7 @@ describe('parseStrokes', () => {
   it('refuses two areas of one name', () => {
     const sketch = { name: 'a', shapes: [{ group: 'brow', radius: 1, feather: 1 }] }
     expect(() => parseStrokes(document({ ...plain, group: 'brow' }, { areas: [sketch, sketch] }))).toThrow(
-      'parseStrokes: areas[1].name is taken, got "a"; give every area its own name',
+      'parseStrokes: areas[1].name is already used, got "a"; give every area its own name',
     )
   })
 

@@ -1,7 +1,7 @@
 import type { Document } from '@gltf-transform/core'
 import { describe, expect, test } from 'vitest'
 import { findSkin } from '../../../packages/cli/src/auto/find-skin.ts'
-import { hasScan, SCAN } from '../../real-face/pack-scan.ts'
+import { BARE_FACES } from '../../bare-faces/bare-faces.ts'
 import { skinOf } from './auto-changes.ts'
 import { meshOf, plainFace, targetNamesOf } from './auto-variants.ts'
 import { toVRoid, VROID_SKIN } from './vroid.ts'
@@ -30,7 +30,7 @@ describe('the skin that is taken', () => {
       'skin',
       'skin',
     ],
-    ...(hasScan ? ([['the scan', () => plainFace(SCAN), 'face', 'face']] as const) : []),
+    ...BARE_FACES.map(({ name, path, material }) => [name, () => plainFace(path), 'face', material] as const),
   ] as const)('is that of %s', async (_, read, mesh, material) => {
     const found = findSkin(await read(), 'face.glb', 'test')
     expect([found.meshName, found.materialName]).toEqual([mesh, material])

@@ -344,7 +344,7 @@ describe('furrow bake says what is wrong and writes nothing:', () => {
     [
       'a sculpt elsewhere',
       () => [file('far.glb'), file('plain.glb'), ...out()],
-      'no ray met the detailed surface',
+      'no ray hit the detailed surface',
     ],
     [
       'no numbers',

@@ -1,9 +1,9 @@
 import { performance } from 'node:perf_hooks'
 import { Option } from 'commander'
 import { FurrowError, MAX_IMAGE_SIDE } from 'furrow'
-import { BAKE_DEFAULTS, type Baked, type BakeOptions, bakeMaps, sizeOf } from 'furrow/author'
+import { BAKE_DEFAULTS, type BakedMaps, type BakeOptions, bakeMaps, meshDiagonal } from 'furrow/author'
+import { raySourceOf } from '../bake/ray-source.ts'
 import { readLow, readSurface, type Tangents } from '../bake/read-meshes.ts'
-import { targetOf } from '../bake/target.ts'
 import { createCommand } from '../command.ts'
 import { withCommandErrors } from '../errors.ts'
 import { checkWritable, type OutputFile, writeAll } from '../files.ts'
@@ -101,10 +101,10 @@ async function bake(high: string, low: string, options: Options): Promise<void> 
   const paths = await checkOutputs(options)
   const { name, mesh, tangents } = await readLow(low, options.mesh, options.tangents)
   const surface = await readSurface(high)
-  const cage = options.cage === undefined ? DEFAULT_CAGE * sizeOf(mesh) : options.cage / 1000
-  const target = targetOf(surface)
+  const cage = options.cage === undefined ? DEFAULT_CAGE * meshDiagonal(mesh) : options.cage / 1000
+  const source = raySourceOf(surface)
   const baked = withCommandErrors(WHO, () =>
-    withBar('bake', (progress) => bakeMaps(mesh, target, { ...settingsOf(options), cage }, progress)),
+    withBar('bake', (progress) => bakeMaps(mesh, source, { ...settingsOf(options), cage }, progress)),
   )
   await writeAll(await encodeAll(baked, options), WHO)
   printSummary(
@@ -166,7 +166,7 @@ async function checkOutputs({ output, height, occlusion }: Options): Promise<str
   return paths
 }
 
-async function encodeAll(baked: Baked, { output, height, occlusion }: Options): Promise<OutputFile[]> {
+async function encodeAll(baked: BakedMaps, { output, height, occlusion }: Options): Promise<OutputFile[]> {
   const outputs: OutputFile[] = []
   if (output) outputs.push({ path: output, bytes: await encodeNormalMap(baked.normal) })
   if (height) outputs.push({ path: height, bytes: await encodeHeight(baked.height) })
@@ -188,7 +188,7 @@ interface Summary {
   milliseconds: number
 }
 
-function printSummary(baked: Baked, summary: Summary, options: Options): void {
+function printSummary(baked: BakedMaps, summary: Summary, options: Options): void {
   const { files, mesh, size, tangents, triangles, cageMm, samples, misses, emptyTexels, milliseconds } =
     summary
   const text = options.json

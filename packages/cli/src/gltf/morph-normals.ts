@@ -1,28 +1,27 @@
 import type { Accessor, Primitive } from '@gltf-transform/core'
-import { normalChanges } from 'furrow'
+import { morphNormalDeltas } from 'furrow'
 import type { Progress } from '../progress.ts'
 import { BufferViewWriter } from './buffer-view-writer.ts'
 import type { Glb } from './glb-file.ts'
 import type { GltfJson } from './gltf-json.ts'
 import { readDocument } from './read-document.ts'
 
-/** Smallest change of a normal, per axis, that is stored: half a step of an 8-bit normal. */
-const MIN_CHANGE = 1 / 510
-/** Fraction of changed vertices above which a sparse accessor (an index and a value each) saves too little. */
-const MAX_SPARSE = 0.7
+/** Delta of a normal, per axis, that is not worth its bytes: half a step of a byte. */
+const NEGLIGIBLE = 1 / 510
+/** Fraction of changed vertices above which a sparse accessor is no smaller than a full one. */
+const MAX_SPARSE_FRACTION = 0.7
 
 // Component types of glTF.
 const UNSIGNED_INT = 5125
 const FLOAT = 5126
 
 /**
- * Adds normals to the morph targets of one mesh that have none, so that shading follows the shape.
+ * Adds normals to the morph targets of one mesh that have none, so that the shading follows the shape.
  *
- * @param glb changed in place; existing indices stay valid.
- * @param path of the file that it was read from, which is read again to decompress its meshes.
- * @param mesh index of the mesh.
+ * @param glb changed in place; existing objects keep their indices.
+ * @param path of the file that `glb` was read from; read again, for its geometry may be compressed.
  * @returns how many targets got normals.
- * @throws FurrowError when the file cannot be read.
+ * @throws FurrowError if the file cannot be read.
  */
 export async function addMorphNormals(
   glb: Glb,
@@ -36,14 +35,13 @@ export async function addMorphNormals(
   const views = new BufferViewWriter(glb)
   let [done, added] = [0, 0]
   const total = primitives.reduce((sum, primitive) => sum + primitive.listTargets().length, 0)
-  for (const [i, primitive] of primitives.entries()) {
-    const changesOf = normalChangesOf(primitive)
-    for (const [k, target] of primitive.listTargets().entries()) {
+  for (const [i, { targets = [] }] of (glb.json.meshes?.[mesh].primitives ?? []).entries()) {
+    const deltasOf = normalDeltasOf(primitives[i])
+    for (const [k, target] of primitives[i].listTargets().entries()) {
       progress(++done, total)
       const offsets = target.getAttribute('POSITION')
-      if (!changesOf || !offsets || target.getAttribute('NORMAL')) continue
-      const stored = glb.json.meshes![mesh].primitives[i].targets![k]
-      stored.NORMAL = addAccessor(glb.json, views, changesOf(vectorsOf(offsets)))
+      if (!deltasOf || !offsets || target.getAttribute('NORMAL')) continue
+      targets[k].NORMAL = addAccessor(glb.json, views, deltasOf(readVectors(offsets)))
       added++
     }
   }
@@ -51,36 +49,36 @@ export async function addMorphNormals(
   return added
 }
 
-/** The function from a target's offsets to its changes of normals; undefined where the primitive has no normals. */
-function normalChangesOf(primitive: Primitive): ReturnType<typeof normalChanges> | undefined {
+/** From the position deltas of a primitive's target to its normal deltas; undefined if the primitive has no normals. */
+function normalDeltasOf(primitive: Primitive): ReturnType<typeof morphNormalDeltas> | undefined {
   const [position, normal] = [primitive.getAttribute('POSITION'), primitive.getAttribute('NORMAL')]
   if (!position || !normal) return undefined
   const triangles =
     primitive.getIndices()?.getArray() ?? Uint32Array.from({ length: position.getCount() }, (_, i) => i)
-  return normalChanges({ positions: vectorsOf(position), normals: vectorsOf(normal), triangles })
+  return morphNormalDeltas({ positions: readVectors(position), normals: readVectors(normal), triangles })
 }
 
-/** Three floats per element, whatever the accessor's type. */
-function vectorsOf(accessor: Accessor): Float32Array {
+/** Dequantised. */
+function readVectors(accessor: Accessor): Float32Array {
   const out = new Float32Array(3 * accessor.getCount())
   const element: number[] = []
   for (let i = 0; i < accessor.getCount(); i++) out.set(accessor.getElement(i, element), 3 * i)
   return out
 }
 
-function addAccessor(json: GltfJson, views: BufferViewWriter, changes: Float32Array): number {
-  const count = changes.length / 3
+function addAccessor(json: GltfJson, views: BufferViewWriter, deltas: Float32Array): number {
+  const count = deltas.length / 3
   const changed = Array.from({ length: count }, (_, i) => i).filter((i) =>
-    [0, 1, 2].some((k) => Math.abs(changes[3 * i + k]) > MIN_CHANGE),
+    [0, 1, 2].some((k) => Math.abs(deltas[3 * i + k]) > NEGLIGIBLE),
   )
   const accessor = { componentType: FLOAT, type: 'VEC3', count }
   json.accessors ??= []
-  // A sparse accessor needs at least one entry; an accessor without a buffer view is all zeros (glTF 2.0, 3.6.2).
+  // A sparse accessor needs at least one entry, and an accessor without a view is all zeros.
   if (changed.length === 0) return json.accessors.push(accessor) - 1
-  if (changed.length > MAX_SPARSE * count) {
-    return json.accessors.push({ ...accessor, bufferView: views.add(bytesOf(changes)) }) - 1
+  if (changed.length > MAX_SPARSE_FRACTION * count) {
+    return json.accessors.push({ ...accessor, bufferView: views.add(bytesOf(deltas)) }) - 1
   }
-  const values = Float32Array.from(changed.flatMap((i) => [...changes.subarray(3 * i, 3 * i + 3)]))
+  const values = Float32Array.from(changed.flatMap((i) => [...deltas.subarray(3 * i, 3 * i + 3)]))
   const sparse = {
     count: changed.length,
     indices: { bufferView: views.add(bytesOf(Uint32Array.from(changed))), componentType: UNSIGNED_INT },

@@ -1,31 +1,25 @@
+import { type PixelBox, rasterize } from '../math/rasterize.ts'
+import { uvToTexels } from '../math/triangle.ts'
+
+/** Lets triangles that share an edge both cover the texels on it, in spite of rounding. */
+const TOLERANCE = 1e-6
+
 /**
- * Visits the texels whose centres a triangle covers, with the shares of its corners there.
+ * Visits the texels of a map whose centres a triangle covers.
  *
- * @param uvs u and v per vertex, v = 0 at the top.
- * @param corners the triangle's three vertices.
- * @param visit is given the texel's index, row by row, and three shares that sum to 1.
+ * @param uvs u and v of each vertex, v = 0 at the top. Nothing outside 0..1 is visited.
+ * @param vertices of the triangle.
+ * @param visit is given the texel's index, row by row, and its barycentric coordinates.
  */
 export function coverTexels(
   uvs: ArrayLike<number>,
-  corners: readonly [number, number, number],
+  vertices: readonly [a: number, b: number, c: number],
   width: number,
   height: number,
   visit: (texel: number, a: number, b: number, c: number) => void,
 ): void {
-  const x = corners.map((i) => uvs[2 * i]! * width - 0.5)
-  const y = corners.map((i) => uvs[2 * i + 1]! * height - 0.5)
-  const det = (x[1]! - x[0]!) * (y[2]! - y[0]!) - (x[2]! - x[0]!) * (y[1]! - y[0]!)
-  if (Math.abs(det) < 1e-9) return
-  const firstRow = Math.max(Math.ceil(Math.min(...y)), 0)
-  const lastRow = Math.min(Math.floor(Math.max(...y)), height - 1)
-  const firstColumn = Math.max(Math.ceil(Math.min(...x)), 0)
-  const lastColumn = Math.min(Math.floor(Math.max(...x)), width - 1)
-  for (let row = firstRow; row <= lastRow; row++) {
-    for (let column = firstColumn; column <= lastColumn; column++) {
-      const b = ((column - x[0]!) * (y[2]! - y[0]!) - (x[2]! - x[0]!) * (row - y[0]!)) / det
-      const c = ((x[1]! - x[0]!) * (row - y[0]!) - (column - x[0]!) * (y[1]! - y[0]!)) / det
-      const a = 1 - b - c
-      if (a >= -1e-6 && b >= -1e-6 && c >= -1e-6) visit(row * width + column, a, b, c)
-    }
-  }
+  const triangle = new Float64Array(6)
+  uvToTexels(triangle, uvs, ...vertices, width, height)
+  const map: PixelBox = [0, 0, width - 1, height - 1]
+  rasterize(triangle, TOLERANCE, (column, row, a, b, c) => visit(row * width + column, a, b, c), map)
 }

@@ -6,36 +6,34 @@
 
 export { combineNormals } from '../core/combine-normals.ts'
 export type { GrayImage, RgbaImage } from '../core/types.ts'
-export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas } from './areas.ts'
 export { AUTO_REGIONS, type AutoRegion } from './auto/anatomy/regions.ts'
 export {
   AUTO_DEFAULTS,
   AUTO_STEPS,
   type AutoArea,
-  type AutoLayer,
   type AutoOptions,
   type AutoProgress,
   type AutoWrinkles,
   autoWrinkles,
 } from './auto/auto.ts'
-export { MOST_TRIANGLES } from './auto/check-skin.ts'
-export type { Landmarks, Place } from './auto/face.ts'
-export { faceShapeFinder } from './auto/stand-ins.ts'
+export type { AutoLayer } from './auto/raster/draw-maps.ts'
 export { type StrainMap, strainMaps } from './auto/strain-map.ts'
-export { crossOf, type Skin, type SkinTarget } from './auto/surface.ts'
+export { MOST_TRIANGLES } from './auto/surface/check-skin.ts'
+export type { LandmarkPosition as Place, Landmarks } from './auto/surface/landmarks.ts'
+export { faceShapeFinder } from './auto/surface/stand-ins.ts'
+export { crossOf, type Skin, type SkinTarget } from './auto/surface/surface.ts'
 export {
   BAKE_DEFAULTS,
-  type Baked,
+  type BakedMaps,
   type BakeOptions,
-  type BakeTarget,
+  type BakeSource,
   bakeMaps,
-  sizeOf,
-} from './bake.ts'
-export { type BakeMesh, sharedNormals } from './bake-mesh.ts'
-export { type HeightMap, strokesToHeight } from './height.ts'
+  meshDiagonal,
+} from './bake/bake.ts'
+export { type BakeMesh, sharedNormals } from './bake/mesh.ts'
+export type { AnyHit } from './bake/occlusion.ts'
 export { type Metric, type MetricMesh, surfaceMetric } from './metric.ts'
-export { heightToNormal, type TangentFrame } from './normal.ts'
-export type { Blocked } from './occlusion.ts'
+export { heightToNormal, type TangentFrame } from './relief/height-to-normal.ts'
 export {
   type Green,
   type NormalMap,
@@ -43,17 +41,19 @@ export {
   type Relief,
   type ReliefOptions,
   reliefToNormal,
-} from './relief.ts'
-export type { GroupShape, PolygonShape } from './sketch.ts'
-export type { Edges } from './slope.ts'
+} from './relief/relief-to-normal.ts'
+export type { Edges } from './relief/slope.ts'
+export type { GroupShape, PolygonShape } from './strokes/area-definitions.ts'
 export {
+  type AreaDefinition,
   type AreaShape,
-  type AreaSketch,
   type CurveKind,
   parseStrokes,
   STROKE_DEFAULTS,
   type Stroke,
   type StrokesDocument,
   type Uv,
-} from './strokes.ts'
+} from './strokes/document.ts'
+export { type HeightMap, strokesToHeight } from './strokes/height.ts'
+export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas } from './strokes/paint-areas.ts'
 export { targetArea } from './target-area.ts'

@@ -1,143 +1,129 @@
-/** A mesh at rest. Nothing is changed or kept but what is needed of it. */
+import { triangleNormal } from './triangle.ts'
+import { weldVertices } from './weld.ts'
+
+/** A mesh at rest. It is not changed, and its arrays are not kept. */
 export interface RestMesh {
   /** x, y and z of each vertex. */
   positions: ArrayLike<number>
-  /** Of length 1, as authored. */
+  /** Unit normal of each vertex, as authored. */
   normals: ArrayLike<number>
-  /** Three vertices for each triangle. */
+  /** Three vertices per triangle. */
   triangles: ArrayLike<number>
 }
 
-/** Squared length of a sum of normals below which a vertex has no direction. */
+/** Squared length of a sum of normals below which a point has no direction. */
 export const NO_DIRECTION = 1e-24
 
-/** Cosine of a turn below which it is turned right round, for which there is no shortest turn. */
-export const TURNED_ROUND = -0.9999
+/** Cosine below which a rotation counts as half a turn, for which there is no shortest arc. */
+export const HALF_TURN = -0.9999
 
-/** Numbers the places of a mesh: vertices at one position, at rest, share one. */
-export function placesOf(positions: ArrayLike<number>): { places: Uint32Array; count: number } {
-  const numbers = new Map<string, number>()
-  const places = new Uint32Array(positions.length / 3)
-  for (let i = 0; i < places.length; i++) {
-    const key = `${positions[3 * i]} ${positions[3 * i + 1]} ${positions[3 * i + 2]}`
-    if (!numbers.has(key)) numbers.set(key, numbers.size)
-    places[i] = numbers.get(key)!
-  }
-  return { places, count: numbers.size }
-}
+/** Of the triangle in hand. Reused, so that updates allocate nothing. */
+const normal = new Float64Array(3)
 
 /**
- * Sums the normals of the triangles round each place, each as long as twice the triangle's surface.
+ * Sums the area-weighted normals of the triangles round each point; each counts with twice its area.
  *
- * @param sums takes x, y and z of each place.
- * @param places of `placesOf`.
+ * @param sums takes x, y and z of each point.
+ * @param pointOf of `weldVertices`.
  */
 export function sumNormals(
   sums: Float64Array,
   positions: ArrayLike<number>,
   triangles: ArrayLike<number>,
-  places: Uint32Array,
+  pointOf: Uint32Array,
 ): void {
   sums.fill(0)
   for (let t = 0; t + 2 < triangles.length; t += 3) {
-    const a = 3 * triangles[t]
-    const b = 3 * triangles[t + 1]
-    const c = 3 * triangles[t + 2]
-    const ux = positions[b] - positions[a]
-    const uy = positions[b + 1] - positions[a + 1]
-    const uz = positions[b + 2] - positions[a + 2]
-    const vx = positions[c] - positions[a]
-    const vy = positions[c + 1] - positions[a + 1]
-    const vz = positions[c + 2] - positions[a + 2]
+    triangleNormal(normal, positions, triangles[t], triangles[t + 1], triangles[t + 2])
     for (let k = 0; k < 3; k++) {
-      const place = 3 * places[triangles[t + k]]
-      sums[place] += uy * vz - uz * vy
-      sums[place + 1] += uz * vx - ux * vz
-      sums[place + 2] += ux * vy - uy * vx
+      const point = 3 * pointOf[triangles[t + k]]
+      sums[point] += normal[0]
+      sums[point + 1] += normal[1]
+      sums[point + 2] += normal[2]
     }
   }
 }
 
-/** Turns what a morph target adds to positions into what it adds to normals. */
-export function normalChanges(mesh: RestMesh): (offsets: ArrayLike<number>) => Float32Array {
+/** Returns a function from a morph target's position deltas to its normal deltas, x, y and z per vertex both. */
+export function morphNormalDeltas(mesh: RestMesh): (offsets: ArrayLike<number>) => Float32Array {
   const positions = Float32Array.from(mesh.positions)
   const normals = Float32Array.from(mesh.normals)
   const deformed = new DeformedNormals(mesh)
-  const turned = new Float32Array(normals.length)
+  const morphed = new Float32Array(normals.length)
   return (offsets) => {
     deformed.update(
       positions.map((value, i) => value + offsets[i]),
-      turned,
+      morphed,
     )
-    return turned.map((value, i) => value - normals[i])
+    return morphed.map((value, i) => value - normals[i])
   }
 }
 
 /**
- * Shading normals of a mesh that something deforms. Vertices at one place share one direction, the sum of the normals of the triangles
- * round it by their areas, so that neither seams of the texture nor hard edges open; each authored normal is turned as that
- * direction turns from rest (by the shortest turn), so that what was authored stays. Nothing is allocated by the updates.
+ * Shading normals of a deforming mesh. Vertices with the same position at rest share one direction, the area-weighted sum of the normals
+ * of the triangles round it, so that neither texture seams nor hard edges open. Each authored normal is rotated as that direction
+ * rotates from rest, by the shortest arc, so that authored normals survive. Updates allocate nothing.
  */
 export class DeformedNormals {
   readonly #rest: Float32Array
   readonly #triangles: Uint32Array
-  /** For each vertex the number of its place. */
-  readonly #places: Uint32Array
-  /** Directions of all places, at rest and now. */
+  /** Point of each vertex. */
+  readonly #pointOf: Uint32Array
+  /** Directions of all points, at rest and now. */
   readonly #from: Float64Array
   readonly #to: Float64Array
 
   constructor({ positions, normals, triangles }: RestMesh) {
     this.#rest = Float32Array.from(normals)
     this.#triangles = Uint32Array.from(triangles)
-    const { places, count } = placesOf(positions)
-    this.#places = places
+    const { pointOf, count } = weldVertices(positions)
+    this.#pointOf = pointOf
     this.#from = new Float64Array(3 * count)
     this.#to = new Float64Array(3 * count)
-    sumNormals(this.#from, positions, this.#triangles, places)
+    sumNormals(this.#from, positions, this.#triangles, pointOf)
   }
 
   /**
-   * Normals of the mesh as it is now; where a vertex has no direction, at rest or now, the authored one.
+   * Computes the normals of the deformed mesh. A vertex without a direction, at rest or now, keeps its authored normal.
    *
    * @param positions of all vertices now.
-   * @param normals takes x, y and z of each, of length 1.
+   * @param normals takes the unit normal of each.
    */
   update(positions: ArrayLike<number>, normals: Float32Array): void {
-    sumNormals(this.#to, positions, this.#triangles, this.#places)
+    sumNormals(this.#to, positions, this.#triangles, this.#pointOf)
     normals.set(this.#rest)
-    for (let i = 0; i < this.#places.length; i++) this.#turn(normals, 3 * i, 3 * this.#places[i])
+    for (let i = 0; i < this.#pointOf.length; i++) this.#rotate(normals, 3 * i, 3 * this.#pointOf[i])
   }
 
   /**
-   * Turns other directions at the vertices as the last update turned the normals, e.g. tangents.
+   * Rotates other directions at the vertices as the last update rotated the normals, e.g. tangents.
    *
    * @param directions x, y and z every `stride` numbers; changed.
    */
-  turn(directions: Float32Array, stride: number): void {
-    for (let i = 0; i < this.#places.length; i++) this.#turn(directions, stride * i, 3 * this.#places[i])
+  rotate(directions: Float32Array, stride: number): void {
+    for (let i = 0; i < this.#pointOf.length; i++) this.#rotate(directions, stride * i, 3 * this.#pointOf[i])
   }
 
-  /** The shortest turn from one direction to another, by Rodrigues' formula: d c + (a x d) + a (a . d) / (1 + c), a = from x to. */
-  #turn(out: Float32Array, at: number, place: number): void {
+  /** The shortest arc from one direction to another, by Rodrigues' formula: d c + (a x d) + a (a . d) / (1 + c), a = from x to. */
+  #rotate(vectors: Float32Array, offset: number, point: number): void {
     const from = this.#from
     const to = this.#to
-    const fromLength = from[place] ** 2 + from[place + 1] ** 2 + from[place + 2] ** 2
-    const toLength = to[place] ** 2 + to[place + 1] ** 2 + to[place + 2] ** 2
+    const fromLength = from[point] ** 2 + from[point + 1] ** 2 + from[point + 2] ** 2
+    const toLength = to[point] ** 2 + to[point + 1] ** 2 + to[point + 2] ** 2
     if (!(fromLength > NO_DIRECTION && toLength > NO_DIRECTION)) return
     const scale = 1 / Math.sqrt(fromLength * toLength)
     const cosine =
-      scale * (from[place] * to[place] + from[place + 1] * to[place + 1] + from[place + 2] * to[place + 2])
-    if (cosine < TURNED_ROUND) return
-    const ax = scale * (from[place + 1] * to[place + 2] - from[place + 2] * to[place + 1])
-    const ay = scale * (from[place + 2] * to[place] - from[place] * to[place + 2])
-    const az = scale * (from[place] * to[place + 1] - from[place + 1] * to[place])
-    const x = out[at]
-    const y = out[at + 1]
-    const z = out[at + 2]
+      scale * (from[point] * to[point] + from[point + 1] * to[point + 1] + from[point + 2] * to[point + 2])
+    if (cosine < HALF_TURN) return
+    const ax = scale * (from[point + 1] * to[point + 2] - from[point + 2] * to[point + 1])
+    const ay = scale * (from[point + 2] * to[point] - from[point] * to[point + 2])
+    const az = scale * (from[point] * to[point + 1] - from[point + 1] * to[point])
+    const x = vectors[offset]
+    const y = vectors[offset + 1]
+    const z = vectors[offset + 2]
     const along = (ax * x + ay * y + az * z) / (1 + cosine)
-    out[at] = x * cosine + (ay * z - az * y) + ax * along
-    out[at + 1] = y * cosine + (az * x - ax * z) + ay * along
-    out[at + 2] = z * cosine + (ax * y - ay * x) + az * along
+    vectors[offset] = x * cosine + (ay * z - az * y) + ax * along
+    vectors[offset + 1] = y * cosine + (az * x - ax * z) + ay * along
+    vectors[offset + 2] = z * cosine + (ax * y - ay * x) + az * along
   }
 }

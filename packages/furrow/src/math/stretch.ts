@@ -1,11 +1,11 @@
-/** Of the triangle that is looked at: the products of its two edges, uu, uv, vv. Filled anew by each call, so that none is allocated. */
+/** Dot products of the two edges of the triangle in hand: uu, uv, vv. Reused, so that nothing is allocated. */
 const products = new Float64Array(3)
 
 /**
- * Measures a triangle at rest, for `principalStretches`: the inverse of its two edges in its own plane.
+ * Inverse of the matrix of a triangle's two edges at rest, in its own plane; for `principalStretches`.
  *
  * @param positions x, y and z of each vertex.
- * @returns xx, xy and yy, an upper triangular matrix; undefined where the triangle has no surface.
+ * @returns xx, xy and yy of the upper triangular matrix; undefined where the triangle has no area.
  */
 export function restInverse(
   a: number,
@@ -15,7 +15,7 @@ export function restInverse(
 ): number[] | undefined {
   multiplyEdges(a, b, c, positions)
   const [uu, uv, vv] = products
-  // Its first edge is (along, 0) there, its second one (across, height).
+  // In the plane, the first edge is (along, 0), the second one (across, height).
   const along = Math.sqrt(uu)
   const across = uv / along
   const height = Math.sqrt(Math.max(0, vv - across * across))
@@ -24,17 +24,17 @@ export function restInverse(
 }
 
 /**
- * How far a triangle is stretched in its own plane: the roots of the eigenvalues of the right Cauchy-Green tensor (Bonet, Wood:
- * Nonlinear Continuum Mechanics, 3.6). A motion that deforms nothing gives 1 and 1.
+ * Principal stretches of a triangle in its own plane: the square roots of the eigenvalues of the right Cauchy-Green tensor (Bonet, Wood:
+ * Nonlinear Continuum Mechanics, 3.6). A rigid motion gives 1 and 1.
  *
  * @param out takes the smaller and the larger one.
- * @param inverses of `restInverse`, from `at` on.
+ * @param inverses results of `restInverse`; the triangle's begins at `offset`.
  * @param positions of the vertices now.
  */
 export function principalStretches(
   out: Float64Array,
   inverses: ArrayLike<number>,
-  at: number,
+  offset: number,
   a: number,
   b: number,
   c: number,
@@ -44,9 +44,9 @@ export function principalStretches(
   const uu = products[0]
   const uv = products[1]
   const vv = products[2]
-  const xx = inverses[at]
-  const xy = inverses[at + 1]
-  const yy = inverses[at + 2]
+  const xx = inverses[offset]
+  const xy = inverses[offset + 1]
+  const yy = inverses[offset + 2]
   const c00 = xx * xx * uu
   const c01 = xx * (xy * uu + yy * uv)
   const c11 = xy * xy * uu + 2 * xy * yy * uv + yy * yy * vv

@@ -64,7 +64,7 @@ export class RecomputedNormals {
     if (!this.#tangent || !this.#restTangents) return
     const tangents = this.#tangent.array as Float32Array
     tangents.set(this.#restTangents)
-    this.#deformed.turn(tangents, 4)
+    this.#deformed.rotate(tangents, 4)
     this.#tangent.needsUpdate = true
   }
 

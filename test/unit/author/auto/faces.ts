@@ -1,27 +1,52 @@
 import { fileURLToPath } from 'node:url'
-import { type AutoWrinkles, autoWrinkles, type Skin } from 'furrow/author'
+import { AUTO_DEFAULTS, AUTO_REGIONS, type AutoWrinkles, autoWrinkles, type Skin } from 'furrow/author'
 import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
 import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
-import { type Face, findFace, poseOf } from '../../../../packages/furrow/src/author/auto/face.ts'
+import type { CreasedRegion } from '../../../../packages/furrow/src/author/auto/lines/crease.ts'
+import { layLines } from '../../../../packages/furrow/src/author/auto/lines/lay-lines.ts'
+import { measureStrain } from '../../../../packages/furrow/src/author/auto/strain/measure-strain.ts'
+import type { DetectedFace } from '../../../../packages/furrow/src/author/auto/surface/detect-face.ts'
+import { poseOf } from '../../../../packages/furrow/src/author/auto/surface/pose.ts'
+import {
+  type PreparedSkin,
+  prepareSkin,
+} from '../../../../packages/furrow/src/author/auto/surface/prepare-skin.ts'
+import { SCANS } from '../../../bare-faces/bare-faces.ts'
 import { driven } from '../../../driven.ts'
-import { hasScan, SCAN } from '../../../real-face/pack-scan.ts'
 
-/** The face that ships, and the scan where it is at hand. */
+/** The face that ships, and the scan where it is available. */
 export const FACES = [
   ['human', fileURLToPath(new URL('../../../../faces/human.glb', import.meta.url))],
-  ...(hasScan ? ([['scan', SCAN]] as const) : []),
+  ...SCANS.map(({ name, path }) => [name, path] as const),
 ] as readonly (readonly [string, string])[]
 
-/** A face with its automatic wrinkles, and what is measured of them. */
-export class Measured {
+/** A skin on which a face was detected. */
+export type PreparedFace = PreparedSkin & { face: DetectedFace }
+
+export function prepareFace(skin: Skin): PreparedFace {
+  const prepared = prepareSkin(skin)
+  const { face } = prepared
+  if (!face) throw new Error('no face was detected')
+  return { ...prepared, face }
+}
+
+/** The creases of all regions of a face, of the default strength and seed. */
+export function facialCreases(prepared: PreparedFace, ageFraction: number): CreasedRegion[] {
+  const { strength, seed, areas } = AUTO_DEFAULTS
+  const settings = { ageFraction, strength, seed, regions: AUTO_REGIONS, maxAreas: areas }
+  return layLines(prepared, measureStrain(prepared, settings), settings)
+}
+
+/** A face with its automatic wrinkles, and measurements of them. */
+export class MeasuredFace {
   readonly skin: Skin
-  readonly face: Face
+  readonly prepared: PreparedFace
   readonly wrinkles: AutoWrinkles
   readonly #driven: ReturnType<typeof driven>
 
-  constructor(skin: Skin, face: Face, wrinkles: AutoWrinkles) {
+  constructor(skin: Skin, wrinkles: AutoWrinkles) {
     this.skin = skin
-    this.face = face
+    this.prepared = prepareFace(skin)
     this.wrinkles = wrinkles
     this.#driven = driven(
       wrinkles.areas.map(({ driver }) => driver),
@@ -29,9 +54,13 @@ export class Measured {
     )
   }
 
-  static async read(path: string): Promise<Measured> {
+  static async read(path: string): Promise<MeasuredFace> {
     const { skin } = findSkin(await readDocument(path, 'test'), path, 'test')
-    return new Measured(skin, findFace(skin)!, autoWrinkles(skin, { age: 70, size: 512 }))
+    return new MeasuredFace(skin, autoWrinkles(skin, { age: 70, size: 512 }))
+  }
+
+  get face(): DetectedFace {
+    return this.prepared.face
   }
 
   /** Activations of a pose, by area. */
@@ -42,13 +71,13 @@ export class Measured {
   }
 
   /**
-   * Activated weight of a pose over the skin: weights times activations times surface.
+   * Activated weight of a pose over the skin: the integral of weights times activations.
    *
-   * @param where of all of it, the part to be counted, by millimetres in the frame of the face.
+   * @param isCounted tells by its position in the frame of the face, in millimetres, whether a point is counted.
    */
   activated(
     pose: Readonly<Record<string, number>>,
-    where: (x: number, y: number, z: number) => boolean,
+    isCounted: (x: number, y: number, z: number) => boolean,
   ): number {
     const activations = this.activations(pose)
     const { surface } = this.face
@@ -57,20 +86,23 @@ export class Measured {
     for (const [vertex, point] of surface.pointOf.entries()) {
       if (seen.has(point)) continue
       seen.add(point)
-      const [x, y, z] = [0, 1, 2].map((k) => surface.points[3 * point + k]!) as [number, number, number]
-      if (!where(x, y, z)) continue
+      const [x, y, z] = [0, 1, 2].map((k) => surface.points[3 * point + k])
+      if (!isCounted(x, y, z)) continue
       for (const { name, weights } of this.wrinkles.areas) {
         const texel = (k: number) =>
-          Math.min(weights.width - 1, Math.floor(this.skin.uvs[2 * vertex + k]! * weights.width))
-        const weight = weights.data[texel(1) * weights.width + texel(0)]! / 255
-        sum += weight * activations.get(name)! * surface.areas[point]!
+          Math.min(weights.width - 1, Math.floor(this.skin.uvs[2 * vertex + k] * weights.width))
+        const weight = weights.data[texel(1) * weights.width + texel(0)] / 255
+        sum += weight * (activations.get(name) ?? Number.NaN) * surface.areas[point]
       }
     }
     return sum
   }
 
-  /** The part of a pose's activated weight that lies there. */
-  share(pose: Readonly<Record<string, number>>, where: (x: number, y: number, z: number) => boolean): number {
-    return this.activated(pose, where) / this.activated(pose, () => true)
+  /** The fraction of a pose's activated weight that is counted. */
+  activatedFraction(
+    pose: Readonly<Record<string, number>>,
+    isCounted: (x: number, y: number, z: number) => boolean,
+  ): number {
+    return this.activated(pose, isCounted) / this.activated(pose, () => true)
   }
 }

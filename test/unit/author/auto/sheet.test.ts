@@ -1,10 +1,15 @@
 import { describe, expect, test } from 'vitest'
-import { creaseDepth, creaseLines } from '../../../../packages/furrow/src/author/auto/crease.ts'
-import { drawCreases } from '../../../../packages/furrow/src/author/auto/draw.ts'
-import { layFreeLines } from '../../../../packages/furrow/src/author/auto/free-lines.ts'
-import { compressionTensors, smooth, TENSOR } from '../../../../packages/furrow/src/author/auto/strain.ts'
-import { SkinTexels } from '../../../../packages/furrow/src/author/auto/texels.ts'
-import { LOST, SIDE, sheet } from './sheet.ts'
+import { creaseLines } from '../../../../packages/furrow/src/author/auto/lines/crease.ts'
+import { creaseDepth } from '../../../../packages/furrow/src/author/auto/lines/crease-depth.ts'
+import { layFreeLines } from '../../../../packages/furrow/src/author/auto/lines/free-lines.ts'
+import { drawCreases } from '../../../../packages/furrow/src/author/auto/raster/draw-creases.ts'
+import { SkinTexels } from '../../../../packages/furrow/src/author/auto/raster/skin-texels.ts'
+import { smooth } from '../../../../packages/furrow/src/author/auto/strain/smooth.ts'
+import {
+  compressionTensors,
+  TENSOR_SIZE,
+} from '../../../../packages/furrow/src/author/auto/strain/tensors.ts'
+import { COMPRESSION, SIDE, sheet } from './sheet.ts'
 
 const SIZE = 512
 
@@ -16,64 +21,70 @@ describe.each([
 ])('a sheet of %d squares a side, shortened at %d degrees, spacing %d mm', (n, degrees, spacing) => {
   const { surface, uvs, indices, offsets, cosine, sine } = sheet(n, degrees)
   const tensors = compressionTensors(surface, offsets)
-  smooth(surface, tensors, TENSOR, 3)
+  smooth(surface, tensors, TENSOR_SIZE, 3)
   const style = { width: spacing / 2, depth: 1, taper: [0, 0], shoulder: [0.9, 0.9], softness: 0.5 } as const
-  const lines = layFreeLines(surface, tensors, { spacing, least: 0.05, style })
+  const lines = layFreeLines(surface, tensors, { spacing, minCompression: 0.05, style })
 
   test('lines run across within 5 degrees', () => {
     for (const { points } of lines) {
-      const [x, y] = [0, 1].map((k) => points[points.length - 3 + k]! - points[k]!) as [number, number]
+      const [x, y] = [0, 1].map((k) => points[points.length - 3 + k] - points[k])
       const off = (Math.asin(Math.abs(x * cosine + y * sine) / Math.hypot(x, y)) * 180) / Math.PI
       expect(off).toBeLessThan(5)
     }
   })
 
-  test('they lie as far apart as asked', () => {
-    const places = lines.map(({ points }) => {
+  test('the lines are spaced as asked', () => {
+    const distances = lines.map(({ points }) => {
       const middle = 3 * Math.floor(points.length / 6)
-      return (points[middle]! - SIDE / 2) * cosine + (points[middle + 1]! - SIDE / 2) * sine
+      return (points[middle] - SIDE / 2) * cosine + (points[middle + 1] - SIDE / 2) * sine
     })
-    const gaps = places.sort((a, b) => a - b).flatMap((place, i) => (i > 0 ? [place - places[i - 1]!] : []))
+    const gaps = distances
+      .sort((a, b) => a - b)
+      .flatMap((value, i) => (i > 0 ? [value - distances[i - 1]] : []))
     expect(gaps.length).toBeGreaterThan(SIDE / spacing / 2)
     expect(Math.min(...gaps)).toBeGreaterThan(0.85 * spacing)
     expect(Math.max(...gaps)).toBeLessThan(1.15 * spacing)
   })
 
   test('the relief takes up the length that the sheet loses', () => {
-    const { creases, compression } = creaseLines({ spacing, hidden: 1, deepest: Infinity }, lines, 1)
-    expect(compression).toBeCloseTo(LOST, 3)
+    const { creases, compression } = creaseLines(
+      { spacing, creasedFraction: 1, maxDepth: Infinity },
+      lines,
+      1,
+    )
+    expect(compression).toBeCloseTo(COMPRESSION, 3)
     const texels = new SkinTexels({ uvs, indices }, surface, SIZE)
-    const { data } = drawCreases({ surface, texels }, creases).relief
+    const { data } = drawCreases(texels, creases).relief
     const texel = SIDE / SIZE
     let [length, count] = [0, 0]
     for (let row = 150; row < SIZE - 150; row++) {
       for (let column = 150; column < SIZE - 150; column++) {
         const i = row * SIZE + column
         const slope =
-          ((data[i + 1]! - data[i - 1]!) * cosine - (data[i + SIZE]! - data[i - SIZE]!) * sine) / (2 * texel)
-        length += Math.hypot(1 - LOST, slope)
+          ((data[i + 1] - data[i - 1]) * cosine - (data[i + SIZE] - data[i - SIZE]) * sine) / (2 * texel)
+        length += Math.hypot(1 - COMPRESSION, slope)
         count++
       }
     }
-    const hidden = (length / count - (1 - LOST)) / LOST
-    expect(hidden).toBeGreaterThan(0.9)
-    expect(hidden).toBeLessThan(1.1)
+    const taken = (length / count - (1 - COMPRESSION)) / COMPRESSION
+    expect(taken).toBeGreaterThan(0.9)
+    expect(taken).toBeLessThan(1.1)
   })
 })
 
-test('rigid motion is no strain', () => {
+test('rigid motion causes no strain', () => {
   const { surface } = sheet(5, 0)
   const turned = Float64Array.from(surface.points, (value, i) => {
-    const [x, z] = [surface.points[3 * Math.floor(i / 3)]!, 0]
-    return (
-      [Math.cos(1) * x - Math.sin(1) * z + 7, surface.points[i]! - 3, Math.sin(1) * x + 2][i % 3]! - value
-    )
+    const [x, z] = [surface.points[3 * Math.floor(i / 3)], 0]
+    return [Math.cos(1) * x - Math.sin(1) * z + 7, surface.points[i] - 3, Math.sin(1) * x + 2][i % 3] - value
   })
   for (const value of compressionTensors(surface, turned)) expect(Math.abs(value)).toBeLessThan(1e-12)
 })
 
-test('nothing lost needs no depth, and more lost needs more', () => {
-  const depths = [0, 0.05, 0.1, 0.2, 0.4].map((lost) => creaseDepth(lost, 6, 1.5, [0.9, 0.9], 0.5))
+test('no compression needs no depth, and more compression more', () => {
+  const depths = [0, 0.05, 0.1, 0.2, 0.4].map((compression) =>
+    creaseDepth(compression, 6, 1.5, [0.9, 0.9], 0.5),
+  )
   expect(depths[0]).toBeLessThan(0.001)
-  for (let i = 1; i < depths.length; i++) expect(depths[i]).toBeGreaterThan(depths[i - 1]!)
+  for (let i = 1; i < depths.length; i++) expect(depths[i]).toBeGreaterThan(depths[i - 1])
 })

@@ -1,9 +1,9 @@
-import { joinSurface } from '../../../../packages/furrow/src/author/auto/surface.ts'
+import { weldSurface } from '../../../../packages/furrow/src/author/auto/surface/surface.ts'
 
 /** Side of the sheet in millimetres. */
 export const SIDE = 80
-/** Share that it loses. */
-export const LOST = 0.2
+/** Fraction of its length that it loses. */
+export const COMPRESSION = 0.2
 
 /** A flat sheet of n x n squares, shortened by a fifth along a direction. */
 export function sheet(n: number, degrees: number) {
@@ -15,10 +15,10 @@ export function sheet(n: number, degrees: number) {
       positions.push(x, y, 0)
       uvs.push(i / n, 1 - j / n)
       const along = (x - SIDE / 2) * cosine + (y - SIDE / 2) * sine
-      offsets.push(-LOST * along * cosine, -LOST * along * sine, 0)
+      offsets.push(-COMPRESSION * along * cosine, -COMPRESSION * along * sine, 0)
       const p = j * (n + 1) + i
       if (i < n && j < n) indices.push(p, p + 1, p + n + 2, p, p + n + 2, p + n + 1)
     }
   }
-  return { surface: joinSurface({ positions, indices }), positions, uvs, indices, offsets, cosine, sine }
+  return { surface: weldSurface({ positions, indices }), positions, uvs, indices, offsets, cosine, sine }
 }

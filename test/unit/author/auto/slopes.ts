@@ -11,12 +11,12 @@ export interface Channels {
   data: ArrayLike<number>
 }
 
-/** A channel between texels, as a renderer filters it. */
+/** A channel at a UV, filtered as renderers do. */
 export function sample(map: Channels, [u, v]: CutSide['uv'], channel = 0): number {
-  return interpolate(map, u, v, (i, j) => map.data[map.channels * (j * map.width + i) + channel]!)
+  return interpolate(map, u, v, (i, j) => map.data[map.channels * (j * map.width + i) + channel])
 }
 
-/** A normal map and its next levels of detail: means of two by two texels. */
+/** A normal map and its next mipmap levels: means of two by two texels. */
 export function levelsOf({ width, height, data }: RgbaImage, count: number): Channels[] {
   const levels: Channels[] = [{ width, height, channels: 4, data }]
   for (const { width, height, data } of levels) {
@@ -26,41 +26,34 @@ export function levelsOf({ width, height, data }: RgbaImage, count: number): Cha
       const [column, row] = [Math.floor(i / 4) % (width / 2), Math.floor(i / 4 / (width / 2))]
       const first = 4 * (2 * row * width + 2 * column) + (i % 4)
       const [right, below] = [4, 4 * width]
-      half[i] =
-        (data[first]! + data[first + right]! + data[first + below]! + data[first + below + right]!) / 4
+      half[i] = (data[first] + data[first + right] + data[first + below] + data[first + below + right]) / 4
     }
     levels.push({ width: width / 2, height: height / 2, channels: 4, data: half })
   }
   return levels
 }
 
-/** x, y and z of the relief's slope in space, in millimetres per millimetre, that a normal map says at a place of a triangle. */
+/** The slope of the relief in space by a normal map, at a UV of a triangle: x, y and z in millimetres per millimetre. */
 export function slopeIn(skin: Skin, map: Channels, { triangle, uv }: CutSide): number[] {
-  const [tangent, bitangent] = frameOf(skin, triangle)
-  const [x, y, z] = [0, 1, 2].map((k) => sample(map, uv, k) / 127.5 - 1) as [number, number, number]
-  // Zero is the byte 128, half a step too much.
+  const [tangent, bitangent] = tangentFrame(skin, triangle)
+  const [x, y, z] = [0, 1, 2].map((k) => sample(map, uv, k) / 127.5 - 1)
+  // The byte of zero is 128, half a step too high.
   const [along, up] = [x - 1 / 255, y - 1 / 255]
-  return tangent.map((value, k) => -(along * value + up * bitangent[k]!) / z)
+  return tangent.map((value, k) => -(along * value + up * bitangent[k]) / z)
 }
 
-/** Unit vectors in a triangle's plane: along u, and at a right angle to it, towards smaller v. */
-function frameOf({ positions, uvs, indices }: Skin, triangle: number): readonly [number[], number[]] {
-  const [a, b, c] = [0, 1, 2].map((k) => indices[3 * triangle + k]!) as [number, number, number]
-  const [u1, v1, u2, v2] = [b, c].flatMap((i) => [0, 1].map((k) => uvs[2 * i + k]! - uvs[2 * a + k]!)) as [
-    number,
-    number,
-    number,
-    number,
-  ]
+/** Orthonormal vectors in a triangle's plane: along u, and perpendicular to it, towards smaller v. */
+function tangentFrame({ positions, uvs, indices }: Skin, triangle: number): readonly [number[], number[]] {
+  const [a, b, c] = [0, 1, 2].map((k) => indices[3 * triangle + k])
+  const [u1, v1, u2, v2] = [b, c].flatMap((i) => [0, 1].map((k) => uvs[2 * i + k] - uvs[2 * a + k]))
   const sign = Math.sign(u1 * v2 - u2 * v1)
-  const [e1, e2] = [b, c].map((i) => [0, 1, 2].map((k) => positions[3 * i + k]! - positions[3 * a + k]!))
-  const alongU = e1!.map((value, k) => sign * (value * v2 - e2![k]! * v1))
-  const alongV = e1!.map((value, k) => sign * (e2![k]! * u1 - value * u2))
+  const [e1, e2] = [b, c].map((i) => [0, 1, 2].map((k) => positions[3 * i + k] - positions[3 * a + k]))
+  const alongU = e1.map((value, k) => sign * (value * v2 - e2[k] * v1))
+  const alongV = e1.map((value, k) => sign * (e2[k] * u1 - value * u2))
   const tangent = unit(alongU)
-  const shared = dot(tangent, alongV)
-  return [tangent, unit(alongV.map((value, k) => shared * tangent[k]! - value))]
+  const shear = dot(tangent, alongV)
+  return [tangent, unit(alongV.map((value, k) => shear * tangent[k] - value))]
 }
 
-const dot = (a: readonly number[], b: readonly number[]) =>
-  a.reduce((sum, value, k) => sum + value * b[k]!, 0)
+const dot = (a: readonly number[], b: readonly number[]) => a.reduce((sum, value, k) => sum + value * b[k], 0)
 const unit = (a: readonly number[]) => a.map((value) => value / Math.hypot(...a))

@@ -5,7 +5,7 @@ import { describe, expect, test } from 'vitest'
 const SIDE = 0.2
 const SIZE = 64
 
-/** A sheet in the left half of its texture, which targets shorten by a share across and up. */
+/** A sheet in the left half of its texture, whose targets shorten it across and up. */
 function skin(n: number) {
   const [positions, uvs, indices, across, up]: number[][] = [[], [], [], [], []]
   for (let j = 0; j <= n; j++) {
@@ -27,7 +27,7 @@ function skin(n: number) {
 }
 
 describe('strain maps', () => {
-  // Expected is what the targets are made of: principal compression, and none where skin is stretched.
+  // Expected is the principal compression that the targets are made of, and none where skin is stretched.
   test.each<[Record<string, number>, number]>([
     [{ across: 1 }, 0.1],
     [{ across: 0.5, up: 0.5 }, 0.05],
@@ -35,12 +35,12 @@ describe('strain maps', () => {
     [{ across: -1 }, 0],
     [{}, 0],
     [{ nothing: 1 }, 0],
-  ])('of %j', (pose, lost) => {
+  ])('of %j', (pose, compression) => {
     const [map] = strainMaps(skin(12), [pose], SIZE)
-    expect([map!.width, map!.height, map!.data.length]).toEqual([SIZE, SIZE, SIZE * SIZE])
+    expect([map.width, map.height, map.data.length]).toEqual([SIZE, SIZE, SIZE * SIZE])
     for (let row = 0; row < SIZE; row++) {
       for (let column = 0; column < SIZE / 2; column++) {
-        expect(Math.abs(map!.data[row * SIZE + column]! - lost)).toBeLessThan(1e-6)
+        expect(Math.abs(map.data[row * SIZE + column] - compression)).toBeLessThan(1e-6)
       }
     }
   })
@@ -48,18 +48,17 @@ describe('strain maps', () => {
   test('of a skin in another tile of its texture are those of the first tile', () => {
     const first = skin(12)
     const moved = { ...first, uvs: first.uvs.map((value, i) => value + (i % 2 === 0 ? 2 : -1)) }
-    const [map, expected] = [moved, first].map((one) => strainMaps(one, [{ across: 1 }], SIZE)[0]!.data)
-    for (const [i, lost] of expected!.entries()) {
-      if (Number.isNaN(lost)) expect(map![i]).toBeNaN()
-      else expect(map![i]).toBeCloseTo(lost, 6)
+    const [map, expected] = [moved, first].map((sheet) => strainMaps(sheet, [{ across: 1 }], SIZE)[0].data)
+    for (const [i, compression] of expected.entries()) {
+      if (Number.isNaN(compression)) expect(map[i]).toBeNaN()
+      else expect(map[i]).toBeCloseTo(compression, 6)
     }
   })
 
   test('have nothing where there is no skin', () => {
     const [map] = strainMaps(skin(3), [{ across: 1 }], SIZE)
     for (let row = 0; row < SIZE; row++) {
-      for (let column = SIZE / 2 + 4; column < SIZE; column++)
-        expect(map!.data[row * SIZE + column]).toBeNaN()
+      for (let column = SIZE / 2 + 4; column < SIZE; column++) expect(map.data[row * SIZE + column]).toBeNaN()
     }
   })
 })

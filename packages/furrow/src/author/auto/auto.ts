@@ -1,26 +1,20 @@
 import { FurrowError } from '../../core/error.ts'
-import type { GrayImage, RgbaImage } from '../../core/types.ts'
+import type { GrayImage } from '../../core/types.ts'
 import type { ExpressionDriver } from '../../drivers/expression/definition.ts'
 import { EXPRESSIONS } from '../../drivers/expression/presets.ts'
 import type { MorphDriver } from '../../drivers/morph/definition.ts'
-import type { HeightMap } from '../height.ts'
-import { surfaceMetric } from '../metric.ts'
-import { heightToNormal, type TangentFrame } from '../normal.ts'
+import type { TangentFrame } from '../relief/height-to-normal.ts'
 import { AUTO_REGIONS, type AutoRegion } from './anatomy/regions.ts'
-import type { CreasedRegion } from './crease.ts'
-import { drawAreas, drawCreases } from './draw.ts'
-import { type Landmarks, poseOf } from './face.ts'
-import { faceRegions } from './face-regions.ts'
-import { layersOf } from './layers.ts'
-import { type FittedRegion, fitDriver } from './links.ts'
-import { findOverlap, isOverlapped, leftTriangles, onBothSides } from './mirror.ts'
-import { prepareSkin } from './prepare.ts'
-import { standInsOf } from './stand-ins.ts'
-import { strainRegions } from './strain-regions.ts'
-import type { Skin, Surface } from './surface.ts'
-import { MIP_MARGIN, SkinTexels } from './texels.ts'
+import { fitDrivers } from './fit/fit-drivers.ts'
+import { assignLayers } from './fit/layers.ts'
+import { layLines } from './lines/lay-lines.ts'
+import { type AutoLayer, drawMaps } from './raster/draw-maps.ts'
+import { measureStrain } from './strain/measure-strain.ts'
+import type { Landmarks } from './surface/landmarks.ts'
+import { prepareSkin } from './surface/prepare-skin.ts'
+import type { Skin } from './surface/surface.ts'
 
-/** How the wrinkles are made; `AUTO_DEFAULTS` where nothing is told. */
+/** Settings of `autoWrinkles`; `AUTO_DEFAULTS` has the defaults. */
 export interface AutoOptions {
   /** Years, 20..80: lines grow in number, length and depth. */
   age?: number
@@ -32,17 +26,17 @@ export interface AutoOptions {
   areaSize?: number
   /** Any whole number; the same one gives the same wrinkles. */
   seed?: number
-  /** Layers that there may be, 1..4. */
+  /** Layers at most, 1..4. */
   layers?: number
-  /** Areas that there may be, 1..64; those that are shortened least are left out. */
+  /** Areas at most, 1..64; those with the least compression are left out. */
   areas?: number
-  /** Parts of a face that may crease, all unless told. Without a face there are none to choose from. */
+  /** Parts of a face that may crease, all by default. Only a face has any. */
   regions?: readonly AutoRegion[]
   /** The frame in which renderers read the normal maps, see `heightToNormal`. */
   frame?: TangentFrame
 }
 
-/** What is done unless told otherwise. */
+/** Defaults of `AutoOptions`. */
 export const AUTO_DEFAULTS = {
   age: 45,
   strength: 1,
@@ -55,158 +49,102 @@ export const AUTO_DEFAULTS = {
   frame: 'orthonormal',
 } as const satisfies AutoOptions
 
-/** Maps of one layer. */
-export interface AutoLayer {
-  name: string
-  /** Of kind `detail`: wrinkles over nothing. */
-  normal: RgbaImage
-  relief: HeightMap
-  /** 255 = open to the light. */
-  occlusion: GrayImage
-}
-
-/** One area with what drives it. */
+/** An area and its driver. */
 export interface AutoArea {
   name: string
   /** Index of its layer. */
   layer: number
   weights: GrayImage
   driver: MorphDriver
-  /** Share by which its own expression shortens the skin across its lines. */
+  /** Fraction by which its expression shortens the skin across its lines. */
   compression: number
-  /** Root mean square of the driver's activation less the measured one, over single targets and some together, 0..1. */
+  /** Root mean square of the driver's activation less the measured one, over single targets and combinations, 0..1. */
   error: number
   lines: number
 }
 
-/** What blendshapes say of wrinkles. */
+/** Wrinkles made from blendshapes. */
 export interface AutoWrinkles {
-  /** Where the features are, if a face was found by what the targets move; otherwise strain alone placed the lines. */
+  /** Positions of the features, if a face was detected; otherwise the lines are placed by strain alone. */
   landmarks: Landmarks | undefined
-  /** Names of the targets that were used: those that are not broken. */
+  /** Names of the targets that were used: all but broken ones. */
   targets: string[]
   layers: AutoLayer[]
   areas: AutoArea[]
-  /** Presets of those blendshapes that the face has; its areas' drivers add the wrinkles. */
+  /** Presets of the blendshapes that the face has; the drivers of its areas add the wrinkles. */
   expressions: ExpressionDriver[]
-  /** What the user should know, a sentence each. */
+  /** One sentence each. */
   warnings: string[]
 }
 
-/** Told before each step, and at the end. */
+/** Called before each step and at the end. */
 export type AutoProgress = (done: number, total: number, step: string) => void
 
-/** What `autoWrinkles` does, in this order. */
+/** Steps of `autoWrinkles`, in order. */
 export const AUTO_STEPS = ['face', 'lines', 'drivers', 'layers', 'maps'] as const
 
 /**
- * Makes wrinkles from a character's own blendshapes: where they push the skin together it creases, and where a face is recognised
- * anatomy says how. The same input and seed give the same maps, bit by bit.
+ * Makes wrinkles from a character's own blendshapes: skin creases where they compress it, and on a face as its anatomy has it. The same
+ * input and seed give the same maps, bit for bit.
  *
- * @throws FurrowError when the skin has no targets, no texture coordinates that span a surface, or numbers that are none; when
- *   regions are asked for and no face is found.
+ * @throws FurrowError when the skin has no targets, no UV area, or values that are NaN or infinite; when regions are chosen and no face is
+ *   detected.
  */
 export function autoWrinkles(
   skin: Skin,
   options: AutoOptions = {},
   progress: AutoProgress = () => {},
 ): AutoWrinkles {
-  const {
-    age,
-    strength,
-    size,
-    areaSize,
-    seed,
-    layers: most,
-    areas: mostAreas,
-    regions,
-    frame,
-  } = { ...AUTO_DEFAULTS, ...options }
-  const tell = (step: (typeof AUTO_STEPS)[number]) =>
+  const settings = { ...AUTO_DEFAULTS, ...options }
+  const { age, areas: maxAreas } = settings
+  const lineSettings = { ...settings, ageFraction: (age - 20) / 60, maxAreas }
+  const begin = (step: (typeof AUTO_STEPS)[number]) =>
     progress(AUTO_STEPS.indexOf(step), AUTO_STEPS.length, step)
-  tell('face')
-  const { skin: usable, face, surface, offsets, warnings } = prepareSkin(skin)
-  const names = usable.targets.map(({ name }) => name)
-  if (!face && options.regions) throw noRegions(options.regions)
-  const grown = (age - 20) / 60
-  tell('lines')
-  const overlap = findOverlap(usable, surface)
-  const isMirrored = face !== undefined && overlap.isMirrored
-  if (isMirrored)
-    warnings.push('left and right share their texels: both sides crease at once, each driven by half')
-  else if (isOverlapped(overlap)) {
-    warnings.push(
-      `${Math.round(100 * overlap.share)}% of the texture is used twice: what creases one place creases the other`,
-    )
-  }
-  const creased = face
-    ? faceRegions(face, grown, strength, seed, regions)
-    : strainRegions(surface, offsets, names, grown, strength, seed, mostAreas)
-  if (!face)
-    warnings.push(
-      'no face was found by what the blendshapes move: strain alone places the wrinkles, and carefully',
-    )
-  tell('drivers')
-  const find = face?.find ?? ((name: string) => [names.indexOf(name)])
-  const everyFit = creased.flatMap(
-    (region) => fitDriver(surface, region, offsets, names, poseOf(find, region.region.cause)) ?? [],
-  )
-  const fitted = strongest(isMirrored ? onBothSides(everyFit, names, find) : everyFit, mostAreas)
-  if (fitted.length === 0) warnings.push('no blendshape pushes skin together enough to crease it')
-  const stoodIn = face ? standInsOf(names) : []
-  if (stoodIn.length > 0) {
-    const still = creased.filter(({ region }) => !everyFit.some((fit) => fit.region === region))
-    const smooth = still.map(({ region }) => region.name).join(', ')
-    warnings.push(
-      `${stoodIn.join(', ')} stand in for ARKit's shapes${smooth && `; none moves these, which stay smooth: ${smooth}`}`,
-    )
-  }
-  tell('layers')
-  const layerOf = layersOf(fitted, most)
-  tell('maps')
-  const isDrawn = isMirrored ? leftTriangles(surface) : undefined
-  const canvas = { surface, texels: new SkinTexels(usable, surface, size, isDrawn, MIP_MARGIN) }
-  const small = { surface, texels: new SkinTexels(usable, surface, areaSize, isDrawn) }
-  const metric = surfaceMetric({ ...usable, positions: inMetres(surface) }, size)
-  const layers: AutoLayer[] = []
-  const images = new Map<CreasedRegion, GrayImage>()
-  for (let layer = 0; layer <= Math.max(-1, ...layerOf); layer++) {
-    const regions = fitted.filter((_, i) => layerOf[i] === layer)
-    const creases = [...new Set(regions.map((region) => region.creases))].flat()
-    const drawn = drawCreases(canvas, creases)
-    layers.push({ name: `auto${layer + 1}`, normal: heightToNormal(drawn.relief, metric, frame), ...drawn })
-    for (const [i, image] of drawAreas(small, regions, face?.chart).entries()) images.set(regions[i]!, image)
-  }
+
+  // One room per stage, each using those before it: surface -> strain -> lines -> fit -> raster.
+  begin('face')
+  const prepared = prepareSkin(skin)
+  if (!prepared.face && options.regions) throw regionsWithoutFace(options.regions)
+  begin('lines')
+  // The strain is the largest of the data: it is freed once the lines are laid.
+  const creased = layLines(prepared, measureStrain(prepared, lineSettings), lineSettings)
+  begin('drivers')
+  const fitted = fitDrivers(prepared, creased, maxAreas)
+  begin('layers')
+  const layerOf = assignLayers(fitted.regions, settings.layers)
+  begin('maps')
+  const { layers, weights } = drawMaps(prepared, fitted.regions, layerOf, settings)
   progress(AUTO_STEPS.length, AUTO_STEPS.length, 'done')
-  const areas = fitted.map((fit, i) => ({
-    name: fit.region.name,
-    layer: layerOf[i]!,
-    weights: images.get(fit)!,
-    driver: fit.driver,
-    compression: fit.compression,
-    error: fit.error,
-    lines: fit.creases.length,
-  }))
+
+  const { face, names } = prepared
   return {
     landmarks: face?.landmarks,
-    targets: names,
+    targets: [...names],
     layers,
-    areas,
+    areas: fitted.regions.map(({ region, driver, compression, error, creases }, i) => ({
+      name: region.name,
+      layer: layerOf[i],
+      weights: weights[i],
+      driver,
+      compression,
+      error,
+      lines: creases.length,
+    })),
     expressions: face ? presetsOf(face.find) : [],
-    warnings,
+    warnings: [...prepared.warnings, ...fitted.warnings],
   }
 }
 
-function noRegions(asked: readonly string[]): FurrowError {
+function regionsWithoutFace(regions: readonly string[]): FurrowError {
   return new FurrowError({
     who: 'autoWrinkles',
     what: 'regions cannot be chosen, since no face was found by what the blendshapes move',
-    value: asked.join(', '),
+    value: regions.join(', '),
     remedy: 'leave the regions out, or name the mesh of the face',
   })
 }
 
-/** `EXPRESSIONS` without the activations of areas that other faces have. */
+/** `EXPRESSIONS` with the targets that a face has, without the activations of areas that other faces have. */
 function presetsOf(find: (name: string) => number[]): ExpressionDriver[] {
   return EXPRESSIONS.map(({ name, targets }) => ({
     type: 'expression',
@@ -216,19 +154,4 @@ function presetsOf(find: (name: string) => number[]): ExpressionDriver[] {
     ),
     activations: [],
   }))
-}
-
-/** Those whose skin loses most, in the order they came in. */
-function strongest(fitted: readonly FittedRegion[], most: number): FittedRegion[] {
-  const kept = new Set([...fitted].sort((a, b) => b.compression - a.compression).slice(0, most))
-  return fitted.filter((fit) => kept.has(fit))
-}
-
-/** Positions of the skin's vertices as its surface is scaled. */
-function inMetres({ pointOf, points }: Surface): Float64Array {
-  const out = new Float64Array(3 * pointOf.length)
-  for (const [vertex, point] of pointOf.entries()) {
-    for (let k = 0; k < 3; k++) out[3 * vertex + k] = points[3 * point + k]! / 1000
-  }
-  return out
 }

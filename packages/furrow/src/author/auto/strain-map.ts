@@ -1,23 +1,24 @@
 import { targetFinder } from '../../drivers/morph/target-names.ts'
-import { poseOf } from './face.ts'
-import { prepareSkin } from './prepare.ts'
-import { principalAt } from './principal.ts'
-import { strainOf } from './strain.ts'
-import type { Skin, Surface } from './surface.ts'
-import { SkinTexels } from './texels.ts'
+import { clamp } from '../../math/scalar.ts'
+import { SkinTexels } from './raster/skin-texels.ts'
+import { poseStrain } from './strain/pose-strain.ts'
+import { principalAt } from './strain/principal.ts'
+import { poseOf } from './surface/pose.ts'
+import { prepareSkin } from './surface/prepare-skin.ts'
+import type { Skin } from './surface/surface.ts'
 
-/** How far skin is pushed together, in its texture. */
+/** How far skin is compressed, in its texture. */
 export interface StrainMap {
   width: number
   height: number
-  /** Row 0 at the top: the largest share of its length that skin loses in any direction, 0..1; NaN where there is no skin. */
+  /** Row 0 at the top: the largest fraction of its length that skin loses in any direction, 0..1; NaN where there is no skin. */
   data: Float32Array
 }
 
 /**
- * Maps what poses do to a skin: the principal compression at each texel, as `autoWrinkles` sees it.
+ * Maps the principal compression of poses at each texel, as `autoWrinkles` measures it.
  *
- * @param poses weights by target, in any rig's spelling; what the skin does not have is passed over.
+ * @param poses weights by target, in any rig's spelling; targets that the skin lacks are ignored.
  * @param size side of the maps in texels.
  * @throws FurrowError as `autoWrinkles` does.
  */
@@ -26,21 +27,21 @@ export function strainMaps(
   poses: readonly Readonly<Record<string, number>>[],
   size: number,
 ): StrainMap[] {
-  const { skin: usable, surface, offsets } = prepareSkin(skin)
-  const find = targetFinder(usable.targets.map(({ name }) => name))
-  const texels = new SkinTexels(usable, surface, size)
-  return poses.map((pose) => strainMap(surface, strainOf(surface, offsets, poseOf(find, pose)), texels))
+  const { skin: prepared, names, surface, offsets } = prepareSkin(skin)
+  const find = targetFinder(names)
+  const texels = new SkinTexels(prepared, surface, size)
+  return poses.map((pose) => strainMap(texels, poseStrain(surface, offsets, poseOf(find, pose))))
 }
 
-/** The principal compression of one field of tensors at each texel. */
-function strainMap(surface: Surface, tensors: Float64Array, texels: SkinTexels): StrainMap {
-  const { size } = texels
+function strainMap(texels: SkinTexels, tensors: Float64Array): StrainMap {
+  const { size, surface } = texels
   const data = new Float32Array(size * size).fill(Number.NaN)
+  const barycentrics = new Float64Array(3)
   texels.visit(
     () => true,
     (texel, triangle, a, b, c) => {
-      const { lost } = principalAt(surface, tensors, triangle, [a, b, c])
-      data[texel] = Math.min(1, Math.max(0, lost))
+      barycentrics.set([a, b, c])
+      data[texel] = clamp(principalAt(surface, tensors, triangle, barycentrics).compression, 0, 1)
     },
   )
   return { width: size, height: size, data }

@@ -3,7 +3,7 @@ import { packAreas } from '../../core/pack.ts'
 import type { Area, ArraySlice, GrayImage } from '../../core/types.ts'
 import { isSlice, layerIndex } from '../../core/wrinkle-set.ts'
 import type { AreaSlot, AreaSlots } from '../../runtime/area-slots.ts'
-import { type ArrayTexture, arrayOf } from '../loader/texture-arrays.ts'
+import { type ArrayTexture, arrayOf } from '../material/array-texture.ts'
 import { areaTexture } from '../material/textures.ts'
 
 /** The areas of a set as one array on the GPU. */

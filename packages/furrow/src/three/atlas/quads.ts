@@ -11,7 +11,7 @@ import { MAX_LAYERS } from '../../core/limits.ts'
 import type { AreaSlot } from '../../runtime/area-slots.ts'
 
 /** Four vectors of four numbers for each instance. */
-const ATTRIBUTES = ['furrowTo', 'furrowFrom', 'furrowAt', 'furrowShare'] as const
+const ATTRIBUTES = ['furrowTarget', 'furrowTexels', 'furrowSource', 'furrowActivation'] as const
 const STRIDE = 4 * ATTRIBUTES.length
 
 /** What they are drawn onto: a grid of cells, each `width` x `height` texels of an area. */
@@ -23,8 +23,8 @@ interface CellGrid {
 
 /**
  * Rectangles drawn as instances of one square, whose corners are 0 or 1. Attributes of an instance:
- * `furrowTo` the rectangle in 0..1 of the atlas (x0, y0, x1, y1), `furrowFrom` the same in texels of the area,
- * `furrowAt` the area's slice and channel, `furrowShare` its activation in the channel of its layer.
+ * `furrowTarget` the rectangle in 0..1 of the atlas (x0, y0, x1, y1), `furrowTexels` the same in texels of the area,
+ * `furrowSource` the area's slice and channel, `furrowActivation` its activation in the channel of its layer.
  */
 export class Quads {
   readonly mesh: Mesh<InstancedBufferGeometry, Material>

@@ -19,9 +19,8 @@ import {
 } from '../../core/wrinkle-maps.ts'
 import { parseWrinkleMaps } from '../../drivers/parse.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
-import { joinArrays } from './join-arrays.ts'
+import type { ArrayTexture } from '../material/array-texture.ts'
 import { readTexture } from './read-texture.ts'
-import { type ArrayTexture, isCompressed, loadAreaArray, loadMapArray } from './texture-arrays.ts'
 
 /** The wrinkles of one face in a file. */
 export interface LoadedWrinkles {
@@ -97,16 +96,18 @@ async function readSet(maps: MapsAndAreas, parser: Parser): Promise<WrinkleSet<A
       layer: layers[layer].name,
       combine,
       activation,
-      weights: await source.gray(texture, channel, loadAreaArray),
+      weights: await source.gray(texture, channel, 'areas'),
     }),
   )
-  return joinArrays({ layers, areas: await Promise.all(areas) })
+  const set = { layers, areas: await Promise.all(areas) }
+  // Most files have no KTX 2 images: what only these need is fetched when one appears.
+  return source.hasSlices ? (await import('./join-arrays.ts')).joinArrays(set) : set
 }
 
 /** All maps but heights, which are for tools. */
 async function readLayer(layer: WrinkleMapsLayer, source: MapSource): Promise<Layer<ArraySlice>> {
   const { name, kind, normalTexture, baseColorTexture, roughnessTexture, occlusionTexture } = layer
-  const gray = (info: TextureReference, channel: number) => source.gray(info, channel, loadMapArray)
+  const gray = (info: TextureReference, channel: number) => source.gray(info, channel, 'maps')
   return {
     name,
     kind,
@@ -121,7 +122,8 @@ async function readLayer(layer: WrinkleMapsLayer, source: MapSource): Promise<La
   }
 }
 
-type LoadArray = typeof loadMapArray
+/** What an array is used for, which decides its format on the GPU. */
+type ArrayUse = 'areas' | 'maps'
 
 /** Reads the images and arrays of a file, each once. */
 class MapSource {
@@ -133,12 +135,16 @@ class MapSource {
     this.#parser = parser
   }
 
-  async colours(info: TextureReference, space?: ColorSpace): Promise<RgbaImage | ArraySlice> {
-    return this.#isSlice(info) ? this.#slice(info, 0, loadMapArray, space) : this.#image(info.index)
+  get hasSlices(): boolean {
+    return this.#arrays.size > 0
   }
 
-  async gray(info: TextureReference, channel: number, load: LoadArray): Promise<GrayImage | ArraySlice> {
-    if (this.#isSlice(info)) return this.#slice(info, channel, load)
+  async colours(info: TextureReference, space?: ColorSpace): Promise<RgbaImage | ArraySlice> {
+    return this.#isSlice(info) ? this.#slice(info, 0, 'maps', space) : this.#image(info.index)
+  }
+
+  async gray(info: TextureReference, channel: number, use: ArrayUse): Promise<GrayImage | ArraySlice> {
+    if (this.#isSlice(info)) return this.#slice(info, channel, use)
     return channelOf(await this.#image(info.index), channel)
   }
 
@@ -158,10 +164,13 @@ class MapSource {
   async #slice(
     { index, slice = 0 }: TextureReference,
     channel: number,
-    load: LoadArray,
+    use: ArrayUse,
     space: ColorSpace = NoColorSpace,
   ): Promise<ArraySlice> {
-    const array = await once(this.#arrays, index, () => load(this.#parser, index))
+    const array = await once(this.#arrays, index, async () => {
+      const { loadAreaArray, loadMapArray } = await import('./ktx2.ts')
+      return (use === 'areas' ? loadAreaArray : loadMapArray)(this.#parser, index)
+    })
     // In glTF the use of a texture decides, not the colour space in its file.
     array.colorSpace = space
     const { depth } = array.image
@@ -175,6 +184,13 @@ class MapSource {
       remedy: 'pack the file again',
     })
   }
+}
+
+/** Whether a texture is read as KTX 2: it has no other image, or the loader can read KTX 2 and prefers it. */
+function isCompressed(parser: Parser, index: number): boolean {
+  const { source, extensions } = parser.json.textures[index]
+  if (!extensions?.KHR_texture_basisu) return false
+  return source === undefined || Boolean((parser.options as { ktx2Loader?: unknown }).ktx2Loader)
 }
 
 function once<K, T>(known: Map<K, Promise<T>>, key: K, make: () => Promise<T>): Promise<T> {

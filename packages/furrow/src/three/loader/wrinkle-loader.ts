@@ -3,11 +3,10 @@ import type { GLTF, GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { WRINKLE_MAPS } from '../../core/wrinkle-maps.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
-import type { WrinkleDriver } from '../../drivers/registry.ts'
-import { bindDrivers } from '../sources/add-drivers.ts'
+import { driversOf, type WrinkleDriver } from '../../drivers/registry.ts'
+import { bindDrivers } from '../sources/bind-drivers.ts'
 import type { InputBindings } from '../sources/binding.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
-import { addActivationTracks } from './key-frames.ts'
 import { readWrinkleMaps } from './read-wrinkle-maps.ts'
 
 /** The `Wrinkles` class of a renderer. */
@@ -47,6 +46,7 @@ export class WrinkleLoader {
         const copy = byMaterial.get(material)?.cloneMaterial()
         // Another face with the same material has its own activations, and so needs its own material.
         if (copy) for (const mesh of meshes) mesh.material = copy
+        await addMusclesOf(meshes[0], drivers)
         const own = this.#addWrinkles(
           meshes,
           bySet.get(set) ?? set,
@@ -59,7 +59,10 @@ export class WrinkleLoader {
         if (!bySet.has(set)) bySet.set(set, own)
         if (!copy) byMaterial.set(material, own)
       }
-      await addActivationTracks(gltf, this.#parser, faces)
+      if (hasPointers(this.#parser)) {
+        const { addActivationTracks } = await import('./key-frames.ts')
+        await addActivationTracks(gltf, this.#parser, faces)
+      }
     } catch (error) {
       for (const own of wrinkles) own.dispose()
       throw error
@@ -104,4 +107,16 @@ export class WrinkleLoader {
 /** Where three-vrm's plugins put the expressions. */
 function vrmOf({ userData }: GLTF): VrmExpressions | undefined {
   return userData.vrmExpressionManager ?? userData.vrm?.expressionManager
+}
+
+/** Whether an animation moves what only a pointer reaches, such as an area. */
+function hasPointers({ json }: GLTFParser): boolean {
+  const animations: { channels: { target: { path: string } }[] }[] = json.animations ?? []
+  return animations.some(({ channels }) => channels.some(({ target }) => target.path === 'pointer'))
+}
+
+/** Copies of the mesh share its geometry, and so its muscles. */
+async function addMusclesOf(mesh: Mesh, drivers: readonly WrinkleDriver[]): Promise<void> {
+  const muscles = driversOf('muscle', drivers)
+  if (muscles.length > 0) (await import('../sources/muscles.ts')).addMuscles(mesh, muscles)
 }

@@ -2,7 +2,7 @@ import { SRGBColorSpace } from 'three'
 import { packColours, packGrays } from '../../core/pack.ts'
 import type { ArraySlice, GrayImage, Layer, LayerKind, RgbaImage } from '../../core/types.ts'
 import { isSlice } from '../../core/wrinkle-set.ts'
-import { type ArrayTexture, arrayOf } from '../loader/texture-arrays.ts'
+import { type ArrayTexture, arrayOf } from './array-texture.ts'
 import { mapTexture } from './textures.ts'
 
 /** One kind of map of all layers, as one array on the GPU. */

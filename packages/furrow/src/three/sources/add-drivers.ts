@@ -1,13 +1,8 @@
-import { expressionsOf } from '../../drivers/expression/expression.ts'
-import { planDrivers } from '../../drivers/plan.ts'
-import type { WrinkleDriver } from '../../drivers/registry.ts'
-import { DriverRuntime } from '../../runtime/driver-runtime.ts'
-import type { AnyRenderer } from '../renderer.ts'
+import { driversOf, type WrinkleDriver } from '../../drivers/registry.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
+import { BINDINGS, bindDrivers } from './bind-drivers.ts'
 import type { DriversOptions, InputBindings } from './binding.ts'
-import { bindJoints } from './joint.ts'
-import { bindTargetWeights } from './morph.ts'
-import { bindTension } from './tension.ts'
+import { addMuscles } from './muscles.ts'
 
 /** The signature of `addDrivers`. */
 export type AddDrivers = (
@@ -16,52 +11,21 @@ export type AddDrivers = (
   options?: DriversOptions,
 ) => void
 
-/** How `furrow/three` reads each kind of input. */
-export const BINDINGS: InputBindings = {
-  target: bindTargetWeights,
-  joint: bindJoints,
-  tension: bindTension,
-}
-
 /**
  * Lets drivers activate areas before each frame, as long as `wrinkles.driven` is true and the wrinkles are not disposed of. They add to
- * an area's activation at rest, up to 1. Drivers that were added before are replaced, and `wrinkles.expressions` with them.
+ * an area's activation at rest, up to 1. Muscles become blendshapes of the mesh. Drivers that were added
+ * before are replaced, and `wrinkles.expressions` with them.
  *
  * @param wrinkles of the face.
  * @param drivers as in a file. Unknown types are left out with a warning, as are targets, joints and areas that do not exist.
  * @param options a VRM's expressions.
  */
-export const addDrivers: AddDrivers = (wrinkles, drivers, options = {}) => {
-  bindDrivers(wrinkles, drivers, () => options, BINDINGS).bind()
-}
+export const addDrivers: AddDrivers = addDriversBy(BINDINGS)
 
-/**
- * The same with a renderer's own bindings. Inputs are found on the mesh at the first frame, or by `bind` of the result.
- *
- * @param optionsOf called then: a VRM's expressions may not exist before.
- */
-export function bindDrivers(
-  wrinkles: WrinklesBase,
-  drivers: readonly WrinkleDriver[],
-  optionsOf: () => DriversOptions,
-  { target, joint, tension }: InputBindings,
-): DriverRuntime<AnyRenderer> {
-  const plan = planDrivers(drivers)
-  const runtime = new DriverRuntime(
-    plan,
-    () => {
-      const options = optionsOf()
-      return {
-        target: target(wrinkles, plan.inputs.target, drivers, options),
-        joint: joint(wrinkles, plan.inputs.joint, drivers, options),
-        tension: tension(wrinkles, plan.inputs.tension, drivers, options),
-      }
-    },
-    wrinkles.inputs,
-    wrinkles.faceCount,
-    wrinkles.mesh.name,
-  )
-  wrinkles.expressions = expressionsOf(drivers)
-  wrinkles.setDrivers(runtime)
-  return runtime
+/** `addDrivers` with a renderer's ways to read inputs. */
+export function addDriversBy(bindings: InputBindings): AddDrivers {
+  return (wrinkles, drivers, options = {}) => {
+    addMuscles(wrinkles.mesh, driversOf('muscle', drivers))
+    bindDrivers(wrinkles, drivers, () => options, bindings).bind()
+  }
 }

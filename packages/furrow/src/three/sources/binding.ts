@@ -1,6 +1,5 @@
 import type { InputOf } from '../../drivers/activation.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
-import type { WrinkleDriver } from '../../drivers/registry.ts'
 import type { InputReader, MeasuredKind } from '../../runtime/driver-runtime.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
@@ -15,7 +14,6 @@ export interface DriversOptions {
 export type BindInputs<K extends MeasuredKind> = (
   wrinkles: WrinklesBase,
   inputs: readonly InputOf<K>[],
-  drivers: readonly WrinkleDriver[],
   options: DriversOptions,
 ) => InputReader<AnyRenderer>
 

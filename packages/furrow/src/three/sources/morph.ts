@@ -1,13 +1,10 @@
 import type { InstancedMesh, Mesh } from 'three'
 import { VrmWeights } from '../../drivers/morph/vrm.ts'
-import { driversOf } from '../../drivers/registry.ts'
 import { targetSource } from '../../drivers/sources.ts'
 import type { BindInputs } from './binding.ts'
-import { addMuscles } from './muscles.ts'
 
-/** Reads the weights of the mesh's blendshapes, muscles included; of instances, their own if they have any (`setMorphAt`). */
-export const bindTargetWeights: BindInputs<'target'> = ({ mesh }, inputs, drivers, { expressions }) => {
-  addMuscles(mesh, driversOf('muscle', drivers))
+/** Reads the weights of the mesh's blendshapes; of instances, their own if they have any (`setMorphAt`). */
+export const bindTargetWeights: BindInputs<'target'> = ({ mesh }, inputs, { expressions }) => {
   const own = targetNames(mesh)
   const vrm = expressions && new VrmWeights(expressions)
   return {

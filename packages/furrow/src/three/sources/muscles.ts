@@ -1,7 +1,7 @@
 import { BufferAttribute, type BufferGeometry, type Mesh } from 'three'
 import type { MuscleDriver } from '../../drivers/muscle/definition.ts'
 import { muscleOffsets } from '../../drivers/muscle/offsets.ts'
-import { normalChanges } from '../../math/deformed-normals.ts'
+import { morphNormalDeltas } from '../../math/deformed-normals.ts'
 import { coordinates, targetOffsets, trianglesOf } from './geometry-arrays.ts'
 
 /**
@@ -44,7 +44,7 @@ export function addMorphNormals(geometry: BufferGeometry): void {
   const known = morphAttributes.normal ?? []
   if (!normal || known.length >= targets.length) return
   const normals = coordinates(normal)
-  const changes = normalChanges({
+  const changes = morphNormalDeltas({
     positions: coordinates(geometry.getAttribute('position')),
     normals,
     triangles: trianglesOf(geometry),

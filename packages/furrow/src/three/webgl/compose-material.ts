@@ -1,7 +1,8 @@
 import { ShaderMaterial } from 'three'
 import type { RendererParts } from '../material/renderer-parts.ts'
+import { influenceFromMap } from './influence-glsl.ts'
 import { QUAD_SETTINGS } from './influence-quads.ts'
-import { composedFragment } from './shader.ts'
+import { type NormalLayers, normalMixing } from './mixing-glsl.ts'
 import { layerUniforms, mapUniforms } from './uniforms.ts'
 
 /** Draws the composed normal map on `WebGLRenderer`. */
@@ -13,4 +14,19 @@ export const composeMaterial: RendererParts['composeMaterial'] = (base, inputs) 
     fragmentShader: composedFragment({ kinds, normals: normals.slices }),
     uniforms: { ...mapUniforms(inputs), ...layerUniforms(inputs), furrowBase: { value: base } },
   })
+}
+
+/** Writes the normals that `defaultFragment` would give a material, as its map would store them. */
+function composedFragment(layers: NormalLayers): string {
+  return /* glsl */ `${influenceFromMap(layers.kinds.length, false, false)}${normalMixing(layers)}
+uniform sampler2D furrowBase;
+in vec2 targetUv;
+out vec4 composed;
+
+void main() {
+  furrowSampleInfluence(targetUv);
+  vec3 base = textureLod(furrowBase, targetUv, 0.0).xyz * 2.0 - 1.0;
+  composed = vec4(furrowMixNormals(base) * 0.5 + 0.5, 1.0);
+}
+`
 }

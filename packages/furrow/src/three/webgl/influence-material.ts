@@ -1,6 +1,8 @@
 import { type IUniform, MeshBasicMaterial } from 'three'
 import type { RendererParts } from '../material/renderer-parts.ts'
-import { areasFragment, instancedVertex, mapFragment } from './shader.ts'
+import { instancedVertex } from './default-shader.ts'
+import { influenceFromAreas, influenceFromMap } from './influence-glsl.ts'
+import { BASE_COLOR_MAP, MAIN, replace } from './shader-text.ts'
 import { areaUniforms, mapUniforms } from './uniforms.ts'
 
 /** Shows the influence as gray on the mesh as it moves: black = no wrinkles, white = fully visible. */
@@ -12,7 +14,7 @@ export const influenceMaterial: RendererParts['influenceMaterial'] = (
 ) => {
   const layers = inputs.textures.layers.length
   const { channels } = inputs.areas
-  // The map lends its texture coordinates, transform included; the shader samples the areas instead.
+  // The map provides its texture coordinates, transform included; the shader samples the areas instead.
   const material = new MeshBasicMaterial({ map: normalMap, toneMapped: false })
   const uniforms: Record<string, IUniform> = table ? areaUniforms(inputs, table) : mapUniforms(inputs)
   material.onBeforeCompile = (shader) => {
@@ -25,4 +27,20 @@ export const influenceMaterial: RendererParts['influenceMaterial'] = (
   const variant = table ? `areas ${channels}` : `map ${layers} ${instances}`
   material.customProgramCacheKey = () => `furrow influence ${variant}`
   return material
+}
+
+const LARGEST = 'diffuseColor.rgb = vec3(max(max(influence.x, influence.y), max(influence.z, influence.w)));'
+
+/** Makes an unlit material show the largest influence of any layer as gray, from the map. */
+function mapFragment(fragment: string, layers: number, isInstanced: boolean): string {
+  const declarations = influenceFromMap(layers, isInstanced, false)
+  const started = replace(fragment, MAIN, `${declarations}\n${MAIN}\n\tfurrowSampleInfluence(vMapUv);`)
+  return replace(started, BASE_COLOR_MAP, `vec4 influence = furrowInfluence;\n\t${LARGEST}`)
+}
+
+/** The same, from the areas themselves. */
+function areasFragment(fragment: string, channels: 1 | 4): string {
+  const declared = replace(fragment, MAIN, `${influenceFromAreas(channels)}\n${MAIN}`)
+  const influence = 'vec4 influence = furrowInfluenceFromAreas(vMapUv);'
+  return replace(declared, BASE_COLOR_MAP, `${influence}\n\t${LARGEST}`)
 }

@@ -10,36 +10,38 @@ import {
   type WebGLRenderer,
 } from 'three'
 import type { QuadMaterials } from '../atlas/influence-pass.ts'
+import { requireInternal } from '../three-version.ts'
 
-/** Of all that draws `Quads`: `place` is the point of the target, 0..1, `texel` that of the area. */
+/** Draws `Quads`: `targetUv` is the point of the target, 0..1, `texel` that of the area. */
 const VERTEX = /* glsl */ `
-in vec4 furrowTo;
-in vec4 furrowFrom;
-in vec4 furrowAt;
-in vec4 furrowShare;
+in vec4 furrowTarget;
+in vec4 furrowTexels;
+in vec4 furrowSource;
+in vec4 furrowActivation;
 out vec2 texel;
-out vec2 place;
-flat out ivec2 at;
-flat out vec4 share;
+out vec2 targetUv;
+flat out ivec2 source;
+flat out vec4 activation;
 
 void main() {
-  texel = mix(furrowFrom.xy, furrowFrom.zw, position.xy);
-  at = ivec2(furrowAt.xy);
-  share = furrowShare;
-  place = mix(furrowTo.xy, furrowTo.zw, position.xy);
-  gl_Position = vec4(place * 2.0 - 1.0, 0.0, 1.0);
+  texel = mix(furrowTexels.xy, furrowTexels.zw, position.xy);
+  source = ivec2(furrowSource.xy);
+  activation = furrowActivation;
+  targetUv = mix(furrowTarget.xy, furrowTarget.zw, position.xy);
+  gl_Position = vec4(targetUv * 2.0 - 1.0, 0.0, 1.0);
 }
 `
 
+/** The area's weight at the texel, times its activation in the channel of its layer. */
 const FRAGMENT = /* glsl */ `
 uniform highp sampler2DArray areas;
 in vec2 texel;
-flat in ivec2 at;
-flat in vec4 share;
+flat in ivec2 source;
+flat in vec4 activation;
 out vec4 influence;
 
 void main() {
-  influence = texelFetch(areas, ivec3(ivec2(texel), at.x), 0)[at.y] * share;
+  influence = texelFetch(areas, ivec3(ivec2(texel), source.x), 0)[source.y] * activation;
 }
 `
 
@@ -77,9 +79,15 @@ export const quadMaterials: QuadMaterials = {
     })
   },
   hasContents(renderer, target) {
-    // A context that was lost and came back has none of its textures.
-    const { properties } = renderer as WebGLRenderer
-    const held = properties.get(target.texture) as { __webglTexture?: unknown }
-    return held.__webglTexture !== undefined
+    // A context that was lost and restored has none of its textures, nor anything known of them.
+    const properties = requireInternal((renderer as WebGLRenderer).properties, WHO, 'renderer.properties')
+    const known = properties.get(target.texture) as { __webglTexture?: unknown }
+    if (known.__webglTexture !== undefined) return true
+    for (const _ in known)
+      requireInternal(known.__webglTexture, WHO, '__webglTexture of a drawn render target')
+    return false
   },
 }
+
+/** Who an error names. */
+const WHO = 'Wrinkles'

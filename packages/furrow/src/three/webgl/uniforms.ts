@@ -5,10 +5,10 @@ import type { ShaderInputs } from '../material/shader-inputs.ts'
 /** For shaders that read the influence map. */
 export function mapUniforms(inputs: ShaderInputs): Record<string, IUniform> {
   return {
-    furrowInfluence: inputs.influence,
+    furrowInfluenceMap: inputs.influence,
     furrowGrid: inputs.grid,
     furrowInset: inputs.inset,
-    furrowReach: inputs.reach,
+    furrowBounds: inputs.reach,
     furrowFade: inputs.fade,
   }
 }

@@ -6,22 +6,22 @@ import { ComputedNormals } from './computed-normals.ts'
 
 /**
  * Recomputes a mesh's normals and tangents as its blendshapes deform it, as `RecomputedNormals` of furrow/three does, in compute
- * passes: nothing is read back. Three.js turns normals by the skeleton afterwards, so that it is the mesh before skinning whose normals
- * are made. Where `WebGPURenderer` runs on WebGL 2 the processor makes them. From the first `update` on the mesh has a
- * geometry of its own.
+ * passes: nothing is read back. The normals are those of the mesh before skinning, which three.js applies to them afterwards. On the
+ * WebGL 2 backend of `WebGPURenderer` the processor computes them. The first `update` replaces the mesh's geometry by one
+ * that shares its buffers.
  */
 export class RecomputedNormals {
   readonly #mesh: Mesh
   #normals: ComputedNormals | NormalsOnProcessor | null = null
 
-  /** @param mesh with normals. Without blendshapes `update` changes nothing. */
+  /** @param mesh with normals; without blendshapes `update` changes nothing. */
   constructor(mesh: Mesh) {
     this.#mesh = mesh
   }
 
   /**
-   * Brings normals and tangents up to date with the mesh's blendshapes; call it in every frame, before the mesh is drawn. While no
-   * weight changes it does nothing, nor before the renderer is initialised.
+   * Updates normals and tangents to the mesh's blendshapes; call it in every frame, before the mesh is drawn. It does nothing while no
+   * weight changes, and before the renderer is initialised.
    */
   update(renderer: WebGPURenderer): void {
     if (!renderer.hasInitialized()) return
@@ -31,7 +31,7 @@ export class RecomputedNormals {
     this.#normals.update(renderer)
   }
 
-  /** Gives the mesh its geometry back. */
+  /** Restores the mesh's geometry. */
   dispose(): void {
     this.#normals?.dispose()
     this.#normals = null

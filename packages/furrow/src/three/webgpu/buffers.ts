@@ -1,4 +1,4 @@
-/** What the computations on the graphics card share. */
+/** What the compute passes share. */
 import type { TypedArray } from 'three'
 import { Fn, If, instanceIndex, storage } from 'three/tsl'
 import {
@@ -13,47 +13,41 @@ import type { AnyRenderer } from '../renderer.ts'
 const SIZES = { float: 1, uint: 1, vec2: 2, vec4: 4, uvec4: 4, mat4: 16 } as const
 type BufferType = keyof typeof SIZES
 
-/** Storage buffers of one computation, freed together. */
+/** The storage buffers of one computation, freed together. */
 export class Buffers {
   readonly #attributes: StorageBufferAttribute[] = []
 
-  /** @param values what it holds at first; kept, not copied. */
+  /** @param values its initial contents; kept, not copied. */
   create<T extends BufferType>(type: T, values: TypedArray): StorageBufferNode<T> {
     const attribute = new StorageBufferAttribute(values, SIZES[type])
     this.#attributes.push(attribute)
-    return storage(attribute, type, attribute.count) as StorageBufferNode<T>
+    return storage(attribute, type, attribute.count)
   }
 
   dispose(): void {
-    // Older three.js has no way to free one, and leaves it to the renderer's end.
-    for (const attribute of this.#attributes) attribute.dispose?.()
+    // r186 frees them with the renderer only.
+    for (const attribute of this.#attributes) attribute.dispose()
   }
 }
 
-/** One of a buffer's elements, as the types of TSL leave it out. */
-export function at<T>(buffer: StorageBufferNode<T>, index: Node): Node<T> {
-  return buffer.element(index) as unknown as Node<T>
-}
-
 /**
- * A pass with an invocation for each of `count` elements. Those beyond the last, of which a workgroup is full, do nothing: some versions
- * of three.js do not stop them, and what they wrote would land on the last element.
+ * A pass with one invocation for each of `count` elements. The invocations that fill up the last workgroup do nothing: not all versions
+ * of three.js stop them, and their writes would be clamped to the last element.
  */
-export function passOver(count: number, body: (i: Node<'uint'>) => void): ComputeNode {
+export function computePass(count: number, body: (i: Node<'uint'>) => void): ComputeNode {
   return Fn(() => {
-    const i = instanceIndex as Node<'uint'>
-    If(i.lessThan(count), () => body(i))
+    If(instanceIndex.lessThan(count), () => body(instanceIndex))
   })().compute(count)
 }
 
-/** Whether a renderer can compute with storage buffers: on WebGPU, not on its WebGL 2 backend. */
+/** Whether a renderer has compute passes with storage buffers: `WebGPURenderer` on WebGPU, not on its WebGL 2 backend. */
 export function canCompute(renderer: AnyRenderer): renderer is WebGPURenderer {
   const { backend } = renderer as WebGPURenderer & { backend?: { isWebGPUBackend?: boolean } }
   return backend?.isWebGPUBackend === true
 }
 
-/** Sets x, y and z of each element, four numbers apart as storage buffers have them. */
-export function padded(
+/** Copies x, y and z into one `vec4` each: storage buffers align a `vec3` to 16 bytes (WGSL, "Alignment and Size"). */
+export function padToVec4(
   values: ArrayLike<number>,
   out = new Float32Array((4 * values.length) / 3),
 ): Float32Array {

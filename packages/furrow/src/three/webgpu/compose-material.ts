@@ -1,14 +1,13 @@
 import { int, texture, varying, vec4 } from 'three/tsl'
-import type { Node } from 'three/webgpu'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import { influenceFromMap } from './influence.ts'
-import { quadMaterial, quadPlace } from './influence-quads.ts'
+import { quadMaterial, targetUv } from './influence-quads.ts'
 import { mixNormals } from './mix.ts'
 
 /** Draws the composed normal map on `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
 export const composeMaterial: RendererParts['composeMaterial'] = (base, inputs) => {
-  const uv = varying(quadPlace()) as Node<'vec2'>
-  const own = texture(base, uv).level(int(0)).xyz as Node<'vec3'>
-  const mixed = mixNormals(own, inputs, { influence: influenceFromMap(inputs, uv, null), uv })
-  return quadMaterial('composed', vec4(mixed, 1) as unknown as Node<'vec4'>)
+  const uv = varying(targetUv())
+  const stored = texture(base, uv).level(int(0)).xyz
+  const mixed = mixNormals(stored, inputs, { influence: influenceFromMap(inputs, uv, null), uv })
+  return quadMaterial('composed', vec4(mixed, 1))
 }

@@ -7,41 +7,46 @@ import {
   type SkinnedMesh,
 } from 'three'
 import { Loop, storage, uint, vec3, vec4 } from 'three/tsl'
-import type { ComputeNode, Node, StorageBufferNode } from 'three/webgpu'
+import type { ComputeNode, StorageBufferNode } from 'three/webgpu'
 import { coordinates, takeNumbers, targetOffsets } from '../sources/geometry-arrays.ts'
-import { at, Buffers, padded, passOver } from './buffers.ts'
+import { Buffers, computePass, padToVec4 } from './buffers.ts'
+import { typedBuffer } from './node.ts'
 
 /**
- * Where a mesh's vertices are, computed on the graphics card from the positions in its geometry: moved by its blendshapes and, if
- * wanted, its skeleton. Each vertex walks the list of the targets that move it, so that memory and time go by what moves.
+ * The positions of a mesh's vertices, computed on the graphics card from those in its geometry: deformed by its blendshapes and,
+ * optionally, its skeleton. Each vertex iterates over the targets that move it, so that memory and time grow with what moves.
  */
 export class DeformedPositions {
-  /** Of all vertices, in the mesh's own space: x, y and z of each element. */
+  /** Of all vertices, in the mesh's local space: x, y and z of each element. */
   readonly node: StorageBufferNode<'vec4'>
-  /** What brings `node` up to date, one after the other. */
+  /** The passes that bring `node` up to date, in order. */
   readonly passes: readonly ComputeNode[]
   readonly #buffers = new Buffers()
-  readonly #inputs: readonly { take(): boolean }[]
+  readonly #inputs: readonly { update(): boolean }[]
 
-  /** @param skinned whether the skeleton moves them too. */
-  constructor(mesh: Mesh, skinned: boolean) {
+  /** @param isSkinned whether the skeleton deforms them too. */
+  constructor(mesh: Mesh, isSkinned: boolean) {
     const { position } = mesh.geometry.attributes
     const rest = isComputed(position)
-      ? { node: sharedBuffer(position), take: () => true }
-      : this.#copyOf(mesh.geometry)
-    const own = () => this.#buffers.create('vec4', new Float32Array(4 * position.count))
-    const morphed = morphing(mesh, rest.node, this.#buffers, own)
-    const bent = skinned ? skinning(mesh, morphed?.node ?? rest.node, this.#buffers, own) : null
-    const steps = [morphed, bent].filter((step) => step !== null)
-    this.node = bent?.node ?? morphed?.node ?? rest.node
+      ? { node: computedPositions(position), update: () => true }
+      : this.#uploadFrom(mesh.geometry)
+    const create = () => this.#buffers.create('vec4', new Float32Array(4 * position.count))
+    const morphed = morphing(mesh, rest.node, this.#buffers, create)
+    const skinned = isSkinned ? skinning(mesh, morphed?.node ?? rest.node, this.#buffers, create) : null
+    const steps = [morphed, skinned].filter((step) => step !== null)
+    this.node = skinned?.node ?? morphed?.node ?? rest.node
     this.passes = steps.map(({ pass }) => pass)
     this.#inputs = [rest, ...steps]
   }
 
-  /** Takes positions, weights and joints as they are now; tells whether any may have changed. */
-  take(): boolean {
+  /**
+   * Reads the current positions, weights and joints.
+   *
+   * @returns whether any may have changed.
+   */
+  update(): boolean {
     let changed = false
-    for (const input of this.#inputs) if (input.take()) changed = true
+    for (const input of this.#inputs) if (input.update()) changed = true
     return changed
   }
 
@@ -50,16 +55,16 @@ export class DeformedPositions {
     this.#buffers.dispose()
   }
 
-  /** The positions in the geometry, written anew where they change. */
-  #copyOf(geometry: BufferGeometry) {
-    const node = this.#buffers.create('vec4', padded(coordinates(geometry.attributes.position)))
+  /** A copy of the positions in the geometry, uploaded again when they change. */
+  #uploadFrom(geometry: BufferGeometry) {
+    const node = this.#buffers.create('vec4', padToVec4(coordinates(geometry.attributes.position)))
     let version = -1
     return {
       node,
-      take() {
+      update() {
         const { position } = geometry.attributes
         if (versionOf(position) === version) return false
-        if (version >= 0) padded(coordinates(position), node.value.array as Float32Array<ArrayBuffer>)
+        if (version >= 0) padToVec4(coordinates(position), node.value.array as Float32Array<ArrayBuffer>)
         version = versionOf(position)
         node.value.needsUpdate = true
         return true
@@ -68,14 +73,15 @@ export class DeformedPositions {
   }
 }
 
-/** A step from positions to positions, and what it reads. */
+/** A pass from positions to positions. */
 interface Step {
   node: StorageBufferNode<'vec4'>
   pass: ComputeNode
-  take(): boolean
+  /** Reads what the pass depends on; returns whether that changed. */
+  update(): boolean
 }
 
-/** Adds the targets, each times its weight; null where there is none that moves anything. */
+/** Adds the targets, each times its weight; null when none moves anything. */
 function morphing(
   mesh: Mesh,
   from: StorageBufferNode<'vec4'>,
@@ -84,7 +90,7 @@ function morphing(
 ): Step | null {
   const targets = targetOffsets(mesh.geometry)
   const { position } = mesh.geometry.attributes
-  const { starts, entries } = movedBy(targets, position.count)
+  const { starts, entries } = offsetsByVertex(targets, position.count)
   if (entries.length === 0 || !mesh.morphTargetInfluences) return null
   const values = new Float32Array(targets.length)
   const [weights, bounds, offsets] = [
@@ -93,30 +99,30 @@ function morphing(
     buffers.create('vec4', entries),
   ]
   const node = create()
-  const pass = passOver(position.count, (i) => {
-    const sum = vec3(at(from, i).xyz as Node<'vec3'>).toVar()
+  const pass = computePass(position.count, (i) => {
+    const sum = vec3(from.element(i).xyz).toVar()
     const range = {
-      start: at(bounds, i),
-      end: at(bounds, i.add(1)),
+      start: bounds.element(i),
+      end: bounds.element(i.add(1)),
       type: 'uint',
       condition: '<',
     } as const
     Loop(range, ({ i: k }) => {
-      const entry = at(offsets, k).toVar()
-      sum.addAssign(entry.xyz.mul(at(weights, uint(entry.w))))
+      const entry = offsets.element(k).toVar()
+      sum.addAssign(entry.xyz.mul(weights.element(uint(entry.w))))
     })
-    at(node, i).assign(vec4(sum, 1))
+    node.element(i).assign(vec4(sum, 1))
   })
-  const take = () => {
+  const update = () => {
     const changed = takeNumbers(values, mesh.morphTargetInfluences!)
     if (changed) weights.value.needsUpdate = true
     return changed
   }
-  return { node, pass, take }
+  return { node, pass, update }
 }
 
-/** For each vertex what moves it: x, y, z and number of the target; and where each vertex's list starts. */
-function movedBy(targets: readonly Float32Array[], count: number) {
+/** For each vertex the offsets that move it: x, y, z and the target's index; and where each vertex's list starts. */
+function offsetsByVertex(targets: readonly Float32Array[], count: number) {
   const starts = new Uint32Array(count + 1)
   const entries: number[] = []
   for (let i = 0; i < count; i++) {
@@ -129,7 +135,7 @@ function movedBy(targets: readonly Float32Array[], count: number) {
   return { starts, entries: Float32Array.from(entries) }
 }
 
-/** Moves vertices as the skeleton says, in the mesh's own space as three.js does; null where there is none. */
+/** Linear blend skinning in the mesh's local space, as three.js does it; null without a skeleton. */
 function skinning(
   mesh: Mesh,
   from: StorageBufferNode<'vec4'>,
@@ -140,34 +146,37 @@ function skinning(
   const { skinIndex, skinWeight } = mesh.geometry.attributes
   if (!skeleton || !skinIndex || !skinWeight) return null
   const values = new Float32Array(16 * skeleton.bones.length)
-  const [matrices, joints, shares] = [
+  const [matrices, joints, weights] = [
     buffers.create('mat4', values),
     buffers.create('uvec4', Uint32Array.from(coordinates(skinIndex, 4))),
     buffers.create('vec4', coordinates(skinWeight, 4)),
   ]
   const node = create()
-  const pass = passOver(skinIndex.count, (i) => {
-    const rest = vec4(at(from, i).xyz as Node<'vec3'>, 1).toVar()
-    const joint = at(joints, i).toVar()
-    const share = at(shares, i).toVar()
+  const pass = computePass(skinIndex.count, (i) => {
+    const rest = vec4(from.element(i).xyz, 1).toVar()
+    const joint = joints.element(i).toVar()
+    const weight = weights.element(i).toVar()
     const moved = (axis: 'x' | 'y' | 'z' | 'w') =>
-      at(matrices, joint[axis]).mul(rest).xyz.mul(share[axis]) as Node<'vec3'>
-    at(node, i).assign(vec4(moved('x').add(moved('y'), moved('z'), moved('w')), 1))
+      matrices.element(joint[axis]).mul(rest).xyz.mul(weight[axis])
+    node.element(i).assign(vec4(moved('x').add(moved('y'), moved('z'), moved('w')), 1))
   })
-  const now = values.slice()
-  const take = () => {
-    writeJoints(mesh as SkinnedMesh, now)
-    const changed = takeNumbers(values, now)
+  const current = values.slice()
+  const update = () => {
+    writeJointMatrices(mesh as SkinnedMesh, current)
+    const changed = takeNumbers(values, current)
     if (changed) matrices.value.needsUpdate = true
     return changed
   }
-  return { node, pass, take }
+  return { node, pass, update }
 }
 
 const matrix = new Matrix4()
 
-/** Of each joint, what takes a vertex from rest to where it is, in the mesh's own space. */
-function writeJoints({ skeleton, bindMatrix, bindMatrixInverse }: SkinnedMesh, out: Float32Array): void {
+/** The matrix of each joint, from the bind pose to the current one, in the mesh's local space. */
+function writeJointMatrices(
+  { skeleton, bindMatrix, bindMatrixInverse }: SkinnedMesh,
+  out: Float32Array,
+): void {
   for (const [i, { matrixWorld }] of skeleton.bones.entries()) {
     matrix
       .multiplyMatrices(bindMatrixInverse, matrixWorld)
@@ -177,14 +186,14 @@ function writeJoints({ skeleton, bindMatrix, bindMatrixInverse }: SkinnedMesh, o
   }
 }
 
-/** Whether a simulation on the graphics card may move it. */
+/** Whether a simulation on the graphics card may write to it. */
 function isComputed(attribute: BufferAttribute | InterleavedBufferAttribute): attribute is BufferAttribute {
   return (attribute as { isStorageBufferAttribute?: boolean }).isStorageBufferAttribute === true
 }
 
-/** Three numbers each lie four apart there as well, so that both kinds are read as vec3. */
-function sharedBuffer(attribute: BufferAttribute): StorageBufferNode<'vec4'> {
-  return storage(attribute, 'vec3', attribute.count) as unknown as StorageBufferNode<'vec4'>
+/** Its `vec3`s are aligned to 16 bytes as well, so that x, y and z of each element are read alike. */
+function computedPositions(attribute: BufferAttribute): StorageBufferNode<'vec4'> {
+  return typedBuffer(storage(attribute, 'vec3', attribute.count))
 }
 
 function versionOf(attribute: BufferAttribute | InterleavedBufferAttribute): number {

@@ -5,8 +5,10 @@
  */
 
 export * from '../common.ts'
-export { addDrivers } from './drivers.ts'
+export type { ArrayTexture } from '../material/array-texture.ts'
+export { addDrivers } from './add-drivers.ts'
 export { reorient } from './mix.ts'
 export { RecomputedNormals } from './RecomputedNormals.ts'
+export { type Gradients, sampleSlice } from './texture-sampling.ts'
 export { WrinkleLoaderPlugin } from './WrinkleLoaderPlugin.ts'
 export { Wrinkles } from './webgpu-wrinkles.ts'

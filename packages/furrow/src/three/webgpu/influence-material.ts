@@ -1,17 +1,17 @@
 import { max, vec3 } from 'three/tsl'
 import { MeshBasicNodeMaterial } from 'three/webgpu'
 import type { RendererParts } from '../material/renderer-parts.ts'
-import { influenceFromAreas, influenceFromMap, mapUv } from './influence.ts'
+import { influenceFromAreas, influenceFromMap } from './influence.ts'
+import { mapUv } from './texture-sampling.ts'
 
 /** Shows the influence as gray on the mesh as it moves: black = no wrinkles, white = fully visible. */
 export const influenceMaterial: RendererParts['influenceMaterial'] = (wrinkled, inputs, table, instances) => {
   const material = new MeshBasicNodeMaterial()
   material.toneMapped = false
-  const place = mapUv(wrinkled)
-  const influence = table
-    ? influenceFromAreas(inputs, table, place)
-    : influenceFromMap(inputs, place, instances)
-  const shares = influence.toVar()
-  material.colorNode = vec3(max(max(shares.x, shares.y), max(shares.z, shares.w)))
+  const uv = mapUv(wrinkled)
+  const influence = (
+    table ? influenceFromAreas(inputs, table, uv) : influenceFromMap(inputs, uv, instances)
+  ).toVar()
+  material.colorNode = vec3(max(max(influence.x, influence.y), max(influence.z, influence.w)))
   return material
 }

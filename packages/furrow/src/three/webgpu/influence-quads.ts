@@ -8,7 +8,7 @@ import { channelMask } from './influence.ts'
 /** The materials that draw influence maps on `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
 export const quadMaterials: QuadMaterials = {
   create(rule, areas) {
-    const material = quadMaterial(rule, areas ? share(areas) : (vec4(0) as unknown as Node<'vec4'>))
+    const material = quadMaterial(rule, areas ? weightedActivation(areas) : vec4(0))
     material.blending = rule === 'clear' ? NoBlending : CustomBlending
     material.blendEquation = rule === 'max' ? MaxEquation : AddEquation
     material.blendSrc = OneFactor
@@ -16,15 +16,15 @@ export const quadMaterials: QuadMaterials = {
     material.transparent = true
     return material
   },
-  // A device that is lost does not come back; the page makes another renderer.
+  // A lost device is not restored; the page makes another renderer.
   hasContents: () => true,
 }
 
-/** A material of `Quads`, drawn over whatever stands there. */
-export function quadMaterial(what: string, fragment: Node<'vec4'>): NodeMaterial {
+/** A material of `Quads` that overwrites the target. */
+export function quadMaterial(name: string, fragment: Node<'vec4'>): NodeMaterial {
   const material = new NodeMaterial()
-  material.name = `furrow ${what}`
-  material.vertexNode = corner()
+  material.name = `furrow ${name}`
+  material.vertexNode = clipPosition()
   material.fragmentNode = fragment
   material.blending = NoBlending
   material.side = DoubleSide
@@ -36,28 +36,25 @@ export function quadMaterial(what: string, fragment: Node<'vec4'>): NodeMaterial
   return material
 }
 
-function vector(name: string): Node<'vec4'> {
-  return attribute(name, 'vec4') as unknown as Node<'vec4'>
+/** The point of the target, 0..1, that a vertex of `Quads` is drawn to. */
+export function targetUv(): Node<'vec2'> {
+  const rectangle = attribute('furrowTarget', 'vec4')
+  return mix(rectangle.xy, rectangle.zw, positionGeometry.xy)
 }
 
-/** The point of the target, 0..1, where a vertex of `Quads` lies. */
-export function quadPlace(): Node<'vec2'> {
-  const to = vector('furrowTo')
-  return mix(to.xy, to.zw, positionGeometry.xy) as unknown as Node<'vec2'>
+/** Row 0 of the target is at the top: three.js flips render targets accordingly on both backends. */
+function clipPosition(): Node<'vec4'> {
+  return vec4(targetUv().mul(vec2(2, -2)).add(vec2(-1, 1)), 0, 1)
 }
 
-/** Its position. Row 0 of the target is at the top: three.js turns render targets so on both backends. */
-function corner(): Node<'vec4'> {
-  return vec4(quadPlace().mul(vec2(2, -2)).add(vec2(-1, 1)), 0, 1) as unknown as Node<'vec4'>
-}
-
-function share({ texture, channels }: AreaArray): Node<'vec4'> {
+/** The area's weight at the texel, times its activation in the channel of its layer. */
+function weightedActivation({ texture, channels }: AreaArray): Node<'vec4'> {
   return Fn(() => {
-    const from = vector('furrowFrom')
-    const texel = varying(mix(from.xy, from.zw, positionGeometry.xy) as Node<'vec2'>)
-    const at = varying(vector('furrowAt'))
-    const stored = textureLoad(texture, ivec2(texel)).depth(int(at.x.add(0.5))) as unknown as Node<'vec4'>
-    const weight = channels === 1 ? stored.x : stored.dot(channelMask(at.y as Node<'float'>))
-    return varying(vector('furrowShare')).mul(weight)
-  })() as unknown as Node<'vec4'>
+    const rectangle = attribute('furrowTexels', 'vec4')
+    const texel = varying(mix(rectangle.xy, rectangle.zw, positionGeometry.xy))
+    const source = varying(attribute('furrowSource', 'vec4'))
+    const stored = textureLoad(texture, ivec2(texel)).depth(int(source.x.add(0.5)))
+    const weight = channels === 1 ? stored.x : stored.dot(channelMask(source.y))
+    return varying(attribute('furrowActivation', 'vec4')).mul(weight)
+  })()
 }

@@ -4,13 +4,14 @@ import type { Node } from 'three/webgpu'
 import type { LayerKind } from '../../core/types.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
 import type { ValueKind } from '../material/wrinkle-textures.ts'
-import { follow, type Gradients, repeat, sampleSlice } from './influence.ts'
+import { inputUniform } from './node.ts'
+import { gradientsOf, sampleSlice } from './texture-sampling.ts'
 
 /** Channels of a `vec4` in the order of the layers. */
 const CHANNELS = ['x', 'y', 'z', 'w'] as const
 
-/** What shows where: the influence of each layer, and the texture coordinates to sample the layers' maps at. */
-export interface Shares {
+/** The influence of each layer, 0..1 in x, y, z, w, and the texture coordinates to sample the layers' maps at. */
+export interface LayerInfluence {
   influence: Node<'vec4'>
   uv: Node<'vec2'>
 }
@@ -26,116 +27,106 @@ export function reorient(base: Node<'vec3'>, detail: Node<'vec3'>): Node<'vec3'>
  * Mixes the normals of all layers into the base, see `mixNormals` in the reference.
  *
  * @param base the material's own map as stored, 0..1.
- * @returns normal as stored, 0..1; the base itself, bit by bit, where no layer shows.
+ * @returns normal as stored, 0..1; the base itself, bit by bit, where the influence of all layers is 0.
  */
 export function mixNormals(
   base: Node<'vec3'>,
-  inputs: ShaderInputs,
-  { influence, uv }: Shares,
+  { textures, normalScale }: ShaderInputs,
+  { influence, uv }: LayerInfluence,
 ): Node<'vec3'> {
-  const { textures, normalScale } = inputs
   const { kinds, normals } = textures
-  const scales = follow<'vec4'>(normalScale)
+  const scales = inputUniform<'vec4'>(normalScale)
   return Fn(() => {
     const normal = base.toVar()
-    const shares = influence.toVar()
-    const at = gradients(uv)
-    If(shares.greaterThan(vec4(0)).any(), () => {
+    const influences = influence.toVar()
+    const gradients = gradientsOf(uv)
+    If(influences.greaterThan(vec4(0)).any(), () => {
       const own = unpack(normal).toVar()
       const layers = kinds.map((kind, layer) => {
-        const share = shares[CHANNELS[layer]] as Node<'float'>
+        const influence = influences[CHANNELS[layer]]
         const sampled = (kind === 'replace' ? own : vec3(0, 0, 1)).toVar()
-        If(share.greaterThan(0), () => {
-          const stored = unpack(sampleSlice(normals.texture, at, normals.slices[layer]!).xyz as Node<'vec3'>)
-          const scale = scales[CHANNELS[layer]] as Node<'float'>
+        If(influence.greaterThan(0), () => {
+          const stored = unpack(sampleSlice(normals.texture, gradients, normals.slices[layer]!).xyz)
+          const scale = scales[CHANNELS[layer]]
           sampled.assign(stored.mul(vec3(scale, scale, 1)))
         })
-        return { kind, share, normal: sampled as Node<'vec3'> }
+        return { kind, influence, normal: sampled }
       })
-      const replaced = replace(own, of('replace', layers))
-      const details = of('detail', layers)
-      const mixed = details.length === 0 ? replaced : detail(replaced, details)
+      const replaced = replaceNormal(own, ofKind('replace', layers))
+      const details = ofKind('detail', layers)
+      const mixed = details.length === 0 ? replaced : addDetails(replaced, details)
       normal.assign(mixed.mul(0.5).add(0.5))
     })
     return normal
-  })() as unknown as Node<'vec3'>
+  })()
 }
 
 /**
  * Mixes one kind of the layers' other maps into the material's own value, see `mixValues` in the reference.
  *
- * @param base the value of the material's own map, 1 where it has none; for occlusion and roughness in x.
+ * @param base the value of the material's own map, 1 where it has none; occlusion and roughness in all three components.
+ * @returns the mixed value; occlusion and roughness in x.
  */
 export function mixValues(
   kind: ValueKind,
   base: Node<'vec3'>,
   { textures, occlusionStrength }: ShaderInputs,
-  { influence, uv }: Shares,
+  { influence, uv }: LayerInfluence,
 ): Node<'vec3'> {
   const { texture, slices, channel } = textures.values[kind]!
-  const strengths = follow<'vec4'>(occlusionStrength)
-  const present = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
+  const strengths = inputUniform<'vec4'>(occlusionStrength)
+  const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
   return Fn(() => {
     const own = base.toVar()
     const value = own.toVar()
-    const shares = influence.toVar()
-    const at = gradients(uv)
-    const shareOf = (layer: number) => shares[CHANNELS[layer]] as Node<'float'>
-    const total = max(float(1), sum(present.map(({ layer }) => shareOf(layer)))).toVar()
-    for (const { slice, layer } of present) {
-      If(shareOf(layer).greaterThan(0), () => {
-        const texel = sampleSlice(texture, at, slice)
-        const stored = kind === 'baseColor' ? texel.rgb : vec3(texel[CHANNELS[channel]] as Node<'float'>)
-        const strength = strengths[CHANNELS[layer]] as Node<'float'>
-        const wanted = kind === 'occlusion' ? stored.sub(1).mul(strength).add(1) : stored
-        value.addAssign(wanted.sub(own).mul(shareOf(layer)).div(total))
+    const influences = influence.toVar()
+    const gradients = gradientsOf(uv)
+    const influenceOf = (layer: number) => influences[CHANNELS[layer]]
+    const total = max(float(1), sum(layers.map(({ layer }) => influenceOf(layer)))).toVar()
+    for (const { slice, layer } of layers) {
+      If(influenceOf(layer).greaterThan(0), () => {
+        const texel = sampleSlice(texture, gradients, slice)
+        const stored = kind === 'baseColor' ? texel.rgb : vec3(texel[CHANNELS[channel]])
+        const strength = strengths[CHANNELS[layer]]
+        const sampled = kind === 'occlusion' ? stored.sub(1).mul(strength).add(1) : stored
+        value.addAssign(sampled.sub(own).mul(influenceOf(layer)).div(total))
       })
     }
     return value
-  })() as unknown as Node<'vec3'>
+  })()
 }
 
-interface Share {
+interface SampledLayer {
   kind: LayerKind
-  share: Node<'float'>
+  influence: Node<'float'>
   normal: Node<'vec3'>
 }
 
-function of(kind: LayerKind, layers: readonly Share[]): Share[] {
+function ofKind(kind: LayerKind, layers: readonly SampledLayer[]): SampledLayer[] {
   return layers.filter((layer) => layer.kind === kind)
 }
 
-/** Taken outside of any branch: inside one, neighbouring pixels may part ways. */
-function gradients(uv: Node<'vec2'>): Gradients {
-  const at = uv.toVar()
-  return {
-    uv: repeat(at).toVar() as Node<'vec2'>,
-    dx: at.dFdx().toVar() as Node<'vec2'>,
-    dy: at.dFdy().toVar() as Node<'vec2'>,
-  }
-}
-
 function unpack(stored: Node<'vec3'>): Node<'vec3'> {
-  return stored.mul(2).sub(1) as Node<'vec3'>
+  return stored.mul(2).sub(1)
 }
 
-/** Mixes layers that replace into the base by their influence, shared out where together they exceed 1. */
-function replace(base: Node<'vec3'>, layers: readonly Share[]): Node<'vec3'> {
+/** Mixes layers that replace into the base by their influence, normalised where their sum exceeds 1. */
+function replaceNormal(base: Node<'vec3'>, layers: readonly SampledLayer[]): Node<'vec3'> {
   if (layers.length === 0) return base
-  const total = max(float(1), sum(layers.map(({ share }) => share))).toVar()
+  const total = max(float(1), sum(layers.map(({ influence }) => influence))).toVar()
   return layers.reduce<Node<'vec3'>>(
-    (mixed, { share, normal }) => mixed.add(normal.sub(base).mul(share).div(total)),
+    (mixed, { influence, normal }) => mixed.add(normal.sub(base).mul(influence).div(total)),
     base,
   )
 }
 
-/** Adds layers of detail up as slopes and lays them over the normal. */
-function detail(base: Node<'vec3'>, layers: readonly Share[]): Node<'vec3'> {
+/** Sums layers of detail as slopes and reorients them onto the normal. */
+function addDetails(base: Node<'vec3'>, layers: readonly SampledLayer[]): Node<'vec3'> {
   const slope = layers.reduce<Node<'vec2'>>(
-    (total, { share, normal }) => total.add(normal.xy.div(normal.z).mul(share)) as Node<'vec2'>,
+    (total, { influence, normal }) => total.add(normal.xy.div(normal.z).mul(influence)),
     vec2(0),
   )
-  return reorient(base.normalize() as Node<'vec3'>, vec3(slope, 1).normalize() as Node<'vec3'>)
+  return reorient(base.normalize(), vec3(slope, 1).normalize())
 }
 
 function sum(values: readonly Node<'float'>[]): Node<'float'> {

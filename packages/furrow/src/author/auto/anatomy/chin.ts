@@ -1,25 +1,25 @@
-import { type Build, bezier, type Guide, grown, type Region, spotOf } from './region.ts'
+import { bezierPath, chartPointOf, type FaceContext, type FaceRegion, type Guide } from './region.ts'
 
 /** The chin's dimples and the crease above it (mentalis), and the rings of the neck. */
-export function chinAndNeck(build: Build): Region[] {
-  return [chin(build), neck(build)]
+export function chinAndNeck(context: FaceContext): FaceRegion[] {
+  return [chin(context), neck(context)]
 }
 
-function chin({ landmarks, age, random }: Build): Region {
-  const numbers = random('chin')
-  const [corner, mouth] = spotOf(landmarks.mouthCorner)
+function chin({ landmarks, byAge, rngOf }: FaceContext): FaceRegion {
+  const rng = rngOf('chin')
+  const [corner, mouth] = chartPointOf(landmarks.mouthCorner)
   const half = 0.55 * corner
   const above = mouth - 0.34 * (mouth - landmarks.chin)
   const guides: Guide[] = [
     {
-      spots: bezier(
+      path: bezierPath(
         1,
         [-half, above - 2.5],
         [-half / 2, above + 1.5],
         [half / 2, above + 1.5],
         [half, above - 2.5],
       ),
-      width: grown(age, 5, 6),
+      width: byAge(5, 6),
       depth: 1,
       taper: [0.5, 0.5],
       shoulder: [0.6, 0.9],
@@ -27,24 +27,24 @@ function chin({ landmarks, age, random }: Build): Region {
     },
   ]
   const middle = 0.5 * (above + landmarks.chin) + 2
-  // Dimples lie apart from one another as peas in a jar do: by the golden angle.
+  // The golden angle keeps dimples apart (H. Vogel 1979, A better way to construct the sunflower head).
   for (let i = 0; i < 22; i++) {
-    const angle = 2.4 * i + numbers.sway(0.3)
-    const out = Math.sqrt((i + 0.5) / 22)
-    const [x, y] = [out * 0.62 * corner * Math.cos(angle), middle + out * 9.5 * Math.sin(angle)]
-    const turn = numbers.between(0, Math.PI)
-    const long = numbers.between(0.8, 1.6)
-    const [dx, dy] = [long * Math.cos(turn), long * Math.sin(turn)]
+    const angle = 2.4 * i + rng.jitter(0.3)
+    const radius = Math.sqrt((i + 0.5) / 22)
+    const [x, y] = [radius * 0.62 * corner * Math.cos(angle), middle + radius * 9.5 * Math.sin(angle)]
+    const direction = rng.uniform(0, Math.PI)
+    const halfLength = rng.uniform(0.8, 1.6)
+    const [dx, dy] = [halfLength * Math.cos(direction), halfLength * Math.sin(direction)]
     guides.push({
-      spots: bezier(
+      path: bezierPath(
         1,
         [x - dx, y - dy],
         [x - dx / 3, y - dy / 3],
         [x + dx / 3, y + dy / 3],
         [x + dx, y + dy],
       ),
-      width: numbers.between(2.6, 3.6),
-      depth: numbers.between(0.3, 0.55) * (1.15 - out),
+      width: rng.uniform(2.6, 3.6),
+      depth: rng.uniform(0.3, 0.55) * (1.15 - radius),
       taper: [0.3, 0.3],
       shoulder: [0.9, 0.9],
       softness: 0.9,
@@ -56,30 +56,30 @@ function chin({ landmarks, age, random }: Build): Region {
     cause: { mouthShrugLower: 1, mouthFrownLeft: 0.3, mouthFrownRight: 0.3 },
     guides,
     spacing: 7,
-    hidden: grown(age, 0.3, 0.7),
-    deepest: grown(age, 0.6, 1),
-    assumed: 0.1,
+    creasedFraction: byAge(0.3, 0.7),
+    maxDepth: byAge(0.6, 1),
+    assumedCompression: 0.1,
     reach: 3,
     feather: 5,
   }
 }
 
-function neck({ landmarks, age, random }: Build): Region {
-  const numbers = random('neck')
-  const rings = Math.round(grown(age, 2, 3))
+function neck({ landmarks, byAge, rngOf }: FaceContext): FaceRegion {
+  const rng = rngOf('neck')
+  const rings = Math.round(byAge(2, 3))
   const guides = Array.from({ length: rings }, (_, i): Guide => {
-    const up = landmarks.chin - 34 - 17 * i + numbers.sway(2)
-    const half = 46 + numbers.sway(6)
+    const up = landmarks.chin - 34 - 17 * i + rng.jitter(2)
+    const half = 46 + rng.jitter(6)
     return {
-      spots: bezier(
+      path: bezierPath(
         1,
         [-half, up + 7],
         [-half / 3, up - 2],
-        [half / 3, up - 2 + numbers.sway(1)],
+        [half / 3, up - 2 + rng.jitter(1)],
         [half, up + 7],
       ),
-      width: grown(age, 3, 4),
-      depth: numbers.between(0.7, 1),
+      width: byAge(3, 4),
+      depth: rng.uniform(0.7, 1),
       taper: [0.5, 0.5],
       shoulder: [0.8, 0.8],
       softness: 0.6,
@@ -90,8 +90,8 @@ function neck({ landmarks, age, random }: Build): Region {
     cause: { jawOpen: 1 },
     guides,
     spacing: 17,
-    hidden: grown(age, 0.15, 0.5),
-    deepest: grown(age, 0.3, 0.9),
+    creasedFraction: byAge(0.15, 0.5),
+    maxDepth: byAge(0.3, 0.9),
     reach: 6,
     feather: 8,
   }

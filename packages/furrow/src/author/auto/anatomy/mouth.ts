@@ -1,22 +1,34 @@
-import { type Build, bezier, type Guide, grown, type Region, SIDES, type Side, spotOf } from './region.ts'
+import {
+  bezierPath,
+  chartPointOf,
+  type FaceContext,
+  type FaceRegion,
+  type Guide,
+  SIDES,
+  type Side,
+} from './region.ts'
 
-/** Round the mouth: the fold from the nose, lines beside the corners, and upright ones on the lips. */
-export function mouth(build: Build): Region[] {
+/** Around the mouth: the nasolabial fold, lines beside the corners, and vertical ones on the lips. */
+export function mouth(context: FaceContext): FaceRegion[] {
   return [
-    ...SIDES.flatMap(([side, name]) => [nasolabial(build, side, name), mouthCorner(build, side, name)]),
-    lip(build, 'upperLip', 1),
-    lip(build, 'lowerLip', -1),
+    ...SIDES.flatMap(([side, name]) => [nasolabial(context, side, name), mouthCorner(context, side, name)]),
+    lip(context, 'upperLip', 1),
+    lip(context, 'lowerLip', -1),
   ]
 }
 
-/** One deep line from the wing of the nose to beside the corner of the mouth; the cheek's side of it bulges. */
-function nasolabial({ landmarks, age, random }: Build, side: Side, name: string): Region {
-  const numbers = random(`nasolabial${name}`)
-  const [wing, base] = spotOf(landmarks.wing)
-  const [corner, mouth] = spotOf(landmarks.mouthCorner)
-  const beside = corner + 7.5 + numbers.sway(0.6)
-  const end = mouth - grown(age, 2, 9)
-  const spots = bezier(
+/** One deep line from the wing of the nose to beside the corner of the mouth, which bulges on the side of the cheek. */
+function nasolabial(
+  { landmarks, ageFraction, byAge, rngOf }: FaceContext,
+  side: Side,
+  name: string,
+): FaceRegion {
+  const rng = rngOf(`nasolabial${name}`)
+  const [wing, base] = chartPointOf(landmarks.wing)
+  const [corner, mouth] = chartPointOf(landmarks.mouthCorner)
+  const beside = corner + 7.5 + rng.jitter(0.6)
+  const end = mouth - byAge(2, 9)
+  const path = bezierPath(
     side,
     [wing + 1, base + 14],
     [wing + 5.5, base + 3],
@@ -25,21 +37,21 @@ function nasolabial({ landmarks, age, random }: Build, side: Side, name: string)
   )
   const guides: Guide[] = [
     {
-      spots,
-      width: grown(age, 5.2, 6.4),
+      path,
+      width: byAge(5.2, 6.4),
       depth: 1,
       taper: [0.2, 0.5],
       shoulder: side > 0 ? [1, 0.25] : [0.25, 1],
-      softness: grown(age, 0.5, 0.3),
+      softness: byAge(0.5, 0.3),
     },
   ]
-  if (age > 0.4) {
+  if (ageFraction > 0.4) {
     guides.push({
-      spots: spots
+      path: path
         .slice(5, 15)
-        .map(([across, up]) => [across + side * (5.5 + numbers.sway(0.4)), up + 0.5] as const),
+        .map(([across, up]) => [across + side * (5.5 + rng.jitter(0.4)), up + 0.5] as const),
       width: 2.6,
-      depth: grown(age, 0.05, 0.22),
+      depth: byAge(0.05, 0.22),
       taper: [0.5, 0.5],
       shoulder: [0.8, 0.8],
       softness: 0.5,
@@ -55,19 +67,23 @@ function nasolabial({ landmarks, age, random }: Build, side: Side, name: string)
     },
     guides,
     spacing: 14,
-    hidden: grown(age, 0.4, 0.8),
-    deepest: grown(age, 1.4, 2.4),
+    creasedFraction: byAge(0.4, 0.8),
+    maxDepth: byAge(1.4, 2.4),
     reach: 6,
     feather: 6,
   }
 }
 
-/** Short arcs beside the corner, and below it the line that a downturned mouth digs with age. */
-function mouthCorner({ landmarks, age, random }: Build, side: Side, name: string): Region {
-  const numbers = random(`mouthCorner${name}`)
-  const [corner, mouth] = spotOf(landmarks.mouthCorner)
+/** A short arc beside the corner, and with age a line that runs down from it (depressor anguli oris). */
+function mouthCorner(
+  { landmarks, ageFraction, byAge, rngOf }: FaceContext,
+  side: Side,
+  name: string,
+): FaceRegion {
+  const rng = rngOf(`mouthCorner${name}`)
+  const [corner, mouth] = chartPointOf(landmarks.mouthCorner)
   const arc = (out: number, high: number, low: number, width: number, depth: number): Guide => ({
-    spots: bezier(
+    path: bezierPath(
       side,
       [corner + out - 1.5, mouth + high],
       [corner + out + 0.8, mouth + high / 2],
@@ -80,18 +96,18 @@ function mouthCorner({ landmarks, age, random }: Build, side: Side, name: string
     shoulder: [0.8, 0.8],
     softness: 0.5,
   })
-  const guides = [arc(3.2 + numbers.sway(0.4), 5, 6, 2.6, 1)]
-  if (age > 0.35) {
+  const guides = [arc(3.2 + rng.jitter(0.4), 5, 6, 2.6, 1)]
+  if (ageFraction > 0.35) {
     guides.push({
-      spots: bezier(
+      path: bezierPath(
         side,
         [corner + 1.5, mouth - 4],
         [corner + 3, mouth - 9],
         [corner + 4, mouth - 15],
-        [corner + 5, mouth - grown(age, 16, 24)],
+        [corner + 5, mouth - byAge(16, 24)],
       ),
       width: 3.4,
-      depth: grown(age, 0.5, 1),
+      depth: byAge(0.5, 1),
       taper: [0.3, 0.6],
       shoulder: [0.8, 0.8],
       softness: 0.5,
@@ -102,36 +118,40 @@ function mouthCorner({ landmarks, age, random }: Build, side: Side, name: string
     cause: { [`mouthDimple${name}`]: 1, [`mouthFrown${name}`]: 0.6, [`mouthSmile${name}`]: 0.4 },
     guides,
     spacing: 6,
-    hidden: grown(age, 0.25, 0.7),
-    deepest: grown(age, 0.5, 1),
+    creasedFraction: byAge(0.25, 0.7),
+    maxDepth: byAge(0.5, 1),
     reach: 3,
     feather: 4,
   }
 }
 
-/** Fine lines that run away from the lip's edge (orbicularis oris). */
-function lip({ landmarks, age, random }: Build, name: string, way: 1 | -1): Region {
-  const numbers = random(name)
-  const [corner, mouth] = spotOf(landmarks.mouthCorner)
-  const lines = Math.round(grown(age, 7, 11))
-  const edge = corner * (way > 0 ? 0.28 : 0.44)
-  const space = way > 0 ? landmarks.noseBase - mouth - edge : corner * 0.5
+/**
+ * Fine lines that run away from the edge of the lip (orbicularis oris).
+ *
+ * @param away 1 upwards, -1 downwards.
+ */
+function lip({ landmarks, byAge, rngOf }: FaceContext, name: string, away: 1 | -1): FaceRegion {
+  const rng = rngOf(name)
+  const [corner, mouth] = chartPointOf(landmarks.mouthCorner)
+  const lines = Math.round(byAge(7, 11))
+  const edge = corner * (away > 0 ? 0.28 : 0.44)
+  const space = away > 0 ? landmarks.noseBase - mouth - edge : corner * 0.5
   const guides = Array.from({ length: lines }, (_, i): Guide => {
-    const across = corner * 0.86 * ((2 * (i + numbers.sway(0.36))) / (lines - 1) - 1)
+    const across = corner * 0.86 * ((2 * (i + rng.jitter(0.36))) / (lines - 1) - 1)
     const sink = edge * (1 - 0.55 * (across / corner) ** 2)
-    const length = Math.max(4, space * numbers.between(0.3, 0.9))
-    const lean = 0.16 * across + numbers.sway(1.1)
-    const from = mouth + way * sink
+    const length = Math.max(4, space * rng.uniform(0.3, 0.9))
+    const lean = 0.16 * across + rng.jitter(1.1)
+    const from = mouth + away * sink
     return {
-      spots: bezier(
+      path: bezierPath(
         1,
         [across, from],
-        [across + 0.2 * lean, from + (way * length) / 3],
-        [across + 0.6 * lean, from + (way * 2 * length) / 3],
-        [across + lean, from + way * length],
+        [across + 0.2 * lean, from + (away * length) / 3],
+        [across + 0.6 * lean, from + (away * 2 * length) / 3],
+        [across + lean, from + away * length],
       ),
-      width: grown(age, 1.6, 2),
-      depth: numbers.between(0.55, 1),
+      width: byAge(1.6, 2),
+      depth: rng.uniform(0.55, 1),
       taper: [0.2, 0.7],
       shoulder: [0.8, 0.8],
       softness: 0.5,
@@ -142,8 +162,8 @@ function lip({ landmarks, age, random }: Build, name: string, way: 1 | -1): Regi
     cause: { mouthPucker: 1, mouthFunnel: 0.3 },
     guides,
     spacing: (2 * corner * 0.86) / (lines - 1),
-    hidden: grown(age, 0.15, 0.7),
-    deepest: grown(age, 0.25, 0.6),
+    creasedFraction: byAge(0.15, 0.7),
+    maxDepth: byAge(0.25, 0.6),
     reach: 1.5,
     feather: 4,
   }

@@ -1,28 +1,36 @@
-import { type Build, bezier, type Guide, grown, type Region, SIDES, type Side, spotOf } from './region.ts'
+import {
+  bezierPath,
+  chartPointOf,
+  type FaceContext,
+  type FaceRegion,
+  type Guide,
+  SIDES,
+  type Side,
+} from './region.ts'
 
 /** The sides of the nose: short lines that run outwards from its ridge (nasalis). */
-export function nose(build: Build): Region[] {
-  return SIDES.map(([side, name]) => bunnyLines(build, side, name))
+export function nose(context: FaceContext): FaceRegion[] {
+  return SIDES.map(([side, name]) => bunnyLines(context, side, name))
 }
 
-function bunnyLines({ landmarks, age, random }: Build, side: Side, name: string): Region {
-  const numbers = random(`nose${name}`)
-  const [corner] = spotOf(landmarks.innerCorner)
+function bunnyLines({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: string): FaceRegion {
+  const rng = rngOf(`nose${name}`)
+  const [corner] = chartPointOf(landmarks.innerCorner)
   const eye = landmarks.eye[1]
-  const lines = Math.round(grown(age, 3, 4))
+  const lines = Math.round(byAge(3, 4))
   const guides = Array.from({ length: lines }, (_, i): Guide => {
-    const up = eye - 9 - 4.9 * i + numbers.sway(0.5)
-    const end = corner * (0.8 + 0.13 * i) + numbers.sway(0.8)
-    const rise = 3 - 1.2 * i + numbers.sway(0.5)
+    const up = eye - 9 - 4.9 * i + rng.jitter(0.5)
+    const end = corner * (0.8 + 0.13 * i) + rng.jitter(0.8)
+    const rise = 3 - 1.2 * i + rng.jitter(0.5)
     return {
-      spots: bezier(
+      path: bezierPath(
         side,
         [1.6 + 0.8 * i, up],
         [4 + i, up + 0.4],
         [end - 4, up + 0.5 * rise],
         [end, up + rise],
       ),
-      width: grown(age, 2.4, 3),
+      width: byAge(2.4, 3),
       depth: i === 0 ? 0.75 : 1 - 0.12 * i,
       taper: [0.45, 0.5],
       shoulder: [0.9, 0.9],
@@ -34,8 +42,8 @@ function bunnyLines({ landmarks, age, random }: Build, side: Side, name: string)
     cause: { [`noseSneer${name}`]: 1 },
     guides,
     spacing: 4.5,
-    hidden: grown(age, 0.35, 0.8),
-    deepest: grown(age, 0.5, 0.9),
+    creasedFraction: byAge(0.35, 0.8),
+    maxDepth: byAge(0.5, 0.9),
     reach: 3,
     feather: 5,
   }

@@ -4,9 +4,9 @@ import { forehead } from './forehead.ts'
 import { frown } from './frown.ts'
 import { mouth } from './mouth.ts'
 import { nose } from './nose.ts'
-import type { Build, Region } from './region.ts'
+import type { FaceContext, FaceRegion } from './region.ts'
 
-/** Parts of a face that crease: names of areas without their side. */
+/** Parts of a face that crease: the names of their areas, without the side. */
 export const AUTO_REGIONS = [
   'foreheadInner',
   'foreheadOuter',
@@ -26,10 +26,10 @@ export const AUTO_REGIONS = [
 /** A part of the face whose wrinkles {@link autoWrinkles} makes. */
 export type AutoRegion = (typeof AUTO_REGIONS)[number]
 
-/** The parts that are wanted, both sides of each. */
-export function regionsOf(build: Build, wanted: readonly AutoRegion[]): Region[] {
+/** The wanted parts, both sides of each. */
+export function faceRegions(context: FaceContext, wanted: readonly AutoRegion[]): FaceRegion[] {
   const names = new Set<string>(wanted)
   return [forehead, frown, nose, eyes, mouth, chinAndNeck]
-    .flatMap((part) => part(build))
+    .flatMap((part) => part(context))
     .filter(({ name }) => names.has(name.replace(/(Left|Right)$/, '')))
 }

@@ -1,0 +1,43 @@
+import type { MorphDriver } from '../../../drivers/morph/definition.ts'
+import { canonicalTargetName } from '../../../drivers/morph/target-names.ts'
+import type { SkinRegion } from '../anatomy/region.ts'
+import type { PreparedSkin } from '../surface/prepare-skin.ts'
+import { type FittedRegion, roundWeight } from './fit-driver.ts'
+
+/** Millimetres from the middle beyond which each side has areas of its own. */
+const MIDDLE = 5
+
+/** For a texture that both sides share: the areas of the left side, which show on both, each driven by the targets of both. */
+export function mergeSides(
+  fitted: readonly FittedRegion[],
+  { names, find }: Pick<PreparedSkin, 'names' | 'find'>,
+): FittedRegion[] {
+  return fitted
+    .filter(({ region }) => !region.name.endsWith('Right'))
+    .map(({ region, driver, ...rest }): FittedRegion => {
+      const name = region.name.replace(/Left$/, '')
+      const { influence } = region
+      const whole: SkinRegion = { ...region, name }
+      if (influence) whole.influence = ([across, up]) => influence([Math.max(MIDDLE, across), up])
+      const targets = targetsOfBothSides(driver, names, find)
+      return { ...rest, driver: { ...driver, area: name, targets }, region: whole }
+    })
+}
+
+/** Each target and its counterpart on the other side, at half the weight. */
+function targetsOfBothSides(
+  { targets }: MorphDriver,
+  names: readonly string[],
+  find: (name: string) => number[],
+): MorphDriver['targets'] {
+  const weights = new Map<string, number>()
+  const add = (name: string, weight: number) => weights.set(name, (weights.get(name) ?? 0) + weight)
+  for (const { name, weight = 1 } of targets) {
+    const shape = canonicalTargetName(name)
+    const opposite = shape.replace(/(Left|Right)$/, (side) => (side === 'Left' ? 'Right' : 'Left'))
+    const [other] = opposite === shape ? [] : find(opposite)
+    if (other === undefined) add(name, weight)
+    else for (const one of [name, names[other]]) add(one, weight / 2)
+  }
+  return [...weights].map(([name, weight]) => ({ name, weight: roundWeight(weight) }))
+}

@@ -1,0 +1,146 @@
+import type { MorphDriver } from '../../../drivers/morph/definition.ts'
+import { canonicalTargetName } from '../../../drivers/morph/target-names.ts'
+import { Rng } from '../../../math/rng.ts'
+import { clamp } from '../../../math/scalar.ts'
+import type { SkinRegion } from '../anatomy/region.ts'
+import type { CreasedRegion } from '../lines/crease.ts'
+import type { Pose } from '../surface/pose.ts'
+import type { PreparedSkin } from '../surface/prepare-skin.ts'
+import { makeGauge, measureCompression } from './gauge.ts'
+import { type Bounds, boundedLeastSquares } from './least-squares.ts'
+
+/** A region with its driver. */
+export interface FittedRegion extends CreasedRegion {
+  driver: MorphDriver
+  /** Root mean square of its activation less the measured one, over the poses it was fitted to, 0..1; 0 where nothing is measured. */
+  error: number
+}
+
+/** Compression that skin takes up without a line, as a fraction of that of its cause. */
+const ONSET = 0.12
+/** Compression below which a region does not crease. */
+const MIN_COMPRESSION = 0.012
+/** Fraction of the compression by the strongest single target that counts as fully creased. */
+const SINGLE_TARGET = 0.7
+/** Targets of a driver at most, and the fraction of the strongest one's compression below which a target is left out. */
+const MAX_TARGETS = 12
+const NEGLIGIBLE = 0.08
+/** Poses that a driver is fitted to, most of them of several targets at once. */
+const POSES = 120
+/** Bounds of a target's weight: highest of a cause, as a multiple of its weight in it, and of any other target; lowest of any. */
+const MAX_CAUSE = 1.2
+const MAX_OTHER = 0.5
+const MIN_WEIGHT = -1
+/** Shapes that stretch skin or roll it over bone; what they push together slides and does not fold. */
+const TAUT = /^(jaw|tongue|eyeLook|eyeWide|cheekPuff|mouth(Left|Right|Close|Roll))/
+
+/**
+ * Fits a driver to what the targets do to the skin of a region. The activation of a pose is its compression across the lines, relative to
+ * that of the region's cause.
+ *
+ * @returns undefined where no target compresses the skin.
+ */
+export function fitDriver(
+  { surface, offsets, names }: Pick<PreparedSkin, 'surface' | 'offsets' | 'names'>,
+  creased: CreasedRegion,
+  cause: Pose,
+): FittedRegion | undefined {
+  const { region, creases } = creased
+  if (region.assumedCompression !== undefined) {
+    if (cause.size === 0) return undefined
+    const targets = [...cause].map(([target, weight]) => ({ name: names[target], weight }))
+    return { ...creased, driver: driverOf(region, targets), error: 0 }
+  }
+  const gauge = makeGauge(
+    surface,
+    region,
+    creases.filter(({ isDimple }) => !isDimple),
+  )
+  if (!gauge) return undefined
+  const measure = (pose: Pose) => measureCompression(surface, gauge, offsets, pose)
+  const bounds = names.map((name) => boundsOf(name, region))
+  const compressions = offsets.map((_, target) => measure(new Map([[target, 1]])))
+  // Full is what the cause does, or nearly what a single plausible target does where that is more.
+  const full = compressions.reduce(
+    (largest, value, target) => Math.max(largest, bounds[target][1] > 0 ? SINGLE_TARGET * value : 0),
+    measure(cause),
+  )
+  if (full < MIN_COMPRESSION) return undefined
+  const relative = compressions.map((value) => value / full)
+  const chosen = strongestTargets(relative)
+  const poses = drawPoses(chosen, cause)
+  const wanted = poses.map((pose) => measure(pose) / full)
+  const weights = boundedLeastSquares(
+    poses.map((pose) => chosen.map((target) => pose.get(target) ?? 0)),
+    wanted,
+    chosen.map((target) => relative[target]),
+    chosen.map((target) => bounds[target]),
+  )
+  const targets = chosen
+    .map((target, i) => ({ name: names[target], weight: roundWeight(weights[i]) }))
+    .filter(({ weight }) => Math.abs(weight) >= NEGLIGIBLE / 2)
+  if (!targets.some(({ weight }) => weight > 0)) return undefined
+  let squares = 0
+  for (const [i, pose] of poses.entries()) {
+    const fitted = chosen.reduce((sum, target, k) => sum + weights[k] * (pose.get(target) ?? 0), 0)
+    squares += (activationOf(fitted) - activationOf(wanted[i])) ** 2
+  }
+  return { ...creased, driver: driverOf(region, targets), error: Math.sqrt(squares / poses.length) }
+}
+
+function driverOf({ name }: SkinRegion, targets: MorphDriver['targets']): MorphDriver {
+  return {
+    type: 'morph',
+    area: name,
+    targets,
+    rule: 'sum',
+    curve: [
+      [ONSET, 0],
+      [1, 1],
+    ],
+  }
+}
+
+/** The driver's curve. */
+function activationOf(relativeCompression: number): number {
+  return clamp((relativeCompression - ONSET) / (1 - ONSET), 0, 1)
+}
+
+/** Indices of the targets that change the compression most, by either sign. */
+function strongestTargets(relative: readonly number[]): number[] {
+  const largest = relative.reduce((a, b) => Math.max(a, b), 0)
+  return relative
+    .map((compression, target) => ({ compression, target }))
+    .filter(({ compression }) => Math.abs(compression) >= NEGLIGIBLE * largest)
+    .sort((a, b) => Math.abs(b.compression) - Math.abs(a.compression))
+    .slice(0, MAX_TARGETS)
+    .map(({ target }) => target)
+}
+
+/** The cause, each target alone at full and half weight, and a few targets at once as faces move them. */
+function drawPoses(targets: readonly number[], cause: Pose): Pose[] {
+  const rng = new Rng(1, 'poses')
+  const poses: Pose[] = [cause]
+  for (const target of targets) poses.push(new Map([[target, 1]]), new Map([[target, 0.5]]))
+  while (poses.length < POSES) {
+    const count = 2 + Math.floor(rng.next() * 3)
+    const draw = () => [targets[Math.floor(rng.next() * targets.length)], rng.next()] as const
+    poses.push(new Map(Array.from({ length: count }, draw)))
+  }
+  return poses
+}
+
+/** Bounds of a target's weight. Targets of the other side, and those that pull the skin taut, only take away. */
+function boundsOf(name: string, { cause, name: area }: SkinRegion): Bounds {
+  const shape = canonicalTargetName(name)
+  const own = Object.keys(cause).find((known) => [known, `${known}Left`, `${known}Right`].includes(shape))
+  // Targets of the cause do not work against it.
+  if (own !== undefined || name in cause) return [0, MAX_CAUSE * cause[own ?? name]]
+  const isOpposite = /Left$/.test(area) ? /Right$/.test(shape) : /Right$/.test(area) && /Left$/.test(shape)
+  return [MIN_WEIGHT, isOpposite || TAUT.test(shape) ? 0 : MAX_OTHER]
+}
+
+/** A weight as it is written: more decimals only lengthen the file. */
+export function roundWeight(weight: number): number {
+  return Math.round(1000 * weight) / 1000
+}

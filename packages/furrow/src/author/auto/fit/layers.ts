@@ -1,0 +1,75 @@
+import { dot, length } from '../../../math/vector.ts'
+import type { Crease, CreasedRegion } from '../lines/crease.ts'
+import { CreaseGrid } from '../lines/crease-grid.ts'
+
+/** Cosine of the angle from which on lines of two regions cross. */
+const CROSSING = Math.cos((35 * Math.PI) / 180)
+
+/**
+ * Distributes regions over layers so that those whose lines cross can crease independently. Left and right, and regions that share their
+ * lines, stay together.
+ *
+ * @param maxLayers 1 to 4; regions that cross all the same share a layer.
+ * @returns the layer of each region, from 0.
+ */
+export function assignLayers(regions: readonly CreasedRegion[], maxLayers: number): number[] {
+  const groups: CreasedRegion[][] = []
+  for (const region of regions) {
+    const group = groups.find(([first]) => belongTogether(first, region))
+    if (group) group.push(region)
+    else groups.push([region])
+  }
+  const grids = groups.map((group) => group.map(gridOf))
+  const layers: number[] = []
+  for (const [i, group] of groups.entries()) {
+    const crossings = Array.from({ length: maxLayers }, () => 0)
+    for (let k = 0; k < i; k++) {
+      for (const region of group) {
+        for (const [n, other] of groups[k].entries())
+          crossings[layers[k]] += countCrossings(region, other, grids[k][n])
+      }
+    }
+    const free = crossings.indexOf(0)
+    layers.push(free >= 0 ? free : crossings.indexOf(Math.min(...crossings)))
+  }
+  return regions.map((region) => layers[groups.findIndex((group) => group.includes(region))])
+}
+
+function belongTogether(a: CreasedRegion, b: CreasedRegion): boolean {
+  const withoutSide = ({ region }: CreasedRegion) => region.name.replace(/(Left|Right)$/, '')
+  return a.creases === b.creases || withoutSide(a) === withoutSide(b)
+}
+
+function gridOf({ region, creases }: CreasedRegion): CreaseGrid {
+  const reach = region.reach + region.feather / 2
+  return new CreaseGrid(
+    creases,
+    creases.map(() => reach),
+  )
+}
+
+/** Points of a region's lines within reach of another's at which these run in another direction. */
+function countCrossings({ creases }: CreasedRegion, other: CreasedRegion, grid: CreaseGrid): number {
+  let count = 0
+  for (const crease of creases) {
+    const { points: p, normals: n } = crease
+    for (let i = 0; i + 5 < p.length; i += 3) {
+      const direction = segmentVector(crease, i / 3)
+      let crosses = false
+      grid.visit(p[i], p[i + 1], p[i + 2], n[i], n[i + 1], n[i + 2], (line, _, segment) => {
+        crosses ||= cosineBetween(direction, segmentVector(other.creases[line], segment)) < CROSSING
+      })
+      if (crosses) count++
+    }
+  }
+  return count
+}
+
+function segmentVector({ points }: Crease, segment: number): number[] {
+  return [0, 1, 2].map((k) => points[3 * segment + 3 + k] - points[3 * segment + k])
+}
+
+/** Of the angle between two lines, whichever way they run. */
+function cosineBetween(a: readonly number[], b: readonly number[]): number {
+  return Math.abs(dot(a, b)) / (length(a) * length(b) || 1)
+}

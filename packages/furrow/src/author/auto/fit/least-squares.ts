@@ -1,0 +1,37 @@
+import { clamp } from '../../../math/scalar.ts'
+
+/** Iterations of the solver. */
+const ITERATIONS = 60
+/** Weight of the prior, per row (Tikhonov regularisation). */
+const RIDGE = 0.02
+
+export type Bounds = readonly [low: number, high: number]
+
+/**
+ * Weights w within bounds that minimise |A w - b|^2, drawn to a prior where A leaves them undetermined: the normal equations, by
+ * projected Gauss-Seidel (Murty: Linear Complementarity, 9.3).
+ *
+ * @param rows of A.
+ * @param prior one per weight, as are the bounds.
+ */
+export function boundedLeastSquares(
+  rows: readonly number[][],
+  b: readonly number[],
+  prior: readonly number[],
+  bounds: readonly Bounds[],
+): number[] {
+  const ridge = RIDGE * rows.length
+  const matrix = prior.map((_, i) =>
+    prior.map((_, j) => rows.reduce((sum, row) => sum + row[i] * row[j], i === j ? ridge : 0)),
+  )
+  const right = prior.map((value, i) => rows.reduce((sum, row, k) => sum + row[i] * b[k], ridge * value))
+  const weights = prior.map(() => 0)
+  for (let iteration = 0; iteration < ITERATIONS; iteration++) {
+    for (let i = 0; i < weights.length; i++) {
+      let rest = right[i]
+      for (let j = 0; j < weights.length; j++) if (j !== i) rest -= matrix[i][j] * weights[j]
+      weights[i] = clamp(rest / matrix[i][i], ...bounds[i])
+    }
+  }
+  return weights
+}

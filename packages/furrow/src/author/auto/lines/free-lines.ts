@@ -1,0 +1,156 @@
+import { cross, dot } from '../../../math/vector.ts'
+import type { LineStyle } from '../anatomy/region.ts'
+import { principalAt } from '../strain/principal.ts'
+import { cornersOf, type SkinSurface, type SurfacePoint } from '../surface/surface.ts'
+import type { LaidLine } from './crease.ts'
+import { PointGrid } from './point-grid.ts'
+import { type DirectionField, STEP, type Trace, traceLine } from './trace.ts'
+
+/** Distance to all other lines that a line has at least where it begins, and where it continues, in spacings. */
+const START_DISTANCE = 0.9
+const MIN_DISTANCE = 0.6
+/** Length of the shortest line, in spacings. */
+const MIN_LENGTH = 1.5
+/** In millimetres. */
+const MAX_LENGTH = 120
+
+export interface FreeLineSettings {
+  /** Millimetres from line to line. */
+  spacing: number
+  /** Compression that skin must have for a line to continue. */
+  minCompression: number
+  style: LineStyle
+}
+
+/**
+ * Lays lines on skin of which only the strain is known: across the direction in which it is shortened most, evenly spaced (Jobard and
+ * Lefer 1997, Creating evenly-spaced streamlines of arbitrary density), beginning where it is shortened most.
+ */
+export function layFreeLines(
+  surface: SkinSurface,
+  tensors: Float64Array,
+  { spacing, minCompression, style }: FreeLineSettings,
+): LaidLine[] {
+  const occupied = new PointGrid(spacing)
+  const lines: LaidLine[] = []
+  const seeds = mostCompressed(surface, tensors, minCompression)
+  const isFree = (position: ArrayLike<number>) => occupied.distance(position) > MIN_DISTANCE * spacing
+  for (let seed = seeds.shift(); seed; seed = seeds.shift()) {
+    if (occupied.distance(seed.position) < START_DISTANCE * spacing) continue
+    const { path, ...line } = traceBothWays(surface, tensors, seed, minCompression, isFree)
+    if (path.length * STEP < MIN_LENGTH * spacing) continue
+    occupied.add(line.points)
+    lines.push({ style, ...line })
+    // The neighbours' seeds, one spacing to either side, come before all others.
+    seeds.unshift(...seedsBeside(surface, tensors, path, spacing))
+  }
+  return lines
+}
+
+/** The centroids of triangles that are compressed at least so much, the most compressed first. */
+function mostCompressed(surface: SkinSurface, tensors: Float64Array, minCompression: number): SurfacePoint[] {
+  const { points, corners } = surface
+  const centroid = Float64Array.of(1 / 3, 1 / 3, 1 / 3)
+  const found: { seed: SurfacePoint; compression: number }[] = []
+  for (let triangle = 0; triangle < corners.length / 3; triangle++) {
+    const { compression } = principalAt(surface, tensors, triangle, centroid)
+    if (compression < minCompression) continue
+    const middle = (k: number) =>
+      cornersOf(surface, triangle).reduce((sum, point) => sum + points[3 * point + k] / 3, 0)
+    found.push({ seed: { triangle, position: [middle(0), middle(1), middle(2)] }, compression })
+  }
+  return found.sort((a, b) => b.compression - a.compression).map(({ seed }) => seed)
+}
+
+interface Streamline extends Trace {
+  compressions: number[]
+  path: SurfacePoint[]
+}
+
+function traceBothWays(
+  surface: SkinSurface,
+  tensors: Float64Array,
+  seed: SurfacePoint,
+  minCompression: number,
+  isFree: (position: ArrayLike<number>) => boolean,
+): Omit<LaidLine, 'style'> & { path: SurfacePoint[] } {
+  const traceOneWay = (sign: number) => traceStreamline(surface, tensors, seed, sign, minCompression, isFree)
+  const [backward, forward] = [traceOneWay(-1), traceOneWay(1)]
+  return {
+    points: Float64Array.from([...reversed(backward.points, 3), ...forward.points.slice(3)]),
+    normals: Float64Array.from([...reversed(backward.normals, 3), ...forward.normals.slice(3)]),
+    compressions: [...backward.compressions.slice().reverse(), ...forward.compressions.slice(1)],
+    path: [...backward.path.slice().reverse(), ...forward.path.slice(1)],
+  }
+}
+
+function traceStreamline(
+  surface: SkinSurface,
+  tensors: Float64Array,
+  seed: SurfacePoint,
+  sign: number,
+  minCompression: number,
+  isFree: (position: ArrayLike<number>) => boolean,
+): Streamline {
+  const compressions: number[] = []
+  const path: SurfacePoint[] = []
+  const orient = consistentSign(sign)
+  const field: DirectionField = (position, _, triangle, barycentrics, out) => {
+    const { direction, compression } = principalAt(surface, tensors, triangle, barycentrics)
+    compressions.push(compression)
+    path.push({ triangle, position: [position[0], position[1], position[2]] })
+    orient(direction, out)
+    return compression >= minCompression && isFree(position)
+  }
+  const { points, normals } = traceLine(surface, seed, field, MAX_LENGTH)
+  const count = points.length / 3
+  return { points, normals, compressions: compressions.slice(0, count), path: path.slice(0, count) }
+}
+
+/** Points one spacing away from a line, on both sides, along its path. */
+function seedsBeside(
+  surface: SkinSurface,
+  tensors: Float64Array,
+  path: readonly SurfacePoint[],
+  spacing: number,
+): SurfacePoint[] {
+  const seeds: SurfacePoint[] = []
+  const across = new Float64Array(3)
+  const every = Math.max(1, Math.round(spacing / 2 / STEP))
+  for (let i = 0; i < path.length; i += every) {
+    for (const sign of [-1, 1]) {
+      const orient = consistentSign(sign)
+      let last: SurfacePoint | undefined
+      const field: DirectionField = (position, normal, triangle, barycentrics, out) => {
+        cross(across, normal, principalAt(surface, tensors, triangle, barycentrics).direction)
+        orient(across, out)
+        last = { triangle, position: [position[0], position[1], position[2]] }
+        return true
+      }
+      traceLine(surface, path[i], field, spacing)
+      if (last) seeds.push(last)
+    }
+  }
+  return seeds
+}
+
+/**
+ * Principal directions have no sign: the first gets the given one, each later one that by which the line does not turn back.
+ *
+ * @param first 1 or -1.
+ */
+function consistentSign(first: number): (direction: ArrayLike<number>, out: Float64Array) => void {
+  const before = new Float64Array(3)
+  let isFirst = true
+  return (direction, out) => {
+    const sign = isFirst ? first : Math.sign(dot(direction, before)) || 1
+    isFirst = false
+    for (let k = 0; k < 3; k++) before[k] = out[k] = sign * direction[k]
+  }
+}
+
+function reversed(values: readonly number[], stride: number): number[] {
+  const out: number[] = []
+  for (let i = values.length - stride; i >= 0; i -= stride) out.push(...values.slice(i, i + stride))
+  return out
+}

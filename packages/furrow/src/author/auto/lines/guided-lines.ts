@@ -1,0 +1,105 @@
+import { clamp, smoothstep } from '../../../math/scalar.ts'
+import { cross } from '../../../math/vector.ts'
+import type { Guide } from '../anatomy/region.ts'
+import { bilinearForm, compressionAlong, tensorAt } from '../strain/tensors.ts'
+import { type ChartPoint, type HeadChart, rollUp, unroll } from '../surface/head-chart.ts'
+import type { SkinSurface } from '../surface/surface.ts'
+import type { LaidLine } from './crease.ts'
+import { type DirectionField, traceLine } from './trace.ts'
+
+/** How strongly a line is drawn back to its guide, per millimetre of distance. */
+const PULL = 0.35
+/** Fraction of the angle to the direction of strain that a line turns, and the largest turn in radians. */
+const YIELD = 0.5
+const MAX_TURN = 0.3
+/** Compression from which on its direction is fully trusted. */
+const TRUSTED = 0.05
+
+/**
+ * Lays guides on the skin: each line begins where its guide does and follows it, turned a little towards the direction of strain.
+ *
+ * @param tensors `compressionTensors` of the expression.
+ * @returns the lines that begin on skin.
+ */
+export function layGuides(
+  surface: SkinSurface,
+  chart: HeadChart,
+  guides: readonly Guide[],
+  tensors: Float64Array,
+): LaidLine[] {
+  return guides.flatMap((guide) => {
+    const line = followGuide(surface, chart, guide, tensors)
+    return line ? [{ style: guide, ...line }] : []
+  })
+}
+
+function followGuide(
+  surface: SkinSurface,
+  chart: HeadChart,
+  { path }: Guide,
+  tensors: Float64Array,
+): Omit<LaidLine, 'style'> | undefined {
+  const start = chart.find(path[0])
+  if (!start) return undefined
+  const compressions: number[] = []
+  const across = new Float64Array(3)
+  let segment = 0
+  const field: DirectionField = (position, normal, triangle, barycentrics, out) => {
+    const here = unroll(position[0], position[1], position[2])
+    while (segment < path.length - 1 && isPast(here, path[segment], path[segment + 1])) segment++
+    const isOver = segment === path.length - 1
+    const from = path[Math.min(segment, path.length - 2)]
+    const to = path[Math.min(segment + 1, path.length - 1)]
+    rollUp(position[0], position[2], normal, towardsGuide(here, from, to), out)
+    const tensor = tensorAt(surface, tensors, triangle, barycentrics)
+    if (!isOver) turnToStrain(tensor, normal, out)
+    cross(across, normal, out)
+    compressions.push(compressionAlong(tensor, across[0], across[1], across[2]))
+    return !isOver
+  }
+  const trace = traceLine(surface, start, field, 2 * lengthOf(path))
+  // At least three points: a beginning, a middle and an end.
+  if (trace.points.length < 9) return undefined
+  return {
+    points: Float64Array.from(trace.points),
+    normals: Float64Array.from(trace.normals),
+    compressions: compressions.slice(0, trace.points.length / 3),
+  }
+}
+
+function isPast(here: ChartPoint, from: ChartPoint, to: ChartPoint): boolean {
+  return (here[0] - to[0]) * (to[0] - from[0]) + (here[1] - to[1]) * (to[1] - from[1]) >= 0
+}
+
+/** The direction along a segment of the guide, and back to it. */
+function towardsGuide(here: ChartPoint, from: ChartPoint, to: ChartPoint): ChartPoint {
+  const [dx, dy] = [to[0] - from[0], to[1] - from[1]]
+  const length = Math.hypot(dx, dy) || 1
+  const distance = ((here[0] - from[0]) * dy - (here[1] - from[1]) * dx) / length
+  return [dx / length - (PULL * distance * dy) / length, dy / length + (PULL * distance * dx) / length]
+}
+
+function lengthOf(path: readonly ChartPoint[]): number {
+  let sum = 0
+  for (let i = 1; i < path.length; i++)
+    sum += Math.hypot(path[i][0] - path[i - 1][0], path[i][1] - path[i - 1][1])
+  return sum
+}
+
+const perpendicular = new Float64Array(3)
+
+/** Turns a direction in the skin towards the one along which the skin is shortened least. */
+function turnToStrain(tensor: Float64Array, normal: Float64Array, direction: Float64Array): void {
+  cross(perpendicular, normal, direction)
+  const [ax, ay, az] = perpendicular
+  const along = compressionAlong(tensor, direction[0], direction[1], direction[2])
+  const across = compressionAlong(tensor, ax, ay, az)
+  const shear = bilinearForm(tensor, direction, perpendicular)
+  // The principal axes are at half the angle of the deviator (Mohr's circle). Where the skin is shortened along the line rather than
+  // across it, or hardly at all, the direction of strain is not trusted.
+  const doubleAngle = Math.atan2(-2 * shear, across - along)
+  const trust = Math.max(0, Math.cos(doubleAngle)) * smoothstep(across / TRUSTED)
+  const turn = clamp((YIELD * trust * doubleAngle) / 2, -MAX_TURN, MAX_TURN)
+  const [cosine, sine] = [Math.cos(turn), Math.sin(turn)]
+  for (let k = 0; k < 3; k++) direction[k] = cosine * direction[k] + sine * perpendicular[k]
+}

@@ -1,0 +1,16 @@
+import type { StrainedSkin } from '../strain/measure-strain.ts'
+import type { PreparedSkin } from '../surface/prepare-skin.ts'
+import type { CreasedRegion, LineSettings } from './crease.ts'
+import { layFaceLines } from './face-lines.ts'
+import { layPatchLines } from './patch-lines.ts'
+
+/** Lays lines where the skin may crease, and gives them their relief. */
+export function layLines(
+  prepared: PreparedSkin,
+  { regions, patches }: StrainedSkin,
+  settings: LineSettings,
+): CreasedRegion[] {
+  return prepared.face
+    ? layFaceLines(prepared.face, regions, settings)
+    : layPatchLines(prepared, patches, settings)
+}

@@ -1,0 +1,54 @@
+import { Rng } from '../../../math/rng.ts'
+import type { LineStyle, SkinRegion } from '../anatomy/region.ts'
+import { type CompressedPatch, MIN_PATCH_COMPRESSION, patchTensors } from '../strain/patches.ts'
+import type { PreparedSkin } from '../surface/prepare-skin.ts'
+import { type CreasedRegion, creaseLines, type LineSettings } from './crease.ts'
+import { layFreeLines } from './free-lines.ts'
+
+/** Millimetres from line to line. */
+const SPACING = 6
+const STYLE: LineStyle = { width: 3, depth: 1, taper: [0.4, 0.4], shoulder: [0.9, 0.9], softness: 0.5 }
+
+/** Lays lines on patches of a skin without anatomy: shallower than on a face. */
+export function layPatchLines(
+  { surface, names }: Pick<PreparedSkin, 'surface' | 'names'>,
+  patches: readonly CompressedPatch[],
+  { ageFraction, strength, seed }: LineSettings,
+): CreasedRegion[] {
+  const counts = new Map<string, number>()
+  return patches.flatMap((patch): CreasedRegion[] => {
+    const name = names[patch.target]
+    const rng = new Rng(seed, name)
+    const tensors = patchTensors(patch, surface.areas.length)
+    const laid = layFreeLines(surface, tensors, {
+      spacing: SPACING,
+      minCompression: MIN_PATCH_COMPRESSION,
+      style: STYLE,
+    })
+    if (laid.length === 0) return []
+    const lines = laid.map((line) => ({ ...line, style: variedStyle(rng) }))
+    const count = (counts.get(name) ?? 0) + 1
+    counts.set(name, count)
+    const region: SkinRegion = {
+      name: count === 1 ? name : `${name} ${count}`,
+      cause: { [name]: 1 },
+      spacing: SPACING,
+      creasedFraction: 0.25 + 0.35 * ageFraction,
+      maxDepth: 0.4 + 0.4 * ageFraction,
+      reach: 4,
+      feather: 6,
+    }
+    return [{ region, ...creaseLines(region, lines, strength) }]
+  })
+}
+
+/** Lines of equal depth and width would look like stripes. */
+function variedStyle(rng: Rng): LineStyle {
+  const fade = () => rng.uniform(0.3, 0.5)
+  return {
+    ...STYLE,
+    width: STYLE.width * rng.uniform(0.85, 1.1),
+    depth: rng.uniform(0.7, 1),
+    taper: [fade(), fade()],
+  }
+}

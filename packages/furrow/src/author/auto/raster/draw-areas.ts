@@ -1,0 +1,58 @@
+import type { GrayImage } from '../../../core/types.ts'
+import { smoothstep } from '../../../math/scalar.ts'
+import type { CreasedRegion } from '../lines/crease.ts'
+import { CreaseGrid } from '../lines/crease-grid.ts'
+import { type HeadChart, unroll } from '../surface/head-chart.ts'
+import { visitTexelsNearCreases } from './crease-texels.ts'
+import type { SkinTexels } from './skin-texels.ts'
+import { visibility } from './visibility.ts'
+
+/** Difference in the distances to the lines of two areas, in millimetres, over which one gives way to the other. */
+const TRANSITION = 4
+
+/**
+ * Draws the areas of the regions of one layer: each around its own lines, giving way where another's are nearer.
+ *
+ * @param chart of a face, whose skin has no weight where it is not visible from outside.
+ * @returns weights, 255 = fully visible.
+ */
+export function drawAreas(
+  texels: SkinTexels,
+  regions: readonly CreasedRegion[],
+  chart?: HeadChart,
+): GrayImage[] {
+  const { size } = texels
+  const images = regions.map(() => new Uint8Array(size * size))
+  // Of regions that share their lines, the first one owns them.
+  const owners = regions.map(({ creases }) => regions.findIndex((other) => other.creases === creases))
+  const lines = regions.flatMap(({ creases }, i) =>
+    owners[i] === i ? creases.map((crease) => ({ crease, owner: i })) : [],
+  )
+  const extents = regions.map(({ region }) => region.reach + region.feather)
+  const grid = new CreaseGrid(
+    lines.map(({ crease }) => crease),
+    lines.map(({ owner }) => 2 * extents[owner]),
+  )
+  /** Distance to the nearest line of each owner. */
+  const distances = new Float64Array(regions.length)
+  visitTexelsNearCreases(texels, grid, (texel, x, y, z, normal) => {
+    distances.fill(Infinity)
+    grid.visit(x, y, z, normal[0], normal[1], normal[2], (line, distance) => {
+      const { owner } = lines[line]
+      distances[owner] = Math.min(distances[owner], distance)
+    })
+    if (regions.every((_, i) => distances[owners[i]] >= extents[i])) return
+    const point = unroll(x, y, z)
+    const visible = chart ? visibility(chart, x, y, z, normal) : 1
+    for (const [i, { region }] of regions.entries()) {
+      const own = distances[owners[i]]
+      if (own >= extents[i]) continue
+      let other = Infinity
+      for (let k = 0; k < distances.length; k++) if (k !== owners[i]) other = Math.min(other, distances[k])
+      const inside = 1 - smoothstep((own - region.reach) / region.feather)
+      const nearer = other === Infinity ? 1 : smoothstep((other - own) / TRANSITION + 0.5)
+      images[i][texel] = Math.round(255 * inside * nearer * visible * (region.influence?.(point) ?? 1))
+    }
+  })
+  return images.map((data) => ({ width: size, height: size, data }))
+}

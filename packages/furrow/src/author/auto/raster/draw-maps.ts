@@ -1,0 +1,69 @@
+import type { GrayImage, RgbaImage } from '../../../core/types.ts'
+import { MIPMAP_MARGIN } from '../../border.ts'
+import { surfaceMetric } from '../../metric.ts'
+import { heightToNormal, type TangentFrame } from '../../relief/height-to-normal.ts'
+import type { HeightMap } from '../../strokes/height.ts'
+import type { CreasedRegion } from '../lines/crease.ts'
+import { isOnLeft } from '../surface/overlap.ts'
+import type { PreparedSkin } from '../surface/prepare-skin.ts'
+import type { SkinSurface } from '../surface/surface.ts'
+import { drawAreas } from './draw-areas.ts'
+import { drawCreases } from './draw-creases.ts'
+import { SkinTexels } from './skin-texels.ts'
+
+/** Maps of one layer. */
+export interface AutoLayer {
+  name: string
+  /** Of kind `detail`: wrinkles on flat skin. */
+  normal: RgbaImage
+  relief: HeightMap
+  /** 255 = open to the light. */
+  occlusion: GrayImage
+}
+
+export interface MapSettings {
+  /** Side of the layers' maps in texels. */
+  size: number
+  /** Side of the areas in texels. */
+  areaSize: number
+  /** The frame in which renderers read the normal maps. */
+  frame: TangentFrame
+}
+
+/**
+ * Draws the maps of all layers and areas.
+ *
+ * @param layerOf the layer of each region.
+ * @returns the layers, and the weights of each region's area.
+ */
+export function drawMaps(
+  { skin, surface, face, isMirrored }: PreparedSkin,
+  regions: readonly CreasedRegion[],
+  layerOf: readonly number[],
+  { size, areaSize, frame }: MapSettings,
+): { layers: AutoLayer[]; weights: GrayImage[] } {
+  const isDrawn = isMirrored ? isOnLeft(surface) : undefined
+  const texels = new SkinTexels(skin, surface, size, isDrawn, MIPMAP_MARGIN)
+  const areaTexels = new SkinTexels(skin, surface, areaSize, isDrawn)
+  const metric = surfaceMetric({ ...skin, positions: inMetres(surface) }, size)
+  const layers: AutoLayer[] = []
+  const weights: GrayImage[] = []
+  for (let layer = 0; layer <= Math.max(-1, ...layerOf); layer++) {
+    const members = [...regions.keys()].filter((i) => layerOf[i] === layer)
+    const own = members.map((i) => regions[i])
+    const creases = [...new Set(own.map((region) => region.creases))].flat()
+    const drawn = drawCreases(texels, creases)
+    layers.push({ name: `auto${layer + 1}`, normal: heightToNormal(drawn.relief, metric, frame), ...drawn })
+    for (const [k, image] of drawAreas(areaTexels, own, face?.chart).entries()) weights[members[k]] = image
+  }
+  return { layers, weights }
+}
+
+/** Positions of the skin's vertices in the scale of its surface. */
+function inMetres({ pointOf, points }: SkinSurface): Float64Array {
+  const out = new Float64Array(3 * pointOf.length)
+  for (const [vertex, point] of pointOf.entries()) {
+    for (let k = 0; k < 3; k++) out[3 * vertex + k] = points[3 * point + k] / 1000
+  }
+  return out
+}

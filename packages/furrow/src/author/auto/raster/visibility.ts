@@ -1,0 +1,25 @@
+import { smoothstep } from '../../../math/scalar.ts'
+import type { HeadChart } from '../surface/head-chart.ts'
+
+/** Millimetres behind other skin at which a position begins to be hidden, and over which it becomes so. */
+const HIDDEN_FROM = 0.5
+const HIDDEN_OVER = 1
+/** Cosines between the normal and the direction out of the head at which skin is not visible at all, and fully. */
+const FACING = [-0.1, 0.1] as const
+
+/**
+ * How visible a position on the skin is from outside the head, 0..1: 0 in the mouth and on the rims of lids, where nothing creases.
+ *
+ * @param normal of the skin there.
+ */
+export function visibility(
+  chart: HeadChart,
+  x: number,
+  y: number,
+  z: number,
+  normal: ArrayLike<number>,
+): number {
+  const { facing, depth } = chart.exposure(x, y, z, normal)
+  const turned = smoothstep((facing - FACING[0]) / (FACING[1] - FACING[0]))
+  return turned * (1 - smoothstep((depth - HIDDEN_FROM) / HIDDEN_OVER))
+}

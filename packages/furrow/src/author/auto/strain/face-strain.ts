@@ -1,0 +1,44 @@
+import { Rng } from '../../../math/rng.ts'
+import { lerp } from '../../../math/scalar.ts'
+import type { FaceRegion } from '../anatomy/region.ts'
+import { type AutoRegion, faceRegions } from '../anatomy/regions.ts'
+import type { DetectedFace } from '../surface/detect-face.ts'
+import { poseOf } from '../surface/pose.ts'
+import { poseInRigShapes } from '../surface/stand-ins.ts'
+import { poseStrain } from './pose-strain.ts'
+
+/** A region of a face with the strain of its expression. */
+export interface StrainedRegion {
+  /** Its cause in the shapes that the rig has. */
+  region: FaceRegion
+  /** `compressionTensors` of the expression; regions with the same expression have the same array. */
+  tensors: Float64Array
+}
+
+/**
+ * Measures the strain of each region's expression on a face.
+ *
+ * @param ageFraction 0 at 20 years, 1 at 80.
+ */
+export function strainFaceRegions(
+  face: DetectedFace,
+  ageFraction: number,
+  seed: number,
+  wanted: readonly AutoRegion[],
+): StrainedRegion[] {
+  const context = {
+    landmarks: face.landmarks,
+    ageFraction,
+    byAge: (at20: number, at80: number) => lerp(at20, at80, ageFraction),
+    rngOf: (name: string) => new Rng(seed, name),
+  }
+  const known = new Map<string, Float64Array>()
+  return faceRegions(context, wanted).map((inArkit) => {
+    const region = { ...inArkit, cause: poseInRigShapes(inArkit.cause, face.names) }
+    const expression = poseInRigShapes(inArkit.expression ?? inArkit.cause, face.names)
+    const key = JSON.stringify(expression)
+    const tensors = known.get(key) ?? poseStrain(face.surface, face.offsets, poseOf(face.find, expression))
+    known.set(key, tensors)
+    return { region, tensors }
+  })
+}

@@ -1,0 +1,89 @@
+import type { PreparedSkin } from '../surface/prepare-skin.ts'
+import type { SkinSurface } from '../surface/surface.ts'
+import { poseStrain } from './pose-strain.ts'
+import { pointCompression } from './principal.ts'
+import { TENSOR_SIZE } from './tensors.ts'
+
+/** Standard deviation in millimetres by which strain is smoothed: without anatomy, noise must not look like a patch. */
+const PATCH_SIGMA = 5
+/** Compression from which on skin may crease: higher than where anatomy is known. */
+export const MIN_PATCH_COMPRESSION = 0.07
+/** Square millimetres of the smallest patch. */
+const MIN_PATCH_AREA = 80
+/** Fraction of the smaller of two patches that both have in common, from which on they count as one. */
+const SAME = 0.5
+
+/** Connected skin that a target compresses. */
+export interface CompressedPatch {
+  points: ReadonlySet<number>
+  /** In square millimetres. */
+  area: number
+  /** Index of the target that compresses the largest patch here. */
+  target: number
+  /** `compressionTensors` of its points, in their order. */
+  tensors: Float64Array
+}
+
+/** The connected patches that single targets compress, the largest first; of those that overlap the largest one. */
+export function findPatches(
+  { surface, offsets, names }: Pick<PreparedSkin, 'surface' | 'offsets' | 'names'>,
+  maxPatches: number,
+): CompressedPatch[] {
+  const candidates = names.flatMap((_, target) =>
+    patchesOf(surface, poseStrain(surface, offsets, new Map([[target, 1]]), PATCH_SIGMA), target),
+  )
+  const chosen: CompressedPatch[] = []
+  for (const patch of candidates.sort((a, b) => b.area - a.area)) {
+    if (chosen.length === maxPatches) break
+    if (!chosen.some((larger) => isSame(patch, larger))) chosen.push(patch)
+  }
+  return chosen
+}
+
+/** The `compressionTensors` of a patch for all points of its surface, 0 outside it. */
+export function patchTensors({ points, tensors }: CompressedPatch, pointCount: number): Float64Array {
+  const all = new Float64Array(TENSOR_SIZE * pointCount)
+  let offset = 0
+  for (const point of points) {
+    all.set(tensors.subarray(offset, offset + TENSOR_SIZE), TENSOR_SIZE * point)
+    offset += TENSOR_SIZE
+  }
+  return all
+}
+
+/** Connected components of the points that are compressed enough. */
+function patchesOf(surface: SkinSurface, tensors: Float64Array, target: number): CompressedPatch[] {
+  const { areas, neighbourStarts, neighbours } = surface
+  const open = new Set<number>()
+  for (let i = 0; i < areas.length; i++)
+    if (pointCompression(surface, tensors, i) >= MIN_PATCH_COMPRESSION) open.add(i)
+  const patches: CompressedPatch[] = []
+  for (const first of open) {
+    const points = new Set([first])
+    open.delete(first)
+    for (const point of points) {
+      for (const next of neighbours.subarray(neighbourStarts[point], neighbourStarts[point + 1]))
+        if (open.delete(next)) points.add(next)
+    }
+    const area = [...points].reduce((sum, point) => sum + areas[point], 0)
+    if (area < MIN_PATCH_AREA) continue
+    patches.push({ points, area, target, tensors: tensorsOf(tensors, points) })
+  }
+  return patches
+}
+
+function tensorsOf(tensors: Float64Array, points: ReadonlySet<number>): Float64Array {
+  const out = new Float64Array(TENSOR_SIZE * points.size)
+  let offset = 0
+  for (const point of points) {
+    out.set(tensors.subarray(TENSOR_SIZE * point, TENSOR_SIZE * (point + 1)), offset)
+    offset += TENSOR_SIZE
+  }
+  return out
+}
+
+function isSame(a: CompressedPatch, b: CompressedPatch): boolean {
+  let common = 0
+  for (const point of a.points) if (b.points.has(point)) common++
+  return common >= SAME * Math.min(a.points.size, b.points.size)
+}

@@ -1,0 +1,28 @@
+import type { Pose } from '../surface/pose.ts'
+import type { SkinSurface } from '../surface/surface.ts'
+import { smooth } from './smooth.ts'
+import { compressionTensors, TENSOR_SIZE } from './tensors.ts'
+
+/** Standard deviation in millimetres by which strain is smoothed: that of a single triangle says little. */
+const SIGMA = 3
+
+/**
+ * The `compressionTensors` of a pose, smoothed.
+ *
+ * @param offsets of each target by point, in millimetres.
+ * @param sigma standard deviation of the smoothing, in millimetres.
+ */
+export function poseStrain(
+  surface: SkinSurface,
+  offsets: readonly Float64Array[],
+  pose: Pose,
+  sigma = SIGMA,
+): Float64Array {
+  const displacements = new Float64Array(surface.points.length)
+  for (const [target, weight] of pose) {
+    for (let i = 0; i < displacements.length; i++) displacements[i] += weight * offsets[target][i]
+  }
+  const tensors = compressionTensors(surface, displacements)
+  smooth(surface, tensors, TENSOR_SIZE, sigma)
+  return tensors
+}

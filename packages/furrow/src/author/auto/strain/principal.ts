@@ -1,0 +1,64 @@
+import { triangleNormal } from '../../../math/triangle.ts'
+import { cross, normalize } from '../../../math/vector.ts'
+import { cornersOf, type SkinSurface } from '../surface/surface.ts'
+import { bilinearForm, compressionAlong, TENSOR_SIZE, tensorAt } from './tensors.ts'
+
+/** Principal compression in the plane of the skin. */
+export interface PrincipalCompression {
+  /** Unit vector along which skin is shortened least: the direction of a crease. */
+  direction: Float64Array
+  /** Fraction of its length that skin loses across it. */
+  compression: number
+}
+
+/** Principal compression at a point of a triangle, in the triangle's plane. */
+export function principalAt(
+  surface: SkinSurface,
+  tensors: Float64Array,
+  triangle: number,
+  barycentrics: ArrayLike<number>,
+): PrincipalCompression {
+  const { points } = surface
+  const [a, b, c] = cornersOf(surface, triangle)
+  const [normal, x, y] = [new Float64Array(3), new Float64Array(3), new Float64Array(3)]
+  triangleNormal(normal, points, a, b, c)
+  normalize(normal)
+  for (let k = 0; k < 3; k++) x[k] = points[3 * b + k] - points[3 * a + k]
+  normalize(x)
+  cross(y, normal, x)
+  const { compression, angle } = largestInPlane(tensorAt(surface, tensors, triangle, barycentrics), x, y)
+  const [cosine, sine] = [Math.cos(angle), Math.sin(angle)]
+  const direction = y.map((value, k) => cosine * value - sine * x[k])
+  return { direction, compression }
+}
+
+/** Fraction that the skin loses at a point along the direction in which it is shortened most. */
+export function pointCompression({ normals }: SkinSurface, tensors: Float64Array, point: number): number {
+  const normal = normals.subarray(3 * point, 3 * point + 3)
+  const [x, y] = [new Float64Array(3), new Float64Array(3)]
+  cross(x, normal, Math.abs(normal[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0])
+  normalize(x)
+  cross(y, normal, x)
+  const tensor = tensors.subarray(TENSOR_SIZE * point, TENSOR_SIZE * (point + 1))
+  return largestInPlane(tensor, x, y).compression
+}
+
+/**
+ * The largest principal value of a tensor in a plane, and the angle of its axis from x towards y: those of a symmetric 2 x 2 matrix
+ * (Mohr's circle).
+ *
+ * @param x, y orthonormal vectors that span the plane.
+ */
+function largestInPlane(
+  t: ArrayLike<number>,
+  x: Float64Array,
+  y: Float64Array,
+): { compression: number; angle: number } {
+  const xx = compressionAlong(t, x[0], x[1], x[2])
+  const xy = bilinearForm(t, x, y)
+  const yy = compressionAlong(t, y[0], y[1], y[2])
+  return {
+    compression: (xx + yy) / 2 + Math.hypot((xx - yy) / 2, xy),
+    angle: 0.5 * Math.atan2(2 * xy, xx - yy),
+  }
+}

@@ -1,0 +1,102 @@
+import { cornersOf, type SkinSurface } from '../surface/surface.ts'
+
+/** Components of a symmetric 3 x 3 tensor: xx, xy, xz, yy, yz, zz. */
+export const TENSOR_SIZE = 6
+
+/**
+ * How far skin is shortened at each point, and in which direction: I - U, where U is the right stretch tensor of each triangle in its own
+ * plane (Biot strain with the sign of compression; Bonet, Wood: Nonlinear Continuum Mechanics, 3.6), as the mean over the triangles around
+ * a point by their areas. Along a unit direction c of the skin, c . T c is the fraction of its length that is lost.
+ *
+ * @param displacements x, y and z by which each point moves.
+ * @returns `TENSOR_SIZE` components per point.
+ */
+export function compressionTensors(surface: SkinSurface, displacements: ArrayLike<number>): Float64Array {
+  const { points, corners, areas } = surface
+  const out = new Float64Array(TENSOR_SIZE * areas.length)
+  const tensor = new Float64Array(TENSOR_SIZE)
+  for (let t = 0; t < corners.length; t += 3) {
+    const area = triangleTensor(points, displacements, corners[t], corners[t + 1], corners[t + 2], tensor)
+    for (let k = 0; k < 3; k++) {
+      const point = corners[t + k]
+      const weight = area / (3 * areas[point])
+      for (let j = 0; j < TENSOR_SIZE; j++) out[TENSOR_SIZE * point + j] += weight * tensor[j]
+    }
+  }
+  return out
+}
+
+/** The tensor of one triangle; returns its area at rest. */
+function triangleTensor(
+  points: ArrayLike<number>,
+  displacements: ArrayLike<number>,
+  a: number,
+  b: number,
+  c: number,
+  out: Float64Array,
+): number {
+  const edge = (from: number, to: number, k: number) => points[3 * to + k] - points[3 * from + k]
+  const deformed = (from: number, to: number, k: number) =>
+    edge(from, to, k) + displacements[3 * to + k] - displacements[3 * from + k]
+  // An orthonormal frame (x, y) of the triangle's plane, in which its edges are (base, 0) and (offset, height).
+  const [ux, uy, uz] = [edge(a, b, 0), edge(a, b, 1), edge(a, b, 2)]
+  const [vx, vy, vz] = [edge(a, c, 0), edge(a, c, 1), edge(a, c, 2)]
+  const base = Math.hypot(ux, uy, uz)
+  const [xx, xy, xz] = [ux / base, uy / base, uz / base]
+  const offset = vx * xx + vy * xy + vz * xz
+  const [wx, wy, wz] = [vx - offset * xx, vy - offset * xy, vz - offset * xz]
+  const height = Math.hypot(wx, wy, wz)
+  const [yx, yy, yz] = [wx / height, wy / height, wz / height]
+  // C = F^T F, where F = [deformed u, deformed v] [base offset; 0 height]^-1.
+  let [c00, c01, c11] = [0, 0, 0]
+  for (let k = 0; k < 3; k++) {
+    const first = deformed(a, b, k) / base
+    const second = (deformed(a, c, k) - offset * first) / height
+    c00 += first * first
+    c01 += first * second
+    c11 += second * second
+  }
+  // The square root of a 2 x 2 matrix: (C + sqrt(det) I) / sqrt(trace + 2 sqrt(det)) (Levinger 1980).
+  const root = Math.sqrt(Math.max(0, c00 * c11 - c01 * c01))
+  const scale = Math.sqrt(c00 + c11 + 2 * root)
+  const [s00, s01, s11] =
+    scale > 0 ? [1 - (c00 + root) / scale, -c01 / scale, 1 - (c11 + root) / scale] : [1, 0, 1]
+  out[0] = s00 * xx * xx + 2 * s01 * xx * yx + s11 * yx * yx
+  out[1] = s00 * xx * xy + s01 * (xx * yy + xy * yx) + s11 * yx * yy
+  out[2] = s00 * xx * xz + s01 * (xx * yz + xz * yx) + s11 * yx * yz
+  out[3] = s00 * xy * xy + 2 * s01 * xy * yy + s11 * yy * yy
+  out[4] = s00 * xy * xz + s01 * (xy * yz + xz * yy) + s11 * yy * yz
+  out[5] = s00 * xz * xz + 2 * s01 * xz * yz + s11 * yz * yz
+  return (base * height) / 2
+}
+
+const interpolated = new Float64Array(TENSOR_SIZE)
+
+/** The tensor at a point of a triangle; overwritten by the next call. */
+export function tensorAt(
+  surface: SkinSurface,
+  tensors: Float64Array,
+  triangle: number,
+  barycentrics: ArrayLike<number>,
+): Float64Array {
+  interpolated.fill(0)
+  for (const [corner, point] of cornersOf(surface, triangle).entries()) {
+    for (let k = 0; k < TENSOR_SIZE; k++)
+      interpolated[k] += barycentrics[corner] * tensors[TENSOR_SIZE * point + k]
+  }
+  return interpolated
+}
+
+/** c . T c: the fraction by which skin is shortened along a unit direction. */
+export function compressionAlong(t: ArrayLike<number>, x: number, y: number, z: number): number {
+  return t[0] * x * x + t[3] * y * y + t[5] * z * z + 2 * (t[1] * x * y + t[2] * x * z + t[4] * y * z)
+}
+
+/** v . T w */
+export function bilinearForm(t: ArrayLike<number>, v: ArrayLike<number>, w: ArrayLike<number>): number {
+  return (
+    v[0] * (t[0] * w[0] + t[1] * w[1] + t[2] * w[2]) +
+    v[1] * (t[1] * w[0] + t[3] * w[1] + t[4] * w[2]) +
+    v[2] * (t[2] * w[0] + t[4] * w[1] + t[5] * w[2])
+  )
+}

@@ -1,0 +1,96 @@
+import { FurrowError } from '../../../core/error.ts'
+import { boundingBoxSize } from '../../../math/bounds.ts'
+import { uvArea } from '../../../math/triangle.ts'
+import { crossOf, type Skin, type SkinTarget } from './surface.ts'
+
+/** Largest offset of a usable target, in sizes of the skin. */
+const MAX_OFFSET = 2
+/** Largest skin that `autoWrinkles` works on. */
+export const MOST_TRIANGLES = 2_000_000
+
+const CHECK_EXPORT = 'check how the mesh was exported'
+
+/**
+ * Checks a skin, and leaves out targets that are broken.
+ *
+ * @throws FurrowError for a skin that no wrinkles can be made from.
+ */
+export function checkSkin(skin: Skin): { skin: Skin; warnings: string[] } {
+  const { positions, uvs, indices, targets } = skin
+  const vertices = positions.length / 3
+  const triangles = indices.length / 3
+  if (targets.length === 0) {
+    fail('no blendshapes', undefined, 'targets that move the skin', 'export the face with its blendshapes')
+  }
+  if (triangles > MOST_TRIANGLES) {
+    const limit = `${MOST_TRIANGLES.toLocaleString('en')} triangles`
+    fail('too many triangles', triangles, limit, 'decimate the mesh; the maps hold the detail')
+  }
+  if (uvs.length !== 2 * vertices || indices.length < 3) {
+    fail('no triangles with texture coordinates', `${triangles} triangles`, undefined, 'unwrap the mesh')
+  }
+  if (!allFinite(positions)) fail('a position is NaN or infinite', 'NaN', 'finite numbers', CHECK_EXPORT)
+  if (!allFinite(uvs)) fail('a texture coordinate is NaN or infinite', 'NaN', 'finite numbers', CHECK_EXPORT)
+  if (!allVertices(indices, vertices)) {
+    const limit = `0..${vertices - 1}`
+    fail('a triangle has an index out of range', undefined, limit, 'export the mesh again')
+  }
+  if (totalUvArea(uvs, indices) === 0) {
+    fail('the texture coordinates span no area', undefined, 'an unwrapped skin', 'unwrap the mesh')
+  }
+  if (!hasArea(positions, indices))
+    fail('the mesh has no area', undefined, 'triangles with area', CHECK_EXPORT)
+  const size = Math.max(...boundingBoxSize(positions))
+  const warnings: string[] = []
+  const usable = targets.filter((target) => {
+    const fault = faultOf(target, size)
+    if (fault) warnings.push(`blendshape "${target.name}" ${fault}; it is left out`)
+    return !fault
+  })
+  if (!usable.some(({ offsets }) => largestOffset(offsets) > 0)) {
+    fail('no blendshape moves the mesh', targets.length, 'targets that move the skin', 'choose another mesh')
+  }
+  return { skin: { ...skin, targets: usable }, warnings }
+}
+
+function fail(what: string, value: unknown, limit: string | undefined, remedy: string): never {
+  throw new FurrowError({ who: 'autoWrinkles', what, value, limit, remedy })
+}
+
+function faultOf({ offsets }: SkinTarget, size: number): string | undefined {
+  if (!allFinite(offsets)) return 'has offsets that are NaN or infinite'
+  return largestOffset(offsets) > MAX_OFFSET * size
+    ? `moves vertices farther than ${MAX_OFFSET} times the size of the face`
+    : undefined
+}
+
+function allFinite(values: ArrayLike<number>): boolean {
+  for (let i = 0; i < values.length; i++) if (!Number.isFinite(values[i])) return false
+  return true
+}
+
+function allVertices(indices: ArrayLike<number>, vertices: number): boolean {
+  for (let i = 0; i < indices.length; i++) if (!(indices[i] >= 0 && indices[i] < vertices)) return false
+  return true
+}
+
+function largestOffset(offsets: ArrayLike<number>): number {
+  let largest = 0
+  for (let i = 0; i < offsets.length; i++) largest = Math.max(largest, Math.abs(offsets[i]))
+  return largest
+}
+
+function hasArea(positions: ArrayLike<number>, indices: ArrayLike<number>): boolean {
+  const normal = new Float64Array(3)
+  for (let t = 0; t + 2 < indices.length; t += 3) {
+    if (crossOf(positions, indices[t], indices[t + 1], indices[t + 2], normal) > 0) return true
+  }
+  return false
+}
+
+function totalUvArea(uvs: ArrayLike<number>, indices: ArrayLike<number>): number {
+  let sum = 0
+  for (let t = 0; t + 2 < indices.length; t += 3)
+    sum += uvArea(uvs, indices[t], indices[t + 1], indices[t + 2])
+  return sum
+}

@@ -1,0 +1,99 @@
+import { HeadChart } from './head-chart.ts'
+import { centroidOf, findLandmarks, type Landmarks } from './landmarks.ts'
+import { faceShapeFinder } from './stand-ins.ts'
+import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from './surface.ts'
+
+/** A skin that was recognised as a face. */
+export interface DetectedFace {
+  /** In millimetres, in the frame of the face. */
+  surface: SkinSurface
+  /** The same, unrolled. */
+  chart: HeadChart
+  landmarks: Landmarks
+  /** Offsets of each target by point, in millimetres, in the order of the skin's targets. */
+  offsets: readonly Float64Array[]
+  /** Names of the targets. */
+  names: readonly string[]
+  /** Indices of the targets of that name, in any rig's spelling, or of its stand-ins. */
+  find(name: string): number[]
+}
+
+/** Millimetres between the centres of an adult's eyes (mean of women's 61.7 and men's 64.0; Dodgson 2004), to which faces are scaled. */
+const EYE_DISTANCE = 63
+
+/**
+ * Recognises a face by what its targets move: blinks the lids, raised and lowered brows the brows, smiles the corners of the mouth.
+ *
+ * @returns undefined where the targets needed for that have other names, or move nothing.
+ */
+export function detectFace(skin: Skin): DetectedFace | undefined {
+  const welded = weldSurface(skin)
+  const names = skin.targets.map(({ name }) => name)
+  const find = faceShapeFinder(names)
+  const raw = skin.targets.map((target) => pointOffsets(welded, target))
+  const centroid = (threshold: number, ...shapes: string[]) =>
+    centroidOf(welded, sumDisplacements(raw, shapes.flatMap(find), welded.areas.length), threshold)
+  const leftEye = centroid(0.3, 'eyeBlinkLeft')
+  const rightEye = centroid(0.3, 'eyeBlinkRight')
+  const mouth = centroid(0.5, 'mouthSmileLeft', 'mouthSmileRight', 'mouthStretch', 'mouthFrown')
+  const brows = centroid(0.3, 'browInnerUp', 'browDownLeft', 'browDownRight', 'browOuterUp')
+  if (!leftEye || !rightEye || !mouth || !brows) return undefined
+  const frame = faceFrame(leftEye, rightEye, mouth)
+  if (!frame) return undefined
+  const points = frame.positions(welded.points)
+  const areas = pointAreas(points, welded.corners)
+  const surface = { ...welded, points, areas, normals: frame.directions(welded.normals, 1) }
+  const offsets = raw.map((offset) => frame.directions(offset, frame.scale))
+  const browsMoveAsOne = `${find('browInnerUp')}` === `${find('browOuterUpLeft')}`
+  const landmarks = findLandmarks(surface, browsMoveAsOne, (...shapes) =>
+    sumDisplacements(offsets, shapes.flatMap(find), surface.areas.length),
+  )
+  return landmarks && { surface, chart: new HeadChart(surface), landmarks, offsets, names, find }
+}
+
+/** Transforms coordinates into the frame of the face: the midpoint between the eyes becomes the origin, in millimetres. */
+function faceFrame(leftEye: number[], rightEye: number[], mouth: number[]) {
+  const origin = leftEye.map((value, k) => (value + rightEye[k]) / 2)
+  const across = leftEye.map((value, k) => value - rightEye[k])
+  const distance = Math.hypot(...across)
+  const x = across.map((value) => value / distance)
+  const rise = origin.map((value, k) => value - mouth[k])
+  const along = rise.reduce((sum, value, k) => sum + value * x[k], 0)
+  const upright = rise.map((value, k) => value - along * x[k])
+  const height = Math.hypot(...upright)
+  if (!(distance > 0 && height > 0)) return undefined
+  const y = upright.map((value) => value / height)
+  const z = [0, 1, 2].map((k) => x[(k + 1) % 3] * y[(k + 2) % 3] - x[(k + 2) % 3] * y[(k + 1) % 3])
+  const scale = EYE_DISTANCE / distance
+  const transform = (vectors: Float64Array, origin: readonly number[], scale: number): Float64Array => {
+    const out = new Float64Array(vectors.length)
+    for (let i = 0; i < vectors.length; i += 3) {
+      for (const [row, axis] of [x, y, z].entries()) {
+        let sum = 0
+        for (let k = 0; k < 3; k++) sum += axis[k] * (vectors[i + k] - origin[k])
+        out[i + row] = scale * sum
+      }
+    }
+    return out
+  }
+  return {
+    /** Millimetres per unit of the skin. */
+    scale,
+    positions: (vectors: Float64Array) => transform(vectors, origin, scale),
+    directions: (vectors: Float64Array, factor: number) => transform(vectors, [0, 0, 0], factor),
+  }
+}
+
+/** The sum of the displacements of each point over some targets. */
+function sumDisplacements(
+  offsets: readonly Float64Array[],
+  targets: readonly number[],
+  count: number,
+): Float64Array {
+  const out = new Float64Array(count)
+  for (const target of targets) {
+    const offset = offsets[target]
+    for (let i = 0; i < count; i++) out[i] += Math.hypot(offset[3 * i], offset[3 * i + 1], offset[3 * i + 2])
+  }
+  return out
+}

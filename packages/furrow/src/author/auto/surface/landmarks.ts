@@ -1,0 +1,150 @@
+import type { SkinSurface } from './surface.ts'
+
+/** x, y and z: to the person's left, up and forwards, in millimetres from the midpoint between the eyes. */
+export type LandmarkPosition = readonly [x: number, y: number, z: number]
+
+/** Positions of the features of a face, on the person's left; those on the right have the opposite x. */
+export interface Landmarks {
+  /** Centre of the closed lids, and the corners of the eye. */
+  eye: LandmarkPosition
+  innerCorner: LandmarkPosition
+  outerCorner: LandmarkPosition
+  innerBrow: LandmarkPosition
+  outerBrow: LandmarkPosition
+  mouthCorner: LandmarkPosition
+  /** Of the nose: its tip, and the lower end of its wing. */
+  tip: LandmarkPosition
+  wing: LandmarkPosition
+  /** Heights only: the hairline, the base of the nose, the lower end of the chin. */
+  hairline: number
+  noseBase: number
+  chin: number
+}
+
+/** Fraction of a target's largest displacement from which on skin counts as lid. */
+const LID = 0.15
+/** Fraction of a target's largest displacement from which on points count as the end of a feature. */
+const FEATURE_END = 0.85
+/** Half the width, in millimetres, of the strip in which the end of a brow is searched. */
+const STRIP = 5
+
+/** Names of targets that move one side end in these. */
+const SIDE_SUFFIXES = ['Left', 'Right'] as const
+
+/**
+ * Finds the features of a face by what its targets move.
+ *
+ * @param surface in the frame of the face, in millimetres.
+ * @param browsMoveAsOne whether one target raises the whole brow.
+ * @param displacements sums the displacements of each point over some shapes.
+ */
+export function findLandmarks(
+  surface: SkinSurface,
+  browsMoveAsOne: boolean,
+  displacements: (...shapes: string[]) => Float64Array,
+): Landmarks | undefined {
+  /** Position of a feature: the mean of both sides, the right one mirrored. */
+  const feature = (threshold: number, ...shapes: string[]) => featureNear(undefined, threshold, ...shapes)
+  /** The same, within a vertical strip. */
+  const featureNear = (across: number | undefined, threshold: number, ...shapes: string[]) =>
+    mirroredMean(
+      SIDE_SUFFIXES.map((side, i) => {
+        const moved = onSide(surface, displacements(...shapes.map((shape) => shape + side), ...shapes), i)
+        return centroidOf(surface, across === undefined ? moved : inStrip(surface, moved, across), threshold)
+      }),
+    )
+  const lid = extentOf(surface, onSide(surface, displacements('eyeBlinkLeft'), 0), LID)
+  const eye = feature(0.3, 'eyeBlink')
+  // Where one shape raises the whole brow, its ends are taken above the corners of the eye.
+  const [inner, outer] = browsMoveAsOne ? [lid.low, lid.high] : []
+  const innerBrow = featureNear(inner, FEATURE_END, 'browInnerUp') ?? feature(FEATURE_END, 'browDown')
+  const outerBrow = featureNear(outer, FEATURE_END, 'browOuterUp') ?? feature(FEATURE_END, 'browDown')
+  const mouthCorner = feature(FEATURE_END, 'mouthSmile')
+  if (!eye || !innerBrow || !outerBrow || !mouthCorner) return undefined
+  const tip = foremost(surface, mouthCorner[1] * 0.75, mouthCorner[1] * 0.25)
+  const browHeight = (innerBrow[1] + outerBrow[1]) / 2
+  // Hairline, brows, base of the nose and chin divide the face into thirds; the lips meet a third below the nose (Farkas 1994 finds it
+  // near enough).
+  const noseBase = tip[1] + 0.22 * (mouthCorner[1] - tip[1]) - 2
+  const third = browHeight - noseBase
+  return {
+    eye,
+    innerCorner: [lid.low, eye[1] - 2, eye[2]],
+    outerCorner: [lid.high, eye[1] - 1, eye[2]],
+    innerBrow,
+    outerBrow,
+    mouthCorner,
+    tip,
+    wing: [Math.max(14, lid.low), noseBase + 4, tip[2] - 16],
+    hairline: browHeight + third,
+    noseBase,
+    chin: noseBase - third,
+  }
+}
+
+/** Displacements of the other side set to 0; side 0 is the left. */
+function onSide({ points }: SkinSurface, displacements: Float64Array, side: number): Float64Array {
+  return displacements.map((distance, i) => (points[3 * i] > 0 === (side === 0) ? distance : 0))
+}
+
+/** Displacements outside a vertical strip, on either side, set to 0. */
+function inStrip({ points }: SkinSurface, displacements: Float64Array, across: number): Float64Array {
+  return displacements.map((distance, i) =>
+    Math.abs(Math.abs(points[3 * i]) - across) < STRIP ? distance : 0,
+  )
+}
+
+/** Centroid of the points that move at least `threshold` of the largest displacement, weighted by area and displacement. */
+export function centroidOf(
+  { points, areas }: SkinSurface,
+  displacements: Float64Array,
+  threshold: number,
+): number[] | undefined {
+  const largest = largestOf(displacements)
+  if (!(largest > 0)) return undefined
+  const sum = [0, 0, 0]
+  let total = 0
+  for (let i = 0; i < displacements.length; i++) {
+    if (displacements[i] < threshold * largest) continue
+    const weight = displacements[i] * areas[i]
+    for (let k = 0; k < 3; k++) sum[k] += weight * points[3 * i + k]
+    total += weight
+  }
+  return total > 0 ? sum.map((value) => value / total) : undefined
+}
+
+function mirroredMean([left, right]: readonly (number[] | undefined)[]): LandmarkPosition | undefined {
+  const sides = [left, right && [-right[0], right[1], right[2]]].filter((side) => side !== undefined)
+  if (sides.length === 0) return undefined
+  const mean = (k: number) => sides.reduce((sum, side) => sum + side[k], 0) / sides.length
+  return [mean(0), mean(1), mean(2)]
+}
+
+/** Lowest and highest x of the points that move at least `threshold` of the largest displacement. */
+function extentOf({ points }: SkinSurface, displacements: Float64Array, threshold: number) {
+  const largest = largestOf(displacements)
+  let [low, high] = [Infinity, -Infinity]
+  for (let i = 0; i < displacements.length; i++) {
+    if (displacements[i] < threshold * largest) continue
+    low = Math.min(low, points[3 * i])
+    high = Math.max(high, points[3 * i])
+  }
+  return { low, high }
+}
+
+function largestOf(values: Float64Array): number {
+  return values.reduce((a, b) => Math.max(a, b), 0)
+}
+
+/** The foremost point between two heights, near the middle. */
+function foremost({ points }: SkinSurface, low: number, high: number): LandmarkPosition {
+  let best: LandmarkPosition = [0, (low + high) / 2, 0]
+  let z = -Infinity
+  for (let i = 0; i < points.length; i += 3) {
+    const [x, y] = [points[i], points[i + 1]]
+    if (Math.abs(x) > 8 || y < low || y > high || points[i + 2] <= z) continue
+    z = points[i + 2]
+    best = [0, y, z]
+  }
+  return best
+}

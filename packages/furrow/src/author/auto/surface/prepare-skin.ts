@@ -1,0 +1,69 @@
+import { checkSkin } from './check-skin.ts'
+import { type DetectedFace, detectFace } from './detect-face.ts'
+import { findOverlap, isOverlapped } from './overlap.ts'
+import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from './surface.ts'
+import { moveToFirstTile } from './uv-tiles.ts'
+
+/** A skin that wrinkles can be made for. */
+export interface PreparedSkin {
+  /** Without broken targets, in the first tile of its texture. */
+  skin: Skin
+  /** Names of its targets. */
+  names: readonly string[]
+  /** Indices of the targets of that name: of a face in any rig's spelling, or of its stand-ins. */
+  find(name: string): number[]
+  /** Set if its targets show that it is one. */
+  face: DetectedFace | undefined
+  /** In millimetres, of a face in its frame. */
+  surface: SkinSurface
+  /** Offsets of each target by point, in millimetres. */
+  offsets: readonly Float64Array[]
+  /** Whether the left and right half of the face use the same texels. */
+  isMirrored: boolean
+  /** One sentence each. */
+  warnings: readonly string[]
+}
+
+/**
+ * Checks a skin, moves it into the first tile of its texture, welds it, and detects a face.
+ *
+ * @throws FurrowError for a skin that no wrinkles can be made from.
+ */
+export function prepareSkin(raw: Skin): PreparedSkin {
+  const { skin: checked, warnings } = checkSkin(raw)
+  const { skin, crossing } = moveToFirstTile(checked)
+  if (crossing > 0)
+    warnings.push(
+      `${percent(crossing)} of the skin crosses the edges of its texture: nothing is drawn beyond them`,
+    )
+  const names = skin.targets.map(({ name }) => name)
+  const face = detectFace(skin)
+  const find = face?.find ?? ((name: string) => [names.indexOf(name)])
+  const { surface, offsets } = face ?? weldInMillimetres(skin)
+  const overlap = findOverlap(skin, surface)
+  const isMirrored = face !== undefined && overlap.isMirrored
+  if (isMirrored)
+    warnings.push('left and right use the same texels: both sides crease together, driven half by each side')
+  else if (isOverlapped(overlap))
+    warnings.push(`${percent(overlap.fraction)} of the texture is used twice: wrinkles show in both places`)
+  if (!face)
+    warnings.push(
+      'no face was found by what the blendshapes move: wrinkles are placed by strain alone, cautiously',
+    )
+  return { skin, names, find, face, surface, offsets, isMirrored, warnings }
+}
+
+function percent(fraction: number): string {
+  return `${Math.max(1, Math.round(100 * fraction))}%`
+}
+
+/** A skin that is not a face, in metres as glTF has it, as one surface in millimetres. */
+function weldInMillimetres(skin: Skin): Pick<PreparedSkin, 'surface' | 'offsets'> {
+  const welded = weldSurface(skin)
+  const points = welded.points.map((metres) => 1000 * metres)
+  const surface = { ...welded, points, areas: pointAreas(points, welded.corners) }
+  return {
+    surface,
+    offsets: skin.targets.map((target) => pointOffsets(welded, target).map((metres) => 1000 * metres)),
+  }
+}

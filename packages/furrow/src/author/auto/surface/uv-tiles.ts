@@ -1,0 +1,65 @@
+import { uvArea } from '../../../math/triangle.ts'
+import type { Skin } from './surface.ts'
+
+/** Fraction of the UV area that may lie outside the tile: borders of islands may stick out. */
+const OVERHANG = 0.01
+
+/**
+ * Moves each UV island by whole tiles into 0..1, where renderers look up what is outside (textures repeat).
+ *
+ * @returns the skin itself where all of it is inside, and the fraction of its UV area that crosses the edges of the tile, where no lines
+ *   are drawn; 0 where it is negligible.
+ */
+export function moveToFirstTile(skin: Skin): { skin: Skin; crossing: number } {
+  const { uvs, indices } = skin
+  if (!isOutside(uvs)) return { skin, crossing: 0 }
+  const islandOf = islandsOf(indices, uvs.length / 2)
+  const moved = Float64Array.from(uvs)
+  for (let k = 0; k < 2; k++) {
+    const low = new Float64Array(uvs.length / 2).fill(Infinity)
+    const high = new Float64Array(uvs.length / 2).fill(-Infinity)
+    for (const [vertex, island] of islandOf.entries()) {
+      low[island] = Math.min(low[island], uvs[2 * vertex + k])
+      high[island] = Math.max(high[island], uvs[2 * vertex + k])
+    }
+    for (const [vertex, island] of islandOf.entries())
+      moved[2 * vertex + k] = uvs[2 * vertex + k] - Math.floor((low[island] + high[island]) / 2)
+  }
+  const crossing = fractionOutside(moved, indices)
+  return { skin: { ...skin, uvs: moved }, crossing: crossing > OVERHANG ? crossing : 0 }
+}
+
+function isOutside(uvs: ArrayLike<number>): boolean {
+  for (let i = 0; i < uvs.length; i++) if (uvs[i] < 0 || uvs[i] > 1) return true
+  return false
+}
+
+/** For each vertex a representative of the vertices that triangles connect it with (union-find with path halving). */
+function islandsOf(indices: ArrayLike<number>, count: number): Uint32Array {
+  const parents = Uint32Array.from({ length: count }, (_, i) => i)
+  const rootOf = (vertex: number) => {
+    let node = vertex
+    while (parents[node] !== node) {
+      parents[node] = parents[parents[node]]
+      node = parents[node]
+    }
+    return node
+  }
+  for (let t = 0; t + 2 < indices.length; t += 3) {
+    const first = rootOf(indices[t])
+    for (let k = 1; k < 3; k++) parents[rootOf(indices[t + k])] = first
+  }
+  return parents.map((_, vertex) => rootOf(vertex))
+}
+
+/** Of the UV area, the fraction of triangles that leave 0..1. */
+function fractionOutside(uvs: ArrayLike<number>, indices: ArrayLike<number>): number {
+  let [outside, total] = [0, 0]
+  for (let t = 0; t + 2 < indices.length; t += 3) {
+    const [a, b, c] = [indices[t], indices[t + 1], indices[t + 2]]
+    const area = uvArea(uvs, a, b, c)
+    total += area
+    if ([a, b, c].some((i) => isOutside([uvs[2 * i], uvs[2 * i + 1]]))) outside += area
+  }
+  return total > 0 ? outside / total : 0
+}

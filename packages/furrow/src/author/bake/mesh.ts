@@ -1,0 +1,40 @@
+import { length } from '../../math/vector.ts'
+
+/** A mesh that maps are baked for, unindexed: three corners per triangle. */
+export interface BakeMesh {
+  /** x, y and z of each corner in metres. */
+  positions: Float32Array
+  /** Unit shading normal of each corner. */
+  normals: Float32Array
+  /** u and v of each corner, v = 0 at the top. The texture repeats outside 0..1. */
+  uvs: Float32Array
+  /** Tangent of each corner, w = 1 or -1 as in glTF. Without tangents the map is for the derivative frame (see TangentFrame). */
+  tangents?: Float32Array
+}
+
+/**
+ * One direction per corner, the same for all corners at the same position: the mean of their normals. Rays cast along it leave
+ * no gaps at hard edges or texture seams.
+ */
+export function sharedNormals({ positions, normals }: Pick<BakeMesh, 'positions' | 'normals'>): Float32Array {
+  const sums = new Map<string, Float64Array>()
+  const corners = positions.length / 3
+  const sumOf: Float64Array[] = []
+  for (let i = 0; i < corners; i++) {
+    const key = `${positions[3 * i]},${positions[3 * i + 1]},${positions[3 * i + 2]}`
+    let sum = sums.get(key)
+    if (!sum) {
+      sum = new Float64Array(3)
+      sums.set(key, sum)
+    }
+    for (let k = 0; k < 3; k++) sum[k] += normals[3 * i + k]
+    sumOf.push(sum)
+  }
+  const shared = new Float32Array(positions.length)
+  for (let i = 0; i < corners; i++) {
+    const scale = length(sumOf[i])
+    // Where normals cancel out, on a knife edge, each corner keeps its own.
+    for (let k = 0; k < 3; k++) shared[3 * i + k] = scale > 1e-3 ? sumOf[i][k] / scale : normals[3 * i + k]
+  }
+  return shared
+}

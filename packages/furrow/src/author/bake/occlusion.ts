@@ -1,0 +1,63 @@
+import { hash32 } from '../../math/hash.ts'
+
+/** Whether a ray hits anything within `far` metres, on either side of a surface. The direction is a unit vector. */
+export type AnyHit = (
+  x: number,
+  y: number,
+  z: number,
+  dx: number,
+  dy: number,
+  dz: number,
+  far: number,
+) => boolean
+
+/**
+ * Ambient visibility of a point: the cosine-weighted fraction of the hemisphere round its normal that is open, 0..1. Rays are
+ * distributed by Malley's method (Pharr, Jakob and Humphreys, Physically Based Rendering, 13.6.3) over a Hammersley set,
+ * rotated by a random amount that depends on `seed` alone, so that the same seed gives the same result.
+ *
+ * @param point x, y and z.
+ * @param n unit normal.
+ * @param rays how many.
+ * @param far length of the rays in metres.
+ */
+export function ambientVisibility(
+  anyHit: AnyHit,
+  point: ArrayLike<number>,
+  n: ArrayLike<number>,
+  rays: number,
+  far: number,
+  seed: number,
+): number {
+  const [nx, ny, nz] = [n[0], n[1], n[2]]
+  // Two vectors at right angles to n (Duff et al. 2017, Building an Orthonormal Basis, Revisited).
+  const sign = nz < 0 ? -1 : 1
+  const a = -1 / (sign + nz)
+  const b = nx * ny * a
+  const [sx, sy, sz] = [1 + sign * nx * nx * a, sign * b, -sign * nx]
+  const [tx, ty, tz] = [b, sign + ny * ny * a, -ny]
+  const [shift, turn] = [random(seed), random(seed ^ 0x5bd1e995)]
+  let open = 0
+  for (let i = 0; i < rays; i++) {
+    const u = (i + shift) / rays
+    const angle = 2 * Math.PI * (radicalInverse(i) + turn)
+    const [p, q, r] = [Math.sqrt(u) * Math.cos(angle), Math.sqrt(u) * Math.sin(angle), Math.sqrt(1 - u)]
+    const dx = p * sx + q * tx + r * nx
+    const dy = p * sy + q * ty + r * ny
+    const dz = p * sz + q * tz + r * nz
+    if (!anyHit(point[0], point[1], point[2], dx, dy, dz, far)) open++
+  }
+  return open / rays
+}
+
+/** The bits of i mirrored about the binary point (van der Corput). */
+function radicalInverse(i: number): number {
+  let value = 0
+  for (let half = 0.5, k = i; k > 0; half /= 2, k >>>= 1) if (k & 1) value += half
+  return value
+}
+
+/** 0..1, 1 excluded. */
+function random(seed: number): number {
+  return hash32(seed) / 4294967296
+}

@@ -1,0 +1,153 @@
+import { interpolate } from '../../math/barycentrics.ts'
+import { triangleNormal } from '../../math/triangle.ts'
+import { cross, dot, normalize } from '../../math/vector.ts'
+import type { BakeMesh } from './mesh.ts'
+
+/** Converts directions into the tangent space of one triangle. */
+export interface TangentSpace {
+  /** Selects a triangle by its first corner. */
+  select(corner: number): void
+  /**
+   * Writes into `out` what a normal map must hold for `direction` to be shaded, not normalised. Returns false, and writes
+   * nothing, where the frame is degenerate.
+   *
+   * @param a, b, c barycentric coordinates.
+   */
+  encode(a: number, b: number, c: number, direction: ArrayLike<number>, out: Float64Array): boolean
+}
+
+/** Determinant of a frame below which it is degenerate. */
+const DEGENERATE = 1e-6
+
+/**
+ * The frame in which renderers read the map of this mesh. With tangents it is glTF's: the bitangent is made at the vertices as
+ * cross(normal, tangent) w, and all three are interpolated and normalised, as three.js and the Khronos sample renderer do. Without,
+ * it is three.js's derivative frame. Neither is orthogonal between vertices, so it is inverted as it is (Cramer's rule): the map
+ * decodes to the wanted direction exactly.
+ */
+export function tangentSpaceOf(mesh: BakeMesh): TangentSpace {
+  const readFrame = mesh.tangents ? vertexFrame(mesh, mesh.tangents) : derivativeFrame(mesh)
+  const [t, b, n] = [new Float64Array(3), new Float64Array(3), new Float64Array(3)]
+  const [bn, nt, tb] = [new Float64Array(3), new Float64Array(3), new Float64Array(3)]
+  let first = 0
+  return {
+    select(corner) {
+      first = corner
+      readFrame.select(corner)
+    },
+    encode(wa, wb, wc, direction, out) {
+      interpolateUnit(n, mesh.normals, 3, first, wa, wb, wc)
+      readFrame.read(wa, wb, wc, n, t, b)
+      cross(bn, b, n)
+      const det = dot(t, bn)
+      if (!(Math.abs(det) > DEGENERATE)) return false
+      cross(nt, n, t)
+      cross(tb, t, b)
+      out[0] = dot(direction, bn) / det
+      out[1] = dot(direction, nt) / det
+      out[2] = dot(direction, tb) / det
+      return true
+    },
+  }
+}
+
+/**
+ * Interpolates the unit vectors of a triangle's three corners and normalises the result.
+ *
+ * @param first corner of the triangle.
+ * @param a, b, c barycentric coordinates.
+ */
+export function interpolateUnit(
+  out: Float64Array,
+  vectors: ArrayLike<number>,
+  stride: 3 | 4,
+  first: number,
+  a: number,
+  b: number,
+  c: number,
+): void {
+  interpolate(out, vectors, stride, first, first + 1, first + 2, a, b, c)
+  const length = Math.sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2])
+  for (let k = 0; k < 3; k++) out[k] /= length
+}
+
+/** Reads the tangent t and the bitangent b at a point of the selected triangle, given the normal n there. */
+interface FrameReader {
+  select(corner: number): void
+  read(wa: number, wb: number, wc: number, n: Float64Array, t: Float64Array, b: Float64Array): void
+}
+
+/** The frame of a mesh with tangents. */
+function vertexFrame({ normals }: BakeMesh, tangents: Float32Array): FrameReader {
+  const bitangents = bitangentsOf(normals, tangents)
+  let first = 0
+  return {
+    select(corner) {
+      first = corner
+    },
+    read(wa, wb, wc, _, t, b) {
+      interpolateUnit(t, tangents, 4, first, wa, wb, wc)
+      interpolateUnit(b, bitangents, 3, first, wa, wb, wc)
+    },
+  }
+}
+
+function bitangentsOf(normals: Float32Array, tangents: Float32Array): Float32Array {
+  const out = new Float32Array(normals.length)
+  const bitangent = new Float64Array(3)
+  for (let i = 0; i < normals.length / 3; i++) {
+    cross(bitangent, normals.subarray(3 * i, 3 * i + 3), tangents.subarray(4 * i, 4 * i + 3))
+    for (let k = 0; k < 3; k++) bitangent[k] *= tangents[4 * i + 3]
+    normalize(bitangent)
+    out.set(bitangent, 3 * i)
+  }
+  return out
+}
+
+/**
+ * The frame of a mesh without tangents, three.js's getTangentFrame (Schueler, Normal Mapping Without Precomputed Tangents,
+ * ShaderX 5, 2006), with two edges for the two axes of the screen, and green towards smaller v: GLTFLoader flips
+ * normalScale.y for meshes without tangents.
+ */
+function derivativeFrame(mesh: BakeMesh): FrameReader {
+  const [u, v] = [new Float64Array(6), new Float64Array(6)]
+  return {
+    select(corner) {
+      scaleEdges(mesh, corner, u, v)
+    },
+    read(_wa, _wb, _wc, n, t, b) {
+      for (let k = 0; k < 3; k++) {
+        const [k1, k2] = [(k + 1) % 3, (k + 2) % 3]
+        t[k] = u[k1] * n[k2] - u[k2] * n[k1] + (n[k1] * u[3 + k2] - n[k2] * u[3 + k1])
+        b[k] = -(v[k1] * n[k2] - v[k2] * n[k1] + (n[k1] * v[3 + k2] - n[k2] * v[3 + k1]))
+      }
+      const longer = Math.sqrt(Math.max(dot(t, t), dot(b, b)))
+      for (let k = 0; k < 3; k++) {
+        t[k] /= longer
+        b[k] /= longer
+      }
+    },
+  }
+}
+
+/** Both edges of a triangle, each times the change of u (and of v) along the other: the terms of the gradients. */
+function scaleEdges(
+  { positions, uvs, normals }: BakeMesh,
+  corner: number,
+  u: Float64Array,
+  v: Float64Array,
+): void {
+  const position = (i: number, k: number) => positions[3 * (corner + i) + k] - positions[3 * corner + k]
+  const uv = (i: number, k: number) => uvs[2 * (corner + i) + k] - uvs[2 * corner + k]
+  const faceNormal = new Float64Array(3)
+  triangleNormal(faceNormal, positions, corner, corner + 1, corner + 2)
+  // On the screen the axes turn to the left as seen from the front, whatever the order of the corners.
+  const side = dot(faceNormal, normals.subarray(3 * corner, 3 * corner + 3)) < 0 ? -1 : 1
+  for (let k = 0; k < 3; k++) {
+    const [edge1, edge2] = [position(1, k), position(2, k)]
+    u[k] = side * edge2 * uv(1, 0)
+    u[3 + k] = side * edge1 * uv(2, 0)
+    v[k] = side * edge2 * uv(1, 1)
+    v[3 + k] = side * edge1 * uv(2, 1)
+  }
+}

@@ -1,0 +1,74 @@
+import { FurrowError } from '../../core/error.ts'
+import { type Edges, slopeAt } from './slope.ts'
+
+/** A relief on a flat image, painted or photographed; needs no mesh to be measured on. */
+export interface Relief {
+  width: number
+  height: number
+  /** Heights in texels: 1 is as high as a texel is wide. width x height values, row 0 at the top. */
+  data: ArrayLike<number>
+}
+
+/** A tangent-space normal map of 8 or 16 bits per channel. */
+export interface NormalMap {
+  width: number
+  height: number
+  /** Three values per texel: (n + 1) / 2 of the full range, linear. */
+  data: Uint8Array | Uint16Array
+}
+
+/** Direction of green: `up`, towards smaller v, as in glTF and OpenGL; `down` as in Direct3D. */
+export type Green = 'up' | 'down'
+
+/** Options of {@link reliefToNormal}; defaults are {@link RELIEF_DEFAULTS}. */
+export interface ReliefOptions {
+  edges?: Edges
+  green?: Green
+  bits?: 8 | 16
+}
+
+/** Defaults of {@link ReliefOptions}: edges clamped, green up, 8 bits per channel. */
+export const RELIEF_DEFAULTS = { edges: 'clamp', green: 'up', bits: 8 } as const satisfies ReliefOptions
+
+/**
+ * Normal map of a relief with square texels of uniform size: n = (-dh/dx, -dh/dy, 1), normalised (do Carmo, Differential Geometry of
+ * Curves and Surfaces, 2.5: the normal of a graph), dh by `slopeAt`. Rounding turns a normal by up to 0.32 degrees with 8 bits, 0.0012
+ * degrees with 16.
+ *
+ * @param progress is called now and then with the number of rows done.
+ * @throws FurrowError if the data does not match its size.
+ */
+export function reliefToNormal(
+  relief: Relief,
+  options: ReliefOptions = {},
+  progress?: (done: number, total: number) => void,
+): NormalMap {
+  const { edges, green, bits } = { ...RELIEF_DEFAULTS, ...options }
+  const { width, height } = relief
+  if (relief.data.length !== width * height) {
+    throw new FurrowError({
+      who: 'reliefToNormal',
+      what: 'wrong number of heights',
+      value: relief.data.length,
+      limit: `${width * height} for ${width} x ${height}`,
+      remedy: 'give one height per texel',
+    })
+  }
+  const data = new (bits === 8 ? Uint8Array : Uint16Array)(3 * width * height)
+  const half = (2 ** bits - 1) / 2
+  // Rows go down, green goes up: a relief that rises downwards leans upwards.
+  const greenSign = green === 'up' ? 1 : -1
+  for (let y = 0; y < height; y++) {
+    for (let x = 0; x < width; x++) {
+      const slopeX = slopeAt(relief.data, y * width, x, 1, width, edges)
+      const slopeY = slopeAt(relief.data, x, y, width, height, edges)
+      const z = 1 / Math.sqrt(slopeX * slopeX + slopeY * slopeY + 1)
+      const i = 3 * (y * width + x)
+      data[i] = Math.round((1 - slopeX * z) * half)
+      data[i + 1] = Math.round((1 + greenSign * slopeY * z) * half)
+      data[i + 2] = Math.round((1 + z) * half)
+    }
+    if (y % 64 === 63 || y === height - 1) progress?.(y + 1, height)
+  }
+  return { width, height, data }
+}

@@ -1,0 +1,94 @@
+import type { JsonReader, Uv } from '../../core/json.ts'
+
+/** A soft shape: the inside of a polygon, or everything near the strokes of a group. */
+export type AreaShape = PolygonShape | GroupShape
+
+/** The inside of a polygon in the texture, with a soft edge. */
+export interface PolygonShape {
+  /** At least 3 points [u, v], 0..1; the last is joined to the first. */
+  polygon: Uv[]
+  /** Millimetres, 0.1..200, across which the weight falls from 1 to 0; it is 0.5 on the outline. */
+  feather: number
+}
+
+/** All that is near the strokes of a group, with a soft edge. */
+export interface GroupShape {
+  /** Name of a group of strokes in the same document. */
+  group: string
+  /** Distance from the strokes in millimetres, 0..100, at which the weight is 0.5. */
+  radius: number
+  /** As in PolygonShape. */
+  feather: number
+}
+
+/** How an area is made: at every texel the maximum of its shapes, times `within` if given. */
+export interface AreaDefinition {
+  name: string
+  shapes: AreaShape[]
+  /** Restricts the area, e.g. to the person's left half with a soft blend at the middle. */
+  within?: AreaShape
+}
+
+/** Reads the `areas` of a strokes document. Throws FurrowError through `read`. */
+export function readAreaDefinitions(
+  read: JsonReader,
+  definitions: unknown[],
+  groups: ReadonlySet<string | undefined>,
+): AreaDefinition[] {
+  const names = new Set<string>()
+  return definitions.map((json, i) => {
+    const path = `areas[${i}]`
+    const field = read.object(json, path, ['name', 'shapes', 'within'])
+    const name = read.text(field.name, `${path}.name`)
+    // The name becomes a file name, which must not leave the user's folder.
+    if (!/^[A-Za-z0-9_-]+$/.test(name)) {
+      read.fail(
+        `${path}.name is not a valid file name`,
+        name,
+        'letters, digits, _ and -',
+        'choose another name',
+      )
+    }
+    if (names.has(name))
+      read.fail(`${path}.name is already used`, name, undefined, 'give every area its own name')
+    names.add(name)
+    const shapes = read
+      .array(field.shapes, `${path}.shapes`, 1, 100)
+      .map((shape, k) => readShape(read, shape, `${path}.shapes[${k}]`, groups))
+    const definition: AreaDefinition = { name, shapes }
+    if (field.within !== undefined) {
+      definition.within = readShape(read, field.within, `${path}.within`, groups)
+    }
+    return definition
+  })
+}
+
+function readShape(
+  read: JsonReader,
+  json: unknown,
+  path: string,
+  groups: ReadonlySet<string | undefined>,
+): AreaShape {
+  const field = read.object(json, path, ['polygon', 'group', 'radius', 'feather'])
+  const feather = read.number(field.feather, `${path}.feather`, 0.1, 200, 'mm')
+  if ((field.polygon === undefined) === (field.group === undefined)) {
+    read.fail(`${path} must have exactly one kind of shape`, json, 'polygon or group', 'give one of the two')
+  }
+  if (field.polygon !== undefined) {
+    if (field.radius !== undefined) {
+      read.fail(`${path}.radius does not apply to a polygon`, field.radius, undefined, 'remove it')
+    }
+    return { polygon: read.points(field.polygon, `${path}.polygon`, 3), feather }
+  }
+  const group = read.text(field.group, `${path}.group`)
+  if (!groups.has(group)) {
+    const known = [...groups].filter((name) => name !== undefined).join(', ')
+    read.fail(
+      `${path}.group has no strokes`,
+      group,
+      known === '' ? 'none' : known,
+      'use the name of a group of strokes',
+    )
+  }
+  return { group, radius: read.number(field.radius, `${path}.radius`, 0, 100, 'mm'), feather }
+}

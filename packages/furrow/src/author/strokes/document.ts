@@ -1,0 +1,118 @@
+import { JsonReader, type Uv } from '../../core/json.ts'
+import { MAX_AREAS, MAX_IMAGE_SIDE } from '../../core/limits.ts'
+import { type AreaDefinition, type AreaShape, readAreaDefinitions } from './area-definitions.ts'
+
+export type { AreaDefinition, AreaShape, Uv }
+
+/** How the points of a stroke are joined: by straight lines, or by a chain of cubic Bezier curves. */
+export type CurveKind = 'polyline' | 'bezier'
+
+/** One wrinkle: a curve in the texture with a measured cross-section. */
+export interface Stroke {
+  /** Name of the area that shows it. */
+  group?: string
+  /** A chain of n cubic Bezier curves has 3 n + 1 points: end, two handles, end, two handles, end... */
+  curve: CurveKind
+  /** [u, v], both 0..1, v = 0 at the top. */
+  points: Uv[]
+  /** Full width of the valley on the skin in millimetres, 0.1..50: where it reaches zero with full shoulders. */
+  width: number
+  /** Greatest depth of the valley below the skin in millimetres, 0..10. */
+  depth: number
+  /** Fraction of the length, 0..1, over which the wrinkle fades in at its start and out at its end. */
+  taper: [start: number, end: number]
+  /** Raised banks, 0..1, left and right along the curve: 1 = they hold all the skin pushed out of the valley. */
+  shoulder: [left: number, right: number]
+  /** Roundness of the valley's bottom, 0..1: 0 = a sharp fold, 1 = as round as the valley is wide. */
+  softness: number
+  /** Irregularity, 0..1: the line meanders and its depth varies, the same on every run. */
+  waviness: number
+}
+
+/** The strokes of one layer, and optionally the areas that show them. */
+export interface StrokesDocument {
+  version: 1
+  /** Default side of the maps in texels, 16..8192. */
+  size?: number
+  strokes: Stroke[]
+  /** Soft shapes that become the areas; by default every group becomes an area round its strokes. */
+  areas?: AreaDefinition[]
+}
+
+/** Values of the fields that a document omits. */
+export const STROKE_DEFAULTS = {
+  curve: 'polyline',
+  taper: [0.3, 0.3],
+  shoulder: [0.6, 0.6],
+  softness: 0.4,
+  waviness: 0,
+} as const satisfies Partial<Stroke>
+
+const STROKE_FIELDS = [
+  'group',
+  'curve',
+  'points',
+  'width',
+  'depth',
+  'taper',
+  'shoulder',
+  'softness',
+  'waviness',
+] as const
+
+/**
+ * Reads a strokes document (docs/strokes.md) and fills in the defaults. The input is not changed.
+ *
+ * @throws FurrowError that names the field by its path, for anything malformed, unknown fields included.
+ */
+export function parseStrokes(json: unknown): StrokesDocument {
+  const read = new JsonReader('parseStrokes')
+  const root = read.object(json, 'the document', ['version', 'size', 'strokes', 'areas'])
+  if (root.version !== 1) read.fail('unknown version', root.version, '1', 'write "version": 1')
+  const document: StrokesDocument = {
+    version: 1,
+    strokes: read.array(root.strokes, 'strokes', 1, 10_000).map((stroke, i) => readStroke(read, stroke, i)),
+  }
+  if (root.size !== undefined) document.size = readSize(read, root.size)
+  if (root.areas !== undefined) {
+    const areas = read.array(root.areas, 'areas', 1, MAX_AREAS)
+    const groups = new Set(document.strokes.map((stroke) => stroke.group))
+    document.areas = readAreaDefinitions(read, areas, groups)
+  }
+  return document
+}
+
+function readSize(read: JsonReader, value: unknown): number {
+  const size = read.number(value, 'size', 16, MAX_IMAGE_SIDE, 'texels')
+  if (!Number.isInteger(size)) read.fail('size must be a whole number', size, undefined, 'round it')
+  return size
+}
+
+function readStroke(read: JsonReader, json: unknown, index: number): Stroke {
+  const path = `strokes[${index}]`
+  const field = read.object(json, path, STROKE_FIELDS)
+  const curve = field.curve ?? STROKE_DEFAULTS.curve
+  if (curve !== 'polyline' && curve !== 'bezier') {
+    read.fail(`${path}.curve is unknown`, curve, 'polyline, bezier', 'use one of them')
+  }
+  const points = read.points(field.points, `${path}.points`, curve === 'bezier' ? 4 : 2)
+  if (curve === 'bezier' && points.length % 3 !== 1) {
+    const remedy = 'give one end, then two handles and an end per curve'
+    read.fail(`${path}.points do not form Bezier curves`, points.length, '4, 7, 10, ... points', remedy)
+  }
+  if (points.every(([u, v]) => u === points[0][0] && v === points[0][1])) {
+    read.fail(`${path}.points all coincide`, points.length, undefined, 'move them apart')
+  }
+  const stroke: Stroke = {
+    curve,
+    points,
+    width: read.number(field.width, `${path}.width`, 0.1, 50, 'mm'),
+    depth: read.number(field.depth, `${path}.depth`, 0, 10, 'mm'),
+    taper: read.pair(field.taper ?? STROKE_DEFAULTS.taper, `${path}.taper`, 0, 1),
+    shoulder: read.pair(field.shoulder ?? STROKE_DEFAULTS.shoulder, `${path}.shoulder`, 0, 1),
+    softness: read.number(field.softness ?? STROKE_DEFAULTS.softness, `${path}.softness`, 0, 1, ''),
+    waviness: read.number(field.waviness ?? STROKE_DEFAULTS.waviness, `${path}.waviness`, 0, 1, ''),
+  }
+  if (field.group !== undefined) stroke.group = read.text(field.group, `${path}.group`)
+  return stroke
+}

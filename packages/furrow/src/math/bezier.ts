@@ -1,0 +1,12 @@
+/** The point of a cubic Bezier curve at t, 0..1, by its four control points (Bernstein's form). */
+export function bezierAt(
+  a: readonly [number, number],
+  b: readonly [number, number],
+  c: readonly [number, number],
+  d: readonly [number, number],
+  t: number,
+): [number, number] {
+  const s = 1 - t
+  const at = (k: 0 | 1) => s * s * s * a[k] + 3 * s * s * t * b[k] + 3 * s * t * t * c[k] + t * t * t * d[k]
+  return [at(0), at(1)]
+}

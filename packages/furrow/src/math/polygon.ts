@@ -1,0 +1,18 @@
+/**
+ * Whether a point lies inside a polygon: even-odd rule, by the edges to the point's right.
+ *
+ * @param polygon its corners; the last is joined to the first.
+ */
+export function isInsidePolygon(
+  polygon: readonly (readonly [number, number])[],
+  x: number,
+  y: number,
+): boolean {
+  let isInside = false
+  for (let i = 0, k = polygon.length - 1; i < polygon.length; k = i++) {
+    const [a, b] = [polygon[i], polygon[k]]
+    if (a[1] > y === b[1] > y) continue
+    if (x < a[0] + ((y - a[1]) / (b[1] - a[1])) * (b[0] - a[0])) isInside = !isInside
+  }
+  return isInside
+}

@@ -1,0 +1,46 @@
+import { barycentrics2 } from './barycentrics.ts'
+
+/** A box of pixels, all four sides within it. */
+export type PixelBox = readonly [left: number, top: number, right: number, bottom: number]
+
+const UNBOUNDED: PixelBox = [-Infinity, -Infinity, Infinity, Infinity]
+
+/** Twice the area in pixels below which a triangle covers nothing. */
+const NO_AREA = 1e-9
+
+/**
+ * Visits the pixels whose centres a triangle covers, row by row. Triangles that share an edge both cover the centres on it.
+ *
+ * @param triangle x and y of its three corners in pixels, whose centres are at whole numbers.
+ * @param tolerance how far below 0 a barycentric coordinate may be.
+ * @param visit is given the pixel and its barycentric coordinates.
+ * @param box leaves out pixels beyond it.
+ */
+export function rasterize(
+  triangle: ArrayLike<number>,
+  tolerance: number,
+  visit: (column: number, row: number, a: number, b: number, c: number) => void,
+  [left, top, right, bottom]: PixelBox = UNBOUNDED,
+): void {
+  const [x0, y0, x1, y1, x2, y2] = [
+    triangle[0],
+    triangle[1],
+    triangle[2],
+    triangle[3],
+    triangle[4],
+    triangle[5],
+  ]
+  if (Math.abs((x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)) < NO_AREA) return
+  const firstRow = Math.max(Math.ceil(Math.min(y0, y1, y2)), top)
+  const lastRow = Math.min(Math.floor(Math.max(y0, y1, y2)), bottom)
+  const firstColumn = Math.max(Math.ceil(Math.min(x0, x1, x2)), left)
+  const lastColumn = Math.min(Math.floor(Math.max(x0, x1, x2)), right)
+  const weights = new Float64Array(3)
+  for (let row = firstRow; row <= lastRow; row++) {
+    for (let column = firstColumn; column <= lastColumn; column++) {
+      barycentrics2(weights, triangle, column, row)
+      const [a, b, c] = [weights[0], weights[1], weights[2]]
+      if (a >= -tolerance && b >= -tolerance && c >= -tolerance) visit(column, row, a, b, c)
+    }
+  }
+}

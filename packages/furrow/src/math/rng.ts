@@ -1,0 +1,29 @@
+/** Pseudo-random numbers that follow from a seed alone. */
+export class Rng {
+  #state: number
+
+  /** @param stream names one of the seed's independent streams: how much is drawn from one does not change another. */
+  constructor(seed: number, stream = '') {
+    this.#state = seed | 0
+    for (const character of stream)
+      this.#state = Math.imul(this.#state ^ (character.codePointAt(0) ?? 0), 0x01000193)
+  }
+
+  /** 0..1, without 1 (mulberry32: T. Ettinger 2017, public domain). */
+  next(): number {
+    this.#state = (this.#state + 0x6d2b79f5) | 0
+    let h = Math.imul(this.#state ^ (this.#state >>> 15), 1 | this.#state)
+    h = (h + Math.imul(h ^ (h >>> 7), 61 | h)) ^ h
+    return ((h ^ (h >>> 14)) >>> 0) / 4294967296
+  }
+
+  /** Uniform between two bounds. */
+  uniform(low: number, high: number): number {
+    return low + (high - low) * this.next()
+  }
+
+  /** Uniform between -amplitude and amplitude. */
+  jitter(amplitude: number): number {
+    return this.uniform(-amplitude, amplitude)
+  }
+}

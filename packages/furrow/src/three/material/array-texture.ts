@@ -1,0 +1,23 @@
+import type { CompressedArrayTexture, DataArrayTexture } from 'three'
+import { FurrowError } from '../../core/error.ts'
+import { isSlice } from '../../core/wrinkle-set.ts'
+
+/** A texture array, compressed or not. */
+export type ArrayTexture = CompressedArrayTexture | DataArrayTexture
+
+/**
+ * The array that maps are slices of.
+ *
+ * @param what names the maps in errors.
+ * @throws FurrowError when one of them is an image or a slice of another array.
+ */
+export function arrayOf(maps: readonly object[], who: string, what: string): ArrayTexture {
+  const [first] = maps.filter(isSlice)
+  if (maps.every((map) => isSlice(map) && map.array === first.array)) return first.array as ArrayTexture
+  throw new FurrowError({
+    who,
+    what: `${what} that are in different arrays`,
+    limit: 'all images, or all slices of one array',
+    remedy: 'pack them in the same way',
+  })
+}

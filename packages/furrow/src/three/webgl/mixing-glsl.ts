@@ -1,0 +1,89 @@
+import type { LayerKind } from '../../core/types.ts'
+import type { ValueKind } from '../material/wrinkle-textures.ts'
+
+/** The layers' normals, as a program depends on them. */
+export interface NormalLayers {
+  kinds: readonly LayerKind[]
+  /** Slice of each layer's normals. */
+  normals: readonly (number | null)[]
+}
+
+/** One kind of the layers' other maps, as a program depends on it. */
+export interface ValueLayers {
+  /** Slice of each layer's map; null for a layer without. */
+  slices: readonly (number | null)[]
+  channel: number
+}
+
+/** Declares `vec3 furrowMixNormals(vec3 base)`: `mixNormals` of the reference without the last normalisation. */
+export function normalMixing({ kinds, normals }: NormalLayers): string {
+  const influence = (layer: number) => `furrowInfluence[${layer}]`
+  const sampled = kinds.map(
+    (kind, layer) => /* glsl */ `
+  vec3 n${layer} = ${kind === 'replace' ? 'base' : 'vec3(0.0, 0.0, 1.0)'};
+  if (${influence(layer)} > 0.0) {
+    n${layer} = furrowSampleSlice(furrowNormals, ${normals[layer]}.0).xyz * 2.0 - 1.0;
+    n${layer}.xy *= furrowNormalScale[${layer}];
+  }`,
+  )
+  const replacing = indicesOf(kinds, 'replace')
+  const details = indicesOf(kinds, 'detail')
+  const replaced = replacing.map((layer) => ` + (n${layer} - base) * ${influence(layer)} / total`)
+  const slope = details.map((layer) => `n${layer}.xy / n${layer}.z * ${influence(layer)}`).join(' + ')
+  const reoriented = `
+  normal = furrowReorient(normalize(normal), normalize(vec3(${slope}, 1.0)));`
+  return /* glsl */ `
+uniform highp sampler2DArray furrowNormals;
+uniform vec4 furrowNormalScale;
+${details.length > 0 ? REORIENT : ''}
+vec3 furrowMixNormals(vec3 base) {
+  if (!furrowHasInfluence) return base;${sampled.join('')}
+  float total = max(1.0, ${[...replacing.map(influence), '0.0'].join(' + ')});
+  vec3 normal = base${replaced.join('')};${details.length > 0 ? reoriented : ''}
+  return normal;
+}
+`
+}
+
+/** Reoriented normal mapping, see \`reorientNormal\` in the reference. */
+const REORIENT = /* glsl */ `
+vec3 furrowReorient(vec3 base, vec3 detail) {
+  vec3 t = base + vec3(0.0, 0.0, 1.0);
+  vec3 r = detail * vec3(-1.0, -1.0, 1.0);
+  return t * (dot(t, r) / t.z) - r;
+}
+`
+
+/** The GLSL type of a kind's values, which components of a texel they are, and the uniform that scales them. */
+const VALUES: Record<ValueKind, { type: string; swizzle: (channel: number) => string; uniform?: string }> = {
+  baseColor: { type: 'vec3', swizzle: () => '.rgb' },
+  roughness: { type: 'float', swizzle: (channel) => `[${channel}]` },
+  occlusion: { type: 'float', swizzle: (channel) => `[${channel}]`, uniform: 'furrowOcclusionStrength' },
+}
+
+/** Declares `TYPE furrowMix_KIND(TYPE base)`: `mixValues` of the reference. */
+export function valueMixing(kind: ValueKind, { slices, channel }: ValueLayers): string {
+  const { type, swizzle, uniform } = VALUES[kind]
+  const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
+  const total = layers.map(({ layer }) => `furrowInfluence[${layer}]`).join(' + ')
+  const mixed = layers.map(({ slice, layer }) => {
+    const stored = `furrowSampleSlice(furrow_${kind}, ${slice}.0)${swizzle(channel)}`
+    const value = uniform ? `mix(1.0, ${stored}, ${uniform}[${layer}])` : stored
+    return /* glsl */ `
+  if (furrowInfluence[${layer}] > 0.0) value += (${value} - base) * furrowInfluence[${layer}] / total;`
+  })
+  return /* glsl */ `
+uniform highp sampler2DArray furrow_${kind};
+${uniform ? `uniform vec4 ${uniform};` : ''}
+${type} furrowMix_${kind}(${type} base) {
+  ${type} value = base;
+  if (!furrowHasInfluence) return value;
+  float total = max(1.0, ${total});${mixed.join('')}
+  return value;
+}
+`
+}
+
+function indicesOf(kinds: readonly LayerKind[], kind: LayerKind): number[] {
+  return kinds.flatMap((own, layer) => (own === kind ? [layer] : []))
+}

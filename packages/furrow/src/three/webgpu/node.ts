@@ -1,0 +1,54 @@
+/** TSL nodes whose type three.js's declarations leave open. All casts of nodes are in this file. */
+import { int, materialReference, subBuild, textureSize, uniform, workgroupArray } from 'three/tsl'
+import type { Node, StorageBufferNode, TextureNode } from 'three/webgpu'
+
+/** Materials' properties by the type that `materialReference` takes, and what their nodes are. */
+interface PropertyNodes {
+  float: 'float'
+  vec2: 'vec2'
+  color: 'vec3'
+  texture: 'vec4'
+}
+
+/** A property of the material being drawn. */
+export function materialProperty<T extends keyof PropertyNodes>(
+  name: string,
+  type: T,
+): Node<PropertyNodes[T]> {
+  return typed(materialReference(name, type))
+}
+
+/** A uniform that takes an input's `value` whenever an object is drawn. */
+export function inputUniform<T extends string>(input: { readonly value: unknown }, type?: T): Node<T> {
+  return typed(uniform(input.value as never, type as never).onObjectUpdate(() => input.value))
+}
+
+/** Width and height of a texture's level 0, in texels. */
+export function sizeOf(node: TextureNode): Node<'ivec2'> {
+  return typed(textureSize(node, int(0)))
+}
+
+/** A normal in view space, built as three.js builds the material's own. */
+export function normalInView(normal: Node): Node<'vec3'> {
+  return typed(subBuild(normal, 'NORMAL', 'vec3'))
+}
+
+/** An array that the invocations of a workgroup share. */
+export function sharedArray<T extends string>(type: T, count: number): StorageBufferNode<T> {
+  return typedBuffer(workgroupArray(type, count))
+}
+
+/** A dispatch of one workgroup each for `count` elements; the types know counts of invocations only. */
+export function workgroups(count: number): number {
+  return [count, 1, 1] as unknown as number
+}
+
+/** Declares the type of a node. */
+export function typed<T extends string>(node: Node): Node<T> {
+  return node as Node<T>
+}
+
+/** Declares the type of a buffer's elements. */
+export function typedBuffer<T extends string>(node: Node): StorageBufferNode<T> {
+  return node as StorageBufferNode<T>
+}

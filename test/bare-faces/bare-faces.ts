@@ -1,0 +1,55 @@
+import { createHash } from 'node:crypto'
+import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { makeBare } from './make-bare.ts'
+
+const fromHere = (path: string) => fileURLToPath(new URL(path, import.meta.url))
+
+/**
+ * A face as users bring them: no wrinkles, textures, tangents or morph normals; targets named with `_L` and `_R`. What
+ * wrinkles is the mesh `face`.
+ */
+export interface BareFace {
+  readonly name: string
+  readonly path: string
+  /** Of the mesh `face`. */
+  readonly material: string
+  /** Path of a strokes document for its texture layout. */
+  readonly strokes: string
+}
+
+const SCAN = fromHere('../../../shared/real-face/ict-face.glb')
+
+/** A scan that is not part of the repository; none where it is not at hand. */
+export const SCANS: readonly BareFace[] = existsSync(SCAN)
+  ? [{ name: 'scan', path: SCAN, material: 'face', strokes: fromHere('scan-strokes.json') }]
+  : []
+
+/** One of ours, which everybody has, and the scan. */
+export const BARE_FACES: readonly BareFace[] = [
+  {
+    name: 'bare human-2',
+    path: await cachedBare(),
+    material: 'skin',
+    strokes: fromHere('../../faces/human/strokes.json'),
+  },
+  ...SCANS,
+]
+
+/** Made once per content of what it is made from. */
+async function cachedBare(): Promise<string> {
+  const face = fromHere('../../faces/human-2.glb')
+  const hash = createHash('sha256')
+  for (const source of [face, fromHere('make-bare.ts')]) hash.update(readFileSync(source))
+  const folder = fromHere('../../node_modules/.cache/furrow-tests')
+  const path = join(folder, `bare-${hash.digest('hex').slice(0, 16)}.glb`)
+  if (!existsSync(path)) {
+    mkdirSync(folder, { recursive: true })
+    // Under another name first: test files run at the same time.
+    const part = `${path}.${process.pid}`
+    writeFileSync(part, await makeBare(face))
+    renameSync(part, path)
+  }
+  return path
+}

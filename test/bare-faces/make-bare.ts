@@ -1,0 +1,77 @@
+import {
+  type Accessor,
+  Logger,
+  type Mesh,
+  NodeIO,
+  type Primitive,
+  type PrimitiveTarget,
+  VertexLayout,
+} from '@gltf-transform/core'
+import { prune } from '@gltf-transform/functions'
+
+/** Targets of ours that move both sides, where others have one each. */
+const BOTH_SIDES = ['browInnerUp', 'cheekPuff']
+
+/** Metres from the middle within which such a target fades to the other side. */
+const FADE = 0.01
+
+/** One of the shipped faces without what `furrow` or its builder put there, in a `.glb`: see `BareFace`. */
+export async function makeBare(path: string): Promise<Uint8Array> {
+  // The wrinkles are lost on reading, since their extension is not registered.
+  const io = new NodeIO()
+    .setLogger(new Logger(Logger.Verbosity.SILENT))
+    .setVertexLayout(VertexLayout.SEPARATE)
+  const document = await io.read(path)
+  const root = document.getRoot()
+  for (const texture of root.listTextures()) texture.dispose()
+  for (const named of [...root.listMeshes(), ...root.listNodes()]) {
+    if (named.getName() === 'skin') named.setName('face')
+  }
+  for (const mesh of root.listMeshes()) {
+    for (const primitive of mesh.listPrimitives()) {
+      primitive.setAttribute('TANGENT', null)
+      for (const target of primitive.listTargets()) target.setAttribute('NORMAL', null)
+    }
+    renameTargets(mesh)
+  }
+  await document.transform(prune({ keepLeaves: true, keepAttributes: true, keepExtras: true }))
+  return io.writeBinary(document)
+}
+
+/** `mouthSmileLeft` becomes `mouthSmile_L`, and `browInnerUp` two targets, `browInnerUp_L` and `browInnerUp_R`. */
+function renameTargets(mesh: Mesh): void {
+  const old = (mesh.getExtras().targetNames ?? []) as string[]
+  if (old.length === 0) return
+  const names = old.flatMap((name) =>
+    BOTH_SIDES.includes(name)
+      ? [`${name}_L`, `${name}_R`]
+      : [name.replace(/Left$/, '_L').replace(/Right$/, '_R')],
+  )
+  for (const primitive of mesh.listPrimitives()) {
+    const targets = old.flatMap((name, i) => {
+      const target = primitive.listTargets()[i]
+      return BOTH_SIDES.includes(name)
+        ? [oneSide(primitive, target, 1), oneSide(primitive, target, -1)]
+        : target
+    })
+    for (const target of primitive.listTargets()) primitive.removeTarget(target)
+    for (const [i, target] of targets.entries()) primitive.addTarget(target.setName(names[i]))
+  }
+  mesh.setWeights(names.map(() => 0)).setExtras({ targetNames: names })
+}
+
+/** The part of a target's displacements on one side. The person's left is at positive x. */
+function oneSide(primitive: Primitive, target: PrimitiveTarget, sign: 1 | -1): PrimitiveTarget {
+  const positions = primitive.getAttribute('POSITION')!
+  const displacements = target.getAttribute('POSITION')!
+  const half: Accessor = displacements.clone()
+  for (let i = 0; i < half.getCount(); i++) {
+    const x = positions.getElement(i, [0, 0, 0])[0]
+    const weight = Math.min(1, Math.max(0, 0.5 + (0.5 * sign * x) / FADE))
+    half.setElement(
+      i,
+      displacements.getElement(i, [0, 0, 0]).map((value) => weight * value),
+    )
+  }
+  return target.clone().setAttribute('POSITION', half)
+}

@@ -1,0 +1,128 @@
+import { readFileSync } from 'node:fs'
+import type { Skin } from 'furrow/author'
+import type { SkinSurface } from '../../../../packages/furrow/src/author/auto/surface/surface.ts'
+import { coverTexels } from '../../../../packages/furrow/src/author/cover-texels.ts'
+
+/**
+ * Regions of a face on which nothing may crease, as points of its surface, found by geometry alone, independently of the code under test.
+ *
+ * The skin ends in openings: the one at the neck is behind the face, the others are the eyes and the mouth. The inside of an opening is all
+ * skin that is connected with its border and either hidden from the front by other skin or facing backwards: the rims and the inside of
+ * lids, the inside of lips.
+ *
+ * Ears protrude farthest to the sides at the height of the eyes and the nose: they are behind a plane 30 mm in front of that point, from 50 mm
+ * below it to 30 mm above (an adult's ear is 63 mm high), and more than 55 mm from the middle of the head.
+ */
+export interface SmoothRegions {
+  eyes: Set<number>
+  lips: Set<number>
+  ears: Set<number>
+}
+
+/** @param surface in millimetres, x to the person's left, y up, z forwards, from the middle between the eyes. */
+export function smoothRegions(surface: SkinSurface): SmoothRegions {
+  const { points, normals, neighbourStarts, neighbours } = surface
+  const isHidden = hiddenFromFront(surface)
+  const regions: SmoothRegions = { eyes: new Set(), lips: new Set(), ears: earsOf(points) }
+  for (const border of openingsOf(surface)) {
+    const [, height, depth] = [0, 1, 2].map(
+      (k) => border.reduce((sum, point) => sum + points[3 * point + k], 0) / border.length,
+    )
+    if (depth < -40) continue
+    const inside = new Set(border)
+    for (const point of inside) {
+      for (const next of neighbours.subarray(neighbourStarts[point], neighbourStarts[point + 1]))
+        if (isHidden[next] || normals[3 * next + 2] < 0) inside.add(next)
+    }
+    for (const point of inside) (height > -30 ? regions.eyes : regions.lips).add(point)
+  }
+  return regions
+}
+
+/** The points of each closed border of the surface. */
+function openingsOf({ corners, adjacent }: SkinSurface): number[][] {
+  const next = new Map<number, number>()
+  for (let i = 0; i < corners.length; i++) {
+    if (adjacent[i] < 0) next.set(corners[i], corners[3 * Math.floor(i / 3) + ((i + 1) % 3)])
+  }
+  const openings: number[][] = []
+  for (const first of next.keys()) {
+    const border: number[] = []
+    for (let point: number | undefined = first; point !== undefined; ) {
+      const end = next.get(point)
+      if (end !== undefined) border.push(point)
+      next.delete(point)
+      point = end
+    }
+    if (border.length > 0) openings.push(border)
+  }
+  return openings
+}
+
+/** Side of the depth map from the front, in texels, and of a texel in millimetres. */
+const SIDE = 1024
+const TEXEL = 0.5
+/** Millimetres that skin must be in front of other skin to hide it. */
+const IN_FRONT = 1.5
+
+/** 1 for points with other skin in front of them. */
+function hiddenFromFront({ points, corners }: SkinSurface): Uint8Array {
+  const count = points.length / 3
+  const uvs = Float64Array.from({ length: 2 * count }, (_, i) => {
+    const coordinate = points[3 * Math.floor(i / 2) + (i % 2)]
+    return 0.5 + (i % 2 ? -coordinate : coordinate) / (SIDE * TEXEL)
+  })
+  const foremost = new Float32Array(SIDE * SIDE).fill(-Infinity)
+  for (let t = 0; t < corners.length; t += 3) {
+    const [p, q, r] = [corners[t], corners[t + 1], corners[t + 2]]
+    coverTexels(uvs, [p, q, r], SIDE, SIDE, (texel, a, b, c) => {
+      const z = a * points[3 * p + 2] + b * points[3 * q + 2] + c * points[3 * r + 2]
+      if (z > foremost[texel]) foremost[texel] = z
+    })
+  }
+  return Uint8Array.from({ length: count }, (_, i) => {
+    const [column, row] = [0, 1].map((k) => Math.floor(uvs[2 * i + k] * SIDE))
+    return foremost[row * SIDE + column] - points[3 * i + 2] > IN_FRONT ? 1 : 0
+  })
+}
+
+function earsOf(points: Float64Array): Set<number> {
+  const all = Array.from({ length: points.length / 3 }, (_, i) => i)
+  const ears = [1, -1].flatMap((side) => {
+    const out = (i: number) => (Math.abs(points[3 * i + 1]) < 60 ? side * points[3 * i] : 0)
+    const tip = all.reduce((best, i) => (out(i) > out(best) ? i : best))
+    return all.filter((i) => {
+      const [across, up, forwards] = [0, 1, 2].map((k) => points[3 * i + k] - (k && points[3 * tip + k]))
+      return side * across > 55 && forwards < 30 && up > -50 && up < 30
+    })
+  })
+  return new Set(ears)
+}
+
+/** Triangles of a surface whose corners are all among some points. */
+export function trianglesIn({ corners, skinTriangles }: SkinSurface, points: ReadonlySet<number>): number[] {
+  return [...skinTriangles.keys()].filter((t) => [0, 1, 2].every((k) => points.has(corners[3 * t + k])))
+}
+
+/** The points of the shipped face that its hair leaves free for an ear, by the builder's landmarks. */
+export function shippedEars({ uvs }: Skin, { pointOf }: SkinSurface): Set<number> {
+  const landmarks = readFileSync(new URL('../../../../faces/builder/landmarks.py', import.meta.url), 'utf8')
+  const [, list] = /^HAIR = \[([^\]]*?),?\s*\]/m.exec(landmarks) ?? []
+  const hair: [number, number][] = JSON.parse(`[${list.replaceAll('(', '[').replaceAll(')', ']')}]`)
+  // The outline of the hair runs down in front of the ear, over it, and down behind it.
+  const front = hair.reduce((best, [, v], i) => (i < 20 && v > hair[best][1] ? i : best), 0)
+  const back = hair.findIndex(([u, v], i) => i > front && u > hair[front][0] && v > hair[front][1])
+  const outline = hair.slice(front, back + 1)
+  const isInside = (u: number, v: number) =>
+    outline.reduce((inside, [u2, v2], i) => {
+      const [u1, v1] = outline[(i + outline.length - 1) % outline.length]
+      const crosses = v1 > v !== v2 > v && u < u1 + ((u2 - u1) * (v - v1)) / (v2 - v1)
+      return crosses ? !inside : inside
+    }, false)
+  const ears = new Set<number>()
+  for (const [vertex, point] of pointOf.entries()) {
+    const u = uvs[2 * vertex]
+    if (isInside(Math.max(u, 1 - u), uvs[2 * vertex + 1])) ears.add(point)
+  }
+  return ears
+}

@@ -1,0 +1,86 @@
+import { describe, expect, it } from 'vitest'
+import { copyNearest, dilate, extendPlanes } from '../../../packages/furrow/src/author/border.ts'
+
+/** A map of 7 x 5 texels in which only the middle is known. */
+function dot() {
+  const known = new Uint8Array(35)
+  const data = new Float32Array(70)
+  known[17] = 1
+  data.set([4, -2], 34)
+  return { known, maps: [{ data, channels: 2 }] as const }
+}
+
+const rows = (known: Uint8Array) =>
+  Array.from({ length: 5 }, (_, y) => known.slice(7 * y, 7 * y + 7).join(''))
+
+describe('dilate', () => {
+  it('goes as many rings as it is told, in all directions', () => {
+    const { known, maps } = dot()
+    dilate(known, 7, maps, 1)
+    expect(rows(known)).toEqual(['0000000', '0011100', '0011100', '0011100', '0000000'])
+    dilate(known, 7, maps, 1)
+    expect(rows(known)).toEqual(['0111110', '0111110', '0111110', '0111110', '0111110'])
+    expect(
+      known.every((value, i) => !value || (maps[0].data[2 * i] === 4 && maps[0].data[2 * i + 1] === -2)),
+    ).toBe(true)
+  })
+
+  it('stops at the border, and does nothing where nothing or all is known', () => {
+    const { known, maps } = dot()
+    dilate(known, 7, maps, 100)
+    expect(known.every((value) => value === 1)).toBe(true)
+    const before = maps[0].data.slice()
+    dilate(known, 7, maps, 100)
+    expect(maps[0].data).toEqual(before)
+    const nothing = new Uint8Array(35)
+    dilate(nothing, 7, [{ data: new Float32Array(35), channels: 1 }], 5)
+    expect(nothing.every((value) => value === 0)).toBe(true)
+  })
+
+  it('takes the mean of what was there before the ring, whatever the order', () => {
+    const known = Uint8Array.from([1, 0, 1, 0, 0])
+    const data = Float32Array.from([2, 0, 6, 0, 0])
+    dilate(known, 5, [{ data, channels: 1 }], 1)
+    expect([...data]).toEqual([2, 4, 6, 6, 0])
+    dilate(known, 5, [{ data, channels: 1 }], 1)
+    expect([...data]).toEqual([2, 4, 6, 6, 6])
+  })
+})
+
+describe('copyNearest', () => {
+  it('gives every texel the value of the nearest known one', () => {
+    const known = Uint8Array.of(1, 0, 0, 0, 0, 0, 0, 0, 0, 1)
+    const map = Float32Array.of(5, 0, 0, 0, 0, 0, 0, 0, 0, -3)
+    copyNearest(known, 5, [map])
+    expect([...map]).toEqual([5, 5, 5, -3, -3, 5, 5, -3, -3, -3])
+    expect([...known]).toEqual([1, 0, 0, 0, 0, 0, 0, 0, 0, 1])
+  })
+})
+
+describe('extendPlanes', () => {
+  /** Owners of 8 x 8 texels, of which triangles 0 and 1 cover the columns 0 and 7. */
+  const extended = (margin: number) => {
+    const owners = Int8Array.from({ length: 64 }, (_, texel) =>
+      texel % 8 === 0 ? 0 : texel % 8 === 7 ? 1 : -1,
+    )
+    const isCovered = owners.map((owner) => (owner >= 0 ? 1 : 0))
+    const edges = [0, 1].map((triangle) => ({ triangle, x: 7 * triangle, y: 0, dx: 0, dy: 7 }))
+    extendPlanes(
+      edges,
+      8,
+      margin,
+      (texel) => isCovered[texel] === 0,
+      (texel, triangle) => {
+        owners[texel] = triangle
+      },
+    )
+    return owners
+  }
+
+  it('gives texels to the nearest edge within the margin', () => {
+    for (let row = 0; row < 8; row++) {
+      expect([...extended(2).slice(8 * row, 8 * row + 8)]).toEqual([0, 0, 0, -1, -1, 1, 1, 1])
+      expect([...extended(14).slice(8 * row, 8 * row + 8)]).toEqual([0, 0, 0, 0, 1, 1, 1, 1])
+    }
+  })
+})

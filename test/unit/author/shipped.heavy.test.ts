@@ -1,0 +1,157 @@
+import { existsSync, readFileSync } from 'node:fs'
+import { parseWrinkleSetDocument } from 'furrow'
+import sharp from 'sharp'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { findSkin } from '../../../packages/cli/src/auto/find-skin.ts'
+import { readFaceMesh } from '../../../packages/cli/src/gltf/face-mesh.ts'
+import { readDocument } from '../../../packages/cli/src/gltf/read-document.ts'
+import { decodeNormalMap } from '../../../packages/cli/src/images/decode-normal-map.ts'
+import {
+  type AutoOptions,
+  type AutoWrinkles,
+  autoWrinkles,
+  combineNormals,
+  heightToNormal,
+  paintAreas,
+  parseStrokes,
+  type StrokesDocument,
+  strokesToHeight,
+  surfaceMetric,
+} from '../../../packages/furrow/src/author/index.ts'
+
+const faces = new URL('../../../faces/', import.meta.url)
+const path = (name: string) => new URL(name, faces).pathname
+const json = (name: string): unknown => JSON.parse(readFileSync(path(name), 'utf8'))
+const strokes = (): StrokesDocument => parseStrokes(json('human/strokes.json'))
+
+const both = (name: string) => [`${name}Left`, `${name}Right`]
+const DRAWN = [...both('forehead'), 'glabella', 'nose']
+const MADE = [...both('crowsFeet'), ...both('nasolabial'), ...both('underEye'), 'upperLip', 'lowerLip']
+const AREAS = [...DRAWN, ...MADE]
+
+/** What `furrow auto` is told in faces/human/README.md. */
+const OPTIONS = {
+  age: 50,
+  strength: 1.3,
+  layers: 1,
+  frame: 'orthonormal',
+  regions: ['crowsFeet', 'nasolabial', 'underEye', 'upperLip', 'lowerLip'],
+} as const satisfies AutoOptions
+
+/** Weights of a committed area, 255 = fully visible. */
+async function committed(name: string, face = 'human'): Promise<Uint8Array> {
+  const { data, info } = await sharp(path(`${face}/areas/${name}.png`))
+    .toColourspace('b-w')
+    .raw()
+    .toBuffer({ resolveWithObject: true })
+  expect([info.width, info.height, info.channels]).toEqual([128, 128, 1])
+  return data.map((gray) => 255 - gray)
+}
+
+const largestDifference = (a: Uint8Array, b: Uint8Array) =>
+  a.reduce((worst, value, i) => Math.max(worst, Math.abs(value - b[i])), 0)
+
+const FACES = ['human', 'human-2'].filter((name) => existsSync(path(`${name}/wrinkles.json`)))
+
+describe.each(FACES)('faces/%s', (name) => {
+  let made: AutoWrinkles
+
+  beforeAll(async () => {
+    const { skin } = findSkin(await readDocument(path(`${name}.glb`), 'test'), name, 'test')
+    made = autoWrinkles(skin, OPTIONS)
+  })
+
+  it('is a wrinkle set of twelve areas whose files exist', () => {
+    const set = parseWrinkleSetDocument(json(`${name}/wrinkles.json`))
+    expect(set.areas.map((area) => area.name)).toEqual(AREAS)
+    for (const address of [
+      ...set.areas.map((area) => area.image),
+      ...set.layers.map((layer) => layer.normal),
+    ]) {
+      expect(existsSync(path(`${name}/${address}`)), address).toBe(true)
+    }
+  })
+
+  it('has the areas that its blendshapes give, up to rounding', async () => {
+    expect(new Set(made.areas.map((area) => area.name))).toEqual(new Set(MADE))
+    for (const { name: area, weights } of made.areas) {
+      expect(largestDifference(await committed(area, name), weights.data), area).toBeLessThanOrEqual(1)
+    }
+  })
+
+  it('has the normal map that its strokes give over what its blendshapes give, up to rounding', async () => {
+    const { mesh } = await readFaceMesh(path(`${name}.glb`), 'test')
+    const file = path(`${name}/layers/expression/normal.png`)
+    const shipped = await decodeNormalMap(readFileSync(file), file, 'test')
+    const metric = surfaceMetric(mesh, 1024)
+    const drawn = heightToNormal(strokesToHeight(strokes().strokes, metric), metric, OPTIONS.frame)
+    const expected = combineNormals(made.layers[0].normal, drawn)
+    expect(largestDifference(shipped.data, expected.data)).toBeLessThanOrEqual(1)
+  })
+})
+
+describe('the areas that ship', () => {
+  it('are what their document gives, up to rounding', async () => {
+    const { mesh } = await readFaceMesh(path('human.glb'), 'test')
+    const painted = paintAreas(strokes(), surfaceMetric(mesh, 128))
+    expect(painted.map((area) => area.name)).toEqual(DRAWN)
+    for (const { name, weights } of painted) {
+      expect(largestDifference(await committed(name), weights.data), name).toBeLessThanOrEqual(1)
+    }
+  })
+
+  it('keep to their side of the face', async () => {
+    for (const name of AREAS) {
+      const weights = await committed(name)
+      // 14 mm of blend for the forehead, half of it on either side: under 0.02 of the texture.
+      for (let i = 0; i < weights.length; i++) {
+        const u = ((i % 128) + 0.5) / 128
+        if (name.endsWith('Left') && u < 0.475) expect(weights[i], name).toBe(0)
+        if (name.endsWith('Right') && u > 0.525) expect(weights[i], name).toBe(0)
+      }
+      expect(Math.max(...weights), name).toBe(255)
+    }
+  })
+
+  it('leave the openings of the eyes alone', async () => {
+    const { mesh } = await readFaceMesh(path('human.glb'), 'test')
+    const { inside } = surfaceMetric(mesh, 128)
+    const openings = [...inside.keys()].filter((i) => {
+      const [u, v] = [(i % 128) / 128, Math.floor(i / 128) / 128]
+      return inside[i] === 0 && v > 0.48 && v < 0.56 && Math.abs(u - 0.5) < 0.15
+    })
+    expect(openings.length).toBeGreaterThan(20)
+    for (const name of AREAS) {
+      const weights = await committed(name)
+      for (const i of openings) expect(weights[i], name).toBe(0)
+    }
+  })
+
+  it('sum to the whole forehead at the middle', async () => {
+    const [left, right] = [await committed('foreheadLeft'), await committed('foreheadRight')]
+    for (let y = Math.round(0.3 * 128); y < 0.39 * 128; y++) {
+      for (let x = 60; x < 68; x++) {
+        expect(Math.abs(left[y * 128 + x] + right[y * 128 + x] - 255)).toBeLessThanOrEqual(2)
+      }
+      expect(left[y * 128 + 63]).toBeGreaterThan(64)
+      expect(right[y * 128 + 63]).toBeGreaterThan(64)
+    }
+  })
+
+  it('cover every stroke: no relief is left uncovered', async () => {
+    const total = new Float64Array(128 * 128)
+    for (const name of AREAS) {
+      const weights = await committed(name)
+      for (let i = 0; i < weights.length; i++) total[i] += weights[i]
+    }
+    const { mesh } = await readFaceMesh(path('human.glb'), 'test')
+    const { data } = strokesToHeight(strokes().strokes, surfaceMetric(mesh, 128))
+    let drawn = 0
+    for (let i = 0; i < data.length; i++) {
+      if (data[i] > -0.1) continue
+      drawn++
+      expect(total[i], `texel ${i % 128}, ${Math.floor(i / 128)}`).toBeGreaterThan(0.9 * 255)
+    }
+    expect(drawn).toBeGreaterThan(150)
+  })
+})

@@ -1,0 +1,212 @@
+import { createHash } from 'node:crypto'
+import { readFileSync } from 'node:fs'
+import type { Document } from '@gltf-transform/core'
+import { draco, meshopt, quantize, sparse } from '@gltf-transform/functions'
+import { MeshoptEncoder } from 'meshoptimizer/encoder'
+import { beforeAll, describe, expect, test } from 'vitest'
+import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
+import { BARE_FACES } from '../../bare-faces/bare-faces.ts'
+import {
+  addShapes,
+  dense,
+  placeByNode,
+  placeBySkeleton,
+  rename,
+  skinOf,
+  split,
+  transformCoordinates,
+  withTargets,
+} from './auto-changes.ts'
+import {
+  activationsApart,
+  activationsOf,
+  anyIO,
+  areasApart,
+  type Made,
+  makeWrinkles,
+  mapAttribute,
+  meshOf,
+  normalsApart,
+  plainFace,
+  plainWrinkles,
+  wrinklesOf,
+} from './auto-variants.ts'
+import { toVRoid } from './vroid.ts'
+import { Workshop } from './workshop.ts'
+
+const workshop = new Workshop()
+const face = plainWrinkles(workshop)
+
+/** Each format is the same face: the wrinkles must be the same too. */
+const VARIANTS: [string, { change: (document: Document) => unknown; levels?: number; degrees?: number }][] = [
+  [
+    'named with _L and _R, behind a prefix',
+    {
+      change: (d) =>
+        rename(skinOf(d), (name) => `head.${name.replace(/Left$/, '_L').replace(/Right$/, '_R')}`),
+    },
+  ],
+  ['with visemes and shapes of its own', { change: addShapes }],
+  ['dense', { change: (d) => d.transform(dense) }],
+  ['sparse', { change: (d) => d.transform(dense, sparse({ ratio: 1 })) }],
+  ['quantised', { change: (d) => d.transform(quantize()), levels: 5, degrees: 4 }],
+  [
+    'meshopt',
+    {
+      change: async (d) => {
+        await MeshoptEncoder.ready
+        await d.transform(meshopt({ encoder: MeshoptEncoder, level: 'medium' }))
+      },
+      levels: 5,
+      degrees: 4,
+    },
+  ],
+  ['in two primitives of one material', { change: split }],
+  ['placed by its node', { change: placeByNode, levels: 1, degrees: 1 }],
+  ['placed by a skeleton', { change: placeBySkeleton, levels: 1, degrees: 1 }],
+  [
+    'facing backwards',
+    {
+      change: (d) =>
+        mapAttribute(withTargets(skinOf(d).listPrimitives()), 'POSITION', ([x, y, z]) => [-x!, y!, -z!]),
+    },
+  ],
+  ['with a KHR_texture_transform', { change: transformCoordinates, levels: 1, degrees: 1 }],
+  [
+    'in another tile of the texture',
+    { change: (d) => mapAttribute(skinOf(d).listPrimitives(), 'TEXCOORD_0', ([u, v]) => [u! + 1, v! - 1]) },
+  ],
+]
+
+describe.each(VARIANTS)('a face %s', (name, { change, levels = 0.1, degrees = 0.2 }) => {
+  test('gets the wrinkles of the plain one, in a file that is valid', async () => {
+    const document = await plainFace()
+    await change(document)
+    const made = await makeWrinkles(workshop, name, document)
+    expect([...made.areas.keys()]).toEqual([...face().areas.keys()])
+    expect(activationsApart(face(), made)).toBeLessThan(0.05)
+    expect(areasApart(face(), made)).toBeLessThan(levels)
+    expect(await normalsApart(face(), made)).toBeLessThan(degrees)
+    expect(made.warned).toBe('')
+    expect(await errorsOf(made.path)).toEqual([])
+  })
+})
+
+test.each([
+  ['quantised', 'KHR_mesh_quantization', quantize()],
+  ['meshopt', 'EXT_meshopt_compression', meshopt({ encoder: MeshoptEncoder })],
+  ['draco', 'KHR_draco_mesh_compression', draco()],
+])('a file that is %s stays so, and holds the same meshes', async (name, extension, transform) => {
+  await MeshoptEncoder.ready
+  const made = await makeWrinkles(workshop, `stays ${name}`, await (await plainFace()).transform(transform))
+  const [before, after] = await Promise.all(
+    [made.plain, made.path].map(async (path) => (await anyIO()).binaryToJSON(readFileSync(path))),
+  )
+  expect(after!.json.extensionsRequired).toContain(extension)
+  expect(after!.json.meshes).toEqual(before!.json.meshes)
+  const shapes = await Promise.all(
+    [made.plain, made.path].map(async (path) => shapesOf(await plainFace(path))),
+  )
+  expect(shapes[0]!.length).toBeGreaterThan(5)
+  expect(shapes[1]).toEqual(shapes[0])
+  expect(activationsApart(face(), made)).toBeLessThan(0.05)
+})
+
+describe('a face in the manner of VRoid Studio', () => {
+  let made: Made
+
+  beforeAll(async () => {
+    const document = await plainFace()
+    toVRoid(document)
+    made = await makeWrinkles(workshop, 'vroid', document)
+  })
+
+  test('is recognised by its own shapes, which are named', () => {
+    expect(made.warned).toContain('Fcl_BRW_Surprised, Fcl_BRW_Angry, Fcl_EYE_Close_L, Fcl_EYE_Close_R')
+    expect(made.warned).toContain("stand in for ARKit's shapes")
+    const names = [...made.areas.keys()]
+    for (const region of [
+      'foreheadInner',
+      'foreheadOuter',
+      'glabella',
+      'crowsFeet',
+      'underEye',
+      'nasolabial',
+    ])
+      expect(names).toEqual(expect.arrayContaining([`${region}Left`, `${region}Right`]))
+  })
+
+  test('has its left on its left, though it looks backwards', () => {
+    for (const region of ['foreheadInner', 'foreheadOuter', 'glabella', 'crowsFeet', 'nasolabial'])
+      for (const [side, other] of [
+        ['Left', 'Right'],
+        ['Right', 'Left'],
+      ]) {
+        const area = made.areas.get(`${region}${side}`)!.data
+        expect(sharedBy(area, face().areas.get(`${region}${side}`)!.data)).toBeGreaterThan(0.75)
+        expect(sharedBy(area, face().areas.get(`${region}${other}`)!.data)).toBeLessThan(0.25)
+      }
+  })
+
+  test('wrinkles by its expressions', () => {
+    const [surprised, angry, closed] = ['Fcl_BRW_Surprised', 'Fcl_BRW_Angry', 'Fcl_EYE_Joy_L'].map((shape) =>
+      activationsOf(made, { [shape]: 1 }),
+    ) as [Map<string, number>, Map<string, number>, Map<string, number>]
+    for (const side of ['Left', 'Right']) {
+      expect(surprised.get(`foreheadInner${side}`)).toBeGreaterThan(0.8)
+      expect(surprised.get(`glabella${side}`)).toBeLessThan(0.2)
+      expect(angry.get(`glabella${side}`)).toBeGreaterThan(0.8)
+      expect(angry.get(`foreheadInner${side}`)).toBe(0)
+    }
+    expect(closed.get('crowsFeetLeft')).toBeGreaterThan(0.6)
+    expect(closed.get('crowsFeetRight')).toBeLessThan(0.05)
+  })
+})
+
+test.each(BARE_FACES)('$name gets the wrinkles that it has under names of ARKit', async ({ name, path }) => {
+  const bare = await wrinklesOf(workshop, await copyOf(await plainFace(path), name))
+  const renamed = await plainFace(path)
+  rename(meshOf(renamed, 'face'), (name) => name.replace(/_L$/, 'Left').replace(/_R$/, 'Right'))
+  const made = await makeWrinkles(workshop, `renamed ${name}`, renamed)
+  expect([...made.areas.keys()]).toEqual([...bare.areas.keys()])
+  expect(activationsApart(bare, made)).toBe(0)
+  expect(areasApart(bare, made)).toBe(0)
+})
+
+/** The part of an area's weight that another one has too. */
+function sharedBy(area: Uint8Array, other: Uint8Array): number {
+  let [common, all] = [0, 0]
+  for (let i = 0; i < area.length; i++) {
+    common += Math.min(area[i]!, other[i]!)
+    all += area[i]!
+  }
+  return common / all
+}
+
+/** Positions and indices of all primitives, as they are read. */
+function shapesOf(document: Document): string[] {
+  return document
+    .getRoot()
+    .listMeshes()
+    .flatMap((mesh) => mesh.listPrimitives())
+    .map((primitive) =>
+      [primitive.getAttribute('POSITION'), primitive.getIndices()]
+        .map((accessor) =>
+          createHash('sha256').update(Buffer.from(accessor!.getArray()!.buffer)).digest('hex'),
+        )
+        .join(' '),
+    )
+}
+
+/** Errors that `furrow validate` finds. */
+async function errorsOf(path: string): Promise<unknown[]> {
+  workshop.printed = ''
+  await workshop.run(validateCommand, path, '--json')
+  return JSON.parse(workshop.printed).findings.filter(
+    ({ severity }: { severity: string }) => severity === 'error',
+  )
+}
+
+async function copyOf(document: Document, name: string): Promise<string> {
+  return workshop.write(`${name}.glb`, await (await anyIO()).writeBinary(document))
+}

@@ -1,0 +1,55 @@
+import { readFileSync, writeFileSync } from 'node:fs'
+import { parseWrinkleMaps } from 'furrow'
+import { describe, expect, test } from 'vitest'
+import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
+import { BARE_FACES } from '../../bare-faces/bare-faces.ts'
+import { bench } from './command.ts'
+import { sheet, sheetGlb } from './sheet.ts'
+import { jsonOf } from './workshop.ts'
+
+const FACE = 'faces/human.glb'
+const at = bench(autoCommand)
+const { file, fails } = at
+
+const run = (...args: string[]) => at.run(...args, '--size', '512')
+
+const areasOf = (path: string) => {
+  const json = jsonOf(readFileSync(path))
+  return parseWrinkleMaps(json.materials[0].extensions.FURROW_wrinkle_maps, json.textures.length).areas
+}
+
+test('400,000 triangles are worked on', async () => {
+  writeFileSync(file('fine.glb'), await sheetGlb(sheet(448)))
+  await run(file('fine.glb'), '-o', file('out.glb'))
+  expect(areasOf(file('out.glb')).length).toBeGreaterThan(0)
+})
+
+describe('the shipped face', () => {
+  test('has wrinkles, which are replaced; --areas keeps those that are shortened most', async () => {
+    await fails('the material already has wrinkles', FACE, '-o', file('x.glb'))
+    await run(FACE, '-o', file('all.glb'), '--replace', '--json')
+    const all = JSON.parse(at.printed)
+    expect(all.isFace).toBe(true)
+    expect(at.warned).toBe('')
+    at.printed = ''
+    await run(FACE, '-o', file('few.glb'), '--replace', '--json', '--areas', '5')
+    const few = JSON.parse(at.printed)
+    const compressions = ({ areas }: typeof all) =>
+      areas.map((area: { compression: number }) => area.compression).sort((a: number, b: number) => a - b)
+    expect(few.areas).toHaveLength(5)
+    expect(compressions(few)).toEqual(compressions(all).slice(-5))
+  })
+
+  test('creases only in the regions that are named', async () => {
+    await run(FACE, '-o', file('some.glb'), '--replace', '--regions', 'upperLip', 'crowsFeet')
+    const names = areasOf(file('some.glb')).map(({ name }) => name)
+    expect(names).toEqual(['crowsFeetLeft', 'crowsFeetRight', 'upperLip'])
+  })
+})
+
+test.each(BARE_FACES)('$name is a face', async ({ path }) => {
+  await run(path, '-o', file('bare.glb'), '--json')
+  const { isFace, areas } = JSON.parse(at.printed)
+  expect(isFace).toBe(true)
+  expect(areas.length).toBeGreaterThanOrEqual(8)
+})

@@ -1,0 +1,400 @@
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { SingleBar } from 'cli-progress'
+import { parseWrinkleMaps } from 'furrow'
+import { AUTO_STEPS } from 'furrow/author'
+import sharp from 'sharp'
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
+import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
+import { editGlb } from '../../glb.ts'
+import { bench } from './command.ts'
+import { PUSHED, type Sheet, sheet, sheetGlb } from './sheet.ts'
+import { jsonOf } from './workshop.ts'
+
+const NAME = 'FURROW_wrinkle_maps'
+const at = bench(autoCommand)
+const { file, fails } = at
+
+/** At the smallest size: what is tested here does not hang on it. */
+const run = (...args: string[]) => at.run(...args, '--size', '512')
+
+/** Writes a sheet, spoilt or not. */
+async function write(name: string, spoil: (shape: Sheet) => void = () => {}, squares = 40): Promise<string> {
+  const shape = sheet(squares)
+  spoil(shape)
+  writeFileSync(file(name), await sheetGlb(shape))
+  return file(name)
+}
+
+const areasOf = (path: string) => {
+  const json = jsonOf(readFileSync(path))
+  return parseWrinkleMaps(json.materials[0].extensions[NAME], json.textures.length).areas
+}
+
+describe('a body without a face', () => {
+  test('is creased by strain alone, and says so', async () => {
+    await run(await write('body.glb'), '-o', file('out.glb'))
+    expect(at.printed).toMatch(
+      /mesh "torso", material "cloth" \(the only one with .+\); layers: 1; areas: [1-9]/,
+    )
+    expect(at.warned).toMatch(/^furrow auto: no face was found .*\n$/)
+    expect(areasOf(file('out.glb'))[0].name).toBe('bend')
+    at.printed = ''
+    await validateCommand.parseAsync([file('out.glb')], { from: 'user' })
+    expect(at.printed).toContain('0 errors')
+  })
+
+  test('has no regions to choose from', async () => {
+    const body = await write('body.glb')
+    await fails('regions cannot be chosen', body, '-o', file('x.glb'), '--regions', 'neck', 'chin')
+  })
+
+  test('is told as JSON', async () => {
+    await run(await write('body.glb'), '-o', file('out.glb'), '--json')
+    const told = JSON.parse(at.printed)
+    expect(told).toEqual({
+      file: file('out.glb'),
+      mesh: 'torso',
+      material: 'cloth',
+      reason: expect.stringContaining('the only one with'),
+      bytes: readFileSync(file('out.glb')).length,
+      isFace: false,
+      warnings: [expect.stringContaining('no face was found')],
+      layers: ['auto1'],
+      areas: expect.any(Array),
+    })
+    for (const area of told.areas) {
+      expect(Object.keys(area)).toEqual(['name', 'layer', 'lines', 'compression', 'error', 'links'])
+      expect(area.links).toEqual([{ name: 'bend', weight: expect.any(Number) }])
+      expect(area.lines).toBeGreaterThan(0)
+    }
+    expect(
+      Math.max(...told.areas.map(({ compression }: { compression: number }) => compression)),
+    ).toBeCloseTo(PUSHED, 1)
+  })
+})
+
+describe('bytes', () => {
+  test('the same seed gives the same, another others', async () => {
+    const face = await write('body.glb')
+    for (const [name, seed] of [
+      ['a', '1'],
+      ['b', '1'],
+      ['c', '2'],
+    ])
+      await run(face, '-o', file(`${name}.glb`), '--seed', seed!)
+    const [a, b, c] = ['a', 'b', 'c'].map((name) => readFileSync(file(`${name}.glb`)))
+    expect(a!.equals(b!)).toBe(true)
+    expect(a!.equals(c!)).toBe(false)
+  })
+
+  test('nothing else of the file changes', async () => {
+    const face = await write('body.glb')
+    const odd = editGlb(readFileSync(face), (json) => {
+      json.extensions = { ODD_thing: { texture: 0 } }
+      json.extensionsUsed = ['ODD_thing']
+      json.nodes[0].extras = { own: [1, null, 'ü'] }
+      json.asset.generator = 'somebody'
+    })
+    writeFileSync(file('odd.glb'), odd)
+    await run(file('odd.glb'), '-o', file('out.glb'))
+    const [before, after] = [odd, readFileSync(file('out.glb'))]
+    const json = jsonOf(after)
+    const old = jsonOf(before)
+    // What was there stands first in every list; what came after it is the wrinkles'.
+    for (const list of ['images', 'textures', 'samplers', 'bufferViews']) {
+      expect(json[list].length).toBeGreaterThan((old[list] ?? []).length)
+      json[list] = json[list].slice(0, (old[list] ?? []).length)
+      if (!old[list]) delete json[list]
+    }
+    delete json.materials[0].extensions
+    json.extensionsUsed = json.extensionsUsed.filter((name: string) => name !== NAME)
+    json.buffers[0].byteLength = old.buffers[0].byteLength
+    expect(json).toEqual(old)
+    const [was, is] = [binOf(before), binOf(after)]
+    expect(is.subarray(0, was.length).equals(was)).toBe(true)
+  })
+})
+
+describe('the report', () => {
+  const page = (folder: string) => readFileSync(join(folder, 'index.html'), 'utf8')
+
+  /** Where there is no browser it is written all the same. */
+  beforeEach(() => void vi.stubEnv('FURROW_CHROMIUM', '/nowhere/chromium'))
+  afterEach(() => void vi.unstubAllEnvs())
+
+  test('is written without a browser, and says so', async () => {
+    await run(await write('body.glb'), '-o', file('out.glb'), '--report', file('report'), '--json')
+    expect(JSON.parse(at.printed).report).toBe(file('report/index.html'))
+    expect(at.warned).toContain(
+      'furrow auto: the report has no pictures of the face (furrow: FURROW_CHROMIUM',
+    )
+    const html = page(file('report'))
+    expect(html).toContain('The face was not drawn.')
+    expect(html).toContain('no face was found')
+    const sources = [...html.matchAll(/<img src="([^"]+)"/g)].map(([, source]) => source!)
+    const areas = areasOf(file('out.glb')).map((_, i) => `area-${i + 1}.webp`)
+    const maps = ['strain-1.webp', ...areas, 'layer-1-normal.webp', 'layer-1-relief.webp']
+    expect(sources).toEqual(maps)
+    expect(readdirSync(file('report')).sort()).toEqual([...maps, 'index.html'].sort())
+    for (const source of sources)
+      expect((await sharp(join(file('report'), source)).metadata()).format).toBe('webp')
+  })
+
+  test('escapes what others named, and needs no script', async () => {
+    const face = await write('odd.glb', ({ targets }) => {
+      targets['<img src=x onerror=alert(1)>"&\n\''] = targets.bend!
+      delete targets.bend
+    })
+    await run(face, '-o', file('out.glb'), '--report', file('odd'))
+    const html = page(file('odd'))
+    expect(html).toContain('&lt;img src=x onerror=alert(1)&gt;&quot;&amp; &#39;')
+    expect(html).not.toMatch(/<img src=x|<script/)
+    expect([...html.matchAll(/<img [^>]*>/g)].every(([tag]) => /alt="[^"]+"/.test(tag))).toBe(true)
+  })
+
+  test('replaces an older one and leaves the files of others', async () => {
+    mkdirSync(file('old'))
+    writeFileSync(file('old/index.html'), 'old')
+    writeFileSync(file('old/notes.txt'), 'mine')
+    await run(await write('body.glb'), '-o', file('out.glb'), '--report', file('old'))
+    expect(page(file('old'))).toContain('<!doctype html>')
+    expect(readFileSync(file('old/notes.txt'), 'utf8')).toBe('mine')
+  })
+
+  test('the bar names each step once, from start to end', async () => {
+    const start = vi.spyOn(SingleBar.prototype, 'start')
+    const update = vi.spyOn(SingleBar.prototype, 'update')
+    await run(await write('body.glb'), '-o', file('out.glb'), '--report', file('report'))
+    const steps = ['reading', ...AUTO_STEPS, 'encoding', 'report', 'pictures', 'writing']
+    expect(start.mock.calls).toEqual([[steps.length, 0, { step: 'reading' }]])
+    expect(update.mock.calls).toEqual(steps.map((step, i) => [i, { step }]))
+  })
+})
+
+describe('blendshapes that are of no use', () => {
+  const zeros = (shape: Sheet) => new Float32Array(shape.positions.length)
+
+  test('one that moves nothing stays, and drives nothing', async () => {
+    const face = await write('zero.glb', (shape) => {
+      shape.targets = { nothing: zeros(shape), ...shape.targets }
+    })
+    await run(face, '-o', file('out.glb'), '--json')
+    const { areas, warnings } = JSON.parse(at.printed)
+    expect(areas[0].links).toEqual([{ name: 'bend', weight: expect.any(Number) }])
+    expect(warnings).toHaveLength(1)
+    expect(jsonOf(readFileSync(file('out.glb'))).meshes[0].extras.targetNames).toEqual(['nothing', 'bend'])
+  })
+
+  test.each([
+    ['one that goes too far', 1e6, 'moves vertices farther than 2 times the size of the face'],
+    ['one with NaN', Number.NaN, 'has offsets that are NaN or infinite'],
+    ['one with Infinity', Number.POSITIVE_INFINITY, 'has offsets that are NaN or infinite'],
+  ])('%s is left out, and named', async (_, value, problem) => {
+    const face = await write('odd.glb', (shape) => {
+      const odd = zeros(shape)
+      odd[100] = value
+      shape.targets.odd = odd
+    })
+    await run(face, '-o', file('out.glb'), '--json')
+    const { areas, warnings } = JSON.parse(at.printed)
+    expect(areas[0].links).toEqual([{ name: 'bend', weight: expect.any(Number) }])
+    expect(warnings[0]).toContain(`blendshape "odd" ${problem}`)
+    expect(at.warned.split('\n')).toHaveLength(3)
+  })
+})
+
+describe('geometry that is partly broken', () => {
+  test.each<[string, (shape: Sheet) => void]>([
+    [
+      'triangles without surface',
+      ({ indices }) => {
+        for (let i = 0; i < indices.length; i += 30) indices.fill(indices[i]!, i, i + 3)
+      },
+    ],
+    [
+      'triangles without surface in the texture',
+      ({ indices, uvs }) => {
+        for (let i = 0; i < 60; i++) uvs!.copyWithin(2 * indices[i]!, 2 * indices[0]!, 2 * indices[0]! + 2)
+      },
+    ],
+    [
+      'vertices of no triangle, more than of some',
+      (shape) => {
+        const more = (array: Float32Array<ArrayBuffer>) => {
+          const out = new Float32Array(4 * array.length)
+          out.set(array)
+          return out
+        }
+        shape.positions = more(shape.positions)
+        shape.uvs = more(shape.uvs!)
+        shape.targets = { bend: more(shape.targets.bend!) }
+      },
+    ],
+  ])('%s are passed over', async (_, spoil) => {
+    await run(await write('spoilt.glb', spoil), '-o', file('out.glb'))
+    expect(at.warned).toMatch(/^furrow auto: no face was found .*\n$/)
+    expect(areasOf(file('out.glb')).length).toBeGreaterThan(0)
+  })
+})
+
+describe('what no wrinkles can be made from is refused in one line', () => {
+  test.each<[string, (shape: Sheet) => void, string]>([
+    [
+      'no blendshapes',
+      (shape) => {
+        shape.targets = {}
+      },
+      'no blendshapes',
+    ],
+    [
+      'blendshapes that move nothing',
+      ({ targets }) => {
+        targets.bend!.fill(0)
+      },
+      'no blendshape moves the mesh',
+    ],
+    [
+      'blendshapes that push nothing together',
+      ({ targets }) => {
+        targets.bend!.fill(0.1)
+      },
+      'no blendshape compresses the skin enough',
+    ],
+    [
+      'no texture coordinates',
+      (shape) => {
+        shape.uvs = undefined
+      },
+      'can wrinkle',
+    ],
+    ['texture coordinates on one spot', ({ uvs }) => void uvs!.fill(0.5), 'span no area'],
+    [
+      'texture coordinates that are NaN',
+      ({ uvs }) => void uvs!.fill(Number.NaN, 7, 8),
+      'a texture coordinate is NaN or infinite',
+    ],
+    [
+      'a position that is NaN',
+      ({ positions }) => void positions.fill(Number.NaN, 7, 8),
+      'a position is NaN or infinite',
+    ],
+    ['all triangles without surface', ({ indices }) => void indices.fill(3), 'furrow auto'],
+    ['all vertices at one place', ({ positions }) => void positions.fill(1), 'the mesh has no area'],
+    [
+      'all vertices on one line',
+      ({ positions }) => {
+        for (let i = 0; i < positions.length; i++) if (i % 3 > 0) positions[i] = 0
+      },
+      'no area',
+    ],
+    [
+      'an index out of range',
+      ({ indices }) => void indices.fill(1e6, 5, 6),
+      'a triangle has an index out of range',
+    ],
+  ])('%s', async (_, spoil, message) => {
+    await fails(message, await write('bad.glb', spoil), '-o', file('x.glb'), '--size', '512')
+  })
+
+  test.each<[string, (json: Json) => unknown, string]>([
+    [
+      'no triangles but lines',
+      ({ meshes }) => Object.assign(meshes[0].primitives[0], { mode: 1 }),
+      'can wrinkle',
+    ],
+    ['no material', ({ meshes }) => void delete meshes[0].primitives[0].material, 'can wrinkle'],
+    [
+      'no mesh',
+      (json) => {
+        json.meshes = []
+        delete json.nodes[0].mesh
+      },
+      'can wrinkle',
+    ],
+    [
+      'an accessor beyond its bytes',
+      ({ accessors }) => Object.assign(accessors[0], { count: 1e6 }),
+      'cannot read the face',
+    ],
+    [
+      'two million triangles and one',
+      ({ accessors, meshes }) =>
+        Object.assign(accessors[meshes[0].primitives[0].indices], { count: 6_000_003 }),
+      'the mesh "torso" has too many triangles, got 2000001, allowed: 2,000,000',
+    ],
+  ])('%s', async (_, edit, message) => {
+    writeFileSync(file('bad.glb'), editGlb(readFileSync(await write('body.glb')), edit))
+    await fails(message, file('bad.glb'), '-o', file('x.glb'))
+  })
+
+  test('a mesh that is not there', async () => {
+    const face = await write('body.glb')
+    await fails('got "head"', face, '-o', file('x.glb'), '--mesh', 'head')
+    await run(face, '-o', file('out.glb'), '--mesh', 'body')
+  })
+})
+
+describe('files', () => {
+  test('wrinkles that are there are replaced only if the user says so', async () => {
+    const face = await write('body.glb')
+    await run(face, '-o', file('once.glb'))
+    await fails('the material already has wrinkles, got "cloth"', file('once.glb'), '-o', file('x.glb'))
+    await run(file('once.glb'), '-o', file('twice.glb'), '--replace')
+    expect(readFileSync(file('twice.glb')).equals(readFileSync(file('once.glb')))).toBe(true)
+    await run(file('once.glb'), '-o', file('once.glb'), '--replace', '--seed', '2')
+    expect(readFileSync(file('twice.glb')).equals(readFileSync(file('once.glb')))).toBe(false)
+  })
+
+  test('what is no whole file', async () => {
+    const whole = readFileSync(await write('body.glb'))
+    for (const length of [0, 3, 11, 19, 40, 500, whole.length / 2, whole.length - 1]) {
+      writeFileSync(file('cut.glb'), whole.subarray(0, length))
+      await fails('cut.glb', file('cut.glb'), '-o', file('x.glb'))
+    }
+    writeFileSync(file('cut.glb'), 'this is a text and no face')
+    await fails('it does not begin with "glTF"', file('cut.glb'), '-o', file('x.glb'))
+    await fails('cannot read', file('missing.glb'), '-o', file('x.glb'))
+    await fails('cannot read', at.folder, '-o', file('x.glb'))
+  })
+
+  test('what cannot be written', async () => {
+    const face = await write('body.glb')
+    mkdirSync(file('folder.glb'))
+    await fails('does not end in .glb', face, '-o', file('x.gltf'))
+    await fails('is not a folder', face, '-o', `${face}/x.glb`)
+    await fails('it is a folder', face, '-o', file('folder.glb'))
+    await fails('is not a folder', face, '-o', file('x.glb'), '--report', `${face}/report`)
+  })
+
+  test.each([
+    ['--age', '19'],
+    ['--age', 'old'],
+    ['--strength', '2.1'],
+    ['--strength', '-1'],
+    ['--size', '1000'],
+    ['--seed', '1.5'],
+    ['--layers', '0'],
+    ['--layers', '5'],
+    ['--areas', '0'],
+    ['--areas', '65'],
+    ['--areas', ''],
+    ['--regions', 'ears'],
+  ])('%s %s is refused', async (option, value) => {
+    await fails(option, file('never-read.glb'), '-o', file('x.glb'), option, value)
+  })
+})
+
+interface Json {
+  meshes: { primitives: { mode?: number; material?: number; indices: number }[] }[]
+  nodes: { mesh?: number }[]
+  accessors: { count: number }[]
+}
+
+/** The binary part of a `.glb`. */
+function binOf(bytes: Uint8Array): Buffer {
+  const file = Buffer.from(bytes)
+  const begin = 20 + file.readUInt32LE(12)
+  return file.subarray(begin + 8, begin + 8 + file.readUInt32LE(begin))
+}

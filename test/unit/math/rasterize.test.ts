@@ -1,0 +1,50 @@
+import { describe, expect, it } from 'vitest'
+import { rasterize } from '../../../packages/furrow/src/math/rasterize.ts'
+
+/** Pixels that a triangle covers, as [column, row, a, b, c]. */
+function covered(triangle: number[], ...rest: [tolerance?: number, box?: [number, number, number, number]]) {
+  const pixels: number[][] = []
+  rasterize(triangle, rest[0] ?? 1e-6, (...pixel) => pixels.push(pixel), rest[1])
+  return pixels
+}
+
+const pixelsOf = (pixels: number[][]) => pixels.map(([column, row]) => [column, row])
+
+describe('rasterize', () => {
+  it('visits the pixels whose centres are inside, row by row, whichever way the corners turn', () => {
+    const expected = [
+      [0, 0],
+      [1, 0],
+      [2, 0],
+      [0, 1],
+      [1, 1],
+      [0, 2],
+    ]
+    expect(pixelsOf(covered([0, 0, 2, 0, 0, 2]))).toEqual(expected)
+    expect(pixelsOf(covered([0, 0, 0, 2, 2, 0]))).toEqual(expected)
+  })
+
+  it('gives barycentric coordinates of the corners in their order', () => {
+    expect(covered([0, 0, 4, 0, 0, 2]).find(([x, y]) => x === 1 && y === 1)).toEqual([1, 1, 0.25, 0.25, 0.5])
+  })
+
+  it('visits negative pixels too, but none beyond the box', () => {
+    const triangle = [-2, -2, 4, -2, -2, 4]
+    expect(pixelsOf(covered(triangle))).toContainEqual([-2, -2])
+    expect(pixelsOf(covered(triangle, 1e-6, [0, 0, 1, 0]))).toEqual([
+      [0, 0],
+      [1, 0],
+    ])
+  })
+
+  it('visits centres outside by no more than the tolerance', () => {
+    const triangle = [0, 0, 1.99, 0, 0, 1.99]
+    expect(pixelsOf(covered(triangle, 0))).not.toContainEqual([1, 1])
+    expect(pixelsOf(covered(triangle, 0.01))).toContainEqual([1, 1])
+  })
+
+  it('visits nothing for a triangle without area or without a centre', () => {
+    expect(covered([0, 0, 3, 3, 6, 6])).toEqual([])
+    expect(covered([0.2, 0.2, 0.8, 0.2, 0.2, 0.8])).toEqual([])
+  })
+})

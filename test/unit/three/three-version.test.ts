@@ -1,0 +1,122 @@
+import { readFileSync } from 'node:fs'
+import {
+  BatchedMesh,
+  MeshStandardMaterial,
+  REVISION,
+  ShaderChunk,
+  type Texture,
+  type WebGLRenderer,
+} from 'three'
+import { NodeBuilder } from 'three/webgpu'
+import { afterEach, describe, expect, it, vi } from 'vitest'
+import { loadMapArray } from '../../../packages/furrow/src/three/loader/ktx2.ts'
+import {
+  checkThree,
+  requireInternal,
+  TESTED_THREE,
+} from '../../../packages/furrow/src/three/three-version.ts'
+import { instancedVertex } from '../../../packages/furrow/src/three/webgl/default-shader.ts'
+import { quadMaterials } from '../../../packages/furrow/src/three/webgl/influence-quads.ts'
+import { checkBatch } from '../../../packages/furrow/src/three/webgpu/influence.ts'
+import { Wrinkles } from '../../../packages/furrow/src/three/webgpu/webgpu-wrinkles.ts'
+
+let revision: string | null = null
+vi.mock('three', async (original) => {
+  const three = await original<typeof import('three')>()
+  return {
+    ...three,
+    get REVISION() {
+      return revision ?? three.REVISION
+    },
+  }
+})
+afterEach(() => {
+  revision = null
+})
+
+const read = (path: string) => JSON.parse(readFileSync(new URL(`../../../${path}`, import.meta.url), 'utf8'))
+const { oldest, newest } = TESTED_THREE
+const range = `r${oldest} to r${newest}`
+
+/** What every guard's error ends with. */
+const found = (name: string) =>
+  new RegExp(
+    `three\\.js lacks ${name}, got "r${REVISION}", allowed: ${range}; install a release of three\\.js`,
+  )
+
+describe('the versions of three.js', () => {
+  it('are the same for users, tests and errors', () => {
+    const { devDependencies } = read('package.json')
+    expect(read('packages/furrow/package.json').peerDependencies.three).toBe(`>=0.${oldest}.0`)
+    expect(devDependencies['three-oldest']).toBe(`npm:three@0.${oldest}.0`)
+    expect(devDependencies.three).toMatch(new RegExp(`^0\\.${newest}\\.\\d+$`))
+    expect(REVISION).toBe(String(newest))
+  })
+
+  it('are checked where an older one makes the face vanish', () => {
+    revision = String(oldest - 1)
+    const message = `Wrinkles of furrow/webgpu: three.js is too old, got "r${oldest - 1}", allowed: ${range}; install a release of three.js in that range`
+    expect(() => checkThree('Wrinkles of furrow/webgpu')).toThrow(message)
+    expect(() => new Wrinkles(null as never, null as never)).toThrow(message)
+    for (const tested of [`${oldest}`, `${newest}`, `${newest + 1}dev`]) {
+      revision = tested
+      expect(() => checkThree('Wrinkles')).not.toThrow()
+    }
+  })
+})
+
+describe('internals of three.js', () => {
+  it('are passed on where they are there, false and 0 included', () => {
+    for (const value of [0, false, '', {}]) expect(requireInternal(value, 'Wrinkles', 'x')).toBe(value)
+    for (const value of [null, undefined])
+      expect(() => requireInternal(value, 'Wrinkles', 'x')).toThrow(found('x'))
+  })
+
+  it.each([
+    ['init', {}],
+    ['transcoderBinary', { init: async () => {} }],
+    ['workerSourceURL', { init: async () => {}, transcoderBinary: new ArrayBuffer(0) }],
+    [
+      'workerPool.setWorkerCreator',
+      { init: async () => {}, transcoderBinary: new ArrayBuffer(0), workerSourceURL: 'blob:' },
+    ],
+  ])('are named where KTX2Loader lacks %s', async (name, internals) => {
+    const ktx2Loader = Object.assign(new (class KTX2Loader {})(), {
+      workerConfig: { dxtSupported: true },
+      ...internals,
+    })
+    const parser = { options: { ktx2Loader }, json: { textures: [{}] } }
+    await expect(loadMapArray(parser as never, 0)).rejects.toThrow(found(`KTX2Loader.${name}`))
+  })
+
+  it('are named where WebGLRenderer lacks what it knows of a target', () => {
+    const texture = {} as Texture
+    const hasContents = (renderer: object) =>
+      quadMaterials.hasContents(renderer as WebGLRenderer, { texture } as never)
+    const knowing = (known: object) => ({ properties: { get: () => known } })
+    expect(() => hasContents({})).toThrow(found('renderer.properties'))
+    expect(hasContents(knowing({}))).toBe(false)
+    expect(hasContents(knowing({ __webglTexture: {} }))).toBe(true)
+    expect(() => hasContents(knowing({ __renamed: {} }))).toThrow(
+      found('__webglTexture of a drawn render target'),
+    )
+  })
+
+  it('are named where a batch draws in an order that cannot be read', () => {
+    const batch = new BatchedMesh(1, 3, 3, new MeshStandardMaterial())
+    expect(() => checkBatch(batch)).not.toThrow()
+    const { getDrawIndex } = NodeBuilder.prototype as unknown as { getDrawIndex: unknown }
+    Object.assign(NodeBuilder.prototype, { getDrawIndex: undefined })
+    expect(() => checkBatch(batch)).toThrow(found('NodeBuilder.getDrawIndex'))
+    Object.assign(NodeBuilder.prototype, { getDrawIndex })
+    Object.assign(batch, { _indirectTexture: undefined })
+    expect(() => checkBatch(batch)).toThrow(found('BatchedMesh._indirectTexture'))
+    expect(() => new Wrinkles(batch, null as never)).toThrow(found('BatchedMesh._indirectTexture'))
+    const { batching_pars_vertex } = ShaderChunk
+    ShaderChunk.batching_pars_vertex = ''
+    expect(() => instancedVertex('void main() {}', 'batched')).toThrow(
+      found('getIndirectIndex in batching_pars_vertex'),
+    )
+    ShaderChunk.batching_pars_vertex = batching_pars_vertex
+  })
+})
