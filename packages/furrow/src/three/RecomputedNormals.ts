@@ -1,6 +1,6 @@
 import { BufferAttribute, type BufferGeometry, DynamicDrawUsage, type Mesh } from 'three'
 import { DeformedNormals } from '../math/deformed-normals.ts'
-import { coordinates, takeNumbers, targetOffsets, trianglesOf } from './sources/geometry-arrays.ts'
+import { coordinates, copyNumbers, targetOffsets, trianglesOf } from './sources/geometry-arrays.ts'
 
 /** The vertices that a blendshape moves. */
 interface Offsets {
@@ -56,7 +56,7 @@ export class RecomputedNormals {
   /** Brings normals and tangents up to date with the mesh's blendshapes. */
   update(): void {
     const influences = this.#mesh.morphTargetInfluences
-    if (!influences || !takeNumbers(this.#weights, influences)) return
+    if (!influences || !copyNumbers(this.#weights, influences)) return
     this.#now.set(this.#rest)
     for (let i = 0; i < this.#targets.length; i++) this.#add(this.#targets[i], i)
     this.#deformed.update(this.#now, this.#normal.array as Float32Array)

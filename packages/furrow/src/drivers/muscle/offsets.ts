@@ -1,3 +1,4 @@
+import { dot } from '../../math/vector.ts'
 import type { MuscleDriver } from './definition.ts'
 
 type Vector = readonly [number, number, number]
@@ -67,10 +68,6 @@ function minus(a: Vector, b: Vector): Vector {
 
 function scaled(a: Vector, by: number): Vector {
   return [a[0] * by, a[1] * by, a[2] * by]
-}
-
-function dot(a: Vector, b: Vector): number {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 function norm(a: Vector): number {

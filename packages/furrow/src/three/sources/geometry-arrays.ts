@@ -28,7 +28,7 @@ export function targetOffsets({
 }
 
 /** Copies numbers; returns whether any has changed. */
-export function takeNumbers(out: Float32Array, values: ArrayLike<number>): boolean {
+export function copyNumbers(out: Float32Array, values: ArrayLike<number>): boolean {
   let changed = false
   for (let i = 0; i < out.length; i++) {
     const before = out[i]

@@ -12,7 +12,7 @@ import { trianglesOf } from './geometry-arrays.ts'
 const SAMPLES = 16
 
 /** The surface that tension is measured on. */
-export interface TenseMesh {
+export interface TensionSurface {
   /** The mesh at rest. */
   sampled: SampledMesh
   /** Areas whose tension is measured, each once. */
@@ -22,7 +22,10 @@ export interface TenseMesh {
 }
 
 /** Prepares the surface for some inputs. The coverage of areas in compressed textures is unknown. */
-export function tenseMesh(wrinkles: WrinklesBase, inputs: readonly InputOf<'tension'>[]): TenseMesh {
+export function tensionSurface(
+  wrinkles: WrinklesBase,
+  inputs: readonly InputOf<'tension'>[],
+): TensionSurface {
   const areaNames = [...new Set(inputs.map(({ area }) => area))]
   if (areaNames.length === 0) return { sampled: EMPTY, areaNames, covered: [] }
   const sampled = sampledMesh(wrinkles.mesh)
@@ -37,12 +40,12 @@ const EMPTY: SampledMesh = { positions: [], uvs: [], triangles: [] }
 
 /** Measures the mesh as skinning and blendshapes deform it, on the CPU. */
 export const bindTension: BindInputs<'tension'> = (wrinkles, inputs) =>
-  sampledTension(wrinkles.mesh, tenseMesh(wrinkles, inputs), inputs)
+  sampledTension(wrinkles.mesh, tensionSurface(wrinkles, inputs), inputs)
 
 /** Measures a few triangles of each area on the CPU. */
 export function sampledTension(
   mesh: Mesh,
-  { sampled, areaNames, covered }: TenseMesh,
+  { sampled, areaNames, covered }: TensionSurface,
   inputs: readonly InputOf<'tension'>[],
 ): InputReader<unknown> {
   const samples = covered.map((coverage) => sampleCovered(sampled, coverage, SAMPLES))

@@ -3,7 +3,7 @@ import { Fn, If, Loop, localId, max, vec2, workgroupBarrier, workgroupId } from 
 import type { ComputeNode, Node, StorageBufferNode, WebGPURenderer } from 'three/webgpu'
 import { sentence } from '../../core/error.ts'
 import { restInverse } from '../../math/stretch.ts'
-import type { TenseMesh } from '../sources/tension.ts'
+import type { TensionSurface } from '../sources/tension.ts'
 import { Buffers } from './buffers.ts'
 import { DeformedPositions } from './deformed-positions.ts'
 import { sharedArray, workgroups } from './node.ts'
@@ -33,11 +33,11 @@ export class AreaTension {
   #isDisposed = false
   #hasFailed = false
 
-  /** @param tense the mesh at rest; areas that cover none of it measure 0. */
-  constructor(mesh: Mesh, tense: TenseMesh) {
+  /** @param surface the mesh at rest; areas that cover none of it measure 0. */
+  constructor(mesh: Mesh, surface: TensionSurface) {
     this.#mesh = mesh
-    this.#lists = listTriangles(tense)
-    this.values = new Float32Array(PER_AREA * tense.covered.length)
+    this.#lists = listTriangles(surface)
+    this.values = new Float32Array(PER_AREA * surface.covered.length)
   }
 
   /** Starts measuring the mesh in its current pose, unless a measurement is pending or nothing has changed. Never waits or throws. */
@@ -110,7 +110,7 @@ interface TriangleLists {
   weighted: Float32Array
 }
 
-function listTriangles({ sampled: { positions, triangles }, covered }: TenseMesh): TriangleLists {
+function listTriangles({ sampled: { positions, triangles }, covered }: TensionSurface): TriangleLists {
   const [corners, weighted]: number[][] = [[], []]
   const starts = new Uint32Array(covered.length + 1)
   for (const [area, weights] of covered.entries()) {

@@ -1,5 +1,5 @@
 import type { BindInputs } from '../sources/binding.ts'
-import { sampledTension, tenseMesh } from '../sources/tension.ts'
+import { sampledTension, tensionSurface } from '../sources/tension.ts'
 import { AreaTension } from './area-tension.ts'
 import { canCompute } from './buffers.ts'
 
@@ -8,13 +8,13 @@ import { canCompute } from './buffers.ts'
  * compute passes, the CPU measures a sample of them.
  */
 export const bindComputedTension: BindInputs<'tension'> = (wrinkles, inputs) => {
-  const tense = tenseMesh(wrinkles, inputs)
-  const sampled = sampledTension(wrinkles.mesh, tense, inputs)
+  const surface = tensionSurface(wrinkles, inputs)
+  const sampled = sampledTension(wrinkles.mesh, surface, inputs)
   if (inputs.length === 0) return sampled
-  const tension = new AreaTension(wrinkles.mesh, tense)
+  const tension = new AreaTension(wrinkles.mesh, surface)
   wrinkles.onDispose(() => tension.dispose())
   const indices = inputs.map(
-    ({ area, measure }) => 2 * tense.areaNames.indexOf(area) + (measure === 'stretch' ? 1 : 0),
+    ({ area, measure }) => 2 * surface.areaNames.indexOf(area) + (measure === 'stretch' ? 1 : 0),
   )
   return {
     ...sampled,

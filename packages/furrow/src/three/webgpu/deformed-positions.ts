@@ -8,7 +8,7 @@ import {
 } from 'three'
 import { Loop, storage, uint, vec3, vec4 } from 'three/tsl'
 import type { ComputeNode, StorageBufferNode } from 'three/webgpu'
-import { coordinates, takeNumbers, targetOffsets } from '../sources/geometry-arrays.ts'
+import { coordinates, copyNumbers, targetOffsets } from '../sources/geometry-arrays.ts'
 import { Buffers, computePass, padToVec4 } from './buffers.ts'
 import { typedBuffer } from './node.ts'
 
@@ -114,7 +114,7 @@ function morphing(
     node.element(i).assign(vec4(sum, 1))
   })
   const update = () => {
-    const changed = takeNumbers(values, mesh.morphTargetInfluences!)
+    const changed = copyNumbers(values, mesh.morphTargetInfluences!)
     if (changed) weights.value.needsUpdate = true
     return changed
   }
@@ -163,7 +163,7 @@ function skinning(
   const current = values.slice()
   const update = () => {
     writeJointMatrices(mesh as SkinnedMesh, current)
-    const changed = takeNumbers(values, current)
+    const changed = copyNumbers(values, current)
     if (changed) matrices.value.needsUpdate = true
     return changed
   }
