@@ -43,6 +43,7 @@ export { AGES, type AgeDriver } from './drivers/age/definition.ts'
 export { JointMeasurement } from './drivers/bone/measure.ts'
 export { type Curve, type CurvePoint, curveAt } from './drivers/curve.ts'
 export type { ActivationFilter, DriverDefinition, InputFilter } from './drivers/definition.ts'
+export { describeDriver, describeLink } from './drivers/describe.ts'
 export {
   type Explanation,
   explain,
@@ -77,7 +78,6 @@ export {
 export type * from './drivers/registry.ts'
 export {
   DRIVER_TYPES,
-  describeDriver,
   driversOf,
   isKnownDriver,
   registerDriver,
@@ -85,7 +85,6 @@ export {
 export { measuredSource, targetSource, valueSource } from './drivers/sources.ts'
 export { TensionMeasurement, type TensionSample } from './drivers/tension/measure.ts'
 export { type SampledMesh, sampleTriangles } from './drivers/tension/samples.ts'
-export { linkText } from './drivers/text.ts'
 export { DeformedNormals, morphNormalDeltas, type RestMesh } from './math/deformed-normals.ts'
 export { Activations } from './runtime/activations.ts'
 export { EASINGS, type Easing, type ExpressionChoice, ExpressionMix } from './runtime/expression-mix.ts'

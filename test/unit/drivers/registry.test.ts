@@ -56,7 +56,6 @@ interface BreathDriver {
 const breath: DriverDefinition<BreathDriver> = {
   type: 'breath',
   read: (fields) => ({ area: fields.area(), depth: fields.number('depth', 0, 1, 0.5) }),
-  describe: ({ area, depth }) => `${area} = breath x ${depth}`,
   activate: ({ area, depth }) => ({
     area,
     links: ['phase', 'effort'].map((name) => ({ input: { kind: 'value', name }, weight: 1 })),
@@ -67,6 +66,63 @@ const breath: DriverDefinition<BreathDriver> = {
     ],
   }),
 }
+
+it.each<[WrinkleDriver, string]>([
+  [
+    {
+      type: 'morph',
+      area: 'nose',
+      targets: [
+        { name: 'noseSneerLeft', weight: 0.5 },
+        {
+          name: 'noseSneerRight',
+          weight: 1,
+          curve: [
+            [0.1, 0],
+            [1, 2],
+          ],
+        },
+      ],
+      rule: 'max',
+      curve: [
+        [0, 0],
+        [0.8, 1],
+      ],
+    },
+    'nose = max(0.5 noseSneerLeft, noseSneerRight [(0.1, 0) (1, 2)]), curve (0, 0) (0.8, 1)',
+  ],
+  [
+    {
+      type: 'bone',
+      area: 'neck',
+      joints: ['chest', 'head'],
+      measure: 'angle',
+      axis: [0, 1, 0],
+      curve: [
+        [0, 0],
+        [1, 1],
+      ],
+    },
+    'neck = angle of joint head from chest about 0 1 0',
+  ],
+  [
+    {
+      type: 'age',
+      area: 'nose',
+      curve: [
+        [20, 0],
+        [80, 1],
+      ],
+    },
+    'nose = input age, curve (20, 0) (80, 1)',
+  ],
+  [{ type: 'conflict', targets: ['browDown', 'browUp'] }, 'conflict: targets browDown and browUp'],
+  [{ type: 'time', area: 'nose', attack: 0.1, release: 0.4 }, 'time: area nose, attack 0.1, release 0.4'],
+  [
+    { type: 'expression', name: 'joy', targets: [{ name: 'mouthSmile', weight: 0.8 }], activations: [] },
+    'expression: name joy, targets mouthSmile 0.8, activations none',
+  ],
+])('describes %j', (driver, text) => expect(describeDriver(driver)).toBe(text))
 
 describe('registerDriver', () => {
   const json = { type: 'breath', area: 'nose', effort: 3 }
@@ -81,7 +137,7 @@ describe('registerDriver', () => {
     registerDriver(breath)
     const [known] = parseDrivers([json], ['nose'])
     expect(known).toEqual({ type: 'breath', area: 'nose', depth: 0.5 })
-    expect(describeDriver(known)).toBe('nose = breath x 0.5')
+    expect(describeDriver(known)).toBe('nose = breath(input phase, input effort)')
     const { activations, plan } = driven([known])
     expect(plan.unknownTypes).toEqual([])
     const { nose } = activations({ inputs: { phase: 0.5, effort: 0.8 } })

@@ -1,12 +1,12 @@
 import { Option } from 'commander'
 import {
   describeDriver,
+  describeLink,
   EXPRESSIONS,
   type Explanation,
   explain,
   FurrowError,
   findTargets,
-  linkText,
   needsMesh,
 } from 'furrow'
 import { createCommand } from '../command.ts'
@@ -82,7 +82,7 @@ function describe({ area, activation, resting, parts }: Explanation): string[] {
       `  ${number(activation)}  ${describeDriver(driver)}`,
       ...links
         .filter(({ value }) => value !== 0)
-        .map(({ link, value }) => `        ${number(value)}  ${linkText(link)}`),
+        .map(({ link, value }) => `        ${number(value)}  ${describeLink(link)}`),
     ])
   return [
     `${number(activation)}  ${area}`,

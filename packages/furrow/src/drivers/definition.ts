@@ -29,7 +29,7 @@ export interface ActivationFilter {
 }
 
 /**
- * Everything about one type of driver: its JSON, its text, and how it is evaluated. A driver activates an area, filters inputs, filters
+ * Everything about one type of driver: its JSON, and how it is evaluated. A driver activates an area, filters inputs, filters
  * an activation, or does none of these and is data for other code.
  *
  * @typeParam D the driver as read from a file.
@@ -39,8 +39,6 @@ export interface DriverDefinition<D extends { type: string } = { type: string }>
   readonly type: D['type']
   /** Reads a driver from JSON. The methods of `fields` throw FurrowError. */
   read(fields: Fields): Omit<D, 'type'>
-  /** The driver in one line, for people. */
-  describe(driver: D): string
   /** What it adds to an area, if anything. Called once per mesh, not per frame. */
   activate?(driver: D): AreaActivation | undefined
   /** How it changes inputs. Called once per mesh. */

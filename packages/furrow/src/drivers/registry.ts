@@ -97,8 +97,3 @@ export function isKnownDriver(driver: WrinkleDriver): boolean {
 export function driversOf<T extends DriverType>(type: T, drivers: readonly WrinkleDriver[]): DriverOf<T>[] {
   return drivers.filter((driver): driver is DriverOf<T> => driver.type === type)
 }
-
-/** A driver in one line: `brow = 0.5 browInnerUp + browDown, curve (0, 0) (1, 1)`. */
-export function describeDriver(driver: WrinkleDriver): string {
-  return definitionOf(driver.type)?.describe(driver) ?? `${driver.type}: unknown type, kept as it is`
-}

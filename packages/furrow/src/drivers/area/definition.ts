@@ -2,7 +2,6 @@ import type { Rule } from '../activation.ts'
 import { type Curve, IDENTITY } from '../curve.ts'
 import type { DriverDefinition } from '../definition.ts'
 import { type Link, linksTo } from '../link.ts'
-import { curveText, linksText } from '../text.ts'
 
 /** Activates an area by other areas: links to their activations, combined by the rule and passed through the curve. */
 export interface AreaDriver {
@@ -24,7 +23,5 @@ export const area: DriverDefinition<AreaDriver> = {
     rule: fields.rule(),
     curve: fields.curve(IDENTITY),
   }),
-  describe: ({ area, areas, rule, curve }) =>
-    `${area} = ${linksText(areas, rule)} (areas)${curveText(curve)}`,
   activate: ({ area, areas, rule, curve }) => ({ area, links: linksTo('area', areas), rule, curve }),
 }

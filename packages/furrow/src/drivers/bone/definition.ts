@@ -1,7 +1,6 @@
 import type { Curve } from '../curve.ts'
 import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
-import { curveText } from '../text.ts'
 
 /** Activates an area by a joint: by how far it is rotated, or how far it is from another. */
 export interface BoneDriver {
@@ -27,10 +26,6 @@ export const bone: DriverDefinition<BoneDriver> = {
     ...fields.axis(),
     curve: fields.curve(),
   }),
-  describe: ({ area, joints: [from, joint], measure, axis, curve }) =>
-    measure === 'distance'
-      ? `${area} = metres from joint ${from} to ${joint}${curveText(curve)}`
-      : `${area} = rotation of joint ${joint} relative to ${from}${axis ? ` about ${axis.join(' ')}` : ''}${curveText(curve)}`,
   activate: ({ area, joints: [from, joint], measure, axis, curve }) => ({
     area,
     links: linkTo({ kind: 'joint', from, joint, measure, ...(axis && { axis }) }),

@@ -13,7 +13,6 @@ export interface ConflictDriver {
 export const conflict: DriverDefinition<ConflictDriver> = {
   type: 'conflict',
   read: (fields) => ({ targets: fields.names('targets') }),
-  describe: ({ targets }) => `${targets.join(' and ')} cancel`,
   filterInputs: ({ targets }) => ({
     inputs: targets.map((name) => ({ kind: 'target', name })),
     bind:

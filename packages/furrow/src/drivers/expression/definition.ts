@@ -21,9 +21,4 @@ export const expression: DriverDefinition<ExpressionDriver> = {
       activation: item.number('activation', 0, 1, 1),
     })),
   }),
-  describe: ({ name, targets, activations }) =>
-    `expression ${name}: ${[
-      ...targets.map(({ name, weight }) => `${name} ${weight}`),
-      ...activations.map(({ area, activation }) => `area ${area} ${activation}`),
-    ].join(', ')}`,
 }

@@ -1,7 +1,6 @@
 import type { Curve } from '../curve.ts'
 import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
-import { curveText } from '../text.ts'
 
 /** Activates an area by a number that the application sets by name: stress, cold, loudness. */
 export interface InputDriver {
@@ -17,7 +16,6 @@ export interface InputDriver {
 export const input: DriverDefinition<InputDriver> = {
   type: 'input',
   read: (fields) => ({ name: fields.name('name'), area: fields.area(), curve: fields.curve() }),
-  describe: ({ name, area, curve }) => `${area} = ${name} (input)${curveText(curve)}`,
   activate: ({ name, area, curve }) => ({
     area,
     links: linkTo({ kind: 'value', name }),

@@ -2,7 +2,6 @@ import type { Rule } from '../activation.ts'
 import { type Curve, IDENTITY } from '../curve.ts'
 import type { DriverDefinition } from '../definition.ts'
 import { type Link, linksTo } from '../link.ts'
-import { curveText, linksText } from '../text.ts'
 
 /** Activates an area by blendshapes: links to their weights, combined by the rule and passed through the curve. */
 export interface MorphDriver {
@@ -24,6 +23,5 @@ export const morph: DriverDefinition<MorphDriver> = {
     rule: fields.rule(),
     curve: fields.curve(IDENTITY),
   }),
-  describe: ({ area, targets, rule, curve }) => `${area} = ${linksText(targets, rule)}${curveText(curve)}`,
   activate: ({ area, targets, rule, curve }) => ({ area, links: linksTo('target', targets), rule, curve }),
 }

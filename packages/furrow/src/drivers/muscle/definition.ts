@@ -43,7 +43,6 @@ export const muscle: DriverDefinition<MuscleDriver> = {
     ...fields.zone(),
     strength: fields.number('strength', -1, 1, 0.3),
   }),
-  describe: ({ name, area, kind }) => `${area ? `${area} = ` : ''}contraction of the ${kind} muscle ${name}`,
   activate: ({ name, area }) =>
     area === undefined
       ? undefined

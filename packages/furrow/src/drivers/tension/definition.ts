@@ -1,7 +1,6 @@
 import type { Curve } from '../curve.ts'
 import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
-import { curveText } from '../text.ts'
 
 /** Activates an area by the strain of the skin under it, whatever deforms the mesh. */
 export interface TensionDriver {
@@ -21,7 +20,6 @@ export const tension: DriverDefinition<TensionDriver> = {
     measure: fields.choice('measure', ['compression', 'stretch'], 'compression'),
     curve: fields.curve(),
   }),
-  describe: ({ area, measure, curve }) => `${area} = ${measure} of its skin${curveText(curve)}`,
   activate: ({ area, measure, curve }) => ({
     area,
     links: linkTo({ kind: 'tension', area, measure }),
