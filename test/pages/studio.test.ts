@@ -63,9 +63,9 @@ describe('the studio on WebGL', () => {
     await expectValue(slider(page, 'mouthSmileLeft'), 0.85)
     const before = await face(page)
     await page.locator('#areas label', { hasText: 'crowsFeetLeft' }).hover()
-    const why = page.locator('.why')
-    expect(await why.innerText()).toContain('1.00 of crowsFeetLeft from')
-    expect(await why.innerText()).toContain('0.64 by cheekSquintLeft')
+    const explanation = page.locator('.explanation')
+    expect(await explanation.innerText()).toContain('1.00 of crowsFeetLeft from')
+    expect(await explanation.innerText()).toContain('0.64 by cheekSquintLeft')
     const linked = () => page.locator('.row.linked label').allTextContents()
     expect((await linked()).sort()).toEqual([
       'cheekSquintLeft',
@@ -78,7 +78,7 @@ describe('the studio on WebGL', () => {
     await page.locator('#filter').fill('mouthSmileLeft')
     await page.locator('#targets label', { hasText: 'mouthSmileLeft' }).hover()
     expect((await linked()).sort()).toEqual(['crowsFeetLeft', 'nasolabialLeft', 'underEyeLeft'])
-    expect(await why.isVisible()).toBe(false)
+    expect(await explanation.isVisible()).toBe(false)
     await page.locator('#filter').fill('')
     await page.locator('#filter').hover()
     expect(await linked()).toEqual([])
