@@ -1,10 +1,10 @@
-// What a page downloads of the library, minified and gzipped; three.js and the user's own code apart.
+// Download size of the library, minified and gzipped, without three.js and the page's own code.
 
 import { gzipSync } from 'node:zlib'
 import { build } from 'vite'
 import { ROOT } from './serve.mjs'
 
-/** Pages, by what they import. */
+/** What each page imports. */
 const PAGES = {
   'the loader, furrow/three': "export { WrinkleLoaderPlugin } from 'furrow/three'",
   'the loader, furrow/webgpu': "export { WrinkleLoaderPlugin } from 'furrow/webgpu'",
@@ -14,7 +14,7 @@ const PAGES = {
 
 const PAGE = 'virtual:page'
 
-/** Bytes by page. */
+/** Gzipped bytes of each page. */
 export async function measureSizes() {
   const sizes = []
   for (const [page, code] of Object.entries(PAGES)) {
@@ -26,7 +26,7 @@ export async function measureSizes() {
       build: {
         write: false,
         minify: true,
-        // Not as a library: of those Vite leaves the spaces.
+        // Not in library mode, where Vite keeps whitespace.
         rolldownOptions: { input: PAGE, external: /^three(\/|$)/, preserveEntrySignatures: 'strict' },
       },
     })
