@@ -14,14 +14,14 @@ import { hasScan, packScan } from '../real-face/pack-scan.ts'
 declare module 'vitest' {
   export interface ProvidedContext {
     /**
-     * Address of a folder with `images.glb` and `arrays.glb`, the shipped face with maps of 512 x 512 in both forms, `shipped.glb`,
-     * that face itself, `scan.glb` where the scanned face is at hand, and those of `TRANSFORMED`, as glTF-Transform leaves them.
+     * URL of a folder with `images.glb` and `arrays.glb`, the shipped face with maps of 512 x 512 in both forms; `shipped.glb`,
+     * that face itself; `scan.glb`, if the scanned face is available; and the files of `TRANSFORMED`.
      */
     packedFaces: string
   }
 }
 
-/** Packs what tests in the browser load. */
+/** Packs the faces that tests in the browser load. */
 export default async function packFaces({ provide }: TestProject): Promise<() => void> {
   const folder = mkdtempSync(join(tmpdir(), 'furrow-faces-'))
   const faces = fileURLToPath(new URL('../../faces', import.meta.url))
@@ -59,14 +59,14 @@ const basis = (slots: RegExp, isColour: boolean) =>
     imageDecoder,
   })
 
-/** What users do to files before they publish them, and to which file. */
+/** Common transforms before publication, and the files they are applied to. */
 const TRANSFORMED: Record<string, [from: string, ...transforms: Transform[]]> = {
   transformed: ['shipped', ...shrinking(true)],
   'transformed-lossy': ['shipped', ...shrinking(false)],
   'scan-transformed': ['scan', ...shrinking(true)],
   draco: ['images', draco()],
   quantized: ['images', quantize()],
-  // One image each, as tools write them that know of no arrays.
+  // Single images, as written by tools without texture arrays.
   ktx2: ['images', basis(/color/i, true), basis(/.*/, false)],
 }
 

@@ -11,7 +11,7 @@ import type { Harness } from './harness.ts'
 
 const draco = new DRACOLoader().setDecoderPath('/node_modules/three/examples/jsm/libs/draco/gltf/')
 
-/** What one expression moves. */
+/** Blendshape weights. */
 const POSE = { browInnerUp: 1, browOuterUpLeft: 1, mouthSmileLeft: 1, mouthSmileRight: 1, cheekSquintLeft: 1 }
 
 /** Loads one of the files of `pack-faces.ts` with its wrinkles. */
@@ -24,7 +24,7 @@ export function loadPacked(harness: Harness, file: string, loader = new GLTFLoad
     .loadAsync(`${inject('packedFaces')}/${file}.glb`)
 }
 
-/** The posed face with its wrinkles, without, or their influence as gray. */
+/** The posed face with wrinkles, without them, or their influence as gray. */
 export async function posedPicture(harness: Harness, gltf: GLTF, mode: 'default' | 'off' | 'influence') {
   const skin = skinOf(gltf)
   const wrinkles = wrinklesOf(skin)!
@@ -33,11 +33,11 @@ export async function posedPicture(harness: Harness, gltf: GLTF, mode: 'default'
     for (const index of findTargets(name, targets)) skin.morphTargetInfluences![index] = weight
   }
   const { scene, camera } = faceScene({ root: gltf.scene, skin, wrinkles: null }, 'front')
-  const own = skin.material
+  const original = skin.material
   if (mode === 'influence') skin.material = wrinkles.createInfluenceMaterial()
   wrinkles.mode = mode === 'off' ? 'off' : 'default'
   const pixels = await harness.render(scene, camera, WIDTH, HEIGHT)
-  skin.material = own
+  skin.material = original
   return pixels
 }
 
@@ -49,14 +49,18 @@ function skinOf(gltf: GLTF): Mesh {
   return skin!
 }
 
-/** What wrinkles do to the picture of one face against that of another: in the same places (1), and as strong (1). */
+/** Compares the effects of wrinkles in pictures of two faces; equal effects have correlation 1 and ratio of strengths 1. */
 export async function compareWrinkles(harness: Harness, one: GLTF, other: GLTF) {
-  const [a, b] = [await wrinklesAlone(harness, one), await wrinklesAlone(harness, other)]
-  const [own, others] = [dot(a, a), dot(b, b)]
-  return { strength: own, correlation: dot(a, b) / Math.sqrt(own * others), ratio: Math.sqrt(others / own) }
+  const [a, b] = [await wrinkleEffect(harness, one), await wrinkleEffect(harness, other)]
+  const [strength, otherStrength] = [dot(a, a), dot(b, b)]
+  return {
+    strength,
+    correlation: dot(a, b) / Math.sqrt(strength * otherStrength),
+    ratio: Math.sqrt(otherStrength / strength),
+  }
 }
 
-async function wrinklesAlone(harness: Harness, gltf: GLTF): Promise<Float32Array> {
+async function wrinkleEffect(harness: Harness, gltf: GLTF): Promise<Float32Array> {
   const smooth = await posedPicture(harness, gltf, 'off')
   return (await posedPicture(harness, gltf, 'default')).map((value, i) => value - smooth[i])
 }

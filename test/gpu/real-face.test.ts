@@ -9,9 +9,9 @@ import { createHarness, RENDERERS } from './harness.ts'
 
 declare const __REAL_FACE__: string
 
-if (!__REAL_FACE__) console.warn('SKIPPED: real face, ../shared/real-face/ict-face.glb is not here')
+if (!__REAL_FACE__) console.warn('SKIPPED: real face, ../shared/real-face/ict-face.glb is missing')
 
-describe.skipIf(!__REAL_FACE__)('a scanned face with strokes and areas of its own', () => {
+describe.skipIf(!__REAL_FACE__)('a scanned face with its own strokes and areas', () => {
   let face: Face
   let set: WrinkleSet
   beforeAll(async () => {
@@ -19,7 +19,7 @@ describe.skipIf(!__REAL_FACE__)('a scanned face with strokes and areas of its ow
     set = author(face)
   })
 
-  it.each(RENDERERS)('wrinkles on %s where its areas say, and nowhere else', async (name) => {
+  it.each(RENDERERS)('wrinkles on %s within its areas only', async (name) => {
     const harness = await createHarness(name)
     const stage = faceScene(face, 'front')
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
@@ -32,11 +32,11 @@ describe.skipIf(!__REAL_FACE__)('a scanned face with strokes and areas of its ow
 
     const shown = await harness.render(stage.scene, stage.camera, WIDTH, HEIGHT)
     const influence = await renderWith(harness, face, stage, wrinkles.createInfluenceMaterial())
-    const places = await renderWith(harness, face, stage, uvMaterial(harness))
+    const uvs = await renderWith(harness, face, stage, uvMaterial(harness))
     for (const area of wrinkles.areaNames) wrinkles.setActivation(area, 0)
     const plain = await harness.render(stage.scene, stage.camera, WIDTH, HEIGHT)
     const { activations } = EXPRESSIONS.find((expression) => expression.name === 'surprised')!
-    const exact = referenceInfluence(places, set, activations)
+    const exact = referenceInfluence(uvs, set, activations)
     const counts = { worst: 0, reached: 0, changed: 0, stray: 0 }
     for (let i = 0; i < exact.length; i++) {
       if (Number.isNaN(exact[i])) continue
@@ -56,7 +56,7 @@ describe.skipIf(!__REAL_FACE__)('a scanned face with strokes and areas of its ow
   })
 })
 
-/** What a user does with a face that has neither maps nor areas: draw strokes, and let the rest follow. */
+/** Makes maps and areas from strokes, for a face that has neither. */
 function author({ skin }: Face): WrinkleSet {
   const { geometry } = skin
   const document = parseStrokes(strokes)

@@ -9,7 +9,7 @@ import { strokesCommand } from '../../packages/cli/src/commands/strokes.ts'
 const fromHere = (path: string) => fileURLToPath(new URL(path, import.meta.url))
 export const SCAN = fromHere('../../../shared/real-face/ict-face.glb')
 
-/** The scan is data of others, and not everybody has it. */
+/** The scan is third-party data that is not in the repository. */
 export const hasScan = existsSync(SCAN)
 
 const driver = (area: string, ...targets: string[]) => ({
@@ -26,9 +26,9 @@ const DRIVERS = [
 ]
 
 /**
- * Draws the wrinkles of the scan and packs them into it, as its users would.
+ * Draws wrinkles for the scan and packs them into it, as a user would.
  *
- * @param folder an empty one, for all files in between.
+ * @param folder an empty folder for intermediate files.
  * @param options of `furrow pack`.
  * @returns path of the packed face.
  */
@@ -37,14 +37,14 @@ export async function packScan(
   run: (command: Command, ...words: string[]) => Promise<unknown>,
   ...options: string[]
 ): Promise<string> {
-  const place = (name: string) => join(folder, name)
-  // The scan's own file has wrong bounds in its accessors; any tool that writes it anew computes them.
-  writeFileSync(place('face.glb'), await new NodeIO().writeBinary(await new NodeIO().read(SCAN)))
-  for (const made of ['layers/expression', 'areas']) mkdirSync(place(`drawn/${made}`), { recursive: true })
-  writeFileSync(place('drawn/wrinkles.json'), JSON.stringify({ version: 1, drivers: DRIVERS }))
-  const face = ['--face', place('face.glb'), '--mesh', 'face']
-  const maps = ['-o', place('height.png'), '--normal', place('drawn/layers/expression/normal.png')]
-  await run(strokesCommand, fromHere('strokes.json'), ...face, ...maps, '--areas', place('drawn/areas'))
-  await run(packCommand, place('drawn'), ...face, '-o', place('packed.glb'), ...options)
-  return place('packed.glb')
+  const inFolder = (name: string) => join(folder, name)
+  // The file has wrong bounds in its accessors, which writing it again corrects.
+  writeFileSync(inFolder('face.glb'), await new NodeIO().writeBinary(await new NodeIO().read(SCAN)))
+  for (const path of ['layers/expression', 'areas']) mkdirSync(inFolder(`drawn/${path}`), { recursive: true })
+  writeFileSync(inFolder('drawn/wrinkles.json'), JSON.stringify({ version: 1, drivers: DRIVERS }))
+  const face = ['--face', inFolder('face.glb'), '--mesh', 'face']
+  const maps = ['-o', inFolder('height.png'), '--normal', inFolder('drawn/layers/expression/normal.png')]
+  await run(strokesCommand, fromHere('strokes.json'), ...face, ...maps, '--areas', inFolder('drawn/areas'))
+  await run(packCommand, inFolder('drawn'), ...face, '-o', inFolder('packed.glb'), ...options)
+  return inFolder('packed.glb')
 }
