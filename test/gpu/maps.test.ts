@@ -62,9 +62,9 @@ async function compare(harness: Harness, random: () => number, kinds: Kind[][], 
   const own = { baseColor: randomImage(random, MAP), rest: randomImage(random, MAP) }
   const material = new MeshStandardMaterial({ roughness: 0.8, color: 0xd0e0f0, aoMapIntensity: 0.7 })
   if (hasMaps) {
-    material.map = mapOf(own.baseColor)
+    material.map = linearTexture(own.baseColor)
     material.map.colorSpace = SRGBColorSpace
-    material.roughnessMap = material.aoMap = mapOf(own.rest)
+    material.roughnessMap = material.aoMap = linearTexture(own.rest)
   }
   const mesh = square(material, 0.8, [0.1, 0.1])
   const wrinkles = new harness.Wrinkles(mesh, { layers, areas }, { areaSize: MAP })
@@ -160,7 +160,7 @@ function linear(encoded: number): number {
   return encoded <= 0.04045 ? encoded / 12.92 : ((encoded + 0.055) / 1.055) ** 2.4
 }
 
-function mapOf(image: ReturnType<typeof randomImage>): DataTexture {
+function linearTexture(image: ReturnType<typeof randomImage>): DataTexture {
   const map = new DataTexture(image.data, MAP, MAP)
   map.minFilter = map.magFilter = LinearFilter
   map.needsUpdate = true

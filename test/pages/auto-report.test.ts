@@ -80,5 +80,5 @@ test('the pictures before and after differ', () => {
   const [before, after] = ['before', 'after'].map((name) =>
     readFileSync(join(folder, `report/${name}-1.webp`)),
   )
-  expect(before!.equals(after!)).toBe(false)
+  expect(before.equals(after)).toBe(false)
 })

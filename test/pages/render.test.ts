@@ -80,7 +80,7 @@ describe('furrow render', () => {
     }
     const names = Object.keys(requests)
     const pictures = await renderPictures(Object.values(requests))
-    for (const [i, name] of names.entries()) drawn.set(name, pictures[i]!)
+    for (const [i, name] of names.entries()) drawn.set(name, pictures[i])
   })
 
   test.each([

@@ -14,7 +14,7 @@ function tilted(degrees: number, direction: number): number[] {
 }
 
 const tiltOf = ([x, y, z]: ArrayLike<number> & Iterable<number>) =>
-  (Math.atan2(Math.hypot(x! - 128, y! - 128), z! - 127.5) * 180) / Math.PI
+  (Math.atan2(Math.hypot(x - 128, y - 128), z - 127.5) * 180) / Math.PI
 
 describe('combineNormals', () => {
   it('keeps the base bit for bit under a flat detail, and the detail on a flat base', () => {
@@ -47,7 +47,7 @@ describe('combineNormals', () => {
         const base = tilted(a, da)
         const { data } = combineNormals(texel(...base), texel(...tilted(b, db)))
         const [p, q] = [base, [...data.subarray(0, 3)]].map((rgb) => rgb.map((c) => c / 127.5 - 1))
-        const dot = p!.reduce((sum, n, k) => sum + n * q![k]!, 0) / (Math.hypot(...p!) * Math.hypot(...q!))
+        const dot = p.reduce((sum, n, k) => sum + n * q[k], 0) / (Math.hypot(...p) * Math.hypot(...q))
         expect(Math.abs((Math.acos(Math.min(dot, 1)) * 180) / Math.PI - b)).toBeLessThan(1.2)
       }),
     )

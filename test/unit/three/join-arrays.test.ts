@@ -60,7 +60,7 @@ describe('joinArrays', () => {
       [0, 0],
     ])
     expect(joined.image).toMatchObject({ width: 8, height: 8, depth: 3 })
-    const values = joined.mipmaps!.map(({ data, width }) => {
+    const values = joined.mipmaps.map(({ data, width }) => {
       const blocks = 16 * (width / 4) ** 2
       return [0, 1, 2].map((index) => [
         ...new Set((data as Uint8Array).subarray(index * blocks, (index + 1) * blocks)),
@@ -105,7 +105,7 @@ describe('joinArrays', () => {
       joinArrays({ layers: [layer('a', {}), layerOf(normal)], areas: [] })
     expect(joining(array(1, 0, 16))).toThrow(/normal maps that differ, got .*16 x 16.*8 x 8/)
     const flat = array(1, 0)
-    flat.mipmaps!.pop()
+    flat.mipmaps.pop()
     expect(joining(flat)).toThrow(/1 levels.*2 levels/)
     expect(joining(array(1, 0))).not.toThrow()
   })
