@@ -1,33 +1,39 @@
 import type { Area, GrayImage } from 'furrow'
 
 /**
- * As many areas as a case asks for, made of a face's own: the first ones, or each cut into upright strips that blend into
- * each other, as if every muscle fibre had an area. The strips of an area sum to it, so that however many areas there are
- * the same pixels wrinkle.
+ * Makes `count` areas from those of a face: the first ones, or vertical strips of each that overlap, as if every muscle
+ * fibre had an area. The strips of an area sum to it, so that the same pixels wrinkle whatever the number of areas.
  *
- * @param own of the face; their number divides `count`, or is larger.
- * @param layers names of the layers; the areas take turns.
+ * @param originals areas of the face, of which `count` is a multiple or fewer.
+ * @param layers names of the layers, to which the areas belong in turn.
+ * @throws Error if `count` is larger than the number of areas and not a multiple of it.
  */
-export function divideAreas(own: readonly GrayImage[], count: number, layers: readonly string[]): Area[] {
-  const strips = Math.max(1, count / own.length)
+export function divideAreas(
+  originals: readonly GrayImage[],
+  count: number,
+  layers: readonly string[],
+): Area[] {
+  const strips = Math.max(1, count / originals.length)
   if (!Number.isInteger(strips)) {
-    throw new Error(`bench: no way to make ${count} areas of ${own.length}; ask for a multiple`)
+    throw new Error(
+      `bench: cannot divide areas evenly, got ${count} areas of ${originals.length}; request a multiple`,
+    )
   }
   return Array.from({ length: count }, (_, i) => ({
     name: `area${i}`,
     layer: layers[i % layers.length],
-    weights: strip(own[Math.floor(i / strips)], i % strips, strips),
+    weights: strip(originals[Math.floor(i / strips)], i % strips, strips),
   }))
 }
 
-/** One of some strips of an area, as wide as the area's own extent allows; neighbours overlap by half. */
+/** One of several strips across an area's extent; each overlaps half of its neighbours. */
 function strip({ width, height, data }: GrayImage, index: number, strips: number): GrayImage {
   const columns = [...Array(width).keys()].filter((x) => hasWeight(data, x, width, height))
   const [first, last] = [columns[0], columns[columns.length - 1]]
   const weights = data.map((weight, i) => {
-    const across = (((i % width) - first + 0.5) / (last - first + 1)) * strips - 0.5
-    const place = Math.min(Math.max(across, 0), strips - 1)
-    return Math.round(weight * Math.max(0, 1 - Math.abs(place - index)))
+    const position = (((i % width) - first + 0.5) / (last - first + 1)) * strips - 0.5
+    const clamped = Math.min(Math.max(position, 0), strips - 1)
+    return Math.round(weight * Math.max(0, 1 - Math.abs(clamped - index)))
   })
   return { width, height, data: weights }
 }

@@ -1,17 +1,18 @@
-export const RENDERER_KINDS = ['webgl', 'webgpu'] as const
-export type RendererKind = (typeof RENDERER_KINDS)[number]
+import type { RendererKind } from '../stage/stage.ts'
 
-/** What is drawn: every variant draws the same. */
+export const RENDERER_KINDS: readonly RendererKind[] = ['webgl', 'webgpu']
+
+/** What is drawn, the same by every variant. */
 export interface Case {
   areas: number
-  /** How many of the areas are not at rest. */
+  /** Number of areas that are not at rest. */
   active: number
   layers: number
-  /** Whether the activations stay as they are from frame to frame. */
+  /** Whether the activations are the same in every frame. */
   still: boolean
 }
 
-/** How long it is watched. */
+/** How often each case is measured. */
 export interface Plan {
   rounds: number
 }
@@ -22,10 +23,10 @@ export const PLANS = {
 } as const satisfies Record<string, Plan>
 
 const AREAS = [2, 8, 16, 64, 256]
-/** As many areas as one face moves at a time, of a set with many. */
+/** A large set of which an expression moves only a few areas. */
 const FEW_OF_MANY = { areas: 256, active: 8 }
 
-/** Every case of a run, or two that tell whether it works. */
+/** Every case of a run, or the two of a quick one. */
 export function listCases(quick: boolean): Case[] {
   const counts = quick
     ? [{ areas: 8, active: 8 }]
@@ -35,10 +36,10 @@ export function listCases(quick: boolean): Case[] {
   )
 }
 
-/** An area's activation in a frame, 0..1: waves out of step with each other, so that no two areas move alike. */
+/** An area's activation in a frame, 0..1: a wave with a phase of its own for each area. */
 export function activationOf(area: number, frame: number, { areas, active, still }: Case): number {
-  // The middle one of as many: where areas are strips of others, the outer ones hardly show.
-  const every = areas / active
-  if (area % every !== Math.floor(every / 2)) return 0
+  // The middle one of each group: where areas are strips, the outer ones are hardly visible.
+  const groupSize = areas / active
+  if (area % groupSize !== Math.floor(groupSize / 2)) return 0
   return 0.5 + 0.5 * Math.sin((still ? 0 : frame) * 0.37 + area * 2.4)
 }

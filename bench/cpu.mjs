@@ -1,5 +1,5 @@
-// What one face costs the processor per frame: 57 blendshapes drive 64 areas, all of which move; and the same with every other
-// type of driver besides. Uses the build of the packages, as pages do, and a renderer that draws nothing.
+// CPU cost of one face per frame: 57 blendshapes drive 64 areas, all of which move, alone or with every other type of driver.
+// Uses the packages' builds, as pages do, and a renderer that draws nothing.
 
 import { setFlagsFromString } from 'node:v8'
 import { runInNewContext } from 'node:vm'
@@ -17,11 +17,11 @@ import {
 import { idleRenderer } from './idle-renderer.mjs'
 
 setFlagsFromString('--expose-gc')
-const collect = runInNewContext('gc')
+const collectGarbage = runInNewContext('gc')
 
 const TARGETS = 57
 const AREAS = 64
-/** Targets that move an area: as many as a driver of the shipped face has. */
+/** Blendshapes that drive an area, as many as in a driver of the shipped face. */
 const LINKS = 4
 const ROUNDS = 15
 const FRAMES = 20_000
@@ -32,20 +32,20 @@ const CURVE = [
   [1, 1],
 ]
 
-/** Areas that tension drives besides: those of one expression. */
-const TENSE = 8
+/** Areas that tension drives too: those of one expression. */
+const TENSION_AREAS = 8
 
 /**
- * Medians over rounds: microseconds and bytes for each frame.
+ * Microseconds and allocated bytes per frame, medians over rounds.
  *
- * @param all whether joints, tension, age, time, other areas and conflicts drive areas too.
- * @param ownClock whether the page tells the time itself; else `performance` does.
+ * @param allTypes whether joints, tension, age, time, other areas and conflicts drive areas too.
+ * @param ownClock whether `wrinkles.clock` is the page's own; otherwise it is `performance`.
  */
-export function measureCpu(median, all, ownClock = all) {
-  const frame = movingFace(all, ownClock)
+export function measureCpu(median, allTypes, ownClock = allTypes) {
+  const frame = movingFace(allTypes, ownClock)
   for (let i = 0; i < 3 * FRAMES; i++) frame(i)
   const rounds = Array.from({ length: ROUNDS }, (_, round) => {
-    collect()
+    collectGarbage()
     const used = process.memoryUsage().heapUsed
     const start = performance.now()
     for (let i = 0; i < FRAMES; i++) frame(round * FRAMES + i)
@@ -63,8 +63,8 @@ export function measureCpu(median, all, ownClock = all) {
   }
 }
 
-/** Draws one frame with all blendshapes elsewhere. */
-function movingFace(all, ownClock) {
+/** Returns a function that runs frame number `index`, with other weights of all blendshapes than in the last. */
+function movingFace(allTypes, ownClock) {
   const geometry = new PlaneGeometry(1, 1, 16, 16)
   const { count } = geometry.getAttribute('position')
   geometry.morphAttributes.position = Array.from({ length: TARGETS }, (_, i) => {
@@ -85,45 +85,45 @@ function movingFace(all, ownClock) {
   const areas = Array.from({ length: AREAS }, (_, i) => ({ name: `area${i}`, weights }))
   const wrinkles = new Wrinkles(mesh, { layers: [{ name: 'all', kind: 'detail', normal }], areas })
   addDrivers(wrinkles, [
-    ...areas.map(({ name }, i) => driver(name, i)),
-    ...(all ? areas.flatMap(({ name }, i) => otherDrivers(name, i)) : []),
+    ...areas.map(({ name }, i) => morphDriver(name, i)),
+    ...(allTypes ? areas.flatMap(({ name }, i) => otherDrivers(name, i)) : []),
   ])
-  // As a page has it that steps by its own time, in whole milliseconds. What the usual clock returns is no whole number, and
-  // JavaScript must allocate it, 16 bytes.
+  // A page with its own time step, in whole milliseconds. JavaScript allocates 16 bytes for the fraction that `performance`
+  // returns.
   let milliseconds = 0
   if (ownClock) wrinkles.clock = { now: () => milliseconds }
   const renderer = idleRenderer()
   const scene = new Scene()
   const camera = new PerspectiveCamera()
   const influences = mesh.morphTargetInfluences
-  return (at) => {
-    for (let i = 0; i < TARGETS; i++) influences[i] = ((at * 7 + i * 13) % 100) / 100
-    if (all) {
-      bones[1].rotation.x = ((at * 3) % 50) / 50
+  return (index) => {
+    for (let i = 0; i < TARGETS; i++) influences[i] = ((index * 7 + i * 13) % 100) / 100
+    if (allTypes) {
+      bones[1].rotation.x = ((index * 3) % 50) / 50
       mesh.updateMatrixWorld()
     }
-    milliseconds = 16 * at
+    milliseconds = 16 * index
     renderer.info.calls++
     mesh.onBeforeRender(renderer, scene, camera, geometry, mesh.material, null)
   }
 }
 
-/** Every other type, on one area. */
+/** Drivers of every other type for one area. */
 function otherDrivers(area, i) {
   return [
     { type: 'age', area, curve: CURVE },
     { type: 'time', area, attack: 0.05, release: 0.4 },
     { type: 'bone', area, joints: ['neck', 'head'], measure: 'angle', axis: [1, 0, 0], curve: CURVE },
     { type: 'conflict', targets: [`target${i % TARGETS}`, `target${(i + 7) % TARGETS}`] },
-    // The last one reads none, or all would drive themselves.
+    // The last area reads no other, which would be a cycle.
     ...(i + 1 < AREAS
       ? [{ type: 'area', area, areas: [{ name: `area${i + 1}`, weight: 0.1 }], rule: 'sum', curve: CURVE }]
       : []),
-    ...(i < TENSE ? [{ type: 'tension', area, measure: 'compression', curve: CURVE }] : []),
+    ...(i < TENSION_AREAS ? [{ type: 'tension', area, measure: 'compression', curve: CURVE }] : []),
   ]
 }
 
-function driver(area, i) {
+function morphDriver(area, i) {
   const targets = Array.from({ length: LINKS }, (_, k) => ({
     name: `target${(i * 5 + k * 11) % TARGETS}`,
     weight: 0.4,

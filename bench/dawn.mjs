@@ -1,28 +1,28 @@
-// Makes Node a place where the benchmark's page runs: Dawn (npm `webgpu`) in place of a browser's WebGPU, sharp in place of
-// its image decoders, and a canvas that nobody sees.
+// Lets the benchmark's page run in Node: Dawn (npm `webgpu`) replaces the browser's WebGPU, sharp its image decoders, and a stub
+// its canvas.
 
 import sharp from 'sharp'
 import { Texture } from 'three'
 import { create, globals } from 'webgpu'
 
-/** Decoded pixels in place of an `ImageBitmap`, which only a browser can upload: RGBA bytes. */
-class Pixels {
+/** Decoded RGBA bytes instead of an `ImageBitmap`, which only a browser can upload. */
+class PixelBitmap {
   constructor(data, { width, height }) {
     Object.assign(this, { data, width, height })
   }
   close() {}
 }
 
-/** three.js tells of its downloads by it. */
+/** three.js reports downloads with it. */
 class ProgressEvent extends Event {}
 
-/** @throws Error where Dawn finds no adapter. */
-export async function becomeBrowser() {
-  // Rounded to a tenth of a millisecond, as for pages that are not trusted, times would be coarser than many a frame.
+/** @throws Error if Dawn finds no adapter. */
+export async function emulateBrowser() {
+  // Without quantization to 0.1 ms, which is coarser than some frames.
   const gpu = create(['disable-dawn-features=timestamp_quantization'])
   if (!(await gpu.requestAdapter())) {
     throw new Error(
-      'bench: Dawn finds no adapter; install a Vulkan driver, or name one in VK_DRIVER_FILES (see bench/README.md)',
+      'bench: Dawn finds no adapter; install a Vulkan driver or name one in VK_DRIVER_FILES (see bench/README.md)',
     )
   }
   Object.defineProperty(globalThis, 'navigator', { value: { gpu, userAgent: 'Node' }, configurable: true })
@@ -32,13 +32,13 @@ export async function becomeBrowser() {
     requestAnimationFrame: () => 0,
     cancelAnimationFrame() {},
     ProgressEvent,
-    ImageBitmap: Pixels,
+    ImageBitmap: PixelBitmap,
     createImageBitmap: decode,
   })
   uploadPixels()
 }
 
-/** All of the benchmark's frames go to a target. */
+/** A stub: the benchmark draws into a render target. */
 function createCanvas() {
   const context = { configure() {}, unconfigure() {} }
   return { style: {}, addEventListener() {}, removeEventListener() {}, getContext: () => context }
@@ -50,14 +50,14 @@ async function decode(blob) {
     .ensureAlpha()
     .raw()
   const { data, info } = await image.toBuffer({ resolveWithObject: true })
-  return new Pixels(new Uint8Array(data), info)
+  return new PixelBitmap(new Uint8Array(data), info)
 }
 
-/** Textures of decoded pixels count as three.js's data textures, which it uploads from memory. */
+/** Makes textures with decoded pixels data textures to three.js, which uploads those from memory. */
 function uploadPixels() {
   Object.defineProperty(Texture.prototype, 'isDataTexture', {
     get() {
-      return this.image instanceof Pixels
+      return this.image instanceof PixelBitmap
     },
     set(value) {
       Object.defineProperty(this, 'isDataTexture', { value })

@@ -2,9 +2,9 @@ import type { WrinkleSet } from 'furrow'
 import { Wrinkles as WebGLWrinkles, type WrinklesOptions } from 'furrow/three'
 import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import type { Mesh } from 'three'
-import type { RendererKind } from './case.ts'
+import type { RendererKind } from '../stage/stage.ts'
 
-/** Furrow's own wrinkles. */
-export function wearFurrow(mesh: Mesh, set: WrinkleSet, renderer: RendererKind, options: WrinklesOptions) {
+/** Adds Furrow's wrinkles to a mesh. */
+export function applyFurrow(mesh: Mesh, set: WrinkleSet, renderer: RendererKind, options: WrinklesOptions) {
   return renderer === 'webgl' ? new WebGLWrinkles(mesh, set, options) : new WebGPUWrinkles(mesh, set, options)
 }

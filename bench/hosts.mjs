@@ -1,10 +1,10 @@
-// Where the benchmark's page runs. A host offers `open`, which gives the page's functions (`BenchPage` in page.ts) for one renderer,
-// each to be called from here.
+// Hosts in which the benchmark's page runs. A host's `open` returns the functions of a page (`BenchPage` in page.ts) for one
+// renderer, callable from this process.
 
-import { becomeBrowser } from './dawn.mjs'
+import { emulateBrowser } from './dawn.mjs'
 import { openPage } from './serve.mjs'
 
-/** In a browser: every renderer. */
+/** A browser, with every renderer. */
 export async function chromiumHost(server) {
   const { launchBrowser } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
   const browser = await launchBrowser()
@@ -15,15 +15,15 @@ export async function chromiumHost(server) {
         (name) =>
         (...args) =>
           page.evaluate(([name, args]) => globalThis.bench[name](...args), [name, args])
-      return { ...functions(call), close: () => page.close() }
+      return { ...pageFunctions(call), close: () => page.close() }
     },
     close: () => browser.close(),
   }
 }
 
-/** In this process: WebGPU alone, but without a browser or a display. */
+/** This process: WebGPU only, without a browser or a display. */
 export async function nodeHost(server) {
-  await becomeBrowser()
+  await emulateBrowser()
   await server.ssrLoadModule('/bench/page.ts')
   return {
     async open() {
@@ -31,13 +31,13 @@ export async function nodeHost(server) {
         (name) =>
         (...args) =>
           globalThis.bench[name](...args)
-      return { ...functions(call), async close() {} }
+      return { ...pageFunctions(call), async close() {} }
     },
     async close() {},
   }
 }
 
-const functions = (call) => ({
+const pageFunctions = (call) => ({
   open: call('open'),
   measure: call('measure'),
   measureCrowd: call('measureCrowd'),

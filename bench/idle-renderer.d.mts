@@ -1,2 +1,2 @@
-/** As much of a renderer as wrinkles call before a mesh is drawn. */
+/** A stub with what wrinkles call of a renderer before a mesh is drawn. */
 export function idleRenderer(): { info: { calls: number } }

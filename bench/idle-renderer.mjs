@@ -1,12 +1,12 @@
-/** As much of a renderer as is called; what it does with the draw is three.js's part and the same for any draw. */
+/** A stub with what wrinkles call of a renderer; drawing itself is three.js's work and the same with and without wrinkles. */
 export function idleRenderer() {
-  const held = { __webglTexture: true }
+  const properties = { __webglTexture: true }
   return {
     info: { calls: 0, autoReset: true },
     autoClear: true,
     xr: { enabled: false },
     shadowMap: { autoUpdate: true },
-    properties: { get: () => held },
+    properties: { get: () => properties },
     getRenderTarget: () => null,
     getActiveCubeFace: () => 0,
     getActiveMipmapLevel: () => 0,

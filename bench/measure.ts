@@ -1,22 +1,23 @@
 import type { Camera, Mesh, MeshPhysicalMaterial, Scene } from 'three'
 import type { Face } from '../stage/face.ts'
-import { activationOf, type Case, type Plan, type RendererKind } from './case.ts'
-import type { Drawer } from './draw.ts'
+import type { RendererKind } from '../stage/stage.ts'
+import { activationOf, type Case, type Plan } from './case.ts'
 import type { Measured } from './report.ts'
 import { createSet, createSkin } from './scene.ts'
-import { turns } from './statistics.ts'
-import { VARIANTS, type Worn } from './variant.ts'
+import { roundOrder } from './statistics.ts'
+import type { TimedRenderer } from './timed-renderer.ts'
+import { type AppliedVariant, VARIANTS } from './variant.ts'
 
-/** Least share of pixels that wrinkles must change: a variant that shows none would be fast. */
-const LEAST_CHANGED = 0.005
-/** What is timed at once: clocks are as coarse as a tenth of a millisecond. */
-const LEAST_MS = 20
-/** A frame has up to a dozen passes, of which a clock counts some thousand. */
-const MOST_FRAMES = 64
+/** Smallest fraction of pixels that wrinkles must change: a variant that shows none would be fast. */
+const MIN_CHANGED = 0.005
+/** Milliseconds to time at once, since clocks may be as coarse as 0.1 ms. */
+const MIN_MS = 20
+/** Frames to time at once: each has up to a dozen passes, and a clock has room for 2048. */
+const MAX_FRAMES = 64
 
 export interface Bench {
   renderer: RendererKind
-  drawer: Drawer
+  timedRenderer: TimedRenderer
   face: Face
   scene: Scene
   camera: Camera
@@ -25,64 +26,64 @@ export interface Bench {
 interface Candidate {
   name: string
   mesh: Mesh
-  worn: Worn
+  applied: AppliedVariant
   rounds: number[]
 }
 
 /**
- * Times every variant that can show a case, in rounds in which they take turns.
+ * Times every variant that can show a case, in rounds of one turn each.
  *
- * @throws Error when a variant shows no wrinkles.
+ * @throws Error if a variant shows no wrinkles.
  */
-export async function measure(bench: Bench, shown: Case, plan: Plan): Promise<Measured[]> {
-  const candidates = dress(bench, shown)
+export async function measure(bench: Bench, benchCase: Case, plan: Plan): Promise<Measured[]> {
+  const candidates = createCandidates(bench, benchCase)
   try {
-    const changed = await compare(bench, shown, candidates)
+    const changed = await changedFractions(bench, benchCase, candidates)
     for (let round = 0; round < plan.rounds; round++) {
-      for (const i of turns(candidates.length, round)) {
-        candidates[i].rounds.push(await time(bench, shown, candidates[i]))
+      for (const i of roundOrder(candidates.length, round)) {
+        candidates[i].rounds.push(await time(bench, benchCase, candidates[i]))
       }
     }
     return candidates.map(({ name, rounds }, i) => ({ variant: name, rounds, changed: changed[i] }))
   } finally {
-    for (const { mesh, worn } of candidates) {
-      worn.dispose()
+    for (const { mesh, applied } of candidates) {
+      applied.dispose()
       bench.scene.remove(mesh)
       ;(mesh.material as MeshPhysicalMaterial).dispose()
     }
   }
 }
 
-function dress({ face, scene, renderer }: Bench, shown: Case): Candidate[] {
-  const set = createSet(face, shown.areas, shown.layers)
+function createCandidates({ face, scene, renderer }: Bench, benchCase: Case): Candidate[] {
+  const set = createSet(face, benchCase.areas, benchCase.layers)
   return [...VARIANTS]
-    .filter(([, variant]) => variant.canShow(shown, renderer))
+    .filter(([, variant]) => variant.canShow(benchCase, renderer))
     .map(([name, variant]) => {
       const mesh = createSkin(face)
       mesh.visible = false
       scene.add(mesh)
-      return { name, mesh, worn: variant.wear(mesh, set, renderer), rounds: [] }
+      return { name, mesh, applied: variant.apply(mesh, set, renderer), rounds: [] }
     })
 }
 
-/** Share of pixels in which each picture differs from the plain face; draws each once, so that it is compiled. */
-async function compare(bench: Bench, shown: Case, candidates: Candidate[]): Promise<number[]> {
+/** Fraction of pixels in which each variant differs from the plain face. Draws each once, which compiles it. */
+async function changedFractions(bench: Bench, benchCase: Case, candidates: Candidate[]): Promise<number[]> {
   const pictures = new Map<string, Uint8Array>()
   for (const candidate of candidates) {
-    frame(bench, shown, candidate, 0)
-    pictures.set(candidate.name, await bench.drawer.read())
+    drawFrame(bench, benchCase, candidate, 0)
+    pictures.set(candidate.name, await bench.timedRenderer.read())
   }
   const plain = pictures.get('plain')
-  if (!plain) throw new Error('bench: the variant "plain" is missing; all others are compared to it')
+  if (!plain) throw new Error('bench: the variant "plain" is missing; all others are compared with it')
   return candidates.map(({ name }) => {
-    const changed = changedShare(pictures.get(name)!, plain)
-    if (name === 'plain' || changed >= LEAST_CHANGED) return changed
-    const text = `changes ${(changed * 100).toFixed(2)}% of the pixels, allowed: ${LEAST_CHANGED * 100}% or more`
-    throw new Error(`bench: variant "${name}" shows no wrinkles, ${text}; ${JSON.stringify(shown)}`)
+    const changed = changedFraction(pictures.get(name)!, plain)
+    if (name === 'plain' || changed >= MIN_CHANGED) return changed
+    const text = `changes ${(changed * 100).toFixed(2)}% of the pixels, allowed: ${MIN_CHANGED * 100}% or more`
+    throw new Error(`bench: variant "${name}" shows no wrinkles, ${text}; ${JSON.stringify(benchCase)}`)
   })
 }
 
-function changedShare(a: Uint8Array, b: Uint8Array): number {
+function changedFraction(a: Uint8Array, b: Uint8Array): number {
   let changed = 0
   for (let i = 0; i < a.length; i += 4) {
     if (a[i] !== b[i] || a[i + 1] !== b[i + 1] || a[i + 2] !== b[i + 2]) changed++
@@ -90,23 +91,23 @@ function changedShare(a: Uint8Array, b: Uint8Array): number {
   return changed / (a.length / 4)
 }
 
-/** Milliseconds of a frame, mean of as many as take long enough to be timed well, after one that is not counted. */
-async function time(bench: Bench, shown: Case, candidate: Candidate): Promise<number> {
-  let at = candidate.rounds.length
+/** Milliseconds per frame, the mean of enough frames to be timed well, after one frame that only sets their number. */
+async function time(bench: Bench, benchCase: Case, candidate: Candidate): Promise<number> {
+  let index = candidate.rounds.length
   const frames = (count: number) => () => {
-    for (let i = 0; i < count; i++) frame(bench, shown, candidate, at++)
+    for (let i = 0; i < count; i++) drawFrame(bench, benchCase, candidate, index++)
   }
-  const first = await bench.drawer.time(frames(1))
-  const count = Math.min(Math.max(Math.ceil(LEAST_MS / first), 1), MOST_FRAMES)
-  return (await bench.drawer.time(frames(count))) / count
+  const first = await bench.timedRenderer.time(frames(1))
+  const count = Math.min(Math.max(Math.ceil(MIN_MS / first), 1), MAX_FRAMES)
+  return (await bench.timedRenderer.time(frames(count))) / count
 }
 
-/** One frame of one variant alone. */
-function frame(bench: Bench, shown: Case, { mesh, worn }: Candidate, at: number): void {
+/** Draws one frame with one variant only. */
+function drawFrame(bench: Bench, benchCase: Case, { mesh, applied }: Candidate, index: number): void {
   mesh.visible = true
-  for (let area = 0; area < shown.areas; area++) {
-    worn.setActivation(`area${area}`, activationOf(area, at, shown))
+  for (let area = 0; area < benchCase.areas; area++) {
+    applied.setActivation(`area${area}`, activationOf(area, index, benchCase))
   }
-  bench.drawer.draw(bench.scene, bench.camera)
+  bench.timedRenderer.draw(bench.scene, bench.camera)
   mesh.visible = false
 }

@@ -1,26 +1,27 @@
 import { loadFace } from '../stage/face.ts'
-import type { Case, Plan, RendererKind } from './case.ts'
+import type { RendererKind } from '../stage/stage.ts'
+import type { Case, Plan } from './case.ts'
 import { measureCrowd } from './crowd.ts'
-import { createDrawer, type Drawer } from './draw.ts'
 import { type Bench, measure } from './measure.ts'
 import type { Measured } from './report.ts'
 import { createScene } from './scene.ts'
+import { createTimedRenderer, type TimedRenderer } from './timed-renderer.ts'
 
-/** What the page offers to the process that opened it. */
+/** What the page offers to the process that opens it. */
 export interface BenchPage {
   /**
-   * Sets the scene up.
+   * Creates the scene.
    *
-   * @param url of the face.
+   * @param url address of the face.
    */
   open(
     renderer: RendererKind,
     width: number,
     height: number,
     url: string,
-  ): Promise<Pick<Drawer, 'adapter' | 'timing'>>
-  measure(shown: Case, plan: Plan): Promise<Measured[]>
-  /** Share of a crowd's frame that goes into influence maps, 0..1. */
+  ): Promise<Pick<TimedRenderer, 'adapter' | 'timing'>>
+  measure(benchCase: Case, plan: Plan): Promise<Measured[]>
+  /** Fraction of a crowd's frame that goes into influence maps, 0..1. */
   measureCrowd(plan: Plan): Promise<number>
 }
 
@@ -29,11 +30,11 @@ let bench: Bench
 const page: BenchPage = {
   async open(renderer, width, height, url) {
     const face = await loadFace(url)
-    const drawer = await createDrawer(renderer, width, height)
-    bench = { renderer, drawer, face, ...createScene(face, width / height) }
-    return { adapter: drawer.adapter, timing: drawer.timing }
+    const timedRenderer = await createTimedRenderer(renderer, width, height)
+    bench = { renderer, timedRenderer, face, ...createScene(face, width / height) }
+    return { adapter: timedRenderer.adapter, timing: timedRenderer.timing }
   },
-  measure: (shown, plan) => measure(bench, shown, plan),
+  measure: (benchCase, plan) => measure(bench, benchCase, plan),
   measureCrowd: (plan) => measureCrowd(bench, plan),
 }
 Object.assign(globalThis, { bench: page })

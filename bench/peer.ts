@@ -1,4 +1,4 @@
-/** What the variants of others share: another way to the normal, in GLSL for one renderer and in TSL for the other. */
+/** Common code of other techniques: each computes the normal in its own way, in GLSL for WebGL and in TSL for WebGPU. */
 import { type GrayImage, packColours, type WrinkleSet } from 'furrow'
 import {
   type DataArrayTexture,
@@ -12,17 +12,17 @@ import {
 import { normalMap, texture, uniform } from 'three/tsl'
 import type { Node } from 'three/webgpu'
 import { mapTexture } from '../packages/furrow/src/three/material/textures.ts'
-import type { RendererKind } from './case.ts'
-import type { Worn } from './variant.ts'
+import type { RendererKind } from '../stage/stage.ts'
+import type { AppliedVariant } from './variant.ts'
 
 export interface Peer {
-  /** By the names that the shaders use. */
+  /** By their names in the shaders. */
   textures: Record<string, Texture>
-  /** Activations in the order of the areas; a uniform of that name. */
+  /** Activations in the order of the areas. */
   weights: number[]
-  /** Declares `vec3 peerNormal(vec3 base, vec2 uv)`; normals -1..1. The weights are `peerWeights`, an array. */
+  /** Declares `vec3 peerNormal(vec3 base, vec2 uv)`, normals in -1..1; reads the weights in the array `peerWeights`. */
   glsl: string
-  /** The same; the weights are nodes of one number each. */
+  /** The same as a node, with a node for each weight. */
   tsl(
     base: Node<'vec3'>,
     textures: Readonly<Record<string, Texture>>,
@@ -30,27 +30,28 @@ export interface Peer {
   ): Node<'vec3'>
 }
 
-/** Puts it on a face of its own. */
-export function wearPeer(mesh: Mesh, set: WrinkleSet, renderer: RendererKind, peer: Peer): Worn {
+/** Patches the mesh's material with the technique. */
+export function applyPeer(mesh: Mesh, set: WrinkleSet, renderer: RendererKind, peer: Peer): AppliedVariant {
   const material = mesh.material as MeshPhysicalMaterial
   if (renderer === 'webgl') patchGlsl(material, peer)
   else patchTsl(material, peer)
-  const places = new Map(set.areas.map(({ name }, i) => [name, i]))
+  const indices = new Map(set.areas.map(({ name }, i) => [name, i]))
   return {
     setActivation(area, value) {
-      peer.weights[places.get(area)!] = value
+      peer.weights[indices.get(area)!] = value
     },
     dispose() {
-      for (const own of Object.values(peer.textures)) own.dispose()
+      for (const map of Object.values(peer.textures)) map.dispose()
     },
   }
 }
 
 function patchGlsl(material: MeshPhysicalMaterial, { textures, weights, glsl }: Peer): void {
-  const samplers = Object.entries(textures).map(([name, { isDataArrayTexture }]: [string, Kinds]) =>
-    isDataArrayTexture ? `uniform highp sampler2DArray ${name};` : `uniform sampler2D ${name};`,
+  const samplers = Object.entries(textures).map(
+    ([name, { isDataArrayTexture }]: [string, MaybeArrayTexture]) =>
+      isDataArrayTexture ? `uniform highp sampler2DArray ${name};` : `uniform sampler2D ${name};`,
   )
-  const declared = `${samplers.join('\n')}\nuniform float peerWeights[${weights.length}];\n${glsl}\n`
+  const declarations = `${samplers.join('\n')}\nuniform float peerWeights[${weights.length}];\n${glsl}\n`
   const maps = ShaderChunk.normal_fragment_maps.replace(
     'mapN.xy *= normalScale;',
     'mapN = peerNormal(mapN, vNormalMapUv);\nmapN.xy *= normalScale;',
@@ -59,26 +60,26 @@ function patchGlsl(material: MeshPhysicalMaterial, { textures, weights, glsl }: 
     for (const [name, value] of Object.entries(textures)) shader.uniforms[name] = { value }
     shader.uniforms.peerWeights = { value: weights }
     shader.fragmentShader = shader.fragmentShader
-      .replace('void main() {', `${declared}void main() {`)
+      .replace('void main() {', `${declarations}void main() {`)
       .replace('#include <normal_fragment_maps>', maps)
   }
-  material.customProgramCacheKey = () => declared
+  material.customProgramCacheKey = () => declarations
 }
 
-type Kinds = Texture & { isDataArrayTexture?: true }
+type MaybeArrayTexture = Texture & { isDataArrayTexture?: true }
 
 function patchTsl(material: MeshPhysicalMaterial, { textures, weights, tsl }: Peer): void {
-  const followed = weights.map(
+  const weightNodes = weights.map(
     (_, i) => uniform(0).onObjectUpdate(() => weights[i]) as unknown as Node<'float'>,
   )
   const base = texture(material.normalMap!).xyz.mul(2).sub(1) as Node<'vec3'>
-  const normal = tsl(base, textures, followed)
+  const normal = tsl(base, textures, weightNodes)
   const scale = uniform(material.normalScale) as unknown as Node<'vec2'>
-  // A plain material too: the renderer copies the node to the material that it makes of it.
+  // Not a node material: the renderer copies `normalNode` to the node material that it makes of this one.
   Object.assign(material, { normalNode: normalMap(normal.mul(0.5).add(0.5) as Node<'vec3'>, scale) })
 }
 
-/** A mask of up to four gray images, one in each channel; channels left over are 0. */
+/** A mask of up to four gray images, one per channel; unused channels are 0. */
 export function maskTexture(images: readonly (GrayImage | undefined)[]): DataTexture {
   const { width, height } = images.find((image) => image)!
   const data = new Uint8Array(4 * width * height)
@@ -93,7 +94,7 @@ export function maskTexture(images: readonly (GrayImage | undefined)[]): DataTex
   return mask
 }
 
-/** The layers' normal maps in one array, so that they take one sampler. */
+/** The layers' normal maps in one array texture, which takes one sampler. */
 export function normalArray({ layers }: WrinkleSet): DataArrayTexture {
   return mapTexture(packColours(layers.map(({ normal }) => normal)), 1)
 }

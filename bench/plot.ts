@@ -4,7 +4,7 @@ const SIZE = { width: 720, height: 400 }
 const MARGIN = { left: 56, right: 120, top: 44, bottom: 48 }
 /** Height of a line of text. */
 const LINE = 13
-/** Told apart without red and green (Okabe and Ito's palette). */
+/** Distinct to colour-blind readers too (Okabe and Ito's palette). */
 const COLOURS: Record<string, string> = {
   plain: '#999999',
   furrow: '#0072b2',
@@ -15,19 +15,19 @@ const COLOURS: Record<string, string> = {
 }
 
 /**
- * Frame times over the number of areas, as multiples of the plain face's, of one renderer: an SVG. Both axes are logarithmic.
+ * Plots frame times over the number of areas, as multiples of the plain face's, as SVG with logarithmic axes.
  *
- * @param results of one renderer; those with one layer, and all areas active and moving, are drawn.
+ * @param results of one renderer; only those with one layer and all areas moving are plotted.
  */
 export function toPlot(results: readonly Result[]): string {
   const shown = results.filter(
     ({ layers, still, areas, active }) => layers === 1 && !still && areas === active,
   )
   const counts = [...new Set(shown.map(({ areas }) => areas))].sort((a, b) => a - b)
-  const most = Math.max(1.2, ...shown.map(({ ratioToPlain }) => ratioToPlain)) * 1.05
+  const highest = Math.max(1.2, ...shown.map(({ ratioToPlain }) => ratioToPlain)) * 1.05
   const x = axis(counts[0], counts[counts.length - 1], MARGIN.left, SIZE.width - MARGIN.right)
-  const y = axis(0.9, most, SIZE.height - MARGIN.bottom, MARGIN.top)
-  const lines = [1, 1.2, 1.5, 2, 3, 5, 10, 20].filter((value) => value <= most)
+  const y = axis(0.9, highest, SIZE.height - MARGIN.bottom, MARGIN.top)
+  const lines = [1, 1.2, 1.5, 2, 3, 5, 10, 20].filter((value) => value <= highest)
   const [{ renderer, adapter, width, height }] = shown
   const title = `Frame time over that of the plain face, ${renderer}, ${width} x ${height}`
   const curves = Object.keys(COLOURS).flatMap((variant) => curveOf(variant, shown, x, y))
@@ -36,7 +36,7 @@ export function toPlot(results: readonly Result[]): string {
     `<title>${title}</title>`,
     `<rect width="100%" height="100%" fill="#ffffff"/>`,
     text(MARGIN.left, 18, title, 'font-weight="bold"'),
-    text(MARGIN.left, 33, escaped(adapter), 'fill="#666666" font-size="10"'),
+    text(MARGIN.left, 33, escapeXml(adapter), 'fill="#666666" font-size="10"'),
     ...lines.map((value) => grid(y(value), value)),
     ...counts.map((count) =>
       text(x(count), SIZE.height - MARGIN.bottom + 18, `${count}`, 'text-anchor="middle"'),
@@ -54,9 +54,9 @@ export function toPlot(results: readonly Result[]): string {
   ].join('\n')
 }
 
-function axis(least: number, most: number, from: number, to: number): (value: number) => number {
-  const span = Math.log(most / least) || 1
-  return (value) => from + ((to - from) * Math.log(value / least)) / span
+function axis(min: number, max: number, from: number, to: number): (value: number) => number {
+  const span = Math.log(max / min) || 1
+  return (value) => from + ((to - from) * Math.log(value / min)) / span
 }
 
 function grid(y: number, value: number): string {
@@ -70,7 +70,7 @@ interface Curve {
   points: [x: number, y: number][]
 }
 
-/** None where a variant has no results. */
+/** The curve of a variant; empty if it has no results. */
 function curveOf(
   variant: string,
   results: readonly Result[],
@@ -86,22 +86,22 @@ function curveOf(
 
 function draw({ variant, points }: Curve): string {
   const colour = COLOURS[variant]
-  const places = points.map((point) => point.map((value) => value.toFixed(1)))
+  const rounded = points.map((point) => point.map((value) => value.toFixed(1)))
   return [
-    `<polyline fill="none" stroke="${colour}" stroke-width="2" points="${places.map((place) => place.join()).join(' ')}"/>`,
-    ...places.map(([cx, cy]) => `<circle cx="${cx}" cy="${cy}" r="3" fill="${colour}"/>`),
+    `<polyline fill="none" stroke="${colour}" stroke-width="2" points="${rounded.map((point) => point.join()).join(' ')}"/>`,
+    ...rounded.map(([cx, cy]) => `<circle cx="${cx}" cy="${cy}" r="3" fill="${colour}"/>`),
   ].join('')
 }
 
-/** Names at the curves' ends; where ends are close, one above the other. */
+/** Labels at the ends of the curves, stacked where ends are close. */
 function labels(curves: readonly Curve[]): string[] {
   const ends = curves.map(({ variant, points }) => ({ variant, end: points[points.length - 1] }))
-  const free = new Map<number, number>()
+  const lowestFree = new Map<number, number>()
   return ends
     .sort((a, b) => b.end[1] - a.end[1])
     .map(({ variant, end: [x, y] }) => {
-      const height = Math.min(y, free.get(x) ?? y)
-      free.set(x, height - LINE)
+      const height = Math.min(y, lowestFree.get(x) ?? y)
+      lowestFree.set(x, height - LINE)
       return text(x + 8, height + 4, variant, `fill="${COLOURS[variant]}"`)
     })
 }
@@ -110,6 +110,6 @@ function text(x: number, y: number, words: string, attributes = ''): string {
   return `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" ${attributes}>${words}</text>`
 }
 
-function escaped(words: string): string {
+function escapeXml(words: string): string {
   return words.replaceAll('&', '&amp;').replaceAll('<', '&lt;')
 }

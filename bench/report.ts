@@ -1,46 +1,47 @@
-import type { Case, RendererKind } from './case.ts'
-import type { Drawer } from './draw.ts'
+import type { RendererKind } from '../stage/stage.ts'
+import type { Case } from './case.ts'
 import { median, ratio, spread } from './statistics.ts'
+import type { TimedRenderer } from './timed-renderer.ts'
 
-/** What a page measured of one variant in one case. */
+/** A page's measurements of one variant in one case. */
 export interface Measured {
   variant: string
-  /** Milliseconds a frame took, a median for each round. */
+  /** Mean milliseconds per frame in each round. */
   rounds: number[]
-  /** Share of the picture's pixels that differ from the plain face, 0..1. */
+  /** Fraction of pixels that differ from the plain face, 0..1. */
   changed: number
 }
 
-/** Where it was measured. */
-export interface Setting {
+/** What it was measured on. */
+export interface Setup {
   width: number
   height: number
   renderer: RendererKind
   adapter: string
-  /** Whose clock told the times. */
-  timing: Drawer['timing']
+  /** The clock. */
+  timing: TimedRenderer['timing']
 }
 
-/** One entry of the JSON. */
-export interface Result extends Case, Setting {
+/** One entry of the JSON output. */
+export interface Result extends Case, Setup {
   variant: string
   medianMs: number
-  /** Distance between the quartiles of the rounds. */
+  /** Interquartile range of the rounds. */
   spreadMs: number
   ratioToPlain: number
-  /** Null where the paper's shader cannot show the case. */
+  /** Null if the paper's shader cannot show the case. */
   ratioToPaper: number | null
 }
 
-/** @throws Error when the plain face is missing, to which all others are compared. */
-export function toResults(shown: Case, setting: Setting, measured: readonly Measured[]): Result[] {
+/** @throws Error if the plain face is missing, with which all others are compared. */
+export function toResults(benchCase: Case, setup: Setup, measured: readonly Measured[]): Result[] {
   const plain = measured.find(({ variant }) => variant === 'plain')
   const paper = measured.find(({ variant }) => variant === 'paper')
-  if (!plain) throw new Error('bench: the variant "plain" was not measured; all others are compared to it')
+  if (!plain) throw new Error('bench: the variant "plain" was not measured; all others are compared with it')
   return measured.map(({ variant, rounds }) => ({
     variant,
-    ...shown,
-    ...setting,
+    ...benchCase,
+    ...setup,
     medianMs: median(rounds),
     spreadMs: spread(rounds),
     ratioToPlain: ratio(rounds, plain.rounds),

@@ -1,4 +1,4 @@
-// Times wrinkles against a plain face: `npm run bench`, or `npm run bench -- --quick`. bench/README.md tells more.
+// Times wrinkles against a plain face: `npm run bench`, or `npm run bench -- --quick`. See bench/README.md.
 
 import { mkdir, writeFile } from 'node:fs/promises'
 import { join } from 'node:path'
@@ -29,7 +29,7 @@ try {
 } finally {
   await server.close()
 }
-// Dawn keeps a process alive.
+// Dawn keeps the process alive.
 if (options.node) process.exit()
 
 async function run() {
@@ -40,7 +40,7 @@ async function run() {
   const { kilobytes } = await server.ssrLoadModule('/packages/cli/src/wrinkles/sizes.ts')
   const { withBar } = await server.ssrLoadModule('/packages/cli/src/progress.ts')
   const allowed = options.node ? ['webgpu'] : RENDERER_KINDS
-  const renderers = wanted(options.renderer ?? allowed, allowed)
+  const renderers = checkRenderers(options.renderer ?? allowed, allowed)
   const { width, height } = parseSize(options.size)
   const cases = listCases(options.quick)
   const { rounds } = options.quick ? PLANS.quick : PLANS.full
@@ -52,9 +52,9 @@ async function run() {
     const found = []
     for (const [i, renderer] of renderers.entries()) {
       const page = await host.open()
-      const setting = { width, height, renderer, ...(await page.open(renderer, width, height, face)) }
-      for (const [k, shown] of cases.entries()) {
-        found.push(...toResults(shown, setting, await page.measure(shown, plan)))
+      const setup = { width, height, renderer, ...(await page.open(renderer, width, height, face)) }
+      for (const [k, benchCase] of cases.entries()) {
+        found.push(...toResults(benchCase, setup, await page.measure(benchCase, plan)))
         progress(i * cases.length + k + 1, renderers.length * cases.length)
       }
       crowds.push([renderer, await page.measureCrowd(plan)])
@@ -66,15 +66,15 @@ async function run() {
   if (options.plot) await writePlots(options.plot, results, toPlot)
   const adapters = new Set(results.map(({ adapter, timing }) => `${adapter}, timed by ${timing}`))
   process.stdout.write(`${[...adapters].join('\n')}\n${toTable(results)}\n\n`)
-  for (const [renderer, share] of crowds) {
+  for (const [renderer, fraction] of crowds) {
     process.stdout.write(
-      `crowd: ${(100 * share).toFixed(1)}% of a frame with 1,000 faces on ${renderer} are influence maps\n`,
+      `crowd: ${(100 * fraction).toFixed(1)}% of a frame with 1,000 faces on ${renderer} are influence maps\n`,
     )
   }
-  for (const all of [false, true]) {
-    const { targets, areas, microseconds, bytes } = measureCpu(median, all)
+  for (const allTypes of [false, true]) {
+    const { targets, areas, microseconds, bytes } = measureCpu(median, allTypes)
     process.stdout.write(
-      `processor: ${microseconds.toFixed(1)} microseconds and ${bytes.toFixed(1)} bytes a frame, one face, ${targets} blendshapes that drive ${areas} areas${all ? ', and every other type of driver' : ''}\n`,
+      `processor: ${microseconds.toFixed(1)} microseconds and ${bytes.toFixed(1)} bytes a frame, one face, ${targets} blendshapes that drive ${areas} areas${allTypes ? ', and every other type of driver' : ''}\n`,
     )
   }
   for (const { page, gzipped } of await measureSizes()) {
@@ -82,20 +82,20 @@ async function run() {
   }
 }
 
-/** One for each renderer. */
+/** Writes one plot per renderer. */
 async function writePlots(folder, results, toPlot) {
   await mkdir(folder, { recursive: true })
   for (const kind of new Set(results.map(({ renderer }) => renderer))) {
-    const own = results.filter(({ renderer }) => renderer === kind)
-    await writeFile(join(folder, `${kind}.svg`), toPlot(own))
+    const ofKind = results.filter(({ renderer }) => renderer === kind)
+    await writeFile(join(folder, `${kind}.svg`), toPlot(ofKind))
   }
 }
 
-function wanted(names, allowed) {
+function checkRenderers(names, allowed) {
   const unknown = names.find((name) => !allowed.includes(name))
   if (unknown === undefined) return names
   throw new Error(
-    `bench: renderer not known here, got "${unknown}", allowed: ${allowed.join(', ')}; name one of these`,
+    `bench: renderer not available here, got "${unknown}", allowed: ${allowed.join(', ')}; name one of these`,
   )
 }
 
@@ -107,5 +107,7 @@ function parseRounds(text) {
 function parseSize(text) {
   const match = /^([1-9]\d{0,3})x([1-9]\d{0,3})$/.exec(text)
   if (match) return { width: Number(match[1]), height: Number(match[2]) }
-  throw new Error(`bench: no size, got "${text}", allowed: 1x1 to 9999x9999; write e.g. --size 3840x2160`)
+  throw new Error(
+    `bench: invalid size, got "${text}", allowed: 1x1 to 9999x9999; write e.g. --size 3840x2160`,
+  )
 }

@@ -3,9 +3,9 @@ import { createServer } from 'vite'
 
 export const ROOT = fileURLToPath(new URL('..', import.meta.url))
 
-/** Serves the repository to a browser, and to this process by `ssrLoadModule`; close it when done. */
+/** Serves the repository to a browser, and to this process by `ssrLoadModule`; the caller closes it. */
 export async function serve() {
-  // Sources, not builds: the `furrow-source` condition of the packages' exports.
+  // Import the packages' sources instead of their builds (export condition `furrow-source`).
   const server = await createServer({
     root: ROOT,
     configFile: false,
@@ -17,13 +17,13 @@ export async function serve() {
       entries: ['bench/index.html', 'bench/files/page.html'],
       include: ['three', 'three/webgpu', 'three/tsl', 'three/addons/loaders/GLTFLoader.js'],
     },
-    // A file that is saved while frames are timed must not load the page anew.
+    // A file saved while frames are timed must not reload the page.
     server: { host: '127.0.0.1', port: 0, hmr: false, watch: null },
   })
   return server.listen()
 }
 
-/** Opens one of its pages, once that has put `ready` on its window. */
+/** Opens a page and waits until it has set the global `ready`. */
 export async function openPage(server, browser, path, ready) {
   const { newPage } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
   const page = await newPage(browser)

@@ -5,7 +5,7 @@ import { gzipSync } from 'node:zlib'
 import { build } from 'vite'
 import { ROOT } from './serve.mjs'
 
-/** Pages, by what they import. */
+/** What each page imports. */
 const PAGES = {
   'the loader, furrow/three': "import { WrinkleLoaderPlugin as used } from 'furrow/three'",
   'the loader, furrow/webgpu': "import { WrinkleLoaderPlugin as used } from 'furrow/webgpu'",
@@ -15,7 +15,7 @@ const PAGES = {
 
 const PAGE = 'virtual:page'
 
-/** Bytes by page. */
+/** Gzipped bytes of each page. */
 export async function measureSizes() {
   const sizes = []
   for (const [page, code] of Object.entries(PAGES)) {

@@ -1,29 +1,28 @@
-/** The middle of some numbers; of an even count, the mean of the middle two. NaN of none. */
+/** Median; NaN if there are no values. */
 export function median(values: readonly number[]): number {
   return quantile(values, 0.5)
 }
 
-/** Half of all values lie within this distance: from the lower to the upper quartile. */
+/** Interquartile range. */
 export function spread(values: readonly number[]): number {
   return quantile(values, 0.75) - quantile(values, 0.25)
 }
 
 /**
- * Order in which variants take their turns: each round starts one further on, so that none always follows the same
- * one or always pays for what comes first.
+ * Order of the variants in a round: each round starts one further on, so that no variant always comes first and pays for it.
  */
-export function turns(count: number, round: number): number[] {
+export function roundOrder(count: number, round: number): number[] {
   return Array.from({ length: count }, (_, i) => (i + round) % count)
 }
 
-/** Median of the ratios of each round: what slows a whole round down, such as other work, cancels out. */
+/** Median of the ratios in each round: what slows down a whole round, such as other processes, cancels out. */
 export function ratio(rounds: readonly number[], base: readonly number[]): number {
   return median(rounds.map((value, i) => value / base[i]))
 }
 
-function quantile(values: readonly number[], share: number): number {
+function quantile(values: readonly number[], fraction: number): number {
   const sorted = [...values].sort((a, b) => a - b)
-  const at = (sorted.length - 1) * share
-  const low = sorted[Math.floor(at)]
-  return low + (sorted[Math.ceil(at)] - low) * (at % 1)
+  const index = (sorted.length - 1) * fraction
+  const low = sorted[Math.floor(index)]
+  return low + (sorted[Math.ceil(index)] - low) * (index % 1)
 }

@@ -1,23 +1,22 @@
 /// <reference types="@webgpu/types" />
 /**
- * Times frames by the adapter's own clock: what it is busy with, and not what the processor needs to ask for it.
- * Each way runs `frames` and tells the milliseconds that all they drew has taken.
+ * Runs `frames` and returns the milliseconds that the adapter takes for them. The clocks below count the adapter's work only, not
+ * that of the CPU.
  */
 export type Clock = (frames: () => void) => Promise<number>
 
-/** Passes in frames that are timed together; a query set has two entries for each, 4096 at most. */
-const MOST_PASSES = 2048
+/** Passes in frames that are timed together: a query set has at most 4096 entries, two for each. */
+const MAX_PASSES = 2048
 
 /**
- * Sums what every pass takes, those of mipmaps included, so that gaps between them in which the processor is not ready yet
- * do not count.
+ * Sums the times of all render passes, mipmap generation included; gaps in which the adapter waits for the CPU do not count.
  *
- * @returns undefined where the device has no timestamps.
+ * @returns undefined if the device has no timestamp queries.
  */
 export function passClock(device: GPUDevice): Clock | undefined {
   if (!device.features.has('timestamp-query')) return undefined
-  const bytes = 16 * MOST_PASSES
-  const querySet = device.createQuerySet({ type: 'timestamp', count: 2 * MOST_PASSES })
+  const bytes = 16 * MAX_PASSES
+  const querySet = device.createQuerySet({ type: 'timestamp', count: 2 * MAX_PASSES })
   const resolved = device.createBuffer({
     size: bytes,
     usage: GPUBufferUsage.QUERY_RESOLVE | GPUBufferUsage.COPY_SRC,
@@ -44,9 +43,9 @@ export function passClock(device: GPUDevice): Clock | undefined {
     frames()
     const count = passes
     passes = undefined
-    if (count > MOST_PASSES) {
+    if (count > MAX_PASSES) {
       throw new Error(
-        `bench: too many passes to time, got ${count}, allowed: ${MOST_PASSES}; raise MOST_PASSES`,
+        `bench: too many passes to time, got ${count}, allowed: ${MAX_PASSES}; raise MAX_PASSES`,
       )
     }
     const encoder = createEncoder()
@@ -64,9 +63,9 @@ export function passClock(device: GPUDevice): Clock | undefined {
 }
 
 /**
- * The extension's own elapsed time.
+ * Elapsed time by `EXT_disjoint_timer_query_webgl2`.
  *
- * @returns undefined where the context has no timer queries.
+ * @returns undefined if the context has no timer queries.
  */
 export function queryClock(gl: WebGL2RenderingContext): Clock | undefined {
   const timer = gl.getExtension('EXT_disjoint_timer_query_webgl2')
@@ -77,13 +76,13 @@ export function queryClock(gl: WebGL2RenderingContext): Clock | undefined {
     frames()
     gl.endQuery(timer.TIME_ELAPSED_EXT)
     gl.flush()
-    // Results come between tasks of the page only.
+    // Results become available between tasks only.
     while (!gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE)) {
       await new Promise((resolve) => setTimeout(resolve))
     }
     const nanoseconds = gl.getQueryParameter(query, gl.QUERY_RESULT)
     gl.deleteQuery(query)
-    // The adapter changed its clock meanwhile: the figure means nothing.
+    // Invalid if the adapter's clock has changed meanwhile.
     return gl.getParameter(timer.GPU_DISJOINT_EXT) ? clock(frames) : nanoseconds / 1e6
   }
   return clock

@@ -1,16 +1,16 @@
-/** What the pages about drivers share: a face in good light, and controls beneath it. Not part of the library. */
+/** Common code of the examples of drivers: a lit face with controls below it. Not part of the library. */
 
 import * as three from 'three'
 
 const { Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene } = three
 
 /**
- * Shows a face and draws it for good.
+ * Shows a face and draws every frame.
  *
  * @param {import('three').Object3D} face
- * @param {(seconds: number) => void} [beforeFrame] called with the seconds since the page began.
- * @param {import('three').WebGLRenderer | import('three/webgpu').WebGPURenderer} [renderer] pages of the latter have a `three` without
- *   the former.
+ * @param {(seconds: number) => void} [beforeFrame] called with the seconds since the page was opened.
+ * @param {import('three').WebGLRenderer | import('three/webgpu').WebGPURenderer} [renderer] required where the import map's `three` is
+ *   the build without `WebGLRenderer`.
  */
 export function showFace(
   face,
@@ -30,9 +30,9 @@ export function showFace(
     const { clientWidth: width } = document.body
     const height = Math.max(240, innerHeight - controls().offsetHeight)
     camera.aspect = width / height
-    // On a narrow page the whole face must still fit ...
+    // Fits the whole face into a narrow page ...
     camera.fov = Math.min(48, 22 / Math.min(1, camera.aspect / 0.8))
-    // ... and the shirt's lower edge stay out of sight.
+    // ... and keeps the lower edge of the shirt out of the frame.
     camera.position.y = 0.765 + 0.11 * (camera.fov / 22 - 1)
     camera.updateProjectionMatrix()
     renderer.setSize(width, height)
@@ -45,19 +45,19 @@ export function showFace(
   })
 }
 
-/** A slider with its name; tells each change. Returns what sets it from outside. */
+/** Adds a labelled slider that calls `onChange`. Returns a function that sets it without calling `onChange`. */
 export function addSlider(name, { min = 0, max = 1, step = 0.01, value = 0 }, onChange) {
   const label = document.createElement('label')
   const input = Object.assign(document.createElement('input'), { type: 'range', min, max, step, value })
-  const shown = document.createElement('output')
+  const output = document.createElement('output')
   const show = () => {
-    shown.textContent = step >= 1 ? input.value : Number(input.value).toFixed(2)
+    output.textContent = step >= 1 ? input.value : Number(input.value).toFixed(2)
   }
   input.addEventListener('input', () => {
     show()
     onChange(Number(input.value))
   })
-  label.append(name, input, shown)
+  label.append(name, input, output)
   controls().append(label)
   show()
   return (value) => {
@@ -66,7 +66,7 @@ export function addSlider(name, { min = 0, max = 1, step = 0.01, value = 0 }, on
   }
 }
 
-/** A button for each name. */
+/** Adds a button for each name. */
 export function addButtons(names, onPress) {
   const row = document.createElement('div')
   for (const name of names) {
@@ -77,7 +77,7 @@ export function addButtons(names, onPress) {
   controls().append(row)
 }
 
-/** One of several names to choose. */
+/** Adds radio buttons to choose one of several names. */
 export function addChoice(names, chosen, onChoose) {
   const row = document.createElement('div')
   for (const name of names) {
@@ -94,7 +94,7 @@ export function addChoice(names, chosen, onChoose) {
   controls().append(row)
 }
 
-/** A box to tick. */
+/** Adds a checkbox. */
 export function addCheck(name, checked, onChange) {
   const label = document.createElement('label')
   const input = Object.assign(document.createElement('input'), { type: 'checkbox', checked })

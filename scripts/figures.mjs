@@ -1,5 +1,5 @@
-// Remakes the pictures of the README and the docs into docs/figures/: `npm run figures`, or some: `npm run figures -- hero`.
-// 8, 9 and 10 are the paper's.
+// Renders the pictures of the README and the docs into docs/figures/: `npm run figures`, or only some: `npm run figures -- hero`.
+// Figures 8, 9 and 10 are the paper's.
 
 import { existsSync } from 'node:fs'
 import { mkdir, mkdtemp, rename, rm } from 'node:fs/promises'
@@ -12,13 +12,13 @@ import { setUp } from './lib/set-up.mjs'
 
 const FOLDER = join(ROOT, 'docs/figures')
 const FACE = join(ROOT, 'faces/human.glb')
-/** A scanned face that is no part of this repository; without it its figure stays as it is. */
+/** A scanned face that is not in this repository; without it, its figure is not rendered. */
 const SCAN = join(ROOT, '../shared/real-face/ict-face.glb')
 
-/** Pixels between two pictures of a figure. */
+/** Pixels between the pictures of a figure. */
 const GAP = 8
 
-/** The face fills the frame: of a larger picture only this is kept. */
+/** Crops of larger pictures, in which the face fills the frame. */
 const PORTRAIT = { width: 900, height: 1050, crop: { left: 180, top: 50, width: 540, height: 720 } }
 const EYE = {
   width: 1600,
@@ -36,9 +36,9 @@ const BROW = {
 }
 const FOREHEAD = { ...PORTRAIT, expression: 'surprised', crop: { ...PORTRAIT.crop, height: 480 } }
 
-/** An example page's own picture. */
+/** Pictures of example pages. */
 const PAGE = { width: 720, height: 900, crop: { left: 135, top: 20, width: 450, height: 540 } }
-/** WebGPU's canvas has no picture to take without a graphics card; on WebGL 2 the same page shows the same. */
+/** Drawn on WebGL 2, since a WebGPU canvas cannot be captured without a GPU. */
 const CHEEKS = { width: 1100, height: 1300, crop: { left: 300, top: 400, width: 500, height: 500 } }
 const HAND = { width: 900, height: 900, crop: { left: 190, top: 130, width: 490, height: 660 } }
 const NECK = { width: 900, height: 900, crop: { left: 270, top: 130, width: 450, height: 660 } }
@@ -46,7 +46,7 @@ const BASIC_EXPRESSIONS = ['neutral', 'happiness', 'surprise', 'anger', 'sadness
 
 const both = (name, weight = 1) => ({ [`${name}Left`]: weight, [`${name}Right`]: weight })
 
-/** What automatic wrinkles are looked at in. */
+/** Poses that show automatic wrinkles. */
 const POSES = [
   { browInnerUp: 1, ...both('browOuterUp'), ...both('eyeWide', 0.8), jawOpen: 0.25 },
   { ...both('browDown'), ...both('eyeSquint', 0.3), ...both('mouthPress', 0.4) },
@@ -59,8 +59,8 @@ const POSES = [
 ]
 const AGES = [30, 50, 70]
 
-/** One row without wrinkles, and one for each age. */
-const aged = (name, picture) =>
+/** A row without wrinkles, and one for each age. */
+const agesOf = (name, picture) =>
   [undefined, ...AGES].flatMap((age) =>
     POSES.map((targets, i) => ({
       ...picture,
@@ -71,8 +71,8 @@ const aged = (name, picture) =>
     })),
   )
 
-/** Figures of many faces are stored as photographs are. */
-const PHOTOS = ['auto-human', 'auto-scan']
+/** Figures of many faces are stored as JPEG. */
+const JPEG_FIGURES = ['auto-human', 'auto-scan']
 
 /** Each figure is a row of pictures, from left to right. */
 const FIGURES = {
@@ -109,12 +109,12 @@ const FIGURES = {
     ...CHEEKS,
     page: `normals.html?webgl&remedy=${remedy}&cheekPuff=1&mouthPucker=0.7`,
   })),
-  'auto-human': aged('human', {
+  'auto-human': agesOf('human', {
     width: 630,
     height: 540,
     crop: { left: 157, top: 36, width: 315, height: 374 },
   }),
-  'auto-scan': aged('scan', {
+  'auto-scan': agesOf('scan', {
     mesh: 'face',
     width: 630,
     height: 540,
@@ -123,7 +123,7 @@ const FIGURES = {
   transform: [FOREHEAD, { ...FOREHEAD, face: 'lossless' }, { ...FOREHEAD, face: 'lossy' }],
 }
 
-/** The face in other forms, and what makes them. */
+/** Variants of the faces, and the functions that write them. */
 const FACES = {
   images: (file) => pack(file),
   arrays: (file) => pack(file, '--ktx2'),
@@ -138,7 +138,7 @@ const FACES = {
 }
 
 await main(async () => {
-  const figures = wanted(process.argv.slice(2))
+  const figures = selectFigures(process.argv.slice(2))
   await setUp()
   process.env.FURROW_CHROMIUM = await ensureBrowser()
   const { renderPictures } = await import('../packages/cli/dist/render/render-pictures.js')
@@ -159,19 +159,19 @@ await main(async () => {
   const pages = await shootPages(parts.filter(({ page }) => page !== undefined))
   await mkdir(FOLDER, { recursive: true })
   for (const [name, row] of Object.entries(figures)) {
-    const shown = row.map(({ page, crop, beginsRow }) => ({
+    const cropped = row.map(({ page, crop, beginsRow }) => ({
       ...(page ? pages : pictures).shift(),
       crop,
       beginsRow,
     }))
-    const file = `${name}.${PHOTOS.includes(name) ? 'jpg' : 'png'}`
-    await compose(shown, join(FOLDER, file))
+    const file = `${name}.${JPEG_FIGURES.includes(name) ? 'jpg' : 'png'}`
+    await compose(cropped, join(FOLDER, file))
     say(`docs/figures/${file}`)
   }
 })
 
-/** The figures of these names; all of them where there are none. */
-function wanted(names) {
+/** Figures of these names; all of them if there are no names. */
+function selectFigures(names) {
   const unknown = names.find((name) => !(name in FIGURES))
   if (unknown === undefined)
     return Object.fromEntries(
@@ -183,7 +183,7 @@ function wanted(names) {
   throw new Failure(`unknown figure, got "${unknown}", allowed: ${allowed}; name one of these`)
 }
 
-/** Makes those of `FACES` that some pictures are of; returns their files by name. */
+/** Writes the `FACES` that appear in some pictures; returns their files by name. */
 async function makeFaces(pictures, folder) {
   const files = new Map()
   for (const { face } of pictures) {
@@ -196,8 +196,8 @@ async function makeFaces(pictures, folder) {
 
 async function pack(file, ...options) {
   const { packCommand } = await import('../packages/cli/dist/commands/pack.js')
-  const words = [join(ROOT, 'faces/human'), '--face', FACE, '--size', '512', '-o', file, ...options]
-  await packCommand.parseAsync(words, { from: 'user' })
+  const args = [join(ROOT, 'faces/human'), '--face', FACE, '--size', '512', '-o', file, ...options]
+  await packCommand.parseAsync(args, { from: 'user' })
 }
 
 async function auto(face, file, age) {
@@ -229,7 +229,7 @@ async function withBar(work) {
   }
 }
 
-/** Sets pictures of one size side by side, in rows; what is between them is transparent, or white in a photograph. */
+/** Arranges pictures of equal size in rows. The gaps are transparent, or white in JPEG. */
 async function compose(pictures, file) {
   const { default: sharp } = await import('sharp')
   let [left, top, width] = [0, 0, 0]
@@ -250,10 +250,10 @@ async function compose(pictures, file) {
   const background = { r: 255, g: 255, b: 255, alpha: 0 }
   const canvas = { width, height: top + pictures[0].crop.height, channels: 4, background }
   const image = sharp(await sharp({ create: canvas }).composite(layers).png().toBuffer())
-  const isPhoto = file.endsWith('.jpg')
-  const done = isPhoto
+  const isJpeg = file.endsWith('.jpg')
+  const encoded = isJpeg
     ? image.flatten({ background: '#fff' }).jpeg({ quality: 88, mozjpeg: true })
     : image.png({ compressionLevel: 9 })
-  await done.toFile(`${file}.tmp`)
+  await encoded.toFile(`${file}.tmp`)
   await rename(`${file}.tmp`, file)
 }

@@ -1,4 +1,4 @@
-// Publishes the schemas of all drivers in docs/schema: one file each, as it is in the driver's folder, and the list of them.
+// Publishes the drivers' schemas in docs/schema: a copy of each driver's file, and the list of all.
 
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'

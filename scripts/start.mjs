@@ -1,4 +1,4 @@
-// Serves the studio with the face that ships: `npm start`. Ctrl-C stops it.
+// Serves the studio with the shipped faces: `npm start`. Ctrl-C stops it.
 
 import { join } from 'node:path'
 import { main, ROOT, say } from './lib/run.mjs'
@@ -22,7 +22,7 @@ await main(async () => {
   say('Ctrl-C stops it')
   let stopping = false
   const stop = async () => {
-    // npm passes on the signal that the terminal has sent already.
+    // npm forwards the signal that the terminal has already sent.
     if (stopping) return
     stopping = true
     await server.close()
@@ -32,7 +32,7 @@ await main(async () => {
   if (process.env.npm_lifecycle_event) stopWithParent(stop)
 })
 
-/** A signal that ends npm alone does not reach us: the shell between us dies of it. */
+/** A signal sent to npm alone does not reach this process: only the shell in between is terminated. */
 function stopWithParent(stop) {
   const parent = process.ppid
   setInterval(() => process.ppid !== parent && stop(), 500).unref()

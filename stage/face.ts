@@ -4,24 +4,24 @@ import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
 export interface Face {
-  /** Everything in the file: skin, eyes, teeth, lashes. */
+  /** The file's whole scene: skin, eyes, teeth, lashes. */
   root: Object3D
-  /** The mesh that wrinkles. */
+  /** The mesh with wrinkles. */
   skin: Mesh
-  /** The wrinkles that the file carries for it; null when it carries none. */
+  /** The file's wrinkles for `skin`; null if it has none. */
   wrinkles: Pick<LoadedWrinkles, 'set' | 'drivers'> | null
 }
 
-/** Name of the mesh that wrinkles, where a file does not say. */
+/** Name of the skin in files without wrinkles. */
 const SKIN = 'skin'
 
 /**
  * Loads a face.
  *
- * @param skin name of the mesh that wrinkles; unless told the one that the file has wrinkles for, else the one named
- *   `skin`, else the one with most vertices.
- * @param loader one with more decoders, if the file needs them.
- * @throws Error when the file has no mesh, or none of that name.
+ * @param skin name of the mesh to wrinkle; by default the first one with wrinkles in the file, else the one named
+ *   `skin`, else the one with the most vertices.
+ * @param loader with the decoders that the file needs; meshopt is added.
+ * @throws Error if the file has no mesh, or none of that name.
  */
 export async function loadFace(url: string, skin?: string, loader = new GLTFLoader()): Promise<Face> {
   const gltf = await loader.setMeshoptDecoder(MeshoptDecoder).loadAsync(url)
@@ -31,7 +31,7 @@ export async function loadFace(url: string, skin?: string, loader = new GLTFLoad
     if ((object as Mesh).isMesh) meshes.push(object as Mesh)
   })
   const loaded = await readWrinkleMaps(gltf)
-  const found = choose(meshes, loaded, skin)
+  const found = chooseSkin(meshes, loaded, skin)
   if (!found) {
     const names = meshes.map(({ name }) => name).join(', ') || 'none'
     throw new Error(
@@ -41,7 +41,7 @@ export async function loadFace(url: string, skin?: string, loader = new GLTFLoad
   return { root, skin: found, wrinkles: loaded.find(({ meshes }) => meshes.includes(found)) ?? null }
 }
 
-function choose(meshes: Mesh[], loaded: LoadedWrinkles[], skin?: string): Mesh | undefined {
+function chooseSkin(meshes: Mesh[], loaded: LoadedWrinkles[], skin?: string): Mesh | undefined {
   if (skin !== undefined) return meshes.find(({ name }) => name === skin)
   return loaded[0]?.meshes[0] ?? meshes.find(({ name }) => name === SKIN) ?? largest(meshes)
 }

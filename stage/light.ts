@@ -2,21 +2,21 @@ import { Color, DirectionalLight, type Object3D, PMREMGenerator, type Scene, typ
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js'
 import { PMREMGenerator as NodePMREMGenerator, type WebGPURenderer } from 'three/webgpu'
 
-/** A photographer's three lights, in the face's own lengths: key upper left, weaker fill, rim from behind. */
+/** Three-point lighting: key from the upper left, a weaker fill, a rim light from behind. */
 const LIGHTS = [
   { name: 'key', colour: 0xfff1e4, intensity: 3, from: [-1, 1.35, 0.95] },
   { name: 'fill', colour: 0xdfe8ff, intensity: 0.5, from: [1.3, 0.1, 0.8] },
   { name: 'rim', colour: 0xe6eeff, intensity: 1.1, from: [1.2, 1, -1.6] },
 ] as const
 
-/** Strength of the room's light; it fills the shadows and glints in the eyes. */
+/** Intensity of the environment map, which fills the shadows and is reflected in the eyes. */
 const ENVIRONMENT = 0.28
 
 const BACKGROUND = 0x24272c
-/** WebGPURenderer maps the tones of the background too; this one comes out as the other. */
-const MAPPED_BACKGROUND = 0x34373b
+/** WebGPURenderer tone-maps the background too; this colour becomes `BACKGROUND`. */
+const TONE_MAPPED_BACKGROUND = 0x34373b
 
-/** Lights a scene for a face; returns what takes the light away again. */
+/** Adds lights, environment and background to a scene; returns a function that removes lights and environment. */
 export function lightScene(scene: Scene, renderer: WebGLRenderer | WebGPURenderer): () => void {
   const pmrem = isWebGL(renderer) ? new PMREMGenerator(renderer) : new NodePMREMGenerator(renderer)
   const room = new RoomEnvironment()
@@ -24,7 +24,7 @@ export function lightScene(scene: Scene, renderer: WebGLRenderer | WebGPURendere
   room.dispose()
   scene.environment = environment.texture
   scene.environmentIntensity = ENVIRONMENT
-  scene.background = new Color(isWebGL(renderer) ? BACKGROUND : MAPPED_BACKGROUND)
+  scene.background = new Color(isWebGL(renderer) ? BACKGROUND : TONE_MAPPED_BACKGROUND)
   const lights: Object3D[] = LIGHTS.map(({ name, colour, intensity, from }) => {
     const light = new DirectionalLight(colour, intensity)
     light.name = name

@@ -26,13 +26,13 @@ export type Wrinkles = WebGLWrinkles | WebGPUWrinkles
 
 export interface Stage {
   renderer: Renderer
-  /** What draws in the end: WebGPURenderer falls back to WebGL 2 where a browser has no WebGPU. */
+  /** The API in use: WebGPURenderer falls back to WebGL 2 in browsers without WebGPU. */
   backend: 'WebGL 2' | 'WebGPU'
   scene: Scene
   camera: PerspectiveCamera
-  /** Puts a face on the stage, alone. Its wrinkles are the caller's to dispose. */
+  /** Shows a face in place of the last one. The caller disposes of the wrinkles. */
   show(face: Face, loaded: Pick<LoadedWrinkles, 'set' | 'drivers'>, options?: WrinklesOptions): Wrinkles
-  /** Moves the camera; returns the point it looks at. */
+  /** Moves the camera to a view; returns the point it looks at. */
   view(name: ViewName): Vector3
   /** @param pixelRatio device pixels per CSS pixel. */
   resize(width: number, height: number, pixelRatio?: number): void
@@ -41,9 +41,9 @@ export interface Stage {
 }
 
 /**
- * Sets the stage up on a canvas.
+ * Creates a stage that draws on a canvas.
  *
- * @throws Error when the browser has neither WebGPU nor WebGL 2.
+ * @throws Error if the browser has neither WebGPU nor WebGL 2.
  */
 export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind): Promise<Stage> {
   const renderer =
@@ -55,11 +55,11 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
   renderer.outputColorSpace = SRGBColorSpace
   const scene = new Scene()
   const camera = new PerspectiveCamera()
-  const darken = lightScene(scene, renderer)
+  const removeLights = lightScene(scene, renderer)
   let shown: Face | null = null
   return {
     renderer,
-    backend: backendOf(renderer),
+    backend: backendName(renderer),
     scene,
     camera,
     show(face, { set, drivers }, options) {
@@ -81,13 +81,13 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
     },
     render: () => void renderer.render(scene, camera),
     dispose() {
-      darken()
+      removeLights()
       renderer.dispose()
     },
   }
 }
 
-function backendOf(renderer: Renderer): 'WebGL 2' | 'WebGPU' {
+function backendName(renderer: Renderer): 'WebGL 2' | 'WebGPU' {
   const backend = (renderer as { backend?: { isWebGPUBackend?: boolean } }).backend
   return backend?.isWebGPUBackend ? 'WebGPU' : 'WebGL 2'
 }

@@ -2,11 +2,11 @@ import { readFile } from 'node:fs/promises'
 import { basename, join } from 'node:path'
 import type { Plugin } from 'vite'
 
-/** Makes `/examples/NAME.html` reachable beside the studio while developing. */
+/** Serves `/examples/NAME.html` beside the studio in development. */
 export function serveExamples(folder: string): Plugin {
   return {
     name: 'furrow-examples',
-    // A page's own script has no place on the disk, from which what lies beside it could be found.
+    // An inline script is a virtual module, so its relative imports are resolved against the examples folder.
     resolveId(source, importer) {
       return source.startsWith('./') && importer?.includes('/examples/') && importer.includes('html-proxy')
         ? join(folder, source)

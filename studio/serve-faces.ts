@@ -12,8 +12,7 @@ const TYPES: Record<string, string> = {
 }
 
 /**
- * Serves the faces that ship under `/faces/`, and copies them into a build. `/faces/index.json` lists the names
- * of those that are there.
+ * Serves the shipped faces under `/faces/` and copies them into a build. `/faces/index.json` lists their names.
  */
 export function serveFaces(folder: string): Plugin {
   return {
@@ -44,17 +43,17 @@ export function serveFaces(folder: string): Plugin {
   }
 }
 
-/** Of what lies there, what has blendshapes; a hand is no face. */
+/** Models with blendshapes: a hand is not a face. */
 async function faceNames(folder: string): Promise<string[]> {
   const files = (await facePaths(folder)).filter((path) => extname(path) === '.glb' && !path.includes(sep))
-  const moves = await Promise.all(files.map((path) => hasBlendshapes(join(folder, path))))
+  const areFaces = await Promise.all(files.map((path) => hasBlendshapes(join(folder, path))))
   return files
-    .filter((_, i) => moves[i])
+    .filter((_, i) => areFaces[i])
     .map((path) => path.slice(0, -'.glb'.length))
     .sort()
 }
 
-/** A .glb begins with its JSON: after twelve bytes its length, after twenty itself (glTF 2.0, 4.4). */
+/** In a .glb the length of the JSON is at byte 12 and the JSON itself at byte 20 (glTF 2.0, section 4.4). */
 async function hasBlendshapes(path: string): Promise<boolean> {
   const bytes = await readFile(path)
   const json = JSON.parse(bytes.toString('utf8', 20, 20 + bytes.readUInt32LE(12)))
@@ -62,7 +61,7 @@ async function hasBlendshapes(path: string): Promise<boolean> {
   return meshes.some(({ primitives }) => primitives.some(({ targets }) => (targets?.length ?? 0) > 0))
 }
 
-/** What a page may ask for: the faces' own files, not the scripts that build them. */
+/** Files that a page may request: the faces, not the scripts that build them. */
 async function facePaths(folder: string): Promise<string[]> {
   const paths = await readdir(folder, { recursive: true })
   return paths.filter((path) => extname(path) in TYPES && !path.startsWith(`builder${sep}`))

@@ -12,7 +12,7 @@ export default defineConfig({
   publicDir: false,
   cacheDir: folder('../node_modules/.vite/studio'),
   plugins: [serveFaces(folder('../faces')), serveExamples(folder('../examples'))],
-  // Sources, not builds: the `furrow-source` condition of the packages' exports.
+  // Import the packages' sources instead of their builds (export condition `furrow-source`).
   resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
   optimizeDeps: {
     include: [
@@ -25,6 +25,6 @@ export default defineConfig({
     ],
   },
   server: { fs: { allow: [folder('..')] } },
-  // One page that needs all of three.js, twice over for its two renderers.
+  // The page bundles three.js with both of its renderers.
   build: { outDir: folder('dist'), emptyOutDir: true, chunkSizeWarningLimit: 2500 },
 })

@@ -1,6 +1,6 @@
 import type { Accessor, Document } from '@gltf-transform/core'
 
-/** Returns what makes accessors of a document, all in its first buffer. */
+/** Returns a function that creates accessors of a document in its first buffer. */
 export function accessorsOf(document: Document) {
   const buffer = document.getRoot().listBuffers()[0] ?? document.createBuffer()
   return (

@@ -1,11 +1,11 @@
 import type { Area, Layer, LayerKind, RgbaImage, WrinkleSet } from 'furrow'
 
-/** Random bytes, every texel independent of its neighbours: the hardest thing to sample. */
+/** Random bytes; independent texels are the hardest case of sampling. */
 export function randomImage(random: () => number, width: number, height = width): RgbaImage {
   return { width, height, data: Uint8Array.from({ length: width * height * 4 }, () => random() * 256) }
 }
 
-/** Random normals that point out of the surface. */
+/** Random normals within 45 degrees of the surface normal. */
 export function randomNormals(random: () => number, size: number): RgbaImage {
   const image = randomImage(random, size)
   for (let i = 0; i < size * size; i++) {
@@ -42,7 +42,7 @@ export function layer(name: string, kind: LayerKind, normal: RgbaImage): Layer {
   return { name, kind, normal }
 }
 
-/** The smallest wrinkle set, as its file has it: one image is all that it has. */
+/** JSON of the smallest wrinkle set: one image is both the layer and the area. */
 export function setOf(image: string): object {
   return {
     version: 1,

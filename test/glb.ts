@@ -1,4 +1,4 @@
-/** Edits the JSON of a binary glTF file, as a careless program might. */
+/** Edits the JSON of a binary glTF file without any checks. */
 export function editGlb(file: Uint8Array, edit: (json: any) => unknown): Uint8Array<ArrayBuffer> {
   const length = new DataView(file.buffer, file.byteOffset).getUint32(12, true)
   const json = JSON.parse(new TextDecoder().decode(file.subarray(20, 20 + length)))

@@ -1,4 +1,4 @@
-/** Seeded random numbers in 0..1 (mulberry32, T. Ettinger, public domain): every run sees the same cases. */
+/** Seeded random numbers in 0..1 (mulberry32, T. Ettinger, public domain), the same in every run. */
 export function seeded(seed: number): () => number {
   let state = seed >>> 0
   return () => {

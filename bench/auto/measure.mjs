@@ -1,5 +1,5 @@
-// Makes the wrinkles of one face once, as `furrow auto` does, in a process of its own; prints milliseconds of each stage and the
-// peak of its memory as JSON: `node bench/auto/measure.mjs face.glb 1024`. Uses the build.
+// Makes the wrinkles of one face as `furrow auto` does, from the packages' builds. Prints the milliseconds of each stage and the
+// process's peak memory as JSON: `node bench/auto/measure.mjs face.glb 1024`.
 
 import { mkdtemp, rm } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
@@ -18,7 +18,7 @@ const stages = {}
 let stage = 'start'
 let since = 0
 
-/** Ends a stage and begins the next; the first one began with the process. */
+/** Ends the current stage and begins the next. The first stage begins with the process. */
 function begin(next) {
   const now = performance.now()
   stages[stage] = now - since

@@ -1,4 +1,4 @@
-// Times `furrow auto` by stage: `node bench/auto/run.mjs [face.glb] [--size 1024] [--json FILE]`. bench/auto/README.md tells more.
+// Times `furrow auto` by stage: `node bench/auto/run.mjs [face.glb] [--size 1024] [--json FILE]`. See bench/auto/README.md.
 
 import { execFile } from 'node:child_process'
 import { existsSync, readFileSync } from 'node:fs'
@@ -21,7 +21,7 @@ const faces = positionals.length > 0 ? positionals : FACES.filter((path) => exis
 const sizes = options.size ? [options.size] : ['1024', '2048']
 const cases = faces.flatMap((face) => sizes.map((size) => ({ face, size, rounds: [] })))
 
-// In turns, so that what slows the machine for a while slows all of them.
+// In rounds, so that a temporary slowdown of the machine affects all cases.
 for (let round = 0; round < ROUNDS; round++) {
   for (const { face, size, rounds } of cases) rounds.push(await measure(face, size))
 }
@@ -45,14 +45,14 @@ async function measure(face, size) {
   return JSON.parse(stdout)
 }
 
-/** As the system names it. */
+/** The CPU's name. */
 function processor() {
-  const known =
+  const model =
     existsSync('/proc/cpuinfo') && /^model name\s*: (.*)$/m.exec(readFileSync('/proc/cpuinfo', 'utf8'))
-  return known ? known[1] : cpus()[0].model
+  return model ? model[1] : cpus()[0].model
 }
 
-/** Markdown, seconds. */
+/** The results as a Markdown table, times in seconds. */
 function table(rows) {
   const head = ['face', 'size', ...STAGES, 'all', 'memory']
   const cells = rows.map(({ face, size, milliseconds, total, megabytes }) => [

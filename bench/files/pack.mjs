@@ -8,7 +8,7 @@ import { stripWrinkles } from '../../packages/cli/dist/wrinkles/strip.js'
 
 const WHO = 'bench'
 
-/** Packs the shipped face's wrinkles in memory, from its folder; milliseconds, in all and for the images' codecs alone. */
+/** Packs the wrinkles of the shipped face from its folder, in memory; returns milliseconds in total and of the image codecs alone. */
 export async function packOnce(faces) {
   const folder = join(faces, 'human')
   const start = performance.now()
@@ -22,7 +22,7 @@ export async function packOnce(faces) {
   return { total, codecs: await timeCodecs(folder, document, wrinkles) }
 }
 
-/** What no packer gets round: every image decoded once, every image of areas encoded once. */
+/** The least a packer must do: decode every image once, and encode every image of areas once. */
 async function timeCodecs(folder, document, { areas }) {
   const inputs = [...document.layers.map(({ normal }) => normal), ...document.areas.map(({ image }) => image)]
   const outputs = [...new Set(areas.map(({ image }) => image.bytes))]

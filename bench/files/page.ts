@@ -1,12 +1,12 @@
-/** Loads the shipped face with and without its wrinkles, in turns. Times are in milliseconds. */
+/** Times loading the shipped face with and without its wrinkles, alternately, in milliseconds. */
 import { WrinkleLoaderPlugin } from 'furrow/three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
 export interface LoadTimes {
-  /** The whole file by three.js alone, and with Furrow's plugin. */
+  /** The whole file, without and with Furrow's plugin. */
   without: number
   with: number
-  /** Decoding the wrinkles' images, as the loader does it. */
+  /** Decoding the wrinkles' images as the loader does. */
   images: number
 }
 
@@ -20,7 +20,7 @@ window.measure = async (rounds) => {
   const file = await (await fetch('/faces/human.glb')).arrayBuffer()
   const images = imagesOfWrinkles(file)
   const times: LoadTimes[] = []
-  // The first round compiles, and is not counted.
+  // The first round compiles and is not counted.
   for (let i = 0; i <= rounds; i++) {
     const round = {
       without: await time(() => new GLTFLoader().parseAsync(file, '')),
@@ -44,7 +44,7 @@ async function time(work: () => Promise<unknown>): Promise<number> {
   return performance.now() - start
 }
 
-/** The encoded images that only FURROW_wrinkle_maps refers to. */
+/** The encoded images of FURROW_wrinkle_maps. */
 function imagesOfWrinkles(file: ArrayBuffer): Blob[] {
   const length = new DataView(file).getUint32(12, true)
   const json = JSON.parse(new TextDecoder().decode(new Uint8Array(file, 20, length)))

@@ -1,4 +1,4 @@
-// What wrinkles cost when a file is packed and when it is loaded, beyond decoding and encoding their images:
+// Cost of wrinkles when a file is packed and when it is loaded, beyond decoding and encoding their images:
 // `node bench/files/run.mjs [--rounds 15] [--json FILE]`, after `npm run build`.
 
 import { writeFileSync } from 'node:fs'
@@ -16,7 +16,7 @@ const rounds = Number(options.rounds)
 
 const packed = await withBar('pack', async (progress) => {
   const times = []
-  // The first round warms the codecs up, and is not counted.
+  // The first round warms up the codecs and is not counted.
   for (let i = 0; i <= rounds; i++) {
     const time = await packOnce(`${ROOT}faces`)
     if (i > 0) times.push(time)
@@ -51,7 +51,7 @@ for (const { what, wrinkles, images, beyond } of rows) {
 }
 if (options.json) writeFileSync(options.json, `${JSON.stringify(rows, null, 2)}\n`)
 
-/** Loads the file in a browser, from sources. */
+/** Times loading in a browser, from the packages' sources. */
 async function load() {
   const browser = await launchBrowser()
   try {

@@ -1,8 +1,8 @@
-import { wearFurrow } from '../furrow.ts'
+import { applyFurrow } from '../furrow.ts'
 import type { Variant } from '../variant.ts'
 
-/** Furrow with its normals written into a map, which the plain material shows. */
+/** Furrow's composed mode: draws normals into a map, which the plain material shows. */
 export const variant: Variant = {
   canShow: () => true,
-  wear: (mesh, set, renderer) => wearFurrow(mesh, set, renderer, { mode: 'composed' }),
+  apply: (mesh, set, renderer) => applyFurrow(mesh, set, renderer, { mode: 'composed' }),
 }

@@ -1,8 +1,8 @@
-import { wearFurrow } from '../furrow.ts'
+import { applyFurrow } from '../furrow.ts'
 import type { Variant } from '../variant.ts'
 
-/** Furrow as it is unless told otherwise: the influence map, light once. */
+/** Furrow's default mode: an influence map, lit once. */
 export const variant: Variant = {
   canShow: () => true,
-  wear: (mesh, set, renderer) => wearFurrow(mesh, set, renderer, { mode: 'default' }),
+  apply: (mesh, set, renderer) => applyFurrow(mesh, set, renderer, { mode: 'default' }),
 }

@@ -1,24 +1,24 @@
 import type { GrayImage } from 'furrow'
 import { dot, int, texture, uv, vec3, vec4 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
-import { maskTexture, normalArray, wearPeer } from '../peer.ts'
+import { applyPeer, maskTexture, normalArray } from '../peer.ts'
 import type { Variant } from '../variant.ts'
 
 /**
  * Jimenez, Echevarria, Oat, Gutierrez: "Practical and Realistic Facial Wrinkles Animation", GPU Pro 2 (2011): one wrinkle map
- * and eight zones in the channels of two masks. The map's x and y, times the sum of all masks times their weights, are
- * added to those of the normal.
+ * and eight zones in the channels of two masks. Adds the map's x and y, times the weighted sum of the masks, to those of the
+ * normal.
  */
 export const variant: Variant = {
   canShow: ({ areas, layers }) => areas === 8 && layers === 1,
-  wear: (mesh, set, renderer) => {
+  apply: (mesh, set, renderer) => {
     const weights = set.areas.map(({ weights }) => weights as GrayImage)
     const textures = {
       peerWrinkles: normalArray(set),
       peerMask0: maskTexture(weights.slice(0, 4)),
       peerMask1: maskTexture(weights.slice(4)),
     }
-    return wearPeer(mesh, set, renderer, { textures, weights: weights.map(() => 0), glsl: GLSL, tsl })
+    return applyPeer(mesh, set, renderer, { textures, weights: weights.map(() => 0), glsl: GLSL, tsl })
   },
 }
 
@@ -30,7 +30,7 @@ vec3 peerNormal(vec3 base, vec2 uv) {
   return normalize(vec3(base.xy + wrinkles * dot(first + second, vec4(1.0)), base.z));
 }`
 
-type Tsl = Parameters<typeof wearPeer>[3]['tsl']
+type Tsl = Parameters<typeof applyPeer>[3]['tsl']
 
 const tsl: Tsl = (base, { peerWrinkles, peerMask0, peerMask1 }, [a, b, c, d, e, f, g, h]) => {
   const wrinkles = texture(peerWrinkles).depth(int(0)).xy.mul(2).sub(1)

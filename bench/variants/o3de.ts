@@ -1,19 +1,19 @@
 import type { GrayImage } from 'furrow'
 import { int, mix, texture, uv, vec4 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
-import { maskTexture, normalArray, type Peer, wearPeer } from '../peer.ts'
+import { applyPeer, maskTexture, normalArray, type Peer } from '../peer.ts'
 import type { Variant } from '../variant.ts'
 
-/** Samplers left for masks, of WebGL's and WebGPU's 16 for a fragment shader: the material takes 7, the layers 1. */
-const MOST_MASKS = 8
+/** Samplers left for masks, of 16 per fragment shader in WebGL and WebGPU: the material takes 7, the layers 1. */
+const MAX_MASKS = 8
 
 /**
- * Open 3D Engine's skin material (`Skin_Common.azsli`, `WrinkleMask.azsli`): a mask for each area, whose channels say how much of
- * four layers it shows; a loop adds up masks times weights, and the layers' normals are mixed in one after the other.
+ * Open 3D Engine's skin material (`Skin_Common.azsli`, `WrinkleMask.azsli`): a mask per area, with the weights of four layers in
+ * its channels. A loop sums masks times activations; then the layers' normals are mixed in one after the other.
  */
 export const variant: Variant = {
-  canShow: ({ areas }) => areas <= MOST_MASKS,
-  wear: (mesh, set, renderer) => {
+  canShow: ({ areas }) => areas <= MAX_MASKS,
+  apply: (mesh, set, renderer) => {
     const names = set.layers.map(({ name }) => name)
     const masks = set.areas.map(({ layer, weights }) => {
       const channel = names.indexOf(layer!)
@@ -24,7 +24,7 @@ export const variant: Variant = {
       ...Object.fromEntries(masks.map((mask, i) => [`peerMask${i}`, mask])),
     }
     const weights = masks.map(() => 0)
-    return wearPeer(mesh, set, renderer, {
+    return applyPeer(mesh, set, renderer, {
       textures,
       weights,
       glsl: glslOf(masks.length, names.length),
@@ -33,21 +33,21 @@ export const variant: Variant = {
   },
 }
 
-/** GLSL cannot index samplers by a loop's counter: the loop is written out. */
+/** The loop is unrolled, since GLSL cannot index samplers by a loop counter. */
 function glslOf(masks: number, layers: number): string {
   const added = Array.from(
     { length: masks },
-    (_, i) => `shares += texture(peerMask${i}, uv) * peerWeights[${i}];`,
+    (_, i) => `layerWeights += texture(peerMask${i}, uv) * peerWeights[${i}];`,
   )
   const mixed = Array.from({ length: layers }, (_, i) => {
     const normal = `texture(peerWrinkles, vec3(uv, ${i}.0)).xyz * 2.0 - 1.0`
-    return `normal = mix(normal, ${normal}, shares[${i}]);`
+    return `normal = mix(normal, ${normal}, layerWeights[${i}]);`
   })
   return /* glsl */ `
 vec3 peerNormal(vec3 base, vec2 uv) {
-  vec4 shares = vec4(0.0);
+  vec4 layerWeights = vec4(0.0);
   ${added.join('\n  ')}
-  shares = min(shares, 1.0);
+  layerWeights = min(layerWeights, 1.0);
   vec3 normal = base;
   ${mixed.join('\n  ')}
   return normalize(normal);
@@ -56,16 +56,19 @@ vec3 peerNormal(vec3 base, vec2 uv) {
 
 function tslOf(masks: number, layers: number): Peer['tsl'] {
   return (base, textures, weights) => {
-    const place = uv().toVar()
+    const coordinates = uv().toVar()
     const parts = Array.from({ length: masks }, (_, i) =>
-      texture(textures[`peerMask${i}`], place).mul(weights[i]),
+      texture(textures[`peerMask${i}`], coordinates).mul(weights[i]),
     )
     const sum = parts.reduce<Node<'vec4'>>((total, part) => total.add(part) as Node<'vec4'>, vec4(0))
-    const shares = sum.min(1).toVar()
-    const channels = [shares.x, shares.y, shares.z, shares.w]
+    const layerWeights = sum.min(1).toVar()
+    const channels = [layerWeights.x, layerWeights.y, layerWeights.z, layerWeights.w]
     const mixed = Array.from({ length: layers }).reduce<Node<'vec3'>>((normal, _, i) => {
-      const own = texture(textures.peerWrinkles, place).depth(int(i)).xyz.mul(2).sub(1) as Node<'vec3'>
-      return mix(normal, own, channels[i]) as Node<'vec3'>
+      const layerNormal = texture(textures.peerWrinkles, coordinates)
+        .depth(int(i))
+        .xyz.mul(2)
+        .sub(1) as Node<'vec3'>
+      return mix(normal, layerNormal, channels[i]) as Node<'vec3'>
     }, base)
     return mixed.normalize() as Node<'vec3'>
   }

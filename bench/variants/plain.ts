@@ -3,5 +3,5 @@ import type { Variant } from '../variant.ts'
 /** The face with its normal map and no wrinkles. */
 export const variant: Variant = {
   canShow: () => true,
-  wear: () => ({ setActivation() {}, dispose() {} }),
+  apply: () => ({ setActivation() {}, dispose() {} }),
 }

@@ -1,30 +1,30 @@
 import { isWebGL } from '../../stage/light.ts'
 import type { Renderer, RendererKind } from '../../stage/stage.ts'
 
-/** Why a renderer cannot be had here, as one sentence; null when it can. */
-export async function whyNot(kind: RendererKind): Promise<string | null> {
+/** Error text that says why a renderer is not available here; null if it is. */
+export async function unavailableReason(kind: RendererKind): Promise<string | null> {
   if (kind === 'webgl') return null
   if (!navigator.gpu) {
-    const secure = window.isSecureContext ? '' : ' on a page that is not served over https or from localhost'
-    return `Studio: WebGPU is missing in this browser${secure}; the face stays on WebGL 2`
+    const context = window.isSecureContext ? '' : ' on a page that is not served over https or from localhost'
+    return `Studio: WebGPU is missing in this browser${context}; the face stays on WebGL 2`
   }
   if (await navigator.gpu.requestAdapter()) return null
-  return 'Studio: this browser knows WebGPU but found no graphics adapter for it; the face stays on WebGL 2'
+  return 'Studio: this browser supports WebGPU but finds no graphics adapter for it; the face stays on WebGL 2'
 }
 
-/** What a renderer runs on, as the driver names it. */
+/** The graphics adapter that a renderer runs on, by the name that its driver gives it. */
 export function adapterName(renderer: Renderer): string {
   const gl = isWebGL(renderer) ? renderer.getContext() : backendOf(renderer)?.gl
   if (gl) {
-    const names = gl.getExtension('WEBGL_debug_renderer_info')
-    return String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER))
+    const debugInfo = gl.getExtension('WEBGL_debug_renderer_info')
+    return String(gl.getParameter(debugInfo ? debugInfo.UNMASKED_RENDERER_WEBGL : gl.RENDERER))
   }
   const info = deviceOf(renderer)?.adapterInfo
   const words = [info?.description || info?.device, info?.vendor, info?.architecture]
-  return [...new Set(words.filter(Boolean))].join(', ') || 'adapter not named'
+  return [...new Set(words.filter(Boolean))].join(', ') || 'unnamed adapter'
 }
 
-/** The device of a renderer on WebGPU, undefined for others. Its loss is for good, whatever the reason. */
+/** The device of a renderer on WebGPU, undefined for others. A lost device never comes back. */
 export function deviceOf(renderer: Renderer): GPUDevice | undefined {
   return backendOf(renderer)?.device
 }

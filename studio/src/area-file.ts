@@ -2,9 +2,9 @@ import { type Area, type AreaConvention, areaWeights } from 'furrow'
 import { decodeImage, toGray } from 'furrow/three'
 
 /**
- * Reads a painted gray image as an area that is named after its file.
+ * Reads a painted gray image as an area with the name of its file.
  *
- * @throws FurrowError when the file is no image that can be an area.
+ * @throws FurrowError if the file is not an image or cannot be an area.
  */
 export async function readArea(file: File, convention: AreaConvention): Promise<Area> {
   const image = await decodeImage(file, file.name)

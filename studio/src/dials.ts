@@ -2,7 +2,7 @@ import { canonicalTargetName } from 'furrow'
 import type { Mesh, Object3D } from 'three'
 import type { Wrinkles } from '../../stage/stage.ts'
 
-/** One number in 0..1 that a slider shows and moves. */
+/** A number in 0..1 that a slider shows and sets. */
 export interface Dial {
   readonly name: string
   read(): number
@@ -14,8 +14,8 @@ export interface DialGroup {
   readonly dials: Dial[]
 }
 
-/** Groups of blendshapes by how their names start, in the order they are shown; what fits none comes last. */
-const GROUPS: readonly [name: string, starts: RegExp][] = [
+/** Groups of blendshapes by the prefixes of their names, in the order in which they are shown. The last takes the rest. */
+const GROUPS: readonly [name: string, prefix: RegExp][] = [
   ['Brows', /^brow/i],
   ['Eyes', /^eye/i],
   ['Cheeks & nose', /^(cheek|nose)/i],
@@ -33,7 +33,7 @@ export function areaDials(wrinkles: Wrinkles): Dial[] {
   }))
 }
 
-/** One dial per blendshape, whichever meshes have it: skin, eyes, teeth and tongue move together. */
+/** One dial per blendshape for all meshes that have it: skin, eyes, teeth and tongue move together. */
 export function targetDials(root: Object3D): Dial[] {
   const bindings = new Map<string, { weights: number[]; index: number }[]>()
   root.traverse((object) => {
@@ -44,17 +44,17 @@ export function targetDials(root: Object3D): Dial[] {
       bindings.set(name, [...(bindings.get(name) ?? []), { weights, index }])
     }
   })
-  return [...bindings].map(([name, bound]) => ({
+  return [...bindings].map(([name, targets]) => ({
     name,
-    read: () => bound[0].weights[bound[0].index],
+    read: () => targets[0].weights[targets[0].index],
     write: (value) => {
-      for (const { weights, index } of bound) weights[index] = value
+      for (const { weights, index } of targets) weights[index] = value
     },
   }))
 }
 
 export function groupDials(dials: readonly Dial[]): DialGroup[] {
   const groups = GROUPS.map(([name]) => ({ name, dials: [] as Dial[] }))
-  for (const dial of dials) groups[GROUPS.findIndex(([, starts]) => starts.test(dial.name))].dials.push(dial)
+  for (const dial of dials) groups[GROUPS.findIndex(([, prefix]) => prefix.test(dial.name))].dials.push(dial)
   return groups.filter((group) => group.dials.length > 0)
 }

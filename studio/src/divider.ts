@@ -1,15 +1,16 @@
+/** Movement per key press, and with Shift or a page key, in fractions of the width. */
 const STEP = 0.02
-const LEAP = 0.1
+const LARGE_STEP = 0.1
 
-/** The line between the two sides: a slider for pointers and keys alike. */
+/** The line between the two sides, a slider for pointer and keyboard. */
 export class Divider {
   readonly #element: HTMLElement
   readonly #stage: HTMLElement
-  readonly #onMove: (share: number) => void
-  #share = 0.5
+  readonly #onMove: (position: number) => void
+  #position = 0.5
 
-  /** @param element role slider, placed by the custom property `--split` of `stage`. */
-  constructor(element: HTMLElement, stage: HTMLElement, onMove: (share: number) => void) {
+  /** @param element of role slider, positioned by the custom property `--split` of `stage`. */
+  constructor(element: HTMLElement, stage: HTMLElement, onMove: (position: number) => void) {
     this.#element = element
     this.#stage = stage
     this.#onMove = onMove
@@ -19,19 +20,19 @@ export class Divider {
     this.move(0.5)
   }
 
-  /** Share of the width without wrinkles, 0..1. */
-  get share(): number {
-    return this.#share
+  /** Fraction of the width without wrinkles, 0..1. */
+  get position(): number {
+    return this.#position
   }
 
-  /** @param share of the width without wrinkles, clamped to 0..1. */
-  move(share: number): void {
-    this.#share = Math.min(1, Math.max(0, share))
-    const percent = Math.round(this.#share * 100)
-    this.#stage.style.setProperty('--split', `${this.#share * 100}%`)
+  /** @param position fraction of the width without wrinkles, clamped to 0..1. */
+  move(position: number): void {
+    this.#position = Math.min(1, Math.max(0, position))
+    const percent = Math.round(this.#position * 100)
+    this.#stage.style.setProperty('--split', `${this.#position * 100}%`)
     this.#element.ariaValueNow = String(percent)
     this.#element.ariaValueText = `${percent}% without, ${100 - percent}% with wrinkles`
-    this.#onMove(this.#share)
+    this.#onMove(this.#position)
   }
 
   readonly #onGrab = (event: PointerEvent): void => {
@@ -40,9 +41,9 @@ export class Divider {
     this.#element.focus({ preventScroll: true })
     this.#element.setPointerCapture(event.pointerId)
     const { left, width } = this.#stage.getBoundingClientRect()
-    // Where it was grabbed it stays under the finger.
-    const held = event.clientX - left - this.#share * width
-    const drag = (move: PointerEvent) => this.move((move.clientX - left - held) / width)
+    // Keeps the distance between the line and the point where it was grabbed.
+    const grabOffset = event.clientX - left - this.#position * width
+    const drag = (move: PointerEvent) => this.move((move.clientX - left - grabOffset) / width)
     const drop = () => {
       this.#element.removeEventListener('pointermove', drag)
       this.#element.removeEventListener('lostpointercapture', drop)
@@ -52,14 +53,14 @@ export class Divider {
   }
 
   readonly #onKey = (event: KeyboardEvent): void => {
-    const step = event.shiftKey ? LEAP : STEP
+    const step = event.shiftKey ? LARGE_STEP : STEP
     const to: Record<string, number> = {
-      ArrowLeft: this.#share - step,
-      ArrowDown: this.#share - step,
-      ArrowRight: this.#share + step,
-      ArrowUp: this.#share + step,
-      PageDown: this.#share - LEAP,
-      PageUp: this.#share + LEAP,
+      ArrowLeft: this.#position - step,
+      ArrowDown: this.#position - step,
+      ArrowRight: this.#position + step,
+      ArrowUp: this.#position + step,
+      PageDown: this.#position - LARGE_STEP,
+      PageUp: this.#position + LARGE_STEP,
       Home: 0,
       End: 1,
     }

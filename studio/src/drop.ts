@@ -1,5 +1,5 @@
-/** Takes files that are dropped anywhere on the page; `overlay` shows meanwhile. */
-export function takeDrops(overlay: HTMLElement, onFiles: (files: File[]) => void): void {
+/** Accepts files dropped anywhere on the page; `overlay` is visible while files are dragged over it. */
+export function acceptDrops(overlay: HTMLElement, onFiles: (files: File[]) => void): void {
   const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false
   addEventListener('dragover', (event) => {
     if (!hasFiles(event)) return
@@ -8,7 +8,7 @@ export function takeDrops(overlay: HTMLElement, onFiles: (files: File[]) => void
     overlay.hidden = false
   })
   addEventListener('dragleave', (event) => {
-    // Null when the pointer leaves the page, an element when it only passes from one to the next.
+    // Null when the pointer leaves the page, an element when it moves from one to another.
     if (event.relatedTarget === null) overlay.hidden = true
   })
   addEventListener('drop', (event) => {

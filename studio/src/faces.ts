@@ -1,7 +1,7 @@
 import type { ArraySlice, WrinkleDriver, WrinkleSet } from 'furrow'
 import { type Face, loadFace } from '../../stage/face.ts'
 
-/** A face and what makes it wrinkle, whole. */
+/** A face with its wrinkles and their drivers. */
 export interface LoadedFace {
   name: string
   face: Face
@@ -9,35 +9,35 @@ export interface LoadedFace {
   drivers: WrinkleDriver[]
 }
 
-/** Called while a face loads, with the share that is there already; null when the server does not say. */
-export type OnProgress = (share: number | null) => void
+/** Called while a face loads, with the fraction loaded so far; null if the server does not tell the size. */
+export type OnProgress = (fraction: number | null) => void
 
-/** Names of the faces that the server has. */
+/** Names of the faces on the server. */
 export async function listFaces(): Promise<string[]> {
-  const response = await fetch(address('faces/index.json'))
+  const response = await fetch(absoluteUrl('faces/index.json'))
   const names = response.ok ? ((await response.json()) as string[]) : []
   if (names.length > 0) return names
   throw new Error(
-    'Studio: no face to show, got an empty faces/, allowed: NAME.glb with wrinkles in it; build one first',
+    'Studio: no face to show, got an empty faces/, allowed: NAME.glb with wrinkles; build one first',
   )
 }
 
 export async function fetchFace(name: string, onProgress: OnProgress): Promise<LoadedFace> {
-  const url = URL.createObjectURL(await fetchWhole(address(`faces/${name}.glb`), onProgress))
+  const url = URL.createObjectURL(await fetchBlob(absoluteUrl(`faces/${name}.glb`), onProgress))
   try {
     const face = await loadFace(url)
     if (face.wrinkles) return { name, face, ...face.wrinkles }
   } finally {
     URL.revokeObjectURL(url)
   }
-  throw new Error(`Studio: face without wrinkles, got ${name}.glb; put some in with furrow pack`)
+  throw new Error(`Studio: face without wrinkles, got ${name}.glb; add some with furrow pack`)
 }
 
-function address(path: string): string {
+function absoluteUrl(path: string): string {
   return new URL(path, document.baseURI).href
 }
 
-async function fetchWhole(url: string, onProgress: OnProgress): Promise<Blob> {
+async function fetchBlob(url: string, onProgress: OnProgress): Promise<Blob> {
   const response = await fetch(url)
   if (!response.ok || !response.body) {
     throw new Error(`Studio: face not found, got HTTP status ${response.status} for ${url}; check the server`)

@@ -1,6 +1,6 @@
 import type { Page } from './page.ts'
 
-/** The bar over the stage while a face loads or a renderer starts. */
+/** The progress bar over the stage while a face loads or a renderer starts. */
 export class Loading {
   readonly #page: Page
 
@@ -8,14 +8,14 @@ export class Loading {
     this.#page = page
   }
 
-  /** @param share of the work that is done, null when nobody knows. */
-  show(text: string, share: number | null = null): void {
+  /** @param fraction of the work that is done, null if unknown. */
+  show(text: string, fraction: number | null = null): void {
     const { stage, loading, loadingText, progress } = this.#page
     stage.ariaBusy = 'true'
     loading.hidden = false
     if (loadingText.textContent !== text) loadingText.textContent = text
-    if (share === null) progress.removeAttribute('value')
-    else progress.value = share
+    if (fraction === null) progress.removeAttribute('value')
+    else progress.value = fraction
   }
 
   done(): void {
@@ -24,8 +24,8 @@ export class Loading {
   }
 }
 
-/** Lets the browser paint before work that blocks it; where nothing is painted, does not wait for it. */
-export function painted(): Promise<void> {
+/** Lets the browser paint before work that blocks it, or gives up after 100 ms in a hidden page, which is never painted. */
+export function nextPaint(): Promise<void> {
   return new Promise((resolve) => {
     requestAnimationFrame(() => setTimeout(resolve))
     setTimeout(resolve, 100)

@@ -11,65 +11,66 @@ import {
 import type { Face } from '../../stage/face.ts'
 import type { Wrinkles } from '../../stage/stage.ts'
 
-/** What the side with wrinkles shows: the lit face, or something about it that light hides. */
+/** What the side with wrinkles shows: the lit face, or a technical view of it. */
 export type LookName = 'shaded' | 'normals' | 'influence' | 'wireframe'
 
-/** @property area shows the influence of this one alone, or these, whatever their activations. */
+/** @property area shows only the influence of this area or these areas, as if fully active. */
 export type Look =
   | { name: Exclude<LookName, 'influence'> }
   | { name: 'influence'; area?: string | readonly string[] }
 
 export type Side = 'without' | 'with'
 
-/** Behind a look that is not lit. */
+/** Background of an unlit look. */
 const TECHNICAL_BACKGROUND = new Color(0x131518)
-const WIRE = 0xe6b48c
-const HIDDEN_LINES = 0x202328
-const OTHER_PARTS = 0x1b1e22
+const WIRE_COLOUR = 0xe6b48c
+const SURFACE_COLOUR = 0x202328
+const OTHER_MESHES_COLOUR = 0x1b1e22
 
-/** One side's clothes: materials by mesh; a mesh without one is hidden. */
-interface Dress {
+/** How one side is drawn. */
+interface SideLook {
+  /** Material of each mesh; null hides it. */
   materials: Map<Mesh, Material | null>
-  /** Whether its colours are light, to be tone-mapped. */
+  /** Whether the materials are lit, and so tone-mapped. */
   lit: boolean
-  wires: boolean
+  wireframe: boolean
 }
 
 /**
- * Dresses the face for each side of the divider by swapping materials between two draws of one frame: no
- * program is compiled anew and nothing is uploaded while the divider stands or moves.
+ * Draws the face differently on each side of the divider by swapping materials between the two draws of a frame.
+ * Nothing is compiled or uploaded while the divider moves.
  */
 export class Looks {
   readonly #face: Face
   readonly #wrinkles: Wrinkles
-  readonly #mirrorOn: (mesh: Mesh) => Wrinkles
-  readonly #own: ReadonlyMap<Mesh, Material>
-  /** The skin as it was before it wrinkled. */
+  readonly #createMirror: (mesh: Mesh) => Wrinkles
+  readonly #originals: ReadonlyMap<Mesh, Material>
+  /** The skin's material without wrinkles. */
   readonly #plain: Material
-  readonly #wires: Mesh
-  #sides: Record<Side, Dress>
-  #made: { dispose(): void }[] = []
+  readonly #wireframeMesh: Mesh
+  #sides: Record<Side, SideLook>
+  #materials: Material[] = []
   #mirror: Wrinkles | null = null
 
   /**
-   * @param plain a clone of the skin's material, taken before it wrinkled; disposed with this.
-   * @param mirrorOn puts the same wrinkles on a stand-in of the skin, by the renderer's own class.
+   * @param plain clone of the skin's material from before wrinkles were added; disposed with this.
+   * @param createMirror makes the same wrinkles for another mesh, on the same renderer.
    */
-  constructor(face: Face, wrinkles: Wrinkles, plain: Material, mirrorOn: (mesh: Mesh) => Wrinkles) {
+  constructor(face: Face, wrinkles: Wrinkles, plain: Material, createMirror: (mesh: Mesh) => Wrinkles) {
     this.#face = face
     this.#wrinkles = wrinkles
     this.#plain = plain
-    this.#mirrorOn = mirrorOn
-    const own = new Map<Mesh, Material>()
+    this.#createMirror = createMirror
+    const originals = new Map<Mesh, Material>()
     face.root.traverse((object) => {
-      if ((object as Mesh).isMesh) own.set(object as Mesh, (object as Mesh).material as Material)
+      if ((object as Mesh).isMesh) originals.set(object as Mesh, (object as Mesh).material as Material)
     })
-    this.#own = own
-    this.#wires = wiresOf(face.skin)
-    this.#sides = { without: this.#shaded(plain), with: this.#shaded(own.get(face.skin)!) }
+    this.#originals = originals
+    this.#wireframeMesh = createWireframe(face.skin)
+    this.#sides = { without: this.#shaded(plain), with: this.#shaded(originals.get(face.skin)!) }
   }
 
-  /** @throws FurrowError when no area has the look's name; the look then stays as it was. */
+  /** @throws FurrowError if the look names an unknown area; the look then does not change. */
   choose(look: Look): void {
     const influence = look.name === 'influence' ? this.#wrinkles.createInfluenceMaterial(look.area) : null
     this.#discard()
@@ -77,10 +78,10 @@ export class Looks {
     if (look.name === 'normals') this.#sides = this.#normals()
     else if (influence) this.#sides = { without, with: this.#technical(influence) }
     else if (look.name === 'wireframe') this.#sides = { without, with: this.#wireframe() }
-    else this.#sides = { without, with: this.#shaded(this.#own.get(this.#face.skin)!) }
+    else this.#sides = { without, with: this.#shaded(this.#originals.get(this.#face.skin)!) }
   }
 
-  /** Whether a side is lit, and the colour behind it where it is not. */
+  /** Whether a side is lit; an unlit side has the technical background. */
   lit(side: Side): boolean {
     return this.#sides[side].lit
   }
@@ -89,69 +90,70 @@ export class Looks {
     return TECHNICAL_BACKGROUND
   }
 
-  /** Puts a side's materials on. */
-  wear(side: Side): void {
-    const { materials, wires } = this.#sides[side]
+  /** Sets the materials of a side, before it is drawn. */
+  apply(side: Side): void {
+    const { materials, wireframe } = this.#sides[side]
     for (const [mesh, material] of materials) {
       mesh.visible = material !== null
       if (material) mesh.material = material
     }
-    this.#wires.visible = wires
-    this.#followActivations()
+    this.#wireframeMesh.visible = wireframe
+    this.#copyActivations()
   }
 
-  /** Gives every mesh its own material back. */
+  /** Restores every mesh's material. */
   dispose(): void {
     this.#discard()
-    for (const [mesh, material] of this.#own) {
+    for (const [mesh, material] of this.#originals) {
       mesh.material = material
       mesh.visible = true
     }
-    this.#wires.removeFromParent()
-    ;(this.#wires.material as Material).dispose()
+    this.#wireframeMesh.removeFromParent()
+    ;(this.#wireframeMesh.material as Material).dispose()
     this.#plain.dispose()
   }
 
-  #shaded(skin: Material): Dress {
-    const materials = new Map<Mesh, Material | null>(this.#own)
+  #shaded(skin: Material): SideLook {
+    const materials = new Map<Mesh, Material | null>(this.#originals)
     materials.set(this.#face.skin, skin)
-    return { materials, lit: true, wires: false }
+    return { materials, lit: true, wireframe: false }
   }
 
-  /** The normals that light sees, wrinkles mixed in: a second component does to this material what the first does. */
-  #normals(): Record<Side, Dress> {
+  /** Normals as lighting uses them, wrinkles included: a second `Wrinkles` patches this material as the first does the skin's. */
+  #normals(): Record<Side, SideLook> {
     const { skin } = this.#face
     const { normalMap, normalScale, side } = this.#plain as MeshStandardMaterial
-    const make = () => this.#keep(new MeshNormalMaterial({ normalMap, normalScale, side }))
+    const createMaterial = () => this.#keep(new MeshNormalMaterial({ normalMap, normalScale, side }))
     const flat = this.#keep(new MeshNormalMaterial())
-    const standIn = new ThreeMesh(skin.geometry, make())
-    this.#mirror = this.#mirrorOn(standIn)
+    const standIn = new ThreeMesh(skin.geometry, createMaterial())
+    this.#mirror = this.#createMirror(standIn)
     this.#mirror.addMesh(skin)
     this.#mirror.mode = this.#wrinkles.mode === 'off' ? 'off' : 'default'
-    return { without: this.#technical(make(), flat), with: this.#technical(standIn.material, flat) }
+    return { without: this.#technical(createMaterial(), flat), with: this.#technical(standIn.material, flat) }
   }
 
-  #wireframe(): Dress {
-    // Lines lie on the surface; the surface is pushed back, since WebGPU cannot pull lines forward.
-    const surface = new MeshBasicMaterial({ color: HIDDEN_LINES, polygonOffset: true, toneMapped: false })
+  #wireframe(): SideLook {
+    // The surface is pushed back from its wireframe: WebGPU has no depth bias for lines.
+    const surface = new MeshBasicMaterial({ color: SURFACE_COLOUR, polygonOffset: true, toneMapped: false })
     surface.polygonOffsetFactor = 1
     surface.polygonOffsetUnits = 1
-    return { ...this.#technical(this.#keep(surface)), wires: true }
+    return { ...this.#technical(this.#keep(surface)), wireframe: true }
   }
 
-  /** Skin as told, all else in one material; lashes and the like, which are cut out of cards, are hidden. */
-  #technical(skin: Material, others?: Material): Dress {
-    if (!this.#made.includes(skin)) this.#keep(skin)
-    const rest = others ?? this.#keep(new MeshBasicMaterial({ color: OTHER_PARTS, toneMapped: false }))
+  /** The skin in one material and the rest in another; alpha-cut meshes such as lashes are hidden. */
+  #technical(skin: Material, others?: Material): SideLook {
+    if (!this.#materials.includes(skin)) this.#keep(skin)
+    const rest =
+      others ?? this.#keep(new MeshBasicMaterial({ color: OTHER_MESHES_COLOUR, toneMapped: false }))
     const materials = new Map<Mesh, Material | null>()
-    for (const [mesh, own] of this.#own) {
-      const cutOut = own.transparent || own.alphaTest > 0 || own.alphaHash
+    for (const [mesh, original] of this.#originals) {
+      const cutOut = original.transparent || original.alphaTest > 0 || original.alphaHash
       materials.set(mesh, mesh === this.#face.skin ? skin : cutOut ? null : rest)
     }
-    return { materials, lit: false, wires: false }
+    return { materials, lit: false, wireframe: false }
   }
 
-  #followActivations(): void {
+  #copyActivations(): void {
     if (!this.#mirror) return
     for (const name of this.#mirror.areaNames) {
       if (this.#wrinkles.hasArea(name)) this.#mirror.setActivation(name, this.#wrinkles.getActivation(name))
@@ -159,30 +161,30 @@ export class Looks {
   }
 
   #keep<T extends Material>(material: T): T {
-    this.#made.push(material)
+    this.#materials.push(material)
     return material
   }
 
   #discard(): void {
     this.#mirror?.dispose()
     this.#mirror = null
-    for (const material of this.#made) material.dispose()
-    this.#made = []
+    for (const material of this.#materials) material.dispose()
+    this.#materials = []
   }
 }
 
-/** The skin's edges, moving as it moves; hidden until worn. */
-function wiresOf(skin: Mesh): Mesh {
-  const wires = skin.clone(false)
-  wires.name = 'wires'
-  wires.material = new MeshBasicMaterial({ color: WIRE, wireframe: true, toneMapped: false })
-  wires.morphTargetInfluences = skin.morphTargetInfluences
-  wires.visible = false
-  skin.parent?.add(wires)
-  return wires
+/** A wireframe copy of the skin that shares its morph weights; hidden at first. */
+function createWireframe(skin: Mesh): Mesh {
+  const wireframe = skin.clone(false)
+  wireframe.name = 'wireframe'
+  wireframe.material = new MeshBasicMaterial({ color: WIRE_COLOUR, wireframe: true, toneMapped: false })
+  wireframe.morphTargetInfluences = skin.morphTargetInfluences
+  wireframe.visible = false
+  skin.parent?.add(wireframe)
+  return wireframe
 }
 
-/** What stands beside the divider, on the side with wrinkles. */
+/** Label of the side with wrinkles, beside the divider. */
 export function lookLabel(look: Look, mode: WrinkleMode): string {
   if (look.name === 'influence') return look.area === undefined ? 'Influence' : [look.area].flat().join(', ')
   if (look.name === 'wireframe') return 'Wireframe'

@@ -1,16 +1,16 @@
-/** What a loop drives. */
+/** What a loop advances and draws. */
 export interface Animated {
-  /** @param delta seconds since the last frame, 0 after a rest. */
+  /** @param delta seconds since the last frame, 0 after a pause. */
   advance(delta: number): void
   draw(): void
-  /** Whether there will be something new to draw in the next frame by itself. */
+  /** Whether the next frame differs from this one without any input. */
   moving(): boolean
 }
 
-/** Longest step in seconds: after a stall things move on, they do not jump. */
+/** Longest step in seconds, so that nothing jumps after a stall. */
 const LONGEST_STEP = 0.1
 
-/** Draws when something changed or moves, and not at all otherwise: a page at rest costs nothing. */
+/** Draws only when something has changed or moves: an idle page costs nothing. */
 export class Loop {
   readonly #animated: Animated
   readonly #onFrame: (cpu: number, interval: number | null) => void
@@ -18,7 +18,7 @@ export class Loop {
   #last: number | null = null
   #running = false
 
-  /** @param onFrame told the milliseconds of each frame on the CPU, and those since the last one while moving. */
+  /** @param onFrame called with each frame's CPU time and, while moving, the time since the last frame, in milliseconds. */
   constructor(animated: Animated, onFrame: (cpu: number, interval: number | null) => void) {
     this.#animated = animated
     this.#onFrame = onFrame
@@ -36,7 +36,7 @@ export class Loop {
     this.#last = null
   }
 
-  /** Something changed: draw the next frame. */
+  /** Requests the next frame after a change. */
   wake(): void {
     if (this.#running && this.#request === 0) this.#request = requestAnimationFrame(this.#frame)
   }

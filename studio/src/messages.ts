@@ -1,13 +1,13 @@
-/** Milliseconds that a message which is no error stays. */
-const STAY = 6000
+/** Milliseconds that a note stays. */
+const NOTE_DURATION = 6000
 
-/** Says what happened, on the screen and to screen readers. Errors stay until they are dismissed. */
+/** Shows notes and errors, and announces them to screen readers. Errors stay until dismissed. */
 export class Messages {
   readonly #errors: HTMLElement
   readonly #notes: HTMLElement
-  #fade = 0
+  #noteTimer = 0
 
-  /** @param errors live region of role alert. @param notes live region of role status. */
+  /** @param errors live region of role alert; `notes` is one of role status. */
   constructor(errors: HTMLElement, notes: HTMLElement) {
     this.#errors = errors
     this.#notes = notes
@@ -31,11 +31,11 @@ export class Messages {
 
   note(text: string): void {
     this.#notes.textContent = text
-    clearTimeout(this.#fade)
-    this.#fade = window.setTimeout(() => this.#notes.replaceChildren(), STAY)
+    clearTimeout(this.#noteTimer)
+    this.#noteTimer = window.setTimeout(() => this.#notes.replaceChildren(), NOTE_DURATION)
   }
 
-  /** Runs something a user asked for; what it throws is shown. */
+  /** Runs a task and shows the error if it throws. Returns whether it succeeded. */
   async attempt(task: () => unknown): Promise<boolean> {
     try {
       await task()

@@ -1,18 +1,18 @@
-/** Frames that the graph shows, and that the median is taken of. */
+/** Number of frames in the graph and in the medians. */
 const FRAMES = 60
-/** Milliseconds at the top of the graph: one frame at 60 Hz. */
-const TOP = 1000 / 60
-/** Frames between two updates of the numbers, so that they can be read. */
-const PACE = 6
+/** Milliseconds at full height of the graph: one frame at 60 Hz. */
+const FULL_SCALE = 1000 / 60
+/** Frames between two updates of the text, to keep it legible. */
+const UPDATE_INTERVAL = 6
 
-/** Shows what frames cost: the median time on the CPU, frames per second while moving, and a graph of both. */
+/** Shows the median CPU time of a frame, frames per second while moving, and a graph of the CPU times. */
 export class Meter {
   readonly #text: HTMLElement
   readonly #graph: HTMLCanvasElement
   readonly #cpu: number[] = []
   readonly #intervals: number[] = []
   #frames = 0
-  #rest = 0
+  #restTimer = 0
 
   constructor(text: HTMLElement, graph: HTMLCanvasElement) {
     this.#text = text
@@ -23,9 +23,9 @@ export class Meter {
     keep(this.#cpu, cpu)
     if (interval === null) this.#intervals.length = 0
     else keep(this.#intervals, interval)
-    if (this.#frames++ % PACE === 0) this.#show(true)
-    clearTimeout(this.#rest)
-    this.#rest = window.setTimeout(() => this.#show(false), 300)
+    if (this.#frames++ % UPDATE_INTERVAL === 0) this.#show(true)
+    clearTimeout(this.#restTimer)
+    this.#restTimer = window.setTimeout(() => this.#show(false), 300)
   }
 
   reset(): void {
@@ -43,12 +43,17 @@ export class Meter {
   #draw(): void {
     const { width, height } = this.#graph
     const context = this.#graph.getContext('2d')!
-    const bar = width / FRAMES
+    const barWidth = width / FRAMES
     context.clearRect(0, 0, width, height)
     context.fillStyle = getComputedStyle(this.#graph).color
     for (const [i, cpu] of this.#cpu.entries()) {
-      const tall = Math.max(1, Math.min(cpu / TOP, 1) * height)
-      context.fillRect((FRAMES - this.#cpu.length + i) * bar, height - tall, bar * 0.7, tall)
+      const barHeight = Math.max(1, Math.min(cpu / FULL_SCALE, 1) * height)
+      context.fillRect(
+        (FRAMES - this.#cpu.length + i) * barWidth,
+        height - barHeight,
+        barWidth * 0.7,
+        barHeight,
+      )
     }
   }
 }

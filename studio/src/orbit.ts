@@ -3,37 +3,38 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import type { Stage } from '../../stage/stage.ts'
 import type { ViewName } from '../../stage/views.ts'
 
-/** Seconds from one view to the next. */
-const GLIDE = 0.45
+/** Seconds of the transition from one view to another. */
+const TRANSITION_TIME = 0.45
 /** Radians per key press. */
-const TURN = Math.PI / 36
-const ZOOM = 1.08
+const ROTATION_STEP = Math.PI / 36
+/** Factor per key press. */
+const ZOOM_STEP = 1.08
 
-/** Where a camera stands and what it looks at. */
+/** A camera's position and the point it looks at. */
 export interface Pose {
   position: Vector3
   target: Vector3
 }
 
-/** Orbits the camera by pointer, touch and keys, and glides it to the fixed views. */
+/** Orbits the camera by pointer, touch and keys, and moves it smoothly to the fixed views. */
 export class Orbit {
   readonly #stage: Stage
   readonly #element: HTMLElement
   readonly #controls: OrbitControls
-  #glide: { from: Pose; to: Pose; elapsed: number } | null = null
-  readonly #still: boolean
-  #settled = true
+  #transition: { from: Pose; to: Pose; elapsed: number } | null = null
+  readonly #reducedMotion: boolean
+  #atRest = true
   #nearest = Infinity
   #farthest = 0
   #view: ViewName | null = null
 
-  /** @param still moves at once instead of gliding and swinging out. */
-  constructor(stage: Stage, element: HTMLElement, still: boolean, onChange: () => void) {
+  /** @param reducedMotion moves at once, without transitions and damping. */
+  constructor(stage: Stage, element: HTMLElement, reducedMotion: boolean, onChange: () => void) {
     this.#stage = stage
     this.#element = element
-    this.#still = still
+    this.#reducedMotion = reducedMotion
     this.#controls = new OrbitControls(stage.camera, element)
-    this.#controls.enableDamping = !still
+    this.#controls.enableDamping = !reducedMotion
     this.#controls.dampingFactor = 0.12
     this.#controls.addEventListener('start', () => {
       this.#leaveView()
@@ -53,29 +54,29 @@ export class Orbit {
     this.#controls.update()
   }
 
-  /** Whether the camera is still under way. */
+  /** Whether the camera is still moving. */
   get moving(): boolean {
-    return this.#glide !== null || !this.#settled
+    return this.#transition !== null || !this.#atRest
   }
 
-  /** The fixed view it stands at or glides to, null once turned by hand. */
+  /** The fixed view that it shows or moves to, null once orbited by hand. */
   get view(): ViewName | null {
     return this.#view
   }
 
-  /** @param atOnce where the next picture shall show it already. */
-  goTo(name: ViewName, atOnce = false): void {
+  /** @param immediate skips the transition, so that the next frame shows the view. */
+  goTo(name: ViewName, immediate = false): void {
     const from = this.pose
     const { camera } = this.#stage
     const target = this.#stage.view(name)
     const to = { position: camera.position.clone(), target }
-    this.#reach(to.position.distanceTo(target))
-    this.#glide = atOnce || this.#still ? null : { from, to, elapsed: 0 }
-    this.pose = this.#glide ? from : to
+    this.#extendRange(to.position.distanceTo(target))
+    this.#transition = immediate || this.#reducedMotion ? null : { from, to, elapsed: 0 }
+    this.pose = this.#transition ? from : to
     this.#view = name
   }
 
-  /** Stands where another camera stood. */
+  /** Takes over the pose and view of another camera. */
   restore(pose: Pose, view: ViewName | null): void {
     this.goTo(view ?? 'front', true)
     this.pose = pose
@@ -84,13 +85,13 @@ export class Orbit {
 
   /** @param delta seconds since the last frame. */
   advance(delta: number): void {
-    if (this.#glide) {
-      this.#glide.elapsed += delta
-      const share = Math.min(this.#glide.elapsed / GLIDE, 1)
-      this.pose = between(this.#glide.from, this.#glide.to, share * share * (3 - 2 * share))
-      if (share === 1) this.#glide = null
+    if (this.#transition) {
+      this.#transition.elapsed += delta
+      const t = Math.min(this.#transition.elapsed / TRANSITION_TIME, 1)
+      this.pose = interpolatePose(this.#transition.from, this.#transition.to, t * t * (3 - 2 * t))
+      if (t === 1) this.#transition = null
     }
-    this.#settled = !this.#controls.update()
+    this.#atRest = !this.#controls.update()
   }
 
   dispose(): void {
@@ -98,8 +99,8 @@ export class Orbit {
     this.#controls.dispose()
   }
 
-  /** Widens what the wheel and the picture's depth reach, so that every view may be turned from every other. */
-  #reach(distance: number): void {
+  /** Extends the zoom and depth ranges, so that they suit every view visited so far. */
+  #extendRange(distance: number): void {
     const { camera } = this.#stage
     this.#nearest = Math.min(this.#nearest, distance * 0.25)
     this.#farthest = Math.max(this.#farthest, distance * 2.5)
@@ -111,40 +112,37 @@ export class Orbit {
   }
 
   #leaveView(): void {
-    this.#glide = null
+    this.#transition = null
     this.#view = null
   }
 
   readonly #onKey = (event: KeyboardEvent): void => {
-    const act: Record<string, () => void> = {
-      ArrowLeft: () => this.#controls.rotateLeft(TURN),
-      ArrowRight: () => this.#controls.rotateLeft(-TURN),
-      ArrowUp: () => this.#controls.rotateUp(TURN),
-      ArrowDown: () => this.#controls.rotateUp(-TURN),
-      '+': () => this.#controls.dollyIn(1 / ZOOM),
-      '=': () => this.#controls.dollyIn(1 / ZOOM),
-      '-': () => this.#controls.dollyIn(ZOOM),
+    const actions: Record<string, () => void> = {
+      ArrowLeft: () => this.#controls.rotateLeft(ROTATION_STEP),
+      ArrowRight: () => this.#controls.rotateLeft(-ROTATION_STEP),
+      ArrowUp: () => this.#controls.rotateUp(ROTATION_STEP),
+      ArrowDown: () => this.#controls.rotateUp(-ROTATION_STEP),
+      '+': () => this.#controls.dollyIn(1 / ZOOM_STEP),
+      '=': () => this.#controls.dollyIn(1 / ZOOM_STEP),
+      '-': () => this.#controls.dollyIn(ZOOM_STEP),
     }
-    if (!act[event.key] || event.altKey || event.ctrlKey || event.metaKey) return
+    const action = actions[event.key]
+    if (!action || event.altKey || event.ctrlKey || event.metaKey) return
     event.preventDefault()
     this.#leaveView()
-    act[event.key]()
+    action()
   }
 }
 
-/** Round the face, not through it. */
-function between(from: Pose, to: Pose, share: number): Pose {
-  const target = from.target.clone().lerp(to.target, share)
+/** Interpolates in spherical coordinates: the camera moves around the face, not through it. */
+function interpolatePose(from: Pose, to: Pose, t: number): Pose {
+  const target = from.target.clone().lerp(to.target, t)
   const [a, b] = [from, to].map((pose) =>
     new Spherical().setFromVector3(pose.position.clone().sub(pose.target)),
   )
-  const turn = Math.atan2(Math.sin(b.theta - a.theta), Math.cos(b.theta - a.theta))
+  const rotation = Math.atan2(Math.sin(b.theta - a.theta), Math.cos(b.theta - a.theta))
   const offset = new Vector3().setFromSpherical(
-    new Spherical(
-      a.radius + (b.radius - a.radius) * share,
-      a.phi + (b.phi - a.phi) * share,
-      a.theta + turn * share,
-    ),
+    new Spherical(a.radius + (b.radius - a.radius) * t, a.phi + (b.phi - a.phi) * t, a.theta + rotation * t),
   )
   return { target, position: target.clone().add(offset) }
 }

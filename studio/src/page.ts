@@ -1,4 +1,4 @@
-/** The elements of index.html that the studio works with. */
+/** The elements of index.html that the studio uses. */
 export interface Page {
   stage: HTMLElement
   viewport: HTMLElement

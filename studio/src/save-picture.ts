@@ -1,13 +1,13 @@
 /**
- * Saves what a canvas shows. Call it in the same task as the drawing: a WebGPU canvas is blank afterwards.
+ * Saves a canvas as a PNG file. Call it in the task that draws: a WebGPU canvas is blank afterwards.
  *
- * @throws Error when the browser cannot encode it.
+ * @throws Error if the browser cannot encode it.
  */
 export async function savePicture(canvas: HTMLCanvasElement, name: string): Promise<void> {
   const file = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'))
   if (!file) {
     throw new Error(
-      `Studio: the picture cannot be saved, got ${canvas.width} x ${canvas.height}; try a smaller window`,
+      `Studio: cannot save the picture, got ${canvas.width} x ${canvas.height} pixels; make the window smaller`,
     )
   }
   const link = document.createElement('a')

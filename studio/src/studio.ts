@@ -1,12 +1,13 @@
 import { isWebGL } from '../../stage/light.ts'
 import type { RendererKind } from '../../stage/stage.ts'
 import { VIEWS, type ViewName } from '../../stage/views.ts'
-import { adapterName, deviceOf, whyNot } from './adapter.ts'
+import { adapterName, deviceOf, unavailableReason } from './adapter.ts'
 import { readArea } from './area-file.ts'
+import { displayName } from './display-name.ts'
 import { Divider } from './divider.ts'
-import { takeDrops } from './drop.ts'
+import { acceptDrops } from './drop.ts'
 import { fetchFace, type LoadedFace, listFaces } from './faces.ts'
-import { Loading, painted } from './loading.ts'
+import { Loading, nextPaint } from './loading.ts'
 import { lookLabel } from './looks.ts'
 import { Loop } from './loop.ts'
 import { Messages } from './messages.ts'
@@ -18,16 +19,15 @@ import { Panel } from './panel/panel.ts'
 import { savePicture } from './save-picture.ts'
 import { snapshot } from './snapshot.ts'
 import { Viewer } from './viewer.ts'
-import { spoken } from './words.ts'
 
-/** Seconds from one expression to the next. */
+/** Seconds of the transition from one expression to another. */
 const EXPRESSION_TIME = 0.35
-/** Milliseconds within which a second loss of the device means that WebGPU cannot be had. */
+/** Milliseconds: two device losses within this time mean that WebGPU does not work here. */
 const LOSS_WINDOW = 15_000
 
 const reducedMotion = matchMedia('(prefers-reduced-motion: reduce)')
 
-/** The page at work: does to the viewer what the controls ask, and shows what came of it. */
+/** The application: applies what the controls request to the viewer, and shows the result. */
 export class Studio {
   readonly #page: Page
   readonly #messages: Messages
@@ -40,9 +40,9 @@ export class Studio {
   #viewer: Viewer | null = null
   #orbit: Orbit | null = null
   #expression: string | null = null
-  /** Renderers are made one at a time: the next waits until the last has given its device back. */
+  /** Renderers are created one at a time: each waits until the last one has released its device. */
   #opening: Promise<unknown> = Promise.resolve()
-  #lost = Number.NEGATIVE_INFINITY
+  #lastLoss = Number.NEGATIVE_INFINITY
 
   constructor(page: Page) {
     this.#page = page
@@ -58,9 +58,9 @@ export class Studio {
       this.#meter.add,
     )
     const views = Object.keys(VIEWS) as ViewName[]
-    this.#views = new Buttons(page.views, views, (name) => this.#turn(name), { 'three-quarter': '3/4' })
-    this.#divider = new Divider(page.divider, page.stage, (share) => {
-      if (this.#viewer) this.#viewer.split = share
+    this.#views = new Buttons(page.views, views, (name) => this.#goTo(name), { 'three-quarter': '3/4' })
+    this.#divider = new Divider(page.divider, page.stage, (position) => {
+      if (this.#viewer) this.#viewer.split = position
       this.#loop.wake()
     })
     this.#panel = new Panel(page, {
@@ -82,28 +82,28 @@ export class Studio {
         }),
       addAreas: (files) => this.#addAreas(files),
       removeArea: (name) => this.#removeArea(name),
-      light: (areas) => this.#change((viewer) => viewer.light(areas)),
+      highlight: (areas) => this.#change((viewer) => viewer.highlight(areas)),
     })
     page.screenshot.addEventListener('click', () => this.#savePicture())
-    takeDrops(page.dropping, (files) => this.#addAreas(files))
+    acceptDrops(page.dropping, (files) => this.#addAreas(files))
     new ResizeObserver(() => this.#resize()).observe(page.viewport)
   }
 
-  /** Lists the faces and opens one: `?renderer=webgpu&face=human-2` in the page's address says which. */
+  /** Lists the faces and opens the first, or the one that the URL names: `?renderer=webgpu&face=human-2`. */
   async start(): Promise<void> {
-    this.#loading.show('Looking for faces')
+    this.#loading.show('Listing faces')
     await this.#messages.attempt(async () => {
       const names = await listFaces()
-      this.#panel.offer(names)
-      const asked = new URLSearchParams(location.search)
-      const name = names.find((known) => known === asked.get('face')) ?? names[0]
-      await this.open(asked.get('renderer') === 'webgpu' ? 'webgpu' : 'webgl', name)
+      this.#panel.setFaces(names)
+      const query = new URLSearchParams(location.search)
+      const name = names.find((known) => known === query.get('face')) ?? names[0]
+      await this.open(query.get('renderer') === 'webgpu' ? 'webgpu' : 'webgl', name)
     })
     if (!this.#viewer) this.#loading.done()
     else this.#play('surprised')
   }
 
-  /** Opens a renderer, and a face if it is another; all that was set stays. */
+  /** Opens a renderer, with another face if one is named; the user's settings are kept. */
   open(kind: RendererKind, name?: string): Promise<unknown> {
     this.#opening = this.#opening.then(() =>
       this.#messages.attempt(async () => {
@@ -119,20 +119,20 @@ export class Studio {
   }
 
   async #open(kind: RendererKind, name: string | undefined): Promise<void> {
-    const reason = await whyNot(kind)
+    const reason = await unavailableReason(kind)
     if (reason && this.#viewer?.kind === 'webgl') throw new Error(reason)
     if (reason) this.#messages.error(reason)
-    const loaded = await this.#face(name)
+    const loaded = await this.#loadFace(name)
     this.#loading.show(`Starting ${reason || kind === 'webgl' ? 'WebGL' : 'WebGPU'}`)
-    await painted()
-    const before = this.#close()
+    await nextPaint()
+    const restore = this.#close()
     const viewer = await this.#makeViewer(reason ? 'webgl' : kind, loaded)
     this.#viewer = viewer
     this.#orbit = new Orbit(viewer.stage, this.#page.viewport, reducedMotion.matches, () => this.#loop.wake())
     this.#resize()
     this.#orbit.goTo('front', true)
-    viewer.split = this.#divider.share
-    for (const step of before?.(viewer, this.#orbit) ?? []) await this.#messages.attempt(step)
+    viewer.split = this.#divider.position
+    for (const step of restore?.(viewer, this.#orbit) ?? []) await this.#messages.attempt(step)
     this.#panel.show(viewer)
     this.#showLabels()
     this.#watch(viewer)
@@ -140,30 +140,30 @@ export class Studio {
     this.#loop.start()
   }
 
-  async #face(name: string | undefined): Promise<LoadedFace> {
-    const now = this.#viewer?.loaded
-    if (now && (name === undefined || now.name === name)) return now
-    const title = spoken(name!)
+  async #loadFace(name: string | undefined): Promise<LoadedFace> {
+    const current = this.#viewer?.loaded
+    if (current && (name === undefined || current.name === name)) return current
+    const title = displayName(name!)
     this.#loading.show(`Loading ${title}`, 0)
-    return fetchFace(name!, (share) => this.#loading.show(`Loading ${title}`, share))
+    return fetchFace(name!, (fraction) => this.#loading.show(`Loading ${title}`, fraction))
   }
 
   async #makeViewer(kind: RendererKind, loaded: LoadedFace): Promise<Viewer> {
-    const make = (wanted: RendererKind) => {
+    const create = (createdKind: RendererKind) => {
       const canvas = document.createElement('canvas')
       this.#page.viewport.replaceChildren(canvas)
-      return Viewer.create(canvas, wanted, loaded)
+      return Viewer.create(canvas, createdKind, loaded)
     }
-    if (kind === 'webgl') return make(kind)
+    if (kind === 'webgl') return create(kind)
     try {
-      return await make(kind)
+      return await create(kind)
     } catch (error) {
       this.#messages.error(error)
-      return make('webgl')
+      return create('webgl')
     }
   }
 
-  /** Ends the viewer; returns what puts its state on the next one. */
+  /** Disposes of the viewer; returns what restores its state on the next one. */
   #close(): ReturnType<typeof snapshot> | null {
     const [viewer, orbit] = [this.#viewer, this.#orbit]
     if (!viewer || !orbit) return null
@@ -176,7 +176,7 @@ export class Studio {
     return state
   }
 
-  /** A lost device is made anew once; where it is lost again at once, WebGL serves. */
+  /** Starts a lost device again, or falls back to WebGL if it is lost twice in a short time. */
   #watch(viewer: Viewer): void {
     const { renderer } = viewer.stage
     if (isWebGL(renderer)) {
@@ -185,27 +185,27 @@ export class Studio {
     }
     void deviceOf(renderer)?.lost.then(({ message }) => {
       if (this.#viewer !== viewer) return
-      const again = performance.now() - this.#lost < LOSS_WINDOW
-      this.#lost = performance.now()
-      const remedy = again ? 'the face is on WebGL now' : 'it was started again'
+      const isRepeated = performance.now() - this.#lastLoss < LOSS_WINDOW
+      this.#lastLoss = performance.now()
+      const remedy = isRepeated ? 'the face is on WebGL now' : 'it was started again'
       this.#messages.error(`Studio: the graphics device was lost, got ${JSON.stringify(message)}; ${remedy}`)
-      void this.open(again ? 'webgl' : 'webgpu')
+      void this.open(isRepeated ? 'webgl' : 'webgpu')
     })
   }
 
   #advance(delta: number): void {
-    const moved = this.#viewer?.moving
+    const wasMoving = this.#viewer?.moving
     this.#viewer?.advance(delta)
     this.#orbit?.advance(delta)
     this.#views.show(this.#orbit?.view ?? null)
-    if (moved) this.#panel.follow()
+    if (wasMoving) this.#panel.follow()
   }
 
   get #moving(): boolean {
     return (this.#viewer?.moving || this.#orbit?.moving) ?? false
   }
 
-  #turn(name: ViewName): void {
+  #goTo(name: ViewName): void {
     this.#orbit?.goTo(name)
     this.#loop.wake()
   }
@@ -219,7 +219,7 @@ export class Studio {
     })
   }
 
-  /** Moves sliders by hand; an expression that is on its way arrives first. */
+  /** Sets sliders by hand, after finishing the transition to an expression. */
   #set(write: () => void): void {
     this.#change((viewer) => {
       viewer.advance(Number.POSITIVE_INFINITY)
@@ -230,7 +230,7 @@ export class Studio {
     })
   }
 
-  /** Does something to the viewer; what goes wrong is said, and the controls show how things stand then. */
+  /** Changes the viewer; shows errors, and updates the controls to the state that results. */
   #change(task: (viewer: Viewer) => void): void {
     const viewer = this.#viewer
     if (!viewer) return
@@ -251,7 +251,7 @@ export class Studio {
         const viewer = this.#viewer
         if (!viewer) return
         viewer.addArea(area)
-        // At once in the picture, or nobody would see that anything happened.
+        // Fully active, so that the new area is visible at once.
         viewer.wrinkles.setActivation(area.name, 1)
         this.#panel.show(viewer)
         this.#messages.note(`Added area ${area.name}`)

@@ -28,20 +28,20 @@ export class Viewer {
   readonly wrinkles: Wrinkles
   readonly targets: readonly Dial[]
   areas: readonly Dial[]
-  /** Share of the width that is drawn without wrinkles. */
+  /** Fraction of the width that is drawn without wrinkles. */
   split = 0.5
 
   readonly #program: DriverProgram
   readonly #state: DriverState
   #player: ExpressionPlayer
   #expressions: readonly Expression[]
-  #left = 0
+  #remaining = 0
   #looks: Looks
   #look: Look = { name: 'shaded' }
   readonly #background: Color
   readonly #toneMapping: Stage['renderer']['toneMapping']
 
-  /** @throws Error when the browser cannot draw, FurrowError when the face cannot wrinkle. */
+  /** @throws Error if the browser has no WebGL 2 or WebGPU, FurrowError if the wrinkles do not fit the face. */
   static async create(canvas: HTMLCanvasElement, kind: RendererKind, loaded: LoadedFace): Promise<Viewer> {
     const stage = await createStage(canvas, kind)
     try {
@@ -63,7 +63,7 @@ export class Viewer {
     const plain = (face.skin.material as Material).clone()
     const wrinkles = stage.show(face, loaded)
     this.wrinkles = wrinkles
-    // Driven here and not while drawing, so that the sliders of the areas show it at once.
+    // Drivers run here and not in the draw, so that the areas' sliders follow at once.
     wrinkles.driven = false
     const plan = planDrivers(driversOf('morph', drivers))
     const targetNames = Object.keys(face.skin.morphTargetDictionary ?? {})
@@ -72,22 +72,22 @@ export class Viewer {
     this.targets = targetDials(face.root).map((dial) => ({
       ...dial,
       write: (value) => {
-        const before = this.#driven().slice()
+        const before = this.#drivenActivations().slice()
         dial.write(value)
-        this.#followTargets(before)
+        this.#applyDrivers(before)
       },
     }))
     this.areas = areaDials(wrinkles)
-    this.#expressions = this.#wholeExpressions()
+    this.#expressions = this.#completeExpressions()
     this.#player = this.#makePlayer()
-    this.#looks = new Looks(face, wrinkles, plain, (mesh) => this.#mirrorOn(mesh))
+    this.#looks = new Looks(face, wrinkles, plain, (mesh) => this.#createMirror(mesh))
   }
 
   get mode(): WrinkleMode {
     return this.wrinkles.mode
   }
 
-  /** @throws FurrowError when this face cannot be shown in that mode; it then stays in the one it had. */
+  /** @throws FurrowError if this face does not support the mode; the mode then does not change. */
   set mode(mode: WrinkleMode) {
     this.wrinkles.mode = mode
     this.look = this.#look
@@ -102,14 +102,14 @@ export class Viewer {
     this.#look = look
   }
 
-  /** Blendshapes that drive an area, by the names of their dials. */
+  /** Names of the blendshapes that drive an area, as on their dials. */
   driversOf(area: string): string[] {
     return driversOf('morph', this.loaded.drivers)
       .filter((driver) => driver.area === area)
       .flatMap(({ targets }) => targets.map(({ name }) => canonicalTargetName(name)))
   }
 
-  /** Areas that a blendshape drives, as far as they are still there. */
+  /** Existing areas that a blendshape drives. */
   drivenBy(target: string): string[] {
     const driven = driversOf('morph', this.loaded.drivers).filter(({ targets }) =>
       targets.some(({ name }) => canonicalTargetName(name) === target),
@@ -117,57 +117,57 @@ export class Viewer {
     return [...new Set(driven.map(({ area }) => area))].filter((name) => this.wrinkles.hasArea(name))
   }
 
-  /** What the file's drivers make of an area now, and which link gives it, a line for each. */
+  /** Lines of text: the current activation of an area by each of its drivers, and the part of each input in it. */
   explain(area: string): string[] {
     const { skin } = this.loaded.face
     const situation = {
       targetNames: Object.keys(skin.morphTargetDictionary ?? {}),
       weights: skin.morphTargetInfluences ?? [],
     }
-    const [why] = explain(this.loaded.drivers, [{ name: area }], situation)
-    if (why.parts.length === 0) return [`${area} has no driver: nothing but its slider moves it`]
-    return why.parts.flatMap(({ activation, links }) => [
+    const [explanation] = explain(this.loaded.drivers, [{ name: area }], situation)
+    if (explanation.parts.length === 0) return [`${area} has no driver: only its slider moves it`]
+    return explanation.parts.flatMap(({ activation, links }) => [
       `${activation.toFixed(2)} of ${area} from`,
       ...links.map(({ link, value }) => `${value.toFixed(2)} by ${link.name}`),
     ])
   }
 
-  /** Lights areas up on the face, whatever their activations; with none it shows what it showed before. */
-  light(areas: readonly string[]): void {
+  /** Shows where areas are on the face, whatever their activations; of an empty list, restores the chosen look. */
+  highlight(areas: readonly string[]): void {
     this.#looks.choose(areas.length > 0 ? { name: 'influence', area: areas } : this.#look)
   }
 
-  /** Whether an expression is still on its way. */
+  /** Whether a transition to an expression is under way. */
   get moving(): boolean {
-    return this.#left > 0
+    return this.#remaining > 0
   }
 
-  /** Heads for an expression from wherever face and sliders stand now. */
+  /** Starts a transition to an expression from the current state. */
   play(name: string, seconds: number): void {
     this.#player.play(name, seconds)
-    this.#left = seconds
+    this.#remaining = seconds
   }
 
-  /** @param delta seconds since the last frame; infinite arrives at once. */
+  /** @param delta seconds since the last frame; infinity ends the transition. */
   advance(delta: number): void {
     if (!this.moving) return
     this.#player.update(delta)
-    this.#left = Math.max(0, this.#left - delta)
+    this.#remaining = Math.max(0, this.#remaining - delta)
   }
 
-  /** @throws FurrowError when the area cannot be added; nothing changes then. */
+  /** @throws FurrowError if the area cannot be added; nothing changes then. */
   addArea(area: Area): void {
     this.wrinkles.addArea(area)
     this.loaded.set.areas.push(area)
     this.#areasChanged()
   }
 
-  /** @throws FurrowError when the area is the last one. */
+  /** @throws FurrowError if the area is the last one. */
   removeArea(name: string): void {
     this.wrinkles.removeArea(name)
     this.loaded.set.areas = this.loaded.set.areas.filter((area) => area.name !== name)
-    const showing = this.#look.name === 'influence' && this.#look.area === name
-    if (showing) this.#look = { name: 'influence' }
+    const isShown = this.#look.name === 'influence' && this.#look.area === name
+    if (isShown) this.#look = { name: 'influence' }
     this.#areasChanged()
   }
 
@@ -187,7 +187,7 @@ export class Viewer {
     this.#drawSide('with')
   }
 
-  /** Frees everything on the GPU; the face itself, its blendshapes and its set stay good for another viewer. */
+  /** Frees everything on the GPU; the face, its blendshapes and its set remain usable by another viewer. */
   dispose(): void {
     this.#looks.dispose()
     this.wrinkles.dispose()
@@ -202,33 +202,33 @@ export class Viewer {
   #drawSide(side: Side): void {
     const { renderer, scene } = this.stage
     const lit = this.#looks.lit(side)
-    this.#looks.wear(side)
+    this.#looks.apply(side)
     ;(scene.background as Color).copy(lit ? this.#background : this.#looks.technicalBackground)
-    // WebGPURenderer maps the tones of whole pictures and knows no `toneMapped` of materials.
+    // WebGPURenderer tone-maps the whole frame and ignores `toneMapped` of materials.
     if (!isWebGL(renderer)) renderer.toneMapping = lit ? this.#toneMapping : NoToneMapping
     this.stage.render()
   }
 
-  /** What the file's drivers make of the blendshapes as they stand. */
-  #driven(): Float32Array {
+  /** Activations that the file's drivers compute from the current blendshape weights. */
+  #drivenActivations(): Float32Array {
     this.#state.inputs.target.set(this.loaded.face.skin.morphTargetInfluences ?? [])
     this.#program.evaluate(this.#state)
     return this.#state.activations
   }
 
-  /** After a blendshape was moved by hand: moves the areas that follow it, and leaves the others as they are. */
-  #followTargets(before: Float32Array): void {
-    const now = this.#driven()
+  /** After a blendshape was set by hand: sets the areas that it drives and leaves the others. */
+  #applyDrivers(before: Float32Array): void {
+    const after = this.#drivenActivations()
     for (const [i, name] of this.#program.plan.areaNames.entries()) {
-      if (now[i] !== before[i] && this.wrinkles.hasArea(name)) this.wrinkles.setActivation(name, now[i])
+      if (after[i] !== before[i] && this.wrinkles.hasArea(name)) this.wrinkles.setActivation(name, after[i])
     }
   }
 
   #areasChanged(): void {
     this.areas = areaDials(this.wrinkles)
-    this.#expressions = this.#wholeExpressions()
+    this.#expressions = this.#completeExpressions()
     this.#player = this.#makePlayer()
-    this.#left = 0
+    this.#remaining = 0
     this.look = this.#look
   }
 
@@ -236,15 +236,15 @@ export class Viewer {
     return new ExpressionPlayer(this.loaded.face.root, this.wrinkles, this.#expressions)
   }
 
-  /** The presets, as far as this face goes; the first names all it has, so that every slider moves with them. */
-  #wholeExpressions(): Expression[] {
+  /** The presets; the first one names every blendshape and area of this face, so that each expression sets all sliders. */
+  #completeExpressions(): Expression[] {
     const zeros = (dials: readonly Dial[]) => Object.fromEntries(dials.map(({ name }) => [name, 0]))
     const targets = zeros(this.targets)
     const activations = zeros(this.areas)
     return [{ name: EXPRESSIONS[0].name, targets, activations }, ...EXPRESSIONS.slice(1)]
   }
 
-  #mirrorOn(mesh: Mesh): Wrinkles {
+  #createMirror(mesh: Mesh): Wrinkles {
     const { wrinkles } = this
     return isWebGL(this.stage.renderer)
       ? new WebGLWrinkles(mesh, wrinkles)
@@ -257,9 +257,9 @@ function releaseFromGPU({ face }: LoadedFace): void {
     if (!(object as Mesh).isMesh) return
     const { geometry, material } = object as Mesh
     geometry.dispose()
-    for (const own of [material].flat()) {
-      for (const value of Object.values(own)) if ((value as Texture | null)?.isTexture) value.dispose()
-      own.dispose()
+    for (const each of [material].flat()) {
+      for (const value of Object.values(each)) if ((value as Texture | null)?.isTexture) value.dispose()
+      each.dispose()
     }
   })
 }

@@ -42,7 +42,7 @@ describe('images', () => {
     expect(error.message).toMatch(message)
   })
 
-  it('refuses one that is cut off anywhere', async () => {
+  it('refuses one that is truncated anywhere', async () => {
     const whole = await png(
       64,
       64,
@@ -50,9 +50,9 @@ describe('images', () => {
       0,
       Uint8Array.from({ length: 4096 }, seeded(1)).map((_, i) => (i * 97) % 256),
     )
-    for (let share = 0.05; share < 1; share += 0.1) {
-      const cut = whole.slice(0, Math.floor(whole.size * share))
-      await expect(decodeImage(cut, 'area.png'), `${share}`).rejects.toThrow(
+    for (let fraction = 0.05; fraction < 1; fraction += 0.1) {
+      const cut = whole.slice(0, Math.floor(whole.size * fraction))
+      await expect(decodeImage(cut, 'area.png'), `${fraction}`).rejects.toThrow(
         /^area.png: (not a readable image|empty)/,
       )
     }
@@ -92,18 +92,21 @@ describe('meshes', () => {
   const set = randomSet(seeded(1), 2, 8)
   const mesh = () => new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
 
-  it.each(['uv', 'normal', 'position'])('refuses one without %s, and leaves it as it was', (attribute) => {
-    const bare = mesh()
-    bare.name = 'head'
-    bare.geometry.deleteAttribute(attribute)
-    const before = JSON.stringify(bare.material.toJSON())
-    expect(() => new Wrinkles(bare, set)).toThrow(
-      new RegExp(
-        `^Wrinkles: mesh without ${attribute}, got "head", allowed: a mesh with positions, normals and UVs; `,
-      ),
-    )
-    expect(JSON.stringify(bare.material.toJSON())).toBe(before)
-  })
+  it.each(['uv', 'normal', 'position'])(
+    'refuses one without %s, and does not change its material',
+    (attribute) => {
+      const bare = mesh()
+      bare.name = 'head'
+      bare.geometry.deleteAttribute(attribute)
+      const before = JSON.stringify(bare.material.toJSON())
+      expect(() => new Wrinkles(bare, set)).toThrow(
+        new RegExp(
+          `^Wrinkles: mesh without ${attribute}, got "head", allowed: a mesh with positions, normals and UVs; `,
+        ),
+      )
+      expect(JSON.stringify(bare.material.toJSON())).toBe(before)
+    },
+  )
 
   it('refuses an unlit material', () => {
     const unlit = new Mesh(new PlaneGeometry(), new MeshBasicMaterial())
@@ -138,7 +141,7 @@ describe('maps and areas', () => {
     expect(wrinkles.mode).toBe('default')
   })
 
-  it('changes nothing when an area cannot be added or removed', () => {
+  it('changes nothing if an area cannot be added or removed', () => {
     const set = randomSet(seeded(1), 1, 8)
     const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
     const wrinkles = new Wrinkles(mesh, set)
@@ -154,7 +157,7 @@ describe('maps and areas', () => {
     expect(wrinkles.areaNames).toEqual(['area0'])
   })
 
-  it('says in one warning which names of an expression a face lacks', () => {
+  it('lists the names of expressions that a face lacks in one warning', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
     mesh.morphTargetDictionary = { jawOpen: 0 }

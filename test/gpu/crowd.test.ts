@@ -18,15 +18,15 @@ import { createHarness, type Harness, RENDERERS, square, squareCamera } from './
 const PIXELS = 32
 const HALF = PIXELS / 2
 
-/** Four faces in the four quarters of the picture, row by row from the bottom. */
-const PLACES = [
+/** Centres of four faces, one in each quarter of the picture, row by row from the bottom. */
+const CENTRES = [
   [-0.5, -0.5],
   [0.5, -0.5],
   [-0.5, 0.5],
   [0.5, 0.5],
 ] as const
 
-/** How far each of them wrinkles, area by area. */
+/** Activations of each face's areas. */
 const ACTIVATIONS = [
   [0, 0, 0],
   [1, 0, 0.5],
@@ -52,8 +52,8 @@ describe.each(RENDERERS)('a crowd on %s', (name) => {
     mesh.scale.setScalar(0.5)
     return mesh
   }
-  const wear = (mesh: Mesh) => new harness.Wrinkles(mesh, set, { areaSize: 8 })
-  const move = (wrinkles: ReturnType<typeof wear>, values: readonly number[], instance = 0) => {
+  const addWrinkles = (mesh: Mesh) => new harness.Wrinkles(mesh, set, { areaSize: 8 })
+  const activate = (wrinkles: ReturnType<typeof addWrinkles>, values: readonly number[], instance = 0) => {
     for (const [i, value] of values.entries()) wrinkles.setActivation(`area${i}`, value, instance)
   }
   const sceneOf = (...meshes: Mesh[]) => {
@@ -67,96 +67,96 @@ describe.each(RENDERERS)('a crowd on %s', (name) => {
   /** The pictures of each face alone. */
   const alone = () =>
     Promise.all(
-      PLACES.map(async (place, i) => {
-        const mesh = face(place)
-        const wrinkles = wear(mesh)
-        move(wrinkles, ACTIVATIONS[i])
+      CENTRES.map(async (centre, i) => {
+        const mesh = face(centre)
+        const wrinkles = addWrinkles(mesh)
+        activate(wrinkles, ACTIVATIONS[i])
         const picture = quarter(await draw(sceneOf(mesh)), i)
         wrinkles.dispose()
         return picture
       }),
     )
 
-  it('wrinkles each face by itself, faces that come and go included', async () => {
+  it('wrinkles each face independently, also when faces are added and removed', async () => {
     const expected = await alone()
     expect(new Set(expected.map(String)).size).toBe(4)
     const scene = sceneOf()
-    const worn = []
-    for (const [i, place] of PLACES.entries()) {
-      const mesh = face(place)
+    const all = []
+    for (const [i, centre] of CENTRES.entries()) {
+      const mesh = face(centre)
       scene.add(mesh)
-      worn.push(wear(mesh))
-      move(worn[i], ACTIVATIONS[i])
+      all.push(addWrinkles(mesh))
+      activate(all[i], ACTIVATIONS[i])
       const picture = await draw(scene)
       for (let k = 0; k <= i; k++) expect(quarter(picture, k), `face ${k} of ${i + 1}`).toEqual(expected[k])
     }
-    worn[1].dispose()
+    all[1].dispose()
     const picture = await draw(scene)
     for (const k of [0, 2, 3]) expect(quarter(picture, k), `face ${k} without 1`).toEqual(expected[k])
     expect(quarter(picture, 1)).not.toEqual(expected[1])
-    for (const k of [0, 2, 3]) worn[k].dispose()
+    for (const k of [0, 2, 3]) all[k].dispose()
   })
 
-  it('wrinkles each instance of a mesh by itself', async () => {
+  it('wrinkles each instance of a mesh independently', async () => {
     const expected = await alone()
     const instances = new InstancedMesh(
       face([0, 0]).geometry,
       new MeshStandardMaterial({ roughness: 0.5 }),
       4,
     )
-    for (const [i, [x, y]] of PLACES.entries()) {
+    for (const [i, [x, y]] of CENTRES.entries()) {
       instances.setMatrixAt(i, new Matrix4().makeScale(0.5, 0.5, 1).setPosition(x, y, 0))
     }
-    const wrinkles = wear(instances)
-    for (const [i, values] of ACTIVATIONS.entries()) move(wrinkles, values, i)
+    const wrinkles = addWrinkles(instances)
+    for (const [i, values] of ACTIVATIONS.entries()) activate(wrinkles, values, i)
     const picture = await draw(sceneOf(instances))
-    for (const i of PLACES.keys()) expect(quarter(picture, i), `instance ${i}`).toEqual(expected[i])
+    for (const i of CENTRES.keys()) expect(quarter(picture, i), `instance ${i}`).toEqual(expected[i])
     wrinkles.dispose()
   })
 
-  it('wrinkles each instance of a batch by itself, in whatever order they are drawn', async () => {
+  it('wrinkles each instance of a batch independently, in any drawing order', async () => {
     const expected = await alone()
     const batch = new BatchedMesh(6, 4, 6, new MeshStandardMaterial({ roughness: 0.5 }))
     const quad = batch.addGeometry(face([0, 0]).geometry)
-    // Two that are not shown shift the order of those that are.
+    // Two invisible instances shift the order of the visible ones.
     const ids = Array.from({ length: 6 }, () => batch.addInstance(quad))
     batch.setVisibleAt(ids[0], false)
     batch.setVisibleAt(ids[3], false)
-    const shown = [ids[5], ids[1], ids[4], ids[2]]
-    for (const [i, [x, y]] of PLACES.entries()) {
-      batch.setMatrixAt(shown[i], new Matrix4().makeScale(0.5, 0.5, 1).setPosition(x, y, 0))
+    const visible = [ids[5], ids[1], ids[4], ids[2]]
+    for (const [i, [x, y]] of CENTRES.entries()) {
+      batch.setMatrixAt(visible[i], new Matrix4().makeScale(0.5, 0.5, 1).setPosition(x, y, 0))
     }
-    const wrinkles = wear(batch)
-    for (const [i, values] of ACTIVATIONS.entries()) move(wrinkles, values, shown[i])
+    const wrinkles = addWrinkles(batch)
+    for (const [i, values] of ACTIVATIONS.entries()) activate(wrinkles, values, visible[i])
     const picture = await draw(sceneOf(batch))
-    for (const i of PLACES.keys()) expect(quarter(picture, i), `instance ${i}`).toEqual(expected[i])
+    for (const i of CENTRES.keys()) expect(quarter(picture, i), `instance ${i}`).toEqual(expected[i])
     wrinkles.dispose()
     batch.dispose()
   })
 
-  it('shares the textures of other wrinkles, and keeps them until the last is gone', async () => {
+  it('shares the textures of other wrinkles, until the last user is disposed', async () => {
     const expected = await alone()
-    const meshes = PLACES.map(face)
-    const first = wear(meshes[0])
+    const meshes = CENTRES.map(face)
+    const first = addWrinkles(meshes[0])
     const all = [first, ...meshes.slice(1).map((mesh) => new harness.Wrinkles(mesh, first))]
-    for (const [i, wrinkles] of all.entries()) move(wrinkles, ACTIVATIONS[i])
+    for (const [i, wrinkles] of all.entries()) activate(wrinkles, ACTIVATIONS[i])
     const scene = sceneOf(...meshes)
     await draw(scene)
     first.dispose()
     const picture = await draw(scene)
     for (const i of [1, 2, 3]) expect(quarter(picture, i), `face ${i}`).toEqual(expected[i])
     all[1].removeArea('area2')
-    const fewer = await draw(scene)
-    expect(quarter(fewer, 1)).not.toEqual(expected[1])
-    for (const i of [2, 3]) expect(quarter(fewer, i), `face ${i}`).toEqual(expected[i])
+    const withoutArea = await draw(scene)
+    expect(quarter(withoutArea, 1)).not.toEqual(expected[1])
+    for (const i of [2, 3]) expect(quarter(withoutArea, i), `face ${i}`).toEqual(expected[i])
     for (const wrinkles of all.slice(1)) wrinkles.dispose()
   })
 
-  it('draws the influence of all faces at once, and only when one moved by more than 1/510', async () => {
-    const meshes = PLACES.map(face)
-    const worn = meshes.map(wear)
+  it('draws the influence of all faces in one pass, and only after a change of more than 1/510', async () => {
+    const meshes = CENTRES.map(face)
+    const all = meshes.map(addWrinkles)
     const scene = sceneOf(...meshes)
-    for (const wrinkles of worn) move(wrinkles, [0.5, 0, 0])
+    for (const wrinkles of all) activate(wrinkles, [0.5, 0, 0])
     await draw(scene)
     const render = vi.spyOn(harness.renderer, 'render')
     const passes = async () => {
@@ -164,53 +164,53 @@ describe.each(RENDERERS)('a crowd on %s', (name) => {
       await draw(scene)
       return render.mock.calls.length - 1
     }
-    expect(await passes(), 'nothing moved').toBe(0)
-    for (const wrinkles of worn) move(wrinkles, [0.6, 0.2, 0])
-    expect(await passes(), 'all moved').toBe(1)
-    worn[2].setActivation('area0', 0.6 + 0.9 / 510)
-    expect(await passes(), 'moved by too little').toBe(0)
-    worn[2].setActivation('area0', 0.6 + 1.1 / 510)
-    expect(await passes(), 'moved a little further').toBe(1)
-    worn[2].setActivation('area1', 1e-4)
-    expect(await passes(), 'moved down').toBe(1)
-    worn[2].setActivation('area1', 0)
-    expect(await passes(), 'an area that goes counts however little it moved').toBe(1)
-    for (const wrinkles of worn) wrinkles.dispose()
+    expect(await passes(), 'no change').toBe(0)
+    for (const wrinkles of all) activate(wrinkles, [0.6, 0.2, 0])
+    expect(await passes(), 'all changed').toBe(1)
+    all[2].setActivation('area0', 0.6 + 0.9 / 510)
+    expect(await passes(), 'too small a change').toBe(0)
+    all[2].setActivation('area0', 0.6 + 1.1 / 510)
+    expect(await passes(), 'a sufficient change').toBe(1)
+    all[2].setActivation('area1', 1e-4)
+    expect(await passes(), 'a small activation').toBe(1)
+    all[2].setActivation('area1', 0)
+    expect(await passes(), 'to 0, however small the change').toBe(1)
+    for (const wrinkles of all) wrinkles.dispose()
   })
 
   it('compiles nothing after the first frame', async () => {
-    const meshes = PLACES.map(face)
-    const worn = meshes.map(wear)
+    const meshes = CENTRES.map(face)
+    const all = meshes.map(addWrinkles)
     const scene = sceneOf(...meshes)
-    for (const wrinkles of worn) move(wrinkles, [0.5, 0.5, 0.5])
+    for (const wrinkles of all) activate(wrinkles, [0.5, 0.5, 0.5])
     await draw(scene)
     const programs = harness.programs()
-    for (const [i, wrinkles] of worn.entries()) move(wrinkles, ACTIVATIONS[i])
+    for (const [i, wrinkles] of all.entries()) activate(wrinkles, ACTIVATIONS[i])
     await draw(scene)
     expect(harness.programs()).toBe(programs)
-    for (const wrinkles of worn) wrinkles.dispose()
+    for (const wrinkles of all) wrinkles.dispose()
   })
 
-  it('fades wrinkles of faces that are small on screen', async () => {
+  it('fades the wrinkles of faces that are small on screen', async () => {
     const mesh = face([0, 0])
     const scene = sceneOf(mesh)
     const plain = await draw(scene)
-    const shown = async (fadeBelow: number) => {
+    const changeAt = async (fadeBelow: number) => {
       const wrinkles = new harness.Wrinkles(mesh, set, { areaSize: 8, fadeBelow })
-      move(wrinkles, [1, 1, 1])
+      activate(wrinkles, [1, 1, 1])
       const picture = await draw(scene)
       wrinkles.dispose()
-      return difference(plain, picture)
+      return totalDifference(plain, picture)
     }
     // The square's bounding sphere is as wide as its diagonal: 22.6 of 32 pixels.
-    const [full, half, none] = [await shown(20), await shown((22.6 * 4) / 3), await shown(46)]
-    expect(full).toBe(await shown(0))
+    const [full, half, none] = [await changeAt(20), await changeAt((22.6 * 4) / 3), await changeAt(46)]
+    expect(full).toBe(await changeAt(0))
     expect(none).toBe(0)
     expect(half).toBeGreaterThan(0.2 * full)
     expect(half).toBeLessThan(0.8 * full)
   })
 
-  it('moves each instance by its own blendshapes', async () => {
+  it('drives each instance by its own blendshapes', async () => {
     const geometry = square(new MeshStandardMaterial()).geometry
     const target = new BufferAttribute(new Float32Array(12), 3)
     target.name = 'browInnerUp'
@@ -223,12 +223,12 @@ describe.each(RENDERERS)('a crowd on %s', (name) => {
     for (const i of [0, 1]) {
       instances.setMatrixAt(
         i,
-        new Matrix4().makeScale(0.5, 0.5, 1).setPosition(PLACES[i][0], PLACES[i][1], 0),
+        new Matrix4().makeScale(0.5, 0.5, 1).setPosition(CENTRES[i][0], CENTRES[i][1], 0),
       )
       pose.morphTargetInfluences![0] = [0.25, 0.75][i]
       instances.setMorphAt(i, pose)
     }
-    const wrinkles = wear(instances)
+    const wrinkles = addWrinkles(instances)
     const { addDrivers } = await import('furrow/three')
     addDrivers(wrinkles, [
       {
@@ -256,6 +256,6 @@ function quarter(picture: Uint8Array, i: number): Uint8Array {
   return Uint8Array.from(rows.flat())
 }
 
-function difference(a: Uint8Array, b: Uint8Array): number {
+function totalDifference(a: Uint8Array, b: Uint8Array): number {
   return a.reduce((sum, value, i) => sum + Math.abs(value - b[i]), 0)
 }

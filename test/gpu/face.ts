@@ -22,7 +22,7 @@ import type { Harness } from './harness.ts'
 export const WIDTH = 240
 export const HEIGHT = 320
 
-/** A face alone under two plain lights, so that pictures differ by its wrinkles only. */
+/** A scene with one face and two plain lights. */
 export function faceScene({ root, skin }: Face, view: ViewName) {
   const scene = new Scene()
   const key = new DirectionalLight(0xffffff, 1.6)
@@ -34,21 +34,21 @@ export function faceScene({ root, skin }: Face, view: ViewName) {
   return { scene, camera }
 }
 
-/** Renders with another material on the skin. */
+/** Renders the face with another material on the skin. */
 export async function renderWith(
   harness: Harness,
   face: Face,
   stage: ReturnType<typeof faceScene>,
   material: Material,
 ) {
-  const own = face.skin.material
+  const original = face.skin.material
   face.skin.material = material
   const pixels = await harness.render(stage.scene, stage.camera, WIDTH, HEIGHT)
-  face.skin.material = own
+  face.skin.material = original
   return pixels
 }
 
-/** Writes u, v and 1 where the skin is seen: a picture from which the reference reads where each pixel lies. */
+/** A material that writes u, v and 1: its picture holds the texture coordinates of each visible pixel, for the reference. */
 export function uvMaterial(harness: Harness): Material {
   if (harness.name !== 'webgl') {
     const material = new MeshBasicNodeMaterial()
@@ -66,7 +66,7 @@ export function uvMaterial(harness: Harness): Material {
   return material
 }
 
-/** The skin's own material with the wrinkles laid over its normal map. */
+/** A copy of the skin's material with the wrinkles combined with its normal map. */
 export function wrinkledMaterial(plain: MeshStandardMaterial, set: WrinkleSet): MeshStandardMaterial {
   const combined = combineNormals(readTexture(plain.normalMap!, 'test'), set.layers[0].normal)
   const material = plain.clone()
@@ -74,7 +74,7 @@ export function wrinkledMaterial(plain: MeshStandardMaterial, set: WrinkleSet): 
   return material
 }
 
-/** A map filtered as the layers' are. */
+/** A texture with the filters of the layers' maps. */
 export function mapOf({ data, width, height }: RgbaImage, anisotropy = 1): DataTexture {
   const map = new DataTexture(data, width, height)
   map.minFilter = LinearMipmapLinearFilter
@@ -85,9 +85,9 @@ export function mapOf({ data, width, height }: RgbaImage, anisotropy = 1): DataT
   return map
 }
 
-/** The reference's influence at every pixel of a picture made with `uvMaterial`; NaN where no skin is seen. */
+/** The reference's influence at every pixel of a picture drawn with `uvMaterial`; NaN where no skin is visible. */
 export function referenceInfluence(
-  places: Float32Array,
+  uvs: Float32Array,
   set: WrinkleSet,
   activations: Record<string, number>,
 ): Float64Array {
@@ -98,8 +98,6 @@ export function referenceInfluence(
     combine: combine ?? ('sum' as const),
   }))
   return Float64Array.from({ length: WIDTH * HEIGHT }, (_, i) =>
-    places[i * 4 + 2] === 1
-      ? reference.influence(areas, table, places[i * 4], places[i * 4 + 1])
-      : Number.NaN,
+    uvs[i * 4 + 2] === 1 ? reference.influence(areas, table, uvs[i * 4], uvs[i * 4 + 1]) : Number.NaN,
   )
 }

@@ -22,11 +22,11 @@ import { seeded } from '../random.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
 
 interface Feature {
-  /** What the feature does to the square; returns the mesh that wrinkles. */
+  /** Sets the feature up for the square; returns the mesh to add wrinkles to. */
   apply(mesh: Mesh, scene: Scene, harness: Harness): Mesh
 }
 
-/** What a user's character relies on besides its material. */
+/** Features of three.js that a user's character relies on besides its material. */
 const FEATURES: Record<string, Feature> = {
   'morph targets': {
     apply(mesh) {
@@ -73,10 +73,10 @@ const FEATURES: Record<string, Feature> = {
       light.castShadow = true
       light.shadow.mapSize.set(256, 256)
       mesh.receiveShadow = true
-      const shade = new Mesh(new BoxGeometry(0.5, 0.5, 0.5), new MeshStandardMaterial())
-      shade.position.set(0.8, 0.8, 1)
-      shade.castShadow = true
-      scene.add(shade)
+      const occluder = new Mesh(new BoxGeometry(0.5, 0.5, 0.5), new MeshStandardMaterial())
+      occluder.position.set(0.8, 0.8, 1)
+      occluder.castShadow = true
+      scene.add(occluder)
       return mesh
     },
   },
@@ -114,7 +114,7 @@ describe.each(RENDERERS)("the user's scene on %s", (name) => {
   })
   afterAll(() => harness.dispose())
 
-  it.each(Object.entries(FEATURES))('%s keep working under wrinkles', async (_, { apply }) => {
+  it.each(Object.entries(FEATURES))('%s keep working with wrinkles', async (_, { apply }) => {
     const scene = new Scene()
     const light = new DirectionalLight(0xffffff, 2)
     light.name = 'key'
@@ -131,12 +131,12 @@ describe.each(RENDERERS)("the user's scene on %s", (name) => {
     const mesh = apply(square(material), scene, harness)
     scene.add(mesh as Object3D)
     const plain = await picture()
-    expect(plain, 'the feature shows').not.toBe(without)
+    expect(plain, 'the feature is visible').not.toBe(without)
     const wrinkles = new harness.Wrinkles(mesh, randomSet(seeded(3), 4, 8, 16), { areaSize: 8 })
-    expect(await picture(), 'no wrinkles, no change').toBe(plain)
+    expect(await picture(), 'no change at rest').toBe(plain)
     wrinkles.setActivation('area1', 1)
-    expect(await picture(), 'wrinkles show').not.toBe(plain)
+    expect(await picture(), 'wrinkles are visible').not.toBe(plain)
     wrinkles.dispose()
-    expect(await picture(), 'gone again').toBe(plain)
+    expect(await picture(), 'as before after dispose').toBe(plain)
   })
 })

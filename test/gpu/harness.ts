@@ -16,7 +16,7 @@ import {
 } from 'three'
 import { WebGPURenderer } from 'three/webgpu'
 
-/** The three ways a page can draw: each of them is tested, none is left out in silence. */
+/** The three rendering paths. All of them are tested; a missing one fails. */
 export const RENDERERS = ['webgl', 'webgpu', 'webgpu on webgl2'] as const
 export type RendererName = (typeof RENDERERS)[number]
 
@@ -24,18 +24,18 @@ export interface Harness {
   name: RendererName
   renderer: WebGLRenderer | WebGPURenderer
   Wrinkles: typeof WebGLWrinkles | typeof WebGPUWrinkles
-  /** What the renderer runs on, as the driver names it. */
+  /** The graphics adapter, by the name that its driver gives it. */
   adapter: string
-  /** Renders into a target and reads it back: linear RGBA, row 0 at the bottom, 0..1 floats. */
+  /** Renders into a target and reads it back: linear RGBA, floats in 0..1, row 0 at the bottom. */
   render(scene: Scene, camera: Camera, width: number, height?: number): Promise<Float32Array>
-  /** Renders into 8 bits a channel. */
+  /** Renders into 8 bits per channel. */
   renderBytes(scene: Scene, camera: Camera, width: number, height?: number): Promise<Uint8Array>
-  /** Shader programs alive now. */
+  /** Number of live shader programs. */
   programs(): number
   dispose(): void
 }
 
-/** Makes a renderer; fails where it is missing, and where WebGPU silently falls back to WebGL. */
+/** Creates a renderer; fails if it is not available, or if WebGPU falls back to WebGL 2. */
 export async function createHarness(name: RendererName): Promise<Harness> {
   const canvas = document.createElement('canvas')
   const renderer =
@@ -65,7 +65,7 @@ export async function createHarness(name: RendererName): Promise<Harness> {
     name,
     renderer,
     Wrinkles: name === 'webgl' ? WebGLWrinkles : WebGPUWrinkles,
-    adapter: adapterOf(renderer, name),
+    adapter: adapterName(renderer, name),
     render: async (scene, camera, width, height = width) =>
       (await read(scene, camera, width, height, FloatType)) as Float32Array,
     renderBytes: async (scene, camera, width, height = width) =>
@@ -78,7 +78,7 @@ export async function createHarness(name: RendererName): Promise<Harness> {
   }
 }
 
-/** A square that fills the frame; `uv = (x, 1 - y) * scale + offset` with v downwards, as in glTF. */
+/** A square that fills the frame; `uv = (x, 1 - y) * scale + offset`, v downwards as in glTF. */
 export function square(material: Material, scale = 1, offset = [0, 0]): Mesh {
   const geometry = new PlaneGeometry(2, 2)
   const uv = [0, 0, 1, 0, 0, 1, 1, 1].map((value, i) => value * scale + offset[i % 2])
@@ -86,7 +86,7 @@ export function square(material: Material, scale = 1, offset = [0, 0]): Mesh {
   return new Mesh(geometry, material)
 }
 
-/** Looks straight at `square`. */
+/** A camera whose frame `square` fills. */
 export function squareCamera(): OrthographicCamera {
   const camera = new OrthographicCamera(-1, 1, 1, -1, 0, 10)
   camera.position.z = 5
@@ -111,7 +111,7 @@ async function readBack(
     | Float32Array
     | Uint8Array
   const onWebGPU = (renderer.backend as { isWebGPUBackend?: boolean }).isWebGPUBackend === true
-  return onWebGPU ? bottomUp(unpadded(pixels, width, height), width, height) : pixels
+  return onWebGPU ? flipRows(unpadded(pixels, width, height), width, height) : pixels
 }
 
 /** r186 returns rows padded to 256 bytes, as WebGPU copies them. */
@@ -124,8 +124,8 @@ function unpadded<T extends Float32Array | Uint8Array>(pixels: T, width: number,
   return rows
 }
 
-/** WebGPU reads rows from the top. */
-function bottomUp<T extends Float32Array | Uint8Array>(pixels: T, width: number, height: number): T {
+/** Flips rows, which WebGPU reads from the top. */
+function flipRows<T extends Float32Array | Uint8Array>(pixels: T, width: number, height: number): T {
   const rows = pixels.slice() as T
   const stride = width * 4
   for (let y = 0; y < height; y++) {
@@ -134,21 +134,21 @@ function bottomUp<T extends Float32Array | Uint8Array>(pixels: T, width: number,
   return rows
 }
 
-function adapterOf(renderer: WebGLRenderer | WebGPURenderer, name: RendererName): string {
+function adapterName(renderer: WebGLRenderer | WebGPURenderer, name: RendererName): string {
   const gl =
     renderer instanceof WebGLRenderer
       ? renderer.getContext()
       : (renderer.backend as { gl?: WebGL2RenderingContext }).gl
   if (gl) {
-    const debug = gl.getExtension('WEBGL_debug_renderer_info')
-    return String(gl.getParameter(debug ? debug.UNMASKED_RENDERER_WEBGL : gl.RENDERER))
+    const debugInfo = gl.getExtension('WEBGL_debug_renderer_info')
+    return String(gl.getParameter(debugInfo ? debugInfo.UNMASKED_RENDERER_WEBGL : gl.RENDERER))
   }
   const device = (
     renderer as WebGPURenderer & {
       backend: { device?: { adapterInfo?: { vendor: string; architecture: string; description: string } } }
     }
   ).backend.device
-  if (!device) throw new Error(`${name}: no WebGPU here, the renderer fell back to WebGL 2`)
+  if (!device) throw new Error(`${name}: WebGPU is not available, the renderer fell back to WebGL 2`)
   const { vendor, architecture, description } = device.adapterInfo!
   return `${vendor} ${architecture} ${description}`.trim()
 }

@@ -1,6 +1,6 @@
-/** PNG files made byte by byte, so that tests can ask for what no canvas writes: 16 bits, huge sizes. */
+/** Writes PNG files byte by byte, for what a canvas cannot write: 16 bits, huge sizes. */
 
-/** @param raw scan lines without their filter bytes. */
+/** @param raw scanlines without filter bytes. */
 export async function png(width: number, height: number, depth: 8 | 16, colour: 0 | 2 | 6, raw: Uint8Array) {
   const stride = (raw.length / height) | 0
   const filtered = new Uint8Array((stride + 1) * height)
@@ -22,7 +22,7 @@ export async function png(width: number, height: number, depth: 8 | 16, colour: 
   })
 }
 
-/** A gray image of 8 bits, one value throughout. */
+/** A uniform gray image of 8 bits. */
 export const grayPng = (width: number, height: number, value: number) =>
   png(width, height, 8, 0, new Uint8Array(width * height).fill(value))
 

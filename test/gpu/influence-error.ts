@@ -11,10 +11,10 @@ interface UvTransform {
 }
 
 /**
- * How far the influence of the wrinkles on a square is from the float64 reference, at most over its pixels.
+ * Largest error over the pixels of a square of the wrinkles' influence against the float64 reference.
  *
- * @param set with areas of 32 x 32.
- * @param activations that the areas have once the square is drawn.
+ * @param set with areas of 32 x 32 texels.
+ * @param activations of the areas when the square is drawn.
  */
 export async function influenceError(
   harness: Harness,

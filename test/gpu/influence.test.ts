@@ -19,7 +19,7 @@ describe.each(RENDERERS)('influence on %s', (name) => {
   it(`is within 1/255 of the reference in ${CASES} random cases`, async () => {
     const random = seeded(2008)
     let worst = 0
-    // Each case is let go after the next was drawn: renderers then keep the program that both have.
+    // Each case is disposed after the next is drawn, so that the renderer keeps their common program.
     let release = () => {}
     for (let i = 0; i < CASES; i++) {
       const count = 1 + Math.floor(random() * 64)

@@ -8,14 +8,14 @@ import { seeded } from '../random.ts'
 import { createHarness, type Harness, RENDERERS, square } from './harness.ts'
 import { influenceError } from './influence-error.ts'
 
-describe.each(RENDERERS)('inputs of the application on %s', (name) => {
+describe.each(RENDERERS)("an application's inputs on %s", (name) => {
   let harness: Harness
   beforeAll(async () => {
     harness = await createHarness(name)
   })
   afterAll(() => harness.dispose())
 
-  it('activate areas by their curves, within 1/255 of the reference', async () => {
+  it('activate areas by the curves of their drivers, within 1/255 of the reference', async () => {
     const random = seeded(15)
     const set = randomSet(random, 8, 32)
     const drivers = set.areas.map(

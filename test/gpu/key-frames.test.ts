@@ -19,14 +19,14 @@ beforeAll(async () => {
 })
 afterEach(() => vi.restoreAllMocks())
 
-interface Sampler {
+interface Channel {
   values: number[]
   interpolation?: string
   pointer?: string
 }
 
-/** The human face with an animation of its areas. */
-async function load(...channels: Sampler[]): Promise<GLTF> {
+/** Loads the shipped face with an animation of its areas. */
+async function load(...channels: Channel[]): Promise<GLTF> {
   const animated = editGlb(file, (json) => {
     const add = (values: number[]) => {
       const bytes = new Uint8Array(Float32Array.from(values).buffer)
@@ -61,8 +61,14 @@ async function load(...channels: Sampler[]): Promise<GLTF> {
 
 const pointerTo = (area: number) => `/materials/0/extensions/FURROW_wrinkle_maps/areas/${area}/activation`
 
-/** Activations of an area while a clip plays on an object. */
-function played(root: Object3D, clip: AnimationClip, wrinkles: WrinklesBase, area: string, times: number[]) {
+/** Activations of an area at some times of a clip that plays on an object. */
+function activationsDuring(
+  root: Object3D,
+  clip: AnimationClip,
+  wrinkles: WrinklesBase,
+  area: string,
+  times: number[],
+) {
   const mixer = new AnimationMixer(root)
   mixer.clipAction(clip).play()
   return times.map((time) => {
@@ -71,23 +77,23 @@ function played(root: Object3D, clip: AnimationClip, wrinkles: WrinklesBase, are
   })
 }
 
-const SEEN = [0, 0.1, 0.4, 0.5, 1, 1.5, 1.9]
+const SAMPLE_TIMES = [0, 0.1, 0.4, 0.5, 1, 1.5, 1.9]
 
 describe('key frames of a file', () => {
-  it('move an area as the same track made in code does', async () => {
+  it('animate an area as the same track made in code does', async () => {
     const gltf = await load({ values: LINEAR, pointer: pointerTo(NOSE) })
     const [wrinkles]: WrinklesBase[] = gltf.userData.wrinkles
     const area = wrinkles.areaNames[NOSE]
     const [clip] = gltf.animations
     expect([clip.name, clip.duration]).toEqual(['frown', 2])
-    const fromFile = played(gltf.scene, clip, wrinkles, area, SEEN)
-    const expected = SEEN.map((t) => (t < 0.5 ? t / 0.5 : 1 - ((t - 0.5) / 1.5) * 0.75))
+    const fromFile = activationsDuring(gltf.scene, clip, wrinkles, area, SAMPLE_TIMES)
+    const expected = SAMPLE_TIMES.map((t) => (t < 0.5 ? t / 0.5 : 1 - ((t - 0.5) / 1.5) * 0.75))
     for (const [i, value] of fromFile.entries()) expect(value).toBeCloseTo(expected[i], 5)
-    const own = new AnimationClip('own', -1, [activationTrack(wrinkles.mesh, area, TIMES, LINEAR)])
-    expect(played(gltf.scene, own, wrinkles, area, SEEN)).toEqual(fromFile)
+    const clipFromCode = new AnimationClip('own', -1, [activationTrack(wrinkles.mesh, area, TIMES, LINEAR)])
+    expect(activationsDuring(gltf.scene, clipFromCode, wrinkles, area, SAMPLE_TIMES)).toEqual(fromFile)
   })
 
-  it('may be steps or splines', async () => {
+  it('support step and cubic spline interpolation', async () => {
     const gltf = await load(
       { values: LINEAR, interpolation: 'STEP', pointer: pointerTo(0) },
       { values: CUBIC, interpolation: 'CUBICSPLINE', pointer: pointerTo(1) },
@@ -95,7 +101,7 @@ describe('key frames of a file', () => {
     const [wrinkles]: WrinklesBase[] = gltf.userData.wrinkles
     const [clip] = gltf.animations
     const [stepped, curved] = [0, 1].map((i) =>
-      played(gltf.scene, clip, wrinkles, wrinkles.areaNames[i], SEEN),
+      activationsDuring(gltf.scene, clip, wrinkles, wrinkles.areaNames[i], SAMPLE_TIMES),
     )
     expect(stepped).toEqual([0, 0, 0, 1, 1, 1, 1])
     const spline = (t: number) => {
@@ -109,21 +115,22 @@ describe('key frames of a file', () => {
         (t1 - t0) * m1 * s * s * (s - 1)
       )
     }
-    for (const [i, t] of SEEN.entries()) expect(curved[i], `at ${t}`).toBeCloseTo(Math.min(1, spline(t)), 5)
+    for (const [i, t] of SAMPLE_TIMES.entries())
+      expect(curved[i], `at ${t}`).toBeCloseTo(Math.min(1, spline(t)), 5)
   })
 
-  it('play on a copy by itself, and add to what drivers give', async () => {
+  it('play on one copy only, and set the resting activation, to which drivers add', async () => {
     const gltf = await load({ values: LINEAR, pointer: pointerTo(NOSE) })
     const [wrinkles]: WrinklesBase[] = gltf.userData.wrinkles
     const area = wrinkles.areaNames[NOSE]
     const copy = clone(gltf.scene)
-    const own = wrinklesOf(copy.getObjectByName('skin') as typeof wrinkles.mesh)!
-    expect(played(copy, gltf.animations[0], own, area, [0.25])).toEqual([0.5])
+    const copied = wrinklesOf(copy.getObjectByName('skin') as typeof wrinkles.mesh)!
+    expect(activationsDuring(copy, gltf.animations[0], copied, area, [0.25])).toEqual([0.5])
     expect(wrinkles.getActivation(area)).toBe(0)
-    expect(own.getRestingActivation(area)).toBe(0.5)
+    expect(copied.getRestingActivation(area)).toBe(0.5)
   })
 
-  it('say once that an area is gone, and pass over pointers to something else', async () => {
+  it('warn once of an area that was removed, and ignore pointers to anything else', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const gltf = await load(
       { values: LINEAR, pointer: pointerTo(NOSE) },

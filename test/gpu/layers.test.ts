@@ -23,19 +23,19 @@ describe.each(RENDERERS)('the default mode on %s', (name) => {
 
   it.each(KINDS)('mixes %s %s %s %s layers as the reference does', async (...kinds) => {
     const random = seeded(7)
-    // Each case is let go after the next was drawn: renderers then keep the program that both have.
+    // Each case is disposed after the next is drawn, so that the renderer keeps their common program.
     let release = () => {}
     for (let i = 0; i < 10; i++) {
-      const own = mixingCase(harness, random, kinds.filter(Boolean), { scale: 0.8, offset: 0.1 })
-      for (const name of own.wrinkles.areaNames) own.wrinkles.setActivation(name, random() * 0.5)
-      expect(await own.largestError(squareCamera(), PIXELS)).toBeLessThanOrEqual(2 / 255)
-      // One area alone reaches a part of the map.
-      for (const name of own.wrinkles.areaNames) {
-        own.wrinkles.setActivation(name, name === `area${2 * (i % 6)}` ? 1 : 0)
+      const mixing = mixingCase(harness, random, kinds.filter(Boolean), { scale: 0.8, offset: 0.1 })
+      for (const name of mixing.wrinkles.areaNames) mixing.wrinkles.setActivation(name, random() * 0.5)
+      expect(await mixing.largestError(squareCamera(), PIXELS)).toBeLessThanOrEqual(2 / 255)
+      // A single active area covers a part of the map only.
+      for (const name of mixing.wrinkles.areaNames) {
+        mixing.wrinkles.setActivation(name, name === `area${2 * (i % 6)}` ? 1 : 0)
       }
-      expect(await own.largestError(squareCamera(), PIXELS)).toBeLessThanOrEqual(2 / 255)
+      expect(await mixing.largestError(squareCamera(), PIXELS)).toBeLessThanOrEqual(2 / 255)
       release()
-      release = own.dispose
+      release = mixing.dispose
     }
     release()
   })

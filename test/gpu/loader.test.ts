@@ -16,7 +16,7 @@ import { png } from './images.ts'
 
 const SIZE = 16
 
-/** Weights of the four areas that share the image's channels. */
+/** Weights of four areas, in the channels of one image. */
 const WEIGHTS = Uint8Array.from({ length: SIZE * SIZE * 4 }, seeded(11)).map(
   (_, i) => (i * 37 + (i >> 4) * 11) % 256,
 )
@@ -48,20 +48,20 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     return meshes
   }
 
-  it('wrinkles by itself as its blendshapes move', async () => {
+  it('wrinkles as its blendshapes move', async () => {
     const gltf = await load(await wrinkledFile())
     const [left, right] = meshesOf(gltf)
     const rest = await picture(gltf)
     left.morphTargetInfluences![0] = right.morphTargetInfluences![0] = 1
     const moved = await picture(gltf)
     expect(moved).not.toEqual(rest)
-    // Both primitives share one material, and so its wrinkles.
+    // Both primitives have the same material, and so its wrinkles.
     for (const half of [0, 16]) expect(differs(rest, moved, half), `half at ${half}`).toBe(true)
     left.morphTargetInfluences![0] = right.morphTargetInfluences![0] = 0
     expect(await picture(gltf)).toEqual(rest)
   })
 
-  it('activates an area as its driver says, and starts others at their resting activation', async () => {
+  it('activates an area by its driver, and others by their resting activation', async () => {
     const gltf = await load(await wrinkledFile())
     const [wrinkles] = gltf.userData.wrinkles
     expect(gltf.userData.wrinkles).toHaveLength(1)
@@ -69,7 +69,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     expect(wrinkles.getActivation('b')).toBe(0.25)
     for (const mesh of meshesOf(gltf)) mesh.morphTargetInfluences![0] = 0.6
     await picture(gltf)
-    // The curve starts at 0.2: 0.6 is half way.
+    // The curve rises from 0.2 to 1, so that 0.6 is halfway.
     expect(wrinkles.getActivation('a')).toBeCloseTo(0.5, 6)
   })
 
@@ -112,7 +112,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     expressions.update()
     await picture(gltf)
     expect(wrinkles.getActivation('a')).toBeCloseTo(0.5, 6)
-    // A happy face does not blink: what the blink drives is as at rest.
+    // `happy` blocks the blink, so that the area that it drives is at rest.
     expect(wrinkles.getActivation('b')).toBeCloseTo(b, 6)
     expressions.setValue('happy', 0)
     expressions.update()
@@ -120,7 +120,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     expect(wrinkles.getActivation('b')).toBe(1)
   })
 
-  it('reads each channel exactly, alpha too', async () => {
+  it('reads each channel exactly, also alpha', async () => {
     const gltf = await load(await wrinkledFile())
     const [wrinkles] = gltf.userData.wrinkles
     const [left, right] = meshesOf(gltf)
@@ -137,7 +137,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     }
   })
 
-  it('shows the plain face to a loader that does not know the extension', async () => {
+  it('shows the plain face in a loader without the extension', async () => {
     const file = await wrinkledFile()
     const plain = await new GLTFLoader().parseAsync(file.slice().buffer as ArrayBuffer, '')
     const wrinkled = await load(file)
@@ -146,7 +146,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     expect(plain.userData.wrinkles).toBeUndefined()
   })
 
-  it('gives each copy of a face wrinkles of its own, from the same textures', async () => {
+  it('gives each copy of a face its own wrinkles, with the same textures', async () => {
     const gltf = await load(await wrinkledFile())
     await picture(gltf)
     const { textures } = (harness.renderer as WebGLRenderer).info.memory
@@ -157,18 +157,18 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     for (const half of [0, 16]) expect(differs(rest, moved, half), `half at ${half}`).toBe(true)
     expect(original.map((mesh) => wrinklesOf(mesh)!.getActivation('a'))).toEqual([0, 0])
     expect(cloned.map((mesh) => wrinklesOf(mesh)!.getActivation('a'))).toEqual([1, 1])
-    // A copy is what the original would be with the same blendshapes.
+    // The original looks like the copy with the same blendshape weights.
     for (const mesh of original) mesh.morphTargetInfluences![0] = 1
     expect(await picture(gltf)).toEqual(moved)
-    // The base map belongs to the file; nothing else came but what a larger atlas needs.
+    // At most one texture more, for a larger atlas.
     expect((harness.renderer as WebGLRenderer).info.memory.textures).toBeLessThanOrEqual(textures + 1)
     gltf.userData.wrinkles[0].dispose()
-    expect(await picture({ scene: copy } as GLTF), 'the original is gone').toEqual(moved)
+    expect(await picture({ scene: copy } as GLTF), 'after dispose of the original').toEqual(moved)
     for (const mesh of cloned) wrinklesOf(mesh)!.dispose()
     expect(cloned.map((mesh) => wrinklesOf(mesh))).toEqual([undefined, undefined])
   })
 
-  it('lets two faces with one material wrinkle each by itself', async () => {
+  it('wrinkles two faces with one material independently', async () => {
     const gltf = await load(
       await wrinkledFile(undefined, (json) => {
         json.nodes.push({ ...json.nodes[0], name: 'twin', translation: [0, 0, -1] })
@@ -201,7 +201,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     }
     const base = await influence(0)
     const moved = await influence(0.25)
-    // A quarter of the UV square is a quarter of the picture.
+    // An offset of 0.25 in u is a quarter of the picture.
     for (let y = 0; y < 32; y++) {
       for (let x = 0; x < 20; x++) {
         expect(Math.abs(moved[4 * (y * 32 + x)] - base[4 * (y * 32 + x + 8)])).toBeLessThanOrEqual(1 / 255)
@@ -209,22 +209,22 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     }
   })
 
-  it('gives everything back on dispose', async () => {
+  it('restores everything on dispose', async () => {
     const gltf = await load(await wrinkledFile())
     const [mesh] = meshesOf(gltf)
     const plain = await new GLTFLoader().parseAsync((await wrinkledFile()).buffer as ArrayBuffer, '')
     const expected = await picture(plain)
-    for (const own of meshesOf(gltf)) own.morphTargetInfluences![0] = 0
+    for (const each of meshesOf(gltf)) each.morphTargetInfluences![0] = 0
     await picture(gltf)
     const textures = (harness.renderer as WebGLRenderer).info.memory.textures
     gltf.userData.wrinkles[0].dispose()
     expect(await picture(gltf)).toEqual(expected)
-    // Areas and normals; other faces still hold the atlas of influence maps.
+    // Areas and normals are freed; other faces still use the atlas of influence maps.
     expect((harness.renderer as WebGLRenderer).info.memory.textures).toBeLessThanOrEqual(textures - 2)
     expect(mesh.onBeforeRender).toBe(Object.getPrototypeOf(mesh).onBeforeRender)
   })
 
-  it('warns of a driver that names an unknown target, and plays the others', async () => {
+  it('warns of a driver with an unknown target, and runs the others', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const gltf = await load(await wrinkledFile((json) => json.drivers.push(driver('b', 'trunkUp'))))
     expect(warn.mock.calls.map(([text]) => text)).toEqual([
@@ -240,15 +240,11 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
 
   it.each<[string, (json: WrinkleJson) => unknown, RegExp]>([
     [
-      'a texture that is not there',
+      'an unknown texture',
       (json) => (json.layers[0].normalTexture.index = 99),
       /layers\[0\].normalTexture.index is out of range, got 99/,
     ],
-    [
-      'a layer that is not there',
-      (json) => (json.areas[1].layer = 3),
-      /areas\[1\].layer is out of range, got 3/,
-    ],
+    ['an unknown layer', (json) => (json.areas[1].layer = 3), /areas\[1\].layer is out of range, got 3/],
     ['two areas of one name', (json) => (json.areas[1].name = 'a'), /areas\[1\].name is taken, got "a"/],
     ['no areas', (json) => (json.areas = []), /areas has the wrong number of items, got 0/],
   ])('refuses %s', async (_, spoil, message) => {
@@ -274,7 +270,7 @@ const driver = (area: string, target: string) => ({
   ] as [number, number][],
 })
 
-/** Two quads side by side, one material, one blendshape, four areas in the channels of one image. */
+/** Two quads side by side with one material, one blendshape, and four areas in the channels of one image. */
 async function wrinkledFile(
   spoil: (json: WrinkleJson) => unknown = () => {},
   // biome-ignore lint/suspicious/noExplicitAny: the whole JSON of the file, as a careless program would edit it

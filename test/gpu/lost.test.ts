@@ -16,19 +16,19 @@ function wrinkledScene(harness: Harness) {
   return { scene, wrinkles }
 }
 
-describe('what is lost comes back', () => {
-  it('keeps the wrinkles when a WebGL context is lost and restored', async () => {
+describe('after a loss of the graphics device', () => {
+  it('wrinkles remain when a WebGL context is restored', async () => {
     const harness = await createHarness('webgl')
     const { scene, wrinkles } = wrinkledScene(harness)
     const before = await harness.renderBytes(scene, squareCamera(), 32)
     const canvas = harness.renderer.domElement
     const loss = (harness.renderer as WebGLRenderer).getContext().getExtension('WEBGL_lose_context')!
-    const happened = (event: string) =>
+    const once = (event: string) =>
       new Promise((resolve) => canvas.addEventListener(event, resolve, { once: true }))
-    const lost = happened('webglcontextlost')
+    const lost = once('webglcontextlost')
     loss.loseContext()
     await lost
-    const restored = happened('webglcontextrestored')
+    const restored = once('webglcontextrestored')
     await new Promise((resolve) => setTimeout(resolve, 10))
     loss.restoreContext()
     await restored
@@ -38,7 +38,7 @@ describe('what is lost comes back', () => {
     harness.dispose()
   })
 
-  it('keeps the wrinkles when a WebGPU device is lost and the page makes another renderer', async () => {
+  it('wrinkles remain when the page creates another renderer on WebGPU', async () => {
     const harness = await createHarness('webgpu')
     const { scene, wrinkles } = wrinkledScene(harness)
     const before = await harness.renderBytes(scene, squareCamera(), 32)

@@ -12,6 +12,7 @@ import {
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { randomAreas, randomImage } from '../cases.ts'
 import { seeded } from '../random.ts'
+import { largestDifference } from './difference.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
 
 const PIXELS = 32
@@ -19,7 +20,7 @@ const MAP = 16
 const KINDS = ['baseColor', 'roughness', 'occlusion'] as const
 type Kind = (typeof KINDS)[number]
 
-/** The kinds of map of each layer; a layer may leave some out. */
+/** The kinds of maps of each layer, some of which may be absent. */
 const LAYERS: Kind[][][] = [
   [['baseColor']],
   [['roughness']],
@@ -39,21 +40,21 @@ describe.each(RENDERERS)("the layers' other maps on %s", (name) => {
     ['with maps of its own', true],
     ['without', false],
   ])('on a material %s', (_, hasMaps) => {
-    it.each(LAYERS.map((layers) => [layers]))('are mixed in as in the reference: %j', async (layers) => {
+    it.each(LAYERS.map((layers) => [layers]))('are mixed as in the reference: %j', async (layers) => {
       const random = seeded(23)
       for (let i = 0; i < 3; i++) {
         const { shown, exact, plain } = await compare(harness, random, layers, hasMaps)
-        expect(distance(shown, exact)).toBeLessThanOrEqual(2 / 255)
-        // What they do is a multiple of what is allowed to be wrong.
-        expect(distance(plain, exact)).toBeGreaterThan(8 / 255)
+        expect(largestDifference(shown, exact)).toBeLessThanOrEqual(2 / 255)
+        // The effect of the maps is several times the tolerance.
+        expect(largestDifference(plain, exact)).toBeGreaterThan(8 / 255)
       }
     })
   })
 })
 
-/** A picture with wrinkles, one of a plain material whose maps hold the reference's mixture at every pixel, one at rest. */
+/** Pictures with wrinkles, at rest, and of a plain material whose maps hold the reference's mixture at every pixel. */
 async function compare(harness: Harness, random: () => number, kinds: Kind[][], hasMaps: boolean) {
-  const layers = kinds.map((own, i) => randomLayer(random, `layer${i}`, own))
+  const layers = kinds.map((ofLayer, i) => randomLayer(random, `layer${i}`, ofLayer))
   const areas = randomAreas(random, 12, MAP).map((area, i) => ({
     ...area,
     layer: `layer${i % layers.length}`,
@@ -61,9 +62,9 @@ async function compare(harness: Harness, random: () => number, kinds: Kind[][], 
   const own = { baseColor: randomImage(random, MAP), rest: randomImage(random, MAP) }
   const material = new MeshStandardMaterial({ roughness: 0.8, color: 0xd0e0f0, aoMapIntensity: 0.7 })
   if (hasMaps) {
-    material.map = mapOf(own.baseColor)
+    material.map = linearTexture(own.baseColor)
     material.map.colorSpace = SRGBColorSpace
-    material.roughnessMap = material.aoMap = mapOf(own.rest)
+    material.roughnessMap = material.aoMap = linearTexture(own.rest)
   }
   const mesh = square(material, 0.8, [0.1, 0.1])
   const wrinkles = new harness.Wrinkles(mesh, { layers, areas }, { areaSize: MAP })
@@ -102,7 +103,7 @@ async function compare(harness: Harness, random: () => number, kinds: Kind[][], 
   const exactMaterial = material.clone()
   exactMaterial.map = pictureOf(mixed('baseColor'))
   exactMaterial.roughnessMap = pictureOf(mixed('roughness'))
-  // The material's intensity is for a map of its own; a layer brings its strength.
+  // The material's intensity applies to its own map only; a layer has its own strength.
   if (!hasMaps) exactMaterial.aoMapIntensity = 1
   exactMaterial.aoMap = pictureOf(mixed('occlusion'))
   mesh.material = exactMaterial
@@ -148,25 +149,25 @@ function ownValue(
   return [reference.sampleArray(packColours([own.rest]), u, v, 0, kind === 'roughness' ? 1 : 0)]
 }
 
-/** GPUs decode sRGB before they interpolate. */
+/** GPUs decode sRGB before interpolation. */
 function colourAt(image: ReturnType<typeof randomImage>, u: number, v: number): number[] {
   return [0, 1, 2].map((c) =>
     reference.interpolate(image, u, v, (i, j) => linear(image.data[4 * (i + j * image.width) + c] / 255)),
   )
 }
 
-function linear(stored: number): number {
-  return stored <= 0.04045 ? stored / 12.92 : ((stored + 0.055) / 1.055) ** 2.4
+function linear(encoded: number): number {
+  return encoded <= 0.04045 ? encoded / 12.92 : ((encoded + 0.055) / 1.055) ** 2.4
 }
 
-function mapOf(image: ReturnType<typeof randomImage>): DataTexture {
+function linearTexture(image: ReturnType<typeof randomImage>): DataTexture {
   const map = new DataTexture(image.data, MAP, MAP)
   map.minFilter = map.magFilter = LinearFilter
   map.needsUpdate = true
   return map
 }
 
-/** A value for every pixel of the picture, in all channels where it is one number. */
+/** A texture with a value for every pixel of the picture; single numbers are in all channels. */
 function pictureOf(at: (u: number, v: number) => number[]): DataTexture {
   const data = new Float32Array(PIXELS * PIXELS * 4).fill(1)
   for (let i = 0; i < PIXELS * PIXELS; i++) {
@@ -175,13 +176,9 @@ function pictureOf(at: (u: number, v: number) => number[]): DataTexture {
     data.set(value.length === 1 ? [...value, ...value, ...value] : value, 4 * i)
   }
   const map = new DataTexture(data, PIXELS, PIXELS, undefined, FloatType)
-  // From the square's own coordinates back to pixels.
+  // From the square's texture coordinates back to pixels.
   map.matrixAutoUpdate = false
   map.matrix.set(1 / 0.8, 0, -0.125, 0, -1 / 0.8, 1.125, 0, 0, 1)
   map.needsUpdate = true
   return map
-}
-
-function distance(a: Float32Array, b: Float32Array): number {
-  return a.reduce((worst, value, i) => Math.max(worst, Math.abs(value - b[i])), 0)
 }

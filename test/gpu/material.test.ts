@@ -46,7 +46,7 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
   }
 
   describe.each(Object.entries(MATERIALS))('%s', (_, Kind) => {
-    it.each(['default', 'paper'] as const)('wrinkles in %s mode, and comes back as it was', async (mode) => {
+    it.each(['default', 'paper'] as const)('wrinkles in %s mode, and is restored', async (mode) => {
       const material = new Kind({ color: 0xd0a080 })
       const plain = await picture(square(material))
       const { mesh, wrinkles } = wrinkled(material, mode)
@@ -62,7 +62,7 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
     })
   })
 
-  it('is bit-identical where no area reaches', async () => {
+  it('is bit-identical without active areas', async () => {
     const material = new MeshStandardMaterial()
     const base = randomNormals(seeded(1), 16)
     material.normalMap = new DataTexture(base.data, 16, 16)
@@ -82,11 +82,11 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
     const weak = await picture(mesh)
     material.normalScale.set(0, 0)
     expect(weak).not.toBe(full)
-    // A wrinkle of no slope at all is flat again: scaling acts after mixing.
+    // Scaling acts after mixing, so that 0 is flat.
     expect(await picture(mesh)).toBe(flat)
   })
 
-  it('keeps changes to its colour and roughness', async () => {
+  it('follows changes of its colour', async () => {
     const material = new MeshStandardMaterial({ color: 0xffffff })
     const { mesh, wrinkles } = wrinkled(material)
     wrinkles.setActivation('area0', 1)
@@ -95,7 +95,7 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
     expect(await picture(mesh)).not.toBe(white)
   })
 
-  it('keeps morph targets, and moves the wrinkles with them', async () => {
+  it('keeps morph targets', async () => {
     const material = new MeshStandardMaterial()
     const { mesh, wrinkles } = wrinkled(material)
     const offset = new Float32Array(12).fill(0)
@@ -121,7 +121,7 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
     expect(await picture(mesh)).not.toBe(rest)
   })
 
-  it('serves two meshes with activations of their own', async () => {
+  it('on two meshes has independent activations', async () => {
     const one = wrinkled(new MeshStandardMaterial())
     const two = wrinkled(new MeshStandardMaterial())
     one.wrinkles.setActivation('area0', 1)
@@ -133,7 +133,7 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
     expect(await picture(one.mesh)).toBe(first)
   })
 
-  it('refuses what it cannot do, and leaves the material untouched', () => {
+  it('refuses what is not supported, and does not change the material', () => {
     const set = randomSet(seeded(3), 1, 8, 16)
     const material = new MeshStandardMaterial()
     const two = { layers: [set.layers[0], layer('more', 'detail', set.layers[0].normal)], areas: set.areas }

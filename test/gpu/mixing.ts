@@ -4,10 +4,10 @@ import { type Camera, DataTexture, DirectionalLight, LinearFilter, MeshLambertMa
 import { layer, randomAreas, randomNormals } from '../cases.ts'
 import { type Harness, square } from './harness.ts'
 
-/** Side of the areas in texels, and of the maps unless told. */
+/** Width and height of the areas in texels; the default of the maps. */
 const AREA = 16
 
-/** A square with random maps, layers of these kinds and areas at rest, and what the reference says of it. */
+/** A square with random maps, layers of these kinds, and areas at rest, to compare with the reference. */
 export function mixingCase(
   harness: Harness,
   random: () => number,
@@ -51,28 +51,28 @@ export function mixingCase(
       areas = areas.filter((area) => area.name !== name)
     },
     /**
-     * Largest difference to the reference over a picture that the square fills. Three lights along the axes read the three
-     * components of the shaded normal, one per picture.
+     * Largest difference from the reference over a picture that the square fills. The three components of the shaded normal
+     * are read from three pictures, each with a light along one axis.
      */
     async largestError(camera: Camera, pixels: number): Promise<number> {
       const packed = packAreas(
         areas.map(({ weights }) => weights),
         AREA,
       )
-      const table = areas.map(({ name, combine, layer: own }) => ({
+      const table = areas.map(({ name, combine, layer: layerName }) => ({
         activation: wrinkles.getActivation(name),
-        layer: layers.findIndex((known) => known.name === own),
+        layer: layers.findIndex((known) => known.name === layerName),
         combine: combine ?? ('sum' as const),
       }))
       const exactAt = (u: number, v: number) => {
         const normalOf = (map: number) =>
           reference.unpackNormal([0, 1, 2].map((c) => reference.sampleArray(maps, u, v, map, c)))
-        const shares = kinds.map((kind, k) => ({
+        const mixed = kinds.map((kind, k) => ({
           kind,
           normal: normalOf(k + 1),
           influence: reference.influenceFromMap(packed, table, u, v, k),
         }))
-        return reference.mixNormals(normalOf(0), shares)
+        return reference.mixNormals(normalOf(0), mixed)
       }
       let worst = 0
       for (const axis of [0, 1, 2]) {
@@ -95,9 +95,9 @@ export function mixingCase(
   }
 }
 
-/** What is left of an area in a part of it. */
+/** An area with weights in a small square only. */
 function cropped({ width, height, data }: GrayImage, from: number): GrayImage {
-  const isInside = (at: number) => at >= from / 2 && at < from / 2 + 7
+  const isInside = (x: number) => x >= from / 2 && x < from / 2 + 7
   const kept = data.map((weight, i) => (isInside(i % width) && isInside(Math.floor(i / width)) ? weight : 0))
   return { width, height, data: kept }
 }

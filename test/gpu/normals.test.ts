@@ -1,4 +1,4 @@
-import { RecomputedNormals as NormalsOnProcessor } from 'furrow/three'
+import { RecomputedNormals as CpuNormals } from 'furrow/three'
 import { RecomputedNormals } from 'furrow/webgpu'
 import {
   Bone,
@@ -18,6 +18,7 @@ import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest'
 import { loadFace } from '../../stage/face.ts'
 import { seeded } from '../random.ts'
 import { deviceErrors } from './device-errors.ts'
+import { largestDifference } from './difference.ts'
 import { faceScene, HEIGHT, WIDTH } from './face.ts'
 import { createHarness, type Harness } from './harness.ts'
 
@@ -35,7 +36,7 @@ beforeAll(async () => {
 afterEach(() => expect(errors).toEqual([]))
 afterAll(() => harness.dispose())
 
-/** A ball whose vertices two blendshapes move at random, alike where they share a place. */
+/** A ball with two random blendshapes that move coincident vertices alike. */
 function ball(geometry: BufferGeometry = new SphereGeometry(1, 24, 16)): Mesh {
   const { position } = geometry.attributes
   const random = seeded(5)
@@ -56,7 +57,7 @@ function ball(geometry: BufferGeometry = new SphereGeometry(1, 24, 16)): Mesh {
   return new Mesh(geometry)
 }
 
-/** What is in an attribute's buffer now, wherever it lies: x, y and z of each vertex. */
+/** Reads an attribute from the CPU or the GPU: x, y and z of each vertex. */
 async function read(mesh: Mesh, name: 'normal' | 'tangent'): Promise<Float32Array> {
   const attribute = mesh.geometry.attributes[name] as BufferAttribute
   const values =
@@ -70,19 +71,19 @@ async function read(mesh: Mesh, name: 'normal' | 'tangent'): Promise<Float32Arra
   )
 }
 
-/** Degrees between the directions of two lists, from the least to the largest. */
+/** Angles between the vectors of two lists in degrees, ascending. */
 function angles(a: Float32Array, b: Float32Array): Float64Array {
   return Float64Array.from({ length: a.length / 3 }, (_, i) => {
     const [u, v] = [a, b].map((list) => list.subarray(3 * i, 3 * i + 3))
-    const across = Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
-    return (Math.atan2(across, u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) * 180) / Math.PI
+    const sine = Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+    return (Math.atan2(sine, u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) * 180) / Math.PI
   }).sort()
 }
 
-/** Deforms two copies of a mesh, and compares what both classes make of it. */
+/** Deforms two copies of a mesh, and compares the results of both classes. */
 async function compare(mesh: Mesh, weights: readonly number[], names: readonly ('normal' | 'tangent')[]) {
   const copy = new Mesh(mesh.geometry)
-  const [computed, expected] = [new RecomputedNormals(mesh), new NormalsOnProcessor(copy)]
+  const [computed, expected] = [new RecomputedNormals(mesh), new CpuNormals(copy)]
   for (const { morphTargetInfluences } of [mesh, copy]) Object.assign(morphTargetInfluences ?? [], weights)
   computed.update(renderer)
   expected.update()
@@ -94,7 +95,7 @@ async function compare(mesh: Mesh, weights: readonly number[], names: readonly (
 }
 
 describe('RecomputedNormals on WebGPU', () => {
-  it('makes the normals and tangents of the shipped face that the processor makes', async () => {
+  it('computes the same normals and tangents of the shipped face as the CPU', async () => {
     const { skin } = await loadFace('/faces/human.glb')
     const weights = Object.keys(skin.morphTargetDictionary!).map(
       (name) => SMILE[name as keyof typeof SMILE] ?? 0,
@@ -102,11 +103,11 @@ describe('RecomputedNormals on WebGPU', () => {
     expect(weights.filter((weight) => weight > 0)).toHaveLength(4)
     const rest = await read(skin, 'normal')
     const copy = new Mesh(skin.geometry)
-    const expected = new NormalsOnProcessor(copy)
+    const expected = new CpuNormals(copy)
     Object.assign(copy.morphTargetInfluences!, weights)
     expected.update()
-    const turned = angles(rest, await read(copy, 'normal'))
-    expect(turned.at(-1), 'the pose turns normals').toBeGreaterThan(30)
+    const rotations = angles(rest, await read(copy, 'normal'))
+    expect(rotations.at(-1), 'the pose rotates normals').toBeGreaterThan(30)
     for (const found of await compare(skin, weights, ['normal', 'tangent'])) {
       expect(found[Math.floor(0.999 * found.length)]).toBeLessThan(0.05)
       expect(found.at(-1)).toBeLessThan(0.5)
@@ -118,12 +119,12 @@ describe('RecomputedNormals on WebGPU', () => {
     ['without an index', () => ball(new SphereGeometry(1, 12, 8).toNonIndexed())],
     ['without blendshapes', () => new Mesh(new SphereGeometry())],
     ['with targets that are not relative', () => absolute(ball())],
-  ])('does so for a mesh %s', async (_, make) => {
+  ])('computes the same normals for a mesh %s', async (_, make) => {
     const [found] = await compare(make(), [0.8, -0.5], ['normal'])
     expect(found.at(-1)).toBeLessThan(0.01)
   })
 
-  it('leaves to the skeleton what it turns, and follows weights back to rest', async () => {
+  it('leaves rotation to the skeleton, and follows weights back to rest', async () => {
     const { geometry } = ball()
     const { count } = geometry.attributes.position
     geometry.setAttribute('skinIndex', new Float32BufferAttribute(new Float32Array(4 * count), 4))
@@ -145,7 +146,7 @@ describe('RecomputedNormals on WebGPU', () => {
     normals.dispose()
   })
 
-  it('follows positions that change', async () => {
+  it('follows changed positions', async () => {
     const mesh = new Mesh(new PlaneGeometry(1, 1, 9, 9))
     const normals = new RecomputedNormals(mesh)
     normals.update(renderer)
@@ -162,7 +163,7 @@ describe('RecomputedNormals on WebGPU', () => {
     normals.dispose()
   })
 
-  it('computes while something changes only', () => {
+  it('computes only after changes', () => {
     const mesh = ball()
     const normals = new RecomputedNormals(mesh)
     const { compute } = renderer.info as unknown as { compute: { calls: number } }
@@ -180,7 +181,7 @@ describe('RecomputedNormals on WebGPU', () => {
   })
 
   // three.js r186 frees storage buffers with the renderer only.
-  it.skipIf(Number.parseInt(REVISION, 10) < 187)('frees what the graphics card held', () => {
+  it.skipIf(Number.parseInt(REVISION, 10) < 187)('frees its GPU buffers', () => {
     const { memory } = renderer.info as unknown as { memory: { storageAttributes: number } }
     const before = memory.storageAttributes
     const normals = new RecomputedNormals(ball())
@@ -190,7 +191,7 @@ describe('RecomputedNormals on WebGPU', () => {
     expect(memory.storageAttributes).toBe(before)
   })
 
-  it('draws what the processor draws, and gives the geometry back', async () => {
+  it('draws the same picture as the CPU, and restores the geometry', async () => {
     const face = await loadFace('/faces/human.glb')
     const { skin } = face
     const before = skin.geometry
@@ -198,35 +199,34 @@ describe('RecomputedNormals on WebGPU', () => {
     skin.material = new MeshStandardMaterial({ roughness: 0.5 })
     const stage = faceScene(face, 'front')
     const draw = () => harness.renderBytes(stage.scene, stage.camera, WIDTH, HEIGHT)
-    const largest = (a: Uint8Array, b: Uint8Array) =>
-      a.reduce((most, value, i) => Math.max(most, Math.abs(value - b[i])), 0)
+
     for (const [name, weight] of Object.entries(SMILE))
       skin.morphTargetInfluences![skin.morphTargetDictionary![name]] = weight
-    const unlit = await draw()
-    const onProcessor = new NormalsOnProcessor(skin)
-    onProcessor.update()
+    const uncorrected = await draw()
+    const cpuNormals = new CpuNormals(skin)
+    cpuNormals.update()
     const expected = await draw()
-    onProcessor.dispose()
+    cpuNormals.dispose()
     const normals = new RecomputedNormals(skin)
     normals.update(renderer)
     expect(skin.geometry.morphAttributes.normal).toBeUndefined()
-    // A pixel at an edge may take either side's colour, so that one in a thousand is let off.
-    const [found, changes] = [await draw(), largest(unlit, expected)]
+    // Pixels at an edge may have the colour of either side, so that one in a thousand may differ.
+    const [found, changes] = [await draw(), largestDifference(uncorrected, expected)]
     expect(changes).toBeGreaterThan(40)
     expect(found.filter((value, i) => Math.abs(value - expected[i]) > 2).length).toBeLessThan(
       found.length / 1000,
     )
     normals.dispose()
     expect(skin.geometry).toBe(before)
-    expect(largest(await draw(), unlit)).toBe(0)
+    expect(largestDifference(await draw(), uncorrected)).toBe(0)
   })
 })
 
 describe("RecomputedNormals on WebGPURenderer's WebGL 2", () => {
-  it('leaves it to the processor', async () => {
+  it('computes on the CPU', async () => {
     const fallback = await createHarness('webgpu on webgl2')
     const [mesh, copy] = [ball(), ball()]
-    const [normals, expected] = [new RecomputedNormals(mesh), new NormalsOnProcessor(copy)]
+    const [normals, expected] = [new RecomputedNormals(mesh), new CpuNormals(copy)]
     for (const { morphTargetInfluences } of [mesh, copy]) morphTargetInfluences!.fill(0.6)
     normals.update(fallback.renderer as WebGPURenderer)
     expected.update()
@@ -236,7 +236,7 @@ describe("RecomputedNormals on WebGPURenderer's WebGL 2", () => {
   })
 })
 
-/** The same targets, as places. */
+/** Turns the offsets of a mesh's targets into positions. */
 function absolute(mesh: Mesh): Mesh {
   const { geometry } = mesh
   const rest = geometry.attributes.position.array

@@ -20,7 +20,7 @@ const CASES = 200
 const PIXELS = 32
 const MAP = 16
 
-/** Channels of the paper's array. */
+/** Layers of the paper's array. */
 const [DIFFUSE, SMOOTH, WRINKLED] = [0, 1, 2]
 
 describe.each(RENDERERS)("the paper's mode on %s", (name) => {
@@ -33,13 +33,13 @@ describe.each(RENDERERS)("the paper's mode on %s", (name) => {
   it(`colours are within 2/255 of the reference on 99.9% of the pixels of ${CASES} random cases`, async () => {
     const random = seeded(42)
     const errors: number[] = []
-    // Each case is let go after the next was drawn: renderers then keep the program that both have.
+    // Each case is disposed after the next is drawn, so that the renderer keeps their common program.
     let release = () => {}
     for (let i = 0; i < CASES; i++) {
-      const own = await colourErrors(harness, random)
-      errors.push(...own.errors)
+      const result = await colourErrors(harness, random)
+      errors.push(...result.errors)
       release()
-      release = own.dispose
+      release = result.dispose
     }
     release()
     const over = errors.filter((error) => error > 2 / 255).length
@@ -47,7 +47,7 @@ describe.each(RENDERERS)("the paper's mode on %s", (name) => {
     expect(over / errors.length).toBeLessThanOrEqual(0.001)
   })
 
-  it("packs the material's own normals, whatever mode was shown before", async () => {
+  it("packs the material's own normals, whatever the mode was before", async () => {
     for (const mode of ['composed', 'default', 'off'] as const) {
       const { errors, dispose } = await colourErrors(harness, seeded(7), mode)
       expect(errors.filter((error) => error > 2 / 255).length / errors.length, mode).toBeLessThanOrEqual(0.01)
@@ -56,13 +56,13 @@ describe.each(RENDERERS)("the paper's mode on %s", (name) => {
   })
 })
 
-/** Lights a square by the paper's four steps on the CPU and, after another mode, on the GPU; returns each pixel's largest error. */
+/** Largest error of each pixel of a square, lit by the paper's four steps on the GPU, after another mode, and on the CPU. */
 async function colourErrors(harness: Harness, random: () => number, first: WrinkleMode = 'paper') {
   const set = randomSet(random, 1 + Math.floor(random() * 64), MAP, MAP)
   const [diffuse, smooth] = [randomImage(random, MAP), randomNormals(random, MAP)]
   const [normalScale, sun, ambient] = [0.5 + random(), 0.5 + random() * 2, random()]
   const from = new Vector3(random() - 0.5, random() - 0.5, 0.3 + random()).normalize()
-  // Within one tile: from one to the next the level of a mipmap that the GPU takes by itself jumps.
+  // Within one tile: across tiles, the mip level that the GPU selects jumps.
   const scale = 0.2 + random() * 0.5
   const offset = [random() * 0.3, random() * 0.3]
 
@@ -98,7 +98,7 @@ async function colourErrors(harness: Harness, random: () => number, first: Wrink
     const texel = (layer: number) => [0, 1, 2].map((c) => reference.sampleArray(colours, u, v, layer, c))
     const albedo = texel(DIFFUSE).map(toLinear)
     const lit = [SMOOTH, WRINKLED].map((layer) => {
-      // The square's tangent frame is the identity, v runs downwards and so does its normal scale.
+      // The square's tangent frame is the identity; v runs downwards, so that normalScale.y is negative.
       const [x, y, z] = reference.unpackNormal(texel(layer))
       const normal = new Vector3(x * normalScale, y * normalScale, z).normalize()
       const irradiance = Math.max(0, normal.dot(from)) * sun + ambient

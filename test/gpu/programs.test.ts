@@ -40,7 +40,7 @@ describe.each(RENDERERS)('shader programs on %s', (name) => {
         wrinkles.removeArea(wrinkles.areaNames[wrinkles.areaNames.length - 1])
       expect(await draw(), `back at ${count} areas`).toBe(programs)
     }
-    // Every count shows another last area, so the array really was made anew; and the way back shows the same.
+    // The last area of each count differs, so that the array was rebuilt; removing areas gives the same pictures again.
     expect(new Set(pictures).size).toBe(COUNTS.length)
     wrinkles.dispose()
   })

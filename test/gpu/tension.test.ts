@@ -26,13 +26,13 @@ import { createHarness, type Harness, type RendererName, squareCamera } from './
 
 const full: GrayImage = { width: 1, height: 1, data: Uint8Array.of(255) }
 const MEASURES = ['compression', 'stretch'] as const
-/** Milliseconds to wait for the graphics card, which may be a slow processor. */
-const PATIENCE = 300_000
+/** Milliseconds to wait for the GPU, which may be a slow software rasteriser. */
+const TIMEOUT = 300_000
 const disposers: (() => void)[] = []
 
 let harness: Harness
 let errors: string[]
-const taken = vi.spyOn(AreaTension.prototype, 'copyTo')
+const copyTo = vi.spyOn(AreaTension.prototype, 'copyTo')
 
 async function begin(name: RendererName) {
   harness = await createHarness(name)
@@ -40,14 +40,14 @@ async function begin(name: RendererName) {
 }
 
 beforeEach(() => {
-  taken.mockClear()
+  copyTo.mockClear()
 })
 afterEach(() => {
   for (const dispose of disposers.splice(0)) dispose()
 })
 
-/** Puts wrinkles on a mesh whose activations tell what is measured; returns what draws it until that has come back. */
-function measured(mesh: Mesh, weights = full) {
+/** Adds wrinkles whose activations are the tension of a mesh; returns a function that draws until it is measured, and reads it. */
+function createMeasurement(mesh: Mesh, weights = full) {
   mesh.material = new MeshStandardMaterial()
   mesh.frustumCulled = false
   const layers = [layer('skin', 'detail', randomNormals(seeded(1), 2))]
@@ -64,19 +64,19 @@ function measured(mesh: Mesh, weights = full) {
   const scene = new Scene()
   scene.add(mesh)
   return async () => {
-    // The first frame starts a measurement that may be of an earlier one, the second begins the one that the third shows.
+    // A measurement of an earlier frame may be under way in the first; the second starts the one that the third shows.
     for (let frame = 0; frame < 3; frame++) await harness.renderBytes(scene, squareCamera(), 4)
     const [compression, stretch] = MEASURES.map((name) => 2 * wrinkles.getActivation(name) - 1)
     return { compression, stretch }
   }
 }
 
-/** A sheet of 1 x 1, of `side` x `side` squares. */
+/** A sheet of 1 x 1 with `side` x `side` squares. */
 function sheet(side: number): BufferGeometry {
   return new PlaneGeometry(1, 1, side, side)
 }
 
-function move({ attributes: { position } }: BufferGeometry, change: (point: Vector3) => Vector3) {
+function deform({ attributes: { position } }: BufferGeometry, change: (point: Vector3) => Vector3) {
   const point = new Vector3()
   for (let i = 0; i < position.count; i++) {
     change(point.fromBufferAttribute(position, i))
@@ -85,8 +85,8 @@ function move({ attributes: { position } }: BufferGeometry, change: (point: Vect
   position.needsUpdate = true
 }
 
-/** In float64, over all triangles: the mean by what each weighs. */
-function reference(mesh: Mesh, rest: ArrayLike<number>, weigh: (middle: number[]) => number = () => 1) {
+/** Mean tension over all triangles in float64, weighted by their rest areas and by `weigh` at their centroids. */
+function exactTension(mesh: Mesh, rest: ArrayLike<number>, weigh: (centroid: number[]) => number = () => 1) {
   const { count } = mesh.geometry.attributes.position
   const now = new Float64Array(3 * count)
   for (let i = 0; i < count; i++) mesh.getVertexPosition(i, new Vector3()).toArray(now, 3 * i)
@@ -96,8 +96,8 @@ function reference(mesh: Mesh, rest: ArrayLike<number>, weigh: (middle: number[]
   for (let k = 0; k < triangles.length; k += 3) {
     const corners = [...triangles.slice(k, k + 3)] as [number, number, number]
     const [a, b, c] = corners.map((i) => new Vector3().fromArray(rest as number[], 3 * i))
-    const surface = b.clone().sub(a).cross(c.clone().sub(a)).length()
-    const weight = surface * weigh(a.add(b).add(c).divideScalar(3).toArray())
+    const restArea = b.clone().sub(a).cross(c.clone().sub(a)).length()
+    const weight = restArea * weigh(a.add(b).add(c).divideScalar(3).toArray())
     principalStretches(stretches, restInverse(...corners, rest)!, 0, ...corners, now)
     sum += weight
     compression += weight * (1 - stretches[0])
@@ -106,24 +106,24 @@ function reference(mesh: Mesh, rest: ArrayLike<number>, weigh: (middle: number[]
   return { compression: compression / sum, stretch: stretch / sum }
 }
 
-/** A sheet whose upper half a joint turns and stretches. */
-function bent(): SkinnedMesh {
+/** A skinned sheet whose upper half a joint rotates and scales. */
+function skinnedSheet(): SkinnedMesh {
   const geometry = sheet(12)
   const { position } = geometry.attributes
-  const upper = Array.from({ length: position.count }, (_, i) =>
+  const headWeights = Array.from({ length: position.count }, (_, i) =>
     Math.min(1, Math.max(0, position.getY(i) + 0.5)),
   )
   geometry.setAttribute(
     'skinIndex',
     new Float32BufferAttribute(
-      upper.flatMap(() => [0, 1, 0, 0]),
+      headWeights.flatMap(() => [0, 1, 0, 0]),
       4,
     ),
   )
   geometry.setAttribute(
     'skinWeight',
     new Float32BufferAttribute(
-      upper.flatMap((share) => [1 - share, share, 0, 0]),
+      headWeights.flatMap((weight) => [1 - weight, weight, 0, 0]),
       4,
     ),
   )
@@ -139,7 +139,7 @@ function bent(): SkinnedMesh {
   return mesh
 }
 
-/** Two blendshapes that pull vertices about. */
+/** Adds two random blendshapes. */
 function addTargets(mesh: Mesh): void {
   const random = seeded(9)
   const { position } = mesh.geometry.attributes
@@ -157,7 +157,7 @@ function addTargets(mesh: Mesh): void {
 describe('tension on WebGPU', () => {
   beforeAll(() => begin('webgpu'))
   afterEach(() => {
-    expect(taken, 'measured on the graphics card').toHaveBeenCalled()
+    expect(copyTo, 'measured on the GPU').toHaveBeenCalled()
     expect(errors).toEqual([])
   })
   afterAll(() => harness.dispose())
@@ -166,8 +166,8 @@ describe('tension on WebGPU', () => {
     'a sheet of %d squares a side shortened by a fifth along x reports 0.20',
     async (side) => {
       const mesh = new Mesh(sheet(side))
-      const measure = measured(mesh)
-      move(mesh.geometry, (point) => point.multiply(new Vector3(0.8, 1, 1)))
+      const measure = createMeasurement(mesh)
+      deform(mesh.geometry, (point) => point.multiply(new Vector3(0.8, 1, 1)))
       const { compression, stretch } = await measure()
       expect(Math.abs(compression - 0.2)).toBeLessThan(0.005)
       expect(Math.abs(stretch)).toBeLessThan(1e-5)
@@ -176,23 +176,23 @@ describe('tension on WebGPU', () => {
 
   it.each([1, 7, 40])('a rigid motion of %d squares a side reports 0', async (side) => {
     const mesh = new Mesh(sheet(side))
-    const measure = measured(mesh)
+    const measure = createMeasurement(mesh)
     const turn = new Matrix4().makeRotationFromEuler(new Euler(0.4, 1.2, -2)).setPosition(0.3, -0.1, 0.7)
-    move(mesh.geometry, (point) => point.applyMatrix4(turn))
+    deform(mesh.geometry, (point) => point.applyMatrix4(turn))
     for (const value of Object.values(await measure())) expect(Math.abs(value)).toBeLessThan(1e-5)
   })
 
   it('a fold along an edge reports 0', async () => {
     const mesh = new Mesh(sheet(8))
-    const measure = measured(mesh)
-    move(mesh.geometry, ({ x, y }) => new Vector3(Math.min(x, 0), y, Math.max(0, x)))
+    const measure = createMeasurement(mesh)
+    deform(mesh.geometry, ({ x, y }) => new Vector3(Math.min(x, 0), y, Math.max(0, x)))
     for (const value of Object.values(await measure())) expect(Math.abs(value)).toBeLessThan(1e-5)
   })
 
   it.each([
     ['blendshapes', () => new Mesh(sheet(12)), true],
-    ['a skeleton', bent, false],
-    ['a skeleton on top of blendshapes', bent, true],
+    ['a skeleton', skinnedSheet, false],
+    ['a skeleton on top of blendshapes', skinnedSheet, true],
   ] as const)('is the mean over all triangles that %s deform', async (_, make, hasTargets) => {
     const mesh = make()
     if (hasTargets) addTargets(mesh)
@@ -205,21 +205,25 @@ describe('tension on WebGPU', () => {
       data: Uint8Array.from({ length: size * size }, () => 255 * random()),
     }
     const rest = mesh.geometry.attributes.position.array
-    const found = await measured(mesh, weights)()
-    const texel = (place: number) => Math.floor(place * size)
-    // A plane's v runs upwards as y does, and an image's rows begin at v = 0.
-    const expected = reference(mesh, rest, ([x, y]) => weights.data[texel(y + 0.5) * size + texel(x + 0.5)])
+    const found = await createMeasurement(mesh, weights)()
+    const texel = (coordinate: number) => Math.floor(coordinate * size)
+    // The plane's v increases with y, and row 0 of an image is at v = 0.
+    const expected = exactTension(
+      mesh,
+      rest,
+      ([x, y]) => weights.data[texel(y + 0.5) * size + texel(x + 0.5)],
+    )
     expect(Math.abs(expected.compression)).toBeGreaterThan(0.02)
     expect(Math.abs(found.compression - expected.compression)).toBeLessThan(1e-4)
     expect(Math.abs(found.stretch - expected.stretch)).toBeLessThan(1e-4)
   })
 
-  it('follows a mesh that goes on moving, and does nothing while it rests', async () => {
+  it('follows a moving mesh, and does nothing while it is at rest', async () => {
     const mesh = new Mesh(sheet(3))
-    const measure = measured(mesh)
+    const measure = createMeasurement(mesh)
     for (const width of [0.9, 0.7, 1.1]) {
-      const now = mesh.geometry.attributes.position.getX(3)
-      move(mesh.geometry, (point) => point.setX((point.x * width * 0.5) / now))
+      const current = mesh.geometry.attributes.position.getX(3)
+      deform(mesh.geometry, (point) => point.setX((point.x * width * 0.5) / current))
       expect((await measure()).compression).toBeCloseTo(Math.max(0, 1 - width), 4)
     }
     const { compute } = harness.renderer.info as unknown as { compute: { calls: number } }
@@ -228,69 +232,69 @@ describe('tension on WebGPU', () => {
     expect(compute.calls).toBe(before)
   })
 
-  it('measures what a simulation on the graphics card does', async () => {
+  it('measures positions that a simulation writes on the GPU', async () => {
     const geometry = sheet(6)
     const { array, count } = geometry.attributes.position
     const position = new StorageBufferAttribute(array.slice(), 3)
     geometry.setAttribute('position', position)
     const mesh = new Mesh(geometry)
-    const measure = measured(mesh)
+    const measure = createMeasurement(mesh)
     const width = uniform(1)
-    const places = storage(position, 'vec3', count)
+    const positions = storage(position, 'vec3', count)
     const rest = storage(new StorageBufferAttribute(array.slice(), 3), 'vec3', count)
     const shorten = Fn(() => {
-      const place = rest.element(instanceIndex)
-      places.element(instanceIndex).assign(place.mul(vec3(width, 1, 1)) as never)
+      const restPosition = rest.element(instanceIndex)
+      positions.element(instanceIndex).assign(restPosition.mul(vec3(width, 1, 1)) as never)
     })().compute(count)
-    for (const share of [0.75, 0.6]) {
-      width.value = share
+    for (const fraction of [0.75, 0.6]) {
+      width.value = fraction
       ;(harness.renderer as WebGPURenderer).compute(shorten)
-      expect((await measure()).compression).toBeCloseTo(1 - share, 4)
+      expect((await measure()).compression).toBeCloseTo(1 - fraction, 4)
     }
   })
 
-  it('frees what the graphics card held, also while a result is on its way', async () => {
+  it('frees its GPU buffers, also while a result is pending', async () => {
     const { memory } = harness.renderer.info as unknown as { memory: { storageAttributes: number } }
     const before = memory.storageAttributes
     const mesh = new Mesh(sheet(4))
-    await measured(mesh)()
+    await createMeasurement(mesh)()
     expect(memory.storageAttributes).toBeGreaterThan(before)
-    move(mesh.geometry, (point) => point.multiplyScalar(2))
+    deform(mesh.geometry, (point) => point.multiplyScalar(2))
     const scene = new Scene()
     scene.add(mesh)
     harness.renderer.render(scene, squareCamera())
     disposers.pop()!()
-    await vi.waitFor(() => expect(memory.storageAttributes).toBe(before), PATIENCE)
+    await vi.waitFor(() => expect(memory.storageAttributes).toBe(before), TIMEOUT)
   })
 
-  it('is what the processor measures until the first result is there', async () => {
+  it('is measured on the CPU until the first result has arrived', async () => {
     const mesh = new Mesh(sheet(4))
-    measured(mesh)
+    createMeasurement(mesh)
     const scene = new Scene()
     scene.add(mesh)
-    move(mesh.geometry, (point) => point.multiply(new Vector3(0.7, 1, 1)))
+    deform(mesh.geometry, (point) => point.multiply(new Vector3(0.7, 1, 1)))
     harness.renderer.render(scene, squareCamera())
     expect(2 * wrinklesOf(mesh)!.getActivation('compression') - 1).toBeCloseTo(0.3, 5)
     await vi.waitFor(() => {
       harness.renderer.render(scene, squareCamera())
-      expect(taken).toHaveBeenCalled()
-    }, PATIENCE)
+      expect(copyTo).toHaveBeenCalled()
+    }, TIMEOUT)
   })
 })
 
-describe('tension on WebGPU that fails', () => {
+describe('tension on WebGPU with a failing readback', () => {
   beforeAll(() => begin('webgpu'))
   afterAll(() => harness.dispose())
 
-  it('leaves it to the processor where results cannot be read back, and says so once', async () => {
+  it('is measured on the CPU, with one warning', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const renderer = harness.renderer as WebGPURenderer
     const read = vi.spyOn(renderer, 'getArrayBufferAsync').mockRejectedValue(new Error('no'))
     const mesh = new Mesh(sheet(4))
-    const measure = measured(mesh)
-    move(mesh.geometry, (point) => point.multiply(new Vector3(0.7, 1, 1)))
+    const measure = createMeasurement(mesh)
+    deform(mesh.geometry, (point) => point.multiply(new Vector3(0.7, 1, 1)))
     expect((await measure()).compression).toBeCloseTo(0.3, 5)
-    expect(taken).not.toHaveBeenCalled()
+    expect(copyTo).not.toHaveBeenCalled()
     expect(warn).toHaveBeenCalledTimes(1)
     expect(warn.mock.calls[0][0]).toMatch(/read back/)
     read.mockRestore()
@@ -302,11 +306,11 @@ describe("tension on WebGPURenderer's WebGL 2", () => {
   beforeAll(() => begin('webgpu on webgl2'))
   afterAll(() => harness.dispose())
 
-  it('is measured by the processor', async () => {
+  it('is measured on the CPU', async () => {
     const mesh = new Mesh(sheet(7))
-    const measure = measured(mesh)
-    move(mesh.geometry, (point) => point.multiply(new Vector3(0.8, 1, 1)))
+    const measure = createMeasurement(mesh)
+    deform(mesh.geometry, (point) => point.multiply(new Vector3(0.8, 1, 1)))
     expect((await measure()).compression).toBeCloseTo(0.2, 5)
-    expect(taken).not.toHaveBeenCalled()
+    expect(copyTo).not.toHaveBeenCalled()
   })
 })

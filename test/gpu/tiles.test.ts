@@ -15,14 +15,14 @@ import { createHarness, type Harness, RENDERERS, square, squareCamera } from './
 
 const MAP = 16
 const PIXELS = 64
-/** Within a tile, in steps that floats hold exactly in any of these tiles. */
-const [SCALE, FROM] = [0.875, 0.0625]
+/** A range within a tile, in steps that are exact in float32 in all of these tiles. */
+const [SCALE, START] = [0.875, 0.0625]
 const TILES = [
   [1, -1],
   [-3, 2],
 ]
 
-describe.each(RENDERERS)('skin in another tile of its texture, on %s', (name) => {
+describe.each(RENDERERS)('skin in another UV tile on %s', (name) => {
   let harness: Harness
   beforeAll(async () => {
     harness = await createHarness(name)
@@ -35,13 +35,13 @@ describe.each(RENDERERS)('skin in another tile of its texture, on %s', (name) =>
     ['composed', true],
     ['composed', false],
     ['paper', true],
-  ] as const)('is drawn as in the first one, in the mode %s (own normal map: %s)', async (mode, hasMap) => {
+  ] as const)('is drawn as in the first tile, in the mode %s (own normal map: %s)', async (mode, hasMap) => {
     const first = await draw(harness, mode, hasMap, [0, 0])
     expect(new Set(first).size).toBeGreaterThan(50)
     for (const tile of TILES) expect(await draw(harness, mode, hasMap, tile)).toEqual(first)
   })
 
-  it('shows the same influence', async () => {
+  it('has the same influence', async () => {
     for (const mode of ['default', 'paper'] as const) {
       const first = await draw(harness, mode, true, [0, 0], true)
       expect(new Set(first).size).toBeGreaterThan(50)
@@ -50,12 +50,12 @@ describe.each(RENDERERS)('skin in another tile of its texture, on %s', (name) =>
   })
 })
 
-it('within 0..1, both ends included, nothing repeats', () => {
+it('coordinates in 0..1, both ends included, do not repeat', () => {
   const array = { width: 4, height: 1, depth: 1, channels: 1, data: Uint8Array.of(10, 90, 170, 250) } as const
   const at = (u: number) => 255 * reference.sampleArray(array, u, 0.5, 0)
   expect([at(0), at(1)]).toEqual([10, 250])
   for (const u of [0.1, 0.375, 0.9])
-    for (const whole of [-2, -1, 1, 3]) expect(at(u + whole)).toBeCloseTo(at(u), 9)
+    for (const tile of [-2, -1, 1, 3]) expect(at(u + tile)).toBeCloseTo(at(u), 9)
 })
 
 /** A lit square with random maps and areas. */
@@ -73,7 +73,7 @@ async function draw(
   const mesh = square(
     material,
     SCALE,
-    tile.map((whole) => whole + FROM),
+    tile.map((origin) => origin + START),
   )
   const wrinkles = new harness.Wrinkles(mesh, set, { mode, areaSize: MAP })
   for (const area of wrinkles.areaNames) wrinkles.setActivation(area, 0.2 * random())
@@ -84,7 +84,7 @@ async function draw(
   scene.add(mesh, light, new AmbientLight(0xffffff, 0.3))
   const pixels = await harness.renderBytes(scene, squareCamera(), PIXELS)
   wrinkles.dispose()
-  for (const used of [colour, normals, material, mesh.geometry]) used.dispose()
+  for (const resource of [colour, normals, material, mesh.geometry]) resource.dispose()
   return pixels
 }
 

@@ -3,7 +3,7 @@ import { BARE_FACES } from './bare-faces.ts'
 import { createHarness, type Harness, RENDERERS } from './harness.ts'
 import { compareWrinkles, loadPacked, wrinklesAlone } from './packed.ts'
 
-describe.each(RENDERERS)('a face that glTF-Transform made smaller, on %s', (name) => {
+describe.each(RENDERERS)('a face compressed by glTF-Transform, on %s', (name) => {
   let harness: Harness
   let shipped: Float32Array
   beforeAll(async () => {

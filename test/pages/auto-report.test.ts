@@ -6,14 +6,14 @@ import type { Browser } from 'playwright-core'
 import { afterAll, beforeAll, expect, test } from 'vitest'
 import { editGlb } from '../glb.ts'
 import { openBrowser, openPage } from './browser.ts'
-import { type Ended, runFurrow } from './run-furrow.ts'
+import { type CommandResult, runFurrow } from './run-furrow.ts'
 
-/** What the face keeps its names of: enough to be recognised, and for one expression. */
-const KEPT = /^(eyeBlink|mouthSmileLeft|browDown|browInnerUp)/
+/** Blendshapes that keep their names: enough to recognise the rig, and for one expression. */
+const KEPT_NAMES = /^(eyeBlink|mouthSmileLeft|browDown|browInnerUp)/
 
 const folder = mkdtempSync(join(tmpdir(), 'furrow-report-'))
 let browser: Browser
-let made: Ended
+let result: CommandResult
 
 interface Json {
   meshes: { extras?: { targetNames?: string[] } }[]
@@ -24,12 +24,12 @@ beforeAll(async () => {
   const bytes = editGlb(readFileSync(face), ({ meshes }: Json) => {
     for (const { extras } of meshes) {
       if (extras?.targetNames)
-        extras.targetNames = extras.targetNames.map((name, i) => (KEPT.test(name) ? name : `own ${i}`))
+        extras.targetNames = extras.targetNames.map((name, i) => (KEPT_NAMES.test(name) ? name : `own ${i}`))
     }
   })
   writeFileSync(join(folder, 'face.glb'), bytes)
   const options = ['--size', '512', '--replace', '--report', join(folder, 'report')]
-  made = await runFurrow(
+  result = await runFurrow(
     folder,
     {},
     'auto',
@@ -46,10 +46,10 @@ afterAll(async () => {
   rmSync(folder, { recursive: true })
 })
 
-test('furrow auto --report is silent but for its result', () => {
-  expect(made.stderr).toBe('')
-  expect(made.code).toBe(0)
-  expect(made.stdout).toContain('index.html: the report')
+test('furrow auto --report prints only its result', () => {
+  expect(result.stderr).toBe('')
+  expect(result.code).toBe(0)
+  expect(result.stdout).toContain('index.html: the report')
 })
 
 test.each([
@@ -58,17 +58,17 @@ test.each([
 ])('the report fits into %d x %d', async (width, height) => {
   const { page, complaints } = await openPage(browser, { viewport: { width, height } })
   await page.goto(pathToFileURL(join(folder, 'report/index.html')).href)
-  const seen = await page.evaluate(() => ({
-    scrolled: document.documentElement.scrollWidth,
+  const content = await page.evaluate(() => ({
+    scrollWidth: document.documentElement.scrollWidth,
     images: [...document.images].map(({ naturalWidth, width, alt }) => ({ naturalWidth, width, alt })),
     names: [...document.querySelectorAll('.pairs figcaption > b')].map(({ textContent }) => textContent),
     headings: [...document.querySelectorAll('h2')].length,
   }))
   expect(complaints).toEqual([])
-  expect(seen.scrolled).toBe(width)
-  expect(seen.headings).toBe(5)
-  expect(seen.names).toEqual(['Frown'])
-  for (const image of seen.images) {
+  expect(content.scrollWidth).toBe(width)
+  expect(content.headings).toBe(5)
+  expect(content.names).toEqual(['Frown'])
+  for (const image of content.images) {
     expect(image.naturalWidth).toBeGreaterThan(0)
     expect(image.width).toBeGreaterThan(80)
     expect(image.alt).not.toBe('')
@@ -76,9 +76,9 @@ test.each([
   await page.close()
 })
 
-test('before and after differ', () => {
+test('the pictures before and after differ', () => {
   const [before, after] = ['before', 'after'].map((name) =>
     readFileSync(join(folder, `report/${name}-1.webp`)),
   )
-  expect(before!.equals(after!)).toBe(false)
+  expect(before.equals(after)).toBe(false)
 })

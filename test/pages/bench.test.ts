@@ -10,15 +10,15 @@ import { findBrowser } from '../../packages/cli/src/browser.ts'
 const folder = mkdtempSync(join(tmpdir(), 'furrow-bench-'))
 afterAll(() => rmSync(folder, { recursive: true }))
 
-/** Dawn draws by the Vulkan loader and the software rasteriser that come with a Chromium. */
+/** Lets Dawn draw with the Vulkan loader and the software rasteriser of Chromium. */
 function dawnEnvironment(): NodeJS.ProcessEnv {
-  const places = [dirname(realpathSync(findBrowser())), '/usr/lib/chromium']
-  const home = places.find((place) => existsSync(join(place, 'vk_swiftshader_icd.json')))
-  if (!home) return process.env
+  const candidates = [dirname(realpathSync(findBrowser())), '/usr/lib/chromium']
+  const chromium = candidates.find((path) => existsSync(join(path, 'vk_swiftshader_icd.json')))
+  if (!chromium) return process.env
   return {
     ...process.env,
-    LD_LIBRARY_PATH: home,
-    VK_DRIVER_FILES: join(home, 'vk_swiftshader_icd.json'),
+    LD_LIBRARY_PATH: chromium,
+    VK_DRIVER_FILES: join(chromium, 'vk_swiftshader_icd.json'),
   }
 }
 
@@ -46,8 +46,8 @@ it('runs in Node on Dawn, timed by timestamps', async () => {
   expect(stdout).toMatch(/\d% of a frame with 1,000 faces on webgpu/)
 })
 
-it('says that WebGL is not to be had in Node', async () => {
+it('says that WebGL is not available in Node', async () => {
   await expect(runBench('--renderer', 'webgl')).rejects.toThrow(
-    'renderer not known here, got "webgl", allowed: webgpu',
+    'renderer not available here, got "webgl", allowed: webgpu',
   )
 })

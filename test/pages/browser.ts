@@ -1,10 +1,10 @@
 import type { Browser, Page } from 'playwright-core'
 import { launchBrowser, newPage } from '../../packages/cli/src/browser.ts'
 
-/** The browser that pages are tested in; the caller closes it. */
+/** Opens the browser for tests of pages; the caller closes it. */
 export const openBrowser = launchBrowser
 
-/** An empty page, and what it will complain of: errors in its console, exceptions, requests that fail. */
+/** Opens an empty page, and collects its console errors, exceptions and failed requests. */
 export async function openPage(
   browser: Browser,
   options?: Parameters<Browser['newPage']>[0],

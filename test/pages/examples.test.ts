@@ -13,28 +13,28 @@ const EXAMPLES = readdirSync(new URL('../../examples/', import.meta.url)).filter
   name.endsWith('.html'),
 )
 
-/** All of a picture. */
+/** A whole picture. */
 const WHOLE: Region = { left: 0, top: 0, right: 1, bottom: 1 }
 
-/** Where the pictures are kept to be looked at. */
+/** Folder where the pictures are saved for inspection. */
 const OUTPUT = new URL('../output/examples/', import.meta.url)
 
-/** The forehead of the face that ships, as all examples frame it. */
+/** The forehead of the shipped face in the examples' framing. */
 const FOREHEAD: Region = { left: 0.4, top: 0.14, right: 0.6, bottom: 0.36 }
 
-/** What normals.html shows its remedies with. */
+/** Blendshape weights for normals.html. */
 const CHEEKS_PUFFED = 'cheekPuff=1&mouthPucker=0.7'
 
 const PHONE = { width: 390, height: 844 }
 
-/** A face that fills the picture needs no more; those of a crowd do. */
+/** Large enough for one face; a crowd needs more. */
 const SIZE = { width: 400, height: 300 }
 const CROWD_SIZE = { width: 800, height: 600 }
 
 const SECOND = 1000
 
-/** Milliseconds after which each example's face starts to be surprised; it stays so as long again. */
-const LEAD = 1.5 * SECOND
+/** Milliseconds until the face of each example starts to look surprised, and for which it then stays so. */
+const SURPRISE_DELAY = 1.5 * SECOND
 
 let browser: Browser
 let server: Awaited<ReturnType<typeof startStaticServer>>
@@ -57,13 +57,11 @@ test('the page of the README has at most 25 lines', async () => {
   expect(page.trimEnd().split('\n').length).toBeLessThanOrEqual(25)
 })
 
-/** Examples of one face that is surprised again and again. */
+/** Examples of one face that is repeatedly surprised. */
 const PORTRAITS = ['minimal.html', 'webgpu.html']
 
-/**
- * Examples of drivers: what makes them wrinkle, and where on the picture. Left is the person's right.
- */
-const DRIVERS: readonly (readonly [page: string, driven: string, atRest: string, where: Region])[] = [
+/** Examples of drivers: queries with and without wrinkles, and the region where they appear. Left is the person's right. */
+const DRIVERS: readonly (readonly [page: string, driven: string, atRest: string, region: Region])[] = [
   ['age.html', '?age=75', '?age=20', { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }],
   ['expressions.html', '?happy=0.7&surprised=0.6', '', { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }],
   ['inputs.html', '?stress=100', '?stress=0', { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }],
@@ -90,25 +88,25 @@ test('every example is opened', () => {
   expect([...opened].sort()).toEqual([...EXAMPLES].sort())
 })
 
-test.each(DRIVERS)('%s%s wrinkles', async (name, driven, atRest, where) => {
-  const { wrinkled, still, off } = await shootBothWays(`${name}${driven}`)
-  await keep(wrinkled, `${name}${driven}`)
+test.each(DRIVERS)('%s%s wrinkles', async (name, driven, atRest, region) => {
+  const { wrinkled, still, off } = await shootOnAndOff(`${name}${driven}`)
+  await save(wrinkled, `${name}${driven}`)
   expect(contrast(wrinkled)).toBeGreaterThan(100)
-  expect(largestDifference(wrinkled, await shoot(`${name}${atRest}`), where)).toBeGreaterThan(20)
-  // The cloth goes on moving.
+  expect(largestDifference(wrinkled, await shoot(`${name}${atRest}`), region)).toBeGreaterThan(20)
+  // The cloth keeps moving.
   if (name === 'tension.html') return
-  // Nothing but the wrinkles changes from one frame to the next.
+  // Only the wrinkles change between frames.
   expect(largestDifference(wrinkled, still, WHOLE)).toBe(0)
-  expect(largestDifference(wrinkled, off, where)).toBeGreaterThan(20)
+  expect(largestDifference(wrinkled, off, region)).toBeGreaterThan(20)
 })
 
-test('an expression that blocks the blink keeps its wrinkles away too', async () => {
+test('an expression that blocks the blink also blocks its wrinkles', async () => {
   const both = await shoot('vrm.html?happy=1&blink=1')
   expect(largestDifference(both, await shoot('vrm.html?happy=1'), WHOLE)).toBe(0)
   expect(largestDifference(both, await shoot('vrm.html?blink=1'), WHOLE)).toBeGreaterThan(20)
 })
 
-test('a list of scores moves the face as the same blendshapes do', async () => {
+test('a list of scores moves the face like the same blendshapes', async () => {
   const scored = await shoot('expressions.html?scores')
   const played = await shoot('expressions.html?surprised=1')
   const rest = await shoot('expressions.html')
@@ -117,18 +115,18 @@ test('a list of scores moves the face as the same blendshapes do', async () => {
   expect(largestDifference(scored, played, forehead)).toBeLessThan(largestDifference(scored, rest, forehead))
 })
 
-test('normals.html lights cheeks by the normals that their blendshapes need', async () => {
+test('normals.html lights the cheeks with the normals of their blendshapes', async () => {
   const [none, baked, recomputed] = [
     await shoot(`normals.html?remedy=none&${CHEEKS_PUFFED}`),
     await shoot(`normals.html?remedy=baked&${CHEEKS_PUFFED}`),
     await shoot(`normals.html?remedy=recomputed&${CHEEKS_PUFFED}`),
   ]
-  await keep(recomputed, 'normals.html')
+  await save(recomputed, 'normals.html')
   const cheeks = { left: 0.38, top: 0.35, right: 0.62, bottom: 0.6 }
-  // Their shade is off by far more than what grain and antialiasing come to ...
+  // The shading is wrong by far more than noise and antialiasing ...
   expect(largestDifference(none, recomputed, cheeks)).toBeGreaterThan(40)
-  // ... and what is left between the remedies is less than a sixth: the sum of two targets' normals, and the tangents, that only one
-  // of them turns.
+  // ... and the remedies differ from each other by less than a sixth of that: baked normals of two targets are summed, and only the
+  // other remedy rotates tangents.
   expect(meanDifference(baked, recomputed, cheeks)).toBeLessThan(meanDifference(none, recomputed, cheeks) / 6)
 })
 
@@ -140,27 +138,27 @@ test.each([
   expect(widthsOnPhone.get(name)).toBeLessThanOrEqual(PHONE.width)
 })
 
-test.each(PORTRAITS)('%s shows a face whose forehead creases', async (name) => {
+test.each(PORTRAITS)('%s shows a face with a creasing forehead', async (name) => {
   const wrinkled = await shoot(name)
   const smooth = await shoot(name, 'flat')
-  await keep(wrinkled, name)
+  await save(wrinkled, name)
   expect(contrast(wrinkled)).toBeGreaterThan(100)
   expect(largestDifference(wrinkled, smooth, FOREHEAD)).toBeGreaterThan(20)
 })
 
-test('crowd.html shows faces that wrinkle each by itself', async () => {
+test('crowd.html shows faces that wrinkle independently', async () => {
   const wrinkled = await shoot('crowd.html?count=6')
   const smooth = await shoot('crowd.html?count=6', 'flat')
-  await keep(wrinkled, 'crowd.html')
+  await save(wrinkled, 'crowd.html')
   expect(contrast(wrinkled)).toBeGreaterThan(100)
-  // Some of the six in their columns, of which four wrinkle at any time.
+  // Four of the six faces wrinkle at any time, in some of the columns.
   const columns = [0, 1, 2, 3].map((i) => ({ left: i / 4, top: 0, right: (i + 1) / 4, bottom: 1 }))
   expect(
     columns.filter((column) => largestDifference(wrinkled, smooth, column) > 20).length,
   ).toBeGreaterThanOrEqual(2)
 })
 
-/** Takes the slope out of the wrinkles that a file carries. */
+/** Sets the normal scale of a file's wrinkles to 0. */
 function flatten(json: {
   materials: { extensions?: Record<string, { layers?: { normalTexture: object }[] }> }[]
 }): void {
@@ -170,11 +168,11 @@ function flatten(json: {
   }
 }
 
-/** Pictures that were drawn already, and how wide pages with controls were on a phone. */
+/** Pictures drawn so far, and the widths of pages with controls on a phone. */
 const shots = new Map<string, Promise<CanvasPixels>>()
 const widthsOnPhone = new Map<string, number>()
 
-/** The example at the moment of surprise; `flat`: with wrinkles that have no slope. Each is drawn once. */
+/** Picture of an example at the moment of surprise, drawn once; `flat`: with wrinkles without slope. */
 function shoot(name: string, form: 'wrinkled' | 'flat' = 'wrinkled'): Promise<CanvasPixels> {
   const key = `${name} ${form}`
   const shot = shots.get(key) ?? withExample(name, form, readCanvas)
@@ -182,8 +180,8 @@ function shoot(name: string, form: 'wrinkled' | 'flat' = 'wrinkled'): Promise<Ca
   return shot
 }
 
-/** The example with its wrinkles, a frame later once more, and with wrinkles switched off in the next. */
-async function shootBothWays(name: string) {
+/** Pictures of an example with wrinkles, in the next frame, and with wrinkles switched off in the frame after. */
+async function shootOnAndOff(name: string) {
   return withExample(name, 'wrinkled', async (page) => {
     const nextFrame = async () => {
       await page.clock.runFor(SECOND / 30)
@@ -197,7 +195,7 @@ async function shootBothWays(name: string) {
   })
 }
 
-/** For a page, whose import map tells what these modules are: from the next frame on, no mesh shows wrinkles. */
+/** Script for a page, by whose import map it finds the modules: switches off the wrinkles of all meshes from the next frame on. */
 const SWITCH_OFF = `
   Promise.all([import('three'), import('furrow/three')]).then(([{ Scene }, { wrinklesOf }]) => {
     Scene.prototype.onBeforeRender = (_, scene) =>
@@ -207,18 +205,18 @@ const SWITCH_OFF = `
       })
   })`
 
-/** Opens an example and brings it to the moment of surprise; the page may not complain. */
+/** Opens an example and advances it to the moment of surprise; the page must report no errors or warnings. */
 async function withExample<T>(
   name: string,
   form: 'wrinkled' | 'flat',
-  look: (page: Page) => Promise<T>,
+  inspect: (page: Page) => Promise<T>,
 ): Promise<T> {
   const hasControls = ![...PORTRAITS, 'crowd.html'].some((page) => name.startsWith(page))
   const size = name.startsWith('crowd.html') ? CROWD_SIZE : SIZE
   const { page, complaints } = await openPage(browser, { viewport: hasControls ? PHONE : size })
   page.on('console', (message) => {
     const text = message.text()
-    // What the driver says of its speed is not the page's doing.
+    // Performance messages of the driver are not the page's.
     if (message.type() === 'warning' && !text.includes('GL Driver Message')) complaints.push(text)
   })
   try {
@@ -227,19 +225,19 @@ async function withExample<T>(
     await page.clock.install({ time: 0 })
     await page.clock.pauseAt(SECOND)
     await page.goto(`${server.origin}/examples/${name}`)
-    // The page adds it once the face is there; as time stands still, nothing is drawn yet.
+    // The page adds the canvas after loading; nothing is drawn yet, since time is paused.
     await page.waitForSelector('canvas')
     if (hasControls) {
       widthsOnPhone.set(name, await page.evaluate(() => document.documentElement.scrollWidth))
       await page.setViewportSize(size)
     }
     await firstPicture(page)
-    // Two leaps with a frame each: the surprise begins, and has arrived.
-    await page.clock.fastForward(LEAD + SECOND / 10)
+    // Two steps with a frame each: the transition begins, and has ended.
+    await page.clock.fastForward(SURPRISE_DELAY + SECOND / 10)
     await page.clock.fastForward(SECOND / 2)
-    const seen = await look(page)
+    const result = await inspect(page)
     expect(complaints).toEqual([])
-    return seen
+    return result
   } finally {
     await page.close()
   }
@@ -251,17 +249,17 @@ async function fulfillFlattened(route: Route): Promise<void> {
   await route.fulfill({ contentType: 'model/gltf-binary', body })
 }
 
-/** Time stands still in the page but for these steps, so that every run draws the same picture. */
+/** Steps the page's paused time until something is drawn, so that every run draws the same picture. */
 async function firstPicture(page: Page): Promise<void> {
   for (;;) {
     await page.clock.runFor(SECOND / 60)
     if (contrast(await readCanvas(page)) > 0) return
-    // A renderer may still be making itself ready; its own time must not run away meanwhile.
+    // Waits in real time for a renderer that is still starting.
     await page.waitForTimeout(SECOND / 4)
   }
 }
 
-async function keep({ width, height, data }: CanvasPixels, name: string): Promise<void> {
+async function save({ width, height, data }: CanvasPixels, name: string): Promise<void> {
   const file = new URL(`${name.replace('.html', '').replace(/[?&]/g, '-')}.png`, OUTPUT).pathname
   await sharp(data, { raw: { width, height, channels: 3 } }).toFile(file)
 }

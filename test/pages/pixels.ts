@@ -1,6 +1,6 @@
 import type { CanvasPixels } from './read-canvas.ts'
 
-/** A rectangle of a picture in shares of its sides: 0, 0 is the top left corner. */
+/** A rectangle of a picture in fractions of its width and height, from the top left corner. */
 export interface Region {
   left: number
   top: number
@@ -8,36 +8,36 @@ export interface Region {
   bottom: number
 }
 
-/** Largest difference of any channel between two pictures of one size within a region. */
+/** Largest difference in any channel of two pictures of equal size within a region. */
 export function largestDifference(a: CanvasPixels, b: CanvasPixels, region: Region): number {
   let largest = 0
-  eachByte(a, region, (i) => {
+  forEachByte(a, region, (i) => {
     largest = Math.max(largest, Math.abs(a.data[i] - b.data[i]))
   })
   return largest
 }
 
-/** Mean difference of all channels between two pictures of one size within a region. */
+/** Mean difference over all channels of two pictures of equal size within a region. */
 export function meanDifference(a: CanvasPixels, b: CanvasPixels, region: Region): number {
   let [sum, count] = [0, 0]
-  eachByte(a, region, (i) => {
+  forEachByte(a, region, (i) => {
     sum += Math.abs(a.data[i] - b.data[i])
     count++
   })
   return sum / count
 }
 
-/** Difference between the darkest and the brightest byte: 0 for a blank picture. */
+/** Difference of the brightest and the darkest byte: 0 for a blank picture. */
 export function contrast(picture: CanvasPixels): number {
   let [low, high] = [255, 0]
-  eachByte(picture, { left: 0, top: 0, right: 1, bottom: 1 }, (i) => {
+  forEachByte(picture, { left: 0, top: 0, right: 1, bottom: 1 }, (i) => {
     low = Math.min(low, picture.data[i])
     high = Math.max(high, picture.data[i])
   })
   return high - low
 }
 
-function eachByte(
+function forEachByte(
   { width, height }: CanvasPixels,
   { left, top, right, bottom }: Region,
   visit: (i: number) => void,

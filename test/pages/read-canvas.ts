@@ -1,14 +1,14 @@
 import type { Page } from 'playwright-core'
 import sharp from 'sharp'
 
-/** Pixels of a canvas: RGB, row 0 at the top. */
+/** RGB bytes of a canvas, row 0 at the top. */
 export interface CanvasPixels {
   width: number
   height: number
   data: Uint8Array
 }
 
-// TypeScript knows the types of WebGPU, but not yet its constants.
+// TypeScript has the types of WebGPU, but not its constants yet.
 declare const GPUTextureUsage: Record<'RENDER_ATTACHMENT' | 'COPY_SRC', number>
 declare const GPUBufferUsage: Record<'COPY_DST' | 'MAP_READ', number>
 declare const GPUMapMode: Record<'READ', number>
@@ -20,9 +20,8 @@ declare global {
 }
 
 /**
- * Makes the canvas of a page readable at any time; call it before the page is opened. WebGPU then draws into a
- * texture of its own instead of the canvas: without a GPU, a headless Chromium loses the device when it presents
- * one.
+ * Makes the canvas of a page readable at any time; call it before navigation. WebGPU then draws into a separate texture
+ * instead of the canvas: without a GPU, headless Chromium loses the device when it presents one.
  */
 export async function makeCanvasReadable(page: Page): Promise<void> {
   await page.addInitScript(() => {
@@ -40,19 +39,19 @@ export async function makeCanvasReadable(page: Page): Promise<void> {
           kind === 'webgl2' ? { ...options, preserveDrawingBuffer: true } : options,
         )
       }
-      if (!contexts.has(this)) contexts.set(this, unpresented(this))
+      if (!contexts.has(this)) contexts.set(this, offscreenContext(this))
       return contexts.get(this)
     } as HTMLCanvasElement['getContext']
 
     /** The part of GPUCanvasContext that three.js uses. */
-    function unpresented(canvas: HTMLCanvasElement): object {
+    function offscreenContext(canvas: HTMLCanvasElement): object {
       let configuration: GPUCanvasConfiguration
       let texture: GPUTexture | undefined
       window.readWebGPUCanvas = async () => (texture ? read(configuration.device, texture) : blank())
       return {
         canvas,
-        configure(wanted: GPUCanvasConfiguration) {
-          configuration = wanted
+        configure(newConfiguration: GPUCanvasConfiguration) {
+          configuration = newConfiguration
         },
         unconfigure() {},
         getConfiguration: () => configuration,
@@ -82,11 +81,11 @@ export async function makeCanvasReadable(page: Page): Promise<void> {
       device.queue.submit([encoder.finish()])
       await buffer.mapAsync(GPUMapMode.READ)
       const padded = new Uint8Array(buffer.getMappedRange())
-      const order = texture.format.startsWith('bgra') ? [2, 1, 0] : [0, 1, 2]
+      const channels = texture.format.startsWith('bgra') ? [2, 1, 0] : [0, 1, 2]
       const image = new ImageData(width, height)
       for (let i = 0; i < width * height; i++) {
         const from = Math.floor(i / width) * bytesPerRow + (i % width) * 4
-        for (let k = 0; k < 3; k++) image.data[4 * i + k] = padded[from + order[k]]
+        for (let k = 0; k < 3; k++) image.data[4 * i + k] = padded[from + channels[k]]
         image.data[4 * i + 3] = 255
       }
       buffer.destroy()
@@ -98,12 +97,12 @@ export async function makeCanvasReadable(page: Page): Promise<void> {
   })
 }
 
-/** Reads the page's first canvas as it was last drawn. */
+/** Reads the last frame of the page's first canvas. */
 export async function readCanvas(page: Page): Promise<CanvasPixels> {
-  const address = await page.evaluate(async () =>
+  const dataUrl = await page.evaluate(async () =>
     window.readWebGPUCanvas ? window.readWebGPUCanvas() : document.querySelector('canvas')!.toDataURL(),
   )
-  const png = Buffer.from(address.slice(address.indexOf(',') + 1), 'base64')
+  const png = Buffer.from(dataUrl.slice(dataUrl.indexOf(',') + 1), 'base64')
   const { data, info } = await sharp(png).removeAlpha().raw().toBuffer({ resolveWithObject: true })
   return { width: info.width, height: info.height, data }
 }

@@ -12,12 +12,12 @@ import { setOf } from '../cases.ts'
 import { editGlb } from '../glb.ts'
 import { largestDifference, type Region } from './pixels.ts'
 import type { CanvasPixels } from './read-canvas.ts'
-import { type Ended, renderPictures, runFurrow } from './run-furrow.ts'
+import { type CommandResult, renderPictures, runFurrow } from './run-furrow.ts'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 const FACE = join(ROOT, 'faces/human.glb')
 
-/** The forehead from the front, and what wrinkles of the forehead never reach. */
+/** The forehead from the front, and a region that its wrinkles do not reach. */
 const FOREHEAD: Region = { left: 0.42, top: 0.18, right: 0.58, bottom: 0.34 }
 const CHIN: Region = { left: 0.42, top: 0.62, right: 0.58, bottom: 0.74 }
 /** Cheeks and mouth. */
@@ -36,11 +36,11 @@ beforeEach(async () => {
 
 afterAll(() => rm(folder, { recursive: true, force: true }))
 
-/** Of every picture that is compared. */
+/** Options of the pictures that are compared. */
 const SURPRISED = { expression: 'surprised', width: 200, height: 152 }
 const HAPPY = { ...SURPRISED, expression: 'happy' }
 
-/** All that the others do not set. */
+/** Every option that the other requests do not set. */
 const ANGRY: Partial<PictureRequest> = {
   mode: 'composed',
   view: 'close',
@@ -50,7 +50,7 @@ const ANGRY: Partial<PictureRequest> = {
 }
 
 describe('furrow render', () => {
-  /** What its own function draws of one face is drawn in one page. */
+  /** Pictures of faces, all drawn in one page. */
   const drawn = new Map<string, Picture>()
 
   beforeAll(async () => {
@@ -80,7 +80,7 @@ describe('furrow render', () => {
     }
     const names = Object.keys(requests)
     const pictures = await renderPictures(Object.values(requests))
-    for (const [i, name] of names.entries()) drawn.set(name, pictures[i]!)
+    for (const [i, name] of names.entries()) drawn.set(name, pictures[i])
   })
 
   test.each([
@@ -89,10 +89,10 @@ describe('furrow render', () => {
   ])('shows wrinkles on %s, and none when they are off', async (renderer, api) => {
     const file = join(out, 'on.png')
     const options = ['--expression', 'surprised', '--renderer', renderer, '--size', '200x152', '--json']
-    const made = await furrow('render', FACE, '-o', file, ...options)
-    expect(made.stderr).toBe('')
-    expect(made.code).toBe(0)
-    const report = JSON.parse(made.stdout)
+    const result = await furrow('render', FACE, '-o', file, ...options)
+    expect(result.stderr).toBe('')
+    expect(result.code).toBe(0)
+    const report = JSON.parse(result.stdout)
     expect(report).toMatchObject({ file, width: 200, height: 152, renderer: api })
     expect(report.adapter).not.toBe('')
     expect(report.milliseconds).toBeGreaterThan(0)
@@ -107,7 +107,7 @@ describe('furrow render', () => {
     ['webgl', 'KTX 2 arrays'],
     ['webgpu', 'KTX 2 arrays'],
     ['webgl', 'Draco'],
-  ])('shows on %s a face in %s as one in PNG', (renderer, form) => {
+  ])('shows on %s a face with %s like one with PNG images', (renderer, form) => {
     const [plain, smooth] = [opaque(`${renderer} images`), opaque(`${renderer} off`)]
     const compressed = drawn.get(`${renderer} ${form}`)!
     expect(compressed.warnings).toEqual([])
@@ -115,28 +115,28 @@ describe('furrow render', () => {
     expect(difference).toBeLessThan(largestDifference(plain, smooth, FOREHEAD) / 3)
   })
 
-  test('draws the same picture whatever its page has drawn before', () => {
+  test('draws the same picture, whatever its page has drawn before', () => {
     expect(drawn.get('webgl angry')!.pixels.length).toBe(4 * 96 * 96)
     expect(opaque('webgl again')).toEqual(opaque('webgl images'))
   })
 
-  test('shows what areas there are of an expression, where no drivers would', () => {
+  test('activates the existing areas of an expression if the face has no drivers', () => {
     const { warnings } = drawn.get('webgl bare')!
     expect(warnings).toEqual([expect.stringContaining('underEyeLeft, underEyeRight')])
     expect(largestDifference(opaque('webgl bare'), opaque('webgl bare off'), FOLDS)).toBeGreaterThan(20)
   })
 
-  test('takes blendshapes, activations, a view and the mode of the paper', async () => {
+  test("accepts blendshapes, activations, a view and the paper's mode", async () => {
     const file = join(out, 'new', 'folder', 'brow.png')
     const options = ['--view', 'close', '--mode', 'paper', '--size', '160x120']
     const weights = ['--set', 'browOuterUpLeft=1', 'jawOpen=0.2', '--activation', 'foreheadLeft=0.7']
-    const made = await furrow('render', FACE, '-o', file, ...options, ...weights)
-    expect(made.stderr).toBe('')
-    expect(made.stdout).toContain('160 x 120')
+    const result = await furrow('render', FACE, '-o', file, ...options, ...weights)
+    expect(result.stderr).toBe('')
+    expect(result.stdout).toContain('160 x 120')
     expect((await read(file)).width).toBe(160)
   })
 
-  test('makes a picture larger than one tile without a seam', async () => {
+  test('draws a picture larger than one tile without a seam', async () => {
     const { data, width, height } = opaque('webgl large')
     const large = sharp(data, { raw: { width, height, channels: 3 } })
     const reduced = await large.resize(1056, 48, { kernel: 'linear' }).raw().toBuffer()
@@ -145,63 +145,63 @@ describe('furrow render', () => {
     expect(mean).toBeLessThan(1)
   })
 
-  /** A picture without its alpha. */
+  /** A picture without alpha. */
   function opaque(name: string): CanvasPixels {
     const { width, height, pixels } = drawn.get(name)!
     return { width, height, data: pixels.filter((_, i) => i % 4 < 3) }
   }
 })
 
-function pack(file: string, ...options: string[]): Promise<Ended> {
+function pack(file: string, ...options: string[]): Promise<CommandResult> {
   const wrinkles = join(ROOT, 'faces/human')
   return furrow('pack', wrinkles, '--face', FACE, '--size', '512', '-o', file, ...options)
 }
 
 describe('furrow render refuses', () => {
-  // What is wrong with a request is tested with the other commands; here, how the program tells it.
+  // How the program reports errors; the errors themselves are tested with the other commands.
   test.each<[string, string[], RegExp]>([
     ['a missing face', ['missing.glb'], /cannot read the face missing\.glb/],
     ['wrinkles of no set', [FACE, '--wrinkles', 'no-set.json'], /no-set\.json: .*version/],
     ['an unknown option', [FACE, '--colour'], /unknown option '--colour'/],
     ['two faces', [FACE, FACE], /too many arguments/],
-  ])('%s', async (_, words, message) => {
+  ])('%s', async (_, args, message) => {
     await writeFile(join(folder, 'no-set.json'), '{}')
     const before = await listing(folder)
-    await expectRefusal(await furrow('render', ...words, '-o', join(out, 'x.png')), message)
+    await expectRefusal(await furrow('render', ...args, '-o', join(out, 'x.png')), message)
     expect(await listing(folder)).toEqual(before)
   })
 
   test('a missing output', async () => expectRefusal(await furrow('render', FACE), /-o, --output/))
 
-  test('an image of the set that is cut off', async () => {
+  test('a truncated image of the set', async () => {
     const png = await sharp({ create: { width: 64, height: 64, channels: 3, background: '#8080ff' } })
       .png()
       .toBuffer()
     await writeFile(join(out, 'cut.png'), png.subarray(0, 60))
     await writeFile(join(out, 'set.json'), JSON.stringify(setOf('cut.png')))
-    const words = [FACE, '-o', join(out, 'x.png'), '--wrinkles', join(out, 'set.json')]
-    await expectRefusal(await furrow('render', ...words), /cut\.png: not a readable image/)
+    const args = [FACE, '-o', join(out, 'x.png'), '--wrinkles', join(out, 'set.json')]
+    await expectRefusal(await furrow('render', ...args), /cut\.png: not a readable image/)
     expect((await readdir(out)).sort()).toEqual(['cut.png', 'set.json'])
   })
 
-  test('a mesh that is not there', async () => {
-    const words = [FACE, '-o', join(out, 'x.png'), '--mesh', 'hat']
-    await expectRefusal(await furrow('render', ...words), /"hat", allowed: .*skin/)
+  test('an unknown mesh', async () => {
+    const args = [FACE, '-o', join(out, 'x.png'), '--mesh', 'hat']
+    await expectRefusal(await furrow('render', ...args), /"hat", allowed: .*skin/)
   })
 
-  test('a browser that is not there', async () => {
-    const words = ['render', FACE, '-o', join(out, 'x.png')]
-    await expectRefusal(await furrowWith({ FURROW_CHROMIUM: '/missing/chrome' }, ...words), /FURROW_CHROMIUM/)
+  test('a missing browser', async () => {
+    const args = ['render', FACE, '-o', join(out, 'x.png')]
+    await expectRefusal(await furrowWith({ FURROW_CHROMIUM: '/missing/chrome' }, ...args), /FURROW_CHROMIUM/)
   })
 })
 
 describe('furrow', () => {
-  test('tells its version', async () => {
+  test('prints its version', async () => {
     const { version } = JSON.parse(await readFile(join(ROOT, 'packages/cli/package.json'), 'utf8'))
     expect(await furrow('--version')).toEqual({ code: 0, stdout: `${version}\n`, stderr: '' })
   })
 
-  test('helps with examples', async () => {
+  test('prints help with examples', async () => {
     const { code, stdout } = await furrow('--help')
     expect(code).toBe(0)
     expect(stdout).toContain('Examples:')
@@ -213,23 +213,23 @@ describe('furrow', () => {
   })
 })
 
-function furrow(...words: string[]): Promise<Ended> {
-  return furrowWith({}, ...words)
+function furrow(...args: string[]): Promise<CommandResult> {
+  return furrowWith({}, ...args)
 }
 
-function furrowWith(env: NodeJS.ProcessEnv, ...words: string[]): Promise<Ended> {
-  return runFurrow(folder, env, ...words)
+function furrowWith(env: NodeJS.ProcessEnv, ...args: string[]): Promise<CommandResult> {
+  return runFurrow(folder, env, ...args)
 }
 
-/** One line on stderr that says what is wrong, and nothing else. */
-function expectRefusal({ code, stdout, stderr }: Ended, message: RegExp): void {
+/** Expects one line on stderr, nothing on stdout, and exit code 1. */
+function expectRefusal({ code, stdout, stderr }: CommandResult, message: RegExp): void {
   expect(stderr).toMatch(message)
   expect(stderr.trimEnd().split('\n')).toHaveLength(1)
   expect(stdout).toBe('')
   expect(code).toBe(1)
 }
 
-/** Every file below a folder. */
+/** All files in a folder and its subfolders. */
 async function listing(path: string): Promise<string[]> {
   return (await readdir(path, { recursive: true })).sort()
 }
@@ -239,8 +239,8 @@ async function read(file: string): Promise<CanvasPixels> {
   return { width: info.width, height: info.height, data }
 }
 
-/** As a face may be whose wrinkles were made before there were areas under the eyes, and that is told what to show. */
-function strip(json: { materials: { extensions?: { FURROW_wrinkle_maps?: Wrinkled } }[] }): void {
+/** Removes the drivers and the areas under the eyes, as in a face from an early version. */
+function strip(json: { materials: { extensions?: { FURROW_wrinkle_maps?: WrinkleMapsJson } }[] }): void {
   for (const { extensions } of json.materials) {
     const wrinkled = extensions?.FURROW_wrinkle_maps
     if (!wrinkled) continue
@@ -249,7 +249,7 @@ function strip(json: { materials: { extensions?: { FURROW_wrinkle_maps?: Wrinkle
   }
 }
 
-interface Wrinkled {
+interface WrinkleMapsJson {
   areas: { name: string }[]
   drivers?: unknown
 }

@@ -3,23 +3,23 @@ import { fileURLToPath } from 'node:url'
 
 const BIN = fileURLToPath(new URL('../../packages/cli/bin/furrow.js', import.meta.url))
 
-// As built, for its page is built too.
-const DRAWING = '../../packages/cli/dist/render/render-pictures.js'
+// The build, since its page is built too.
+const RENDER_MODULE = '../../packages/cli/dist/render/render-pictures.js'
 
-/** What `furrow render` draws with. */
+/** The function with which `furrow render` draws. */
 export const { renderPictures }: typeof import('../../packages/cli/src/render/render-pictures.ts') =
-  await import(DRAWING)
+  await import(RENDER_MODULE)
 
-export interface Ended {
+export interface CommandResult {
   code: number | null
   stdout: string
   stderr: string
 }
 
-/** Runs the built command, as users do, without a terminal. */
-export function runFurrow(cwd: string, env: NodeJS.ProcessEnv, ...words: string[]): Promise<Ended> {
+/** Runs the built command without a terminal. */
+export function runFurrow(cwd: string, env: NodeJS.ProcessEnv, ...args: string[]): Promise<CommandResult> {
   return new Promise((resolve, reject) => {
-    const child = spawn(process.execPath, [BIN, ...words], {
+    const child = spawn(process.execPath, [BIN, ...args], {
       cwd,
       env: { ...process.env, ...env },
       stdio: ['ignore', 'pipe', 'pipe'],

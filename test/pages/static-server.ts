@@ -11,18 +11,18 @@ const TYPES: Record<string, string> = {
   '.png': 'image/png',
 }
 
-/** The plainest of static servers, over the root of the repository. */
+/** Starts a static server for the root of the repository. */
 export async function startStaticServer(): Promise<{ origin: string; close(): void }> {
   const root = fileURLToPath(new URL('../../', import.meta.url))
   const server = createServer((request, response) => {
     const file = join(root, decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname))
-    // Browsers ask for an icon whether or not there is one.
+    // Browsers always request an icon.
     if (file.endsWith('favicon.ico')) return response.writeHead(204).end()
     if (!existsSync(file) || !statSync(file).isFile()) return response.writeHead(404).end()
     response.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream' })
     return createReadStream(file).pipe(response)
   })
-  await new Promise<void>((ready) => server.listen(0, '127.0.0.1', ready))
+  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve))
   return {
     origin: `http://127.0.0.1:${(server.address() as AddressInfo).port}`,
     close() {

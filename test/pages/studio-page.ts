@@ -1,10 +1,11 @@
-/** What the studio's tests do on its page, and how they look at it. */
+/** Actions on the studio's page, and what its tests read from it. */
 
 import type { Locator, Page } from 'playwright-core'
 import sharp from 'sharp'
 import { expect, vi } from 'vitest'
 
-export async function ready(page: Page, backend = ''): Promise<void> {
+/** Waits until a face is shown. */
+export async function waitUntilReady(page: Page, backend = ''): Promise<void> {
   await page.locator('#backend', { hasText: new RegExp(`^${backend}`) }).waitFor({ state: 'attached' })
   await page.locator('#stage[aria-busy=false]').waitFor()
 }
@@ -18,41 +19,43 @@ export function expectValue(input: Locator, value: number): Promise<void> {
   return vi.waitFor(check, { timeout: 300_000, interval: 100 })
 }
 
-/** The stage as the browser shows it, once two pictures in a row are the same. */
-export async function face(page: Page): Promise<Buffer> {
+/** Picture of the stage, once two in a row are equal. */
+export async function shootStage(page: Page): Promise<Buffer> {
   const { width, height } = (await page.locator('#viewport').boundingBox())!
-  // Between toolbar and read-out, whose numbers change by themselves, and without what lies over the face.
+  // Between the toolbar and the readout, whose numbers change, and without the overlays.
   const clip = { x: 0, y: 60, width, height: height - 180 }
   const shoot = () => page.screenshot({ clip, style: '.messages, .divider, .sides { opacity: 0 }' })
   for (let before = await shoot(); ; ) {
-    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))))
+    await page.evaluate(
+      () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
+    )
     const after = await shoot()
     if (before.equals(after)) return after
     before = after
   }
 }
 
-/** Mean difference of two pictures, 0..255. */
-export async function difference(a: Buffer, b: Buffer): Promise<number> {
+/** Mean difference of two pictures, in 0..255. */
+export async function meanPngDifference(a: Buffer, b: Buffer): Promise<number> {
   const [one, other] = await Promise.all([a, b].map((png) => sharp(png).removeAlpha().raw().toBuffer()))
   expect(other.length).toBe(one.length)
   return one.reduce((sum, value, i) => sum + Math.abs(value - other[i]), 0) / one.length
 }
 
-/** Standard deviation of a picture's brightness: 0 where it is blank. */
-export async function spread(png: Buffer): Promise<number> {
+/** Standard deviation of a picture's brightness: 0 if it is blank. */
+export async function brightnessDeviation(png: Buffer): Promise<number> {
   const { channels } = await sharp(png).grayscale().stats()
   return channels[0].stdev
 }
 
-/** Waits for an error that says so, and dismisses it. */
+/** Waits for an error that contains a text, and dismisses it. */
 export async function dismiss(page: Page, text: string): Promise<void> {
   await page.getByRole('alert').getByText(text).waitFor()
   await page.getByRole('button', { name: 'Dismiss' }).click()
 }
 
-/** An area that is everywhere, as the paper paints them. */
-export function black(): Promise<Buffer> {
+/** An area with full weight everywhere, in the paper's convention. */
+export function blackPng(): Promise<Buffer> {
   return sharp({ create: { width: 32, height: 32, channels: 3, background: '#000' } })
     .png()
     .toBuffer()
@@ -73,15 +76,15 @@ export async function drop(page: Page, name: string, content: Buffer): Promise<v
   await page.dispatchEvent('#stage', 'drop', { dataTransfer: files })
 }
 
-/** The different values that a slider takes after an expression's button is pressed, until nothing moves. */
-export async function valuesOnTheWay(page: Page, expression: string, name: string): Promise<number[]> {
+/** The distinct values of a slider from pressing an expression's button until nothing moves. */
+export async function transitionValues(page: Page, expression: string, name: string): Promise<number[]> {
   const input = await slider(page, name).elementHandle()
-  return page.getByRole('button', { name: expression }).evaluate(async (button, shown) => {
+  return page.getByRole('button', { name: expression }).evaluate(async (button, sliderInput) => {
     ;(button as HTMLElement).click()
     const values = new Set<number>()
-    // Frames are counted too: a slow machine draws few of them in a second, and moves on by steps of 0.1 s.
+    // At least 12 frames: a slow machine draws few of them in a second, in steps of 0.1 s.
     for (let frame = 0, start = performance.now(); frame < 12 || performance.now() - start < 1000; frame++) {
-      values.add((shown as HTMLInputElement).valueAsNumber)
+      values.add((sliderInput as HTMLInputElement).valueAsNumber)
       await new Promise(requestAnimationFrame)
     }
     return [...values]

@@ -5,16 +5,16 @@ import { createServer, type ViteDevServer } from 'vite'
 import { afterAll, afterEach, beforeAll, describe, expect, test } from 'vitest'
 import { openBrowser, openPage } from './browser.ts'
 import {
-  black,
-  difference,
+  blackPng,
+  brightnessDeviation,
   dismiss,
   drop,
   expectValue,
-  face,
-  ready,
+  meanPngDifference,
+  shootStage,
   slider,
-  spread,
-  valuesOnTheWay,
+  transitionValues,
+  waitUntilReady,
 } from './studio-page.ts'
 
 const DESKTOP = { width: 800, height: 400 }
@@ -28,7 +28,7 @@ beforeAll(async () => {
   server = await createServer({
     configFile: fileURLToPath(new URL('../../studio/vite.config.ts', import.meta.url)),
     logLevel: 'error',
-    // Files that change while the test runs must not reload the page under it.
+    // Changed files must not reload the page during the test.
     server: { port: 0, host: '127.0.0.1', hmr: false, watch: null },
   })
   await server.listen()
@@ -44,28 +44,28 @@ afterAll(async () => {
 const studio = openStudio()
 
 describe('the studio on WebGL', () => {
-  test('shows the face, and every way of looking at it', () => showsLooks(studio.page, 'WebGL 2'))
+  test('shows the face in every look', () => showsLooks(studio.page, 'WebGL 2'))
 
   test('moves the face by expressions and sliders', () => movesFace(studio.page))
 
-  test('goes from one expression to the next in steps, unless motion is to be reduced', async () => {
+  test('moves to an expression gradually, but at once with reduced motion', async () => {
     const { page } = studio
     await page.emulateMedia({ reducedMotion: 'no-preference' })
-    expect((await valuesOnTheWay(page, 'Angry', 'glabella')).length).toBeGreaterThan(2)
+    expect((await transitionValues(page, 'Angry', 'glabella')).length).toBeGreaterThan(2)
     await page.emulateMedia({ reducedMotion: 'reduce' })
-    expect(await valuesOnTheWay(page, 'Surprised', 'glabella')).toEqual([0])
+    expect(await transitionValues(page, 'Surprised', 'glabella')).toEqual([0])
     await expectValue(slider(page, 'foreheadLeft'), 1)
   })
 
-  test('pointing at an area shows what drives it, and at a blendshape the areas it drives', async () => {
+  test('hovering over an area shows what drives it, and over a blendshape the areas it drives', async () => {
     const { page } = studio
     await page.getByRole('button', { name: 'Happy' }).click()
     await expectValue(slider(page, 'mouthSmileLeft'), 0.85)
-    const before = await face(page)
+    const before = await shootStage(page)
     await page.locator('#areas label', { hasText: 'crowsFeetLeft' }).hover()
-    const why = page.locator('.why')
-    expect(await why.innerText()).toContain('1.00 of crowsFeetLeft from')
-    expect(await why.innerText()).toContain('0.64 by cheekSquintLeft')
+    const explanation = page.locator('.explanation')
+    expect(await explanation.innerText()).toContain('1.00 of crowsFeetLeft from')
+    expect(await explanation.innerText()).toContain('0.64 by cheekSquintLeft')
     const linked = () => page.locator('.row.linked label').allTextContents()
     expect((await linked()).sort()).toEqual([
       'cheekSquintLeft',
@@ -73,32 +73,32 @@ describe('the studio on WebGL', () => {
       'eyeSquintLeft',
       'mouthSmileLeft',
     ])
-    // The area itself, on the face.
-    expect(await difference(before, await face(page))).toBeGreaterThan(2)
+    // The area on the face.
+    expect(await meanPngDifference(before, await shootStage(page))).toBeGreaterThan(2)
     await page.locator('#filter').fill('mouthSmileLeft')
     await page.locator('#targets label', { hasText: 'mouthSmileLeft' }).hover()
     expect((await linked()).sort()).toEqual(['crowsFeetLeft', 'nasolabialLeft', 'underEyeLeft'])
-    expect(await why.isVisible()).toBe(false)
+    expect(await explanation.isVisible()).toBe(false)
     await page.locator('#filter').fill('')
     await page.locator('#filter').hover()
     expect(await linked()).toEqual([])
-    expect(await difference(before, await face(page))).toBeLessThan(0.5)
+    expect(await meanPngDifference(before, await shootStage(page))).toBeLessThan(0.5)
     await page.getByRole('button', { name: 'Surprised' }).click()
     await expectValue(slider(page, 'foreheadLeft'), 1)
   })
 
-  test('the divider moves by keys and by pointer', async () => {
+  test('the divider moves by keyboard and pointer', async () => {
     const { page } = studio
     const divider = page.getByRole('slider', { name: /^Divider/ })
-    const middle = await face(page)
+    const middle = await shootStage(page)
     await divider.press('End')
     expect(await divider.getAttribute('aria-valuenow')).toBe('100')
-    const without = await face(page)
+    const without = await shootStage(page)
     await divider.press('Home')
-    const wrinkled = await face(page)
-    expect(await difference(without, wrinkled)).toBeGreaterThan(0.05)
-    expect(await difference(middle, without)).toBeGreaterThan(0.01)
-    expect(await difference(middle, wrinkled)).toBeGreaterThan(0.01)
+    const wrinkled = await shootStage(page)
+    expect(await meanPngDifference(without, wrinkled)).toBeGreaterThan(0.05)
+    expect(await meanPngDifference(middle, without)).toBeGreaterThan(0.01)
+    expect(await meanPngDifference(middle, wrinkled)).toBeGreaterThan(0.01)
     await divider.press('ArrowRight')
     expect(await divider.getAttribute('aria-valuenow')).toBe('2')
     const { x, y, width, height } = (await divider.boundingBox())!
@@ -111,40 +111,40 @@ describe('the studio on WebGL', () => {
 
   test('a dropped image becomes an area, which can be removed', async () => {
     const { page } = studio
-    const before = await face(page)
-    await drop(page, 'everywhere.png', await black())
+    const before = await shootStage(page)
+    await drop(page, 'everywhere.png', await blackPng())
     await expectValue(slider(page, 'everywhere'), 1)
-    expect(await difference(before, await face(page))).toBeGreaterThan(0.05)
+    expect(await meanPngDifference(before, await shootStage(page))).toBeGreaterThan(0.05)
     await page.getByRole('button', { name: 'Remove area everywhere' }).press('Enter')
     await slider(page, 'everywhere').waitFor({ state: 'detached' })
     expect(await page.evaluate(() => document.activeElement?.className)).toBe('remove')
-    expect(await difference(before, await face(page))).toBe(0)
+    expect(await meanPngDifference(before, await shootStage(page))).toBe(0)
   })
 
-  test('an image painted the other way round is picked with the box cleared', async () => {
+  test('an image in the other convention is added with the box cleared', async () => {
     const { page } = studio
-    const before = await face(page)
+    const before = await shootStage(page)
     await page.getByLabel('White = no wrinkles').uncheck()
-    const file = { name: 'nowhere.png', mimeType: 'image/png', buffer: await black() }
+    const file = { name: 'nowhere.png', mimeType: 'image/png', buffer: await blackPng() }
     await page.getByLabel('Add area').setInputFiles(file)
     await expectValue(slider(page, 'nowhere'), 1)
-    expect(await difference(before, await face(page))).toBe(0)
+    expect(await meanPngDifference(before, await shootStage(page))).toBe(0)
   })
 
-  test('a bad file is refused in words, and so is a name that is taken', async () => {
+  test('a bad file and a duplicate name are refused with a message', async () => {
     const { page } = studio
     await drop(page, 'bad.png', Buffer.from('no image'))
     await dismiss(page, 'bad.png: not a readable image')
     expect(await slider(page, 'bad').count()).toBe(0)
-    await drop(page, 'nose.png', await black())
+    await drop(page, 'nose.png', await blackPng())
     await dismiss(page, 'two areas with the same name')
   })
 
   test('saves the picture as a PNG', () => savesPicture(studio.page))
 
-  test('a page at rest draws nothing', async () => {
+  test('an idle page draws nothing', async () => {
     const { page } = studio
-    await face(page)
+    await shootStage(page)
     const frames = await page.evaluate(async () => {
       let count = 0
       const request = window.requestAnimationFrame
@@ -159,23 +159,23 @@ describe('the studio on WebGL', () => {
     expect(frames).toBe(0)
   })
 
-  test('every control has a name and is reached by Tab, in order', () => checkControls(studio.page))
+  test('every control has a name and is reached by Tab in order', () => checkControls(studio.page))
 
-  test('fits a phone without scrolling sideways, with targets for fingers', () => fitsPhone(studio.page))
+  test('fits a phone without horizontal scrolling, with large touch targets', () => fitsPhone(studio.page))
 })
 
 describe('the studio on WebGPU, switched to from WebGL', () => {
-  test('keeps what was set', async () => {
+  test('keeps the settings', async () => {
     const { page } = studio
     await page.getByRole('button', { name: 'Surprised' }).click()
     await slider(page, 'glabella').fill('0.7')
     await page.getByText('WebGPU', { exact: true }).click()
-    await ready(page, 'WebGPU')
+    await waitUntilReady(page, 'WebGPU')
     await expectValue(slider(page, 'glabella'), 0.7)
     await expectValue(slider(page, 'foreheadLeft'), 1)
   })
 
-  test('shows the face, and every way of looking at it', () => showsLooks(studio.page, 'WebGPU'))
+  test('shows the face in every look', () => showsLooks(studio.page, 'WebGPU'))
 
   test('moves the face by expressions and sliders', () => movesFace(studio.page))
 
@@ -186,56 +186,56 @@ describe('the studio back on WebGL', () => {
   test('shows what it showed before', async () => {
     const { page } = studio
     await page.getByText('WebGL', { exact: true }).click()
-    await ready(page, 'WebGL 2')
+    await waitUntilReady(page, 'WebGL 2')
     await expectValue(slider(page, 'foreheadLeft'), 1)
-    expect(await spread(await face(page))).toBeGreaterThan(30)
+    expect(await brightnessDeviation(await shootStage(page))).toBeGreaterThan(30)
   })
 
-  test('says so where WebGPU is missing, and stays on WebGL', async () => {
+  test('stays on WebGL with a message if WebGPU is missing', async () => {
     const { page } = studio
     await page.evaluate(() => Object.defineProperty(navigator, 'gpu', { value: undefined }))
     await page.getByText('WebGPU', { exact: true }).click()
     await dismiss(page, 'WebGPU is missing')
     expect(await page.getByRole('radio', { name: 'WebGL' }).isChecked()).toBe(true)
-    expect(await spread(await face(page))).toBeGreaterThan(30)
+    expect(await brightnessDeviation(await shootStage(page))).toBeGreaterThan(30)
   })
 })
 
 async function showsLooks(page: Page, backend: string): Promise<void> {
   expect(await page.textContent('#backend')).toBe(backend)
   expect(await page.textContent('#adapter')).not.toBe('')
-  const shaded = await face(page)
-  expect(await spread(shaded)).toBeGreaterThan(30)
+  const shaded = await shootStage(page)
+  expect(await brightnessDeviation(shaded)).toBeGreaterThan(30)
   const show = page.getByRole('group', { name: 'Show' })
   for (const look of ['Normals', 'Areas', 'Wires']) {
     await show.getByText(look).click()
-    expect(await difference(shaded, await face(page)), look).toBeGreaterThan(2)
+    expect(await meanPngDifference(shaded, await shootStage(page)), look).toBeGreaterThan(2)
   }
   await show.getByText('Areas').click()
-  const all = await face(page)
+  const all = await shootStage(page)
   await page.getByLabel('Area', { exact: true }).selectOption('nose')
-  expect(await difference(all, await face(page)), 'one area').toBeGreaterThan(0.5)
+  expect(await meanPngDifference(all, await shootStage(page)), 'one area').toBeGreaterThan(0.5)
   await show.getByText('Shaded').click()
-  expect(await difference(shaded, await face(page)), 'shaded again').toBe(0)
+  expect(await meanPngDifference(shaded, await shootStage(page)), 'shaded again').toBe(0)
 }
 
 async function movesFace(page: Page): Promise<void> {
   await page.getByRole('button', { name: 'Surprised' }).click()
-  const surprised = await face(page)
+  const surprised = await shootStage(page)
   await page.getByRole('button', { name: 'Happy' }).click()
   await expectValue(slider(page, 'crowsFeetLeft'), 1)
   await expectValue(slider(page, 'foreheadLeft'), 0)
-  const happy = await face(page)
-  expect(await difference(surprised, happy)).toBeGreaterThan(0.2)
+  const happy = await shootStage(page)
+  expect(await meanPngDifference(surprised, happy)).toBeGreaterThan(0.2)
 
   await slider(page, 'foreheadLeft').fill('1')
-  const creased = await face(page)
-  expect(await difference(happy, creased)).toBeGreaterThan(0.01)
+  const creased = await shootStage(page)
+  expect(await meanPngDifference(happy, creased)).toBeGreaterThan(0.01)
   const filter = page.getByLabel('Filter blendshapes')
   await filter.fill('jawOpen')
   await slider(page, 'jawOpen').fill('0.6')
-  expect(await difference(creased, await face(page))).toBeGreaterThan(0.2)
-  // Areas follow the blendshapes that drive them, and no others: 0.8 of this one, through a curve from 0.15 to 1.
+  expect(await meanPngDifference(creased, await shootStage(page))).toBeGreaterThan(0.2)
+  // Areas follow only the blendshapes that drive them: here 0.8 of one, by a curve from 0.15 to 1.
   await filter.fill('browOuterUpRight')
   await slider(page, 'browOuterUpRight').fill('1')
   await expectValue(slider(page, 'foreheadRight'), (0.8 - 0.15) / 0.85)
@@ -246,7 +246,7 @@ async function movesFace(page: Page): Promise<void> {
   await page.getByRole('button', { name: 'Surprised' }).click()
   await expectValue(slider(page, 'jawOpen'), 0.25)
   await filter.fill('')
-  expect(await difference(surprised, await face(page)), 'surprised again').toBe(0)
+  expect(await meanPngDifference(surprised, await shootStage(page)), 'surprised again').toBe(0)
 }
 
 async function savesPicture(page: Page): Promise<void> {
@@ -259,7 +259,7 @@ async function savesPicture(page: Page): Promise<void> {
   const { format, width } = await sharp(file).metadata()
   expect(format).toBe('png')
   expect(width).toBe(await page.evaluate(() => document.querySelector('canvas')!.width))
-  expect(await spread(await sharp(file).toBuffer())).toBeGreaterThan(30)
+  expect(await brightnessDeviation(await sharp(file).toBuffer())).toBeGreaterThan(30)
 }
 
 async function checkControls(page: Page): Promise<void> {
@@ -275,7 +275,7 @@ async function checkControls(page: Page): Promise<void> {
   expect(nameless).toEqual([])
   const expected = await page.evaluate(() => {
     const controls = [...document.querySelectorAll<HTMLElement>('button, input, select, summary, [tabindex]')]
-    // Of a group of radio buttons Tab reaches the one that is chosen.
+    // Tab reaches only the chosen radio button of a group.
     const reachable = controls.filter(
       (control) =>
         control.checkVisibility() && (!control.matches('[type=radio]') || control.matches(':checked')),
@@ -309,20 +309,20 @@ async function fitsPhone(page: Page): Promise<void> {
     }
   })
   expect(sizes).toEqual({ overflow: 0, pageOverflow: 0, panelOverflow: 0, small: [] })
-  const surprised = await face(page)
+  const surprised = await shootStage(page)
   await page.getByRole('button', { name: 'Happy' }).click()
   await expectValue(slider(page, 'crowsFeetLeft'), 1)
-  expect(await difference(surprised, await face(page))).toBeGreaterThan(0.2)
+  expect(await meanPngDifference(surprised, await shootStage(page))).toBeGreaterThan(0.2)
   await page.setViewportSize(DESKTOP)
 }
 
-/** Opens the studio, surprised and at rest; no test may make it complain. */
+/** Opens the studio, surprised and at rest; no test may cause errors. */
 function openStudio(): { page: Page } {
   const studio = {} as Awaited<ReturnType<typeof openPage>>
   beforeAll(async () => {
     Object.assign(studio, await openPage(browser, { viewport: DESKTOP, reducedMotion: 'reduce' }))
     await studio.page.goto(address)
-    await ready(studio.page)
+    await waitUntilReady(studio.page)
     await expectValue(slider(studio.page, 'foreheadLeft'), 1)
   })
   afterEach(async () => {

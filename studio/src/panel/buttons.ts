@@ -1,22 +1,22 @@
-import { spoken } from '../words.ts'
+import { displayName } from '../display-name.ts'
 
-/** A row of buttons, one of which may be the one in force. */
+/** A row of buttons, of which at most one is pressed. */
 export class Buttons<T extends string> {
   readonly #buttons: Map<T, HTMLButtonElement>
 
-  /** @param signs short signs for some, where their names are too long. */
+  /** @param shortLabels labels of buttons whose names are too long. */
   constructor(
     root: HTMLElement,
     names: readonly T[],
     onPress: (name: T) => void,
-    signs?: Readonly<Partial<Record<T, string>>>,
+    shortLabels?: Readonly<Partial<Record<T, string>>>,
   ) {
     this.#buttons = new Map(
       names.map((name) => {
         const button = document.createElement('button')
         button.type = 'button'
-        button.textContent = signs?.[name] ?? spoken(name)
-        if (signs?.[name]) button.ariaLabel = button.title = spoken(name)
+        button.textContent = shortLabels?.[name] ?? displayName(name)
+        if (shortLabels?.[name]) button.ariaLabel = button.title = displayName(name)
         button.addEventListener('click', () => onPress(name))
         return [name, button]
       }),
@@ -26,8 +26,8 @@ export class Buttons<T extends string> {
   }
 
   show(name: T | null): void {
-    for (const [own, button] of this.#buttons) {
-      const pressed = String(own === name)
+    for (const [buttonName, button] of this.#buttons) {
+      const pressed = String(buttonName === name)
       if (button.ariaPressed !== pressed) button.ariaPressed = pressed
     }
   }

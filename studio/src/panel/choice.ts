@@ -1,4 +1,4 @@
-/** Follows a group of radio buttons; `show` sets it without telling anyone. */
+/** A group of radio buttons; `show` sets it without calling `onChange`. */
 export class Choice<T extends string> {
   readonly #inputs: HTMLInputElement[]
 

@@ -2,16 +2,16 @@ import { EXPRESSIONS } from 'furrow'
 import type { WrinkleMode } from 'furrow/three'
 import type { RendererKind } from '../../../stage/stage.ts'
 import type { Dial } from '../dials.ts'
+import { displayName } from '../display-name.ts'
 import type { Look, LookName } from '../looks.ts'
 import type { Page } from '../page.ts'
 import type { Viewer } from '../viewer.ts'
-import { spoken } from '../words.ts'
 import { AreasPanel } from './areas.ts'
 import { Buttons } from './buttons.ts'
 import { Choice } from './choice.ts'
 import { TargetsPanel } from './targets.ts'
 
-/** What a user can ask for. */
+/** What a user can request. */
 export interface PanelActions {
   face(name: string): void
   renderer(kind: RendererKind): void
@@ -22,11 +22,11 @@ export interface PanelActions {
   reset(dials: readonly Dial[]): void
   addAreas(files: File[]): void
   removeArea(name: string): void
-  /** Areas that shall light up on the face; none any more. */
-  light(areas: readonly string[]): void
+  /** Shows where these areas are on the face, or no longer if there are none. */
+  highlight(areas: readonly string[]): void
 }
 
-/** The controls beside the stage: they ask, and they show what is. */
+/** The controls beside the stage: they request changes and show the viewer's state. */
 export class Panel {
   readonly #page: Page
   readonly #renderers: Choice<RendererKind>
@@ -49,47 +49,47 @@ export class Panel {
     this.#areas = new AreasPanel(page.areas, {
       input: actions.input,
       remove: actions.removeArea,
-      point: (dial) => {
+      hover: (dial) => {
         this.#targets.mark(dial ? (this.#viewer?.driversOf(dial.name) ?? []) : [])
         this.#areas.explain(dial ? (this.#viewer?.explain(dial.name) ?? []) : [])
-        actions.light(dial ? [dial.name] : [])
+        actions.highlight(dial ? [dial.name] : [])
       },
     })
     this.#targets = new TargetsPanel(page.targets, page.filter, page.found, actions.input, (dial) => {
       const driven = dial ? (this.#viewer?.drivenBy(dial.name) ?? []) : []
       this.#areas.mark(driven)
-      actions.light(driven)
+      actions.highlight(driven)
     })
     page.resetAreas.addEventListener('click', () => actions.reset(this.#viewer?.areas ?? []))
     page.resetTargets.addEventListener('click', () => actions.reset(this.#viewer?.targets ?? []))
     page.files.addEventListener('change', () => {
       actions.addAreas([...page.files.files!])
-      // The same file again is a change too.
+      // Otherwise choosing the same file again would not be a change.
       page.files.value = ''
     })
   }
 
-  /** How a file that is added was painted. */
+  /** The convention in which added files are painted. */
   get convention(): 'paper' | 'weight' {
     return this.#page.convention.checked ? 'paper' : 'weight'
   }
 
-  /** Shows which faces there are. */
-  offer(faces: readonly string[]): void {
-    this.#page.face.replaceChildren(...faces.map((name) => new Option(spoken(name), name)))
+  /** Sets the list of faces to choose from. */
+  setFaces(faces: readonly string[]): void {
+    this.#page.face.replaceChildren(...faces.map((name) => new Option(displayName(name), name)))
   }
 
-  /** Shows another viewer, or the same one with other areas. */
+  /** Shows another viewer, or the same one after its areas have changed. */
   show(viewer: Viewer): void {
     if (this.#viewer !== viewer) this.#targets.show(viewer.targets)
     this.#viewer = viewer
     this.#areas.show(viewer.areas)
     const names = viewer.areas.map(({ name }) => new Option(name, `area:${name}`))
-    this.#page.area.replaceChildren(new Option('All areas, as they stand', 'all'), ...names)
+    this.#page.area.replaceChildren(new Option('All areas, as activated', 'all'), ...names)
     this.refresh()
   }
 
-  /** Shows what is chosen, as far as it may have changed by itself. */
+  /** Updates the settings to the viewer's state. */
   refresh(): void {
     if (!this.#viewer) return
     const { kind, loaded, mode, look } = this.#viewer
@@ -102,12 +102,12 @@ export class Panel {
       look.name === 'influence' && typeof look.area === 'string' ? `area:${look.area}` : 'all'
   }
 
-  /** Shows which expression the face has or heads for; null when sliders made it another. */
+  /** Marks the expression that the face shows or moves to; null once a slider has changed it. */
   showExpression(name: string | null): void {
     this.#expressions.show(name)
   }
 
-  /** Lets the sliders follow the face. */
+  /** Updates the sliders to the face. */
   follow(): void {
     this.#areas.follow()
     this.#targets.follow()

@@ -2,20 +2,20 @@ import type { Dial } from '../dials.ts'
 
 let count = 0
 
-/** One labelled slider in a row, with its value beside it. */
+/** A row with a label, a slider and its value. */
 export class Slider {
   readonly row = document.createElement('div')
   readonly dial: Dial
   readonly #input = document.createElement('input')
   readonly #output = document.createElement('output')
   #shown = Number.NaN
-  #pointed = false
+  #hovered = false
 
-  /** @param onPoint is told of the dial whose name is pointed at, and of null when it no longer is. */
+  /** @param onHover called with the dial when the mouse enters its label, and with null when it leaves. */
   constructor(
     dial: Dial,
     onInput: (dial: Dial, value: number) => void,
-    onPoint: (dial: Dial | null) => void,
+    onHover: (dial: Dial | null) => void,
   ) {
     this.dial = dial
     const id = `slider-${++count}`
@@ -23,19 +23,19 @@ export class Slider {
     label.htmlFor = id
     label.textContent = dial.name
     label.title = dial.name
-    // A mouse that moves: a page that scrolls beneath it points at nothing, nor does a finger.
+    // Only a mouse that moves itself hovers, not one beneath which the page scrolls, nor a finger.
     label.addEventListener('pointermove', ({ pointerType, movementX, movementY }) => {
-      if (this.#pointed || pointerType !== 'mouse' || (movementX === 0 && movementY === 0)) return
-      this.#pointed = true
-      onPoint(dial)
+      if (this.#hovered || pointerType !== 'mouse' || (movementX === 0 && movementY === 0)) return
+      this.#hovered = true
+      onHover(dial)
     })
     label.addEventListener('pointerleave', () => {
-      if (this.#pointed) onPoint(null)
-      this.#pointed = false
+      if (this.#hovered) onHover(null)
+      this.#hovered = false
     })
     Object.assign(this.#input, { id, type: 'range', min: '0', max: '1', step: '0.01' })
     this.#output.htmlFor.add(id)
-    // The input says its own value; saying it again with every frame would drown all else.
+    // Screen readers announce the input's value; announcing the output too would drown everything else.
     this.#output.ariaLive = 'off'
     this.#input.addEventListener('input', () => {
       onInput(dial, this.#input.valueAsNumber)
@@ -46,12 +46,12 @@ export class Slider {
     this.follow()
   }
 
-  /** Shows whether it has to do with what is pointed at. */
+  /** Shows whether the slider is linked to what is hovered. */
   mark(linked: boolean): void {
     this.row.classList.toggle('linked', linked)
   }
 
-  /** Shows the value as it is now; touches the page only when it changed. */
+  /** Shows the current value; touches the page only if it has changed. */
   follow(): void {
     const value = this.dial.read()
     if (value === this.#shown) return

@@ -3,32 +3,32 @@ import { Slider } from './slider.ts'
 
 interface Group {
   element: HTMLDetailsElement
-  number: HTMLElement
+  count: HTMLElement
   sliders: Slider[]
 }
 
-/** A slider per blendshape in groups that fold, with a filter by name. */
+/** A slider per blendshape, in collapsible groups, with a filter by name. */
 export class TargetsPanel {
   readonly #list: HTMLElement
   readonly #filter: HTMLInputElement
-  readonly #count: HTMLElement
+  readonly #found: HTMLElement
   readonly #onInput: (dial: Dial, value: number) => void
-  readonly #onPoint: (dial: Dial | null) => void
+  readonly #onHover: (dial: Dial | null) => void
   #groups: Group[] = []
-  #folded = new Map<string, boolean>()
+  #collapsed = new Map<string, boolean>()
 
   constructor(
     list: HTMLElement,
     filter: HTMLInputElement,
-    count: HTMLElement,
+    found: HTMLElement,
     onInput: (dial: Dial, value: number) => void,
-    onPoint: (dial: Dial | null) => void,
+    onHover: (dial: Dial | null) => void,
   ) {
     this.#list = list
     this.#filter = filter
-    this.#count = count
+    this.#found = found
     this.#onInput = onInput
-    this.#onPoint = onPoint
+    this.#onHover = onHover
     filter.addEventListener('input', () => this.#apply())
   }
 
@@ -37,13 +37,13 @@ export class TargetsPanel {
     this.#groups = groupDials(dials).map((group) => {
       const element = document.createElement('details')
       const summary = document.createElement('summary')
-      const number = document.createElement('span')
-      summary.append(group.name, number)
-      const sliders = group.dials.map((dial) => new Slider(dial, this.#onInput, this.#onPoint))
+      const count = document.createElement('span')
+      summary.append(group.name, count)
+      const sliders = group.dials.map((dial) => new Slider(dial, this.#onInput, this.#onHover))
       element.append(summary, ...sliders.map(({ row }) => row))
       element.dataset.name = group.name
-      element.open = this.#folded.get(group.name) === false
-      return { element, number, sliders }
+      element.open = this.#collapsed.get(group.name) === false
+      return { element, count, sliders }
     })
     this.#list.replaceChildren(...this.#groups.map(({ element }) => element))
     this.#apply()
@@ -53,7 +53,7 @@ export class TargetsPanel {
     for (const { sliders } of this.#groups) for (const slider of sliders) slider.follow()
   }
 
-  /** Marks the blendshapes that move something. */
+  /** Marks the blendshapes that drive the hovered area. */
   mark(names: readonly string[]): void {
     for (const { element, sliders } of this.#groups) {
       for (const slider of sliders) slider.mark(names.includes(slider.dial.name))
@@ -64,25 +64,25 @@ export class TargetsPanel {
     }
   }
 
-  /** While a filter is set every group with a match is unfolded; afterwards they are as they were. */
+  /** Applies the filter. While it is set, every group with a match is open; afterwards the groups are as before. */
   #apply(): void {
-    const wanted = this.#filter.value.trim().toLowerCase()
-    const filtering = wanted !== ''
+    const query = this.#filter.value.trim().toLowerCase()
+    const filtering = query !== ''
     if (filtering && !this.#list.classList.contains('filtered')) this.#remember()
-    let found = 0
-    for (const { element, number, sliders } of this.#groups) {
-      const matching = sliders.filter(({ dial }) => dial.name.toLowerCase().includes(wanted))
+    let matches = 0
+    for (const { element, count, sliders } of this.#groups) {
+      const matching = sliders.filter(({ dial }) => dial.name.toLowerCase().includes(query))
       for (const slider of sliders) slider.row.hidden = !matching.includes(slider)
-      number.textContent = String(matching.length)
+      count.textContent = String(matching.length)
       element.hidden = matching.length === 0
-      element.open = filtering || this.#folded.get(element.dataset.name!) === false
-      found += matching.length
+      element.open = filtering || this.#collapsed.get(element.dataset.name!) === false
+      matches += matching.length
     }
     this.#list.classList.toggle('filtered', filtering)
-    this.#count.textContent = filtering ? `${found} found` : ''
+    this.#found.textContent = filtering ? `${matches} found` : ''
   }
 
   #remember(): void {
-    for (const { element } of this.#groups) this.#folded.set(element.dataset.name!, !element.open)
+    for (const { element } of this.#groups) this.#collapsed.set(element.dataset.name!, !element.open)
   }
 }

@@ -6,7 +6,7 @@ const result = (
   variant: string,
   areas: number,
   ratioToPlain: number,
-  more: Partial<Result> = {},
+  overrides: Partial<Result> = {},
 ): Result => ({
   variant,
   areas,
@@ -22,10 +22,10 @@ const result = (
   spreadMs: 0,
   ratioToPlain,
   ratioToPaper: null,
-  ...more,
+  ...overrides,
 })
 
-it('draws a line for each variant, higher where it is slower, and leaves other cases out', () => {
+it('draws a line per variant, higher where it is slower, and omits other cases', () => {
   const svg = toPlot([
     result('plain', 2, 1),
     result('plain', 256, 1),

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest'
 import { type Measured, toResults, toTable } from '../../../bench/report.ts'
 
-const shown = { areas: 8, active: 8, layers: 1, still: false }
-const setting = {
+const benchCase = { areas: 8, active: 8, layers: 1, still: false }
+const setup = {
   width: 800,
   height: 600,
   renderer: 'webgl',
@@ -16,12 +16,12 @@ const measured: Measured[] = [
 ]
 
 describe('bench results', () => {
-  it('hold the case, the setting, and ratios round by round', () => {
-    const results = toResults(shown, setting, measured)
+  it('contain the case, the setup, and ratios by round', () => {
+    const results = toResults(benchCase, setup, measured)
     expect(results[2]).toEqual({
       variant: 'furrow',
-      ...shown,
-      ...setting,
+      ...benchCase,
+      ...setup,
       medianMs: 18,
       spreadMs: 5.5,
       ratioToPlain: 1.1,
@@ -30,22 +30,22 @@ describe('bench results', () => {
     expect(results[0].ratioToPlain).toBe(1)
   })
 
-  it('have no ratio to the paper where it cannot show the case', () => {
+  it('have no ratio to the paper if it cannot show the case', () => {
     const [plain, , furrow] = measured
-    expect(toResults(shown, setting, [plain, furrow]).map(({ ratioToPaper }) => ratioToPaper)).toEqual([
+    expect(toResults(benchCase, setup, [plain, furrow]).map(({ ratioToPaper }) => ratioToPaper)).toEqual([
       null,
       null,
     ])
   })
 
-  it('need the plain face', () => {
-    expect(() => toResults(shown, setting, measured.slice(1))).toThrow('"plain" was not measured')
+  it('require the plain face', () => {
+    expect(() => toResults(benchCase, setup, measured.slice(1))).toThrow('"plain" was not measured')
   })
 })
 
 describe('bench table', () => {
-  it('has a row for each result, all cells of a column equally wide', () => {
-    const lines = toTable(toResults(shown, setting, measured)).split('\n')
+  it('has a row per result, and all cells of a column are equally wide', () => {
+    const lines = toTable(toResults(benchCase, setup, measured)).split('\n')
     expect(lines).toHaveLength(5)
     expect(new Set(lines.map(({ length }) => length)).size).toBe(1)
     const cells = lines[4]

@@ -16,18 +16,18 @@ describe('Activations', () => {
     [-Infinity, 0],
     [-0.1, 0],
     [1.0001, 1],
-  ])('takes %s as %s, and says so once', (value, taken) => {
+  ])('clamps %s to %s, with one warning', (value, clamped) => {
     const activations = new Activations([area('nose')])
     activations.set('nose', value)
     activations.set('nose', value)
-    expect(activations.get('nose')).toBe(taken)
+    expect(activations.get('nose')).toBe(clamped)
     expect(warn).toHaveBeenCalledTimes(1)
     expect(warn.mock.calls[0][0]).toBe(
-      `Activations: activation of "nose" out of range, got ${value}, allowed: 0 to 1; clamped to ${taken}; this warning is not repeated`,
+      `Activations: activation of "nose" out of range, got ${value}, allowed: 0 to 1; clamped to ${clamped}; this warning is not repeated`,
     )
   })
 
-  it('refuses an unknown name and tells the known ones', () => {
+  it('refuses an unknown name and lists the known ones', () => {
     const activations = new Activations([area('nose'), area('glabella')])
     expect(() => activations.set('noze', 1)).toThrow(
       new FurrowError({
@@ -42,7 +42,7 @@ describe('Activations', () => {
     expect(activations.version).toBe(1)
   })
 
-  it('counts changes, and only changes', () => {
+  it('increments the version only on changes', () => {
     const activations = new Activations([area('a')])
     const start = activations.version
     activations.set('a', 0.3)
@@ -50,7 +50,7 @@ describe('Activations', () => {
     expect(activations.version).toBe(start + 1)
   })
 
-  it('keeps activations by name when areas come and go', () => {
+  it('keeps activations by name when areas are added and removed', () => {
     const activations = new Activations([area('a'), area('b'), area('c')])
     activations.set('c', 0.75)
     activations.rebind([area('c'), area('d')])

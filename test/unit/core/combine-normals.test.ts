@@ -5,7 +5,7 @@ import { describe, expect, it } from 'vitest'
 const texel = (...rgb: number[]): RgbaImage => ({ width: 1, height: 1, data: Uint8Array.from([...rgb, 255]) })
 const FLAT = [128, 128, 255]
 
-/** Normal tilted by `degrees` towards `direction` degrees from +X, as a map's bytes. */
+/** Bytes of a normal tilted by `degrees` in the `direction` in degrees from +X. */
 function tilted(degrees: number, direction: number): number[] {
   const [a, b] = [(degrees * Math.PI) / 180, (direction * Math.PI) / 180]
   return [Math.sin(a) * Math.cos(b), Math.sin(a) * Math.sin(b), Math.cos(a)].map((n) =>
@@ -14,10 +14,10 @@ function tilted(degrees: number, direction: number): number[] {
 }
 
 const tiltOf = ([x, y, z]: ArrayLike<number> & Iterable<number>) =>
-  (Math.atan2(Math.hypot(x! - 128, y! - 128), z! - 127.5) * 180) / Math.PI
+  (Math.atan2(Math.hypot(x - 128, y - 128), z - 127.5) * 180) / Math.PI
 
 describe('combineNormals', () => {
-  it('leaves the base bit for bit under a flat detail, and the detail on a flat base', () => {
+  it('keeps the base bit for bit under a flat detail, and the detail on a flat base', () => {
     const byte = fc.integer({ min: 0, max: 255 })
     fc.assert(
       fc.property(fc.tuple(byte, byte, byte), (rgb) => {
@@ -47,13 +47,13 @@ describe('combineNormals', () => {
         const base = tilted(a, da)
         const { data } = combineNormals(texel(...base), texel(...tilted(b, db)))
         const [p, q] = [base, [...data.subarray(0, 3)]].map((rgb) => rgb.map((c) => c / 127.5 - 1))
-        const dot = p!.reduce((sum, n, k) => sum + n * q![k]!, 0) / (Math.hypot(...p!) * Math.hypot(...q!))
+        const dot = p.reduce((sum, n, k) => sum + n * q[k], 0) / (Math.hypot(...p) * Math.hypot(...q))
         expect(Math.abs((Math.acos(Math.min(dot, 1)) * 180) / Math.PI - b)).toBeLessThan(1.2)
       }),
     )
   })
 
-  it('does not touch its inputs and refuses maps of unequal size', () => {
+  it('does not modify its inputs and refuses maps of unequal size', () => {
     const base = texel(...tilted(10, 0))
     const detail: RgbaImage = { width: 2, height: 1, data: new Uint8Array(8) }
     expect(() => combineNormals(base, detail)).toThrow(

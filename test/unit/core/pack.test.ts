@@ -10,19 +10,19 @@ const gray = (width: number, height: number, value: (x: number, y: number) => nu
 })
 
 describe('packColours', () => {
-  it("stores texel (x, y, layer d) at x + y * width + d * width * height, as the paper's arrays do", () => {
+  it("stores texel (x, y, layer d) at x + y * width + d * width * height, like the paper's arrays", () => {
     const random = seeded(1)
     const images = [randomImage(random, 5, 3), randomImage(random, 5, 3), randomImage(random, 5, 3)]
     const array = packColours(images)
     expect(array).toMatchObject({ width: 5, height: 3, depth: 3, channels: 4 })
     const [x, y, d] = [4, 1, 2]
-    const at = (x + y * 5 + d * 15) * 4
-    expect([...array.data.subarray(at, at + 4)]).toEqual([
+    const offset = (x + y * 5 + d * 15) * 4
+    expect([...array.data.subarray(offset, offset + 4)]).toEqual([
       ...images[2].data.subarray((x + y * 5) * 4, (x + y * 5) * 4 + 4),
     ])
   })
 
-  it('refuses maps of unequal size, and says which', () => {
+  it('refuses maps of unequal size, and names them', () => {
     const random = seeded(1)
     expect(() => packColours([randomImage(random, 4), randomImage(random, 4, 8)])).toThrow(
       'packColours: image 1 differs in size from image 0, got "4 x 8", allowed: 4 x 4, as all images of one array; scale them to one size',
@@ -50,11 +50,11 @@ describe('packColours', () => {
     expect(() => packColours([image])).toThrow(message)
   })
 
-  it('refuses nothing at all', () => expect(() => packColours([])).toThrow(/packColours: no images, got 0/))
+  it('refuses an empty list', () => expect(() => packColours([])).toThrow(/packColours: no images, got 0/))
 })
 
 describe('packAreas', () => {
-  it('brings areas of any size to one grid, one channel each', () => {
+  it('resamples areas of any size to one size, one channel each', () => {
     const array = packAreas([gray(7, 300, () => 255), gray(128, 128, () => 9), gray(2, 2, () => 40)])
     expect(array).toMatchObject({ width: 128, height: 128, depth: 3, channels: 1 })
     expect([array.data[0], array.data[128 * 128], array.data[2 * 128 * 128]]).toEqual([255, 9, 40])
@@ -67,7 +67,7 @@ describe('packAreas', () => {
     )
   })
 
-  it('takes 256', () => {
+  it('accepts 256', () => {
     expect(
       packAreas(
         Array.from({ length: 256 }, (_, i) => gray(2, 2, () => i)),
@@ -78,7 +78,7 @@ describe('packAreas', () => {
 })
 
 describe('resampleGray', () => {
-  it('keeps a constant and a ramp', () => {
+  it('preserves a constant and a ramp', () => {
     const ramp = resampleGray(
       gray(256, 256, (x) => x),
       64,
@@ -94,7 +94,7 @@ describe('resampleGray', () => {
     ).toEqual(new Set([77]))
   })
 
-  it('averages where it shrinks: a fine checker turns gray, and nothing is skipped', () => {
+  it('averages when downsampling: a fine checkerboard becomes gray', () => {
     const checker = resampleGray(
       gray(256, 256, (x, y) => ((x + y) % 2) * 255),
       32,
@@ -102,14 +102,14 @@ describe('resampleGray', () => {
     for (const value of checker.data) expect(Math.abs(value - 127.5)).toBeLessThanOrEqual(2)
   })
 
-  it('grows bilinearly, with its edges clamped', () => {
+  it('upsamples bilinearly, with clamped edges', () => {
     const image = gray(4, 4, (x, y) => x * 50 + y * 20)
-    const grown = resampleGray(image, 16)
+    const upsampled = resampleGray(image, 16)
     const array = { ...image, depth: 1, channels: 1 as const }
     for (let y = 0; y < 16; y++) {
       for (let x = 0; x < 16; x++) {
         const exact = reference.sampleArray(array, (x + 0.5) / 16, (y + 0.5) / 16, 0) * 255
-        expect(Math.abs(grown.data[y * 16 + x] - exact)).toBeLessThanOrEqual(0.5)
+        expect(Math.abs(upsampled.data[y * 16 + x] - exact)).toBeLessThanOrEqual(0.5)
       }
     }
   })

@@ -3,33 +3,33 @@ import { packAreas, reference } from 'furrow'
 import { describe, expect, it } from 'vitest'
 
 const flat = (value: number) => ({ width: 2, height: 2, data: new Uint8Array(4).fill(value) })
-const shown = (activation: number, combine: 'sum' | 'max' = 'sum', layer = 0) => ({
+const entry = (activation: number, combine: 'sum' | 'max' = 'sum', layer = 0) => ({
   activation,
   layer,
   combine,
 })
 
 describe('reference', () => {
-  it('sums weight times activation, and keeps the sum within 1', () => {
+  it('sums weights times activations, clamped to 1', () => {
     const areas = packAreas([flat(51), flat(102), flat(255)], 2)
-    expect(reference.influence(areas, [shown(1), shown(0.5), shown(0)], 0.5, 0.5)).toBeCloseTo(0.4, 12)
-    expect(reference.influence(areas, [shown(1), shown(1), shown(1)], 0.5, 0.5)).toBe(1)
+    expect(reference.influence(areas, [entry(1), entry(0.5), entry(0)], 0.5, 0.5)).toBeCloseTo(0.4, 12)
+    expect(reference.influence(areas, [entry(1), entry(1), entry(1)], 0.5, 0.5)).toBe(1)
   })
 
-  it('lets an area say max instead of adding up', () => {
+  it('combines an area by max instead of the sum', () => {
     const areas = packAreas([flat(102), flat(51), flat(204)], 2)
-    const influence = reference.influence(areas, [shown(1), shown(1), shown(1, 'max')], 0.5, 0.5)
+    const influence = reference.influence(areas, [entry(1), entry(1), entry(1, 'max')], 0.5, 0.5)
     expect(influence).toBeCloseTo(0.8, 12)
-    const less = reference.influence(areas, [shown(1), shown(1), shown(0.5, 'max')], 0.5, 0.5)
+    const less = reference.influence(areas, [entry(1), entry(1), entry(0.5, 'max')], 0.5, 0.5)
     expect(less).toBeCloseTo(0.6, 12)
   })
 
-  it('counts only the areas of the layer', () => {
+  it('sums only the areas of the layer', () => {
     const areas = packAreas([flat(255), flat(51)], 2)
-    expect(reference.influence(areas, [shown(1), shown(1, 'sum', 1)], 0.5, 0.5, 1)).toBeCloseTo(0.2, 12)
+    expect(reference.influence(areas, [entry(1), entry(1, 'sum', 1)], 0.5, 0.5, 1)).toBeCloseTo(0.2, 12)
   })
 
-  it('does not bleed from one area into the next', () => {
+  it('does not bleed between areas', () => {
     const areas = packAreas([flat(0), flat(255), flat(0)], 2)
     for (const v of [0, 0.25, 0.999, 1]) {
       expect(reference.sampleArray(areas, 0.5, v, 0)).toBe(0)
@@ -37,7 +37,7 @@ describe('reference', () => {
     }
   })
 
-  it('leaves a colour without influence exactly as it was', () => {
+  it('does not change a colour without influence at all', () => {
     fc.assert(
       fc.property(
         fc.array(fc.double({ min: 0, max: 1, noNaN: true }), { minLength: 3, maxLength: 3 }),
@@ -49,13 +49,13 @@ describe('reference', () => {
     )
   })
 
-  it('reorients: flat over a base is the base, a detail over flat is the detail', () => {
+  it('reorients: a flat detail gives the base, a flat base gives the detail', () => {
     const tilted = [0.6, 0, 0.8]
     expect(close(reference.reorientNormal(tilted, [0, 0, 1]), tilted)).toBe(true)
     expect(close(reference.reorientNormal([0, 0, 1], tilted), tilted)).toBe(true)
   })
 
-  it('mixes layers the same in any order', () => {
+  it('does not depend on the order of layers', () => {
     const layers = [
       { kind: 'replace' as const, normal: [0.5, 0.1, 0.8], influence: 0.7 },
       { kind: 'detail' as const, normal: [-0.3, 0.2, 0.9], influence: 0.4 },

@@ -10,7 +10,7 @@ const good: WrinkleSet = {
 }
 
 describe('checkWrinkleSet', () => {
-  it('passes a good one', () => expect(() => checkWrinkleSet(good)).not.toThrow())
+  it('accepts a valid one', () => expect(() => checkWrinkleSet(good)).not.toThrow())
 
   it.each<[string, WrinkleSet, string]>([
     ['no areas', { ...good, areas: [] }, 'no areas, got 0, allowed: 1 to 256 areas; give at least one'],
@@ -48,7 +48,7 @@ describe('checkWrinkleSet', () => {
 describe('areaWeights', () => {
   const painted = { width: 2, height: 2, data: Uint8Array.of(255, 0, 128, 200) }
 
-  it("turns the paper's convention at the door", () => {
+  it("inverts the paper's convention", () => {
     expect([...areaWeights(painted).data]).toEqual([0, 255, 127, 55])
     expect([...areaWeights(painted, 'weight').data]).toEqual([255, 0, 128, 200])
     expect([...painted.data]).toEqual([255, 0, 128, 200])
@@ -68,7 +68,7 @@ describe('parseWrinkleSetDocument', () => {
     areas: [{ name: 'nose', image: 'nose.png', later: true }],
   }
 
-  it('fills in what was left out, and leaves unknown fields alone', () => {
+  it('fills in defaults, and drops unknown fields', () => {
     expect(parseWrinkleSetDocument(document)).toEqual({
       version: 1,
       layers: [{ name: 'skin', kind: 'replace', normal: 'n.png' }],
@@ -93,7 +93,7 @@ describe('parseWrinkleSetDocument', () => {
     expect(() => parseWrinkleSetDocument(json)).toThrow(message)
   })
 
-  it('returns a document or throws its own error, whatever it is given', () => {
+  it('returns a document or throws a FurrowError, whatever the input', () => {
     fc.assert(
       fc.property(fc.jsonValue(), (json) => {
         try {

@@ -18,8 +18,8 @@ const io = new NodeIO().registerExtensions([...ALL_EXTENSIONS, FurrowWrinkleMaps
 const read = (name: string) => io.read(fileURLToPath(new URL(`../../../faces/${name}.glb`, import.meta.url)))
 const documents = { hand: await read('hand'), neck: await read('neck') }
 
-/** Largest whole weight, as 16 bits write it. */
-const WHOLE = 65535
+/** A weight of 1 in normalised 16 bits. */
+const UNIT_WEIGHT = 65535
 
 describe.each(Object.entries(documents))('the shipped %s', (_, document) => {
   it('is skinned with weights that sum to exactly 1', () => {
@@ -30,28 +30,28 @@ describe.each(Object.entries(documents))('the shipped %s', (_, document) => {
     expect(skinned.map((node) => node.getName())).toContain('skin')
     for (const node of skinned) {
       const [primitive] = node.getMesh()!.listPrimitives()
-      const weights = primitive.getAttribute('WEIGHTS_0')!.getArray()!
-      const joints = primitive.getAttribute('JOINTS_0')!.getArray()!
+      const weights = primitive.getAttribute('WEIGHTS_0')!.getArray()
+      const joints = primitive.getAttribute('JOINTS_0')!.getArray()
       expect(Math.max(...joints)).toBeLessThan(node.getSkin()!.listJoints().length)
       for (let i = 0; i < weights.length; i += 4) {
-        if (weights[i] + weights[i + 1] + weights[i + 2] + weights[i + 3] !== WHOLE)
+        if (weights[i] + weights[i + 1] + weights[i + 2] + weights[i + 3] !== UNIT_WEIGHT)
           expect.fail(`vertex ${i / 4} of ${node.getName()}`)
       }
     }
   })
 
-  it('rests where its skin was bound', () => {
+  it('rests in its bind pose', () => {
     const { rest, now } = jointsOf(document)
     for (const [i, value] of now().entries()) expect(value).toBeCloseTo(rest[i], 5)
   })
 })
 
 describe('the hand', () => {
-  it.each([0, 0.2, 0.7, 1.1, 1.6])('creases as its curves say when its joints bend by %d', (angle) => {
-    const { pose, activations, drivers, place } = jointsOf(documents.hand)
+  it.each([0, 0.2, 0.7, 1.1, 1.6])('creases by its curves when its joints bend by %d', (angle) => {
+    const { pose, activations, drivers, positionOf } = jointsOf(documents.hand)
     const bent = ['finger1-3', 'finger2-2', 'finger3-2', 'finger4-2', 'finger5-2', 'finger1-1']
     for (const name of bent) pose(`${name}.L`, [1, 0, 0], angle)
-    const distance = place('wrist.L').distanceTo(place('finger3-3.L'))
+    const distance = positionOf('wrist.L').distanceTo(positionOf('finger3-3.L'))
     const found = activations()
     for (const { area, curve, measure } of drivers)
       expect(found[area]).toBeCloseTo(interpolate(curve, measure === 'angle' ? angle : distance), 5)
@@ -67,7 +67,7 @@ describe('the hand', () => {
     ])
   })
 
-  it('has all its creases and smooth knuckles when it is a fist', () => {
+  it('has all creases and smooth knuckles as a fist', () => {
     const { play, activations } = jointsOf(documents.hand)
     play('fist', 1.5)
     const { knuckles, ...others } = activations()
@@ -77,12 +77,12 @@ describe('the hand', () => {
 })
 
 describe('the neck', () => {
-  it.each([-0.25, -0.1, 0, 0.08, 0.2])('creases by the whole turn of its joints, %d each', (angle) => {
-    const { pose, activations, drivers, turned } = jointsOf(documents.neck)
+  it.each([-0.25, -0.1, 0, 0.08, 0.2])('creases by the total rotation of its joints, %d each', (angle) => {
+    const { pose, activations, drivers, rotationFromRest } = jointsOf(documents.neck)
     for (const name of ['neck01', 'neck02', 'neck03', 'head']) {
       pose(name, [0.3, 1, 0], angle)
     }
-    const { x, y, w } = turned('spine01', 'head')
+    const { x, y, w } = rotationFromRest('spine01', 'head')
     const found = activations()
     for (const { area, curve, axis } of drivers) {
       const angle = 2 * Math.atan2(axis![0] === 1 ? x : y, w)
@@ -94,18 +94,18 @@ describe('the neck', () => {
     ['turn', 1.4, 'neckLeft'],
     ['turn', 4.2, 'neckRight'],
     ['nod', 1.2, 'neckFront'],
-  ])('shows only its own creases in %s at %d s', (clip, seconds, area) => {
+  ])('shows only the creases of %s at %d s', (clip, seconds, area) => {
     const { play, activations } = jointsOf(documents.neck)
     play(clip, seconds)
-    const { [area]: own, ...others } = activations()
-    expect(own).toBeGreaterThan(0.9)
+    const { [area]: activation, ...others } = activations()
+    expect(activation).toBeGreaterThan(0.9)
     expect(Math.max(...Object.values(others))).toBeLessThan(0.1)
   })
 })
 
-/** Joints of a model, at rest until they are posed, and what its own drivers make of the pose. */
-function jointsOf(shared: Document) {
-  const document = cloneDocument(shared)
+/** Joints of a model, at rest until posed, and the activations by its drivers. */
+function jointsOf(original: Document) {
+  const document = cloneDocument(original)
   const [skin] = document.getRoot().listSkins()
   const joints = skin.listJoints()
   const rests = joints.map((joint) => joint.getRotation())
@@ -123,18 +123,18 @@ function jointsOf(shared: Document) {
   const drivers = wrinkles.getDrivers() as BoneDriver[]
   const now = () => joints.flatMap((joint) => joint.getWorldMatrix() as number[])
   const joint = (name: string) => joints[names.indexOf(name)]
-  const turnOf = (matrix: Matrix4) => new Quaternion().setFromRotationMatrix(matrix)
+  const quaternionOf = (matrix: Matrix4) => new Quaternion().setFromRotationMatrix(matrix)
   return {
     drivers,
     rest,
     now,
-    /** Turns a joint from its rest, about an axis of its own frame, in radians. */
+    /** Rotates a joint from rest about a local axis, in radians. */
     pose(name: string, axis: [number, number, number], angle: number) {
-      const turn = new Quaternion().setFromAxisAngle(new Vector3(...axis).normalize(), angle)
-      const rotation = new Quaternion().fromArray(rests[names.indexOf(name)]).multiply(turn)
+      const bend = new Quaternion().setFromAxisAngle(new Vector3(...axis).normalize(), angle)
+      const rotation = new Quaternion().fromArray(rests[names.indexOf(name)]).multiply(bend)
       joint(name).setRotation(rotation.toArray() as vec4)
     },
-    /** Poses all joints as a clip has them at the last key frame that is not after `seconds`. */
+    /** Poses all joints by the last key frame of a clip that is not after `seconds`. */
     play(clip: string, seconds: number) {
       const animation = document
         .getRoot()
@@ -142,22 +142,22 @@ function jointsOf(shared: Document) {
         .find((one) => one.getName() === clip)!
       for (const channel of animation.listChannels()) {
         const sampler = channel.getSampler()!
-        const times = [...sampler.getInput()!.getArray()!]
+        const times = [...sampler.getInput()!.getArray()]
         const key = times.findLastIndex((time) => time <= seconds + 1e-4)
         const rotation = sampler.getOutput()!.getElement<vec4>(key, [0, 0, 0, 1])
         channel.getTargetNode()!.setRotation(rotation)
       }
     },
-    place: (name: string) => new Vector3(...joint(name).getWorldTranslation()),
-    /** The turn of a joint from its rest, as seen from another. */
-    turned(from: string, name: string) {
-      const seen = (matrices: readonly number[]) => {
+    positionOf: (name: string) => new Vector3(...joint(name).getWorldTranslation()),
+    /** Rotation of a joint from rest, relative to another joint. */
+    rotationFromRest(from: string, name: string) {
+      const relative = (matrices: readonly number[]) => {
         const [a, b] = [from, name].map((one) =>
-          turnOf(new Matrix4().fromArray(matrices, 16 * names.indexOf(one))),
+          quaternionOf(new Matrix4().fromArray(matrices, 16 * names.indexOf(one))),
         )
         return a.invert().multiply(b)
       }
-      return seen(rest).invert().multiply(seen(now()))
+      return relative(rest).invert().multiply(relative(now()))
     },
     activations(): Record<string, number> {
       const plan = planDrivers(drivers)
@@ -172,7 +172,7 @@ function jointsOf(shared: Document) {
   }
 }
 
-/** Straight between the points of a curve, constant beyond its ends. */
+/** Linear between the points of a curve, constant beyond its ends. */
 function interpolate(curve: Curve, input: number): number {
   const [[firstInput, first]] = curve
   if (input <= firstInput) return first

@@ -12,7 +12,7 @@ const shop = new Workshop()
 describe.each(['human.glb', 'human-2.glb', 'hand.glb', 'neck.glb'])('the shipped %s', (file) => {
   const path = fileURLToPath(new URL(`../../../faces/${file}`, import.meta.url))
 
-  it('is valid to the last warning', async () => {
+  it('is valid without warnings', async () => {
     await shop.run(validateCommand, path)
     expect(shop.printed).toBe(`${path}: 0 errors, 0 warnings\n`)
   })
@@ -25,18 +25,18 @@ describe.each(['human.glb', 'human-2.glb', 'hand.glb', 'neck.glb'])('the shipped
       .listMeshes()
       .find((mesh) => mesh.getName() === 'skin')!
     const [primitive] = skin.listPrimitives()
-    const indices = [...primitive.getIndices()!.getArray()!]
+    const indices = [...primitive.getIndices()!.getArray()]
     const corners = (attribute: string, size: number) => {
-      const values = primitive.getAttribute(attribute)!.getArray()!
+      const values = primitive.getAttribute(attribute)!.getArray()
       return Float32Array.from(indices.flatMap((i) => [...values.subarray(i * size, i * size + size)]))
     }
-    // MikkTSpace counts v upwards, glTF downwards: its sign is the other one.
+    // v runs upwards in MikkTSpace and downwards in glTF, so that signs are opposite.
     const exact = generateTangents(corners('POSITION', 3), corners('NORMAL', 3), corners('TEXCOORD_0', 2))
-    const own = corners('TANGENT', 4)
+    const stored = corners('TANGENT', 4)
     let close = 0
     for (let i = 0; i < indices.length; i++) {
-      const cosine = [0, 1, 2].reduce((sum, k) => sum + own[4 * i + k] * exact[4 * i + k], 0)
-      if (cosine > Math.cos(Math.PI / 180) && own[4 * i + 3] === -exact[4 * i + 3]) close++
+      const cosine = [0, 1, 2].reduce((sum, k) => sum + stored[4 * i + k] * exact[4 * i + k], 0)
+      if (cosine > Math.cos(Math.PI / 180) && stored[4 * i + 3] === -exact[4 * i + 3]) close++
     }
     expect(close / indices.length).toBeGreaterThan(0.999)
   })

@@ -5,7 +5,7 @@ import { beforeAll, describe, expect, it } from 'vitest'
 import { mutate, mutation } from './mutations.ts'
 import { createIO, createSample, NAME } from './sample.ts'
 
-// biome-ignore lint/suspicious/noExplicitAny: broken on purpose, everywhere
+// biome-ignore lint/suspicious/noExplicitAny: invalid on purpose
 type Anything = any
 
 const io = createIO()
@@ -17,7 +17,7 @@ beforeAll(async () => {
   valid = written.json.materials![0].extensions![NAME]
 })
 
-/** Sets or, without a value, removes one field: `areas.0.channel` of the extension, `/textures.8` of the file. */
+/** Reads the sample with one field set, or removed if `value` is undefined: `areas.0.channel` in the extension, `/textures.8` in the file. */
 function readWith(path: string, value: Anything) {
   const json = structuredClone(written.json) as Anything
   const root = path.startsWith('/') ? json : json.materials[0].extensions[NAME]
@@ -28,7 +28,7 @@ function readWith(path: string, value: Anything) {
   return io.readJSON({ json, resources: written.resources })
 }
 
-describe('a file with a wrong field', () => {
+describe('a file with an invalid field', () => {
   it.each<[string, Anything, string]>([
     [`/materials.0.extensions.${NAME}`, [], 'the extension must be an object, got []'],
     [`/materials.0.extensions.${NAME}`, null, 'the extension must be an object, got null'],
@@ -59,25 +59,25 @@ describe('a file with a wrong field', () => {
     ['/textures.8.sampler', 9, 'sampler is missing at texture 8'],
     ['areas.0.texture.texCoord', '0', 'texCoord is not an index at texture 8'],
     ['areas.0.texture.extras', 1, 'extras are not an object at texture 8'],
-  ])('names it: %s = %j', async (path, value, message) => {
+  ])('is refused with its name: %s = %j', async (path, value, message) => {
     const failure = await readWith(path, value).catch((error) => error)
     expect(failure).toBeInstanceOf(FurrowError)
     expect(failure.message).toContain(`${NAME} of material 0 "skin": ${message}`)
     expect(failure.message).not.toContain('\n')
   })
 
-  it('is read where the field is only unknown', async () => {
+  it('is read if the field is unknown', async () => {
     await expect(readWith('areas.0.later', { texture: 1 })).resolves.toBeDefined()
   })
 
-  it('is named even if its value is nested too deep to be shown', () => {
+  it('is refused even if its value is nested too deeply to be printed', () => {
     const deep = JSON.parse('['.repeat(50_000) + ']'.repeat(50_000))
     expect(() => parseWrinkleMaps({ layers: { deep } })).toThrow(FurrowError)
   })
 })
 
-describe('a file cut off', () => {
-  it('is refused at every 1% of its length, and nothing hangs', async () => {
+describe('a truncated file', () => {
+  it('is refused at every 1% of its length', async () => {
     const bytes = await io.writeBinary(await createSample())
     await expect(io.readBinary(bytes)).resolves.toBeDefined()
     for (let percent = 0; percent < 100; percent++) {
@@ -87,7 +87,7 @@ describe('a file cut off', () => {
   })
 })
 
-/** The rules of the extension once more, written apart from the parser. */
+/** The rules of the extension, implemented independently of the parser. */
 function isValid({ layers, areas, drivers }: WrinkleMaps, textures: number): boolean {
   const text = (value: unknown) => typeof value === 'string' && value.length > 0 && value.length <= 256
   const within = (value: unknown, low: number, high: number) =>
@@ -137,7 +137,7 @@ function isValid({ layers, areas, drivers }: WrinkleMaps, textures: number): boo
 }
 
 describe('parseWrinkleMaps', () => {
-  it('returns a valid set or throws its own error, for 100,000 mutated documents', () => {
+  it('returns a valid set or throws a FurrowError, for 100,000 mutated documents', () => {
     const text = JSON.stringify(valid)
     let [accepted, refused] = [0, 0]
     fc.assert(
@@ -155,12 +155,12 @@ describe('parseWrinkleMaps', () => {
       }),
       { numRuns: 100_000, seed: 3 },
     )
-    // Both ways must have been walked, or the mutations prove nothing.
+    // Both outcomes must occur, or the mutations prove nothing.
     expect(accepted).toBeGreaterThan(5_000)
     expect(refused).toBeGreaterThan(50_000)
   })
 
-  it('reads its own output as the same set', () => {
+  it('parses its own output to the same set', () => {
     const maps = parseWrinkleMaps(valid, 10)
     expect(parseWrinkleMaps(JSON.parse(JSON.stringify(maps)), 10)).toEqual(maps)
   })

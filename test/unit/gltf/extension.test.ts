@@ -46,7 +46,7 @@ describe('FurrowWrinkleMaps', () => {
     expect(parseWrinkleMaps(maps, json.textures!.length).areas).toHaveLength(5)
   })
 
-  it('reads back what it wrote, as JSON and as a binary', async () => {
+  it('reads back what it has written, as JSON and as a binary', async () => {
     const document = await createSample()
     const before = summary(document)
     expect(before.drivers).toEqual(DRIVERS)
@@ -57,7 +57,7 @@ describe('FurrowWrinkleMaps', () => {
     expect(await io.writeBinary(back)).toEqual(bytes)
   })
 
-  it('survives a copy of the document, and shares nothing with it', async () => {
+  it('is copied with the document, independently of the original', async () => {
     const document = await createSample()
     const copy = cloneDocument(document)
     const before = summary(document)
@@ -69,7 +69,7 @@ describe('FurrowWrinkleMaps', () => {
     expect(await io.writeBinary(copy)).toEqual(await io.writeBinary(await createSample()))
   })
 
-  it('keeps slices, in a file and in a copy, and tells two slices of an array apart', async () => {
+  it('preserves slices in files and copies, and distinguishes slices of an array', async () => {
     const document = await createSample()
     const [layers, areas] = [wrinklesOf(document).listLayers(), wrinklesOf(document).listAreas()]
     const array = areas[0].getTexture()
@@ -102,7 +102,7 @@ describe('FurrowWrinkleMaps', () => {
     expect(layers[0].clone().setSlice('normalTexture', 1).equals(layers[0])).toBe(false)
   })
 
-  it('says what of each image is read, and that only base colour is colour', async () => {
+  it('lists the channels of each image, and only base colour as sRGB', async () => {
     const textures = await texturesOf()
     const of = (name: string) => textures.find((texture) => texture.getName() === name)!
     const [R, G, B] = [0x1000, 0x0100, 0x0010]
@@ -118,7 +118,7 @@ describe('FurrowWrinkleMaps', () => {
     expect(colours.map((texture) => texture.getName())).toEqual(['colour', 'flushed'])
   })
 
-  it('lets a transform of texture coordinates through', async () => {
+  it('preserves a texture transform', async () => {
     const document = await createSample()
     const transform = document.createExtension(KHRTextureTransform).createTransform().setOffset([0.25, 0])
     const [layer] = wrinklesOf(document).listLayers()
@@ -142,7 +142,7 @@ describe('FurrowWrinkleMaps', () => {
     expect(info.getExtension<Transform>('KHR_texture_transform')!.getOffset()).toEqual([0.25, 0])
   })
 
-  it('keeps two equal materials equal, and unequal ones apart', async () => {
+  it('compares materials by their wrinkles', async () => {
     const [one, two] = await Promise.all([createSample(), createSample()])
     const materials = [one, two].map((document) => document.getRoot().listMaterials()[0])
     expect(materials[0].equals(materials[1])).toBe(true)
@@ -174,9 +174,9 @@ describe('FurrowWrinkleMaps', () => {
       (d) => wrinklesOf(d).setDrivers([{ type: 'morph', area: 'x', targets: [], curve: [] }]),
       'drivers[0].area is unknown, got "x"',
     ],
-  ])('refuses to write wrinkles that lack %s', async (_, spoil, message) => {
+  ])('refuses to write wrinkles that lack %s', async (_, breakDocument, message) => {
     const document = await createSample()
-    spoil(document)
+    breakDocument(document)
     const failure = await io.writeBinary(document).catch((error) => error)
     expect(failure).toBeInstanceOf(FurrowError)
     expect(failure.message).toContain(`${NAME} of material 0 "skin": ${message}`)
@@ -189,10 +189,10 @@ describe('a script of glTF-Transform', () => {
 
   beforeAll(async () => {
     const document = await createSample()
-    // The same image twice, for dedup to merge: the second layer gets a copy of the first one's normals.
+    // A duplicate image for dedup: the second layer has a copy of the first one's normals.
     const twin = wrinklesOf(document).listLayers()[1].getTexture('normalTexture')!
     twin.setImage(wrinklesOf(document).listLayers()[0].getTexture('normalTexture')!.getImage()!)
-    // A flat image, which prune turns into a factor where it can.
+    // A uniform image, which prune would replace by a factor.
     const white = { width: 8, height: 8, channels: 3 as const, background: '#fff' }
     const flat = await sharp({ create: white }).png().toBuffer()
     wrinklesOf(document)
@@ -211,13 +211,13 @@ describe('a script of glTF-Transform', () => {
     after = await io.readBinary(await io.writeBinary(document))
   })
 
-  it('keeps every layer, area and driver through dedup, prune, resize, webp, quantize and meshopt', () => {
+  it('preserves every layer, area and driver in dedup, prune, resize, webp, quantize and meshopt', () => {
     const merged = structuredClone(before)
     merged.layers[1].textures[0] = 'up'
     expect(summary(after)).toEqual(merged)
   })
 
-  it('leaves every image readable, at its new size and format', async () => {
+  it('leaves every image readable, in its new size and format', async () => {
     const wrinkles = wrinklesOf(after)
     const images = [
       ...wrinkles.listAreas().map((area) => area.getTexture()!),
@@ -229,7 +229,7 @@ describe('a script of glTF-Transform', () => {
     }
   })
 
-  it('refers to WebP images by their extension alone', async () => {
+  it('refers to WebP images only by their extension', async () => {
     const { json } = await io.writeJSON(after)
     expect(json.extensionsUsed).toEqual(
       expect.arrayContaining([NAME, 'EXT_texture_webp', 'EXT_meshopt_compression']),

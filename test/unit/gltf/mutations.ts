@@ -1,9 +1,9 @@
 import fc from 'fast-check'
 
-// biome-ignore lint/suspicious/noExplicitAny: broken on purpose, everywhere
+// biome-ignore lint/suspicious/noExplicitAny: invalid on purpose
 type Anything = any
 
-/** What a hostile or broken writer may put in any place. */
+/** Values that a hostile or faulty writer might put anywhere. */
 const JUNK: Anything[] = [
   null,
   true,
@@ -29,50 +29,50 @@ const JUNK: Anything[] = [
   { toString: 1, valueOf: null },
 ]
 
-/** A place of a JSON document: what holds it, and under which key; the root is held by nothing. */
-interface Place {
+/** A node of a JSON document: its parent and its key there; the root has no parent. */
+interface JsonNode {
   parent?: Anything
   key: string
 }
 
-/** Every place of a JSON document, from the root down. */
-function placesOf(value: Anything, places: Place[] = [{ key: '' }]): Place[] {
-  if (typeof value !== 'object' || value === null) return places
+/** All nodes of a JSON document, parents first. */
+function nodesOf(value: Anything, nodes: JsonNode[] = [{ key: '' }]): JsonNode[] {
+  if (typeof value !== 'object' || value === null) return nodes
   for (const key of Object.keys(value)) {
-    places.push({ parent: value, key })
-    placesOf(value[key], places)
+    nodes.push({ parent: value, key })
+    nodesOf(value[key], nodes)
   }
-  return places
+  return nodes
 }
 
 interface Mutation {
-  place: number
-  deed: 'replace' | 'remove' | 'double' | 'swap' | 'nest' | 'rename'
+  node: number
+  action: 'replace' | 'remove' | 'double' | 'swap' | 'nest' | 'rename'
   junk: Anything
 }
 
-/** One small change at one place; a document stays JSON whatever is done to it. */
-export function mutate(document: Anything, { place, deed, junk }: Mutation): Anything {
-  const places = placesOf(document)
-  const { parent, key }: { parent?: Anything; key: Anything } = places[place % places.length]
-  if (!parent) return deed === 'nest' ? [document] : structuredClone(junk)
-  if (deed === 'replace') parent[key] = structuredClone(junk)
-  else if (deed === 'nest') parent[key] = { index: parent[key] }
+/** Changes one node of a document, which remains valid JSON. */
+export function mutate(document: Anything, { node, action, junk }: Mutation): Anything {
+  const nodes = nodesOf(document)
+  const { parent, key }: { parent?: Anything; key: Anything } = nodes[node % nodes.length]
+  if (!parent) return action === 'nest' ? [document] : structuredClone(junk)
+  if (action === 'replace') parent[key] = structuredClone(junk)
+  else if (action === 'nest') parent[key] = { index: parent[key] }
   else if (Array.isArray(parent)) {
-    if (deed === 'remove') parent.splice(key, 1)
-    else if (deed === 'double') parent.push(structuredClone(parent[key]))
+    if (action === 'remove') parent.splice(key, 1)
+    else if (action === 'double') parent.push(structuredClone(parent[key]))
     else parent.reverse()
   } else {
-    if (deed === 'remove' || deed === 'rename') delete parent[key]
-    if (deed === 'rename') parent[`${key}s`] = structuredClone(junk)
-    if (deed === 'swap') parent[key] = structuredClone(Object.values(parent)[0])
+    if (action === 'remove' || action === 'rename') delete parent[key]
+    if (action === 'rename') parent[`${key}s`] = structuredClone(junk)
+    if (action === 'swap') parent[key] = structuredClone(Object.values(parent)[0])
   }
   return document
 }
 
 export const mutation = fc.record<Mutation>({
-  place: fc.nat(400),
-  deed: fc.constantFrom('replace', 'remove', 'double', 'swap', 'nest', 'rename'),
+  node: fc.nat(400),
+  action: fc.constantFrom('replace', 'remove', 'double', 'swap', 'nest', 'rename'),
   junk: fc.oneof(
     { weight: 4, arbitrary: fc.constantFrom(...JUNK) },
     { weight: 1, arbitrary: fc.jsonValue({ maxDepth: 2 }) },

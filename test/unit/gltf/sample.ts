@@ -16,7 +16,7 @@ export function createIO(): NodeIO {
     .registerDependencies({ 'meshopt.decoder': MeshoptDecoder, 'meshopt.encoder': MeshoptEncoder })
 }
 
-/** A small PNG whose texels all differ, so that no tool takes it for a solid colour. */
+/** A small PNG with varying texels, so that tools do not treat it as a solid colour. */
 export function picture(seed: number, size = 16, channels: 3 | 4 = 3): Promise<Uint8Array> {
   const data = Uint8Array.from({ length: size * size * channels }, (_, i) => (i * 37 + seed * 101) % 251)
   return sharp(data, { raw: { width: size, height: size, channels } })
@@ -30,7 +30,7 @@ const CURVE: Curve = [
   [1, 1],
 ]
 
-/** One of every type, as it reads with its defaults, and one that no version knows. */
+/** A driver of every type, with all defaults, and one of an unknown type. */
 export const DRIVERS: WrinkleDriver[] = [
   {
     type: 'morph',
@@ -67,7 +67,7 @@ export const DRIVERS: WrinkleDriver[] = [
   },
 ]
 
-/** One quad with one blendshape, two layers with every slot, and five areas that share two images. */
+/** A quad with one blendshape, two layers with every slot, and five areas in the channels of two images. */
 export async function createSample(): Promise<Document> {
   const document = new Document().setLogger(silent)
   const buffer = document.createBuffer()
@@ -119,9 +119,9 @@ export async function createSample(): Promise<Document> {
     .setTexture('normalTexture', await texture('down', 7))
   const wrinkles = extension.createMaterialWrinkles().addLayer(up).addLayer(down).setDrivers(DRIVERS)
   wrinkles.setExtras({ by: 'hand' }).setUnknownFields({ revision: 7 })
-  const shared = [await texture('weights 0', 8), await texture('weights 1', 9)]
+  const areaTextures = [await texture('weights 0', 8), await texture('weights 1', 9)]
   for (const [i, name] of ['brow', 'nose', 'cheek', 'chin', 'eye'].entries()) {
-    const area = extension.createArea(name).setTexture(shared[Math.floor(i / 3)], i % 3)
+    const area = extension.createArea(name).setTexture(areaTextures[Math.floor(i / 3)], i % 3)
     wrinkles.addArea(area.setLayer(i % 2 ? down : up))
     if (i === 4) area.setCombine('max').setActivation(0.5).setExtras({ side: 'left' })
   }
@@ -137,7 +137,7 @@ export function wrinklesOf(document: Document): MaterialWrinkles {
   return material.getExtension<MaterialWrinkles>(NAME)!
 }
 
-/** The extension as plain data, its images by their names: what no tool may change. */
+/** The extension as plain data, with images by name: what tools must preserve. */
 export function summary(document: Document) {
   const wrinkles = wrinklesOf(document)
   const slots = ['normal', 'baseColor', 'roughness', 'occlusion', 'height'] as const

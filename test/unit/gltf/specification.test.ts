@@ -29,7 +29,7 @@ beforeAll(() => {
   validate = ajv.getSchema(`material.${NAME}.schema.json`)!
 })
 
-/** The rows of the table under one heading of the page. */
+/** Rows of the table below a heading of the page. */
 function tableOf(heading: string): { name: string; type: string; required: string }[] {
   const [, section = ''] = page.split(`\n### ${heading}\n`)
   const rows = section.split(/\n##/)[0].matchAll(/^\| \*\*(\w+)\*\* \| `(.+?)` \| .+ \| (.+) \|$/gm)
@@ -54,8 +54,8 @@ describe('the page of the extension', () => {
     const rows = tableOf(heading)
     expect(rows.map(({ name }) => name)).toEqual(Object.keys(properties))
     for (const row of rows) {
-      const { default: usual } = properties[row.name]
-      const text = JSON.stringify(usual, null, 1)?.replaceAll(/\n */g, '').replaceAll(',', ', ')
+      const { default: defaultValue } = properties[row.name]
+      const text = JSON.stringify(defaultValue, null, 1)?.replaceAll(/\n */g, '').replaceAll(',', ', ')
       const expected = text === undefined ? 'no' : `no, default: \`${text}\``
       expect(row.required, row.name).toBe(required.includes(row.name) ? 'yes' : expected)
     }
@@ -78,7 +78,7 @@ describe('the page of the extension', () => {
 })
 
 describe('the schema', () => {
-  it('accepts the human face as it is packed', async () => {
+  it('accepts the packed human face', async () => {
     await shop.run(packCommand, human, '--face', `${human}.glb`, '-o', shop.path('human.glb'))
     const json = jsonOf(readFileSync(shop.path('human.glb')))
     const maps = json.materials[0].extensions[NAME]
@@ -86,7 +86,7 @@ describe('the schema', () => {
     expect(maps.areas).toHaveLength(12)
   })
 
-  it('accepts whatever the parser accepts, and refuses most of what it refuses', async () => {
+  it('accepts everything that the parser accepts, and refuses most of what it refuses', async () => {
     const { json } = await createIO().writeJSON(await createSample())
     const text = JSON.stringify(json.materials![0].extensions![NAME])
     let [accepted, refused, missed] = [0, 0, 0]
@@ -107,7 +107,7 @@ describe('the schema', () => {
       { numRuns: 10_000, seed: 4 },
     )
     expect(accepted).toBeGreaterThan(1000)
-    // Names, indices and curves are beyond a schema.
+    // A schema cannot check names, indices and curves.
     expect(missed / refused).toBeLessThan(0.25)
   })
 })

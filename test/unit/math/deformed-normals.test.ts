@@ -10,7 +10,7 @@ import {
 } from 'three'
 import { describe, expect, it } from 'vitest'
 
-/** Of a geometry of three.js. */
+/** Arrays of a geometry. */
 function meshOf({ attributes, index }: PlaneGeometry | SphereGeometry | IcosahedronGeometry) {
   const positions = attributes.position.array as Float32Array
   return {
@@ -26,48 +26,48 @@ const moved = (positions: Float32Array, move: (point: Vector3) => Vector3) => {
   return out
 }
 
-/** Largest angle between two lists of directions, radians. */
-function apart(a: ArrayLike<number>, b: ArrayLike<number>): number {
-  let most = 0
+/** Largest angle between the vectors of two lists, in radians. */
+function largestAngle(a: ArrayLike<number>, b: ArrayLike<number>): number {
+  let largest = 0
   for (let i = 0; i < a.length; i += 3) {
     const [p, q] = [a, b].map((list) => new Vector3(list[i], list[i + 1], list[i + 2]))
-    most = Math.max(most, p.angleTo(q))
+    largest = Math.max(largest, p.angleTo(q))
   }
-  return most
+  return largest
 }
 
 describe('DeformedNormals', () => {
-  it('gives the authored normals back at rest, and where the mesh is only moved', () => {
+  it('returns the authored normals at rest and after scaling and translation', () => {
     const mesh = meshOf(new SphereGeometry(1, 24, 16))
-    // Not what the geometry would give.
+    // Unlike the geometric normals.
     const authored = moved(mesh.normals, (n) => n.add(new Vector3(0.2, 0.1, 0)).normalize())
     const deformed = new DeformedNormals({ ...mesh, normals: authored })
     const out = new Float32Array(authored.length)
     deformed.update(mesh.positions, out)
-    expect(apart(out, authored)).toBeLessThan(1e-3)
+    expect(largestAngle(out, authored)).toBeLessThan(1e-3)
     deformed.update(
       moved(mesh.positions, (p) => p.multiplyScalar(3).add(new Vector3(1, 2, 3))),
       out,
     )
-    expect(apart(out, authored)).toBeLessThan(1e-3)
+    expect(largestAngle(out, authored)).toBeLessThan(1e-3)
   })
 
-  it('turns the authored normals and tangents with a turn', () => {
+  it('rotates the authored normals and tangents', () => {
     const mesh = meshOf(new IcosahedronGeometry(1, 16))
-    const turn = new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), 0.5)
+    const rotation = new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), 0.5)
     const deformed = new DeformedNormals(mesh)
     const out = new Float32Array(mesh.normals.length)
     deformed.update(
-      moved(mesh.positions, (p) => p.applyQuaternion(turn)),
+      moved(mesh.positions, (p) => p.applyQuaternion(rotation)),
       out,
     )
     expect(
-      apart(
+      largestAngle(
         out,
-        moved(mesh.normals, (n) => n.applyQuaternion(turn)),
+        moved(mesh.normals, (n) => n.applyQuaternion(rotation)),
       ),
     ).toBeLessThan(0.02)
-    // Directions that lie in the surface stay in it.
+    // Tangents stay in the surface.
     const tangents = moved(mesh.normals, (n) => new Vector3(0, 1, 0).cross(n))
     deformed.rotate(tangents, 3)
     for (let i = 0; i < out.length; i += 3) {
@@ -77,7 +77,7 @@ describe('DeformedNormals', () => {
     }
   })
 
-  it('follows a plane that is bent, within what its triangles can say', () => {
+  it('follows the bending of a plane, within the resolution of its triangles', () => {
     const mesh = meshOf(new PlaneGeometry(2, 2, 80, 4))
     const wave = (x: number) => 0.3 * Math.sin(2 * x)
     const deformed = new DeformedNormals(mesh)
@@ -87,21 +87,21 @@ describe('DeformedNormals', () => {
       out,
     )
     const expected = moved(mesh.positions, ({ x }) => new Vector3(-0.6 * Math.cos(2 * x), 0, 1).normalize())
-    expect(apart(out, expected)).toBeLessThan(0.02)
+    expect(largestAngle(out, expected)).toBeLessThan(0.02)
   })
 
-  it('agrees with the inverse transpose of a stretch on a sphere without an index', () => {
+  it('agrees with the inverse transpose of a scaling, on a sphere without an index', () => {
     const mesh = meshOf(new IcosahedronGeometry(1, 24))
-    const stretch = new Matrix4().makeScale(1.3, 0.8, 1)
+    const scaling = new Matrix4().makeScale(1.3, 0.8, 1)
     const deformed = new DeformedNormals(mesh)
     const out = new Float32Array(mesh.normals.length)
     deformed.update(
-      moved(mesh.positions, (p) => p.applyMatrix4(stretch)),
+      moved(mesh.positions, (p) => p.applyMatrix4(scaling)),
       out,
     )
-    const normal = new Matrix3().getNormalMatrix(stretch)
+    const normal = new Matrix3().getNormalMatrix(scaling)
     expect(
-      apart(
+      largestAngle(
         out,
         moved(mesh.normals, (n) => n.applyMatrix3(normal).normalize()),
       ),
@@ -110,7 +110,7 @@ describe('DeformedNormals', () => {
       expect(Math.hypot(out[i], out[i + 1], out[i + 2])).toBeCloseTo(1, 5)
   })
 
-  it('leaves vertices alone that have no direction', () => {
+  it('keeps the normals of vertices without adjacent area', () => {
     const deformed = new DeformedNormals({
       positions: [0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 5, 5],
       normals: [0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0, 0],

@@ -8,14 +8,14 @@ import { layer, randomNormals } from '../../cases.ts'
 import { seeded } from '../../random.ts'
 
 setFlagsFromString('--expose-gc')
-const collect = runInNewContext('gc') as () => void
+const collectGarbage = runInNewContext('gc') as () => void
 
 const FRAMES = 20_000
 
-/** The optimiser works beside us and may be late; what really allocates does so in every round. */
+/** The optimiser runs in parallel and may be late; a real allocation occurs in every round. */
 const ROUNDS = 20
 
-it('allocates nothing per frame while an expression moves', () => {
+it('allocates nothing per frame during a transition', () => {
   const { player } = movingFace()
   const frames = (count: number) => {
     for (let i = 0; i < count; i++) player.update(1e-7)
@@ -24,11 +24,11 @@ it('allocates nothing per frame while an expression moves', () => {
   expect(bytesPerFrame(frames)).toBeLessThan(4)
 })
 
-/** Least over some rounds. Reading the heap's size allocates a little itself; one number per frame would be 16 bytes. */
+/** Minimum over some rounds. Reading the heap size allocates a little itself; one number per frame would be 16 bytes. */
 function bytesPerFrame(frames: (count: number) => void): number {
-  frames(FRAMES) // until the optimiser has seen it
+  frames(FRAMES) // warm-up for the optimiser
   const used = Array.from({ length: ROUNDS }, () => {
-    collect()
+    collectGarbage()
     const before = process.memoryUsage().heapUsed
     frames(FRAMES)
     return (process.memoryUsage().heapUsed - before) / FRAMES

@@ -19,8 +19,8 @@ export const STRAIGHT: Curve = [
 ]
 const AREAS = ['brow', 'nose', 'neck']
 
-/** A square with two blendshapes, of which the first makes it half as wide, and two joints. */
-export function face(drivers: WrinkleDriver[], targets = ['browDown_L', 'jawOpen']) {
+/** A square with two joints and two blendshapes, the first of which halves its width. */
+export function drivenFace(drivers: WrinkleDriver[], targets = ['browDown_L', 'jawOpen']) {
   const geometry = new PlaneGeometry(1, 1, 4, 4)
   const { count } = geometry.getAttribute('position')
   geometry.morphTargetsRelative = true
@@ -31,8 +31,8 @@ export function face(drivers: WrinkleDriver[], targets = ['browDown_L', 'jawOpen
   })
   if (targets.length === 0) geometry.morphAttributes = {}
   geometry.setAttribute('skinIndex', new Float32BufferAttribute(new Float32Array(4 * count), 4))
-  const one = Float32Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 ? 1 : 0))
-  geometry.setAttribute('skinWeight', new Float32BufferAttribute(one, 4))
+  const skinWeights = Float32Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 ? 1 : 0))
+  geometry.setAttribute('skinWeight', new Float32BufferAttribute(skinWeights, 4))
   const mesh = new SkinnedMesh(geometry, new MeshStandardMaterial())
   const [chest, head] = ['chest', 'head'].map((name) => Object.assign(new Bone(), { name }))
   head.position.y = 1
@@ -54,7 +54,7 @@ export function face(drivers: WrinkleDriver[], targets = ['browDown_L', 'jawOpen
   return { mesh, head, wrinkles, draw, activations }
 }
 
-/** One blendshape to one area. */
+/** A driver with one blendshape. */
 export const morph = (area: string, name: string, weight = 1): WrinkleDriver => ({
   type: 'morph',
   area,

@@ -1,13 +1,13 @@
 import type { WrinkleDriver } from 'furrow'
 import { addDrivers, ExpressionPlayer } from 'furrow/three'
 import { afterEach, describe, expect, it, vi } from 'vitest'
-import { face, morph, STRAIGHT } from './driven-face.ts'
+import { drivenFace, morph, STRAIGHT } from './driven-face.ts'
 
 afterEach(() => vi.restoreAllMocks())
 
 describe('addDrivers', () => {
-  it('adds blendshapes, joints, tension and age to what is at rest', () => {
-    const { mesh, head, wrinkles, activations } = face([
+  it('adds blendshapes, joints, tension and age to the resting activations', () => {
+    const { mesh, head, wrinkles, activations } = drivenFace([
       morph('brow', 'browDownLeft', 0.5),
       morph('nose', 'jawOpen'),
       {
@@ -33,9 +33,9 @@ describe('addDrivers', () => {
     mesh.morphTargetInfluences![1] = 0.1
     head.rotation.x = 0.4
     wrinkles.inputs.set('age', 50)
-    // The square is 30% narrower, and so is the brow; half of 0.6 comes from the blendshape itself.
+    // The square is 30% narrower, so that 0.3 are of tension and 0.5 * 0.6 of the blendshape.
     expect(activations()).toEqual([0.6, 0.6, 0.4])
-    // Moved as a whole nothing else happens.
+    // Moving the mesh as a whole changes nothing.
     mesh.position.set(1, 2, 3)
     mesh.rotation.y = 2
     expect(activations()).toEqual([0.6, 0.6, 0.4])
@@ -44,8 +44,8 @@ describe('addDrivers', () => {
     expect(wrinkles.getRestingActivation('neck')).toBe(0.25)
   })
 
-  it('leaves areas without a driver to whoever sets them', () => {
-    const { wrinkles, activations } = face([morph('brow', 'browDownLeft')])
+  it('does not change areas without a driver', () => {
+    const { wrinkles, activations } = drivenFace([morph('brow', 'browDownLeft')])
     wrinkles.setActivation('neck', 0.9)
     wrinkles.setActivation('brow', 0.9)
     expect(activations()).toEqual([0, 0.2, 0.9])
@@ -54,8 +54,8 @@ describe('addDrivers', () => {
     expect(activations()).toEqual([0.9, 0.2, 0.9])
   })
 
-  it('age adds to what is set, and delays follow it, where nothing else moves an area', () => {
-    const { wrinkles, activations } = face([
+  it('age adds to set activations, and delays follow them, in areas without other drivers', () => {
+    const { wrinkles, activations } = drivenFace([
       {
         type: 'age',
         area: 'brow',
@@ -77,8 +77,8 @@ describe('addDrivers', () => {
     expect([wrinkles.isDriven('brow'), wrinkles.isDriven('neck')]).toEqual([false, false])
   })
 
-  it('presets play on an aging face without drifting', () => {
-    const { mesh, wrinkles, activations } = face([
+  it('repeated presets on an aging face do not drift', () => {
+    const { mesh, wrinkles, activations } = drivenFace([
       {
         type: 'age',
         area: 'brow',
@@ -103,9 +103,9 @@ describe('addDrivers', () => {
     }
   })
 
-  it('a preset and the blendshapes that it sets move the areas alike', () => {
+  it('a preset activates areas like the blendshapes that it sets', () => {
     const drivers = [morph('brow', 'browDownLeft', 0.5), morph('neck', 'jawOpen')]
-    const [played, set] = [face(drivers), face(drivers)]
+    const [played, set] = [drivenFace(drivers), drivenFace(drivers)]
     new ExpressionPlayer(played.mesh, played.wrinkles, [
       { name: 'frown', targets: { browDownLeft: 0.7, jawOpen: 0.2 }, activations: { brow: 1, neck: 1 } },
     ]).play('frown', 0)
@@ -115,8 +115,8 @@ describe('addDrivers', () => {
     expect(set.activations()).toEqual([0.35, 0.2, 0.2])
   })
 
-  it('follows with a delay by the clock, the first frame at once', () => {
-    const { mesh, wrinkles, activations } = face([
+  it('follows with a delay by the clock, except in the first frame', () => {
+    const { mesh, wrinkles, activations } = drivenFace([
       morph('brow', 'browDownLeft'),
       { type: 'time', area: 'brow', attack: 0.1, release: 0.4 },
     ])
@@ -133,8 +133,8 @@ describe('addDrivers', () => {
     expect(activations()[0]).toBeCloseTo(from * Math.exp(-1), 3)
   })
 
-  it('keeps the presets of the file for players', () => {
-    const { wrinkles } = face([
+  it('keeps the presets for players', () => {
+    const { wrinkles } = drivenFace([
       {
         type: 'expression',
         name: 'doubt',
@@ -161,9 +161,9 @@ describe('addDrivers', () => {
       { type: 'area', area: 'nose', areas: [{ name: 'nose', weight: 1 }], rule: 'sum', curve: STRAIGHT },
       'area \\"nose\\", which drives itself,',
     ],
-  ])('warns once of %s, and drives the rest', (_, driver, message, targets) => {
+  ])('warns once of %s, and runs the other drivers', (_, driver, message, targets) => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
-    const { head, activations } = face(
+    const { head, activations } = drivenFace(
       [driver, { type: 'bone', area: 'neck', joints: ['chest', 'head'], measure: 'angle', curve: STRAIGHT }],
       targets,
     )
@@ -173,9 +173,9 @@ describe('addDrivers', () => {
     expect(warn.mock.calls[0][0]).toContain(message)
   })
 
-  it('says once that an area is gone, and moves the rest', () => {
+  it('warns once of a removed area, and drives the others', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
-    const { mesh, wrinkles, activations } = face([
+    const { mesh, wrinkles, activations } = drivenFace([
       morph('brow', 'browDownLeft'),
       morph('nose', 'browDownLeft', 0.5),
     ])
@@ -187,15 +187,15 @@ describe('addDrivers', () => {
     expect(warn.mock.calls[0][0]).toContain('area \\"brow\\"')
   })
 
-  it('refuses an input that is NaN, or of an instance that does not exist', () => {
-    const { inputs } = face([]).wrinkles
+  it('refuses an input that is NaN or of an unknown instance', () => {
+    const { inputs } = drivenFace([]).wrinkles
     expect(() => inputs.set('age', Number.NaN)).toThrow(
       'Wrinkles.inputs: value of "age" is NaN or infinite, got NaN, allowed: a finite number',
     )
     expect(() => inputs.set('age', 40, 1)).toThrow('no such instance, got 1, allowed: 0 to 0')
   })
 
-  it('inputs start from what their drivers say, and can be set before there are drivers', () => {
+  it('inputs start from the values of their drivers, and can be set before their drivers are added', () => {
     const age: WrinkleDriver = {
       type: 'age',
       area: 'brow',
@@ -204,7 +204,10 @@ describe('addDrivers', () => {
         [70, 0.6],
       ],
     }
-    const { wrinkles, activations } = face([age, { ...age, type: 'input', name: 'stress', area: 'neck' }])
+    const { wrinkles, activations } = drivenFace([
+      age,
+      { ...age, type: 'input', name: 'stress', area: 'neck' },
+    ])
     expect([wrinkles.inputs.get('age'), wrinkles.inputs.get('stress'), wrinkles.inputs.get('cold')]).toEqual([
       20, 0, 0,
     ])
@@ -217,8 +220,8 @@ describe('addDrivers', () => {
     expect(activations()[1]).toBe(1)
   })
 
-  it('brings activations up to date without drawing by update()', () => {
-    const { mesh, wrinkles } = face([morph('brow', 'browDownLeft')])
+  it('update() updates activations without drawing', () => {
+    const { mesh, wrinkles } = drivenFace([morph('brow', 'browDownLeft')])
     mesh.morphTargetInfluences![0] = 0.7
     expect(wrinkles.getActivation('brow')).toBe(0)
     wrinkles.update()

@@ -10,7 +10,7 @@ const EXPRESSIONS: Expression[] = [
   { name: 'shout', targets: { jawOpen: 1 }, activations: { area0: 1 } },
 ]
 
-it('starts from where the face stands, also when sliders moved it', () => {
+it('starts from the current state of the face, also if sliders have changed it', () => {
   const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
   mesh.morphTargetDictionary = { jawOpen: 0 }
   mesh.morphTargetInfluences = [0]
@@ -24,7 +24,7 @@ it('starts from where the face stands, also when sliders moved it', () => {
   expect(wrinkles.getActivation('area0')).toBeCloseTo(0.3, 6)
 })
 
-it('leaves the face alone once it has arrived', () => {
+it('does not change the face after the transition', () => {
   const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
   mesh.morphTargetDictionary = { jawOpen: 0 }
   mesh.morphTargetInfluences = [0]
@@ -35,21 +35,21 @@ it('leaves the face alone once it has arrived', () => {
   expect(mesh.morphTargetInfluences[0]).toBe(0.2)
 })
 
-it('measures the time itself when it is not told', () => {
+it('measures the time if it is not given', () => {
   const now = vi.spyOn(performance, 'now').mockReturnValue(5000)
   const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
   mesh.morphTargetDictionary = { jawOpen: 0 }
   mesh.morphTargetInfluences = [0]
   const player = new ExpressionPlayer(mesh, new Wrinkles(mesh, randomSet(seeded(1), 1, 8)), EXPRESSIONS)
   player.play('shout', 1)
-  for (const [time, share] of [
+  for (const [time, expected] of [
     [5250, 0.25],
     [5500, 0.5],
     [9000, 1],
   ]) {
     now.mockReturnValue(time)
     player.update()
-    expect(mesh.morphTargetInfluences[0]).toBeCloseTo(share, 6)
+    expect(mesh.morphTargetInfluences[0]).toBeCloseTo(expected, 6)
   }
   now.mockRestore()
 })

@@ -10,36 +10,38 @@ function meshWith(...names: string[]): Mesh {
   return mesh
 }
 
-const list = (scores: Record<string, number>) =>
+const scoreList = (scores: Record<string, number>) =>
   Object.entries(scores).map(([categoryName, score]) => ({ categoryName, score }))
 
 afterEach(() => vi.restoreAllMocks())
 
-it('moves every mesh of the face by its own spelling, and leaves other blendshapes alone', () => {
+it('moves every mesh of the face, whatever its spelling, and keeps other blendshapes', () => {
   const warn = vi.spyOn(console, 'warn')
   const skin = meshWith('browDown_L', 'browInnerUp_L', 'browInnerUp_R', 'tongueOut')
   const lashes = meshWith('Fcl.browDownLeft')
   skin.morphTargetInfluences![3] = 0.3
   const scores = new FaceScores(new Group().add(skin, lashes))
-  scores.set(list({ _neutral: 0.9, browDownLeft: 0.7, browInnerUp: 0.4 }))
+  scores.set(scoreList({ _neutral: 0.9, browDownLeft: 0.7, browInnerUp: 0.4 }))
   expect(skin.morphTargetInfluences).toEqual([0.7, 0.4, 0.4, 0.3])
   expect(lashes.morphTargetInfluences).toEqual([0.7])
-  // Another order, fewer names, and a score that is none.
-  scores.set(list({ browInnerUp: Number.NaN, browDownLeft: 0.1 }))
+  // Another order, fewer names, and an invalid score.
+  scores.set(scoreList({ browInnerUp: Number.NaN, browDownLeft: 0.1 }))
   expect(skin.morphTargetInfluences).toEqual([0.1, 0, 0, 0.3])
   expect(warn).not.toHaveBeenCalled()
 })
 
-it('says once which names the face does not have', () => {
+it('warns once of the names that the face lacks', () => {
   const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
   const face = meshWith('jawOpen')
   const scores = new FaceScores(face)
-  for (let i = 0; i < 3; i++) scores.set(list({ _neutral: 1, trunkUp: 1, jawOpen: 0.5 }))
+  for (let i = 0; i < 3; i++) scores.set(scoreList({ _neutral: 1, trunkUp: 1, jawOpen: 0.5 }))
   expect(face.morphTargetInfluences).toEqual([0.5])
   expect(warn).toHaveBeenCalledTimes(1)
   expect(warn.mock.calls[0][0]).toContain('got "trunkUp"')
 })
 
 it('refuses a face without blendshapes', () => {
-  expect(() => new FaceScores(new Group()).set(list({ jawOpen: 1 }))).toThrow(/FaceScores: no morph targets/)
+  expect(() => new FaceScores(new Group()).set(scoreList({ jawOpen: 1 }))).toThrow(
+    /FaceScores: no morph targets/,
+  )
 })

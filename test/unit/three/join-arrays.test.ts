@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest'
 import type { Area, ArraySlice, Layer } from '../../../packages/furrow/src/core/types.ts'
 import { joinArrays } from '../../../packages/furrow/src/three/loader/join-arrays.ts'
 
-/** Blocks of 16 bytes, each of one value, with two levels: 8 x 8 texels and 4 x 4. */
+/** A texture array with two levels of 8 x 8 and 4 x 4 texels, in uniform blocks of 16 bytes. */
 function array(depth: number, value: number, size = 8): CompressedArrayTexture {
   const level = (side: number, offset: number) => {
     const blocks = (side / 4) ** 2
@@ -13,16 +13,16 @@ function array(depth: number, value: number, size = 8): CompressedArrayTexture {
     }
     return { data, width: side, height: side }
   }
-  const made = new CompressedArrayTexture(
+  const texture = new CompressedArrayTexture(
     [level(size, 0), level(size / 2, 1)],
     size,
     size,
     depth,
     RGBA_BPTC_Format,
   )
-  made.minFilter = LinearMipmapLinearFilter
-  made.magFilter = LinearFilter
-  return made
+  texture.minFilter = LinearMipmapLinearFilter
+  texture.magFilter = LinearFilter
+  return texture
 }
 
 const slice = (of: CompressedArrayTexture, index = 0, channel = 0): ArraySlice => ({
@@ -39,7 +39,7 @@ const layer = (name: string, maps: Partial<Layer<ArraySlice>>): Layer<ArraySlice
 const area = (name: string, weights: Area<ArraySlice>['weights']): Area<ArraySlice> => ({ name, weights })
 
 describe('joinArrays', () => {
-  it('puts compressed images of a kind into one array, level by level and in their order', () => {
+  it('joins compressed images of a kind in one array, level by level and in order', () => {
     const [first, second] = [array(1, 100), array(2, 200)]
     const { layers, areas } = joinArrays({
       layers: [layer('a', {})],
@@ -50,17 +50,17 @@ describe('joinArrays', () => {
         area('four', slice(first, 0, 0)),
       ],
     })
-    const weights = areas.map((own) => own.weights as ArraySlice)
-    const [joined] = weights.map((own) => own.array as CompressedArrayTexture)
-    expect(weights.every((own) => own.array === joined)).toBe(true)
-    expect(weights.map((own) => [own.slice, own.channel])).toEqual([
+    const weights = areas.map((joinedArea) => joinedArea.weights as ArraySlice)
+    const [joined] = weights.map((weight) => weight.array as CompressedArrayTexture)
+    expect(weights.every((weight) => weight.array === joined)).toBe(true)
+    expect(weights.map((weight) => [weight.slice, weight.channel])).toEqual([
       [0, 3],
       [2, 2],
       [1, 1],
       [0, 0],
     ])
     expect(joined.image).toMatchObject({ width: 8, height: 8, depth: 3 })
-    const values = joined.mipmaps!.map(({ data, width }) => {
+    const values = joined.mipmaps.map(({ data, width }) => {
       const blocks = 16 * (width / 4) ** 2
       return [0, 1, 2].map((index) => [
         ...new Set((data as Uint8Array).subarray(index * blocks, (index + 1) * blocks)),
@@ -74,7 +74,7 @@ describe('joinArrays', () => {
     expect(layers[0].normal).toMatchObject({ slice: 0 })
   })
 
-  it('joins once what occlusion and roughness share, and leaves one array and images alone', () => {
+  it('joins an array of occlusion and roughness only once, and keeps single arrays and images', () => {
     const [normals, orm, other] = [array(2, 0), array(1, 50), array(1, 60)]
     const image = { width: 1, height: 1, data: new Uint8Array(4) }
     const { layers } = joinArrays({
@@ -99,13 +99,13 @@ describe('joinArrays', () => {
     expect(c).not.toHaveProperty('roughness')
   })
 
-  it('refuses maps of a kind that do not fit together', () => {
-    const of = (normal: CompressedArrayTexture) => layer('b', { normal: slice(normal) })
+  it('refuses maps of a kind that differ in size or levels', () => {
+    const layerOf = (normal: CompressedArrayTexture) => layer('b', { normal: slice(normal) })
     const joining = (normal: CompressedArrayTexture) => () =>
-      joinArrays({ layers: [layer('a', {}), of(normal)], areas: [] })
+      joinArrays({ layers: [layer('a', {}), layerOf(normal)], areas: [] })
     expect(joining(array(1, 0, 16))).toThrow(/normal maps with different layouts, got .*16 x 16.*8 x 8/)
     const flat = array(1, 0)
-    flat.mipmaps!.pop()
+    flat.mipmaps.pop()
     expect(joining(flat)).toThrow(/1 levels.*2 levels/)
     expect(joining(array(1, 0))).not.toThrow()
   })

@@ -17,7 +17,7 @@ const muscle = (name: string): MuscleDriver => ({
 })
 
 describe('addMuscles', () => {
-  it('gives a mesh morph targets with normals, whose weights are contractions', () => {
+  it('adds morph targets with normals, whose weights are contractions', () => {
     const mesh = new Mesh(new PlaneGeometry(2, 2, 8, 8))
     addMuscles(mesh, [muscle('a'), muscle('b')])
     expect(mesh.morphTargetDictionary).toEqual({ a: 0, b: 1 })
@@ -26,21 +26,21 @@ describe('addMuscles', () => {
       typeof mesh.geometry.morphAttributes
     >
     expect(position.map(({ name }) => name)).toEqual(['a', 'b'])
-    // The middle of the sheet is drawn in by a quarter of the muscle's length; the rim holds still.
+    // The middle of the sheet moves by a quarter of the muscle's length; the edge does not move.
     const middle = 40
     expect(position[0].getZ(middle)).toBeCloseTo(-0.25, 6)
     expect(position[0].getZ(0)).toBe(0)
-    // To the right of the middle the surface now faces left.
+    // Right of the middle the surface now faces left.
     const { normal: rest } = mesh.geometry.attributes
-    const at = middle + 2
-    expect(rest.getX(at) + normal[0].getX(at)).toBeLessThan(-0.2)
+    const right = middle + 2
+    expect(rest.getX(right) + normal[0].getX(right)).toBeLessThan(-0.2)
     expect(normal[0].getX(middle)).toBeCloseTo(0, 6)
-    // Once more changes nothing.
+    // A second call changes nothing.
     addMuscles(mesh, [muscle('a')])
     expect(position).toHaveLength(2)
   })
 
-  it.each([true, false])('adds to blendshapes that are there, relative: %s', (relative) => {
+  it.each([true, false])('adds to existing blendshapes, relative: %s', (relative) => {
     const geometry = new PlaneGeometry(2, 2, 4, 4)
     const rest = geometry.attributes.position
     const raised = new Float32BufferAttribute(new Float32Array(3 * rest.count), 3)
@@ -64,14 +64,14 @@ describe('addMuscles', () => {
 })
 
 describe('addMorphNormals', () => {
-  it('leaves a geometry alone that has nothing to add', () => {
+  it('does not change a geometry without targets or with normals', () => {
     const geometry = new PlaneGeometry()
     addMorphNormals(geometry)
     expect(geometry.morphAttributes).toEqual({})
     geometry.morphAttributes.position = [geometry.attributes.position as Float32BufferAttribute]
-    const own = [geometry.attributes.normal as Float32BufferAttribute]
-    geometry.morphAttributes.normal = own
+    const normals = [geometry.attributes.normal as Float32BufferAttribute]
+    geometry.morphAttributes.normal = normals
     addMorphNormals(geometry)
-    expect(geometry.morphAttributes.normal).toBe(own)
+    expect(geometry.morphAttributes.normal).toBe(normals)
   })
 })

@@ -16,23 +16,24 @@ function reachOf(...values: number[]): number[] {
   return reach.toArray()
 }
 
-const holds = ([u0, v0, u1, v1]: number[], u: number, v: number) => u >= u0 && u <= u1 && v >= v0 && v <= v1
+const contains = ([u0, v0, u1, v1]: number[], u: number, v: number) =>
+  u >= u0 && u <= u1 && v >= v0 && v <= v1
 
-it('reaches from the middle of the texel before to that of the one behind', () => {
+it('extends to the centres of the adjacent texels', () => {
   expect(reachOf(0.5, 0, 0, 0)).toEqual([1.5 / 16, 1.5 / 8, 4.5 / 16, 5.5 / 8])
   expect(reachOf(1, 0.1, 0, 0)).toEqual([1.5 / 16, 0.5 / 8, 10.5 / 16, 5.5 / 8])
 })
 
-it('has no end where the map has one: its edge goes on for ever', () => {
+it('is unbounded at the edges of the map, which are clamped', () => {
   const whole = reachOf(0, 0, 1, 0)
-  expect(holds(whole, -3, 7)).toBe(true)
-  expect(holds(reachOf(0, 0, 0, 1), 0.2, -5)).toBe(true)
-  expect(holds(reachOf(0, 0, 0, 1), 0.6, -5)).toBe(false)
+  expect(contains(whole, -3, 7)).toBe(true)
+  expect(contains(reachOf(0, 0, 0, 1), 0.2, -5)).toBe(true)
+  expect(contains(reachOf(0, 0, 0, 1), 0.6, -5)).toBe(false)
   const reach = new Vector4()
   reachAll(reach)
-  expect(holds(reach.toArray(), 100, -100)).toBe(true)
+  expect(contains(reach.toArray(), 100, -100)).toBe(true)
 })
 
-it('is empty where all areas are at rest', () => {
-  for (const u of [-1, 0, 0.02, 0.5, 0.99, 1, 2]) expect(holds(reachOf(0, 0, 0, 0), u, 0.5)).toBe(false)
+it('is empty if all areas are at rest', () => {
+  for (const u of [-1, 0, 0.02, 0.5, 0.99, 1, 2]) expect(contains(reachOf(0, 0, 0, 0), u, 0.5)).toBe(false)
 })

@@ -3,20 +3,20 @@ import { Float32BufferAttribute, Mesh, PlaneGeometry, SphereGeometry } from 'thr
 import { describe, expect, it } from 'vitest'
 import { seeded } from '../../random.ts'
 
-/** A ball with two random blendshapes. */
+/** A ball with two random blendshapes that move coincident vertices alike. */
 function ball(relative = true) {
   const geometry = new SphereGeometry(1, 20, 14)
   const { position } = geometry.attributes
   const random = seeded(2)
   geometry.morphTargetsRelative = relative
   geometry.morphAttributes.position = [0, 1].map(() => {
-    const places = new Map<string, number[]>()
+    const offsets = new Map<string, number[]>()
     const values = Array.from({ length: position.count }, (_, i) => {
-      const at = [position.getX(i), position.getY(i), position.getZ(i)]
-      const key = at.map((value) => value.toFixed(5)).join()
-      const offset = places.get(key) ?? at.map(() => 0.1 * (random() - 0.5))
-      places.set(key, offset)
-      return relative ? offset : offset.map((value, k) => value + at[k])
+      const point = [position.getX(i), position.getY(i), position.getZ(i)]
+      const key = point.map((value) => value.toFixed(5)).join()
+      const offset = offsets.get(key) ?? point.map(() => 0.1 * (random() - 0.5))
+      offsets.set(key, offset)
+      return relative ? offset : offset.map((value, k) => value + point[k])
     })
     return new Float32BufferAttribute(values.flat(), 3)
   })
@@ -31,7 +31,7 @@ function ball(relative = true) {
 }
 
 describe('RecomputedNormals', () => {
-  it.each([true, false])('gives what baked normals give for one blendshape, relative: %s', (relative) => {
+  it.each([true, false])('agrees with baked normals for one blendshape, relative: %s', (relative) => {
     const mesh = ball(relative)
     const baked = mesh.geometry.clone()
     addMorphNormals(baked)
@@ -47,7 +47,7 @@ describe('RecomputedNormals', () => {
     expect(mesh.geometry.morphAttributes.normal).toBeUndefined()
   })
 
-  it('keeps tangents in the surface and their fourth number, and comes back to rest', () => {
+  it('keeps tangents in the surface and their signs, and returns to rest', () => {
     const mesh = ball()
     const before = mesh.geometry
     const recomputed = new RecomputedNormals(mesh)
@@ -57,7 +57,11 @@ describe('RecomputedNormals', () => {
     recomputed.update()
     expect(normal.array).not.toEqual(restNormal)
     for (let i = 0; i < normal.count; i++) {
-      const [n, t] = [normal, tangent].map((own) => [own.getX(i), own.getY(i), own.getZ(i)])
+      const [n, t] = [normal, tangent].map((attribute) => [
+        attribute.getX(i),
+        attribute.getY(i),
+        attribute.getZ(i),
+      ])
       const dot = (a: ArrayLike<number>, b: ArrayLike<number>, at = 0) =>
         a[0] * b[at] + a[1] * b[at + 1] + a[2] * b[at + 2]
       const atRest = restNormal[3 * i] * restTangent[4 * i] + restNormal[3 * i + 2] * restTangent[4 * i + 2]
@@ -71,7 +75,7 @@ describe('RecomputedNormals', () => {
     expect(mesh.geometry).toBe(before)
   })
 
-  it('does nothing while no weight changes, and without blendshapes', () => {
+  it('does nothing if no weight has changed, or without blendshapes', () => {
     const mesh = ball()
     const recomputed = new RecomputedNormals(mesh)
     const { version } = mesh.geometry.attributes.normal as Float32BufferAttribute

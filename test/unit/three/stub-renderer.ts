@@ -1,7 +1,7 @@
 import { type Mesh, PerspectiveCamera, Scene, type WebGLRenderer } from 'three'
 import { idleRenderer } from '../../../bench/idle-renderer.mjs'
 
-/** Brings meshes up to date as a renderer does before it draws them; returns what does one frame. */
+/** Returns a function that prepares meshes for a frame as a renderer does before it draws them. */
 export function frameOf(...meshes: Mesh[]): () => void {
   const renderer = idleRenderer()
   const scene = new Scene()

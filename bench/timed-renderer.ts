@@ -1,36 +1,40 @@
 import { type Camera, RenderTarget, type Scene, WebGLRenderer, WebGLRenderTarget } from 'three'
 import { WebGPURenderer } from 'three/webgpu'
-import type { RendererKind } from './case.ts'
+import type { RendererKind } from '../stage/stage.ts'
 import { type Clock, passClock, queryClock } from './timestamps.ts'
 
-/** Draws frames and tells how long the adapter took. */
-export interface Drawer {
+/** Draws frames and measures how long the adapter takes. */
+export interface TimedRenderer {
   adapter: string
-  /** Whether times are the adapter's own, or those until a fence behind the frames is passed. */
+  /** Whether times are the adapter's timestamps, or last until a fence after the frames. */
   timing: 'timestamps' | 'fence'
   draw(scene: Scene, camera: Camera): void
   /** Milliseconds. */
   time: Clock
-  /** The last frame, RGBA bytes. */
+  /** Pixels of the last frame, RGBA bytes. */
   read(): Promise<Uint8Array>
 }
 
-/** @throws Error where WebGPU is missing: a silent fall back to WebGL 2 would be measured under a wrong name. */
-export function createDrawer(kind: RendererKind, width: number, height: number): Promise<Drawer> {
+/** @throws Error if WebGPU is missing, so that the fallback to WebGL 2 is not measured under its name. */
+export function createTimedRenderer(
+  kind: RendererKind,
+  width: number,
+  height: number,
+): Promise<TimedRenderer> {
   return kind === 'webgl' ? createWebGL(width, height) : createWebGPU(width, height)
 }
 
-async function createWebGL(width: number, height: number): Promise<Drawer> {
+async function createWebGL(width: number, height: number): Promise<TimedRenderer> {
   const renderer = new WebGLRenderer()
   const target = new WebGLRenderTarget(width, height)
   const gl = renderer.getContext() as WebGL2RenderingContext
-  const debug = gl.getExtension('WEBGL_debug_renderer_info')
+  const debugInfo = gl.getExtension('WEBGL_debug_renderer_info')
   const pixel = new Uint8Array(4)
-  // One pixel of the frame cannot be read before the frame is drawn.
+  // Reading one pixel waits for the frame.
   const fence = async () => renderer.readRenderTargetPixels(target, 0, 0, 1, 1, pixel)
   const clock = queryClock(gl)
   return {
-    adapter: String(gl.getParameter(debug ? debug.UNMASKED_RENDERER_WEBGL : gl.RENDERER)),
+    adapter: String(gl.getParameter(debugInfo ? debugInfo.UNMASKED_RENDERER_WEBGL : gl.RENDERER)),
     timing: clock ? 'timestamps' : 'fence',
     draw(scene, camera) {
       renderer.setRenderTarget(target)
@@ -45,11 +49,12 @@ async function createWebGL(width: number, height: number): Promise<Drawer> {
   }
 }
 
-async function createWebGPU(width: number, height: number): Promise<Drawer> {
+async function createWebGPU(width: number, height: number): Promise<TimedRenderer> {
   const renderer = new WebGPURenderer()
   await renderer.init()
   const { device, isWebGPUBackend } = renderer.backend as { device?: GPUDevice; isWebGPUBackend?: boolean }
-  if (!device || !isWebGPUBackend) throw new Error('bench: no WebGPU here; leave out --renderer webgpu')
+  if (!device || !isWebGPUBackend)
+    throw new Error('bench: WebGPU is missing here; measure with --renderer webgl')
   const target = new RenderTarget(width, height)
   const { vendor, architecture, description } = device.adapterInfo
   const clock = passClock(device)
@@ -65,11 +70,11 @@ async function createWebGPU(width: number, height: number): Promise<Drawer> {
   }
 }
 
-function fenceClock(passed: () => Promise<unknown>): Clock {
+function fenceClock(fence: () => Promise<unknown>): Clock {
   return async (frames) => {
     const start = performance.now()
     frames()
-    await passed()
+    await fence()
     return performance.now() - start
   }
 }
