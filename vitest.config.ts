@@ -1,7 +1,7 @@
 import { playwright } from '@vitest/browser-playwright'
-import { defineConfig } from 'vitest/config'
+import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config'
 import { CHROMIUM_FLAGS } from './packages/cli/src/chromium-flags.ts'
-import { withOldestThree } from './test/gpu/oldest-three.ts'
+import { FILES_FOR_OLDEST, onOldestThree } from './test/gpu/oldest-three.ts'
 import { servePackedFaces } from './test/gpu/serve-packed-faces.ts'
 
 // Sources, not builds: the `furrow-source` condition of the packages' exports.
@@ -18,7 +18,7 @@ const HEAVY = 'test/unit/**/*.heavy.test.ts'
 
 export default defineConfig({
   test: {
-    projects: withOldestThree([
+    projects: [
       {
         resolve,
         ssr,
@@ -36,42 +36,48 @@ export default defineConfig({
           fileParallelism: false,
         },
       },
-      {
-        resolve,
-        ssr,
-        plugins: [servePackedFaces(ssr)],
-        optimizeDeps: {
-          include: [
-            'three',
-            'three/webgpu',
-            'three/tsl',
-            'three/addons/libs/meshopt_decoder.module.js',
-            'three/addons/loaders/GLTFLoader.js',
-            'three/addons/loaders/KTX2Loader.js',
-            'three/addons/loaders/DRACOLoader.js',
-            'three/addons/utils/SkeletonUtils.js',
-          ],
-        },
-        test: {
-          name: 'gpu',
-          include: ['test/gpu/**/*.test.ts'],
-          ...LATE,
-          fileParallelism: false,
-          browser: {
-            connectTimeout: LATE.hookTimeout,
-            enabled: true,
-            headless: true,
-            screenshotFailures: false,
-            provider: playwright({
-              launchOptions: {
-                executablePath: process.env.FURROW_CHROMIUM ?? '/usr/bin/chromium',
-                args: [...CHROMIUM_FLAGS],
-              },
-            }),
-            instances: [{ browser: 'chromium' }],
-          },
-        },
-      },
-    ]),
+      gpuProject('gpu', ['test/gpu/**/*.test.ts']),
+      onOldestThree(gpuProject('gpu-oldest', FILES_FOR_OLDEST)),
+    ],
   },
 })
+
+/** A project in the browser, on three paths. */
+function gpuProject(name: string, files: string[]): TestProjectInlineConfiguration {
+  return {
+    resolve,
+    ssr,
+    plugins: [servePackedFaces(ssr)],
+    optimizeDeps: {
+      include: [
+        'three',
+        'three/webgpu',
+        'three/tsl',
+        'three/addons/libs/meshopt_decoder.module.js',
+        'three/addons/loaders/GLTFLoader.js',
+        'three/addons/loaders/KTX2Loader.js',
+        'three/addons/loaders/DRACOLoader.js',
+        'three/addons/utils/SkeletonUtils.js',
+      ],
+    },
+    test: {
+      name,
+      include: files,
+      ...LATE,
+      fileParallelism: false,
+      browser: {
+        connectTimeout: LATE.hookTimeout,
+        enabled: true,
+        headless: true,
+        screenshotFailures: false,
+        provider: playwright({
+          launchOptions: {
+            executablePath: process.env.FURROW_CHROMIUM ?? '/usr/bin/chromium',
+            args: [...CHROMIUM_FLAGS],
+          },
+        }),
+        instances: [{ browser: 'chromium' }],
+      },
+    },
+  }
+}

@@ -7,25 +7,18 @@ declare module 'vitest' {
   }
 }
 
-/** What breaks first on an older three.js: array textures, blending, the paper's lighting, changed geometries, batches, KTX2Loader. */
-const FILES = ['three-version', 'layers', 'paper', 'crowd', 'normals', 'loader'].map(
+/** Tests of what breaks first on an older three.js: array textures, blending, the paper's lighting, changed geometries, batches, KTX2Loader. */
+export const FILES_FOR_OLDEST = ['three-version', 'layers', 'paper', 'crowd', 'normals', 'loader'].map(
   (name) => `test/gpu/${name}.test.ts`,
 )
 
-/** Adds the project `gpu-oldest`: some of the project `gpu`'s files on the oldest three.js that is allowed, `three-oldest`. */
-export function withOldestThree(
-  projects: TestProjectInlineConfiguration[],
-): TestProjectInlineConfiguration[] {
-  const gpu = projects.find(({ test }) => test?.name === 'gpu')
-  if (!gpu) return projects
+/** Runs a project on `three-oldest`, the oldest three.js that is allowed. */
+export function onOldestThree(project: TestProjectInlineConfiguration): TestProjectInlineConfiguration {
   const oldest = (name: string) => name.replace(/^three(?=\/|$)/, 'three-oldest')
-  return [
-    ...projects,
-    {
-      ...gpu,
-      resolve: { ...gpu.resolve, alias: [{ find: /^three(?=\/|$)/, replacement: 'three-oldest' }] },
-      optimizeDeps: { include: gpu.optimizeDeps?.include?.map(oldest) },
-      test: { ...gpu.test, name: 'gpu-oldest', include: FILES, provide: { threeRelease: 'oldest' } },
-    },
-  ]
+  return {
+    ...project,
+    resolve: { ...project.resolve, alias: [{ find: /^three(?=\/|$)/, replacement: 'three-oldest' }] },
+    optimizeDeps: { include: project.optimizeDeps?.include?.map(oldest) },
+    test: { ...project.test, provide: { threeRelease: 'oldest' } },
+  }
 }
