@@ -25,7 +25,14 @@ export default defineConfig({
         test: { name: 'unit', include: ['test/unit/**/*.test.ts'], exclude: [HEAVY], ...SOON, ...ALL_CORES },
       },
       { resolve, ssr, test: { name: 'heavy', include: [HEAVY], ...SOON, ...ALL_CORES } },
-      { test: { name: 'packages', include: ['test/packages/**/*.test.ts'], ...LATE } },
+      {
+        test: {
+          name: 'packages',
+          include: ['test/packages/**/*.test.ts'],
+          ...LATE,
+          fileParallelism: false,
+        },
+      },
       {
         resolve,
         ssr,

@@ -38,7 +38,7 @@ const rest = numbers(joint([0, 1, 0], restHand), joint([0.1, 1, 0], restFinger))
 
 function activate(drivers: BoneDriver[], hand: Matrix4, finger: Matrix4) {
   const plan = planDrivers(drivers)
-  const joints = new JointMeasurement(plan.inputs.joint, ['hand', 'finger'], rest)
+  const joints = new JointMeasurement(plan.inputs.joint, ['hand', 'finger'], () => rest)
   const program = new DriverProgram(plan, { joint: measuredSource(joints.missing) })
   const state = program.createState()
   joints.measure(numbers(hand, finger), state.inputs.joint)

@@ -161,7 +161,7 @@ function jointsOf(original: Document) {
     },
     activations(): Record<string, number> {
       const plan = planDrivers(drivers)
-      const joints = new JointMeasurement(plan.inputs.joint, names, rest)
+      const joints = new JointMeasurement(plan.inputs.joint, names, () => rest)
       const program = new DriverProgram(plan, { joint: measuredSource(joints.missing) })
       expect(program.missing).toEqual([])
       const state = program.createState()

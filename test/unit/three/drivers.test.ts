@@ -44,6 +44,25 @@ describe('addDrivers', () => {
     expect(wrinkles.getRestingActivation('neck')).toBe(0.25)
   })
 
+  it('measures each joint driver from the bind pose if both joints are bones, whatever other drivers use', () => {
+    const rotation = (area: string, from: string): WrinkleDriver => ({
+      type: 'bone',
+      area,
+      joints: [from, 'head'],
+      measure: 'angle',
+      curve: STRAIGHT,
+    })
+    // The mesh itself is not a bone: its driver starts from the pose that it finds.
+    const { mesh, head, wrinkles, activations } = drivenFace([])
+    mesh.name = 'body'
+    head.rotation.x = 0.4
+    mesh.updateMatrixWorld(true)
+    addDrivers(wrinkles, [rotation('brow', 'chest'), rotation('neck', 'body')])
+    expect(activations()).toEqual([0.4, 0.2, 0])
+    head.rotation.x = 0.7
+    expect(activations()).toEqual([0.7, 0.2, 0.3])
+  })
+
   it('does not change areas without a driver', () => {
     const { wrinkles, activations } = drivenFace([morph('brow', 'browDownLeft')])
     wrinkles.setActivation('neck', 0.9)

@@ -71,24 +71,29 @@ export class DriverRuntime<Engine> {
 
   /** Finds the inputs, unless it has done so, and warns of those that the mesh lacks. */
   bind(): Bound<Engine> {
-    if (this.#bound) return this.#bound
+    // Apart from what it does once: a function with closures allocates their context whenever it is called.
+    return this.#bound ?? this.#findInputs()
+  }
+
+  #findInputs(): Bound<Engine> {
     const { plan } = this
     const readers = this.#bind()
     const values = valueSource(plan.inputs.value)
     const program = new DriverProgram(plan, { ...readers, value: values })
-    this.#bound = {
+    const bound: Bound<Engine> = {
       program,
       readers: MEASURED.map((kind) => ({ kind, reader: readers[kind] })).filter(
         ({ kind }) => plan.inputs[kind].length > 0,
       ),
       named: values.names.map((name, i) => this.#inputs.declare(name, values.initial[i])),
     }
+    this.#bound = bound
     this.#warn([
       ...plan.unknownTypes.map((type) => `driver of type "${type}"`),
       ...program.missing,
       ...plan.cyclicAreas.map((area) => `area "${area}", which drives itself,`),
     ])
-    return this.#bound
+    return bound
   }
 
   /** Phase 1: reads the inputs of all faces. */

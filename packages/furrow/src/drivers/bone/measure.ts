@@ -30,17 +30,23 @@ export class JointMeasurement {
   /**
    * @param inputs what to measure, as in `DriverPlan.inputs.joint`.
    * @param joints names of the joints that exist, in the order of the matrices.
-   * @param rest world matrices at rest, 16 numbers each, column-major, in metres; scales are ignored.
+   * @param restFor world matrices of all joints in the rest pose that an input is measured from: 16 numbers each, column-major, in metres;
+   *   scales are ignored.
    */
-  constructor(inputs: readonly JointInput[], joints: readonly string[], rest: ArrayLike<number>) {
+  constructor(
+    inputs: readonly JointInput[],
+    joints: readonly string[],
+    restFor: (input: JointInput) => ArrayLike<number>,
+  ) {
     this.missing = inputs.map(({ from, joint }) =>
       [from, joint].filter((name) => !joints.includes(name)).map((name) => `joint "${name}"`),
     )
-    this.#bound = inputs.map(({ measure, axis, ...names }) => {
+    this.#bound = inputs.map((input) => {
+      const { measure, axis, ...names } = input
       const [from, joint] = [names.from, names.joint].map((name) => joints.indexOf(name) * MATRIX)
       if (from < 0 || joint < 0) return null
       const rotation = new Float64Array(9)
-      relativeRotation(rotation, rest, from, joint)
+      relativeRotation(rotation, restFor(input), from, joint)
       return { from, joint, rest: rotation, axis: axis ? normalize(axis) : null, measure }
     })
   }
@@ -48,7 +54,7 @@ export class JointMeasurement {
   /**
    * Measures all inputs.
    *
-   * @param matrices current world matrices, laid out like `rest`.
+   * @param matrices current world matrices, in the same layout.
    * @param out receives one number per input.
    */
   measure(matrices: ArrayLike<number>, out: Float64Array): void {

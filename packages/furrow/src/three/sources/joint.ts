@@ -1,16 +1,14 @@
 import { type Bone, Matrix4, type Mesh, type Object3D, PropertyBinding, type SkinnedMesh } from 'three'
+import type { InputOf } from '../../drivers/activation.ts'
 import { JointMeasurement, MATRIX } from '../../drivers/bone/measure.ts'
 import { measuredSource } from '../../drivers/sources.ts'
 import type { BindInputs } from './binding.ts'
 
-/**
- * Measures joints: relative to the bind pose if all are bones of the mesh's skeleton, otherwise relative to their pose when inputs
- * are bound.
- */
+/** Measures joints relative to the bind pose, or to their pose when the inputs are bound; see `restPoses`. */
 export const bindJoints: BindInputs<'joint'> = ({ mesh }, inputs) => {
   const all = [...new Set(inputs.flatMap(({ from, joint }) => [from, joint]))]
   const names = all.filter((name) => findJoint(mesh, name))
-  const measurement = new JointMeasurement(inputs, names, restMatrices(mesh, names))
+  const measurement = new JointMeasurement(inputs, names, restPoses(mesh, names))
   const matrices = new Float64Array(MATRIX * names.length)
   let joints: Object3D[] = []
   let skeleton: unknown
@@ -47,17 +45,22 @@ function findJoint(mesh: Mesh, name: string): Object3D | undefined {
   return found
 }
 
-/** World matrices at rest: of the bind pose if all joints are bones, so that the pose the model was loaded in does not matter. */
-function restMatrices(mesh: Mesh, names: readonly string[]): Float64Array {
-  const joints = names.map((name) => findJoint(mesh, name)!)
+/**
+ * The rest pose of an input: the bind pose if both of its joints are bones of the mesh's skeleton, so that the pose the model was loaded
+ * in does not matter, otherwise the current pose.
+ *
+ * @returns world matrices of all joints.
+ */
+function restPoses(mesh: Mesh, names: readonly string[]): (input: InputOf<'joint'>) => Float64Array {
   const { skeleton } = mesh as Partial<SkinnedMesh>
-  const inverses = joints.map((joint) => skeleton?.boneInverses[skeleton.bones.indexOf(joint as Bone)])
-  const isBound = inverses.every((inverse) => inverse)
-  const rest = new Float64Array(MATRIX * names.length)
-  for (const [i, joint] of joints.entries()) {
-    if (!isBound) joint.updateWorldMatrix(true, false)
-    const matrix = isBound ? new Matrix4().copy(inverses[i]!).invert() : joint.matrixWorld
-    rest.set(matrix.elements, MATRIX * i)
-  }
-  return rest
+  const [bound, current] = [new Float64Array(MATRIX * names.length), new Float64Array(MATRIX * names.length)]
+  const isBone = names.map((name, i) => {
+    const joint = findJoint(mesh, name)!
+    joint.updateWorldMatrix(true, false)
+    current.set(joint.matrixWorld.elements, MATRIX * i)
+    const inverse = skeleton?.boneInverses[skeleton.bones.indexOf(joint as Bone)]
+    if (inverse) bound.set(new Matrix4().copy(inverse).invert().elements, MATRIX * i)
+    return inverse !== undefined
+  })
+  return ({ from, joint }) => (isBone[names.indexOf(from)] && isBone[names.indexOf(joint)] ? bound : current)
 }
