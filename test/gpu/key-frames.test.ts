@@ -148,6 +148,6 @@ describe('key frames of a file', () => {
     mixer.setTime(0.2)
     mixer.setTime(0.3)
     expect(warn).toHaveBeenCalledTimes(1)
-    expect(warn.mock.calls[0][0]).toContain('an animation moves an area that is gone')
+    expect(warn.mock.calls[0][0]).toContain('an animation moves an area that was removed')
   })
 })

@@ -31,7 +31,7 @@ export interface ErrorParts {
   /** The value that was given. */
   value?: unknown
   /** What would have been accepted. */
-  limit?: string
+  limit?: string | undefined
   /** What the caller can do about it. */
   remedy: string
 }
