@@ -108,19 +108,41 @@ function movingFace(allTypes, ownClock) {
   }
 }
 
+/** Per type, the driver of one area; none where a type does not evaluate anything of its own. A test compares it with the registry. */
+export const OTHER_DRIVERS = {
+  age: (area) => ({ type: 'age', area, curve: CURVE }),
+  input: (area) => ({ type: 'input', name: 'stress', area, curve: CURVE }),
+  time: (area) => ({ type: 'time', area, attack: 0.05, release: 0.4 }),
+  bone: (area) => ({
+    type: 'bone',
+    area,
+    joints: ['neck', 'head'],
+    measure: 'angle',
+    axis: [1, 0, 0],
+    curve: CURVE,
+  }),
+  conflict: (_, i) => ({ type: 'conflict', targets: [`target${i % TARGETS}`, `target${(i + 7) % TARGETS}`] }),
+  // The last area reads no other, which would be a cycle.
+  area: (area, i) =>
+    i + 1 < AREAS && {
+      type: 'area',
+      area,
+      areas: [{ name: `area${i + 1}`, weight: 0.1 }],
+      rule: 'sum',
+      curve: CURVE,
+    },
+  tension: (area, i) => i < TENSION_AREAS && { type: 'tension', area, measure: 'compression', curve: CURVE },
+  // Evaluated as a driver of its morph target.
+  muscle: () => null,
+  // A preset: data for players.
+  expression: () => null,
+}
+
 /** Drivers of every other type for one area. */
 function otherDrivers(area, i) {
-  return [
-    { type: 'age', area, curve: CURVE },
-    { type: 'time', area, attack: 0.05, release: 0.4 },
-    { type: 'bone', area, joints: ['neck', 'head'], measure: 'angle', axis: [1, 0, 0], curve: CURVE },
-    { type: 'conflict', targets: [`target${i % TARGETS}`, `target${(i + 7) % TARGETS}`] },
-    // The last area reads no other, which would be a cycle.
-    ...(i + 1 < AREAS
-      ? [{ type: 'area', area, areas: [{ name: `area${i + 1}`, weight: 0.1 }], rule: 'sum', curve: CURVE }]
-      : []),
-    ...(i < TENSION_AREAS ? [{ type: 'tension', area, measure: 'compression', curve: CURVE }] : []),
-  ]
+  return Object.values(OTHER_DRIVERS)
+    .map((create) => create(area, i))
+    .filter(Boolean)
 }
 
 function morphDriver(area, i) {

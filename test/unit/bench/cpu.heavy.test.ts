@@ -1,20 +1,24 @@
 import { execFile } from 'node:child_process'
 import { promisify } from 'node:util'
+import { DRIVER_TYPES } from 'furrow'
 import { expect, it } from 'vitest'
 
 /** Runs in a process of its own, as the benchmark does: in a test process, code is compiled and optimised differently. */
 const SCRIPT = `
-  import { measureCpu } from './bench/cpu.mjs'
+  import { measureCpu, OTHER_DRIVERS } from './bench/cpu.mjs'
   const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1]
   const cases = [[false], [true], [true, false]]
-  console.log(JSON.stringify(cases.map(([allTypes, ownClock]) => measureCpu(median, allTypes, ownClock))))
+  const measured = cases.map(([allTypes, ownClock]) => measureCpu(median, allTypes, ownClock))
+  console.log(JSON.stringify({ measured, types: Object.keys(OTHER_DRIVERS) }))
 `
 
 it('drivers allocate nothing per frame, except the number that the default clock returns', async () => {
   const args = ['--input-type=module', '-e', SCRIPT]
   const { stdout, stderr } = await promisify(execFile)(process.execPath, args)
-  const [blendshapes, allTypes, defaultClock] = JSON.parse(stdout)
+  const { measured, types } = JSON.parse(stdout)
+  const [blendshapes, allTypes, defaultClock] = measured
   expect(stderr).toBe('')
+  expect(['morph', ...types].sort()).toEqual([...DRIVER_TYPES].sort())
   expect(blendshapes).toMatchObject({ targets: 57, areas: 64 })
   expect(blendshapes.bytes).toBeLessThan(4)
   expect(allTypes.bytes).toBeLessThan(4)
