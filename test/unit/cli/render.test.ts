@@ -60,7 +60,7 @@ describe('furrow render refuses', () => {
       [FACE, '--renderer', 'metal'],
       /option '--renderer <name>' argument 'metal' is invalid/,
     ],
-    ['a weight that is no number', [FACE, '--set', 'jawOpen=wide'], /argument 'jawOpen=wide' is invalid/],
+    ['a weight that is not a number', [FACE, '--set', 'jawOpen=wide'], /argument 'jawOpen=wide' is invalid/],
     ['a weight without a number', [FACE, '--set', 'jawOpen='], /argument 'jawOpen=' is invalid/],
     ['a weight without a name', [FACE, '--set', '=1'], /argument '=1' is invalid/],
     [

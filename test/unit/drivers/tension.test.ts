@@ -166,7 +166,7 @@ describe('sampleTriangles', () => {
     expect(sampleTriangles(mesh, { width: 1, height: 1, data: Uint8Array.of(0) }, 50)).toHaveLength(0)
   })
 
-  it('passes over positions that are no numbers', () => {
+  it('passes over positions that are NaN', () => {
     const mesh = sheet(3)
     mesh.positions[0] = Number.NaN
     expect([...sampleTriangles(mesh, full, 200)]).not.toContain(0)

@@ -41,9 +41,12 @@ export interface DriverPlan {
 
 /** Orders the drivers of a face for evaluation. Drivers of unknown type are left out. */
 export function planDrivers(drivers: readonly WrinkleDriver[]): DriverPlan {
-  const known = drivers.filter(isKnownDriver)
-  const planned = known.flatMap((driver): PlannedActivation[] => {
-    const activation = definitionOf(driver.type)!.activate?.(driver)
+  const known = drivers.flatMap((driver) => {
+    const definition = definitionOf(driver.type)
+    return definition ? [{ driver, definition }] : []
+  })
+  const planned = known.flatMap(({ driver, definition }): PlannedActivation[] => {
+    const activation = definition.activate?.(driver)
     return activation ? [{ driver, activation }] : []
   })
   const external = planned.filter((own) => readAreas(own).length === 0)
@@ -53,11 +56,11 @@ export function planDrivers(drivers: readonly WrinkleDriver[]): DriverPlan {
     ...external,
     ...sortByDependency(dependent.filter(({ activation }) => !cyclicAreas.includes(activation.area))),
   ]
-  const inputFilters = known.flatMap((driver): PlannedFilter[] => {
-    const filter = definitionOf(driver.type)!.filterInputs?.(driver)
+  const inputFilters = known.flatMap(({ driver, definition }): PlannedFilter[] => {
+    const filter = definition.filterInputs?.(driver)
     return filter ? [{ driver, filter }] : []
   })
-  const filters = known.flatMap((driver) => definitionOf(driver.type)!.filterActivation?.(driver) ?? [])
+  const filters = known.flatMap(({ driver, definition }) => definition.filterActivation?.(driver) ?? [])
   // The last of several for one area counts.
   const activationFilters = [...new Map(filters.map((filter) => [filter.area, filter])).values()]
   const inputs = [

@@ -34,7 +34,9 @@ const NO_AREA = 0xffff
 export class DriverRuntime<Engine> {
   readonly plan: DriverPlan
   readonly #bind: () => InputReaders<Engine>
-  readonly #inputs: NamedInputs
+  readonly #values: InputSource
+  /** Per value of that source: the value of each face. */
+  readonly #named: readonly Float64Array[]
   readonly #label: string
   #bound: Bound<Engine> | null = null
   readonly #states: DriverState[] = []
@@ -60,13 +62,13 @@ export class DriverRuntime<Engine> {
   ) {
     this.plan = plan
     this.#bind = bind
-    this.#inputs = inputs
     this.#label = label
     this.#times = new Float64Array(faces)
     this.#indices = new Uint16Array(plan.areaNames.length)
-    // So that their values can be read before the first frame.
-    const { names, initial } = valueSource(plan.inputs.value)
-    for (const [i, name] of names.entries()) inputs.declare(name, initial[i])
+    const values = valueSource(plan.inputs.value)
+    this.#values = values
+    // Declared here, so that they can be read before the first frame.
+    this.#named = values.names.map((name, i) => inputs.declare(name, values.initial[i]))
   }
 
   /** Finds the inputs, unless it has done so, and warns of those that the mesh lacks. */
@@ -78,14 +80,12 @@ export class DriverRuntime<Engine> {
   #findInputs(): Bound<Engine> {
     const { plan } = this
     const readers = this.#bind()
-    const values = valueSource(plan.inputs.value)
-    const program = new DriverProgram(plan, { ...readers, value: values })
+    const program = new DriverProgram(plan, { ...readers, value: this.#values })
     const bound: Bound<Engine> = {
       program,
       readers: MEASURED.map((kind) => ({ kind, reader: readers[kind] })).filter(
         ({ kind }) => plan.inputs[kind].length > 0,
       ),
-      named: values.names.map((name, i) => this.#inputs.declare(name, values.initial[i])),
     }
     this.#bound = bound
     this.#warn([
@@ -98,7 +98,8 @@ export class DriverRuntime<Engine> {
 
   /** Phase 1: reads the inputs of all faces. */
   readInputs(faces: readonly Face[], clock: { now(): number }, engine: Engine | null): void {
-    const { program, readers, named } = this.bind()
+    const { program, readers } = this.bind()
+    const named = this.#named
     const needsTime = this.plan.activationFilters.length > 0
     const now = needsTime ? clock.now() : 0
     for (let i = 0; i < faces.length; i++) {
@@ -159,8 +160,6 @@ export class DriverRuntime<Engine> {
 interface Bound<Engine> {
   program: DriverProgram
   readers: readonly { kind: MeasuredKind; reader: InputReader<Engine> }[]
-  /** Per name: the value of each face. */
-  named: readonly Float64Array[]
 }
 
 function setAll(activations: Activations, indices: Uint16Array, { activations: values }: DriverState): void {
