@@ -2,7 +2,7 @@ import zlib from 'node:zlib'
 
 /** Zstandard (RFC 8878). */
 export interface Zstd {
-  compress(data: Uint8Array): Uint8Array
+  compress(data: Uint8Array): Uint8Array<ArrayBuffer>
   decompress(data: Uint8Array): Uint8Array
 }
 
@@ -38,5 +38,5 @@ function nodeZstd(): Zstd | undefined {
 async function wasmZstd(): Promise<Zstd> {
   const { compress, decompress, init } = await import('@bokuweb/zstd-wasm')
   await init()
-  return { compress: (data) => compress(data, LEVEL), decompress: (data) => decompress(data) }
+  return { compress: (data) => new Uint8Array(compress(data, LEVEL)), decompress: (data) => decompress(data) }
 }
