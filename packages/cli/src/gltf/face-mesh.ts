@@ -1,6 +1,7 @@
 import type { Node } from '@gltf-transform/core'
 import type { MetricMesh } from 'furrow/author'
 import { Matrix4, Vector3 } from 'three'
+import type { ReadOptions } from './external-files.ts'
 import { nameOf, pickMesh, placementOf, trianglesOf } from './mesh-nodes.ts'
 import { readDocument } from './read-document.ts'
 
@@ -17,13 +18,17 @@ export interface FaceMesh {
 }
 
 /**
- * Reads one mesh of a .glb or .gltf file.
+ * Reads one mesh of a file.
  *
- * @param meshName by default the one named `skin`, or the only one with texture coordinates.
+ * @param options.mesh its name; by default the one named `skin`, or the only one with texture coordinates.
  * @throws FurrowError when the file cannot be read or has no such mesh.
  */
-export async function readFaceMesh(path: string, who: string, meshName?: string): Promise<FaceMesh> {
-  const node = pickMesh(await readDocument(path, who), path, meshName, who)
+export async function readFaceMesh(
+  path: string,
+  who: string,
+  options: ReadOptions & { mesh?: string | undefined } = {},
+): Promise<FaceMesh> {
+  const node = pickMesh(await readDocument(path, who, options), path, options.mesh, who)
   return { name: nameOf(node), ...readMesh(node) }
 }
 
