@@ -1,6 +1,7 @@
 import type { Node } from '@gltf-transform/core'
 import type { MetricMesh } from 'furrow/author'
 import { Matrix4, Vector3 } from 'three'
+import { mostMovedSkin } from '../auto/find-skin.ts'
 import { nameOf, pickMesh, placementOf, trianglesOf } from './mesh-nodes.ts'
 import { readDocument } from './read-document.ts'
 
@@ -19,11 +20,15 @@ export interface FaceMesh {
 /**
  * Reads one mesh of a .glb or .gltf file.
  *
- * @param meshName by default the one named `skin`, or the only one with texture coordinates.
+ * @param meshName by default the one named `skin`, the only one with texture coordinates, or the one that blendshapes move most.
  * @throws FurrowError when the file cannot be read or has no such mesh.
  */
 export async function readFaceMesh(path: string, who: string, meshName?: string): Promise<FaceMesh> {
-  const node = pickMesh(await readDocument(path, who), path, meshName, who)
+  const document = await readDocument(path, who)
+  const node = pickMesh(document, path, meshName, who, () => {
+    const skin = mostMovedSkin(document)
+    return skin && document.getRoot().listMeshes()[skin.mesh]
+  })
   return { name: nameOf(node), ...readMesh(node) }
 }
 
