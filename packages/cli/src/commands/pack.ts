@@ -7,7 +7,7 @@ import { encodeGlb, readGlbFile } from '../gltf/glb-file.ts'
 import { jointNamesOf, targetNamesOf } from '../gltf/gltf-json.ts'
 import { addMorphNormals } from '../gltf/morph-normals.ts'
 import { findTarget } from '../gltf/target.ts'
-import { numberParser } from '../options.ts'
+import { allowOutsideOption, numberParser } from '../options.ts'
 import { withBar } from '../progress.ts'
 import type { AreasPerImage } from '../wrinkles/area-images.ts'
 import { findDriverFaults } from '../wrinkles/driver-faults.ts'
@@ -30,6 +30,7 @@ interface Options {
   ktx2?: boolean
   size?: number
   morphNormals?: boolean
+  allowOutside?: boolean
   json?: boolean
 }
 
@@ -65,6 +66,7 @@ export const packCommand = createCommand('pack')
   )
   .option('--size <texels>', "side of the layers' maps (default: unchanged)", imageSide)
   .option('--morph-normals', 'add normals to blendshapes that have none, so that shading follows them')
+  .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
@@ -93,8 +95,8 @@ async function pack(folder: string, options: Options): Promise<void> {
   const areasPerImage = Number(options.share) as AreasPerImage
   await checkWritable(output, WHO, '.glb')
   const document = await readFolder(folder, whiteIsVisible, WHO)
-  const glb = await readGlbFile(face, WHO)
-  const target = await findTarget(glb.json, face, WHO, {
+  const glb = await readGlbFile(face, WHO, options)
+  const target = await findTarget(glb, face, WHO, {
     mesh: options.mesh ?? document.mesh,
     material: options.material ?? document.material,
   })
@@ -113,7 +115,7 @@ async function pack(folder: string, options: Options): Promise<void> {
   const mesh = glb.json.meshes![target.mesh]
   const { missing } = findDriverFaults(wrinkles.drivers, targetNamesOf(mesh), jointNamesOf(glb.json))
   const unknown = missing.map((what) => `${WHO}: ${what} does not exist; it is kept`)
-  for (const warning of [...glb.warnings, ...wrinkles.warnings, ...unknown]) console.error(warning)
+  for (const warning of [...wrinkles.warnings, ...unknown]) console.error(warning)
   const result: Result = {
     file: output,
     mesh: mesh.name,

@@ -25,12 +25,19 @@ export interface GltfMesh {
   extras?: { targetNames?: unknown }
 }
 
+export interface BufferView {
+  buffer: number
+  byteOffset?: number
+  byteLength: number
+  extensions?: Record<string, Partial<BufferView>>
+}
+
 /** The parts of a glTF document that wrinkles touch; everything else is kept as it is. */
 export interface GltfJson {
   extensionsUsed?: string[]
   extensionsRequired?: string[]
   buffers?: { byteLength: number; uri?: string }[]
-  bufferViews?: { buffer: number; byteOffset?: number; byteLength: number }[]
+  bufferViews?: BufferView[]
   accessors?: object[]
   images?: { name?: string; mimeType?: string; uri?: string; bufferView?: number }[]
   textures?: { name?: string; sampler?: number; source?: number; extensions?: Extensions }[]
@@ -59,4 +66,13 @@ export function externalUris({ images = [], buffers = [] }: GltfJson): string[] 
   return [...images, ...buffers].flatMap(({ uri }) =>
     uri === undefined || uri.startsWith('data:') ? [] : [uri],
   )
+}
+
+/** Where the bytes of compressed views are: in another view, which an extension describes. */
+export function compressedViews({ extensions = {} }: BufferView): BufferView[] {
+  return Object.values(extensions).filter(isView)
+}
+
+const isView = (value: Partial<BufferView>): value is BufferView => {
+  return value.buffer !== undefined && value.byteLength !== undefined
 }

@@ -1,8 +1,9 @@
 import { FurrowError } from 'furrow'
 import { mostMovedSkin } from '../auto/find-skin.ts'
+import type { Glb } from './glb-file.ts'
 import type { GltfJson, GltfMesh } from './gltf-json.ts'
 import { DEFAULT_NAME } from './mesh-nodes.ts'
-import { readDocument } from './read-document.ts'
+import { documentOf } from './read-document.ts'
 
 /** Most characters of a name in `wrinkles.json`. */
 const LONGEST_NAME = 256
@@ -23,16 +24,12 @@ export interface TargetNames {
  * Finds the mesh that gets wrinkles, and its material: those that are named, or else those named `skin`, the only ones, or as
  * `furrow auto` finds them, by what the blendshapes move.
  *
- * @param path of the file that `json` is from.
+ * @param path of the file, for errors.
  * @param names the mesh may also be named by its node.
  * @throws FurrowError when there is none, or several and none stands out.
  */
-export async function findTarget(
-  json: GltfJson,
-  path: string,
-  who: string,
-  names: TargetNames,
-): Promise<Target> {
+export async function findTarget(glb: Glb, path: string, who: string, names: TargetNames): Promise<Target> {
+  const { json } = glb
   const meshes = chosen(meshesOf(json), names.mesh)
   if (meshes.length === 0) throw notFound(meshesOf(json), names.mesh, who, 'mesh', '--mesh')
   const materials = meshes.flatMap(({ index }) => materialsOf(json, index))
@@ -44,7 +41,7 @@ export async function findTarget(
   }
   if (left.length === 1) return left[0].target
   const meshName = meshes.length === 1 ? json.meshes?.[meshes[0].index].name : undefined
-  const skin = mostMovedSkin(await readDocument(path, who), meshName)
+  const skin = mostMovedSkin(await documentOf(glb, path, who), meshName)
   const moved = left.find(({ target }) => target.mesh === skin?.mesh && target.material === skin.material)
   if (moved) return moved.target
   throw meshes.length > 1
