@@ -4,23 +4,15 @@ import type { Glb } from '../gltf/glb-file.ts'
 import { jointNamesOf, targetNamesOf } from '../gltf/gltf-json.ts'
 import { imageOf, layerCount } from '../gltf/texture-image.ts'
 import { arrayOf } from '../gltf/texture-pixels.ts'
+import { errorFinding, type Finding, warningFinding } from '../validate/finding.ts'
 import { findDriverFaults } from './driver-faults.ts'
 import { type Inspection, inspectWrinkles } from './inspect.ts'
 import { MAP_SLOTS, type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
 
-/** An error or a warning about a file. */
-export interface Finding {
-  severity: 'error' | 'warning'
-  code: string
-  message: string
-  /** JSON pointer into the file. */
-  pointer?: string
-}
-
 /** Checks the rules of the extension on every material with wrinkles. Never throws FurrowError. */
 export async function checkWrinkles(glb: Glb): Promise<Finding[]> {
   const materials = wrinkledMaterials(glb)
-  if (materials.length === 0) return [warning('NO_WRINKLES', `no material has ${WRINKLE_MAPS}`)]
+  if (materials.length === 0) return [warningFinding('NO_WRINKLES', `no material has ${WRINKLE_MAPS}`)]
   const all = await Promise.all(materials.map((material) => checkMaterial(glb, material)))
   return [...checkLists(glb), ...all.flat()]
 }
@@ -28,11 +20,11 @@ export async function checkWrinkles(glb: Glb): Promise<Finding[]> {
 function checkLists({ json }: Glb): Finding[] {
   const findings: Finding[] = []
   if (!json.extensionsUsed?.includes(WRINKLE_MAPS)) {
-    findings.push(error('NOT_DECLARED', `extensionsUsed lacks ${WRINKLE_MAPS}`, '/extensionsUsed'))
+    findings.push(errorFinding('NOT_DECLARED', `extensionsUsed lacks ${WRINKLE_MAPS}`, '/extensionsUsed'))
   }
   if (json.extensionsRequired?.includes(WRINKLE_MAPS)) {
     const message = 'extensionsRequired lists it: viewers without it will not open the file at all'
-    findings.push(warning('REQUIRED', message, '/extensionsRequired'))
+    findings.push(warningFinding('REQUIRED', message, '/extensionsRequired'))
   }
   return findings
 }
@@ -55,7 +47,7 @@ async function checkMaterial(glb: Glb, material: number): Promise<Finding[]> {
     return findings.map((finding) => ({ ...finding, pointer }))
   } catch (thrown) {
     if (!(thrown instanceof FurrowError)) throw thrown
-    return [error('INVALID', firstLine(thrown), pointer)]
+    return [errorFinding('INVALID', firstLine(thrown), pointer)]
   }
 }
 
@@ -63,13 +55,15 @@ function checkSizes({ layers }: Inspection): Finding[] {
   const sizes = layers.map(({ maps }) => sizeText(maps[0]))
   const findings: Finding[] = []
   if (new Set(sizes).size > 1) {
-    findings.push(error('LAYER_SIZES', `normal maps of the layers differ in size: ${sizes.join(', ')}`))
+    findings.push(
+      errorFinding('LAYER_SIZES', `normal maps of the layers differ in size: ${sizes.join(', ')}`),
+    )
   }
   for (const { name, maps } of layers) {
     for (const map of maps) {
       if (sizeText(map) === sizeText(maps[0])) continue
       const message = `layer "${name}": ${map.map} is ${sizeText(map)}, its normal map ${sizeText(maps[0])}`
-      findings.push(warning('MAP_SIZES', message))
+      findings.push(warningFinding('MAP_SIZES', message))
     }
   }
   return findings
@@ -79,7 +73,7 @@ function checkImages({ layers }: Inspection): Finding[] {
   return layers.flatMap(({ name, maps }) => {
     const lossy = maps[0].mimeType === 'image/jpeg'
     return lossy
-      ? [warning('JPEG_NORMALS', `layer "${name}": JPEG causes blocks in normals; use PNG or UASTC`)]
+      ? [warningFinding('JPEG_NORMALS', `layer "${name}": JPEG causes blocks in normals; use PNG or UASTC`)]
       : []
   })
 }
@@ -94,11 +88,11 @@ async function checkArrays({ glb, maps }: WrinkledFile): Promise<Finding[]> {
       const { layers, compression } = await arrayOf(glb, info.index, WRINKLE_MAPS)
       if (info.slice >= layers.length) {
         const message = `layer "${layer.name}": ${map} is slice ${info.slice} of ${layers.length}`
-        findings.push(error('NO_SLICE', message))
+        findings.push(errorFinding('NO_SLICE', message))
       }
       if (map === 'normal' && compression === 'etc1s') {
         findings.push(
-          warning('ETC1S_NORMALS', `layer "${layer.name}": ETC1S causes blocks in normals; use UASTC`),
+          warningFinding('ETC1S_NORMALS', `layer "${layer.name}": ETC1S causes blocks in normals; use UASTC`),
         )
       }
     }
@@ -118,7 +112,7 @@ function checkArrayUses(glb: Glb, maps: WrinkledFile['maps']): Finding[] {
     const count = layerCount(imageOf(glb, index, WRINKLE_MAPS))
     if (count === 0) return []
     const message = `texture ${index} is an array of ${count}, and a texture info without a slice refers to it`
-    return [error('ARRAY_AS_IMAGE', message)]
+    return [errorFinding('ARRAY_AS_IMAGE', message)]
   })
 }
 
@@ -137,10 +131,11 @@ function checkAreas({ areas }: Inspection): Finding[] {
   const withAlpha = new Set(inImages.map(({ texture }) => texture))
   return areas.flatMap((area) => {
     const findings: Finding[] = []
-    if (area.largest === 0) findings.push(warning('AREA_INVISIBLE', `area "${area.name}" is visible nowhere`))
+    if (area.largest === 0)
+      findings.push(warningFinding('AREA_INVISIBLE', `area "${area.name}" is visible nowhere`))
     if (area.channel !== 'A' && withAlpha.has(area.texture)) {
       const message = `area "${area.name}" shares texture ${area.texture} with an area in alpha: tools that resize or compress it lose the colours where alpha is 0`
-      findings.push(warning('AREA_UNDER_ALPHA', message))
+      findings.push(warningFinding('AREA_UNDER_ALPHA', message))
     }
     return findings
   })
@@ -156,7 +151,7 @@ function checkCoordinates({ glb, material, maps }: WrinkledFile): Finding[] {
   const other = infos.find((info) => ((info as { texCoord?: number }).texCoord ?? 0) !== expected)
   if (!other) return []
   const message = `texture ${other.index} has another texCoord than the normalTexture (${expected}), which is used instead`
-  return [warning('TEXCOORD', message)]
+  return [warningFinding('TEXCOORD', message)]
 }
 
 function checkDrivers({ glb, material, maps: { drivers } }: WrinkledFile): Finding[] {
@@ -169,24 +164,12 @@ function checkDrivers({ glb, material, maps: { drivers } }: WrinkledFile): Findi
     jointNamesOf(glb.json),
   )
   return [
-    ...unknownTypes.map((type) => warning('DRIVER_TYPE', `drivers of type "${type}" are ignored`)),
-    ...missing.map((what) => warning('DRIVER_NAME', `${what} does not exist`)),
+    ...unknownTypes.map((type) => warningFinding('DRIVER_TYPE', `drivers of type "${type}" are ignored`)),
+    ...missing.map((what) => warningFinding('DRIVER_NAME', `${what} does not exist`)),
     ...cyclicAreas.map((area) =>
-      warning('DRIVER_CYCLE', `area "${area}" drives itself; its drivers that read areas are ignored`),
+      warningFinding('DRIVER_CYCLE', `area "${area}" drives itself; its drivers that read areas are ignored`),
     ),
   ]
 }
 
 const sizeText = ({ width, height }: { width: number; height: number }) => `${width} x ${height}`
-
-const error = (code: string, message: string, pointer?: string): Finding => ({
-  severity: 'error',
-  code,
-  message,
-  ...(pointer && { pointer }),
-})
-
-const warning = (code: string, message: string, pointer?: string): Finding => ({
-  ...error(code, message, pointer),
-  severity: 'warning',
-})
