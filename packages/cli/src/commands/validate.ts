@@ -25,7 +25,7 @@ export const validateCommand = createCommand('validate')
 The exit code is 1 if there are errors, and 0 if there are only warnings.
 
 Example:
-  $ furrow validate faces/human.glb`,
+  $ furrow validate wrinkled.glb`,
   )
   .action(validate)
 
