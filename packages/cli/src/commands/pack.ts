@@ -77,9 +77,9 @@ A slice of a KTX 2 array always holds four areas.
 
 Examples:
   $ furrow pack my-face -o wrinkled.glb
-  $ furrow pack faces/human --face faces/human.glb -o human.glb
-  $ furrow pack faces/human --face faces/human.glb --ktx2 --size 512 -o small.glb
-  $ furrow pack vroid --face avatar.vrm.glb --mesh Face --material Face_SKIN -o avatar.glb --white-is-visible`,
+  $ furrow pack my-face --face avatar.glb -o wrinkled.glb
+  $ furrow pack my-face --ktx2 --size 512 -o small.glb
+  $ furrow pack my-face --face avatar.vrm --mesh Face --material Face_SKIN -o wrinkled.glb --white-is-visible`,
   )
   .action(pack)
 

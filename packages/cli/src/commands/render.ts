@@ -61,9 +61,9 @@ export const renderCommand = createCommand('render')
 "left" and "right" are the person's own. With --set alone the drivers of the file set the wrinkles.
 
 Examples:
-  $ furrow render faces/human.glb -o surprised.png --expression surprised
-  $ furrow render faces/human.glb -o brow.png --set browOuterUpLeft=1 --activation foreheadLeft=0.7 --view close
-  $ furrow render faces/human.glb -o plain.png --expression surprised --mode off --size 1600x1200`,
+  $ furrow render wrinkled.glb -o surprised.png --expression surprised
+  $ furrow render wrinkled.glb -o brow.png --set browOuterUpLeft=1 --activation glabellaLeft=0.7 --view close
+  $ furrow render wrinkled.glb -o plain.png --expression surprised --mode off --size 1600x1200`,
   )
   .action(render)
 
