@@ -44,7 +44,8 @@ export interface GltfJson {
   samplers?: object[]
   materials?: GltfMaterial[]
   meshes?: GltfMesh[]
-  nodes?: { name?: string; mesh?: number }[]
+  nodes?: { name?: string; mesh?: number; children?: number[] }[]
+  scenes?: { nodes?: number[] }[]
   extensions?: Extensions
 }
 
