@@ -211,7 +211,8 @@ describe('a face', () => {
     expect(json.bufferViews).toHaveLength(new Set(used).size)
     const bytes = readFileSync(at('gltf/my face.gltf'))
     const { issues } = await validateBytes(new Uint8Array(bytes), {
-      externalResourceFunction: async (uri) => readFileSync(at(`gltf/${decodeURIComponent(uri)}`)),
+      externalResourceFunction: async (uri) =>
+        new Uint8Array(readFileSync(at(`gltf/${decodeURIComponent(uri)}`))),
     })
     expect(issues.messages.filter(({ severity }) => severity === 0)).toEqual([])
   })
@@ -239,7 +240,9 @@ describe('files are written whole or not at all', () => {
     shop.write('whole/file', 'x')
     const files = ['whole/new/deep/a.png', 'whole/b.png', 'whole/file/c.png']
     const outputs = files.map((name) => ({ path: at(name), bytes: Buffer.from('a') }))
-    await expect(writeAll(outputs, WHO)).rejects.toThrow(/cannot write .*c\.png \(something else has its name/)
+    await expect(writeAll(outputs, WHO)).rejects.toThrow(
+      /cannot write .*c\.png \(something else has its name/,
+    )
     expect(readdirSync(at('whole'))).toEqual(['file'])
   })
 
