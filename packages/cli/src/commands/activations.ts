@@ -46,8 +46,8 @@ export const activationsCommand = createCommand('activations')
 Drivers that read joints or tension need the moving mesh: they are listed without a number.
 
 Examples:
-  $ furrow activations faces/human.glb --set mouthSmileLeft=1 cheekSquintLeft=0.5
-  $ furrow activations faces/human.glb --expression angry --input age=60 --json`,
+  $ furrow activations wrinkled.glb --set mouthSmileLeft=1 cheekSquintLeft=0.5
+  $ furrow activations wrinkled.glb --expression angry --input age=60 --json`,
   )
   .action(activations)
 

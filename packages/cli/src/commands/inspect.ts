@@ -32,8 +32,8 @@ export const inspectCommand = createCommand('inspect')
 On the GPU, maps have mipmaps; areas have one channel and no mipmaps. 1 kB is 1024 bytes.
 
 Examples:
-  $ furrow inspect faces/human.glb
-  $ furrow inspect faces/human.glb --sheet sheet.png --json`,
+  $ furrow inspect wrinkled.glb
+  $ furrow inspect wrinkled.glb --sheet sheet.png --json`,
   )
   .action(inspect)
 

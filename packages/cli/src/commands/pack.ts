@@ -46,8 +46,11 @@ export const packCommand = createCommand('pack')
   .argument('<folder>', 'face.glb, layers/NAME/normal.png, areas/NAME.png and optionally wrinkles.json')
   .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb, .vrm, .gltf)')
   .option('--face <file>', 'the face (default: face.glb in the folder)')
-  .option('--mesh <name>', 'the mesh that wrinkles (default: "skin", or the only one)')
-  .option('--material <name>', 'its material (default: "skin", or the only one)')
+  .option(
+    '--mesh <name>',
+    'the mesh that wrinkles (default: that of wrinkles.json, "skin", or as furrow auto finds it)',
+  )
+  .option('--material <name>', 'its material (default: likewise)')
   .option('--white-is-visible', 'areas are white where wrinkles show, instead of black')
   .option(
     '--area-size <texels>',
@@ -79,9 +82,9 @@ A slice of a KTX 2 array always holds four areas.
 
 Examples:
   $ furrow pack my-face -o wrinkled.glb
-  $ furrow pack faces/human --face faces/human.glb -o human.glb
-  $ furrow pack faces/human --face faces/human.glb --ktx2 --size 512 -o small.glb
-  $ furrow pack vroid --face avatar.vrm.glb --mesh Face --material Face_SKIN -o avatar.glb --white-is-visible`,
+  $ furrow pack my-face --face avatar.glb -o wrinkled.glb
+  $ furrow pack my-face --ktx2 --size 512 -o small.glb
+  $ furrow pack my-face --face avatar.vrm --mesh Face --material Face_SKIN -o wrinkled.glb --white-is-visible`,
   )
   .action(pack)
 
@@ -99,7 +102,10 @@ async function pack(folder: string, options: Options): Promise<void> {
   await checkOutputs([output], WHO, rules)
   const document = await readFolder(folder, whiteIsVisible, WHO)
   const glb = await readGlbFile(face, WHO, options)
-  const target = findTarget(glb.json, WHO, options.mesh, options.material)
+  const target = await findTarget(glb, face, WHO, {
+    mesh: options.mesh ?? document.mesh,
+    material: options.material ?? document.material,
+  })
   const wrinkles = await withBar('pack', (progress) =>
     packFolder(folder, document, { areasPerImage, ktx2, areaSize, size }, WHO, progress),
   )

@@ -52,7 +52,7 @@ export const strokesCommand = createCommand('strokes')
   .description('draw strokes into a height map, a normal map and the areas of a face')
   .argument('<strokes>', 'document of strokes (JSON)')
   .requiredOption('--face <file>', 'the face that the strokes are drawn on (.glb, .vrm, .gltf)')
-  .option('--mesh <name>', 'its mesh (default: "skin", or the only one)')
+  .option('--mesh <name>', 'its mesh (default: "skin", the only one, or as furrow auto finds it)')
   .option('--base <image>', "smooth normal map under the wrinkles (default: the mesh's own)")
   .addOption(
     new Option('--detail', 'wrinkles without a base, for a layer of kind "detail"').conflicts('base'),
