@@ -23,8 +23,8 @@ const program = createCommand('furrow')
     'after',
     `
 Examples:
-  $ furrow render faces/human.glb -o surprised.png --expression surprised
-  $ furrow strokes faces/human/strokes.json --face faces/human.glb --normal wrinkled.png --areas areas
+  $ furrow auto avatar.glb -o wrinkled.glb
+  $ furrow render wrinkled.glb -o surprised.png --expression surprised
   $ furrow help render`,
   )
 

@@ -327,8 +327,8 @@ describe('furrow bake says what is wrong and writes nothing:', () => {
     ['one output twice', () => [...good(), ...out(), '--height', file('x.png')], 'one file for two maps'],
     ['a missing sculpt', () => [file('none.glb'), file('plain.glb'), ...out()], 'cannot read the face'],
     ['a missing mesh', () => [file('ball.glb'), file('none.glb'), ...out()], 'cannot read the face'],
-    ['half a sculpt', () => [file('cut.glb'), file('plain.glb'), ...out()], 'cannot read the face'],
-    ['no glTF', () => [file('text.glb'), file('plain.glb'), ...out()], 'cannot read the face'],
+    ['half a sculpt', () => [file('cut.glb'), file('plain.glb'), ...out()], 'it is cut off: 5000 of'],
+    ['no glTF', () => [file('text.glb'), file('plain.glb'), ...out()], 'does not begin with "glTF"'],
     [
       'no texture coordinates',
       () => [file('ball.glb'), file('bare.glb'), ...out()],

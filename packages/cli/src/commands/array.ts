@@ -1,6 +1,7 @@
 import { join } from 'node:path'
 import { Option } from 'commander'
 import { FurrowError } from 'furrow'
+import { fileNamesOf } from 'furrow/author'
 import { COMPRESSIONS, type Compression, type NamedArray } from '../array/image-array.ts'
 import { readArray, writeArray } from '../array/ktx2.ts'
 import { readLayers } from '../array/read-layers.ts'
@@ -92,9 +93,10 @@ async function extractLayers(files: string[], folder: string): Promise<Result> {
   }
   await checkFolder(folder, WHO)
   const { bytes, array } = await readArrayFile(files[0])
+  const fileNames = fileNamesOf(array.names)
   const outputs = await Promise.all(
     array.layers.map(async (data, i) => ({
-      path: join(folder, `${array.names[i]}.png`),
+      path: join(folder, `${fileNames[i]}.png`),
       bytes: await encodePngWithoutOpaqueAlpha({ ...array, data }),
     })),
   )

@@ -18,8 +18,8 @@ import { createCommand } from '../command.ts'
 import { withCommandErrors } from '../errors.ts'
 import { checkWritable, writeAll } from '../files.ts'
 import { encodeGlb, type Glb, readGlbFile } from '../gltf/glb-file.ts'
-import { readDocument } from '../gltf/read-document.ts'
-import { numberParser } from '../options.ts'
+import { documentOf } from '../gltf/read-document.ts'
+import { allowOutsideOption, numberParser } from '../options.ts'
 import { withBar } from '../progress.ts'
 import { embedWrinkles } from '../wrinkles/embed.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
@@ -43,6 +43,7 @@ interface Options {
   areas: number
   regions?: AutoRegion[]
   replace?: boolean
+  allowOutside?: boolean
   report?: string
   json?: boolean
 }
@@ -54,7 +55,7 @@ const count = (min: number, max: number) => numberParser({ min, max, integer: tr
 /** `furrow auto`: makes wrinkles from a face's own blendshapes. */
 export const autoCommand = createCommand('auto')
   .description("make wrinkles from a face's own blendshapes, where they compress the skin")
-  .argument('<face>', 'a face with blendshapes (.glb)')
+  .argument('<face>', 'a face with blendshapes (.glb, .vrm, .gltf)')
   .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb)')
   .option('--age <years>', 'lines grow in number, length and depth, 20 to 80', years, AUTO_DEFAULTS.age)
   .option('--strength <factor>', 'multiplies the depth, 0 to 2', factor, AUTO_DEFAULTS.strength)
@@ -82,6 +83,7 @@ export const autoCommand = createCommand('auto')
   )
   .option('--replace', 'replace existing wrinkles')
   .option('--report <folder>', 'write a page there: before and after, strain, areas, layers, drivers')
+  .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
@@ -109,9 +111,9 @@ async function auto(face: string, options: Options): Promise<void> {
   const { found, wrinkles, bytes, warnings } = await withBar('auto', async (progress) => {
     const steps = new Steps(progress, total)
     steps.begin('reading')
-    const glb = await readGlbFile(face, WHO)
+    const glb = await readGlbFile(face, WHO, options)
     checkTriangles(glb, WHO, mesh)
-    const found = findSkin(await readDocument(face, WHO), face, WHO, mesh)
+    const found = findSkin(await documentOf(glb, face, WHO), face, WHO, mesh)
     removeOldWrinkles(glb, found, options.replace ?? false)
     const frame = found.hasTangents ? 'orthonormal' : 'derivative'
     const wrinkles = withCommandErrors(WHO, () =>
@@ -124,7 +126,7 @@ async function auto(face: string, options: Options): Promise<void> {
     embedWrinkles(glb, found.material, await packAuto(wrinkles), WHO)
     const bytes = encodeGlb(glb)
     await writeAll([{ path: output, bytes }], WHO)
-    const warnings = [...glb.warnings, ...wrinkles.warnings.map((text) => `${WHO}: ${text}`)]
+    const warnings = wrinkles.warnings.map((text) => `${WHO}: ${text}`)
     if (report !== undefined) {
       const listed = { ...settings, regions: regions?.join(', ') ?? 'all' }
       const source = { path: output, glb, found, wrinkles, settings: listed, warnings }

@@ -15,7 +15,7 @@ import {
   HEIGHT_ZERO,
   MAX_HEIGHT,
 } from '../images/encode.ts'
-import { numberParser } from '../options.ts'
+import { allowOutsideOption, numberParser } from '../options.ts'
 import { withBar } from '../progress.ts'
 
 const WHO = 'furrow bake'
@@ -41,6 +41,7 @@ interface Options {
   rays: number
   /** In millimetres. */
   reach?: number
+  allowOutside?: boolean
   json?: boolean
 }
 
@@ -50,8 +51,8 @@ const count = (min: number, max: number) => numberParser({ min, max, integer: tr
 /** `furrow bake`: bakes a detailed sculpt into maps of a low-polygon mesh. */
 export const bakeCommand = createCommand('bake')
   .description('bake a detailed sculpt into normal, height and occlusion maps of a low-polygon mesh')
-  .argument('<high>', 'the detailed sculpt (.glb, .gltf), with all its meshes')
-  .argument('<low>', 'the low-polygon mesh (.glb, .gltf), with texture coordinates and normals')
+  .argument('<high>', 'the detailed sculpt (.glb, .vrm, .gltf), with all its meshes')
+  .argument('<low>', 'the low-polygon mesh (.glb, .vrm, .gltf), with texture coordinates and normals')
   .option('-o, --output <file>', 'tangent-space normal map (.png), green up as in glTF')
   .option('--height <file>', 'height above the low mesh, 16-bit gray PNG')
   .option('--occlusion <file>', 'ambient occlusion, 8-bit gray PNG, white = open')
@@ -85,6 +86,7 @@ export const bakeCommand = createCommand('bake')
   )
   .option('--rays <count>', 'occlusion rays per sample', count(1, 4096), DEFAULT_RAYS)
   .option('--reach <mm>', 'largest distance at which something occludes (default: any)', millimetres)
+  .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
@@ -99,8 +101,8 @@ Examples:
 async function bake(high: string, low: string, options: Options): Promise<void> {
   const start = performance.now()
   const paths = await checkOutputs(options)
-  const { name, mesh, tangents } = await readLow(low, options.mesh, options.tangents)
-  const surface = await readSurface(high)
+  const { name, mesh, tangents } = await readLow(low, options.mesh, options.tangents, options)
+  const surface = await readSurface(high, options)
   const cage = options.cage === undefined ? DEFAULT_CAGE * meshDiagonal(mesh) : options.cage / 1000
   const source = raySourceOf(surface)
   const baked = withCommandErrors(WHO, () =>

@@ -1,6 +1,7 @@
 import { describeDriver } from 'furrow'
 import { createCommand } from '../command.ts'
 import { checkWritable, writeAll } from '../files.ts'
+import { allowOutsideOption } from '../options.ts'
 import { type Inspection, inspectWrinkles } from '../wrinkles/inspect.ts'
 import { drawSheet } from '../wrinkles/sheet.ts'
 import { type GpuSizes, kilobytes } from '../wrinkles/sizes.ts'
@@ -11,15 +12,17 @@ const WHO = 'furrow inspect'
 interface Options {
   material?: string
   sheet?: string
+  allowOutside?: boolean
   json?: boolean
 }
 
 /** `furrow inspect`: shows the wrinkles of a file. */
 export const inspectCommand = createCommand('inspect')
   .description('show the layers, areas and drivers of a face, and what they cost')
-  .argument('<face>', 'a face with wrinkles (.glb)')
+  .argument('<face>', 'a face with wrinkles (.glb, .vrm, .gltf)')
   .option('--material <name>', 'the material with the wrinkles (default: the only one)')
   .option('--sheet <file>', 'draw all maps and areas into one picture (.png)')
+  .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
@@ -27,14 +30,15 @@ export const inspectCommand = createCommand('inspect')
 On the GPU, maps have mipmaps; areas have one channel and no mipmaps. 1 kB is 1024 bytes.
 
 Examples:
-  $ furrow inspect faces/human.glb
-  $ furrow inspect faces/human.glb --sheet sheet.png --json`,
+  $ furrow inspect wrinkled.glb
+  $ furrow inspect wrinkled.glb --sheet sheet.png --json`,
   )
   .action(inspect)
 
-async function inspect(path: string, { material, sheet, json }: Options): Promise<void> {
+async function inspect(path: string, options: Options): Promise<void> {
+  const { sheet, json } = options
   if (sheet !== undefined) await checkWritable(sheet, WHO)
-  const file = await readWrinkledFile(path, WHO, material)
+  const file = await readWrinkledFile(path, WHO, options)
   const report = await inspectWrinkles(file, WHO)
   if (sheet !== undefined) await writeAll([{ path: sheet, bytes: await drawSheet(file, WHO) }], WHO)
   const text = json

@@ -7,7 +7,7 @@ import { encodeGlb, readGlbFile } from '../gltf/glb-file.ts'
 import { jointNamesOf, targetNamesOf } from '../gltf/gltf-json.ts'
 import { addMorphNormals } from '../gltf/morph-normals.ts'
 import { findTarget } from '../gltf/target.ts'
-import { numberParser } from '../options.ts'
+import { allowOutsideOption, numberParser } from '../options.ts'
 import { withBar } from '../progress.ts'
 import type { AreasPerImage } from '../wrinkles/area-images.ts'
 import { findDriverFaults } from '../wrinkles/driver-faults.ts'
@@ -30,6 +30,7 @@ interface Options {
   ktx2?: boolean
   size?: number
   morphNormals?: boolean
+  allowOutside?: boolean
   json?: boolean
 }
 
@@ -41,8 +42,11 @@ export const packCommand = createCommand('pack')
   .argument('<folder>', 'face.glb, layers/NAME/normal.png, areas/NAME.png and optionally wrinkles.json')
   .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb)')
   .option('--face <file>', 'the face (default: face.glb in the folder)')
-  .option('--mesh <name>', 'the mesh that wrinkles (default: "skin", or the only one)')
-  .option('--material <name>', 'its material (default: "skin", or the only one)')
+  .option(
+    '--mesh <name>',
+    'the mesh that wrinkles (default: that of wrinkles.json, "skin", or as furrow auto finds it)',
+  )
+  .option('--material <name>', 'its material (default: likewise)')
   .option('--white-is-visible', 'areas are white where wrinkles show, instead of black')
   .option(
     '--area-size <texels>',
@@ -62,6 +66,7 @@ export const packCommand = createCommand('pack')
   )
   .option('--size <texels>', "side of the layers' maps (default: unchanged)", imageSide)
   .option('--morph-normals', 'add normals to blendshapes that have none, so that shading follows them')
+  .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
@@ -72,9 +77,9 @@ A slice of a KTX 2 array always holds four areas.
 
 Examples:
   $ furrow pack my-face -o wrinkled.glb
-  $ furrow pack faces/human --face faces/human.glb -o human.glb
-  $ furrow pack faces/human --face faces/human.glb --ktx2 --size 512 -o small.glb
-  $ furrow pack vroid --face avatar.vrm.glb --mesh Face --material Face_SKIN -o avatar.glb --white-is-visible`,
+  $ furrow pack my-face --face avatar.glb -o wrinkled.glb
+  $ furrow pack my-face --ktx2 --size 512 -o small.glb
+  $ furrow pack my-face --face avatar.vrm --mesh Face --material Face_SKIN -o wrinkled.glb --white-is-visible`,
   )
   .action(pack)
 
@@ -90,8 +95,11 @@ async function pack(folder: string, options: Options): Promise<void> {
   const areasPerImage = Number(options.share) as AreasPerImage
   await checkWritable(output, WHO, '.glb')
   const document = await readFolder(folder, whiteIsVisible, WHO)
-  const glb = await readGlbFile(face, WHO)
-  const target = findTarget(glb.json, WHO, options.mesh, options.material)
+  const glb = await readGlbFile(face, WHO, options)
+  const target = await findTarget(glb, face, WHO, {
+    mesh: options.mesh ?? document.mesh,
+    material: options.material ?? document.material,
+  })
   const wrinkles = await withBar('pack', (progress) =>
     packFolder(folder, document, { areasPerImage, ktx2, areaSize, size }, WHO, progress),
   )
@@ -107,7 +115,7 @@ async function pack(folder: string, options: Options): Promise<void> {
   const mesh = glb.json.meshes![target.mesh]
   const { missing } = findDriverFaults(wrinkles.drivers, targetNamesOf(mesh), jointNamesOf(glb.json))
   const unknown = missing.map((what) => `${WHO}: ${what} does not exist; it is kept`)
-  for (const warning of [...glb.warnings, ...wrinkles.warnings, ...unknown]) console.error(warning)
+  for (const warning of [...wrinkles.warnings, ...unknown]) console.error(warning)
   const result: Result = {
     file: output,
     mesh: mesh.name,

@@ -5,7 +5,7 @@ import { EXPRESSIONS } from 'furrow'
 import { createCommand } from '../command.ts'
 import { checkWritable, writeAll } from '../files.ts'
 import { encodeRgb } from '../images/encode.ts'
-import { parseWeight } from '../options.ts'
+import { allowOutsideOption, parseWeight } from '../options.ts'
 import {
   MODE_NAMES,
   PICTURE_DEFAULTS,
@@ -21,7 +21,10 @@ const WHO = 'furrow render'
 const DEFAULT_SIZE = `${PICTURE_DEFAULTS.width}x${PICTURE_DEFAULTS.height}`
 
 interface Options
-  extends Pick<PictureRequest, 'wrinkles' | 'mesh' | 'expression' | 'view' | 'renderer' | 'mode'> {
+  extends Pick<
+    PictureRequest,
+    'wrinkles' | 'mesh' | 'expression' | 'view' | 'renderer' | 'mode' | 'allowOutside'
+  > {
   output: string
   set?: Record<string, number>
   activation?: Record<string, number>
@@ -32,7 +35,7 @@ interface Options
 /** `furrow render`: draws a picture of a face with its wrinkles. */
 export const renderCommand = createCommand('render')
   .description('draw a picture of a face with its wrinkles, without a window')
-  .argument('<face>', 'the face (.glb)')
+  .argument('<face>', 'the face (.glb, .gltf, .vrm)')
   .requiredOption('-o, --output <file>', 'the picture (.png)')
   .option(
     '--wrinkles <file>',
@@ -54,6 +57,7 @@ export const renderCommand = createCommand('render')
   .addOption(
     new Option('--mode <name>', 'mode of the wrinkles').choices(MODE_NAMES).default(PICTURE_DEFAULTS.mode),
   )
+  .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
@@ -61,9 +65,9 @@ export const renderCommand = createCommand('render')
 "left" and "right" are the person's own. With --set alone the drivers of the file set the wrinkles.
 
 Examples:
-  $ furrow render faces/human.glb -o surprised.png --expression surprised
-  $ furrow render faces/human.glb -o brow.png --set browOuterUpLeft=1 --activation foreheadLeft=0.7 --view close
-  $ furrow render faces/human.glb -o plain.png --expression surprised --mode off --size 1600x1200`,
+  $ furrow render wrinkled.glb -o surprised.png --expression surprised
+  $ furrow render wrinkled.glb -o brow.png --set browOuterUpLeft=1 --activation glabellaLeft=0.7 --view close
+  $ furrow render wrinkled.glb -o plain.png --expression surprised --mode off --size 1600x1200`,
   )
   .action(render)
 

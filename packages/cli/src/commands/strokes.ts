@@ -23,7 +23,7 @@ import {
   HEIGHT_STEPS_PER_MM,
   HEIGHT_ZERO,
 } from '../images/encode.ts'
-import { numberParser } from '../options.ts'
+import { allowOutsideOption, numberParser } from '../options.ts'
 import { withBar } from '../progress.ts'
 
 const WHO = 'furrow strokes'
@@ -40,14 +40,15 @@ interface Options {
   normal?: string
   areas?: string
   size?: number
+  allowOutside?: boolean
 }
 
 /** `furrow strokes`: draws the wrinkles of a document into the maps of a face. */
 export const strokesCommand = createCommand('strokes')
   .description('draw strokes into a height map, a normal map and the areas of a face')
   .argument('<strokes>', 'document of strokes (JSON)')
-  .requiredOption('--face <file>', 'the face that the strokes are drawn on (.glb, .gltf)')
-  .option('--mesh <name>', 'its mesh (default: "skin", or the only one)')
+  .requiredOption('--face <file>', 'the face that the strokes are drawn on (.glb, .vrm, .gltf)')
+  .option('--mesh <name>', 'its mesh (default: "skin", the only one, or as furrow auto finds it)')
   .option('--base <image>', "smooth normal map under the wrinkles (default: the mesh's own)")
   .addOption(
     new Option('--detail', 'wrinkles without a base, for a layer of kind "detail"').conflicts('base'),
@@ -60,6 +61,7 @@ export const strokesCommand = createCommand('strokes')
     `side of both maps (default: the document's, the base's, or ${DEFAULT_SIZE})`,
     numberParser({ min: 16, max: MAX_IMAGE_SIDE, unit: 'texels', integer: true }),
   )
+  .addOption(allowOutsideOption())
   .action(drawStrokes)
 
 async function drawStrokes(path: string, options: Options): Promise<void> {
@@ -73,7 +75,7 @@ async function drawStrokes(path: string, options: Options): Promise<void> {
     })
   }
   const document = parseStrokes(await readJson(path, WHO, 'the strokes'))
-  const face = await readFaceMesh(options.face, WHO, options.mesh)
+  const face = await readFaceMesh(options.face, WHO, options)
   const drawn = [...(await drawMaps(document, face, options)), ...(await drawAreas(document, face, options))]
   await writeAll(drawn, WHO)
   process.stdout.write(`${drawn.map(({ path, note }) => `${path}: ${note}`).join('\n')}\n`)

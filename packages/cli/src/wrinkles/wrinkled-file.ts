@@ -1,4 +1,5 @@
 import { FurrowError, parseWrinkleMaps, WRINKLE_MAPS, type WrinkleMaps } from 'furrow'
+import type { ReadOptions } from '../gltf/external-files.ts'
 import { type Glb, readGlbFile } from '../gltf/glb-file.ts'
 
 /** A file and the wrinkles of one of its materials. */
@@ -19,15 +20,16 @@ export function wrinkledMaterials({ json }: Glb): number[] {
 /**
  * Reads a file and the wrinkles of one of its materials.
  *
- * @param materialName by default the only one with wrinkles.
+ * @param options.material name of the material; by default the only one with wrinkles.
  * @throws FurrowError when none has wrinkles, several have and none is named, or the wrinkles are malformed.
  */
 export async function readWrinkledFile(
   path: string,
   who: string,
-  materialName?: string,
+  options: ReadOptions & { material?: string | undefined } = {},
 ): Promise<WrinkledFile> {
-  const glb = await readGlbFile(path, who)
+  const { material: materialName } = options
+  const glb = await readGlbFile(path, who, options)
   const materials = glb.json.materials ?? []
   const all = wrinkledMaterials(glb)
   if (all.length === 0) {
