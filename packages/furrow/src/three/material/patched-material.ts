@@ -91,7 +91,7 @@ export class PatchedMaterial {
   settle(renderer: AnyRenderer): void {
     if (this.mode === 'off') return
     try {
-      if (this.mode !== 'composed' && !this.#isPatchable) this.show('default')
+      if (this.#isRefused && this.mode !== 'composed') this.show('default')
       this.#checkShader(renderer)
     } catch (error) {
       this.show('off')
