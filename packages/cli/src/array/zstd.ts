@@ -52,7 +52,7 @@ async function wasmZstd(): Promise<Zstd> {
 }
 
 /** Checks the size that the header of the first frame gives (RFC 8878, 3.1.1.1), where it gives one. */
-function checkContentSize(data: Uint8Array, size: number): void {
+export function checkContentSize(data: Uint8Array, size: number): void {
   const view = new DataView(data.buffer, data.byteOffset, data.length)
   if (data.length < 18 || view.getUint32(0, true) !== 0xfd2fb528)
     throw new Error('its Zstandard data is damaged')
