@@ -41,3 +41,5 @@ const cost: RunCost = {
   seconds: (userCPUTime + systemCPUTime) / 1e6,
 }
 process.stdout.write(JSON.stringify(cost))
+// Findings of `validate` are no failure here.
+process.exitCode = 0

@@ -1,9 +1,8 @@
-import { MAX_IMAGE_SIDE } from 'furrow'
+import { MAX_IMAGE_BYTES, MAX_IMAGE_SIDE } from 'furrow'
 import { KHR_SUPERCOMPRESSION_ZSTD, VK_FORMAT_UNDEFINED } from 'ktx-parse'
-import { MAX_IMAGE_BYTES } from '../images/decoded-bytes.ts'
 
 /** What the header of a KTX 2 file says, as far as it is used here. */
-export interface Ktx2Header {
+interface ArrayHeader {
   vkFormat: number
   width: number
   height: number
@@ -24,7 +23,7 @@ const MAX_LAYERS = 256
  *
  * @throws Error with a short reason when it is not a 2D image or array, or would take too much memory.
  */
-export function readHeader(bytes: Uint8Array): Ktx2Header {
+export function readHeader(bytes: Uint8Array): ArrayHeader {
   if (!Buffer.from(bytes.subarray(0, 12)).equals(Buffer.from(IDENTIFIER, 'latin1')))
     throw new Error('it is not KTX 2')
   if (bytes.length < LENGTH) throw new Error('it is cut off')

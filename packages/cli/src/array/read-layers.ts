@@ -1,12 +1,11 @@
 import { parse } from 'node:path'
 import { type ErrorCode, FurrowError, MAX_AREAS } from 'furrow'
-import type { RgbaImage } from 'furrow/author'
+import { fileNamesOf, isFileName, type RgbaImage } from 'furrow/author'
 import { readBytes } from '../files.ts'
 import { checkDecodedBytes } from '../images/decoded-bytes.ts'
 import { withImageErrors } from '../images/image-errors.ts'
 import { EXACT_IMAGES, openImage } from '../images/open-image.ts'
 import type { NamedArray } from './image-array.ts'
-import { isName } from './ktx2.ts'
 
 const WHO = 'furrow array'
 
@@ -57,7 +56,9 @@ function checkNames(names: readonly string[], paths: readonly string[]): void {
     if (other < i) {
       fail('two layers with the same name', name, `not ${paths[other]} and ${paths[i]}`, 'rename one file')
     }
-    if (!isName(name)) fail('invalid name of a layer', name, '1 to 200 plain characters', 'rename the file')
+    if (!isFileName(name)) {
+      fail('invalid name of a layer', name, `e.g. ${fileNamesOf([name])}`, 'rename the file')
+    }
   }
 }
 

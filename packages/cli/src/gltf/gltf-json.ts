@@ -44,7 +44,8 @@ export interface GltfJson {
   samplers?: object[]
   materials?: GltfMaterial[]
   meshes?: GltfMesh[]
-  nodes?: { name?: string; mesh?: number }[]
+  nodes?: { name?: string; mesh?: number; children?: number[] }[]
+  scenes?: { nodes?: number[] }[]
   extensions?: Extensions
 }
 
@@ -59,13 +60,6 @@ export function targetNamesOf(mesh: GltfMesh): string[] {
 /** Names of all nodes: drivers may name any of them as a joint. */
 export function jointNamesOf({ nodes = [] }: GltfJson): string[] {
   return nodes.flatMap(({ name }) => (name === undefined ? [] : [name]))
-}
-
-/** Addresses of the files beside it that a document needs. */
-export function externalUris({ images = [], buffers = [] }: GltfJson): string[] {
-  return [...images, ...buffers].flatMap(({ uri }) =>
-    uri === undefined || uri.startsWith('data:') ? [] : [uri],
-  )
 }
 
 /** Where the bytes of compressed views are: in another view, which an extension describes. */

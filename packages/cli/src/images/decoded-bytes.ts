@@ -1,9 +1,6 @@
-import { FurrowError } from 'furrow'
+import { FurrowError, MAX_IMAGE_BYTES } from 'furrow'
 
-/** Bytes that one image or array may have once it is decoded: those of 8192 x 8192 texels in RGBA. */
-export const MAX_IMAGE_BYTES = 2 ** 28
-
-/** The same for all images of a face together. */
+/** Most bytes of all decoded images of a face together; `MAX_IMAGE_BYTES` is that of one. */
 export const MAX_FACE_BYTES = 2 ** 29
 
 /**

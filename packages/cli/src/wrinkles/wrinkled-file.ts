@@ -34,7 +34,8 @@ export async function readWrinkledFile(
   const all = wrinkledMaterials(glb)
   if (all.length === 0) {
     const limit = `a material with ${WRINKLE_MAPS}`
-    throw new FurrowError({ who, what: `no wrinkles in ${path}`, limit, remedy: 'add them with furrow pack' })
+    const remedy = 'make them with furrow auto, or add painted ones with furrow pack'
+    throw new FurrowError({ who, what: `${path} has no wrinkles`, limit, remedy })
   }
   const found =
     materialName === undefined ? all : all.filter((index) => materials[index].name === materialName)
