@@ -28,13 +28,17 @@ export async function readWrinkledFile(
   who: string,
   options: ReadOptions & { material?: string | undefined } = {},
 ): Promise<WrinkledFile> {
-  const { material: materialName } = options
-  const glb = await readGlbFile(path, who, options)
+  return wrinkledFile(await readGlbFile(path, who, options), path, who, options.material)
+}
+
+/** As `readWrinkledFile`, for a file that is read already. */
+export function wrinkledFile(glb: Glb, path: string, who: string, materialName?: string): WrinkledFile {
   const materials = glb.json.materials ?? []
   const all = wrinkledMaterials(glb)
   if (all.length === 0) {
     const limit = `a material with ${WRINKLE_MAPS}`
-    throw new FurrowError({ who, what: `no wrinkles in ${path}`, limit, remedy: 'add them with furrow pack' })
+    const remedy = 'make some with furrow auto, or add painted ones with furrow pack'
+    throw new FurrowError({ who, what: `no wrinkles in ${path}`, limit, remedy })
   }
   const found =
     materialName === undefined ? all : all.filter((index) => materials[index].name === materialName)
