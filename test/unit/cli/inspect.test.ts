@@ -123,9 +123,9 @@ describe('furrow inspect', () => {
     [
       'a material without wrinkles',
       () => [shop.path('face/face.glb'), '--material', 'skin'],
-      'no wrinkles in',
+      'has no wrinkles',
     ],
-    ['no glTF', async () => [shop.write('x.glb', await noise(1, 3))], 'it does not begin with "glTF"'],
+    ['no glTF', async () => [shop.write('x.glb', await noise(1, 3))], 'it is an image'],
     ['half a file', () => [shop.write('half.glb', readFileSync(face).subarray(0, 4000))], 'it is cut off'],
     ['a sheet that is no PNG', () => [face, '--sheet', shop.path('sheet.jpg')], 'does not end in .png'],
     ['a sheet in place of a folder', () => [face, '--sheet', shop.path('face')], 'does not end in .png'],

@@ -1,9 +1,13 @@
 import { describeDriver, FurrowError } from 'furrow'
 import { createCommand } from '../command.ts'
-import { checkWritable, writeAll } from '../files.ts'
+
+import { writeAll } from '../files.ts'
 import { type Glb, readGlbFile } from '../gltf/glb-file.ts'
 import { documentOf } from '../gltf/read-document.ts'
+
 import { allowOutsideOption } from '../options.ts'
+import { checkOutputs } from '../outputs.ts'
+import { print } from '../print.ts'
 import { type Inspection, inspectWrinkles } from '../wrinkles/inspect.ts'
 import { inspectPlain, type PlainInspection } from '../wrinkles/inspect-plain.ts'
 import { drawPlainSheet, drawSheet } from '../wrinkles/sheet.ts'
@@ -47,7 +51,7 @@ Examples:
 
 async function inspect(path: string, options: Options): Promise<void> {
   const { sheet, json } = options
-  if (sheet !== undefined) await checkWritable(sheet, WHO)
+  await checkOutputs([sheet], WHO, { inputs: [path] })
   const glb = await readGlbFile(path, WHO, options)
   if (wrinkledMaterials(glb).length === 0 && options.material === undefined) {
     return inspectFace(path, glb, options)
@@ -55,10 +59,10 @@ async function inspect(path: string, options: Options): Promise<void> {
   const file = wrinkledFile(glb, path, WHO, options.material)
   const report = await inspectWrinkles(file, WHO)
   if (sheet !== undefined) await writeAll([{ path: sheet, bytes: await drawSheet(file, WHO) }], WHO)
-  const text = json
+  const lines = json
     ? JSON.stringify({ file: path, ...report, ...(sheet && { sheet }) })
     : describe(path, report)
-  process.stdout.write(`${text}\n`)
+  print(lines, sheet)
 }
 
 /** For a face without wrinkles. */
@@ -68,13 +72,13 @@ async function inspectFace(path: string, glb: Glb, { sheet, json }: Options): Pr
     if (!skin) throw new FurrowError({ who: WHO, what: `nothing to draw in ${path}`, remedy: report.next })
     await writeAll([{ path: sheet, bytes: await drawPlainSheet(glb, skin, WHO) }], WHO)
   }
-  const text = json
+  const lines = json
     ? JSON.stringify({ file: path, wrinkles: false, ...report, ...(sheet && { sheet }) })
     : describePlain(path, report)
-  process.stdout.write(`${text}\n`)
+  print(lines, sheet)
 }
 
-function describePlain(path: string, { meshes, skin, next }: PlainInspection): string {
+function describePlain(path: string, { meshes, skin, next }: PlainInspection): string[] {
   return [
     `${path}: no wrinkles`,
     '',
@@ -91,14 +95,14 @@ function describePlain(path: string, { meshes, skin, next }: PlainInspection): s
     '',
     ...(skin ? [`the skin is mesh "${skin.mesh}", material "${skin.material}" (${skin.reason})`] : []),
     next,
-  ].join('\n')
+  ]
 }
 
 function shortened(names: readonly string[]): string {
   return names.length <= NAMES_LISTED ? names.join(', ') : `${names.slice(0, NAMES_LISTED).join(', ')}, ...`
 }
 
-function describe(path: string, report: Inspection): string {
+function describe(path: string, report: Inspection): string[] {
   const { layers, areas, drivers, gpu, imageBytes, fileBytes } = report
   return [
     `${path}: wrinkles on material "${report.material ?? ''}"`,
@@ -139,7 +143,7 @@ function describe(path: string, report: Inspection): string {
     `on the GPU: ${kilobytes(gpu.uncompressed)} uncompressed, ${kilobytes(gpu.bits8)} with maps as BC7 or ASTC 4x4,` +
       ` ${kilobytes(gpu.bits4)} as BC1 or ETC1 (areas as BC4; those of an array as BC7 or ASTC 4x4);` +
       ` and ${kilobytes(report.influenceMapBytes)} for the influence map of each face`,
-  ].join('\n')
+  ]
 }
 
 const GPU_HEADS = ['on the GPU', 'BC7, ASTC', 'BC1, ETC1']

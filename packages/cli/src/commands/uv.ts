@@ -1,12 +1,14 @@
 import { MAX_IMAGE_SIDE } from 'furrow'
 import { findSkin } from '../auto/find-skin.ts'
 import { createCommand } from '../command.ts'
-import { checkWritable, writeAll } from '../files.ts'
+import { writeAll } from '../files.ts'
 import type { ReadOptions } from '../gltf/external-files.ts'
 import { readGlbFile } from '../gltf/glb-file.ts'
 import { documentOf } from '../gltf/read-document.ts'
 import { encodePng } from '../images/encode.ts'
 import { allowOutsideOption, numberParser } from '../options.ts'
+import { checkOutputs } from '../outputs.ts'
+import { print } from '../print.ts'
 import { drawSkinLayout } from '../uv/draw-layout.ts'
 
 const WHO = 'furrow uv'
@@ -46,7 +48,7 @@ Examples:
   .action(drawUv)
 
 async function drawUv(path: string, { output, size, mesh, json, ...options }: Options): Promise<void> {
-  await checkWritable(output, WHO)
+  await checkOutputs([output], WHO, { inputs: [path] })
   const glb = await readGlbFile(path, WHO, options)
   const found = findSkin(await documentOf(glb, path, WHO), path, WHO, mesh)
   const data = await drawSkinLayout(glb, found, size, WHO)
@@ -55,9 +57,9 @@ async function drawUv(path: string, { output, size, mesh, json, ...options }: Op
     WHO,
   )
   const { meshName, materialName, reason } = found
-  process.stdout.write(
-    json
-      ? `${JSON.stringify({ file: output, size, mesh: meshName, material: materialName, reason })}\n`
-      : `${output}: ${size} x ${size}, mesh "${meshName}", material "${materialName}" (${reason})\n`,
+  const line = `${output}: ${size} x ${size}, mesh "${meshName}", material "${materialName}" (${reason})`
+  print(
+    json ? JSON.stringify({ file: output, size, mesh: meshName, material: materialName, reason }) : line,
+    output,
   )
 }

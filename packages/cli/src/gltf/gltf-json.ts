@@ -63,13 +63,6 @@ export function jointNamesOf({ nodes = [] }: GltfJson): string[] {
   return nodes.flatMap(({ name }) => (name === undefined ? [] : [name]))
 }
 
-/** Addresses of the files beside it that a document needs. */
-export function externalUris({ images = [], buffers = [] }: GltfJson): string[] {
-  return [...images, ...buffers].flatMap(({ uri }) =>
-    uri === undefined || uri.startsWith('data:') ? [] : [uri],
-  )
-}
-
 /** Where the bytes of compressed views are: in another view, which an extension describes. */
 export function compressedViews({ extensions = {} }: BufferView): BufferView[] {
   return Object.values(extensions).filter(isView)

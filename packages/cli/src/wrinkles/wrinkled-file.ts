@@ -37,8 +37,8 @@ export function wrinkledFile(glb: Glb, path: string, who: string, materialName?:
   const all = wrinkledMaterials(glb)
   if (all.length === 0) {
     const limit = `a material with ${WRINKLE_MAPS}`
-    const remedy = 'make some with furrow auto, or add painted ones with furrow pack'
-    throw new FurrowError({ who, what: `no wrinkles in ${path}`, limit, remedy })
+    const remedy = 'make them with furrow auto, or add painted ones with furrow pack'
+    throw new FurrowError({ who, what: `${path} has no wrinkles`, limit, remedy })
   }
   const found =
     materialName === undefined ? all : all.filter((index) => materials[index].name === materialName)

@@ -56,10 +56,10 @@ export function drawUvLayout(mesh: MetricMesh, size: number, { base }: UvLayoutO
     )
   }
   const [wires, seams] = [new Float32Array(size * size), new Float32Array(size * size)]
-  for (const { from, to, count } of edgesOf(mesh, triangles)) {
-    const length = Math.hypot(to[0] - from[0], to[1] - from[1])
-    drawLine(wires, size, from, to, WIRE_WIDTH, WIRE_OPACITY * clamp(length / SPARSE, 0.2, 1))
-    if (count === 1) drawLine(seams, size, from, to, SEAM_WIDTH, 1)
+  for (const { start, end, count } of edgesOf(mesh, triangles)) {
+    const length = Math.hypot(end[0] - start[0], end[1] - start[1])
+    drawLine(wires, size, start, end, WIRE_WIDTH, WIRE_OPACITY * clamp(length / SPARSE, 0.2, 1))
+    if (count === 1) drawLine(seams, size, start, end, SEAM_WIDTH, 1)
   }
   lay(data, wires, WIRE)
   lay(data, seams, SEAM)
@@ -100,8 +100,8 @@ function vertexShades({ positions, indices }: MetricMesh): Float64Array {
 }
 
 interface Edge {
-  from: [x: number, y: number]
-  to: [x: number, y: number]
+  start: [x: number, y: number]
+  end: [x: number, y: number]
   /** Number of triangles that have it in the layout: 1 at the border of an island. */
   count: number
 }
@@ -126,7 +126,7 @@ function edgesOf({ positions, uvs }: MetricMesh, triangles: readonly LaidTriangl
       if (known) known.count++
       else {
         const at = (corner: number): [number, number] => [corners[2 * corner], corners[2 * corner + 1]]
-        edges.set(key, { from: at(k), to: at(next), count: 1 })
+        edges.set(key, { start: at(k), end: at(next), count: 1 })
       }
     }
   }
@@ -137,8 +137,8 @@ function edgesOf({ positions, uvs }: MetricMesh, triangles: readonly LaidTriangl
 function drawLine(
   coverage: Float32Array,
   size: number,
-  [x0, y0]: Edge['from'],
-  [x1, y1]: Edge['to'],
+  [x0, y0]: Edge['start'],
+  [x1, y1]: Edge['end'],
   width: number,
   opacity: number,
 ): void {
