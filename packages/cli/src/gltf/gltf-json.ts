@@ -4,6 +4,7 @@ type Extensions = Record<string, unknown>
 export interface TextureInfo {
   index: number
   texCoord?: number
+  extensions?: Extensions
 }
 
 export interface GltfMaterial {
@@ -44,7 +45,8 @@ export interface GltfJson {
   samplers?: object[]
   materials?: GltfMaterial[]
   meshes?: GltfMesh[]
-  nodes?: { name?: string; mesh?: number }[]
+  nodes?: { name?: string; mesh?: number; children?: number[] }[]
+  scenes?: { nodes?: number[] }[]
   extensions?: Extensions
 }
 

@@ -32,6 +32,7 @@ export {
 } from './bake/bake.ts'
 export { type BakeMesh, sharedNormals } from './bake/mesh.ts'
 export type { AnyHit } from './bake/occlusion.ts'
+export { fileNamesOf, isFileName } from './file-names.ts'
 export { type Metric, type MetricMesh, surfaceMetric } from './metric.ts'
 export { heightToNormal, type TangentFrame } from './relief/height-to-normal.ts'
 export {
@@ -57,3 +58,4 @@ export {
 export { type HeightMap, strokesToHeight } from './strokes/height.ts'
 export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas } from './strokes/paint-areas.ts'
 export { targetArea } from './target-area.ts'
+export { drawUvLayout, type UvLayoutOptions } from './uv-layout.ts'

@@ -1,11 +1,15 @@
 import type { AreaConvention } from './area.ts'
 import type { JsonReader } from './json.ts'
-import { LARGEST, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS } from './limits.ts'
+import { LARGEST, LONGEST_NAME, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS } from './limits.ts'
 import type { Combine, LayerKind } from './types.ts'
 
 /** The layers and areas of `wrinkles.json`; image URLs are relative to it. */
 export interface SetDocument {
   version: 1
+  /** Name of the mesh that wrinkles, or of its node; for `furrow pack`. */
+  mesh?: string
+  /** Name of its material; for `furrow pack`. */
+  material?: string
   layers: {
     name: string
     kind: LayerKind
@@ -72,8 +76,10 @@ export function readSetDocument(
   const areas = reader
     .array(root.areas, 'areas', 1, MAX_AREAS)
     .map((item, i) => readArea(reader, item, `areas[${i}]`, convention))
+  const names = (['mesh', 'material'] as const).filter((field) => root[field] !== undefined)
   return {
     version: 1,
+    ...Object.fromEntries(names.map((field) => [field, reader.text(root[field], field, LONGEST_NAME)])),
     layers,
     areas,
     drivers: root.drivers,
@@ -86,7 +92,7 @@ export function readSetDocument(
 function readLayer(reader: JsonReader, item: unknown, at: string): SetDocument['layers'][number] {
   const json = reader.object(item, at)
   const layer: SetDocument['layers'][number] = {
-    name: reader.text(json.name, `${at}.name`),
+    name: reader.name(json.name, `${at}.name`),
     kind: reader.choice(json.kind ?? 'replace', `${at}.kind`, ['replace', 'detail']),
     normal: reader.text(json.normal, `${at}.normal`, MAX_URL_LENGTH),
   }
@@ -113,9 +119,9 @@ function readArea(
 ): SetDocument['areas'][number] {
   const area = reader.object(item, at)
   return {
-    name: reader.text(area.name, `${at}.name`),
+    name: reader.name(area.name, `${at}.name`),
     image: reader.text(area.image, `${at}.image`, MAX_URL_LENGTH),
-    ...(area.layer !== undefined && { layer: reader.text(area.layer, `${at}.layer`) }),
+    ...(area.layer !== undefined && { layer: reader.name(area.layer, `${at}.layer`) }),
     combine: reader.choice<Combine>(area.combine ?? 'sum', `${at}.combine`, ['sum', 'max']),
     convention: reader.choice<AreaConvention>(area.convention ?? convention, `${at}.convention`, [
       'paper',

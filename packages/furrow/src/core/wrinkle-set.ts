@@ -1,6 +1,8 @@
+import { isObject, wrongArgument } from './argument.ts'
 import { FurrowError } from './error.ts'
 import { checkImage } from './image.ts'
 import { MAX_AREAS, MAX_LAYERS } from './limits.ts'
+import { isName, NAME_RULE } from './name.ts'
 import type { Area, ArraySlice, Layer } from './types.ts'
 
 /**
@@ -14,6 +16,9 @@ export function checkWrinkleSet(
   set: { layers: readonly Layer<ArraySlice>[]; areas: readonly Area<ArraySlice>[] },
   who = 'WrinkleSet',
 ): void {
+  if (!isObject(set) || !Array.isArray(set.layers) || !Array.isArray(set.areas)) {
+    throw wrongArgument(who, 'a wrinkle set', set, 'an object with a list of layers and a list of areas')
+  }
   checkCount(set.layers.length, 'layers', MAX_LAYERS, who)
   checkCount(set.areas.length, 'areas', MAX_AREAS, who)
   for (const layer of set.layers) checkLayer(layer, who)
@@ -24,10 +29,18 @@ export function checkWrinkleSet(
 
 /** Whether a map is a slice of an array instead of an image. */
 export function isSlice(map: object | undefined): map is ArraySlice {
-  return map !== undefined && 'slice' in map
+  return isObject(map) && 'slice' in map
 }
 
-function checkLayer({ name, normal, baseColor, roughness, occlusion }: Layer<ArraySlice>, who: string): void {
+function checkLayer(layer: Layer<ArraySlice>, who: string): void {
+  if (!isObject(layer)) throw wrongArgument(who, 'a layer', layer, 'an object with a name, kind and normals')
+  const { name, kind: kindOfLayer, normal, baseColor, roughness, occlusion } = layer
+  if (kindOfLayer !== 'replace' && kindOfLayer !== 'detail') {
+    throw wrongArgument(who, `kind of layer "${name}"`, kindOfLayer, 'replace or detail')
+  }
+  if (!isObject(normal)) throw wrongArgument(who, `normals of layer "${name}"`, normal, 'an image')
+  checkFinite(layer.normalScale, `normalScale of layer "${name}"`, who)
+  checkFinite(layer.occlusionStrength, `occlusionStrength of layer "${name}"`, who)
   for (const [kind, map] of Object.entries({ normal, baseColor })) {
     if (map && !isSlice(map)) checkImage(map, 'RGBA', `${who} layer "${name}" ${kind}`)
   }
@@ -39,13 +52,22 @@ function checkLayer({ name, normal, baseColor, roughness, occlusion }: Layer<Arr
 /**
  * Checks one area against the layers it may belong to.
  *
- * @throws FurrowError when its image is malformed or its layer unknown.
+ * @throws FurrowError when its name or its image is malformed, or its layer unknown.
  */
 export function checkArea(
   area: Area<ArraySlice>,
   layers: readonly { name: string }[],
   who = 'WrinkleSet',
 ): void {
+  if (!isObject(area)) throw wrongArgument(who, 'an area', area, 'an object with a name and weights')
+  checkName(area.name, 'area', who)
+  if (!isObject(area.weights)) {
+    throw wrongArgument(who, `weights of area "${area.name}"`, area.weights, 'a gray image')
+  }
+  if (area.combine !== undefined && area.combine !== 'sum' && area.combine !== 'max') {
+    throw wrongArgument(who, `combine of area "${area.name}"`, area.combine, 'sum or max')
+  }
+  checkFinite(area.activation, `activation of area "${area.name}"`, who)
   if (!isSlice(area.weights)) checkImage(area.weights, 'gray', `${who} area "${area.name}"`)
   layerIndex(area, layers, who)
 }
@@ -75,6 +97,10 @@ export function layerIndex(
   return index
 }
 
+function checkFinite(value: number | undefined, what: string, who: string): void {
+  if (value !== undefined && !Number.isFinite(value)) throw wrongArgument(who, what, value, 'a finite number')
+}
+
 /** The names of areas or layers, for errors. */
 export function listNames(named: readonly { name: string }[]): string {
   return named.map(({ name }) => `"${name}"`).join(', ')
@@ -95,14 +121,26 @@ function checkCount(count: number, what: string, most: number, who: string): voi
 function checkNames(named: readonly { name: string }[], what: string, who: string): void {
   const seen = new Set<string>()
   for (const { name } of named) {
-    if (typeof name !== 'string' || name === '' || seen.has(name)) {
+    checkName(name, what, who)
+    if (seen.has(name)) {
       throw new FurrowError({
         who,
-        what: seen.has(name) ? `two ${what}s with the same name` : `a ${what} without a name`,
+        what: `two ${what}s with the same name`,
         value: name,
         remedy: `give every ${what} a distinct name`,
       })
     }
     seen.add(name)
   }
+}
+
+function checkName(name: unknown, what: string, who: string): void {
+  if (isName(name)) return
+  throw new FurrowError({
+    who,
+    what: name === undefined || name === '' ? `a ${what} without a name` : `a ${what} with an unusable name`,
+    value: name,
+    limit: NAME_RULE,
+    remedy: `give every ${what} a distinct name`,
+  })
 }
