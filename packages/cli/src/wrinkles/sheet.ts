@@ -63,12 +63,13 @@ async function arrange(tiles: readonly Tile[]): Promise<Uint8Array> {
   const rows = Math.ceil(tiles.length / columns)
   const width = columns * (SIDE + GAP) + GAP
   const height = rows * (SIDE + LABEL_HEIGHT + GAP) + GAP
-  const parts = tiles.flatMap(({ label, pixels }, i) => {
+  const labels = await Promise.all(tiles.map(({ label }) => renderLabel(label)))
+  const parts = tiles.flatMap(({ pixels }, i) => {
     const left = GAP + (i % columns) * (SIDE + GAP)
     const top = GAP + Math.floor(i / columns) * (SIDE + LABEL_HEIGHT + GAP)
     return [
       { input: Buffer.from(pixels), raw: { width: SIDE, height: SIDE, channels: 3 as const }, left, top },
-      { input: renderLabel(label), left, top: top + SIDE },
+      { input: labels[i], left: left + 2, top: top + SIDE + 5 },
     ]
   })
   return sharp({ create: { width, height, channels: 3, background: BACKGROUND } })
@@ -78,12 +79,15 @@ async function arrange(tiles: readonly Tile[]): Promise<Uint8Array> {
     .toBuffer()
 }
 
-function renderLabel(text: string): Buffer {
-  const short = text.length > 34 ? `${text.slice(0, 33)}…` : text
-  return Buffer.from(
-    `<svg xmlns="http://www.w3.org/2000/svg" width="${SIDE}" height="${LABEL_HEIGHT}">` +
-      `<text x="2" y="18" font-family="sans-serif" font-size="14" fill="#e6e6e6">${escapeMarkup(short)}</text></svg>`,
-  )
+/** Text as a PNG file that fits below a tile. */
+function renderLabel(label: string): Promise<Buffer> {
+  const plain = label.replaceAll(/\p{C}/gu, ' ').trim() || '?'
+  const short = plain.length > 34 ? `${plain.slice(0, 33)}…` : plain
+  const text = `<span foreground="#e6e6e6">${escapeMarkup(short)}</span>`
+  return sharp({ text: { text, font: 'sans-serif 14', dpi: 72, rgba: true } })
+    .resize(SIDE - 4, LABEL_HEIGHT - 6, { fit: 'inside', withoutEnlargement: true })
+    .png()
+    .toBuffer()
 }
 
 /** The base colour of the skin as RGB, `side` x `side` pixels; gray where it has no texture. */
