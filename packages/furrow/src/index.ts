@@ -32,6 +32,7 @@ export type {
   WrinkleSet,
 } from './core/types.ts'
 export {
+  checkDeclared,
   type TextureReference,
   WRINKLE_MAPS,
   type WrinkleMapsArea,
