@@ -51,14 +51,6 @@ export async function tryFiles(
       if (!FINE.includes(tried.outcome)) {
         cpSync(folder, join(keep, `${command.replaceAll(/\W+/g, '-')}-${seed}-${index}`), { recursive: true })
       }
-      if (globalThis.process.env.FUZZ_DEBUG)
-        console.info(
-          index,
-          tried.outcome,
-          Math.round(tried.milliseconds),
-          Math.round(tried.peak / 2 ** 20),
-          tried.message.slice(0, 200),
-        )
       all.push(tried)
       report(tried)
     }

@@ -63,7 +63,8 @@ export function mostMovedSkin(document: Document, meshName?: string): FoundSkin 
   return skin && skin.fraction > 0.5 ? skin : undefined
 }
 
-function bestSkin(document: Document, meshName: string | undefined): FoundSkin | undefined {
+/** As `findSkin`, but undefined where no mesh can wrinkle. */
+export function bestSkin(document: Document, meshName?: string): FoundSkin | undefined {
   const meshes = document.getRoot().listMeshes()
   const wanted = meshes.flatMap((mesh, index) => (isNamed(mesh, meshName) ? [{ mesh, index }] : []))
   const candidates = wanted.flatMap(({ mesh, index }) => candidatesOf(document, mesh, index))

@@ -1,6 +1,8 @@
-import { FurrowError, MAX_IMAGE_SIDE } from 'furrow'
-import sharp, { type Sharp } from 'sharp'
-import { withImageErrors } from './pixels.ts'
+import { FurrowError } from 'furrow'
+import type { Sharp } from 'sharp'
+import { readBytes } from '../files.ts'
+import { withImageErrors } from './image-errors.ts'
+import { EXACT_IMAGES, openImage } from './open-image.ts'
 
 /** A gray image in the precision of its file. */
 export interface HeightImage {
@@ -17,14 +19,18 @@ const GRAY_TOLERANCE = 0.02
 const HINTS = { limit: 'PNG or TIFF, 8 or 16 bits', remedy: 'check the path and the file' }
 
 /**
- * Reads heights from a gray 8-bit or 16-bit image (PNG, TIFF and others that sharp reads). Values are kept as they
+ * Reads heights from a gray 8-bit or 16-bit image (PNG, TIFF, JPEG or WebP). Values are kept as they
  * are: colour profiles and transparency are ignored.
  *
  * @throws FurrowError when the file is not such an image, is cut off, or is larger than 8192 texels a side.
  */
 export async function readHeightImage(path: string, who: string): Promise<HeightImage> {
-  const image = sharp(path, { ignoreIcc: true })
-  const { width, height, depth } = await withImageErrors(path, who, () => image.metadata(), HINTS)
+  const { image, width, height, depth } = await openImage(
+    await readBytes(path, who, 'the image'),
+    path,
+    who,
+    EXACT_IMAGES,
+  )
   if (depth !== 'uchar' && depth !== 'ushort') {
     throw new FurrowError({
       who,
@@ -32,16 +38,6 @@ export async function readHeightImage(path: string, who: string): Promise<Height
       value: depth,
       limit: '8 or 16 bits per channel',
       remedy: 'save it as 16-bit gray PNG',
-    })
-  }
-  if (width > MAX_IMAGE_SIDE || height > MAX_IMAGE_SIDE) {
-    throw new FurrowError({
-      code: 'out-of-range',
-      who,
-      what: `${path} is too large`,
-      value: `${width} x ${height}`,
-      limit: `${MAX_IMAGE_SIDE} texels a side`,
-      remedy: 'scale it down',
     })
   }
   const bits = depth === 'uchar' ? 8 : 16

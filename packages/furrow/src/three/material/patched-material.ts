@@ -48,6 +48,8 @@ export class PatchedMaterial {
     this.#inputs = inputs
     this.#renderer = renderer
     this.#flat = material.normalMap ? null : flatNormalTexture()
+    // three.js writes the name into a line of the shader, which another line end, or a backslash before its own, would break.
+    material.name &&= material.name.replace(/[\r\n\\]/g, ' ')
     patchedMaterials.add(material)
   }
 
