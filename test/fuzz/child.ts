@@ -105,7 +105,9 @@ async function newErrors({ faces }: Case): Promise<string> {
   for (const { output, input } of faces) {
     if (!existsSync(output)) continue
     const old = new Set(await errorsOf(input))
-    found.push(...(await errorsOf(output)).filter((code) => !old.has(code)))
+    // Where a file has errors, the validator does not always look at its data; once others are mended it does.
+    const isNew = (code: string) => !old.has(code) && !(old.size > 0 && code.startsWith('ACCESSOR_'))
+    found.push(...(await errorsOf(output)).filter(isNew))
   }
   return [...new Set(found)].join(', ')
 }
