@@ -22,7 +22,7 @@ export function nearest(name: string, names: readonly string[]): string | undefi
 }
 
 /** The remedy for an unknown name: the nearest one, or `otherwise` where none is near. */
-export function didYouMean(name: string, names: readonly string[], otherwise: string): string {
-  const best = nearest(name, names)
+export function didYouMean(name: string | undefined, names: readonly string[], otherwise: string): string {
+  const best = name === undefined ? undefined : nearest(name, names)
   return best === undefined ? otherwise : `did you mean "${best}"?`
 }

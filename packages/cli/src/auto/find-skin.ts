@@ -2,6 +2,7 @@ import type { Document, Mesh } from '@gltf-transform/core'
 import { FurrowError } from 'furrow'
 import { crossOf, faceShapeFinder, type Skin } from 'furrow/author'
 import { trianglesOf } from '../gltf/mesh-nodes.ts'
+import { didYouMean } from '../nearest.ts'
 import { readSkin } from './read-skin.ts'
 
 /** The skin that was chosen: the primitives of one mesh with one material. */
@@ -41,6 +42,7 @@ const SKIN_SHAPES = [
 export function findSkin(document: Document, path: string, who: string, meshName?: string): FoundSkin {
   const found = bestSkin(document, meshName)
   if (found) return found
+  const names = document.getRoot().listMeshes().map(labelOf)
   throw new FurrowError({
     code: meshName === undefined ? 'invalid' : 'unknown-name',
     who,
@@ -51,7 +53,7 @@ export function findSkin(document: Document, path: string, who: string, meshName
     remedy:
       meshName === undefined
         ? 'unwrap the face and give it a material'
-        : `name one of ${document.getRoot().listMeshes().map(labelOf).join(', ')}`,
+        : didYouMean(meshName, names, `name one of ${names.join(', ')}`),
   })
 }
 
@@ -61,7 +63,8 @@ export function mostMovedSkin(document: Document, meshName?: string): FoundSkin 
   return skin && skin.fraction > 0.5 ? skin : undefined
 }
 
-function bestSkin(document: Document, meshName: string | undefined): FoundSkin | undefined {
+/** As `findSkin`, but undefined where no mesh can wrinkle. */
+export function bestSkin(document: Document, meshName?: string): FoundSkin | undefined {
   const meshes = document.getRoot().listMeshes()
   const wanted = meshes.flatMap((mesh, index) => (isNamed(mesh, meshName) ? [{ mesh, index }] : []))
   const candidates = wanted.flatMap(({ mesh, index }) => candidatesOf(document, mesh, index))

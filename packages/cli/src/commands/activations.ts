@@ -11,6 +11,7 @@ import {
 } from 'furrow'
 import { createCommand } from '../command.ts'
 import { targetNamesOf } from '../gltf/gltf-json.ts'
+import { didYouMean } from '../nearest.ts'
 import { allowOutsideOption, assignmentParser, parseWeight } from '../options.ts'
 import { print } from '../print.ts'
 import { readWrinkledFile } from '../wrinkles/wrinkled-file.ts'
@@ -110,7 +111,7 @@ function weightsOf(targetNames: readonly string[], set: Readonly<Record<string, 
         what: 'no such blendshape',
         value: name,
         limit: targetNames.join(', ') || 'the mesh has none',
-        remedy: 'name one of these',
+        remedy: didYouMean(name, targetNames, 'name one of these'),
       })
     }
     for (const index of indices) weights[index] = weight

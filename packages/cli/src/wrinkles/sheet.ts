@@ -1,8 +1,11 @@
 import type { GrayImage } from 'furrow'
 import sharp from 'sharp'
+import type { FoundSkin } from '../auto/find-skin.ts'
+import type { Glb } from '../gltf/glb-file.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
 import type { Pixels } from '../images/pixels.ts'
 import { escapeMarkup } from '../markup.ts'
+import { drawSkinLayout } from '../uv/draw-layout.ts'
 import { weightsOf } from './inspect.ts'
 import { MAP_SLOTS, type WrinkledFile } from './wrinkled-file.ts'
 
@@ -43,6 +46,18 @@ export async function drawSheet(file: WrinkledFile, who: string): Promise<Uint8A
   return arrange(tiles)
 }
 
+/** Draws the base colour of a face without wrinkles and the layout to paint over, as one PNG file. */
+export async function drawPlainSheet(glb: Glb, skin: FoundSkin, who: string): Promise<Uint8Array> {
+  const rgba = await drawSkinLayout(glb, skin, 2 * SIDE, who)
+  const layout = sharp(rgba, { raw: { width: 2 * SIDE, height: 2 * SIDE, channels: 4 } })
+  const pixels = await layout.flatten({ background: BACKGROUND }).resize(SIDE, SIDE).raw().toBuffer()
+  const layoutTile = { label: `${skin.meshName}: UV layout`, pixels }
+  const { material, materialName } = skin
+  if (!glb.json.materials?.[material].pbrMetallicRoughness?.baseColorTexture) return arrange([layoutTile])
+  const colour = await skinOf({ glb, material }, who)
+  return arrange([{ label: `${materialName}: base colour`, pixels: colour }, layoutTile])
+}
+
 async function arrange(tiles: readonly Tile[]): Promise<Uint8Array> {
   const columns = Math.ceil(Math.sqrt(tiles.length * 1.3))
   const rows = Math.ceil(tiles.length / columns)
@@ -76,7 +91,11 @@ function renderLabel(label: string): Promise<Buffer> {
 }
 
 /** The base colour of the skin as RGB, `side` x `side` pixels; gray where it has no texture. */
-export async function skinOf({ glb, material }: WrinkledFile, who: string, side = SIDE): Promise<Uint8Array> {
+export async function skinOf(
+  { glb, material }: Pick<WrinkledFile, 'glb' | 'material'>,
+  who: string,
+  side = SIDE,
+): Promise<Uint8Array> {
   const colour = glb.json.materials![material].pbrMetallicRoughness?.baseColorTexture
   return colour ? scaled(await pixelsOf(glb, colour, who), side) : new Uint8Array(3 * side * side).fill(120)
 }

@@ -1,6 +1,7 @@
 import { FurrowError, parseWrinkleMaps, WRINKLE_MAPS, type WrinkleMaps } from 'furrow'
 import type { ReadOptions } from '../gltf/external-files.ts'
 import { type Glb, readGlbFile } from '../gltf/glb-file.ts'
+import { didYouMean } from '../nearest.ts'
 
 /** A file and the wrinkles of one of its materials. */
 export interface WrinkledFile {
@@ -28,8 +29,11 @@ export async function readWrinkledFile(
   who: string,
   options: ReadOptions & { material?: string | undefined } = {},
 ): Promise<WrinkledFile> {
-  const { material: materialName } = options
-  const glb = await readGlbFile(path, who, options)
+  return wrinkledFile(await readGlbFile(path, who, options), path, who, options.material)
+}
+
+/** As `readWrinkledFile`, for a file that is read already. */
+export function wrinkledFile(glb: Glb, path: string, who: string, materialName?: string): WrinkledFile {
   const materials = glb.json.materials ?? []
   const all = wrinkledMaterials(glb)
   if (all.length === 0) {
@@ -40,13 +44,14 @@ export async function readWrinkledFile(
   const found =
     materialName === undefined ? all : all.filter((index) => materials[index].name === materialName)
   if (found.length !== 1) {
+    const names = all.map((index) => materials[index].name ?? String(index))
     throw new FurrowError({
       code: 'unknown-name',
       who,
       what: `${found.length === 0 ? 'no such material' : 'several materials'} with wrinkles in ${path}`,
       value: materialName,
-      limit: all.map((index) => materials[index].name ?? String(index)).join(', '),
-      remedy: 'name one with --material',
+      limit: names.join(', '),
+      remedy: didYouMean(materialName, names, 'name one with --material'),
     })
   }
   const [material] = found

@@ -1,4 +1,5 @@
 import type { Camera, Material, Mesh } from 'three'
+import { wrongArgument } from '../core/argument.ts'
 import type { Area, ArraySlice, WrinkleSet } from '../core/types.ts'
 import { checkArea, checkWrinkleSet } from '../core/wrinkle-set.ts'
 import type { Cell } from '../runtime/atlas-cells.ts'
@@ -7,7 +8,7 @@ import { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
 import { exposeAreas } from './animated-areas.ts'
 import { createAreaArray } from './atlas/area-array.ts'
 import type { InfluenceAtlas } from './atlas/influence-atlas.ts'
-import { checkMesh } from './check-mesh.ts'
+import { checkIsMesh, checkMesh } from './check-mesh.ts'
 import { frameOf, type RendererFrame } from './frame.ts'
 import { countFaces, instancesOf } from './instances.ts'
 import { ActivationTable } from './material/activation-table.ts'
@@ -16,9 +17,18 @@ import type { RendererParts } from './material/renderer-parts.ts'
 import { createShaderInputs, locateCells, type ShaderInputs } from './material/shader-inputs.ts'
 import { release, retain } from './material/texture-users.ts'
 import { createTextures, listTextures } from './material/wrinkle-textures.ts'
-import { WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from './options.ts'
-import type { AnyRenderer } from './renderer.ts'
+import {
+  checkMode,
+  checkOptions,
+  WRINKLES_DEFAULTS,
+  type WrinkleMode,
+  type WrinklesOptions,
+} from './options.ts'
+import { type AnyRenderer, rendererProblem } from './renderer.ts'
 import { sizeOnScreen } from './size-on-screen.ts'
+
+/** Renderers that the console was told of. */
+const refused = new WeakSet<AnyRenderer>()
 
 const wrinklesByMesh = new WeakMap<Mesh, WrinklesBase>()
 
@@ -34,6 +44,7 @@ export function wrinklesOf(mesh: Mesh): WrinklesBase | undefined {
 export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   /** The mesh that drives: its blendshapes, skeleton and surface are measured. */
   readonly mesh: Mesh
+  readonly #renderer: RendererParts
   readonly #options: Required<WrinklesOptions>
   readonly #frame: RendererFrame
   readonly #entry: FrameEntry<AnyRenderer>
@@ -63,7 +74,9 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
       source instanceof WrinklesBase
         ? [{ layers: source.#inputs.textures.layers, areas: source.areas }, source.#inputs, source.#options]
         : [source, null, null]
+    if (source instanceof WrinklesBase) source.checkInUse('set')
     const allOptions = { ...WRINKLES_DEFAULTS, ...own, ...options }
+    checkOptions(allOptions)
     checkWrinkleSet(set, 'Wrinkles')
     checkMesh(mesh)
     const material = checkMaterial(mesh)
@@ -71,6 +84,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     const textures = inputs?.textures ?? createTextures(set.layers, material.normalMap?.anisotropy ?? 1)
     super(countFaces(mesh), set.areas, areas)
     this.mesh = mesh
+    this.#renderer = renderer
     this.#options = allOptions
     this.#frame = frameOf(renderer.quads)
     this.#atlas = this.#frame.atlasFor(areas.width, areas.height, set.layers.length)
@@ -97,9 +111,12 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    * Changes how wrinkles are shown; the material's program is recompiled. The composed mode shows normals only, and does not fade.
    *
    * @throws FurrowError when the mode is not possible: `paper` with more than one layer, or with maps of the material that
-   *   cannot be read or differ in size; `paper` and `composed` for instances. The mode then stays as it was.
+   *   cannot be read or differ in size; `paper` and `composed` for instances; `paper` for a material that cannot be patched. The mode then
+   *   stays as it was.
    */
   set mode(mode: WrinkleMode) {
+    this.checkInUse('mode')
+    checkMode(mode)
     if (mode !== this.mode) this.#material.show(mode)
   }
 
@@ -115,6 +132,12 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    * @param renderer also draws the influence maps. Without one, inputs that only a renderer can measure keep their last value.
    */
   update(renderer: AnyRenderer | null = null): void {
+    this.checkInUse('update')
+    if (renderer !== null && typeof renderer?.render !== 'function') {
+      throw wrongArgument('Wrinkles.update', 'a renderer', renderer, 'one of three.js, or null')
+    }
+    const problem = renderer && rendererProblem(renderer, this.#renderer.entry, 'Wrinkles')
+    if (problem) throw problem
     this.#frame.update(this.#entry, renderer)
   }
 
@@ -124,6 +147,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    * @throws FurrowError when its name is taken, its image malformed or its layer unknown; nothing then changes.
    */
   addArea(area: Area): void {
+    this.checkInUse('addArea')
     checkArea(area, this.#inputs.textures.layers, 'Wrinkles.addArea')
     this.#replaceAreas([...this.areas, area], 'Wrinkles.addArea')
     for (const face of this.faces) face.setResting(area.name, area.activation ?? 0)
@@ -135,6 +159,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    * @throws FurrowError when no area has that name, or it is the last one.
    */
   removeArea(name: string): void {
+    this.checkInUse('removeArea')
     this.getActivation(name)
     this.#replaceAreas(
       this.areas.filter((area) => area.name !== name),
@@ -151,6 +176,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    * @throws FurrowError when no area has that name.
    */
   createInfluenceMaterial(area?: string | readonly string[]): Material {
+    this.checkInUse('createInfluenceMaterial')
     const table = area === undefined ? null : this.#extentOf([area].flat())
     const material = this.#material.influenceMaterial(table)
     if (!table) this.#influenceViews++
@@ -166,6 +192,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    * drawn first.
    */
   addMesh(mesh: Mesh): void {
+    this.checkInUse('addMesh')
+    checkIsMesh(mesh, 'Wrinkles.addMesh')
     const before = mesh.onBeforeRender
     // All parameters by name: a rest parameter would allocate in every frame.
     const prepare: Mesh['onBeforeRender'] = (renderer, scene, camera, geometry, material, group) => {
@@ -181,8 +209,12 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     })
   }
 
-  /** Copies the material without its wrinkles, for another mesh with wrinkles of its own. */
-  cloneMaterial(): Material {
+  /**
+   * Copies the material without its wrinkles, for another mesh with wrinkles of its own; of a mesh with several materials a list, in which
+   * the others are the same.
+   */
+  cloneMaterial(): Material | Material[] {
+    this.checkInUse('cloneMaterial')
     return this.#material.clone()
   }
 
@@ -207,6 +239,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
 
   /** Restores the material, and frees the textures that no other face uses. */
   override dispose(): void {
+    if (this.isDisposed) return
     super.dispose()
     this.#frame.remove(this.#entry)
     this.#material.dispose()
@@ -231,6 +264,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
 
   /** Called before a mesh is drawn: runs the phases up to the influence, then sets what the mesh's shader reads. */
   #prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
+    if (this.isDisposed || this.#isRefused(renderer)) return
+    this.#material.settle(renderer)
     this.#inputs.fade.value = this.#fadeOf(mesh, camera, renderer)
     this.#frame.begin(this.#entry, renderer)
     locateCells(this.#inputs, this.#atlas, this.#cells)
@@ -241,6 +276,16 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     const { fadeBelow } = this.#options
     if (fadeBelow === 0 || this.#material.composed || instancesOf(this.mesh)) return 1
     return Math.min(1, Math.max(0, (2 * sizeOnScreen(mesh, camera, renderer)) / fadeBelow - 1))
+  }
+
+  /** Whether the renderer is the other entry's. The face is then plain, and the console says so, once for each renderer. */
+  #isRefused(renderer: AnyRenderer): boolean {
+    const problem = rendererProblem(renderer, this.#renderer.entry, 'Wrinkles')
+    if (!problem) return false
+    if (this.mode !== 'off') this.mode = 'off'
+    if (!refused.has(renderer)) console.error(problem.message)
+    refused.add(renderer)
+    return true
   }
 
   #writeTable(areas: ShaderInputs['areas'], table: ActivationTable): void {
