@@ -1,7 +1,7 @@
-import { mkdirSync, mkdtempSync } from 'node:fs'
+import { mkdtempSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import { expect, test } from 'vitest'
+import { beforeAll, expect, test } from 'vitest'
 import { bundle } from '../../../scripts/lib/bundle.mjs'
 import { COMMANDS } from '../../fuzz/cases.ts'
 import { fuzz } from '../../fuzz/fuzz.ts'
@@ -10,12 +10,17 @@ import { fuzz } from '../../fuzz/fuzz.ts'
 const COUNT = 100
 const SEED = 1
 
+let child = ''
+
+beforeAll(async () => {
+  child = await bundle('test/fuzz/child.ts')
+})
+
 test.each(COMMANDS)('%s: 100 damaged files end in success, one line or a finding', async (command) => {
   const keep = mkdtempSync(join(tmpdir(), 'furrow-fuzz-failures-'))
-  mkdirSync(keep, { recursive: true })
   const lines: string[] = []
   const [results] = await fuzz({
-    child: await bundle('test/fuzz/child.ts'),
+    child,
     commands: [command],
     seed: SEED,
     count: COUNT,

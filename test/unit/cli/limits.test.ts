@@ -159,6 +159,7 @@ describe('numbers are checked before anything is decoded', () => {
       (json) => Object.assign(json.textures[0], { source: 99 }),
       'textures[0].source is 99',
     ],
+    ['a texture without an image', (json) => delete json.textures[0].source, 'textures[0] has no image'],
     ['a root that does not exist', (json) => json.scenes[0].nodes.push(99), 'scenes[0].nodes is 99'],
   ])('names %s', (_, change, message) => {
     expect(problem(change)).toContain(message)

@@ -25,12 +25,9 @@ const HINTS = { limit: 'PNG or TIFF, 8 or 16 bits', remedy: 'check the path and 
  * @throws FurrowError when the file is not such an image, is cut off, or is larger than 8192 texels a side.
  */
 export async function readHeightImage(path: string, who: string): Promise<HeightImage> {
-  const { image, width, height, depth } = await openImage(
-    await readBytes(path, who, 'the image'),
-    path,
-    who,
-    EXACT_IMAGES,
-  )
+  const bytes = await readBytes(path, who, 'the image')
+  const opened = await openImage(bytes, path, who, EXACT_IMAGES)
+  const { image, width, height, depth } = opened
   if (depth !== 'uchar' && depth !== 'ushort') {
     throw new FurrowError({
       who,
@@ -41,7 +38,7 @@ export async function readHeightImage(path: string, who: string): Promise<Height
     })
   }
   const bits = depth === 'uchar' ? 8 : 16
-  const decode = () => readPixels(image.removeAlpha(), bits)
+  const decode = () => readPixels(image.removeAlpha(), bits, opened.channels < 3)
   const { data, channels } = await withImageErrors(path, who, decode, HINTS)
   const full = 2 ** bits - 1
   if (channels === 1) return { width, height, bits, data }
@@ -62,10 +59,11 @@ export async function readHeightImage(path: string, who: string): Promise<Height
   return { width, height, bits, data: gray }
 }
 
-async function readPixels(image: Sharp, bits: 8 | 16) {
+async function readPixels(image: Sharp, bits: 8 | 16, isGray: boolean) {
   // Without a 16-bit colour space sharp goes through 8 bits.
-  const wide = bits === 16 ? image.toColourspace('rgb16') : image.toColourspace('srgb')
-  const { data, info } = await wide
+  const space = bits === 16 ? (isGray ? 'grey16' : 'rgb16') : isGray ? 'b-w' : 'srgb'
+  const { data, info } = await image
+    .toColourspace(space)
     .raw({ depth: bits === 16 ? 'ushort' : 'uchar' })
     .toBuffer({ resolveWithObject: true })
   const values = bits === 16 ? new Uint16Array(data.buffer, data.byteOffset, data.length / 2) : data

@@ -29,7 +29,7 @@ export const GLTF_IMAGES: readonly ImageType[] = [...PAINTED, 'image/avif']
 export const EXACT_IMAGES: readonly ImageType[] = [...PAINTED, 'image/tiff']
 
 /** An image that may be decoded: its header says that it is small enough. */
-export interface OpenedImage extends Pick<Metadata, 'depth'> {
+export interface OpenedImage extends Pick<Metadata, 'channels' | 'depth'> {
   /** To be decoded once; colour profiles are ignored, and what is cut off is an error. */
   image: Sharp
   type: ImageType
@@ -74,7 +74,7 @@ export async function openImage(
   }
   const decodedBytes = width * height * channels * (DEPTH_BYTES[depth] ?? 8)
   checkDecodedBytes(decodedBytes, name, who)
-  return { image, type, width, height, depth, decodedBytes }
+  return { image, type, width, height, channels, depth, decodedBytes }
 }
 
 /** Bytes per channel by the name that libvips has for it; up to 8 for others. */
