@@ -1,6 +1,6 @@
 import type { AreaConvention } from './area.ts'
 import type { JsonReader } from './json.ts'
-import { LARGEST, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS } from './limits.ts'
+import { LARGEST, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS, MIN_AREA_SIZE } from './limits.ts'
 import type { Combine, LayerKind } from './types.ts'
 
 /** The layers and areas of `wrinkles.json`; image URLs are relative to it. */
@@ -48,8 +48,6 @@ const MAPS = ['baseColor', 'roughness', 'occlusion', 'height'] as const
 
 /** Most characters of an image's URL. */
 const MAX_URL_LENGTH = 2048
-
-const MIN_AREA_SIZE = 2
 
 /**
  * Reads `wrinkles.json` except its drivers, which are returned unchecked.

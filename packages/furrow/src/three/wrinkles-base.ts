@@ -22,8 +22,8 @@ import { sizeOnScreen } from './size-on-screen.ts'
 
 const wrinklesByMesh = new WeakMap<Mesh, WrinklesBase>()
 
-/** The wrinkles of a mesh, however they were added, or undefined; if there are several, the first. */
-export function wrinklesOf(mesh: Mesh): WrinklesBase | undefined {
+/** The wrinkles that were added to a mesh, or undefined; if there are several, the first. */
+export function addedTo(mesh: Mesh): WrinklesBase | undefined {
   return wrinklesByMesh.get(mesh)
 }
 
@@ -170,7 +170,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     // All parameters by name: a rest parameter would allocate in every frame.
     const prepare: Mesh['onBeforeRender'] = (renderer, scene, camera, geometry, material, group) => {
       before.call(mesh, renderer, scene, camera, geometry, material, group)
-      this.#prepare(renderer as AnyRenderer, camera, mesh)
+      this.prepare(renderer as AnyRenderer, camera, mesh)
     }
     mesh.onBeforeRender = prepare
     if (!wrinklesByMesh.has(mesh)) wrinklesByMesh.set(mesh, this)
@@ -184,6 +184,13 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   /** Copies the material without its wrinkles, for another mesh with wrinkles of its own. */
   cloneMaterial(): Material {
     return this.#material.clone()
+  }
+
+  /** Called before a mesh is drawn: runs the phases up to the influence, then sets what the mesh's shader reads. @internal */
+  prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
+    this.#inputs.fade.value = this.#fadeOf(mesh, camera, renderer)
+    this.#frame.begin(this.#entry, renderer)
+    locateCells(this.#inputs, this.#atlas, this.#cells)
   }
 
   /** Phase 4 of a frame, see `Frame`: influence maps, or the paper's table. @internal */
@@ -227,13 +234,6 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
       Float32Array.from(this.areas, ({ name }) => Number(names.includes(name))),
     )
     return table
-  }
-
-  /** Called before a mesh is drawn: runs the phases up to the influence, then sets what the mesh's shader reads. */
-  #prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
-    this.#inputs.fade.value = this.#fadeOf(mesh, camera, renderer)
-    this.#frame.begin(this.#entry, renderer)
-    locateCells(this.#inputs, this.#atlas, this.#cells)
   }
 
   /** 1 = not faded, 0 = the mesh is too small on screen to show wrinkles. */

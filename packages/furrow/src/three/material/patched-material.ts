@@ -73,7 +73,8 @@ export class PatchedMaterial {
     this.#unpatch()
     const { normalMap } = this.#material
     if (this.#flat) this.#material.normalMap = null
-    const copy = this.#material.clone()
+    // Not the material's own: the loader replaces that, so that copies wrinkle too.
+    const copy = Object.getPrototypeOf(this.#material).clone.call(this.#material)
     this.#material.normalMap = normalMap
     this.#unpatch = this.#patch(this.mode)
     return copy
