@@ -8,6 +8,8 @@ export interface Face {
   root: Object3D
   /** The mesh with wrinkles. */
   skin: Mesh
+  /** The other meshes of the skin: primitives of one mesh of the file, with its material. */
+  parts: Mesh[]
   /** The file's wrinkles for `skin`; null if it has none. */
   wrinkles: Pick<LoadedWrinkles, 'set' | 'drivers'> | null
 }
@@ -38,7 +40,16 @@ export async function loadFace(url: string, skin?: string, loader = new GLTFLoad
       `face: no mesh to wrinkle, got ${JSON.stringify(skin ?? SKIN)}, allowed: ${names}; name one of them`,
     )
   }
-  return { root, skin: found, wrinkles: loaded.find(({ meshes }) => meshes.includes(found)) ?? null }
+  const indexOf = (mesh: Mesh) => gltf.parser.associations.get(mesh)?.meshes
+  const parts = meshes.filter(
+    (mesh) =>
+      mesh !== found &&
+      mesh.parent === found.parent &&
+      mesh.material === found.material &&
+      indexOf(mesh) === indexOf(found),
+  )
+  const wrinkles = loaded.find(({ meshes }) => meshes.includes(found)) ?? null
+  return { root, skin: found, parts, wrinkles }
 }
 
 function chooseSkin(meshes: Mesh[], loaded: LoadedWrinkles[], skin?: string): Mesh | undefined {

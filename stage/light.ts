@@ -1,4 +1,4 @@
-import { Color, DirectionalLight, type Object3D, PMREMGenerator, type Scene, type WebGLRenderer } from 'three'
+import { Color, DirectionalLight, Group, PMREMGenerator, type Scene, type WebGLRenderer } from 'three'
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js'
 import { PMREMGenerator as NodePMREMGenerator, type WebGPURenderer } from 'three/webgpu'
 
@@ -16,8 +16,15 @@ const BACKGROUND = 0x24272c
 /** WebGPURenderer tone-maps the background too; this colour becomes `BACKGROUND`. */
 const TONE_MAPPED_BACKGROUND = 0x34373b
 
-/** Adds lights, environment and background to a scene; returns a function that removes lights and environment. */
-export function lightScene(scene: Scene, renderer: WebGLRenderer | WebGPURenderer): () => void {
+/** The lights and environment of a scene. */
+export interface Lighting {
+  /** Turns them round the upright axis. @param yaw radians from +Z to where the face looks. */
+  turn(yaw: number): void
+  remove(): void
+}
+
+/** Adds lights, environment and background to a scene, for a face that looks along +Z. */
+export function lightScene(scene: Scene, renderer: WebGLRenderer | WebGPURenderer): Lighting {
   const pmrem = isWebGL(renderer) ? new PMREMGenerator(renderer) : new NodePMREMGenerator(renderer)
   const room = new RoomEnvironment()
   const environment = pmrem.fromScene(room as never, 0.04)
@@ -25,17 +32,24 @@ export function lightScene(scene: Scene, renderer: WebGLRenderer | WebGPURendere
   scene.environment = environment.texture
   scene.environmentIntensity = ENVIRONMENT
   scene.background = new Color(isWebGL(renderer) ? BACKGROUND : TONE_MAPPED_BACKGROUND)
-  const lights: Object3D[] = LIGHTS.map(({ name, colour, intensity, from }) => {
+  const lights = new Group()
+  for (const { name, colour, intensity, from } of LIGHTS) {
     const light = new DirectionalLight(colour, intensity)
     light.name = name
     light.position.fromArray(from)
-    return light
-  })
-  scene.add(...lights)
-  return () => {
-    scene.remove(...lights)
-    environment.dispose()
-    pmrem.dispose()
+    lights.add(light)
+  }
+  scene.add(lights)
+  return {
+    turn(yaw) {
+      lights.rotation.y = yaw
+      scene.environmentRotation.y = yaw
+    },
+    remove() {
+      scene.remove(lights)
+      environment.dispose()
+      pmrem.dispose()
+    },
   }
 }
 

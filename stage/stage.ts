@@ -18,7 +18,7 @@ import {
 import { WebGPURenderer } from 'three/webgpu'
 import type { Face } from './face.ts'
 import { isWebGL, lightScene } from './light.ts'
-import { frameView, type ViewName } from './views.ts'
+import { frameView, frontOf, type ViewName } from './views.ts'
 
 export type RendererKind = 'webgl' | 'webgpu'
 export type Renderer = WebGLRenderer | WebGPURenderer
@@ -30,8 +30,14 @@ export interface Stage {
   backend: 'WebGL 2' | 'WebGPU'
   scene: Scene
   camera: PerspectiveCamera
-  /** Shows a face in place of the last one. The caller disposes of the wrinkles. */
-  show(face: Face, loaded: Pick<LoadedWrinkles, 'set' | 'drivers'>, options?: WrinklesOptions): Wrinkles
+  /** Shows a face in place of the last one, without wrinkles. */
+  show(face: Face): void
+  /** Adds wrinkles to a face. The caller disposes of them. */
+  addWrinkles(
+    face: Face,
+    loaded: Pick<LoadedWrinkles, 'set' | 'drivers'>,
+    options?: WrinklesOptions,
+  ): Wrinkles
   /** Moves the camera to a view; returns the point it looks at. */
   view(name: ViewName): Vector3
   /** @param pixelRatio device pixels per CSS pixel. */
@@ -55,24 +61,35 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
   renderer.outputColorSpace = SRGBColorSpace
   const scene = new Scene()
   const camera = new PerspectiveCamera()
-  const removeLights = lightScene(scene, renderer)
+  const lighting = lightScene(scene, renderer)
   let shown: Face | null = null
+  /** Whether the lights are turned to where the face looks. */
+  let isLit = false
   return {
     renderer,
     backend: backendName(renderer),
     scene,
     camera,
-    show(face, { set, drivers }, options) {
+    show(face) {
       if (shown) scene.remove(shown.root)
       shown = face
+      isLit = false
       scene.add(face.root)
+    },
+    addWrinkles(face, { set, drivers }, options) {
       const wrinkles = isWebGL(renderer)
         ? new WebGLWrinkles(face.skin, set, options)
         : new WebGPUWrinkles(face.skin, set, options)
+      for (const part of face.parts) wrinkles.addMesh(part)
       addDrivers(wrinkles, drivers)
       return wrinkles
     },
-    view: (name) => frameView(shown?.skin ?? scene, camera, name),
+    view(name) {
+      const root = shown?.root ?? scene
+      if (!isLit) lighting.turn(frontOf(root))
+      isLit = true
+      return frameView(root, camera, name)
+    },
     resize(width, height, pixelRatio = 1) {
       renderer.setPixelRatio(pixelRatio)
       renderer.setSize(width, height, false)
@@ -81,7 +98,7 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
     },
     render: () => void renderer.render(scene, camera),
     dispose() {
-      removeLights()
+      lighting.remove()
       renderer.dispose()
     },
   }

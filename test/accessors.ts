@@ -4,8 +4,8 @@ import type { Accessor, Document } from '@gltf-transform/core'
 export function accessorsOf(document: Document) {
   const buffer = document.getRoot().listBuffers()[0] ?? document.createBuffer()
   return (
-    type: 'SCALAR' | 'VEC2' | 'VEC3' | 'VEC4',
-    array: Float32Array | Uint16Array | Uint32Array,
+    type: 'SCALAR' | 'VEC2' | 'VEC3' | 'VEC4' | 'MAT4',
+    array: Float32Array | Uint8Array | Uint16Array | Uint32Array,
   ): Accessor =>
     document
       .createAccessor()

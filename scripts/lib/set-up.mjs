@@ -18,7 +18,7 @@ const BUILDS = [
   {
     name: 'furrow-cli',
     result: 'packages/cli/dist/page/index.html',
-    sources: ['packages/cli/src', 'packages/cli/package.json', 'packages/cli/tsconfig.json', 'stage'],
+    sources: ['packages/cli/src', 'packages/cli/package.json', 'packages/cli/vite.config.ts', 'stage'],
   },
 ]
 const EVERYONES_SOURCES = ['package-lock.json', 'tsconfig.base.json']

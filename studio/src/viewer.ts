@@ -61,7 +61,8 @@ export class Viewer {
     this.#toneMapping = stage.renderer.toneMapping
     const { face, drivers } = loaded
     const plain = (face.skin.material as Material).clone()
-    const wrinkles = stage.show(face, loaded)
+    stage.show(face)
+    const wrinkles = stage.addWrinkles(face, loaded)
     this.wrinkles = wrinkles
     // Drivers run here and not in the draw, so that the areas' sliders follow at once.
     wrinkles.driven = false

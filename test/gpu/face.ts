@@ -23,7 +23,7 @@ export const WIDTH = 240
 export const HEIGHT = 320
 
 /** A scene with one face and two plain lights. */
-export function faceScene({ root, skin }: Face, view: ViewName) {
+export function faceScene({ root, skin }: Pick<Face, 'root' | 'skin'>, view: ViewName) {
   const scene = new Scene()
   const key = new DirectionalLight(0xffffff, 1.6)
   key.position.set(-1, 1, 1.5)

@@ -31,7 +31,7 @@ export async function posedPicture(harness: Harness, gltf: GLTF, mode: 'default'
   for (const [name, weight] of Object.entries(POSE)) {
     for (const index of findTargets(name, targets)) skin.morphTargetInfluences![index] = weight
   }
-  const { scene, camera } = faceScene({ root: gltf.scene, skin, wrinkles: null }, 'front')
+  const { scene, camera } = faceScene({ root: gltf.scene, skin }, 'front')
   const own = skin.material
   if (mode === 'influence') skin.material = wrinkles.createInfluenceMaterial()
   wrinkles.mode = mode === 'off' ? 'off' : 'default'

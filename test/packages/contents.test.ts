@@ -4,6 +4,7 @@ import { dirname, join, resolve } from 'node:path'
 import { checkPackage, createPackageFromTarballData } from '@arethetypeswrong/core'
 import { publint } from 'publint'
 import { formatMessage } from 'publint/utils'
+import ts from 'typescript'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { pack, ROOT, remove, run, temporaryFolder } from './npm.ts'
 
@@ -18,7 +19,10 @@ afterAll(() => remove(folder))
 
 describe.each([
   { name: 'furrow', top: ['LICENSE', 'README.md', 'dist', 'package.json', 'src'] },
-  { name: 'furrow-cli', top: ['LICENSE', 'README.md', 'bin', 'dist', 'package.json'] },
+  {
+    name: 'furrow-cli',
+    top: ['LICENSE', 'README.md', 'THIRD_PARTY_NOTICES.md', 'bin', 'dist', 'package.json'],
+  },
 ])('the tarball of $name', ({ name, top }) => {
   let tarball: Buffer<ArrayBuffer>
   let content: string
@@ -58,6 +62,20 @@ describe.each([
         !sourcesContent?.[i] && !existsSync(resolve(dirname(map), source))
       expect(sources.filter(missing), map).toEqual([])
     }
+  })
+
+  it('imports nothing but itself, Node, and what it installs', () => {
+    const { dependencies, peerDependencies } = JSON.parse(read(join(content, 'package.json')))
+    const allowed = Object.keys({ ...dependencies, ...peerDependencies })
+    const imported = files
+      .filter((file) => file.endsWith('.js') && !file.startsWith(join(content, 'dist/page/')))
+      .flatMap((file) => ts.preProcessFile(read(file)).importedFiles)
+      .map(({ fileName }) => fileName)
+      .filter((specifier) => !/^(\.|node:)/.test(specifier))
+    expect(imported.length).toBeGreaterThan(5)
+    const installed = (specifier: string) =>
+      allowed.some((one) => specifier === one || specifier.startsWith(`${one}/`))
+    expect(imported.filter((specifier) => !installed(specifier))).toEqual([])
   })
 
   if (name !== 'furrow') return

@@ -1,2 +1,11 @@
 #!/usr/bin/env node
-import '../dist/main.js'
+import { existsSync } from 'node:fs'
+
+const main = new URL('../dist/main.js', import.meta.url)
+if (existsSync(main)) {
+  await import(main)
+} else {
+  // Only a clone can be without a build.
+  console.error('furrow: not built yet; run "npm run build" in the root of the repository')
+  process.exitCode = 1
+}

@@ -8,7 +8,16 @@ export { type ActivationPointer, parseActivationPointer } from './core/activatio
 export { type AreaConvention, areaWeights } from './core/area.ts'
 export { type ErrorCode, type ErrorParts, FurrowError } from './core/error.ts'
 export { resampleGray } from './core/image.ts'
+export { type Ktx2Header, readKtx2Header } from './core/ktx2-header.ts'
 export { DEFAULT_AREA_SIZE, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS } from './core/limits.ts'
+export {
+  drawnTextures,
+  type MapProblem,
+  mapProblems,
+  type TextureShape,
+  texturesOfFace,
+} from './core/map-rules.ts'
+export { isName } from './core/name.ts'
 export { type ImageArray, packAreas, packColours, packGrays } from './core/pack.ts'
 /** The paper's formulas in float64 on the CPU, which every GPU path is compared with. */
 export * as reference from './core/reference.ts'

@@ -169,13 +169,13 @@ describe('parseStrokes', () => {
     [
       'a group without a name',
       document({ ...plain, group: '' }),
-      'strokes[0].group must be text, got "", allowed: 1 to 64 characters; write it in quotes',
+      'strokes[0].group must be text, got "", allowed: 1 to 256 characters, none of them a control character or a line break; choose another name',
     ],
     ['half a texel', document(plain, { size: 100.5 }), 'size must be a whole number, got 100.5; round it'],
     [
       'an area that would leave its folder',
       document(plain, { areas: [{ name: '../../x', shapes: [] }] }),
-      'areas[0].name is not a valid file name, got "../../x", allowed: letters, digits, _ and -; choose another name',
+      'areas[0].name is not a valid file name, got "../../x", allowed: e.g. __.._x; choose another name',
     ],
     [
       'an area of an unknown group',

@@ -97,7 +97,7 @@ export function placeByNode(document: Document): void {
   node
     .setScale([0.01, 0.01, 0.01])
     .setRotation([-Math.SQRT1_2, 0, 0, Math.SQRT1_2])
-    .setTranslation([-0.07, -0.2, 0])
+    .setTranslation([-0.07, 0.2, 0])
 }
 
 /** In centimetres, skinned to one joint whose inverse bind matrix makes up for it; the node itself is moved, which must not matter. */

@@ -26,6 +26,7 @@ describe('furrow render refuses', () => {
     }
     put('bare.glb', editGlb(glb, strip))
     put('lone.json', JSON.stringify(setOf('layer.png')))
+    put('up.json', JSON.stringify(setOf('../../etc/passwd')))
     put('far.json', JSON.stringify(setOf('https://example.org/layer.png')))
     mkdirSync(file('folder.png'))
   })
@@ -38,7 +39,17 @@ describe('furrow render refuses', () => {
     ['a face cut off', [file('cut.glb')], /cut off: 50000 of \d+ bytes/],
     ['glTF 1', [file('old.glb')], /it has version 1/],
     ['a folder', [folder], /cannot read the face/],
-    ['a face without wrinkles', [file('bare.glb')], /cannot read the wrinkles .*--wrinkles/],
+    [
+      'a wrinkle set that is not there',
+      [file('bare.glb'), '--wrinkles', file('none.json')],
+      /cannot read the wrinkles .*none\.json.*--wrinkles/,
+    ],
+    [
+      'an area of a face without wrinkles',
+      [file('bare.glb'), '--activation', 'nose=1'],
+      /this face has none/,
+    ],
+    ['wrinkles in another folder', [FACE, '--wrinkles', file('up.json')], /outside its folder/],
     [
       'wrinkles that are no JSON',
       [FACE, '--wrinkles', file('text.glb')],

@@ -28,6 +28,7 @@ interface Transcoder {
   isUASTC(): boolean
   isETC1S(): boolean
   getLayers(): number
+  getLevels(): number
   startTranscoding(): boolean
   getImageTranscodedSizeInBytes(level: number, layer: number, face: number, format: number): number
   transcodeImage(
@@ -117,7 +118,7 @@ export async function encodeBasis(
   }
 }
 
-/** Decodes the largest level of every layer to RGBA. Throws Error with a short reason when it cannot. */
+/** Decodes every layer to RGBA and returns the largest level. Throws Error with a short reason when any level is damaged. */
 export async function decodeBasis(
   bytes: Uint8Array,
   count: number,
@@ -126,12 +127,15 @@ export async function decodeBasis(
   try {
     if (!file.isValid() || !(file.isUASTC() || file.isETC1S())) throw new Error('its format is unknown')
     if (Math.max(file.getLayers(), 1) !== count || !file.startTranscoding()) throw new Error('it is damaged')
-    const layers = Array.from({ length: count }, (_, layer) => {
-      const out = new Uint8Array(file.getImageTranscodedSizeInBytes(0, layer, 0, TRANSCODE_TO_RGBA32))
-      if (!file.transcodeImage(out, 0, layer, 0, TRANSCODE_TO_RGBA32, 0, -1, -1))
-        throw new Error('it is damaged')
-      return out
-    })
+    const decode = (level: number) =>
+      Array.from({ length: count }, (_, layer) => {
+        const out = new Uint8Array(file.getImageTranscodedSizeInBytes(level, layer, 0, TRANSCODE_TO_RGBA32))
+        if (!file.transcodeImage(out, level, layer, 0, TRANSCODE_TO_RGBA32, 0, -1, -1))
+          throw new Error('it is damaged')
+        return out
+      })
+    const layers = decode(0)
+    for (let level = 1; level < file.getLevels(); level++) decode(level)
     return { layers, compression: file.isUASTC() ? 'uastc' : 'etc1s' }
   } finally {
     file.close()

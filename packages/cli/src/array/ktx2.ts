@@ -1,3 +1,4 @@
+import { isFileName } from 'furrow/author'
 import {
   KHR_DF_CHANNEL_RGBSDA_ALPHA,
   KHR_DF_KHR_DESCRIPTORTYPE_BASICFORMAT,
@@ -175,16 +176,10 @@ function layerNames({ keyValue }: KTX2Container, count: number): string[] {
   if (
     !Array.isArray(names) ||
     names.length !== count ||
-    !names.every(isName) ||
+    !names.every((name) => typeof name === 'string' && isFileName(name)) ||
     new Set(names).size !== count
   ) {
     throw new Error(`its ${NAMES_KEY} are not ${count} different names`)
   }
   return names
-}
-
-/** Whether a text is a file name without a path. */
-export function isName(text: unknown): text is string {
-  // biome-ignore lint/suspicious/noControlCharactersInRegex: they are what is excluded.
-  return typeof text === 'string' && /^[^/\\\x00-\x1f:]{1,200}$/.test(text) && text !== '.' && text !== '..'
 }

@@ -1,10 +1,9 @@
 import { parse } from 'node:path'
 import { type ErrorCode, FurrowError, MAX_AREAS, MAX_IMAGE_SIDE } from 'furrow'
-import type { RgbaImage } from 'furrow/author'
+import { fileNamesOf, isFileName, type RgbaImage } from 'furrow/author'
 import sharp from 'sharp'
 import { withImageErrors } from '../images/pixels.ts'
 import type { NamedArray } from './image-array.ts'
-import { isName } from './ktx2.ts'
 
 const WHO = 'furrow array'
 
@@ -54,7 +53,9 @@ function checkNames(names: readonly string[], paths: readonly string[]): void {
     if (other < i) {
       fail('two layers with the same name', name, `not ${paths[other]} and ${paths[i]}`, 'rename one file')
     }
-    if (!isName(name)) fail('invalid name of a layer', name, '1 to 200 plain characters', 'rename the file')
+    if (!isFileName(name)) {
+      fail('invalid name of a layer', name, `e.g. ${fileNamesOf([name])}`, 'rename the file')
+    }
   }
 }
 

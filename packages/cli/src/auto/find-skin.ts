@@ -2,6 +2,7 @@ import type { Document, Mesh } from '@gltf-transform/core'
 import { FurrowError } from 'furrow'
 import { crossOf, faceShapeFinder, type Skin } from 'furrow/author'
 import { trianglesOf } from '../gltf/mesh-nodes.ts'
+import { didYouMean } from '../nearest.ts'
 import { readSkin } from './read-skin.ts'
 
 /** The skin that was chosen: the primitives of one mesh with one material. */
@@ -12,6 +13,8 @@ export interface FoundSkin {
   material: number
   meshName: string
   materialName: string
+  /** Of what the blendshapes move, 0..1; NaN where they move nothing. */
+  fraction: number
   /** Why it was chosen, for the user. */
   reason: string
   /** Whether all primitives have tangents. */
@@ -37,17 +40,9 @@ const SKIN_SHAPES = [
  * @throws FurrowError when no mesh can wrinkle.
  */
 export function findSkin(document: Document, path: string, who: string, meshName?: string): FoundSkin {
-  const meshes = document.getRoot().listMeshes()
-  const wanted = meshes.flatMap((mesh, index) => (isNamed(mesh, meshName) ? [{ mesh, index }] : []))
-  const candidates = wanted.flatMap(({ mesh, index }) => candidatesOf(document, mesh, index))
-  const byFace = candidates.map(({ skin }) => movedSurface(skin, faceTargets(skin)))
-  const isFace = byFace.some((moved) => moved > 0)
-  const moved = isFace ? byFace : candidates.map(({ skin }) => movedSurface(skin, [...skin.targets.keys()]))
-  const best = candidates[moved.indexOf(Math.max(...moved))]
-  if (best) {
-    const fraction = Math.max(...moved) / moved.reduce((a, b) => a + b, 0)
-    return { ...best, reason: reasonOf(isFace, fraction, candidates.length) }
-  }
+  const found = bestSkin(document, meshName)
+  if (found) return found
+  const names = document.getRoot().listMeshes().map(labelOf)
   throw new FurrowError({
     code: meshName === undefined ? 'invalid' : 'unknown-name',
     who,
@@ -58,8 +53,27 @@ export function findSkin(document: Document, path: string, who: string, meshName
     remedy:
       meshName === undefined
         ? 'unwrap the face and give it a material'
-        : `name one of ${meshes.map(labelOf).join(', ')}`,
+        : didYouMean(meshName, names, `name one of ${names.join(', ')}`),
   })
+}
+
+/** The skin that the blendshapes move more than all others together; undefined where there is none. */
+export function mostMovedSkin(document: Document, meshName?: string): FoundSkin | undefined {
+  const skin = bestSkin(document, meshName)
+  return skin && skin.fraction > 0.5 ? skin : undefined
+}
+
+function bestSkin(document: Document, meshName: string | undefined): FoundSkin | undefined {
+  const meshes = document.getRoot().listMeshes()
+  const wanted = meshes.flatMap((mesh, index) => (isNamed(mesh, meshName) ? [{ mesh, index }] : []))
+  const candidates = wanted.flatMap(({ mesh, index }) => candidatesOf(document, mesh, index))
+  const byFace = candidates.map(({ skin }) => movedSurface(skin, faceTargets(skin)))
+  const isFace = byFace.some((moved) => moved > 0)
+  const moved = isFace ? byFace : candidates.map(({ skin }) => movedSurface(skin, [...skin.targets.keys()]))
+  const best = candidates[moved.indexOf(Math.max(...moved))]
+  if (!best) return undefined
+  const fraction = Math.max(...moved) / moved.reduce((a, b) => a + b, 0)
+  return { ...best, fraction, reason: reasonOf(isFace, fraction, candidates.length) }
 }
 
 function reasonOf(isFace: boolean, fraction: number, count: number): string {
@@ -70,7 +84,11 @@ function reasonOf(isFace: boolean, fraction: number, count: number): string {
 }
 
 /** The possible skins of a mesh: the primitives of each of its materials. */
-function candidatesOf(document: Document, mesh: Mesh, index: number): Omit<FoundSkin, 'reason'>[] {
+function candidatesOf(
+  document: Document,
+  mesh: Mesh,
+  index: number,
+): Omit<FoundSkin, 'fraction' | 'reason'>[] {
   const triangles = trianglesOf(mesh)
   const materials = [...new Set(triangles.map((primitive) => primitive.getMaterial()))]
   return materials.flatMap((material) => {

@@ -3,6 +3,7 @@ import { FurrowError } from 'furrow'
 import type { BakeMesh } from 'furrow/author'
 import { generateTangents } from 'mikktspace'
 import { BufferAttribute, Matrix4, Vector3 } from 'three'
+import type { ReadOptions } from '../gltf/external-files.ts'
 import { nameOf, pickMesh, placementOf, trianglesOf } from '../gltf/mesh-nodes.ts'
 import { readDocument } from '../gltf/read-document.ts'
 
@@ -22,8 +23,8 @@ export interface Surface {
 export type Tangents = 'mikktspace' | 'derivative'
 
 /** Reads all triangles of a file as one surface, neutral and in rest pose. Throws FurrowError if there are none. */
-export async function readSurface(path: string): Promise<Surface> {
-  const document = await readDocument(path, WHO)
+export async function readSurface(path: string, options: ReadOptions = {}): Promise<Surface> {
+  const document = await readDocument(path, WHO, options)
   const parts = document
     .getRoot()
     .listNodes()
@@ -68,8 +69,9 @@ export async function readLow(
   path: string,
   meshName: string | undefined,
   tangents: Tangents,
+  options: ReadOptions = {},
 ): Promise<{ name: string; mesh: BakeMesh; tangents: 'of the mesh' | Tangents }> {
-  const node = pickMesh(await readDocument(path, WHO), path, meshName, WHO)
+  const node = pickMesh(await readDocument(path, WHO, options), path, meshName, WHO)
   const parts = trianglesOf(node.getMesh()!)
   if (!parts.every((primitive) => primitive.getAttribute('NORMAL'))) {
     throw fault(

@@ -11,13 +11,16 @@ import {
 } from 'furrow'
 import { createCommand } from '../command.ts'
 import { targetNamesOf } from '../gltf/gltf-json.ts'
-import { assignmentParser, parseWeight } from '../options.ts'
+import { didYouMean } from '../nearest.ts'
+import { allowOutsideOption, assignmentParser, parseWeight } from '../options.ts'
+import { print } from '../print.ts'
 import { readWrinkledFile } from '../wrinkles/wrinkled-file.ts'
 
 const WHO = 'furrow activations'
 
 interface Options {
   material?: string
+  allowOutside?: boolean
   expression?: string
   set?: Record<string, number>
   input?: Record<string, number>
@@ -27,7 +30,7 @@ interface Options {
 /** `furrow activations`: why a wrinkle shows. */
 export const activationsCommand = createCommand('activations')
   .description('show the activation of each area of a face, and which link gave it')
-  .argument('<face>', 'a face with wrinkles (.glb)')
+  .argument('<face>', 'a face with wrinkles (.glb, .vrm, .gltf)')
   .option('--set <target=weight...>', 'blendshapes, 0 to 1, on top of the expression', parseWeight)
   .addOption(new Option('--expression <name>', 'an expression').choices(EXPRESSIONS.map(({ name }) => name)))
   .option(
@@ -36,6 +39,7 @@ export const activationsCommand = createCommand('activations')
     assignmentParser(),
   )
   .option('--material <name>', 'the material with the wrinkles (default: the only one)')
+  .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
@@ -43,13 +47,13 @@ export const activationsCommand = createCommand('activations')
 Drivers that read joints or tension need the moving mesh: they are listed without a number.
 
 Examples:
-  $ furrow activations faces/human.glb --set mouthSmileLeft=1 cheekSquintLeft=0.5
-  $ furrow activations faces/human.glb --expression angry --input age=60 --json`,
+  $ furrow activations wrinkled.glb --set mouthSmileLeft=1 cheekSquintLeft=0.5
+  $ furrow activations wrinkled.glb --expression angry --input age=60 --json`,
   )
   .action(activations)
 
 async function activations(path: string, options: Options): Promise<void> {
-  const { glb, material, maps } = await readWrinkledFile(path, WHO, options.material)
+  const { glb, material, maps } = await readWrinkledFile(path, WHO, options)
   const mesh = (glb.json.meshes ?? []).find(({ primitives }) =>
     primitives.some((primitive) => primitive.material === material),
   )
@@ -61,16 +65,14 @@ async function activations(path: string, options: Options): Promise<void> {
     inputs: options.input,
   })
   const others = maps.drivers.filter(needsMesh).map(describeDriver)
-  const text = options.json
+  const lines = options.json
     ? JSON.stringify({
         file: path,
         areas: explanations,
         ...(others.length > 0 && { needMovingMesh: others }),
       })
-    : [...explanations.flatMap(describe), ...others.map((text) => `needs the moving mesh: ${text}`)].join(
-        '\n',
-      )
-  process.stdout.write(`${text}\n`)
+    : [...explanations.flatMap(describe), ...others.map((text) => `needs the moving mesh: ${text}`)]
+  print(lines)
 }
 
 /** `0.620  nose`, and below it what each driver and link contributed, largest first; zeros are left out. */
@@ -109,7 +111,7 @@ function weightsOf(targetNames: readonly string[], set: Readonly<Record<string, 
         what: 'no such blendshape',
         value: name,
         limit: targetNames.join(', ') || 'the mesh has none',
-        remedy: 'name one of these',
+        remedy: didYouMean(name, targetNames, 'name one of these'),
       })
     }
     for (const index of indices) weights[index] = weight

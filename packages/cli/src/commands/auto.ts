@@ -16,10 +16,13 @@ import { makeReport } from '../auto/report/make-report.ts'
 import { Steps } from '../auto/steps.ts'
 import { createCommand } from '../command.ts'
 import { withCommandErrors } from '../errors.ts'
-import { checkWritable, writeAll } from '../files.ts'
-import { encodeGlb, type Glb, readGlbFile } from '../gltf/glb-file.ts'
-import { readDocument } from '../gltf/read-document.ts'
-import { numberParser } from '../options.ts'
+import { writeAll } from '../files.ts'
+import { FACE_EXTENSIONS, faceFiles } from '../gltf/face-files.ts'
+import { type Glb, readGlbFile } from '../gltf/glb-file.ts'
+import { documentOf } from '../gltf/read-document.ts'
+import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
+import { checkOutputs } from '../outputs.ts'
+import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
 import { embedWrinkles } from '../wrinkles/embed.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
@@ -43,6 +46,8 @@ interface Options {
   areas: number
   regions?: AutoRegion[]
   replace?: boolean
+  allowOutside?: boolean
+  force?: boolean
   report?: string
   json?: boolean
 }
@@ -54,8 +59,8 @@ const count = (min: number, max: number) => numberParser({ min, max, integer: tr
 /** `furrow auto`: makes wrinkles from a face's own blendshapes. */
 export const autoCommand = createCommand('auto')
   .description("make wrinkles from a face's own blendshapes, where they compress the skin")
-  .argument('<face>', 'a face with blendshapes (.glb)')
-  .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb)')
+  .argument('<face>', 'a face with blendshapes (.glb, .vrm, .gltf)')
+  .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb, .vrm, .gltf)')
   .option('--age <years>', 'lines grow in number, length and depth, 20 to 80', years, AUTO_DEFAULTS.age)
   .option('--strength <factor>', 'multiplies the depth, 0 to 2', factor, AUTO_DEFAULTS.strength)
   .addOption(
@@ -82,6 +87,8 @@ export const autoCommand = createCommand('auto')
   )
   .option('--replace', 'replace existing wrinkles')
   .option('--report <folder>', 'write a page there: before and after, strain, areas, layers, drivers')
+  .addOption(allowOutsideOption())
+  .addOption(forceOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
@@ -103,15 +110,16 @@ async function auto(face: string, options: Options): Promise<void> {
     areas,
     ...(regions && { regions }),
   }
-  await checkWritable(output, WHO, '.glb')
-  if (report !== undefined) await checkWritable(join(report, 'index.html'), WHO, '.html')
+  const rules = { extensions: FACE_EXTENSIONS, inputs: [face], force: options.force ?? false }
+  await checkOutputs([output], WHO, rules)
+  if (report !== undefined) await checkOutputs([join(report, 'index.html')], WHO, { extensions: ['.html'] })
   const total = OWN_STEPS + AUTO_STEPS.length + (report === undefined ? 0 : REPORT_STEPS)
   const { found, wrinkles, bytes, warnings } = await withBar('auto', async (progress) => {
     const steps = new Steps(progress, total)
     steps.begin('reading')
-    const glb = await readGlbFile(face, WHO)
+    const glb = await readGlbFile(face, WHO, options)
     checkTriangles(glb, WHO, mesh)
-    const found = findSkin(await readDocument(face, WHO), face, WHO, mesh)
+    const found = findSkin(await documentOf(glb, face, WHO), face, WHO, mesh)
     removeOldWrinkles(glb, found, options.replace ?? false)
     const frame = found.hasTangents ? 'orthonormal' : 'derivative'
     const wrinkles = withCommandErrors(WHO, () =>
@@ -122,24 +130,26 @@ async function auto(face: string, options: Options): Promise<void> {
     if (wrinkles.areas.length === 0) throw noWrinkles(found.meshName)
     steps.begin('encoding')
     embedWrinkles(glb, found.material, await packAuto(wrinkles), WHO)
-    const bytes = encodeGlb(glb)
-    await writeAll([{ path: output, bytes }], WHO)
-    const warnings = [...glb.warnings, ...wrinkles.warnings.map((text) => `${WHO}: ${text}`)]
+    const files = await faceFiles(glb, output, WHO, rules)
+    const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0)
+    const warnings = wrinkles.warnings.map((text) => `${WHO}: ${text}`)
     if (report !== undefined) {
       const listed = { ...settings, regions: regions?.join(', ') ?? 'all' }
       const source = { path: output, glb, found, wrinkles, settings: listed, warnings }
-      const { files, missing } = await makeReport(source, report, steps, WHO)
+      const made = await makeReport(source, report, steps, WHO)
+      files.push(...made.files)
       steps.begin('writing')
-      await writeAll(files, WHO)
-      if (missing) warnings.push(`${WHO}: the report has no pictures of the face (${missing})`)
+      if (made.missing) warnings.push(`${WHO}: the report has no pictures of the face (${made.missing})`)
     }
-    return { found, wrinkles, bytes: bytes.length, warnings }
+    await writeAll(files, WHO)
+    return { found, wrinkles, bytes, warnings }
   })
-  for (const warning of warnings) console.error(warning)
-  process.stdout.write(
+  for (const warning of warnings) warn(warning)
+  print(
     options.json
-      ? `${JSON.stringify(summary(wrinkles, found, options, bytes))}\n`
+      ? JSON.stringify(summary(wrinkles, found, options, bytes))
       : describe(wrinkles, found, options),
+    output,
   )
 }
 
@@ -198,7 +208,7 @@ function describe(
   { layers, areas }: AutoWrinkles,
   { meshName, materialName, reason }: FoundSkin,
   { output, report }: Options,
-): string {
+): string[] {
   const head = `${output}: mesh "${meshName}", material "${materialName}" (${reason}); layers: ${layers.length}; areas: ${areas.length}`
   const rows = areas.map(({ name, layer, compression, error, driver }) => {
     const links = driver.targets.map(({ name: target, weight }) => `${target} ${weight ?? 1}`).join(', ')
@@ -206,5 +216,5 @@ function describe(
     return `  ${name.padEnd(20)} layer ${layer + 1}  compression ${percent}  error ${error.toFixed(2)}  ${links}`
   })
   const page = report === undefined ? [] : [`${join(report, 'index.html')}: the report`]
-  return `${[head, ...rows, ...page].join('\n')}\n`
+  return [head, ...rows, ...page]
 }

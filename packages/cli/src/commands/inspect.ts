@@ -1,6 +1,9 @@
 import { describeDriver } from 'furrow'
 import { createCommand } from '../command.ts'
-import { checkWritable, writeAll } from '../files.ts'
+import { writeAll } from '../files.ts'
+import { allowOutsideOption } from '../options.ts'
+import { checkOutputs } from '../outputs.ts'
+import { print } from '../print.ts'
 import { type Inspection, inspectWrinkles } from '../wrinkles/inspect.ts'
 import { drawSheet } from '../wrinkles/sheet.ts'
 import { type GpuSizes, kilobytes } from '../wrinkles/sizes.ts'
@@ -11,15 +14,17 @@ const WHO = 'furrow inspect'
 interface Options {
   material?: string
   sheet?: string
+  allowOutside?: boolean
   json?: boolean
 }
 
 /** `furrow inspect`: shows the wrinkles of a file. */
 export const inspectCommand = createCommand('inspect')
   .description('show the layers, areas and drivers of a face, and what they cost')
-  .argument('<face>', 'a face with wrinkles (.glb)')
+  .argument('<face>', 'a face with wrinkles (.glb, .vrm, .gltf)')
   .option('--material <name>', 'the material with the wrinkles (default: the only one)')
   .option('--sheet <file>', 'draw all maps and areas into one picture (.png)')
+  .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
@@ -27,23 +32,24 @@ export const inspectCommand = createCommand('inspect')
 On the GPU, maps have mipmaps; areas have one channel and no mipmaps. 1 kB is 1024 bytes.
 
 Examples:
-  $ furrow inspect faces/human.glb
-  $ furrow inspect faces/human.glb --sheet sheet.png --json`,
+  $ furrow inspect wrinkled.glb
+  $ furrow inspect wrinkled.glb --sheet sheet.png --json`,
   )
   .action(inspect)
 
-async function inspect(path: string, { material, sheet, json }: Options): Promise<void> {
-  if (sheet !== undefined) await checkWritable(sheet, WHO)
-  const file = await readWrinkledFile(path, WHO, material)
+async function inspect(path: string, options: Options): Promise<void> {
+  const { sheet, json } = options
+  await checkOutputs([sheet], WHO, { inputs: [path] })
+  const file = await readWrinkledFile(path, WHO, options)
   const report = await inspectWrinkles(file, WHO)
   if (sheet !== undefined) await writeAll([{ path: sheet, bytes: await drawSheet(file, WHO) }], WHO)
-  const text = json
+  const lines = json
     ? JSON.stringify({ file: path, ...report, ...(sheet && { sheet }) })
     : describe(path, report)
-  process.stdout.write(`${text}\n`)
+  print(lines, sheet)
 }
 
-function describe(path: string, report: Inspection): string {
+function describe(path: string, report: Inspection): string[] {
   const { layers, areas, drivers, gpu, imageBytes, fileBytes } = report
   return [
     `${path}: wrinkles on material "${report.material ?? ''}"`,
@@ -84,7 +90,7 @@ function describe(path: string, report: Inspection): string {
     `on the GPU: ${kilobytes(gpu.uncompressed)} uncompressed, ${kilobytes(gpu.bits8)} with maps as BC7 or ASTC 4x4,` +
       ` ${kilobytes(gpu.bits4)} as BC1 or ETC1 (areas as BC4; those of an array as BC7 or ASTC 4x4);` +
       ` and ${kilobytes(report.influenceMapBytes)} for the influence map of each face`,
-  ].join('\n')
+  ]
 }
 
 const GPU_HEADS = ['on the GPU', 'BC7, ASTC', 'BC1, ETC1']

@@ -2,12 +2,15 @@ import { join } from 'node:path'
 import { Option } from 'commander'
 import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE, WRINKLE_MAPS } from 'furrow'
 import { createCommand } from '../command.ts'
-import { checkWritable, writeAll } from '../files.ts'
-import { encodeGlb, readGlbFile } from '../gltf/glb-file.ts'
+import { writeAll } from '../files.ts'
+import { FACE_EXTENSIONS, faceFiles } from '../gltf/face-files.ts'
+import { readGlbFile } from '../gltf/glb-file.ts'
 import { jointNamesOf, targetNamesOf } from '../gltf/gltf-json.ts'
 import { addMorphNormals } from '../gltf/morph-normals.ts'
 import { findTarget } from '../gltf/target.ts'
-import { numberParser } from '../options.ts'
+import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
+import { checkOutputs } from '../outputs.ts'
+import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
 import type { AreasPerImage } from '../wrinkles/area-images.ts'
 import { findDriverFaults } from '../wrinkles/driver-faults.ts'
@@ -30,6 +33,8 @@ interface Options {
   ktx2?: boolean
   size?: number
   morphNormals?: boolean
+  allowOutside?: boolean
+  force?: boolean
   json?: boolean
 }
 
@@ -39,10 +44,13 @@ const imageSide = numberParser({ min: 2, max: MAX_IMAGE_SIDE, unit: 'texels', in
 export const packCommand = createCommand('pack')
   .description('add wrinkles to a face: a folder of images becomes one .glb')
   .argument('<folder>', 'face.glb, layers/NAME/normal.png, areas/NAME.png and optionally wrinkles.json')
-  .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb)')
+  .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb, .vrm, .gltf)')
   .option('--face <file>', 'the face (default: face.glb in the folder)')
-  .option('--mesh <name>', 'the mesh that wrinkles (default: "skin", or the only one)')
-  .option('--material <name>', 'its material (default: "skin", or the only one)')
+  .option(
+    '--mesh <name>',
+    'the mesh that wrinkles (default: that of wrinkles.json, "skin", or as furrow auto finds it)',
+  )
+  .option('--material <name>', 'its material (default: likewise)')
   .option('--white-is-visible', 'areas are white where wrinkles show, instead of black')
   .option(
     '--area-size <texels>',
@@ -62,6 +70,8 @@ export const packCommand = createCommand('pack')
   )
   .option('--size <texels>', "side of the layers' maps (default: unchanged)", imageSide)
   .option('--morph-normals', 'add normals to blendshapes that have none, so that shading follows them')
+  .addOption(allowOutsideOption())
+  .addOption(forceOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
@@ -72,9 +82,9 @@ A slice of a KTX 2 array always holds four areas.
 
 Examples:
   $ furrow pack my-face -o wrinkled.glb
-  $ furrow pack faces/human --face faces/human.glb -o human.glb
-  $ furrow pack faces/human --face faces/human.glb --ktx2 --size 512 -o small.glb
-  $ furrow pack vroid --face avatar.vrm.glb --mesh Face --material Face_SKIN -o avatar.glb --white-is-visible`,
+  $ furrow pack my-face --face avatar.glb -o wrinkled.glb
+  $ furrow pack my-face --ktx2 --size 512 -o small.glb
+  $ furrow pack my-face --face avatar.vrm --mesh Face --material Face_SKIN -o wrinkled.glb --white-is-visible`,
   )
   .action(pack)
 
@@ -88,10 +98,14 @@ async function pack(folder: string, options: Options): Promise<void> {
     size,
   } = options
   const areasPerImage = Number(options.share) as AreasPerImage
-  await checkWritable(output, WHO, '.glb')
+  const rules = { extensions: FACE_EXTENSIONS, inputs: [face], force: options.force ?? false }
+  await checkOutputs([output], WHO, rules)
   const document = await readFolder(folder, whiteIsVisible, WHO)
-  const glb = await readGlbFile(face, WHO)
-  const target = findTarget(glb.json, WHO, options.mesh, options.material)
+  const glb = await readGlbFile(face, WHO, options)
+  const target = await findTarget(glb, face, WHO, {
+    mesh: options.mesh ?? document.mesh,
+    material: options.material ?? document.material,
+  })
   const wrinkles = await withBar('pack', (progress) =>
     packFolder(folder, document, { areasPerImage, ktx2, areaSize, size }, WHO, progress),
   )
@@ -101,13 +115,13 @@ async function pack(folder: string, options: Options): Promise<void> {
   const morphNormals = options.morphNormals
     ? await withBar('normals', (progress) => addMorphNormals(glb, face, target.mesh, WHO, progress))
     : 0
-  const bytes = encodeGlb(glb)
-  await writeAll([{ path: output, bytes }], WHO)
+  const files = await faceFiles(glb, output, WHO, rules)
+  await writeAll(files, WHO)
 
   const mesh = glb.json.meshes![target.mesh]
   const { missing } = findDriverFaults(wrinkles.drivers, targetNamesOf(mesh), jointNamesOf(glb.json))
   const unknown = missing.map((what) => `${WHO}: ${what} does not exist; it is kept`)
-  for (const warning of [...glb.warnings, ...wrinkles.warnings, ...unknown]) console.error(warning)
+  for (const warning of [...wrinkles.warnings, ...unknown]) warn(warning)
   const result: Result = {
     file: output,
     mesh: mesh.name,
@@ -116,11 +130,11 @@ async function pack(folder: string, options: Options): Promise<void> {
     areas: wrinkles.areas.map(({ name }) => name),
     areaSize: wrinkles.areaSize,
     drivers: wrinkles.drivers.length,
-    bytes: bytes.length,
+    bytes: files.reduce((sum, { bytes }) => sum + bytes.length, 0),
     added: imageBytes(wrinkles),
     morphNormals,
   }
-  process.stdout.write(`${options.json ? JSON.stringify(result) : describe(result)}\n`)
+  print(options.json ? JSON.stringify(result) : describe(result), output)
 }
 
 interface Result {

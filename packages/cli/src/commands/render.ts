@@ -3,9 +3,11 @@ import { SingleBar } from 'cli-progress'
 import { InvalidArgumentError, Option } from 'commander'
 import { EXPRESSIONS } from 'furrow'
 import { createCommand } from '../command.ts'
-import { checkWritable, writeAll } from '../files.ts'
+import { writeAll } from '../files.ts'
 import { encodeRgb } from '../images/encode.ts'
-import { parseWeight } from '../options.ts'
+import { allowOutsideOption, parseWeight } from '../options.ts'
+import { checkOutputs } from '../outputs.ts'
+import { print, warn } from '../print.ts'
 import {
   MODE_NAMES,
   PICTURE_DEFAULTS,
@@ -21,7 +23,10 @@ const WHO = 'furrow render'
 const DEFAULT_SIZE = `${PICTURE_DEFAULTS.width}x${PICTURE_DEFAULTS.height}`
 
 interface Options
-  extends Pick<PictureRequest, 'wrinkles' | 'mesh' | 'expression' | 'view' | 'renderer' | 'mode'> {
+  extends Pick<
+    PictureRequest,
+    'wrinkles' | 'mesh' | 'expression' | 'view' | 'renderer' | 'mode' | 'allowOutside'
+  > {
   output: string
   set?: Record<string, number>
   activation?: Record<string, number>
@@ -32,7 +37,7 @@ interface Options
 /** `furrow render`: draws a picture of a face with its wrinkles. */
 export const renderCommand = createCommand('render')
   .description('draw a picture of a face with its wrinkles, without a window')
-  .argument('<face>', 'the face (.glb)')
+  .argument('<face>', 'the face (.glb, .gltf, .vrm)')
   .requiredOption('-o, --output <file>', 'the picture (.png)')
   .option(
     '--wrinkles <file>',
@@ -54,6 +59,7 @@ export const renderCommand = createCommand('render')
   .addOption(
     new Option('--mode <name>', 'mode of the wrinkles').choices(MODE_NAMES).default(PICTURE_DEFAULTS.mode),
   )
+  .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
@@ -61,26 +67,26 @@ export const renderCommand = createCommand('render')
 "left" and "right" are the person's own. With --set alone the drivers of the file set the wrinkles.
 
 Examples:
-  $ furrow render faces/human.glb -o surprised.png --expression surprised
-  $ furrow render faces/human.glb -o brow.png --set browOuterUpLeft=1 --activation foreheadLeft=0.7 --view close
-  $ furrow render faces/human.glb -o plain.png --expression surprised --mode off --size 1600x1200`,
+  $ furrow render wrinkled.glb -o surprised.png --expression surprised
+  $ furrow render wrinkled.glb -o brow.png --set browOuterUpLeft=1 --activation glabellaLeft=0.7 --view close
+  $ furrow render wrinkled.glb -o plain.png --expression surprised --mode off --size 1600x1200`,
   )
   .action(render)
 
 async function render(input: string, options: Options): Promise<void> {
   const start = performance.now()
   const { output, set, activation, size, json, ...rest } = options
-  await checkWritable(output, WHO)
+  await checkOutputs([output], WHO, { inputs: [input] })
   const [picture] = await drawWithBar({ input, ...rest, ...size, targets: set, activations: activation })
-  for (const warning of picture.warnings) console.error(warning)
+  for (const warning of picture.warnings) warn(warning)
   const { width, height, pixels, renderer, adapter } = picture
   const bytes = await encodeRgb({ width, height, channels: 4, data: pixels })
   await writeAll([{ path: output, bytes }], WHO)
   const milliseconds = Math.round(performance.now() - start)
-  const text = json
+  const line = json
     ? JSON.stringify({ file: output, width, height, renderer, adapter, milliseconds })
     : `${output}: ${width} x ${height}, ${renderer} on ${adapter}, ${(milliseconds / 1000).toFixed(1)} s`
-  process.stdout.write(`${text}\n`)
+  print(line, output)
 }
 
 /** Draws with a progress bar on stderr; without a terminal there is none. */

@@ -1,6 +1,8 @@
 import { createCommand } from '../command.ts'
 import { checkNewFolder, writeFolder } from '../files.ts'
 import { encodeGlb } from '../gltf/glb-file.ts'
+import { allowOutsideOption } from '../options.ts'
+import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
 import { unpackWrinkles } from '../wrinkles/unpack.ts'
@@ -12,16 +14,18 @@ interface Options {
   output: string
   material?: string
   whiteIsVisible?: boolean
+  allowOutside?: boolean
   json?: boolean
 }
 
 /** `furrow unpack`: the reverse of `furrow pack`. */
 export const unpackCommand = createCommand('unpack')
   .description('extract the wrinkles of a face: one .glb becomes a folder of images')
-  .argument('<face>', 'a face with wrinkles (.glb)')
+  .argument('<face>', 'a face with wrinkles (.glb, .vrm, .gltf)')
   .requiredOption('-o, --output <folder>', 'the folder, which must be new or empty')
   .option('--material <name>', 'the material with the wrinkles (default: the only one)')
   .option('--white-is-visible', 'write areas white where wrinkles show, instead of black')
+  .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
@@ -33,25 +37,22 @@ Example:
   )
   .action(unpack)
 
-async function unpack(
-  path: string,
-  { output, material, whiteIsVisible = false, json }: Options,
-): Promise<void> {
+async function unpack(path: string, options: Options): Promise<void> {
+  const { output, whiteIsVisible = false, json } = options
   await checkNewFolder(output, WHO)
-  const file = await readWrinkledFile(path, WHO, material)
+  const file = await readWrinkledFile(path, WHO, options)
   const outputs = await withBar('unpack', (progress) => unpackWrinkles(file, whiteIsVisible, WHO, progress))
   const remaining = stripWrinkles(file.glb, file.material, WHO)
   outputs.push({ path: 'face.glb', bytes: encodeGlb(file.glb) })
   await writeFolder(output, outputs, WHO)
-  for (const warning of file.glb.warnings) console.error(warning)
   if (remaining > 0) {
     const reason = 'because others follow them in the file'
-    console.error(`${WHO}: ${remaining} unused textures stay in face.glb ${reason}`)
+    warn(`${WHO}: ${remaining} unused textures stay in face.glb ${reason}`)
   }
   const files = outputs.map((item) => item.path).sort()
   const { layers, areas } = file.maps
-  const text = json
+  const line = json
     ? JSON.stringify({ folder: output, files })
     : `${output}: ${files.length} files; layers: ${layers.length}, areas: ${areas.length}`
-  process.stdout.write(`${text}\n`)
+  print(line)
 }

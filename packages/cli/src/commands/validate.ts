@@ -1,76 +1,72 @@
-import { readFile } from 'node:fs/promises'
-import { dirname, join } from 'node:path'
-import { WRINKLE_MAPS } from 'furrow'
-import { validateBytes } from 'gltf-validator'
 import { createCommand } from '../command.ts'
-import { type Glb, readGlbFile } from '../gltf/glb-file.ts'
-import { checkWrinkles, type Finding } from '../wrinkles/rules.ts'
+import type { ReadOptions } from '../gltf/external-files.ts'
+import { readGlbFile } from '../gltf/glb-file.ts'
+import { allowOutsideOption } from '../options.ts'
+import { print } from '../print.ts'
+import type { Finding } from '../validate/finding.ts'
+import { runKhronosValidator } from '../validate/khronos.ts'
+import { checkWrinkles } from '../wrinkles/rules.ts'
 
 const WHO = 'furrow validate'
 
-/** Limit of the Khronos validator. */
-const MAX_ISSUES = 1000
-
-/** Codes of the Khronos validator for images in a format that it does not know. */
-const UNKNOWN_FORMAT = ['VALUE_NOT_IN_LIST', 'IMAGE_UNRECOGNIZED_FORMAT']
+interface Options extends ReadOptions {
+  all?: boolean
+  json?: boolean
+}
 
 /** `furrow validate`: checks a file. */
 export const validateCommand = createCommand('validate')
-  .description('check a face with the Khronos validator, and its wrinkles by the rules of the extension')
-  .argument('<face>', 'a face with wrinkles (.glb)')
-  .option('--json', 'print the result as JSON')
+  .description(
+    'check the wrinkles of a face by the rules of the extension, and the file with the Khronos validator',
+  )
+  .argument('<face>', 'a face with wrinkles (.glb, .vrm, .gltf)')
+  .option('--all', 'list the warnings about the rest of the file too, instead of counting them')
+  .addOption(allowOutsideOption())
+  .option('--json', 'print the result as JSON, with all warnings')
   .addHelpText(
     'after',
     `
-The exit code is 1 if there are errors, and 0 if there are only warnings.
+The exit code is 0 if there are no errors, with or without warnings: then furrow's loader shows the wrinkles. It is 1 if there are
+errors, or the file cannot be read.
 
-Example:
-  $ furrow validate faces/human.glb`,
+Examples:
+  $ furrow validate wrinkled.glb
+  $ furrow validate wrinkled.glb --all`,
   )
   .action(validate)
 
-async function validate(path: string, { json }: { json?: boolean }): Promise<void> {
-  const glb = await readGlbFile(path, WHO)
-  const findings = [...(await runKhronosValidator(path, glb)), ...(await checkWrinkles(glb))]
-  const errors = findings.filter(({ severity }) => severity === 'error').length
+async function validate(path: string, { all = false, json = false, ...options }: Options): Promise<void> {
+  const glb = await readGlbFile(path, WHO, options)
+  const own = await checkWrinkles(glb)
+  const others = await runKhronosValidator(path, glb, WHO, options)
+  const findings = [...own, ...others]
+  const errors = findings.filter(isError).length
   const warnings = findings.length - errors
   if (errors > 0) process.exitCode = 1
-  const text = json
+  const listed = all ? findings : [...own, ...others.filter(isError)]
+  const lines = json
     ? JSON.stringify({ file: path, errors, warnings, findings })
     : [
-        ...findings.map(findingText),
+        ...listed.map(findingText),
+        ...(listed.length < findings.length ? [sumUp(others)] : []),
         `${path}: ${counted(errors, 'error')}, ${counted(warnings, 'warning')}`,
-      ].join('\n')
-  process.stdout.write(`${text}\n`)
+      ]
+  print(lines)
 }
 
-/**
- * Errors and warnings of the Khronos validator, except those about what it does not know: the extension and KTX 2
- * images, which `checkWrinkles` checks.
- */
-async function runKhronosValidator(path: string, { json }: Glb): Promise<Finding[]> {
-  const bytes = new Uint8Array(await readFile(path))
-  const { issues } = await validateBytes(bytes, {
-    maxIssues: MAX_ISSUES,
-    externalResourceFunction: async (uri) =>
-      new Uint8Array(await readFile(join(dirname(path), decodeURI(uri)))),
-  })
-  return issues.messages
-    .filter(({ severity, message }) => severity < 2 && !message.includes(WRINKLE_MAPS))
-    .filter(({ code, pointer = '' }) => {
-      const image = json.images?.[Number(/^\/images\/(\d+)/.exec(pointer)?.[1])]
-      return !(UNKNOWN_FORMAT.includes(code) && image?.mimeType === 'image/ktx2')
-    })
-    .map(({ code, message, severity, pointer }) => ({
-      severity: severity === 0 ? 'error' : 'warning',
-      code,
-      message,
-      ...(pointer && { pointer }),
-    }))
-}
+const isError = ({ severity }: Finding) => severity === 'error'
 
 function findingText({ severity, code, message, pointer }: Finding): string {
   return `${severity}: ${pointer ? `${pointer}: ` : ''}${message} (${code})`
+}
+
+/** The warnings about what is not wrinkles, as one line: most files have some, and they say nothing about wrinkles. */
+function sumUp(findings: readonly Finding[]): string {
+  const counts = new Map<string, number>()
+  const warnings = findings.filter((finding) => !isError(finding))
+  for (const { code } of warnings) counts.set(code, (counts.get(code) ?? 0) + 1)
+  const codes = [...counts].map(([code, count]) => `${count} ${code}`).join(', ')
+  return `${counted(warnings.length, 'warning')} about the rest of the file: ${codes}; list them with --all`
 }
 
 function counted(count: number, what: string): string {

@@ -1,6 +1,8 @@
 import type { Node } from '@gltf-transform/core'
 import type { MetricMesh } from 'furrow/author'
 import { Matrix4, Vector3 } from 'three'
+import { mostMovedSkin } from '../auto/find-skin.ts'
+import type { ReadOptions } from './external-files.ts'
 import { nameOf, pickMesh, placementOf, trianglesOf } from './mesh-nodes.ts'
 import { readDocument } from './read-document.ts'
 
@@ -17,13 +19,22 @@ export interface FaceMesh {
 }
 
 /**
- * Reads one mesh of a .glb or .gltf file.
+ * Reads one mesh of a file.
  *
- * @param meshName by default the one named `skin`, or the only one with texture coordinates.
+ * @param options.mesh its name; by default the one named `skin`, the only one with texture coordinates, or the one that blendshapes
+ *   move most.
  * @throws FurrowError when the file cannot be read or has no such mesh.
  */
-export async function readFaceMesh(path: string, who: string, meshName?: string): Promise<FaceMesh> {
-  const node = pickMesh(await readDocument(path, who), path, meshName, who)
+export async function readFaceMesh(
+  path: string,
+  who: string,
+  options: ReadOptions & { mesh?: string | undefined } = {},
+): Promise<FaceMesh> {
+  const document = await readDocument(path, who, options)
+  const node = pickMesh(document, path, options.mesh, who, () => {
+    const skin = mostMovedSkin(document)
+    return skin && document.getRoot().listMeshes()[skin.mesh]
+  })
   return { name: nameOf(node), ...readMesh(node) }
 }
 

@@ -1,19 +1,21 @@
-import { Logger, NodeIO } from '@gltf-transform/core'
-import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
 import { FurrowError } from 'furrow'
 import { firstLine } from '../errors.ts'
 import { readBytes } from '../files.ts'
+import { embedFiles } from './embed-files.ts'
+import type { ReadOptions } from './external-files.ts'
 import { shapeProblem } from './glb-shape.ts'
 import type { GltfJson } from './gltf-json.ts'
+import { otherFormat } from './not-gltf.ts'
 
-/** A binary glTF file in its two parts. Commands edit the parts in place, so that whatever else it holds is kept. */
+/** A glTF file in two parts, as in its binary form. Commands edit the parts in place, so that whatever else it holds is kept. */
 export interface Glb {
   json: GltfJson
   /** The binary chunk; empty where there is none. */
   bin: Uint8Array
-  /** Size of the file that it was read from. */
+  /** Size of all files that it was read from. */
   fileBytes: number
-  warnings: string[]
+  /** Paths of the files that it referred to; they are part of it now. */
+  files: string[]
 }
 
 // glTF 2.0, section 4.4 (GLB file format): a header of 12 bytes, then chunks of 8 bytes and their data.
@@ -24,23 +26,29 @@ const BIN_CHUNK = 0x004e4942
 const JSON_START = 20
 
 /**
- * Reads a `.glb`, or a `.gltf` with the files beside it.
+ * Reads a file of any kind: `.glb`, `.vrm`, or `.gltf`, known by its contents. Buffers and images in other files are
+ * read too and become part of the binary chunk.
  *
- * @throws FurrowError when the file is missing, cut off, or not glTF 2.0.
+ * @throws FurrowError when the file or one that it refers to is missing, cut off, not glTF 2.0, or not allowed.
  */
-export async function readGlbFile(path: string, who: string): Promise<Glb> {
-  if (/\.gltf$/i.test(path)) return readGltfFile(path, who)
-  return decodeGlb(await readBytes(path, who, 'the face'), path, who)
+export async function readGlbFile(path: string, who: string, options: ReadOptions = {}): Promise<Glb> {
+  const glb = decodeGlb(await readBytes(path, who, 'the face'), path, who)
+  await embedFiles(glb, path, who, options)
+  return glb
 }
 
-/** Splits the bytes of a `.glb` into its parts. Throws FurrowError as `readGlbFile` does. */
+/** Splits the bytes of a file into its parts. Throws FurrowError when they are cut off, or not glTF 2.0. */
 export function decodeGlb(bytes: Buffer, path: string, who: string): Glb {
-  const problem = headerProblem(bytes)
-  if (problem) throw unusable(path, who, problem)
-  const end = JSON_START + bytes.readUInt32LE(12)
+  const isText = /^[\s\ufeff]*\{/.test(bytes.toString('utf8', 0, 64))
+  const problem = isText ? undefined : headerProblem(bytes)
+  if (problem) {
+    const other = otherFormat(bytes)
+    throw unusable(path, who, other?.problem ?? problem, other?.remedy)
+  }
+  const [start, end] = isText ? [0, bytes.length] : [JSON_START, JSON_START + bytes.readUInt32LE(12)]
   let json: GltfJson
   try {
-    json = JSON.parse(bytes.toString('utf8', JSON_START, end))
+    json = JSON.parse(bytes.toString('utf8', start, end).replace(/^\ufeff/, ''))
   } catch (error) {
     throw unusable(path, who, `its JSON is malformed (${firstLine(error)})`)
   }
@@ -48,7 +56,7 @@ export function decodeGlb(bytes: Buffer, path: string, who: string): Glb {
   if (wrong) throw unusable(path, who, wrong)
   const bin = binaryChunk(bytes, end)
   if (!bin) throw unusable(path, who, 'its binary chunk is cut off')
-  return { json, bin, fileBytes: bytes.length, warnings: [] }
+  return { json, bin, fileBytes: bytes.length, files: [] }
 }
 
 /** Joins the parts to the bytes of a `.glb`. */
@@ -89,34 +97,17 @@ function binaryChunk(bytes: Buffer, start: number): Uint8Array | undefined {
   return end > bytes.length ? undefined : bytes.subarray(start + 8, end)
 }
 
-/** Converts a text file to a binary one; glTF-Transform drops extensions that it does not know. */
-async function readGltfFile(path: string, who: string): Promise<Glb> {
-  try {
-    const io = new NodeIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS)
-    const source = await io.readAsJSON(path)
-    const known = ALL_EXTENSIONS.map(({ EXTENSION_NAME }) => EXTENSION_NAME)
-    const lost = (source.json.extensionsUsed ?? []).filter((name) => !known.includes(name))
-    const glb = decodeGlb(Buffer.from(await io.writeBinary(await io.readJSON(source))), path, who)
-    if (lost.length > 0) {
-      glb.warnings.push(`${who}: ${path} loses ${lost.join(', ')}; convert it to .glb to keep everything`)
-    }
-    return glb
-  } catch (error) {
-    throw error instanceof FurrowError ? error : unusable(path, who, firstLine(error))
-  }
-}
-
 function padded(bytes: Uint8Array, fill: number): Uint8Array {
   const gap = (4 - (bytes.length % 4)) % 4
   return gap === 0 ? bytes : Buffer.concat([bytes, Buffer.alloc(gap, fill)])
 }
 
-function unusable(path: string, who: string, problem: string): FurrowError {
+function unusable(path: string, who: string, problem: string, remedy = 'export it again'): FurrowError {
   return new FurrowError({
     code: 'unreadable',
     who,
     what: `${path} is not usable: ${problem}`,
-    limit: 'a whole glTF 2.0 file (.glb, .gltf)',
-    remedy: 'export it again',
+    limit: 'a whole glTF 2.0 file (.glb, .vrm, .gltf)',
+    remedy,
   })
 }

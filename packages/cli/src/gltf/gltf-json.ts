@@ -25,19 +25,27 @@ export interface GltfMesh {
   extras?: { targetNames?: unknown }
 }
 
+export interface BufferView {
+  buffer: number
+  byteOffset?: number
+  byteLength: number
+  extensions?: Record<string, Partial<BufferView>>
+}
+
 /** The parts of a glTF document that wrinkles touch; everything else is kept as it is. */
 export interface GltfJson {
   extensionsUsed?: string[]
   extensionsRequired?: string[]
   buffers?: { byteLength: number; uri?: string }[]
-  bufferViews?: { buffer: number; byteOffset?: number; byteLength: number }[]
+  bufferViews?: BufferView[]
   accessors?: object[]
   images?: { name?: string; mimeType?: string; uri?: string; bufferView?: number }[]
   textures?: { name?: string; sampler?: number; source?: number; extensions?: Extensions }[]
   samplers?: object[]
   materials?: GltfMaterial[]
   meshes?: GltfMesh[]
-  nodes?: { name?: string; mesh?: number }[]
+  nodes?: { name?: string; mesh?: number; children?: number[] }[]
+  scenes?: { nodes?: number[] }[]
   extensions?: Extensions
 }
 
@@ -54,9 +62,11 @@ export function jointNamesOf({ nodes = [] }: GltfJson): string[] {
   return nodes.flatMap(({ name }) => (name === undefined ? [] : [name]))
 }
 
-/** Addresses of the files beside it that a document needs. */
-export function externalUris({ images = [], buffers = [] }: GltfJson): string[] {
-  return [...images, ...buffers].flatMap(({ uri }) =>
-    uri === undefined || uri.startsWith('data:') ? [] : [uri],
-  )
+/** Where the bytes of compressed views are: in another view, which an extension describes. */
+export function compressedViews({ extensions = {} }: BufferView): BufferView[] {
+  return Object.values(extensions).filter(isView)
+}
+
+const isView = (value: Partial<BufferView>): value is BufferView => {
+  return value.buffer !== undefined && value.byteLength !== undefined
 }

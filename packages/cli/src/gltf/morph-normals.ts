@@ -4,7 +4,7 @@ import type { Progress } from '../progress.ts'
 import { BufferViewWriter } from './buffer-view-writer.ts'
 import type { Glb } from './glb-file.ts'
 import type { GltfJson } from './gltf-json.ts'
-import { readDocument } from './read-document.ts'
+import { documentOf } from './read-document.ts'
 
 /** Delta of a normal, per axis, that is not worth its bytes: half a step of a byte. */
 const NEGLIGIBLE = 1 / 510
@@ -19,9 +19,9 @@ const FLOAT = 5126
  * Adds normals to the morph targets of one mesh that have none, so that the shading follows the shape.
  *
  * @param glb changed in place; existing objects keep their indices.
- * @param path of the file that `glb` was read from; read again, for its geometry may be compressed.
+ * @param path of the file that `glb` was read from, for errors.
  * @returns how many targets got normals.
- * @throws FurrowError if the file cannot be read.
+ * @throws FurrowError if its geometry cannot be decoded.
  */
 export async function addMorphNormals(
   glb: Glb,
@@ -30,7 +30,7 @@ export async function addMorphNormals(
   who: string,
   progress: Progress = () => {},
 ): Promise<number> {
-  const document = await readDocument(path, who)
+  const document = await documentOf(glb, path, who)
   const primitives = document.getRoot().listMeshes()[mesh].listPrimitives()
   const views = new BufferViewWriter(glb)
   let [done, added] = [0, 0]

@@ -1,10 +1,11 @@
-import { FurrowError } from 'furrow'
+import { FurrowError, type Ktx2Header, readKtx2Header } from 'furrow'
 import type { Glb } from './glb-file.ts'
+import { imageTypeOf } from './image-type.ts'
 
 /** The encoded image of a texture. */
 export interface TextureImage {
   bytes: Uint8Array
-  /** As the file says; `unknown` where it does not. */
+  /** By its first bytes; where these do not tell, as the file says, or `unknown`. */
   mimeType: string
   name: string
 }
@@ -33,9 +34,10 @@ export function imageOf({ json, bin }: Glb, texture: number, who: string): Textu
       remedy: 'export the file as one .glb with its images inside',
     })
   }
+  const bytes = bin.subarray(start, start + view.byteLength)
   return {
-    bytes: bin.subarray(start, start + view.byteLength),
-    mimeType: image.mimeType ?? 'unknown',
+    bytes,
+    mimeType: imageTypeOf(bytes) ?? image.mimeType ?? 'unknown',
     name: image.name ?? name ?? `texture ${texture}`,
   }
 }
@@ -48,7 +50,6 @@ export function isKtx2({ mimeType }: TextureImage): boolean {
 // The header of a KTX 2 file (KTX 2.0, 3.1): twelve bytes of identifier, then words.
 const PIXEL_WIDTH = 20
 const PIXEL_HEIGHT = 24
-const LAYER_COUNT = 32
 
 /** Width and height of a KTX 2 image by its header; undefined where that is cut off. */
 export function ktx2Size({ bytes }: TextureImage): { width: number; height: number } | undefined {
@@ -58,9 +59,12 @@ export function ktx2Size({ bytes }: TextureImage): { width: number; height: numb
   return { width: header.readUInt32LE(PIXEL_WIDTH), height }
 }
 
-/** Layers of a KTX 2 array; 0 for an image of any other kind. */
-export function layerCount(image: TextureImage): number {
-  const { bytes } = image
-  if (!isKtx2(image) || bytes.length < LAYER_COUNT + 4) return 0
-  return Buffer.from(bytes.buffer, bytes.byteOffset, bytes.length).readUInt32LE(LAYER_COUNT)
+/**
+ * The header of the KTX 2 image of a texture, which only KHR_texture_basisu can give it; undefined for textures without.
+ *
+ * @throws FurrowError when it is no such image, or breaks the rules of that extension.
+ */
+export function ktx2HeaderOf(glb: Glb, texture: number, who: string): Ktx2Header | undefined {
+  if (!glb.json.textures?.[texture]?.extensions?.KHR_texture_basisu) return undefined
+  return readKtx2Header(imageOf(glb, texture, who).bytes, `${who}: texture ${texture}`)
 }

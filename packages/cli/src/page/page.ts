@@ -34,7 +34,8 @@ window.drawPicture = async (job) => {
 interface Scene {
   stage: Stage
   face: Face
-  loaded: Pick<LoadedWrinkles, 'set' | 'drivers'>
+  /** Null where the face has no wrinkles. */
+  loaded: Pick<LoadedWrinkles, 'set' | 'drivers'> | null
   /** Blendshape weights of the file. */
   initialWeights: Map<Mesh, readonly number[]>
 }
@@ -51,15 +52,14 @@ async function draw(job: PageJob): Promise<PageReport> {
   const { stage, face, loaded, initialWeights } = scene
   for (const [mesh, weights] of initialWeights) mesh.morphTargetInfluences = [...weights]
   shown?.dispose()
-  const wrinkles = stage.show(face, loaded, { mode: job.mode })
-  shown = wrinkles
   const named = EXPRESSIONS.find(({ name }) => name === job.expression)
-  const isComplete = named && Object.keys(named.activations).every((area) => wrinkles.hasArea(area))
-  const fits = isComplete || (named && loaded.drivers.length === 0)
-  // Activations that are given, or those of an expression for these areas, replace the file's drivers; with
-  // blendshapes alone the drivers run.
-  wrinkles.driven = !fits && Object.keys(job.activations).length === 0
-  pose(face.root, wrinkles, wrinkles.driven && named ? { ...named, activations: {} } : named, job)
+  if (loaded) {
+    shown = stage.addWrinkles(face, loaded, { mode: job.mode })
+    express(face.root, shown, loaded, named, job)
+  } else {
+    setTargets(face.root, named?.targets ?? {})
+  }
+  setTargets(face.root, job.targets)
   stage.camera.aspect = width / height
   stage.view(job.view)
   const pixels = await readPicture(stage, width, height)
@@ -74,7 +74,8 @@ async function open(job: PageJob): Promise<Scene> {
     throw new Error('this browser has no WebGPU: use --renderer webgl')
   }
   const face = await loadFace(job.face, job.mesh, loaderFor(stage.renderer))
-  const loaded = job.wrinkles ? { set: await loadWrinkleSet(job.wrinkles), drivers: [] } : face.wrinkles!
+  const loaded = job.wrinkles ? { set: await loadWrinkleSet(job.wrinkles), drivers: [] } : face.wrinkles
+  stage.show(face)
   const initialWeights = new Map<Mesh, readonly number[]>()
   face.root.traverse((object) => {
     const { morphTargetInfluences } = object as Mesh
@@ -90,29 +91,37 @@ function loaderFor(renderer: Renderer): GLTFLoader {
     .setKTX2Loader(new KTX2Loader().detectSupport(renderer))
 }
 
-function pose(
+/** Shows an expression and activations on a face with wrinkles. */
+function express(
   root: Object3D,
   wrinkles: Wrinkles,
-  expression: Expression | undefined,
-  { targets, activations }: PageJob,
+  { drivers }: Pick<LoadedWrinkles, 'drivers'>,
+  named: Expression | undefined,
+  { activations }: PageJob,
 ): void {
+  const isComplete = named && Object.keys(named.activations).every((area) => wrinkles.hasArea(area))
+  const fits = isComplete || (named && drivers.length === 0)
+  // Activations that are given, or those of an expression for these areas, replace the file's drivers; with
+  // blendshapes alone the drivers run.
+  wrinkles.driven = !fits && Object.keys(activations).length === 0
+  const played = wrinkles.driven && named ? { ...named, activations: {} } : named
   // The player warns of whatever its expressions need and the face lacks, so it gets only this one.
-  if (expression) new ExpressionPlayer(root, wrinkles, [expression]).play(expression.name, 0)
-  root.traverse((object) => setTargets(object as Mesh, targets))
+  if (played) new ExpressionPlayer(root, wrinkles, [played]).play(played.name, 0)
   for (const [area, activation] of Object.entries(activations)) wrinkles.setActivation(area, activation)
 }
 
-function setTargets(
-  { morphTargetDictionary, morphTargetInfluences }: Mesh,
-  targets: Record<string, number>,
-): void {
-  if (!morphTargetDictionary || !morphTargetInfluences) return
-  const names = Object.keys(morphTargetDictionary)
-  for (const [name, weight] of Object.entries(targets)) {
-    for (const index of findTargets(name, names)) {
-      morphTargetInfluences[morphTargetDictionary[names[index]]] = weight
+/** Sets blendshapes on every mesh that has them. */
+function setTargets(root: Object3D, targets: Readonly<Record<string, number>>): void {
+  root.traverse((object) => {
+    const { morphTargetDictionary, morphTargetInfluences } = object as Mesh
+    if (!morphTargetDictionary || !morphTargetInfluences) return
+    const names = Object.keys(morphTargetDictionary)
+    for (const [name, weight] of Object.entries(targets)) {
+      for (const index of findTargets(name, names)) {
+        morphTargetInfluences[morphTargetDictionary[names[index]]] = weight
+      }
     }
-  }
+  })
 }
 
 function adapterOf({ renderer, backend }: Stage): string {

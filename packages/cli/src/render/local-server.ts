@@ -1,9 +1,9 @@
 import { randomUUID } from 'node:crypto'
-import { createReadStream } from 'node:fs'
+import { createReadStream, readdirSync } from 'node:fs'
 import { createServer, type IncomingMessage, type ServerResponse } from 'node:http'
 import type { AddressInfo } from 'node:net'
-import { extname, join } from 'node:path'
-import { buffer } from 'node:stream/consumers'
+import { extname, join, relative, sep } from 'node:path'
+import { pipeline } from 'node:stream'
 import { fileURLToPath, pathToFileURL } from 'node:url'
 
 const PAGE_FOLDER = fileURLToPath(new URL('../page/', import.meta.url))
@@ -20,44 +20,56 @@ export interface LocalServer {
   /** The beginning of every address, without a slash at its end. */
   origin: string
   page: string
-  /** Makes a file readable and returns its address; relative addresses in the file resolve as on disk. */
-  offer(path: string): string
-  /** Opens an address to which one picture can be posted. */
-  inbox(): { address: string; received: () => Uint8Array | undefined }
+  /** The address of a file; relative addresses in the file resolve as on disk. */
+  addressOf(path: string): string
+  /** Makes a file readable: its content, or the path of the file to read. */
+  offer(path: string, content: Uint8Array | string): void
+  /** Opens an address to which `length` bytes can be posted, once. */
+  inbox(length: number): { address: string; received: () => Uint8Array | undefined }
   close(): Promise<void>
 }
 
-export async function startLocalServer(): Promise<LocalServer> {
+interface Inbox {
+  length: number
+  bytes?: Uint8Array
+}
+
+/** @param pageFolder the files of the page, `index.html` among them. */
+export async function startLocalServer(pageFolder = PAGE_FOLDER): Promise<LocalServer> {
   // Other programs on this computer can reach the port, but cannot guess the address.
   const secret = `/${randomUUID()}`
-  const offered = new Map<string, string>()
-  const inboxes = new Map<string, Uint8Array | undefined>()
+  const contents = pageFiles(pageFolder)
+  const inboxes = new Map<string, Inbox>()
+  let host: string
   const server = createServer((request, response) => {
-    const path = new URL(request.url ?? '/', 'http://localhost').pathname
-    if (!path.startsWith(secret)) return refuse(response)
+    // A request can end at any time.
+    for (const stream of [request, response]) stream.on('error', () => response.destroy())
+    // A page elsewhere can let its own name point to this computer.
+    if (request.headers.host !== host) return answer(response, 403)
+    const path = request.url?.split('?', 1)[0] ?? ''
+    if (!path.startsWith(`${secret}/`)) return answer(response, 404)
     const route = path.slice(secret.length)
-    if (request.method === 'POST' && inboxes.has(route))
-      return void receive(request, response, route, inboxes)
-    const file = route.startsWith('/page/') ? join(PAGE_FOLDER, route.slice(6)) : offered.get(route)
-    return file ? send(response, file) : refuse(response)
+    const [content, inbox] = [contents.get(route), inboxes.get(route)]
+    if (content && request.method === 'GET') return send(response, route, content)
+    if (inbox && request.method === 'POST') return receive(request, response, inbox)
+    answer(response, content || inbox ? 405 : 404)
   })
   await new Promise<void>((ready, failed) => {
-    server.once('error', failed)
+    server.on('error', failed)
     server.listen(0, '127.0.0.1', ready)
   })
-  const origin = `http://127.0.0.1:${(server.address() as AddressInfo).port}${secret}`
+  host = `127.0.0.1:${(server.address() as AddressInfo).port}`
+  const origin = `http://${host}${secret}`
   return {
     origin,
     page: `${origin}/page/index.html`,
-    offer(path) {
-      const route = `/file${pathToFileURL(path).pathname}`
-      offered.set(route, path)
-      return `${origin}${route}`
-    },
-    inbox() {
+    addressOf: (path) => `${origin}${routeOf(path)}`,
+    offer: (path, content) => void contents.set(routeOf(path), content),
+    inbox(length) {
       const route = `/inbox/${inboxes.size}`
-      inboxes.set(route, undefined)
-      return { address: `${origin}${route}`, received: () => inboxes.get(route) }
+      const inbox: Inbox = { length }
+      inboxes.set(route, inbox)
+      return { address: `${origin}${route}`, received: () => inbox.bytes }
     },
     close: () =>
       new Promise((closed) => {
@@ -67,29 +79,53 @@ export async function startLocalServer(): Promise<LocalServer> {
   }
 }
 
-function refuse(response: ServerResponse): void {
-  response.writeHead(404).end()
+function routeOf(path: string): string {
+  return `/file${pathToFileURL(path).pathname}`
 }
 
-async function receive(
-  request: IncomingMessage,
-  response: ServerResponse,
-  route: string,
-  inboxes: Map<string, Uint8Array | undefined>,
-): Promise<void> {
-  try {
-    inboxes.set(route, await buffer(request))
-    response.writeHead(204).end()
-  } catch {
-    response.destroy()
+/** The files of the page by their routes: nothing else in the file system has one. */
+function pageFiles(folder: string): Map<string, Uint8Array | string> {
+  const files = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((file) => file.isFile())
+  return new Map(
+    files.map(({ parentPath, name }) => {
+      const path = join(parentPath, name)
+      return [`/page/${relative(folder, path).split(sep).join('/')}`, path]
+    }),
+  )
+}
+
+function answer(response: ServerResponse, status: number): void {
+  // What is left of the request is not read.
+  response.writeHead(status, { connection: 'close' }).end()
+}
+
+/** Takes exactly as many bytes as are expected, and none a second time. */
+function receive(request: IncomingMessage, response: ServerResponse, inbox: Inbox): void {
+  if (inbox.bytes) {
+    answer(response, 409)
+    return
   }
+  const parts: Buffer[] = []
+  let length = 0
+  request.on('data', (part: Buffer) => {
+    length += part.length
+    if (length > inbox.length) answer(response, 413)
+    else parts.push(part)
+  })
+  request.on('end', () => {
+    if (length !== inbox.length) return void (response.headersSent || answer(response, 400))
+    inbox.bytes ??= Buffer.concat(parts)
+    answer(response, 204)
+  })
 }
 
-function send(response: ServerResponse, file: string): void {
-  const stream = createReadStream(file)
+function send(response: ServerResponse, route: string, content: Uint8Array | string): void {
+  const headers = { 'content-type': MIME_TYPES[extname(route)] ?? 'application/octet-stream' }
+  if (typeof content !== 'string') return void response.writeHead(200, headers).end(content)
+  const stream = createReadStream(content)
   stream.once('open', () => {
-    response.writeHead(200, { 'content-type': MIME_TYPES[extname(file)] ?? 'application/octet-stream' })
-    stream.pipe(response)
+    response.writeHead(200, headers)
+    pipeline(stream, response, () => {})
   })
-  stream.once('error', () => (response.headersSent ? response.destroy() : refuse(response)))
+  stream.once('error', () => (response.headersSent ? response.destroy() : answer(response, 404)))
 }

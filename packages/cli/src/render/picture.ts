@@ -10,8 +10,10 @@ export const PICTURE_SIDE = { min: 16, max: 8192 } as const
 
 /** One picture to draw. */
 export interface PictureRequest {
-  /** The face, a `.glb` file. */
+  /** The face: a `.glb`, `.gltf` or `.vrm` file. */
   input: string
+  /** Whether the face and the wrinkle set may refer to files outside their folders; they may not by default. */
+  allowOutside?: boolean | undefined
   /** Path of a wrinkle set; by default the face's own, otherwise `NAME/wrinkles.json` beside `NAME.glb`. */
   wrinkles?: string
   /** Name of the mesh with wrinkles; by default `skin`, otherwise the mesh with most vertices. */
@@ -40,9 +42,9 @@ export const PICTURE_DEFAULTS = {
 
 /** What the page is to draw: the request with all defaults applied and files as addresses. */
 export interface PageJob
-  extends Required<Omit<PictureRequest, 'input' | 'mesh' | 'expression' | 'wrinkles'>> {
+  extends Required<Omit<PictureRequest, 'input' | 'allowOutside' | 'mesh' | 'expression' | 'wrinkles'>> {
   face: string
-  /** Absent where the face has its own. */
+  /** Absent where the face has its own, or none. */
   wrinkles?: string
   mesh?: string
   expression?: string

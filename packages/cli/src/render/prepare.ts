@@ -10,19 +10,43 @@ import {
   WRINKLE_MAPS,
 } from 'furrow'
 import { cannotRead } from '../errors.ts'
-import { readBytes, readJson } from '../files.ts'
-import { decodeGlb } from '../gltf/glb-file.ts'
-import { externalUris, type GltfJson, targetNamesOf } from '../gltf/gltf-json.ts'
+import { readJson } from '../files.ts'
+import { type ReadOptions, resolveInside } from '../gltf/external-files.ts'
+import { encodeGlb, readGlbFile } from '../gltf/glb-file.ts'
+import { type GltfJson, targetNamesOf } from '../gltf/gltf-json.ts'
+import { didYouMean } from '../nearest.ts'
 import { type PageJob, PICTURE_DEFAULTS, PICTURE_SIDE, type PictureRequest } from './picture.ts'
 
 const WHO = 'furrow render'
+
+/** What the page may read: what it knows as the file of a path, and the content or the real path of that file. */
+export type OfferedFiles = ReadonlyMap<string, Uint8Array | string>
 
 /** A request that was checked. */
 export interface PreparedPicture {
   /** With all defaults applied; `face` and `wrinkles` are still paths. */
   job: Omit<PageJob, 'uploadTo'>
-  /** Absolute paths of all files that the page may read. */
-  files: string[]
+  files: OfferedFiles
+  /** What the user should know. */
+  notes: string[]
+}
+
+/** A file as one `.glb` that refers to no others. */
+interface WholeFace {
+  json: GltfJson
+  bytes: Uint8Array
+}
+
+/** Returns what reads the face of a request. Many requests for one face, such as a report's, read it once. */
+export function faceReader(): (request: PictureRequest) => Promise<WholeFace> {
+  const faces = new Map<string, Promise<WholeFace>>()
+  return ({ input, allowOutside }) => {
+    const face =
+      faces.get(input) ??
+      readGlbFile(input, WHO, { allowOutside }).then((glb) => ({ json: glb.json, bytes: encodeGlb(glb) }))
+    faces.set(input, face)
+    return face
+  }
 }
 
 /**
@@ -30,7 +54,10 @@ export interface PreparedPicture {
  *
  * @throws FurrowError at the first one that is missing, malformed, unknown or out of range.
  */
-export async function preparePicture(request: PictureRequest): Promise<PreparedPicture> {
+export async function preparePicture(
+  { allowOutside, ...request }: PictureRequest,
+  readFace = faceReader(),
+): Promise<PreparedPicture> {
   const face = resolve(request.input)
   const job = { ...PICTURE_DEFAULTS, targets: {}, activations: {}, ...defined(request), face }
   if (job.expression !== undefined) {
@@ -42,46 +69,70 @@ export async function preparePicture(request: PictureRequest): Promise<PreparedP
   }
   checkSide('width', job.width)
   checkSide('height', job.height)
-  const bytes = await readBytes(request.input, WHO, 'the face')
-  const { json } = decodeGlb(bytes, request.input, WHO)
-  const wrinkles = await findWrinkles(request, json)
+  const { json, bytes } = await readFace({ ...request, allowOutside })
+  const wrinkles = await findWrinkles(request, json, { allowOutside })
   const targets = (json.meshes ?? []).map(targetNamesOf)
   checkWeights('blendshape', job.targets, [...new Set(targets.flat())], (name) =>
     targets.some((names) => findTargets(name, names).length > 0),
   )
-  checkWeights('area', job.activations, wrinkles.areas, (name) => wrinkles.areas.includes(name))
-  const files = [face, ...externalUris(json).map((uri) => resolveUri(face, uri)), ...wrinkles.files]
-  await Promise.all(files.map(checkReadable))
-  return { job: { ...job, wrinkles: wrinkles.path }, files }
+  const areas = wrinkles?.areas ?? []
+  checkWeights('area', job.activations, areas, (name) => areas.includes(name))
+  return {
+    job: { ...job, wrinkles: wrinkles?.path },
+    files: new Map([[face, bytes], ...(wrinkles?.files ?? [])]),
+    notes: wrinkles ? [] : [`${WHO}: ${request.input} has no wrinkles; make some with furrow auto`],
+  }
 }
 
-/** The wrinkle set of the request, otherwise that of the face's file, otherwise that in the folder beside it. */
+interface FoundWrinkles {
+  /** Of a set beside the face. */
+  path?: string
+  /** Names. */
+  areas: string[]
+  files: OfferedFiles
+}
+
+/**
+ * The wrinkle set of the request, otherwise that of the face's file, otherwise that in the folder beside it, if there
+ * is one.
+ */
 async function findWrinkles(
   request: PictureRequest,
   json: GltfJson,
-): Promise<{ path?: string; areas: string[]; files: string[] }> {
+  options: ReadOptions,
+): Promise<FoundWrinkles | undefined> {
   const own = json.materials?.map(({ extensions }) => extensions?.[WRINKLE_MAPS]).find(Boolean)
   if (own && request.wrinkles === undefined) {
     const { areas } = parseWrinkleMaps(own, json.textures?.length ?? 0, request.input)
-    return { areas: areas.map(({ name }) => name), files: [] }
+    return { areas: areas.map(({ name }) => name), files: new Map() }
   }
   const path = resolve(request.wrinkles ?? defaultWrinkles(request.input))
+  if (request.wrinkles === undefined && !(await exists(path))) return undefined
   const { layers, areas } = parseWrinkleSetDocument(
     await readJson(path, WHO, 'the wrinkles', 'name the wrinkle set with --wrinkles'),
     path,
   )
-  const images = [...layers.map(({ normal }) => normal), ...areas.map(({ image }) => image)]
-  return {
-    path,
-    areas: areas.map(({ name }) => name),
-    files: [path, ...images.map((uri) => resolveUri(path, uri))],
+  const files = new Map([[path, path]])
+  for (const uri of [...layers.map(({ normal }) => normal), ...areas.map(({ image }) => image)]) {
+    const real = await resolveInside(path, uri, WHO, options)
+    await checkReadable(real)
+    // The page finds it by its URI, as a browser resolves that.
+    files.set(fileURLToPath(new URL(uri, pathToFileURL(path))), real)
   }
+  return { path, areas: areas.map(({ name }) => name), files }
 }
 
 /** `faces/human.glb` -> `faces/human/wrinkles.json`. */
 function defaultWrinkles(input: string): string {
   const { name } = parse(input)
   return join(dirname(input), name, 'wrinkles.json')
+}
+
+async function exists(path: string): Promise<boolean> {
+  return access(path).then(
+    () => true,
+    ({ code }) => code !== 'ENOENT' && code !== 'ENOTDIR',
+  )
 }
 
 function defined<T extends object>(options: T): T {
@@ -96,7 +147,7 @@ function checkName(what: string, value: string, allowed: readonly string[]): voi
     what: `unknown ${what}`,
     value,
     limit: allowed.join(', '),
-    remedy: 'use one of these',
+    remedy: didYouMean(value, allowed, 'use one of these'),
   })
 }
 
@@ -130,25 +181,6 @@ function checkWeights(
       limit: '0..1',
       remedy: `write e.g. ${name}=0.5`,
     })
-  }
-}
-
-/** Resolves an address in a file as a browser would. Only files are read, nothing from the network. */
-function resolveUri(path: string, uri: string): string {
-  try {
-    return fileURLToPath(new URL(uri, pathToFileURL(path)))
-  } catch (error) {
-    throw new FurrowError(
-      {
-        code: 'unreadable',
-        who: WHO,
-        what: `${path} refers to a file that is not on this computer`,
-        value: uri,
-        limit: 'addresses relative to the file',
-        remedy: 'put it beside the file',
-      },
-      { cause: error },
-    )
   }
 }
 

@@ -5,7 +5,7 @@ import { firstLine } from '../errors.ts'
 import type { Progress } from '../progress.ts'
 import { type LocalServer, startLocalServer } from './local-server.ts'
 import type { PageJob, PageReport, PictureRequest } from './picture.ts'
-import { type PreparedPicture, preparePicture } from './prepare.ts'
+import { faceReader, type PreparedPicture, preparePicture } from './prepare.ts'
 
 /** A picture that was drawn. */
 export interface Picture extends PageReport {
@@ -29,7 +29,8 @@ export async function renderPictures(
   progress: Progress = () => {},
 ): Promise<Picture[]> {
   const prepared: PreparedPicture[] = []
-  for (const request of requests) prepared.push(await preparePicture(request))
+  const readFace = faceReader()
+  for (const request of requests) prepared.push(await preparePicture(request, readFace))
   const browser = await launchBrowser()
   try {
     const server = await startLocalServer()
@@ -69,14 +70,18 @@ function haveSameScene({ job: a }: PreparedPicture, { job: b }: PreparedPicture)
   return a.face === b.face && a.wrinkles === b.wrinkles && a.mesh === b.mesh && a.renderer === b.renderer
 }
 
-async function drawOne(page: Page, server: LocalServer, { job, files }: PreparedPicture): Promise<Picture> {
+async function drawOne(
+  page: Page,
+  server: LocalServer,
+  { job, files, notes }: PreparedPicture,
+): Promise<Picture> {
   const start = performance.now()
-  for (const file of files) server.offer(file)
-  const inbox = server.inbox()
+  for (const [path, content] of files) server.offer(path, content)
+  const inbox = server.inbox(4 * job.width * job.height)
   const pageJob: PageJob = {
     ...job,
-    face: server.offer(job.face),
-    wrinkles: job.wrinkles && server.offer(job.wrinkles),
+    face: server.addressOf(job.face),
+    wrinkles: job.wrinkles && server.addressOf(job.wrinkles),
     uploadTo: inbox.address,
   }
   // Users know files by their paths.
@@ -90,7 +95,7 @@ async function drawOne(page: Page, server: LocalServer, { job, files }: Prepared
   if (!pixels) throw drawingFailed(job.face, 'the page posted no pixels')
   return {
     ...report,
-    warnings: report.warnings.map(withPaths),
+    warnings: [...notes, ...report.warnings.map(withPaths)],
     width: job.width,
     height: job.height,
     pixels,

@@ -49,6 +49,11 @@ export async function readReferenced(folder: string, uri: string, who: string): 
   return readBytes(path, who, '', remedy)
 }
 
+/** The address of a file, relative to `wrinkles.json`: in one, `#`, `?` and `%` would have a meaning. */
+export function addressOf(path: string): string {
+  return path.split('/').map(encodeURIComponent).join('/')
+}
+
 /** Paths of all files below a folder, relative to it, with `/`, sorted. */
 async function listFiles(folder: string, who: string): Promise<string[]> {
   try {
@@ -67,7 +72,7 @@ function foundLayers(files: readonly string[]): Json[] {
 function foundAreas(files: readonly string[]): Json[] {
   return matches(files, /^areas\/([^/]+)\.png$/).map((name) => ({
     name,
-    image: encodeURI(`areas/${name}.png`),
+    image: addressOf(`areas/${name}.png`),
   }))
 }
 
@@ -77,7 +82,7 @@ function completeLayers(layers: unknown[], files: readonly string[]): void {
     if (!isObject(layer)) continue
     for (const [map] of MAP_SLOTS) {
       const file = `layers/${layer.name}/${map}.png`
-      if (layer[map] === undefined && files.includes(file)) layer[map] = encodeURI(file)
+      if (layer[map] === undefined && files.includes(file)) layer[map] = addressOf(file)
     }
   }
 }

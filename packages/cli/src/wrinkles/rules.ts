@@ -1,134 +1,138 @@
-import { FurrowError, parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
+import { FurrowError, mapProblems, parseWrinkleMaps, texturesOfFace, WRINKLE_MAPS } from 'furrow'
 import { firstLine } from '../errors.ts'
 import type { Glb } from '../gltf/glb-file.ts'
 import { jointNamesOf, targetNamesOf } from '../gltf/gltf-json.ts'
-import { imageOf, layerCount } from '../gltf/texture-image.ts'
-import { arrayOf } from '../gltf/texture-pixels.ts'
+import { ktx2HeaderOf } from '../gltf/texture-image.ts'
+import { pixelsOf } from '../gltf/texture-pixels.ts'
+import { errorFinding, type Finding, warningFinding } from '../validate/finding.ts'
 import { findDriverFaults } from './driver-faults.ts'
+import { checkFaces, isDrawn } from './face-rules.ts'
 import { type Inspection, inspectWrinkles } from './inspect.ts'
+import { readShapes } from './texture-shapes.ts'
 import { MAP_SLOTS, type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
 
-/** An error or a warning about a file. */
-export interface Finding {
-  severity: 'error' | 'warning'
-  code: string
-  message: string
-  /** JSON pointer into the file. */
-  pointer?: string
-}
-
-/** Checks the rules of the extension on every material with wrinkles. Never throws FurrowError. */
+/**
+ * Checks the rules of the extension on every material with wrinkles: there are errors exactly where a loader would leave the face
+ * plain. Never throws FurrowError.
+ */
 export async function checkWrinkles(glb: Glb): Promise<Finding[]> {
   const materials = wrinkledMaterials(glb)
-  if (materials.length === 0) return [warning('NO_WRINKLES', `no material has ${WRINKLE_MAPS}`)]
-  const all = await Promise.all(materials.map((material) => checkMaterial(glb, material)))
-  return [...checkLists(glb), ...all.flat()]
+  if (materials.length === 0) return [warningFinding('NO_WRINKLES', `no material has ${WRINKLE_MAPS}`)]
+  const findings = checkLists(glb)
+  for (const material of materials) findings.push(...(await checkMaterial(glb, material)))
+  return findings
 }
 
 function checkLists({ json }: Glb): Finding[] {
   const findings: Finding[] = []
   if (!json.extensionsUsed?.includes(WRINKLE_MAPS)) {
-    findings.push(error('NOT_DECLARED', `extensionsUsed lacks ${WRINKLE_MAPS}`, '/extensionsUsed'))
+    findings.push(errorFinding('NOT_DECLARED', `extensionsUsed lacks ${WRINKLE_MAPS}`, '/extensionsUsed'))
   }
   if (json.extensionsRequired?.includes(WRINKLE_MAPS)) {
     const message = 'extensionsRequired lists it: viewers without it will not open the file at all'
-    findings.push(warning('REQUIRED', message, '/extensionsRequired'))
+    findings.push(warningFinding('REQUIRED', message, '/extensionsRequired'))
   }
   return findings
 }
 
 async function checkMaterial(glb: Glb, material: number): Promise<Finding[]> {
   const pointer = `/materials/${material}/extensions/${WRINKLE_MAPS}`
+  const findings = await findingsOf(glb, material)
+  // Loaders read only what they draw.
+  const drawn = isDrawn(glb.json, material)
+  const used = drawn ? findings : [warningFinding('NOT_DRAWN', 'no mesh of a scene has this material')]
+  return used.map((finding) => ({ ...finding, pointer }))
+}
+
+async function findingsOf(glb: Glb, material: number): Promise<Finding[]> {
   const json = glb.json.materials![material].extensions![WRINKLE_MAPS]
+  const faces = checkFaces(glb.json, material)
   try {
     const maps = parseWrinkleMaps(json, glb.json.textures?.length ?? 0)
-    const file = { glb, material, maps }
+    const shapes = await readShapes(glb, maps)
+    const problems = mapProblems(maps, (texture) => shapes.get(texture)!, WRINKLE_MAPS)
+    const errors = problems.map((problem) => errorFinding(problem.rule, new FurrowError(problem).message))
+    const file = await withoutDamagedHeights({ glb, material, maps })
     const report = await inspectWrinkles(file, WRINKLE_MAPS)
-    const findings = [
+    return [
+      ...faces,
+      ...errors,
+      ...heightFindings(maps, file.maps),
       ...checkSizes(report),
       ...checkImages(report),
-      ...(await checkArrays(file)),
+      ...checkEncodings(file),
+      ...checkArrayUses(file),
       ...checkAreas(report),
       ...checkCoordinates(file),
       ...checkDrivers(file),
     ]
-    return findings.map((finding) => ({ ...finding, pointer }))
   } catch (thrown) {
     if (!(thrown instanceof FurrowError)) throw thrown
-    return [error('INVALID', firstLine(thrown), pointer)]
+    return [...faces, errorFinding('INVALID', firstLine(thrown))]
   }
 }
 
+/** Heights are for tools; what is drawn does not need them. */
+async function withoutDamagedHeights({ glb, material, maps }: WrinkledFile): Promise<WrinkledFile> {
+  const layers = maps.layers.map(async (layer) => {
+    const { heightTexture, ...rest } = layer
+    if (!heightTexture) return layer
+    const isWhole = await pixelsOf(glb, heightTexture, WRINKLE_MAPS).then(
+      () => true,
+      () => false,
+    )
+    return isWhole ? layer : rest
+  })
+  return { glb, material, maps: { ...maps, layers: await Promise.all(layers) } }
+}
+
+function heightFindings(before: WrinkledFile['maps'], after: WrinkledFile['maps']): Finding[] {
+  const lost = before.layers.filter((layer, i) => layer.heightTexture && !after.layers[i].heightTexture)
+  return lost.map(({ name }) =>
+    warningFinding('HEIGHT', `layer "${name}": the height map cannot be read; it is not drawn`),
+  )
+}
+
 function checkSizes({ layers }: Inspection): Finding[] {
-  const sizes = layers.map(({ maps }) => sizeText(maps[0]))
-  const findings: Finding[] = []
-  if (new Set(sizes).size > 1) {
-    findings.push(error('LAYER_SIZES', `normal maps of the layers differ in size: ${sizes.join(', ')}`))
-  }
-  for (const { name, maps } of layers) {
-    for (const map of maps) {
-      if (sizeText(map) === sizeText(maps[0])) continue
-      const message = `layer "${name}": ${map.map} is ${sizeText(map)}, its normal map ${sizeText(maps[0])}`
-      findings.push(warning('MAP_SIZES', message))
-    }
-  }
-  return findings
+  return layers.flatMap(({ name, maps }) =>
+    maps
+      .filter((map) => sizeText(map) !== sizeText(maps[0]))
+      .map((map) => {
+        const message = `layer "${name}": ${map.map} is ${sizeText(map)}, its normal map ${sizeText(maps[0])}`
+        return warningFinding('MAP_SIZES', message)
+      }),
+  )
 }
 
 function checkImages({ layers }: Inspection): Finding[] {
   return layers.flatMap(({ name, maps }) => {
     const lossy = maps[0].mimeType === 'image/jpeg'
     return lossy
-      ? [warning('JPEG_NORMALS', `layer "${name}": JPEG causes blocks in normals; use PNG or UASTC`)]
+      ? [warningFinding('JPEG_NORMALS', `layer "${name}": JPEG causes blocks in normals; use PNG or UASTC`)]
       : []
   })
 }
 
-/** Every slice must exist; the blocks of ETC1S, 4 x 4 texels between two colours, show in normals. */
-async function checkArrays({ glb, maps }: WrinkledFile): Promise<Finding[]> {
-  const findings: Finding[] = []
-  for (const layer of maps.layers) {
-    for (const [map, slot] of MAP_SLOTS) {
-      const info = layer[slot]
-      if (info?.slice === undefined) continue
-      const { layers, compression } = await arrayOf(glb, info.index, WRINKLE_MAPS)
-      if (info.slice >= layers.length) {
-        const message = `layer "${layer.name}": ${map} is slice ${info.slice} of ${layers.length}`
-        findings.push(error('NO_SLICE', message))
-      }
-      if (map === 'normal' && compression === 'etc1s') {
-        findings.push(
-          warning('ETC1S_NORMALS', `layer "${layer.name}": ETC1S causes blocks in normals; use UASTC`),
-        )
-      }
-    }
-  }
-  return [...findings, ...checkArrayUses(glb, maps)]
-}
-
-/** KHR_texture_basisu allows plain 2D images only, so that an array may be used only by texture infos with a slice. */
-function checkArrayUses(glb: Glb, maps: WrinkledFile['maps']): Finding[] {
-  const own = [
-    ...maps.layers.flatMap((layer) => MAP_SLOTS.flatMap(([, slot]) => layer[slot] ?? [])),
-    ...maps.areas.map(({ texture }) => texture),
-  ]
-  const plain = plainTextures([glb.json.materials, glb.json.extensions])
-  const wrong = new Set(own.map(({ index }) => index).filter((index) => plain.has(index)))
-  return [...wrong].flatMap((index) => {
-    const count = layerCount(imageOf(glb, index, WRINKLE_MAPS))
-    if (count === 0) return []
-    const message = `texture ${index} is an array of ${count}, and a texture info without a slice refers to it`
-    return [error('ARRAY_AS_IMAGE', message)]
+/** The blocks of ETC1S, 4 x 4 texels between two colours, show in normals. */
+function checkEncodings({ glb, maps }: WrinkledFile): Finding[] {
+  return maps.layers.flatMap(({ name, normalTexture }) => {
+    const header = ktx2HeaderOf(glb, normalTexture.index, WRINKLE_MAPS)
+    if (header?.encoding !== 'etc1s') return []
+    return [warningFinding('ETC1S_NORMALS', `layer "${name}": ETC1S causes blocks in normals; use UASTC`)]
   })
 }
 
-/** Indices of the textures that texture infos anywhere below `value` use as plain images. */
-function plainTextures(value: unknown, key = '', found = new Set<number>()): Set<number> {
-  if (typeof value !== 'object' || value === null) return found
-  const { index, slice } = value as { index?: unknown; slice?: unknown }
-  if (/texture$/i.test(key) && typeof index === 'number' && slice === undefined) found.add(index)
-  for (const [name, item] of Object.entries(value)) plainTextures(item, name, found)
-  return found
+/** KHR_texture_basisu allows plain 2D images only: what is not of this extension cannot use an array. */
+function checkArrayUses({ glb, maps }: WrinkledFile): Finding[] {
+  const own = maps.layers.flatMap((layer) => MAP_SLOTS.flatMap(([, slot]) => layer[slot] ?? []))
+  const textures = [...own, ...maps.areas.map(({ texture }) => texture)].map(({ index }) => index)
+  const plain = texturesOfFace([glb.json.materials, glb.json.extensions])
+  return [...new Set(textures)].flatMap((index) => {
+    const slices = plain.has(index) ? ktx2HeaderOf(glb, index, WRINKLE_MAPS)?.slices : 0
+    if (!slices) return []
+    const message = `texture ${index} is an array of ${slices}, and a texture info without a slice refers to it`
+    return [errorFinding('ARRAY_AS_IMAGE', message)]
+  })
 }
 
 function checkAreas({ areas }: Inspection): Finding[] {
@@ -137,10 +141,11 @@ function checkAreas({ areas }: Inspection): Finding[] {
   const withAlpha = new Set(inImages.map(({ texture }) => texture))
   return areas.flatMap((area) => {
     const findings: Finding[] = []
-    if (area.largest === 0) findings.push(warning('AREA_INVISIBLE', `area "${area.name}" is visible nowhere`))
+    if (area.largest === 0)
+      findings.push(warningFinding('AREA_INVISIBLE', `area "${area.name}" is visible nowhere`))
     if (area.channel !== 'A' && withAlpha.has(area.texture)) {
       const message = `area "${area.name}" shares texture ${area.texture} with an area in alpha: tools that resize or compress it lose the colours where alpha is 0`
-      findings.push(warning('AREA_UNDER_ALPHA', message))
+      findings.push(warningFinding('AREA_UNDER_ALPHA', message))
     }
     return findings
   })
@@ -156,7 +161,7 @@ function checkCoordinates({ glb, material, maps }: WrinkledFile): Finding[] {
   const other = infos.find((info) => ((info as { texCoord?: number }).texCoord ?? 0) !== expected)
   if (!other) return []
   const message = `texture ${other.index} has another texCoord than the normalTexture (${expected}), which is used instead`
-  return [warning('TEXCOORD', message)]
+  return [warningFinding('TEXCOORD', message)]
 }
 
 function checkDrivers({ glb, material, maps: { drivers } }: WrinkledFile): Finding[] {
@@ -169,24 +174,12 @@ function checkDrivers({ glb, material, maps: { drivers } }: WrinkledFile): Findi
     jointNamesOf(glb.json),
   )
   return [
-    ...unknownTypes.map((type) => warning('DRIVER_TYPE', `drivers of type "${type}" are ignored`)),
-    ...missing.map((what) => warning('DRIVER_NAME', `${what} does not exist`)),
+    ...unknownTypes.map((type) => warningFinding('DRIVER_TYPE', `drivers of type "${type}" are ignored`)),
+    ...missing.map((what) => warningFinding('DRIVER_NAME', `${what} does not exist`)),
     ...cyclicAreas.map((area) =>
-      warning('DRIVER_CYCLE', `area "${area}" drives itself; its drivers that read areas are ignored`),
+      warningFinding('DRIVER_CYCLE', `area "${area}" drives itself; its drivers that read areas are ignored`),
     ),
   ]
 }
 
 const sizeText = ({ width, height }: { width: number; height: number }) => `${width} x ${height}`
-
-const error = (code: string, message: string, pointer?: string): Finding => ({
-  severity: 'error',
-  code,
-  message,
-  ...(pointer && { pointer }),
-})
-
-const warning = (code: string, message: string, pointer?: string): Finding => ({
-  ...error(code, message, pointer),
-  severity: 'warning',
-})

@@ -1,9 +1,7 @@
 import { parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
 import type { Glb } from '../gltf/glb-file.ts'
-import type { GltfJson } from '../gltf/gltf-json.ts'
+import { type BufferView, compressedViews, type GltfJson } from '../gltf/gltf-json.ts'
 import { KTX2_EXTENSION, usesKtx2 } from './embed.ts'
-
-type BufferView = NonNullable<GltfJson['bufferViews']>[number]
 
 /**
  * Removes the wrinkles of a material. Their textures, images and bytes are removed as far as they are at the end of
@@ -109,11 +107,6 @@ function cutBinaryChunk(glb: Glb, removed: readonly BufferView[]): void {
   glb.bin = glb.bin.subarray(0, end)
   if (buffers[0]) buffers[0].byteLength = end
   if (end === 0 && buffers.length === 1) delete glb.json.buffers
-}
-
-/** Views of compressed meshes refer to their bytes in an extension. */
-function compressedViews({ extensions = {} }: BufferView & { extensions?: object }): BufferView[] {
-  return Object.values(extensions).filter((value) => typeof value === 'object' && value?.byteLength > 0)
 }
 
 function omit(object: Record<string, unknown>, key: string): Record<string, unknown> {

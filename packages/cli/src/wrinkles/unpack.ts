@@ -1,18 +1,22 @@
 import type { GrayImage, TextureReference, WrinkleSetDocument } from 'furrow'
+import { fileNamesOf } from 'furrow/author'
 import sharp from 'sharp'
 import type { OutputFile } from '../files.ts'
+import { namesOfTarget } from '../gltf/target.ts'
 import { imageOf, isKtx2 } from '../gltf/texture-image.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
 import { encodeArea, encodePngWithoutOpaqueAlpha } from '../images/encode.ts'
 import { withImageErrors } from '../images/pixels.ts'
 import type { Progress } from '../progress.ts'
+import { addressOf } from './folder.ts'
 import { weightsOf } from './inspect.ts'
 import { MAP_SLOTS, type WrinkledFile } from './wrinkled-file.ts'
 
 type LayerEntry = WrinkleSetDocument['layers'][number]
 
 /**
- * Makes the files of a folder from the wrinkles of a file: `wrinkles.json`, `layers/NAME/*.png` and `areas/NAME.png`.
+ * Makes the files of a folder from the wrinkles of a file: `wrinkles.json`, `layers/NAME/*.png` and `areas/NAME.png`,
+ * where a name that no file can have is changed; `wrinkles.json` has the names as they are.
  *
  * @param whiteIsVisible the convention to write areas in.
  * @returns the files, with paths relative to the folder.
@@ -28,7 +32,7 @@ export async function unpackWrinkles(
   const total = maps.layers.length + maps.areas.length
   const outputs: OutputFile[] = []
   const layers: LayerEntry[] = []
-  const fileNames = fileNamesOf(maps.layers)
+  const fileNames = fileNamesOf(maps.layers.map(({ name }) => name))
   for (const [i, layer] of maps.layers.entries()) {
     const entry: Partial<LayerEntry> = { name: layer.name, kind: layer.kind }
     for (const [map, slot] of MAP_SLOTS) {
@@ -36,7 +40,7 @@ export async function unpackWrinkles(
       if (!info) continue
       const path = `layers/${fileNames[i]}/${map}.png`
       outputs.push({ path, bytes: await pngOf(file, info, who) })
-      entry[map] = encodeURI(path)
+      entry[map] = addressOf(path)
     }
     if (layer.normalTexture.scale !== 1) entry.normalScale = layer.normalTexture.scale
     if (layer.occlusionTexture && layer.occlusionTexture.strength !== 1) {
@@ -48,14 +52,14 @@ export async function unpackWrinkles(
   }
 
   const areas = await Promise.all(maps.areas.map((_, i) => weightsOf(file, i, who)))
-  const areaFiles = fileNamesOf(maps.areas)
+  const areaFiles = fileNamesOf(maps.areas.map(({ name }) => name))
   const areaEntries: WrinkleSetDocument['areas'] = []
   for (const [i, area] of maps.areas.entries()) {
     const path = `areas/${areaFiles[i]}.png`
     outputs.push({ path, bytes: await encodeWeights(areas[i], whiteIsVisible) })
     areaEntries.push({
       name: area.name,
-      image: encodeURI(path),
+      image: addressOf(path),
       ...(area.layer !== 0 && { layer: layers[area.layer].name }),
       ...(area.combine !== 'sum' && { combine: area.combine }),
       ...(whiteIsVisible && { convention: 'weight' as const }),
@@ -66,6 +70,7 @@ export async function unpackWrinkles(
 
   const document: WrinkleSetDocument = {
     version: 1,
+    ...namesOfTarget(file.glb.json, file.material),
     layers,
     areas: areaEntries,
     ...(maps.drivers.length > 0 && { drivers: maps.drivers }),
@@ -92,16 +97,4 @@ async function pngOf({ glb }: WrinkledFile, info: TextureReference, who: string)
 function encodeWeights(weights: GrayImage, whiteIsVisible: boolean): Promise<Uint8Array> {
   if (!whiteIsVisible) return encodeArea(weights)
   return encodeArea({ ...weights, data: weights.data.map((weight) => 255 - weight) })
-}
-
-/** Names that are valid on any file system, and unique even where it ignores case. */
-function fileNamesOf(named: readonly { name: string }[]): string[] {
-  const taken = new Set<string>()
-  return named.map(({ name }) => {
-    const plain = name.replaceAll(/[^\p{L}\p{N} _-]/gu, '_').trim() || '_'
-    let unique = plain
-    for (let n = 2; taken.has(unique.toLowerCase()); n++) unique = `${plain}-${n}`
-    taken.add(unique.toLowerCase())
-    return unique
-  })
 }

@@ -32,6 +32,7 @@ export {
 } from './bake/bake.ts'
 export { type BakeMesh, sharedNormals } from './bake/mesh.ts'
 export type { AnyHit } from './bake/occlusion.ts'
+export { fileNamesOf, isFileName } from './file-names.ts'
 export { type Metric, type MetricMesh, surfaceMetric } from './metric.ts'
 export { heightToNormal, type TangentFrame } from './relief/height-to-normal.ts'
 export {

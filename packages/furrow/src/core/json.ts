@@ -1,4 +1,5 @@
 import { type ErrorCode, FurrowError } from './error.ts'
+import { isName, NAME_RULE } from './name.ts'
 
 /** A point of the texture: u to the right, v downwards, both 0..1. */
 export type Uv = [u: number, v: number]
@@ -86,6 +87,12 @@ export class JsonReader {
     if (typeof value !== 'string' || value === '' || value.length > longest) {
       this.fail(`${path} must be text`, value, `1 to ${longest} characters`, 'write it in quotes')
     }
+    return value
+  }
+
+  /** The value as the name of a layer or an area, see `isName`. Throws otherwise. */
+  name(value: unknown, path: string): string {
+    if (!isName(value)) this.fail(`${path} must be text`, value, NAME_RULE, 'choose another name')
     return value
   }
 

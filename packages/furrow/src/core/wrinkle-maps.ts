@@ -1,5 +1,5 @@
 import { type JsonReader, or } from './json.ts'
-import { LARGEST, LONGEST_NAME, MAX_AREAS, MAX_LAYERS } from './limits.ts'
+import { LARGEST, MAX_AREAS, MAX_LAYERS } from './limits.ts'
 import type { Combine, LayerKind } from './types.ts'
 
 /** Name of the glTF material extension specified in docs/FURROW_wrinkle_maps.md. */
@@ -103,7 +103,7 @@ function readLayer(reader: JsonReader, texture: ReadTexture, item: unknown, at: 
     reader.number(value, `${at}.${path}`, low, LARGEST, '')
   const normal = texture(json.normalTexture, `${at}.normalTexture`)
   const layer: WrinkleMapsLayer = {
-    name: reader.text(json.name, `${at}.name`, LONGEST_NAME),
+    name: reader.name(json.name, `${at}.name`),
     kind: reader.choice(or(json.kind, 'replace'), `${at}.kind`, ['replace', 'detail']),
     normalTexture: { ...normal, scale: number(or(normal.scale, 1), 'normalTexture.scale', -LARGEST) },
   }
@@ -131,7 +131,7 @@ function readArea(
 ): WrinkleMapsArea {
   const json = reader.object(item, at)
   return {
-    name: reader.text(json.name, `${at}.name`, LONGEST_NAME),
+    name: reader.name(json.name, `${at}.name`),
     layer: reader.integer(or(json.layer, 0), `${at}.layer`, 0, layerCount - 1),
     texture: texture(json.texture, `${at}.texture`),
     channel: reader.integer(or(json.channel, 0), `${at}.channel`, 0, 3),

@@ -1,6 +1,7 @@
 import { FurrowError } from './error.ts'
 import { checkImage } from './image.ts'
 import { MAX_AREAS, MAX_LAYERS } from './limits.ts'
+import { isName, NAME_RULE } from './name.ts'
 import type { Area, ArraySlice, Layer } from './types.ts'
 
 /**
@@ -39,13 +40,14 @@ function checkLayer({ name, normal, baseColor, roughness, occlusion }: Layer<Arr
 /**
  * Checks one area against the layers it may belong to.
  *
- * @throws FurrowError when its image is malformed or its layer unknown.
+ * @throws FurrowError when its name or its image is malformed, or its layer unknown.
  */
 export function checkArea(
   area: Area<ArraySlice>,
   layers: readonly { name: string }[],
   who = 'WrinkleSet',
 ): void {
+  checkName(area.name, 'area', who)
   if (!isSlice(area.weights)) checkImage(area.weights, 'gray', `${who} area "${area.name}"`)
   layerIndex(area, layers, who)
 }
@@ -95,14 +97,26 @@ function checkCount(count: number, what: string, most: number, who: string): voi
 function checkNames(named: readonly { name: string }[], what: string, who: string): void {
   const seen = new Set<string>()
   for (const { name } of named) {
-    if (typeof name !== 'string' || name === '' || seen.has(name)) {
+    checkName(name, what, who)
+    if (seen.has(name)) {
       throw new FurrowError({
         who,
-        what: seen.has(name) ? `two ${what}s with the same name` : `a ${what} without a name`,
+        what: `two ${what}s with the same name`,
         value: name,
         remedy: `give every ${what} a distinct name`,
       })
     }
     seen.add(name)
   }
+}
+
+function checkName(name: unknown, what: string, who: string): void {
+  if (isName(name)) return
+  throw new FurrowError({
+    who,
+    what: name === undefined || name === '' ? `a ${what} without a name` : `a ${what} with an unusable name`,
+    value: name,
+    limit: NAME_RULE,
+    remedy: `give every ${what} a distinct name`,
+  })
 }

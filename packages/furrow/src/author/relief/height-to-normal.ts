@@ -30,6 +30,20 @@ export function heightToNormal(
   metric: Metric,
   frame: TangentFrame = 'orthonormal',
 ): RgbaImage {
+  return turnedNormals(relief, metric, frame, () => {})
+}
+
+/**
+ * `heightToNormal` with a last word on the slopes.
+ *
+ * @param turn may change the two slopes of a texel, as they stand in red and green; it is not called where both are 0.
+ */
+export function turnedNormals(
+  relief: HeightMap,
+  metric: Metric,
+  frame: TangentFrame,
+  turn: (texel: number, slope: Float64Array) => void,
+): RgbaImage {
   const { width, height } = relief
   if (metric.width !== width || metric.height !== height) {
     throw new FurrowError({
@@ -42,6 +56,7 @@ export function heightToNormal(
   }
   const data = new Uint8Array(4 * width * height)
   const flat = toByte(0)
+  const slope = new Float64Array(2)
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {
       const i = y * width + x
@@ -59,21 +74,20 @@ export function heightToNormal(
       const uv = metric.uv[i]
       const vv = metric.vv[i]
       const det = uu * vv - uv * uv
-      let slopeX: number
-      let slopeY: number
       if (frame === 'derivative') {
         // The gradient is hu grad(u) + hv grad(v), and |grad u|^2 = vv / det, |grad v|^2 = uu / det.
         const longer = Math.sqrt(Math.max(uu, vv) / det)
-        slopeX = -longer * hu
-        slopeY = longer * hv
+        slope[0] = -longer * hu
+        slope[1] = longer * hv
       } else {
         // At a right angle to u the surface extends sqrt(det / uu) per unit of v; the part of v along u is subtracted.
-        slopeX = -hu / Math.sqrt(uu)
-        slopeY = (hv - (uv / uu) * hu) * Math.sqrt(uu / det)
+        slope[0] = -hu / Math.sqrt(uu)
+        slope[1] = (hv - (uv / uu) * hu) * Math.sqrt(uu / det)
       }
-      const z = 1 / Math.hypot(slopeX, slopeY, 1)
-      data[4 * i] = toByte(slopeX * z)
-      data[4 * i + 1] = toByte(slopeY * z)
+      turn(i, slope)
+      const z = 1 / Math.hypot(slope[0], slope[1], 1)
+      data[4 * i] = toByte(slope[0] * z)
+      data[4 * i + 1] = toByte(slope[1] * z)
       data[4 * i + 2] = toByte(z)
       data[4 * i + 3] = 255
     }

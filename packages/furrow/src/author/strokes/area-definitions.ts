@@ -1,4 +1,5 @@
 import type { JsonReader, Uv } from '../../core/json.ts'
+import { fileNamesOf, isFileName } from '../file-names.ts'
 
 /** A soft shape: the inside of a polygon, or everything near the strokes of a group. */
 export type AreaShape = PolygonShape | GroupShape
@@ -39,16 +40,8 @@ export function readAreaDefinitions(
   return definitions.map((json, i) => {
     const path = `areas[${i}]`
     const field = read.object(json, path, ['name', 'shapes', 'within'])
-    const name = read.text(field.name, `${path}.name`)
-    // The name becomes a file name, which must not leave the user's folder.
-    if (!/^[A-Za-z0-9_-]+$/.test(name)) {
-      read.fail(
-        `${path}.name is not a valid file name`,
-        name,
-        'letters, digits, _ and -',
-        'choose another name',
-      )
-    }
+    const name = read.name(field.name, `${path}.name`)
+    checkFileName(read, name, `${path}.name`)
     if (names.has(name))
       read.fail(`${path}.name is already used`, name, undefined, 'give every area its own name')
     names.add(name)
@@ -61,6 +54,12 @@ export function readAreaDefinitions(
     }
     return definition
   })
+}
+
+/** Nothing but its file holds the name of a painted area, so that it must be the name of a file on every system. */
+export function checkFileName(read: JsonReader, name: string, path: string): void {
+  if (isFileName(name)) return
+  read.fail(`${path} is not a valid file name`, name, `e.g. ${fileNamesOf([name])}`, 'choose another name')
 }
 
 function readShape(
@@ -80,7 +79,7 @@ function readShape(
     }
     return { polygon: read.points(field.polygon, `${path}.polygon`, 3), feather }
   }
-  const group = read.text(field.group, `${path}.group`)
+  const group = read.name(field.group, `${path}.group`)
   if (!groups.has(group)) {
     const known = [...groups].filter((name) => name !== undefined).join(', ')
     read.fail(

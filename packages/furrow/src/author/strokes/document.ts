@@ -1,6 +1,11 @@
 import { JsonReader, type Uv } from '../../core/json.ts'
 import { MAX_AREAS, MAX_IMAGE_SIDE } from '../../core/limits.ts'
-import { type AreaDefinition, type AreaShape, readAreaDefinitions } from './area-definitions.ts'
+import {
+  type AreaDefinition,
+  type AreaShape,
+  checkFileName,
+  readAreaDefinitions,
+} from './area-definitions.ts'
 
 export type { AreaDefinition, AreaShape, Uv }
 
@@ -78,6 +83,10 @@ export function parseStrokes(json: unknown): StrokesDocument {
     const areas = read.array(root.areas, 'areas', 1, MAX_AREAS)
     const groups = new Set(document.strokes.map((stroke) => stroke.group))
     document.areas = readAreaDefinitions(read, areas, groups)
+  } else {
+    for (const [i, { group }] of document.strokes.entries()) {
+      if (group !== undefined) checkFileName(read, group, `strokes[${i}].group`)
+    }
   }
   return document
 }
@@ -113,6 +122,6 @@ function readStroke(read: JsonReader, json: unknown, index: number): Stroke {
     softness: read.number(field.softness ?? STROKE_DEFAULTS.softness, `${path}.softness`, 0, 1, ''),
     waviness: read.number(field.waviness ?? STROKE_DEFAULTS.waviness, `${path}.waviness`, 0, 1, ''),
   }
-  if (field.group !== undefined) stroke.group = read.text(field.group, `${path}.group`)
+  if (field.group !== undefined) stroke.group = read.name(field.group, `${path}.group`)
   return stroke
 }

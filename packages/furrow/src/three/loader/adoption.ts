@@ -61,7 +61,7 @@ export class Adoption {
     adoptions.set(this.#material, this)
     // drei's `<Clone deep>`, and whoever else copies the material.
     const clone = () => {
-      const copy = face.cloneMaterial()
+      const copy = face.cloneMaterial() as Material
       adoptCopy(copy, face, this.#parts)
       return copy
     }
@@ -85,13 +85,16 @@ export class Adoption {
     if (this.#known.has(mesh) || !this.#face) return
     const face = this.faceOf(mesh)
     if (face) face.prepare(renderer, camera, mesh)
-    else this.#separate(mesh, this.#face)
+    else afterFrame(() => this.#separate(mesh))
   }
 
-  /** Gives a mesh wrinkles of its own, which it shows from its next frame on. */
-  #separate(mesh: Mesh, face: WrinklesBase): void {
+  /** Gives a mesh wrinkles of its own. */
+  #separate(mesh: Mesh): void {
+    const face = this.#face
+    // Several passes of one frame may have drawn it, and the page may have changed it since.
+    if (!face || mesh.material !== this.#material || this.faceOf(mesh)) return
     const known = this.#copies.get(mesh)
-    const copy = known ?? face.cloneMaterial()
+    const copy = known ?? (face.cloneMaterial() as Material)
     mesh.material = copy
     if (known) return
     this.#copies.set(mesh, copy)
@@ -104,11 +107,15 @@ export class Adoption {
 
 /** Adds wrinkles to the first mesh that is drawn with a copy of a face's material. */
 function adoptCopy(copy: Material, source: WrinklesBase, parts: AdoptionParts): void {
-  const unwatch = parts.watch(copy, (mesh, renderer, camera) => {
+  const unwatch = parts.watch(copy, (mesh) => {
     unwatch()
-    const face = addUntilRemoved(mesh, source, parts, () => adoptCopy(copy, source, parts))
-    face?.prepare(renderer, camera, mesh)
+    afterFrame(() => addUntilRemoved(mesh, source, parts, () => adoptCopy(copy, source, parts)))
   })
+}
+
+/** A new face may need a larger atlas, and the frame being drawn reads the old one. */
+function afterFrame(change: () => void): void {
+  queueMicrotask(change)
 }
 
 function addUntilRemoved(
@@ -116,7 +123,7 @@ function addUntilRemoved(
   source: WrinklesBase,
   parts: AdoptionParts,
   onRemoved: () => void,
-): WrinklesBase | undefined {
+): void {
   const face = parts.add(mesh, source)
   const remove = () => {
     face?.dispose()
@@ -124,7 +131,6 @@ function addUntilRemoved(
   }
   mesh.addEventListener('removed', remove)
   face?.onDispose(() => mesh.removeEventListener('removed', remove))
-  return face
 }
 
 function movesAs(own: Mesh, mesh: Mesh): boolean {

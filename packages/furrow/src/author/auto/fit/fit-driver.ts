@@ -102,7 +102,7 @@ function driverOf({ name }: SkinRegion, targets: MorphDriver['targets']): MorphD
 }
 
 /** The driver's curve. */
-function activationOf(relativeCompression: number): number {
+export function activationOf(relativeCompression: number): number {
   return clamp((relativeCompression - ONSET) / (1 - ONSET), 0, 1)
 }
 

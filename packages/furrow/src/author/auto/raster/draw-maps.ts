@@ -1,14 +1,15 @@
 import type { GrayImage, RgbaImage } from '../../../core/types.ts'
 import { MIPMAP_MARGIN } from '../../border.ts'
 import { surfaceMetric } from '../../metric.ts'
-import { heightToNormal, type TangentFrame } from '../../relief/height-to-normal.ts'
+import { type TangentFrame, turnedNormals } from '../../relief/height-to-normal.ts'
 import type { HeightMap } from '../../strokes/height.ts'
-import type { CreasedRegion } from '../lines/crease.ts'
+import type { FittedRegion } from '../fit/fit-driver.ts'
 import { isOnLeft } from '../surface/overlap.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import type { SkinSurface } from '../surface/surface.ts'
 import { drawAreas } from './draw-areas.ts'
 import { drawCreases } from './draw-creases.ts'
+import { FacetFrames } from './facet-frames.ts'
 import { SkinTexels } from './skin-texels.ts'
 
 /** Maps of one layer. */
@@ -37,23 +38,29 @@ export interface MapSettings {
  * @returns the layers, and the weights of each region's area.
  */
 export function drawMaps(
-  { skin, surface, face, isMirrored }: PreparedSkin,
-  regions: readonly CreasedRegion[],
+  prepared: PreparedSkin,
+  regions: readonly FittedRegion[],
   layerOf: readonly number[],
   { size, areaSize, frame }: MapSettings,
 ): { layers: AutoLayer[]; weights: GrayImage[] } {
+  const { skin, surface, face, isMirrored } = prepared
   const isDrawn = isMirrored ? isOnLeft(surface) : undefined
   const texels = new SkinTexels(skin, surface, size, isDrawn, MIPMAP_MARGIN)
   const areaTexels = new SkinTexels(skin, surface, areaSize, isDrawn)
   const metric = surfaceMetric({ ...skin, positions: inMetres(surface) }, size)
   const layers: AutoLayer[] = []
   const weights: GrayImage[] = []
+  const barycentrics = new Float64Array(3)
   for (let layer = 0; layer <= Math.max(-1, ...layerOf); layer++) {
     const members = [...regions.keys()].filter((i) => layerOf[i] === layer)
     const own = members.map((i) => regions[i])
     const creases = [...new Set(own.map((region) => region.creases))].flat()
     const drawn = drawCreases(texels, creases)
-    layers.push({ name: `auto${layer + 1}`, normal: heightToNormal(drawn.relief, metric, frame), ...drawn })
+    const frames = frame === 'derivative' ? new FacetFrames(prepared, own) : undefined
+    const normal = turnedNormals(drawn.relief, metric, frame, (texel, slope) =>
+      frames?.turn(texels.locate(texel, barycentrics), barycentrics, slope),
+    )
+    layers.push({ name: `auto${layer + 1}`, normal, ...drawn })
     for (const [k, image] of drawAreas(areaTexels, own, face?.chart).entries()) weights[members[k]] = image
   }
   return { layers, weights }

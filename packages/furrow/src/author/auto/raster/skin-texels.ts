@@ -16,6 +16,9 @@ export class SkinTexels {
   readonly #skin: Pick<Skin, 'uvs' | 'indices'>
   /** For each texel its triangle; -2 - triangle beyond the islands. */
   readonly #owner: Int32Array
+  /** The triangle that was located last, and its corners in texels. */
+  #last = NONE
+  readonly #corners = new Float64Array(6)
 
   /**
    * @param size side of the map in texels.
@@ -56,22 +59,37 @@ export class SkinTexels {
     isWanted: (triangle: number) => boolean,
     visit: (texel: number, triangle: number, a: number, b: number, c: number) => void,
   ): void {
-    const corners = new Float64Array(6)
     const weights = new Float64Array(3)
     /** 1 and 0 as `isWanted` says, -1 where it was not asked yet. */
     const wanted = new Int8Array(this.surface.skinTriangles.length).fill(-1)
-    let last = -1
     for (let texel = 0; texel < this.#owner.length; texel++) {
-      const owner = this.#owner[texel]
-      if (owner === NONE) continue
-      const triangle = owner < 0 ? -2 - owner : owner
+      const triangle = this.#triangleOf(texel)
+      if (triangle === NONE) continue
       if (wanted[triangle] < 0) wanted[triangle] = isWanted(triangle) ? 1 : 0
-      if (owner >= 0 && wanted[triangle] === 0) continue
-      if (triangle !== last) this.#toTexels(corners, triangle)
-      last = triangle
-      barycentrics2(weights, corners, texel % this.size, Math.floor(texel / this.size))
+      if (this.#owner[texel] >= 0 && wanted[triangle] === 0) continue
+      this.locate(texel, weights)
       visit(texel, triangle, weights[0], weights[1], weights[2])
     }
+  }
+
+  /**
+   * Finds where on the skin a texel is.
+   *
+   * @param weights takes barycentric coordinates, which are below 0 beyond an island.
+   * @returns the triangle, -1 where there is none.
+   */
+  locate(texel: number, weights: Float64Array): number {
+    const triangle = this.#triangleOf(texel)
+    if (triangle === NONE) return NONE
+    if (triangle !== this.#last) this.#toTexels(this.#corners, triangle)
+    this.#last = triangle
+    barycentrics2(weights, this.#corners, texel % this.size, Math.floor(texel / this.size))
+    return triangle
+  }
+
+  #triangleOf(texel: number): number {
+    const owner = this.#owner[texel]
+    return owner < NONE ? -2 - owner : owner
   }
 
   /** x and y of a triangle's corners in texels. */

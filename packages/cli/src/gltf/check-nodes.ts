@@ -1,0 +1,29 @@
+import type { CheckedJson } from './checked-json.ts'
+
+/** Readers walk from each node to its root, and some recurse. Skeletons are some tens deep. */
+const MAX_DEPTH = 256
+
+/**
+ * Checks that nodes form trees (glTF 2.0, 3.5.2): no node has two parents or is its own ancestor, and none is deeper
+ * than 256. References have been checked.
+ *
+ * @returns what is wrong, or undefined.
+ */
+export function nodeProblem({ nodes = [] }: CheckedJson): string | undefined {
+  const parents = new Int32Array(nodes.length).fill(-1)
+  for (const [i, { children = [] }] of nodes.entries()) {
+    for (const child of children) {
+      if (parents[child] >= 0) return `nodes[${child}] has two parents, ${parents[child]} and ${i}`
+      parents[child] = i
+    }
+  }
+  // From the roots down; what is not reached is in a cycle.
+  let level = [...nodes.keys()].filter((i) => parents[i] < 0)
+  let reached = 0
+  for (let depth = 1; level.length > 0; depth++) {
+    if (depth > MAX_DEPTH) return `nodes[${level[0]}] has more than ${MAX_DEPTH} ancestors`
+    reached += level.length
+    level = level.flatMap((i) => nodes[i].children ?? [])
+  }
+  return reached === nodes.length ? undefined : 'some of its nodes are their own ancestors'
+}

@@ -1,0 +1,63 @@
+import type { GltfJson, GltfMaterial, GltfMesh, TextureInfo } from './gltf-json.ts'
+
+/** The bytes that a view is decompressed from, by EXT_meshopt_compression or a successor. */
+interface CompressedView {
+  buffer: number
+  byteOffset?: number
+  byteLength: number
+  count: number
+  byteStride: number
+}
+
+/** What the checks read of a document besides what commands do. `shapeProblem` has checked the types. */
+export interface CheckedJson
+  extends Omit<GltfJson, 'accessors' | 'bufferViews' | 'materials' | 'meshes' | 'nodes' | 'textures'> {
+  accessors?: {
+    bufferView?: number
+    byteOffset?: number
+    componentType: number
+    count: number
+    type: string
+    sparse?: {
+      count: number
+      indices: { bufferView: number; byteOffset?: number; componentType: number }
+      values: { bufferView: number; byteOffset?: number }
+    }
+  }[]
+  bufferViews?: {
+    buffer: number
+    byteOffset?: number
+    byteLength: number
+    byteStride?: number | undefined
+    extensions?: Record<string, Partial<CompressedView>>
+  }[]
+  cameras?: object[]
+  materials?: (GltfMaterial & {
+    pbrMetallicRoughness?: { metallicRoughnessTexture?: TextureInfo }
+    occlusionTexture?: TextureInfo
+    emissiveTexture?: TextureInfo
+  })[]
+  meshes?: (Omit<GltfMesh, 'primitives'> & {
+    primitives: (GltfMesh['primitives'][number] & {
+      extensions?: { KHR_draco_mesh_compression?: { bufferView: number } }
+    })[]
+  })[]
+  nodes?: { name?: string; mesh?: number; skin?: number; camera?: number; children?: number[] }[]
+  textures?: { sampler?: number; source?: number; extensions?: Record<string, { source?: number }> }[]
+  scene?: number
+  scenes?: { nodes?: number[] }[]
+  skins?: { joints: number[]; skeleton?: number; inverseBindMatrices?: number }[]
+  animations?: {
+    channels: { sampler: number; target: { node?: number } }[]
+    samplers: { input: number; output: number }[]
+  }[]
+}
+
+/** Undefined where a view is not compressed. */
+export function compressedView({
+  extensions = {},
+}: NonNullable<CheckedJson['bufferViews']>[number]): CompressedView | undefined {
+  return Object.values(extensions).find(({ byteLength }) => byteLength !== undefined) as
+    | CompressedView
+    | undefined
+}

@@ -1,0 +1,54 @@
+import type { GltfJson, GltfMesh } from '../gltf/gltf-json.ts'
+import { errorFinding, type Finding } from '../validate/finding.ts'
+
+type Primitive = GltfMesh['primitives'][number]
+
+/** The first mode of triangles; points and lines come before it. */
+const TRIANGLES = 4
+
+/** What a mesh needs to wrinkle, and what to do where it has none. */
+const ATTRIBUTES = [
+  ['POSITION', 'export the file again'],
+  ['NORMAL', 'export the mesh with normals'],
+  ['TEXCOORD_0', 'unwrap the mesh: areas and layers are in its UV layout'],
+] as const
+
+/** Whether a scene has triangles with a material. */
+export function isDrawn(json: GltfJson, material: number): boolean {
+  return drawnPrimitives(json, material).length > 0
+}
+
+/** Checks that everything drawn with a material can wrinkle, as loaders do. */
+export function checkFaces(json: GltfJson, material: number): Finding[] {
+  const findings: Finding[] = []
+  if (json.materials?.[material].extensions?.KHR_materials_unlit !== undefined) {
+    findings.push(errorFinding('UNLIT', 'the material is unlit: wrinkles change how light falls'))
+  }
+  for (const [name, remedy] of ATTRIBUTES) {
+    if (drawnPrimitives(json, material).every(({ attributes = {} }) => attributes[name] !== undefined))
+      continue
+    findings.push(errorFinding('ATTRIBUTE', `a mesh with this material has no ${name}; ${remedy}`))
+  }
+  return findings
+}
+
+function drawnPrimitives(json: GltfJson, material: number): Primitive[] {
+  return meshesInScenes(json).flatMap((index) => {
+    const primitives = json.meshes?.[index]?.primitives ?? []
+    return primitives.filter((primitive) => {
+      return primitive.material === material && (primitive.mode ?? TRIANGLES) >= TRIANGLES
+    })
+  })
+}
+
+/** Indices of the meshes that some scene has. */
+function meshesInScenes({ scenes = [], nodes = [] }: GltfJson): number[] {
+  const reached = new Set<number>()
+  let level = scenes.flatMap((scene) => scene.nodes ?? [])
+  while (level.length > 0) {
+    const fresh = [...new Set(level)].filter((index) => !reached.has(index))
+    for (const index of fresh) reached.add(index)
+    level = fresh.flatMap((index) => nodes[index]?.children ?? [])
+  }
+  return [...new Set([...reached].flatMap((index) => nodes[index]?.mesh ?? []))]
+}

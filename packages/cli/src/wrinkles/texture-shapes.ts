@@ -1,0 +1,32 @@
+import { drawnTextures, FurrowError, type TextureShape, WRINKLE_MAPS, type WrinkleMaps } from 'furrow'
+import type { Glb } from '../gltf/glb-file.ts'
+import { imageOf, isKtx2, ktx2HeaderOf } from '../gltf/texture-image.ts'
+import { arrayOf, pixelsOf } from '../gltf/texture-pixels.ts'
+
+/**
+ * Decodes all textures that are drawn, as a loader does: headers alone do not tell whether an image is damaged.
+ *
+ * @throws FurrowError at the first that cannot be decoded.
+ */
+export async function readShapes(glb: Glb, maps: WrinkleMaps): Promise<Map<number, TextureShape>> {
+  const shapes = new Map<number, TextureShape>()
+  for (const index of drawnTextures(maps)) shapes.set(index, await readShape(glb, index))
+  return shapes
+}
+
+async function readShape(glb: Glb, index: number): Promise<TextureShape> {
+  const header = ktx2HeaderOf(glb, index, WRINKLE_MAPS)
+  if (header) {
+    await arrayOf(glb, index, WRINKLE_MAPS)
+    return header
+  }
+  if (isKtx2(imageOf(glb, index, WRINKLE_MAPS))) {
+    throw new FurrowError({
+      who: WRINKLE_MAPS,
+      what: `texture ${index} has a KTX 2 image without KHR_texture_basisu`,
+      remedy: 'pack the file again',
+    })
+  }
+  const { width, height } = await pixelsOf(glb, { index }, WRINKLE_MAPS)
+  return { width, height }
+}

@@ -1,0 +1,21 @@
+import { defineConfig } from 'vite'
+
+const conditions = ['furrow-source', 'module', 'node', 'development|production']
+
+/**
+ * Builds the commands into dist/, module by module as in src/, and with them the modules of `furrow` that they use: the
+ * package then needs no copy of the library beside it. All other packages stay dependencies.
+ */
+export default defineConfig({
+  logLevel: 'warn',
+  ssr: { noExternal: ['furrow'], resolve: { conditions } },
+  build: {
+    ssr: true,
+    target: 'node20.19',
+    sourcemap: true,
+    rolldownOptions: {
+      input: 'src/main.ts',
+      output: { preserveModules: true, preserveModulesRoot: 'src', entryFileNames: '[name].js' },
+    },
+  },
+})

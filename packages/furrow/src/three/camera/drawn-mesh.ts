@@ -1,0 +1,41 @@
+import type { Mesh, Object3D, SkinnedMesh } from 'three'
+import { Vector3 } from 'three'
+import { trianglesOf } from '../sources/geometry-arrays.ts'
+
+/** A mesh as it is drawn, with its blendshapes at 0. */
+export interface DrawnMesh {
+  mesh: Mesh
+  /** In world space, xyz of each vertex. */
+  positions: Float64Array
+  triangles: ArrayLike<number>
+  /** Vertices of the triangles: primitives often have all vertices of a file. */
+  used: readonly number[]
+}
+
+/** The meshes of an object in the pose of their skeletons. World matrices must be up to date. */
+export function drawnMeshes(object: Object3D): DrawnMesh[] {
+  const meshes: DrawnMesh[] = []
+  object.traverse((child) => {
+    const mesh = child as Mesh
+    if (mesh.isMesh && mesh.geometry.hasAttribute('position')) meshes.push(drawnMesh(mesh))
+  })
+  return meshes
+}
+
+function drawnMesh(mesh: Mesh): DrawnMesh {
+  const { position } = mesh.geometry.attributes
+  const triangles = trianglesOf(mesh.geometry)
+  const isUsed = new Uint8Array(position.count)
+  for (let i = 0; i < triangles.length; i++) isUsed[triangles[i]] = 1
+  const positions = new Float64Array(3 * position.count)
+  const used: number[] = []
+  const point = new Vector3()
+  for (let i = 0; i < position.count; i++) {
+    if (isUsed[i] === 0) continue
+    point.fromBufferAttribute(position, i)
+    if ((mesh as Partial<SkinnedMesh>).isSkinnedMesh) (mesh as SkinnedMesh).applyBoneTransform(i, point)
+    point.applyMatrix4(mesh.matrixWorld).toArray(positions, 3 * i)
+    if (Number.isFinite(point.x + point.y + point.z)) used.push(i)
+  }
+  return { mesh, positions, triangles, used }
+}

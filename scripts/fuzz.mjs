@@ -1,0 +1,37 @@
+// Tries damaged files with the commands: `npm run fuzz -- --count 5000 --seed 1 --command auto`. The same numbers give the same files.
+
+import { mkdirSync } from 'node:fs'
+import { availableParallelism, tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { parseArgs } from 'node:util'
+import { bundle } from './lib/bundle.mjs'
+import { Failure, main, say } from './lib/run.mjs'
+
+await main(async () => {
+  const { values } = parseArgs({
+    options: {
+      command: { type: 'string', multiple: true },
+      count: { type: 'string', default: '100' },
+      seed: { type: 'string', default: '1' },
+      first: { type: 'string', default: '0' },
+      seconds: { type: 'string', default: '10' },
+      jobs: { type: 'string', default: String(availableParallelism()) },
+    },
+  })
+  const { fuzz } = await import(await bundle('test/fuzz/fuzz.ts'))
+  const keep = join(tmpdir(), `furrow-fuzz-failures-${process.pid}`)
+  mkdirSync(keep)
+  const results = await fuzz({
+    child: await bundle('test/fuzz/child.ts'),
+    ...(values.command && { commands: values.command }),
+    seed: Number(values.seed),
+    first: Number(values.first),
+    count: Number(values.count),
+    limits: { seconds: Number(values.seconds), megabytes: 1024 },
+    jobs: Number(values.jobs),
+    keep,
+    report: say,
+  })
+  const failures = results.reduce((sum, { failures }) => sum + failures.length, 0)
+  if (failures > 0) throw new Failure(`${failures} files failed; they are in ${keep}`)
+})

@@ -1,0 +1,28 @@
+import { join } from 'node:path'
+import { build } from 'vite'
+import { ROOT } from './run.mjs'
+
+/**
+ * Bundles a TypeScript file and the sources of the packages that it imports, for Node.
+ *
+ * @param {string} entry relative to the root of the repository.
+ * @returns {Promise<string>} path of the module.
+ */
+export async function bundle(entry) {
+  const name = entry.replaceAll(/\W+/g, '-')
+  const outDir = join(ROOT, 'node_modules/.cache/furrow', name)
+  await build({
+    configFile: false,
+    root: ROOT,
+    logLevel: 'error',
+    // Sources, not builds.
+    ssr: { resolve: { conditions: ['furrow-source', 'module', 'node', 'development|production'] } },
+    build: {
+      ssr: join(ROOT, entry),
+      outDir,
+      emptyOutDir: true,
+      rolldownOptions: { output: { entryFileNames: 'index.mjs' } },
+    },
+  })
+  return join(outDir, 'index.mjs')
+}

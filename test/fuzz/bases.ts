@@ -1,0 +1,268 @@
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { Document, Logger, NodeIO, type Transform } from '@gltf-transform/core'
+import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
+import { draco, meshopt, quantize, sparse } from '@gltf-transform/functions'
+import draco3d from 'draco3d'
+import { MeshoptDecoder, MeshoptEncoder } from 'meshoptimizer'
+import sharp from 'sharp'
+import { packCommand } from '../../packages/cli/src/commands/pack.ts'
+import { accessorsOf } from '../accessors.ts'
+import { quietly } from './quietly.ts'
+
+/** Columns and rows of quads of the face. */
+const GRID = 8
+/** Side of its images in texels. */
+const SIDE = 64
+
+const SHAPES = ['browInnerUp', 'browDownLeft', 'eyeBlinkLeft', 'mouthSmileLeft', 'jawOpen']
+const LAYERS = ['age', 'expression']
+const AREAS = ['brow', 'cheek', 'chin', 'eye', 'nose']
+
+/** The files that are damaged: valid, small, and each with something that another has not. */
+export interface Bases {
+  faces: Map<string, Buffer>
+  /** A folder as `furrow pack` reads it, without its face. */
+  folder: Map<string, Buffer>
+  strokes: Buffer
+  array: Buffer
+  height: Buffer
+}
+
+/** Makes the files in a folder. */
+export async function writeBases(root: string): Promise<void> {
+  const write = (name: string, bytes: Uint8Array | string) => {
+    mkdirSync(join(root, name, '..'), { recursive: true })
+    writeFileSync(join(root, name), bytes)
+  }
+  for (const [name, bytes] of await makeFaces()) write(`faces/${name}.glb`, bytes)
+  for (const [i, layer] of LAYERS.entries()) {
+    write(`folder/layers/${layer}/normal.png`, await picture(i, 3))
+    write(`folder/layers/${layer}/baseColor.png`, await picture(i + 4, 3))
+  }
+  for (const [i, area] of AREAS.entries()) write(`folder/areas/${area}.png`, await picture(i, 1))
+  write('folder/wrinkles.json', JSON.stringify(WRINKLES))
+  write('strokes.json', JSON.stringify(STROKES))
+  write('height.png', await picture(3, 1))
+  for (const [name, face, ...options] of [
+    ['packed', 'plain'],
+    ['packed-array', 'skinned', '--ktx2'],
+  ] as const) {
+    const parameters = [join(root, 'folder'), '--face', join(root, `faces/${face}.glb`), ...options]
+    const output = join(root, `faces/${name}.glb`)
+    await quietly(() => packCommand.parseAsync([...parameters, '-o', output], { from: 'user' }))
+  }
+  write('array.ktx2', largestImage(readFileSync(join(root, 'faces/packed-array.glb'))))
+}
+
+/** Reads what `writeBases` wrote. */
+export function readBases(root: string): Bases {
+  const filesIn = (folder: string) => {
+    const all = readdirSync(join(root, folder), { recursive: true, withFileTypes: true })
+    const paths = all.filter((item) => item.isFile()).map((item) => join(item.parentPath, item.name))
+    return new Map(
+      paths.sort().map((path) => [path.slice(join(root, folder).length + 1), readFileSync(path)]),
+    )
+  }
+  const read = (name: string) => readFileSync(join(root, name))
+  return {
+    faces: filesIn('faces'),
+    folder: filesIn('folder'),
+    strokes: read('strokes.json'),
+    array: read('array.ktx2'),
+    height: read('height.png'),
+  }
+}
+
+const WRINKLES = {
+  version: 1,
+  layers: LAYERS.map((name) => ({
+    name,
+    normal: `layers/${name}/normal.png`,
+    baseColor: `layers/${name}/baseColor.png`,
+  })),
+  areas: AREAS.map((name, i) => ({
+    name,
+    image: `areas/${name}.png`,
+    layer: i % 2 ? 'age' : 'expression',
+    ...(i === 4 && { combine: 'max', activation: 0.5 }),
+  })),
+  drivers: [
+    {
+      type: 'morph',
+      area: 'brow',
+      targets: [
+        {
+          name: 'browInnerUp',
+          weight: 0.5,
+          curve: [
+            [0, 0],
+            [1, 1],
+          ],
+        },
+      ],
+    },
+    { type: 'area', area: 'nose', areas: [{ name: 'brow', weight: -1 }], rule: 'sum' },
+    {
+      type: 'bone',
+      area: 'chin',
+      joints: ['head', 'jaw'],
+      measure: 'angle',
+      axis: [1, 0, 0],
+      curve: [
+        [0, 0],
+        [1, 1],
+      ],
+    },
+    { type: 'time', area: 'brow', attack: 0.1, release: 0.6 },
+    { type: 'expression', name: 'doubt', targets: [{ name: 'browInnerUp', weight: 0.7 }], activations: [] },
+  ],
+}
+
+const STROKES = {
+  version: 1,
+  size: 64,
+  strokes: [
+    {
+      group: 'brow',
+      points: [
+        [0.2, 0.2],
+        [0.5, 0.25],
+        [0.8, 0.2],
+      ],
+      width: 4,
+      depth: 0.5,
+    },
+    {
+      group: 'chin',
+      points: [
+        [0.2, 0.8],
+        [0.8, 0.8],
+      ],
+      width: 3,
+      depth: 0.4,
+      taper: [0.1, 0.2],
+      waviness: 0.5,
+    },
+  ],
+}
+
+/** Noise of values that are all there, so that no tool takes it for one colour. */
+function picture(seed: number, channels: 1 | 3): Promise<Uint8Array> {
+  const data = Uint8Array.from({ length: channels * SIDE * SIDE }, (_, i) => (i * 37 + seed * 101) % 251)
+  const image = sharp(data, { raw: { width: SIDE, height: SIDE, channels } })
+  return (channels === 1 ? image.toColourspace('b-w') : image).png().toBuffer()
+}
+
+async function makeFaces(): Promise<[name: string, bytes: Uint8Array][]> {
+  await MeshoptEncoder.ready
+  const io = new NodeIO()
+    .setLogger(new Logger(Logger.Verbosity.SILENT))
+    .registerExtensions(ALL_EXTENSIONS)
+    .registerDependencies({
+      'meshopt.decoder': MeshoptDecoder,
+      'meshopt.encoder': MeshoptEncoder,
+      'draco3d.encoder': await draco3d.createEncoderModule(),
+      'draco3d.decoder': await draco3d.createDecoderModule(),
+    })
+  const changes: Record<string, Transform[]> = {
+    plain: [],
+    skinned: [skin],
+    sparse: [sparse({ ratio: 1 })],
+    quantised: [skin, quantize()],
+    meshopt: [skin, meshopt({ encoder: MeshoptEncoder })],
+    draco: [draco()],
+  }
+  const faces: [string, Uint8Array][] = []
+  for (const [name, transforms] of Object.entries(changes)) {
+    const document = await faceDocument()
+    await document.transform(...transforms)
+    faces.push([name, await io.writeBinary(document)])
+  }
+  return faces
+}
+
+/** A bulging sheet named `skin`, 20 cm wide, with blendshapes that compress parts of it; and a second mesh beside it. */
+async function faceDocument(): Promise<Document> {
+  const document = new Document().setLogger(new Logger(Logger.Verbosity.SILENT))
+  const accessor = accessorsOf(document)
+  const [positions, uvs, indices]: number[][] = [[], [], []]
+  for (let row = 0; row <= GRID; row++) {
+    for (let column = 0; column <= GRID; column++) {
+      const [u, v] = [column / GRID, row / GRID]
+      positions!.push(0.2 * (u - 0.5), 0.2 * (0.5 - v), 0.05 * Math.cos(Math.PI * (u - 0.5)))
+      uvs!.push(u, v)
+      if (row === GRID || column === GRID) continue
+      const i = row * (GRID + 1) + column
+      indices!.push(i, i + GRID + 1, i + 1, i + 1, i + GRID + 1, i + GRID + 2)
+    }
+  }
+  const material = document.createMaterial('skin')
+  for (const [seed, set] of (['setNormalTexture', 'setBaseColorTexture'] as const).entries()) {
+    const image = (await picture(seed, 3)) as Uint8Array<ArrayBuffer>
+    material[set](document.createTexture(`skin ${seed}`).setImage(image).setMimeType('image/png'))
+  }
+  const up = Float32Array.from(positions!, (_, i) => (i % 3 === 2 ? 1 : 0))
+  const primitive = document
+    .createPrimitive()
+    .setAttribute('POSITION', accessor('VEC3', Float32Array.from(positions!)))
+    .setAttribute('NORMAL', accessor('VEC3', up))
+    .setAttribute('TEXCOORD_0', accessor('VEC2', Float32Array.from(uvs!)))
+    .setIndices(accessor('SCALAR', Uint16Array.from(indices!)))
+    .setMaterial(material)
+  const mesh = document.createMesh('skin').addPrimitive(primitive).setExtras({ targetNames: SHAPES })
+  for (const [k, name] of SHAPES.entries()) {
+    const offsets = new Float32Array(positions!.length)
+    // Each shape pushes one band of the sheet together.
+    for (let i = 0; i < offsets.length; i += 3) {
+      const band = Math.round((uvs![(2 * i) / 3 + 1]! * GRID) / 3)
+      if (band === k) offsets[i + 1] = -0.4 * positions![i + 1]! - 0.004 * Math.sin(60 * positions![i + 1]!)
+    }
+    primitive.addTarget(
+      document.createPrimitiveTarget(name).setAttribute('POSITION', accessor('VEC3', offsets)),
+    )
+  }
+  const eyes = document
+    .createPrimitive()
+    .setAttribute('POSITION', accessor('VEC3', Float32Array.of(0, 0, 0.06, 0.01, 0, 0.06, 0, 0.01, 0.06)))
+    .setMaterial(document.createMaterial('eyes'))
+  const scene = document.createScene()
+  scene.addChild(document.createNode('skin').setMesh(mesh))
+  scene.addChild(document.createNode('eyes').setMesh(document.createMesh('eyes').addPrimitive(eyes)))
+  return document
+}
+
+/** Binds the face to two joints. */
+function skin(document: Document): void {
+  const accessor = accessorsOf(document)
+  const [head, jaw] = [document.createNode('head'), document.createNode('jaw')]
+  const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
+  const inverseBind = document
+    .createAccessor()
+    .setType('MAT4')
+    .setArray(Float32Array.from([...identity, ...identity]))
+    .setBuffer(document.getRoot().listBuffers()[0]!)
+  const joints = document.createSkin().addJoint(head).addJoint(jaw).setInverseBindMatrices(inverseBind)
+  const node = document.getRoot().listNodes()[0]!
+  const primitive = node.getMesh()!.listPrimitives()[0]!
+  const count = primitive.getAttribute('POSITION')!.getCount()
+  primitive.setAttribute('JOINTS_0', accessor('VEC4', new Uint16Array(4 * count)))
+  const weights = Float32Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 ? 1 : 0))
+  primitive.setAttribute('WEIGHTS_0', accessor('VEC4', weights))
+  document.getRoot().listScenes()[0]!.addChild(head.addChild(jaw))
+  node.setSkin(joints)
+}
+
+interface View {
+  byteOffset: number
+  byteLength: number
+}
+
+/** The bytes of the longest image of a file. */
+function largestImage(glb: Buffer): Buffer {
+  const length = glb.readUInt32LE(12)
+  const json = JSON.parse(glb.toString('utf8', 20, 20 + length))
+  const views = json.images.map(({ bufferView }: { bufferView: number }) => json.bufferViews[bufferView])
+  const { byteOffset, byteLength } = views.reduce((a: View, b: View) => (a.byteLength > b.byteLength ? a : b))
+  return glb.subarray(28 + length + byteOffset, 28 + length + byteOffset + byteLength)
+}

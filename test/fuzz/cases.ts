@@ -1,0 +1,167 @@
+import { mkdirSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import type { Command } from 'commander'
+import { activationsCommand } from '../../packages/cli/src/commands/activations.ts'
+import { arrayCommand } from '../../packages/cli/src/commands/array.ts'
+import { autoCommand } from '../../packages/cli/src/commands/auto.ts'
+import { bakeCommand } from '../../packages/cli/src/commands/bake.ts'
+import { inspectCommand } from '../../packages/cli/src/commands/inspect.ts'
+import { normalsCommand } from '../../packages/cli/src/commands/normals.ts'
+import { packCommand } from '../../packages/cli/src/commands/pack.ts'
+import { strokesCommand } from '../../packages/cli/src/commands/strokes.ts'
+import { unpackCommand } from '../../packages/cli/src/commands/unpack.ts'
+import { validateCommand } from '../../packages/cli/src/commands/validate.ts'
+import { preparePicture } from '../../packages/cli/src/render/prepare.ts'
+import type { Bases } from './bases.ts'
+import { damageGlb } from './damage-glb.ts'
+import { hostileImage } from './damage-images.ts'
+import { damageJson, textOf } from './damage-json.ts'
+import type { Random } from './random.ts'
+
+/** One run of a command on a damaged file. */
+export interface Case {
+  run(): Promise<unknown>
+  /** Files that it may write, and the face it made each from. */
+  faces: { output: string; input: string }[]
+  /** Bytes of everything that it reads. */
+  bytes: number
+}
+
+/** Where a case puts what it reads and writes. */
+class Folder {
+  readonly root: string
+  bytes = 0
+
+  constructor(root: string) {
+    this.root = root
+  }
+
+  path(name: string): string {
+    return join(this.root, name)
+  }
+
+  write(name: string, bytes: Buffer | string): string {
+    mkdirSync(join(this.path(name), '..'), { recursive: true })
+    writeFileSync(this.path(name), bytes)
+    this.bytes += bytes.length
+    return this.path(name)
+  }
+}
+
+type CaseMaker = (bases: Bases, random: Random, folder: Folder) => Pick<Case, 'run'> & Partial<Case>
+
+const runs = (command: Command, ...args: string[]) => ({
+  run: () => command.parseAsync(args, { from: 'user' }),
+})
+
+const damagedFace = ({ faces }: Bases, random: Random, names = [...faces.keys()]) =>
+  damageGlb(faces.get(random.pick(names))!, random)
+
+const PACKED = ['packed.glb', 'packed-array.glb']
+const BARE = ['plain.glb', 'skinned.glb', 'sparse.glb', 'quantised.glb', 'meshopt.glb', 'draco.glb']
+
+function damagedJson(document: Buffer, random: Random): string {
+  const json = JSON.parse(document.toString())
+  for (let changes = random.pick([1, 1, 2, 3]); changes > 0; changes--) damageJson(json, random)
+  return textOf(json)
+}
+
+/** A wrinkle set as files, one or two of them damaged. */
+function writeWrinkles(bases: Bases, random: Random, folder: Folder): void {
+  const damaged = random.chance(0.5) ? 'wrinkles.json' : random.pick([...bases.folder.keys()])
+  for (const [name, bytes] of bases.folder) {
+    if (name !== damaged) folder.write(name, bytes)
+    else folder.write(name, name.endsWith('.json') ? damagedJson(bytes, random) : hostileImage(random, bytes))
+  }
+}
+
+const CASES: Record<string, CaseMaker> = {
+  activations: (bases, random, folder) =>
+    runs(
+      activationsCommand,
+      folder.write('face.glb', damagedFace(bases, random, PACKED)),
+      '--set',
+      'browInnerUp=1',
+    ),
+  array: (bases, random, folder) => {
+    if (random.chance(0.5)) {
+      const array = folder.write('array.ktx2', hostileImage(random, bases.array))
+      return runs(arrayCommand, array, '--extract', folder.path('out'))
+    }
+    const images = ['a', 'b'].map((name, i) =>
+      folder.write(`${name}.png`, i === 0 ? bases.height : hostileImage(random, bases.height)),
+    )
+    const compress = random.pick(['zstd', 'none', 'uastc', 'etc1s'])
+    return runs(arrayCommand, ...images, '-o', folder.path('out.ktx2'), '--compress', compress)
+  },
+  auto: (bases, random, folder) => {
+    const [input, output] = [folder.write('face.glb', damagedFace(bases, random)), folder.path('out.glb')]
+    const options = ['--size', '512', '--areas', '4', '--replace']
+    return { ...runs(autoCommand, input, '-o', output, ...options), faces: [{ output, input }] }
+  },
+  bake: (bases, random, folder) => {
+    const [damaged, whole] = [damagedFace(bases, random), bases.faces.get('plain.glb')!]
+    const [high, low] = random.chance(0.5) ? [damaged, whole] : [whole, damaged]
+    const files = [folder.write('high.glb', high), folder.write('low.glb', low)]
+    return runs(bakeCommand, ...files, '-o', folder.path('out.png'), '--size', '32', '--samples', '1')
+  },
+  inspect: (bases, random, folder) => {
+    const face = folder.write('face.glb', damagedFace(bases, random, PACKED))
+    return runs(inspectCommand, face, ...(random.chance(0.5) ? ['--sheet', folder.path('out.png')] : []))
+  },
+  normals: (bases, random, folder) => {
+    const height = folder.write('height.png', hostileImage(random, bases.height))
+    return runs(normalsCommand, height, '-o', folder.path('out.png'), '--strength', '4')
+  },
+  pack: (bases, random, folder) => {
+    const isFace = random.chance(0.4)
+    const face = isFace ? damagedFace(bases, random, BARE) : bases.faces.get(random.pick(BARE))!
+    const [input, output] = [folder.write('face.glb', face), folder.path('out.glb')]
+    writeWrinkles(bases, random, folder)
+    const options = random.pick([[], ['--ktx2'], ['--size', '32'], ['--morph-normals']])
+    return { ...runs(packCommand, folder.root, '-o', output, ...options), faces: [{ output, input }] }
+  },
+  'render (preparation)': (bases, random, folder) => {
+    const isFace = random.chance(0.6)
+    const face = isFace ? damagedFace(bases, random) : bases.faces.get('plain.glb')!
+    const input = folder.write('face.glb', face)
+    if (isFace) return { run: () => preparePicture({ input }) }
+    writeWrinkles(bases, random, folder)
+    const wrinkles = folder.path('wrinkles.json')
+    return { run: () => preparePicture({ input, wrinkles }) }
+  },
+  strokes: (bases, random, folder) => {
+    const isFace = random.chance(0.7)
+    const face = folder.write('face.glb', isFace ? damagedFace(bases, random) : bases.faces.get('plain.glb')!)
+    const strokes = folder.write('strokes.json', isFace ? bases.strokes : damagedJson(bases.strokes, random))
+    const outputs = [
+      '-o',
+      folder.path('out.png'),
+      '--normal',
+      folder.path('normal.png'),
+      '--areas',
+      folder.path('out'),
+    ]
+    return runs(strokesCommand, strokes, '--face', face, ...outputs)
+  },
+  unpack: (bases, random, folder) => {
+    const input = folder.write('face.glb', damagedFace(bases, random, PACKED))
+    const output = folder.path('out')
+    return {
+      ...runs(unpackCommand, input, '-o', output),
+      faces: [{ output: join(output, 'face.glb'), input }],
+    }
+  },
+  validate: (bases, random, folder) =>
+    runs(validateCommand, folder.write('face.glb', damagedFace(bases, random))),
+}
+
+/** Every command that reads files of others. */
+export const COMMANDS = Object.keys(CASES)
+
+/** Writes the damaged files of a case to a folder. */
+export function makeCase(command: string, bases: Bases, random: Random, root: string): Case {
+  const folder = new Folder(root)
+  const made = CASES[command]!(bases, random, folder)
+  return { faces: [], ...made, bytes: folder.bytes }
+}

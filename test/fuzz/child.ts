@@ -1,0 +1,112 @@
+// The process in which files are tried; see pool.ts. What it is told and what it answers are messages.
+
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs'
+import { FurrowError } from 'furrow'
+import { validateBytes } from 'gltf-validator'
+import { readBases } from './bases.ts'
+import { type Case, makeCase } from './cases.ts'
+import { quietly } from './quietly.ts'
+import { Random } from './random.ts'
+
+/** One file to try. */
+export interface Task {
+  command: string
+  seed: number
+  index: number
+  /** A folder for its files, emptied first and left for a look. */
+  folder: string
+}
+
+/** How it ended. `success`, `refused` and `findings` are as it should be. */
+export type Outcome =
+  | 'success'
+  | 'refused'
+  | 'findings'
+  | 'stack'
+  | 'unclear error'
+  | 'left files'
+  | 'invalid output'
+  | 'too slow'
+  | 'too large'
+  | 'died'
+
+export interface Result {
+  outcome: Outcome
+  /** The error, or what is wrong. */
+  message: string
+  /** Of the processor: those of the clock depend on what else runs. */
+  milliseconds: number
+  /** Bytes of the files that were read. */
+  bytes: number
+  /** Largest resident memory of the process so far, in bytes. */
+  peak: number
+}
+
+const bases = readBases(process.argv[2]!)
+
+process.on('message', async (task: Task) => {
+  process.send!(await attempt(task))
+})
+
+async function attempt({ command, seed, index, folder }: Task): Promise<Result> {
+  rmSync(folder, { recursive: true, force: true })
+  mkdirSync(folder, { recursive: true })
+  const random = new Random(hashOf(`${seed} ${command} ${index}`))
+  const made = makeCase(command, bases, random, folder)
+  const before = readdirSync(folder, { recursive: true }).length
+  process.exitCode = undefined
+  const start = process.cpuUsage()
+  let outcome: Outcome = 'success'
+  let message = ''
+  try {
+    await quietly(made.run)
+    if (process.exitCode === 1) outcome = 'findings'
+  } catch (error) {
+    ;[outcome, message] = judge(error)
+  }
+  const { user, system } = process.cpuUsage(start)
+  const milliseconds = (user + system) / 1000
+  process.exitCode = undefined
+  if (outcome === 'refused' && readdirSync(folder, { recursive: true }).length !== before)
+    outcome = 'left files'
+  if (outcome === 'success') message = await newErrors(made)
+  if (message && outcome === 'success') outcome = 'invalid output'
+  const peak = 1024 * process.resourceUsage().maxRSS
+  return { outcome, message, milliseconds, bytes: made.bytes, peak }
+}
+
+/** What engines and libraries say of values that they did not expect: no user can act upon it. */
+const UNCLEAR =
+  /undefined|is not (a function|iterable|an object)|null|\[object|typed array|call stack|NaN at/i
+
+function judge(error: unknown): [Outcome, string] {
+  if (!(error instanceof FurrowError)) return ['stack', error instanceof Error ? error.stack! : String(error)]
+  return [UNCLEAR.test(error.message) ? 'unclear error' : 'refused', error.message]
+}
+
+/** The codes of the Khronos validator's errors in the faces that a command wrote, which those that it read do not have. */
+async function newErrors({ faces }: Case): Promise<string> {
+  const found: string[] = []
+  for (const { output, input } of faces) {
+    if (!existsSync(output)) continue
+    const old = new Set(await errorsOf(input))
+    found.push(...(await errorsOf(output)).filter((code) => !old.has(code)))
+  }
+  return [...new Set(found)].join(', ')
+}
+
+async function errorsOf(path: string): Promise<string[]> {
+  const bytes = new Uint8Array(readFileSync(path))
+  const { issues } = await validateBytes(bytes, { maxIssues: 1000 })
+  const errors = issues.messages.filter(
+    ({ severity, message }) => severity === 0 && !message.includes('ktx2'),
+  )
+  return errors.map(({ code, pointer = '' }) => `${code} ${pointer.replaceAll(/\d+/g, 'n')}`)
+}
+
+/** FNV-1a. */
+function hashOf(text: string): number {
+  let hash = 0x811c9dc5
+  for (const byte of Buffer.from(text)) hash = Math.imul(hash ^ byte, 0x01000193)
+  return hash >>> 0
+}

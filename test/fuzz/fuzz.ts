@@ -1,0 +1,77 @@
+import { mkdtempSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { writeBases } from './bases.ts'
+import { COMMANDS } from './cases.ts'
+import type { Outcome } from './child.ts'
+import { FINE, type FileLimits, type Tried, tryFiles } from './pool.ts'
+
+export interface FuzzOptions {
+  /** The bundled child.ts. */
+  child: string
+  commands?: readonly string[]
+  seed: number
+  /** Index of the first file; the same seed and index give the same file. */
+  first?: number
+  /** Files per command. */
+  count: number
+  limits: FileLimits
+  /** Processes at once. */
+  jobs: number
+  /** A folder for the files that fail. */
+  keep: string
+  report?: (text: string) => void
+}
+
+/** The files of one command, and what became of them. */
+export interface CommandResults {
+  command: string
+  tried: Tried[]
+  failures: Tried[]
+}
+
+/** Tries damaged files with commands. */
+export async function fuzz(options: FuzzOptions): Promise<CommandResults[]> {
+  const { commands = COMMANDS, first = 0, report = () => {} } = options
+  const root = mkdtempSync(join(tmpdir(), 'furrow-fuzz-'))
+  try {
+    const bases = join(root, 'bases')
+    await writeBases(bases)
+    const folders = { child: options.child, bases, work: root, keep: options.keep }
+    const results: CommandResults[] = []
+    for (const command of commands) {
+      const tried = await tryFiles(
+        folders,
+        { ...options, command, first },
+        options.limits,
+        options.jobs,
+        (file) => {
+          if (!FINE.includes(file.outcome)) report(failureText(command, file))
+        },
+      )
+      const failures = tried.filter(({ outcome }) => !FINE.includes(outcome))
+      report(summaryText(command, tried))
+      results.push({ command, tried, failures })
+    }
+    return results
+  } finally {
+    rmSync(root, { recursive: true, force: true })
+  }
+}
+
+function failureText(command: string, { index, outcome, message, milliseconds }: Tried): string {
+  return `  ${command} ${index}: ${outcome} after ${(milliseconds / 1000).toFixed(1)} s: ${message}`
+}
+
+/** How many files ended how, and which took longest and most. */
+function summaryText(command: string, tried: readonly Tried[]): string {
+  const counts = new Map<Outcome, number>()
+  for (const { outcome } of tried) counts.set(outcome, (counts.get(outcome) ?? 0) + 1)
+  const most = (key: 'milliseconds' | 'peak') => tried.reduce((a, b) => (a[key] > b[key] ? a : b))
+  const [slowest, largest] = [most('milliseconds'), most('peak')]
+  return [
+    `${command}: ${[...counts].map(([outcome, count]) => `${count} ${outcome}`).join(', ')}`,
+    `slowest ${slowest.index} (${(slowest.milliseconds / 1000).toFixed(1)} s)`,
+    `largest ${largest.index} (${Math.round(largest.peak / 2 ** 20)} MB)`,
+  ].join('; ')
+}

@@ -1,0 +1,122 @@
+import { type ChildProcess, fork } from 'node:child_process'
+import { once } from 'node:events'
+import { cpSync, rmSync } from 'node:fs'
+import { join } from 'node:path'
+import type { Outcome, Result, Task } from './child.ts'
+
+/** What one file may cost. */
+export interface FileLimits {
+  /** Seconds of the processor for a file of up to 10 MB. */
+  seconds: number
+  /** Megabytes of memory. */
+  megabytes: number
+}
+
+/** Seconds of the clock per second of the processor after which a process hangs, however busy the machine is. */
+const PATIENCE = 8
+
+/** A file that was tried. */
+export interface Tried extends Result {
+  index: number
+}
+
+export const FINE: readonly Outcome[] = ['success', 'refused', 'findings']
+
+/**
+ * Tries files in processes of their own, which are ended where a file takes too long.
+ *
+ * @param child the bundled child.ts.
+ * @param bases folder with the undamaged files.
+ * @param keep folder for the files that fail.
+ */
+export async function tryFiles(
+  { child, bases, work, keep }: { child: string; bases: string; work: string; keep: string },
+  { command, seed, first, count }: { command: string; seed: number; first: number; count: number },
+  limits: FileLimits,
+  jobs: number,
+  report: (tried: Tried) => void = () => {},
+): Promise<Tried[]> {
+  const all: Tried[] = []
+  let next = first
+  const worker = async (job: number) => {
+    const process = new Attempts(child, bases, limits)
+    const folder = join(work, `job-${job}`)
+    while (next < first + count) {
+      const index = next++
+      const task = { command, seed, index, folder }
+      let result = await process.attempt(task)
+      // The peak may be that of an earlier file: the verdict is that of a new process.
+      if (result.outcome === 'too large') result = await process.attempt(task)
+      const tried = { ...result, index }
+      if (!FINE.includes(tried.outcome)) {
+        cpSync(folder, join(keep, `${command.replaceAll(/\W+/g, '-')}-${seed}-${index}`), { recursive: true })
+      }
+      if (globalThis.process.env.FUZZ_DEBUG)
+        console.info(
+          index,
+          tried.outcome,
+          Math.round(tried.milliseconds),
+          Math.round(tried.peak / 2 ** 20),
+          tried.message.slice(0, 200),
+        )
+      all.push(tried)
+      report(tried)
+    }
+    process.end()
+    rmSync(folder, { recursive: true, force: true })
+  }
+  await Promise.all(Array.from({ length: jobs }, (_, job) => worker(job)))
+  return all
+}
+
+/** One process at a time; a new one where the last was ended. */
+class Attempts {
+  readonly #path: string
+  readonly #bases: string
+  readonly #limits: FileLimits
+  #process: ChildProcess | undefined
+
+  constructor(path: string, bases: string, limits: FileLimits) {
+    this.#path = path
+    this.#bases = bases
+    this.#limits = limits
+  }
+
+  async attempt(task: Task): Promise<Result> {
+    this.#process ??= fork(this.#path, [this.#bases], { stdio: ['ignore', 'inherit', 'inherit', 'ipc'] })
+    const child = this.#process
+    const { seconds, megabytes } = this.#limits
+    const stop = new AbortController()
+    const failed = (outcome: Outcome, message: string): Result => {
+      this.end()
+      return { outcome, message, milliseconds: 1000 * seconds, bytes: 0, peak: 0 }
+    }
+    const timer = setTimeout(() => stop.abort(), 1000 * PATIENCE * seconds)
+    child.send(task)
+    try {
+      const result = await Promise.race([
+        once(child, 'message', { signal: stop.signal }).then(([message]) => message as Result),
+        once(child, 'exit', { signal: stop.signal }).then(([code, signal]) => {
+          return failed('died', `the process ended with ${signal ?? code}`)
+        }),
+      ])
+      if (result.peak > 2 ** 20 * megabytes) {
+        this.end()
+        return { ...result, outcome: 'too large', message: `${Math.round(result.peak / 2 ** 20)} MB` }
+      }
+      const allowed = seconds * Math.max(1, result.bytes / 1e7)
+      const message = `${(result.milliseconds / 1000).toFixed(1)} s`
+      return result.milliseconds > 1000 * allowed ? { ...result, outcome: 'too slow', message } : result
+    } catch {
+      return failed('too slow', `it hangs`)
+    } finally {
+      clearTimeout(timer)
+      stop.abort()
+    }
+  }
+
+  end(): void {
+    this.#process?.kill('SIGKILL')
+    this.#process = undefined
+  }
+}

@@ -1,0 +1,31 @@
+import type { Document } from '@gltf-transform/core'
+import { simplify, weld } from '@gltf-transform/functions'
+import type { Skin } from 'furrow/author'
+import { MeshoptSimplifier } from 'meshoptimizer/simplifier'
+import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
+import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
+
+/** Halvings of the range of ratios. */
+const STEPS = 8
+
+/** The skin of a face whose mesh was reduced to about that many vertices. */
+export async function decimatedSkin(path: string, vertices: number): Promise<Skin> {
+  await MeshoptSimplifier.ready
+  let [low, high] = [0, 1]
+  let nearest: Skin | undefined
+  const distance = (skin: Skin) => Math.abs(skin.positions.length / 3 - vertices)
+  for (let step = 0; step < STEPS; step++) {
+    const ratio = (low + high) / 2
+    const skin = await skinWith(path, ratio)
+    if (!nearest || distance(skin) < distance(nearest)) nearest = skin
+    if (skin.positions.length / 3 > vertices) high = ratio
+    else low = ratio
+  }
+  return nearest!
+}
+
+async function skinWith(path: string, ratio: number): Promise<Skin> {
+  const document: Document = await readDocument(path, 'test')
+  await document.transform(weld(), simplify({ simplifier: MeshoptSimplifier, ratio, error: 1 }))
+  return findSkin(document, path, 'test').skin
+}

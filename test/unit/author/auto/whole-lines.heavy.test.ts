@@ -1,0 +1,198 @@
+import { autoWrinkles, heightToNormal, type Skin, surfaceMetric } from 'furrow/author'
+import { beforeAll, describe, expect, test } from 'vitest'
+import type { Crease } from '../../../../packages/furrow/src/author/auto/lines/crease.ts'
+import { unroll } from '../../../../packages/furrow/src/author/auto/surface/head-chart.ts'
+import { poseOf } from '../../../../packages/furrow/src/author/auto/surface/pose.ts'
+import { cornersOf, skinVertices } from '../../../../packages/furrow/src/author/auto/surface/surface.ts'
+import { barycentrics3 } from '../../../../packages/furrow/src/math/barycentrics.ts'
+import { decimatedSkin } from './decimated.ts'
+import { FACES, facialCreases, type PreparedFace, prepareFace } from './faces.ts'
+
+const SMILE = { mouthSmileLeft: 1, mouthSmileRight: 1, cheekSquintLeft: 0.6, cheekSquintRight: 0.6 }
+const SIZE = 1024
+const AGE = 45
+/** Degrees by which a facet may turn the shading of a line, and points of it, 0.6 mm apart, that make a break where they are turned more. */
+const TURN = 19
+const BREAK = 3
+
+type Vector = readonly [x: number, y: number, z: number]
+
+describe.each(FACES)('%s, smiling, without tangents', (_, path) => {
+  describe.each([1500, 2500, 5000])('with about %i vertices', (vertices) => {
+    let skin: Skin
+
+    beforeAll(async () => {
+      skin = await decimatedSkin(path, vertices)
+    })
+
+    test('has that many', () => {
+      expect(Math.abs(skin.positions.length / 3 / vertices - 1)).toBeLessThan(0.05)
+    })
+
+    test('has nasolabial folds in one piece, as long on the left as on the right', () => {
+      const prepared = prepareFace(skin)
+      const smile = new SmilingFace(prepared)
+      const { layers, areas } = autoWrinkles(skin, { age: AGE, size: SIZE, frame: 'derivative' })
+      const { relief, normal } = layers[areas.find(({ name }) => name === 'nasolabialLeft')!.layer]
+      const onSmoothSkin = heightToNormal(relief, surfaceMetric(inMetres(prepared), SIZE), 'derivative')
+      const lengths = ['Left', 'Right'].map((side) => {
+        const fold = longestOf(prepared, `nasolabial${side}`)
+        for (const bank of [-1, 1]) {
+          const turned = smile.turnsAlong(fold, bank, normal.data, onSmoothSkin.data)
+          expect(turned.length).toBeGreaterThan(0.8 * fold.depths.length)
+          expect(longestRun(turned, (degrees) => degrees > TURN)).toBeLessThan(BREAK)
+        }
+        return fold.depths.length
+      })
+      expect(Math.abs(lengths[0] / lengths[1] - 1)).toBeLessThan(0.1)
+    })
+  })
+})
+
+/** A face that smiles, and how renderers shade it. */
+class SmilingFace {
+  readonly #prepared: PreparedFace
+  readonly #points: Float64Array
+  /** By point, not normalised. */
+  readonly #normals: Float64Array
+  /** dP/du and dP/dv at each vertex, means over the facets around it. */
+  readonly #derivatives: Float64Array
+
+  constructor(prepared: PreparedFace) {
+    const { face, skin } = prepared
+    const { surface } = face
+    this.#prepared = prepared
+    this.#points = Float64Array.from(surface.points)
+    for (const [target, weight] of poseOf(face.find, SMILE))
+      for (const [i, offset] of face.offsets[target].entries()) this.#points[i] += weight * offset
+    this.#normals = new Float64Array(surface.points.length)
+    this.#derivatives = new Float64Array(6 * surface.pointOf.length)
+    for (let triangle = 0; triangle < surface.corners.length / 3; triangle++) {
+      const corners = cornersOf(surface, triangle)
+      const [a, b, c] = corners.map((point) => vectorAt(this.#points, point))
+      const normal = cross(minus(b, a), minus(c, a))
+      for (const point of corners) for (let k = 0; k < 3; k++) this.#normals[3 * point + k] += normal[k]
+      const derivatives = this.#derivativesOf(triangle)
+      if (!derivatives.flat().every(Number.isFinite)) continue
+      for (const vertex of skinVertices(skin, surface, triangle))
+        for (const [i, value] of derivatives.flat().entries())
+          this.#derivatives[6 * vertex + i] += Math.hypot(...normal) * value
+    }
+  }
+
+  /** Degrees between a bank of a line as the facets shade it with one map, and as the smooth surface would with another. */
+  turnsAlong(fold: Crease, bank: number, map: Uint8Array, smoothMap: Uint8Array): number[] {
+    const { face, skin } = this.#prepared
+    const turns: number[] = []
+    for (let i = 1; i + 1 < fold.depths.length; i++) {
+      const along = minus(vectorAt(fold.points, i + 1), vectorAt(fold.points, i - 1))
+      const across = unit(cross(vectorAt(fold.normals, i), along))
+      const hit = face.chart.find(
+        unroll(...plus(vectorAt(fold.points, i), across, 0.5 * bank * fold.halfWidths[i])),
+      )
+      if (!hit) continue
+      const corners = cornersOf(face.surface, hit.triangle)
+      const vertices = skinVertices(skin, face.surface, hit.triangle)
+      const weights = new Float64Array(3)
+      barycentrics3(weights, face.surface.points, ...corners, Float64Array.from(hit.position))
+      const mean = (values: readonly Vector[]) => sum(values.map((value, k) => scaled(value, weights[k])))
+      const normal = unit(mean(corners.map((point) => unit(vectorAt(this.#normals, point)))))
+      const [du, dv] = [0, 1].map((k) =>
+        mean(vertices.map((vertex) => vectorAt(this.#derivatives, 2 * vertex + k))),
+      )
+      const [u, v] = [0, 1].map((k) =>
+        Math.floor(SIZE * vertices.reduce((total, x, n) => total + weights[n] * skin.uvs[2 * x + k], 0)),
+      )
+      const texel = v * SIZE + u
+      const shaded = leanOf(map, texel, frameOf(this.#derivativesOf(hit.triangle), normal))
+      const smooth = leanOf(smoothMap, texel, frameOf([du, dv], normal))
+      turns.push(degreesBetween(shaded, smooth))
+    }
+    return turns
+  }
+
+  #derivativesOf(triangle: number): [Vector, Vector] {
+    const { skin, face } = this.#prepared
+    const [a, b, c] = cornersOf(face.surface, triangle).map((point) => vectorAt(this.#points, point))
+    const [o, p, q] = skinVertices(skin, face.surface, triangle).map((i) => [
+      skin.uvs[2 * i],
+      skin.uvs[2 * i + 1],
+    ])
+    const [u1, v1, u2, v2] = [p[0] - o[0], p[1] - o[1], q[0] - o[0], q[1] - o[1]]
+    const area = u1 * v2 - u2 * v1
+    const [first, second] = [minus(b, a), minus(c, a)]
+    return [
+      plus(scaled(first, v2 / area), second, -v1 / area),
+      plus(scaled(second, u1 / area), first, -u2 / area),
+    ]
+  }
+}
+
+/** three.js's `getTangentFrame`, of meshes without tangents. */
+function frameOf([du, dv]: readonly Vector[], normal: Vector): [Vector, Vector] {
+  const [tangent, bitangent] = [cross(dv, normal), cross(normal, du)]
+  const longer = Math.max(Math.hypot(...tangent), Math.hypot(...bitangent))
+  return [scaled(tangent, 1 / longer), scaled(bitangent, 1 / longer)]
+}
+
+/** How a texel of a normal map leans in a frame whose bitangent points along v. */
+function leanOf(map: Uint8Array, texel: number, [tangent, bitangent]: [Vector, Vector]): Vector {
+  const [x, y] = [0, 1].map((k) => map[4 * texel + k] / 127.5 - 1)
+  return plus(scaled(tangent, x), bitangent, -y)
+}
+
+function longestOf(prepared: PreparedFace, name: string): Crease {
+  const { creases } = facialCreases(prepared, (AGE - 20) / 60).find(({ region }) => region.name === name)!
+  return creases.reduce((a, b) => (b.depths.length > a.depths.length ? b : a))
+}
+
+function inMetres({ skin, face }: PreparedFace) {
+  const positions = [...face.surface.pointOf].flatMap((point) => vectorAt(face.surface.points, point))
+  return { ...skin, positions: positions.map((millimetres) => millimetres / 1000) }
+}
+
+function longestRun(values: readonly number[], isCounted: (value: number) => boolean): number {
+  let [run, longest] = [0, 0]
+  for (const value of values) {
+    run = isCounted(value) ? run + 1 : 0
+    longest = Math.max(longest, run)
+  }
+  return longest
+}
+
+function degreesBetween(a: Vector, b: Vector): number {
+  const cosine = sumOf(a.map((x, k) => x * b[k])) / (Math.hypot(...a) * Math.hypot(...b) || 1)
+  return (Math.acos(Math.max(-1, Math.min(1, cosine))) * 180) / Math.PI
+}
+
+function sumOf(values: readonly number[]): number {
+  return values.reduce((a, b) => a + b, 0)
+}
+
+function sum(vectors: readonly Vector[]): Vector {
+  return vectors.reduce((a, b) => plus(a, b, 1))
+}
+
+function vectorAt(values: ArrayLike<number>, i: number): Vector {
+  return [values[3 * i], values[3 * i + 1], values[3 * i + 2]]
+}
+
+function scaled(v: Vector, factor: number): Vector {
+  return [factor * v[0], factor * v[1], factor * v[2]]
+}
+
+function plus(a: Vector, b: Vector, factor: number): Vector {
+  return [a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]]
+}
+
+function minus(a: Vector, b: Vector): Vector {
+  return plus(a, b, -1)
+}
+
+function cross(a: Vector, b: Vector): Vector {
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+function unit(v: Vector): Vector {
+  return scaled(v, 1 / Math.hypot(...v))
+}
