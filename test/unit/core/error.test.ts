@@ -59,7 +59,7 @@ describe('errors of a document', () => {
   const layers = [{ name: 'age', normal: 'age.png' }]
   it.each<[string, object, object]>([
     ['a wrong type', { layers: 1 }, { code: 'invalid', value: 1 }],
-    ['a missing field', { layers: [{ name: 'age' }] }, { code: 'invalid', value: undefined }],
+    ['a missing field', { layers: [{ normal: 'age.png' }] }, { code: 'invalid', value: undefined }],
     ['a number out of range', { areaSize: 1e9 }, { code: 'out-of-range', value: 1e9 }],
     ['an unknown choice', { layers: [{ ...layers[0], kind: 'x' }] }, { code: 'unknown-name', value: 'x' }],
     ['too few items', { layers: [] }, { code: 'out-of-range', value: 0 }],
@@ -72,9 +72,9 @@ describe('errors of a document', () => {
   })
 
   it('say of a missing field that there is nothing', () => {
-    const document = { version: 1, layers: [{ name: 'age' }], areas }
+    const document = { version: 1, layers: [{ normal: 'age.png' }], areas }
     expect(() => parseWrinkleSetDocument(document, 'wrinkles.json')).toThrow(
-      /layers\[0\]\.normal must be text, got nothing/,
+      /layers\[0\]\.name must be text, got nothing/,
     )
   })
 })

@@ -76,14 +76,23 @@ describe('parseWrinkleSetDocument', () => {
     })
   })
 
+  it('needs nothing but names: images are where a folder has them', () => {
+    const least = parseWrinkleSetDocument({ layers: [{ name: 'skin' }], areas: [{ name: 'a#b' }] })
+    expect(least.version).toBe(1)
+    expect([least.layers[0].normal, least.areas[0].image]).toEqual([
+      'layers/skin/normal.png',
+      'areas/a%23b.png',
+    ])
+  })
+
   it.each<[unknown, string]>([
     [null, 'the document must be an object, got null; write { ... }'],
     [{ ...document, version: 2 }, 'unknown version, got 2, allowed: 1; write it in version 1'],
     [{ ...document, layers: {} }, 'layers must be an array, got {}, allowed: 1 to 4 items'],
     [{ ...document, areas: [] }, 'areas has the wrong number of items, got 0, allowed: 1 to 256 items'],
     [
-      { ...document, areas: [{ name: 'nose' }] },
-      'areas[0].image must be text, got nothing, allowed: 1 to 2048 characters',
+      { ...document, areas: [{ name: 'nose', image: '' }] },
+      'areas[0].image must be text, got "", allowed: 1 to 2048 characters',
     ],
     [
       { ...document, areas: [{ name: 'a', image: 'b', combine: 'min' }] },

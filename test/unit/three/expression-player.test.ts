@@ -53,3 +53,12 @@ it('measures the time if it is not given', () => {
   }
   now.mockRestore()
 })
+
+it('moves a face without wrinkles', () => {
+  const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
+  mesh.morphTargetDictionary = { jawOpen: 0 }
+  mesh.morphTargetInfluences = [0]
+  const player = new ExpressionPlayer(mesh, undefined, EXPRESSIONS)
+  player.play('shout', 0)
+  expect(mesh.morphTargetInfluences).toEqual([1])
+})

@@ -85,7 +85,10 @@ describe('internals of three.js', () => {
       workerConfig: { dxtSupported: true },
       ...internals,
     })
-    const parser = { options: { ktx2Loader }, json: { textures: [{}] } }
+    const parser = {
+      options: { ktx2Loader },
+      json: { textures: [{ extensions: { KHR_texture_basisu: { source: 0 } } }], images: [{}] },
+    }
     await expect(loadMapArray(parser as never, 0)).rejects.toThrow(found(`KTX2Loader.${name}`))
   })
 

@@ -1,6 +1,6 @@
 import type { AreaConvention } from './area.ts'
-import type { JsonReader } from './json.ts'
-import { LARGEST, LONGEST_NAME, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS } from './limits.ts'
+import { type JsonReader, or } from './json.ts'
+import { LARGEST, LONGEST_NAME, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS, MIN_AREA_SIZE } from './limits.ts'
 import type { Combine, LayerKind } from './types.ts'
 
 /** The layers and areas of `wrinkles.json`; image URLs are relative to it. */
@@ -13,7 +13,7 @@ export interface SetDocument {
   layers: {
     name: string
     kind: LayerKind
-    /** Tangent-space normal map, linear, +Y towards smaller v. */
+    /** Tangent-space normal map, linear, +Y towards smaller v; `layers/NAME/normal.png` by default. */
     normal: string
     /** Factor on x and y of the normals, 1 by default. */
     normalScale?: number
@@ -32,7 +32,7 @@ export interface SetDocument {
   }[]
   areas: {
     name: string
-    /** Gray image. */
+    /** Gray image; `areas/NAME.png` by default. */
     image: string
     /** Name of its layer; the first by default. */
     layer?: string
@@ -53,8 +53,6 @@ const MAPS = ['baseColor', 'roughness', 'occlusion', 'height'] as const
 /** Most characters of an image's URL. */
 const MAX_URL_LENGTH = 2048
 
-const MIN_AREA_SIZE = 2
-
 /**
  * Reads `wrinkles.json` except its drivers, which are returned unchecked.
  *
@@ -68,7 +66,7 @@ export function readSetDocument(
   convention: AreaConvention,
 ): SetDocument & { drivers: unknown } {
   const root = reader.object(json, 'the document')
-  if (root.version !== 1)
+  if (or(root.version, 1) !== 1)
     reader.fail('unknown version', root.version, '1', 'write it in version 1 of the format')
   const layers = reader
     .array(root.layers, 'layers', 1, MAX_LAYERS)
@@ -91,10 +89,12 @@ export function readSetDocument(
 
 function readLayer(reader: JsonReader, item: unknown, at: string): SetDocument['layers'][number] {
   const json = reader.object(item, at)
+  const name = reader.name(json.name, `${at}.name`)
+  const usual = `layers/${encodeURIComponent(name)}/normal.png`
   const layer: SetDocument['layers'][number] = {
-    name: reader.name(json.name, `${at}.name`),
-    kind: reader.choice(json.kind ?? 'replace', `${at}.kind`, ['replace', 'detail']),
-    normal: reader.text(json.normal, `${at}.normal`, MAX_URL_LENGTH),
+    name,
+    kind: reader.choice(or(json.kind, 'replace'), `${at}.kind`, ['replace', 'detail']),
+    normal: reader.text(or(json.normal, usual), `${at}.normal`, MAX_URL_LENGTH),
   }
   for (const map of MAPS) {
     if (json[map] !== undefined) layer[map] = reader.text(json[map], `${at}.${map}`, MAX_URL_LENGTH)
@@ -118,12 +118,14 @@ function readArea(
   convention: AreaConvention,
 ): SetDocument['areas'][number] {
   const area = reader.object(item, at)
+  const name = reader.name(area.name, `${at}.name`)
+  const usual = `areas/${encodeURIComponent(name)}.png`
   return {
-    name: reader.name(area.name, `${at}.name`),
-    image: reader.text(area.image, `${at}.image`, MAX_URL_LENGTH),
+    name,
+    image: reader.text(or(area.image, usual), `${at}.image`, MAX_URL_LENGTH),
     ...(area.layer !== undefined && { layer: reader.name(area.layer, `${at}.layer`) }),
-    combine: reader.choice<Combine>(area.combine ?? 'sum', `${at}.combine`, ['sum', 'max']),
-    convention: reader.choice<AreaConvention>(area.convention ?? convention, `${at}.convention`, [
+    combine: reader.choice<Combine>(or(area.combine, 'sum'), `${at}.combine`, ['sum', 'max']),
+    convention: reader.choice<AreaConvention>(or(area.convention, convention), `${at}.convention`, [
       'paper',
       'weight',
     ]),

@@ -16,18 +16,7 @@ export function checkImage(
   layout: keyof typeof CHANNELS_OF,
   who: string,
 ): void {
-  for (const side of [image.width, image.height]) {
-    if (!Number.isInteger(side) || side < 1 || side > MAX_IMAGE_SIDE) {
-      throw new FurrowError({
-        code: 'out-of-range',
-        who,
-        what: 'image side out of range',
-        value: `${image.width} x ${image.height}`,
-        limit: `1 to ${MAX_IMAGE_SIDE} texels`,
-        remedy: 'scale the image',
-      })
-    }
-  }
+  checkSides(image.width, image.height, who)
   if (!ArrayBuffer.isView(image.data)) throw wrongArgument(who, 'data of an image', image.data, 'bytes')
   const expected = image.width * image.height * CHANNELS_OF[layout]
   if (image.data.length !== expected) {
@@ -37,6 +26,25 @@ export function checkImage(
       value: `${image.data.length} bytes`,
       limit: `${expected} bytes for ${image.width} x ${image.height}`,
       remedy: 'give one byte per texel and channel',
+    })
+  }
+}
+
+/**
+ * Checks an image's size.
+ *
+ * @throws FurrowError when a side is not an integer from 1 to 8192.
+ */
+export function checkSides(width: number, height: number, who: string): void {
+  for (const side of [width, height]) {
+    if (Number.isInteger(side) && side >= 1 && side <= MAX_IMAGE_SIDE) continue
+    throw new FurrowError({
+      code: 'out-of-range',
+      who,
+      what: 'image side out of range',
+      value: `${width} x ${height}`,
+      limit: `1 to ${MAX_IMAGE_SIDE} texels`,
+      remedy: 'scale the image',
     })
   }
 }

@@ -7,6 +7,9 @@ export const MAX_AREAS = 256
 /** Default side, in texels, of the grid that areas are resampled to; the paper's. */
 export const DEFAULT_AREA_SIZE = 128
 
+/** Smallest side of that grid: one texel cannot say where wrinkles are. */
+export const MIN_AREA_SIZE = 2
+
 /** Longest side of an image in texels: the texture size that every WebGPU device guarantees. */
 export const MAX_IMAGE_SIDE = 8192
 

@@ -85,4 +85,6 @@ export interface WrinkleSet<Slice = never> {
   layers: Layer<Slice>[]
   /** 1 to 256 areas with distinct names. */
   areas: Area<Slice>[]
+  /** What activates the areas; `new Wrinkles(mesh, set)` adds them, as `addDrivers` does. None by default. */
+  drivers?: readonly { type: string }[]
 }

@@ -1,5 +1,6 @@
 import type { AreaConvention } from '../core/area.ts'
 import { readSetDocument, type SetDocument } from '../core/document.ts'
+import { FurrowError } from '../core/error.ts'
 import { JsonReader, or } from '../core/json.ts'
 import { type MapsAndAreas, readMaps, WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
 import { Fields } from './fields.ts'
@@ -25,16 +26,18 @@ export interface WrinkleSetDocument extends SetDocument {
  * @param json the value of `material.extensions.FURROW_wrinkle_maps`, of any type.
  * @param textureCount number of textures in the file, to check indices against; not checked by default.
  * @param who names the file or material in errors.
+ * @param onFault is told of each malformed driver, which is then left out; by default it is thrown.
  * @throws FurrowError that names the first field which is missing, has the wrong type or is out of range.
  */
 export function parseWrinkleMaps(
   json: unknown,
   textureCount = Infinity,
   who: string = WRINKLE_MAPS,
+  onFault?: (fault: FurrowError) => void,
 ): WrinkleMaps {
   const reader = new JsonReader(who)
   const { drivers, ...maps } = readMaps(reader, json, textureCount)
-  return { ...maps, drivers: readDrivers(reader, drivers, maps.areas) }
+  return { ...maps, drivers: readDrivers(reader, drivers, maps.areas, onFault) }
 }
 
 /**
@@ -75,14 +78,31 @@ function readDrivers(
   reader: JsonReader,
   value: unknown,
   areas: readonly { name: string }[],
+  onFault: (fault: FurrowError) => void = (fault) => {
+    throw fault
+  },
 ): WrinkleDriver[] {
   const names = areas.map(({ name }) => name)
-  return reader.array(or(value, []), 'drivers', 0, MAX_DRIVERS).map((item, i) => {
-    const at = `drivers[${i}]`
-    const json = reader.object(item, at)
-    const type = reader.text(json.type, `${at}.type`)
-    const definition = definitionOf(type)
-    if (!definition) return { ...json, type }
-    return { type, ...definition.read(new Fields(reader, json, at, names)) }
-  })
+  const list = unlessFaulty(() => reader.array(or(value, []), 'drivers', 0, MAX_DRIVERS), onFault) ?? []
+  return list.flatMap(
+    (item, i) => unlessFaulty(() => readDriver(reader, item, `drivers[${i}]`, names), onFault) ?? [],
+  )
+}
+
+function readDriver(reader: JsonReader, item: unknown, at: string, areas: readonly string[]): WrinkleDriver {
+  const json = reader.object(item, at)
+  const type = reader.text(json.type, `${at}.type`)
+  const definition = definitionOf(type)
+  if (!definition) return { ...json, type }
+  return { type, ...definition.read(new Fields(reader, json, at, areas)) }
+}
+
+function unlessFaulty<T>(read: () => T, onFault: (fault: FurrowError) => void): T | undefined {
+  try {
+    return read()
+  } catch (error) {
+    if (!(error instanceof FurrowError)) throw error
+    onFault(error)
+    return undefined
+  }
 }

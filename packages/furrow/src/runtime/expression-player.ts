@@ -10,16 +10,16 @@ import type { WrinkleFaces } from './wrinkle-faces.ts'
 export class ExpressionPlayerBase {
   readonly #mix: ExpressionMix
   #last = 0
-  readonly #wrinkles: WrinkleFaces
+  readonly #wrinkles: WrinkleFaces | undefined
   readonly #bindings: TargetBinding[]
 
   /**
-   * @param wrinkles of the face.
+   * @param wrinkles of the face; undefined for a face without.
    * @param bind finds blendshapes on the meshes of the face.
    * @param expressions the first is the initial one; by default those of the file, or `EXPRESSIONS` if it has none.
    */
-  constructor(wrinkles: WrinkleFaces, bind: BindTargets, expressions?: readonly Expression[]) {
-    if (!isObject(wrinkles)) {
+  constructor(wrinkles: WrinkleFaces | undefined, bind: BindTargets, expressions?: readonly Expression[]) {
+    if (wrinkles !== undefined && !isObject(wrinkles)) {
       throw wrongArgument(
         'ExpressionPlayer',
         'the wrinkles of the face',
@@ -27,14 +27,14 @@ export class ExpressionPlayerBase {
         'an object of class Wrinkles',
       )
     }
-    const own = wrinkles.expressions.length > 0 ? wrinkles.expressions : EXPRESSIONS
+    const own = wrinkles?.expressions.length ? wrinkles.expressions : EXPRESSIONS
     this.#mix = new ExpressionMix(expressions ?? own)
     this.#wrinkles = wrinkles
     this.#bindings = bind(this.#mix.targetNames)
     const bound = new Set(this.#bindings.map(({ name }) => this.#mix.targetNames[name]))
     warnOfMissing([
       ...this.#mix.targetNames.filter((name) => !bound.has(name)),
-      ...this.#mix.areaNames.filter((name) => !wrinkles.hasArea(name)),
+      ...this.#mix.areaNames.filter((name) => wrinkles && !wrinkles.hasArea(name)),
     ])
   }
 
@@ -77,7 +77,7 @@ export class ExpressionPlayerBase {
     const { targets, areaNames, activations } = this.#mix
     for (const { influences, target, name } of this.#bindings) targets[name] = influences[target]
     for (const [index, name] of areaNames.entries()) {
-      if (!this.#wrinkles.hasArea(name)) continue
+      if (!this.#wrinkles?.hasArea(name)) continue
       // Of areas that are not driven, without what age and other inputs add.
       activations[index] = this.#wrinkles.isDriven(name)
         ? this.#wrinkles.getActivation(name)
@@ -89,7 +89,7 @@ export class ExpressionPlayerBase {
     const { targets, areaNames, activations } = this.#mix
     for (const { influences, target, name } of this.#bindings) influences[target] = targets[name]
     // A player may outlive the wrinkles, and still moves the blendshapes.
-    if (!this.#wrinkles.isDisposed) this.#wrinkles.setActivations(areaNames, activations)
+    if (this.#wrinkles?.isDisposed === false) this.#wrinkles.setActivations(areaNames, activations)
   }
 }
 

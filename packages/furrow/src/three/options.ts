@@ -1,11 +1,13 @@
 import { wrongArgument } from '../core/argument.ts'
-import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE } from '../core/limits.ts'
+import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE, MIN_AREA_SIZE } from '../core/limits.ts'
 
 /**
  * `default` mixes normals and lights once; `paper` lights twice and mixes colours; `composed` draws the mixed normals into a texture
  * that replaces the material's normal map; `off` shows no wrinkles.
  */
 export type WrinkleMode = 'default' | 'paper' | 'composed' | 'off'
+
+const MODES: readonly WrinkleMode[] = ['default', 'paper', 'composed', 'off']
 
 /** How wrinkles are shown; defaults are in `WRINKLES_DEFAULTS`. */
 export interface WrinklesOptions {
@@ -27,19 +29,21 @@ export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = {
   fadeBelow: 0,
 }
 
-const MODES: readonly WrinkleMode[] = ['default', 'paper', 'composed', 'off']
-
 /** @throws FurrowError when it is none. */
-export function checkMode(mode: WrinkleMode): void {
-  if (!MODES.includes(mode)) throw wrongArgument('Wrinkles.mode', 'unknown mode', mode, MODES.join(', '))
+export function checkMode(mode: WrinkleMode, who = 'Wrinkles.mode'): void {
+  if (!MODES.includes(mode)) throw wrongArgument(who, 'unknown mode', mode, MODES.join(', '))
 }
 
-/** @throws FurrowError at the first option that is not what it must be. */
-export function checkOptions({ mode, areaSize, fadeBelow }: Required<WrinklesOptions>): void {
-  checkMode(mode)
-  if (!(Number.isInteger(areaSize) && areaSize >= 2 && areaSize <= MAX_IMAGE_SIDE)) {
-    throw wrongArgument('Wrinkles', 'areaSize', areaSize, `2 to ${MAX_IMAGE_SIDE} texels`)
+/**
+ * @param who the caller, in errors.
+ * @throws FurrowError at the first option that is not what it must be.
+ */
+export function checkOptions({ mode, areaSize, fadeBelow }: Required<WrinklesOptions>, who: string): void {
+  checkMode(mode, who)
+  if (!(Number.isInteger(areaSize) && areaSize >= MIN_AREA_SIZE && areaSize <= MAX_IMAGE_SIDE)) {
+    throw wrongArgument(who, 'areaSize', areaSize, `${MIN_AREA_SIZE} to ${MAX_IMAGE_SIDE} texels`)
   }
-  if (!(fadeBelow >= 0 && fadeBelow < Infinity))
-    throw wrongArgument('Wrinkles', 'fadeBelow', fadeBelow, '0 pixels or more')
+  if (!(fadeBelow >= 0 && fadeBelow < Infinity)) {
+    throw wrongArgument(who, 'fadeBelow', fadeBelow, '0 pixels or more')
+  }
 }

@@ -32,8 +32,8 @@ const refused = new WeakSet<AnyRenderer>()
 
 const wrinklesByMesh = new WeakMap<Mesh, WrinklesBase>()
 
-/** The wrinkles of a mesh, however they were added, or undefined; if there are several, the first. */
-export function wrinklesOf(mesh: Mesh): WrinklesBase | undefined {
+/** The wrinkles that were added to a mesh, or undefined; if there are several, the first. */
+export function addedTo(mesh: Mesh): WrinklesBase | undefined {
   return wrinklesByMesh.get(mesh)
 }
 
@@ -76,7 +76,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
         : [source, null, null]
     if (source instanceof WrinklesBase) source.checkInUse('set')
     const allOptions = { ...WRINKLES_DEFAULTS, ...own, ...options }
-    checkOptions(allOptions)
+    checkOptions(allOptions, 'Wrinkles')
     checkWrinkleSet(set, 'Wrinkles')
     checkMesh(mesh)
     const material = checkMaterial(mesh)
@@ -198,7 +198,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     // All parameters by name: a rest parameter would allocate in every frame.
     const prepare: Mesh['onBeforeRender'] = (renderer, scene, camera, geometry, material, group) => {
       before.call(mesh, renderer, scene, camera, geometry, material, group)
-      this.#prepare(renderer as AnyRenderer, camera, mesh)
+      this.prepare(renderer as AnyRenderer, camera, mesh)
     }
     mesh.onBeforeRender = prepare
     if (!wrinklesByMesh.has(mesh)) wrinklesByMesh.set(mesh, this)
@@ -216,6 +216,15 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   cloneMaterial(): Material | Material[] {
     this.checkInUse('cloneMaterial')
     return this.#material.clone()
+  }
+
+  /** Called before a mesh is drawn: runs the phases up to the influence, then sets what the mesh's shader reads. @internal */
+  prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
+    if (this.isDisposed || this.#isRefused(renderer)) return
+    this.#material.settle(renderer)
+    this.#inputs.fade.value = this.#fadeOf(mesh, camera, renderer)
+    this.#frame.begin(this.#entry, renderer)
+    locateCells(this.#inputs, this.#atlas, this.#cells)
   }
 
   /** Phase 4 of a frame, see `Frame`: influence maps, or the paper's table. @internal */
@@ -260,15 +269,6 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
       Float32Array.from(this.areas, ({ name }) => Number(names.includes(name))),
     )
     return table
-  }
-
-  /** Called before a mesh is drawn: runs the phases up to the influence, then sets what the mesh's shader reads. */
-  #prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
-    if (this.isDisposed || this.#isRefused(renderer)) return
-    this.#material.settle(renderer)
-    this.#inputs.fade.value = this.#fadeOf(mesh, camera, renderer)
-    this.#frame.begin(this.#entry, renderer)
-    locateCells(this.#inputs, this.#atlas, this.#cells)
   }
 
   /** 1 = not faded, 0 = the mesh is too small on screen to show wrinkles. */

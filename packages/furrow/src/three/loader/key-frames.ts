@@ -1,34 +1,60 @@
 import { Interpolant, InterpolateDiscrete, type KeyframeTrack, type Mesh, type TypedArray } from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
-import { parseActivationPointer } from '../../core/activation-pointer.ts'
+import { type ActivationPointer, parseActivationPointer } from '../../core/activation-pointer.ts'
+import { FurrowError } from '../../core/error.ts'
+import { WRINKLE_MAPS } from '../../core/wrinkle-maps.ts'
 import { activationTrack } from '../animated-areas.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
+import type { Warnings } from './warnings.ts'
 
 type Parser = GLTF['parser']
 
 /** The faces of each material, by its index in the file. */
 export type FacesByMaterial = ReadonlyMap<number, readonly WrinklesBase[]>
 
-/**
- * Adds to the clips of a file the tracks that animate its areas through KHR_animation_pointer.
- *
- * @throws the loader's error when an accessor cannot be read.
- */
-export async function addActivationTracks(gltf: GLTF, parser: Parser, faces: FacesByMaterial): Promise<void> {
-  for (const [i, { channels, samplers }] of ((parser.json.animations ?? []) as AnimationJson[]).entries()) {
-    for (const { sampler, target } of channels) {
-      const pointer = parseActivationPointer(target.extensions?.KHR_animation_pointer?.pointer)
-      if (target.path !== 'pointer' || !pointer) continue
+/** Most key frames of an area. */
+const MAX_KEY_FRAMES = 1_000_000
+
+/** Drops the channels that animate areas by samplers which do not exist: the loader would refuse the whole file. */
+export function dropBrokenChannels(parser: Parser, warnings: Warnings): void {
+  for (const animation of parser.json.animations as Partial<AnimationJson>[]) {
+    if (!Array.isArray(animation?.channels)) continue
+    animation.channels = animation.channels.filter((channel) => {
+      if (!pointerOf(channel) || animation.samplers?.[channel.sampler]) return true
+      warnings.add(broken('a sampler that does not exist', channel.sampler), PLAYS_ON)
+      return false
+    })
+  }
+}
+
+/** Adds to the clips of a file the tracks that animate its areas through KHR_animation_pointer. Those that are broken are left out. */
+export async function addActivationTracks(
+  gltf: GLTF,
+  parser: Parser,
+  faces: FacesByMaterial,
+  warnings: Warnings,
+): Promise<void> {
+  for (const [i, { channels, samplers }] of (parser.json.animations as AnimationJson[]).entries()) {
+    for (const channel of channels) {
+      const pointer = pointerOf(channel)
+      if (!pointer) continue
       for (const wrinkles of faces.get(pointer.material) ?? []) {
         const area = wrinkles.areaNames[pointer.area]
         const clip = gltf.animations[i]
         if (area === undefined || !clip) continue
-        clip.tracks.push(await readTrack(parser, samplers[sampler], wrinkles.mesh, area))
-        clip.resetDuration()
+        try {
+          clip.tracks.push(await readTrack(parser, samplers[channel.sampler], wrinkles.mesh, area))
+          clip.resetDuration()
+        } catch (error) {
+          const what = error instanceof FurrowError ? error : broken('accessors that cannot be read', area)
+          warnings.add(what, PLAYS_ON)
+        }
       }
     }
   }
 }
+
+const PLAYS_ON = 'the rest of the animation plays'
 
 interface AnimationJson {
   channels: {
@@ -44,15 +70,36 @@ interface SamplerJson {
   interpolation?: 'LINEAR' | 'STEP' | 'CUBICSPLINE'
 }
 
+function pointerOf(channel: AnimationJson['channels'][number] | null): ActivationPointer | undefined {
+  if (channel?.target?.path !== 'pointer') return undefined
+  return parseActivationPointer(channel.target.extensions?.KHR_animation_pointer?.pointer)
+}
+
+function broken(what: string, value: unknown): FurrowError {
+  return new FurrowError({
+    who: WRINKLE_MAPS,
+    what: `an area is animated by ${what}`,
+    value,
+    limit: `times that increase from 0, and as many activations; at most ${MAX_KEY_FRAMES} key frames`,
+    remedy: 'export the animation again',
+  })
+}
+
 async function readTrack(
   parser: Parser,
   { input, output, interpolation }: SamplerJson,
   mesh: Mesh,
   area: string,
 ): Promise<KeyframeTrack> {
+  const counts = [input, output].map((index) => parser.json.accessors?.[index]?.count)
+  // Before anything is decoded: an accessor without data may claim any count.
+  if (counts.some((count) => !(count >= 1 && count <= 3 * MAX_KEY_FRAMES))) {
+    throw broken('accessors of an impossible length', counts.join(' and '))
+  }
   const [times, values] = await Promise.all(
     [input, output].map(async (index) => numbersOf(await parser.getDependency('accessor', index))),
   )
+  checkKeyFrames(times, values, interpolation === 'CUBICSPLINE' ? 3 : 1)
   if (interpolation !== 'CUBICSPLINE') {
     const track = activationTrack(mesh, area, times, values)
     if (interpolation === 'STEP') track.setInterpolation(InterpolateDiscrete)
@@ -69,6 +116,16 @@ async function readTrack(
   cubic.createInterpolant = (result) =>
     new CubicSpline(Float32Array.from(times), Float32Array.from(values), 1, result)
   return track
+}
+
+function checkKeyFrames(times: readonly number[], values: readonly number[], valuesPerKey: number): void {
+  if (values.length !== valuesPerKey * times.length) {
+    throw broken('times and activations of different lengths', `${times.length} and ${values.length}`)
+  }
+  const unordered = times.findIndex((time, i) => !(time >= 0 && (i === 0 || time > times[i - 1])))
+  if (unordered >= 0) throw broken('times that do not increase', times[unordered])
+  const bad = values.find((value) => !Number.isFinite(value))
+  if (bad !== undefined) throw broken('activations that are no numbers', bad)
 }
 
 /** Reads an accessor of scalars; normalised integers become 0..1. */

@@ -29,7 +29,7 @@ type Transcoder = KTX2Loader & {
  * @throws FurrowError when the loader has no KTX2Loader, or the texture is not compressed.
  */
 export async function loadAreaArray(parser: GLTFParser, index: number): Promise<ArrayTexture> {
-  const array = await loadArray(parser, index, ktx2LoaderOf(parser))
+  const array = await loadArray(parser, index, ktx2LoaderOf(parser, index))
   // Areas are smooth already, and mipmaps would bleed across UV islands.
   array.minFilter = LinearFilter
   return array
@@ -42,7 +42,7 @@ export async function loadAreaArray(parser: GLTFParser, index: number): Promise<
  * @throws FurrowError as `loadAreaArray` does, or when three.js's KTX2Loader lacks an internal that this needs.
  */
 export async function loadMapArray(parser: GLTFParser, index: number): Promise<ArrayTexture> {
-  const usual = ktx2LoaderOf(parser) as Transcoder
+  const usual = ktx2LoaderOf(parser, index) as Transcoder
   const { workerConfig } = usual
   if (!workerConfig?.dxtSupported) return loadArray(parser, index, usual)
   const small = await withFormats(usual, { ...workerConfig, ...BC1_TO_BC3 })
@@ -147,7 +147,17 @@ function asArray(texture: CompressedTexture): CompressedArrayTexture | null {
   return array
 }
 
-function ktx2LoaderOf(parser: GLTFParser): KTX2Loader {
+/** The page's loader, for a texture that is checked to be KTX 2. */
+function ktx2LoaderOf(parser: GLTFParser, index: number): KTX2Loader {
+  const source: unknown = parser.json.textures[index].extensions?.KHR_texture_basisu?.source
+  if (typeof source !== 'number' || !parser.json.images?.[source]) {
+    throw new FurrowError({
+      who: `${WRINKLE_MAPS} texture ${index}`,
+      what: 'a slice of an image that is not KTX 2',
+      limit: 'a texture with KHR_texture_basisu',
+      remedy: 'pack the file again',
+    })
+  }
   const { ktx2Loader } = parser.options as LoaderOptions
   if (ktx2Loader) return ktx2Loader
   throw new FurrowError({

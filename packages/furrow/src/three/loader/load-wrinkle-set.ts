@@ -7,7 +7,8 @@ import { parseWrinkleSetDocument } from '../../drivers/parse.ts'
 import { decodeImage, toGray } from './decode-image.ts'
 
 /**
- * Loads a wrinkle set from a `wrinkles.json` and the images beside it. Drivers are left out: read them by `parseWrinkleSetDocument`.
+ * Loads a wrinkle set from a `wrinkles.json` and the images beside it, drivers included. It must list its layers and areas, since a
+ * page cannot look into a folder.
  *
  * @param url of the document, relative to the page.
  * @throws FurrowError when a file is missing or malformed.
@@ -35,7 +36,11 @@ export async function loadWrinkleSet(url: string): Promise<WrinkleSet> {
       weights: areaWeights(toGray(await image(file)), convention, file),
     }),
   )
-  const set: WrinkleSet = { layers: await Promise.all(layers), areas: await Promise.all(areas) }
+  const set: WrinkleSet = {
+    layers: await Promise.all(layers),
+    areas: await Promise.all(areas),
+    ...(document.drivers && { drivers: document.drivers }),
+  }
   checkWrinkleSet(set, url)
   return set
 }

@@ -10,6 +10,7 @@ import {
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import { CHANNEL, channelOf } from '../../core/channels.ts'
 import { FurrowError } from '../../core/error.ts'
+import { checkSides } from '../../core/image.ts'
 import { mapProblems, type TextureShape } from '../../core/map-rules.ts'
 import type { Area, ArraySlice, GrayImage, Layer, RgbaImage, WrinkleSet } from '../../core/types.ts'
 import {
@@ -24,14 +25,26 @@ import type { WrinkleDriver } from '../../drivers/registry.ts'
 import type { ArrayTexture } from '../material/array-texture.ts'
 import { readTexture } from './read-texture.ts'
 
-/** The wrinkles of one face in a file. */
-export interface LoadedWrinkles {
-  /** The meshes of the face, which have one material: the primitives of a glTF mesh. The first one drives. */
+/** A face of a file: meshes that have one material with the extension. */
+export interface FileFace {
+  /** The primitives of a glTF mesh. The first one drives. */
   meshes: [Mesh, ...Mesh[]]
+  /** Index of the material in the file. */
+  material: number
+}
+
+/** The wrinkles of a material in a file. */
+export interface FileWrinkles {
   /** The same object for all faces that have the same material in the file. */
   set: WrinkleSet<ArraySlice>
   /** For `addDrivers`. */
   drivers: WrinkleDriver[]
+}
+
+/** The wrinkles of one face in a file. */
+export interface LoadedWrinkles extends FileWrinkles {
+  /** The meshes of the face, which have one material: the primitives of a glTF mesh. The first one drives. */
+  meshes: [Mesh, ...Mesh[]]
 }
 
 type Parser = GLTF['parser']
@@ -46,17 +59,46 @@ type Parser = GLTF['parser']
  * @throws FurrowError when the extension is malformed or an image cannot be read.
  */
 export async function readWrinkleMaps(gltf: GLTF, parser: Parser = gltf.parser): Promise<LoadedWrinkles[]> {
+  const wrinklesOf = materialReader(parser)
   const found: LoadedWrinkles[] = []
-  const sets = new Map<object, Promise<WrinkleSet<ArraySlice>>>()
-  for (const meshes of facesOf(gltf, parser)) {
-    const json = extensionOf(meshes[0].material as Material, parser)
-    if (!json) continue
-    const maps = parseWrinkleMaps(json, parser.json.textures?.length ?? 0)
-    // The loader clones materials; all clones use what was read for the file's.
-    const set = await once(sets, json, () => readSet(maps, parser))
-    found.push({ meshes, set, drivers: maps.drivers })
+  for (const { meshes, material } of wrinkledFaces(gltf, parser)) {
+    found.push({ meshes, ...(await wrinklesOf(material)) })
   }
   return found
+}
+
+/** The faces whose materials have the extension, malformed or not. */
+export function wrinkledFaces(gltf: GLTF, parser: Parser): FileFace[] {
+  return facesOf(gltf, parser).flatMap((meshes) => {
+    // The loader clones materials; the clones are of the same material in the file.
+    const material = parser.associations.get(meshes[0].material as Material)?.materials
+    if (material === undefined || extensionOf(material, parser) === undefined) return []
+    return { meshes, material }
+  })
+}
+
+/**
+ * Reads the wrinkles of materials, of each once.
+ *
+ * @param onFault is told of each malformed driver, which is then left out; by default it is thrown.
+ * @returns a function of a material's index, which throws FurrowError when the extension is malformed or an image cannot be read.
+ */
+export function materialReader(
+  parser: Parser,
+  onFault?: (fault: FurrowError) => void,
+): (material: number) => Promise<FileWrinkles> {
+  const known = new Map<number, Promise<FileWrinkles>>()
+  const read = async (material: number): Promise<FileWrinkles> => {
+    const { textures } = parser.json
+    const count = Array.isArray(textures) ? textures.length : 0
+    try {
+      const maps = parseWrinkleMaps(extensionOf(material, parser), count, WRINKLE_MAPS, onFault)
+      return { set: await readSet(maps, parser), drivers: maps.drivers }
+    } catch (error) {
+      throw error instanceof FurrowError ? error : unreadable(WRINKLE_MAPS, (error as Error)?.message)
+    }
+  }
+  return (material) => once(known, material, () => read(material))
 }
 
 /** Groups meshes by face: the primitives of a glTF mesh that have one material are one face. */
@@ -84,9 +126,8 @@ function isPart(mesh: Mesh, parser: Parser): boolean {
   return index !== undefined && parser.json.meshes[index].primitives.length > 1
 }
 
-function extensionOf(material: Material, parser: Parser): object | undefined {
-  const index = parser.associations.get(material)?.materials
-  return index === undefined ? undefined : parser.json.materials[index].extensions?.[WRINKLE_MAPS]
+function extensionOf(material: number, parser: Parser): unknown {
+  return parser.json.materials[material].extensions?.[WRINKLE_MAPS]
 }
 
 async function readSet(maps: MapsAndAreas, parser: Parser): Promise<WrinkleSet<ArraySlice>> {
@@ -169,8 +210,13 @@ class MapSource {
 
   #image(index: number): Promise<RgbaImage> {
     const read = async () => {
-      const texture = (await this.#parser.getDependency('texture', index)) as Texture
-      return readTexture(texture, `${WRINKLE_MAPS} texture ${index}`)
+      const who = `${WRINKLE_MAPS} texture ${index}`
+      const texture = (await this.#parser.getDependency('texture', index)) as Texture | null
+      // The loader has reported why it could not decode the image.
+      if (!texture) throw unreadable(who, 'an image that cannot be decoded')
+      const { width, height } = texture.image as { width: number; height: number }
+      checkSides(width, height, who)
+      return readTexture(texture, who)
     }
     return once(this.#images, index, read)
   }
@@ -218,4 +264,14 @@ function once<K, T>(known: Map<K, Promise<T>>, key: K, make: () => Promise<T>): 
   const found = known.get(key) ?? make()
   known.set(key, found)
   return found
+}
+
+function unreadable(who: string, value: string): FurrowError {
+  return new FurrowError({
+    code: 'unreadable',
+    who,
+    what: 'the wrinkles cannot be read',
+    value,
+    remedy: 'check the file with `npx furrow validate`',
+  })
 }

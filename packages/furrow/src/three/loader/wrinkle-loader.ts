@@ -4,70 +4,82 @@ import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { WRINKLE_MAPS } from '../../core/wrinkle-maps.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
 import { driversOf, type WrinkleDriver } from '../../drivers/registry.ts'
+import { checkOptions, WRINKLES_DEFAULTS, type WrinklesOptions } from '../options.ts'
 import { bindDrivers } from '../sources/bind-drivers.ts'
 import type { InputBindings } from '../sources/binding.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
-import { readWrinkleMaps } from './read-wrinkle-maps.ts'
+import { Adoption, type WatchDraws } from './adoption.ts'
+import { type FileFace, type FileWrinkles, materialReader, wrinkledFaces } from './read-wrinkle-maps.ts'
+import { Warnings } from './warnings.ts'
 
 /** The `Wrinkles` class of a renderer. */
-type WrinklesClass = new (mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase) => WrinklesBase
+type WrinklesClass = new (
+  mesh: Mesh,
+  source: WrinkleSet<ArraySlice> | WrinklesBase,
+  options: WrinklesOptions,
+) => WrinklesBase
+
+/** What depends on the renderer. */
+export interface LoaderParts {
+  Wrinkles: WrinklesClass
+  bindings: InputBindings
+  watchDraws: WatchDraws
+}
 
 /**
  * Adds the wrinkles of FURROW_wrinkle_maps to what `GLTFLoader` loads. A loaded face wrinkles by itself as its blendshapes move, without
  * calls in the render loop. So does each copy made by `clone()` or three.js's `SkeletonUtils.clone()`, with activations of its own and
- * the same textures. `gltf.userData.wrinkles` lists the wrinkles, one per face; `wrinklesOf` finds those of a mesh, copies included.
- * Drivers of a VRM may read its expressions if three-vrm's plugin is registered too.
+ * the same textures, and each mesh that a page makes with the material of a face, as JSX does. `wrinklesOf(gltf)` lists the wrinkles,
+ * one per face, as `gltf.userData.wrinkles` does; `wrinklesOf(mesh)` finds those of a mesh. Drivers of a VRM may read its expressions if
+ * three-vrm's plugin is registered too.
+ *
+ * A file never fails to load because of its wrinkles: a face whose wrinkles are damaged or not possible stays plain, with one warning.
  */
 export class WrinkleLoader {
   readonly name = WRINKLE_MAPS
   readonly #parser: GLTFParser
-  readonly #Wrinkles: WrinklesClass
-  readonly #bindings: InputBindings
+  readonly #parts: LoaderParts
+  readonly #options: Required<WrinklesOptions>
+  readonly #warnings = new Warnings()
 
-  constructor(parser: GLTFParser, Wrinkles: WrinklesClass, bindings: InputBindings) {
+  constructor(parser: GLTFParser, parts: LoaderParts, options: WrinklesOptions) {
+    this.#options = { ...WRINKLES_DEFAULTS, ...options }
+    checkOptions(this.#options, 'WrinkleLoaderPlugin')
     this.#parser = parser
-    this.#Wrinkles = Wrinkles
-    this.#bindings = bindings
+    this.#parts = parts
   }
 
-  /**
-   * Called by the loader when everything else is loaded.
-   *
-   * @throws FurrowError when the extension is malformed or an image cannot be read; no wrinkles are then added.
-   */
+  /** Called by the loader before it loads anything. */
+  async beforeRoot(): Promise<void> {
+    if (!hasPointers(this.#parser)) return
+    const { dropBrokenChannels } = await import('./key-frames.ts')
+    dropBrokenChannels(this.#parser, this.#warnings)
+  }
+
+  /** Called by the loader when everything else is loaded. */
   async afterRoot(gltf: GLTF): Promise<void> {
     const wrinkles: WrinklesBase[] = []
-    const bySet = new Map<WrinkleSet<ArraySlice>, WrinklesBase>()
+    gltf.userData.wrinkles = wrinkles
     const faces = new Map<number, WrinklesBase[]>()
-    const byMaterial = new Map<Material, WrinklesBase>()
-    try {
-      for (const { meshes, set, drivers } of await readWrinkleMaps(gltf, this.#parser)) {
-        const material = meshes[0].material as Material
-        const copy = byMaterial.get(material)?.cloneMaterial()
-        // Another face with the same material has its own activations, and so needs its own material.
-        if (copy) for (const mesh of meshes) mesh.material = copy
-        await addMusclesOf(meshes[0], drivers)
-        const own = this.#addWrinkles(
-          meshes,
-          bySet.get(set) ?? set,
-          drivers,
-          this.#isVrm() ? () => vrmOf(gltf) : undefined,
-        )
+    const read = materialReader(this.#parser, (fault) => this.#warnings.add(fault, 'the other drivers work'))
+    const added: AddedFaces = { bySet: new Map(), byMaterial: new Map() }
+    const expressions = this.#isVrm() ? () => vrmOf(gltf) : undefined
+    const plain = new Set<number>()
+    for (const face of wrinkledFaces(gltf, this.#parser)) {
+      try {
+        const own = await this.#addFace(face, await read(face.material), added, expressions)
         wrinkles.push(own)
-        const index = this.#parser.associations.get(material)!.materials!
-        faces.set(index, [...(faces.get(index) ?? []), own])
-        if (!bySet.has(set)) bySet.set(set, own)
-        if (!copy) byMaterial.set(material, own)
+        faces.set(face.material, [...(faces.get(face.material) ?? []), own])
+      } catch (error) {
+        if (plain.has(face.material)) continue
+        plain.add(face.material)
+        const { name } = this.#parser.json.materials[face.material]
+        this.#warnings.add(error, `material ${JSON.stringify(name ?? face.material)} stays plain`)
       }
-      if (hasPointers(this.#parser)) {
-        const { addActivationTracks } = await import('./key-frames.ts')
-        await addActivationTracks(gltf, this.#parser, faces)
-      }
-    } catch (error) {
-      for (const own of wrinkles) own.dispose()
-      throw error
     }
-    if (wrinkles.length > 0) gltf.userData.wrinkles = wrinkles
+    if (faces.size === 0 || !hasPointers(this.#parser)) return
+    const { addActivationTracks } = await import('./key-frames.ts')
+    await addActivationTracks(gltf, this.#parser, faces, this.#warnings)
   }
 
   #isVrm(): boolean {
@@ -75,20 +87,61 @@ export class WrinkleLoader {
     return used.includes('VRMC_vrm') || used.includes('VRM')
   }
 
-  /** Adds wrinkles to the meshes of one face, and to every copy of them. */
+  async #addFace(
+    { meshes }: FileFace,
+    { set, drivers }: FileWrinkles,
+    { bySet, byMaterial }: AddedFaces,
+    expressions: (() => VrmExpressions | undefined) | undefined,
+  ): Promise<WrinklesBase> {
+    const material = meshes[0].material as Material
+    const copy = byMaterial.get(material)?.cloneMaterial()
+    // Another face with the same material has its own activations, and so needs its own material.
+    if (copy) for (const mesh of meshes) mesh.material = copy
+    await addMusclesOf(meshes[0], drivers)
+    const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, drivers, expressions)
+    if (!bySet.has(set)) bySet.set(set, own)
+    if (!copy) byMaterial.set(material, own)
+    return own
+  }
+
+  /** Adds wrinkles to the meshes of one face, to every copy of them, and to what is drawn with their material. */
   #addWrinkles(
-    [mesh, ...others]: readonly Mesh[],
+    meshes: readonly Mesh[],
     source: WrinkleSet<ArraySlice> | WrinklesBase,
     drivers: readonly WrinkleDriver[],
     expressions?: () => VrmExpressions | undefined,
   ): WrinklesBase {
-    const own = new this.#Wrinkles(mesh, source)
-    for (const other of others) own.addMesh(other)
-    const runtime = bindDrivers(own, drivers, () => ({ expressions: expressions?.() }), this.#bindings)
-    // three-vrm may create a VRM's expressions after this: they are looked up when the face is first drawn.
-    if (!expressions) runtime.bind()
-    for (const part of [mesh, ...others]) this.#followClones(part, own, drivers)
+    const { Wrinkles, bindings, watchDraws: watch } = this.#parts
+    const [mesh, ...others] = meshes
+    const adoption = new Adoption(mesh.material as Material, meshes, {
+      watch,
+      add: (adopted, from) => this.#tryAdd(adopted, from, drivers),
+    })
+    let own: WrinklesBase | undefined
+    try {
+      own = new Wrinkles(mesh, source, this.#options)
+      adoption.begin(own)
+      for (const other of others) own.addMesh(other)
+      const runtime = bindDrivers(own, drivers, () => ({ expressions: expressions?.() }), bindings)
+      // three-vrm may create a VRM's expressions after this: they are looked up when the face is first drawn.
+      if (!expressions) runtime.bind()
+    } catch (error) {
+      adoption.end()
+      own?.dispose()
+      throw error
+    }
+    for (const part of meshes) this.#followClones(part, own, drivers)
     return own
+  }
+
+  /** For a mesh that the page made. */
+  #tryAdd(mesh: Mesh, source: WrinklesBase, drivers: readonly WrinkleDriver[]): WrinklesBase | undefined {
+    try {
+      return this.#addWrinkles([mesh], source, drivers)
+    } catch (error) {
+      this.#warnings.add(error, `mesh ${JSON.stringify(mesh.name)} stays plain`)
+      return undefined
+    }
   }
 
   #followClones(mesh: Mesh, own: WrinklesBase, drivers: readonly WrinkleDriver[]): void {
@@ -104,15 +157,26 @@ export class WrinkleLoader {
   }
 }
 
+/** The wrinkles of a file as they are added. */
+interface AddedFaces {
+  /** The first of each set, whose textures all others use. */
+  bySet: Map<FileWrinkles['set'], WrinklesBase>
+  /** The first of each material. */
+  byMaterial: Map<Material, WrinklesBase>
+}
+
 /** Where three-vrm's plugins put the expressions. */
 function vrmOf({ userData }: GLTF): VrmExpressions | undefined {
   return userData.vrmExpressionManager ?? userData.vrm?.expressionManager
 }
 
 /** Whether an animation moves what only a pointer reaches, such as an area. */
-function hasPointers({ json }: GLTFParser): boolean {
-  const animations: { channels: { target: { path: string } }[] }[] = json.animations ?? []
-  return animations.some(({ channels }) => channels.some(({ target }) => target.path === 'pointer'))
+function hasPointers({ json: { animations } }: GLTFParser): boolean {
+  const isPointer = (channel?: { target?: { path?: unknown } } | null) => channel?.target?.path === 'pointer'
+  return (
+    Array.isArray(animations) &&
+    animations.some((animation) => Array.isArray(animation?.channels) && animation.channels.some(isPointer))
+  )
 }
 
 /** Copies of the mesh share its geometry, and so its muscles. */

@@ -102,7 +102,8 @@ export class PatchedMaterial {
   /** Copies what the mesh has as its material, without wrinkles; of several materials only the one that shows them. */
   clone(): Material | Material[] {
     this.#unpatch()
-    const copy = this.#material.clone()
+    // Not the material's own: the loader replaces that, so that copies wrinkle too.
+    const copy: Material = Object.getPrototypeOf(this.#material).clone.call(this.#material)
     this.#unpatch = this.#patch(this.mode)
     const { material } = this.#mesh
     return Array.isArray(material) ? material.map((own) => (own === this.#material ? copy : own)) : copy

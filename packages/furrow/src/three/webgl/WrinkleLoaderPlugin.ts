@@ -1,11 +1,17 @@
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import { WrinkleLoader } from '../loader/wrinkle-loader.ts'
+import type { WrinklesOptions } from '../options.ts'
 import { BINDINGS } from '../sources/bind-drivers.ts'
+import { watchDraws } from './watch-draws.ts'
 import { Wrinkles } from './webgl-wrinkles.ts'
 
 /** For `GLTFLoader` and `WebGLRenderer`: `loader.register((parser) => new WrinkleLoaderPlugin(parser))`. */
 export class WrinkleLoaderPlugin extends WrinkleLoader {
-  constructor(parser: GLTFParser) {
-    super(parser, Wrinkles, BINDINGS)
+  /**
+   * @param options of the `Wrinkles` of all faces.
+   * @throws FurrowError when an option is unknown or out of range.
+   */
+  constructor(parser: GLTFParser, options: WrinklesOptions = {}) {
+    super(parser, { Wrinkles, bindings: BINDINGS, watchDraws }, options)
   }
 }

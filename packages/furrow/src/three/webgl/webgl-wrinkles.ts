@@ -4,6 +4,7 @@ import type { RendererParts } from '../material/renderer-parts.ts'
 import { isToon } from '../material/wrinkle-material.ts'
 import type { WrinkleTextures } from '../material/wrinkle-textures.ts'
 import type { WrinklesOptions } from '../options.ts'
+import { type AddDrivers, addDrivers } from '../sources/add-drivers.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import { composeMaterial } from './compose-material.ts'
 import { defaultFragment, instancedVertex, isPatchable, type ShaderVariant } from './default-shader.ts'
@@ -24,6 +25,7 @@ export class Wrinkles extends WrinklesBase {
    */
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
     super(PARTS, mesh, source, options)
+    if ('drivers' in source) addDrivers(this, source.drivers as Parameters<AddDrivers>[1])
   }
 }
 

@@ -17,6 +17,7 @@ import {
 } from 'three/tsl'
 import type { MeshStandardNodeMaterial, Node, NodeBuilder, NodeMaterial } from 'three/webgpu'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
+import type { WrinkleDriver } from '../../drivers/registry.ts'
 import { instancesOf } from '../instances.ts'
 import type { PaperArray } from '../material/paper-array.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
@@ -25,6 +26,7 @@ import { isToon, type WrinkleMaterial } from '../material/wrinkle-material.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { checkThree } from '../three-version.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
+import { addDrivers } from './add-drivers.ts'
 import { faultOf, unwatch, watched } from './build-fault.ts'
 import { composeMaterial } from './compose-material.ts'
 import { checkBatch, influenceFromAreas, influenceFromMap } from './influence.ts'
@@ -48,6 +50,7 @@ export class Wrinkles extends WrinklesBase {
     checkThree('Wrinkles of furrow/webgpu')
     if (instancesOf(mesh) === 'batched') checkBatch(mesh)
     super(PARTS, mesh, source, options)
+    if ('drivers' in source) addDrivers(this, source.drivers as readonly WrinkleDriver[])
   }
 }
 

@@ -1,0 +1,144 @@
+import type { Camera, Material, Mesh, SkinnedMesh } from 'three'
+import { instancesOf } from '../instances.ts'
+import type { AnyRenderer } from '../renderer.ts'
+import type { WrinklesBase } from '../wrinkles-base.ts'
+
+/**
+ * Calls a function before a mesh is drawn with a material.
+ *
+ * @returns what ends that.
+ */
+export type WatchDraws = (
+  material: Material,
+  onDraw: (mesh: Mesh, renderer: AnyRenderer, camera: Camera) => void,
+) => () => void
+
+/** What adopting a mesh takes. */
+export interface AdoptionParts {
+  watch: WatchDraws
+  /** Adds wrinkles of its own to a mesh; undefined, and a warning, if that is not possible. */
+  add(mesh: Mesh, source: WrinklesBase): WrinklesBase | undefined
+}
+
+const adoptions = new WeakMap<Material, Adoption>()
+
+/** The face that a mesh belongs to by its material: it was made by the page, which took the material from a loaded file. */
+export function adoptedBy(mesh: Mesh): WrinklesBase | undefined {
+  return adoptions.get(mesh.material as Material)?.faceOf(mesh)
+}
+
+/**
+ * Meshes that a page makes itself and draws with the material of a loaded face, as JSX of gltfjsx and drei's `<Clone>` do. One that has
+ * the blendshape weights and the skeleton of a loaded mesh is the same face. Any other is a face of its own, as a copy is, until it is
+ * removed from its parent. Nothing is kept of the former, and nothing happens while only loaded meshes are drawn.
+ */
+export class Adoption {
+  readonly #material: Material
+  readonly #meshes: readonly Mesh[]
+  readonly #known: WeakSet<Mesh>
+  readonly #parts: AdoptionParts
+  /** Of adopted meshes that are faces of their own. React may set the shared material again. */
+  readonly #copies = new WeakMap<Mesh, Material>()
+  readonly #unwatch: () => void
+  #face: WrinklesBase | null = null
+
+  /**
+   * To be created before the material is patched.
+   *
+   * @param meshes of the face.
+   */
+  constructor(material: Material, meshes: readonly Mesh[], parts: AdoptionParts) {
+    this.#material = material
+    this.#meshes = meshes
+    this.#known = new WeakSet(meshes)
+    this.#parts = parts
+    this.#unwatch = parts.watch(material, (mesh, renderer, camera) => this.#onDraw(mesh, renderer, camera))
+  }
+
+  /** Begins to adopt, until the face is disposed of. */
+  begin(face: WrinklesBase): void {
+    this.#face = face
+    adoptions.set(this.#material, this)
+    // drei's `<Clone deep>`, and whoever else copies the material.
+    const clone = () => {
+      const copy = face.cloneMaterial() as Material
+      adoptCopy(copy, face, this.#parts)
+      return copy
+    }
+    Object.assign(this.#material, { clone })
+    face.onDispose(() => this.end())
+  }
+
+  end(): void {
+    this.#face = null
+    this.#unwatch()
+    adoptions.delete(this.#material)
+    delete (this.#material as Partial<Material>).clone
+  }
+
+  /** The face, if the mesh is part of it. */
+  faceOf(mesh: Mesh): WrinklesBase | undefined {
+    return this.#face && this.#meshes.some((own) => movesAs(own, mesh)) ? this.#face : undefined
+  }
+
+  #onDraw(mesh: Mesh, renderer: AnyRenderer, camera: Camera): void {
+    if (this.#known.has(mesh) || !this.#face) return
+    const face = this.faceOf(mesh)
+    if (face) face.prepare(renderer, camera, mesh)
+    else afterFrame(() => this.#separate(mesh))
+  }
+
+  /** Gives a mesh wrinkles of its own. */
+  #separate(mesh: Mesh): void {
+    const face = this.#face
+    // Several passes of one frame may have drawn it, and the page may have changed it since.
+    if (!face || mesh.material !== this.#material || this.faceOf(mesh)) return
+    const known = this.#copies.get(mesh)
+    const copy = known ?? (face.cloneMaterial() as Material)
+    mesh.material = copy
+    if (known) return
+    this.#copies.set(mesh, copy)
+    addUntilRemoved(mesh, face, this.#parts, () => {
+      this.#copies.delete(mesh)
+      if (mesh.material === copy) mesh.material = this.#material
+    })
+  }
+}
+
+/** Adds wrinkles to the first mesh that is drawn with a copy of a face's material. */
+function adoptCopy(copy: Material, source: WrinklesBase, parts: AdoptionParts): void {
+  const unwatch = parts.watch(copy, (mesh) => {
+    unwatch()
+    afterFrame(() => addUntilRemoved(mesh, source, parts, () => adoptCopy(copy, source, parts)))
+  })
+}
+
+/** A new face may need a larger atlas, and the frame being drawn reads the old one. */
+function afterFrame(change: () => void): void {
+  queueMicrotask(change)
+}
+
+function addUntilRemoved(
+  mesh: Mesh,
+  source: WrinklesBase,
+  parts: AdoptionParts,
+  onRemoved: () => void,
+): void {
+  const face = parts.add(mesh, source)
+  const remove = () => {
+    face?.dispose()
+    onRemoved()
+  }
+  mesh.addEventListener('removed', remove)
+  face?.onDispose(() => mesh.removeEventListener('removed', remove))
+}
+
+function movesAs(own: Mesh, mesh: Mesh): boolean {
+  const [a, b] = [own, mesh] as SkinnedMesh[]
+  return (
+    a.morphTargetInfluences === b.morphTargetInfluences &&
+    a.skeleton === b.skeleton &&
+    !instancesOf(a) &&
+    !instancesOf(b)
+  )
+}

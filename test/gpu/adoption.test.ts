@@ -1,0 +1,98 @@
+import { WrinkleLoaderPlugin as WebGLPlugin, wrinklesOf } from 'furrow/three'
+import { WrinkleLoaderPlugin as WebGPUPlugin } from 'furrow/webgpu'
+import { DirectionalLight, Group, type Material, Mesh, Scene } from 'three'
+import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { createHarness, type Harness, RENDERERS, squareCamera } from './harness.ts'
+import { wrinkledFile } from './wrinkled-file.ts'
+
+describe.each(RENDERERS)('a mesh that a page makes with the material of a loaded face, on %s', (name) => {
+  let harness: Harness
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterAll(() => harness.dispose())
+
+  const load = async (): Promise<GLTF> => {
+    const Plugin = name === 'webgl' ? WebGLPlugin : WebGPUPlugin
+    const loader = new GLTFLoader().register((parser) => new Plugin(parser))
+    return loader.parseAsync((await wrinkledFile()).buffer, '')
+  }
+  const picture = async (root: Group) => {
+    const light = new DirectionalLight(0xffffff, 2)
+    light.position.set(1, 1, 1)
+    return harness.render(new Scene().add(root, light), squareCamera(), 32)
+  }
+  const loadedMeshes = ({ scene }: GLTF) => scene.getObjectByName('face')!.children as Mesh[]
+  /** As R3F makes `<mesh geometry={} material={} morphTargetInfluences={} />`. */
+  const made = (loaded: Mesh, influences: number[], material = loaded.material) => {
+    const mesh = new Mesh()
+    return Object.assign(mesh, {
+      geometry: loaded.geometry,
+      material,
+      morphTargetDictionary: loaded.morphTargetDictionary,
+      morphTargetInfluences: influences,
+    })
+  }
+  /** The picture of the loaded face itself, at rest and moved. */
+  const expected = async (weight: number) => {
+    const gltf = await load()
+    for (const mesh of loadedMeshes(gltf)) mesh.morphTargetInfluences![0] = weight
+    return picture(gltf.scene)
+  }
+
+  it('is the same face where it has its blendshape weights, from the first frame on', async () => {
+    const gltf = await load()
+    const [face] = wrinklesOf(gltf)
+    const loaded = loadedMeshes(gltf)
+    const meshes = loaded.map((mesh) => made(mesh, mesh.morphTargetInfluences!))
+    for (const mesh of meshes) mesh.morphTargetInfluences![0] = 1
+    expect(meshes.map((mesh) => wrinklesOf(mesh))).toEqual([face, face])
+    const root = new Group().add(...meshes)
+    expect(await picture(root)).toEqual(await expected(1))
+    expect(face.getActivation('a')).toBe(1)
+    for (const mesh of meshes) mesh.morphTargetInfluences![0] = 0
+    expect(await picture(root)).toEqual(await expected(0))
+    face.dispose()
+    expect(wrinklesOf(meshes[0])).toBeUndefined()
+  })
+
+  it('wrinkles by itself where it has its own, until it is removed', async () => {
+    const gltf = await load()
+    const [face] = wrinklesOf(gltf)
+    const loaded = loadedMeshes(gltf)
+    const meshes = loaded.map((mesh) => made(mesh, [1]))
+    const root = new Group().add(...meshes)
+    await picture(root)
+    const shared = loaded[0].material
+    expect(await picture(root)).toEqual(await expected(1))
+    expect(meshes.map((mesh) => wrinklesOf(mesh)!.getActivation('a'))).toEqual([1, 1])
+    expect(face.getActivation('a')).toBe(0)
+    // As React does when a prop changes back and forth.
+    const own = meshes[0].material
+    meshes[0].material = shared
+    await picture(root)
+    expect(meshes[0].material).toBe(own)
+    root.clear()
+    expect(meshes.map((mesh) => wrinklesOf(mesh))).toEqual([undefined, undefined])
+    expect(meshes[0].material).toBe(shared)
+    root.add(...meshes)
+    await picture(root)
+    expect(await picture(root)).toEqual(await expected(1))
+    root.clear()
+  })
+
+  it('wrinkles with a copy of the material, and can be removed and added again', async () => {
+    const gltf = await load()
+    const meshes = loadedMeshes(gltf).map((mesh) => made(mesh, [1], (mesh.material as Material).clone()))
+    const root = new Group().add(...meshes)
+    await picture(root)
+    expect(await picture(root)).toEqual(await expected(1))
+    root.clear()
+    expect(wrinklesOf(meshes[0])).toBeUndefined()
+    root.add(...meshes)
+    await picture(root)
+    expect(await picture(root)).toEqual(await expected(1))
+    root.clear()
+  })
+})
