@@ -1,7 +1,7 @@
 import { FurrowError, type TextureReference } from 'furrow'
 import { readArray } from '../array/ktx2.ts'
 import { readHeader } from '../array/ktx2-header.ts'
-import { checkDecodedBytes, MAX_FACE_BYTES } from '../images/decoded-bytes.ts'
+import { checkDecodedBytes, mostFaceBytes } from '../images/decoded-bytes.ts'
 import { withImageErrors } from '../images/image-errors.ts'
 import { openImage } from '../images/open-image.ts'
 import { decodePixels, type Pixels } from '../images/pixels.ts'
@@ -81,7 +81,7 @@ async function reserve(glb: Glb, index: number, who: string): Promise<void> {
   const { decodedBytes } = await sizeOf(glb, index, who)
   const sum = (reserved.get(glb) ?? 0) + decodedBytes
   reserved.set(glb, sum)
-  checkDecodedBytes(sum, 'all images of the wrinkles', who, MAX_FACE_BYTES)
+  checkDecodedBytes(sum, 'all images of the wrinkles', who, mostFaceBytes(glb.fileBytes))
 }
 
 async function decodeArray(glb: Glb, index: number, who: string): Promise<DecodedArray> {

@@ -1,7 +1,12 @@
 import { FurrowError, MAX_IMAGE_BYTES } from 'furrow'
 
+/** How many times its size the images of a large file may take together. */
+const DECODED_PER_BYTE = 16
+
 /** Most bytes of all decoded images of a face together; `MAX_IMAGE_BYTES` is that of one. */
-export const MAX_FACE_BYTES = 2 ** 29
+export function mostFaceBytes(fileBytes: number): number {
+  return Math.max(MAX_IMAGE_BYTES, DECODED_PER_BYTE * fileBytes)
+}
 
 /**
  * Checks a size that a header gives, before anything is allocated for it.
