@@ -59,10 +59,12 @@ describe('a body without a face', () => {
       material: 'cloth',
       reason: expect.stringContaining('the only one with'),
       bytes: readFileSync(file('out.glb')).length,
+      cost: { file: expect.any(Number), gpu: expect.any(Number) },
       isFace: false,
       warnings: [expect.stringContaining('no face was found')],
       layers: ['auto1'],
       areas: expect.any(Array),
+      missing: [],
     })
     for (const area of told.areas) {
       expect(Object.keys(area)).toEqual(['name', 'layer', 'lines', 'compression', 'error', 'links'])

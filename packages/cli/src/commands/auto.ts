@@ -9,7 +9,9 @@ import {
   type AutoWrinkles,
   autoWrinkles,
 } from 'furrow/author'
+import { checkBasisSize } from '../array/basis.ts'
 import { checkTriangles } from '../auto/check-triangles.ts'
+import { type Cost, costOf } from '../auto/cost.ts'
 import { type FoundSkin, findSkin } from '../auto/find-skin.ts'
 import { packAuto } from '../auto/pack-auto.ts'
 import { makeReport } from '../auto/report/make-report.ts'
@@ -22,6 +24,7 @@ import { documentOf } from '../gltf/read-document.ts'
 import { allowOutsideOption, numberParser } from '../options.ts'
 import { withBar } from '../progress.ts'
 import { embedWrinkles } from '../wrinkles/embed.ts'
+import { kilobytes } from '../wrinkles/sizes.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
 
 const WHO = 'furrow auto'
@@ -32,6 +35,9 @@ const SIZES = ['512', '1024', '2048', '4096'] as const
 const OWN_STEPS = 3
 const REPORT_STEPS = 2
 
+/** Layers that compressed wrinkles have at most by default: with 1024 x 1024 texels they take 2 MB. */
+const KTX2_LAYERS = 2
+
 interface Options {
   output: string
   age: number
@@ -39,8 +45,9 @@ interface Options {
   size: (typeof SIZES)[number]
   seed: number
   mesh?: string
-  layers: number
+  layers?: number
   areas: number
+  ktx2?: boolean
   regions?: AutoRegion[]
   replace?: boolean
   allowOutside?: boolean
@@ -71,15 +78,18 @@ export const autoCommand = createCommand('auto')
   .option('--mesh <name>', 'the mesh that wrinkles (default: the one whose skin brows, lids and mouth move)')
   .option(
     '--layers <count>',
-    'largest number of layers, over which crossing lines are spread, 1 to 4',
+    `largest number of layers, over which crossing lines are spread, 1 to 4 (default: ${AUTO_DEFAULTS.layers}, with --ktx2 ${KTX2_LAYERS})`,
     count(1, 4),
-    AUTO_DEFAULTS.layers,
   )
   .option('--areas <count>', 'largest number of areas, 1 to 64', count(1, 64), AUTO_DEFAULTS.areas)
   .addOption(
     new Option('--regions <names...>', 'parts of a face that may crease, all by default').choices(
       AUTO_REGIONS,
     ),
+  )
+  .option(
+    '--ktx2',
+    'maps and areas as KTX 2 arrays (UASTC), which stay compressed on the GPU; without heights',
   )
   .option('--replace', 'replace existing wrinkles')
   .option('--report <folder>', 'write a page there: before and after, strain, areas, layers, drivers')
@@ -95,7 +105,8 @@ Examples:
   .action(auto)
 
 async function auto(face: string, options: Options): Promise<void> {
-  const { output, report, mesh, age, strength, seed, layers, areas, regions } = options
+  const { output, report, mesh, age, strength, seed, areas, regions, ktx2 = false } = options
+  const layers = options.layers ?? (ktx2 ? KTX2_LAYERS : AUTO_DEFAULTS.layers)
   const settings = {
     age,
     strength,
@@ -105,10 +116,11 @@ async function auto(face: string, options: Options): Promise<void> {
     areas,
     ...(regions && { regions }),
   }
+  if (ktx2) checkCompressible(settings.size, layers)
   await checkWritable(output, WHO, '.glb')
   if (report !== undefined) await checkWritable(join(report, 'index.html'), WHO, '.html')
   const total = OWN_STEPS + AUTO_STEPS.length + (report === undefined ? 0 : REPORT_STEPS)
-  const { found, wrinkles, bytes, warnings } = await withBar('auto', async (progress) => {
+  const { found, wrinkles, cost, bytes, warnings } = await withBar('auto', async (progress) => {
     const steps = new Steps(progress, total)
     steps.begin('reading')
     const glb = await readGlbFile(face, WHO, options)
@@ -123,7 +135,9 @@ async function auto(face: string, options: Options): Promise<void> {
     )
     if (wrinkles.areas.length === 0) throw noWrinkles(found.meshName)
     steps.begin('encoding')
-    embedWrinkles(glb, found.material, await packAuto(wrinkles), WHO)
+    const packed = await packAuto(wrinkles, ktx2, WHO)
+    const cost = costOf(wrinkles, packed, ktx2)
+    embedWrinkles(glb, found.material, packed, WHO)
     const bytes = encodeGlb(glb)
     await writeAll([{ path: output, bytes }], WHO)
     const warnings = wrinkles.warnings.map((text) => `${WHO}: ${text}`)
@@ -135,15 +149,31 @@ async function auto(face: string, options: Options): Promise<void> {
       await writeAll(files, WHO)
       if (missing) warnings.push(`${WHO}: the report has no pictures of the face (${missing})`)
     }
-    return { found, wrinkles, bytes: bytes.length, warnings }
+    return { found, wrinkles, cost, bytes: bytes.length, warnings }
   })
   for (const warning of warnings) console.error(warning)
   process.stdout.write(
     options.json
-      ? `${JSON.stringify(summary(wrinkles, found, options, bytes))}\n`
-      : describe(wrinkles, found, options),
+      ? `${JSON.stringify(summary(wrinkles, found, options, bytes, cost))}\n`
+      : describe(wrinkles, found, options, cost),
   )
 }
+
+/** Known before the work, unlike whether so many layers are needed. */
+function checkCompressible(size: number, layers: number): void {
+  const names = Array.from({ length: layers }, (_, i) => `layer ${i + 1}`)
+  const maps = {
+    width: size,
+    height: size,
+    channels: 4,
+    srgb: false,
+    names,
+    layers: names.map(() => NO_PIXELS),
+  } as const
+  checkBasisSize(maps, WHO, 'choose a smaller --size or fewer --layers, or omit --ktx2')
+}
+
+const NO_PIXELS = new Uint8Array()
 
 /** A material has one set of wrinkles: existing ones are removed only with `--replace`. */
 function removeOldWrinkles(glb: Glb, { material, materialName }: FoundSkin, replace: boolean): void {
@@ -170,10 +200,11 @@ function noWrinkles(mesh: string): FurrowError {
 }
 
 function summary(
-  { layers, areas, landmarks, warnings }: AutoWrinkles,
+  { layers, areas, missing, landmarks, warnings }: AutoWrinkles,
   { meshName, materialName, reason }: FoundSkin,
   { output, report }: Options,
   bytes: number,
+  cost: Cost,
 ) {
   return {
     file: output,
@@ -182,6 +213,7 @@ function summary(
     material: materialName,
     reason,
     bytes,
+    cost,
     isFace: landmarks !== undefined,
     warnings,
     layers: layers.map(({ name }) => name),
@@ -193,13 +225,19 @@ function summary(
       error,
       links: driver.targets,
     })),
+    missing,
   }
 }
 
+/** glTF-Transform and the like drop extensions that they do not know. */
+const OTHER_TOOLS =
+  'compress or optimise the file before furrow auto, or register FurrowWrinkleMaps: other tools drop the wrinkles'
+
 function describe(
-  { layers, areas }: AutoWrinkles,
+  { layers, areas, missing }: AutoWrinkles,
   { meshName, materialName, reason }: FoundSkin,
-  { output, report }: Options,
+  { output, report, ktx2 }: Options,
+  cost: Cost,
 ): string {
   const head = `${output}: mesh "${meshName}", material "${materialName}" (${reason}); layers: ${layers.length}; areas: ${areas.length}`
   const rows = areas.map(({ name, layer, compression, error, driver }) => {
@@ -208,5 +246,16 @@ function describe(
     return `  ${name.padEnd(20)} layer ${layer + 1}  compression ${percent}  error ${error.toFixed(2)}  ${links}`
   })
   const page = report === undefined ? [] : [`${join(report, 'index.html')}: the report`]
-  return `${[head, ...rows, ...page].join('\n')}\n`
+  const less = ktx2 ? 'a smaller --size or fewer --layers take less' : '--ktx2 or a smaller --size takes less'
+  const sizes = `wrinkles: ${kilobytes(cost.file)} in the file, ${kilobytes(cost.gpu)} on the GPU; ${less}`
+  return `${[head, ...rows, ...missingRows(missing), sizes, ...page, OTHER_TOOLS].join('\n')}\n`
+}
+
+/** A line per reason. */
+function missingRows(missing: AutoWrinkles['missing']): string[] {
+  const reasons = [...new Set(missing.map(({ reason }) => reason))]
+  return reasons.map((reason) => {
+    const names = missing.filter((region) => region.reason === reason).map(({ name }) => name)
+    return `  not made: ${names.join(', ')} (${reason})`
+  })
 }
