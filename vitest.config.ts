@@ -65,7 +65,10 @@ function gpuProject(name: string, files: string[]): TestProjectInlineConfigurati
         'three/addons/loaders/KTX2Loader.js',
         'three/addons/loaders/DRACOLoader.js',
         'three/addons/utils/SkeletonUtils.js',
+        '@pixiv/three-vrm-materials-mtoon',
       ],
+      // It does not link with the newest three.js.
+      exclude: ['@pixiv/three-vrm-materials-mtoon/nodes'],
     },
     test: {
       name,

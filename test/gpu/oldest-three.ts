@@ -8,9 +8,15 @@ declare module 'vitest' {
 }
 
 /** Tests of what breaks first on an older three.js: array textures, blending, the paper's lighting, changed geometries, batches, KTX2Loader. */
-export const FILES_FOR_OLDEST = ['three-version', 'layers', 'paper', 'crowd', 'normals', 'loader'].map(
-  (name) => `test/gpu/${name}.test.ts`,
-)
+export const FILES_FOR_OLDEST = [
+  'three-version',
+  'layers',
+  'paper',
+  'crowd',
+  'normals',
+  'loader',
+  'mtoon',
+].map((name) => `test/gpu/${name}.test.ts`)
 
 /** Runs a project on `three-oldest`, the oldest three.js that is allowed. */
 export function onOldestThree(project: TestProjectInlineConfiguration): TestProjectInlineConfiguration {
@@ -18,7 +24,7 @@ export function onOldestThree(project: TestProjectInlineConfiguration): TestProj
   return {
     ...project,
     resolve: { ...project.resolve, alias: [{ find: /^three(?=\/|$)/, replacement: 'three-oldest' }] },
-    optimizeDeps: { include: project.optimizeDeps?.include?.map(oldest) },
+    optimizeDeps: { ...project.optimizeDeps, include: project.optimizeDeps?.include?.map(oldest) },
     test: { ...project.test, provide: { threeRelease: 'oldest' } },
   }
 }

@@ -2,12 +2,11 @@ import { readFileSync } from 'node:fs'
 import { readFile, writeFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
-import { createApp, pack, ROOT, remove, run, temporaryFolder } from './npm.ts'
+import { createApp, DEPENDENCIES, pack, ROOT, remove, run, temporaryFolder } from './npm.ts'
 
 const TSC = join(ROOT, 'node_modules/typescript/bin/tsc')
-const { devDependencies } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8'))
 const { dependencies } = JSON.parse(readFileSync(join(ROOT, 'packages/cli/package.json'), 'utf8'))
-const THREE = [`three@${devDependencies.three}`, `@types/three@${devDependencies['@types/three']}`]
+const THREE = [DEPENDENCIES.three, DEPENDENCIES.types]
 const GLTF_TRANSFORM = [`@gltf-transform/core@${dependencies['@gltf-transform/core']}`]
 
 let folder: string
@@ -70,10 +69,16 @@ async function compile(app: string, source: string, module: string, moduleResolu
 describe('furrow-cli', () => {
   let app: string
   beforeAll(async () => {
-    app = await createApp(join(folder, 'cli'), [furrow, cli])
+    app = await createApp(join(folder, 'cli'), [cli])
   })
   // Offline: what is not installed is not fetched either.
   const npx = (...words: string[]) => run(app, 'npx', '--offline', ...words)
+
+  it('brings what it uses of furrow, and no second copy of it', async () => {
+    const { dependencies } = JSON.parse(await run(app, 'npm', 'ls', '--all', '--json'))
+    expect(Object.keys(dependencies)).toEqual(['furrow-cli'])
+    expect(Object.keys(dependencies['furrow-cli'].dependencies)).not.toContain('furrow')
+  })
 
   it('tells its version', async () => {
     const { version } = JSON.parse(await readFile(join(ROOT, 'packages/cli/package.json'), 'utf8'))

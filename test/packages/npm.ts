@@ -1,11 +1,23 @@
 import { execFile } from 'node:child_process'
-import { cp, mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises'
+import { readFileSync } from 'node:fs'
+import { cp, mkdir, mkdtemp, rm, symlink, writeFile } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { promisify } from 'node:util'
 
 export const ROOT = fileURLToPath(new URL('../../', import.meta.url))
+
+const { devDependencies } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8'))
+const at = (name: string) => `${name}@${devDependencies[name]}`
+
+/** What applications install beside ours, in the versions that we test with. */
+export const DEPENDENCIES = {
+  three: at('three'),
+  types: at('@types/three'),
+  vite: at('vite'),
+  typescript: at('typescript'),
+}
 
 /** Runs a program to its end and returns what it printed; rejects, with that, where it fails. */
 export async function run(cwd: string, program: string, ...words: string[]): Promise<string> {
@@ -39,6 +51,22 @@ export async function createApp(folder: string, packages: string[], source?: str
   const options = ['--prefer-offline', '--no-audit', '--no-fund']
   await run(folder, 'npm', 'install', '--prefix', folder, ...options, ...packages)
   return folder
+}
+
+/**
+ * Runs a package by `npx` that was never installed; the tarball's path is relative to the folder. npx would keep it in
+ * npm's cache for good, so it gets another one, which shares only the downloads.
+ */
+export async function runUninstalled(folder: string, tarball: string, ...words: string[]): Promise<string> {
+  const cache = await temporaryFolder()
+  try {
+    const used = (await run(folder, 'npm', 'config', 'get', 'cache')).trim()
+    await mkdir(join(used, '_cacache'), { recursive: true })
+    await symlink(join(used, '_cacache'), join(cache, '_cacache'), 'junction')
+    return await run(folder, 'npx', '--yes', '--prefer-offline', '--cache', cache, tarball, ...words)
+  } finally {
+    await remove(cache)
+  }
 }
 
 export function remove(folder: string): Promise<void> {

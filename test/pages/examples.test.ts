@@ -5,16 +5,14 @@ import sharp from 'sharp'
 import { afterAll, beforeAll, expect, test } from 'vitest'
 import { editGlb } from '../glb.ts'
 import { openBrowser, openPage } from './browser.ts'
-import { contrast, largestDifference, meanDifference, type Region } from './pixels.ts'
-import { type CanvasPixels, makeCanvasReadable, readCanvas } from './read-canvas.ts'
+import { openPaused, playSurprise, readNextFrame, switchOff } from './paused-page.ts'
+import { contrast, largestDifference, meanDifference, type Region, WHOLE } from './pixels.ts'
+import { type CanvasPixels, readCanvas } from './read-canvas.ts'
 import { startStaticServer } from './static-server.ts'
 
 const EXAMPLES = readdirSync(new URL('../../examples/', import.meta.url)).filter((name) =>
   name.endsWith('.html'),
 )
-
-/** A whole picture. */
-const WHOLE: Region = { left: 0, top: 0, right: 1, bottom: 1 }
 
 /** Folder where the pictures are saved for inspection. */
 const OUTPUT = new URL('../output/examples/', import.meta.url)
@@ -30,11 +28,6 @@ const PHONE = { width: 390, height: 844 }
 /** Large enough for one face; a crowd needs more. */
 const SIZE = { width: 400, height: 300 }
 const CROWD_SIZE = { width: 800, height: 600 }
-
-const SECOND = 1000
-
-/** Milliseconds until the face of each example starts to look surprised, and for which it then stays so. */
-const SURPRISE_DELAY = 1.5 * SECOND
 
 let browser: Browser
 let server: Awaited<ReturnType<typeof startStaticServer>>
@@ -183,27 +176,13 @@ function shoot(name: string, form: 'wrinkled' | 'flat' = 'wrinkled'): Promise<Ca
 /** Pictures of an example with wrinkles, in the next frame, and with wrinkles switched off in the frame after. */
 async function shootOnAndOff(name: string) {
   return withExample(name, 'wrinkled', async (page) => {
-    const nextFrame = async () => {
-      await page.clock.runFor(SECOND / 30)
-      return readCanvas(page)
-    }
     const wrinkled = await readCanvas(page)
     shots.set(`${name} wrinkled`, Promise.resolve(wrinkled))
-    const still = await nextFrame()
-    await page.evaluate(SWITCH_OFF)
-    return { wrinkled, still, off: await nextFrame() }
+    const still = await readNextFrame(page)
+    await switchOff(page)
+    return { wrinkled, still, off: await readNextFrame(page) }
   })
 }
-
-/** Script for a page, by whose import map it finds the modules: switches off the wrinkles of all meshes from the next frame on. */
-const SWITCH_OFF = `
-  Promise.all([import('three'), import('furrow/three')]).then(([{ Scene }, { wrinklesOf }]) => {
-    Scene.prototype.onBeforeRender = (_, scene) =>
-      scene.traverse((object) => {
-        const wrinkles = wrinklesOf(object)
-        if (wrinkles) wrinkles.mode = 'off'
-      })
-  })`
 
 /** Opens an example and advances it to the moment of surprise; the page must report no errors or warnings. */
 async function withExample<T>(
@@ -220,21 +199,13 @@ async function withExample<T>(
     if (message.type() === 'warning' && !text.includes('GL Driver Message')) complaints.push(text)
   })
   try {
-    await makeCanvasReadable(page)
     if (form === 'flat') await page.route('**/faces/*.glb', fulfillFlattened)
-    await page.clock.install({ time: 0 })
-    await page.clock.pauseAt(SECOND)
-    await page.goto(`${server.origin}/examples/${name}`)
-    // The page adds the canvas after loading; nothing is drawn yet, since time is paused.
-    await page.waitForSelector('canvas')
+    await openPaused(page, `${server.origin}/examples/${name}`)
     if (hasControls) {
       widthsOnPhone.set(name, await page.evaluate(() => document.documentElement.scrollWidth))
       await page.setViewportSize(size)
     }
-    await firstPicture(page)
-    // Two steps with a frame each: the transition begins, and has ended.
-    await page.clock.fastForward(SURPRISE_DELAY + SECOND / 10)
-    await page.clock.fastForward(SECOND / 2)
+    await playSurprise(page)
     const result = await inspect(page)
     expect(complaints).toEqual([])
     return result
@@ -247,16 +218,6 @@ async function fulfillFlattened(route: Route): Promise<void> {
   const file = new URL(`../..${new URL(route.request().url()).pathname}`, import.meta.url)
   const body = Buffer.from(editGlb(await readFile(file), flatten))
   await route.fulfill({ contentType: 'model/gltf-binary', body })
-}
-
-/** Steps the page's paused time until something is drawn, so that every run draws the same picture. */
-async function firstPicture(page: Page): Promise<void> {
-  for (;;) {
-    await page.clock.runFor(SECOND / 60)
-    if (contrast(await readCanvas(page)) > 0) return
-    // Waits in real time for a renderer that is still starting.
-    await page.waitForTimeout(SECOND / 4)
-  }
 }
 
 async function save({ width, height, data }: CanvasPixels, name: string): Promise<void> {

@@ -8,6 +8,9 @@ export interface Region {
   bottom: number
 }
 
+/** A whole picture. */
+export const WHOLE: Region = { left: 0, top: 0, right: 1, bottom: 1 }
+
 /** Largest difference in any channel of two pictures of equal size within a region. */
 export function largestDifference(a: CanvasPixels, b: CanvasPixels, region: Region): number {
   let largest = 0
@@ -30,7 +33,7 @@ export function meanDifference(a: CanvasPixels, b: CanvasPixels, region: Region)
 /** Difference of the brightest and the darkest byte: 0 for a blank picture. */
 export function contrast(picture: CanvasPixels): number {
   let [low, high] = [255, 0]
-  forEachByte(picture, { left: 0, top: 0, right: 1, bottom: 1 }, (i) => {
+  forEachByte(picture, WHOLE, (i) => {
     low = Math.min(low, picture.data[i])
     high = Math.max(high, picture.data[i])
   })

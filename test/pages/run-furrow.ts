@@ -16,14 +16,19 @@ export interface CommandResult {
   stderr: string
 }
 
-/** Runs the built command without a terminal. */
+/** Starts the built command without a terminal. */
+export function startFurrow(cwd: string, env: NodeJS.ProcessEnv, ...args: string[]) {
+  return spawn(process.execPath, [BIN, ...args], {
+    cwd,
+    env: { ...process.env, ...env },
+    stdio: ['ignore', 'pipe', 'pipe'],
+  })
+}
+
+/** Runs the built command without a terminal, to its end. */
 export function runFurrow(cwd: string, env: NodeJS.ProcessEnv, ...args: string[]): Promise<CommandResult> {
   return new Promise((resolve, reject) => {
-    const child = spawn(process.execPath, [BIN, ...args], {
-      cwd,
-      env: { ...process.env, ...env },
-      stdio: ['ignore', 'pipe', 'pipe'],
-    })
+    const child = startFurrow(cwd, env, ...args)
     const [stdout, stderr]: [Buffer[], Buffer[]] = [[], []]
     child.stdout.on('data', (data) => stdout.push(data))
     child.stderr.on('data', (data) => stderr.push(data))

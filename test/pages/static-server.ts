@@ -11,9 +11,10 @@ const TYPES: Record<string, string> = {
   '.png': 'image/png',
 }
 
-/** Starts a static server for the root of the repository. */
-export async function startStaticServer(): Promise<{ origin: string; close(): void }> {
-  const root = fileURLToPath(new URL('../../', import.meta.url))
+const REPOSITORY = fileURLToPath(new URL('../../', import.meta.url))
+
+/** Starts a static server for a folder, by default the root of the repository. */
+export async function startStaticServer(root = REPOSITORY): Promise<{ origin: string; close(): void }> {
   const server = createServer((request, response) => {
     const file = join(root, decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname))
     // Browsers always request an icon.

@@ -5,6 +5,7 @@ import { FurrowError } from 'furrow'
 import { type Browser, chromium, type Page } from 'playwright-core'
 import { CHROMIUM_FLAGS } from './chromium-flags.ts'
 import { firstLine } from './errors.ts'
+import { temporaryFolder } from './interruption.ts'
 
 /** Milliseconds until the start of a browser is given up. */
 const START_TIMEOUT = 300_000
@@ -60,12 +61,28 @@ export function findBrowser(): string {
   })
 }
 
-/** Starts the browser that `findBrowser` finds, headless. The caller closes it. */
+/**
+ * Starts the browser that `findBrowser` finds, headless. The caller closes it; a signal ends it with the process, and
+ * nothing of either stays in the system's temporary folder.
+ */
 export async function launchBrowser(): Promise<Browser> {
   const executablePath = findBrowser()
+  const folder = temporaryFolder()
   try {
-    return await chromium.launch({ executablePath, args: [...CHROMIUM_FLAGS], timeout: START_TIMEOUT })
+    const browser = await inFolder(folder.path, () =>
+      chromium.launch({
+        executablePath,
+        args: [...CHROMIUM_FLAGS],
+        timeout: START_TIMEOUT,
+        handleSIGHUP: false,
+        handleSIGINT: false,
+        handleSIGTERM: false,
+      }),
+    )
+    browser.on('disconnected', () => void folder.remove())
+    return browser
   } catch (error) {
+    await folder.remove()
     throw new FurrowError(
       {
         code: 'unsupported',
@@ -76,6 +93,18 @@ export async function launchBrowser(): Promise<Browser> {
       },
       { cause: error },
     )
+  }
+}
+
+/** Playwright and the browser ask the environment for the folder of their temporary files. */
+async function inFolder<T>(folder: string, work: () => Promise<T>): Promise<T> {
+  const { TMPDIR } = process.env
+  process.env.TMPDIR = folder
+  try {
+    return await work()
+  } finally {
+    if (TMPDIR === undefined) delete process.env.TMPDIR
+    else process.env.TMPDIR = TMPDIR
   }
 }
 

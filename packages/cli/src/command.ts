@@ -1,5 +1,6 @@
 import { Command, type CommanderError } from 'commander'
 import { FurrowError } from 'furrow'
+import { didYouMean } from './nearest.ts'
 
 /**
  * A command whose errors are thrown as `FurrowError`, those of commander (unknown options, missing or wrong
@@ -9,18 +10,41 @@ import { FurrowError } from 'furrow'
  */
 export function createCommand(name: string): Command {
   const who = name === 'furrow' ? name : `furrow ${name}`
-  return new Command(name)
-    .showSuggestionAfterError(false)
-    .configureOutput({ outputError: () => {} })
-    .exitOverride((error) => {
-      // Help and version were printed; commander then exits by itself.
-      if (error.exitCode === 0 || error.code === 'commander.help') return
-      throw usageError(who, error)
-    })
+  const command = new Command(name).configureOutput({ outputError: () => {} })
+  return command.exitOverride((error) => {
+    // Help and version were printed; commander then exits by itself.
+    if (error.exitCode === 0 || error.code === 'commander.help') return
+    throw usageError(command, who, error)
+  })
 }
 
-/** Commander's messages begin with `error: `; those about choices end with a full stop. */
-function usageError(who: string, error: CommanderError): FurrowError {
-  const what = error.message.replace(/^error: /, '').replace(/\.$/, '')
-  return new FurrowError({ code: 'usage', who, what, remedy: `see ${who} --help` }, { cause: error })
+function usageError(command: Command, who: string, error: CommanderError): FurrowError {
+  const { what, suggestion } = readMessage(error)
+  const fault = (what: string, remedy: string) =>
+    new FurrowError({ code: 'usage', who, what, remedy }, { cause: error })
+  const help = `see ${who} --help`
+  // A required option that is misspelt is not missing.
+  const unknown = error.code === 'commander.missingMandatoryOptionValue' ? unknownOption(command) : undefined
+  if (unknown !== undefined) {
+    const options = command.options.flatMap(({ long }) => long ?? [])
+    return fault(`unknown option '${unknown}'`, didYouMean(unknown, options, help))
+  }
+  // Commander knows the nearest command and option, but not the nearest choice.
+  if (suggestion) return fault(what, `did you mean "${suggestion}"?`)
+  const choice = /argument '(.*)' is invalid\. Allowed choices are (.*)$/.exec(what)
+  return fault(what, choice ? didYouMean(choice[1], choice[2].split(', '), help) : help)
+}
+
+/** Messages begin with `error: `; those about choices end with a full stop. A suggestion has a line of its own. */
+function readMessage({ message }: CommanderError): { what: string; suggestion: string | undefined } {
+  const [first, second = ''] = message.split('\n')
+  const what = first.replace(/^error: /, '').replace(/\.$/, '')
+  return { what, suggestion: /^\(Did you mean (.*)\?\)$/.exec(second)?.[1] }
+}
+
+function unknownOption(command: Command): string | undefined {
+  const { rawArgs = [] } = (command.parent ?? command) as Command & { rawArgs?: string[] }
+  return rawArgs.find((text) => {
+    return text.startsWith('--') && !command.options.some(({ long }) => long === text.split('=')[0])
+  })
 }

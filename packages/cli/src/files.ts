@@ -1,7 +1,10 @@
-import { mkdir, open, readdir, readFile, rename, rm, rmdir, stat, writeFile } from 'node:fs/promises'
-import { basename, dirname, join, resolve } from 'node:path'
+import { existsSync, mkdirSync, renameSync, rmdirSync, rmSync, type Stats, writeFileSync } from 'node:fs'
+import { readdir, readFile } from 'node:fs/promises'
+import { dirname, join } from 'node:path'
 import { FurrowError } from 'furrow'
 import { cannotRead, cannotWrite } from './errors.ts'
+import { uninterrupted } from './interruption.ts'
+import { isStdout, statOf, targetOf } from './outputs.ts'
 
 /** A file to write: its whole content, still in memory. */
 export interface OutputFile {
@@ -34,47 +37,38 @@ export async function readJson(path: string, who: string, noun = '', remedy?: st
 }
 
 /**
- * Checks that a file can be written before any work is done for it. Leaves nothing behind.
- *
- * @param extension what its name must end with.
- * @throws FurrowError when it cannot.
- */
-export async function checkWritable(path: string, who: string, extension = '.png'): Promise<void> {
-  if (!path.toLowerCase().endsWith(extension)) {
-    const problem = `its name does not end in ${extension}`
-    throw cannotWrite(who, path, problem, `name it e.g. face${extension}`)
-  }
-  try {
-    if ((await stat(path).catch(() => undefined))?.isDirectory()) throw new Error('it is a folder')
-    const folder = await nearestFolder(dirname(resolve(path)))
-    const trial = temporaryPath(join(folder, basename(path)))
-    await (await open(trial, 'wx')).close()
-    await rm(trial)
-  } catch (error) {
-    throw cannotWrite(who, path, error)
-  }
-}
-
-/**
  * Writes all files or none: everything goes to temporary files beside their targets first, which are then renamed.
- * Creates missing folders.
+ * Creates missing folders. No signal interrupts it. What is for stdout follows when all else is written.
  *
  * @throws FurrowError naming the file that cannot be written.
  */
 export async function writeAll(outputs: readonly OutputFile[], who: string): Promise<void> {
+  const files: (OutputFile & { target: string })[] = []
+  for (const output of outputs) {
+    if (!isStdout(output.path)) files.push({ ...output, target: await targetOf(output.path) })
+  }
+  await uninterrupted(() => writeFiles(files, who))
+  for (const { path, bytes } of outputs) if (isStdout(path)) await writeStdout(bytes, who)
+}
+
+function writeFiles(files: readonly (OutputFile & { target: string })[], who: string): void {
+  const undo: (() => void)[] = []
   let current = ''
   try {
-    for (const { path, bytes } of outputs) {
+    const renames = files.map(({ path, bytes, target }) => {
       current = path
-      await mkdir(dirname(path), { recursive: true })
-      await writeFile(temporaryPath(path), bytes)
-    }
-    for (const { path } of outputs) {
+      makeFolder(dirname(target), undo)
+      const temporary = temporaryPath(target)
+      undo.push(() => rmSync(temporary, { force: true }))
+      writeFileSync(temporary, bytes)
+      return { path, temporary, target }
+    })
+    for (const { path, temporary, target } of renames) {
       current = path
-      await rename(temporaryPath(path), path)
+      renameSync(temporary, target)
     }
   } catch (error) {
-    await Promise.all(outputs.map(({ path }) => rm(temporaryPath(path), { force: true }).catch(() => {})))
+    for (const step of undo.reverse()) step()
     throw cannotWrite(who, current, error)
   }
 }
@@ -85,32 +79,50 @@ export async function writeFolder(
   outputs: readonly OutputFile[],
   who: string,
 ): Promise<void> {
-  const target = resolve(folder)
-  const temporary = temporaryPath(target)
-  try {
-    await writeAll(
-      outputs.map(({ path, bytes }) => ({ path: join(temporary, path), bytes })),
-      who,
-    )
-    // Removes only an empty folder; otherwise the rename fails and nothing of the user's is lost.
-    await rmdir(target).catch(() => {})
-    await rename(temporary, target)
-  } catch (error) {
-    await rm(temporary, { recursive: true, force: true }).catch(() => {})
-    throw error instanceof FurrowError ? error : cannotWrite(who, folder, error)
-  }
+  const target = await targetOf(folder)
+  await uninterrupted(() => {
+    const undo: (() => void)[] = []
+    try {
+      makeFolder(dirname(target), undo)
+      const temporary = temporaryPath(target)
+      undo.push(() => rmSync(temporary, { recursive: true, force: true }))
+      const files = outputs.map(({ path, bytes }) => ({ path, bytes, target: join(temporary, path) }))
+      writeFiles(files, who)
+      // Only an empty folder is removed; otherwise the rename fails and nothing of the user's is lost.
+      if (existsSync(target)) rmdirSync(target)
+      renameSync(temporary, target)
+    } catch (error) {
+      for (const step of undo.reverse()) step()
+      throw error instanceof FurrowError ? error : cannotWrite(who, folder, error)
+    }
+  })
+}
+
+/** Makes a folder and those above it; what was made is removed by `undo`. */
+function makeFolder(folder: string, undo: (() => void)[]): void {
+  const first = mkdirSync(folder, { recursive: true })
+  if (first === undefined) return
+  undo.push(() => {
+    for (let made = folder; made.length >= first.length; made = dirname(made)) rmdirSync(made)
+  })
+}
+
+function writeStdout(bytes: Uint8Array, who: string): Promise<void> {
+  return new Promise((resolve, reject) => {
+    process.stdout.write(bytes, (error) => (error ? reject(cannotWrite(who, 'to stdout', error)) : resolve()))
+  })
 }
 
 /** Throws FurrowError where a path that is to become a folder is a file. */
 export async function checkFolder(path: string, who: string): Promise<void> {
-  const found = await stat(path).catch(() => undefined)
+  const found = await folderAt(path, who)
   if (!found || found.isDirectory()) return
   throw new FurrowError({ code: 'unwritable', who, what: `${path} is not a folder`, remedy: 'name a folder' })
 }
 
 /** Throws FurrowError where a path is a file or a folder with contents. */
 export async function checkNewFolder(path: string, who: string): Promise<void> {
-  const found = await stat(path).catch(() => undefined)
+  const found = await folderAt(path, who)
   if (!found) return
   if (found.isDirectory() && (await readdir(path)).length === 0) return
   throw new FurrowError({
@@ -122,14 +134,15 @@ export async function checkNewFolder(path: string, who: string): Promise<void> {
   })
 }
 
-const temporaryPath = (path: string) => `${path}.${process.pid}.tmp`
+function folderAt(path: string, who: string): Promise<Stats | undefined> {
+  return statOf(path).catch((error) => {
+    throw cannotWrite(who, path, error)
+  })
+}
 
-/** The folder itself, or its nearest ancestor that exists. */
-async function nearestFolder(path: string): Promise<string> {
-  const found = await stat(path).catch(() => undefined)
-  if (found?.isDirectory()) return path
-  if (found) throw new Error(`${path} is not a folder`)
-  const parent = dirname(path)
-  if (parent === path) throw new Error(`${path} does not exist`)
-  return nearestFolder(parent)
+let temporaries = 0
+
+/** Short, since the name of the file itself may be as long as names can be. */
+function temporaryPath(target: string): string {
+  return join(dirname(target), `.furrow-${process.pid}-${++temporaries}.tmp`)
 }

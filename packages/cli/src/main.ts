@@ -1,4 +1,5 @@
 import { readFileSync } from 'node:fs'
+import { inspect } from 'node:util'
 import { FurrowError } from 'furrow'
 import { createCommand } from './command.ts'
 import { activationsCommand } from './commands/activations.ts'
@@ -12,7 +13,8 @@ import { renderCommand } from './commands/render.ts'
 import { strokesCommand } from './commands/strokes.ts'
 import { unpackCommand } from './commands/unpack.ts'
 import { validateCommand } from './commands/validate.ts'
-import { firstLine } from './errors.ts'
+import { cannotWrite } from './errors.ts'
+import { warn } from './print.ts'
 
 const { version } = JSON.parse(readFileSync(new URL('../package.json', import.meta.url), 'utf8'))
 
@@ -44,10 +46,21 @@ for (const command of [
   program.addCommand(command)
 }
 
+for (const stream of [process.stdout, process.stderr]) {
+  stream.on('error', (error: NodeJS.ErrnoException) => {
+    // Who reads the output has seen enough, like `head`.
+    if (error.code === 'EPIPE') process.exit()
+    warn(cannotWrite('furrow', 'to stdout', error).message)
+    process.exit(1)
+  })
+}
+
 try {
-  await program.parseAsync()
+  if (process.argv.length > 2) await program.parseAsync()
+  else program.outputHelp()
 } catch (error) {
   // Users get one line; anything else is a bug, and gets a stack.
-  console.error(error instanceof FurrowError ? firstLine(error) : error)
+  if (error instanceof FurrowError) warn(error.message)
+  else for (const line of inspect(error).split('\n')) warn(line)
   process.exitCode = 1
 }

@@ -39,6 +39,11 @@ export function assignmentParser({ min = -Number.MAX_VALUE, max = Number.MAX_VAL
 /** Parses `NAME=VALUE` of a weight or activation, 0..1. */
 export const parseWeight = assignmentParser({ min: 0, max: 1 })
 
+/** The option of commands whose output may be of the same kind as an input; see `OutputRules`. */
+export function forceOption(): Option {
+  return new Option('--force', 'let the output replace the input')
+}
+
 /** The option of commands that read glTF; see `ReadOptions`. */
 export function allowOutsideOption(): Option {
   return new Option('--allow-outside', 'let a file refer to files outside its own folder')

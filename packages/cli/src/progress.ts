@@ -1,4 +1,5 @@
 import { SingleBar } from 'cli-progress'
+import { escaped } from './print.ts'
 
 /** Called now and then during a long task with how much of it is done, and the name of the current step. */
 export type Progress = (done: number, total: number, step?: string) => void
@@ -16,7 +17,7 @@ export function withBar<T>(name: string, work: (progress: Progress) => T): T {
     const result = work((done, total, step = `${done}/${total}`) => {
       if (!started) bar.start(total, 0, { step })
       started = true
-      bar.update(done, { step })
+      bar.update(done, { step: escaped(step) })
     })
     if (!(result instanceof Promise)) return result
     waiting = true

@@ -364,7 +364,7 @@ describe('files', () => {
   test('what cannot be written', async () => {
     const face = await write('body.glb')
     mkdirSync(file('folder.glb'))
-    await fails('does not end in .glb', face, '-o', file('x.gltf'))
+    await fails('does not end in .glb', face, '-o', file('x.obj'))
     await fails('is not a folder', face, '-o', `${face}/x.glb`)
     await fails('it is a folder', face, '-o', file('folder.glb'))
     await fails('is not a folder', face, '-o', file('x.glb'), '--report', `${face}/report`)

@@ -324,7 +324,7 @@ describe('furrow bake says what is wrong and writes nothing:', () => {
   const out = () => ['-o', file('x.png'), '--size', '32']
   it.each([
     ['no output', () => good(), 'no output, allowed: -o NORMAL.png, --height HEIGHT.png, --occlusion AO.png'],
-    ['one output twice', () => [...good(), ...out(), '--height', file('x.png')], 'one file for two maps'],
+    ['one output twice', () => [...good(), ...out(), '--height', file('x.png')], 'one file for two outputs'],
     ['a missing sculpt', () => [file('none.glb'), file('plain.glb'), ...out()], 'cannot read the face'],
     ['a missing mesh', () => [file('ball.glb'), file('none.glb'), ...out()], 'cannot read the face'],
     ['half a sculpt', () => [file('cut.glb'), file('plain.glb'), ...out()], 'it is cut off: 5000 of'],

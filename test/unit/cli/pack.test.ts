@@ -212,7 +212,7 @@ describe('furrow pack with bad input', () => {
       'area "nose" is on an unknown layer',
     ],
     ['two areas of one name', document({ areas: [nose, nose] }), 'areas[1].name is taken, got "nose"'],
-    ['a missing image', document({ areas: [{ name: 'a', image: 'no.png' }] }), 'no.png (ENOENT'],
+    ['a missing image', document({ areas: [{ name: 'a', image: 'no.png' }] }), 'no.png (it does not exist'],
     ['an address elsewhere', document({ areas: [{ name: 'a', image: 'https://x/y' }] }), 'cannot read'],
     [
       'a driver of nothing',

@@ -2,6 +2,7 @@ import type { Document, Mesh } from '@gltf-transform/core'
 import { FurrowError } from 'furrow'
 import { crossOf, faceShapeFinder, type Skin } from 'furrow/author'
 import { trianglesOf } from '../gltf/mesh-nodes.ts'
+import { didYouMean } from '../nearest.ts'
 import { readSkin } from './read-skin.ts'
 
 /** The skin that was chosen: the primitives of one mesh with one material. */
@@ -36,11 +37,19 @@ const SKIN_SHAPES = [
  * no blendshape has such a name, the one that all blendshapes together move most.
  *
  * @param meshName only this mesh, or the mesh of a node of this name; all by default.
+ * @param isLit tells whether a material, by its index, can show wrinkles: such a one is preferred where it moves at least half as much.
  * @throws FurrowError when no mesh can wrinkle.
  */
-export function findSkin(document: Document, path: string, who: string, meshName?: string): FoundSkin {
-  const found = bestSkin(document, meshName)
+export function findSkin(
+  document: Document,
+  path: string,
+  who: string,
+  meshName?: string,
+  isLit: (material: number) => boolean = () => true,
+): FoundSkin {
+  const found = bestSkin(document, meshName, isLit)
   if (found) return found
+  const names = document.getRoot().listMeshes().map(labelOf)
   throw new FurrowError({
     code: meshName === undefined ? 'invalid' : 'unknown-name',
     who,
@@ -51,26 +60,32 @@ export function findSkin(document: Document, path: string, who: string, meshName
     remedy:
       meshName === undefined
         ? 'unwrap the face and give it a material'
-        : `name one of ${document.getRoot().listMeshes().map(labelOf).join(', ')}`,
+        : didYouMean(meshName, names, `name one of ${names.join(', ')}`),
   })
 }
 
 /** The skin that the blendshapes move more than all others together; undefined where there is none. */
 export function mostMovedSkin(document: Document, meshName?: string): FoundSkin | undefined {
-  const skin = bestSkin(document, meshName)
+  const skin = bestSkin(document, meshName, () => true)
   return skin && skin.fraction > 0.5 ? skin : undefined
 }
 
-function bestSkin(document: Document, meshName: string | undefined): FoundSkin | undefined {
+function bestSkin(
+  document: Document,
+  meshName: string | undefined,
+  isLit: (material: number) => boolean,
+): FoundSkin | undefined {
   const meshes = document.getRoot().listMeshes()
   const wanted = meshes.flatMap((mesh, index) => (isNamed(mesh, meshName) ? [{ mesh, index }] : []))
   const candidates = wanted.flatMap(({ mesh, index }) => candidatesOf(document, mesh, index))
   const byFace = candidates.map(({ skin }) => movedSurface(skin, faceTargets(skin)))
   const isFace = byFace.some((moved) => moved > 0)
   const moved = isFace ? byFace : candidates.map(({ skin }) => movedSurface(skin, [...skin.targets.keys()]))
-  const best = candidates[moved.indexOf(Math.max(...moved))]
+  const preferred = moved.map((value, i) => (isLit(candidates[i].material) ? 2 * value : value))
+  const index = preferred.indexOf(Math.max(...preferred))
+  const best = candidates[index]
   if (!best) return undefined
-  const fraction = Math.max(...moved) / moved.reduce((a, b) => a + b, 0)
+  const fraction = moved[index] / moved.reduce((a, b) => a + b, 0)
   return { ...best, fraction, reason: reasonOf(isFace, fraction, candidates.length) }
 }
 

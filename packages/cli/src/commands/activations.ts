@@ -11,7 +11,9 @@ import {
 } from 'furrow'
 import { createCommand } from '../command.ts'
 import { targetNamesOf } from '../gltf/gltf-json.ts'
+import { didYouMean } from '../nearest.ts'
 import { allowOutsideOption, assignmentParser, parseWeight } from '../options.ts'
+import { print } from '../print.ts'
 import { readWrinkledFile } from '../wrinkles/wrinkled-file.ts'
 
 const WHO = 'furrow activations'
@@ -63,16 +65,14 @@ async function activations(path: string, options: Options): Promise<void> {
     inputs: options.input,
   })
   const others = maps.drivers.filter(needsMesh).map(describeDriver)
-  const text = options.json
+  const lines = options.json
     ? JSON.stringify({
         file: path,
         areas: explanations,
         ...(others.length > 0 && { needMovingMesh: others }),
       })
-    : [...explanations.flatMap(describe), ...others.map((text) => `needs the moving mesh: ${text}`)].join(
-        '\n',
-      )
-  process.stdout.write(`${text}\n`)
+    : [...explanations.flatMap(describe), ...others.map((text) => `needs the moving mesh: ${text}`)]
+  print(lines)
 }
 
 /** `0.620  nose`, and below it what each driver and link contributed, largest first; zeros are left out. */
@@ -111,7 +111,7 @@ function weightsOf(targetNames: readonly string[], set: Readonly<Record<string, 
         what: 'no such blendshape',
         value: name,
         limit: targetNames.join(', ') || 'the mesh has none',
-        remedy: 'name one of these',
+        remedy: didYouMean(name, targetNames, 'name one of these'),
       })
     }
     for (const index of indices) weights[index] = weight

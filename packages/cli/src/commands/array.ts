@@ -7,8 +7,10 @@ import { readArray, writeArray } from '../array/ktx2.ts'
 import { readLayers } from '../array/read-layers.ts'
 import { createCommand } from '../command.ts'
 import { cannotRead } from '../errors.ts'
-import { checkFolder, checkWritable, readBytes, writeAll } from '../files.ts'
+import { checkFolder, readBytes, writeAll } from '../files.ts'
 import { encodePngWithoutOpaqueAlpha } from '../images/encode.ts'
+import { checkOutputs } from '../outputs.ts'
+import { print } from '../print.ts'
 import { withBar } from '../progress.ts'
 
 const WHO = 'furrow array'
@@ -72,7 +74,7 @@ async function packImages(
   output: string,
   { compress, mipmaps, srgb = false }: Options,
 ): Promise<Result> {
-  await checkWritable(output, WHO, '.ktx2')
+  await checkOutputs([output], WHO, { extensions: ['.ktx2'], inputs: files })
   const array = await withBar('array', (progress) => readLayers(files, srgb, progress))
   const bytes = await writeArray(array, compress, mipmaps)
   await writeAll([{ path: output, bytes }], WHO)
@@ -100,7 +102,8 @@ async function extractLayers(files: string[], folder: string): Promise<Result> {
       bytes: await encodePngWithoutOpaqueAlpha({ ...array, data }),
     })),
   )
-  for (const output of outputs) await checkWritable(output.path, WHO)
+  const paths = outputs.map(({ path }) => path)
+  await checkOutputs(paths, WHO, { inputs: files })
   await writeAll(outputs, WHO)
   return { ...array, file: folder, bytes: bytes.length }
 }
@@ -135,10 +138,10 @@ function printSummary(result: Result, { json }: Options): void {
   const format = `${channels === 1 ? 'gray' : 'RGBA'}${srgb ? ' sRGB' : ''}, ${compression}`
   const onGpu = gpuBytes === undefined ? '' : `, ${kibibytes(gpuBytes)} on the GPU`
   const count = `${names.length} ${names.length === 1 ? 'layer' : 'layers'}`
-  const text = json
+  const line = json
     ? JSON.stringify({ file, width, height, layers: names, channels, srgb, compression, bytes, gpuBytes })
     : `${file}: ${count} of ${width} x ${height}, ${format}, ${kibibytes(bytes)} in the file${onGpu}`
-  process.stdout.write(`${text}\n`)
+  print(line, file)
 }
 
 const kibibytes = (bytes: number) => `${(bytes / 1024).toFixed(1)} KiB`

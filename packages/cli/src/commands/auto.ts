@@ -15,13 +15,17 @@ import { type Cost, costOf } from '../auto/cost.ts'
 import { type FoundSkin, findSkin } from '../auto/find-skin.ts'
 import { packAuto } from '../auto/pack-auto.ts'
 import { makeReport } from '../auto/report/make-report.ts'
+import { shadingOf, shadingWarning } from '../auto/shading.ts'
 import { Steps } from '../auto/steps.ts'
 import { createCommand } from '../command.ts'
 import { withCommandErrors } from '../errors.ts'
-import { checkWritable, writeAll } from '../files.ts'
-import { encodeGlb, type Glb, readGlbFile } from '../gltf/glb-file.ts'
+import { writeAll } from '../files.ts'
+import { FACE_EXTENSIONS, faceFiles } from '../gltf/face-files.ts'
+import { type Glb, readGlbFile } from '../gltf/glb-file.ts'
 import { documentOf } from '../gltf/read-document.ts'
-import { allowOutsideOption, numberParser } from '../options.ts'
+import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
+import { checkOutputs } from '../outputs.ts'
+import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
 import { embedWrinkles } from '../wrinkles/embed.ts'
 import { kilobytes } from '../wrinkles/sizes.ts'
@@ -51,6 +55,7 @@ interface Options {
   regions?: AutoRegion[]
   replace?: boolean
   allowOutside?: boolean
+  force?: boolean
   report?: string
   json?: boolean
 }
@@ -63,7 +68,7 @@ const count = (min: number, max: number) => numberParser({ min, max, integer: tr
 export const autoCommand = createCommand('auto')
   .description("make wrinkles from a face's own blendshapes, where they compress the skin")
   .argument('<face>', 'a face with blendshapes (.glb, .vrm, .gltf)')
-  .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb)')
+  .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb, .vrm, .gltf)')
   .option('--age <years>', 'lines grow in number, length and depth, 20 to 80', years, AUTO_DEFAULTS.age)
   .option('--strength <factor>', 'multiplies the depth, 0 to 2', factor, AUTO_DEFAULTS.strength)
   .addOption(
@@ -94,6 +99,7 @@ export const autoCommand = createCommand('auto')
   .option('--replace', 'replace existing wrinkles')
   .option('--report <folder>', 'write a page there: before and after, strain, areas, layers, drivers')
   .addOption(allowOutsideOption())
+  .addOption(forceOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
@@ -117,15 +123,22 @@ async function auto(face: string, options: Options): Promise<void> {
     ...(regions && { regions }),
   }
   if (ktx2) checkCompressible(settings.size, layers)
-  await checkWritable(output, WHO, '.glb')
-  if (report !== undefined) await checkWritable(join(report, 'index.html'), WHO, '.html')
+  const rules = { extensions: FACE_EXTENSIONS, inputs: [face], force: options.force ?? false }
+  await checkOutputs([output], WHO, rules)
+  if (report !== undefined) await checkOutputs([join(report, 'index.html')], WHO, { extensions: ['.html'] })
   const total = OWN_STEPS + AUTO_STEPS.length + (report === undefined ? 0 : REPORT_STEPS)
   const { found, wrinkles, cost, bytes, warnings } = await withBar('auto', async (progress) => {
     const steps = new Steps(progress, total)
     steps.begin('reading')
     const glb = await readGlbFile(face, WHO, options)
     checkTriangles(glb, WHO, mesh)
-    const found = findSkin(await documentOf(glb, face, WHO), face, WHO, mesh)
+    const found = findSkin(
+      await documentOf(glb, face, WHO),
+      face,
+      WHO,
+      mesh,
+      (i) => shadingOf(glb.json, i) !== 'unlit',
+    )
     removeOldWrinkles(glb, found, options.replace ?? false)
     const frame = found.hasTangents ? 'orthonormal' : 'derivative'
     const wrinkles = withCommandErrors(WHO, () =>
@@ -138,24 +151,27 @@ async function auto(face: string, options: Options): Promise<void> {
     const packed = await packAuto(wrinkles, ktx2, WHO)
     const cost = costOf(wrinkles, packed, ktx2)
     embedWrinkles(glb, found.material, packed, WHO)
-    const bytes = encodeGlb(glb)
-    await writeAll([{ path: output, bytes }], WHO)
-    const warnings = wrinkles.warnings.map((text) => `${WHO}: ${text}`)
+    const files = await faceFiles(glb, output, WHO, rules)
+    const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0)
+    const shading = shadingWarning(glb.json, found.material, found.materialName)
+    const warnings = [...wrinkles.warnings, ...(shading ? [shading] : [])].map((text) => `${WHO}: ${text}`)
     if (report !== undefined) {
       const listed = { ...settings, regions: regions?.join(', ') ?? 'all' }
       const source = { path: output, glb, found, wrinkles, settings: listed, warnings }
-      const { files, missing } = await makeReport(source, report, steps, WHO)
+      const made = await makeReport(source, report, steps, WHO)
+      files.push(...made.files)
       steps.begin('writing')
-      await writeAll(files, WHO)
-      if (missing) warnings.push(`${WHO}: the report has no pictures of the face (${missing})`)
+      if (made.missing) warnings.push(`${WHO}: the report has no pictures of the face (${made.missing})`)
     }
-    return { found, wrinkles, cost, bytes: bytes.length, warnings }
+    await writeAll(files, WHO)
+    return { found, wrinkles, cost, bytes, warnings }
   })
-  for (const warning of warnings) console.error(warning)
-  process.stdout.write(
+  for (const warning of warnings) warn(warning)
+  print(
     options.json
-      ? `${JSON.stringify(summary(wrinkles, found, options, bytes, cost))}\n`
+      ? JSON.stringify(summary(wrinkles, found, options, bytes, cost))
       : describe(wrinkles, found, options, cost),
+    output,
   )
 }
 
@@ -238,7 +254,7 @@ function describe(
   { meshName, materialName, reason }: FoundSkin,
   { output, report, ktx2 }: Options,
   cost: Cost,
-): string {
+): string[] {
   const head = `${output}: mesh "${meshName}", material "${materialName}" (${reason}); layers: ${layers.length}; areas: ${areas.length}`
   const rows = areas.map(({ name, layer, compression, error, driver }) => {
     const links = driver.targets.map(({ name: target, weight }) => `${target} ${weight ?? 1}`).join(', ')
@@ -248,7 +264,7 @@ function describe(
   const page = report === undefined ? [] : [`${join(report, 'index.html')}: the report`]
   const less = ktx2 ? 'a smaller --size or fewer --layers take less' : '--ktx2 or a smaller --size takes less'
   const sizes = `wrinkles: ${kilobytes(cost.file)} in the file, ${kilobytes(cost.gpu)} on the GPU; ${less}`
-  return `${[head, ...rows, ...missingRows(missing), sizes, ...page, OTHER_TOOLS].join('\n')}\n`
+  return [head, ...rows, ...missingRows(missing), sizes, ...page, OTHER_TOOLS]
 }
 
 /** A line per reason. */

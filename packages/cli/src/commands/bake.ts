@@ -6,7 +6,7 @@ import { raySourceOf } from '../bake/ray-source.ts'
 import { readLow, readSurface, type Tangents } from '../bake/read-meshes.ts'
 import { createCommand } from '../command.ts'
 import { withCommandErrors } from '../errors.ts'
-import { checkWritable, type OutputFile, writeAll } from '../files.ts'
+import { type OutputFile, writeAll } from '../files.ts'
 import {
   encodeHeight,
   encodeNormalMap,
@@ -16,6 +16,8 @@ import {
   MAX_HEIGHT,
 } from '../images/encode.ts'
 import { allowOutsideOption, numberParser } from '../options.ts'
+import { checkOutputs } from '../outputs.ts'
+import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
 
 const WHO = 'furrow bake'
@@ -100,7 +102,8 @@ Examples:
 
 async function bake(high: string, low: string, options: Options): Promise<void> {
   const start = performance.now()
-  const paths = await checkOutputs(options)
+  const paths = outputsOf(options)
+  await checkOutputs(paths, WHO, { inputs: [high, low] })
   const { name, mesh, tangents } = await readLow(low, options.mesh, options.tangents, options)
   const surface = await readSurface(high, options)
   const cage = options.cage === undefined ? DEFAULT_CAGE * meshDiagonal(mesh) : options.cage / 1000
@@ -126,7 +129,7 @@ async function bake(high: string, low: string, options: Options): Promise<void> 
     options,
   )
   if (!surface.normals) {
-    console.error(`${WHO}: ${high} has no normals, so its facets show; export it with smooth normals`)
+    warn(`${WHO}: ${high} has no normals, so its facets show; export it with smooth normals`)
   }
 }
 
@@ -142,8 +145,8 @@ function settingsOf(options: Options): Omit<BakeOptions, 'cage'> {
   }
 }
 
-/** The paths of the maps to write. Throws FurrowError where there are none, two are the same, or one cannot be written. */
-async function checkOutputs({ output, height, occlusion }: Options): Promise<string[]> {
+/** The paths of the maps to write. Throws FurrowError where there are none. */
+function outputsOf({ output, height, occlusion }: Options): string[] {
   const paths = [output, height, occlusion].filter((path) => path !== undefined)
   if (paths.length === 0) {
     throw new FurrowError({
@@ -154,17 +157,6 @@ async function checkOutputs({ output, height, occlusion }: Options): Promise<str
       remedy: 'name at least one of them',
     })
   }
-  const duplicate = paths.find((path, i) => paths.indexOf(path) < i)
-  if (duplicate !== undefined) {
-    throw new FurrowError({
-      code: 'usage',
-      who: WHO,
-      what: 'one file for two maps',
-      value: duplicate,
-      remedy: 'give each map a file of its own',
-    })
-  }
-  for (const path of paths) await checkWritable(path, WHO)
   return paths
 }
 
@@ -193,7 +185,7 @@ interface Summary {
 function printSummary(baked: BakedMaps, summary: Summary, options: Options): void {
   const { files, mesh, size, tangents, triangles, cageMm, samples, misses, emptyTexels, milliseconds } =
     summary
-  const text = options.json
+  const lines = options.json
     ? JSON.stringify(summary)
     : [
         `${files.join(', ')}: ${size} x ${size}, ${triangles.high} triangles onto ${triangles.low} of ${mesh}, cage ${cageMm} mm, ${(milliseconds / 1000).toFixed(1)} s`,
@@ -201,10 +193,10 @@ function printSummary(baked: BakedMaps, summary: Summary, options: Options): voi
         ...(options.height
           ? [`${options.height}: ${HEIGHT_ZERO} = 0 mm, ${HEIGHT_STEPS_PER_MM} steps = 1 mm`]
           : []),
-      ].join('\n')
-  process.stdout.write(`${text}\n`)
+      ]
+  print(lines, ...files)
   const isClamped = baked.height.data.some((mm) => Math.abs(mm) > MAX_HEIGHT)
   if (options.height && isClamped) {
-    console.error(`${WHO}: some heights are beyond ${MAX_HEIGHT} mm and were clamped; use a smaller --cage`)
+    warn(`${WHO}: some heights are beyond ${MAX_HEIGHT} mm and were clamped; use a smaller --cage`)
   }
 }

@@ -1,7 +1,9 @@
 import { describeDriver } from 'furrow'
 import { createCommand } from '../command.ts'
-import { checkWritable, writeAll } from '../files.ts'
+import { writeAll } from '../files.ts'
 import { allowOutsideOption } from '../options.ts'
+import { checkOutputs } from '../outputs.ts'
+import { print } from '../print.ts'
 import { type Inspection, inspectWrinkles } from '../wrinkles/inspect.ts'
 import { drawSheet } from '../wrinkles/sheet.ts'
 import { type GpuSizes, kilobytes } from '../wrinkles/sizes.ts'
@@ -37,17 +39,17 @@ Examples:
 
 async function inspect(path: string, options: Options): Promise<void> {
   const { sheet, json } = options
-  if (sheet !== undefined) await checkWritable(sheet, WHO)
+  await checkOutputs([sheet], WHO, { inputs: [path] })
   const file = await readWrinkledFile(path, WHO, options)
   const report = await inspectWrinkles(file, WHO)
   if (sheet !== undefined) await writeAll([{ path: sheet, bytes: await drawSheet(file, WHO) }], WHO)
-  const text = json
+  const lines = json
     ? JSON.stringify({ file: path, ...report, ...(sheet && { sheet }) })
     : describe(path, report)
-  process.stdout.write(`${text}\n`)
+  print(lines, sheet)
 }
 
-function describe(path: string, report: Inspection): string {
+function describe(path: string, report: Inspection): string[] {
   const { layers, areas, drivers, gpu, imageBytes, fileBytes } = report
   return [
     `${path}: wrinkles on material "${report.material ?? ''}"`,
@@ -88,7 +90,7 @@ function describe(path: string, report: Inspection): string {
     `on the GPU: ${kilobytes(gpu.uncompressed)} uncompressed, ${kilobytes(gpu.bits8)} with maps as BC7 or ASTC 4x4,` +
       ` ${kilobytes(gpu.bits4)} as BC1 or ETC1 (areas as BC4; those of an array as BC7 or ASTC 4x4);` +
       ` and ${kilobytes(report.influenceMapBytes)} for the influence map of each face`,
-  ].join('\n')
+  ]
 }
 
 const GPU_HEADS = ['on the GPU', 'BC7, ASTC', 'BC1, ETC1']

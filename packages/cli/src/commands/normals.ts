@@ -2,10 +2,12 @@ import { Option } from 'commander'
 import { FurrowError } from 'furrow'
 import { type NormalMap, RELIEF_DEFAULTS, type ReliefOptions, reliefToNormal } from 'furrow/author'
 import { createCommand } from '../command.ts'
-import { checkWritable, writeAll } from '../files.ts'
+import { writeAll } from '../files.ts'
 import { encodeNormalMap } from '../images/encode.ts'
 import { type HeightImage, readHeightImage } from '../images/height-image.ts'
-import { numberParser } from '../options.ts'
+import { forceOption, numberParser } from '../options.ts'
+import { checkOutputs } from '../outputs.ts'
+import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
 
 const WHO = 'furrow normals'
@@ -19,6 +21,7 @@ interface Options extends Required<Pick<ReliefOptions, 'green' | 'edges'>> {
   /** In texels. */
   strength?: number
   bits: '8' | '16'
+  force?: boolean
   json?: boolean
 }
 
@@ -51,6 +54,7 @@ export const normalsCommand = createCommand('normals')
       .choices(['8', '16'])
       .default(String(RELIEF_DEFAULTS.bits)),
   )
+  .addOption(forceOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
@@ -62,22 +66,22 @@ Examples:
   .action(makeNormals)
 
 async function makeNormals(path: string, options: Options): Promise<void> {
-  const { output, green, edges, json } = options
+  const { output, green, edges, json, force = false } = options
   const bits = options.bits === '8' ? 8 : 16
   const heightRange = heightRangeOf(options)
-  await checkWritable(output, WHO)
+  await checkOutputs([output], WHO, { inputs: [path], force })
   const image = await readHeightImage(path, WHO)
   const { width, height } = image
   const relief = { width, height, data: inTexels(image, heightRange(width)) }
   const map = withBar('normals', (progress) => reliefToNormal(relief, { green, edges, bits }, progress))
   await writeAll([{ path: output, bytes: await encodeNormalMap(map) }], WHO)
   const made = { file: output, width, height, bits, green, edges, steepest: steepestSlope(map, bits) }
-  const text = json
+  const line = json
     ? JSON.stringify(made)
     : `${output}: ${width} x ${height}, ${bits} bits, green ${green}, steepest slope ${made.steepest} degrees`
-  process.stdout.write(`${text}\n`)
+  print(line, output)
   if (image.bits === 8) {
-    console.error(`${WHO}: ${path} has 8 bits, so gentle slopes become steps; use a 16-bit height map`)
+    warn(`${WHO}: ${path} has 8 bits, so gentle slopes become steps; use a 16-bit height map`)
   }
 }
 

@@ -2,12 +2,15 @@ import { join } from 'node:path'
 import { Option } from 'commander'
 import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE, WRINKLE_MAPS } from 'furrow'
 import { createCommand } from '../command.ts'
-import { checkWritable, writeAll } from '../files.ts'
-import { encodeGlb, readGlbFile } from '../gltf/glb-file.ts'
+import { writeAll } from '../files.ts'
+import { FACE_EXTENSIONS, faceFiles } from '../gltf/face-files.ts'
+import { readGlbFile } from '../gltf/glb-file.ts'
 import { jointNamesOf, targetNamesOf } from '../gltf/gltf-json.ts'
 import { addMorphNormals } from '../gltf/morph-normals.ts'
 import { findTarget } from '../gltf/target.ts'
-import { allowOutsideOption, numberParser } from '../options.ts'
+import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
+import { checkOutputs } from '../outputs.ts'
+import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
 import type { AreasPerImage } from '../wrinkles/area-images.ts'
 import { findDriverFaults } from '../wrinkles/driver-faults.ts'
@@ -31,6 +34,7 @@ interface Options {
   size?: number
   morphNormals?: boolean
   allowOutside?: boolean
+  force?: boolean
   json?: boolean
 }
 
@@ -40,7 +44,7 @@ const imageSide = numberParser({ min: 2, max: MAX_IMAGE_SIDE, unit: 'texels', in
 export const packCommand = createCommand('pack')
   .description('add wrinkles to a face: a folder of images becomes one .glb')
   .argument('<folder>', 'face.glb, layers/NAME/normal.png, areas/NAME.png and optionally wrinkles.json')
-  .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb)')
+  .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb, .vrm, .gltf)')
   .option('--face <file>', 'the face (default: face.glb in the folder)')
   .option(
     '--mesh <name>',
@@ -67,6 +71,7 @@ export const packCommand = createCommand('pack')
   .option('--size <texels>', "side of the layers' maps (default: unchanged)", imageSide)
   .option('--morph-normals', 'add normals to blendshapes that have none, so that shading follows them')
   .addOption(allowOutsideOption())
+  .addOption(forceOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
@@ -93,7 +98,8 @@ async function pack(folder: string, options: Options): Promise<void> {
     size,
   } = options
   const areasPerImage = Number(options.share) as AreasPerImage
-  await checkWritable(output, WHO, '.glb')
+  const rules = { extensions: FACE_EXTENSIONS, inputs: [face], force: options.force ?? false }
+  await checkOutputs([output], WHO, rules)
   const document = await readFolder(folder, whiteIsVisible, WHO)
   const glb = await readGlbFile(face, WHO, options)
   const target = await findTarget(glb, face, WHO, {
@@ -109,13 +115,13 @@ async function pack(folder: string, options: Options): Promise<void> {
   const morphNormals = options.morphNormals
     ? await withBar('normals', (progress) => addMorphNormals(glb, face, target.mesh, WHO, progress))
     : 0
-  const bytes = encodeGlb(glb)
-  await writeAll([{ path: output, bytes }], WHO)
+  const files = await faceFiles(glb, output, WHO, rules)
+  await writeAll(files, WHO)
 
   const mesh = glb.json.meshes![target.mesh]
   const { missing } = findDriverFaults(wrinkles.drivers, targetNamesOf(mesh), jointNamesOf(glb.json))
   const unknown = missing.map((what) => `${WHO}: ${what} does not exist; it is kept`)
-  for (const warning of [...wrinkles.warnings, ...unknown]) console.error(warning)
+  for (const warning of [...wrinkles.warnings, ...unknown]) warn(warning)
   const result: Result = {
     file: output,
     mesh: mesh.name,
@@ -124,11 +130,11 @@ async function pack(folder: string, options: Options): Promise<void> {
     areas: wrinkles.areas.map(({ name }) => name),
     areaSize: wrinkles.areaSize,
     drivers: wrinkles.drivers.length,
-    bytes: bytes.length,
+    bytes: files.reduce((sum, { bytes }) => sum + bytes.length, 0),
     added: imageBytes(wrinkles),
     morphNormals,
   }
-  process.stdout.write(`${options.json ? JSON.stringify(result) : describe(result)}\n`)
+  print(options.json ? JSON.stringify(result) : describe(result), output)
 }
 
 interface Result {

@@ -3,9 +3,11 @@ import { SingleBar } from 'cli-progress'
 import { InvalidArgumentError, Option } from 'commander'
 import { EXPRESSIONS } from 'furrow'
 import { createCommand } from '../command.ts'
-import { checkWritable, writeAll } from '../files.ts'
+import { writeAll } from '../files.ts'
 import { encodeRgb } from '../images/encode.ts'
 import { allowOutsideOption, parseWeight } from '../options.ts'
+import { checkOutputs } from '../outputs.ts'
+import { print, warn } from '../print.ts'
 import {
   MODE_NAMES,
   PICTURE_DEFAULTS,
@@ -74,17 +76,17 @@ Examples:
 async function render(input: string, options: Options): Promise<void> {
   const start = performance.now()
   const { output, set, activation, size, json, ...rest } = options
-  await checkWritable(output, WHO)
+  await checkOutputs([output], WHO, { inputs: [input] })
   const [picture] = await drawWithBar({ input, ...rest, ...size, targets: set, activations: activation })
-  for (const warning of picture.warnings) console.error(warning)
+  for (const warning of picture.warnings) warn(warning)
   const { width, height, pixels, renderer, adapter } = picture
   const bytes = await encodeRgb({ width, height, channels: 4, data: pixels })
   await writeAll([{ path: output, bytes }], WHO)
   const milliseconds = Math.round(performance.now() - start)
-  const text = json
+  const line = json
     ? JSON.stringify({ file: output, width, height, renderer, adapter, milliseconds })
     : `${output}: ${width} x ${height}, ${renderer} on ${adapter}, ${(milliseconds / 1000).toFixed(1)} s`
-  process.stdout.write(`${text}\n`)
+  print(line, output)
 }
 
 /** Draws with a progress bar on stderr; without a terminal there is none. */

@@ -13,6 +13,7 @@ import {
   surfaceMetric,
 } from 'furrow/author'
 import { createCommand } from '../command.ts'
+import { withCommandErrors } from '../errors.ts'
 import { type OutputFile, readBytes, readJson, writeAll } from '../files.ts'
 import { type FaceMesh, readFaceMesh } from '../gltf/face-mesh.ts'
 import { decodeNormalMap } from '../images/decode-normal-map.ts'
@@ -23,7 +24,9 @@ import {
   HEIGHT_STEPS_PER_MM,
   HEIGHT_ZERO,
 } from '../images/encode.ts'
-import { allowOutsideOption, numberParser } from '../options.ts'
+import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
+import { checkOutputs } from '../outputs.ts'
+import { print } from '../print.ts'
 import { withBar } from '../progress.ts'
 
 const WHO = 'furrow strokes'
@@ -41,6 +44,7 @@ interface Options {
   areas?: string
   size?: number
   allowOutside?: boolean
+  force?: boolean
 }
 
 /** `furrow strokes`: draws the wrinkles of a document into the maps of a face. */
@@ -62,6 +66,7 @@ export const strokesCommand = createCommand('strokes')
     numberParser({ min: 16, max: MAX_IMAGE_SIDE, unit: 'texels', integer: true }),
   )
   .addOption(allowOutsideOption())
+  .addOption(forceOption())
   .action(drawStrokes)
 
 async function drawStrokes(path: string, options: Options): Promise<void> {
@@ -74,12 +79,31 @@ async function drawStrokes(path: string, options: Options): Promise<void> {
       remedy: 'name at least one of them',
     })
   }
-  const document = parseStrokes(await readJson(path, WHO, 'the strokes'))
+  const json = await readJson(path, WHO, 'the strokes')
+  const document = withCommandErrors(WHO, () => parseStrokes(json))
+  const { output, normal, areas, base, force = false } = options
+  const maps = areas === undefined ? [] : areaNames(document).map((name) => areaPath(areas, name))
+  const inputs = [path, options.face, ...(base === undefined ? [] : [base])]
+  await checkOutputs([output, normal, ...maps], WHO, { inputs, force })
   const face = await readFaceMesh(options.face, WHO, options)
-  const drawn = [...(await drawMaps(document, face, options)), ...(await drawAreas(document, face, options))]
+  const drawn = await withCommandErrors(WHO, async () => [
+    ...(await drawMaps(document, face, options)),
+    ...(await drawAreas(document, face, options)),
+  ])
   await writeAll(drawn, WHO)
-  process.stdout.write(`${drawn.map(({ path, note }) => `${path}: ${note}`).join('\n')}\n`)
+  print(
+    drawn.map(({ path, note }) => `${path}: ${note}`),
+    output,
+    normal,
+  )
 }
+
+/** The names of the areas that `paintAreas` paints: those of the document, or of the groups of its strokes. */
+function areaNames({ areas, strokes }: StrokesDocument): string[] {
+  return areas?.map(({ name }) => name) ?? [...new Set(strokes.flatMap(({ group }) => group ?? []))]
+}
+
+const areaPath = (folder: string, name: string) => join(folder, `${name}.png`)
 
 /** A file to write, and what to print about it. */
 interface DrawnFile extends OutputFile {
@@ -117,7 +141,7 @@ function drawAreas(document: StrokesDocument, face: FaceMesh, { areas }: Options
   const painted = paintAreas(document, surfaceMetric(face.mesh, DEFAULT_AREA_SIZE))
   return Promise.all(
     painted.map(async ({ name, weights }) => ({
-      path: join(areas, `${name}.png`),
+      path: areaPath(areas, name),
       bytes: await encodeArea(weights),
       note: `${weights.width} x ${weights.height}, white = no wrinkles`,
     })),

@@ -2,6 +2,7 @@ import { createCommand } from '../command.ts'
 import { checkNewFolder, writeFolder } from '../files.ts'
 import { encodeGlb } from '../gltf/glb-file.ts'
 import { allowOutsideOption } from '../options.ts'
+import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
 import { unpackWrinkles } from '../wrinkles/unpack.ts'
@@ -46,12 +47,12 @@ async function unpack(path: string, options: Options): Promise<void> {
   await writeFolder(output, outputs, WHO)
   if (remaining > 0) {
     const reason = 'because others follow them in the file'
-    console.error(`${WHO}: ${remaining} unused textures stay in face.glb ${reason}`)
+    warn(`${WHO}: ${remaining} unused textures stay in face.glb ${reason}`)
   }
   const files = outputs.map((item) => item.path).sort()
   const { layers, areas } = file.maps
-  const text = json
+  const line = json
     ? JSON.stringify({ folder: output, files })
     : `${output}: ${files.length} files; layers: ${layers.length}, areas: ${areas.length}`
-  process.stdout.write(`${text}\n`)
+  print(line)
 }

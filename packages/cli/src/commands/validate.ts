@@ -2,6 +2,7 @@ import { createCommand } from '../command.ts'
 import type { ReadOptions } from '../gltf/external-files.ts'
 import { readGlbFile } from '../gltf/glb-file.ts'
 import { allowOutsideOption } from '../options.ts'
+import { print } from '../print.ts'
 import type { Finding } from '../validate/finding.ts'
 import { runKhronosValidator } from '../validate/khronos.ts'
 import { checkWrinkles } from '../wrinkles/rules.ts'
@@ -43,14 +44,14 @@ async function validate(path: string, { all = false, json = false, ...options }:
   const warnings = findings.length - errors
   if (errors > 0) process.exitCode = 1
   const listed = all ? findings : [...own, ...others.filter(isError)]
-  const text = json
+  const lines = json
     ? JSON.stringify({ file: path, errors, warnings, findings })
     : [
         ...listed.map(findingText),
         ...(listed.length < findings.length ? [sumUp(others)] : []),
         `${path}: ${counted(errors, 'error')}, ${counted(warnings, 'warning')}`,
-      ].join('\n')
-  process.stdout.write(`${text}\n`)
+      ]
+  print(lines)
 }
 
 const isError = ({ severity }: Finding) => severity === 'error'

@@ -29,7 +29,10 @@ export async function embedFiles(
   const read = async (uri: string) => {
     const key = uri.startsWith('data:') ? uri : await resolveInside(path, uri, who, options)
     const bytes = known.get(key) ?? (await readUri(path, uri, who, options))
-    if (!known.has(key) && key !== uri) glb.fileBytes += bytes.length
+    if (!known.has(key) && key !== uri) {
+      glb.fileBytes += bytes.length
+      glb.files.push(key)
+    }
     known.set(key, bytes)
     return bytes
   }

@@ -5,6 +5,7 @@ import { embedFiles } from './embed-files.ts'
 import type { ReadOptions } from './external-files.ts'
 import { shapeProblem } from './glb-shape.ts'
 import type { GltfJson } from './gltf-json.ts'
+import { otherFormat } from './not-gltf.ts'
 
 /** A glTF file in two parts, as in its binary form. Commands edit the parts in place, so that whatever else it holds is kept. */
 export interface Glb {
@@ -13,6 +14,8 @@ export interface Glb {
   bin: Uint8Array
   /** Size of all files that it was read from. */
   fileBytes: number
+  /** Paths of the files that it referred to; they are part of it now. */
+  files: string[]
 }
 
 // glTF 2.0, section 4.4 (GLB file format): a header of 12 bytes, then chunks of 8 bytes and their data.
@@ -38,7 +41,10 @@ export async function readGlbFile(path: string, who: string, options: ReadOption
 export function decodeGlb(bytes: Buffer, path: string, who: string): Glb {
   const isText = /^[\s\ufeff]*\{/.test(bytes.toString('utf8', 0, 64))
   const problem = isText ? undefined : headerProblem(bytes)
-  if (problem) throw unusable(path, who, problem)
+  if (problem) {
+    const other = otherFormat(bytes)
+    throw unusable(path, who, other?.problem ?? problem, other?.remedy)
+  }
   const [start, end] = isText ? [0, bytes.length] : [JSON_START, JSON_START + bytes.readUInt32LE(12)]
   let json: GltfJson
   try {
@@ -50,7 +56,7 @@ export function decodeGlb(bytes: Buffer, path: string, who: string): Glb {
   if (wrong) throw unusable(path, who, wrong)
   const bin = binaryChunk(bytes, end)
   if (!bin) throw unusable(path, who, 'its binary chunk is cut off')
-  return { json, bin, fileBytes: bytes.length }
+  return { json, bin, fileBytes: bytes.length, files: [] }
 }
 
 /** Joins the parts to the bytes of a `.glb`. */
@@ -96,12 +102,12 @@ function padded(bytes: Uint8Array, fill: number): Uint8Array {
   return gap === 0 ? bytes : Buffer.concat([bytes, Buffer.alloc(gap, fill)])
 }
 
-function unusable(path: string, who: string, problem: string): FurrowError {
+function unusable(path: string, who: string, problem: string, remedy = 'export it again'): FurrowError {
   return new FurrowError({
     code: 'unreadable',
     who,
     what: `${path} is not usable: ${problem}`,
     limit: 'a whole glTF 2.0 file (.glb, .vrm, .gltf)',
-    remedy: 'export it again',
+    remedy,
   })
 }

@@ -1,6 +1,7 @@
 import { type Document, type Mesh, type mat4, type Node, Primitive } from '@gltf-transform/core'
 import { FurrowError } from 'furrow'
 import { Matrix4 } from 'three'
+import { didYouMean } from '../nearest.ts'
 
 /** The mesh or material that commands choose when none is named and several exist. */
 export const DEFAULT_NAME = 'skin'
@@ -37,7 +38,7 @@ export function pickMesh(
       what: wanted === undefined ? `several meshes in ${path}` : `no such mesh in ${path}`,
       value: wanted,
       limit: names.length === 0 ? 'none of its meshes has texture coordinates' : names.join(', '),
-      remedy: 'name one with --mesh',
+      remedy: didYouMean(wanted, names, 'name one with --mesh'),
     })
   }
   return node

@@ -1,5 +1,6 @@
 import { FurrowError } from 'furrow'
 import { mostMovedSkin } from '../auto/find-skin.ts'
+import { didYouMean } from '../nearest.ts'
 import type { Glb } from './glb-file.ts'
 import type { GltfJson, GltfMesh } from './gltf-json.ts'
 import { DEFAULT_NAME } from './mesh-nodes.ts'
@@ -124,6 +125,6 @@ function notFound(
     what: wanted !== undefined || all.length === 0 ? `no such ${what}` : `several candidates for the ${what}`,
     value: wanted,
     limit: all.length === 0 ? 'the file has none with texture coordinates' : all.join(', '),
-    remedy: `name one with ${option}`,
+    remedy: didYouMean(wanted, all, `name one with ${option}`),
   })
 }

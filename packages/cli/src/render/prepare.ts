@@ -14,6 +14,7 @@ import { readJson } from '../files.ts'
 import { type ReadOptions, resolveInside } from '../gltf/external-files.ts'
 import { encodeGlb, readGlbFile } from '../gltf/glb-file.ts'
 import { type GltfJson, targetNamesOf } from '../gltf/gltf-json.ts'
+import { didYouMean } from '../nearest.ts'
 import { type PageJob, PICTURE_DEFAULTS, PICTURE_SIDE, type PictureRequest } from './picture.ts'
 
 const WHO = 'furrow render'
@@ -146,7 +147,7 @@ function checkName(what: string, value: string, allowed: readonly string[]): voi
     what: `unknown ${what}`,
     value,
     limit: allowed.join(', '),
-    remedy: 'use one of these',
+    remedy: didYouMean(value, allowed, 'use one of these'),
   })
 }
 

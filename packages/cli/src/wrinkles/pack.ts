@@ -8,6 +8,7 @@ import {
   type WrinkleSetDocument,
 } from 'furrow'
 import { decodeGray } from '../images/pixels.ts'
+import { didYouMean } from '../nearest.ts'
 import type { Progress } from '../progress.ts'
 import { type AreasPerImage, encodeAreaImages } from './area-images.ts'
 import { type CheckedImage, checkMap, checkOneSize, scaleMap } from './checked-image.ts'
@@ -139,12 +140,13 @@ async function readWeights(
 function layerIndex({ layers }: WrinkleSetDocument, name: string | undefined, area: string, who: string) {
   const index = name === undefined ? 0 : layers.findIndex((layer) => layer.name === name)
   if (index >= 0) return index
+  const names = layers.map((layer) => layer.name)
   throw new FurrowError({
     code: 'unknown-name',
     who,
     what: `area "${area}" is on an unknown layer`,
     value: name,
-    limit: layers.map((layer) => layer.name).join(', '),
-    remedy: 'name one of the layers',
+    limit: names.join(', '),
+    remedy: didYouMean(name, names, 'name one of the layers'),
   })
 }

@@ -1,6 +1,7 @@
 import { FurrowError, parseWrinkleMaps, WRINKLE_MAPS, type WrinkleMaps } from 'furrow'
 import type { ReadOptions } from '../gltf/external-files.ts'
 import { type Glb, readGlbFile } from '../gltf/glb-file.ts'
+import { didYouMean } from '../nearest.ts'
 
 /** A file and the wrinkles of one of its materials. */
 export interface WrinkledFile {
@@ -34,18 +35,20 @@ export async function readWrinkledFile(
   const all = wrinkledMaterials(glb)
   if (all.length === 0) {
     const limit = `a material with ${WRINKLE_MAPS}`
-    throw new FurrowError({ who, what: `no wrinkles in ${path}`, limit, remedy: 'add them with furrow pack' })
+    const remedy = 'make them with furrow auto, or add painted ones with furrow pack'
+    throw new FurrowError({ who, what: `${path} has no wrinkles`, limit, remedy })
   }
   const found =
     materialName === undefined ? all : all.filter((index) => materials[index].name === materialName)
   if (found.length !== 1) {
+    const names = all.map((index) => materials[index].name ?? String(index))
     throw new FurrowError({
       code: 'unknown-name',
       who,
       what: `${found.length === 0 ? 'no such material' : 'several materials'} with wrinkles in ${path}`,
       value: materialName,
-      limit: all.map((index) => materials[index].name ?? String(index)).join(', '),
-      remedy: 'name one with --material',
+      limit: names.join(', '),
+      remedy: didYouMean(materialName, names, 'name one with --material'),
     })
   }
   const [material] = found

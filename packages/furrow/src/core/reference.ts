@@ -4,6 +4,7 @@
  */
 import type { ImageArray } from './pack.ts'
 import { repeat } from './repeat.ts'
+import { TOON_LINE } from './toon-line.ts'
 import type { Combine, LayerKind } from './types.ts'
 
 /** An area as far as the influence depends on it, apart from its weights. */
@@ -205,6 +206,27 @@ export function mixNormals(base: readonly number[], layers: readonly LayerNormal
   const slope = (axis: number) =>
     sum(details.map((layer) => (layer.normal[axis] / layer.normal[2]) * layer.influence))
   return reorientNormal(normalize(mixed), normalize([slope(0), slope(1), 1]))
+}
+
+/**
+ * Lines of wrinkles on a material that lights in steps (toon), whose steps hide most slopes: the skin's colour is darkened by itself
+ * where the wrinkles add to its slope, whatever the light.
+ *
+ * @param colour linear RGB.
+ * @param own normal of the material's own map in tangent space, not normalised.
+ * @param mixed normal with wrinkles, the same.
+ * @returns linear RGB; the colour itself where the normals are equal.
+ */
+export function toonColour(
+  colour: readonly number[],
+  own: readonly number[],
+  mixed: readonly number[],
+): number[] {
+  const [from, to] = TOON_LINE.slopes
+  const added = [0, 1].map((axis) => mixed[axis] / mixed[2] - own[axis] / own[2])
+  const t = Math.min(1, Math.max(0, (Math.hypot(...added) - from) / (to - from)))
+  const line = t * t * (3 - 2 * t)
+  return colour.map((value) => value * lerp(1, value * TOON_LINE.shade, line))
 }
 
 function sum(values: readonly number[]): number {

@@ -17,8 +17,11 @@ import { createShaderInputs, locateCells, type ShaderInputs } from './material/s
 import { release, retain } from './material/texture-users.ts'
 import { createTextures, listTextures } from './material/wrinkle-textures.ts'
 import { WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from './options.ts'
-import type { AnyRenderer } from './renderer.ts'
+import { type AnyRenderer, rendererProblem } from './renderer.ts'
 import { sizeOnScreen } from './size-on-screen.ts'
+
+/** Renderers that the console was told of. */
+const refused = new WeakSet<AnyRenderer>()
 
 const wrinklesByMesh = new WeakMap<Mesh, WrinklesBase>()
 
@@ -34,6 +37,7 @@ export function wrinklesOf(mesh: Mesh): WrinklesBase | undefined {
 export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   /** The mesh that drives: its blendshapes, skeleton and surface are measured. */
   readonly mesh: Mesh
+  readonly #renderer: RendererParts
   readonly #options: Required<WrinklesOptions>
   readonly #frame: RendererFrame
   readonly #entry: FrameEntry<AnyRenderer>
@@ -71,6 +75,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     const textures = inputs?.textures ?? createTextures(set.layers, material.normalMap?.anisotropy ?? 1)
     super(countFaces(mesh), set.areas, areas)
     this.mesh = mesh
+    this.#renderer = renderer
     this.#options = allOptions
     this.#frame = frameOf(renderer.quads)
     this.#atlas = this.#frame.atlasFor(areas.width, areas.height, set.layers.length)
@@ -115,6 +120,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    * @param renderer also draws the influence maps. Without one, inputs that only a renderer can measure keep their last value.
    */
   update(renderer: AnyRenderer | null = null): void {
+    const problem = renderer && rendererProblem(renderer, this.#renderer.entry, 'Wrinkles')
+    if (problem) throw problem
     this.#frame.update(this.#entry, renderer)
   }
 
@@ -181,8 +188,11 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     })
   }
 
-  /** Copies the material without its wrinkles, for another mesh with wrinkles of its own. */
-  cloneMaterial(): Material {
+  /**
+   * Copies the material without its wrinkles, for another mesh with wrinkles of its own; of a mesh with several materials a list, in which
+   * the others are the same.
+   */
+  cloneMaterial(): Material | Material[] {
     return this.#material.clone()
   }
 
@@ -231,6 +241,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
 
   /** Called before a mesh is drawn: runs the phases up to the influence, then sets what the mesh's shader reads. */
   #prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
+    if (this.#isRefused(renderer)) return
+    this.#material.settle(renderer)
     this.#inputs.fade.value = this.#fadeOf(mesh, camera, renderer)
     this.#frame.begin(this.#entry, renderer)
     locateCells(this.#inputs, this.#atlas, this.#cells)
@@ -241,6 +253,16 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     const { fadeBelow } = this.#options
     if (fadeBelow === 0 || this.#material.composed || instancesOf(this.mesh)) return 1
     return Math.min(1, Math.max(0, (2 * sizeOnScreen(mesh, camera, renderer)) / fadeBelow - 1))
+  }
+
+  /** Whether the renderer is the other entry's. The face is then plain, and the console says so, once for each renderer. */
+  #isRefused(renderer: AnyRenderer): boolean {
+    const problem = rendererProblem(renderer, this.#renderer.entry, 'Wrinkles')
+    if (!problem) return false
+    if (this.mode !== 'off') this.mode = 'off'
+    if (!refused.has(renderer)) console.error(problem.message)
+    refused.add(renderer)
+    return true
   }
 
   #writeTable(areas: ShaderInputs['areas'], table: ActivationTable): void {

@@ -1,17 +1,20 @@
+import { writeFileSync } from 'node:fs'
 import { basename, join } from 'node:path'
 import { parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
 import type { AutoWrinkles } from 'furrow/author'
 import type { OutputFile } from '../../files.ts'
-import type { Glb } from '../../gltf/glb-file.ts'
+import { encodeGlb, type Glb } from '../../gltf/glb-file.ts'
+import { temporaryFolder } from '../../interruption.ts'
+import type { Progress } from '../../progress.ts'
 import type { FoundSkin } from '../find-skin.ts'
 import type { Steps } from '../steps.ts'
 import { reportPage } from './page.ts'
 import { drawAreas, drawFaces, drawLayers, drawStrain } from './pictures.ts'
-import { posesOf } from './poses.ts'
+import { type Pose, posesOf } from './poses.ts'
 
 /** The input of a report. */
 export interface ReportSource {
-  /** The file with the wrinkles, which has been written. */
+  /** Path of the file with the wrinkles, which need not have been written yet. */
   path: string
   glb: Glb
   found: FoundSkin
@@ -50,7 +53,7 @@ export async function makeReport(
   const areas = await drawAreas(file, who)
   const layers = await drawLayers(file, who)
   steps.begin('pictures')
-  const faces = await drawFaces(path, poses, (done, total) => steps.part(done, total))
+  const faces = await drawFile(glb, poses, (done, total) => steps.part(done, total))
   const page = reportPage({
     ...source,
     title: basename(path),
@@ -67,5 +70,17 @@ export async function makeReport(
   return {
     files: [...files, { path: join(folder, 'index.html'), bytes: Buffer.from(page) }],
     ...(!isDrawn && { missing: faces }),
+  }
+}
+
+/** Draws a face that is not written yet; see `drawFaces`. */
+async function drawFile(glb: Glb, poses: readonly Pose[], progress: Progress) {
+  const folder = temporaryFolder()
+  try {
+    const path = join(folder.path, 'face.glb')
+    writeFileSync(path, encodeGlb(glb))
+    return await drawFaces(path, poses, progress)
+  } finally {
+    await folder.remove()
   }
 }

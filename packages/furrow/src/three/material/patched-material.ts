@@ -3,6 +3,7 @@ import { FurrowError } from '../../core/error.ts'
 import { checkNotInstanced } from '../check-mesh.ts'
 import { instancesOf } from '../instances.ts'
 import type { WrinkleMode } from '../options.ts'
+import type { AnyRenderer } from '../renderer.ts'
 import { ActivationTable } from './activation-table.ts'
 import { ComposedMap } from './composed-map.ts'
 import { packPaperArray } from './paper-array.ts'
@@ -14,12 +15,13 @@ import type { WrinkleMaterial } from './wrinkle-material.ts'
 const patchedMaterials = new WeakSet<Material>()
 
 /**
- * The material of a mesh.
+ * The material of a mesh that shows its wrinkles: of several, as MToon has them for outlines, the first one with a normal map.
  *
- * @throws FurrowError, which names the mesh, when it cannot be patched or is patched already.
+ * @throws FurrowError, which names the mesh, when there is none, or it shows wrinkles already.
  */
 export function checkMaterial(mesh: Mesh): WrinkleMaterial {
-  const material = mesh.material as WrinkleMaterial
+  const materials = [mesh.material].flat() as WrinkleMaterial[]
+  const material = materials.find(readsNormalMap) ?? materials[0]
   const problem = problemOf(material)
   if (!problem) return material
   throw new FurrowError({ who: 'Wrinkles', value: mesh.name, ...problem })
@@ -34,9 +36,11 @@ export class PatchedMaterial {
   readonly #material: WrinkleMaterial
   readonly #inputs: ShaderInputs
   readonly #renderer: RendererParts
-  /** The normal map of a material that has none. */
+  /** The normal map of a material that has none, while it shows wrinkles. */
   readonly #flat: Texture | null
   #unpatch: () => void = () => {}
+  /** Whether the shader turned out to be one that cannot be patched. */
+  #isRefused = false
 
   constructor(mesh: Mesh, material: WrinkleMaterial, inputs: ShaderInputs, renderer: RendererParts) {
     this.#mesh = mesh
@@ -44,16 +48,26 @@ export class PatchedMaterial {
     this.#inputs = inputs
     this.#renderer = renderer
     this.#flat = material.normalMap ? null : flatNormalTexture()
-    if (this.#flat) material.normalMap = this.#flat
     patchedMaterials.add(material)
   }
 
   /**
-   * Changes the mode.
+   * Changes the mode. A material that cannot be patched shows the composed mode instead of the default one.
    *
    * @throws FurrowError when the mode is not possible; it then stays as it was.
    */
-  show(mode: WrinkleMode): void {
+  show(wanted: WrinkleMode): void {
+    const mode = wanted === 'default' && !this.#isPatchable ? 'composed' : wanted
+    if (mode === 'paper' && !this.#isPatchable) {
+      throw new FurrowError({
+        code: 'unsupported',
+        who: 'Wrinkles.mode',
+        what: "the material's shader cannot be patched",
+        value: mode,
+        limit: 'composed or off',
+        remedy: 'use the composed mode',
+      })
+    }
     if (mode === 'paper' || mode === 'composed') checkNotInstanced(this.#mesh, mode)
     if (mode === 'paper') {
       const smooth = this.#flat ? null : (this.composed?.base ?? this.#material.normalMap)
@@ -68,15 +82,28 @@ export class PatchedMaterial {
     this.mode = mode
   }
 
-  /** Copies the material without its wrinkles. */
-  clone(): Material {
+  /**
+   * Called before each frame, since only the first one tells what becomes of the shader: a material that could not be patched shows
+   * the composed mode from the second on, and one whose shader the GPU refuses is plain again, with one warning.
+   */
+  settle(renderer: AnyRenderer): void {
+    if (this.mode === 'off') return
+    try {
+      if (this.mode !== 'composed' && !this.#isPatchable) this.show('default')
+      this.#checkShader(renderer)
+    } catch (error) {
+      this.show('off')
+      console.warn((error as Error).message)
+    }
+  }
+
+  /** Copies what the mesh has as its material, without wrinkles; of several materials only the one that shows them. */
+  clone(): Material | Material[] {
     this.#unpatch()
-    const { normalMap } = this.#material
-    if (this.#flat) this.#material.normalMap = null
     const copy = this.#material.clone()
-    this.#material.normalMap = normalMap
     this.#unpatch = this.#patch(this.mode)
-    return copy
+    const { material } = this.#mesh
+    return Array.isArray(material) ? material.map((own) => (own === this.#material ? copy : own)) : copy
   }
 
   /**
@@ -85,25 +112,54 @@ export class PatchedMaterial {
    * @param table fixed activations; null for the current ones.
    */
   influenceMaterial(table: ActivationTable | null): Material {
-    return this.#renderer.influenceMaterial(this.#material, this.#inputs, table, instancesOf(this.#mesh))
+    const mapped = this.#flat ? { normalMap: this.#flat } : this.#material
+    return this.#renderer.influenceMaterial(mapped, this.#inputs, table, instancesOf(this.#mesh))
   }
 
   /** Restores the material. */
   dispose(): void {
     this.show('off')
-    if (this.#flat) {
-      this.#material.normalMap = null
-      this.#flat.dispose()
-    }
+    this.#flat?.dispose()
     patchedMaterials.delete(this.#material)
     // Renderers cache uniforms with the material; wrinkles added later need their own.
     this.#material.dispose()
   }
 
+  get #isPatchable(): boolean {
+    return !this.#isRefused && this.#renderer.canPatch(this.#material)
+  }
+
   #patch(mode: WrinkleMode): () => void {
     if (mode === 'off') return () => {}
-    if (mode === 'composed') return this.#compose()
-    return this.#renderer.patch(this.#material, this.#inputs, mode, instancesOf(this.#mesh))
+    const material = this.#material
+    if (this.#flat) material.normalMap ??= this.#flat
+    const refuse = () => {
+      this.#isRefused = true
+    }
+    const undo =
+      mode === 'composed'
+        ? this.#compose()
+        : this.#renderer.patch(material, this.#inputs, mode, instancesOf(this.#mesh), refuse)
+    return () => {
+      undo()
+      if (material.normalMap === this.#flat) material.normalMap = null
+    }
+  }
+
+  /** @throws FurrowError when the GPU refuses the shader. */
+  #checkShader(renderer: AnyRenderer): void {
+    const fault = this.#renderer.faultOf(this.#material, renderer)
+    if (fault === null) return
+    throw new FurrowError({
+      code: 'unsupported',
+      who: 'Wrinkles',
+      what: `the shader of mesh "${this.#mesh.name}" does not compile in the ${this.mode} mode, so it is shown without wrinkles`,
+      value: fault,
+      remedy:
+        this.mode === 'composed'
+          ? 'give it another material, such as MeshStandardMaterial'
+          : 'use the composed mode, or another material',
+    })
   }
 
   /** Replaces the material's own normal map by the composed one. */
@@ -123,12 +179,9 @@ export class PatchedMaterial {
 }
 
 function problemOf(material: WrinkleMaterial): { what: string; remedy: string } | null {
-  if (Array.isArray(material)) {
-    return { what: 'mesh with several materials', remedy: 'split the mesh, one material each' }
-  }
-  if (!('normalMap' in material)) {
+  if (!readsNormalMap(material)) {
     return {
-      what: `material ${(material as Material)?.type} does not support normal maps`,
+      what: `material ${(material as Material | undefined)?.type} does not support normal maps`,
       remedy: 'use a lit material such as MeshStandardMaterial',
     }
   }
@@ -142,4 +195,10 @@ function problemOf(material: WrinkleMaterial): { what: string; remedy: string } 
     }
   }
   return null
+}
+
+/** Whether a material has a normal map, or may be given one. A shader of its own must name it. */
+function readsNormalMap(material: WrinkleMaterial | undefined): boolean {
+  if (!material || !('normalMap' in material)) return false
+  return material.fragmentShader === undefined || /\bnormalMap\b/.test(material.fragmentShader)
 }

@@ -1,26 +1,43 @@
 import type { Material, Texture } from 'three'
 import type { QuadMaterials } from '../atlas/influence-pass.ts'
 import type { Instances } from '../instances.ts'
+import type { AnyRenderer, Entry } from '../renderer.ts'
 import type { ActivationTable } from './activation-table.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
 /** What depends on the renderer. */
 export interface RendererParts {
-  /** Makes a material show wrinkles, and returns a function that undoes it; the caller sets `needsUpdate`. */
+  /** The entry of the package that it belongs to. */
+  entry: Entry
+  /** Whether the material's shader is known to be one that `patch` can edit; if not, the composed mode shows its wrinkles. */
+  canPatch(material: WrinkleMaterial): boolean
+  /**
+   * Makes a material show wrinkles, and returns a function that undoes it; the caller sets `needsUpdate`.
+   *
+   * @param refuse called if the shader cannot be edited after all, which is known only when it is compiled; it then stays as it was.
+   */
   patch(
     material: WrinkleMaterial,
     inputs: ShaderInputs,
     mode: 'default' | 'paper',
     instances: Instances,
+    refuse: () => void,
   ): () => void
+  /**
+   * Why the GPU does not accept the material's shader, as far as the renderer knows by now; null if nothing is wrong. Called before the
+   * material is drawn, in every frame.
+   */
+  faultOf(material: Material, renderer: AnyRenderer): string | null
   /** A material for `Quads` that draws the composed normal map: `base` with the wrinkles mixed in. */
   composeMaterial(base: Texture, inputs: ShaderInputs): Material
   /**
    * A material that shows influence as gray: that of the influence map, or that of a table of activations.
+   *
+   * @param material its normal map has the texture coordinates.
    */
   influenceMaterial(
-    material: WrinkleMaterial,
+    material: Pick<WrinkleMaterial, 'normalMap'>,
     inputs: ShaderInputs,
     table: ActivationTable | null,
     instances: Instances,

@@ -3,8 +3,8 @@ import type { Instances } from '../instances.ts'
 import type { ValueKind } from '../material/wrinkle-textures.ts'
 import { requireInternal } from '../three-version.ts'
 import { influenceFromMap } from './influence-glsl.ts'
-import { type NormalLayers, normalMixing, type ValueLayers, valueMixing } from './mixing-glsl.ts'
-import { BASE_COLOR_MAP, MAIN, NORMAL_MAPS, replace } from './shader-text.ts'
+import { type NormalLayers, normalMixing, TOON_COLOUR, type ValueLayers, valueMixing } from './mixing-glsl.ts'
+import { MAIN, replace, replaceChunk, unpatchable } from './shader-text.ts'
 
 /** What a program depends on: never the number of areas. */
 export interface ShaderVariant extends NormalLayers {
@@ -13,32 +13,58 @@ export interface ShaderVariant extends NormalLayers {
   instances: Instances
   /** Whether the layers' maps are sampled with anisotropy. */
   anisotropic: boolean
+  /** Whether the material lights in steps, and so shows wrinkles as lines too. */
+  isToon: boolean
 }
 
 /**
- * Makes a built-in material's fragment shader mix the layers' maps into its own before it lights them: `mixNormals`
- * and `mixValues` of the reference, except that the last normalisation is left to the material.
+ * Makes a material's fragment shader mix the layers' maps into its own before it lights them: `mixNormals` and `mixValues` of the
+ * reference, except that the last normalisation is left to the material. The shader is one of three.js's, as the user may have edited
+ * it, or another that reads its normal map as these do, such as MToon's. Such a one shows the layers' normals only: it need not
+ * have the texture coordinates before its other maps are read.
+ *
+ * @throws FurrowError when it reads its normal map in another way, or not at all.
  */
 export function defaultFragment(fragment: string, variant: ShaderVariant): string {
-  const { kinds, instances, anisotropic, values } = variant
+  const shader = replaceChunk(fragment, 'normal_fragment_maps')
+  const [, uv] = shader.match(MAP_READ) ?? []
+  const [scaled, normal] = shader.match(NORMAL_SCALED) ?? []
+  if (!uv || !scaled) throw unpatchable(uv ? NORMAL_SCALED.source : MAP_READ.source)
+  const { kinds, instances, anisotropic, isToon } = variant
+  const isBuiltIn = uv === BUILT_IN_UV
+  const values = isBuiltIn ? variant.values : {}
   const declarations = [
     influenceFromMap(kinds.length, instances !== null, anisotropic),
     normalMixing(variant),
+    isToon ? TOON_COLOUR : '',
     ...Object.entries(values).map(([kind, layers]) => valueMixing(kind as ValueKind, layers)),
-  ]
-  const normals = replace(
-    ShaderChunk.normal_fragment_maps,
-    'mapN.xy *= normalScale;',
-    'mapN = furrowMixNormals(mapN);\n\tmapN.xy *= normalScale;',
-  )
-  const started = replace(
-    fragment,
-    MAIN,
-    `${declarations.join('')}\n${MAIN}\n\tfurrowSampleInfluence(vNormalMapUv);`,
-  )
-  const chunks: Chunk[] = [[NORMAL_MAPS, normals], ...valueChunks(variant, fragment)]
-  return chunks.reduce((text, [include, chunk]) => replace(text, include, chunk), started)
+  ].join('')
+  const sample = `furrowSampleInfluence(${uv});`
+  const mixed = [
+    isBuiltIn ? '' : sample,
+    `vec3 furrowOwn = ${normal};`,
+    `${normal} = furrowMixNormals(furrowOwn);`,
+    isToon ? `diffuseColor.rgb = furrowToonColour(diffuseColor.rgb, furrowOwn, ${normal});` : '',
+    scaled,
+  ].join('\n\t')
+  const started = `${declarations}\n${MAIN}${isBuiltIn ? `\n\t${sample}` : ''}`
+  return mixOthers(replace(replace(shader, scaled, mixed), MAIN, started), values)
 }
+
+/** Whether `defaultFragment` can edit a shader. */
+export function isPatchable(fragment: string): boolean {
+  const shader = replaceChunk(fragment, 'normal_fragment_maps')
+  return MAP_READ.test(shader) && NORMAL_SCALED.test(shader) && shader.includes(MAIN)
+}
+
+/** How three.js's `normal_fragment_maps`, and the shaders made after it, read the normal map: the texture coordinates ... */
+const MAP_READ = /texture2D\( *normalMap, *(\w+) *\)/
+
+/** ... and the normal in tangent space. */
+const NORMAL_SCALED = /\b(\w+)\.xy \*= normalScale;/
+
+/** Texture coordinates that three.js passes from the vertex shader. */
+const BUILT_IN_UV = 'vNormalMapUv'
 
 /** Passes the index of the instance from the vertex shader to the fragment shader. */
 export function instancedVertex(vertex: string, instances: 'instanced' | 'batched'): string {
@@ -53,44 +79,37 @@ function instanceIndex(instances: 'instanced' | 'batched'): string {
   return `${requireInternal(call, 'Wrinkles', 'getIndirectIndex in batching_pars_vertex')}(gl_DrawID)`
 }
 
-/** An `#include` and the text that replaces it. */
-type Chunk = [include: string, chunk: string]
-
-/** The chunks that read the material's own maps, with the mixed value in place of the map's; without a map its own value is 1. */
-function valueChunks({ values }: ShaderVariant, fragment: string): Chunk[] {
-  const chunks: Chunk[] = []
-  if (values.baseColor) {
-    const withMap = replace(
-      ShaderChunk.map_fragment,
-      'diffuseColor *= sampledDiffuseColor;',
-      'sampledDiffuseColor.rgb = furrowMix_baseColor( sampledDiffuseColor.rgb );\n\tdiffuseColor *= sampledDiffuseColor;',
-    )
-    const withoutMap = 'diffuseColor.rgb *= furrowMix_baseColor( vec3( 1.0 ) );'
-    chunks.push([BASE_COLOR_MAP, `${withMap}\n#ifndef USE_MAP\n\t${withoutMap}\n#endif\n`])
+/** Mixes into the material's own maps where it reads them; without a map its own value is 1. */
+function mixOthers(fragment: string, { baseColor, roughness, occlusion }: ShaderVariant['values']): string {
+  let shader = fragment
+  if (baseColor) {
+    shader = replaceChunk(shader, 'map_fragment', (chunk) => {
+      const withMap = replace(
+        chunk,
+        'diffuseColor *= sampledDiffuseColor;',
+        'sampledDiffuseColor.rgb = furrowMix_baseColor( sampledDiffuseColor.rgb );\n\tdiffuseColor *= sampledDiffuseColor;',
+      )
+      return `${withMap}\n#ifndef USE_MAP\n\tdiffuseColor.rgb *= furrowMix_baseColor( vec3( 1.0 ) );\n#endif\n`
+    })
   }
-  // Only standard and physical materials have a roughness.
-  if (values.roughness && fragment.includes(ROUGHNESS_MAP)) {
-    const withMap = replace(
-      ShaderChunk.roughnessmap_fragment,
-      'roughnessFactor *= texelRoughness.g;',
-      'roughnessFactor *= furrowMix_roughness( texelRoughness.g );',
-    )
-    const withoutMap = 'roughnessFactor *= furrowMix_roughness( 1.0 );'
-    chunks.push([ROUGHNESS_MAP, `${withMap}\n#ifndef USE_ROUGHNESSMAP\n\t${withoutMap}\n#endif\n`])
+  if (roughness) {
+    shader = replaceChunk(shader, 'roughnessmap_fragment', (chunk) => {
+      const withMap = replace(
+        chunk,
+        'roughnessFactor *= texelRoughness.g;',
+        'roughnessFactor *= furrowMix_roughness( texelRoughness.g );',
+      )
+      return `${withMap}\n#ifndef USE_ROUGHNESSMAP\n\troughnessFactor *= furrowMix_roughness( 1.0 );\n#endif\n`
+    })
   }
-  if (values.occlusion && fragment.includes(OCCLUSION_MAP)) {
-    const { aomap_fragment } = ShaderChunk
-    const sample = 'texture2D( aoMap, vAoMapUv ).r'
-    const withMap = replace(aomap_fragment, sample, `furrowMix_occlusion( ${sample} )`)
-    const scaled = `( ${sample} - 1.0 ) * aoMapIntensity + 1.0`
-    const withoutMap = replace(aomap_fragment, scaled, 'furrowMix_occlusion( 1.0 )')
-    chunks.push([
-      OCCLUSION_MAP,
-      `${withMap}\n${replace(withoutMap, '#ifdef USE_AOMAP', '#ifndef USE_AOMAP')}`,
-    ])
+  if (occlusion) {
+    shader = replaceChunk(shader, 'aomap_fragment', (chunk) => {
+      const sample = 'texture2D( aoMap, vAoMapUv ).r'
+      const withMap = replace(chunk, sample, `furrowMix_occlusion( ${sample} )`)
+      const scaled = `( ${sample} - 1.0 ) * aoMapIntensity + 1.0`
+      const withoutMap = replace(chunk, scaled, 'furrowMix_occlusion( 1.0 )')
+      return `${withMap}\n${replace(withoutMap, '#ifdef USE_AOMAP', '#ifndef USE_AOMAP')}`
+    })
   }
-  return chunks
+  return shader
 }
-
-const ROUGHNESS_MAP = '#include <roughnessmap_fragment>'
-const OCCLUSION_MAP = '#include <aomap_fragment>'

@@ -2,7 +2,7 @@ import { type IUniform, MeshBasicMaterial } from 'three'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import { instancedVertex } from './default-shader.ts'
 import { influenceFromAreas, influenceFromMap } from './influence-glsl.ts'
-import { BASE_COLOR_MAP, MAIN, replace } from './shader-text.ts'
+import { MAIN, replace, replaceChunk } from './shader-text.ts'
 import { areaUniforms, mapUniforms } from './uniforms.ts'
 
 /** Shows the influence as gray on the mesh as it moves: black = no wrinkles, white = fully visible. */
@@ -35,12 +35,12 @@ const LARGEST = 'diffuseColor.rgb = vec3(max(max(influence.x, influence.y), max(
 function mapFragment(fragment: string, layers: number, isInstanced: boolean): string {
   const declarations = influenceFromMap(layers, isInstanced, false)
   const started = replace(fragment, MAIN, `${declarations}\n${MAIN}\n\tfurrowSampleInfluence(vMapUv);`)
-  return replace(started, BASE_COLOR_MAP, `vec4 influence = furrowInfluence;\n\t${LARGEST}`)
+  return replaceChunk(started, 'map_fragment', () => `vec4 influence = furrowInfluence;\n\t${LARGEST}`)
 }
 
 /** The same, from the areas themselves. */
 function areasFragment(fragment: string, channels: 1 | 4): string {
   const declared = replace(fragment, MAIN, `${influenceFromAreas(channels)}\n${MAIN}`)
   const influence = 'vec4 influence = furrowInfluenceFromAreas(vMapUv);'
-  return replace(declared, BASE_COLOR_MAP, `${influence}\n\t${LARGEST}`)
+  return replaceChunk(declared, 'map_fragment', () => `${influence}\n\t${LARGEST}`)
 }

@@ -1,3 +1,4 @@
+import { TOON_LINE } from '../../core/toon-line.ts'
 import type { LayerKind } from '../../core/types.ts'
 import type { ValueKind } from '../material/wrinkle-textures.ts'
 
@@ -51,6 +52,14 @@ vec3 furrowReorient(vec3 base, vec3 detail) {
   vec3 t = base + vec3(0.0, 0.0, 1.0);
   vec3 r = detail * vec3(-1.0, -1.0, 1.0);
   return t * (dot(t, r) / t.z) - r;
+}
+`
+
+/** Declares `vec3 furrowToonColour(vec3 colour, vec3 own, vec3 mixed)`, see `toonColour` in the reference. */
+export const TOON_COLOUR = /* glsl */ `
+vec3 furrowToonColour(vec3 colour, vec3 own, vec3 mixed) {
+  float slope = length(mixed.xy / mixed.z - own.xy / own.z);
+  return colour * mix(vec3(1.0), colour * ${TOON_LINE.shade}, smoothstep(${TOON_LINE.slopes.join(', ')}, slope));
 }
 `
 

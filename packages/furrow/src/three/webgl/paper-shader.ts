@@ -1,6 +1,5 @@
-import { ShaderChunk } from 'three'
 import { influenceFromAreas } from './influence-glsl.ts'
-import { BASE_COLOR_MAP, MAIN, NORMAL_MAPS, replace, unpatchable } from './shader-text.ts'
+import { includeOf, MAIN, replace, replaceChunk, unpatchable } from './shader-text.ts'
 
 /**
  * The paper's shader on a built-in material: light with smooth normals, light again with wrinkled ones, mix
@@ -12,15 +11,12 @@ import { BASE_COLOR_MAP, MAIN, NORMAL_MAPS, replace, unpatchable } from './shade
  */
 export function paperFragment(fragment: string, channels: 1 | 4, diffuseIsSrgb: boolean): string {
   const lighting = lightingOf(fragment)
-  const normals = replace(
-    ShaderChunk.normal_fragment_maps,
-    'vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;',
-    /* glsl */ `
+  const smoothRead = 'vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;'
+  const bothRead = /* glsl */ `
   vec3 furrowWrinkled = texture(furrowColours, vec3(furrowRepeat(vNormalMapUv), 2.0)).xyz * 2.0 - 1.0;
   furrowWrinkled.xy *= normalScale;
   furrowWrinkled = normalize(tbn * furrowWrinkled);
-  vec3 mapN = texture(furrowColours, vec3(furrowRepeat(vNormalMapUv), 1.0)).xyz * 2.0 - 1.0;`,
-  )
+  vec3 mapN = texture(furrowColours, vec3(furrowRepeat(vNormalMapUv), 1.0)).xyz * 2.0 - 1.0;`
   const litTwice = /* glsl */ `${lighting}
   vec3 furrowOutgoingLight = outgoingLight;
   {
@@ -42,12 +38,12 @@ export function paperFragment(fragment: string, channels: 1 | 4, diffuseIsSrgb: 
   const stored = 'texture(furrowColours, vec3(furrowRepeat(vNormalMapUv), 0.0))'
   const diffuse = `diffuseColor *= ${diffuseIsSrgb ? `sRGBTransferEOTF(${stored})` : stored};`
   const declarations = `${influenceFromAreas(channels)}\nuniform highp sampler2DArray furrowColours;\n`
+  const coloured = replaceChunk(replaceChunk(fragment, 'normal_fragment_maps'), 'map_fragment', () => diffuse)
   return [
     [MAIN, `${declarations}\n${MAIN}`],
-    [BASE_COLOR_MAP, diffuse],
-    [NORMAL_MAPS, normals],
+    [smoothRead, bothRead],
     [lighting, litTwice],
-  ].reduce((shader, [text, replacement]) => replace(shader, text, replacement), fragment)
+  ].reduce((shader, [text, replacement]) => replace(shader, text, replacement), coloured)
 }
 
 const OUTPUT = '#include <opaque_fragment>'
@@ -55,7 +51,7 @@ const OUTPUT = '#include <opaque_fragment>'
 /** The text of a material's fragment shader that lights it. */
 function lightingOf(fragment: string): string {
   const body = fragment.indexOf(MAIN)
-  const start = body + fragment.slice(body).search(/#include <lights_\w+_fragment>/)
+  const start = body + fragment.slice(body).search(includeOf('lights_\\w+_fragment'))
   const end = fragment.indexOf(OUTPUT)
   if (start < body || end < 0) throw unpatchable('#include <lights_..._fragment>')
   return fragment.slice(start, end)

@@ -1,14 +1,16 @@
 import type { Mesh, WebGLProgramParametersWithUniforms, WebGLRenderer } from 'three'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
+import { isToon } from '../material/wrinkle-material.ts'
 import type { WrinkleTextures } from '../material/wrinkle-textures.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import { composeMaterial } from './compose-material.ts'
-import { defaultFragment, instancedVertex, type ShaderVariant } from './default-shader.ts'
+import { defaultFragment, instancedVertex, isPatchable, type ShaderVariant } from './default-shader.ts'
 import { influenceMaterial } from './influence-material.ts'
 import { quadMaterials } from './influence-quads.ts'
 import { paperFragment } from './paper-shader.ts'
+import { faultOf } from './program-fault.ts'
 import { areaUniforms, layerUniforms, mapUniforms } from './uniforms.ts'
 
 /** Wrinkles on one mesh for `WebGLRenderer`. */
@@ -21,12 +23,12 @@ export class Wrinkles extends WrinklesBase {
    * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then unchanged.
    */
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
-    super({ patch, influenceMaterial, composeMaterial, quads: quadMaterials }, mesh, source, options)
+    super(PARTS, mesh, source, options)
   }
 }
 
 /** Patches the material's own GLSL, after the user's `onBeforeCompile`, if any. */
-const patch: RendererParts['patch'] = (material, inputs, mode, instances) => {
+const patch: RendererParts['patch'] = (material, inputs, mode, instances, refuse) => {
   const { onBeforeCompile, customProgramCacheKey } = material
   const original = { onBeforeCompile, customProgramCacheKey }
   const { textures, areas } = inputs
@@ -37,23 +39,41 @@ const patch: RendererParts['patch'] = (material, inputs, mode, instances) => {
     values: valueLayers(textures.values),
     instances,
     anisotropic: textures.normals.texture.anisotropy > 1,
+    isToon: isToon(material),
   }
   const uniforms = paper
     ? { ...areaUniforms(inputs, paper.table), furrowColours: { value: paper.texture } }
     : { ...mapUniforms(inputs), ...layerUniforms(inputs) }
   material.onBeforeCompile = (shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer) => {
     onBeforeCompile.call(material, shader, renderer)
-    Object.assign(shader.uniforms, uniforms)
-    if (paper) {
-      shader.fragmentShader = paperFragment(shader.fragmentShader, areas.channels, paper.diffuseIsSrgb)
-      return
+    try {
+      const { fragmentShader } = shader
+      shader.fragmentShader = paper
+        ? paperFragment(fragmentShader, areas.channels, paper.diffuseIsSrgb)
+        : defaultFragment(fragmentShader, variant)
+    } catch {
+      return refuse()
     }
-    if (instances) shader.vertexShader = instancedVertex(shader.vertexShader, instances)
-    shader.fragmentShader = defaultFragment(shader.fragmentShader, variant)
+    if (instances && !paper) shader.vertexShader = instancedVertex(shader.vertexShader, instances)
+    // Not into the object itself: a ShaderMaterial's is its own, which its copies copy.
+    shader.uniforms = { ...shader.uniforms, ...uniforms }
+    // three.js writes the material's name into a line of the shader.
+    shader.shaderName = shader.shaderName.replace(/\s|\\/g, ' ')
   }
   const key = paper ? `paper ${areas.channels} ${paper.diffuseIsSrgb}` : JSON.stringify(variant)
   material.customProgramCacheKey = () => `${customProgramCacheKey.call(material)} furrow ${key}`
   return () => Object.assign(material, original)
+}
+
+const PARTS: RendererParts = {
+  entry: 'furrow/three',
+  canPatch: ({ fragmentShader, isRawShaderMaterial }) =>
+    fragmentShader === undefined || (!isRawShaderMaterial && isPatchable(fragmentShader)),
+  patch,
+  faultOf,
+  composeMaterial,
+  influenceMaterial,
+  quads: quadMaterials,
 }
 
 function valueLayers(values: WrinkleTextures['values']): ShaderVariant['values'] {

@@ -1,6 +1,7 @@
 /** The layers' maps mixed into the material's own, in TSL; the same formulas as the GLSL of `webgl/` and the reference. */
-import { Fn, float, If, max, vec2, vec3, vec4 } from 'three/tsl'
+import { Fn, float, If, max, mix, vec2, vec3, vec4 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
+import { TOON_LINE } from '../../core/toon-line.ts'
 import type { LayerKind } from '../../core/types.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
 import type { ValueKind } from '../material/wrinkle-textures.ts'
@@ -94,6 +95,22 @@ export function mixValues(
     }
     return value
   })()
+}
+
+/**
+ * Draws wrinkles as lines, for materials that light in steps, see `toonColour` in the reference.
+ *
+ * @param own the material's own normal as stored, 0..1.
+ * @param mixed the same with wrinkles.
+ */
+export function toonColour(colour: Node<'vec3'>, own: Node<'vec3'>, mixed: Node<'vec3'>): Node<'vec3'> {
+  const [from, to] = TOON_LINE.slopes
+  const slopeOf = (stored: Node<'vec3'>) => {
+    const normal = unpack(stored).toVar()
+    return normal.xy.div(normal.z)
+  }
+  const line = slopeOf(mixed).sub(slopeOf(own)).length().smoothstep(from, to)
+  return colour.mul(mix(vec3(1), colour.mul(TOON_LINE.shade), line))
 }
 
 interface SampledLayer {

@@ -45,7 +45,7 @@ export function repeat(uv: Node<'vec2'>): Node<'vec2'> {
 }
 
 /** Texture coordinates of the material's normal map, its `KHR_texture_transform` applied. */
-export function mapUv(material: WrinkleMaterial): Node<'vec2'> {
+export function mapUv(material: Pick<WrinkleMaterial, 'normalMap'>): Node<'vec2'> {
   const transform = uniform(new Matrix3()).onObjectUpdate(() => {
     const map = material.normalMap!
     if (map.matrixAutoUpdate) map.updateMatrix()

@@ -1,13 +1,16 @@
 import type { Mesh, MeshStandardMaterial } from 'three'
 import {
+  bitangentView,
   cameraViewMatrix,
   int,
   Loop,
+  mat3,
   normalMap,
   normalView,
   normalWorld,
   select,
   sRGBTransferEOTF,
+  tangentView,
   texture,
   vec3,
   vec4,
@@ -18,15 +21,16 @@ import { instancesOf } from '../instances.ts'
 import type { PaperArray } from '../material/paper-array.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
-import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
+import { isToon, type WrinkleMaterial } from '../material/wrinkle-material.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { checkThree } from '../three-version.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
+import { faultOf, unwatch, watched } from './build-fault.ts'
 import { composeMaterial } from './compose-material.ts'
 import { checkBatch, influenceFromAreas, influenceFromMap } from './influence.ts'
 import { influenceMaterial } from './influence-material.ts'
 import { quadMaterials } from './influence-quads.ts'
-import { type LayerInfluence, mixNormals, mixValues } from './mix.ts'
+import { type LayerInfluence, mixNormals, mixValues, toonColour } from './mix.ts'
 import { materialProperty, normalInView, typed } from './node.ts'
 import { mapUv, repeat } from './texture-sampling.ts'
 
@@ -43,7 +47,7 @@ export class Wrinkles extends WrinklesBase {
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
     checkThree('Wrinkles of furrow/webgpu')
     if (instancesOf(mesh) === 'batched') checkBatch(mesh)
-    super({ patch, influenceMaterial, composeMaterial, quads: quadMaterials }, mesh, source, options)
+    super(PARTS, mesh, source, options)
   }
 }
 
@@ -60,6 +64,9 @@ const PATCHED = [
 type Patched = WrinkleMaterial &
   Partial<Pick<MeshStandardNodeMaterial, Exclude<(typeof PATCHED)[number], 'customProgramCacheKey'>>>
 
+/** What it sets in any mode, and more. */
+type Added = Partial<Patched> & { normalNode: Node<'vec3'> }
+
 let patchCount = 0
 
 const patch: RendererParts['patch'] = (material: Patched, inputs, mode, instances) => {
@@ -71,28 +78,44 @@ const patch: RendererParts['patch'] = (material: Patched, inputs, mode, instance
     mode === 'paper'
       ? paperNodes(inputs.paper!, uv, influenceFromAreas(inputs, inputs.paper!.table, uv))
       : layerNodes(material, inputs, { influence: influenceFromMap(inputs, uv, instances), uv })
-  Object.assign(material, added)
+  Object.assign(material, added, { normalNode: watched(material, added.normalNode) })
   // The renderer shares one built program among plain materials with equal properties, and nodes are not
   // among those it compares; these read textures of their own.
   const variant = `furrow ${mode} ${patchCount++}`
   const cacheKey = material.customProgramCacheKey
   material.customProgramCacheKey = () => `${cacheKey.call(material)} ${variant}`
   return () => {
+    unwatch(material)
     for (const key of [...Object.keys(added), 'customProgramCacheKey']) Reflect.deleteProperty(material, key)
     Object.assign(material, original)
   }
 }
 
+const PARTS: RendererParts = {
+  entry: 'furrow/webgpu',
+  canPatch: () => true,
+  patch,
+  faultOf,
+  composeMaterial,
+  influenceMaterial,
+  quads: quadMaterials,
+}
+
 /** The default mode: the layers' maps mixed into the material's, lit once. */
-function layerNodes(material: Patched, inputs: ShaderInputs, layers: LayerInfluence): Partial<Patched> {
-  const mixed = mixNormals(materialProperty('normalMap', 'texture').xyz, inputs, layers)
-  const added: Partial<Patched> = { normalNode: normalMap(mixed, normalScale()) }
+function layerNodes(material: Patched, inputs: ShaderInputs, layers: LayerInfluence): Added {
+  const { normalNode } = material
+  const ownNormal = normalNode ? vec3(0.5, 0.5, 1) : materialProperty('normalMap', 'texture').xyz
+  const mixed = mixNormals(ownNormal, inputs, layers)
+  const added: Added = {
+    normalNode: normalNode ? ontoNormal(typed(normalNode), mixed) : normalMap(mixed, normalScale()),
+  }
   const { baseColor, roughness, occlusion } = inputs.textures.values
   const { map, roughnessMap, aoMap } = material as Partial<MeshStandardMaterial>
-  if (baseColor) {
+  if (baseColor || isToon(material)) {
     const own = map ? materialProperty('map', 'texture') : vec4(1)
-    const colour = mixValues('baseColor', own.rgb, inputs, layers)
-    added.colorNode = vec4(materialProperty('color', 'color').mul(colour), own.a)
+    const mapped = baseColor ? mixValues('baseColor', own.rgb, inputs, layers) : own.rgb
+    const colour = materialProperty('color', 'color').mul(mapped)
+    added.colorNode = vec4(isToon(material) ? toonColour(colour, ownNormal, mixed) : colour, own.a)
   }
   if (roughness && 'roughness' in material) {
     const own = roughnessMap ? vec3(materialProperty('roughnessMap', 'texture').g) : vec3(1)
@@ -113,7 +136,7 @@ function paperNodes(
   { texture: colours, diffuseIsSrgb }: PaperArray,
   uv: Node<'vec2'>,
   influence: Node<'vec4'>,
-): Partial<Patched> {
+): Added {
   const sample = (slice: number) => texture(colours, repeat(uv)).depth(int(slice))
   const smooth = normalMap(sample(1).xyz, normalScale())
   const wrinkled = normalMap(sample(2).xyz, normalScale())
@@ -137,6 +160,13 @@ function paperNodes(
       return colour
     },
   }
+}
+
+/** Lays stored normals onto a material's own, in view space, that are not those of a map. */
+function ontoNormal(own: Node<'vec3'>, stored: Node<'vec3'>): Node<'vec3'> {
+  const normal = stored.mul(2).sub(1).toVar()
+  const scaled = vec3(normal.xy.mul(normalScale()), normal.z)
+  return mat3(typed<'vec3'>(tangentView), typed<'vec3'>(bitangentView), own).mul(scaled).normalize()
 }
 
 function normalScale(): Node<'vec2'> {

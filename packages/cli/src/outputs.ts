@@ -1,0 +1,142 @@
+import { constants, type Stats } from 'node:fs'
+import { access, lstat, readlink, realpath, stat } from 'node:fs/promises'
+import { dirname, join, relative, resolve } from 'node:path'
+import { FurrowError } from 'furrow'
+import { cannotWrite } from './errors.ts'
+
+/** What the files that a command writes may be. */
+export interface OutputRules {
+  /** What their names may end with; `.png` by default. */
+  extensions?: readonly string[]
+  /** The files that the command reads. */
+  inputs?: readonly string[]
+  /** Whether an output may replace an input; to be left out by commands without `--force`. */
+  force?: boolean | undefined
+}
+
+/** Names of stdout. It is never opened by name: as root, renaming a file to it would replace the device. */
+const STDOUT = ['-', '/dev/stdout', '/dev/fd/1', '/proc/self/fd/1']
+
+/** More links than this in a row are a circle. */
+const MOST_LINKS = 40
+
+/** Whether an output is to be written to stdout. */
+export function isStdout(path: string): boolean {
+  return STDOUT.includes(path)
+}
+
+/**
+ * Checks before any work is done that all files of a command can be written, that no two of them are the same, and
+ * that none of them is an input. Symbolic and hard links are considered.
+ *
+ * @param paths those that are undefined were not asked for.
+ * @throws FurrowError naming the file.
+ */
+export async function checkOutputs(
+  paths: readonly (string | undefined)[],
+  who: string,
+  { extensions = ['.png'], inputs = [], force }: OutputRules = {},
+): Promise<void> {
+  const outputs = paths.filter((path) => path !== undefined)
+  for (const path of outputs) await checkWritable(path, who, ...extensions)
+  const written = await Promise.all(outputs.map(identityOf))
+  const twice = outputs.find((_, i) => written.indexOf(written[i]) < i)
+  if (twice !== undefined) {
+    throw new FurrowError({
+      code: 'usage',
+      who,
+      what: 'one file for two outputs',
+      value: twice,
+      remedy: 'give each a file of its own',
+    })
+  }
+  if (force) return
+  // An input that cannot be looked at is an error of reading it.
+  const read = await Promise.all(inputs.map((path) => identityOf(path).catch(() => path)))
+  const over = outputs.find((_, i) => read.includes(written[i]))
+  if (over !== undefined) throw overInput(over, who, force)
+}
+
+/** The error for an output that would replace an input; `force` as in `OutputRules`. */
+export function overInput(path: string, who: string, force: boolean | undefined): FurrowError {
+  return new FurrowError({
+    code: 'unwritable',
+    who,
+    what: `${path} is the input`,
+    remedy: `name another output${force === undefined ? '' : ', or replace it with --force'}`,
+  })
+}
+
+/**
+ * Checks that a file can be written. Leaves nothing behind.
+ *
+ * @param extensions what its name may end with, in any case.
+ * @throws FurrowError when it cannot.
+ */
+export async function checkWritable(path: string, who: string, ...extensions: string[]): Promise<void> {
+  if (isStdout(path)) {
+    if (!process.stdout.isTTY) return
+    throw cannotWrite(who, 'to stdout', new Error('it is the terminal'), 'write to a file or a pipe')
+  }
+  const allowed = extensions.length > 0 ? extensions : ['.png']
+  if (!allowed.some((extension) => path.toLowerCase().endsWith(extension))) {
+    const problem = `its name does not end in ${allowed.join(' or ')}`
+    throw cannotWrite(who, path, problem, `name it e.g. face${allowed[0]}`)
+  }
+  try {
+    const target = await targetOf(path)
+    const found = await statOf(target)
+    const problem = outputProblem(found)
+    if (problem) throw cannotWrite(who, path, problem, 'name a file; -o - writes to stdout')
+    if (found) await access(target, constants.W_OK)
+    await access(await nearestFolder(dirname(target)), constants.W_OK)
+  } catch (error) {
+    throw error instanceof FurrowError ? error : cannotWrite(who, path, error)
+  }
+}
+
+/** Why something that exists cannot be replaced by a file; undefined where it can. */
+export function outputProblem(found: Pick<Stats, 'isFile' | 'isDirectory'> | undefined): string | undefined {
+  if (!found || found.isFile()) return undefined
+  return found.isDirectory() ? 'it is a folder' : 'it is a device, pipe or socket'
+}
+
+/** The file that is written for a path: links are followed, also those to files that do not exist yet. */
+export async function targetOf(path: string): Promise<string> {
+  let target = resolve(path)
+  for (let links = 0; links < MOST_LINKS; links++) {
+    const found = await lstat(target).catch(ignoreMissing)
+    if (!found?.isSymbolicLink()) return target
+    target = resolve(await realpath(dirname(target)), await readlink(target))
+  }
+  return realpath(path)
+}
+
+/** What is at a path; undefined where nothing is. */
+export async function statOf(path: string): Promise<Stats | undefined> {
+  return stat(path).catch(ignoreMissing)
+}
+
+/** The same text for the same file, by whatever path. */
+async function identityOf(path: string): Promise<string> {
+  if (isStdout(path)) return 'stdout'
+  const target = await targetOf(path)
+  const found = await stat(target, { bigint: true }).catch(ignoreMissing)
+  if (found) return `${found.dev}:${found.ino}`
+  const folder = await nearestFolder(dirname(target))
+  return join(await realpath(folder), relative(folder, target))
+}
+
+/** The folder itself, or its nearest ancestor that exists. */
+async function nearestFolder(path: string): Promise<string> {
+  const found = await statOf(path)
+  if (found?.isDirectory()) return path
+  if (found) throw new Error(`${path} is not a folder`)
+  const parent = dirname(path)
+  if (parent === path) throw new Error(`${path} does not exist`)
+  return nearestFolder(parent)
+}
+
+function ignoreMissing(error: NodeJS.ErrnoException): undefined {
+  if (error.code !== 'ENOENT' && error.code !== 'ENOTDIR') throw error
+}

@@ -1,0 +1,332 @@
+import { Wrinkles as WebGLWrinkles } from 'furrow/three'
+import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
+import {
+  AmbientLight,
+  DataTexture,
+  DirectionalLight,
+  type Material,
+  type Mesh,
+  MeshBasicMaterial,
+  MeshMatcapMaterial,
+  MeshNormalMaterial,
+  MeshStandardMaterial,
+  Scene,
+  ShaderMaterial,
+  type Texture,
+} from 'three'
+import { expression, Fn, vec3 } from 'three/tsl'
+import { MeshStandardNodeMaterial, Node, type NodeBuilder } from 'three/webgpu'
+import {
+  afterAll,
+  afterEach,
+  beforeAll,
+  beforeEach,
+  describe,
+  expect,
+  it,
+  type MockInstance,
+  vi,
+} from 'vitest'
+import { randomNormals, randomSet } from '../cases.ts'
+import { seeded } from '../random.ts'
+import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+
+let warn: MockInstance
+let error: MockInstance
+beforeEach(() => {
+  warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+  error = vi.spyOn(console, 'error').mockImplementation(() => {})
+})
+afterEach(() => vi.restoreAllMocks())
+
+const set = () => randomSet(seeded(3), 4, 8, 16)
+
+function sceneOf(mesh: Mesh): Scene {
+  const light = new DirectionalLight(0xffffff, 2)
+  light.position.set(1, 1, 1)
+  return new Scene().add(mesh, light, new AmbientLight(0xffffff, 0.2))
+}
+
+/** Some frames, so that what a renderer reports late has its effect; then the picture. */
+async function picture(harness: Harness, mesh: Mesh): Promise<string> {
+  const scene = sceneOf(mesh)
+  for (let i = 0; i < 3; i++) await harness.renderBytes(scene, squareCamera(), 16)
+  return (await harness.renderBytes(scene, squareCamera(), 16)).join()
+}
+
+/** The warnings of Furrow; three.js has its own. */
+const warnings = () => warn.mock.calls.map(([text]) => String(text)).filter((text) => /^Wrinkles/.test(text))
+
+/** Expects that a face is drawn without wrinkles, as it was, and that one warning says why. */
+async function expectPlain(harness: Harness, mesh: Mesh, why: RegExp) {
+  const plain = await picture(harness, mesh)
+  const wrinkles = new harness.Wrinkles(mesh, set(), { areaSize: 8 })
+  for (const area of wrinkles.areaNames) wrinkles.setActivation(area, 1)
+  expect(await picture(harness, mesh)).toBe(plain)
+  expect(wrinkles.mode).toBe('off')
+  await picture(harness, mesh)
+  expect(warnings()).toEqual([expect.stringMatching(why)])
+  wrinkles.dispose()
+}
+
+/** Expects that a face wrinkles in a mode, and is as before without. */
+async function expectWrinkles(harness: Harness, mesh: Mesh, mode: 'default' | 'composed') {
+  const plain = await picture(harness, mesh)
+  const wrinkles = new harness.Wrinkles(mesh, set(), { areaSize: 8 })
+  expect(await picture(harness, mesh)).toBe(plain)
+  wrinkles.setActivation('area1', 1)
+  expect(await picture(harness, mesh)).not.toBe(plain)
+  expect(wrinkles.mode).toBe(mode)
+  wrinkles.dispose()
+  expect(await picture(harness, mesh)).toBe(plain)
+  expect(warnings()).toEqual([])
+}
+
+describe.each(RENDERERS)('materials on %s', (name) => {
+  let harness: Harness
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterAll(() => harness.dispose())
+
+  const unlit: [string, () => Material][] = [
+    ['matcap', () => new MeshMatcapMaterial()],
+    ['normal', () => new MeshNormalMaterial()],
+  ]
+  it.each(unlit)('%s wrinkles', (_, create) => expectWrinkles(harness, square(create()), 'default'))
+
+  it.each(unlit)('%s ignores maps that it has no use for', async (_, create) => {
+    const { layers, areas } = set()
+    const gray = { width: 16, height: 16, data: new Uint8Array(256).fill(90) }
+    const layer = { ...layers[0], baseColor: layers[0].normal, roughness: gray, occlusion: gray }
+    const mesh = square(create())
+    const plain = await picture(harness, mesh)
+    const wrinkles = new harness.Wrinkles(mesh, { layers: [layer], areas }, { areaSize: 8 })
+    wrinkles.setActivation('area1', 1)
+    expect(await picture(harness, mesh)).not.toBe(plain)
+    expect(wrinkles.mode).toBe('default')
+    expect(warnings()).toEqual([])
+    wrinkles.dispose()
+  })
+
+  it('the first material with a normal map shows the wrinkles of a mesh with several', async () => {
+    const mesh = square(new MeshBasicMaterial()) as Mesh<Mesh['geometry'], Material | Material[]>
+    mesh.material = [new MeshBasicMaterial(), new MeshStandardMaterial({ name: 'skin' })]
+    mesh.geometry.addGroup(0, 3, 0)
+    mesh.geometry.addGroup(3, 3, 1)
+    await expectWrinkles(harness, mesh as Mesh, 'default')
+    const wrinkles = new harness.Wrinkles(mesh as Mesh, set())
+    const copies = wrinkles.cloneMaterial() as Material[]
+    expect(copies[0]).toBe(mesh.material[0])
+    expect(copies[1]).not.toBe(mesh.material[1])
+    expect(copies[1]).toMatchObject({ name: 'skin', normalMap: null })
+    wrinkles.dispose()
+  })
+
+  it('names with line ends, quotes and backslashes never reach a shader', async () => {
+    const hostile = 'a\n#error "b"\\'
+    const { layers, areas } = set()
+    const named = {
+      layers: layers.map((layer) => ({ ...layer, name: hostile })),
+      areas: areas.map((area, i) => ({ ...area, name: `${hostile}${i}`, layer: hostile })),
+    }
+    for (const mode of ['default', 'composed', 'paper'] as const) {
+      const mesh = square(new MeshStandardMaterial())
+      mesh.name = hostile
+      const plain = await picture(harness, mesh)
+      const wrinkles = new harness.Wrinkles(mesh, named, { mode, areaSize: 8 })
+      wrinkles.setActivation(`${hostile}1`, 1)
+      expect(await picture(harness, mesh)).not.toBe(plain)
+      expect(wrinkles.mode).toBe(mode)
+      wrinkles.dispose()
+    }
+    expect(warnings()).toEqual([])
+  })
+
+  it.each(['default', 'composed', 'paper'] as const)(
+    'the entry for the other renderer leaves the face plain in %s mode, and says once which is right',
+    async (mode) => {
+      const Other = name === 'webgl' ? WebGPUWrinkles : WebGLWrinkles
+      const mesh = square(new MeshStandardMaterial())
+      const plain = await picture(harness, mesh)
+      const own = await createHarness(name)
+      const wrinkles = new Other(mesh, set(), { mode })
+      wrinkles.setActivation('area1', 1)
+      expect(await picture(own, mesh)).toBe(plain)
+      expect(await picture(own, mesh)).toBe(plain)
+      const said = error.mock.calls.map(([text]) => text).filter((text) => /^Wrinkles/.test(text))
+      expect(said).toEqual([
+        name === 'webgl'
+          ? 'Wrinkles of furrow/webgpu: cannot draw with this renderer, got "WebGLRenderer", allowed: WebGPURenderer; import it from \'furrow/three\' instead, the loader plugin too; the face is shown without wrinkles'
+          : 'Wrinkles of furrow/three: cannot draw with this renderer, got "WebGPURenderer", allowed: WebGLRenderer; import it from \'furrow/webgpu\' instead, the loader plugin too; the face is shown without wrinkles',
+      ])
+      expect(() => wrinkles.update(own.renderer)).toThrow(said[0])
+      wrinkles.dispose()
+      own.dispose()
+    },
+  )
+})
+
+describe('shaders on webgl', () => {
+  let harness: Harness
+  beforeAll(async () => {
+    harness = await createHarness('webgl')
+  })
+  afterAll(() => harness.dispose())
+
+  it("the user's own edits stay, and what they leave of the normal map is patched", async () => {
+    const material = new MeshStandardMaterial()
+    material.onBeforeCompile = (shader) => {
+      shader.fragmentShader = shader.fragmentShader.replace(
+        '#include <opaque_fragment>',
+        'outgoingLight.r = 0.5;\n#include <opaque_fragment>',
+      )
+    }
+    await expectWrinkles(harness, square(material), 'default')
+  })
+
+  it('one that the user edited beyond patching shows the composed map from the second frame on', async () => {
+    const material = new MeshStandardMaterial()
+    material.onBeforeCompile = (shader) => {
+      shader.fragmentShader = shader.fragmentShader.replace(
+        '#include <normal_fragment_maps>',
+        'vec3 own = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;\nnormal = normalize( tbn * own );',
+      )
+    }
+    const base = randomNormals(seeded(5), 16)
+    material.normalMap = new DataTexture(base.data, 16, 16)
+    material.normalMap.needsUpdate = true
+    const { normalMap } = material
+    await expectWrinkles(harness, square(material), 'composed')
+    expect(material.normalMap).toBe(normalMap)
+  })
+
+  it('a ShaderMaterial that reads its normal map in its own way shows the composed map at once', async () => {
+    const mesh = square(new OwnShader('texture2D( normalMap, vUv ).xyz'))
+    await expectWrinkles(harness, mesh, 'composed')
+    const wrinkles = new harness.Wrinkles(mesh, set())
+    expect(wrinkles.mode).toBe('composed')
+    expect(() => {
+      wrinkles.mode = 'paper'
+    }).toThrow(
+      /^Wrinkles.mode: the material's shader cannot be patched, got "paper", allowed: composed or off/,
+    )
+    expect(wrinkles.mode).toBe('composed')
+    wrinkles.dispose()
+  })
+
+  it('one without a normal map is refused, and stays as it was', () => {
+    const mesh = square(new OwnShader('vec3( vUv, 0.5 )'))
+    expect(() => new harness.Wrinkles(mesh, set())).toThrow(
+      /material ShaderMaterial does not support normal maps/,
+    )
+    expect((mesh.material as OwnShader).normalMap).toBeNull()
+  })
+
+  it.each([true, false])(
+    'one that does not compile with wrinkles is plain again, with one warning (checkShaderErrors %s)',
+    async (checkShaderErrors) => {
+      const material = new MeshStandardMaterial()
+      material.customProgramCacheKey = () => `taken ${checkShaderErrors}`
+      material.onBeforeCompile = (shader) => {
+        shader.fragmentShader = `float furrowMixNormals;\n${shader.fragmentShader}`
+      }
+      harness.renderer.debug.checkShaderErrors = checkShaderErrors
+      const mesh = square(material)
+      mesh.name = 'head'
+      await expectPlain(
+        harness,
+        mesh,
+        /^Wrinkles: the shader of mesh "head" does not compile in the default mode, so it is shown without wrinkles, got ".+"; use the composed mode, or another material$/,
+      )
+      expect(material.normalMap).toBeNull()
+      harness.renderer.debug.checkShaderErrors = true
+    },
+  )
+
+  it('instances whose shader cannot be patched stay plain, with one warning', async () => {
+    const { InstancedMesh, Matrix4 } = await import('three')
+    const material = new MeshStandardMaterial()
+    material.onBeforeCompile = (shader) => {
+      shader.fragmentShader = shader.fragmentShader.replace('#include <normal_fragment_maps>', '')
+    }
+    const mesh = new InstancedMesh(square(material).geometry, material, 2)
+    for (const i of [0, 1]) mesh.setMatrixAt(i, new Matrix4())
+    await expectPlain(harness, mesh, /^Wrinkles.mode: instances cannot wrinkle independently in this mode/)
+  })
+})
+
+describe.each(['webgpu', 'webgpu on webgl2'] as const)('nodes on %s', (name) => {
+  let harness: Harness
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterAll(() => harness.dispose())
+
+  /** Nodes that fail only in a material whose normals are patched. */
+  const failing = (fail: () => Node<'vec3'>) => {
+    const material = new MeshStandardNodeMaterial()
+    material.emissiveNode = Fn((_: [], builder: NodeBuilder) => {
+      const isPatched = (builder.material as typeof material).normalNode !== null
+      return isPatched ? fail() : vec3(0.1)
+    })()
+    return material
+  }
+
+  it.each([
+    ['shaders that the GPU refuses', () => vec3(expression('furrow_undeclared', 'vec3') as never)],
+    ['nodes that cannot be built', () => vec3(new Unbuildable('vec3') as never)],
+  ])('%s cost the wrinkles and one warning', async (_, fail) => {
+    await expectPlain(harness, square(failing(fail)), /does not compile in the default mode/)
+  })
+
+  it("a material's own normals stay under the wrinkles", async () => {
+    const material = new MeshStandardNodeMaterial()
+    material.normalNode = vec3(0.3, 0.2, 0.93).normalize()
+    await expectWrinkles(harness, square(material), 'default')
+  })
+
+  it('compiled in advance, while frames are drawn, it wrinkles', async () => {
+    const mesh = square(new MeshStandardNodeMaterial())
+    const plain = await picture(harness, mesh)
+    const wrinkles = new harness.Wrinkles(mesh, set(), { areaSize: 8 })
+    const { renderer } = harness as unknown as { renderer: import('three/webgpu').WebGPURenderer }
+    const compiled = renderer.compileAsync(sceneOf(mesh), squareCamera())
+    await picture(harness, mesh)
+    await compiled
+    wrinkles.setActivation('area1', 1)
+    expect(await picture(harness, mesh)).not.toBe(plain)
+    expect(wrinkles.mode).toBe('default')
+    expect(warnings()).toEqual([])
+    wrinkles.dispose()
+  })
+})
+
+class Unbuildable extends Node {
+  override generate(): string {
+    throw new Error('no such node')
+  }
+}
+
+/** A material of another library: unlit, with a normal map that shows as colour. */
+class OwnShader extends ShaderMaterial {
+  constructor(colour: string) {
+    super({
+      uniforms: { normalMap: { value: null } },
+      vertexShader:
+        'varying vec2 vUv; void main() { vUv = uv; gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 ); }',
+      fragmentShader: `varying vec2 vUv;${colour.includes('normalMap') ? ' uniform sampler2D normalMap;' : ''}
+void main() { gl_FragColor = vec4( ${colour}, 1.0 ); }`,
+    })
+    this.normalMap = null
+    if (!colour.includes('normalMap')) return
+    this.normalMap = new DataTexture(randomNormals(seeded(5), 16).data, 16, 16)
+    this.normalMap.needsUpdate = true
+  }
+  get normalMap(): Texture | null {
+    return this.uniforms.normalMap.value
+  }
+  set normalMap(map: Texture | null) {
+    this.uniforms.normalMap.value = map
+  }
+}

@@ -1,0 +1,89 @@
+// docs/guide.md from beginning to end, by one who has an avatar and painted maps, in an empty folder.
+
+import { cp, mkdir, readFile, writeFile } from 'node:fs/promises'
+import { dirname, join } from 'node:path'
+import type { Browser } from 'playwright-core'
+import sharp from 'sharp'
+import { afterAll, beforeAll, expect, it } from 'vitest'
+import { BARE_FACES } from '../bare-faces/bare-faces.ts'
+import { openBrowser, openPage } from '../pages/browser.ts'
+import { openPaused, playSurprise } from '../pages/paused-page.ts'
+import { contrast } from '../pages/pixels.ts'
+import { readCanvas } from '../pages/read-canvas.ts'
+import { startStaticServer } from '../pages/static-server.ts'
+import { DEPENDENCIES, pack, ROOT, remove, run, temporaryFolder } from './npm.ts'
+
+/** The scan where it is at hand, otherwise one of ours. */
+const AVATAR = BARE_FACES.at(-1)!.path
+
+/** Images that the guide asks the reader to paint, with the colour that ours have: a flat normal, or half visible. */
+const PAINTED = {
+  'painted/layers/expression/normal.png': '#8080ff',
+  'painted/areas/foreheadLeft.png': '#808080',
+  'painted/areas/glabella.png': '#808080',
+}
+
+/** What a page has to be a step: a block of commands, or a file whose name stands in a comment above its block. */
+const STEP = /^(?:<!-- (?<file>\S+) -->\n)?```(?<language>\w+)\n(?<text>.*?)^```$/gms
+
+let folder: string
+let walk: string
+let tarballs: Record<string, string>
+let browser: Browser
+
+beforeAll(async () => {
+  folder = await temporaryFolder()
+  walk = join(folder, 'walk')
+  tarballs = {
+    furrow: await pack('furrow', folder),
+    'furrow-cli': await pack('furrow-cli', folder),
+    three: DEPENDENCIES.three,
+    vite: DEPENDENCIES.vite,
+  }
+  await mkdir(walk)
+  await cp(AVATAR, join(walk, 'avatar.glb'))
+  for (const [file, background] of Object.entries(PAINTED)) {
+    await mkdir(dirname(join(walk, file)), { recursive: true })
+    await sharp({ create: { width: 64, height: 64, channels: 3, background } })
+      .png()
+      .toFile(join(walk, file))
+  }
+  browser = await openBrowser()
+})
+
+afterAll(async () => {
+  await browser?.close()
+  await remove(folder)
+})
+
+it('every command of the guide works, in order, and its page shows the face', async () => {
+  const guide = await readFile(join(ROOT, 'docs/guide.md'), 'utf8')
+  for (const { groups } of guide.matchAll(STEP)) {
+    const { file, language, text } = groups!
+    if (file) {
+      await writeFile(join(walk, file), text)
+    } else if (language === 'sh') {
+      for (const command of text.trim().split('\n')) await runInWalk(command)
+    }
+  }
+  const server = await startStaticServer(join(walk, 'dist'))
+  const { page, complaints } = await openPage(browser, { viewport: { width: 300, height: 300 } })
+  try {
+    await openPaused(page, `${server.origin}/index.html`)
+    await playSurprise(page)
+    expect(contrast(await readCanvas(page))).toBeGreaterThan(100)
+    expect(complaints).toEqual([])
+  } finally {
+    server.close()
+  }
+})
+
+/** Runs a command as printed; packages come from the repository, in the versions that we test with. */
+async function runInWalk(command: string): Promise<void> {
+  const [program, ...words] = command.split(' ')
+  if (command.startsWith('npm install')) {
+    await run(walk, program, '--prefer-offline', ...words.map((word) => tarballs[word] ?? word))
+  } else {
+    await run(walk, program, ...words)
+  }
+}

@@ -1,0 +1,105 @@
+// What a new user does with the two packages and a character, in folders that have nothing else.
+
+import { cp, mkdir, readFile, writeFile } from 'node:fs/promises'
+import { basename, join } from 'node:path'
+import { pathToFileURL } from 'node:url'
+import type { Browser, Page } from 'playwright-core'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { BARE_FACES } from '../bare-faces/bare-faces.ts'
+import { openBrowser, openPage } from '../pages/browser.ts'
+import { firstPicture, openPaused, playSurprise, readNextFrame, switchOff } from '../pages/paused-page.ts'
+import { contrast, largestDifference, WHOLE } from '../pages/pixels.ts'
+import { startStaticServer } from '../pages/static-server.ts'
+import { createApp, DEPENDENCIES, pack, ROOT, remove, run, runUninstalled, temporaryFolder } from './npm.ts'
+
+/** The scan where it is at hand, otherwise one of ours. */
+const AVATAR = BARE_FACES.at(-1)!.path
+
+const SIZE = { width: 300, height: 300 }
+
+let folder: string
+let app: string
+let browser: Browser
+
+beforeAll(async () => {
+  folder = await temporaryFolder()
+  const [furrow, cli] = [await pack('furrow', folder), await pack('furrow-cli', folder)]
+  const empty = join(folder, 'empty')
+  await mkdir(empty)
+  await cp(AVATAR, join(empty, 'avatar.glb'))
+  await cp(cli, join(empty, basename(cli)))
+  await runUninstalled(empty, `./${basename(cli)}`, 'auto', 'avatar.glb', '-o', 'wrinkled.glb')
+
+  const { three, types, vite, typescript } = DEPENDENCIES
+  app = await createApp(join(folder, 'app'), [furrow, three, types, vite, typescript])
+  await cp(join(ROOT, 'test/packages/apps/vite'), app, { recursive: true })
+  await cp(join(empty, 'wrinkled.glb'), join(app, 'public/wrinkled.glb'))
+  browser = await openBrowser()
+})
+
+afterAll(async () => {
+  await browser?.close()
+  await remove(folder)
+})
+
+describe('an app in strict TypeScript, built by Vite', () => {
+  let server: { origin: string; close(): Promise<void> }
+  beforeAll(async () => {
+    await run(app, 'npx', 'tsc')
+    await run(app, 'npx', 'vite', 'build')
+    server = await previewServer()
+  })
+  afterAll(() => server?.close())
+
+  it.each(['webgl', 'webgpu'])('draws the wrinkles of a character with %s', (renderer) =>
+    withPage(`${server.origin}/?${renderer}`, async (page) => {
+      await firstPicture(page)
+      await expectWrinkles(page, () => page.dispatchEvent('canvas', 'click'))
+    }),
+  )
+})
+
+it('the page of the README draws the wrinkles of a character, without a bundler', async () => {
+  const [, html] = (await readFile(join(ROOT, 'README.md'), 'utf8')).match(/```html\n(.*?)```/s)!
+  await writeFile(join(app, 'page.html'), html.replace('/faces/human.glb', '/public/wrinkled.glb'))
+  const server = await startStaticServer(app)
+  try {
+    await withPage(`${server.origin}/page.html`, async (page) => {
+      await playSurprise(page)
+      await expectWrinkles(page, () => switchOff(page))
+    })
+  } finally {
+    server.close()
+  }
+})
+
+/** Looks at a page with its wrinkles and without. */
+async function expectWrinkles(page: Page, off: () => Promise<void>): Promise<void> {
+  const wrinkled = await readNextFrame(page)
+  expect(contrast(wrinkled)).toBeGreaterThan(100)
+  await off()
+  expect(largestDifference(wrinkled, await readNextFrame(page), WHOLE)).toBeGreaterThan(20)
+}
+
+/** The app's own Vite, which shows what it has built. */
+async function previewServer() {
+  const { preview }: typeof import('vite') = await import(
+    pathToFileURL(join(app, 'node_modules/vite/dist/node/index.js')).href
+  )
+  const server = await preview({ root: app, logLevel: 'warn', preview: { host: '127.0.0.1', port: 0 } })
+  const origin = server.resolvedUrls?.local[0]?.replace(/\/$/, '')
+  if (!origin) throw new Error('Vite does not say where it listens')
+  return { origin, close: () => server.close() }
+}
+
+/** Opens a page with its time paused; it must complain of nothing. */
+async function withPage(url: string, inspect: (page: Page) => Promise<void>): Promise<void> {
+  const { page, complaints } = await openPage(browser, { viewport: SIZE })
+  try {
+    await openPaused(page, url)
+    await inspect(page)
+    expect(complaints).toEqual([])
+  } finally {
+    await page.close()
+  }
+}

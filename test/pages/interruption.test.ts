@@ -1,0 +1,139 @@
+import type { ChildProcess } from 'node:child_process'
+import { once } from 'node:events'
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, watch } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join, resolve } from 'node:path'
+import { performance } from 'node:perf_hooks'
+import { setTimeout } from 'node:timers/promises'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { startFurrow } from './run-furrow.ts'
+
+const MOMENTS = 20
+const SIGNALS = ['SIGINT', 'SIGTERM', 'SIGHUP'] as const
+
+const FACE = resolve('faces/human.glb')
+const STROKES = resolve('faces/human/strokes.json')
+const root = mkdtempSync(join(tmpdir(), 'interrupted-'))
+const given = (name: string) => join(root, name)
+
+/** Every command that writes: its arguments, with outputs in the folder `new`. */
+const COMMANDS: Record<string, string[]> = {
+  array: ['array', given('set/areas/nose.png'), given('set/areas/chin.png'), '-o', 'new/areas.ktx2'],
+  'array --extract': ['array', given('areas.ktx2'), '--extract', 'new/areas'],
+  auto: ['auto', FACE, '-o', 'new/face.gltf', '--replace', '--size', '512', '--areas', '3'],
+  'auto --report': [
+    ...['auto', FACE, '-o', 'new/face.glb', '--replace', '--size', '512', '--areas', '2'],
+    ...['--report', 'new/report'],
+  ],
+  bake: ['bake', FACE, FACE, '-o', 'new/normal.png', '--height', 'new/height.png', '--size', '64'],
+  inspect: ['inspect', FACE, '--sheet', 'new/sheet.png'],
+  normals: ['normals', given('set/areas/nose.png'), '-o', 'new/normal.png', '--strength', '2'],
+  pack: ['pack', given('set'), '-o', 'new/face.gltf'],
+  render: ['render', FACE, '-o', 'new/picture.png', '--size', '64x64'],
+  strokes: ['strokes', STROKES, '--face', FACE, '--areas', 'new/areas', '-o', 'new/h.png', '--size', '256'],
+  unpack: ['unpack', FACE, '-o', 'new/set'],
+}
+
+beforeAll(async () => {
+  await finish(start(root, 'unpack', FACE, '-o', 'set'))
+  await finish(start(root, 'array', 'set/areas/nose.png', 'set/areas/chin.png', '-o', 'areas.ktx2'))
+})
+
+afterAll(() => rmSync(root, { recursive: true, force: true }))
+
+describe.each(Object.entries(COMMANDS))('furrow %s', (_, args) => {
+  it(`leaves all or nothing behind, at ${MOMENTS} moments`, async () => {
+    const whole = bench()
+    const begin = performance.now()
+    expect(await finish(start(whole, ...args))).toEqual({ code: 0, signal: null })
+    const duration = performance.now() - begin
+    const files = filesOf(whole)
+    await expectNothingElse(whole)
+    for (let moment = 0; moment < MOMENTS; moment++) {
+      const folder = bench()
+      const signal = SIGNALS[moment % SIGNALS.length]
+      const child = start(folder, ...args)
+      const ended = finish(child)
+      await Promise.race([ended, setTimeout(((moment + 0.5) / MOMENTS) * duration)])
+      await expectEnd(await interrupt(child, signal, ended), signal, folder, files)
+    }
+  })
+
+  it('does so when it begins to write', async () => {
+    const whole = bench()
+    await finish(start(whole, ...args))
+    for (const signal of SIGNALS) {
+      const folder = bench()
+      const child = start(folder, ...args)
+      const ended = finish(child)
+      const watcher = watch(folder, { recursive: true })
+      await Promise.race([ended, once(watcher, 'change')])
+      watcher.close()
+      await expectEnd(await interrupt(child, signal, ended), signal, folder, filesOf(whole))
+    }
+  })
+})
+
+interface End {
+  code: number | null
+  signal: NodeJS.Signals | null
+}
+
+/** A folder for a command to run in: its outputs go to `out`, its temporary files to `tmp`. */
+function bench(): string {
+  const folder = mkdtempSync(join(root, 'bench-'))
+  for (const name of ['out', 'tmp']) mkdirSync(join(folder, name))
+  return folder
+}
+
+function start(folder: string, ...args: string[]): ChildProcess {
+  const isBench = existsSync(join(folder, 'out'))
+  return startFurrow(
+    isBench ? join(folder, 'out') : folder,
+    isBench ? { TMPDIR: join(folder, 'tmp') } : {},
+    ...args,
+  )
+}
+
+async function finish(child: ChildProcess): Promise<End> {
+  const [code, signal] = await once(child, 'close')
+  return { code, signal }
+}
+
+function interrupt(child: ChildProcess, signal: NodeJS.Signals, ended: Promise<End>): Promise<End> {
+  child.kill(signal)
+  return ended
+}
+
+/** Everything was written, or nothing; the process ended as the signal ends one, which shells report as 128 + its number. */
+async function expectEnd({ code, signal }: End, sent: NodeJS.Signals, folder: string, whole: string[]) {
+  if (signal === null) expect(code).toBe(0)
+  else expect(signal).toBe(sent)
+  const files = filesOf(folder)
+  if (signal === null || files.length > 0) expect(files).toEqual(whole)
+  await expectNothingElse(folder)
+}
+
+async function expectNothingElse(folder: string): Promise<void> {
+  expect(readdirSync(join(folder, 'tmp'))).toEqual([])
+  // The system takes a moment to end what was killed.
+  await expect.poll(() => processesWith(folder), { timeout: 60_000 }).toEqual([])
+}
+
+function filesOf(folder: string): string[] {
+  return readdirSync(join(folder, 'out'), { recursive: true }).map(String).sort()
+}
+
+/** Command lines of the processes that work in a folder, such as a browser with its profile there. */
+function processesWith(folder: string): string[] {
+  if (process.platform !== 'linux') return []
+  return readdirSync('/proc').flatMap((id) => {
+    if (!/^\d+$/.test(id)) return []
+    try {
+      const command = readFileSync(`/proc/${id}/cmdline`, 'utf8')
+      return command.includes(folder) ? [command] : []
+    } catch {
+      return []
+    }
+  })
+}

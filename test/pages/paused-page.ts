@@ -1,0 +1,54 @@
+import type { Page } from 'playwright-core'
+import { contrast } from './pixels.ts'
+import { type CanvasPixels, makeCanvasReadable, readCanvas } from './read-canvas.ts'
+
+export const SECOND = 1000
+
+/** Milliseconds until the face of each example starts to look surprised, and for which it then stays so. */
+const SURPRISE_DELAY = 1.5 * SECOND
+
+/** Opens a page with its time paused: its canvas is there, and nothing is drawn yet. */
+export async function openPaused(page: Page, url: string): Promise<void> {
+  await makeCanvasReadable(page)
+  await page.clock.install({ time: 0 })
+  await page.clock.pauseAt(SECOND)
+  await page.goto(url)
+  // The page adds it after loading.
+  await page.waitForSelector('canvas')
+}
+
+/** Advances a paused example to the moment of surprise. */
+export async function playSurprise(page: Page): Promise<void> {
+  await firstPicture(page)
+  // Two steps with a frame each: the transition begins, and has ended.
+  await page.clock.fastForward(SURPRISE_DELAY + SECOND / 10)
+  await page.clock.fastForward(SECOND / 2)
+}
+
+/** Switches off the wrinkles of all meshes from the next frame on. The page's import map finds the modules. */
+export async function switchOff(page: Page): Promise<void> {
+  await page.evaluate(`
+    Promise.all([import('three'), import('furrow/three')]).then(([{ Scene }, { wrinklesOf }]) => {
+      Scene.prototype.onBeforeRender = (_, scene) =>
+        scene.traverse((object) => {
+          const wrinkles = wrinklesOf(object)
+          if (wrinkles) wrinkles.mode = 'off'
+        })
+    })`)
+}
+
+/** Reads the frame after next: what was changed for the next one is seen. */
+export async function readNextFrame(page: Page): Promise<CanvasPixels> {
+  await page.clock.runFor(SECOND / 30)
+  return readCanvas(page)
+}
+
+/** Steps the page's paused time until something is drawn, so that every run draws the same picture. */
+export async function firstPicture(page: Page): Promise<void> {
+  for (;;) {
+    await page.clock.runFor(SECOND / 60)
+    if (contrast(await readCanvas(page)) > 0) return
+    // Waits in real time for a renderer that is still starting.
+    await page.waitForTimeout(SECOND / 4)
+  }
+}

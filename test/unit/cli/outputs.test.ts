@@ -1,0 +1,263 @@
+import { execFileSync } from 'node:child_process'
+import {
+  existsSync,
+  linkSync,
+  lstatSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  readlinkSync,
+  symlinkSync,
+} from 'node:fs'
+import type { Command } from 'commander'
+import { validateBytes } from 'gltf-validator'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { arrayCommand } from '../../../packages/cli/src/commands/array.ts'
+import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
+import { bakeCommand } from '../../../packages/cli/src/commands/bake.ts'
+import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
+import { normalsCommand } from '../../../packages/cli/src/commands/normals.ts'
+import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
+import { renderCommand } from '../../../packages/cli/src/commands/render.ts'
+import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
+import { writeAll, writeFolder } from '../../../packages/cli/src/files.ts'
+import { encodeGlb, readGlbFile } from '../../../packages/cli/src/gltf/glb-file.ts'
+import { readDocument } from '../../../packages/cli/src/gltf/read-document.ts'
+import { checkOutputs, isStdout, outputProblem } from '../../../packages/cli/src/outputs.ts'
+import { noise, painted, Workshop } from './workshop.ts'
+
+const WHO = 'furrow test'
+const STROKES = 'faces/human/strokes.json'
+const FACE = 'faces/human.glb'
+
+const shop = new Workshop()
+const at = (name: string) => shop.path(name)
+
+/** Every command that writes: how it is called for outputs in their usual order. */
+const COMMANDS: [Command, (outputs: string[]) => string[]][] = [
+  [arrayCommand, ([o]) => [at('tile.png'), '-o', `${o}.ktx2`]],
+  [autoCommand, ([o]) => [FACE, '-o', `${o}.glb`, '--replace']],
+  [bakeCommand, ([o, p]) => [FACE, FACE, '-o', `${o}.png`, ...(p ? ['--height', `${p}.png`] : [])]],
+  [inspectCommand, ([o]) => [FACE, '--sheet', `${o}.png`]],
+  [normalsCommand, ([o]) => [at('tile.png'), '-o', `${o}.png`, '--strength', '3']],
+  [packCommand, ([o]) => [at('face'), '-o', `${o}.glb`]],
+  [renderCommand, ([o]) => [FACE, '-o', `${o}.png`]],
+  [
+    strokesCommand,
+    ([o, p]) => [STROKES, '--face', FACE, '-o', `${o}.png`, ...(p ? ['--normal', `${p}.png`] : [])],
+  ],
+]
+
+beforeAll(async () => {
+  await shop.makeFolder('face')
+  shop.write('tile.png', await painted(1, 16))
+  mkdirSync(at('folder.png'))
+  for (const extension of ['glb', 'png', 'ktx2']) execFileSync('mkfifo', [at(`pipe.${extension}`)])
+})
+
+describe('an output', () => {
+  it.each(COMMANDS)('that is a pipe is refused before any work', async (command, args) => {
+    const before = readdirSync(shop.root).sort()
+    const error = await shop.failure(command, ...args([at('pipe')]))
+    expect(error.message).toMatch(
+      /^furrow \w+: cannot write .*\(it is a device, pipe or socket\); name a file/,
+    )
+    expect(readdirSync(shop.root).sort()).toEqual(before)
+    for (const extension of ['glb', 'png', 'ktx2']) {
+      expect(lstatSync(at(`pipe.${extension}`)).isFIFO()).toBe(true)
+    }
+  })
+
+  it('may replace a regular file, and nothing else', () => {
+    const kind = (isFile: boolean, isDirectory: boolean) => ({
+      isFile: () => isFile,
+      isDirectory: () => isDirectory,
+    })
+    expect(outputProblem(undefined)).toBeUndefined()
+    expect(outputProblem(kind(true, false))).toBeUndefined()
+    expect(outputProblem(kind(false, true))).toBe('it is a folder')
+    expect(outputProblem(kind(false, false))).toBe('it is a device, pipe or socket')
+  })
+
+  it('that is a link is written to where it leads', async () => {
+    shop.write('links/real.png', 'old')
+    symlinkSync('real.png', at('links/one.png'))
+    symlinkSync(at('links/one.png'), at('links/two.png'))
+    symlinkSync('later/new.png', at('links/dangling.png'))
+    await writeAll(
+      ['two', 'dangling'].map((name) => ({ path: at(`links/${name}.png`), bytes: Buffer.from(name) })),
+      WHO,
+    )
+    expect(readFileSync(at('links/real.png'), 'utf8')).toBe('two')
+    expect(readlinkSync(at('links/two.png'))).toBe(at('links/one.png'))
+    expect(readFileSync(at('links/later/new.png'), 'utf8')).toBe('dangling')
+    expect(readdirSync(at('links'))).toEqual(['dangling.png', 'later', 'one.png', 'real.png', 'two.png'])
+  })
+
+  it('that is a circle of links is refused', async () => {
+    symlinkSync('b.png', at('a.png'))
+    symlinkSync('a.png', at('b.png'))
+    await expect(checkOutputs([at('a.png')], WHO)).rejects.toThrow(/its links lead in a circle/)
+  })
+
+  it.each(COMMANDS.filter(([, args]) => args(['a', 'b']).includes('b.png')))(
+    'that is another output too is refused before any work, by whatever name',
+    async (command, args) => {
+      shop.write('same/a.png', 'precious')
+      if (!existsSync(at('same/b.png'))) linkSync(at('same/a.png'), at('same/b.png'))
+      if (!existsSync(at('other'))) symlinkSync('same', at('other'))
+      for (const name of ['same/a', 'same/../same/a', 'same/b', 'other/a', 'same/new', 'other/new']) {
+        const first = name.endsWith('new') ? 'same/new' : 'same/a'
+        const error = await shop.failure(command, ...args([at(first), at(name)]))
+        expect(error.message).toMatch(/one file for two outputs/)
+      }
+      expect(readFileSync(at('same/a.png'), 'utf8')).toBe('precious')
+      expect(readdirSync(at('same'))).toEqual(['a.png', 'b.png'])
+    },
+  )
+
+  it('of strokes is compared with the areas too', async () => {
+    const args = [STROKES, '--face', FACE, '--areas', at('areas'), '-o', at('areas/nose.png')]
+    expect((await shop.failure(strokesCommand, ...args)).message).toMatch(/one file for two outputs/)
+  })
+})
+
+describe('an input', () => {
+  const precious = async (name: string) => {
+    const bytes = name.endsWith('.png') ? await painted(1, 16) : readFileSync(at('face/face.glb'))
+    return shop.write(name, bytes)
+  }
+
+  it.each<[string, Command, (path: string) => string[], string]>([
+    ['pack', packCommand, (path) => [at('face'), '--face', path, '-o', path], 'in.glb'],
+    ['auto', autoCommand, (path) => [path, '-o', path], 'in.glb'],
+    ['normals', normalsCommand, (path) => [path, '-o', path, '--strength', '1'], 'in.png'],
+    [
+      'strokes',
+      strokesCommand,
+      (path) => [STROKES, '--face', FACE, '--base', path, '--normal', path],
+      'in.png',
+    ],
+  ])('is replaced by furrow %s with --force only', async (_, command, args, name) => {
+    const path = await precious(name)
+    const before = readFileSync(path)
+    const error = await shop.failure(command, ...args(path))
+    expect(error.message).toMatch(/ is the input; name another output, or replace it with --force$/)
+    expect(readFileSync(path)).toEqual(before)
+    const forced = await shop.failure(command, ...args(path), '--force')
+    expect(forced.message).not.toContain('is the input')
+  })
+
+  it('is known by any name', async () => {
+    const path = await precious('named/in.png')
+    linkSync(path, at('named/hard.png'))
+    symlinkSync('in.png', at('named/soft.png'))
+    for (const name of ['hard', 'soft', '../named/in']) {
+      const args = [path, '-o', at(`named/${name}.png`), '--strength', '1']
+      expect((await shop.failure(normalsCommand, ...args)).message).toMatch(/is the input/)
+    }
+  })
+
+  it('that is part of a .gltf is not replaced by the parts of another', async () => {
+    await shop.run(packCommand, at('face'), '-o', at('split/a.gltf'))
+    mkdirSync(at('moved'))
+    const json = readFileSync(at('split/a.gltf'), 'utf8')
+    shop.write('split/b.gltf', json)
+    const before = shop.files('split')
+    const args = [at('face'), '--face', at('split/b.gltf'), '-o', at('split/a.gltf')]
+    expect((await shop.failure(packCommand, ...args)).message).toMatch(/a-1\.png is the input; .*--force/)
+    expect(shop.files('split')).toEqual(before)
+    await shop.run(packCommand, ...args, '--force')
+    expect(await validatorErrors('split/a.gltf')).toEqual([])
+  })
+})
+
+async function validatorErrors(name: string): Promise<string[]> {
+  const glb = await readGlbFile(at(name), WHO)
+  const { issues } = await validateBytes(encodeGlb(glb), {})
+  return issues.messages
+    .filter(({ severity, message }) => severity === 0 && !message.includes('FURROW'))
+    .map(({ message }) => message)
+}
+
+describe('a face', () => {
+  it('is written as its name says, and is the same face', async () => {
+    for (const name of ['out.glb', 'out.vrm', 'OUT.GLTF']) {
+      await shop.run(packCommand, at('face'), '-o', at(`kinds/${name}`))
+      expect(shop.printed).toContain(`${at(`kinds/${name}`)}: material "skin"`)
+    }
+    expect(readFileSync(at('kinds/out.vrm'))).toEqual(readFileSync(at('kinds/out.glb')))
+    const numbers = async (name: string) =>
+      (await readDocument(at(`kinds/${name}`), WHO))
+        .getRoot()
+        .listAccessors()
+        .map((accessor) => [...accessor.getArray()!])
+    expect(await numbers('OUT.GLTF')).toEqual(await numbers('out.glb'))
+  })
+
+  it('as .gltf has its buffer and its images beside it, and nothing twice', async () => {
+    await shop.run(packCommand, at('face'), '-o', at('gltf/my face.gltf'))
+    const names = readdirSync(at('gltf'))
+    const images = names.filter((name) => name.endsWith('.png'))
+    expect(names).toEqual(['my face.bin', 'my face.gltf', ...images].sort())
+    const json = JSON.parse(readFileSync(at('gltf/my face.gltf'), 'utf8'))
+    expect(json.buffers).toEqual([
+      { uri: 'my%20face.bin', byteLength: readFileSync(at('gltf/my face.bin')).length },
+    ])
+    expect(new Set(json.images.map(({ uri }: { uri: string }) => decodeURIComponent(uri)))).toEqual(
+      new Set(images),
+    )
+    const used = json.accessors.map(({ bufferView }: { bufferView: number }) => bufferView)
+    expect(json.bufferViews).toHaveLength(new Set(used).size)
+    const bytes = readFileSync(at('gltf/my face.gltf'))
+    const { issues } = await validateBytes(new Uint8Array(bytes), {
+      externalResourceFunction: async (uri) =>
+        new Uint8Array(readFileSync(at(`gltf/${decodeURIComponent(uri)}`))),
+    })
+    expect(issues.messages.filter(({ severity }) => severity === 0)).toEqual([])
+  })
+
+  it('is refused under any other name', async () => {
+    const error = await shop.failure(packCommand, at('face'), '-o', at('x.obj'))
+    expect(error.message).toMatch(
+      /its name does not end in \.glb or \.vrm or \.gltf\); name it e\.g\. face\.glb$/,
+    )
+  })
+})
+
+describe('stdout', () => {
+  it.each(['-', '/dev/stdout', '/dev/fd/1', '/proc/self/fd/1'])('is %s', (path) => {
+    expect(isStdout(path)).toBe(true)
+  })
+
+  it('is one output', async () => {
+    await expect(checkOutputs(['-', '/dev/stdout'], WHO)).rejects.toThrow(/one file for two outputs/)
+  })
+})
+
+describe('files are written whole or not at all', () => {
+  it('when one of them cannot be, and no folder stays behind', async () => {
+    shop.write('whole/file', 'x')
+    const files = ['whole/new/deep/a.png', 'whole/b.png', 'whole/file/c.png']
+    const outputs = files.map((name) => ({ path: at(name), bytes: Buffer.from('a') }))
+    await expect(writeAll(outputs, WHO)).rejects.toThrow(
+      /cannot write .*c\.png \(something else has its name/,
+    )
+    expect(readdirSync(at('whole'))).toEqual(['file'])
+  })
+
+  it('when a folder that is to be new is not', async () => {
+    shop.write('full/mine.txt', 'x')
+    const outputs = [{ path: 'a/b.png', bytes: Buffer.from('a') }]
+    await expect(writeFolder(at('full'), outputs, WHO)).rejects.toThrow(/cannot write/)
+    expect(shop.files('full')).toEqual({ 'mine.txt': Buffer.from('x').toString('base64') })
+  })
+
+  it('also under the longest names', async () => {
+    const name = `${'n'.repeat(251)}.png`
+    await checkOutputs([at(name)], WHO)
+    await writeAll([{ path: at(name), bytes: await noise(1, 3) }], WHO)
+    expect(existsSync(at(name))).toBe(true)
+    await expect(checkOutputs([at(`n${name}`)], WHO)).rejects.toThrow(/its name is too long.*shorter name/)
+  })
+})
