@@ -345,7 +345,7 @@ describe('files', () => {
     await fails('the material already has wrinkles, got "cloth"', file('once.glb'), '-o', file('x.glb'))
     await run(file('once.glb'), '-o', file('twice.glb'), '--replace')
     expect(readFileSync(file('twice.glb')).equals(readFileSync(file('once.glb')))).toBe(true)
-    await run(file('once.glb'), '-o', file('once.glb'), '--replace', '--seed', '2')
+    await run(file('once.glb'), '-o', file('once.glb'), '--replace', '--force', '--seed', '2')
     expect(readFileSync(file('twice.glb')).equals(readFileSync(file('once.glb')))).toBe(false)
   })
 
