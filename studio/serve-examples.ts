@@ -1,5 +1,5 @@
-import { readFile } from 'node:fs/promises'
-import { basename, join } from 'node:path'
+import { readdir, readFile } from 'node:fs/promises'
+import { join } from 'node:path'
 import type { Plugin } from 'vite'
 
 /** Serves `/examples/NAME.html` beside the studio in development. */
@@ -21,9 +21,15 @@ export function serveExamples(folder: string): Plugin {
           return next()
         }
         try {
-          const page = await readFile(join(folder, basename(path)), 'utf8')
+          const pages = await readdir(folder, { withFileTypes: true })
+          const page = pages.find((entry) => entry.isFile() && `/examples/${entry.name}` === path)
+          if (!page) {
+            response.writeHead(404).end()
+            return
+          }
+          const source = await readFile(join(folder, page.name), 'utf8')
           response.setHeader('Content-Type', 'text/html')
-          response.end(await server.transformIndexHtml(path, page))
+          response.end(await server.transformIndexHtml(path, source))
         } catch (error) {
           next(error)
         }

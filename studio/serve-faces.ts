@@ -1,6 +1,7 @@
 import { createReadStream } from 'node:fs'
 import { readdir, readFile } from 'node:fs/promises'
-import { extname, join, normalize, sep } from 'node:path'
+import { extname, join, relative, sep } from 'node:path'
+import { pipeline } from 'node:stream'
 import type { Plugin } from 'vite'
 
 const TYPES: Record<string, string> = {
@@ -11,58 +12,98 @@ const TYPES: Record<string, string> = {
   '.webp': 'image/webp',
 }
 
+/** Prints a warning. */
+type Warn = (text: string) => void
+
 /**
  * Serves the shipped faces under `/faces/` and copies them into a build. `/faces/index.json` lists their names.
  */
 export function serveFaces(folder: string): Plugin {
   return {
     name: 'furrow-faces',
-    configureServer({ middlewares }) {
+    configureServer({ middlewares, config }) {
+      const warn: Warn = (text) => config.logger.warnOnce(text)
       middlewares.use('/faces', async (request, response, next) => {
-        const path = normalize(decodeURIComponent((request.url ?? '/').split('?')[0]))
-        response.setHeader('Cache-Control', 'no-cache')
-        if (path === `${sep}index.json`) {
-          response.setHeader('Content-Type', 'application/json')
-          response.end(JSON.stringify(await faceNames(folder)))
-          return
+        try {
+          const path = pathOf(request.url ?? '/')
+          response.setHeader('Cache-Control', 'no-cache')
+          if (path === 'index.json') {
+            response.setHeader('Content-Type', 'application/json')
+            response.end(JSON.stringify(await faceNames(folder, warn)))
+            return
+          }
+          const file = (await facePaths(folder)).find((name) => name === path)
+          if (!file) {
+            response.writeHead(path === undefined ? 400 : 404).end()
+            return
+          }
+          response.setHeader('Content-Type', TYPES[extname(file)])
+          pipeline(createReadStream(join(folder, file)), response, () => {})
+        } catch (error) {
+          next(error)
         }
-        const file = (await facePaths(folder)).find((name) => join(sep, name) === path)
-        if (!file) return next()
-        response.setHeader('Content-Type', TYPES[extname(file)])
-        createReadStream(join(folder, file)).on('error', next).pipe(response)
       })
     },
     async generateBundle() {
-      const names = JSON.stringify(await faceNames(folder))
+      const names = JSON.stringify(await faceNames(folder, (text) => this.warn(text)))
       this.emitFile({ type: 'asset', fileName: 'faces/index.json', source: names })
       for (const path of await facePaths(folder)) {
         const source = await readFile(join(folder, path))
-        this.emitFile({ type: 'asset', fileName: `faces/${path.split(sep).join('/')}`, source })
+        this.emitFile({ type: 'asset', fileName: `faces/${path}`, source })
       }
     },
   }
 }
 
+/** The path in a URL, without the slash at its beginning; undefined where it is malformed. */
+function pathOf(url: string): string | undefined {
+  try {
+    return decodeURIComponent(url.split('?')[0]).slice(1)
+  } catch {
+    return undefined
+  }
+}
+
 /** Models with blendshapes: a hand is not a face. */
-async function faceNames(folder: string): Promise<string[]> {
-  const files = (await facePaths(folder)).filter((path) => extname(path) === '.glb' && !path.includes(sep))
-  const areFaces = await Promise.all(files.map((path) => hasBlendshapes(join(folder, path))))
+async function faceNames(folder: string, warn: Warn): Promise<string[]> {
+  const files = (await facePaths(folder)).filter((path) => extname(path) === '.glb' && !path.includes('/'))
+  const areFaces = await Promise.all(
+    files.map((file) =>
+      hasBlendshapes(join(folder, file)).catch((error: Error) => {
+        warn(`faces: ${JSON.stringify(file)} is left out, since it is not a whole .glb (${error.message})`)
+        return false
+      }),
+    ),
+  )
   return files
     .filter((_, i) => areFaces[i])
     .map((path) => path.slice(0, -'.glb'.length))
     .sort()
 }
 
-/** In a .glb the length of the JSON is at byte 12 and the JSON itself at byte 20 (glTF 2.0, section 4.4). */
+/**
+ * In a .glb the length of the file is at byte 8, that of the JSON at byte 12, and the JSON itself at byte 20 (glTF 2.0,
+ * section 4.4).
+ *
+ * @throws an error of any kind if it is not one.
+ */
 async function hasBlendshapes(path: string): Promise<boolean> {
   const bytes = await readFile(path)
+  const length = bytes.readUInt32LE(8)
+  if (length > bytes.length) throw new Error(`${bytes.length} of ${length} bytes`)
   const json = JSON.parse(bytes.toString('utf8', 20, 20 + bytes.readUInt32LE(12)))
   const meshes: { primitives: { targets?: unknown[] }[] }[] = json.meshes ?? []
   return meshes.some(({ primitives }) => primitives.some(({ targets }) => (targets?.length ?? 0) > 0))
 }
 
-/** Files that a page may request: the faces, not the scripts that build them. */
+/**
+ * Files that a page may request, with slashes: the faces, not the scripts that build them. No links, which may lead out of the
+ * folder.
+ */
 async function facePaths(folder: string): Promise<string[]> {
-  const paths = await readdir(folder, { recursive: true })
-  return paths.filter((path) => extname(path) in TYPES && !path.startsWith(`builder${sep}`))
+  const entries = await readdir(folder, { recursive: true, withFileTypes: true })
+  return entries
+    .filter((entry) => entry.isFile() && extname(entry.name) in TYPES)
+    .map(({ parentPath, name }) => relative(folder, join(parentPath, name)).split(sep).join('/'))
+    .filter((path) => !path.startsWith('builder/'))
 }

@@ -1,5 +1,6 @@
 import { fileURLToPath } from 'node:url'
 import { defineConfig } from 'vite'
+import { guard } from './guard.ts'
 import { serveExamples } from './serve-examples.ts'
 import { serveFaces } from './serve-faces.ts'
 
@@ -11,7 +12,7 @@ export default defineConfig({
   appType: 'mpa',
   publicDir: false,
   cacheDir: folder('../node_modules/.vite/studio'),
-  plugins: [serveFaces(folder('../faces')), serveExamples(folder('../examples'))],
+  plugins: [serveFaces(folder('../faces')), serveExamples(folder('../examples')), guard(folder('..'))],
   // Import the packages' sources instead of their builds (export condition `furrow-source`).
   resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
   optimizeDeps: {

@@ -6,6 +6,7 @@ export interface Page {
   sideWith: HTMLElement
   views: HTMLElement
   screenshot: HTMLButtonElement
+  uvLayout: HTMLButtonElement
   loading: HTMLElement
   progress: HTMLProgressElement
   loadingText: HTMLElement
@@ -40,6 +41,7 @@ const IDS: Record<keyof Page, string> = {
   sideWith: 'side-with',
   views: 'views',
   screenshot: 'screenshot',
+  uvLayout: 'uv-layout',
   loading: 'loading',
   progress: 'progress',
   loadingText: 'loading-text',

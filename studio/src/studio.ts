@@ -85,6 +85,7 @@ export class Studio {
       highlight: (areas) => this.#change((viewer) => viewer.highlight(areas)),
     })
     page.screenshot.addEventListener('click', () => this.#savePicture())
+    page.uvLayout.addEventListener('click', () => this.#saveUvLayout())
     acceptDrops(page.dropping, (files) => this.#addAreas(files))
     new ResizeObserver(() => this.#resize()).observe(page.viewport)
   }
@@ -276,6 +277,16 @@ export class Studio {
       const words = ['furrow', viewer.loaded.name, this.#expression, viewer.look.name]
       await savePicture(viewer.canvas, `${words.filter(Boolean).join('-')}.png`)
       this.#messages.note('Saved the picture')
+    })
+  }
+
+  async #saveUvLayout(): Promise<void> {
+    await this.#messages.attempt(async () => {
+      const viewer = this.#viewer
+      if (!viewer) return
+      const { drawUvPicture } = await import('./uv-picture.ts')
+      await savePicture(drawUvPicture(viewer.wrinkles.mesh), `${viewer.loaded.name}-uv.png`)
+      this.#messages.note('Saved the UV layout: paint over it')
     })
   }
 

@@ -12,8 +12,8 @@ export interface FileLimits {
   megabytes: number
 }
 
-/** Seconds of the clock per second of the processor after which a process hangs, however busy the machine is. */
-const PATIENCE = 8
+/** Seconds of the clock after which a process waits for what will not come, however busy the machine is. */
+const PATIENCE = 600
 
 /** A file that was tried. */
 export interface Tried extends Result {
@@ -43,7 +43,8 @@ export async function tryFiles(
     const folder = join(work, `job-${job}`)
     while (next < first + count) {
       const index = next++
-      const task = { command, seed, index, folder }
+      // Twice its time, so that what is only too slow is told from what hangs.
+      const task = { command, seed, index, folder, seconds: 2 * limits.seconds }
       let result = await process.attempt(task)
       // The peak may be that of an earlier file: the verdict is that of a new process.
       if (result.outcome === 'too large') result = await process.attempt(task)
@@ -51,14 +52,6 @@ export async function tryFiles(
       if (!FINE.includes(tried.outcome)) {
         cpSync(folder, join(keep, `${command.replaceAll(/\W+/g, '-')}-${seed}-${index}`), { recursive: true })
       }
-      if (globalThis.process.env.FUZZ_DEBUG)
-        console.info(
-          index,
-          tried.outcome,
-          Math.round(tried.milliseconds),
-          Math.round(tried.peak / 2 ** 20),
-          tried.message.slice(0, 200),
-        )
       all.push(tried)
       report(tried)
     }
@@ -91,13 +84,15 @@ class Attempts {
       this.end()
       return { outcome, message, milliseconds: 1000 * seconds, bytes: 0, peak: 0 }
     }
-    const timer = setTimeout(() => stop.abort(), 1000 * PATIENCE * seconds)
+    const timer = setTimeout(() => stop.abort(), 1000 * PATIENCE)
     child.send(task)
     try {
       const result = await Promise.race([
         once(child, 'message', { signal: stop.signal }).then(([message]) => message as Result),
         once(child, 'exit', { signal: stop.signal }).then(([code, signal]) => {
-          return failed('died', `the process ended with ${signal ?? code}`)
+          return signal === 'SIGKILL'
+            ? failed('too slow', `more than ${2 * seconds} s`)
+            : failed('died', `the process ended with ${signal ?? code}`)
         }),
       ])
       if (result.peak > 2 ** 20 * megabytes) {
@@ -108,7 +103,7 @@ class Attempts {
       const message = `${(result.milliseconds / 1000).toFixed(1)} s`
       return result.milliseconds > 1000 * allowed ? { ...result, outcome: 'too slow', message } : result
     } catch {
-      return failed('too slow', `it hangs`)
+      return failed('too slow', `nothing for ${PATIENCE} s`)
     } finally {
       clearTimeout(timer)
       stop.abort()

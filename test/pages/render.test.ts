@@ -20,6 +20,7 @@ const FACE = join(ROOT, 'faces/human.glb')
 /** The forehead from the front, and a region that its wrinkles do not reach. */
 const FOREHEAD: Region = { left: 0.42, top: 0.18, right: 0.58, bottom: 0.34 }
 const CHIN: Region = { left: 0.42, top: 0.62, right: 0.58, bottom: 0.74 }
+const WHOLE: Region = { left: 0, top: 0, right: 1, bottom: 1 }
 /** Cheeks and mouth. */
 const FOLDS: Region = { left: 0.35, top: 0.45, right: 0.65, bottom: 0.65 }
 
@@ -62,6 +63,8 @@ describe('furrow render', () => {
     await transformFile(images, compressed, [draco({ quantizePosition: 16 })])
     const bare = join(folder, 'bare.glb')
     await writeFile(bare, editGlb(await readFile(FACE), strip))
+    const plain = join(folder, 'plain.vrm')
+    await writeFile(plain, editGlb(await readFile(FACE), removeWrinkles))
     const wide = { input: images, mode: 'off', view: 'front' } as const
     const requests: Record<string, PictureRequest> = {
       'webgl images': { input: images, ...SURPRISED },
@@ -74,6 +77,8 @@ describe('furrow render', () => {
       'webgl Draco': { input: compressed, ...SURPRISED },
       'webgl bare': { input: bare, ...HAPPY },
       'webgl bare off': { input: bare, ...HAPPY, mode: 'off' },
+      'webgl plain': { input: plain, ...SURPRISED },
+      'webgl text': { input: await writeGltf(images), ...SURPRISED },
       'webgpu images': { input: images, ...SURPRISED, renderer: 'webgpu' },
       'webgpu off': { input: images, ...SURPRISED, renderer: 'webgpu', mode: 'off' },
       'webgpu KTX 2 arrays': { input: arrays, ...SURPRISED, renderer: 'webgpu' },
@@ -113,6 +118,17 @@ describe('furrow render', () => {
     expect(compressed.warnings).toEqual([])
     const difference = largestDifference(opaque(`${renderer} ${form}`), plain, FOREHEAD)
     expect(difference).toBeLessThan(largestDifference(plain, smooth, FOREHEAD) / 3)
+  })
+
+  test('draws a face without wrinkles as if they were off, and says so', () => {
+    expect(drawn.get('webgl plain')!.warnings).toEqual([
+      expect.stringMatching(/plain\.vrm has no wrinkles; make some with furrow auto$/),
+    ])
+    expect(largestDifference(opaque('webgl plain'), opaque('webgl off'), WHOLE)).toBeLessThanOrEqual(2)
+  })
+
+  test('draws a .gltf and the files beside it like the .glb', () => {
+    expect(opaque('webgl text')).toEqual(opaque('webgl images'))
   })
 
   test('draws the same picture, whatever its page has drawn before', () => {
@@ -237,6 +253,25 @@ async function listing(path: string): Promise<string[]> {
 async function read(file: string): Promise<CanvasPixels> {
   const { data, info } = await sharp(file).removeAlpha().raw().toBuffer({ resolveWithObject: true })
   return { width: info.width, height: info.height, data }
+}
+
+function removeWrinkles({
+  materials,
+}: {
+  materials: { extensions?: { FURROW_wrinkle_maps?: unknown } }[]
+}): void {
+  for (const { extensions } of materials) delete extensions?.FURROW_wrinkle_maps
+}
+
+/** Writes a .glb as a .gltf with its buffer beside it. */
+async function writeGltf(glb: string): Promise<string> {
+  const bytes = await readFile(glb)
+  const end = 20 + bytes.readUInt32LE(12)
+  const json = JSON.parse(bytes.toString('utf8', 20, end))
+  json.buffers[0].uri = 'its%20buffer.bin'
+  await writeFile(join(folder, 'its buffer.bin'), bytes.subarray(end + 8))
+  await writeFile(join(folder, 'text.gltf'), JSON.stringify(json))
+  return join(folder, 'text.gltf')
 }
 
 /** Removes the drivers and the areas under the eyes, as in a face from an early version. */

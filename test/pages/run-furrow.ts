@@ -1,7 +1,8 @@
 import { spawn } from 'node:child_process'
 import { fileURLToPath } from 'node:url'
 
-const BIN = fileURLToPath(new URL('../../packages/cli/bin/furrow.js', import.meta.url))
+/** The built command. */
+export const BIN = fileURLToPath(new URL('../../packages/cli/bin/furrow.js', import.meta.url))
 
 // The build, since its page is built too.
 const RENDER_MODULE = '../../packages/cli/dist/render/render-pictures.js'

@@ -9,6 +9,7 @@ const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 const PAGES = [
   'README.md',
   'CONTRIBUTING.md',
+  'SECURITY.md',
   'packages/furrow/README.md',
   'packages/cli/README.md',
   ...readdirSync(join(ROOT, 'docs'))

@@ -12,6 +12,7 @@ import { packCommand } from './commands/pack.ts'
 import { renderCommand } from './commands/render.ts'
 import { strokesCommand } from './commands/strokes.ts'
 import { unpackCommand } from './commands/unpack.ts'
+import { uvCommand } from './commands/uv.ts'
 import { validateCommand } from './commands/validate.ts'
 import { cannotWrite } from './errors.ts'
 import { warn } from './print.ts'
@@ -41,6 +42,7 @@ for (const command of [
   renderCommand,
   strokesCommand,
   unpackCommand,
+  uvCommand,
   validateCommand,
 ]) {
   program.addCommand(command)

@@ -120,7 +120,11 @@ describe('furrow inspect', () => {
 
   it.each<[string, () => Promise<string[]> | string[], string]>([
     ['a missing file', () => [shop.path('none.glb')], 'cannot read'],
-    ['a face without wrinkles', () => [shop.path('face/face.glb')], 'has no wrinkles'],
+    [
+      'a material without wrinkles',
+      () => [shop.path('face/face.glb'), '--material', 'skin'],
+      'has no wrinkles',
+    ],
     ['no glTF', async () => [shop.write('x.glb', await noise(1, 3))], 'it is an image'],
     ['half a file', () => [shop.write('half.glb', readFileSync(face).subarray(0, 4000))], 'it is cut off'],
     ['a sheet that is no PNG', () => [face, '--sheet', shop.path('sheet.jpg')], 'does not end in .png'],

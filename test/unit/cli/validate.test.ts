@@ -114,6 +114,62 @@ describe('furrow validate', () => {
     expect(process.exitCode).toBe(1)
   })
 
+  it('reports whatever is wrong with an image, and is never brought down by it', async () => {
+    const whole = readFileSync(face)
+    const { images, bufferViews } = jsonOf(whole)
+    const start = whole.length - jsonOf(whole).buffers[0].byteLength
+    for (const { bufferView } of images.slice(-3)) {
+      const { byteOffset, byteLength } = bufferViews[bufferView]
+      for (const at of [9, 12, 13, 21, 35, byteLength >> 1]) {
+        const bytes = Buffer.from(whole)
+        bytes.fill(0xa5, start + byteOffset + at, start + byteOffset + at + 4)
+        process.exitCode = undefined
+        await codesOf(shop.write('damaged.glb', bytes))
+        expect(process.exitCode, `${bufferView} at ${at}`).toBe(1)
+      }
+    }
+  })
+
+  it('says so where the Khronos validator gives up', async () => {
+    const path = spoilt((json) => {
+      const indices = { bufferView: 0, byteOffset: 1, componentType: 5125 }
+      json.accessors[0].sparse = { count: 1, indices, values: { bufferView: 0 } }
+    })
+    await shop.run(validateCommand, path)
+    expect(shop.printed).toMatch(/^error: the Khronos validator gave up: .*multiple of 4.* \(VALIDATOR\)$/m)
+    expect(process.exitCode).toBe(1)
+  })
+
+  it('sums up the warnings about the rest of the file, and lists them with --all', async () => {
+    const path = spoilt((json) => {
+      for (const node of json.nodes) node.unexpected = true
+    })
+    const codes = ['UNEXPECTED_PROPERTY', 'UNEXPECTED_PROPERTY']
+    expect(await codesOf(path)).toEqual(codes)
+    shop.printed = ''
+    await shop.run(validateCommand, path)
+    expect(shop.printed).toBe(
+      '2 warnings about the rest of the file: 2 UNEXPECTED_PROPERTY; list them with --all\n' +
+        `${path}: 0 errors, 2 warnings\n`,
+    )
+    shop.printed = ''
+    await shop.run(validateCommand, path, '--all')
+    expect(shop.printed.match(/^warning: \/nodes\/\d/gm)).toHaveLength(2)
+    expect(process.exitCode).toBeUndefined()
+  })
+
+  it.each<[string, (json: Json, maps: Json) => void, string]>([
+    [
+      'an unlit material',
+      (json) => Object.assign(json.materials[0].extensions, { KHR_materials_unlit: {} }),
+      'UNLIT',
+    ],
+    ['a mesh without normals', (json) => delete json.meshes[0].primitives[0].attributes.NORMAL, 'ATTRIBUTE'],
+  ])('counts %s as an error: it cannot wrinkle', async (_, spoil, code) => {
+    expect(await codesOf(spoilt(spoil))).toContain(code)
+    expect(process.exitCode).toBe(1)
+  })
+
   it('refuses a file cut off at every 1% of its length', async () => {
     const whole = readFileSync(face)
     for (let percent = 0; percent < 100; percent++) {

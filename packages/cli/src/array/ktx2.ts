@@ -23,13 +23,11 @@ import {
 import { decodeBasis, encodeBasis } from './basis.ts'
 import { fixBasisTables } from './basis-tables.ts'
 import type { Compression, NamedArray } from './image-array.ts'
+import { readHeader } from './ktx2-header.ts'
 import { zstd } from './zstd.ts'
 
 /** Key of the names of the layers, a JSON array, in the KTX 2 metadata. Khronos reserves keys that begin with KTX. */
 export const NAMES_KEY = 'furrowLayers'
-
-/** A malformed file must not make us allocate more. */
-const MAX_BYTES = 2 ** 31
 
 /**
  * Writes a 2D array as a KTX 2 file (Khronos, KTX File Format Specification 2.0) in R8 or RGBA8, optionally with
@@ -63,16 +61,11 @@ export async function writeArray(
  * @throws Error with a short reason when the bytes are anything else.
  */
 export async function readArray(bytes: Uint8Array): Promise<NamedArray & { compression: Compression }> {
-  const container = read(bytes)
-  const { pixelWidth: width, pixelHeight: height, vkFormat } = container
-  const count = Math.max(container.layerCount, 1)
-  if (container.faceCount !== 1 || container.pixelDepth > 0 || height === 0 || width === 0) {
-    throw new Error('it is a cube, 3D or 1D texture')
-  }
+  const { vkFormat, width, height, count } = readHeader(bytes)
+  const container = readContainer(bytes)
   const names = layerNames(container, count)
   const srgb = container.dataFormatDescriptor[0].transferFunction === KHR_DF_TRANSFER_SRGB
   const channels = CHANNELS.get(vkFormat)
-  if (width * height * count * (channels ?? 4) > MAX_BYTES) throw new Error('its header gives more than 2 GB')
   if (vkFormat === VK_FORMAT_UNDEFINED) {
     const { layers, compression } = await decodeBasis(bytes, count)
     return { width, height, channels: 4, srgb, names, layers, compression }
@@ -85,12 +78,21 @@ export async function readArray(bytes: Uint8Array): Promise<NamedArray & { compr
   const level = container.levels[0]
   const size = width * height * channels
   const { decompress } = await zstd()
-  const data = isCompressed ? decompress(level.levelData) : level.levelData
+  const data = isCompressed ? decompress(level.levelData, size * count) : level.levelData
   if (data.length !== size * count) {
     throw new Error(`it has ${data.length} bytes instead of ${size * count}`)
   }
   const layers = names.map((_, i) => data.slice(i * size, (i + 1) * size))
   return { width, height, channels, srgb, names, layers, compression: isCompressed ? 'zstd' : 'none' }
+}
+
+/** Throws Error with a short reason where ktx-parse reads beyond the bytes. */
+function readContainer(bytes: Uint8Array): KTX2Container {
+  try {
+    return read(bytes)
+  } catch {
+    throw new Error('it is damaged')
+  }
 }
 
 function readBasis(bytes: Uint8Array): KTX2Container {

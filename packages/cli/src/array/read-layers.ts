@@ -1,8 +1,10 @@
 import { parse } from 'node:path'
-import { type ErrorCode, FurrowError, MAX_AREAS, MAX_IMAGE_SIDE } from 'furrow'
+import { type ErrorCode, FurrowError, MAX_AREAS } from 'furrow'
 import { fileNamesOf, isFileName, type RgbaImage } from 'furrow/author'
-import sharp from 'sharp'
-import { withImageErrors } from '../images/pixels.ts'
+import { readBytes } from '../files.ts'
+import { checkDecodedBytes } from '../images/decoded-bytes.ts'
+import { withImageErrors } from '../images/image-errors.ts'
+import { EXACT_IMAGES, openImage } from '../images/open-image.ts'
 import type { NamedArray } from './image-array.ts'
 
 const WHO = 'furrow array'
@@ -28,6 +30,7 @@ export async function readLayers(
       const limit = `${first.width} x ${first.height} as ${paths[0]} has`
       fail(`${path} has another size`, `${image.width} x ${image.height}`, limit, 'scale all to one size')
     }
+    if (i === 0) checkDecodedBytes(image.data.length * paths.length, 'the array', WHO)
     images.push(image)
     progress?.(i + 1, paths.length)
   }
@@ -60,30 +63,14 @@ function checkNames(names: readonly string[], paths: readonly string[]): void {
 }
 
 async function readImage(path: string): Promise<RgbaImage> {
-  const decode = async () => {
-    const image = sharp(path, { ignoreIcc: true })
-    const { width, height, depth } = await image.metadata()
-    if (depth !== 'uchar') {
-      fail(`unsupported bit depth of ${path}`, depth, '8 bits per channel', 'save it in 8 bits')
-    }
-    if (width > MAX_IMAGE_SIDE || height > MAX_IMAGE_SIDE) {
-      fail(
-        `${path} is too large`,
-        `${width} x ${height}`,
-        `${MAX_IMAGE_SIDE} texels a side`,
-        'scale it down',
-        'out-of-range',
-      )
-    }
-    const { data, info } = await image
-      .toColourspace('srgb')
-      .ensureAlpha()
-      .raw()
-      .toBuffer({ resolveWithObject: true })
-    return { width: info.width, height: info.height, data }
+  const opened = await openImage(await readBytes(path, WHO, 'the image'), path, WHO, EXACT_IMAGES)
+  const { image, depth } = opened
+  if (depth !== 'uchar') {
+    fail(`unsupported bit depth of ${path}`, depth, '8 bits per channel', 'save it in 8 bits')
   }
-  const hints = { limit: 'PNG, TIFF, WebP or JPEG', remedy: 'check the path and the file' }
-  return withImageErrors(path, WHO, decode, hints)
+  const raw = image.toColourspace('srgb').ensureAlpha().raw()
+  const { data, info } = await withImageErrors(path, WHO, () => raw.toBuffer({ resolveWithObject: true }))
+  return { width: info.width, height: info.height, data }
 }
 
 function isGray(rgba: Uint8Array): boolean {

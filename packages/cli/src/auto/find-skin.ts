@@ -66,14 +66,15 @@ export function findSkin(
 
 /** The skin that the blendshapes move more than all others together; undefined where there is none. */
 export function mostMovedSkin(document: Document, meshName?: string): FoundSkin | undefined {
-  const skin = bestSkin(document, meshName, () => true)
+  const skin = bestSkin(document, meshName)
   return skin && skin.fraction > 0.5 ? skin : undefined
 }
 
-function bestSkin(
+/** As `findSkin`, but undefined where no mesh can wrinkle. */
+export function bestSkin(
   document: Document,
-  meshName: string | undefined,
-  isLit: (material: number) => boolean,
+  meshName?: string,
+  isLit: (material: number) => boolean = () => true,
 ): FoundSkin | undefined {
   const meshes = document.getRoot().listMeshes()
   const wanted = meshes.flatMap((mesh, index) => (isNamed(mesh, meshName) ? [{ mesh, index }] : []))

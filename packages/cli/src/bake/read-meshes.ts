@@ -54,8 +54,7 @@ export async function readSurface(path: string, options: ReadOptions = {}): Prom
     indices: join(Uint32Array, indices),
     ...(isSmooth && { normals: join(Float32Array, normals) }),
   }
-  if (surface.indices.length === 0)
-    throw fault(`no triangles in ${path}`, 'a mesh of triangles', 'export the sculpt as a mesh')
+  if (surface.indices.length === 0) throw noTriangles(path)
   checkFinite(surface.positions, path)
   return surface
 }
@@ -83,6 +82,7 @@ export async function readLow(
   const hasTangents = parts.every((primitive) => primitive.getAttribute('TANGENT'))
   const source = hasTangents ? 'of the mesh' : tangents
   const meshes = parts.map((primitive) => readUnindexed(primitive, source))
+  if (meshes.every(({ positions }) => positions.length === 0)) throw noTriangles(path)
   for (const mesh of meshes) transform(mesh, matrixOf(node))
   const joined = (name: 'positions' | 'normals' | 'uvs') =>
     join(
@@ -199,6 +199,10 @@ function checkFinite(values: Float32Array, path: string): void {
   const bad = values.findIndex((value) => !Number.isFinite(value))
   if (bad >= 0)
     throw fault(`a vertex of ${path} is at ${values[bad]}`, 'finite numbers', 'export the mesh again')
+}
+
+function noTriangles(path: string): FurrowError {
+  return fault(`no triangles in ${path}`, 'a mesh of triangles', 'export it as a mesh')
 }
 
 function fault(what: string, limit: string, remedy: string): FurrowError {

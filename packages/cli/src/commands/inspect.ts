@@ -1,15 +1,23 @@
-import { describeDriver } from 'furrow'
+import { describeDriver, FurrowError } from 'furrow'
 import { createCommand } from '../command.ts'
+
 import { writeAll } from '../files.ts'
+import { type Glb, readGlbFile } from '../gltf/glb-file.ts'
+import { documentOf } from '../gltf/read-document.ts'
+
 import { allowOutsideOption } from '../options.ts'
 import { checkOutputs } from '../outputs.ts'
 import { print } from '../print.ts'
 import { type Inspection, inspectWrinkles } from '../wrinkles/inspect.ts'
-import { drawSheet } from '../wrinkles/sheet.ts'
+import { inspectPlain, type PlainInspection } from '../wrinkles/inspect-plain.ts'
+import { drawPlainSheet, drawSheet } from '../wrinkles/sheet.ts'
 import { type GpuSizes, kilobytes } from '../wrinkles/sizes.ts'
-import { readWrinkledFile } from '../wrinkles/wrinkled-file.ts'
+import { wrinkledFile, wrinkledMaterials } from '../wrinkles/wrinkled-file.ts'
 
 const WHO = 'furrow inspect'
+
+/** Most blendshapes of a mesh that are listed by name. */
+const NAMES_LISTED = 4
 
 interface Options {
   material?: string
@@ -21,14 +29,18 @@ interface Options {
 /** `furrow inspect`: shows the wrinkles of a file. */
 export const inspectCommand = createCommand('inspect')
   .description('show the layers, areas and drivers of a face, and what they cost')
-  .argument('<face>', 'a face with wrinkles (.glb, .vrm, .gltf)')
+  .argument('<face>', 'a face with wrinkles or without (.glb, .vrm, .gltf)')
   .option('--material <name>', 'the material with the wrinkles (default: the only one)')
-  .option('--sheet <file>', 'draw all maps and areas into one picture (.png)')
+  .option(
+    '--sheet <file>',
+    'draw all maps and areas into one picture (.png); of a face without, its skin and UV layout',
+  )
   .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
     `
+Of a face without wrinkles it shows the meshes, and whether furrow auto can make some.
 On the GPU, maps have mipmaps; areas have one channel and no mipmaps. 1 kB is 1024 bytes.
 
 Examples:
@@ -40,13 +52,54 @@ Examples:
 async function inspect(path: string, options: Options): Promise<void> {
   const { sheet, json } = options
   await checkOutputs([sheet], WHO, { inputs: [path] })
-  const file = await readWrinkledFile(path, WHO, options)
+  const glb = await readGlbFile(path, WHO, options)
+  if (wrinkledMaterials(glb).length === 0 && options.material === undefined) {
+    return inspectFace(path, glb, options)
+  }
+  const file = wrinkledFile(glb, path, WHO, options.material)
   const report = await inspectWrinkles(file, WHO)
   if (sheet !== undefined) await writeAll([{ path: sheet, bytes: await drawSheet(file, WHO) }], WHO)
   const lines = json
     ? JSON.stringify({ file: path, ...report, ...(sheet && { sheet }) })
     : describe(path, report)
   print(lines, sheet)
+}
+
+/** For a face without wrinkles. */
+async function inspectFace(path: string, glb: Glb, { sheet, json }: Options): Promise<void> {
+  const { report, skin } = inspectPlain(glb, await documentOf(glb, path, WHO), path)
+  if (sheet !== undefined) {
+    if (!skin) throw new FurrowError({ who: WHO, what: `nothing to draw in ${path}`, remedy: report.next })
+    await writeAll([{ path: sheet, bytes: await drawPlainSheet(glb, skin, WHO) }], WHO)
+  }
+  const lines = json
+    ? JSON.stringify({ file: path, wrinkles: false, ...report, ...(sheet && { sheet }) })
+    : describePlain(path, report)
+  print(lines, sheet)
+}
+
+function describePlain(path: string, { meshes, skin, next }: PlainInspection): string[] {
+  return [
+    `${path}: no wrinkles`,
+    '',
+    ...table(
+      ['mesh', 'materials', 'vertices', 'triangles', 'blendshapes'],
+      meshes.map(({ mesh, materials, vertices, triangles, blendshapes }) => [
+        mesh,
+        materials.join(', '),
+        String(vertices),
+        String(triangles),
+        blendshapes.length === 0 ? 'none' : `${blendshapes.length}: ${shortened(blendshapes)}`,
+      ]),
+    ),
+    '',
+    ...(skin ? [`the skin is mesh "${skin.mesh}", material "${skin.material}" (${skin.reason})`] : []),
+    next,
+  ]
+}
+
+function shortened(names: readonly string[]): string {
+  return names.length <= NAMES_LISTED ? names.join(', ') : `${names.slice(0, NAMES_LISTED).join(', ')}, ...`
 }
 
 function describe(path: string, report: Inspection): string[] {

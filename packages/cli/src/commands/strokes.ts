@@ -62,7 +62,7 @@ export const strokesCommand = createCommand('strokes')
   .option('--areas <folder>', 'one gray PNG per area, white = no wrinkles')
   .option(
     '--size <texels>',
-    `side of both maps (default: the document's, the base's, or ${DEFAULT_SIZE})`,
+    `side of both maps (default: the document's, the base's up to 4096, or ${DEFAULT_SIZE})`,
     numberParser({ min: 16, max: MAX_IMAGE_SIDE, unit: 'texels', integer: true }),
   )
   .addOption(allowOutsideOption())

@@ -1,19 +1,30 @@
-import { accessorProblem } from './check-accessors.ts'
 import { nodeProblem } from './check-nodes.ts'
+import { rangeProblem } from './check-ranges.ts'
 import { referenceProblem } from './check-references.ts'
+import { sizeProblem } from './check-sizes.ts'
 import type { CheckedJson } from './checked-json.ts'
 import type { GltfJson } from './gltf-json.ts'
 
+// Both take time in proportion to the size of a document, whose types `shapeProblem` has checked.
+
 /**
- * Checks everything in a document that tells a reader where to look, how much to allocate or how long to loop, in time
- * linear in its size. Its types have been checked, see `shapeProblem`.
+ * What in a document would cost any reader too much time or memory: nodes in cycles or long chains, and counts out of
+ * all proportion to the file.
  *
- * @param binaryBytes of the binary chunk, the first buffer; no other buffer has any bytes of its own.
- * @param fileBytes of the whole file.
+ * @param fileBytes size of the file with all that it refers to.
  * @returns what is wrong, or undefined.
  */
-export function documentProblem(json: GltfJson, binaryBytes: number, fileBytes: number): string | undefined {
-  const checked = json as CheckedJson
+export function costProblem(json: GltfJson, fileBytes: number): string | undefined {
+  return nodeProblem(json as CheckedJson) ?? sizeProblem(json as CheckedJson, fileBytes)
+}
+
+/**
+ * What in a document points to nothing: references, and offsets, counts and strides beyond the bytes.
+ *
+ * @param binaryBytes of the binary chunk, the first buffer; no other buffer has bytes of its own.
+ * @returns what is wrong, or undefined.
+ */
+export function decodingProblem(json: GltfJson, binaryBytes: number): string | undefined {
   const lengths = (json.buffers ?? []).map((_, i) => (i === 0 ? binaryBytes : 0))
-  return referenceProblem(checked) ?? nodeProblem(checked) ?? accessorProblem(checked, lengths, fileBytes)
+  return referenceProblem(json as CheckedJson) ?? rangeProblem(json as CheckedJson, lengths)
 }

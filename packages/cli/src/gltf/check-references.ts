@@ -8,6 +8,9 @@ export function referenceProblem(json: CheckedJson): string | undefined {
   for (const [where, index, list = []] of referencesOf(json)) {
     if (index !== undefined && index >= list.length) return `${where} is ${index}, of ${list.length}`
   }
+  for (const [i, { source, extensions = {} }] of (json.textures ?? []).entries()) {
+    if (source === undefined && Object.keys(extensions).length === 0) return `textures[${i}] has no image`
+  }
   return undefined
 }
 

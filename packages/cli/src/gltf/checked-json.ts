@@ -9,21 +9,23 @@ interface CompressedView {
   byteStride: number
 }
 
+export interface CheckedAccessor {
+  bufferView?: number
+  byteOffset?: number
+  componentType: number
+  count: number
+  type: string
+  sparse?: {
+    count: number
+    indices: { bufferView: number; byteOffset?: number; componentType: number }
+    values: { bufferView: number; byteOffset?: number }
+  }
+}
+
 /** What the checks read of a document besides what commands do. `shapeProblem` has checked the types. */
 export interface CheckedJson
   extends Omit<GltfJson, 'accessors' | 'bufferViews' | 'materials' | 'meshes' | 'nodes' | 'textures'> {
-  accessors?: {
-    bufferView?: number
-    byteOffset?: number
-    componentType: number
-    count: number
-    type: string
-    sparse?: {
-      count: number
-      indices: { bufferView: number; byteOffset?: number; componentType: number }
-      values: { bufferView: number; byteOffset?: number }
-    }
-  }[]
+  accessors?: CheckedAccessor[]
   bufferViews?: {
     buffer: number
     byteOffset?: number

@@ -1,6 +1,7 @@
 import { FurrowError } from 'furrow'
 import { firstLine } from '../errors.ts'
 import { readBytes } from '../files.ts'
+import { costProblem } from './check-document.ts'
 import { embedFiles } from './embed-files.ts'
 import type { ReadOptions } from './external-files.ts'
 import { shapeProblem } from './glb-shape.ts'
@@ -29,11 +30,14 @@ const JSON_START = 20
  * Reads a file of any kind: `.glb`, `.vrm`, or `.gltf`, known by its contents. Buffers and images in other files are
  * read too and become part of the binary chunk.
  *
- * @throws FurrowError when the file or one that it refers to is missing, cut off, not glTF 2.0, or not allowed.
+ * @throws FurrowError when the file or one that it refers to is missing, cut off, not glTF 2.0, or not allowed, and when
+ *   it would take too much time or memory, see `costProblem`.
  */
 export async function readGlbFile(path: string, who: string, options: ReadOptions = {}): Promise<Glb> {
   const glb = decodeGlb(await readBytes(path, who, 'the face'), path, who)
   await embedFiles(glb, path, who, options)
+  const problem = costProblem(glb.json, glb.fileBytes)
+  if (problem) throw unusable(path, who, problem)
   return glb
 }
 

@@ -36,7 +36,7 @@ const numbers = (count: number): Check => {
 const view = { buffer: isIndex, byteLength: isIndex }
 
 /** The bytes of a view that EXT_meshopt_compression or a successor compresses. */
-const compressedView = shapeWith({ ...view, count: isIndex, byteStride: isIndex }, { byteOffset: isIndex })
+const compressedView = shapeWith(view, { byteOffset: isIndex, count: isIndex, byteStride: isIndex })
 
 const primitive = shape({
   attributes: mapOf(isIndex),
@@ -94,7 +94,7 @@ const LISTS: Record<string, Check> = {
     pbrMetallicRoughness: shape({ baseColorTexture: textureInfo, metallicRoughnessTexture: textureInfo }),
     extensions: isObject,
   }),
-  meshes: shapeWith({ primitives: listOf(primitive) }, { name: isText, extras: isObject }),
+  meshes: shapeWith({ primitives: listOf(primitive) }, { name: isText }),
   nodes: shape({
     name: isText,
     mesh: isIndex,

@@ -4,6 +4,7 @@ type Extensions = Record<string, unknown>
 export interface TextureInfo {
   index: number
   texCoord?: number
+  extensions?: Extensions
 }
 
 export interface GltfMaterial {

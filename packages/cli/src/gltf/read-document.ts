@@ -1,6 +1,8 @@
 import { type Document, GLB_BUFFER, type GLTF, Logger, NodeIO } from '@gltf-transform/core'
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
 import { cannotRead } from '../errors.ts'
+import { decodingProblem } from './check-document.ts'
+import { meshProblem } from './check-meshes.ts'
 import type { ReadOptions } from './external-files.ts'
 import { type Glb, readGlbFile } from './glb-file.ts'
 
@@ -17,6 +19,8 @@ export async function readDocument(path: string, who: string, options?: ReadOpti
  */
 export async function documentOf({ json, bin }: Glb, path: string, who: string): Promise<Document> {
   try {
+    const problem = decodingProblem(json, bin.length)
+    if (problem) throw new Error(problem)
     // Below errors the logger warns of extensions that are of no interest here.
     const io = new NodeIO().setLogger(new Logger(Logger.Verbosity.ERROR)).registerExtensions(ALL_EXTENSIONS)
     io.registerDependencies(await decodersFor(json.extensionsUsed ?? []))
@@ -24,7 +28,10 @@ export async function documentOf({ json, bin }: Glb, path: string, who: string):
     const view = new Uint8Array(bin.buffer as ArrayBuffer, bin.byteOffset, bin.length)
     // Reading moves the images of extensions into the textures.
     const copy = structuredClone(json) as GLTF.IGLTF
-    return await io.readJSON({ json: copy, resources: { [GLB_BUFFER]: view } })
+    const document = await io.readJSON({ json: copy, resources: { [GLB_BUFFER]: view } })
+    const fault = meshProblem(document)
+    if (fault) throw new Error(fault)
+    return document
   } catch (error) {
     const hints = { limit: 'glTF 2.0', remedy: 'check the file with furrow validate' }
     throw cannotRead(who, `the face ${path}`, error, hints)

@@ -47,18 +47,6 @@ export function isKtx2({ mimeType }: TextureImage): boolean {
   return mimeType === 'image/ktx2'
 }
 
-// The header of a KTX 2 file (KTX 2.0, 3.1): twelve bytes of identifier, then words.
-const PIXEL_WIDTH = 20
-const PIXEL_HEIGHT = 24
-
-/** Width and height of a KTX 2 image by its header; undefined where that is cut off. */
-export function ktx2Size({ bytes }: TextureImage): { width: number; height: number } | undefined {
-  if (bytes.length < PIXEL_HEIGHT + 4) return undefined
-  const header = Buffer.from(bytes.buffer, bytes.byteOffset, bytes.length)
-  const height = Math.max(1, header.readUInt32LE(PIXEL_HEIGHT))
-  return { width: header.readUInt32LE(PIXEL_WIDTH), height }
-}
-
 /**
  * The header of the KTX 2 image of a texture, which only KHR_texture_basisu can give it; undefined for textures without.
  *

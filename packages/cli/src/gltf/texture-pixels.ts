@@ -1,6 +1,9 @@
 import { FurrowError, type TextureReference } from 'furrow'
 import { readArray } from '../array/ktx2.ts'
-import { cannotRead } from '../errors.ts'
+import { readHeader } from '../array/ktx2-header.ts'
+import { checkDecodedBytes, MAX_FACE_BYTES } from '../images/decoded-bytes.ts'
+import { withImageErrors } from '../images/image-errors.ts'
+import { openImage } from '../images/open-image.ts'
 import { decodePixels, type Pixels } from '../images/pixels.ts'
 import type { Glb } from './glb-file.ts'
 import { imageOf, isKtx2 } from './texture-image.ts'
@@ -25,7 +28,7 @@ export async function pixelsOf(
 ): Promise<Pixels> {
   const image = imageOf(glb, index, who)
   if (!isKtx2(image)) {
-    return cached(images, glb, index, () => decodePixels(image.bytes, `"${image.name}"`, who))
+    return cached(images, glb, index, who, () => decodePixels(image.bytes, `"${image.name}"`, who))
   }
   const { width, height, channels, layers } = await arrayOf(glb, index, who)
   const data = layers.at(slice)
@@ -42,23 +45,51 @@ export async function pixelsOf(
 
 /** Decodes all layers of a KTX 2 texture. Throws FurrowError when it cannot be decoded. */
 export function arrayOf(glb: Glb, index: number, who: string): Promise<DecodedArray> {
-  return cached(arrays, glb, index, () => decodeArray(glb, index, who))
+  return cached(arrays, glb, index, who, () => decodeArray(glb, index, who))
 }
 
-function cached<T>(cache: Cache<T>, glb: Glb, index: number, decode: () => Promise<T>): Promise<T> {
+/** Width and height of a texture by its header. Throws FurrowError when it is none that can be decoded. */
+export async function sizeOf(
+  glb: Glb,
+  index: number,
+  who: string,
+): Promise<{ width: number; height: number; decodedBytes: number }> {
+  const image = imageOf(glb, index, who)
+  const { bytes, name } = image
+  if (!isKtx2(image)) return openImage(bytes, `"${name}"`, who)
+  return withArrayErrors(name, who, async () => readHeader(bytes))
+}
+
+async function cached<T>(
+  cache: Cache<T>,
+  glb: Glb,
+  index: number,
+  who: string,
+  decode: () => Promise<T>,
+): Promise<T> {
   const known = cache.get(glb) ?? new Map<number, Promise<T>>()
   cache.set(glb, known)
-  const texture = known.get(index) ?? decode()
+  const texture = known.get(index) ?? reserve(glb, index, who).then(decode)
   known.set(index, texture)
   return texture
 }
 
+/** Bytes of the decoded textures of files: all of them are kept. */
+const reserved = new WeakMap<Glb, number>()
+
+async function reserve(glb: Glb, index: number, who: string): Promise<void> {
+  const { decodedBytes } = await sizeOf(glb, index, who)
+  const sum = (reserved.get(glb) ?? 0) + decodedBytes
+  reserved.set(glb, sum)
+  checkDecodedBytes(sum, 'all images of the wrinkles', who, MAX_FACE_BYTES)
+}
+
 async function decodeArray(glb: Glb, index: number, who: string): Promise<DecodedArray> {
   const { bytes, name } = imageOf(glb, index, who)
-  try {
-    return await readArray(bytes)
-  } catch (error) {
-    const hints = { limit: 'KTX 2: R8, RGBA8, UASTC or ETC1S', remedy: 'pack the file again' }
-    throw cannotRead(who, `the image "${name}"`, error, hints)
-  }
+  return withArrayErrors(name, who, () => readArray(bytes))
+}
+
+function withArrayErrors<T>(name: string, who: string, read: () => Promise<T>): Promise<T> {
+  const hints = { limit: 'KTX 2: R8, RGBA8, UASTC or ETC1S', remedy: 'pack the file again' }
+  return withImageErrors(`"${name}"`, who, read, hints)
 }

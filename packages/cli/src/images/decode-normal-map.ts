@@ -1,13 +1,16 @@
 import type { RgbaImage } from 'furrow/author'
-import sharp from 'sharp'
-import { cannotRead } from '../errors.ts'
+import { withImageErrors } from './image-errors.ts'
+import { openImage } from './open-image.ts'
+
+/** Longest side in texels where none is asked for: what is drawn over a map takes a multiple of its memory. */
+const LARGEST_BY_DEFAULT = 4096
 
 /**
- * Decodes a normal map (any format that sharp reads) to RGBA bytes with alpha 255.
+ * Decodes a normal map to RGBA bytes with alpha 255. Colour profiles are ignored.
  *
  * @param name of the image, for errors.
- * @param size side in texels to scale it to; its own by default.
- * @throws FurrowError when the bytes cannot be decoded.
+ * @param size side in texels to scale it to; its own by default, up to 4096.
+ * @throws FurrowError when it cannot be decoded, see `openImage`.
  */
 export async function decodeNormalMap(
   bytes: Uint8Array,
@@ -15,17 +18,18 @@ export async function decodeNormalMap(
   who: string,
   size?: number,
 ): Promise<RgbaImage> {
-  try {
-    let image = sharp(bytes).toColourspace('srgb').removeAlpha()
-    if (size !== undefined) image = image.resize(size, size, { fit: 'fill', kernel: 'cubic' })
-    const { data, info } = await image.raw().toBuffer({ resolveWithObject: true })
-    const { width, height, channels } = info
-    const rgba = new Uint8Array(4 * width * height).fill(255)
-    for (let i = 0; i < width * height; i++) {
-      for (let k = 0; k < 3; k++) rgba[4 * i + k] = data[channels * i + Math.min(k, channels - 1)]
-    }
-    return { width, height, data: rgba }
-  } catch (error) {
-    throw cannotRead(who, `the normal map ${name}`, error, { remedy: 'use a PNG, JPEG or WebP file' })
+  const opened = await openImage(bytes, name, who)
+  let image = opened.image.toColourspace('srgb').removeAlpha()
+  if (size !== undefined) image = image.resize(size, size, { fit: 'fill', kernel: 'cubic' })
+  else if (Math.max(opened.width, opened.height) > LARGEST_BY_DEFAULT) {
+    image = image.resize(LARGEST_BY_DEFAULT, LARGEST_BY_DEFAULT, { fit: 'inside', kernel: 'cubic' })
   }
+  const decode = () => image.raw().toBuffer({ resolveWithObject: true })
+  const { data, info } = await withImageErrors(name, who, decode)
+  const { width, height, channels } = info
+  const rgba = new Uint8Array(4 * width * height).fill(255)
+  for (let i = 0; i < width * height; i++) {
+    for (let k = 0; k < 3; k++) rgba[4 * i + k] = data[channels * i + Math.min(k, channels - 1)]
+  }
+  return { width, height, data: rgba }
 }

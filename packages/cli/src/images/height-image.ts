@@ -1,6 +1,8 @@
-import { FurrowError, MAX_IMAGE_SIDE } from 'furrow'
-import sharp, { type Sharp } from 'sharp'
-import { withImageErrors } from './pixels.ts'
+import { FurrowError } from 'furrow'
+import type { Sharp } from 'sharp'
+import { readBytes } from '../files.ts'
+import { withImageErrors } from './image-errors.ts'
+import { EXACT_IMAGES, openImage } from './open-image.ts'
 
 /** A gray image in the precision of its file. */
 export interface HeightImage {
@@ -17,14 +19,15 @@ const GRAY_TOLERANCE = 0.02
 const HINTS = { limit: 'PNG or TIFF, 8 or 16 bits', remedy: 'check the path and the file' }
 
 /**
- * Reads heights from a gray 8-bit or 16-bit image (PNG, TIFF and others that sharp reads). Values are kept as they
+ * Reads heights from a gray 8-bit or 16-bit image (PNG, TIFF, JPEG or WebP). Values are kept as they
  * are: colour profiles and transparency are ignored.
  *
  * @throws FurrowError when the file is not such an image, is cut off, or is larger than 8192 texels a side.
  */
 export async function readHeightImage(path: string, who: string): Promise<HeightImage> {
-  const image = sharp(path, { ignoreIcc: true })
-  const { width, height, depth } = await withImageErrors(path, who, () => image.metadata(), HINTS)
+  const bytes = await readBytes(path, who, 'the image')
+  const opened = await openImage(bytes, path, who, EXACT_IMAGES)
+  const { image, width, height, depth } = opened
   if (depth !== 'uchar' && depth !== 'ushort') {
     throw new FurrowError({
       who,
@@ -34,18 +37,8 @@ export async function readHeightImage(path: string, who: string): Promise<Height
       remedy: 'save it as 16-bit gray PNG',
     })
   }
-  if (width > MAX_IMAGE_SIDE || height > MAX_IMAGE_SIDE) {
-    throw new FurrowError({
-      code: 'out-of-range',
-      who,
-      what: `${path} is too large`,
-      value: `${width} x ${height}`,
-      limit: `${MAX_IMAGE_SIDE} texels a side`,
-      remedy: 'scale it down',
-    })
-  }
   const bits = depth === 'uchar' ? 8 : 16
-  const decode = () => readPixels(image.removeAlpha(), bits)
+  const decode = () => readPixels(image.removeAlpha(), bits, opened.channels < 3)
   const { data, channels } = await withImageErrors(path, who, decode, HINTS)
   const full = 2 ** bits - 1
   if (channels === 1) return { width, height, bits, data }
@@ -66,10 +59,11 @@ export async function readHeightImage(path: string, who: string): Promise<Height
   return { width, height, bits, data: gray }
 }
 
-async function readPixels(image: Sharp, bits: 8 | 16) {
+async function readPixels(image: Sharp, bits: 8 | 16, isGray: boolean) {
   // Without a 16-bit colour space sharp goes through 8 bits.
-  const wide = bits === 16 ? image.toColourspace('rgb16') : image.toColourspace('srgb')
-  const { data, info } = await wide
+  const space = bits === 16 ? (isGray ? 'grey16' : 'rgb16') : isGray ? 'b-w' : 'srgb'
+  const { data, info } = await image
+    .toColourspace(space)
     .raw({ depth: bits === 16 ? 'ushort' : 'uchar' })
     .toBuffer({ resolveWithObject: true })
   const values = bits === 16 ? new Uint16Array(data.buffer, data.byteOffset, data.length / 2) : data

@@ -4,6 +4,7 @@ import { createServer, type IncomingMessage, type ServerResponse } from 'node:ht
 import type { AddressInfo } from 'node:net'
 import { extname, join, relative, sep } from 'node:path'
 import { pipeline } from 'node:stream'
+import { buffer } from 'node:stream/consumers'
 import { fileURLToPath, pathToFileURL } from 'node:url'
 
 const PAGE_FOLDER = fileURLToPath(new URL('../page/', import.meta.url))
@@ -51,7 +52,7 @@ export async function startLocalServer(pageFolder = PAGE_FOLDER): Promise<LocalS
     const route = path.slice(secret.length)
     const [content, inbox] = [contents.get(route), inboxes.get(route)]
     if (content && request.method === 'GET') return send(response, route, content)
-    if (inbox && request.method === 'POST') return receive(request, response, inbox)
+    if (inbox && request.method === 'POST') return void receive(request, response, inbox)
     answer(response, content || inbox ? 405 : 404)
   })
   await new Promise<void>((ready, failed) => {
@@ -99,24 +100,17 @@ function answer(response: ServerResponse, status: number): void {
   response.writeHead(status, { connection: 'close' }).end()
 }
 
-/** Takes exactly as many bytes as are expected, and none a second time. */
-function receive(request: IncomingMessage, response: ServerResponse, inbox: Inbox): void {
-  if (inbox.bytes) {
-    answer(response, 409)
-    return
-  }
-  const parts: Buffer[] = []
-  let length = 0
-  request.on('data', (part: Buffer) => {
-    length += part.length
-    if (length > inbox.length) answer(response, 413)
-    else parts.push(part)
-  })
-  request.on('end', () => {
-    if (length !== inbox.length) return void (response.headersSent || answer(response, 400))
-    inbox.bytes ??= Buffer.concat(parts)
+/** Takes exactly as many bytes as are expected, once. */
+async function receive(request: IncomingMessage, response: ServerResponse, inbox: Inbox): Promise<void> {
+  if (inbox.bytes) return answer(response, 409)
+  // Node reads no more of a body than its length says.
+  if (Number(request.headers['content-length']) !== inbox.length) return answer(response, 413)
+  try {
+    inbox.bytes = await buffer(request)
     answer(response, 204)
-  })
+  } catch {
+    response.destroy()
+  }
 }
 
 function send(response: ServerResponse, route: string, content: Uint8Array | string): void {

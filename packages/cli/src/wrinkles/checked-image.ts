@@ -1,10 +1,9 @@
 import { FurrowError } from 'furrow'
 import sharp from 'sharp'
-import { transparencyError, withImageErrors } from '../images/pixels.ts'
+import { withImageErrors } from '../images/image-errors.ts'
+import { openImage } from '../images/open-image.ts'
+import { transparencyError } from '../images/pixels.ts'
 import type { FileImage } from './embed.ts'
-
-/** The formats of images in glTF without extensions. */
-const MIME_TYPES: Record<string, string | undefined> = { png: 'image/png', jpeg: 'image/jpeg' }
 
 /** An image that was decoded as a whole and can go into a glTF file. */
 export interface CheckedImage extends FileImage {
@@ -23,24 +22,10 @@ export async function checkMap(
   path: string,
   who: string,
 ): Promise<CheckedImage> {
-  const { format, width, height, opaque } = await withImageErrors(path, who, async () => {
-    const image = sharp(bytes, { failOn: 'truncated' })
-    const [metadata, stats] = [await image.metadata(), await image.stats()]
-    return { ...metadata, opaque: stats.isOpaque }
-  })
-  const mimeType = MIME_TYPES[format]
-  if (!mimeType) {
-    throw new FurrowError({
-      code: 'unreadable',
-      who,
-      what: `${path} has a format that glTF does not support`,
-      value: format,
-      limit: 'PNG or JPEG',
-      remedy: 'save it as PNG',
-    })
-  }
-  if (!opaque) throw transparencyError(path, who, 'flatten it onto the skin')
-  return { name, mimeType, bytes, width, height }
+  const { image, type, width, height } = await openImage(bytes, path, who, ['image/png', 'image/jpeg'])
+  const { isOpaque } = await withImageErrors(path, who, () => image.stats())
+  if (!isOpaque) throw transparencyError(path, who, 'flatten it onto the skin')
+  return { name, mimeType: type, bytes, width, height }
 }
 
 /**

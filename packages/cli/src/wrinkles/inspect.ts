@@ -1,8 +1,7 @@
 import type { GrayImage, TextureReference, WrinkleDriver } from 'furrow'
-import sharp from 'sharp'
-import { imageOf, isKtx2, ktx2Size, type TextureImage } from '../gltf/texture-image.ts'
-import { pixelsOf } from '../gltf/texture-pixels.ts'
-import { channelOf, withImageErrors } from '../images/pixels.ts'
+import { imageOf } from '../gltf/texture-image.ts'
+import { pixelsOf, sizeOf } from '../gltf/texture-pixels.ts'
+import { channelOf } from '../images/pixels.ts'
 import { areaSizes, areaSliceSizes, type GpuSizes, influenceMapBytes, mapSizes, sumSizes } from './sizes.ts'
 import { MAP_SLOTS, type MapName, type WrinkledFile } from './wrinkled-file.ts'
 
@@ -109,13 +108,6 @@ export async function weightsOf({ glb, maps }: WrinkledFile, area: number, who: 
   return channelOf(await pixelsOf(glb, texture, who), channel)
 }
 
-/** Size of an image by its header. */
-async function sizeOf(image: TextureImage, who: string): Promise<{ width: number; height: number }> {
-  const size = isKtx2(image) ? ktx2Size(image) : undefined
-  const hints = { remedy: 'export the file again' }
-  return size ?? withImageErrors(`"${image.name}"`, who, () => sharp(image.bytes).metadata(), hints)
-}
-
 async function measureMap(
   { glb }: WrinkledFile,
   map: MapName,
@@ -123,7 +115,7 @@ async function measureMap(
   who: string,
 ): Promise<MapReport> {
   const image = imageOf(glb, index, who)
-  const { width, height } = await sizeOf(image, who)
+  const { width, height } = await sizeOf(glb, index, who)
   const { mimeType, bytes } = image
   return {
     map,

@@ -1,4 +1,11 @@
-import { FurrowError, mapProblems, parseWrinkleMaps, texturesOfFace, WRINKLE_MAPS } from 'furrow'
+import {
+  checkDeclared,
+  FurrowError,
+  mapProblems,
+  parseWrinkleMaps,
+  texturesOfFace,
+  WRINKLE_MAPS,
+} from 'furrow'
 import { firstLine } from '../errors.ts'
 import type { Glb } from '../gltf/glb-file.ts'
 import { jointNamesOf, targetNamesOf } from '../gltf/gltf-json.ts'
@@ -25,8 +32,10 @@ export async function checkWrinkles(glb: Glb): Promise<Finding[]> {
 
 function checkLists({ json }: Glb): Finding[] {
   const findings: Finding[] = []
-  if (!json.extensionsUsed?.includes(WRINKLE_MAPS)) {
-    findings.push(errorFinding('NOT_DECLARED', `extensionsUsed lacks ${WRINKLE_MAPS}`, '/extensionsUsed'))
+  try {
+    checkDeclared(json, WRINKLE_MAPS)
+  } catch (error) {
+    findings.push(errorFinding('NOT_DECLARED', firstLine(error), '/extensionsUsed'))
   }
   if (json.extensionsRequired?.includes(WRINKLE_MAPS)) {
     const message = 'extensionsRequired lists it: viewers without it will not open the file at all'

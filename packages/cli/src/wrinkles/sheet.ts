@@ -1,8 +1,11 @@
 import type { GrayImage } from 'furrow'
 import sharp from 'sharp'
+import type { FoundSkin } from '../auto/find-skin.ts'
+import type { Glb } from '../gltf/glb-file.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
 import type { Pixels } from '../images/pixels.ts'
 import { escapeMarkup } from '../markup.ts'
+import { drawSkinLayout } from '../uv/draw-layout.ts'
 import { weightsOf } from './inspect.ts'
 import { MAP_SLOTS, type WrinkledFile } from './wrinkled-file.ts'
 
@@ -43,17 +46,30 @@ export async function drawSheet(file: WrinkledFile, who: string): Promise<Uint8A
   return arrange(tiles)
 }
 
+/** Draws the base colour of a face without wrinkles and the layout to paint over, as one PNG file. */
+export async function drawPlainSheet(glb: Glb, skin: FoundSkin, who: string): Promise<Uint8Array> {
+  const rgba = await drawSkinLayout(glb, skin, 2 * SIDE, who)
+  const layout = sharp(rgba, { raw: { width: 2 * SIDE, height: 2 * SIDE, channels: 4 } })
+  const pixels = await layout.flatten({ background: BACKGROUND }).resize(SIDE, SIDE).raw().toBuffer()
+  const layoutTile = { label: `${skin.meshName}: UV layout`, pixels }
+  const { material, materialName } = skin
+  if (!glb.json.materials?.[material].pbrMetallicRoughness?.baseColorTexture) return arrange([layoutTile])
+  const colour = await skinOf({ glb, material }, who)
+  return arrange([{ label: `${materialName}: base colour`, pixels: colour }, layoutTile])
+}
+
 async function arrange(tiles: readonly Tile[]): Promise<Uint8Array> {
   const columns = Math.ceil(Math.sqrt(tiles.length * 1.3))
   const rows = Math.ceil(tiles.length / columns)
   const width = columns * (SIDE + GAP) + GAP
   const height = rows * (SIDE + LABEL_HEIGHT + GAP) + GAP
-  const parts = tiles.flatMap(({ label, pixels }, i) => {
+  const labels = await Promise.all(tiles.map(({ label }) => renderLabel(label)))
+  const parts = tiles.flatMap(({ pixels }, i) => {
     const left = GAP + (i % columns) * (SIDE + GAP)
     const top = GAP + Math.floor(i / columns) * (SIDE + LABEL_HEIGHT + GAP)
     return [
       { input: Buffer.from(pixels), raw: { width: SIDE, height: SIDE, channels: 3 as const }, left, top },
-      { input: renderLabel(label), left, top: top + SIDE },
+      { input: labels[i], left: left + 2, top: top + SIDE + 5 },
     ]
   })
   return sharp({ create: { width, height, channels: 3, background: BACKGROUND } })
@@ -63,16 +79,23 @@ async function arrange(tiles: readonly Tile[]): Promise<Uint8Array> {
     .toBuffer()
 }
 
-function renderLabel(text: string): Buffer {
-  const short = text.length > 34 ? `${text.slice(0, 33)}…` : text
-  return Buffer.from(
-    `<svg xmlns="http://www.w3.org/2000/svg" width="${SIDE}" height="${LABEL_HEIGHT}">` +
-      `<text x="2" y="18" font-family="sans-serif" font-size="14" fill="#e6e6e6">${escapeMarkup(short)}</text></svg>`,
-  )
+/** Text as a PNG file that fits below a tile. */
+function renderLabel(label: string): Promise<Buffer> {
+  const plain = label.replaceAll(/\p{C}/gu, ' ').trim() || '?'
+  const short = plain.length > 34 ? `${plain.slice(0, 33)}…` : plain
+  const text = `<span foreground="#e6e6e6">${escapeMarkup(short)}</span>`
+  return sharp({ text: { text, font: 'sans-serif 14', dpi: 72, rgba: true } })
+    .resize(SIDE - 4, LABEL_HEIGHT - 6, { fit: 'inside', withoutEnlargement: true })
+    .png()
+    .toBuffer()
 }
 
 /** The base colour of the skin as RGB, `side` x `side` pixels; gray where it has no texture. */
-export async function skinOf({ glb, material }: WrinkledFile, who: string, side = SIDE): Promise<Uint8Array> {
+export async function skinOf(
+  { glb, material }: Pick<WrinkledFile, 'glb' | 'material'>,
+  who: string,
+  side = SIDE,
+): Promise<Uint8Array> {
   const colour = glb.json.materials![material].pbrMetallicRoughness?.baseColorTexture
   return colour ? scaled(await pixelsOf(glb, colour, who), side) : new Uint8Array(3 * side * side).fill(120)
 }

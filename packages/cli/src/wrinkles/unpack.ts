@@ -1,12 +1,12 @@
 import type { GrayImage, TextureReference, WrinkleSetDocument } from 'furrow'
 import { fileNamesOf } from 'furrow/author'
-import sharp from 'sharp'
 import type { OutputFile } from '../files.ts'
 import { namesOfTarget } from '../gltf/target.ts'
 import { imageOf, isKtx2 } from '../gltf/texture-image.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
 import { encodeArea, encodePngWithoutOpaqueAlpha } from '../images/encode.ts'
-import { withImageErrors } from '../images/pixels.ts'
+import { withImageErrors } from '../images/image-errors.ts'
+import { openImage } from '../images/open-image.ts'
 import type { Progress } from '../progress.ts'
 import { addressOf } from './folder.ts'
 import { weightsOf } from './inspect.ts'
@@ -80,18 +80,16 @@ export async function unpackWrinkles(
   return [{ path: 'wrinkles.json', bytes: Buffer.from(text) }, ...outputs]
 }
 
-/** A map as a PNG file; one that is PNG already is not encoded again. */
+/** A map as a PNG file; one that is PNG already is decoded to check it, and not encoded again. */
 async function pngOf({ glb }: WrinkledFile, info: TextureReference, who: string): Promise<Uint8Array> {
-  const image = imageOf(glb, info.index, who)
-  if (isKtx2(image)) return encodePngWithoutOpaqueAlpha(await pixelsOf(glb, info, who))
-  const { bytes, mimeType, name } = image
-  if (mimeType === 'image/png') return bytes
-  const encode = () => sharp(bytes, { failOn: 'truncated' }).png({ compressionLevel: 9 }).toBuffer()
-  const remedy = 'unpack the file from before its textures were compressed'
-  return withImageErrors(`"${name}" of type ${mimeType}`, who, encode, {
-    limit: 'PNG, JPEG, WebP or AVIF',
-    remedy,
-  })
+  const encoded = imageOf(glb, info.index, who)
+  if (isKtx2(encoded)) return encodePngWithoutOpaqueAlpha(await pixelsOf(glb, info, who))
+  const name = `"${encoded.name}"`
+  const { image, type } = await openImage(encoded.bytes, name, who)
+  if (type !== 'image/png')
+    return withImageErrors(name, who, () => image.png({ compressionLevel: 9 }).toBuffer())
+  await withImageErrors(name, who, () => image.stats())
+  return encoded.bytes
 }
 
 function encodeWeights(weights: GrayImage, whiteIsVisible: boolean): Promise<Uint8Array> {

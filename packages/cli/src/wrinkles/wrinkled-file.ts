@@ -29,8 +29,11 @@ export async function readWrinkledFile(
   who: string,
   options: ReadOptions & { material?: string | undefined } = {},
 ): Promise<WrinkledFile> {
-  const { material: materialName } = options
-  const glb = await readGlbFile(path, who, options)
+  return wrinkledFile(await readGlbFile(path, who, options), path, who, options.material)
+}
+
+/** As `readWrinkledFile`, for a file that is read already. */
+export function wrinkledFile(glb: Glb, path: string, who: string, materialName?: string): WrinkledFile {
   const materials = glb.json.materials ?? []
   const all = wrinkledMaterials(glb)
   if (all.length === 0) {

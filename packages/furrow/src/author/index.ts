@@ -59,3 +59,4 @@ export {
 export { type HeightMap, strokesToHeight } from './strokes/height.ts'
 export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas } from './strokes/paint-areas.ts'
 export { targetArea } from './target-area.ts'
+export { drawUvLayout, type UvLayoutOptions } from './uv-layout.ts'

@@ -1,3 +1,4 @@
+import { wrongArgument } from './argument.ts'
 import { FurrowError } from './error.ts'
 import { MAX_IMAGE_SIDE } from './limits.ts'
 import type { GrayImage, RgbaImage } from './types.ts'
@@ -27,6 +28,7 @@ export function checkImage(
       })
     }
   }
+  if (!ArrayBuffer.isView(image.data)) throw wrongArgument(who, 'data of an image', image.data, 'bytes')
   const expected = image.width * image.height * CHANNELS_OF[layout]
   if (image.data.length !== expected) {
     throw new FurrowError({

@@ -1,4 +1,5 @@
 import { FurrowError } from './error.ts'
+import { MAX_IMAGE_BYTES, MAX_IMAGE_SIDE } from './limits.ts'
 import type { TextureShape } from './map-rules.ts'
 
 // Khronos, KTX File Format Specification 2.0, sections 3 and 5; offsets in bytes.
@@ -45,6 +46,10 @@ export function readKtx2Header(bytes: Uint8Array, who: string): Ktx2Header {
   const word = (at: number) => (at + 4 <= bytes.length ? view.getUint32(at, true) : fail('it is cut off'))
   const [format, width, height, depth, slices, faces, count, dfd] = Object.values(HEADER).map(word)
   if (width === 0 || height === 0 || depth > 0 || faces !== 1) fail('it is a cube, 3D or 1D texture')
+  const texels = width * height * Math.max(slices, 1)
+  if (Math.max(width, height) > MAX_IMAGE_SIDE || 4 * texels > MAX_IMAGE_BYTES) {
+    fail('it is too large', `${width} x ${height} x ${slices}`)
+  }
   const model = word(dfd + COLOUR_MODEL) & 0xff
   const encoding = format === 0 ? MODELS[model] : undefined
   if (!encoding) return fail('its encoding is not for GPUs of all kinds', `format ${format}, model ${model}`)

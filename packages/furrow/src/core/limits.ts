@@ -10,6 +10,9 @@ export const DEFAULT_AREA_SIZE = 128
 /** Longest side of an image in texels: the texture size that every WebGPU device guarantees. */
 export const MAX_IMAGE_SIDE = 8192
 
+/** Most bytes of an image or array once it is decoded: those of 8192 x 8192 texels in RGBA. */
+export const MAX_IMAGE_BYTES = 2 ** 28
+
 /** Most characters of a name in a file. */
 export const LONGEST_NAME = 256
 

@@ -1,3 +1,4 @@
+import { FurrowError } from './error.ts'
 import { type JsonReader, or } from './json.ts'
 import { LARGEST, MAX_AREAS, MAX_LAYERS } from './limits.ts'
 import type { Combine, LayerKind } from './types.ts'
@@ -47,6 +48,21 @@ export interface WrinkleMapsArea {
 export interface MapsAndAreas {
   layers: WrinkleMapsLayer[]
   areas: WrinkleMapsArea[]
+}
+
+/**
+ * Checks that a file declares the extension, as glTF requires: tools drop what is not declared.
+ *
+ * @param json of the file.
+ * @throws FurrowError when it does not.
+ */
+export function checkDeclared({ extensionsUsed }: { extensionsUsed?: unknown }, who: string): void {
+  if (Array.isArray(extensionsUsed) && extensionsUsed.includes(WRINKLE_MAPS)) return
+  throw new FurrowError({
+    who,
+    what: `extensionsUsed lacks ${WRINKLE_MAPS}`,
+    remedy: 'add it: tools drop extensions that are not declared',
+  })
 }
 
 /** A sanity limit: devices guarantee 256 slices, and loading a larger array fails where the device has fewer. */

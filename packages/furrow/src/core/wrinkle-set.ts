@@ -1,3 +1,4 @@
+import { isObject, wrongArgument } from './argument.ts'
 import { FurrowError } from './error.ts'
 import { checkImage } from './image.ts'
 import { MAX_AREAS, MAX_LAYERS } from './limits.ts'
@@ -15,6 +16,9 @@ export function checkWrinkleSet(
   set: { layers: readonly Layer<ArraySlice>[]; areas: readonly Area<ArraySlice>[] },
   who = 'WrinkleSet',
 ): void {
+  if (!isObject(set) || !Array.isArray(set.layers) || !Array.isArray(set.areas)) {
+    throw wrongArgument(who, 'a wrinkle set', set, 'an object with a list of layers and a list of areas')
+  }
   checkCount(set.layers.length, 'layers', MAX_LAYERS, who)
   checkCount(set.areas.length, 'areas', MAX_AREAS, who)
   for (const layer of set.layers) checkLayer(layer, who)
@@ -25,10 +29,18 @@ export function checkWrinkleSet(
 
 /** Whether a map is a slice of an array instead of an image. */
 export function isSlice(map: object | undefined): map is ArraySlice {
-  return map !== undefined && 'slice' in map
+  return isObject(map) && 'slice' in map
 }
 
-function checkLayer({ name, normal, baseColor, roughness, occlusion }: Layer<ArraySlice>, who: string): void {
+function checkLayer(layer: Layer<ArraySlice>, who: string): void {
+  if (!isObject(layer)) throw wrongArgument(who, 'a layer', layer, 'an object with a name, kind and normals')
+  const { name, kind: kindOfLayer, normal, baseColor, roughness, occlusion } = layer
+  if (kindOfLayer !== 'replace' && kindOfLayer !== 'detail') {
+    throw wrongArgument(who, `kind of layer "${name}"`, kindOfLayer, 'replace or detail')
+  }
+  if (!isObject(normal)) throw wrongArgument(who, `normals of layer "${name}"`, normal, 'an image')
+  checkFinite(layer.normalScale, `normalScale of layer "${name}"`, who)
+  checkFinite(layer.occlusionStrength, `occlusionStrength of layer "${name}"`, who)
   for (const [kind, map] of Object.entries({ normal, baseColor })) {
     if (map && !isSlice(map)) checkImage(map, 'RGBA', `${who} layer "${name}" ${kind}`)
   }
@@ -47,7 +59,15 @@ export function checkArea(
   layers: readonly { name: string }[],
   who = 'WrinkleSet',
 ): void {
+  if (!isObject(area)) throw wrongArgument(who, 'an area', area, 'an object with a name and weights')
   checkName(area.name, 'area', who)
+  if (!isObject(area.weights)) {
+    throw wrongArgument(who, `weights of area "${area.name}"`, area.weights, 'a gray image')
+  }
+  if (area.combine !== undefined && area.combine !== 'sum' && area.combine !== 'max') {
+    throw wrongArgument(who, `combine of area "${area.name}"`, area.combine, 'sum or max')
+  }
+  checkFinite(area.activation, `activation of area "${area.name}"`, who)
   if (!isSlice(area.weights)) checkImage(area.weights, 'gray', `${who} area "${area.name}"`)
   layerIndex(area, layers, who)
 }
@@ -75,6 +95,10 @@ export function layerIndex(
     })
   }
   return index
+}
+
+function checkFinite(value: number | undefined, what: string, who: string): void {
+  if (value !== undefined && !Number.isFinite(value)) throw wrongArgument(who, what, value, 'a finite number')
 }
 
 /** The names of areas or layers, for errors. */

@@ -1,3 +1,4 @@
+import { isObject, wrongArgument } from '../core/argument.ts'
 import { FurrowError } from '../core/error.ts'
 import { type AgeDriver, age } from './age/definition.ts'
 import { type AreaDriver, area } from './area/definition.ts'
@@ -69,9 +70,12 @@ const definitions = new Map(Object.entries(DEFINITIONS) as [string, DriverDefini
  * Registers a type of driver of the application's own, for all files that are read afterwards. Readers that do not know the type keep
  * such drivers and run the others.
  *
- * @throws FurrowError when the type exists already.
+ * @throws FurrowError when the type exists already, or the definition has no type or does not read.
  */
 export function registerDriver<D extends { type: string }>(definition: DriverDefinition<D>): void {
+  if (!isObject(definition) || typeof definition.type !== 'string' || typeof definition.read !== 'function') {
+    throw wrongArgument('registerDriver', 'a definition', definition, 'an object with type and read')
+  }
   if (definitions.has(definition.type)) {
     throw new FurrowError({
       who: 'registerDriver',

@@ -1,3 +1,4 @@
+import { wrongArgument } from '../core/argument.ts'
 import { FurrowError, sentence } from '../core/error.ts'
 import { MAX_AREAS } from '../core/limits.ts'
 import { listNames } from '../core/wrinkle-set.ts'
@@ -59,6 +60,7 @@ export class Activations {
    */
   set(name: string, value: number): void {
     const index = this.#indexOf(name)
+    if (typeof value !== 'number') throw wrongArgument(this.#who, `activation of "${name}"`, value, '0 to 1')
     const clamped = value >= 0 && value <= 1 ? value : this.#clamp(name, value)
     if (this.#values[index] === Math.fround(clamped)) return
     this.#values[index] = clamped
@@ -68,12 +70,14 @@ export class Activations {
   /**
    * Sets an activation by the index of its area. Allocates nothing, unlike `set`, whose argument may be boxed.
    *
-   * @param values 0..1.
+   * @param values 0..1; others are clamped, and NaN counts as 0.
    * @param source index of the value among them.
    */
   setAt(index: number, values: Float32Array, source: number): void {
-    if (this.#values[index] === values[source]) return
-    this.#values[index] = values[source]
+    let value = values[source]
+    if (!(value >= 0 && value <= 1)) value = value > 1 ? 1 : 0
+    if (this.#values[index] === value) return
+    this.#values[index] = value
     this.version++
   }
 

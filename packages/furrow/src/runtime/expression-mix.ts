@@ -1,5 +1,9 @@
+import { isObject, wrongArgument } from '../core/argument.ts'
 import { FurrowError } from '../core/error.ts'
 import type { Expression } from '../drivers/expression/expression.ts'
+
+/** Who errors name. */
+const WHO = 'ExpressionMix'
 
 /** Easing functions, from the fraction of the time to the fraction of the way, both 0..1. */
 export const EASINGS = {
@@ -44,9 +48,11 @@ export class ExpressionMix {
 
   /**
    * @param expressions at least one; the first is where the mix starts.
-   * @throws FurrowError when there is none.
+   * @throws FurrowError when there is none, or one is malformed.
    */
   constructor(expressions: readonly Expression[]) {
+    for (const expression of Array.isArray(expressions) ? expressions : [expressions])
+      checkExpression(expression)
     if (expressions.length === 0) {
       throw new FurrowError({
         who: 'ExpressionMix',
@@ -86,9 +92,15 @@ export class ExpressionMix {
    * @param choice names and weights.
    * @param seconds duration; 0 by default, which takes effect at once.
    * @param easing linear by default.
-   * @throws FurrowError when no expression has that name, a weight is not within 0..1, or the time is negative, NaN or infinite.
+   * @throws FurrowError when no expression has that name, a weight is not within 0..1, the time is negative, NaN or infinite, or the
+   *   easing unknown.
    */
   play(choice: ExpressionChoice, seconds = 0, easing: Easing = 'linear'): void {
+    if (typeof choice !== 'string' && !isObject(choice)) {
+      throw wrongArgument(WHO, 'an expression', choice, 'a name, or names and weights')
+    }
+    const ease = typeof easing === 'function' ? easing : EASINGS[easing]
+    if (!ease) throw wrongArgument(WHO, 'easing', easing, `${Object.keys(EASINGS).join(', ')}, or a function`)
     const weights = typeof choice === 'string' ? { [choice]: 1 } : choice
     for (const [name, weight] of Object.entries(weights)) this.#check(name, weight)
     if (!(seconds >= 0 && seconds < Infinity)) {
@@ -110,7 +122,7 @@ export class ExpressionMix {
         for (let i = 0; i < sum.length; i++) sum[i] = Math.min(1, sum[i] + weight * own[i])
       }
     }
-    this.#easing = easing === 'linear' ? null : typeof easing === 'function' ? easing : EASINGS[easing]
+    this.#easing = easing === 'linear' ? null : ease
     this.#duration = seconds
     this.#now[0] = 0
     if (seconds === 0) this.update(0)
@@ -120,8 +132,10 @@ export class ExpressionMix {
    * Advances the transition.
    *
    * @param delta seconds since the last call.
+   * @throws FurrowError when it is negative or NaN.
    */
   update(delta: number): void {
+    if (!(delta >= 0)) throw wrongArgument(WHO, 'seconds since the last call', delta, '0 or more')
     // Short enough to be inlined, so that the number is not boxed.
     this.#now[0] += delta
     this.#advance()
@@ -165,6 +179,12 @@ export class ExpressionMix {
       remedy: 'correct it',
     })
   }
+}
+
+function checkExpression(expression: Expression): void {
+  const isValid = (values: unknown) => isObject(values) && Object.values(values).every(Number.isFinite)
+  if (isObject(expression) && isValid(expression.targets) && isValid(expression.activations)) return
+  throw wrongArgument(WHO, 'an expression', expression, 'an object with a name, targets and activations')
 }
 
 interface Pose {

@@ -1,3 +1,4 @@
+import { isObject, wrongArgument } from '../core/argument.ts'
 import { sentence } from '../core/error.ts'
 import type { Expression } from '../drivers/expression/expression.ts'
 import { EXPRESSIONS } from '../drivers/expression/presets.ts'
@@ -18,6 +19,14 @@ export class ExpressionPlayerBase {
    * @param expressions the first is the initial one; by default those of the file, or `EXPRESSIONS` if it has none.
    */
   constructor(wrinkles: WrinkleFaces, bind: BindTargets, expressions?: readonly Expression[]) {
+    if (!isObject(wrinkles)) {
+      throw wrongArgument(
+        'ExpressionPlayer',
+        'the wrinkles of the face',
+        wrinkles,
+        'an object of class Wrinkles',
+      )
+    }
     const own = wrinkles.expressions.length > 0 ? wrinkles.expressions : EXPRESSIONS
     this.#mix = new ExpressionMix(expressions ?? own)
     this.#wrinkles = wrinkles
@@ -79,7 +88,8 @@ export class ExpressionPlayerBase {
   #write(): void {
     const { targets, areaNames, activations } = this.#mix
     for (const { influences, target, name } of this.#bindings) influences[target] = targets[name]
-    this.#wrinkles.setActivations(areaNames, activations)
+    // A player may outlive the wrinkles, and still moves the blendshapes.
+    if (!this.#wrinkles.isDisposed) this.#wrinkles.setActivations(areaNames, activations)
   }
 }
 

@@ -1,3 +1,4 @@
+import { wrongArgument } from '../core/argument.ts'
 import { sentence } from '../core/error.ts'
 import type { BindTargets, TargetBinding } from './target-binding.ts'
 
@@ -27,23 +28,28 @@ export class FaceScoresBase {
    * Sets the blendshapes in the list; others stay as they are. `_neutral` is ignored, names that no mesh has are left out with one
    * warning, and NaN counts as 0. Allocates nothing while the names stay the same.
    *
-   * @throws FurrowError when nothing under the face has morph targets.
+   * @throws FurrowError when nothing under the face has morph targets, or the scores are no list of names and numbers.
    */
   set(scores: readonly FaceScore[]): void {
+    if (!Array.isArray(scores)) throw wrongArgument('FaceScores', 'scores', scores, 'a list')
     if (!this.#hasNamesOf(scores)) this.#rebind(scores)
     for (let i = 0; i < this.#bindings.length; i++) {
       const { influences, target, name } = this.#bindings[i]
-      influences[target] = scores[name].score || 0
+      influences[target] = Number(scores[name].score) || 0
     }
   }
 
   #hasNamesOf(scores: readonly FaceScore[]): boolean {
     if (scores.length !== this.#names.length) return false
-    for (let i = 0; i < scores.length; i++) if (scores[i].categoryName !== this.#names[i]) return false
+    for (let i = 0; i < scores.length; i++) if (scores[i]?.categoryName !== this.#names[i]) return false
     return true
   }
 
   #rebind(scores: readonly FaceScore[]): void {
+    const wrong = scores.find((score) => typeof score?.categoryName !== 'string')
+    if (wrong !== undefined || scores.includes(null as never)) {
+      throw wrongArgument('FaceScores', 'a score', wrong, 'an object with categoryName and score')
+    }
     this.#names = scores.map(({ categoryName }) => categoryName)
     const wanted = this.#names.map((name) => (name === NEUTRAL ? '' : name))
     this.#bindings = this.#bind(wanted)

@@ -1,3 +1,4 @@
+import { wrongArgument } from '../core/argument.ts'
 import { FurrowError } from '../core/error.ts'
 
 /**
@@ -7,10 +8,15 @@ import { FurrowError } from '../core/error.ts'
 export class NamedInputs {
   readonly #values = new Map<string, Float64Array>()
   readonly #faces: number
+  readonly #checkInUse: (method: string) => void
 
-  /** @param faces number of instances, 1 for any other mesh. */
-  constructor(faces: number) {
+  /**
+   * @param faces number of instances, 1 for any other mesh.
+   * @param checkInUse throws when the wrinkles were disposed of.
+   */
+  constructor(faces: number, checkInUse: (method: string) => void) {
     this.#faces = faces
+    this.#checkInUse = checkInUse
   }
 
   /** Names that a driver reads or that have been set. */
@@ -23,9 +29,12 @@ export class NamedInputs {
    *
    * @param value in the unit that the drivers' curves expect, e.g. years.
    * @param instance index of an instance; all instances by default.
-   * @throws FurrowError when the value is NaN or infinite, or the instance does not exist.
+   * @throws FurrowError when the value is NaN or infinite, the instance does not exist, or the wrinkles were disposed of.
    */
   set(name: string, value: number, instance?: number): void {
+    this.#checkInUse('inputs')
+    if (typeof name !== 'string') throw wrongArgument('Wrinkles.inputs', 'name of an input', name, 'text')
+    if (instance !== undefined) checkInstance(instance, this.#faces, 'Wrinkles.inputs')
     if (!Number.isFinite(value)) {
       throw new FurrowError({
         who: 'Wrinkles.inputs',
@@ -37,10 +46,7 @@ export class NamedInputs {
     }
     const values = this.declare(name, 0)
     if (instance === undefined) values.fill(value)
-    else {
-      this.#check(instance)
-      values[instance] = value
-    }
+    else values[instance] = value
   }
 
   /**
@@ -50,7 +56,7 @@ export class NamedInputs {
    * @throws FurrowError when the instance does not exist.
    */
   get(name: string, instance = 0): number {
-    this.#check(instance)
+    checkInstance(instance, this.#faces, 'Wrinkles.inputs')
     return this.#values.get(name)?.[instance] ?? 0
   }
 
@@ -68,15 +74,16 @@ export class NamedInputs {
     this.#values.set(name, values)
     return values
   }
+}
 
-  #check(instance: number): void {
-    if (Number.isInteger(instance) && instance >= 0 && instance < this.#faces) return
-    throw new FurrowError({
-      who: 'Wrinkles.inputs',
-      what: 'no such instance',
-      value: instance,
-      limit: `0 to ${this.#faces - 1}`,
-      remedy: 'use the index of an instance of the mesh',
-    })
-  }
+/** @throws FurrowError when there is no instance of that index among `count`. */
+export function checkInstance(instance: number, count: number, who: string): void {
+  if (Number.isInteger(instance) && instance >= 0 && instance < count) return
+  throw new FurrowError({
+    who,
+    what: 'no such instance',
+    value: instance,
+    limit: `0 to ${count - 1}`,
+    remedy: 'use the index of an instance of the mesh',
+  })
 }

@@ -1,9 +1,11 @@
+import { wrongArgument } from '../core/argument.ts'
+import { FurrowError } from '../core/error.ts'
 import type { Area, ArraySlice } from '../core/types.ts'
 import type { Expression } from '../drivers/expression/expression.ts'
 import type { AreaSlots } from './area-slots.ts'
 import type { DriverRuntime } from './driver-runtime.ts'
 import { Face } from './face.ts'
-import { NamedInputs } from './named-inputs.ts'
+import { checkInstance, NamedInputs } from './named-inputs.ts'
 
 /** A source of time. */
 export interface Clock {
@@ -21,8 +23,6 @@ export abstract class WrinkleFaces<Engine = unknown> {
   driven = true
   /** Preset expressions of the file. */
   expressions: readonly Expression[] = []
-  /** The time for drivers with a delay; replace it if frames are not drawn in real time. */
-  clock: Clock = performance
   /** Numbers that the application sets for drivers: `inputs.set('age', 40)`. */
   readonly inputs: NamedInputs
 
@@ -30,6 +30,8 @@ export abstract class WrinkleFaces<Engine = unknown> {
   protected readonly faces: readonly Face[]
   /** In the order of the activations. */
   protected areas: Area<ArraySlice>[]
+  #clock: Clock = performance
+  #isDisposed = false
   #drivers: DriverRuntime<Engine> | null = null
   readonly #disposers: (() => void)[] = []
 
@@ -40,7 +42,25 @@ export abstract class WrinkleFaces<Engine = unknown> {
   constructor(count: number, areas: readonly Area<ArraySlice>[], slots: AreaSlots) {
     this.areas = [...areas]
     this.faces = Array.from({ length: count }, () => new Face(slots, areas))
-    this.inputs = new NamedInputs(count)
+    this.inputs = new NamedInputs(count, (method) => this.checkInUse(method))
+  }
+
+  /** The time for drivers with a delay; replace it if frames are not drawn in real time. */
+  get clock(): Clock {
+    return this.#clock
+  }
+
+  /** @throws FurrowError when it cannot tell the time. */
+  set clock(clock: Clock) {
+    if (typeof clock?.now !== 'function') {
+      throw wrongArgument('Wrinkles.clock', 'a clock', clock, 'an object with now()')
+    }
+    this.#clock = clock
+  }
+
+  /** Whether `dispose` was called: setters then throw. */
+  get isDisposed(): boolean {
+    return this.#isDisposed
   }
 
   /** Names of the areas, in the order of the activations. */
@@ -64,10 +84,11 @@ export abstract class WrinkleFaces<Engine = unknown> {
    *
    * @param value 0..1; clamped, with one warning.
    * @param instance index of an instance, 0 by default.
-   * @throws FurrowError when no area has that name.
+   * @throws FurrowError when no area has that name, the value is no number, there is no such instance, or the wrinkles were disposed of.
    */
   setActivation(area: string, value: number, instance = 0): void {
-    const face = this.faces[instance]
+    this.checkInUse('setActivation')
+    const face = this.#faceOf(instance, 'setActivation')
     if (this.#isMoved(area)) face.activations.set(area, value)
     else face.setResting(area, value)
   }
@@ -75,11 +96,21 @@ export abstract class WrinkleFaces<Engine = unknown> {
   /**
    * Activates several areas, as `setActivation` does, but ignores names that no area has, and allocates nothing.
    *
-   * @param values 0..1, in the order of the names.
+   * @param values 0..1, in the order of the names; clamped.
    * @param instance index of an instance, 0 by default.
+   * @throws FurrowError when there are fewer values than names, no such instance, or the wrinkles were disposed of.
    */
   setActivations(names: readonly string[], values: Float32Array, instance = 0): void {
-    const { activations, resting } = this.faces[instance]
+    this.checkInUse('setActivations')
+    if (!Array.isArray(names) || !(values?.length >= names.length)) {
+      throw wrongArgument(
+        'Wrinkles.setActivations',
+        'values',
+        values?.length,
+        `one for each of ${names?.length} names`,
+      )
+    }
+    const { activations, resting } = this.#faceOf(instance, 'setActivations')
     activations.setNamed(names, values)
     resting.setNamed(names, values, this.#drivers?.plan.movedAreas)
   }
@@ -90,17 +121,18 @@ export abstract class WrinkleFaces<Engine = unknown> {
    * @throws FurrowError when no area has that name.
    */
   getActivation(area: string, instance = 0): number {
-    return this.faces[instance].activations.get(area)
+    return this.#faceOf(instance, 'getActivation').activations.get(area)
   }
 
   /**
    * Sets an area's activation at rest, to which drivers add. Animations of a file do this.
    *
    * @param value 0..1; clamped, with one warning.
-   * @throws FurrowError when no area has that name.
+   * @throws FurrowError when no area has that name, the value is no number, there is no such instance, or the wrinkles were disposed of.
    */
   setRestingActivation(area: string, value: number, instance = 0): void {
-    this.faces[instance].setResting(area, value)
+    this.checkInUse('setRestingActivation')
+    this.#faceOf(instance, 'setRestingActivation').setResting(area, value)
   }
 
   /**
@@ -109,7 +141,7 @@ export abstract class WrinkleFaces<Engine = unknown> {
    * @throws FurrowError when no area has that name.
    */
   getRestingActivation(area: string, instance = 0): number {
-    return this.faces[instance].resting.get(area)
+    return this.#faceOf(instance, 'getRestingActivation').resting.get(area)
   }
 
   /**
@@ -122,6 +154,7 @@ export abstract class WrinkleFaces<Engine = unknown> {
 
   /** Replaces the drivers. @internal */
   setDrivers(drivers: DriverRuntime<Engine>): void {
+    this.checkInUse('setDrivers')
     this.#drivers = drivers
   }
 
@@ -142,13 +175,33 @@ export abstract class WrinkleFaces<Engine = unknown> {
 
   /** Registers a function to be called by `dispose`. */
   onDispose(dispose: () => void): void {
+    if (typeof dispose !== 'function') {
+      throw wrongArgument('Wrinkles.onDispose', 'what to call', dispose, 'a function')
+    }
     this.#disposers.push(dispose)
   }
 
   /** Calls the functions registered by `onDispose`, and drops the drivers. */
   dispose(): void {
+    this.#isDisposed = true
     for (const dispose of this.#disposers.splice(0)) dispose()
     this.#drivers = null
+  }
+
+  /** @throws FurrowError when the wrinkles were disposed of. */
+  protected checkInUse(method: string): void {
+    if (!this.#isDisposed) return
+    throw new FurrowError({
+      who: `Wrinkles.${method}`,
+      what: 'the wrinkles were disposed of',
+      remedy: 'create new ones for the mesh',
+    })
+  }
+
+  #faceOf(instance: number, method: string): Face {
+    const face = this.faces[instance]
+    if (!face) checkInstance(instance, this.faces.length, `Wrinkles.${method}`)
+    return face
   }
 
   #isMoved(area: string): boolean {

@@ -1,5 +1,6 @@
 import { BufferAttribute, type BufferGeometry, DynamicDrawUsage, type Mesh } from 'three'
 import { DeformedNormals } from '../math/deformed-normals.ts'
+import { checkNormals } from './check-mesh.ts'
 import { coordinates, copyNumbers, targetOffsets, trianglesOf } from './sources/geometry-arrays.ts'
 
 /** The vertices that a blendshape moves. */
@@ -30,8 +31,12 @@ export class RecomputedNormals {
   /** Weights that the normals were last computed for. */
   readonly #weights: Float32Array
 
-  /** @param mesh with normals; without blendshapes `update` does nothing. */
+  /**
+   * @param mesh with normals; without blendshapes `update` does nothing.
+   * @throws FurrowError when it is no mesh, or has no normals.
+   */
   constructor(mesh: Mesh) {
+    checkNormals(mesh, 'RecomputedNormals')
     this.#mesh = mesh
     this.#before = mesh.geometry
     this.#geometry = mesh.geometry.clone()

@@ -1,4 +1,5 @@
 import { type Mesh, NumberKeyframeTrack } from 'three'
+import { wrongArgument } from '../core/argument.ts'
 import { sentence } from '../core/error.ts'
 import type { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
 
@@ -13,6 +14,7 @@ export type AnimatedAreas = Record<string, { activation: number }>
  * @param area name of the area.
  * @param times seconds, increasing.
  * @param values 0..1, one per time, interpolated linearly.
+ * @throws FurrowError when it is no mesh, the area no text, or there are not as many values as times.
  */
 export function activationTrack(
   mesh: Mesh,
@@ -20,6 +22,11 @@ export function activationTrack(
   times: ArrayLike<number>,
   values: ArrayLike<number>,
 ): NumberKeyframeTrack {
+  if (!mesh?.uuid) throw wrongArgument('activationTrack', 'a mesh', mesh, 'a Mesh of three.js')
+  if (typeof area !== 'string') throw wrongArgument('activationTrack', 'an area', area, 'a name')
+  if (!(times?.length > 0) || times.length !== values?.length) {
+    throw wrongArgument('activationTrack', 'values', values?.length, `one for each of ${times?.length} times`)
+  }
   const name = `${mesh.name || mesh.uuid}.wrinkles[${area}].activation`
   return new NumberKeyframeTrack(name, Array.from(times), Array.from(values))
 }
@@ -39,6 +46,7 @@ function animatedArea(wrinkles: WrinkleFaces<never>, name: string): { activation
       return wrinkles.hasArea(name) ? wrinkles.getRestingActivation(name) : 0
     },
     set activation(value) {
+      if (wrinkles.isDisposed) return
       // Cubic splines may overshoot.
       if (wrinkles.hasArea(name)) wrinkles.setRestingActivation(name, Math.min(Math.max(value, 0), 1))
       else if (!hasWarned) {

@@ -1,27 +1,42 @@
 import type { Mesh } from 'three'
+import { wrongArgument } from '../core/argument.ts'
 import { FurrowError } from '../core/error.ts'
 import { instancesOf } from './instances.ts'
 
 /**
  * Checks that a mesh has positions, normals and UVs.
  *
- * @throws FurrowError when one is missing.
+ * @throws FurrowError when one is missing, or it is no mesh.
  */
 export function checkMesh(mesh: Mesh): void {
+  checkIsMesh(mesh, 'Wrinkles')
   for (const [attribute, remedy] of [
     ['position', 'give the mesh its vertices first'],
     ['uv', 'unwrap the mesh: areas and layers are in its UV layout'],
     ['normal', 'call geometry.computeVertexNormals() first'],
   ] as const) {
-    if (mesh?.geometry?.hasAttribute(attribute)) continue
+    if (mesh.geometry.hasAttribute(attribute)) continue
     throw new FurrowError({
       who: 'Wrinkles',
       what: `mesh without ${attribute}`,
-      value: mesh?.name ?? mesh,
+      value: mesh.name,
       limit: 'a mesh with positions, normals and UVs',
       remedy,
     })
   }
+}
+
+/** @throws FurrowError when something is no mesh of three.js. */
+export function checkIsMesh(mesh: Mesh, who: string): void {
+  if (!mesh?.isMesh || !mesh.geometry) throw wrongArgument(who, 'a mesh', mesh, 'a Mesh of three.js')
+}
+
+/** @throws FurrowError when something is no mesh, or one without positions and normals. */
+export function checkNormals(mesh: Mesh, who: string): void {
+  checkIsMesh(mesh, who)
+  const { attributes } = mesh.geometry
+  if (attributes.position && attributes.normal) return
+  throw wrongArgument(who, 'a mesh without positions or normals', mesh.name, 'one with both')
 }
 
 /**

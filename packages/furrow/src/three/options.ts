@@ -1,4 +1,5 @@
-import { DEFAULT_AREA_SIZE } from '../core/limits.ts'
+import { wrongArgument } from '../core/argument.ts'
+import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE } from '../core/limits.ts'
 
 /**
  * `default` mixes normals and lights once; `paper` lights twice and mixes colours; `composed` draws the mixed normals into a texture
@@ -24,4 +25,21 @@ export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = {
   mode: 'default',
   areaSize: DEFAULT_AREA_SIZE,
   fadeBelow: 0,
+}
+
+const MODES: readonly WrinkleMode[] = ['default', 'paper', 'composed', 'off']
+
+/** @throws FurrowError when it is none. */
+export function checkMode(mode: WrinkleMode): void {
+  if (!MODES.includes(mode)) throw wrongArgument('Wrinkles.mode', 'unknown mode', mode, MODES.join(', '))
+}
+
+/** @throws FurrowError at the first option that is not what it must be. */
+export function checkOptions({ mode, areaSize, fadeBelow }: Required<WrinklesOptions>): void {
+  checkMode(mode)
+  if (!(Number.isInteger(areaSize) && areaSize >= 2 && areaSize <= MAX_IMAGE_SIDE)) {
+    throw wrongArgument('Wrinkles', 'areaSize', areaSize, `2 to ${MAX_IMAGE_SIDE} texels`)
+  }
+  if (!(fadeBelow >= 0 && fadeBelow < Infinity))
+    throw wrongArgument('Wrinkles', 'fadeBelow', fadeBelow, '0 pixels or more')
 }

@@ -1,4 +1,5 @@
 import type { Camera, Material, Mesh } from 'three'
+import { wrongArgument } from '../core/argument.ts'
 import type { Area, ArraySlice, WrinkleSet } from '../core/types.ts'
 import { checkArea, checkWrinkleSet } from '../core/wrinkle-set.ts'
 import type { Cell } from '../runtime/atlas-cells.ts'
@@ -7,7 +8,7 @@ import { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
 import { exposeAreas } from './animated-areas.ts'
 import { createAreaArray } from './atlas/area-array.ts'
 import type { InfluenceAtlas } from './atlas/influence-atlas.ts'
-import { checkMesh } from './check-mesh.ts'
+import { checkIsMesh, checkMesh } from './check-mesh.ts'
 import { frameOf, type RendererFrame } from './frame.ts'
 import { countFaces, instancesOf } from './instances.ts'
 import { ActivationTable } from './material/activation-table.ts'
@@ -16,7 +17,13 @@ import type { RendererParts } from './material/renderer-parts.ts'
 import { createShaderInputs, locateCells, type ShaderInputs } from './material/shader-inputs.ts'
 import { release, retain } from './material/texture-users.ts'
 import { createTextures, listTextures } from './material/wrinkle-textures.ts'
-import { WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from './options.ts'
+import {
+  checkMode,
+  checkOptions,
+  WRINKLES_DEFAULTS,
+  type WrinkleMode,
+  type WrinklesOptions,
+} from './options.ts'
 import { type AnyRenderer, rendererProblem } from './renderer.ts'
 import { sizeOnScreen } from './size-on-screen.ts'
 
@@ -67,7 +74,9 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
       source instanceof WrinklesBase
         ? [{ layers: source.#inputs.textures.layers, areas: source.areas }, source.#inputs, source.#options]
         : [source, null, null]
+    if (source instanceof WrinklesBase) source.checkInUse('set')
     const allOptions = { ...WRINKLES_DEFAULTS, ...own, ...options }
+    checkOptions(allOptions)
     checkWrinkleSet(set, 'Wrinkles')
     checkMesh(mesh)
     const material = checkMaterial(mesh)
@@ -102,9 +111,12 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    * Changes how wrinkles are shown; the material's program is recompiled. The composed mode shows normals only, and does not fade.
    *
    * @throws FurrowError when the mode is not possible: `paper` with more than one layer, or with maps of the material that
-   *   cannot be read or differ in size; `paper` and `composed` for instances. The mode then stays as it was.
+   *   cannot be read or differ in size; `paper` and `composed` for instances; `paper` for a material that cannot be patched. The mode then
+   *   stays as it was.
    */
   set mode(mode: WrinkleMode) {
+    this.checkInUse('mode')
+    checkMode(mode)
     if (mode !== this.mode) this.#material.show(mode)
   }
 
@@ -120,6 +132,10 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    * @param renderer also draws the influence maps. Without one, inputs that only a renderer can measure keep their last value.
    */
   update(renderer: AnyRenderer | null = null): void {
+    this.checkInUse('update')
+    if (renderer !== null && typeof renderer?.render !== 'function') {
+      throw wrongArgument('Wrinkles.update', 'a renderer', renderer, 'one of three.js, or null')
+    }
     const problem = renderer && rendererProblem(renderer, this.#renderer.entry, 'Wrinkles')
     if (problem) throw problem
     this.#frame.update(this.#entry, renderer)
@@ -131,6 +147,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    * @throws FurrowError when its name is taken, its image malformed or its layer unknown; nothing then changes.
    */
   addArea(area: Area): void {
+    this.checkInUse('addArea')
     checkArea(area, this.#inputs.textures.layers, 'Wrinkles.addArea')
     this.#replaceAreas([...this.areas, area], 'Wrinkles.addArea')
     for (const face of this.faces) face.setResting(area.name, area.activation ?? 0)
@@ -142,6 +159,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    * @throws FurrowError when no area has that name, or it is the last one.
    */
   removeArea(name: string): void {
+    this.checkInUse('removeArea')
     this.getActivation(name)
     this.#replaceAreas(
       this.areas.filter((area) => area.name !== name),
@@ -158,6 +176,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    * @throws FurrowError when no area has that name.
    */
   createInfluenceMaterial(area?: string | readonly string[]): Material {
+    this.checkInUse('createInfluenceMaterial')
     const table = area === undefined ? null : this.#extentOf([area].flat())
     const material = this.#material.influenceMaterial(table)
     if (!table) this.#influenceViews++
@@ -173,6 +192,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    * drawn first.
    */
   addMesh(mesh: Mesh): void {
+    this.checkInUse('addMesh')
+    checkIsMesh(mesh, 'Wrinkles.addMesh')
     const before = mesh.onBeforeRender
     // All parameters by name: a rest parameter would allocate in every frame.
     const prepare: Mesh['onBeforeRender'] = (renderer, scene, camera, geometry, material, group) => {
@@ -193,6 +214,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    * the others are the same.
    */
   cloneMaterial(): Material | Material[] {
+    this.checkInUse('cloneMaterial')
     return this.#material.clone()
   }
 
@@ -217,6 +239,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
 
   /** Restores the material, and frees the textures that no other face uses. */
   override dispose(): void {
+    if (this.isDisposed) return
     super.dispose()
     this.#frame.remove(this.#entry)
     this.#material.dispose()
@@ -241,7 +264,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
 
   /** Called before a mesh is drawn: runs the phases up to the influence, then sets what the mesh's shader reads. */
   #prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
-    if (this.#isRefused(renderer)) return
+    if (this.isDisposed || this.#isRefused(renderer)) return
     this.#material.settle(renderer)
     this.#inputs.fade.value = this.#fadeOf(mesh, camera, renderer)
     this.#frame.begin(this.#entry, renderer)

@@ -1,5 +1,5 @@
 // One surprised face: `?webgpu` draws it on WebGPURenderer, a click without its wrinkles.
-import { ExpressionPlayer, type WrinklesBase } from 'furrow/three'
+import { ExpressionPlayer, frameFace, type WrinklesBase } from 'furrow/three'
 import { DirectionalLight, PerspectiveCamera, Scene } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
@@ -12,7 +12,8 @@ const player = new ExpressionPlayer(face, wrinkles)
 player.play('surprised', 0)
 
 const scene = new Scene().add(face, new DirectionalLight('white', 3).translateX(-0.5).translateZ(1))
-const camera = new PerspectiveCamera(22, innerWidth / innerHeight, 0.01, 10).translateZ(1)
+const camera = new PerspectiveCamera(22, innerWidth / innerHeight)
+frameFace(camera, face)
 renderer.setSize(innerWidth, innerHeight)
 renderer.domElement.addEventListener('click', () => {
   wrinkles.mode = wrinkles.mode === 'off' ? 'default' : 'off'

@@ -1,8 +1,8 @@
-import { Box3, type Object3D, type PerspectiveCamera, Quaternion, type Sphere, Vector3 } from 'three'
+import { Box3, type Object3D, type PerspectiveCamera, Quaternion, Vector3 } from 'three'
 import { FurrowError } from '../../core/error.ts'
 import { wrinklesOf } from '../wrinkles-base.ts'
 import { type DrawnMesh, drawnMeshes } from './drawn-mesh.ts'
-import { headOfBlendshapes, headOfJoints } from './head-region.ts'
+import { type HeadRegion, headOfBlendshapes, headOfJoints } from './head-region.ts'
 
 /** From where a camera sees a face, and how near. */
 export interface FaceView {
@@ -48,7 +48,7 @@ export function frameFace(
   const meshes = wrinkled.length > 0 ? wrinkled : all
   const head = headOfBlendshapes(meshes) ?? headOfJoints(meshes)
   const turn = turnOf(head?.front ?? new Vector3(), face)
-  const box = boundsOf(head?.meshes ?? meshes, turn, head?.sphere)
+  const box = head ? headBounds(head, turn) : boundsOf(meshes, turn)
   if (box.isEmpty()) throw noTriangles(face)
 
   const size = box.getSize(new Vector3())
@@ -87,15 +87,25 @@ function turnOf(front: Vector3, face: Object3D): Quaternion {
   return new Quaternion().setFromAxisAngle(UP, Math.abs(angle - axis) < AXIS_TOLERANCE ? axis : angle)
 }
 
-/** Bounds of the vertices within a sphere, or of all, turned so that the face looks along +Z. */
-function boundsOf(meshes: readonly DrawnMesh[], turn: Quaternion, sphere?: Sphere): Box3 {
+/** Bounds of the head and of the neck below it. Shoulders do not count: the picture may cut them off. */
+function headBounds({ meshes, sphere, chin }: HeadRegion, turn: Quaternion): Box3 {
+  const all = boundsOf(meshes, turn, (point) => sphere.containsPoint(point))
+  const box = boundsOf(meshes, turn, (point) => sphere.containsPoint(point) && point.y >= chin)
+  return box.set(box.min.setY(all.min.y), box.max.setY(all.max.y))
+}
+
+/** Bounds of the vertices that pass a test, turned so that the face looks along +Z. */
+function boundsOf(
+  meshes: readonly DrawnMesh[],
+  turn: Quaternion,
+  test: (point: Vector3) => boolean = () => true,
+): Box3 {
   const back = turn.clone().invert()
   const box = new Box3()
   const point = new Vector3()
   for (const { positions, used } of meshes) {
     for (const vertex of used) {
-      point.fromArray(positions, 3 * vertex)
-      if (!sphere || sphere.containsPoint(point)) box.expandByPoint(point.applyQuaternion(back))
+      if (test(point.fromArray(positions, 3 * vertex))) box.expandByPoint(point.applyQuaternion(back))
     }
   }
   return box

@@ -17,6 +17,8 @@ export interface HeadRegion {
   /** The meshes that have a part in it. */
   meshes: DrawnMesh[]
   sphere: Sphere
+  /** Height of the chin, below which shoulders may be wider than the head; -Infinity if unknown. */
+  chin: number
   /** Where the face looks: the mean normal of its surface, whose length is 1 where all triangles look there, and 0 if unknown. */
   front: Vector3
 }
@@ -41,8 +43,9 @@ export function headOfBlendshapes(meshes: readonly DrawnMesh[]): HeadRegion | un
     return isMoved.includes(1)
   })
   if (moved.length === 0) return undefined
+  const box = commonBox([...boxes.values()])
   const front = total.normal.divideScalar(total.area || 1)
-  return { meshes: moved, sphere: sphereOf(commonBox([...boxes.values()]), HEAD_RADII.blendshapes), front }
+  return { meshes: moved, sphere: sphereOf(box, HEAD_RADII.blendshapes), chin: box.min.y, front }
 }
 
 /** The head that a joint named `Head`, `mixamorigHead` or the like and those below it move; undefined where there is none. */
@@ -54,7 +57,7 @@ export function headOfJoints(meshes: readonly DrawnMesh[]): HeadRegion | undefin
     return vertices.length > 0
   })
   if (moved.length === 0) return undefined
-  return { meshes: moved, sphere: sphereOf(box, HEAD_RADII.joint), front: new Vector3() }
+  return { meshes: moved, sphere: sphereOf(box, HEAD_RADII.joint), chin: -Infinity, front: new Vector3() }
 }
 
 /** A box of no size, of a blendshape that moves one vertex, tells nothing of the head's. */

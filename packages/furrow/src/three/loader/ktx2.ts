@@ -2,6 +2,8 @@ import { ClampToEdgeWrapping, CompressedArrayTexture, type CompressedTexture, Li
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { FurrowError } from '../../core/error.ts'
+import { type Ktx2Header, readKtx2Header } from '../../core/ktx2-header.ts'
+import { texturesOfFace } from '../../core/map-rules.ts'
 import { WRINKLE_MAPS } from '../../core/wrinkle-maps.ts'
 import type { ArrayTexture } from '../material/array-texture.ts'
 import { requireInternal } from '../three-version.ts'
@@ -93,6 +95,7 @@ async function loadArray(parser: GLTFParser, index: number, loader: KTX2Loader):
       remedy: 'pack the file again',
     })
   }
+  const header = await headerOf(parser, source, index)
   const loaded = (await parser.loadTextureImage(index, source, loader)) as CompressedTexture | null
   const texture = loaded && asArray(loaded)
   if (!texture) {
@@ -107,7 +110,28 @@ async function loadArray(parser: GLTFParser, index: number, loader: KTX2Loader):
   }
   texture.wrapS = texture.wrapT = ClampToEdgeWrapping
   texture.magFilter = LinearFilter
+  if (header) texture.userData.ktx2 = header
   return texture
+}
+
+/**
+ * Checks the header before anything is decoded. Undefined for an image in a file of its own, which only the loader reads.
+ *
+ * @throws FurrowError when the image is not one that KHR_texture_basisu allows, or an array that the plain face uses as an image.
+ */
+async function headerOf(parser: GLTFParser, source: number, index: number): Promise<Ktx2Header | undefined> {
+  const { bufferView } = parser.json.images?.[source] ?? {}
+  if (bufferView === undefined) return undefined
+  const who = `${WRINKLE_MAPS} texture ${index}`
+  const header = readKtx2Header(new Uint8Array(await parser.getDependency('bufferView', bufferView)), who)
+  const { materials, extensions } = parser.json
+  if (header.slices === 0 || !texturesOfFace([materials, extensions]).has(index)) return header
+  throw new FurrowError({
+    who,
+    what: 'an array, and a texture info without a slice refers to it',
+    value: `${header.slices} slices`,
+    remedy: 'give the plain face an image of its own',
+  })
 }
 
 /** `KTX2Loader` returns an array of one slice as a plain texture. */

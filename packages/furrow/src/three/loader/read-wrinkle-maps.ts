@@ -10,8 +10,10 @@ import {
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import { CHANNEL, channelOf } from '../../core/channels.ts'
 import { FurrowError } from '../../core/error.ts'
+import { mapProblems, type TextureShape } from '../../core/map-rules.ts'
 import type { Area, ArraySlice, GrayImage, Layer, RgbaImage, WrinkleSet } from '../../core/types.ts'
 import {
+  checkDeclared,
   type MapsAndAreas,
   type TextureReference,
   WRINKLE_MAPS,
@@ -88,6 +90,7 @@ function extensionOf(material: Material, parser: Parser): object | undefined {
 }
 
 async function readSet(maps: MapsAndAreas, parser: Parser): Promise<WrinkleSet<ArraySlice>> {
+  checkDeclared(parser.json, WRINKLE_MAPS)
   const source = new MapSource(parser)
   const layers = await Promise.all(maps.layers.map((layer) => readLayer(layer, source)))
   const areas = maps.areas.map(
@@ -100,6 +103,8 @@ async function readSet(maps: MapsAndAreas, parser: Parser): Promise<WrinkleSet<A
     }),
   )
   const set = { layers, areas: await Promise.all(areas) }
+  const [problem] = mapProblems(maps, await source.shapes(), WRINKLE_MAPS)
+  if (problem) throw new FurrowError(problem)
   // Most files have no KTX 2 images: what only these need is fetched when one appears.
   return source.hasSlices ? (await import('./join-arrays.ts')).joinArrays(set) : set
 }
@@ -137,6 +142,15 @@ class MapSource {
 
   get hasSlices(): boolean {
     return this.#arrays.size > 0
+  }
+
+  /** What the images and arrays are that were read. */
+  async shapes(): Promise<(texture: number) => TextureShape> {
+    const images = [...this.#images].map(async ([index, image]) => [index, await image] as const)
+    const arrays = [...this.#arrays].map(async ([index, array]) => [index, shapeOf(await array)] as const)
+    const shapes = new Map<number, TextureShape>(await Promise.all([...images, ...arrays]))
+    // biome-ignore lint/style/noNonNullAssertion: all textures that are drawn have been read.
+    return (texture) => shapes.get(texture)!
   }
 
   async colours(info: TextureReference, space?: ColorSpace): Promise<RgbaImage | ArraySlice> {
@@ -184,6 +198,13 @@ class MapSource {
       remedy: 'pack the file again',
     })
   }
+}
+
+/** The header was checked when the array was loaded; what it became tells the rest. */
+function shapeOf({ image, mipmaps, format, userData }: ArrayTexture): TextureShape {
+  const { width, height, depth } = image
+  const layout = `format ${format}, ${mipmaps?.length} levels`
+  return { width, height, slices: depth, layout, ...userData.ktx2 }
 }
 
 /** Whether a texture is read as KTX 2: it has no other image, or the loader can read KTX 2 and prefers it. */

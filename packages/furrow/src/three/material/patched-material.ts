@@ -48,6 +48,8 @@ export class PatchedMaterial {
     this.#inputs = inputs
     this.#renderer = renderer
     this.#flat = material.normalMap ? null : flatNormalTexture()
+    // three.js writes the name into a line of the shader, which another line end, or a backslash before its own, would break.
+    material.name &&= material.name.replace(/[\r\n\\]/g, ' ')
     patchedMaterials.add(material)
   }
 
@@ -89,7 +91,7 @@ export class PatchedMaterial {
   settle(renderer: AnyRenderer): void {
     if (this.mode === 'off') return
     try {
-      if (this.mode !== 'composed' && !this.#isPatchable) this.show('default')
+      if (this.#isRefused && this.mode !== 'composed') this.show('default')
       this.#checkShader(renderer)
     } catch (error) {
       this.show('off')

@@ -1,3 +1,5 @@
+import { wrongArgument } from '../../core/argument.ts'
+import { FurrowError } from '../../core/error.ts'
 import { driversOf, type WrinkleDriver } from '../../drivers/registry.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { BINDINGS, bindDrivers } from './bind-drivers.ts'
@@ -19,13 +21,37 @@ export type AddDrivers = (
  * @param wrinkles of the face.
  * @param drivers as in a file. Unknown types are left out with a warning, as are targets, joints and areas that do not exist.
  * @param options a VRM's expressions.
+ * @throws FurrowError when the wrinkles are none or were disposed of, or a driver is not as `parseDrivers` reads it.
  */
 export const addDrivers: AddDrivers = addDriversBy(BINDINGS)
 
 /** `addDrivers` with a renderer's ways to read inputs. */
 export function addDriversBy(bindings: InputBindings): AddDrivers {
   return (wrinkles, drivers, options = {}) => {
-    addMuscles(wrinkles.mesh, driversOf('muscle', drivers))
-    bindDrivers(wrinkles, drivers, () => options, bindings).bind()
+    if (!wrinkles?.mesh)
+      throw wrongArgument('addDrivers', 'wrinkles', wrinkles, 'an object of class Wrinkles')
+    if (!Array.isArray(drivers) || !drivers.every((driver) => typeof driver?.type === 'string')) {
+      throw wrongArgument('addDrivers', 'drivers', drivers, 'a list of objects with a type')
+    }
+    try {
+      addMuscles(wrinkles.mesh, driversOf('muscle', drivers))
+      bindDrivers(wrinkles, drivers, () => options ?? {}, bindings).bind()
+    } catch (error) {
+      if (!(error instanceof TypeError)) throw error
+      throw malformed(drivers, error)
+    }
   }
+}
+
+/** Drivers made by hand may lack what a file's cannot. */
+function malformed(drivers: readonly WrinkleDriver[], cause: TypeError): FurrowError {
+  return new FurrowError(
+    {
+      who: 'addDrivers',
+      what: 'a driver lacks fields, or they have the wrong type',
+      value: drivers.map(({ type }) => type).join(', '),
+      remedy: 'read them by parseDrivers, which fills in defaults and says what is wrong',
+    },
+    { cause },
+  )
 }

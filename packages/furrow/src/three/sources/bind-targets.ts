@@ -1,4 +1,5 @@
 import type { Mesh, Object3D } from 'three'
+import { wrongArgument } from '../../core/argument.ts'
 import { FurrowError } from '../../core/error.ts'
 import { targetFinder } from '../../drivers/morph/target-names.ts'
 import type { TargetBinding } from '../../runtime/target-binding.ts'
@@ -6,9 +7,11 @@ import type { TargetBinding } from '../../runtime/target-binding.ts'
 /**
  * Finds the morph targets with some names, in any spelling that `findTargets` knows, on all meshes under an object.
  *
- * @throws FurrowError when no mesh has morph targets.
+ * @throws FurrowError when no mesh has morph targets, or the object is none of three.js.
  */
 export function bindTargets(face: Object3D, names: readonly string[], who: string): TargetBinding[] {
+  if (typeof face?.traverse !== 'function')
+    throw wrongArgument(who, 'a face', face, 'an Object3D of three.js')
   const bindings: TargetBinding[] = []
   let meshes = 0
   face.traverse((object) => {

@@ -1,7 +1,9 @@
 import { BufferAttribute, type BufferGeometry, type Mesh } from 'three'
+import { wrongArgument } from '../../core/argument.ts'
 import type { MuscleDriver } from '../../drivers/muscle/definition.ts'
 import { muscleOffsets } from '../../drivers/muscle/offsets.ts'
 import { morphNormalDeltas } from '../../math/deformed-normals.ts'
+import { checkIsMesh } from '../check-mesh.ts'
 import { coordinates, targetOffsets, trianglesOf } from './geometry-arrays.ts'
 
 /**
@@ -10,8 +12,11 @@ import { coordinates, targetOffsets, trianglesOf } from './geometry-arrays.ts'
  *
  * @param mesh in the space of the muscles; its geometry is changed, for all meshes that use it.
  * @param muscles drivers of type `muscle`, see `driversOf`.
+ * @throws FurrowError when it is no mesh, or the muscles are no list.
  */
 export function addMuscles(mesh: Mesh, muscles: readonly MuscleDriver[]): void {
+  checkIsMesh(mesh, 'addMuscles')
+  if (!Array.isArray(muscles)) throw wrongArgument('addMuscles', 'muscles', muscles, 'a list of drivers')
   if (muscles.length === 0) return
   const { geometry } = mesh
   mesh.morphTargetDictionary ??= {}

@@ -57,8 +57,6 @@ const patch: RendererParts['patch'] = (material, inputs, mode, instances, refuse
     if (instances && !paper) shader.vertexShader = instancedVertex(shader.vertexShader, instances)
     // Not into the object itself: a ShaderMaterial's is its own, which its copies copy.
     shader.uniforms = { ...shader.uniforms, ...uniforms }
-    // three.js writes the material's name into a line of the shader.
-    shader.shaderName = shader.shaderName.replace(/\s|\\/g, ' ')
   }
   const key = paper ? `paper ${areas.channels} ${paper.diffuseIsSrgb}` : JSON.stringify(variant)
   material.customProgramCacheKey = () => `${customProgramCacheKey.call(material)} furrow ${key}`

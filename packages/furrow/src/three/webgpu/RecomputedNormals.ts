@@ -1,5 +1,7 @@
 import type { Mesh } from 'three'
 import type { WebGPURenderer } from 'three/webgpu'
+import { wrongArgument } from '../../core/argument.ts'
+import { checkNormals } from '../check-mesh.ts'
 import { RecomputedNormals as NormalsOnProcessor } from '../RecomputedNormals.ts'
 import { canCompute } from './buffers.ts'
 import { ComputedNormals } from './computed-normals.ts'
@@ -14,16 +16,30 @@ export class RecomputedNormals {
   readonly #mesh: Mesh
   #normals: ComputedNormals | NormalsOnProcessor | null = null
 
-  /** @param mesh with normals; without blendshapes `update` changes nothing. */
+  /**
+   * @param mesh with normals; without blendshapes `update` changes nothing.
+   * @throws FurrowError when it is no mesh, or has no normals.
+   */
   constructor(mesh: Mesh) {
+    checkNormals(mesh, 'RecomputedNormals')
     this.#mesh = mesh
   }
 
   /**
    * Updates normals and tangents to the mesh's blendshapes; call it in every frame, before the mesh is drawn. It does nothing while no
    * weight changes, and before the renderer is initialised.
+   *
+   * @throws FurrowError when it is not a WebGPURenderer.
    */
   update(renderer: WebGPURenderer): void {
+    if (typeof renderer?.hasInitialized !== 'function') {
+      throw wrongArgument(
+        'RecomputedNormals of furrow/webgpu',
+        'a renderer',
+        (renderer as object | null)?.constructor.name,
+        'WebGPURenderer',
+      )
+    }
     if (!renderer.hasInitialized()) return
     this.#normals ??= canCompute(renderer)
       ? new ComputedNormals(this.#mesh)

@@ -1,0 +1,45 @@
+import { drawUvLayout } from 'furrow/author'
+import sharp from 'sharp'
+import type { FoundSkin } from '../auto/find-skin.ts'
+import type { Glb } from '../gltf/glb-file.ts'
+import { pixelsOf } from '../gltf/texture-pixels.ts'
+
+/**
+ * Draws the UV layout of a skin over its base colour, where that is in the same layout.
+ *
+ * @param size side in texels.
+ * @returns RGBA, size x size texels.
+ * @throws FurrowError when the base colour cannot be decoded.
+ */
+export async function drawSkinLayout(
+  glb: Glb,
+  { skin, material }: FoundSkin,
+  size: number,
+  who: string,
+): Promise<Uint8Array> {
+  const base = await baseColour(glb, material, size, who)
+  const { data } = drawUvLayout(skin, size, base && { base: { width: size, height: size, data: base } })
+  return data
+}
+
+async function baseColour(
+  glb: Glb,
+  index: number,
+  size: number,
+  who: string,
+): Promise<Uint8Array | undefined> {
+  const { pbrMetallicRoughness, normalTexture } = glb.json.materials?.[index] ?? {}
+  const texture = pbrMetallicRoughness?.baseColorTexture
+  const isSame = JSON.stringify(layoutOf(texture)) === JSON.stringify(layoutOf(normalTexture ?? texture))
+  if (!texture || !isSame) return undefined
+  const { width, height, channels, data } = await pixelsOf(glb, texture, who)
+  const image = sharp(data, { raw: { width, height, channels } })
+    .removeAlpha()
+    .resize(size, size, { fit: 'fill' })
+  return image.toColourspace('srgb').ensureAlpha().raw().toBuffer()
+}
+
+/** The texture coordinates and transform of a texture info. */
+function layoutOf(info: { texCoord?: number; extensions?: Record<string, unknown> } = {}) {
+  return [info.texCoord ?? 0, info.extensions?.KHR_texture_transform]
+}

@@ -1,0 +1,239 @@
+import { readFileSync } from 'node:fs'
+import type { Command } from 'commander'
+import sharp from 'sharp'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { checkContentSize } from '../../../packages/cli/src/array/zstd.ts'
+import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
+import { bakeCommand } from '../../../packages/cli/src/commands/bake.ts'
+import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
+import { normalsCommand } from '../../../packages/cli/src/commands/normals.ts'
+import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
+import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
+import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
+import { costProblem, decodingProblem } from '../../../packages/cli/src/gltf/check-document.ts'
+import { shapeProblem } from '../../../packages/cli/src/gltf/glb-shape.ts'
+import { flatPng } from '../../fuzz/damage-images.ts'
+import { type Anything, joinGlb, setImage, splitGlb } from '../../fuzz/glb-parts.ts'
+import { faceBytes, jsonOf, Workshop, withJson } from './workshop.ts'
+
+const shop = new Workshop()
+let face: Buffer
+let folder = ''
+
+beforeAll(async () => {
+  face = Buffer.from(await faceBytes())
+  folder = await shop.makeFolder('face')
+  await shop.run(packCommand, folder, '-o', shop.path('packed.glb'))
+})
+
+const FILE_BYTES = 4000
+
+/** What is wrong with the face, once its JSON was changed. */
+function problem(change: (json: Anything) => unknown): string | undefined {
+  const json = jsonOf(face)
+  change(json)
+  const binary = splitGlb(face).bin.length
+  return shapeProblem(json) ?? costProblem(json, FILE_BYTES) ?? decodingProblem(json, binary)
+}
+
+const chain = (length: number) => (json: Anything) => {
+  const first = json.nodes.length
+  for (let i = 1; i < length; i++) json.nodes.push({ children: [first + i] })
+  json.nodes.push({})
+}
+
+const sparse = (count: number) => ({
+  count,
+  indices: { bufferView: 0, componentType: 5123 },
+  values: { bufferView: 0 },
+})
+
+describe('numbers are checked before anything is decoded', () => {
+  it('finds nothing wrong with a whole face', () => {
+    expect(problem(() => {})).toBeUndefined()
+  })
+
+  it.each<[string, (json: Anything) => unknown, string]>([
+    [
+      'a sparse count of a billion',
+      (json) => Object.assign(json.accessors[0], { sparse: sparse(1e9) }),
+      'accessors[0]',
+    ],
+    [
+      'a sparse offset beyond',
+      (json) =>
+        Object.assign(json.accessors[0], {
+          sparse: { ...sparse(1), values: { bufferView: 0, byteOffset: 1e6 } },
+        }),
+      'accessors[0].sparse.values',
+    ],
+    [
+      'a stride of half a byte',
+      (json) => Object.assign(json.bufferViews[0], { byteStride: 0.5 }),
+      'bufferViews[0]',
+    ],
+    [
+      'a stride of 1',
+      (json) => Object.assign(json.bufferViews[json.accessors[0].bufferView], { byteStride: 1 }),
+      'accessors[0]',
+    ],
+    ['a count of 1e308', (json) => Object.assign(json.accessors[0], { count: 1e308 }), 'accessors[0]'],
+    ['a count beyond the view', (json) => Object.assign(json.accessors[0], { count: 4000 }), 'accessors[0]'],
+    [
+      'a count of zeros without a view',
+      (json) => json.accessors.push({ componentType: 5126, type: 'VEC3', count: 1e8 }),
+      'decode to 1201 MB',
+    ],
+    [
+      'a component type',
+      (json) => Object.assign(json.accessors[0], { componentType: 5124 }),
+      'component type 5124',
+    ],
+    [
+      'an offset that is not aligned',
+      (json) => Object.assign(json.accessors[0], { byteOffset: 2, count: 1 }),
+      'aligned',
+    ],
+    [
+      'a view beyond the buffer',
+      (json) => Object.assign(json.bufferViews[0], { byteLength: 1e9 }),
+      'bufferViews[0]',
+    ],
+    [
+      'a view of a buffer without bytes',
+      (json) => json.buffers.push({ byteLength: 99 }) && Object.assign(json.bufferViews[0], { buffer: 1 }),
+      'bufferViews[0]',
+    ],
+    [
+      'many triangles of few bytes',
+      (json) =>
+        json.meshes[0].primitives.push(
+          ...Array(1000).fill({
+            attributes: json.meshes[0].primitives[0].attributes,
+            indices: json.accessors.push({ componentType: 5125, type: 'SCALAR', count: 4500 }) - 1,
+          }),
+        ),
+      'triangles',
+    ],
+    [
+      'many primitives of one accessor',
+      (json) =>
+        json.meshes[0].primitives.push(
+          ...Array(5000).fill({
+            attributes: {
+              POSITION: json.accessors.push({ componentType: 5126, type: 'VEC3', count: 30_000 }) - 1,
+            },
+            indices: 0,
+          }),
+        ),
+      'decode to',
+    ],
+    ['a chain of 20,000 nodes', chain(20_000), 'more than 256 ancestors'],
+    [
+      'a node that is its own child',
+      (json) => Object.assign(json.nodes[0], { children: [0] }),
+      'own ancestors',
+    ],
+    [
+      'a node with two parents',
+      (json) => json.nodes.push({ children: [0] }, { children: [0] }),
+      'two parents',
+    ],
+    [
+      'a mesh that does not exist',
+      (json) => Object.assign(json.nodes[0], { mesh: 9 }),
+      'nodes[0].mesh is 9, of 2',
+    ],
+    [
+      'an accessor that does not exist',
+      (json) => Object.assign(json.meshes[0].primitives[0].targets[0], { NORMAL: 99 }),
+      'targets[0].NORMAL is 99',
+    ],
+    [
+      'a texture that does not exist',
+      (json) => Object.assign(json.materials[0].normalTexture, { index: 99 }),
+      'normalTexture.index is 99',
+    ],
+    [
+      'an image that does not exist',
+      (json) => Object.assign(json.textures[0], { source: 99 }),
+      'textures[0].source is 99',
+    ],
+    ['a texture without an image', (json) => delete json.textures[0].source, 'textures[0] has no image'],
+    ['a root that does not exist', (json) => json.scenes[0].nodes.push(99), 'scenes[0].nodes is 99'],
+  ])('names %s', (_, change, message) => {
+    expect(problem(change)).toContain(message)
+  })
+
+  it('takes chains of nodes as skeletons have them', () => {
+    expect(problem(chain(200))).toBeUndefined()
+  })
+
+  it('takes zstandard data of the size that the header of its image gives, and no other', () => {
+    // RFC 8878, 3.1.1.1: a single segment with a content size of four bytes.
+    const frame = Uint8Array.of(0x28, 0xb5, 0x2f, 0xfd, 0xa0, 0, 0, 0, 0x40, ...Array(16).fill(0))
+    expect(() => checkContentSize(frame, 2 ** 30)).not.toThrow()
+    expect(() => checkContentSize(frame, 64)).toThrow('it has 1073741824 bytes instead of 64')
+  })
+})
+
+describe('commands refuse in one line', () => {
+  const out = () => shop.path('out.glb')
+  const refuse = async (message: string, command: Command, ...args: string[]) => {
+    const failure = await shop.failure(command, ...args)
+    expect(failure.name).toBe('FurrowError')
+    expect(failure.message).toContain(message)
+    expect(failure.message).not.toContain('\n')
+  }
+
+  it.each(['[', '{"a":'])('JSON 6,000 deep (%s)', async (open) => {
+    const close = open === '[' ? ']' : '}'
+    const parts = splitGlb(readFileSync(shop.path('packed.glb')))
+    parts.json.extras = 'deep'
+    const deep = open.repeat(6000) + (open === '[' ? '' : '1') + close.repeat(6000)
+    const path = shop.write('deep.glb', joinGlb(parts, JSON.stringify(parts.json).replace('"deep"', deep)))
+    const message = 'more than 128 levels deep'
+    await refuse(message, unpackCommand, path, '-o', shop.path('unpacked'))
+    await refuse(message, autoCommand, path, '-o', out())
+    await refuse(message, packCommand, folder, '--face', path, '-o', out())
+    await refuse(message, validateCommand, path)
+  })
+
+  it('a mesh without vertices in bake', async () => {
+    const json = jsonOf(face)
+    for (const accessor of json.accessors) accessor.count = 0
+    const empty = shop.write('empty.glb', withJson(face, json))
+    await refuse('no triangles', bakeCommand, shop.write('face.glb', face), empty, '-o', shop.path('out.png'))
+    await refuse('no triangles', bakeCommand, empty, shop.path('face.glb'), '-o', shop.path('out.png'))
+  })
+
+  it('images in other formats than the documented, by their first bytes', async () => {
+    const svg = Buffer.from('<svg xmlns="http://www.w3.org/2000/svg" width="64" height="64"/>')
+    const gif = await sharp(flatPng(64, 64)).gif().toBuffer()
+    for (const bytes of [svg, gif]) {
+      const path = shop.write('height.png', bytes)
+      await refuse(
+        'unsupported image format',
+        normalsCommand,
+        path,
+        '-o',
+        shop.path('out.png'),
+        '--strength',
+        '4',
+      )
+      const parts = setImage(splitGlb(readFileSync(shop.path('packed.glb'))), 4, bytes)
+      const packed = shop.write('other.glb', joinGlb(parts))
+      await refuse('unsupported image format', unpackCommand, packed, '-o', shop.path('unpacked'))
+      await refuse('unsupported image format', inspectCommand, packed, '--sheet', shop.path('out.png'))
+    }
+  })
+
+  it('a corrupt image, by its name', async () => {
+    const parts = splitGlb(readFileSync(shop.path('packed.glb')))
+    const { bufferView, name } = parts.json.images[4]
+    const { byteOffset, byteLength } = parts.json.bufferViews[bufferView]
+    parts.bin.fill(0, byteOffset + 60, byteOffset + byteLength)
+    const path = shop.write('corrupt.glb', joinGlb(parts))
+    await refuse(name, unpackCommand, path, '-o', shop.path('unpacked'))
+  })
+})

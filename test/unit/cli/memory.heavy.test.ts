@@ -1,0 +1,68 @@
+import { execFileSync } from 'node:child_process'
+import { readFileSync } from 'node:fs'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
+import { bundle } from '../../../scripts/lib/bundle.mjs'
+import { flatPng } from '../../fuzz/damage-images.ts'
+import { joinGlb, setImage, splitGlb } from '../../fuzz/glb-parts.ts'
+import type { RunCost } from '../../fuzz/run-command.ts'
+import { Workshop } from './workshop.ts'
+
+const MOST_MEGABYTES = 1024
+const MOST_SECONDS = 10
+
+const shop = new Workshop()
+let runner = ''
+let folder = ''
+
+beforeAll(async () => {
+  runner = await bundle('test/fuzz/run-command.ts')
+  folder = await shop.makeFolder('face')
+  await shop.run(packCommand, folder, '-o', shop.path('packed.glb'))
+  await shop.run(packCommand, folder, '--ktx2', '-o', shop.path('packed-array.glb'))
+})
+
+/** Runs a command in a process of its own. */
+function cost(...parameters: string[]): RunCost {
+  return JSON.parse(execFileSync(process.execPath, [runner, ...parameters], { encoding: 'utf8' }))
+}
+
+/** A packed face whose images are all others. */
+function withImages(name: string, change: (bytes: Buffer) => Buffer): string {
+  let parts = splitGlb(readFileSync(shop.path(name)))
+  for (const image of parts.json.images.keys()) {
+    const { byteOffset, byteLength } = parts.json.bufferViews[parts.json.images[image].bufferView]
+    parts = setImage(parts, image, change(parts.bin.subarray(byteOffset, byteOffset + byteLength)))
+  }
+  return shop.write('bomb.glb', joinGlb(parts))
+}
+
+const png = (side: number) => () => flatPng(side, side)
+
+/** Another size in the header of a KTX 2 image. */
+const ktx2 = (side: number, layers?: number) => (bytes: Buffer) => {
+  const out = Buffer.from(bytes)
+  out.writeUInt32LE(side, 20)
+  out.writeUInt32LE(side, 24)
+  if (layers !== undefined) out.writeUInt32LE(layers, 32)
+  return out
+}
+
+describe.each(['inspect', 'validate', 'unpack'])('%s takes at most 1 GB and 10 s for', (command) => {
+  it.each([
+    ['PNG images of 16,000 squared', () => withImages('packed.glb', png(16_000))],
+    ['PNG images of 8192 squared', () => withImages('packed.glb', png(8192))],
+    ['KTX 2 images of 16,384 squared', () => withImages('packed-array.glb', ktx2(16_384))],
+    ['KTX 2 images of 8192 squared', () => withImages('packed-array.glb', ktx2(8192, 1))],
+    ['KTX 2 arrays of 65,536 layers', () => withImages('packed-array.glb', ktx2(128, 65_536))],
+  ])('%s', (_, make) => {
+    const { megabytes, seconds, error } = cost(
+      command,
+      make(),
+      ...(command === 'unpack' ? ['-o', shop.path('out')] : []),
+    )
+    expect(megabytes).toBeLessThan(MOST_MEGABYTES)
+    expect(seconds).toBeLessThan(MOST_SECONDS)
+    if (error) expect(error.name).toBe('FurrowError')
+  })
+})

@@ -1,0 +1,134 @@
+import { readFileSync } from 'node:fs'
+import { readWrinkleMaps, Wrinkles } from 'furrow/three'
+import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
+import { afterAll, beforeAll, expect, it, vi } from 'vitest'
+import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
+import { decodeGlb } from '../../../packages/cli/src/gltf/glb-file.ts'
+import { checkWrinkles } from '../../../packages/cli/src/wrinkles/rules.ts'
+import { Random } from '../../fuzz/random.ts'
+import { mutate } from '../gltf/mutations.ts'
+import { loadInNode } from '../three/node-loader.ts'
+import { jsonOf, Workshop, withJson } from './workshop.ts'
+
+const NAME = 'FURROW_wrinkle_maps'
+const FILES = 600
+const shop = new Workshop()
+const bases: Uint8Array[] = []
+
+type Json = ReturnType<typeof jsonOf>
+
+beforeAll(async () => {
+  const folder = await shop.makeFolder('face')
+  for (const args of [[], ['--ktx2']]) {
+    await shop.run(packCommand, folder, '-o', shop.path('base.glb'), ...args)
+    bases.push(readFileSync(shop.path('base.glb')))
+  }
+})
+afterAll(() => vi.unstubAllGlobals())
+
+const JUNK = [
+  null,
+  0,
+  1,
+  -1,
+  1.5,
+  7,
+  99,
+  '',
+  'brow',
+  [],
+  {},
+  { index: 0 },
+  { index: 3 },
+  { index: 2, slice: 0 },
+]
+
+/** The textures of the wrinkles, which follow those of the plain face. */
+const own = (textures: Json[]) => textures.slice(4)
+
+/** Changes in the JSON around the extension that decide whether its maps can be read. */
+const AROUND: ((json: Json, random: Random) => unknown)[] = [
+  (json) => delete json.extensionsUsed,
+  (json, random) => Object.assign(random.pick<Json>(own(json.textures)), { source: random.int(12) }),
+  (json, random) => delete random.pick<Json>(own(json.textures)).source,
+  (json, random) => delete random.pick<Json>(own(json.textures)).extensions,
+  (json, random) => Object.assign(random.pick<Json>(own(json.textures)), { extensions: { KHR_texture_basisu: { source: random.int(9) } } }),
+  (json, random) => Object.assign(random.pick<Json>(json.images), { bufferView: random.int(20) }),
+  (json, random) => Object.assign(random.pick<Json>(json.images), { mimeType: 'image/webp' }),
+  (json) => Object.assign(json.materials[0].extensions, { KHR_materials_unlit: {} }),
+  (json, random) => delete json.meshes[0].primitives[0].attributes[random.pick(['NORMAL', 'TEXCOORD_0'])],
+  (json) => Object.assign(json.materials[0].normalTexture, { index: json.textures.length - 1 }),
+] // biome-ignore format: one line each
+
+/** One file, damaged in its extension, around it, or in the bytes of one of its images. */
+function damaged(seed: number): Uint8Array {
+  const random = new Random(seed)
+  const base = random.pick(bases)
+  const json = jsonOf(base)
+  const kind = random.int(10)
+  if (kind < 4) {
+    const actions = ['replace', 'remove', 'double', 'swap', 'nest', 'rename'] as const
+    const mutation = { node: random.int(300), action: random.pick(actions), junk: random.pick(JUNK) }
+    json.materials[0].extensions[NAME] = mutate(json.materials[0].extensions[NAME], mutation)
+  } else if (kind < 6) random.pick(AROUND)(json, random)
+  const bytes = Buffer.from(withJson(base, json))
+  if (kind >= 6) damageImage(bytes, json, random)
+  return bytes
+}
+
+function damageImage(bytes: Buffer, json: Json, random: Random): void {
+  // Those of the wrinkles come last.
+  const views = json.images.slice(-3).map(({ bufferView }: Json) => json.bufferViews[bufferView])
+  const { byteOffset = 0, byteLength } = random.pick<Json>(views)
+  const start = bytes.length - json.buffers[0].byteLength + byteOffset
+  const image = bytes.subarray(start, start + byteLength)
+  const action = random.int(4)
+  if (action === 0) image.fill(0, random.int(byteLength))
+  else if (action === 1) image[random.int(Math.min(byteLength, 120))] = random.int(256)
+  else if (action === 2) image[random.int(byteLength)] ^= 1 << random.int(8)
+  else image.copyWithin(0, random.int(byteLength))
+}
+
+/** Why validate refuses a file; undefined where it takes it. */
+async function faultOfValidate(bytes: Uint8Array): Promise<string | undefined> {
+  try {
+    const findings = await checkWrinkles(decodeGlb(Buffer.from(bytes), 'x.glb', 'test'))
+    return findings.find(({ severity }) => severity === 'error')?.message
+  } catch (error) {
+    expect((error as Error).name).toBe('FurrowError')
+    return (error as Error).message
+  }
+}
+
+/** Why the loader leaves a face plain; undefined where it wrinkles. */
+async function faultOfLoader(gltf: GLTF): Promise<string | undefined> {
+  try {
+    for (const { meshes, set } of await readWrinkleMaps(gltf)) {
+      new Wrinkles(meshes[0], set).dispose()
+    }
+    return undefined
+  } catch (error) {
+    return String((error as Error)?.message)
+  }
+}
+
+it(`validate refuses exactly what the loader leaves plain, in ${FILES} damaged files`, async () => {
+  vi.spyOn(console, 'warn').mockImplementation(() => {})
+  let refused = 0
+  const differing: string[] = []
+  for (let seed = 0; seed < FILES; seed++) {
+    const bytes = damaged(seed)
+    const gltf = await loadInNode(bytes).catch(() => undefined)
+    // Damage of the plain face, which three.js itself refuses, is for the Khronos validator.
+    if (!gltf) continue
+    const [validate, loader] = [await faultOfValidate(bytes), await faultOfLoader(gltf)]
+    if (validate !== undefined) refused++
+    if ((validate === undefined) !== (loader === undefined)) {
+      differing.push(`${seed}: validate: ${validate ?? 'yes'}; loader: ${loader ?? 'yes'}`)
+    }
+  }
+  expect(differing).toEqual([])
+  // Both outcomes must occur, or the damage proves nothing.
+  expect(refused).toBeGreaterThan(FILES / 4)
+  expect(refused).toBeLessThan((FILES * 3) / 4)
+})

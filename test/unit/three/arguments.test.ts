@@ -1,0 +1,357 @@
+import { FurrowError, parseDrivers, registerDriver } from 'furrow'
+import {
+  activationTrack,
+  addDrivers,
+  addMuscles,
+  ExpressionPlayer,
+  FaceScores,
+  RecomputedNormals,
+  Wrinkles,
+} from 'furrow/three'
+import { RecomputedNormals as RecomputedOnGpu } from 'furrow/webgpu'
+import { AnimationClip, AnimationMixer, Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
+import { describe, expect, it } from 'vitest'
+import { randomSet } from '../../cases.ts'
+import { seeded } from '../../random.ts'
+import { frameOf } from './stub-renderer.ts'
+
+const set = () => randomSet(seeded(1), 2, 8)
+
+/** A face with one blendshape. */
+function face() {
+  const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
+  mesh.name = 'head'
+  mesh.morphTargetDictionary = { jawOpen: 0 }
+  mesh.morphTargetInfluences = [0]
+  return { mesh, wrinkles: new Wrinkles(mesh, set()) }
+}
+
+/** What plain JavaScript may pass. */
+const any = (value: unknown) => value as never
+
+/** Calls, and what their errors begin with. */
+type Calls = [call: string, start: RegExp, run: () => unknown][]
+
+function expectRefused(run: () => unknown, start: RegExp) {
+  let error: unknown
+  try {
+    run()
+  } catch (caught) {
+    error = caught
+  }
+  expect(error).toBeInstanceOf(FurrowError)
+  expect((error as Error).message).toMatch(start)
+  expect((error as Error).message).not.toMatch(/undefined is not|Cannot read|reading '/)
+}
+
+describe('wrong arguments', () => {
+  const { mesh, wrinkles } = face()
+  const [area] = set().areas
+  const player = new ExpressionPlayer(mesh, wrinkles, [
+    { name: 'rest', targets: { jawOpen: 0 }, activations: {} },
+  ])
+  const calls: Calls = [
+    [
+      'mode = bogus',
+      /^Wrinkles.mode: unknown mode, got "bogus", allowed: default, paper, composed, off; /,
+      () => {
+        wrinkles.mode = any('bogus')
+      },
+    ],
+    [
+      'mode = null',
+      /^Wrinkles.mode: unknown mode, got "null"/,
+      () => {
+        wrinkles.mode = any(null)
+      },
+    ],
+    [
+      'clock = null',
+      /^Wrinkles.clock: /,
+      () => {
+        wrinkles.clock = any(null)
+      },
+    ],
+    ['addArea(null)', /^Wrinkles.addArea: an area, got "null"/, () => wrinkles.addArea(any(null))],
+    [
+      'addArea without weights',
+      /^Wrinkles.addArea: weights of area "b", got "undefined"/,
+      () => wrinkles.addArea(any({ name: 'b' })),
+    ],
+    [
+      'addArea without data',
+      /^Wrinkles.addArea area "b": data of an image/,
+      () => wrinkles.addArea({ name: 'b', weights: any({ width: 2, height: 2 }) }),
+    ],
+    [
+      'addArea with NaN',
+      /^Wrinkles.addArea: activation of area "b", got NaN/,
+      () => wrinkles.addArea({ ...area, name: 'b', activation: Number.NaN }),
+    ],
+    [
+      'addArea with a rule of its own',
+      /^Wrinkles.addArea: combine of area "b", got "min", allowed: sum or max/,
+      () => wrinkles.addArea({ ...area, name: 'b', combine: any('min') }),
+    ],
+    ['removeArea(null)', /^Wrinkles: unknown area, got null/, () => wrinkles.removeArea(any(null))],
+    [
+      'setActivation of no area',
+      /^Wrinkles: unknown area, got null/,
+      () => wrinkles.setActivation(any(null), 1),
+    ],
+    [
+      'setActivation to text',
+      /^Wrinkles: activation of "area0", got "1"/,
+      () => wrinkles.setActivation('area0', any('1')),
+    ],
+    [
+      'setActivation to null',
+      /^Wrinkles: activation of "area0", got "null"/,
+      () => wrinkles.setActivation('area0', any(null)),
+    ],
+    [
+      'setActivation of no instance',
+      /^Wrinkles.setActivation: no such instance, got 1, allowed: 0 to 0/,
+      () => wrinkles.setActivation('area0', 1, 1),
+    ],
+    [
+      'getActivation of no instance',
+      /^Wrinkles.getActivation: no such instance, got -1/,
+      () => wrinkles.getActivation('area0', -1),
+    ],
+    [
+      'setRestingActivation to text',
+      /^Wrinkles: activation of "area0"/,
+      () => wrinkles.setRestingActivation('area0', any('x')),
+    ],
+    [
+      'getRestingActivation of no instance',
+      /^Wrinkles.getRestingActivation: no such instance, got NaN/,
+      () => wrinkles.getRestingActivation('area0', Number.NaN),
+    ],
+    [
+      'setActivations(null)',
+      /^Wrinkles.setActivations: values/,
+      () => wrinkles.setActivations(any(null), any(null)),
+    ],
+    [
+      'setActivations with too few',
+      /^Wrinkles.setActivations: values, got 1, allowed: one for each of 2 names/,
+      () => wrinkles.setActivations(['a', 'b'], new Float32Array(1)),
+    ],
+    ['inputs.set(null)', /^Wrinkles.inputs: name of an input/, () => wrinkles.inputs.set(any(null), 1)],
+    [
+      'inputs.set to NaN',
+      /^Wrinkles.inputs: value of "age" is NaN/,
+      () => wrinkles.inputs.set('age', Number.NaN),
+    ],
+    [
+      'inputs.set of no instance',
+      /^Wrinkles.inputs: no such instance, got 4/,
+      () => wrinkles.inputs.set('snow', 1, 4),
+    ],
+    ['addMesh(null)', /^Wrinkles.addMesh: a mesh, got "null"/, () => wrinkles.addMesh(any(null))],
+    ['update({})', /^Wrinkles.update: a renderer/, () => wrinkles.update(any({}))],
+    ['onDispose(1)', /^Wrinkles.onDispose: /, () => wrinkles.onDispose(any(1))],
+    [
+      'createInfluenceMaterial(null)',
+      /^Wrinkles: unknown area, got null/,
+      () => wrinkles.createInfluenceMaterial(any(null)),
+    ],
+    ['new Wrinkles(null)', /^Wrinkles: a mesh, got "null"/, () => new Wrinkles(any(null), set())],
+    ['new Wrinkles of no mesh', /^Wrinkles: a mesh/, () => new Wrinkles(any({}), set())],
+    [
+      'new Wrinkles without a set',
+      /^Wrinkles: a wrinkle set, got "null"/,
+      () => new Wrinkles(plain(), any(null)),
+    ],
+    [
+      'new Wrinkles with a layer of null',
+      /^Wrinkles: a layer, got "null"/,
+      () => new Wrinkles(plain(), { ...set(), layers: [any(null)] }),
+    ],
+    [
+      'new Wrinkles with an unknown kind',
+      /^Wrinkles: kind of layer "skin", got "glue"/,
+      () => new Wrinkles(plain(), { ...set(), layers: [{ ...set().layers[0], kind: any('glue') }] }),
+    ],
+    [
+      'new Wrinkles without normals',
+      /^Wrinkles: normals of layer "skin"/,
+      () => new Wrinkles(plain(), { ...set(), layers: [{ ...set().layers[0], normal: any(null) }] }),
+    ],
+    [
+      'areaSize NaN',
+      /^Wrinkles: areaSize, got NaN, allowed: 2 to 8192/,
+      () => new Wrinkles(plain(), set(), { areaSize: Number.NaN }),
+    ],
+    ['fadeBelow -1', /^Wrinkles: fadeBelow, got -1/, () => new Wrinkles(plain(), set(), { fadeBelow: -1 })],
+    ['addDrivers(null)', /^addDrivers: wrinkles/, () => addDrivers(any(null), [])],
+    ['addDrivers of null', /^addDrivers: drivers/, () => addDrivers(wrinkles, any(null))],
+    ['addDrivers of a list of null', /^addDrivers: drivers/, () => addDrivers(wrinkles, [any(null)])],
+    [
+      'addDrivers of half a driver',
+      /^addDrivers: a driver lacks fields.*parseDrivers/,
+      () => addDrivers(wrinkles, [{ type: 'morph', area: 'area0' }]),
+    ],
+    ['addMuscles(null)', /^addMuscles: a mesh/, () => addMuscles(any(null), [])],
+    ['addMuscles of null', /^addMuscles: muscles/, () => addMuscles(mesh, any(null))],
+    ['parseDrivers(1)', /^parseDrivers: /, () => parseDrivers(1, [])],
+    ['registerDriver(null)', /^registerDriver: a definition/, () => registerDriver(any(null))],
+    [
+      'registerDriver without read',
+      /^registerDriver: a definition/,
+      () => registerDriver(any({ type: 'x' })),
+    ],
+    [
+      'new ExpressionPlayer(null)',
+      /^ExpressionPlayer: a face/,
+      () => new ExpressionPlayer(any(null), wrinkles),
+    ],
+    [
+      'new ExpressionPlayer without wrinkles',
+      /^ExpressionPlayer: the wrinkles/,
+      () => new ExpressionPlayer(mesh, any(null)),
+    ],
+    [
+      'new ExpressionPlayer with malformed expressions',
+      /^ExpressionMix: an expression/,
+      () => new ExpressionPlayer(mesh, wrinkles, [any({ name: 'a' })]),
+    ],
+    ['play(null)', /^ExpressionMix: an expression/, () => player.play(any(null))],
+    ['play for NaN seconds', /^ExpressionMix: time/, () => player.play('rest', Number.NaN)],
+    [
+      'play with an unknown easing',
+      /^ExpressionMix: easing, got "bounce", allowed: linear, /,
+      () => player.play('rest', 1, any('bounce')),
+    ],
+    [
+      'update by NaN',
+      /^ExpressionMix: seconds/,
+      () => {
+        player.play('rest', 1)
+        player.update(Number.NaN)
+      },
+    ],
+    [
+      'FaceScores of no face',
+      /^FaceScores: a face/,
+      () => new FaceScores(any(null)).set([{ categoryName: 'jawOpen', score: 1 }]),
+    ],
+    ['FaceScores.set(null)', /^FaceScores: scores/, () => new FaceScores(mesh).set(any(null))],
+    ['FaceScores.set of null', /^FaceScores: a score/, () => new FaceScores(mesh).set([any(null)])],
+    ['new RecomputedNormals(null)', /^RecomputedNormals: a mesh/, () => new RecomputedNormals(any(null))],
+    [
+      'new RecomputedNormals(null) on the GPU',
+      /^RecomputedNormals: a mesh/,
+      () => new RecomputedOnGpu(any(null)),
+    ],
+    [
+      'RecomputedNormals on the GPU by another renderer',
+      /^RecomputedNormals of furrow\/webgpu: a renderer, got "Object", allowed: WebGPURenderer/,
+      () => new RecomputedOnGpu(mesh).update(any({})),
+    ],
+    [
+      'activationTrack(null)',
+      /^activationTrack: a mesh/,
+      () => activationTrack(any(null), 'area0', [0], [1]),
+    ],
+    [
+      'activationTrack with too few values',
+      /^activationTrack: values, got 1, allowed: one for each of 2 times/,
+      () => activationTrack(mesh, 'area0', [0, 1], [1]),
+    ],
+  ]
+
+  it.each(calls)('%s is refused in one line', (_, start, run) => {
+    expectRefused(run, start)
+    expect(wrinkles.mode).toBe('default')
+    expect(wrinkles.areaNames).toEqual(['area0', 'area1'])
+    expect(wrinkles.getActivation('area0')).toBe(0)
+    expect(mesh.morphTargetInfluences).toEqual([0])
+  })
+
+  it('clamps several activations at once, NaN included', () => {
+    const { wrinkles } = face()
+    wrinkles.setActivations(['area0', 'area1'], Float32Array.of(Number.NaN, 7))
+    expect([wrinkles.getActivation('area0'), wrinkles.getActivation('area1')]).toEqual([0, 1])
+  })
+})
+
+describe('after dispose', () => {
+  const { mesh, wrinkles } = face()
+  wrinkles.dispose()
+  const gone = /the wrinkles were disposed of; create new ones for the mesh$/
+  const calls: [string, () => unknown][] = [
+    ['setActivation', () => wrinkles.setActivation('area0', 1)],
+    ['setActivations', () => wrinkles.setActivations(['area0'], Float32Array.of(1))],
+    ['setRestingActivation', () => wrinkles.setRestingActivation('area0', 1)],
+    [
+      'mode',
+      () => {
+        wrinkles.mode = 'composed'
+      },
+    ],
+    ['addArea', () => wrinkles.addArea({ ...set().areas[0], name: 'b' })],
+    ['removeArea', () => wrinkles.removeArea('area0')],
+    ['inputs.set', () => wrinkles.inputs.set('age', 40)],
+    ['addMesh', () => wrinkles.addMesh(mesh)],
+    ['update', () => wrinkles.update()],
+    ['createInfluenceMaterial', () => wrinkles.createInfluenceMaterial()],
+    ['cloneMaterial', () => wrinkles.cloneMaterial()],
+    ['addDrivers', () => addDrivers(wrinkles, [])],
+    ['wrinkles of another mesh made from them', () => new Wrinkles(plain(), wrinkles)],
+  ]
+
+  it.each(calls)('%s is refused', (_, run) => {
+    expectRefused(run, gone)
+    expect((mesh.material as MeshStandardMaterial).normalMap).toBeNull()
+  })
+
+  it('dispose again does nothing, also to other faces', () => {
+    const other = face()
+    const draw = frameOf(other.mesh)
+    draw()
+    wrinkles.dispose()
+    addDrivers(
+      other.wrinkles,
+      parseDrivers(
+        [
+          {
+            type: 'input',
+            area: 'area0',
+            name: 'snow',
+            curve: [
+              [0, 0],
+              [1, 1],
+            ],
+          },
+        ],
+        ['area0'],
+      ),
+    )
+    other.wrinkles.inputs.set('snow', 1)
+    draw()
+    draw()
+    expect(other.wrinkles.getActivation('area0')).toBe(1)
+  })
+
+  it('expressions and animations still move the face', () => {
+    const { mesh, wrinkles } = face()
+    const shout = { name: 'shout', targets: { jawOpen: 1 }, activations: { area0: 1 } }
+    const player = new ExpressionPlayer(mesh, wrinkles, [shout])
+    const mixer = new AnimationMixer(mesh)
+    mixer.clipAction(new AnimationClip('a', 1, [activationTrack(mesh, 'area0', [0, 1], [0, 1])])).play()
+    mixer.update(0.1)
+    wrinkles.dispose()
+    player.play('shout', 1)
+    player.update(0.5)
+    mixer.update(0.5)
+    expect(mesh.morphTargetInfluences).toEqual([0.5])
+    frameOf(mesh)()
+  })
+})
+
+function plain(): Mesh {
+  return new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
+}
