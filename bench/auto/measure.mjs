@@ -35,7 +35,7 @@ try {
   const made = autoWrinkles(found.skin, { size: Number(size), frame }, (_, __, step) =>
     begin(step === 'done' ? 'encode' : step),
   )
-  embedWrinkles(glb, found.material, await packAuto(made), WHO)
+  embedWrinkles(glb, found.material, await packAuto(made, false, WHO), WHO)
   const bytes = encodeGlb(glb)
   begin('write')
   await writeAll([{ path: join(folder, 'out.glb'), bytes }], WHO)

@@ -59,10 +59,12 @@ describe('a body without a face', () => {
       material: 'cloth',
       reason: expect.stringContaining('the only one with'),
       bytes: readFileSync(file('out.glb')).length,
+      cost: { file: expect.any(Number), gpu: expect.any(Number) },
       isFace: false,
       warnings: [expect.stringContaining('no face was found')],
       layers: ['auto1'],
       areas: expect.any(Array),
+      missing: [],
     })
     for (const area of told.areas) {
       expect(Object.keys(area)).toEqual(['name', 'layer', 'lines', 'compression', 'error', 'links'])
@@ -343,7 +345,7 @@ describe('files', () => {
     await fails('the material already has wrinkles, got "cloth"', file('once.glb'), '-o', file('x.glb'))
     await run(file('once.glb'), '-o', file('twice.glb'), '--replace')
     expect(readFileSync(file('twice.glb')).equals(readFileSync(file('once.glb')))).toBe(true)
-    await run(file('once.glb'), '-o', file('once.glb'), '--replace', '--seed', '2')
+    await run(file('once.glb'), '-o', file('once.glb'), '--replace', '--force', '--seed', '2')
     expect(readFileSync(file('twice.glb')).equals(readFileSync(file('once.glb')))).toBe(false)
   })
 

@@ -33,6 +33,30 @@ const SHAPES: Readonly<Record<string, Readonly<Record<string, number>>>> = {
   Fcl_MTH_O: { mouthFunnel: 0.9 },
 }
 
+/** An avatar that has emotions, vowels and blinks alone. */
+export const EMOTIONS: typeof SHAPES = {
+  Fcl_ALL_Neutral: {},
+  Fcl_ALL_Angry: { browDownLeft: 1, browDownRight: 1, mouthFrownLeft: 0.6, mouthFrownRight: 0.6 },
+  Fcl_ALL_Fun: { mouthSmileLeft: 0.6, mouthSmileRight: 0.6, browOuterUpLeft: 0.2, browOuterUpRight: 0.2 },
+  Fcl_ALL_Joy: {
+    ...{ eyeBlinkLeft: 0.8, eyeBlinkRight: 0.8, cheekSquintLeft: 1, cheekSquintRight: 1 },
+    ...{ mouthSmileLeft: 1, mouthSmileRight: 1 },
+  },
+  Fcl_ALL_Sorrow: { browInnerUp: 0.7, mouthFrownLeft: 1, mouthFrownRight: 1 },
+  Fcl_ALL_Surprised: { browInnerUp: 1, browOuterUpLeft: 1, browOuterUpRight: 1, jawOpen: 0.4 },
+  Fcl_EYE_Close_L: { eyeBlinkLeft: 1 },
+  Fcl_EYE_Close_R: { eyeBlinkRight: 1 },
+  Fcl_MTH_A: { jawOpen: 0.8 },
+  Fcl_MTH_I: { mouthStretchLeft: 0.5, mouthStretchRight: 0.5 },
+  Fcl_MTH_U: { mouthPucker: 0.7 },
+  Fcl_MTH_O: { mouthFunnel: 0.9 },
+}
+
+/** An avatar whose brows float before its skin: shapes of the brows move nothing else. */
+export const FLOATING_BROWS: typeof SHAPES = Object.fromEntries(
+  Object.entries(SHAPES).map(([name, sum]) => [name, name.startsWith('Fcl_BRW_') ? {} : sum]),
+)
+
 /** Meshes of the shipped face that become primitives of `Face`, with the materials that VRoid Studio gives them. */
 const PARTS = [
   ['mouth', 'N00_000_00_FaceMouth_00_FACE (Instance)'],
@@ -48,8 +72,10 @@ export const VROID_SKIN = PARTS[2][1]
 /**
  * Turns the shipped face into one in the manner of VRoid Studio's VRM 0 exports: one mesh of several primitives that share all
  * their vertices, each with its own material, VRoid's shapes alone, and turned to look along -Z.
+ *
+ * @param shapes sums of ARKit's, by name.
  */
-export function toVRoid(document: Document): void {
+export function toVRoid(document: Document, shapes = SHAPES): void {
   const parts = PARTS.map(([name, material]) => ({ mesh: meshOf(document, name), material }))
   const counts = parts.map(({ mesh }) => mesh.listPrimitives()[0]!.getAttribute('POSITION')!.getCount())
   const total = counts.reduce((a, b) => a + b, 0)
@@ -68,7 +94,7 @@ export function toVRoid(document: Document): void {
     NORMAL: accessor('VEC3', joined('NORMAL', 3, true)),
     TEXCOORD_0: accessor('VEC2', joined('TEXCOORD_0', 2, false)),
   }
-  const targets = Object.entries(SHAPES).map(([name, sum]) => {
+  const targets = Object.entries(shapes).map(([name, sum]) => {
     const out = new Float32Array(3 * total)
     parts.reduce((first, { mesh }, i) => {
       const names = targetNamesOf(mesh)
@@ -81,7 +107,7 @@ export function toVRoid(document: Document): void {
     }, 0)
     return document.createPrimitiveTarget(name).setAttribute('POSITION', accessor('VEC3', out))
   })
-  const face = document.createMesh('Face').setExtras({ targetNames: Object.keys(SHAPES) })
+  const face = document.createMesh('Face').setExtras({ targetNames: Object.keys(shapes) })
   parts.reduce((first, { mesh, material }, i) => {
     const own = mesh.listPrimitives()[0]!
     const corners = Uint32Array.from(own.getIndices()!.getArray() as Uint32Array, (vertex) => first + vertex)

@@ -37,10 +37,17 @@ const SKIN_SHAPES = [
  * no blendshape has such a name, the one that all blendshapes together move most.
  *
  * @param meshName only this mesh, or the mesh of a node of this name; all by default.
+ * @param isLit tells whether a material, by its index, can show wrinkles: such a one is preferred where it moves at least half as much.
  * @throws FurrowError when no mesh can wrinkle.
  */
-export function findSkin(document: Document, path: string, who: string, meshName?: string): FoundSkin {
-  const found = bestSkin(document, meshName)
+export function findSkin(
+  document: Document,
+  path: string,
+  who: string,
+  meshName?: string,
+  isLit: (material: number) => boolean = () => true,
+): FoundSkin {
+  const found = bestSkin(document, meshName, isLit)
   if (found) return found
   const names = document.getRoot().listMeshes().map(labelOf)
   throw new FurrowError({
@@ -64,16 +71,22 @@ export function mostMovedSkin(document: Document, meshName?: string): FoundSkin 
 }
 
 /** As `findSkin`, but undefined where no mesh can wrinkle. */
-export function bestSkin(document: Document, meshName?: string): FoundSkin | undefined {
+export function bestSkin(
+  document: Document,
+  meshName?: string,
+  isLit: (material: number) => boolean = () => true,
+): FoundSkin | undefined {
   const meshes = document.getRoot().listMeshes()
   const wanted = meshes.flatMap((mesh, index) => (isNamed(mesh, meshName) ? [{ mesh, index }] : []))
   const candidates = wanted.flatMap(({ mesh, index }) => candidatesOf(document, mesh, index))
   const byFace = candidates.map(({ skin }) => movedSurface(skin, faceTargets(skin)))
   const isFace = byFace.some((moved) => moved > 0)
   const moved = isFace ? byFace : candidates.map(({ skin }) => movedSurface(skin, [...skin.targets.keys()]))
-  const best = candidates[moved.indexOf(Math.max(...moved))]
+  const preferred = moved.map((value, i) => (isLit(candidates[i].material) ? 2 * value : value))
+  const index = preferred.indexOf(Math.max(...preferred))
+  const best = candidates[index]
   if (!best) return undefined
-  const fraction = Math.max(...moved) / moved.reduce((a, b) => a + b, 0)
+  const fraction = moved[index] / moved.reduce((a, b) => a + b, 0)
   return { ...best, fraction, reason: reasonOf(isFace, fraction, candidates.length) }
 }
 

@@ -9,10 +9,13 @@ import {
   type AutoWrinkles,
   autoWrinkles,
 } from 'furrow/author'
+import { checkBasisSize } from '../array/basis.ts'
 import { checkTriangles } from '../auto/check-triangles.ts'
+import { type Cost, costOf } from '../auto/cost.ts'
 import { type FoundSkin, findSkin } from '../auto/find-skin.ts'
 import { packAuto } from '../auto/pack-auto.ts'
 import { makeReport } from '../auto/report/make-report.ts'
+import { shadingOf, shadingWarning } from '../auto/shading.ts'
 import { Steps } from '../auto/steps.ts'
 import { createCommand } from '../command.ts'
 import { withCommandErrors } from '../errors.ts'
@@ -25,6 +28,7 @@ import { checkOutputs } from '../outputs.ts'
 import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
 import { embedWrinkles } from '../wrinkles/embed.ts'
+import { kilobytes } from '../wrinkles/sizes.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
 
 const WHO = 'furrow auto'
@@ -35,6 +39,9 @@ const SIZES = ['512', '1024', '2048', '4096'] as const
 const OWN_STEPS = 3
 const REPORT_STEPS = 2
 
+/** Layers that compressed wrinkles have at most by default: with 1024 x 1024 texels they take 2 MB. */
+const KTX2_LAYERS = 2
+
 interface Options {
   output: string
   age: number
@@ -42,8 +49,9 @@ interface Options {
   size: (typeof SIZES)[number]
   seed: number
   mesh?: string
-  layers: number
+  layers?: number
   areas: number
+  ktx2?: boolean
   regions?: AutoRegion[]
   replace?: boolean
   allowOutside?: boolean
@@ -75,15 +83,18 @@ export const autoCommand = createCommand('auto')
   .option('--mesh <name>', 'the mesh that wrinkles (default: the one whose skin brows, lids and mouth move)')
   .option(
     '--layers <count>',
-    'largest number of layers, over which crossing lines are spread, 1 to 4',
+    `largest number of layers, over which crossing lines are spread, 1 to 4 (default: ${AUTO_DEFAULTS.layers}, with --ktx2 ${KTX2_LAYERS})`,
     count(1, 4),
-    AUTO_DEFAULTS.layers,
   )
   .option('--areas <count>', 'largest number of areas, 1 to 64', count(1, 64), AUTO_DEFAULTS.areas)
   .addOption(
     new Option('--regions <names...>', 'parts of a face that may crease, all by default').choices(
       AUTO_REGIONS,
     ),
+  )
+  .option(
+    '--ktx2',
+    'maps and areas as KTX 2 arrays (UASTC), which stay compressed on the GPU; without heights',
   )
   .option('--replace', 'replace existing wrinkles')
   .option('--report <folder>', 'write a page there: before and after, strain, areas, layers, drivers')
@@ -100,7 +111,8 @@ Examples:
   .action(auto)
 
 async function auto(face: string, options: Options): Promise<void> {
-  const { output, report, mesh, age, strength, seed, layers, areas, regions } = options
+  const { output, report, mesh, age, strength, seed, areas, regions, ktx2 = false } = options
+  const layers = options.layers ?? (ktx2 ? KTX2_LAYERS : AUTO_DEFAULTS.layers)
   const settings = {
     age,
     strength,
@@ -110,16 +122,23 @@ async function auto(face: string, options: Options): Promise<void> {
     areas,
     ...(regions && { regions }),
   }
+  if (ktx2) checkCompressible(settings.size, layers)
   const rules = { extensions: FACE_EXTENSIONS, inputs: [face], force: options.force ?? false }
   await checkOutputs([output], WHO, rules)
   if (report !== undefined) await checkOutputs([join(report, 'index.html')], WHO, { extensions: ['.html'] })
   const total = OWN_STEPS + AUTO_STEPS.length + (report === undefined ? 0 : REPORT_STEPS)
-  const { found, wrinkles, bytes, warnings } = await withBar('auto', async (progress) => {
+  const { found, wrinkles, cost, bytes, warnings } = await withBar('auto', async (progress) => {
     const steps = new Steps(progress, total)
     steps.begin('reading')
     const glb = await readGlbFile(face, WHO, options)
     checkTriangles(glb, WHO, mesh)
-    const found = findSkin(await documentOf(glb, face, WHO), face, WHO, mesh)
+    const found = findSkin(
+      await documentOf(glb, face, WHO),
+      face,
+      WHO,
+      mesh,
+      (i) => shadingOf(glb.json, i) !== 'unlit',
+    )
     removeOldWrinkles(glb, found, options.replace ?? false)
     const frame = found.hasTangents ? 'orthonormal' : 'derivative'
     const wrinkles = withCommandErrors(WHO, () =>
@@ -129,10 +148,13 @@ async function auto(face: string, options: Options): Promise<void> {
     )
     if (wrinkles.areas.length === 0) throw noWrinkles(found.meshName)
     steps.begin('encoding')
-    embedWrinkles(glb, found.material, await packAuto(wrinkles), WHO)
+    const packed = await packAuto(wrinkles, ktx2, WHO)
+    const cost = costOf(wrinkles, packed, ktx2)
+    embedWrinkles(glb, found.material, packed, WHO)
     const files = await faceFiles(glb, output, WHO, rules)
     const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0)
-    const warnings = wrinkles.warnings.map((text) => `${WHO}: ${text}`)
+    const shading = shadingWarning(glb.json, found.material, found.materialName)
+    const warnings = [...wrinkles.warnings, ...(shading ? [shading] : [])].map((text) => `${WHO}: ${text}`)
     if (report !== undefined) {
       const listed = { ...settings, regions: regions?.join(', ') ?? 'all' }
       const source = { path: output, glb, found, wrinkles, settings: listed, warnings }
@@ -142,16 +164,32 @@ async function auto(face: string, options: Options): Promise<void> {
       if (made.missing) warnings.push(`${WHO}: the report has no pictures of the face (${made.missing})`)
     }
     await writeAll(files, WHO)
-    return { found, wrinkles, bytes, warnings }
+    return { found, wrinkles, cost, bytes, warnings }
   })
   for (const warning of warnings) warn(warning)
   print(
     options.json
-      ? JSON.stringify(summary(wrinkles, found, options, bytes))
-      : describe(wrinkles, found, options),
+      ? JSON.stringify(summary(wrinkles, found, options, bytes, cost))
+      : describe(wrinkles, found, options, cost),
     output,
   )
 }
+
+/** Known before the work, unlike whether so many layers are needed. */
+function checkCompressible(size: number, layers: number): void {
+  const names = Array.from({ length: layers }, (_, i) => `layer ${i + 1}`)
+  const maps = {
+    width: size,
+    height: size,
+    channels: 4,
+    srgb: false,
+    names,
+    layers: names.map(() => NO_PIXELS),
+  } as const
+  checkBasisSize(maps, WHO, 'choose a smaller --size or fewer --layers, or omit --ktx2')
+}
+
+const NO_PIXELS = new Uint8Array()
 
 /** A material has one set of wrinkles: existing ones are removed only with `--replace`. */
 function removeOldWrinkles(glb: Glb, { material, materialName }: FoundSkin, replace: boolean): void {
@@ -178,10 +216,11 @@ function noWrinkles(mesh: string): FurrowError {
 }
 
 function summary(
-  { layers, areas, landmarks, warnings }: AutoWrinkles,
+  { layers, areas, missing, landmarks, warnings }: AutoWrinkles,
   { meshName, materialName, reason }: FoundSkin,
   { output, report }: Options,
   bytes: number,
+  cost: Cost,
 ) {
   return {
     file: output,
@@ -190,6 +229,7 @@ function summary(
     material: materialName,
     reason,
     bytes,
+    cost,
     isFace: landmarks !== undefined,
     warnings,
     layers: layers.map(({ name }) => name),
@@ -201,13 +241,19 @@ function summary(
       error,
       links: driver.targets,
     })),
+    missing,
   }
 }
 
+/** glTF-Transform and the like drop extensions that they do not know. */
+const OTHER_TOOLS =
+  'compress or optimise the file before furrow auto, or register FurrowWrinkleMaps: other tools drop the wrinkles'
+
 function describe(
-  { layers, areas }: AutoWrinkles,
+  { layers, areas, missing }: AutoWrinkles,
   { meshName, materialName, reason }: FoundSkin,
-  { output, report }: Options,
+  { output, report, ktx2 }: Options,
+  cost: Cost,
 ): string[] {
   const head = `${output}: mesh "${meshName}", material "${materialName}" (${reason}); layers: ${layers.length}; areas: ${areas.length}`
   const rows = areas.map(({ name, layer, compression, error, driver }) => {
@@ -216,5 +262,16 @@ function describe(
     return `  ${name.padEnd(20)} layer ${layer + 1}  compression ${percent}  error ${error.toFixed(2)}  ${links}`
   })
   const page = report === undefined ? [] : [`${join(report, 'index.html')}: the report`]
-  return [head, ...rows, ...page]
+  const less = ktx2 ? 'a smaller --size or fewer --layers take less' : '--ktx2 or a smaller --size takes less'
+  const sizes = `wrinkles: ${kilobytes(cost.file)} in the file, ${kilobytes(cost.gpu)} on the GPU; ${less}`
+  return [head, ...rows, ...missingRows(missing), sizes, ...page, OTHER_TOOLS]
+}
+
+/** A line per reason. */
+function missingRows(missing: AutoWrinkles['missing']): string[] {
+  const reasons = [...new Set(missing.map(({ reason }) => reason))]
+  return reasons.map((reason) => {
+    const names = missing.filter((region) => region.reason === reason).map(({ name }) => name)
+    return `  not made: ${names.join(', ')} (${reason})`
+  })
 }

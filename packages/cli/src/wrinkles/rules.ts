@@ -105,13 +105,21 @@ function heightFindings(before: WrinkledFile['maps'], after: WrinkledFile['maps'
 function checkSizes({ layers }: Inspection): Finding[] {
   return layers.flatMap(({ name, maps }) =>
     maps
-      .filter((map) => sizeText(map) !== sizeText(maps[0]))
+      .filter((map) => !isFractionOf(map, maps[0]))
       .map((map) => {
         const message = `layer "${name}": ${map.map} is ${sizeText(map)}, its normal map ${sizeText(maps[0])}`
         return warningFinding('MAP_SIZES', message)
       }),
   )
 }
+
+/** Maps of values may be smaller: the same in both directions, by a whole factor. */
+function isFractionOf(map: MapSize, normal: MapSize): boolean {
+  const factor = normal.width / map.width
+  return Number.isInteger(factor) && factor === normal.height / map.height
+}
+
+type MapSize = Inspection['layers'][number]['maps'][number]
 
 function checkImages({ layers }: Inspection): Finding[] {
   return layers.flatMap(({ name, maps }) => {

@@ -16,6 +16,7 @@ export {
   type AutoWrinkles,
   autoWrinkles,
 } from './auto/auto.ts'
+export type { MissingRegion } from './auto/fit/fit-driver.ts'
 export type { AutoLayer } from './auto/raster/draw-maps.ts'
 export { type StrainMap, strainMaps } from './auto/strain-map.ts'
 export { MOST_TRIANGLES } from './auto/surface/check-skin.ts'

@@ -5,6 +5,7 @@ import { EXPRESSIONS } from '../../drivers/expression/presets.ts'
 import type { MorphDriver } from '../../drivers/morph/definition.ts'
 import type { TangentFrame } from '../relief/height-to-normal.ts'
 import { AUTO_REGIONS, type AutoRegion } from './anatomy/regions.ts'
+import type { MissingRegion } from './fit/fit-driver.ts'
 import { fitDrivers } from './fit/fit-drivers.ts'
 import { assignLayers } from './fit/layers.ts'
 import { layLines } from './lines/lay-lines.ts'
@@ -71,6 +72,8 @@ export interface AutoWrinkles {
   targets: string[]
   layers: AutoLayer[]
   areas: AutoArea[]
+  /** Parts of a face that get no area, and why. */
+  missing: MissingRegion[]
   /** Presets of the blendshapes that the face has; the drivers of its areas add the wrinkles. */
   expressions: ExpressionDriver[]
   /** One sentence each. */
@@ -130,6 +133,7 @@ export function autoWrinkles(
       error,
       lines: creases.length,
     })),
+    missing: [...fitted.missing],
     expressions: face ? presetsOf(face.find) : [],
     warnings: [...prepared.warnings, ...fitted.warnings],
   }

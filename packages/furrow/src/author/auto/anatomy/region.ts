@@ -25,6 +25,8 @@ export interface SkinRegion {
   name: string
   /** Weights of the blendshapes that crease it most, by ARKit's names or those of the skin. */
   cause: Readonly<Record<string, number>>
+  /** ARKit's names of its cause, where others stand in for them. */
+  shapes?: readonly string[]
   /** Millimetres of skin whose shortening one line takes up. */
   spacing: number
   /** Fraction of the compression that shows as creases; soft tissue takes the rest. */

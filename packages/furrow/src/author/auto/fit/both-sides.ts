@@ -2,7 +2,7 @@ import type { MorphDriver } from '../../../drivers/morph/definition.ts'
 import { canonicalTargetName } from '../../../drivers/morph/target-names.ts'
 import type { SkinRegion } from '../anatomy/region.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
-import { type FittedRegion, roundWeight } from './fit-driver.ts'
+import { type FittedRegion, type MissingRegion, roundWeight } from './fit-driver.ts'
 
 /** Millimetres from the middle beyond which each side has areas of its own. */
 const MIDDLE = 5
@@ -22,6 +22,13 @@ export function mergeSides(
       const targets = targetsOfBothSides(driver, names, find)
       return { ...rest, driver: { ...driver, area: name, targets }, region: whole }
     })
+}
+
+/** The same for regions that get no area. */
+export function withoutSides(missing: readonly MissingRegion[]): MissingRegion[] {
+  return missing
+    .filter(({ name }) => !name.endsWith('Right'))
+    .map(({ name, reason }) => ({ name: name.replace(/Left$/, ''), reason }))
 }
 
 /** Each target and its counterpart on the other side, at half the weight. */

@@ -16,6 +16,14 @@ export interface FittedRegion extends CreasedRegion {
   error: number
 }
 
+/** A region that gets no area, and why. */
+export interface MissingRegion {
+  /** The name that its area would have. */
+  name: string
+  /** Part of a sentence. */
+  reason: string
+}
+
 /** Compression that skin takes up without a line, as a fraction of that of its cause. */
 const ONSET = 0.12
 /** Compression below which a region does not crease. */
@@ -38,16 +46,18 @@ const TAUT = /^(jaw|tongue|eyeLook|eyeWide|cheekPuff|mouth(Left|Right|Close|Roll
  * Fits a driver to what the targets do to the skin of a region. The activation of a pose is its compression across the lines, relative to
  * that of the region's cause.
  *
- * @returns undefined where no target compresses the skin.
+ * @returns a string where no target compresses the skin: the reason.
  */
 export function fitDriver(
   { surface, offsets, names }: Pick<PreparedSkin, 'surface' | 'offsets' | 'names'>,
   creased: CreasedRegion,
   cause: Pose,
-): FittedRegion | undefined {
+): FittedRegion | string {
   const { region, creases } = creased
+  const shapes = Object.keys(region.cause).join(', ')
+  if (creases.length === 0) return 'the mesh has no skin where its lines begin'
+  if (cause.size === 0) return `no blendshape is ${(region.shapes ?? []).join(' or ')} or stands in for it`
   if (region.assumedCompression !== undefined) {
-    if (cause.size === 0) return undefined
     const targets = [...cause].map(([target, weight]) => ({ name: names[target], weight }))
     return { ...creased, driver: driverOf(region, targets), error: 0 }
   }
@@ -56,7 +66,7 @@ export function fitDriver(
     region,
     creases.filter(({ isDimple }) => !isDimple),
   )
-  if (!gauge) return undefined
+  if (!gauge) return 'the mesh has no skin beside its lines'
   const measure = (pose: Pose) => measureCompression(surface, gauge, offsets, pose)
   const bounds = names.map((name) => boundsOf(name, region))
   const compressions = offsets.map((_, target) => measure(new Map([[target, 1]])))
@@ -65,7 +75,10 @@ export function fitDriver(
     (largest, value, target) => Math.max(largest, bounds[target][1] > 0 ? SINGLE_TARGET * value : 0),
     measure(cause),
   )
-  if (full < MIN_COMPRESSION) return undefined
+  if (Math.min(full, creased.compression) < MIN_COMPRESSION) {
+    const most = percent(Math.max(0, Math.min(full, creased.compression)))
+    return `${shapes} shortens the skin across its lines by ${most}, and creases begin at ${percent(MIN_COMPRESSION)}`
+  }
   const relative = compressions.map((value) => value / full)
   const chosen = strongestTargets(relative)
   const poses = drawPoses(chosen, cause)
@@ -79,7 +92,8 @@ export function fitDriver(
   const targets = chosen
     .map((target, i) => ({ name: names[target], weight: roundWeight(weights[i]) }))
     .filter(({ weight }) => Math.abs(weight) >= NEGLIGIBLE / 2)
-  if (!targets.some(({ weight }) => weight > 0)) return undefined
+  if (!targets.some(({ weight }) => weight > 0))
+    return `${shapes} creases it no more than other blendshapes do`
   let squares = 0
   for (const [i, pose] of poses.entries()) {
     const fitted = chosen.reduce((sum, target, k) => sum + weights[k] * (pose.get(target) ?? 0), 0)
@@ -138,6 +152,10 @@ function boundsOf(name: string, { cause, name: area }: SkinRegion): Bounds {
   if (own !== undefined || name in cause) return [0, MAX_CAUSE * cause[own ?? name]]
   const isOpposite = /Left$/.test(area) ? /Right$/.test(shape) : /Right$/.test(area) && /Left$/.test(shape)
   return [MIN_WEIGHT, isOpposite || TAUT.test(shape) ? 0 : MAX_OTHER]
+}
+
+function percent(fraction: number): string {
+  return `${(100 * fraction).toFixed(1)}%`
 }
 
 /** A weight as it is written: more decimals only lengthen the file. */

@@ -2,12 +2,13 @@ import type { CreasedRegion } from '../lines/crease.ts'
 import { poseOf } from '../surface/pose.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { standInsOf } from '../surface/stand-ins.ts'
-import { mergeSides } from './both-sides.ts'
-import { type FittedRegion, fitDriver } from './fit-driver.ts'
+import { mergeSides, withoutSides } from './both-sides.ts'
+import { type FittedRegion, fitDriver, type MissingRegion } from './fit-driver.ts'
 
-/** The regions that get an area, and what the user should know about the others. */
+/** The regions that get an area, and those that do not. */
 export interface FittedSkin {
   regions: readonly FittedRegion[]
+  missing: readonly MissingRegion[]
   /** One sentence each. */
   warnings: readonly string[]
 }
@@ -23,21 +24,22 @@ export function fitDrivers(
   maxAreas: number,
 ): FittedSkin {
   const { face, names, find, isMirrored } = prepared
-  const fitted = creased.flatMap(
-    (region) => fitDriver(prepared, region, poseOf(find, region.region.cause)) ?? [],
-  )
-  const regions = mostCompressed(isMirrored ? mergeSides(fitted, prepared) : fitted, maxAreas)
+  const fitted: FittedRegion[] = []
+  const missing: MissingRegion[] = []
+  for (const region of creased) {
+    const fit = fitDriver(prepared, region, poseOf(find, region.region.cause))
+    if (typeof fit === 'string') missing.push({ name: region.region.name, reason: fit })
+    else fitted.push(fit)
+  }
+  const merged = isMirrored ? mergeSides(fitted, prepared) : fitted
+  const regions = mostCompressed(merged, maxAreas)
+  for (const { region } of merged.filter((one) => !regions.includes(one)))
+    missing.push({ name: region.name, reason: `more than ${maxAreas} areas would be needed` })
   const warnings: string[] = []
   if (regions.length === 0) warnings.push('no blendshape pushes the skin together enough to crease it')
   const standIns = face ? standInsOf(names) : []
-  if (standIns.length > 0) {
-    const unmoved = creased.filter(({ region }) => !fitted.some((fit) => fit.region === region))
-    const smooth = unmoved.map(({ region }) => region.name).join(', ')
-    warnings.push(
-      `${standIns.join(', ')} stand in for ARKit's shapes${smooth && `; none moves these, which stay smooth: ${smooth}`}`,
-    )
-  }
-  return { regions, warnings }
+  if (standIns.length > 0) warnings.push(`${standIns.join(', ')} stand in for ARKit's shapes`)
+  return { regions, missing: isMirrored ? withoutSides(missing) : missing, warnings }
 }
 
 /** Those with the most compression, in their order. */

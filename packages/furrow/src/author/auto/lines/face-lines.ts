@@ -3,18 +3,18 @@ import type { DetectedFace } from '../surface/detect-face.ts'
 import { type CreasedRegion, creaseLines, type LineSettings, type RegionCreases } from './crease.ts'
 import { layGuides } from './guided-lines.ts'
 
-/** Lays the lines of anatomical regions on a face. Regions that share their guides share their creases. */
+/** Lays the lines of anatomical regions on a face, none where it has no skin. Regions that share their guides share their creases. */
 export function layFaceLines(
   { surface, chart }: DetectedFace,
   regions: readonly StrainedRegion[],
   { strength }: Pick<LineSettings, 'strength'>,
 ): CreasedRegion[] {
   const known = new Map<unknown, RegionCreases>()
-  return regions.flatMap(({ region, tensors }): CreasedRegion[] => {
+  return regions.map(({ region, tensors }): CreasedRegion => {
     const creased =
       known.get(region.guides) ??
       creaseLines(region, layGuides(surface, chart, region.guides, tensors), strength)
     known.set(region.guides, creased)
-    return creased.creases.length > 0 ? [{ region, ...creased }] : []
+    return { region, ...creased }
   })
 }

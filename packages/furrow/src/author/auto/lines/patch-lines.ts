@@ -1,3 +1,4 @@
+import { LONGEST_NAME } from '../../../core/limits.ts'
 import { Rng } from '../../../math/rng.ts'
 import type { LineStyle, SkinRegion } from '../anatomy/region.ts'
 import { type CompressedPatch, MIN_PATCH_COMPRESSION, patchTensors } from '../strain/patches.ts'
@@ -17,8 +18,9 @@ export function layPatchLines(
 ): CreasedRegion[] {
   const counts = new Map<string, number>()
   return patches.flatMap((patch): CreasedRegion[] => {
-    const name = names[patch.target]
-    const rng = new Rng(seed, name)
+    const target = names[patch.target]
+    const name = areaNameOf(target)
+    const rng = new Rng(seed, target)
     const tensors = patchTensors(patch, surface.areas.length)
     const laid = layFreeLines(surface, tensors, {
       spacing: SPACING,
@@ -31,7 +33,7 @@ export function layPatchLines(
     counts.set(name, count)
     const region: SkinRegion = {
       name: count === 1 ? name : `${name} ${count}`,
-      cause: { [name]: 1 },
+      cause: { [target]: 1 },
       spacing: SPACING,
       creasedFraction: 0.25 + 0.35 * ageFraction,
       maxDepth: 0.4 + 0.4 * ageFraction,
@@ -40,6 +42,16 @@ export function layPatchLines(
     }
     return [{ region, ...creaseLines(region, lines, strength) }]
   })
+}
+
+/** The name of an area after a target: names of areas have no control characters, and a length that leaves room for a number. */
+function areaNameOf(target: string): string {
+  return (
+    target
+      .replace(/[\p{Cc}\u2028\u2029]/gu, ' ')
+      .trim()
+      .slice(0, LONGEST_NAME - 4) || 'unnamed'
+  )
 }
 
 /** Lines of equal depth and width would look like stripes. */

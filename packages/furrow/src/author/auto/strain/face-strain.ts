@@ -34,7 +34,8 @@ export function strainFaceRegions(
   }
   const known = new Map<string, Float64Array>()
   return faceRegions(context, wanted).map((inArkit) => {
-    const region = { ...inArkit, cause: poseInRigShapes(inArkit.cause, face.names) }
+    const cause = poseInRigShapes(inArkit.cause, face.names)
+    const region = { ...inArkit, cause, shapes: Object.keys(inArkit.cause) }
     const expression = poseInRigShapes(inArkit.expression ?? inArkit.cause, face.names)
     const key = JSON.stringify(expression)
     const tensors = known.get(key) ?? poseStrain(face.surface, face.offsets, poseOf(face.find, expression))

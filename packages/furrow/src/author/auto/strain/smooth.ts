@@ -2,8 +2,12 @@ import type { SkinSurface } from '../surface/surface.ts'
 
 /** Fraction of the way to its neighbours' mean that a point moves in one iteration, at most. */
 const MAX_STEP = 0.8
-/** Iterations at most: meshes much finer than skin creases are smoothed less than asked for. */
+/**
+ * Iterations at most, and points times iterations at most, some seconds: meshes much finer than skin creases are smoothed less than asked
+ * for. The second keeps the time linear in the points, of which a finer mesh has more just where it needs more iterations.
+ */
 const MAX_ITERATIONS = 1000
+const MAX_UPDATES = 40_000_000
 
 /**
  * Smooths values at points by diffusion over the surface: whatever the size of the triangles, an impulse spreads as wide as asked for.
@@ -23,9 +27,7 @@ export function smooth(surface: SkinSurface, values: Float64Array, stride: numbe
   // Points without triangles, as in files whose meshes share vertices, say nothing about how fine this mesh is.
   const sorted = squares.filter((square) => square > 0).sort()
   const fine = sorted[Math.floor(sorted.length / 4)] ?? 0
-  // A step of length d in a random direction, taken with probability p, adds p d^2 / 2 to the variance along each axis.
-  const wanted = Math.ceil((2 * sigma * sigma) / (MAX_STEP * Math.max(fine, 1e-12)))
-  const iterations = Math.min(wanted, MAX_ITERATIONS)
+  const iterations = iterationsOf(count, fine, sigma)
   const before = new Float64Array(values.length)
   for (let iteration = 0; iteration < iterations; iteration++) {
     before.set(values)
@@ -40,6 +42,17 @@ export function smooth(surface: SkinSurface, values: Float64Array, stride: numbe
       }
     }
   }
+}
+
+/**
+ * How often points are moved towards their neighbours.
+ *
+ * @param square mean squared distance of neighbours where the mesh is fine.
+ */
+export function iterationsOf(points: number, square: number, sigma: number): number {
+  // A step of length d in a random direction, taken with probability p, adds p d^2 / 2 to the variance along each axis.
+  const wanted = Math.ceil((2 * sigma * sigma) / (MAX_STEP * Math.max(square, 1e-12)))
+  return Math.min(wanted, MAX_ITERATIONS, Math.ceil(MAX_UPDATES / points))
 }
 
 function squaredDistance(points: ArrayLike<number>, i: number, j: number): number {

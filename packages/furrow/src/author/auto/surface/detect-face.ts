@@ -1,6 +1,6 @@
 import { HeadChart } from './head-chart.ts'
 import { centroidOf, findLandmarks, type Landmarks } from './landmarks.ts'
-import { faceShapeFinder } from './stand-ins.ts'
+import { faceShapeFinder, partShapeFinder } from './stand-ins.ts'
 import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from './surface.ts'
 
 /** A skin that was recognised as a face. */
@@ -21,23 +21,29 @@ export interface DetectedFace {
 /** Millimetres between the centres of an adult's eyes (mean of women's 61.7 and men's 64.0; Dodgson 2004), to which faces are scaled. */
 const EYE_DISTANCE = 63
 
+/** Millimetres below and above the middle of the eyes. */
+const MOUTH_BELOW = 40
+const BROWS_ABOVE = 10
+
 /**
- * Recognises a face by what its targets move: blinks the lids, raised and lowered brows the brows, smiles the corners of the mouth.
+ * Recognises a face by what its targets move: blinks the lids, raised and lowered brows the brows, smiles the corners of the mouth. Brows that
+ * no target moves are placed above the eyes.
  *
  * @returns undefined where the targets needed for that have other names, or move nothing.
  */
 export function detectFace(skin: Skin): DetectedFace | undefined {
   const welded = weldSurface(skin)
   const names = skin.targets.map(({ name }) => name)
-  const find = faceShapeFinder(names)
+  const [find, findPart] = [faceShapeFinder(names), partShapeFinder(names)]
   const raw = skin.targets.map((target) => pointOffsets(welded, target))
   const centroid = (threshold: number, ...shapes: string[]) =>
-    centroidOf(welded, sumDisplacements(raw, shapes.flatMap(find), welded.areas.length), threshold)
+    centroidOf(welded, sumDisplacements(raw, shapes.flatMap(findPart), welded.areas.length), threshold)
   const leftEye = centroid(0.3, 'eyeBlinkLeft')
   const rightEye = centroid(0.3, 'eyeBlinkRight')
-  const mouth = centroid(0.5, 'mouthSmileLeft', 'mouthSmileRight', 'mouthStretch', 'mouthFrown')
-  const brows = centroid(0.3, 'browInnerUp', 'browDownLeft', 'browDownRight', 'browOuterUp')
-  if (!leftEye || !rightEye || !mouth || !brows) return undefined
+  const mouth =
+    centroid(0.5, 'mouthSmileLeft', 'mouthSmileRight', 'mouthStretch', 'mouthFrown') ??
+    centroid(0.5, 'jawOpen')
+  if (!leftEye || !rightEye || !mouth) return undefined
   const frame = faceFrame(leftEye, rightEye, mouth)
   if (!frame) return undefined
   const points = frame.positions(welded.points)
@@ -45,9 +51,12 @@ export function detectFace(skin: Skin): DetectedFace | undefined {
   const surface = { ...welded, points, areas, normals: frame.directions(welded.normals, 1) }
   const offsets = raw.map((offset) => frame.directions(offset, frame.scale))
   const browsMoveAsOne = `${find('browInnerUp')}` === `${find('browOuterUpLeft')}`
-  const landmarks = findLandmarks(surface, browsMoveAsOne, (...shapes) =>
-    sumDisplacements(offsets, shapes.flatMap(find), surface.areas.length),
-  )
+  const count = surface.areas.length
+  const landmarks = findLandmarks(surface, browsMoveAsOne, (...shapes) => {
+    const parts = shapes.flatMap(findPart)
+    if (parts.length > 0) return sumDisplacements(offsets, parts, count)
+    return inHalf(surface, shapes[0], sumDisplacements(offsets, shapes.flatMap(find), count))
+  })
   return landmarks && { surface, chart: new HeadChart(surface), landmarks, offsets, names, find }
 }
 
@@ -82,6 +91,14 @@ function faceFrame(leftEye: number[], rightEye: number[], mouth: number[]) {
     positions: (vectors: Float64Array) => transform(vectors, origin, scale),
     directions: (vectors: Float64Array, factor: number) => transform(vectors, [0, 0, 0], factor),
   }
+}
+
+/** What an emotion moves of the part that a shape is named after: brows are above the eyes, the mouth is below the nose. */
+function inHalf({ points }: SkinSurface, shape: string, displacements: Float64Array): Float64Array {
+  const isInside = shape.startsWith('mouth')
+    ? (up: number) => up < -MOUTH_BELOW
+    : (up: number) => up > BROWS_ABOVE
+  return displacements.map((distance, i) => (isInside(points[3 * i + 1]) ? distance : 0))
 }
 
 /** The sum of the displacements of each point over some targets. */

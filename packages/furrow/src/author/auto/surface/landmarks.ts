@@ -28,6 +28,9 @@ const FEATURE_END = 0.85
 /** Half the width, in millimetres, of the strip in which the end of a brow is searched. */
 const STRIP = 5
 
+/** Millimetres from the middle of the eye up to the brow (Farkas 1994), for a face whose brows no target moves. */
+const BROW_HEIGHT = 20
+
 /** Names of targets that move one side end in these. */
 const SIDE_SUFFIXES = ['Left', 'Right'] as const
 
@@ -57,10 +60,12 @@ export function findLandmarks(
   const eye = feature(0.3, 'eyeBlink')
   // Where one shape raises the whole brow, its ends are taken above the corners of the eye.
   const [inner, outer] = browsMoveAsOne ? [lid.low, lid.high] : []
-  const innerBrow = featureNear(inner, FEATURE_END, 'browInnerUp') ?? feature(FEATURE_END, 'browDown')
-  const outerBrow = featureNear(outer, FEATURE_END, 'browOuterUp') ?? feature(FEATURE_END, 'browDown')
   const mouthCorner = feature(FEATURE_END, 'mouthSmile')
-  if (!eye || !innerBrow || !outerBrow || !mouthCorner) return undefined
+  if (!eye || !mouthCorner) return undefined
+  const browAbove = (across: number): LandmarkPosition => [across, eye[1] + BROW_HEIGHT, eye[2]]
+  const down = feature(FEATURE_END, 'browDown')
+  const innerBrow = featureNear(inner, FEATURE_END, 'browInnerUp') ?? down ?? browAbove(lid.low)
+  const outerBrow = featureNear(outer, FEATURE_END, 'browOuterUp') ?? down ?? browAbove(lid.high)
   const tip = foremost(surface, mouthCorner[1] * 0.75, mouthCorner[1] * 0.25)
   const browHeight = (innerBrow[1] + outerBrow[1]) / 2
   // Hairline, brows, base of the nose and chin divide the face into thirds; the lips meet a third below the nose (Farkas 1994 finds it

@@ -27,12 +27,38 @@ const STAND_INS: Readonly<Record<string, readonly string[]>> = {
 }
 
 /**
+ * Emotions, which move the whole face, in place of shapes that a rig has neither itself nor in part: VRM's presets and VRoid's
+ * `Fcl_ALL_...`, by their canonical names.
+ */
+const EMOTIONS: Readonly<Record<string, readonly string[]>> = {
+  browInnerUp: ['surprised', 'sad'],
+  browOuterUp: ['surprised'],
+  browDown: ['angry'],
+  eyeSquint: ['happy', 'relaxed'],
+  cheekSquint: ['happy', 'relaxed'],
+  eyeWide: ['surprised'],
+  mouthFrown: ['sad', 'angry'],
+  mouthSmile: ['happy', 'relaxed'],
+}
+
+/**
  * Finds a face's shapes by ARKit's names, as `targetFinder` does; where the rig lacks one, its stand-ins.
  *
  * @param targets the skin's names.
  * @returns maps a name to indices into `targets`, none where there is no stand-in either.
  */
 export function faceShapeFinder(targets: readonly string[]): (name: string) => number[] {
+  const [find, findPart] = [targetFinder(targets), partShapeFinder(targets)]
+  return (name) => {
+    const part = findPart(name)
+    if (part.length > 0) return part
+    const emotions = EMOTIONS[canonicalTargetName(name).replace(/(Left|Right)$/, '')] ?? []
+    return emotions.map(find).find((indices) => indices.length > 0) ?? []
+  }
+}
+
+/** The same without emotions: what these move says nothing about where a part of the face is. */
+export function partShapeFinder(targets: readonly string[]): (name: string) => number[] {
   const find = targetFinder(targets)
   const firstFound = (names: readonly string[] = []) =>
     names.map(find).find((indices) => indices.length > 0) ?? []
@@ -67,6 +93,8 @@ export function poseInRigShapes(
 /** Names of the targets that stand in for shapes which the rig lacks. */
 export function standInsOf(targets: readonly string[]): string[] {
   const [find, findOrStandIn] = [targetFinder(targets), faceShapeFinder(targets)]
-  const missing = Object.keys(STAND_INS).filter((shape) => find(shape).length === 0)
+  const missing = [...new Set([...Object.keys(STAND_INS), ...Object.keys(EMOTIONS)])].filter(
+    (shape) => find(shape).length === 0,
+  )
   return [...new Set(missing.flatMap(findOrStandIn))].map((index) => targets[index])
 }

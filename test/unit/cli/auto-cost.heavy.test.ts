@@ -1,0 +1,86 @@
+import { readFileSync, writeFileSync } from 'node:fs'
+import { expect, test } from 'vitest'
+import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
+import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
+import { editGlb } from '../../glb.ts'
+import { bench } from './command.ts'
+import { sheet, sheetGlb } from './sheet.ts'
+
+const at = bench(autoCommand)
+const { file, fails } = at
+
+async function writeSheet(name: string, edit: Parameters<typeof editGlb>[1] = () => {}): Promise<string> {
+  writeFileSync(file(name), await sheetGlb(sheet(40)))
+  writeFileSync(file(name), editGlb(readFileSync(file(name)), edit))
+  return file(name)
+}
+
+test('an avatar takes at most 2 MB on the GPU at 1024 texels, compressed, as inspect counts them', async () => {
+  await at.run('faces/human.glb', '-o', file('small.glb'), '--replace', '--ktx2', '--json')
+  const { cost, layers } = JSON.parse(at.printed)
+  expect(cost.gpu).toBeLessThanOrEqual(2 * 1024 * 1024)
+  expect(layers).toHaveLength(2)
+  at.printed = ''
+  await inspectCommand.parseAsync([file('small.glb'), '--json'], { from: 'user' })
+  const { gpu, influenceMapBytes, imageBytes } = JSON.parse(at.printed)
+  expect(gpu.bits4 + influenceMapBytes).toBe(cost.gpu)
+  expect(imageBytes).toBe(cost.file)
+})
+
+test('what wrinkles cost, how they cost less and what drops them is printed', async () => {
+  await at.run(await writeSheet('plain.glb'), '-o', file('out.glb'), '--size', '512')
+  expect(at.printed).toMatch(
+    /wrinkles: [\d.]+ kB in the file, [\d.]+ kB on the GPU; --ktx2 or a smaller --size/,
+  )
+  expect(at.printed).toContain('register FurrowWrinkleMaps')
+})
+
+test('maps that are too large to compress are refused before the work', async () => {
+  await fails('too many texels', 'never-read.glb', '-o', file('x.glb'), '--ktx2', '--size', '4096')
+})
+
+test.each<[string, (json: Json) => void, string]>([
+  ['unlit', ({ materials }) => unlit(materials[0]!), 'is unlit (KHR_materials_unlit): it shows no wrinkles'],
+  [
+    'MToon of VRM 1',
+    ({ materials }) => {
+      materials[0]!.extensions = { VRMC_materials_mtoon: {}, KHR_materials_unlit: {} }
+    },
+    'is MToon: wrinkles are composed',
+  ],
+  [
+    'MToon of VRM 0',
+    (json) => {
+      unlit(json.materials[0]!)
+      json.extensions = { VRM: { materialProperties: [{ shader: 'VRM/MToon' }] } }
+    },
+    'is MToon: wrinkles are composed',
+  ],
+])('a material that is %s is told of', async (_, edit, warning) => {
+  await at.run(await writeSheet('odd.glb', edit as never), '-o', file('out.glb'), '--size', '512')
+  expect(at.warned).toContain(warning)
+})
+
+test('a lit material is preferred to an unlit one that moves as much', async () => {
+  const face = await writeSheet('two.glb', ((json: Json) => {
+    const [primitive] = json.meshes[0]!.primitives
+    unlit(json.materials[0]!)
+    json.materials.push({ name: 'lit' })
+    json.meshes.push({ ...json.meshes[0]!, name: 'second', primitives: [{ ...primitive, material: 1 }] })
+    json.scenes[0]!.nodes.push(json.nodes.push({ mesh: 1 }) - 1)
+  }) as never)
+  await at.run(face, '-o', file('out.glb'), '--size', '512', '--json')
+  expect(JSON.parse(at.printed).material).toBe('lit')
+})
+
+interface Json {
+  materials: { name?: string; extensions?: object }[]
+  meshes: { name?: string; primitives: { material?: number }[] }[]
+  nodes: { mesh?: number }[]
+  scenes: { nodes: number[] }[]
+  extensions?: object
+}
+
+function unlit(material: Json['materials'][number]): void {
+  material.extensions = { KHR_materials_unlit: {} }
+}
