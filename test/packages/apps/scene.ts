@@ -1,5 +1,5 @@
 // `furrow/three` and `furrow/webgpu`, where only three.js is installed beside them.
-import { ExpressionPlayer, WrinkleLoaderPlugin, Wrinkles } from 'furrow/three'
+import { ExpressionPlayer, WrinkleLoaderPlugin, Wrinkles, wrinklesOf } from 'furrow/three'
 import { WrinkleLoaderPlugin as WebgpuLoaderPlugin, Wrinkles as WebgpuWrinkles } from 'furrow/webgpu'
 import type { Mesh, Object3D } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
@@ -7,9 +7,9 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 export async function load(url: string, webgpu: boolean): Promise<Object3D> {
   const Plugin = webgpu ? WebgpuLoaderPlugin : WrinkleLoaderPlugin
   const loader = new GLTFLoader().register((parser) => new Plugin(parser))
-  const { scene, userData } = await loader.loadAsync(url)
-  new ExpressionPlayer(scene, userData.wrinkles[0]).play('surprised', 0.4)
-  return scene
+  const file = await loader.loadAsync(url)
+  new ExpressionPlayer(file.scene, wrinklesOf(file)[0]).play('surprised', 0.4)
+  return file.scene
 }
 
 export function copy(from: Wrinkles | WebgpuWrinkles, to: Mesh): Wrinkles | WebgpuWrinkles {
