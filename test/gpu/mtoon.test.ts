@@ -1,20 +1,27 @@
+import { VRMLoaderPlugin } from '@pixiv/three-vrm'
 import { MToonMaterial } from '@pixiv/three-vrm-materials-mtoon'
 import type { MToonNodeMaterial } from '@pixiv/three-vrm-materials-mtoon/nodes'
+import { WrinkleLoaderPlugin, wrinklesOf } from 'furrow/three'
 import {
   AmbientLight,
   BufferAttribute,
   Color,
   DataTexture,
   DirectionalLight,
+  type Group,
   type Material,
-  type Mesh,
+  Mesh,
+  type Object3D,
   REVISION,
   Scene,
 } from 'three'
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
 import { randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { vrmFile } from './vrm-file.ts'
 
 const SIZE = 32
 
@@ -39,14 +46,7 @@ describe.each(PATHS)('MToon on %s', (name) => {
     name === 'webgl'
       ? new MToonMaterial({ ...COLOURS, ...parameters } as never)
       : new Nodes({ ...COLOURS, ...parameters } as never)
-  const picture = async (mesh: Mesh) => {
-    // Light from the front, where MToon shows the same colour whatever the normal.
-    const light = new DirectionalLight(0xffffff, 2)
-    light.position.set(0, 0.2, 1)
-    const scene = new Scene().add(mesh, light, new AmbientLight(0xffffff, 0.2))
-    for (let i = 0; i < 3; i++) await harness.renderBytes(scene, squareCamera(), SIZE)
-    return harness.renderBytes(scene, squareCamera(), SIZE)
-  }
+  const picture = (mesh: Mesh) => pictureOf(harness, mesh)
   const ownMap = () => {
     const map = new DataTexture(randomNormals(seeded(1), 16).data, 16, 16)
     map.needsUpdate = true
@@ -96,6 +96,77 @@ describe.each(PATHS)('MToon on %s', (name) => {
   })
 })
 
+describe.each([
+  ['with an outline', true],
+  ['without one', false],
+])('the MToon face of a VRM, %s', (_, hasOutline) => {
+  let harness: Harness
+  beforeAll(async () => {
+    harness = await createHarness('webgl')
+  })
+  afterAll(() => harness.dispose())
+
+  const vrm = (loader: GLTFLoader) => loader.register((parser) => new VRMLoaderPlugin(parser))
+  const wrinkled = (loader: GLTFLoader) => loader.register((parser) => new WrinkleLoaderPlugin(parser))
+  const load = async (...plugins: ((loader: GLTFLoader) => GLTFLoader)[]) => {
+    const loader = plugins.reduce((all, register) => register(all), new GLTFLoader())
+    return loader.parseAsync((await vrmFile(hasOutline)).buffer, '')
+  }
+  const meshesOf = (root: Object3D) => root.getObjectByName('face')!.children as Mesh[]
+  const move = (root: Object3D, weight: number) => {
+    for (const { morphTargetInfluences } of meshesOf(root)) morphTargetInfluences![0] = weight
+  }
+  const picture = (root: Object3D) => pictureOf(harness, root)
+
+  it.each([
+    ['before', [wrinkled, vrm]],
+    ['after', [vrm, wrinkled]],
+  ])("wrinkles, its plugin registered %s three-vrm's", async (_, plugins) => {
+    const warn = vi.spyOn(console, 'warn')
+    const plain = await load(vrm)
+    const gltf = await load(...plugins)
+    expect(gltf.userData.vrm).toBeDefined()
+    const meshes = meshesOf(gltf.scene)
+    for (const { material } of meshes) expect([material].flat()).toHaveLength(hasOutline ? 2 : 1)
+    const [face, ...others] = wrinklesOf(gltf)
+    expect(others).toEqual([])
+    expect(meshes.map((mesh) => wrinklesOf(mesh))).toEqual([face, face])
+    face.setActivation('b', 0)
+    const rest = await picture(gltf.scene)
+    expect(meanOf(rest)).toBeGreaterThan(60)
+    expect(meanDifference(rest, await picture(plain.scene))).toBeLessThan(0.1)
+    move(gltf.scene, 1)
+    expect(meanDifference(await picture(gltf.scene), rest)).toBeGreaterThan(5)
+    expect(face.getActivation('a')).toBe(1)
+    expect(face.mode).toBe('default')
+    face.dispose()
+    expect(meanDifference(await picture(gltf.scene), await picture(plain.scene))).toBe(0)
+    expect(warn.mock.calls.filter(([text]) => /wrinkle/i.test(text))).toEqual([])
+  })
+
+  it('wrinkles by itself in each copy, and as a mesh that a page makes', async () => {
+    const gltf = await load(vrm, wrinkled)
+    const rest = await picture(gltf.scene)
+    const copy = cloneSkinned(gltf.scene) as Group
+    const made = copy.clone(false)
+    const loaded = meshesOf(gltf.scene)
+    for (const { geometry, material, morphTargetDictionary } of loaded) {
+      const morphs = { morphTargetDictionary, morphTargetInfluences: [1] }
+      made.add(Object.assign(new Mesh(geometry), { material, ...morphs }))
+    }
+    move(copy, 1)
+    const moved = await picture(copy)
+    expect(meanDifference(moved, rest)).toBeGreaterThan(5)
+    expect(meanDifference(await picture(made), moved)).toBe(0)
+    expect((made.children as Mesh[]).map((mesh) => wrinklesOf(mesh)!.getActivation('a'))).toEqual([1, 1])
+    const outlines = [...loaded, ...made.children].map((mesh) => [(mesh as Mesh).material].flat()[1])
+    expect(outlines.slice(2)).toEqual(outlines.slice(0, 2))
+    made.clear()
+    expect(loaded.map((mesh) => wrinklesOf(mesh)!.getActivation('a'))).toEqual([0, 0])
+    expect(meanDifference(await picture(gltf.scene), rest)).toBe(0)
+  })
+})
+
 it('an MToon face with tangents, whose shader takes no normal map, stays plain with one warning', async () => {
   const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
   vi.spyOn(console, 'error').mockImplementation(() => {})
@@ -112,6 +183,16 @@ it('an MToon face with tangents, whose shader takes no normal map, stays plain w
   wrinkles.dispose()
   harness.dispose()
 })
+
+/** Several frames later, since the first one tells what becomes of the shader. */
+async function pictureOf(harness: Harness, object: Object3D) {
+  // Light from the front, where MToon shows the same colour whatever the normal.
+  const light = new DirectionalLight(0xffffff, 2)
+  light.position.set(0, 0.2, 1)
+  const scene = new Scene().add(object, light, new AmbientLight(0xffffff, 0.2))
+  for (let i = 0; i < 3; i++) await harness.renderBytes(scene, squareCamera(), SIZE)
+  return harness.renderBytes(scene, squareCamera(), SIZE)
+}
 
 function meanOf(pixels: Uint8Array): number {
   return pixels.reduce((sum, value) => sum + value, 0) / pixels.length

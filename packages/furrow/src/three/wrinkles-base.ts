@@ -215,6 +215,12 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    */
   cloneMaterial(): Material | Material[] {
     this.checkInUse('cloneMaterial')
+    return this.#material.cloneAll()
+  }
+
+  /** Copies the one material that shows the wrinkles, without them. @internal */
+  cloneSurface(): Material {
+    this.checkInUse('cloneSurface')
     return this.#material.clone()
   }
 

@@ -1,5 +1,6 @@
 import type { Camera, Material, Mesh, SkinnedMesh } from 'three'
 import { instancesOf } from '../instances.ts'
+import { surfaceOf, withSurface } from '../material/surface.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 
@@ -24,7 +25,7 @@ const adoptions = new WeakMap<Material, Adoption>()
 
 /** The face that a mesh belongs to by its material: it was made by the page, which took the material from a loaded file. */
 export function adoptedBy(mesh: Mesh): WrinklesBase | undefined {
-  return adoptions.get(mesh.material as Material)?.faceOf(mesh)
+  return adoptions.get(surfaceOf(mesh))?.faceOf(mesh)
 }
 
 /**
@@ -61,7 +62,7 @@ export class Adoption {
     adoptions.set(this.#material, this)
     // drei's `<Clone deep>`, and whoever else copies the material.
     const clone = () => {
-      const copy = face.cloneMaterial() as Material
+      const copy = face.cloneSurface()
       adoptCopy(copy, face, this.#parts)
       return copy
     }
@@ -92,15 +93,15 @@ export class Adoption {
   #separate(mesh: Mesh): void {
     const face = this.#face
     // Several passes of one frame may have drawn it, and the page may have changed it since.
-    if (!face || mesh.material !== this.#material || this.faceOf(mesh)) return
+    if (!face || surfaceOf(mesh) !== this.#material || this.faceOf(mesh)) return
     const known = this.#copies.get(mesh)
-    const copy = known ?? (face.cloneMaterial() as Material)
-    mesh.material = copy
+    const copy = known ?? face.cloneSurface()
+    mesh.material = withSurface(mesh, this.#material, copy)
     if (known) return
     this.#copies.set(mesh, copy)
     addUntilRemoved(mesh, face, this.#parts, () => {
       this.#copies.delete(mesh)
-      if (mesh.material === copy) mesh.material = this.#material
+      if (surfaceOf(mesh) === copy) mesh.material = withSurface(mesh, copy, this.#material)
     })
   }
 }

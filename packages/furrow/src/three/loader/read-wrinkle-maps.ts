@@ -23,6 +23,7 @@ import {
 import { parseWrinkleMaps } from '../../drivers/parse.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 import type { ArrayTexture } from '../material/array-texture.ts'
+import { surfaceOf } from '../material/surface.ts'
 import { readTexture } from './read-texture.ts'
 
 /** A face of a file: meshes that have one material with the extension. */
@@ -71,7 +72,7 @@ export async function readWrinkleMaps(gltf: GLTF, parser: Parser = gltf.parser):
 export function wrinkledFaces(gltf: GLTF, parser: Parser): FileFace[] {
   return facesOf(gltf, parser).flatMap((meshes) => {
     // The loader clones materials; the clones are of the same material in the file.
-    const material = parser.associations.get(meshes[0].material as Material)?.materials
+    const material = parser.associations.get(surfaceOf(meshes[0]))?.materials
     if (material === undefined || extensionOf(material, parser) === undefined) return []
     return { meshes, material }
   })
@@ -111,7 +112,7 @@ function facesOf(gltf: GLTF, parser: Parser): [Mesh, ...Mesh[]][] {
       const whole = isPart(mesh, parser) ? mesh.parent! : mesh
       const parts = faces.get(whole) ?? new Map<Material, [Mesh, ...Mesh[]]>()
       faces.set(whole, parts)
-      const material = mesh.material as Material
+      const material = surfaceOf(mesh)
       const meshes = parts.get(material)
       if (!meshes) parts.set(material, [mesh])
       else if (!meshes.includes(mesh)) meshes.push(mesh)
@@ -190,7 +191,7 @@ class MapSource {
     const images = [...this.#images].map(async ([index, image]) => [index, await image] as const)
     const arrays = [...this.#arrays].map(async ([index, array]) => [index, shapeOf(await array)] as const)
     const shapes = new Map<number, TextureShape>(await Promise.all([...images, ...arrays]))
-    // biome-ignore lint/style/noNonNullAssertion: all textures that are drawn have been read.
+    // All textures that are drawn have been read.
     return (texture) => shapes.get(texture)!
   }
 

@@ -4,6 +4,7 @@ import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { WRINKLE_MAPS } from '../../core/wrinkle-maps.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
 import { driversOf, type WrinkleDriver } from '../../drivers/registry.ts'
+import { surfaceOf } from '../material/surface.ts'
 import { checkOptions, WRINKLES_DEFAULTS, type WrinklesOptions } from '../options.ts'
 import { bindDrivers } from '../sources/bind-drivers.ts'
 import type { InputBindings } from '../sources/binding.ts'
@@ -93,7 +94,7 @@ export class WrinkleLoader {
     { bySet, byMaterial }: AddedFaces,
     expressions: (() => VrmExpressions | undefined) | undefined,
   ): Promise<WrinklesBase> {
-    const material = meshes[0].material as Material
+    const material = surfaceOf(meshes[0])
     const copy = byMaterial.get(material)?.cloneMaterial()
     // Another face with the same material has its own activations, and so needs its own material.
     if (copy) for (const mesh of meshes) mesh.material = copy
@@ -113,7 +114,7 @@ export class WrinkleLoader {
   ): WrinklesBase {
     const { Wrinkles, bindings, watchDraws: watch } = this.#parts
     const [mesh, ...others] = meshes
-    const adoption = new Adoption(mesh.material as Material, meshes, {
+    const adoption = new Adoption(surfaceOf(mesh), meshes, {
       watch,
       add: (adopted, from) => this.#tryAdd(adopted, from, drivers),
     })

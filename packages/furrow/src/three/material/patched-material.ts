@@ -9,19 +9,19 @@ import { ComposedMap } from './composed-map.ts'
 import { packPaperArray } from './paper-array.ts'
 import type { RendererParts } from './renderer-parts.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
+import { readsNormalMap, surfaceOf, withSurface } from './surface.ts'
 import { flatNormalTexture } from './textures.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
 const patchedMaterials = new WeakSet<Material>()
 
 /**
- * The material of a mesh that shows its wrinkles: of several, as MToon has them for outlines, the first one with a normal map.
+ * The material of a mesh that shows its wrinkles.
  *
- * @throws FurrowError, which names the mesh, when there is none, or it shows wrinkles already.
+ * @throws FurrowError, which names the mesh, when it cannot, or shows others already.
  */
 export function checkMaterial(mesh: Mesh): WrinkleMaterial {
-  const materials = [mesh.material].flat() as WrinkleMaterial[]
-  const material = materials.find(readsNormalMap) ?? materials[0]
+  const material = surfaceOf(mesh) as WrinkleMaterial
   const problem = problemOf(material)
   if (!problem) return material
   throw new FurrowError({ who: 'Wrinkles', value: mesh.name, ...problem })
@@ -99,14 +99,18 @@ export class PatchedMaterial {
     }
   }
 
-  /** Copies what the mesh has as its material, without wrinkles; of several materials only the one that shows them. */
-  clone(): Material | Material[] {
+  /** Copies the material without wrinkles. */
+  clone(): Material {
     this.#unpatch()
     // Not the material's own: the loader replaces that, so that copies wrinkle too.
     const copy: Material = Object.getPrototypeOf(this.#material).clone.call(this.#material)
     this.#unpatch = this.#patch(this.mode)
-    const { material } = this.#mesh
-    return Array.isArray(material) ? material.map((own) => (own === this.#material ? copy : own)) : copy
+    return copy
+  }
+
+  /** Copies what the mesh has as its material, without wrinkles; of several materials only the one that shows them. */
+  cloneAll(): Material | Material[] {
+    return withSurface(this.#mesh, this.#material, this.clone())
   }
 
   /**
@@ -198,10 +202,4 @@ function problemOf(material: WrinkleMaterial): { what: string; remedy: string } 
     }
   }
   return null
-}
-
-/** Whether a material has a normal map, or may be given one. A shader of its own must name it. */
-function readsNormalMap(material: WrinkleMaterial | undefined): boolean {
-  if (!material || !('normalMap' in material)) return false
-  return material.fragmentShader === undefined || /\bnormalMap\b/.test(material.fragmentShader)
 }
