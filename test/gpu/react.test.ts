@@ -1,0 +1,145 @@
+import { Clone } from '@react-three/drei/core/Clone'
+import { act, createRoot, extend, type ReconcilerRoot, useGraph } from '@react-three/fiber'
+import { WrinkleLoaderPlugin, type Wrinkles, wrinklesOf } from 'furrow/three'
+import { createElement, type ReactNode, StrictMode } from 'react'
+import * as THREE from 'three'
+import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
+import { createHarness, type Harness, squareCamera } from './harness.ts'
+import { wrinkledFile } from './wrinkled-file.ts'
+
+const SIZE = 32
+
+describe('a loaded face in React Three Fiber', () => {
+  let harness: Harness
+  let root: ReconcilerRoot<HTMLCanvasElement>
+  let scene: THREE.Scene
+  let gltf: GLTF
+
+  beforeAll(async () => {
+    vi.stubGlobal('IS_REACT_ACT_ENVIRONMENT', true)
+    extend(THREE as never)
+    harness = await createHarness('webgl')
+    root = createRoot(harness.renderer.domElement as HTMLCanvasElement)
+    const size = { width: SIZE, height: SIZE, top: 0, left: 0 }
+    await root.configure({ gl: harness.renderer as THREE.WebGLRenderer, frameloop: 'never', size })
+  })
+  afterAll(async () => {
+    await act(async () => root.unmount())
+    harness.dispose()
+    vi.unstubAllGlobals()
+  })
+  beforeEach(async () => {
+    const loader = new GLTFLoader().register((parser) => new WrinkleLoaderPlugin(parser))
+    gltf = await loader.parseAsync((await wrinkledFile()).buffer, '')
+  })
+  afterEach(async () => {
+    await show(null)
+    for (const wrinkles of wrinklesOf(gltf)) wrinkles.dispose()
+    vi.restoreAllMocks()
+  })
+
+  const show = async (children: ReactNode) => {
+    const light = createElement('directionalLight', { intensity: 2, position: [1, 1, 1] })
+    const store = await act(async () => root.render(createElement(StrictMode, null, light, children)))
+    scene = store.getState().scene
+  }
+  const picture = async () => {
+    // Faces that the page has made wrinkle from their second frame on.
+    await harness.render(scene, squareCamera(), SIZE)
+    return harness.render(scene, squareCamera(), SIZE)
+  }
+  const shownMeshes = () => {
+    const meshes: THREE.Mesh[] = []
+    scene.traverse((object) => {
+      if ((object as THREE.Mesh).isMesh) meshes.push(object as THREE.Mesh)
+    })
+    return meshes
+  }
+  const move = (weight: number) => {
+    for (const { morphTargetInfluences } of shownMeshes()) morphTargetInfluences![0] = weight
+  }
+  const loadedMeshes = () => gltf.scene.getObjectByName('face')!.children as THREE.Mesh[]
+
+  /** As gltfjsx writes it. */
+  function Face({ file, own = false }: { file: GLTF; own?: boolean }) {
+    const { nodes, materials } = useGraph(file.scene)
+    const meshes = nodes.face.children as THREE.Mesh[]
+    return createElement(
+      'group',
+      { dispose: null },
+      meshes.map(({ name, geometry, morphTargetDictionary, morphTargetInfluences }) =>
+        createElement('mesh', {
+          key: name,
+          name,
+          geometry,
+          material: materials.skin,
+          morphTargetDictionary,
+          morphTargetInfluences: own ? [...morphTargetInfluences!] : morphTargetInfluences,
+        }),
+      ),
+    )
+  }
+
+  const WAYS: [string, () => ReactNode][] = [
+    ['as JSX', () => createElement(Face, { file: gltf })],
+    ['as JSX with weights of its own', () => createElement(Face, { file: gltf, own: true })],
+    ['as a <primitive>', () => createElement('primitive', { object: gltf.scene })],
+    ['as a <Clone>', () => createElement(Clone, { object: gltf.scene })],
+    [
+      'as a <Clone> with its own material',
+      () => createElement(Clone, { object: gltf.scene, deep: 'materialsOnly' }),
+    ],
+  ]
+  /** Nobody disposes of the geometries that drei copies for it. */
+  const DEEP: (typeof WAYS)[number] = [
+    'as a deep <Clone>',
+    () => createElement(Clone, { object: gltf.scene, deep: true }),
+  ]
+
+  it.each([...WAYS, DEEP])('wrinkles %s as its blendshapes move, and leaves nothing', async (_, element) => {
+    const warn = vi.spyOn(console, 'warn')
+    await show(element())
+    expect(shownMeshes()).toHaveLength(2)
+    const rest = await picture()
+    move(1)
+    const moved = await picture()
+    expect(moved).not.toEqual(rest)
+    const faces = shownMeshes().map((mesh) => wrinklesOf(mesh) as Wrinkles)
+    expect(faces.map((face) => face.getActivation('a'))).toEqual([1, 1])
+    move(0)
+    expect(await picture()).toEqual(rest)
+    await show(null)
+    for (const face of faces) expect(face.isDisposed).toBe(!wrinklesOf(gltf).includes(face))
+    expect(warn.mock.calls.filter(([text]) => /wrinkle/i.test(text))).toEqual([])
+  })
+
+  it('leaves no texture on the GPU, however often its copies come and go', async () => {
+    const { memory } = (harness.renderer as THREE.WebGLRenderer).info
+    const mount = async () => {
+      for (const [, element] of WAYS) {
+        await show(element())
+        move(1)
+        await picture()
+      }
+      await show(null)
+    }
+    await mount()
+    const { textures, geometries } = memory
+    for (let i = 0; i < 3; i++) await mount()
+    expect([memory.textures, memory.geometries]).toEqual([textures, geometries])
+    expect(loadedMeshes().map((mesh) => wrinklesOf(mesh))).toEqual(Array(2).fill(wrinklesOf(gltf)[0]))
+  })
+
+  it('keeps two copies apart, side by side', async () => {
+    const copies = [-1, 1].map((x) =>
+      createElement(Clone, { key: x, object: gltf.scene, position: [x, 0, 0] }),
+    )
+    await show(copies)
+    const meshes = shownMeshes()
+    expect(meshes).toHaveLength(4)
+    for (const [i, mesh] of meshes.entries()) mesh.morphTargetInfluences = [i < 2 ? 1 : 0]
+    await picture()
+    expect(meshes.map((mesh) => wrinklesOf(mesh)!.getActivation('a'))).toEqual([1, 1, 0, 0])
+  })
+})
