@@ -65,6 +65,57 @@ describe('images', () => {
 })
 
 describe('loadWrinkleSet', () => {
+  it('reads a set with its drivers and all its maps, from where a folder has them by default', async () => {
+    const layer = {
+      name: 'a#b',
+      normalScale: 0.5,
+      baseColor: 'c.png',
+      roughness: 'r.png',
+      occlusion: 'o.png',
+    }
+    const driver = { type: 'morph', area: 'nose', targets: [{ name: 'noseSneerLeft', weight: 1 }] }
+    const text = JSON.stringify({
+      layers: [{ ...layer, occlusionStrength: 0.25 }],
+      areas: [{ name: 'nose' }, { name: 'brow', image: 'b.png', convention: 'weight', activation: 0.5 }],
+      drivers: [driver],
+    })
+    const files: Record<string, Blob> = {
+      'wrinkles.json': new Blob([text]),
+      'layers/a%23b/normal.png': await grayPng(4, 4, 10),
+      'c.png': await grayPng(4, 4, 20),
+      'r.png': await grayPng(4, 4, 30),
+      'o.png': await grayPng(4, 4, 40),
+      'areas/nose.png': await grayPng(2, 2, 50),
+      'b.png': await grayPng(2, 2, 60),
+    }
+    const asked: string[] = []
+    vi.stubGlobal('fetch', async (address: URL) => {
+      const [, path] = address.pathname.split('/my-face/')
+      asked.push(path)
+      return new Response(files[path])
+    })
+    const set = await loadWrinkleSet('my-face/wrinkles.json').finally(() => vi.unstubAllGlobals())
+    expect(asked.sort()).toEqual(Object.keys(files).sort())
+    const [{ normal, baseColor, roughness, occlusion, ...rest }] = set.layers
+    const first = [normal, baseColor, roughness, occlusion].map(
+      (map) => (map as { data: Uint8Array }).data[0],
+    )
+    expect(first).toEqual([10, 20, 30, 40])
+    expect(rest).toEqual({ name: 'a#b', kind: 'replace', normalScale: 0.5, occlusionStrength: 0.25 })
+    expect(set.areas.map(({ name, weights: { data }, activation }) => [name, data[0], activation])).toEqual([
+      ['nose', 205, undefined],
+      ['brow', 60, 0.5],
+    ])
+    expect(set.drivers).toMatchObject([driver])
+    const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
+    mesh.morphTargetDictionary = { noseSneerLeft: 0 }
+    mesh.morphTargetInfluences = [0.75]
+    const wrinkles = new Wrinkles(mesh, set)
+    wrinkles.update()
+    expect(wrinkles.getActivation('nose')).toBe(0.75)
+    wrinkles.dispose()
+  })
+
   it.each<[string, unknown, RegExp]>([
     [
       'a missing file',

@@ -1,4 +1,4 @@
-import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises'
+import { cp, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
@@ -78,6 +78,7 @@ describe('furrow render', () => {
       'webgl bare': { input: bare, ...HAPPY },
       'webgl bare off': { input: bare, ...HAPPY, mode: 'off' },
       'webgl plain': { input: plain, ...SURPRISED },
+      'webgl set': { input: plain, wrinkles: await writeSet(), ...SURPRISED },
       'webgl text': { input: await writeGltf(images), ...SURPRISED },
       'webgpu images': { input: images, ...SURPRISED, renderer: 'webgpu' },
       'webgpu off': { input: images, ...SURPRISED, renderer: 'webgpu', mode: 'off' },
@@ -127,6 +128,19 @@ describe('furrow render', () => {
     expect(largestDifference(opaque('webgl plain'), opaque('webgl off'), WHOLE)).toBeLessThanOrEqual(2)
   })
 
+  test('draws a wrinkle set with all its maps, its drivers in place of an expression that needs other areas', () => {
+    expect(drawn.get('webgl set')!.warnings).toEqual([])
+    const [left, right] = [
+      { ...FOREHEAD, left: 0.51 },
+      { ...FOREHEAD, right: 0.49 },
+    ]
+    const differences = [left, right].map((half) =>
+      largestDifference(opaque('webgl set'), opaque('webgl off'), half),
+    )
+    expect(differences[0]).toBeGreaterThan(20)
+    expect(differences[1]).toBeLessThan(differences[0] / 2)
+  })
+
   test('draws a .gltf and the files beside it like the .glb', () => {
     expect(opaque('webgl text')).toEqual(opaque('webgl images'))
   })
@@ -167,6 +181,20 @@ describe('furrow render', () => {
     return { width, height, data: pixels.filter((_, i) => i % 4 < 3) }
   }
 })
+
+/** The left half of the human's forehead, driven by one blendshape, with a second map. */
+async function writeSet(): Promise<string> {
+  const own = join(folder, 'set')
+  await cp(join(ROOT, 'faces/human'), own, { recursive: true })
+  await cp(join(own, 'layers/expression/normal.png'), join(own, 'occlusion.png'))
+  const set = {
+    layers: [{ name: 'expression', kind: 'detail', occlusion: 'occlusion.png', occlusionStrength: 0 }],
+    areas: [{ name: 'foreheadLeft' }],
+    drivers: [{ type: 'morph', area: 'foreheadLeft', targets: [{ name: 'browOuterUpLeft', weight: 1 }] }],
+  }
+  await writeFile(join(own, 'wrinkles.json'), JSON.stringify(set))
+  return join(own, 'wrinkles.json')
+}
 
 function pack(file: string, ...options: string[]): Promise<CommandResult> {
   const wrinkles = join(ROOT, 'faces/human')

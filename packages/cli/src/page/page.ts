@@ -74,7 +74,7 @@ async function open(job: PageJob): Promise<Scene> {
     throw new Error('this browser has no WebGPU: use --renderer webgl')
   }
   const face = await loadFace(job.face, job.mesh, loaderFor(stage.renderer))
-  const loaded = job.wrinkles ? { set: await loadWrinkleSet(job.wrinkles), drivers: [] } : face.wrinkles
+  const loaded = job.wrinkles ? await loadDocument(job.wrinkles) : face.wrinkles
   stage.show(face)
   const initialWeights = new Map<Mesh, readonly number[]>()
   face.root.traverse((object) => {
@@ -82,6 +82,12 @@ async function open(job: PageJob): Promise<Scene> {
     if (morphTargetInfluences) initialWeights.set(object as Mesh, [...morphTargetInfluences])
   })
   return { stage, face, loaded, initialWeights }
+}
+
+/** Apart from their set, as a file has them: with it, they would be added by themselves. */
+async function loadDocument(url: string): Promise<Pick<LoadedWrinkles, 'set' | 'drivers'>> {
+  const { drivers, ...set } = await loadWrinkleSet(url)
+  return { set, drivers: (drivers ?? []) as LoadedWrinkles['drivers'] }
 }
 
 /** A loader for meshes in Draco and textures in KTX 2. */

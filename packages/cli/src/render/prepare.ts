@@ -113,7 +113,11 @@ async function findWrinkles(
     path,
   )
   const files = new Map([[path, path]])
-  for (const uri of [...layers.map(({ normal }) => normal), ...areas.map(({ image }) => image)]) {
+  const maps = layers.flatMap(({ normal, baseColor, roughness, occlusion }) => [
+    normal,
+    ...[baseColor, roughness, occlusion].filter((map) => map !== undefined),
+  ])
+  for (const uri of [...maps, ...areas.map(({ image }) => image)]) {
     const real = await resolveInside(path, uri, WHO, options)
     await checkReadable(real)
     // The page finds it by its URI, as a browser resolves that.

@@ -8,6 +8,8 @@ import { MAP_SLOTS } from './wrinkled-file.ts'
 
 type Json = Record<string, unknown>
 
+const OPTIONAL_MAPS = MAP_SLOTS.filter(([map]) => map !== 'normal')
+
 /**
  * Reads the wrinkle set of a folder: its `wrinkles.json`, completed by the files in `layers/` and `areas/`. Without
  * that document, all layers and areas found there are used, in alphabetical order.
@@ -70,17 +72,14 @@ function foundLayers(files: readonly string[]): Json[] {
 }
 
 function foundAreas(files: readonly string[]): Json[] {
-  return matches(files, /^areas\/([^/]+)\.png$/).map((name) => ({
-    name,
-    image: addressOf(`areas/${name}.png`),
-  }))
+  return matches(files, /^areas\/([^/]+)\.png$/).map((name) => ({ name }))
 }
 
-/** Adds the maps in a layer's folder that the document does not name. */
+/** Adds the optional maps in a layer's folder that the document does not name: a reader of it alone has no default for them. */
 function completeLayers(layers: unknown[], files: readonly string[]): void {
   for (const layer of layers) {
     if (!isObject(layer)) continue
-    for (const [map] of MAP_SLOTS) {
+    for (const [map] of OPTIONAL_MAPS) {
       const file = `layers/${layer.name}/${map}.png`
       if (layer[map] === undefined && files.includes(file)) layer[map] = addressOf(file)
     }

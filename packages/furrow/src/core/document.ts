@@ -105,7 +105,7 @@ function readLayer(reader: JsonReader, item: unknown, at: string): SetDocument['
   if (json.occlusionStrength !== undefined) {
     layer.occlusionStrength = reader.number(json.occlusionStrength, `${at}.occlusionStrength`, 0, 1, '')
   }
-  if (layer.height !== undefined) {
+  if (layer.height !== undefined || json.heightAmplitude !== undefined) {
     layer.heightAmplitude = reader.number(json.heightAmplitude, `${at}.heightAmplitude`, 0, LARGEST, 'metres')
   }
   return layer

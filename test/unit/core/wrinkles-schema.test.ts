@@ -1,0 +1,147 @@
+import { readdirSync, readFileSync } from 'node:fs'
+import { fileURLToPath } from 'node:url'
+import Ajv2020, { type ValidateFunction } from 'ajv/dist/2020.js'
+import fc from 'fast-check'
+import { parseWrinkleSetDocument, type WrinkleSetDocument } from 'furrow'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { mutate, mutation } from '../gltf/mutations.ts'
+
+const ROOT = fileURLToPath(new URL('../../..', import.meta.url))
+const read = (path: string) => readFileSync(`${ROOT}/${path}`, 'utf8')
+const schemas = readdirSync(`${ROOT}/docs/schema`).map((file) => JSON.parse(read(`docs/schema/${file}`)))
+const schema = schemas.find(({ $id }) => $id === 'wrinkles.schema.json')
+let validate: ValidateFunction
+
+beforeAll(() => {
+  validate = new Ajv2020({ schemas }).getSchema(schema.$id)!
+})
+
+/** A document with every field: it does not compile when one is added to the type and not here. */
+const FULL = {
+  version: 1,
+  mesh: 'head',
+  material: 'skin',
+  layers: [
+    {
+      name: 'expression',
+      kind: 'detail',
+      normal: 'n.png',
+      normalScale: 0.5,
+      baseColor: 'c.png',
+      roughness: 'r.png',
+      occlusion: 'o.png',
+      occlusionStrength: 0.5,
+      height: 'h.png',
+      heightAmplitude: 0.002,
+    } satisfies Required<WrinkleSetDocument['layers'][number]>,
+  ],
+  areas: [
+    {
+      name: 'nose',
+      image: 'nose.png',
+      layer: 'expression',
+      combine: 'max',
+      convention: 'weight',
+      activation: 0.25,
+    } satisfies Required<WrinkleSetDocument['areas'][number]>,
+  ],
+  drivers: [
+    { type: 'morph', area: 'nose', targets: [{ name: 'noseSneerLeft', weight: 0.5 }], rule: 'max' },
+    { type: 'time', area: 'nose', attack: 0.1 },
+  ],
+  areaSize: 64,
+} satisfies Required<WrinkleSetDocument>
+
+interface Fields {
+  properties: Record<string, { default?: unknown }>
+  required?: string[]
+  dependentRequired?: Record<string, string[]>
+}
+
+/** Objects of the document, by the beginning of their fields' paths. */
+const OBJECTS: [string, Fields, object][] = [
+  ['', schema, FULL],
+  ['layers[].', schema.$defs.layer, FULL.layers[0]],
+  ['areas[].', schema.$defs.area, FULL.areas[0]],
+]
+
+/** Fields of the tables below a heading, by path, and what stands in their column of defaults. */
+function tableOf(page: string, heading: string): [string, string][] {
+  const [, section] = read(page).split(`\n${heading}\n`)
+  const rows = section.split(/\n## /)[0].matchAll(/^\| (`.+?`) \| .+ \| (.+) \|$/gm)
+  return [...rows].flatMap(([, cell, usual]): [string, string][] => {
+    const names = [...cell.matchAll(/`(.+?)`/g)].map(([, name]) => name)
+    const [, start = ''] = /^(.+\.)?/.exec(names[0])!
+    return names.map((name, i) => [i === 0 ? name : start + name, usual])
+  })
+}
+
+describe('the schema of wrinkles.json', () => {
+  it('has the fields of the documents, required and with defaults where they say so', () => {
+    const documented = new Map([
+      ...tableOf('docs/pack.md', '## wrinkles.json'),
+      ...tableOf('docs/guide.md', '## Painted maps'),
+    ])
+    const paths = OBJECTS.flatMap(([start, { properties }]) =>
+      Object.keys(properties).map((name) => start + name),
+    )
+    expect([...documented.keys()].sort()).toEqual(paths.sort())
+    for (const [start, { properties, required = [], dependentRequired = {} }] of OBJECTS) {
+      for (const [name, { default: value }] of Object.entries(properties)) {
+        const usual = documented.get(start + name)!
+        expect(usual === 'required', usual).toBe(required.includes(name))
+        const dependent = Object.values(dependentRequired).flat()
+        expect(/^required with/.test(usual), usual).toBe(dependent.includes(name))
+        const text = value === undefined ? [] : Array.isArray(value) ? ['none'] : [`${value}`, `\`${value}\``]
+        if (text.length > 0) expect(text, start + name).toContain(usual)
+      }
+    }
+  })
+
+  it('has the fields that the parser reads', () => {
+    expect(validate(FULL), JSON.stringify(validate.errors)).toBe(true)
+    expect(parseWrinkleSetDocument(FULL)).toMatchObject(FULL)
+    for (const [start, { properties }, object] of OBJECTS) {
+      expect(Object.keys(object).sort(), start).toEqual(Object.keys(properties).sort())
+      for (const name of Object.keys(properties)) {
+        const spoilt = { ...object, [name]: { no: 'value' } }
+        const whole = start === '' ? spoilt : { ...FULL, [start.slice(0, -3)]: [spoilt] }
+        expect(validate(whole), start + name).toBe(false)
+        expect(() => parseWrinkleSetDocument(whole), start + name).toThrow(name)
+      }
+    }
+  })
+
+  it('accepts the example of the guide, and the shipped sets', () => {
+    const [, example] = /```json\n([\s\S]+?)```/.exec(read('docs/guide.md'))!
+    const sets = ['human', 'human-2', 'hand', 'neck'].map((name) => read(`faces/${name}/wrinkles.json`))
+    for (const text of [example, ...sets]) {
+      expect(validate(JSON.parse(text)), JSON.stringify(validate.errors)).toBe(true)
+      expect(parseWrinkleSetDocument(JSON.parse(text)).version).toBe(1)
+    }
+  })
+
+  it('accepts everything that the parser accepts, and refuses most of what it refuses', () => {
+    const text = JSON.stringify(FULL)
+    let [accepted, refused, missed] = [0, 0, 0]
+    fc.assert(
+      fc.property(fc.array(mutation, { minLength: 1, maxLength: 2 }), (mutations) => {
+        const document = mutations.reduce(mutate, JSON.parse(text))
+        const passes = validate(document)
+        try {
+          parseWrinkleSetDocument(document)
+        } catch {
+          refused++
+          if (passes) missed++
+          return true
+        }
+        accepted++
+        return passes
+      }),
+      { numRuns: 10_000, seed: 5 },
+    )
+    expect(accepted).toBeGreaterThan(1000)
+    // A schema cannot check names of areas; and a folder, not the document, may have the layers and areas.
+    expect(missed / refused).toBeLessThan(0.25)
+  })
+})
