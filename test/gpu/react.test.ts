@@ -4,6 +4,7 @@ import { WrinkleLoaderPlugin, type Wrinkles, wrinklesOf } from 'furrow/three'
 import { createElement, type ReactNode, StrictMode } from 'react'
 import * as THREE from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { clone } from 'three/addons/utils/SkeletonUtils.js'
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
 import { createHarness, type Harness, squareCamera } from './harness.ts'
 import { wrinkledFile } from './wrinkled-file.ts'
@@ -57,7 +58,7 @@ describe('a loaded face in React Three Fiber', () => {
     return meshes
   }
   const move = (weight: number) => {
-    for (const { morphTargetInfluences } of shownMeshes()) morphTargetInfluences![0] = weight
+    for (const { morphTargetInfluences } of shownMeshes()) morphTargetInfluences?.fill(weight)
   }
   const loadedMeshes = () => gltf.scene.getObjectByName('face')!.children as THREE.Mesh[]
 
@@ -129,6 +130,30 @@ describe('a loaded face in React Three Fiber', () => {
     for (let i = 0; i < 3; i++) await mount()
     expect([memory.textures, memory.geometries]).toEqual([textures, geometries])
     expect(loadedMeshes().map((mesh) => wrinklesOf(mesh))).toEqual(Array(2).fill(wrinklesOf(gltf)[0]))
+  })
+
+  it.each([
+    ['<Clone> makes', () => createElement(Clone, { object: gltf.scene })],
+    ['a page makes once', () => createElement(Face, { file: { scene: clone(gltf.scene) } as GLTF })],
+  ])('wrinkles a copy of a face with a skeleton that %s, and leaves nothing', async (_, create) => {
+    // SkeletonUtils copies a scene as a whole as soon as anything in it has a skeleton.
+    const skinned = new THREE.SkinnedMesh()
+    skinned.visible = false
+    skinned.bind(new THREE.Skeleton([new THREE.Bone()]))
+    gltf.scene.add(skinned)
+    const element = create()
+    for (let i = 0; i < 2; i++) {
+      await show(element)
+      move(1)
+      // `useGraph` gives both meshes the material of the first, which wrinkles a frame earlier than its copy for the second.
+      for (let frame = 0; frame < 2; frame++) await picture()
+      const meshes = shownMeshes().filter((mesh) => mesh.visible)
+      const faces = meshes.map((mesh) => wrinklesOf(mesh) as Wrinkles)
+      expect(faces.map((face) => face.getActivation('a'))).toEqual([1, 1])
+      await show(null)
+      expect(faces.map((face) => face.isDisposed)).toEqual([true, true])
+    }
+    expect(wrinklesOf(gltf)[0].isDisposed).toBe(false)
   })
 
   it('keeps two copies apart, side by side', async () => {

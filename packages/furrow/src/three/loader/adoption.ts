@@ -41,18 +41,30 @@ export class Adoption {
   /** Of adopted meshes that are faces of their own. React may set the shared material again. */
   readonly #copies = new WeakMap<Mesh, Material>()
   readonly #unwatch: () => void
+  readonly #copyOf: WrinklesBase | undefined
+  /** Adopted meshes that show a copy. */
+  readonly #guests = new Set<Mesh>()
+  /** Whether a mesh of the face itself was drawn. */
+  #isShown = false
   #face: WrinklesBase | null = null
 
   /**
    * To be created before the material is patched.
    *
    * @param meshes of the face.
+   * @param copyOf the face of which this one is a copy.
    */
-  constructor(material: Material, meshes: readonly Mesh[], parts: AdoptionParts) {
+  constructor(
+    material: Material,
+    meshes: readonly Mesh[],
+    parts: AdoptionParts,
+    copyOf: WrinklesBase | undefined,
+  ) {
     this.#material = material
     this.#meshes = meshes
     this.#known = new WeakSet(meshes)
     this.#parts = parts
+    this.#copyOf = copyOf
     this.#unwatch = parts.watch(material, (mesh, renderer, camera) => this.#onDraw(mesh, renderer, camera))
   }
 
@@ -83,10 +95,35 @@ export class Adoption {
   }
 
   #onDraw(mesh: Mesh, renderer: AnyRenderer, camera: Camera): void {
-    if (this.#known.has(mesh) || !this.#face) return
+    if (this.#known.has(mesh)) {
+      this.#isShown = true
+      return
+    }
+    if (!this.#face) return
     const face = this.faceOf(mesh)
-    if (face) face.prepare(renderer, camera, mesh)
-    else afterFrame(() => this.#separate(mesh))
+    if (!face) {
+      afterFrame(() => this.#separate(mesh))
+      return
+    }
+    face.prepare(renderer, camera, mesh)
+    if (this.#copyOf && !this.#guests.has(mesh)) this.#host(mesh, face, this.#copyOf)
+  }
+
+  /**
+   * Disposes of a copy that only adopted meshes show when the last of them is removed, since nobody else will: drei's `<Clone>` makes
+   * such a copy of a face with a skeleton, and never draws it.
+   */
+  #host(mesh: Mesh, face: WrinklesBase, source: WrinklesBase): void {
+    this.#guests.add(mesh)
+    const remove = () => {
+      mesh.removeEventListener('removed', remove)
+      this.#guests.delete(mesh)
+      if (this.#isShown || this.#guests.size > 0) return
+      face.dispose()
+      adoptCopy(this.#material, source, this.#parts)
+    }
+    mesh.addEventListener('removed', remove)
+    face.onDispose(() => mesh.removeEventListener('removed', remove))
   }
 
   /** Gives a mesh wrinkles of its own. */

@@ -99,7 +99,7 @@ export class WrinkleLoader {
     // Another face with the same material has its own activations, and so needs its own material.
     if (copy) for (const mesh of meshes) mesh.material = copy
     await addMusclesOf(meshes[0], drivers)
-    const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, drivers, expressions)
+    const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, drivers, { expressions })
     if (!bySet.has(set)) bySet.set(set, own)
     if (!copy) byMaterial.set(material, own)
     return own
@@ -110,14 +110,12 @@ export class WrinkleLoader {
     meshes: readonly Mesh[],
     source: WrinkleSet<ArraySlice> | WrinklesBase,
     drivers: readonly WrinkleDriver[],
-    expressions?: () => VrmExpressions | undefined,
+    { expressions, copyOf }: FaceOrigin = {},
   ): WrinklesBase {
     const { Wrinkles, bindings, watchDraws: watch } = this.#parts
     const [mesh, ...others] = meshes
-    const adoption = new Adoption(surfaceOf(mesh), meshes, {
-      watch,
-      add: (adopted, from) => this.#tryAdd(adopted, from, drivers),
-    })
+    const parts = { watch, add: (adopted: Mesh, from: WrinklesBase) => this.#tryAdd(adopted, from, drivers) }
+    const adoption = new Adoption(surfaceOf(mesh), meshes, parts, copyOf)
     let own: WrinklesBase | undefined
     try {
       own = new Wrinkles(mesh, source, this.#options)
@@ -149,13 +147,20 @@ export class WrinkleLoader {
     mesh.clone = (recursive) => {
       const copy: Mesh = Object.getPrototypeOf(mesh).clone.call(mesh, recursive)
       copy.material = own.cloneMaterial()
-      this.#addWrinkles([copy], own, drivers)
+      this.#addWrinkles([copy], own, drivers, { copyOf: own })
       return copy as typeof mesh
     }
     own.onDispose(() => {
       delete (mesh as Partial<Mesh>).clone
     })
   }
+}
+
+/** Where a face comes from. */
+interface FaceOrigin {
+  /** Those of the file, where it is a VRM and the face is loaded from it. */
+  expressions?: (() => VrmExpressions | undefined) | undefined
+  copyOf?: WrinklesBase
 }
 
 /** The wrinkles of a file as they are added. */
