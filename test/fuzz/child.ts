@@ -91,8 +91,7 @@ async function attempt({ command, seed, index, seconds, folder }: Task): Promise
 }
 
 /** What engines and libraries say of values that they did not expect: no user can act upon it. */
-const UNCLEAR =
-  /undefined|is not (a function|iterable|an object)|null|\[object|typed array|call stack|NaN at/i
+const UNCLEAR = /undefined|of null|is not (a function|iterable)|\[object|typed array|call stack/i
 
 function judge(error: unknown): [Outcome, string] {
   if (!(error instanceof FurrowError)) return ['stack', error instanceof Error ? error.stack! : String(error)]
