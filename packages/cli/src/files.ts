@@ -4,7 +4,7 @@ import { dirname, join } from 'node:path'
 import { FurrowError } from 'furrow'
 import { cannotRead, cannotWrite } from './errors.ts'
 import { uninterrupted } from './interruption.ts'
-import { isStdout, statOf, targetOf } from './outputs.ts'
+import { fileProblem, isStdout, statOf, targetOf } from './outputs.ts'
 
 /** A file to write: its whole content, still in memory. */
 export interface OutputFile {
@@ -12,17 +12,23 @@ export interface OutputFile {
   bytes: Uint8Array
 }
 
+/** What the shell has opened, as in `furrow inspect <(...)`. Other pipes may have no writer, and devices no end. */
+const OPEN_FILE = /^\/(dev\/stdin|(dev|proc\/self)\/fd\/\d+)$/
+
 /**
- * Reads a file.
+ * Reads a file, or the pipe that a shell has opened.
  *
  * @param noun what the file is to the user, e.g. `the face`; put before its path in the error.
  * @throws FurrowError when it cannot be read.
  */
 export async function readBytes(path: string, who: string, noun = '', remedy?: string): Promise<Buffer> {
+  const name = `${noun} ${path}`.trim()
+  const problem = OPEN_FILE.test(path) ? undefined : fileProblem(await statOf(path).catch(() => undefined))
+  if (problem) throw cannotRead(who, name, new Error(problem), { remedy: 'name a file' })
   try {
     return await readFile(path)
   } catch (error) {
-    throw cannotRead(who, `${noun} ${path}`.trim(), error, remedy === undefined ? {} : { remedy })
+    throw cannotRead(who, name, error, remedy === undefined ? {} : { remedy })
   }
 }
 
@@ -86,7 +92,11 @@ export async function writeFolder(
       makeFolder(dirname(target), undo)
       const temporary = temporaryPath(target)
       undo.push(() => rmSync(temporary, { recursive: true, force: true }))
-      const files = outputs.map(({ path, bytes }) => ({ path, bytes, target: join(temporary, path) }))
+      const files = outputs.map(({ path, bytes }) => ({
+        path: join(folder, path),
+        bytes,
+        target: join(temporary, path),
+      }))
       writeFiles(files, who)
       // Only an empty folder is removed; otherwise the rename fails and nothing of the user's is lost.
       if (existsSync(target)) rmdirSync(target)

@@ -86,7 +86,7 @@ export async function checkWritable(path: string, who: string, ...extensions: st
   try {
     const target = await targetOf(path)
     const found = await statOf(target)
-    const problem = outputProblem(found)
+    const problem = fileProblem(found)
     if (problem) throw cannotWrite(who, path, problem, 'name a file; -o - writes to stdout')
     if (found) await access(target, constants.W_OK)
     await access(await nearestFolder(dirname(target)), constants.W_OK)
@@ -95,8 +95,8 @@ export async function checkWritable(path: string, who: string, ...extensions: st
   }
 }
 
-/** Why something that exists cannot be replaced by a file; undefined where it can. */
-export function outputProblem(found: Pick<Stats, 'isFile' | 'isDirectory'> | undefined): string | undefined {
+/** Why what is at a path can be neither read nor replaced; undefined where it can. */
+export function fileProblem(found: Pick<Stats, 'isFile' | 'isDirectory'> | undefined): string | undefined {
   if (!found || found.isFile()) return undefined
   return found.isDirectory() ? 'it is a folder' : 'it is a device, pipe or socket'
 }

@@ -1,4 +1,7 @@
-import { mkdirSync } from 'node:fs'
+import { execFileSync } from 'node:child_process'
+import { closeSync, mkdirSync, openSync, rmSync } from 'node:fs'
+import { join } from 'node:path'
+import type { Command } from 'commander'
 import { describe, expect, it, vi } from 'vitest'
 import { activationsCommand } from '../../../packages/cli/src/commands/activations.ts'
 import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
@@ -41,7 +44,50 @@ describe('an error of the file system', () => {
   })
 })
 
+describe('a pipe in place of an input', () => {
+  it.each(['face.glb', 'wrinkles.json', 'areas/brow.png', 'layers/age/normal.png'])(
+    'is refused rather than waited for: %s',
+    async (name) => {
+      const folder = await shop.makeFolder('pipes')
+      rmSync(join(folder, name), { force: true })
+      execFileSync('mkfifo', [join(folder, name)])
+      const failure = shop.failure(packCommand, folder, '-o', shop.path('pipes.glb'))
+      expect((await failure).message).toMatch(/it is (a device, pipe or socket|not a file)/)
+      rmSync(join(folder, name))
+    },
+  )
+
+  it('is read where the shell has opened it', async () => {
+    const bytes = await faceBytes()
+    const file = openSync(shop.write('opened.glb', bytes), 'r')
+    expect((await readGlbFile(`/dev/fd/${file}`, WHO)).fileBytes).toBe(bytes.length)
+    closeSync(file)
+  })
+})
+
+describe('the help of a command', () => {
+  const commands = import.meta.glob<Record<string, Command>>('../../../packages/cli/src/commands/*.ts', {
+    eager: true,
+  })
+
+  it.each(Object.values(commands).flatMap((module) => Object.values(module)))(
+    'has examples: $_name',
+    (command) => {
+      command.outputHelp()
+      expect(shop.printed).toMatch(new RegExp(`^Examples?:\n  \\$ furrow ${command.name()} `, 'm'))
+    },
+  )
+})
+
 describe('a file that is not glTF', () => {
+  it.each([
+    [{ name: 'app', version: '1.0.0' }, /has no asset\.version/],
+    [{ asset: {} }, /has no asset\.version/],
+    [{ asset: { version: '1.0' } }, /it is glTF 1\.0/],
+  ])('but JSON is told apart: %j', async (json, message) => {
+    await expect(readGlbFile(shop.json('other.gltf', json), WHO)).rejects.toThrow(message)
+  })
+
   it.each<[string, string, RegExp]>([
     ['Kaydara FBX Binary  \0', 'an FBX file', /FBX2glTF.*Blender/],
     ['; FBX 7.4.0 project file\n', 'an FBX file', /FBX2glTF.*Blender/],
@@ -144,6 +190,6 @@ describe('what is printed', () => {
 })
 
 it('a face without wrinkles is sent to furrow auto', async () => {
-  const error = await shop.failure(inspectCommand, shop.write('plain.glb', await faceBytes()))
+  const error = await shop.failure(activationsCommand, shop.write('plain.glb', await faceBytes()))
   expect(error.message).toMatch(/plain\.glb has no wrinkles, .*; make them with furrow auto/)
 })

@@ -23,7 +23,7 @@ import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
 import { writeAll, writeFolder } from '../../../packages/cli/src/files.ts'
 import { encodeGlb, readGlbFile } from '../../../packages/cli/src/gltf/glb-file.ts'
 import { readDocument } from '../../../packages/cli/src/gltf/read-document.ts'
-import { checkOutputs, isStdout, outputProblem } from '../../../packages/cli/src/outputs.ts'
+import { checkOutputs, fileProblem, isStdout } from '../../../packages/cli/src/outputs.ts'
 import { noise, painted, Workshop } from './workshop.ts'
 
 const WHO = 'furrow test'
@@ -73,10 +73,10 @@ describe('an output', () => {
       isFile: () => isFile,
       isDirectory: () => isDirectory,
     })
-    expect(outputProblem(undefined)).toBeUndefined()
-    expect(outputProblem(kind(true, false))).toBeUndefined()
-    expect(outputProblem(kind(false, true))).toBe('it is a folder')
-    expect(outputProblem(kind(false, false))).toBe('it is a device, pipe or socket')
+    expect(fileProblem(undefined)).toBeUndefined()
+    expect(fileProblem(kind(true, false))).toBeUndefined()
+    expect(fileProblem(kind(false, true))).toBe('it is a folder')
+    expect(fileProblem(kind(false, false))).toBe('it is a device, pipe or socket')
   })
 
   it('that is a link is written to where it leads', async () => {
@@ -250,6 +250,8 @@ describe('files are written whole or not at all', () => {
     shop.write('full/mine.txt', 'x')
     const outputs = [{ path: 'a/b.png', bytes: Buffer.from('a') }]
     await expect(writeFolder(at('full'), outputs, WHO)).rejects.toThrow(/cannot write/)
+    const tooLong = [{ path: 'n'.repeat(300), bytes: Buffer.from('a') }]
+    await expect(writeFolder(at('new'), tooLong, WHO)).rejects.toThrow(/cannot write .*new\/nnn.*too long/)
     expect(shop.files('full')).toEqual({ 'mine.txt': Buffer.from('x').toString('base64') })
   })
 

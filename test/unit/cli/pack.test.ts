@@ -1,4 +1,4 @@
-import { existsSync, mkdirSync, readFileSync } from 'node:fs'
+import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs'
 import { NodeIO } from '@gltf-transform/core'
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
 import { dedup, prune, textureCompress } from '@gltf-transform/functions'
@@ -243,6 +243,11 @@ describe('furrow pack with bad input', () => {
       'layers of two sizes',
       async (at) => shop.write(`${at}/layers/age/normal.png`, await noise(1, 3, 32)),
       'the normal maps of the layers differ in size, got "32 x 32, 16 x 16"',
+    ],
+    [
+      'no face',
+      (at) => rmSync(shop.path(`${at}/face.glb`)),
+      'does not exist); put it there, or name another one with --face',
     ],
     ['a face that is none', (at) => shop.write(`${at}/face.glb`, 'glTF'), 'is not usable'],
     [

@@ -93,6 +93,23 @@ it.each<[WrinkleDriver, string]>([
   ],
   [
     {
+      type: 'morph',
+      area: 'nose',
+      targets: [
+        { name: 'cheekPuff', weight: -0.5 },
+        { name: 'noseSneer', weight: 1 },
+        { name: 'jawOpen', weight: -0.25 },
+      ],
+      rule: 'sum',
+      curve: [
+        [0, 0],
+        [1, 1],
+      ],
+    },
+    'nose = -0.5 cheekPuff + noseSneer - 0.25 jawOpen',
+  ],
+  [
+    {
       type: 'bone',
       area: 'neck',
       joints: ['chest', 'head'],

@@ -2,6 +2,7 @@ import { join } from 'node:path'
 import { Option } from 'commander'
 import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE, WRINKLE_MAPS } from 'furrow'
 import { createCommand } from '../command.ts'
+import { cannotRead } from '../errors.ts'
 import { writeAll } from '../files.ts'
 import { FACE_EXTENSIONS, faceFiles } from '../gltf/face-files.ts'
 import { readGlbFile } from '../gltf/glb-file.ts'
@@ -9,7 +10,7 @@ import { jointNamesOf, targetNamesOf } from '../gltf/gltf-json.ts'
 import { addMorphNormals } from '../gltf/morph-normals.ts'
 import { findTarget } from '../gltf/target.ts'
 import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
-import { checkOutputs } from '../outputs.ts'
+import { checkOutputs, statOf } from '../outputs.ts'
 import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
 import type { AreasPerImage } from '../wrinkles/area-images.ts'
@@ -101,6 +102,7 @@ async function pack(folder: string, options: Options): Promise<void> {
   const rules = { extensions: FACE_EXTENSIONS, inputs: [face], force: options.force ?? false }
   await checkOutputs([output], WHO, rules)
   const document = await readFolder(folder, whiteIsVisible, WHO)
+  if (options.face === undefined) await checkOwnFace(face)
   const glb = await readGlbFile(face, WHO, options)
   const target = await findTarget(glb, face, WHO, {
     mesh: options.mesh ?? document.mesh,
@@ -135,6 +137,14 @@ async function pack(folder: string, options: Options): Promise<void> {
     morphNormals,
   }
   print(options.json ? JSON.stringify(result) : describe(result), output)
+}
+
+/** Throws FurrowError where a folder has no face of its own and none was named. */
+async function checkOwnFace(face: string): Promise<void> {
+  if (await statOf(face)) return
+  throw cannotRead(WHO, `the face ${face}`, new Error('it does not exist'), {
+    remedy: 'put it there, or name another one with --face',
+  })
 }
 
 interface Result {

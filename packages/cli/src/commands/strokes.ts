@@ -67,6 +67,15 @@ export const strokesCommand = createCommand('strokes')
   )
   .addOption(allowOutsideOption())
   .addOption(forceOption())
+  .addHelpText(
+    'after',
+    `
+At least one of -o, --normal and --areas is needed. Documents of strokes: docs/strokes.md.
+
+Examples:
+  $ furrow strokes scars.json --face avatar.glb --normal normal.png --areas areas
+  $ furrow strokes scars.json --face avatar.glb --detail --normal scars.png -o height.png --size 2048`,
+  )
   .action(drawStrokes)
 
 async function drawStrokes(path: string, options: Options): Promise<void> {
@@ -129,8 +138,10 @@ async function drawMaps(document: StrokesDocument, face: FaceMesh, options: Opti
   if (normal) {
     const wrinkles = heightToNormal(heights, metric, face.hasTangents ? 'orthonormal' : 'derivative')
     const bytes = await encodeRgbaNormalMap(base ? combineNormals(base, wrinkles) : wrinkles)
-    const over = base ? "over the skin's own normal map" : 'over a flat skin'
-    drawn.push({ path: normal, bytes, note: `${sizeText}, ${document.strokes.length} strokes ${over}` })
+    const over = `over ${base ? (options.base ?? "the skin's own normal map") : 'a flat skin'}`
+    const { length } = document.strokes
+    const count = `${length} ${length === 1 ? 'stroke' : 'strokes'}`
+    drawn.push({ path: normal, bytes, note: `${sizeText}, ${count} ${over}` })
   }
   return drawn
 }

@@ -120,6 +120,9 @@ const MAX_DEPTH = 128
  */
 export function shapeProblem(json: unknown): string | undefined {
   if (!isObject(json)) return 'its JSON is not an object'
+  const version = isObject(json.asset) ? json.asset.version : undefined
+  if (!isText(version)) return 'its JSON has no asset.version'
+  if (!(version as string).startsWith('2.')) return `it is glTF ${version}`
   if (isTooDeep(json)) return `its JSON is more than ${MAX_DEPTH} levels deep`
   for (const [name, check] of Object.entries(LISTS)) {
     const list = json[name]

@@ -25,7 +25,10 @@ function linksText({ links, rule }: AreaActivation, type: string): string {
   const texts = links.map(({ input, weight, curve }) =>
     describeLink({ name: inputText(input), weight, ...(curve && { curve: [...curve] }) }),
   )
-  if (rule === 'sum') return texts.join(' + ')
+  if (rule === 'sum') {
+    const signed = texts.map((text, i) => (links[i].weight < 0 ? ` - ${text.slice(1)}` : ` + ${text}`))
+    return [texts[0], ...signed.slice(1)].join('')
+  }
   if (rule === 'product') return texts.join(' x ')
   return `${typeof rule === 'function' ? type : rule}(${texts.join(', ')})`
 }
