@@ -1,7 +1,9 @@
+const NONE: readonly number[] = []
+
 /** Points in space, for the distance to the nearest within the side of a cell. */
 export class PointGrid {
   readonly #side: number
-  readonly #cells = new Map<string, number[]>()
+  readonly #cells = new Map<number, number[]>()
 
   constructor(side: number) {
     this.#side = side
@@ -10,21 +12,21 @@ export class PointGrid {
   /** @param points x, y and z of each. */
   add(points: ArrayLike<number>): void {
     for (let i = 0; i < points.length; i += 3) {
-      const key = this.#cellOf(points[i], points[i + 1], points[i + 2]).join(' ')
+      const key = hash(this.#index(points[i]), this.#index(points[i + 1]), this.#index(points[i + 2]))
       const cell = this.#cells.get(key)
       if (cell) cell.push(points[i], points[i + 1], points[i + 2])
       else this.#cells.set(key, [points[i], points[i + 1], points[i + 2]])
     }
   }
 
-  /** Infinity where no point is in the cell of a position or those around it. */
+  /** The distance to the nearest point; more than the side of a cell, or infinity, where none is within that side. */
   distance(position: ArrayLike<number>): number {
-    const [x, y, z] = this.#cellOf(position[0], position[1], position[2])
+    const [x, y, z] = [this.#index(position[0]), this.#index(position[1]), this.#index(position[2])]
     let nearest = Infinity
-    for (let i = x - 1; i <= x + 1; i++) {
-      for (let j = y - 1; j <= y + 1; j++) {
-        for (let k = z - 1; k <= z + 1; k++) {
-          const cell = this.#cells.get(`${i} ${j} ${k}`) ?? []
+    for (let i = -1; i <= 1; i++) {
+      for (let j = -1; j <= 1; j++) {
+        for (let k = -1; k <= 1; k++) {
+          const cell = this.#cells.get(hash(x + i, y + j, z + k)) ?? NONE
           for (let n = 0; n < cell.length; n += 3) {
             const distance = Math.hypot(
               cell[n] - position[0],
@@ -39,7 +41,12 @@ export class PointGrid {
     return nearest
   }
 
-  #cellOf(x: number, y: number, z: number): number[] {
-    return [Math.floor(x / this.#side), Math.floor(y / this.#side), Math.floor(z / this.#side)]
+  #index(coordinate: number): number {
+    return Math.floor(coordinate / this.#side)
   }
+}
+
+/** Cells with the same hash are kept as one: their points are too far apart to count. */
+function hash(x: number, y: number, z: number): number {
+  return Math.imul(x, 73856093) ^ Math.imul(y, 19349663) ^ Math.imul(z, 83492791)
 }

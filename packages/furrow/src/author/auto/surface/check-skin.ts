@@ -5,6 +5,8 @@ import { crossOf, type Skin, type SkinTarget } from './surface.ts'
 
 /** Largest offset of a usable target, in sizes of the skin. */
 const MAX_OFFSET = 2
+/** Largest extent of a usable skin, in sides of a square of the same area. Hair, drawn as thin strips, has about 50. */
+const MAX_EXTENT = 1000
 /** Largest skin that `autoWrinkles` works on. */
 export const MOST_TRIANGLES = 2_000_000
 
@@ -38,9 +40,13 @@ export function checkSkin(skin: Skin): { skin: Skin; warnings: string[] } {
   if (totalUvArea(uvs, indices) === 0) {
     fail('the texture coordinates span no area', undefined, 'an unwrapped skin', 'unwrap the mesh')
   }
-  if (!hasArea(positions, indices))
-    fail('the mesh has no area', undefined, 'triangles with area', CHECK_EXPORT)
-  const size = Math.max(...boundingBoxSize(positions))
+  const area = surfaceArea(positions, indices)
+  if (!(area > 0)) fail('the mesh has no area', undefined, 'triangles with area', CHECK_EXPORT)
+  const size = Math.max(...boundingBoxSize(usedPositions(positions, indices)))
+  if (!(size <= MAX_EXTENT * Math.sqrt(area))) {
+    const limit = `${MAX_EXTENT} times the side of a square of its area`
+    fail('the mesh is too large for its area', size, limit, CHECK_EXPORT)
+  }
   const warnings: string[] = []
   const usable = targets.filter((target) => {
     const fault = faultOf(target, size)
@@ -80,12 +86,22 @@ function largestOffset(offsets: ArrayLike<number>): number {
   return largest
 }
 
-function hasArea(positions: ArrayLike<number>, indices: ArrayLike<number>): boolean {
+function surfaceArea(positions: ArrayLike<number>, indices: ArrayLike<number>): number {
   const normal = new Float64Array(3)
+  let sum = 0
   for (let t = 0; t + 2 < indices.length; t += 3) {
-    if (crossOf(positions, indices[t], indices[t + 1], indices[t + 2], normal) > 0) return true
+    sum += crossOf(positions, indices[t], indices[t + 1], indices[t + 2], normal) / 2
   }
-  return false
+  return sum
+}
+
+/** The positions of vertices that triangles have. */
+function usedPositions(positions: ArrayLike<number>, indices: ArrayLike<number>): Float64Array {
+  const used = new Float64Array(3 * indices.length)
+  for (let i = 0; i < indices.length; i++) {
+    for (let k = 0; k < 3; k++) used[3 * i + k] = positions[3 * indices[i] + k]
+  }
+  return used
 }
 
 function totalUvArea(uvs: ArrayLike<number>, indices: ArrayLike<number>): number {

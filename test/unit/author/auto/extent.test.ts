@@ -1,0 +1,44 @@
+import { autoWrinkles } from 'furrow/author'
+import { expect, test } from 'vitest'
+import { PointGrid } from '../../../../packages/furrow/src/author/auto/lines/point-grid.ts'
+import { sheet } from './sheet.ts'
+
+/** A sheet of 4 x 4 squares, 80 units a side, that one target shortens. */
+function skin(scale: number) {
+  const { positions, uvs, indices, offsets } = sheet(4, 20)
+  return {
+    positions: positions.map((value) => scale * value),
+    uvs,
+    indices,
+    targets: [{ name: 'press', offsets: offsets.map((value) => scale * value) }],
+  }
+}
+
+test.each([10, 1e6])(
+  'a sheet in units %d times as large has the lines of one in metres',
+  (factor) => {
+    const settings = { size: 128, frame: 'derivative' } as const
+    const [metres, other] = [0.004, 0.004 * factor].map((scale) => autoWrinkles(skin(scale), settings))
+    expect(other.areas.map(({ lines }) => lines)).toEqual(metres.areas.map(({ lines }) => lines))
+  },
+  60_000,
+)
+
+test('a skin that is too large for its area is refused', () => {
+  const needle = skin(0.001)
+  needle.positions.push(0, 1e-30, 1e30)
+  needle.uvs.push(0, 0)
+  needle.targets[0].offsets.push(0, 0, 0)
+  expect(() => autoWrinkles(needle, { size: 128 })).not.toThrow()
+  needle.indices.push(needle.positions.length / 3 - 1, 0, 0)
+  expect(() => autoWrinkles(needle, { size: 128 })).toThrow(/the mesh is too large for its area, got 1e\+30/)
+})
+
+test('the distance in a grid is found at any coordinate', () => {
+  const grid = new PointGrid(6)
+  grid.add([1, 2, 3])
+  expect(grid.distance([1, 2, 4])).toBe(1)
+  expect(grid.distance([-3, 2, 3])).toBe(4)
+  expect(grid.distance([1e300, 0, 0])).toBeGreaterThan(6)
+  expect(grid.distance([Number.NaN, 0, 0])).not.toBeLessThan(6)
+})
