@@ -14,6 +14,7 @@ import { costProblem, decodingProblem } from '../../../packages/cli/src/gltf/che
 import { shapeProblem } from '../../../packages/cli/src/gltf/glb-shape.ts'
 import { flatPng } from '../../fuzz/damage-images.ts'
 import { type Anything, joinGlb, setImage, splitGlb } from '../../fuzz/glb-parts.ts'
+import { sheet, sheetGlb } from './sheet.ts'
 import { faceBytes, jsonOf, Workshop, withJson } from './workshop.ts'
 
 const shop = new Workshop()
@@ -205,6 +206,20 @@ describe('commands refuse in one line', () => {
     const empty = shop.write('empty.glb', withJson(face, json))
     await refuse('no triangles', bakeCommand, shop.write('face.glb', face), empty, '-o', shop.path('out.png'))
     await refuse('no triangles', bakeCommand, empty, shop.path('face.glb'), '-o', shop.path('out.png'))
+  })
+
+  it('few triangles that are listed again and again, and blendshapes that are', async () => {
+    const { json, bin } = splitGlb(Buffer.from(await sheetGlb(sheet(16))))
+    const { primitives } = json.meshes[0]
+    const hostile = (times: number, targets: number) => {
+      const primitive = { ...primitives[0], targets: Array(targets).fill(primitives[0].targets[0]) }
+      const mesh = { name: 'hostile', primitives: Array(times).fill(primitive) }
+      return shop.write('hostile.glb', joinGlb({ json: { ...json, meshes: [mesh] }, bin }))
+    }
+    const onTop = 'too many triangles of the skin lie on top of each other in its texture'
+    await refuse(onTop, autoCommand, hostile(400, 1), '-o', out())
+    const product = 'the mesh "hostile" has too many triangles times blendshapes'
+    await refuse(product, autoCommand, hostile(20, 1200), '-o', out())
   })
 
   it('images in other formats than the documented, by their first bytes', async () => {

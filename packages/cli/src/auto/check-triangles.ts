@@ -5,6 +5,12 @@ import type { GltfMesh } from '../gltf/gltf-json.ts'
 
 /** The mode of a primitive of triangles. */
 const TRIANGLES = 4
+/**
+ * Triangles times blendshapes in any file, and per byte in a larger one: each is measured. Faces have far less than one per byte, and a few
+ * when they are compressed; accessors that many blendshapes have in common make thousands.
+ */
+const MOVED = 10_000_000
+const MOVED_PER_BYTE = 16
 
 /**
  * Checks by the counts in the file that its meshes are not too large, before any of them is decoded.
@@ -12,22 +18,32 @@ const TRIANGLES = 4
  * @param meshName only this mesh, or the mesh of a node of this name; all by default.
  * @throws FurrowError naming the mesh.
  */
-export function checkTriangles({ json }: Glb, who: string, meshName?: string): void {
+export function checkTriangles({ json, fileBytes }: Glb, who: string, meshName?: string): void {
   const { meshes = [], nodes = [], accessors = [] } = json
+  const mostMoved = Math.max(MOVED, MOVED_PER_BYTE * fileBytes)
   const countOf = (accessor = -1) => (accessors[accessor] as { count?: number } | undefined)?.count ?? 0
   for (const [index, mesh] of meshes.entries()) {
     const names = [mesh.name, ...nodes.filter((node) => node.mesh === index).map(({ name }) => name)]
     if (meshName !== undefined && !names.includes(meshName)) continue
     const largest = Math.max(0, ...trianglesByMaterial(mesh, countOf).values())
-    if (largest <= MOST_TRIANGLES) continue
-    throw new FurrowError({
-      code: 'out-of-range',
-      who,
-      what: `the mesh "${mesh.name ?? index}" has too many triangles`,
-      value: largest,
-      limit: `${MOST_TRIANGLES.toLocaleString('en')} triangles of one material`,
-      remedy: 'decimate it (the maps keep the detail), or name another mesh with --mesh',
-    })
+    const targets = Math.max(0, ...mesh.primitives.map(({ targets = [] }) => targets.length))
+    const fault = (what: string, value: number, limit: string) =>
+      new FurrowError({
+        code: 'out-of-range',
+        who,
+        what: `the mesh "${mesh.name ?? index}" has too many ${what}`,
+        value,
+        limit,
+        remedy: 'decimate it (the maps keep the detail), or name another mesh with --mesh',
+      })
+    if (largest > MOST_TRIANGLES) {
+      const limit = `${MOST_TRIANGLES.toLocaleString('en')} triangles of one material`
+      throw fault('triangles', largest, limit)
+    }
+    if (largest * targets > mostMoved) {
+      const limit = `${mostMoved.toLocaleString('en')} in a file of ${fileBytes.toLocaleString('en')} bytes`
+      throw fault('triangles times blendshapes', largest * targets, limit)
+    }
   }
 }
 

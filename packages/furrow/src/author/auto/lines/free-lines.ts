@@ -33,16 +33,17 @@ export function layFreeLines(
 ): LaidLine[] {
   const occupied = new PointGrid(spacing)
   const lines: LaidLine[] = []
-  const seeds = mostCompressed(surface, tensors, minCompression)
+  // The next seed is the last of the array: taking the first of a long one moves all others.
+  const seeds = mostCompressed(surface, tensors, minCompression).reverse()
   const isFree = (position: ArrayLike<number>) => occupied.distance(position) > MIN_DISTANCE * spacing
-  for (let seed = seeds.shift(); seed; seed = seeds.shift()) {
+  for (let seed = seeds.pop(); seed; seed = seeds.pop()) {
     if (occupied.distance(seed.position) < START_DISTANCE * spacing) continue
     const { path, ...line } = traceBothWays(surface, tensors, seed, minCompression, isFree)
     if (path.length * STEP < MIN_LENGTH * spacing) continue
     occupied.add(line.points)
     lines.push({ style, ...line })
     // The neighbours' seeds, one spacing to either side, come before all others.
-    seeds.unshift(...seedsBeside(surface, tensors, path, spacing))
+    seeds.push(...seedsBeside(surface, tensors, path, spacing).reverse())
   }
   return lines
 }

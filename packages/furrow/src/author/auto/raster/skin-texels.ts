@@ -108,12 +108,19 @@ export class SkinTexels {
 
   *#borderEdges(drawn: Uint32Array): Generator<BorderEdge> {
     const c = new Float64Array(6)
+    const vertexCount = this.#skin.uvs.length / 2
+    /** From one vertex to another: where several triangles have the same edge, the first one is continued. */
+    const seen = new Set<number>()
     for (const [triangle, flag] of drawn.entries()) {
       for (let k = 0; flag && k < 3; k++) {
         const adjacent = this.surface.adjacent[3 * triangle + k]
         if (adjacent >= 0 && drawn[adjacent] && !this.#isCut(triangle, k, adjacent)) continue
+        const vertices = skinVertices(this.#skin, this.surface, triangle)
+        const edge = vertices[k] * vertexCount + vertices[(k + 1) % 3]
+        if (seen.has(edge)) continue
         this.#toTexels(c, triangle)
         if (Math.abs((c[2] - c[0]) * (c[5] - c[1]) - (c[4] - c[0]) * (c[3] - c[1])) < NO_AREA) continue
+        seen.add(edge)
         const [start, end] = [2 * k, (2 * k + 2) % 6]
         const [x, y] = [c[start], c[start + 1]]
         yield { triangle, x, y, dx: c[end] - x, dy: c[end + 1] - y }

@@ -30,7 +30,11 @@ export function findPatches(
   maxPatches: number,
 ): CompressedPatch[] {
   const candidates = names.flatMap((_, target) =>
-    patchesOf(surface, poseStrain(surface, offsets, new Map([[target, 1]]), PATCH_SIGMA), target),
+    patchesOf(
+      surface,
+      poseStrain(surface, offsets, new Map([[target, 1]]), PATCH_SIGMA, names.length),
+      target,
+    ),
   )
   const chosen: CompressedPatch[] = []
   for (const patch of candidates.sort((a, b) => b.area - a.area)) {

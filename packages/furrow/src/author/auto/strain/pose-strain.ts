@@ -11,18 +11,20 @@ const SIGMA = 3
  *
  * @param offsets of each target by point, in millimetres.
  * @param sigma standard deviation of the smoothing, in millimetres.
+ * @param poses how many poses are measured in all.
  */
 export function poseStrain(
   surface: SkinSurface,
   offsets: readonly Float64Array[],
   pose: Pose,
   sigma = SIGMA,
+  poses = 1,
 ): Float64Array {
   const displacements = new Float64Array(surface.points.length)
   for (const [target, weight] of pose) {
     for (let i = 0; i < displacements.length; i++) displacements[i] += weight * offsets[target][i]
   }
   const tensors = compressionTensors(surface, displacements)
-  smooth(surface, tensors, TENSOR_SIZE, sigma)
+  smooth(surface, tensors, TENSOR_SIZE, sigma, poses)
   return tensors
 }

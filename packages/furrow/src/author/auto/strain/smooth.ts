@@ -3,19 +3,28 @@ import type { SkinSurface } from '../surface/surface.ts'
 /** Fraction of the way to its neighbours' mean that a point moves in one iteration, at most. */
 const MAX_STEP = 0.8
 /**
- * Iterations at most, and points times iterations at most, some seconds: meshes much finer than skin creases are smoothed less than asked
- * for. The second keeps the time linear in the points, of which a finer mesh has more just where it needs more iterations.
+ * Iterations at most, and neighbours times iterations at most, some seconds: meshes much finer than skin creases are smoothed less than
+ * asked for. The second keeps the time linear in the size of the mesh, which is larger just where more iterations are needed.
  */
 const MAX_ITERATIONS = 1000
-const MAX_UPDATES = 40_000_000
+const MAX_READS = 240_000_000
+/** Runs that may each take the whole of it; more have less each. */
+const FREE_RUNS = 10
 
 /**
  * Smooths values at points by diffusion over the surface: whatever the size of the triangles, an impulse spreads as wide as asked for.
  *
  * @param values `stride` numbers per point; changed.
  * @param sigma standard deviation of the spread impulse, in the surface's unit.
+ * @param runs how often the surface is smoothed in all: as a whole they take no longer than a few.
  */
-export function smooth(surface: SkinSurface, values: Float64Array, stride: number, sigma: number): void {
+export function smooth(
+  surface: SkinSurface,
+  values: Float64Array,
+  stride: number,
+  sigma: number,
+  runs = 1,
+): void {
   const { points, neighbourStarts: starts, neighbours, areas } = surface
   const count = areas.length
   /** Mean squared distance from each point to its neighbours. */
@@ -27,7 +36,7 @@ export function smooth(surface: SkinSurface, values: Float64Array, stride: numbe
   // Points without triangles, as in files whose meshes share vertices, say nothing about how fine this mesh is.
   const sorted = squares.filter((square) => square > 0).sort()
   const fine = sorted[Math.floor(sorted.length / 4)] ?? 0
-  const iterations = iterationsOf(count, fine, sigma)
+  const iterations = iterationsOf(neighbours.length, fine, sigma, runs)
   const before = new Float64Array(values.length)
   for (let iteration = 0; iteration < iterations; iteration++) {
     before.set(values)
@@ -47,12 +56,14 @@ export function smooth(surface: SkinSurface, values: Float64Array, stride: numbe
 /**
  * How often points are moved towards their neighbours.
  *
+ * @param neighbours of all points, about six each.
  * @param square mean squared distance of neighbours where the mesh is fine.
  */
-export function iterationsOf(points: number, square: number, sigma: number): number {
+export function iterationsOf(neighbours: number, square: number, sigma: number, runs = 1): number {
   // A step of length d in a random direction, taken with probability p, adds p d^2 / 2 to the variance along each axis.
   const wanted = Math.ceil((2 * sigma * sigma) / (MAX_STEP * Math.max(square, 1e-12)))
-  return Math.min(wanted, MAX_ITERATIONS, Math.ceil(MAX_UPDATES / points))
+  const reads = MAX_READS * Math.min(1, FREE_RUNS / runs)
+  return Math.min(wanted, MAX_ITERATIONS, Math.ceil(reads / neighbours))
 }
 
 function squaredDistance(points: ArrayLike<number>, i: number, j: number): number {

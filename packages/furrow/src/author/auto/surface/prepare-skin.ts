@@ -1,3 +1,4 @@
+import { checkCoverage } from './check-coverage.ts'
 import { checkSkin } from './check-skin.ts'
 import { type DetectedFace, detectFace } from './detect-face.ts'
 import { findOverlap, isOverlapped } from './overlap.ts'
@@ -32,6 +33,7 @@ export interface PreparedSkin {
 export function prepareSkin(raw: Skin): PreparedSkin {
   const { skin: checked, warnings } = checkSkin(raw)
   const { skin, crossing } = moveToFirstTile(checked)
+  checkCoverage(skin)
   if (crossing > 0)
     warnings.push(
       `${percent(crossing)} of the skin crosses the edges of its texture: nothing is drawn beyond them`,

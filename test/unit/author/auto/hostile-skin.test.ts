@@ -1,0 +1,33 @@
+import { expect, test } from 'vitest'
+import { SkinTexels } from '../../../../packages/furrow/src/author/auto/raster/skin-texels.ts'
+import { checkCoverage } from '../../../../packages/furrow/src/author/auto/surface/check-coverage.ts'
+import { weldSurface } from '../../../../packages/furrow/src/author/auto/surface/surface.ts'
+import { sheet } from './sheet.ts'
+
+/** The list of triangles, several times over. */
+const repeated = (indices: ArrayLike<number>, times: number) =>
+  Array.from({ length: times }, () => Array.from(indices)).flat()
+
+test('triangles that lie on top of each other by the hundred are refused', () => {
+  const { uvs, indices } = sheet(8, 0)
+  expect(() => checkCoverage({ uvs, indices: repeated(indices, 20) })).not.toThrow()
+  expect(() => checkCoverage({ uvs, indices: repeated(indices, 200) })).toThrow(
+    'too many triangles of the skin lie on top of each other in its texture',
+  )
+})
+
+test('what lies outside the texture costs nothing and is not refused', () => {
+  const { uvs, indices } = sheet(8, 0)
+  expect(() => checkCoverage({ uvs: uvs.map((x) => 1000 * x + 2), indices })).not.toThrow()
+})
+
+test('triangles that are listed again leave the borders as they are', () => {
+  const corner = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], uvs: [0.4, 0.4, 0.5, 0.4, 0.4, 0.5] }
+  const located = (times: number) => {
+    const skin = { ...corner, indices: repeated([0, 1, 2], times) }
+    const texels = new SkinTexels(skin, weldSurface(skin), 64)
+    const weights = new Float64Array(3)
+    return Array.from({ length: 64 * 64 }, (_, texel) => texels.locate(texel, weights))
+  }
+  expect(located(50)).toEqual(located(1))
+})
