@@ -3,6 +3,7 @@ import { describe, expect, it, vi } from 'vitest'
 import { activationsCommand } from '../../../packages/cli/src/commands/activations.ts'
 import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
 import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
+import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
 import { cannotRead, cannotWrite } from '../../../packages/cli/src/errors.ts'
 import { readGlbFile } from '../../../packages/cli/src/gltf/glb-file.ts'
 import { otherFormat } from '../../../packages/cli/src/gltf/not-gltf.ts'
@@ -144,6 +145,11 @@ describe('what is printed', () => {
 })
 
 it('a face without wrinkles is sent to furrow auto', async () => {
-  const error = await shop.failure(inspectCommand, shop.write('plain.glb', await faceBytes()))
+  const error = await shop.failure(
+    unpackCommand,
+    shop.write('plain.glb', await faceBytes()),
+    '-o',
+    shop.path('set'),
+  )
   expect(error.message).toMatch(/plain\.glb has no wrinkles, .*; make them with furrow auto/)
 })
