@@ -28,6 +28,9 @@ describe('the command line', () => {
 
   it.each<[string[], string]>([
     [['atuo'], 'furrow: unknown command \'atuo\'; did you mean "auto"?'],
+    [['help', 'atuo'], 'furrow: unknown command \'atuo\'; did you mean "auto"?'],
+    [['help', 'bogus'], "furrow: unknown command 'bogus'; see furrow --help"],
+    [['bogus', '--help'], "furrow: unknown command 'bogus'; see furrow --help"],
     [['auto'], "furrow auto: required option '-o, --output <file>' not specified; see furrow auto --help"],
     [['auto', 'a', 'b', '-o', 'x.glb'], 'furrow auto: too many arguments .*; see furrow auto --help'],
     [

@@ -22,6 +22,7 @@ const { version } = JSON.parse(readFileSync(new URL('../package.json', import.me
 const program = createCommand('furrow')
   .description('Wrinkles for glTF characters: author, render and inspect them')
   .version(version, '-v, --version')
+  .addHelpText('before', reportUnknownCommand)
   .addHelpText(
     'after',
     `
@@ -46,6 +47,13 @@ for (const command of [
   validateCommand,
 ]) {
   program.addCommand(command)
+}
+
+/** Commander shows the general help of a command that does not exist; without `help`, it names the nearest one. */
+function reportUnknownCommand(): string {
+  const name = program.args.find((text) => text !== 'help' && !text.startsWith('-'))
+  if (name !== undefined) program.parse([name], { from: 'user' })
+  return ''
 }
 
 for (const stream of [process.stdout, process.stderr]) {

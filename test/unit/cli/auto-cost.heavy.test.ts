@@ -56,6 +56,11 @@ test.each<[string, (json: Json) => void, string]>([
     },
     'is MToon: wrinkles are composed',
   ],
+  [
+    'of a mesh without normals',
+    ({ meshes }) => void delete meshes[0]!.primitives[0]!.attributes!.NORMAL,
+    'the material "cloth" shows no wrinkles: a mesh with this material has no NORMAL; export the mesh with normals',
+  ],
 ])('a material that is %s is told of', async (_, edit, warning) => {
   await at.run(await writeSheet('odd.glb', edit as never), '-o', file('out.glb'), '--size', '512')
   expect(at.warned).toContain(warning)
@@ -75,7 +80,7 @@ test('a lit material is preferred to an unlit one that moves as much', async () 
 
 interface Json {
   materials: { name?: string; extensions?: object }[]
-  meshes: { name?: string; primitives: { material?: number }[] }[]
+  meshes: { name?: string; primitives: { material?: number; attributes?: Record<string, number> }[] }[]
   nodes: { mesh?: number }[]
   scenes: { nodes: number[] }[]
   extensions?: object

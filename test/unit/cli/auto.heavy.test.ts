@@ -156,6 +156,24 @@ describe('the report', () => {
     expect([...html.matchAll(/<img [^>]*>/g)].every(([tag]) => /alt="[^"]+"/.test(tag))).toBe(true)
   })
 
+  test('has the name of the face where that is written to stdout, and its messages go to stderr', async () => {
+    const stderr = vi.spyOn(process.stderr, 'write').mockReturnValue(true)
+    const chunks: Buffer[] = []
+    vi.spyOn(process.stdout, 'write').mockImplementation(((bytes: Buffer, done: () => void) => {
+      chunks.push(bytes)
+      done()
+      return true
+    }) as never)
+    await run(await write('body.glb'), '-o', '-', '--report', file('piped'))
+    const told = stderr.mock.calls.join('')
+    vi.mocked(process.stdout.write).mockRestore()
+    stderr.mockRestore()
+    writeFileSync(file('out.glb'), Buffer.concat(chunks))
+    expect(areasOf(file('out.glb')).length).toBeGreaterThan(0)
+    expect(told).toContain('index.html: the report')
+    expect(page(file('piped'))).toContain('<title>body.glb')
+  })
+
   test('replaces an older one and leaves the files of others', async () => {
     mkdirSync(file('old'))
     writeFileSync(file('old/index.html'), 'old')
@@ -294,7 +312,7 @@ describe('what no wrinkles can be made from is refused in one line', () => {
     [
       'an index out of range',
       ({ indices }) => void indices.fill(1e6, 5, 6),
-      'a triangle has an index out of range',
+      'has the index 1000000 of 1681 vertices',
     ],
   ])('%s', async (_, spoil, message) => {
     await fails(message, await write('bad.glb', spoil), '-o', file('x.glb'), '--size', '512')
@@ -322,8 +340,11 @@ describe('what no wrinkles can be made from is refused in one line', () => {
     ],
     [
       'two million triangles and one',
-      ({ accessors, meshes }) =>
-        Object.assign(accessors[meshes[0].primitives[0].indices], { count: 6_000_003 }),
+      ({ asset, accessors, meshes }) => {
+        Object.assign(accessors[meshes[0].primitives[0].indices], { count: 6_000_003 })
+        // A smaller file is not believed to have so many.
+        asset.extras = ' '.repeat(2_000_001)
+      },
       'the mesh "torso" has too many triangles, got 2000001, allowed: 2,000,000',
     ],
   ])('%s', async (_, edit, message) => {
@@ -389,6 +410,7 @@ describe('files', () => {
 })
 
 interface Json {
+  asset: { extras?: string }
   meshes: { primitives: { mode?: number; material?: number; indices: number }[] }[]
   nodes: { mesh?: number }[]
   accessors: { count: number }[]

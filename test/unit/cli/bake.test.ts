@@ -1,4 +1,5 @@
 import { readFileSync, writeFileSync } from 'node:fs'
+import { NodeIO } from '@gltf-transform/core'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { bakeCommand } from '../../../packages/cli/src/commands/bake.ts'
@@ -300,6 +301,29 @@ describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
     }
     await run(file('wall.glb'), file('floor.glb'), '--occlusion', ao, '--size', '32', '--reach', '1')
     expect((await readPixels(ao)).values[16 * 32]).toBe(255)
+  })
+})
+
+describe('of several meshes', () => {
+  it('takes the one that blendshapes move, as furrow auto does', async () => {
+    await writeGlb(file('several.glb'), { teeth: tilted, face: plain })
+    const document = await new NodeIO().read(file('several.glb'))
+    const root = document.getRoot()
+    const face = root.listMeshes().find((mesh) => mesh.getName() === 'face')!
+    const [primitive] = face.listPrimitives()
+    const offsets = new Float32Array(3 * primitive!.getAttribute('POSITION')!.getCount()).fill(0.01)
+    const moved = document
+      .createAccessor()
+      .setType('VEC3')
+      .setArray(offsets)
+      .setBuffer(root.listBuffers()[0]!)
+    primitive!.addTarget(document.createPrimitiveTarget('browInnerUp').setAttribute('POSITION', moved))
+    for (const mesh of root.listMeshes()) {
+      for (const part of mesh.listPrimitives()) part.setMaterial(document.createMaterial(mesh.getName()))
+    }
+    await new NodeIO().write(file('several.glb'), document)
+    await run(file('ball.glb'), file('several.glb'), '-o', file('several.png'), '--size', '16', '--json')
+    expect(report().mesh).toBe('face')
   })
 })
 

@@ -46,6 +46,7 @@ export async function sheetGlb({ positions, uvs, indices, targets }: Sheet): Pro
   const primitive = document
     .createPrimitive()
     .setAttribute('POSITION', accessor('VEC3', positions))
+    .setAttribute('NORMAL', accessor('VEC3', towardsViewer(positions.length / 3)))
     .setIndices(accessor('SCALAR', indices))
     .setMaterial(document.createMaterial('cloth'))
   if (uvs) primitive.setAttribute('TEXCOORD_0', accessor('VEC2', uvs))
@@ -60,4 +61,8 @@ export async function sheetGlb({ positions, uvs, indices, targets }: Sheet): Pro
     .setExtras({ targetNames: Object.keys(targets) })
   document.createScene().addChild(document.createNode('body').setMesh(mesh))
   return new NodeIO().writeBinary(document)
+}
+
+function towardsViewer(count: number): Float32Array {
+  return Float32Array.from({ length: 3 * count }, (_, i) => (i % 3 === 2 ? 1 : 0))
 }

@@ -41,9 +41,30 @@ describe('furrow validate', () => {
 
   it('asks the Khronos validator', async () => {
     const path = spoilt((json) => Object.assign(json.accessors[0], { count: 4000 }))
-    await shop.run(validateCommand, path)
+    await shop.run(validateCommand, path, '--all')
     expect(shop.printed).toMatch(/^error: \/accessors\/0.*\(ACCESSOR_TOO_LONG\)$/m)
     expect(process.exitCode).toBe(1)
+  })
+
+  it('sums up the errors about the rest of the file, and lists those about the wrinkles', async () => {
+    const path = spoilt((json, maps) => {
+      for (const { min, max } of json.accessors) for (const limits of [min, max]) if (limits) limits[0] += 0.5
+      maps.areas[1].layer = 2
+    })
+    await shop.run(validateCommand, path)
+    const [own, rest, ...more] = shop.printed.trimEnd().split('\n')
+    expect(own).toMatch(/^error: \/materials\/0\/extensions\/.*\(INVALID\)$/)
+    const summary =
+      /^(\d+) errors about the rest of the file, not the wrinkles: (\d+) ACCESSOR_MIN_MISMATCH, .*; list them with --all$/
+    expect(rest).toMatch(summary)
+    const [, all, ofMin] = summary.exec(rest!)!.map(Number)
+    expect(ofMin).toBeGreaterThan(0)
+    expect(more).toEqual([`${path}: ${all! + 1} errors, 0 warnings`])
+    expect(process.exitCode).toBe(1)
+    shop.printed = ''
+    await shop.run(validateCommand, path, '--all')
+    expect(shop.printed.match(/^error: /gm)).toHaveLength(all! + 1)
+    expect(shop.printed).not.toContain('rest of the file')
   })
 
   it.each<[string, (json: Json, maps: Json) => void, string]>([
@@ -92,7 +113,7 @@ describe('furrow validate', () => {
       .jpeg()
       .toBuffer()
     shop.write('odd/layers/age/normal.jpg', jpeg)
-    shop.write('odd/layers/age/roughness.png', await noise(1, 3, 8))
+    shop.write('odd/layers/age/roughness.png', await noise(1, 3, 12))
     shop.write('odd/areas/zero.png', await painted(99))
     shop.json('odd/wrinkles.json', { version: 1, layers: [{ name: 'age', normal: 'layers/age/normal.jpg' }] })
     await shop.run(packCommand, folder, '-o', shop.path('odd.glb'), '--share', '4')
@@ -149,7 +170,7 @@ describe('furrow validate', () => {
     shop.printed = ''
     await shop.run(validateCommand, path)
     expect(shop.printed).toBe(
-      '2 warnings about the rest of the file: 2 UNEXPECTED_PROPERTY; list them with --all\n' +
+      '2 warnings about the rest of the file, not the wrinkles: 2 UNEXPECTED_PROPERTY; list them with --all\n' +
         `${path}: 0 errors, 2 warnings\n`,
     )
     shop.printed = ''

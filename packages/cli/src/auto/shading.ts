@@ -1,4 +1,5 @@
 import type { GltfJson } from '../gltf/gltf-json.ts'
+import { missingAttributes } from '../wrinkles/face-rules.ts'
 
 const UNLIT = 'KHR_materials_unlit'
 const MTOON = 'VRMC_materials_mtoon'
@@ -20,9 +21,16 @@ function isToonOfVrm0(vrm: unknown, material: number): boolean {
   return typeof shader === 'string' && shader.includes('MToon')
 }
 
-/** What the user should know about a material that wrinkles were made for. */
-export function shadingWarning(json: GltfJson, material: number, name: string): string | undefined {
-  const shading = shadingOf(json, material)
+/** What the user should know about a material, and the meshes that have it, before wrinkles are made for it. */
+export function skinWarnings(json: GltfJson, material: number, name: string): string[] {
+  const missing = missingAttributes(json, material).map(({ message }) => {
+    return `the material "${name}" shows no wrinkles: ${message}`
+  })
+  const shading = shadingWarning(shadingOf(json, material), name)
+  return shading ? [...missing, shading] : missing
+}
+
+function shadingWarning(shading: ReturnType<typeof shadingOf>, name: string): string | undefined {
   if (shading === 'unlit')
     return `the material "${name}" is unlit (${UNLIT}): it shows no wrinkles until it is a lit one`
   if (shading === 'toon') return `the material "${name}" is MToon: wrinkles are composed into its normal map`

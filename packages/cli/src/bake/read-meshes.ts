@@ -4,7 +4,8 @@ import type { BakeMesh } from 'furrow/author'
 import { generateTangents } from 'mikktspace'
 import { BufferAttribute, Matrix4, Vector3 } from 'three'
 import type { ReadOptions } from '../gltf/external-files.ts'
-import { nameOf, pickMesh, placementOf, trianglesOf } from '../gltf/mesh-nodes.ts'
+import { pickMesh } from '../gltf/face-mesh.ts'
+import { nameOf, placementOf, trianglesOf } from '../gltf/mesh-nodes.ts'
 import { readDocument } from '../gltf/read-document.ts'
 
 const WHO = 'furrow bake'
@@ -70,7 +71,7 @@ export async function readLow(
   tangents: Tangents,
   options: ReadOptions = {},
 ): Promise<{ name: string; mesh: BakeMesh; tangents: 'of the mesh' | Tangents }> {
-  const node = pickMesh(await readDocument(path, WHO, options), path, meshName, WHO)
+  const node = pickMesh(await readDocument(path, WHO, options), path, WHO, meshName)
   const parts = trianglesOf(node.getMesh()!)
   if (!parts.every((primitive) => primitive.getAttribute('NORMAL'))) {
     throw fault(

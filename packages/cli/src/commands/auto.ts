@@ -1,22 +1,16 @@
 import { join } from 'node:path'
 import { Option } from 'commander'
 import { FurrowError, WRINKLE_MAPS } from 'furrow'
-import {
-  AUTO_DEFAULTS,
-  AUTO_REGIONS,
-  AUTO_STEPS,
-  type AutoRegion,
-  type AutoWrinkles,
-  autoWrinkles,
-} from 'furrow/author'
+import { AUTO_DEFAULTS, AUTO_REGIONS, AUTO_STEPS, type AutoRegion, autoWrinkles } from 'furrow/author'
 import { checkBasisSize } from '../array/basis.ts'
 import { checkTriangles } from '../auto/check-triangles.ts'
-import { type Cost, costOf } from '../auto/cost.ts'
+import { costOf } from '../auto/cost.ts'
 import { type FoundSkin, findSkin } from '../auto/find-skin.ts'
 import { packAuto } from '../auto/pack-auto.ts'
 import { makeReport } from '../auto/report/make-report.ts'
-import { shadingOf, shadingWarning } from '../auto/shading.ts'
+import { shadingOf, skinWarnings } from '../auto/shading.ts'
 import { Steps } from '../auto/steps.ts'
+import { summaryLines, summaryOf } from '../auto/summary.ts'
 import { createCommand } from '../command.ts'
 import { withCommandErrors } from '../errors.ts'
 import { writeAll } from '../files.ts'
@@ -24,11 +18,10 @@ import { FACE_EXTENSIONS, faceFiles } from '../gltf/face-files.ts'
 import { type Glb, readGlbFile } from '../gltf/glb-file.ts'
 import { documentOf } from '../gltf/read-document.ts'
 import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
-import { checkOutputs } from '../outputs.ts'
+import { checkOutputs, isStdout } from '../outputs.ts'
 import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
 import { embedWrinkles } from '../wrinkles/embed.ts'
-import { kilobytes } from '../wrinkles/sizes.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
 
 const WHO = 'furrow auto'
@@ -153,11 +146,12 @@ async function auto(face: string, options: Options): Promise<void> {
     embedWrinkles(glb, found.material, packed, WHO)
     const files = await faceFiles(glb, output, WHO, rules)
     const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0)
-    const shading = shadingWarning(glb.json, found.material, found.materialName)
-    const warnings = [...wrinkles.warnings, ...(shading ? [shading] : [])].map((text) => `${WHO}: ${text}`)
+    const ofSkin = skinWarnings(glb.json, found.material, found.materialName)
+    const warnings = [...wrinkles.warnings, ...ofSkin].map((text) => `${WHO}: ${text}`)
     if (report !== undefined) {
       const listed = { ...settings, regions: regions?.join(', ') ?? 'all' }
-      const source = { path: output, glb, found, wrinkles, settings: listed, warnings }
+      const path = isStdout(output) ? face : output
+      const source = { path, glb, found, wrinkles, settings: listed, warnings }
       const made = await makeReport(source, report, steps, WHO)
       files.push(...made.files)
       steps.begin('writing')
@@ -169,8 +163,8 @@ async function auto(face: string, options: Options): Promise<void> {
   for (const warning of warnings) warn(warning)
   print(
     options.json
-      ? JSON.stringify(summary(wrinkles, found, options, bytes, cost))
-      : describe(wrinkles, found, options, cost),
+      ? JSON.stringify(summaryOf(wrinkles, found, options, bytes, cost))
+      : summaryLines(wrinkles, found, options, cost),
     output,
   )
 }
@@ -212,66 +206,5 @@ function noWrinkles(mesh: string): FurrowError {
     what: 'no blendshape compresses the skin enough to crease it',
     value: mesh,
     remedy: 'name another mesh with --mesh, or draw the wrinkles with furrow strokes',
-  })
-}
-
-function summary(
-  { layers, areas, missing, landmarks, warnings }: AutoWrinkles,
-  { meshName, materialName, reason }: FoundSkin,
-  { output, report }: Options,
-  bytes: number,
-  cost: Cost,
-) {
-  return {
-    file: output,
-    ...(report !== undefined && { report: join(report, 'index.html') }),
-    mesh: meshName,
-    material: materialName,
-    reason,
-    bytes,
-    cost,
-    isFace: landmarks !== undefined,
-    warnings,
-    layers: layers.map(({ name }) => name),
-    areas: areas.map(({ name, layer, driver, compression, error, lines }) => ({
-      name,
-      layer,
-      lines,
-      compression,
-      error,
-      links: driver.targets,
-    })),
-    missing,
-  }
-}
-
-/** glTF-Transform and the like drop extensions that they do not know. */
-const OTHER_TOOLS =
-  'compress or optimise the file before furrow auto, or register FurrowWrinkleMaps: other tools drop the wrinkles'
-
-function describe(
-  { layers, areas, missing }: AutoWrinkles,
-  { meshName, materialName, reason }: FoundSkin,
-  { output, report, ktx2 }: Options,
-  cost: Cost,
-): string[] {
-  const head = `${output}: mesh "${meshName}", material "${materialName}" (${reason}); layers: ${layers.length}; areas: ${areas.length}`
-  const rows = areas.map(({ name, layer, compression, error, driver }) => {
-    const links = driver.targets.map(({ name: target, weight }) => `${target} ${weight ?? 1}`).join(', ')
-    const percent = `${Math.round(100 * compression)}%`.padStart(4)
-    return `  ${name.padEnd(20)} layer ${layer + 1}  compression ${percent}  error ${error.toFixed(2)}  ${links}`
-  })
-  const page = report === undefined ? [] : [`${join(report, 'index.html')}: the report`]
-  const less = ktx2 ? 'a smaller --size or fewer --layers take less' : '--ktx2 or a smaller --size takes less'
-  const sizes = `wrinkles: ${kilobytes(cost.file)} in the file, ${kilobytes(cost.gpu)} on the GPU; ${less}`
-  return [head, ...rows, ...missingRows(missing), sizes, ...page, OTHER_TOOLS]
-}
-
-/** A line per reason. */
-function missingRows(missing: AutoWrinkles['missing']): string[] {
-  const reasons = [...new Set(missing.map(({ reason }) => reason))]
-  return reasons.map((reason) => {
-    const names = missing.filter((region) => region.reason === reason).map(({ name }) => name)
-    return `  not made: ${names.join(', ')} (${reason})`
   })
 }

@@ -58,7 +58,7 @@ export const bakeCommand = createCommand('bake')
   .option('-o, --output <file>', 'tangent-space normal map (.png), green up as in glTF')
   .option('--height <file>', 'height above the low mesh, 16-bit gray PNG')
   .option('--occlusion <file>', 'ambient occlusion, 8-bit gray PNG, white = open')
-  .option('--mesh <name>', 'mesh of the low file (default: "skin", or the only one)')
+  .option('--mesh <name>', 'mesh of the low file (default: "skin", the only one, or as furrow auto finds it)')
   .option('--size <texels>', 'side of the maps', count(16, MAX_IMAGE_SIDE), BAKE_DEFAULTS.size)
   .option(
     '--cage <mm>',

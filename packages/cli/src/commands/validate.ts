@@ -4,7 +4,7 @@ import { readGlbFile } from '../gltf/glb-file.ts'
 import { allowOutsideOption } from '../options.ts'
 import { print } from '../print.ts'
 import type { Finding } from '../validate/finding.ts'
-import { runKhronosValidator } from '../validate/khronos.ts'
+import { GAVE_UP, runKhronosValidator } from '../validate/khronos.ts'
 import { checkWrinkles } from '../wrinkles/rules.ts'
 
 const WHO = 'furrow validate'
@@ -20,14 +20,14 @@ export const validateCommand = createCommand('validate')
     'check the wrinkles of a face by the rules of the extension, and the file with the Khronos validator',
   )
   .argument('<face>', 'a face with wrinkles (.glb, .vrm, .gltf)')
-  .option('--all', 'list the warnings about the rest of the file too, instead of counting them')
+  .option('--all', 'list what is wrong with the rest of the file too, instead of counting it')
   .addOption(allowOutsideOption())
-  .option('--json', 'print the result as JSON, with all warnings')
+  .option('--json', 'print the result as JSON, with all that was found')
   .addHelpText(
     'after',
     `
 The exit code is 0 if there are no errors, with or without warnings: then furrow's loader shows the wrinkles. It is 1 if there are
-errors, or the file cannot be read.
+errors, also about the rest of the file, or the file cannot be read.
 
 Examples:
   $ furrow validate wrinkled.glb
@@ -43,12 +43,14 @@ async function validate(path: string, { all = false, json = false, ...options }:
   const errors = findings.filter(isError).length
   const warnings = findings.length - errors
   if (errors > 0) process.exitCode = 1
-  const listed = all ? findings : [...own, ...others.filter(isError)]
+  const rest = all ? [] : others.filter(({ code }) => code !== GAVE_UP)
+  const listed = findings.filter((finding) => !rest.includes(finding))
   const lines = json
     ? JSON.stringify({ file: path, errors, warnings, findings })
     : [
         ...listed.map(findingText),
-        ...(listed.length < findings.length ? [sumUp(others)] : []),
+        ...sumUp(rest, 'error'),
+        ...sumUp(rest, 'warning'),
         `${path}: ${counted(errors, 'error')}, ${counted(warnings, 'warning')}`,
       ]
   print(lines)
@@ -60,13 +62,15 @@ function findingText({ severity, code, message, pointer }: Finding): string {
   return `${severity}: ${pointer ? `${pointer}: ` : ''}${message} (${code})`
 }
 
-/** The warnings about what is not wrinkles, as one line: most files have some, and they say nothing about wrinkles. */
-function sumUp(findings: readonly Finding[]): string {
+/** Errors or warnings about what is not wrinkles, as one line: most files have some, and they say nothing about wrinkles. */
+function sumUp(findings: readonly Finding[], severity: Finding['severity']): string[] {
   const counts = new Map<string, number>()
-  const warnings = findings.filter((finding) => !isError(finding))
-  for (const { code } of warnings) counts.set(code, (counts.get(code) ?? 0) + 1)
+  const chosen = findings.filter((finding) => finding.severity === severity)
+  for (const { code } of chosen) counts.set(code, (counts.get(code) ?? 0) + 1)
+  if (chosen.length === 0) return []
   const codes = [...counts].map(([code, count]) => `${count} ${code}`).join(', ')
-  return `${counted(warnings.length, 'warning')} about the rest of the file: ${codes}; list them with --all`
+  const what = `${counted(chosen.length, severity)} about the rest of the file, not the wrinkles`
+  return [`${what}: ${codes}; list them with --all`]
 }
 
 function counted(count: number, what: string): string {

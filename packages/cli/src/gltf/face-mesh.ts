@@ -1,9 +1,11 @@
-import type { Node } from '@gltf-transform/core'
+import type { Document, Node } from '@gltf-transform/core'
+import { FurrowError } from 'furrow'
 import type { MetricMesh } from 'furrow/author'
 import { Matrix4, Vector3 } from 'three'
 import { mostMovedSkin } from '../auto/find-skin.ts'
+import { didYouMean } from '../nearest.ts'
 import type { ReadOptions } from './external-files.ts'
-import { nameOf, pickMesh, placementOf, trianglesOf } from './mesh-nodes.ts'
+import { DEFAULT_NAME, nameOf, placementOf, trianglesOf } from './mesh-nodes.ts'
 import { readDocument } from './read-document.ts'
 
 /** What strokes need of a character: one mesh, its texture coordinates, and its skin's own normal map. */
@@ -21,8 +23,7 @@ export interface FaceMesh {
 /**
  * Reads one mesh of a file.
  *
- * @param options.mesh its name; by default the one named `skin`, the only one with texture coordinates, or the one that blendshapes
- *   move most.
+ * @param options.mesh its name; see `pickMesh`.
  * @throws FurrowError when the file cannot be read or has no such mesh.
  */
 export async function readFaceMesh(
@@ -31,11 +32,44 @@ export async function readFaceMesh(
   options: ReadOptions & { mesh?: string | undefined } = {},
 ): Promise<FaceMesh> {
   const document = await readDocument(path, who, options)
-  const node = pickMesh(document, path, options.mesh, who, () => {
-    const skin = mostMovedSkin(document)
-    return skin && document.getRoot().listMeshes()[skin.mesh]
-  })
+  const node = pickMesh(document, path, who, options.mesh)
   return { name: nameOf(node), ...readMesh(node) }
+}
+
+/**
+ * Finds the node of one mesh with texture coordinates: the one named `meshName`, by default the one named `skin`, the only one, or
+ * the one that blendshapes move most.
+ *
+ * @throws FurrowError when there is none, or several and none stands out.
+ */
+export function pickMesh(document: Document, path: string, who: string, meshName?: string): Node {
+  const nodes = document
+    .getRoot()
+    .listNodes()
+    .filter((node) => node.getMesh() !== null)
+  const usable = nodes.filter((node) => trianglesOf(node.getMesh()!).length > 0)
+  const names = [...new Set(usable.map(nameOf))]
+  const wanted = meshName ?? (names.includes(DEFAULT_NAME) ? DEFAULT_NAME : undefined)
+  const matches = wanted === undefined ? usable : usable.filter((node) => nameOf(node) === wanted)
+  const isOpen = wanted === undefined && names.length > 1
+  const node = isOpen ? mostMovedNode(document, usable) : matches.at(0)
+  if (node === undefined) {
+    throw new FurrowError({
+      code: 'unknown-name',
+      who,
+      what: wanted === undefined ? `several meshes in ${path}` : `no such mesh in ${path}`,
+      value: wanted,
+      limit: names.length === 0 ? 'none of its meshes has texture coordinates' : names.join(', '),
+      remedy: didYouMean(wanted, names, 'name one with --mesh'),
+    })
+  }
+  return node
+}
+
+function mostMovedNode(document: Document, nodes: readonly Node[]): Node | undefined {
+  const skin = mostMovedSkin(document)
+  const mesh = skin && document.getRoot().listMeshes()[skin.mesh]
+  return nodes.find((node) => node.getMesh() === mesh)
 }
 
 function readMesh(node: Node): Omit<FaceMesh, 'name'> {

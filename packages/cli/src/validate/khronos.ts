@@ -15,6 +15,9 @@ const MAX_ISSUES = 1000
 const SECONDS = 10
 const SECONDS_PER_MB = 1
 
+/** Code of the finding that the validator did not come to its end. */
+export const GAVE_UP = 'VALIDATOR'
+
 /** Codes of the Khronos validator for images in a format that it does not know. */
 const UNKNOWN_FORMAT = ['VALUE_NOT_IN_LIST', 'IMAGE_UNRECOGNIZED_FORMAT']
 
@@ -48,7 +51,7 @@ export async function runKhronosValidator(
   const bytes = await readBytes(path, who, 'the face')
   const files = await filesOf(bytes, path, who, options)
   const { issues, failure } = await runThread(Uint8Array.from(bytes), files)
-  if (!issues) return [errorFinding('VALIDATOR', `the Khronos validator gave up: ${failure}`)]
+  if (!issues) return [errorFinding(GAVE_UP, `the Khronos validator gave up: ${failure}`)]
   return issues
     .filter(({ severity, message }) => severity < 2 && !message.includes(WRINKLE_MAPS))
     .filter(({ code, pointer = '' }) => {

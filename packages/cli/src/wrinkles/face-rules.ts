@@ -24,12 +24,16 @@ export function checkFaces(json: GltfJson, material: number): Finding[] {
   if (json.materials?.[material].extensions?.KHR_materials_unlit !== undefined) {
     findings.push(errorFinding('UNLIT', 'the material is unlit: wrinkles change how light falls'))
   }
-  for (const [name, remedy] of ATTRIBUTES) {
-    if (drawnPrimitives(json, material).every(({ attributes = {} }) => attributes[name] !== undefined))
-      continue
-    findings.push(errorFinding('ATTRIBUTE', `a mesh with this material has no ${name}; ${remedy}`))
-  }
-  return findings
+  return [...findings, ...missingAttributes(json, material)]
+}
+
+/** What meshes with a material lack to wrinkle. */
+export function missingAttributes(json: GltfJson, material: number): Finding[] {
+  const primitives = drawnPrimitives(json, material)
+  return ATTRIBUTES.flatMap(([name, remedy]) => {
+    if (primitives.every(({ attributes = {} }) => attributes[name] !== undefined)) return []
+    return [errorFinding('ATTRIBUTE', `a mesh with this material has no ${name}; ${remedy}`)]
+  })
 }
 
 function drawnPrimitives(json: GltfJson, material: number): Primitive[] {

@@ -1,0 +1,75 @@
+import { join } from 'node:path'
+import type { AutoWrinkles } from 'furrow/author'
+import { kilobytes } from '../wrinkles/sizes.ts'
+import type { Cost } from './cost.ts'
+import type { FoundSkin } from './find-skin.ts'
+
+/** Options of `furrow auto`. */
+interface Outputs {
+  output: string
+  report?: string
+  ktx2?: boolean
+}
+
+/** What `furrow auto` made, as JSON. */
+export function summaryOf(
+  { layers, areas, missing, landmarks, warnings }: AutoWrinkles,
+  { meshName, materialName, reason }: FoundSkin,
+  { output, report }: Outputs,
+  bytes: number,
+  cost: Cost,
+) {
+  return {
+    file: output,
+    ...(report !== undefined && { report: join(report, 'index.html') }),
+    mesh: meshName,
+    material: materialName,
+    reason,
+    bytes,
+    cost,
+    isFace: landmarks !== undefined,
+    warnings,
+    layers: layers.map(({ name }) => name),
+    areas: areas.map(({ name, layer, driver, compression, error, lines }) => ({
+      name,
+      layer,
+      lines,
+      compression,
+      error,
+      links: driver.targets,
+    })),
+    missing,
+  }
+}
+
+/** glTF-Transform and the like drop extensions that they do not know. */
+const OTHER_TOOLS =
+  'compress or optimise the file before furrow auto, or register FurrowWrinkleMaps: other tools drop the wrinkles'
+
+/** What `furrow auto` made, for people. */
+export function summaryLines(
+  { layers, areas, missing }: AutoWrinkles,
+  { meshName, materialName, reason }: FoundSkin,
+  { output, report, ktx2 }: Outputs,
+  cost: Cost,
+): string[] {
+  const head = `${output}: mesh "${meshName}", material "${materialName}" (${reason}); layers: ${layers.length}; areas: ${areas.length}`
+  const rows = areas.map(({ name, layer, compression, error, driver }) => {
+    const links = driver.targets.map(({ name: target, weight }) => `${target} ${weight ?? 1}`).join(', ')
+    const percent = `${Math.round(100 * compression)}%`.padStart(4)
+    return `  ${name.padEnd(20)} layer ${layer + 1}  compression ${percent}  error ${error.toFixed(2)}  ${links}`
+  })
+  const page = report === undefined ? [] : [`${join(report, 'index.html')}: the report`]
+  const less = ktx2 ? 'a smaller --size or fewer --layers take less' : '--ktx2 or a smaller --size takes less'
+  const sizes = `wrinkles: ${kilobytes(cost.file)} in the file, ${kilobytes(cost.gpu)} on the GPU; ${less}`
+  return [head, ...rows, ...missingRows(missing), sizes, ...page, OTHER_TOOLS]
+}
+
+/** A line per reason. */
+function missingRows(missing: AutoWrinkles['missing']): string[] {
+  const reasons = [...new Set(missing.map(({ reason }) => reason))]
+  return reasons.map((reason) => {
+    const names = missing.filter((region) => region.reason === reason).map(({ name }) => name)
+    return `  not made: ${names.join(', ')} (${reason})`
+  })
+}

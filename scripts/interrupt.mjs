@@ -1,0 +1,20 @@
+// Interrupts every command that writes, at many moments: `npm run interrupt -- --moments 20 --command render`.
+
+import { parseArgs } from 'node:util'
+import { ensureBrowser } from './lib/browser.mjs'
+import { main, must } from './lib/run.mjs'
+import { setUp } from './lib/set-up.mjs'
+
+await main(async () => {
+  const { values } = parseArgs({
+    options: { command: { type: 'string' }, moments: { type: 'string', default: '20' } },
+  })
+  await setUp()
+  const env = {
+    ...process.env,
+    FURROW_CHROMIUM: await ensureBrowser(),
+    FURROW_MOMENTS: values.moments,
+    ...(values.command && { FURROW_COMMAND: values.command }),
+  }
+  await must(['npx', 'vitest', 'run', '--project', 'pages', 'interruption', '--reporter=verbose'], { env })
+})
