@@ -92,7 +92,7 @@ describe('furrow validate', () => {
       .jpeg()
       .toBuffer()
     shop.write('odd/layers/age/normal.jpg', jpeg)
-    shop.write('odd/layers/age/roughness.png', await noise(1, 3, 8))
+    shop.write('odd/layers/age/roughness.png', await noise(1, 3, 12))
     shop.write('odd/areas/zero.png', await painted(99))
     shop.json('odd/wrinkles.json', { version: 1, layers: [{ name: 'age', normal: 'layers/age/normal.jpg' }] })
     await shop.run(packCommand, folder, '-o', shop.path('odd.glb'), '--share', '4')
