@@ -2,7 +2,7 @@ import { join } from 'node:path'
 import sharp from 'sharp'
 import { encodeGlb, readGlbFile } from '../../packages/cli/dist/gltf/glb-file.js'
 import { embedWrinkles } from '../../packages/cli/dist/wrinkles/embed.js'
-import { readFolder } from '../../packages/cli/dist/wrinkles/folder.js'
+import { readFolder, readReferenced } from '../../packages/cli/dist/wrinkles/folder.js'
 import { packFolder } from '../../packages/cli/dist/wrinkles/pack.js'
 import { stripWrinkles } from '../../packages/cli/dist/wrinkles/strip.js'
 
@@ -14,7 +14,13 @@ export async function packOnce(faces) {
   const start = performance.now()
   const document = await readFolder(folder, false, WHO)
   const glb = await readGlbFile(join(faces, 'human.glb'), WHO)
-  const wrinkles = await packFolder(folder, document, { areasPerImage: 3, ktx2: false }, WHO, () => {})
+  const wrinkles = await packFolder(
+    (uri) => readReferenced(folder, uri, WHO, {}),
+    document,
+    { areasPerImage: 3, ktx2: false },
+    WHO,
+    () => {},
+  )
   stripWrinkles(glb, 0, WHO)
   embedWrinkles(glb, 0, wrinkles, WHO)
   encodeGlb(glb)

@@ -33,6 +33,7 @@ export type {
 } from './core/types.ts'
 export {
   checkDeclared,
+  type MapsAndAreas,
   type TextureReference,
   WRINKLE_MAPS,
   type WrinkleMapsArea,

@@ -212,8 +212,21 @@ describe('furrow pack with bad input', () => {
       'area "nose" is on an unknown layer',
     ],
     ['two areas of one name', document({ areas: [nose, nose] }), 'areas[1].name is taken, got "nose"'],
-    ['a missing image', document({ areas: [{ name: 'a', image: 'no.png' }] }), 'no.png (it does not exist'],
-    ['an address elsewhere', document({ areas: [{ name: 'a', image: 'https://x/y' }] }), 'cannot read'],
+    [
+      'a missing image',
+      document({ areas: [{ name: 'a', image: 'no.png' }] }),
+      'wrinkles.json refers to (it does not exist',
+    ],
+    [
+      'an address elsewhere',
+      document({ areas: [{ name: 'a', image: 'https://x/y' }] }),
+      'is not on this computer',
+    ],
+    [
+      'an address outside the folder',
+      document({ areas: [{ name: 'a', image: '../../secret.png' }] }),
+      'refers to a file outside its folder, got "../../secret.png"',
+    ],
     [
       'a driver of nothing',
       document({ drivers: [{ type: 'morph', area: 'x' }] }),

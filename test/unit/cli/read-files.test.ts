@@ -227,7 +227,7 @@ describe('files outside the folder', () => {
   it.each([
     ['pipe.png', /it is not a file/],
     ['.', /it is not a file/],
-    ['none.png', /none\.png, which .*face\.gltf refers to.*; put it beside the file/],
+    ['none.png', /none\.png, which .*face\.gltf refers to.*; put it there/],
     ['a%00b', /cannot read/],
   ])('nor is anything read that is no file: %s', async (uri, message) => {
     await expect(readGlbFile(await withImage(uri), WHO)).rejects.toThrow(message)

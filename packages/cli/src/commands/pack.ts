@@ -16,7 +16,7 @@ import { withBar } from '../progress.ts'
 import type { AreasPerImage } from '../wrinkles/area-images.ts'
 import { findDriverFaults } from '../wrinkles/driver-faults.ts'
 import { embedWrinkles } from '../wrinkles/embed.ts'
-import { readFolder } from '../wrinkles/folder.ts'
+import { readFolder, readReferenced } from '../wrinkles/folder.ts'
 import { PACK_DEFAULTS, type PackedFolder, packFolder } from '../wrinkles/pack.ts'
 import { kilobytes } from '../wrinkles/sizes.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
@@ -108,8 +108,9 @@ async function pack(folder: string, options: Options): Promise<void> {
     mesh: options.mesh ?? document.mesh,
     material: options.material ?? document.material,
   })
+  const read = (uri: string) => readReferenced(folder, uri, WHO, options)
   const wrinkles = await withBar('pack', (progress) =>
-    packFolder(folder, document, { areasPerImage, ktx2, areaSize, size }, WHO, progress),
+    packFolder(read, document, { areasPerImage, ktx2, areaSize, size }, WHO, progress),
   )
   const material = glb.json.materials![target.material]
   if (material.extensions?.[WRINKLE_MAPS] !== undefined) stripWrinkles(glb, target.material, WHO)

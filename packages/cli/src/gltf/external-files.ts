@@ -110,7 +110,7 @@ function outside(file: string, uri: string, who: string): FurrowError {
 
 function missing(file: string, uri: string, who: string, error: unknown): FurrowError {
   return cannotRead(who, `${printable(uri)}, which ${file} refers to`, error, {
-    remedy: 'put it beside the file, or export as one .glb',
+    remedy: 'put it there, or correct the address',
   })
 }
 

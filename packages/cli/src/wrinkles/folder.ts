@@ -1,9 +1,9 @@
 import { readdir } from 'node:fs/promises'
 import { join } from 'node:path'
-import { fileURLToPath, pathToFileURL } from 'node:url'
 import { FurrowError, parseWrinkleSetDocument, type WrinkleSetDocument } from 'furrow'
 import { cannotRead } from '../errors.ts'
-import { readBytes, readJson } from '../files.ts'
+import { readJson } from '../files.ts'
+import { type ReadOptions, readUri } from '../gltf/external-files.ts'
 import { MAP_SLOTS } from './wrinkled-file.ts'
 
 type Json = Record<string, unknown>
@@ -39,16 +39,18 @@ export async function readFolder(
   return parseWrinkleSetDocument(json, `${who}: ${path}`, whiteIsVisible ? 'weight' : 'paper')
 }
 
-/** Reads a file that `wrinkles.json` refers to. Throws FurrowError when it cannot be read, or is not on this computer. */
-export async function readReferenced(folder: string, uri: string, who: string): Promise<Uint8Array> {
-  const remedy = 'check the name in wrinkles.json and the file'
-  let path: string
-  try {
-    path = fileURLToPath(new URL(uri, pathToFileURL(join(folder, 'wrinkles.json'))))
-  } catch (error) {
-    throw cannotRead(who, join(folder, uri), error, { remedy })
-  }
-  return readBytes(path, who, '', remedy)
+/**
+ * Reads a file that `wrinkles.json` refers to.
+ *
+ * @throws FurrowError when it cannot be read, or is outside the folder and `options` do not allow that.
+ */
+export function readReferenced(
+  folder: string,
+  uri: string,
+  who: string,
+  options: ReadOptions,
+): Promise<Uint8Array> {
+  return readUri(join(folder, 'wrinkles.json'), uri, who, options)
 }
 
 /** The address of a file, relative to `wrinkles.json`: in one, `#`, `?` and `%` would have a meaning. */

@@ -13,7 +13,6 @@ import type { Progress } from '../progress.ts'
 import { type AreasPerImage, encodeAreaImages } from './area-images.ts'
 import { type CheckedImage, checkMap, checkOneSize, scaleMap } from './checked-image.ts'
 import type { LayerImages, PackedArea, PackedWrinkles } from './embed.ts'
-import { readReferenced } from './folder.ts'
 import { AREAS_PER_SLICE, encodeAreaArray, encodeMapArrays } from './ktx2-images.ts'
 
 /** How the images go into the file. */
@@ -37,13 +36,16 @@ export interface PackedFolder extends PackedWrinkles {
   warnings: string[]
 }
 
+/** Reads an image by its address in the wrinkle set. */
+type ReadImage = (uri: string) => Promise<Uint8Array>
+
 /**
  * Encodes the images of a wrinkle set for a file.
  *
  * @throws FurrowError at the first image that cannot be used, or layer that does not exist.
  */
 export async function packFolder(
-  folder: string,
+  read: ReadImage,
   document: WrinkleSetDocument,
   { areasPerImage, ktx2, areaSize, size }: PackOptions,
   who: string,
@@ -54,11 +56,11 @@ export async function packFolder(
   let done = 0
   const step = () => progress(++done, total)
   const warnings: string[] = []
-  const maps = await packLayers(folder, document.layers, size, who, step)
+  const maps = await packLayers(read, document.layers, size, who, step)
 
   const weights: GrayImage[] = []
   for (const { name, image, convention } of document.areas) {
-    weights.push(await readWeights(folder, image, convention, side, who))
+    weights.push(await readWeights(read, image, convention, side, who))
     if (weights.at(-1)!.data.every((value) => value === 0)) {
       warnings.push(
         `${who}: area "${name}" is visible nowhere; is ${image} in the other convention (--white-is-visible)?`,
@@ -85,7 +87,7 @@ export async function packFolder(
 }
 
 async function packLayers(
-  folder: string,
+  read: ReadImage,
   layers: WrinkleSetDocument['layers'],
   size: number | undefined,
   who: string,
@@ -95,7 +97,7 @@ async function packLayers(
   const loaded = new Map<string, CheckedImage>()
   const load = async (uri: string | undefined, name: string, kind: 'normals' | 'values' = 'values') => {
     if (uri === undefined) return undefined
-    const bytes = await readReferenced(folder, uri, who)
+    const bytes = await read(uri)
     const key = `${kind} ${Buffer.from(bytes).toString('latin1')}`
     const image = loaded.get(key) ?? (await scaledTo(size, await checkMap(bytes, name, uri, who), kind))
     loaded.set(key, image)
@@ -127,13 +129,13 @@ async function scaledTo(size: number | undefined, image: CheckedImage, kind: 'no
 }
 
 async function readWeights(
-  folder: string,
+  read: ReadImage,
   uri: string,
   convention: AreaConvention | undefined,
   size: number,
   who: string,
 ): Promise<GrayImage> {
-  const painted = await decodeGray(await readReferenced(folder, uri, who), uri, who)
+  const painted = await decodeGray(await read(uri), uri, who)
   return resampleGray(areaWeights(painted, convention, `${who}: ${uri}`), size)
 }
 

@@ -21,6 +21,7 @@ const BASE_OPACITY = 0.6
 /** From the upper left in front of a face that looks along +z. */
 const LIGHT = [-0.35, 0.45, 0.82]
 
+/** What is drawn below the lines of a UV layout. */
 export interface UvLayoutOptions {
   /** Colour of the skin as RGBA, size x size texels, sRGB; shown faintly. A light gray by default. */
   base?: RgbaImage
