@@ -125,7 +125,7 @@ describe('furrow strokes', () => {
     [
       'a face that is no glTF',
       () => [strokes, '--face', strokes, '-o', file('x.png')],
-      'cannot read the face',
+      'is not usable: its JSON has no asset.version',
     ],
     [
       'a mesh that is not there',
@@ -140,7 +140,7 @@ describe('furrow strokes', () => {
     [
       'a base that is no image',
       () => [strokes, '--face', face, '--base', strokes, '--normal', file('x.png')],
-      'cannot read the normal map',
+      'strokes.json (unsupported image format), allowed: PNG, JPEG, WebP or AVIF',
     ],
     [
       'a folder instead of a file',
