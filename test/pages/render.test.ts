@@ -205,7 +205,7 @@ describe('furrow render refuses', () => {
   // How the program reports errors; the errors themselves are tested with the other commands.
   test.each<[string, string[], RegExp]>([
     ['a missing face', ['missing.glb'], /cannot read the face missing\.glb/],
-    ['wrinkles of no set', [FACE, '--wrinkles', 'no-set.json'], /no-set\.json: .*version/],
+    ['wrinkles of no set', [FACE, '--wrinkles', 'no-set.json'], /no-set\.json: layers must be an array/],
     ['an unknown option', [FACE, '--colour'], /unknown option '--colour'/],
     ['two faces', [FACE, FACE], /too many arguments/],
   ])('%s', async (_, args, message) => {
