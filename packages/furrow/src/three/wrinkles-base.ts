@@ -27,6 +27,17 @@ import {
 import { type AnyRenderer, rendererProblem } from './renderer.ts'
 import { sizeOnScreen } from './size-on-screen.ts'
 
+/** Wrinkles that appear, in milliseconds of their clock. */
+interface Appearance {
+  readonly duration: number
+  elapsed: number
+  /** The time of the last frame. */
+  last: number
+}
+
+/** What a frame adds to that at most: the first one waits for the shader. */
+const LONGEST_STEP = 50
+
 /** Renderers that the console was told of. */
 const refused = new WeakSet<AnyRenderer>()
 
@@ -56,6 +67,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   #tableVersion = -1
   /** Number of influence materials in use: they need the map in any mode. */
   #influenceViews = 0
+  #appearance: Appearance | null = null
 
   /**
    * @param renderer what depends on the renderer.
@@ -224,11 +236,16 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     return this.#material.clone()
   }
 
+  /** Lets the wrinkles appear, over some seconds from the next frames on. @internal */
+  appear(seconds: number): void {
+    this.#appearance = { duration: 1000 * seconds, elapsed: 0, last: this.clock.now() }
+  }
+
   /** Called before a mesh is drawn: runs the phases up to the influence, then sets what the mesh's shader reads. @internal */
   prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
     if (this.isDisposed || this.#isRefused(renderer)) return
     this.#material.settle(renderer)
-    this.#inputs.fade.value = this.#fadeOf(mesh, camera, renderer)
+    this.#inputs.fade.value = this.#fadeOf(mesh, camera, renderer) * this.#appeared()
     this.#frame.begin(this.#entry, renderer)
     locateCells(this.#inputs, this.#atlas, this.#cells)
   }
@@ -249,7 +266,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     const { composed } = this.#material
     if (!composed) return
     locateCells(this.#inputs, this.#atlas, this.#cells)
-    composed.update(renderer, this.#inputs.areas, this.faces[0].activations.values)
+    const { areas, fade } = this.#inputs
+    composed.update(renderer, areas, this.faces[0].activations.values, fade.value)
   }
 
   /** Restores the material, and frees the textures that no other face uses. */
@@ -282,6 +300,19 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     const { fadeBelow } = this.#options
     if (fadeBelow === 0 || this.#material.composed || instancesOf(this.mesh)) return 1
     return Math.min(1, Math.max(0, (2 * sizeOnScreen(mesh, camera, renderer)) / fadeBelow - 1))
+  }
+
+  /** 0 = not yet, 1 = wholly. */
+  #appeared(): number {
+    const appearance = this.#appearance
+    if (!appearance) return 1
+    const now = this.clock.now()
+    appearance.elapsed += Math.min(Math.max(0, now - appearance.last), LONGEST_STEP)
+    appearance.last = now
+    const fraction = appearance.elapsed / appearance.duration
+    if (fraction < 1) return fraction
+    this.#appearance = null
+    return 1
   }
 
   /** Whether the renderer is the other entry's. The face is then plain, and the console says so, once for each renderer. */
