@@ -12,6 +12,7 @@ import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
 import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
 import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
+import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
 import { encodeGlb, readGlbFile } from '../../../packages/cli/src/gltf/glb-file.ts'
 import type { GltfJson } from '../../../packages/cli/src/gltf/gltf-json.ts'
 import { readDocument } from '../../../packages/cli/src/gltf/read-document.ts'
@@ -95,6 +96,17 @@ describe('a file with others beside it', () => {
     const glb = await readGlbFile(shop.json('data/face.gltf', json), WHO)
     expect(await validatorErrors(encodeGlb(glb))).toEqual([])
   })
+
+  it.each(['skin%200.png', './skin 0.png', 'folder\\..\\skin%200.png'])(
+    'is given to the Khronos validator with them, by whatever address: %s',
+    async (uri) => {
+      const path = await writeApart('validated', (json) => {
+        json.images![0] = { uri }
+      })
+      await shop.run(validateCommand, path)
+      expect(shop.printed).toMatch(/: 0 errors, 1 warning$/m)
+    },
+  )
 
   it('holds a file once that it refers to several times', async () => {
     const path = await writeApart('twice')

@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs'
+import { closeSync, openSync, readFileSync } from 'node:fs'
 import fc from 'fast-check'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
@@ -44,6 +44,13 @@ describe('furrow validate', () => {
     await shop.run(validateCommand, path, '--all')
     expect(shop.printed).toMatch(/^error: \/accessors\/0.*\(ACCESSOR_TOO_LONG\)$/m)
     expect(process.exitCode).toBe(1)
+  })
+
+  it('reads a pipe that the shell has opened once', async () => {
+    const file = openSync(face, 'r')
+    await shop.run(validateCommand, `/dev/fd/${file}`)
+    closeSync(file)
+    expect(shop.printed).toBe(`/dev/fd/${file}: 0 errors, 0 warnings\n`)
   })
 
   it('sums up the errors about the rest of the file, and lists those about the wrinkles', async () => {

@@ -31,7 +31,8 @@ export async function faceFiles(
   if (!path.toLowerCase().endsWith('.gltf')) return [{ path, bytes: encodeGlb(glb) }]
   const files = splitFile(glb, path)
   const paths = files.map((file) => file.path)
-  await checkOutputs(paths, who, { extensions: [''], inputs: [...inputs, ...glb.files], force })
+  const references = [...glb.references.values()].flatMap((reference) => reference.path ?? [])
+  await checkOutputs(paths, who, { extensions: [''], inputs: [...inputs, ...references], force })
   return files
 }
 

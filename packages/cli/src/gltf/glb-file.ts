@@ -3,7 +3,7 @@ import { firstLine } from '../errors.ts'
 import { readBytes } from '../files.ts'
 import { costProblem } from './check-document.ts'
 import { embedFiles } from './embed-files.ts'
-import type { ReadOptions } from './external-files.ts'
+import type { ReadOptions, Reference } from './external-files.ts'
 import { shapeProblem } from './glb-shape.ts'
 import type { GltfJson } from './gltf-json.ts'
 import { otherFormat } from './not-gltf.ts'
@@ -15,8 +15,10 @@ export interface Glb {
   bin: Uint8Array
   /** Size of all files that it was read from. */
   fileBytes: number
-  /** Paths of the files that it referred to; they are part of it now. */
-  files: string[]
+  /** The file as it was read. */
+  bytes: Uint8Array
+  /** What it referred to, by URI, which is part of the binary chunk now. */
+  references: ReadonlyMap<string, Reference>
 }
 
 // glTF 2.0, section 4.4 (GLB file format): a header of 12 bytes, then chunks of 8 bytes and their data.
@@ -60,7 +62,7 @@ export function decodeGlb(bytes: Buffer, path: string, who: string): Glb {
   if (wrong) throw unusable(path, who, wrong)
   const bin = binaryChunk(bytes, end)
   if (!bin) throw unusable(path, who, 'its binary chunk is cut off')
-  return { json, bin, fileBytes: bytes.length, files: [] }
+  return { json, bin, fileBytes: bytes.length, bytes, references: new Map() }
 }
 
 /** Joins the parts to the bytes of a `.glb`. */
