@@ -1,10 +1,10 @@
 import { FurrowError } from 'furrow'
 import { firstLine } from '../errors.ts'
 import { readBytes } from '../files.ts'
-import { costProblem } from './check-document.ts'
+import { costProblem } from './checks/document.ts'
+import { shapeProblem } from './checks/shape.ts'
 import { embedFiles } from './embed-files.ts'
 import type { ReadOptions, Reference } from './external-files.ts'
-import { shapeProblem } from './glb-shape.ts'
 import type { GltfJson } from './gltf-json.ts'
 import { otherFormat } from './not-gltf.ts'
 

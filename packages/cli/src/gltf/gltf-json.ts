@@ -30,7 +30,17 @@ export interface BufferView {
   buffer: number
   byteOffset?: number
   byteLength: number
-  extensions?: Record<string, Partial<BufferView>>
+  byteStride?: number | undefined
+  extensions?: Record<string, Partial<CompressedView>>
+}
+
+/** The bytes that a view is decompressed from, by EXT_meshopt_compression or a successor. */
+export interface CompressedView {
+  buffer: number
+  byteOffset?: number
+  byteLength: number
+  count: number
+  byteStride: number
 }
 
 /** The parts of a glTF document that wrinkles touch; everything else is kept as it is. */
@@ -63,11 +73,7 @@ export function jointNamesOf({ nodes = [] }: GltfJson): string[] {
   return nodes.flatMap(({ name }) => (name === undefined ? [] : [name]))
 }
 
-/** Where the bytes of compressed views are: in another view, which an extension describes. */
-export function compressedViews({ extensions = {} }: BufferView): BufferView[] {
-  return Object.values(extensions).filter(isView)
-}
-
-const isView = (value: Partial<BufferView>): value is BufferView => {
-  return value.buffer !== undefined && value.byteLength !== undefined
+/** What a view is decompressed from, one for each extension that compresses it; empty where it is not compressed. */
+export function compressedViews({ extensions = {} }: BufferView): CompressedView[] {
+  return Object.values(extensions).filter((value) => value.byteLength !== undefined) as CompressedView[]
 }

@@ -1,4 +1,5 @@
-import { type CheckedJson, compressedView } from './checked-json.ts'
+import { compressedViews } from '../gltf-json.ts'
+import type { CheckedJson } from './checked-json.ts'
 
 /** A reference: where it is, its value, and the list that it must point into. */
 type Reference = [where: string, index: number | undefined, list: readonly unknown[] | undefined]
@@ -31,7 +32,8 @@ function* referencesOf(json: CheckedJson): Generator<Reference> {
   yield ['scene', json.scene, scenes]
   for (const [i, view] of (bufferViews ?? []).entries()) {
     yield [`bufferViews[${i}].buffer`, view.buffer, buffers]
-    yield [`bufferViews[${i}].extensions.buffer`, compressedView(view)?.buffer, buffers]
+    for (const { buffer } of compressedViews(view))
+      yield [`bufferViews[${i}].extensions.buffer`, buffer, buffers]
   }
   for (const [i, { bufferView, sparse }] of (accessors ?? []).entries()) {
     yield [`accessors[${i}].bufferView`, bufferView, bufferViews]
