@@ -9,7 +9,14 @@ export { type AreaConvention, areaWeights } from './core/area.ts'
 export { type ErrorCode, type ErrorParts, FurrowError } from './core/error.ts'
 export { resampleGray } from './core/image.ts'
 export { type Ktx2Header, readKtx2Header } from './core/ktx2-header.ts'
-export { DEFAULT_AREA_SIZE, MAX_AREAS, MAX_IMAGE_BYTES, MAX_IMAGE_SIDE, MAX_LAYERS } from './core/limits.ts'
+export {
+  DEFAULT_AREA_SIZE,
+  LONGEST_NAME,
+  MAX_AREAS,
+  MAX_IMAGE_BYTES,
+  MAX_IMAGE_SIDE,
+  MAX_LAYERS,
+} from './core/limits.ts'
 export {
   drawnTextures,
   type MapProblem,

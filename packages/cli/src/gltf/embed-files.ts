@@ -5,6 +5,7 @@ import { type ReadOptions, type Reference, referenceReader } from './external-fi
 import type { Glb } from './glb-file.ts'
 import { compressedViews } from './gltf-json.ts'
 import { imageTypeOf } from './image-type.ts'
+import { unusable } from './not-gltf.ts'
 
 /**
  * Makes a file whole: the buffers and images that it refers to become part of its binary chunk. A file that refers to
@@ -46,7 +47,8 @@ function joinBuffers({ json, references, ...glb }: Glb, path: string, who: strin
     }
     const bytes = buffer.uri === undefined ? glb.bin : references.get(buffer.uri)!.bytes
     if (bytes.length < buffer.byteLength) {
-      throw damaged(path, who, `buffers[${i}] has ${bytes.length} of ${buffer.byteLength} bytes`, buffer.uri)
+      const problem = `buffers[${i}] has ${bytes.length} of ${buffer.byteLength} bytes`
+      throw unusable(path, who, problem, { value: buffer.uri })
     }
     const offset = parts.get(bytes) ?? 4 * Math.ceil(byteLength / 4)
     if (!parts.has(bytes)) byteLength = offset + bytes.length
@@ -58,7 +60,7 @@ function joinBuffers({ json, references, ...glb }: Glb, path: string, who: strin
       const place = moved[part.buffer]
       const end = (part.byteOffset ?? 0) + part.byteLength
       if (!place || end > buffers[part.buffer].byteLength) {
-        throw damaged(path, who, `bufferViews[${i}] is not within its buffer`)
+        throw unusable(path, who, `bufferViews[${i}] is not within its buffer`)
       }
       part.buffer = place.buffer
       if (place.offset > 0) part.byteOffset = (part.byteOffset ?? 0) + place.offset
@@ -95,9 +97,4 @@ function embedImages(glb: Glb, path: string, who: string): void {
     Object.assign(image, { mimeType, bufferView })
   }
   writer.finish()
-}
-
-function damaged(path: string, who: string, problem: string, value?: string): FurrowError {
-  const what = `${path} is not usable: ${problem}`
-  return new FurrowError({ code: 'unreadable', who, what, value, remedy: 'export it again' })
 }

@@ -1,4 +1,3 @@
-import { FurrowError } from 'furrow'
 import { firstLine } from '../errors.ts'
 import { readBytes } from '../files.ts'
 import { costProblem } from './checks/document.ts'
@@ -6,7 +5,7 @@ import { shapeProblem } from './checks/shape.ts'
 import { embedFiles } from './embed-files.ts'
 import type { ReadOptions, Reference } from './external-files.ts'
 import type { GltfJson } from './gltf-json.ts'
-import { otherFormat } from './not-gltf.ts'
+import { otherFormat, unusable } from './not-gltf.ts'
 
 /** A glTF file in two parts, as in its binary form. Commands edit the parts in place, so that whatever else it holds is kept. */
 export interface Glb {
@@ -49,7 +48,7 @@ export function decodeGlb(bytes: Buffer, path: string, who: string): Glb {
   const problem = isText ? undefined : headerProblem(bytes)
   if (problem) {
     const other = otherFormat(bytes)
-    throw unusable(path, who, other?.problem ?? problem, other?.remedy)
+    throw unusable(path, who, other?.problem ?? problem, { remedy: other?.remedy })
   }
   const [start, end] = isText ? [0, bytes.length] : [JSON_START, JSON_START + bytes.readUInt32LE(12)]
   let json: GltfJson
@@ -106,14 +105,4 @@ function binaryChunk(bytes: Buffer, start: number): Uint8Array | undefined {
 function padded(bytes: Uint8Array, fill: number): Uint8Array {
   const gap = (4 - (bytes.length % 4)) % 4
   return gap === 0 ? bytes : Buffer.concat([bytes, Buffer.alloc(gap, fill)])
-}
-
-function unusable(path: string, who: string, problem: string, remedy = 'export it again'): FurrowError {
-  return new FurrowError({
-    code: 'unreadable',
-    who,
-    what: `${path} is not usable: ${problem}`,
-    limit: 'a whole glTF 2.0 file (.glb, .vrm, .gltf)',
-    remedy,
-  })
 }
