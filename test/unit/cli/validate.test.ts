@@ -108,6 +108,15 @@ describe('furrow validate', () => {
       (_, maps) => Object.assign(maps, { drivers: [{ type: 'weather' }] }),
       'DRIVER_TYPE',
     ],
+    [
+      'MToon, whose fallback is unlit,',
+      (json) => {
+        const names = ['VRMC_materials_mtoon', 'KHR_materials_unlit']
+        for (const name of names) json.materials[0].extensions[name] = {}
+        json.extensionsUsed.push(...names)
+      },
+      'MTOON',
+    ],
     ['no wrinkles at all', (json) => delete json.materials[0].extensions, 'NO_WRINKLES'],
   ])('counts %s as a warning', async (_, spoil, code) => {
     expect(await codesOf(spoilt(spoil))).toContain(code)
