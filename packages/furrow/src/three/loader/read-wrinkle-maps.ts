@@ -24,6 +24,7 @@ import { parseWrinkleMaps } from '../../drivers/parse.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 import type { ArrayTexture } from '../material/array-texture.ts'
 import { surfaceOf } from '../material/surface.ts'
+import { fileError } from './file-error.ts'
 import { readTexture } from './read-texture.ts'
 
 /** A face of a file: meshes that have one material with the extension. */
@@ -49,6 +50,8 @@ export interface LoadedWrinkles extends FileWrinkles {
 }
 
 type Parser = GLTF['parser']
+
+const UNREADABLE = 'the wrinkles cannot be read'
 
 /**
  * Reads FURROW_wrinkle_maps from a file that three.js's `GLTFLoader` has loaded, as plain data for any renderer. `WrinkleLoaderPlugin`
@@ -96,7 +99,7 @@ export function materialReader(
       const maps = parseWrinkleMaps(extensionOf(material, parser), count, WRINKLE_MAPS, onFault)
       return { set: await readSet(maps, parser), drivers: maps.drivers }
     } catch (error) {
-      throw error instanceof FurrowError ? error : unreadable(WRINKLE_MAPS, (error as Error)?.message)
+      throw fileError(error, WRINKLE_MAPS, UNREADABLE)
     }
   }
   return (material) => once(known, material, () => read(material))
@@ -214,7 +217,7 @@ class MapSource {
       const who = `${WRINKLE_MAPS} texture ${index}`
       const texture = (await this.#parser.getDependency('texture', index)) as Texture | null
       // The loader has reported why it could not decode the image.
-      if (!texture) throw unreadable(who, 'an image that cannot be decoded')
+      if (!texture) throw fileError('an image that cannot be decoded', who, UNREADABLE)
       const { width, height } = texture.image as { width: number; height: number }
       checkSides(width, height, who)
       return readTexture(texture, who)
@@ -265,14 +268,4 @@ function once<K, T>(known: Map<K, Promise<T>>, key: K, make: () => Promise<T>): 
   const found = known.get(key) ?? make()
   known.set(key, found)
   return found
-}
-
-function unreadable(who: string, value: string): FurrowError {
-  return new FurrowError({
-    code: 'unreadable',
-    who,
-    what: 'the wrinkles cannot be read',
-    value,
-    remedy: 'check the file with `npx furrow validate`',
-  })
 }
