@@ -80,7 +80,7 @@ const DAMAGES: [what: string, spoil: Spoil, warning: RegExp][] = [
     /texture \d: .*got "an image that cannot be decoded"/,
   ],
   [
-    'an image that is none',
+    'an image that cannot be decoded',
     (maps, json) => {
       delete normals(maps, json).bufferView
       normals(maps, json).uri = 'data:image/png;base64,AAAA'
@@ -212,7 +212,7 @@ describe.each(RENDERERS)('a damaged file on %s', (name) => {
     expect(face.getActivation('a')).toBe(1)
   })
 
-  it('loses only its drivers where they are no list', async () => {
+  it('loses only its drivers where they are not a list', async () => {
     const gltf = await load(await spoiled((maps) => (maps.drivers = { 0: 'morph' })))
     expect(warn.mock.calls).toEqual([[expect.stringMatching(/drivers must be an array/)]])
     expect(wrinklesOf(gltf)[0].getActivation('b')).toBe(0.25)

@@ -241,7 +241,7 @@ describe('files outside the folder', () => {
     ['.', /it is not a file/],
     ['none.png', /none\.png, which .*face\.gltf refers to.*; put it there/],
     ['a%00b', /cannot read/],
-  ])('nor is anything read that is no file: %s', async (uri, message) => {
+  ])('nor is anything read that is not a file: %s', async (uri, message) => {
     await expect(readGlbFile(await withImage(uri), WHO)).rejects.toThrow(message)
   })
 

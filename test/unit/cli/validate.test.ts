@@ -79,7 +79,7 @@ describe('furrow validate', () => {
     ['two areas of one name', (_, maps) => Object.assign(maps.areas[1], { name: 'brow' }), 'INVALID'],
     ['a layer beyond the list', (_, maps) => Object.assign(maps.areas[1], { layer: 2 }), 'INVALID'],
     [
-      'an extension that is no object',
+      'an extension that is not an object',
       (json) => Object.assign(json.materials[0].extensions, { [NAME]: 1 }),
       'INVALID',
     ],

@@ -82,7 +82,7 @@ function dataOf(uri: string): Uint8Array | undefined {
   return found[1] ? Buffer.from(text, 'base64') : Buffer.from(unescaped(text), 'latin1')
 }
 
-/** The path in a URI, with the separators of any system. Throws FurrowError for anything that is no path. */
+/** The path in a URI, with the separators of any system. Throws FurrowError for anything that is not a path. */
 function pathOf(file: string, uri: string, who: string, allowOutside: boolean): string {
   if (!SCHEME.test(uri)) return unescaped(uri).replaceAll('\\', '/')
   if (/^file:/i.test(uri)) {

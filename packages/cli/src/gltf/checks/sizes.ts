@@ -45,7 +45,7 @@ export function sizeProblem(
   return undefined
 }
 
-/** 0 where there is no such accessor, or none of its type: such faults are others'. */
+/** 0 where there is no such accessor, or its type is unknown, which other checks report. */
 function bytesOf(accessor: CheckedAccessor | undefined): number {
   return (accessor && accessor.count * elementBytes(accessor)) || 0
 }
