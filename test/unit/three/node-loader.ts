@@ -1,4 +1,3 @@
-import { readKtx2Header } from 'furrow'
 import sharp from 'sharp'
 import { CompressedArrayTexture, CompressedTexture, RGBA_BPTC_Format } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
@@ -19,25 +18,13 @@ async function createImageBitmap(blob: Blob) {
 
 /** Transcodes for nothing, and returns textures of the right kind and size. */
 const ktx2Loader = {
-  async load(
-    url: string,
-    onLoad: (texture: CompressedTexture) => void,
-    _: unknown,
-    onError: (e: unknown) => void,
-  ) {
-    try {
-      const bytes = new Uint8Array(await (await fetch(url)).arrayBuffer())
-      const { width, height, layers } = await readArray(bytes)
-      readKtx2Header(bytes, url)
-      const mipmaps = [{ data: new Uint8Array(16), width, height }]
-      onLoad(
-        layers.length > 1
-          ? new CompressedArrayTexture(mipmaps, width, height, layers.length, RGBA_BPTC_Format)
-          : new CompressedTexture(mipmaps, width, height, RGBA_BPTC_Format),
-      )
-    } catch (error) {
-      onError(error)
-    }
+  async loadAsync(url: string): Promise<CompressedTexture> {
+    const bytes = new Uint8Array(await (await fetch(url)).arrayBuffer())
+    const { width, height, layers } = await readArray(bytes)
+    const mipmaps = [{ data: new Uint8Array(16), width, height }]
+    return layers.length > 1
+      ? new CompressedArrayTexture(mipmaps, width, height, layers.length, RGBA_BPTC_Format)
+      : new CompressedTexture(mipmaps, width, height, RGBA_BPTC_Format)
   },
 }
 

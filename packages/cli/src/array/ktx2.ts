@@ -61,16 +61,17 @@ export async function writeArray(
  * @throws Error with a short reason when the bytes are anything else.
  */
 export async function readArray(bytes: Uint8Array): Promise<NamedArray & { compression: Compression }> {
-  const { vkFormat, width, height, count } = readHeader(bytes)
+  const { format, width, height, slices } = readHeader(bytes)
+  const count = Math.max(slices, 1)
   const container = readContainer(bytes)
   const names = layerNames(container, count)
   const srgb = container.dataFormatDescriptor[0].transferFunction === KHR_DF_TRANSFER_SRGB
-  const channels = CHANNELS.get(vkFormat)
-  if (vkFormat === VK_FORMAT_UNDEFINED) {
+  const channels = CHANNELS.get(format)
+  if (format === VK_FORMAT_UNDEFINED) {
     const { layers, compression } = await decodeBasis(bytes, count)
     return { width, height, channels: 4, srgb, names, layers, compression }
   }
-  if (channels === undefined) throw new Error(`its format is ${vkFormat}, not R8 or RGBA8`)
+  if (channels === undefined) throw new Error(`its format is ${format}, not R8 or RGBA8`)
   const isCompressed = container.supercompressionScheme === KHR_SUPERCOMPRESSION_ZSTD
   if (!isCompressed && container.supercompressionScheme !== KHR_SUPERCOMPRESSION_NONE) {
     throw new Error(`its supercompression is ${container.supercompressionScheme}, not Zstandard`)

@@ -11,7 +11,7 @@ import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import { CHANNEL, channelOf } from '../../core/channels.ts'
 import { FurrowError } from '../../core/error.ts'
 import { checkSides } from '../../core/image.ts'
-import { mapProblems, type TextureShape } from '../../core/map-rules.ts'
+import { mapProblems, type TextureShape, texturesOfFace } from '../../core/map-rules.ts'
 import type { Area, ArraySlice, GrayImage, Layer, RgbaImage, WrinkleSet } from '../../core/types.ts'
 import {
   checkDeclared,
@@ -22,8 +22,8 @@ import {
 } from '../../core/wrinkle-maps.ts'
 import { parseWrinkleMaps } from '../../drivers/parse.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
-import type { ArrayTexture } from '../material/array-texture.ts'
 import { surfaceOf } from '../material/surface.ts'
+import type { Ktx2Texture } from './ktx2.ts'
 import { readTexture } from './read-texture.ts'
 
 /** A face of a file: meshes that have one material with the extension. */
@@ -145,7 +145,7 @@ async function readSet(maps: MapsAndAreas, parser: Parser): Promise<WrinkleSet<A
     }),
   )
   const set = { layers, areas: await Promise.all(areas) }
-  const [problem] = mapProblems(maps, await source.shapes(), WRINKLE_MAPS)
+  const [problem] = mapProblems(maps, await source.shapes(), texturesOfFace(parser.json), WRINKLE_MAPS)
   if (problem) throw new FurrowError(problem)
   // Most files have no KTX 2 images: what only these need is fetched when one appears.
   return source.hasSlices ? (await import('./join-arrays.ts')).joinArrays(set) : set
@@ -176,7 +176,7 @@ type ArrayUse = 'areas' | 'maps'
 class MapSource {
   readonly #parser: Parser
   readonly #images = new Map<number, Promise<RgbaImage>>()
-  readonly #arrays = new Map<number, Promise<ArrayTexture>>()
+  readonly #arrays = new Map<number, Promise<Ktx2Texture>>()
 
   constructor(parser: Parser) {
     this.#parser = parser
@@ -189,7 +189,7 @@ class MapSource {
   /** What the images and arrays are that were read. */
   async shapes(): Promise<(texture: number) => TextureShape> {
     const images = [...this.#images].map(async ([index, image]) => [index, await image] as const)
-    const arrays = [...this.#arrays].map(async ([index, array]) => [index, shapeOf(await array)] as const)
+    const arrays = [...this.#arrays].map(async ([index, array]) => [index, (await array).header] as const)
     const shapes = new Map<number, TextureShape>(await Promise.all([...images, ...arrays]))
     // All textures that are drawn have been read.
     return (texture) => shapes.get(texture)!
@@ -228,30 +228,14 @@ class MapSource {
     use: ArrayUse,
     space: ColorSpace = NoColorSpace,
   ): Promise<ArraySlice> {
-    const array = await once(this.#arrays, index, async () => {
+    const { array } = await once(this.#arrays, index, async () => {
       const { loadAreaArray, loadMapArray } = await import('./ktx2.ts')
       return (use === 'areas' ? loadAreaArray : loadMapArray)(this.#parser, index)
     })
     // In glTF the use of a texture decides, not the colour space in its file.
     array.colorSpace = space
-    const { depth } = array.image
-    if (slice < depth) return { array, slice, channel }
-    throw new FurrowError({
-      code: 'out-of-range',
-      who: `${WRINKLE_MAPS} texture ${index}`,
-      what: 'no such slice',
-      value: slice,
-      limit: `0 to ${depth - 1}`,
-      remedy: 'pack the file again',
-    })
+    return { array, slice, channel }
   }
-}
-
-/** The header was checked when the array was loaded; what it became tells the rest. */
-function shapeOf({ image, mipmaps, format, userData }: ArrayTexture): TextureShape {
-  const { width, height, depth } = image
-  const layout = `format ${format}, ${mipmaps?.length} levels`
-  return { width, height, slices: depth, layout, ...userData.ktx2 }
 }
 
 /** Whether a texture is read as KTX 2: it has no other image, or the loader can read KTX 2 and prefers it. */
