@@ -8,6 +8,7 @@ export { type ActivationPointer, parseActivationPointer } from './core/activatio
 export { type AreaConvention, areaWeights } from './core/area.ts'
 export { type ErrorCode, type ErrorParts, FurrowError } from './core/error.ts'
 export { resampleGray } from './core/image.ts'
+export { type ImageFileType, imageDamage, imageTypeOf } from './core/image-file.ts'
 export {
   type Ktx2Fault,
   type Ktx2Header,

@@ -1,10 +1,9 @@
 import { posix } from 'node:path'
-import { FurrowError } from 'furrow'
+import { FurrowError, imageTypeOf } from 'furrow'
 import { BufferViewWriter } from './buffer-view-writer.ts'
 import { type ReadOptions, readUri, resolveInside } from './external-files.ts'
 import type { Glb } from './glb-file.ts'
 import { compressedViews } from './gltf-json.ts'
-import { imageTypeOf } from './image-type.ts'
 
 /** Reads what a URI refers to; the same object where it is the same file. */
 type Read = (uri: string) => Promise<Uint8Array>

@@ -1,10 +1,4 @@
-import {
-  ClampToEdgeWrapping,
-  CompressedArrayTexture,
-  type CompressedTexture,
-  LinearFilter,
-  LoaderUtils,
-} from 'three'
+import { ClampToEdgeWrapping, CompressedArrayTexture, type CompressedTexture, LinearFilter } from 'three'
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { FurrowError } from '../../core/error.ts'
@@ -12,6 +6,7 @@ import { type Ktx2Header, readKtx2Header } from '../../core/ktx2-header.ts'
 import { WRINKLE_MAPS } from '../../core/wrinkle-maps.ts'
 import type { ArrayTexture } from '../material/array-texture.ts'
 import { requireInternal } from '../three-version.ts'
+import { readImageBytes } from './image-bytes.ts'
 
 interface LoaderOptions {
   ktx2Loader?: KTX2Loader | null
@@ -109,22 +104,15 @@ interface Ktx2File {
 /** Reads the KTX 2 file of a texture, and checks its header before anything is decoded. */
 async function readFile(parser: GLTFParser, index: number): Promise<Ktx2File> {
   const who = `${WRINKLE_MAPS} texture ${index}`
-  const { json } = parser
-  const { bufferView, uri } = json.images?.[json.textures[index].extensions?.KHR_texture_basisu?.source] ?? {}
-  if (bufferView === undefined && typeof uri !== 'string') {
-    throw new FurrowError({
-      who,
-      what: 'a slice of an image that is not KTX 2',
-      limit: 'a texture with KHR_texture_basisu',
-      remedy: 'pack the file again',
-    })
-  }
-  const content: ArrayBuffer =
-    bufferView === undefined
-      ? await parser.fileLoader.loadAsync(LoaderUtils.resolveURL(uri, parser.options.path))
-      : await parser.getDependency('bufferView', bufferView)
-  const bytes = new Uint8Array(content)
-  return { bytes, header: readKtx2Header(bytes, who), who }
+  const { extensions } = parser.json.textures[index]
+  const bytes = await readImageBytes(parser, extensions?.KHR_texture_basisu?.source)
+  if (bytes) return { bytes, header: readKtx2Header(bytes, who), who }
+  throw new FurrowError({
+    who,
+    what: 'a slice of an image that is not KTX 2',
+    limit: 'a texture with KHR_texture_basisu',
+    remedy: 'pack the file again',
+  })
 }
 
 async function transcode({ bytes, who }: Ktx2File, loader: KTX2Loader): Promise<ArrayTexture> {

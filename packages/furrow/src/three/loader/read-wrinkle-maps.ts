@@ -1,16 +1,7 @@
-import {
-  type ColorSpace,
-  type Material,
-  type Mesh,
-  NoColorSpace,
-  type Object3D,
-  SRGBColorSpace,
-  type Texture,
-} from 'three'
+import { type ColorSpace, type Material, type Mesh, NoColorSpace, type Object3D, SRGBColorSpace } from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import { CHANNEL, channelOf } from '../../core/channels.ts'
 import { FurrowError } from '../../core/error.ts'
-import { checkSides } from '../../core/image.ts'
 import { mapProblems, type TextureShape, texturesOfFace } from '../../core/map-rules.ts'
 import type { Area, ArraySlice, GrayImage, Layer, RgbaImage, WrinkleSet } from '../../core/types.ts'
 import {
@@ -23,8 +14,9 @@ import {
 import { parseWrinkleMaps } from '../../drivers/parse.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 import { surfaceOf } from '../material/surface.ts'
+import { decodeBytes } from './decode-image.ts'
+import { readImageBytes } from './image-bytes.ts'
 import type { Ktx2Texture } from './ktx2.ts'
-import { readTexture } from './read-texture.ts'
 
 /** A face of a file: meshes that have one material with the extension. */
 export interface FileFace {
@@ -210,16 +202,12 @@ class MapSource {
   }
 
   #image(index: number): Promise<RgbaImage> {
-    const read = async () => {
+    return once(this.#images, index, async () => {
       const who = `${WRINKLE_MAPS} texture ${index}`
-      const texture = (await this.#parser.getDependency('texture', index)) as Texture | null
-      // The loader has reported why it could not decode the image.
-      if (!texture) throw unreadable(who, 'an image that cannot be decoded')
-      const { width, height } = texture.image as { width: number; height: number }
-      checkSides(width, height, who)
-      return readTexture(texture, who)
-    }
-    return once(this.#images, index, read)
+      const bytes = await readImageBytes(this.#parser, imageOf(this.#parser.json.textures[index]))
+      if (!bytes) throw unreadable(who, 'a texture without an image')
+      return decodeBytes(bytes, who)
+    })
   }
 
   async #slice(
@@ -243,6 +231,16 @@ function isCompressed(parser: Parser, index: number): boolean {
   const { source, extensions } = parser.json.textures[index]
   if (!extensions?.KHR_texture_basisu) return false
   return source === undefined || Boolean((parser.options as { ktx2Loader?: unknown }).ktx2Loader)
+}
+
+/** Index of the image that is not KTX 2. */
+function imageOf({ source, extensions }: FileTexture): number | undefined {
+  return extensions?.EXT_texture_webp?.source ?? extensions?.EXT_texture_avif?.source ?? source
+}
+
+interface FileTexture {
+  source?: number
+  extensions?: Record<string, { source?: number } | undefined>
 }
 
 function once<K, T>(known: Map<K, Promise<T>>, key: K, make: () => Promise<T>): Promise<T> {
