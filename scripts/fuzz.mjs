@@ -1,6 +1,6 @@
 // Tries damaged files with the commands: `npm run fuzz -- --count 5000 --seed 1 --command auto`. The same numbers give the same files.
 
-import { mkdirSync } from 'node:fs'
+import { mkdirSync, rmdirSync } from 'node:fs'
 import { availableParallelism, tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { parseArgs } from 'node:util'
@@ -36,6 +36,7 @@ await main(async () => {
     stop: stop.signal,
   })
   const failures = results.reduce((sum, { failures }) => sum + failures.length, 0)
+  if (failures === 0) rmdirSync(keep)
   if (failures > 0) throw new Failure(`${failures} files failed; they are in ${keep}`)
   if (stop.signal.aborted) throw new Failure('stopped early')
 })

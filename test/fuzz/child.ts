@@ -133,7 +133,9 @@ async function errorsOf(path: string): Promise<string[] | undefined> {
   const errors = report?.issues.messages.filter(
     ({ severity, message }) => severity === 0 && !message.includes('ktx2'),
   )
-  return errors?.map(({ code, pointer = '' }) => `${code} ${pointer.replaceAll(/\d+/g, 'n')}`)
+  // An image that was in a view may be a file now.
+  const where = (pointer = '') => pointer.replaceAll(/\d+/g, 'n').replace(/\/(bufferView|uri)$/, '')
+  return errors?.map(({ code, pointer }) => `${code} ${where(pointer)}`)
 }
 
 type Report = Awaited<ReturnType<typeof validateBytes>>

@@ -79,11 +79,7 @@ class Attempts {
   }
 
   async attempt(task: Task, stopAll: AbortSignal): Promise<Result> {
-    // Detached: a Ctrl-C in the terminal is for the process that started it.
-    this.#process ??= fork(this.#path, [this.#bases], {
-      stdio: ['ignore', 'inherit', 'inherit', 'ipc'],
-      detached: true,
-    })
+    this.#process ??= this.#start()
     const child = this.#process
     const { seconds, megabytes } = this.#limits
     const done = new AbortController()
@@ -116,6 +112,14 @@ class Attempts {
       clearTimeout(timer)
       done.abort()
     }
+  }
+
+  /** Without the terminal: its Ctrl-C is for the parent, and the commands' bars would hide the parent's. */
+  #start(): ChildProcess {
+    const stdio = ['ignore', 'inherit', 'pipe', 'ipc'] as const
+    const child = fork(this.#path, [this.#bases], { stdio: [...stdio], detached: true })
+    child.stderr!.pipe(process.stderr, { end: false })
+    return child
   }
 
   end(): void {
