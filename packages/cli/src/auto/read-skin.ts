@@ -1,15 +1,16 @@
 import type { Accessor, Material, Mesh, Node, Primitive } from '@gltf-transform/core'
 import { joinParts, type Skin, type SkinPart } from 'furrow/author'
 import { Matrix4 } from 'three'
+import { namesOfTargets } from '../gltf/gltf-json.ts'
 import { placementOf } from '../gltf/mesh-nodes.ts'
 import { readCoordinates } from './coordinates.ts'
 
-/**
- * Reads some primitives of a mesh as one skin in metres, in world space as its first node or skeleton places it.
- */
+/** Reads some primitives of a mesh as one skin in metres, in world space as its first node or skeleton places it. */
 export function readSkin(mesh: Mesh, primitives: readonly Primitive[], material: Material): Skin {
+  const targets = Math.max(0, ...primitives.map((primitive) => primitive.listTargets().length))
+  const names = namesOfTargets(mesh.getExtras().targetNames, targets)
   const parts = primitives.map((primitive) => partOf(primitive, material))
-  return joinParts(parts, targetNames(mesh, primitives), placementOfMesh(mesh))
+  return joinParts(parts, names, placementOfMesh(mesh))
 }
 
 function partOf(primitive: Primitive, material: Material): SkinPart {
@@ -35,14 +36,6 @@ function placementOfMesh(mesh: Mesh): number[] | undefined {
   const placement = new Matrix4()
   if (node) placement.fromArray(placementOf(node))
   return placement.equals(new Matrix4()) ? undefined : placement.toArray()
-}
-
-/** The names in `mesh.extras.targetNames`, or the indices where it has none or too few. */
-function targetNames(mesh: Mesh, primitives: readonly Primitive[]): string[] {
-  const count = Math.max(0, ...primitives.map((primitive) => primitive.listTargets().length))
-  const { targetNames: names } = mesh.getExtras()
-  const isComplete = Array.isArray(names) && names.length === count
-  return Array.from({ length: count }, (_, i) => String(isComplete ? names[i] : i))
 }
 
 /** Copies vectors of some vertices, whatever the accessor's type. */
