@@ -1,11 +1,20 @@
 import type { Mesh } from 'three'
+import type { CharacterWrinkles } from '../../auto/make-wrinkles.ts'
 import { type AutoRunOptions, runWorker } from '../../auto/run-worker.ts'
 import { FurrowError } from '../../core/error.ts'
+import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { surfaceOf } from '../material/surface.ts'
+import { mapTexture } from '../material/textures.ts'
 import { canCrease, readMeshes } from './read-character.ts'
 import type { FileWrinkles } from './read-wrinkle-maps.ts'
 
 type Meshes = [Mesh, ...Mesh[]]
+
+/** Wrinkles that were made for a file. */
+export interface MadeWrinkles extends FileWrinkles {
+  /** The faces that show the skin. */
+  faces: Meshes[]
+}
 
 /** Files are worked on one after the other: each takes a core and some hundred megabytes. */
 let previous: Promise<unknown> = Promise.resolve()
@@ -14,14 +23,13 @@ let previous: Promise<unknown> = Promise.resolve()
  * Makes wrinkles for the skin of a file from its blendshapes, in a worker.
  *
  * @param faces the meshes of each face.
- * @returns the faces that have the skin, which several nodes may show, and its wrinkles; undefined when that was cancelled, or everything
- *   was disposed of.
+ * @returns undefined when that was cancelled, or everything was disposed of.
  * @throws FurrowError when none of them can wrinkle, or the worker fails.
  */
 export async function makeAutoWrinkles(
   faces: readonly Meshes[],
   options: AutoRunOptions,
-): Promise<(FileWrinkles & { faces: Meshes[] }) | undefined> {
+): Promise<MadeWrinkles | undefined> {
   const skins = groupBySkin(faces.filter((meshes) => meshes.every(canCrease)))
   if (skins.length === 0) throw withoutBlendshapes()
   // Now, since a page may move the scene and its bones at once.
@@ -38,15 +46,30 @@ export async function makeAutoWrinkles(
     previous = made
     const result = await made
     if (!result || !inUse.has(skins[result.mesh]!)) return undefined
-    const { layers, areas, drivers } = result.set
-    if (areas.length === 0) throw withoutCompression()
-    return { set: { layers, areas }, drivers, faces: skins[result.mesh]! }
+    const { set, drivers } = setOf(result)
+    return { set, drivers, faces: skins[result.mesh]! }
   } catch (error) {
     if (inUse.signal.aborted) return undefined
     throw error
   } finally {
     inUse.end()
   }
+}
+
+/** The worker has packed the maps, so that this takes no time. */
+function setOf({ layers, normals, occlusion, areas, drivers }: CharacterWrinkles): FileWrinkles {
+  const normalArray = mapTexture(normals, 1)
+  const occlusionArray = mapTexture(occlusion, 1)
+  const set: WrinkleSet<ArraySlice> = {
+    layers: layers.map((name, slice) => ({
+      name,
+      kind: 'detail',
+      normal: { array: normalArray, slice, channel: 0 },
+      occlusion: { array: occlusionArray, slice, channel: 0 },
+    })),
+    areas,
+  }
+  return { set, drivers }
 }
 
 const WHO = 'WrinkleLoaderPlugin'
@@ -101,13 +124,5 @@ function withoutBlendshapes(): FurrowError {
     who: WHO,
     what: 'no wrinkles can be made: no mesh has blendshapes and texture coordinates',
     remedy: 'export the face with its blendshapes, or load the file without the option auto',
-  })
-}
-
-function withoutCompression(): FurrowError {
-  return new FurrowError({
-    who: WHO,
-    what: 'no wrinkles can be made: no blendshape compresses the skin enough to crease it',
-    remedy: 'draw them with `npx furrow strokes`, or load the file without the option auto',
   })
 }

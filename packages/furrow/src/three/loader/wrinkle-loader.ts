@@ -17,6 +17,7 @@ import { bindDrivers } from '../sources/bind-drivers.ts'
 import type { InputBindings } from '../sources/binding.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { Adoption, type WatchDraws } from './adoption.ts'
+import type { MadeWrinkles } from './auto-wrinkles.ts'
 import {
   type FileFace,
   type FileWrinkles,
@@ -125,10 +126,11 @@ export class WrinkleLoader {
       const { makeAutoWrinkles } = await this.#autoModule!
       const { areaSize } = this.#options
       const making = makeAutoWrinkles(facesOf(gltf, this.#parser), { areaSize, ...this.#auto })
-      const add = async (made: Awaited<typeof making>) => {
+      const add = async (made: MadeWrinkles | undefined) => {
+        if (!made) return
         const added: AddedFaces = { bySet: new Map(), byMaterial: new Map() }
-        for (const meshes of made?.faces ?? []) {
-          const own = await this.#addFace(meshes, made!, added, expressions)
+        for (const meshes of made.faces) {
+          const own = await this.#addFace(meshes, made, added, expressions)
           own.appear(FADE_IN)
           wrinkles.push(own)
         }
