@@ -93,7 +93,7 @@ const DAMAGES: [what: string, spoil: Spoil, warning: RegExp][] = [
       delete normals(maps, json).bufferView
       normals(maps, json).uri = '/no/such/image.png'
     },
-    /an image that cannot be decoded/,
+    /texture \d: an image that cannot be fetched, got "\/no\/such\/image.png"; check that the server/,
   ],
   [
     'an image that is too large',

@@ -105,7 +105,7 @@ interface Ktx2File {
 async function readFile(parser: GLTFParser, index: number): Promise<Ktx2File> {
   const who = `${WRINKLE_MAPS} texture ${index}`
   const { extensions } = parser.json.textures[index]
-  const bytes = await readImageBytes(parser, extensions?.KHR_texture_basisu?.source)
+  const bytes = await readImageBytes(parser, extensions?.KHR_texture_basisu?.source, who)
   if (bytes) return { bytes, header: readKtx2Header(bytes, who), who }
   throw new FurrowError({
     who,

@@ -204,7 +204,8 @@ class MapSource {
   #image(index: number): Promise<RgbaImage> {
     return once(this.#images, index, async () => {
       const who = `${WRINKLE_MAPS} texture ${index}`
-      const bytes = await readImageBytes(this.#parser, imageOf(this.#parser.json.textures[index]))
+      const image = imageOf(this.#parser.json.textures[index])
+      const bytes = await readImageBytes(this.#parser, image, who)
       if (!bytes) throw unreadable(who, 'a texture without an image')
       return decodeBytes(bytes, who)
     })
