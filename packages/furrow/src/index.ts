@@ -16,7 +16,14 @@ export {
   readKtx2Header,
   readKtx2Image,
 } from './core/ktx2-header.ts'
-export { DEFAULT_AREA_SIZE, MAX_AREAS, MAX_IMAGE_BYTES, MAX_IMAGE_SIDE, MAX_LAYERS } from './core/limits.ts'
+export {
+  DEFAULT_AREA_SIZE,
+  LONGEST_NAME,
+  MAX_AREAS,
+  MAX_IMAGE_BYTES,
+  MAX_IMAGE_SIDE,
+  MAX_LAYERS,
+} from './core/limits.ts'
 export {
   drawnTextures,
   type MapProblem,

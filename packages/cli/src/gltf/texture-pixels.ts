@@ -46,7 +46,7 @@ export function arrayOf(glb: Glb, index: number, who: string): Promise<DecodedAr
   return cached(arrays, glb, index, who, () => decodeArray(glb, index, who))
 }
 
-/** Width and height of a texture by its header. Throws FurrowError when it is none that can be decoded. */
+/** Width and height of a texture by its header. Throws FurrowError when it cannot be decoded. */
 export async function sizeOf(
   glb: Glb,
   index: number,

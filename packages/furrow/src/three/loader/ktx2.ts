@@ -6,6 +6,7 @@ import { type Ktx2Header, readKtx2Header } from '../../core/ktx2-header.ts'
 import { WRINKLE_MAPS } from '../../core/wrinkle-maps.ts'
 import type { ArrayTexture } from '../material/array-texture.ts'
 import { requireInternal } from '../three-version.ts'
+import { fileError } from './file-error.ts'
 import { readImageBytes } from './image-bytes.ts'
 
 interface LoaderOptions {
@@ -123,13 +124,7 @@ async function transcode({ bytes, who }: Ktx2File, loader: KTX2Loader): Promise<
     array.magFilter = LinearFilter
     return array
   } catch (error) {
-    throw new FurrowError({
-      code: 'unreadable',
-      who,
-      what: 'a KTX 2 image that cannot be decoded',
-      value: (error as Error | undefined)?.message ?? error,
-      remedy: 'pack the file again',
-    })
+    throw fileError(error, who, 'a KTX 2 image that cannot be decoded')
   } finally {
     URL.revokeObjectURL(url)
   }

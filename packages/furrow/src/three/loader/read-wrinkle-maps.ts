@@ -15,6 +15,7 @@ import { parseWrinkleMaps } from '../../drivers/parse.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 import { surfaceOf } from '../material/surface.ts'
 import { decodeBytes } from './decode-image.ts'
+import { fileError } from './file-error.ts'
 import { readImageBytes } from './image-bytes.ts'
 import type { Ktx2Texture } from './ktx2.ts'
 
@@ -41,6 +42,8 @@ export interface LoadedWrinkles extends FileWrinkles {
 }
 
 type Parser = GLTF['parser']
+
+const UNREADABLE = 'the wrinkles cannot be read'
 
 /**
  * Reads FURROW_wrinkle_maps from a file that three.js's `GLTFLoader` has loaded, as plain data for any renderer. `WrinkleLoaderPlugin`
@@ -88,7 +91,7 @@ export function materialReader(
       const maps = parseWrinkleMaps(extensionOf(material, parser), count, WRINKLE_MAPS, onFault)
       return { set: await readSet(maps, parser), drivers: maps.drivers }
     } catch (error) {
-      throw error instanceof FurrowError ? error : unreadable(WRINKLE_MAPS, (error as Error)?.message)
+      throw fileError(error, WRINKLE_MAPS, UNREADABLE)
     }
   }
   return (material) => once(known, material, () => read(material))
@@ -206,7 +209,7 @@ class MapSource {
       const who = `${WRINKLE_MAPS} texture ${index}`
       const image = imageOf(this.#parser.json.textures[index])
       const bytes = await readImageBytes(this.#parser, image, who)
-      if (!bytes) throw unreadable(who, 'a texture without an image')
+      if (!bytes) throw fileError('a texture without an image', who, UNREADABLE)
       return decodeBytes(bytes, who)
     })
   }
@@ -248,14 +251,4 @@ function once<K, T>(known: Map<K, Promise<T>>, key: K, make: () => Promise<T>): 
   const found = known.get(key) ?? make()
   known.set(key, found)
   return found
-}
-
-function unreadable(who: string, value: string): FurrowError {
-  return new FurrowError({
-    code: 'unreadable',
-    who,
-    what: 'the wrinkles cannot be read',
-    value,
-    remedy: 'check the file with `npx furrow validate`',
-  })
 }
