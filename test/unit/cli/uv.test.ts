@@ -72,6 +72,7 @@ describe('furrow inspect of a face without wrinkles', () => {
 
   it('draws its skin and UV layout as a sheet', async () => {
     await shop.run(inspectCommand, await avatar(), '--sheet', shop.path('sheet.png'))
+    expect(shop.printed).toMatch(/sheet\.png: the skin and its UV layout\n$/)
     const { width, height } = await sharp(readFileSync(shop.path('sheet.png'))).metadata()
     expect([width, height]).toEqual([542, 302])
   })
