@@ -1,5 +1,6 @@
 import { MAX_IMAGE_BYTES, MAX_IMAGE_SIDE } from 'furrow'
 import { KHR_SUPERCOMPRESSION_ZSTD, VK_FORMAT_UNDEFINED } from 'ktx-parse'
+import { kindOf } from '../file-kind.ts'
 
 /** What the header of a KTX 2 file says, as far as it is used here. */
 interface ArrayHeader {
@@ -24,8 +25,9 @@ const MAX_LAYERS = 256
  * @throws Error with a short reason when it is not a 2D image or array, or would take too much memory.
  */
 export function readHeader(bytes: Uint8Array): ArrayHeader {
+  const kind = kindOf(bytes)
   if (!Buffer.from(bytes.subarray(0, 12)).equals(Buffer.from(IDENTIFIER, 'latin1')))
-    throw new Error('it is not KTX 2')
+    throw new Error(kind === undefined ? 'it is not KTX 2' : `it is ${kind}, not KTX 2`)
   if (bytes.length < LENGTH) throw new Error('it is cut off')
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length)
   const word = (at: number) => view.getUint32(at, true)

@@ -1,5 +1,7 @@
+import { stat } from 'node:fs/promises'
 import { posix } from 'node:path'
 import { FurrowError } from 'furrow'
+import { checkFileBytes } from '../inputs.ts'
 import { BufferViewWriter } from './buffer-view-writer.ts'
 import { type ReadOptions, readUri, resolveInside } from './external-files.ts'
 import type { Glb } from './glb-file.ts'
@@ -28,11 +30,14 @@ export async function embedFiles(
   const known = new Map<string, Uint8Array>()
   const read = async (uri: string) => {
     const key = uri.startsWith('data:') ? uri : await resolveInside(path, uri, who, options)
-    const bytes = known.get(key) ?? (await readUri(path, uri, who, options))
-    if (!known.has(key) && key !== uri) {
-      glb.fileBytes += bytes.length
+    const found = known.get(key)
+    if (found) return found
+    if (key !== uri) {
+      glb.fileBytes += (await stat(key)).size
       glb.files.push(key)
+      checkFileBytes(glb.fileBytes, `the face ${path} with the files that it refers to`, who)
     }
+    const bytes = await readUri(path, uri, who, options)
     known.set(key, bytes)
     return bytes
   }

@@ -2,10 +2,10 @@ import { createRequire } from 'node:module'
 import { Worker } from 'node:worker_threads'
 import { WRINKLE_MAPS } from 'furrow'
 import type { Issue } from 'gltf-validator'
-import { readBytes } from '../files.ts'
 import { type ReadOptions, readUri, resolveInside } from '../gltf/external-files.ts'
 import type { Glb } from '../gltf/glb-file.ts'
 import { decodeGlb } from '../gltf/glb-file.ts'
+import { readBytes } from '../inputs.ts'
 import { errorFinding, type Finding, warningFinding } from './finding.ts'
 
 /** Limit of the Khronos validator. */
