@@ -132,7 +132,7 @@ describe('a file of 1.9 GB is refused before it is read', () => {
     ])
     const failure = await shop.failure(inspectCommand, face('a.bin', 'b.bin'))
     expect(failure.message).toMatch(
-      /face\.gltf with the files that it refers to is too large, got "601 MiB", allowed: 512 MiB/,
+      /face\.gltf with the files that it refers to is too large, got "600 MiB", allowed: 512 MiB/,
     )
   })
 })

@@ -1,3 +1,4 @@
+import { FurrowError } from 'furrow'
 import { type FileKind, kindOf } from '../file-kind.ts'
 
 const BLENDER = 'open it in Blender and export glTF 2.0 (.glb)'
@@ -29,4 +30,24 @@ export function otherFormat(bytes: Uint8Array): { problem: string; remedy: strin
   const kind = kindOf(bytes)
   const known = kind && OTHERS[kind]
   return known && { problem: `it is ${kind}${known[1] ?? ''}`, remedy: known[0] }
+}
+
+/** The error for a file that is not whole glTF 2.0. */
+export function unusable(
+  path: string,
+  who: string,
+  problem: string,
+  {
+    value,
+    remedy = 'download or export it again',
+  }: { value?: string | undefined; remedy?: string | undefined } = {},
+): FurrowError {
+  return new FurrowError({
+    code: 'unreadable',
+    who,
+    what: `${path} is not usable: ${problem}`,
+    value,
+    limit: 'a whole glTF 2.0 file (.glb, .vrm, .gltf)',
+    remedy,
+  })
 }

@@ -2,7 +2,7 @@ import { readdir } from 'node:fs/promises'
 import { basename, dirname, join } from 'node:path'
 import { FurrowError, parseWrinkleSetDocument, type WrinkleSetDocument } from 'furrow'
 import { cannotRead } from '../errors.ts'
-import { type ReadOptions, readUri } from '../gltf/external-files.ts'
+import { type ReadOptions, referenceReader } from '../gltf/external-files.ts'
 import { readJson } from '../inputs.ts'
 import { statOf } from '../outputs.ts'
 import { MAP_SLOTS } from './wrinkled-file.ts'
@@ -45,13 +45,14 @@ export async function readFolder(
  *
  * @throws FurrowError when it cannot be read, or is outside the folder and `options` do not allow that.
  */
-export function readReferenced(
+export async function readReferenced(
   folder: string,
   uri: string,
   who: string,
   options: ReadOptions,
 ): Promise<Uint8Array> {
-  return readUri(join(folder, 'wrinkles.json'), uri, who, options)
+  const read = referenceReader(join(folder, 'wrinkles.json'), who, options)
+  return (await read(uri)).bytes
 }
 
 /** The address of a file, relative to `wrinkles.json`: in one, `#`, `?` and `%` would have a meaning. */
