@@ -36,6 +36,20 @@ describe('furrow uv', () => {
     expect(green).toBeGreaterThan(blue)
   })
 
+  it('refuses triangles that lie on top of each other by the hundred', async () => {
+    const face = await faceBytes(['head'])
+    const json = jsonOf(face)
+    const [primitive] = json.meshes[0].primitives
+    json.meshes[0].primitives = Array(200).fill(primitive)
+    const path = shop.write('piled.glb', withJson(face, json))
+    await expect(shop.run(uvCommand, path, '-o', shop.path('uv.png'))).rejects.toThrow(
+      'furrow uv: too many triangles of the skin lie on top of each other in its texture, got "200 times its size"',
+    )
+    await expect(shop.run(inspectCommand, path, '--sheet', shop.path('uv.png'))).rejects.toThrow(
+      'furrow inspect: too many triangles',
+    )
+  })
+
   it('takes another mesh by name, and refuses one that is not there', async () => {
     const path = await avatar()
     await shop.run(uvCommand, path, '-o', shop.path('teeth.png'), '--mesh', 'teeth', '--json')
