@@ -69,7 +69,7 @@ const DAMAGES: [what: string, spoil: Spoil, warning: RegExp][] = [
   [
     'an image that is cut off',
     (maps, json) => (json.bufferViews[normals(maps, json).bufferView].byteLength = 60),
-    /texture \d: .*got "an image that cannot be decoded"/,
+    /texture \d: not a readable image, got "it is cut off"/,
   ],
   [
     'an image that cannot be decoded',
@@ -77,7 +77,7 @@ const DAMAGES: [what: string, spoil: Spoil, warning: RegExp][] = [
       delete normals(maps, json).bufferView
       normals(maps, json).uri = 'data:image/png;base64,AAAA'
     },
-    /an image that cannot be decoded/,
+    /texture \d: not a readable image, got "3 bytes"/,
   ],
   [
     'an image that is not there',
@@ -93,7 +93,7 @@ const DAMAGES: [what: string, spoil: Spoil, warning: RegExp][] = [
       delete normals(maps, json).bufferView
       normals(maps, json).uri = uris.large
     },
-    /image side out of range, got "8193 x 1"/,
+    /texture \d: image too large, got "8193 x 1"/,
   ],
   [
     'a slice of an image',

@@ -123,7 +123,7 @@ describe('a file with others beside it', () => {
       const [view] = json.bufferViews!
       const fallback = json.buffers!.unshift({ byteLength: view.byteLength }) && 0
       for (const item of json.bufferViews!) item.buffer = 1
-      const compressed = { ...view, count: view.byteLength / 4, byteStride: 4 }
+      const compressed = { ...view, count: view.byteLength / 4, byteStride: 4, mode: 'ATTRIBUTES' }
       view.extensions = { EXT_meshopt_compression: compressed }
       Object.assign(view, { buffer: fallback, byteOffset: 0 })
     })

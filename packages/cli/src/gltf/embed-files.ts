@@ -1,10 +1,9 @@
 import { posix } from 'node:path'
-import { FurrowError } from 'furrow'
+import { FurrowError, imageTypeOf } from 'furrow'
 import { BufferViewWriter } from './buffer-view-writer.ts'
 import { type ReadOptions, type Reference, referenceReader } from './external-files.ts'
 import type { Glb } from './glb-file.ts'
 import { compressedViews } from './gltf-json.ts'
-import { imageTypeOf } from './image-type.ts'
 import { unusable } from './not-gltf.ts'
 
 /**

@@ -61,11 +61,18 @@ export interface GltfJson {
 }
 
 /** Names of the blendshapes of a mesh, as three.js and others know them. */
-export function targetNamesOf(mesh: GltfMesh): string[] {
-  const count = mesh.primitives[0]?.targets?.length ?? 0
-  const names = mesh.extras?.targetNames
-  if (Array.isArray(names) && names.length === count) return names.map(String)
-  return Array.from({ length: count }, (_, i) => String(i))
+export function targetNamesOf({ primitives, extras }: GltfMesh): string[] {
+  return namesOfTargets(extras?.targetNames, primitives[0]?.targets?.length ?? 0)
+}
+
+/**
+ * Names of `count` blendshapes, each of which has an index for a name where it has none.
+ *
+ * @param names `extras.targetNames` of their mesh, whatever it is; ignored where it has too few or too many.
+ */
+export function namesOfTargets(names: unknown, count: number): string[] {
+  const given = Array.isArray(names) && names.length === count ? names : []
+  return Array.from({ length: count }, (_, i) => String(typeof given[i] === 'object' ? i : (given[i] ?? i)))
 }
 
 /** Names of all nodes: drivers may name any of them as a joint. */

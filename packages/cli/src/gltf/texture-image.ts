@@ -1,6 +1,5 @@
-import { FurrowError, type Ktx2Header, readKtx2Header } from 'furrow'
+import { FurrowError, imageTypeOf, type Ktx2Header, readKtx2Header } from 'furrow'
 import type { Glb } from './glb-file.ts'
-import { imageTypeOf } from './image-type.ts'
 
 /** The encoded image of a texture. */
 export interface TextureImage {

@@ -25,7 +25,7 @@ export interface CheckedJson
   })[]
   meshes?: (Omit<GltfMesh, 'primitives'> & {
     primitives: (GltfMesh['primitives'][number] & {
-      extensions?: { KHR_draco_mesh_compression?: { bufferView: number } }
+      extensions?: { KHR_draco_mesh_compression?: { bufferView: number; attributes: Record<string, number> } }
     })[]
   })[]
   nodes?: { name?: string; mesh?: number; skin?: number; camera?: number; children?: number[] }[]

@@ -12,6 +12,18 @@ export function referenceProblem(json: CheckedJson): string | undefined {
   for (const [i, { source, extensions = {} }] of (json.textures ?? []).entries()) {
     if (source === undefined && Object.keys(extensions).length === 0) return `textures[${i}] has no image`
   }
+  return dracoProblem(json)
+}
+
+/** Draco's attributes must be among those of their primitive (KHR_draco_mesh_compression). */
+function dracoProblem({ meshes = [] }: CheckedJson): string | undefined {
+  for (const [m, { primitives }] of meshes.entries()) {
+    for (const [p, { attributes = {}, extensions }] of primitives.entries()) {
+      const packed = Object.keys(extensions?.KHR_draco_mesh_compression?.attributes ?? {})
+      const alone = packed.find((name) => !Object.hasOwn(attributes, name))
+      if (alone !== undefined) return `meshes[${m}].primitives[${p}] has ${alone} in Draco's attributes alone`
+    }
+  }
   return undefined
 }
 

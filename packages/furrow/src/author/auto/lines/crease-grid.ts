@@ -2,8 +2,12 @@ import type { Crease } from './crease.ts'
 
 /** Side of a cell in millimetres. */
 const CELL = 4
-/** From the centre of a cell to its corners, with a margin for rounding. */
-const CELL_RADIUS = 2.001 * Math.sqrt(3)
+/** Cells along a side of a block. */
+const BLOCK = 4
+/** From the centre of a cube to its corners, in halves of its side, with a margin for rounding. */
+const RADIUS = 1.0005 * Math.sqrt(3)
+/** Cells of the largest box that is searched; a larger one counts as near. */
+const MOST_CELLS = 4096
 /** Cosine between normals below which two points face different directions: one lip is not the other. */
 const FACING = 0.25
 /** Numbers per segment: start, vector to its end, one over its squared length, normal. */
@@ -26,15 +30,24 @@ export type CreaseVisitor = (
   side: number,
 ) => void
 
-/** Finds creases near positions on the skin, by a grid of cells. Nothing is allocated by `visit`. */
+/**
+ * Finds creases near positions on the skin, by a grid of cells that are filled when they are first asked for, since skin has few of those
+ * that are within reach of a crease: each from the block of cells that it is in, each block from all segments.
+ */
 export class CreaseGrid {
   readonly #reaches: readonly number[]
   readonly #segments: Float64Array
   /** Of each segment its crease, and the point it starts from. */
   readonly #creaseOf: Int32Array
   readonly #pointOf: Int32Array
-  /** Segments by cell. */
-  readonly #cells = new Map<number, number[]>()
+  /** Segments by cell and by block. */
+  readonly #cells = new Map<number, readonly number[]>()
+  readonly #blocks = new Map<number, readonly number[]>()
+  /** All segments. */
+  readonly #all: readonly number[]
+  /** The first and last cell within reach of any crease, along each axis. */
+  readonly #low = [Infinity, Infinity, Infinity]
+  readonly #high = [-Infinity, -Infinity, -Infinity]
   /** Of each crease that a visit comes across: squared distance (-1 for none), nearest segment, position along it. */
   readonly #squares: Float64Array
   readonly #nearest: Int32Array
@@ -59,17 +72,21 @@ export class CreaseGrid {
         this.#creaseOf[segment] = crease
         this.#pointOf[segment] = point
         this.#store(segment, points, normals)
-        this.#addToCells(segment++)
+        this.#widen(segment++)
       }
     }
+    this.#all = Array.from({ length: total }, (_, i) => i)
   }
 
   /** Whether creases may be within reach of a box. */
   isNear(low: ArrayLike<number>, high: ArrayLike<number>): boolean {
-    for (let x = cellOf(low[0]); x <= cellOf(high[0]); x++) {
-      for (let y = cellOf(low[1]); y <= cellOf(high[1]); y++) {
-        for (let z = cellOf(low[2]); z <= cellOf(high[2]); z++)
-          if (this.#cells.has(keyOf(x, y, z))) return true
+    const first = [0, 1, 2].map((k) => Math.max(cellOf(low[k]), this.#low[k]))
+    const last = [0, 1, 2].map((k) => Math.min(cellOf(high[k]), this.#high[k]))
+    const [width, height, depth] = last.map((cell, k) => Math.max(0, cell - first[k] + 1))
+    if (width * height * depth > MOST_CELLS) return true
+    for (let x = first[0]; x <= last[0]; x++) {
+      for (let y = first[1]; y <= last[1]; y++) {
+        for (let z = first[2]; z <= last[2]; z++) if (this.#cellAt(x, y, z).length > 0) return true
       }
     }
     return false
@@ -82,8 +99,7 @@ export class CreaseGrid {
    * @param nx, ny, nz the skin's normal there.
    */
   visit(x: number, y: number, z: number, nx: number, ny: number, nz: number, visit: CreaseVisitor): void {
-    const cell = this.#cells.get(keyOf(cellOf(x), cellOf(y), cellOf(z)))
-    if (!cell) return
+    const cell = this.#cellAt(cellOf(x), cellOf(y), cellOf(z))
     const s = this.#segments
     let found = 0
     for (let i = 0; i < cell.length; i++) {
@@ -143,43 +159,71 @@ export class CreaseGrid {
     this.#segments[STRIDE * segment + 6] = square > 0 ? 1 / square : 0
   }
 
-  /** From the centre of a cell to a segment. */
-  #distanceTo(segment: number, cellX: number, cellY: number, cellZ: number): number {
-    const s = this.#segments
-    const k = STRIDE * segment
-    const x = (cellX + 0.5) * CELL - s[k]
-    const y = (cellY + 0.5) * CELL - s[k + 1]
-    const z = (cellZ + 0.5) * CELL - s[k + 2]
-    const along = (s[k + 3] * x + s[k + 4] * y + s[k + 5] * z) * s[k + 6]
-    const t = along < 0 ? 0 : along > 1 ? 1 : along
-    return Math.hypot(x - t * s[k + 3], y - t * s[k + 4], z - t * s[k + 5])
-  }
-
-  #addToCells(segment: number): void {
+  /** Widens the box within reach of any crease by a segment. */
+  #widen(segment: number): void {
     const reach = this.#reaches[this.#creaseOf[segment]]
-    const bound = (k: number, isUpper: boolean) => {
+    for (let k = 0; k < 3; k++) {
       const start = this.#segments[STRIDE * segment + k]
       const end = start + this.#segments[STRIDE * segment + 3 + k]
-      return cellOf(isUpper ? Math.max(start, end) + reach : Math.min(start, end) - reach)
-    }
-    for (let x = bound(0, false); x <= bound(0, true); x++) {
-      for (let y = bound(1, false); y <= bound(1, true); y++) {
-        for (let z = bound(2, false); z <= bound(2, true); z++) {
-          if (this.#distanceTo(segment, x, y, z) > reach + CELL_RADIUS) continue
-          const key = keyOf(x, y, z)
-          const cell = this.#cells.get(key)
-          if (cell) cell.push(segment)
-          else this.#cells.set(key, [segment])
-        }
-      }
+      this.#low[k] = Math.min(this.#low[k], cellOf(Math.min(start, end) - reach))
+      this.#high[k] = Math.max(this.#high[k], cellOf(Math.max(start, end) + reach))
     }
   }
+
+  /** The segments whose creases may be within reach of a cell. */
+  #cellAt(x: number, y: number, z: number): readonly number[] {
+    const [low, high] = [this.#low, this.#high]
+    // Not the other way round: NaN is nowhere.
+    if (!(x >= low[0] && x <= high[0] && y >= low[1] && y <= high[1] && z >= low[2] && z <= high[2]))
+      return NONE
+    const key = ((x - low[0]) * (high[1] - low[1] + 1) + (y - low[1])) * (high[2] - low[2] + 1) + (z - low[2])
+    let cell = this.#cells.get(key)
+    if (!cell) {
+      const block = this.#blockAt(Math.floor(x / BLOCK), Math.floor(y / BLOCK), Math.floor(z / BLOCK))
+      cell = block.length > 0 ? this.#within(block, x, y, z, CELL) : NONE
+      this.#cells.set(key, cell)
+    }
+    return cell
+  }
+
+  #blockAt(x: number, y: number, z: number): readonly number[] {
+    const [low, high] = [this.#low, this.#high]
+    const count = (k: number) => Math.floor(high[k] / BLOCK) - Math.floor(low[k] / BLOCK) + 1
+    const [i, j, n] = [x, y, z].map((index, k) => index - Math.floor(low[k] / BLOCK))
+    const key = (i * count(1) + j) * count(2) + n
+    let block = this.#blocks.get(key)
+    if (!block) {
+      block = this.#within(this.#all, x, y, z, BLOCK * CELL)
+      this.#blocks.set(key, block)
+    }
+    return block
+  }
+
+  /** Those of some segments whose creases may be within reach of a cube, given by its index along each axis and its side. */
+  #within(segments: readonly number[], x: number, y: number, z: number, side: number): readonly number[] {
+    const radius = (side / 2) * RADIUS
+    const [px, py, pz] = [(x + 0.5) * side, (y + 0.5) * side, (z + 0.5) * side]
+    return segments.filter(
+      (segment) =>
+        this.#squareTo(segment, px, py, pz) <= (this.#reaches[this.#creaseOf[segment]] + radius) ** 2,
+    )
+  }
+
+  /** The squared distance from a position to a segment. */
+  #squareTo(segment: number, px: number, py: number, pz: number): number {
+    const s = this.#segments
+    const k = STRIDE * segment
+    const x = px - s[k]
+    const y = py - s[k + 1]
+    const z = pz - s[k + 2]
+    const along = (s[k + 3] * x + s[k + 4] * y + s[k + 5] * z) * s[k + 6]
+    const t = along < 0 ? 0 : along > 1 ? 1 : along
+    return (x - t * s[k + 3]) ** 2 + (y - t * s[k + 4]) ** 2 + (z - t * s[k + 5]) ** 2
+  }
 }
+
+const NONE: readonly number[] = []
 
 function cellOf(millimetres: number): number {
   return Math.floor(millimetres / CELL)
-}
-
-function keyOf(x: number, y: number, z: number): number {
-  return ((x + 512) * 1024 + (y + 512)) * 1024 + (z + 512)
 }

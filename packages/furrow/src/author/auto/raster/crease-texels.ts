@@ -1,6 +1,6 @@
 import { interpolate } from '../../../math/barycentrics.ts'
 import type { CreaseGrid } from '../lines/crease-grid.ts'
-import { cornersOf, type SkinSurface } from '../surface/surface.ts'
+import { cornersOf, triangleBox } from '../surface/surface.ts'
 import type { SkinTexels } from './skin-texels.ts'
 
 /** Visits the texels that may have creases near them, with their position on the skin and its normal there. */
@@ -11,8 +11,12 @@ export function visitTexelsNearCreases(
 ): void {
   const { surface } = texels
   const [normal, position] = [new Float64Array(3), new Float64Array(3)]
+  const [low, high] = [new Float64Array(3), new Float64Array(3)]
   texels.visit(
-    (triangle) => isNearTriangle(grid, surface, triangle),
+    (triangle) => {
+      triangleBox(surface, triangle, low, high)
+      return grid.isNear(low, high)
+    },
     (texel, triangle, wa, wb, wc) => {
       const [a, b, c] = cornersOf(surface, triangle)
       interpolate(position, surface.points, 3, a, b, c, wa, wb, wc)
@@ -21,14 +25,5 @@ export function visitTexelsNearCreases(
       interpolate(normal, surface.normals, 3, a, b, c, na, nb, nc)
       visit(texel, position[0], position[1], position[2], normal)
     },
-  )
-}
-
-function isNearTriangle(grid: CreaseGrid, surface: SkinSurface, triangle: number): boolean {
-  const corners = cornersOf(surface, triangle)
-  const components = [0, 1, 2].map((k) => corners.map((point) => surface.points[3 * point + k]))
-  return grid.isNear(
-    components.map((values) => Math.min(...values)),
-    components.map((values) => Math.max(...values)),
   )
 }
