@@ -7,15 +7,22 @@
 export { type ActivationPointer, parseActivationPointer } from './core/activation-pointer.ts'
 export { type AreaConvention, areaWeights } from './core/area.ts'
 export { type ErrorCode, type ErrorParts, FurrowError } from './core/error.ts'
-export { resampleGray } from './core/image.ts'
-export { type ImageFileType, imageDamage, imageTypeOf } from './core/image-file.ts'
+export { type ImageFileType, imageDamage, imageTypeOf } from './core/files/image-file.ts'
 export {
   type Ktx2Fault,
   type Ktx2Header,
   type Ktx2Image,
   readKtx2Header,
   readKtx2Image,
-} from './core/ktx2-header.ts'
+} from './core/files/ktx2-header.ts'
+export {
+  drawnTextures,
+  type MapProblem,
+  mapProblems,
+  type TextureShape,
+  texturesOfFace,
+} from './core/files/map-rules.ts'
+export { resampleGray } from './core/image.ts'
 export {
   DEFAULT_AREA_SIZE,
   LONGEST_NAME,
@@ -24,13 +31,6 @@ export {
   MAX_IMAGE_SIDE,
   MAX_LAYERS,
 } from './core/limits.ts'
-export {
-  drawnTextures,
-  type MapProblem,
-  mapProblems,
-  type TextureShape,
-  texturesOfFace,
-} from './core/map-rules.ts'
 export { isName } from './core/name.ts'
 export { type ImageArray, packAreas, packColours, packGrays } from './core/pack.ts'
 /** The paper's formulas in float64 on the CPU, which every GPU path is compared with. */

@@ -1,5 +1,5 @@
 import { FurrowError } from '../../core/error.ts'
-import { imageDamage, imageTypeOf } from '../../core/image-file.ts'
+import { imageDamage, imageTypeOf } from '../../core/files/image-file.ts'
 import { MAX_IMAGE_SIDE } from '../../core/limits.ts'
 import type { GrayImage, RgbaImage } from '../../core/types.ts'
 import { readImage } from './read-texture.ts'

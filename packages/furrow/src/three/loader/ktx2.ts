@@ -2,7 +2,7 @@ import { ClampToEdgeWrapping, CompressedArrayTexture, type CompressedTexture, Li
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { FurrowError } from '../../core/error.ts'
-import { type Ktx2Header, readKtx2Header } from '../../core/ktx2-header.ts'
+import { type Ktx2Header, readKtx2Header } from '../../core/files/ktx2-header.ts'
 import { WRINKLE_MAPS } from '../../core/wrinkle-maps.ts'
 import type { ArrayTexture } from '../material/array-texture.ts'
 import { requireInternal } from '../three-version.ts'

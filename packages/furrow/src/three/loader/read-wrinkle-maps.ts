@@ -2,7 +2,7 @@ import { type ColorSpace, type Material, type Mesh, NoColorSpace, type Object3D,
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import { CHANNEL, channelOf } from '../../core/channels.ts'
 import { FurrowError } from '../../core/error.ts'
-import { mapProblems, type TextureShape, texturesOfFace } from '../../core/map-rules.ts'
+import { mapProblems, type TextureShape, texturesOfFace } from '../../core/files/map-rules.ts'
 import type { Area, ArraySlice, GrayImage, Layer, RgbaImage, WrinkleSet } from '../../core/types.ts'
 import {
   checkDeclared,

@@ -1,5 +1,5 @@
-import { FurrowError } from './error.ts'
-import { MAX_IMAGE_BYTES, MAX_IMAGE_SIDE, MAX_SLICES } from './limits.ts'
+import { FurrowError } from '../error.ts'
+import { MAX_IMAGE_BYTES, MAX_IMAGE_SIDE, MAX_SLICES } from '../limits.ts'
 import type { TextureShape } from './map-rules.ts'
 
 // Khronos, KTX File Format Specification 2.0, sections 3 and 5; offsets in bytes.
