@@ -6,6 +6,7 @@ import type { Cell } from '../runtime/atlas-cells.ts'
 import type { FrameEntry } from '../runtime/frame.ts'
 import { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
 import { exposeAreas } from './animated-areas.ts'
+import { Appearance } from './appearance.ts'
 import { createAreaArray } from './atlas/area-array.ts'
 import type { InfluenceAtlas } from './atlas/influence-atlas.ts'
 import { checkIsMesh, checkMesh } from './check-mesh.ts'
@@ -24,22 +25,8 @@ import {
   type WrinkleMode,
   type WrinklesOptions,
 } from './options.ts'
-import { type AnyRenderer, rendererProblem } from './renderer.ts'
-import { sizeOnScreen } from './size-on-screen.ts'
-
-/** Wrinkles that appear, in milliseconds of their clock. */
-interface Appearance {
-  readonly duration: number
-  elapsed: number
-  /** The time of the last frame. */
-  last: number
-}
-
-/** What a frame adds to that at most: the first one waits for the shader. */
-const LONGEST_STEP = 50
-
-/** Renderers that the console was told of. */
-const refused = new WeakSet<AnyRenderer>()
+import { type AnyRenderer, checkRenderer, isRefused } from './renderer.ts'
+import { fadeOnScreen } from './size-on-screen.ts'
 
 const wrinklesByMesh = new WeakMap<Mesh, WrinklesBase>()
 
@@ -63,8 +50,6 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   readonly #cells: readonly Cell[]
   readonly #inputs: ShaderInputs
   readonly #material: PatchedMaterial
-  /** Version of the activations in the paper's table. */
-  #tableVersion = -1
   /** Number of influence materials in use: they need the map in any mode. */
   #influenceViews = 0
   #appearance: Appearance | null = null
@@ -148,8 +133,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     if (renderer !== null && typeof renderer?.render !== 'function') {
       throw wrongArgument('Wrinkles.update', 'a renderer', renderer, 'one of three.js, or null')
     }
-    const problem = renderer && rendererProblem(renderer, this.#renderer.entry, 'Wrinkles')
-    if (problem) throw problem
+    if (renderer) checkRenderer(renderer, this.#renderer.entry, 'Wrinkles')
     this.#frame.update(this.#entry, renderer)
   }
 
@@ -238,14 +222,19 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
 
   /** Lets the wrinkles appear, over some seconds from the next frames on. @internal */
   appear(seconds: number): void {
-    this.#appearance = { duration: 1000 * seconds, elapsed: 0, last: this.clock.now() }
+    this.#appearance = new Appearance(1000 * seconds, this.clock)
   }
 
   /** Called before a mesh is drawn: runs the phases up to the influence, then sets what the mesh's shader reads. @internal */
   prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
-    if (this.isDisposed || this.#isRefused(renderer)) return
+    if (this.isDisposed) return
+    if (isRefused(renderer, this.#renderer.entry, 'Wrinkles')) {
+      if (this.mode !== 'off') this.mode = 'off'
+      return
+    }
     this.#material.settle(renderer)
-    this.#inputs.fade.value = this.#fadeOf(mesh, camera, renderer) * this.#appeared()
+    this.#inputs.fade.value =
+      this.#fadeOf(mesh, camera, renderer) * (this.#appearance?.advance(this.clock) ?? 1)
     this.#frame.begin(this.#entry, renderer)
     locateCells(this.#inputs, this.#atlas, this.#cells)
   }
@@ -254,7 +243,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   collectInfluence(renderer: AnyRenderer): boolean {
     const { fade, areas, paper } = this.#inputs
     const { mode, composed } = this.#material
-    if (mode === 'paper') this.#writeTable(areas, paper!.table)
+    if (mode === 'paper') paper!.table.update(areas, this.faces[0].activations)
     const isUsed = mode === 'default' || composed !== null || this.#influenceViews > 0
     if (fade.value === 0 || !isUsed) return false
     this.#atlas.collect(this.#cells, renderer)
@@ -288,10 +277,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   #extentOf(names: readonly string[]): ActivationTable {
     for (const name of names) this.getActivation(name)
     const table = new ActivationTable()
-    table.write(
-      this.#inputs.areas,
-      Float32Array.from(this.areas, ({ name }) => Number(names.includes(name))),
-    )
+    const values = Float32Array.from(this.areas, ({ name }) => Number(names.includes(name)))
+    table.update(this.#inputs.areas, { version: 0, values })
     return table
   }
 
@@ -299,37 +286,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   #fadeOf(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
     const { fadeBelow } = this.#options
     if (fadeBelow === 0 || this.#material.composed || instancesOf(this.mesh)) return 1
-    return Math.min(1, Math.max(0, (2 * sizeOnScreen(mesh, camera, renderer)) / fadeBelow - 1))
-  }
-
-  /** 0 = not yet, 1 = wholly. */
-  #appeared(): number {
-    const appearance = this.#appearance
-    if (!appearance) return 1
-    const now = this.clock.now()
-    appearance.elapsed += Math.min(Math.max(0, now - appearance.last), LONGEST_STEP)
-    appearance.last = now
-    const fraction = appearance.elapsed / appearance.duration
-    if (fraction < 1) return fraction
-    this.#appearance = null
-    return 1
-  }
-
-  /** Whether the renderer is the other entry's. The face is then plain, and the console says so, once for each renderer. */
-  #isRefused(renderer: AnyRenderer): boolean {
-    const problem = rendererProblem(renderer, this.#renderer.entry, 'Wrinkles')
-    if (!problem) return false
-    if (this.mode !== 'off') this.mode = 'off'
-    if (!refused.has(renderer)) console.error(problem.message)
-    refused.add(renderer)
-    return true
-  }
-
-  #writeTable(areas: ShaderInputs['areas'], table: ActivationTable): void {
-    const { version, values } = this.faces[0].activations
-    if (version === this.#tableVersion) return
-    this.#tableVersion = version
-    table.write(areas, values)
+    return fadeOnScreen(mesh, camera, renderer, fadeBelow)
   }
 
   #replaceAreas(areas: Area<ArraySlice>[], who: string): void {
@@ -340,7 +297,6 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     release(old.texture)
     this.#inputs.areas = array
     this.#inputs.areaTexture.value = array.texture
-    this.#tableVersion = -1
     this.areas = areas
     for (const [i, face] of this.faces.entries()) {
       face.rebind(array, areas)
