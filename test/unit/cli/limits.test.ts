@@ -3,6 +3,7 @@ import type { Command } from 'commander'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { checkContentSize } from '../../../packages/cli/src/array/zstd.ts'
+import { checkTriangles } from '../../../packages/cli/src/auto/check-triangles.ts'
 import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
 import { bakeCommand } from '../../../packages/cli/src/commands/bake.ts'
 import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
@@ -220,6 +221,17 @@ describe('commands refuse in one line', () => {
     await refuse(onTop, autoCommand, hostile(400, 1), '-o', out())
     const product = 'the mesh "hostile" has too many triangles times blendshapes'
     await refuse(product, autoCommand, hostile(20, 1200), '-o', out())
+  })
+
+  it('hundreds of thousands of triangles times blendshapes in few bytes, by their counts', async () => {
+    const json = jsonOf(Buffer.from(await sheetGlb(sheet(4))))
+    const [primitive] = json.meshes[0].primitives
+    primitive.targets = Array(15).fill(primitive.targets[0])
+    json.accessors[primitive.indices].count = 3 * 800_000
+    const check = (fileBytes: number) => () =>
+      checkTriangles({ json, fileBytes } as Parameters<typeof checkTriangles>[0], 'test')
+    expect(check(800_000)).toThrow('the mesh "torso" has too many triangles times blendshapes')
+    expect(check(8_000_000)).not.toThrow()
   })
 
   it('images in other formats than the documented, by their first bytes', async () => {

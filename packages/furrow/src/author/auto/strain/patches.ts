@@ -2,7 +2,7 @@ import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import type { SkinSurface } from '../surface/surface.ts'
 import { poseStrain } from './pose-strain.ts'
 import { pointCompression } from './principal.ts'
-import { TENSOR_SIZE } from './tensors.ts'
+import { hasTensor, TENSOR_SIZE } from './tensors.ts'
 
 /** Standard deviation in millimetres by which strain is smoothed: without anatomy, noise must not look like a patch. */
 const PATCH_SIGMA = 5
@@ -60,7 +60,7 @@ function patchesOf(surface: SkinSurface, tensors: Float64Array, target: number):
   const { areas, neighbourStarts, neighbours } = surface
   const open = new Set<number>()
   for (let i = 0; i < areas.length; i++)
-    if (pointCompression(surface, tensors, i) >= MIN_PATCH_COMPRESSION) open.add(i)
+    if (hasTensor(tensors, i) && pointCompression(surface, tensors, i) >= MIN_PATCH_COMPRESSION) open.add(i)
   const patches: CompressedPatch[] = []
   for (const first of open) {
     const points = new Set([first])
