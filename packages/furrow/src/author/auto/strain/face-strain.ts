@@ -25,6 +25,7 @@ export function strainFaceRegions(
   ageFraction: number,
   seed: number,
   wanted: readonly AutoRegion[],
+  report: (fraction: number) => void,
 ): StrainedRegion[] {
   const context = {
     landmarks: face.landmarks,
@@ -40,7 +41,8 @@ export function strainFaceRegions(
   })
   const count = new Set(regions.map(({ key }) => key)).size
   const known = new Map<string, Float64Array>()
-  return regions.map(({ region, expression, key }) => {
+  return regions.map(({ region, expression, key }, i) => {
+    report(i / regions.length)
     const pose = poseOf(face.find, expression)
     const tensors = known.get(key) ?? poseStrain(face.surface, face.offsets, pose, FACE_SIGMA, count)
     known.set(key, tensors)

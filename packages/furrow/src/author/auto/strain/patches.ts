@@ -28,14 +28,13 @@ export interface CompressedPatch {
 export function findPatches(
   { surface, offsets, names }: Pick<PreparedSkin, 'surface' | 'offsets' | 'names'>,
   maxPatches: number,
+  report: (fraction: number) => void,
 ): CompressedPatch[] {
-  const candidates = names.flatMap((_, target) =>
-    patchesOf(
-      surface,
-      poseStrain(surface, offsets, new Map([[target, 1]]), PATCH_SIGMA, names.length),
-      target,
-    ),
-  )
+  const candidates = names.flatMap((_, target) => {
+    report(target / names.length)
+    const tensors = poseStrain(surface, offsets, new Map([[target, 1]]), PATCH_SIGMA, names.length)
+    return patchesOf(surface, tensors, target)
+  })
   const chosen: CompressedPatch[] = []
   for (const patch of candidates.sort((a, b) => b.area - a.area)) {
     if (chosen.length === maxPatches) break
