@@ -370,14 +370,14 @@ describe('files', () => {
     expect(readFileSync(file('twice.glb')).equals(readFileSync(file('once.glb')))).toBe(false)
   })
 
-  test('what is no whole file', async () => {
+  test('a file that is not whole', async () => {
     const whole = readFileSync(await write('body.glb'))
     for (const length of [0, 3, 11, 19, 40, 500, whole.length / 2, whole.length - 1]) {
       writeFileSync(file('cut.glb'), whole.subarray(0, length))
       await fails('cut.glb', file('cut.glb'), '-o', file('x.glb'))
     }
     writeFileSync(file('cut.glb'), 'this is a text and no face')
-    await fails('it does not begin with "glTF"', file('cut.glb'), '-o', file('x.glb'))
+    await fails('it is text, not glTF', file('cut.glb'), '-o', file('x.glb'))
     await fails('cannot read', file('missing.glb'), '-o', file('x.glb'))
     await fails('cannot read', at.folder, '-o', file('x.glb'))
   })

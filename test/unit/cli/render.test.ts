@@ -17,7 +17,7 @@ describe('furrow render refuses', () => {
     const old = Buffer.from(glb)
     old.writeUInt32LE(1, 4)
     put('empty.glb', '')
-    put('text.glb', 'This is no face, but it is longer than a header.')
+    put('text.glb', 'This is not a face, but it is longer than a header.')
     put('short.glb', glb.subarray(0, 10))
     put('cut.glb', glb.subarray(0, 50_000))
     put('old.glb', old)
@@ -34,7 +34,7 @@ describe('furrow render refuses', () => {
   test.each<[string, string[], RegExp]>([
     ['a missing face', ['missing.glb'], /cannot read the face missing\.glb/],
     ['an empty face', [file('empty.glb')], /it is empty/],
-    ['a text', [file('text.glb')], /does not begin with "glTF"/],
+    ['a text', [file('text.glb')], /it is text, not glTF/],
     ['a face cut off in its header', [file('short.glb')], /cut off after 10 bytes/],
     ['a face cut off', [file('cut.glb')], /cut off: 50000 of \d+ bytes/],
     ['glTF 1', [file('old.glb')], /it has version 1/],
@@ -42,12 +42,12 @@ describe('furrow render refuses', () => {
     [
       'a wrinkle set that is not there',
       [file('bare.glb'), '--wrinkles', file('none.json')],
-      /cannot read the wrinkles .*none\.json.*--wrinkles/,
+      /^furrow render: cannot read the wrinkles .*none\.json \(it does not exist\); check the path$/,
     ],
     [
       'an area of a face without wrinkles',
       [file('bare.glb'), '--activation', 'nose=1'],
-      /this face has none/,
+      /the face has no areas, got "nose"; make wrinkles with furrow auto, or leave --activation out$/,
     ],
     ['wrinkles in another folder', [FACE, '--wrinkles', file('up.json')], /outside its folder/],
     [
@@ -84,7 +84,7 @@ describe('furrow render refuses', () => {
     ['a size of one number', [FACE, '--size', '800'], /option '--size <size>' argument '800' is invalid/],
     ['a size too small', [FACE, '--size', '800x15'], /argument '800x15' is invalid/],
     ['a size too large', [FACE, '--size', '8193x600'], /sides from 16 to 8192 pixels/],
-    ['a picture that is no PNG', [FACE, '-o', 'face.jpg'], /does not end in \.png/],
+    ['a picture that is not a PNG', [FACE, '-o', 'face.jpg'], /does not end in \.png/],
     ['a picture that is a folder', [FACE, '-o', file('folder.png')], /it is a folder/],
     ['a picture under a file', [FACE, '-o', join(file('text.glb'), 'x.png')], /is not a folder/],
   ])('%s', async (_, asked, message) => {

@@ -8,7 +8,6 @@ import { costOf } from '../auto/cost.ts'
 import { type FoundSkin, findSkin } from '../auto/find-skin.ts'
 import { packAuto } from '../auto/pack-auto.ts'
 import { makeReport } from '../auto/report/make-report.ts'
-import { shadingOf, skinWarnings } from '../auto/shading.ts'
 import { Steps } from '../auto/steps.ts'
 import { summaryLines, summaryOf } from '../auto/summary.ts'
 import { createCommand } from '../command.ts'
@@ -17,11 +16,13 @@ import { writeAll } from '../files.ts'
 import { FACE_EXTENSIONS, faceFiles } from '../gltf/face-files.ts'
 import { type Glb, readGlbFile } from '../gltf/glb-file.ts'
 import { documentOf } from '../gltf/read-document.ts'
+import { shadingOf } from '../gltf/shading.ts'
 import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
-import { checkOutputs, isStdout } from '../outputs.ts'
+import { checkFolder, checkOutputs, isStdout } from '../outputs.ts'
 import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
 import { embedWrinkles } from '../wrinkles/embed.ts'
+import { faceWarnings } from '../wrinkles/face-rules.ts'
 import { inspectWrinkles } from '../wrinkles/inspect.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
 import { wrinklesOf } from '../wrinkles/wrinkled-file.ts'
@@ -120,7 +121,10 @@ async function auto(face: string, options: Options): Promise<void> {
   if (ktx2) checkCompressible(settings.size, layers)
   const rules = { extensions: FACE_EXTENSIONS, inputs: [face], force: options.force ?? false }
   await checkOutputs([output], WHO, rules)
-  if (report !== undefined) await checkOutputs([join(report, 'index.html')], WHO, { extensions: ['.html'] })
+  if (report !== undefined) {
+    await checkFolder(report, WHO)
+    await checkOutputs([join(report, 'index.html')], WHO, { extensions: ['.html'] })
+  }
   const total = OWN_STEPS + AUTO_STEPS.length + (report === undefined ? 0 : REPORT_STEPS)
   const { found, wrinkles, cost, bytes, warnings } = await withBar('auto', async (progress) => {
     const steps = new Steps(progress, total)
@@ -148,7 +152,7 @@ async function auto(face: string, options: Options): Promise<void> {
     const cost = costOf(await inspectWrinkles(wrinklesOf(glb, found.material, WHO), WHO), ktx2)
     const files = await faceFiles(glb, output, WHO, rules)
     const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0)
-    const ofSkin = skinWarnings(glb.json, found.material, found.materialName)
+    const ofSkin = faceWarnings(glb.json, found.material, found.materialName)
     const warnings = [...wrinkles.warnings, ...ofSkin].map((text) => `${WHO}: ${text}`)
     if (report !== undefined) {
       const listed = { ...settings, regions: regions?.join(', ') ?? 'all' }

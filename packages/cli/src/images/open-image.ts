@@ -1,9 +1,9 @@
-import { FurrowError, MAX_IMAGE_SIDE } from 'furrow'
+import { FurrowError, imageDamage, imageTypeOf, MAX_IMAGE_SIDE } from 'furrow'
 import sharp, { type Metadata, type Sharp } from 'sharp'
 import { cannotRead } from '../errors.ts'
-import { imageTypeOf } from '../gltf/image-type.ts'
+import { kindOf } from '../file-kind.ts'
 import { checkDecodedBytes } from './decoded-bytes.ts'
-import { withImageErrors } from './image-errors.ts'
+import { REPAIR, withImageErrors } from './image-errors.ts'
 
 // What is opened has been looked at; this keeps libvips from its other readers, whatever it takes a file for.
 sharp.block({ operation: ['VipsForeignLoad'] })
@@ -55,9 +55,14 @@ export async function openImage(
   const hints = { limit: listText(types.map((type) => FORMATS[type])), remedy: 'save it as PNG' }
   const type = typeOf(bytes)
   if (type === undefined || !types.includes(type)) {
-    const reason = bytes.length === 0 ? 'it is empty' : 'unsupported image format'
-    throw cannotRead(who, `the image ${name}`, new Error(reason), hints)
+    const kind = kindOf(bytes)
+    const isImage = kind === undefined || kind === 'an image'
+    const reason = isImage ? 'unsupported image format' : `it is ${kind}`
+    const remedy = isImage ? hints.remedy : 'name an image'
+    throw cannotRead(who, `the image ${name}`, new Error(reason), { ...hints, remedy })
   }
+  const damage = imageDamage(bytes)
+  if (damage) throw cannotRead(who, `the image ${name}`, new Error(damage), { ...hints, remedy: REPAIR })
   const image = sharp(bytes, { failOn: 'truncated', ignoreIcc: true })
   const { width, height, channels, depth } = await withImageErrors(name, who, () => image.metadata(), {
     limit: hints.limit,

@@ -1,0 +1,68 @@
+"""Converts lines drawn on a body, in millimetres from a joint, to strokes in its texture (docs/strokes.md)."""
+
+import json
+
+import numpy as np
+from scipy.interpolate import PchipInterpolator
+
+from ..part import Part
+
+SAMPLES = 24  # points of a stroke
+LEAP = 0.03  # in uv: neighbouring samples further apart are on opposite sides of a seam
+SHORTEST = 4  # points that a stroke cut by a seam must have
+
+
+class Chart:
+    """A flattened piece of skin: `flat` (n, 2) are coordinates of every vertex, `belongs` (n,) marks its own."""
+
+    def __init__(self, part: Part, flat: np.ndarray, belongs: np.ndarray):
+        self._uv = part.uv
+        self._triangles = part.triangles[belongs[part.triangles].all(axis=1)]
+        self._corners = flat[self._triangles]
+
+    def uv(self, points: np.ndarray) -> np.ndarray:
+        """(n, 2) uv of points (n, 2) in the chart's units; nan outside the piece."""
+        a, b, c = (self._corners[:, k] for k in range(3))
+        area = _cross(b - a, c - a)
+        found = np.full((len(points), 2), np.nan)
+        for i, point in enumerate(points):
+            with np.errstate(divide="ignore", invalid="ignore"):
+                barycentrics = (
+                    np.stack(
+                        [_cross(b - point, c - point), _cross(c - point, a - point), _cross(a - point, b - point)], 1
+                    )
+                    / area[:, None]
+                )
+            inside = np.flatnonzero((barycentrics >= -1e-9).all(axis=1))
+            if len(inside):
+                found[i] = barycentrics[inside[0]] @ self._uv[self._triangles[inside[0]]]
+        return found
+
+    def stroke(self, group: str, points, width: float, depth: float, **more) -> list[dict]:
+        """A smooth line through points in the chart's units, as at most one stroke; `width`, `depth` in millimetres."""
+        points = np.array(points, float)
+        steps = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+        uv = self.uv(PchipInterpolator(steps, points)(np.linspace(0, steps[-1], SAMPLES)))
+        whole = ~np.isnan(uv[:, 0])
+        near = whole[1:] & whole[:-1] & (np.linalg.norm(np.diff(uv, axis=0), axis=1) < LEAP)
+        runs = np.split(np.arange(SAMPLES), np.flatnonzero(~near) + 1)
+        longest = max(runs, key=len)
+        if len(longest) < SHORTEST:
+            return []
+        return [{"group": group, "points": np.round(uv[longest], 4).tolist(), "width": width, "depth": depth, **more}]
+
+
+def document(strokes: list[dict], areas: list[dict], size: int) -> str:
+    """JSON with one stroke or area per line."""
+
+    def lines(items):
+        return ",\n".join("    " + json.dumps(item) for item in items)
+
+    return (
+        f'{{\n  "version": 1,\n  "size": {size},\n  "strokes": [\n{lines(strokes)}\n  ],\n'
+        f'  "areas": [\n{lines(areas)}\n  ]\n}}\n'
+    )
+
+
+def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]

@@ -1,0 +1,216 @@
+"""The left hand with its wrist and part of the forearm: cut out, subdivided once, unwrapped and skinned."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..layout import borders
+from ..part import Part, triangulate
+from ..person.head import islands
+from ..rig import Rig, read_rig, strongest, unit
+from ..source import Mesh, Wheel
+from ..subdivide import catmull_clark, vertex_normals
+
+FINGERS = range(1, 6)  # the thumb is 1
+JOINTS = ["lowerarm01.L", "lowerarm02.L", "wrist.L", *[f"metacarpal{k}.L" for k in range(1, 5)]] + [
+    f"finger{finger}-{k}.L" for finger in FINGERS for k in (1, 2, 3)
+]
+ARM_RINGS = 6  # rings of quads of the forearm that are skin
+CUFF_RINGS = 9  # and that the cuff follows
+CUFF_COVERS = 3  # rings of skin that the cuff hides
+EASE, HEM = 2.2e-3, 3.0e-3  # metres from the skin to the cuff, and that its hem turns in
+NAIL_MIDDLE = 0.72  # fraction of the way from the last joint to the tip
+NAIL_QUADS = 0.25  # least size of a nail's quads, as a fraction of the middle one's
+MARGIN = 0.012  # in uv
+STRIP = (0.015, 0.015, 0.505, 0.290)  # u0, v0, u1, v1 of the forearm, where the hand leaves room
+
+
+@dataclass
+class Hand:
+    rig: Rig
+    part: Part
+    cuff: Part
+    weights: np.ndarray  # (n, j) of the part's vertices
+    inner: np.ndarray  # (n,) how far the skin faces the side to which its joints bend: 1 palm, -1 back
+    nails: np.ndarray  # (q, 4, 2) uv of the quads of nails
+    nail_way: np.ndarray  # (n,) along a nail: 0 at its root, 1 at its free edge
+
+
+def build_hand(wheel: Wheel, mesh: Mesh, shapes: dict[str, float]) -> Hand:
+    base = wheel.blended(shapes)
+    rig = read_rig(wheel, mesh, base, JOINTS, Inwards(wheel, mesh, base))
+    island = _hand_island(mesh)
+    rings = _arm_rings(mesh, island)
+    quads = np.concatenate([mesh.quads[island], *rings[:ARM_RINGS]])
+    uv, uv_quads = _layout(mesh, island, rings[:ARM_RINGS], base)
+
+    used, index = np.unique(quads, return_inverse=True)
+    matrix, fine = catmull_clark(index.reshape(-1, 4), len(used))
+    positions = np.round(matrix @ base[used], 7)
+    normals = vertex_normals(positions, fine)
+    uv_matrix, uv_fine = catmull_clark(uv_quads, len(uv))
+    fine_uv = np.round(uv_matrix @ uv, 7)
+    pairs, corner = np.unique(np.stack([fine.ravel(), uv_fine.ravel()], 1), axis=0, return_inverse=True)
+    vertex = pairs[:, 0]
+    weights = (matrix @ rig.weights[used])[vertex]
+    triangles = triangulate(corner.reshape(-1, 4), positions[vertex])
+    part = Part("skin", "skin", positions[vertex], normals[vertex], fine_uv[pairs[:, 1]], triangles)
+    part.joints, part.weights = strongest(weights)
+    inner = (part.normals * np.einsum("nj,jk->nk", weights, rig.frames[:, :, 2])).sum(axis=1)
+    way, nails = np.zeros(len(vertex)), []
+    for finger, nail in zip(FINGERS, _nails(rig, base, quads), strict=True):
+        nails.append(corner.reshape(-1, 4, 4)[nail].reshape(-1, 4))
+        joint = rig.names.index(f"finger{finger}-3.L")
+        along = (part.positions - rig.positions[joint]) @ rig.frames[joint][:, 1]
+        low, high = along[nails[-1]].min(), along[nails[-1]].max()
+        way = np.where(weights[:, joint] > 0.5, np.clip((along - low) / (high - low), 0, 1), way)
+    cuff = _cuff(rig, base, rings[ARM_RINGS - CUFF_COVERS : CUFF_RINGS])
+    return Hand(rig, part, cuff, weights, inner, part.uv[np.concatenate(nails)], way)
+
+
+def palm_frame(rig: Rig) -> np.ndarray:
+    """(3, 3) with columns towards the little finger, towards the fingers, out of the palm."""
+    wrist = rig.at("wrist.L")
+    z = unit(np.cross(rig.at("finger5-1.L") - wrist, rig.at("finger2-1.L") - wrist))
+    y = unit(rig.at("finger3-1.L") - wrist)
+    return np.stack([unit(np.cross(y, z)), y, z], axis=1)
+
+
+class Inwards:
+    """The direction to which each joint bends: the fingers towards the palm, the thumb across it."""
+
+    def __init__(self, wheel: Wheel, mesh: Mesh, base: np.ndarray):
+        still = read_rig(wheel, mesh, base, JOINTS, lambda name: np.array([-1.0, 0.0, 0.0]))  # any frame does
+        self.palm = palm_frame(still)[:, 2]
+        # The thumb is slightly bent at rest, which gives its axis.
+        along = [still.frames[JOINTS.index(f"finger1-{k}.L")][:, 1] for k in (1, 2, 3)]
+        axis = unit(unit(np.cross(along[0], along[1])) + unit(np.cross(along[1], along[2])))
+        self.thumb = [np.cross(axis, y) for y in along]
+
+    def __call__(self, name: str) -> np.ndarray:
+        return self.thumb[int(name[8]) - 1] if name.startswith("finger1-") else self.palm
+
+
+def _hand_island(mesh: Mesh) -> np.ndarray:
+    """The body's quads in the left hand's island of the source's layout, which is the one with the finger tips."""
+    body = np.flatnonzero(mesh.groups == "body")
+    island = islands(mesh, body)
+    tip = mesh.positions[np.unique(mesh.quads[mesh.groups == "joint-l-finger-3-4"])].mean(axis=0)
+    nearest = np.argmin(np.linalg.norm(mesh.positions[mesh.quads[body]].mean(axis=1) - tip, axis=1))
+    return body[island == island[nearest]]
+
+
+def _arm_rings(mesh: Mesh, island: np.ndarray) -> list[np.ndarray]:
+    """Rings of quads up the arm from the edge of the hand."""
+    body = np.flatnonzero(mesh.groups == "body")
+    taken = np.isin(body, island)
+    rings = []
+    for _ in range(CUFF_RINGS):
+        reached = np.isin(mesh.quads[body], np.unique(mesh.quads[body[taken]])).any(axis=1) & ~taken
+        rings.append(mesh.quads[body[reached]])
+        taken |= reached
+    return rings
+
+
+def _layout(mesh: Mesh, island: np.ndarray, rings: list[np.ndarray], base: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """uv, v down, and quads over them: the source's island of the hand, enlarged, and the forearm as a strip."""
+    used, hand = np.unique(mesh.uv_quads[island], return_inverse=True)
+    source = mesh.uv[used] * [1, -1]
+    low, high = source.min(axis=0), source.max(axis=0)
+    uv = MARGIN + (source - low) / (high - low).max() * (1 - 2 * MARGIN)
+    uv[:, 1] += 1 - MARGIN - uv[:, 1].max()
+
+    loops = [max(borders(mesh.quads[island]), key=len)]
+    for ring in rings:
+        loops.append(_next_loop(loops[-1], ring))
+    # Once around from the seam, which is on the side of the little finger.
+    seam = np.argmin(base[loops[0], 1] - base[loops[0], 0] + base[loops[0], 2])
+    grid = np.array([np.append(np.roll(loop, -seam), loop[seam]) for loop in loops])
+    around = np.linalg.norm(np.diff(base[grid], axis=1), axis=2).mean(axis=0)
+    along = np.linalg.norm(np.diff(base[grid], axis=0), axis=2).mean(axis=1)
+
+    def fractions(steps):
+        return np.concatenate([[0], np.cumsum(steps)]) / steps.sum()
+
+    u0, v0, u1, v1 = STRIP
+    u, v = np.meshgrid(u0 + (u1 - u0) * fractions(around), v1 + (v0 - v1) * fractions(along))
+    strip = np.stack([u.ravel(), v.ravel()], axis=1)
+
+    column = {(r, grid[r, c]): c for r in range(len(grid)) for c in range(grid.shape[1] - 1)}
+    width = grid.shape[1]
+    quads = []
+    for r, ring in enumerate(rings):
+        for quad in ring:
+            cells = [(r + k, column[r + k, vertex]) for vertex in quad for k in (0, 1) if (r + k, vertex) in column]
+            wraps = max(c for _, c in cells) - min(c for _, c in cells) > 1
+            quads.append([row * width + (width - 1 if wraps and c == 0 else c) for row, c in cells])
+    strip_quads = np.array(quads)
+    if _turns(strip, strip_quads) != _turns(uv, hand.reshape(-1, 4)):
+        strip[:, 0] = u0 + u1 - strip[:, 0]
+    return np.concatenate([uv, strip]), np.concatenate([hand.reshape(-1, 4), strip_quads + len(uv)])
+
+
+def _next_loop(loop: np.ndarray, ring: np.ndarray) -> np.ndarray:
+    """The vertices across a ring of quads, in the order of `loop` on this side."""
+    across = {}
+    for quad in ring:
+        for a, b in zip(quad, np.roll(quad, -1), strict=True):
+            if (a in loop) != (b in loop):
+                across[a if a in loop else b] = b if a in loop else a
+    return np.array([across[vertex] for vertex in loop])
+
+
+def _turns(uv: np.ndarray, quads: np.ndarray) -> bool:
+    a, b, c, d = (uv[quads[:, k]] for k in range(4))
+    p, q = c - a, d - b
+    return (p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]).sum() > 0
+
+
+def _nails(rig: Rig, base: np.ndarray, quads: np.ndarray) -> list[np.ndarray]:
+    """Indices of the quads of each nail: grown from its middle while quads are wide and face the same way.
+
+    The grooves around a nail have narrow quads, and the edge of the tip faces elsewhere.
+    """
+    corners = base[quads]
+    centre = corners.mean(axis=1)
+    normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    size = np.linalg.norm(normal, axis=1, keepdims=True)
+    normal /= size
+    nails = []
+    for finger in FINGERS:
+        joint = rig.names.index(f"finger{finger}-3.L")
+        own = rig.weights[quads, joint].min(axis=1) > 0.5
+        local = (centre - rig.positions[joint]) @ rig.frames[joint]
+        on_back = own & (normal @ -rig.frames[joint][:, 2] > 0.6)
+        middle = np.hypot(local[:, 0], local[:, 1] - NAIL_MIDDLE * local[own, 1].max())
+        seed = np.argmin(np.where(on_back, middle, np.inf))
+        fits = own & (size[:, 0] > NAIL_QUADS * size[seed, 0]) & (normal @ normal[seed] > 0.75)
+        nail, edge = {seed}, [seed]
+        while edge:
+            here = edge.pop()
+            across = centre - centre[here]
+            rises = (across @ normal[here]) / np.maximum(np.linalg.norm(across, axis=1), 1e-9)
+            beside = np.flatnonzero(fits & (np.isin(quads, quads[here]).sum(axis=1) == 2) & (rises < 0.06))
+            edge += [quad for quad in beside if quad not in nail]
+            nail |= set(beside)
+        nails.append(np.array(sorted(nail)))
+    return nails
+
+
+def _cuff(rig: Rig, base: np.ndarray, rings: list[np.ndarray]) -> Part:
+    """The end of a sleeve over that of the forearm, with a hem that turns in to the skin."""
+    quads = np.concatenate(rings)
+    used, index = np.unique(quads, return_inverse=True)
+    matrix, fine = catmull_clark(index.reshape(-1, 4), len(used))
+    body = matrix @ base[used]
+    out = vertex_normals(body, fine)
+    weights = matrix @ rig.weights[used]
+    hand = rig.at("wrist.L")
+    wrist = min(borders(fine), key=lambda loop: np.linalg.norm(body[loop].mean(axis=0) - hand))
+    count = len(body)
+    inner = count + np.arange(len(wrist))
+    positions = np.concatenate([body + out * EASE, body[wrist] + out[wrist] * (EASE - HEM)])
+    quads = np.concatenate([fine, np.stack([np.roll(wrist, -1), wrist, inner, np.roll(inner, -1)], axis=1)])
+    part = Part("cuff", "shirt", positions, vertex_normals(positions, quads), None, triangulate(quads, positions))
+    part.joints, part.weights = strongest(np.concatenate([weights, weights[wrist]]))
+    return part

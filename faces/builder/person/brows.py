@@ -1,0 +1,118 @@
+"""Eyebrows: hairs drawn as strokes, both painted on the skin and on a shell that floats just above it."""
+
+import io
+
+import numpy as np
+from PIL import Image, ImageDraw
+
+from ..part import Part
+from .landmarks import BROW_BOTTOM, BROW_TOP
+
+# The part of the layout that holds the person's left brow; the right one is its mirror image.
+BOX = (0.505, 0.375, 0.68, 0.505)  # u0, v0, u1, v1
+SHELL = (
+    1024,
+    512,
+)  # pixels of one brow as drawn; the finished map is half as large and holds both, right first
+HEIGHT = 0.5e-3  # metres from the skin to the shell
+
+
+def strokes(look: dict, side: str, seed: int) -> list[np.ndarray]:
+    """Hairs as polylines in (u, v) of the layout."""
+    random = np.random.default_rng([seed, side == "left"])
+    top, bottom = np.array(BROW_TOP), np.array(BROW_BOTTOM)
+    hairs = []
+    for _ in range(look["brow_hairs"]):
+        along = 0.93 * random.beta(1.15, 1.3)  # inner end 0, tail 1
+        across = random.beta(1.6, 1.5)
+        sparse = 0.35 + 0.65 * np.clip(along * 7, 0, 1)
+        sparse *= np.interp(along, [0, 0.7, 1], [1, 1, 0.45])
+        if random.random() > sparse:
+            continue
+        low, high = _point_at(bottom, along), _point_at(top, along)
+        width = look["brow_width"]
+        root = low + (0.5 + (across - 0.5) * width) * (high - low)
+        ahead = _point_at(bottom, min(along + 0.05, 1)) + _point_at(top, min(along + 0.05, 1)) - low - high
+        ahead /= np.linalg.norm(ahead) + 1e-9
+        up = (high - low) / (np.linalg.norm(high - low) + 1e-9)
+        # Hairs rise at the inner end and follow the brow further out; upper ones lean down, lower ones up.
+        lean = (
+            np.interp(along, [0, 0.15, 0.45, 1], [1.5, 0.9, 0.35, 0.0]) + 0.55 * (0.5 - across) + random.normal(0, 0.16)
+        )
+        length = (
+            look["brow_length"] * random.uniform(0.6, 1.15) * np.interp(along, [0, 0.2, 0.8, 1], [0.8, 1, 0.95, 0.55])
+        )
+        points = [root]
+        for step in range(4):
+            turn = lean * (1 - 0.22 * step)
+            points.append(points[-1] + (np.cos(turn) * ahead + np.sin(turn) * up) * length / 4)
+        line = np.array(points)
+        if side == "right":
+            line[:, 0] = 1 - line[:, 0]
+        hairs.append(line)
+    return hairs
+
+
+def _point_at(line: np.ndarray, t: float) -> np.ndarray:
+    """A point of a polyline (n, 2) by the fraction of its number of segments."""
+    grid = np.linspace(0, 1, len(line))
+    return np.array([np.interp(t, grid, line[:, k]) for k in (0, 1)])
+
+
+def paint_brows(skin: np.ndarray, look: dict, size: int) -> np.ndarray:
+    for side in ("left", "right"):
+        cover = _draw(strokes(look, side, look["seed"] + 1), (0, 0, 1, 1), (size * 2, size * 2), 2.2)
+        cover = np.asarray(cover.resize((size, size), Image.Resampling.BOX), float)[..., None] / 255
+        skin = skin + (np.array(look["brow"]) - skin) * cover * 0.62
+    return skin
+
+
+def shell_map(look: dict) -> tuple[str, bytes]:
+    width, height = SHELL
+    sheet = Image.new("L", (2 * width, height))
+    u0, v0, u1, v1 = BOX
+    for side, left in (("right", 0), ("left", width)):
+        box = BOX if side == "left" else (1 - u1, v0, 1 - u0, v1)
+        drawn = _draw(strokes(look, side, look["seed"] + 2), box, (2 * width, 2 * height), look["brow_thick"])
+        sheet.paste(drawn.resize((width, height), Image.Resampling.BOX), (left, 0))
+    alpha = np.asarray(sheet.resize((width, height // 2), Image.Resampling.LANCZOS))
+    pixels = np.empty((*alpha.shape, 4), np.uint8)
+    pixels[..., :3] = np.round(np.array(look["brow"]) * 255)  # everywhere, so that filtering leaves no fringe
+    pixels[..., 3] = np.round(alpha / 8.5) * 8.5  # 31 steps are enough for hair, and pack small
+    out = io.BytesIO()
+    Image.fromarray(pixels).save(out, "PNG", optimize=True)
+    return "image/png", out.getvalue()
+
+
+def brow_part(skin: Part) -> Part:
+    """A lifted copy of the skin around the brows, with every target that moves it; changes of normals move the lift."""
+    u0, v0, u1, v1 = BOX
+    chosen, uv = [], np.zeros_like(skin.uv)
+    for side, left in (("right", 0.0), ("left", 0.5)):
+        u = skin.uv[:, 0] if side == "left" else 1 - skin.uv[:, 0]
+        inside = (u > u0) & (u < u1) & (skin.uv[:, 1] > v0) & (skin.uv[:, 1] < v1)
+        t = (u - u0) / (u1 - u0)
+        t = t if side == "left" else 1 - t
+        uv[inside] = np.stack([left + 0.5 * t, (skin.uv[:, 1] - v0) / (v1 - v0)], axis=1)[inside]
+        chosen.append(skin.triangles[inside[skin.triangles].all(axis=1)])
+    triangles = np.concatenate(chosen)
+    used, index = np.unique(triangles, return_inverse=True)
+    lifted = skin.positions[used] + skin.normals[used] * HEIGHT
+    targets = {}
+    for name, (shift, turn) in skin.targets.items():
+        if np.linalg.norm(shift[used], axis=1).max() > 3e-4:
+            targets[name] = (shift[used] + turn[used] * HEIGHT, None)
+    return Part("brows", "brow", lifted, skin.normals[used], uv[used], index.reshape(-1, 3), targets=targets)
+
+
+def _draw(hairs, box, pixels, thickness) -> Image.Image:
+    """Hairs taper: each is drawn in pieces, the last ones thinner."""
+    u0, v0, u1, v1 = box
+    image = Image.new("L", pixels)
+    draw = ImageDraw.Draw(image)
+    for line in hairs:
+        xy = (line - [u0, v0]) / [u1 - u0, v1 - v0] * pixels
+        for k in range(len(xy) - 1):
+            wide = max(1, round(thickness * (1 - 0.2 * k)))
+            draw.line([tuple(xy[k]), tuple(xy[k + 1])], fill=255 if k < 3 else 170, width=wide)
+    return image

@@ -1,0 +1,72 @@
+"""The maps of a face's skin, and its other parts."""
+
+import numpy as np
+
+from ..part import Part
+from ..raster import Atlas
+from ..source import Mesh
+from .brows import brow_part, shell_map
+from .eye_map import paint_eye
+from .eyes import ball_of, eye_part, shade_part
+from .fields import FaceFields, occlusion
+from .head import Head
+from .lashes import lash_map, lash_part
+from .mouth import mouth_part, socket_part, teeth_part, tongue_part
+from .shirt import OVERLAP, shirt_part
+from .skin_maps import encode, paint_colour, paint_pores, paint_specular, paint_surface
+
+MAP_SIZE = 1024  # pixels
+STEPS = ["occlusion", "colour", "normals", "surface", "parts"]
+
+
+class Face:
+    """Built in the order of `STEPS`; `tell(step)` is called at the start of each."""
+
+    def __init__(self, head: Head, mesh: Mesh, skin: Part, vertices: np.ndarray, look: dict, tell):
+        self._head, self._mesh, self._skin, self._look, self._tell = head, mesh, skin, look, tell
+        canonical = (head.matrix @ mesh.positions[head.used])[vertices]
+        atlas = Atlas(skin.uv, skin.triangles, MAP_SIZE)
+        fields = FaceFields(atlas, canonical, skin.positions, look["seed"])
+        tell("occlusion")
+        self._eyes = [eye_part(head, mesh, side) for side in ("left", "right")]
+        scene = np.concatenate([fields.space[atlas.covered], *[e.positions for e in self._eyes]])
+        open_sky = atlas.spread(occlusion(skin.positions, skin.normals, scene))
+        # The upper lid is folded at rest and must not be black when the eye closes.
+        open_sky += (1 - open_sky) * 0.65 * fields.spot("upper-lid", 0.010, (1.6, 1, 1))
+        tell("colour")
+        self.colour = paint_colour(fields, open_sky, look)
+        tell("normals")
+        self.pores = paint_pores(fields, look["pores"])
+        tell("surface")
+        self.surface = paint_surface(fields, open_sky, look)
+        self.specular = paint_specular(fields, open_sky)
+
+    def images(self) -> dict[str, tuple[str, bytes]]:
+        """MIME type and bytes, by the names that `materials` uses."""
+        look = self._look
+        return {
+            "skin-colour": encode(self.colour, "jpeg"),
+            "skin-normal": encode(self.pores, "png"),
+            "skin-surface": encode(self.surface[::2, ::2], "jpeg", 82),
+            "skin-specular": encode(self.specular[::4, ::4], "png"),
+            "eye": encode(paint_eye(look, ball_of(self._head, self._mesh, "left").limbus), "jpeg", 92),
+            "brow": shell_map(look),
+            "lash": lash_map(look),
+        }
+
+    def parts(self, overlap=OVERLAP) -> list[Part]:
+        """All parts but the skin; the last is the shirt, which covers the skin's last `overlap` rings."""
+        head, mesh, look = self._head, self._mesh, self._look
+        self._tell("parts")
+        return [
+            *self._eyes,
+            shade_part(head, mesh),
+            brow_part(self._skin),
+            lash_part(head, mesh, look),
+            teeth_part(head, mesh, "upper"),
+            teeth_part(head, mesh, "lower"),
+            tongue_part(head, mesh),
+            mouth_part(head),
+            socket_part(head),
+            shirt_part(head, mesh, overlap),
+        ]

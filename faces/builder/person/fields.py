@@ -1,0 +1,125 @@
+"""What maps are painted with: noise in space, soft spots around landmarks, soft outlines, occlusion."""
+
+import numpy as np
+from PIL import Image, ImageDraw
+from scipy.ndimage import binary_dilation, gaussian_filter, map_coordinates
+from scipy.ndimage import label as measure
+
+from ..raster import Atlas
+from . import landmarks
+
+
+class Fields:
+    """Fields are (size, size) arrays over the skin's texture layout."""
+
+    def __init__(self, atlas: Atlas, positions: np.ndarray, seed: int):
+        self.size = atlas.size
+        self.space = atlas.spread(positions)  # metres, on this skin
+        self._seed = seed
+        self.near = binary_dilation(atlas.covered, iterations=8)
+        self.spread = atlas.spread
+
+    def noise(self, size: float, channel: int, stretch=(1, 1, 1)) -> np.ndarray:
+        """Smooth noise in space (so without seams): mean 0, deviation about 1, spots of `size` metres."""
+        lattice = np.random.default_rng([self._seed, channel]).normal(size=(48, 48, 48))
+        at = self.space / (size * np.array(stretch)) + 1000.0
+        values = map_coordinates(lattice, at.reshape(-1, 3).T, order=1, mode="grid-wrap")
+        return (values * 1.7).reshape(self.size, self.size)
+
+    def rough(self, size: float, channel: int) -> np.ndarray:
+        """Three octaves of noise."""
+        return (
+            self.noise(size, channel)
+            + 0.6 * self.noise(size / 2.1, channel + 1)
+            + 0.4 * self.noise(size / 4.3, channel + 2)
+        ) / 1.25
+
+    def near_to(self, point: np.ndarray, radius: float) -> np.ndarray:
+        """A Gaussian around a point in space: 1 there, 1/e at `radius` metres."""
+        return np.exp(-((self.space - point) ** 2).sum(axis=2) / radius**2)
+
+
+class FaceFields(Fields):
+    """Fields of a face, by its landmarks."""
+
+    def __init__(self, atlas: Atlas, canonical: np.ndarray, positions: np.ndarray, seed: int):
+        super().__init__(atlas, positions, seed)
+        self.canonical = atlas.spread(canonical)  # metres, on the unblended base figure, so the same for every recipe
+        # The openings of the layout, inside the head and outside every triangle.
+        label, _ = measure(~atlas.covered)
+
+        def at(u, v):
+            return label == label[int(v * self.size), int(u * self.size)]
+
+        self.mouth_hole = at(*landmarks.MOUTH_OPENING).astype(float)
+        u, v = landmarks.EYE_OPENING
+        self.eye_holes = (at(u, v) | at(1 - u, v)).astype(float)
+
+    def stripes(self, size: float, channel: int) -> np.ndarray:
+        """Noise stretched vertically, like the creases of lips."""
+        return self.noise(size, channel, stretch=(1, 7, 3))
+
+    def spot(self, name: str, radius: float, stretch=(1, 1, 1)) -> np.ndarray:
+        """A Gaussian of `radius` metres around a landmark, or around both of a pair."""
+        points = (
+            [landmarks.MIDDLE[name]]
+            if name in landmarks.MIDDLE
+            else [landmarks.LEFT[name], (1 - landmarks.LEFT[name][0], landmarks.LEFT[name][1])]
+        )
+        total = np.zeros((self.size, self.size))
+        for u, v in points:
+            centre = self.canonical[int(v * self.size), min(int(u * self.size), self.size - 1)]
+            total = np.maximum(
+                total, np.exp(-(((self.canonical - centre) / np.array(stretch)) ** 2).sum(axis=2) / radius**2)
+            )
+        return total
+
+    def outline(self, points: list[tuple[float, float]], soft: float, mirror=True) -> np.ndarray:
+        """1 inside a closed outline in uv (and its mirror image); the edge is blurred by `soft`, in uv."""
+        scale = 2
+        image = Image.new("L", (self.size * scale, self.size * scale), 0)
+        draw = ImageDraw.Draw(image)
+        draw.polygon([(u * self.size * scale, v * self.size * scale) for u, v in points], fill=255)
+        if mirror:
+            draw.polygon([((1 - u) * self.size * scale, v * self.size * scale) for u, v in points], fill=255)
+        inside = np.asarray(image.reduce(scale), float) / 255
+        return gaussian_filter(inside, soft * self.size)
+
+
+def occlusion(points: np.ndarray, normals: np.ndarray, scene: np.ndarray, directions=128) -> np.ndarray:
+    """The cosine-weighted fraction of the sky that each point (n, 3) sees: 1 in the open, towards 0 in a fold.
+
+    One shadow map per direction: a grid of the depths of `scene` (m, 3), a dense cloud of surface points.
+    """
+    cell = 0.9e-3
+    seen = np.zeros(len(points))
+    weight = np.zeros(len(points))
+    for k in range(directions):
+        y = 1 - 2 * (k + 0.5) / directions  # Fibonacci sphere: even and deterministic
+        turn = k * np.pi * (3 - np.sqrt(5))
+        towards = np.array([np.sqrt(1 - y * y) * np.cos(turn), y, np.sqrt(1 - y * y) * np.sin(turn)])
+        side = np.cross(towards, [0, 0, 1] if abs(towards[2]) < 0.9 else [0, 1, 0])
+        side /= np.linalg.norm(side)
+        frame = np.stack([side, np.cross(towards, side)], axis=1)
+        flat = _dot(scene, frame[:, 0], frame[:, 1])
+        low = flat.min(axis=0) - 2 * cell
+        grid = tuple((np.ceil((flat.max(axis=0) - low) / cell) + 3).astype(int))
+        depth = np.full(grid[0] * grid[1], -np.inf)
+        np.maximum.at(depth, _cells(flat, low, cell, grid), _dot(scene, towards)[:, 0])
+        cosine = np.clip(_dot(normals, towards)[:, 0], 0, None)
+        lifted = points + normals * 1.0e-3
+        cells = _cells(_dot(lifted, frame[:, 0], frame[:, 1]), low, cell, grid)
+        seen += cosine * (_dot(lifted, towards)[:, 0] > depth[cells] - 1.6e-3)
+        weight += cosine
+    return seen / weight
+
+
+def _cells(flat: np.ndarray, low: np.ndarray, cell: float, grid: tuple[int, int]) -> np.ndarray:
+    """Flat indices of the grid's cells that points (n, 2) are in; points outside are in the nearest one."""
+    index = np.clip(((flat - low) / cell).astype(int), 0, np.array(grid) - 1)
+    return np.ravel_multi_index(index.T, grid)
+
+
+def _dot(points: np.ndarray, *directions: np.ndarray) -> np.ndarray:
+    """Dot products, one column per direction; summed by hand because the last bits of BLAS depend on the processor."""
+    return np.stack([points[:, 0] * d[0] + points[:, 1] * d[1] + points[:, 2] * d[2] for d in directions], axis=1)

@@ -1,0 +1,200 @@
+"""Head and neck of the base figure: blended, cut out, subdivided once, with all targets."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+
+from ..layout import skin_layout
+from ..part import Part, triangulate
+from ..source import ARKIT, Mesh, Wheel
+from ..subdivide import catmull_clark, vertex_normals
+
+COLLAR = 0.61  # metres above the source's origin; islands entirely above it belong to the head
+NECK_RINGS = 5  # rings of quads below the head's island that are skin
+SHIRT_RINGS = 9  # all rings below the head's island: those that are not skin are the shirt
+SOCKET_RINGS = 6  # rings of fine quads of the eye sockets that are kept
+NAPE = 0.02  # metres; neck vertices on the midline behind it are on the seam
+
+
+@dataclass
+class Head:
+    """The subdivided head. `region` names the source island of every quad: skin, mouth, socket-left, socket-right."""
+
+    base: np.ndarray  # whole base figure, blended, before subdivision
+    units: dict[str, np.ndarray]  # ARKit name -> displacement of the whole base figure
+    used: np.ndarray  # base vertices that belong to the head
+    positions: np.ndarray
+    normals: np.ndarray
+    fine_quads: np.ndarray
+    region: np.ndarray  # of every fine quad
+    matrix: object  # sparse, fine vertices x used vertices
+    uv: np.ndarray  # of the fine texture coordinates of the skin
+    uv_quads: np.ndarray  # fine quads of the skin into uv
+    neck: np.ndarray  # of every quad of the skin before subdivision: whether it is neck
+    moves: dict[str, tuple[np.ndarray, np.ndarray]]  # ARKit name -> fine displacement, change of normal
+
+
+def islands(mesh: Mesh, faces: np.ndarray) -> np.ndarray:
+    """(f,) the number of each quad's island in the source's texture layout; `faces` are indices of quads."""
+    quads, count = mesh.uv_quads[faces], len(mesh.uv)
+    a, b = quads.ravel(), np.roll(quads, -1, axis=1).ravel()
+    return connected_components(coo_matrix((np.ones(len(a)), (a, b)), (count, count)), directed=False)[1][quads[:, 0]]
+
+
+def regions(mesh: Mesh, neck_rings=NECK_RINGS) -> tuple[np.ndarray, np.ndarray]:
+    """(f,) each quad's part: skin, mouth, socket-left, socket-right, shirt or ""; (f,) the source's head island."""
+    body = np.flatnonzero(mesh.groups == "body")
+    island = islands(mesh, body)
+    name = np.full(len(mesh.quads), "", dtype="U16")
+    above = []
+    for i in np.unique(island):
+        faces = body[island == i]
+        points = mesh.positions[mesh.quads[faces]].reshape(-1, 3)
+        if points[:, 1].min() < COLLAR:
+            continue
+        above.append(faces)
+        if points[:, 0].min() > 0:
+            name[faces] = "socket-left"
+        elif points[:, 0].max() < 0:
+            name[faces] = "socket-right"
+        else:
+            name[faces] = "mouth"
+    name[max(above, key=len)] = "skin"
+    head_island = name == "skin"
+    # The source's head island ends under the jaw; neck and shoulders are rings of quads grown from there.
+    for ring in range(SHIRT_RINGS):
+        reached = np.isin(mesh.quads[body], np.unique(mesh.quads[(name == "skin") | (name == "shirt")])).any(axis=1)
+        name[body[reached & (name[body] == "")]] = "skin" if ring < neck_rings else "shirt"
+    return name, head_island
+
+
+def cut_at_the_back(
+    mesh: Mesh, quads: np.ndarray, uv_quads: np.ndarray, island: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Splits the vertices on the seam down the back of the head, and continues the seam down the nape.
+
+    Returns the quads over the cut vertices, and the figure's vertex of each. `island` (f,) marks the quads of the
+    source's head island, whose texture coordinates give its seam.
+    """
+    pairs = np.unique(np.stack([quads[island].ravel(), uv_quads[island].ravel()], 1), axis=0)
+    vertex, copies = np.unique(pairs[:, 0], return_counts=True)
+    neck = np.unique(quads[~island])
+    x, z = mesh.positions[neck, 0], mesh.positions[neck, 2]
+    seam = np.union1d(vertex[copies > 1], neck[(np.abs(x) < 1e-6) & (z < NAPE)])
+    left = mesh.positions[quads].mean(axis=1)[:, 0] > 0
+    side = np.where(np.isin(quads, seam), np.where(left, 1, -1)[:, None], 0)
+    keys, index = np.unique(np.stack([quads.ravel(), side.ravel()], 1), axis=0, return_inverse=True)
+    return index.reshape(-1, 4), keys[:, 0]
+
+
+def build_head(wheel: Wheel, mesh: Mesh, shapes: dict[str, float], rest: dict[str, float]) -> Head:
+    """`shapes` are amounts of targets of identity, `rest` of the expressions that are part of the resting face."""
+    base = mesh.positions.copy()
+    for target, amount in shapes.items():
+        base += amount * wheel.shape(target)
+    units = {name: wheel.face_unit(name) for name in ARKIT}
+    for name, amount in rest.items():
+        base += amount * units[name]
+
+    region, island = regions(mesh)
+    chosen = np.flatnonzero((region != "") & (region != "shirt"))
+    used, quads = np.unique(mesh.quads[chosen], return_inverse=True)
+    quads = quads.reshape(-1, 4)
+    matrix, fine_quads = catmull_clark(quads, len(used))
+    positions = _settled(matrix @ base[used])
+    normals = vertex_normals(positions, fine_quads)
+
+    moves = {}
+    for name, unit in units.items():
+        shift = _settled(matrix @ unit[used])
+        if np.abs(shift).max() > 0:
+            moves[name] = (shift, vertex_normals(positions + shift, fine_quads) - normals)
+
+    on_skin = region == "skin"
+    cut, vertex = cut_at_the_back(mesh, mesh.quads[on_skin], mesh.uv_quads[on_skin], island[on_skin])
+    uv_matrix, uv_fine = catmull_clark(cut, len(vertex))
+    source = np.full((len(vertex), 2), np.nan)
+    source[cut[island[on_skin]]] = mesh.uv[mesh.uv_quads[on_skin & island]]
+    uv = _settled(uv_matrix @ skin_layout(source, cut, mesh.positions[vertex]))
+
+    fine_region = np.repeat(region[chosen], 4)
+    return Head(
+        base, units, used, positions, normals, fine_quads, fine_region, matrix, uv, uv_fine, ~island[on_skin], moves
+    )
+
+
+def _settled(values: np.ndarray) -> np.ndarray:
+    """Rounded far below what shows (a tenth of a micron), so that processors' last bits end here."""
+    return np.round(values, 7)
+
+
+def skin_part(head: Head, dense_neck=False) -> tuple[Part, np.ndarray]:
+    """The skin, split only where the texture layout has its seam, and which fine vertex each of its vertices is.
+
+    The neck keeps the subdivided surface but its density only if wanted: vertices are dear where nothing moves much.
+    """
+    quads = head.fine_quads[head.region == "skin"]
+    pairs, index = np.unique(np.stack([quads.ravel(), head.uv_quads.ravel()], 1), axis=0, return_inverse=True)
+    index = index.reshape(-1, 4, 4)
+    positions = head.positions[pairs[:, 0]]
+    if dense_neck:
+        triangles = triangulate(index.reshape(-1, 4), positions)
+    else:
+        fine = index[~head.neck].reshape(-1, 4)
+        triangles = np.concatenate([triangulate(fine, positions), thin_out(index[head.neck], fine)])
+    kept, triangles = np.unique(triangles, return_inverse=True)
+    vertices = pairs[kept, 0]
+    part = _part(head, "skin", "skin", vertices, head.uv[pairs[kept, 1]], triangles.reshape(-1, 3))
+    part.complete = True
+    return part, vertices
+
+
+def thin_out(neck: np.ndarray, beside: np.ndarray) -> np.ndarray:
+    """Triangles over the corners of the neck's old quads, and over edge points only where the fine skin has them too.
+
+    `neck` is old quads x 4 fine quads x 4 vertices, in the order of `catmull_clark`: corner, edge point, face point,
+    edge point. A quad beside fine skin becomes a fan around its first edge point, which leaves no gap.
+    """
+    meeting = np.isin(neck[:, :, 1], beside)
+    triangles = []
+    for corners, edges, meets in zip(neck[:, :, 0], neck[:, :, 1], meeting, strict=True):
+        rim = [
+            v
+            for corner, edge, met in zip(corners, edges, meets, strict=True)
+            for v in ((corner, edge) if met else (corner,))
+        ]
+        first = rim.index(edges[meets.argmax()]) if meets.any() else 0
+        fan = rim[first:] + rim[:first]
+        triangles += [(fan[0], fan[i], fan[i + 1]) for i in range(1, len(fan) - 1)]
+    return np.array(triangles)
+
+
+def mouth_lining(head: Head) -> Part:
+    return _lining(head, np.flatnonzero(head.region == "mouth"), "mouth")
+
+
+def socket_lining(head: Head) -> Part:
+    """The inner rim of the lids; the rest of the sockets is hidden behind the eyeballs."""
+    skin = np.unique(head.fine_quads[head.region == "skin"])
+    quads = np.flatnonzero(np.char.startswith(head.region, "socket"))
+    near = skin
+    for _ in range(SOCKET_RINGS):
+        near = np.unique(head.fine_quads[quads[np.isin(head.fine_quads[quads], near).any(axis=1)]])
+    return _lining(head, quads[np.isin(head.fine_quads[quads], near).all(axis=1)], "sockets")
+
+
+def _lining(head: Head, chosen: np.ndarray, name: str) -> Part:
+    """Linings have no uv, and being dark, no changes of normals."""
+    used, index = np.unique(head.fine_quads[chosen], return_inverse=True)
+    triangles = triangulate(index.reshape(-1, 4), head.positions[used])
+    part = _part(head, name, "mouth", used, None, triangles)
+    part.targets = {name: (shift, None) for name, (shift, _) in part.targets.items()}
+    return part
+
+
+def _part(head, name, material, vertices, uv, triangles) -> Part:
+    positions = head.positions[vertices]
+    targets = {k: (shift[vertices], turn[vertices]) for k, (shift, turn) in head.moves.items()}
+    return Part(name, material, positions, head.normals[vertices], uv, triangles, targets=targets)

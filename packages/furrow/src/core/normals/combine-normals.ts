@@ -1,0 +1,60 @@
+import { FurrowError } from '../error.ts'
+import type { RgbaImage } from '../types.ts'
+import { toByte } from './normal-byte.ts'
+
+/**
+ * Lays one tangent-space normal map over another by reoriented normal mapping (C. Barre-Brisebois, S. Hill, "Blending in Detail",
+ * 2012): `detail` is rotated as (0, 0, 1) is to the normal of `base`, so both keep their full strength. Texels where one of the two is
+ * flat are the other's bytes unchanged: away from wrinkles the result is the base, bit for bit.
+ *
+ * @param base linear, +Y towards smaller v; not modified.
+ * @param detail the same, of the same size.
+ * @returns a new image with alpha 255.
+ * @throws FurrowError when the sizes differ.
+ */
+export function combineNormals(base: RgbaImage, detail: RgbaImage): RgbaImage {
+  const { width, height } = base
+  if (detail.width !== width || detail.height !== height) {
+    throw new FurrowError({
+      who: 'combineNormals',
+      what: 'the two normal maps differ in size',
+      value: `${detail.width} x ${detail.height}`,
+      limit: `${width} x ${height}, the base's`,
+      remedy: 'render the detail at the size of the base, or scale the base',
+    })
+  }
+  const data = new Uint8Array(base.data.length)
+  for (let i = 0; i < data.length; i += 4) {
+    if (isFlat(detail.data, i)) copy(base.data, i, data)
+    else if (isFlat(base.data, i)) copy(detail.data, i, data)
+    else blend(base.data, detail.data, i, data)
+    data[i + 3] = 255
+  }
+  return { width, height, data }
+}
+
+function isFlat(data: Uint8Array, i: number): boolean {
+  return data[i] === 128 && data[i + 1] === 128 && data[i + 2] === 255
+}
+
+function copy(from: Uint8Array, i: number, to: Uint8Array): void {
+  to[i] = from[i]
+  to[i + 1] = from[i + 1]
+  to[i + 2] = from[i + 2]
+}
+
+function blend(base: Uint8Array, detail: Uint8Array, i: number, out: Uint8Array): void {
+  const tx = base[i] / 127.5 - 1
+  const ty = base[i + 1] / 127.5 - 1
+  const tz = base[i + 2] / 127.5
+  // 128 encodes 0 but decodes to half a step above it. The base keeps that half step; the detail must not add another.
+  const ux = -(detail[i] - 128) / 127.5
+  const uy = -(detail[i + 1] - 128) / 127.5
+  const uz = detail[i + 2] / 127.5 - 1
+  const scale = (tx * ux + ty * uy + tz * uz) / Math.max(tz, 1e-6)
+  const [x, y, z] = [tx * scale - ux, ty * scale - uy, tz * scale - uz]
+  const length = Math.hypot(x, y, z)
+  out[i] = toByte(length === 0 ? 0 : x / length)
+  out[i + 1] = toByte(length === 0 ? 0 : y / length)
+  out[i + 2] = toByte(length === 0 ? 1 : z / length)
+}

@@ -1,0 +1,34 @@
+import { isWebGL } from '../../../stage/light.ts'
+import type { Renderer, RendererKind } from '../../../stage/stage.ts'
+
+/** Error text that says why a renderer is not available here; null if it is. */
+export async function unavailableReason(kind: RendererKind): Promise<string | null> {
+  if (kind === 'webgl') return null
+  if (!navigator.gpu) {
+    const context = window.isSecureContext ? '' : ' on a page that is not served over https or from localhost'
+    return `Studio: WebGPU is missing in this browser${context}; the face stays on WebGL 2`
+  }
+  if (await navigator.gpu.requestAdapter()) return null
+  return 'Studio: this browser supports WebGPU but finds no graphics adapter for it; the face stays on WebGL 2'
+}
+
+/** The graphics adapter that a renderer runs on, by the name that its driver gives it. */
+export function adapterName(renderer: Renderer): string {
+  const gl = isWebGL(renderer) ? renderer.getContext() : backendOf(renderer)?.gl
+  if (gl) {
+    const debugInfo = gl.getExtension('WEBGL_debug_renderer_info')
+    return String(gl.getParameter(debugInfo ? debugInfo.UNMASKED_RENDERER_WEBGL : gl.RENDERER))
+  }
+  const info = deviceOf(renderer)?.adapterInfo
+  const words = [info?.description || info?.device, info?.vendor, info?.architecture]
+  return [...new Set(words.filter(Boolean))].join(', ') || 'unnamed adapter'
+}
+
+/** The device of a renderer on WebGPU, undefined for others. A lost device never comes back. */
+export function deviceOf(renderer: Renderer): GPUDevice | undefined {
+  return backendOf(renderer)?.device
+}
+
+function backendOf(renderer: Renderer) {
+  return (renderer as { backend?: { gl?: WebGL2RenderingContext; device?: GPUDevice } }).backend
+}

@@ -1,0 +1,60 @@
+import { canonicalTargetName } from 'furrow'
+import type { Mesh, Object3D } from 'three'
+import type { Wrinkles } from '../../../stage/stage.ts'
+
+/** A number in 0..1 that a slider shows and sets. */
+export interface Dial {
+  readonly name: string
+  read(): number
+  write(value: number): void
+}
+
+export interface DialGroup {
+  readonly name: string
+  readonly dials: Dial[]
+}
+
+/** Groups of blendshapes by the prefixes of their names, in the order in which they are shown. The last takes the rest. */
+const GROUPS: readonly [name: string, prefix: RegExp][] = [
+  ['Brows', /^brow/i],
+  ['Eyes', /^eye/i],
+  ['Cheeks & nose', /^(cheek|nose)/i],
+  ['Mouth', /^mouth/i],
+  ['Jaw', /^jaw/i],
+  ['Tongue', /^tongue/i],
+  ['Other', /^/],
+]
+
+export function areaDials(wrinkles: Wrinkles): Dial[] {
+  return wrinkles.areaNames.map((name) => ({
+    name,
+    read: () => wrinkles.getActivation(name),
+    write: (value) => wrinkles.setActivation(name, value),
+  }))
+}
+
+/** One dial per blendshape for all meshes that have it: skin, eyes, teeth and tongue move together. */
+export function targetDials(root: Object3D): Dial[] {
+  const bindings = new Map<string, { weights: number[]; index: number }[]>()
+  root.traverse((object) => {
+    const { morphTargetDictionary, morphTargetInfluences: weights } = object as Mesh
+    if (!morphTargetDictionary || !weights) return
+    for (const [spelling, index] of Object.entries(morphTargetDictionary)) {
+      const name = canonicalTargetName(spelling)
+      bindings.set(name, [...(bindings.get(name) ?? []), { weights, index }])
+    }
+  })
+  return [...bindings].map(([name, targets]) => ({
+    name,
+    read: () => targets[0].weights[targets[0].index],
+    write: (value) => {
+      for (const { weights, index } of targets) weights[index] = value
+    },
+  }))
+}
+
+export function groupDials(dials: readonly Dial[]): DialGroup[] {
+  const groups = GROUPS.map(([name]) => ({ name, dials: [] as Dial[] }))
+  for (const dial of dials) groups[GROUPS.findIndex(([, prefix]) => prefix.test(dial.name))].dials.push(dial)
+  return groups.filter((group) => group.dials.length > 0)
+}

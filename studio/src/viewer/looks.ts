@@ -1,0 +1,192 @@
+import type { WrinkleMode } from 'furrow/three'
+import {
+  Color,
+  type Material,
+  type Mesh,
+  MeshBasicMaterial,
+  MeshNormalMaterial,
+  type MeshStandardMaterial,
+  Mesh as ThreeMesh,
+} from 'three'
+import type { Face } from '../../../stage/face.ts'
+import type { Wrinkles } from '../../../stage/stage.ts'
+
+/** What the side with wrinkles shows: the lit face, or a technical view of it. */
+export type LookName = 'shaded' | 'normals' | 'influence' | 'wireframe'
+
+/** @property area shows only the influence of this area or these areas, as if fully active. */
+export type Look =
+  | { name: Exclude<LookName, 'influence'> }
+  | { name: 'influence'; area?: string | readonly string[] }
+
+export type Side = 'without' | 'with'
+
+/** Background of an unlit look. */
+const TECHNICAL_BACKGROUND = new Color(0x131518)
+const WIRE_COLOUR = 0xe6b48c
+const SURFACE_COLOUR = 0x202328
+const OTHER_MESHES_COLOUR = 0x1b1e22
+
+/** How one side is drawn. */
+interface SideLook {
+  /** Material of each mesh; null hides it. */
+  materials: Map<Mesh, Material | null>
+  /** Whether the materials are lit, and so tone-mapped. */
+  lit: boolean
+  wireframe: boolean
+}
+
+/**
+ * Draws the face differently on each side of the divider by swapping materials between the two draws of a frame.
+ * Nothing is compiled or uploaded while the divider moves.
+ */
+export class Looks {
+  readonly #face: Face
+  readonly #wrinkles: Wrinkles
+  readonly #createMirror: (mesh: Mesh) => Wrinkles
+  readonly #originals: ReadonlyMap<Mesh, Material>
+  /** The skin's material without wrinkles. */
+  readonly #plain: Material
+  readonly #wireframeMesh: Mesh
+  #sides: Record<Side, SideLook>
+  #materials: Material[] = []
+  #mirror: Wrinkles | null = null
+
+  /**
+   * @param plain clone of the skin's material from before wrinkles were added; disposed with this.
+   * @param createMirror makes the same wrinkles for another mesh, on the same renderer.
+   */
+  constructor(face: Face, wrinkles: Wrinkles, plain: Material, createMirror: (mesh: Mesh) => Wrinkles) {
+    this.#face = face
+    this.#wrinkles = wrinkles
+    this.#plain = plain
+    this.#createMirror = createMirror
+    const originals = new Map<Mesh, Material>()
+    face.root.traverse((object) => {
+      if ((object as Mesh).isMesh) originals.set(object as Mesh, (object as Mesh).material as Material)
+    })
+    this.#originals = originals
+    this.#wireframeMesh = createWireframe(face.skin)
+    this.#sides = { without: this.#shaded(plain), with: this.#shaded(originals.get(face.skin)!) }
+  }
+
+  /** @throws FurrowError if the look names an unknown area; the look then does not change. */
+  choose(look: Look): void {
+    const influence = look.name === 'influence' ? this.#wrinkles.createInfluenceMaterial(look.area) : null
+    this.#discard()
+    const without = this.#shaded(this.#plain)
+    if (look.name === 'normals') this.#sides = this.#normals()
+    else if (influence) this.#sides = { without, with: this.#technical(influence) }
+    else if (look.name === 'wireframe') this.#sides = { without, with: this.#wireframe() }
+    else this.#sides = { without, with: this.#shaded(this.#originals.get(this.#face.skin)!) }
+  }
+
+  /** Whether a side is lit; an unlit side has the technical background. */
+  lit(side: Side): boolean {
+    return this.#sides[side].lit
+  }
+
+  get technicalBackground(): Color {
+    return TECHNICAL_BACKGROUND
+  }
+
+  /** Sets the materials of a side, before it is drawn. */
+  apply(side: Side): void {
+    const { materials, wireframe } = this.#sides[side]
+    for (const [mesh, material] of materials) {
+      mesh.visible = material !== null
+      if (material) mesh.material = material
+    }
+    this.#wireframeMesh.visible = wireframe
+    this.#copyActivations()
+  }
+
+  /** Restores every mesh's material. */
+  dispose(): void {
+    this.#discard()
+    for (const [mesh, material] of this.#originals) {
+      mesh.material = material
+      mesh.visible = true
+    }
+    this.#wireframeMesh.removeFromParent()
+    ;(this.#wireframeMesh.material as Material).dispose()
+    this.#plain.dispose()
+  }
+
+  #shaded(skin: Material): SideLook {
+    const materials = new Map<Mesh, Material | null>(this.#originals)
+    materials.set(this.#face.skin, skin)
+    return { materials, lit: true, wireframe: false }
+  }
+
+  /** Normals as lighting uses them, wrinkles included: a second `Wrinkles` patches this material as the first does the skin's. */
+  #normals(): Record<Side, SideLook> {
+    const { skin } = this.#face
+    const { normalMap, normalScale, side } = this.#plain as MeshStandardMaterial
+    const createMaterial = () => this.#keep(new MeshNormalMaterial({ normalMap, normalScale, side }))
+    const flat = this.#keep(new MeshNormalMaterial())
+    const standIn = new ThreeMesh(skin.geometry, createMaterial())
+    this.#mirror = this.#createMirror(standIn)
+    this.#mirror.addMesh(skin)
+    this.#mirror.mode = this.#wrinkles.mode === 'off' ? 'off' : 'default'
+    return { without: this.#technical(createMaterial(), flat), with: this.#technical(standIn.material, flat) }
+  }
+
+  #wireframe(): SideLook {
+    // The surface is pushed back from its wireframe: WebGPU has no depth bias for lines.
+    const surface = new MeshBasicMaterial({ color: SURFACE_COLOUR, polygonOffset: true, toneMapped: false })
+    surface.polygonOffsetFactor = 1
+    surface.polygonOffsetUnits = 1
+    return { ...this.#technical(this.#keep(surface)), wireframe: true }
+  }
+
+  /** The skin in one material and the rest in another; alpha-cut meshes such as lashes are hidden. */
+  #technical(skin: Material, others?: Material): SideLook {
+    if (!this.#materials.includes(skin)) this.#keep(skin)
+    const rest =
+      others ?? this.#keep(new MeshBasicMaterial({ color: OTHER_MESHES_COLOUR, toneMapped: false }))
+    const materials = new Map<Mesh, Material | null>()
+    for (const [mesh, original] of this.#originals) {
+      const cutOut = original.transparent || original.alphaTest > 0 || original.alphaHash
+      materials.set(mesh, mesh === this.#face.skin ? skin : cutOut ? null : rest)
+    }
+    return { materials, lit: false, wireframe: false }
+  }
+
+  #copyActivations(): void {
+    if (!this.#mirror) return
+    for (const name of this.#mirror.areaNames) {
+      if (this.#wrinkles.hasArea(name)) this.#mirror.setActivation(name, this.#wrinkles.getActivation(name))
+    }
+  }
+
+  #keep<T extends Material>(material: T): T {
+    this.#materials.push(material)
+    return material
+  }
+
+  #discard(): void {
+    this.#mirror?.dispose()
+    this.#mirror = null
+    for (const material of this.#materials) material.dispose()
+    this.#materials = []
+  }
+}
+
+/** A wireframe copy of the skin that shares its morph weights; hidden at first. */
+function createWireframe(skin: Mesh): Mesh {
+  const wireframe = skin.clone(false)
+  wireframe.name = 'wireframe'
+  wireframe.material = new MeshBasicMaterial({ color: WIRE_COLOUR, wireframe: true, toneMapped: false })
+  wireframe.morphTargetInfluences = skin.morphTargetInfluences
+  wireframe.visible = false
+  skin.parent?.add(wireframe)
+  return wireframe
+}
+
+/** Label of the side with wrinkles, beside the divider. */
+export function lookLabel(look: Look, mode: WrinkleMode): string {
+  if (look.name === 'influence') return look.area === undefined ? 'Influence' : [look.area].flat().join(', ')
+  if (look.name === 'wireframe') return 'Wireframe'
+  return mode === 'off' ? 'Wrinkles off' : 'With wrinkles'
+}

@@ -1,0 +1,148 @@
+import { Spherical, Vector3 } from 'three'
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
+import type { Stage } from '../../../stage/stage.ts'
+import type { ViewName } from '../../../stage/views.ts'
+
+/** Seconds of the transition from one view to another. */
+const TRANSITION_TIME = 0.45
+/** Radians per key press. */
+const ROTATION_STEP = Math.PI / 36
+/** Factor per key press. */
+const ZOOM_STEP = 1.08
+
+/** A camera's position and the point it looks at. */
+export interface Pose {
+  position: Vector3
+  target: Vector3
+}
+
+/** Orbits the camera by pointer, touch and keys, and moves it smoothly to the fixed views. */
+export class Orbit {
+  readonly #stage: Stage
+  readonly #element: HTMLElement
+  readonly #controls: OrbitControls
+  #transition: { from: Pose; to: Pose; elapsed: number } | null = null
+  readonly #reducedMotion: boolean
+  #atRest = true
+  #nearest = Infinity
+  #farthest = 0
+  #view: ViewName | null = null
+
+  /** @param reducedMotion moves at once, without transitions and damping. */
+  constructor(stage: Stage, element: HTMLElement, reducedMotion: boolean, onChange: () => void) {
+    this.#stage = stage
+    this.#element = element
+    this.#reducedMotion = reducedMotion
+    this.#controls = new OrbitControls(stage.camera, element)
+    this.#controls.enableDamping = !reducedMotion
+    this.#controls.dampingFactor = 0.12
+    this.#controls.addEventListener('start', () => {
+      this.#leaveView()
+    })
+    this.#controls.addEventListener('change', onChange)
+    element.tabIndex = 0
+    element.addEventListener('keydown', this.#onKey)
+  }
+
+  get pose(): Pose {
+    return { position: this.#stage.camera.position.clone(), target: this.#controls.target.clone() }
+  }
+
+  set pose({ position, target }: Pose) {
+    this.#stage.camera.position.copy(position)
+    this.#controls.target.copy(target)
+    this.#controls.update()
+  }
+
+  /** Whether the camera is still moving. */
+  get moving(): boolean {
+    return this.#transition !== null || !this.#atRest
+  }
+
+  /** The fixed view that it shows or moves to, null once orbited by hand. */
+  get view(): ViewName | null {
+    return this.#view
+  }
+
+  /** @param immediate skips the transition, so that the next frame shows the view. */
+  goTo(name: ViewName, immediate = false): void {
+    const from = this.pose
+    const { camera } = this.#stage
+    const target = this.#stage.view(name)
+    const to = { position: camera.position.clone(), target }
+    this.#extendRange(to.position.distanceTo(target))
+    this.#transition = immediate || this.#reducedMotion ? null : { from, to, elapsed: 0 }
+    this.pose = this.#transition ? from : to
+    this.#view = name
+  }
+
+  /** Takes over the pose and view of another camera. */
+  restore(pose: Pose, view: ViewName | null): void {
+    this.goTo(view ?? 'front', true)
+    this.pose = pose
+    this.#view = view
+  }
+
+  /** @param delta seconds since the last frame. */
+  advance(delta: number): void {
+    if (this.#transition) {
+      this.#transition.elapsed += delta
+      const t = Math.min(this.#transition.elapsed / TRANSITION_TIME, 1)
+      this.pose = interpolatePose(this.#transition.from, this.#transition.to, t * t * (3 - 2 * t))
+      if (t === 1) this.#transition = null
+    }
+    this.#atRest = !this.#controls.update()
+  }
+
+  dispose(): void {
+    this.#element.removeEventListener('keydown', this.#onKey)
+    this.#controls.dispose()
+  }
+
+  /** Extends the zoom and depth ranges, so that they suit every view visited so far. */
+  #extendRange(distance: number): void {
+    const { camera } = this.#stage
+    this.#nearest = Math.min(this.#nearest, distance * 0.25)
+    this.#farthest = Math.max(this.#farthest, distance * 2.5)
+    this.#controls.minDistance = this.#nearest
+    this.#controls.maxDistance = this.#farthest
+    camera.near = this.#nearest / 10
+    camera.far = this.#farthest * 2
+    camera.updateProjectionMatrix()
+  }
+
+  #leaveView(): void {
+    this.#transition = null
+    this.#view = null
+  }
+
+  readonly #onKey = (event: KeyboardEvent): void => {
+    const actions: Record<string, () => void> = {
+      ArrowLeft: () => this.#controls.rotateLeft(ROTATION_STEP),
+      ArrowRight: () => this.#controls.rotateLeft(-ROTATION_STEP),
+      ArrowUp: () => this.#controls.rotateUp(ROTATION_STEP),
+      ArrowDown: () => this.#controls.rotateUp(-ROTATION_STEP),
+      '+': () => this.#controls.dollyIn(1 / ZOOM_STEP),
+      '=': () => this.#controls.dollyIn(1 / ZOOM_STEP),
+      '-': () => this.#controls.dollyIn(ZOOM_STEP),
+    }
+    const action = actions[event.key]
+    if (!action || event.altKey || event.ctrlKey || event.metaKey) return
+    event.preventDefault()
+    this.#leaveView()
+    action()
+  }
+}
+
+/** Interpolates in spherical coordinates: the camera moves around the face, not through it. */
+function interpolatePose(from: Pose, to: Pose, t: number): Pose {
+  const target = from.target.clone().lerp(to.target, t)
+  const [a, b] = [from, to].map((pose) =>
+    new Spherical().setFromVector3(pose.position.clone().sub(pose.target)),
+  )
+  const rotation = Math.atan2(Math.sin(b.theta - a.theta), Math.cos(b.theta - a.theta))
+  const offset = new Vector3().setFromSpherical(
+    new Spherical(a.radius + (b.radius - a.radius) * t, a.phi + (b.phi - a.phi) * t, a.theta + rotation * t),
+  )
+  return { target, position: target.clone().add(offset) }
+}

@@ -1,0 +1,266 @@
+import {
+  type Area,
+  canonicalTargetName,
+  DriverProgram,
+  type DriverState,
+  driversOf,
+  EXPRESSIONS,
+  type Expression,
+  explain,
+  planDrivers,
+  targetSource,
+} from 'furrow'
+import { ExpressionPlayer, Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
+import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
+import { type Color, type Material, type Mesh, NoToneMapping, type Texture } from 'three'
+import { isWebGL } from '../../../stage/light.ts'
+import { createStage, type RendererKind, type Stage, type Wrinkles } from '../../../stage/stage.ts'
+import { areaDials, type Dial, targetDials } from './dials.ts'
+import type { LoadedFace } from './faces.ts'
+import { type Look, Looks, type Side } from './looks.ts'
+
+/** One face on one renderer's canvas, drawn without wrinkles left of the divider and with them right of it. */
+export class Viewer {
+  readonly canvas: HTMLCanvasElement
+  readonly kind: RendererKind
+  readonly stage: Stage
+  readonly loaded: LoadedFace
+  readonly wrinkles: Wrinkles
+  readonly targets: readonly Dial[]
+  areas: readonly Dial[]
+  /** Fraction of the width that is drawn without wrinkles. */
+  split = 0.5
+
+  readonly #program: DriverProgram
+  readonly #state: DriverState
+  #player: ExpressionPlayer
+  #expressions: readonly Expression[]
+  #remaining = 0
+  #looks: Looks
+  #look: Look = { name: 'shaded' }
+  readonly #background: Color
+  readonly #toneMapping: Stage['renderer']['toneMapping']
+
+  /** @throws Error if the browser has no WebGL 2 or WebGPU, FurrowError if the wrinkles do not fit the face. */
+  static async create(canvas: HTMLCanvasElement, kind: RendererKind, loaded: LoadedFace): Promise<Viewer> {
+    const stage = await createStage(canvas, kind)
+    try {
+      return new Viewer(canvas, kind, stage, loaded)
+    } catch (error) {
+      stage.dispose()
+      throw error
+    }
+  }
+
+  private constructor(canvas: HTMLCanvasElement, kind: RendererKind, stage: Stage, loaded: LoadedFace) {
+    this.canvas = canvas
+    this.kind = kind
+    this.stage = stage
+    this.loaded = loaded
+    this.#background = (stage.scene.background as Color).clone()
+    this.#toneMapping = stage.renderer.toneMapping
+    const { face, drivers } = loaded
+    const plain = (face.skin.material as Material).clone()
+    stage.show(face)
+    const wrinkles = stage.addWrinkles(face, loaded)
+    this.wrinkles = wrinkles
+    // Drivers run here and not in the draw, so that the areas' sliders follow at once.
+    wrinkles.driven = false
+    const plan = planDrivers(driversOf('morph', drivers))
+    const targetNames = Object.keys(face.skin.morphTargetDictionary ?? {})
+    this.#program = new DriverProgram(plan, { target: targetSource(plan.inputs.target, targetNames) })
+    this.#state = this.#program.createState()
+    this.targets = targetDials(face.root).map((dial) => ({
+      ...dial,
+      write: (value) => {
+        const before = this.#drivenActivations().slice()
+        dial.write(value)
+        this.#applyDrivers(before)
+      },
+    }))
+    this.areas = areaDials(wrinkles)
+    this.#expressions = this.#completeExpressions()
+    this.#player = this.#makePlayer()
+    this.#looks = new Looks(face, wrinkles, plain, (mesh) => this.#createMirror(mesh))
+  }
+
+  get mode(): WrinkleMode {
+    return this.wrinkles.mode
+  }
+
+  /** @throws FurrowError if this face does not support the mode; the mode then does not change. */
+  set mode(mode: WrinkleMode) {
+    this.wrinkles.mode = mode
+    this.look = this.#look
+  }
+
+  get look(): Look {
+    return this.#look
+  }
+
+  set look(look: Look) {
+    this.#looks.choose(look)
+    this.#look = look
+  }
+
+  /** Names of the blendshapes that drive an area, as on their dials. */
+  driversOf(area: string): string[] {
+    return driversOf('morph', this.loaded.drivers)
+      .filter((driver) => driver.area === area)
+      .flatMap(({ targets }) => targets.map(({ name }) => canonicalTargetName(name)))
+  }
+
+  /** Existing areas that a blendshape drives. */
+  drivenBy(target: string): string[] {
+    const driven = driversOf('morph', this.loaded.drivers).filter(({ targets }) =>
+      targets.some(({ name }) => canonicalTargetName(name) === target),
+    )
+    return [...new Set(driven.map(({ area }) => area))].filter((name) => this.wrinkles.hasArea(name))
+  }
+
+  /** Lines of text: the current activation of an area by each of its drivers, and the part of each input in it. */
+  explain(area: string): string[] {
+    const { skin } = this.loaded.face
+    const situation = {
+      targetNames: Object.keys(skin.morphTargetDictionary ?? {}),
+      weights: skin.morphTargetInfluences ?? [],
+    }
+    const [explanation] = explain(this.loaded.drivers, [{ name: area }], situation)
+    if (explanation.parts.length === 0) return [`${area} has no driver: only its slider moves it`]
+    return explanation.parts.flatMap(({ activation, links }) => [
+      `${activation.toFixed(2)} of ${area} from`,
+      ...links.map(({ link, value }) => `${value.toFixed(2)} by ${link.name}`),
+    ])
+  }
+
+  /** Shows where areas are on the face, whatever their activations; of an empty list, restores the chosen look. */
+  highlight(areas: readonly string[]): void {
+    this.#looks.choose(areas.length > 0 ? { name: 'influence', area: areas } : this.#look)
+  }
+
+  /** Whether a transition to an expression is under way. */
+  get moving(): boolean {
+    return this.#remaining > 0
+  }
+
+  /** Starts a transition to an expression from the current state. */
+  play(name: string, seconds: number): void {
+    this.#player.play(name, seconds)
+    this.#remaining = seconds
+  }
+
+  /** @param delta seconds since the last frame; infinity ends the transition. */
+  advance(delta: number): void {
+    if (!this.moving) return
+    this.#player.update(delta)
+    this.#remaining = Math.max(0, this.#remaining - delta)
+  }
+
+  /** @throws FurrowError if the area cannot be added; nothing changes then. */
+  addArea(area: Area): void {
+    this.wrinkles.addArea(area)
+    this.loaded.set.areas.push(area)
+    this.#areasChanged()
+  }
+
+  /** @throws FurrowError if the area is the last one. */
+  removeArea(name: string): void {
+    this.wrinkles.removeArea(name)
+    this.loaded.set.areas = this.loaded.set.areas.filter((area) => area.name !== name)
+    const isShown = this.#look.name === 'influence' && this.#look.area === name
+    if (isShown) this.#look = { name: 'influence' }
+    this.#areasChanged()
+  }
+
+  draw(): void {
+    const { renderer } = this.stage
+    const { clientWidth: width, clientHeight: height } = this.canvas
+    const edge = Math.round(this.split * width)
+    if (edge === 0 || edge === width) {
+      renderer.setScissorTest(false)
+      this.#drawSide(edge === 0 ? 'with' : 'without')
+      return
+    }
+    renderer.setScissorTest(true)
+    renderer.setScissor(0, 0, edge, height)
+    this.#drawSide('without')
+    renderer.setScissor(edge, 0, width - edge, height)
+    this.#drawSide('with')
+  }
+
+  /** Frees everything on the GPU; the face, its blendshapes and its set remain usable by another viewer. */
+  dispose(): void {
+    this.#looks.dispose()
+    this.wrinkles.dispose()
+    this.stage.scene.remove(this.loaded.face.root)
+    releaseFromGPU(this.loaded)
+    const { renderer } = this.stage
+    this.stage.dispose()
+    if (isWebGL(renderer)) renderer.forceContextLoss()
+    this.canvas.remove()
+  }
+
+  #drawSide(side: Side): void {
+    const { renderer, scene } = this.stage
+    const lit = this.#looks.lit(side)
+    this.#looks.apply(side)
+    ;(scene.background as Color).copy(lit ? this.#background : this.#looks.technicalBackground)
+    // WebGPURenderer tone-maps the whole frame and ignores `toneMapped` of materials.
+    if (!isWebGL(renderer)) renderer.toneMapping = lit ? this.#toneMapping : NoToneMapping
+    this.stage.render()
+  }
+
+  /** Activations that the file's drivers compute from the current blendshape weights. */
+  #drivenActivations(): Float32Array {
+    this.#state.inputs.target.set(this.loaded.face.skin.morphTargetInfluences ?? [])
+    this.#program.evaluate(this.#state)
+    return this.#state.activations
+  }
+
+  /** After a blendshape was set by hand: sets the areas that it drives and leaves the others. */
+  #applyDrivers(before: Float32Array): void {
+    const after = this.#drivenActivations()
+    for (const [i, name] of this.#program.plan.areaNames.entries()) {
+      if (after[i] !== before[i] && this.wrinkles.hasArea(name)) this.wrinkles.setActivation(name, after[i])
+    }
+  }
+
+  #areasChanged(): void {
+    this.areas = areaDials(this.wrinkles)
+    this.#expressions = this.#completeExpressions()
+    this.#player = this.#makePlayer()
+    this.#remaining = 0
+    this.look = this.#look
+  }
+
+  #makePlayer(): ExpressionPlayer {
+    return new ExpressionPlayer(this.loaded.face.root, this.wrinkles, this.#expressions)
+  }
+
+  /** The presets; the first one names every blendshape and area of this face, so that each expression sets all sliders. */
+  #completeExpressions(): Expression[] {
+    const zeros = (dials: readonly Dial[]) => Object.fromEntries(dials.map(({ name }) => [name, 0]))
+    const targets = zeros(this.targets)
+    const activations = zeros(this.areas)
+    return [{ name: EXPRESSIONS[0].name, targets, activations }, ...EXPRESSIONS.slice(1)]
+  }
+
+  #createMirror(mesh: Mesh): Wrinkles {
+    const { wrinkles } = this
+    return isWebGL(this.stage.renderer)
+      ? new WebGLWrinkles(mesh, wrinkles)
+      : new WebGPUWrinkles(mesh, wrinkles)
+  }
+}
+
+function releaseFromGPU({ face }: LoadedFace): void {
+  face.root.traverse((object) => {
+    if (!(object as Mesh).isMesh) return
+    const { geometry, material } = object as Mesh
+    geometry.dispose()
+    for (const each of [material].flat()) {
+      for (const value of Object.values(each)) if ((value as Texture | null)?.isTexture) value.dispose()
+      each.dispose()
+    }
+  })
+}
