@@ -72,6 +72,12 @@ describe('furrow inspect of a face without wrinkles', () => {
     expect(JSON.parse(shop.printed)).toMatchObject({ wrinkles: false, auto: true, skin: { mesh: 'head' } })
   })
 
+  it('names a file so that the command can be pasted', async () => {
+    const path = shop.write('my fäce.glb', readFileSync(await avatar()))
+    await shop.run(inspectCommand, path)
+    expect(shop.printed).toContain(`furrow auto "${path}" -o wrinkled.glb`)
+  })
+
   it('says why auto cannot make any', async () => {
     const json = jsonOf(await faceBytes())
     for (const mesh of json.meshes) delete mesh.primitives[0].targets
@@ -86,6 +92,7 @@ describe('furrow inspect of a face without wrinkles', () => {
 
   it('draws its skin and UV layout as a sheet', async () => {
     await shop.run(inspectCommand, await avatar(), '--sheet', shop.path('sheet.png'))
+    expect(shop.printed).toMatch(/sheet\.png: the skin and its UV layout\n$/)
     const { width, height } = await sharp(readFileSync(shop.path('sheet.png'))).metadata()
     expect([width, height]).toEqual([542, 302])
   })
