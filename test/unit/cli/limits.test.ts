@@ -190,6 +190,11 @@ describe('numbers are checked before anything is decoded', () => {
         }),
       "meshes[0].primitives[0] has COLOR_0 in Draco's attributes alone",
     ],
+    [
+      'an extension that is required and not listed',
+      (json) => Object.assign(json, { extensionsRequired: ['EXT_meshopt_compression'] }),
+      'extensionsUsed do not list EXT_meshopt_compression',
+    ],
     ['a root that does not exist', (json) => json.scenes[0].nodes.push(99), 'scenes[0].nodes is 99'],
   ])('names %s', (_, change, message) => {
     expect(problem(change)).toContain(message)
