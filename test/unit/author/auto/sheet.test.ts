@@ -5,10 +5,7 @@ import { layFreeLines } from '../../../../packages/furrow/src/author/auto/lines/
 import { drawCreases } from '../../../../packages/furrow/src/author/auto/raster/draw-creases.ts'
 import { SkinTexels } from '../../../../packages/furrow/src/author/auto/raster/skin-texels.ts'
 import { smooth } from '../../../../packages/furrow/src/author/auto/strain/smooth.ts'
-import {
-  compressionTensors,
-  TENSOR_SIZE,
-} from '../../../../packages/furrow/src/author/auto/strain/tensors.ts'
+import { compressionTensors } from '../../../../packages/furrow/src/author/auto/strain/tensors.ts'
 import { COMPRESSION, SIDE, sheet } from './sheet.ts'
 
 const SIZE = 512
@@ -21,7 +18,7 @@ describe.each([
 ])('a sheet of %d squares a side, shortened at %d degrees, spacing %d mm', (n, degrees, spacing) => {
   const { surface, uvs, indices, offsets, cosine, sine } = sheet(n, degrees)
   const tensors = compressionTensors(surface, offsets)
-  smooth(surface, tensors, TENSOR_SIZE, 3)
+  smooth(surface, tensors, 3)
   const style = { width: spacing / 2, depth: 1, taper: [0, 0], shoulder: [0.9, 0.9], softness: 0.5 } as const
   const lines = layFreeLines(surface, tensors, { spacing, minCompression: 0.05, style })
 
