@@ -26,8 +26,8 @@ export interface WrinklesOptions {
 /** Options of `WrinkleLoaderPlugin`. */
 export interface WrinkleLoaderOptions extends WrinklesOptions {
   /**
-   * Makes wrinkles for files that have none, from their blendshapes, in a worker after loading; none by default. See
-   * [docs/auto-in-the-page.md](../auto-in-the-page.md).
+   * Makes wrinkles for files that have none, from their blendshapes, in a worker after loading; none by default
+   * (docs/auto-in-the-page.md).
    */
   auto?: AutoRunOptions
 }
