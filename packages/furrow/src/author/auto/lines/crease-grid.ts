@@ -2,8 +2,8 @@ import type { Crease } from './crease.ts'
 
 /** Side of a cell in millimetres. */
 const CELL = 4
-/** Cells along a side of a block. */
-const BLOCK = 4
+/** How many times as long the side of a cube is as that of the cubes one level below, of which the lowest are the cells. */
+const BRANCHING = 4
 /** From the centre of a cube to its corners, in halves of its side, with a margin for rounding. */
 const RADIUS = 1.0005 * Math.sqrt(3)
 /** Cells of the largest box that is searched; a larger one counts as near. */
@@ -30,9 +30,20 @@ export type CreaseVisitor = (
   side: number,
 ) => void
 
+/** Cubes of one size: the segments within reach of each, filled when they are first asked for. */
+interface Level {
+  /** Of a cube, in millimetres. */
+  side: number
+  /** Index of the first cube along each axis, and cubes along y and z. */
+  low: readonly number[]
+  rows: number
+  layers: number
+  cubes: Map<number, readonly number[]>
+}
+
 /**
  * Finds creases near positions on the skin, by a grid of cells that are filled when they are first asked for, since skin has few of those
- * that are within reach of a crease: each from the block of cells that it is in, each block from all segments.
+ * that are within reach of a crease: each from the cube of cells that it is in, that one from a larger one, the largest from all segments.
  */
 export class CreaseGrid {
   readonly #reaches: readonly number[]
@@ -40,9 +51,8 @@ export class CreaseGrid {
   /** Of each segment its crease, and the point it starts from. */
   readonly #creaseOf: Int32Array
   readonly #pointOf: Int32Array
-  /** Segments by cell and by block. */
-  readonly #cells = new Map<number, readonly number[]>()
-  readonly #blocks = new Map<number, readonly number[]>()
+  /** From the cells up. */
+  readonly #levels: readonly Level[]
   /** All segments. */
   readonly #all: readonly number[]
   /** The first and last cell within reach of any crease, along each axis. */
@@ -76,6 +86,7 @@ export class CreaseGrid {
       }
     }
     this.#all = Array.from({ length: total }, (_, i) => i)
+    this.#levels = this.#levelsOf()
   }
 
   /** Whether creases may be within reach of a box. */
@@ -177,27 +188,36 @@ export class CreaseGrid {
     // Not the other way round: NaN is nowhere.
     if (!(x >= low[0] && x <= high[0] && y >= low[1] && y <= high[1] && z >= low[2] && z <= high[2]))
       return NONE
-    const key = ((x - low[0]) * (high[1] - low[1] + 1) + (y - low[1])) * (high[2] - low[2] + 1) + (z - low[2])
-    let cell = this.#cells.get(key)
-    if (!cell) {
-      const block = this.#blockAt(Math.floor(x / BLOCK), Math.floor(y / BLOCK), Math.floor(z / BLOCK))
-      cell = block.length > 0 ? this.#within(block, x, y, z, CELL) : NONE
-      this.#cells.set(key, cell)
-    }
-    return cell
+    return this.#cubeAt(0, x, y, z)
   }
 
-  #blockAt(x: number, y: number, z: number): readonly number[] {
-    const [low, high] = [this.#low, this.#high]
-    const count = (k: number) => Math.floor(high[k] / BLOCK) - Math.floor(low[k] / BLOCK) + 1
-    const [i, j, n] = [x, y, z].map((index, k) => index - Math.floor(low[k] / BLOCK))
-    const key = (i * count(1) + j) * count(2) + n
-    let block = this.#blocks.get(key)
-    if (!block) {
-      block = this.#within(this.#all, x, y, z, BLOCK * CELL)
-      this.#blocks.set(key, block)
+  /** The segments whose creases may be within reach of a cube, given by its index along each axis. */
+  #cubeAt(level: number, x: number, y: number, z: number): readonly number[] {
+    if (level === this.#levels.length) return this.#all
+    const { side, low, rows, layers, cubes } = this.#levels[level]
+    const key = ((x - low[0]) * rows + (y - low[1])) * layers + (z - low[2])
+    let cube = cubes.get(key)
+    if (!cube) {
+      const [i, j, k] = [Math.floor(x / BRANCHING), Math.floor(y / BRANCHING), Math.floor(z / BRANCHING)]
+      const larger = this.#cubeAt(level + 1, i, j, k)
+      cube = larger.length > 0 ? this.#within(larger, x, y, z, side) : NONE
+      cubes.set(key, cube)
     }
-    return block
+    return cube
+  }
+
+  /** Up to the level whose cubes are nearly as large as all that is within reach of any crease. */
+  #levelsOf(): Level[] {
+    const levels: Level[] = []
+    const extent = Math.max(...this.#high.map((high, k) => high - this.#low[k]))
+    let cells = 1
+    do {
+      const [low, high] = [this.#low, this.#high].map((box) => box.map((cell) => Math.floor(cell / cells)))
+      const [, rows, layers] = high.map((last, k) => last - low[k] + 1)
+      levels.push({ side: cells * CELL, low, rows, layers, cubes: new Map() })
+      cells *= BRANCHING
+    } while (cells < extent)
+    return levels
   }
 
   /** Those of some segments whose creases may be within reach of a cube, given by its index along each axis and its side. */
