@@ -32,6 +32,9 @@ export function readTexture(texture: Texture, who: string): RgbaImage {
  */
 export function readImage(image: Drawable): RgbaImage {
   const { width, height } = image
+  // Outside of browsers, a decoder that stands in for the browser's has the pixels.
+  const pixels = 'data' in image && image.data instanceof Uint8Array && raw(image as RgbaImage)
+  if (pixels) return { width, height, data: pixels.data }
   const gl = reader()
   const texture = gl.createTexture()
   const framebuffer = gl.createFramebuffer()
