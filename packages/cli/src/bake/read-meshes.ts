@@ -94,6 +94,7 @@ export async function readLow(
   const partTangents = meshes.flatMap((part) => part.tangents ?? [])
   if (partTangents.length > 0) mesh.tangents = join(Float32Array, partTangents)
   checkFinite(mesh.positions, path)
+  checkFinite(mesh.normals, path)
   return { name: nameOf(node), mesh, tangents: source }
 }
 
