@@ -11,8 +11,8 @@ type Drawable = ImageBitmap | HTMLImageElement | HTMLCanvasElement | OffscreenCa
  * @throws FurrowError when its image cannot be read: it is compressed, a video, or not loaded yet.
  */
 export function readTexture(texture: Texture, who: string): RgbaImage {
-  const image = texture.image as (Partial<RgbaImage> & object) | undefined
-  const pixels = image && (image.data instanceof Uint8Array ? raw(image as RgbaImage) : drawn(image))
+  const image = texture.image as object | undefined
+  const pixels = image && (hasPixels(image) ? image : drawn(image))
   if (!pixels) {
     throw new FurrowError({
       code: 'unsupported',
@@ -33,8 +33,7 @@ export function readTexture(texture: Texture, who: string): RgbaImage {
 export function readImage(image: Drawable): RgbaImage {
   const { width, height } = image
   // Outside of browsers, a decoder that stands in for the browser's has the pixels.
-  const pixels = 'data' in image && image.data instanceof Uint8Array && raw(image as RgbaImage)
-  if (pixels) return { width, height, data: pixels.data }
+  if (hasPixels(image)) return image
   const gl = reader()
   const texture = gl.createTexture()
   const framebuffer = gl.createFramebuffer()
@@ -75,8 +74,10 @@ function reader(): WebGL2RenderingContext {
   })
 }
 
-function raw(image: RgbaImage): RgbaImage | undefined {
-  return image.data.length === image.width * image.height * 4 ? image : undefined
+/** Whether an image is its pixels, RGBA. */
+function hasPixels(image: object): image is RgbaImage {
+  const { data, width, height } = image as Partial<RgbaImage>
+  return data instanceof Uint8Array && data.length === width! * height! * 4
 }
 
 function drawn(image: object): RgbaImage | undefined {
