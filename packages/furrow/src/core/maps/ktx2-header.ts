@@ -1,9 +1,9 @@
 import { FurrowError } from '../error.ts'
 import { MAX_IMAGE_BYTES, MAX_IMAGE_SIDE, MAX_SLICES } from '../limits.ts'
+import { imageTypeOf } from './image-file.ts'
 import type { TextureShape } from './rules.ts'
 
 // Khronos, KTX File Format Specification 2.0, sections 3 and 5; offsets in bytes.
-const IDENTIFIER = [0xab, 0x4b, 0x54, 0x58, 0x20, 0x32, 0x30, 0xbb, 0x0d, 0x0a, 0x1a, 0x0a]
 const HEADER = {
   format: 12,
   width: 20,
@@ -57,8 +57,8 @@ export type Ktx2Fault = (what: string, value?: string) => never
  * @param fail throws where it is anything else, or cut off.
  */
 export function readKtx2Image(bytes: Uint8Array, fail: Ktx2Fault): Ktx2Image {
+  if (imageTypeOf(bytes) !== 'image/ktx2') fail('it is not KTX 2')
   const word = wordReader(bytes, fail)
-  if (IDENTIFIER.some((byte, i) => bytes[i] !== byte)) fail('it is not KTX 2')
   const [format, width, height, depth, slices, faces, count, scheme] = Object.values(HEADER).map(word)
   if (width === 0 || height === 0 || depth > 0 || faces !== 1) fail('it is a cube, 3D or 1D texture')
   const decodedBytes = 4 * width * height * Math.max(slices, 1)
