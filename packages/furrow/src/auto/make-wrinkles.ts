@@ -37,7 +37,7 @@ export async function makeCharacterWrinkles(
     const { isLit, frame } = mesh
     return { skin: skinOf(mesh), isLit, frame }
   })
-  const key = await keyOf({ version, options, candidates })
+  const key = await keyOf({ options, candidates })
   const known = await recall<CharacterWrinkles>(version, key)
   if (known) return made(known)
   const { index } = chooseSkin(candidates)!
