@@ -183,7 +183,7 @@ describe('numbers are checked before anything is decoded', () => {
       'bufferViews[0] is malformed',
     ],
     [
-      "a Draco attribute that is none of its primitive's",
+      'a Draco attribute that its primitive does not have',
       (json) =>
         Object.assign(json.meshes[0].primitives[0], {
           extensions: { KHR_draco_mesh_compression: { bufferView: 0, attributes: { COLOR_0: 0 } } },

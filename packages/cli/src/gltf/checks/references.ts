@@ -12,11 +12,11 @@ export function referenceProblem(json: CheckedJson): string | undefined {
   for (const [i, { source, extensions = {} }] of (json.textures ?? []).entries()) {
     if (source === undefined && Object.keys(extensions).length === 0) return `textures[${i}] has no image`
   }
-  return dracoProblem(json)
+  return dracoAttributeProblem(json)
 }
 
 /** Draco's attributes must be among those of their primitive (KHR_draco_mesh_compression). */
-function dracoProblem({ meshes = [] }: CheckedJson): string | undefined {
+function dracoAttributeProblem({ meshes = [] }: CheckedJson): string | undefined {
   for (const [m, { primitives }] of meshes.entries()) {
     for (const [p, { attributes = {}, extensions }] of primitives.entries()) {
       const packed = Object.keys(extensions?.KHR_draco_mesh_compression?.attributes ?? {})
