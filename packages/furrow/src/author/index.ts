@@ -22,7 +22,6 @@ export { type StrainMap, strainMaps } from './auto/strain-map.ts'
 export { MOST_TRIANGLES } from './auto/surface/check-skin.ts'
 export type { LandmarkPosition as Place, Landmarks } from './auto/surface/landmarks.ts'
 export { faceShapeFinder } from './auto/surface/stand-ins.ts'
-export { crossOf, type Skin, type SkinTarget } from './auto/surface/surface.ts'
 export {
   BAKE_DEFAULTS,
   type BakedMaps,
@@ -45,6 +44,7 @@ export {
   reliefToNormal,
 } from './relief/relief-to-normal.ts'
 export type { Edges } from './relief/slope.ts'
+export { crossOf, type Skin, type SkinTarget } from './skin/surface.ts'
 export type { GroupShape, PolygonShape } from './strokes/area-definitions.ts'
 export {
   type AreaDefinition,

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
-import { SkinTexels } from '../../../../packages/furrow/src/author/auto/raster/skin-texels.ts'
 import { checkCoverage } from '../../../../packages/furrow/src/author/auto/surface/check-coverage.ts'
-import { weldSurface } from '../../../../packages/furrow/src/author/auto/surface/surface.ts'
+import { SkinTexels } from '../../../../packages/furrow/src/author/skin/skin-texels.ts'
+import { weldSurface } from '../../../../packages/furrow/src/author/skin/surface.ts'
 import { sheet } from './sheet.ts'
 
 /** The list of triangles, several times over. */

@@ -3,12 +3,12 @@ import { creaseLines } from '../../../../packages/furrow/src/author/auto/lines/c
 import { creaseDepth } from '../../../../packages/furrow/src/author/auto/lines/crease-depth.ts'
 import { layFreeLines } from '../../../../packages/furrow/src/author/auto/lines/free-lines.ts'
 import { drawCreases } from '../../../../packages/furrow/src/author/auto/raster/draw-creases.ts'
-import { SkinTexels } from '../../../../packages/furrow/src/author/auto/raster/skin-texels.ts'
 import { smooth } from '../../../../packages/furrow/src/author/auto/strain/smooth.ts'
 import {
   compressionTensors,
   TENSOR_SIZE,
 } from '../../../../packages/furrow/src/author/auto/strain/tensors.ts'
+import { SkinTexels } from '../../../../packages/furrow/src/author/skin/skin-texels.ts'
 import { COMPRESSION, SIDE, sheet } from './sheet.ts'
 
 const SIZE = 512

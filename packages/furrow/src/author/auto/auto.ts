@@ -4,6 +4,7 @@ import type { ExpressionDriver } from '../../drivers/expression/definition.ts'
 import { EXPRESSIONS } from '../../drivers/expression/presets.ts'
 import type { MorphDriver } from '../../drivers/morph/definition.ts'
 import type { TangentFrame } from '../relief/height-to-normal.ts'
+import type { Skin } from '../skin/surface.ts'
 import { AUTO_REGIONS, type AutoRegion } from './anatomy/regions.ts'
 import type { MissingRegion } from './fit/fit-driver.ts'
 import { fitDrivers } from './fit/fit-drivers.ts'
@@ -13,7 +14,6 @@ import { type AutoLayer, drawMaps } from './raster/draw-maps.ts'
 import { measureStrain } from './strain/measure-strain.ts'
 import type { Landmarks } from './surface/landmarks.ts'
 import { prepareSkin } from './surface/prepare-skin.ts'
-import type { Skin } from './surface/surface.ts'
 
 /** Settings of `autoWrinkles`; `AUTO_DEFAULTS` has the defaults. */
 export interface AutoOptions {

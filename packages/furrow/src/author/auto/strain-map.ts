@@ -1,11 +1,11 @@
 import { targetFinder } from '../../drivers/morph/target-names.ts'
 import { clamp } from '../../math/scalar.ts'
-import { SkinTexels } from './raster/skin-texels.ts'
+import { SkinTexels } from '../skin/skin-texels.ts'
+import type { Skin } from '../skin/surface.ts'
 import { poseStrain } from './strain/pose-strain.ts'
 import { principalAt } from './strain/principal.ts'
 import { poseOf } from './surface/pose.ts'
 import { prepareSkin } from './surface/prepare-skin.ts'
-import type { Skin } from './surface/surface.ts'
 
 /** How far skin is compressed, in its texture. */
 export interface StrainMap {

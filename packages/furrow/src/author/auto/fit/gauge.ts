@@ -1,10 +1,10 @@
 import { cross } from '../../../math/vector.ts'
+import { crossOf, type SkinSurface } from '../../skin/surface.ts'
+import { CreaseGrid } from '../../strokes/line-grid.ts'
 import type { SkinRegion } from '../anatomy/region.ts'
 import type { Crease } from '../lines/crease.ts'
-import { CreaseGrid } from '../lines/crease-grid.ts'
 import { unroll } from '../surface/head-chart.ts'
 import type { Pose } from '../surface/pose.ts'
-import { crossOf, type SkinSurface } from '../surface/surface.ts'
 
 /** Measures how far poses compress the skin of a region across its lines. */
 export interface Gauge {

@@ -1,6 +1,6 @@
 import { dot, length } from '../../../math/vector.ts'
+import { CreaseGrid } from '../../strokes/line-grid.ts'
 import type { Crease, CreasedRegion } from '../lines/crease.ts'
-import { CreaseGrid } from '../lines/crease-grid.ts'
 
 /** Cosine of the angle from which on lines of two regions cross. */
 const CROSSING = Math.cos((35 * Math.PI) / 180)

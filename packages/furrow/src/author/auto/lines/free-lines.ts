@@ -1,7 +1,7 @@
 import { cross, dot } from '../../../math/vector.ts'
+import { cornersOf, type SkinSurface, type SurfacePoint } from '../../skin/surface.ts'
 import type { LineStyle } from '../anatomy/region.ts'
 import { principalAt } from '../strain/principal.ts'
-import { cornersOf, type SkinSurface, type SurfacePoint } from '../surface/surface.ts'
 import type { LaidLine } from './crease.ts'
 import { PointGrid } from './point-grid.ts'
 import { type DirectionField, STEP, type Trace, traceLine } from './trace.ts'

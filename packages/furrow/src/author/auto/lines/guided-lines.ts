@@ -1,9 +1,9 @@
 import { clamp, smoothstep } from '../../../math/scalar.ts'
 import { cross } from '../../../math/vector.ts'
+import type { SkinSurface } from '../../skin/surface.ts'
 import type { Guide } from '../anatomy/region.ts'
 import { bilinearForm, compressionAlong, tensorAt } from '../strain/tensors.ts'
 import { type ChartPoint, type HeadChart, rollUp, unroll } from '../surface/head-chart.ts'
-import type { SkinSurface } from '../surface/surface.ts'
 import type { LaidLine } from './crease.ts'
 import { type DirectionField, traceLine } from './trace.ts'
 

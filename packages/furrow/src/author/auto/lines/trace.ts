@@ -1,7 +1,7 @@
 import { barycentrics3, interpolate } from '../../../math/barycentrics.ts'
 import { triangleNormal } from '../../../math/triangle.ts'
 import { dot, normalize } from '../../../math/vector.ts'
-import { cornersOf, type SkinSurface, type SurfacePoint } from '../surface/surface.ts'
+import { cornersOf, type SkinSurface, type SurfacePoint } from '../../skin/surface.ts'
 
 /** Millimetres between points of a line. */
 export const STEP = 0.6

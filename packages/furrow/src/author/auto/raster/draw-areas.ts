@@ -1,10 +1,10 @@
 import type { GrayImage } from '../../../core/types.ts'
 import { smoothstep } from '../../../math/scalar.ts'
+import type { SkinTexels } from '../../skin/skin-texels.ts'
+import { CreaseGrid } from '../../strokes/line-grid.ts'
+import { visitTexelsNearCreases } from '../../strokes/near-lines.ts'
 import type { CreasedRegion } from '../lines/crease.ts'
-import { CreaseGrid } from '../lines/crease-grid.ts'
 import { type HeadChart, unroll } from '../surface/head-chart.ts'
-import { visitTexelsNearCreases } from './crease-texels.ts'
-import type { SkinTexels } from './skin-texels.ts'
 import { visibility } from './visibility.ts'
 
 /** Difference in the distances to the lines of two areas, in millimetres, over which one gives way to the other. */

@@ -1,11 +1,11 @@
 import type { GrayImage } from '../../../core/types.ts'
 import { lerp } from '../../../math/scalar.ts'
+import type { SkinTexels } from '../../skin/skin-texels.ts'
 import type { HeightMap } from '../../strokes/height.ts'
+import { CreaseGrid } from '../../strokes/line-grid.ts'
+import { visitTexelsNearCreases } from '../../strokes/near-lines.ts'
 import { profile, REACH } from '../../strokes/profile.ts'
 import type { Crease } from '../lines/crease.ts'
-import { CreaseGrid } from '../lines/crease-grid.ts'
-import { visitTexelsNearCreases } from './crease-texels.ts'
-import type { SkinTexels } from './skin-texels.ts'
 
 /** Exponent with which creases are joined, as in `strokesToHeight`: where they cross they are as deep as the deeper one. */
 const JOIN = 6

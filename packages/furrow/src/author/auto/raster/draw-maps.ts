@@ -2,15 +2,15 @@ import type { GrayImage, RgbaImage } from '../../../core/types.ts'
 import { MIPMAP_MARGIN } from '../../border.ts'
 import { surfaceMetric } from '../../metric.ts'
 import { type TangentFrame, turnedNormals } from '../../relief/height-to-normal.ts'
+import { isOnLeft } from '../../skin/overlap.ts'
+import { SkinTexels } from '../../skin/skin-texels.ts'
+import type { SkinSurface } from '../../skin/surface.ts'
 import type { HeightMap } from '../../strokes/height.ts'
 import type { FittedRegion } from '../fit/fit-driver.ts'
-import { isOnLeft } from '../surface/overlap.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
-import type { SkinSurface } from '../surface/surface.ts'
 import { drawAreas } from './draw-areas.ts'
 import { drawCreases } from './draw-creases.ts'
 import { FacetFrames } from './facet-frames.ts'
-import { SkinTexels } from './skin-texels.ts'
 
 /** Maps of one layer. */
 export interface AutoLayer {

@@ -1,10 +1,10 @@
 import { triangleNormal } from '../../../math/triangle.ts'
 import { cross, dot, length, normalize } from '../../../math/vector.ts'
+import { cornersOf, skinVertices } from '../../skin/surface.ts'
+import { CreaseGrid } from '../../strokes/line-grid.ts'
 import { activationOf, type FittedRegion } from '../fit/fit-driver.ts'
-import { CreaseGrid } from '../lines/crease-grid.ts'
 import { type Pose, poseOf } from '../surface/pose.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
-import { cornersOf, skinVertices } from '../surface/surface.ts'
 
 /** Half widths of a valley from its middle within which its slopes show. */
 const NEAR = 3

@@ -1,4 +1,4 @@
-import type { SkinSurface } from '../surface/surface.ts'
+import type { SkinSurface } from '../../skin/surface.ts'
 
 /** Fraction of the way to its neighbours' mean that a point moves in one iteration, at most. */
 const MAX_STEP = 0.8

@@ -1,7 +1,7 @@
+import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from '../../skin/surface.ts'
 import { HeadChart } from './head-chart.ts'
 import { centroidOf, findLandmarks, type Landmarks } from './landmarks.ts'
 import { faceShapeFinder, partShapeFinder } from './stand-ins.ts'
-import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from './surface.ts'
 
 /** A skin that was recognised as a face. */
 export interface DetectedFace {

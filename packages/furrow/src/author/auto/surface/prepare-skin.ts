@@ -1,8 +1,8 @@
+import { findOverlap, isOverlapped } from '../../skin/overlap.ts'
+import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from '../../skin/surface.ts'
 import { checkCoverage } from './check-coverage.ts'
 import { checkSkin } from './check-skin.ts'
 import { type DetectedFace, detectFace } from './detect-face.ts'
-import { findOverlap, isOverlapped } from './overlap.ts'
-import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from './surface.ts'
 import { moveToFirstTile } from './uv-tiles.ts'
 
 /** A skin that wrinkles can be made for. */

@@ -1,7 +1,7 @@
-import { interpolate } from '../../../math/barycentrics.ts'
-import type { CreaseGrid } from '../lines/crease-grid.ts'
-import { cornersOf, type SkinSurface } from '../surface/surface.ts'
-import type { SkinTexels } from './skin-texels.ts'
+import { interpolate } from '../../math/barycentrics.ts'
+import type { SkinTexels } from '../skin/skin-texels.ts'
+import { cornersOf, type SkinSurface } from '../skin/surface.ts'
+import type { CreaseGrid } from './line-grid.ts'
 
 /** Visits the texels that may have creases near them, with their position on the skin and its normal there. */
 export function visitTexelsNearCreases(

@@ -1,4 +1,4 @@
-import { coverTexels } from '../../cover-texels.ts'
+import { coverTexels } from '../cover-texels.ts'
 import { cornersOf, type Skin, type SkinSurface, skinVertices } from './surface.ts'
 
 /** Side of the map on which overlaps are searched, in texels. */

@@ -1,4 +1,4 @@
-import type { Crease } from './crease.ts'
+import type { Crease } from '../auto/lines/crease.ts'
 
 /** Side of a cell in millimetres. */
 const CELL = 4

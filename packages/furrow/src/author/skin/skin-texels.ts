@@ -1,8 +1,8 @@
-import { barycentrics2 } from '../../../math/barycentrics.ts'
-import { uvToTexels } from '../../../math/triangle.ts'
-import { type BorderEdge, extendPlanes, FILTER_MARGIN } from '../../border.ts'
-import { coverTexels } from '../../cover-texels.ts'
-import { type Skin, type SkinSurface, skinVertices } from '../surface/surface.ts'
+import { barycentrics2 } from '../../math/barycentrics.ts'
+import { uvToTexels } from '../../math/triangle.ts'
+import { type BorderEdge, extendPlanes, FILTER_MARGIN } from '../border.ts'
+import { coverTexels } from '../cover-texels.ts'
+import { type Skin, type SkinSurface, skinVertices } from './surface.ts'
 
 /** Owner of a texel far from any island. */
 const NONE = -1
