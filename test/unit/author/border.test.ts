@@ -68,6 +68,7 @@ describe('extendPlanes', () => {
     extendPlanes(
       edges,
       8,
+      8,
       margin,
       (texel) => isCovered[texel] === 0,
       (texel, triangle) => {

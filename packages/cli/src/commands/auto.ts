@@ -10,6 +10,7 @@ import { packAuto } from '../auto/pack-auto.ts'
 import { makeReport } from '../auto/report/make-report.ts'
 import { shadingOf, skinWarnings } from '../auto/shading.ts'
 import { Steps } from '../auto/steps.ts'
+import { strokesFile } from '../auto/strokes-file.ts'
 import { summaryLines, summaryOf } from '../auto/summary.ts'
 import { createCommand } from '../command.ts'
 import { withCommandErrors } from '../errors.ts'
@@ -50,6 +51,7 @@ interface Options {
   allowOutside?: boolean
   force?: boolean
   report?: string
+  strokes?: string
   json?: boolean
 }
 
@@ -90,6 +92,7 @@ export const autoCommand = createCommand('auto')
     'maps and areas as KTX 2 arrays (UASTC), which stay compressed on the GPU; without heights',
   )
   .option('--replace', 'replace existing wrinkles')
+  .option('--strokes <file>', 'write the lines as strokes too (.json), for furrow strokes')
   .option('--report <folder>', 'write a page there: before and after, strain, areas, layers, drivers')
   .addOption(allowOutsideOption())
   .addOption(forceOption())
@@ -104,7 +107,7 @@ Examples:
   .action(auto)
 
 async function auto(face: string, options: Options): Promise<void> {
-  const { output, report, mesh, age, strength, seed, areas, regions, ktx2 = false } = options
+  const { output, report, strokes, mesh, age, strength, seed, areas, regions, ktx2 = false } = options
   const layers = options.layers ?? (ktx2 ? KTX2_LAYERS : AUTO_DEFAULTS.layers)
   const settings = {
     age,
@@ -119,6 +122,7 @@ async function auto(face: string, options: Options): Promise<void> {
   const rules = { extensions: FACE_EXTENSIONS, inputs: [face], force: options.force ?? false }
   await checkOutputs([output], WHO, rules)
   if (report !== undefined) await checkOutputs([join(report, 'index.html')], WHO, { extensions: ['.html'] })
+  if (strokes !== undefined) await checkOutputs([strokes], WHO, { ...rules, extensions: ['.json'] })
   const total = OWN_STEPS + AUTO_STEPS.length + (report === undefined ? 0 : REPORT_STEPS)
   const { found, wrinkles, cost, bytes, warnings } = await withBar('auto', async (progress) => {
     const steps = new Steps(progress, total)
@@ -146,6 +150,7 @@ async function auto(face: string, options: Options): Promise<void> {
     embedWrinkles(glb, found.material, packed, WHO)
     const files = await faceFiles(glb, output, WHO, rules)
     const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0)
+    if (strokes !== undefined) files.push({ path: strokes, bytes: strokesFile(wrinkles) })
     const ofSkin = skinWarnings(glb.json, found.material, found.materialName)
     const warnings = [...wrinkles.warnings, ...ofSkin].map((text) => `${WHO}: ${text}`)
     if (report !== undefined) {

@@ -3,9 +3,8 @@
  *
  * | map | policy | why |
  * | --- | --- | --- |
- * | `auto`: height, occlusion, areas, strain | `extendPlanes` | they follow from the position on the skin: where it continues in the plane of its border triangle, both sides of a seam are filtered alike |
- * | metric | `copyNearest` | strokes and slopes read it at any texel, and a copied form stays positive definite |
- * | strokes: height, areas | none | they are drawn in the texture, at the scale that the metric has at each texel |
+ * | strokes and `auto`: height, occlusion, areas, strain | `extendPlanes` | they follow from the position on the skin: where it continues in the plane of its border triangle, both sides of a seam are filtered alike |
+ * | metric | `copyNearest` | polygons and slopes read it at any texel, and a copied form stays positive definite |
  * | normals made from heights | none | they follow from the heights and the metric of the texels around them |
  * | `bake`: normal, height, occlusion; `targetArea` | `dilate` | only values of texels are known; means hide the steps between them |
  */
@@ -32,21 +31,22 @@ export interface BorderEdge {
  */
 export function extendPlanes(
   edges: Iterable<BorderEdge>,
-  size: number,
+  width: number,
+  height: number,
   margin: number,
   isFree: (texel: number) => boolean,
   claim: (texel: number, triangle: number) => void,
 ): void {
-  const nearest = new Float32Array(size * size).fill(Infinity)
+  const nearest = new Float32Array(width * height).fill(Infinity)
   for (const { triangle, x, y, dx, dy } of edges) {
     const square = dx * dx + dy * dy || 1
     const firstRow = Math.max(Math.ceil(Math.min(y, y + dy) - margin), 0)
-    const lastRow = Math.min(Math.floor(Math.max(y, y + dy) + margin), size - 1)
+    const lastRow = Math.min(Math.floor(Math.max(y, y + dy) + margin), height - 1)
     const firstColumn = Math.max(Math.ceil(Math.min(x, x + dx) - margin), 0)
-    const lastColumn = Math.min(Math.floor(Math.max(x, x + dx) + margin), size - 1)
+    const lastColumn = Math.min(Math.floor(Math.max(x, x + dx) + margin), width - 1)
     for (let row = firstRow; row <= lastRow; row++) {
       for (let column = firstColumn; column <= lastColumn; column++) {
-        const texel = row * size + column
+        const texel = row * width + column
         if (!isFree(texel)) continue
         const t = Math.min(1, Math.max(0, ((column - x) * dx + (row - y) * dy) / square))
         const distance = Math.hypot(column - x - t * dx, row - y - t * dy)

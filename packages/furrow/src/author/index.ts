@@ -15,6 +15,7 @@ export {
   type AutoProgress,
   type AutoWrinkles,
   autoWrinkles,
+  strokesOf,
 } from './auto/auto.ts'
 export type { MissingRegion } from './auto/fit/fit-driver.ts'
 export type { AutoLayer } from './auto/raster/draw-maps.ts'
@@ -44,6 +45,7 @@ export {
   reliefToNormal,
 } from './relief/relief-to-normal.ts'
 export type { Edges } from './relief/slope.ts'
+export { type SkinCanvas, skinCanvas } from './skin/canvas.ts'
 export { crossOf, type Skin, type SkinTarget } from './skin/surface.ts'
 export type { GroupShape, PolygonShape } from './strokes/area-definitions.ts'
 export {
@@ -57,6 +59,6 @@ export {
   type Uv,
 } from './strokes/document.ts'
 export { type HeightMap, strokesToHeight } from './strokes/height.ts'
-export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas } from './strokes/paint-areas.ts'
+export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas, paintedNames } from './strokes/paint-areas.ts'
 export { targetArea } from './target-area.ts'
 export { drawUvLayout, type UvLayoutOptions } from './uv-layout.ts'

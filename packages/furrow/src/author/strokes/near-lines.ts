@@ -1,13 +1,14 @@
 import { interpolate } from '../../math/barycentrics.ts'
 import type { SkinTexels } from '../skin/skin-texels.ts'
 import { cornersOf, type SkinSurface } from '../skin/surface.ts'
-import type { CreaseGrid } from './line-grid.ts'
+import type { LineGrid } from './line-grid.ts'
 
-/** Visits the texels that may have creases near them, with their position on the skin and its normal there. */
-export function visitTexelsNearCreases(
+/** Visits the texels that may have lines near them, with their position on the skin and its normal there. */
+export function visitTexelsNearLines(
   texels: SkinTexels,
-  grid: CreaseGrid,
+  grid: LineGrid,
   visit: (texel: number, x: number, y: number, z: number, normal: Float64Array) => void,
+  progress?: (fraction: number) => void,
 ): void {
   const { surface } = texels
   const [normal, position] = [new Float64Array(3), new Float64Array(3)]
@@ -21,10 +22,11 @@ export function visitTexelsNearCreases(
       interpolate(normal, surface.normals, 3, a, b, c, na, nb, nc)
       visit(texel, position[0], position[1], position[2], normal)
     },
+    progress,
   )
 }
 
-function isNearTriangle(grid: CreaseGrid, surface: SkinSurface, triangle: number): boolean {
+function isNearTriangle(grid: LineGrid, surface: SkinSurface, triangle: number): boolean {
   const corners = cornersOf(surface, triangle)
   const components = [0, 1, 2].map((k) => corners.map((point) => surface.points[3 * point + k]))
   return grid.isNear(

@@ -1,6 +1,6 @@
 import { cross } from '../../../math/vector.ts'
 import { crossOf, type SkinSurface } from '../../skin/surface.ts'
-import { CreaseGrid } from '../../strokes/line-grid.ts'
+import { LineGrid } from '../../strokes/line-grid.ts'
 import type { SkinRegion } from '../anatomy/region.ts'
 import type { Crease } from '../lines/crease.ts'
 import { unroll } from '../surface/head-chart.ts'
@@ -26,7 +26,7 @@ export function makeGauge(
   { reach, influence }: SkinRegion,
   creases: readonly Crease[],
 ): Gauge | undefined {
-  const grid = new CreaseGrid(
+  const grid = new LineGrid(
     creases,
     creases.map(() => reach),
   )

@@ -1,7 +1,7 @@
 import { triangleNormal } from '../../../math/triangle.ts'
 import { cross, dot, length, normalize } from '../../../math/vector.ts'
 import { cornersOf, skinVertices } from '../../skin/surface.ts'
-import { CreaseGrid } from '../../strokes/line-grid.ts'
+import { LineGrid } from '../../strokes/line-grid.ts'
 import { activationOf, type FittedRegion } from '../fit/fit-driver.ts'
 import { type Pose, poseOf } from '../surface/pose.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
@@ -80,7 +80,7 @@ function posesOf({ names, find }: Skin, { region, driver }: FittedRegion) {
 }
 
 function trianglesNear({ surface }: Skin, { creases }: FittedRegion): number[] {
-  const grid = new CreaseGrid(
+  const grid = new LineGrid(
     creases,
     creases.map(({ halfWidths }) => NEAR * halfWidths.reduce((a, b) => Math.max(a, b), 0)),
   )
