@@ -2,7 +2,7 @@ import { playwright } from '@vitest/browser-playwright'
 import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config'
 import { CHROMIUM_FLAGS } from './packages/cli/src/chromium-flags.ts'
 import { FILES_FOR_OLDEST, onOldestThree } from './test/gpu/oldest-three.ts'
-import { servePackedFaces } from './test/gpu/serve-packed-faces.ts'
+import { serveFaces } from './test/gpu/serve-faces.ts'
 
 // Sources, not builds: the `furrow-source` condition of the packages' exports.
 const resolve = { conditions: ['furrow-source', 'module', 'browser', 'development|production'] }
@@ -54,7 +54,7 @@ function gpuProject(name: string, files: string[]): TestProjectInlineConfigurati
   return {
     resolve,
     ssr,
-    plugins: [servePackedFaces(ssr)],
+    plugins: [serveFaces(ssr)],
     optimizeDeps: {
       include: [
         'three',

@@ -1,6 +1,6 @@
 // Tries damaged files with the commands: `npm run fuzz -- --count 5000 --seed 1 --command auto`. The same numbers give the same files.
 
-import { mkdirSync } from 'node:fs'
+import { mkdirSync, rmdirSync } from 'node:fs'
 import { availableParallelism, tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { parseArgs } from 'node:util'
@@ -21,6 +21,8 @@ await main(async () => {
   const { fuzz } = await import(await bundle('test/fuzz/fuzz.ts'))
   const keep = join(tmpdir(), `furrow-fuzz-failures-${process.pid}`)
   mkdirSync(keep)
+  const stop = new AbortController()
+  for (const signal of ['SIGINT', 'SIGTERM']) process.once(signal, () => stop.abort())
   const results = await fuzz({
     child: await bundle('test/fuzz/child.ts'),
     ...(values.command && { commands: values.command }),
@@ -31,7 +33,10 @@ await main(async () => {
     jobs: Number(values.jobs),
     keep,
     report: say,
+    stop: stop.signal,
   })
   const failures = results.reduce((sum, { failures }) => sum + failures.length, 0)
+  if (failures === 0) rmdirSync(keep)
   if (failures > 0) throw new Failure(`${failures} files failed; they are in ${keep}`)
+  if (stop.signal.aborted) throw new Failure('stopped early')
 })

@@ -18,7 +18,7 @@ import {
 import { WebGPURenderer } from 'three/webgpu'
 import type { Face } from './face.ts'
 import { isWebGL, lightScene } from './light.ts'
-import { frameView, frontOf, type ViewName } from './views.ts'
+import { frameView, type ViewName } from './views.ts'
 
 export type RendererKind = 'webgl' | 'webgpu'
 export type Renderer = WebGLRenderer | WebGPURenderer
@@ -38,7 +38,7 @@ export interface Stage {
     loaded: Pick<LoadedWrinkles, 'set' | 'drivers'>,
     options?: WrinklesOptions,
   ): Wrinkles
-  /** Moves the camera to a view; returns the point it looks at. */
+  /** Moves the camera to a view, and the lights to where the face looks; returns the point that the camera looks at. */
   view(name: ViewName): Vector3
   /** @param pixelRatio device pixels per CSS pixel. */
   resize(width: number, height: number, pixelRatio?: number): void
@@ -63,8 +63,6 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
   const camera = new PerspectiveCamera()
   const lighting = lightScene(scene, renderer)
   let shown: Face | null = null
-  /** Whether the lights are turned to where the face looks. */
-  let isLit = false
   return {
     renderer,
     backend: backendName(renderer),
@@ -73,7 +71,6 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
     show(face) {
       if (shown) scene.remove(shown.root)
       shown = face
-      isLit = false
       scene.add(face.root)
     },
     addWrinkles(face, { set, drivers }, options) {
@@ -85,10 +82,9 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
       return wrinkles
     },
     view(name) {
-      const root = shown?.root ?? scene
-      if (!isLit) lighting.turn(frontOf(root))
-      isLit = true
-      return frameView(root, camera, name)
+      const { target, front } = frameView(shown?.root ?? scene, camera, name)
+      lighting.turn(front)
+      return target
     },
     resize(width, height, pixelRatio = 1) {
       renderer.setPixelRatio(pixelRatio)

@@ -1,5 +1,5 @@
 import { type FaceView, frameFace } from 'furrow/three'
-import { type Object3D, PerspectiveCamera, type Vector3 } from 'three'
+import { MathUtils, type Object3D, type PerspectiveCamera, type Vector3 } from 'three'
 
 /** Camera views of a face, from where it looks. `left` shows the person's left side. */
 export const VIEWS = {
@@ -15,13 +15,21 @@ export type ViewName = keyof typeof VIEWS
 /** Vertical field of view in degrees: a portrait lens, which does not enlarge the nose. */
 const FIELD_OF_VIEW = 22
 
+/** A face as a camera sees it. */
+export interface FramedFace {
+  /** The point that the camera looks at, for orbit controls. */
+  target: Vector3
+  /** Where the face looks: radians round the upright axis from +Z. */
+  front: number
+}
+
 /**
- * Positions the camera for a view of a face; returns the point it looks at, for orbit controls.
+ * Positions the camera for a view of a face.
  *
  * @param face the object to frame, at its current world transform.
  * @param camera with its aspect set.
  */
-export function frameView(face: Object3D, camera: PerspectiveCamera, view: ViewName): Vector3 {
+export function frameView(face: Object3D, camera: PerspectiveCamera, view: ViewName): FramedFace {
   camera.fov = FIELD_OF_VIEW
   const target = frameFace(camera, face, VIEWS[view])
   // Nothing but the face is on the stage: depth is as precise as it can be.
@@ -29,12 +37,6 @@ export function frameView(face: Object3D, camera: PerspectiveCamera, view: ViewN
   camera.near = distance / 20
   camera.far = distance * 4
   camera.updateProjectionMatrix()
-  return target
-}
-
-/** Radians round the upright axis from +Z to where a face looks. */
-export function frontOf(face: Object3D): number {
-  const camera = new PerspectiveCamera()
-  const { x, z } = camera.position.sub(frameFace(camera, face))
-  return Math.atan2(x, z)
+  const { x, z } = camera.position.clone().sub(target)
+  return { target, front: Math.atan2(x, z) - MathUtils.degToRad(VIEWS[view].yaw) }
 }

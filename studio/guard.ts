@@ -7,8 +7,8 @@ import type { Plugin } from 'vite'
 const FILES = '/@fs/'
 
 /**
- * Closes what Vite's server opens besides the studio: the route that starts an editor, for which it has no option, and
- * files outside a folder that links in the folder lead to. No request ends it. Comes after all plugins that change
+ * Closes what Vite's server exposes besides the studio: the route that starts an editor, for which it has no option, and
+ * files outside a folder to which links inside it lead. No request ends the server. Comes after all plugins that change
  * addresses.
  */
 export function guard(folder: string): Plugin {

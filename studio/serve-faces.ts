@@ -85,7 +85,7 @@ async function faceNames(folder: string, warn: Warn): Promise<string[]> {
  * In a .glb the length of the file is at byte 8, that of the JSON at byte 12, and the JSON itself at byte 20 (glTF 2.0,
  * section 4.4).
  *
- * @throws an error of any kind if it is not one.
+ * @throws Error of any kind if the file is not a whole .glb.
  */
 async function hasBlendshapes(path: string): Promise<boolean> {
   const bytes = await readFile(path)

@@ -21,7 +21,7 @@ export async function ensureBrowser() {
   return findBrowser()
 }
 
-/** Whether it could be installed: some relatives of Debian have a `chromium` that is none. */
+/** Whether it could be installed: some relatives of Debian have a `chromium` that is not the browser. */
 async function installByApt(findBrowser) {
   say("installing Debian's chromium (apt-get)")
   const env = { ...process.env, DEBIAN_FRONTEND: 'noninteractive' }

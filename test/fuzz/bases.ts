@@ -12,10 +12,27 @@ import { quietly } from './quietly.ts'
 
 /** Columns and rows of quads of the face. */
 const GRID = 8
+/** Its radius and height in metres. */
+const RADIUS = 0.075
+const HEIGHT = 0.2
+/** Side of its island in its texture: `auto` draws every texel of it. */
+const ISLAND = 0.5
 /** Side of its images in texels. */
 const SIDE = 64
 
-const SHAPES = ['browInnerUp', 'browDownLeft', 'eyeBlinkLeft', 'mouthSmileLeft', 'jawOpen']
+/** Where the blendshapes of a face move its skin most, and by how much there, in metres. */
+const SHAPES: Record<string, { x: number; y: number; across: number; up: number }> = {
+  browInnerUp: { x: 0, y: 0.04, across: 0, up: 0.01 },
+  browDownLeft: { x: 0.02, y: 0.04, across: -0.002, up: -0.006 },
+  eyeBlinkLeft: { x: 0.032, y: 0.02, across: 0, up: -0.006 },
+  eyeBlinkRight: { x: -0.032, y: 0.02, across: 0, up: -0.006 },
+  mouthSmileLeft: { x: 0.026, y: -0.045, across: 0.008, up: 0.01 },
+  mouthSmileRight: { x: -0.026, y: -0.045, across: -0.008, up: 0.01 },
+}
+/** A skin of which `auto` finds no face, and lays lines by strain alone. */
+const ONE_EYED = Object.keys(SHAPES).filter((name) => name !== 'eyeBlinkRight')
+/** How far a blendshape reaches, in metres. */
+const SHAPE_RADIUS = 0.02
 const LAYERS = ['age', 'expression']
 const AREAS = ['brow', 'cheek', 'chin', 'eye', 'nose']
 
@@ -126,9 +143,9 @@ const STROKES = {
     {
       group: 'brow',
       points: [
-        [0.2, 0.2],
-        [0.5, 0.25],
-        [0.8, 0.2],
+        [0.1, 0.1],
+        [0.25, 0.12],
+        [0.4, 0.1],
       ],
       width: 4,
       depth: 0.5,
@@ -136,8 +153,8 @@ const STROKES = {
     {
       group: 'chin',
       points: [
-        [0.2, 0.8],
-        [0.8, 0.8],
+        [0.1, 0.4],
+        [0.4, 0.4],
       ],
       width: 3,
       depth: 0.4,
@@ -165,33 +182,36 @@ async function makeFaces(): Promise<[name: string, bytes: Uint8Array][]> {
       'draco3d.encoder': await draco3d.createEncoderModule(),
       'draco3d.decoder': await draco3d.createDecoderModule(),
     })
-  const changes: Record<string, Transform[]> = {
-    plain: [],
-    skinned: [skin],
-    sparse: [sparse({ ratio: 1 })],
-    quantised: [skin, quantize()],
-    meshopt: [skin, meshopt({ encoder: MeshoptEncoder })],
-    draco: [draco()],
-  }
+  const all = Object.keys(SHAPES)
+  const kinds: [name: string, shapes: string[], transforms: Transform[]][] = [
+    ['plain', ONE_EYED, []],
+    ['skinned', all, [skin]],
+    ['sparse', all, [sparse({ ratio: 1 })]],
+    ['quantised', all, [skin, quantize()]],
+    ['meshopt', all, [skin, meshopt({ encoder: MeshoptEncoder })]],
+    ['draco', ONE_EYED, [draco()]],
+  ]
   const faces: [string, Uint8Array][] = []
-  for (const [name, transforms] of Object.entries(changes)) {
-    const document = await faceDocument()
+  for (const [name, shapes, transforms] of kinds) {
+    const document = await faceDocument(shapes)
     await document.transform(...transforms)
     faces.push([name, await io.writeBinary(document)])
   }
   return faces
 }
 
-/** A bulging sheet named `skin`, 20 cm wide, with blendshapes that compress parts of it; and a second mesh beside it. */
-async function faceDocument(): Promise<Document> {
+/** Half a cylinder named `skin`, with a nose and blendshapes that compress parts of it; and a second mesh beside it. */
+async function faceDocument(shapes: readonly string[]): Promise<Document> {
   const document = new Document().setLogger(new Logger(Logger.Verbosity.SILENT))
   const accessor = accessorsOf(document)
   const [positions, uvs, indices]: number[][] = [[], [], []]
   for (let row = 0; row <= GRID; row++) {
     for (let column = 0; column <= GRID; column++) {
       const [u, v] = [column / GRID, row / GRID]
-      positions!.push(0.2 * (u - 0.5), 0.2 * (0.5 - v), 0.05 * Math.cos(Math.PI * (u - 0.5)))
-      uvs!.push(u, v)
+      const angle = 0.9 * Math.PI * (u - 0.5)
+      const nose = 0.02 * Math.exp(-(((u - 0.5) / 0.08) ** 2) - ((v - 0.55) / 0.08) ** 2)
+      positions!.push(RADIUS * Math.sin(angle), HEIGHT * (0.5 - v), RADIUS * Math.cos(angle) + nose)
+      uvs!.push(ISLAND * u, ISLAND * v)
       if (row === GRID || column === GRID) continue
       const i = row * (GRID + 1) + column
       indices!.push(i, i + GRID + 1, i + 1, i + 1, i + GRID + 1, i + GRID + 2)
@@ -210,13 +230,14 @@ async function faceDocument(): Promise<Document> {
     .setAttribute('TEXCOORD_0', accessor('VEC2', Float32Array.from(uvs!)))
     .setIndices(accessor('SCALAR', Uint16Array.from(indices!)))
     .setMaterial(material)
-  const mesh = document.createMesh('skin').addPrimitive(primitive).setExtras({ targetNames: SHAPES })
-  for (const [k, name] of SHAPES.entries()) {
+  const mesh = document.createMesh('skin').addPrimitive(primitive).setExtras({ targetNames: shapes })
+  for (const name of shapes) {
+    const { x, y, across, up } = SHAPES[name]!
     const offsets = new Float32Array(positions!.length)
-    // Each shape pushes one band of the sheet together.
     for (let i = 0; i < offsets.length; i += 3) {
-      const band = Math.round((uvs![(2 * i) / 3 + 1]! * GRID) / 3)
-      if (band === k) offsets[i + 1] = -0.4 * positions![i + 1]! - 0.004 * Math.sin(60 * positions![i + 1]!)
+      const distance = Math.hypot(positions![i]! - x, positions![i + 1]! - y)
+      const weight = Math.exp(-((distance / SHAPE_RADIUS) ** 2))
+      offsets.set([across * weight, up * weight], i)
     }
     primitive.addTarget(
       document.createPrimitiveTarget(name).setAttribute('POSITION', accessor('VEC3', offsets)),

@@ -10,6 +10,7 @@ import { normalsCommand } from '../../packages/cli/src/commands/normals.ts'
 import { packCommand } from '../../packages/cli/src/commands/pack.ts'
 import { strokesCommand } from '../../packages/cli/src/commands/strokes.ts'
 import { unpackCommand } from '../../packages/cli/src/commands/unpack.ts'
+import { uvCommand } from '../../packages/cli/src/commands/uv.ts'
 import { validateCommand } from '../../packages/cli/src/commands/validate.ts'
 import { preparePicture } from '../../packages/cli/src/render/prepare.ts'
 import type { Bases } from './bases.ts'
@@ -17,6 +18,7 @@ import { damageGlb } from './damage-glb.ts'
 import { hostileImage } from './damage-images.ts'
 import { damageJson, textOf } from './damage-json.ts'
 import type { Random } from './random.ts'
+import { writeFace } from './write-face.ts'
 
 /** One run of a command on a damaged file. */
 export interface Case {
@@ -40,7 +42,7 @@ class Folder {
     return join(this.root, name)
   }
 
-  write(name: string, bytes: Buffer | string): string {
+  readonly write = (name: string, bytes: Buffer | string): string => {
     mkdirSync(join(this.path(name), '..'), { recursive: true })
     writeFileSync(this.path(name), bytes)
     this.bytes += bytes.length
@@ -56,6 +58,10 @@ const runs = (command: Command, ...args: string[]) => ({
 
 const damagedFace = ({ faces }: Bases, random: Random, names = [...faces.keys()]) =>
   damageGlb(faces.get(random.pick(names))!, random)
+
+/** Writes a damaged face and returns its path. */
+const writeDamaged = (bases: Bases, random: Random, folder: Folder, names?: string[]) =>
+  writeFace(damagedFace(bases, random, names), random, folder.write)
 
 const PACKED = ['packed.glb', 'packed-array.glb']
 const BARE = ['plain.glb', 'skinned.glb', 'sparse.glb', 'quantised.glb', 'meshopt.glb', 'draco.glb']
@@ -75,14 +81,15 @@ function writeWrinkles(bases: Bases, random: Random, folder: Folder): void {
   }
 }
 
+/** What a face may be written as. */
+const OUTPUTS = ['out.glb', 'out.glb', 'out.vrm', 'out.gltf']
+
 const CASES: Record<string, CaseMaker> = {
-  activations: (bases, random, folder) =>
-    runs(
-      activationsCommand,
-      folder.write('face.glb', damagedFace(bases, random, PACKED)),
-      '--set',
-      'browInnerUp=1',
-    ),
+  activations: (bases, random, folder) => {
+    const input = writeDamaged(bases, random, folder, PACKED)
+    const options = random.pick([['--set', 'browInnerUp=1'], ['--expression', 'surprised'], ['--json']])
+    return runs(activationsCommand, input, ...options)
+  },
   array: (bases, random, folder) => {
     if (random.chance(0.5)) {
       const array = folder.write('array.ktx2', hostileImage(random, bases.array))
@@ -95,18 +102,22 @@ const CASES: Record<string, CaseMaker> = {
     return runs(arrayCommand, ...images, '-o', folder.path('out.ktx2'), '--compress', compress)
   },
   auto: (bases, random, folder) => {
-    const [input, output] = [folder.write('face.glb', damagedFace(bases, random)), folder.path('out.glb')]
-    const options = ['--size', '512', '--areas', '4', '--replace']
-    return { ...runs(autoCommand, input, '-o', output, ...options), faces: [{ output, input }] }
+    const [input, output] = [writeDamaged(bases, random, folder), folder.path(random.pick(OUTPUTS))]
+    // What costs more is tried less often. A report has no pictures of the face, since child.ts lets it find no browser.
+    const rare = [['--ktx2'], ['--report', folder.path('report')], ['--age', '80']]
+    const options = random.chance(0.3) ? random.pick(rare) : []
+    const small = ['--size', '512', '--areas', '4', '--age', '20', '--replace']
+    return { ...runs(autoCommand, input, '-o', output, ...small, ...options), faces: [{ output, input }] }
   },
   bake: (bases, random, folder) => {
-    const [damaged, whole] = [damagedFace(bases, random), bases.faces.get('plain.glb')!]
-    const [high, low] = random.chance(0.5) ? [damaged, whole] : [whole, damaged]
-    const files = [folder.write('high.glb', high), folder.write('low.glb', low)]
-    return runs(bakeCommand, ...files, '-o', folder.path('out.png'), '--size', '32', '--samples', '1')
+    const whole = folder.write('whole.glb', bases.faces.get('plain.glb')!)
+    const files = [writeDamaged(bases, random, folder), whole]
+    const outputs = ['-o', folder.path('out.png'), '--height', folder.path('height.png')]
+    const small = ['--size', '32', '--samples', '1']
+    return runs(bakeCommand, ...(random.chance(0.5) ? files : files.reverse()), ...outputs, ...small)
   },
   inspect: (bases, random, folder) => {
-    const face = folder.write('face.glb', damagedFace(bases, random, PACKED))
+    const face = writeDamaged(bases, random, folder, random.chance(0.7) ? PACKED : BARE)
     return runs(inspectCommand, face, ...(random.chance(0.5) ? ['--sheet', folder.path('out.png')] : []))
   },
   normals: (bases, random, folder) => {
@@ -116,23 +127,26 @@ const CASES: Record<string, CaseMaker> = {
   pack: (bases, random, folder) => {
     const isFace = random.chance(0.4)
     const face = isFace ? damagedFace(bases, random, BARE) : bases.faces.get(random.pick(BARE))!
-    const [input, output] = [folder.write('face.glb', face), folder.path('out.glb')]
+    const [input, output] = [folder.write('face.glb', face), folder.path(random.pick(OUTPUTS))]
     writeWrinkles(bases, random, folder)
     const options = random.pick([[], ['--ktx2'], ['--size', '32'], ['--morph-normals']])
     return { ...runs(packCommand, folder.root, '-o', output, ...options), faces: [{ output, input }] }
   },
   'render (preparation)': (bases, random, folder) => {
-    const isFace = random.chance(0.6)
-    const face = isFace ? damagedFace(bases, random) : bases.faces.get('plain.glb')!
-    const input = folder.write('face.glb', face)
-    if (isFace) return { run: () => preparePicture({ input }) }
+    if (random.chance(0.6)) {
+      const input = writeDamaged(bases, random, folder)
+      return { run: () => preparePicture({ input }) }
+    }
+    const input = folder.write('face.glb', bases.faces.get('plain.glb')!)
     writeWrinkles(bases, random, folder)
     const wrinkles = folder.path('wrinkles.json')
     return { run: () => preparePicture({ input, wrinkles }) }
   },
   strokes: (bases, random, folder) => {
     const isFace = random.chance(0.7)
-    const face = folder.write('face.glb', isFace ? damagedFace(bases, random) : bases.faces.get('plain.glb')!)
+    const face = isFace
+      ? writeDamaged(bases, random, folder)
+      : folder.write('face.glb', bases.faces.get('plain.glb')!)
     const strokes = folder.write('strokes.json', isFace ? bases.strokes : damagedJson(bases.strokes, random))
     const outputs = [
       '-o',
@@ -145,15 +159,22 @@ const CASES: Record<string, CaseMaker> = {
     return runs(strokesCommand, strokes, '--face', face, ...outputs)
   },
   unpack: (bases, random, folder) => {
-    const input = folder.write('face.glb', damagedFace(bases, random, PACKED))
+    const input = writeDamaged(bases, random, folder, PACKED)
     const output = folder.path('out')
     return {
       ...runs(unpackCommand, input, '-o', output),
       faces: [{ output: join(output, 'face.glb'), input }],
     }
   },
-  validate: (bases, random, folder) =>
-    runs(validateCommand, folder.write('face.glb', damagedFace(bases, random))),
+  uv: (bases, random, folder) => {
+    const input = writeDamaged(bases, random, folder)
+    const options = random.pick([[], ['--mesh', 'skin']])
+    return runs(uvCommand, input, '-o', folder.path('out.png'), '--size', '128', ...options)
+  },
+  validate: (bases, random, folder) => {
+    const options = random.pick([[], ['--all'], ['--json']])
+    return runs(validateCommand, writeDamaged(bases, random, folder), ...options)
+  },
 }
 
 /** Every command that reads files of others. */

@@ -1,6 +1,7 @@
 // The process in which files are tried; see pool.ts. What it is told and what it answers are messages.
 
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs'
+import { join } from 'node:path'
 import { Worker } from 'node:worker_threads'
 import { FurrowError } from 'furrow'
 import { validateBytes } from 'gltf-validator'
@@ -55,6 +56,9 @@ const WATCH = `
   }, 200)`
 new Worker(WATCH, { eval: true, workerData: deadline }).unref()
 
+// Reports are made without pictures of the face: a browser would take seconds for each.
+process.env.FURROW_CHROMIUM = process.argv[2]!
+
 const bases = readBases(process.argv[2]!)
 
 process.on('message', async (task: Task) => {
@@ -103,22 +107,38 @@ async function newErrors({ faces }: Case): Promise<string> {
   const found: string[] = []
   for (const { output, input } of faces) {
     if (!existsSync(output)) continue
-    const old = new Set(await errorsOf(input))
+    const [old, now] = [await errorsOf(input), await errorsOf(output)]
+    if (!old || !now) continue
     // Where a file has errors, the validator does not always look at its data; once others are mended it does.
-    const isNew = (code: string) => !old.has(code) && !(old.size > 0 && code.startsWith('ACCESSOR_'))
-    found.push(...(await errorsOf(output)).filter(isNew))
+    const isNew = (code: string) => !old.includes(code) && !(old.length > 0 && code.startsWith('ACCESSOR_'))
+    found.push(...now.filter(isNew))
   }
   return [...new Set(found)].join(', ')
 }
 
-async function errorsOf(path: string): Promise<string[]> {
+let giveUp = () => {}
+process.on('uncaughtException', (error) => {
+  if (!error.stack?.includes('gltf_validator')) throw error
+  giveUp()
+})
+
+/** Undefined where the validator gives up: damaged images make it throw outside of its promise, and then it may never answer. */
+async function errorsOf(path: string): Promise<string[] | undefined> {
   const bytes = new Uint8Array(readFileSync(path))
-  const { issues } = await validateBytes(bytes, { maxIssues: 1000 })
-  const errors = issues.messages.filter(
+  const readBeside = async (uri: string) => readFileSync(join(path, '..', decodeURIComponent(uri)))
+  const report = await new Promise<Report | undefined>((resolve, reject) => {
+    giveUp = () => resolve(undefined)
+    validateBytes(bytes, { maxIssues: 1000, externalResourceFunction: readBeside }).then(resolve, reject)
+  })
+  const errors = report?.issues.messages.filter(
     ({ severity, message }) => severity === 0 && !message.includes('ktx2'),
   )
-  return errors.map(({ code, pointer = '' }) => `${code} ${pointer.replaceAll(/\d+/g, 'n')}`)
+  // An image that was in a view may be a file now.
+  const where = (pointer = '') => pointer.replaceAll(/\d+/g, 'n').replace(/\/(bufferView|uri)$/, '')
+  return errors?.map(({ code, pointer }) => `${code} ${where(pointer)}`)
 }
+
+type Report = Awaited<ReturnType<typeof validateBytes>>
 
 /** FNV-1a. */
 function hashOf(text: string): number {

@@ -34,7 +34,7 @@ const GIF = 'R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7'
 const KTX2_FIELDS = [12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 72, 80, 88, 96]
 const KTX2_NUMBERS = [0, 1, 2, 3, 4, 9, 16, 37, 43, 64, 255, 4096, 8192, 16_384, 65_536, 2 ** 31, 2 ** 32 - 1]
 
-function damageKtx2(random: Random, original: Buffer): Buffer {
+export function damageKtx2(random: Random, original: Buffer): Buffer {
   const bytes = Buffer.from(original)
   for (let changes = 1 + random.int(3); changes > 0; changes--) {
     const at = random.chance(0.8) ? random.pick(KTX2_FIELDS) : 12 + 4 * random.int(60)
@@ -44,7 +44,7 @@ function damageKtx2(random: Random, original: Buffer): Buffer {
 }
 
 /** Other numbers in the first bytes, where most formats have sizes. */
-function damageHeader(random: Random, original: Buffer): Buffer {
+export function damageHeader(random: Random, original: Buffer): Buffer {
   const bytes = Buffer.from(original)
   for (let changes = 1 + random.int(3); changes > 0; changes--) {
     bytes[random.int(Math.min(64, bytes.length))] = random.pick([0, 1, 127, 128, 255])

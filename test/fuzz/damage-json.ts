@@ -131,7 +131,9 @@ function repeat(nodes: readonly JsonNode[], random: Random): void {
   const lists = nodes.flatMap(({ parent, key }) =>
     Array.isArray(parent[key]) ? [parent[key] as Anything[]] : [],
   )
-  const list = random.pick(lists.filter((items) => items.length > 0))
+  const filled = lists.filter((items) => items.length > 0)
+  if (filled.length === 0) return
+  const list = random.pick(filled)
   const item = random.pick(list)
   const times = random.pick([1, 3, 20, 300, 5000])
   for (let i = 0; i < times; i++) list.push(structuredClone(item))

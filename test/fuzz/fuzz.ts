@@ -1,6 +1,7 @@
 import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
+import { withBar } from '../../packages/cli/src/progress.ts'
 import { writeBases } from './bases.ts'
 import { COMMANDS } from './cases.ts'
 import type { Outcome } from './child.ts'
@@ -21,6 +22,8 @@ export interface FuzzOptions {
   /** A folder for the files that fail. */
   keep: string
   report?: (text: string) => void
+  /** Ends it early, with the results so far. */
+  stop?: AbortSignal
 }
 
 /** The files of one command, and what became of them. */
@@ -32,7 +35,7 @@ export interface CommandResults {
 
 /** Tries damaged files with commands. */
 export async function fuzz(options: FuzzOptions): Promise<CommandResults[]> {
-  const { commands = COMMANDS, first = 0, report = () => {} } = options
+  const { commands = COMMANDS, first = 0, report = () => {}, stop = new AbortController().signal } = options
   const root = mkdtempSync(join(tmpdir(), 'furrow-fuzz-'))
   try {
     const bases = join(root, 'bases')
@@ -40,17 +43,18 @@ export async function fuzz(options: FuzzOptions): Promise<CommandResults[]> {
     const folders = { child: options.child, bases, work: root, keep: options.keep }
     const results: CommandResults[] = []
     for (const command of commands) {
-      const tried = await tryFiles(
-        folders,
-        { ...options, command, first },
-        options.limits,
-        options.jobs,
-        (file) => {
-          if (!FINE.includes(file.outcome)) report(failureText(command, file))
-        },
-      )
+      if (stop.aborted) break
+      const tried = await withBar(`fuzz ${command}`, (progress) => {
+        let [done, failed] = [0, 0]
+        const count = ({ outcome }: Tried) => {
+          if (!FINE.includes(outcome)) failed++
+          progress(++done, options.count, `${done}/${options.count}, failed: ${failed}`)
+        }
+        return tryFiles(folders, { ...options, command, first }, options.limits, options.jobs, count, stop)
+      })
       const failures = tried.filter(({ outcome }) => !FINE.includes(outcome))
-      report(summaryText(command, tried))
+      for (const failure of failures) report(failureText(command, failure))
+      if (tried.length > 0) report(summaryText(command, tried))
       results.push({ command, tried, failures })
     }
     return results

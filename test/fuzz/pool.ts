@@ -28,26 +28,29 @@ export const FINE: readonly Outcome[] = ['success', 'refused', 'findings']
  * @param child the bundled child.ts.
  * @param bases folder with the undamaged files.
  * @param keep folder for the files that fail.
+ * @param stop ends it early, without the file that is being tried.
  */
 export async function tryFiles(
   { child, bases, work, keep }: { child: string; bases: string; work: string; keep: string },
   { command, seed, first, count }: { command: string; seed: number; first: number; count: number },
   limits: FileLimits,
   jobs: number,
-  report: (tried: Tried) => void = () => {},
+  report: (tried: Tried) => void,
+  stop: AbortSignal,
 ): Promise<Tried[]> {
   const all: Tried[] = []
   let next = first
   const worker = async (job: number) => {
     const process = new Attempts(child, bases, limits)
     const folder = join(work, `job-${job}`)
-    while (next < first + count) {
+    while (next < first + count && !stop.aborted) {
       const index = next++
       // Twice its time, so that what is only too slow is told from what hangs.
       const task = { command, seed, index, folder, seconds: 2 * limits.seconds }
-      let result = await process.attempt(task)
+      let result = await process.attempt(task, stop)
       // The peak may be that of an earlier file: the verdict is that of a new process.
-      if (result.outcome === 'too large') result = await process.attempt(task)
+      if (result.outcome === 'too large') result = await process.attempt(task, stop)
+      if (stop.aborted) break
       const tried = { ...result, index }
       if (!FINE.includes(tried.outcome)) {
         cpSync(folder, join(keep, `${command.replaceAll(/\W+/g, '-')}-${seed}-${index}`), { recursive: true })
@@ -75,24 +78,25 @@ class Attempts {
     this.#limits = limits
   }
 
-  async attempt(task: Task): Promise<Result> {
-    this.#process ??= fork(this.#path, [this.#bases], { stdio: ['ignore', 'inherit', 'inherit', 'ipc'] })
+  async attempt(task: Task, stopAll: AbortSignal): Promise<Result> {
+    this.#process ??= this.#start()
     const child = this.#process
     const { seconds, megabytes } = this.#limits
-    const stop = new AbortController()
+    const done = new AbortController()
+    const signal = AbortSignal.any([done.signal, stopAll])
     const failed = (outcome: Outcome, message: string): Result => {
       this.end()
       return { outcome, message, milliseconds: 1000 * seconds, bytes: 0, peak: 0 }
     }
-    const timer = setTimeout(() => stop.abort(), 1000 * PATIENCE)
+    const timer = setTimeout(() => done.abort(), 1000 * PATIENCE)
     child.send(task)
     try {
       const result = await Promise.race([
-        once(child, 'message', { signal: stop.signal }).then(([message]) => message as Result),
-        once(child, 'exit', { signal: stop.signal }).then(([code, signal]) => {
-          return signal === 'SIGKILL'
+        once(child, 'message', { signal }).then(([message]) => message as Result),
+        once(child, 'exit', { signal }).then(([code, ended]) => {
+          return ended === 'SIGKILL'
             ? failed('too slow', `more than ${2 * seconds} s`)
-            : failed('died', `the process ended with ${signal ?? code}`)
+            : failed('died', `the process ended with ${ended ?? code}`)
         }),
       ])
       if (result.peak > 2 ** 20 * megabytes) {
@@ -106,8 +110,16 @@ class Attempts {
       return failed('too slow', `nothing for ${PATIENCE} s`)
     } finally {
       clearTimeout(timer)
-      stop.abort()
+      done.abort()
     }
+  }
+
+  /** Without the terminal: its Ctrl-C is for the parent, and the commands' bars would hide the parent's. */
+  #start(): ChildProcess {
+    const stdio = ['ignore', 'inherit', 'pipe', 'ipc'] as const
+    const child = fork(this.#path, [this.#bases], { stdio: [...stdio], detached: true })
+    child.stderr!.pipe(process.stderr, { end: false })
+    return child
   }
 
   end(): void {

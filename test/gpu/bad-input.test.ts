@@ -24,7 +24,7 @@ describe('images', () => {
     [
       'not an image',
       async () => new Blob(['<html>404</html>']),
-      /^area.png: not a readable image, got "16 bytes", allowed: a whole PNG, JPEG or WebP file; export/,
+      /^area.png: not a readable image, got "16 bytes", allowed: a whole PNG, JPEG, WebP or AVIF file; export/,
     ],
     [
       'transparent',

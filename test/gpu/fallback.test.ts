@@ -16,28 +16,13 @@ import {
 } from 'three'
 import { expression, Fn, vec3 } from 'three/tsl'
 import { MeshStandardNodeMaterial, Node, type NodeBuilder } from 'three/webgpu'
-import {
-  afterAll,
-  afterEach,
-  beforeAll,
-  beforeEach,
-  describe,
-  expect,
-  it,
-  type MockInstance,
-  vi,
-} from 'vitest'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { quietConsole } from './quiet-console.ts'
 
-let warn: MockInstance
-let error: MockInstance
-beforeEach(() => {
-  warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
-  error = vi.spyOn(console, 'error').mockImplementation(() => {})
-})
-afterEach(() => vi.restoreAllMocks())
+const written = quietConsole()
 
 const set = () => randomSet(seeded(3), 4, 8, 16)
 
@@ -55,7 +40,8 @@ async function picture(harness: Harness, mesh: Mesh): Promise<string> {
 }
 
 /** The warnings of Furrow; three.js has its own. */
-const warnings = () => warn.mock.calls.map(([text]) => String(text)).filter((text) => /^Wrinkles/.test(text))
+const warnings = () =>
+  written.warn.mock.calls.map(([text]) => String(text)).filter((text) => /^Wrinkles/.test(text))
 
 /** Expects that a face is drawn without wrinkles, as it was, and that one warning says why. */
 async function expectPlain(harness: Harness, mesh: Mesh, why: RegExp) {
@@ -151,7 +137,9 @@ describe.each(RENDERERS)('materials on %s', (name) => {
       wrinkles.setActivation('area1', 1)
       expect(await picture(own, mesh)).toBe(plain)
       expect(await picture(own, mesh)).toBe(plain)
-      const said = error.mock.calls.map(([text]) => text).filter((text) => /^Wrinkles/.test(text))
+      const said = written.error.mock.calls
+        .map(([text]) => String(text))
+        .filter((text) => /^Wrinkles/.test(text))
       expect(said).toEqual([
         name === 'webgl'
           ? 'Wrinkles of furrow/webgpu: cannot draw with this renderer, got "WebGLRenderer", allowed: WebGPURenderer; take it from furrow/three instead, and the loader plugin too; until then the face has no wrinkles'

@@ -28,6 +28,7 @@ describe.each([
       areas: ['nose'],
       surprised: true,
       message: expect.stringContaining('unknown version, got 2'),
+      inNode: 'there are no web workers here',
       normal: [128, 128, 255, 128, 128, 255],
     },
   },

@@ -17,6 +17,9 @@ export const DEPENDENCIES = {
   types: at('@types/three'),
   vite: at('vite'),
   typescript: at('typescript'),
+  // Only applications of our tests use these.
+  webpack: 'webpack@5.112.2',
+  esbuild: 'esbuild@0.28.2',
 }
 
 /** Runs a program to its end and returns what it printed; rejects, with that, where it fails. */

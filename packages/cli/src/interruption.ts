@@ -24,7 +24,7 @@ export function onInterruption(cleanUp: () => void): () => void {
   }
 }
 
-/** Runs synchronous work that no signal interrupts: one that arrives meanwhile ends the process behind it. */
+/** Runs synchronous work that no signal interrupts: one that arrives meanwhile ends the process afterwards. */
 export async function uninterrupted<T>(work: () => T): Promise<T> {
   const takeBack = onInterruption(() => {})
   try {
@@ -35,7 +35,7 @@ export async function uninterrupted<T>(work: () => T): Promise<T> {
   }
 }
 
-/** A new folder for temporary files; it is gone when it was removed, or when a signal ended the process. */
+/** A new folder for temporary files; it is gone once it is removed, or a signal has ended the process. */
 export function temporaryFolder(): { path: string; remove: () => Promise<void> } {
   let path: string | undefined
   const takeBack = onInterruption(() => {
@@ -55,7 +55,7 @@ export function temporaryFolder(): { path: string; remove: () => Promise<void> }
 
 /** Ends as the signal would have: a shell sees 130 for SIGINT, 143 for SIGTERM, and stops its loop. */
 function interrupt(signal: NodeJS.Signals): void {
-  // Behind the listeners of others: Playwright's kills the browser, whose profile is in a temporary folder.
+  // After the listeners of others: Playwright's kills the browser, whose profile is in a temporary folder.
   process.once('exit', () => {
     for (const cleanUp of cleanUps) cleanUp()
     stopListening()

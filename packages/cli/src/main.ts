@@ -58,7 +58,7 @@ function reportUnknownCommand(): string {
 
 for (const stream of [process.stdout, process.stderr]) {
   stream.on('error', (error: NodeJS.ErrnoException) => {
-    // Who reads the output has seen enough, like `head`.
+    // The reader of the output, such as `head`, has seen enough.
     if (error.code === 'EPIPE') process.exit()
     warn(cannotWrite('furrow', 'to stdout', error).message)
     process.exit(1)

@@ -1,6 +1,6 @@
 import { distance } from 'fastest-levenshtein'
 
-/** Longer names are nobody's typing errors, and slow to compare. */
+/** Longer names are not typed by hand, and slow to compare. */
 const LONGEST = 64
 
 /** Largest part of a name that may be misspelt. */

@@ -38,7 +38,7 @@ export async function checkOutputs(
   { extensions = ['.png'], inputs = [], force }: OutputRules = {},
 ): Promise<void> {
   const outputs = paths.filter((path) => path !== undefined)
-  for (const path of outputs) await checkWritable(path, who, ...extensions)
+  for (const path of outputs) await checkWritable(path, who, extensions)
   const written = await Promise.all(outputs.map(identityOf))
   const twice = outputs.find((_, i) => written.indexOf(written[i]) < i)
   if (twice !== undefined) {
@@ -73,15 +73,14 @@ export function overInput(path: string, who: string, force: boolean | undefined)
  * @param extensions what its name may end with, in any case.
  * @throws FurrowError when it cannot.
  */
-export async function checkWritable(path: string, who: string, ...extensions: string[]): Promise<void> {
+async function checkWritable(path: string, who: string, extensions: readonly string[]): Promise<void> {
   if (isStdout(path)) {
     if (!process.stdout.isTTY) return
     throw cannotWrite(who, 'to stdout', new Error('it is the terminal'), 'write to a file or a pipe')
   }
-  const allowed = extensions.length > 0 ? extensions : ['.png']
-  if (!allowed.some((extension) => path.toLowerCase().endsWith(extension))) {
-    const problem = `its name does not end in ${allowed.join(' or ')}`
-    throw cannotWrite(who, path, problem, `name it e.g. face${allowed[0]}`)
+  if (!extensions.some((extension) => path.toLowerCase().endsWith(extension))) {
+    const problem = `its name does not end in ${extensions.join(' or ')}`
+    throw cannotWrite(who, path, problem, `name it e.g. face${extensions[0]}`)
   }
   try {
     const target = await targetOf(path)

@@ -1,6 +1,6 @@
 import { isStdout } from './outputs.ts'
 
-/** Control characters, and those that turn the direction of text: in names they could forge or hide output. */
+/** Control characters, and those that change the direction of text: in names they could forge or hide output. */
 const UNSAFE = /[\p{Cc}\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]/gu
 
 /** Makes what comes from a file safe to print; what is valid JSON remains the same JSON. */

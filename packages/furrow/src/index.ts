@@ -8,8 +8,22 @@ export { type ActivationPointer, parseActivationPointer } from './core/activatio
 export { type AreaConvention, areaWeights } from './core/area.ts'
 export { type ErrorCode, type ErrorParts, FurrowError } from './core/error.ts'
 export { resampleGray } from './core/image.ts'
-export { type Ktx2Header, readKtx2Header } from './core/ktx2-header.ts'
-export { DEFAULT_AREA_SIZE, MAX_AREAS, MAX_IMAGE_BYTES, MAX_IMAGE_SIDE, MAX_LAYERS } from './core/limits.ts'
+export { type ImageFileType, imageDamage, imageTypeOf } from './core/image-file.ts'
+export {
+  type Ktx2Fault,
+  type Ktx2Header,
+  type Ktx2Image,
+  readKtx2Header,
+  readKtx2Image,
+} from './core/ktx2-header.ts'
+export {
+  DEFAULT_AREA_SIZE,
+  LONGEST_NAME,
+  MAX_AREAS,
+  MAX_IMAGE_BYTES,
+  MAX_IMAGE_SIDE,
+  MAX_LAYERS,
+} from './core/limits.ts'
 export {
   drawnTextures,
   type MapProblem,

@@ -1,6 +1,7 @@
-// `furrow` and `furrow/author`, where nothing else is installed.
+// `furrow`, `furrow/author` and `furrow/auto`, where nothing else is installed.
 import { EXPRESSIONS, FurrowError, parseWrinkleSetDocument, type WrinkleSetDocument } from 'furrow'
 import { type NormalMap, reliefToNormal } from 'furrow/author'
+import { autoWrinklesInWorker } from 'furrow/auto'
 
 const set: WrinkleSetDocument = parseWrinkleSetDocument({
   version: 1,
@@ -17,11 +18,19 @@ try {
 
 const flat: NormalMap = reliefToNormal({ width: 2, height: 1, data: new Float32Array(2) })
 
+let inNode = ''
+try {
+  await autoWrinklesInWorker({ positions: [], uvs: [], indices: [], targets: [] }, { age: 60 })
+} catch (error) {
+  if (error instanceof FurrowError) inNode = error.what
+}
+
 console.info(
   JSON.stringify({
     areas: set.areas.map(({ name }) => name),
     surprised: EXPRESSIONS.some(({ name }) => name === 'surprised'),
     message,
+    inNode,
     normal: [...flat.data],
   }),
 )

@@ -123,7 +123,7 @@ describe('furrow strokes', () => {
       'cannot read the face',
     ],
     [
-      'a face that is no glTF',
+      'a face that is not glTF',
       () => [strokes, '--face', strokes, '-o', file('x.png')],
       'is not usable: its JSON has no asset.version',
     ],
@@ -133,12 +133,12 @@ describe('furrow strokes', () => {
       `no such mesh in ${face}, got "nose", allowed: sheet; name one with --mesh`,
     ],
     [
-      'a size that is none',
+      'a size that is not a number',
       () => [strokes, '--face', face, '--size', '1k', '-o', file('x.png')],
       "option '--size <texels>' argument '1k' is invalid. It must be an integer from 16 to 8192 texels; see furrow strokes --help",
     ],
     [
-      'a base that is no image',
+      'a base that is not an image',
       () => [strokes, '--face', face, '--base', strokes, '--normal', file('x.png')],
       'strokes.json (unsupported image format), allowed: PNG, JPEG, WebP or AVIF',
     ],

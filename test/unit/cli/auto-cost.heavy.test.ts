@@ -40,13 +40,13 @@ test('maps that are too large to compress are refused before the work', async ()
 })
 
 test.each<[string, (json: Json) => void, string]>([
-  ['unlit', ({ materials }) => unlit(materials[0]!), 'is unlit (KHR_materials_unlit): it shows no wrinkles'],
+  ['unlit', ({ materials }) => unlit(materials[0]!), 'shows no wrinkles: it is unlit (KHR_materials_unlit)'],
   [
     'MToon of VRM 1',
     ({ materials }) => {
       materials[0]!.extensions = { VRMC_materials_mtoon: {}, KHR_materials_unlit: {} }
     },
-    'is MToon: wrinkles are composed',
+    'is MToon: wrinkles are drawn as lines',
   ],
   [
     'MToon of VRM 0',
@@ -54,7 +54,7 @@ test.each<[string, (json: Json) => void, string]>([
       unlit(json.materials[0]!)
       json.extensions = { VRM: { materialProperties: [{ shader: 'VRM/MToon' }] } }
     },
-    'is MToon: wrinkles are composed',
+    'is MToon: wrinkles are drawn as lines',
   ],
   [
     'of a mesh without normals',

@@ -370,7 +370,7 @@ describe('files', () => {
     expect(readFileSync(file('twice.glb')).equals(readFileSync(file('once.glb')))).toBe(false)
   })
 
-  test('what is no whole file', async () => {
+  test('a file that is not whole', async () => {
     const whole = readFileSync(await write('body.glb'))
     for (const length of [0, 3, 11, 19, 40, 500, whole.length / 2, whole.length - 1]) {
       writeFileSync(file('cut.glb'), whole.subarray(0, length))

@@ -127,7 +127,7 @@ describe('furrow inspect', () => {
     ],
     ['no glTF', async () => [shop.write('x.glb', await noise(1, 3))], 'it is an image'],
     ['half a file', () => [shop.write('half.glb', readFileSync(face).subarray(0, 4000))], 'it is cut off'],
-    ['a sheet that is no PNG', () => [face, '--sheet', shop.path('sheet.jpg')], 'does not end in .png'],
+    ['a sheet that is not a PNG', () => [face, '--sheet', shop.path('sheet.jpg')], 'does not end in .png'],
     ['a sheet in place of a folder', () => [face, '--sheet', shop.path('face')], 'does not end in .png'],
   ])('says one line about %s', async (_, args, message) => {
     const failure = await shop.failure(inspectCommand, ...(await args()))

@@ -10,8 +10,8 @@ import { normalsCommand } from '../../../packages/cli/src/commands/normals.ts'
 import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
 import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
-import { costProblem, decodingProblem } from '../../../packages/cli/src/gltf/check-document.ts'
-import { shapeProblem } from '../../../packages/cli/src/gltf/glb-shape.ts'
+import { costProblem, decodingProblem } from '../../../packages/cli/src/gltf/checks/document.ts'
+import { shapeProblem } from '../../../packages/cli/src/gltf/checks/shape.ts'
 import { flatPng } from '../../fuzz/damage-images.ts'
 import { type Anything, joinGlb, setImage, splitGlb } from '../../fuzz/glb-parts.ts'
 import { sheet, sheetGlb } from './sheet.ts'
@@ -48,6 +48,11 @@ const sparse = (count: number) => ({
   indices: { bufferView: 0, componentType: 5123 },
   values: { bufferView: 0 },
 })
+
+const compress = (json: Anything, how: object) =>
+  Object.assign(json.bufferViews[0], {
+    extensions: { EXT_meshopt_compression: { buffer: 0, byteLength: 4, ...how } },
+  })
 
 describe('numbers are checked before anything is decoded', () => {
   it('finds nothing wrong with a whole face', () => {
@@ -161,6 +166,24 @@ describe('numbers are checked before anything is decoded', () => {
       'textures[0].source is 99',
     ],
     ['a texture without an image', (json) => delete json.textures[0].source, 'textures[0] has no image'],
+    [
+      'a compressed view without a count',
+      (json) => compress(json, { byteStride: 4, mode: 'ATTRIBUTES' }),
+      'bufferViews[0] is malformed',
+    ],
+    [
+      'a mode that no decoder has',
+      (json) => compress(json, { count: 1, byteStride: 4, mode: 'MAT4' }),
+      'bufferViews[0] is malformed',
+    ],
+    [
+      "a Draco attribute that is none of its primitive's",
+      (json) =>
+        Object.assign(json.meshes[0].primitives[0], {
+          extensions: { KHR_draco_mesh_compression: { bufferView: 0, attributes: { COLOR_0: 0 } } },
+        }),
+      "meshes[0].primitives[0] has COLOR_0 in Draco's attributes alone",
+    ],
     ['a root that does not exist', (json) => json.scenes[0].nodes.push(99), 'scenes[0].nodes is 99'],
   ])('names %s', (_, change, message) => {
     expect(problem(change)).toContain(message)

@@ -56,7 +56,7 @@ test.each(HOSTILE_BYTES.map((bytes, i) => [i, bytes] as const))(
 )
 
 test.each(['/page/../../secret.txt', '/page/..%2Fsecret.txt', '/page/link.txt', '/page/', '/page', ''])(
-  '%s, which is no file of the page, is not found',
+  '%s, which is not a file of the page, is not found',
   async (path) => {
     expect(statusOf(await request(server.origin, `${base}${path}`))).toBe(404)
   },

@@ -262,7 +262,7 @@ describe('furrow pack with bad input', () => {
       (at) => rmSync(shop.path(`${at}/face.glb`)),
       'does not exist); put it there, or name another one with --face',
     ],
-    ['a face that is none', (at) => shop.write(`${at}/face.glb`, 'glTF'), 'is not usable'],
+    ['a face that is not glTF', (at) => shop.write(`${at}/face.glb`, 'glTF'), 'is not usable'],
     [
       'a face without a mesh',
       async (at) => shop.write(`${at}/face.glb`, withJson(await faceBytes(), { asset: { version: '2.0' } })),

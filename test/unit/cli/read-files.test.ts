@@ -12,6 +12,7 @@ import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
 import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
 import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
+import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
 import { encodeGlb, readGlbFile } from '../../../packages/cli/src/gltf/glb-file.ts'
 import type { GltfJson } from '../../../packages/cli/src/gltf/gltf-json.ts'
 import { readDocument } from '../../../packages/cli/src/gltf/read-document.ts'
@@ -96,6 +97,17 @@ describe('a file with others beside it', () => {
     expect(await validatorErrors(encodeGlb(glb))).toEqual([])
   })
 
+  it.each(['skin%200.png', './skin 0.png', 'folder\\..\\skin%200.png'])(
+    'is given to the Khronos validator with them, by whatever address: %s',
+    async (uri) => {
+      const path = await writeApart('validated', (json) => {
+        json.images![0] = { uri }
+      })
+      await shop.run(validateCommand, path)
+      expect(shop.printed).toMatch(/: 0 errors, 1 warning$/m)
+    },
+  )
+
   it('holds a file once that it refers to several times', async () => {
     const path = await writeApart('twice')
     const once = (await readGlbFile(path, WHO)).bin.length
@@ -111,7 +123,7 @@ describe('a file with others beside it', () => {
       const [view] = json.bufferViews!
       const fallback = json.buffers!.unshift({ byteLength: view.byteLength }) && 0
       for (const item of json.bufferViews!) item.buffer = 1
-      const compressed = { ...view, count: view.byteLength / 4, byteStride: 4 }
+      const compressed = { ...view, count: view.byteLength / 4, byteStride: 4, mode: 'ATTRIBUTES' }
       view.extensions = { EXT_meshopt_compression: compressed }
       Object.assign(view, { buffer: fallback, byteOffset: 0 })
     })
@@ -229,7 +241,7 @@ describe('files outside the folder', () => {
     ['.', /it is not a file/],
     ['none.png', /none\.png, which .*face\.gltf refers to.*; put it there/],
     ['a%00b', /cannot read/],
-  ])('nor is anything read that is no file: %s', async (uri, message) => {
+  ])('nor is anything read that is not a file: %s', async (uri, message) => {
     await expect(readGlbFile(await withImage(uri), WHO)).rejects.toThrow(message)
   })
 

@@ -17,7 +17,7 @@ describe('furrow render refuses', () => {
     const old = Buffer.from(glb)
     old.writeUInt32LE(1, 4)
     put('empty.glb', '')
-    put('text.glb', 'This is no face, but it is longer than a header.')
+    put('text.glb', 'This is not a face, but it is longer than a header.')
     put('short.glb', glb.subarray(0, 10))
     put('cut.glb', glb.subarray(0, 50_000))
     put('old.glb', old)
@@ -84,7 +84,7 @@ describe('furrow render refuses', () => {
     ['a size of one number', [FACE, '--size', '800'], /option '--size <size>' argument '800' is invalid/],
     ['a size too small', [FACE, '--size', '800x15'], /argument '800x15' is invalid/],
     ['a size too large', [FACE, '--size', '8193x600'], /sides from 16 to 8192 pixels/],
-    ['a picture that is no PNG', [FACE, '-o', 'face.jpg'], /does not end in \.png/],
+    ['a picture that is not a PNG', [FACE, '-o', 'face.jpg'], /does not end in \.png/],
     ['a picture that is a folder', [FACE, '-o', file('folder.png')], /it is a folder/],
     ['a picture under a file', [FACE, '-o', join(file('text.glb'), 'x.png')], /is not a folder/],
   ])('%s', async (_, asked, message) => {

@@ -44,7 +44,7 @@ describe('furrow unpack with bad input', () => {
       (json) => Object.assign(json.bufferViews.at(-1), { byteLength: 1e9 }),
       'has no image in the file',
     ],
-    ['meshes that are none', (json) => json.meshes.push(1), 'meshes[2] is malformed'],
+    ['meshes that are not objects', (json) => json.meshes.push(1), 'meshes[2] is malformed'],
   ])('names %s', async (_, spoil, message) => {
     const bytes = readFileSync(shop.path('a.glb'))
     const json = jsonOf(bytes)

@@ -1,4 +1,5 @@
 import { readFileSync } from 'node:fs'
+import type { RgbaImage } from 'furrow'
 import { readWrinkleMaps, Wrinkles } from 'furrow/three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import { afterAll, beforeAll, expect, it, vi } from 'vitest'
@@ -9,6 +10,12 @@ import { Random } from '../../fuzz/random.ts'
 import { mutate } from '../gltf/mutations.ts'
 import { loadInNode } from '../three/node-loader.ts'
 import { jsonOf, Workshop, withJson } from './workshop.ts'
+
+// Node has no WebGL to read pixels with; its stand-in for a bitmap has them.
+vi.mock(import('../../../packages/furrow/src/three/loader/read-texture.ts'), async (original) => ({
+  ...(await original()),
+  readImage: (bitmap) => bitmap as unknown as RgbaImage,
+}))
 
 const NAME = 'FURROW_wrinkle_maps'
 const FILES = 600

@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs'
+import { closeSync, openSync, readFileSync } from 'node:fs'
 import fc from 'fast-check'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
@@ -46,6 +46,13 @@ describe('furrow validate', () => {
     expect(process.exitCode).toBe(1)
   })
 
+  it('reads a pipe that the shell has opened once', async () => {
+    const file = openSync(face, 'r')
+    await shop.run(validateCommand, `/dev/fd/${file}`)
+    closeSync(file)
+    expect(shop.printed).toBe(`/dev/fd/${file}: 0 errors, 0 warnings\n`)
+  })
+
   it('sums up the errors about the rest of the file, and lists those about the wrinkles', async () => {
     const path = spoilt((json, maps) => {
       for (const { min, max } of json.accessors) for (const limits of [min, max]) if (limits) limits[0] += 0.5
@@ -72,7 +79,7 @@ describe('furrow validate', () => {
     ['two areas of one name', (_, maps) => Object.assign(maps.areas[1], { name: 'brow' }), 'INVALID'],
     ['a layer beyond the list', (_, maps) => Object.assign(maps.areas[1], { layer: 2 }), 'INVALID'],
     [
-      'an extension that is no object',
+      'an extension that is not an object',
       (json) => Object.assign(json.materials[0].extensions, { [NAME]: 1 }),
       'INVALID',
     ],
@@ -100,6 +107,15 @@ describe('furrow validate', () => {
       'an unknown driver',
       (_, maps) => Object.assign(maps, { drivers: [{ type: 'weather' }] }),
       'DRIVER_TYPE',
+    ],
+    [
+      'MToon, whose fallback is unlit,',
+      (json) => {
+        const names = ['VRMC_materials_mtoon', 'KHR_materials_unlit']
+        for (const name of names) json.materials[0].extensions[name] = {}
+        json.extensionsUsed.push(...names)
+      },
+      'MTOON',
     ],
     ['no wrinkles at all', (json) => delete json.materials[0].extensions, 'NO_WRINKLES'],
   ])('counts %s as a warning', async (_, spoil, code) => {

@@ -141,7 +141,7 @@ describe('tension drivers', () => {
     expect(state.activations[1]).toBe(0)
   })
 
-  it('goes on without an area that covers nothing, and without triangles that are none', () => {
+  it('goes on without an area that covers nothing, and without degenerate triangles', () => {
     const rest = sheet(1)
     const triangles = [0, 0, 0, 0, 1, 1, ...rest.triangles]
     const { activations, measured, missing } = drive(

@@ -78,3 +78,36 @@ export const mutation = fc.record<Mutation>({
     { weight: 1, arbitrary: fc.jsonValue({ maxDepth: 2 }) },
   ),
 })
+
+/**
+ * Holds a schema against a parser, in 10,000 mutated documents: it must accept whatever the parser accepts.
+ *
+ * @param parse throws for what it refuses.
+ * @returns how many documents the parser accepted, and the part of those it refused that the schema accepted.
+ */
+export function compareWithParser(
+  document: Anything,
+  validate: (document: unknown) => boolean,
+  parse: (document: Anything) => unknown,
+  seed: number,
+): { accepted: number; missed: number } {
+  const text = JSON.stringify(document)
+  let [accepted, refused, missed] = [0, 0, 0]
+  fc.assert(
+    fc.property(fc.array(mutation, { minLength: 1, maxLength: 2 }), (mutations) => {
+      const mutated = mutations.reduce(mutate, JSON.parse(text))
+      const passes = validate(mutated)
+      try {
+        parse(mutated)
+      } catch {
+        refused++
+        if (passes) missed++
+        return true
+      }
+      accepted++
+      return passes
+    }),
+    { numRuns: 10_000, seed },
+  )
+  return { accepted, missed: missed / refused }
+}

@@ -159,7 +159,7 @@ describe('wrong arguments', () => {
       () => wrinkles.createInfluenceMaterial(any(null)),
     ],
     ['new Wrinkles(null)', /^Wrinkles: a mesh, got "null"/, () => new Wrinkles(any(null), set())],
-    ['new Wrinkles of no mesh', /^Wrinkles: a mesh/, () => new Wrinkles(any({}), set())],
+    ['new Wrinkles without a mesh', /^Wrinkles: a mesh/, () => new Wrinkles(any({}), set())],
     [
       'new Wrinkles without a set',
       /^Wrinkles: a wrinkle set, got "null"/,

@@ -1,17 +1,13 @@
-import { readKtx2Header } from 'furrow'
 import sharp from 'sharp'
 import { CompressedArrayTexture, CompressedTexture, RGBA_BPTC_Format } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { vi } from 'vitest'
-import { readArray } from '../../../packages/cli/src/array/ktx2.ts'
-import { imageTypeOf } from '../../../packages/cli/src/gltf/image-type.ts'
+import { decodeArray } from '../../../packages/cli/src/array/ktx2.ts'
 
 /** Decodes as a browser does, though by another library. */
 async function createImageBitmap(blob: Blob) {
   const bytes = new Uint8Array(await blob.arrayBuffer())
-  const type = imageTypeOf(bytes)
-  if (!type || type === 'image/ktx2') throw new Error('The source image could not be decoded.')
   const image = sharp(bytes, { failOn: 'truncated', ignoreIcc: true }).toColourspace('srgb').ensureAlpha()
   const { data, info } = await image.raw().toBuffer({ resolveWithObject: true })
   return { width: info.width, height: info.height, data: new Uint8Array(data), close() {} }
@@ -19,25 +15,13 @@ async function createImageBitmap(blob: Blob) {
 
 /** Transcodes for nothing, and returns textures of the right kind and size. */
 const ktx2Loader = {
-  async load(
-    url: string,
-    onLoad: (texture: CompressedTexture) => void,
-    _: unknown,
-    onError: (e: unknown) => void,
-  ) {
-    try {
-      const bytes = new Uint8Array(await (await fetch(url)).arrayBuffer())
-      const { width, height, layers } = await readArray(bytes)
-      readKtx2Header(bytes, url)
-      const mipmaps = [{ data: new Uint8Array(16), width, height }]
-      onLoad(
-        layers.length > 1
-          ? new CompressedArrayTexture(mipmaps, width, height, layers.length, RGBA_BPTC_Format)
-          : new CompressedTexture(mipmaps, width, height, RGBA_BPTC_Format),
-      )
-    } catch (error) {
-      onError(error)
-    }
+  async loadAsync(url: string): Promise<CompressedTexture> {
+    const bytes = new Uint8Array(await (await fetch(url)).arrayBuffer())
+    const { width, height, layers } = await decodeArray(bytes)
+    const mipmaps = [{ data: new Uint8Array(16), width, height }]
+    return layers.length > 1
+      ? new CompressedArrayTexture(mipmaps, width, height, layers.length, RGBA_BPTC_Format)
+      : new CompressedTexture(mipmaps, width, height, RGBA_BPTC_Format)
   },
 }
 

@@ -54,23 +54,34 @@ export async function writeArray(
   return write(container, { keepWriter: true })
 }
 
+/** A KTX 2 file as it was decoded. */
+export interface DecodedArray extends Omit<NamedArray, 'names'> {
+  compression: Compression
+}
+
 /**
- * Reads the largest level of a 2D array or 2D texture in R8, RGBA8 or a Basis Universal format. Layers without names are
- * called layer-0, layer-1 and so on.
+ * Reads the largest level of a 2D array or 2D texture in R8, RGBA8 or a Basis Universal format, and the names of its layers. Those
+ * without names are called layer-0, layer-1 and so on.
  *
  * @throws Error with a short reason when the bytes are anything else.
  */
-export async function readArray(bytes: Uint8Array): Promise<NamedArray & { compression: Compression }> {
-  const { vkFormat, width, height, count } = readHeader(bytes)
+export async function readArray(bytes: Uint8Array): Promise<DecodedArray & NamedArray> {
+  const array = await decodeArray(bytes)
+  return { ...array, names: layerNames(readContainer(bytes), array.layers.length) }
+}
+
+/** As `readArray`, without the names. */
+export async function decodeArray(bytes: Uint8Array): Promise<DecodedArray> {
+  const { format, width, height, slices } = readHeader(bytes)
+  const count = Math.max(slices, 1)
   const container = readContainer(bytes)
-  const names = layerNames(container, count)
   const srgb = container.dataFormatDescriptor[0].transferFunction === KHR_DF_TRANSFER_SRGB
-  const channels = CHANNELS.get(vkFormat)
-  if (vkFormat === VK_FORMAT_UNDEFINED) {
+  const channels = CHANNELS.get(format)
+  if (format === VK_FORMAT_UNDEFINED) {
     const { layers, compression } = await decodeBasis(bytes, count)
-    return { width, height, channels: 4, srgb, names, layers, compression }
+    return { width, height, channels: 4, srgb, layers, compression }
   }
-  if (channels === undefined) throw new Error(`its format is ${vkFormat}, not R8 or RGBA8`)
+  if (channels === undefined) throw new Error(`its format is ${format}, not R8 or RGBA8`)
   const isCompressed = container.supercompressionScheme === KHR_SUPERCOMPRESSION_ZSTD
   if (!isCompressed && container.supercompressionScheme !== KHR_SUPERCOMPRESSION_NONE) {
     throw new Error(`its supercompression is ${container.supercompressionScheme}, not Zstandard`)
@@ -82,8 +93,8 @@ export async function readArray(bytes: Uint8Array): Promise<NamedArray & { compr
   if (data.length !== size * count) {
     throw new Error(`it has ${data.length} bytes instead of ${size * count}`)
   }
-  const layers = names.map((_, i) => data.slice(i * size, (i + 1) * size))
-  return { width, height, channels, srgb, names, layers, compression: isCompressed ? 'zstd' : 'none' }
+  const layers = Array.from({ length: count }, (_, i) => data.slice(i * size, (i + 1) * size))
+  return { width, height, channels, srgb, layers, compression: isCompressed ? 'zstd' : 'none' }
 }
 
 /** Throws Error with a short reason where ktx-parse reads beyond the bytes. */

@@ -1,6 +1,7 @@
 import type { Accessor, Material, Mesh, Node, Primitive } from '@gltf-transform/core'
 import type { Skin } from 'furrow/author'
 import { BufferAttribute, Matrix3, Matrix4 } from 'three'
+import { namesOfTargets } from '../gltf/gltf-json.ts'
 import { placementOf } from '../gltf/mesh-nodes.ts'
 import { readCoordinates } from './coordinates.ts'
 
@@ -9,7 +10,8 @@ import { readCoordinates } from './coordinates.ts'
  * Vertices that no triangle uses are left out: primitives often have all vertices of a mesh.
  */
 export function readSkin(mesh: Mesh, primitives: readonly Primitive[], material: Material): Skin {
-  const names = targetNames(mesh, primitives)
+  const targets = Math.max(0, ...primitives.map((primitive) => primitive.listTargets().length))
+  const names = namesOfTargets(mesh.getExtras().targetNames, targets)
   const parts = primitives.map((primitive) => ({ primitive, ...usedVertices(primitive) }))
   const total = parts.reduce((sum, { used }) => sum + used.length, 0)
   const positions = new Float32Array(3 * total)
@@ -58,14 +60,6 @@ function placementOfMesh(mesh: Mesh): Matrix4 | undefined {
   const placement = new Matrix4()
   if (node) placement.fromArray(placementOf(node))
   return placement.equals(new Matrix4()) ? undefined : placement
-}
-
-/** The names in `mesh.extras.targetNames`, or the indices where it has none or too few. */
-function targetNames(mesh: Mesh, primitives: readonly Primitive[]): string[] {
-  const count = Math.max(0, ...primitives.map((primitive) => primitive.listTargets().length))
-  const { targetNames: names } = mesh.getExtras()
-  const isComplete = Array.isArray(names) && names.length === count
-  return Array.from({ length: count }, (_, i) => String(isComplete ? names[i] : i))
 }
 
 /** Copies vectors of the used vertices, whatever the accessor's type. */

@@ -8,7 +8,6 @@ import { costOf } from '../auto/cost.ts'
 import { type FoundSkin, findSkin } from '../auto/find-skin.ts'
 import { packAuto } from '../auto/pack-auto.ts'
 import { makeReport } from '../auto/report/make-report.ts'
-import { shadingOf, skinWarnings } from '../auto/shading.ts'
 import { Steps } from '../auto/steps.ts'
 import { strokesFile } from '../auto/strokes-file.ts'
 import { summaryLines, summaryOf } from '../auto/summary.ts'
@@ -18,11 +17,13 @@ import { writeAll } from '../files.ts'
 import { FACE_EXTENSIONS, faceFiles } from '../gltf/face-files.ts'
 import { type Glb, readGlbFile } from '../gltf/glb-file.ts'
 import { documentOf } from '../gltf/read-document.ts'
+import { shadingOf } from '../gltf/shading.ts'
 import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
 import { checkOutputs, isStdout } from '../outputs.ts'
 import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
 import { embedWrinkles } from '../wrinkles/embed.ts'
+import { faceWarnings } from '../wrinkles/face-rules.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
 
 const WHO = 'furrow auto'
@@ -151,7 +152,7 @@ async function auto(face: string, options: Options): Promise<void> {
     const files = await faceFiles(glb, output, WHO, rules)
     const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0)
     if (strokes !== undefined) files.push({ path: strokes, bytes: strokesFile(wrinkles) })
-    const ofSkin = skinWarnings(glb.json, found.material, found.materialName)
+    const ofSkin = faceWarnings(glb.json, found.material, found.materialName)
     const warnings = [...wrinkles.warnings, ...ofSkin].map((text) => `${WHO}: ${text}`)
     if (report !== undefined) {
       const listed = { ...settings, regions: regions?.join(', ') ?? 'all' }

@@ -38,7 +38,7 @@ Examples:
 async function validate(path: string, { all = false, json = false, ...options }: Options): Promise<void> {
   const glb = await readGlbFile(path, WHO, options)
   const own = await checkWrinkles(glb)
-  const others = await runKhronosValidator(path, glb, WHO, options)
+  const others = await runKhronosValidator(glb)
   const findings = [...own, ...others]
   const errors = findings.filter(isError).length
   const warnings = findings.length - errors

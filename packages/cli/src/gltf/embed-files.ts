@@ -1,13 +1,10 @@
 import { posix } from 'node:path'
-import { FurrowError } from 'furrow'
+import { FurrowError, imageTypeOf } from 'furrow'
 import { BufferViewWriter } from './buffer-view-writer.ts'
-import { type ReadOptions, readUri, resolveInside } from './external-files.ts'
+import { type ReadOptions, type Reference, referenceReader } from './external-files.ts'
 import type { Glb } from './glb-file.ts'
 import { compressedViews } from './gltf-json.ts'
-import { imageTypeOf } from './image-type.ts'
-
-/** Reads what a URI refers to; the same object where it is the same file. */
-type Read = (uri: string) => Promise<Uint8Array>
+import { unusable } from './not-gltf.ts'
 
 /**
  * Makes a file whole: the buffers and images that it refers to become part of its binary chunk. A file that refers to
@@ -24,29 +21,19 @@ export async function embedFiles(
   options: ReadOptions = {},
 ): Promise<void> {
   const { buffers = [], images = [] } = glb.json
-  if (![...buffers, ...images].some(({ uri }) => uri !== undefined)) return
-  const known = new Map<string, Uint8Array>()
-  const read = async (uri: string) => {
-    const key = uri.startsWith('data:') ? uri : await resolveInside(path, uri, who, options)
-    const bytes = known.get(key) ?? (await readUri(path, uri, who, options))
-    if (!known.has(key) && key !== uri) {
-      glb.fileBytes += bytes.length
-      glb.files.push(key)
-    }
-    known.set(key, bytes)
-    return bytes
-  }
-  glb.bin = await joinBuffers(glb, read, path, who)
-  if (images.some(({ uri }) => uri !== undefined)) await embedImages(glb, read, path, who)
+  const uris = [...buffers, ...images].flatMap(({ uri }) => uri ?? [])
+  if (uris.length === 0) return
+  const read = referenceReader(path, who, options)
+  const references = new Map<string, Reference>()
+  for (const uri of uris) references.set(uri, references.get(uri) ?? (await read(uri)))
+  for (const { bytes, path } of new Set(references.values())) if (path) glb.fileBytes += bytes.length
+  glb.references = references
+  glb.bin = joinBuffers(glb, path, who)
+  if (images.some(({ uri }) => uri !== undefined)) embedImages(glb, path, who)
 }
 
 /** Joins all buffers that have data to the first one; those without are fallbacks of compressed meshes. */
-async function joinBuffers(
-  { json, ...glb }: Glb,
-  read: Read,
-  path: string,
-  who: string,
-): Promise<Uint8Array> {
+function joinBuffers({ json, references, ...glb }: Glb, path: string, who: string): Uint8Array {
   const { buffers = [], bufferViews = [] } = json
   const parts = new Map<Uint8Array, number>()
   const fallbacks: typeof buffers = []
@@ -57,9 +44,10 @@ async function joinBuffers(
       moved.push({ buffer: fallbacks.push(buffer), offset: 0 })
       continue
     }
-    const bytes = buffer.uri === undefined ? glb.bin : await read(buffer.uri)
+    const bytes = buffer.uri === undefined ? glb.bin : references.get(buffer.uri)!.bytes
     if (bytes.length < buffer.byteLength) {
-      throw damaged(path, who, `buffers[${i}] has ${bytes.length} of ${buffer.byteLength} bytes`, buffer.uri)
+      const problem = `buffers[${i}] has ${bytes.length} of ${buffer.byteLength} bytes`
+      throw unusable(path, who, problem, { value: buffer.uri })
     }
     const offset = parts.get(bytes) ?? 4 * Math.ceil(byteLength / 4)
     if (!parts.has(bytes)) byteLength = offset + bytes.length
@@ -71,7 +59,7 @@ async function joinBuffers(
       const place = moved[part.buffer]
       const end = (part.byteOffset ?? 0) + part.byteLength
       if (!place || end > buffers[part.buffer].byteLength) {
-        throw damaged(path, who, `bufferViews[${i}] is not within its buffer`)
+        throw unusable(path, who, `bufferViews[${i}] is not within its buffer`)
       }
       part.buffer = place.buffer
       if (place.offset > 0) part.byteOffset = (part.byteOffset ?? 0) + place.offset
@@ -83,13 +71,13 @@ async function joinBuffers(
   return joined
 }
 
-async function embedImages(glb: Glb, read: Read, path: string, who: string): Promise<void> {
+function embedImages(glb: Glb, path: string, who: string): void {
   const writer = new BufferViewWriter(glb)
   const views = new Map<Uint8Array, number>()
   for (const image of glb.json.images ?? []) {
     const { uri } = image
     if (uri === undefined) continue
-    const bytes = await read(uri)
+    const { bytes, path: file } = glb.references.get(uri)!
     const mimeType = imageTypeOf(bytes) ?? image.mimeType
     if (mimeType === undefined) {
       throw new FurrowError({
@@ -104,13 +92,8 @@ async function embedImages(glb: Glb, read: Read, path: string, who: string): Pro
     const bufferView = views.get(bytes) ?? writer.add(bytes)
     views.set(bytes, bufferView)
     delete image.uri
-    if (!uri.startsWith('data:')) image.name ??= posix.parse(uri).name
+    if (file !== undefined) image.name ??= posix.parse(uri).name
     Object.assign(image, { mimeType, bufferView })
   }
   writer.finish()
-}
-
-function damaged(path: string, who: string, problem: string, value?: string): FurrowError {
-  const what = `${path} is not usable: ${problem}`
-  return new FurrowError({ code: 'unreadable', who, what, value, remedy: 'export it again' })
 }

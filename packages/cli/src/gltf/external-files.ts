@@ -38,31 +38,51 @@ export async function resolveInside(
   throw missing(file, uri, who, new Error('it is not a file'))
 }
 
+/** What a URI refers to. */
+export interface Reference {
+  bytes: Uint8Array
+  /** The real path of the file; undefined where the URI itself holds the data. */
+  path?: string
+}
+
 /**
- * Reads what a URI in a file refers to: a file, see `resolveInside`, or the data in a `data:` URI.
+ * Returns what reads the references of a file: files, see `resolveInside`, and the data in `data:` URIs. Each is read
+ * once, and is the same object by whatever URI.
  *
- * @throws FurrowError when it cannot be read.
+ * @param file path of the file with the URIs.
+ * @returns a function that throws FurrowError when a reference cannot be read.
  */
-export async function readUri(
+export function referenceReader(
   file: string,
-  uri: string,
   who: string,
   options: ReadOptions = {},
-): Promise<Uint8Array> {
-  const data = DATA_URI.exec(uri)
-  if (data) {
-    const text = uri.slice(data[0].length)
-    return data[1] ? Buffer.from(text, 'base64') : Buffer.from(unescaped(text), 'latin1')
+): (uri: string) => Promise<Reference> {
+  const known = new Map<string, Reference>()
+  const readAt = async (path: string, uri: string): Promise<Reference> => {
+    try {
+      return { bytes: await readFile(path), path }
+    } catch (error) {
+      throw missing(file, uri, who, error)
+    }
   }
-  const path = await resolveInside(file, uri, who, options)
-  try {
-    return await readFile(path)
-  } catch (error) {
-    throw missing(file, uri, who, error)
+  return async (uri) => {
+    const data = dataOf(uri)
+    const key = data ? uri : await resolveInside(file, uri, who, options)
+    const reference = known.get(key) ?? (data ? { bytes: data } : await readAt(key, uri))
+    known.set(key, reference)
+    return reference
   }
 }
 
-/** The path in a URI, with the separators of any system. Throws FurrowError for anything that is no path. */
+/** The data in a `data:` URI; undefined for any other. */
+function dataOf(uri: string): Uint8Array | undefined {
+  const found = DATA_URI.exec(uri)
+  if (!found) return undefined
+  const text = uri.slice(found[0].length)
+  return found[1] ? Buffer.from(text, 'base64') : Buffer.from(unescaped(text), 'latin1')
+}
+
+/** The path in a URI, with the separators of any system. Throws FurrowError for anything that is not a path. */
 function pathOf(file: string, uri: string, who: string, allowOutside: boolean): string {
   if (!SCHEME.test(uri)) return unescaped(uri).replaceAll('\\', '/')
   if (/^file:/i.test(uri)) {
@@ -83,8 +103,8 @@ function pathOf(file: string, uri: string, who: string, allowOutside: boolean): 
   })
 }
 
-/** Exporters are asked to escape URIs, and not all do. */
-function unescaped(text: string): string {
+/** A URI without its escapes. Exporters are asked to escape URIs, and not all do. */
+export function unescaped(text: string): string {
   try {
     return decodeURIComponent(text)
   } catch {

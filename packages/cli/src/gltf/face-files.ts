@@ -2,7 +2,7 @@ import { dirname, join, parse } from 'node:path'
 import type { OutputFile } from '../files.ts'
 import { checkOutputs, type OutputRules } from '../outputs.ts'
 import { encodeGlb, type Glb } from './glb-file.ts'
-import { compressedViews, type GltfJson } from './gltf-json.ts'
+import { type BufferView, compressedViews, type GltfJson } from './gltf-json.ts'
 
 /** What the name of a face that is written may end with. */
 export const FACE_EXTENSIONS = ['.glb', '.vrm', '.gltf'] as const
@@ -31,7 +31,8 @@ export async function faceFiles(
   if (!path.toLowerCase().endsWith('.gltf')) return [{ path, bytes: encodeGlb(glb) }]
   const files = splitFile(glb, path)
   const paths = files.map((file) => file.path)
-  await checkOutputs(paths, who, { extensions: [''], inputs: [...inputs, ...glb.files], force })
+  const references = [...glb.references.values()].flatMap((reference) => reference.path ?? [])
+  await checkOutputs(paths, who, { extensions: [''], inputs: [...inputs, ...references], force })
   return files
 }
 
@@ -91,17 +92,34 @@ function removeViews(json: GltfJson, bin: Uint8Array, removed: ReadonlyMap<numbe
     return true
   })
   changeViews(json, (index) => moved.get(index) ?? index)
-  const parts: Uint8Array[] = []
-  let length = 0
-  for (const view of kept.flatMap((view) => [view, ...compressedViews(view)])) {
-    if (view.buffer !== 0) continue
-    const { byteOffset = 0, byteLength } = view
-    const gap = (4 - (length % 4)) % 4
-    parts.push(Buffer.alloc(gap), bin.subarray(byteOffset, byteOffset + byteLength))
-    view.byteOffset = length + gap
-    length += gap + byteLength
-  }
+  const views = kept.flatMap((view) => [view, ...compressedViews(view)])
   json.bufferViews = kept
+  return gather(
+    views.filter(({ buffer }) => buffer === 0),
+    bin,
+  )
+}
+
+/** Moves views together, aligned as before; what several of them have in common stays in common. Returns their bytes. */
+function gather(views: readonly BufferView[], bin: Uint8Array): Uint8Array {
+  const parts: Uint8Array[] = []
+  let [length, end, shift] = [0, 0, 0]
+  for (const view of [...views].sort((a, b) => (a.byteOffset ?? 0) - (b.byteOffset ?? 0))) {
+    const { byteOffset = 0, byteLength } = view
+    if (byteOffset >= end) {
+      const gap = (4 + ((byteOffset - length) % 4)) % 4
+      parts.push(Buffer.alloc(gap))
+      length += gap
+      shift = length - byteOffset
+      end = byteOffset
+    }
+    const rest = bin.subarray(end, Math.max(end, byteOffset + byteLength))
+    parts.push(rest)
+    length += rest.length
+    end += rest.length
+    // An empty view behind all others would begin beyond the buffer.
+    view.byteOffset = byteLength === 0 ? 0 : byteOffset + shift
+  }
   return Buffer.concat(parts)
 }
 

@@ -1,12 +1,11 @@
-import { FurrowError } from 'furrow'
 import { firstLine } from '../errors.ts'
 import { readBytes } from '../files.ts'
-import { costProblem } from './check-document.ts'
+import { costProblem } from './checks/document.ts'
+import { shapeProblem } from './checks/shape.ts'
 import { embedFiles } from './embed-files.ts'
-import type { ReadOptions } from './external-files.ts'
-import { shapeProblem } from './glb-shape.ts'
+import type { ReadOptions, Reference } from './external-files.ts'
 import type { GltfJson } from './gltf-json.ts'
-import { otherFormat } from './not-gltf.ts'
+import { otherFormat, unusable } from './not-gltf.ts'
 
 /** A glTF file in two parts, as in its binary form. Commands edit the parts in place, so that whatever else it holds is kept. */
 export interface Glb {
@@ -15,8 +14,10 @@ export interface Glb {
   bin: Uint8Array
   /** Size of all files that it was read from. */
   fileBytes: number
-  /** Paths of the files that it referred to; they are part of it now. */
-  files: string[]
+  /** The file as it was read. */
+  bytes: Uint8Array
+  /** What it referred to, by URI, which is part of the binary chunk now. */
+  references: ReadonlyMap<string, Reference>
 }
 
 // glTF 2.0, section 4.4 (GLB file format): a header of 12 bytes, then chunks of 8 bytes and their data.
@@ -47,7 +48,7 @@ export function decodeGlb(bytes: Buffer, path: string, who: string): Glb {
   const problem = isText ? undefined : headerProblem(bytes)
   if (problem) {
     const other = otherFormat(bytes)
-    throw unusable(path, who, other?.problem ?? problem, other?.remedy)
+    throw unusable(path, who, other?.problem ?? problem, { remedy: other?.remedy })
   }
   const [start, end] = isText ? [0, bytes.length] : [JSON_START, JSON_START + bytes.readUInt32LE(12)]
   let json: GltfJson
@@ -60,7 +61,7 @@ export function decodeGlb(bytes: Buffer, path: string, who: string): Glb {
   if (wrong) throw unusable(path, who, wrong)
   const bin = binaryChunk(bytes, end)
   if (!bin) throw unusable(path, who, 'its binary chunk is cut off')
-  return { json, bin, fileBytes: bytes.length, files: [] }
+  return { json, bin, fileBytes: bytes.length, bytes, references: new Map() }
 }
 
 /** Joins the parts to the bytes of a `.glb`. */
@@ -104,14 +105,4 @@ function binaryChunk(bytes: Buffer, start: number): Uint8Array | undefined {
 function padded(bytes: Uint8Array, fill: number): Uint8Array {
   const gap = (4 - (bytes.length % 4)) % 4
   return gap === 0 ? bytes : Buffer.concat([bytes, Buffer.alloc(gap, fill)])
-}
-
-function unusable(path: string, who: string, problem: string, remedy = 'export it again'): FurrowError {
-  return new FurrowError({
-    code: 'unreadable',
-    who,
-    what: `${path} is not usable: ${problem}`,
-    limit: 'a whole glTF 2.0 file (.glb, .vrm, .gltf)',
-    remedy,
-  })
 }

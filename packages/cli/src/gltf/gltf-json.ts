@@ -30,7 +30,17 @@ export interface BufferView {
   buffer: number
   byteOffset?: number
   byteLength: number
-  extensions?: Record<string, Partial<BufferView>>
+  byteStride?: number | undefined
+  extensions?: Record<string, Partial<CompressedView>>
+}
+
+/** The bytes that a view is decompressed from, by EXT_meshopt_compression or a successor. */
+export interface CompressedView {
+  buffer: number
+  byteOffset?: number
+  byteLength: number
+  count: number
+  byteStride: number
 }
 
 /** The parts of a glTF document that wrinkles touch; everything else is kept as it is. */
@@ -51,11 +61,18 @@ export interface GltfJson {
 }
 
 /** Names of the blendshapes of a mesh, as three.js and others know them. */
-export function targetNamesOf(mesh: GltfMesh): string[] {
-  const count = mesh.primitives[0]?.targets?.length ?? 0
-  const names = mesh.extras?.targetNames
-  if (Array.isArray(names) && names.length === count) return names.map(String)
-  return Array.from({ length: count }, (_, i) => String(i))
+export function targetNamesOf({ primitives, extras }: GltfMesh): string[] {
+  return namesOfTargets(extras?.targetNames, primitives[0]?.targets?.length ?? 0)
+}
+
+/**
+ * Names of `count` blendshapes, each of which has an index for a name where it has none.
+ *
+ * @param names `extras.targetNames` of their mesh, whatever it is; ignored where it has too few or too many.
+ */
+export function namesOfTargets(names: unknown, count: number): string[] {
+  const given = Array.isArray(names) && names.length === count ? names : []
+  return Array.from({ length: count }, (_, i) => String(typeof given[i] === 'object' ? i : (given[i] ?? i)))
 }
 
 /** Names of all nodes: drivers may name any of them as a joint. */
@@ -63,11 +80,7 @@ export function jointNamesOf({ nodes = [] }: GltfJson): string[] {
   return nodes.flatMap(({ name }) => (name === undefined ? [] : [name]))
 }
 
-/** Where the bytes of compressed views are: in another view, which an extension describes. */
-export function compressedViews({ extensions = {} }: BufferView): BufferView[] {
-  return Object.values(extensions).filter(isView)
-}
-
-const isView = (value: Partial<BufferView>): value is BufferView => {
-  return value.buffer !== undefined && value.byteLength !== undefined
+/** What a view is decompressed from, one for each extension that compresses it; empty where it is not compressed. */
+export function compressedViews({ extensions = {} }: BufferView): CompressedView[] {
+  return Object.values(extensions).filter((value) => value.byteLength !== undefined) as CompressedView[]
 }

@@ -1,3 +1,5 @@
+import { FurrowError } from 'furrow'
+
 /** What a file is that is not glTF, and what to do about it. */
 export interface OtherFormat {
   problem: string
@@ -32,4 +34,21 @@ export function otherFormat(bytes: Uint8Array): OtherFormat | undefined {
     return begin instanceof RegExp ? begin.test(head) : begin.some((text) => head.startsWith(text))
   })
   return found && { problem: found[1], remedy: found[2] }
+}
+
+/** The error for a file that is not whole glTF 2.0. */
+export function unusable(
+  path: string,
+  who: string,
+  problem: string,
+  { value, remedy = 'export it again' }: { value?: string | undefined; remedy?: string | undefined } = {},
+): FurrowError {
+  return new FurrowError({
+    code: 'unreadable',
+    who,
+    what: `${path} is not usable: ${problem}`,
+    value,
+    limit: 'a whole glTF 2.0 file (.glb, .vrm, .gltf)',
+    remedy,
+  })
 }

@@ -1,8 +1,8 @@
 import { type Document, GLB_BUFFER, type GLTF, Logger, NodeIO } from '@gltf-transform/core'
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
 import { cannotRead } from '../errors.ts'
-import { decodingProblem } from './check-document.ts'
-import { meshProblem } from './check-meshes.ts'
+import { decodingProblem } from './checks/document.ts'
+import { meshProblem } from './checks/meshes.ts'
 import type { ReadOptions } from './external-files.ts'
 import { type Glb, readGlbFile } from './glb-file.ts'
 

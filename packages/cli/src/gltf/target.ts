@@ -1,13 +1,10 @@
-import { FurrowError } from 'furrow'
+import { FurrowError, LONGEST_NAME } from 'furrow'
 import { mostMovedSkin } from '../auto/find-skin.ts'
 import { didYouMean } from '../nearest.ts'
 import type { Glb } from './glb-file.ts'
 import type { GltfJson, GltfMesh } from './gltf-json.ts'
 import { DEFAULT_NAME } from './mesh-nodes.ts'
 import { documentOf } from './read-document.ts'
-
-/** Most characters of a name in `wrinkles.json`. */
-const LONGEST_NAME = 256
 
 /** Indices of the mesh and the material that get wrinkles. */
 export interface Target {

@@ -1,6 +1,5 @@
-import { FurrowError, type Ktx2Header, readKtx2Header } from 'furrow'
+import { FurrowError, imageTypeOf, type Ktx2Header, readKtx2Header } from 'furrow'
 import type { Glb } from './glb-file.ts'
-import { imageTypeOf } from './image-type.ts'
 
 /** The encoded image of a texture. */
 export interface TextureImage {
@@ -50,7 +49,7 @@ export function isKtx2({ mimeType }: TextureImage): boolean {
 /**
  * The header of the KTX 2 image of a texture, which only KHR_texture_basisu can give it; undefined for textures without.
  *
- * @throws FurrowError when it is no such image, or breaks the rules of that extension.
+ * @throws FurrowError when it is not a KTX 2 image, or breaks the rules of that extension.
  */
 export function ktx2HeaderOf(glb: Glb, texture: number, who: string): Ktx2Header | undefined {
   if (!glb.json.textures?.[texture]?.extensions?.KHR_texture_basisu) return undefined

@@ -1,5 +1,5 @@
 import { FurrowError, type TextureReference } from 'furrow'
-import { readArray } from '../array/ktx2.ts'
+import { type DecodedArray, decodeArray as decodeKtx2 } from '../array/ktx2.ts'
 import { readHeader } from '../array/ktx2-header.ts'
 import { checkDecodedBytes, mostFaceBytes } from '../images/decoded-bytes.ts'
 import { withImageErrors } from '../images/image-errors.ts'
@@ -7,8 +7,6 @@ import { openImage } from '../images/open-image.ts'
 import { decodePixels, type Pixels } from '../images/pixels.ts'
 import type { Glb } from './glb-file.ts'
 import { imageOf, isKtx2 } from './texture-image.ts'
-
-type DecodedArray = Awaited<ReturnType<typeof readArray>>
 
 /** Decoded textures of files, by index: several areas share an image, and several maps an array. */
 type Cache<T> = WeakMap<Glb, Map<number, Promise<T>>>
@@ -48,7 +46,7 @@ export function arrayOf(glb: Glb, index: number, who: string): Promise<DecodedAr
   return cached(arrays, glb, index, who, () => decodeArray(glb, index, who))
 }
 
-/** Width and height of a texture by its header. Throws FurrowError when it is none that can be decoded. */
+/** Width and height of a texture by its header. Throws FurrowError when it cannot be decoded. */
 export async function sizeOf(
   glb: Glb,
   index: number,
@@ -86,7 +84,7 @@ async function reserve(glb: Glb, index: number, who: string): Promise<void> {
 
 async function decodeArray(glb: Glb, index: number, who: string): Promise<DecodedArray> {
   const { bytes, name } = imageOf(glb, index, who)
-  return withArrayErrors(name, who, () => readArray(bytes))
+  return withArrayErrors(name, who, () => decodeKtx2(bytes))
 }
 
 function withArrayErrors<T>(name: string, who: string, read: () => Promise<T>): Promise<T> {

@@ -1,6 +1,9 @@
 import { FurrowError } from 'furrow'
 import { cannotRead } from '../errors.ts'
 
+/** What to do about a damaged image. */
+export const REPAIR = 'save it again as PNG; it may be cut off'
+
 /** Runs the decoding of an image; what it throws becomes a FurrowError with these hints. */
 export async function withImageErrors<T>(
   name: string,
@@ -12,7 +15,6 @@ export async function withImageErrors<T>(
     return await decode()
   } catch (error) {
     if (error instanceof FurrowError) throw error
-    const remedy = 'save it again as PNG; it may be cut off'
-    throw cannotRead(who, `the image ${name}`, error, { remedy, ...hints })
+    throw cannotRead(who, `the image ${name}`, error, { remedy: REPAIR, ...hints })
   }
 }

@@ -1,9 +1,8 @@
-import { FurrowError, MAX_IMAGE_SIDE } from 'furrow'
+import { FurrowError, imageDamage, imageTypeOf, MAX_IMAGE_SIDE } from 'furrow'
 import sharp, { type Metadata, type Sharp } from 'sharp'
 import { cannotRead } from '../errors.ts'
-import { imageTypeOf } from '../gltf/image-type.ts'
 import { checkDecodedBytes } from './decoded-bytes.ts'
-import { withImageErrors } from './image-errors.ts'
+import { REPAIR, withImageErrors } from './image-errors.ts'
 
 // What is opened has been looked at; this keeps libvips from its other readers, whatever it takes a file for.
 sharp.block({ operation: ['VipsForeignLoad'] })
@@ -58,6 +57,8 @@ export async function openImage(
     const reason = bytes.length === 0 ? 'it is empty' : 'unsupported image format'
     throw cannotRead(who, `the image ${name}`, new Error(reason), hints)
   }
+  const damage = imageDamage(bytes)
+  if (damage) throw cannotRead(who, `the image ${name}`, new Error(damage), { ...hints, remedy: REPAIR })
   const image = sharp(bytes, { failOn: 'truncated', ignoreIcc: true })
   const { width, height, channels, depth } = await withImageErrors(name, who, () => image.metadata(), {
     limit: hints.limit,

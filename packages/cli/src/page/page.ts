@@ -84,7 +84,7 @@ async function open(job: PageJob): Promise<Scene> {
   return { stage, face, loaded, initialWeights }
 }
 
-/** Apart from their set, as a file has them: with it, they would be added by themselves. */
+/** Reads a wrinkle set with its drivers apart, as `readWrinkleMaps` returns them: `Wrinkles` would add those in a set by itself. */
 async function loadDocument(url: string): Promise<Pick<LoadedWrinkles, 'set' | 'drivers'>> {
   const { drivers, ...set } = await loadWrinkleSet(url)
   return { set, drivers: (drivers ?? []) as LoadedWrinkles['drivers'] }

@@ -45,7 +45,7 @@ export async function startLocalServer(pageFolder = PAGE_FOLDER): Promise<LocalS
   const server = createServer((request, response) => {
     // A request can end at any time.
     for (const stream of [request, response]) stream.on('error', () => response.destroy())
-    // A page elsewhere can let its own name point to this computer.
+    // A page elsewhere can make its own host name resolve to this computer (DNS rebinding).
     if (request.headers.host !== host) return answer(response, 403)
     const path = request.url?.split('?', 1)[0] ?? ''
     if (!path.startsWith(`${secret}/`)) return answer(response, 404)

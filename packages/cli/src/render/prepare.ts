@@ -19,7 +19,7 @@ import { type PageJob, PICTURE_DEFAULTS, PICTURE_SIDE, type PictureRequest } fro
 
 const WHO = 'furrow render'
 
-/** What the page may read: what it knows as the file of a path, and the content or the real path of that file. */
+/** What the page may read: files by the paths that it knows, each with its content or its real path. */
 export type OfferedFiles = ReadonlyMap<string, Uint8Array | string>
 
 /** A request that was checked. */
@@ -37,7 +37,7 @@ interface WholeFace {
   bytes: Uint8Array
 }
 
-/** Returns what reads the face of a request. Many requests for one face, such as a report's, read it once. */
+/** Returns a function that reads the face of a request: once for all requests, such as a report's, that have the same. */
 export function faceReader(): (request: PictureRequest) => Promise<WholeFace> {
   const faces = new Map<string, Promise<WholeFace>>()
   return ({ input, allowOutside }) => {
@@ -113,10 +113,10 @@ async function findWrinkles(
     path,
   )
   const files = new Map([[path, path]])
-  const maps = layers.flatMap(({ normal, baseColor, roughness, occlusion }) => [
-    normal,
-    ...[baseColor, roughness, occlusion].filter((map) => map !== undefined),
-  ])
+  // Heights are not drawn.
+  const maps = layers.flatMap(({ normal, baseColor, roughness, occlusion }) => {
+    return [normal, baseColor, roughness, occlusion].filter((map) => map !== undefined)
+  })
   for (const uri of [...maps, ...areas.map(({ image }) => image)]) {
     const real = await resolveInside(path, uri, WHO, options)
     await checkReadable(real)

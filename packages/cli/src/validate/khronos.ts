@@ -1,11 +1,10 @@
 import { createRequire } from 'node:module'
+import { posix } from 'node:path'
 import { Worker } from 'node:worker_threads'
 import { WRINKLE_MAPS } from 'furrow'
 import type { Issue } from 'gltf-validator'
-import { readBytes } from '../files.ts'
-import { type ReadOptions, readUri, resolveInside } from '../gltf/external-files.ts'
+import { unescaped } from '../gltf/external-files.ts'
 import type { Glb } from '../gltf/glb-file.ts'
-import { decodeGlb } from '../gltf/glb-file.ts'
 import { errorFinding, type Finding, warningFinding } from './finding.ts'
 
 /** Limit of the Khronos validator. */
@@ -26,11 +25,11 @@ const UNKNOWN_FORMAT = ['VALUE_NOT_IN_LIST', 'IMAGE_UNRECOGNIZED_FORMAT']
  * goes on to report, or ends without a word: either is seen from outside.
  */
 const THREAD = `
+  const { posix } = require('node:path')
   const { parentPort, workerData } = require('node:worker_threads')
   const { bytes, files, maxIssues, module } = workerData
   process.on('uncaughtException', (error) => parentPort.postMessage({ failure: String(error) }))
-  const path = (uri) => { try { return decodeURIComponent(uri) } catch { return uri } }
-  const externalResourceFunction = async (uri) => files.get(path(uri))
+  const externalResourceFunction = async (uri) => files.get(posix.normalize(decodeURIComponent(uri)))
   require(module)
     .validateBytes(bytes, { maxIssues, externalResourceFunction })
     .then(({ issues }) => parentPort.postMessage({ issues: issues.messages }))`
@@ -39,18 +38,10 @@ const THREAD = `
  * Errors and warnings of the Khronos validator, except those about what it does not know: the extension and KTX 2 images, which
  * `checkWrinkles` checks.
  *
- * @param glb the file at `path`, as `readGlbFile` reads it.
- * @throws FurrowError when the file or one that it refers to cannot be read.
+ * @param glb as `readGlbFile` reads it; the file is validated as it was before its parts were joined.
  */
-export async function runKhronosValidator(
-  path: string,
-  { json }: Glb,
-  who: string,
-  options: ReadOptions,
-): Promise<Finding[]> {
-  const bytes = await readBytes(path, who, 'the face')
-  const files = await filesOf(bytes, path, who, options)
-  const { issues, failure } = await runThread(Uint8Array.from(bytes), files)
+export async function runKhronosValidator({ json, bytes, references }: Glb): Promise<Finding[]> {
+  const { issues, failure } = await runThread(Uint8Array.from(bytes), filesOf(references))
   if (!issues) return [errorFinding(GAVE_UP, `the Khronos validator gave up: ${failure}`)]
   return issues
     .filter(({ severity, message }) => severity < 2 && !message.includes(WRINKLE_MAPS))
@@ -63,24 +54,12 @@ export async function runKhronosValidator(
     })
 }
 
-/** The files beside a file, each read once, by their URIs without escapes. */
-async function filesOf(
-  bytes: Buffer,
-  path: string,
-  who: string,
-  options: ReadOptions,
-): Promise<Map<string, Uint8Array>> {
-  const { buffers = [], images = [] } = decodeGlb(bytes, path, who).json
-  const known = new Map<string, Uint8Array>()
-  const files = new Map<string, Uint8Array>()
-  for (const { uri } of [...buffers, ...images]) {
-    if (uri === undefined || uri.startsWith('data:')) continue
-    const file = await resolveInside(path, uri, who, options)
-    const content = known.get(file) ?? (await readUri(path, uri, who, options))
-    known.set(file, content)
-    files.set(unescaped(uri), content)
-  }
-  return files
+/** The files that a file refers to by their paths: the validator asks for them by URIs that it has normalised. */
+function filesOf(references: Glb['references']): Map<string, Uint8Array> {
+  const files = [...references].filter(([, { path }]) => path !== undefined)
+  return new Map(
+    files.map(([uri, { bytes }]) => [posix.normalize(unescaped(uri).replaceAll('\\', '/')), bytes]),
+  )
 }
 
 interface Outcome {
@@ -115,13 +94,4 @@ function runThread(bytes: Uint8Array, files: Map<string, Uint8Array>): Promise<O
       resolve(outcome)
     })
   })
-}
-
-/** Exporters are asked to escape URIs, and not all do. */
-function unescaped(uri: string): string {
-  try {
-    return decodeURIComponent(uri)
-  } catch {
-    return uri
-  }
 }

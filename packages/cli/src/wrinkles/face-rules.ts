@@ -1,5 +1,6 @@
 import type { GltfJson, GltfMesh } from '../gltf/gltf-json.ts'
-import { errorFinding, type Finding } from '../validate/finding.ts'
+import { shadingOf } from '../gltf/shading.ts'
+import { errorFinding, type Finding, warningFinding } from '../validate/finding.ts'
 
 type Primitive = GltfMesh['primitives'][number]
 
@@ -13,6 +14,13 @@ const ATTRIBUTES = [
   ['TEXCOORD_0', 'unwrap the mesh: areas and layers are in its UV layout'],
 ] as const
 
+/** What the shading of a material means for its wrinkles. */
+const SHADING_FINDINGS = {
+  lit: undefined,
+  unlit: errorFinding('UNLIT', 'it is unlit (KHR_materials_unlit); make it a lit one'),
+  toon: warningFinding('MTOON', 'it is MToon: wrinkles are drawn as lines, by pages that register three-vrm'),
+} as const
+
 /** Whether a scene has triangles with a material. */
 export function isDrawn(json: GltfJson, material: number): boolean {
   return drawnPrimitives(json, material).length > 0
@@ -20,15 +28,19 @@ export function isDrawn(json: GltfJson, material: number): boolean {
 
 /** Checks that everything drawn with a material can wrinkle, as loaders do. */
 export function checkFaces(json: GltfJson, material: number): Finding[] {
-  const findings: Finding[] = []
-  if (json.materials?.[material].extensions?.KHR_materials_unlit !== undefined) {
-    findings.push(errorFinding('UNLIT', 'the material is unlit: wrinkles change how light falls'))
-  }
-  return [...findings, ...missingAttributes(json, material)]
+  const shading = SHADING_FINDINGS[shadingOf(json, material)]
+  return [...missingAttributes(json, material), ...(shading ? [shading] : [])]
+}
+
+/** The same, in words for a user whose material gets wrinkles. */
+export function faceWarnings(json: GltfJson, material: number, name: string): string[] {
+  return checkFaces(json, material).map(({ severity, message }) => {
+    return `the material "${name}"${severity === 'error' ? ' shows no wrinkles' : ''}: ${message}`
+  })
 }
 
 /** What meshes with a material lack to wrinkle. */
-export function missingAttributes(json: GltfJson, material: number): Finding[] {
+function missingAttributes(json: GltfJson, material: number): Finding[] {
   const primitives = drawnPrimitives(json, material)
   return ATTRIBUTES.flatMap(([name, remedy]) => {
     if (primitives.every(({ attributes = {} }) => attributes[name] !== undefined)) return []

@@ -3,7 +3,7 @@ import { join } from 'node:path'
 import { FurrowError, parseWrinkleSetDocument, type WrinkleSetDocument } from 'furrow'
 import { cannotRead } from '../errors.ts'
 import { readJson } from '../files.ts'
-import { type ReadOptions, readUri } from '../gltf/external-files.ts'
+import { type ReadOptions, referenceReader } from '../gltf/external-files.ts'
 import { MAP_SLOTS } from './wrinkled-file.ts'
 
 type Json = Record<string, unknown>
@@ -44,13 +44,14 @@ export async function readFolder(
  *
  * @throws FurrowError when it cannot be read, or is outside the folder and `options` do not allow that.
  */
-export function readReferenced(
+export async function readReferenced(
   folder: string,
   uri: string,
   who: string,
   options: ReadOptions,
 ): Promise<Uint8Array> {
-  return readUri(join(folder, 'wrinkles.json'), uri, who, options)
+  const read = referenceReader(join(folder, 'wrinkles.json'), who, options)
+  return (await read(uri)).bytes
 }
 
 /** The address of a file, relative to `wrinkles.json`: in one, `#`, `?` and `%` would have a meaning. */

@@ -16,7 +16,7 @@ import { findDriverFaults } from './driver-faults.ts'
 import { checkFaces, isDrawn } from './face-rules.ts'
 import { type Inspection, inspectWrinkles } from './inspect.ts'
 import { readShapes } from './texture-shapes.ts'
-import { MAP_SLOTS, type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
+import { type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
 
 /**
  * Checks the rules of the extension on every material with wrinkles: there are errors exactly where a loader would leave the face
@@ -59,7 +59,12 @@ async function findingsOf(glb: Glb, material: number): Promise<Finding[]> {
   try {
     const maps = parseWrinkleMaps(json, glb.json.textures?.length ?? 0)
     const shapes = await readShapes(glb, maps)
-    const problems = mapProblems(maps, (texture) => shapes.get(texture)!, WRINKLE_MAPS)
+    const problems = mapProblems(
+      maps,
+      (texture) => shapes.get(texture)!,
+      texturesOfFace(glb.json),
+      WRINKLE_MAPS,
+    )
     const errors = problems.map((problem) => errorFinding(problem.rule, new FurrowError(problem).message))
     const file = await withoutDamagedHeights({ glb, material, maps })
     const report = await inspectWrinkles(file, WRINKLE_MAPS)
@@ -70,7 +75,6 @@ async function findingsOf(glb: Glb, material: number): Promise<Finding[]> {
       ...checkSizes(report),
       ...checkImages(report),
       ...checkEncodings(file),
-      ...checkArrayUses(file),
       ...checkAreas(report),
       ...checkCoordinates(file),
       ...checkDrivers(file),
@@ -136,19 +140,6 @@ function checkEncodings({ glb, maps }: WrinkledFile): Finding[] {
     const header = ktx2HeaderOf(glb, normalTexture.index, WRINKLE_MAPS)
     if (header?.encoding !== 'etc1s') return []
     return [warningFinding('ETC1S_NORMALS', `layer "${name}": ETC1S causes blocks in normals; use UASTC`)]
-  })
-}
-
-/** KHR_texture_basisu allows plain 2D images only: what is not of this extension cannot use an array. */
-function checkArrayUses({ glb, maps }: WrinkledFile): Finding[] {
-  const own = maps.layers.flatMap((layer) => MAP_SLOTS.flatMap(([, slot]) => layer[slot] ?? []))
-  const textures = [...own, ...maps.areas.map(({ texture }) => texture)].map(({ index }) => index)
-  const plain = texturesOfFace([glb.json.materials, glb.json.extensions])
-  return [...new Set(textures)].flatMap((index) => {
-    const slices = plain.has(index) ? ktx2HeaderOf(glb, index, WRINKLE_MAPS)?.slices : 0
-    if (!slices) return []
-    const message = `texture ${index} is an array of ${slices}, and a texture info without a slice refers to it`
-    return [errorFinding('ARRAY_AS_IMAGE', message)]
   })
 }
 

@@ -4,6 +4,9 @@ export const MAX_LAYERS = 4
 /** Most areas of a set: the array layers that every WebGPU and WebGL 2 device guarantees. */
 export const MAX_AREAS = 256
 
+/** Most slices of a texture array, for the same reason. */
+export const MAX_SLICES = 256
+
 /** Default side, in texels, of the grid that areas are resampled to; the paper's. */
 export const DEFAULT_AREA_SIZE = 128
 

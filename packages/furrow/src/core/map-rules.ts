@@ -38,34 +38,25 @@ export function drawnTextures(maps: MapsAndAreas): number[] {
  * same ones.
  *
  * @param shapeOf of each texture in `drawnTextures`.
+ * @param ofFace textures that something else in the file uses, see `texturesOfFace`.
  * @param who names the file or material in errors.
  * @returns the rules that are broken; a loader reports the first.
  */
 export function mapProblems(
   maps: MapsAndAreas,
   shapeOf: (texture: number) => TextureShape,
+  ofFace: ReadonlySet<number>,
   who: string,
 ): MapProblem[] {
-  const problems: MapProblem[] = []
-  for (const index of drawnTextures(maps)) {
-    const { width, height } = shapeOf(index)
-    if (Math.max(width, height) <= MAX_IMAGE_SIDE) continue
-    problems.push({
-      rule: 'IMAGE_SIZE',
-      code: 'out-of-range',
-      who,
-      what: `the image of texture ${index} is too large`,
-      value: `${width} x ${height}`,
-      limit: `${MAX_IMAGE_SIDE} texels on a side`,
-      remedy: 'scale it down',
-    })
-  }
-  for (const [kind, infos] of kindsOf(maps)) {
-    for (const info of infos) problems.push(...sliceProblems(info, shapeOf(info.index), who))
-    const problem = kindProblem(kind, infos, shapeOf, who)
-    if (problem) problems.push(problem)
-  }
-  return problems
+  const kinds = kindsOf(maps)
+  const infos = kinds.flatMap(([, ofKind]) => ofKind)
+  const withoutSlice = infos.flatMap(({ index, slice }) => (slice === undefined ? index : []))
+  const images = new Set([...ofFace, ...withoutSlice])
+  return [
+    ...drawnTextures(maps).flatMap((index) => textureProblems(index, shapeOf(index), images, who)),
+    ...infos.flatMap((info) => sliceProblem(info, shapeOf(info.index), who) ?? []),
+    ...kinds.flatMap(([kind, ofKind]) => kindProblem(kind, ofKind, shapeOf, who) ?? []),
+  ]
 }
 
 /** The maps of each kind, and the areas. */
@@ -80,29 +71,54 @@ function kindsOf({ layers, areas }: MapsAndAreas): [kind: string, infos: Named[]
   return [...maps, ['areas', areas.map(({ name, texture }) => ({ ...texture, called: `area "${name}"` }))]]
 }
 
-function sliceProblems({ index, slice, called }: Named, { slices }: TextureShape, who: string): MapProblem[] {
-  const count = slices === undefined ? 0 : Math.max(slices, 1)
-  if (slice !== undefined && slice >= count) {
-    return [
-      {
-        rule: 'NO_SLICE',
-        code: 'out-of-range',
-        who,
-        what: `${called} is slice ${slice} of ${count === 0 ? 'an image that is not KTX 2' : count}`,
-        remedy: 'pack the file again',
-      },
-    ]
+/** @param images textures that texture infos without a slice refer to: KHR_texture_basisu allows them plain images only. */
+function textureProblems(
+  index: number,
+  { width, height, slices }: TextureShape,
+  images: ReadonlySet<number>,
+  who: string,
+): MapProblem[] {
+  const problems: MapProblem[] = []
+  if (Math.max(width, height) > MAX_IMAGE_SIDE) {
+    problems.push({
+      rule: 'IMAGE_SIZE',
+      code: 'out-of-range',
+      who,
+      what: `the image of texture ${index} is too large`,
+      value: `${width} x ${height}`,
+      limit: `${MAX_IMAGE_SIDE} texels on a side`,
+      remedy: 'scale it down',
+    })
   }
-  // KHR_texture_basisu allows plain images only.
-  if (slice !== undefined || !slices) return []
-  return [
-    {
+  if (slices && images.has(index)) {
+    problems.push({
       rule: 'ARRAY_AS_IMAGE',
       who,
       what: `texture ${index} is an array of ${slices}, and a texture info without a slice refers to it`,
-      remedy: 'name a slice',
-    },
-  ]
+      remedy: 'name a slice, or give the plain face an image of its own',
+    })
+  }
+  return problems
+}
+
+function sliceProblem(
+  { slice, called }: Named,
+  { slices }: TextureShape,
+  who: string,
+): MapProblem | undefined {
+  if (slice === undefined) return undefined
+  // A plain KTX 2 image is read as an array of one slice.
+  const count = slices === undefined ? 0 : Math.max(slices, 1)
+  if (slice < count) return undefined
+  return {
+    rule: 'NO_SLICE',
+    code: 'out-of-range',
+    who,
+    what: `${called}: no such slice`,
+    value: slice,
+    limit: count === 0 ? 'no slice: the image is not KTX 2' : `0 to ${count - 1}`,
+    remedy: 'pack the file again',
+  }
 }
 
 /** Maps of a kind become one array: images are packed, and compressed ones joined as they are. */
@@ -144,15 +160,20 @@ function kindProblem(
   }
 }
 
-/**
- * Indices of the textures that anything in a file but the extension uses: a KTX 2 array cannot be one of them.
- *
- * @param json the file's materials and extensions.
- */
-export function texturesOfFace(json: unknown, key = '', found = new Set<number>()): Set<number> {
+/** Indices of the textures that anything in a file but the extension uses. */
+export function texturesOfFace({ materials, extensions }: FileParts): Set<number> {
+  return collectTextures([materials, extensions], '', new Set())
+}
+
+interface FileParts {
+  materials?: unknown
+  extensions?: unknown
+}
+
+function collectTextures(json: unknown, key: string, found: Set<number>): Set<number> {
   if (typeof json !== 'object' || json === null || key === WRINKLE_MAPS) return found
   const { index } = json as { index?: unknown }
   if (/texture$/i.test(key) && typeof index === 'number') found.add(index)
-  for (const [name, item] of Object.entries(json)) texturesOfFace(item, name, found)
+  for (const [name, item] of Object.entries(json)) collectTextures(item, name, found)
   return found
 }

@@ -1,6 +1,6 @@
 import { FurrowError } from './error.ts'
 import { type JsonReader, or } from './json.ts'
-import { LARGEST, MAX_AREAS, MAX_LAYERS } from './limits.ts'
+import { LARGEST, MAX_AREAS, MAX_LAYERS, MAX_SLICES } from './limits.ts'
 import type { Combine, LayerKind } from './types.ts'
 
 /** Name of the glTF material extension specified in docs/FURROW_wrinkle_maps.md. */
@@ -64,9 +64,6 @@ export function checkDeclared({ extensionsUsed }: { extensionsUsed?: unknown }, 
     remedy: 'add it: tools drop extensions that are not declared',
   })
 }
-
-/** A sanity limit: devices guarantee 256 slices, and loading a larger array fails where the device has fewer. */
-const MAX_SLICES = 2048
 
 /**
  * Reads the extension's JSON except its drivers, which are returned unchecked.

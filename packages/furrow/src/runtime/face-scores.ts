@@ -28,7 +28,7 @@ export class FaceScoresBase {
    * Sets the blendshapes in the list; others stay as they are. `_neutral` is ignored, names that no mesh has are left out with one
    * warning, and NaN counts as 0. Allocates nothing while the names stay the same.
    *
-   * @throws FurrowError when nothing under the face has morph targets, or the scores are no list of names and numbers.
+   * @throws FurrowError when nothing under the face has morph targets, or the scores are not a list of names and numbers.
    */
   set(scores: readonly FaceScore[]): void {
     if (!Array.isArray(scores)) throw wrongArgument('FaceScores', 'scores', scores, 'a list')

@@ -84,7 +84,7 @@ export abstract class WrinkleFaces<Engine = unknown> {
    *
    * @param value 0..1; clamped, with one warning.
    * @param instance index of an instance, 0 by default.
-   * @throws FurrowError when no area has that name, the value is no number, there is no such instance, or the wrinkles were disposed of.
+   * @throws FurrowError when no area has that name, the value is not a number, there is no such instance, or the wrinkles were disposed of.
    */
   setActivation(area: string, value: number, instance = 0): void {
     this.checkInUse('setActivation')
@@ -128,7 +128,7 @@ export abstract class WrinkleFaces<Engine = unknown> {
    * Sets an area's activation at rest, to which drivers add. Animations of a file do this.
    *
    * @param value 0..1; clamped, with one warning.
-   * @throws FurrowError when no area has that name, the value is no number, there is no such instance, or the wrinkles were disposed of.
+   * @throws FurrowError when no area has that name, the value is not a number, there is no such instance, or the wrinkles were disposed of.
    */
   setRestingActivation(area: string, value: number, instance = 0): void {
     this.checkInUse('setRestingActivation')

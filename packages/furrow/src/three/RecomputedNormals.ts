@@ -33,7 +33,7 @@ export class RecomputedNormals {
 
   /**
    * @param mesh with normals; without blendshapes `update` does nothing.
-   * @throws FurrowError when it is no mesh, or has no normals.
+   * @throws FurrowError when it is not a mesh, or has no normals.
    */
   constructor(mesh: Mesh) {
     checkNormals(mesh, 'RecomputedNormals')

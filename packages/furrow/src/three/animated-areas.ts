@@ -14,7 +14,7 @@ export type AnimatedAreas = Record<string, { activation: number }>
  * @param area name of the area.
  * @param times seconds, increasing.
  * @param values 0..1, one per time, interpolated linearly.
- * @throws FurrowError when it is no mesh, the area no text, or there are not as many values as times.
+ * @throws FurrowError when it is not a mesh, the area is not text, or there are not as many values as times.
  */
 export function activationTrack(
   mesh: Mesh,

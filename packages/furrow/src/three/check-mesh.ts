@@ -6,7 +6,7 @@ import { instancesOf } from './instances.ts'
 /**
  * Checks that a mesh has positions, normals and UVs.
  *
- * @throws FurrowError when one is missing, or it is no mesh.
+ * @throws FurrowError when one is missing, or it is not a mesh.
  */
 export function checkMesh(mesh: Mesh): void {
   checkIsMesh(mesh, 'Wrinkles')
@@ -26,12 +26,12 @@ export function checkMesh(mesh: Mesh): void {
   }
 }
 
-/** @throws FurrowError when something is no mesh of three.js. */
+/** @throws FurrowError when a value is not a mesh of three.js. */
 export function checkIsMesh(mesh: Mesh, who: string): void {
   if (!mesh?.isMesh || !mesh.geometry) throw wrongArgument(who, 'a mesh', mesh, 'a Mesh of three.js')
 }
 
-/** @throws FurrowError when something is no mesh, or one without positions and normals. */
+/** @throws FurrowError when a value is not a mesh, or has no positions or normals. */
 export function checkNormals(mesh: Mesh, who: string): void {
   checkIsMesh(mesh, who)
   const { attributes } = mesh.geometry

@@ -29,7 +29,7 @@ export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = {
   fadeBelow: 0,
 }
 
-/** @throws FurrowError when it is none. */
+/** @throws FurrowError when there is no such mode. */
 export function checkMode(mode: WrinkleMode, who = 'Wrinkles.mode'): void {
   if (!MODES.includes(mode)) throw wrongArgument(who, 'unknown mode', mode, MODES.join(', '))
 }

@@ -50,30 +50,36 @@ export interface SurfacePoint {
 /** Welds a skin into one surface. */
 export function weldSurface({ positions, indices }: Pick<Skin, 'positions' | 'indices'>): SkinSurface {
   const { pointOf, points } = weldPoints(positions)
-  const corners: number[] = []
-  const skinTriangles: number[] = []
+  const corners = new Uint32Array(indices.length)
+  const skinTriangles = new Uint32Array(Math.floor(indices.length / 3))
   const normals = new Float64Array(points.length)
   const normal = new Float64Array(3)
-  for (let t = 0; 3 * t + 2 < indices.length; t++) {
-    const triangle = [0, 1, 2].map((k) => pointOf[indices[3 * t + k]])
-    const [a, b, c] = triangle
+  let count = 0
+  for (let t = 0; t < skinTriangles.length; t++) {
+    const a = pointOf[indices[3 * t]]
+    const b = pointOf[indices[3 * t + 1]]
+    const c = pointOf[indices[3 * t + 2]]
     if (!(crossOf(points, a, b, c, normal) > 0) || a === b || b === c || a === c) continue
-    corners.push(a, b, c)
-    skinTriangles.push(t)
-    for (const point of triangle) {
-      for (let k = 0; k < 3; k++) normals[3 * point + k] += normal[k]
+    corners[3 * count] = a
+    corners[3 * count + 1] = b
+    corners[3 * count + 2] = c
+    skinTriangles[count++] = t
+    for (let k = 0; k < 3; k++) {
+      normals[3 * a + k] += normal[k]
+      normals[3 * b + k] += normal[k]
+      normals[3 * c + k] += normal[k]
     }
   }
   for (let i = 0; i < normals.length; i += 3) normalize(normals, i)
-  const welded = Uint32Array.from(corners)
+  const welded = corners.slice(0, 3 * count)
   return {
     points,
     normals,
     areas: pointAreas(points, welded),
     corners: welded,
-    skinTriangles: Uint32Array.from(skinTriangles),
+    skinTriangles: skinTriangles.slice(0, count),
     pointOf,
-    adjacent: adjacentTriangles(welded),
+    adjacent: adjacentTriangles(welded, points.length / 3),
     ...pointNeighbours(welded, points.length / 3),
   }
 }
@@ -101,6 +107,20 @@ export function pointOffsets({ points, pointOf }: SkinSurface, { offsets }: Skin
 /** The three points of a triangle. */
 export function cornersOf({ corners }: SkinSurface, triangle: number): [number, number, number] {
   return [corners[3 * triangle], corners[3 * triangle + 1], corners[3 * triangle + 2]]
+}
+
+/** The box round a triangle: its lowest and highest x, y and z. */
+export function triangleBox(
+  { points, corners }: SkinSurface,
+  triangle: number,
+  low: Float64Array,
+  high: Float64Array,
+): void {
+  const [a, b, c] = [3 * corners[3 * triangle], 3 * corners[3 * triangle + 1], 3 * corners[3 * triangle + 2]]
+  for (let k = 0; k < 3; k++) {
+    low[k] = Math.min(points[a + k], points[b + k], points[c + k])
+    high[k] = Math.max(points[a + k], points[b + k], points[c + k])
+  }
 }
 
 /** The skin's three vertices of a triangle of its surface. */
@@ -143,34 +163,73 @@ function weldPoints(positions: ArrayLike<number>) {
   return { pointOf, points }
 }
 
-/** More points than triangles can have; a pair of points then makes one whole number below 2^53. */
-const MAX_POINTS = 2 ** 26
-
-function adjacentTriangles(corners: Uint32Array): Int32Array {
-  const edges = new Map<number, number>()
+/**
+ * The triangle across each half-edge, by sorting half-edges by the two points of their edge, whichever way they run. Where an edge has more
+ * than two triangles, those that follow each other in the mesh belong together.
+ */
+function adjacentTriangles(corners: Uint32Array, count: number): Int32Array {
+  const from = corners
+  const to = corners.map((_, i) => corners[i % 3 === 2 ? i - 2 : i + 1])
+  let order: Uint32Array = corners.map((_, i) => i)
+  order = sortedBy(order, (i) => Math.min(from[i], to[i]), count)
+  order = sortedBy(order, (i) => Math.max(from[i], to[i]), count)
   const adjacent = new Int32Array(corners.length).fill(-1)
-  for (let t = 0; t < corners.length; t += 3) {
-    for (let k = 0; k < 3; k++) {
-      const [from, to] = [corners[t + k], corners[t + ((k + 1) % 3)]]
-      const opposite = edges.get(to * MAX_POINTS + from)
-      edges.set(from * MAX_POINTS + to, t + k)
-      if (opposite === undefined) continue
-      adjacent[t + k] = Math.floor(opposite / 3)
-      adjacent[opposite] = t / 3
-    }
+  /** The last half-edge of this edge that runs up, and the last that runs down; -1 where there is none. */
+  let [up, down] = [-1, -1]
+  for (let n = 0; n < order.length; n++) {
+    const i = order[n]
+    const before = order[n - 1]
+    const isSame =
+      n > 0 &&
+      ((from[i] === from[before] && to[i] === to[before]) ||
+        (from[i] === to[before] && to[i] === from[before]))
+    if (!isSame) [up, down] = [-1, -1]
+    const opposite = from[i] < to[i] ? down : up
+    if (from[i] < to[i]) up = i
+    else down = i
+    if (opposite < 0) continue
+    adjacent[i] = Math.floor(opposite / 3)
+    adjacent[opposite] = Math.floor(i / 3)
   }
   return adjacent
 }
 
+/** Sorts by whole numbers below `count`; what has the same number stays in its order (counting sort). */
+function sortedBy(items: Uint32Array, keyOf: (item: number) => number, count: number): Uint32Array {
+  const ends = new Uint32Array(count + 1)
+  for (let i = 0; i < items.length; i++) ends[keyOf(items[i]) + 1]++
+  for (let key = 0; key < count; key++) ends[key + 1] += ends[key]
+  const out = new Uint32Array(items.length)
+  for (let i = 0; i < items.length; i++) out[ends[keyOf(items[i])]++] = items[i]
+  return out
+}
+
+/** Neighbours of each point in the order in which the triangles name them. */
 function pointNeighbours(corners: Uint32Array, count: number) {
-  const sets: Set<number>[] = Array.from({ length: count }, () => new Set())
+  const starts = new Uint32Array(count + 1)
+  for (let i = 0; i < corners.length; i++) starts[corners[i] + 1] += 2
+  for (let point = 0; point < count; point++) starts[point + 1] += starts[point]
+  /** Twice where two triangles have the edge. */
+  const named = new Uint32Array(2 * corners.length)
+  const ends = starts.slice()
   for (let t = 0; t < corners.length; t += 3) {
-    const [a, b, c] = [corners[t], corners[t + 1], corners[t + 2]]
-    sets[a].add(b).add(c)
-    sets[b].add(a).add(c)
-    sets[c].add(a).add(b)
+    for (let k = 0; k < 3; k++) {
+      const point = corners[t + k]
+      for (let n = 0; n < 3; n++) if (n !== k) named[ends[point]++] = corners[t + n]
+    }
   }
+  const neighbours = new Uint32Array(named.length)
   const neighbourStarts = new Uint32Array(count + 1)
-  for (const [i, set] of sets.entries()) neighbourStarts[i + 1] = neighbourStarts[i] + set.size
-  return { neighbourStarts, neighbours: Uint32Array.from(sets.flatMap((set) => [...set])) }
+  /** The last point that has each one as its neighbour, from 1. */
+  const lastOf = new Uint32Array(count)
+  let end = 0
+  for (let point = 0; point < count; point++) {
+    for (let i = starts[point]; i < starts[point + 1]; i++) {
+      if (lastOf[named[i]] === point + 1) continue
+      lastOf[named[i]] = point + 1
+      neighbours[end++] = named[i]
+    }
+    neighbourStarts[point + 1] = end
+  }
+  return { neighbourStarts, neighbours: neighbours.slice(0, end) }
 }

@@ -1,14 +1,15 @@
 import { clamp } from '../../math/scalar.ts'
 import type { SkinLine } from './curve.ts'
 
-/** Side of the smallest cell in millimetres. */
+/** Side of a cell in millimetres, and cells along the longest side of the grid, at most: their indices stay exact on skin of any size. */
 const MIN_CELL = 4
-/** Cells that the farthest reach is wide, and the longest segment is long, at most. */
-const REACH_CELLS = 7
-/** From the centre of a cell to its corners, in cells, with a margin for rounding. */
-const CELL_RADIUS = 0.5005 * Math.sqrt(3)
-/** Cells in which a box is searched for lines at most. */
-const MOST_SEARCHED = 4096
+const MOST_IN_ROW = 2 ** 16
+/** Cells along a side of a block. */
+const BLOCK = 4
+/** From the centre of a cube to its corners, in halves of its side, with a margin for rounding. */
+const RADIUS = 1.0005 * Math.sqrt(3)
+/** Cells of the largest box that is searched; a larger one counts as near. */
+const MOST_CELLS = 4096
 /** Cosine between normals below which two points face different directions: one lip is not the other. */
 const FACING = 0.25
 /** Numbers per segment: start, vector to its end, one over its squared length, normal. */
@@ -25,7 +26,10 @@ const STRIDE = 10
  */
 export type LineVisitor = (line: number, distance: number, segment: number, t: number, side: number) => void
 
-/** Finds lines near positions on the skin, by a grid of cells. Nothing is allocated by `visit`. */
+/**
+ * Finds lines near positions on the skin, by a grid of cells that are filled when they are first asked for, since skin has few of those
+ * that are within reach of a line: each from the block of cells that it is in, each block from all segments.
+ */
 export class LineGrid {
   readonly #reaches: readonly number[]
   /** Side of a cell in millimetres. */
@@ -34,8 +38,14 @@ export class LineGrid {
   /** Of each segment its line, and the point it starts from. */
   readonly #lineOf: Int32Array
   readonly #pointOf: Int32Array
-  /** Segments by cell. */
-  readonly #cells = new Map<number, number[]>()
+  /** Segments by cell and by block. */
+  readonly #cells = new Map<number, readonly number[]>()
+  readonly #blocks = new Map<number, readonly number[]>()
+  /** All segments. */
+  readonly #all: readonly number[]
+  /** The first and last cell within reach of any line, along each axis. */
+  readonly #low = [Infinity, Infinity, Infinity]
+  readonly #high = [-Infinity, -Infinity, -Infinity]
   /** Of each line that a visit comes across: squared distance (-1 for none), nearest segment, position along it. */
   readonly #squares: Float64Array
   readonly #nearest: Int32Array
@@ -46,9 +56,7 @@ export class LineGrid {
   /** @param reaches how far away each line is found, in millimetres. */
   constructor(lines: readonly SkinLine[], reaches: readonly number[]) {
     this.#reaches = reaches
-    const farthest = reaches.reduce((a, b) => Math.max(a, b), 0)
-    const longest = lines.reduce((most, line) => Math.max(most, longestSegment(line)), 0)
-    this.#cell = Math.max(MIN_CELL, (2 * farthest) / REACH_CELLS, longest / REACH_CELLS)
+    this.#cell = Math.max(MIN_CELL, extentOf(lines) / MOST_IN_ROW)
     const total = lines.reduce((sum, { points }) => sum + Math.max(0, points.length / 3 - 1), 0)
     this.#segments = new Float64Array(STRIDE * total)
     this.#lineOf = new Int32Array(total)
@@ -63,20 +71,21 @@ export class LineGrid {
         this.#lineOf[segment] = line
         this.#pointOf[segment] = point
         this.#store(segment, points, normals)
-        this.#addToCells(segment++)
+        this.#widen(segment++)
       }
     }
+    this.#all = Array.from({ length: total }, (_, i) => i)
   }
 
   /** Whether lines may be within reach of a box. */
   isNear(low: ArrayLike<number>, high: ArrayLike<number>): boolean {
-    const from = [0, 1, 2].map((k) => this.#cellOf(low[k]))
-    const to = [0, 1, 2].map((k) => this.#cellOf(high[k]))
-    // A large box is not worth the search.
-    if (from.reduce((count, cell, k) => count * (to[k] - cell + 1), 1) > MOST_SEARCHED) return true
-    for (let x = from[0]; x <= to[0]; x++) {
-      for (let y = from[1]; y <= to[1]; y++) {
-        for (let z = from[2]; z <= to[2]; z++) if (this.#cells.has(keyOf(x, y, z))) return true
+    const first = [0, 1, 2].map((k) => Math.max(this.#cellOf(low[k]), this.#low[k]))
+    const last = [0, 1, 2].map((k) => Math.min(this.#cellOf(high[k]), this.#high[k]))
+    const [width, height, depth] = last.map((cell, k) => Math.max(0, cell - first[k] + 1))
+    if (width * height * depth > MOST_CELLS) return true
+    for (let x = first[0]; x <= last[0]; x++) {
+      for (let y = first[1]; y <= last[1]; y++) {
+        for (let z = first[2]; z <= last[2]; z++) if (this.#cellAt(x, y, z).length > 0) return true
       }
     }
     return false
@@ -89,8 +98,7 @@ export class LineGrid {
    * @param nx, ny, nz the skin's normal there.
    */
   visit(x: number, y: number, z: number, nx: number, ny: number, nz: number, visit: LineVisitor): void {
-    const cell = this.#cells.get(keyOf(this.#cellOf(x), this.#cellOf(y), this.#cellOf(z)))
-    if (!cell) return
+    const cell = this.#cellAt(this.#cellOf(x), this.#cellOf(y), this.#cellOf(z))
     const s = this.#segments
     let found = 0
     for (let i = 0; i < cell.length; i++) {
@@ -152,36 +160,66 @@ export class LineGrid {
     this.#segments[STRIDE * segment + 6] = square > 0 ? 1 / square : 0
   }
 
-  /** From the centre of a cell to a segment. */
-  #distanceTo(segment: number, cellX: number, cellY: number, cellZ: number): number {
-    const s = this.#segments
-    const k = STRIDE * segment
-    const x = (cellX + 0.5) * this.#cell - s[k]
-    const y = (cellY + 0.5) * this.#cell - s[k + 1]
-    const z = (cellZ + 0.5) * this.#cell - s[k + 2]
-    const along = (s[k + 3] * x + s[k + 4] * y + s[k + 5] * z) * s[k + 6]
-    const t = along < 0 ? 0 : along > 1 ? 1 : along
-    return Math.hypot(x - t * s[k + 3], y - t * s[k + 4], z - t * s[k + 5])
-  }
-
-  #addToCells(segment: number): void {
+  /** Widens the box within reach of any line by a segment. */
+  #widen(segment: number): void {
     const reach = this.#reaches[this.#lineOf[segment]]
-    const bound = (k: number, isUpper: boolean) => {
+    for (let k = 0; k < 3; k++) {
       const start = this.#segments[STRIDE * segment + k]
       const end = start + this.#segments[STRIDE * segment + 3 + k]
-      return this.#cellOf(isUpper ? Math.max(start, end) + reach : Math.min(start, end) - reach)
+      this.#low[k] = Math.min(this.#low[k], this.#cellOf(Math.min(start, end) - reach))
+      this.#high[k] = Math.max(this.#high[k], this.#cellOf(Math.max(start, end) + reach))
     }
-    for (let x = bound(0, false); x <= bound(0, true); x++) {
-      for (let y = bound(1, false); y <= bound(1, true); y++) {
-        for (let z = bound(2, false); z <= bound(2, true); z++) {
-          if (this.#distanceTo(segment, x, y, z) > reach + CELL_RADIUS * this.#cell) continue
-          const key = keyOf(x, y, z)
-          const cell = this.#cells.get(key)
-          if (cell) cell.push(segment)
-          else this.#cells.set(key, [segment])
-        }
-      }
+  }
+
+  /** The segments whose lines may be within reach of a cell. */
+  #cellAt(x: number, y: number, z: number): readonly number[] {
+    const [low, high] = [this.#low, this.#high]
+    // Not the other way round: NaN is nowhere.
+    if (!(x >= low[0] && x <= high[0] && y >= low[1] && y <= high[1] && z >= low[2] && z <= high[2]))
+      return NONE
+    const key = ((x - low[0]) * (high[1] - low[1] + 1) + (y - low[1])) * (high[2] - low[2] + 1) + (z - low[2])
+    let cell = this.#cells.get(key)
+    if (!cell) {
+      const block = this.#blockAt(Math.floor(x / BLOCK), Math.floor(y / BLOCK), Math.floor(z / BLOCK))
+      cell = block.length > 0 ? this.#within(block, x, y, z, this.#cell) : NONE
+      this.#cells.set(key, cell)
     }
+    return cell
+  }
+
+  #blockAt(x: number, y: number, z: number): readonly number[] {
+    const [low, high] = [this.#low, this.#high]
+    const count = (k: number) => Math.floor(high[k] / BLOCK) - Math.floor(low[k] / BLOCK) + 1
+    const [i, j, n] = [x, y, z].map((index, k) => index - Math.floor(low[k] / BLOCK))
+    const key = (i * count(1) + j) * count(2) + n
+    let block = this.#blocks.get(key)
+    if (!block) {
+      block = this.#within(this.#all, x, y, z, BLOCK * this.#cell)
+      this.#blocks.set(key, block)
+    }
+    return block
+  }
+
+  /** Those of some segments whose lines may be within reach of a cube, given by its index along each axis and its side. */
+  #within(segments: readonly number[], x: number, y: number, z: number, side: number): readonly number[] {
+    const radius = (side / 2) * RADIUS
+    const [px, py, pz] = [(x + 0.5) * side, (y + 0.5) * side, (z + 0.5) * side]
+    return segments.filter(
+      (segment) =>
+        this.#squareTo(segment, px, py, pz) <= (this.#reaches[this.#lineOf[segment]] + radius) ** 2,
+    )
+  }
+
+  /** The squared distance from a position to a segment. */
+  #squareTo(segment: number, px: number, py: number, pz: number): number {
+    const s = this.#segments
+    const k = STRIDE * segment
+    const x = px - s[k]
+    const y = py - s[k + 1]
+    const z = pz - s[k + 2]
+    const along = (s[k + 3] * x + s[k + 4] * y + s[k + 5] * z) * s[k + 6]
+    const t = along < 0 ? 0 : along > 1 ? 1 : along
+    return (x - t * s[k + 3]) ** 2 + (y - t * s[k + 4]) ** 2 + (z - t * s[k + 5]) ** 2
   }
 
   #cellOf(millimetres: number): number {
@@ -189,15 +227,19 @@ export class LineGrid {
   }
 }
 
-function longestSegment({ points }: SkinLine): number {
-  let longest = 0
-  for (let i = 3; i < points.length; i += 3) {
-    const [x, y, z] = [0, 1, 2].map((k) => points[i + k] - points[i - 3 + k])
-    longest = Math.max(longest, Math.hypot(x, y, z))
-  }
-  return longest
-}
+const NONE: readonly number[] = []
 
-function keyOf(x: number, y: number, z: number): number {
-  return ((x + 512) * 1024 + (y + 512)) * 1024 + (z + 512)
+/** The longest side of the box round some lines. */
+function extentOf(lines: readonly SkinLine[]): number {
+  const [low, high] = [
+    [Infinity, Infinity, Infinity],
+    [-Infinity, -Infinity, -Infinity],
+  ]
+  for (const { points } of lines) {
+    for (let i = 0; i < points.length; i++) {
+      low[i % 3] = Math.min(low[i % 3], points[i])
+      high[i % 3] = Math.max(high[i % 3], points[i])
+    }
+  }
+  return Math.max(0, ...high.map((value, k) => value - low[k]))
 }

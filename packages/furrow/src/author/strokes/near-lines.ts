@@ -1,6 +1,6 @@
 import { interpolate } from '../../math/barycentrics.ts'
 import type { SkinTexels } from '../skin/skin-texels.ts'
-import { cornersOf, type SkinSurface } from '../skin/surface.ts'
+import { cornersOf, triangleBox } from '../skin/surface.ts'
 import type { LineGrid } from './line-grid.ts'
 
 /** Visits the texels that may have lines near them, with their position on the skin and its normal there. */
@@ -12,8 +12,12 @@ export function visitTexelsNearLines(
 ): void {
   const { surface } = texels
   const [normal, position] = [new Float64Array(3), new Float64Array(3)]
+  const [low, high] = [new Float64Array(3), new Float64Array(3)]
   texels.visit(
-    (triangle) => isNearTriangle(grid, surface, triangle),
+    (triangle) => {
+      triangleBox(surface, triangle, low, high)
+      return grid.isNear(low, high)
+    },
     (texel, triangle, wa, wb, wc) => {
       const [a, b, c] = cornersOf(surface, triangle)
       interpolate(position, surface.points, 3, a, b, c, wa, wb, wc)
@@ -23,14 +27,5 @@ export function visitTexelsNearLines(
       visit(texel, position[0], position[1], position[2], normal)
     },
     progress,
-  )
-}
-
-function isNearTriangle(grid: LineGrid, surface: SkinSurface, triangle: number): boolean {
-  const corners = cornersOf(surface, triangle)
-  const components = [0, 1, 2].map((k) => corners.map((point) => surface.points[3 * point + k]))
-  return grid.isNear(
-    components.map((values) => Math.min(...values)),
-    components.map((values) => Math.max(...values)),
   )
 }

@@ -1,4 +1,5 @@
 import { FurrowError } from '../../core/error.ts'
+import { imageDamage, imageTypeOf } from '../../core/image-file.ts'
 import { MAX_IMAGE_SIDE } from '../../core/limits.ts'
 import type { GrayImage, RgbaImage } from '../../core/types.ts'
 import { readImage } from './read-texture.ts'
@@ -6,14 +7,21 @@ import { readImage } from './read-texture.ts'
 /**
  * Decodes an image file in the browser, without colour management, to 8 bits per channel.
  *
- * @param file PNG, JPEG, WebP or any other format that the browser reads.
+ * @param file PNG, JPEG, WebP or AVIF.
  * @param who names the file in errors.
  * @returns colours as stored, alpha 255.
- * @throws FurrowError when the file is empty, truncated or not an image, larger than 8192 texels on a side, or has transparent texels:
+ * @throws FurrowError when the file is empty, damaged or not such an image, larger than 8192 texels on a side, or has transparent texels:
  *   every texel of a map counts.
  */
 export async function decodeImage(file: Blob, who: string): Promise<RgbaImage> {
-  if (file.size === 0) {
+  const image = await decodeBytes(new Uint8Array(await file.arrayBuffer()), who)
+  checkOpaque(image, who)
+  return image
+}
+
+/** As `decodeImage`, with alpha as stored. */
+export async function decodeBytes(bytes: Uint8Array<ArrayBuffer>, who: string): Promise<RgbaImage> {
+  if (bytes.length === 0) {
     throw new FurrowError({
       code: 'unreadable',
       who,
@@ -22,13 +30,15 @@ export async function decodeImage(file: Blob, who: string): Promise<RgbaImage> {
       remedy: 'export the image again',
     })
   }
-  const announced = await pngSize(file)
-  if (announced) checkSize(announced.width, announced.height, who)
-  const bitmap = await decode(file, who)
+  const type = imageTypeOf(bytes)
+  if (type === undefined || type === 'image/ktx2') throw notReadable(who, `${bytes.length} bytes`)
+  const damage = imageDamage(bytes)
+  if (damage) throw notReadable(who, damage)
+  if (type === 'image/png') checkPngSize(bytes, who)
+  const bitmap = await decode(new Blob([bytes], { type }), who)
   checkSize(bitmap.width, bitmap.height, who)
   const image = readImage(bitmap)
   bitmap.close()
-  checkOpaque(image, who)
   return image
 }
 
@@ -45,15 +55,19 @@ async function decode(file: Blob, who: string): Promise<ImageBitmap> {
   try {
     return await createImageBitmap(file, { colorSpaceConversion: 'none', premultiplyAlpha: 'none' })
   } catch {
-    throw new FurrowError({
-      code: 'unreadable',
-      who,
-      what: 'not a readable image',
-      value: `${file.size} bytes`,
-      limit: 'a whole PNG, JPEG or WebP file',
-      remedy: 'export the image again; it may be cut off',
-    })
+    throw notReadable(who, `${file.size} bytes`)
   }
+}
+
+function notReadable(who: string, value: string): FurrowError {
+  return new FurrowError({
+    code: 'unreadable',
+    who,
+    what: 'not a readable image',
+    value,
+    limit: 'a whole PNG, JPEG, WebP or AVIF file',
+    remedy: 'export the image again; it may be cut off',
+  })
 }
 
 function checkSize(width: number, height: number, who: string): void {
@@ -81,9 +95,8 @@ function checkOpaque({ data }: RgbaImage, who: string): void {
   }
 }
 
-/** Size in the header of a PNG, to refuse huge images before they are decoded; undefined for other formats. */
-async function pngSize(file: Blob): Promise<{ width: number; height: number } | undefined> {
-  const head = new DataView(await file.slice(0, 24).arrayBuffer())
-  const isPng = head.byteLength === 24 && head.getUint32(0) === 0x89504e47
-  return isPng ? { width: head.getUint32(16), height: head.getUint32(20) } : undefined
+/** By the header, to refuse huge images before they are decoded. The first chunk is whole. */
+function checkPngSize(bytes: Uint8Array, who: string): void {
+  const header = new DataView(bytes.buffer, bytes.byteOffset)
+  checkSize(header.getUint32(16), header.getUint32(20), who)
 }

@@ -125,7 +125,7 @@ function checkKeyFrames(times: readonly number[], values: readonly number[], val
   const unordered = times.findIndex((time, i) => !(time >= 0 && (i === 0 || time > times[i - 1])))
   if (unordered >= 0) throw broken('times that do not increase', times[unordered])
   const bad = values.find((value) => !Number.isFinite(value))
-  if (bad !== undefined) throw broken('activations that are no numbers', bad)
+  if (bad !== undefined) throw broken('activations that are not numbers', bad)
 }
 
 /** Reads an accessor of scalars; normalised integers become 0..1. */

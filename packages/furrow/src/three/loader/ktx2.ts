@@ -3,10 +3,10 @@ import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { FurrowError } from '../../core/error.ts'
 import { type Ktx2Header, readKtx2Header } from '../../core/ktx2-header.ts'
-import { texturesOfFace } from '../../core/map-rules.ts'
 import { WRINKLE_MAPS } from '../../core/wrinkle-maps.ts'
 import type { ArrayTexture } from '../material/array-texture.ts'
 import { requireInternal } from '../three-version.ts'
+import { readImageBytes } from './image-bytes.ts'
 
 interface LoaderOptions {
   ktx2Loader?: KTX2Loader | null
@@ -23,16 +23,23 @@ type Transcoder = KTX2Loader & {
   init?(): Promise<unknown>
 }
 
+/** A KTX 2 image or array of a file. A plain image is an array of one slice on the GPU. */
+export interface Ktx2Texture {
+  array: ArrayTexture
+  header: Ktx2Header
+}
+
 /**
  * Loads the areas of a file, a KTX 2 image or array, in the best format that the GPU supports.
  *
- * @throws FurrowError when the loader has no KTX2Loader, or the texture is not compressed.
+ * @throws FurrowError when the loader has no KTX2Loader, or the image is not one that KHR_texture_basisu allows.
  */
-export async function loadAreaArray(parser: GLTFParser, index: number): Promise<ArrayTexture> {
-  const array = await loadArray(parser, index, ktx2LoaderOf(parser, index))
+export async function loadAreaArray(parser: GLTFParser, index: number): Promise<Ktx2Texture> {
+  const file = await readFile(parser, index)
+  const array = await transcode(file, ktx2LoaderOf(parser))
   // Areas are smooth already, and mipmaps would bleed across UV islands.
   array.minFilter = LinearFilter
-  return array
+  return { array, header: file.header }
 }
 
 /**
@@ -41,13 +48,15 @@ export async function loadAreaArray(parser: GLTFParser, index: number): Promise<
  *
  * @throws FurrowError as `loadAreaArray` does, or when three.js's KTX2Loader lacks an internal that this needs.
  */
-export async function loadMapArray(parser: GLTFParser, index: number): Promise<ArrayTexture> {
-  const usual = ktx2LoaderOf(parser, index) as Transcoder
+export async function loadMapArray(parser: GLTFParser, index: number): Promise<Ktx2Texture> {
+  const file = await readFile(parser, index)
+  const { header } = file
+  const usual = ktx2LoaderOf(parser) as Transcoder
   const { workerConfig } = usual
-  if (!workerConfig?.dxtSupported) return loadArray(parser, index, usual)
+  if (!workerConfig?.dxtSupported) return { array: await transcode(file, usual), header }
   const small = await withFormats(usual, { ...workerConfig, ...BC1_TO_BC3 })
   try {
-    return await loadArray(parser, index, small)
+    return { array: await transcode(file, small), header }
   } finally {
     small.workerPool?.dispose?.()
   }
@@ -84,60 +93,51 @@ async function withFormats(
   return other
 }
 
-async function loadArray(parser: GLTFParser, index: number, loader: KTX2Loader): Promise<ArrayTexture> {
-  const { extensions } = parser.json.textures[index]
-  const source: unknown = extensions?.KHR_texture_basisu?.source
-  if (typeof source !== 'number' || !parser.json.images?.[source]) {
-    throw new FurrowError({
-      who: `${WRINKLE_MAPS} texture ${index}`,
-      what: 'a slice of an image that is not KTX 2',
-      limit: 'a texture with KHR_texture_basisu',
-      remedy: 'pack the file again',
-    })
-  }
-  const header = await headerOf(parser, source, index)
-  const loaded = (await parser.loadTextureImage(index, source, loader)) as CompressedTexture | null
-  const texture = loaded && asArray(loaded)
-  if (!texture) {
-    throw new FurrowError({
-      code: 'unreadable',
-      who: `${WRINKLE_MAPS} texture ${index}`,
-      what: 'not a compressed image or array',
-      value: loaded ? `${loaded.image.width} x ${loaded.image.height}` : 'nothing readable',
-      limit: 'KTX 2 in UASTC or ETC1S',
-      remedy: 'pack the file again',
-    })
-  }
-  texture.wrapS = texture.wrapT = ClampToEdgeWrapping
-  texture.magFilter = LinearFilter
-  if (header) texture.userData.ktx2 = header
-  return texture
+/** A KTX 2 file of which only the header was read. */
+interface Ktx2File {
+  bytes: Uint8Array<ArrayBuffer>
+  header: Ktx2Header
+  /** The texture, for errors. */
+  who: string
 }
 
-/**
- * Checks the header before anything is decoded. Undefined for an image in a file of its own, which only the loader reads.
- *
- * @throws FurrowError when the image is not one that KHR_texture_basisu allows, or an array that the plain face uses as an image.
- */
-async function headerOf(parser: GLTFParser, source: number, index: number): Promise<Ktx2Header | undefined> {
-  const { bufferView } = parser.json.images?.[source] ?? {}
-  if (bufferView === undefined) return undefined
+/** Reads the KTX 2 file of a texture, and checks its header before anything is decoded. */
+async function readFile(parser: GLTFParser, index: number): Promise<Ktx2File> {
   const who = `${WRINKLE_MAPS} texture ${index}`
-  const header = readKtx2Header(new Uint8Array(await parser.getDependency('bufferView', bufferView)), who)
-  const { materials, extensions } = parser.json
-  if (header.slices === 0 || !texturesOfFace([materials, extensions]).has(index)) return header
+  const { extensions } = parser.json.textures[index]
+  const bytes = await readImageBytes(parser, extensions?.KHR_texture_basisu?.source)
+  if (bytes) return { bytes, header: readKtx2Header(bytes, who), who }
   throw new FurrowError({
     who,
-    what: 'an array, and a texture info without a slice refers to it',
-    value: `${header.slices} slices`,
-    remedy: 'give the plain face an image of its own',
+    what: 'a slice of an image that is not KTX 2',
+    limit: 'a texture with KHR_texture_basisu',
+    remedy: 'pack the file again',
   })
 }
 
+async function transcode({ bytes, who }: Ktx2File, loader: KTX2Loader): Promise<ArrayTexture> {
+  const url = URL.createObjectURL(new Blob([bytes]))
+  try {
+    const array = asArray(await loader.loadAsync(url))
+    array.wrapS = array.wrapT = ClampToEdgeWrapping
+    array.magFilter = LinearFilter
+    return array
+  } catch (error) {
+    throw new FurrowError({
+      code: 'unreadable',
+      who,
+      what: 'a KTX 2 image that cannot be decoded',
+      value: (error as Error | undefined)?.message ?? error,
+      remedy: 'pack the file again',
+    })
+  } finally {
+    URL.revokeObjectURL(url)
+  }
+}
+
 /** `KTX2Loader` returns an array of one slice as a plain texture. */
-function asArray(texture: CompressedTexture): CompressedArrayTexture | null {
+function asArray(texture: CompressedTexture): CompressedArrayTexture {
   if ('isCompressedArrayTexture' in texture) return texture as CompressedArrayTexture
-  if (!texture.isCompressedTexture) return null
   const { mipmaps, format, type, minFilter, colorSpace } = texture
   const { width, height } = texture.image
   const array = new CompressedArrayTexture(mipmaps!, width, height, 1, format, type)
@@ -147,17 +147,7 @@ function asArray(texture: CompressedTexture): CompressedArrayTexture | null {
   return array
 }
 
-/** The page's loader, for a texture that is checked to be KTX 2. */
-function ktx2LoaderOf(parser: GLTFParser, index: number): KTX2Loader {
-  const source: unknown = parser.json.textures[index].extensions?.KHR_texture_basisu?.source
-  if (typeof source !== 'number' || !parser.json.images?.[source]) {
-    throw new FurrowError({
-      who: `${WRINKLE_MAPS} texture ${index}`,
-      what: 'a slice of an image that is not KTX 2',
-      limit: 'a texture with KHR_texture_basisu',
-      remedy: 'pack the file again',
-    })
-  }
+function ktx2LoaderOf(parser: GLTFParser): KTX2Loader {
   const { ktx2Loader } = parser.options as LoaderOptions
   if (ktx2Loader) return ktx2Loader
   throw new FurrowError({

@@ -1,17 +1,8 @@
-import {
-  type ColorSpace,
-  type Material,
-  type Mesh,
-  NoColorSpace,
-  type Object3D,
-  SRGBColorSpace,
-  type Texture,
-} from 'three'
+import { type ColorSpace, type Material, type Mesh, NoColorSpace, type Object3D, SRGBColorSpace } from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import { CHANNEL, channelOf } from '../../core/channels.ts'
 import { FurrowError } from '../../core/error.ts'
-import { checkSides } from '../../core/image.ts'
-import { mapProblems, type TextureShape } from '../../core/map-rules.ts'
+import { mapProblems, type TextureShape, texturesOfFace } from '../../core/map-rules.ts'
 import type { Area, ArraySlice, GrayImage, Layer, RgbaImage, WrinkleSet } from '../../core/types.ts'
 import {
   checkDeclared,
@@ -22,9 +13,11 @@ import {
 } from '../../core/wrinkle-maps.ts'
 import { parseWrinkleMaps } from '../../drivers/parse.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
-import type { ArrayTexture } from '../material/array-texture.ts'
 import { surfaceOf } from '../material/surface.ts'
-import { readTexture } from './read-texture.ts'
+import { decodeBytes } from './decode-image.ts'
+import { fileError } from './file-error.ts'
+import { readImageBytes } from './image-bytes.ts'
+import type { Ktx2Texture } from './ktx2.ts'
 
 /** A face of a file: meshes that have one material with the extension. */
 export interface FileFace {
@@ -49,6 +42,8 @@ export interface LoadedWrinkles extends FileWrinkles {
 }
 
 type Parser = GLTF['parser']
+
+const UNREADABLE = 'the wrinkles cannot be read'
 
 /**
  * Reads FURROW_wrinkle_maps from a file that three.js's `GLTFLoader` has loaded, as plain data for any renderer. `WrinkleLoaderPlugin`
@@ -96,7 +91,7 @@ export function materialReader(
       const maps = parseWrinkleMaps(extensionOf(material, parser), count, WRINKLE_MAPS, onFault)
       return { set: await readSet(maps, parser), drivers: maps.drivers }
     } catch (error) {
-      throw error instanceof FurrowError ? error : unreadable(WRINKLE_MAPS, (error as Error)?.message)
+      throw fileError(error, WRINKLE_MAPS, UNREADABLE)
     }
   }
   return (material) => once(known, material, () => read(material))
@@ -145,7 +140,7 @@ async function readSet(maps: MapsAndAreas, parser: Parser): Promise<WrinkleSet<A
     }),
   )
   const set = { layers, areas: await Promise.all(areas) }
-  const [problem] = mapProblems(maps, await source.shapes(), WRINKLE_MAPS)
+  const [problem] = mapProblems(maps, await source.shapes(), texturesOfFace(parser.json), WRINKLE_MAPS)
   if (problem) throw new FurrowError(problem)
   // Most files have no KTX 2 images: what only these need is fetched when one appears.
   return source.hasSlices ? (await import('./join-arrays.ts')).joinArrays(set) : set
@@ -176,7 +171,7 @@ type ArrayUse = 'areas' | 'maps'
 class MapSource {
   readonly #parser: Parser
   readonly #images = new Map<number, Promise<RgbaImage>>()
-  readonly #arrays = new Map<number, Promise<ArrayTexture>>()
+  readonly #arrays = new Map<number, Promise<Ktx2Texture>>()
 
   constructor(parser: Parser) {
     this.#parser = parser
@@ -189,7 +184,7 @@ class MapSource {
   /** What the images and arrays are that were read. */
   async shapes(): Promise<(texture: number) => TextureShape> {
     const images = [...this.#images].map(async ([index, image]) => [index, await image] as const)
-    const arrays = [...this.#arrays].map(async ([index, array]) => [index, shapeOf(await array)] as const)
+    const arrays = [...this.#arrays].map(async ([index, array]) => [index, (await array).header] as const)
     const shapes = new Map<number, TextureShape>(await Promise.all([...images, ...arrays]))
     // All textures that are drawn have been read.
     return (texture) => shapes.get(texture)!
@@ -210,16 +205,12 @@ class MapSource {
   }
 
   #image(index: number): Promise<RgbaImage> {
-    const read = async () => {
+    return once(this.#images, index, async () => {
       const who = `${WRINKLE_MAPS} texture ${index}`
-      const texture = (await this.#parser.getDependency('texture', index)) as Texture | null
-      // The loader has reported why it could not decode the image.
-      if (!texture) throw unreadable(who, 'an image that cannot be decoded')
-      const { width, height } = texture.image as { width: number; height: number }
-      checkSides(width, height, who)
-      return readTexture(texture, who)
-    }
-    return once(this.#images, index, read)
+      const bytes = await readImageBytes(this.#parser, imageOf(this.#parser.json.textures[index]))
+      if (!bytes) throw fileError('a texture without an image', who, UNREADABLE)
+      return decodeBytes(bytes, who)
+    })
   }
 
   async #slice(
@@ -228,30 +219,14 @@ class MapSource {
     use: ArrayUse,
     space: ColorSpace = NoColorSpace,
   ): Promise<ArraySlice> {
-    const array = await once(this.#arrays, index, async () => {
+    const { array } = await once(this.#arrays, index, async () => {
       const { loadAreaArray, loadMapArray } = await import('./ktx2.ts')
       return (use === 'areas' ? loadAreaArray : loadMapArray)(this.#parser, index)
     })
     // In glTF the use of a texture decides, not the colour space in its file.
     array.colorSpace = space
-    const { depth } = array.image
-    if (slice < depth) return { array, slice, channel }
-    throw new FurrowError({
-      code: 'out-of-range',
-      who: `${WRINKLE_MAPS} texture ${index}`,
-      what: 'no such slice',
-      value: slice,
-      limit: `0 to ${depth - 1}`,
-      remedy: 'pack the file again',
-    })
+    return { array, slice, channel }
   }
-}
-
-/** The header was checked when the array was loaded; what it became tells the rest. */
-function shapeOf({ image, mipmaps, format, userData }: ArrayTexture): TextureShape {
-  const { width, height, depth } = image
-  const layout = `format ${format}, ${mipmaps?.length} levels`
-  return { width, height, slices: depth, layout, ...userData.ktx2 }
 }
 
 /** Whether a texture is read as KTX 2: it has no other image, or the loader can read KTX 2 and prefers it. */
@@ -261,18 +236,18 @@ function isCompressed(parser: Parser, index: number): boolean {
   return source === undefined || Boolean((parser.options as { ktx2Loader?: unknown }).ktx2Loader)
 }
 
+/** Index of the image that is not KTX 2. */
+function imageOf({ source, extensions }: FileTexture): number | undefined {
+  return extensions?.EXT_texture_webp?.source ?? extensions?.EXT_texture_avif?.source ?? source
+}
+
+interface FileTexture {
+  source?: number
+  extensions?: Record<string, { source?: number } | undefined>
+}
+
 function once<K, T>(known: Map<K, Promise<T>>, key: K, make: () => Promise<T>): Promise<T> {
   const found = known.get(key) ?? make()
   known.set(key, found)
   return found
-}
-
-function unreadable(who: string, value: string): FurrowError {
-  return new FurrowError({
-    code: 'unreadable',
-    who,
-    what: 'the wrinkles cannot be read',
-    value,
-    remedy: 'check the file with `npx furrow validate`',
-  })
 }

@@ -1,4 +1,4 @@
-import { FurrowError } from '../../core/error.ts'
+import { fileError } from './file-error.ts'
 
 /** Warns of the faults of a file, of each once. */
 export class Warnings {
@@ -9,19 +9,10 @@ export class Warnings {
    * @param consequence what the page shows instead.
    */
   add(fault: unknown, consequence: string): void {
-    const { message } = fault instanceof FurrowError ? fault : unexpected(fault)
+    const { message } = fileError(fault, 'WrinkleLoaderPlugin', 'the wrinkles cannot be added')
     const text = `${message} (${consequence})`
     if (this.#texts.has(text)) return
     this.#texts.add(text)
     console.warn(text)
   }
-}
-
-function unexpected(fault: unknown): FurrowError {
-  return new FurrowError({
-    who: 'WrinkleLoaderPlugin',
-    what: 'the wrinkles cannot be added',
-    value: fault instanceof Error ? fault.message : fault,
-    remedy: 'check the file with `npx furrow validate`',
-  })
 }

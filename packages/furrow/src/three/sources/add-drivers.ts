@@ -21,7 +21,7 @@ export type AddDrivers = (
  * @param wrinkles of the face.
  * @param drivers as in a file. Unknown types are left out with a warning, as are targets, joints and areas that do not exist.
  * @param options a VRM's expressions.
- * @throws FurrowError when the wrinkles are none or were disposed of, or a driver is not as `parseDrivers` reads it.
+ * @throws FurrowError when `wrinkles` is not a `Wrinkles` or was disposed of, or a driver is not as `parseDrivers` reads it.
  */
 export const addDrivers: AddDrivers = addDriversBy(BINDINGS)
 

@@ -7,7 +7,7 @@ import type { TargetBinding } from '../../runtime/target-binding.ts'
 /**
  * Finds the morph targets with some names, in any spelling that `findTargets` knows, on all meshes under an object.
  *
- * @throws FurrowError when no mesh has morph targets, or the object is none of three.js.
+ * @throws FurrowError when no mesh has morph targets, or the face is not an object of three.js.
  */
 export function bindTargets(face: Object3D, names: readonly string[], who: string): TargetBinding[] {
   if (typeof face?.traverse !== 'function')

@@ -12,7 +12,7 @@ import { coordinates, targetOffsets, trianglesOf } from './geometry-arrays.ts'
  *
  * @param mesh in the space of the muscles; its geometry is changed, for all meshes that use it.
  * @param muscles drivers of type `muscle`, see `driversOf`.
- * @throws FurrowError when it is no mesh, or the muscles are no list.
+ * @throws FurrowError when it is not a mesh, or the muscles are not a list.
  */
 export function addMuscles(mesh: Mesh, muscles: readonly MuscleDriver[]): void {
   checkIsMesh(mesh, 'addMuscles')

@@ -14,7 +14,7 @@ export function replace(shader: string, text: string, replacement: string): stri
 }
 
 /**
- * Replaces an `#include` by its text, edited. As three.js resolves them, those in comments are none.
+ * Replaces an `#include` by its text, edited. Like three.js, it leaves those in comments alone.
  *
  * @returns the shader as it was if it does not include the chunk.
  */

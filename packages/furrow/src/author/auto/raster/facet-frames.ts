@@ -1,10 +1,11 @@
 import { triangleNormal } from '../../../math/triangle.ts'
 import { cross, dot, length, normalize } from '../../../math/vector.ts'
-import { cornersOf, skinVertices } from '../../skin/surface.ts'
+import { skinVertices, triangleBox } from '../../skin/surface.ts'
 import { LineGrid } from '../../strokes/line-grid.ts'
 import { activationOf, type FittedRegion } from '../fit/fit-driver.ts'
 import { type Pose, poseOf } from '../surface/pose.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
+import { type Patch, patchOf } from './patch.ts'
 
 /** Half widths of a valley from its middle within which its slopes show. */
 const NEAR = 3
@@ -12,8 +13,15 @@ const NEAR = 3
 const MIN_ACTIVATION = 0.1
 /** Weight of leaving slopes as they are, relative to that of the poses: keeps them finite on facets seen edge-on. */
 const RIDGE = 0.02
+/** Side in millimetres of the largest triangles that need no frame of their own: each crease runs over many. */
+const FINE = 0.5
+/** Triangles near the lines of a region times poses at most: only skin that lies on top of itself has more, and nothing would mend it. */
+const MOST_POSED = 500_000
 /** Numbers per corner of a triangle: D^T D (00, 01, 11), then D^T S (00, 01, 10, 11). */
 const STRIDE = 7
+/** Numbers per triangle of M: row by row, for each of its corners. */
+const TURN = 12
+const NONE = -1
 
 type Skin = Pick<PreparedSkin, 'skin' | 'surface' | 'offsets' | 'names' | 'find'>
 
@@ -21,17 +29,29 @@ type Skin = Pick<PreparedSkin, 'skin' | 'surface' | 'offsets' | 'names' | 'find'
  * Makes creases whole on coarse meshes without tangents. There renderers take the frame of a normal map from each deformed facet by itself
  * (Schueler, see `TangentFrame`), so that a crease breaks wherever it runs from one facet to the next. The slopes are drawn such that these
  * frames D give what the frames S of the smooth surface would, in the poses that show the crease: M = argmin sum w a^2 |D M - S|^2, where a is
- * the activation in a pose and w its weight. On meshes finer than the creases M is close to 1.
+ * the activation in a pose and w its weight. On meshes finer than the creases M is close to 1, and left out.
  */
 export class FacetFrames {
-  /** M by triangle: row by row, for each of its corners. */
-  readonly #turns = new Map<number, Float64Array>()
+  /** Where the M of each triangle is in `#turns`; `NONE` for those that have none. */
+  readonly #slots: Int32Array
+  readonly #turns: Float64Array
 
   /** @param regions those whose creases are drawn into one map. */
   constructor(skin: Skin, regions: readonly FittedRegion[]) {
-    const sums = new Map<number, Float64Array>()
-    for (const region of regions) addRegion(sums, skin, region)
-    for (const [triangle, sum] of sums) this.#turns.set(triangle, solve(sum))
+    this.#slots = new Int32Array(skin.surface.skinTriangles.length).fill(NONE)
+    const near = regions.flatMap((region) => {
+      const poses = posesOf(skin, region)
+      const patch = patchOf(skin.skin, skin.surface, trianglesNear(skin, region), MOST_POSED / poses.length)
+      return patch ? [{ patch, poses }] : []
+    })
+    let count = 0
+    for (const { patch } of near)
+      for (const triangle of patch.triangles.subarray(0, patch.wanted))
+        if (this.#slots[triangle] === NONE) this.#slots[triangle] = count++
+    const sums = new Float64Array(3 * STRIDE * count)
+    for (const { patch, poses } of near) addPatch(sums, this.#slots, skin, patch, poses)
+    this.#turns = new Float64Array(TURN * count)
+    for (let corner = 0; corner < 3 * count; corner++) solve(sums, corner, this.#turns)
   }
 
   /**
@@ -40,32 +60,45 @@ export class FacetFrames {
    * @param barycentrics in the triangle; those below 0, beyond its border, count as 0.
    */
   turn(triangle: number, barycentrics: ArrayLike<number>, slope: Float64Array): void {
-    const turns = this.#turns.get(triangle)
-    if (!turns) return
-    const [a, b, c] = [0, 1, 2].map((k) => Math.max(0, barycentrics[k]))
-    const m = (k: number) => (a * turns[k] + b * turns[4 + k] + c * turns[8 + k]) / (a + b + c)
+    const slot = this.#slots[triangle]
+    if (!(slot >= 0)) return
+    const turns = this.#turns
+    const a = Math.max(0, barycentrics[0])
+    const b = Math.max(0, barycentrics[1])
+    const c = Math.max(0, barycentrics[2])
+    const first = TURN * slot
+    const m = (k: number) =>
+      (a * turns[first + k] + b * turns[first + 4 + k] + c * turns[first + 8 + k]) / (a + b + c)
     // The green channel points against v.
-    const [x, y] = [slope[0], -slope[1]]
+    const x = slope[0]
+    const y = -slope[1]
     slope[0] = m(0) * x + m(1) * y
     slope[1] = -(m(2) * x + m(3) * y)
   }
 }
 
-function addRegion(sums: Map<number, Float64Array>, skin: Skin, region: FittedRegion): void {
-  const near = trianglesNear(skin, region)
-  const ring = trianglesAround(skin, near)
-  for (const { pose, weight } of posesOf(skin, region)) {
-    const frames = new DeformedFrames(skin, ring, pose)
-    for (const triangle of near) {
-      const sum = sums.get(triangle) ?? new Float64Array(3 * STRIDE)
-      sums.set(triangle, sum)
-      frames.add(triangle, weight, sum)
-    }
+/** Adds the normal equations of the triangles near a region's lines, `STRIDE` numbers for each of their corners. */
+function addPatch(
+  sums: Float64Array,
+  slots: Int32Array,
+  skin: Skin,
+  patch: Patch,
+  poses: readonly WeightedPose[],
+): void {
+  const frames = new DeformedFrames(skin, patch)
+  for (const { pose, weight } of poses) {
+    frames.deform(pose)
+    for (let t = 0; t < patch.wanted; t++) frames.add(t, weight, sums, 3 * STRIDE * slots[patch.triangles[t]])
   }
 }
 
+interface WeightedPose {
+  pose: Pose
+  weight: number
+}
+
 /** The cause of a region, and each target of its driver alone; the cause weighs as much as all targets together. */
-function posesOf({ names, find }: Skin, { region, driver }: FittedRegion) {
+function posesOf({ names, find }: Skin, { region, driver }: FittedRegion): WeightedPose[] {
   const weightOf = new Map(driver.targets.map(({ name, weight = 1 }) => [names.indexOf(name), weight]))
   const poses: Pose[] = [
     poseOf(find, region.cause),
@@ -84,148 +117,135 @@ function trianglesNear({ surface }: Skin, { creases }: FittedRegion): number[] {
     creases,
     creases.map(({ halfWidths }) => NEAR * halfWidths.reduce((a, b) => Math.max(a, b), 0)),
   )
-  const { points, corners } = surface
   const [low, high] = [new Float64Array(3), new Float64Array(3)]
   const near: number[] = []
-  for (let triangle = 0; triangle < corners.length / 3; triangle++) {
-    const [a, b, c] = cornersOf(surface, triangle)
-    for (let k = 0; k < 3; k++) {
-      low[k] = Math.min(points[3 * a + k], points[3 * b + k], points[3 * c + k])
-      high[k] = Math.max(points[3 * a + k], points[3 * b + k], points[3 * c + k])
-    }
-    if (grid.isNear(low, high)) near.push(triangle)
+  for (let triangle = 0; triangle < surface.skinTriangles.length; triangle++) {
+    triangleBox(surface, triangle, low, high)
+    const isFine = high[0] - low[0] < FINE && high[1] - low[1] < FINE && high[2] - low[2] < FINE
+    if (!isFine && grid.isNear(low, high)) near.push(triangle)
   }
   return near
 }
 
-/** The triangles that have a point in common with any of those given. */
-function trianglesAround({ surface }: Skin, triangles: readonly number[]): number[] {
-  const { corners, areas } = surface
-  const touched = new Uint8Array(areas.length)
-  for (const triangle of triangles) for (const point of cornersOf(surface, triangle)) touched[point] = 1
-  const around: number[] = []
-  for (let t = 0; t < corners.length; t += 3)
-    if (touched[corners[t]] || touched[corners[t + 1]] || touched[corners[t + 2]]) around.push(t / 3)
-  return around
-}
-
-/** dP/du and dP/dv of a pose's surface on facets and at vertices, and its normals. */
+/** dP/du and dP/dv of a deformed surface on facets and at vertices, and its normals. */
 class DeformedFrames {
   readonly #skin: Skin
-  /** x, y and z of dP/du, then of dP/dv. */
-  readonly #ofFacet = new Map<number, Float64Array>()
-  readonly #ofVertex = new Map<number, Float64Array>()
-  readonly #normals = new Map<number, Float64Array>()
+  readonly #patch: Patch
+  readonly #points: Float64Array
+  readonly #normals: Float64Array
+  /** x, y and z of dP/du, then of dP/dv; 0 where a facet has no area in the texture. */
+  readonly #ofFacet: Float64Array
+  readonly #ofVertex: Float64Array
 
-  constructor(skin: Skin, triangles: readonly number[], pose: Pose) {
+  constructor(skin: Skin, patch: Patch) {
     this.#skin = skin
-    const points = deformedPoints(skin, triangles, pose)
+    this.#patch = patch
+    const { triangles, points, vertices } = patch
+    this.#points = new Float64Array(3 * points.length)
+    this.#normals = new Float64Array(3 * points.length)
+    this.#ofFacet = new Float64Array(6 * triangles.length)
+    this.#ofVertex = new Float64Array(6 * vertices.length)
+  }
+
+  deform(pose: Pose): void {
+    const { triangles, corners, cornerVertices } = this.#patch
+    this.#movePoints(pose)
+    this.#normals.fill(0)
+    this.#ofVertex.fill(0)
     const normal = new Float64Array(3)
-    for (const triangle of triangles) {
-      const corners = cornersOf(skin.surface, triangle)
-      triangleNormal(normal, points, ...corners)
-      for (const point of corners) addTo(this.#normals, point, normal, 1)
-      const derivatives = this.#derivatives(triangle, points)
-      if (!derivatives) continue
-      this.#ofFacet.set(triangle, derivatives)
-      for (const vertex of skinVertices(skin.skin, skin.surface, triangle))
-        addTo(this.#ofVertex, vertex, derivatives, length(normal))
+    for (let t = 0; t < triangles.length; t++) {
+      const [a, b, c] = [corners[3 * t], corners[3 * t + 1], corners[3 * t + 2]]
+      triangleNormal(normal, this.#points, a, b, c)
+      this.#differentiate(t)
+      const area = length(normal)
+      for (let k = 3 * t; k < 3 * t + 3; k++) {
+        for (let i = 0; i < 3; i++) this.#normals[3 * corners[k] + i] += normal[i]
+        for (let i = 0; i < 6; i++)
+          this.#ofVertex[6 * cornerVertices[k] + i] += area * this.#ofFacet[6 * t + i]
+      }
     }
+    for (let i = 0; i < this.#normals.length; i += 3) normalize(this.#normals, i)
   }
 
   /** Adds a facet's part of the normal equations, at each of its corners. */
-  add(triangle: number, weight: number, out: Float64Array): void {
-    const { skin, surface } = this.#skin
-    const facet = this.#ofFacet.get(triangle)
-    if (!facet) return
-    const vertices = skinVertices(skin, surface, triangle)
-    for (const [k, point] of cornersOf(surface, triangle).entries()) {
-      const around = this.#ofVertex.get(vertices[k])
-      if (!around) continue
-      const normal = Float64Array.from(this.#normals.get(point) ?? [])
-      normalize(normal)
-      const [dt, db] = frameOf(facet, normal)
-      const [st, sb] = frameOf(around, normal)
-      const parts = [
-        dot(dt, dt),
-        dot(dt, db),
-        dot(db, db),
-        dot(dt, st),
-        dot(dt, sb),
-        dot(db, st),
-        dot(db, sb),
-      ]
-      for (const [i, part] of parts.entries()) out[STRIDE * k + i] += weight * part
+  add(t: number, weight: number, out: Float64Array, first: number): void {
+    const facet = this.#ofFacet.subarray(6 * t, 6 * t + 6)
+    if (facet.every((value) => value === 0)) return
+    const { corners, cornerVertices } = this.#patch
+    for (let k = 0; k < 3; k++) {
+      const [point, vertex] = [corners[3 * t + k], cornerVertices[3 * t + k]]
+      const normal = this.#normals.subarray(3 * point, 3 * point + 3)
+      frameOf(facet, normal, dt, db)
+      frameOf(this.#ofVertex.subarray(6 * vertex, 6 * vertex + 6), normal, st, sb)
+      const i = first + STRIDE * k
+      out[i] += weight * dot(dt, dt)
+      out[i + 1] += weight * dot(dt, db)
+      out[i + 2] += weight * dot(db, db)
+      out[i + 3] += weight * dot(dt, st)
+      out[i + 4] += weight * dot(dt, sb)
+      out[i + 5] += weight * dot(db, st)
+      out[i + 6] += weight * dot(db, sb)
     }
   }
 
-  /** Undefined where the triangle has no area in the texture. */
-  #derivatives(triangle: number, points: Float64Array): Float64Array | undefined {
+  #movePoints(pose: Pose): void {
+    const { surface, offsets } = this.#skin
+    const { points } = this.#patch
+    for (let i = 0; i < points.length; i++) {
+      for (let k = 0; k < 3; k++) {
+        let value = surface.points[3 * points[i] + k]
+        for (const [target, weight] of pose) value += weight * offsets[target][3 * points[i] + k]
+        this.#points[3 * i + k] = value
+      }
+    }
+  }
+
+  #differentiate(t: number): void {
+    const { triangles, corners } = this.#patch
     const { skin, surface } = this.#skin
-    const [a, b, c] = skinVertices(skin, surface, triangle)
-    const [p, q, r] = cornersOf(surface, triangle)
+    const [a, b, c] = skinVertices(skin, surface, triangles[t])
+    const [p, q, r] = [3 * corners[3 * t], 3 * corners[3 * t + 1], 3 * corners[3 * t + 2]]
     const { uvs } = skin
     const [u1, v1] = [uvs[2 * b] - uvs[2 * a], uvs[2 * b + 1] - uvs[2 * a + 1]]
     const [u2, v2] = [uvs[2 * c] - uvs[2 * a], uvs[2 * c + 1] - uvs[2 * a + 1]]
     const det = u1 * v2 - u2 * v1
-    if (Math.abs(det) < 1e-14) return undefined
-    const out = new Float64Array(6)
+    const scale = Math.abs(det) < 1e-14 ? 0 : 1 / det
     for (let k = 0; k < 3; k++) {
-      const e1 = points[3 * q + k] - points[3 * p + k]
-      const e2 = points[3 * r + k] - points[3 * p + k]
-      out[k] = (e1 * v2 - e2 * v1) / det
-      out[3 + k] = (e2 * u1 - e1 * u2) / det
+      const e1 = this.#points[q + k] - this.#points[p + k]
+      const e2 = this.#points[r + k] - this.#points[p + k]
+      this.#ofFacet[6 * t + k] = (e1 * v2 - e2 * v1) * scale
+      this.#ofFacet[6 * t + 3 + k] = (e2 * u1 - e1 * u2) * scale
     }
-    return out
   }
 }
 
-/** Only those of the triangles are deformed. */
-function deformedPoints({ surface, offsets }: Skin, triangles: readonly number[], pose: Pose): Float64Array {
-  const out = Float64Array.from(surface.points)
-  const points = new Set(triangles.flatMap((triangle) => cornersOf(surface, triangle)))
-  for (const [target, weight] of pose) {
-    for (const point of points)
-      for (let i = 3 * point; i < 3 * point + 3; i++) out[i] += weight * offsets[target][i]
-  }
-  return out
-}
-
-function addTo(sums: Map<number, Float64Array>, key: number, values: Float64Array, weight: number): void {
-  const sum = sums.get(key) ?? new Float64Array(values.length)
-  for (const [i, value] of values.entries()) sum[i] += weight * value
-  sums.set(key, sum)
-}
+/** Tangent and bitangent of a facet, and of the smooth surface. */
+const [dt, db, st, sb] = [new Float64Array(3), new Float64Array(3), new Float64Array(3), new Float64Array(3)]
 
 /** The gradients of u and v in the plane at a right angle to a normal, both divided by the longer of the two. */
-function frameOf(derivatives: Float64Array, normal: Float64Array): [Float64Array, Float64Array] {
-  const [tangent, bitangent] = [new Float64Array(3), new Float64Array(3)]
+function frameOf(
+  derivatives: Float64Array,
+  normal: Float64Array,
+  tangent: Float64Array,
+  bitangent: Float64Array,
+): void {
   cross(tangent, derivatives.subarray(3), normal)
-  cross(bitangent, normal, derivatives.subarray(0, 3))
+  cross(bitangent, normal, derivatives)
   const scale = 1 / (Math.max(length(tangent), length(bitangent)) || 1)
   for (let k = 0; k < 3; k++) {
     tangent[k] *= scale
     bitangent[k] *= scale
   }
-  return [tangent, bitangent]
 }
 
-/** M at each corner, of the normal equations (D^T D + r 1) M = D^T S + r 1. */
-function solve(sum: Float64Array): Float64Array {
-  const out = new Float64Array(12)
-  for (let corner = 0; corner < 3; corner++) {
-    const [s00, s01, s11, t00, t01, t10, t11] = sum.subarray(STRIDE * corner, STRIDE * (corner + 1))
-    const ridge = RIDGE * (s00 + s11) || 1
-    const [a, b, d] = [s00 + ridge, s01, s11 + ridge]
-    const det = a * d - b * b
-    const columns = [
-      [t00 + ridge, t10],
-      [t01, t11 + ridge],
-    ]
-    for (const [k, [x, y]] of columns.entries()) {
-      out[4 * corner + k] = (d * x - b * y) / det
-      out[4 * corner + 2 + k] = (a * y - b * x) / det
-    }
-  }
-  return out
+/** M at a corner, of the normal equations (D^T D + r 1) M = D^T S + r 1. */
+function solve(sums: Float64Array, corner: number, out: Float64Array): void {
+  const [s00, s01, s11, t00, t01, t10, t11] = sums.subarray(STRIDE * corner, STRIDE * (corner + 1))
+  const ridge = RIDGE * (s00 + s11) || 1
+  const [a, b, d] = [s00 + ridge, s01, s11 + ridge]
+  const det = a * d - b * b
+  out[4 * corner] = (d * (t00 + ridge) - b * t10) / det
+  out[4 * corner + 1] = (d * t01 - b * (t11 + ridge)) / det
+  out[4 * corner + 2] = (a * t10 - b * (t00 + ridge)) / det
+  out[4 * corner + 3] = (a * (t11 + ridge) - b * t01) / det
 }

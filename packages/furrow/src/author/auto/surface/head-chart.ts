@@ -44,33 +44,55 @@ export function rollUp(
 
 /** How far below 0 a barycentric coordinate may be for a point to count as inside. */
 const TOLERANCE = 1e-9
+/** Side of a cell in millimetres, and how many there are round the head, and above and below the eyes: lines are nowhere else. */
+const CELL = 6
+const COLUMNS = 2 * Math.ceil((Math.PI * RADIUS) / CELL)
+const ROWS = 2 * 50
+/** Triangles of a cell at most: a face of a million has some hundreds, and only skin that lies on top of itself has more. */
+const MOST = 4096
 
 /** Finds the skin at points of the chart: the outermost where it lies in folds. */
 export class HeadChart {
   readonly #surface: SkinSurface
   /** Two chart coordinates per point of the surface. */
   readonly #chartPoints: Float64Array
-  /** Triangles by the cell of the chart that they touch. */
-  readonly #cells = new Map<number, number[]>()
+  /** Triangles by the cell of the chart that they touch: those of cell i from `#starts[i]` to `#starts[i + 1]`. */
+  readonly #starts = new Uint32Array(ROWS * COLUMNS + 1)
+  readonly #triangles: Uint32Array
 
   constructor(surface: SkinSurface) {
     this.#surface = surface
-    const { points, corners } = surface
+    const { points } = surface
     this.#chartPoints = new Float64Array((points.length / 3) * 2)
     for (let i = 0; i < points.length / 3; i++)
       this.#chartPoints.set(unroll(points[3 * i], points[3 * i + 1], points[3 * i + 2]), 2 * i)
-    for (let t = 0; t < corners.length / 3; t++) this.#addToCells(t)
+    const counts = new Uint16Array(ROWS * COLUMNS)
+    this.#visitCells((_, cell) => {
+      if (counts[cell] < MOST) counts[cell]++
+    })
+    for (const [cell, count] of counts.entries()) this.#starts[cell + 1] = this.#starts[cell] + count
+    this.#triangles = new Uint32Array(this.#starts[counts.length])
+    const ends = this.#starts.slice()
+    this.#visitCells((triangle, cell) => {
+      if (ends[cell] < this.#starts[cell + 1]) this.#triangles[ends[cell]++] = triangle
+    })
   }
 
   /** @returns undefined where there is no skin. */
   find([across, up]: ChartPoint): SurfacePoint | undefined {
+    const [row, column] = [rowOf(up), columnOf(across)]
+    if (!(row >= 0 && row < ROWS && column >= 0 && column < COLUMNS)) return undefined
+    const cell = row * COLUMNS + column
     let found: SurfacePoint | undefined
     let farthest = -Infinity
     const weights = new Float64Array(3)
     const position = new Float64Array(3)
-    for (const triangle of this.#cells.get(cellOf(across, up)) ?? []) {
-      barycentrics2(weights, this.#chartTriangle(triangle), across, up)
-      if (!weights.every((weight) => weight >= -TOLERANCE)) continue
+    const corners = new Float64Array(6)
+    for (let i = this.#starts[cell]; i < this.#starts[cell + 1]; i++) {
+      const triangle = this.#triangles[i]
+      this.#unrolled(triangle, corners)
+      barycentrics2(weights, corners, across, up)
+      if (!(weights[0] >= -TOLERANCE && weights[1] >= -TOLERANCE && weights[2] >= -TOLERANCE)) continue
       const [a, b, c] = cornersOf(this.#surface, triangle)
       interpolate(position, this.#surface.points, 3, a, b, c, weights[0], weights[1], weights[2])
       const distance = Math.hypot(position[0], position[2] + RADIUS)
@@ -91,35 +113,37 @@ export class HeadChart {
     }
   }
 
-  #addToCells(triangle: number): void {
-    const [ax, ay, bx, by, cx, cy] = this.#chartTriangle(triangle)
-    const [left, right] = [Math.min(ax, bx, cx), Math.max(ax, bx, cx)]
-    // The chart is cut at the back of the head.
-    if (right - left > RADIUS) return
-    const [bottom, top] = [Math.min(ay, by, cy), Math.max(ay, by, cy)]
-    for (let row = Math.floor(bottom / CELL); row <= Math.floor(top / CELL); row++) {
-      for (let column = Math.floor(left / CELL); column <= Math.floor(right / CELL); column++) {
-        const key = row * ROW + column
-        const cell = this.#cells.get(key)
-        if (cell) cell.push(triangle)
-        else this.#cells.set(key, [triangle])
+  /** Visits each cell that a triangle's box in the chart touches. */
+  #visitCells(visit: (triangle: number, cell: number) => void): void {
+    const c = new Float64Array(6)
+    for (let triangle = 0; triangle < this.#surface.skinTriangles.length; triangle++) {
+      this.#unrolled(triangle, c)
+      const [left, right] = [Math.min(c[0], c[2], c[4]), Math.max(c[0], c[2], c[4])]
+      // The chart is cut at the back of the head.
+      if (right - left > RADIUS) continue
+      const top = Math.min(ROWS - 1, rowOf(Math.max(c[1], c[3], c[5])))
+      for (let row = Math.max(0, rowOf(Math.min(c[1], c[3], c[5]))); row <= top; row++) {
+        for (let column = columnOf(left); column <= columnOf(right); column++)
+          visit(triangle, row * COLUMNS + column)
       }
     }
   }
 
   /** Two chart coordinates for each corner of a triangle. */
-  #chartTriangle(triangle: number): number[] {
-    return cornersOf(this.#surface, triangle).flatMap((i) => [
-      this.#chartPoints[2 * i],
-      this.#chartPoints[2 * i + 1],
-    ])
+  #unrolled(triangle: number, out: Float64Array): void {
+    const { corners } = this.#surface
+    for (let k = 0; k < 3; k++) {
+      const point = corners[3 * triangle + k]
+      out[2 * k] = this.#chartPoints[2 * point]
+      out[2 * k + 1] = this.#chartPoints[2 * point + 1]
+    }
   }
 }
 
-/** Side of a cell in millimetres, and more columns than a head has. */
-const CELL = 6
-const ROW = 4096
+function rowOf(up: number): number {
+  return Math.floor(up / CELL) + ROWS / 2
+}
 
-function cellOf(across: number, up: number): number {
-  return Math.floor(up / CELL) * ROW + Math.floor(across / CELL)
+function columnOf(across: number): number {
+  return Math.floor(across / CELL) + COLUMNS / 2
 }

@@ -1,4 +1,5 @@
-import { type CheckedJson, compressedView } from './checked-json.ts'
+import { compressedViews } from '../gltf-json.ts'
+import type { CheckedJson } from './checked-json.ts'
 
 /** A reference: where it is, its value, and the list that it must point into. */
 type Reference = [where: string, index: number | undefined, list: readonly unknown[] | undefined]
@@ -10,6 +11,18 @@ export function referenceProblem(json: CheckedJson): string | undefined {
   }
   for (const [i, { source, extensions = {} }] of (json.textures ?? []).entries()) {
     if (source === undefined && Object.keys(extensions).length === 0) return `textures[${i}] has no image`
+  }
+  return dracoProblem(json)
+}
+
+/** Draco's attributes must be among those of their primitive (KHR_draco_mesh_compression). */
+function dracoProblem({ meshes = [] }: CheckedJson): string | undefined {
+  for (const [m, { primitives }] of meshes.entries()) {
+    for (const [p, { attributes = {}, extensions }] of primitives.entries()) {
+      const packed = Object.keys(extensions?.KHR_draco_mesh_compression?.attributes ?? {})
+      const alone = packed.find((name) => !Object.hasOwn(attributes, name))
+      if (alone !== undefined) return `meshes[${m}].primitives[${p}] has ${alone} in Draco's attributes alone`
+    }
   }
   return undefined
 }
@@ -31,7 +44,8 @@ function* referencesOf(json: CheckedJson): Generator<Reference> {
   yield ['scene', json.scene, scenes]
   for (const [i, view] of (bufferViews ?? []).entries()) {
     yield [`bufferViews[${i}].buffer`, view.buffer, buffers]
-    yield [`bufferViews[${i}].extensions.buffer`, compressedView(view)?.buffer, buffers]
+    for (const { buffer } of compressedViews(view))
+      yield [`bufferViews[${i}].extensions.buffer`, buffer, buffers]
   }
   for (const [i, { bufferView, sparse }] of (accessors ?? []).entries()) {
     yield [`accessors[${i}].bufferView`, bufferView, bufferViews]

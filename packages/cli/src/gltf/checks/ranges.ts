@@ -1,9 +1,8 @@
+import { type BufferView, compressedViews } from '../gltf-json.ts'
 import { COMPONENT_BYTES, COMPONENTS, elementBytes } from './accessor-bytes.ts'
-import { type CheckedAccessor, type CheckedJson, compressedView } from './checked-json.ts'
+import type { CheckedAccessor, CheckedJson } from './checked-json.ts'
 
 const SPARSE_INDICES = [5121, 5123, 5125]
-
-type View = NonNullable<CheckedJson['bufferViews']>[number]
 
 /**
  * Checks that every view lies within its buffer, and every accessor within its view. References have been checked.
@@ -17,12 +16,14 @@ export function rangeProblem(json: CheckedJson, lengths: readonly number[]): str
 
 function viewProblem({ bufferViews = [] }: CheckedJson, lengths: readonly number[]): string | undefined {
   for (const [i, view] of bufferViews.entries()) {
-    const packed = compressedView(view)
-    const { buffer, byteOffset = 0, byteLength } = packed ?? view
-    const end = byteOffset + byteLength
-    if (!(end <= lengths[buffer])) return `bufferViews[${i}] ends at ${end} of ${lengths[buffer]} bytes`
-    if (packed && packed.count * packed.byteStride !== view.byteLength) {
-      return `bufferViews[${i}] has ${view.byteLength} bytes, its compressed form ${packed.count} x ${packed.byteStride}`
+    const compressed = compressedViews(view)
+    for (const { count, byteStride } of compressed) {
+      if (count * byteStride === view.byteLength) continue
+      return `bufferViews[${i}] has ${view.byteLength} bytes, its compressed form ${count} x ${byteStride}`
+    }
+    for (const { buffer, byteOffset = 0, byteLength } of compressed.length > 0 ? compressed : [view]) {
+      const end = byteOffset + byteLength
+      if (!(end <= lengths[buffer])) return `bufferViews[${i}] ends at ${end} of ${lengths[buffer]} bytes`
     }
   }
   return undefined
@@ -60,7 +61,7 @@ function spanProblem(
   where: string,
   { byteOffset = 0, ...form }: Pick<CheckedAccessor, 'byteOffset' | 'componentType' | 'type'>,
   count: number,
-  view: View,
+  view: BufferView,
 ): string | undefined {
   const component = COMPONENT_BYTES.get(form.componentType)!
   const element = elementBytes(form)

@@ -35,8 +35,13 @@ const numbers = (count: number): Check => {
 
 const view = { buffer: isIndex, byteLength: isIndex }
 
+const MESHOPT_MODES: unknown[] = ['ATTRIBUTES', 'TRIANGLES', 'INDICES']
+
 /** The bytes of a view that EXT_meshopt_compression or a successor compresses. */
-const compressedView = shapeWith(view, { byteOffset: isIndex, count: isIndex, byteStride: isIndex })
+const compressedView = shapeWith(
+  { ...view, count: isIndex, byteStride: isIndex, mode: (value) => MESHOPT_MODES.includes(value) },
+  { byteOffset: isIndex },
+)
 
 const primitive = shape({
   attributes: mapOf(isIndex),

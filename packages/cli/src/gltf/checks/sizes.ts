@@ -1,5 +1,6 @@
+import { compressedViews } from '../gltf-json.ts'
 import { elementBytes } from './accessor-bytes.ts'
-import { type CheckedAccessor, type CheckedJson, compressedView } from './checked-json.ts'
+import type { CheckedAccessor, CheckedJson } from './checked-json.ts'
 
 /** Bytes of geometry that any file may decode to, and how many times its size a larger one may. */
 const DECODED_BYTES = 2 ** 27
@@ -27,7 +28,7 @@ export function sizeProblem(
     if (sparse && sparse.count > count) return `accessors[${i}] replaces ${sparse.count} of ${count} elements`
     stored += bytesOf(accessor)
   }
-  for (const view of bufferViews) unpacked += compressedView(view) ? view.byteLength : 0
+  for (const view of bufferViews) unpacked += compressedViews(view).length > 0 ? view.byteLength : 0
   for (const { primitives } of meshes) {
     for (const { attributes = {}, targets = [], indices } of primitives) {
       for (const list of [attributes, ...targets]) {
@@ -44,7 +45,7 @@ export function sizeProblem(
   return undefined
 }
 
-/** 0 where there is no such accessor, or none of its type: such faults are others'. */
+/** 0 where there is no such accessor, or its type is unknown, which other checks report. */
 function bytesOf(accessor: CheckedAccessor | undefined): number {
   return (accessor && accessor.count * elementBytes(accessor)) || 0
 }

@@ -1,9 +1,9 @@
-import { nodeProblem } from './check-nodes.ts'
-import { rangeProblem } from './check-ranges.ts'
-import { referenceProblem } from './check-references.ts'
-import { sizeProblem } from './check-sizes.ts'
+import type { GltfJson } from '../gltf-json.ts'
 import type { CheckedJson } from './checked-json.ts'
-import type { GltfJson } from './gltf-json.ts'
+import { nodeProblem } from './nodes.ts'
+import { rangeProblem } from './ranges.ts'
+import { referenceProblem } from './references.ts'
+import { sizeProblem } from './sizes.ts'
 
 // Both take time in proportion to the size of a document, whose types `shapeProblem` has checked.
 

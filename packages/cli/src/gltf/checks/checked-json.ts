@@ -1,13 +1,4 @@
-import type { GltfJson, GltfMaterial, GltfMesh, TextureInfo } from './gltf-json.ts'
-
-/** The bytes that a view is decompressed from, by EXT_meshopt_compression or a successor. */
-interface CompressedView {
-  buffer: number
-  byteOffset?: number
-  byteLength: number
-  count: number
-  byteStride: number
-}
+import type { GltfJson, GltfMaterial, GltfMesh, TextureInfo } from '../gltf-json.ts'
 
 export interface CheckedAccessor {
   bufferView?: number
@@ -24,15 +15,8 @@ export interface CheckedAccessor {
 
 /** What the checks read of a document besides what commands do. `shapeProblem` has checked the types. */
 export interface CheckedJson
-  extends Omit<GltfJson, 'accessors' | 'bufferViews' | 'materials' | 'meshes' | 'nodes' | 'textures'> {
+  extends Omit<GltfJson, 'accessors' | 'materials' | 'meshes' | 'nodes' | 'textures'> {
   accessors?: CheckedAccessor[]
-  bufferViews?: {
-    buffer: number
-    byteOffset?: number
-    byteLength: number
-    byteStride?: number | undefined
-    extensions?: Record<string, Partial<CompressedView>>
-  }[]
   cameras?: object[]
   materials?: (GltfMaterial & {
     pbrMetallicRoughness?: { metallicRoughnessTexture?: TextureInfo }
@@ -41,7 +25,7 @@ export interface CheckedJson
   })[]
   meshes?: (Omit<GltfMesh, 'primitives'> & {
     primitives: (GltfMesh['primitives'][number] & {
-      extensions?: { KHR_draco_mesh_compression?: { bufferView: number } }
+      extensions?: { KHR_draco_mesh_compression?: { bufferView: number; attributes: Record<string, number> } }
     })[]
   })[]
   nodes?: { name?: string; mesh?: number; skin?: number; camera?: number; children?: number[] }[]
@@ -53,13 +37,4 @@ export interface CheckedJson
     channels: { sampler: number; target: { node?: number } }[]
     samplers: { input: number; output: number }[]
   }[]
-}
-
-/** Undefined where a view is not compressed. */
-export function compressedView({
-  extensions = {},
-}: NonNullable<CheckedJson['bufferViews']>[number]): CompressedView | undefined {
-  return Object.values(extensions).find(({ byteLength }) => byteLength !== undefined) as
-    | CompressedView
-    | undefined
 }

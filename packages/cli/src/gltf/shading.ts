@@ -1,0 +1,21 @@
+import type { GltfJson } from './gltf-json.ts'
+
+const UNLIT = 'KHR_materials_unlit'
+const MTOON = 'VRMC_materials_mtoon'
+
+/** How a material is drawn: toon materials have their own shader; `unlit` ones have no normals, and so no wrinkles. */
+export function shadingOf(
+  { materials = [], extensions }: GltfJson,
+  material: number,
+): 'lit' | 'unlit' | 'toon' {
+  const own = materials[material]?.extensions ?? {}
+  if (own[MTOON] !== undefined || isToonOfVrm0(extensions?.VRM, material)) return 'toon'
+  return own[UNLIT] === undefined ? 'lit' : 'unlit'
+}
+
+/** VRM 0 lists its shaders beside the materials, whose fallback is unlit. */
+function isToonOfVrm0(vrm: unknown, material: number): boolean {
+  const { materialProperties } = (vrm ?? {}) as { materialProperties?: { shader?: unknown }[] }
+  const shader = Array.isArray(materialProperties) ? materialProperties[material]?.shader : undefined
+  return typeof shader === 'string' && shader.includes('MToon')
+}

@@ -1,0 +1,11 @@
+/** The distinct buffers of all typed arrays in plain data, as `postMessage` takes them; shared ones cannot be transferred. */
+export function buffersOf(data: unknown): ArrayBuffer[] {
+  const buffers = new Set<ArrayBuffer>()
+  const visit = (value: unknown): void => {
+    if (ArrayBuffer.isView(value)) {
+      if (value.buffer instanceof ArrayBuffer) buffers.add(value.buffer)
+    } else if (typeof value === 'object' && value !== null) Object.values(value).forEach(visit)
+  }
+  visit(data)
+  return [...buffers]
+}

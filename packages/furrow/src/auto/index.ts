@@ -1,0 +1,12 @@
+/**
+ * Wrinkles from blendshapes on a web page, made in a web worker.
+ *
+ * @module furrow/auto
+ */
+
+// Types only: a page without a bundler would fetch all of `furrow/author` for a constant.
+export type { AutoRegion } from '../author/auto/anatomy/regions.ts'
+export type { AutoArea, AutoOptions, AutoProgress, AutoWrinkles } from '../author/auto/auto.ts'
+export type { AutoLayer } from '../author/auto/raster/draw-maps.ts'
+export type { Skin, SkinTarget } from '../author/skin/surface.ts'
+export { type AutoInWorkerOptions, autoWrinklesInWorker } from './in-worker.ts'

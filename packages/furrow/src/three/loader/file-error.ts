@@ -1,0 +1,17 @@
+import { FurrowError } from '../../core/error.ts'
+
+/**
+ * What was thrown while a file was read, as the error that users see: three.js and the browser have words of their own.
+ *
+ * @param who, what of the error; a `FurrowError` remains as it is.
+ */
+export function fileError(thrown: unknown, who: string, what: string): FurrowError {
+  if (thrown instanceof FurrowError) return thrown
+  return new FurrowError({
+    code: 'unreadable',
+    who,
+    what,
+    value: thrown instanceof Error ? thrown.message : thrown,
+    remedy: 'check the file with `npx furrow validate`',
+  })
+}

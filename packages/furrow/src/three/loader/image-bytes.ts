@@ -1,0 +1,20 @@
+import { LoaderUtils } from 'three'
+import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
+
+/**
+ * Reads the bytes of an image of a file, in the file or beside it.
+ *
+ * @param image its index.
+ * @returns undefined where there is no such image.
+ * @throws Error when it cannot be fetched.
+ */
+export async function readImageBytes(
+  parser: GLTFParser,
+  image: unknown,
+): Promise<Uint8Array<ArrayBuffer> | undefined> {
+  const { bufferView, uri } = parser.json.images?.[image as number] ?? {}
+  if (bufferView !== undefined) return new Uint8Array(await parser.getDependency('bufferView', bufferView))
+  if (typeof uri !== 'string') return undefined
+  const address = LoaderUtils.resolveURL(uri, parser.options.path)
+  return new Uint8Array((await parser.fileLoader.loadAsync(address)) as ArrayBuffer)
+}

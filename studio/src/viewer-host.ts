@@ -1,0 +1,153 @@
+import { isWebGL } from '../../stage/light.ts'
+import type { RendererKind } from '../../stage/stage.ts'
+import { deviceOf, unavailableReason } from './adapter.ts'
+import { displayName } from './display-name.ts'
+import { fetchFace, type LoadedFace } from './faces.ts'
+import { type Loading, nextPaint } from './loading.ts'
+import type { Loop } from './loop.ts'
+import type { Messages } from './messages.ts'
+import { reducedMotion } from './motion.ts'
+import { Orbit } from './orbit.ts'
+import type { Page } from './page.ts'
+import { snapshot } from './snapshot.ts'
+import { Viewer } from './viewer.ts'
+
+/** Milliseconds: two device losses within this time mean that WebGPU does not work here. */
+const LOSS_WINDOW = 15_000
+
+/** What a host needs of the application. */
+export interface HostParts {
+  page: Page
+  messages: Messages
+  loading: Loading
+  /** Runs while there is a viewer. */
+  loop: Loop
+  /** Called when a viewer is ready, before it is drawn. */
+  onOpen(viewer: Viewer): void
+  /** Called when an attempt to open one has ended, successful or not. */
+  onSettled(): void
+}
+
+/** Opens viewers, each in place of the last: with another renderer or face, or again when the graphics device is lost. */
+export class ViewerHost {
+  readonly #parts: HostParts
+  #viewer: Viewer | null = null
+  #orbit: Orbit | null = null
+  /** Renderers are created one at a time: each waits until the last one has released its device. */
+  #opening: Promise<unknown> = Promise.resolve()
+  #lastLoss = Number.NEGATIVE_INFINITY
+
+  constructor(parts: HostParts) {
+    this.#parts = parts
+    new ResizeObserver(() => this.#resize()).observe(parts.page.viewport)
+  }
+
+  get viewer(): Viewer | null {
+    return this.#viewer
+  }
+
+  /** Moves the viewer's camera. */
+  get orbit(): Orbit | null {
+    return this.#orbit
+  }
+
+  /** Opens a renderer, with another face if one is named; the user's settings are kept. Shows errors. */
+  open(kind: RendererKind, name?: string): Promise<unknown> {
+    const { messages, loading, onSettled } = this.#parts
+    this.#opening = this.#opening.then(() =>
+      messages.attempt(async () => {
+        try {
+          await this.#open(kind, name)
+        } finally {
+          loading.done()
+          onSettled()
+        }
+      }),
+    )
+    return this.#opening
+  }
+
+  async #open(kind: RendererKind, name: string | undefined): Promise<void> {
+    const { page, messages, loading, loop, onOpen } = this.#parts
+    const reason = await unavailableReason(kind)
+    if (reason && this.#viewer?.kind === 'webgl') throw new Error(reason)
+    if (reason) messages.error(reason)
+    const loaded = await this.#loadFace(name)
+    loading.show(`Starting ${reason || kind === 'webgl' ? 'WebGL' : 'WebGPU'}`)
+    await nextPaint()
+    const restore = this.#close()
+    const viewer = await this.#makeViewer(reason ? 'webgl' : kind, loaded)
+    this.#viewer = viewer
+    this.#orbit = new Orbit(viewer.stage, page.viewport, reducedMotion.matches, () => loop.wake())
+    this.#resize()
+    this.#orbit.goTo('front', true)
+    for (const step of restore?.(viewer, this.#orbit) ?? []) await messages.attempt(step)
+    onOpen(viewer)
+    this.#watch(viewer)
+    loop.start()
+  }
+
+  async #loadFace(name: string | undefined): Promise<LoadedFace> {
+    const { loading } = this.#parts
+    const current = this.#viewer?.loaded
+    if (current && (name === undefined || current.name === name)) return current
+    const title = displayName(name!)
+    loading.show(`Loading ${title}`, 0)
+    return fetchFace(name!, (fraction) => loading.show(`Loading ${title}`, fraction))
+  }
+
+  async #makeViewer(kind: RendererKind, loaded: LoadedFace): Promise<Viewer> {
+    const create = (createdKind: RendererKind) => {
+      const canvas = document.createElement('canvas')
+      this.#parts.page.viewport.replaceChildren(canvas)
+      return Viewer.create(canvas, createdKind, loaded)
+    }
+    if (kind === 'webgl') return create(kind)
+    try {
+      return await create(kind)
+    } catch (error) {
+      this.#parts.messages.error(error)
+      return create('webgl')
+    }
+  }
+
+  /** Disposes of the viewer; returns what restores its state on the next one. */
+  #close(): ReturnType<typeof snapshot> | null {
+    const [viewer, orbit] = [this.#viewer, this.#orbit]
+    if (!viewer || !orbit) return null
+    this.#parts.loop.stop()
+    const state = snapshot(viewer, orbit)
+    this.#viewer = null
+    this.#orbit = null
+    orbit.dispose()
+    viewer.dispose()
+    return state
+  }
+
+  /** Starts a lost device again, or falls back to WebGL if it is lost twice in a short time. */
+  #watch(viewer: Viewer): void {
+    const { messages, loop } = this.#parts
+    const { renderer } = viewer.stage
+    if (isWebGL(renderer)) {
+      viewer.canvas.addEventListener('webglcontextrestored', () => loop.wake())
+      return
+    }
+    void deviceOf(renderer)?.lost.then(({ message }) => {
+      if (this.#viewer !== viewer) return
+      const isRepeated = performance.now() - this.#lastLoss < LOSS_WINDOW
+      this.#lastLoss = performance.now()
+      const remedy = isRepeated ? 'the face is on WebGL now' : 'it was started again'
+      messages.error(`Studio: the graphics device was lost, got ${JSON.stringify(message)}; ${remedy}`)
+      void this.open(isRepeated ? 'webgl' : 'webgpu')
+    })
+  }
+
+  #resize(): void {
+    const { page, loop } = this.#parts
+    const { clientWidth: width, clientHeight: height } = page.viewport
+    if (!this.#viewer || width === 0 || height === 0) return
+    this.#viewer.stage.resize(width, height, Math.min(devicePixelRatio, 2))
+    if (this.#orbit?.view) this.#orbit.goTo(this.#orbit.view, true)
+    loop.wake()
+  }
+}

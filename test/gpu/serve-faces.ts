@@ -1,0 +1,60 @@
+import { createReadStream, mkdtempSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import type { Readable } from 'node:stream'
+import { fileURLToPath } from 'node:url'
+import { createServer, type InlineConfig, type Plugin } from 'vite'
+import type { facePacker } from './pack-faces.ts'
+
+const moduleOf = (name: string) => fileURLToPath(new URL(name, import.meta.url))
+
+/**
+ * Serves the faces of `pack-faces.ts` at `/packed/NAME.glb`, each of which is packed when it is first asked for, and the
+ * list of bare faces at `/packed/bare-faces.json`; and those of `damaged-faces.ts` at `/damaged-faces.json`.
+ *
+ * @param ssr how the modules that make them are resolved, in Node.
+ */
+export function serveFaces(ssr: InlineConfig['ssr']): Plugin {
+  return {
+    name: 'furrow-faces',
+    configureServer({ middlewares, config: { root } }) {
+      const folder = mkdtempSync(join(tmpdir(), 'furrow-faces-'))
+      process.once('exit', () => rmSync(folder, { recursive: true, force: true }))
+      let opened: ReturnType<typeof openModules> | undefined
+      let packer: ReturnType<typeof facePacker> | undefined
+      const serve = (path: string, answer: (faces: Modules, url: string) => Promise<string | Readable>) =>
+        middlewares.use(path, async ({ url = '' }, response, next) => {
+          try {
+            opened ??= openModules(root, ssr)
+            const content = await answer(await opened, url)
+            if (typeof content === 'string') response.end(content)
+            else content.pipe(response)
+          } catch (error) {
+            next(error)
+          }
+        })
+      serve('/packed', async (faces, url) => {
+        if (url.startsWith('/bare-faces.json')) return JSON.stringify(faces.BARE_FACES)
+        const [, name] = /^\/([\w-]+)\.glb/.exec(url) ?? []
+        packer ??= faces.facePacker(folder)
+        return createReadStream(await packer(name))
+      })
+      serve('/damaged-faces.json', async (faces) => JSON.stringify(await faces.damagedFaces()))
+    },
+  }
+}
+
+type Modules = typeof import('./pack-faces.ts') & typeof import('./damaged-faces.ts')
+
+/** In a server of its own: Vitest's changes dynamic imports so that they work in the browser alone. */
+async function openModules(root: string, ssr: InlineConfig['ssr']): Promise<Modules> {
+  const server = await createServer({
+    root,
+    configFile: false,
+    ssr,
+    optimizeDeps: { noDiscovery: true },
+    server: { middlewareMode: true, hmr: false, ws: false, watch: null },
+  })
+  const modules = ['pack-faces.ts', 'damaged-faces.ts'].map((name) => server.ssrLoadModule(moduleOf(name)))
+  return Object.assign({}, ...(await Promise.all(modules)))
+}
