@@ -14,7 +14,7 @@ async function written(...views: Omit<BufferView, 'buffer'>[]) {
     bufferViews,
     images: [{ bufferView: 0, mimeType: 'image/png' }],
   }
-  const glb = { json, bin: Buffer.from(BYTES), files: [], fileBytes: BYTES.length }
+  const glb = { json, bin: Buffer.from(BYTES), bytes: BYTES, references: new Map(), fileBytes: BYTES.length }
   const files = await faceFiles(glb, join(tmpdir(), 'furrow-none', 'out.gltf'), 'furrow auto')
   const find = (end: string) => files.find(({ path }) => path.endsWith(end))!.bytes
   const bin = find('.bin')
