@@ -7,10 +7,10 @@ import sys
 from pathlib import Path
 
 from builder.command import Job, run
-from builder.face import STEPS, Face
 from builder.glb import Glb
-from builder.head import build_head, skin_part
 from builder.materials import materials
+from builder.person.face import STEPS, Face
+from builder.person.head import build_head, skin_part
 from builder.recipes import RECIPES
 from builder.source import Mesh, Wheel
 from builder.tangents import tangents

@@ -8,19 +8,19 @@ import sys
 from pathlib import Path
 
 from builder.command import Job, run
-from builder.face import STEPS, Face
-from builder.fields import occlusion
 from builder.glb import Glb
-from builder.hand import build_hand
-from builder.hand_creases import hand_strokes
-from builder.hand_maps import HandFields, paint_hand, paint_hand_relief, paint_hand_surface
+from builder.joints.hand import build_hand
+from builder.joints.hand_creases import hand_strokes
+from builder.joints.hand_maps import HandFields, paint_hand, paint_hand_relief, paint_hand_surface
+from builder.joints.neck import build_neck, follow_body, spread_map, spread_out, without_targets
+from builder.joints.neck_creases import neck_strokes
+from builder.joints.poses import hand_clip, neck_clips
 from builder.materials import hand_materials, materials
-from builder.neck import build_neck, follow_body, spread_map, spread_out, without_targets
-from builder.neck_creases import neck_strokes
-from builder.poses import hand_clip, neck_clips
+from builder.person.face import STEPS, Face
+from builder.person.fields import occlusion
+from builder.person.skin_maps import encode
 from builder.raster import Atlas
 from builder.recipes import HAND, HUMAN
-from builder.skin_maps import encode
 from builder.tangents import tangents
 
 MAP_SIZE = 1024  # pixels

@@ -3,7 +3,7 @@ import json
 import numpy as np
 import pytest
 
-from builder.creases import LEAP, SAMPLES, Chart, document
+from builder.joints.creases import LEAP, SAMPLES, Chart, document
 from tests.shapes import sheet_part
 
 

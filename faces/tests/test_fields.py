@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
 
-from builder.fields import Fields, occlusion
+from builder.person.fields import Fields, occlusion
+from builder.person.skin_maps import encode, lay, relief
 from builder.raster import Atlas
-from builder.skin_maps import encode, lay, relief
 from tests.shapes import grid, sheet_part
 
 

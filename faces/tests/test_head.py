@@ -1,7 +1,7 @@
 import numpy as np
 
-from builder.head import thin_out
-from builder.neck import ROWS, ROWS_BACK, _solved, spread_map
+from builder.joints.neck import ROWS, ROWS_BACK, _solved, spread_map
+from builder.person.head import thin_out
 from builder.subdivide import catmull_clark
 from tests.shapes import grid
 

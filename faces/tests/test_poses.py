@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from builder.poses import FIST, STEP, clip, hand_clip, neck_clips, turn
+from builder.joints.poses import FIST, STEP, clip, hand_clip, neck_clips, turn
 
 
 def test_a_turn_about_x_bends_y_towards_z():

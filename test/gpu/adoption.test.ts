@@ -1,9 +1,9 @@
-import { WrinkleLoaderPlugin as WebGLPlugin, wrinklesOf } from 'furrow/three'
-import { WrinkleLoaderPlugin as WebGPUPlugin } from 'furrow/webgpu'
-import { DirectionalLight, Group, type Material, Mesh, Scene } from 'three'
-import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { wrinklesOf } from 'furrow/three'
+import { Group, type Material, Mesh } from 'three'
+import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
-import { createHarness, type Harness, RENDERERS, squareCamera } from './harness.ts'
+import { createHarness, type Harness, RENDERERS } from './harness.ts'
+import { litPicture, loadFile } from './loaded.ts'
 import { wrinkledFile } from './wrinkled-file.ts'
 
 describe.each(RENDERERS)('a mesh that a page makes with the material of a loaded face, on %s', (name) => {
@@ -13,16 +13,8 @@ describe.each(RENDERERS)('a mesh that a page makes with the material of a loaded
   })
   afterAll(() => harness.dispose())
 
-  const load = async (): Promise<GLTF> => {
-    const Plugin = name === 'webgl' ? WebGLPlugin : WebGPUPlugin
-    const loader = new GLTFLoader().register((parser) => new Plugin(parser))
-    return loader.parseAsync((await wrinkledFile()).buffer, '')
-  }
-  const picture = async (root: Group) => {
-    const light = new DirectionalLight(0xffffff, 2)
-    light.position.set(1, 1, 1)
-    return harness.render(new Scene().add(root, light), squareCamera(), 32)
-  }
+  const load = async () => loadFile(harness, await wrinkledFile())
+  const picture = (root: Group) => litPicture(harness, root)
   const loadedMeshes = ({ scene }: GLTF) => scene.getObjectByName('face')!.children as Mesh[]
   /** As R3F makes `<mesh geometry={} material={} morphTargetInfluences={} />`. */
   const made = (loaded: Mesh, influences: number[], material = loaded.material) => {

@@ -1,13 +1,13 @@
 import { FurrowError } from 'furrow'
-import { readWrinkleMaps, WrinkleLoaderPlugin as WebGLPlugin, wrinklesOf } from 'furrow/three'
-import { WrinkleLoaderPlugin as WebGPUPlugin } from 'furrow/webgpu'
-import { DirectionalLight, Mesh, Scene, type WebGLRenderer } from 'three'
+import { readWrinkleMaps, WrinkleLoaderPlugin, wrinklesOf } from 'furrow/three'
+import { Mesh, type WebGLRenderer } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { afterAll, beforeAll, describe, expect, it, onTestFinished } from 'vitest'
 import { editGlb } from '../glb.ts'
-import { createHarness, type Harness, RENDERERS, squareCamera } from './harness.ts'
+import { createHarness, type Harness, RENDERERS } from './harness.ts'
 import { grayPng } from './images.ts'
+import { litPicture, loadFile } from './loaded.ts'
 import { quietConsole } from './quiet-console.ts'
 import { driver, wrinkledFile } from './wrinkled-file.ts'
 
@@ -85,7 +85,7 @@ const DAMAGES: [what: string, spoil: Spoil, warning: RegExp][] = [
       delete normals(maps, json).bufferView
       normals(maps, json).uri = '/no/such/image.png'
     },
-    /an image that cannot be decoded/,
+    /texture \d: an image that cannot be fetched, got "\/no\/such\/image.png"; check that the server/,
   ],
   [
     'an image that is too large',
@@ -119,16 +119,8 @@ describe.each(RENDERERS)('a damaged file on %s', (name) => {
   })
   afterAll(() => harness.dispose())
 
-  const load = async (file: Uint8Array): Promise<GLTF> => {
-    const Plugin = name === 'webgl' ? WebGLPlugin : WebGPUPlugin
-    const loader = new GLTFLoader().register((parser) => new Plugin(parser))
-    return loader.parseAsync(file.slice().buffer, '')
-  }
-  const picture = async ({ scene: root }: GLTF) => {
-    const light = new DirectionalLight(0xffffff, 2)
-    light.position.set(1, 1, 1)
-    return harness.render(new Scene().add(root, light), squareCamera(), 32)
-  }
+  const load = (file: Uint8Array) => loadFile(harness, file)
+  const picture = ({ scene }: GLTF) => litPicture(harness, scene)
   const textureCount = () => (harness.renderer as WebGLRenderer).info.memory.textures
 
   it.each(DAMAGES)('with %s shows the plain face and one warning', async (_, spoil, warning) => {
@@ -295,7 +287,9 @@ describe('a file of KTX 2 arrays', () => {
       .detectSupport(harness.renderer)
     onTestFinished(() => void ktx2.dispose())
     const loader = new GLTFLoader().setKTX2Loader(ktx2).setMeshoptDecoder(MeshoptDecoder)
-    const gltf = await loader.register((parser) => new WebGLPlugin(parser)).parseAsync(file.buffer, '')
+    const gltf = await loader
+      .register((parser) => new WrinkleLoaderPlugin(parser))
+      .parseAsync(file.buffer, '')
     expect(written.warn.mock.calls).toEqual([[expect.stringMatching(warning)]])
     expect(wrinklesOf(gltf)).toEqual([])
     let meshes = 0

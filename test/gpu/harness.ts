@@ -1,5 +1,5 @@
-import { Wrinkles as WebGLWrinkles } from 'furrow/three'
-import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
+import { WrinkleLoaderPlugin as WebGLPlugin, Wrinkles as WebGLWrinkles } from 'furrow/three'
+import { WrinkleLoaderPlugin as WebGPUPlugin, Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import {
   BufferAttribute,
   type Camera,
@@ -24,6 +24,7 @@ export interface Harness {
   name: RendererName
   renderer: WebGLRenderer | WebGPURenderer
   Wrinkles: typeof WebGLWrinkles | typeof WebGPUWrinkles
+  Plugin: typeof WebGLPlugin | typeof WebGPUPlugin
   /** The graphics adapter, by the name that its driver gives it. */
   adapter: string
   /** Renders into a target and reads it back: linear RGBA, floats in 0..1, row 0 at the bottom. */
@@ -65,6 +66,7 @@ export async function createHarness(name: RendererName): Promise<Harness> {
     name,
     renderer,
     Wrinkles: name === 'webgl' ? WebGLWrinkles : WebGPUWrinkles,
+    Plugin: name === 'webgl' ? WebGLPlugin : WebGPUPlugin,
     adapter: adapterName(renderer, name),
     render: async (scene, camera, width, height = width) =>
       (await read(scene, camera, width, height, FloatType)) as Float32Array,

@@ -1,5 +1,7 @@
 /** Writes PNG files byte by byte, for what a canvas cannot write: 16 bits, huge sizes. */
 
+import { crc32 } from '../crc32.ts'
+
 /** @param raw scanlines without filter bytes. */
 export async function png(width: number, height: number, depth: 8 | 16, colour: 0 | 2 | 6, raw: Uint8Array) {
   const stride = (raw.length / height) | 0
@@ -32,16 +34,6 @@ function chunk(type: string, data: Uint8Array): Uint8Array<ArrayBuffer> {
   view.setUint32(0, data.length)
   for (let i = 0; i < 4; i++) bytes[4 + i] = type.charCodeAt(i)
   bytes.set(data, 8)
-  view.setUint32(8 + data.length, crc(bytes.subarray(4, 8 + data.length)))
+  view.setUint32(8 + data.length, crc32(bytes.subarray(4, 8 + data.length)))
   return bytes
-}
-
-/** CRC-32 as the PNG specification defines it (ISO 3309). */
-function crc(bytes: Uint8Array): number {
-  let sum = 0xffffffff
-  for (const byte of bytes) {
-    sum ^= byte
-    for (let k = 0; k < 8; k++) sum = sum & 1 ? (sum >>> 1) ^ 0xedb88320 : sum >>> 1
-  }
-  return (sum ^ 0xffffffff) >>> 0
 }

@@ -1,13 +1,13 @@
 import { VRMExpressionLoaderPlugin } from '@pixiv/three-vrm-core'
 import { packAreas, reference } from 'furrow'
-import { WrinkleLoaderPlugin as WebGLPlugin, wrinklesOf } from 'furrow/three'
-import { WrinkleLoaderPlugin as WebGPUPlugin } from 'furrow/webgpu'
-import { DirectionalLight, type Mesh, Scene, type WebGLRenderer } from 'three'
+import { wrinklesOf } from 'furrow/three'
+import type { Mesh, WebGLRenderer } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
 import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest'
 import { editGlb } from '../glb.ts'
-import { createHarness, type Harness, RENDERERS, squareCamera } from './harness.ts'
+import { createHarness, type Harness, RENDERERS } from './harness.ts'
+import { litPicture, loadFile } from './loaded.ts'
 import { driver, WEIGHTS, wrinkledFile } from './wrinkled-file.ts'
 
 const SIZE = 16
@@ -19,18 +19,8 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
   })
   afterAll(() => harness.dispose())
 
-  const load = async (file: Uint8Array): Promise<GLTF> => {
-    const Plugin = name === 'webgl' ? WebGLPlugin : WebGPUPlugin
-    const loader = new GLTFLoader().register((parser) => new Plugin(parser))
-    return loader.parseAsync(file.buffer as ArrayBuffer, '')
-  }
-  const picture = async ({ scene: root }: GLTF) => {
-    const scene = new Scene()
-    const light = new DirectionalLight(0xffffff, 2)
-    light.position.set(1, 1, 1)
-    scene.add(root, light)
-    return harness.render(scene, squareCamera(), 32)
-  }
+  const load = (file: Uint8Array) => loadFile(harness, file)
+  const picture = ({ scene }: GLTF) => litPicture(harness, scene)
   const meshesOf = (gltf: GLTF) => {
     const meshes: Mesh[] = []
     gltf.scene.traverse((object) => {
@@ -89,7 +79,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
         if (material.extensions) Object.assign(material.extensions.FURROW_wrinkle_maps, { drivers })
       }
     })
-    const Plugin = name === 'webgl' ? WebGLPlugin : WebGPUPlugin
+    const { Plugin } = harness
     const loader = new GLTFLoader()
     if (isFirst) loader.register((parser) => new Plugin(parser))
     loader.register((parser) => new VRMExpressionLoaderPlugin(parser))

@@ -1,6 +1,5 @@
 import { findTargets } from 'furrow'
-import { WrinkleLoaderPlugin as WebGLPlugin, wrinklesOf } from 'furrow/three'
-import { WrinkleLoaderPlugin as WebGPUPlugin } from 'furrow/webgpu'
+import { wrinklesOf } from 'furrow/three'
 import type { Mesh } from 'three'
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js'
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js'
@@ -14,8 +13,7 @@ const draco = new DRACOLoader().setDecoderPath('/node_modules/three/examples/jsm
 const POSE = { browInnerUp: 1, browOuterUpLeft: 1, mouthSmileLeft: 1, mouthSmileRight: 1, cheekSquintLeft: 1 }
 
 /** Loads one of the faces of `pack-faces.ts` with its wrinkles. */
-export function loadPacked(harness: Harness, file: string, loader = new GLTFLoader()): Promise<GLTF> {
-  const Plugin = harness.name === 'webgl' ? WebGLPlugin : WebGPUPlugin
+export function loadPacked({ Plugin }: Harness, file: string, loader = new GLTFLoader()): Promise<GLTF> {
   return loader
     .setMeshoptDecoder(MeshoptDecoder)
     .setDRACOLoader(draco)

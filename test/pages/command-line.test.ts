@@ -19,6 +19,14 @@ describe('the command line', () => {
     expect(stdout).toBe((await run('--help')).stdout)
   })
 
+  it.each([['help'], ['help', 'help']])('%s %s prints the help', async (...args) => {
+    expect(await run(...args)).toEqual(await run('--help'))
+  })
+
+  it('--help auto prints the help of auto', async () => {
+    expect(await run('--help', 'auto')).toEqual(await run('auto', '--help'))
+  })
+
   it.each([['--help'], ['help'], ['auto', '--help'], ['help', 'auto'], ['--version']])(
     '%s %s ends well',
     async (...args) => {

@@ -142,6 +142,8 @@ describe('the studio on WebGL', () => {
 
   test('saves the picture as a PNG', () => savesPicture(studio.page))
 
+  test('saves the UV layout as a PNG to paint over', () => savesUvLayout(studio.page))
+
   test('an idle page draws nothing', async () => {
     const { page } = studio
     await shootStage(page)
@@ -260,6 +262,30 @@ async function savesPicture(page: Page): Promise<void> {
   expect(format).toBe('png')
   expect(width).toBe(await page.evaluate(() => document.querySelector('canvas')!.width))
   expect(await brightnessDeviation(await sharp(file).toBuffer())).toBeGreaterThan(30)
+}
+
+/** A template as that of `furrow uv`: islands with lines over the base colour, nothing round them. */
+async function savesUvLayout(page: Page): Promise<void> {
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'UV layout' }).click(),
+  ])
+  expect(download.suggestedFilename()).toBe('human-uv.png')
+  await page.getByText('Saved the UV layout').waitFor()
+  const image = sharp(await download.path())
+  const { format, width, height, channels } = await image.metadata()
+  expect({ format, width, height, channels }).toEqual({
+    format: 'png',
+    width: 2048,
+    height: 2048,
+    channels: 4,
+  })
+  const [red, , , alpha] = (await image.stats()).channels
+  expect([alpha.min, alpha.max]).toEqual([0, 255])
+  // The islands cover a good part of the texture, but not all of it.
+  expect(alpha.mean / 255).toBeGreaterThan(0.3)
+  expect(alpha.mean / 255).toBeLessThan(0.95)
+  expect(red.stdev).toBeGreaterThan(10)
 }
 
 async function checkControls(page: Page): Promise<void> {

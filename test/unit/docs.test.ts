@@ -51,6 +51,10 @@ describe('documentation', () => {
     ])
   })
 
+  it.each(PAGES)('%s does not let npx ask whether it may download what is not installed', (page) => {
+    expect(read(page)).not.toMatch(/npx (?=\S*(furrow-cli|http-server))(?!--yes )/)
+  })
+
   it.each(PAGES)('%s links to files that are there', (page) => {
     const links = [...read(page).matchAll(/\]\((?!https?:|#)([^)#]+)\)/g)].map((match) => match[1])
     for (const link of links) {

@@ -11,10 +11,33 @@ import { didYouMean } from './nearest.ts'
 export function createCommand(name: string): Command {
   const who = name === 'furrow' ? name : `furrow ${name}`
   const command = new Command(name).configureOutput({ outputError: () => {} })
+  command.hook('preAction', () => checkValues(command, who))
   return command.exitOverride((error) => {
     // Help and version were printed; commander then exits by itself.
     if (error.exitCode === 0 || error.code === 'commander.help') return
     throw usageError(command, who, error)
+  })
+}
+
+/** An empty path or name is a variable of a script that is not set. Throws FurrowError where there is one. */
+function checkValues(command: Command, who: string): void {
+  const given = [
+    ...command.registeredArguments.map((argument, i) => [
+      `argument '${argument.name()}'`,
+      command.processedArgs[i],
+    ]),
+    ...command.options.map((option) => [
+      `option '${option.flags}'`,
+      command.getOptionValue(option.attributeName()),
+    ]),
+  ]
+  const empty = given.find(([, value]) => [value].flat().includes(''))
+  if (!empty) return
+  throw new FurrowError({
+    code: 'usage',
+    who,
+    what: `${empty[0]} is empty`,
+    remedy: `give it a value; see ${who} --help`,
   })
 }
 
@@ -32,7 +55,10 @@ function usageError(command: Command, who: string, error: CommanderError): Furro
   // Commander knows the nearest command and option, but not the nearest choice.
   if (suggestion) return fault(what, `did you mean "${suggestion}"?`)
   const choice = /argument '(.*)' is invalid\. Allowed choices are (.*)$/.exec(what)
-  return fault(what, choice ? didYouMean(choice[1], choice[2].split(', '), help) : help)
+  if (!choice) return fault(what, help)
+  // An option that takes several values takes a file behind it as one more.
+  const otherwise = what.includes('...>') ? `files go before this option; ${help}` : help
+  return fault(what, didYouMean(choice[1], choice[2].split(', '), otherwise))
 }
 
 /** Messages begin with `error: `; those about choices end with a full stop. A suggestion has a line of its own. */

@@ -47,7 +47,6 @@ const FILE_ERRORS: Readonly<Record<string, { reason: string; remedy: string }>> 
   EEXIST: { reason: 'something else has its name', remedy: 'choose another name' },
   ENOTEMPTY: { reason: 'the folder is not empty', remedy: 'name another one; nothing is overwritten' },
   EBUSY: { reason: 'another program uses it', remedy: 'close that program' },
-  ERR_FS_FILE_TOO_LARGE: { reason: 'it is larger than 2 GiB', remedy: 'make it smaller' },
 }
 
 /**
@@ -75,7 +74,7 @@ export function cannotWrite(
   who: string,
   name: string,
   cause: unknown,
-  remedy = 'choose a path that you may write to',
+  remedy = 'choose another path',
 ): FurrowError {
   const known = fileError(cause)
   const what = `cannot write ${name} (${known?.reason ?? firstLine(cause)})`

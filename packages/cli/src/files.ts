@@ -1,45 +1,14 @@
-import { existsSync, mkdirSync, renameSync, rmdirSync, rmSync, type Stats, writeFileSync } from 'node:fs'
-import { readdir, readFile } from 'node:fs/promises'
+import { existsSync, mkdirSync, renameSync, rmdirSync, rmSync, writeFileSync } from 'node:fs'
 import { dirname, join } from 'node:path'
 import { FurrowError } from 'furrow'
-import { cannotRead, cannotWrite } from './errors.ts'
+import { cannotWrite } from './errors.ts'
 import { uninterrupted } from './interruption.ts'
-import { fileProblem, isStdout, statOf, targetOf } from './outputs.ts'
+import { isStdout, targetOf } from './outputs.ts'
 
 /** A file to write: its whole content, still in memory. */
 export interface OutputFile {
   path: string
   bytes: Uint8Array
-}
-
-/** What the shell has opened, as in `furrow inspect <(...)`. Other pipes may have no writer, and devices no end. */
-const OPEN_FILE = /^\/(dev\/stdin|(dev|proc\/self)\/fd\/\d+)$/
-
-/**
- * Reads a file, or the pipe that a shell has opened.
- *
- * @param noun what the file is to the user, e.g. `the face`; put before its path in the error.
- * @throws FurrowError when it cannot be read.
- */
-export async function readBytes(path: string, who: string, noun = '', remedy?: string): Promise<Buffer> {
-  const name = `${noun} ${path}`.trim()
-  const problem = OPEN_FILE.test(path) ? undefined : fileProblem(await statOf(path).catch(() => undefined))
-  if (problem) throw cannotRead(who, name, new Error(problem), { remedy: 'name a file' })
-  try {
-    return await readFile(path)
-  } catch (error) {
-    throw cannotRead(who, name, error, remedy === undefined ? {} : { remedy })
-  }
-}
-
-/** Reads a JSON file; see `readBytes`. Throws FurrowError also when it is not JSON. */
-export async function readJson(path: string, who: string, noun = '', remedy?: string): Promise<unknown> {
-  const bytes = await readBytes(path, who, noun, remedy)
-  try {
-    return JSON.parse(bytes.toString())
-  } catch (error) {
-    throw cannotRead(who, `${noun} ${path}`.trim(), error, { limit: 'JSON', remedy: 'correct the file' })
-  }
 }
 
 /**
@@ -120,33 +89,6 @@ function makeFolder(folder: string, undo: (() => void)[]): void {
 function writeStdout(bytes: Uint8Array, who: string): Promise<void> {
   return new Promise((resolve, reject) => {
     process.stdout.write(bytes, (error) => (error ? reject(cannotWrite(who, 'to stdout', error)) : resolve()))
-  })
-}
-
-/** Throws FurrowError where a path that is to become a folder is a file. */
-export async function checkFolder(path: string, who: string): Promise<void> {
-  const found = await folderAt(path, who)
-  if (!found || found.isDirectory()) return
-  throw new FurrowError({ code: 'unwritable', who, what: `${path} is not a folder`, remedy: 'name a folder' })
-}
-
-/** Throws FurrowError where a path is a file or a folder with contents. */
-export async function checkNewFolder(path: string, who: string): Promise<void> {
-  const found = await folderAt(path, who)
-  if (!found) return
-  if (found.isDirectory() && (await readdir(path)).length === 0) return
-  throw new FurrowError({
-    code: 'unwritable',
-    who,
-    what: `${path} is ${found.isDirectory() ? 'not empty' : 'a file'}`,
-    limit: 'a new or an empty folder',
-    remedy: 'name another one; nothing is overwritten',
-  })
-}
-
-function folderAt(path: string, who: string): Promise<Stats | undefined> {
-  return statOf(path).catch((error) => {
-    throw cannotWrite(who, path, error)
   })
 }
 

@@ -22,7 +22,7 @@ const { version } = JSON.parse(readFileSync(new URL('../package.json', import.me
 const program = createCommand('furrow')
   .description('Wrinkles for glTF characters: author, render and inspect them')
   .version(version, '-v, --version')
-  .addHelpText('before', reportUnknownCommand)
+  .addHelpText('before', helpOfCommand)
   .addHelpText(
     'after',
     `
@@ -49,9 +49,10 @@ for (const command of [
   program.addCommand(command)
 }
 
-/** Commander shows the general help of a command that does not exist; without `help`, it names the nearest one. */
-function reportUnknownCommand(): string {
+/** Commander shows the general help where a command follows `--help`, or does not exist; without `help`, it names the nearest one. */
+function helpOfCommand(): string {
   const name = program.args.find((text) => text !== 'help' && !text.startsWith('-'))
+  program.commands.find((command) => command.name() === name)?.help()
   if (name !== undefined) program.parse([name], { from: 'user' })
   return ''
 }
@@ -66,8 +67,10 @@ for (const stream of [process.stdout, process.stderr]) {
 }
 
 try {
-  if (process.argv.length > 2) await program.parseAsync()
-  else program.outputHelp()
+  const words = process.argv.slice(2).join(' ')
+  // Commander has no help about its own command `help`.
+  if (words === '' || words === 'help help') program.outputHelp()
+  else await program.parseAsync()
 } catch (error) {
   // Users get one line; anything else is a bug, and gets a stack.
   if (error instanceof FurrowError) warn(error.message)

@@ -1,5 +1,5 @@
 import { constants, type Stats } from 'node:fs'
-import { access, lstat, readlink, realpath, stat } from 'node:fs/promises'
+import { access, lstat, readdir, readlink, realpath, stat } from 'node:fs/promises'
 import { dirname, join, relative, resolve } from 'node:path'
 import { FurrowError } from 'furrow'
 import { cannotWrite } from './errors.ts'
@@ -94,6 +94,48 @@ async function checkWritable(path: string, who: string, extensions: readonly str
   }
 }
 
+/**
+ * Checks that files can be written into a folder, which need not exist yet. Leaves nothing behind.
+ *
+ * @throws FurrowError when they cannot.
+ */
+export async function checkFolder(path: string, who: string): Promise<void> {
+  const found = await folderAt(path, who)
+  if (!found || found.isDirectory()) return
+  throw cannotWrite(who, path, new Error('it is not a folder'), 'name a folder')
+}
+
+/** The same for a folder that is made as a whole: there may be an empty one, which is replaced. */
+export async function checkNewFolder(path: string, who: string): Promise<void> {
+  const found = await folderAt(path, who)
+  if (!found) return
+  if (!found.isDirectory() || (await readdir(path)).length > 0) {
+    throw new FurrowError({
+      code: 'unwritable',
+      who,
+      what: `${path} is ${found.isDirectory() ? 'not empty' : 'a file'}`,
+      limit: 'a new or an empty folder',
+      remedy: 'name another one; nothing is overwritten',
+    })
+  }
+  await checkFolder(dirname(await targetOf(path)), who)
+}
+
+/** What is at a path; throws FurrowError where it, or the folder that it would be in, cannot be written. */
+async function folderAt(path: string, who: string): Promise<Stats | undefined> {
+  if (isStdout(path)) {
+    throw cannotWrite(who, 'a folder to stdout', new Error('it takes one file'), 'name a folder')
+  }
+  try {
+    const target = await targetOf(path)
+    const found = await statOf(target)
+    if (!found || found.isDirectory()) await access(await nearestFolder(target), constants.W_OK)
+    return found
+  } catch (error) {
+    throw cannotWrite(who, path, error)
+  }
+}
+
 /** Why what is at a path can be neither read nor replaced; undefined where it can. */
 export function fileProblem(found: Pick<Stats, 'isFile' | 'isDirectory'> | undefined): string | undefined {
   if (!found || found.isFile()) return undefined
@@ -130,10 +172,16 @@ async function identityOf(path: string): Promise<string> {
 async function nearestFolder(path: string): Promise<string> {
   const found = await statOf(path)
   if (found?.isDirectory()) return path
-  if (found) throw new Error(`${path} is not a folder`)
+  if (found) throw new Error(`${shortest(path)} is not a folder`)
   const parent = dirname(path)
   if (parent === path) throw new Error(`${path} does not exist`)
   return nearestFolder(parent)
+}
+
+/** A path as the user would write it. */
+function shortest(path: string): string {
+  const way = relative(process.cwd(), path)
+  return way.length < path.length ? way : path
 }
 
 function ignoreMissing(error: NodeJS.ErrnoException): undefined {

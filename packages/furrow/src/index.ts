@@ -8,14 +8,6 @@ export { type ActivationPointer, parseActivationPointer } from './core/activatio
 export { type AreaConvention, areaWeights } from './core/area.ts'
 export { type ErrorCode, type ErrorParts, FurrowError } from './core/error.ts'
 export { resampleGray } from './core/image.ts'
-export { type ImageFileType, imageDamage, imageTypeOf } from './core/image-file.ts'
-export {
-  type Ktx2Fault,
-  type Ktx2Header,
-  type Ktx2Image,
-  readKtx2Header,
-  readKtx2Image,
-} from './core/ktx2-header.ts'
 export {
   DEFAULT_AREA_SIZE,
   LONGEST_NAME,
@@ -24,13 +16,29 @@ export {
   MAX_IMAGE_SIDE,
   MAX_LAYERS,
 } from './core/limits.ts'
+export { type ImageFileType, imageDamage, imageTypeOf } from './core/maps/image-file.ts'
+export {
+  type Ktx2Fault,
+  type Ktx2Header,
+  type Ktx2Image,
+  readKtx2Header,
+  readKtx2Image,
+} from './core/maps/ktx2-header.ts'
 export {
   drawnTextures,
   type MapProblem,
   mapProblems,
   type TextureShape,
   texturesOfFace,
-} from './core/map-rules.ts'
+} from './core/maps/rules.ts'
+export {
+  checkDeclared,
+  type MapsAndAreas,
+  type TextureReference,
+  WRINKLE_MAPS,
+  type WrinkleMapsArea,
+  type WrinkleMapsLayer,
+} from './core/maps/wrinkle-maps.ts'
 export { isName } from './core/name.ts'
 export { type ImageArray, packAreas, packColours, packGrays } from './core/pack.ts'
 /** The paper's formulas in float64 on the CPU, which every GPU path is compared with. */
@@ -45,14 +53,6 @@ export type {
   RgbaImage,
   WrinkleSet,
 } from './core/types.ts'
-export {
-  checkDeclared,
-  type MapsAndAreas,
-  type TextureReference,
-  WRINKLE_MAPS,
-  type WrinkleMapsArea,
-  type WrinkleMapsLayer,
-} from './core/wrinkle-maps.ts'
 export { checkWrinkleSet } from './core/wrinkle-set.ts'
 export type {
   AreaActivation,

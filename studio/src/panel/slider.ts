@@ -1,4 +1,4 @@
-import type { Dial } from '../dials.ts'
+import type { Dial } from '../viewer/dials.ts'
 
 let count = 0
 

@@ -1,4 +1,4 @@
-import { type Dial, groupDials } from '../dials.ts'
+import { type Dial, groupDials } from '../viewer/dials.ts'
 import { Slider } from './slider.ts'
 
 interface Group {

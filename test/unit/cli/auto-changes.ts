@@ -1,7 +1,26 @@
 import type { Document, Mesh, Node, Primitive } from '@gltf-transform/core'
 import { KHRTextureTransform } from '@gltf-transform/extensions'
+import { meshopt, quantize, sparse } from '@gltf-transform/functions'
+import { MeshoptEncoder } from 'meshoptimizer/encoder'
 import { Matrix3, Vector2 } from 'three'
 import { mapAttribute, meshOf, targetNamesOf } from './auto-variants.ts'
+
+/** Ways to store the shipped face that change neither its shape nor where it is: those of docs/auto-formats.md. */
+export const FORMATS = {
+  'named with _L and _R, behind a prefix': prefix,
+  'with visemes and shapes of its own': addShapes,
+  dense,
+  sparse: (document: Document) => document.transform(dense, sparse({ ratio: 1 })),
+  quantised: (document: Document) => document.transform(quantize()),
+  meshopt: async (document: Document) => {
+    await MeshoptEncoder.ready
+    return document.transform(meshopt({ encoder: MeshoptEncoder, level: 'medium' }))
+  },
+  'in two primitives of one material': split,
+  'placed by its node': placeByNode,
+  'placed by a skeleton': placeBySkeleton,
+  'with a KHR_texture_transform': transformCoordinates,
+} as const satisfies Record<string, (document: Document) => unknown>
 
 /** The skin of the shipped face. */
 export function skinOf(document: Document): Mesh {
@@ -18,13 +37,18 @@ export function rename(mesh: Mesh, change: (name: string) => string): void {
   mesh.setExtras({ ...mesh.getExtras(), targetNames: targetNamesOf(mesh).map(change) })
 }
 
+/** Names as many exporters write them. */
+function prefix(document: Document): void {
+  rename(skinOf(document), (name) => `head.${name.replace(/Left$/, '_L').replace(/Right$/, '_R')}`)
+}
+
 /** Drops how targets are stored, not what they hold. */
-export function dense(document: Document): void {
+function dense(document: Document): void {
   for (const accessor of document.getRoot().listAccessors()) accessor.setSparse(false)
 }
 
 /** Visemes as sums of other targets, shapes of names that say nothing, and one that moves nothing. */
-export function addShapes(document: Document): void {
+function addShapes(document: Document): void {
   const mesh = skinOf(document)
   const names = targetNamesOf(mesh)
   const primitive = mesh.listPrimitives()[0]!
@@ -71,7 +95,7 @@ export function transformCoordinates(document: Document): void {
 }
 
 /** Every other triangle in a primitive of its own. */
-export function split(document: Document): void {
+function split(document: Document): void {
   const mesh = skinOf(document)
   const first = mesh.listPrimitives()[0]!
   const corners = [...first.getIndices()!.getArray()!]
@@ -85,7 +109,7 @@ export function split(document: Document): void {
 }
 
 /** In centimetres, turned and moved; the node makes up for it. */
-export function placeByNode(document: Document): void {
+function placeByNode(document: Document): void {
   const mesh = skinOf(document)
   const node = nodeOf(mesh)
   mapAttribute(

@@ -1,22 +1,12 @@
 import { createHash } from 'node:crypto'
 import { readFileSync } from 'node:fs'
 import type { Document } from '@gltf-transform/core'
-import { draco, meshopt, quantize, sparse } from '@gltf-transform/functions'
+import { draco, meshopt, quantize } from '@gltf-transform/functions'
 import { MeshoptEncoder } from 'meshoptimizer/encoder'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
 import { BARE_FACES } from '../../bare-faces/bare-faces.ts'
-import {
-  addShapes,
-  dense,
-  placeByNode,
-  placeBySkeleton,
-  rename,
-  skinOf,
-  split,
-  transformCoordinates,
-  withTargets,
-} from './auto-changes.ts'
+import { FORMATS, rename, skinOf, withTargets } from './auto-changes.ts'
 import {
   activationsApart,
   activationsOf,
@@ -37,48 +27,36 @@ import { Workshop } from './workshop.ts'
 const workshop = new Workshop()
 const face = plainWrinkles(workshop)
 
-/** Each format is the same face: the wrinkles must be the same too. */
-const VARIANTS: [string, { change: (document: Document) => unknown; levels?: number; degrees?: number }][] = [
-  [
-    'named with _L and _R, behind a prefix',
-    {
-      change: (d) =>
-        rename(skinOf(d), (name) => `head.${name.replace(/Left$/, '_L').replace(/Right$/, '_R')}`),
-    },
-  ],
-  ['with visemes and shapes of its own', { change: addShapes }],
-  ['dense', { change: (d) => d.transform(dense) }],
-  ['sparse', { change: (d) => d.transform(dense, sparse({ ratio: 1 })) }],
-  ['quantised', { change: (d) => d.transform(quantize()), levels: 5, degrees: 4 }],
-  [
-    'meshopt',
-    {
-      change: async (d) => {
-        await MeshoptEncoder.ready
-        await d.transform(meshopt({ encoder: MeshoptEncoder, level: 'medium' }))
-      },
-      levels: 5,
-      degrees: 4,
-    },
-  ],
-  ['in two primitives of one material', { change: split }],
-  ['placed by its node', { change: placeByNode, levels: 1, degrees: 1 }],
-  ['placed by a skeleton', { change: placeBySkeleton, levels: 1, degrees: 1 }],
-  [
-    'facing backwards',
-    {
-      change: (d) =>
-        mapAttribute(withTargets(skinOf(d).listPrimitives()), 'POSITION', ([x, y, z]) => [-x!, y!, -z!]),
-    },
-  ],
-  ['with a KHR_texture_transform', { change: transformCoordinates, levels: 1, degrees: 1 }],
-  [
-    'in another tile of the texture',
-    { change: (d) => mapAttribute(skinOf(d).listPrimitives(), 'TEXCOORD_0', ([u, v]) => [u! + 1, v! - 1]) },
-  ],
-]
+/** How far the wrinkles may be from those of the plain face: grey levels of the areas, degrees of the normals. */
+interface Tolerance {
+  levels: number
+  degrees: number
+}
 
-describe.each(VARIANTS)('a face %s', (name, { change, levels = 0.1, degrees = 0.2 }) => {
+/** Texels at the border of lines differ where coordinates are rounded. */
+const ROUNDED = { levels: 1, degrees: 1 }
+const QUANTISED = { levels: 5, degrees: 4 }
+
+const TOLERANCES: Partial<Record<keyof typeof FORMATS, Tolerance>> = {
+  quantised: QUANTISED,
+  meshopt: QUANTISED,
+  'placed by its node': ROUNDED,
+  'placed by a skeleton': ROUNDED,
+  'with a KHR_texture_transform': ROUNDED,
+}
+
+/** Each is the same face: the wrinkles must be the same too. */
+const VARIANTS = Object.entries({
+  ...FORMATS,
+  'facing backwards': (document: Document) =>
+    mapAttribute(withTargets(skinOf(document).listPrimitives()), 'POSITION', ([x, y, z]) => [-x!, y!, -z!]),
+  'in another tile of the texture': (document: Document) =>
+    mapAttribute(skinOf(document).listPrimitives(), 'TEXCOORD_0', ([u, v]) => [u! + 1, v! - 1]),
+})
+
+describe.each(VARIANTS)('a face %s', (name, change) => {
+  const { levels, degrees } = TOLERANCES[name as keyof typeof FORMATS] ?? { levels: 0.1, degrees: 0.2 }
+
   test('gets the wrinkles of the plain one, in a file that is valid', async () => {
     const document = await plainFace()
     await change(document)

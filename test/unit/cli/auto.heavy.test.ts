@@ -377,7 +377,7 @@ describe('files', () => {
       await fails('cut.glb', file('cut.glb'), '-o', file('x.glb'))
     }
     writeFileSync(file('cut.glb'), 'this is a text and no face')
-    await fails('it does not begin with "glTF"', file('cut.glb'), '-o', file('x.glb'))
+    await fails('it is text, not glTF', file('cut.glb'), '-o', file('x.glb'))
     await fails('cannot read', file('missing.glb'), '-o', file('x.glb'))
     await fails('cannot read', at.folder, '-o', file('x.glb'))
   })

@@ -352,7 +352,7 @@ describe('furrow bake says what is wrong and writes nothing:', () => {
     ['a missing sculpt', () => [file('none.glb'), file('plain.glb'), ...out()], 'cannot read the face'],
     ['a missing mesh', () => [file('ball.glb'), file('none.glb'), ...out()], 'cannot read the face'],
     ['half a sculpt', () => [file('cut.glb'), file('plain.glb'), ...out()], 'it is cut off: 5000 of'],
-    ['no glTF', () => [file('text.glb'), file('plain.glb'), ...out()], 'does not begin with "glTF"'],
+    ['no glTF', () => [file('text.glb'), file('plain.glb'), ...out()], 'it is text, not glTF'],
     [
       'no texture coordinates',
       () => [file('ball.glb'), file('bare.glb'), ...out()],

@@ -96,6 +96,22 @@ describe('the command line', () => {
     })
   })
 
+  it('has no empty values, as of variables that are not set', async () => {
+    const what = (...args: string[]) =>
+      failure(() => run(...args)).then((error) => (error as FurrowError).what)
+    expect(await what('', '-o', 'x')).toBe("argument 'yarn' is empty")
+    expect(await what('wool', '-o', '')).toBe("option '-o, --output <file>' is empty")
+    expect(await what('wool', '--output=')).toBe("option '-o, --output <file>' is empty")
+  })
+
+  it('takes files before options with several values, and says so', async () => {
+    const command = createCommand('knit')
+      .argument('<yarn>')
+      .addOption(new Option('--colours <names...>').choices(['red', 'blue']))
+    const error = await failure(() => command.parseAsync(['--colours', 'red', 'wool.txt'], { from: 'user' }))
+    expect((error as Error).message).toMatch(/; files go before this option; see furrow knit --help$/)
+  })
+
   it.each<[string[], string]>([
     [['wool'], "required option '-o, --output <file>' not specified"],
     [['-o', 'x'], "missing required argument 'yarn'"],

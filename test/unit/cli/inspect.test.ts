@@ -29,6 +29,7 @@ beforeAll(async () => {
         ],
       },
       { type: 'weather' },
+      { type: 'expression', name: 'joy', targets: [{ name: 'browInnerUp', weight: 0.5 }] },
     ],
   })
   await shop.run(packCommand, folder, '-o', face)
@@ -63,6 +64,9 @@ describe('furrow inspect', () => {
     expect(lines).toContain('  nose = 0.5 browInnerUp')
     expect(lines).toContain('  brow = browInnerUp, curve (0, 0) (0.5, 1)')
     expect(lines).toContain('  weather: unknown type, kept as it is')
+    expect(lines.indexOf('expression joy: 0.5 browInnerUp')).toBe(
+      lines.indexOf('  weather: unknown type, kept as it is') + 2,
+    )
   })
 
   it('prints the same as JSON, every image counted once', async () => {
@@ -82,12 +86,13 @@ describe('furrow inspect', () => {
     expect(report.influenceMapBytes).toBe(4 * 128 * 128)
     expect(report.fileBytes).toBe(readFileSync(face).length)
     expect(report.areas[0]).toMatchObject({ name: 'brow', channel: 'R', coverage: 0.125, largest: 1 })
-    expect(report.drivers).toHaveLength(3)
+    expect(report.drivers).toHaveLength(4)
   })
 
   it('draws every map and every area into one sheet', async () => {
     const path = shop.path('deep/sheet.png')
     await shop.run(inspectCommand, face, '--sheet', path)
+    expect(shop.printed).toMatch(/deep\/sheet\.png: all maps and areas\n$/)
     const { data, info } = await sharp(path).raw().toBuffer({ resolveWithObject: true })
     // 3 maps and 5 areas in 4 columns.
     expect(info).toMatchObject({ width: 4 * 266 + 10, height: 2 * 292 + 10, channels: 3 })

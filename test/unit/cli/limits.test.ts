@@ -96,6 +96,11 @@ describe('numbers are checked before anything is decoded', () => {
       'component type 5124',
     ],
     [
+      'integers of 32 bits that are normalized',
+      (json) => Object.assign(json.accessors[0], { componentType: 5125, normalized: true }),
+      'accessors[0] is normalized',
+    ],
+    [
       'an offset that is not aligned',
       (json) => Object.assign(json.accessors[0], { byteOffset: 2, count: 1 }),
       'aligned',

@@ -4,8 +4,11 @@ import { join } from 'node:path'
 import type { Command } from 'commander'
 import { describe, expect, it, vi } from 'vitest'
 import { activationsCommand } from '../../../packages/cli/src/commands/activations.ts'
+import { arrayCommand } from '../../../packages/cli/src/commands/array.ts'
 import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
+import { normalsCommand } from '../../../packages/cli/src/commands/normals.ts'
 import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
+import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
 import { cannotRead, cannotWrite } from '../../../packages/cli/src/errors.ts'
 import { readGlbFile } from '../../../packages/cli/src/gltf/glb-file.ts'
 import { otherFormat } from '../../../packages/cli/src/gltf/not-gltf.ts'
@@ -86,6 +89,8 @@ describe('a file that is not glTF', () => {
     [{ asset: { version: '1.0' } }, /it is glTF 1\.0/],
   ])('but JSON is told apart: %j', async (json, message) => {
     await expect(readGlbFile(shop.json('other.gltf', json), WHO)).rejects.toThrow(message)
+    const remedy = 'asset' in json ? 'download or export it again' : 'name the face itself'
+    await expect(readGlbFile(shop.path('other.gltf'), WHO)).rejects.toMatchObject({ remedy })
   })
 
   it.each<[string, string, RegExp]>([
@@ -101,6 +106,9 @@ describe('a file that is not glTF', () => {
     ['\n <HTML lang="en">', 'a web page', /download/],
     ['version https://git-lfs.github.com/spec/v1\noid sha256:0\n', 'a pointer of Git LFS', /git lfs pull/],
     ['\x89PNG\r\n\x1a\n', 'an image', /textures/],
+    ['\xabKTX 20\xbb\r\n\x1a\n', 'a KTX 2 file', /textures/],
+    ['words, and more words', 'text, not glTF', /name the face/],
+    ['[1, 2]\t\r\n', 'text, not glTF', /name the face/],
   ])('%j is named, with what to do', async (begin, what, remedy) => {
     const path = shop.write('face.glb', Buffer.from(begin.padEnd(64), 'latin1'))
     const error = await readGlbFile(path, WHO).catch((error) => error)
@@ -108,11 +116,53 @@ describe('a file that is not glTF', () => {
     expect(error.remedy).toMatch(remedy)
   })
 
+  it('but empty is to be fetched again', async () => {
+    await expect(readGlbFile(shop.write('empty.glb', ''), WHO)).rejects.toThrow(
+      /it is empty, .*; download or export it again$/,
+    )
+  })
+
   it('is not named where nothing is known', () => {
-    expect(otherFormat(Buffer.from('words, and more words'))).toBeUndefined()
-    expect(otherFormat(Buffer.alloc(0))).toBeUndefined()
+    expect(otherFormat(Buffer.from([1, 2, 3, 4]))).toBeUndefined()
     // Patterns must not take long either.
-    expect(otherFormat(Buffer.from('# '.repeat(10_000)))).toBeUndefined()
+    expect(otherFormat(Buffer.from(`${'# '.repeat(10_000)}`))?.problem).toBe('it is text, not glTF')
+  })
+})
+
+describe('a file of another kind', () => {
+  it('is named in place of an image, an array or a document', async () => {
+    const face = shop.write('swapped.glb', await faceBytes())
+    const fails = async (command: Command, ...args: string[]) =>
+      (await shop.failure(command, ...args, '-o', shop.path('x.png'))).message
+    expect(await fails(normalsCommand, face, '--strength', '1')).toContain(
+      `cannot read the image ${face} (it is a binary glTF file), allowed: PNG, JPEG, WebP or TIFF; name an image`,
+    )
+    expect(await fails(strokesCommand, face, '--face', face)).toContain(
+      `cannot read the strokes ${face} (it is a binary glTF file), allowed: JSON; correct the file, or name another one`,
+    )
+    const pattern = await shop.failure(arrayCommand, shop.path('*.png'), '-o', shop.path('x.ktx2'))
+    expect(pattern.message).toMatch(/cannot read the image .*\*\.png \(it does not exist\); check the path$/)
+    const array = await shop.failure(arrayCommand, face, '--extract', shop.path('x'))
+    expect(array.message).toContain(`(it is a binary glTF file, not KTX 2), allowed: KTX 2`)
+  })
+
+  it('in place of a folder to pack says what to pack, and how to come by it', async () => {
+    const face = shop.write('avatar.glb', await faceBytes())
+    const pack = async (path: string) =>
+      (await shop.failure(packCommand, path, '-o', shop.path('x.glb'))).message
+    expect(await pack(face)).toBe(
+      `furrow pack: ${face} is a file, allowed: a folder with layers/NAME/normal.png, areas/NAME.png and optionally` +
+        ' wrinkles.json; make wrinkles for an avatar with furrow auto, or take them out of a file with furrow unpack',
+    )
+    const folder = await shop.makeFolder('named')
+    expect(await pack(shop.json('named/wrinkles.json', {}))).toMatch(`; name its folder, ${folder}`)
+  })
+
+  it('is downloaded by the user', async () => {
+    const failure = await shop.failure(inspectCommand, 'https://example.org/a.glb')
+    expect(failure.message).toBe(
+      'furrow inspect: cannot read the face https://example.org/a.glb (it is on the network); download it, and name the file',
+    )
   })
 })
 

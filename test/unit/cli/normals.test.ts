@@ -218,7 +218,7 @@ describe('furrow normals', () => {
 
     it.each([
       ['none.png', 'cannot read the image'],
-      ['text.png', 'unsupported image format'],
+      ['text.png', 'it is text'],
       ['cut.png', 'cannot read the image'],
       ['empty.png', 'cannot read the image'],
       ['folder.png', 'cannot read the image'],

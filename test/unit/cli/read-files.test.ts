@@ -240,7 +240,10 @@ describe('files outside the folder', () => {
     ['pipe.png', /it is not a file/],
     ['.', /it is not a file/],
     ['none.png', /none\.png, which .*face\.gltf refers to.*; put it there/],
-    ['a%00b', /cannot read/],
+    ['a%00b', /face\.gltf has an address with a NUL character, got "a%00b", .*; correct the address$/],
+    ['a\0b', /an address with a NUL character/],
+    ['', /face\.gltf has an empty address, got ""/],
+    ['data:image/png;base64', /without a comma before its data/],
   ])('nor is anything read that is not a file: %s', async (uri, message) => {
     await expect(readGlbFile(await withImage(uri), WHO)).rejects.toThrow(message)
   })

@@ -34,7 +34,7 @@ describe('furrow render refuses', () => {
   test.each<[string, string[], RegExp]>([
     ['a missing face', ['missing.glb'], /cannot read the face missing\.glb/],
     ['an empty face', [file('empty.glb')], /it is empty/],
-    ['a text', [file('text.glb')], /does not begin with "glTF"/],
+    ['a text', [file('text.glb')], /it is text, not glTF/],
     ['a face cut off in its header', [file('short.glb')], /cut off after 10 bytes/],
     ['a face cut off', [file('cut.glb')], /cut off: 50000 of \d+ bytes/],
     ['glTF 1', [file('old.glb')], /it has version 1/],
@@ -42,12 +42,12 @@ describe('furrow render refuses', () => {
     [
       'a wrinkle set that is not there',
       [file('bare.glb'), '--wrinkles', file('none.json')],
-      /cannot read the wrinkles .*none\.json.*--wrinkles/,
+      /^furrow render: cannot read the wrinkles .*none\.json \(it does not exist\); check the path$/,
     ],
     [
       'an area of a face without wrinkles',
       [file('bare.glb'), '--activation', 'nose=1'],
-      /this face has none/,
+      /the face has no areas, got "nose"; make wrinkles with furrow auto, or leave --activation out$/,
     ],
     ['wrinkles in another folder', [FACE, '--wrinkles', file('up.json')], /outside its folder/],
     [

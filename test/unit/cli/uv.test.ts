@@ -36,6 +36,20 @@ describe('furrow uv', () => {
     expect(green).toBeGreaterThan(blue)
   })
 
+  it('refuses triangles that lie on top of each other by the hundred', async () => {
+    const face = await faceBytes(['head'])
+    const json = jsonOf(face)
+    const [primitive] = json.meshes[0].primitives
+    json.meshes[0].primitives = Array(200).fill(primitive)
+    const path = shop.write('piled.glb', withJson(face, json))
+    await expect(shop.run(uvCommand, path, '-o', shop.path('uv.png'))).rejects.toThrow(
+      'furrow uv: too many triangles of the skin lie on top of each other in its texture, got "200 times its size"',
+    )
+    await expect(shop.run(inspectCommand, path, '--sheet', shop.path('uv.png'))).rejects.toThrow(
+      'furrow inspect: too many triangles',
+    )
+  })
+
   it('takes another mesh by name, and refuses one that is not there', async () => {
     const path = await avatar()
     await shop.run(uvCommand, path, '-o', shop.path('teeth.png'), '--mesh', 'teeth', '--json')
@@ -58,6 +72,12 @@ describe('furrow inspect of a face without wrinkles', () => {
     expect(JSON.parse(shop.printed)).toMatchObject({ wrinkles: false, auto: true, skin: { mesh: 'head' } })
   })
 
+  it('names a file so that the command can be pasted', async () => {
+    const path = shop.write('my fäce.glb', readFileSync(await avatar()))
+    await shop.run(inspectCommand, path)
+    expect(shop.printed).toContain(`furrow auto "${path}" -o wrinkled.glb`)
+  })
+
   it('says why auto cannot make any', async () => {
     const json = jsonOf(await faceBytes())
     for (const mesh of json.meshes) delete mesh.primitives[0].targets
@@ -72,6 +92,7 @@ describe('furrow inspect of a face without wrinkles', () => {
 
   it('draws its skin and UV layout as a sheet', async () => {
     await shop.run(inspectCommand, await avatar(), '--sheet', shop.path('sheet.png'))
+    expect(shop.printed).toMatch(/sheet\.png: the skin and its UV layout\n$/)
     const { width, height } = await sharp(readFileSync(shop.path('sheet.png'))).metadata()
     expect([width, height]).toEqual([542, 302])
   })

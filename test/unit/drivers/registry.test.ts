@@ -133,11 +133,30 @@ it.each<[WrinkleDriver, string]>([
     },
     'nose = input age, curve (20, 0) (80, 1)',
   ],
-  [{ type: 'conflict', targets: ['browDown', 'browUp'] }, 'conflict: targets browDown and browUp'],
-  [{ type: 'time', area: 'nose', attack: 0.1, release: 0.4 }, 'time: area nose, attack 0.1, release 0.4'],
+  [{ type: 'conflict', targets: ['browDown', 'browUp'] }, 'conflict: browDown and browUp cancel each other'],
+  [{ type: 'time', area: 'nose', attack: 0.1, release: 0.4 }, 'time: nose rises in 0.1 s, falls in 0.4 s'],
   [
     { type: 'expression', name: 'joy', targets: [{ name: 'mouthSmile', weight: 0.8 }], activations: [] },
-    'expression: name joy, targets mouthSmile 0.8, activations none',
+    'expression joy: 0.8 mouthSmile',
+  ],
+  [
+    {
+      type: 'expression',
+      name: 'rage',
+      targets: [
+        { name: 'browDown', weight: 1 },
+        { name: 'jawOpen', weight: 0.25 },
+      ],
+      activations: [
+        { area: 'glabella', activation: 1 },
+        { area: 'nose', activation: 0.35 },
+      ],
+    },
+    'expression rage: browDown, 0.25 jawOpen, area glabella, 0.35 area nose',
+  ],
+  [
+    { type: 'expression', name: 'neutral', targets: [], activations: [] },
+    'expression neutral: the face at rest',
   ],
 ])('describes %j', (driver, text) => expect(describeDriver(driver)).toBe(text))
 

@@ -9,6 +9,7 @@ import {
 } from 'three'
 import { NodeBuilder } from 'three/webgpu'
 import { afterEach, describe, expect, it, vi } from 'vitest'
+import { writeArray } from '../../../packages/cli/src/array/ktx2.ts'
 import { loadMapArray } from '../../../packages/furrow/src/three/loader/ktx2.ts'
 import {
   checkThree,
@@ -85,9 +86,15 @@ describe('internals of three.js', () => {
       workerConfig: { dxtSupported: true },
       ...internals,
     })
+    const image = { width: 4, height: 4, channels: 1 as const, srgb: false }
+    const bytes = await writeArray({ ...image, names: ['x'], layers: [new Uint8Array(16)] }, 'uastc')
     const parser = {
       options: { ktx2Loader },
-      json: { textures: [{ extensions: { KHR_texture_basisu: { source: 0 } } }], images: [{}] },
+      json: {
+        textures: [{ extensions: { KHR_texture_basisu: { source: 0 } } }],
+        images: [{ bufferView: 0 }],
+      },
+      getDependency: async () => bytes.slice().buffer,
     }
     await expect(loadMapArray(parser as never, 0)).rejects.toThrow(found(`KTX2Loader.${name}`))
   })

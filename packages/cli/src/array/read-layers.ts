@@ -1,13 +1,17 @@
 import { parse } from 'node:path'
 import { type ErrorCode, FurrowError, MAX_AREAS } from 'furrow'
 import { fileNamesOf, isFileName, type RgbaImage } from 'furrow/author'
-import { readBytes } from '../files.ts'
+import { cannotRead } from '../errors.ts'
 import { checkDecodedBytes } from '../images/decoded-bytes.ts'
 import { withImageErrors } from '../images/image-errors.ts'
 import { EXACT_IMAGES, openImage } from '../images/open-image.ts'
+import { readBytes } from '../inputs.ts'
+import { statOf } from '../outputs.ts'
 import type { NamedArray } from './image-array.ts'
 
 const WHO = 'furrow array'
+
+const MISSING = Object.assign(new Error('no such file'), { code: 'ENOENT' })
 
 /**
  * Reads images as the layers of an array, named after their files. Values are kept as they are: colour profiles are not
@@ -21,6 +25,8 @@ export async function readLayers(
   progress?: (done: number, total: number) => void,
 ): Promise<NamedArray> {
   const names = paths.map((path) => parse(path).name)
+  // A pattern that no shell has replaced by names is not an odd name.
+  for (const path of paths) if (!(await statOf(path))) throw cannotRead(WHO, `the image ${path}`, MISSING)
   checkNames(names, paths)
   const images: RgbaImage[] = []
   for (const [i, path] of paths.entries()) {
@@ -54,7 +60,12 @@ function checkNames(names: readonly string[], paths: readonly string[]): void {
   for (const [i, name] of names.entries()) {
     const other = names.indexOf(name)
     if (other < i) {
-      fail('two layers with the same name', name, `not ${paths[other]} and ${paths[i]}`, 'rename one file')
+      fail(
+        'two layers with the same name',
+        name,
+        `another name than that of ${paths[other]} for ${paths[i]}`,
+        'rename one file',
+      )
     }
     if (!isFileName(name)) {
       fail('invalid name of a layer', name, `e.g. ${fileNamesOf([name])}`, 'rename the file')

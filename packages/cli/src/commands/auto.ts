@@ -19,7 +19,7 @@ import { type Glb, readGlbFile } from '../gltf/glb-file.ts'
 import { documentOf } from '../gltf/read-document.ts'
 import { shadingOf } from '../gltf/shading.ts'
 import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
-import { checkOutputs, isStdout } from '../outputs.ts'
+import { checkFolder, checkOutputs, isStdout } from '../outputs.ts'
 import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
 import { embedWrinkles } from '../wrinkles/embed.ts'
@@ -122,7 +122,10 @@ async function auto(face: string, options: Options): Promise<void> {
   if (ktx2) checkCompressible(settings.size, layers)
   const rules = { extensions: FACE_EXTENSIONS, inputs: [face], force: options.force ?? false }
   await checkOutputs([output], WHO, rules)
-  if (report !== undefined) await checkOutputs([join(report, 'index.html')], WHO, { extensions: ['.html'] })
+  if (report !== undefined) {
+    await checkFolder(report, WHO)
+    await checkOutputs([join(report, 'index.html')], WHO, { extensions: ['.html'] })
+  }
   if (strokes !== undefined) await checkOutputs([strokes], WHO, { ...rules, extensions: ['.json'] })
   const total = OWN_STEPS + AUTO_STEPS.length + (report === undefined ? 0 : REPORT_STEPS)
   const { found, wrinkles, cost, bytes, warnings } = await withBar('auto', async (progress) => {

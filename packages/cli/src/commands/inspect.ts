@@ -1,4 +1,4 @@
-import { describeDriver, FurrowError } from 'furrow'
+import { describeDriver, driversOf, FurrowError } from 'furrow'
 import { createCommand } from '../command.ts'
 
 import { writeAll } from '../files.ts'
@@ -62,7 +62,7 @@ async function inspect(path: string, options: Options): Promise<void> {
   const lines = json
     ? JSON.stringify({ file: path, ...report, ...(sheet && { sheet }) })
     : describe(path, report)
-  print(lines, sheet)
+  print(json || sheet === undefined ? lines : [...lines, '', `${sheet}: all maps and areas`], sheet)
 }
 
 /** For a face without wrinkles. */
@@ -75,23 +75,25 @@ async function inspectFace(path: string, glb: Glb, { sheet, json }: Options): Pr
   const lines = json
     ? JSON.stringify({ file: path, wrinkles: false, ...report, ...(sheet && { sheet }) })
     : describePlain(path, report)
-  print(lines, sheet)
+  print(json || sheet === undefined ? lines : [...lines, `${sheet}: the skin and its UV layout`], sheet)
 }
 
 function describePlain(path: string, { meshes, skin, next }: PlainInspection): string[] {
   return [
     `${path}: no wrinkles`,
     '',
-    ...table(
-      ['mesh', 'materials', 'vertices', 'triangles', 'blendshapes'],
-      meshes.map(({ mesh, materials, vertices, triangles, blendshapes }) => [
-        mesh,
-        materials.join(', '),
-        String(vertices),
-        String(triangles),
-        blendshapes.length === 0 ? 'none' : `${blendshapes.length}: ${shortened(blendshapes)}`,
-      ]),
-    ),
+    ...(meshes.length === 0
+      ? ['no meshes']
+      : table(
+          ['mesh', 'materials', 'vertices', 'triangles', 'blendshapes'],
+          meshes.map(({ mesh, materials, vertices, triangles, blendshapes }) => [
+            mesh,
+            materials.join(', '),
+            String(vertices),
+            String(triangles),
+            blendshapes.length === 0 ? 'none' : `${blendshapes.length}: ${shortened(blendshapes)}`,
+          ]),
+        )),
     '',
     ...(skin ? [`the skin is mesh "${skin.mesh}", material "${skin.material}" (${skin.reason})`] : []),
     next,
@@ -104,6 +106,8 @@ function shortened(names: readonly string[]): string {
 
 function describe(path: string, report: Inspection): string[] {
   const { layers, areas, drivers, gpu, imageBytes, fileBytes } = report
+  const presets = driversOf('expression', drivers)
+  const moving = drivers.filter(({ type }) => type !== 'expression')
   return [
     `${path}: wrinkles on material "${report.material ?? ''}"`,
     '',
@@ -136,9 +140,10 @@ function describe(path: string, report: Inspection): string[] {
       ]),
     ),
     '',
-    drivers.length === 0 ? 'no drivers: the application sets the activations' : 'drivers',
-    ...drivers.map((driver) => `  ${describeDriver(driver)}`),
+    moving.length === 0 ? 'no drivers: the application sets the activations' : 'drivers',
+    ...moving.map((driver) => `  ${describeDriver(driver)}`),
     '',
+    ...(presets.length === 0 ? [] : [...presets.map(describeDriver), '']),
     `in the file: ${kilobytes(imageBytes)} of ${kilobytes(fileBytes)}`,
     `on the GPU: ${kilobytes(gpu.uncompressed)} uncompressed, ${kilobytes(gpu.bits8)} with maps as BC7 or ASTC 4x4,` +
       ` ${kilobytes(gpu.bits4)} as BC1 or ETC1 (areas as BC4; those of an array as BC7 or ASTC 4x4);` +

@@ -37,7 +37,7 @@ interface Options
 /** `furrow render`: draws a picture of a face with its wrinkles. */
 export const renderCommand = createCommand('render')
   .description('draw a picture of a face with its wrinkles, without a window')
-  .argument('<face>', 'the face (.glb, .gltf, .vrm)')
+  .argument('<face>', 'the face (.glb, .vrm, .gltf)')
   .requiredOption('-o, --output <file>', 'the picture (.png)')
   .option(
     '--wrinkles <file>',

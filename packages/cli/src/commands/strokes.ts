@@ -18,7 +18,7 @@ import {
 } from 'furrow/author'
 import { createCommand } from '../command.ts'
 import { withCommandErrors } from '../errors.ts'
-import { type OutputFile, readBytes, readJson, writeAll } from '../files.ts'
+import { type OutputFile, writeAll } from '../files.ts'
 import { type FaceMesh, readFaceMesh } from '../gltf/face-mesh.ts'
 import { decodeNormalMap } from '../images/decode-normal-map.ts'
 import {
@@ -28,9 +28,10 @@ import {
   HEIGHT_STEPS_PER_MM,
   HEIGHT_ZERO,
 } from '../images/encode.ts'
+import { readBytes, readJson } from '../inputs.ts'
 import { didYouMean } from '../nearest.ts'
 import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
-import { checkOutputs } from '../outputs.ts'
+import { checkFolder, checkOutputs } from '../outputs.ts'
 import { print } from '../print.ts'
 import { withBar } from '../progress.ts'
 
@@ -95,9 +96,10 @@ async function drawStrokes(path: string, options: Options): Promise<void> {
       remedy: 'name at least one of them',
     })
   }
+  const { output, normal, areas, base, force = false } = options
+  if (areas !== undefined) await checkFolder(areas, WHO)
   const json = await readJson(path, WHO, 'the strokes')
   const document = withCommandErrors(WHO, () => parseStrokes(json))
-  const { output, normal, areas, base, force = false } = options
   const strokes = strokesOfLayer(document, options)
   const maps = areas === undefined ? [] : areaNames(document).map((name) => areaPath(areas, name))
   const inputs = [path, options.face, ...(base === undefined ? [] : [base])]

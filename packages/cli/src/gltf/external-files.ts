@@ -3,6 +3,7 @@ import { dirname, isAbsolute, relative, resolve, sep } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { FurrowError } from 'furrow'
 import { cannotRead } from '../errors.ts'
+import { checkFileBytes } from '../inputs.ts'
 
 /** Which files besides the named one a command may read. */
 export interface ReadOptions {
@@ -18,7 +19,7 @@ const DATA_URI = /^data:[^,]*?(;base64)?,/i
  *
  * @param file path of the file with the URI.
  * @returns the real path of a regular file.
- * @throws FurrowError when it is missing, not a regular file, on the network, or outside the folder of `file`.
+ * @throws FurrowError when it is missing, not a regular file, too large, on the network, or outside the folder of `file`.
  */
 export async function resolveInside(
   file: string,
@@ -34,8 +35,10 @@ export async function resolveInside(
     throw missing(file, uri, who, error)
   })
   if (!allowOutside && !isInside(await realpath(folder), real)) throw outside(file, uri, who)
-  if ((await stat(real)).isFile()) return real
-  throw missing(file, uri, who, new Error('it is not a file'))
+  const found = await stat(real)
+  if (!found.isFile()) throw missing(file, uri, who, new Error('it is not a file'))
+  checkFileBytes(found.size, `${printable(uri)}, which ${file} refers to,`, who)
+  return real
 }
 
 /** What a URI refers to. */
@@ -50,7 +53,7 @@ export interface Reference {
  * once, and is the same object by whatever URI.
  *
  * @param file path of the file with the URIs.
- * @returns a function that throws FurrowError when a reference cannot be read.
+ * @returns a function that throws FurrowError when a reference cannot be read, or all together are too large.
  */
 export function referenceReader(
   file: string,
@@ -58,7 +61,10 @@ export function referenceReader(
   options: ReadOptions = {},
 ): (uri: string) => Promise<Reference> {
   const known = new Map<string, Reference>()
+  let total = 0
   const readAt = async (path: string, uri: string): Promise<Reference> => {
+    total += (await stat(path)).size
+    checkFileBytes(total, `${file} with the files that it refers to`, who)
     try {
       return { bytes: await readFile(path), path }
     } catch (error) {
@@ -84,7 +90,13 @@ function dataOf(uri: string): Uint8Array | undefined {
 
 /** The path in a URI, with the separators of any system. Throws FurrowError for anything that is not a path. */
 function pathOf(file: string, uri: string, who: string, allowOutside: boolean): string {
-  if (!SCHEME.test(uri)) return unescaped(uri).replaceAll('\\', '/')
+  if (!SCHEME.test(uri)) {
+    const path = unescaped(uri).replaceAll('\\', '/')
+    if (path === '') throw noAddress(file, uri, who, 'an empty address')
+    if (path.includes('\0')) throw noAddress(file, uri, who, 'an address with a NUL character')
+    return path
+  }
+  if (/^data:/i.test(uri)) throw noAddress(file, uri, who, 'a data address without a comma before its data')
   if (/^file:/i.test(uri)) {
     if (!allowOutside) throw outside(file, uri, who)
     try {
@@ -125,6 +137,17 @@ function outside(file: string, uri: string, who: string): FurrowError {
     value: uri,
     limit: 'files in the same folder, or below it',
     remedy: 'move it there, or trust the file with --allow-outside',
+  })
+}
+
+function noAddress(file: string, uri: string, who: string, what: string): FurrowError {
+  return new FurrowError({
+    code: 'unreadable',
+    who,
+    what: `${file} has ${what}`,
+    value: uri,
+    limit: 'paths relative to the file',
+    remedy: 'correct the address',
   })
 }
 

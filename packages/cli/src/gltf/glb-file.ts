@@ -1,11 +1,11 @@
 import { firstLine } from '../errors.ts'
-import { readBytes } from '../files.ts'
+import { checkFileBytes, MAX_JSON_BYTES, readBytes } from '../inputs.ts'
 import { costProblem } from './checks/document.ts'
 import { shapeProblem } from './checks/shape.ts'
 import { embedFiles } from './embed-files.ts'
 import type { ReadOptions, Reference } from './external-files.ts'
 import type { GltfJson } from './gltf-json.ts'
-import { otherFormat, unusable } from './not-gltf.ts'
+import { NAME_FACE, otherFormat, unusable } from './not-gltf.ts'
 
 /** A glTF file in two parts, as in its binary form. Commands edit the parts in place, so that whatever else it holds is kept. */
 export interface Glb {
@@ -35,7 +35,10 @@ const JSON_START = 20
  *   it would take too much time or memory, see `costProblem`.
  */
 export async function readGlbFile(path: string, who: string, options: ReadOptions = {}): Promise<Glb> {
-  const glb = decodeGlb(await readBytes(path, who, 'the face'), path, who)
+  const bytes = await readBytes(path, who, 'the face', {
+    checkHead: (head, size) => checkHead(head, size, path, who),
+  })
+  const glb = decodeGlb(bytes, path, who)
   await embedFiles(glb, path, who, options)
   const problem = costProblem(glb.json, glb.fileBytes)
   if (problem) throw unusable(path, who, problem)
@@ -44,13 +47,8 @@ export async function readGlbFile(path: string, who: string, options: ReadOption
 
 /** Splits the bytes of a file into its parts. Throws FurrowError when they are cut off, or not glTF 2.0. */
 export function decodeGlb(bytes: Buffer, path: string, who: string): Glb {
-  const isText = /^[\s\ufeff]*\{/.test(bytes.toString('utf8', 0, 64))
-  const problem = isText ? undefined : headerProblem(bytes)
-  if (problem) {
-    const other = otherFormat(bytes)
-    throw unusable(path, who, other?.problem ?? problem, { remedy: other?.remedy })
-  }
-  const [start, end] = isText ? [0, bytes.length] : [JSON_START, JSON_START + bytes.readUInt32LE(12)]
+  checkHead(bytes, bytes.length, path, who)
+  const [start, end] = isJson(bytes) ? [0, bytes.length] : [JSON_START, JSON_START + bytes.readUInt32LE(12)]
   let json: GltfJson
   try {
     json = JSON.parse(bytes.toString('utf8', start, end).replace(/^\ufeff/, ''))
@@ -58,7 +56,10 @@ export function decodeGlb(bytes: Buffer, path: string, who: string): Glb {
     throw unusable(path, who, `its JSON is malformed (${firstLine(error)})`)
   }
   const wrong = shapeProblem(json)
-  if (wrong) throw unusable(path, who, wrong)
+  if (wrong) {
+    const isOther = (json as { asset?: unknown } | null)?.asset === undefined
+    throw unusable(path, who, wrong, { remedy: isOther ? NAME_FACE : undefined })
+  }
   const bin = binaryChunk(bytes, end)
   if (!bin) throw unusable(path, who, 'its binary chunk is cut off')
   return { json, bin, fileBytes: bytes.length, bytes, references: new Map() }
@@ -80,17 +81,35 @@ export function encodeGlb({ json, bin }: Glb): Uint8Array {
   return Buffer.concat([header, text, chunkHeader, data])
 }
 
-/** Why the bytes are not a whole binary glTF 2.0 file up to the end of its JSON; undefined where they are. */
-function headerProblem(bytes: Buffer): string | undefined {
-  if (bytes.length === 0) return 'it is empty'
-  if (bytes.length < 4 || bytes.readUInt32LE(0) !== MAGIC) return 'it does not begin with "glTF"'
-  if (bytes.length < JSON_START) return `it is cut off after ${bytes.length} bytes`
-  if (bytes.readUInt32LE(4) !== 2) return `it has version ${bytes.readUInt32LE(4)}`
-  const length = bytes.readUInt32LE(8)
-  if (length > bytes.length || JSON_START + bytes.readUInt32LE(12) > bytes.length) {
-    return `it is cut off: ${bytes.length} of ${length} bytes`
+/** Whether these are the first bytes of a `.gltf` file. */
+function isJson(head: Buffer): boolean {
+  return /^[\s\ufeff]*\{/.test(head.toString('utf8', 0, 64))
+}
+
+/**
+ * Checks what the first bytes of a file and its size tell.
+ *
+ * @param head at least its first 20 bytes, where it has as many.
+ * @throws FurrowError when it is neither JSON nor a whole binary glTF 2.0 file up to the end of its JSON, or too large.
+ */
+function checkHead(head: Buffer, size: number, path: string, who: string): void {
+  const problem = isJson(head) ? undefined : headerProblem(head, size)
+  if (problem) {
+    const other = otherFormat(head)
+    throw unusable(path, who, other?.problem ?? problem, { remedy: other?.remedy })
   }
-  if (bytes.readUInt32LE(16) !== JSON_CHUNK) return 'its first chunk is not JSON'
+  checkFileBytes(isJson(head) ? size : head.readUInt32LE(12), `the JSON of ${path}`, who, MAX_JSON_BYTES)
+}
+
+function headerProblem(head: Buffer, size: number): string | undefined {
+  if (head.length < 4 || head.readUInt32LE(0) !== MAGIC) return 'it does not begin with "glTF"'
+  if (head.length < JSON_START) return `it is cut off after ${size} bytes`
+  if (head.readUInt32LE(4) !== 2) return `it has version ${head.readUInt32LE(4)}`
+  const length = head.readUInt32LE(8)
+  if (length > size || JSON_START + head.readUInt32LE(12) > size) {
+    return `it is cut off: ${size} of ${length} bytes`
+  }
+  if (head.readUInt32LE(16) !== JSON_CHUNK) return 'its first chunk is not JSON'
   return undefined
 }
 

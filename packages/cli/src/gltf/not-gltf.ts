@@ -1,39 +1,35 @@
 import { FurrowError } from 'furrow'
-
-/** What a file is that is not glTF, and what to do about it. */
-export interface OtherFormat {
-  problem: string
-  remedy: string
-}
+import { type FileKind, kindOf } from '../file-kind.ts'
 
 const BLENDER = 'open it in Blender and export glTF 2.0 (.glb)'
+/** What to do about a file that is another than was meant. */
+export const NAME_FACE = 'name the face itself'
+const NOT_TEXTURE = 'name the face, not one of its textures'
 
-/** Formats by what their files begin with: one of some texts, or a pattern. Texts are Latin-1. */
-const FORMATS: readonly (readonly [begin: readonly string[] | RegExp, problem: string, remedy: string])[] = [
-  [['Kaydara FBX Binary', '; FBX '], 'it is an FBX file', `convert it with FBX2glTF, or ${BLENDER}`],
-  [['PXR-USDC', '#usda'], 'it is a USD file', BLENDER],
-  [['BLENDER'], 'it is a Blender file', BLENDER],
-  [['ply\n', 'ply\r'], 'it is a PLY file', BLENDER],
-  [/^<\?xml.*<COLLADA/is, 'it is a COLLADA file', BLENDER],
-  [/^(#[^\n]*\n|\s)*(mtllib|o|g|v|vn|vt)\s/, 'it is an OBJ file, which has no blendshapes', BLENDER],
-  [
-    ['version https://git-lfs'],
-    'it is a pointer of Git LFS, not the file itself',
-    'fetch the file with git lfs pull',
-  ],
-  [/^\s*(<!doctype html|<html)/i, 'it is a web page', 'download the file that the page links to'],
-  [/^PK.{28}[^/]*\.usd/s, 'it is a USDZ file', BLENDER],
-  [['PK\x03\x04', '\x1f\x8b', '7z\xbc\xaf', 'Rar!'], 'it is an archive', 'unpack it first'],
-  [['\x89PNG', '\xff\xd8\xff', 'RIFF', 'GIF8'], 'it is an image', 'name the face, not one of its textures'],
-]
+/** What to do about files that are not glTF, and what else there is to say about them. */
+const OTHERS: { [K in FileKind]?: readonly [remedy: string, note?: string] } = {
+  empty: ['download or export it again'],
+  'an FBX file': [`convert it with FBX2glTF, or ${BLENDER}`],
+  'a USD file': [BLENDER],
+  'a USDZ file': [BLENDER],
+  'a Blender file': [BLENDER],
+  'a PLY file': [BLENDER],
+  'a COLLADA file': [BLENDER],
+  'an OBJ file': [BLENDER, ', which has no blendshapes'],
+  'a pointer of Git LFS': ['fetch the file with git lfs pull', ', not the file itself'],
+  'a web page': ['download the file that the page links to'],
+  'an archive': ['unpack it first'],
+  'an image': [NOT_TEXTURE],
+  'a KTX 2 file': [NOT_TEXTURE],
+  'a PDF document': [NAME_FACE],
+  text: [NAME_FACE, ', not glTF'],
+}
 
-/** Tells by the first bytes what a file is that is not glTF; undefined where it cannot be told. */
-export function otherFormat(bytes: Uint8Array): OtherFormat | undefined {
-  const head = Buffer.from(bytes.buffer, bytes.byteOffset, Math.min(bytes.length, 1024)).toString('latin1')
-  const found = FORMATS.find(([begin]) => {
-    return begin instanceof RegExp ? begin.test(head) : begin.some((text) => head.startsWith(text))
-  })
-  return found && { problem: found[1], remedy: found[2] }
+/** Tells by the first bytes what a file is that is not glTF, and what to do about it; undefined where it cannot be told. */
+export function otherFormat(bytes: Uint8Array): { problem: string; remedy: string } | undefined {
+  const kind = kindOf(bytes)
+  const known = kind && OTHERS[kind]
+  return known && { problem: `it is ${kind}${known[1] ?? ''}`, remedy: known[0] }
 }
 
 /** The error for a file that is not whole glTF 2.0. */
@@ -41,7 +37,10 @@ export function unusable(
   path: string,
   who: string,
   problem: string,
-  { value, remedy = 'export it again' }: { value?: string | undefined; remedy?: string | undefined } = {},
+  {
+    value,
+    remedy = 'download or export it again',
+  }: { value?: string | undefined; remedy?: string | undefined } = {},
 ): FurrowError {
   return new FurrowError({
     code: 'unreadable',

@@ -1,7 +1,9 @@
 import { type Document, GLB_BUFFER, type GLTF, Logger, NodeIO } from '@gltf-transform/core'
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
 import { cannotRead } from '../errors.ts'
+import type { CheckedJson } from './checks/checked-json.ts'
 import { decodingProblem } from './checks/document.ts'
+import { dracoProblem } from './checks/draco.ts'
 import { meshProblem } from './checks/meshes.ts'
 import type { ReadOptions } from './external-files.ts'
 import { type Glb, readGlbFile } from './glb-file.ts'
@@ -19,7 +21,7 @@ export async function readDocument(path: string, who: string, options?: ReadOpti
  */
 export async function documentOf({ json, bin }: Glb, path: string, who: string): Promise<Document> {
   try {
-    const problem = decodingProblem(json, bin.length)
+    const problem = decodingProblem(json, bin.length) ?? dracoProblem(json as CheckedJson, bin)
     if (problem) throw new Error(problem)
     // Below errors the logger warns of extensions that are of no interest here.
     const io = new NodeIO().setLogger(new Logger(Logger.Verbosity.ERROR)).registerExtensions(ALL_EXTENSIONS)

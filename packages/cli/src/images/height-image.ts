@@ -1,6 +1,6 @@
 import { FurrowError } from 'furrow'
 import type { Sharp } from 'sharp'
-import { readBytes } from '../files.ts'
+import { readBytes } from '../inputs.ts'
 import { withImageErrors } from './image-errors.ts'
 import { EXACT_IMAGES, openImage } from './open-image.ts'
 

@@ -1,6 +1,7 @@
 import { FurrowError, imageDamage, imageTypeOf, MAX_IMAGE_SIDE } from 'furrow'
 import sharp, { type Metadata, type Sharp } from 'sharp'
 import { cannotRead } from '../errors.ts'
+import { kindOf } from '../file-kind.ts'
 import { checkDecodedBytes } from './decoded-bytes.ts'
 import { REPAIR, withImageErrors } from './image-errors.ts'
 
@@ -54,8 +55,11 @@ export async function openImage(
   const hints = { limit: listText(types.map((type) => FORMATS[type])), remedy: 'save it as PNG' }
   const type = typeOf(bytes)
   if (type === undefined || !types.includes(type)) {
-    const reason = bytes.length === 0 ? 'it is empty' : 'unsupported image format'
-    throw cannotRead(who, `the image ${name}`, new Error(reason), hints)
+    const kind = kindOf(bytes)
+    const isImage = kind === undefined || kind === 'an image'
+    const reason = isImage ? 'unsupported image format' : `it is ${kind}`
+    const remedy = isImage ? hints.remedy : 'name an image'
+    throw cannotRead(who, `the image ${name}`, new Error(reason), { ...hints, remedy })
   }
   const damage = imageDamage(bytes)
   if (damage) throw cannotRead(who, `the image ${name}`, new Error(damage), { ...hints, remedy: REPAIR })

@@ -10,10 +10,10 @@ import {
   WRINKLE_MAPS,
 } from 'furrow'
 import { cannotRead } from '../errors.ts'
-import { readJson } from '../files.ts'
 import { type ReadOptions, resolveInside } from '../gltf/external-files.ts'
 import { encodeGlb, readGlbFile } from '../gltf/glb-file.ts'
 import { type GltfJson, targetNamesOf } from '../gltf/gltf-json.ts'
+import { readJson } from '../inputs.ts'
 import { didYouMean } from '../nearest.ts'
 import { type PageJob, PICTURE_DEFAULTS, PICTURE_SIDE, type PictureRequest } from './picture.ts'
 
@@ -103,14 +103,14 @@ async function findWrinkles(
 ): Promise<FoundWrinkles | undefined> {
   const own = json.materials?.map(({ extensions }) => extensions?.[WRINKLE_MAPS]).find(Boolean)
   if (own && request.wrinkles === undefined) {
-    const { areas } = parseWrinkleMaps(own, json.textures?.length ?? 0, request.input)
+    const { areas } = parseWrinkleMaps(own, json.textures?.length ?? 0, `${WHO}: ${request.input}`)
     return { areas: areas.map(({ name }) => name), files: new Map() }
   }
   const path = resolve(request.wrinkles ?? defaultWrinkles(request.input))
   if (request.wrinkles === undefined && !(await exists(path))) return undefined
   const { layers, areas } = parseWrinkleSetDocument(
-    await readJson(path, WHO, 'the wrinkles', 'name the wrinkle set with --wrinkles'),
-    path,
+    await readJson(path, WHO, 'the wrinkles'),
+    `${WHO}: ${path}`,
   )
   const files = new Map([[path, path]])
   // Heights are not drawn.
@@ -175,7 +175,8 @@ function checkWeights(
   known: (name: string) => boolean,
 ): void {
   for (const [name, weight] of Object.entries(weights)) {
-    if (!known(name)) checkName(what, name, names.length > 0 ? names : ['this face has none'])
+    if (names.length === 0) throw hasNone(what, name)
+    if (!known(name)) checkName(what, name, names)
     if (weight >= 0 && weight <= 1) continue
     throw new FurrowError({
       code: 'out-of-range',
@@ -186,6 +187,16 @@ function checkWeights(
       remedy: `write e.g. ${name}=0.5`,
     })
   }
+}
+
+function hasNone(what: string, value: string): FurrowError {
+  return new FurrowError({
+    code: 'unknown-name',
+    who: WHO,
+    what: `the face has no ${what}s`,
+    value,
+    remedy: what === 'area' ? 'make wrinkles with furrow auto, or leave --activation out' : 'leave --set out',
+  })
 }
 
 async function checkReadable(path: string): Promise<void> {

@@ -1,6 +1,7 @@
 import { drawUvLayout } from 'furrow/author'
 import sharp from 'sharp'
 import type { FoundSkin } from '../auto/find-skin.ts'
+import { withCommandErrors } from '../errors.ts'
 import type { Glb } from '../gltf/glb-file.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
 
@@ -9,7 +10,7 @@ import { pixelsOf } from '../gltf/texture-pixels.ts'
  *
  * @param size side in texels.
  * @returns RGBA, size x size texels.
- * @throws FurrowError when the base colour cannot be decoded.
+ * @throws FurrowError when the base colour cannot be decoded, or triangles lie on top of each other by the hundred.
  */
 export async function drawSkinLayout(
   glb: Glb,
@@ -18,8 +19,10 @@ export async function drawSkinLayout(
   who: string,
 ): Promise<Uint8Array> {
   const base = await baseColour(glb, material, size, who)
-  const { data } = drawUvLayout(skin, size, base && { base: { width: size, height: size, data: base } })
-  return data
+  const drawn = withCommandErrors(who, () =>
+    drawUvLayout(skin, size, base && { base: { width: size, height: size, data: base } }),
+  )
+  return drawn.data
 }
 
 async function baseColour(

@@ -1,9 +1,10 @@
 import { readdir } from 'node:fs/promises'
-import { join } from 'node:path'
+import { basename, dirname, join } from 'node:path'
 import { FurrowError, parseWrinkleSetDocument, type WrinkleSetDocument } from 'furrow'
 import { cannotRead } from '../errors.ts'
-import { readJson } from '../files.ts'
 import { type ReadOptions, referenceReader } from '../gltf/external-files.ts'
+import { readJson } from '../inputs.ts'
+import { statOf } from '../outputs.ts'
 import { MAP_SLOTS } from './wrinkled-file.ts'
 
 type Json = Record<string, unknown>
@@ -61,6 +62,7 @@ export function addressOf(path: string): string {
 
 /** Paths of all files below a folder, relative to it, with `/`, sorted. */
 async function listFiles(folder: string, who: string): Promise<string[]> {
+  if ((await statOf(folder).catch(() => undefined))?.isFile()) throw isFile(folder, who)
   try {
     const all = await readdir(folder, { recursive: true, withFileTypes: false })
     return all.map((name) => name.replaceAll('\\', '/')).sort()
@@ -68,6 +70,18 @@ async function listFiles(folder: string, who: string): Promise<string[]> {
     const remedy = 'name a folder with layers/NAME/normal.png and areas/NAME.png'
     throw cannotRead(who, `the folder ${folder}`, error, { remedy })
   }
+}
+
+function isFile(path: string, who: string): FurrowError {
+  const isDocument = basename(path) === 'wrinkles.json'
+  return new FurrowError({
+    who,
+    what: `${path} is a file`,
+    limit: 'a folder with layers/NAME/normal.png, areas/NAME.png and optionally wrinkles.json',
+    remedy: isDocument
+      ? `name its folder, ${dirname(path)}`
+      : 'make wrinkles for an avatar with furrow auto, or take them out of a file with furrow unpack',
+  })
 }
 
 function foundLayers(files: readonly string[]): Json[] {

@@ -50,9 +50,14 @@ export function inspectPlain(
 }
 
 function nextStep(path: string, skin: FoundSkin | undefined, auto: boolean): string {
-  if (auto) return `make them from its blendshapes: furrow auto ${path} -o wrinkled.glb`
+  if (auto) return `make them from its blendshapes: furrow auto ${quoted(path)} -o wrinkled.glb`
   if (!skin) return 'no mesh has triangles with texture coordinates and a material: unwrap the face first'
   return 'no blendshape moves the skin: draw wrinkles (furrow strokes) or paint them over its UV layout (furrow uv)'
+}
+
+/** As a shell takes it for one word. */
+function quoted(path: string): string {
+  return /^[\p{L}\p{N}_./\\:-]+$/u.test(path) ? path : `"${path}"`
 }
 
 function meshesOf({ json }: Glb, document: Document): MeshReport[] {

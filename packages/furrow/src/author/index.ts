@@ -4,7 +4,7 @@
  * @module furrow/author
  */
 
-export { combineNormals } from '../core/combine-normals.ts'
+export { combineNormals } from '../core/normals/combine-normals.ts'
 export type { GrayImage, RgbaImage } from '../core/types.ts'
 export { AUTO_REGIONS, type AutoRegion } from './auto/anatomy/regions.ts'
 export {

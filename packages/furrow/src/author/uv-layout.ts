@@ -1,6 +1,7 @@
 import type { RgbaImage } from '../core/types.ts'
 import { rasterize } from '../math/rasterize.ts'
 import { clamp } from '../math/scalar.ts'
+import { checkCoverage } from './auto/surface/check-coverage.ts'
 import type { MetricMesh } from './metric.ts'
 import { weldSurface } from './skin/surface.ts'
 
@@ -34,9 +35,12 @@ export interface UvLayoutOptions {
  * @param mesh UVs outside 0..1 are drawn where they repeat.
  * @param size side of the picture in texels.
  * @returns sRGB, alpha not premultiplied, row 0 at v = 0.
+ * @throws FurrowError when triangles lie on top of each other by the hundred.
  */
 export function drawUvLayout(mesh: MetricMesh, size: number, { base }: UvLayoutOptions = {}): RgbaImage {
   const triangles = trianglesOf(mesh, size)
+  const uvs = Float64Array.from(triangles.flatMap(({ corners }) => corners.map((at) => (at + 0.5) / size)))
+  checkCoverage({ uvs, indices: Uint32Array.from({ length: uvs.length / 2 }, (_, i) => i) }, 'drawUvLayout')
   const data = new Uint8Array(4 * size * size)
   const shade = vertexShades(mesh)
   for (const { vertices, corners } of triangles) {

@@ -39,6 +39,8 @@ export interface DriverDefinition<D extends { type: string } = { type: string }>
   readonly type: D['type']
   /** Reads a driver from JSON. The methods of `fields` throw FurrowError. */
   read(fields: Fields): Omit<D, 'type'>
+  /** What it does, in one line; without it, a driver that activates no area is described by its fields. */
+  describe?(driver: D): string
   /** What it adds to an area, if anything. Called once per mesh, not per frame. */
   activate?(driver: D): AreaActivation | undefined
   /** How it changes inputs. Called once per mesh. */

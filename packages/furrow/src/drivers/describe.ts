@@ -4,12 +4,13 @@ import type { Link } from './link.ts'
 import { definitionOf, type WrinkleDriver } from './registry.ts'
 
 /**
- * A driver in one line: `brow = 0.5 browInnerUp + browDown, curve (0, 0) (0.5, 1)`. Drivers that activate no area are described by their
- * fields.
+ * A driver in one line: `brow = 0.5 browInnerUp + browDown, curve (0, 0) (0.5, 1)`, or `expression joy: 0.8 mouthSmile`. Drivers that
+ * activate no area, of a type that does not say how, are described by their fields.
  */
 export function describeDriver(driver: WrinkleDriver): string {
   const definition = definitionOf(driver.type)
   if (!definition) return `${driver.type}: unknown type, kept as it is`
+  if (definition.describe) return definition.describe(driver)
   const activation = definition.activate?.(driver)
   if (!activation) return `${driver.type}: ${fieldsText(driver)}`
   return `${activation.area} = ${linksText(activation, driver.type)}${curveText(activation.curve)}`

@@ -2,7 +2,7 @@ import type { AreaConvention } from '../core/area.ts'
 import { readSetDocument, type SetDocument } from '../core/document.ts'
 import { FurrowError } from '../core/error.ts'
 import { JsonReader, or } from '../core/json.ts'
-import { type MapsAndAreas, readMaps, WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
+import { type MapsAndAreas, readMaps, WRINKLE_MAPS } from '../core/maps/wrinkle-maps.ts'
 import { Fields } from './fields.ts'
 import { definitionOf, type WrinkleDriver } from './registry.ts'
 

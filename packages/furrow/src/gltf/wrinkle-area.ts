@@ -6,8 +6,8 @@ import {
   TextureChannel,
   TextureInfo,
 } from '@gltf-transform/core'
+import { WRINKLE_MAPS } from '../core/maps/wrinkle-maps.ts'
 import type { Combine } from '../core/types.ts'
-import { WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
 import { NO_SLICE, type WrinkleLayer } from './wrinkle-layer.ts'
 
 interface IWrinkleArea extends IProperty {

@@ -6,8 +6,8 @@ import {
   TextureChannel,
   TextureInfo,
 } from '@gltf-transform/core'
+import { WRINKLE_MAPS } from '../core/maps/wrinkle-maps.ts'
 import type { LayerKind } from '../core/types.ts'
-import { WRINKLE_MAPS } from '../core/wrinkle-maps.ts'
 
 interface IWrinkleLayer extends IProperty {
   kind: LayerKind

@@ -12,9 +12,26 @@ export type Entry = 'furrow/three' | 'furrow/webgpu'
  * Checks that an entry can work with a renderer.
  *
  * @param who names the class of the entry.
- * @returns what is wrong; null if nothing is.
+ * @throws FurrowError that names the other entry.
  */
-export function rendererProblem(renderer: AnyRenderer, entry: Entry, who: string): FurrowError | null {
+export function checkRenderer(renderer: AnyRenderer, entry: Entry, who: string): void {
+  const problem = problemOf(renderer, entry, who)
+  if (problem) throw problem
+}
+
+/** Renderers that the console was told of. */
+const refused = new WeakSet<AnyRenderer>()
+
+/** Whether the renderer is the other entry's. The console says so, once for each renderer. */
+export function isRefused(renderer: AnyRenderer, entry: Entry, who: string): boolean {
+  const problem = problemOf(renderer, entry, who)
+  if (!problem) return false
+  if (!refused.has(renderer)) console.error(problem.message)
+  refused.add(renderer)
+  return true
+}
+
+function problemOf(renderer: AnyRenderer, entry: Entry, who: string): FurrowError | null {
   const { isWebGLRenderer, isWebGPURenderer } = renderer as {
     isWebGLRenderer?: true
     isWebGPURenderer?: true

@@ -4,8 +4,18 @@ import type { AnyRenderer } from './renderer.ts'
 const sphere = new Sphere()
 const eye = new Vector3()
 
+/**
+ * How far wrinkles have faded because a mesh is small in the picture being drawn.
+ *
+ * @param fadeBelow pixels, see `WrinklesOptions`.
+ * @returns 1 = not at all, 0 = they are not shown.
+ */
+export function fadeOnScreen(mesh: Mesh, camera: Camera, renderer: AnyRenderer, fadeBelow: number): number {
+  return Math.min(1, Math.max(0, (2 * sizeOnScreen(mesh, camera, renderer)) / fadeBelow - 1))
+}
+
 /** Diameter of a mesh's bounding sphere in the picture being drawn, in pixels; Infinity if the camera is inside it. */
-export function sizeOnScreen(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
+function sizeOnScreen(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
   const { geometry } = mesh
   if (geometry.boundingSphere === null) geometry.computeBoundingSphere()
   sphere.copy(geometry.boundingSphere!).applyMatrix4(mesh.matrixWorld)

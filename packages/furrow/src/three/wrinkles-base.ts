@@ -24,11 +24,8 @@ import {
   type WrinkleMode,
   type WrinklesOptions,
 } from './options.ts'
-import { type AnyRenderer, rendererProblem } from './renderer.ts'
-import { sizeOnScreen } from './size-on-screen.ts'
-
-/** Renderers that the console was told of. */
-const refused = new WeakSet<AnyRenderer>()
+import { type AnyRenderer, checkRenderer, isRefused } from './renderer.ts'
+import { fadeOnScreen } from './size-on-screen.ts'
 
 const wrinklesByMesh = new WeakMap<Mesh, WrinklesBase>()
 
@@ -52,8 +49,6 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   readonly #cells: readonly Cell[]
   readonly #inputs: ShaderInputs
   readonly #material: PatchedMaterial
-  /** Version of the activations in the paper's table. */
-  #tableVersion = -1
   /** Number of influence materials in use: they need the map in any mode. */
   #influenceViews = 0
 
@@ -136,8 +131,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     if (renderer !== null && typeof renderer?.render !== 'function') {
       throw wrongArgument('Wrinkles.update', 'a renderer', renderer, 'one of three.js, or null')
     }
-    const problem = renderer && rendererProblem(renderer, this.#renderer.entry, 'Wrinkles')
-    if (problem) throw problem
+    if (renderer) checkRenderer(renderer, this.#renderer.entry, 'Wrinkles')
     this.#frame.update(this.#entry, renderer)
   }
 
@@ -226,7 +220,11 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
 
   /** Called before a mesh is drawn: runs the phases up to the influence, then sets what the mesh's shader reads. @internal */
   prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
-    if (this.isDisposed || this.#isRefused(renderer)) return
+    if (this.isDisposed) return
+    if (isRefused(renderer, this.#renderer.entry, 'Wrinkles')) {
+      if (this.mode !== 'off') this.mode = 'off'
+      return
+    }
     this.#material.settle(renderer)
     this.#inputs.fade.value = this.#fadeOf(mesh, camera, renderer)
     this.#frame.begin(this.#entry, renderer)
@@ -237,7 +235,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   collectInfluence(renderer: AnyRenderer): boolean {
     const { fade, areas, paper } = this.#inputs
     const { mode, composed } = this.#material
-    if (mode === 'paper') this.#writeTable(areas, paper!.table)
+    if (mode === 'paper') paper!.table.update(areas, this.faces[0].activations)
     const isUsed = mode === 'default' || composed !== null || this.#influenceViews > 0
     if (fade.value === 0 || !isUsed) return false
     this.#atlas.collect(this.#cells, renderer)
@@ -270,10 +268,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   #extentOf(names: readonly string[]): ActivationTable {
     for (const name of names) this.getActivation(name)
     const table = new ActivationTable()
-    table.write(
-      this.#inputs.areas,
-      Float32Array.from(this.areas, ({ name }) => Number(names.includes(name))),
-    )
+    const values = Float32Array.from(this.areas, ({ name }) => Number(names.includes(name)))
+    table.update(this.#inputs.areas, { version: 0, values })
     return table
   }
 
@@ -281,24 +277,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   #fadeOf(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
     const { fadeBelow } = this.#options
     if (fadeBelow === 0 || this.#material.composed || instancesOf(this.mesh)) return 1
-    return Math.min(1, Math.max(0, (2 * sizeOnScreen(mesh, camera, renderer)) / fadeBelow - 1))
-  }
-
-  /** Whether the renderer is the other entry's. The face is then plain, and the console says so, once for each renderer. */
-  #isRefused(renderer: AnyRenderer): boolean {
-    const problem = rendererProblem(renderer, this.#renderer.entry, 'Wrinkles')
-    if (!problem) return false
-    if (this.mode !== 'off') this.mode = 'off'
-    if (!refused.has(renderer)) console.error(problem.message)
-    refused.add(renderer)
-    return true
-  }
-
-  #writeTable(areas: ShaderInputs['areas'], table: ActivationTable): void {
-    const { version, values } = this.faces[0].activations
-    if (version === this.#tableVersion) return
-    this.#tableVersion = version
-    table.write(areas, values)
+    return fadeOnScreen(mesh, camera, renderer, fadeBelow)
   }
 
   #replaceAreas(areas: Area<ArraySlice>[], who: string): void {
@@ -309,7 +288,6 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     release(old.texture)
     this.#inputs.areas = array
     this.#inputs.areaTexture.value = array.texture
-    this.#tableVersion = -1
     this.areas = areas
     for (const [i, face] of this.faces.entries()) {
       face.rebind(array, areas)

@@ -10,15 +10,15 @@ const repeated = (indices: ArrayLike<number>, times: number) =>
 
 test('triangles that lie on top of each other by the hundred are refused', () => {
   const { uvs, indices } = sheet(8, 0)
-  expect(() => checkCoverage({ uvs, indices: repeated(indices, 20) })).not.toThrow()
-  expect(() => checkCoverage({ uvs, indices: repeated(indices, 200) })).toThrow(
+  expect(() => checkCoverage({ uvs, indices: repeated(indices, 20) }, 'test')).not.toThrow()
+  expect(() => checkCoverage({ uvs, indices: repeated(indices, 200) }, 'test')).toThrow(
     'too many triangles of the skin lie on top of each other in its texture',
   )
 })
 
 test('what lies outside the texture costs nothing and is not refused', () => {
   const { uvs, indices } = sheet(8, 0)
-  expect(() => checkCoverage({ uvs: uvs.map((x) => 1000 * x + 2), indices })).not.toThrow()
+  expect(() => checkCoverage({ uvs: uvs.map((x) => 1000 * x + 2), indices }, 'test')).not.toThrow()
 })
 
 test('triangles that are listed again leave the borders as they are', () => {

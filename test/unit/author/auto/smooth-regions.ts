@@ -106,7 +106,10 @@ export function trianglesIn({ corners, skinTriangles }: SkinSurface, points: Rea
 
 /** The points of the shipped face that its hair leaves free for an ear, by the builder's landmarks. */
 export function shippedEars({ uvs }: Skin, { pointOf }: SkinSurface): Set<number> {
-  const landmarks = readFileSync(new URL('../../../../faces/builder/landmarks.py', import.meta.url), 'utf8')
+  const landmarks = readFileSync(
+    new URL('../../../../faces/builder/person/landmarks.py', import.meta.url),
+    'utf8',
+  )
   const [, list] = /^HAIR = \[([^\]]*?),?\s*\]/m.exec(landmarks) ?? []
   const hair: [number, number][] = JSON.parse(`[${list.replaceAll('(', '[').replaceAll(')', ']')}]`)
   // The outline of the hair runs down in front of the ear, over it, and down behind it.

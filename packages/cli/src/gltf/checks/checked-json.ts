@@ -5,6 +5,7 @@ export interface CheckedAccessor {
   byteOffset?: number
   componentType: number
   count: number
+  normalized?: boolean
   type: string
   sparse?: {
     count: number

@@ -2,6 +2,8 @@ import { type BufferView, compressedViews } from '../gltf-json.ts'
 import { COMPONENT_BYTES, COMPONENTS, elementBytes } from './accessor-bytes.ts'
 import type { CheckedAccessor, CheckedJson } from './checked-json.ts'
 
+/** The component type that cannot be normalized (glTF 2.0, 3.6.2.2), besides that of floats, where readers ignore it. */
+const UNSIGNED_INT = 5125
 const SPARSE_INDICES = [5121, 5123, 5125]
 
 /**
@@ -32,9 +34,10 @@ function viewProblem({ bufferViews = [] }: CheckedJson, lengths: readonly number
 function accessorProblem({ accessors = [], bufferViews = [] }: CheckedJson): string | undefined {
   for (const [i, accessor] of accessors.entries()) {
     const where = `accessors[${i}]`
-    const { count, componentType, type, bufferView, sparse } = accessor
+    const { count, componentType, normalized, type, bufferView, sparse } = accessor
     if (!COMPONENT_BYTES.has(componentType)) return `${where} has the component type ${componentType}`
     if (!COMPONENTS.has(type)) return `${where} has the type "${type.slice(0, 20)}"`
+    if (normalized && componentType === UNSIGNED_INT) return `${where} is normalized, with 32-bit integers`
     const problem = bufferView !== undefined && spanProblem(where, accessor, count, bufferViews[bufferView])
     if (problem) return problem
     if (!sparse) continue

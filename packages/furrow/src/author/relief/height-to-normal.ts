@@ -1,5 +1,5 @@
 import { FurrowError } from '../../core/error.ts'
-import { toByte } from '../../core/normal-byte.ts'
+import { toByte } from '../../core/normals/normal-byte.ts'
 import type { RgbaImage } from '../../core/types.ts'
 import type { Metric } from '../metric.ts'
 import type { HeightMap } from '../strokes/height.ts'

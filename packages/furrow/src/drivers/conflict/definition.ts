@@ -13,6 +13,7 @@ export interface ConflictDriver {
 export const conflict: DriverDefinition<ConflictDriver> = {
   type: 'conflict',
   read: (fields) => ({ targets: fields.names('targets') }),
+  describe: ({ targets }) => `conflict: ${targets.join(' and ')} cancel each other`,
   filterInputs: ({ targets }) => ({
     inputs: targets.map((name) => ({ kind: 'target', name })),
     bind:

@@ -21,4 +21,13 @@ export const expression: DriverDefinition<ExpressionDriver> = {
       activation: item.number('activation', 0, 1, 1),
     })),
   }),
+  describe: ({ name, targets, activations }) => {
+    const parts = [
+      ...targets.map(({ name, weight }) => times(weight, name)),
+      ...activations.map(({ area, activation }) => times(activation, `area ${area}`)),
+    ]
+    return `expression ${name}: ${parts.join(', ') || 'the face at rest'}`
+  },
 }
+
+const times = (factor: number, name: string) => (factor === 1 ? name : `${factor} ${name}`)

@@ -22,6 +22,7 @@ export const time: DriverDefinition<TimeDriver> = {
     attack: fields.number('attack', 0, MAX_TIME, 0),
     release: fields.number('release', 0, MAX_TIME, 0),
   }),
+  describe: ({ area, attack, release }) => `time: ${area} rises in ${attack} s, falls in ${release} s`,
   filterActivation: ({ area, attack, release }) => ({
     area,
     bind: (index) => (activations, previous, seconds) => {

@@ -1,6 +1,6 @@
 import { FurrowError } from '../../core/error.ts'
-import { imageDamage, imageTypeOf } from '../../core/image-file.ts'
 import { MAX_IMAGE_SIDE } from '../../core/limits.ts'
+import { imageDamage, imageTypeOf } from '../../core/maps/image-file.ts'
 import type { GrayImage, RgbaImage } from '../../core/types.ts'
 import { readImage } from './read-texture.ts'
 

@@ -1,20 +1,33 @@
 import { LoaderUtils } from 'three'
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
+import { FurrowError } from '../../core/error.ts'
 
 /**
  * Reads the bytes of an image of a file, in the file or beside it.
  *
  * @param image its index.
+ * @param who names the texture in errors.
  * @returns undefined where there is no such image.
- * @throws Error when it cannot be fetched.
+ * @throws FurrowError when it cannot be fetched.
  */
 export async function readImageBytes(
   parser: GLTFParser,
   image: unknown,
+  who: string,
 ): Promise<Uint8Array<ArrayBuffer> | undefined> {
   const { bufferView, uri } = parser.json.images?.[image as number] ?? {}
   if (bufferView !== undefined) return new Uint8Array(await parser.getDependency('bufferView', bufferView))
   if (typeof uri !== 'string') return undefined
   const address = LoaderUtils.resolveURL(uri, parser.options.path)
-  return new Uint8Array((await parser.fileLoader.loadAsync(address)) as ArrayBuffer)
+  try {
+    return new Uint8Array((await parser.fileLoader.loadAsync(address)) as ArrayBuffer)
+  } catch {
+    throw new FurrowError({
+      code: 'unreadable',
+      who,
+      what: 'an image that cannot be fetched',
+      value: address,
+      remedy: 'check that the server serves it at this address',
+    })
+  }
 }

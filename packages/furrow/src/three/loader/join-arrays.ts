@@ -1,7 +1,7 @@
 import { type CompressedArrayTexture as Compressed, CompressedArrayTexture } from 'three'
 import { FurrowError } from '../../core/error.ts'
+import { WRINKLE_MAPS } from '../../core/maps/wrinkle-maps.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
-import { WRINKLE_MAPS } from '../../core/wrinkle-maps.ts'
 import { isSlice } from '../../core/wrinkle-set.ts'
 import { VALUE_KINDS } from '../material/wrinkle-textures.ts'
 

@@ -2,10 +2,11 @@ import { ClampToEdgeWrapping, CompressedArrayTexture, type CompressedTexture, Li
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { FurrowError } from '../../core/error.ts'
-import { type Ktx2Header, readKtx2Header } from '../../core/ktx2-header.ts'
-import { WRINKLE_MAPS } from '../../core/wrinkle-maps.ts'
+import { type Ktx2Header, readKtx2Header } from '../../core/maps/ktx2-header.ts'
+import { WRINKLE_MAPS } from '../../core/maps/wrinkle-maps.ts'
 import type { ArrayTexture } from '../material/array-texture.ts'
 import { requireInternal } from '../three-version.ts'
+import { fileError } from './file-error.ts'
 import { readImageBytes } from './image-bytes.ts'
 
 interface LoaderOptions {
@@ -105,7 +106,7 @@ interface Ktx2File {
 async function readFile(parser: GLTFParser, index: number): Promise<Ktx2File> {
   const who = `${WRINKLE_MAPS} texture ${index}`
   const { extensions } = parser.json.textures[index]
-  const bytes = await readImageBytes(parser, extensions?.KHR_texture_basisu?.source)
+  const bytes = await readImageBytes(parser, extensions?.KHR_texture_basisu?.source, who)
   if (bytes) return { bytes, header: readKtx2Header(bytes, who), who }
   throw new FurrowError({
     who,
@@ -123,13 +124,7 @@ async function transcode({ bytes, who }: Ktx2File, loader: KTX2Loader): Promise<
     array.magFilter = LinearFilter
     return array
   } catch (error) {
-    throw new FurrowError({
-      code: 'unreadable',
-      who,
-      what: 'a KTX 2 image that cannot be decoded',
-      value: (error as Error | undefined)?.message ?? error,
-      remedy: 'pack the file again',
-    })
+    throw fileError(error, who, 'a KTX 2 image that cannot be decoded')
   } finally {
     URL.revokeObjectURL(url)
   }

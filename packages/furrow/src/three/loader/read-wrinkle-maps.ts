@@ -2,15 +2,15 @@ import { type ColorSpace, type Material, type Mesh, NoColorSpace, type Object3D,
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import { CHANNEL, channelOf } from '../../core/channels.ts'
 import { FurrowError } from '../../core/error.ts'
-import { mapProblems, type TextureShape, texturesOfFace } from '../../core/map-rules.ts'
-import type { Area, ArraySlice, GrayImage, Layer, RgbaImage, WrinkleSet } from '../../core/types.ts'
+import { mapProblems, type TextureShape, texturesOfFace } from '../../core/maps/rules.ts'
 import {
   checkDeclared,
   type MapsAndAreas,
   type TextureReference,
   WRINKLE_MAPS,
   type WrinkleMapsLayer,
-} from '../../core/wrinkle-maps.ts'
+} from '../../core/maps/wrinkle-maps.ts'
+import type { Area, ArraySlice, GrayImage, Layer, RgbaImage, WrinkleSet } from '../../core/types.ts'
 import { parseWrinkleMaps } from '../../drivers/parse.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 import { surfaceOf } from '../material/surface.ts'
@@ -207,7 +207,8 @@ class MapSource {
   #image(index: number): Promise<RgbaImage> {
     return once(this.#images, index, async () => {
       const who = `${WRINKLE_MAPS} texture ${index}`
-      const bytes = await readImageBytes(this.#parser, imageOf(this.#parser.json.textures[index]))
+      const image = imageOf(this.#parser.json.textures[index])
+      const bytes = await readImageBytes(this.#parser, image, who)
       if (!bytes) throw fileError('a texture without an image', who, UNREADABLE)
       return decodeBytes(bytes, who)
     })

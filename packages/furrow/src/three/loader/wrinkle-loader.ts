@@ -1,7 +1,7 @@
 import type { Material, Mesh } from 'three'
 import type { GLTF, GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
+import { WRINKLE_MAPS } from '../../core/maps/wrinkle-maps.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
-import { WRINKLE_MAPS } from '../../core/wrinkle-maps.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
 import { driversOf, type WrinkleDriver } from '../../drivers/registry.ts'
 import { surfaceOf } from '../material/surface.ts'

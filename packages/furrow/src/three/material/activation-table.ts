@@ -1,5 +1,6 @@
 import { DataTexture, FloatType, NearestFilter, RGBAFormat } from 'three'
 import { MAX_AREAS, MAX_LAYERS } from '../../core/limits.ts'
+import type { Activations } from '../../runtime/activations.ts'
 import type { AreaArray } from '../atlas/area-array.ts'
 
 /** One for each channel of the largest array of areas. */
@@ -17,6 +18,7 @@ export class ActivationTable {
   /** Number of columns in use; a uniform. */
   readonly count = { value: 0 }
   readonly #table = new Float32Array(COLUMNS * 2 * MAX_LAYERS)
+  #version = -1
 
   constructor() {
     this.texture = new DataTexture(this.#table, COLUMNS, 2, RGBAFormat, FloatType)
@@ -25,11 +27,13 @@ export class ActivationTable {
   }
 
   /**
-   * Writes the activations of all areas.
+   * Writes the activations of all areas, if they have another version than those written before.
    *
-   * @param values 0..1, in the order of the areas.
+   * @param activations their values 0..1, in the order of the areas.
    */
-  write({ slots, channels }: AreaArray, values: Float32Array): void {
+  update({ slots, channels }: AreaArray, { version, values }: Pick<Activations, 'version' | 'values'>): void {
+    if (version === this.#version) return
+    this.#version = version
     this.#table.fill(0)
     this.count.value = 0
     for (let i = 0; i < slots.length; i++) {

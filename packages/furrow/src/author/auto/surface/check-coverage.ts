@@ -9,9 +9,10 @@ export const MOST_COVERAGE = 128
  * hundreds of thousands of triangles that each fill the texture.
  *
  * @param skin in the first tile of its texture; what is outside does not count.
+ * @param who draws it.
  * @throws FurrowError when their bounding boxes in the texture are too large together.
  */
-export function checkCoverage({ uvs, indices }: Pick<Skin, 'uvs' | 'indices'>): void {
+export function checkCoverage({ uvs, indices }: Pick<Skin, 'uvs' | 'indices'>, who: string): void {
   let sum = 0
   for (let t = 0; t + 2 < indices.length; t += 3) {
     const [a, b, c] = [2 * indices[t], 2 * indices[t + 1], 2 * indices[t + 2]]
@@ -20,7 +21,7 @@ export function checkCoverage({ uvs, indices }: Pick<Skin, 'uvs' | 'indices'>): 
   if (sum <= MOST_COVERAGE) return
   throw new FurrowError({
     code: 'out-of-range',
-    who: 'autoWrinkles',
+    who,
     what: 'too many triangles of the skin lie on top of each other in its texture',
     value: `${Math.round(sum)} times its size`,
     limit: `${MOST_COVERAGE} times`,

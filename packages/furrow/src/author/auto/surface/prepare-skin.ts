@@ -39,7 +39,7 @@ export interface PreparedSkin {
 export function prepareSkin(raw: Skin): PreparedSkin {
   const { skin: checked, warnings } = checkSkin(raw)
   const { skin, crossing } = moveToFirstTile(checked)
-  checkCoverage(skin)
+  checkCoverage(skin, 'autoWrinkles')
   if (crossing > 0)
     warnings.push(
       `${percent(crossing)} of the skin crosses the edges of its texture: nothing is drawn beyond them`,

@@ -1,5 +1,5 @@
-import { isWebGL } from '../../stage/light.ts'
-import type { Renderer, RendererKind } from '../../stage/stage.ts'
+import { isWebGL } from '../../../stage/light.ts'
+import type { Renderer, RendererKind } from '../../../stage/stage.ts'
 
 /** Error text that says why a renderer is not available here; null if it is. */
 export async function unavailableReason(kind: RendererKind): Promise<string | null> {

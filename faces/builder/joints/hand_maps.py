@@ -4,10 +4,10 @@ import numpy as np
 from PIL import Image, ImageDraw
 from scipy.ndimage import gaussian_filter
 
-from .fields import Fields
+from ..person.fields import Fields
+from ..person.skin_maps import lay, mottled, relief
+from ..raster import Atlas
 from .hand import FINGERS, Hand
-from .raster import Atlas
-from .skin_maps import lay, mottled, relief
 
 
 class HandFields(Fields):

@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..part import Part
+from ..source import Mesh
 from .head import Head
-from .part import Part
-from .source import Mesh
 
 # The source's helper eye is slightly squashed: a sphere that touches the lids has its centre this far from it.
 OFFSET = np.array([0.0, -0.9e-3, 0.6e-3])  # metres

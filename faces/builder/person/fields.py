@@ -5,8 +5,8 @@ from PIL import Image, ImageDraw
 from scipy.ndimage import binary_dilation, gaussian_filter, map_coordinates
 from scipy.ndimage import label as measure
 
+from ..raster import Atlas
 from . import landmarks
-from .raster import Atlas
 
 
 class Fields:

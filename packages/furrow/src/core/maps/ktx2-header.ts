@@ -1,6 +1,6 @@
-import { FurrowError } from './error.ts'
-import { MAX_IMAGE_BYTES, MAX_IMAGE_SIDE, MAX_SLICES } from './limits.ts'
-import type { TextureShape } from './map-rules.ts'
+import { FurrowError } from '../error.ts'
+import { MAX_IMAGE_BYTES, MAX_IMAGE_SIDE, MAX_SLICES } from '../limits.ts'
+import type { TextureShape } from './rules.ts'
 
 // Khronos, KTX File Format Specification 2.0, sections 3 and 5; offsets in bytes.
 const IDENTIFIER = [0xab, 0x4b, 0x54, 0x58, 0x20, 0x32, 0x30, 0xbb, 0x0d, 0x0a, 0x1a, 0x0a]

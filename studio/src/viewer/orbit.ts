@@ -1,7 +1,7 @@
 import { Spherical, Vector3 } from 'three'
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
-import type { Stage } from '../../stage/stage.ts'
-import type { ViewName } from '../../stage/views.ts'
+import type { Stage } from '../../../stage/stage.ts'
+import type { ViewName } from '../../../stage/views.ts'
 
 /** Seconds of the transition from one view to another. */
 const TRANSITION_TIME = 0.45

@@ -1,5 +1,5 @@
 import type { ArraySlice, WrinkleDriver, WrinkleSet } from 'furrow'
-import { type Face, loadFace } from '../../stage/face.ts'
+import { type Face, loadFace } from '../../../stage/face.ts'
 
 /** A face with its wrinkles and their drivers. */
 export interface LoadedFace {

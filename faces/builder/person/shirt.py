@@ -4,11 +4,11 @@ import numpy as np
 from scipy.ndimage import gaussian_filter1d
 from scipy.spatial import cKDTree
 
+from ..layout import borders
+from ..part import Part, triangulate
+from ..source import Mesh
+from ..subdivide import catmull_clark, vertex_normals
 from .head import NECK_RINGS, Head, regions
-from .layout import borders
-from .part import Part, triangulate
-from .source import Mesh
-from .subdivide import catmull_clark, vertex_normals
 
 EASE = 2.5e-3  # metres between skin and cloth
 OVERLAP = 2  # rings of the skin's quads that the shirt covers

@@ -5,8 +5,8 @@ import io
 import numpy as np
 from PIL import Image, ImageDraw
 
+from ..part import Part
 from .landmarks import BROW_BOTTOM, BROW_TOP
-from .part import Part
 
 # The part of the layout that holds the person's left brow; the right one is its mirror image.
 BOX = (0.505, 0.375, 0.68, 0.505)  # u0, v0, u1, v1

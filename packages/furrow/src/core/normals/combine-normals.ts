@@ -1,6 +1,6 @@
-import { FurrowError } from './error.ts'
+import { FurrowError } from '../error.ts'
+import type { RgbaImage } from '../types.ts'
 import { toByte } from './normal-byte.ts'
-import type { RgbaImage } from './types.ts'
 
 /**
  * Lays one tangent-space normal map over another by reoriented normal mapping (C. Barre-Brisebois, S. Hill, "Blending in Detail",

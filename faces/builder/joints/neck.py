@@ -6,10 +6,10 @@ import numpy as np
 from scipy.interpolate import PchipInterpolator
 from scipy.spatial import cKDTree
 
-from .head import Head, build_head, skin_part
-from .part import Part
-from .rig import Rig, read_rig, strongest
-from .source import Mesh, Wheel
+from ..part import Part
+from ..person.head import Head, build_head, skin_part
+from ..rig import Rig, read_rig, strongest
+from ..source import Mesh, Wheel
 
 JOINTS = ["spine01", "neck01", "neck02", "neck03", "head"]
 

@@ -5,10 +5,10 @@ import io
 import numpy as np
 from PIL import Image, ImageDraw
 
+from ..part import Part, triangulate
+from ..source import Mesh
+from ..subdivide import catmull_clark, vertex_normals
 from .head import Head
-from .part import Part, triangulate
-from .source import Mesh
-from .subdivide import catmull_clark, vertex_normals
 
 SIZE = (512, 64)  # pixels; the upper lid's lashes are in the upper half; roots are at the bottom of each half
 

@@ -1,7 +1,7 @@
-import { FurrowError } from './error.ts'
-import { type JsonReader, or } from './json.ts'
-import { LARGEST, MAX_AREAS, MAX_LAYERS, MAX_SLICES } from './limits.ts'
-import type { Combine, LayerKind } from './types.ts'
+import { FurrowError } from '../error.ts'
+import { type JsonReader, or } from '../json.ts'
+import { LARGEST, MAX_AREAS, MAX_LAYERS, MAX_SLICES } from '../limits.ts'
+import type { Combine, LayerKind } from '../types.ts'
 
 /** Name of the glTF material extension specified in docs/FURROW_wrinkle_maps.md. */
 export const WRINKLE_MAPS = 'FURROW_wrinkle_maps'

@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from ..part import Part, triangulate
+from ..source import Mesh
+from ..subdivide import catmull_clark, vertex_normals
 from .head import Head, mouth_lining, socket_lining
-from .part import Part, triangulate
-from .source import Mesh
-from .subdivide import catmull_clark, vertex_normals
 
 # Widths and heights of crowns in millimetres, from the middle outwards (Wheeler's Dental Anatomy, rounded).
 UPPER = [(8.6, 10.4), (6.7, 9.2), (7.6, 10.2), (7.0, 8.6), (6.8, 8.0), (9.8, 7.4)]

@@ -1,5 +1,5 @@
+import type { RgbaImage } from '../types.ts'
 import { toByte } from './normal-byte.ts'
-import type { RgbaImage } from './types.ts'
 
 /**
  * Scales x and y of a normal map and renormalises.

@@ -1,5 +1,5 @@
-import type { ErrorParts } from './error.ts'
-import { MAX_IMAGE_SIDE } from './limits.ts'
+import type { ErrorParts } from '../error.ts'
+import { MAX_IMAGE_SIDE } from '../limits.ts'
 import { type MapsAndAreas, type TextureReference, WRINKLE_MAPS } from './wrinkle-maps.ts'
 
 /** What reading the image of a texture tells about it. */

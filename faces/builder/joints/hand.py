@@ -4,12 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .head import islands
-from .layout import borders
-from .part import Part, triangulate
-from .rig import Rig, read_rig, strongest, unit
-from .source import Mesh, Wheel
-from .subdivide import catmull_clark, vertex_normals
+from ..layout import borders
+from ..part import Part, triangulate
+from ..person.head import islands
+from ..rig import Rig, read_rig, strongest, unit
+from ..source import Mesh, Wheel
+from ..subdivide import catmull_clark, vertex_normals
 
 FINGERS = range(1, 6)  # the thumb is 1
 JOINTS = ["lowerarm01.L", "lowerarm02.L", "wrist.L", *[f"metacarpal{k}.L" for k in range(1, 5)]] + [

@@ -6,10 +6,10 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from .layout import skin_layout
-from .part import Part, triangulate
-from .source import ARKIT, Mesh, Wheel
-from .subdivide import catmull_clark, vertex_normals
+from ..layout import skin_layout
+from ..part import Part, triangulate
+from ..source import ARKIT, Mesh, Wheel
+from ..subdivide import catmull_clark, vertex_normals
 
 COLLAR = 0.61  # metres above the source's origin; islands entirely above it belong to the head
 NECK_RINGS = 5  # rings of quads below the head's island that are skin

@@ -2,6 +2,9 @@
 
 import numpy as np
 
+from ..part import Part
+from ..raster import Atlas
+from ..source import Mesh
 from .brows import brow_part, shell_map
 from .eye_map import paint_eye
 from .eyes import ball_of, eye_part, shade_part
@@ -9,11 +12,8 @@ from .fields import FaceFields, occlusion
 from .head import Head
 from .lashes import lash_map, lash_part
 from .mouth import mouth_part, socket_part, teeth_part, tongue_part
-from .part import Part
-from .raster import Atlas
 from .shirt import OVERLAP, shirt_part
 from .skin_maps import encode, paint_colour, paint_pores, paint_specular, paint_surface
-from .source import Mesh
 
 MAP_SIZE = 1024  # pixels
 STEPS = ["occlusion", "colour", "normals", "surface", "parts"]

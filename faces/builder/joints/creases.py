@@ -5,7 +5,7 @@ import json
 import numpy as np
 from scipy.interpolate import PchipInterpolator
 
-from .part import Part
+from ..part import Part
 
 SAMPLES = 24  # points of a stroke
 LEAP = 0.03  # in uv: neighbouring samples further apart are on opposite sides of a seam

@@ -1,0 +1,1 @@
+"""A person: the skin of the head, and eyes, mouth, hair and clothes on it."""

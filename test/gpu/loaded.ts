@@ -1,0 +1,16 @@
+import { DirectionalLight, type Object3D, Scene } from 'three'
+import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { type Harness, squareCamera } from './harness.ts'
+
+/** Loads a file with the plugin for the harness's renderer. */
+export function loadFile({ Plugin }: Harness, file: Uint8Array): Promise<GLTF> {
+  const loader = new GLTFLoader().register((parser) => new Plugin(parser))
+  return loader.parseAsync(file.slice().buffer, '')
+}
+
+/** A picture of 32 x 32 pixels under one light; see `Harness.render`. */
+export function litPicture(harness: Harness, root: Object3D): Promise<Float32Array> {
+  const light = new DirectionalLight(0xffffff, 2)
+  light.position.set(1, 1, 1)
+  return harness.render(new Scene().add(root, light), squareCamera(), 32)
+}

@@ -1,0 +1,73 @@
+import { NodeIO } from '@gltf-transform/core'
+import { KHRDracoMeshCompression } from '@gltf-transform/extensions'
+import { draco } from '@gltf-transform/functions'
+import draco3d from 'draco3d'
+import { describe, expect, it } from 'vitest'
+import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
+import { dracoProblem } from '../../../packages/cli/src/gltf/checks/draco.ts'
+import { joinGlb, splitGlb } from '../../fuzz/glb-parts.ts'
+import { sheet, sheetGlb } from './sheet.ts'
+import { Workshop } from './workshop.ts'
+
+const shop = new Workshop()
+
+/** A mesh without blendshapes, which Draco does not compress. */
+async function compressed(method: 'sequential' | 'edgebreaker'): Promise<Buffer> {
+  const io = new NodeIO()
+    .registerExtensions([KHRDracoMeshCompression])
+    .registerDependencies({ 'draco3d.encoder': await draco3d.createEncoderModule() })
+  const document = await io.readBinary(await sheetGlb({ ...sheet(12), targets: {} }))
+  await document.transform(draco({ method }))
+  return Buffer.from(await io.writeBinary(document))
+}
+
+/** Puts a number in the place of one byte, or two, of the header of the Draco data. */
+async function withCount(method: 'sequential' | 'edgebreaker', at: number, count: number): Promise<Buffer> {
+  const { json, bin } = splitGlb(await compressed(method))
+  const start = bin.indexOf('DRACO')
+  const old = bin[start + at]! < 128 ? 1 : 2
+  const varint: number[] = []
+  for (; count > 127; count = Math.floor(count / 128)) varint.push((count % 128) | 128)
+  const rest = bin.subarray(start + at + old)
+  const changed = Buffer.concat([bin.subarray(start, start + at), Buffer.of(...varint, count), rest])
+  const offset = Math.ceil(bin.length / 4) * 4
+  const { KHR_draco_mesh_compression: extension } = json.meshes[0].primitives[0].extensions
+  extension.bufferView =
+    json.bufferViews.push({ buffer: 0, byteOffset: offset, byteLength: changed.length }) - 1
+  json.buffers[0].byteLength = offset + changed.length
+  return joinGlb({ json, bin: Buffer.concat([bin, Buffer.alloc(offset - bin.length), changed]) })
+}
+
+const problemOf = (glb: Buffer) => {
+  const { json, bin } = splitGlb(glb)
+  return dracoProblem(json, bin)
+}
+
+describe('meshes in Draco', () => {
+  it.each(['sequential', 'edgebreaker'] as const)('are taken as they are encoded: %s', async (method) => {
+    expect(problemOf(await compressed(method))).toBeUndefined()
+  })
+
+  // 13 x 13 vertices and 288 triangles: the counts of faces take two bytes.
+  it.each<[string, 'sequential' | 'edgebreaker', number, RegExp]>([
+    ['2 million vertices', 'sequential', 13, /meshes\[0\] holds 2000000 vertices, its accessors 169/],
+    ['2 million triangles', 'sequential', 11, /meshes\[0\] holds 6000000 indices, its accessor 864/],
+    ['2 million triangles', 'edgebreaker', 14, /meshes\[0\] holds 6000000 indices, its accessor 864/],
+  ])('that claim %s are not decoded: %s', async (_, method, at, message) => {
+    const path = shop.write('hostile.glb', await withCount(method, at, 2_000_000))
+    const error = await shop.failure(autoCommand, path, '-o', shop.path('out.glb'))
+    expect(error.name).toBe('FurrowError')
+    expect(error.message).toMatch(message)
+  })
+
+  it('of another version, or with metadata, are not decoded', async () => {
+    for (const [at, value] of [
+      [5, 1],
+      [10, 0x80],
+    ]) {
+      const glb = await compressed('edgebreaker')
+      glb[glb.indexOf('DRACO') + at!] = value!
+      expect(problemOf(glb)).toMatch(/of another kind than glTF allows/)
+    }
+  })
+})

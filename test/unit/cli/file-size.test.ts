@@ -1,0 +1,169 @@
+import { closeSync, openSync, truncateSync } from 'node:fs'
+import type { Command } from 'commander'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { activationsCommand } from '../../../packages/cli/src/commands/activations.ts'
+import { arrayCommand } from '../../../packages/cli/src/commands/array.ts'
+import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
+import { bakeCommand } from '../../../packages/cli/src/commands/bake.ts'
+import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
+import { normalsCommand } from '../../../packages/cli/src/commands/normals.ts'
+import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
+import { renderCommand } from '../../../packages/cli/src/commands/render.ts'
+import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
+import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
+import { uvCommand } from '../../../packages/cli/src/commands/uv.ts'
+import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
+import { MAX_FILE_BYTES, readBytes } from '../../../packages/cli/src/inputs.ts'
+import { faceBytes, Workshop } from './workshop.ts'
+
+const MIB = 2 ** 20
+const HUGE = 1900 * MIB
+
+const shop = new Workshop()
+const at = (name: string) => shop.path(name)
+
+/** A file that takes no room on the disk: some first bytes, and zeros. */
+function sparse(name: string, bytes: number, begin: Uint8Array = Buffer.alloc(0)): string {
+  const path = shop.write(name, begin)
+  truncateSync(path, bytes)
+  return path
+}
+
+/** The first bytes of a binary glTF file of a length, with as much JSON in it. */
+function header(length: number, jsonLength: number): Buffer {
+  const head = Buffer.alloc(20)
+  for (const [i, value] of [0x46546c67, 2, length, jsonLength, 0x4e4f534a].entries()) {
+    head.writeUInt32LE(value, 4 * i)
+  }
+  return head
+}
+
+/** Expects one line, for which little more than the header was read. */
+async function expectRefusal(message: string | RegExp, command: Command, args: string[]): Promise<void> {
+  const before = process.resourceUsage().fsRead
+  const { rss } = process.memoryUsage()
+  const failure = await shop.failure(command, ...args)
+  expect(failure.name, failure.stack).toBe('FurrowError')
+  expect(failure.message).toMatch(message)
+  expect(process.memoryUsage().rss - rss).toBeLessThan(256 * MIB)
+  expect(process.resourceUsage().fsRead - before).toBeLessThan(1000)
+}
+
+beforeAll(async () => {
+  shop.write('face.glb', await faceBytes())
+  await shop.makeFolder('folder')
+  shop.json('strokes.json', {
+    version: 1,
+    strokes: [
+      {
+        group: 'brow',
+        points: [
+          [0.1, 0.8],
+          [0.4, 0.9],
+        ],
+        width: 4,
+        depth: 0.5,
+      },
+    ],
+  })
+  sparse('huge.glb', HUGE, header(HUGE, 1000))
+  sparse('huge.json', HUGE, Buffer.from('{'))
+  sparse('huge.png', HUGE, Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'))
+  sparse('huge.ktx2', HUGE, Buffer.from('\xabKTX 20\xbb\r\n\x1a\n', 'latin1'))
+})
+
+describe('a file of 1.9 GB is refused before it is read', () => {
+  it.each<[Command, () => string[]]>([
+    [activationsCommand, () => [at('huge.glb')]],
+    [autoCommand, () => [at('huge.glb'), '-o', at('x.glb')]],
+    [bakeCommand, () => [at('huge.glb'), at('face.glb'), '-o', at('x.png')]],
+    [bakeCommand, () => [at('face.glb'), at('huge.glb'), '-o', at('x.png')]],
+    [inspectCommand, () => [at('huge.glb')]],
+    [packCommand, () => [at('folder'), '--face', at('huge.glb'), '-o', at('x.glb')]],
+    [renderCommand, () => [at('huge.glb'), '-o', at('x.png')]],
+    [strokesCommand, () => [at('strokes.json'), '--face', at('huge.glb'), '-o', at('x.png')]],
+    [unpackCommand, () => [at('huge.glb'), '-o', at('x')]],
+    [uvCommand, () => [at('huge.glb'), '-o', at('x.png')]],
+    [validateCommand, () => [at('huge.glb')]],
+  ])('as a face: %#', async (command, args) => {
+    const message = /huge\.glb is too large, got "1900 MiB", allowed: 512 MiB; make it smaller$/
+    await expectRefusal(message, command, args())
+  })
+
+  it.each<[string, Command, () => string[]]>([
+    ['an image of an array', arrayCommand, () => [at('huge.png'), '-o', at('x.ktx2')]],
+    ['an array', arrayCommand, () => [at('huge.ktx2'), '--extract', at('x')]],
+    ['heights', normalsCommand, () => [at('huge.png'), '-o', at('x.png'), '--strength', '1']],
+    [
+      'a base',
+      strokesCommand,
+      () => [at('strokes.json'), '--face', at('face.glb'), '--base', at('huge.png'), '--normal', at('x.png')],
+    ],
+    ['strokes', strokesCommand, () => [at('huge.json'), '--face', at('face.glb'), '-o', at('x.png')]],
+    [
+      'a wrinkle set',
+      renderCommand,
+      () => [at('face.glb'), '--wrinkles', at('huge.json'), '-o', at('x.png')],
+    ],
+  ])('as %s', (_, command, args) => {
+    return expectRefusal(/huge\.\w+ is too large, got "1900 MiB", allowed: (512|64) MiB/, command, args())
+  })
+
+  it('in a folder of wrinkles', async () => {
+    await shop.makeFolder('big')
+    sparse('big/areas/brow.png', HUGE)
+    const message = /brow\.png, which .* refers to, is too large, got "1900 MiB"/
+    await expectRefusal(message, packCommand, [at('big'), '-o', at('x.glb')])
+    sparse('big/wrinkles.json', HUGE)
+    await expectRefusal(/wrinkles\.json is too large/, packCommand, [at('big'), '-o', at('x.glb')])
+  })
+
+  it('beside a face, alone or together', async () => {
+    sparse('beside/huge.bin', HUGE)
+    sparse('beside/a.bin', 300 * MIB)
+    sparse('beside/b.bin', 300 * MIB)
+    const face = (...files: string[]) =>
+      shop.json('beside/face.gltf', {
+        asset: { version: '2.0' },
+        buffers: files.map((uri) => ({ byteLength: 1, uri })),
+      })
+    await expectRefusal(/huge\.bin, which .*face\.gltf refers to, is too large/, inspectCommand, [
+      face('huge.bin'),
+    ])
+    const failure = await shop.failure(inspectCommand, face('a.bin', 'b.bin'))
+    expect(failure.message).toMatch(
+      /face\.gltf with the files that it refers to is too large, got "600 MiB", allowed: 512 MiB/,
+    )
+  })
+})
+
+describe('a file of 500 MB is refused by its first bytes', () => {
+  const inspect = (path: string, message: RegExp) => expectRefusal(message, inspectCommand, [path])
+
+  it('where it is not glTF', async () => {
+    await inspect(sparse('zeros.glb', 500 * MIB), /does not begin with "glTF"/)
+    await inspect(sparse('text.glb', 500 * MIB, Buffer.from('x'.repeat(1024))), /it is text, not glTF/)
+  })
+
+  it('where its header gives another length', () => {
+    return inspect(sparse('cut.glb', 500 * MIB, header(501 * MIB, 1000)), /it is cut off: \d+ of \d+ bytes/)
+  })
+
+  it('where it is JSON, or its JSON is as large', async () => {
+    const message = /the JSON of .* is too large, got "500 MiB", allowed: 64 MiB of JSON/
+    await inspect(sparse('text.gltf', 500 * MIB, Buffer.from('{')), message)
+    await inspect(sparse('json.glb', 501 * MIB, header(501 * MIB, 500 * MIB)), message)
+  })
+})
+
+it('a pipe is read up to the limit, and no further', async () => {
+  const zeros = openSync('/dev/zero', 'r')
+  try {
+    await expect(readBytes(`/dev/fd/${zeros}`, 'furrow test', 'the face', { most: 3 * MIB })).rejects.toThrow(
+      /the face \/dev\/fd\/\d+ is too large, got "4 MiB", allowed: 3 MiB/,
+    )
+  } finally {
+    closeSync(zeros)
+  }
+  expect(MAX_FILE_BYTES).toBe(512 * MIB)
+})

@@ -1,0 +1,64 @@
+import { access } from 'node:fs/promises'
+import type { Command } from 'commander'
+import { beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
+import { arrayCommand } from '../../../packages/cli/src/commands/array.ts'
+import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
+import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
+import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
+import { Workshop } from './workshop.ts'
+
+// Root may write everywhere, so refusals are played.
+vi.mock('node:fs/promises', async (original) => {
+  const module = await original<typeof import('node:fs/promises')>()
+  return { ...module, access: vi.fn(module.access) }
+})
+
+const shop = new Workshop()
+
+/** Every command that writes a folder. No input exists, so an error about the folder comes before any work. */
+const COMMANDS: [Command, (folder: string) => string[]][] = [
+  [arrayCommand, (folder) => ['none.ktx2', '--extract', folder]],
+  [autoCommand, (folder) => ['none.glb', '-o', shop.path('x.glb'), '--report', folder]],
+  [strokesCommand, (folder) => ['none.json', '--face', 'none.glb', '--areas', folder]],
+  [unpackCommand, (folder) => ['none.glb', '-o', folder]],
+]
+
+const isFolder = (path: unknown, name: string) => String(path) === shop.path(name)
+
+beforeAll(() => shop.write('deep/file.txt', 'x'))
+
+beforeEach(() => {
+  vi.mocked(access).mockClear()
+})
+
+describe.each(COMMANDS)('before any work, the folder to write', (command, args) => {
+  const refuse = async (folder: string) => (await shop.failure(command, ...args(folder))).message
+
+  it('may not be below a file', async () => {
+    const folder = shop.path('deep/file.txt/new')
+    expect(await refuse(folder)).toMatch(
+      /: cannot write .*new \(.*file\.txt is not a folder\); choose another path$/,
+    )
+  })
+
+  it('may not be a file', async () => {
+    expect(await refuse(shop.path('deep/file.txt'))).toMatch(/file\.txt (is a file|\(it is not a folder\))/)
+  })
+
+  it.each(['-', '/dev/stdout'])('may not be stdout (%s)', async (path) => {
+    expect(await refuse(path)).toMatch(
+      /cannot write a folder to stdout \(it takes one file\); name a folder$/,
+    )
+  })
+
+  it('must be writable, or the folder that it would be made in', async () => {
+    vi.mocked(access).mockImplementation(async (path) => {
+      if (isFolder(path, 'deep')) throw Object.assign(new Error(), { code: 'EACCES' })
+    })
+    expect(await refuse(shop.path('deep/new/newer'))).toMatch(
+      /cannot write .*newer \(permission denied\); ask its owner, or change its permissions$/,
+    )
+    vi.mocked(access).mockImplementation(async () => {})
+    expect(await refuse(shop.path('deep/new/newer'))).toMatch(/cannot read .*none\.\w+ \(it does not exist\)/)
+  })
+})
