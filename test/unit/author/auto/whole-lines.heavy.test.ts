@@ -11,9 +11,9 @@ import { FACES, facialCreases, type PreparedFace, prepareFace } from './faces.ts
 const SMILE = { mouthSmileLeft: 1, mouthSmileRight: 1, cheekSquintLeft: 0.6, cheekSquintRight: 0.6 }
 const SIZE = 1024
 const AGE = 45
-/** Degrees by which a facet may turn the shading of a line, and points of it, 0.6 mm apart, that make a break where they are turned more. */
+/** Degrees by which a facet may turn the shading of a line, and points of it, half a millimetre apart, that make a break where they are turned more. */
 const TURN = 19
-const BREAK = 3
+const BREAK = 4
 
 type Vector = readonly [x: number, y: number, z: number]
 

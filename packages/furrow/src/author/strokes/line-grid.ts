@@ -1,4 +1,3 @@
-import { clamp } from '../../math/scalar.ts'
 import type { SkinLine } from './curve.ts'
 
 /** Side of a cell in millimetres, and cells along the longest side of the grid, at most: their indices stay exact on skin of any size. */
@@ -127,24 +126,30 @@ export class LineGrid {
       this.#squares[line] = -1
       if (distance >= this.#reaches[line]) continue
       const segment = this.#nearest[line]
-      const side = this.#sideOf(segment, x, y, z, distance)
+      const side = this.#sideOf(segment, x, y, z, this.#t[line])
       visit(line, distance, this.#pointOf[segment], this.#t[line], side)
     }
   }
 
-  /** Distance to the right of the segment's line, over the distance from the segment: (segment x offset) . normal is on the left. */
-  #sideOf(segment: number, x: number, y: number, z: number, distance: number): number {
-    if (distance === 0) return 0
+  /**
+   * The sine of the angle, in the skin, between the segment and what lies to the right of it: 1 beside the line, less round its ends. The
+   * distance above the tangent plane does not count, for skin is curved.
+   */
+  #sideOf(segment: number, x: number, y: number, z: number, t: number): number {
     const s = this.#segments
     const k = STRIDE * segment
     const vx = x - s[k]
     const vy = y - s[k + 1]
     const vz = z - s[k + 2]
+    // Both times the segment's length; (segment x offset) . normal is on the left.
     const left =
       s[k + 7] * (s[k + 4] * vz - s[k + 5] * vy) +
       s[k + 8] * (s[k + 5] * vx - s[k + 3] * vz) +
       s[k + 9] * (s[k + 3] * vy - s[k + 4] * vx)
-    return clamp((-left * Math.sqrt(s[k + 6])) / distance, -1, 1)
+    const isEnd =
+      t > 0 ? t === 1 && this.#lineOf[segment + 1] !== this.#lineOf[segment] : this.#pointOf[segment] === 0
+    const beyond = isEnd ? s[k + 3] * vx + s[k + 4] * vy + s[k + 5] * vz - (t > 0 ? 1 / s[k + 6] : 0) : 0
+    return left === 0 ? 0 : -left / Math.hypot(left, beyond)
   }
 
   #store(segment: number, points: Float64Array, normals: Float64Array): void {
