@@ -117,8 +117,10 @@ async function newErrors({ faces }: Case): Promise<string> {
 }
 
 let giveUp = () => {}
-process.on('uncaughtException', (error) => {
-  if (!error.stack?.includes('gltf_validator')) throw error
+process.on('uncaughtException', (error: NodeJS.ErrnoException) => {
+  // Some of what it throws is no error, and has no stack.
+  const isValidators = error.code === 'ERR_UNHANDLED_REJECTION' || error.stack?.includes('gltf_validator')
+  if (!isValidators) throw error
   giveUp()
 })
 

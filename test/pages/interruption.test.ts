@@ -5,6 +5,7 @@ import { tmpdir } from 'node:os'
 import { join, resolve } from 'node:path'
 import { performance } from 'node:perf_hooks'
 import { setTimeout } from 'node:timers/promises'
+import { AUTO_STEPS } from 'furrow/author'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { startFurrow } from './run-furrow.ts'
 
@@ -77,6 +78,32 @@ describe.each(chosen)('furrow %s', (name, args) => {
       child.kill(signal)
       await expectEnd(await ended, signal, folder, files)
     }
+  })
+})
+
+/** What the bar of `furrow auto --report` names before it writes, in order. */
+const STEPS = ['reading', ...AUTO_STEPS, 'encoding', 'report', 'pictures']
+/** Makes the command draw its bar, as in a terminal. */
+const TERMINAL = '--import=data:text/javascript,process.stderr.isTTY=true'
+
+const hasReport = chosen.some(([name]) => name === 'auto --report')
+
+describe.runIf(hasReport)('furrow auto --report in a terminal', () => {
+  it.each(STEPS)('ends where it is interrupted at the step "%s"', async (step) => {
+    const folder = bench()
+    const env = { TMPDIR: join(folder, 'tmp'), NODE_OPTIONS: TERMINAL }
+    const child = startFurrow(join(folder, 'out'), env, ...COMMANDS['auto --report'])
+    const ended = finish(child)
+    let shown = ''
+    child.stderr!.on('data', (data) => {
+      const isSent = shown.includes(` ${step}`)
+      shown += data
+      if (!isSent && shown.includes(` ${step}`)) child.kill('SIGINT')
+    })
+    expect(await ended, shown).toEqual({ code: null, signal: 'SIGINT' })
+    expect(shown).toContain(` ${step}`)
+    expect(filesOf(folder)).toEqual([])
+    await expectNothingElse(folder)
   })
 })
 

@@ -2,6 +2,7 @@ import { type FileHandle, open } from 'node:fs/promises'
 import { FurrowError } from 'furrow'
 import { cannotRead, firstLine } from './errors.ts'
 import { HEAD_BYTES, kindOf } from './file-kind.ts'
+import { depthProblem } from './json-depth.ts'
 import { fileProblem, statOf } from './outputs.ts'
 
 /** Most bytes of a file that is read, and of a face with all files that it refers to. */
@@ -51,17 +52,22 @@ export async function readBytes(
   }
 }
 
-/** Reads a JSON file; see `readBytes`. Throws FurrowError also when it is not JSON. */
+/** Reads a JSON file; see `readBytes`. Throws FurrowError also when it is not JSON, or too deep. */
 export async function readJson(path: string, who: string, noun = ''): Promise<unknown> {
   const bytes = await readBytes(path, who, noun, { most: MAX_JSON_BYTES })
+  const name = `${noun} ${path}`.trim()
+  const hints = { limit: 'JSON', remedy: 'correct the file, or name another one' }
+  let json: unknown
   try {
-    return JSON.parse(bytes.toString())
+    json = JSON.parse(bytes.toString())
   } catch (error) {
     const kind = kindOf(bytes)
     const problem = kind === undefined || kind === 'text' ? firstLine(error) : `it is ${kind}`
-    const hints = { limit: 'JSON', remedy: 'correct the file, or name another one' }
-    throw cannotRead(who, `${noun} ${path}`.trim(), new Error(problem, { cause: error }), hints)
+    throw cannotRead(who, name, new Error(problem, { cause: error }), hints)
   }
+  const problem = depthProblem(json)
+  if (problem) throw cannotRead(who, name, new Error(problem), { remedy: 'correct the file' })
+  return json
 }
 
 /**

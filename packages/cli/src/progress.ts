@@ -10,14 +10,19 @@ export function withBar<T>(name: string, work: (progress: Progress) => T): T {
     format: `${name} {bar} {step}`,
     stream: process.stderr,
     clearOnComplete: true,
+    // Otherwise the terminal is told not to wrap lines, and a signal would leave it so.
+    linewrap: true,
   })
   let started = false
   let waiting = false
   try {
-    const result = work((done, total, step = `${done}/${total}`) => {
-      if (!started) bar.start(total, 0, { step })
+    const result = work((done, total, step) => {
+      const payload = { step: escaped(step ?? `${done}/${total}`) }
+      if (!started) bar.start(total, 0, payload)
       started = true
-      bar.update(done, { step: escaped(step) })
+      bar.update(done, payload)
+      // A step may compute for long without a pause, in which the bar would show the step before.
+      if (step !== undefined && process.stderr.isTTY) bar.render()
     })
     if (!(result instanceof Promise)) return result
     waiting = true

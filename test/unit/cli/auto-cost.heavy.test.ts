@@ -15,6 +15,20 @@ async function writeSheet(name: string, edit: Parameters<typeof editGlb>[1] = ()
   return file(name)
 }
 
+test.each([
+  ['PNG', []],
+  ['KTX 2', ['--ktx2']],
+])('the cost is what inspect counts, as %s', async (_, options) => {
+  const path = await writeSheet('plain.glb')
+  await at.run(path, '-o', file('out.glb'), '--size', '512', '--json', '--force', ...options)
+  const { cost } = JSON.parse(at.printed)
+  at.printed = ''
+  await inspectCommand.parseAsync([file('out.glb'), '--json'], { from: 'user' })
+  const { gpu, influenceMapBytes, imageBytes } = JSON.parse(at.printed)
+  const maps = options.length > 0 ? gpu.bits4 : gpu.uncompressed
+  expect(cost).toEqual({ file: imageBytes, gpu: maps + influenceMapBytes })
+})
+
 test('an avatar takes at most 2 MB on the GPU at 1024 texels, compressed, as inspect counts them', async () => {
   await at.run('faces/human.glb', '-o', file('small.glb'), '--replace', '--ktx2', '--json')
   const { cost, layers } = JSON.parse(at.printed)

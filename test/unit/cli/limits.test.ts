@@ -3,6 +3,7 @@ import type { Command } from 'commander'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { checkContentSize } from '../../../packages/cli/src/array/zstd.ts'
+import { checkTriangles } from '../../../packages/cli/src/auto/check-triangles.ts'
 import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
 import { bakeCommand } from '../../../packages/cli/src/commands/bake.ts'
 import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
@@ -189,6 +190,11 @@ describe('numbers are checked before anything is decoded', () => {
         }),
       "meshes[0].primitives[0] has COLOR_0 in Draco's attributes alone",
     ],
+    [
+      'an extension that is required and not listed',
+      (json) => Object.assign(json, { extensionsRequired: ['EXT_meshopt_compression'] }),
+      'extensionsUsed do not list EXT_meshopt_compression',
+    ],
     ['a root that does not exist', (json) => json.scenes[0].nodes.push(99), 'scenes[0].nodes is 99'],
   ])('names %s', (_, change, message) => {
     expect(problem(change)).toContain(message)
@@ -248,6 +254,17 @@ describe('commands refuse in one line', () => {
     await refuse(onTop, autoCommand, hostile(400, 1), '-o', out())
     const product = 'the mesh "hostile" has too many triangles times blendshapes'
     await refuse(product, autoCommand, hostile(20, 1200), '-o', out())
+  })
+
+  it('hundreds of thousands of triangles times blendshapes in few bytes, by their counts', async () => {
+    const json = jsonOf(Buffer.from(await sheetGlb(sheet(4))))
+    const [primitive] = json.meshes[0].primitives
+    primitive.targets = Array(15).fill(primitive.targets[0])
+    json.accessors[primitive.indices].count = 3 * 800_000
+    const check = (fileBytes: number) => () =>
+      checkTriangles({ json, fileBytes } as Parameters<typeof checkTriangles>[0], 'test')
+    expect(check(800_000)).toThrow('the mesh "torso" has too many triangles times blendshapes')
+    expect(check(8_000_000)).not.toThrow()
   })
 
   it('images in other formats than the documented, by their first bytes', async () => {

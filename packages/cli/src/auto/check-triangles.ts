@@ -6,11 +6,11 @@ import type { GltfMesh } from '../gltf/gltf-json.ts'
 /** The mode of a primitive of triangles. */
 const TRIANGLES = 4
 /**
- * Triangles times blendshapes in any file, and per byte in a larger one: each is measured. Faces have far less than one per byte, and a few
- * when they are compressed; accessors that many blendshapes have in common make thousands.
+ * Triangles times blendshapes in any file, and per byte in a larger one: each is measured. Faces have far less than one per byte, and up to
+ * three when they are compressed; accessors that many blendshapes have in common make thousands.
  */
-const MOVED = 10_000_000
-const MOVED_PER_BYTE = 16
+const MOVED = 6_000_000
+const MOVED_PER_BYTE = 3
 
 /**
  * Checks by the counts in the file that its meshes are not too large, before any of them is decoded.

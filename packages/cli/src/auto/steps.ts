@@ -18,6 +18,12 @@ export class Steps {
     this.#progress(this.#started.length - 1, this.#total, step)
   }
 
+  /** Begins a step unless it has begun, and reports how much of it is done, 0..1. */
+  at(step: string, done: number): void {
+    if (this.#started.at(-1)?.step !== step) this.begin(step)
+    this.#progress(this.#started.length - 1 + done, this.#total, step)
+  }
+
   /** Reports that `done` of the parts of the current step are done. */
   part(done: number, parts: number): void {
     const step = `${this.#started.at(-1)!.step} ${Math.min(done + 1, parts)}/${parts}`

@@ -24,7 +24,9 @@ import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
 import { embedWrinkles } from '../wrinkles/embed.ts'
 import { faceWarnings } from '../wrinkles/face-rules.ts'
+import { inspectWrinkles } from '../wrinkles/inspect.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
+import { wrinklesOf } from '../wrinkles/wrinkled-file.ts'
 
 const WHO = 'furrow auto'
 
@@ -144,14 +146,14 @@ async function auto(face: string, options: Options): Promise<void> {
     const frame = found.hasTangents ? 'orthonormal' : 'derivative'
     const wrinkles = withCommandErrors(WHO, () =>
       autoWrinkles(found.skin, { ...settings, frame }, (done, count, step) => {
-        if (done < count) steps.begin(step)
+        if (done < count) steps.at(step, done % 1)
       }),
     )
     if (wrinkles.areas.length === 0) throw noWrinkles(found.meshName)
     steps.begin('encoding')
     const packed = await packAuto(wrinkles, ktx2, WHO)
-    const cost = costOf(wrinkles, packed, ktx2)
     embedWrinkles(glb, found.material, packed, WHO)
+    const cost = costOf(await inspectWrinkles(wrinklesOf(glb, found.material, WHO), WHO), ktx2)
     const files = await faceFiles(glb, output, WHO, rules)
     const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0)
     if (strokes !== undefined) files.push({ path: strokes, bytes: strokesFile(wrinkles) })

@@ -1,5 +1,4 @@
 import { performance } from 'node:perf_hooks'
-import { SingleBar } from 'cli-progress'
 import { InvalidArgumentError, Option } from 'commander'
 import { EXPRESSIONS } from 'furrow'
 import { createCommand } from '../command.ts'
@@ -8,6 +7,7 @@ import { encodeRgb } from '../images/encode.ts'
 import { allowOutsideOption, parseWeight } from '../options.ts'
 import { checkOutputs } from '../outputs.ts'
 import { print, warn } from '../print.ts'
+import { withBar } from '../progress.ts'
 import {
   MODE_NAMES,
   PICTURE_DEFAULTS,
@@ -89,20 +89,12 @@ async function render(input: string, options: Options): Promise<void> {
   print(line, output)
 }
 
-/** Draws with a progress bar on stderr; without a terminal there is none. */
-async function drawWithBar(request: PictureRequest): Promise<Picture[]> {
-  const bar = new SingleBar({
-    format: 'render {bar} {step}',
-    stream: process.stderr,
-    clearOnComplete: true,
-  })
+function drawWithBar(request: PictureRequest): Promise<Picture[]> {
   const steps = ['starting the browser', 'drawing', 'writing']
-  bar.start(steps.length, 0, { step: steps[0] })
-  try {
-    return await renderPictures([request], (done) => bar.update(done + 1, { step: steps[done + 1] }))
-  } finally {
-    bar.stop()
-  }
+  return withBar('render', (progress) => {
+    progress(0, steps.length, steps[0])
+    return renderPictures([request], (done) => progress(done + 1, steps.length, steps[done + 1]))
+  })
 }
 
 function parseSize(text: string): { width: number; height: number } {

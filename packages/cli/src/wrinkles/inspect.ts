@@ -2,7 +2,15 @@ import type { GrayImage, TextureReference, WrinkleDriver } from 'furrow'
 import { imageOf } from '../gltf/texture-image.ts'
 import { pixelsOf, sizeOf } from '../gltf/texture-pixels.ts'
 import { channelOf } from '../images/pixels.ts'
-import { areaSizes, areaSliceSizes, type GpuSizes, influenceMapBytes, mapSizes, sumSizes } from './sizes.ts'
+import {
+  areaSizes,
+  areaSliceSizes,
+  type GpuSizes,
+  influenceMapBytes,
+  mapSizes,
+  NO_SIZES,
+  sumSizes,
+} from './sizes.ts'
 import { MAP_SLOTS, type MapName, type WrinkledFile } from './wrinkled-file.ts'
 
 /** One map of one layer. */
@@ -125,7 +133,8 @@ async function measureMap(
     width,
     height,
     bytes: bytes.length,
-    gpu: mapSizes(width, height),
+    // No renderer loads heights.
+    gpu: map === 'height' ? NO_SIZES : mapSizes(width, height),
   }
 }
 

@@ -7,6 +7,7 @@ import {
   resampleGray,
   type WrinkleSetDocument,
 } from 'furrow'
+import { withImageErrors } from '../images/image-errors.ts'
 import { decodeGray } from '../images/pixels.ts'
 import { didYouMean } from '../nearest.ts'
 import type { Progress } from '../progress.ts'
@@ -99,7 +100,11 @@ async function packLayers(
     if (uri === undefined) return undefined
     const bytes = await read(uri)
     const key = `${kind} ${Buffer.from(bytes).toString('latin1')}`
-    const image = loaded.get(key) ?? (await scaledTo(size, await checkMap(bytes, name, uri, who), kind))
+    const image =
+      loaded.get(key) ??
+      (await withImageErrors(uri, who, async () =>
+        scaledTo(size, await checkMap(bytes, name, uri, who), kind),
+      ))
     loaded.set(key, image)
     return image
   }

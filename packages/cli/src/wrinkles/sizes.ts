@@ -8,6 +8,9 @@ export interface GpuSizes {
   bits4: number
 }
 
+/** Of what stays in the file. */
+export const NO_SIZES: GpuSizes = { uncompressed: 0, bits8: 0, bits4: 0 }
+
 /** Sizes of a map: four channels, with mipmaps. */
 export function mapSizes(width: number, height: number): GpuSizes {
   return {

@@ -54,9 +54,13 @@ export function wrinkledFile(glb: Glb, path: string, who: string, materialName?:
       remedy: didYouMean(materialName, names, 'name one with --material'),
     })
   }
-  const [material] = found
-  const json = materials[material].extensions![WRINKLE_MAPS]
-  return { glb, material, maps: parseWrinkleMaps(json, glb.json.textures?.length ?? 0, `${who}: ${path}`) }
+  return wrinklesOf(glb, found[0], `${who}: ${path}`)
+}
+
+/** The wrinkles of a material that has some, by its index. */
+export function wrinklesOf(glb: Glb, material: number, who: string): WrinkledFile {
+  const json = glb.json.materials![material].extensions![WRINKLE_MAPS]
+  return { glb, material, maps: parseWrinkleMaps(json, glb.json.textures?.length ?? 0, who) }
 }
 
 /** The maps of a layer: their names in a folder, and in the extension. */

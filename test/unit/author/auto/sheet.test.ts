@@ -3,10 +3,7 @@ import { creaseLines } from '../../../../packages/furrow/src/author/auto/lines/c
 import { creaseDepth } from '../../../../packages/furrow/src/author/auto/lines/crease-depth.ts'
 import { layFreeLines } from '../../../../packages/furrow/src/author/auto/lines/free-lines.ts'
 import { smooth } from '../../../../packages/furrow/src/author/auto/strain/smooth.ts'
-import {
-  compressionTensors,
-  TENSOR_SIZE,
-} from '../../../../packages/furrow/src/author/auto/strain/tensors.ts'
+import { compressionTensors } from '../../../../packages/furrow/src/author/auto/strain/tensors.ts'
 import { surfaceMetric } from '../../../../packages/furrow/src/author/index.ts'
 import { SkinTexels } from '../../../../packages/furrow/src/author/skin/skin-texels.ts'
 import { UvLocator } from '../../../../packages/furrow/src/author/skin/uv-locator.ts'
@@ -23,7 +20,7 @@ describe.each([
 ])('a sheet of %d squares a side, shortened at %d degrees, spacing %d mm', (n, degrees, spacing) => {
   const { surface, positions, uvs, indices, offsets, cosine, sine } = sheet(n, degrees)
   const tensors = compressionTensors(surface, offsets)
-  smooth(surface, tensors, TENSOR_SIZE, 3)
+  smooth(surface, tensors, 3)
   const style = { width: spacing / 2, depth: 1, taper: [0, 0], shoulder: [0.9, 0.9], softness: 0.5 } as const
   const lines = layFreeLines(surface, tensors, { spacing, minCompression: 0.05, style })
 

@@ -1,11 +1,11 @@
 import { writeFileSync } from 'node:fs'
 import { basename, join } from 'node:path'
-import { parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
 import type { AutoWrinkles } from 'furrow/author'
 import type { OutputFile } from '../../files.ts'
 import { encodeGlb, type Glb } from '../../gltf/glb-file.ts'
 import { temporaryFolder } from '../../interruption.ts'
 import type { Progress } from '../../progress.ts'
+import { wrinklesOf } from '../../wrinkles/wrinkled-file.ts'
 import type { FoundSkin } from '../find-skin.ts'
 import type { Steps } from '../steps.ts'
 import { reportPage } from './page.ts'
@@ -45,9 +45,7 @@ export async function makeReport(
 ): Promise<ReportFiles> {
   const { path, glb, found, wrinkles } = source
   steps.begin('report')
-  const extension = glb.json.materials![found.material].extensions![WRINKLE_MAPS]
-  const maps = parseWrinkleMaps(extension, glb.json.textures?.length ?? 0, who)
-  const file = { glb, material: found.material, maps }
+  const file = wrinklesOf(glb, found.material, who)
   const poses = posesOf(wrinkles)
   const strain = await drawStrain(found.skin, poses)
   const areas = await drawAreas(file, who)

@@ -26,5 +26,8 @@ export function costProblem(json: GltfJson, fileBytes: number): string | undefin
  */
 export function decodingProblem(json: GltfJson, binaryBytes: number): string | undefined {
   const lengths = (json.buffers ?? []).map((_, i) => (i === 0 ? binaryBytes : 0))
+  // Extensions that are not listed are not decoded (glTF 2.0, 3.12).
+  const unlisted = json.extensionsRequired?.find((name) => !json.extensionsUsed?.includes(name))
+  if (unlisted !== undefined) return `its extensionsUsed do not list ${unlisted}, which it requires`
   return referenceProblem(json as CheckedJson) ?? rangeProblem(json as CheckedJson, lengths)
 }

@@ -1,3 +1,5 @@
+import { depthProblem } from '../../json-depth.ts'
+
 /** Whether a value has its type. */
 type Check = (value: unknown) => boolean
 
@@ -115,9 +117,6 @@ const LISTS: Record<string, Check> = {
   skins: shapeWith({ joints: listOf(isIndex) }, { skeleton: isIndex, inverseBindMatrices: isIndex }),
 }
 
-/** Values inside values beyond which a document is refused: what reads or writes JSON recurses. */
-const MAX_DEPTH = 128
-
 /**
  * Checks that what commands read of a glTF document has the types of the specification, so that no later code has to.
  *
@@ -128,7 +127,8 @@ export function shapeProblem(json: unknown): string | undefined {
   const version = isObject(json.asset) ? json.asset.version : undefined
   if (!isText(version)) return 'its JSON has no asset.version'
   if (!(version as string).startsWith('2.')) return `it is glTF ${version}`
-  if (isTooDeep(json)) return `its JSON is more than ${MAX_DEPTH} levels deep`
+  const depth = depthProblem(json)
+  if (depth) return depth
   for (const [name, check] of Object.entries(LISTS)) {
     const list = json[name]
     if (list === undefined) continue
@@ -137,15 +137,4 @@ export function shapeProblem(json: unknown): string | undefined {
     if (wrong >= 0) return `${name}[${wrong}] is malformed`
   }
   return json.scene === undefined || isIndex(json.scene) ? undefined : 'its scene is not an index'
-}
-
-function isTooDeep(json: object): boolean {
-  let level: object[] = [json]
-  for (let depth = 0; depth < MAX_DEPTH; depth++) {
-    level = level.flatMap((value) =>
-      Object.values(value).filter((item) => typeof item === 'object' && item !== null),
-    )
-    if (level.length === 0) return false
-  }
-  return true
 }

@@ -83,7 +83,11 @@ export interface AutoWrinkles {
   warnings: string[]
 }
 
-/** Called before each step and at the end. */
+/**
+ * Called before each step, as parts of it are done, and at the end. An error that it throws ends the work and is passed on.
+ *
+ * @param done steps that are done, with the fraction of the current one.
+ */
 export type AutoProgress = (done: number, total: number, step: string) => void
 
 /** Steps of `autoWrinkles`, in order. */
@@ -104,22 +108,24 @@ export function autoWrinkles(
   const settings = { ...AUTO_DEFAULTS, ...options }
   const { age, areas: maxAreas } = settings
   const lineSettings = { ...settings, ageFraction: (age - 20) / 60, maxAreas }
-  const begin = (step: (typeof AUTO_STEPS)[number]) =>
-    progress(AUTO_STEPS.indexOf(step), AUTO_STEPS.length, step)
+  const begin = (step: (typeof AUTO_STEPS)[number]) => {
+    const report = (fraction: number) =>
+      progress(AUTO_STEPS.indexOf(step) + fraction, AUTO_STEPS.length, step)
+    report(0)
+    return report
+  }
 
   // One room per stage, each using those before it: surface -> strain -> lines -> fit -> raster.
   begin('face')
   const prepared = prepareSkin(skin)
   if (!prepared.face && options.regions) throw regionsWithoutFace(options.regions)
-  begin('lines')
+  const lineProgress = begin('lines')
   // The strain is the largest of the data: it is freed once the lines are laid.
-  const creased = layLines(prepared, measureStrain(prepared, lineSettings), lineSettings)
-  begin('drivers')
-  const fitted = fitDrivers(prepared, creased, maxAreas)
+  const creased = layLines(prepared, measureStrain(prepared, lineSettings, lineProgress), lineSettings)
+  const fitted = fitDrivers(prepared, creased, maxAreas, begin('drivers'))
   begin('layers')
   const layerOf = assignLayers(fitted.regions, settings.layers)
-  begin('maps')
-  const { layers, weights } = drawMaps(prepared, fitted.regions, layerOf, settings)
+  const { layers, weights } = drawMaps(prepared, fitted.regions, layerOf, settings, begin('maps'))
   progress(AUTO_STEPS.length, AUTO_STEPS.length, 'done')
 
   const { face, names, scale } = prepared

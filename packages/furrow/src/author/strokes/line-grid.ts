@@ -78,13 +78,23 @@ export class LineGrid {
 
   /** Whether lines may be within reach of a box. */
   isNear(low: ArrayLike<number>, high: ArrayLike<number>): boolean {
-    const first = [0, 1, 2].map((k) => Math.max(this.#cellOf(low[k]), this.#low[k]))
-    const last = [0, 1, 2].map((k) => Math.min(this.#cellOf(high[k]), this.#high[k]))
-    const [width, height, depth] = last.map((cell, k) => Math.max(0, cell - first[k] + 1))
-    if (width * height * depth > MOST_CELLS) return true
-    for (let x = first[0]; x <= last[0]; x++) {
-      for (let y = first[1]; y <= last[1]; y++) {
-        for (let z = first[2]; z <= last[2]; z++) if (this.#cellAt(x, y, z).length > 0) return true
+    const [left, right] = [
+      Math.max(this.#cellOf(low[0]), this.#low[0]),
+      Math.min(this.#cellOf(high[0]), this.#high[0]),
+    ]
+    const [bottom, top] = [
+      Math.max(this.#cellOf(low[1]), this.#low[1]),
+      Math.min(this.#cellOf(high[1]), this.#high[1]),
+    ]
+    const [back, front] = [
+      Math.max(this.#cellOf(low[2]), this.#low[2]),
+      Math.min(this.#cellOf(high[2]), this.#high[2]),
+    ]
+    if (left > right || bottom > top || back > front) return false
+    if ((right - left + 1) * (top - bottom + 1) * (front - back + 1) > MOST_CELLS) return true
+    for (let x = left; x <= right; x++) {
+      for (let y = bottom; y <= top; y++) {
+        for (let z = back; z <= front; z++) if (this.#cellAt(x, y, z).length > 0) return true
       }
     }
     return false

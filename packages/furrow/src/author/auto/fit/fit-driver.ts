@@ -6,7 +6,7 @@ import type { SkinRegion } from '../anatomy/region.ts'
 import type { CreasedRegion } from '../lines/crease.ts'
 import type { Pose } from '../surface/pose.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
-import { makeGauge, measureCompression } from './gauge.ts'
+import { makeGauge, measureCompression, vectorsAcross } from './gauge.ts'
 import { type Bounds, boundedLeastSquares } from './least-squares.ts'
 
 /** A region with its driver. */
@@ -67,9 +67,22 @@ export function fitDriver(
     creases.filter(({ isDimple }) => !isDimple),
   )
   if (!gauge) return 'the mesh has no skin beside its lines'
-  const measure = (pose: Pose) => measureCompression(surface, gauge, offsets, pose)
+  const rest = vectorsAcross(gauge, surface.points)
   const bounds = names.map((name) => boundsOf(name, region))
-  const compressions = offsets.map((_, target) => measure(new Map([[target, 1]])))
+  const compressions = offsets.map((offset) =>
+    measureCompression(gauge, rest, [{ vectors: vectorsAcross(gauge, offset), weight: 1 }]),
+  )
+  /** Of the few targets that poses have. */
+  const known = new Map<number, Float64Array>()
+  const vectorsOf = (target: number) => {
+    const vectors = known.get(target) ?? vectorsAcross(gauge, offsets[target])
+    known.set(target, vectors)
+    return vectors
+  }
+  const measure = (pose: Pose) => {
+    const moved = [...pose].map(([target, weight]) => ({ vectors: vectorsOf(target), weight }))
+    return measureCompression(gauge, rest, moved)
+  }
   // Full is what the cause does, or nearly what a single plausible target does where that is more.
   const full = compressions.reduce(
     (largest, value, target) => Math.max(largest, bounds[target][1] > 0 ? SINGLE_TARGET * value : 0),

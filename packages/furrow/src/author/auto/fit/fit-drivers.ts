@@ -17,16 +17,19 @@ export interface FittedSkin {
  * Fits a driver to each region.
  *
  * @param maxAreas regions at most; those with the least compression are left out.
+ * @param report is given the fraction that is done.
  */
 export function fitDrivers(
   prepared: PreparedSkin,
   creased: readonly CreasedRegion[],
   maxAreas: number,
+  report: (fraction: number) => void,
 ): FittedSkin {
   const { face, names, find, isMirrored } = prepared
   const fitted: FittedRegion[] = []
   const missing: MissingRegion[] = []
-  for (const region of creased) {
+  for (const [i, region] of creased.entries()) {
+    report(i / creased.length)
     const fit = fitDriver(prepared, region, poseOf(find, region.region.cause))
     if (typeof fit === 'string') missing.push({ name: region.region.name, reason: fit })
     else fitted.push(fit)

@@ -1,10 +1,12 @@
 import { cross } from '../../../math/vector.ts'
-import { crossOf, type SkinSurface } from '../../skin/surface.ts'
+import { cornersOf, crossOf, type SkinSurface } from '../../skin/surface.ts'
 import { LineGrid } from '../../strokes/line-grid.ts'
 import type { SkinRegion } from '../anatomy/region.ts'
 import type { Crease } from '../lines/crease.ts'
 import { unroll } from '../surface/head-chart.ts'
-import type { Pose } from '../surface/pose.ts'
+
+/** Triangles that a region is measured by at most: more of them say no more about the mean of all. */
+const MOST_TRIANGLES = 10_000
 
 /** Measures how far poses compress the skin of a region across its lines. */
 export interface Gauge {
@@ -22,7 +24,7 @@ export interface Gauge {
  * @returns undefined where there are none.
  */
 export function makeGauge(
-  { points, normals, corners }: SkinSurface,
+  surface: SkinSurface,
   { reach, influence }: SkinRegion,
   creases: readonly Crease[],
 ): Gauge | undefined {
@@ -30,11 +32,15 @@ export function makeGauge(
     creases,
     creases.map(() => reach),
   )
+  const { points, normals } = surface
+  const near = trianglesNear(surface, grid)
+  const every = Math.ceil(near.length / MOST_TRIANGLES)
   const [chosen, across, weights]: number[][] = [[], [], []]
-  const [normal, perpendicular] = [new Float64Array(3), new Float64Array(3)]
-  for (let t = 0; t < corners.length; t += 3) {
-    const [a, b, c] = [corners[t], corners[t + 1], corners[t + 2]]
-    const [x, y, z] = [0, 1, 2].map((k) => (points[3 * a + k] + points[3 * b + k] + points[3 * c + k]) / 3)
+  const [normal, perpendicular, centroid] = [new Float64Array(3), new Float64Array(3), new Float64Array(3)]
+  for (let i = 0; i < near.length; i += every) {
+    const [a, b, c] = cornersOf(surface, near[i])
+    centroidOf(surface, near[i], centroid)
+    const [x, y, z] = centroid
     let [closest, line, segment] = [Infinity, -1, 0]
     grid.visit(x, y, z, normals[3 * a], normals[3 * a + 1], normals[3 * a + 2], (crease, distance, at) => {
       if (distance < closest) [closest, line, segment] = [distance, crease, at]
@@ -60,6 +66,22 @@ export function makeGauge(
   }
 }
 
+/** The triangles whose centroids may be within reach of creases. */
+function trianglesNear(surface: SkinSurface, grid: LineGrid): number[] {
+  const centroid = new Float64Array(3)
+  const near: number[] = []
+  for (let triangle = 0; triangle < surface.skinTriangles.length; triangle++) {
+    centroidOf(surface, triangle, centroid)
+    if (grid.isNear(centroid, centroid)) near.push(triangle)
+  }
+  return near
+}
+
+function centroidOf({ points, corners }: SkinSurface, triangle: number, out: Float64Array): void {
+  const [a, b, c] = [3 * corners[3 * triangle], 3 * corners[3 * triangle + 1], 3 * corners[3 * triangle + 2]]
+  for (let k = 0; k < 3; k++) out[k] = (points[a + k] + points[b + k] + points[c + k]) / 3
+}
+
 /** The unit vector along v, in a triangle's plane, as multiples of the triangle's edges from a to b and from a to c. */
 function inEdges(points: ArrayLike<number>, a: number, b: number, c: number, v: ArrayLike<number>) {
   let [uu, uw, ww, uv, wv, vv] = [0, 0, 0, 0, 0, 0]
@@ -79,28 +101,41 @@ function inEdges(points: ArrayLike<number>, a: number, b: number, c: number, v: 
   return multiples.every(Number.isFinite) ? multiples : undefined
 }
 
-/** The mean fraction by which a pose shortens the skin across the lines; below 0 where it stretches it. */
+/**
+ * Measures the vectors across the lines in some positions, or how far they move by some offsets.
+ *
+ * @param values x, y and z by point.
+ * @returns x, y and z per triangle of the gauge.
+ */
+export function vectorsAcross({ corners, across }: Gauge, values: ArrayLike<number>): Float64Array {
+  const out = new Float64Array(corners.length)
+  for (let t = 0; t < corners.length; t += 3) {
+    const [a, b, c] = [3 * corners[t], 3 * corners[t + 1], 3 * corners[t + 2]]
+    const [along, aside] = [across[(2 * t) / 3], across[(2 * t) / 3 + 1]]
+    for (let k = 0; k < 3; k++)
+      out[t + k] = along * (values[b + k] - values[a + k]) + aside * (values[c + k] - values[a + k])
+  }
+  return out
+}
+
+/**
+ * Fraction of its length that the skin loses across the lines in a pose, averaged over the region; below 0 where it is stretched.
+ *
+ * @param rest `vectorsAcross` at rest.
+ * @param moved those by which each target of the pose moves them, with its weight.
+ */
 export function measureCompression(
-  { points }: SkinSurface,
-  { corners, across, weights }: Gauge,
-  offsets: readonly Float64Array[],
-  pose: Pose,
+  { weights }: Gauge,
+  rest: Float64Array,
+  moved: readonly { vectors: Float64Array; weight: number }[],
 ): number {
+  const deformed = rest.slice()
+  for (const { vectors, weight } of moved)
+    for (let i = 0; i < deformed.length; i++) deformed[i] += weight * vectors[i]
   let [sum, total] = [0, 0]
-  const parts = [...pose].map(([target, weight]) => ({ offset: offsets[target], weight }))
   for (let t = 0; t < weights.length; t++) {
-    let square = 0
-    for (let k = 0; k < 3; k++) {
-      const deformed = (corner: number) => {
-        const i = 3 * corners[3 * t + corner] + k
-        let value = points[i]
-        for (const { offset, weight } of parts) value += weight * offset[i]
-        return value
-      }
-      const origin = deformed(0)
-      square += (across[2 * t] * (deformed(1) - origin) + across[2 * t + 1] * (deformed(2) - origin)) ** 2
-    }
-    sum += weights[t] * (1 - Math.sqrt(square))
+    const [x, y, z] = [deformed[3 * t], deformed[3 * t + 1], deformed[3 * t + 2]]
+    sum += weights[t] * (1 - Math.sqrt(x * x + y * y + z * z))
     total += weights[t]
   }
   return sum / total

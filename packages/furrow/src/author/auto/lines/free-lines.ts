@@ -2,6 +2,7 @@ import { cross, dot } from '../../../math/vector.ts'
 import { cornersOf, type SkinSurface, type SurfacePoint } from '../../skin/surface.ts'
 import type { LineStyle } from '../anatomy/region.ts'
 import { principalAt } from '../strain/principal.ts'
+import { hasTensor } from '../strain/tensors.ts'
 import type { LaidLine } from './crease.ts'
 import { PointGrid } from './point-grid.ts'
 import { type DirectionField, STEP, type Trace, traceLine } from './trace.ts'
@@ -54,6 +55,7 @@ function mostCompressed(surface: SkinSurface, tensors: Float64Array, minCompress
   const centroid = Float64Array.of(1 / 3, 1 / 3, 1 / 3)
   const found: { seed: SurfacePoint; compression: number }[] = []
   for (let triangle = 0; triangle < corners.length / 3; triangle++) {
+    if (!cornersOf(surface, triangle).some((point) => hasTensor(tensors, point))) continue
     const { compression } = principalAt(surface, tensors, triangle, centroid)
     if (compression < minCompression) continue
     const middle = (k: number) =>

@@ -36,6 +36,7 @@ export interface MapSettings {
  * Draws the maps of all layers and areas.
  *
  * @param layerOf the layer of each region.
+ * @param report is given the fraction that is done.
  * @returns the layers, and the weights of each region's area.
  */
 export function drawMaps(
@@ -43,6 +44,7 @@ export function drawMaps(
   regions: readonly FittedRegion[],
   layerOf: readonly number[],
   { size, areaSize, frame }: MapSettings,
+  report: (fraction: number) => void,
 ): { layers: AutoLayer[]; weights: GrayImage[] } {
   const { skin, surface, face, isDrawn } = prepared
   const texels = new SkinTexels(skin, surface, size, size, isDrawn, MIPMAP_MARGIN)
@@ -51,16 +53,23 @@ export function drawMaps(
   const layers: AutoLayer[] = []
   const weights: GrayImage[] = []
   const barycentrics = new Float64Array(3)
-  for (let layer = 0; layer <= Math.max(-1, ...layerOf); layer++) {
+  const layerCount = Math.max(-1, ...layerOf) + 1
+  /** Of the four parts of each layer: creases, frames, normals, areas. */
+  const reportPart = (layer: number, part: number) => report((layer + part / 4) / layerCount)
+  for (let layer = 0; layer < layerCount; layer++) {
+    reportPart(layer, 0)
     const members = [...regions.keys()].filter((i) => layerOf[i] === layer)
     const own = members.map((i) => regions[i])
     const strokes = strokesOf(own)
     const drawn = drawStrokes([...new Set(own.map(({ creases }) => creases))], { texels, metric })
+    reportPart(layer, 1)
     const frames = frame === 'derivative' ? new FacetFrames(prepared, own) : undefined
+    reportPart(layer, 2)
     const normal = turnedNormals(drawn.relief, metric, frame, (texel, slope) =>
       frames?.turn(texels.locate(texel, barycentrics), barycentrics, slope),
     )
     layers.push({ name: `auto${layer + 1}`, strokes, normal, ...drawn })
+    reportPart(layer, 3)
     for (const [k, image] of drawAreas(areaTexels, own, face?.chart).entries()) weights[members[k]] = image
   }
   return { layers, weights }

@@ -5,7 +5,7 @@ import { type AutoRegion, faceRegions } from '../anatomy/regions.ts'
 import type { DetectedFace } from '../surface/detect-face.ts'
 import { poseOf } from '../surface/pose.ts'
 import { poseInRigShapes } from '../surface/stand-ins.ts'
-import { poseStrain } from './pose-strain.ts'
+import { FACE_SIGMA, poseStrain } from './pose-strain.ts'
 
 /** A region of a face with the strain of its expression. */
 export interface StrainedRegion {
@@ -25,6 +25,7 @@ export function strainFaceRegions(
   ageFraction: number,
   seed: number,
   wanted: readonly AutoRegion[],
+  report: (fraction: number) => void,
 ): StrainedRegion[] {
   const context = {
     landmarks: face.landmarks,
@@ -32,13 +33,18 @@ export function strainFaceRegions(
     byAge: (at20: number, at80: number) => lerp(at20, at80, ageFraction),
     rngOf: (name: string) => new Rng(seed, name),
   }
-  const known = new Map<string, Float64Array>()
-  return faceRegions(context, wanted).map((inArkit) => {
+  const regions = faceRegions(context, wanted).map((inArkit) => {
     const cause = poseInRigShapes(inArkit.cause, face.names)
-    const region = { ...inArkit, cause, shapes: Object.keys(inArkit.cause) }
     const expression = poseInRigShapes(inArkit.expression ?? inArkit.cause, face.names)
-    const key = JSON.stringify(expression)
-    const tensors = known.get(key) ?? poseStrain(face.surface, face.offsets, poseOf(face.find, expression))
+    const region: FaceRegion = { ...inArkit, cause, shapes: Object.keys(inArkit.cause) }
+    return { region, expression, key: JSON.stringify(expression) }
+  })
+  const count = new Set(regions.map(({ key }) => key)).size
+  const known = new Map<string, Float64Array>()
+  return regions.map(({ region, expression, key }, i) => {
+    report(i / regions.length)
+    const pose = poseOf(face.find, expression)
+    const tensors = known.get(key) ?? poseStrain(face.surface, face.offsets, pose, FACE_SIGMA, count)
     known.set(key, tensors)
     return { region, tensors }
   })

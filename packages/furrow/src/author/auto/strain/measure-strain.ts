@@ -20,12 +20,17 @@ export interface StrainSettings {
   maxAreas: number
 }
 
-/** Measures how far targets compress the skin, and in which directions. */
+/**
+ * Measures how far targets compress the skin, and in which directions.
+ *
+ * @param report is given the fraction that is done.
+ */
 export function measureStrain(
   prepared: PreparedSkin,
   { ageFraction, seed, regions, maxAreas }: StrainSettings,
+  report: (fraction: number) => void = () => {},
 ): StrainedSkin {
   return prepared.face
-    ? { regions: strainFaceRegions(prepared.face, ageFraction, seed, regions), patches: [] }
-    : { regions: [], patches: findPatches(prepared, maxAreas) }
+    ? { regions: strainFaceRegions(prepared.face, ageFraction, seed, regions, report), patches: [] }
+    : { regions: [], patches: findPatches(prepared, maxAreas, report) }
 }

@@ -2,7 +2,7 @@ import type { SkinSurface } from '../../skin/surface.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { poseStrain } from './pose-strain.ts'
 import { pointCompression } from './principal.ts'
-import { TENSOR_SIZE } from './tensors.ts'
+import { hasTensor, TENSOR_SIZE } from './tensors.ts'
 
 /** Standard deviation in millimetres by which strain is smoothed: without anatomy, noise must not look like a patch. */
 const PATCH_SIGMA = 5
@@ -28,14 +28,13 @@ export interface CompressedPatch {
 export function findPatches(
   { surface, offsets, names }: Pick<PreparedSkin, 'surface' | 'offsets' | 'names'>,
   maxPatches: number,
+  report: (fraction: number) => void,
 ): CompressedPatch[] {
-  const candidates = names.flatMap((_, target) =>
-    patchesOf(
-      surface,
-      poseStrain(surface, offsets, new Map([[target, 1]]), PATCH_SIGMA, names.length),
-      target,
-    ),
-  )
+  const candidates = names.flatMap((_, target) => {
+    report(target / names.length)
+    const tensors = poseStrain(surface, offsets, new Map([[target, 1]]), PATCH_SIGMA, names.length)
+    return patchesOf(surface, tensors, target)
+  })
   const chosen: CompressedPatch[] = []
   for (const patch of candidates.sort((a, b) => b.area - a.area)) {
     if (chosen.length === maxPatches) break
@@ -60,7 +59,7 @@ function patchesOf(surface: SkinSurface, tensors: Float64Array, target: number):
   const { areas, neighbourStarts, neighbours } = surface
   const open = new Set<number>()
   for (let i = 0; i < areas.length; i++)
-    if (pointCompression(surface, tensors, i) >= MIN_PATCH_COMPRESSION) open.add(i)
+    if (hasTensor(tensors, i) && pointCompression(surface, tensors, i) >= MIN_PATCH_COMPRESSION) open.add(i)
   const patches: CompressedPatch[] = []
   for (const first of open) {
     const points = new Set([first])

@@ -1,10 +1,10 @@
 import type { SkinSurface } from '../../skin/surface.ts'
 import type { Pose } from '../surface/pose.ts'
 import { smooth } from './smooth.ts'
-import { compressionTensors, TENSOR_SIZE } from './tensors.ts'
+import { compressionTensors } from './tensors.ts'
 
-/** Standard deviation in millimetres by which strain is smoothed: that of a single triangle says little. */
-const SIGMA = 3
+/** Standard deviation in millimetres by which the strain of a face is smoothed: that of a single triangle says little. */
+export const FACE_SIGMA = 3
 
 /**
  * The `compressionTensors` of a pose, smoothed.
@@ -17,14 +17,15 @@ export function poseStrain(
   surface: SkinSurface,
   offsets: readonly Float64Array[],
   pose: Pose,
-  sigma = SIGMA,
+  sigma = FACE_SIGMA,
   poses = 1,
 ): Float64Array {
   const displacements = new Float64Array(surface.points.length)
   for (const [target, weight] of pose) {
-    for (let i = 0; i < displacements.length; i++) displacements[i] += weight * offsets[target][i]
+    const offset = offsets[target]
+    for (let i = 0; i < displacements.length; i++) displacements[i] += weight * offset[i]
   }
   const tensors = compressionTensors(surface, displacements)
-  smooth(surface, tensors, TENSOR_SIZE, sigma, poses)
+  smooth(surface, tensors, sigma, poses)
   return tensors
 }

@@ -32,15 +32,16 @@ export function principalAt(
   return { direction, compression }
 }
 
+const [pointX, pointY] = [new Float64Array(3), new Float64Array(3)]
+
 /** Fraction that the skin loses at a point along the direction in which it is shortened most. */
 export function pointCompression({ normals }: SkinSurface, tensors: Float64Array, point: number): number {
   const normal = normals.subarray(3 * point, 3 * point + 3)
-  const [x, y] = [new Float64Array(3), new Float64Array(3)]
-  cross(x, normal, Math.abs(normal[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0])
-  normalize(x)
-  cross(y, normal, x)
+  cross(pointX, normal, Math.abs(normal[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0])
+  normalize(pointX)
+  cross(pointY, normal, pointX)
   const tensor = tensors.subarray(TENSOR_SIZE * point, TENSOR_SIZE * (point + 1))
-  return largestInPlane(tensor, x, y).compression
+  return largestInPlane(tensor, pointX, pointY).compression
 }
 
 /**

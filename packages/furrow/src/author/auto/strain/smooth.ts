@@ -1,4 +1,5 @@
 import type { SkinSurface } from '../../skin/surface.ts'
+import { hasTensor, TENSOR_SIZE } from './tensors.ts'
 
 /** Fraction of the way to its neighbours' mean that a point moves in one iteration, at most. */
 const MAX_STEP = 0.8
@@ -7,50 +8,141 @@ const MAX_STEP = 0.8
  * asked for. The second keeps the time linear in the size of the mesh, which is larger just where more iterations are needed.
  */
 const MAX_ITERATIONS = 1000
-const MAX_READS = 240_000_000
+const MAX_READS = 120_000_000
 /** Runs that may each take the whole of it; more have less each. */
-const FREE_RUNS = 10
+const FREE_RUNS = 3
+/** Standard deviations beyond which nothing is left of an impulse. */
+const SPREAD = 5
 
 /**
- * Smooths values at points by diffusion over the surface: whatever the size of the triangles, an impulse spreads as wide as asked for.
+ * Smooths tensors at points by diffusion over the surface: whatever the size of the triangles, an impulse spreads as wide as asked for.
  *
- * @param values `stride` numbers per point; changed.
+ * @param tensors `TENSOR_SIZE` components per point; changed.
  * @param sigma standard deviation of the spread impulse, in the surface's unit.
  * @param runs how often the surface is smoothed in all: as a whole they take no longer than a few.
  */
-export function smooth(
-  surface: SkinSurface,
-  values: Float64Array,
-  stride: number,
-  sigma: number,
-  runs = 1,
+export function smooth(surface: SkinSurface, tensors: Float64Array, sigma: number, runs = 1): void {
+  const { squares, fine } = finenessOf(surface)
+  const rings = Math.ceil((SPREAD * sigma) / Math.sqrt(Math.max(fine, 1e-12)))
+  const around = pointsAround(surface, tensors, rings)
+  const { points } = around
+  const iterations = iterationsOf(around.neighbours.length, fine, sigma, runs)
+  const steps = Float64Array.from(points, (point) =>
+    Math.min(MAX_STEP, (2 * sigma * sigma) / (iterations * Math.max(squares[point], 1e-12))),
+  )
+  /** The tensors of these points, and of one that stands for all others. */
+  let before = new Float64Array(TENSOR_SIZE * (points.length + 1))
+  let after = new Float64Array(before.length)
+  for (let i = 0; i < points.length; i++)
+    for (let k = 0; k < TENSOR_SIZE; k++) before[TENSOR_SIZE * i + k] = tensors[TENSOR_SIZE * points[i] + k]
+  for (let iteration = 0; iteration < iterations; iteration++) {
+    diffuse(around, steps, before, after)
+    ;[before, after] = [after, before]
+  }
+  for (let i = 0; i < points.length; i++)
+    for (let k = 0; k < TENSOR_SIZE; k++) tensors[TENSOR_SIZE * points[i] + k] = before[TENSOR_SIZE * i + k]
+}
+
+/** Moves the tensor of each point towards the mean of its neighbours. The components stand by themselves, which is three times as fast. */
+function diffuse(
+  { starts, neighbours }: Pick<SmoothedPoints, 'starts' | 'neighbours'>,
+  steps: Float64Array,
+  before: Float64Array,
+  after: Float64Array,
 ): void {
-  const { points, neighbourStarts: starts, neighbours, areas } = surface
-  const count = areas.length
-  /** Mean squared distance from each point to its neighbours. */
-  const squares = new Float64Array(count)
-  for (let i = 0; i < count; i++) {
+  for (let i = 0; i < steps.length; i++) {
+    let [xx, xy, xz, yy, yz, zz] = [0, 0, 0, 0, 0, 0]
+    for (let n = starts[i]; n < starts[i + 1]; n++) {
+      const k = TENSOR_SIZE * neighbours[n]
+      xx += before[k]
+      xy += before[k + 1]
+      xz += before[k + 2]
+      yy += before[k + 3]
+      yz += before[k + 4]
+      zz += before[k + 5]
+    }
+    const valence = starts[i + 1] - starts[i]
+    const step = steps[i]
+    const k = TENSOR_SIZE * i
+    after[k] = before[k] + step * (xx / valence - before[k])
+    after[k + 1] = before[k + 1] + step * (xy / valence - before[k + 1])
+    after[k + 2] = before[k + 2] + step * (xz / valence - before[k + 2])
+    after[k + 3] = before[k + 3] + step * (yy / valence - before[k + 3])
+    after[k + 4] = before[k + 4] + step * (yz / valence - before[k + 4])
+    after[k + 5] = before[k + 5] + step * (zz / valence - before[k + 5])
+  }
+}
+
+/** How fine a mesh is. */
+interface Fineness {
+  /** Mean squared distance from each point to its neighbours; 0 where it has none. */
+  squares: Float64Array
+  /** That of the finest quarter. */
+  fine: number
+}
+
+const known = new WeakMap<SkinSurface, Fineness>()
+
+function finenessOf(surface: SkinSurface): Fineness {
+  const { points, neighbourStarts: starts, neighbours } = surface
+  const before = known.get(surface)
+  if (before) return before
+  const squares = new Float64Array(points.length / 3)
+  for (let i = 0; i < squares.length; i++) {
     for (let n = starts[i]; n < starts[i + 1]; n++) squares[i] += squaredDistance(points, i, neighbours[n])
     squares[i] /= Math.max(1, starts[i + 1] - starts[i])
   }
   // Points without triangles, as in files whose meshes share vertices, say nothing about how fine this mesh is.
   const sorted = squares.filter((square) => square > 0).sort()
-  const fine = sorted[Math.floor(sorted.length / 4)] ?? 0
-  const iterations = iterationsOf(neighbours.length, fine, sigma, runs)
-  const before = new Float64Array(values.length)
-  for (let iteration = 0; iteration < iterations; iteration++) {
-    before.set(values)
-    for (let i = 0; i < count; i++) {
-      const valence = starts[i + 1] - starts[i]
-      if (valence === 0) continue
-      const step = Math.min(MAX_STEP, (2 * sigma * sigma) / (iterations * Math.max(squares[i], 1e-12)))
-      for (let k = 0; k < stride; k++) {
-        let sum = 0
-        for (let n = starts[i]; n < starts[i + 1]; n++) sum += before[stride * neighbours[n] + k]
-        values[stride * i + k] += step * (sum / valence - before[stride * i + k])
+  const fineness = { squares, fine: sorted[Math.floor(sorted.length / 4)] ?? 0 }
+  known.set(surface, fineness)
+  return fineness
+}
+
+/** Points of a surface that have or may get a tensor. */
+interface SmoothedPoints {
+  /** Their indices in the surface. */
+  points: Uint32Array
+  /** The neighbours of each, as indices into `points`; their number stands for any other point. */
+  starts: Uint32Array
+  neighbours: Uint32Array
+}
+
+/** The points that have tensors, and those that are that many edges away at most. */
+function pointsAround(surface: SkinSurface, tensors: Float64Array, rings: number): SmoothedPoints {
+  const { neighbourStarts, neighbours } = surface
+  const isInside = new Uint8Array(neighbourStarts.length - 1)
+  let ring: number[] = []
+  for (let i = 0; i < isInside.length; i++) {
+    if (!hasTensor(tensors, i)) continue
+    isInside[i] = 1
+    ring.push(i)
+  }
+  for (let count = 0; count < rings && ring.length > 0; count++) {
+    const next: number[] = []
+    for (const point of ring) {
+      for (let n = neighbourStarts[point]; n < neighbourStarts[point + 1]; n++) {
+        if (isInside[neighbours[n]]) continue
+        isInside[neighbours[n]] = 1
+        next.push(neighbours[n])
       }
     }
+    ring = next
   }
+  const valenceOf = (point: number) => neighbourStarts[point + 1] - neighbourStarts[point]
+  const points = Uint32Array.from(isInside.keys()).filter((i) => isInside[i] === 1 && valenceOf(i) > 0)
+  const indexOf = new Uint32Array(isInside.length).fill(points.length)
+  const starts = new Uint32Array(points.length + 1)
+  for (const [i, point] of points.entries()) {
+    indexOf[point] = i
+    starts[i + 1] = starts[i] + valenceOf(point)
+  }
+  const within = new Uint32Array(starts[points.length])
+  for (let i = 0, n = 0; i < points.length; i++) {
+    const end = neighbourStarts[points[i] + 1]
+    for (let from = neighbourStarts[points[i]]; from < end; from++) within[n++] = indexOf[neighbours[from]]
+  }
+  return { points, starts, neighbours: within }
 }
 
 /**
@@ -63,7 +155,7 @@ export function iterationsOf(neighbours: number, square: number, sigma: number, 
   // A step of length d in a random direction, taken with probability p, adds p d^2 / 2 to the variance along each axis.
   const wanted = Math.ceil((2 * sigma * sigma) / (MAX_STEP * Math.max(square, 1e-12)))
   const reads = MAX_READS * Math.min(1, FREE_RUNS / runs)
-  return Math.min(wanted, MAX_ITERATIONS, Math.ceil(reads / neighbours))
+  return Math.min(wanted, MAX_ITERATIONS, Math.floor(reads / neighbours))
 }
 
 function squaredDistance(points: ArrayLike<number>, i: number, j: number): number {

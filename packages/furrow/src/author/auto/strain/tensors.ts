@@ -16,6 +16,7 @@ export function compressionTensors(surface: SkinSurface, displacements: ArrayLik
   const out = new Float64Array(TENSOR_SIZE * areas.length)
   const tensor = new Float64Array(TENSOR_SIZE)
   for (let t = 0; t < corners.length; t += 3) {
+    if (!isMoved(displacements, corners, t)) continue
     const area = triangleTensor(points, displacements, corners[t], corners[t + 1], corners[t + 2], tensor)
     for (let k = 0; k < 3; k++) {
       const point = corners[t + k]
@@ -24,6 +25,25 @@ export function compressionTensors(surface: SkinSurface, displacements: ArrayLik
     }
   }
   return out
+}
+
+/** Components below this count as 0. */
+const NO_STRAIN = 1e-7
+
+/** Whether the skin is strained at a point. */
+export function hasTensor(tensors: Float64Array, point: number): boolean {
+  for (let k = TENSOR_SIZE * point; k < TENSOR_SIZE * (point + 1); k++)
+    if (Math.abs(tensors[k]) > NO_STRAIN) return true
+  return false
+}
+
+/** Whether any corner of a triangle moves. */
+function isMoved(displacements: ArrayLike<number>, corners: Uint32Array, first: number): boolean {
+  for (let corner = first; corner < first + 3; corner++) {
+    for (let i = 3 * corners[corner]; i < 3 * corners[corner] + 3; i++)
+      if (displacements[i] !== 0) return true
+  }
+  return false
 }
 
 /** The tensor of one triangle; returns its area at rest. */

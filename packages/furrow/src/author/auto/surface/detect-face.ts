@@ -79,10 +79,11 @@ function faceFrame(leftEye: number[], rightEye: number[], mouth: number[]) {
   const scale = EYE_DISTANCE / distance
   const transform = (vectors: Float64Array, origin: readonly number[], scale: number): Float64Array => {
     const out = new Float64Array(vectors.length)
-    for (let i = 0; i < vectors.length; i += 3) {
-      for (const [row, axis] of [x, y, z].entries()) {
-        let sum = 0
-        for (let k = 0; k < 3; k++) sum += axis[k] * (vectors[i + k] - origin[k])
+    for (const [row, axis] of [x, y, z].entries()) {
+      const [ax, ay, az] = axis
+      const [ox, oy, oz] = origin
+      for (let i = 0; i < vectors.length; i += 3) {
+        const sum = ax * (vectors[i] - ox) + ay * (vectors[i + 1] - oy) + az * (vectors[i + 2] - oz)
         out[i + row] = scale * sum
       }
     }
@@ -113,7 +114,10 @@ function sumDisplacements(
   const out = new Float64Array(count)
   for (const target of targets) {
     const offset = offsets[target]
-    for (let i = 0; i < count; i++) out[i] += Math.hypot(offset[3 * i], offset[3 * i + 1], offset[3 * i + 2])
+    for (let i = 0; i < count; i++) {
+      const [x, y, z] = [offset[3 * i], offset[3 * i + 1], offset[3 * i + 2]]
+      out[i] += Math.sqrt(x * x + y * y + z * z)
+    }
   }
   return out
 }

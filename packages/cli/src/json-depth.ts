@@ -1,0 +1,14 @@
+/** Values inside values beyond which a document is refused: what reads or writes JSON recurses. */
+const MAX_DEPTH = 128
+
+/** @returns what is wrong with a document that is too deep, or undefined. */
+export function depthProblem(json: unknown): string | undefined {
+  let level = [json].filter(isObject)
+  for (let depth = 0; depth < MAX_DEPTH; depth++) {
+    level = level.flatMap((value) => Object.values(value).filter(isObject))
+    if (level.length === 0) return undefined
+  }
+  return `its JSON is more than ${MAX_DEPTH} levels deep`
+}
+
+const isObject = (value: unknown): value is object => typeof value === 'object' && value !== null

@@ -1,0 +1,52 @@
+import { expect, test } from 'vitest'
+import { HeadChart } from '../../../../packages/furrow/src/author/auto/surface/head-chart.ts'
+import { weldSurface } from '../../../../packages/furrow/src/author/skin/surface.ts'
+import { LineGrid } from '../../../../packages/furrow/src/author/strokes/line-grid.ts'
+
+const LINE = {
+  points: Float64Array.of(0, 0, 0, 1, 0, 0),
+  normals: Float64Array.of(0, 0, 1, 0, 0, 1),
+}
+
+test('a triangle as large as a town is searched for creases as fast as any other', () => {
+  const grid = new LineGrid([LINE], [5])
+  expect(grid.isNear([-1e9, -1e9, -1e9], [1e9, 1e9, 1e9])).toBe(true)
+  expect(grid.isNear([-1e9, 1e6, -1e9], [1e9, 1e9, 1e9])).toBe(false)
+})
+
+test('creases are found from anywhere within their reach, and from nowhere else', () => {
+  const grid = new LineGrid([LINE], [5])
+  const found = (x: number, y: number, z: number) => {
+    const distances: number[] = []
+    grid.visit(x, y, z, 0, 0, 1, (_, distance) => distances.push(distance))
+    return distances
+  }
+  expect(found(5.9, 0, 0)[0]).toBeCloseTo(4.9)
+  expect(found(0.5, -4, 0)).toEqual([4])
+  expect(found(6.1, 0, 0)).toEqual([])
+  expect(found(1e9, 0, 0)).toEqual([])
+  expect(found(Number.NaN, 0, 0)).toEqual([])
+})
+
+test('the chart of a head takes triangles by the thousand that reach far above and below it', () => {
+  const positions = [-5, -1e9, 0, 5, -1e9, 0, 0, 1e9, 0]
+  const indices = Array.from({ length: 3 * 20_000 }, (_, i) => i % 3)
+  const chart = new HeadChart(weldSurface({ positions, indices }))
+  expect(chart.find([0, 0])?.position[1]).toBeCloseTo(0)
+  expect(chart.find([0, 1e6])).toBeUndefined()
+})
+
+test('points of a thousand positions are welded in the order of their vertices, NaN as any other', () => {
+  const { pointOf, points } = weldSurface({
+    positions: [0, 0, 0, 1, 0, 0, -0, 0, 0, Number.NaN, 0, 0, Number.NaN, 0, 0],
+    indices: [],
+  })
+  expect([...pointOf]).toEqual([0, 1, 0, 2, 2])
+  expect(points).toHaveLength(9)
+})
+
+test('of four triangles at one edge, those that follow each other belong together', () => {
+  const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1]
+  const { adjacent } = weldSurface({ positions, indices: [0, 1, 2, 1, 0, 3, 0, 1, 4, 1, 0, 5] })
+  expect([0, 3, 6, 9].map((edge) => adjacent[edge])).toEqual([1, 2, 3, 2])
+})
