@@ -62,7 +62,8 @@ describe.each(FACES)('%s, its texture cut in two at the middle', (_, path) => {
   })
 
   test('has the same relief as uncut', () => {
-    // Texels have the same positions on the skin, so nothing is filtered.
+    // Texels have the same positions on the skin, so nothing is filtered; their sizes, below which no valley is sharp, are means at vertices,
+    // which are cut as well.
     let error = 0
     for (let texel = 0; texel < SIZE * SIZE; texel++) {
       const [column, row] = [texel % SIZE, Math.floor(texel / SIZE)]
@@ -71,7 +72,7 @@ describe.each(FACES)('%s, its texture cut in two at the middle', (_, path) => {
       if (!cut.inside[texel] || !whole.inside[same]) continue
       error = Math.max(error, Math.abs(cut.relief.data[texel] - whole.relief.data[same]))
     }
-    expect(error / cut.deepest).toBeLessThan(1e-4)
+    expect(error / cut.deepest).toBeLessThan(2e-4)
   })
 
   test('has the same height, light and areas on both sides of every cut', () => {
