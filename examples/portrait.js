@@ -103,6 +103,20 @@ export function addCheck(name, checked, onChange) {
   controls().append(label)
 }
 
+/** Adds a bar that shows a fraction, 0..1, and can be removed. */
+export function addProgress(name) {
+  const label = document.createElement('label')
+  const bar = Object.assign(document.createElement('progress'), { value: 0 })
+  label.append(name, bar)
+  controls().append(label)
+  return {
+    set(fraction) {
+      bar.value = fraction
+    },
+    remove: () => label.remove(),
+  }
+}
+
 function controls() {
   const found = document.querySelector('form')
   if (found) return found

@@ -1,5 +1,6 @@
 // Puts the worker of `furrow/auto` into the built package as one string, see packages/furrow/src/auto/start-worker.ts.
 
+import { createHash } from 'node:crypto'
 import { rm, writeFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import { build } from 'vite'
@@ -14,10 +15,14 @@ const [{ output }] = await build({
   build: { write: false, lib: { entry: 'worker.js', formats: ['iife'], name: 'worker' } },
 })
 
+const [{ code }] = output
 const file = join(FOLDER, 'start-worker.js')
 await writeFile(
   file,
-  `const SOURCE = ${JSON.stringify(output[0].code)}
+  `const SOURCE = ${JSON.stringify(code)}
+
+/** Of the code in the worker. */
+export const version = '${createHash('sha256').update(code).digest('hex').slice(0, 16)}'
 
 let address
 

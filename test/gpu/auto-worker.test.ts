@@ -50,7 +50,7 @@ describe('autoWrinklesInWorker', () => {
     const made = await autoWrinklesInWorker(makeSkin(), OPTIONS)
     expect(made).toEqual(autoWrinkles(makeSkin(), OPTIONS))
     expect(made.areas.length).toBeGreaterThan(0)
-    expect(running.size).toBe(0)
+    await vi.waitFor(() => expect(running.size).toBe(0))
   })
 
   it('tells how far it is', async () => {

@@ -5,7 +5,7 @@ import sharp from 'sharp'
 import { afterAll, beforeAll, expect, test } from 'vitest'
 import { editGlb } from '../glb.ts'
 import { openBrowser, openPage } from './browser.ts'
-import { openPaused, playSurprise, readNextFrame, switchOff } from './paused-page.ts'
+import { firstPicture, openPaused, playSurprise, readNextFrame, SECOND, switchOff } from './paused-page.ts'
 import { contrast, largestDifference, meanDifference, type Region, WHOLE } from './pixels.ts'
 import { type CanvasPixels, readCanvas } from './read-canvas.ts'
 import { startStaticServer } from './static-server.ts'
@@ -77,7 +77,8 @@ const DRIVERS: readonly (readonly [page: string, driven: string, atRest: string,
 ]
 
 test('every example is opened', () => {
-  const opened = new Set([...PORTRAITS, ...DRIVERS.map(([page]) => page), 'crowd.html', 'normals.html'])
+  const others = ['auto.html', 'crowd.html', 'normals.html']
+  const opened = new Set([...PORTRAITS, ...DRIVERS.map(([page]) => page), ...others])
   expect([...opened].sort()).toEqual([...EXAMPLES].sort())
 })
 
@@ -129,6 +130,24 @@ test.each([
 ])('%s fits a phone', async (name) => {
   await shoot(name)
   expect(widthsOnPhone.get(name)).toBeLessThanOrEqual(PHONE.width)
+})
+
+test('auto.html makes wrinkles while the face is shown, and takes its bar away', async () => {
+  const { page, complaints } = await openPage(browser, { viewport: PHONE })
+  await openPaused(page, `${server.origin}/examples/auto.html`)
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(PHONE.width)
+  await page.setViewportSize(SIZE)
+  await firstPicture(page)
+  await page.locator('progress').waitFor({ state: 'detached', timeout: 0 })
+  // They have faded in.
+  await page.clock.runFor(2 * SECOND)
+  const wrinkled = await readNextFrame(page)
+  await save(wrinkled, 'auto.html')
+  await switchOff(page)
+  const forehead = DRIVERS.find(([name]) => name === 'expressions.html')![3]
+  expect(largestDifference(wrinkled, await readNextFrame(page), forehead)).toBeGreaterThan(20)
+  expect(complaints).toEqual([])
+  await page.close()
 })
 
 test.each(PORTRAITS)('%s shows a face with a creasing forehead', async (name) => {

@@ -140,7 +140,7 @@ describe('furrow strokes', () => {
     [
       'a base that is not an image',
       () => [strokes, '--face', face, '--base', strokes, '--normal', file('x.png')],
-      'strokes.json (unsupported image format), allowed: PNG, JPEG, WebP or AVIF',
+      'strokes.json (it is text), allowed: PNG, JPEG, WebP or AVIF; name an image',
     ],
     [
       'a folder instead of a file',

@@ -1,6 +1,6 @@
 import type { Document, Mesh } from '@gltf-transform/core'
 import { FurrowError } from 'furrow'
-import { crossOf, faceShapeFinder, type Skin } from 'furrow/author'
+import { chooseSkin, type Skin } from 'furrow/author'
 import { trianglesOf } from '../gltf/mesh-nodes.ts'
 import { didYouMean } from '../nearest.ts'
 import { readSkin } from './read-skin.ts'
@@ -20,17 +20,6 @@ export interface FoundSkin {
   /** Whether all primitives have tangents. */
   hasTangents: boolean
 }
-
-/** Blendshapes of a face that move its skin, not only eyes or teeth. */
-const SKIN_SHAPES = [
-  'browInnerUp',
-  'browDownLeft',
-  'browDownRight',
-  'eyeBlinkLeft',
-  'eyeBlinkRight',
-  'mouthSmileLeft',
-  'mouthSmileRight',
-]
 
 /**
  * Chooses the skin of a file: of all meshes and materials the one whose surface brows, lids and mouth move most. Where
@@ -79,15 +68,10 @@ export function bestSkin(
   const meshes = document.getRoot().listMeshes()
   const wanted = meshes.flatMap((mesh, index) => (isNamed(mesh, meshName) ? [{ mesh, index }] : []))
   const candidates = wanted.flatMap(({ mesh, index }) => candidatesOf(document, mesh, index))
-  const byFace = candidates.map(({ skin }) => movedSurface(skin, faceTargets(skin)))
-  const isFace = byFace.some((moved) => moved > 0)
-  const moved = isFace ? byFace : candidates.map(({ skin }) => movedSurface(skin, [...skin.targets.keys()]))
-  const preferred = moved.map((value, i) => (isLit(candidates[i].material) ? 2 * value : value))
-  const index = preferred.indexOf(Math.max(...preferred))
-  const best = candidates[index]
-  if (!best) return undefined
-  const fraction = moved[index] / moved.reduce((a, b) => a + b, 0)
-  return { ...best, fraction, reason: reasonOf(isFace, fraction, candidates.length) }
+  const choice = chooseSkin(candidates.map(({ skin, material }) => ({ skin, isLit: isLit(material) })))
+  if (!choice) return undefined
+  const { index, fraction, isFace } = choice
+  return { ...candidates[index], fraction, reason: reasonOf(isFace, fraction, candidates.length) }
 }
 
 function reasonOf(isFace: boolean, fraction: number, count: number): string {
@@ -130,28 +114,4 @@ function isNamed(mesh: Mesh, name: string | undefined): boolean {
 /** Its name, or its index where it has none. */
 function labelOf(mesh: Mesh, index: number): string {
   return mesh.getName() || String(index)
-}
-
-/** Indices of the targets that move brows, lids and mouth. */
-function faceTargets({ targets }: Skin): number[] {
-  const find = faceShapeFinder(targets.map(({ name }) => name))
-  return [...new Set(SKIN_SHAPES.flatMap(find))]
-}
-
-/** The area of each triangle times how far the chosen targets move it, summed. */
-function movedSurface({ positions, indices, targets }: Skin, chosen: readonly number[]): number {
-  const distances = new Float64Array(positions.length / 3)
-  for (const { offsets } of chosen.map((index) => targets[index])) {
-    for (let i = 0; i < distances.length; i++) {
-      distances[i] += Math.hypot(offsets[3 * i], offsets[3 * i + 1], offsets[3 * i + 2])
-    }
-  }
-  const normal = new Float64Array(3)
-  let sum = 0
-  for (let t = 0; t + 2 < indices.length; t += 3) {
-    const distance = distances[indices[t]] + distances[indices[t + 1]] + distances[indices[t + 2]]
-    const area = crossOf(positions, indices[t], indices[t + 1], indices[t + 2], normal) / 2
-    if (distance > 0 && area > 0) sum += distance * area
-  }
-  return sum
 }

@@ -1,72 +1,48 @@
 import type { Accessor, Material, Mesh, Node, Primitive } from '@gltf-transform/core'
-import type { Skin } from 'furrow/author'
-import { BufferAttribute, Matrix3, Matrix4 } from 'three'
+import { joinParts, type Skin, type SkinPart } from 'furrow/author'
+import { Matrix4 } from 'three'
 import { namesOfTargets } from '../gltf/gltf-json.ts'
 import { placementOf } from '../gltf/mesh-nodes.ts'
 import { readCoordinates } from './coordinates.ts'
 
-/**
- * Reads some primitives of a mesh as one skin in metres, in world space as its first node or skeleton places it.
- * Vertices that no triangle uses are left out: primitives often have all vertices of a mesh.
- */
+/** Reads some primitives of a mesh as one skin in metres, in world space as its first node or skeleton places it. */
 export function readSkin(mesh: Mesh, primitives: readonly Primitive[], material: Material): Skin {
   const targets = Math.max(0, ...primitives.map((primitive) => primitive.listTargets().length))
   const names = namesOfTargets(mesh.getExtras().targetNames, targets)
-  const parts = primitives.map((primitive) => ({ primitive, ...usedVertices(primitive) }))
-  const total = parts.reduce((sum, { used }) => sum + used.length, 0)
-  const positions = new Float32Array(3 * total)
-  const uvs = new Float32Array(2 * total)
-  const offsets = names.map(() => new Float32Array(3 * total))
-  const indices = new Uint32Array(parts.reduce((sum, { corners }) => sum + corners.length, 0))
-  let [first, corner] = [0, 0]
-  for (const { primitive, used, corners } of parts) {
-    copyInto(positions, primitive.getAttribute('POSITION')!, used, first)
-    readCoordinates(primitive, material, used, uvs.subarray(2 * first))
-    for (const [k, target] of primitive.listTargets().entries()) {
-      const moved = target.getAttribute('POSITION')
-      if (moved) copyInto(offsets[k], moved, used, first)
-    }
-    for (const vertex of corners) indices[corner++] = first + vertex
-    first += used.length
-  }
-  const placement = placementOfMesh(mesh)
-  if (placement) {
-    new BufferAttribute(positions, 3).applyMatrix4(placement)
-    const linear = new Matrix3().setFromMatrix4(placement)
-    for (const offset of offsets) new BufferAttribute(offset, 3).applyMatrix3(linear)
-  }
-  return { positions, uvs, indices, targets: names.map((name, k) => ({ name, offsets: offsets[k] })) }
+  const parts = primitives.map((primitive) => partOf(primitive, material))
+  return joinParts(parts, names, placementOfMesh(mesh))
 }
 
-/** The index of a corner whose vertex does not exist; the skin is refused for it later. */
-const NO_VERTEX = 2 ** 31
-
-/** The vertices that triangles use, ascending, and each triangle's corners as indices into them. */
-function usedVertices(primitive: Primitive): { used: Uint32Array; corners: Uint32Array } {
+function partOf(primitive: Primitive, material: Material): SkinPart {
+  const positions = primitive.getAttribute('POSITION')!
   const index = primitive.getIndices()
-  const count = primitive.getAttribute('POSITION')!.getCount()
-  const corners = Uint32Array.from({ length: index?.getCount() ?? count }, (_, k) => index?.getScalar(k) ?? k)
-  const isUsed = new Uint8Array(count)
-  for (const vertex of corners) isUsed[vertex] = 1
-  const used = Uint32Array.from({ length: count }, (_, i) => i).filter((i) => isUsed[i] === 1)
-  const newIndex = new Uint32Array(count)
-  for (const [i, vertex] of used.entries()) newIndex[vertex] = i
-  return { used, corners: corners.map((vertex) => (vertex < count ? newIndex[vertex] : NO_VERTEX)) }
+  const targets = primitive.listTargets()
+  const count = positions.getCount()
+  return {
+    count,
+    indices: Uint32Array.from({ length: index?.getCount() ?? count }, (_, k) => index?.getScalar(k) ?? k),
+    readPositions: (vertices, out) => copyInto(out, positions, vertices),
+    readUvs: (vertices, out) => readCoordinates(primitive, material, vertices, out),
+    readOffsets(k, vertices, out) {
+      const moved = targets[k]?.getAttribute('POSITION')
+      if (moved) copyInto(out, moved, vertices)
+    },
+  }
 }
 
 /** Undefined where it is the identity. */
-function placementOfMesh(mesh: Mesh): Matrix4 | undefined {
+function placementOfMesh(mesh: Mesh): number[] | undefined {
   const node = mesh.listParents().find((parent) => parent.propertyType === 'Node') as Node | undefined
   const placement = new Matrix4()
   if (node) placement.fromArray(placementOf(node))
-  return placement.equals(new Matrix4()) ? undefined : placement
+  return placement.equals(new Matrix4()) ? undefined : placement.toArray()
 }
 
-/** Copies vectors of the used vertices, whatever the accessor's type. */
-function copyInto(out: Float32Array, accessor: Accessor, used: Uint32Array, first: number): void {
+/** Copies vectors of some vertices, whatever the accessor's type. */
+function copyInto(out: Float32Array, accessor: Accessor, vertices: Uint32Array): void {
   const element: number[] = []
-  for (const [i, vertex] of used.entries()) {
+  for (const [i, vertex] of vertices.entries()) {
     accessor.getElement(vertex, element)
-    for (let k = 0; k < 3; k++) out[3 * (first + i) + k] = element[k]
+    for (let k = 0; k < 3; k++) out[3 * i + k] = element[k]
   }
 }

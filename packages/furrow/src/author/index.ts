@@ -21,8 +21,11 @@ export type { MissingRegion } from './auto/fit/fit-driver.ts'
 export type { AutoLayer } from './auto/raster/draw-maps.ts'
 export { type StrainMap, strainMaps } from './auto/strain-map.ts'
 export { MOST_TRIANGLES } from './auto/surface/check-skin.ts'
+export { chooseSkin, type SkinCandidate, type SkinChoice } from './auto/surface/choose-skin.ts'
+export { joinParts, type SkinPart } from './auto/surface/join-parts.ts'
 export type { LandmarkPosition as Place, Landmarks } from './auto/surface/landmarks.ts'
 export { faceShapeFinder } from './auto/surface/stand-ins.ts'
+export { autoWrinkleSet } from './auto/wrinkle-set.ts'
 export {
   BAKE_DEFAULTS,
   type BakedMaps,

@@ -10,3 +10,4 @@ export type { AutoArea, AutoOptions, AutoProgress, AutoWrinkles } from '../autho
 export type { AutoLayer } from '../author/auto/raster/draw-maps.ts'
 export type { Skin, SkinTarget } from '../author/skin/surface.ts'
 export { type AutoInWorkerOptions, autoWrinklesInWorker } from './in-worker.ts'
+export type { AutoRunOptions } from './run-worker.ts'

@@ -1,19 +1,32 @@
 import type { AutoOptions, AutoWrinkles } from '../author/auto/auto.ts'
 import type { Skin } from '../author/skin/surface.ts'
 import type { ErrorParts } from '../core/error.ts'
+import type { CharacterData } from './character.ts'
+import type { CharacterWrinkles } from './make-wrinkles.ts'
 
-/** What the page asks of the worker, once. */
-export interface AutoRequest {
-  skin: Skin
+/** What the page asks of the worker, once: wrinkles for a skin, or for the skin of a character. */
+export type AutoJob = { type: 'skin'; skin: Skin } | { type: 'character'; character: CharacterData }
+
+/** What the worker makes of a job. */
+export interface AutoResults {
+  skin: AutoWrinkles
+  character: CharacterWrinkles
+}
+
+export type AutoRequest = AutoJob & {
   options: AutoOptions
+  /** Of the code that makes wrinkles. */
+  version: string
   /** Name of a lock that the worker holds while it lives, where the page has locks. */
   lock?: string | undefined
 }
 
-/** What the worker answers: `started`, any number of `progress`, and `made` or `failed`. */
+/** What the worker answers: `started`, any number of `progress`, then `made` and `finished`, or `failed`. */
 export type AutoReply =
   | { type: 'started'; lock?: string | undefined }
   | { type: 'progress'; done: number; total: number; step: string }
-  | { type: 'made'; wrinkles: AutoWrinkles }
+  | { type: 'made'; result: AutoResults[keyof AutoResults] }
+  /** What was made is kept for the next time, where that was asked for and possible. */
+  | { type: 'finished' }
   /** `parts` of a FurrowError, whose class and fields are lost between threads; `message` of any other. */
   | { type: 'failed'; parts?: ErrorParts; message: string }

@@ -15,3 +15,6 @@
 export function startWorker(): Worker {
   return new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
 }
+
+/** Of the code in the worker: the package has a hash of it. The sources change without one, so that each visit of a page has its own. */
+export const version = `sources ${performance.timeOrigin}`

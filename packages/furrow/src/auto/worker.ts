@@ -1,28 +1,26 @@
-/** The worker of `autoWrinklesInWorker`. */
+/** The worker of `autoWrinklesInWorker` and of loaders. */
 
-import { autoWrinkles } from '../author/auto/auto.ts'
+import { type AutoProgress, autoWrinkles } from '../author/auto/auto.ts'
 import { FurrowError } from '../core/error.ts'
 import { buffersOf } from './buffers.ts'
-import type { AutoReply, AutoRequest } from './messages.ts'
+import { makeCharacterWrinkles } from './make-wrinkles.ts'
+import type { AutoReply, AutoRequest, AutoResults } from './messages.ts'
 
 addEventListener('message', ({ data }: MessageEvent<AutoRequest>) => {
-  const { lock } = data
-  if (!lock) return run(data)
+  if (!data.lock) return run(data)
   // Held until the worker ends.
   const hold = () => {
-    run(data)
+    void run(data)
     return new Promise(() => {})
   }
-  navigator.locks.request(lock, hold).catch(() => run({ ...data, lock: undefined }))
+  navigator.locks.request(data.lock, hold).catch(() => run({ ...data, lock: undefined }))
 })
 
-function run({ skin, options, lock }: AutoRequest): void {
-  reply({ type: 'started', lock })
+async function run(request: AutoRequest): Promise<void> {
+  reply({ type: 'started', lock: request.lock })
   try {
-    const wrinkles = autoWrinkles(skin, options, (done, total, step) =>
-      reply({ type: 'progress', done, total, step }),
-    )
-    reply({ type: 'made', wrinkles })
+    await work(request)
+    reply({ type: 'finished' })
   } catch (error) {
     const message = error instanceof Error ? error.message : String(error)
     reply(
@@ -31,6 +29,17 @@ function run({ skin, options, lock }: AutoRequest): void {
         : { type: 'failed', message },
     )
   }
+}
+
+async function work(request: AutoRequest): Promise<void> {
+  const { options } = request
+  const progress: AutoProgress = (done, total, step) => reply({ type: 'progress', done, total, step })
+  if (request.type === 'skin') made(autoWrinkles(request.skin, options, progress))
+  else await makeCharacterWrinkles(request.character, options, request.version, progress, made)
+}
+
+function made(result: AutoResults[keyof AutoResults]): void {
+  reply({ type: 'made', result })
 }
 
 function reply(message: AutoReply): void {

@@ -10,11 +10,16 @@ export { FaceScores } from './FaceScores.ts'
 export { decodeImage, toGray } from './loader/decode-image.ts'
 export { loadWrinkleSet } from './loader/load-wrinkle-set.ts'
 export { type LoadedWrinkles, readWrinkleMaps } from './loader/read-wrinkle-maps.ts'
-export { WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from './options.ts'
+export {
+  WRINKLES_DEFAULTS,
+  type WrinkleLoaderOptions,
+  type WrinkleMode,
+  type WrinklesOptions,
+} from './options.ts'
 export { RecomputedNormals } from './RecomputedNormals.ts'
 export type { AnyRenderer } from './renderer.ts'
 export { type AddDrivers, addDrivers } from './sources/add-drivers.ts'
 export type { DriversOptions } from './sources/binding.ts'
 export { addMorphNormals, addMuscles } from './sources/muscles.ts'
 export type { WrinklesBase } from './wrinkles-base.ts'
-export { type LoadedFile, wrinklesOf } from './wrinkles-of.ts'
+export { type LoadedFile, wrinklesOf, wrinklesReady } from './wrinkles-of.ts'

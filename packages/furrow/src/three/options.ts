@@ -1,3 +1,4 @@
+import type { AutoRunOptions } from '../auto/run-worker.ts'
 import { wrongArgument } from '../core/argument.ts'
 import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE, MIN_AREA_SIZE } from '../core/limits.ts'
 
@@ -20,6 +21,15 @@ export interface WrinklesOptions {
    * never fade.
    */
   fadeBelow?: number
+}
+
+/** Options of `WrinkleLoaderPlugin`. */
+export interface WrinkleLoaderOptions extends WrinklesOptions {
+  /**
+   * Makes wrinkles for files that have none, from their blendshapes, in a worker after loading; none by default
+   * (docs/auto-in-the-page.md).
+   */
+  auto?: AutoRunOptions
 }
 
 /** The defaults of `WrinklesOptions`. */

@@ -6,6 +6,7 @@ import type { Cell } from '../runtime/atlas-cells.ts'
 import type { FrameEntry } from '../runtime/frame.ts'
 import { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
 import { exposeAreas } from './animated-areas.ts'
+import { Appearance } from './appearance.ts'
 import { createAreaArray } from './atlas/area-array.ts'
 import type { InfluenceAtlas } from './atlas/influence-atlas.ts'
 import { checkIsMesh, checkMesh } from './check-mesh.ts'
@@ -51,6 +52,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   readonly #material: PatchedMaterial
   /** Number of influence materials in use: they need the map in any mode. */
   #influenceViews = 0
+  #appearance: Appearance | null = null
 
   /**
    * @param renderer what depends on the renderer.
@@ -218,6 +220,11 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     return this.#material.clone()
   }
 
+  /** Lets the wrinkles appear, over some seconds from the next frames on. @internal */
+  appear(seconds: number): void {
+    this.#appearance = new Appearance(1000 * seconds, this.clock)
+  }
+
   /** Called before a mesh is drawn: runs the phases up to the influence, then sets what the mesh's shader reads. @internal */
   prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
     if (this.isDisposed) return
@@ -226,7 +233,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
       return
     }
     this.#material.settle(renderer)
-    this.#inputs.fade.value = this.#fadeOf(mesh, camera, renderer)
+    this.#inputs.fade.value =
+      this.#fadeOf(mesh, camera, renderer) * (this.#appearance?.advance(this.clock) ?? 1)
     this.#frame.begin(this.#entry, renderer)
     locateCells(this.#inputs, this.#atlas, this.#cells)
   }
@@ -247,7 +255,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     const { composed } = this.#material
     if (!composed) return
     locateCells(this.#inputs, this.#atlas, this.#cells)
-    composed.update(renderer, this.#inputs.areas, this.faces[0].activations.values)
+    const { areas, fade } = this.#inputs
+    composed.update(renderer, areas, this.faces[0].activations.values, fade.value)
   }
 
   /** Restores the material, and frees the textures that no other face uses. */

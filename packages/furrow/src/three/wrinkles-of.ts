@@ -17,3 +17,14 @@ export function wrinklesOf(source: Mesh | LoadedFile): WrinklesBase | undefined 
   if ('scene' in source) return source.userData?.wrinkles ?? []
   return addedTo(source) ?? adoptedBy(source)
 }
+
+/**
+ * Waits for the wrinkles that `WrinkleLoaderPlugin` makes for a file with its option `auto`.
+ *
+ * @returns a promise of the wrinkles of the file, one per face, which never rejects: none if none can be made, or that was cancelled. Other
+ *   files need no waiting.
+ */
+export async function wrinklesReady(file: LoadedFile): Promise<readonly WrinklesBase[]> {
+  await file.userData?.wrinklesReady
+  return wrinklesOf(file)
+}

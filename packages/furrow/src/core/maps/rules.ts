@@ -161,13 +161,8 @@ function kindProblem(
 }
 
 /** Indices of the textures that anything in a file but the extension uses. */
-export function texturesOfFace({ materials, extensions }: FileParts): Set<number> {
-  return collectTextures([materials, extensions], '', new Set())
-}
-
-interface FileParts {
-  materials?: unknown
-  extensions?: unknown
+export function texturesOfFace(json: { materials?: unknown; extensions?: unknown }): Set<number> {
+  return collectTextures([json.materials, json.extensions], '', new Set())
 }
 
 function collectTextures(json: unknown, key: string, found: Set<number>): Set<number> {

@@ -98,7 +98,7 @@ export function materialReader(
 }
 
 /** Groups meshes by face: the primitives of a glTF mesh that have one material are one face. */
-function facesOf(gltf: GLTF, parser: Parser): [Mesh, ...Mesh[]][] {
+export function facesOf(gltf: GLTF, parser: Parser): [Mesh, ...Mesh[]][] {
   const faces = new Map<Object3D, Map<Material, [Mesh, ...Mesh[]]>>()
   for (const scene of gltf.scenes) {
     scene.traverse((object) => {

@@ -1,16 +1,30 @@
 import type { Material, Mesh } from 'three'
 import type { GLTF, GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
+import type { AutoRunOptions } from '../../auto/run-worker.ts'
+import { isObject, wrongArgument } from '../../core/argument.ts'
 import { WRINKLE_MAPS } from '../../core/maps/wrinkle-maps.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
 import { driversOf, type WrinkleDriver } from '../../drivers/registry.ts'
 import { surfaceOf } from '../material/surface.ts'
-import { checkOptions, WRINKLES_DEFAULTS, type WrinklesOptions } from '../options.ts'
+import {
+  checkOptions,
+  WRINKLES_DEFAULTS,
+  type WrinkleLoaderOptions,
+  type WrinklesOptions,
+} from '../options.ts'
 import { bindDrivers } from '../sources/bind-drivers.ts'
 import type { InputBindings } from '../sources/binding.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { Adoption, type WatchDraws } from './adoption.ts'
-import { type FileFace, type FileWrinkles, materialReader, wrinkledFaces } from './read-wrinkle-maps.ts'
+import type { MadeWrinkles } from './auto-wrinkles.ts'
+import {
+  type FileFace,
+  type FileWrinkles,
+  facesOf,
+  materialReader,
+  wrinkledFaces,
+} from './read-wrinkle-maps.ts'
 import { Warnings } from './warnings.ts'
 
 /** The `Wrinkles` class of a renderer. */
@@ -19,6 +33,9 @@ type WrinklesClass = new (
   source: WrinkleSet<ArraySlice> | WrinklesBase,
   options: WrinklesOptions,
 ) => WrinklesBase
+
+/** Seconds over which wrinkles appear that come after loading. */
+const FADE_IN = 0.3
 
 /** What depends on the renderer. */
 export interface LoaderParts {
@@ -34,6 +51,8 @@ export interface LoaderParts {
  * one per face, as `gltf.userData.wrinkles` does; `wrinklesOf(mesh)` finds those of a mesh. Drivers of a VRM may read its expressions if
  * three-vrm's plugin is registered too.
  *
+ * With the option `auto`, a file without wrinkles gets them some time after it was loaded: `wrinklesReady(gltf)` waits for them.
+ *
  * A file never fails to load because of its wrinkles: a face whose wrinkles are damaged or not possible stays plain, with one warning.
  */
 export class WrinkleLoader {
@@ -41,9 +60,15 @@ export class WrinkleLoader {
   readonly #parser: GLTFParser
   readonly #parts: LoaderParts
   readonly #options: Required<WrinklesOptions>
+  readonly #auto: AutoRunOptions | undefined
   readonly #warnings = new Warnings()
+  #autoModule: Promise<typeof import('./auto-wrinkles.ts')> | undefined
 
-  constructor(parser: GLTFParser, parts: LoaderParts, options: WrinklesOptions) {
+  constructor(parser: GLTFParser, parts: LoaderParts, { auto, ...options }: WrinkleLoaderOptions) {
+    if (auto !== undefined && !isObject(auto)) {
+      throw wrongArgument('WrinkleLoaderPlugin', 'auto', auto, 'an object with options, such as { age: 45 }')
+    }
+    this.#auto = auto
     this.#options = { ...WRINKLES_DEFAULTS, ...options }
     checkOptions(this.#options, 'WrinkleLoaderPlugin')
     this.#parser = parser
@@ -52,6 +77,11 @@ export class WrinkleLoader {
 
   /** Called by the loader before it loads anything. */
   async beforeRoot(): Promise<void> {
+    if (this.#auto) {
+      // Arrives while the rest is loaded.
+      this.#autoModule = import('./auto-wrinkles.ts')
+      this.#autoModule.catch(() => {})
+    }
     if (!hasPointers(this.#parser)) return
     const { dropBrokenChannels } = await import('./key-frames.ts')
     dropBrokenChannels(this.#parser, this.#warnings)
@@ -66,9 +96,11 @@ export class WrinkleLoader {
     const added: AddedFaces = { bySet: new Map(), byMaterial: new Map() }
     const expressions = this.#isVrm() ? () => vrmOf(gltf) : undefined
     const plain = new Set<number>()
-    for (const face of wrinkledFaces(gltf, this.#parser)) {
+    const wrinkled = wrinkledFaces(gltf, this.#parser)
+    if (this.#auto && wrinkled.length === 0) await this.#beginAuto(gltf, wrinkles, expressions)
+    for (const face of wrinkled) {
       try {
-        const own = await this.#addFace(face, await read(face.material), added, expressions)
+        const own = await this.#addFace(face.meshes, await read(face.material), added, expressions)
         wrinkles.push(own)
         faces.set(face.material, [...(faces.get(face.material) ?? []), own])
       } catch (error) {
@@ -83,13 +115,39 @@ export class WrinkleLoader {
     await addActivationTracks(gltf, this.#parser, faces, this.#warnings)
   }
 
+  /** Begins to make wrinkles from the blendshapes of a file, while it is at rest. They are added when they are done. */
+  async #beginAuto(
+    gltf: GLTF,
+    wrinkles: WrinklesBase[],
+    expressions: (() => VrmExpressions | undefined) | undefined,
+  ): Promise<void> {
+    const warn = (error: unknown) => this.#warnings.add(error, 'the file stays plain')
+    try {
+      const { makeAutoWrinkles } = await this.#autoModule!
+      const { areaSize } = this.#options
+      const making = makeAutoWrinkles(facesOf(gltf, this.#parser), { areaSize, ...this.#auto })
+      const add = async (made: MadeWrinkles | undefined) => {
+        if (!made) return
+        const added: AddedFaces = { bySet: new Map(), byMaterial: new Map() }
+        for (const meshes of made.faces) {
+          const own = await this.#addFace(meshes, made, added, expressions)
+          own.appear(FADE_IN)
+          wrinkles.push(own)
+        }
+      }
+      gltf.userData.wrinklesReady = making.then(add).catch(warn)
+    } catch (error) {
+      warn(error)
+    }
+  }
+
   #isVrm(): boolean {
     const used: unknown[] = this.#parser.json.extensionsUsed ?? []
     return used.includes('VRMC_vrm') || used.includes('VRM')
   }
 
   async #addFace(
-    { meshes }: FileFace,
+    meshes: FileFace['meshes'],
     { set, drivers }: FileWrinkles,
     { bySet, byMaterial }: AddedFaces,
     expressions: (() => VrmExpressions | undefined) | undefined,

@@ -38,6 +38,7 @@ export class ComposedMap {
   readonly #hasContents: QuadMaterials['hasContents']
   #renderer: AnyRenderer | null = null
   #areas: AreaArray | null = null
+  #fade = 1
   #slots: AreaSlot[] = []
   readonly #span: AreaSlot = { ...WHOLE, bounds: { ...WHOLE.bounds } }
   #drawn = new Float32Array(0)
@@ -79,11 +80,13 @@ export class ComposedMap {
     this.#scene.add(this.#quads.mesh)
   }
 
-  /** Redraws where activations have changed; the influence map must be up to date. */
-  update(renderer: AnyRenderer, areas: AreaArray, values: Float32Array): void {
+  /** Redraws where activations have changed, and all as wrinkles appear; the influence map must be up to date. */
+  update(renderer: AnyRenderer, areas: AreaArray, values: Float32Array, fade: number): void {
     this.#quads.begin()
-    if (this.#isOutdated(renderer) || areas !== this.#areas) this.#putAll(areas, values)
+    if (this.#isOutdated(renderer) || areas !== this.#areas || fade !== this.#fade)
+      this.#putAll(areas, values)
     else this.#putMoved(values)
+    this.#fade = fade
     this.#quads.end()
     if (this.#quads.mesh.visible) renderPreservingState(renderer, this.target, this.#scene, this.#camera)
   }

@@ -1,6 +1,6 @@
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import { WrinkleLoader } from '../loader/wrinkle-loader.ts'
-import type { WrinklesOptions } from '../options.ts'
+import type { WrinkleLoaderOptions } from '../options.ts'
 import { BINDINGS } from '../sources/bind-drivers.ts'
 import { watchDraws } from './watch-draws.ts'
 import { Wrinkles } from './webgl-wrinkles.ts'
@@ -8,10 +8,10 @@ import { Wrinkles } from './webgl-wrinkles.ts'
 /** For `GLTFLoader` and `WebGLRenderer`: `loader.register((parser) => new WrinkleLoaderPlugin(parser))`. */
 export class WrinkleLoaderPlugin extends WrinkleLoader {
   /**
-   * @param options of the `Wrinkles` of all faces.
+   * @param options of the `Wrinkles` of all faces, and `auto` for files without wrinkles.
    * @throws FurrowError when an option is unknown or out of range.
    */
-  constructor(parser: GLTFParser, options: WrinklesOptions = {}) {
+  constructor(parser: GLTFParser, options: WrinkleLoaderOptions = {}) {
     super(parser, { Wrinkles, bindings: BINDINGS, watchDraws }, options)
   }
 }

@@ -1,0 +1,72 @@
+import type { Skin } from '../../skin/surface.ts'
+
+/** Part of a mesh, with triangles and vertices of its own, as some engine or file has it. */
+export interface SkinPart {
+  /** Number of vertices. */
+  count: number
+  /** Three vertices per triangle. */
+  indices: ArrayLike<number>
+  /** Write the values of some vertices one after the other: x, y and z, or u and v. */
+  readPositions(vertices: Uint32Array, out: Float32Array): void
+  readUvs(vertices: Uint32Array, out: Float32Array): void
+  /** As above, of the target with this index; nothing where it does not move the part. */
+  readOffsets(target: number, vertices: Uint32Array, out: Float32Array): void
+}
+
+/** The index of a corner whose vertex does not exist; the skin is refused for it later. */
+const NO_VERTEX = 2 ** 31
+
+/**
+ * Joins parts of a mesh into one skin. Vertices that no triangle uses are left out: parts often have all vertices of a mesh.
+ *
+ * @param names of the targets.
+ * @param placement 4 x 4 matrix from mesh to world space, column by column; the identity by default.
+ */
+export function joinParts(
+  parts: readonly SkinPart[],
+  names: readonly string[],
+  placement?: ArrayLike<number>,
+): Skin {
+  const used = parts.map(usedVertices)
+  const total = used.reduce((sum, { vertices }) => sum + vertices.length, 0)
+  const positions = new Float32Array(3 * total)
+  const uvs = new Float32Array(2 * total)
+  const offsets = names.map(() => new Float32Array(3 * total))
+  const indices = new Uint32Array(used.reduce((sum, { corners }) => sum + corners.length, 0))
+  let [first, corner] = [0, 0]
+  for (const [i, part] of parts.entries()) {
+    const { vertices, corners } = used[i]
+    const end = first + vertices.length
+    part.readPositions(vertices, positions.subarray(3 * first, 3 * end))
+    part.readUvs(vertices, uvs.subarray(2 * first, 2 * end))
+    for (const [k, offset] of offsets.entries()) {
+      part.readOffsets(k, vertices, offset.subarray(3 * first, 3 * end))
+    }
+    for (const vertex of corners) indices[corner++] = first + vertex
+    first = end
+  }
+  if (placement) {
+    transform(positions, placement, 1)
+    for (const offset of offsets) transform(offset, placement, 0)
+  }
+  return { positions, uvs, indices, targets: names.map((name, k) => ({ name, offsets: offsets[k] })) }
+}
+
+/** The vertices that triangles use, ascending, and each triangle's corners as indices into them. */
+function usedVertices({ count, indices }: SkinPart): { vertices: Uint32Array; corners: Uint32Array } {
+  const corners = Uint32Array.from(indices)
+  const isUsed = new Uint8Array(count)
+  for (const vertex of corners) isUsed[vertex] = 1
+  const vertices = Uint32Array.from({ length: count }, (_, i) => i).filter((i) => isUsed[i] === 1)
+  const newIndex = new Uint32Array(count)
+  for (const [i, vertex] of vertices.entries()) newIndex[vertex] = i
+  return { vertices, corners: corners.map((vertex) => (vertex < count ? newIndex[vertex] : NO_VERTEX)) }
+}
+
+/** Multiplies vectors by an affine matrix, in place; w = 1 for points, 0 for displacements. */
+function transform(vectors: Float32Array, m: ArrayLike<number>, w: 0 | 1): void {
+  for (let i = 0; i < vectors.length; i += 3) {
+    const [x, y, z] = [vectors[i], vectors[i + 1], vectors[i + 2]]
+    for (let k = 0; k < 3; k++) vectors[i + k] = m[k] * x + m[4 + k] * y + m[8 + k] * z + m[12 + k] * w
+  }
+}

@@ -1,0 +1,16 @@
+import type { WrinkleSet } from '../../core/types.ts'
+import type { WrinkleDriver } from '../../drivers/registry.ts'
+import type { AutoWrinkles } from './auto.ts'
+
+/** Automatic wrinkles as a wrinkle set, drivers and expressions included: `new Wrinkles(mesh, autoWrinkleSet(wrinkles))` shows them. */
+export function autoWrinkleSet({
+  layers,
+  areas,
+  expressions,
+}: Pick<AutoWrinkles, 'layers' | 'areas' | 'expressions'>): WrinkleSet & { drivers: WrinkleDriver[] } {
+  return {
+    layers: layers.map(({ name, normal, occlusion }) => ({ name, kind: 'detail', normal, occlusion })),
+    areas: areas.map(({ name, layer, weights }) => ({ name, layer: layers[layer].name, weights })),
+    drivers: [...areas.map(({ driver }) => driver), ...expressions],
+  }
+}

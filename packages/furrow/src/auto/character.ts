@@ -1,0 +1,96 @@
+import { joinParts, type SkinPart } from '../author/auto/surface/join-parts.ts'
+import type { TangentFrame } from '../author/relief/height-to-normal.ts'
+import type { Skin } from '../author/skin/surface.ts'
+
+/** Vectors in memory as a GPU reads them, so that a page need not convert them. */
+export interface VectorData {
+  array: ArrayLike<number> & ArrayBufferView
+  /** Elements of the array from one vector to the next, and before the first. */
+  stride: number
+  start: number
+  /** Whether integers mean fractions of the largest of their type. */
+  isNormalized: boolean
+}
+
+/** A part of a mesh. */
+export interface PartData {
+  /** Number of vertices. */
+  count: number
+  /** Three vertices per triangle; consecutive ones by default. */
+  indices?: ArrayLike<number> | undefined
+  positions: VectorData
+  uvs: VectorData
+  /** 3 x 3 matrix of the normal map's coordinates, column by column; the identity by default. */
+  uvMatrix?: readonly number[] | undefined
+  /** Of each target. */
+  targets: readonly VectorData[]
+  /** Whether targets are added to the positions, or replace them. */
+  isRelative: boolean
+}
+
+/** A mesh, or the part of one with one material. */
+export interface MeshData {
+  parts: readonly PartData[]
+  /** Of the targets. */
+  names: readonly string[]
+  /** 4 x 4 matrix from mesh to world space, column by column. */
+  placement: readonly number[]
+  /** Whether its material can show wrinkles. */
+  isLit: boolean
+  /** The frame in which its renderer reads normal maps. */
+  frame: TangentFrame
+}
+
+/** The meshes of a character that have blendshapes, one of which is its skin. */
+export type CharacterData = readonly MeshData[]
+
+export function skinOf({ parts, names, placement }: MeshData): Skin {
+  return joinParts(parts.map(partOf), names, placement)
+}
+
+function partOf({ count, indices, positions, uvs, uvMatrix, targets, isRelative }: PartData): SkinPart {
+  return {
+    count,
+    indices: indices ?? Uint32Array.from({ length: count }, (_, i) => i),
+    readPositions: (vertices, out) => read(positions, 3, vertices, out),
+    readUvs(vertices, out) {
+      read(uvs, 2, vertices, out)
+      if (uvMatrix) transformUvs(out, uvMatrix)
+    },
+    readOffsets(k, vertices, out) {
+      if (!targets[k]) return
+      read(targets[k], 3, vertices, out)
+      if (isRelative) return
+      const rest = new Float32Array(out.length)
+      read(positions, 3, vertices, rest)
+      for (let i = 0; i < out.length; i++) out[i] -= rest[i]
+    },
+  }
+}
+
+function read(data: VectorData, size: number, vertices: Uint32Array, out: Float32Array): void {
+  const { array, stride, start, isNormalized } = data
+  const largest = isNormalized ? largestOf(array) : 1
+  for (let i = 0; i < vertices.length; i++) {
+    const first = start + stride * vertices[i]
+    // The lowest integer has no counterpart, and means -1 as the next does (glTF 2.0, 3.6.2.2).
+    for (let k = 0; k < size; k++) {
+      const value = array[first + k]
+      out[size * i + k] = isNormalized ? Math.max(value / largest, -1) : value
+    }
+  }
+}
+
+function largestOf(array: ArrayBufferView): number {
+  const bits = 8 * (array as Uint8Array).BYTES_PER_ELEMENT
+  const isSigned = array instanceof Int8Array || array instanceof Int16Array || array instanceof Int32Array
+  return 2 ** (isSigned ? bits - 1 : bits) - 1
+}
+
+function transformUvs(uvs: Float32Array, m: readonly number[]): void {
+  for (let i = 0; i < uvs.length; i += 2) {
+    const [u, v] = [uvs[i], uvs[i + 1]]
+    uvs[i] = m[0] * u + m[3] * v + m[6]
+    uvs[i + 1] = m[1] * u + m[4] * v + m[7]
+  }
+}

@@ -1,0 +1,65 @@
+import { type AutoOptions, type AutoProgress, type AutoWrinkles, autoWrinkles } from '../author/auto/auto.ts'
+import { chooseSkin } from '../author/auto/surface/choose-skin.ts'
+import { autoWrinkleSet } from '../author/auto/wrinkle-set.ts'
+import { FurrowError } from '../core/error.ts'
+import { type ImageArray, packColours, packGrays } from '../core/pack.ts'
+import type { Area } from '../core/types.ts'
+import type { WrinkleDriver } from '../drivers/registry.ts'
+import { type CharacterData, skinOf } from './character.ts'
+import { keep, keyOf, recall } from './kept.ts'
+
+/** Wrinkles for the skin of a character. */
+export interface CharacterWrinkles {
+  /** Index of the mesh that is the skin. */
+  mesh: number
+  /** Names of the layers, and their maps one after the other. */
+  layers: string[]
+  normals: ImageArray
+  occlusion: ImageArray
+  areas: Area[]
+  drivers: WrinkleDriver[]
+}
+
+/**
+ * Makes wrinkles for the skin of a character, which is chosen as `furrow auto` chooses it, or finds those that were kept of an earlier time.
+ *
+ * @param made is called with them, and may take their buffers.
+ * @returns when they are kept, where that is possible.
+ */
+export async function makeCharacterWrinkles(
+  character: CharacterData,
+  options: AutoOptions,
+  version: string,
+  progress: AutoProgress,
+  made: (wrinkles: CharacterWrinkles) => void,
+): Promise<void> {
+  const candidates = character.map((mesh) => {
+    const { isLit, frame } = mesh
+    return { skin: skinOf(mesh), isLit, frame }
+  })
+  const key = await keyOf({ version, options, candidates })
+  const known = await recall<CharacterWrinkles>(version, key)
+  if (known) return made(known)
+  const { index } = chooseSkin(candidates)!
+  const { skin, frame } = candidates[index]
+  const wrinkles = autoWrinkles(skin, { frame, ...options }, progress)
+  if (wrinkles.areas.length === 0) throw withoutAreas()
+  const result = { mesh: index, ...packed(wrinkles) }
+  await keep(version, key, result, () => made(result))
+}
+
+function packed(wrinkles: AutoWrinkles): Omit<CharacterWrinkles, 'mesh'> {
+  const { layers, areas, drivers } = autoWrinkleSet(wrinkles)
+  const names = layers.map(({ name }) => name)
+  const normals = layers.map(({ normal }) => normal)
+  const occlusion = wrinkles.layers.map((layer) => layer.occlusion)
+  return { layers: names, normals: packColours(normals), occlusion: packGrays(occlusion), areas, drivers }
+}
+
+function withoutAreas(): FurrowError {
+  return new FurrowError({
+    who: 'WrinkleLoaderPlugin',
+    what: 'no wrinkles can be made: no blendshape compresses the skin enough to crease it',
+    remedy: 'draw them with `npx furrow strokes`, or load the file without the option auto',
+  })
+}

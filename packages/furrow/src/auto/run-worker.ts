@@ -1,0 +1,121 @@
+import type { AutoOptions, AutoProgress } from '../author/auto/auto.ts'
+import { FurrowError } from '../core/error.ts'
+import type { AutoJob, AutoReply, AutoRequest, AutoResults } from './messages.ts'
+
+/** Settings of `autoWrinkles`, and how the page follows it. */
+export interface AutoRunOptions extends AutoOptions {
+  /** Called before each step and at the end. */
+  progress?: AutoProgress
+  /** Ends the worker when it is aborted. */
+  signal?: AbortSignal
+}
+
+/**
+ * Runs a job in a worker of its own.
+ *
+ * @param transfer buffers to move to the worker instead of copying them.
+ * @param who names the caller in errors.
+ * @returns a promise that rejects with a FurrowError where the job throws it, where there are no workers, and where the worker cannot start or
+ *   dies; with the signal's reason when that is aborted.
+ */
+export async function runWorker<Job extends AutoJob>(
+  job: Job,
+  { progress, signal, ...options }: AutoRunOptions,
+  transfer: ArrayBuffer[],
+  who: string,
+): Promise<AutoResults[Job['type']]> {
+  signal?.throwIfAborted()
+  if (typeof Worker === 'undefined') throw withoutWorkers(who)
+  const { startWorker, version } = await import('./start-worker.ts')
+  signal?.throwIfAborted()
+  const worker = start(startWorker, who)
+  return new Promise((resolve, reject) => {
+    const ended = new AbortController()
+    const end = () => {
+      ended.abort()
+      worker.terminate()
+    }
+    const fail = (reason: unknown) => {
+      end()
+      reject(reason)
+    }
+    signal?.addEventListener('abort', () => fail(signal.reason), { signal: ended.signal })
+    let isRunning = false
+    worker.onerror = (event) => {
+      // The promise tells it; the console need not.
+      event.preventDefault()
+      fail(isRunning ? died(who, event.message) : cannotStart(who, event.message))
+    }
+    worker.onmessage = ({ data }: MessageEvent<AutoReply>) => {
+      if (data.type === 'started') {
+        isRunning = true
+        if (data.lock) whenFree(data.lock, ended.signal, () => fail(died(who)))
+      } else if (data.type === 'progress') progress?.(data.done, data.total, data.step)
+      else if (data.type === 'made') resolve(data.result as AutoResults[Job['type']])
+      else if (data.type === 'finished') end()
+      else fail(data.parts ? new FurrowError(data.parts) : died(who, data.message))
+    }
+    const lock = globalThis.navigator?.locks && crypto.randomUUID()
+    const request: AutoRequest = { ...job, options, version, lock }
+    try {
+      worker.postMessage(request, transfer)
+    } catch (error) {
+      fail(notSent(who, (error as Error)?.message))
+    }
+  })
+}
+
+function start(startWorker: () => Worker, who: string): Worker {
+  try {
+    return startWorker()
+  } catch (error) {
+    throw cannotStart(who, (error as Error)?.message)
+  }
+}
+
+/**
+ * Calls a function when the worker is gone that holds a lock: browsers end workers without any event, as when memory runs out, but
+ * they release what it held.
+ */
+function whenFree(lock: string, signal: AbortSignal, call: () => void): void {
+  // Rejects when the signal ends the wait, and in documents without an origin of their own, which have no locks.
+  navigator.locks.request(lock, { signal }, call).catch(() => {})
+}
+
+function withoutWorkers(who: string): FurrowError {
+  return new FurrowError({
+    code: 'unsupported',
+    who,
+    what: 'there are no web workers here',
+    remedy: 'call autoWrinkles of furrow/author, which runs anywhere',
+  })
+}
+
+function notSent(who: string, message: string | undefined): FurrowError {
+  return new FurrowError({
+    who,
+    what: 'the skin cannot be sent to the worker',
+    value: message,
+    remedy: 'pass arrays of numbers that were not transferred before',
+  })
+}
+
+function cannotStart(who: string, message: string | undefined): FurrowError {
+  return new FurrowError({
+    code: 'unsupported',
+    who,
+    what: 'the worker cannot be started',
+    value: message,
+    remedy: 'allow `worker-src blob:` in the Content-Security-Policy of the page',
+  })
+}
+
+function died(who: string, message?: string): FurrowError {
+  return new FurrowError({
+    code: 'unsupported',
+    who,
+    what: 'the worker ended before the wrinkles were made',
+    value: message,
+    remedy: 'close other pages to free memory, or choose a smaller size',
+  })
+}

@@ -1,0 +1,74 @@
+import {
+  type BufferAttribute,
+  type BufferGeometry,
+  type InterleavedBufferAttribute,
+  Matrix4,
+  type Mesh,
+  type SkinnedMesh,
+  type Texture,
+} from 'three'
+import type { MeshData, PartData, VectorData } from '../../auto/character.ts'
+import { readsNormalMap, surfaceOf } from '../material/surface.ts'
+
+/** Whether a mesh, at rest, has all that automatic wrinkles are made from. */
+export function canCrease({ geometry: { attributes, morphAttributes } }: Mesh): boolean {
+  return Boolean(attributes.position && attributes.uv && morphAttributes.position?.length)
+}
+
+/**
+ * The meshes of a face as plain data, in world space as their first one or its skeleton places them now. Nothing is copied or converted: the
+ * arrays are those of the geometries.
+ */
+export function readMeshes(meshes: readonly [Mesh, ...Mesh[]]): MeshData {
+  const [mesh] = meshes
+  const map = (surfaceOf(mesh) as { normalMap?: Texture | null }).normalMap
+  return {
+    parts: meshes.map(({ geometry }) => partOf(geometry, map)),
+    names: targetNames(mesh),
+    placement: placementOf(mesh).toArray(),
+    isLit: readsNormalMap(surfaceOf(mesh)),
+    frame: meshes.every(({ geometry }) => geometry.hasAttribute('tangent')) ? 'orthonormal' : 'derivative',
+  }
+}
+
+function partOf(
+  { attributes, morphAttributes, morphTargetsRelative, index }: BufferGeometry,
+  map: Texture | null | undefined,
+): PartData {
+  if (map?.matrixAutoUpdate) map.updateMatrix()
+  return {
+    count: attributes.position.count,
+    indices: index?.array,
+    positions: vectors(attributes.position),
+    uvs: vectors((map?.channel && attributes[`uv${map.channel}`]) || attributes.uv),
+    uvMatrix: map?.matrix.toArray(),
+    targets: (morphAttributes.position ?? []).map(vectors),
+    isRelative: morphTargetsRelative,
+  }
+}
+
+function vectors(attribute: BufferAttribute | InterleavedBufferAttribute): VectorData {
+  const { array, itemSize, normalized: isNormalized } = attribute
+  if (!('data' in attribute)) return { array, stride: itemSize, start: 0, isNormalized }
+  return { array: attribute.data.array, stride: attribute.data.stride, start: attribute.offset, isNormalized }
+}
+
+/** The names of the targets, or the indices of those that have none. */
+function targetNames({ geometry, morphTargetDictionary = {} }: Mesh): string[] {
+  const names = geometry.morphAttributes.position!.map((_, i) => String(i))
+  for (const [name, i] of Object.entries(morphTargetDictionary)) names[i] = name
+  return names
+}
+
+/**
+ * The matrix from mesh to world space in the rest pose. glTF places a skinned mesh by its joints and ignores its node; in the rest pose
+ * all joints give the same matrix.
+ */
+function placementOf(mesh: Mesh): Matrix4 {
+  mesh.updateWorldMatrix(true, false)
+  const { skeleton } = mesh as SkinnedMesh
+  const [bone] = skeleton?.bones ?? []
+  if (!bone) return mesh.matrixWorld
+  bone.updateWorldMatrix(true, false)
+  return new Matrix4().multiplyMatrices(bone.matrixWorld, skeleton.boneInverses[0])
+}
