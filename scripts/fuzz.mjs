@@ -6,6 +6,7 @@ import { join } from 'node:path'
 import { parseArgs } from 'node:util'
 import { bundle } from './lib/bundle.mjs'
 import { Failure, main, say } from './lib/run.mjs'
+import { wholeNumber } from './lib/whole-number.mjs'
 
 await main(async () => {
   const { values } = parseArgs({
@@ -18,6 +19,10 @@ await main(async () => {
       jobs: { type: 'string', default: String(availableParallelism()) },
     },
   })
+  const [seed, first] = ['seed', 'first'].map((option) => wholeNumber(option, values[option], 0))
+  const [count, seconds, jobs] = ['count', 'seconds', 'jobs'].map((option) =>
+    wholeNumber(option, values[option], 1),
+  )
   const { fuzz } = await import(await bundle('test/fuzz/fuzz.ts'))
   const keep = join(tmpdir(), `furrow-fuzz-failures-${process.pid}`)
   mkdirSync(keep)
@@ -26,11 +31,11 @@ await main(async () => {
   const results = await fuzz({
     child: await bundle('test/fuzz/child.ts'),
     ...(values.command && { commands: values.command }),
-    seed: Number(values.seed),
-    first: Number(values.first),
-    count: Number(values.count),
-    limits: { seconds: Number(values.seconds), megabytes: 1024 },
-    jobs: Number(values.jobs),
+    seed,
+    first,
+    count,
+    limits: { seconds, megabytes: 1024 },
+    jobs,
     keep,
     report: say,
     stop: stop.signal,

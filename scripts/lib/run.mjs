@@ -49,7 +49,8 @@ export async function main(work) {
     await work()
   } catch (error) {
     const known = error instanceof Failure || error.name === 'FurrowError'
-    console.error(known ? `furrow: ${error.message}` : error)
+    const isUsage = error.code?.startsWith('ERR_PARSE_ARGS')
+    console.error(known || isUsage ? `furrow: ${error.message}` : error)
     process.exitCode = 1
   }
 }

@@ -1,6 +1,7 @@
 import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
+import { FurrowError } from 'furrow'
 import { withBar } from '../../packages/cli/src/progress.ts'
 import { writeBases } from './bases.ts'
 import { COMMANDS } from './cases.ts'
@@ -33,9 +34,14 @@ export interface CommandResults {
   failures: Tried[]
 }
 
-/** Tries damaged files with commands. */
+/**
+ * Tries damaged files with commands.
+ *
+ * @throws FurrowError for a command that is not among `COMMANDS`.
+ */
 export async function fuzz(options: FuzzOptions): Promise<CommandResults[]> {
   const { commands = COMMANDS, first = 0, report = () => {}, stop = new AbortController().signal } = options
+  checkCommands(commands)
   const root = mkdtempSync(join(tmpdir(), 'furrow-fuzz-'))
   try {
     const bases = join(root, 'bases')
@@ -61,6 +67,19 @@ export async function fuzz(options: FuzzOptions): Promise<CommandResults[]> {
   } finally {
     rmSync(root, { recursive: true, force: true })
   }
+}
+
+function checkCommands(commands: readonly string[]): void {
+  const value = commands.find((command) => !COMMANDS.includes(command))
+  if (value === undefined) return
+  throw new FurrowError({
+    code: 'unknown-name',
+    who: 'fuzz',
+    what: 'no command of that name reads files',
+    value,
+    limit: COMMANDS.join(', '),
+    remedy: 'name one of these',
+  })
 }
 
 function failureText(command: string, { index, outcome, message, milliseconds }: Tried): string {

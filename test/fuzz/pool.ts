@@ -4,11 +4,11 @@ import { cpSync, rmSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Outcome, Result, Task } from './child.ts'
 
-/** What one file may cost. */
+/** What one file of up to 10 MB may cost; a larger one as many times as much as it is larger. */
 export interface FileLimits {
-  /** Seconds of the processor for a file of up to 10 MB. */
+  /** Of the processor. */
   seconds: number
-  /** Megabytes of memory. */
+  /** Of memory. */
   megabytes: number
 }
 
@@ -99,13 +99,15 @@ class Attempts {
             : failed('died', `the process ended with ${ended ?? code}`)
         }),
       ])
-      if (result.peak > 2 ** 20 * megabytes) {
+      const factor = Math.max(1, result.bytes / 1e7)
+      if (result.peak > 2 ** 20 * megabytes * factor) {
         this.end()
         return { ...result, outcome: 'too large', message: `${Math.round(result.peak / 2 ** 20)} MB` }
       }
-      const allowed = seconds * Math.max(1, result.bytes / 1e7)
       const message = `${(result.milliseconds / 1000).toFixed(1)} s`
-      return result.milliseconds > 1000 * allowed ? { ...result, outcome: 'too slow', message } : result
+      return result.milliseconds > 1000 * seconds * factor
+        ? { ...result, outcome: 'too slow', message }
+        : result
     } catch {
       return failed('too slow', `nothing for ${PATIENCE} s`)
     } finally {

@@ -41,6 +41,9 @@ const COMMANDS: Record<string, string[]> = {
 }
 
 const chosen = Object.entries(COMMANDS).filter(([name]) => name === (FURROW_COMMAND ?? name))
+if (chosen.length === 0) {
+  throw new Error(`no command "${FURROW_COMMAND}" writes, allowed: ${Object.keys(COMMANDS).join(', ')}`)
+}
 
 /** Commands that draw take long. */
 const DRAWING = ['auto --report', 'render']

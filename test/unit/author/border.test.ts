@@ -1,5 +1,11 @@
 import { describe, expect, it } from 'vitest'
-import { copyNearest, dilate, extendPlanes } from '../../../packages/furrow/src/author/border.ts'
+import {
+  type BorderEdge,
+  copyNearest,
+  dilate,
+  extendPlanes,
+} from '../../../packages/furrow/src/author/border.ts'
+import { seeded } from '../../random.ts'
 
 /** A map of 7 x 5 texels in which only the middle is known. */
 function dot() {
@@ -66,7 +72,7 @@ describe('extendPlanes', () => {
     const isCovered = owners.map((owner) => (owner >= 0 ? 1 : 0))
     const edges = [0, 1].map((triangle) => ({ triangle, x: 7 * triangle, y: 0, dx: 0, dy: 7 }))
     extendPlanes(
-      edges,
+      () => edges,
       8,
       8,
       margin,
@@ -84,4 +90,59 @@ describe('extendPlanes', () => {
       expect([...extended(14).slice(8 * row, 8 * row + 8)]).toEqual([0, 0, 0, 0, 1, 1, 1, 1])
     }
   })
+
+  /** Edges at random places, some of them beyond a map of 64 x 64 texels. */
+  const edgesOf = (count: number, length: number, random = seeded(3)): BorderEdge[] =>
+    Array.from({ length: count }, (_, triangle) => {
+      const [x, y] = [72 * random() - 4, 72 * random() - 4]
+      return { triangle, x, y, dx: length * (random() - 0.5), dy: length * (random() - 0.5) }
+    })
+
+  it.each([
+    ['no', []],
+    ['few long', edgesOf(8, 60)],
+    ['few short', edgesOf(30, 1)],
+    ['many', edgesOf(2000, 2)],
+  ])('gives each texel to the nearest of %s edges', (_, edges) => {
+    const isFree = (texel: number) => texel % 7 !== 0
+    const owners = new Map<number, number>()
+    extendPlanes(
+      () => edges,
+      64,
+      64,
+      14,
+      isFree,
+      (texel, triangle) => owners.set(texel, triangle),
+    )
+    for (let texel = 0; texel < 64 * 64; texel++) {
+      const distances = edges.map((edge) => distanceTo(edge, texel % 64, Math.floor(texel / 64)))
+      const least = Math.min(...distances)
+      const owner = owners.get(texel)
+      if (!isFree(texel) || least > 14) expect(owner).toBeUndefined()
+      else expect(distances[owner!]).toBeCloseTo(least, 5)
+    }
+  })
+
+  it.each([
+    ['side by side', edgesOf(20_000, 1)],
+    ['in one texel', edgesOf(20_000, 1).map((edge) => ({ ...edge, x: 30.2, y: 30.2 }))],
+  ])('visits few texels for each of 20,000 edges shorter than a texel, %s', (_, edges) => {
+    let visits = 0
+    const isFree = () => ++visits > 0
+    extendPlanes(
+      () => edges,
+      64,
+      64,
+      14,
+      isFree,
+      () => {},
+    )
+    expect(visits / edges.length).toBeLessThan(60)
+  })
 })
+
+function distanceTo({ x, y, dx, dy }: BorderEdge, column: number, row: number): number {
+  const along = ((column - x) * dx + (row - y) * dy) / (dx * dx + dy * dy)
+  const t = Math.min(1, Math.max(0, along))
+  return Math.hypot(column - x - t * dx, row - y - t * dy)
+}

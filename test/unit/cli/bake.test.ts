@@ -338,6 +338,9 @@ describe('furrow bake says what is wrong and writes nothing:', () => {
     await writeGlb(file('nan.glb'), {
       nan: { ...plain, positions: plain.positions.map((p, i) => (i === 7 ? NaN : p)) },
     })
+    await writeGlb(file('dot.glb'), {
+      dot: { ...plain, positions: plain.positions.map(() => 0.01) },
+    })
     await writeGlb(file('spread.glb'), { spread: { ...plain, uvs: plain.uvs.map((t) => 1e4 * t) } })
     await writeGlb(file('point.glb'), { point: { ...plain, uvs: plain.uvs.map(() => 0.5) } })
     writeFileSync(file('text.glb'), 'no glTF')
@@ -374,6 +377,11 @@ describe('furrow bake says what is wrong and writes nothing:', () => {
       'no numbers',
       () => [file('nan.glb'), file('plain.glb'), ...out()],
       'is at NaN, allowed: finite numbers',
+    ],
+    [
+      'triangles without area',
+      () => [file('ball.glb'), file('dot.glb'), ...out()],
+      'no tangents can be computed for',
     ],
     [
       'absurd UVs',

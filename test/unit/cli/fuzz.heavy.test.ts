@@ -34,3 +34,10 @@ test.each(COMMANDS)('%s: 100 damaged files end in success, one line or a finding
   // A fuzz whose files are all refused at the door tests nothing behind it.
   expect(results!.tried.filter(({ outcome }) => outcome === 'success').length).toBeGreaterThan(0)
 })
+
+test('a command that reads no files is refused', async () => {
+  const options = { child, commands: ['auto', 'rendr'], seed: 1, count: 1, jobs: 1, keep: '' }
+  await expect(fuzz({ ...options, limits: { seconds: 10, megabytes: 1024 } })).rejects.toThrow(
+    /^fuzz: no command of that name reads files, got "rendr", allowed: activations, .*; name one of these$/,
+  )
+})

@@ -82,7 +82,7 @@ export async function readLow(
   }
   const hasTangents = parts.every((primitive) => primitive.getAttribute('TANGENT'))
   const source = hasTangents ? 'of the mesh' : tangents
-  const meshes = parts.map((primitive) => readUnindexed(primitive, source))
+  const meshes = parts.map((primitive) => readUnindexed(primitive, source, path))
   if (meshes.every(({ positions }) => positions.length === 0)) throw noTriangles(path)
   for (const mesh of meshes) transform(mesh, matrixOf(node))
   const joined = (name: 'positions' | 'normals' | 'uvs') =>
@@ -94,12 +94,10 @@ export async function readLow(
   const partTangents = meshes.flatMap((part) => part.tangents ?? [])
   if (partTangents.length > 0) mesh.tangents = join(Float32Array, partTangents)
   checkFinite(mesh.positions, path)
-  checkFinite(mesh.normals, path)
-  checkFinite(mesh.uvs, path)
   return { name: nameOf(node), mesh, tangents: source }
 }
 
-function readUnindexed(primitive: Primitive, tangents: 'of the mesh' | Tangents): BakeMesh {
+function readUnindexed(primitive: Primitive, tangents: 'of the mesh' | Tangents, path: string): BakeMesh {
   const corners = cornersOf(primitive, false)
   const perCorner = (name: string, size: number) => {
     const values = readAttribute(primitive, name, size)
@@ -114,14 +112,21 @@ function readUnindexed(primitive: Primitive, tangents: 'of the mesh' | Tangents)
     normals: perCorner('NORMAL', 3),
     uvs: perCorner('TEXCOORD_0', 2),
   }
+  for (const values of [mesh.positions, mesh.normals, mesh.uvs]) checkFinite(values, path)
   if (tangents === 'of the mesh') mesh.tangents = perCorner('TANGENT', 4)
-  if (tangents === 'mikktspace') mesh.tangents = mikktspace(mesh)
+  if (tangents === 'mikktspace') mesh.tangents = mikktspace(mesh, path)
   return mesh
 }
 
 /** MikkTSpace's v points up, glTF's down, which negates w. */
-function mikktspace({ positions, normals, uvs }: BakeMesh): Float32Array {
-  const tangents = generateTangents(positions, normals, uvs)
+function mikktspace({ positions, normals, uvs }: BakeMesh, path: string): Float32Array {
+  let tangents: Float32Array
+  try {
+    tangents = generateTangents(positions, normals, uvs)
+  } catch {
+    // Its WebAssembly traps where no triangle is left that has an area.
+    throw fault(`no tangents can be computed for ${path}`, 'triangles with an area', 'export the mesh again')
+  }
   for (let i = 3; i < tangents.length; i += 4) tangents[i] *= -1
   return tangents
 }

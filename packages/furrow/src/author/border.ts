@@ -24,13 +24,22 @@ export interface BorderEdge {
   dy: number
 }
 
+/** How many edges shorter than a texel are continued from one texel: beyond it their planes cannot be told apart. */
+const MOST_SHORT_EDGES = 8
+/** Side of a square of texels that an edge leaves out together where others are nearer. */
+const BLOCK = 4
+/** More than what single precision adds to the square of a distance. */
+const ROUNDING = 1.000001
+
 /**
- * Continues border triangles in their planes: each free texel within the margin goes to the triangle of the nearest edge.
+ * Continues border triangles in their planes: each free texel within the margin goes to the triangle of the nearest edge. Where edges are
+ * dense, each reaches only as far as the next: hundreds of thousands of triangles may have no neighbours.
  *
+ * @param edges are gone through twice.
  * @param claim is given the texel and the triangle, again where a nearer edge is found later.
  */
 export function extendPlanes(
-  edges: Iterable<BorderEdge>,
+  edges: () => Iterable<BorderEdge>,
   width: number,
   height: number,
   margin: number,
@@ -38,24 +47,95 @@ export function extendPlanes(
   claim: (texel: number, triangle: number) => void,
 ): void {
   const nearest = new Float32Array(width * height).fill(Infinity)
-  for (const { triangle, x, y, dx, dy } of edges) {
+  const blocks = Math.ceil(width / BLOCK)
+  const bounds = distanceBounds(thinned(edges(), width, height), width, height)
+  for (const { triangle, x, y, dx, dy } of thinned(edges(), width, height)) {
     const square = dx * dx + dy * dy || 1
-    const firstRow = Math.max(Math.ceil(Math.min(y, y + dy) - margin), 0)
-    const lastRow = Math.min(Math.floor(Math.max(y, y + dy) + margin), height - 1)
-    const firstColumn = Math.max(Math.ceil(Math.min(x, x + dx) - margin), 0)
-    const lastColumn = Math.min(Math.floor(Math.max(x, x + dx) + margin), width - 1)
-    for (let row = firstRow; row <= lastRow; row++) {
-      for (let column = firstColumn; column <= lastColumn; column++) {
-        const texel = row * width + column
-        if (!isFree(texel)) continue
-        const t = Math.min(1, Math.max(0, ((column - x) * dx + (row - y) * dy) / square))
-        const distance = Math.hypot(column - x - t * dx, row - y - t * dy)
-        if (distance > margin || distance >= nearest[texel]) continue
-        nearest[texel] = distance
-        claim(texel, triangle)
+    const [left, right] = [Math.min(x, x + dx), Math.max(x, x + dx)]
+    const [top, bottom] = [Math.min(y, y + dy), Math.max(y, y + dy)]
+    const extend = (texel: number, column: number, row: number) => {
+      const along = ((column - x) * dx + (row - y) * dy) / square
+      const t = along < 0 ? 0 : along > 1 ? 1 : along
+      const offX = column - x - t * dx
+      const offY = row - y - t * dy
+      // The hypotenuse costs ten times as much.
+      if (offX * offX + offY * offY > ROUNDING * nearest[texel] ** 2) return
+      const distance = Math.hypot(offX, offY)
+      if (distance > margin || distance >= nearest[texel]) return
+      nearest[texel] = distance
+      claim(texel, triangle)
+    }
+    const [firstColumn, lastColumn] = blocksWithin(left - margin, right + margin, width)
+    const [firstRow, lastRow] = blocksWithin(top - margin, bottom + margin, height)
+    for (let j = firstRow; j <= lastRow; j++) {
+      for (let i = firstColumn; i <= lastColumn; i++) {
+        const across = Math.max(0, i * BLOCK - right, left - (i + 1) * BLOCK + 1)
+        const up = Math.max(0, j * BLOCK - bottom, top - (j + 1) * BLOCK + 1)
+        if (across * across + up * up > bounds[j * blocks + i] ** 2) continue
+        const endRow = Math.min((j + 1) * BLOCK, height)
+        const endColumn = Math.min((i + 1) * BLOCK, width)
+        let farthest = 0
+        for (let row = j * BLOCK; row < endRow; row++) {
+          for (let column = i * BLOCK; column < endColumn; column++) {
+            const texel = row * width + column
+            if (!isFree(texel)) continue
+            extend(texel, column, row)
+            farthest = Math.max(farthest, nearest[texel])
+          }
+        }
+        bounds[j * blocks + i] = Math.min(farthest, bounds[j * blocks + i])
       }
     }
   }
+}
+
+/** The first and last block of those from one coordinate to another. */
+function blocksWithin(low: number, high: number, size: number): [first: number, last: number] {
+  return [Math.max(Math.floor(low / BLOCK), 0), Math.floor(Math.min(high, size - 1) / BLOCK)]
+}
+
+/** The edges without those shorter than a texel where too many of them start in the same one. */
+function* thinned(edges: Iterable<BorderEdge>, width: number, height: number): Generator<BorderEdge> {
+  const counts = new Uint8Array(width * height)
+  for (const edge of edges) {
+    const [column, row] = [Math.round(edge.x), Math.round(edge.y)]
+    const isInside = column >= 0 && column < width && row >= 0 && row < height
+    if (isInside && edge.dx * edge.dx + edge.dy * edge.dy < 1) {
+      if (counts[row * width + column] === MOST_SHORT_EDGES) continue
+      counts[row * width + column]++
+    }
+    yield edge
+  }
+}
+
+/**
+ * Of each block at least the distance from any of its texels to the nearest edge: by the steps from block to block to one that an edge starts
+ * in (Rosenfeld and Pfaltz 1968, Distance functions on digital pictures).
+ */
+function distanceBounds(edges: Iterable<BorderEdge>, width: number, height: number): Float32Array {
+  const [blocks, rows] = [Math.ceil(width / BLOCK), Math.ceil(height / BLOCK)]
+  const bounds = new Float32Array(blocks * rows).fill(Infinity)
+  for (const { x, y } of edges) {
+    const [column, row] = [Math.floor(Math.round(x) / BLOCK), Math.floor(Math.round(y) / BLOCK)]
+    const isInside = column >= 0 && column < blocks && row >= 0 && row < rows
+    if (isInside) bounds[row * blocks + column] = Math.SQRT2 * BLOCK
+  }
+  // Forwards with the neighbours on the left and above, then backwards with those on the right and below.
+  for (const sign of [1, -1]) {
+    for (let n = 0; n < bounds.length; n++) {
+      const block = sign > 0 ? n : bounds.length - 1 - n
+      for (let up = -1; up <= 0; up++) {
+        for (let across = -1; across <= (up < 0 ? 1 : -1); across++) {
+          const column = (block % blocks) + sign * across
+          if (column < 0 || column >= blocks) continue
+          // Above the first row and below the last it is NaN, which is never less.
+          const bound = bounds[block + sign * (across + up * blocks)] + Math.hypot(across, up) * BLOCK
+          if (bound < bounds[block]) bounds[block] = bound
+        }
+      }
+    }
+  }
+  return bounds
 }
 
 /**

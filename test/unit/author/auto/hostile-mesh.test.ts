@@ -28,6 +28,32 @@ test('creases are found from anywhere within their reach, and from nowhere else'
   expect(found(Number.NaN, 0, 0)).toEqual([])
 })
 
+test('what it costs to look for creases all over a skin grows with its size, not with its square', () => {
+  const comparedPerPosition = (millimetres: number) => {
+    const lines = Array.from({ length: millimetres / 10 }, (_, row) => {
+      const points = Float64Array.from(
+        { length: 3 * (millimetres / 10) },
+        (_, i) => [i / 3, row, 0][i % 3]! * 10,
+      )
+      return { points, normals: points.map((_, i) => (i % 3 === 2 ? 1 : 0)) }
+    })
+    let compared = 0
+    const reaches = new Proxy(new Array<number>(lines.length).fill(3), {
+      get: (list, key: `${number}`) => {
+        compared++
+        return list[Number(key)]
+      },
+    })
+    const grid = new LineGrid(lines, reaches)
+    compared = 0
+    for (let x = 0; x < millimetres; x += 10) {
+      for (let y = 0; y < millimetres; y += 10) grid.visit(x, y, 0, 0, 0, 1, () => {})
+    }
+    return compared / (millimetres / 10) ** 2
+  }
+  expect(comparedPerPosition(800) / comparedPerPosition(200)).toBeLessThan(2)
+})
+
 test('the chart of a head takes triangles by the thousand that reach far above and below it', () => {
   const positions = [-5, -1e9, 0, 5, -1e9, 0, 0, 1e9, 0]
   const indices = Array.from({ length: 3 * 20_000 }, (_, i) => i % 3)

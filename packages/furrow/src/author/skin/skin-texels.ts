@@ -44,7 +44,7 @@ export class SkinTexels {
     const drawn = surface.skinTriangles.map((_, triangle) => (isDrawn(triangle) ? 1 : 0))
     for (const [triangle, flag] of drawn.entries()) if (flag) this.#cover(triangle)
     extendPlanes(
-      this.#borderEdges(drawn),
+      () => this.#borderEdges(drawn),
       width,
       height,
       margin,

@@ -3,8 +3,8 @@ import type { SkinLine } from './curve.ts'
 /** Side of a cell in millimetres, and cells along the longest side of the grid, at most: their indices stay exact on skin of any size. */
 const MIN_CELL = 4
 const MOST_IN_ROW = 2 ** 16
-/** Cells along a side of a block. */
-const BLOCK = 4
+/** How many times as long the side of a cube is as that of the cubes one level below, of which the lowest are the cells. */
+const BRANCHING = 4
 /** From the centre of a cube to its corners, in halves of its side, with a margin for rounding. */
 const RADIUS = 1.0005 * Math.sqrt(3)
 /** Cells of the largest box that is searched; a larger one counts as near. */
@@ -25,9 +25,20 @@ const STRIDE = 10
  */
 export type LineVisitor = (line: number, distance: number, segment: number, t: number, side: number) => void
 
+/** Cubes of one size: the segments within reach of each, filled when they are first asked for. */
+interface Level {
+  /** Of a cube, in millimetres. */
+  side: number
+  /** Index of the first cube along each axis, and cubes along y and z. */
+  low: readonly number[]
+  rows: number
+  layers: number
+  cubes: Map<number, readonly number[]>
+}
+
 /**
  * Finds lines near positions on the skin, by a grid of cells that are filled when they are first asked for, since skin has few of those
- * that are within reach of a line: each from the block of cells that it is in, each block from all segments.
+ * that are within reach of a line: each from the cube of cells that it is in, that one from a larger one, the largest from all segments.
  */
 export class LineGrid {
   readonly #reaches: readonly number[]
@@ -37,9 +48,8 @@ export class LineGrid {
   /** Of each segment its line, and the point it starts from. */
   readonly #lineOf: Int32Array
   readonly #pointOf: Int32Array
-  /** Segments by cell and by block. */
-  readonly #cells = new Map<number, readonly number[]>()
-  readonly #blocks = new Map<number, readonly number[]>()
+  /** From the cells up. */
+  readonly #levels: readonly Level[]
   /** All segments. */
   readonly #all: readonly number[]
   /** The first and last cell within reach of any line, along each axis. */
@@ -74,6 +84,7 @@ export class LineGrid {
       }
     }
     this.#all = Array.from({ length: total }, (_, i) => i)
+    this.#levels = this.#levelsOf()
   }
 
   /** Whether lines may be within reach of a box. */
@@ -192,27 +203,36 @@ export class LineGrid {
     // Not the other way round: NaN is nowhere.
     if (!(x >= low[0] && x <= high[0] && y >= low[1] && y <= high[1] && z >= low[2] && z <= high[2]))
       return NONE
-    const key = ((x - low[0]) * (high[1] - low[1] + 1) + (y - low[1])) * (high[2] - low[2] + 1) + (z - low[2])
-    let cell = this.#cells.get(key)
-    if (!cell) {
-      const block = this.#blockAt(Math.floor(x / BLOCK), Math.floor(y / BLOCK), Math.floor(z / BLOCK))
-      cell = block.length > 0 ? this.#within(block, x, y, z, this.#cell) : NONE
-      this.#cells.set(key, cell)
-    }
-    return cell
+    return this.#cubeAt(0, x, y, z)
   }
 
-  #blockAt(x: number, y: number, z: number): readonly number[] {
-    const [low, high] = [this.#low, this.#high]
-    const count = (k: number) => Math.floor(high[k] / BLOCK) - Math.floor(low[k] / BLOCK) + 1
-    const [i, j, n] = [x, y, z].map((index, k) => index - Math.floor(low[k] / BLOCK))
-    const key = (i * count(1) + j) * count(2) + n
-    let block = this.#blocks.get(key)
-    if (!block) {
-      block = this.#within(this.#all, x, y, z, BLOCK * this.#cell)
-      this.#blocks.set(key, block)
+  /** The segments whose lines may be within reach of a cube, given by its index along each axis. */
+  #cubeAt(level: number, x: number, y: number, z: number): readonly number[] {
+    if (level === this.#levels.length) return this.#all
+    const { side, low, rows, layers, cubes } = this.#levels[level]
+    const key = ((x - low[0]) * rows + (y - low[1])) * layers + (z - low[2])
+    let cube = cubes.get(key)
+    if (!cube) {
+      const [i, j, k] = [Math.floor(x / BRANCHING), Math.floor(y / BRANCHING), Math.floor(z / BRANCHING)]
+      const larger = this.#cubeAt(level + 1, i, j, k)
+      cube = larger.length > 0 ? this.#within(larger, x, y, z, side) : NONE
+      cubes.set(key, cube)
     }
-    return block
+    return cube
+  }
+
+  /** Up to the level whose cubes are nearly as large as all that is within reach of any line. */
+  #levelsOf(): Level[] {
+    const levels: Level[] = []
+    const extent = Math.max(...this.#high.map((high, k) => high - this.#low[k]))
+    let cells = 1
+    do {
+      const [low, high] = [this.#low, this.#high].map((box) => box.map((cell) => Math.floor(cell / cells)))
+      const [, rows, layers] = high.map((last, k) => last - low[k] + 1)
+      levels.push({ side: cells * this.#cell, low, rows, layers, cubes: new Map() })
+      cells *= BRANCHING
+    } while (cells < extent)
+    return levels
   }
 
   /** Those of some segments whose lines may be within reach of a cube, given by its index along each axis and its side. */

@@ -6,10 +6,11 @@ export interface SkinPart {
   count: number
   /** Three vertices per triangle. */
   indices: ArrayLike<number>
-  /** Write the values of some vertices one after the other: x, y and z, or u and v. */
+  /** Writes x, y and z of some vertices, one after the other. */
   readPositions(vertices: Uint32Array, out: Float32Array): void
+  /** Writes u and v of some vertices, v = 0 at the top. */
   readUvs(vertices: Uint32Array, out: Float32Array): void
-  /** As above, of the target with this index; nothing where it does not move the part. */
+  /** Writes x, y and z that the target with this index adds to some vertices; nothing where it does not move the part. */
   readOffsets(target: number, vertices: Uint32Array, out: Float32Array): void
 }
 

@@ -1,0 +1,36 @@
+import { spawnSync } from 'node:child_process'
+import { expect, test } from 'vitest'
+
+test.each([
+  [
+    'fuzz',
+    '--count',
+    'abc',
+    '--count is not a whole number, got "abc", allowed: 1 or more; write e.g. --count 20',
+  ],
+  [
+    'fuzz',
+    '--count',
+    '0',
+    '--count is not a whole number, got "0", allowed: 1 or more; write e.g. --count 20',
+  ],
+  [
+    'fuzz',
+    '--first',
+    '1.5',
+    '--first is not a whole number, got "1.5", allowed: 0 or more; write e.g. --first 20',
+  ],
+  [
+    'interrupt',
+    '--moments',
+    '',
+    '--moments is not a whole number, got "", allowed: 1 or more; write e.g. --moments 20',
+  ],
+  ['fuzz', '--cuont', '5', expect.stringContaining("Unknown option '--cuont'")],
+])('npm run %s -- %s %s is refused in one line', (script, option, value, line) => {
+  const { status, stderr } = spawnSync(process.execPath, [`scripts/${script}.mjs`, option, value], {
+    encoding: 'utf8',
+  })
+  expect(status).toBe(1)
+  expect(stderr.trimEnd().split('\n')).toEqual([typeof line === 'string' ? `furrow: ${line}` : line])
+})
