@@ -1,5 +1,5 @@
 import { EXPRESSIONS, findTargets, type WrinkleSet } from 'furrow'
-import { heightToNormal, paintAreas, parseStrokes, strokesToHeight, surfaceMetric } from 'furrow/author'
+import { heightToNormal, paintAreas, parseStrokes, skinCanvas, strokesToHeight } from 'furrow/author'
 import { ExpressionPlayer } from 'furrow/three'
 import { beforeAll, describe, expect, it, vi } from 'vitest'
 import { type Face, loadFace } from '../../stage/face.ts'
@@ -64,8 +64,8 @@ function author({ skin }: Face, strokes: unknown): WrinkleSet {
     uvs: geometry.getAttribute('uv').array as Float32Array,
     indices: geometry.index!.array as Uint16Array,
   }
-  const metric = surfaceMetric(mesh, 512)
-  const normal = heightToNormal(strokesToHeight(document.strokes, metric), metric, 'derivative')
-  const areas = paintAreas(document, surfaceMetric(mesh, 128))
+  const canvas = skinCanvas(mesh, 512)
+  const normal = heightToNormal(strokesToHeight(document.strokes, canvas), canvas.metric, 'derivative')
+  const areas = paintAreas(document, skinCanvas(mesh, 128))
   return { layers: [{ name: 'expression', kind: 'replace', normal }], areas }
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
 import { paintAreas, parseStrokes } from '../../../packages/furrow/src/author/index.ts'
-import { flatMetric } from './planes.ts'
+import { flatCanvas } from './planes.ts'
 
 const line = (v: number, group?: string) => ({
   points: [
@@ -13,7 +13,7 @@ const line = (v: number, group?: string) => ({
 })
 
 // 128 mm in 128 texels: the centre of texel i lies at i + 0.5 mm.
-const metric = flatMetric(128, 128, 128)
+const canvas = flatCanvas(128, 128, 128)
 const square = [
   [0.25, 0.25],
   [0.75, 0.25],
@@ -22,7 +22,7 @@ const square = [
 ]
 
 function paint(areas: object[], strokes = [line(0.5, 'brow')]) {
-  return paintAreas(parseStrokes({ version: 1, strokes, areas }), metric)
+  return paintAreas(parseStrokes({ version: 1, strokes, areas }), canvas)
 }
 
 describe('paintAreas', () => {
@@ -101,7 +101,7 @@ describe('paintAreas', () => {
       version: 1,
       strokes: [line(0.3, 'upper'), line(0.7, 'lower'), line(0.5), line(0.32, 'upper')],
     })
-    const areas = paintAreas(document, metric)
+    const areas = paintAreas(document, canvas)
     expect(areas.map((area) => area.name)).toEqual(['upper', 'lower'])
     expect(areas[0].weights.data[Math.floor(0.3 * 128) * 128 + 64]).toBe(255)
     expect(areas[0].weights.data[Math.floor(0.7 * 128) * 128 + 64]).toBe(0)
@@ -109,7 +109,7 @@ describe('paintAreas', () => {
 
   it('refuses a document with neither areas nor groups', () => {
     const document = parseStrokes({ version: 1, strokes: [line(0.3)] })
-    expect(() => paintAreas(document, metric)).toThrow(
+    expect(() => paintAreas(document, canvas)).toThrow(
       'paintAreas: the document has no areas, and no stroke has a group, allowed: at least one of them; give the strokes a group, or add "areas"',
     )
   })

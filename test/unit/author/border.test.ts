@@ -74,6 +74,7 @@ describe('extendPlanes', () => {
     extendPlanes(
       () => edges,
       8,
+      8,
       margin,
       (texel) => isCovered[texel] === 0,
       (texel, triangle) => {
@@ -108,6 +109,7 @@ describe('extendPlanes', () => {
     extendPlanes(
       () => edges,
       64,
+      64,
       14,
       isFree,
       (texel, triangle) => owners.set(texel, triangle),
@@ -129,6 +131,7 @@ describe('extendPlanes', () => {
     const isFree = () => ++visits > 0
     extendPlanes(
       () => edges,
+      64,
       64,
       14,
       isFree,

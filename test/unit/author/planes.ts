@@ -1,4 +1,10 @@
-import { type Metric, type MetricMesh, surfaceMetric } from '../../../packages/furrow/src/author/index.ts'
+import {
+  type Metric,
+  type MetricMesh,
+  type SkinCanvas,
+  skinCanvas,
+  surfaceMetric,
+} from '../../../packages/furrow/src/author/index.ts'
 
 /** A flat sheet P(u, v) = u a + v b, a and b in millimetres, over a rectangle of the texture. */
 export function sheet(
@@ -12,6 +18,11 @@ export function sheet(
     for (let k = 0; k < 3; k++) positions.push((uvs[2 * i] * a[k] + uvs[2 * i + 1] * b[k]) / 1000)
   }
   return { positions, uvs, indices: [0, 3, 2, 0, 2, 1] }
+}
+
+/** An upright sheet of `width` x `height` millimetres to draw on, with `texels` x `texels` texels. */
+export function flatCanvas(width: number, height: number, texels: number): SkinCanvas {
+  return skinCanvas(sheet([width, 0, 0], [0, -height, 0]), texels)
 }
 
 /** Metric of an upright sheet of `width` x `height` millimetres with `texels` x `texels` texels. */

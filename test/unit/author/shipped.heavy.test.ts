@@ -15,6 +15,7 @@ import {
   paintAreas,
   parseStrokes,
   type StrokesDocument,
+  skinCanvas,
   strokesToHeight,
   surfaceMetric,
 } from '../../../packages/furrow/src/author/index.ts'
@@ -83,8 +84,8 @@ describe.each(FACES)('faces/%s', (name) => {
     const { mesh } = await readFaceMesh(path(`${name}.glb`), 'test')
     const file = path(`${name}/layers/expression/normal.png`)
     const shipped = await decodeNormalMap(readFileSync(file), file, 'test')
-    const metric = surfaceMetric(mesh, 1024)
-    const drawn = heightToNormal(strokesToHeight(strokes().strokes, metric), metric, OPTIONS.frame)
+    const canvas = skinCanvas(mesh, 1024)
+    const drawn = heightToNormal(strokesToHeight(strokes().strokes, canvas), canvas.metric, OPTIONS.frame)
     const expected = combineNormals(made.layers[0].normal, drawn)
     expect(largestDifference(shipped.data, expected.data)).toBeLessThanOrEqual(1)
   })
@@ -93,7 +94,7 @@ describe.each(FACES)('faces/%s', (name) => {
 describe('the areas that ship', () => {
   it('are what their document gives, up to rounding', async () => {
     const { mesh } = await readFaceMesh(path('human.glb'), 'test')
-    const painted = paintAreas(strokes(), surfaceMetric(mesh, 128))
+    const painted = paintAreas(strokes(), skinCanvas(mesh, 128))
     expect(painted.map((area) => area.name)).toEqual(DRAWN)
     for (const { name, weights } of painted) {
       expect(largestDifference(await committed(name), weights.data), name).toBeLessThanOrEqual(1)
@@ -145,7 +146,7 @@ describe('the areas that ship', () => {
       for (let i = 0; i < weights.length; i++) total[i] += weights[i]
     }
     const { mesh } = await readFaceMesh(path('human.glb'), 'test')
-    const { data } = strokesToHeight(strokes().strokes, surfaceMetric(mesh, 128))
+    const { data } = strokesToHeight(strokes().strokes, skinCanvas(mesh, 128))
     let drawn = 0
     for (let i = 0; i < data.length; i++) {
       if (data[i] > -0.1) continue

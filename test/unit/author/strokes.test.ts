@@ -20,6 +20,7 @@ describe('parseStrokes', () => {
   it('fills in the defaults and keeps the rest', () => {
     expect(parseStrokes(document(plain))).toEqual({
       version: 1,
+      scale: 1000,
       strokes: [{ ...STROKE_DEFAULTS, ...plain }],
     })
     const full = {
@@ -36,10 +37,13 @@ describe('parseStrokes', () => {
       shoulder: 1,
       softness: 0,
       waviness: 1,
+      layer: 'up',
+      depths: [0, 1, 0.5],
     }
-    expect(parseStrokes(document(full, { size: 512 }))).toEqual({
+    expect(parseStrokes(document(full, { size: 512, scale: 10 }))).toEqual({
       version: 1,
       size: 512,
+      scale: 10,
       strokes: [{ ...full, shoulder: [1, 1] }],
     })
   })
@@ -60,7 +64,7 @@ describe('parseStrokes', () => {
     [
       'an array',
       [],
-      'the document must be an object, got []; write { ... } with version, size, strokes, areas',
+      'the document must be an object, got []; write { ... } with version, scale, size, strokes, areas',
     ],
     ['nothing', undefined, 'the document must be an object, got nothing'],
     ['no version', {}, 'unknown version, got nothing, allowed: 1; write "version": 1'],
@@ -82,7 +86,7 @@ describe('parseStrokes', () => {
     [
       'a misspelt field',
       document({ ...plain, widht: 3 }),
-      'strokes[0] has an unknown field, got "widht", allowed: group, curve, points, width, depth, taper, shoulder, softness, waviness; correct the name or remove it',
+      'strokes[0] has an unknown field, got "widht", allowed: group, layer, curve, points, width, depth, depths, taper, shoulder, softness, waviness; correct the name or remove it',
     ],
     [
       'a width in quotes',
@@ -148,8 +152,8 @@ describe('parseStrokes', () => {
     ],
     [
       'an unknown curve',
-      document({ ...plain, curve: 'spline' }),
-      'strokes[0].curve is unknown, got "spline", allowed: polyline, bezier; use one of them',
+      document({ ...plain, curve: 'nurbs' }),
+      'strokes[0].curve is unknown, got "nurbs", allowed: polyline or bezier or spline; use one of them',
     ],
     [
       'Bezier curves with a handle too many',
@@ -170,6 +174,21 @@ describe('parseStrokes', () => {
       'a group without a name',
       document({ ...plain, group: '' }),
       'strokes[0].group must be text, got "", allowed: 1 to 256 characters, none of them a control character or a line break; choose another name',
+    ],
+    [
+      'one factor on the depth',
+      document({ ...plain, depths: [1] }),
+      'strokes[0].depths has the wrong number of items, got 1, allowed: 2 to 256 items; add or remove items',
+    ],
+    [
+      'a factor above 1',
+      document({ ...plain, depths: [1, 2] }),
+      'strokes[0].depths[1] is out of range, got 2, allowed: 0..1; choose a value inside the range',
+    ],
+    [
+      'a scale of zero',
+      document(plain, { scale: 0 }),
+      'scale is out of range, got 0, allowed: 0.000001..1000000 mm per unit; choose a value inside the range',
     ],
     ['half a texel', document(plain, { size: 100.5 }), 'size must be a whole number, got 100.5; round it'],
     [
@@ -220,7 +239,19 @@ describe('parseStrokes', () => {
     }
     fc.assert(fc.property(fc.jsonValue(), only))
     // Documents that are right but for one field reach every reader.
-    const fields = ['group', 'curve', 'points', 'width', 'depth', 'taper', 'shoulder', 'softness', 'waviness']
+    const fields = [
+      'group',
+      'layer',
+      'curve',
+      'points',
+      'width',
+      'depth',
+      'depths',
+      'taper',
+      'shoulder',
+      'softness',
+      'waviness',
+    ]
     fc.assert(
       fc.property(fc.constantFrom(...fields), fc.jsonValue(), (field, value) =>
         only(document({ ...plain, [field]: value })),

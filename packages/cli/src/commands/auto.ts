@@ -9,6 +9,7 @@ import { type FoundSkin, findSkin } from '../auto/find-skin.ts'
 import { packAuto } from '../auto/pack-auto.ts'
 import { makeReport } from '../auto/report/make-report.ts'
 import { Steps } from '../auto/steps.ts'
+import { strokesFile } from '../auto/strokes-file.ts'
 import { summaryLines, summaryOf } from '../auto/summary.ts'
 import { createCommand } from '../command.ts'
 import { withCommandErrors } from '../errors.ts'
@@ -53,6 +54,7 @@ interface Options {
   allowOutside?: boolean
   force?: boolean
   report?: string
+  strokes?: string
   json?: boolean
 }
 
@@ -93,6 +95,7 @@ export const autoCommand = createCommand('auto')
     'maps and areas as KTX 2 arrays (UASTC), which stay compressed on the GPU; without heights',
   )
   .option('--replace', 'replace existing wrinkles')
+  .option('--strokes <file>', 'write the lines as strokes too (.json), for furrow strokes')
   .option('--report <folder>', 'write a page there: before and after, strain, areas, layers, drivers')
   .addOption(allowOutsideOption())
   .addOption(forceOption())
@@ -107,7 +110,7 @@ Examples:
   .action(auto)
 
 async function auto(face: string, options: Options): Promise<void> {
-  const { output, report, mesh, age, strength, seed, areas, regions, ktx2 = false } = options
+  const { output, report, strokes, mesh, age, strength, seed, areas, regions, ktx2 = false } = options
   const layers = options.layers ?? (ktx2 ? KTX2_LAYERS : AUTO_DEFAULTS.layers)
   const settings = {
     age,
@@ -125,6 +128,7 @@ async function auto(face: string, options: Options): Promise<void> {
     await checkFolder(report, WHO)
     await checkOutputs([join(report, 'index.html')], WHO, { extensions: ['.html'] })
   }
+  if (strokes !== undefined) await checkOutputs([strokes], WHO, { ...rules, extensions: ['.json'] })
   const total = OWN_STEPS + AUTO_STEPS.length + (report === undefined ? 0 : REPORT_STEPS)
   const { found, wrinkles, cost, bytes, warnings } = await withBar('auto', async (progress) => {
     const steps = new Steps(progress, total)
@@ -152,6 +156,7 @@ async function auto(face: string, options: Options): Promise<void> {
     const cost = costOf(await inspectWrinkles(wrinklesOf(glb, found.material, WHO), WHO), ktx2)
     const files = await faceFiles(glb, output, WHO, rules)
     const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0)
+    if (strokes !== undefined) files.push({ path: strokes, bytes: strokesFile(wrinkles) })
     const ofSkin = faceWarnings(glb.json, found.material, found.materialName)
     const warnings = [...wrinkles.warnings, ...ofSkin].map((text) => `${WHO}: ${text}`)
     if (report !== undefined) {

@@ -3,14 +3,18 @@ import { Option } from 'commander'
 import { DEFAULT_AREA_SIZE, FurrowError, MAX_IMAGE_SIDE } from 'furrow'
 import {
   combineNormals,
+  fileNamesOf,
   type HeightMap,
   heightToNormal,
+  isFileName,
   paintAreas,
+  paintedNames,
   parseStrokes,
   type RgbaImage,
+  type Stroke,
   type StrokesDocument,
+  skinCanvas,
   strokesToHeight,
-  surfaceMetric,
 } from 'furrow/author'
 import { createCommand } from '../command.ts'
 import { withCommandErrors } from '../errors.ts'
@@ -25,6 +29,7 @@ import {
   HEIGHT_ZERO,
 } from '../images/encode.ts'
 import { readBytes, readJson } from '../inputs.ts'
+import { didYouMean } from '../nearest.ts'
 import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
 import { checkFolder, checkOutputs } from '../outputs.ts'
 import { print } from '../print.ts'
@@ -43,6 +48,7 @@ interface Options {
   output?: string
   normal?: string
   areas?: string
+  layer?: string
   size?: number
   allowOutside?: boolean
   force?: boolean
@@ -61,6 +67,7 @@ export const strokesCommand = createCommand('strokes')
   .option('-o, --output <file>', 'height map, 16-bit gray PNG')
   .option('--normal <file>', 'wrinkled normal map, 8-bit RGB PNG')
   .option('--areas <folder>', 'one gray PNG per area, white = no wrinkles')
+  .option('--layer <name>', 'draw only the strokes of this layer')
   .option(
     '--size <texels>',
     `side of both maps (default: the document's, the base's up to 4096, or ${DEFAULT_SIZE})`,
@@ -93,12 +100,13 @@ async function drawStrokes(path: string, options: Options): Promise<void> {
   if (areas !== undefined) await checkFolder(areas, WHO)
   const json = await readJson(path, WHO, 'the strokes')
   const document = withCommandErrors(WHO, () => parseStrokes(json))
+  const strokes = strokesOfLayer(document, options)
   const maps = areas === undefined ? [] : areaNames(document).map((name) => areaPath(areas, name))
   const inputs = [path, options.face, ...(base === undefined ? [] : [base])]
   await checkOutputs([output, normal, ...maps], WHO, { inputs, force })
   const face = await readFaceMesh(options.face, WHO, options)
   const drawn = await withCommandErrors(WHO, async () => [
-    ...(await drawMaps(document, face, options)),
+    ...(await drawMaps({ ...document, strokes }, face, options)),
     ...(await drawAreas(document, face, options)),
   ])
   await writeAll(drawn, WHO)
@@ -109,9 +117,43 @@ async function drawStrokes(path: string, options: Options): Promise<void> {
   )
 }
 
-/** The names of the areas that `paintAreas` paints: those of the document, or of the groups of its strokes. */
-function areaNames({ areas, strokes }: StrokesDocument): string[] {
-  return areas?.map(({ name }) => name) ?? [...new Set(strokes.flatMap(({ group }) => group ?? []))]
+/** The strokes that the maps show. A map is of one layer; areas are painted round the strokes of all. */
+function strokesOfLayer({ strokes }: StrokesDocument, { layer, output, normal }: Options): Stroke[] {
+  const layers = [...new Set(strokes.flatMap(({ layer }) => layer ?? []))]
+  if (layer !== undefined && !layers.includes(layer)) {
+    throw new FurrowError({
+      code: 'unknown-name',
+      who: WHO,
+      what: 'no stroke is of that layer',
+      value: layer,
+      limit: layers.length > 0 ? layers.join(', ') : 'the document has no layers',
+      remedy: didYouMean(layer, layers, layers.length > 0 ? 'name one of them' : 'leave --layer out'),
+    })
+  }
+  if (layer === undefined && layers.length > 1 && (output ?? normal) !== undefined) {
+    throw new FurrowError({
+      code: 'usage',
+      who: WHO,
+      what: 'the document has strokes of several layers, and a map is of one',
+      value: layers.join(', '),
+      remedy: `name one, e.g. --layer ${layers[0]}`,
+    })
+  }
+  return layer === undefined ? strokes : strokes.filter((stroke) => stroke.layer === layer)
+}
+
+/** The names of the areas, each of which becomes the name of a file. */
+function areaNames(document: StrokesDocument): string[] {
+  const names = paintedNames(document)
+  const wrong = names.find((name) => !isFileName(name))
+  if (wrong === undefined) return names
+  throw new FurrowError({
+    who: WHO,
+    what: 'the group of a stroke is not a valid file name, and its area is written to a file of that name',
+    value: wrong,
+    limit: `e.g. ${fileNamesOf([wrong])}`,
+    remedy: 'rename the group',
+  })
 }
 
 const areaPath = (folder: string, name: string) => join(folder, `${name}.png`)
@@ -128,8 +170,9 @@ async function drawMaps(document: StrokesDocument, face: FaceMesh, options: Opti
   const size = options.size ?? document.size
   const base = normal ? await readBase(options, face, size) : undefined
   const side = size ?? DEFAULT_SIZE
-  const metric = surfaceMetric(face.mesh, base?.width ?? side, base?.height ?? side)
-  const heights = withBar('strokes', (progress) => strokesToHeight(document.strokes, metric, progress))
+  const canvas = skinCanvas(face.mesh, base?.width ?? side, base?.height ?? side, document.scale)
+  const { metric } = canvas
+  const heights = withBar('strokes', (progress) => strokesToHeight(document.strokes, canvas, progress))
   const drawn: DrawnFile[] = []
   const sizeText = `${metric.width} x ${metric.height}`
   if (output) {
@@ -151,7 +194,10 @@ async function drawMaps(document: StrokesDocument, face: FaceMesh, options: Opti
 /** A gray image per area, where they are asked for. */
 function drawAreas(document: StrokesDocument, face: FaceMesh, { areas }: Options): Promise<DrawnFile[]> {
   if (!areas) return Promise.resolve([])
-  const painted = paintAreas(document, surfaceMetric(face.mesh, DEFAULT_AREA_SIZE))
+  const painted = paintAreas(
+    document,
+    skinCanvas(face.mesh, DEFAULT_AREA_SIZE, DEFAULT_AREA_SIZE, document.scale),
+  )
   return Promise.all(
     painted.map(async ({ name, weights }) => ({
       path: areaPath(areas, name),

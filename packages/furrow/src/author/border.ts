@@ -3,9 +3,8 @@
  *
  * | map | policy | why |
  * | --- | --- | --- |
- * | `auto`: height, occlusion, areas, strain | `extendPlanes` | they follow from the position on the skin: where it continues in the plane of its border triangle, both sides of a seam are filtered alike |
- * | metric | `copyNearest` | strokes and slopes read it at any texel, and a copied form stays positive definite |
- * | strokes: height, areas | none | they are drawn in the texture, at the scale that the metric has at each texel |
+ * | strokes and `auto`: height, occlusion, areas, strain | `extendPlanes` | they follow from the position on the skin: where it continues in the plane of its border triangle, both sides of a seam are filtered alike |
+ * | metric | `copyNearest` | polygons and slopes read it at any texel, and a copied form stays positive definite |
  * | normals made from heights | none | they follow from the heights and the metric of the texels around them |
  * | `bake`: normal, height, occlusion; `targetArea` | `dilate` | only values of texels are known; means hide the steps between them |
  */
@@ -41,15 +40,16 @@ const ROUNDING = 1.000001
  */
 export function extendPlanes(
   edges: () => Iterable<BorderEdge>,
-  size: number,
+  width: number,
+  height: number,
   margin: number,
   isFree: (texel: number) => boolean,
   claim: (texel: number, triangle: number) => void,
 ): void {
-  const nearest = new Float32Array(size * size).fill(Infinity)
-  const blocks = Math.ceil(size / BLOCK)
-  const bounds = distanceBounds(thinned(edges(), size), size)
-  for (const { triangle, x, y, dx, dy } of thinned(edges(), size)) {
+  const nearest = new Float32Array(width * height).fill(Infinity)
+  const blocks = Math.ceil(width / BLOCK)
+  const bounds = distanceBounds(thinned(edges(), width, height), width, height)
+  for (const { triangle, x, y, dx, dy } of thinned(edges(), width, height)) {
     const square = dx * dx + dy * dy || 1
     const [left, right] = [Math.min(x, x + dx), Math.max(x, x + dx)]
     const [top, bottom] = [Math.min(y, y + dy), Math.max(y, y + dy)]
@@ -65,19 +65,19 @@ export function extendPlanes(
       nearest[texel] = distance
       claim(texel, triangle)
     }
-    const [firstColumn, lastColumn] = blocksWithin(left - margin, right + margin, size)
-    const [firstRow, lastRow] = blocksWithin(top - margin, bottom + margin, size)
+    const [firstColumn, lastColumn] = blocksWithin(left - margin, right + margin, width)
+    const [firstRow, lastRow] = blocksWithin(top - margin, bottom + margin, height)
     for (let j = firstRow; j <= lastRow; j++) {
       for (let i = firstColumn; i <= lastColumn; i++) {
         const across = Math.max(0, i * BLOCK - right, left - (i + 1) * BLOCK + 1)
         const up = Math.max(0, j * BLOCK - bottom, top - (j + 1) * BLOCK + 1)
         if (across * across + up * up > bounds[j * blocks + i] ** 2) continue
-        const endRow = Math.min((j + 1) * BLOCK, size)
-        const endColumn = Math.min((i + 1) * BLOCK, size)
+        const endRow = Math.min((j + 1) * BLOCK, height)
+        const endColumn = Math.min((i + 1) * BLOCK, width)
         let farthest = 0
         for (let row = j * BLOCK; row < endRow; row++) {
           for (let column = i * BLOCK; column < endColumn; column++) {
-            const texel = row * size + column
+            const texel = row * width + column
             if (!isFree(texel)) continue
             extend(texel, column, row)
             farthest = Math.max(farthest, nearest[texel])
@@ -95,14 +95,14 @@ function blocksWithin(low: number, high: number, size: number): [first: number, 
 }
 
 /** The edges without those shorter than a texel where too many of them start in the same one. */
-function* thinned(edges: Iterable<BorderEdge>, size: number): Generator<BorderEdge> {
-  const counts = new Uint8Array(size * size)
+function* thinned(edges: Iterable<BorderEdge>, width: number, height: number): Generator<BorderEdge> {
+  const counts = new Uint8Array(width * height)
   for (const edge of edges) {
     const [column, row] = [Math.round(edge.x), Math.round(edge.y)]
-    const isInside = column >= 0 && column < size && row >= 0 && row < size
+    const isInside = column >= 0 && column < width && row >= 0 && row < height
     if (isInside && edge.dx * edge.dx + edge.dy * edge.dy < 1) {
-      if (counts[row * size + column] === MOST_SHORT_EDGES) continue
-      counts[row * size + column]++
+      if (counts[row * width + column] === MOST_SHORT_EDGES) continue
+      counts[row * width + column]++
     }
     yield edge
   }
@@ -112,12 +112,12 @@ function* thinned(edges: Iterable<BorderEdge>, size: number): Generator<BorderEd
  * Of each block at least the distance from any of its texels to the nearest edge: by the steps from block to block to one that an edge starts
  * in (Rosenfeld and Pfaltz 1968, Distance functions on digital pictures).
  */
-function distanceBounds(edges: Iterable<BorderEdge>, size: number): Float32Array {
-  const blocks = Math.ceil(size / BLOCK)
-  const bounds = new Float32Array(blocks * blocks).fill(Infinity)
+function distanceBounds(edges: Iterable<BorderEdge>, width: number, height: number): Float32Array {
+  const [blocks, rows] = [Math.ceil(width / BLOCK), Math.ceil(height / BLOCK)]
+  const bounds = new Float32Array(blocks * rows).fill(Infinity)
   for (const { x, y } of edges) {
     const [column, row] = [Math.floor(Math.round(x) / BLOCK), Math.floor(Math.round(y) / BLOCK)]
-    const isInside = column >= 0 && column < blocks && row >= 0 && row < blocks
+    const isInside = column >= 0 && column < blocks && row >= 0 && row < rows
     if (isInside) bounds[row * blocks + column] = Math.SQRT2 * BLOCK
   }
   // Forwards with the neighbours on the left and above, then backwards with those on the right and below.

@@ -15,6 +15,7 @@ export {
   type AutoProgress,
   type AutoWrinkles,
   autoWrinkles,
+  strokesOf,
 } from './auto/auto.ts'
 export type { MissingRegion } from './auto/fit/fit-driver.ts'
 export type { AutoLayer } from './auto/raster/draw-maps.ts'
@@ -24,7 +25,6 @@ export { chooseSkin, type SkinCandidate, type SkinChoice } from './auto/surface/
 export { joinParts, type SkinPart } from './auto/surface/join-parts.ts'
 export type { LandmarkPosition as Place, Landmarks } from './auto/surface/landmarks.ts'
 export { faceShapeFinder } from './auto/surface/stand-ins.ts'
-export { crossOf, type Skin, type SkinTarget } from './auto/surface/surface.ts'
 export { autoWrinkleSet } from './auto/wrinkle-set.ts'
 export {
   BAKE_DEFAULTS,
@@ -48,6 +48,8 @@ export {
   reliefToNormal,
 } from './relief/relief-to-normal.ts'
 export type { Edges } from './relief/slope.ts'
+export { type SkinCanvas, skinCanvas } from './skin/canvas.ts'
+export { crossOf, type Skin, type SkinTarget } from './skin/surface.ts'
 export type { GroupShape, PolygonShape } from './strokes/area-definitions.ts'
 export {
   type AreaDefinition,
@@ -60,6 +62,6 @@ export {
   type Uv,
 } from './strokes/document.ts'
 export { type HeightMap, strokesToHeight } from './strokes/height.ts'
-export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas } from './strokes/paint-areas.ts'
+export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas, paintedNames } from './strokes/paint-areas.ts'
 export { targetArea } from './target-area.ts'
 export { drawUvLayout, type UvLayoutOptions } from './uv-layout.ts'

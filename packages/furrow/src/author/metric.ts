@@ -7,7 +7,7 @@ import { coverTexels } from './cover-texels.ts'
 
 /** What the metric needs of a mesh. Its arrays are neither changed nor kept. */
 export interface MetricMesh {
-  /** x, y and z of each vertex in metres. */
+  /** x, y and z of each vertex, in metres unless said otherwise. */
   positions: ArrayLike<number>
   /** u and v of each vertex, v = 0 at the top. */
   uvs: ArrayLike<number>
@@ -33,6 +33,9 @@ export interface Metric {
   inside: Uint8Array
 }
 
+/** Of a model in metres, as glTF has it. */
+export const MILLIMETRES_PER_METRE = 1000
+
 /** Least squared sine of the angle between dP/du and dP/dv: keeps distances finite on degenerate triangles. */
 const MIN_SQUARED_SINE = 1e-4
 
@@ -41,9 +44,15 @@ const MIN_SQUARED_SINE = 1e-4
  * across triangles, and copied outwards from the UV islands. Where islands overlap, the last triangle wins.
  *
  * @param width in texels, as is height.
+ * @param scale millimetres per unit of the positions.
  * @throws FurrowError if no triangle covers a texel, or the arrays are inconsistent.
  */
-export function surfaceMetric(mesh: MetricMesh, width: number, height = width): Metric {
+export function surfaceMetric(
+  mesh: MetricMesh,
+  width: number,
+  height = width,
+  scale = MILLIMETRES_PER_METRE,
+): Metric {
   checkSize(width)
   checkSize(height)
   checkMesh(mesh)
@@ -56,7 +65,7 @@ export function surfaceMetric(mesh: MetricMesh, width: number, height = width): 
     vv: new Float32Array(texels),
     inside: new Uint8Array(texels),
   }
-  const forms = vertexForms(mesh)
+  const forms = vertexForms(mesh, scale)
   for (let t = 0; t + 2 < cornerCount(mesh); t += 3) rasterizeForms(metric, mesh, forms, t)
   if (!metric.inside.includes(1)) {
     throw new FurrowError({
@@ -103,7 +112,7 @@ function vertexAt({ indices }: MetricMesh, corner: number): number {
 }
 
 /** uu, uv and vv of each vertex: the mean of its triangles by their area in space; NaN where none has area. */
-function vertexForms(mesh: MetricMesh): Float64Array {
+function vertexForms(mesh: MetricMesh, scale: number): Float64Array {
   const { positions, uvs } = mesh
   const vertices = positions.length / 3
   const forms = new Float64Array(3 * vertices)
@@ -117,8 +126,8 @@ function vertexForms(mesh: MetricMesh): Float64Array {
     // P(u, v) is linear on a triangle: [Pu Pv] = [e1 e2] inverse([u1 u2; v1 v2]).
     let [uu, uv, vv] = [0, 0, 0]
     for (let k = 0; k < 3; k++) {
-      const e1 = 1000 * (positions[3 * b + k] - positions[3 * a + k])
-      const e2 = 1000 * (positions[3 * c + k] - positions[3 * a + k])
+      const e1 = scale * (positions[3 * b + k] - positions[3 * a + k])
+      const e2 = scale * (positions[3 * c + k] - positions[3 * a + k])
       const pu = (e1 * v2 - e2 * v1) / det
       const pv = (e2 * u1 - e1 * u2) / det
       uu += pu * pu

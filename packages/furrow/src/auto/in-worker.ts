@@ -1,5 +1,5 @@
 import type { AutoWrinkles } from '../author/auto/auto.ts'
-import type { Skin } from '../author/auto/surface/surface.ts'
+import type { Skin } from '../author/skin/surface.ts'
 import { buffersOf } from './buffers.ts'
 import { type AutoRunOptions, runWorker } from './run-worker.ts'
 

@@ -8,6 +8,6 @@
 export type { AutoRegion } from '../author/auto/anatomy/regions.ts'
 export type { AutoArea, AutoOptions, AutoProgress, AutoWrinkles } from '../author/auto/auto.ts'
 export type { AutoLayer } from '../author/auto/raster/draw-maps.ts'
-export type { Skin, SkinTarget } from '../author/auto/surface/surface.ts'
+export type { Skin, SkinTarget } from '../author/skin/surface.ts'
 export { type AutoInWorkerOptions, autoWrinklesInWorker } from './in-worker.ts'
 export type { AutoRunOptions } from './run-worker.ts'

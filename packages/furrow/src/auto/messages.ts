@@ -1,5 +1,5 @@
 import type { AutoOptions, AutoWrinkles } from '../author/auto/auto.ts'
-import type { Skin } from '../author/auto/surface/surface.ts'
+import type { Skin } from '../author/skin/surface.ts'
 import type { ErrorParts } from '../core/error.ts'
 import type { CharacterData } from './character.ts'
 import type { CharacterWrinkles } from './make-wrinkles.ts'

@@ -1,7 +1,7 @@
 import { AUTO_REGIONS } from 'furrow/author'
 import { beforeAll, describe, expect, test } from 'vitest'
-import { skinVertices } from '../../../../packages/furrow/src/author/auto/surface/surface.ts'
 import { coverTexels } from '../../../../packages/furrow/src/author/cover-texels.ts'
+import { skinVertices } from '../../../../packages/furrow/src/author/skin/surface.ts'
 import { FACES, facialCreases, MeasuredFace } from './faces.ts'
 import { type Channels, sample } from './slopes.ts'
 import { shippedEars, smoothRegions, trianglesIn } from './smooth-regions.ts'

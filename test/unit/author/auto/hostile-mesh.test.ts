@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
-import { CreaseGrid } from '../../../../packages/furrow/src/author/auto/lines/crease-grid.ts'
 import { HeadChart } from '../../../../packages/furrow/src/author/auto/surface/head-chart.ts'
-import { weldSurface } from '../../../../packages/furrow/src/author/auto/surface/surface.ts'
+import { weldSurface } from '../../../../packages/furrow/src/author/skin/surface.ts'
+import { LineGrid } from '../../../../packages/furrow/src/author/strokes/line-grid.ts'
 
 const LINE = {
   points: Float64Array.of(0, 0, 0, 1, 0, 0),
@@ -9,13 +9,13 @@ const LINE = {
 }
 
 test('a triangle as large as a town is searched for creases as fast as any other', () => {
-  const grid = new CreaseGrid([LINE], [5])
+  const grid = new LineGrid([LINE], [5])
   expect(grid.isNear([-1e9, -1e9, -1e9], [1e9, 1e9, 1e9])).toBe(true)
   expect(grid.isNear([-1e9, 1e6, -1e9], [1e9, 1e9, 1e9])).toBe(false)
 })
 
 test('creases are found from anywhere within their reach, and from nowhere else', () => {
-  const grid = new CreaseGrid([LINE], [5])
+  const grid = new LineGrid([LINE], [5])
   const found = (x: number, y: number, z: number) => {
     const distances: number[] = []
     grid.visit(x, y, z, 0, 0, 1, (_, distance) => distances.push(distance))
@@ -44,7 +44,7 @@ test('what it costs to look for creases all over a skin grows with its size, not
         return list[Number(key)]
       },
     })
-    const grid = new CreaseGrid(lines, reaches)
+    const grid = new LineGrid(lines, reaches)
     compared = 0
     for (let x = 0; x < millimetres; x += 10) {
       for (let y = 0; y < millimetres; y += 10) grid.visit(x, y, 0, 0, 0, 1, () => {})

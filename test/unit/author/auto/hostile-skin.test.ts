@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
-import { SkinTexels } from '../../../../packages/furrow/src/author/auto/raster/skin-texels.ts'
 import { checkCoverage } from '../../../../packages/furrow/src/author/auto/surface/check-coverage.ts'
-import { weldSurface } from '../../../../packages/furrow/src/author/auto/surface/surface.ts'
+import { SkinTexels } from '../../../../packages/furrow/src/author/skin/skin-texels.ts'
+import { weldSurface } from '../../../../packages/furrow/src/author/skin/surface.ts'
 import { sheet } from './sheet.ts'
 
 /** The list of triangles, several times over. */
@@ -25,7 +25,7 @@ test('triangles that are listed again leave the borders as they are', () => {
   const corner = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], uvs: [0.4, 0.4, 0.5, 0.4, 0.4, 0.5] }
   const located = (times: number) => {
     const skin = { ...corner, indices: repeated([0, 1, 2], times) }
-    const texels = new SkinTexels(skin, weldSurface(skin), 64)
+    const texels = new SkinTexels(skin, weldSurface(skin), 64, 64)
     const weights = new Float64Array(3)
     return Array.from({ length: 64 * 64 }, (_, texel) => texels.locate(texel, weights))
   }

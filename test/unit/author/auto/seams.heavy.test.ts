@@ -4,10 +4,10 @@ import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
 import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
 import type { CreasedRegion } from '../../../../packages/furrow/src/author/auto/lines/crease.ts'
 import { drawAreas } from '../../../../packages/furrow/src/author/auto/raster/draw-areas.ts'
-import { drawCreases } from '../../../../packages/furrow/src/author/auto/raster/draw-creases.ts'
-import { SkinTexels } from '../../../../packages/furrow/src/author/auto/raster/skin-texels.ts'
-import type { SkinSurface } from '../../../../packages/furrow/src/author/auto/surface/surface.ts'
 import { MIPMAP_MARGIN } from '../../../../packages/furrow/src/author/border.ts'
+import { SkinTexels } from '../../../../packages/furrow/src/author/skin/skin-texels.ts'
+import type { SkinSurface } from '../../../../packages/furrow/src/author/skin/surface.ts'
+import { drawStrokes } from '../../../../packages/furrow/src/author/strokes/height.ts'
 import { Rng } from '../../../../packages/furrow/src/math/rng.ts'
 import { type CutPoint, type CutSide, cutInTwo, findCuts, halfTurn, quarterTurn } from './cuts.ts'
 import { FACES, facialCreases, prepareFace } from './faces.ts'
@@ -62,7 +62,8 @@ describe.each(FACES)('%s, its texture cut in two at the middle', (_, path) => {
   })
 
   test('has the same relief as uncut', () => {
-    // Texels have the same positions on the skin, so nothing is filtered.
+    // Texels have the same positions on the skin, so nothing is filtered; their sizes, below which no valley is sharp, are means at vertices,
+    // which are cut as well.
     let error = 0
     for (let texel = 0; texel < SIZE * SIZE; texel++) {
       const [column, row] = [texel % SIZE, Math.floor(texel / SIZE)]
@@ -71,12 +72,12 @@ describe.each(FACES)('%s, its texture cut in two at the middle', (_, path) => {
       if (!cut.inside[texel] || !whole.inside[same]) continue
       error = Math.max(error, Math.abs(cut.relief.data[texel] - whole.relief.data[same]))
     }
-    expect(error / cut.deepest).toBeLessThan(1e-4)
+    expect(error / cut.deepest).toBeLessThan(2e-4)
   })
 
   test('has the same height, light and areas on both sides of every cut', () => {
     const { surface } = face
-    const texels = new SkinTexels(face.cut, surface, AREA_SIZE)
+    const texels = new SkinTexels(face.cut, surface, AREA_SIZE, AREA_SIZE)
     expect(difference(cut.relief) / cut.deepest).toBeLessThan(HEIGHT)
     expect(difference(cut.occlusion) / 255).toBeLessThan(SHADE)
     for (const area of drawAreas(texels, face.regions)) {
@@ -210,16 +211,16 @@ async function cutFace(path: string): Promise<CutFace> {
 
 /** Draws all lines on one layer. */
 function draw(skin: Skin, { surface, regions }: CutFace, margin: number): DrawnFace {
-  const texels = new SkinTexels(skin, surface, SIZE, undefined, margin)
-  const { relief, occlusion } = drawCreases(
-    texels,
-    [...new Set(regions.map(({ creases }) => creases))].flat(),
-  )
+  const texels = new SkinTexels(skin, surface, SIZE, SIZE, undefined, margin)
   const positions = Array.from(skin.positions, (_, i) => {
     const vertex = Math.floor(i / 3)
     return surface.points[3 * surface.pointOf[vertex] + (i % 3)] / 1000
   })
   const metric = surfaceMetric({ ...skin, positions }, SIZE)
+  const { relief, occlusion } = drawStrokes([...new Set(regions.map(({ creases }) => creases))], {
+    texels,
+    metric,
+  })
   const levels = levelsOf(heightToNormal(relief, metric), 3)
   return {
     relief: { ...relief, channels: 1 },

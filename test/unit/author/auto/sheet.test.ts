@@ -2,10 +2,12 @@ import { describe, expect, test } from 'vitest'
 import { creaseLines } from '../../../../packages/furrow/src/author/auto/lines/crease.ts'
 import { creaseDepth } from '../../../../packages/furrow/src/author/auto/lines/crease-depth.ts'
 import { layFreeLines } from '../../../../packages/furrow/src/author/auto/lines/free-lines.ts'
-import { drawCreases } from '../../../../packages/furrow/src/author/auto/raster/draw-creases.ts'
-import { SkinTexels } from '../../../../packages/furrow/src/author/auto/raster/skin-texels.ts'
 import { smooth } from '../../../../packages/furrow/src/author/auto/strain/smooth.ts'
 import { compressionTensors } from '../../../../packages/furrow/src/author/auto/strain/tensors.ts'
+import { surfaceMetric } from '../../../../packages/furrow/src/author/index.ts'
+import { SkinTexels } from '../../../../packages/furrow/src/author/skin/skin-texels.ts'
+import { UvLocator } from '../../../../packages/furrow/src/author/skin/uv-locator.ts'
+import { drawStrokes } from '../../../../packages/furrow/src/author/strokes/height.ts'
 import { COMPRESSION, SIDE, sheet } from './sheet.ts'
 
 const SIZE = 512
@@ -16,7 +18,7 @@ describe.each([
   [7, 70, 9],
   [40, 45, 5],
 ])('a sheet of %d squares a side, shortened at %d degrees, spacing %d mm', (n, degrees, spacing) => {
-  const { surface, uvs, indices, offsets, cosine, sine } = sheet(n, degrees)
+  const { surface, positions, uvs, indices, offsets, cosine, sine } = sheet(n, degrees)
   const tensors = compressionTensors(surface, offsets)
   smooth(surface, tensors, 3)
   const style = { width: spacing / 2, depth: 1, taper: [0, 0], shoulder: [0.9, 0.9], softness: 0.5 } as const
@@ -44,14 +46,17 @@ describe.each([
   })
 
   test('the relief takes up the length that the sheet loses', () => {
+    const skin = { positions, uvs, indices, targets: [] }
+    const locator = new UvLocator(skin, surface)
     const { creases, compression } = creaseLines(
+      { skin, surface, locator, isDrawn: () => true },
       { spacing, creasedFraction: 1, maxDepth: Infinity },
       lines,
       1,
     )
     expect(compression).toBeCloseTo(COMPRESSION, 3)
-    const texels = new SkinTexels({ uvs, indices }, surface, SIZE)
-    const { data } = drawCreases(texels, creases).relief
+    const texels = new SkinTexels(skin, surface, SIZE, SIZE)
+    const { data } = drawStrokes([creases], { texels, metric: surfaceMetric(skin, SIZE, SIZE, 1) }).relief
     const texel = SIDE / SIZE
     let [length, count] = [0, 0]
     for (let row = 150; row < SIZE - 150; row++) {

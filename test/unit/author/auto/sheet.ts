@@ -1,4 +1,4 @@
-import { weldSurface } from '../../../../packages/furrow/src/author/auto/surface/surface.ts'
+import { weldSurface } from '../../../../packages/furrow/src/author/skin/surface.ts'
 
 /** Side of the sheet in millimetres. */
 export const SIDE = 80

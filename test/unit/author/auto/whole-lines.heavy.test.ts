@@ -3,7 +3,7 @@ import { beforeAll, describe, expect, test } from 'vitest'
 import type { Crease } from '../../../../packages/furrow/src/author/auto/lines/crease.ts'
 import { unroll } from '../../../../packages/furrow/src/author/auto/surface/head-chart.ts'
 import { poseOf } from '../../../../packages/furrow/src/author/auto/surface/pose.ts'
-import { cornersOf, skinVertices } from '../../../../packages/furrow/src/author/auto/surface/surface.ts'
+import { cornersOf, skinVertices } from '../../../../packages/furrow/src/author/skin/surface.ts'
 import { barycentrics3 } from '../../../../packages/furrow/src/math/barycentrics.ts'
 import { decimatedSkin } from './decimated.ts'
 import { FACES, facialCreases, type PreparedFace, prepareFace } from './faces.ts'
@@ -11,9 +11,9 @@ import { FACES, facialCreases, type PreparedFace, prepareFace } from './faces.ts
 const SMILE = { mouthSmileLeft: 1, mouthSmileRight: 1, cheekSquintLeft: 0.6, cheekSquintRight: 0.6 }
 const SIZE = 1024
 const AGE = 45
-/** Degrees by which a facet may turn the shading of a line, and points of it, 0.6 mm apart, that make a break where they are turned more. */
+/** Degrees by which a facet may turn the shading of a line, and points of it, half a millimetre apart, that make a break where they are turned more. */
 const TURN = 19
-const BREAK = 3
+const BREAK = 4
 
 type Vector = readonly [x: number, y: number, z: number]
 

@@ -4,6 +4,8 @@ import type { ExpressionDriver } from '../../drivers/expression/definition.ts'
 import { EXPRESSIONS } from '../../drivers/expression/presets.ts'
 import type { MorphDriver } from '../../drivers/morph/definition.ts'
 import type { TangentFrame } from '../relief/height-to-normal.ts'
+import type { Skin } from '../skin/surface.ts'
+import type { StrokesDocument } from '../strokes/document.ts'
 import { AUTO_REGIONS, type AutoRegion } from './anatomy/regions.ts'
 import type { MissingRegion } from './fit/fit-driver.ts'
 import { fitDrivers } from './fit/fit-drivers.ts'
@@ -13,7 +15,6 @@ import { type AutoLayer, drawMaps } from './raster/draw-maps.ts'
 import { measureStrain } from './strain/measure-strain.ts'
 import type { Landmarks } from './surface/landmarks.ts'
 import { prepareSkin } from './surface/prepare-skin.ts'
-import type { Skin } from './surface/surface.ts'
 
 /** Settings of `autoWrinkles`; `AUTO_DEFAULTS` has the defaults. */
 export interface AutoOptions {
@@ -72,6 +73,8 @@ export interface AutoWrinkles {
   targets: string[]
   layers: AutoLayer[]
   areas: AutoArea[]
+  /** Millimetres per unit of the skin's positions: a face is measured by the distance of its eyes. */
+  scale: number
   /** Parts of a face that get no area, and why. */
   missing: MissingRegion[]
   /** Presets of the blendshapes that the face has; the drivers of its areas add the wrinkles. */
@@ -125,7 +128,7 @@ export function autoWrinkles(
   const { layers, weights } = drawMaps(prepared, fitted.regions, layerOf, settings, begin('maps'))
   progress(AUTO_STEPS.length, AUTO_STEPS.length, 'done')
 
-  const { face, names } = prepared
+  const { face, names, scale } = prepared
   return {
     landmarks: face?.landmarks,
     targets: [...names],
@@ -139,10 +142,17 @@ export function autoWrinkles(
       error,
       lines: creases.length,
     })),
+    scale,
     missing: [...fitted.missing],
     expressions: face ? presetsOf(face.find) : [],
     warnings: [...prepared.warnings, ...fitted.warnings],
   }
+}
+
+/** The lines of all layers as a document that `parseStrokes` reads. */
+export function strokesOf({ layers, scale }: Pick<AutoWrinkles, 'layers' | 'scale'>): StrokesDocument {
+  const strokes = layers.flatMap(({ name, strokes }) => strokes.map((stroke) => ({ layer: name, ...stroke })))
+  return { version: 1, scale, size: layers[0].relief.width, strokes }
 }
 
 function regionsWithoutFace(regions: readonly string[]): FurrowError {

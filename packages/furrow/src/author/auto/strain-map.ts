@@ -1,11 +1,11 @@
 import { targetFinder } from '../../drivers/morph/target-names.ts'
 import { clamp } from '../../math/scalar.ts'
-import { SkinTexels } from './raster/skin-texels.ts'
+import { SkinTexels } from '../skin/skin-texels.ts'
+import type { Skin } from '../skin/surface.ts'
 import { poseStrain } from './strain/pose-strain.ts'
 import { principalAt } from './strain/principal.ts'
 import { poseOf } from './surface/pose.ts'
 import { prepareSkin } from './surface/prepare-skin.ts'
-import type { Skin } from './surface/surface.ts'
 
 /** How far skin is compressed, in its texture. */
 export interface StrainMap {
@@ -29,13 +29,13 @@ export function strainMaps(
 ): StrainMap[] {
   const { skin: prepared, names, surface, offsets } = prepareSkin(skin)
   const find = targetFinder(names)
-  const texels = new SkinTexels(prepared, surface, size)
+  const texels = new SkinTexels(prepared, surface, size, size)
   return poses.map((pose) => strainMap(texels, poseStrain(surface, offsets, poseOf(find, pose))))
 }
 
 function strainMap(texels: SkinTexels, tensors: Float64Array): StrainMap {
-  const { size, surface } = texels
-  const data = new Float32Array(size * size).fill(Number.NaN)
+  const { width, height, surface } = texels
+  const data = new Float32Array(width * height).fill(Number.NaN)
   const barycentrics = new Float64Array(3)
   texels.visit(
     () => true,
@@ -44,5 +44,5 @@ function strainMap(texels: SkinTexels, tensors: Float64Array): StrainMap {
       data[texel] = clamp(principalAt(surface, tensors, triangle, barycentrics).compression, 0, 1)
     },
   )
-  return { width: size, height: size, data }
+  return { width, height, data }
 }

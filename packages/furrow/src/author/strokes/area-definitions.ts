@@ -57,7 +57,7 @@ export function readAreaDefinitions(
 }
 
 /** Nothing but its file holds the name of a painted area, so that it must be the name of a file on every system. */
-export function checkFileName(read: JsonReader, name: string, path: string): void {
+function checkFileName(read: JsonReader, name: string, path: string): void {
   if (isFileName(name)) return
   read.fail(`${path} is not a valid file name`, name, `e.g. ${fileNamesOf([name])}`, 'choose another name')
 }

@@ -1,22 +1,26 @@
 import { JsonReader, type Uv } from '../../core/json.ts'
 import { MAX_AREAS, MAX_IMAGE_SIDE } from '../../core/limits.ts'
-import {
-  type AreaDefinition,
-  type AreaShape,
-  checkFileName,
-  readAreaDefinitions,
-} from './area-definitions.ts'
+import { MILLIMETRES_PER_METRE } from '../metric.ts'
+import { type AreaDefinition, type AreaShape, readAreaDefinitions } from './area-definitions.ts'
 
 export type { AreaDefinition, AreaShape, Uv }
 
-/** How the points of a stroke are joined: by straight lines, or by a chain of cubic Bezier curves. */
-export type CurveKind = 'polyline' | 'bezier'
+/** How the points of a stroke are joined; see `Stroke.curve`. */
+export type CurveKind = 'polyline' | 'bezier' | 'spline'
 
-/** One wrinkle: a curve in the texture with a measured cross-section. */
+const CURVES = ['polyline', 'bezier', 'spline'] as const satisfies CurveKind[]
+
+/** One wrinkle: a curve on the skin with a measured cross-section. */
 export interface Stroke {
   /** Name of the area that shows it. */
   group?: string
-  /** A chain of n cubic Bezier curves has 3 n + 1 points: end, two handles, end, two handles, end... */
+  /** Name of its layer, in a document with the strokes of several. */
+  layer?: string
+  /**
+   * `polyline`: straight lines in the texture. `bezier`: a chain of n cubic Bezier curves in the texture, of 3 n + 1 points: end, two handles,
+   * end, two handles, end... `spline`: a smooth curve over the skin through the points, wherever in the texture these are: the only kind that
+   * crosses its seams (centripetal Catmull-Rom).
+   */
   curve: CurveKind
   /** [u, v], both 0..1, v = 0 at the top. */
   points: Uv[]
@@ -24,9 +28,11 @@ export interface Stroke {
   width: number
   /** Greatest depth of the valley below the skin in millimetres, 0..10. */
   depth: number
+  /** Factors on the depth, 0..1, evenly spaced from the start to the end, 2 or more; 1 by default. */
+  depths?: number[]
   /** Fraction of the length, 0..1, over which the wrinkle fades in at its start and out at its end. */
   taper: [start: number, end: number]
-  /** Raised banks, 0..1, left and right along the curve: 1 = they hold all the skin pushed out of the valley. */
+  /** Raised banks, 0..1, left and right along the curve as seen from outside: 1 = they hold all the skin pushed out of the valley. */
   shoulder: [left: number, right: number]
   /** Roundness of the valley's bottom, 0..1: 0 = a sharp fold, 1 = as round as the valley is wide. */
   softness: number
@@ -34,9 +40,11 @@ export interface Stroke {
   waviness: number
 }
 
-/** The strokes of one layer, and optionally the areas that show them. */
+/** The strokes of a layer, or of several, and optionally the areas that show them. */
 export interface StrokesDocument {
   version: 1
+  /** Millimetres per unit of the face's positions, more than 0: 1000 for a face of natural size. */
+  scale: number
   /** Default side of the maps in texels, 16..8192. */
   size?: number
   strokes: Stroke[]
@@ -55,10 +63,12 @@ export const STROKE_DEFAULTS = {
 
 const STROKE_FIELDS = [
   'group',
+  'layer',
   'curve',
   'points',
   'width',
   'depth',
+  'depths',
   'taper',
   'shoulder',
   'softness',
@@ -72,10 +82,11 @@ const STROKE_FIELDS = [
  */
 export function parseStrokes(json: unknown): StrokesDocument {
   const read = new JsonReader('parseStrokes')
-  const root = read.object(json, 'the document', ['version', 'size', 'strokes', 'areas'])
+  const root = read.object(json, 'the document', ['version', 'scale', 'size', 'strokes', 'areas'])
   if (root.version !== 1) read.fail('unknown version', root.version, '1', 'write "version": 1')
   const document: StrokesDocument = {
     version: 1,
+    scale: read.number(root.scale ?? MILLIMETRES_PER_METRE, 'scale', 1e-6, 1e6, 'mm per unit'),
     strokes: read.array(root.strokes, 'strokes', 1, 10_000).map((stroke, i) => readStroke(read, stroke, i)),
   }
   if (root.size !== undefined) document.size = readSize(read, root.size)
@@ -83,10 +94,6 @@ export function parseStrokes(json: unknown): StrokesDocument {
     const areas = read.array(root.areas, 'areas', 1, MAX_AREAS)
     const groups = new Set(document.strokes.map((stroke) => stroke.group))
     document.areas = readAreaDefinitions(read, areas, groups)
-  } else {
-    for (const [i, { group }] of document.strokes.entries()) {
-      if (group !== undefined) checkFileName(read, group, `strokes[${i}].group`)
-    }
   }
   return document
 }
@@ -100,10 +107,7 @@ function readSize(read: JsonReader, value: unknown): number {
 function readStroke(read: JsonReader, json: unknown, index: number): Stroke {
   const path = `strokes[${index}]`
   const field = read.object(json, path, STROKE_FIELDS)
-  const curve = field.curve ?? STROKE_DEFAULTS.curve
-  if (curve !== 'polyline' && curve !== 'bezier') {
-    read.fail(`${path}.curve is unknown`, curve, 'polyline, bezier', 'use one of them')
-  }
+  const curve = read.choice(field.curve ?? STROKE_DEFAULTS.curve, `${path}.curve`, CURVES)
   const points = read.points(field.points, `${path}.points`, curve === 'bezier' ? 4 : 2)
   if (curve === 'bezier' && points.length % 3 !== 1) {
     const remedy = 'give one end, then two handles and an end per curve'
@@ -123,5 +127,11 @@ function readStroke(read: JsonReader, json: unknown, index: number): Stroke {
     waviness: read.number(field.waviness ?? STROKE_DEFAULTS.waviness, `${path}.waviness`, 0, 1, ''),
   }
   if (field.group !== undefined) stroke.group = read.name(field.group, `${path}.group`)
+  if (field.layer !== undefined) stroke.layer = read.name(field.layer, `${path}.layer`)
+  if (field.depths !== undefined) {
+    stroke.depths = read
+      .array(field.depths, `${path}.depths`, 2, 256)
+      .map((factor, i) => read.number(factor, `${path}.depths[${i}]`, 0, 1, ''))
+  }
   return stroke
 }

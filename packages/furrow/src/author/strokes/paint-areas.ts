@@ -3,15 +3,18 @@ import type { GrayImage } from '../../core/types.ts'
 import { isInsidePolygon } from '../../math/polygon.ts'
 import { smoothstep } from '../../math/scalar.ts'
 import type { Metric } from '../metric.ts'
-import type { AreaDefinition, AreaShape } from './area-definitions.ts'
+import type { SkinCanvas } from '../skin/canvas.ts'
+import type { AreaDefinition, AreaShape, GroupShape, PolygonShape } from './area-definitions.ts'
 import type { Stroke, StrokesDocument } from './document.ts'
-import { visitTexelsNear } from './near-texels.ts'
-import { layOutStroke } from './path.ts'
+import { layOutStroke } from './lay-out.ts'
+import { LineGrid } from './line-grid.ts'
+import { visitTexelsNearLines } from './near-lines.ts'
+import { visitTexelsNear } from './near-outline.ts'
 
 /** A painted area: the part of `Area` that a strokes document can give. */
 export interface PaintedArea {
   name: string
-  /** Weights, 255 = fully visible, of the metric's size. */
+  /** Weights, 255 = fully visible, of the canvas's size. */
   weights: GrayImage
 }
 
@@ -19,13 +22,13 @@ export interface PaintedArea {
 export const GROUP_SHAPE = { radius: 7, feather: 8 } as const
 
 /**
- * Paints the areas of a strokes document at the metric's size: those it defines, or else one round the strokes of each
+ * Paints the areas of a strokes document at the canvas's size: those it defines, or else one round the strokes of each
  * group. The weight falls from 1 to 0 by smoothstep across the feather and is exactly 0 outside.
  *
  * @throws FurrowError if the document has neither areas nor groups.
  */
-export function paintAreas(document: StrokesDocument, metric: Metric): PaintedArea[] {
-  const definitions = document.areas ?? areasOfGroups(document.strokes)
+export function paintAreas(document: StrokesDocument, canvas: SkinCanvas): PaintedArea[] {
+  const definitions = definitionsOf(document)
   if (definitions.length === 0) {
     throw new FurrowError({
       who: 'paintAreas',
@@ -36,8 +39,17 @@ export function paintAreas(document: StrokesDocument, metric: Metric): PaintedAr
   }
   return definitions.map((definition) => ({
     name: definition.name,
-    weights: paintArea(definition, document.strokes, metric),
+    weights: paintArea(definition, document.strokes, canvas),
   }))
+}
+
+/** The names of the areas that `paintAreas` paints. */
+export function paintedNames(document: StrokesDocument): string[] {
+  return definitionsOf(document).map(({ name }) => name)
+}
+
+function definitionsOf({ areas, strokes }: StrokesDocument): AreaDefinition[] {
+  return areas ?? areasOfGroups(strokes)
 }
 
 function areasOfGroups(strokes: readonly Stroke[]): AreaDefinition[] {
@@ -49,40 +61,54 @@ function areasOfGroups(strokes: readonly Stroke[]): AreaDefinition[] {
 export function paintArea(
   { shapes, within }: AreaDefinition,
   strokes: readonly Stroke[],
-  metric: Metric,
+  canvas: SkinCanvas,
 ): GrayImage {
-  const { width, height } = metric
+  const { width, height } = canvas.metric
   const total = new Float32Array(width * height)
   for (const shape of shapes) {
-    const weights = paintShape(shape, strokes, metric)
+    const weights = paintShape(shape, strokes, canvas)
     for (let i = 0; i < total.length; i++) total[i] = Math.max(total[i], weights[i])
   }
-  const factors = within && paintShape(within, strokes, metric)
+  const factors = within && paintShape(within, strokes, canvas)
   const data = new Uint8Array(width * height)
   for (let i = 0; i < data.length; i++) data[i] = Math.round(255 * total[i] * (factors ? factors[i] : 1))
   return { width, height, data }
 }
 
 /** Weights 0..1 of one shape. */
-function paintShape(shape: AreaShape, strokes: readonly Stroke[], metric: Metric): Float32Array {
+function paintShape(shape: AreaShape, strokes: readonly Stroke[], canvas: SkinCanvas): Float32Array {
+  return 'group' in shape ? paintGroup(shape, strokes, canvas) : paintPolygon(shape, canvas.metric)
+}
+
+function paintGroup(
+  { group, radius, feather }: GroupShape,
+  strokes: readonly Stroke[],
+  canvas: SkinCanvas,
+): Float32Array {
+  const { width, height } = canvas.metric
+  const weights = new Float32Array(width * height)
+  const lines = strokes.flatMap((stroke) => (stroke.group === group ? layOutStroke(stroke, canvas) : []))
+  const grid = new LineGrid(
+    lines,
+    lines.map(() => radius + feather / 2),
+  )
+  visitTexelsNearLines(canvas.texels, grid, (texel, x, y, z, normal) => {
+    grid.visit(x, y, z, normal[0], normal[1], normal[2], (_, distance) => {
+      weights[texel] = Math.max(weights[texel], weightAt(distance - radius, feather))
+    })
+  })
+  return weights
+}
+
+/** A polygon is a shape in the texture, and may reach beyond the skin. */
+function paintPolygon({ polygon, feather }: PolygonShape, metric: Metric): Float32Array {
   const { width, height } = metric
   const weights = new Float32Array(width * height)
-  const { feather } = shape
-  if ('group' in shape) {
-    for (const stroke of strokes) {
-      if (stroke.group !== shape.group) continue
-      const { points } = layOutStroke(stroke, metric)
-      visitTexelsNear(points, metric, shape.radius + feather / 2, (texel, distance) => {
-        weights[texel] = Math.max(weights[texel], weightAt(distance - shape.radius, feather))
-      })
-    }
-    return weights
-  }
   for (let texel = 0; texel < weights.length; texel++) {
     const [u, v] = [((texel % width) + 0.5) / width, (Math.floor(texel / width) + 0.5) / height]
-    if (isInsidePolygon(shape.polygon, u, v)) weights[texel] = 1
+    if (isInsidePolygon(polygon, u, v)) weights[texel] = 1
   }
-  const outline = Float64Array.from([...shape.polygon, shape.polygon[0]].flat())
+  const outline = Float64Array.from([...polygon, polygon[0]].flat())
   visitTexelsNear(outline, metric, feather / 2, (texel, distance) => {
     weights[texel] = weightAt(weights[texel] === 1 ? -distance : distance, feather)
   })

@@ -1,9 +1,9 @@
 import { cross } from '../../../math/vector.ts'
+import { cornersOf, crossOf, type SkinSurface } from '../../skin/surface.ts'
+import { LineGrid } from '../../strokes/line-grid.ts'
 import type { SkinRegion } from '../anatomy/region.ts'
 import type { Crease } from '../lines/crease.ts'
-import { CreaseGrid } from '../lines/crease-grid.ts'
 import { unroll } from '../surface/head-chart.ts'
-import { cornersOf, crossOf, type SkinSurface } from '../surface/surface.ts'
 
 /** Triangles that a region is measured by at most: more of them say no more about the mean of all. */
 const MOST_TRIANGLES = 10_000
@@ -28,7 +28,7 @@ export function makeGauge(
   { reach, influence }: SkinRegion,
   creases: readonly Crease[],
 ): Gauge | undefined {
-  const grid = new CreaseGrid(
+  const grid = new LineGrid(
     creases,
     creases.map(() => reach),
   )
@@ -67,7 +67,7 @@ export function makeGauge(
 }
 
 /** The triangles whose centroids may be within reach of creases. */
-function trianglesNear(surface: SkinSurface, grid: CreaseGrid): number[] {
+function trianglesNear(surface: SkinSurface, grid: LineGrid): number[] {
   const centroid = new Float64Array(3)
   const near: number[] = []
   for (let triangle = 0; triangle < surface.skinTriangles.length; triangle++) {

@@ -1,6 +1,6 @@
 import { dot, length } from '../../../math/vector.ts'
+import { LineGrid } from '../../strokes/line-grid.ts'
 import type { Crease, CreasedRegion } from '../lines/crease.ts'
-import { CreaseGrid } from '../lines/crease-grid.ts'
 
 /** Cosine of the angle from which on lines of two regions cross. */
 const CROSSING = Math.cos((35 * Math.PI) / 180)
@@ -40,16 +40,16 @@ function belongTogether(a: CreasedRegion, b: CreasedRegion): boolean {
   return a.creases === b.creases || withoutSide(a) === withoutSide(b)
 }
 
-function gridOf({ region, creases }: CreasedRegion): CreaseGrid {
+function gridOf({ region, creases }: CreasedRegion): LineGrid {
   const reach = region.reach + region.feather / 2
-  return new CreaseGrid(
+  return new LineGrid(
     creases,
     creases.map(() => reach),
   )
 }
 
 /** Points of a region's lines within reach of another's at which these run in another direction. */
-function countCrossings({ creases }: CreasedRegion, other: CreasedRegion, grid: CreaseGrid): number {
+function countCrossings({ creases }: CreasedRegion, other: CreasedRegion, grid: LineGrid): number {
   let count = 0
   for (const crease of creases) {
     const { points: p, normals: n } = crease

@@ -1,32 +1,29 @@
-import { smoothstep } from '../../../math/scalar.ts'
+import type { Stroke } from '../../strokes/document.ts'
+import { type LaidStroke, layOutStroke } from '../../strokes/lay-out.ts'
 import type { LineStyle, SkinRegion } from '../anatomy/region.ts'
 import { creaseDepth } from './crease-depth.ts'
+import { type StrokedSkin, strokeOf } from './stroke-of.ts'
 
 /** A line on the skin. */
 export interface LaidLine {
   style: LineStyle
-  /** x, y and z of each point and of the skin's normal there, in millimetres. */
+  /** x, y and z of each point, in millimetres. */
   points: Float64Array
-  normals: Float64Array
+  /** The triangle of each point. */
+  triangles: readonly number[]
   /** Fraction of its length that the skin loses across the line at each point; below 0 where it is stretched. */
   compressions: readonly number[]
 }
 
-/** A line on the skin with its relief. */
-export interface Crease {
-  points: Float64Array
-  normals: Float64Array
-  /** Depth and half the width of the valley at each point, in millimetres. */
-  depths: Float64Array
-  halfWidths: Float64Array
-  /** Height of the raised banks, left and right of its direction as seen from outside, 0..1. */
-  shoulder: readonly [left: number, right: number]
-  softness: number
+/** A stroke as it lies on the skin. */
+export interface Crease extends LaidStroke {
   isDimple: boolean
 }
 
 /** The creases of a region. */
 export interface RegionCreases {
+  strokes: readonly Stroke[]
+  /** The strokes on the skin. */
   creases: readonly Crease[]
   /** Fraction by which the expression shortens the skin across the lines, where it does. */
   compression: number
@@ -50,19 +47,18 @@ export interface LineSettings {
 const MIN_DEPTH = 0.3
 /** Points to either side over which a line's compression is averaged. */
 const AVERAGED = 6
-/** Exponent that keeps a line's ends from fading too early. */
-const BLUNT = 0.7
-/** Fraction of the width that is left where a line fades out. */
-const END_WIDTH = 0.45
+/** A beginning, a middle and an end. */
+export const MIN_POINTS = 3
 /** Fraction of the points of all lines that may be compressed more than the region's compression. */
 const ABOVE = 0.3
 
 /**
- * Gives lines their relief: deep enough to take up the length that the skin loses, and shallower where it loses less.
+ * Makes strokes of lines: deep enough to take up the length that the skin loses, and shallower where it loses less.
  *
  * @param strength multiplies the depth.
  */
 export function creaseLines(
+  prepared: StrokedSkin,
   {
     spacing,
     creasedFraction,
@@ -76,35 +72,50 @@ export function creaseLines(
     .flatMap(({ style, compressions }) => (style.isDimple ? [] : compressions.filter((value) => value > 0)))
     .sort((a, b) => b - a)
   const compression = Math.max(assumedCompression, measured[Math.floor(ABOVE * measured.length)] ?? 0)
-  const creases = lines.map(({ style, points, normals, compressions }): Crease => {
-    const { width, shoulder, softness, taper } = style
-    const fullDepth = creaseDepth(creasedFraction * compression, spacing, width / 2, shoulder, softness)
-    const depth = strength * style.depth * Math.min(maxDepth, fullDepth)
-    const fades = compressions.map((_, i) => fadeAt(i / Math.max(1, compressions.length - 1), taper))
-    const relative = movingAverage(compressions).map((value) =>
-      compression > 0 ? Math.min(1, Math.max(0, value) / compression) : 0,
+  const drawn = lines.flatMap((line) => clipToDrawn(line, prepared.isDrawn))
+  const strokes = drawn.map((line): Stroke => {
+    const { style, compressions } = line
+    const fullDepth = creaseDepth(
+      creasedFraction * compression,
+      spacing,
+      style.width / 2,
+      style.shoulder,
+      style.softness,
     )
-    return {
-      points,
-      normals,
-      depths: Float64Array.from(
-        fades,
-        (fade, i) => depth * fade * (MIN_DEPTH + (1 - MIN_DEPTH) * Math.sqrt(relative[i])),
-      ),
-      halfWidths: Float64Array.from(fades, (fade) => (width / 2) * (END_WIDTH + (1 - END_WIDTH) * fade)),
-      shoulder,
-      softness,
-      isDimple: style.isDimple ?? false,
-    }
+    const depth = strength * style.depth * Math.min(maxDepth, fullDepth)
+    const factors = movingAverage(compressions).map((value) => {
+      const relative = compression > 0 ? Math.min(1, Math.max(0, value) / compression) : 0
+      return MIN_DEPTH + (1 - MIN_DEPTH) * Math.sqrt(relative)
+    })
+    return strokeOf(line, depth, factors, prepared)
   })
-  return { creases, compression }
+  const creases = strokes.flatMap((stroke, i) =>
+    layOutStroke(stroke, prepared).map(
+      (part): Crease => ({ ...part, isDimple: drawn[i].style.isDimple ?? false }),
+    ),
+  )
+  return { strokes, creases, compression }
 }
 
-/** How much of a line is left at t of its length, 0..1. */
-function fadeAt(t: number, [start, end]: readonly [number, number]): number {
-  const head = start > 0 ? smoothstep(t / start) : 1
-  const tail = end > 0 ? smoothstep((1 - t) / end) : 1
-  return (head * tail) ** BLUNT
+/** The parts of a line on triangles that are drawn; where it is cut it does not fade. */
+function clipToDrawn(line: LaidLine, isDrawn: (triangle: number) => boolean): LaidLine[] {
+  const { points, triangles, compressions, style } = line
+  const parts: LaidLine[] = []
+  for (let start = 0; start < triangles.length; ) {
+    let end = start
+    while (end < triangles.length && isDrawn(triangles[end])) end++
+    if (end - start >= MIN_POINTS) {
+      const taper = [start === 0 ? style.taper[0] : 0, end === triangles.length ? style.taper[1] : 0] as const
+      parts.push({
+        style: { ...style, taper },
+        points: points.slice(3 * start, 3 * end),
+        triangles: triangles.slice(start, end),
+        compressions: compressions.slice(start, end),
+      })
+    }
+    start = end + 1
+  }
+  return parts
 }
 
 /** Over a few millimetres: a line does not change its depth from triangle to triangle. */

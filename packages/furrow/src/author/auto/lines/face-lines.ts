@@ -2,9 +2,11 @@ import type { StrainedRegion } from '../strain/face-strain.ts'
 import type { DetectedFace } from '../surface/detect-face.ts'
 import { type CreasedRegion, creaseLines, type LineSettings, type RegionCreases } from './crease.ts'
 import { layGuides } from './guided-lines.ts'
+import type { StrokedSkin } from './stroke-of.ts'
 
 /** Lays the lines of anatomical regions on a face, none where it has no skin. Regions that share their guides share their creases. */
 export function layFaceLines(
+  prepared: StrokedSkin,
   { surface, chart }: DetectedFace,
   regions: readonly StrainedRegion[],
   { strength }: Pick<LineSettings, 'strength'>,
@@ -13,7 +15,7 @@ export function layFaceLines(
   return regions.map(({ region, tensors }): CreasedRegion => {
     const creased =
       known.get(region.guides) ??
-      creaseLines(region, layGuides(surface, chart, region.guides, tensors), strength)
+      creaseLines(prepared, region, layGuides(surface, chart, region.guides, tensors), strength)
     known.set(region.guides, creased)
     return { region, ...creased }
   })

@@ -1,8 +1,8 @@
 import { cross, dot } from '../../../math/vector.ts'
+import { cornersOf, type SkinSurface, type SurfacePoint } from '../../skin/surface.ts'
 import type { LineStyle } from '../anatomy/region.ts'
 import { principalAt } from '../strain/principal.ts'
 import { hasTensor } from '../strain/tensors.ts'
-import { cornersOf, type SkinSurface, type SurfacePoint } from '../surface/surface.ts'
 import type { LaidLine } from './crease.ts'
 import { PointGrid } from './point-grid.ts'
 import { type DirectionField, STEP, type Trace, traceLine } from './trace.ts'
@@ -80,8 +80,8 @@ function traceBothWays(
   const traceOneWay = (sign: number) => traceStreamline(surface, tensors, seed, sign, minCompression, isFree)
   const [backward, forward] = [traceOneWay(-1), traceOneWay(1)]
   return {
-    points: Float64Array.from([...reversed(backward.points, 3), ...forward.points.slice(3)]),
-    normals: Float64Array.from([...reversed(backward.normals, 3), ...forward.normals.slice(3)]),
+    points: Float64Array.from([...reversed(backward.points), ...forward.points.slice(3)]),
+    triangles: [...backward.triangles.slice().reverse(), ...forward.triangles.slice(1)],
     compressions: [...backward.compressions.slice().reverse(), ...forward.compressions.slice(1)],
     path: [...backward.path.slice().reverse(), ...forward.path.slice(1)],
   }
@@ -105,9 +105,9 @@ function traceStreamline(
     orient(direction, out)
     return compression >= minCompression && isFree(position)
   }
-  const { points, normals } = traceLine(surface, seed, field, MAX_LENGTH)
+  const { points, triangles } = traceLine(surface, seed, field, MAX_LENGTH)
   const count = points.length / 3
-  return { points, normals, compressions: compressions.slice(0, count), path: path.slice(0, count) }
+  return { points, triangles, compressions: compressions.slice(0, count), path: path.slice(0, count) }
 }
 
 /** Points one spacing away from a line, on both sides, along its path. */
@@ -152,8 +152,9 @@ function consistentSign(first: number): (direction: ArrayLike<number>, out: Floa
   }
 }
 
-function reversed(values: readonly number[], stride: number): number[] {
+/** The points of a line in the opposite order. */
+function reversed(points: readonly number[]): number[] {
   const out: number[] = []
-  for (let i = values.length - stride; i >= 0; i -= stride) out.push(...values.slice(i, i + stride))
+  for (let i = points.length - 3; i >= 0; i -= 3) out.push(...points.slice(i, i + 3))
   return out
 }

@@ -1,10 +1,10 @@
 import { clamp, smoothstep } from '../../../math/scalar.ts'
 import { cross } from '../../../math/vector.ts'
+import type { SkinSurface } from '../../skin/surface.ts'
 import type { Guide } from '../anatomy/region.ts'
 import { bilinearForm, compressionAlong, tensorAt } from '../strain/tensors.ts'
 import { type ChartPoint, type HeadChart, rollUp, unroll } from '../surface/head-chart.ts'
-import type { SkinSurface } from '../surface/surface.ts'
-import type { LaidLine } from './crease.ts'
+import { type LaidLine, MIN_POINTS } from './crease.ts'
 import { type DirectionField, traceLine } from './trace.ts'
 
 /** How strongly a line is drawn back to its guide, per millimetre of distance. */
@@ -58,12 +58,11 @@ function followGuide(
     return !isOver
   }
   const trace = traceLine(surface, start, field, 2 * lengthOf(path))
-  // At least three points: a beginning, a middle and an end.
-  if (trace.points.length < 9) return undefined
+  if (trace.triangles.length < MIN_POINTS) return undefined
   return {
     points: Float64Array.from(trace.points),
-    normals: Float64Array.from(trace.normals),
-    compressions: compressions.slice(0, trace.points.length / 3),
+    triangles: trace.triangles,
+    compressions: compressions.slice(0, trace.triangles.length),
   }
 }
 

@@ -11,6 +11,6 @@ export function layLines(
   settings: LineSettings,
 ): CreasedRegion[] {
   return prepared.face
-    ? layFaceLines(prepared.face, regions, settings)
+    ? layFaceLines(prepared, prepared.face, regions, settings)
     : layPatchLines(prepared, patches, settings)
 }

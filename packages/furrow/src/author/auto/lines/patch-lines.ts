@@ -5,6 +5,7 @@ import { type CompressedPatch, MIN_PATCH_COMPRESSION, patchTensors } from '../st
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { type CreasedRegion, creaseLines, type LineSettings } from './crease.ts'
 import { layFreeLines } from './free-lines.ts'
+import type { StrokedSkin } from './stroke-of.ts'
 
 /** Millimetres from line to line. */
 const SPACING = 6
@@ -12,10 +13,11 @@ const STYLE: LineStyle = { width: 3, depth: 1, taper: [0.4, 0.4], shoulder: [0.9
 
 /** Lays lines on patches of a skin without anatomy: shallower than on a face. */
 export function layPatchLines(
-  { surface, names }: Pick<PreparedSkin, 'surface' | 'names'>,
+  prepared: StrokedSkin & Pick<PreparedSkin, 'names'>,
   patches: readonly CompressedPatch[],
   { ageFraction, strength, seed }: LineSettings,
 ): CreasedRegion[] {
+  const { surface, names } = prepared
   const counts = new Map<string, number>()
   return patches.flatMap((patch): CreasedRegion[] => {
     const target = names[patch.target]
@@ -40,7 +42,7 @@ export function layPatchLines(
       reach: 4,
       feather: 6,
     }
-    return [{ region, ...creaseLines(region, lines, strength) }]
+    return [{ region, ...creaseLines(prepared, region, lines, strength) }]
   })
 }
 

@@ -1,10 +1,10 @@
 import type { GrayImage } from '../../../core/types.ts'
 import { smoothstep } from '../../../math/scalar.ts'
+import type { SkinTexels } from '../../skin/skin-texels.ts'
+import { LineGrid } from '../../strokes/line-grid.ts'
+import { visitTexelsNearLines } from '../../strokes/near-lines.ts'
 import type { CreasedRegion } from '../lines/crease.ts'
-import { CreaseGrid } from '../lines/crease-grid.ts'
 import { type HeadChart, unroll } from '../surface/head-chart.ts'
-import { visitTexelsNearCreases } from './crease-texels.ts'
-import type { SkinTexels } from './skin-texels.ts'
 import { visibility } from './visibility.ts'
 
 /** Difference in the distances to the lines of two areas, in millimetres, over which one gives way to the other. */
@@ -21,21 +21,21 @@ export function drawAreas(
   regions: readonly CreasedRegion[],
   chart?: HeadChart,
 ): GrayImage[] {
-  const { size } = texels
-  const images = regions.map(() => new Uint8Array(size * size))
+  const { width, height } = texels
+  const images = regions.map(() => new Uint8Array(width * height))
   // Of regions that share their lines, the first one owns them.
   const owners = regions.map(({ creases }) => regions.findIndex((other) => other.creases === creases))
   const lines = regions.flatMap(({ creases }, i) =>
     owners[i] === i ? creases.map((crease) => ({ crease, owner: i })) : [],
   )
   const extents = regions.map(({ region }) => region.reach + region.feather)
-  const grid = new CreaseGrid(
+  const grid = new LineGrid(
     lines.map(({ crease }) => crease),
     lines.map(({ owner }) => 2 * extents[owner]),
   )
   /** Distance to the nearest line of each owner. */
   const distances = new Float64Array(regions.length)
-  visitTexelsNearCreases(texels, grid, (texel, x, y, z, normal) => {
+  visitTexelsNearLines(texels, grid, (texel, x, y, z, normal) => {
     distances.fill(Infinity)
     grid.visit(x, y, z, normal[0], normal[1], normal[2], (line, distance) => {
       const { owner } = lines[line]
@@ -54,5 +54,5 @@ export function drawAreas(
       images[i][texel] = Math.round(255 * inside * nearer * visible * (region.influence?.(point) ?? 1))
     }
   })
-  return images.map((data) => ({ width: size, height: size, data }))
+  return images.map((data) => ({ width, height, data }))
 }

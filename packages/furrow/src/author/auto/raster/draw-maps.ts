@@ -2,19 +2,20 @@ import type { GrayImage, RgbaImage } from '../../../core/types.ts'
 import { MIPMAP_MARGIN } from '../../border.ts'
 import { surfaceMetric } from '../../metric.ts'
 import { type TangentFrame, turnedNormals } from '../../relief/height-to-normal.ts'
-import type { HeightMap } from '../../strokes/height.ts'
+import { SkinTexels } from '../../skin/skin-texels.ts'
+import type { SkinSurface } from '../../skin/surface.ts'
+import type { Stroke } from '../../strokes/document.ts'
+import { drawStrokes, type HeightMap } from '../../strokes/height.ts'
 import type { FittedRegion } from '../fit/fit-driver.ts'
-import { isOnLeft } from '../surface/overlap.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
-import type { SkinSurface } from '../surface/surface.ts'
 import { drawAreas } from './draw-areas.ts'
-import { drawCreases } from './draw-creases.ts'
 import { FacetFrames } from './facet-frames.ts'
-import { SkinTexels } from './skin-texels.ts'
 
 /** Maps of one layer. */
 export interface AutoLayer {
   name: string
+  /** Its lines, each in the group that is named after its area: `strokesToHeight` draws them as `relief`. */
+  strokes: Stroke[]
   /** Of kind `detail`: wrinkles on flat skin. */
   normal: RgbaImage
   relief: HeightMap
@@ -45,10 +46,9 @@ export function drawMaps(
   { size, areaSize, frame }: MapSettings,
   report: (fraction: number) => void,
 ): { layers: AutoLayer[]; weights: GrayImage[] } {
-  const { skin, surface, face, isMirrored } = prepared
-  const isDrawn = isMirrored ? isOnLeft(surface) : undefined
-  const texels = new SkinTexels(skin, surface, size, isDrawn, MIPMAP_MARGIN)
-  const areaTexels = new SkinTexels(skin, surface, areaSize, isDrawn)
+  const { skin, surface, face, isDrawn } = prepared
+  const texels = new SkinTexels(skin, surface, size, size, isDrawn, MIPMAP_MARGIN)
+  const areaTexels = new SkinTexels(skin, surface, areaSize, areaSize, isDrawn)
   const metric = surfaceMetric({ ...skin, positions: inMetres(surface) }, size)
   const layers: AutoLayer[] = []
   const weights: GrayImage[] = []
@@ -60,19 +60,28 @@ export function drawMaps(
     reportPart(layer, 0)
     const members = [...regions.keys()].filter((i) => layerOf[i] === layer)
     const own = members.map((i) => regions[i])
-    const creases = [...new Set(own.map((region) => region.creases))].flat()
-    const drawn = drawCreases(texels, creases)
+    const strokes = strokesOf(own)
+    const drawn = drawStrokes([...new Set(own.map(({ creases }) => creases))], { texels, metric })
     reportPart(layer, 1)
     const frames = frame === 'derivative' ? new FacetFrames(prepared, own) : undefined
     reportPart(layer, 2)
     const normal = turnedNormals(drawn.relief, metric, frame, (texel, slope) =>
       frames?.turn(texels.locate(texel, barycentrics), barycentrics, slope),
     )
-    layers.push({ name: `auto${layer + 1}`, normal, ...drawn })
+    layers.push({ name: `auto${layer + 1}`, strokes, normal, ...drawn })
     reportPart(layer, 3)
     for (const [k, image] of drawAreas(areaTexels, own, face?.chart).entries()) weights[members[k]] = image
   }
   return { layers, weights }
+}
+
+/** The strokes of regions that share a layer. Left and right may share their lines, which are in a group without a side then. */
+function strokesOf(regions: readonly FittedRegion[]): Stroke[] {
+  const groups = new Map<readonly Stroke[], string>()
+  for (const { region, strokes } of regions) {
+    groups.set(strokes, groups.has(strokes) ? region.name.replace(/(Left|Right)$/, '') : region.name)
+  }
+  return [...groups].flatMap(([strokes, group]) => strokes.map((stroke) => ({ group, ...stroke })))
 }
 
 /** Positions of the skin's vertices in the scale of its surface. */

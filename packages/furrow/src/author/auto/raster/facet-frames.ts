@@ -1,10 +1,10 @@
 import { triangleNormal } from '../../../math/triangle.ts'
 import { cross, dot, length, normalize } from '../../../math/vector.ts'
+import { skinVertices, triangleBox } from '../../skin/surface.ts'
+import { LineGrid } from '../../strokes/line-grid.ts'
 import { activationOf, type FittedRegion } from '../fit/fit-driver.ts'
-import { CreaseGrid } from '../lines/crease-grid.ts'
 import { type Pose, poseOf } from '../surface/pose.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
-import { skinVertices, triangleBox } from '../surface/surface.ts'
 import { type Patch, patchOf } from './patch.ts'
 
 /** Half widths of a valley from its middle within which its slopes show. */
@@ -113,7 +113,7 @@ function posesOf({ names, find }: Skin, { region, driver }: FittedRegion): Weigh
 }
 
 function trianglesNear({ surface }: Skin, { creases }: FittedRegion): number[] {
-  const grid = new CreaseGrid(
+  const grid = new LineGrid(
     creases,
     creases.map(({ halfWidths }) => NEAR * halfWidths.reduce((a, b) => Math.max(a, b), 0)),
   )

@@ -1,4 +1,4 @@
-import { type Skin, type SkinSurface, skinVertices } from '../surface/surface.ts'
+import { type Skin, type SkinSurface, skinVertices } from '../../skin/surface.ts'
 
 /** A few triangles of a skin and those around them, with numbers of their own for points and vertices. */
 export interface Patch {

@@ -1,5 +1,5 @@
+import type { SkinSurface } from '../../skin/surface.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
-import type { SkinSurface } from '../surface/surface.ts'
 import { poseStrain } from './pose-strain.ts'
 import { pointCompression } from './principal.ts'
 import { hasTensor, TENSOR_SIZE } from './tensors.ts'

@@ -1,5 +1,5 @@
+import type { SkinSurface } from '../../skin/surface.ts'
 import type { Pose } from '../surface/pose.ts'
-import type { SkinSurface } from '../surface/surface.ts'
 import { smooth } from './smooth.ts'
 import { compressionTensors } from './tensors.ts'
 

@@ -1,6 +1,6 @@
 import { triangleNormal } from '../../../math/triangle.ts'
 import { cross, normalize } from '../../../math/vector.ts'
-import { cornersOf, type SkinSurface } from '../surface/surface.ts'
+import { cornersOf, type SkinSurface } from '../../skin/surface.ts'
 import { bilinearForm, compressionAlong, TENSOR_SIZE, tensorAt } from './tensors.ts'
 
 /** Principal compression in the plane of the skin. */

@@ -1,4 +1,4 @@
-import type { SkinSurface } from '../surface/surface.ts'
+import type { SkinSurface } from '../../skin/surface.ts'
 import { hasTensor, TENSOR_SIZE } from './tensors.ts'
 
 /** Fraction of the way to its neighbours' mean that a point moves in one iteration, at most. */

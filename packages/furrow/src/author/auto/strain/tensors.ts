@@ -1,4 +1,4 @@
-import { cornersOf, type SkinSurface } from '../surface/surface.ts'
+import { cornersOf, type SkinSurface } from '../../skin/surface.ts'
 
 /** Components of a symmetric 3 x 3 tensor: xx, xy, xz, yy, yz, zz. */
 export const TENSOR_SIZE = 6

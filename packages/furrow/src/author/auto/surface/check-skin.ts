@@ -1,7 +1,7 @@
 import { FurrowError } from '../../../core/error.ts'
 import { boundingBoxSize } from '../../../math/bounds.ts'
 import { uvArea } from '../../../math/triangle.ts'
-import { crossOf, type Skin, type SkinTarget } from './surface.ts'
+import { crossOf, type Skin, type SkinTarget } from '../../skin/surface.ts'
 
 /** Largest offset of a usable target, in sizes of the skin. */
 const MAX_OFFSET = 2

@@ -1,5 +1,5 @@
+import { crossOf, type Skin } from '../../skin/surface.ts'
 import { faceShapeFinder } from './stand-ins.ts'
-import { crossOf, type Skin } from './surface.ts'
 
 /** A mesh, or the part of one with one material, that may be the skin. */
 export interface SkinCandidate {

@@ -1,7 +1,7 @@
+import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from '../../skin/surface.ts'
 import { HeadChart } from './head-chart.ts'
 import { centroidOf, findLandmarks, type Landmarks } from './landmarks.ts'
 import { faceShapeFinder, partShapeFinder } from './stand-ins.ts'
-import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from './surface.ts'
 
 /** A skin that was recognised as a face. */
 export interface DetectedFace {
@@ -10,6 +10,8 @@ export interface DetectedFace {
   /** The same, unrolled. */
   chart: HeadChart
   landmarks: Landmarks
+  /** Millimetres per unit of the skin. */
+  scale: number
   /** Offsets of each target by point, in millimetres, in the order of the skin's targets. */
   offsets: readonly Float64Array[]
   /** Names of the targets. */
@@ -57,7 +59,8 @@ export function detectFace(skin: Skin): DetectedFace | undefined {
     if (parts.length > 0) return sumDisplacements(offsets, parts, count)
     return inHalf(surface, shapes[0], sumDisplacements(offsets, shapes.flatMap(find), count))
   })
-  return landmarks && { surface, chart: new HeadChart(surface), landmarks, offsets, names, find }
+  const { scale } = frame
+  return landmarks && { surface, chart: new HeadChart(surface), landmarks, scale, offsets, names, find }
 }
 
 /** Transforms coordinates into the frame of the face: the midpoint between the eyes becomes the origin, in millimetres. */

@@ -1,6 +1,6 @@
 import { barycentrics2, interpolate } from '../../../math/barycentrics.ts'
 import { normalize } from '../../../math/vector.ts'
-import { cornersOf, type SkinSurface, type SurfacePoint } from './surface.ts'
+import { cornersOf, type SkinSurface, type SurfacePoint } from '../../skin/surface.ts'
 
 /** Millimetres from the surface of the face to the axis of the head. */
 const RADIUS = 85

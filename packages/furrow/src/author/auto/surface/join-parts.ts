@@ -1,4 +1,4 @@
-import type { Skin } from './surface.ts'
+import type { Skin } from '../../skin/surface.ts'
 
 /** Part of a mesh, with triangles and vertices of its own, as some engine or file has it. */
 export interface SkinPart {

@@ -1,4 +1,4 @@
-import type { SkinSurface } from './surface.ts'
+import type { SkinSurface } from '../../skin/surface.ts'
 
 /** x, y and z: to the person's left, up and forwards, in millimetres from the midpoint between the eyes. */
 export type LandmarkPosition = readonly [x: number, y: number, z: number]

@@ -1,8 +1,9 @@
+import { findOverlap, isOnLeft, isOverlapped } from '../../skin/overlap.ts'
+import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from '../../skin/surface.ts'
+import { UvLocator } from '../../skin/uv-locator.ts'
 import { checkCoverage } from './check-coverage.ts'
 import { checkSkin } from './check-skin.ts'
 import { type DetectedFace, detectFace } from './detect-face.ts'
-import { findOverlap, isOverlapped } from './overlap.ts'
-import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from './surface.ts'
 import { moveToFirstTile } from './uv-tiles.ts'
 
 /** A skin that wrinkles can be made for. */
@@ -19,8 +20,13 @@ export interface PreparedSkin {
   surface: SkinSurface
   /** Offsets of each target by point, in millimetres. */
   offsets: readonly Float64Array[]
+  /** Millimetres per unit of the skin's positions. */
+  scale: number
   /** Whether the left and right half of the face use the same texels. */
   isMirrored: boolean
+  /** Tells whether a triangle is drawn into the texture; of halves that use the same texels only the left one is. */
+  isDrawn: (triangle: number) => boolean
+  locator: UvLocator
   /** One sentence each. */
   warnings: readonly string[]
 }
@@ -41,7 +47,7 @@ export function prepareSkin(raw: Skin): PreparedSkin {
   const names = skin.targets.map(({ name }) => name)
   const face = detectFace(skin)
   const find = face?.find ?? ((name: string) => [names.indexOf(name)])
-  const { surface, offsets } = face ?? weldInMillimetres(skin)
+  const { surface, offsets, scale } = face ?? weldInMillimetres(skin)
   const overlap = findOverlap(skin, surface)
   const isMirrored = face !== undefined && overlap.isMirrored
   if (isMirrored)
@@ -52,7 +58,9 @@ export function prepareSkin(raw: Skin): PreparedSkin {
     warnings.push(
       'no face was found by what the blendshapes move: wrinkles are placed by strain alone, cautiously',
     )
-  return { skin, names, find, face, surface, offsets, isMirrored, warnings }
+  const isDrawn = isMirrored ? isOnLeft(surface) : () => true
+  const locator = new UvLocator(skin, surface, isDrawn)
+  return { skin, names, find, face, surface, offsets, scale, isMirrored, isDrawn, locator, warnings }
 }
 
 function percent(fraction: number): string {
@@ -63,7 +71,7 @@ function percent(fraction: number): string {
 const MAX_AREA = 4e6
 
 /** A skin that is not a face, in metres as glTF has it, as one surface in millimetres. */
-function weldInMillimetres(skin: Skin): Pick<PreparedSkin, 'surface' | 'offsets'> {
+function weldInMillimetres(skin: Skin): Pick<PreparedSkin, 'surface' | 'offsets' | 'scale'> {
   const welded = weldSurface(skin)
   const sum = pointAreas(welded.points, welded.corners).reduce((sum, area) => sum + area, 0)
   let scale = 1000
@@ -73,6 +81,7 @@ function weldInMillimetres(skin: Skin): Pick<PreparedSkin, 'surface' | 'offsets'
   const surface = { ...welded, points, areas: pointAreas(points, welded.corners) }
   return {
     surface,
+    scale,
     offsets: skin.targets.map((target) => pointOffsets(welded, target).map((value) => scale * value)),
   }
 }

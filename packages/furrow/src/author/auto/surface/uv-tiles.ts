@@ -1,5 +1,5 @@
 import { uvArea } from '../../../math/triangle.ts'
-import type { Skin } from './surface.ts'
+import type { Skin } from '../../skin/surface.ts'
 
 /** Fraction of the UV area that may lie outside the tile: borders of islands may stick out. */
 const OVERHANG = 0.01

@@ -1,6 +1,6 @@
-import { triangleNormal } from '../../../math/triangle.ts'
-import { length, normalize } from '../../../math/vector.ts'
-import { weldVertices } from '../../../math/weld.ts'
+import { triangleNormal } from '../../math/triangle.ts'
+import { length, normalize } from '../../math/vector.ts'
+import { weldVertices } from '../../math/weld.ts'
 
 /** A skin at rest and what deforms it. Nothing is changed or kept. */
 export interface Skin {

@@ -1,7 +1,8 @@
-import type { Crease } from './crease.ts'
+import type { SkinLine } from './curve.ts'
 
-/** Side of a cell in millimetres. */
-const CELL = 4
+/** Side of a cell in millimetres, and cells along the longest side of the grid, at most: their indices stay exact on skin of any size. */
+const MIN_CELL = 4
+const MOST_IN_ROW = 2 ** 16
 /** How many times as long the side of a cube is as that of the cubes one level below, of which the lowest are the cells. */
 const BRANCHING = 4
 /** From the centre of a cube to its corners, in halves of its side, with a margin for rounding. */
@@ -14,21 +15,15 @@ const FACING = 0.25
 const STRIDE = 10
 
 /**
- * Is given the point of a crease that is nearest.
+ * Is given the point of a line that is nearest.
  *
- * @param crease its index.
+ * @param line its index.
  * @param distance in millimetres.
  * @param segment index of the point before it.
  * @param t how far it is along the segment, 0..1.
- * @param side -1 where the position is on the left of the crease, 1 on its right, seen from outside; 0 on it.
+ * @param side -1 where the position is on the left of the line as seen from outside, 1 on its right, in between round its ends; 0 on it.
  */
-export type CreaseVisitor = (
-  crease: number,
-  distance: number,
-  segment: number,
-  t: number,
-  side: number,
-) => void
+export type LineVisitor = (line: number, distance: number, segment: number, t: number, side: number) => void
 
 /** Cubes of one size: the segments within reach of each, filled when they are first asked for. */
 interface Level {
@@ -42,44 +37,47 @@ interface Level {
 }
 
 /**
- * Finds creases near positions on the skin, by a grid of cells that are filled when they are first asked for, since skin has few of those
- * that are within reach of a crease: each from the cube of cells that it is in, that one from a larger one, the largest from all segments.
+ * Finds lines near positions on the skin, by a grid of cells that are filled when they are first asked for, since skin has few of those
+ * that are within reach of a line: each from the cube of cells that it is in, that one from a larger one, the largest from all segments.
  */
-export class CreaseGrid {
+export class LineGrid {
   readonly #reaches: readonly number[]
+  /** Side of a cell in millimetres. */
+  readonly #cell: number
   readonly #segments: Float64Array
-  /** Of each segment its crease, and the point it starts from. */
-  readonly #creaseOf: Int32Array
+  /** Of each segment its line, and the point it starts from. */
+  readonly #lineOf: Int32Array
   readonly #pointOf: Int32Array
   /** From the cells up. */
   readonly #levels: readonly Level[]
   /** All segments. */
   readonly #all: readonly number[]
-  /** The first and last cell within reach of any crease, along each axis. */
+  /** The first and last cell within reach of any line, along each axis. */
   readonly #low = [Infinity, Infinity, Infinity]
   readonly #high = [-Infinity, -Infinity, -Infinity]
-  /** Of each crease that a visit comes across: squared distance (-1 for none), nearest segment, position along it. */
+  /** Of each line that a visit comes across: squared distance (-1 for none), nearest segment, position along it. */
   readonly #squares: Float64Array
   readonly #nearest: Int32Array
   readonly #t: Float64Array
-  /** The creases that a visit comes across. */
+  /** The lines that a visit comes across. */
   readonly #found: Int32Array
 
-  /** @param reaches how far away each crease is found, in millimetres. */
-  constructor(creases: readonly Pick<Crease, 'points' | 'normals'>[], reaches: readonly number[]) {
+  /** @param reaches how far away each line is found, in millimetres. */
+  constructor(lines: readonly SkinLine[], reaches: readonly number[]) {
     this.#reaches = reaches
-    const total = creases.reduce((sum, { points }) => sum + Math.max(0, points.length / 3 - 1), 0)
+    this.#cell = Math.max(MIN_CELL, extentOf(lines) / MOST_IN_ROW)
+    const total = lines.reduce((sum, { points }) => sum + Math.max(0, points.length / 3 - 1), 0)
     this.#segments = new Float64Array(STRIDE * total)
-    this.#creaseOf = new Int32Array(total)
+    this.#lineOf = new Int32Array(total)
     this.#pointOf = new Int32Array(total)
-    this.#squares = new Float64Array(creases.length).fill(-1)
-    this.#nearest = new Int32Array(creases.length)
-    this.#t = new Float64Array(creases.length)
-    this.#found = new Int32Array(creases.length)
+    this.#squares = new Float64Array(lines.length).fill(-1)
+    this.#nearest = new Int32Array(lines.length)
+    this.#t = new Float64Array(lines.length)
+    this.#found = new Int32Array(lines.length)
     let segment = 0
-    for (const [crease, { points, normals }] of creases.entries()) {
+    for (const [line, { points, normals }] of lines.entries()) {
       for (let point = 0; point + 1 < points.length / 3; point++) {
-        this.#creaseOf[segment] = crease
+        this.#lineOf[segment] = line
         this.#pointOf[segment] = point
         this.#store(segment, points, normals)
         this.#widen(segment++)
@@ -89,11 +87,20 @@ export class CreaseGrid {
     this.#levels = this.#levelsOf()
   }
 
-  /** Whether creases may be within reach of a box. */
+  /** Whether lines may be within reach of a box. */
   isNear(low: ArrayLike<number>, high: ArrayLike<number>): boolean {
-    const [left, right] = [Math.max(cellOf(low[0]), this.#low[0]), Math.min(cellOf(high[0]), this.#high[0])]
-    const [bottom, top] = [Math.max(cellOf(low[1]), this.#low[1]), Math.min(cellOf(high[1]), this.#high[1])]
-    const [back, front] = [Math.max(cellOf(low[2]), this.#low[2]), Math.min(cellOf(high[2]), this.#high[2])]
+    const [left, right] = [
+      Math.max(this.#cellOf(low[0]), this.#low[0]),
+      Math.min(this.#cellOf(high[0]), this.#high[0]),
+    ]
+    const [bottom, top] = [
+      Math.max(this.#cellOf(low[1]), this.#low[1]),
+      Math.min(this.#cellOf(high[1]), this.#high[1]),
+    ]
+    const [back, front] = [
+      Math.max(this.#cellOf(low[2]), this.#low[2]),
+      Math.min(this.#cellOf(high[2]), this.#high[2]),
+    ]
     if (left > right || bottom > top || back > front) return false
     if ((right - left + 1) * (top - bottom + 1) * (front - back + 1) > MOST_CELLS) return true
     for (let x = left; x <= right; x++) {
@@ -105,13 +112,13 @@ export class CreaseGrid {
   }
 
   /**
-   * Visits each crease within reach once, at its nearest point.
+   * Visits each line within reach once, at its nearest point.
    *
    * @param x, y, z a position on the skin.
    * @param nx, ny, nz the skin's normal there.
    */
-  visit(x: number, y: number, z: number, nx: number, ny: number, nz: number, visit: CreaseVisitor): void {
-    const cell = this.#cellAt(cellOf(x), cellOf(y), cellOf(z))
+  visit(x: number, y: number, z: number, nx: number, ny: number, nz: number, visit: LineVisitor): void {
+    const cell = this.#cellAt(this.#cellOf(x), this.#cellOf(y), this.#cellOf(z))
     const s = this.#segments
     let found = 0
     for (let i = 0; i < cell.length; i++) {
@@ -127,35 +134,43 @@ export class CreaseGrid {
       const dy = vy - t * s[k + 4]
       const dz = vz - t * s[k + 5]
       const square = dx * dx + dy * dy + dz * dz
-      const crease = this.#creaseOf[segment]
-      if (this.#squares[crease] < 0) this.#found[found++] = crease
-      else if (square >= this.#squares[crease]) continue
-      this.#squares[crease] = square
-      this.#nearest[crease] = segment
-      this.#t[crease] = t
+      const line = this.#lineOf[segment]
+      if (this.#squares[line] < 0) this.#found[found++] = line
+      else if (square >= this.#squares[line]) continue
+      this.#squares[line] = square
+      this.#nearest[line] = segment
+      this.#t[line] = t
     }
     for (let i = 0; i < found; i++) {
-      const crease = this.#found[i]
-      const distance = Math.sqrt(this.#squares[crease])
-      this.#squares[crease] = -1
-      if (distance >= this.#reaches[crease]) continue
-      const segment = this.#nearest[crease]
-      visit(crease, distance, this.#pointOf[segment], this.#t[crease], this.#sideOf(segment, x, y, z))
+      const line = this.#found[i]
+      const distance = Math.sqrt(this.#squares[line])
+      this.#squares[line] = -1
+      if (distance >= this.#reaches[line]) continue
+      const segment = this.#nearest[line]
+      const side = this.#sideOf(segment, x, y, z, this.#t[line])
+      visit(line, distance, this.#pointOf[segment], this.#t[line], side)
     }
   }
 
-  /** The sign of (segment x offset) . normal. */
-  #sideOf(segment: number, x: number, y: number, z: number): number {
+  /**
+   * The sine of the angle, in the skin, between the segment and what lies to the right of it: 1 beside the line, less round its ends. The
+   * distance above the tangent plane does not count, for skin is curved.
+   */
+  #sideOf(segment: number, x: number, y: number, z: number, t: number): number {
     const s = this.#segments
     const k = STRIDE * segment
     const vx = x - s[k]
     const vy = y - s[k + 1]
     const vz = z - s[k + 2]
+    // Both times the segment's length; (segment x offset) . normal is on the left.
     const left =
       s[k + 7] * (s[k + 4] * vz - s[k + 5] * vy) +
       s[k + 8] * (s[k + 5] * vx - s[k + 3] * vz) +
       s[k + 9] * (s[k + 3] * vy - s[k + 4] * vx)
-    return left === 0 ? 0 : left > 0 ? -1 : 1
+    const isEnd =
+      t > 0 ? t === 1 && this.#lineOf[segment + 1] !== this.#lineOf[segment] : this.#pointOf[segment] === 0
+    const beyond = isEnd ? s[k + 3] * vx + s[k + 4] * vy + s[k + 5] * vz - (t > 0 ? 1 / s[k + 6] : 0) : 0
+    return left === 0 ? 0 : -left / Math.hypot(left, beyond)
   }
 
   #store(segment: number, points: Float64Array, normals: Float64Array): void {
@@ -171,18 +186,18 @@ export class CreaseGrid {
     this.#segments[STRIDE * segment + 6] = square > 0 ? 1 / square : 0
   }
 
-  /** Widens the box within reach of any crease by a segment. */
+  /** Widens the box within reach of any line by a segment. */
   #widen(segment: number): void {
-    const reach = this.#reaches[this.#creaseOf[segment]]
+    const reach = this.#reaches[this.#lineOf[segment]]
     for (let k = 0; k < 3; k++) {
       const start = this.#segments[STRIDE * segment + k]
       const end = start + this.#segments[STRIDE * segment + 3 + k]
-      this.#low[k] = Math.min(this.#low[k], cellOf(Math.min(start, end) - reach))
-      this.#high[k] = Math.max(this.#high[k], cellOf(Math.max(start, end) + reach))
+      this.#low[k] = Math.min(this.#low[k], this.#cellOf(Math.min(start, end) - reach))
+      this.#high[k] = Math.max(this.#high[k], this.#cellOf(Math.max(start, end) + reach))
     }
   }
 
-  /** The segments whose creases may be within reach of a cell. */
+  /** The segments whose lines may be within reach of a cell. */
   #cellAt(x: number, y: number, z: number): readonly number[] {
     const [low, high] = [this.#low, this.#high]
     // Not the other way round: NaN is nowhere.
@@ -191,7 +206,7 @@ export class CreaseGrid {
     return this.#cubeAt(0, x, y, z)
   }
 
-  /** The segments whose creases may be within reach of a cube, given by its index along each axis. */
+  /** The segments whose lines may be within reach of a cube, given by its index along each axis. */
   #cubeAt(level: number, x: number, y: number, z: number): readonly number[] {
     if (level === this.#levels.length) return this.#all
     const { side, low, rows, layers, cubes } = this.#levels[level]
@@ -206,7 +221,7 @@ export class CreaseGrid {
     return cube
   }
 
-  /** Up to the level whose cubes are nearly as large as all that is within reach of any crease. */
+  /** Up to the level whose cubes are nearly as large as all that is within reach of any line. */
   #levelsOf(): Level[] {
     const levels: Level[] = []
     const extent = Math.max(...this.#high.map((high, k) => high - this.#low[k]))
@@ -214,19 +229,19 @@ export class CreaseGrid {
     do {
       const [low, high] = [this.#low, this.#high].map((box) => box.map((cell) => Math.floor(cell / cells)))
       const [, rows, layers] = high.map((last, k) => last - low[k] + 1)
-      levels.push({ side: cells * CELL, low, rows, layers, cubes: new Map() })
+      levels.push({ side: cells * this.#cell, low, rows, layers, cubes: new Map() })
       cells *= BRANCHING
     } while (cells < extent)
     return levels
   }
 
-  /** Those of some segments whose creases may be within reach of a cube, given by its index along each axis and its side. */
+  /** Those of some segments whose lines may be within reach of a cube, given by its index along each axis and its side. */
   #within(segments: readonly number[], x: number, y: number, z: number, side: number): readonly number[] {
     const radius = (side / 2) * RADIUS
     const [px, py, pz] = [(x + 0.5) * side, (y + 0.5) * side, (z + 0.5) * side]
     return segments.filter(
       (segment) =>
-        this.#squareTo(segment, px, py, pz) <= (this.#reaches[this.#creaseOf[segment]] + radius) ** 2,
+        this.#squareTo(segment, px, py, pz) <= (this.#reaches[this.#lineOf[segment]] + radius) ** 2,
     )
   }
 
@@ -241,10 +256,25 @@ export class CreaseGrid {
     const t = along < 0 ? 0 : along > 1 ? 1 : along
     return (x - t * s[k + 3]) ** 2 + (y - t * s[k + 4]) ** 2 + (z - t * s[k + 5]) ** 2
   }
+
+  #cellOf(millimetres: number): number {
+    return Math.floor(millimetres / this.#cell)
+  }
 }
 
 const NONE: readonly number[] = []
 
-function cellOf(millimetres: number): number {
-  return Math.floor(millimetres / CELL)
+/** The longest side of the box round some lines. */
+function extentOf(lines: readonly SkinLine[]): number {
+  const [low, high] = [
+    [Infinity, Infinity, Infinity],
+    [-Infinity, -Infinity, -Infinity],
+  ]
+  for (const { points } of lines) {
+    for (let i = 0; i < points.length; i++) {
+      low[i % 3] = Math.min(low[i % 3], points[i])
+      high[i % 3] = Math.max(high[i % 3], points[i])
+    }
+  }
+  return Math.max(0, ...high.map((value, k) => value - low[k]))
 }

@@ -1,9 +1,11 @@
-import { barycentrics2 } from '../../../math/barycentrics.ts'
-import { uvToTexels } from '../../../math/triangle.ts'
-import { type BorderEdge, extendPlanes, FILTER_MARGIN } from '../../border.ts'
-import { coverTexels } from '../../cover-texels.ts'
-import { type Skin, type SkinSurface, skinVertices } from '../surface/surface.ts'
+import { barycentrics2 } from '../../math/barycentrics.ts'
+import { uvToTexels } from '../../math/triangle.ts'
+import { type BorderEdge, extendPlanes, FILTER_MARGIN } from '../border.ts'
+import { coverTexels } from '../cover-texels.ts'
+import { type Skin, type SkinSurface, skinVertices } from './surface.ts'
 
+/** How often progress is told. */
+const PARTS = 32
 /** Owner of a texel far from any island. */
 const NONE = -1
 /** Twice the area, in square texels, below which a triangle has no plane to be continued in. */
@@ -11,7 +13,8 @@ const NO_AREA = 1e-9
 
 /** Which texels of a map a skin covers, and where on it they are. */
 export class SkinTexels {
-  readonly size: number
+  readonly width: number
+  readonly height: number
   readonly surface: SkinSurface
   readonly #skin: Pick<Skin, 'uvs' | 'indices'>
   /** For each texel its triangle; -2 - triangle beyond the islands. */
@@ -21,26 +24,29 @@ export class SkinTexels {
   readonly #corners = new Float64Array(6)
 
   /**
-   * @param size side of the map in texels.
+   * @param width of the map in texels, as is height.
    * @param isDrawn tells whether a triangle is drawn into the texture.
    * @param margin texels by which the skin is continued beyond its islands.
    */
   constructor(
     skin: Pick<Skin, 'uvs' | 'indices'>,
     surface: SkinSurface,
-    size: number,
+    width: number,
+    height: number,
     isDrawn: (triangle: number) => boolean = () => true,
     margin = FILTER_MARGIN,
   ) {
-    this.size = size
+    this.width = width
+    this.height = height
     this.surface = surface
     this.#skin = skin
-    this.#owner = new Int32Array(size * size).fill(NONE)
+    this.#owner = new Int32Array(width * height).fill(NONE)
     const drawn = surface.skinTriangles.map((_, triangle) => (isDrawn(triangle) ? 1 : 0))
     for (const [triangle, flag] of drawn.entries()) if (flag) this.#cover(triangle)
     extendPlanes(
       () => this.#borderEdges(drawn),
-      size,
+      width,
+      height,
       margin,
       (texel) => this.#owner[texel] < 0,
       (texel, triangle) => {
@@ -58,11 +64,14 @@ export class SkinTexels {
   visit(
     isWanted: (triangle: number) => boolean,
     visit: (texel: number, triangle: number, a: number, b: number, c: number) => void,
+    progress?: (fraction: number) => void,
   ): void {
     const weights = new Float64Array(3)
     /** 1 and 0 as `isWanted` says, -1 where it was not asked yet. */
     const wanted = new Int8Array(this.surface.skinTriangles.length).fill(-1)
+    const part = Math.ceil(this.#owner.length / PARTS)
     for (let texel = 0; texel < this.#owner.length; texel++) {
+      if (texel % part === part - 1) progress?.(texel / this.#owner.length)
       const triangle = this.#triangleOf(texel)
       if (triangle === NONE) continue
       if (wanted[triangle] < 0) wanted[triangle] = isWanted(triangle) ? 1 : 0
@@ -70,6 +79,7 @@ export class SkinTexels {
       this.locate(texel, weights)
       visit(texel, triangle, weights[0], weights[1], weights[2])
     }
+    progress?.(1)
   }
 
   /**
@@ -83,7 +93,7 @@ export class SkinTexels {
     if (triangle === NONE) return NONE
     if (triangle !== this.#last) this.#toTexels(this.#corners, triangle)
     this.#last = triangle
-    barycentrics2(weights, this.#corners, texel % this.size, Math.floor(texel / this.size))
+    barycentrics2(weights, this.#corners, texel % this.width, Math.floor(texel / this.width))
     return triangle
   }
 
@@ -95,13 +105,13 @@ export class SkinTexels {
   /** x and y of a triangle's corners in texels. */
   #toTexels(out: Float64Array, triangle: number): void {
     const [a, b, c] = skinVertices(this.#skin, this.surface, triangle)
-    uvToTexels(out, this.#skin.uvs, a, b, c, this.size, this.size)
+    uvToTexels(out, this.#skin.uvs, a, b, c, this.width, this.height)
   }
 
   /** Gives a triangle the texels whose centres it covers and no other has. */
   #cover(triangle: number): void {
     const corners = skinVertices(this.#skin, this.surface, triangle)
-    coverTexels(this.#skin.uvs, corners, this.size, this.size, (texel) => {
+    coverTexels(this.#skin.uvs, corners, this.width, this.height, (texel) => {
       if (this.#owner[texel] < 0) this.#owner[texel] = triangle
     })
   }

@@ -1,13 +1,14 @@
-import { interpolate } from '../../../math/barycentrics.ts'
-import type { CreaseGrid } from '../lines/crease-grid.ts'
-import { cornersOf, triangleBox } from '../surface/surface.ts'
-import type { SkinTexels } from './skin-texels.ts'
+import { interpolate } from '../../math/barycentrics.ts'
+import type { SkinTexels } from '../skin/skin-texels.ts'
+import { cornersOf, triangleBox } from '../skin/surface.ts'
+import type { LineGrid } from './line-grid.ts'
 
-/** Visits the texels that may have creases near them, with their position on the skin and its normal there. */
-export function visitTexelsNearCreases(
+/** Visits the texels that may have lines near them, with their position on the skin and its normal there. */
+export function visitTexelsNearLines(
   texels: SkinTexels,
-  grid: CreaseGrid,
+  grid: LineGrid,
   visit: (texel: number, x: number, y: number, z: number, normal: Float64Array) => void,
+  progress?: (fraction: number) => void,
 ): void {
   const { surface } = texels
   const [normal, position] = [new Float64Array(3), new Float64Array(3)]
@@ -25,5 +26,6 @@ export function visitTexelsNearCreases(
       interpolate(normal, surface.normals, 3, a, b, c, na, nb, nc)
       visit(texel, position[0], position[1], position[2], normal)
     },
+    progress,
   )
 }

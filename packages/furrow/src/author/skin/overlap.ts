@@ -1,4 +1,4 @@
-import { coverTexels } from '../../cover-texels.ts'
+import { coverTexels } from '../cover-texels.ts'
 import { cornersOf, type Skin, type SkinSurface, skinVertices } from './surface.ts'
 
 /** Side of the map on which overlaps are searched, in texels. */
@@ -15,7 +15,7 @@ export interface UvOverlap {
 }
 
 /** Searches for texels that several parts of the skin use. */
-export function findOverlap(skin: Skin, surface: SkinSurface): UvOverlap {
+export function findOverlap(skin: Pick<Skin, 'uvs' | 'indices'>, surface: SkinSurface): UvOverlap {
   const { points, skinTriangles } = surface
   const sides = new Uint8Array(SIZE * SIZE)
   const counts = new Uint8Array(SIZE * SIZE)

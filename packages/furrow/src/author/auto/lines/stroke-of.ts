@@ -1,0 +1,69 @@
+import type { Uv } from '../../../core/json.ts'
+import { lerp } from '../../../math/scalar.ts'
+import { splineKnots } from '../../../math/spline.ts'
+import { skinVertices } from '../../skin/surface.ts'
+import { barycentricsAt } from '../../skin/walk.ts'
+import type { Stroke } from '../../strokes/document.ts'
+import type { PreparedSkin } from '../surface/prepare-skin.ts'
+import type { LaidLine } from './crease.ts'
+import { STEP } from './trace.ts'
+
+/** What strokes are written for. */
+export type StrokedSkin = Pick<PreparedSkin, 'skin' | 'surface' | 'locator' | 'isDrawn'>
+
+/** Millimetres by which a stroke may miss its line: a thirtieth of a fine wrinkle's width. */
+const TOLERANCE = 0.08
+/** Millimetres between the factors on a stroke's depth. */
+const FACTOR_SPACING = 4
+/** Fraction of a line's taper over which its stroke fades: its ends are blunt. */
+const BLUNT = 0.85
+
+/**
+ * Writes a line as a stroke: a spline through few of its points.
+ *
+ * @param depth in millimetres.
+ * @param factors on the depth, one per point.
+ */
+export function strokeOf(
+  line: LaidLine,
+  depth: number,
+  factors: readonly number[],
+  skin: StrokedSkin,
+): Stroke {
+  const { width, taper, shoulder, softness } = line.style
+  const count = Math.max(2, Math.round((line.triangles.length * STEP) / FACTOR_SPACING) + 1)
+  return {
+    curve: 'spline',
+    points: splineKnots(line.points, TOLERANCE).map((i) => uvAt(line, i, skin)),
+    width: rounded(width, 1e3),
+    depth: rounded(depth, 1e4),
+    depths: Array.from({ length: count }, (_, i) => rounded(sample(factors, i / (count - 1)), 1e3)),
+    taper: [rounded(BLUNT * taper[0], 1e3), rounded(BLUNT * taper[1], 1e3)],
+    shoulder: [rounded(shoulder[0], 1e3), rounded(shoulder[1], 1e3)],
+    softness: rounded(softness, 1e3),
+    waviness: 0,
+  }
+}
+
+/** Where in the texture a point of a line is: to half a thousandth of a texel of 1024. */
+function uvAt({ points, triangles }: LaidLine, i: number, { skin, surface }: StrokedSkin): Uv {
+  const weights = new Float64Array(3)
+  barycentricsAt(weights, surface, triangles[i], points.subarray(3 * i, 3 * i + 3))
+  const vertices = skinVertices(skin, surface, triangles[i])
+  const at = (k: number) =>
+    rounded(
+      vertices.reduce((sum, vertex, corner) => sum + weights[corner] * skin.uvs[2 * vertex + k], 0),
+      2e6,
+    )
+  return [at(0), at(1)]
+}
+
+function sample(values: readonly number[], t: number): number {
+  const x = t * (values.length - 1)
+  const from = Math.min(Math.floor(x), values.length - 2)
+  return lerp(values[from], values[from + 1], x - from)
+}
+
+function rounded(value: number, steps: number): number {
+  return Math.round(steps * value) / steps
+}

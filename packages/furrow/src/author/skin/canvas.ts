@@ -1,0 +1,55 @@
+import { MIPMAP_MARGIN } from '../border.ts'
+import { type Metric, type MetricMesh, MILLIMETRES_PER_METRE, surfaceMetric } from '../metric.ts'
+import { findOverlap, isOnLeft } from './overlap.ts'
+import { SkinTexels } from './skin-texels.ts'
+import { pointAreas, type Skin, type SkinSurface, weldSurface } from './surface.ts'
+import { UvLocator } from './uv-locator.ts'
+
+/** What strokes are drawn on: the skin as a surface, and where on it the texels of a map are. */
+export interface SkinCanvas {
+  /** In millimetres. */
+  surface: SkinSurface
+  locator: UvLocator
+  texels: SkinTexels
+  metric: Metric
+}
+
+/**
+ * Prepares a mesh to be drawn on. Vertices at one position are one point of the skin, so that lines run on across the seams of the texture;
+ * where the left and the right half use the same texels, the left one (x > 0) is drawn.
+ *
+ * @param width in texels, as is height.
+ * @param scale millimetres per unit of the mesh's positions.
+ * @throws FurrowError as `surfaceMetric` does.
+ */
+export function skinCanvas(
+  mesh: MetricMesh,
+  width: number,
+  height = width,
+  scale = MILLIMETRES_PER_METRE,
+): SkinCanvas {
+  const metric = surfaceMetric(mesh, width, height, scale)
+  const skin = {
+    ...mesh,
+    indices: mesh.indices ?? Array.from({ length: mesh.positions.length / 3 }, (_, i) => i),
+  }
+  const welded = weldSurface(skin)
+  const points = welded.points.map((value) => scale * value)
+  const surface = { ...welded, points, areas: pointAreas(points, welded.corners) }
+  return { metric, ...mapSkin(skin, surface, width, height) }
+}
+
+/** Finds the texels of a skin in a map, and its points in the texture. */
+export function mapSkin(
+  skin: Pick<Skin, 'uvs' | 'indices'>,
+  surface: SkinSurface,
+  width: number,
+  height = width,
+): Omit<SkinCanvas, 'metric'> {
+  const isDrawn = findOverlap(skin, surface).isMirrored ? isOnLeft(surface) : undefined
+  return {
+    surface,
+    locator: new UvLocator(skin, surface, isDrawn),
+    texels: new SkinTexels(skin, surface, width, height, isDrawn, MIPMAP_MARGIN),
+  }
+}

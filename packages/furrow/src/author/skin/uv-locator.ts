@@ -1,0 +1,125 @@
+import { barycentrics2 } from '../../math/barycentrics.ts'
+import { type Skin, type SkinSurface, skinVertices } from './surface.ts'
+
+/** Cells along each side of the grid, at most. */
+const MOST_CELLS = 512
+/** Entries of the grid per triangle on average, about. */
+const ENTRIES = 4
+/** Barycentric coordinate down to which a point on an edge is inside, in spite of rounding. */
+const INSIDE = -1e-9
+/** Distances from an island, as fractions of the texture, at which a point beside it still counts: written coordinates are rounded. */
+const BESIDE = [2 ** -12, 2 ** -10]
+/** The eight directions. */
+const AROUND = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => (x || y ? [[x, y] as const] : [])))
+
+/** Finds where on a skin a point of its texture is, by a grid over the texture. */
+export class UvLocator {
+  readonly #skin: Pick<Skin, 'uvs' | 'indices'>
+  readonly #surface: SkinSurface
+  readonly #side: number
+  /** The triangles whose bounding boxes overlap cell i: from `#starts[i]` to `#starts[i + 1]`. */
+  readonly #starts: Uint32Array
+  readonly #triangles: Uint32Array
+  readonly #corners = new Float64Array(6)
+  readonly #candidate = new Float64Array(3)
+
+  /**
+   * @param skin in the first tile of its texture.
+   * @param isUsed tells which triangles a point may be on; where several are left, the first one is found.
+   */
+  constructor(
+    skin: Pick<Skin, 'uvs' | 'indices'>,
+    surface: SkinSurface,
+    isUsed: (triangle: number) => boolean = () => true,
+  ) {
+    this.#skin = skin
+    this.#surface = surface
+    const used = [...surface.skinTriangles.keys()].filter(isUsed)
+    this.#side = this.#chooseSide(used)
+    const starts = new Uint32Array(this.#side ** 2 + 1)
+    for (const triangle of used) this.#visitCells(triangle, (cell) => starts[cell + 1]++)
+    for (let i = 1; i < starts.length; i++) starts[i] += starts[i - 1]
+    this.#starts = starts
+    this.#triangles = new Uint32Array(starts[starts.length - 1])
+    const next = starts.slice()
+    for (const triangle of used) {
+      this.#visitCells(triangle, (cell) => {
+        this.#triangles[next[cell]++] = triangle
+      })
+    }
+  }
+
+  /**
+   * @param weights takes the barycentric coordinates, a little below 0 beside an island.
+   * @returns the triangle; -1 where there is no skin.
+   */
+  find(u: number, v: number, weights: Float64Array): number {
+    const triangle = this.#triangleAt(u, v)
+    if (triangle >= 0) return this.#locate(triangle, u, v, weights)
+    for (const distance of BESIDE) {
+      for (const [x, y] of AROUND) {
+        const beside = this.#triangleAt(u + distance * x, v + distance * y)
+        if (beside >= 0) return this.#locate(beside, u, v, weights)
+      }
+    }
+    return -1
+  }
+
+  #locate(triangle: number, u: number, v: number, weights: Float64Array): number {
+    this.#readCorners(triangle)
+    barycentrics2(weights, this.#corners, u, v)
+    return triangle
+  }
+
+  #triangleAt(u: number, v: number): number {
+    if (!(u >= 0 && u <= 1 && v >= 0 && v <= 1)) return -1
+    const cell = this.#cellOf(v) * this.#side + this.#cellOf(u)
+    const weights = this.#candidate
+    for (let i = this.#starts[cell]; i < this.#starts[cell + 1]; i++) {
+      this.#locate(this.#triangles[i], u, v, weights)
+      if (weights[0] >= INSIDE && weights[1] >= INSIDE && weights[2] >= INSIDE) return this.#triangles[i]
+    }
+    return -1
+  }
+
+  #readCorners(triangle: number): void {
+    const { uvs } = this.#skin
+    for (const [k, vertex] of skinVertices(this.#skin, this.#surface, triangle).entries()) {
+      this.#corners[2 * k] = uvs[2 * vertex]
+      this.#corners[2 * k + 1] = uvs[2 * vertex + 1]
+    }
+  }
+
+  /** So many cells that triangles have `ENTRIES` of them on average, however large they are. */
+  #chooseSide(triangles: readonly number[]): number {
+    let [area, extent] = [0, 0]
+    for (const triangle of triangles) {
+      const [left, top, right, bottom] = this.#boxOf(triangle)
+      area += (right - left) * (bottom - top)
+      extent += right - left + bottom - top
+    }
+    const entries = ENTRIES * triangles.length
+    const side = Math.min(Math.sqrt(entries / (area || 1)), entries / (extent || 1))
+    return Math.max(1, Math.min(MOST_CELLS, Math.floor(side)))
+  }
+
+  /** Its least and greatest u and v. */
+  #boxOf(triangle: number): [left: number, top: number, right: number, bottom: number] {
+    this.#readCorners(triangle)
+    const [u0, v0, u1, v1, u2, v2] = this.#corners
+    return [Math.min(u0, u1, u2), Math.min(v0, v1, v2), Math.max(u0, u1, u2), Math.max(v0, v1, v2)]
+  }
+
+  #visitCells(triangle: number, visit: (cell: number) => void): void {
+    const [left, top, right, bottom] = this.#boxOf(triangle)
+    if (!(right >= 0 && left <= 1 && bottom >= 0 && top <= 1)) return
+    for (let row = this.#cellOf(top); row <= this.#cellOf(bottom); row++) {
+      for (let column = this.#cellOf(left); column <= this.#cellOf(right); column++)
+        visit(row * this.#side + column)
+    }
+  }
+
+  #cellOf(coordinate: number): number {
+    return Math.max(0, Math.min(this.#side - 1, Math.floor(coordinate * this.#side)))
+  }
+}

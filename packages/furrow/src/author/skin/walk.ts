@@ -1,0 +1,111 @@
+import { barycentrics3, interpolate } from '../../math/barycentrics.ts'
+import { triangleNormal } from '../../math/triangle.ts'
+import { dot, normalize } from '../../math/vector.ts'
+import { cornersOf, type SkinSurface } from './surface.ts'
+
+/** Fraction of the way to a triangle's centroid that a line is pulled as it enters. */
+const INWARDS = 1e-3
+/** Triangles that one step crosses at most. */
+const MOST_CROSSED = 8
+
+/**
+ * Moves a position over a surface, along the projections of a direction onto the triangles that it crosses.
+ *
+ * @param start the triangle that the position is on.
+ * @param position is changed.
+ * @param distance in the unit of the surface; a few triangles at most.
+ * @returns the triangle it is on then, or -1 at the surface's border.
+ */
+export function walk(
+  surface: SkinSurface,
+  start: number,
+  position: Float64Array,
+  direction: ArrayLike<number>,
+  distance: number,
+): number {
+  let triangle = start
+  let left = distance
+  const here = new Float64Array(3)
+  const there = new Float64Array(3)
+  const target = new Float64Array(3)
+  for (let crossed = 0; crossed < MOST_CROSSED; crossed++) {
+    projectOntoTriangle(target, surface, triangle, direction)
+    for (let k = 0; k < 3; k++) target[k] = position[k] + left * target[k]
+    barycentricsAt(here, surface, triangle, position)
+    barycentricsAt(there, surface, triangle, target)
+    // The first edge that the step crosses, and at what fraction of it.
+    let [fraction, edge] = [1, -1]
+    for (let k = 0; k < 3; k++) {
+      if (there[k] >= 0) continue
+      const crossing = Math.max(here[k], 0) / (Math.max(here[k], 0) - there[k])
+      if (crossing < fraction || edge < 0) [fraction, edge] = [crossing, (k + 1) % 3]
+    }
+    for (let k = 0; k < 3; k++) position[k] += fraction * (target[k] - position[k])
+    if (edge < 0) return triangle
+    left *= 1 - fraction
+    const next = surface.adjacent[3 * triangle + edge]
+    if (next < 0) return -1
+    triangle = next
+    pullInwards(surface, triangle, position)
+    if (left < 1e-6) return triangle
+  }
+  return triangle
+}
+
+/** Barycentric coordinates of a position in a triangle of a surface. */
+export function barycentricsAt(
+  out: Float64Array,
+  surface: SkinSurface,
+  triangle: number,
+  position: ArrayLike<number>,
+): void {
+  const [a, b, c] = cornersOf(surface, triangle)
+  barycentrics3(out, surface.points, a, b, c, position)
+}
+
+/** The position at barycentric coordinates of a triangle. */
+export function positionAt(
+  out: Float64Array,
+  surface: SkinSurface,
+  triangle: number,
+  [wa, wb, wc]: Float64Array,
+): void {
+  const [a, b, c] = cornersOf(surface, triangle)
+  interpolate(out, surface.points, 3, a, b, c, wa, wb, wc)
+}
+
+/** The surface's unit normal at barycentric coordinates of a triangle; beyond its edges it stays that of the edge. */
+export function normalAt(
+  out: Float64Array,
+  surface: SkinSurface,
+  triangle: number,
+  [wa, wb, wc]: Float64Array,
+): void {
+  const [a, b, c] = cornersOf(surface, triangle)
+  interpolate(out, surface.normals, 3, a, b, c, Math.max(wa, 0), Math.max(wb, 0), Math.max(wc, 0))
+  normalize(out)
+}
+
+/** Keeps a line that runs along an edge or through a corner from alternating between two triangles. */
+function pullInwards(surface: SkinSurface, triangle: number, position: Float64Array): void {
+  const corners = cornersOf(surface, triangle)
+  for (let k = 0; k < 3; k++) {
+    let middle = 0
+    for (const point of corners) middle += surface.points[3 * point + k] / 3
+    position[k] += INWARDS * (middle - position[k])
+  }
+}
+
+/** Projects a direction onto a triangle's plane, at length 1. */
+function projectOntoTriangle(
+  out: Float64Array,
+  surface: SkinSurface,
+  triangle: number,
+  direction: ArrayLike<number>,
+): void {
+  const [a, b, c] = cornersOf(surface, triangle)
+  triangleNormal(out, surface.points, a, b, c)
+  const rise = dot(out, direction) / dot(out, out)
+  for (let k = 0; k < 3; k++) out[k] = direction[k] - rise * out[k]
+  normalize(out)
+}

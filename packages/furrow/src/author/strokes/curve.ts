@@ -1,0 +1,177 @@
+import type { Uv } from '../../core/json.ts'
+import { bezierAt } from '../../math/bezier.ts'
+import { lerp } from '../../math/scalar.ts'
+import { splineAt } from '../../math/spline.ts'
+import { dot } from '../../math/vector.ts'
+import type { SkinCanvas } from '../skin/canvas.ts'
+import type { SkinSurface } from '../skin/surface.ts'
+import { barycentricsAt, normalAt, positionAt, walk } from '../skin/walk.ts'
+import type { Stroke } from './document.ts'
+
+/** Segments into which a Bezier curve is cut before it is measured. */
+const BEZIER_SEGMENTS = 32
+/** Longest step of a curve in the texture: a third of a millimetre on a face that fills it. */
+const MAX_UV_STEP = 1 / 1024
+/** Longest step of a spline in millimetres. */
+const MAX_STEP = 0.5
+/** Steps that the longest curve is cut into, about. */
+const MOST_STEPS = 8192
+/** Millimetres on the skin that are more than the longest step in the texture: it leads to another island. */
+const JUMP = 10
+
+/** A line on a skin. */
+export interface SkinLine {
+  /** x, y and z of each point in millimetres. */
+  points: Float64Array
+  /** The skin's unit normals there. */
+  normals: Float64Array
+}
+
+/** A skin and an index of its texture. */
+export type LocatedSkin = Pick<SkinCanvas, 'surface' | 'locator'>
+
+/**
+ * Lays a stroke's curve on the skin, in short steps.
+ *
+ * @returns its parts, each of two points or more: where the texture has no skin, a polyline or Bezier curve is interrupted, and points of a
+ *   spline are left out.
+ */
+export function layCurve({ curve, points }: Pick<Stroke, 'curve' | 'points'>, skin: LocatedSkin): SkinLine[] {
+  if (curve === 'spline') return laySpline(points, skin)
+  return layInTexture(curve === 'bezier' ? flattenBezier(points) : points, skin)
+}
+
+function flattenBezier(points: readonly Uv[]): Uv[] {
+  const polyline: Uv[] = [points[0]]
+  for (let i = 0; i + 3 < points.length; i += 3) {
+    const [a, b, c, d] = points.slice(i, i + 4)
+    for (let k = 1; k <= BEZIER_SEGMENTS; k++) polyline.push(bezierAt(a, b, c, d, k / BEZIER_SEGMENTS))
+  }
+  return polyline
+}
+
+/** Finds each step on the skin by itself. */
+function layInTexture(polyline: readonly Uv[], { surface, locator }: LocatedSkin): SkinLine[] {
+  const lines: SkinLine[] = []
+  const trail = new Trail(surface)
+  const [position, weights] = [new Float64Array(3), new Float64Array(3)]
+  const step = Math.max(MAX_UV_STEP, lengthOf(polyline) / MOST_STEPS)
+  for (const [u, v] of stepsAlong(polyline, step)) {
+    const triangle = locator.find(u, v, weights)
+    if (triangle >= 0) positionAt(position, surface, triangle, weights)
+    if (triangle < 0 || trail.distanceTo(position) > (JUMP * step) / MAX_UV_STEP) lines.push(...trail.end())
+    if (triangle >= 0) trail.add(position, triangle, weights)
+  }
+  return [...lines, ...trail.end()]
+}
+
+function lengthOf(polyline: readonly Uv[]): number {
+  let sum = 0
+  for (let i = 1; i < polyline.length; i++) sum += uvDistance(polyline[i - 1], polyline[i])
+  return sum
+}
+
+function uvDistance(a: Uv, b: Uv): number {
+  return Math.hypot(b[0] - a[0], b[1] - a[1])
+}
+
+function* stepsAlong(polyline: readonly Uv[], step: number): Generator<Uv> {
+  yield polyline[0]
+  for (let i = 1; i < polyline.length; i++) {
+    const [from, to] = [polyline[i - 1], polyline[i]]
+    const steps = Math.ceil(uvDistance(from, to) / step)
+    for (let k = 1; k <= steps; k++) yield [lerp(from[0], to[0], k / steps), lerp(from[1], to[1], k / steps)]
+  }
+}
+
+/** Follows a smooth curve in space over the skin, from point to point. */
+function laySpline(uvs: readonly Uv[], { surface, locator }: LocatedSkin): SkinLine[] {
+  const [position, weights] = [new Float64Array(3), new Float64Array(3)]
+  const anchors: number[] = []
+  const triangles: number[] = []
+  for (const [u, v] of uvs) {
+    const triangle = locator.find(u, v, weights)
+    if (triangle < 0) continue
+    positionAt(position, surface, triangle, weights)
+    if (triangles.length > 0 && distance(position, anchors.slice(-3)) === 0) continue
+    anchors.push(...position)
+    triangles.push(triangle)
+  }
+  const trail = new Trail(surface)
+  const mostSteps = Math.ceil(MOST_STEPS / anchors.length)
+  for (const [i, triangle] of triangles.entries()) {
+    position.set(anchors.slice(3 * i, 3 * i + 3))
+    barycentricsAt(weights, surface, triangle, position)
+    trail.add(position, triangle, weights)
+    if (i + 1 === triangles.length) break
+    const chord = distance(position, anchors.slice(3 * i + 3, 3 * i + 6))
+    const steps = Math.min(mostSteps, Math.ceil(chord / MAX_STEP))
+    trail.follow(position, triangle, steps, (target, t) => splineAt(target, anchors, i, t))
+  }
+  return trail.end()
+}
+
+function distance(a: ArrayLike<number>, b: ArrayLike<number>): number {
+  return Math.hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2])
+}
+
+/** The points of a line that is being laid. */
+class Trail {
+  readonly #surface: SkinSurface
+  #points: number[] = []
+  #normals: number[] = []
+  readonly #normal = new Float64Array(3)
+
+  constructor(surface: SkinSurface) {
+    this.#surface = surface
+  }
+
+  add(position: Float64Array, triangle: number, weights: Float64Array): void {
+    normalAt(this.#normal, this.#surface, triangle, weights)
+    this.#points.push(...position)
+    this.#normals.push(...this.#normal)
+  }
+
+  /** Adds the points between two on a curve: projections onto the skin, or beyond its border the curve's own. */
+  follow(
+    position: Float64Array,
+    start: number,
+    steps: number,
+    curveAt: (out: Float64Array, t: number) => void,
+  ): void {
+    const [target, weights] = [new Float64Array(3), new Float64Array(3)]
+    let [triangle, isOnSkin] = [start, true]
+    for (let k = 1; k < steps; k++) {
+      curveAt(target, k / steps)
+      if (isOnSkin) {
+        const next = this.#walkTowards(target, triangle, position)
+        isOnSkin = next >= 0
+        if (isOnSkin) triangle = next
+      }
+      if (!isOnSkin) position.set(target)
+      barycentricsAt(weights, this.#surface, triangle, position)
+      this.add(position, triangle, weights)
+    }
+  }
+
+  /** Moves along the skin to the point below or above a target. */
+  #walkTowards(target: Float64Array, triangle: number, position: Float64Array): number {
+    const direction = target.map((value, k) => value - position[k])
+    const rise = dot(direction, this.#normal)
+    for (let k = 0; k < 3; k++) direction[k] -= rise * this.#normal[k]
+    return walk(this.#surface, triangle, position, direction, Math.hypot(...direction))
+  }
+
+  /** From the last point; 0 where there is none. */
+  distanceTo(position: ArrayLike<number>): number {
+    return this.#points.length > 0 ? distance(position, this.#points.slice(-3)) : 0
+  }
+
+  /** The line, where it has two points; the next point begins another. */
+  end(): SkinLine[] {
+    const line = { points: Float64Array.from(this.#points), normals: Float64Array.from(this.#normals) }
+    this.#points = []
+    this.#normals = []
+    return line.points.length >= 6 ? [line] : []
+  }
+}

@@ -1,0 +1,138 @@
+import type { Uv } from '../../core/json.ts'
+import { hash32 } from '../../math/hash.ts'
+import { clamp, lerp, smoothstep } from '../../math/scalar.ts'
+import { cross, normalize } from '../../math/vector.ts'
+import { type LocatedSkin, layCurve, type SkinLine } from './curve.ts'
+import type { Stroke } from './document.ts'
+
+/** A stroke on the skin, with its cross-section at each point. */
+export interface LaidStroke extends SkinLine {
+  /** Depth and half the width of the valley at each point, in millimetres. */
+  depths: Float64Array
+  halfWidths: Float64Array
+  /** Height of the raised banks, left and right of its direction as seen from outside, 0..1. */
+  shoulder: readonly [left: number, right: number]
+  softness: number
+}
+
+/** Longest segment in millimetres: well below the thinnest visible wrinkle. */
+const MAX_SEGMENT = 0.5
+/** Segments of the longest stroke. */
+const MOST_SEGMENTS = 8192
+/** Width left at a tapered end, where the depth is zero: a crease ends in a hairline. */
+const END_WIDTH = 0.4
+/** Wavelength of the irregularity in millimetres; a second, weaker octave has 0.4 of it. */
+const WAVELENGTH = 9
+
+/** Lays a stroke on the skin, in one part or several; in none where the skin has no such texels. The same stroke gives the same on every run. */
+export function layOutStroke(stroke: Stroke, skin: LocatedSkin): LaidStroke[] {
+  const lines = layCurve(stroke, skin)
+  const lengths = lines.map(arcLengths)
+  const total = lengths.reduce((sum, along) => sum + along[along.length - 1], 0)
+  let before = 0
+  return lines.flatMap((line, i) => {
+    const start = before
+    before += lengths[i][lengths[i].length - 1]
+    return before > start ? [shapeLine(stroke, resample(line, lengths[i]), start, before, total)] : []
+  })
+}
+
+/** Distances in millimetres from the start to each point. */
+function arcLengths({ points }: SkinLine): Float64Array {
+  const lengths = new Float64Array(points.length / 3)
+  for (let i = 3; i < points.length; i += 3) {
+    const step = Math.hypot(
+      points[i] - points[i - 3],
+      points[i + 1] - points[i - 2],
+      points[i + 2] - points[i - 1],
+    )
+    lengths[i / 3] = lengths[i / 3 - 1] + step
+  }
+  return lengths
+}
+
+/** The same line in equal segments. */
+function resample(line: SkinLine, lengths: Float64Array): SkinLine {
+  const length = lengths[lengths.length - 1]
+  const segments = clamp(Math.ceil(length / MAX_SEGMENT), 2, MOST_SEGMENTS)
+  const points = new Float64Array(3 * segments + 3)
+  const normals = new Float64Array(3 * segments + 3)
+  let from = 0
+  for (let i = 0; i <= segments; i++) {
+    const s = (length * i) / segments
+    while (from < lengths.length - 2 && lengths[from + 1] < s) from++
+    const t = (s - lengths[from]) / (lengths[from + 1] - lengths[from] || 1)
+    for (let k = 0; k < 3; k++) {
+      points[3 * i + k] = lerp(line.points[3 * from + k], line.points[3 * from + 3 + k], t)
+      normals[3 * i + k] = lerp(line.normals[3 * from + k], line.normals[3 * from + 3 + k], t)
+    }
+    normalize(normals, 3 * i)
+  }
+  return { points, normals }
+}
+
+/**
+ * Gives a line its cross-sections.
+ *
+ * @param start, end of the line along the stroke, and the stroke's whole length, in millimetres.
+ */
+function shapeLine(stroke: Stroke, line: SkinLine, start: number, end: number, total: number): LaidStroke {
+  const { width, depth, waviness, shoulder, softness } = stroke
+  const segments = line.points.length / 3 - 1
+  const [depths, halfWidths] = [new Float64Array(segments + 1), new Float64Array(segments + 1)]
+  const points = line.points.slice()
+  const seed = seedOf(stroke.points[0])
+  const right = new Float64Array(3)
+  for (let i = 0; i <= segments; i++) {
+    const s = lerp(start, end, i / segments)
+    const fade = taperAt(s / total, stroke.taper)
+    const jitter = (noise(s / WAVELENGTH, seed) + 0.5 * noise(s / (0.4 * WAVELENGTH), seed + 1)) / 1.5
+    const offset = 0.4 * width * waviness * jitter
+    if (offset !== 0) {
+      rightOf(line, i, right)
+      for (let k = 0; k < 3; k++) points[3 * i + k] += offset * right[k]
+    }
+    const shallower = 0.5 * waviness * (0.5 + 0.5 * noise(s / WAVELENGTH, seed + 2))
+    depths[i] = depth * fade * depthFactor(stroke.depths, s / total) * (1 - shallower)
+    halfWidths[i] = (width / 2) * (END_WIDTH + (1 - END_WIDTH) * fade)
+  }
+  return { points, normals: line.normals, depths, halfWidths, shoulder, softness }
+}
+
+/** The unit vector to the right of a line at one of its points, in the skin as seen from outside. */
+function rightOf({ points, normals }: SkinLine, i: number, out: Float64Array): void {
+  const [from, to] = [3 * Math.max(0, i - 1), Math.min(points.length - 3, 3 * i + 3)]
+  const along = [0, 1, 2].map((k) => points[to + k] - points[from + k])
+  cross(out, along, normals.subarray(3 * i, 3 * i + 3))
+  normalize(out)
+}
+
+function taperAt(t: number, [start, end]: readonly [number, number]): number {
+  const fadeIn = start === 0 ? 1 : smoothstep(t / start)
+  const fadeOut = end === 0 ? 1 : smoothstep((1 - t) / end)
+  return fadeIn * fadeOut
+}
+
+/** Interpolates factors that are evenly spaced over 0..1. */
+function depthFactor(factors: readonly number[] | undefined, t: number): number {
+  if (!factors) return 1
+  const x = clamp(t, 0, 1) * (factors.length - 1)
+  const from = Math.min(Math.floor(x), factors.length - 2)
+  return lerp(factors[from], factors[from + 1], x - from)
+}
+
+/** Value noise in one dimension, -1..1: random values at whole numbers, joined by smoothstep. */
+function noise(x: number, seed: number): number {
+  const cell = Math.floor(x)
+  return lerp(randomAt(cell, seed), randomAt(cell + 1, seed), smoothstep(x - cell))
+}
+
+/** -1..1 from two whole numbers. */
+function randomAt(cell: number, seed: number): number {
+  return hash32(Math.imul(cell, 0x9e3779b1) ^ Math.imul(seed, 0x85ebca6b)) / 0x7fffffff - 1
+}
+
+/** From where a stroke starts, so that strokes differ and runs do not. */
+function seedOf([u, v]: Uv): number {
+  return Math.round(u * 65_521) * 31 + Math.round(v * 65_521) * 7919
+}

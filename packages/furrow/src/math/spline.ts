@@ -1,0 +1,80 @@
+import { lerp } from './scalar.ts'
+
+/** Exponent of the distances between points that gives the knots: neither cusps nor loops within a segment (Yuksel et al. 2011). */
+const CENTRIPETAL = 0.5
+
+/**
+ * The point at t, 0..1, of a segment of a centripetal Catmull-Rom spline through points in space, by the pyramid of Barry and Goldman (1988). At
+ * its ends the spline continues as if the neighbouring point were mirrored.
+ *
+ * @param points x, y and z of each; two or more, and no two in a row the same.
+ * @param segment from point `segment` to the next one.
+ */
+export function splineAt(out: Float64Array, points: ArrayLike<number>, segment: number, t: number): void {
+  const last = points.length / 3 - 1
+  const at = (i: number, k: number): number => {
+    if (i < 0) return 2 * points[k] - points[3 + k]
+    if (i > last) return 2 * points[3 * last + k] - points[3 * last - 3 + k]
+    return points[3 * i + k]
+  }
+  const knot = (i: number) =>
+    Math.hypot(at(i + 1, 0) - at(i, 0), at(i + 1, 1) - at(i, 1), at(i + 1, 2) - at(i, 2)) ** CENTRIPETAL
+  const t1 = knot(segment - 1)
+  const t2 = t1 + knot(segment)
+  const t3 = t2 + knot(segment + 1)
+  const x = lerp(t1, t2, t)
+  for (let k = 0; k < 3; k++) {
+    const [p0, p1, p2, p3] = [-1, 0, 1, 2].map((i) => at(segment + i, k))
+    const a1 = lerp(p0, p1, x / t1)
+    const a2 = lerp(p1, p2, (x - t1) / (t2 - t1))
+    const a3 = lerp(p2, p3, (x - t2) / (t3 - t2))
+    const b1 = lerp(a1, a2, x / t2)
+    const b2 = lerp(a2, a3, (x - t1) / (t3 - t1))
+    out[k] = lerp(b1, b2, (x - t1) / (t2 - t1))
+  }
+}
+
+/**
+ * Chooses points of a line through which a spline stays within a distance of all others.
+ *
+ * @param points x, y and z of each; two or more, and no two in a row the same.
+ * @returns indices of points, the first and the last among them.
+ */
+export function splineKnots(points: Float64Array, tolerance: number): number[] {
+  const last = points.length / 3 - 1
+  let knots = [0, last]
+  const out = new Float64Array(3)
+  for (;;) {
+    const through = Float64Array.from(knots.flatMap((i) => [...points.subarray(3 * i, 3 * i + 3)]))
+    const added: number[] = []
+    for (let segment = 0; segment + 1 < knots.length; segment++) {
+      const [from, to] = [knots[segment], knots[segment + 1]]
+      let [worst, farthest] = [-1, tolerance]
+      for (let i = from + 1; i < to; i++) {
+        splineAt(out, through, segment, (i - from) / (to - from))
+        const distance = distanceToLine(points, from, to, out)
+        if (distance > farthest) [worst, farthest] = [i, distance]
+      }
+      if (worst >= 0) added.push(worst)
+    }
+    if (added.length === 0) return knots
+    knots = [...knots, ...added].sort((a, b) => a - b)
+  }
+}
+
+/** From a position to the nearest of the segments between two points of a line. */
+function distanceToLine(points: Float64Array, from: number, to: number, position: Float64Array): number {
+  let nearest = Infinity
+  for (let i = 3 * from; i < 3 * to; i += 3) {
+    let [along, square, offset] = [0, 0, 0]
+    for (let k = 0; k < 3; k++) {
+      const [step, away] = [points[i + 3 + k] - points[i + k], position[k] - points[i + k]]
+      along += step * away
+      square += step * step
+      offset += away * away
+    }
+    const t = Math.min(1, Math.max(0, along / (square || 1)))
+    nearest = Math.min(nearest, offset - 2 * t * along + t * t * square)
+  }
+  return Math.sqrt(Math.max(0, nearest))
+}

@@ -1,0 +1,79 @@
+import { describe, expect, test } from 'vitest'
+import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
+import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
+import {
+  type AutoWrinkles,
+  autoWrinkles,
+  parseStrokes,
+  type Skin,
+  skinCanvas,
+  strokesOf,
+  strokesToHeight,
+} from '../../../../packages/furrow/src/author/index.ts'
+import { decimatedSkin } from './decimated.ts'
+import { FACES } from './faces.ts'
+
+const [, HUMAN] = FACES[0]
+const SIZE = 512
+
+const human = async () => findSkin(await readDocument(HUMAN, 'test'), HUMAN, 'test').skin
+
+/** In centimetres, lying on its back. */
+async function lying(): Promise<Skin> {
+  const turned = (vectors: ArrayLike<number>) =>
+    Float32Array.from(vectors, (_, i) => 100 * [vectors[i], -vectors[i + 1], vectors[i - 1]][i % 3])
+  const skin = await human()
+  return {
+    ...skin,
+    positions: turned(skin.positions),
+    targets: skin.targets.map(({ name, offsets }) => ({ name, offsets: turned(offsets) })),
+  }
+}
+
+/** Both halves use the texels of the left one. */
+async function folded(): Promise<Skin> {
+  const skin = await human()
+  return {
+    ...skin,
+    uvs: Float32Array.from(skin.uvs, (value, i) => (i % 2 === 0 ? 0.5 + Math.abs(value - 0.5) : value)),
+  }
+}
+
+describe.each([
+  ['the face that ships', human, 0],
+  ['a face of 1,500 vertices', () => decimatedSkin(HUMAN, 1500), 0],
+  ['a face in centimetres on its back', lying, 0],
+  // Triangles across its middle belong to the left half of the face here, and of the model there.
+  ['a face whose halves use the same texels', folded, 0.05],
+] as const)('%s', (_, make, exempt) => {
+  test('has lines that are strokes: drawn again they give the same relief', async () => {
+    const skin = await make()
+    const wrinkles: AutoWrinkles = autoWrinkles(skin, { size: SIZE })
+    const document = parseStrokes(JSON.parse(JSON.stringify(strokesOf(wrinkles))))
+    expect(document.size).toBe(SIZE)
+    const canvas = skinCanvas(skin, SIZE, SIZE, document.scale)
+    for (const { name, relief } of wrinkles.layers) {
+      const strokes = document.strokes.filter(({ layer }) => layer === name)
+      expect(strokes.length).toBeGreaterThan(0)
+      const { data } = strokesToHeight(strokes, canvas)
+      let [off, drawn, deepest] = [0, 0, 0]
+      for (let i = 0; i < data.length; i++) {
+        if (data[i] !== 0 || relief.data[i] !== 0) drawn++
+        if (Math.abs(data[i] - relief.data[i]) > 0.005) off++
+        deepest = Math.min(deepest, data[i])
+      }
+      expect(deepest, name).toBeLessThan(-0.2)
+      expect(off / drawn, name).toBeLessThanOrEqual(exempt)
+    }
+    const areas = new Set(wrinkles.areas.map((area) => area.name.replace(/(Left|Right)$/, '')))
+    for (const { group = '' } of document.strokes) expect(areas).toContain(group.replace(/(Left|Right)$/, ''))
+  })
+})
+
+test('strokes are few points, which an artist can move', async () => {
+  const { strokes } = strokesOf(autoWrinkles(await human(), { size: SIZE }))
+  const points = strokes.reduce((sum, stroke) => sum + stroke.points.length, 0)
+  expect(strokes.length).toBeGreaterThan(60)
+  expect(points / strokes.length).toBeLessThan(8)
+  expect(JSON.stringify(strokes).length).toBeLessThan(40_000)
+})

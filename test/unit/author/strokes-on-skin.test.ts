@@ -1,0 +1,178 @@
+import { describe, expect, it } from 'vitest'
+import {
+  type MetricMesh,
+  parseStrokes,
+  type Stroke,
+  skinCanvas,
+  strokesToHeight,
+} from '../../../packages/furrow/src/author/index.ts'
+import { layOutStroke } from '../../../packages/furrow/src/author/strokes/lay-out.ts'
+
+/** Radius and height of the cylinder in millimetres. */
+const RADIUS = 20
+const HEIGHT = 60
+const COLUMNS = 96
+
+/**
+ * A cylinder, seen from outside, whose texture is cut into two islands at x < 0, z = 0 and x > 0, z = 0: the front (z > 0) is on the left of the
+ * texture, the back on its right and upside down.
+ */
+function cylinder(): MetricMesh {
+  const [positions, uvs, indices]: number[][] = [[], [], []]
+  for (const [half, [u0, turned]] of [[0.05, false] as const, [0.55, true] as const].entries()) {
+    const first = positions.length / 3
+    for (let row = 0; row <= 12; row++) {
+      for (let column = 0; column <= COLUMNS / 2; column++) {
+        // From -x over the front to +x, then over the back.
+        const angle = Math.PI * (half - column / (COLUMNS / 2) + 1)
+        const [along, up] = [column / (COLUMNS / 2), row / 12]
+        positions.push(RADIUS * Math.cos(angle), HEIGHT * up, RADIUS * Math.sin(angle))
+        uvs.push(u0 + 0.4 * (turned ? 1 - along : along), turned ? 0.1 + 0.8 * up : 0.9 - 0.8 * up)
+        const i = first + row * (COLUMNS / 2 + 1) + column
+        const above = i + COLUMNS / 2 + 1
+        if (row < 12 && column < COLUMNS / 2) indices.push(i, i + 1, above + 1, i, above + 1, above)
+      }
+    }
+  }
+  return { positions: positions.map((value) => Math.round(1e6 * value) / 1e9), uvs, indices }
+}
+
+/** Where in the texture the cylinder is at an angle from -x (0..2, in half turns), and a height in millimetres. */
+function uvOf(turn: number, y: number): [number, number] {
+  return turn <= 1
+    ? [0.05 + 0.4 * turn, 0.9 - (0.8 * y) / HEIGHT]
+    : [0.95 - 0.4 * (turn - 1), 0.1 + (0.8 * y) / HEIGHT]
+}
+
+const strokesOf = (...list: object[]): Stroke[] => parseStrokes({ version: 1, strokes: list }).strokes
+const ring = {
+  curve: 'spline',
+  points: [0.4, 0.6, 0.8, 1.1, 1.3, 1.6].map((turn) => uvOf(turn, 30)),
+  width: 4,
+  depth: 1,
+  taper: 0,
+}
+
+describe('a stroke on a cylinder', () => {
+  const SIZE = 512
+  const canvas = skinCanvas(cylinder(), SIZE)
+  const height = (data: Float32Array, [u, v]: [number, number]) =>
+    data[Math.floor(v * SIZE) * SIZE + Math.floor(u * SIZE)]
+
+  it('crosses a seam of the texture as if there were none', () => {
+    const { data } = strokesToHeight(strokesOf(ring), canvas)
+    for (let turn = 0.42; turn < 1.58; turn += 0.01) {
+      expect(height(data, uvOf(turn, 30))).toBeLessThan(-0.93)
+      for (const side of [-1, 1]) {
+        // On the banks, 3 half widths from the middle.
+        expect(height(data, uvOf(turn, 30 + 6 * side))).toBeGreaterThan(0.02)
+        expect(height(data, uvOf(turn, 30 + 20 * side))).toBe(0)
+      }
+    }
+    expect(height(data, uvOf(0.05, 30))).toBe(0)
+  })
+
+  it('is laid on the skin, at most half a millimetre from point to point', () => {
+    const [line, ...others] = layOutStroke(strokesOf(ring)[0], canvas)
+    expect(others).toEqual([])
+    for (let i = 0; i < line.points.length; i += 3) {
+      const [x, y, z] = line.points.subarray(i, i + 3)
+      // The facets are 0.01 mm below the cylinder.
+      expect(Math.abs(Math.hypot(x, z) - RADIUS)).toBeLessThan(0.02)
+      expect(y).toBeCloseTo(30, 1)
+      const [nx, ny, nz] = line.normals.subarray(i, i + 3)
+      expect((x * nx + z * nz) / RADIUS).toBeGreaterThan(0.99)
+      expect(Math.abs(ny)).toBeLessThan(0.01)
+      if (i > 0)
+        expect(
+          Math.hypot(...line.points.subarray(i, i + 3).map((p, k) => p - line.points[i - 3 + k])),
+        ).toBeLessThanOrEqual(0.51)
+    }
+    const length = (line.depths.length - 1) * 0.5
+    expect(length).toBeGreaterThan(1.2 * Math.PI * RADIUS - 0.6)
+    expect(length).toBeLessThan(1.2 * Math.PI * RADIUS + 0.6)
+  })
+
+  it('has its left and right as seen from outside, however the texture is turned', () => {
+    const { data } = strokesToHeight(strokesOf({ ...ring, shoulder: [1, 0] }), canvas)
+    // From -x over the front to the right: its left is up.
+    for (const turn of [0.6, 0.9, 1.2, 1.5]) {
+      expect(height(data, uvOf(turn, 36))).toBeGreaterThan(0.02)
+      expect(height(data, uvOf(turn, 26))).toBeLessThan(-0.02)
+    }
+  })
+
+  it('follows the factors on its depth', () => {
+    const { data } = strokesToHeight(strokesOf({ ...ring, depths: [0, 1, 0.5] }), canvas)
+    for (const [turn, depth] of [
+      [0.7, -0.5],
+      [1, -1],
+      [1.3, -0.75],
+    ])
+      expect(height(data, uvOf(turn, 30))).toBeCloseTo(depth, 1)
+  })
+
+  it.each(['polyline', 'bezier'])('is interrupted, as a %s, where the texture has no skin', (curve) => {
+    const points = [0.2, 0.4, 0.6, 0.8].map((u) => [u, 0.5])
+    const parts = layOutStroke(strokesOf({ ...ring, curve, points })[0], canvas)
+    expect(parts.length).toBe(2)
+    const { data } = strokesToHeight(strokesOf({ ...ring, curve, points }), canvas)
+    expect(height(data, [0.3, 0.5])).toBeLessThan(-0.9)
+    expect(height(data, [0.7, 0.5])).toBeLessThan(-0.9)
+  })
+
+  it('is not drawn where none of it is on the skin', () => {
+    for (const curve of ['polyline', 'spline']) {
+      const points = [
+        [0.01, 0.01],
+        [0.99, 0.02],
+      ]
+      const { data } = strokesToHeight(strokesOf({ ...ring, curve, points }), canvas)
+      expect(data.every((value) => value === 0)).toBe(true)
+    }
+  })
+
+  it('counts millimetres by the scale of the document', () => {
+    const mesh = cylinder()
+    const inCentimetres = { ...mesh, positions: Array.from(mesh.positions, (value) => 100 * value) }
+    const scaled = skinCanvas(inCentimetres, SIZE, SIZE, 10)
+    const [one, other] = [canvas, scaled].map((each) => strokesToHeight(strokesOf(ring), each).data)
+    for (const [i, value] of one.entries())
+      if (Math.abs(value - other[i]) > 1e-3) expect(other[i]).toBe(value)
+  })
+})
+
+it('where two halves use the same texels, the left one is drawn on', () => {
+  // A sheet of 100 x 50 mm whose texture is folded at x = 0.
+  const [positions, uvs, indices]: number[][] = [[], [], []]
+  for (let row = 0; row <= 4; row++) {
+    for (let column = 0; column <= 8; column++) {
+      positions.push((column - 4) / 80, row / 80, 0)
+      uvs.push(0.1 + Math.abs(column - 4) / 5, 0.9 - row / 5)
+      const i = 9 * row + column
+      if (row < 4 && column < 8) indices.push(i, i + 1, i + 10, i, i + 10, i + 9)
+    }
+  }
+  const canvas = skinCanvas({ positions, uvs, indices }, 256)
+  const stroke = strokesOf({
+    ...ring,
+    points: [
+      [0.2, 0.5],
+      [0.8, 0.5],
+    ],
+  })
+  for (const { points } of layOutStroke(stroke[0], canvas)) {
+    for (let i = 0; i < points.length; i += 3) expect(points[i]).toBeGreaterThan(0)
+  }
+  const { data } = strokesToHeight(stroke, canvas)
+  for (let column = 60; column < 200; column++) expect(data[128 * 256 + column]).toBeLessThan(-0.8)
+})
+
+it('no mesh of any size makes a stroke hang', () => {
+  for (const scale of [1e-6, 1, 1e6]) {
+    const mesh = cylinder()
+    const canvas = skinCanvas(mesh, 64, 64, 1000 * scale)
+    const { data } = strokesToHeight(strokesOf({ ...ring, width: 50 }), canvas)
+    expect(data.every(Number.isFinite)).toBe(true)
+  }
+})
