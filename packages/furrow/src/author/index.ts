@@ -49,7 +49,9 @@ export {
 } from './relief/relief-to-normal.ts'
 export type { Edges } from './relief/slope.ts'
 export { type SkinCanvas, skinCanvas } from './skin/canvas.ts'
-export { crossOf, type Skin, type SkinTarget } from './skin/surface.ts'
+export type { SkinTexels } from './skin/skin-texels.ts'
+export { crossOf, type Skin, type SkinSurface, type SkinTarget } from './skin/surface.ts'
+export type { UvLocator } from './skin/uv-locator.ts'
 export type { GroupShape, PolygonShape } from './strokes/area-definitions.ts'
 export {
   type AreaDefinition,
