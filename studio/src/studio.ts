@@ -1,21 +1,25 @@
 import { VIEWS, type ViewName } from '../../stage/views.ts'
 import { readArea } from './area-file.ts'
+import { displayName } from './display-name.ts'
 import { Divider } from './divider.ts'
-import { acceptDrops } from './drop.ts'
+import { acceptFiles } from './drop.ts'
 import { Loading } from './loading.ts'
 import { Loop } from './loop.ts'
 import { Messages } from './messages.ts'
 import { Meter } from './meter.ts'
 import { reducedMotion } from './motion.ts'
+import { faceOf, openDropped } from './open/avatar.ts'
+import { type DroppedFile, filesOfTransfer } from './open/dropped-files.ts'
+import { sortFiles } from './open/sort-files.ts'
 import type { Page } from './page.ts'
 import { Buttons } from './panel/buttons.ts'
 import { Panel } from './panel/panel.ts'
 import { savePicture } from './save-picture.ts'
 import { adapterName } from './viewer/adapter.ts'
-import { listFaces } from './viewer/faces.ts'
+import { fetchFace, listFaces } from './viewer/faces.ts'
 import { lookLabel } from './viewer/looks.ts'
 import type { Viewer } from './viewer/viewer.ts'
-import { ViewerHost } from './viewer/viewer-host.ts'
+import { type LoadAvatar, ViewerHost } from './viewer/viewer-host.ts'
 
 /** Seconds of the transition from one expression to another. */
 const EXPRESSION_TIME = 0.35
@@ -63,7 +67,7 @@ export class Studio {
       this.#loop.wake()
     })
     this.#panel = new Panel(page, {
-      face: (name) => this.#host.open(this.#viewer?.kind ?? 'webgl', name),
+      face: (name) => this.#open(this.#fetch(name)),
       renderer: (kind) => this.#host.open(kind),
       mode: (mode) =>
         this.#change((viewer) => {
@@ -85,7 +89,7 @@ export class Studio {
     })
     page.screenshot.addEventListener('click', () => this.#savePicture())
     page.uvLayout.addEventListener('click', () => this.#saveUvLayout())
-    acceptDrops(page.dropping, (files) => this.#addAreas(files))
+    acceptFiles(page.dropping, (files) => this.#openFiles(filesOfTransfer(files)))
   }
 
   /** Lists the faces and opens the first, or the one that the URL names: `?renderer=webgpu&face=human-2`. */
@@ -96,7 +100,7 @@ export class Studio {
       this.#panel.setFaces(names)
       const query = new URLSearchParams(location.search)
       const name = names.find((known) => known === query.get('face')) ?? names[0]
-      await this.#host.open(query.get('renderer') === 'webgpu' ? 'webgpu' : 'webgl', name)
+      await this.#host.open(query.get('renderer') === 'webgpu' ? 'webgpu' : 'webgl', this.#fetch(name))
     })
     if (!this.#viewer) this.#loading.done()
     else this.#play('surprised')
@@ -104,6 +108,35 @@ export class Studio {
 
   get #viewer(): Viewer | null {
     return this.#host.viewer
+  }
+
+  /** One of the faces on the server. */
+  #fetch(name: string): LoadAvatar {
+    const title = `Loading ${displayName(name)}`
+    return () => {
+      this.#loading.show(title, 0)
+      return fetchFace(name, (fraction) => this.#loading.show(title, fraction))
+    }
+  }
+
+  #open(load: LoadAvatar): Promise<unknown> {
+    return this.#host.open(this.#viewer?.kind ?? 'webgl', load)
+  }
+
+  /** Opens what was dropped: an avatar, wrinkles for the one on the stage, or areas. */
+  async #openFiles(listed: Promise<DroppedFile[]>): Promise<void> {
+    await this.#messages.attempt(async () => {
+      const dropped = await sortFiles(await listed)
+      if (dropped.kind === 'areas') return this.#addAreas(dropped.images.map(({ file }) => file))
+      await this.#open(async (shown) => {
+        this.#loading.show(
+          `Loading ${dropped.kind === 'avatar' ? dropped.face.file.name : dropped.wrinkles.name}`,
+        )
+        const avatar = await openDropped(dropped, shown)
+        this.#messages.note(avatar.notes.join('. '))
+        return avatar
+      })
+    })
   }
 
   #show(viewer: Viewer): void {
@@ -172,7 +205,7 @@ export class Studio {
         if (!viewer) return
         viewer.addArea(area)
         // Fully active, so that the new area is visible at once.
-        viewer.wrinkles.setActivation(area.name, 1)
+        viewer.wrinkles?.setActivation(area.name, 1)
         this.#panel.show(viewer)
         this.#messages.note(`Added area ${area.name}`)
         this.#loop.wake()
@@ -193,7 +226,7 @@ export class Studio {
       const viewer = this.#viewer
       if (!viewer) return
       viewer.draw()
-      const words = ['furrow', viewer.loaded.name, this.#expression, viewer.look.name]
+      const words = ['furrow', viewer.avatar.name, this.#expression, viewer.look.name]
       await savePicture(viewer.canvas, `${words.filter(Boolean).join('-')}.png`)
       this.#messages.note('Saved the picture')
     })
@@ -204,7 +237,8 @@ export class Studio {
       const viewer = this.#viewer
       if (!viewer) return
       const { drawUvPicture } = await import('./uv-picture.ts')
-      await savePicture(drawUvPicture(viewer.wrinkles.mesh), `${viewer.loaded.name}-uv.png`)
+      const { skin } = faceOf(viewer.avatar)
+      await savePicture(drawUvPicture(skin), `${viewer.avatar.name}-uv.png`)
       this.#messages.note('Saved the UV layout: paint over it')
     })
   }

@@ -92,14 +92,27 @@ export class Panel {
   /** Updates the settings to the viewer's state. */
   refresh(): void {
     if (!this.#viewer) return
-    const { kind, loaded, mode, look } = this.#viewer
+    const { kind, avatar, mode, look } = this.#viewer
     this.#renderers.show(kind)
-    this.#page.face.value = loaded.name
+    this.#showFace(avatar.name)
     this.#modes.show(mode)
     this.#looks.show(look.name)
     this.#page.areaRow.hidden = look.name !== 'influence'
     this.#page.area.value =
       look.name === 'influence' && typeof look.area === 'string' ? `area:${look.area}` : 'all'
+  }
+
+  /** A face that was dropped is in the list only while it is shown. */
+  #showFace(name: string): void {
+    const { face } = this.#page
+    for (const option of [...face.options])
+      if (option.dataset.dropped && option.value !== name) option.remove()
+    if (![...face.options].some(({ value }) => value === name)) {
+      const option = new Option(displayName(name), name)
+      option.dataset.dropped = 'true'
+      face.append(option)
+    }
+    face.value = name
   }
 
   /** Marks the expression that the face shows or moves to; null once a slider has changed it. */
