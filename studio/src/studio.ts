@@ -3,22 +3,26 @@ import type { AreaConvention } from 'furrow'
 import { VIEWS, type ViewName } from '../../stage/views.ts'
 import { readArea } from './area-file.ts'
 import { Buttons } from './buttons.ts'
+import { displayName } from './display-name.ts'
 import { Divider } from './divider.ts'
-import { acceptDrops } from './drop.ts'
+import { acceptFiles } from './drop.ts'
 import { Loading } from './loading.ts'
 import { Loop } from './loop.ts'
 import { Messages } from './messages.ts'
 import { Meter } from './meter.ts'
 import { reducedMotion } from './motion.ts'
+import { faceOf, openDropped } from './open/avatar.ts'
+import { type DroppedFile, filesOfInput, filesOfTransfer } from './open/dropped-files.ts'
+import { sortFiles } from './open/sort-files.ts'
 import type { Page } from './page.ts'
 import type { Hovered, PanelModel } from './panels/model.ts'
 import { showPanel } from './panels/show-panel.tsx'
 import { savePicture } from './save-picture.ts'
 import { adapterName } from './viewer/adapter.ts'
-import { listFaces } from './viewer/faces.ts'
+import { fetchFace, listFaces } from './viewer/faces.ts'
 import { lookLabel } from './viewer/looks.ts'
 import type { Viewer } from './viewer/viewer.ts'
-import { ViewerHost } from './viewer/viewer-host.ts'
+import { type LoadAvatar, ViewerHost } from './viewer/viewer-host.ts'
 
 /** Seconds of the transition from one expression to another. */
 const EXPRESSION_TIME = 0.35
@@ -74,7 +78,7 @@ export class Studio {
     effect(() => this.#highlight(this.#hovered.value))
     page.screenshot.addEventListener('click', () => this.#savePicture())
     page.uvLayout.addEventListener('click', () => this.#saveUvLayout())
-    acceptDrops(page.dropping, (files) => this.#addAreas(files, 'paper'))
+    acceptFiles(page.dropping, (files) => this.#openFiles(() => filesOfTransfer(files)))
   }
 
   /** Lists the faces and opens the first, or the one that the URL names: `?renderer=webgpu&face=human-2`. */
@@ -84,7 +88,7 @@ export class Studio {
       this.#faces.value = await listFaces()
       const query = new URLSearchParams(location.search)
       const name = this.#faces.value.find((known) => known === query.get('face')) ?? this.#faces.value[0]
-      await this.#host.open(query.get('renderer') === 'webgpu' ? 'webgpu' : 'webgl', name)
+      await this.#host.open(query.get('renderer') === 'webgpu' ? 'webgpu' : 'webgl', this.#fetch(name))
     })
     if (!this.#viewer) this.#loading.done()
     else this.#play('surprised')
@@ -99,7 +103,9 @@ export class Studio {
       expression: this.#expression,
       hovered: this.#hovered,
       actions: {
-        openFace: (name) => this.#host.open(this.#viewer?.kind ?? 'webgl', name),
+        openFiles: (files) => this.#openFiles(async () => filesOfInput(files)),
+        openFace: (name) => this.#open(this.#fetch(name)),
+        chooseSkin: (skin) => this.#open(async (shown) => ({ ...shown!, skin })),
         setRenderer: (kind) => this.#host.open(kind),
         setMode: (mode) =>
           this.#change((viewer) => {
@@ -123,6 +129,41 @@ export class Studio {
 
   get #viewer(): Viewer | null {
     return this.#host.viewer
+  }
+
+  /** One of the faces on the server. */
+  #fetch(name: string): LoadAvatar {
+    const title = `Loading ${displayName(name)}`
+    return () => {
+      this.#loading.show(title, 0)
+      return fetchFace(name, (fraction) => this.#loading.show(title, fraction))
+    }
+  }
+
+  #open(load: LoadAvatar): Promise<unknown> {
+    return this.#host.open(this.#viewer?.kind ?? 'webgl', load)
+  }
+
+  /**
+   * Opens what was dropped: an avatar, wrinkles for the one on the stage, or areas.
+   *
+   * @param list is called at once: what was dropped is gone after its event.
+   */
+  async #openFiles(list: () => Promise<DroppedFile[]>): Promise<void> {
+    await this.#messages.attempt(async () => {
+      const dropped = await sortFiles(await list())
+      if (dropped.kind === 'areas') {
+        const images = dropped.images.map(({ file }) => file)
+        return this.#addAreas(images, 'paper')
+      }
+      await this.#open(async (shown) => {
+        const name = dropped.kind === 'avatar' ? dropped.face.file.name : dropped.wrinkles.name
+        this.#loading.show(`Loading ${name}`)
+        const avatar = await openDropped(dropped, shown)
+        this.#messages.note(avatar.notes.join('. '))
+        return avatar
+      })
+    })
   }
 
   #show(viewer: Viewer): void {
@@ -194,7 +235,7 @@ export class Studio {
         if (!viewer) return
         viewer.addArea(area)
         // Fully active, so that the new area is visible at once.
-        viewer.wrinkles.setActivation(area.name, 1)
+        viewer.wrinkles?.setActivation(area.name, 1)
         this.#refresh()
         this.#messages.note(`Added area ${area.name}`)
         this.#loop.wake()
@@ -215,7 +256,7 @@ export class Studio {
       const viewer = this.#viewer
       if (!viewer) return
       viewer.draw()
-      const words = ['furrow', viewer.loaded.name, this.#expression.value, viewer.look.name]
+      const words = ['furrow', viewer.avatar.name, this.#expression.value, viewer.look.name]
       await savePicture(viewer.canvas, `${words.filter(Boolean).join('-')}.png`)
       this.#messages.note('Saved the picture')
     })
@@ -226,7 +267,8 @@ export class Studio {
       const viewer = this.#viewer
       if (!viewer) return
       const { drawUvPicture } = await import('./uv-picture.ts')
-      await savePicture(drawUvPicture(viewer.wrinkles.mesh), `${viewer.loaded.name}-uv.png`)
+      const { skin } = faceOf(viewer.avatar)
+      await savePicture(drawUvPicture(skin), `${viewer.avatar.name}-uv.png`)
       this.#messages.note('Saved the UV layout: paint over it')
     })
   }

@@ -29,7 +29,10 @@ export interface PanelModel {
 
 /** What a user can request. Errors are shown on the stage. */
 export interface PanelActions {
+  openFiles(files: readonly File[]): void
   openFace(name: string): void
+  /** Wrinkles another mesh of the avatar. */
+  chooseSkin(index: number): void
   setRenderer(kind: RendererKind): void
   setMode(mode: WrinkleMode): void
   setLook(look: Look): void

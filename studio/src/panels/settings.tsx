@@ -28,27 +28,15 @@ const ALL = 'All areas, as activated'
 
 /** Which face is shown, and how. */
 export function Settings({ model }: { model: PanelModel }) {
-  const { faces, actions, revision } = model
+  const { actions, revision } = model
   const viewer = model.viewer.value
   revision.value
   const look: Look = viewer?.look ?? { name: 'shaded' }
   return (
     <Section title="View">
       <div class="settings">
-        <div class="setting">
-          <label for="face">Face</label>
-          <select
-            id="face"
-            value={viewer?.loaded.name ?? ''}
-            onChange={(event) => actions.openFace(event.currentTarget.value)}
-          >
-            {faces.value.map((name) => (
-              <option key={name} value={name}>
-                {displayName(name)}
-              </option>
-            ))}
-          </select>
-        </div>
+        <FaceChoice model={model} />
+        <SkinChoice model={model} />
         <Choice
           legend="Renderer"
           options={RENDERERS}
@@ -72,6 +60,50 @@ export function Settings({ model }: { model: PanelModel }) {
         )}
       </div>
     </Section>
+  )
+}
+
+/** The shipped faces, and the avatar that was dropped while it is shown. */
+function FaceChoice({ model: { faces, viewer, actions } }: { model: PanelModel }) {
+  const shown = viewer.value?.avatar.name
+  const names = shown === undefined || faces.value.includes(shown) ? faces.value : [...faces.value, shown]
+  return (
+    <div class="setting">
+      <label for="face">Face</label>
+      <select
+        id="face"
+        value={shown ?? ''}
+        onChange={({ currentTarget }) => actions.openFace(currentTarget.value)}
+      >
+        {names.map((name) => (
+          <option key={name} value={name}>
+            {displayName(name)}
+          </option>
+        ))}
+      </select>
+    </div>
+  )
+}
+
+/** The meshes that may be the skin, where there are several. */
+function SkinChoice({ model: { viewer, actions } }: { model: PanelModel }) {
+  const avatar = viewer.value?.avatar
+  if (!avatar || avatar.skins.length < 2) return null
+  return (
+    <div class="setting">
+      <label for="skin">Skin</label>
+      <select
+        id="skin"
+        value={avatar.skin}
+        onChange={({ currentTarget }) => actions.chooseSkin(Number(currentTarget.value))}
+      >
+        {avatar.skins.map(({ name, fault }, i) => (
+          <option key={name} value={i} disabled={fault !== null} title={fault ?? undefined}>
+            {name}
+          </option>
+        ))}
+      </select>
+    </div>
   )
 }
 

@@ -7,25 +7,32 @@ import {
   EXPRESSIONS,
   type Expression,
   explain,
+  FurrowError,
   planDrivers,
   targetSource,
+  type WrinkleDriver,
 } from 'furrow'
 import { ExpressionPlayer, Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
 import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
-import { type Color, type Material, type Mesh, NoToneMapping, type Texture } from 'three'
+import { type Color, type Mesh, NoToneMapping } from 'three'
+import type { Face } from '../../../stage/face.ts'
 import { isWebGL } from '../../../stage/light.ts'
 import { createStage, type RendererKind, type Stage, type Wrinkles } from '../../../stage/stage.ts'
+import { faceOf, type OpenedAvatar } from '../open/avatar.ts'
 import { areaDials, type Dial, targetDials } from './dials.ts'
-import type { LoadedFace } from './faces.ts'
 import { type Look, Looks, type Side } from './looks.ts'
+import { releaseFromGPU } from './release.ts'
 
-/** One face on one renderer's canvas, drawn without wrinkles left of the divider and with them right of it. */
+/** One avatar on one renderer's canvas, drawn without wrinkles left of the divider and with them right of it. */
 export class Viewer {
   readonly canvas: HTMLCanvasElement
   readonly kind: RendererKind
   readonly stage: Stage
-  readonly loaded: LoadedFace
-  readonly wrinkles: Wrinkles
+  readonly avatar: OpenedAvatar
+  /** Null for a plain face. */
+  readonly wrinkles: Wrinkles | null
+  /** Why the wrinkles of the avatar are not shown; null if they are, or there are none. */
+  readonly fault: Error | null
   readonly targets: readonly Dial[]
   areas: readonly Dial[]
   /** Fraction of the width that is drawn without wrinkles. */
@@ -33,40 +40,43 @@ export class Viewer {
 
   readonly #program: DriverProgram
   readonly #state: DriverState
-  #player: ExpressionPlayer
+  readonly #face: Face
+  /** Null for a face without blendshapes and wrinkles. */
+  #player: ExpressionPlayer | null
   #expressions: readonly Expression[]
   #remaining = 0
   #looks: Looks
+  #mode: WrinkleMode = 'default'
   #look: Look = { name: 'shaded' }
   readonly #background: Color
   readonly #toneMapping: Stage['renderer']['toneMapping']
 
-  /** @throws Error if the browser has no WebGL 2 or WebGPU, FurrowError if the wrinkles do not fit the face. */
-  static async create(canvas: HTMLCanvasElement, kind: RendererKind, loaded: LoadedFace): Promise<Viewer> {
+  /** Wrinkles that do not fit the face are left out. Throws Error if the browser has no WebGL 2 or WebGPU. */
+  static async create(canvas: HTMLCanvasElement, kind: RendererKind, avatar: OpenedAvatar): Promise<Viewer> {
     const stage = await createStage(canvas, kind)
     try {
-      return new Viewer(canvas, kind, stage, loaded)
+      return new Viewer(canvas, kind, stage, avatar)
     } catch (error) {
       stage.dispose()
       throw error
     }
   }
 
-  private constructor(canvas: HTMLCanvasElement, kind: RendererKind, stage: Stage, loaded: LoadedFace) {
+  private constructor(canvas: HTMLCanvasElement, kind: RendererKind, stage: Stage, avatar: OpenedAvatar) {
     this.canvas = canvas
     this.kind = kind
     this.stage = stage
-    this.loaded = loaded
+    this.avatar = avatar
     this.#background = (stage.scene.background as Color).clone()
     this.#toneMapping = stage.renderer.toneMapping
-    const { face, drivers } = loaded
-    const plain = (face.skin.material as Material).clone()
+    const face = faceOf(avatar)
+    this.#face = face
+    const plain = plainMaterial(face.skin)
     stage.show(face)
-    const wrinkles = stage.addWrinkles(face, loaded)
+    const { wrinkles, fault } = addWrinkles(stage, face)
     this.wrinkles = wrinkles
-    // Drivers run here and not in the draw, so that the areas' sliders follow at once.
-    wrinkles.driven = false
-    const plan = planDrivers(driversOf('morph', drivers))
+    this.fault = fault
+    const plan = planDrivers(driversOf('morph', this.#drivers))
     const targetNames = Object.keys(face.skin.morphTargetDictionary ?? {})
     this.#program = new DriverProgram(plan, { target: targetSource(plan.inputs.target, targetNames) })
     this.#state = this.#program.createState()
@@ -78,19 +88,24 @@ export class Viewer {
         this.#applyDrivers(before)
       },
     }))
-    this.areas = areaDials(wrinkles)
+    this.areas = wrinkles ? areaDials(wrinkles) : []
     this.#expressions = this.#completeExpressions()
     this.#player = this.#makePlayer()
-    this.#looks = new Looks(face, wrinkles, plain, (mesh) => this.#createMirror(mesh))
+    this.#looks = new Looks(face, wrinkles, plain, (mesh, own) => this.#createMirror(mesh, own))
+  }
+
+  get #drivers(): readonly WrinkleDriver[] {
+    return this.#face.wrinkles?.drivers ?? []
   }
 
   get mode(): WrinkleMode {
-    return this.wrinkles.mode
+    return this.#mode
   }
 
   /** @throws FurrowError if this face does not support the mode; the mode then does not change. */
   set mode(mode: WrinkleMode) {
-    this.wrinkles.mode = mode
+    if (this.wrinkles) this.wrinkles.mode = mode
+    this.#mode = mode
     this.look = this.#look
   }
 
@@ -105,27 +120,27 @@ export class Viewer {
 
   /** Names of the blendshapes that drive an area, as on their dials. */
   driversOf(area: string): string[] {
-    return driversOf('morph', this.loaded.drivers)
+    return driversOf('morph', this.#drivers)
       .filter((driver) => driver.area === area)
       .flatMap(({ targets }) => targets.map(({ name }) => canonicalTargetName(name)))
   }
 
   /** Existing areas that a blendshape drives. */
   drivenBy(target: string): string[] {
-    const driven = driversOf('morph', this.loaded.drivers).filter(({ targets }) =>
+    const driven = driversOf('morph', this.#drivers).filter(({ targets }) =>
       targets.some(({ name }) => canonicalTargetName(name) === target),
     )
-    return [...new Set(driven.map(({ area }) => area))].filter((name) => this.wrinkles.hasArea(name))
+    return [...new Set(driven.map(({ area }) => area))].filter((name) => this.wrinkles?.hasArea(name))
   }
 
   /** Lines of text: the current activation of an area by each of its drivers, and the part of each input in it. */
   explain(area: string): string[] {
-    const { skin } = this.loaded.face
+    const { skin } = this.#face
     const situation = {
       targetNames: Object.keys(skin.morphTargetDictionary ?? {}),
       weights: skin.morphTargetInfluences ?? [],
     }
-    const [explanation] = explain(this.loaded.drivers, [{ name: area }], situation)
+    const [explanation] = explain(this.#drivers, [{ name: area }], situation)
     if (explanation.parts.length === 0) return [`${area} has no driver: only its slider moves it`]
     return explanation.parts.flatMap(({ activation, links }) => [
       `${activation.toFixed(2)} of ${area} from`,
@@ -145,6 +160,7 @@ export class Viewer {
 
   /** Starts a transition to an expression from the current state. */
   play(name: string, seconds: number): void {
+    if (!this.#player) return
     this.#player.play(name, seconds)
     this.#remaining = seconds
   }
@@ -152,21 +168,24 @@ export class Viewer {
   /** @param delta seconds since the last frame; infinity ends the transition. */
   advance(delta: number): void {
     if (!this.moving) return
-    this.#player.update(delta)
+    this.#player?.update(delta)
     this.#remaining = Math.max(0, this.#remaining - delta)
   }
 
   /** @throws FurrowError if the area cannot be added; nothing changes then. */
   addArea(area: Area): void {
+    if (!this.wrinkles) throw withoutLayers(area.name)
     this.wrinkles.addArea(area)
-    this.loaded.set.areas.push(area)
+    this.#face.wrinkles!.set.areas.push(area)
     this.#areasChanged()
   }
 
   /** @throws FurrowError if the area is the last one. */
   removeArea(name: string): void {
+    if (!this.wrinkles) return
     this.wrinkles.removeArea(name)
-    this.loaded.set.areas = this.loaded.set.areas.filter((area) => area.name !== name)
+    const { set } = this.#face.wrinkles!
+    set.areas = set.areas.filter((area) => area.name !== name)
     const isShown = this.#look.name === 'influence' && this.#look.area === name
     if (isShown) this.#look = { name: 'influence' }
     this.#areasChanged()
@@ -191,9 +210,9 @@ export class Viewer {
   /** Frees everything on the GPU; the face, its blendshapes and its set remain usable by another viewer. */
   dispose(): void {
     this.#looks.dispose()
-    this.wrinkles.dispose()
-    this.stage.scene.remove(this.loaded.face.root)
-    releaseFromGPU(this.loaded)
+    this.wrinkles?.dispose()
+    this.stage.scene.remove(this.avatar.root)
+    releaseFromGPU(this.avatar.root)
     const { renderer } = this.stage
     this.stage.dispose()
     if (isWebGL(renderer)) renderer.forceContextLoss()
@@ -212,7 +231,7 @@ export class Viewer {
 
   /** Activations that the file's drivers compute from the current blendshape weights. */
   #drivenActivations(): Float32Array {
-    this.#state.inputs.target.set(this.loaded.face.skin.morphTargetInfluences ?? [])
+    this.#state.inputs.target.set(this.#face.skin.morphTargetInfluences ?? [])
     this.#program.evaluate(this.#state)
     return this.#state.activations
   }
@@ -221,20 +240,21 @@ export class Viewer {
   #applyDrivers(before: Float32Array): void {
     const after = this.#drivenActivations()
     for (const [i, name] of this.#program.plan.areaNames.entries()) {
-      if (after[i] !== before[i] && this.wrinkles.hasArea(name)) this.wrinkles.setActivation(name, after[i])
+      if (after[i] !== before[i] && this.wrinkles?.hasArea(name)) this.wrinkles.setActivation(name, after[i])
     }
   }
 
   #areasChanged(): void {
-    this.areas = areaDials(this.wrinkles)
+    this.areas = this.wrinkles ? areaDials(this.wrinkles) : []
     this.#expressions = this.#completeExpressions()
     this.#player = this.#makePlayer()
     this.#remaining = 0
     this.look = this.#look
   }
 
-  #makePlayer(): ExpressionPlayer {
-    return new ExpressionPlayer(this.loaded.face.root, this.wrinkles, this.#expressions)
+  #makePlayer(): ExpressionPlayer | null {
+    if (this.targets.length === 0) return null
+    return new ExpressionPlayer(this.avatar.root, this.wrinkles ?? undefined, this.#expressions)
   }
 
   /** The presets; the first one names every blendshape and area of this face, so that each expression sets all sliders. */
@@ -245,22 +265,34 @@ export class Viewer {
     return [{ name: EXPRESSIONS[0].name, targets, activations }, ...EXPRESSIONS.slice(1)]
   }
 
-  #createMirror(mesh: Mesh): Wrinkles {
-    const { wrinkles } = this
+  #createMirror(mesh: Mesh, wrinkles: Wrinkles): Wrinkles {
     return isWebGL(this.stage.renderer)
       ? new WebGLWrinkles(mesh, wrinkles)
       : new WebGPUWrinkles(mesh, wrinkles)
   }
 }
 
-function releaseFromGPU({ face }: LoadedFace): void {
-  face.root.traverse((object) => {
-    if (!(object as Mesh).isMesh) return
-    const { geometry, material } = object as Mesh
-    geometry.dispose()
-    for (const each of [material].flat()) {
-      for (const value of Object.values(each)) if ((value as Texture | null)?.isTexture) value.dispose()
-      each.dispose()
-    }
+function addWrinkles(stage: Stage, face: Face): { wrinkles: Wrinkles | null; fault: Error | null } {
+  if (!face.wrinkles) return { wrinkles: null, fault: null }
+  try {
+    const wrinkles = stage.addWrinkles(face, face.wrinkles)
+    // The viewer runs the drivers, so that the areas' sliders follow at once.
+    wrinkles.driven = false
+    return { wrinkles, fault: null }
+  } catch (error) {
+    return { wrinkles: null, fault: error as Error }
+  }
+}
+
+function plainMaterial({ material }: Mesh): Mesh['material'] {
+  return Array.isArray(material) ? material.map((each) => each.clone()) : material.clone()
+}
+
+function withoutLayers(area: string): FurrowError {
+  return new FurrowError({
+    who: 'Studio',
+    what: 'the face has no wrinkles for an area to show',
+    value: area,
+    remedy: 'drop an avatar with wrinkles, or a folder of wrinkles, first',
   })
 }
