@@ -1,14 +1,14 @@
-import { EXPRESSIONS } from 'furrow'
 import { displayName } from '../display-name.ts'
 import type { PanelModel } from './model.ts'
 import { Section } from './section.tsx'
 
 /** A button per expression. */
-export function Expressions({ model: { expression, actions } }: { model: PanelModel }) {
+export function Expressions({ model: { viewer, revision, expression, actions } }: { model: PanelModel }) {
+  revision.value
   return (
     <Section title="Expression" id="expressions">
       <fieldset id="expressions" class="grid" aria-labelledby="expressions-title">
-        {EXPRESSIONS.map(({ name }) => (
+        {viewer.value?.expressionNames.map((name) => (
           <button
             key={name}
             type="button"

@@ -7,6 +7,7 @@ import {
   EXPRESSIONS,
   type Expression,
   explain,
+  expressionsOf,
   FurrowError,
   planDrivers,
   targetSource,
@@ -29,23 +30,24 @@ export class Viewer {
   readonly kind: RendererKind
   readonly stage: Stage
   readonly avatar: OpenedAvatar
-  /** Null for a plain face. */
-  readonly wrinkles: Wrinkles | null
-  /** Why the wrinkles of the avatar are not shown; null if they are, or there are none. */
-  readonly fault: Error | null
   readonly targets: readonly Dial[]
-  areas: readonly Dial[]
+  areas: readonly Dial[] = []
   /** Fraction of the width that is drawn without wrinkles. */
   split = 0.5
 
-  readonly #program: DriverProgram
-  readonly #state: DriverState
   readonly #face: Face
+  /** The skin's material as it was before wrinkles were added; cloned for each `Looks`. */
+  readonly #plain: Mesh['material']
+  #wrinkles: Wrinkles | null = null
+  #fault: Error | null = null
+  #drivers: readonly WrinkleDriver[] = []
+  #program!: DriverProgram
+  #state!: DriverState
   /** Null for a face without blendshapes and wrinkles. */
-  #player: ExpressionPlayer | null
-  #expressions: readonly Expression[]
+  #player: ExpressionPlayer | null = null
+  #expressions: readonly Expression[] = []
   #remaining = 0
-  #looks: Looks
+  #looks!: Looks
   #mode: WrinkleMode = 'default'
   #look: Look = { name: 'shaded' }
   readonly #background: Color
@@ -71,15 +73,8 @@ export class Viewer {
     this.#toneMapping = stage.renderer.toneMapping
     const face = faceOf(avatar)
     this.#face = face
-    const plain = plainMaterial(face.skin)
+    this.#plain = cloned(face.skin.material)
     stage.show(face)
-    const { wrinkles, fault } = addWrinkles(stage, face)
-    this.wrinkles = wrinkles
-    this.fault = fault
-    const plan = planDrivers(driversOf('morph', this.#drivers))
-    const targetNames = Object.keys(face.skin.morphTargetDictionary ?? {})
-    this.#program = new DriverProgram(plan, { target: targetSource(plan.inputs.target, targetNames) })
-    this.#state = this.#program.createState()
     this.targets = targetDials(face.root).map((dial) => ({
       ...dial,
       write: (value) => {
@@ -88,14 +83,85 @@ export class Viewer {
         this.#applyDrivers(before)
       },
     }))
-    this.areas = wrinkles ? areaDials(wrinkles) : []
-    this.#expressions = this.#completeExpressions()
-    this.#player = this.#makePlayer()
-    this.#looks = new Looks(face, wrinkles, plain, (mesh, own) => this.#createMirror(mesh, own))
+    this.#wear(face.wrinkles)
   }
 
-  get #drivers(): readonly WrinkleDriver[] {
-    return this.#face.wrinkles?.drivers ?? []
+  /** Null for a plain face. */
+  get wrinkles(): Wrinkles | null {
+    return this.#wrinkles
+  }
+
+  /** Why the wrinkles of the avatar are not shown; null if they are, or there are none. */
+  get fault(): Error | null {
+    return this.#fault
+  }
+
+  /**
+   * Shows other wrinkles on the same face, null for none. The mode and the look stay, and so do activations that were set by hand.
+   *
+   * @throws FurrowError when they do not fit; the face is then plain.
+   */
+  setWrinkles(wrinkles: Face['wrinkles']): void {
+    const before = new Map(this.areas.map(({ name, read }) => [name, read()]))
+    const { mode, look } = this
+    this.#looks.dispose()
+    this.#wrinkles?.dispose()
+    this.#wear(wrinkles)
+    for (const { name, write } of this.areas) write(before.get(name) ?? 0)
+    this.#driveAll()
+    if (this.#fault) throw this.#fault
+    this.mode = mode
+    this.look = this.#isPossible(look) ? look : { name: 'shaded' }
+  }
+
+  /** Lets other drivers activate the areas. */
+  setDrivers(drivers: readonly WrinkleDriver[]): void {
+    this.#drive(drivers)
+    this.#driveAll()
+    this.#expressions = this.#completeExpressions()
+    this.#player = this.#makePlayer()
+  }
+
+  /** Puts wrinkles on the plain face. */
+  #wear(wrinkles: Face['wrinkles']): void {
+    this.#fault = null
+    this.#wrinkles = null
+    try {
+      if (wrinkles) this.#wrinkles = this.stage.addWrinkles(this.#face, wrinkles)
+    } catch (error) {
+      this.#fault = error as Error
+    }
+    // The viewer runs the drivers, so that the areas' sliders follow at once.
+    if (this.#wrinkles) this.#wrinkles.driven = false
+    this.#drive(wrinkles?.drivers ?? [])
+    const plain = cloned(this.#plain)
+    this.#looks = new Looks(this.#face, this.#wrinkles, plain, (mesh, own) => this.#createMirror(mesh, own))
+    this.areas = this.#wrinkles ? areaDials(this.#wrinkles) : []
+    this.#expressions = this.#completeExpressions()
+    this.#player = this.#makePlayer()
+    this.#remaining = 0
+  }
+
+  /** Reads the drivers. */
+  #drive(drivers: readonly WrinkleDriver[]): void {
+    const plan = planDrivers(driversOf('morph', drivers))
+    const targetNames = Object.keys(this.#face.skin.morphTargetDictionary ?? {})
+    this.#drivers = drivers
+    this.#program = new DriverProgram(plan, { target: targetSource(plan.inputs.target, targetNames) })
+    this.#state = this.#program.createState()
+  }
+
+  /** Sets all areas that are driven as the face's pose has them. */
+  #driveAll(): void {
+    const activations = this.#drivenActivations()
+    for (const [i, name] of this.#program.plan.areaNames.entries()) {
+      if (this.#wrinkles?.hasArea(name)) this.#wrinkles.setActivation(name, activations[i])
+    }
+  }
+
+  #isPossible(look: Look): boolean {
+    if (look.name !== 'influence' || look.area === undefined) return true
+    return [look.area].flat().every((name) => this.#wrinkles?.hasArea(name))
   }
 
   get mode(): WrinkleMode {
@@ -153,6 +219,10 @@ export class Viewer {
     this.#looks.choose(areas.length > 0 ? { name: 'influence', area: areas } : this.#look)
   }
 
+  get expressionNames(): string[] {
+    return this.#expressions.map(({ name }) => name)
+  }
+
   /** Whether a transition to an expression is under way. */
   get moving(): boolean {
     return this.#remaining > 0
@@ -168,7 +238,10 @@ export class Viewer {
   /** @param delta seconds since the last frame; infinity ends the transition. */
   advance(delta: number): void {
     if (!this.moving) return
+    const before = this.#drivenActivations().slice()
     this.#player?.update(delta)
+    // Areas that expressions name are played, the others follow the face.
+    this.#applyDrivers(before, (area) => !this.#isPlayed(area))
     this.#remaining = Math.max(0, this.#remaining - delta)
   }
 
@@ -236,12 +309,17 @@ export class Viewer {
     return this.#state.activations
   }
 
-  /** After a blendshape was set by hand: sets the areas that it drives and leaves the others. */
-  #applyDrivers(before: Float32Array): void {
+  /** After blendshapes were set: sets the areas that they drive and leaves the others. */
+  #applyDrivers(before: Float32Array, isWanted: (area: string) => boolean = () => true): void {
     const after = this.#drivenActivations()
     for (const [i, name] of this.#program.plan.areaNames.entries()) {
-      if (after[i] !== before[i] && this.wrinkles?.hasArea(name)) this.wrinkles.setActivation(name, after[i])
+      if (after[i] === before[i] || !isWanted(name)) continue
+      if (this.wrinkles?.hasArea(name)) this.wrinkles.setActivation(name, after[i])
     }
+  }
+
+  #isPlayed(area: string): boolean {
+    return this.#expressions.slice(1).some(({ activations }) => area in activations)
   }
 
   #areasChanged(): void {
@@ -257,12 +335,19 @@ export class Viewer {
     return new ExpressionPlayer(this.avatar.root, this.wrinkles ?? undefined, this.#expressions)
   }
 
-  /** The presets; the first one names every blendshape and area of this face, so that each expression sets all sliders. */
+  /**
+   * The expressions of the file, or else the presets. The first one names every blendshape, and every area that another one names or nothing
+   * drives, so that each expression sets all of them.
+   */
   #completeExpressions(): Expression[] {
-    const zeros = (dials: readonly Dial[]) => Object.fromEntries(dials.map(({ name }) => [name, 0]))
-    const targets = zeros(this.targets)
-    const activations = zeros(this.areas)
-    return [{ name: EXPRESSIONS[0].name, targets, activations }, ...EXPRESSIONS.slice(1)]
+    const own = expressionsOf(this.#drivers)
+    const [first, ...others] = own.length > 0 ? own : EXPRESSIONS
+    const named = new Set(others.flatMap(({ activations }) => Object.keys(activations)))
+    const driven = new Set(this.#program.plan.areaNames)
+    const zeros = (names: string[]) => Object.fromEntries(names.map((name) => [name, 0]))
+    const areas = this.areas.map(({ name }) => name).filter((name) => named.has(name) || !driven.has(name))
+    const targets = { ...zeros(this.targets.map(({ name }) => name)), ...first.targets }
+    return [{ name: first.name, targets, activations: { ...zeros(areas), ...first.activations } }, ...others]
   }
 
   #createMirror(mesh: Mesh, wrinkles: Wrinkles): Wrinkles {
@@ -272,19 +357,7 @@ export class Viewer {
   }
 }
 
-function addWrinkles(stage: Stage, face: Face): { wrinkles: Wrinkles | null; fault: Error | null } {
-  if (!face.wrinkles) return { wrinkles: null, fault: null }
-  try {
-    const wrinkles = stage.addWrinkles(face, face.wrinkles)
-    // The viewer runs the drivers, so that the areas' sliders follow at once.
-    wrinkles.driven = false
-    return { wrinkles, fault: null }
-  } catch (error) {
-    return { wrinkles: null, fault: error as Error }
-  }
-}
-
-function plainMaterial({ material }: Mesh): Mesh['material'] {
+function cloned(material: Mesh['material']): Mesh['material'] {
   return Array.isArray(material) ? material.map((each) => each.clone()) : material.clone()
 }
 
