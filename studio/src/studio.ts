@@ -1,5 +1,8 @@
+import { effect, signal } from '@preact/signals'
+import type { AreaConvention } from 'furrow'
 import { VIEWS, type ViewName } from '../../stage/views.ts'
 import { readArea } from './area-file.ts'
+import { Buttons } from './buttons.ts'
 import { displayName } from './display-name.ts'
 import { Divider } from './divider.ts'
 import { acceptFiles } from './drop.ts'
@@ -9,11 +12,11 @@ import { Messages } from './messages.ts'
 import { Meter } from './meter.ts'
 import { reducedMotion } from './motion.ts'
 import { faceOf, openDropped } from './open/avatar.ts'
-import { type DroppedFile, filesOfTransfer } from './open/dropped-files.ts'
+import { type DroppedFile, filesOfInput, filesOfTransfer } from './open/dropped-files.ts'
 import { sortFiles } from './open/sort-files.ts'
 import type { Page } from './page.ts'
-import { Buttons } from './panel/buttons.ts'
-import { Panel } from './panel/panel.ts'
+import type { Hovered, PanelModel } from './panels/model.ts'
+import { showPanel } from './panels/show-panel.tsx'
 import { savePicture } from './save-picture.ts'
 import { adapterName } from './viewer/adapter.ts'
 import { fetchFace, listFaces } from './viewer/faces.ts'
@@ -24,18 +27,23 @@ import { type LoadAvatar, ViewerHost } from './viewer/viewer-host.ts'
 /** Seconds of the transition from one expression to another. */
 const EXPRESSION_TIME = 0.35
 
-/** The application: applies what the controls request to the viewer, and shows the result. */
+/** The application: applies what the controls request, and shows the result. */
 export class Studio {
   readonly #page: Page
   readonly #messages: Messages
   readonly #loading: Loading
-  readonly #panel: Panel
   readonly #views: Buttons<ViewName>
   readonly #divider: Divider
   readonly #meter: Meter
   readonly #loop: Loop
   readonly #host: ViewerHost
-  #expression: string | null = null
+
+  readonly #faces = signal<readonly string[]>([])
+  readonly #shown = signal<Viewer | null>(null)
+  readonly #frame = signal(0)
+  readonly #revision = signal(0)
+  readonly #expression = signal<string | null>(null)
+  readonly #hovered = signal<Hovered | null>(null)
 
   constructor(page: Page) {
     this.#page = page
@@ -58,7 +66,7 @@ export class Studio {
       loading,
       loop: this.#loop,
       onOpen: (viewer) => this.#show(viewer),
-      onSettled: () => this.#panel.refresh(),
+      onSettled: () => this.#refresh(),
     })
     const views = Object.keys(VIEWS) as ViewName[]
     this.#views = new Buttons(page.views, views, (name) => this.#goTo(name), { 'three-quarter': '3/4' })
@@ -66,44 +74,57 @@ export class Studio {
       if (this.#viewer) this.#viewer.split = position
       this.#loop.wake()
     })
-    this.#panel = new Panel(page, {
-      face: (name) => this.#open(this.#fetch(name)),
-      renderer: (kind) => this.#host.open(kind),
-      mode: (mode) =>
-        this.#change((viewer) => {
-          viewer.mode = mode
-        }),
-      look: (look) =>
-        this.#change((viewer) => {
-          viewer.look = look
-        }),
-      play: (name) => this.#play(name),
-      input: (dial, value) => this.#set(() => dial.write(value)),
-      reset: (dials) =>
-        this.#set(() => {
-          for (const dial of dials) dial.write(0)
-        }),
-      addAreas: (files) => this.#addAreas(files),
-      removeArea: (name) => this.#removeArea(name),
-      highlight: (areas) => this.#change((viewer) => viewer.highlight(areas)),
-    })
+    showPanel(page.panel, this.#panelModel())
+    effect(() => this.#highlight(this.#hovered.value))
     page.screenshot.addEventListener('click', () => this.#savePicture())
     page.uvLayout.addEventListener('click', () => this.#saveUvLayout())
-    acceptFiles(page.dropping, (files) => this.#openFiles(filesOfTransfer(files)))
+    acceptFiles(page.dropping, (files) => this.#openFiles(() => filesOfTransfer(files)))
   }
 
   /** Lists the faces and opens the first, or the one that the URL names: `?renderer=webgpu&face=human-2`. */
   async start(): Promise<void> {
     this.#loading.show('Listing faces')
     await this.#messages.attempt(async () => {
-      const names = await listFaces()
-      this.#panel.setFaces(names)
+      this.#faces.value = await listFaces()
       const query = new URLSearchParams(location.search)
-      const name = names.find((known) => known === query.get('face')) ?? names[0]
+      const name = this.#faces.value.find((known) => known === query.get('face')) ?? this.#faces.value[0]
       await this.#host.open(query.get('renderer') === 'webgpu' ? 'webgpu' : 'webgl', this.#fetch(name))
     })
     if (!this.#viewer) this.#loading.done()
     else this.#play('surprised')
+  }
+
+  #panelModel(): PanelModel {
+    return {
+      faces: this.#faces,
+      viewer: this.#shown,
+      frame: this.#frame,
+      revision: this.#revision,
+      expression: this.#expression,
+      hovered: this.#hovered,
+      actions: {
+        openFiles: (files) => this.#openFiles(async () => filesOfInput(files)),
+        openFace: (name) => this.#open(this.#fetch(name)),
+        chooseSkin: (skin) => this.#open(async (shown) => ({ ...shown!, skin })),
+        setRenderer: (kind) => this.#host.open(kind),
+        setMode: (mode) =>
+          this.#change((viewer) => {
+            viewer.mode = mode
+          }),
+        setLook: (look) =>
+          this.#change((viewer) => {
+            viewer.look = look
+          }),
+        play: (name) => this.#play(name),
+        input: (dial, value) => this.#set(() => dial.write(value)),
+        reset: (dials) =>
+          this.#set(() => {
+            for (const dial of dials) dial.write(0)
+          }),
+        addAreaImages: (files, convention) => this.#addAreas(files, convention),
+        removeArea: (name) => this.#removeArea(name),
+      },
+    }
   }
 
   get #viewer(): Viewer | null {
@@ -123,15 +144,21 @@ export class Studio {
     return this.#host.open(this.#viewer?.kind ?? 'webgl', load)
   }
 
-  /** Opens what was dropped: an avatar, wrinkles for the one on the stage, or areas. */
-  async #openFiles(listed: Promise<DroppedFile[]>): Promise<void> {
+  /**
+   * Opens what was dropped: an avatar, wrinkles for the one on the stage, or areas.
+   *
+   * @param list is called at once: what was dropped is gone after its event.
+   */
+  async #openFiles(list: () => Promise<DroppedFile[]>): Promise<void> {
     await this.#messages.attempt(async () => {
-      const dropped = await sortFiles(await listed)
-      if (dropped.kind === 'areas') return this.#addAreas(dropped.images.map(({ file }) => file))
+      const dropped = await sortFiles(await list())
+      if (dropped.kind === 'areas') {
+        const images = dropped.images.map(({ file }) => file)
+        return this.#addAreas(images, 'paper')
+      }
       await this.#open(async (shown) => {
-        this.#loading.show(
-          `Loading ${dropped.kind === 'avatar' ? dropped.face.file.name : dropped.wrinkles.name}`,
-        )
+        const name = dropped.kind === 'avatar' ? dropped.face.file.name : dropped.wrinkles.name
+        this.#loading.show(`Loading ${name}`)
         const avatar = await openDropped(dropped, shown)
         this.#messages.note(avatar.notes.join('. '))
         return avatar
@@ -141,8 +168,8 @@ export class Studio {
 
   #show(viewer: Viewer): void {
     viewer.split = this.#divider.position
-    this.#panel.show(viewer)
-    this.#showLabels()
+    this.#shown.value = viewer
+    this.#refresh()
     this.#meter.reset()
   }
 
@@ -151,7 +178,7 @@ export class Studio {
     this.#viewer?.advance(delta)
     this.#host.orbit?.advance(delta)
     this.#views.show(this.#host.orbit?.view ?? null)
-    if (wasMoving) this.#panel.follow()
+    if (wasMoving) this.#frame.value++
   }
 
   get #moving(): boolean {
@@ -166,9 +193,7 @@ export class Studio {
   #play(name: string): void {
     this.#change((viewer) => {
       viewer.play(name, reducedMotion.matches ? 0 : EXPRESSION_TIME)
-      this.#expression = name
-      this.#panel.showExpression(name)
-      this.#panel.follow()
+      this.#expression.value = name
     })
   }
 
@@ -177,9 +202,7 @@ export class Studio {
     this.#change((viewer) => {
       viewer.advance(Number.POSITIVE_INFINITY)
       write()
-      this.#expression = null
-      this.#panel.showExpression(null)
-      this.#panel.follow()
+      this.#expression.value = null
     })
   }
 
@@ -190,14 +213,21 @@ export class Studio {
     void this.#messages
       .attempt(() => task(viewer))
       .then(() => {
-        this.#panel.refresh()
-        this.#showLabels()
+        this.#refresh()
         this.#loop.wake()
       })
   }
 
-  async #addAreas(files: File[]): Promise<void> {
-    const { convention } = this.#panel
+  /** Shows which areas the pointer or focus is on, or which ones the blendshape moves. */
+  #highlight(hovered: Hovered | null): void {
+    const viewer = this.#viewer
+    if (!viewer) return
+    if (!hovered) viewer.highlight([])
+    else viewer.highlight(hovered.kind === 'area' ? [hovered.name] : viewer.drivenBy(hovered.name))
+    this.#loop.wake()
+  }
+
+  async #addAreas(files: readonly File[], convention: AreaConvention): Promise<void> {
     for (const file of files) {
       await this.#messages.attempt(async () => {
         const area = await readArea(file, convention)
@@ -206,7 +236,7 @@ export class Studio {
         viewer.addArea(area)
         // Fully active, so that the new area is visible at once.
         viewer.wrinkles?.setActivation(area.name, 1)
-        this.#panel.show(viewer)
+        this.#refresh()
         this.#messages.note(`Added area ${area.name}`)
         this.#loop.wake()
       })
@@ -215,8 +245,8 @@ export class Studio {
 
   #removeArea(name: string): void {
     this.#change((viewer) => {
+      this.#hovered.value = null
       viewer.removeArea(name)
-      this.#panel.show(viewer)
       this.#messages.note(`Removed area ${name}`)
     })
   }
@@ -226,7 +256,7 @@ export class Studio {
       const viewer = this.#viewer
       if (!viewer) return
       viewer.draw()
-      const words = ['furrow', viewer.avatar.name, this.#expression, viewer.look.name]
+      const words = ['furrow', viewer.avatar.name, this.#expression.value, viewer.look.name]
       await savePicture(viewer.canvas, `${words.filter(Boolean).join('-')}.png`)
       this.#messages.note('Saved the picture')
     })
@@ -243,7 +273,10 @@ export class Studio {
     })
   }
 
-  #showLabels(): void {
+  /** Updates the controls and labels to the viewer. */
+  #refresh(): void {
+    this.#revision.value++
+    this.#frame.value++
     const viewer = this.#viewer
     if (!viewer) return
     this.#page.sideWith.textContent = lookLabel(viewer.look, viewer.mode)
