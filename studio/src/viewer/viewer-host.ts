@@ -7,6 +7,7 @@ import { reducedMotion } from '../motion.ts'
 import { disposeAvatar, type OpenedAvatar } from '../open/avatar.ts'
 import type { Page } from '../page.ts'
 import { deviceOf, unavailableReason } from './adapter.ts'
+import { type CanvasStage, closeCanvas, openCanvas } from './canvas-stage.ts'
 import { Orbit } from './orbit.ts'
 import { snapshot } from './snapshot.ts'
 import { Viewer } from './viewer.ts'
@@ -30,9 +31,10 @@ export interface HostParts {
 /** Loads an avatar, given the one on the stage. */
 export type LoadAvatar = (shown: OpenedAvatar | undefined) => Promise<OpenedAvatar>
 
-/** Opens viewers, each in place of the last: with another renderer or face, or again when the graphics device is lost. */
+/** Opens viewers, each in place of the last: with another renderer or avatar, or again when the graphics device is lost. */
 export class ViewerHost {
   readonly #parts: HostParts
+  #canvas: CanvasStage | null = null
   #viewer: Viewer | null = null
   #orbit: Orbit | null = null
   /** Renderers are created one at a time: each waits until the last one has released its device. */
@@ -81,11 +83,9 @@ export class ViewerHost {
     await nextPaint()
     const restore = this.#close()
     const chosen = reason ? 'webgl' : kind
-    const viewer = await this.#makeViewer(chosen, avatar).catch((error) => {
-      if (!last || last === avatar) throw error
-      messages.error(error)
-      return this.#makeViewer(chosen, last)
-    })
+    // Starting a renderer takes longer than loading most avatars: another one is shown on the same stage.
+    const canvas = (load && this.#canvas?.kind === chosen && this.#canvas) || (await this.#openCanvas(chosen))
+    const viewer = this.#makeViewer(canvas, avatar, last)
     if (viewer.fault) messages.error(viewer.fault)
     const unused = viewer.avatar === last ? avatar : last
     if (unused && unused.root !== viewer.avatar.root) disposeAvatar(unused)
@@ -99,18 +99,29 @@ export class ViewerHost {
     loop.start()
   }
 
-  async #makeViewer(kind: RendererKind, avatar: OpenedAvatar): Promise<Viewer> {
-    const create = (createdKind: RendererKind) => {
-      const canvas = document.createElement('canvas')
-      this.#parts.page.viewport.replaceChildren(canvas)
-      return Viewer.create(canvas, createdKind, avatar)
-    }
-    if (kind === 'webgl') return create(kind)
+  /** Starts a renderer, WebGL where the other one fails. */
+  async #openCanvas(kind: RendererKind): Promise<CanvasStage> {
+    const { messages, page } = this.#parts
+    if (this.#canvas) closeCanvas(this.#canvas)
+    this.#canvas = null
     try {
-      return await create(kind)
+      this.#canvas = await openCanvas(page.viewport, kind)
     } catch (error) {
+      if (kind === 'webgl') throw error
+      messages.error(error)
+      this.#canvas = await openCanvas(page.viewport, 'webgl')
+    }
+    return this.#canvas
+  }
+
+  /** Shows the last avatar again where another one fails. */
+  #makeViewer(canvas: CanvasStage, avatar: OpenedAvatar, last: OpenedAvatar | undefined): Viewer {
+    try {
+      return new Viewer(canvas, avatar)
+    } catch (error) {
+      if (!last || last === avatar) throw error
       this.#parts.messages.error(error)
-      return create('webgl')
+      return new Viewer(canvas, last)
     }
   }
 

@@ -18,8 +18,9 @@ import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import { type Color, type Mesh, NoToneMapping } from 'three'
 import type { Face } from '../../../stage/face.ts'
 import { isWebGL } from '../../../stage/light.ts'
-import { createStage, type RendererKind, type Stage, type Wrinkles } from '../../../stage/stage.ts'
+import type { RendererKind, Stage, Wrinkles } from '../../../stage/stage.ts'
 import { faceOf, type OpenedAvatar } from '../open/avatar.ts'
+import type { CanvasStage } from './canvas-stage.ts'
 import { areaDials, type Dial, targetDials } from './dials.ts'
 import { type Look, Looks, type Side } from './looks.ts'
 import { releaseFromGPU } from './release.ts'
@@ -53,18 +54,8 @@ export class Viewer {
   readonly #background: Color
   readonly #toneMapping: Stage['renderer']['toneMapping']
 
-  /** Wrinkles that do not fit the face are left out. Throws Error if the browser has no WebGL 2 or WebGPU. */
-  static async create(canvas: HTMLCanvasElement, kind: RendererKind, avatar: OpenedAvatar): Promise<Viewer> {
-    const stage = await createStage(canvas, kind)
-    try {
-      return new Viewer(canvas, kind, stage, avatar)
-    } catch (error) {
-      stage.dispose()
-      throw error
-    }
-  }
-
-  private constructor(canvas: HTMLCanvasElement, kind: RendererKind, stage: Stage, avatar: OpenedAvatar) {
+  /** Wrinkles that do not fit the face are left out. */
+  constructor({ canvas, kind, stage }: CanvasStage, avatar: OpenedAvatar) {
     this.canvas = canvas
     this.kind = kind
     this.stage = stage
@@ -280,16 +271,16 @@ export class Viewer {
     this.#drawSide('with')
   }
 
-  /** Frees everything on the GPU; the face, its blendshapes and its set remain usable by another viewer. */
+  /** Frees what the avatar has on the GPU; it remains usable by another viewer, and the stage for another avatar. */
   dispose(): void {
+    const { renderer, scene } = this.stage
     this.#looks.dispose()
     this.wrinkles?.dispose()
-    this.stage.scene.remove(this.avatar.root)
+    scene.remove(this.avatar.root)
+    scene.background = this.#background
+    renderer.toneMapping = this.#toneMapping
+    renderer.setScissorTest(false)
     releaseFromGPU(this.avatar.root)
-    const { renderer } = this.stage
-    this.stage.dispose()
-    if (isWebGL(renderer)) renderer.forceContextLoss()
-    this.canvas.remove()
   }
 
   #drawSide(side: Side): void {
