@@ -1,7 +1,10 @@
 import { expect, test } from 'vitest'
+import { drawMaps } from '../../../../packages/furrow/src/author/auto/raster/draw-maps.ts'
 import { checkCoverage } from '../../../../packages/furrow/src/author/auto/surface/check-coverage.ts'
+import type { PreparedSkin } from '../../../../packages/furrow/src/author/auto/surface/prepare-skin.ts'
 import { SkinTexels } from '../../../../packages/furrow/src/author/skin/skin-texels.ts'
 import { weldSurface } from '../../../../packages/furrow/src/author/skin/surface.ts'
+import { seeded } from '../../../random.ts'
 import { sheet } from './sheet.ts'
 
 /** The list of triangles, several times over. */
@@ -30,4 +33,30 @@ test('triangles that are listed again leave the borders as they are', () => {
     return Array.from({ length: 64 * 64 }, (_, texel) => texels.locate(texel, weights))
   }
   expect(located(50)).toEqual(located(1))
+})
+
+test('a skin that nothing creases is not mapped to texels', () => {
+  const untouched = new Proxy({} as PreparedSkin, {
+    get: () => {
+      throw new Error('the skin was read')
+    },
+  })
+  const settings = { size: 1024, areaSize: 128, frame: 'derivative' } as const
+  expect(drawMaps(untouched, [], [], settings, () => {})).toEqual({ layers: [], weights: [] })
+})
+
+test('borders are searched for once, however many triangles have no neighbours', () => {
+  const { positions, uvs } = sheet(20, 0)
+  const random = seeded(7)
+  const indices = Array.from({ length: 3 * 2000 }, () => Math.floor((random() * uvs.length) / 2))
+  const surface = weldSurface({ positions, indices })
+  let searched = 0
+  const adjacent = new Proxy(surface.adjacent, {
+    get: (list, key) => {
+      if (key !== 'length') searched++
+      return Reflect.get(list, key)
+    },
+  })
+  new SkinTexels({ uvs, indices }, { ...surface, adjacent }, 64, 64)
+  expect(searched).toBe(surface.corners.length)
 })
