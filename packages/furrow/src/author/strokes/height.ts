@@ -3,7 +3,7 @@ import { lerp } from '../../math/scalar.ts'
 import type { Metric } from '../metric.ts'
 import type { SkinCanvas } from '../skin/canvas.ts'
 import type { Stroke } from './document.ts'
-import { type LaidStroke, layOutStroke } from './lay-out.ts'
+import { type LaidStroke, layOutStrokes } from './lay-out.ts'
 import { LineGrid } from './line-grid.ts'
 import { visitTexelsNearLines } from './near-lines.ts'
 import { profile, REACH } from './profile.ts'
@@ -40,13 +40,14 @@ const BATCH = 20_000
  * profile. No valley is drawn sharper than a texel. Strokes, or parts of them, that are not on the skin are left out.
  *
  * @param progress is called with the strokes drawn so far, one or another in part.
+ * @throws FurrowError where they are longer than 100 m together.
  */
 export function strokesToHeight(
   strokes: readonly Stroke[],
   canvas: SkinCanvas,
   progress?: (done: number, total: number) => void,
 ): HeightMap {
-  const parts = strokes.map((stroke) => layOutStroke(stroke, canvas))
+  const parts = layOutStrokes(strokes, canvas)
   return drawStrokes(parts, canvas, progress).relief
 }
 
