@@ -23,6 +23,7 @@ export default defineConfig({
       'three/addons/controls/OrbitControls.js',
       'three/addons/environments/RoomEnvironment.js',
       'three/addons/loaders/GLTFLoader.js',
+      'three-mesh-bvh',
     ],
   },
   server: { fs: { allow: [folder('..')] } },
