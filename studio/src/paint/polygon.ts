@@ -85,7 +85,7 @@ function visitInside(
     if (!isTouched && !(outline.contains(centre) && outline.isFacing(surface, triangle))) continue
     const [first, end] = [map.starts[triangle], map.starts[triangle + 1]]
     // Places beyond an island are farther from the triangle than its corners.
-    let reach = 0
+    let reach = radius
     for (let place = first; place < end; place++) {
       reach = Math.max(reach, Math.sqrt(squaredDistance(map.positions, 3 * place, 3 * place, centre)))
     }

@@ -64,7 +64,7 @@ describe('a brush that smooths', () => {
 
   it('keeps both sides of a seam alike', () => {
     // A step across the seam at y = 10, and one along it.
-    const step = drawn(skin, (x, y) => (x < 0 === y < 10 ? 40 : 200))
+    const step = drawn(skin, (x, y) => (x < 0 === y < 10 ? 40 : 200), 256)
     const image = paint(
       step,
       { mode: 'smooth', radius: 15 },
@@ -72,7 +72,7 @@ describe('a brush that smooths', () => {
       pointNear(skin, -25, 10),
       pointNear(skin, 25, 10),
     )
-    const near = [...placesOf(skin.mapOf(SIZE), image)].filter(
+    const near = [...placesOf(skin.mapOf(256), image)].filter(
       ({ x, y }) => Math.abs(x) < 20 && Math.abs(y - 10) < 0.8,
     )
     const differences = near.flatMap((one) =>
