@@ -9,11 +9,14 @@ import { MAP_SLOTS } from './wrinkled-file.ts'
 
 type Json = Record<string, unknown>
 
+/** The document of strokes in a folder. */
+export const STROKES_FILE = 'strokes.json'
+
 const OPTIONAL_MAPS = MAP_SLOTS.filter(([map]) => map !== 'normal')
 
 /**
- * Reads the wrinkle set of a folder: its `wrinkles.json`, completed by the files in `layers/` and `areas/`. Without
- * that document, all layers and areas found there are used, in alphabetical order.
+ * Reads the wrinkle set of a folder: its `wrinkles.json`, completed by the files in `layers/` and `areas/`, and by
+ * `strokes.json`. Without that document, all layers and areas found there are used, in alphabetical order.
  *
  * @param whiteIsVisible the convention of areas that name none.
  * @throws FurrowError when the document is malformed or there are no layers or areas.
@@ -29,6 +32,7 @@ export async function readFolder(
   if (isObject(json)) {
     json.layers ??= foundLayers(files)
     json.areas ??= foundAreas(files)
+    if (json.strokes === undefined && files.includes(STROKES_FILE)) json.strokes = STROKES_FILE
     if (Array.isArray(json.layers)) completeLayers(json.layers, files)
     for (const [list, kind] of [
       [json.layers, 'layers'],

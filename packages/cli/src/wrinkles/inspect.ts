@@ -11,6 +11,7 @@ import {
   NO_SIZES,
   sumSizes,
 } from './sizes.ts'
+import { strokesBytes, strokesIn } from './strokes.ts'
 import { MAP_SLOTS, type MapName, type WrinkledFile } from './wrinkled-file.ts'
 
 /** One map of one layer. */
@@ -63,6 +64,8 @@ export interface Inspection {
   layers: LayerReport[]
   areas: AreaReport[]
   drivers: WrinkleDriver[]
+  /** The lines of the layers, and their bytes in the file. */
+  strokes: { count: number; bytes: number }
 }
 
 /** Measures the wrinkles of a file. Throws FurrowError when an image is missing or cannot be decoded. */
@@ -98,6 +101,7 @@ export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<
     ),
   )
   const images = new Set([...layers.flatMap(({ maps }) => maps), ...areas].map(({ texture }) => texture))
+  const { strokes } = strokesIn(file, who)
   return {
     material: glb.json.materials![file.material].name,
     fileBytes: glb.fileBytes,
@@ -107,6 +111,7 @@ export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<
     layers,
     areas,
     drivers: maps.drivers,
+    strokes: { count: strokes?.strokes.length ?? 0, bytes: strokesBytes(strokes) },
   }
 }
 
