@@ -172,7 +172,7 @@ describe('the strokes of a folder', () => {
   it.each<[string, () => string | Uint8Array, string]>([
     ['no JSON', () => '{', 'cannot read the strokes strokes.json ('],
     ['too deep', () => `${'['.repeat(200)}${']'.repeat(200)}`, 'its JSON is more than 128 levels deep'],
-    ['too large', () => ' '.repeat(2 ** 24 + 1), 'strokes.json is too large, got "17 MiB", allowed: 16 MiB'],
+    ['too large', () => ' '.repeat(2 ** 22 + 1), 'strokes.json is too large, got "5 MiB", allowed: 4 MiB'],
   ])('are refused in one line: %s', async (_, text, message) => {
     const folder = await shop.makeFolder('unreadable')
     shop.write('unreadable/strokes.json', text())

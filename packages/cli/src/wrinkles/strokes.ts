@@ -5,8 +5,8 @@ import { checkFileBytes, parseJson } from '../inputs.ts'
 import { didYouMean } from '../nearest.ts'
 import type { WrinkledFile } from './wrinkled-file.ts'
 
-/** Most bytes of the strokes of a set: they become part of a face's JSON, of which `MAX_JSON_BYTES` are read. */
-const MAX_STROKES_BYTES = 2 ** 24
+/** Most bytes of the strokes of a set: with the line breaks of a `.gltf`, ten times as many must be within `MAX_JSON_BYTES`. */
+const MAX_STROKES_BYTES = 2 ** 22
 
 /** A checked document of strokes as it is stored: an artist's numbers stay as they are, and defaults are left out. */
 export interface StoredStrokes {
