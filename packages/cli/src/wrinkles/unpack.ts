@@ -8,10 +8,11 @@ import { encodeArea, encodePngWithoutOpaqueAlpha } from '../images/encode.ts'
 import { withImageErrors } from '../images/image-errors.ts'
 import { openImage } from '../images/open-image.ts'
 import type { Progress } from '../progress.ts'
-import { addressOf, STROKES_FILE } from './folder.ts'
+import { addressOf, STROKES_FILE } from './folder-document.ts'
 import { weightsOf } from './inspect.ts'
+import { MAP_SLOTS } from './map-slots.ts'
 import { strokesFile, strokesIn } from './strokes.ts'
-import { MAP_SLOTS, type WrinkledFile } from './wrinkled-file.ts'
+import type { WrinkledFile } from './wrinkled-file.ts'
 
 type LayerEntry = WrinkleSetDocument['layers'][number]
 

@@ -1,0 +1,106 @@
+import { type Combine, FurrowError, type GrayImage, MAX_AREAS } from 'furrow'
+import type { StudioArea, StudioDocument } from './document.ts'
+import { driversOfNewArea, renameInDrivers, withoutArea } from './drivers.ts'
+import { checkNewName, freeName, named, withNamed } from './names.ts'
+import { edited } from './strokes.ts'
+
+/** Fields of an area that are set as they are. */
+export type AreaFields = Partial<Pick<StudioArea, 'layer' | 'combine' | 'activation'>>
+
+/** @throws FurrowError when its name is taken, its layer unknown, its weights are of another size, or there are 256. */
+export function addArea(document: StudioDocument, area: StudioArea): StudioDocument {
+  checkNewName(document.areas, area.name, 'area')
+  named(document.layers, area.layer, 'layer')
+  checkSize(document, area.weights)
+  if (document.areas.length === MAX_AREAS) throw tooMany()
+  return { ...document, areas: [...document.areas, area] }
+}
+
+/** A new area that is empty, on the first layer. */
+export function addEmptyArea(document: StudioDocument, name: string): StudioDocument {
+  const { areaSize: side, layers } = document
+  const weights = { width: side, height: side, data: new Uint8Array(side * side) }
+  const combine: Combine = 'sum'
+  return addArea(document, { name, layer: layers[0].name, combine, activation: 0, weights })
+}
+
+/** Removes an area, and the drivers that activate it; those that read it read it no more. */
+export function removeArea(document: StudioDocument, name: string): StudioDocument {
+  named(document.areas, name, 'area')
+  return {
+    ...document,
+    areas: document.areas.filter((area) => area.name !== name),
+    drivers: withoutArea(document.drivers, name),
+  }
+}
+
+/** Renames an area, in drivers and strokes too. */
+export function renameArea(document: StudioDocument, name: string, newName: string): StudioDocument {
+  if (newName === name) return document
+  checkNewName(document.areas, newName, 'area')
+  return {
+    ...document,
+    // Under another name, an automatic area would not be found again.
+    areas: withNamed(document.areas, name, 'area', ({ isAutomatic: _, ...area }) => ({
+      ...area,
+      name: newName,
+    })),
+    drivers: renameInDrivers(document.drivers, name, newName),
+    strokes: document.strokes.map((stroke) =>
+      stroke.group === name ? edited({ ...stroke, group: newName }) : stroke,
+    ),
+  }
+}
+
+/** Copies an area with the drivers that activate it, under another name. */
+export function duplicateArea(document: StudioDocument, name: string): StudioDocument {
+  const copy = freeName(document.areas, name)
+  const { isAutomatic: _, ...area } = named(document.areas, name, 'area')
+  const added = addArea(document, { ...area, name: copy })
+  return { ...added, drivers: [...document.drivers, ...driversOfNewArea(document.drivers, name, copy)] }
+}
+
+/** @throws FurrowError when the layer is unknown or the activation outside 0..1. */
+export function setArea(document: StudioDocument, name: string, fields: AreaFields): StudioDocument {
+  if (fields.layer !== undefined) named(document.layers, fields.layer, 'layer')
+  if (fields.activation !== undefined && !(fields.activation >= 0 && fields.activation <= 1)) {
+    throw new FurrowError({
+      code: 'out-of-range',
+      who: 'Studio',
+      what: `activation of ${name} at rest`,
+      value: fields.activation,
+      limit: '0 to 1',
+      remedy: 'choose one in this range',
+    })
+  }
+  return { ...document, areas: withNamed(document.areas, name, 'area', (area) => ({ ...area, ...fields })) }
+}
+
+/** Replaces the weights of an area: what was painted. It is automatic no more. */
+export function paintArea(document: StudioDocument, name: string, weights: GrayImage): StudioDocument {
+  checkSize(document, weights)
+  const paint = ({ isAutomatic: _, ...area }: StudioArea) => ({ ...area, weights })
+  return { ...document, areas: withNamed(document.areas, name, 'area', paint) }
+}
+
+function checkSize({ areaSize }: StudioDocument, { width, height }: GrayImage): void {
+  if (width === areaSize && height === areaSize) return
+  throw new FurrowError({
+    who: 'Studio',
+    what: 'an area has another size than the others',
+    value: `${width} x ${height}`,
+    limit: `${areaSize} x ${areaSize} texels`,
+    remedy: 'resample it',
+  })
+}
+
+function tooMany(): FurrowError {
+  return new FurrowError({
+    code: 'out-of-range',
+    who: 'Studio',
+    what: 'too many areas',
+    value: MAX_AREAS + 1,
+    limit: `${MAX_AREAS}`,
+    remedy: 'remove one first',
+  })
+}

@@ -1,0 +1,105 @@
+import { type Link, parseDrivers, type WrinkleDriver } from 'furrow'
+import type { StudioDocument } from './document.ts'
+import { named } from './names.ts'
+
+/** A weight below which a blendshape counts as not set. */
+const UNSET = 0.01
+
+/**
+ * Records that the present pose fully shows an area: one driver that reads the blendshapes which are set, as a weighted sum that is 1 in
+ * this pose. It replaces the drivers that read blendshapes for this area.
+ *
+ * @param weights of the blendshapes by name, 0..1.
+ */
+export function recordPose(
+  document: StudioDocument,
+  area: string,
+  weights: ReadonlyMap<string, number>,
+): StudioDocument {
+  named(document.areas, area, 'area')
+  const set = [...weights].filter(([, weight]) => Math.abs(weight) > UNSET)
+  const others = document.drivers.filter((driver) => driver.type !== 'morph' || areaOf(driver) !== area)
+  if (set.length === 0) return { ...document, drivers: others }
+  // Least squares of one equation: the shortest vector of link weights with sum(link * weight) = 1.
+  const squares = set.reduce((sum, [, weight]) => sum + weight * weight, 0)
+  const targets = set.map(([name, weight]): Link => ({ name, weight: rounded(weight / squares) }))
+  return addDriver({ ...document, drivers: others }, { type: 'morph', area, targets, rule: 'sum' })
+}
+
+/** @throws FurrowError when the driver is malformed. */
+export function setDriver(document: StudioDocument, index: number, driver: WrinkleDriver): StudioDocument {
+  const [checked] = read(document, driver)
+  return { ...document, drivers: document.drivers.map((old, i) => (i === index ? checked : old)) }
+}
+
+/** @throws FurrowError when the driver is malformed. */
+export function addDriver(document: StudioDocument, driver: WrinkleDriver): StudioDocument {
+  return { ...document, drivers: [...document.drivers, ...read(document, driver)] }
+}
+
+function read({ areas }: StudioDocument, driver: WrinkleDriver): WrinkleDriver[] {
+  return parseDrivers(
+    [driver],
+    areas.map(({ name }) => name),
+    'Studio',
+  )
+}
+
+export function removeDriver(document: StudioDocument, index: number): StudioDocument {
+  return { ...document, drivers: document.drivers.filter((_, i) => i !== index) }
+}
+
+/** The drivers with another name for an area, wherever they name it. */
+export function renameInDrivers(
+  drivers: readonly WrinkleDriver[],
+  name: string,
+  newName: string,
+): WrinkleDriver[] {
+  const rename = (area: string) => (area === name ? newName : area)
+  return drivers.map((driver) => withAreas(driver, (area) => [rename(area)]))
+}
+
+/** The drivers without those that activate an area, and without its name in the others. */
+export function withoutArea(drivers: readonly WrinkleDriver[], name: string): WrinkleDriver[] {
+  return drivers
+    .filter((driver) => areaOf(driver) !== name)
+    .map((driver) => withAreas(driver, (area) => (area === name ? [] : [area])))
+    .filter((driver) => driver.type !== 'area' || (driver as { areas: Link[] }).areas.length > 0)
+}
+
+/** Copies of the drivers that activate an area, for another. */
+export function driversOfNewArea(
+  drivers: readonly WrinkleDriver[],
+  name: string,
+  newName: string,
+): WrinkleDriver[] {
+  return drivers.flatMap((driver) => (areaOf(driver) === name ? [{ ...driver, area: newName }] : []))
+}
+
+/**
+ * Maps every area that a driver names: the one it activates, those that it reads, and those of an expression. The driver itself where nothing
+ * changes.
+ */
+function withAreas(driver: WrinkleDriver, map: (area: string) => string[]): WrinkleDriver {
+  const fields: Record<string, unknown> = { ...driver }
+  if (typeof fields.area === 'string') fields.area = map(fields.area)[0] ?? fields.area
+  if (driver.type === 'area') {
+    fields.areas = (fields.areas as Link[]).flatMap((link) =>
+      map(link.name).map((name) => ({ ...link, name })),
+    )
+  }
+  if (driver.type === 'expression') {
+    const activations = fields.activations as { area: string; activation: number }[]
+    fields.activations = activations.flatMap((item) => map(item.area).map((area) => ({ ...item, area })))
+  }
+  return JSON.stringify(fields) === JSON.stringify(driver) ? driver : (fields as WrinkleDriver)
+}
+
+/** The area that a driver activates; undefined where it activates none. */
+export function areaOf(driver: WrinkleDriver): string | undefined {
+  return 'area' in driver && typeof driver.area === 'string' ? driver.area : undefined
+}
+
+function rounded(weight: number): number {
+  return Math.round(weight * 1000) / 1000
+}

@@ -1,0 +1,92 @@
+import { FurrowError, MAX_LAYERS } from 'furrow'
+import {
+  type ImageFile,
+  LAYER_DEFAULTS,
+  type MapName,
+  type StudioDocument,
+  type StudioLayer,
+} from './document.ts'
+import { checkNewName, named, withNamed } from './names.ts'
+
+/** Fields of a layer that are set as they are. */
+export type LayerFields = Partial<
+  Pick<StudioLayer, 'kind' | 'normalScale' | 'occlusionStrength' | 'heightAmplitude'>
+>
+
+/** A new layer without maps: strokes are drawn on it. Throws FurrowError when its name is taken or there are 4. */
+export function addLayer(document: StudioDocument, name: string): StudioDocument {
+  checkNewName(document.layers, name, 'layer')
+  if (document.layers.length === MAX_LAYERS) {
+    throw new FurrowError({
+      code: 'out-of-range',
+      who: 'Studio',
+      what: 'too many layers',
+      value: MAX_LAYERS + 1,
+      limit: `${MAX_LAYERS}`,
+      remedy: 'remove one first',
+    })
+  }
+  return { ...document, layers: [...document.layers, { ...LAYER_DEFAULTS, name }] }
+}
+
+/** Removes a layer with its strokes. Throws FurrowError when areas still show it. */
+export function removeLayer(document: StudioDocument, name: string): StudioDocument {
+  named(document.layers, name, 'layer')
+  const shown = document.areas.filter(({ layer }) => layer === name)
+  if (shown.length > 0 || document.layers.length === 1) {
+    throw new FurrowError({
+      who: 'Studio',
+      what: shown.length > 0 ? `areas show the layer ${name}` : `${name} is the only layer`,
+      value: shown.map((area) => area.name).join(', ') || undefined,
+      remedy: shown.length > 0 ? 'move them to another layer first' : 'add another one first',
+    })
+  }
+  return {
+    ...document,
+    layers: document.layers.filter((layer) => layer.name !== name),
+    strokes: document.strokes.filter(({ layer }) => layer !== name),
+  }
+}
+
+/** Renames a layer, in areas and strokes too. */
+export function renameLayer(document: StudioDocument, name: string, newName: string): StudioDocument {
+  if (newName === name) return document
+  checkNewName(document.layers, newName, 'layer')
+  const rename = <T extends { layer: string }>(item: T): T =>
+    item.layer === name ? { ...item, layer: newName } : item
+  return {
+    ...document,
+    layers: withNamed(document.layers, name, 'layer', (layer) => ({ ...layer, name: newName })),
+    areas: document.areas.map(rename),
+    strokes: document.strokes.map(rename),
+  }
+}
+
+/** Moves a layer to another position. Only the order in files and lists changes: layers do not cover each other. */
+export function moveLayer(document: StudioDocument, name: string, index: number): StudioDocument {
+  const layer = named(document.layers, name, 'layer')
+  const others = document.layers.filter((each) => each !== layer)
+  return { ...document, layers: [...others.slice(0, index), layer, ...others.slice(index)] }
+}
+
+export function setLayer(document: StudioDocument, name: string, fields: LayerFields): StudioDocument {
+  return {
+    ...document,
+    layers: withNamed(document.layers, name, 'layer', (layer) => ({ ...layer, ...fields })),
+  }
+}
+
+/** Sets a map of a layer, or removes it. */
+export function setMap(
+  document: StudioDocument,
+  name: string,
+  map: MapName,
+  image: ImageFile | undefined,
+): StudioDocument {
+  const change = (layer: StudioLayer): StudioLayer => {
+    const maps = { ...layer.maps, [map]: image }
+    if (!image) delete maps[map]
+    return { ...layer, maps }
+  }
+  return { ...document, layers: withNamed(document.layers, name, 'layer', change) }
+}

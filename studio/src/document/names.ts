@@ -1,0 +1,59 @@
+import { FurrowError, isName } from 'furrow'
+
+/** What has a name of its own among its kind. */
+interface Named {
+  readonly name: string
+}
+
+/** The item with a name. Throws FurrowError where there is none. */
+export function named<T extends Named>(items: readonly T[], name: string, kind: string): T {
+  const item = items.find((each) => each.name === name)
+  if (item) return item
+  throw new FurrowError({
+    code: 'unknown-name',
+    who: 'Studio',
+    what: `no such ${kind}`,
+    value: name,
+    limit: items.map((each) => each.name).join(', ') || 'there is none',
+    remedy: 'name one of these',
+  })
+}
+
+/** The items with one of them replaced. */
+export function withNamed<T extends Named>(
+  items: readonly T[],
+  name: string,
+  kind: string,
+  change: (item: T) => T,
+): T[] {
+  const old = named(items, name, kind)
+  return items.map((item) => (item === old ? change(item) : item))
+}
+
+/** Throws FurrowError where a name is malformed or taken. */
+export function checkNewName(items: readonly Named[], name: string, kind: string): void {
+  if (!isName(name)) {
+    throw new FurrowError({
+      who: 'Studio',
+      what: `the ${kind} has no usable name`,
+      value: name,
+      limit: '1 to 256 characters on one line',
+      remedy: 'choose another name',
+    })
+  }
+  if (!items.some((item) => item.name === name)) return
+  throw new FurrowError({
+    who: 'Studio',
+    what: `two of the ${kind}s would have one name`,
+    value: name,
+    remedy: 'choose another name',
+  })
+}
+
+/** A name that is not taken: `name`, `name 2`, `name 3`... */
+export function freeName(items: readonly Named[], name: string): string {
+  const isTaken = (candidate: string) => items.some((item) => item.name === candidate)
+  if (!isTaken(name)) return name
+  const stem = name.replace(/ \d+$/, '')
+  for (let i = 2; ; i++) if (!isTaken(`${stem} ${i}`)) return `${stem} ${i}`
+}

@@ -1,0 +1,28 @@
+import type { LayerStroke, StudioDocument } from './document.ts'
+import { named } from './names.ts'
+
+/** Adds a stroke at the end. Throws FurrowError when its layer is unknown. */
+export function addStroke(document: StudioDocument, stroke: LayerStroke): StudioDocument {
+  named(document.layers, stroke.layer, 'layer')
+  return { ...document, strokes: [...document.strokes, stroke] }
+}
+
+/** Replaces a stroke by others: none removes it, two split it. */
+export function replaceStroke(
+  document: StudioDocument,
+  stroke: LayerStroke,
+  others: readonly LayerStroke[],
+): StudioDocument {
+  const replaced = others.map(edited)
+  return { ...document, strokes: document.strokes.flatMap((each) => (each === stroke ? replaced : [each])) }
+}
+
+/** A stroke that is automatic no more. */
+export function edited({ isAutomatic: _, ...stroke }: LayerStroke): LayerStroke {
+  return stroke
+}
+
+/** The strokes of a layer, in order. */
+export function strokesOf({ strokes }: StudioDocument, layer: string): LayerStroke[] {
+  return strokes.filter((stroke) => stroke.layer === layer)
+}
