@@ -10,6 +10,8 @@ const PARTS = 32
 const TILE = 8
 /** Owner of a texel far from any island. */
 const NONE = -1
+/** Barycentric coordinate up to which a texel is on the edge of a triangle. */
+const EDGE = 1e-3
 /** Twice the area, in square texels, below which a triangle has no plane to be continued in. */
 const NO_AREA = 1e-9
 
@@ -101,6 +103,17 @@ export class SkinTexels {
       if (isNear(box.subarray(0, 3), box.subarray(3, 6))) this.#visitTile(tile, visit)
     }
     progress?.(1)
+  }
+
+  /** Visits the texels that triangles cover besides their own one: parts of the skin that use the same texels. */
+  visitOverlaps(visit: (texel: number, triangle: number, a: number, b: number, c: number) => void): void {
+    for (let triangle = 0; triangle < this.surface.skinTriangles.length; triangle++) {
+      const corners = skinVertices(this.#skin, this.surface, triangle)
+      coverTexels(this.#skin.uvs, corners, this.width, this.height, (texel, a, b, c) => {
+        // Adjacent triangles both cover the texels of their edge.
+        if (this.#owner[texel] !== triangle && Math.min(a, b, c) > EDGE) visit(texel, triangle, a, b, c)
+      })
+    }
   }
 
   #tileCount(): number {
