@@ -33,7 +33,11 @@ export default defineConfig({
       'preact/jsx-dev-runtime',
       '@preact/signals',
     ],
+    // They find their WebAssembly beside their own modules.
+    exclude: ['ktx2-encoder', '@bokuweb/zstd-wasm'],
   },
+  // Workers load parts of theirs when they are needed.
+  worker: { format: 'es' },
   server: { fs: { allow: [folder('..')] } },
   // The page bundles three.js with both of its renderers.
   build: { outDir: folder('dist'), emptyOutDir: true, chunkSizeWarningLimit: 2500 },
