@@ -32,6 +32,7 @@ export default defineConfig({
       'preact/jsx-runtime',
       'preact/jsx-dev-runtime',
       '@preact/signals',
+      'three-mesh-bvh',
       // Of the worker that packs faces: found late, they would reload the page in the middle of an export.
       'comlink',
       '@gltf-transform/core',
