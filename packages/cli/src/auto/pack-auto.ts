@@ -38,7 +38,7 @@ export async function packAuto(wrinkles: AutoWrinkles, ktx2: boolean, who: strin
     }),
   )
   const weights = areas.map((area) => area.weights)
-  const images = ktx2 ? await encodeAreaArray(weights, who) : await encodeAreaImages(weights, AREAS_PER_IMAGE)
+  const images = ktx2 ? await encodeAreaArray(weights, who) : encodeAreaImages(weights, AREAS_PER_IMAGE)
   const perImage = ktx2 ? AREAS_PER_SLICE : AREAS_PER_IMAGE
   const packed = areas.map(
     ({ name, layer }, i): PackedArea => ({

@@ -2,8 +2,9 @@ import { describeDriver, driversOf, FurrowError } from 'furrow'
 import { createCommand } from '../command.ts'
 
 import { writeAll } from '../files.ts'
-import { type Glb, readGlbFile } from '../gltf/glb-file.ts'
-import { documentOf } from '../gltf/read-document.ts'
+import { documentOf } from '../gltf/document.ts'
+import type { Glb } from '../gltf/glb-file.ts'
+import { readGlbFile } from '../gltf/read-glb-file.ts'
 
 import { allowOutsideOption } from '../options.ts'
 import { checkOutputs } from '../outputs.ts'

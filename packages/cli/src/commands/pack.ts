@@ -1,25 +1,21 @@
 import { join } from 'node:path'
 import { Option } from 'commander'
-import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE, WRINKLE_MAPS } from 'furrow'
+import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE } from 'furrow'
 import { createCommand } from '../command.ts'
 import { cannotRead } from '../errors.ts'
 import { writeAll } from '../files.ts'
 import { FACE_EXTENSIONS, faceFiles } from '../gltf/face-files.ts'
-import { readGlbFile } from '../gltf/glb-file.ts'
-import { jointNamesOf, targetNamesOf } from '../gltf/gltf-json.ts'
 import { addMorphNormals } from '../gltf/morph-normals.ts'
-import { findTarget } from '../gltf/target.ts'
+import { readGlbFile } from '../gltf/read-glb-file.ts'
 import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
 import { checkOutputs, statOf } from '../outputs.ts'
 import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
 import type { AreasPerImage } from '../wrinkles/area-images.ts'
-import { findDriverFaults } from '../wrinkles/driver-faults.ts'
-import { embedWrinkles } from '../wrinkles/embed.ts'
 import { readFolder, readReferenced } from '../wrinkles/folder.ts'
-import { PACK_DEFAULTS, type PackedFolder, packFolder } from '../wrinkles/pack.ts'
+import { PACK_DEFAULTS, type PackedFolder } from '../wrinkles/pack.ts'
+import { packFace } from '../wrinkles/pack-face.ts'
 import { kilobytes } from '../wrinkles/sizes.ts'
-import { stripWrinkles } from '../wrinkles/strip.ts'
 import { strokesBytes } from '../wrinkles/strokes.ts'
 
 const WHO = 'furrow pack'
@@ -108,17 +104,12 @@ async function pack(folder: string, options: Options): Promise<void> {
   const document = await readFolder(folder, whiteIsVisible, WHO)
   if (options.face === undefined) await checkOwnFace(face)
   const glb = await readGlbFile(face, WHO, options)
-  const target = await findTarget(glb, face, WHO, {
-    mesh: options.mesh ?? document.mesh,
-    material: options.material ?? document.material,
-  })
   const read = (uri: string) => readReferenced(folder, uri, WHO, options)
-  const wrinkles = await withBar('pack', (progress) =>
-    packFolder(read, document, { areasPerImage, ktx2, areaSize, size }, WHO, progress),
+  const { mesh: meshName, material: materialName } = options
+  const packOptions = { mesh: meshName, material: materialName, areasPerImage, ktx2, areaSize, size }
+  const { target, wrinkles, warnings } = await withBar('pack', (progress) =>
+    packFace(glb, face, document, read, packOptions, WHO, progress),
   )
-  const material = glb.json.materials![target.material]
-  if (material.extensions?.[WRINKLE_MAPS] !== undefined) stripWrinkles(glb, target.material, WHO)
-  embedWrinkles(glb, target.material, wrinkles, WHO)
   const morphNormals = options.morphNormals
     ? await withBar('normals', (progress) => addMorphNormals(glb, face, target.mesh, WHO, progress))
     : 0
@@ -126,9 +117,8 @@ async function pack(folder: string, options: Options): Promise<void> {
   await writeAll(files, WHO)
 
   const mesh = glb.json.meshes![target.mesh]
-  const { missing } = findDriverFaults(wrinkles.drivers, targetNamesOf(mesh), jointNamesOf(glb.json))
-  const unknown = missing.map((what) => `${WHO}: ${what} does not exist; it is kept`)
-  for (const warning of [...wrinkles.warnings, ...unknown]) warn(warning)
+  const material = glb.json.materials![target.material]
+  for (const warning of warnings) warn(warning)
   const result: Result = {
     file: output,
     mesh: mesh.name,

@@ -5,9 +5,9 @@ import { allowOutsideOption } from '../options.ts'
 import { checkNewFolder } from '../outputs.ts'
 import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
+import { readWrinkledFile } from '../wrinkles/read-wrinkled-file.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
 import { unpackWrinkles } from '../wrinkles/unpack.ts'
-import { readWrinkledFile } from '../wrinkles/wrinkled-file.ts'
 
 const WHO = 'furrow unpack'
 

@@ -7,6 +7,7 @@ import {
   resampleGray,
   type WrinkleSetDocument,
 } from 'furrow'
+import { sameBytes } from '../bytes.ts'
 import { withImageErrors } from '../images/image-errors.ts'
 import { decodeGray } from '../images/pixels.ts'
 import { didYouMean } from '../nearest.ts'
@@ -39,7 +40,7 @@ export interface PackedFolder extends PackedWrinkles {
 }
 
 /** Reads a file by its address in the wrinkle set. */
-type ReadFile = (uri: string) => Promise<Uint8Array>
+export type ReadFile = (uri: string) => Promise<Uint8Array>
 
 /**
  * Encodes the images of a wrinkle set for a file, and reads its strokes.
@@ -74,7 +75,7 @@ export async function packFolder(
   }
   const layers = ktx2 ? await encodeMapArrays(maps, who) : maps
   if (ktx2) step()
-  const images = ktx2 ? await encodeAreaArray(weights, who) : await encodeAreaImages(weights, areasPerImage)
+  const images = ktx2 ? await encodeAreaArray(weights, who) : encodeAreaImages(weights, areasPerImage)
   if (ktx2) step()
   const perImage = ktx2 ? AREAS_PER_SLICE : areasPerImage
   const areas = document.areas.map(
@@ -105,17 +106,16 @@ async function packLayers(
   step: () => void,
 ): Promise<(LayerImages & { normal: CheckedImage })[]> {
   // Maps with the same bytes are stored once.
-  const loaded = new Map<string, CheckedImage>()
+  const loaded: { kind: string; bytes: Uint8Array; image: CheckedImage }[] = []
   const load = async (uri: string | undefined, name: string, kind: 'normals' | 'values' = 'values') => {
     if (uri === undefined) return undefined
     const bytes = await read(uri)
-    const key = `${kind} ${Buffer.from(bytes).toString('latin1')}`
-    const image =
-      loaded.get(key) ??
-      (await withImageErrors(uri, who, async () =>
-        scaledTo(size, await checkMap(bytes, name, uri, who), kind),
-      ))
-    loaded.set(key, image)
+    const known = loaded.find((other) => other.kind === kind && sameBytes(other.bytes, bytes))
+    if (known) return known.image
+    const image = await withImageErrors(uri, who, async () =>
+      scaledTo(size, await checkMap(bytes, name, uri, who), kind, who),
+    )
+    loaded.push({ kind, bytes, image })
     return image
   }
   const packed: (LayerImages & { normal: CheckedImage })[] = []
@@ -139,8 +139,13 @@ async function packLayers(
   return packed
 }
 
-async function scaledTo(size: number | undefined, image: CheckedImage, kind: 'normals' | 'values') {
-  return size === undefined ? image : scaleMap(image, size, kind)
+async function scaledTo(
+  size: number | undefined,
+  image: CheckedImage,
+  kind: 'normals' | 'values',
+  who: string,
+) {
+  return size === undefined ? image : scaleMap(image, size, kind, who)
 }
 
 async function readWeights(

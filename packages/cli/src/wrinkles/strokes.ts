@@ -1,7 +1,9 @@
 import { FurrowError, WRINKLE_MAPS } from 'furrow'
 import { parseStrokes } from 'furrow/author'
+import { utf8 } from '../bytes.ts'
 import { withCommandErrors } from '../errors.ts'
-import { checkFileBytes, parseJson } from '../inputs.ts'
+import { checkFileBytes } from '../file-size.ts'
+import { parseJson } from '../json-file.ts'
 import { didYouMean } from '../nearest.ts'
 import type { WrinkledFile } from './wrinkled-file.ts'
 
@@ -26,7 +28,7 @@ export function readStrokes(
   who: string,
 ): StoredStrokes {
   checkFileBytes(bytes.length, path, who, MAX_STROKES_BYTES)
-  const json = parseJson(Buffer.from(bytes), `the strokes ${path}`, who)
+  const json = parseJson(bytes, `the strokes ${path}`, who)
   return checkedStrokes(json, layers, `${who}: ${path}`)
 }
 
@@ -48,13 +50,13 @@ export function strokesIn(
 
 /** The bytes of strokes in a file. */
 export function strokesBytes(strokes: object | undefined): number {
-  return strokes === undefined ? 0 : Buffer.byteLength(JSON.stringify(strokes))
+  return strokes === undefined ? 0 : utf8(JSON.stringify(strokes)).length
 }
 
 /** Strokes as a file: each stroke and each area on a line of its own. */
-export function strokesFile(strokes: object): Buffer {
+export function strokesFile(strokes: object): Uint8Array {
   const fields = Object.entries(strokes).map(([name, value]) => `  "${name}": ${fieldText(value)}`)
-  return Buffer.from(`{\n${fields.join(',\n')}\n}\n`)
+  return utf8(`{\n${fields.join(',\n')}\n}\n`)
 }
 
 function fieldText(value: unknown): string {

@@ -1,12 +1,13 @@
 import type { GrayImage, TextureReference, WrinkleSetDocument } from 'furrow'
 import { fileNamesOf } from 'furrow/author'
+import { decodeImage } from '#platform/images'
+import { utf8 } from '../bytes.ts'
 import type { OutputFile } from '../files.ts'
 import { namesOfTarget } from '../gltf/target.ts'
 import { imageOf, isKtx2 } from '../gltf/texture-image.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
-import { encodeArea, encodePngWithoutOpaqueAlpha } from '../images/encode.ts'
-import { withImageErrors } from '../images/image-errors.ts'
-import { openImage } from '../images/open-image.ts'
+import { isOpaque, withoutAlpha } from '../images/pixels.ts'
+import { encodePortablePng } from '../images/png.ts'
 import type { Progress } from '../progress.ts'
 import { addressOf, STROKES_FILE } from './folder-document.ts'
 import { weightsOf } from './inspect.ts'
@@ -63,7 +64,7 @@ export async function unpackWrinkles(
   const areaEntries: WrinkleSetDocument['areas'] = []
   for (const [i, area] of maps.areas.entries()) {
     const path = `areas/${areaFiles[i]}.png`
-    outputs.push({ path, bytes: await encodeWeights(areas[i], whiteIsVisible) })
+    outputs.push({ path, bytes: encodeWeights(areas[i], whiteIsVisible) })
     areaEntries.push({
       name: area.name,
       image: addressOf(path),
@@ -88,22 +89,21 @@ export async function unpackWrinkles(
   }
   const text = `${JSON.stringify(document, null, 2)}\n`
   const warnings = problem === undefined ? [] : [problem]
-  return { files: [{ path: 'wrinkles.json', bytes: Buffer.from(text) }, ...outputs], warnings }
+  return { files: [{ path: 'wrinkles.json', bytes: utf8(text) }, ...outputs], warnings }
 }
 
 /** A map as a PNG file; one that is PNG already is decoded to check it, and not encoded again. */
 async function pngOf({ glb }: WrinkledFile, info: TextureReference, who: string): Promise<Uint8Array> {
-  const encoded = imageOf(glb, info.index, who)
-  if (isKtx2(encoded)) return encodePngWithoutOpaqueAlpha(await pixelsOf(glb, info, who))
-  const name = `"${encoded.name}"`
-  const { image, type } = await openImage(encoded.bytes, name, who)
-  if (type !== 'image/png')
-    return withImageErrors(name, who, () => image.png({ compressionLevel: 9 }).toBuffer())
-  await withImageErrors(name, who, () => image.stats())
-  return encoded.bytes
+  const image = imageOf(glb, info.index, who)
+  const pixels = isKtx2(image)
+    ? await pixelsOf(glb, info, who)
+    : await decodeImage(image.bytes, `"${image.name}"`, who)
+  if (image.mimeType === 'image/png') return image.bytes
+  return encodePortablePng(isOpaque(pixels) ? withoutAlpha(pixels) : pixels)
 }
 
-function encodeWeights(weights: GrayImage, whiteIsVisible: boolean): Promise<Uint8Array> {
-  if (!whiteIsVisible) return encodeArea(weights)
-  return encodeArea({ ...weights, data: weights.data.map((weight) => 255 - weight) })
+/** The weights of an area as an 8-bit gray PNG file; in the paper's convention white = no wrinkles. */
+function encodeWeights({ width, height, data }: GrayImage, whiteIsVisible: boolean): Uint8Array {
+  const gray = whiteIsVisible ? data : data.map((weight) => 255 - weight)
+  return encodePortablePng({ width, height, channels: 1, data: gray })
 }
