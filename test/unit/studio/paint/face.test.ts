@@ -3,7 +3,7 @@ import { fileURLToPath } from 'node:url'
 import type { Mesh } from 'three'
 import { Ray, Vector3 } from 'three'
 import { describe, expect, it } from 'vitest'
-import { BRUSH_DEFAULTS } from '../../../../studio/src/paint/brush.ts'
+import { BRUSH_DEFAULTS, falloff } from '../../../../studio/src/paint/brush.ts'
 import { BrushStroke } from '../../../../studio/src/paint/brush-stroke.ts'
 import type { SkinPoint } from '../../../../studio/src/paint/paint-skin.ts'
 import { SkinPicker } from '../../../../studio/src/paint/picker.ts'
@@ -37,22 +37,26 @@ describe.each(FACES)('painting on %s', async (_, path, name) => {
 
   it('leaves no trace at seams of the texture, wherever they are', () => {
     const seams = seamPoints(skin)
-    const image = empty(SIZE)
-    let [worst, count] = [0, 0]
-    for (const { position, triangle, uvs } of seams.filter(
-      (__, i) => i % Math.ceil(seams.length / 12) === 0,
-    )) {
-      const settings = { ...BRUSH_DEFAULTS, radius: 9, softness: 1, flow: 1 }
-      const stroke = new BrushStroke(image, settings, skin)
-      stroke.moveTo({ triangle, position })
-      const { data } = stroke.end().image
-      const [one, other] = uvs.map(([u, v]) => sample(data, SIZE, u, v))
-      worst = Math.max(worst, Math.abs(one - other))
-      count++
+    const chosen = seams.filter((_, i) => i % Math.ceil(seams.length / 12) === 0)
+    const settings = { ...BRUSH_DEFAULTS, radius: 9, softness: 1, flow: 1 }
+    let beyond = 0
+    for (const { position, triangles } of chosen) {
+      const stroke = new BrushStroke(empty(SIZE), settings, skin)
+      stroke.moveTo({ triangle: triangles[0], position })
+      const places = [...placesOf(map, stroke.end().image)].map((place) => ({
+        ...place,
+        distance: Math.hypot(place.x - position[0], place.y - position[1], place.z - position[2]),
+      }))
+      // On the two triangles of the edge, and where either continues beyond its island as far as filtering reads.
+      const beside = places.filter(({ triangle, distance }) => triangles.includes(triangle) && distance < 9)
+      const wrong = beside.filter(
+        ({ weight, distance }) => Math.abs(weight - 255 * falloff(distance, 9, 1)) > 1,
+      )
+      expect(wrong).toEqual([])
+      beyond += beside.filter(({ isBeyond }) => isBeyond).length
     }
-    if (seams.length > 0) expect(count).toBeGreaterThan(5)
-    // At the centre of a dab, where bilinear filtering lowers the peak by as much as its curvature within a texel.
-    expect(worst).toBeLessThan(40)
+    // The texture of the scan has no seams.
+    expect(beyond > 20 || seams.length === 0).toBe(true)
   })
 
   it('is the same in 5 points of a stroke and in 500', () => {
@@ -89,7 +93,7 @@ describe.each(FACES)('painting on %s', async (_, path, name) => {
       const next = hits[i + 1]
       return Math.abs(x) < 5 && y > -85 && y < -55 && next && !skinPath(surface, hits[i], next)
     })
-    if (mouth < 0) return
+    expect(mouth).toBeGreaterThanOrEqual(0)
     const [lower, upper] = [hits[mouth], hits[mouth + 1]]
     const stroke = new BrushStroke(empty(SIZE), { ...BRUSH_DEFAULTS, radius: 5, flow: 1 }, skin)
     stroke.moveTo(upper)
@@ -103,10 +107,10 @@ describe.each(FACES)('painting on %s', async (_, path, name) => {
   })
 })
 
-/** Points in the middle of edges where the texture is cut, with the texture coordinates on both sides. */
+/** The middles of edges where the texture is cut, and the two triangles of each. */
 function seamPoints({ skin: { uvs, indices }, surface }: ReturnType<typeof paintSkin>) {
   const { adjacent, corners, skinTriangles, pointOf, points } = surface
-  const found: (SkinPoint & { uvs: [number, number][] })[] = []
+  const found: { position: SkinPoint['position']; triangles: [number, number] }[] = []
   for (let i = 0; i < adjacent.length; i++) {
     const [triangle, next] = [Math.floor(i / 3), adjacent[i]]
     if (next < triangle) continue
@@ -114,27 +118,13 @@ function seamPoints({ skin: { uvs, indices }, surface }: ReturnType<typeof paint
     const middles = [triangle, next].map((t) => {
       const vertices = [0, 1, 2].map((k) => indices[3 * skinTriangles[t] + k])
       const edge = ends.map((end) => vertices.find((vertex) => pointOf[vertex] === end)!)
-      return [0, 1].map((k) => (uvs[2 * edge[0] + k] + uvs[2 * edge[1] + k]) / 2) as [number, number]
+      return [0, 1].map((k) => (uvs[2 * edge[0] + k] + uvs[2 * edge[1] + k]) / 2)
     })
-    const gap = Math.hypot(middles[0][0] - middles[1][0], middles[0][1] - middles[1][1])
-    if (gap < 0.02) continue
-    const position = [0, 1, 2].map((k) => (points[3 * ends[0] + k] + points[3 * ends[1] + k]) / 2)
-    found.push({ triangle, position: position as [number, number, number], uvs: middles })
+    if (Math.hypot(middles[0][0] - middles[1][0], middles[0][1] - middles[1][1]) < 0.02) continue
+    const [x, y, z] = [0, 1, 2].map((k) => (points[3 * ends[0] + k] + points[3 * ends[1] + k]) / 2)
+    found.push({ position: [x, y, z], triangles: [triangle, next] })
   }
   return found
-}
-
-/** As a renderer filters. */
-function sample(data: Uint8Array, size: number, u: number, v: number): number {
-  const [x, y] = [u * size - 0.5, v * size - 0.5]
-  const [i, j] = [Math.floor(x), Math.floor(y)]
-  const at = (column: number, row: number) =>
-    data[Math.min(Math.max(row, 0), size - 1) * size + Math.min(Math.max(column, 0), size - 1)]
-  const [fx, fy] = [x - i, y - j]
-  return (
-    (1 - fy) * ((1 - fx) * at(i, j) + fx * at(i + 1, j)) +
-    fy * ((1 - fx) * at(i, j + 1) + fx * at(i + 1, j + 1))
-  )
 }
 
 /** Points at even fractions of the way along a path; the last is its end. */
