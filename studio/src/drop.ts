@@ -1,5 +1,9 @@
-/** Accepts files dropped anywhere on the page; `overlay` is visible while files are dragged over it. */
-export function acceptDrops(overlay: HTMLElement, onFiles: (files: File[]) => void): void {
+/**
+ * Accepts files dropped or pasted anywhere on the page; `overlay` is visible while files are dragged over it.
+ *
+ * @param onFiles must read what it gets at once.
+ */
+export function acceptFiles(overlay: HTMLElement, onFiles: (files: DataTransfer) => void): void {
   const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false
   addEventListener('dragover', (event) => {
     if (!hasFiles(event)) return
@@ -15,6 +19,9 @@ export function acceptDrops(overlay: HTMLElement, onFiles: (files: File[]) => vo
     if (!hasFiles(event)) return
     event.preventDefault()
     overlay.hidden = true
-    onFiles([...event.dataTransfer!.files])
+    onFiles(event.dataTransfer!)
+  })
+  addEventListener('paste', ({ clipboardData }) => {
+    if (clipboardData?.types.includes('Files')) onFiles(clipboardData)
   })
 }

@@ -17,21 +17,7 @@ export interface Page {
   errors: HTMLElement
   notes: HTMLElement
   dropping: HTMLElement
-  face: HTMLSelectElement
-  renderer: HTMLElement
-  mode: HTMLElement
-  look: HTMLElement
-  areaRow: HTMLElement
-  area: HTMLSelectElement
-  expressions: HTMLElement
-  areas: HTMLElement
-  resetAreas: HTMLButtonElement
-  files: HTMLInputElement
-  convention: HTMLInputElement
-  targets: HTMLElement
-  resetTargets: HTMLButtonElement
-  filter: HTMLInputElement
-  found: HTMLElement
+  panel: HTMLElement
 }
 
 const IDS: Record<keyof Page, string> = {
@@ -52,21 +38,7 @@ const IDS: Record<keyof Page, string> = {
   errors: 'errors',
   notes: 'notes',
   dropping: 'dropping',
-  face: 'face',
-  renderer: 'renderer',
-  mode: 'mode',
-  look: 'look',
-  areaRow: 'area-row',
-  area: 'area',
-  expressions: 'expressions',
-  areas: 'areas',
-  resetAreas: 'reset-areas',
-  files: 'files',
-  convention: 'convention',
-  targets: 'targets',
-  resetTargets: 'reset-targets',
-  filter: 'filter',
-  found: 'found',
+  panel: 'panel',
 }
 
 export function findPage(): Page {

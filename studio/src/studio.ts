@@ -1,37 +1,49 @@
+import { effect, signal } from '@preact/signals'
+import type { AreaConvention } from 'furrow'
 import { VIEWS, type ViewName } from '../../stage/views.ts'
 import { readArea } from './area-file.ts'
+import { Buttons } from './buttons.ts'
+import { displayName } from './display-name.ts'
 import { Divider } from './divider.ts'
-import { acceptDrops } from './drop.ts'
+import { acceptFiles } from './drop.ts'
 import { Loading } from './loading.ts'
 import { Loop } from './loop.ts'
 import { Messages } from './messages.ts'
 import { Meter } from './meter.ts'
 import { reducedMotion } from './motion.ts'
+import { faceOf, openDropped } from './open/avatar.ts'
+import { type DroppedFile, filesOfInput, filesOfTransfer } from './open/dropped-files.ts'
+import { sortFiles } from './open/sort-files.ts'
 import type { Page } from './page.ts'
-import { Buttons } from './panel/buttons.ts'
-import { Panel } from './panel/panel.ts'
+import type { Hovered, PanelModel } from './panels/model.ts'
+import { showPanel } from './panels/show-panel.tsx'
 import { savePicture } from './save-picture.ts'
 import { adapterName } from './viewer/adapter.ts'
-import { listFaces } from './viewer/faces.ts'
+import { fetchFace, listFaces } from './viewer/faces.ts'
 import { lookLabel } from './viewer/looks.ts'
 import type { Viewer } from './viewer/viewer.ts'
-import { ViewerHost } from './viewer/viewer-host.ts'
+import { type LoadAvatar, ViewerHost } from './viewer/viewer-host.ts'
 
 /** Seconds of the transition from one expression to another. */
 const EXPRESSION_TIME = 0.35
 
-/** The application: applies what the controls request to the viewer, and shows the result. */
+/** The application: applies what the controls request, and shows the result. */
 export class Studio {
   readonly #page: Page
   readonly #messages: Messages
   readonly #loading: Loading
-  readonly #panel: Panel
   readonly #views: Buttons<ViewName>
   readonly #divider: Divider
   readonly #meter: Meter
   readonly #loop: Loop
   readonly #host: ViewerHost
-  #expression: string | null = null
+
+  readonly #faces = signal<readonly string[]>([])
+  readonly #shown = signal<Viewer | null>(null)
+  readonly #frame = signal(0)
+  readonly #revision = signal(0)
+  readonly #expression = signal<string | null>(null)
+  readonly #hovered = signal<Hovered | null>(null)
 
   constructor(page: Page) {
     this.#page = page
@@ -54,7 +66,7 @@ export class Studio {
       loading,
       loop: this.#loop,
       onOpen: (viewer) => this.#show(viewer),
-      onSettled: () => this.#panel.refresh(),
+      onSettled: () => this.#refresh(),
     })
     const views = Object.keys(VIEWS) as ViewName[]
     this.#views = new Buttons(page.views, views, (name) => this.#goTo(name), { 'three-quarter': '3/4' })
@@ -62,54 +74,102 @@ export class Studio {
       if (this.#viewer) this.#viewer.split = position
       this.#loop.wake()
     })
-    this.#panel = new Panel(page, {
-      face: (name) => this.#host.open(this.#viewer?.kind ?? 'webgl', name),
-      renderer: (kind) => this.#host.open(kind),
-      mode: (mode) =>
-        this.#change((viewer) => {
-          viewer.mode = mode
-        }),
-      look: (look) =>
-        this.#change((viewer) => {
-          viewer.look = look
-        }),
-      play: (name) => this.#play(name),
-      input: (dial, value) => this.#set(() => dial.write(value)),
-      reset: (dials) =>
-        this.#set(() => {
-          for (const dial of dials) dial.write(0)
-        }),
-      addAreas: (files) => this.#addAreas(files),
-      removeArea: (name) => this.#removeArea(name),
-      highlight: (areas) => this.#change((viewer) => viewer.highlight(areas)),
-    })
+    showPanel(page.panel, this.#panelModel())
+    effect(() => this.#highlight(this.#hovered.value))
     page.screenshot.addEventListener('click', () => this.#savePicture())
     page.uvLayout.addEventListener('click', () => this.#saveUvLayout())
-    acceptDrops(page.dropping, (files) => this.#addAreas(files))
+    acceptFiles(page.dropping, (files) => this.#openFiles(() => filesOfTransfer(files)))
   }
 
   /** Lists the faces and opens the first, or the one that the URL names: `?renderer=webgpu&face=human-2`. */
   async start(): Promise<void> {
     this.#loading.show('Listing faces')
     await this.#messages.attempt(async () => {
-      const names = await listFaces()
-      this.#panel.setFaces(names)
+      this.#faces.value = await listFaces()
       const query = new URLSearchParams(location.search)
-      const name = names.find((known) => known === query.get('face')) ?? names[0]
-      await this.#host.open(query.get('renderer') === 'webgpu' ? 'webgpu' : 'webgl', name)
+      const name = this.#faces.value.find((known) => known === query.get('face')) ?? this.#faces.value[0]
+      await this.#host.open(query.get('renderer') === 'webgpu' ? 'webgpu' : 'webgl', this.#fetch(name))
     })
     if (!this.#viewer) this.#loading.done()
     else this.#play('surprised')
+  }
+
+  #panelModel(): PanelModel {
+    return {
+      faces: this.#faces,
+      viewer: this.#shown,
+      frame: this.#frame,
+      revision: this.#revision,
+      expression: this.#expression,
+      hovered: this.#hovered,
+      actions: {
+        openFiles: (files) => this.#openFiles(async () => filesOfInput(files)),
+        openFace: (name) => this.#open(this.#fetch(name)),
+        chooseSkin: (skin) => this.#open(async (shown) => ({ ...shown!, skin })),
+        setRenderer: (kind) => this.#host.open(kind),
+        setMode: (mode) =>
+          this.#change((viewer) => {
+            viewer.mode = mode
+          }),
+        setLook: (look) =>
+          this.#change((viewer) => {
+            viewer.look = look
+          }),
+        play: (name) => this.#play(name),
+        input: (dial, value) => this.#set(() => dial.write(value)),
+        reset: (dials) =>
+          this.#set(() => {
+            for (const dial of dials) dial.write(0)
+          }),
+        addAreaImages: (files, convention) => this.#addAreas(files, convention),
+        removeArea: (name) => this.#removeArea(name),
+      },
+    }
   }
 
   get #viewer(): Viewer | null {
     return this.#host.viewer
   }
 
+  /** One of the faces on the server. */
+  #fetch(name: string): LoadAvatar {
+    const title = `Loading ${displayName(name)}`
+    return () => {
+      this.#loading.show(title, 0)
+      return fetchFace(name, (fraction) => this.#loading.show(title, fraction))
+    }
+  }
+
+  #open(load: LoadAvatar): Promise<unknown> {
+    return this.#host.open(this.#viewer?.kind ?? 'webgl', load)
+  }
+
+  /**
+   * Opens what was dropped: an avatar, wrinkles for the one on the stage, or areas.
+   *
+   * @param list is called at once: what was dropped is gone after its event.
+   */
+  async #openFiles(list: () => Promise<DroppedFile[]>): Promise<void> {
+    await this.#messages.attempt(async () => {
+      const dropped = await sortFiles(await list())
+      if (dropped.kind === 'areas') {
+        const images = dropped.images.map(({ file }) => file)
+        return this.#addAreas(images, 'paper')
+      }
+      await this.#open(async (shown) => {
+        const name = dropped.kind === 'avatar' ? dropped.face.file.name : dropped.wrinkles.name
+        this.#loading.show(`Loading ${name}`)
+        const avatar = await openDropped(dropped, shown)
+        this.#messages.note(avatar.notes.join('. '))
+        return avatar
+      })
+    })
+  }
+
   #show(viewer: Viewer): void {
     viewer.split = this.#divider.position
-    this.#panel.show(viewer)
-    this.#showLabels()
+    this.#shown.value = viewer
+    this.#refresh()
     this.#meter.reset()
   }
 
@@ -118,7 +178,7 @@ export class Studio {
     this.#viewer?.advance(delta)
     this.#host.orbit?.advance(delta)
     this.#views.show(this.#host.orbit?.view ?? null)
-    if (wasMoving) this.#panel.follow()
+    if (wasMoving) this.#frame.value++
   }
 
   get #moving(): boolean {
@@ -133,9 +193,7 @@ export class Studio {
   #play(name: string): void {
     this.#change((viewer) => {
       viewer.play(name, reducedMotion.matches ? 0 : EXPRESSION_TIME)
-      this.#expression = name
-      this.#panel.showExpression(name)
-      this.#panel.follow()
+      this.#expression.value = name
     })
   }
 
@@ -144,9 +202,7 @@ export class Studio {
     this.#change((viewer) => {
       viewer.advance(Number.POSITIVE_INFINITY)
       write()
-      this.#expression = null
-      this.#panel.showExpression(null)
-      this.#panel.follow()
+      this.#expression.value = null
     })
   }
 
@@ -157,14 +213,21 @@ export class Studio {
     void this.#messages
       .attempt(() => task(viewer))
       .then(() => {
-        this.#panel.refresh()
-        this.#showLabels()
+        this.#refresh()
         this.#loop.wake()
       })
   }
 
-  async #addAreas(files: File[]): Promise<void> {
-    const { convention } = this.#panel
+  /** Shows which areas the pointer or focus is on, or which ones the blendshape moves. */
+  #highlight(hovered: Hovered | null): void {
+    const viewer = this.#viewer
+    if (!viewer) return
+    if (!hovered) viewer.highlight([])
+    else viewer.highlight(hovered.kind === 'area' ? [hovered.name] : viewer.drivenBy(hovered.name))
+    this.#loop.wake()
+  }
+
+  async #addAreas(files: readonly File[], convention: AreaConvention): Promise<void> {
     for (const file of files) {
       await this.#messages.attempt(async () => {
         const area = await readArea(file, convention)
@@ -172,8 +235,8 @@ export class Studio {
         if (!viewer) return
         viewer.addArea(area)
         // Fully active, so that the new area is visible at once.
-        viewer.wrinkles.setActivation(area.name, 1)
-        this.#panel.show(viewer)
+        viewer.wrinkles?.setActivation(area.name, 1)
+        this.#refresh()
         this.#messages.note(`Added area ${area.name}`)
         this.#loop.wake()
       })
@@ -182,8 +245,8 @@ export class Studio {
 
   #removeArea(name: string): void {
     this.#change((viewer) => {
+      this.#hovered.value = null
       viewer.removeArea(name)
-      this.#panel.show(viewer)
       this.#messages.note(`Removed area ${name}`)
     })
   }
@@ -193,7 +256,7 @@ export class Studio {
       const viewer = this.#viewer
       if (!viewer) return
       viewer.draw()
-      const words = ['furrow', viewer.loaded.name, this.#expression, viewer.look.name]
+      const words = ['furrow', viewer.avatar.name, this.#expression.value, viewer.look.name]
       await savePicture(viewer.canvas, `${words.filter(Boolean).join('-')}.png`)
       this.#messages.note('Saved the picture')
     })
@@ -204,12 +267,16 @@ export class Studio {
       const viewer = this.#viewer
       if (!viewer) return
       const { drawUvPicture } = await import('./uv-picture.ts')
-      await savePicture(drawUvPicture(viewer.wrinkles.mesh), `${viewer.loaded.name}-uv.png`)
+      const { skin } = faceOf(viewer.avatar)
+      await savePicture(drawUvPicture(skin), `${viewer.avatar.name}-uv.png`)
       this.#messages.note('Saved the UV layout: paint over it')
     })
   }
 
-  #showLabels(): void {
+  /** Updates the controls and labels to the viewer. */
+  #refresh(): void {
+    this.#revision.value++
+    this.#frame.value++
     const viewer = this.#viewer
     if (!viewer) return
     this.#page.sideWith.textContent = lookLabel(viewer.look, viewer.mode)

@@ -30,9 +30,7 @@ export const HEAD_BYTES = 1024
 /** Tells what a file is by its first bytes; undefined where it cannot be told. */
 export function kindOf(bytes: Uint8Array): FileKind | undefined {
   if (bytes.length === 0) return 'empty'
-  const head = Buffer.from(bytes.buffer, bytes.byteOffset, Math.min(bytes.length, HEAD_BYTES)).toString(
-    'latin1',
-  )
+  const head = String.fromCharCode(...bytes.subarray(0, HEAD_BYTES))
   const found = KINDS.find(([, begin]) => {
     return begin instanceof RegExp ? begin.test(head) : begin.some((text) => head.startsWith(text))
   })

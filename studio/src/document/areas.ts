@@ -2,6 +2,7 @@ import { type Combine, FurrowError, type GrayImage, MAX_AREAS } from 'furrow'
 import type { StudioArea, StudioDocument } from './document.ts'
 import { driversOfNewArea, renameInDrivers, withoutArea } from './drivers.ts'
 import { checkNewName, freeName, named, withNamed } from './names.ts'
+import { edited } from './strokes.ts'
 
 /** Fields of an area that are set as they are. */
 export type AreaFields = Partial<Pick<StudioArea, 'layer' | 'combine' | 'activation'>>
@@ -39,10 +40,14 @@ export function renameArea(document: StudioDocument, name: string, newName: stri
   checkNewName(document.areas, newName, 'area')
   return {
     ...document,
-    areas: withNamed(document.areas, name, 'area', (area) => ({ ...area, name: newName })),
+    // Under another name, an automatic area would not be found again.
+    areas: withNamed(document.areas, name, 'area', ({ isAutomatic: _, ...area }) => ({
+      ...area,
+      name: newName,
+    })),
     drivers: renameInDrivers(document.drivers, name, newName),
     strokes: document.strokes.map((stroke) =>
-      stroke.group === name ? { ...stroke, group: newName } : stroke,
+      stroke.group === name ? edited({ ...stroke, group: newName }) : stroke,
     ),
   }
 }
@@ -50,7 +55,8 @@ export function renameArea(document: StudioDocument, name: string, newName: stri
 /** Copies an area with the drivers that activate it, under another name. */
 export function duplicateArea(document: StudioDocument, name: string): StudioDocument {
   const copy = freeName(document.areas, name)
-  const added = addArea(document, { ...named(document.areas, name, 'area'), name: copy })
+  const { isAutomatic: _, ...area } = named(document.areas, name, 'area')
+  const added = addArea(document, { ...area, name: copy })
   return { ...added, drivers: [...document.drivers, ...driversOfNewArea(document.drivers, name, copy)] }
 }
 
@@ -70,10 +76,11 @@ export function setArea(document: StudioDocument, name: string, fields: AreaFiel
   return { ...document, areas: withNamed(document.areas, name, 'area', (area) => ({ ...area, ...fields })) }
 }
 
-/** Replaces the weights of an area: what was painted. */
+/** Replaces the weights of an area: what was painted. It is automatic no more. */
 export function paintArea(document: StudioDocument, name: string, weights: GrayImage): StudioDocument {
   checkSize(document, weights)
-  return { ...document, areas: withNamed(document.areas, name, 'area', (area) => ({ ...area, weights })) }
+  const paint = ({ isAutomatic: _, ...area }: StudioArea) => ({ ...area, weights })
+  return { ...document, areas: withNamed(document.areas, name, 'area', paint) }
 }
 
 function checkSize({ areaSize }: StudioDocument, { width, height }: GrayImage): void {

@@ -1,7 +1,23 @@
+import { FurrowError, MAX_LAYERS } from 'furrow'
 import { type AutoWrinkles, strokesOf } from 'furrow/author'
-import { type AutoSettings, LAYER_DEFAULTS, type LayerStroke, type StudioDocument } from './document.ts'
+import {
+  type AutoSettings,
+  LAYER_DEFAULTS,
+  type LayerStroke,
+  type StudioArea,
+  type StudioDocument,
+  type StudioLayer,
+} from './document.ts'
+import { areaOf } from './drivers.ts'
 
-/** A document of automatic wrinkles: their lines as strokes, which draw the maps; areas, drivers and expressions. */
+/** Names that `autoWrinkles` gives to layers. */
+const AUTOMATIC_LAYER = /^auto\d$/
+
+/**
+ * A document of automatic wrinkles: their lines as strokes, which draw the maps; areas, drivers and expressions.
+ *
+ * @param names of the mesh and the material.
+ */
 export function automaticDocument(
   wrinkles: AutoWrinkles,
   auto: AutoSettings,
@@ -9,21 +25,100 @@ export function automaticDocument(
   names: Pick<StudioDocument, 'mesh' | 'material'>,
 ): StudioDocument {
   const { layers, areas, expressions, scale } = wrinkles
+  const isAutomatic = true
   return {
     ...names,
     scale,
     mapSize: auto.size,
     areaSize,
     layers: layers.map(({ name }) => ({ ...LAYER_DEFAULTS, name })),
-    areas: areas.map(({ name, layer, weights }) => ({
-      name,
-      layer: layers[layer].name,
-      combine: 'sum',
-      activation: 0,
-      weights,
-    })),
-    strokes: strokesOf(wrinkles).strokes as LayerStroke[],
+    areas: areas.map(({ name, layer, weights }): StudioArea => {
+      return { name, layer: layers[layer].name, combine: 'sum', activation: 0, weights, isAutomatic }
+    }),
+    strokes: (strokesOf(wrinkles).strokes as LayerStroke[]).map((stroke) => ({ ...stroke, isAutomatic })),
     drivers: [...areas.map(({ driver }) => driver), ...expressions],
     auto,
   }
+}
+
+/**
+ * Replaces the automatic wrinkles of a document by others, and keeps what an artist has made or changed: areas that were painted with the
+ * strokes of their group, strokes that were bent, layers with images, and drivers of areas that stay.
+ */
+export function remake(document: StudioDocument, made: StudioDocument): StudioDocument {
+  const keptAreas = document.areas.filter((area) => !area.isAutomatic)
+  const keptNames = new Set(keptAreas.map(({ name }) => name))
+  const keptStrokes = document.strokes.filter(
+    ({ isAutomatic, group }) => !isAutomatic || (group !== undefined && keptNames.has(group)),
+  )
+  // Where one line of a group was bent, the others of the group stay as they are beside it.
+  const keptGroups = new Set(keptStrokes.map(({ group }) => group))
+  const stays = ({ group }: LayerStroke) => keptGroups.has(group)
+  const strokes = [
+    ...document.strokes.filter(stays),
+    ...made.strokes.filter((stroke) => !stays(stroke) && !keptNames.has(stroke.group ?? '')),
+  ]
+  const areas = [...keptAreas, ...made.areas.filter(({ name }) => !keptNames.has(name))]
+  return {
+    ...made,
+    areaSize: document.areaSize,
+    areas: withOldLayers(areas, document, strokes),
+    strokes,
+    layers: joinedLayers(document, made, areas, strokes),
+    drivers: [
+      ...document.drivers.filter((driver) => {
+        const area = areaOf(driver)
+        return area === undefined ? driver.type !== 'expression' : keptNames.has(area)
+      }),
+      ...made.drivers.filter((driver) => !keptNames.has(areaOf(driver) ?? '')),
+    ],
+  }
+}
+
+/** How many layers automatic wrinkles may have: those that an artist has made stay. Throws FurrowError where none is left. */
+export function layersLeft(document: StudioDocument | null): number {
+  const own = (document?.layers ?? []).filter(({ name }) => !AUTOMATIC_LAYER.test(name)).length
+  if (own < MAX_LAYERS) return MAX_LAYERS - own
+  throw new FurrowError({
+    code: 'out-of-range',
+    who: 'Studio',
+    what: 'no layer is left for automatic wrinkles',
+    value: own,
+    limit: `${MAX_LAYERS} layers, at least one of them automatic`,
+    remedy: 'remove one first',
+  })
+}
+
+/** Areas on the layer where their lines are: those whose lines stay do not move to another. */
+function withOldLayers(
+  areas: readonly StudioArea[],
+  document: StudioDocument,
+  strokes: readonly LayerStroke[],
+): StudioArea[] {
+  const staying = new Set<LayerStroke>(document.strokes)
+  return areas.map((area) => {
+    const line = strokes.find((stroke) => staying.has(stroke) && isOf(stroke, area.name))
+    return line && area.isAutomatic ? { ...area, layer: line.layer } : area
+  })
+}
+
+/** Left and right may have their lines in common, in a group without a side. */
+function isOf({ group }: LayerStroke, area: string): boolean {
+  return group === area || group === area.replace(/(Left|Right)$/, '')
+}
+
+/** The layers of both that are in use, those of the document as they are. */
+function joinedLayers(
+  document: StudioDocument,
+  made: StudioDocument,
+  areas: readonly StudioArea[],
+  strokes: readonly LayerStroke[],
+): StudioLayer[] {
+  const used = new Set([...areas, ...strokes].map(({ layer }) => layer))
+  const old = document.layers.filter(({ name, maps }) => used.has(name) || Object.keys(maps).length > 0)
+  const names = new Set(old.map(({ name }) => name))
+  return [...old, ...made.layers.filter(({ name }) => !names.has(name) && used.has(name))].slice(
+    0,
+    MAX_LAYERS,
+  )
 }

@@ -67,10 +67,16 @@ export interface StudioArea {
   readonly activation: number
   /** Of `areaSize`. */
   readonly weights: GrayImage
+  /** Made by `autoWrinkles` and not painted since: made anew with the other automatic wrinkles. */
+  readonly isAutomatic?: boolean
 }
 
 /** A stroke with the name of its layer. */
-export type LayerStroke = Stroke & { readonly layer: string }
+export type LayerStroke = Stroke & {
+  readonly layer: string
+  /** Made by `autoWrinkles` and not bent since. */
+  readonly isAutomatic?: boolean
+}
 
 /** Options of `autoWrinkles` that the studio offers. */
 export interface AutoSettings {

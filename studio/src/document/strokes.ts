@@ -13,7 +13,13 @@ export function replaceStroke(
   stroke: LayerStroke,
   others: readonly LayerStroke[],
 ): StudioDocument {
-  return { ...document, strokes: document.strokes.flatMap((each) => (each === stroke ? others : [each])) }
+  const replaced = others.map(edited)
+  return { ...document, strokes: document.strokes.flatMap((each) => (each === stroke ? replaced : [each])) }
+}
+
+/** A stroke that is automatic no more. */
+export function edited({ isAutomatic: _, ...stroke }: LayerStroke): LayerStroke {
+  return stroke
 }
 
 /** The strokes of a layer, in order. */

@@ -89,7 +89,7 @@ function visitPlaces(
   texels: SkinTexels,
   visit: (texel: number, triangle: number, a: number, b: number, c: number) => void,
 ): void {
-  texels.visit(() => true, visit)
+  texels.visit(visit)
   texels.visitOverlaps(visit)
 }
 

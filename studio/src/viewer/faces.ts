@@ -1,13 +1,4 @@
-import type { ArraySlice, WrinkleDriver, WrinkleSet } from 'furrow'
-import { type Face, loadFace } from '../../../stage/face.ts'
-
-/** A face with its wrinkles and their drivers. */
-export interface LoadedFace {
-  name: string
-  face: Face
-  set: WrinkleSet<ArraySlice>
-  drivers: WrinkleDriver[]
-}
+import { type OpenedAvatar, openAvatar } from '../open/avatar.ts'
 
 /** Called while a face loads, with the fraction loaded so far; null if the server does not tell the size. */
 export type OnProgress = (fraction: number | null) => void
@@ -22,15 +13,10 @@ export async function listFaces(): Promise<string[]> {
   )
 }
 
-export async function fetchFace(name: string, onProgress: OnProgress): Promise<LoadedFace> {
-  const url = URL.createObjectURL(await fetchBlob(absoluteUrl(`faces/${name}.glb`), onProgress))
-  try {
-    const face = await loadFace(url)
-    if (face.wrinkles) return { name, face, ...face.wrinkles }
-  } finally {
-    URL.revokeObjectURL(url)
-  }
-  throw new Error(`Studio: face without wrinkles, got ${name}.glb; add some with furrow pack`)
+export async function fetchFace(name: string, onProgress: OnProgress): Promise<OpenedAvatar> {
+  const path = `${name}.glb`
+  const blob = await fetchBlob(absoluteUrl(`faces/${path}`), onProgress)
+  return openAvatar({ path, file: new File([blob], path) })
 }
 
 function absoluteUrl(path: string): string {

@@ -27,10 +27,16 @@ const WIRE_COLOUR = 0xe6b48c
 const SURFACE_COLOUR = 0x202328
 const OTHER_MESHES_COLOUR = 0x1b1e22
 
+/** A mesh has several materials where three-vrm draws an outline. */
+type Materials = Mesh['material']
+
+/** Makes the same wrinkles for another mesh, on the same renderer. */
+type CreateMirror = (mesh: Mesh, wrinkles: Wrinkles) => Wrinkles
+
 /** How one side is drawn. */
 interface SideLook {
   /** Material of each mesh; null hides it. */
-  materials: Map<Mesh, Material | null>
+  materials: Map<Mesh, Materials | null>
   /** Whether the materials are lit, and so tone-mapped. */
   lit: boolean
   wireframe: boolean
@@ -42,11 +48,11 @@ interface SideLook {
  */
 export class Looks {
   readonly #face: Face
-  readonly #wrinkles: Wrinkles
-  readonly #createMirror: (mesh: Mesh) => Wrinkles
-  readonly #originals: ReadonlyMap<Mesh, Material>
+  readonly #wrinkles: Wrinkles | null
+  readonly #createMirror: CreateMirror
+  readonly #originals: ReadonlyMap<Mesh, Materials>
   /** The skin's material without wrinkles. */
-  readonly #plain: Material
+  readonly #plain: Materials
   readonly #wireframeMesh: Mesh
   #sides: Record<Side, SideLook>
   #materials: Material[] = []
@@ -54,16 +60,16 @@ export class Looks {
 
   /**
    * @param plain clone of the skin's material from before wrinkles were added; disposed with this.
-   * @param createMirror makes the same wrinkles for another mesh, on the same renderer.
+   * @param wrinkles null for a plain face.
    */
-  constructor(face: Face, wrinkles: Wrinkles, plain: Material, createMirror: (mesh: Mesh) => Wrinkles) {
+  constructor(face: Face, wrinkles: Wrinkles | null, plain: Materials, createMirror: CreateMirror) {
     this.#face = face
     this.#wrinkles = wrinkles
     this.#plain = plain
     this.#createMirror = createMirror
-    const originals = new Map<Mesh, Material>()
+    const originals = new Map<Mesh, Materials>()
     face.root.traverse((object) => {
-      if ((object as Mesh).isMesh) originals.set(object as Mesh, (object as Mesh).material as Material)
+      if ((object as Mesh).isMesh) originals.set(object as Mesh, (object as Mesh).material)
     })
     this.#originals = originals
     this.#wireframeMesh = createWireframe(face.skin)
@@ -72,7 +78,7 @@ export class Looks {
 
   /** @throws FurrowError if the look names an unknown area; the look then does not change. */
   choose(look: Look): void {
-    const influence = look.name === 'influence' ? this.#wrinkles.createInfluenceMaterial(look.area) : null
+    const influence = look.name === 'influence' ? this.#influence(look.area) : null
     this.#discard()
     const without = this.#shaded(this.#plain)
     if (look.name === 'normals') this.#sides = this.#normals()
@@ -110,26 +116,39 @@ export class Looks {
     }
     this.#wireframeMesh.removeFromParent()
     ;(this.#wireframeMesh.material as Material).dispose()
-    this.#plain.dispose()
+    for (const material of [this.#plain].flat()) material.dispose()
   }
 
-  #shaded(skin: Material): SideLook {
-    const materials = new Map<Mesh, Material | null>(this.#originals)
-    materials.set(this.#face.skin, skin)
+  #shaded(skin: Materials): SideLook {
+    const materials = new Map<Mesh, Materials | null>(this.#originals)
+    for (const mesh of this.#skin) materials.set(mesh, skin)
     return { materials, lit: true, wireframe: false }
+  }
+
+  get #skin(): Mesh[] {
+    return [this.#face.skin, ...this.#face.parts]
+  }
+
+  /** Of a plain face it is 0 everywhere. */
+  #influence(area?: string | readonly string[]): Material {
+    if (this.#wrinkles) return this.#wrinkles.createInfluenceMaterial(area)
+    return this.#keep(new MeshBasicMaterial({ color: 0x000000, toneMapped: false }))
   }
 
   /** Normals as lighting uses them, wrinkles included: a second `Wrinkles` patches this material as the first does the skin's. */
   #normals(): Record<Side, SideLook> {
     const { skin } = this.#face
-    const { normalMap, normalScale, side } = this.#plain as MeshStandardMaterial
+    const [plain] = [this.#plain].flat()
+    const { normalMap, normalScale, side } = plain as MeshStandardMaterial
     const createMaterial = () => this.#keep(new MeshNormalMaterial({ normalMap, normalScale, side }))
     const flat = this.#keep(new MeshNormalMaterial())
+    const without = this.#technical(createMaterial(), flat)
+    if (!this.#wrinkles) return { without, with: without }
     const standIn = new ThreeMesh(skin.geometry, createMaterial())
-    this.#mirror = this.#createMirror(standIn)
-    this.#mirror.addMesh(skin)
+    this.#mirror = this.#createMirror(standIn, this.#wrinkles)
+    for (const mesh of this.#skin) this.#mirror.addMesh(mesh)
     this.#mirror.mode = this.#wrinkles.mode === 'off' ? 'off' : 'default'
-    return { without: this.#technical(createMaterial(), flat), with: this.#technical(standIn.material, flat) }
+    return { without, with: this.#technical(standIn.material, flat) }
   }
 
   #wireframe(): SideLook {
@@ -145,18 +164,20 @@ export class Looks {
     if (!this.#materials.includes(skin)) this.#keep(skin)
     const rest =
       others ?? this.#keep(new MeshBasicMaterial({ color: OTHER_MESHES_COLOUR, toneMapped: false }))
-    const materials = new Map<Mesh, Material | null>()
+    const materials = new Map<Mesh, Materials | null>()
     for (const [mesh, original] of this.#originals) {
-      const cutOut = original.transparent || original.alphaTest > 0 || original.alphaHash
-      materials.set(mesh, mesh === this.#face.skin ? skin : cutOut ? null : rest)
+      const [{ transparent, alphaTest, alphaHash }] = [original].flat()
+      const cutOut = transparent || alphaTest > 0 || alphaHash
+      materials.set(mesh, this.#skin.includes(mesh) ? skin : cutOut ? null : rest)
     }
     return { materials, lit: false, wireframe: false }
   }
 
   #copyActivations(): void {
-    if (!this.#mirror) return
-    for (const name of this.#mirror.areaNames) {
-      if (this.#wrinkles.hasArea(name)) this.#mirror.setActivation(name, this.#wrinkles.getActivation(name))
+    const [mirror, wrinkles] = [this.#mirror, this.#wrinkles]
+    if (!mirror || !wrinkles) return
+    for (const name of mirror.areaNames) {
+      if (wrinkles.hasArea(name)) mirror.setActivation(name, wrinkles.getActivation(name))
     }
   }
 

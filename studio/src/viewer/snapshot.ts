@@ -7,7 +7,7 @@ import type { Viewer } from './viewer.ts'
  * @returns steps that set it on another viewer. Each may throw, e.g. where a mode or look is not supported.
  */
 export function snapshot(viewer: Viewer, orbit: Orbit): (next: Viewer, nextOrbit: Orbit) => (() => void)[] {
-  const { loaded, mode, look } = viewer
+  const { avatar, mode, look } = viewer
   const { pose, view } = orbit
   const values = new Map([...viewer.targets, ...viewer.areas].map((dial) => [dial.name, dial.read()]))
   return (next, nextOrbit) => [
@@ -15,7 +15,7 @@ export function snapshot(viewer: Viewer, orbit: Orbit): (next: Viewer, nextOrbit
       for (const dial of [...next.targets, ...next.areas]) dial.write(values.get(dial.name) ?? 0)
     },
     () => {
-      if (next.loaded === loaded) nextOrbit.restore(pose, view)
+      if (next.avatar.root === avatar.root) nextOrbit.restore(pose, view)
       else nextOrbit.goTo(view ?? 'front', true)
     },
     () => {

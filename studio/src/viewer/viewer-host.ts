@@ -1,13 +1,13 @@
 import { isWebGL } from '../../../stage/light.ts'
 import type { RendererKind } from '../../../stage/stage.ts'
-import { displayName } from '../display-name.ts'
 import { type Loading, nextPaint } from '../loading.ts'
 import type { Loop } from '../loop.ts'
 import type { Messages } from '../messages.ts'
 import { reducedMotion } from '../motion.ts'
+import { disposeAvatar, type OpenedAvatar } from '../open/avatar.ts'
 import type { Page } from '../page.ts'
 import { deviceOf, unavailableReason } from './adapter.ts'
-import { fetchFace, type LoadedFace } from './faces.ts'
+import { type CanvasStage, closeCanvas, openCanvas } from './canvas-stage.ts'
 import { Orbit } from './orbit.ts'
 import { snapshot } from './snapshot.ts'
 import { Viewer } from './viewer.ts'
@@ -28,9 +28,13 @@ export interface HostParts {
   onSettled(): void
 }
 
-/** Opens viewers, each in place of the last: with another renderer or face, or again when the graphics device is lost. */
+/** Loads an avatar, given the one on the stage. */
+export type LoadAvatar = (shown: OpenedAvatar | undefined) => Promise<OpenedAvatar>
+
+/** Opens viewers, each in place of the last: with another renderer or avatar, or again when the graphics device is lost. */
 export class ViewerHost {
   readonly #parts: HostParts
+  #canvas: CanvasStage | null = null
   #viewer: Viewer | null = null
   #orbit: Orbit | null = null
   /** Renderers are created one at a time: each waits until the last one has released its device. */
@@ -51,13 +55,13 @@ export class ViewerHost {
     return this.#orbit
   }
 
-  /** Opens a renderer, with another face if one is named; the user's settings are kept. Shows errors. */
-  open(kind: RendererKind, name?: string): Promise<unknown> {
+  /** Opens a renderer, with another avatar if there is one to load; the user's settings are kept. Shows errors. */
+  open(kind: RendererKind, load?: LoadAvatar): Promise<unknown> {
     const { messages, loading, onSettled } = this.#parts
     this.#opening = this.#opening.then(() =>
       messages.attempt(async () => {
         try {
-          await this.#open(kind, name)
+          await this.#open(kind, load)
         } finally {
           loading.done()
           onSettled()
@@ -67,16 +71,24 @@ export class ViewerHost {
     return this.#opening
   }
 
-  async #open(kind: RendererKind, name: string | undefined): Promise<void> {
+  async #open(kind: RendererKind, load?: LoadAvatar): Promise<void> {
     const { page, messages, loading, loop, onOpen } = this.#parts
     const reason = await unavailableReason(kind)
     if (reason && this.#viewer?.kind === 'webgl') throw new Error(reason)
     if (reason) messages.error(reason)
-    const loaded = await this.#loadFace(name)
+    const last = this.#viewer?.avatar
+    const avatar = load ? await load(last) : last
+    if (!avatar) return
     loading.show(`Starting ${reason || kind === 'webgl' ? 'WebGL' : 'WebGPU'}`)
     await nextPaint()
     const restore = this.#close()
-    const viewer = await this.#makeViewer(reason ? 'webgl' : kind, loaded)
+    const chosen = reason ? 'webgl' : kind
+    // Starting a renderer takes longer than loading most avatars: another one is shown on the same stage.
+    const canvas = (load && this.#canvas?.kind === chosen && this.#canvas) || (await this.#openCanvas(chosen))
+    const viewer = this.#makeViewer(canvas, avatar, last)
+    if (viewer.fault) messages.error(viewer.fault)
+    const unused = viewer.avatar === last ? avatar : last
+    if (unused && unused.root !== viewer.avatar.root) disposeAvatar(unused)
     this.#viewer = viewer
     this.#orbit = new Orbit(viewer.stage, page.viewport, reducedMotion.matches, () => loop.wake())
     this.#resize()
@@ -87,27 +99,29 @@ export class ViewerHost {
     loop.start()
   }
 
-  async #loadFace(name: string | undefined): Promise<LoadedFace> {
-    const { loading } = this.#parts
-    const current = this.#viewer?.loaded
-    if (current && (name === undefined || current.name === name)) return current
-    const title = displayName(name!)
-    loading.show(`Loading ${title}`, 0)
-    return fetchFace(name!, (fraction) => loading.show(`Loading ${title}`, fraction))
+  /** Starts a renderer, WebGL where the other one fails. */
+  async #openCanvas(kind: RendererKind): Promise<CanvasStage> {
+    const { messages, page } = this.#parts
+    if (this.#canvas) closeCanvas(this.#canvas)
+    this.#canvas = null
+    try {
+      this.#canvas = await openCanvas(page.viewport, kind)
+    } catch (error) {
+      if (kind === 'webgl') throw error
+      messages.error(error)
+      this.#canvas = await openCanvas(page.viewport, 'webgl')
+    }
+    return this.#canvas
   }
 
-  async #makeViewer(kind: RendererKind, loaded: LoadedFace): Promise<Viewer> {
-    const create = (createdKind: RendererKind) => {
-      const canvas = document.createElement('canvas')
-      this.#parts.page.viewport.replaceChildren(canvas)
-      return Viewer.create(canvas, createdKind, loaded)
-    }
-    if (kind === 'webgl') return create(kind)
+  /** Shows the last avatar again where another one fails. */
+  #makeViewer(canvas: CanvasStage, avatar: OpenedAvatar, last: OpenedAvatar | undefined): Viewer {
     try {
-      return await create(kind)
+      return new Viewer(canvas, avatar)
     } catch (error) {
+      if (!last || last === avatar) throw error
       this.#parts.messages.error(error)
-      return create('webgl')
+      return new Viewer(canvas, last)
     }
   }
 

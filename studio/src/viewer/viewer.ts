@@ -7,69 +7,65 @@ import {
   EXPRESSIONS,
   type Expression,
   explain,
+  expressionsOf,
+  FurrowError,
   planDrivers,
   targetSource,
+  type WrinkleDriver,
 } from 'furrow'
 import { ExpressionPlayer, Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
 import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
-import { type Color, type Material, type Mesh, NoToneMapping, type Texture } from 'three'
+import { type Color, type Mesh, NoToneMapping } from 'three'
+import type { Face } from '../../../stage/face.ts'
 import { isWebGL } from '../../../stage/light.ts'
-import { createStage, type RendererKind, type Stage, type Wrinkles } from '../../../stage/stage.ts'
+import type { RendererKind, Stage, Wrinkles } from '../../../stage/stage.ts'
+import { faceOf, type OpenedAvatar } from '../open/avatar.ts'
+import type { CanvasStage } from './canvas-stage.ts'
 import { areaDials, type Dial, targetDials } from './dials.ts'
-import type { LoadedFace } from './faces.ts'
 import { type Look, Looks, type Side } from './looks.ts'
+import { releaseFromGPU } from './release.ts'
 
-/** One face on one renderer's canvas, drawn without wrinkles left of the divider and with them right of it. */
+/** One avatar on one renderer's canvas, drawn without wrinkles left of the divider and with them right of it. */
 export class Viewer {
   readonly canvas: HTMLCanvasElement
   readonly kind: RendererKind
   readonly stage: Stage
-  readonly loaded: LoadedFace
-  readonly wrinkles: Wrinkles
+  readonly avatar: OpenedAvatar
   readonly targets: readonly Dial[]
-  areas: readonly Dial[]
+  areas: readonly Dial[] = []
   /** Fraction of the width that is drawn without wrinkles. */
   split = 0.5
 
-  readonly #program: DriverProgram
-  readonly #state: DriverState
-  #player: ExpressionPlayer
-  #expressions: readonly Expression[]
+  readonly #face: Face
+  /** The skin's material as it was before wrinkles were added; cloned for each `Looks`. */
+  readonly #plain: Mesh['material']
+  #wrinkles: Wrinkles | null = null
+  #fault: Error | null = null
+  #drivers: readonly WrinkleDriver[] = []
+  #program!: DriverProgram
+  #state!: DriverState
+  /** Null for a face without blendshapes and wrinkles. */
+  #player: ExpressionPlayer | null = null
+  #expressions: readonly Expression[] = []
   #remaining = 0
-  #looks: Looks
+  #looks!: Looks
+  #mode: WrinkleMode = 'default'
   #look: Look = { name: 'shaded' }
   readonly #background: Color
   readonly #toneMapping: Stage['renderer']['toneMapping']
 
-  /** @throws Error if the browser has no WebGL 2 or WebGPU, FurrowError if the wrinkles do not fit the face. */
-  static async create(canvas: HTMLCanvasElement, kind: RendererKind, loaded: LoadedFace): Promise<Viewer> {
-    const stage = await createStage(canvas, kind)
-    try {
-      return new Viewer(canvas, kind, stage, loaded)
-    } catch (error) {
-      stage.dispose()
-      throw error
-    }
-  }
-
-  private constructor(canvas: HTMLCanvasElement, kind: RendererKind, stage: Stage, loaded: LoadedFace) {
+  /** Wrinkles that do not fit the face are left out. */
+  constructor({ canvas, kind, stage }: CanvasStage, avatar: OpenedAvatar) {
     this.canvas = canvas
     this.kind = kind
     this.stage = stage
-    this.loaded = loaded
+    this.avatar = avatar
     this.#background = (stage.scene.background as Color).clone()
     this.#toneMapping = stage.renderer.toneMapping
-    const { face, drivers } = loaded
-    const plain = (face.skin.material as Material).clone()
+    const face = faceOf(avatar)
+    this.#face = face
+    this.#plain = cloned(face.skin.material)
     stage.show(face)
-    const wrinkles = stage.addWrinkles(face, loaded)
-    this.wrinkles = wrinkles
-    // Drivers run here and not in the draw, so that the areas' sliders follow at once.
-    wrinkles.driven = false
-    const plan = planDrivers(driversOf('morph', drivers))
-    const targetNames = Object.keys(face.skin.morphTargetDictionary ?? {})
-    this.#program = new DriverProgram(plan, { target: targetSource(plan.inputs.target, targetNames) })
-    this.#state = this.#program.createState()
     this.targets = targetDials(face.root).map((dial) => ({
       ...dial,
       write: (value) => {
@@ -78,19 +74,95 @@ export class Viewer {
         this.#applyDrivers(before)
       },
     }))
-    this.areas = areaDials(wrinkles)
+    this.#wear(face.wrinkles)
+  }
+
+  /** Null for a plain face. */
+  get wrinkles(): Wrinkles | null {
+    return this.#wrinkles
+  }
+
+  /** Why the wrinkles of the avatar are not shown; null if they are, or there are none. */
+  get fault(): Error | null {
+    return this.#fault
+  }
+
+  /**
+   * Shows other wrinkles on the same face, null for none. The mode and the look stay, and so do activations that were set by hand.
+   *
+   * @throws FurrowError when they do not fit; the face is then plain.
+   */
+  setWrinkles(wrinkles: Face['wrinkles']): void {
+    const before = new Map(this.areas.map(({ name, read }) => [name, read()]))
+    const { mode, look } = this
+    this.#looks.dispose()
+    this.#wrinkles?.dispose()
+    this.#wear(wrinkles)
+    for (const { name, write } of this.areas) write(before.get(name) ?? 0)
+    this.#driveAll()
+    if (this.#fault) throw this.#fault
+    this.mode = mode
+    this.look = this.#isPossible(look) ? look : { name: 'shaded' }
+  }
+
+  /** Lets other drivers activate the areas. */
+  setDrivers(drivers: readonly WrinkleDriver[]): void {
+    this.#drive(drivers)
+    this.#driveAll()
     this.#expressions = this.#completeExpressions()
     this.#player = this.#makePlayer()
-    this.#looks = new Looks(face, wrinkles, plain, (mesh) => this.#createMirror(mesh))
+  }
+
+  /** Puts wrinkles on the plain face. */
+  #wear(wrinkles: Face['wrinkles']): void {
+    this.#fault = null
+    this.#wrinkles = null
+    try {
+      if (wrinkles) this.#wrinkles = this.stage.addWrinkles(this.#face, wrinkles)
+    } catch (error) {
+      this.#fault = error as Error
+    }
+    // The viewer runs the drivers, so that the areas' sliders follow at once.
+    if (this.#wrinkles) this.#wrinkles.driven = false
+    this.#drive(wrinkles?.drivers ?? [])
+    const plain = cloned(this.#plain)
+    this.#looks = new Looks(this.#face, this.#wrinkles, plain, (mesh, own) => this.#createMirror(mesh, own))
+    this.areas = this.#wrinkles ? areaDials(this.#wrinkles) : []
+    this.#expressions = this.#completeExpressions()
+    this.#player = this.#makePlayer()
+    this.#remaining = 0
+  }
+
+  /** Reads the drivers. */
+  #drive(drivers: readonly WrinkleDriver[]): void {
+    const plan = planDrivers(driversOf('morph', drivers))
+    const targetNames = Object.keys(this.#face.skin.morphTargetDictionary ?? {})
+    this.#drivers = drivers
+    this.#program = new DriverProgram(plan, { target: targetSource(plan.inputs.target, targetNames) })
+    this.#state = this.#program.createState()
+  }
+
+  /** Sets all areas that are driven as the face's pose has them. */
+  #driveAll(): void {
+    const activations = this.#drivenActivations()
+    for (const [i, name] of this.#program.plan.areaNames.entries()) {
+      if (this.#wrinkles?.hasArea(name)) this.#wrinkles.setActivation(name, activations[i])
+    }
+  }
+
+  #isPossible(look: Look): boolean {
+    if (look.name !== 'influence' || look.area === undefined) return true
+    return [look.area].flat().every((name) => this.#wrinkles?.hasArea(name))
   }
 
   get mode(): WrinkleMode {
-    return this.wrinkles.mode
+    return this.#mode
   }
 
   /** @throws FurrowError if this face does not support the mode; the mode then does not change. */
   set mode(mode: WrinkleMode) {
-    this.wrinkles.mode = mode
+    if (this.wrinkles) this.wrinkles.mode = mode
+    this.#mode = mode
     this.look = this.#look
   }
 
@@ -105,27 +177,27 @@ export class Viewer {
 
   /** Names of the blendshapes that drive an area, as on their dials. */
   driversOf(area: string): string[] {
-    return driversOf('morph', this.loaded.drivers)
+    return driversOf('morph', this.#drivers)
       .filter((driver) => driver.area === area)
       .flatMap(({ targets }) => targets.map(({ name }) => canonicalTargetName(name)))
   }
 
   /** Existing areas that a blendshape drives. */
   drivenBy(target: string): string[] {
-    const driven = driversOf('morph', this.loaded.drivers).filter(({ targets }) =>
+    const driven = driversOf('morph', this.#drivers).filter(({ targets }) =>
       targets.some(({ name }) => canonicalTargetName(name) === target),
     )
-    return [...new Set(driven.map(({ area }) => area))].filter((name) => this.wrinkles.hasArea(name))
+    return [...new Set(driven.map(({ area }) => area))].filter((name) => this.wrinkles?.hasArea(name))
   }
 
   /** Lines of text: the current activation of an area by each of its drivers, and the part of each input in it. */
   explain(area: string): string[] {
-    const { skin } = this.loaded.face
+    const { skin } = this.#face
     const situation = {
       targetNames: Object.keys(skin.morphTargetDictionary ?? {}),
       weights: skin.morphTargetInfluences ?? [],
     }
-    const [explanation] = explain(this.loaded.drivers, [{ name: area }], situation)
+    const [explanation] = explain(this.#drivers, [{ name: area }], situation)
     if (explanation.parts.length === 0) return [`${area} has no driver: only its slider moves it`]
     return explanation.parts.flatMap(({ activation, links }) => [
       `${activation.toFixed(2)} of ${area} from`,
@@ -138,6 +210,10 @@ export class Viewer {
     this.#looks.choose(areas.length > 0 ? { name: 'influence', area: areas } : this.#look)
   }
 
+  get expressionNames(): string[] {
+    return this.#expressions.map(({ name }) => name)
+  }
+
   /** Whether a transition to an expression is under way. */
   get moving(): boolean {
     return this.#remaining > 0
@@ -145,6 +221,7 @@ export class Viewer {
 
   /** Starts a transition to an expression from the current state. */
   play(name: string, seconds: number): void {
+    if (!this.#player) return
     this.#player.play(name, seconds)
     this.#remaining = seconds
   }
@@ -152,21 +229,27 @@ export class Viewer {
   /** @param delta seconds since the last frame; infinity ends the transition. */
   advance(delta: number): void {
     if (!this.moving) return
-    this.#player.update(delta)
+    const before = this.#drivenActivations().slice()
+    this.#player?.update(delta)
+    // Areas that expressions name are played, the others follow the face.
+    this.#applyDrivers(before, (area) => !this.#isPlayed(area))
     this.#remaining = Math.max(0, this.#remaining - delta)
   }
 
   /** @throws FurrowError if the area cannot be added; nothing changes then. */
   addArea(area: Area): void {
+    if (!this.wrinkles) throw withoutLayers(area.name)
     this.wrinkles.addArea(area)
-    this.loaded.set.areas.push(area)
+    this.#face.wrinkles!.set.areas.push(area)
     this.#areasChanged()
   }
 
   /** @throws FurrowError if the area is the last one. */
   removeArea(name: string): void {
+    if (!this.wrinkles) return
     this.wrinkles.removeArea(name)
-    this.loaded.set.areas = this.loaded.set.areas.filter((area) => area.name !== name)
+    const { set } = this.#face.wrinkles!
+    set.areas = set.areas.filter((area) => area.name !== name)
     const isShown = this.#look.name === 'influence' && this.#look.area === name
     if (isShown) this.#look = { name: 'influence' }
     this.#areasChanged()
@@ -188,16 +271,16 @@ export class Viewer {
     this.#drawSide('with')
   }
 
-  /** Frees everything on the GPU; the face, its blendshapes and its set remain usable by another viewer. */
+  /** Frees what the avatar has on the GPU; it remains usable by another viewer, and the stage for another avatar. */
   dispose(): void {
+    const { renderer, scene } = this.stage
     this.#looks.dispose()
-    this.wrinkles.dispose()
-    this.stage.scene.remove(this.loaded.face.root)
-    releaseFromGPU(this.loaded)
-    const { renderer } = this.stage
-    this.stage.dispose()
-    if (isWebGL(renderer)) renderer.forceContextLoss()
-    this.canvas.remove()
+    this.wrinkles?.dispose()
+    scene.remove(this.avatar.root)
+    scene.background = this.#background
+    renderer.toneMapping = this.#toneMapping
+    renderer.setScissorTest(false)
+    releaseFromGPU(this.avatar.root)
   }
 
   #drawSide(side: Side): void {
@@ -212,55 +295,68 @@ export class Viewer {
 
   /** Activations that the file's drivers compute from the current blendshape weights. */
   #drivenActivations(): Float32Array {
-    this.#state.inputs.target.set(this.loaded.face.skin.morphTargetInfluences ?? [])
+    this.#state.inputs.target.set(this.#face.skin.morphTargetInfluences ?? [])
     this.#program.evaluate(this.#state)
     return this.#state.activations
   }
 
-  /** After a blendshape was set by hand: sets the areas that it drives and leaves the others. */
-  #applyDrivers(before: Float32Array): void {
+  /** After blendshapes were set: sets the areas that they drive and leaves the others. */
+  #applyDrivers(before: Float32Array, isWanted: (area: string) => boolean = () => true): void {
     const after = this.#drivenActivations()
     for (const [i, name] of this.#program.plan.areaNames.entries()) {
-      if (after[i] !== before[i] && this.wrinkles.hasArea(name)) this.wrinkles.setActivation(name, after[i])
+      if (after[i] === before[i] || !isWanted(name)) continue
+      if (this.wrinkles?.hasArea(name)) this.wrinkles.setActivation(name, after[i])
     }
   }
 
+  #isPlayed(area: string): boolean {
+    return this.#expressions.slice(1).some(({ activations }) => area in activations)
+  }
+
   #areasChanged(): void {
-    this.areas = areaDials(this.wrinkles)
+    this.areas = this.wrinkles ? areaDials(this.wrinkles) : []
     this.#expressions = this.#completeExpressions()
     this.#player = this.#makePlayer()
     this.#remaining = 0
     this.look = this.#look
   }
 
-  #makePlayer(): ExpressionPlayer {
-    return new ExpressionPlayer(this.loaded.face.root, this.wrinkles, this.#expressions)
+  #makePlayer(): ExpressionPlayer | null {
+    if (this.targets.length === 0) return null
+    return new ExpressionPlayer(this.avatar.root, this.wrinkles ?? undefined, this.#expressions)
   }
 
-  /** The presets; the first one names every blendshape and area of this face, so that each expression sets all sliders. */
+  /**
+   * The expressions of the file, or else the presets. The first one names every blendshape, and every area that another one names or nothing
+   * drives, so that each expression sets all of them.
+   */
   #completeExpressions(): Expression[] {
-    const zeros = (dials: readonly Dial[]) => Object.fromEntries(dials.map(({ name }) => [name, 0]))
-    const targets = zeros(this.targets)
-    const activations = zeros(this.areas)
-    return [{ name: EXPRESSIONS[0].name, targets, activations }, ...EXPRESSIONS.slice(1)]
+    const own = expressionsOf(this.#drivers)
+    const [first, ...others] = own.length > 0 ? own : EXPRESSIONS
+    const named = new Set(others.flatMap(({ activations }) => Object.keys(activations)))
+    const driven = new Set(this.#program.plan.areaNames)
+    const zeros = (names: string[]) => Object.fromEntries(names.map((name) => [name, 0]))
+    const areas = this.areas.map(({ name }) => name).filter((name) => named.has(name) || !driven.has(name))
+    const targets = { ...zeros(this.targets.map(({ name }) => name)), ...first.targets }
+    return [{ name: first.name, targets, activations: { ...zeros(areas), ...first.activations } }, ...others]
   }
 
-  #createMirror(mesh: Mesh): Wrinkles {
-    const { wrinkles } = this
+  #createMirror(mesh: Mesh, wrinkles: Wrinkles): Wrinkles {
     return isWebGL(this.stage.renderer)
       ? new WebGLWrinkles(mesh, wrinkles)
       : new WebGPUWrinkles(mesh, wrinkles)
   }
 }
 
-function releaseFromGPU({ face }: LoadedFace): void {
-  face.root.traverse((object) => {
-    if (!(object as Mesh).isMesh) return
-    const { geometry, material } = object as Mesh
-    geometry.dispose()
-    for (const each of [material].flat()) {
-      for (const value of Object.values(each)) if ((value as Texture | null)?.isTexture) value.dispose()
-      each.dispose()
-    }
+function cloned(material: Mesh['material']): Mesh['material'] {
+  return Array.isArray(material) ? material.map((each) => each.clone()) : material.clone()
+}
+
+function withoutLayers(area: string): FurrowError {
+  return new FurrowError({
+    who: 'Studio',
+    what: 'the face has no wrinkles for an area to show',
+    value: area,
+    remedy: 'drop an avatar with wrinkles, or a folder of wrinkles, first',
   })
 }

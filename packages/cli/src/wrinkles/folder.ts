@@ -1,15 +1,11 @@
 import { readdir } from 'node:fs/promises'
 import { basename, dirname, join } from 'node:path'
-import { FurrowError, parseWrinkleSetDocument, type WrinkleSetDocument } from 'furrow'
+import { FurrowError, type WrinkleSetDocument } from 'furrow'
 import { cannotRead } from '../errors.ts'
 import { type ReadOptions, referenceReader } from '../gltf/external-files.ts'
 import { readJson } from '../inputs.ts'
 import { statOf } from '../outputs.ts'
-import { MAP_SLOTS } from './wrinkled-file.ts'
-
-type Json = Record<string, unknown>
-
-const OPTIONAL_MAPS = MAP_SLOTS.filter(([map]) => map !== 'normal')
+import { folderDocument } from './folder-document.ts'
 
 /**
  * Reads the wrinkle set of a folder: its `wrinkles.json`, completed by the files in `layers/` and `areas/`. Without
@@ -25,19 +21,8 @@ export async function readFolder(
 ): Promise<WrinkleSetDocument> {
   const path = join(folder, 'wrinkles.json')
   const files = await listFiles(folder, who)
-  const json = files.includes('wrinkles.json') ? await readJson(path, who) : { version: 1 }
-  if (isObject(json)) {
-    json.layers ??= foundLayers(files)
-    json.areas ??= foundAreas(files)
-    if (Array.isArray(json.layers)) completeLayers(json.layers, files)
-    for (const [list, kind] of [
-      [json.layers, 'layers'],
-      [json.areas, 'areas'],
-    ] as const) {
-      if (Array.isArray(list) && list.length === 0) throw noneIn(folder, kind, who)
-    }
-  }
-  return parseWrinkleSetDocument(json, `${who}: ${path}`, whiteIsVisible ? 'weight' : 'paper')
+  const json = files.includes('wrinkles.json') ? await readJson(path, who) : undefined
+  return folderDocument(json, files, folder, whiteIsVisible ? 'weight' : 'paper', who)
 }
 
 /**
@@ -53,11 +38,6 @@ export async function readReferenced(
 ): Promise<Uint8Array> {
   const read = referenceReader(join(folder, 'wrinkles.json'), who, options)
   return (await read(uri)).bytes
-}
-
-/** The address of a file, relative to `wrinkles.json`: in one, `#`, `?` and `%` would have a meaning. */
-export function addressOf(path: string): string {
-  return path.split('/').map(encodeURIComponent).join('/')
 }
 
 /** Paths of all files below a folder, relative to it, with `/`, sorted. */
@@ -82,41 +62,4 @@ function isFile(path: string, who: string): FurrowError {
       ? `name its folder, ${dirname(path)}`
       : 'make wrinkles for an avatar with furrow auto, or take them out of a file with furrow unpack',
   })
-}
-
-function foundLayers(files: readonly string[]): Json[] {
-  return matches(files, /^layers\/([^/]+)\/normal\.png$/).map((name) => ({ name }))
-}
-
-function foundAreas(files: readonly string[]): Json[] {
-  return matches(files, /^areas\/([^/]+)\.png$/).map((name) => ({ name }))
-}
-
-/** Adds the optional maps in a layer's folder that the document does not name: a reader of it alone has no default for them. */
-function completeLayers(layers: unknown[], files: readonly string[]): void {
-  for (const layer of layers) {
-    if (!isObject(layer)) continue
-    for (const [map] of OPTIONAL_MAPS) {
-      const file = `layers/${layer.name}/${map}.png`
-      if (layer[map] === undefined && files.includes(file)) layer[map] = addressOf(file)
-    }
-  }
-}
-
-function matches(files: readonly string[], pattern: RegExp): string[] {
-  return files.flatMap((file) => pattern.exec(file)?.[1] ?? [])
-}
-
-function noneIn(folder: string, kind: 'layers' | 'areas', who: string): FurrowError {
-  const file = kind === 'layers' ? 'layers/NAME/normal.png' : 'areas/NAME.png'
-  return new FurrowError({
-    who,
-    what: `no ${kind} in ${folder}`,
-    limit: `at least one ${file}`,
-    remedy: 'put the images there, or name them in wrinkles.json',
-  })
-}
-
-function isObject(value: unknown): value is Json {
-  return typeof value === 'object' && value !== null && !Array.isArray(value)
 }

@@ -2,6 +2,7 @@ import type { GrayImage, TextureReference, WrinkleDriver } from 'furrow'
 import { imageOf } from '../gltf/texture-image.ts'
 import { pixelsOf, sizeOf } from '../gltf/texture-pixels.ts'
 import { channelOf } from '../images/pixels.ts'
+import { MAP_SLOTS, type MapName } from './map-slots.ts'
 import {
   areaSizes,
   areaSliceSizes,
@@ -11,7 +12,7 @@ import {
   NO_SIZES,
   sumSizes,
 } from './sizes.ts'
-import { MAP_SLOTS, type MapName, type WrinkledFile } from './wrinkled-file.ts'
+import type { WrinkledFile } from './wrinkled-file.ts'
 
 /** One map of one layer. */
 export interface MapReport {

@@ -7,7 +7,8 @@ import type { Pixels } from '../images/pixels.ts'
 import { escapeMarkup } from '../markup.ts'
 import { drawSkinLayout } from '../uv/draw-layout.ts'
 import { weightsOf } from './inspect.ts'
-import { MAP_SLOTS, type WrinkledFile } from './wrinkled-file.ts'
+import { MAP_SLOTS } from './map-slots.ts'
+import type { WrinkledFile } from './wrinkled-file.ts'
 
 /** Side of one tile, height of its label, and the gap around both, in pixels. */
 const SIDE = 256

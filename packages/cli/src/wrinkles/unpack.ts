@@ -8,9 +8,10 @@ import { encodeArea, encodePngWithoutOpaqueAlpha } from '../images/encode.ts'
 import { withImageErrors } from '../images/image-errors.ts'
 import { openImage } from '../images/open-image.ts'
 import type { Progress } from '../progress.ts'
-import { addressOf } from './folder.ts'
+import { addressOf } from './folder-document.ts'
 import { weightsOf } from './inspect.ts'
-import { MAP_SLOTS, type WrinkledFile } from './wrinkled-file.ts'
+import { MAP_SLOTS } from './map-slots.ts'
+import type { WrinkledFile } from './wrinkled-file.ts'
 
 type LayerEntry = WrinkleSetDocument['layers'][number]
 

@@ -62,15 +62,3 @@ export function wrinklesOf(glb: Glb, material: number, who: string): WrinkledFil
   const json = glb.json.materials![material].extensions![WRINKLE_MAPS]
   return { glb, material, maps: parseWrinkleMaps(json, glb.json.textures?.length ?? 0, who) }
 }
-
-/** The maps of a layer: their names in a folder, and in the extension. */
-export const MAP_SLOTS = [
-  ['normal', 'normalTexture'],
-  ['baseColor', 'baseColorTexture'],
-  ['roughness', 'roughnessTexture'],
-  ['occlusion', 'occlusionTexture'],
-  ['height', 'heightTexture'],
-] as const
-
-/** The name of a map of a layer in a folder. */
-export type MapName = (typeof MAP_SLOTS)[number][0]

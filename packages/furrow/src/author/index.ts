@@ -4,6 +4,7 @@
  * @module furrow/author
  */
 
+export type { Bounds } from '../core/bounds.ts'
 export { combineNormals } from '../core/normals/combine-normals.ts'
 export type { GrayImage, RgbaImage } from '../core/types.ts'
 export { AUTO_REGIONS, type AutoRegion } from './auto/anatomy/regions.ts'
@@ -68,5 +69,6 @@ export {
 } from './strokes/document.ts'
 export { type HeightMap, strokesToHeight } from './strokes/height.ts'
 export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas, paintedNames } from './strokes/paint-areas.ts'
+export { StrokeLayer, type StrokeLayerOptions } from './strokes/stroke-layer.ts'
 export { targetArea } from './target-area.ts'
 export { drawUvLayout, type UvLayoutOptions } from './uv-layout.ts'

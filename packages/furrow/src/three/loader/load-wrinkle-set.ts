@@ -1,5 +1,6 @@
 import { areaWeights } from '../../core/area.ts'
 import { CHANNEL, channelOf } from '../../core/channels.ts'
+import type { SetDocument } from '../../core/document.ts'
 import { FurrowError } from '../../core/error.ts'
 import type { Area, Layer, WrinkleSet } from '../../core/types.ts'
 import { checkWrinkleSet } from '../../core/wrinkle-set.ts'
@@ -16,7 +17,24 @@ import { decodeImage, toGray } from './decode-image.ts'
 export async function loadWrinkleSet(url: string): Promise<WrinkleSet> {
   const base = new URL(url, globalThis.location?.href)
   const document = parseWrinkleSetDocument(await readJson(base), url)
-  const image = async (file: string) => decodeImage(await fetchFile(new URL(file, base)), file)
+  const { drivers } = document
+  const set = await readImages(document, (file) => fetchFile(new URL(file, base)), url)
+  return { ...set, ...(drivers && { drivers }) }
+}
+
+/**
+ * Decodes the images of a `wrinkles.json`.
+ *
+ * @param read gives the file of an address in it.
+ * @param who names the document in errors.
+ * @throws FurrowError when an image cannot be decoded, or does not fit the others.
+ */
+export async function readImages(
+  document: SetDocument,
+  read: (address: string) => Promise<Blob>,
+  who: string,
+): Promise<Omit<WrinkleSet, 'drivers'>> {
+  const image = async (address: string) => decodeImage(await read(address), address)
   const layers = document.layers.map(async (layer): Promise<Layer> => {
     const { name, kind, normalScale, occlusionStrength, baseColor, roughness, occlusion } = layer
     return {
@@ -31,17 +49,13 @@ export async function loadWrinkleSet(url: string): Promise<WrinkleSet> {
     }
   })
   const areas = document.areas.map(
-    async ({ image: file, convention, ...area }): Promise<Area> => ({
+    async ({ image: address, convention, ...area }): Promise<Area> => ({
       ...area,
-      weights: areaWeights(toGray(await image(file)), convention, file),
+      weights: areaWeights(toGray(await image(address)), convention, address),
     }),
   )
-  const set: WrinkleSet = {
-    layers: await Promise.all(layers),
-    areas: await Promise.all(areas),
-    ...(document.drivers && { drivers: document.drivers }),
-  }
-  checkWrinkleSet(set, url)
+  const set = { layers: await Promise.all(layers), areas: await Promise.all(areas) }
+  checkWrinkleSet(set, who)
   return set
 }
 

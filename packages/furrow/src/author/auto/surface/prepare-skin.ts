@@ -1,7 +1,7 @@
+import { checkCoverage } from '../../skin/check-coverage.ts'
 import { findOverlap, isOnLeft, isOverlapped } from '../../skin/overlap.ts'
 import type { Skin, SkinSurface } from '../../skin/surface.ts'
 import { UvLocator } from '../../skin/uv-locator.ts'
-import { checkCoverage } from './check-coverage.ts'
 import { checkSkin } from './check-skin.ts'
 import { type DetectedFace, detectFace } from './detect-face.ts'
 import { weldInMillimetres } from './skin-surface.ts'

@@ -1,4 +1,4 @@
-import { displayName } from '../display-name.ts'
+import { displayName } from './display-name.ts'
 
 /** A row of buttons, of which at most one is pressed. */
 export class Buttons<T extends string> {

@@ -1,0 +1,84 @@
+import { type AreaConvention, FurrowError, parseWrinkleSetDocument, type WrinkleSetDocument } from 'furrow'
+import { MAP_SLOTS } from './map-slots.ts'
+
+type Json = Record<string, unknown>
+
+const OPTIONAL_MAPS = MAP_SLOTS.filter(([map]) => map !== 'normal')
+
+/**
+ * The wrinkle set of a folder: its `wrinkles.json`, completed by the files in `layers/` and `areas/`.
+ *
+ * @param json of that document; undefined where there is none.
+ * @param files paths of all files in the folder, relative to it, with `/`.
+ * @param folder its name, for errors.
+ * @param convention of areas that name none.
+ * @throws FurrowError when the document is malformed or there are no layers or areas.
+ */
+export function folderDocument(
+  json: unknown,
+  files: readonly string[],
+  folder: string,
+  convention: AreaConvention,
+  who: string,
+): WrinkleSetDocument {
+  const sorted = files.toSorted()
+  const document = json === undefined ? { version: 1 } : json
+  if (isObject(document)) {
+    document.layers ??= foundLayers(sorted)
+    document.areas ??= foundAreas(sorted)
+    if (Array.isArray(document.layers)) completeLayers(document.layers, sorted)
+    for (const [list, kind] of [
+      [document.layers, 'layers'],
+      [document.areas, 'areas'],
+    ] as const) {
+      if (Array.isArray(list) && list.length === 0) throw noneIn(folder, kind, who)
+    }
+  }
+  return parseWrinkleSetDocument(
+    document,
+    `${who}: ${folder.replace(/[\\/]$/, '')}/wrinkles.json`,
+    convention,
+  )
+}
+
+/** The address of a file, relative to `wrinkles.json`: in one, `#`, `?` and `%` would have a meaning. */
+export function addressOf(path: string): string {
+  return path.split('/').map(encodeURIComponent).join('/')
+}
+
+function foundLayers(files: readonly string[]): Json[] {
+  return matches(files, /^layers\/([^/]+)\/normal\.png$/).map((name) => ({ name }))
+}
+
+function foundAreas(files: readonly string[]): Json[] {
+  return matches(files, /^areas\/([^/]+)\.png$/).map((name) => ({ name }))
+}
+
+/** Adds the optional maps in a layer's folder that the document does not name: a reader of it alone has no default for them. */
+function completeLayers(layers: unknown[], files: readonly string[]): void {
+  for (const layer of layers) {
+    if (!isObject(layer)) continue
+    for (const [map] of OPTIONAL_MAPS) {
+      const file = `layers/${layer.name}/${map}.png`
+      if (layer[map] === undefined && files.includes(file)) layer[map] = addressOf(file)
+    }
+  }
+}
+
+function matches(files: readonly string[], pattern: RegExp): string[] {
+  return files.flatMap((file) => pattern.exec(file)?.[1] ?? [])
+}
+
+function noneIn(folder: string, kind: 'layers' | 'areas', who: string): FurrowError {
+  const file = kind === 'layers' ? 'layers/NAME/normal.png' : 'areas/NAME.png'
+  return new FurrowError({
+    who,
+    what: `no ${kind} in ${folder}`,
+    limit: `at least one ${file}`,
+    remedy: 'put the images there, or name them in wrinkles.json',
+  })
+}
+
+function isObject(value: unknown): value is Json {
+  return typeof value === 'object' && value !== null && !Array.isArray(value)
+}

@@ -1,0 +1,119 @@
+import type { VRM } from '@pixiv/three-vrm'
+import { FurrowError } from 'furrow'
+import { LoadingManager, WebGLRenderer } from 'three'
+import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import type { FaceFile } from './face-file.ts'
+import { findSkins, type SkinCandidate } from './skins.ts'
+
+/** A face as three.js has loaded it. */
+export interface LoadedGltf {
+  gltf: GLTF
+  skins: SkinCandidate[]
+  vrm: VRM | null
+  /** What the user should know of it, a sentence each. */
+  notes: string[]
+}
+
+/** What the addresses of a face's files begin with, while it loads. Nothing is there. */
+const BASE = 'dropped:/'
+
+/**
+ * Loads a face with three.js. Decoders and the VRM plugins are fetched only if the file needs them.
+ *
+ * @param name of the file, for errors.
+ * @throws FurrowError when it is damaged.
+ */
+export async function loadGltf(face: FaceFile, name: string): Promise<LoadedGltf> {
+  const isVrm = uses(face, 'VRMC_vrm') || uses(face, 'VRM')
+  try {
+    try {
+      return await load(face, isVrm)
+    } catch (error) {
+      if (!isVrm) throw error
+      const loaded = await load(face, false)
+      loaded.notes.push(`${name} is opened without what makes it a VRM (${firstLine(error)})`)
+      return loaded
+    }
+  } catch (error) {
+    throw error instanceof FurrowError ? error : damaged(name, error)
+  }
+}
+
+async function load(face: FaceFile, isVrm: boolean): Promise<LoadedGltf> {
+  const urls = new Map<string, string>()
+  const manager = new LoadingManager().setURLModifier((url) => {
+    const file = url.startsWith(BASE) && face.references.get(url.slice(BASE.length))
+    if (!file) return url
+    const address = urls.get(url) ?? URL.createObjectURL(file.file)
+    urls.set(url, address)
+    return address
+  })
+  const loader = new GLTFLoader(manager)
+  const decoders = await addDecoders(loader, manager, face)
+  const vrm = isVrm ? await import('@pixiv/three-vrm') : null
+  if (vrm) loader.register((parser) => new vrm.VRMLoaderPlugin(parser))
+  try {
+    const gltf = await loader.parseAsync(face.bytes.buffer, BASE)
+    const loaded: VRM | null = gltf.userData.vrm ?? null
+    // Avatars of VRM 0 look along -Z, all others along +Z.
+    if (loaded) vrm?.VRMUtils.rotateVRM0(loaded)
+    const notes: string[] = []
+    const skins = await findSkins(gltf, (fault) => notes.push(fault))
+    return { gltf, skins, vrm: loaded, notes }
+  } finally {
+    for (const url of urls.values()) URL.revokeObjectURL(url)
+    for (const decoder of decoders) decoder.dispose()
+  }
+}
+
+async function addDecoders(
+  loader: GLTFLoader,
+  manager: LoadingManager,
+  face: FaceFile,
+): Promise<{ dispose(): unknown }[]> {
+  const added: { dispose(): unknown }[] = []
+  if (uses(face, 'EXT_meshopt_compression') || uses(face, 'KHR_meshopt_compression')) {
+    const { MeshoptDecoder } = await import('three/addons/libs/meshopt_decoder.module.js')
+    loader.setMeshoptDecoder(MeshoptDecoder)
+  }
+  if (uses(face, 'KHR_draco_mesh_compression')) {
+    const { DRACOLoader } = await import('three/addons/loaders/DRACOLoader.js')
+    const draco = new DRACOLoader(manager)
+    loader.setDRACOLoader(draco)
+    added.push(draco)
+  }
+  if (uses(face, 'KHR_texture_basisu')) {
+    const { KTX2Loader } = await import('three/addons/loaders/KTX2Loader.js')
+    // The renderer of the stage comes later, and may be exchanged: what WebGL can read on this GPU, WebGPU can.
+    const renderer = new WebGLRenderer()
+    const ktx2 = new KTX2Loader(manager).detectSupport(renderer)
+    renderer.dispose()
+    renderer.forceContextLoss()
+    loader.setKTX2Loader(ktx2)
+    added.push(ktx2)
+  }
+  return added
+}
+
+/** Whether a file uses an extension; some name it only where it is. */
+function uses({ json }: FaceFile, extension: string): boolean {
+  return Boolean(json.extensionsUsed?.includes(extension) || json.extensions?.[extension])
+}
+
+function damaged(name: string, error: unknown): FurrowError {
+  return new FurrowError(
+    {
+      code: 'unreadable',
+      who: 'Studio',
+      what: `${name} cannot be loaded`,
+      value: firstLine(error),
+      limit: 'a whole glTF 2.0 file (.glb, .vrm, .gltf)',
+      remedy: 'export it again',
+    },
+    { cause: error },
+  )
+}
+
+function firstLine(error: unknown): string {
+  return (error instanceof Error ? error.message : String(error)).split('\n')[0].trim()
+}

@@ -1,0 +1,108 @@
+import { chooseSkin, MOST_TRIANGLES } from 'furrow/author'
+import type { Mesh } from 'three'
+import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
+import { skinOf } from '../../../packages/furrow/src/auto/character.ts'
+import { canCrease, readMeshes } from '../../../packages/furrow/src/three/loader/read-character.ts'
+import {
+  type FileWrinkles,
+  facesOf,
+  materialReader,
+  wrinkledFaces,
+} from '../../../packages/furrow/src/three/loader/read-wrinkle-maps.ts'
+import { readsNormalMap, surfaceOf } from '../../../packages/furrow/src/three/material/surface.ts'
+
+/** What may be the skin of an avatar: the primitives of one mesh that have one material. */
+export interface SkinCandidate {
+  /** Of the mesh in the file, with its material where the mesh has several. */
+  name: string
+  /** The first one drives. */
+  meshes: [Mesh, ...Mesh[]]
+  triangles: number
+  blendshapes: number
+  /** Why it cannot wrinkle and what helps; null if it can. */
+  fault: string | null
+  wrinkles: FileWrinkles | null
+}
+
+/**
+ * Lists what may be the skin of a file, with the wrinkles that it has.
+ *
+ * @param onFault is told why wrinkles are left out, a sentence each.
+ */
+export async function findSkins(gltf: GLTF, onFault: (fault: string) => void): Promise<SkinCandidate[]> {
+  const { parser } = gltf
+  const read = materialReader(parser, ({ message }) => onFault(`${message}; this driver is left out`))
+  const wrinkled = new Map(wrinkledFaces(gltf, parser).map(({ meshes, material }) => [meshes[0], material]))
+  const skins: SkinCandidate[] = []
+  for (const meshes of facesOf(gltf, parser)) {
+    const material = wrinkled.get(meshes[0])
+    const wrinkles =
+      material === undefined
+        ? null
+        : await read(material).catch(({ message }: Error) => {
+            onFault(`${message}; the face stays plain`)
+            return null
+          })
+    skins.push({ ...describe(meshes, gltf), wrinkles })
+  }
+  return skins
+}
+
+/**
+ * Chooses the skin as automatic wrinkles do: of the meshes with blendshapes and texture coordinates, the one on which brows, lids and mouth
+ * move the most surface. One with wrinkles comes first; without any blendshape it is the largest.
+ *
+ * @param skins at least one.
+ * @returns its index.
+ */
+export function indexOfSkin(skins: readonly SkinCandidate[]): number {
+  const wrinkled = skins.findIndex(({ wrinkles }) => wrinkles)
+  if (wrinkled >= 0) return wrinkled
+  const movable = skins.filter(
+    ({ meshes, triangles }) => meshes.every(canCrease) && triangles <= MOST_TRIANGLES,
+  )
+  if (movable.length > 1) {
+    const candidates = movable.map(({ meshes }) => {
+      const data = readMeshes(meshes)
+      return { skin: skinOf(data), isLit: data.isLit }
+    })
+    return skins.indexOf(movable[chooseSkin(candidates)!.index])
+  }
+  const possible = skins.filter(({ fault }) => fault === null)
+  const [largest] = [movable, possible, skins]
+    .find((some) => some.length > 0)!
+    .toSorted((a, b) => b.triangles - a.triangles)
+  return skins.indexOf(largest)
+}
+
+function describe(meshes: [Mesh, ...Mesh[]], { parser }: GLTF): Omit<SkinCandidate, 'wrinkles'> {
+  const [{ name, geometry }] = meshes
+  const surface = surfaceOf(meshes[0])
+  const index = parser.associations.get(meshes[0])?.meshes
+  const mesh = index === undefined ? undefined : parser.json.meshes[index]
+  const hasOthers = mesh?.primitives.length > meshes.length
+  const triangles = meshes.reduce((sum, { geometry }) => sum + trianglesOf(geometry), 0)
+  return {
+    name: (mesh?.name || name || `mesh ${index}`) + (hasOthers && surface.name ? ` (${surface.name})` : ''),
+    meshes,
+    triangles,
+    blendshapes: geometry.morphAttributes.position?.length ?? 0,
+    fault: faultOf(meshes, triangles),
+  }
+}
+
+function trianglesOf({ index, attributes: { position } }: Mesh['geometry']): number {
+  return position ? Math.floor((index ?? position).count / 3) : 0
+}
+
+function faultOf(meshes: readonly Mesh[], triangles: number): string | null {
+  const surface = surfaceOf(meshes[0])
+  if (!meshes.every(({ geometry }) => geometry.attributes.uv)) {
+    return 'it has no texture coordinates: unwrap it, and export it again'
+  }
+  if (!readsNormalMap(surface)) return `its material is unlit: give it a lit one, and export it again`
+  if (triangles > MOST_TRIANGLES) {
+    return `it has ${triangles.toLocaleString('en')} triangles, more than ${MOST_TRIANGLES.toLocaleString('en')}: decimate it`
+  }
+  return null
+}

@@ -1,0 +1,105 @@
+import { FurrowError } from 'furrow'
+import { HEAD_BYTES, kindOf } from '../../../packages/cli/src/file-kind.ts'
+import { NAME_FACE, otherFormat, unusable } from '../../../packages/cli/src/gltf/not-gltf.ts'
+import { bytesOf, type DroppedFile } from './dropped-files.ts'
+
+/** What a user dropped. */
+export type Dropped = DroppedAvatar | DroppedWrinkles | DroppedAreas
+
+export interface DroppedAvatar {
+  kind: 'avatar'
+  face: DroppedFile
+  /** All files: the face may refer to any. */
+  files: readonly DroppedFile[]
+  /** Take the place of those in the face. */
+  wrinkles: WrinklesFolder | null
+  /** What was chosen of several, a sentence each. */
+  notes: readonly string[]
+}
+
+/** Wrinkles for the avatar on the stage. */
+export interface DroppedWrinkles {
+  kind: 'wrinkles'
+  wrinkles: WrinklesFolder
+  notes: readonly string[]
+}
+
+/** Painted areas for the avatar on the stage. */
+export interface DroppedAreas {
+  kind: 'areas'
+  images: readonly DroppedFile[]
+}
+
+/** A folder as `furrow pack` reads it. */
+export interface WrinklesFolder {
+  name: string
+  /** All that is below it, with paths relative to it. */
+  files: DroppedFile[]
+}
+
+const FACE = /\.(glb|vrm|gltf)$/i
+const IMAGE = /\.(png|jpe?g|webp|avif)$/i
+/** What makes the folder before it one of wrinkles. */
+const WRINKLES = /^(|.*\/)(wrinkles\.json|layers\/[^/]+\/normal\.png)$/
+
+/**
+ * Tells what was dropped, by names and by first bytes.
+ *
+ * @throws FurrowError when there is nothing to open; it tells what the first file is.
+ */
+export async function sortFiles(files: readonly DroppedFile[]): Promise<Dropped> {
+  const [wrinkles, ...others] = wrinklesFolders(files)
+  const faces = await findFaces(files)
+  const face = faces.find(({ path }) => wrinkles && path === `${wrinkles.path}face.glb`) ?? faces[0]
+  const notes: string[] = []
+  if (faces.length > 1) notes.push(`Opened ${face.path}, one of ${faces.length} faces`)
+  if (others.length > 0)
+    notes.push(`Took the wrinkles in ${wrinkles.name}, one of ${1 + others.length} folders`)
+  if (face) return { kind: 'avatar', face, files, wrinkles: wrinkles ?? null, notes }
+  if (wrinkles) return { kind: 'wrinkles', wrinkles, notes }
+  const images = files.filter(({ path }) => IMAGE.test(path))
+  if (images.length > 0) return { kind: 'areas', images }
+  throw await nothingUsable(files)
+}
+
+/** The highest folder comes first. */
+function wrinklesFolders(files: readonly DroppedFile[]): (WrinklesFolder & { path: string })[] {
+  const paths = new Set(files.flatMap(({ path }) => WRINKLES.exec(path)?.[1] ?? []))
+  return [...paths].sort(byDepth).map((path) => ({
+    path,
+    name: path.split('/').at(-2) ?? 'wrinkles',
+    files: files.flatMap(({ path: whole, file }) =>
+      whole.startsWith(path) ? { path: whole.slice(path.length), file } : [],
+    ),
+  }))
+}
+
+/** By their names, and else by their first bytes. The highest in the folders comes first. */
+async function findFaces(files: readonly DroppedFile[]): Promise<DroppedFile[]> {
+  const named = files.filter(({ path }) => FACE.test(path))
+  const faces = named.length > 0 ? named : await binaryFaces(files)
+  return faces.toSorted((a, b) => byDepth(a.path, b.path))
+}
+
+async function binaryFaces(files: readonly DroppedFile[]): Promise<DroppedFile[]> {
+  const others = files.filter(({ path }) => !IMAGE.test(path))
+  const kinds = await Promise.all(
+    others.map(async ({ file }) => kindOf(await bytesOf(file.slice(0, HEAD_BYTES), file.name))),
+  )
+  return others.filter((_, i) => kinds[i] === 'a binary glTF file')
+}
+
+function byDepth(a: string, b: string): number {
+  return a.split('/').length - b.split('/').length || a.localeCompare(b, 'en')
+}
+
+async function nothingUsable(files: readonly DroppedFile[]): Promise<FurrowError> {
+  const [first] = files
+  const remedy = 'drop a .glb, .vrm or .gltf, a folder of wrinkles, or gray images'
+  if (!first) return new FurrowError({ who: 'Studio', what: 'no file was dropped', remedy })
+  const other = otherFormat(await bytesOf(first.file.slice(0, HEAD_BYTES), first.path))
+  const problem = other?.problem ?? 'its contents are unknown'
+  return unusable(first.path, 'Studio', problem, {
+    remedy: other && other.remedy !== NAME_FACE ? other.remedy : remedy,
+  })
+}

@@ -1,0 +1,44 @@
+import type { ReadonlySignal, Signal } from '@preact/signals'
+import type { AreaConvention } from 'furrow'
+import type { WrinkleMode } from 'furrow/three'
+import type { RendererKind } from '../../../stage/stage.ts'
+import type { Dial } from '../viewer/dials.ts'
+import type { Look } from '../viewer/looks.ts'
+import type { Viewer } from '../viewer/viewer.ts'
+
+/** What the pointer or the focus is on: an area or a blendshape. */
+export interface Hovered {
+  kind: 'area' | 'target'
+  name: string
+}
+
+/** What panels show and request. */
+export interface PanelModel {
+  /** Names of the shipped faces. */
+  readonly faces: ReadonlySignal<readonly string[]>
+  readonly viewer: ReadonlySignal<Viewer | null>
+  /** Changes whenever a number on the face may have changed: a blendshape's weight, an activation. */
+  readonly frame: ReadonlySignal<number>
+  /** Changes whenever the viewer's areas, mode or look have changed. */
+  readonly revision: ReadonlySignal<number>
+  /** The expression that the face shows or moves to; null once a slider has changed it. */
+  readonly expression: ReadonlySignal<string | null>
+  readonly hovered: Signal<Hovered | null>
+  readonly actions: PanelActions
+}
+
+/** What a user can request. Errors are shown on the stage. */
+export interface PanelActions {
+  openFiles(files: readonly File[]): void
+  openFace(name: string): void
+  /** Wrinkles another mesh of the avatar. */
+  chooseSkin(index: number): void
+  setRenderer(kind: RendererKind): void
+  setMode(mode: WrinkleMode): void
+  setLook(look: Look): void
+  play(expression: string): void
+  input(dial: Dial, value: number): void
+  reset(dials: readonly Dial[]): void
+  addAreaImages(files: readonly File[], convention: AreaConvention): void
+  removeArea(name: string): void
+}

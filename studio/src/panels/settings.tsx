@@ -1,0 +1,130 @@
+import type { WrinkleMode } from 'furrow/three'
+import type { RendererKind } from '../../../stage/stage.ts'
+import { displayName } from '../display-name.ts'
+import type { Look, LookName } from '../viewer/looks.ts'
+import { Choice } from './choice.tsx'
+import type { PanelModel } from './model.ts'
+import { Section } from './section.tsx'
+
+const RENDERERS: readonly { value: RendererKind; label: string }[] = [
+  { value: 'webgl', label: 'WebGL' },
+  { value: 'webgpu', label: 'WebGPU' },
+]
+
+const MODES: readonly { value: Exclude<WrinkleMode, 'composed'>; label: string; title?: string }[] = [
+  { value: 'default', label: 'Default', title: 'Mixes normals, lights once' },
+  { value: 'paper', label: 'Paper', title: 'Lights twice, mixes colours' },
+  { value: 'off', label: 'Off' },
+]
+
+const LOOKS: readonly { value: LookName; label: string; title?: string }[] = [
+  { value: 'shaded', label: 'Shaded' },
+  { value: 'normals', label: 'Normals' },
+  { value: 'influence', label: 'Areas', title: 'Areas of influence times their activations' },
+  { value: 'wireframe', label: 'Wires' },
+]
+
+const ALL = 'All areas, as activated'
+
+/** Which face is shown, and how. */
+export function Settings({ model }: { model: PanelModel }) {
+  const { actions, revision } = model
+  const viewer = model.viewer.value
+  revision.value
+  const look: Look = viewer?.look ?? { name: 'shaded' }
+  return (
+    <Section title="View">
+      <div class="settings">
+        <FaceChoice model={model} />
+        <SkinChoice model={model} />
+        <Choice
+          legend="Renderer"
+          options={RENDERERS}
+          value={viewer?.kind ?? 'webgl'}
+          onChange={actions.setRenderer}
+        />
+        <Choice
+          legend="Wrinkles"
+          options={MODES}
+          value={(viewer?.mode ?? 'default') as (typeof MODES)[number]['value']}
+          onChange={actions.setMode}
+        />
+        <Choice
+          legend="Show"
+          options={LOOKS}
+          value={look.name}
+          onChange={(name) => actions.setLook({ name })}
+        />
+        {look.name === 'influence' && (
+          <AreaChoice model={model} shown={typeof look.area === 'string' ? look.area : ''} />
+        )}
+      </div>
+    </Section>
+  )
+}
+
+/** The shipped faces, and the avatar that was dropped while it is shown. */
+function FaceChoice({ model: { faces, viewer, actions } }: { model: PanelModel }) {
+  const shown = viewer.value?.avatar.name
+  const names = shown === undefined || faces.value.includes(shown) ? faces.value : [...faces.value, shown]
+  return (
+    <div class="setting">
+      <label for="face">Face</label>
+      <select
+        id="face"
+        value={shown ?? ''}
+        onChange={({ currentTarget }) => actions.openFace(currentTarget.value)}
+      >
+        {names.map((name) => (
+          <option key={name} value={name}>
+            {displayName(name)}
+          </option>
+        ))}
+      </select>
+    </div>
+  )
+}
+
+/** The meshes that may be the skin, where there are several. */
+function SkinChoice({ model: { viewer, actions } }: { model: PanelModel }) {
+  const avatar = viewer.value?.avatar
+  if (!avatar || avatar.skins.length < 2) return null
+  return (
+    <div class="setting">
+      <label for="skin">Skin</label>
+      <select
+        id="skin"
+        value={avatar.skin}
+        onChange={({ currentTarget }) => actions.chooseSkin(Number(currentTarget.value))}
+      >
+        {avatar.skins.map(({ name, fault }, i) => (
+          <option key={name} value={i} disabled={fault !== null} title={fault ?? undefined}>
+            {name}
+          </option>
+        ))}
+      </select>
+    </div>
+  )
+}
+
+function AreaChoice({ model: { viewer, actions }, shown }: { model: PanelModel; shown: string }) {
+  return (
+    <div class="setting">
+      <label for="area">Area</label>
+      <select
+        id="area"
+        value={shown}
+        onChange={({ currentTarget: { value } }) => {
+          actions.setLook({ name: 'influence', ...(value && { area: value }) })
+        }}
+      >
+        <option value="">{ALL}</option>
+        {viewer.value?.areas.map(({ name }) => (
+          <option key={name} value={name}>
+            {name}
+          </option>
+        ))}
+      </select>
+    </div>
+  )
+}

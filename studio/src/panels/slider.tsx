@@ -1,0 +1,73 @@
+import { type ReadonlySignal, useSignalEffect } from '@preact/signals'
+import type { ComponentChildren } from 'preact'
+import { useId, useRef } from 'preact/hooks'
+import type { Dial } from '../viewer/dials.ts'
+
+interface SliderProps {
+  dial: Dial
+  /** Changes whenever the dial's number may have changed. */
+  frame: ReadonlySignal<number>
+  onInput(dial: Dial, value: number): void
+  /** Called with the dial when the mouse moves onto its label, and with null when it leaves. */
+  onHover?(dial: Dial | null): void
+  /** Whether it is linked to what is hovered. */
+  linked?: boolean
+  /** Behind the number: buttons. */
+  children?: ComponentChildren
+}
+
+/** A labelled slider of a dial. The number follows the face without rendering anything but itself. */
+export function Slider({ dial, frame, onInput, onHover, linked = false, children }: SliderProps) {
+  const id = useId()
+  const input = useRef<HTMLInputElement>(null)
+  const output = useRef<HTMLOutputElement>(null)
+  useSignalEffect(() => {
+    frame.value
+    showNumber(input.current!, output.current!, dial.read())
+  })
+  const isHovered = useRef(false)
+  const hover = (hovered: boolean) => {
+    if (isHovered.current === hovered) return
+    isHovered.current = hovered
+    onHover?.(hovered ? dial : null)
+  }
+  return (
+    <div class={`row${children ? ' removable' : ''}${linked ? ' linked' : ''}`}>
+      <label
+        for={id}
+        title={dial.name}
+        // Only a mouse that moves itself hovers, not one beneath which the page scrolls, nor a finger.
+        onPointerMove={({ pointerType, movementX, movementY }) => {
+          if (pointerType === 'mouse' && (movementX !== 0 || movementY !== 0)) hover(true)
+        }}
+        onPointerLeave={() => hover(false)}
+      >
+        {dial.name}
+      </label>
+      <input
+        ref={input}
+        id={id}
+        type="range"
+        min="0"
+        max="1"
+        step="0.01"
+        onInput={({ currentTarget }) => {
+          onInput(dial, currentTarget.valueAsNumber)
+          showNumber(currentTarget, output.current!, dial.read())
+        }}
+      />
+      {/* Screen readers announce the input's value; announcing the output too would drown everything else. */}
+      <output ref={output} for={id} aria-live="off" />
+      {children}
+    </div>
+  )
+}
+
+/** Touches the page only if the number has changed. */
+function showNumber(input: HTMLInputElement, output: HTMLOutputElement, value: number): void {
+  const text = value.toFixed(2)
+  if (output.textContent === text) return
+  input.value = text
+  input.style.setProperty('--value', text)
+  output.textContent = text
+}

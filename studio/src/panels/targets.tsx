@@ -1,0 +1,106 @@
+import { useSignal } from '@preact/signals'
+import { useMemo } from 'preact/hooks'
+import { type Dial, type DialGroup, groupDials } from '../viewer/dials.ts'
+import type { PanelModel } from './model.ts'
+import { Section } from './section.tsx'
+import { Slider } from './slider.tsx'
+
+/** A slider per blendshape, in groups that fold, with a filter by name. */
+export function Targets({ model }: { model: PanelModel }) {
+  const { viewer, hovered, actions } = model
+  const dials = viewer.value?.targets
+  const groups = useMemo(() => groupDials(dials ?? []), [dials])
+  const filter = useSignal('')
+  const query = filter.value.trim().toLowerCase()
+  const matching =
+    query === '' ? groups : groups.map(matchingOf(query)).filter((group) => group.dials.length > 0)
+  const count = matching.reduce((sum, group) => sum + group.dials.length, 0)
+  const area = hovered.value?.kind === 'area' ? hovered.value.name : undefined
+  const linked = area === undefined ? [] : (viewer.value?.driversOf(area) ?? [])
+  const aside = (
+    <>
+      <span class="hint" role="status">
+        {query !== '' && `${count} found`}
+      </span>
+      <button
+        type="button"
+        class="quiet"
+        aria-label="Reset all blendshapes"
+        onClick={() => actions.reset(dials ?? [])}
+      >
+        Reset
+      </button>
+    </>
+  )
+  return (
+    <Section title="Blendshapes" aside={aside}>
+      <label class="filter">
+        <span class="hidden">Filter blendshapes</span>
+        <input
+          id="filter"
+          type="search"
+          placeholder="Filter, e.g. brow"
+          autocomplete="off"
+          spellcheck={false}
+          value={filter.value}
+          onInput={({ currentTarget }) => {
+            filter.value = currentTarget.value
+          }}
+        />
+      </label>
+      <div id="targets" class="groups">
+        {matching.map((group) => (
+          <Group key={group.name} group={group} isFiltered={query !== ''} linked={linked} model={model} />
+        ))}
+      </div>
+    </Section>
+  )
+}
+
+function matchingOf(query: string): (group: DialGroup) => DialGroup {
+  return ({ name, dials }) => ({
+    name,
+    dials: dials.filter((dial) => dial.name.toLowerCase().includes(query)),
+  })
+}
+
+interface GroupProps {
+  group: DialGroup
+  /** While there is a filter, every group is open; afterwards it is as it was. */
+  isFiltered: boolean
+  /** Names of the blendshapes that drive the hovered area. */
+  linked: readonly string[]
+  model: PanelModel
+}
+
+function Group({ group: { name, dials }, isFiltered, linked, model }: GroupProps) {
+  const { frame, hovered, actions } = model
+  const isOpen = useSignal(false)
+  const onHover = (dial: Dial | null) => {
+    hovered.value = dial && { kind: 'target', name: dial.name }
+  }
+  return (
+    <details
+      class={dials.some((dial) => linked.includes(dial.name)) ? 'linked' : ''}
+      open={isFiltered || isOpen.value}
+      onToggle={({ currentTarget }) => {
+        if (!isFiltered) isOpen.value = currentTarget.open
+      }}
+    >
+      <summary>
+        {name}
+        <span>{dials.length}</span>
+      </summary>
+      {dials.map((dial) => (
+        <Slider
+          key={dial.name}
+          dial={dial}
+          frame={frame}
+          linked={linked.includes(dial.name)}
+          onInput={actions.input}
+          onHover={onHover}
+        />
+      ))}
+    </details>
+  )
+}

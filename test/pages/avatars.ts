@@ -1,0 +1,111 @@
+/** Avatars as users bring them, made from a shipped face, as files in a folder. */
+
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { type Document, Logger, NodeIO } from '@gltf-transform/core'
+import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
+import { draco, prune } from '@gltf-transform/functions'
+import draco3d from 'draco3d'
+import sharp from 'sharp'
+import { turnScene } from '../avatar.ts'
+import { editGlb } from '../glb.ts'
+
+const HUMAN = fileURLToPath(new URL('../../faces/human.glb', import.meta.url))
+
+const io = new NodeIO()
+  .setLogger(new Logger(Logger.Verbosity.SILENT))
+  .registerExtensions(ALL_EXTENSIONS)
+  .registerDependencies({ 'draco3d.encoder': await draco3d.createEncoderModule() })
+
+/** The shipped face without its wrinkles: their extension is not registered. */
+async function plainHuman(): Promise<Document> {
+  const document = await io.read(HUMAN)
+  return document.transform(prune({ keepLeaves: true, keepAttributes: true, keepExtras: true }))
+}
+
+/**
+ * Writes `plain.glb`, `draco.glb`, `vrm0.vrm`, `broken.glb`, `model.fbx`, `separate/` with a `.gltf` whose textures are in a folder,
+ * and `wrinkles/` with `face.glb`, one layer and one area.
+ */
+export async function writeAvatars(folder: string): Promise<void> {
+  const write = (path: string, bytes: Uint8Array | string) => writeFileSync(join(folder, path), bytes)
+  for (const path of ['separate/my textures', 'wrinkles/layers/up', 'wrinkles/areas']) {
+    mkdirSync(join(folder, path), { recursive: true })
+  }
+  const plain = await io.writeBinary(await plainHuman())
+  write('plain.glb', plain)
+  write('broken.glb', plain.subarray(0, plain.length / 2))
+  write('model.fbx', 'Kaydara FBX Binary  ')
+  write('draco.glb', await io.writeBinary(await (await plainHuman()).transform(draco())))
+
+  const turned = await plainHuman()
+  turnScene(turned, 180)
+  write('vrm0.vrm', asVrm0(await io.writeBinary(turned)))
+
+  const { json, resources } = await io.writeJSON(await plainHuman(), { basename: 'avatar' })
+  for (const image of json.images ?? []) {
+    write(`separate/my textures/${image.uri}`, resources[image.uri!])
+    image.uri = `my%20textures/${image.uri}`
+  }
+  write('separate/avatar.bin', resources['avatar.bin'])
+  write('separate/avatar.gltf', JSON.stringify(json))
+
+  write('wrinkles/face.glb', plain)
+  write('wrinkles/layers/up/normal.png', await ripples())
+  const black = { create: { width: 32, height: 32, channels: 3, background: '#000' } } as const
+  write('wrinkles/areas/everywhere.png', await sharp(black).png().toBuffer())
+}
+
+/** The parts of VRM 0 that three-vrm needs. Nothing moves its bones. */
+function asVrm0(glb: Uint8Array): Uint8Array {
+  return editGlb(glb, (json) => {
+    const bones = ['hips', 'spine', 'chest', 'neck', 'head', ...LIMBS]
+    const first = json.nodes.length
+    json.nodes.push(...bones.map((name) => ({ name })))
+    json.scenes[0].nodes.push(...bones.map((_, i) => first + i))
+    const humanBones = bones.map((bone, i) => ({ bone, node: first + i, useDefaultValues: true }))
+    const materialProperties = json.materials.map(({ name }: { name: string }) => ({
+      name,
+      shader: 'VRM_USE_GLTFSHADER',
+      renderQueue: 2000,
+      floatProperties: {},
+      vectorProperties: {},
+      textureProperties: {},
+      keywordMap: {},
+      tagMap: {},
+    }))
+    json.extensionsUsed = [...(json.extensionsUsed ?? []), 'VRM']
+    json.extensions = {
+      VRM: {
+        specVersion: '0.0',
+        meta: { title: 'face' },
+        humanoid: { humanBones },
+        blendShapeMaster: { blendShapeGroups: [] },
+        materialProperties,
+      },
+    }
+  })
+}
+
+const LIMBS = ['left', 'right'].flatMap((side) =>
+  ['UpperLeg', 'LowerLeg', 'Foot', 'UpperArm', 'LowerArm', 'Hand'].map((bone) => side + bone),
+)
+
+/** A normal map of level lines. */
+function ripples(): Promise<Buffer> {
+  const size = 256
+  const data = Buffer.alloc(3 * size * size)
+  for (let i = 0; i < size * size; i++) {
+    const slope = 0.6 * Math.sin((2 * Math.PI * Math.floor(i / size)) / 16)
+    data.set([128, 127.5 + 127.5 * slope, 127.5 + 127.5 * Math.sqrt(1 - slope ** 2)].map(Math.round), 3 * i)
+  }
+  return sharp(data, { raw: { width: size, height: size, channels: 3 } })
+    .png()
+    .toBuffer()
+}
+
+/** The bytes of one of the files, for what is dropped without a path. */
+export function readAvatar(folder: string, path: string): Buffer {
+  return readFileSync(join(folder, path))
+}

@@ -1,0 +1,159 @@
+import { describe, expect, it } from 'vitest'
+import { type DroppedFile, filesOfInput, filesOfTransfer } from '../../../studio/src/open/dropped-files.ts'
+import { sortFiles } from '../../../studio/src/open/sort-files.ts'
+
+const GLB = 'glTF\x02\0\0\0'
+
+const dropped = (contents: Record<string, string>): DroppedFile[] =>
+  Object.entries(contents).map(([path, text]) => ({ path, file: new File([text], path.split('/').at(-1)!) }))
+
+const faceOf = async (contents: Record<string, string>) => {
+  const sorted = await sortFiles(dropped(contents))
+  if (sorted.kind !== 'avatar') throw new Error(`it is ${sorted.kind}`)
+  return { face: sorted.face.path, wrinkles: sorted.wrinkles?.name, notes: sorted.notes }
+}
+
+describe('what was dropped', () => {
+  it.each(['a.glb', 'a.vrm', 'a.gltf', 'A.GLB'])('is a face: %s', async (name) => {
+    expect(await faceOf({ [name]: '' })).toEqual({ face: name, wrinkles: undefined, notes: [] })
+  })
+
+  it('is a face of any name, known by its contents', async () => {
+    expect((await faceOf({ 'notes.txt': 'text', 'avatar.bin': GLB })).face).toBe('avatar.bin')
+  })
+
+  it('is the highest of several faces, which a note tells', async () => {
+    const { face, notes } = await faceOf({ 'a/deep/a.glb': GLB, 'a/z.vrm': GLB, 'a/b.glb': GLB })
+    expect(face).toBe('a/b.glb')
+    expect(notes).toEqual(['Opened a/b.glb, one of 3 faces'])
+  })
+
+  it('is a folder of wrinkles with its face, whatever other faces are there', async () => {
+    const files = { 'a.glb': GLB, 'my-face/face.glb': GLB, 'my-face/wrinkles.json': '{}' }
+    expect(await faceOf(files)).toMatchObject({ face: 'my-face/face.glb', wrinkles: 'my-face' })
+  })
+
+  it('is a folder of wrinkles without a document, and a face beside it', async () => {
+    const files = { 'avatar.vrm': GLB, 'w/layers/up/normal.png': '', 'w/areas/brow.png': '' }
+    const sorted = await sortFiles(dropped(files))
+    expect(sorted).toMatchObject({ kind: 'avatar', face: { path: 'avatar.vrm' }, wrinkles: { name: 'w' } })
+    const { wrinkles } = sorted as { wrinkles: { files: DroppedFile[] } }
+    expect(wrinkles.files.map(({ path }) => path)).toEqual(['layers/up/normal.png', 'areas/brow.png'])
+  })
+
+  it('is the content of such a folder', async () => {
+    const sorted = await sortFiles(dropped({ 'wrinkles.json': '{}', 'areas/brow.png': '' }))
+    expect(sorted).toMatchObject({ kind: 'wrinkles', wrinkles: { name: 'wrinkles' } })
+  })
+
+  it('is images, which are areas, whatever else is there', async () => {
+    const sorted = await sortFiles(
+      dropped({ 'areas/a.png': '', 'areas/b.JPG': '', 'areas/notes.txt': 'text' }),
+    )
+    expect(sorted.kind).toBe('areas')
+    expect((sorted as { images: readonly DroppedFile[] }).images.map(({ path }) => path)).toEqual([
+      'areas/a.png',
+      'areas/b.JPG',
+    ])
+  })
+
+  it.each([
+    ['model.fbx', 'Kaydara FBX Binary', 'it is an FBX file', 'convert it with FBX2glTF'],
+    ['model.obj', 'v 0 0 0', 'it is an OBJ file, which has no blendshapes', 'open it in Blender'],
+    ['avatar.zip', 'PK\x03\x04', 'it is an archive', 'unpack it first'],
+    [
+      'notes.txt',
+      'hello',
+      'it is text, not glTF',
+      'drop a .glb, .vrm or .gltf, a folder of wrinkles, or gray images',
+    ],
+    ['unknown', '\x00\x01', 'its contents are unknown', 'drop a .glb'],
+  ])('is not usable: %s', async (name, text, problem, remedy) => {
+    const error = await sortFiles(dropped({ [name]: text })).catch((thrown: Error) => thrown.message)
+    expect(error).toContain(`Studio: ${name} is not usable: ${problem}`)
+    expect(error).toContain(`; ${remedy}`)
+  })
+
+  it('is nothing', async () => {
+    await expect(sortFiles([])).rejects.toThrow('Studio: no file was dropped; drop a .glb')
+  })
+})
+
+describe('the files of a drop', () => {
+  it('are those of folders too, without hidden ones', async () => {
+    const transfer = transferOf([
+      file('a.glb'),
+      folder('tex', [
+        file('.DS_Store'),
+        folder('deep', [file('b.png')]),
+        folder('__MACOSX', [file('c.png')]),
+      ]),
+    ])
+    const paths = (await filesOfTransfer(transfer)).map(({ path }) => path)
+    expect(paths).toEqual(['a.glb', 'tex/deep/b.png'])
+  })
+
+  it('are read in folders of more files than a browser lists at once', async () => {
+    const many = Array.from({ length: 250 }, (_, i) => file(`${i}.png`))
+    expect(await filesOfTransfer(transferOf([folder('many', many)]))).toHaveLength(250)
+  })
+
+  it('are pasted pictures, which have no entry', async () => {
+    const pasted = new File([''], 'image.png')
+    const item = { kind: 'file', webkitGetAsEntry: () => null, getAsFile: () => pasted }
+    const text = { kind: 'string', webkitGetAsEntry: () => null, getAsFile: () => null }
+    const transfer = { items: [text, item] } as unknown as DataTransfer
+    expect(await filesOfTransfer(transfer)).toEqual([{ path: 'image.png', file: pasted }])
+  })
+
+  it('are 5,000 at most, and no folder is followed without end', async () => {
+    const many = Array.from({ length: 5001 }, (_, i) => file(`${i}.png`))
+    const expected = 'Studio: too many files, allowed: 5,000 files; drop the folder of the avatar alone'
+    await expect(filesOfTransfer(transferOf([folder('home', many)]))).rejects.toThrow(expected)
+    const endless = folder('endless', []) as FileSystemDirectoryEntry & { children: unknown[] }
+    endless.children.push(endless, file('a.png'))
+    expect((await filesOfTransfer(transferOf([endless]))).length).toBeLessThan(100)
+  })
+
+  it('are named where one cannot be read', async () => {
+    const gone = {
+      ...file('gone.glb'),
+      file: (_: unknown, fail: (error: Error) => void) => fail(new Error('no')),
+    }
+    const expected = 'Studio: gone.glb cannot be read, got "no"; check that it is still there'
+    await expect(filesOfTransfer(transferOf([gone as never]))).rejects.toThrow(expected)
+  })
+
+  it('have the paths that a folder input gives them', () => {
+    const chosen = new File([''], 'a.png')
+    Object.defineProperty(chosen, 'webkitRelativePath', { value: 'folder/a.png' })
+    expect(filesOfInput([chosen, new File([''], 'b.png')]).map(({ path }) => path)).toEqual([
+      'folder/a.png',
+      'b.png',
+    ])
+  })
+})
+
+function file(name: string): FileSystemEntry {
+  const entry = { name, isFile: true, file: (found: (file: File) => void) => found(new File([''], name)) }
+  return entry as unknown as FileSystemEntry
+}
+
+/** Lists a hundred entries at a time, as Chrome does. */
+function folder(name: string, children: FileSystemEntry[]): FileSystemEntry {
+  const createReader = () => {
+    let from = 0
+    return {
+      readEntries(found: (entries: FileSystemEntry[]) => void) {
+        found(children.slice(from, from + 100))
+        from += 100
+      },
+    }
+  }
+  return { name, isFile: false, children, createReader } as unknown as FileSystemEntry
+}
+
+function transferOf(entries: FileSystemEntry[]): DataTransfer {
+  const items = entries.map((entry) => ({ kind: 'file', webkitGetAsEntry: () => entry }))
+  return { items } as unknown as DataTransfer
+}
