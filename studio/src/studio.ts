@@ -185,6 +185,7 @@ export class Studio {
 
   #show(viewer: Viewer): void {
     viewer.split = this.#divider.position
+    if (viewer.avatar.root !== this.#shown.peek()?.avatar.root) this.#expression.value = null
     this.#shown.value = viewer
     this.#refresh()
     this.#meter.reset()
