@@ -2,18 +2,8 @@ import type { Stroke } from '../../strokes/document.ts'
 import { type LaidStroke, layOutStroke } from '../../strokes/lay-out.ts'
 import type { LineStyle, SkinRegion } from '../anatomy/region.ts'
 import { creaseDepth } from './crease-depth.ts'
+import type { LaidLine } from './laid-line.ts'
 import { type StrokedSkin, strokeOf } from './stroke-of.ts'
-
-/** A line on the skin. */
-export interface LaidLine {
-  style: LineStyle
-  /** x, y and z of each point, in millimetres. */
-  points: Float64Array
-  /** The triangle of each point. */
-  triangles: readonly number[]
-  /** Fraction of its length that the skin loses across the line at each point; below 0 where it is stretched. */
-  compressions: readonly number[]
-}
 
 /** A stroke as it lies on the skin. */
 export interface Crease extends LaidStroke {

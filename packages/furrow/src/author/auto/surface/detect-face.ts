@@ -1,4 +1,5 @@
 import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from '../../skin/surface.ts'
+import type { MirrorPlane } from '../../strokes/edit/mirror.ts'
 import { HeadChart } from './head-chart.ts'
 import { centroidOf, findLandmarks, type Landmarks } from './landmarks.ts'
 import { faceShapeFinder, partShapeFinder } from './stand-ins.ts'
@@ -12,6 +13,8 @@ export interface DetectedFace {
   landmarks: Landmarks
   /** Millimetres per unit of the skin. */
   scale: number
+  /** The plane between its left and right half, in the coordinates of the skin. */
+  middle: MirrorPlane
   /** Offsets of each target by point, in millimetres, in the order of the skin's targets. */
   offsets: readonly Float64Array[]
   /** Names of the targets. */
@@ -59,8 +62,19 @@ export function detectFace(skin: Skin): DetectedFace | undefined {
     if (parts.length > 0) return sumDisplacements(offsets, parts, count)
     return inHalf(surface, shapes[0], sumDisplacements(offsets, shapes.flatMap(find), count))
   })
-  const { scale } = frame
-  return landmarks && { surface, chart: new HeadChart(surface), landmarks, scale, offsets, names, find }
+  const { scale, middle } = frame
+  return (
+    landmarks && { surface, chart: new HeadChart(surface), landmarks, scale, middle, offsets, names, find }
+  )
+}
+
+/**
+ * Finds the plane between the left and right half of a face, by what its targets move.
+ *
+ * @returns undefined where no face is found.
+ */
+export function middleOf(skin: Skin): MirrorPlane | undefined {
+  return detectFace(skin)?.middle
 }
 
 /** Transforms coordinates into the frame of the face: the midpoint between the eyes becomes the origin, in millimetres. */
@@ -89,9 +103,11 @@ function faceFrame(leftEye: number[], rightEye: number[], mouth: number[]) {
     }
     return out
   }
+  const middle: MirrorPlane = { origin: [origin[0], origin[1], origin[2]], normal: [x[0], x[1], x[2]] }
   return {
     /** Millimetres per unit of the skin. */
     scale,
+    middle,
     positions: (vectors: Float64Array) => transform(vectors, origin, scale),
     directions: (vectors: Float64Array, factor: number) => transform(vectors, [0, 0, 0], factor),
   }
