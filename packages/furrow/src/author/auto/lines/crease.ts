@@ -1,6 +1,6 @@
 import type { Stroke } from '../../strokes/document.ts'
 import { type LaidStroke, layOutStroke } from '../../strokes/lay-out.ts'
-import type { LineStyle, SkinRegion } from '../anatomy/region.ts'
+import type { SkinRegion } from '../anatomy/region.ts'
 import { creaseDepth } from './crease-depth.ts'
 import type { LaidLine } from './laid-line.ts'
 import { type StrokedSkin, strokeOf } from './stroke-of.ts'
