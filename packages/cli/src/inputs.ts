@@ -55,7 +55,16 @@ export async function readBytes(
 /** Reads a JSON file; see `readBytes`. Throws FurrowError also when it is not JSON, or too deep. */
 export async function readJson(path: string, who: string, noun = ''): Promise<unknown> {
   const bytes = await readBytes(path, who, noun, { most: MAX_JSON_BYTES })
-  const name = `${noun} ${path}`.trim()
+  return parseJson(bytes, `${noun} ${path}`.trim(), who)
+}
+
+/**
+ * Parses the bytes of a JSON file.
+ *
+ * @param name of the file, as the user knows it.
+ * @throws FurrowError when it is not JSON, or too deep.
+ */
+export function parseJson(bytes: Buffer, name: string, who: string): unknown {
   const hints = { limit: 'JSON', remedy: 'correct the file, or name another one' }
   let json: unknown
   try {

@@ -27,7 +27,7 @@ import { checkOutputs, fileProblem, isStdout } from '../../../packages/cli/src/o
 import { noise, painted, Workshop } from './workshop.ts'
 
 const WHO = 'furrow test'
-const STROKES = 'faces/human/strokes.json'
+const STROKES = 'faces/human/drawn.json'
 const FACE = 'faces/human.glb'
 
 const shop = new Workshop()

@@ -264,7 +264,7 @@ describe('files outside the folder', () => {
     [strokesCommand, (face) => [shop.path('strokes.json'), '--face', face, '-o', shop.path('x.png')]],
     [unpackCommand, (face) => [face, '-o', shop.path('x')]],
   ])('are refused by each command', async (command, args) => {
-    shop.write('strokes.json', readFileSync('faces/human/strokes.json'))
+    shop.write('strokes.json', readFileSync('faces/human/drawn.json'))
     const face = await withImage('../secret.png')
     const error = await shop.failure(command, ...args(face))
     expect(error.message).toContain(`furrow ${command.name()}: ${face} refers to a file outside its folder`)

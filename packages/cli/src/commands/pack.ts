@@ -20,6 +20,7 @@ import { readFolder, readReferenced } from '../wrinkles/folder.ts'
 import { PACK_DEFAULTS, type PackedFolder, packFolder } from '../wrinkles/pack.ts'
 import { kilobytes } from '../wrinkles/sizes.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
+import { strokesBytes } from '../wrinkles/strokes.ts'
 
 const WHO = 'furrow pack'
 
@@ -44,7 +45,10 @@ const imageSide = numberParser({ min: 2, max: MAX_IMAGE_SIDE, unit: 'texels', in
 /** `furrow pack`: adds the wrinkles of a folder to a face. */
 export const packCommand = createCommand('pack')
   .description('add wrinkles to a face: a folder of images becomes one .glb')
-  .argument('<folder>', 'face.glb, layers/NAME/normal.png, areas/NAME.png and optionally wrinkles.json')
+  .argument(
+    '<folder>',
+    'face.glb, layers/NAME/normal.png, areas/NAME.png, optionally wrinkles.json and strokes.json',
+  )
   .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb, .vrm, .gltf)')
   .option('--face <file>', 'the face (default: face.glb in the folder)')
   .option(
@@ -133,8 +137,9 @@ async function pack(folder: string, options: Options): Promise<void> {
     areas: wrinkles.areas.map(({ name }) => name),
     areaSize: wrinkles.areaSize,
     drivers: wrinkles.drivers.length,
+    strokes: wrinkles.strokes?.strokes.length ?? 0,
     bytes: files.reduce((sum, { bytes }) => sum + bytes.length, 0),
-    added: imageBytes(wrinkles),
+    added: imageBytes(wrinkles) + strokesBytes(wrinkles.strokes),
     morphNormals,
   }
   print(options.json ? JSON.stringify(result) : describe(result), output)
@@ -156,19 +161,21 @@ interface Result {
   areas: string[]
   areaSize: number
   drivers: number
+  strokes: number
   bytes: number
-  /** Bytes of the wrinkles' images. */
+  /** Bytes of the wrinkles' images and strokes. */
   added: number
   /** Number of blendshapes that got normals. */
   morphNormals: number
 }
 
 function describe(result: Result): string {
-  const { file, material, layers, areas, areaSize, drivers, bytes, added, morphNormals } = result
+  const { file, material, layers, areas, areaSize, drivers, strokes, bytes, added, morphNormals } = result
   const names = `layers: ${layers.join(', ')}; areas: ${areas.join(', ')} (${areaSize} x ${areaSize})`
   const normals = morphNormals > 0 ? `; blendshapes that got normals: ${morphNormals}` : ''
+  const lines = strokes > 0 ? `strokes: ${strokes}; ` : ''
   const size = `wrinkles are ${kilobytes(added)} of ${kilobytes(bytes)}`
-  return `${file}: material "${material ?? ''}"; ${names}; drivers: ${drivers}; ${size}${normals}`
+  return `${file}: material "${material ?? ''}"; ${names}; drivers: ${drivers}; ${lines}${size}${normals}`
 }
 
 /** Bytes of all images, each once. */

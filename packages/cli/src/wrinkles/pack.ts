@@ -15,6 +15,7 @@ import { type AreasPerImage, encodeAreaImages } from './area-images.ts'
 import { type CheckedImage, checkMap, checkOneSize, scaleMap } from './checked-image.ts'
 import type { LayerImages, PackedArea, PackedWrinkles } from './embed.ts'
 import { AREAS_PER_SLICE, encodeAreaArray, encodeMapArrays } from './ktx2-images.ts'
+import { readStrokes } from './strokes.ts'
 
 /** How the images go into the file. */
 export interface PackOptions {
@@ -37,16 +38,16 @@ export interface PackedFolder extends PackedWrinkles {
   warnings: string[]
 }
 
-/** Reads an image by its address in the wrinkle set. */
-type ReadImage = (uri: string) => Promise<Uint8Array>
+/** Reads a file by its address in the wrinkle set. */
+type ReadFile = (uri: string) => Promise<Uint8Array>
 
 /**
- * Encodes the images of a wrinkle set for a file.
+ * Encodes the images of a wrinkle set for a file, and reads its strokes.
  *
- * @throws FurrowError at the first image that cannot be used, or layer that does not exist.
+ * @throws FurrowError at the first image or stroke that cannot be used, or layer that does not exist.
  */
 export async function packFolder(
-  read: ReadImage,
+  read: ReadFile,
   document: WrinkleSetDocument,
   { areasPerImage, ktx2, areaSize, size }: PackOptions,
   who: string,
@@ -57,6 +58,8 @@ export async function packFolder(
   let done = 0
   const step = () => progress(++done, total)
   const warnings: string[] = []
+  const names = document.layers.map(({ name }) => name)
+  const strokes = document.strokes && readStrokes(await read(document.strokes), document.strokes, names, who)
   const maps = await packLayers(read, document.layers, size, who, step)
 
   const weights: GrayImage[] = []
@@ -84,11 +87,18 @@ export async function packFolder(
       activation,
     }),
   )
-  return { layers, areas, drivers: document.drivers ?? [], areaSize: side, warnings }
+  return {
+    layers,
+    areas,
+    drivers: document.drivers ?? [],
+    ...(strokes && { strokes }),
+    areaSize: side,
+    warnings,
+  }
 }
 
 async function packLayers(
-  read: ReadImage,
+  read: ReadFile,
   layers: WrinkleSetDocument['layers'],
   size: number | undefined,
   who: string,
@@ -134,7 +144,7 @@ async function scaledTo(size: number | undefined, image: CheckedImage, kind: 'no
 }
 
 async function readWeights(
-  read: ReadImage,
+  read: ReadFile,
   uri: string,
   convention: AreaConvention | undefined,
   size: number,

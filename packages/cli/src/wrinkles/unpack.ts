@@ -8,19 +8,25 @@ import { encodeArea, encodePngWithoutOpaqueAlpha } from '../images/encode.ts'
 import { withImageErrors } from '../images/image-errors.ts'
 import { openImage } from '../images/open-image.ts'
 import type { Progress } from '../progress.ts'
-import { addressOf } from './folder-document.ts'
+import { addressOf, STROKES_FILE } from './folder-document.ts'
 import { weightsOf } from './inspect.ts'
 import { MAP_SLOTS } from './map-slots.ts'
+import { strokesFile, strokesIn } from './strokes.ts'
 import type { WrinkledFile } from './wrinkled-file.ts'
 
 type LayerEntry = WrinkleSetDocument['layers'][number]
 
+/** The files of a folder, with paths relative to it, and warnings for the user. */
+export interface UnpackedWrinkles {
+  files: OutputFile[]
+  warnings: string[]
+}
+
 /**
- * Makes the files of a folder from the wrinkles of a file: `wrinkles.json`, `layers/NAME/*.png` and `areas/NAME.png`,
- * where a name that no file can have is changed; `wrinkles.json` has the names as they are.
+ * Makes the files of a folder from the wrinkles of a file: `wrinkles.json`, `layers/NAME/*.png`, `areas/NAME.png` and
+ * `strokes.json`, where a name that no file can have is changed; `wrinkles.json` has the names as they are.
  *
  * @param whiteIsVisible the convention to write areas in.
- * @returns the files, with paths relative to the folder.
  * @throws FurrowError when an image cannot be decoded.
  */
 export async function unpackWrinkles(
@@ -28,7 +34,7 @@ export async function unpackWrinkles(
   whiteIsVisible: boolean,
   who: string,
   progress: Progress,
-): Promise<OutputFile[]> {
+): Promise<UnpackedWrinkles> {
   const { maps } = file
   const total = maps.layers.length + maps.areas.length
   const outputs: OutputFile[] = []
@@ -69,6 +75,8 @@ export async function unpackWrinkles(
     progress(layers.length + i + 1, total)
   }
 
+  const { strokes, problem } = strokesIn(file, `${who}: the strokes are left out`)
+  if (strokes) outputs.push({ path: STROKES_FILE, bytes: strokesFile(strokes) })
   const document: WrinkleSetDocument = {
     version: 1,
     ...namesOfTarget(file.glb.json, file.material),
@@ -76,9 +84,11 @@ export async function unpackWrinkles(
     areas: areaEntries,
     ...(maps.drivers.length > 0 && { drivers: maps.drivers }),
     areaSize: Math.max(2, ...areas.flatMap(({ width, height }) => [width, height])),
+    ...(strokes && { strokes: STROKES_FILE }),
   }
   const text = `${JSON.stringify(document, null, 2)}\n`
-  return [{ path: 'wrinkles.json', bytes: Buffer.from(text) }, ...outputs]
+  const warnings = problem === undefined ? [] : [problem]
+  return { files: [{ path: 'wrinkles.json', bytes: Buffer.from(text) }, ...outputs], warnings }
 }
 
 /** A map as a PNG file; one that is PNG already is decoded to check it, and not encoded again. */

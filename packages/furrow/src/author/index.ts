@@ -26,7 +26,9 @@ export { chooseSkin, type SkinCandidate, type SkinChoice } from './auto/surface/
 export { middleOf } from './auto/surface/detect-face.ts'
 export { joinParts, type SkinPart } from './auto/surface/join-parts.ts'
 export type { LandmarkPosition as Place, Landmarks } from './auto/surface/landmarks.ts'
+export { skinSurface } from './auto/surface/skin-surface.ts'
 export { faceShapeFinder } from './auto/surface/stand-ins.ts'
+export { moveToFirstTile } from './auto/surface/uv-tiles.ts'
 export { autoWrinkleSet } from './auto/wrinkle-set.ts'
 export {
   BAKE_DEFAULTS,
@@ -50,10 +52,11 @@ export {
   reliefToNormal,
 } from './relief/relief-to-normal.ts'
 export type { Edges } from './relief/slope.ts'
-export { type SkinCanvas, skinCanvas } from './skin/canvas.ts'
+export { mapSkin, type SkinCanvas, skinCanvas } from './skin/canvas.ts'
 export type { SkinTexels } from './skin/skin-texels.ts'
 export { crossOf, type Skin, type SkinSurface, type SkinTarget } from './skin/surface.ts'
 export type { UvLocator } from './skin/uv-locator.ts'
+export { barycentricsAt, walk } from './skin/walk.ts'
 export type { GroupShape, PolygonShape } from './strokes/area-definitions.ts'
 export {
   type AreaDefinition,

@@ -10,6 +10,8 @@ const PARTS = 32
 const TILE = 8
 /** Owner of a texel far from any island. */
 const NONE = -1
+/** Barycentric coordinate up to which a texel is on the edge of a triangle. */
+const EDGE = 1e-3
 /** Twice the area, in square texels, below which a triangle has no plane to be continued in. */
 const NO_AREA = 1e-9
 
@@ -56,8 +58,9 @@ export class SkinTexels {
     this.#owner = new Int32Array(width * height).fill(NONE)
     const drawn = surface.skinTriangles.map((_, triangle) => (isDrawn(triangle) ? 1 : 0))
     for (const [triangle, flag] of drawn.entries()) if (flag) this.#cover(triangle)
+    const border = this.#borderEdges(drawn)
     extendPlanes(
-      () => this.#borderEdges(drawn),
+      () => this.#inTexels(border),
       width,
       height,
       margin,
@@ -100,6 +103,17 @@ export class SkinTexels {
       if (isNear(box.subarray(0, 3), box.subarray(3, 6))) this.#visitTile(tile, visit)
     }
     progress?.(1)
+  }
+
+  /** Visits the texels that triangles cover besides their own one: parts of the skin that use the same texels. */
+  visitOverlaps(visit: (texel: number, triangle: number, a: number, b: number, c: number) => void): void {
+    for (let triangle = 0; triangle < this.surface.skinTriangles.length; triangle++) {
+      const corners = skinVertices(this.#skin, this.surface, triangle)
+      coverTexels(this.#skin.uvs, corners, this.width, this.height, (texel, a, b, c) => {
+        // Adjacent triangles both cover the texels of their edge.
+        if (this.#owner[texel] !== triangle && Math.min(a, b, c) > EDGE) visit(texel, triangle, a, b, c)
+      })
+    }
   }
 
   #tileCount(): number {
@@ -176,36 +190,64 @@ export class SkinTexels {
     })
   }
 
-  *#borderEdges(drawn: Uint32Array): Generator<BorderEdge> {
+  /** The edges at which the skin is continued: 3 t + k for that from corner k of triangle t. */
+  #borderEdges(drawn: Uint32Array): number[] {
+    const { adjacent } = this.surface
     const c = new Float64Array(6)
     const vertexCount = this.#skin.uvs.length / 2
+    const edges: number[] = []
     /** From one vertex to another: where several triangles have the same edge, the first one is continued. */
     const seen = new Set<number>()
-    for (const [triangle, flag] of drawn.entries()) {
-      for (let k = 0; flag && k < 3; k++) {
-        const adjacent = this.surface.adjacent[3 * triangle + k]
-        if (adjacent >= 0 && drawn[adjacent] && !this.#isCut(triangle, k, adjacent)) continue
-        const vertices = skinVertices(this.#skin, this.surface, triangle)
-        const edge = vertices[k] * vertexCount + vertices[(k + 1) % 3]
-        if (seen.has(edge)) continue
-        this.#toTexels(c, triangle)
-        if (Math.abs((c[2] - c[0]) * (c[5] - c[1]) - (c[4] - c[0]) * (c[3] - c[1])) < NO_AREA) continue
-        seen.add(edge)
-        const [start, end] = [2 * k, (2 * k + 2) % 6]
-        const [x, y] = [c[start], c[start + 1]]
-        yield { triangle, x, y, dx: c[end] - x, dy: c[end + 1] - y }
-      }
+    for (let edge = 0; edge < 3 * drawn.length; edge++) {
+      const triangle = Math.floor(edge / 3)
+      const across = adjacent[edge]
+      if (!drawn[triangle] || (across >= 0 && drawn[across] && !this.#isCut(edge, across))) continue
+      const vertices = this.#vertexAt(edge) * vertexCount + this.#vertexAt(nextEdge(edge))
+      if (seen.has(vertices)) continue
+      this.#toTexels(c, triangle)
+      if (Math.abs((c[2] - c[0]) * (c[5] - c[1]) - (c[4] - c[0]) * (c[3] - c[1])) < NO_AREA) continue
+      seen.add(vertices)
+      edges.push(edge)
+    }
+    return edges
+  }
+
+  *#inTexels(edges: readonly number[]): Generator<BorderEdge> {
+    const c = new Float64Array(6)
+    for (const edge of edges) {
+      const triangle = Math.floor(edge / 3)
+      this.#toTexels(c, triangle)
+      const [start, end] = [2 * (edge % 3), 2 * (nextEdge(edge) % 3)]
+      const [x, y] = [c[start], c[start + 1]]
+      yield { triangle, x, y, dx: c[end] - x, dy: c[end + 1] - y }
     }
   }
 
-  /** Whether two triangles that share an edge in space do not share it in the texture. */
-  #isCut(triangle: number, edge: number, adjacent: number): boolean {
-    const { uvs } = this.#skin
-    const own = skinVertices(this.#skin, this.surface, triangle)
-    const others = skinVertices(this.#skin, this.surface, adjacent)
-    return [own[edge], own[(edge + 1) % 3]].some(
-      (vertex) =>
-        !others.some((i) => uvs[2 * i] === uvs[2 * vertex] && uvs[2 * i + 1] === uvs[2 * vertex + 1]),
+  /** Whether the triangle across an edge does not share it in the texture. */
+  #isCut(edge: number, across: number): boolean {
+    return (
+      !this.#hasCorner(across, this.#vertexAt(edge)) ||
+      !this.#hasCorner(across, this.#vertexAt(nextEdge(edge)))
     )
   }
+
+  /** Whether a triangle has a corner where a vertex is in the texture. */
+  #hasCorner(triangle: number, vertex: number): boolean {
+    const { uvs } = this.#skin
+    for (let corner = 3 * triangle; corner < 3 * triangle + 3; corner++) {
+      const other = this.#vertexAt(corner)
+      if (uvs[2 * other] === uvs[2 * vertex] && uvs[2 * other + 1] === uvs[2 * vertex + 1]) return true
+    }
+    return false
+  }
+
+  /** The skin's vertex at corner k of triangle t: 3 t + k. */
+  #vertexAt(corner: number): number {
+    return this.#skin.indices[3 * this.surface.skinTriangles[Math.floor(corner / 3)] + (corner % 3)]
+  }
+}
+
+/** The next edge of the same triangle. */
+function nextEdge(edge: number): number {
+  return edge % 3 === 2 ? edge - 2 : edge + 1
 }

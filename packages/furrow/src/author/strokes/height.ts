@@ -3,7 +3,7 @@ import { lerp } from '../../math/scalar.ts'
 import type { Metric } from '../metric.ts'
 import type { SkinCanvas } from '../skin/canvas.ts'
 import type { Stroke } from './document.ts'
-import { type LaidStroke, layOutStroke } from './lay-out.ts'
+import { type LaidStroke, layOutStrokes } from './lay-out.ts'
 import { LineGrid, type LineVisitor } from './line-grid.ts'
 import { profile, REACH } from './profile.ts'
 
@@ -37,13 +37,14 @@ const MAX_SHADE = 0.75
  * profile. No valley is drawn sharper than a texel. Strokes, or parts of them, that are not on the skin are left out.
  *
  * @param progress is called with the strokes drawn so far: all of them in the part of the map that is done.
+ * @throws FurrowError where they are longer than 100 m together.
  */
 export function strokesToHeight(
   strokes: readonly Stroke[],
   canvas: SkinCanvas,
   progress?: (done: number, total: number) => void,
 ): HeightMap {
-  const laid = strokes.flatMap((stroke) => layOutStroke(stroke, canvas))
+  const laid = layOutStrokes(strokes, canvas).flat()
   return drawStrokes(laid, canvas, (fraction) => progress?.(fraction * strokes.length, strokes.length)).relief
 }
 

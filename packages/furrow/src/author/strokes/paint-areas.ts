@@ -6,7 +6,7 @@ import type { Metric } from '../metric.ts'
 import type { SkinCanvas } from '../skin/canvas.ts'
 import type { AreaDefinition, AreaShape, GroupShape, PolygonShape } from './area-definitions.ts'
 import type { Stroke, StrokesDocument } from './document.ts'
-import { layOutStroke } from './lay-out.ts'
+import { layOutStrokes } from './lay-out.ts'
 import { LineGrid } from './line-grid.ts'
 import { visitTexelsNear } from './near-outline.ts'
 
@@ -86,7 +86,8 @@ function paintGroup(
 ): Float32Array {
   const { width, height } = canvas.metric
   const weights = new Float32Array(width * height)
-  const lines = strokes.flatMap((stroke) => (stroke.group === group ? layOutStroke(stroke, canvas) : []))
+  const members = strokes.filter((stroke) => stroke.group === group)
+  const lines = layOutStrokes(members, canvas).flat()
   const grid = new LineGrid(
     lines,
     lines.map(() => radius + feather / 2),

@@ -10,3 +10,6 @@ export interface LaidLine {
   /** Fraction of its length that the skin loses across the line at each point; below 0 where it is stretched. */
   compressions: readonly number[]
 }
+
+/** A beginning, a middle and an end. */
+export const MIN_POINTS = 3

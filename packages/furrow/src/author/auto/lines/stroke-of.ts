@@ -45,7 +45,7 @@ export function strokeOf(
 }
 
 /** Where in the texture a point of a line is: to half a thousandth of a texel of 1024. */
-function uvAt({ points, triangles }: LaidLine, i: number, { surface, locator }: StrokedSkin): Uv {
+export function uvAt({ points, triangles }: LaidLine, i: number, { surface, locator }: StrokedSkin): Uv {
   const weights = new Float64Array(3)
   barycentricsAt(weights, surface, triangles[i], points.subarray(3 * i, 3 * i + 3))
   const [u, v] = locator.uvAt(triangles[i], weights)
