@@ -23,6 +23,7 @@ export type { AutoLayer } from './auto/raster/draw-maps.ts'
 export { type StrainMap, strainMaps } from './auto/strain-map.ts'
 export { MOST_TRIANGLES } from './auto/surface/check-skin.ts'
 export { chooseSkin, type SkinCandidate, type SkinChoice } from './auto/surface/choose-skin.ts'
+export { middleOf } from './auto/surface/detect-face.ts'
 export { joinParts, type SkinPart } from './auto/surface/join-parts.ts'
 export type { LandmarkPosition as Place, Landmarks } from './auto/surface/landmarks.ts'
 export { skinSurface } from './auto/surface/skin-surface.ts'
@@ -67,6 +68,16 @@ export {
   type StrokesDocument,
   type Uv,
 } from './strokes/document.ts'
+export {
+  nearestOnStroke,
+  type StrokeCurve,
+  type StrokePoint,
+  strokeCurves,
+} from './strokes/edit/curve-in-space.ts'
+export { type MirrorPlane, mirrorStroke } from './strokes/edit/mirror.ts'
+export { insertPoint, removePoint, smoothStroke } from './strokes/edit/points.ts'
+export { splineOf } from './strokes/edit/spline-of.ts'
+export { splitStroke } from './strokes/edit/split.ts'
 export { type HeightMap, strokesToHeight } from './strokes/height.ts'
 export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas, paintedNames } from './strokes/paint-areas.ts'
 export { StrokeLayer, type StrokeLayerOptions } from './strokes/stroke-layer.ts'
