@@ -32,6 +32,7 @@ export default defineConfig({
       'preact/jsx-runtime',
       'preact/jsx-dev-runtime',
       '@preact/signals',
+      'three-mesh-bvh',
     ],
   },
   server: { fs: { allow: [folder('..')] } },

@@ -130,7 +130,9 @@ process.on('uncaughtException', (error: NodeJS.ErrnoException) => {
  */
 async function errorsOf(path: string): Promise<string[] | undefined> {
   const bytes = new Uint8Array(readFileSync(path))
-  const readBeside = async (uri: string) => readFileSync(join(path, '..', decodeURIComponent(uri)))
+  // A copy: the validator reads data from the beginning of its buffer, which a small file shares with others.
+  const readBeside = async (uri: string) =>
+    new Uint8Array(readFileSync(join(path, '..', decodeURIComponent(uri))))
   const report = await new Promise<Report | undefined>((resolve) => {
     giveUp = () => resolve(undefined)
     // All issues: those at the end are otherwise seen only once others are mended.

@@ -39,6 +39,20 @@ describe('surfaceMetric', () => {
     expect(metric.uu[row + 17]).toBeCloseTo(300 * 300, 0)
   })
 
+  it('gives texels that several islands use the form of the last', () => {
+    const [first, last] = [sheet([100, 0, 0], [0, -100, 0]), sheet([300, 0, 0], [0, -100, 0], [0, 0, 0.5, 1])]
+    const metric = surfaceMetric(
+      {
+        positions: [...Array.from(first.positions), ...Array.from(last.positions)],
+        uvs: [...Array.from(first.uvs), ...Array.from(last.uvs)],
+        indices: [...Array.from(first.indices!), ...Array.from(last.indices!, (i) => i + 4)],
+      },
+      8,
+    )
+    expect(Math.sqrt(metric.uu[8 + 1])).toBeCloseTo(300, 3)
+    expect(Math.sqrt(metric.uu[8 + 6])).toBeCloseTo(100, 3)
+  })
+
   it('stays within 0.2% of a cylinder cut into 64 strips', () => {
     const radius = 0.08
     const positions: number[] = []

@@ -1,5 +1,7 @@
 import { describe, expect, it } from 'vitest'
+import { barycentrics2 } from '../../../packages/furrow/src/math/barycentrics.ts'
 import { rasterize } from '../../../packages/furrow/src/math/rasterize.ts'
+import { seeded } from '../../random.ts'
 
 /** Pixels that a triangle covers, as [column, row, a, b, c]. */
 function covered(triangle: number[], ...rest: [tolerance?: number, box?: [number, number, number, number]]) {
@@ -26,6 +28,18 @@ describe('rasterize', () => {
 
   it('gives barycentric coordinates of the corners in their order', () => {
     expect(covered([0, 0, 4, 0, 0, 2]).find(([x, y]) => x === 1 && y === 1)).toEqual([1, 1, 0.25, 0.25, 0.5])
+  })
+
+  it('gives the coordinates of barycentrics2, bit for bit', () => {
+    const random = seeded(5)
+    const weights = new Float64Array(3)
+    for (let i = 0; i < 50; i++) {
+      const triangle = Array.from({ length: 6 }, () => 20 * random() - 4)
+      for (const [column, row, ...coordinates] of covered(triangle)) {
+        barycentrics2(weights, triangle, column, row)
+        expect(coordinates).toEqual([...weights])
+      }
+    }
   })
 
   it('visits negative pixels too, but none beyond the box', () => {

@@ -66,7 +66,9 @@ export function surfaceMetric(
     inside: new Uint8Array(texels),
   }
   const forms = vertexForms(mesh, scale)
-  for (let t = 0; t + 2 < cornerCount(mesh); t += 3) rasterizeForms(metric, mesh, forms, t)
+  // From the last triangle, which wins, to the first: each texel is measured once.
+  const triangles = Math.floor(cornerCount(mesh) / 3)
+  for (let t = triangles - 1; t >= 0; t--) rasterizeForms(metric, mesh, forms, 3 * t)
   if (!metric.inside.includes(1)) {
     throw new FurrowError({
       who: 'surfaceMetric',
@@ -153,6 +155,7 @@ function rasterizeForms(metric: Metric, mesh: MetricMesh, forms: Float64Array, c
   const [i, j, k] = vertices
   const form = new Float64Array(3)
   coverTexels(mesh.uvs, vertices, metric.width, metric.height, (texel, a, b, c) => {
+    if (metric.inside[texel]) return
     interpolate(form, forms, 3, i, j, k, a, b, c)
     const limit = Math.sqrt((1 - MIN_SQUARED_SINE) * form[0] * form[2])
     metric.uu[texel] = form[0]

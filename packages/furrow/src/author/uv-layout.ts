@@ -1,8 +1,8 @@
 import type { RgbaImage } from '../core/types.ts'
 import { rasterize } from '../math/rasterize.ts'
 import { clamp } from '../math/scalar.ts'
-import { checkCoverage } from './auto/surface/check-coverage.ts'
 import type { MetricMesh } from './metric.ts'
+import { checkCoverage } from './skin/check-coverage.ts'
 import { weldSurface } from './skin/surface.ts'
 
 /** Colours in sRGB. */

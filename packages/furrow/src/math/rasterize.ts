@@ -1,5 +1,3 @@
-import { barycentrics2 } from './barycentrics.ts'
-
 /** A box of pixels, all four sides within it. */
 export type PixelBox = readonly [left: number, top: number, right: number, bottom: number]
 
@@ -30,17 +28,21 @@ export function rasterize(
     triangle[4],
     triangle[5],
   ]
-  if (Math.abs((x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)) < NO_AREA) return
+  const [ux, uy, vx, vy] = [x1 - x0, y1 - y0, x2 - x0, y2 - y0]
+  const det = ux * vy - uy * vx
+  if (Math.abs(det) < NO_AREA) return
   const firstRow = Math.max(Math.ceil(Math.min(y0, y1, y2)), top)
   const lastRow = Math.min(Math.floor(Math.max(y0, y1, y2)), bottom)
   const firstColumn = Math.max(Math.ceil(Math.min(x0, x1, x2)), left)
   const lastColumn = Math.min(Math.floor(Math.max(x0, x1, x2)), right)
-  const weights = new Float64Array(3)
   for (let row = firstRow; row <= lastRow; row++) {
     for (let column = firstColumn; column <= lastColumn; column++) {
-      barycentrics2(weights, triangle, column, row)
-      const [a, b, c] = [weights[0], weights[1], weights[2]]
-      if (a >= -tolerance && b >= -tolerance && c >= -tolerance) visit(column, row, a, b, c)
+      // As barycentrics2 has it, which would cost three times as much here.
+      const b = ((column - x0) * vy - (row - y0) * vx) / det
+      if (!(b >= -tolerance)) continue
+      const c = (ux * (row - y0) - uy * (column - x0)) / det
+      const a = 1 - b - c
+      if (a >= -tolerance && c >= -tolerance) visit(column, row, a, b, c)
     }
   }
 }

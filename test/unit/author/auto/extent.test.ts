@@ -1,6 +1,7 @@
 import { autoWrinkles } from 'furrow/author'
 import { expect, test } from 'vitest'
 import { PointGrid } from '../../../../packages/furrow/src/author/auto/lines/point-grid.ts'
+import { seeded } from '../../../random.ts'
 import { sheet } from './sheet.ts'
 
 /** A sheet of 4 x 4 squares, 80 units a side, that one target shortens. */
@@ -41,4 +42,18 @@ test('the distance in a grid is found at any coordinate', () => {
   expect(grid.distance([-3, 2, 3])).toBe(4)
   expect(grid.distance([1e300, 0, 0])).toBeGreaterThan(6)
   expect(grid.distance([Number.NaN, 0, 0])).not.toBeLessThan(6)
+})
+
+test('the distance in a grid is that to the nearest of many points, bit for bit', () => {
+  const random = seeded(2)
+  const points = Array.from({ length: 300 }, () => 6 * random())
+  const grid = new PointGrid(6)
+  grid.add(points)
+  for (let i = 0; i < 50; i++) {
+    const [x, y, z] = [6 * random(), 6 * random(), 6 * random()]
+    const distances = points.flatMap((px, k) =>
+      k % 3 === 0 ? [Math.hypot(px - x, points[k + 1]! - y, points[k + 2]! - z)] : [],
+    )
+    expect(grid.distance([x, y, z])).toBe(Math.min(...distances))
+  }
 })

@@ -1,12 +1,17 @@
+import { paintAreas, parseStrokes, skinCanvas, strokesToHeight } from 'furrow/author'
 import { expect, test } from 'vitest'
-import { checkCoverage } from '../../../../packages/furrow/src/author/auto/surface/check-coverage.ts'
+import { drawMaps } from '../../../../packages/furrow/src/author/auto/raster/draw-maps.ts'
+import type { PreparedSkin } from '../../../../packages/furrow/src/author/auto/surface/prepare-skin.ts'
+import { checkCoverage } from '../../../../packages/furrow/src/author/skin/check-coverage.ts'
 import { SkinTexels } from '../../../../packages/furrow/src/author/skin/skin-texels.ts'
 import { weldSurface } from '../../../../packages/furrow/src/author/skin/surface.ts'
+import { layOutStrokes } from '../../../../packages/furrow/src/author/strokes/lay-out.ts'
+import { seeded } from '../../../random.ts'
 import { sheet } from './sheet.ts'
 
-/** The list of triangles, several times over. */
-const repeated = (indices: ArrayLike<number>, times: number) =>
-  Array.from({ length: times }, () => Array.from(indices)).flat()
+/** A list, several times over. */
+const repeated = <T>(list: ArrayLike<T>, times: number): T[] =>
+  Array.from({ length: times }, () => Array.from(list)).flat()
 
 test('triangles that lie on top of each other by the hundred are refused', () => {
   const { uvs, indices } = sheet(8, 0)
@@ -14,6 +19,35 @@ test('triangles that lie on top of each other by the hundred are refused', () =>
   expect(() => checkCoverage({ uvs, indices: repeated(indices, 200) }, 'test')).toThrow(
     'too many triangles of the skin lie on top of each other in its texture',
   )
+})
+
+test('strokes are not drawn on such triangles', () => {
+  const { positions, uvs, indices } = sheet(8, 0)
+  expect(() => skinCanvas({ positions, uvs, indices: repeated(indices, 200) }, 16)).toThrow(
+    'skinCanvas: too many triangles of the skin lie on top of each other in its texture',
+  )
+})
+
+test('strokes that are too long together are refused, whether their maps or their areas are drawn', () => {
+  const { positions, uvs, indices } = sheet(8, 0)
+  const canvas = skinCanvas({ positions, uvs, indices }, 16, 16, 1)
+  const stroke = {
+    group: 'a',
+    points: [
+      [0.1, 0.5],
+      [0.9, 0.5],
+    ],
+    width: 1,
+    depth: 0.1,
+  }
+  const document = (metres: number) =>
+    parseStrokes({ version: 1, scale: 1, strokes: repeated([stroke], metres / (0.8 * 0.08)) })
+  expect(layOutStrokes(document(90).strokes, canvas)).toHaveLength(1406)
+  for (const draw of [
+    () => paintAreas(document(110), canvas),
+    () => strokesToHeight(document(110).strokes, canvas),
+  ])
+    expect(draw).toThrow(/the strokes are too long together, got "1718 strokes", allowed: 100 m;/)
 })
 
 test('what lies outside the texture costs nothing and is not refused', () => {
@@ -30,4 +64,30 @@ test('triangles that are listed again leave the borders as they are', () => {
     return Array.from({ length: 64 * 64 }, (_, texel) => texels.locate(texel, weights))
   }
   expect(located(50)).toEqual(located(1))
+})
+
+test('a skin that nothing creases is not mapped to texels', () => {
+  const untouched = new Proxy({} as PreparedSkin, {
+    get: () => {
+      throw new Error('the skin was read')
+    },
+  })
+  const settings = { size: 1024, areaSize: 128, frame: 'derivative' } as const
+  expect(drawMaps(untouched, [], [], settings, () => {})).toEqual({ layers: [], weights: [] })
+})
+
+test('borders are searched for once, however many triangles have no neighbours', () => {
+  const { positions, uvs } = sheet(20, 0)
+  const random = seeded(7)
+  const indices = Array.from({ length: 3 * 2000 }, () => Math.floor((random() * uvs.length) / 2))
+  const surface = weldSurface({ positions, indices })
+  let searched = 0
+  const adjacent = new Proxy(surface.adjacent, {
+    get: (list, key) => {
+      if (key !== 'length') searched++
+      return Reflect.get(list, key)
+    },
+  })
+  new SkinTexels({ uvs, indices }, { ...surface, adjacent }, 64, 64)
+  expect(searched).toBe(surface.corners.length)
 })

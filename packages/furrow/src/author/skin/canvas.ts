@@ -1,5 +1,6 @@
 import { MIPMAP_MARGIN } from '../border.ts'
 import { type Metric, type MetricMesh, MILLIMETRES_PER_METRE, surfaceMetric } from '../metric.ts'
+import { checkCoverage } from './check-coverage.ts'
 import { findOverlap, isOnLeft } from './overlap.ts'
 import { SkinTexels } from './skin-texels.ts'
 import { pointAreas, type Skin, type SkinSurface, weldSurface } from './surface.ts'
@@ -20,7 +21,7 @@ export interface SkinCanvas {
  *
  * @param width in texels, as is height.
  * @param scale millimetres per unit of the mesh's positions.
- * @throws FurrowError as `surfaceMetric` does.
+ * @throws FurrowError as `surfaceMetric` does, and where triangles lie on top of each other in the texture by the hundred.
  */
 export function skinCanvas(
   mesh: MetricMesh,
@@ -28,11 +29,12 @@ export function skinCanvas(
   height = width,
   scale = MILLIMETRES_PER_METRE,
 ): SkinCanvas {
-  const metric = surfaceMetric(mesh, width, height, scale)
   const skin = {
     ...mesh,
     indices: mesh.indices ?? Array.from({ length: mesh.positions.length / 3 }, (_, i) => i),
   }
+  checkCoverage(skin, 'skinCanvas')
+  const metric = surfaceMetric(mesh, width, height, scale)
   const welded = weldSurface(skin)
   const points = welded.points.map((value) => scale * value)
   const surface = { ...welded, points, areas: pointAreas(points, welded.corners) }

@@ -1,3 +1,4 @@
+import { FurrowError } from '../../core/error.ts'
 import type { Uv } from '../../core/json.ts'
 import { hash32 } from '../../math/hash.ts'
 import { clamp, lerp, smoothstep } from '../../math/scalar.ts'
@@ -19,10 +20,35 @@ export interface LaidStroke extends SkinLine {
 const MAX_SEGMENT = 0.5
 /** Segments of the longest stroke. */
 const MOST_SEGMENTS = 8192
+/** Length of all strokes together in millimetres: lines a millimetre apart, all over a face of 300 mm a side, have 90 m. */
+const MOST_MILLIMETRES = 100_000
 /** Width left at a tapered end, where the depth is zero: a crease ends in a hairline. */
 const END_WIDTH = 0.4
 /** Wavelength of the irregularity in millimetres; a second, weaker octave has 0.4 of it. */
 const WAVELENGTH = 9
+
+/**
+ * Lays strokes on the skin, see `layOutStroke`.
+ *
+ * @returns the parts of each.
+ * @throws FurrowError where they are too long together: each costs a search in all texels near it.
+ */
+export function layOutStrokes(strokes: readonly Stroke[], skin: LocatedSkin): LaidStroke[][] {
+  let left = MOST_MILLIMETRES / MAX_SEGMENT
+  return strokes.map((stroke) => {
+    const parts = layOutStroke(stroke, skin)
+    for (const { depths } of parts) left -= depths.length - 1
+    if (left >= 0) return parts
+    throw new FurrowError({
+      code: 'out-of-range',
+      who: 'layOutStrokes',
+      what: 'the strokes are too long together',
+      value: `${strokes.length} strokes`,
+      limit: `${MOST_MILLIMETRES / 1000} m`,
+      remedy: 'leave some of them out, or check the scale of the document',
+    })
+  })
+}
 
 /** Lays a stroke on the skin, in one part or several; in none where the skin has no such texels. The same stroke gives the same on every run. */
 export function layOutStroke(stroke: Stroke, skin: LocatedSkin): LaidStroke[] {

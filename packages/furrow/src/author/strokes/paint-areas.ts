@@ -6,9 +6,8 @@ import type { Metric } from '../metric.ts'
 import type { SkinCanvas } from '../skin/canvas.ts'
 import type { AreaDefinition, AreaShape, GroupShape, PolygonShape } from './area-definitions.ts'
 import type { Stroke, StrokesDocument } from './document.ts'
-import { layOutStroke } from './lay-out.ts'
+import { layOutStrokes } from './lay-out.ts'
 import { LineGrid } from './line-grid.ts'
-import { visitTexelsNearLines } from './near-lines.ts'
 import { visitTexelsNear } from './near-outline.ts'
 
 /** A painted area: the part of `Area` that a strokes document can give. */
@@ -87,13 +86,14 @@ function paintGroup(
 ): Float32Array {
   const { width, height } = canvas.metric
   const weights = new Float32Array(width * height)
-  const lines = strokes.flatMap((stroke) => (stroke.group === group ? layOutStroke(stroke, canvas) : []))
+  const members = strokes.filter((stroke) => stroke.group === group)
+  const lines = layOutStrokes(members, canvas).flat()
   const grid = new LineGrid(
     lines,
     lines.map(() => radius + feather / 2),
   )
-  visitTexelsNearLines(canvas.texels, grid, (texel, x, y, z, normal) => {
-    grid.visit(x, y, z, normal[0], normal[1], normal[2], (_, distance) => {
+  canvas.texels.visitNear(grid.isNear, (texel, position, normal) => {
+    grid.visit(position, normal, (_, distance) => {
       weights[texel] = Math.max(weights[texel], weightAt(distance - radius, feather))
     })
   })

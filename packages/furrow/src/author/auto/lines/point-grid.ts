@@ -1,4 +1,6 @@
 const NONE: readonly number[] = []
+/** More than what rounding adds to the square of a distance. */
+const ROUNDING = 1 + 1e-12
 
 /** Points in space, for the distance to the nearest within the side of a cell. */
 export class PointGrid {
@@ -28,12 +30,12 @@ export class PointGrid {
         for (let k = -1; k <= 1; k++) {
           const cell = this.#cells.get(hash(x + i, y + j, z + k)) ?? NONE
           for (let n = 0; n < cell.length; n += 3) {
-            const distance = Math.hypot(
-              cell[n] - position[0],
-              cell[n + 1] - position[1],
-              cell[n + 2] - position[2],
-            )
-            nearest = Math.min(nearest, distance)
+            const dx = cell[n] - position[0]
+            const dy = cell[n + 1] - position[1]
+            const dz = cell[n + 2] - position[2]
+            // The hypotenuse costs ten times as much.
+            if (dx * dx + dy * dy + dz * dz > ROUNDING * nearest ** 2) continue
+            nearest = Math.min(nearest, Math.hypot(dx, dy, dz))
           }
         }
       }

@@ -46,6 +46,8 @@ export function drawMaps(
   { size, areaSize, frame }: MapSettings,
   report: (fraction: number) => void,
 ): { layers: AutoLayer[]; weights: GrayImage[] } {
+  // Finding the texels of the skin costs more than all that comes before.
+  if (regions.length === 0) return { layers: [], weights: [] }
   const { skin, surface, face, isDrawn } = prepared
   const texels = new SkinTexels(skin, surface, size, size, isDrawn, MIPMAP_MARGIN)
   const areaTexels = new SkinTexels(skin, surface, areaSize, areaSize, isDrawn)
@@ -53,7 +55,7 @@ export function drawMaps(
   const layers: AutoLayer[] = []
   const weights: GrayImage[] = []
   const barycentrics = new Float64Array(3)
-  const layerCount = Math.max(-1, ...layerOf) + 1
+  const layerCount = Math.max(...layerOf) + 1
   /** Of the four parts of each layer: creases, frames, normals, areas. */
   const reportPart = (layer: number, part: number) => report((layer + part / 4) / layerCount)
   for (let layer = 0; layer < layerCount; layer++) {
@@ -61,7 +63,7 @@ export function drawMaps(
     const members = [...regions.keys()].filter((i) => layerOf[i] === layer)
     const own = members.map((i) => regions[i])
     const strokes = strokesOf(own)
-    const drawn = drawStrokes([...new Set(own.map(({ creases }) => creases))], { texels, metric })
+    const drawn = drawStrokes([...new Set(own.map(({ creases }) => creases))].flat(), { texels, metric })
     reportPart(layer, 1)
     const frames = frame === 'derivative' ? new FacetFrames(prepared, own) : undefined
     reportPart(layer, 2)

@@ -34,9 +34,29 @@ const BROWS_ABOVE = 10
  * @returns undefined where the targets needed for that have other names, or move nothing.
  */
 export function detectFace(skin: Skin): DetectedFace | undefined {
-  const welded = weldSurface(skin)
+  const placed = placeFace(skin)
+  if (!placed) return undefined
+  const { surface, offsets, scale } = placed
   const names = skin.targets.map(({ name }) => name)
   const [find, findPart] = [faceShapeFinder(names), partShapeFinder(names)]
+  const browsMoveAsOne = `${find('browInnerUp')}` === `${find('browOuterUpLeft')}`
+  const count = surface.areas.length
+  const landmarks = findLandmarks(surface, browsMoveAsOne, (...shapes) => {
+    const parts = shapes.flatMap(findPart)
+    if (parts.length > 0) return sumDisplacements(offsets, parts, count)
+    return inHalf(surface, shapes[0], sumDisplacements(offsets, shapes.flatMap(find), count))
+  })
+  return landmarks && { surface, chart: new HeadChart(surface), landmarks, scale, offsets, names, find }
+}
+
+/**
+ * Moves a skin into the frame of its face, which the eyes and the mouth span.
+ *
+ * @returns undefined where its targets do not show them.
+ */
+export function placeFace(skin: Skin): Pick<DetectedFace, 'surface' | 'offsets' | 'scale'> | undefined {
+  const welded = weldSurface(skin)
+  const findPart = partShapeFinder(skin.targets.map(({ name }) => name))
   const raw = skin.targets.map((target) => pointOffsets(welded, target))
   const centroid = (threshold: number, ...shapes: string[]) =>
     centroidOf(welded, sumDisplacements(raw, shapes.flatMap(findPart), welded.areas.length), threshold)
@@ -52,15 +72,7 @@ export function detectFace(skin: Skin): DetectedFace | undefined {
   const areas = pointAreas(points, welded.corners)
   const surface = { ...welded, points, areas, normals: frame.directions(welded.normals, 1) }
   const offsets = raw.map((offset) => frame.directions(offset, frame.scale))
-  const browsMoveAsOne = `${find('browInnerUp')}` === `${find('browOuterUpLeft')}`
-  const count = surface.areas.length
-  const landmarks = findLandmarks(surface, browsMoveAsOne, (...shapes) => {
-    const parts = shapes.flatMap(findPart)
-    if (parts.length > 0) return sumDisplacements(offsets, parts, count)
-    return inHalf(surface, shapes[0], sumDisplacements(offsets, shapes.flatMap(find), count))
-  })
-  const { scale } = frame
-  return landmarks && { surface, chart: new HeadChart(surface), landmarks, scale, offsets, names, find }
+  return { surface, offsets, scale: frame.scale }
 }
 
 /** Transforms coordinates into the frame of the face: the midpoint between the eyes becomes the origin, in millimetres. */

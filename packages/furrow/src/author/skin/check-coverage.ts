@@ -1,5 +1,5 @@
-import { FurrowError } from '../../../core/error.ts'
-import type { Skin } from '../../skin/surface.ts'
+import { FurrowError } from '../../core/error.ts'
+import type { Skin } from './surface.ts'
 
 /** How many textures the bounding boxes of all triangles may fill together: those of a face fill about two. */
 export const MOST_COVERAGE = 128
