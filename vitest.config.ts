@@ -76,9 +76,18 @@ function gpuProject(name: string, files: string[]): TestProjectInlineConfigurati
         'react-dom/client',
         '@react-three/fiber',
         '@react-three/drei/core/Clone',
+        '@gltf-transform/core',
+        '@gltf-transform/extensions',
+        'comlink',
+        'fast-png',
+        'fastest-levenshtein',
+        'furrow-cli > ktx-parse',
+        'gltf-validator',
+        'draco3d',
+        'meshoptimizer/decoder',
       ],
-      // It does not link with the newest three.js.
-      exclude: ['@pixiv/three-vrm-materials-mtoon/nodes'],
+      // The first does not link with the newest three.js; the others find their WebAssembly beside their own modules.
+      exclude: ['@pixiv/three-vrm-materials-mtoon/nodes', 'ktx2-encoder', '@bokuweb/zstd-wasm'],
     },
     test: {
       name,

@@ -58,8 +58,8 @@ export class Drawing {
   /** Takes maps that show these strokes already; the worker draws them too, so that it can draw the next edit. */
   async adopt(layer: string, strokes: readonly Stroke[], maps: DrawnMaps): Promise<void> {
     this.#sheets.set(layer, { maps, strokes, base: null })
-    await this.#service.addLayer(layer, null)
-    await this.#service.draw(layer, [...strokes])
+    // Both at once: whatever is asked next comes after them.
+    await Promise.all([this.#service.addLayer(layer, null), this.#service.draw(layer, [...strokes])])
   }
 
   /** Heights in millimetres. */

@@ -42,6 +42,9 @@ export class BrushStroke {
   /** The target of the present dab for each texel, and the texels that have one. */
   readonly #target: Float32Array
   #touched: number[] = []
+  /** The means round each texel, of a brush that smooths, and how many there are. */
+  readonly #sums: Float32Array
+  readonly #counts: Uint8Array
   /** Of the dab and the mirrored one; empty where hidden skin is painted too. */
   readonly #seen: readonly SeenPlaces[]
   #last: SkinPoint | undefined
@@ -67,6 +70,9 @@ export class BrushStroke {
     this.#brush = { ...brush }
     this.#skin = skin
     this.#reach = new Reach(skin.surface)
+    const smoothed = brush.mode === 'smooth' ? image.data.length : 0
+    this.#sums = new Float32Array(smoothed)
+    this.#counts = new Uint8Array(smoothed)
     this.#state =
       brush.mode === 'smooth' ? Float32Array.from(image.data) : new Float32Array(image.data.length)
     this.#target = new Float32Array(image.data.length)
@@ -224,8 +230,6 @@ export class BrushStroke {
   /** Moves the weights of the texels that have a target towards the means round them. */
   #smooth(centres: readonly SkinPoint[]): void {
     const { texels, positions, isBeyond, texelSizes } = this.#map
-    /** Means of all dabs before any texel changes, by texel. */
-    const sums = new Map<number, [sum: number, count: number]>()
     for (const centre of centres) {
       const texelSize = texelSizes[centre.triangle]
       const cell = Math.max(CELL * this.#radiusAt(centre), LEAST_CELL * texelSize)
@@ -233,22 +237,28 @@ export class BrushStroke {
       const smoother = new Smoother(centre.position, radius, cell)
       this.#visitPlaces(centre, radius, (place, triangle) => {
         if (isBeyond[place] === 1) return
-        const [x, y, z] = positions.subarray(3 * place, 3 * place + 3)
-        smoother.add(x, y, z, this.#state[texels[place]], texelSizes[triangle] ** 2)
+        const value = this.#state[texels[place]]
+        const i = 3 * place
+        smoother.add(positions[i], positions[i + 1], positions[i + 2], value, texelSizes[triangle] ** 2)
       })
       this.#visitPlaces(centre, this.#radiusAt(centre) + PAD * texelSize, (place) => {
         const texel = texels[place]
         if (this.#target[texel] === 0) return
-        const [x, y, z] = positions.subarray(3 * place, 3 * place + 3)
-        const mean = smoother.at(x, y, z)
+        const i = 3 * place
+        const mean = smoother.at(positions[i], positions[i + 1], positions[i + 2])
         if (Number.isNaN(mean)) return
-        const [sum, count] = sums.get(texel) ?? [0, 0]
-        sums.set(texel, [sum + mean, count + 1])
+        this.#sums[texel] += mean
+        this.#counts[texel]++
       })
     }
-    for (const [texel, [sum, count]] of sums) {
-      this.#state[texel] += this.#brush.flow * this.#target[texel] * (sum / count - this.#state[texel])
+    // All at once: a mirrored dab may touch the same texels.
+    for (const texel of this.#touched) {
+      if (this.#counts[texel] === 0) continue
+      const mean = this.#sums[texel] / this.#counts[texel]
+      this.#state[texel] += this.#brush.flow * this.#target[texel] * (mean - this.#state[texel])
       this.#write(texel, this.#state[texel])
+      this.#sums[texel] = 0
+      this.#counts[texel] = 0
     }
   }
 

@@ -42,17 +42,16 @@ export function visitFilled(
   }
   /** The texel on the skin beside another one, over the seam where the island ends. */
   const beside = (texel: number, dx: number, dy: number): number => {
-    const [x, y] = [(texel % size) + dx, Math.floor(texel / size) + dy]
-    if (!(x >= 0 && y >= 0 && x < size && y < size)) return NONE
-    const [from, to] = [placeOf[texel], placeOf[y * size + x]]
-    if (to === NONE) return NONE
+    const next = neighbour(texel, dx, dy, size)
+    if (next === NONE || placeOf[next] === NONE) return NONE
+    const [from, to] = [placeOf[texel], placeOf[next]]
     for (let k = 0; k < 3; k++) {
       position[k] = map.positions[3 * from + k]
       direction[k] = map.positions[3 * to + k] - position[k]
     }
     const distance = Math.hypot(direction[0], direction[1], direction[2])
     if (!(distance < MOST_APART * map.texelSizes[triangleOf[from]])) return NONE
-    if (map.isBeyond[to] === 0) return y * size + x
+    if (map.isBeyond[to] === 0) return next
     // A texel beyond an island is next to those on it only.
     if (map.isBeyond[from] === 1) return NONE
     const triangle = walk(surface, triangleOf[from], position, direction, distance)
@@ -110,24 +109,30 @@ function visitBeyond(
   filled: Uint8Array,
   visit: (texel: number) => void,
 ): void {
-  const isKnown = Uint8Array.from(placeOf, (place) => (place !== NONE && isBeyond[place] === 0 ? 1 : 0))
-  let ring = [...isKnown.keys()].filter((texel) => isKnown[texel] === 1)
-  while (ring.length > 0) {
-    const next: number[] = []
-    for (const texel of ring) {
-      const x = texel % size
-      for (const [dx, dy] of AROUND) {
-        const beside = texel + dy * size + dx
-        if (x + dx < 0 || x + dx >= size || beside < 0 || beside >= isKnown.length) continue
-        if (isKnown[beside] === 1 || placeOf[beside] === NONE) continue
-        isKnown[beside] = 1
-        next.push(beside)
-        if (filled[texel] === 1 && filled[beside] === 0) {
-          filled[beside] = 1
-          visit(beside)
-        }
-      }
-    }
-    ring = next
+  const queue = new Uint32Array(filled.length)
+  const isKnown = new Uint8Array(filled.length)
+  let count = 0
+  for (let texel = 0; texel < filled.length; texel++) {
+    if (placeOf[texel] === NONE || isBeyond[placeOf[texel]] === 1) continue
+    isKnown[texel] = 1
+    queue[count++] = texel
   }
+  for (let head = 0; head < count; head++) {
+    const texel = queue[head]
+    for (const [dx, dy] of AROUND) {
+      const next = neighbour(texel, dx, dy, size)
+      if (next === NONE || isKnown[next] === 1 || placeOf[next] === NONE) continue
+      isKnown[next] = 1
+      queue[count++] = next
+      if (filled[texel] === 0 || filled[next] === 1) continue
+      filled[next] = 1
+      visit(next)
+    }
+  }
+}
+
+function neighbour(texel: number, dx: number, dy: number, size: number): number {
+  const x = (texel % size) + dx
+  const y = Math.floor(texel / size) + dy
+  return x >= 0 && y >= 0 && x < size && y < size ? y * size + x : NONE
 }

@@ -2,13 +2,13 @@ import type { Inspection } from '../wrinkles/inspect.ts'
 
 /** What the wrinkles of a file cost, in bytes. */
 export interface Cost {
-  /** Of their images in the file. */
+  /** Of their images and strokes in the file. */
   file: number
   /** Of their maps, areas and one influence map on a GPU: of a desktop, where it can compress. */
   gpu: number
 }
 
 /** What automatic wrinkles cost, as `furrow inspect` counts them. */
-export function costOf({ imageBytes, gpu, influenceMapBytes }: Inspection, ktx2: boolean): Cost {
-  return { file: imageBytes, gpu: (ktx2 ? gpu.bits4 : gpu.uncompressed) + influenceMapBytes }
+export function costOf({ imageBytes, strokes, gpu, influenceMapBytes }: Inspection, ktx2: boolean): Cost {
+  return { file: imageBytes + strokes.bytes, gpu: (ktx2 ? gpu.bits4 : gpu.uncompressed) + influenceMapBytes }
 }

@@ -1,11 +1,23 @@
 import { Color, type DataArrayTexture, LinearMipmapLinearFilter, MathUtils, SRGBColorSpace } from 'three'
 import type { Bounds } from '../../core/bounds.ts'
 
-/** One level of a slice's mipmaps, `channels` bytes per texel. */
+/** One level of a slice's mipmaps. */
 export interface MipLevel {
   readonly width: number
   readonly height: number
   readonly data: Uint8Array
+}
+
+/** The first level of a slice: a view of the texture's own data. */
+export function firstLevel(texture: DataArrayTexture, slice: number): MipLevel {
+  const { data, width, height, depth } = texture.image as MipLevel & { depth: number }
+  const bytes = data.length / depth
+  return { width, height, data: data.subarray(slice * bytes, (slice + 1) * bytes) }
+}
+
+/** Bytes per texel. */
+export function channelsOf({ width, height, data }: MipLevel): number {
+  return data.length / (width * height)
 }
 
 /**
@@ -14,20 +26,16 @@ export interface MipLevel {
  * the first level only.
  */
 export class MipChain {
-  /** The first is a view of the texture's own data. */
   readonly levels: readonly MipLevel[]
-  readonly channels: number
   readonly #isColour: boolean
 
   constructor(texture: DataArrayTexture, slice: number) {
-    const { data, width, height, depth } = texture.image as Required<MipLevel> & { depth: number }
-    const bytes = data.length / depth
-    const first = { width, height, data: data.subarray(slice * bytes, (slice + 1) * bytes) }
-    this.channels = bytes / (width * height)
+    const first = firstLevel(texture, slice)
+    const { width, height } = first
     this.#isColour = texture.colorSpace === SRGBColorSpace
     const isMapped = texture.minFilter === LinearMipmapLinearFilter
     const isHalved = isMapped && MathUtils.isPowerOfTwo(width) && MathUtils.isPowerOfTwo(height)
-    this.levels = isHalved ? [first, ...this.#smaller(first)] : [first]
+    this.levels = isHalved ? [first, ...smallerLevels(first)] : [first]
     this.update({ x0: 0, y0: 0, x1: width, y1: height })
   }
 
@@ -47,16 +55,9 @@ export class MipChain {
     return touched
   }
 
-  #smaller({ width, height }: MipLevel): MipLevel[] {
-    if (width === 1 && height === 1) return []
-    const [w, h] = [Math.max(1, width >> 1), Math.max(1, height >> 1)]
-    const level = { width: w, height: h, data: new Uint8Array(w * h * this.channels) }
-    return [level, ...this.#smaller(level)]
-  }
-
   /** Averages texels of a level into a rectangle of the next. */
   #halve(from: MipLevel, to: MipLevel, { x0, y0, x1, y1 }: Bounds): void {
-    const { channels } = this
+    const channels = channelsOf(from)
     const colours = this.#isColour ? colourTables() : null
     for (let y = y0; y < y1; y++) {
       const top = 2 * y * from.width
@@ -75,6 +76,14 @@ export class MipChain {
       }
     }
   }
+}
+
+/** Empty levels below another, down to one texel. */
+function smallerLevels(level: MipLevel): MipLevel[] {
+  if (level.width === 1 && level.height === 1) return []
+  const [width, height] = [Math.max(1, level.width >> 1), Math.max(1, level.height >> 1)]
+  const smaller = { width, height, data: new Uint8Array(width * height * channelsOf(level)) }
+  return [smaller, ...smallerLevels(smaller)]
 }
 
 /** A fourth of an integer, rounded to the nearest, and to an even one in the middle, as GPUs round. */

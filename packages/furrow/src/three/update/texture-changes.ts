@@ -9,10 +9,13 @@ import {
 } from 'three'
 import { type Bounds, widen } from '../../core/bounds.ts'
 import type { AnyRenderer } from '../renderer.ts'
-import { MipChain } from './mip-chain.ts'
+import { channelsOf, firstLevel, MipChain, type MipLevel } from './mip-chain.ts'
 
 /** Changes that are kept for renderers that have not drawn them yet; one that lags further behind uploads whole slices. */
 const KEPT = 64
+
+/** Fraction of a slice from which on the GPU makes mipmaps faster, of all slices, than the CPU makes and uploads them. */
+const LARGE = 0.25
 
 const changesByTexture = new WeakMap<DataArrayTexture, TextureChanges>()
 
@@ -82,13 +85,11 @@ export class TextureChanges {
   /** Copies a rectangle of a slice to the GPU, and what it changes on smaller levels. */
   #copy(renderer: WebGLRenderer, slice: number, bounds: Bounds): void {
     const texture = this.#texture
-    const chain = this.#chains.get(slice) ?? new MipChain(texture, slice)
-    this.#chains.set(slice, chain)
-    const touched = chain.update(bounds)
-    const source = stack(chain, touched, texture)
+    const { levels, touched } = this.#levelsOf(slice, bounds)
+    const source = stack(levels, touched, texture)
     const { generateMipmaps } = texture
-    // three.js generates all mipmaps again after a copy to the first level; `MipChain` has none where only the GPU can.
-    if (chain.levels.length > 1) texture.generateMipmaps = false
+    // After a copy to the first level three.js lets the GPU make all mipmaps again.
+    if (levels.length > 1) texture.generateMipmaps = false
     try {
       let row = 0
       for (const [level, { x0, y0, x1, y1 }] of touched.entries()) {
@@ -101,14 +102,24 @@ export class TextureChanges {
       source.dispose()
     }
   }
+
+  /** The levels to upload, and the rectangle that has changed in each: only the first, where the GPU makes the others. */
+  #levelsOf(slice: number, bounds: Bounds): { levels: readonly MipLevel[]; touched: Bounds[] } {
+    const first = firstLevel(this.#texture, slice)
+    const { x0, y0, x1, y1 } = bounds
+    if ((x1 - x0) * (y1 - y0) >= LARGE * first.width * first.height) {
+      this.#chains.delete(slice)
+      return { levels: [first], touched: [bounds] }
+    }
+    const chain = this.#chains.get(slice) ?? new MipChain(this.#texture, slice)
+    this.#chains.set(slice, chain)
+    return { levels: chain.levels, touched: chain.update(bounds) }
+  }
 }
 
 /** Rectangles of all levels as one image, below each other. */
-function stack(
-  { levels, channels }: MipChain,
-  touched: readonly Bounds[],
-  like: DataArrayTexture,
-): DataTexture {
+function stack(levels: readonly MipLevel[], touched: readonly Bounds[], like: DataArrayTexture): DataTexture {
+  const channels = channelsOf(levels[0])
   const width = touched[0].x1 - touched[0].x0
   const height = touched.reduce((sum, { y0, y1 }) => sum + y1 - y0, 0)
   const stacked = new Uint8Array(width * height * channels)

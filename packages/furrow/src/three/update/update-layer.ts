@@ -25,8 +25,9 @@ type Kind = (typeof KINDS)[number]
 
 /**
  * Gives maps of a layer new pixels, which the next frame shows: on these wrinkles, and on all that use the same textures. Only a rectangle
- * of them is uploaded, with the mipmaps that it touches, so that a stroke may be drawn again for every movement of a point. On maps whose
- * sides are not powers of two, the GPU computes all mipmaps again, which takes about as long as uploading a whole map.
+ * of them is uploaded, with the mipmaps that it touches, so that a stroke may be drawn again for every movement of a point. The GPU makes
+ * all mipmaps again, which takes about as long as uploading a whole map, where a quarter of a map or more changes, or a side of it is not
+ * a power of two.
  *
  * @param wrinkles of the face.
  * @param name of the layer.

@@ -5,7 +5,7 @@ import { skinVertices } from '../../skin/surface.ts'
 import { barycentricsAt } from '../../skin/walk.ts'
 import type { Stroke } from '../../strokes/document.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
-import type { LaidLine } from './crease.ts'
+import type { LaidLine } from './laid-line.ts'
 import { STEP } from './trace.ts'
 
 /** What strokes are written for. */
@@ -46,7 +46,7 @@ export function strokeOf(
 }
 
 /** Where in the texture a point of a line is: to half a thousandth of a texel of 1024. */
-function uvAt({ points, triangles }: LaidLine, i: number, { skin, surface }: StrokedSkin): Uv {
+export function uvAt({ points, triangles }: LaidLine, i: number, { skin, surface }: StrokedSkin): Uv {
   const weights = new Float64Array(3)
   barycentricsAt(weights, surface, triangles[i], points.subarray(3 * i, 3 * i + 3))
   const vertices = skinVertices(skin, surface, triangles[i])
