@@ -53,7 +53,7 @@ export async function folderFiles(
   const areaImages = await Promise.all(document.areas.map(({ weights }) => encode(painted(weights))))
   const images = [...layers.images, ...areaPaths.map((path, i) => ({ path, content: areaImages[i] }))]
   const strokes = strokesOf(document)
-  const set: WrinkleSetDocument & { strokes?: string } = {
+  const set: WrinkleSetDocument = {
     version: 1,
     ...(document.mesh !== undefined && { mesh: document.mesh }),
     ...(document.material !== undefined && { material: document.material }),

@@ -54,9 +54,8 @@ export async function readFolder(
 ): Promise<ReadFolder> {
   const folder = new Folder(files, name)
   const studio = parseStudioFile(await folder.json(STUDIO_FILE))
-  const json = await folder.json('wrinkles.json')
-  const set = setOf(json, folder)
-  const strokes = await strokesOf(folder, json, set)
+  const set = setOf(await folder.json('wrinkles.json'), folder)
+  const strokes = await strokesOf(folder, set)
   const { areaSize = DEFAULT_AREA_SIZE } = set
   const { scale, size } = strokes ?? { scale: studio.scale, size: studio.mapSize }
   const isAutomatic = new Set(studio.automaticStrokes)
@@ -129,15 +128,9 @@ function setOf(json: unknown, { paths, name }: Folder): WrinkleSetDocument {
   return { ...folderDocument(begun, paths, name, 'paper', WHO), areas: [] }
 }
 
-async function strokesOf(
-  folder: Folder,
-  set: unknown,
-  { layers }: WrinkleSetDocument,
-): Promise<StrokesDocument | undefined> {
-  const named = (set as { strokes?: unknown } | undefined)?.strokes
-  const json = await folder.json(typeof named === 'string' ? pathOf(named) : 'strokes.json')
-  if (json === undefined || layers.length === 0) return undefined
-  return parseStrokes(json)
+async function strokesOf(folder: Folder, set: WrinkleSetDocument): Promise<StrokesDocument | undefined> {
+  const json = set.strokes === undefined ? undefined : await folder.json(pathOf(set.strokes))
+  return json === undefined ? undefined : parseStrokes(json)
 }
 
 async function readLayer(

@@ -140,6 +140,7 @@ describe('furrow pack', () => {
     const report = JSON.parse(shop.printed)
     expect(report.layers.map((layer: { name: string }) => layer.name)).toEqual(['up', 'down'])
     expect(report.areas.map((area: { name: string }) => area.name)).toEqual(['forehead', 'frown', 'cheeks'])
+    expect(report.strokes.count).toBe(document.strokes.length)
     expect(report.drivers.length).toBe(document.drivers.length)
   })
 })
