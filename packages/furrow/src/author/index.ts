@@ -53,11 +53,12 @@ export {
 } from './relief/relief-to-normal.ts'
 export type { Edges } from './relief/slope.ts'
 export { mapSkin, type SkinCanvas, skinCanvas } from './skin/canvas.ts'
-export type { SkinTexels } from './skin/skin-texels.ts'
+export type { SkinTexels, TexelVisitor } from './skin/skin-texels.ts'
 export { crossOf, type Skin, type SkinSurface, type SkinTarget } from './skin/surface.ts'
 export type { UvLocator } from './skin/uv-locator.ts'
 export { barycentricsAt, walk } from './skin/walk.ts'
 export type { GroupShape, PolygonShape } from './strokes/area-definitions.ts'
+export type { LocatedSkin } from './strokes/curve.ts'
 export {
   type AreaDefinition,
   type AreaShape,
