@@ -41,4 +41,5 @@ const pageFunctions = (call) => ({
   open: call('open'),
   measure: call('measure'),
   measureCrowd: call('measureCrowd'),
+  measureUpdates: call('measureUpdates'),
 })

@@ -1,4 +1,4 @@
-import type { Camera, Mesh, MeshPhysicalMaterial, Scene } from 'three'
+import type { Mesh, MeshPhysicalMaterial, PerspectiveCamera, Scene } from 'three'
 import type { Face } from '../stage/face.ts'
 import type { RendererKind } from '../stage/stage.ts'
 import { activationOf, type Case, type Plan } from './case.ts'
@@ -20,7 +20,7 @@ export interface Bench {
   timedRenderer: TimedRenderer
   face: Face
   scene: Scene
-  camera: Camera
+  camera: PerspectiveCamera
 }
 
 interface Candidate {

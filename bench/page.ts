@@ -6,6 +6,7 @@ import { type Bench, measure } from './measure.ts'
 import type { Measured } from './report.ts'
 import { createScene } from './scene.ts'
 import { createTimedRenderer, type TimedRenderer } from './timed-renderer.ts'
+import { measureUpdates, type UpdateTimes } from './updates.ts'
 
 /** What the page offers to the process that opens it. */
 export interface BenchPage {
@@ -23,6 +24,8 @@ export interface BenchPage {
   measure(benchCase: Case, plan: Plan): Promise<Measured[]>
   /** Fraction of a crowd's frame that goes into influence maps, 0..1. */
   measureCrowd(plan: Plan): Promise<number>
+  /** What it takes to show a map that changes. */
+  measureUpdates(plan: Plan): Promise<UpdateTimes>
 }
 
 let bench: Bench
@@ -36,5 +39,6 @@ const page: BenchPage = {
   },
   measure: (benchCase, plan) => measure(bench, benchCase, plan),
   measureCrowd: (plan) => measureCrowd(bench, plan),
+  measureUpdates: (plan) => measureUpdates(bench, plan),
 }
 Object.assign(globalThis, { bench: page })

@@ -48,6 +48,7 @@ async function run() {
   const host = await (options.node ? nodeHost : chromiumHost)(server)
   const face = new URL('/faces/human.glb', server.resolvedUrls.local[0]).href
   const crowds = []
+  const updates = []
   const results = await withBar('bench', async (progress) => {
     const found = []
     for (const [i, renderer] of renderers.entries()) {
@@ -58,6 +59,7 @@ async function run() {
         progress(i * cases.length + k + 1, renderers.length * cases.length)
       }
       crowds.push([renderer, await page.measureCrowd(plan)])
+      updates.push([renderer, await page.measureUpdates(plan)])
       await page.close()
     }
     return found
@@ -69,6 +71,11 @@ async function run() {
   for (const [renderer, fraction] of crowds) {
     process.stdout.write(
       `crowd: ${(100 * fraction).toFixed(1)}% of a frame with 1,000 faces on ${renderer} are influence maps\n`,
+    )
+  }
+  for (const [renderer, { region, whole }] of updates) {
+    process.stdout.write(
+      `updates: ${region.toFixed(1)} ms for 64 x 64 texels of a normal map of 1024 x 1024 on ${renderer}, ${whole.toFixed(1)} ms for all\n`,
     )
   }
   for (const allTypes of [false, true]) {

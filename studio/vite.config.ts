@@ -32,8 +32,23 @@ export default defineConfig({
       'preact/jsx-runtime',
       'preact/jsx-dev-runtime',
       '@preact/signals',
+      'three-mesh-bvh',
+      // Of the worker that packs faces: found late, they would reload the page in the middle of an export.
+      'comlink',
+      '@gltf-transform/core',
+      '@gltf-transform/extensions',
+      'draco3d',
+      'fast-png',
+      'fastest-levenshtein',
+      'furrow-cli > ktx-parse',
+      'gltf-validator',
+      'meshoptimizer/decoder',
     ],
+    // They find their WebAssembly beside their own modules.
+    exclude: ['ktx2-encoder', '@bokuweb/zstd-wasm'],
   },
+  // Workers load parts of theirs when they are needed.
+  worker: { format: 'es' },
   server: { fs: { allow: [folder('..')] } },
   // The page bundles three.js with both of its renderers.
   build: { outDir: folder('dist'), emptyOutDir: true, chunkSizeWarningLimit: 2500 },

@@ -18,7 +18,10 @@ import type { Page } from './page.ts'
 import type { Hovered, PanelModel } from './panels/model.ts'
 import { showPanel } from './panels/show-panel.tsx'
 import { savePicture } from './save-picture.ts'
+import { Workspace } from './session/workspace.ts'
+import { addShortcuts } from './shortcuts.ts'
 import { adapterName } from './viewer/adapter.ts'
+import { DocumentView, type DrawnDocument } from './viewer/document-view.ts'
 import { fetchFace, listFaces } from './viewer/faces.ts'
 import { lookLabel } from './viewer/looks.ts'
 import type { Viewer } from './viewer/viewer.ts'
@@ -38,6 +41,8 @@ export class Studio {
   readonly #loop: Loop
   readonly #host: ViewerHost
 
+  readonly #workspace: Workspace
+  readonly #view = new DocumentView()
   readonly #faces = signal<readonly string[]>([])
   readonly #shown = signal<Viewer | null>(null)
   readonly #frame = signal(0)
@@ -74,8 +79,11 @@ export class Studio {
       if (this.#viewer) this.#viewer.split = position
       this.#loop.wake()
     })
+    this.#workspace = new Workspace((error) => messages.error(error))
     showPanel(page.panel, this.#panelModel())
     effect(() => this.#highlight(this.#hovered.value))
+    effect(() => this.#showDocument(this.#shown.value, this.#workspace.drawn.value))
+    addShortcuts({ undo: () => this.#undo(), redo: () => this.#redo() })
     page.screenshot.addEventListener('click', () => this.#savePicture())
     page.uvLayout.addEventListener('click', () => this.#saveUvLayout())
     acceptFiles(page.dropping, (files) => this.#openFiles(() => filesOfTransfer(files)))
@@ -95,7 +103,11 @@ export class Studio {
   }
 
   #panelModel(): PanelModel {
+    const { session, automatic, settings } = this.#workspace
     return {
+      session,
+      auto: settings,
+      autoRun: automatic.run,
       faces: this.#faces,
       viewer: this.#shown,
       frame: this.#frame,
@@ -123,6 +135,11 @@ export class Studio {
           }),
         addAreaImages: (files, convention) => this.#addAreas(files, convention),
         removeArea: (name) => this.#removeArea(name),
+        undo: () => this.#undo(),
+        redo: () => this.#redo(),
+        previewAuto: (next) => void this.#messages.attempt(() => this.#workspace.previewAuto(next)),
+        makeAuto: (next) => void this.#messages.attempt(() => this.#workspace.makeAuto(next)),
+        cancelAuto: () => automatic.cancel(),
       },
     }
   }
@@ -168,9 +185,30 @@ export class Studio {
 
   #show(viewer: Viewer): void {
     viewer.split = this.#divider.position
+    if (viewer.avatar.root !== this.#shown.peek()?.avatar.root) this.#expression.value = null
     this.#shown.value = viewer
     this.#refresh()
     this.#meter.reset()
+    void this.#messages.attempt(() => this.#workspace.open(viewer.avatar))
+  }
+
+  /** Shows what is worked on; a face that has wrinkles of its own and no document is left as it is. */
+  #showDocument(viewer: Viewer | null, drawn: DrawnDocument | null): void {
+    if (!viewer || (!drawn && viewer.avatar.skins[viewer.avatar.skin].wrinkles)) return
+    void this.#messages
+      .attempt(() => this.#view.show(viewer, drawn))
+      .then(() => {
+        this.#refresh()
+        this.#loop.wake()
+      })
+  }
+
+  #undo(): void {
+    this.#workspace.session.undo()
+  }
+
+  #redo(): void {
+    this.#workspace.session.redo()
   }
 
   #advance(delta: number): void {

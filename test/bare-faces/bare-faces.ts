@@ -32,7 +32,7 @@ export const BARE_FACES: readonly BareFace[] = [
     name: 'bare human-2',
     path: await cachedBare(),
     material: 'skin',
-    strokes: fromHere('../../faces/human/strokes.json'),
+    strokes: fromHere('../../faces/human/drawn.json'),
   },
   ...SCANS,
 ]

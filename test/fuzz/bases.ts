@@ -39,7 +39,7 @@ const AREAS = ['brow', 'cheek', 'chin', 'eye', 'nose']
 /** The files that are damaged: valid, small, and each with something that another has not. */
 export interface Bases {
   faces: Map<string, Buffer>
-  /** A folder as `furrow pack` reads it, without its face. */
+  /** A folder as `furrow pack` reads it, strokes included, without its face. */
   folder: Map<string, Buffer>
   strokes: Buffer
   array: Buffer
@@ -59,7 +59,7 @@ export async function writeBases(root: string): Promise<void> {
   }
   for (const [i, area] of AREAS.entries()) write(`folder/areas/${area}.png`, await picture(i, 1))
   write('folder/wrinkles.json', JSON.stringify(WRINKLES))
-  write('strokes.json', JSON.stringify(STROKES))
+  write('folder/strokes.json', JSON.stringify(STROKES))
   write('height.png', await picture(3, 1))
   for (const [name, face, ...options] of [
     ['packed', 'plain'],
@@ -85,7 +85,7 @@ export function readBases(root: string): Bases {
   return {
     faces: filesIn('faces'),
     folder: filesIn('folder'),
-    strokes: read('strokes.json'),
+    strokes: read('folder/strokes.json'),
     array: read('array.ktx2'),
     height: read('height.png'),
   }
@@ -141,7 +141,9 @@ const STROKES = {
   size: 64,
   strokes: [
     {
+      layer: 'age',
       group: 'brow',
+      curve: 'spline',
       points: [
         [0.1, 0.1],
         [0.25, 0.12],
@@ -149,8 +151,10 @@ const STROKES = {
       ],
       width: 4,
       depth: 0.5,
+      depths: [1, 0.5, 1],
     },
     {
+      layer: 'expression',
       group: 'chin',
       points: [
         [0.1, 0.4],
@@ -162,6 +166,7 @@ const STROKES = {
       waviness: 0.5,
     },
   ],
+  areas: [{ name: 'brow', shapes: [{ group: 'brow', radius: 6, feather: 8 }] }],
 }
 
 /** Noise of values that are all there, so that no tool takes it for one colour. */

@@ -74,7 +74,8 @@ function damagedJson(document: Buffer, random: Random): string {
 
 /** A wrinkle set as files, one or two of them damaged. */
 function writeWrinkles(bases: Bases, random: Random, folder: Folder): void {
-  const damaged = random.chance(0.5) ? 'wrinkles.json' : random.pick([...bases.folder.keys()])
+  const documents = ['wrinkles.json', 'wrinkles.json', 'strokes.json']
+  const damaged = random.pick(random.chance(0.6) ? documents : [...bases.folder.keys()])
   for (const [name, bytes] of bases.folder) {
     if (name !== damaged) folder.write(name, bytes)
     else folder.write(name, name.endsWith('.json') ? damagedJson(bytes, random) : hostileImage(random, bytes))
@@ -104,7 +105,8 @@ const CASES: Record<string, CaseMaker> = {
   auto: (bases, random, folder) => {
     const [input, output] = [writeDamaged(bases, random, folder), folder.path(random.pick(OUTPUTS))]
     // What costs more is tried less often. A report has no pictures of the face, since child.ts lets it find no browser.
-    const rare = [['--ktx2'], ['--report', folder.path('report')], ['--age', '80']]
+    const strokes = ['--strokes', folder.path('strokes.json')]
+    const rare = [['--ktx2'], ['--report', folder.path('report')], ['--age', '80'], strokes]
     const options = random.chance(0.3) ? random.pick(rare) : []
     const small = ['--size', '512', '--areas', '4', '--age', '20', '--replace']
     return { ...runs(autoCommand, input, '-o', output, ...small, ...options), faces: [{ output, input }] }
@@ -148,14 +150,13 @@ const CASES: Record<string, CaseMaker> = {
       ? writeDamaged(bases, random, folder)
       : folder.write('face.glb', bases.faces.get('plain.glb')!)
     const strokes = folder.write('strokes.json', isFace ? bases.strokes : damagedJson(bases.strokes, random))
-    const outputs = [
-      '-o',
-      folder.path('out.png'),
-      '--normal',
-      folder.path('normal.png'),
-      '--areas',
-      folder.path('out'),
-    ]
+    const maps = ['-o', folder.path('out.png'), '--normal', folder.path('normal.png')]
+    const areas = ['--areas', folder.path('out')]
+    const outputs = random.pick([
+      [...maps, ...areas, '--layer', 'age'],
+      [...maps, '--layer', 'expression'],
+      areas,
+    ])
     return runs(strokesCommand, strokes, '--face', face, ...outputs)
   },
   unpack: (bases, random, folder) => {

@@ -5,6 +5,9 @@ import { join } from 'node:path'
 import { Worker } from 'node:worker_threads'
 import { FurrowError } from 'furrow'
 import { validateBytes } from 'gltf-validator'
+import { readGlbFile } from '../../packages/cli/src/gltf/read-glb-file.ts'
+import { strokesIn } from '../../packages/cli/src/wrinkles/strokes.ts'
+import { wrinkledMaterials, wrinklesOf } from '../../packages/cli/src/wrinkles/wrinkled-file.ts'
 import { readBases } from './bases.ts'
 import { type Case, makeCase } from './cases.ts'
 import { quietly } from './quietly.ts'
@@ -102,11 +105,13 @@ function judge(error: unknown): [Outcome, string] {
   return [UNCLEAR.test(error.message) ? 'unclear error' : 'refused', error.message]
 }
 
-/** The codes of the Khronos validator's errors in the faces that a command wrote, which those that it read do not have. */
+/** What is wrong with the faces that a command wrote, and not with those that it read: the Khronos validator's codes, and strokes. */
 async function newErrors({ faces }: Case): Promise<string> {
   const found: string[] = []
   for (const { output, input } of faces) {
     if (!existsSync(output)) continue
+    const known = await strokeProblems(input)
+    found.push(...(await strokeProblems(output)).filter((problem) => !known.includes(problem)))
     const [old, now] = [await errorsOf(input), await errorsOf(output)]
     if (!old || !now) continue
     // Where a file has errors, the validator does not always look at its data; once others are mended it does.
@@ -114,6 +119,17 @@ async function newErrors({ faces }: Case): Promise<string> {
     found.push(...now.filter(isNew))
   }
   return [...new Set(found)].join(', ')
+}
+
+async function strokeProblems(path: string): Promise<string[]> {
+  try {
+    const glb = await readGlbFile(path, 'strokes')
+    const files = wrinkledMaterials(glb).map((material) => wrinklesOf(glb, material, 'strokes'))
+    return files.flatMap((file) => strokesIn(file, 'strokes').problem ?? [])
+  } catch {
+    // What else is wrong with a face, the validator tells.
+    return []
+  }
 }
 
 let giveUp = () => {}

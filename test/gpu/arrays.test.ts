@@ -1,5 +1,5 @@
 import { FurrowError } from 'furrow'
-import { readWrinkleMaps, wrinklesOf } from 'furrow/three'
+import { readWrinkleMaps, updateArea, updateLayer, wrinklesOf } from 'furrow/three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest'
@@ -62,7 +62,7 @@ describe.each(RENDERERS)('maps in KTX 2 on %s', (name) => {
     warn.mockRestore()
   })
 
-  it("do not support the paper's mode; areas can be removed from them, but no images added", async () => {
+  it("do not support the paper's mode; areas can be removed from them, but no images added or changed", async () => {
     const gltf = await load('arrays')
     const [wrinkles] = gltf.userData.wrinkles
     expect(() => {
@@ -71,6 +71,13 @@ describe.each(RENDERERS)('maps in KTX 2 on %s', (name) => {
     expect(wrinkles.mode).toBe('default')
     const weights = { width: 4, height: 4, data: new Uint8Array(16) }
     expect(() => wrinkles.addArea({ name: 'more', weights })).toThrow(/are in different arrays/)
+    expect(() => updateArea(wrinkles, 'nose', weights)).toThrow(
+      /^updateArea area "nose": textures of KTX 2 files/,
+    )
+    const normal = { width: 4, height: 4, data: new Uint8Array(64) }
+    expect(() => updateLayer(wrinkles, 'expression', { normal })).toThrow(
+      /textures of KTX 2 files.*PNG or WebP/,
+    )
     wrinkles.removeArea('nose')
     expect(wrinkles.areaNames).not.toContain('nose')
     await posedPicture(harness, gltf, 'default')

@@ -1,19 +1,37 @@
+import { updateArea, updateLayer } from 'furrow/three'
 import { DirectionalLight, MeshPhysicalMaterial, Scene, type WebGLRenderer } from 'three'
 import type { WebGPURenderer } from 'three/webgpu'
 import { describe, expect, it } from 'vitest'
-import { randomSet } from '../cases.ts'
+import { randomAreas, randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
+import { largestDifference } from './difference.ts'
 import { createHarness, type Harness, square, squareCamera } from './harness.ts'
 
-function wrinkledScene(harness: Harness) {
+function wrinkledScene(harness: Harness, set = randomSet(seeded(4), 6, 8, 16)) {
   const mesh = square(new MeshPhysicalMaterial())
   const scene = new Scene()
   const light = new DirectionalLight()
   light.position.set(1, 1, 1)
   scene.add(mesh, light)
-  const wrinkles = new harness.Wrinkles(mesh, randomSet(seeded(4), 6, 8, 16), { areaSize: 8 })
+  const wrinkles = new harness.Wrinkles(mesh, set, { areaSize: 8 })
   for (const area of wrinkles.areaNames) wrinkles.setActivation(area, 0.4)
   return { scene, wrinkles }
+}
+
+/** Loses a WebGL context, and waits until it is restored. */
+async function loseContext({ renderer }: Harness, whileLost: () => void) {
+  const canvas = renderer.domElement
+  const loss = (renderer as WebGLRenderer).getContext().getExtension('WEBGL_lose_context')!
+  const once = (event: string) =>
+    new Promise((resolve) => canvas.addEventListener(event, resolve, { once: true }))
+  const lost = once('webglcontextlost')
+  loss.loseContext()
+  await lost
+  whileLost()
+  const restored = once('webglcontextrestored')
+  await new Promise((resolve) => setTimeout(resolve, 10))
+  loss.restoreContext()
+  await restored
 }
 
 describe('after a loss of the graphics device', () => {
@@ -21,20 +39,38 @@ describe('after a loss of the graphics device', () => {
     const harness = await createHarness('webgl')
     const { scene, wrinkles } = wrinkledScene(harness)
     const before = await harness.renderBytes(scene, squareCamera(), 32)
-    const canvas = harness.renderer.domElement
-    const loss = (harness.renderer as WebGLRenderer).getContext().getExtension('WEBGL_lose_context')!
-    const once = (event: string) =>
-      new Promise((resolve) => canvas.addEventListener(event, resolve, { once: true }))
-    const lost = once('webglcontextlost')
-    loss.loseContext()
-    await lost
-    const restored = once('webglcontextrestored')
-    await new Promise((resolve) => setTimeout(resolve, 10))
-    loss.restoreContext()
-    await restored
+    await loseContext(harness, () => {})
     expect([...(await harness.renderBytes(scene, squareCamera(), 32))]).toEqual([...before])
     wrinkles.setActivation('area0', 1)
     expect([...(await harness.renderBytes(scene, squareCamera(), 32))]).not.toEqual([...before])
+    harness.dispose()
+  })
+
+  it('wrinkles show what was changed before, during and after the loss of a WebGL context', async () => {
+    const harness = await createHarness('webgl')
+    const random = seeded(5)
+    const set = randomSet(random, 6, 8, 16)
+    const { scene, wrinkles } = wrinkledScene(harness, set)
+    await harness.renderBytes(scene, squareCamera(), 32)
+    const change = (name: string) => {
+      const area = set.areas.find((own) => own.name === name)!
+      area.weights = randomAreas(random, 1, 8)[0].weights
+      updateArea(wrinkles, name, area.weights)
+      set.layers[0].normal = randomNormals(random, 16)
+      updateLayer(wrinkles, 'skin', { normal: set.layers[0].normal })
+    }
+    change('area0')
+    await loseContext(harness, () => change('area1'))
+    const expectFresh = async () => {
+      const shown = await harness.renderBytes(scene, squareCamera(), 32)
+      const fresh = wrinkledScene(harness, set)
+      const wanted = await harness.renderBytes(fresh.scene, squareCamera(), 32)
+      fresh.wrinkles.dispose()
+      expect(largestDifference(shown, wanted)).toBeLessThanOrEqual(1)
+    }
+    await expectFresh()
+    change('area2')
+    await expectFresh()
     harness.dispose()
   })
 

@@ -7,7 +7,7 @@ declare module 'vitest' {
   }
 }
 
-/** Tests of what breaks first on an older three.js: array textures, blending, the paper's lighting, changed geometries, batches, KTX2Loader. */
+/** Tests of what breaks first on an older three.js: array textures, blending, the paper's lighting, changed geometries, batches, KTX2Loader, copies into textures. */
 export const FILES_FOR_OLDEST = [
   'three-version',
   'layers',
@@ -16,6 +16,7 @@ export const FILES_FOR_OLDEST = [
   'normals',
   'loader',
   'mtoon',
+  'update',
 ].map((name) => `test/gpu/${name}.test.ts`)
 
 /** Runs a project on `three-oldest`, the oldest three.js that is allowed. */

@@ -79,7 +79,8 @@ export function facePacker(folder: string): (name: string) => Promise<string> {
   return pathOf
 }
 
-function runAlone(command: Command, words: string[]): Promise<unknown> {
+/** Runs a command without the options of its last run. */
+export function runAlone(command: Command, words: string[]): Promise<unknown> {
   for (const option of command.options) {
     command.setOptionValueWithSource(option.attributeName(), option.defaultValue, 'default')
   }

@@ -10,7 +10,8 @@ const moduleOf = (name: string) => fileURLToPath(new URL(name, import.meta.url))
 
 /**
  * Serves the faces of `pack-faces.ts` at `/packed/NAME.glb`, each of which is packed when it is first asked for, and the
- * list of bare faces at `/packed/bare-faces.json`; and those of `damaged-faces.ts` at `/damaged-faces.json`.
+ * list of bare faces at `/packed/bare-faces.json`; those of `damaged-faces.ts` at `/damaged-faces.json`, and the cases of
+ * `export-cases.ts` at `/export-cases.json`.
  *
  * @param ssr how the modules that make them are resolved, in Node.
  */
@@ -40,11 +41,16 @@ export function serveFaces(ssr: InlineConfig['ssr']): Plugin {
         return createReadStream(await packer(name))
       })
       serve('/damaged-faces.json', async (faces) => JSON.stringify(await faces.damagedFaces()))
+      serve('/export-cases.json', async (faces) => {
+        return JSON.stringify(await faces.exportCases(mkdtempSync(join(folder, 'export-'))))
+      })
     },
   }
 }
 
-type Modules = typeof import('./pack-faces.ts') & typeof import('./damaged-faces.ts')
+type Modules = typeof import('./pack-faces.ts') &
+  typeof import('./damaged-faces.ts') &
+  typeof import('./export-cases.ts')
 
 /** In a server of its own: Vitest's changes dynamic imports so that they work in the browser alone. */
 async function openModules(root: string, ssr: InlineConfig['ssr']): Promise<Modules> {
@@ -55,6 +61,8 @@ async function openModules(root: string, ssr: InlineConfig['ssr']): Promise<Modu
     optimizeDeps: { noDiscovery: true },
     server: { middlewareMode: true, hmr: false, ws: false, watch: null },
   })
-  const modules = ['pack-faces.ts', 'damaged-faces.ts'].map((name) => server.ssrLoadModule(moduleOf(name)))
+  const modules = ['pack-faces.ts', 'damaged-faces.ts', 'export-cases.ts'].map((name) =>
+    server.ssrLoadModule(moduleOf(name)),
+  )
   return Object.assign({}, ...(await Promise.all(modules)))
 }

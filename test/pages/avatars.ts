@@ -1,6 +1,6 @@
 /** Avatars as users bring them, made from a shipped face, as files in a folder. */
 
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { mkdirSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { type Document, Logger, NodeIO } from '@gltf-transform/core'
@@ -25,7 +25,7 @@ async function plainHuman(): Promise<Document> {
 }
 
 /**
- * Writes `plain.glb`, `draco.glb`, `vrm0.vrm`, `broken.glb`, `model.fbx`, `separate/` with a `.gltf` whose textures are in a folder,
+ * Writes `plain.glb`, `draco.glb`, `turned.vrm`, `broken.glb`, `model.fbx`, `separate/` with a `.gltf` whose textures are in a folder,
  * and `wrinkles/` with `face.glb`, one layer and one area.
  */
 export async function writeAvatars(folder: string): Promise<void> {
@@ -41,7 +41,7 @@ export async function writeAvatars(folder: string): Promise<void> {
 
   const turned = await plainHuman()
   turnScene(turned, 180)
-  write('vrm0.vrm', asVrm0(await io.writeBinary(turned)))
+  write('turned.vrm', asVrm0(await io.writeBinary(turned)))
 
   const { json, resources } = await io.writeJSON(await plainHuman(), { basename: 'avatar' })
   for (const image of json.images ?? []) {
@@ -103,9 +103,4 @@ function ripples(): Promise<Buffer> {
   return sharp(data, { raw: { width: size, height: size, channels: 3 } })
     .png()
     .toBuffer()
-}
-
-/** The bytes of one of the files, for what is dropped without a path. */
-export function readAvatar(folder: string, path: string): Buffer {
-  return readFileSync(join(folder, path))
 }

@@ -16,7 +16,7 @@ const MOMENTS = FURROW_MOMENTS === undefined ? undefined : Number(FURROW_MOMENTS
 const SIGNALS = ['SIGINT', 'SIGTERM', 'SIGHUP'] as const
 
 const FACE = resolve('faces/human.glb')
-const STROKES = resolve('faces/human/strokes.json')
+const STROKES = resolve('faces/human/drawn.json')
 const root = mkdtempSync(join(tmpdir(), 'interrupted-'))
 const given = (name: string) => join(root, name)
 const AREAS = ['nose', 'glabella'].map((name) => given(`set/areas/${name}.png`))

@@ -1,3 +1,5 @@
+import { latin1 } from './bytes.ts'
+
 /** Kinds of files by what they begin with: one of some texts, or a pattern. Texts are Latin-1. */
 const KINDS = [
   ['a binary glTF file', ['glTF']],
@@ -30,7 +32,7 @@ export const HEAD_BYTES = 1024
 /** Tells what a file is by its first bytes; undefined where it cannot be told. */
 export function kindOf(bytes: Uint8Array): FileKind | undefined {
   if (bytes.length === 0) return 'empty'
-  const head = String.fromCharCode(...bytes.subarray(0, HEAD_BYTES))
+  const head = latin1(bytes.subarray(0, HEAD_BYTES))
   const found = KINDS.find(([, begin]) => {
     return begin instanceof RegExp ? begin.test(head) : begin.some((text) => head.startsWith(text))
   })

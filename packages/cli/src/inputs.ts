@@ -1,15 +1,10 @@
 import { type FileHandle, open } from 'node:fs/promises'
 import { FurrowError } from 'furrow'
-import { cannotRead, firstLine } from './errors.ts'
-import { HEAD_BYTES, kindOf } from './file-kind.ts'
-import { depthProblem } from './json-depth.ts'
+import { cannotRead } from './errors.ts'
+import { HEAD_BYTES } from './file-kind.ts'
+import { checkFileBytes, MAX_FILE_BYTES, MAX_JSON_BYTES } from './file-size.ts'
+import { parseJson } from './json-file.ts'
 import { fileProblem, statOf } from './outputs.ts'
-
-/** Most bytes of a file that is read, and of a face with all files that it refers to. */
-export const MAX_FILE_BYTES = 2 ** 29
-
-/** The same of JSON, which can take 25 times its size in memory. */
-export const MAX_JSON_BYTES = 2 ** 26
 
 /** What the shell has opened, as in `furrow inspect <(...)`. Other pipes may have no writer, and devices no end. */
 const OPEN_FILE = /^\/(dev\/stdin|(dev|proc\/self)\/fd\/\d+)$/
@@ -56,36 +51,7 @@ export async function readBytes(
 export async function readJson(path: string, who: string, noun = ''): Promise<unknown> {
   const bytes = await readBytes(path, who, noun, { most: MAX_JSON_BYTES })
   const name = `${noun} ${path}`.trim()
-  const hints = { limit: 'JSON', remedy: 'correct the file, or name another one' }
-  let json: unknown
-  try {
-    json = JSON.parse(bytes.toString())
-  } catch (error) {
-    const kind = kindOf(bytes)
-    const problem = kind === undefined || kind === 'text' ? firstLine(error) : `it is ${kind}`
-    throw cannotRead(who, name, new Error(problem, { cause: error }), hints)
-  }
-  const problem = depthProblem(json)
-  if (problem) throw cannotRead(who, name, new Error(problem), { remedy: 'correct the file' })
-  return json
-}
-
-/**
- * Checks the size of a file before it is read.
- *
- * @param name of the file, as the user knows it.
- * @throws FurrowError when it is too large.
- */
-export function checkFileBytes(bytes: number, name: string, who: string, most = MAX_FILE_BYTES): void {
-  if (bytes <= most) return
-  throw new FurrowError({
-    code: 'out-of-range',
-    who,
-    what: `${name} is too large`,
-    value: `${Math.ceil(bytes / 2 ** 20)} MiB`,
-    limit: `${most / 2 ** 20} MiB${most === MAX_JSON_BYTES ? ' of JSON' : ''}`,
-    remedy: 'make it smaller',
-  })
+  return parseJson(bytes, name, who)
 }
 
 async function checkPath(path: string, name: string, who: string): Promise<void> {

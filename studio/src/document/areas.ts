@@ -1,7 +1,9 @@
 import { type Combine, FurrowError, type GrayImage, MAX_AREAS } from 'furrow'
 import type { StudioArea, StudioDocument } from './document.ts'
 import { driversOfNewArea, renameInDrivers, withoutArea } from './drivers.ts'
-import { checkNewName, freeName, named, withNamed } from './names.ts'
+import { changed, checkNewName, freeName, named, withNamed } from './names.ts'
+import { checkRange } from './ranges.ts'
+import { renameInShapes, withoutShapes } from './stroke-areas.ts'
 import { edited } from './strokes.ts'
 
 /** Fields of an area that are set as they are. */
@@ -31,10 +33,11 @@ export function removeArea(document: StudioDocument, name: string): StudioDocume
     ...document,
     areas: document.areas.filter((area) => area.name !== name),
     drivers: withoutArea(document.drivers, name),
+    ...withoutShapes(document, name),
   }
 }
 
-/** Renames an area, in drivers and strokes too. */
+/** Renames an area, in drivers, strokes and their shapes too. */
 export function renameArea(document: StudioDocument, name: string, newName: string): StudioDocument {
   if (newName === name) return document
   checkNewName(document.areas, newName, 'area')
@@ -46,9 +49,10 @@ export function renameArea(document: StudioDocument, name: string, newName: stri
       name: newName,
     })),
     drivers: renameInDrivers(document.drivers, name, newName),
-    strokes: document.strokes.map((stroke) =>
+    strokes: changed(document.strokes, (stroke) =>
       stroke.group === name ? edited({ ...stroke, group: newName }) : stroke,
     ),
+    ...renameInShapes(document, name, newName),
   }
 }
 
@@ -63,16 +67,7 @@ export function duplicateArea(document: StudioDocument, name: string): StudioDoc
 /** @throws FurrowError when the layer is unknown or the activation outside 0..1. */
 export function setArea(document: StudioDocument, name: string, fields: AreaFields): StudioDocument {
   if (fields.layer !== undefined) named(document.layers, fields.layer, 'layer')
-  if (fields.activation !== undefined && !(fields.activation >= 0 && fields.activation <= 1)) {
-    throw new FurrowError({
-      code: 'out-of-range',
-      who: 'Studio',
-      what: `activation of ${name} at rest`,
-      value: fields.activation,
-      limit: '0 to 1',
-      remedy: 'choose one in this range',
-    })
-  }
+  checkRange(`activation of ${name} at rest`, fields.activation, 0, 1)
   return { ...document, areas: withNamed(document.areas, name, 'area', (area) => ({ ...area, ...fields })) }
 }
 

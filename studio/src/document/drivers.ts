@@ -1,6 +1,6 @@
-import { type Link, parseDrivers, type WrinkleDriver } from 'furrow'
+import { type Link, type MuscleDriver, parseDrivers, type WrinkleDriver } from 'furrow'
 import type { StudioDocument } from './document.ts'
-import { named } from './names.ts'
+import { changed, kept, named } from './names.ts'
 
 /** A weight below which a blendshape counts as not set. */
 const UNSET = 0.01
@@ -54,17 +54,21 @@ export function renameInDrivers(
   drivers: readonly WrinkleDriver[],
   name: string,
   newName: string,
-): WrinkleDriver[] {
+): readonly WrinkleDriver[] {
   const rename = (area: string) => (area === name ? newName : area)
-  return drivers.map((driver) => withAreas(driver, (area) => [rename(area)]))
+  return changed(drivers, (driver) => withAreas(driver, (area) => [rename(area)]))
 }
 
-/** The drivers without those that activate an area, and without its name in the others. */
-export function withoutArea(drivers: readonly WrinkleDriver[], name: string): WrinkleDriver[] {
-  return drivers
-    .filter((driver) => areaOf(driver) !== name)
-    .map((driver) => withAreas(driver, (area) => (area === name ? [] : [area])))
-    .filter((driver) => driver.type !== 'area' || (driver as { areas: Link[] }).areas.length > 0)
+/** The drivers without those that activate an area, and without its name in the others. A muscle goes on moving the skin. */
+export function withoutArea(drivers: readonly WrinkleDriver[], name: string): readonly WrinkleDriver[] {
+  const free = changed(drivers, (driver) => {
+    if (driver.type !== 'muscle' || areaOf(driver) !== name) return driver
+    const { area, ...muscle } = driver as MuscleDriver
+    return muscle
+  })
+  const others = kept(free, (driver) => areaOf(driver) !== name)
+  const unread = changed(others, (driver) => withAreas(driver, (area) => (area === name ? [] : [area])))
+  return kept(unread, (driver) => driver.type !== 'area' || (driver as { areas: Link[] }).areas.length > 0)
 }
 
 /** Copies of the drivers that activate an area, for another. */
@@ -73,7 +77,13 @@ export function driversOfNewArea(
   name: string,
   newName: string,
 ): WrinkleDriver[] {
-  return drivers.flatMap((driver) => (areaOf(driver) === name ? [{ ...driver, area: newName }] : []))
+  return drivers.flatMap((driver) => {
+    if (areaOf(driver) !== name) return []
+    if (driver.type !== 'muscle') return [{ ...driver, area: newName }]
+    // A second muscle of that name would pull the skin twice: the copy reads the first one's blendshape.
+    const targets = [{ name: (driver as MuscleDriver).name }]
+    return parseDrivers([{ type: 'morph', area: newName, targets }], [newName], 'Studio')
+  })
 }
 
 /**
@@ -101,5 +111,5 @@ export function areaOf(driver: WrinkleDriver): string | undefined {
 }
 
 function rounded(weight: number): number {
-  return Math.round(weight * 1000) / 1000
+  return Number(weight.toPrecision(4))
 }

@@ -10,6 +10,8 @@ interface Step {
   label: string
   before: StudioDocument
   after: StudioDocument
+  /** What this step keeps from being forgotten; see `lostBytes`. */
+  bytes: number
   /** Changes with the same key in a row are one step, as those of a slider that is dragged. */
   key?: string | undefined
 }
@@ -48,8 +50,11 @@ export class History {
   push(label: string, after: StudioDocument, key?: string): void {
     if (after === this.#document) return
     const last = this.#done.at(-1)
-    if (key !== undefined && last?.key === key) last.after = after
-    else this.#done.push({ label, before: this.#document, after, key })
+    const isMerged = key !== undefined && last?.key === key
+    if (isMerged) this.#done.pop()
+    const before = isMerged ? last.before : this.#document
+    const step = { label, before, after, key, bytes: lostBytes(before, after) }
+    this.#done.push(isMerged ? { ...step, label: last.label } : step)
     this.#undone = []
     this.#document = after
     this.#trim()
@@ -66,6 +71,7 @@ export class History {
     if (!step) return
     this.#undone.push({ ...step, key: undefined })
     this.#document = step.before
+    this.settle()
   }
 
   redo(): void {
@@ -76,30 +82,25 @@ export class History {
   }
 
   #trim(): void {
-    while (this.#done.length > MOST_STEPS) this.#done.shift()
-    if (this.#done.length <= LEAST_STEPS) return
-    // From the latest step on: those that would take too much are forgotten.
-    const seen = new Set<object>()
-    let bytes = 0
-    let kept = 0
-    for (const { before } of this.#done.toReversed()) {
-      bytes += newBytes(before, seen)
-      if (bytes > BYTES && kept >= LEAST_STEPS) break
-      kept++
+    let bytes = this.#done.reduce((sum, step) => sum + step.bytes, 0)
+    while (this.#done.length > MOST_STEPS || (this.#done.length > LEAST_STEPS && bytes > BYTES)) {
+      bytes -= this.#done.shift()!.bytes
     }
-    this.#done = this.#done.slice(-kept)
   }
 }
 
-/** Bytes of the images of a document that were not seen before, and about those of its strokes. */
-function newBytes({ areas, layers, strokes }: StudioDocument, seen: Set<object>): number {
-  const isNew = (item: object) => !seen.has(item) && seen.add(item)
-  const weights = areas.map((area) => area.weights).filter(isNew)
-  const images = layers.flatMap(({ maps }) => Object.values(maps)).filter(isNew)
-  const lines = strokes.filter(isNew)
-  return (
-    weights.reduce((sum, { data }) => sum + data.length, 0) +
-    images.reduce((sum, { bytes }) => sum + bytes.length, 0) +
-    lines.reduce((sum, { points }) => sum + 64 * points.length, 0)
-  )
+/** Bytes of the images of a document that another does not have, and about those of its strokes. */
+function lostBytes(before: StudioDocument, after: StudioDocument): number {
+  const [old, next] = [partsOf(before), partsOf(after)]
+  const isLost = (part: object) => !next.has(part)
+  return [...old].reduce((sum, [part, bytes]) => sum + (isLost(part) ? bytes : 0), 0)
+}
+
+function partsOf({ areas, layers, strokes }: StudioDocument): Map<object, number> {
+  const images = layers.flatMap(({ maps }) => Object.values(maps))
+  return new Map<object, number>([
+    ...areas.map(({ weights }) => [weights, weights.data.length] as const),
+    ...images.map((image) => [image, image.bytes.length] as const),
+    ...strokes.map((stroke) => [stroke, 64 * stroke.points.length] as const),
+  ])
 }

@@ -6,7 +6,11 @@ import {
   type StudioDocument,
   type StudioLayer,
 } from './document.ts'
-import { checkNewName, named, withNamed } from './names.ts'
+import { changed, checkNewName, kept, named, withNamed } from './names.ts'
+import { checkRange } from './ranges.ts'
+
+/** Largest scale or amplitude that files may hold. */
+const LARGEST = 1000
 
 /** Fields of a layer that are set as they are. */
 export type LayerFields = Partial<
@@ -44,7 +48,7 @@ export function removeLayer(document: StudioDocument, name: string): StudioDocum
   return {
     ...document,
     layers: document.layers.filter((layer) => layer.name !== name),
-    strokes: document.strokes.filter(({ layer }) => layer !== name),
+    strokes: kept(document.strokes, ({ layer }) => layer !== name),
   }
 }
 
@@ -57,8 +61,8 @@ export function renameLayer(document: StudioDocument, name: string, newName: str
   return {
     ...document,
     layers: withNamed(document.layers, name, 'layer', (layer) => ({ ...layer, name: newName })),
-    areas: document.areas.map(rename),
-    strokes: document.strokes.map(rename),
+    areas: changed(document.areas, rename),
+    strokes: changed(document.strokes, rename),
   }
 }
 
@@ -69,7 +73,11 @@ export function moveLayer(document: StudioDocument, name: string, index: number)
   return { ...document, layers: [...others.slice(0, index), layer, ...others.slice(index)] }
 }
 
+/** @throws FurrowError when the layer is unknown or a number outside what files may hold. */
 export function setLayer(document: StudioDocument, name: string, fields: LayerFields): StudioDocument {
+  checkRange(`normal scale of ${name}`, fields.normalScale, -LARGEST, LARGEST)
+  checkRange(`strength of the occlusion of ${name}`, fields.occlusionStrength, 0, 1)
+  checkRange(`amplitude of the heights of ${name}`, fields.heightAmplitude, 0, LARGEST)
   return {
     ...document,
     layers: withNamed(document.layers, name, 'layer', (layer) => ({ ...layer, ...fields })),

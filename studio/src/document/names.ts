@@ -1,4 +1,4 @@
-import { FurrowError, isName } from 'furrow'
+import { FurrowError, isName, LONGEST_NAME } from 'furrow'
 
 /** What has a name of its own among its kind. */
 interface Named {
@@ -17,6 +17,17 @@ export function named<T extends Named>(items: readonly T[], name: string, kind: 
     limit: items.map((each) => each.name).join(', ') || 'there is none',
     remedy: 'name one of these',
   })
+}
+
+/** The items as `change` makes them; the same array where it changes none. */
+export function changed<T>(items: readonly T[], change: (item: T) => T): readonly T[] {
+  const others = items.map(change)
+  return others.every((item, i) => item === items[i]) ? items : others
+}
+
+/** The items that pass a test; the same array where all do. */
+export function kept<T>(items: readonly T[], test: (item: T) => boolean): readonly T[] {
+  return items.every(test) ? items : items.filter(test)
 }
 
 /** The items with one of them replaced. */
@@ -55,5 +66,14 @@ export function freeName(items: readonly Named[], name: string): string {
   const isTaken = (candidate: string) => items.some((item) => item.name === candidate)
   if (!isTaken(name)) return name
   const stem = name.replace(/ \d+$/, '')
-  for (let i = 2; ; i++) if (!isTaken(`${stem} ${i}`)) return `${stem} ${i}`
+  for (let i = 2; ; i++) {
+    const candidate = withNumber(stem, i)
+    if (!isTaken(candidate)) return candidate
+  }
+}
+
+/** No longer than a name may be. */
+function withNumber(stem: string, number: number): string {
+  const end = ` ${number}`
+  return [...stem].slice(0, LONGEST_NAME - end.length).join('') + end
 }

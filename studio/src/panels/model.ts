@@ -2,6 +2,9 @@ import type { ReadonlySignal, Signal } from '@preact/signals'
 import type { AreaConvention } from 'furrow'
 import type { WrinkleMode } from 'furrow/three'
 import type { RendererKind } from '../../../stage/stage.ts'
+import type { AutoSettings } from '../document/document.ts'
+import type { AutoRun } from '../session/automatic.ts'
+import type { Session } from '../session/session.ts'
 import type { Dial } from '../viewer/dials.ts'
 import type { Look } from '../viewer/looks.ts'
 import type { Viewer } from '../viewer/viewer.ts'
@@ -14,6 +17,7 @@ export interface Hovered {
 
 /** What panels show and request. */
 export interface PanelModel {
+  readonly session: Session
   /** Names of the shipped faces. */
   readonly faces: ReadonlySignal<readonly string[]>
   readonly viewer: ReadonlySignal<Viewer | null>
@@ -24,6 +28,9 @@ export interface PanelModel {
   /** The expression that the face shows or moves to; null once a slider has changed it. */
   readonly expression: ReadonlySignal<string | null>
   readonly hovered: Signal<Hovered | null>
+  /** Settings of the automatic wrinkles, and the run that makes them. */
+  readonly auto: ReadonlySignal<AutoSettings>
+  readonly autoRun: ReadonlySignal<AutoRun | null>
   readonly actions: PanelActions
 }
 
@@ -41,4 +48,10 @@ export interface PanelActions {
   reset(dials: readonly Dial[]): void
   addAreaImages(files: readonly File[], convention: AreaConvention): void
   removeArea(name: string): void
+  undo(): void
+  redo(): void
+  /** Makes the automatic wrinkles with these settings: a preview while a control moves, all of them when it rests. */
+  previewAuto(settings: AutoSettings): void
+  makeAuto(settings: AutoSettings): void
+  cancelAuto(): void
 }

@@ -1,18 +1,18 @@
 import { Areas } from './areas.tsx'
+import { AutomaticWrinkles } from './automatic.tsx'
 import { Expressions } from './expressions.tsx'
 import type { PanelModel } from './model.ts'
 import { Settings } from './settings.tsx'
 import { Targets } from './targets.tsx'
+import { Title } from './title.tsx'
 
 /** The controls beside the stage: they show the face, and request changes. */
 export function Panel({ model }: { model: PanelModel }) {
   return (
     <>
-      <header class="title">
-        <h1>Furrow</h1>
-        <p>Wrinkles for any glTF character, in real time</p>
-      </header>
+      <Title model={model} />
       <Expressions model={model} />
+      {model.session.document.value?.auto && <AutomaticWrinkles model={model} />}
       <Settings model={model} />
       <Areas model={model} />
       <Targets model={model} />

@@ -2,7 +2,7 @@ import type { Orbit } from './orbit.ts'
 import type { Viewer } from './viewer.ts'
 
 /**
- * Remembers the state that a user has set on a viewer.
+ * Remembers the state that a user has set on a viewer. Another avatar begins with its own pose.
  *
  * @returns steps that set it on another viewer. Each may throw, e.g. where a mode or look is not supported.
  */
@@ -12,11 +12,9 @@ export function snapshot(viewer: Viewer, orbit: Orbit): (next: Viewer, nextOrbit
   const values = new Map([...viewer.targets, ...viewer.areas].map((dial) => [dial.name, dial.read()]))
   return (next, nextOrbit) => [
     () => {
+      if (next.avatar.root !== avatar.root) return nextOrbit.goTo(view ?? 'front', true)
       for (const dial of [...next.targets, ...next.areas]) dial.write(values.get(dial.name) ?? 0)
-    },
-    () => {
-      if (next.avatar.root === avatar.root) nextOrbit.restore(pose, view)
-      else nextOrbit.goTo(view ?? 'front', true)
+      nextOrbit.restore(pose, view)
     },
     () => {
       next.mode = mode

@@ -92,7 +92,7 @@ export class ViewerHost {
     this.#viewer = viewer
     this.#orbit = new Orbit(viewer.stage, page.viewport, reducedMotion.matches, () => loop.wake())
     this.#resize()
-    this.#orbit.goTo('front', true)
+    if (!restore) this.#orbit.goTo('front', true)
     for (const step of restore?.(viewer, this.#orbit) ?? []) await messages.attempt(step)
     onOpen(viewer)
     this.#watch(viewer)

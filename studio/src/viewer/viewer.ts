@@ -240,7 +240,7 @@ export class Viewer {
   addArea(area: Area): void {
     if (!this.wrinkles) throw withoutLayers(area.name)
     this.wrinkles.addArea(area)
-    this.#face.wrinkles!.set.areas.push(area)
+    this.#face.wrinkles?.set.areas.push(area)
     this.#areasChanged()
   }
 
@@ -248,8 +248,8 @@ export class Viewer {
   removeArea(name: string): void {
     if (!this.wrinkles) return
     this.wrinkles.removeArea(name)
-    const { set } = this.#face.wrinkles!
-    set.areas = set.areas.filter((area) => area.name !== name)
+    const set = this.#face.wrinkles?.set
+    if (set) set.areas = set.areas.filter((area) => area.name !== name)
     const isShown = this.#look.name === 'influence' && this.#look.area === name
     if (isShown) this.#look = { name: 'influence' }
     this.#areasChanged()

@@ -23,7 +23,7 @@ import {
 const faces = new URL('../../../faces/', import.meta.url)
 const path = (name: string) => new URL(name, faces).pathname
 const json = (name: string): unknown => JSON.parse(readFileSync(path(name), 'utf8'))
-const strokes = (): StrokesDocument => parseStrokes(json('human/strokes.json'))
+const strokes = (): StrokesDocument => parseStrokes(json('human/drawn.json'))
 
 const both = (name: string) => [`${name}Left`, `${name}Right`]
 const DRAWN = [...both('forehead'), 'glabella', 'nose']

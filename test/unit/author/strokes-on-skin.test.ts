@@ -1,48 +1,12 @@
 import { describe, expect, it } from 'vitest'
 import {
-  type MetricMesh,
   parseStrokes,
   type Stroke,
   skinCanvas,
   strokesToHeight,
 } from '../../../packages/furrow/src/author/index.ts'
 import { layOutStroke } from '../../../packages/furrow/src/author/strokes/lay-out.ts'
-
-/** Radius and height of the cylinder in millimetres. */
-const RADIUS = 20
-const HEIGHT = 60
-const COLUMNS = 96
-
-/**
- * A cylinder, seen from outside, whose texture is cut into two islands at x < 0, z = 0 and x > 0, z = 0: the front (z > 0) is on the left of the
- * texture, the back on its right and upside down.
- */
-function cylinder(): MetricMesh {
-  const [positions, uvs, indices]: number[][] = [[], [], []]
-  for (const [half, [u0, turned]] of [[0.05, false] as const, [0.55, true] as const].entries()) {
-    const first = positions.length / 3
-    for (let row = 0; row <= 12; row++) {
-      for (let column = 0; column <= COLUMNS / 2; column++) {
-        // From -x over the front to +x, then over the back.
-        const angle = Math.PI * (half - column / (COLUMNS / 2) + 1)
-        const [along, up] = [column / (COLUMNS / 2), row / 12]
-        positions.push(RADIUS * Math.cos(angle), HEIGHT * up, RADIUS * Math.sin(angle))
-        uvs.push(u0 + 0.4 * (turned ? 1 - along : along), turned ? 0.1 + 0.8 * up : 0.9 - 0.8 * up)
-        const i = first + row * (COLUMNS / 2 + 1) + column
-        const above = i + COLUMNS / 2 + 1
-        if (row < 12 && column < COLUMNS / 2) indices.push(i, i + 1, above + 1, i, above + 1, above)
-      }
-    }
-  }
-  return { positions: positions.map((value) => Math.round(1e6 * value) / 1e9), uvs, indices }
-}
-
-/** Where in the texture the cylinder is at an angle from -x (0..2, in half turns), and a height in millimetres. */
-function uvOf(turn: number, y: number): [number, number] {
-  return turn <= 1
-    ? [0.05 + 0.4 * turn, 0.9 - (0.8 * y) / HEIGHT]
-    : [0.95 - 0.4 * (turn - 1), 0.1 + (0.8 * y) / HEIGHT]
-}
+import { cylinder, folded, RADIUS, uvOf } from './skins.ts'
 
 const strokesOf = (...list: object[]): Stroke[] => parseStrokes({ version: 1, strokes: list }).strokes
 const ring = {
@@ -143,17 +107,7 @@ describe('a stroke on a cylinder', () => {
 })
 
 it('where two halves use the same texels, the left one is drawn on', () => {
-  // A sheet of 100 x 50 mm whose texture is folded at x = 0.
-  const [positions, uvs, indices]: number[][] = [[], [], []]
-  for (let row = 0; row <= 4; row++) {
-    for (let column = 0; column <= 8; column++) {
-      positions.push((column - 4) / 80, row / 80, 0)
-      uvs.push(0.1 + Math.abs(column - 4) / 5, 0.9 - row / 5)
-      const i = 9 * row + column
-      if (row < 4 && column < 8) indices.push(i, i + 1, i + 10, i, i + 10, i + 9)
-    }
-  }
-  const canvas = skinCanvas({ positions, uvs, indices }, 256)
+  const canvas = skinCanvas(folded(), 256)
   const stroke = strokesOf({
     ...ring,
     points: [

@@ -24,10 +24,10 @@ test.each([
   const { cost } = JSON.parse(at.printed)
   at.printed = ''
   await inspectCommand.parseAsync([file('out.glb'), '--json'], { from: 'user' })
-  const { gpu, influenceMapBytes, imageBytes } = JSON.parse(at.printed)
+  const { gpu, influenceMapBytes, imageBytes, strokes } = JSON.parse(at.printed)
   const isCompressed = options.length > 0
   expect(cost).toEqual({
-    file: imageBytes,
+    file: imageBytes + strokes.bytes,
     gpu: (isCompressed ? gpu.bits4 : gpu.uncompressed) + influenceMapBytes,
     phone: (isCompressed ? gpu.bits8 : gpu.uncompressed) + influenceMapBytes,
   })
@@ -40,9 +40,9 @@ test('an avatar takes at most 2 MB on the GPU at 1024 texels, compressed, as ins
   expect(layers).toHaveLength(2)
   at.printed = ''
   await inspectCommand.parseAsync([file('small.glb'), '--json'], { from: 'user' })
-  const { gpu, influenceMapBytes, imageBytes } = JSON.parse(at.printed)
+  const { gpu, influenceMapBytes, imageBytes, strokes } = JSON.parse(at.printed)
   expect(gpu.bits4 + influenceMapBytes).toBe(cost.gpu)
-  expect(imageBytes).toBe(cost.file)
+  expect(imageBytes + strokes.bytes).toBe(cost.file)
 })
 
 test('what wrinkles cost, how they cost less and what drops them is printed', async () => {

@@ -10,9 +10,10 @@ import { MeshoptEncoder } from 'meshoptimizer/encoder'
 import { beforeAll } from 'vitest'
 import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
 import { imageOf } from '../../../packages/cli/src/gltf/texture-image.ts'
-import { decodePixels } from '../../../packages/cli/src/images/pixels.ts'
+import { decodeImage } from '../../../packages/cli/src/platform/node/images.ts'
 import { weightsOf } from '../../../packages/cli/src/wrinkles/inspect.ts'
-import { readWrinkledFile, type WrinkledFile } from '../../../packages/cli/src/wrinkles/wrinkled-file.ts'
+import { readWrinkledFile } from '../../../packages/cli/src/wrinkles/read-wrinkled-file.ts'
+import type { WrinkledFile } from '../../../packages/cli/src/wrinkles/wrinkled-file.ts'
 import { driven } from '../../driven.ts'
 import type { Workshop } from './workshop.ts'
 
@@ -177,7 +178,7 @@ export async function normalsApart(a: Made, b: Made): Promise<number> {
 
 async function normalsOf(file: WrinkledFile, layer: number): Promise<Uint8Array> {
   const image = imageOf(file.glb, file.maps.layers[layer]!.normalTexture.index, 'test')
-  return (await decodePixels(image.bytes, 'normals', 'test')).data
+  return (await decodeImage(image.bytes, 'normals', 'test')).data
 }
 
 /** Of three bytes each. */

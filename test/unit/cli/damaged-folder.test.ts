@@ -15,6 +15,14 @@ it('pack refuses a wrinkles.json that is too deep for what reads it', async () =
   )
 })
 
+it.each([{ toString: 1, valueOf: null }, 1])('pack refuses a layer whose name is %j', async (name) => {
+  const folder = await shop.makeFolder('misnamed')
+  shop.json('misnamed/wrinkles.json', { layers: [{ name }] })
+  await expect(shop.run(packCommand, folder, '-o', shop.path('out.glb'))).rejects.toThrow(
+    /wrinkles\.json: layers\[0\]\.name must be text/,
+  )
+})
+
 it('pack names a damaged layer also where it scales it', async () => {
   const folder = await shop.makeFolder('damaged')
   const layer = join(folder, 'layers/age/normal.png')

@@ -13,7 +13,8 @@ import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
 import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
 import { uvCommand } from '../../../packages/cli/src/commands/uv.ts'
 import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
-import { MAX_FILE_BYTES, readBytes } from '../../../packages/cli/src/inputs.ts'
+import { MAX_FILE_BYTES } from '../../../packages/cli/src/file-size.ts'
+import { readBytes } from '../../../packages/cli/src/inputs.ts'
 import { faceBytes, Workshop } from './workshop.ts'
 
 const MIB = 2 ** 20

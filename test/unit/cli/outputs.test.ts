@@ -21,13 +21,14 @@ import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import { renderCommand } from '../../../packages/cli/src/commands/render.ts'
 import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
 import { writeAll, writeFolder } from '../../../packages/cli/src/files.ts'
-import { encodeGlb, readGlbFile } from '../../../packages/cli/src/gltf/glb-file.ts'
+import { encodeGlb } from '../../../packages/cli/src/gltf/glb-file.ts'
 import { readDocument } from '../../../packages/cli/src/gltf/read-document.ts'
+import { readGlbFile } from '../../../packages/cli/src/gltf/read-glb-file.ts'
 import { checkOutputs, fileProblem, isStdout } from '../../../packages/cli/src/outputs.ts'
 import { noise, painted, Workshop } from './workshop.ts'
 
 const WHO = 'furrow test'
-const STROKES = 'faces/human/strokes.json'
+const STROKES = 'faces/human/drawn.json'
 const FACE = 'faces/human.glb'
 
 const shop = new Workshop()

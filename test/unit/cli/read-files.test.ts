@@ -13,9 +13,10 @@ import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
 import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
 import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
-import { encodeGlb, readGlbFile } from '../../../packages/cli/src/gltf/glb-file.ts'
+import { encodeGlb } from '../../../packages/cli/src/gltf/glb-file.ts'
 import type { GltfJson } from '../../../packages/cli/src/gltf/gltf-json.ts'
 import { readDocument } from '../../../packages/cli/src/gltf/read-document.ts'
+import { readGlbFile } from '../../../packages/cli/src/gltf/read-glb-file.ts'
 import { editGlb } from '../../glb.ts'
 import { faceBytes, noise, Workshop } from './workshop.ts'
 
@@ -264,7 +265,7 @@ describe('files outside the folder', () => {
     [strokesCommand, (face) => [shop.path('strokes.json'), '--face', face, '-o', shop.path('x.png')]],
     [unpackCommand, (face) => [face, '-o', shop.path('x')]],
   ])('are refused by each command', async (command, args) => {
-    shop.write('strokes.json', readFileSync('faces/human/strokes.json'))
+    shop.write('strokes.json', readFileSync('faces/human/drawn.json'))
     const face = await withImage('../secret.png')
     const error = await shop.failure(command, ...args(face))
     expect(error.message).toContain(`furrow ${command.name()}: ${face} refers to a file outside its folder`)

@@ -24,8 +24,19 @@ const bases: Uint8Array[] = []
 
 type Json = ReturnType<typeof jsonOf>
 
+const STROKE = {
+  points: [
+    [0, 0.5],
+    [0.25, 0.75],
+  ],
+  width: 4,
+  depth: 0.5,
+}
+
 beforeAll(async () => {
   const folder = await shop.makeFolder('face')
+  const strokes = ['age', 'expression'].map((layer) => ({ ...STROKE, layer }))
+  shop.json('face/strokes.json', { version: 1, strokes })
   for (const args of [[], ['--ktx2']]) {
     await shop.run(packCommand, folder, '-o', shop.path('base.glb'), ...args)
     bases.push(readFileSync(shop.path('base.glb')))

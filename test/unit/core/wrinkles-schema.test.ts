@@ -49,6 +49,7 @@ const FULL = {
     { type: 'time', area: 'nose', attack: 0.1 },
   ],
   areaSize: 64,
+  strokes: 'lines.json',
 } satisfies Required<WrinkleSetDocument>
 
 interface Fields {

@@ -15,7 +15,7 @@ import { FurrowError, parseWrinkleMaps } from 'furrow'
 import { MeshoptEncoder } from 'meshoptimizer'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { createIO, createSample, DRIVERS, NAME, summary, wrinklesOf } from './sample.ts'
+import { createIO, createSample, DRIVERS, NAME, STROKES, summary, wrinklesOf } from './sample.ts'
 
 const io = createIO()
 const texturesOf = async () => (await createSample()).getRoot().listTextures()
@@ -26,7 +26,7 @@ describe('FurrowWrinkleMaps', () => {
     expect(json.extensionsUsed).toEqual([NAME])
     expect(json.extensionsRequired).toBeUndefined()
     const maps = json.materials![0].extensions![NAME] as Record<string, unknown[]>
-    expect(maps).toMatchObject({ revision: 7, extras: { by: 'hand' }, drivers: DRIVERS })
+    expect(maps).toMatchObject({ revision: 7, extras: { by: 'hand' }, drivers: DRIVERS, strokes: STROKES })
     expect(maps.layers[1]).toEqual({ name: 'down', kind: 'detail', normalTexture: { index: 7 } })
     expect(maps.layers[0]).toMatchObject({
       later: { deep: [1, 2] },
@@ -50,6 +50,7 @@ describe('FurrowWrinkleMaps', () => {
     const document = await createSample()
     const before = summary(document)
     expect(before.drivers).toEqual(DRIVERS)
+    expect(before.strokes).toEqual(STROKES)
     expect(summary(await io.readJSON(await io.writeJSON(document)))).toEqual(before)
     const bytes = await io.writeBinary(document)
     const back = await io.readBinary(bytes)
@@ -63,10 +64,23 @@ describe('FurrowWrinkleMaps', () => {
     const before = summary(document)
     expect(summary(copy)).toEqual(before)
     wrinklesOf(document).listAreas()[0].setName('other').setTexture(null)
-    wrinklesOf(document).setDrivers([])
+    wrinklesOf(document).setDrivers([]).setStrokes(null)
     expect(summary(copy)).toEqual(before)
     expect(wrinklesOf(copy).listAreas()[1].getLayer()).toBe(wrinklesOf(copy).listLayers()[1])
     expect(await io.writeBinary(copy)).toEqual(await io.writeBinary(await createSample()))
+  })
+
+  it('keeps strokes as they are, malformed or none', async () => {
+    const document = await createSample()
+    const strokesAfter = async (strokes: unknown) => {
+      wrinklesOf(document).setStrokes(strokes)
+      const written = await io.writeJSON(document)
+      const read = wrinklesOf(await io.readJSON(written)).getStrokes()
+      return [(written.json.materials![0].extensions![NAME] as { strokes?: unknown }).strokes, read]
+    }
+    expect(await strokesAfter(null)).toEqual([undefined, null])
+    expect(await strokesAfter({ version: 2, lines: [] })).toEqual(Array(2).fill({ version: 2, lines: [] }))
+    expect(await strokesAfter('lines')).toEqual(['lines', 'lines'])
   })
 
   it('preserves slices in files and copies, and distinguishes slices of an array', async () => {

@@ -67,6 +67,59 @@ export const DRIVERS: WrinkleDriver[] = [
   },
 ]
 
+/** A document with every kind of curve and shape. */
+export const STROKES = {
+  version: 1,
+  scale: 1000,
+  size: 64,
+  strokes: [
+    {
+      group: 'brow',
+      layer: 'up',
+      curve: 'spline',
+      points: [
+        [0.25, 0.125],
+        [0.5, 0.5],
+      ],
+      width: 4,
+      depth: 0.5,
+      depths: [1, 0.25],
+      taper: 0.5,
+      shoulder: [1, 0.5],
+      softness: 0.5,
+      waviness: 0.25,
+    },
+    {
+      layer: 'down',
+      curve: 'bezier',
+      points: [
+        [0, 0],
+        [0, 1],
+        [1, 1],
+        [1, 0],
+      ],
+      width: 3,
+      depth: 0.25,
+    },
+  ],
+  areas: [
+    {
+      name: 'brow',
+      shapes: [
+        {
+          polygon: [
+            [0, 0],
+            [1, 0],
+            [1, 1],
+          ],
+          feather: 8,
+        },
+      ],
+      within: { group: 'brow', radius: 6, feather: 8 },
+    },
+  ],
+}
+
 /** A quad with one blendshape, two layers with every slot, and five areas in the channels of two images. */
 export async function createSample(): Promise<Document> {
   const document = new Document().setLogger(silent)
@@ -118,7 +171,7 @@ export async function createSample(): Promise<Document> {
     .setKind('detail')
     .setTexture('normalTexture', await texture('down', 7))
   const wrinkles = extension.createMaterialWrinkles().addLayer(up).addLayer(down).setDrivers(DRIVERS)
-  wrinkles.setExtras({ by: 'hand' }).setUnknownFields({ revision: 7 })
+  wrinkles.setStrokes(STROKES).setExtras({ by: 'hand' }).setUnknownFields({ revision: 7 })
   const areaTextures = [await texture('weights 0', 8), await texture('weights 1', 9)]
   for (const [i, name] of ['brow', 'nose', 'cheek', 'chin', 'eye'].entries()) {
     const area = extension.createArea(name).setTexture(areaTextures[Math.floor(i / 3)], i % 3)
@@ -145,6 +198,7 @@ export function summary(document: Document) {
     extras: wrinkles.getExtras(),
     unknown: wrinkles.getUnknownFields(),
     drivers: wrinkles.getDrivers(),
+    strokes: wrinkles.getStrokes(),
     layers: wrinkles.listLayers().map((layer) => ({
       name: layer.getName(),
       kind: layer.getKind(),

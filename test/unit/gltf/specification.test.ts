@@ -2,6 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import Ajv2020, { type ValidateFunction } from 'ajv/dist/2020.js'
 import { DRIVER_TYPES, parseWrinkleMaps } from 'furrow'
+import { parseStrokes } from 'furrow/author'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import { jsonOf, Workshop } from '../cli/workshop.ts'
@@ -85,13 +86,16 @@ describe('the schema', () => {
     expect(maps.areas).toHaveLength(12)
   })
 
-  it('accepts everything that the parser accepts, and refuses most of what it refuses', async () => {
+  it('accepts everything that the parsers accept, and refuses most of what they refuse', async () => {
     const { json } = await createIO().writeJSON(await createSample())
     const extension = json.materials![0].extensions![NAME]
     const { accepted, missed } = compareWithParser(
       extension,
       validate,
-      (maps) => parseWrinkleMaps(maps, 10),
+      (maps) => {
+        parseWrinkleMaps(maps, 10)
+        if (maps.strokes !== undefined) parseStrokes(maps.strokes)
+      },
       4,
     )
     expect(accepted).toBeGreaterThan(1000)

@@ -6,6 +6,8 @@ import {
   ExpressionPlayer,
   FaceScores,
   RecomputedNormals,
+  updateArea,
+  updateLayer,
   Wrinkles,
 } from 'furrow/three'
 import { RecomputedNormals as RecomputedOnGpu } from 'furrow/webgpu'
@@ -47,6 +49,7 @@ function expectRefused(run: () => unknown, start: RegExp) {
 describe('wrong arguments', () => {
   const { mesh, wrinkles } = face()
   const [area] = set().areas
+  const { normal } = set().layers[0]
   const player = new ExpressionPlayer(mesh, wrinkles, [
     { name: 'rest', targets: { jawOpen: 0 }, activations: {} },
   ])
@@ -194,6 +197,65 @@ describe('wrong arguments', () => {
       /^addDrivers: a driver lacks fields.*parseDrivers/,
       () => addDrivers(wrinkles, [{ type: 'morph', area: 'area0' }]),
     ],
+    ['updateArea(null)', /^updateArea: wrinkles/, () => updateArea(any(null), 'area0', area.weights)],
+    [
+      'updateArea of an unknown area',
+      /^Wrinkles: unknown area, got "scar", allowed: "area0", "area1"/,
+      () => updateArea(wrinkles, 'scar', area.weights),
+    ],
+    [
+      'updateArea without weights',
+      /^updateArea: weights of area "area0", got "null"/,
+      () => updateArea(wrinkles, 'area0', any(null)),
+    ],
+    [
+      'updateArea with too few bytes',
+      /^updateArea area "area0": gray image data of the wrong length, got "3 bytes", allowed: 4 bytes/,
+      () => updateArea(wrinkles, 'area0', { width: 2, height: 2, data: new Uint8Array(3) }),
+    ],
+    ['updateLayer(null)', /^updateLayer: wrinkles/, () => updateLayer(any(null), 'skin', { normal })],
+    [
+      'updateLayer of an unknown layer',
+      /^updateLayer: unknown layer, got "scar", allowed: "skin"; /,
+      () => updateLayer(wrinkles, 'scar', { normal }),
+    ],
+    [
+      'updateLayer of null',
+      /^updateLayer: images, got "null", allowed: normal, baseColor, roughness, occlusion/,
+      () => updateLayer(wrinkles, 'skin', any(null)),
+    ],
+    [
+      'updateLayer of unknown maps',
+      /^updateLayer: images, got "normal, height", allowed: normal, /,
+      () => updateLayer(wrinkles, 'skin', any({ normal, height: normal })),
+    ],
+    [
+      'updateLayer of a map that the layer lacks',
+      /^updateLayer layer "skin" roughness: the layer has no such map, allowed: normal; create /,
+      () => updateLayer(wrinkles, 'skin', { normal, roughness: area.weights }),
+    ],
+    [
+      'updateLayer of null as a map',
+      /^updateLayer layer "skin" normal: image, got "null"/,
+      () => updateLayer(wrinkles, 'skin', any({ normal: null })),
+    ],
+    [
+      'updateLayer with an image of another size',
+      /^updateLayer layer "skin" normal: size, got "1 x 1", allowed: 16 x 16, as before/,
+      () => updateLayer(wrinkles, 'skin', { normal: { width: 1, height: 1, data: new Uint8Array(4) } }),
+    ],
+    ...[
+      { x0: -1, y0: 0, x1: 4, y1: 4 },
+      { x0: 0, y0: 0, x1: 17, y1: 4 },
+      { x0: 5, y0: 0, x1: 4, y1: 4 },
+      { x0: 0, y0: 0.5, x1: 4, y1: 4 },
+      { x0: 0 },
+      7,
+    ].map((region): Calls[number] => [
+      `updateLayer in the region ${JSON.stringify(region)}`,
+      /^updateLayer layer "skin" normal: region, got .*, allowed: 0 <= x0 <= x1 <= 16, 0 <= y0 <= y1 <= 16, in whole texels/,
+      () => updateLayer(wrinkles, 'skin', { normal }, any(region)),
+    ]),
     ['addMuscles(null)', /^addMuscles: a mesh/, () => addMuscles(any(null), [])],
     ['addMuscles of null', /^addMuscles: muscles/, () => addMuscles(mesh, any(null))],
     ['parseDrivers(1)', /^parseDrivers: /, () => parseDrivers(1, [])],
@@ -300,6 +362,8 @@ describe('after dispose', () => {
     ['createInfluenceMaterial', () => wrinkles.createInfluenceMaterial()],
     ['cloneMaterial', () => wrinkles.cloneMaterial()],
     ['addDrivers', () => addDrivers(wrinkles, [])],
+    ['updateArea', () => updateArea(wrinkles, 'area0', set().areas[0].weights)],
+    ['updateLayer', () => updateLayer(wrinkles, 'skin', { normal: set().layers[0].normal })],
     ['wrinkles of another mesh made from them', () => new Wrinkles(plain(), wrinkles)],
   ]
 

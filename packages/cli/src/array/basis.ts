@@ -50,6 +50,8 @@ interface BasisModule {
   KTX2File: new (bytes: Uint8Array) => Transcoder
 }
 
+type BasisLoader = new () => { init(): Promise<BasisModule> }
+
 const TEXTURE_2D_ARRAY = 1
 const RAW_RGBA = 0
 const TRANSCODE_TO_RGBA32 = 13
@@ -69,9 +71,9 @@ let loading: Promise<BasisModule> | undefined
 /** Loads the WebAssembly of the package at the first call. */
 function basis(): Promise<BasisModule> {
   loading ??= import('ktx2-encoder').then((library: unknown) => {
-    // The package has types for browsers only.
-    const { NodeBasisEncoder } = library as { NodeBasisEncoder: new () => { init(): Promise<BasisModule> } }
-    return new NodeBasisEncoder().init()
+    // Under one name the package has one thing for Node, and another for browsers.
+    const { NodeBasisEncoder, BrowserBasisEncoder } = library as Record<string, BasisLoader | undefined>
+    return new (NodeBasisEncoder ?? BrowserBasisEncoder)!().init()
   })
   return loading
 }

@@ -1,5 +1,5 @@
 import type { GrayImage } from 'furrow'
-import type { AutoWrinkles, RgbaImage } from 'furrow/author'
+import { type AutoWrinkles, type RgbaImage, strokesOf } from 'furrow/author'
 import { encodePng, encodeRgbaNormalMap } from '../images/encode.ts'
 import { encodeAreaImages } from '../wrinkles/area-images.ts'
 import type { CheckedImage } from '../wrinkles/checked-image.ts'
@@ -13,16 +13,13 @@ const AREAS_PER_IMAGE = 3
 type LayerMaps = LayerImages & { normal: CheckedImage }
 
 /**
- * Encodes the maps and areas of automatic wrinkles for a file. Occlusion and heights have half the side of the normals: only these show how
+ * Encodes the maps and areas of automatic wrinkles for a file, with the strokes that their lines are. Occlusion and heights have half the side of the normals: only these show how
  * steep a crease is.
  *
  * @param ktx2 whether maps and areas become KTX 2 arrays; these have no heights, which no renderer of Furrow reads.
  */
-export async function packAuto(
-  { layers, areas, expressions }: AutoWrinkles,
-  ktx2: boolean,
-  who: string,
-): Promise<PackedWrinkles> {
+export async function packAuto(wrinkles: AutoWrinkles, ktx2: boolean, who: string): Promise<PackedWrinkles> {
+  const { layers, areas, expressions } = wrinkles
   const maps = await Promise.all(
     layers.map(async ({ name, normal, relief, occlusion }): Promise<LayerMaps> => {
       const layer: LayerMaps = {
@@ -41,7 +38,7 @@ export async function packAuto(
     }),
   )
   const weights = areas.map((area) => area.weights)
-  const images = ktx2 ? await encodeAreaArray(weights, who) : await encodeAreaImages(weights, AREAS_PER_IMAGE)
+  const images = ktx2 ? await encodeAreaArray(weights, who) : encodeAreaImages(weights, AREAS_PER_IMAGE)
   const perImage = ktx2 ? AREAS_PER_SLICE : AREAS_PER_IMAGE
   const packed = areas.map(
     ({ name, layer }, i): PackedArea => ({
@@ -55,6 +52,7 @@ export async function packAuto(
     layers: ktx2 ? await encodeMapArrays(maps, who) : maps,
     areas: packed,
     drivers: [...areas.map(({ driver }) => driver), ...expressions],
+    strokes: strokesOf(wrinkles),
   }
 }
 

@@ -14,7 +14,7 @@ import { targetNamesOf } from '../gltf/gltf-json.ts'
 import { didYouMean } from '../nearest.ts'
 import { allowOutsideOption, assignmentParser, parseWeight } from '../options.ts'
 import { print } from '../print.ts'
-import { readWrinkledFile } from '../wrinkles/wrinkled-file.ts'
+import { readWrinkledFile } from '../wrinkles/read-wrinkled-file.ts'
 
 const WHO = 'furrow activations'
 

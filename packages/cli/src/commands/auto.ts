@@ -1,7 +1,14 @@
 import { join } from 'node:path'
 import { Option } from 'commander'
 import { FurrowError, WRINKLE_MAPS } from 'furrow'
-import { AUTO_DEFAULTS, AUTO_REGIONS, AUTO_STEPS, type AutoRegion, autoWrinkles } from 'furrow/author'
+import {
+  AUTO_DEFAULTS,
+  AUTO_REGIONS,
+  AUTO_STEPS,
+  type AutoRegion,
+  autoWrinkles,
+  strokesOf,
+} from 'furrow/author'
 import { checkBasisSize } from '../array/basis.ts'
 import { checkTriangles } from '../auto/check-triangles.ts'
 import { costOf } from '../auto/cost.ts'
@@ -9,14 +16,14 @@ import { type FoundSkin, findSkin } from '../auto/find-skin.ts'
 import { packAuto } from '../auto/pack-auto.ts'
 import { makeReport } from '../auto/report/make-report.ts'
 import { Steps } from '../auto/steps.ts'
-import { strokesFile } from '../auto/strokes-file.ts'
 import { summaryLines, summaryOf } from '../auto/summary.ts'
 import { createCommand } from '../command.ts'
 import { withCommandErrors } from '../errors.ts'
 import { writeAll } from '../files.ts'
+import { documentOf } from '../gltf/document.ts'
 import { FACE_EXTENSIONS, faceFiles } from '../gltf/face-files.ts'
-import { type Glb, readGlbFile } from '../gltf/glb-file.ts'
-import { documentOf } from '../gltf/read-document.ts'
+import type { Glb } from '../gltf/glb-file.ts'
+import { readGlbFile } from '../gltf/read-glb-file.ts'
 import { shadingOf } from '../gltf/shading.ts'
 import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
 import { checkFolder, checkOutputs, isStdout } from '../outputs.ts'
@@ -26,6 +33,7 @@ import { embedWrinkles } from '../wrinkles/embed.ts'
 import { faceWarnings } from '../wrinkles/face-rules.ts'
 import { inspectWrinkles } from '../wrinkles/inspect.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
+import { strokesFile } from '../wrinkles/strokes.ts'
 import { wrinklesOf } from '../wrinkles/wrinkled-file.ts'
 
 const WHO = 'furrow auto'
@@ -95,7 +103,7 @@ export const autoCommand = createCommand('auto')
     'maps and areas as KTX 2 arrays (UASTC), which stay compressed on the GPU; without heights',
   )
   .option('--replace', 'replace existing wrinkles')
-  .option('--strokes <file>', 'write the lines as strokes too (.json), for furrow strokes')
+  .option('--strokes <file>', 'write the strokes, which the output has too, to a file of their own (.json)')
   .option('--report <folder>', 'write a page there: before and after, strain, areas, layers, drivers')
   .addOption(allowOutsideOption())
   .addOption(forceOption())
@@ -156,7 +164,7 @@ async function auto(face: string, options: Options): Promise<void> {
     const cost = costOf(await inspectWrinkles(wrinklesOf(glb, found.material, WHO), WHO), ktx2)
     const files = await faceFiles(glb, output, WHO, rules)
     const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0)
-    if (strokes !== undefined) files.push({ path: strokes, bytes: strokesFile(wrinkles) })
+    if (strokes !== undefined) files.push({ path: strokes, bytes: strokesFile(strokesOf(wrinkles)) })
     const ofSkin = faceWarnings(glb.json, found.material, found.materialName)
     const warnings = [...wrinkles.warnings, ...ofSkin].map((text) => `${WHO}: ${text}`)
     if (report !== undefined) {

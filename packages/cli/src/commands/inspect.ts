@@ -2,8 +2,9 @@ import { describeDriver, driversOf, FurrowError } from 'furrow'
 import { createCommand } from '../command.ts'
 
 import { writeAll } from '../files.ts'
-import { type Glb, readGlbFile } from '../gltf/glb-file.ts'
-import { documentOf } from '../gltf/read-document.ts'
+import { documentOf } from '../gltf/document.ts'
+import type { Glb } from '../gltf/glb-file.ts'
+import { readGlbFile } from '../gltf/read-glb-file.ts'
 
 import { allowOutsideOption } from '../options.ts'
 import { checkOutputs } from '../outputs.ts'
@@ -105,7 +106,7 @@ function shortened(names: readonly string[]): string {
 }
 
 function describe(path: string, report: Inspection): string[] {
-  const { layers, areas, drivers, gpu, imageBytes, fileBytes } = report
+  const { layers, areas, drivers, strokes, gpu, imageBytes, fileBytes } = report
   const presets = driversOf('expression', drivers)
   const moving = drivers.filter(({ type }) => type !== 'expression')
   return [
@@ -144,7 +145,8 @@ function describe(path: string, report: Inspection): string[] {
     ...moving.map((driver) => `  ${describeDriver(driver)}`),
     '',
     ...(presets.length === 0 ? [] : [...presets.map(describeDriver), '']),
-    `in the file: ${kilobytes(imageBytes)} of ${kilobytes(fileBytes)}`,
+    ...(strokes.count === 0 ? [] : [`strokes: ${strokes.count}`]),
+    `in the file: ${kilobytes(imageBytes + strokes.bytes)} of ${kilobytes(fileBytes)}`,
     `on the GPU: ${kilobytes(gpu.uncompressed)} uncompressed, ${kilobytes(gpu.bits8)} with maps as BC7 or ASTC 4x4,` +
       ` ${kilobytes(gpu.bits4)} as BC1 or ETC1 (areas as BC4; those of an array as BC7 or ASTC 4x4);` +
       ` and ${kilobytes(report.influenceMapBytes)} for the influence map of each face`,

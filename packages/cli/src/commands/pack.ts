@@ -1,25 +1,22 @@
 import { join } from 'node:path'
 import { Option } from 'commander'
-import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE, WRINKLE_MAPS } from 'furrow'
+import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE } from 'furrow'
 import { createCommand } from '../command.ts'
 import { cannotRead } from '../errors.ts'
 import { writeAll } from '../files.ts'
 import { FACE_EXTENSIONS, faceFiles } from '../gltf/face-files.ts'
-import { readGlbFile } from '../gltf/glb-file.ts'
-import { jointNamesOf, targetNamesOf } from '../gltf/gltf-json.ts'
 import { addMorphNormals } from '../gltf/morph-normals.ts'
-import { findTarget } from '../gltf/target.ts'
+import { readGlbFile } from '../gltf/read-glb-file.ts'
 import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
 import { checkOutputs, statOf } from '../outputs.ts'
 import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
 import type { AreasPerImage } from '../wrinkles/area-images.ts'
-import { findDriverFaults } from '../wrinkles/driver-faults.ts'
-import { embedWrinkles } from '../wrinkles/embed.ts'
 import { readFolder, readReferenced } from '../wrinkles/folder.ts'
-import { PACK_DEFAULTS, type PackedFolder, packFolder } from '../wrinkles/pack.ts'
+import { PACK_DEFAULTS, type PackedFolder } from '../wrinkles/pack.ts'
+import { packFace } from '../wrinkles/pack-face.ts'
 import { kilobytes } from '../wrinkles/sizes.ts'
-import { stripWrinkles } from '../wrinkles/strip.ts'
+import { strokesBytes } from '../wrinkles/strokes.ts'
 
 const WHO = 'furrow pack'
 
@@ -44,7 +41,10 @@ const imageSide = numberParser({ min: 2, max: MAX_IMAGE_SIDE, unit: 'texels', in
 /** `furrow pack`: adds the wrinkles of a folder to a face. */
 export const packCommand = createCommand('pack')
   .description('add wrinkles to a face: a folder of images becomes one .glb')
-  .argument('<folder>', 'face.glb, layers/NAME/normal.png, areas/NAME.png and optionally wrinkles.json')
+  .argument(
+    '<folder>',
+    'face.glb, layers/NAME/normal.png, areas/NAME.png, optionally wrinkles.json and strokes.json',
+  )
   .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb, .vrm, .gltf)')
   .option('--face <file>', 'the face (default: face.glb in the folder)')
   .option(
@@ -104,17 +104,12 @@ async function pack(folder: string, options: Options): Promise<void> {
   const document = await readFolder(folder, whiteIsVisible, WHO)
   if (options.face === undefined) await checkOwnFace(face)
   const glb = await readGlbFile(face, WHO, options)
-  const target = await findTarget(glb, face, WHO, {
-    mesh: options.mesh ?? document.mesh,
-    material: options.material ?? document.material,
-  })
   const read = (uri: string) => readReferenced(folder, uri, WHO, options)
-  const wrinkles = await withBar('pack', (progress) =>
-    packFolder(read, document, { areasPerImage, ktx2, areaSize, size }, WHO, progress),
+  const { mesh: meshName, material: materialName } = options
+  const packOptions = { mesh: meshName, material: materialName, areasPerImage, ktx2, areaSize, size }
+  const { target, wrinkles, warnings } = await withBar('pack', (progress) =>
+    packFace(glb, face, document, read, packOptions, WHO, progress),
   )
-  const material = glb.json.materials![target.material]
-  if (material.extensions?.[WRINKLE_MAPS] !== undefined) stripWrinkles(glb, target.material, WHO)
-  embedWrinkles(glb, target.material, wrinkles, WHO)
   const morphNormals = options.morphNormals
     ? await withBar('normals', (progress) => addMorphNormals(glb, face, target.mesh, WHO, progress))
     : 0
@@ -122,9 +117,8 @@ async function pack(folder: string, options: Options): Promise<void> {
   await writeAll(files, WHO)
 
   const mesh = glb.json.meshes![target.mesh]
-  const { missing } = findDriverFaults(wrinkles.drivers, targetNamesOf(mesh), jointNamesOf(glb.json))
-  const unknown = missing.map((what) => `${WHO}: ${what} does not exist; it is kept`)
-  for (const warning of [...wrinkles.warnings, ...unknown]) warn(warning)
+  const material = glb.json.materials![target.material]
+  for (const warning of warnings) warn(warning)
   const result: Result = {
     file: output,
     mesh: mesh.name,
@@ -133,8 +127,9 @@ async function pack(folder: string, options: Options): Promise<void> {
     areas: wrinkles.areas.map(({ name }) => name),
     areaSize: wrinkles.areaSize,
     drivers: wrinkles.drivers.length,
+    strokes: wrinkles.strokes?.strokes.length ?? 0,
     bytes: files.reduce((sum, { bytes }) => sum + bytes.length, 0),
-    added: imageBytes(wrinkles),
+    added: imageBytes(wrinkles) + strokesBytes(wrinkles.strokes),
     morphNormals,
   }
   print(options.json ? JSON.stringify(result) : describe(result), output)
@@ -156,19 +151,21 @@ interface Result {
   areas: string[]
   areaSize: number
   drivers: number
+  strokes: number
   bytes: number
-  /** Bytes of the wrinkles' images. */
+  /** Bytes of the wrinkles' images and strokes. */
   added: number
   /** Number of blendshapes that got normals. */
   morphNormals: number
 }
 
 function describe(result: Result): string {
-  const { file, material, layers, areas, areaSize, drivers, bytes, added, morphNormals } = result
+  const { file, material, layers, areas, areaSize, drivers, strokes, bytes, added, morphNormals } = result
   const names = `layers: ${layers.join(', ')}; areas: ${areas.join(', ')} (${areaSize} x ${areaSize})`
   const normals = morphNormals > 0 ? `; blendshapes that got normals: ${morphNormals}` : ''
+  const lines = strokes > 0 ? `strokes: ${strokes}; ` : ''
   const size = `wrinkles are ${kilobytes(added)} of ${kilobytes(bytes)}`
-  return `${file}: material "${material ?? ''}"; ${names}; drivers: ${drivers}; ${size}${normals}`
+  return `${file}: material "${material ?? ''}"; ${names}; drivers: ${drivers}; ${lines}${size}${normals}`
 }
 
 /** Bytes of all images, each once. */

@@ -5,9 +5,9 @@ import { allowOutsideOption } from '../options.ts'
 import { checkNewFolder } from '../outputs.ts'
 import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
+import { readWrinkledFile } from '../wrinkles/read-wrinkled-file.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
 import { unpackWrinkles } from '../wrinkles/unpack.ts'
-import { readWrinkledFile } from '../wrinkles/wrinkled-file.ts'
 
 const WHO = 'furrow unpack'
 
@@ -31,7 +31,8 @@ export const unpackCommand = createCommand('unpack')
   .addHelpText(
     'after',
     `
-The folder gets face.glb without wrinkles, wrinkles.json, layers/ and areas/; furrow pack makes the file again.
+The folder gets face.glb without wrinkles, wrinkles.json, layers/, areas/ and, if the file has strokes, strokes.json;
+furrow pack makes the file again.
 
 Example:
   $ furrow unpack wrinkled.glb -o my-face`,
@@ -42,14 +43,17 @@ async function unpack(path: string, options: Options): Promise<void> {
   const { output, whiteIsVisible = false, json } = options
   await checkNewFolder(output, WHO)
   const file = await readWrinkledFile(path, WHO, options)
-  const outputs = await withBar('unpack', (progress) => unpackWrinkles(file, whiteIsVisible, WHO, progress))
+  const { files: outputs, warnings } = await withBar('unpack', (progress) =>
+    unpackWrinkles(file, whiteIsVisible, WHO, progress),
+  )
   const remaining = stripWrinkles(file.glb, file.material, WHO)
   outputs.push({ path: 'face.glb', bytes: encodeGlb(file.glb) })
   await writeFolder(output, outputs, WHO)
   if (remaining > 0) {
     const reason = 'because others follow them in the file'
-    warn(`${WHO}: ${remaining} unused textures stay in face.glb ${reason}`)
+    warnings.push(`${WHO}: ${remaining} unused textures stay in face.glb ${reason}`)
   }
+  for (const warning of warnings) warn(warning)
   const files = outputs.map((item) => item.path).sort()
   const { layers, areas } = file.maps
   const line = json

@@ -1,6 +1,6 @@
 import { createCommand } from '../command.ts'
 import type { ReadOptions } from '../gltf/external-files.ts'
-import { readGlbFile } from '../gltf/glb-file.ts'
+import { readGlbFile } from '../gltf/read-glb-file.ts'
 import { allowOutsideOption } from '../options.ts'
 import { print } from '../print.ts'
 import type { Finding } from '../validate/finding.ts'

@@ -1,3 +1,4 @@
+import { concat } from '../bytes.ts'
 import type { Glb } from './glb-file.ts'
 
 /** Appends data to the binary chunk of a file as new buffer views, so that all indices stay valid. */
@@ -18,7 +19,7 @@ export class BufferViewWriter {
   /** @returns the index of the new buffer view. */
   add(bytes: Uint8Array): number {
     const gap = (4 - (this.#length % 4)) % 4
-    this.#parts.push(Buffer.alloc(gap), bytes)
+    this.#parts.push(new Uint8Array(gap), bytes)
     const byteOffset = this.#length + gap
     this.#length = byteOffset + bytes.length
     return this.#glb.json.bufferViews!.push({ buffer: 0, byteOffset, byteLength: bytes.length }) - 1
@@ -27,6 +28,6 @@ export class BufferViewWriter {
   /** Replaces the binary chunk by the longer one; to be called once, after the last `add`. */
   finish(): void {
     this.#glb.json.buffers![0].byteLength = this.#length
-    this.#glb.bin = Buffer.concat(this.#parts)
+    this.#glb.bin = concat(this.#parts)
   }
 }

@@ -1,29 +1,22 @@
-import { posix } from 'node:path'
 import { FurrowError, imageTypeOf } from 'furrow'
 import { BufferViewWriter } from './buffer-view-writer.ts'
-import { type ReadOptions, type Reference, referenceReader } from './external-files.ts'
 import type { Glb } from './glb-file.ts'
 import { compressedViews } from './gltf-json.ts'
 import { unusable } from './not-gltf.ts'
+import type { ReadReference, Reference } from './references.ts'
 
 /**
  * Makes a file whole: the buffers and images that it refers to become part of its binary chunk. A file that refers to
  * none is not changed.
  *
  * @param glb changed in place; all indices but those of buffers stay valid.
- * @param path of the file that it was read from.
- * @throws FurrowError at the first file that cannot be read, see `resolveInside`, or is cut off.
+ * @param path of the file that it was read from, for errors.
+ * @throws FurrowError at the first reference that cannot be read, or is cut off.
  */
-export async function embedFiles(
-  glb: Glb,
-  path: string,
-  who: string,
-  options: ReadOptions = {},
-): Promise<void> {
+export async function embedFiles(glb: Glb, path: string, who: string, read: ReadReference): Promise<void> {
   const { buffers = [], images = [] } = glb.json
   const uris = [...buffers, ...images].flatMap(({ uri }) => uri ?? [])
   if (uris.length === 0) return
-  const read = referenceReader(path, who, options)
   const references = new Map<string, Reference>()
   for (const uri of uris) references.set(uri, references.get(uri) ?? (await read(uri)))
   for (const { bytes, path } of new Set(references.values())) if (path) glb.fileBytes += bytes.length
@@ -92,8 +85,14 @@ function embedImages(glb: Glb, path: string, who: string): void {
     const bufferView = views.get(bytes) ?? writer.add(bytes)
     views.set(bytes, bufferView)
     delete image.uri
-    if (file !== undefined) image.name ??= posix.parse(uri).name
+    if (file !== undefined) image.name ??= nameOf(uri)
     Object.assign(image, { mimeType, bufferView })
   }
   writer.finish()
+}
+
+/** The name of a file in a URI, without its extension. */
+function nameOf(uri: string): string {
+  const file = uri.replace(/\/+$/, '').replace(/^.*\//s, '')
+  return file.replace(/(?<=.)\.[^.]*$/s, '')
 }

@@ -1,4 +1,5 @@
 import { dirname, join, parse } from 'node:path'
+import { concat, utf8 } from '../bytes.ts'
 import type { OutputFile } from '../files.ts'
 import { checkOutputs, type OutputRules } from '../outputs.ts'
 import { encodeGlb, type Glb } from './glb-file.ts'
@@ -56,7 +57,7 @@ function splitFile(glb: Glb, path: string): OutputFile[] {
     Object.assign(json.buffers![0], { uri: encodeURIComponent(`${name}.bin`), byteLength: bin.length })
     files.push({ path: beside(`${name}.bin`), bytes: bin })
   }
-  files.push({ path, bytes: Buffer.from(`${JSON.stringify(json, null, 2)}\n`) })
+  files.push({ path, bytes: utf8(`${JSON.stringify(json, null, 2)}\n`) })
   return files
 }
 
@@ -108,7 +109,7 @@ function gather(views: readonly BufferView[], bin: Uint8Array): Uint8Array {
     const { byteOffset = 0, byteLength } = view
     if (byteOffset >= end) {
       const gap = (4 + ((byteOffset - length) % 4)) % 4
-      parts.push(Buffer.alloc(gap))
+      parts.push(new Uint8Array(gap))
       length += gap
       shift = length - byteOffset
       end = byteOffset
@@ -120,7 +121,7 @@ function gather(views: readonly BufferView[], bin: Uint8Array): Uint8Array {
     // An empty view behind all others would begin beyond the buffer.
     view.byteOffset = byteLength === 0 ? 0 : byteOffset + shift
   }
-  return Buffer.concat(parts)
+  return concat(parts)
 }
 
 /** Changes every index of a view, wherever it is: the extensions of others are unknown here. */

@@ -2,9 +2,9 @@ import type { Accessor, Primitive } from '@gltf-transform/core'
 import { morphNormalDeltas } from 'furrow'
 import type { Progress } from '../progress.ts'
 import { BufferViewWriter } from './buffer-view-writer.ts'
+import { documentOf } from './document.ts'
 import type { Glb } from './glb-file.ts'
 import type { GltfJson } from './gltf-json.ts'
-import { documentOf } from './read-document.ts'
 
 /** Delta of a normal, per axis, that is not worth its bytes: half a step of a byte. */
 const NEGLIGIBLE = 1 / 510

@@ -1,10 +1,10 @@
 import { FurrowError, LONGEST_NAME } from 'furrow'
 import { mostMovedSkin } from '../auto/find-skin.ts'
 import { didYouMean } from '../nearest.ts'
+import { documentOf } from './document.ts'
 import type { Glb } from './glb-file.ts'
 import type { GltfJson, GltfMesh } from './gltf-json.ts'
 import { DEFAULT_NAME } from './mesh-nodes.ts'
-import { documentOf } from './read-document.ts'
 
 /** Indices of the mesh and the material that get wrinkles. */
 export interface Target {

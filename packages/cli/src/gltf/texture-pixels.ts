@@ -1,9 +1,9 @@
 import { DecodedBytes, FurrowError, type TextureReference } from 'furrow'
+import { decodeImage, measureImage } from '#platform/images'
 import { type DecodedArray, decodeArray as decodeKtx2 } from '../array/ktx2.ts'
 import { readHeader } from '../array/ktx2-header.ts'
 import { withImageErrors } from '../images/image-errors.ts'
-import { openImage } from '../images/open-image.ts'
-import { decodePixels, type Pixels } from '../images/pixels.ts'
+import type { Pixels } from '../images/pixels.ts'
 import type { Glb } from './glb-file.ts'
 import { imageOf, isKtx2 } from './texture-image.ts'
 
@@ -25,7 +25,7 @@ export async function pixelsOf(
 ): Promise<Pixels> {
   const image = imageOf(glb, index, who)
   if (!isKtx2(image)) {
-    return cached(images, glb, index, who, () => decodePixels(image.bytes, `"${image.name}"`, who))
+    return cached(images, glb, index, who, () => decodeImage(image.bytes, `"${image.name}"`, who))
   }
   const { width, height, channels, layers } = await arrayOf(glb, index, who)
   const data = layers.at(slice)
@@ -53,7 +53,7 @@ export async function sizeOf(
 ): Promise<{ width: number; height: number; slices?: number }> {
   const image = imageOf(glb, index, who)
   const { bytes, name } = image
-  if (!isKtx2(image)) return openImage(bytes, `"${name}"`, who)
+  if (!isKtx2(image)) return measureImage(bytes, `"${name}"`, who)
   return withArrayErrors(name, who, async () => readHeader(bytes))
 }
 

@@ -1,8 +1,9 @@
 import { FurrowError } from 'furrow'
 import type { Sharp } from 'sharp'
 import { readBytes } from '../inputs.ts'
+import { EXACT_IMAGES } from './check-image.ts'
 import { withImageErrors } from './image-errors.ts'
-import { EXACT_IMAGES, openImage } from './open-image.ts'
+import { openImage } from './open-image.ts'
 
 /** A gray image in the precision of its file. */
 export interface HeightImage {

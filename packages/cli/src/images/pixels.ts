@@ -1,6 +1,6 @@
 import { FurrowError, type GrayImage } from 'furrow'
-import { withImageErrors } from './image-errors.ts'
-import { openImage } from './open-image.ts'
+import { decodeImage } from '#platform/images'
+import type { ImageType } from './check-image.ts'
 
 /** Interleaved channels in bytes, row 0 at the top. */
 export interface Pixels {
@@ -10,39 +10,52 @@ export interface Pixels {
   data: Uint8Array
 }
 
-/**
- * Decodes an image with the channels that it has. Colour profiles are ignored.
- *
- * @param name of the image, for errors.
- * @throws FurrowError when it cannot be decoded, see `openImage`, or is cut off.
- */
-export async function decodePixels(bytes: Uint8Array, name: string, who: string): Promise<Pixels> {
-  const { image } = await openImage(bytes, name, who)
-  const raw = image.toColourspace('srgb').raw()
-  const { data, info } = await withImageErrors(name, who, () => raw.toBuffer({ resolveWithObject: true }))
-  return { width: info.width, height: info.height, channels: info.channels, data }
+/** A decoded image, and the format that it had. */
+export interface DecodedImage extends Pixels {
+  type: ImageType
 }
 
 /**
  * Decodes a painted area. Grays keep their value; of colours it is the luma (ITU-R BT.601).
  *
- * @throws FurrowError when it cannot be decoded, see `openImage`, is cut off or transparent.
+ * @throws FurrowError when it cannot be decoded, see `decodeImage`, is cut off or transparent.
  */
 export async function decodeGray(bytes: Uint8Array, path: string, who: string): Promise<GrayImage> {
-  const { image } = await openImage(bytes, path, who)
-  const { data, info, opaque } = await withImageErrors(path, who, async () => {
-    const { isOpaque } = await image.stats()
-    const pixels = await image.toColourspace('srgb').removeAlpha().raw().toBuffer({ resolveWithObject: true })
-    return { ...pixels, opaque: isOpaque }
-  })
-  if (!opaque) throw transparencyError(path, who, 'flatten it onto white')
-  const { width, height, channels } = info
-  if (channels === 1) return { width, height, data }
+  const image = await decodeImage(bytes, path, who)
+  if (!isOpaque(image)) throw transparencyError(path, who, 'flatten it onto white')
+  const { width, height, channels, data } = image
+  if (channels < 3) return channelOf(image, 0)
   const gray = new Uint8Array(width * height)
   for (let i = 0, k = 0; i < gray.length; i++, k += channels) {
     gray[i] = Math.round(0.299 * data[k] + 0.587 * data[k + 1] + 0.114 * data[k + 2])
   }
   return { width, height, data: gray }
+}
+
+/** Whether alpha is 255 throughout, or there is none. */
+export function isOpaque({ channels, data }: Pixels): boolean {
+  if (channels === 1 || channels === 3) return true
+  for (let i = channels - 1; i < data.length; i += channels) if (data[i] !== 255) return false
+  return true
+}
+
+/** The same without its alpha, whatever that is. */
+export function withoutAlpha(image: Pixels): Pixels {
+  const { channels, data } = image
+  if (channels === 1 || channels === 3) return image
+  const kept = data.filter((_, i) => i % channels !== channels - 1)
+  return { ...image, channels: channels === 2 ? 1 : 3, data: kept }
+}
+
+/** The same with alpha, 255 where there is none. */
+export function toRgba({ width, height, channels, data }: Pixels): Uint8Array {
+  if (channels === 4) return data
+  const rgba = new Uint8Array(4 * width * height).fill(255)
+  for (let i = 0, from = 0; from < data.length; i += 4, from += channels) {
+    for (let k = 0; k < 3; k++) rgba[i + k] = data[from + (channels === 3 ? k : 0)]
+    if (channels === 2) rgba[i + 3] = data[from + 1]
+  }
+  return rgba
 }
 
 /** One channel, 0 = R to 3 = A, as glTF reads it: gray counts as R, G and B, and a missing alpha as 1. */

@@ -1,10 +1,7 @@
-import { createRequire } from 'node:module'
-import { posix } from 'node:path'
-import { Worker } from 'node:worker_threads'
 import { WRINKLE_MAPS } from 'furrow'
-import type { Issue } from 'gltf-validator'
-import { unescaped } from '../gltf/external-files.ts'
+import { runValidator } from '#platform/validator'
 import type { Glb } from '../gltf/glb-file.ts'
+import { normalised, unescaped } from '../gltf/references.ts'
 import { errorFinding, type Finding, warningFinding } from './finding.ts'
 
 /** Limit of the Khronos validator. */
@@ -21,27 +18,15 @@ export const GAVE_UP = 'VALIDATOR'
 const UNKNOWN_FORMAT = ['VALUE_NOT_IN_LIST', 'IMAGE_UNRECOGNIZED_FORMAT']
 
 /**
- * The thread that the validator runs in. Damaged images and misaligned accessors make it throw outside of its promise, and then it
- * goes on to report, or ends without a word: either is seen from outside.
- */
-const THREAD = `
-  const { posix } = require('node:path')
-  const { parentPort, workerData } = require('node:worker_threads')
-  const { bytes, files, maxIssues, module } = workerData
-  process.on('uncaughtException', (error) => parentPort.postMessage({ failure: String(error) }))
-  const externalResourceFunction = async (uri) => files.get(posix.normalize(decodeURIComponent(uri)))
-  require(module)
-    .validateBytes(bytes, { maxIssues, externalResourceFunction })
-    .then(({ issues }) => parentPort.postMessage({ issues: issues.messages }))`
-
-/**
  * Errors and warnings of the Khronos validator, except those about what it does not know: the extension and KTX 2 images, which
  * `checkWrinkles` checks.
  *
- * @param glb as `readGlbFile` reads it; the file is validated as it was before its parts were joined.
+ * @param glb as `openGlb` opens it; the file is validated as it was before its parts were joined.
  */
 export async function runKhronosValidator({ json, bytes, references }: Glb): Promise<Finding[]> {
-  const { issues, failure } = await runThread(Uint8Array.from(bytes), filesOf(references))
+  const seconds = Math.ceil(SECONDS + (SECONDS_PER_MB * bytes.length) / 1e6)
+  const task = { bytes: Uint8Array.from(bytes), files: filesOf(references), maxIssues: MAX_ISSUES }
+  const { issues, failure } = await runValidator(task, seconds)
   if (!issues) return [errorFinding(GAVE_UP, `the Khronos validator gave up: ${failure}`)]
   return issues
     .filter(({ severity, message }) => severity < 2 && !message.includes(WRINKLE_MAPS))
@@ -57,41 +42,5 @@ export async function runKhronosValidator({ json, bytes, references }: Glb): Pro
 /** The files that a file refers to by their paths: the validator asks for them by URIs that it has normalised. */
 function filesOf(references: Glb['references']): Map<string, Uint8Array> {
   const files = [...references].filter(([, { path }]) => path !== undefined)
-  return new Map(
-    files.map(([uri, { bytes }]) => [posix.normalize(unescaped(uri).replaceAll('\\', '/')), bytes]),
-  )
-}
-
-interface Outcome {
-  issues?: Issue[]
-  failure?: string
-}
-
-function runThread(bytes: Uint8Array, files: Map<string, Uint8Array>): Promise<Outcome> {
-  const size = bytes.length
-  const module = createRequire(import.meta.url).resolve('gltf-validator')
-  const thread = new Worker(THREAD, {
-    eval: true,
-    workerData: { bytes, files, maxIssues: MAX_ISSUES, module },
-    transferList: [bytes.buffer as ArrayBuffer],
-  })
-  const seconds = Math.ceil(SECONDS + (SECONDS_PER_MB * size) / 1e6)
-  const outcome: Outcome = { failure: 'it ended without a report' }
-  return new Promise((resolve) => {
-    const timer = setTimeout(() => {
-      outcome.failure = `it took more than ${seconds} seconds`
-      thread.terminate()
-    }, seconds * 1000)
-    thread.on('message', (message: Outcome) => {
-      Object.assign(outcome, message)
-      if (outcome.issues) thread.terminate()
-    })
-    thread.on('error', (error) => {
-      outcome.failure = String(error)
-    })
-    thread.on('exit', () => {
-      clearTimeout(timer)
-      resolve(outcome)
-    })
-  })
+  return new Map(files.map(([uri, { bytes }]) => [normalised(unescaped(uri).replaceAll('\\', '/')), bytes]))
 }

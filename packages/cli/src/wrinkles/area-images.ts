@@ -1,22 +1,19 @@
 import type { GrayImage } from 'furrow'
-import { encodePng } from '../images/encode.ts'
 import type { Pixels } from '../images/pixels.ts'
+import { encodePortablePng } from '../images/png.ts'
 import type { FileImage } from './embed.ts'
 
 /** How many areas one image holds, one per channel. */
 export type AreasPerImage = 1 | 3 | 4
 
 /** Encodes areas of one size as the channels of PNG images, in their order. */
-export function encodeAreaImages(
-  weights: readonly GrayImage[],
-  areasPerImage: AreasPerImage,
-): Promise<FileImage[]> {
-  const groups = Array.from({ length: Math.ceil(weights.length / areasPerImage) }, async (_, i) => {
+export function encodeAreaImages(weights: readonly GrayImage[], areasPerImage: AreasPerImage): FileImage[] {
+  return Array.from({ length: Math.ceil(weights.length / areasPerImage) }, (_, i) => {
     const group = weights.slice(i * areasPerImage, (i + 1) * areasPerImage)
-    const bytes = await encodePng(interleave(group, group.length === 2 ? 3 : (group.length as AreasPerImage)))
+    const channels = group.length === 2 ? 3 : (group.length as AreasPerImage)
+    const bytes = encodePortablePng(interleave(group, channels))
     return { name: `areas ${i + 1}`, mimeType: 'image/png', bytes }
   })
-  return Promise.all(groups)
 }
 
 /** Areas of one size as the channels of one image; channels without an area are 0. */

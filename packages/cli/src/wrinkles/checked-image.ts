@@ -1,8 +1,8 @@
 import { FurrowError } from 'furrow'
-import sharp from 'sharp'
-import { withImageErrors } from '../images/image-errors.ts'
-import { openImage } from '../images/open-image.ts'
-import { transparencyError } from '../images/pixels.ts'
+import { decodeImage } from '#platform/images'
+import { isOpaque, transparencyError, withoutAlpha } from '../images/pixels.ts'
+import { encodePortablePng } from '../images/png.ts'
+import { scaleImage } from '../images/scale.ts'
 import type { FileImage } from './embed.ts'
 
 /** An image that was decoded as a whole and can go into a glTF file. */
@@ -22,31 +22,27 @@ export async function checkMap(
   path: string,
   who: string,
 ): Promise<CheckedImage> {
-  const { image, type, width, height } = await openImage(bytes, path, who, ['image/png', 'image/jpeg'])
-  const { isOpaque } = await withImageErrors(path, who, () => image.stats())
-  if (!isOpaque) throw transparencyError(path, who, 'flatten it onto the skin')
-  return { name, mimeType: type, bytes, width, height }
+  const image = await decodeImage(bytes, path, who, ['image/png', 'image/jpeg'])
+  if (!isOpaque(image)) throw transparencyError(path, who, 'flatten it onto the skin')
+  return { name, mimeType: image.type, bytes, width: image.width, height: image.height }
 }
 
 /**
  * Scales a map to a square. Normals are filtered as vectors and normalised again.
  *
+ * @param who for errors.
  * @returns the image itself when it already has that size, otherwise a new one (PNG).
  */
 export async function scaleMap(
   image: CheckedImage,
   size: number,
   kind: 'normals' | 'values',
+  who: string,
 ): Promise<CheckedImage> {
   if (image.width === size && image.height === size) return image
-  const scaled = sharp(image.bytes, { ignoreIcc: true }).resize(size, size, {
-    fit: 'fill',
-    kernel: 'mitchell',
-  })
-  const { data, info } = await scaled.toColourspace('srgb').raw().toBuffer({ resolveWithObject: true })
-  if (kind === 'normals') normalise(data, info.channels)
-  const raw = { width: size, height: size, channels: info.channels }
-  const bytes = await sharp(data, { raw }).png({ compressionLevel: 9 }).toBuffer()
+  const scaled = scaleImage(await decodeImage(image.bytes, image.name, who), size)
+  if (kind === 'normals') normalise(scaled.data, scaled.channels)
+  const bytes = encodePortablePng(withoutAlpha(scaled))
   return { ...image, mimeType: 'image/png', bytes, width: size, height: size }
 }
 

@@ -2,6 +2,7 @@ import { parseWrinkleMaps, WRINKLE_MAPS, type WrinkleDriver, type WrinkleSetDocu
 import { BufferViewWriter } from '../gltf/buffer-view-writer.ts'
 import type { Glb } from '../gltf/glb-file.ts'
 import type { GltfJson } from '../gltf/gltf-json.ts'
+import type { StoredStrokes } from './strokes.ts'
 
 /** An encoded image to embed in a file. */
 export interface FileImage {
@@ -44,6 +45,8 @@ export interface PackedWrinkles {
   layers: LayerImages[]
   areas: PackedArea[]
   drivers: WrinkleDriver[]
+  /** The lines of the layers. */
+  strokes?: StoredStrokes
 }
 
 const CLAMP_TO_EDGE = 33071
@@ -91,9 +94,11 @@ export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedW
     ...omitDefault('combine', area.combine, 'sum'),
     ...omitDefault('activation', area.activation, 0),
   }))
-  const { drivers } = wrinkles
+  const { drivers, strokes } = wrinkles
   // JSON drops the fields without a value.
-  const extension = JSON.parse(JSON.stringify({ layers, areas, ...(drivers.length > 0 && { drivers }) }))
+  const extension = JSON.parse(
+    JSON.stringify({ layers, areas, ...(drivers.length > 0 && { drivers }), strokes }),
+  )
   parseWrinkleMaps(extension, json.textures?.length ?? 0, who)
   material.extensions = { ...material.extensions, [WRINKLE_MAPS]: extension }
   const ktx2 = usesKtx2(json) ? [KTX2_EXTENSION] : []

@@ -3,10 +3,13 @@ import { MAP_SLOTS } from './map-slots.ts'
 
 type Json = Record<string, unknown>
 
+/** The document of strokes in a folder. */
+export const STROKES_FILE = 'strokes.json'
+
 const OPTIONAL_MAPS = MAP_SLOTS.filter(([map]) => map !== 'normal')
 
 /**
- * The wrinkle set of a folder: its `wrinkles.json`, completed by the files in `layers/` and `areas/`.
+ * The wrinkle set of a folder: its `wrinkles.json`, completed by `strokes.json` and the files in `layers/` and `areas/`.
  *
  * @param json of that document; undefined where there is none.
  * @param files paths of all files in the folder, relative to it, with `/`.
@@ -26,6 +29,7 @@ export function folderDocument(
   if (isObject(document)) {
     document.layers ??= foundLayers(sorted)
     document.areas ??= foundAreas(sorted)
+    if (document.strokes === undefined && files.includes(STROKES_FILE)) document.strokes = STROKES_FILE
     if (Array.isArray(document.layers)) completeLayers(document.layers, sorted)
     for (const [list, kind] of [
       [document.layers, 'layers'],
@@ -57,7 +61,7 @@ function foundAreas(files: readonly string[]): Json[] {
 /** Adds the optional maps in a layer's folder that the document does not name: a reader of it alone has no default for them. */
 function completeLayers(layers: unknown[], files: readonly string[]): void {
   for (const layer of layers) {
-    if (!isObject(layer)) continue
+    if (!isObject(layer) || typeof layer.name !== 'string') continue
     for (const [map] of OPTIONAL_MAPS) {
       const file = `layers/${layer.name}/${map}.png`
       if (layer[map] === undefined && files.includes(file)) layer[map] = addressOf(file)

@@ -8,8 +8,8 @@ import { statOf } from '../outputs.ts'
 import { folderDocument } from './folder-document.ts'
 
 /**
- * Reads the wrinkle set of a folder: its `wrinkles.json`, completed by the files in `layers/` and `areas/`. Without
- * that document, all layers and areas found there are used, in alphabetical order.
+ * Reads the wrinkle set of a folder: its `wrinkles.json`, completed by `strokes.json` and the files in `layers/` and
+ * `areas/`. Without that document, all layers and areas found there are used, in alphabetical order.
  *
  * @param whiteIsVisible the convention of areas that name none.
  * @throws FurrowError when the document is malformed or there are no layers or areas.

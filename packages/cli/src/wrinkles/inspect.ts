@@ -12,6 +12,7 @@ import {
   NO_SIZES,
   sumSizes,
 } from './sizes.ts'
+import { strokesBytes, strokesIn } from './strokes.ts'
 import type { WrinkledFile } from './wrinkled-file.ts'
 
 /** One map of one layer. */
@@ -64,6 +65,8 @@ export interface Inspection {
   layers: LayerReport[]
   areas: AreaReport[]
   drivers: WrinkleDriver[]
+  /** The lines of the layers, and their bytes in the file. */
+  strokes: { count: number; bytes: number }
 }
 
 /** Measures the wrinkles of a file. Throws FurrowError when an image is missing or cannot be decoded. */
@@ -99,6 +102,7 @@ export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<
     ),
   )
   const images = new Set([...layers.flatMap(({ maps }) => maps), ...areas].map(({ texture }) => texture))
+  const { strokes } = strokesIn(file, who)
   return {
     material: glb.json.materials![file.material].name,
     fileBytes: glb.fileBytes,
@@ -108,6 +112,7 @@ export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<
     layers,
     areas,
     drivers: maps.drivers,
+    strokes: { count: strokes?.strokes.length ?? 0, bytes: strokesBytes(strokes) },
   }
 }
 

@@ -1,8 +1,9 @@
 import type { GrayImage } from 'furrow'
-import sharp from 'sharp'
+import { decodeImage } from '#platform/images'
 import { checkBasisSize } from '../array/basis.ts'
 import type { NamedArray } from '../array/image-array.ts'
 import { writeArray } from '../array/ktx2.ts'
+import { toRgba } from '../images/pixels.ts'
 import { interleave } from './area-images.ts'
 import { type CheckedImage, checkOneSize } from './checked-image.ts'
 import type { FileImage, LayerImages } from './embed.ts'
@@ -31,7 +32,9 @@ export async function encodeMapArrays(
     const images = withMap.map((layer) => layer[kind] as CheckedImage)
     checkOneSize(images, kind, who)
     const { width, height } = images[0]
-    const pixels = await Promise.all(images.map(({ bytes }) => decodeRgba(bytes)))
+    const pixels = await Promise.all(
+      images.map(async ({ bytes, name }) => toRgba(await decodeImage(bytes, name, who))),
+    )
     const names = withMap.map((_, i) => `layer-${i}`)
     const bytes = await encode({ width, height, channels: 4, srgb, names, layers: pixels }, true, who)
     for (const [slice, layer] of withMap.entries()) {
@@ -59,9 +62,4 @@ export async function encodeAreaArray(weights: readonly GrayImage[], who: string
 function encode(array: NamedArray, mipmaps: boolean, who: string): Promise<Uint8Array> {
   checkBasisSize(array, who, 'scale the images (--size, --area-size), or omit --ktx2')
   return writeArray(array, 'uastc', mipmaps)
-}
-
-async function decodeRgba(bytes: Uint8Array): Promise<Uint8Array> {
-  const image = sharp(bytes, { failOn: 'truncated', ignoreIcc: true }).toColourspace('srgb').ensureAlpha()
-  return new Uint8Array(await image.raw().toBuffer())
 }

@@ -7,6 +7,7 @@ import {
   resampleGray,
   type WrinkleSetDocument,
 } from 'furrow'
+import { sameBytes } from '../bytes.ts'
 import { withImageErrors } from '../images/image-errors.ts'
 import { decodeGray } from '../images/pixels.ts'
 import { didYouMean } from '../nearest.ts'
@@ -15,6 +16,7 @@ import { type AreasPerImage, encodeAreaImages } from './area-images.ts'
 import { type CheckedImage, checkMap, checkOneSize, scaleMap } from './checked-image.ts'
 import type { LayerImages, PackedArea, PackedWrinkles } from './embed.ts'
 import { AREAS_PER_SLICE, encodeAreaArray, encodeMapArrays } from './ktx2-images.ts'
+import { readStrokes } from './strokes.ts'
 
 /** How the images go into the file. */
 export interface PackOptions {
@@ -37,16 +39,16 @@ export interface PackedFolder extends PackedWrinkles {
   warnings: string[]
 }
 
-/** Reads an image by its address in the wrinkle set. */
-type ReadImage = (uri: string) => Promise<Uint8Array>
+/** Reads a file by its address in the wrinkle set. */
+export type ReadFile = (uri: string) => Promise<Uint8Array>
 
 /**
- * Encodes the images of a wrinkle set for a file.
+ * Encodes the images of a wrinkle set for a file, and reads its strokes.
  *
- * @throws FurrowError at the first image that cannot be used, or layer that does not exist.
+ * @throws FurrowError at the first image or stroke that cannot be used, or layer that does not exist.
  */
 export async function packFolder(
-  read: ReadImage,
+  read: ReadFile,
   document: WrinkleSetDocument,
   { areasPerImage, ktx2, areaSize, size }: PackOptions,
   who: string,
@@ -57,6 +59,8 @@ export async function packFolder(
   let done = 0
   const step = () => progress(++done, total)
   const warnings: string[] = []
+  const names = document.layers.map(({ name }) => name)
+  const strokes = document.strokes && readStrokes(await read(document.strokes), document.strokes, names, who)
   const maps = await packLayers(read, document.layers, size, who, step)
 
   const weights: GrayImage[] = []
@@ -71,7 +75,7 @@ export async function packFolder(
   }
   const layers = ktx2 ? await encodeMapArrays(maps, who) : maps
   if (ktx2) step()
-  const images = ktx2 ? await encodeAreaArray(weights, who) : await encodeAreaImages(weights, areasPerImage)
+  const images = ktx2 ? await encodeAreaArray(weights, who) : encodeAreaImages(weights, areasPerImage)
   if (ktx2) step()
   const perImage = ktx2 ? AREAS_PER_SLICE : areasPerImage
   const areas = document.areas.map(
@@ -84,28 +88,34 @@ export async function packFolder(
       activation,
     }),
   )
-  return { layers, areas, drivers: document.drivers ?? [], areaSize: side, warnings }
+  return {
+    layers,
+    areas,
+    drivers: document.drivers ?? [],
+    ...(strokes && { strokes }),
+    areaSize: side,
+    warnings,
+  }
 }
 
 async function packLayers(
-  read: ReadImage,
+  read: ReadFile,
   layers: WrinkleSetDocument['layers'],
   size: number | undefined,
   who: string,
   step: () => void,
 ): Promise<(LayerImages & { normal: CheckedImage })[]> {
   // Maps with the same bytes are stored once.
-  const loaded = new Map<string, CheckedImage>()
+  const loaded: { kind: string; bytes: Uint8Array; image: CheckedImage }[] = []
   const load = async (uri: string | undefined, name: string, kind: 'normals' | 'values' = 'values') => {
     if (uri === undefined) return undefined
     const bytes = await read(uri)
-    const key = `${kind} ${Buffer.from(bytes).toString('latin1')}`
-    const image =
-      loaded.get(key) ??
-      (await withImageErrors(uri, who, async () =>
-        scaledTo(size, await checkMap(bytes, name, uri, who), kind),
-      ))
-    loaded.set(key, image)
+    const known = loaded.find((other) => other.kind === kind && sameBytes(other.bytes, bytes))
+    if (known) return known.image
+    const image = await withImageErrors(uri, who, async () =>
+      scaledTo(size, await checkMap(bytes, name, uri, who), kind, who),
+    )
+    loaded.push({ kind, bytes, image })
     return image
   }
   const packed: (LayerImages & { normal: CheckedImage })[] = []
@@ -129,12 +139,17 @@ async function packLayers(
   return packed
 }
 
-async function scaledTo(size: number | undefined, image: CheckedImage, kind: 'normals' | 'values') {
-  return size === undefined ? image : scaleMap(image, size, kind)
+async function scaledTo(
+  size: number | undefined,
+  image: CheckedImage,
+  kind: 'normals' | 'values',
+  who: string,
+) {
+  return size === undefined ? image : scaleMap(image, size, kind, who)
 }
 
 async function readWeights(
-  read: ReadImage,
+  read: ReadFile,
   uri: string,
   convention: AreaConvention | undefined,
   size: number,

@@ -15,6 +15,7 @@ import { errorFinding, type Finding, warningFinding } from '../validate/finding.
 import { findDriverFaults } from './driver-faults.ts'
 import { checkFaces, isDrawn } from './face-rules.ts'
 import { type Inspection, inspectWrinkles } from './inspect.ts'
+import { strokesIn } from './strokes.ts'
 import { readShapes } from './texture-shapes.ts'
 import { type WrinkledFile, wrinkledMaterials } from './wrinkled-file.ts'
 
@@ -78,6 +79,7 @@ async function findingsOf(glb: Glb, material: number): Promise<Finding[]> {
       ...checkAreas(report),
       ...checkCoordinates(file),
       ...checkDrivers(file),
+      ...checkStrokes(file),
     ]
   } catch (thrown) {
     if (!(thrown instanceof FurrowError)) throw thrown
@@ -188,6 +190,11 @@ function checkDrivers({ glb, material, maps: { drivers } }: WrinkledFile): Findi
       warningFinding('DRIVER_CYCLE', `area "${area}" drives itself; its drivers that read areas are ignored`),
     ),
   ]
+}
+
+function checkStrokes(file: WrinkledFile): Finding[] {
+  const { problem } = strokesIn(file, `${WRINKLE_MAPS}: strokes`)
+  return problem === undefined ? [] : [warningFinding('STROKES', problem)]
 }
 
 const sizeText = ({ width, height }: { width: number; height: number }) => `${width} x ${height}`

@@ -1,26 +1,33 @@
 import type { GrayImage, TextureReference, WrinkleSetDocument } from 'furrow'
 import { fileNamesOf } from 'furrow/author'
+import { decodeImage } from '#platform/images'
+import { utf8 } from '../bytes.ts'
 import type { OutputFile } from '../files.ts'
 import { namesOfTarget } from '../gltf/target.ts'
 import { imageOf, isKtx2 } from '../gltf/texture-image.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
-import { encodeArea, encodePngWithoutOpaqueAlpha } from '../images/encode.ts'
-import { withImageErrors } from '../images/image-errors.ts'
-import { openImage } from '../images/open-image.ts'
+import { isOpaque, withoutAlpha } from '../images/pixels.ts'
+import { encodePortablePng } from '../images/png.ts'
 import type { Progress } from '../progress.ts'
-import { addressOf } from './folder-document.ts'
+import { addressOf, STROKES_FILE } from './folder-document.ts'
 import { weightsOf } from './inspect.ts'
 import { MAP_SLOTS } from './map-slots.ts'
+import { strokesFile, strokesIn } from './strokes.ts'
 import type { WrinkledFile } from './wrinkled-file.ts'
 
 type LayerEntry = WrinkleSetDocument['layers'][number]
 
+/** The files of a folder, with paths relative to it, and warnings for the user. */
+export interface UnpackedWrinkles {
+  files: OutputFile[]
+  warnings: string[]
+}
+
 /**
- * Makes the files of a folder from the wrinkles of a file: `wrinkles.json`, `layers/NAME/*.png` and `areas/NAME.png`,
- * where a name that no file can have is changed; `wrinkles.json` has the names as they are.
+ * Makes the files of a folder from the wrinkles of a file: `wrinkles.json`, `layers/NAME/*.png`, `areas/NAME.png` and
+ * `strokes.json`, where a name that no file can have is changed; `wrinkles.json` has the names as they are.
  *
  * @param whiteIsVisible the convention to write areas in.
- * @returns the files, with paths relative to the folder.
  * @throws FurrowError when an image cannot be decoded.
  */
 export async function unpackWrinkles(
@@ -28,7 +35,7 @@ export async function unpackWrinkles(
   whiteIsVisible: boolean,
   who: string,
   progress: Progress,
-): Promise<OutputFile[]> {
+): Promise<UnpackedWrinkles> {
   const { maps } = file
   const total = maps.layers.length + maps.areas.length
   const outputs: OutputFile[] = []
@@ -57,7 +64,7 @@ export async function unpackWrinkles(
   const areaEntries: WrinkleSetDocument['areas'] = []
   for (const [i, area] of maps.areas.entries()) {
     const path = `areas/${areaFiles[i]}.png`
-    outputs.push({ path, bytes: await encodeWeights(areas[i], whiteIsVisible) })
+    outputs.push({ path, bytes: encodeWeights(areas[i], whiteIsVisible) })
     areaEntries.push({
       name: area.name,
       image: addressOf(path),
@@ -69,6 +76,8 @@ export async function unpackWrinkles(
     progress(layers.length + i + 1, total)
   }
 
+  const { strokes, problem } = strokesIn(file, `${who}: the strokes are left out`)
+  if (strokes) outputs.push({ path: STROKES_FILE, bytes: strokesFile(strokes) })
   const document: WrinkleSetDocument = {
     version: 1,
     ...namesOfTarget(file.glb.json, file.material),
@@ -76,24 +85,25 @@ export async function unpackWrinkles(
     areas: areaEntries,
     ...(maps.drivers.length > 0 && { drivers: maps.drivers }),
     areaSize: Math.max(2, ...areas.flatMap(({ width, height }) => [width, height])),
+    ...(strokes && { strokes: STROKES_FILE }),
   }
   const text = `${JSON.stringify(document, null, 2)}\n`
-  return [{ path: 'wrinkles.json', bytes: Buffer.from(text) }, ...outputs]
+  const warnings = problem === undefined ? [] : [problem]
+  return { files: [{ path: 'wrinkles.json', bytes: utf8(text) }, ...outputs], warnings }
 }
 
 /** A map as a PNG file; one that is PNG already is decoded to check it, and not encoded again. */
 async function pngOf({ glb }: WrinkledFile, info: TextureReference, who: string): Promise<Uint8Array> {
-  const encoded = imageOf(glb, info.index, who)
-  if (isKtx2(encoded)) return encodePngWithoutOpaqueAlpha(await pixelsOf(glb, info, who))
-  const name = `"${encoded.name}"`
-  const { image, type } = await openImage(encoded.bytes, name, who)
-  if (type !== 'image/png')
-    return withImageErrors(name, who, () => image.png({ compressionLevel: 9 }).toBuffer())
-  await withImageErrors(name, who, () => image.stats())
-  return encoded.bytes
+  const image = imageOf(glb, info.index, who)
+  const pixels = isKtx2(image)
+    ? await pixelsOf(glb, info, who)
+    : await decodeImage(image.bytes, `"${image.name}"`, who)
+  if (image.mimeType === 'image/png') return image.bytes
+  return encodePortablePng(isOpaque(pixels) ? withoutAlpha(pixels) : pixels)
 }
 
-function encodeWeights(weights: GrayImage, whiteIsVisible: boolean): Promise<Uint8Array> {
-  if (!whiteIsVisible) return encodeArea(weights)
-  return encodeArea({ ...weights, data: weights.data.map((weight) => 255 - weight) })
+/** The weights of an area as an 8-bit gray PNG file; in the paper's convention white = no wrinkles. */
+function encodeWeights({ width, height, data }: GrayImage, whiteIsVisible: boolean): Uint8Array {
+  const gray = whiteIsVisible ? data : data.map((weight) => 255 - weight)
+  return encodePortablePng({ width, height, channels: 1, data: gray })
 }

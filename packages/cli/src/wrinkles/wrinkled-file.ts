@@ -1,6 +1,5 @@
 import { FurrowError, parseWrinkleMaps, WRINKLE_MAPS, type WrinkleMaps } from 'furrow'
-import type { ReadOptions } from '../gltf/external-files.ts'
-import { type Glb, readGlbFile } from '../gltf/glb-file.ts'
+import type { Glb } from '../gltf/glb-file.ts'
 import { didYouMean } from '../nearest.ts'
 
 /** A file and the wrinkles of one of its materials. */
@@ -19,20 +18,12 @@ export function wrinkledMaterials({ json }: Glb): number[] {
 }
 
 /**
- * Reads a file and the wrinkles of one of its materials.
+ * Finds the wrinkles of a file.
  *
- * @param options.material name of the material; by default the only one with wrinkles.
+ * @param path of the file, for errors.
+ * @param materialName name of the material; by default the only one with wrinkles.
  * @throws FurrowError when none has wrinkles, several have and none is named, or the wrinkles are malformed.
  */
-export async function readWrinkledFile(
-  path: string,
-  who: string,
-  options: ReadOptions & { material?: string | undefined } = {},
-): Promise<WrinkledFile> {
-  return wrinkledFile(await readGlbFile(path, who, options), path, who, options.material)
-}
-
-/** As `readWrinkledFile`, for a file that is read already. */
 export function wrinkledFile(glb: Glb, path: string, who: string, materialName?: string): WrinkledFile {
   const materials = glb.json.materials ?? []
   const all = wrinkledMaterials(glb)

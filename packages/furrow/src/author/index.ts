@@ -4,6 +4,7 @@
  * @module furrow/author
  */
 
+export type { Bounds } from '../core/bounds.ts'
 export { combineNormals } from '../core/normals/combine-normals.ts'
 export type { GrayImage, RgbaImage } from '../core/types.ts'
 export { AUTO_REGIONS, type AutoRegion } from './auto/anatomy/regions.ts'
@@ -22,9 +23,12 @@ export type { AutoLayer } from './auto/raster/draw-maps.ts'
 export { type StrainMap, strainMaps } from './auto/strain-map.ts'
 export { MOST_TRIANGLES } from './auto/surface/check-skin.ts'
 export { chooseSkin, type SkinCandidate, type SkinChoice } from './auto/surface/choose-skin.ts'
+export { middleOf } from './auto/surface/detect-face.ts'
 export { joinParts, type SkinPart } from './auto/surface/join-parts.ts'
 export type { LandmarkPosition as Place, Landmarks } from './auto/surface/landmarks.ts'
+export { skinSurface } from './auto/surface/skin-surface.ts'
 export { faceShapeFinder } from './auto/surface/stand-ins.ts'
+export { moveToFirstTile } from './auto/surface/uv-tiles.ts'
 export { autoWrinkleSet } from './auto/wrinkle-set.ts'
 export {
   BAKE_DEFAULTS,
@@ -48,10 +52,11 @@ export {
   reliefToNormal,
 } from './relief/relief-to-normal.ts'
 export type { Edges } from './relief/slope.ts'
-export { type SkinCanvas, skinCanvas } from './skin/canvas.ts'
+export { mapSkin, type SkinCanvas, skinCanvas } from './skin/canvas.ts'
 export type { SkinTexels } from './skin/skin-texels.ts'
 export { crossOf, type Skin, type SkinSurface, type SkinTarget } from './skin/surface.ts'
 export type { UvLocator } from './skin/uv-locator.ts'
+export { barycentricsAt, walk } from './skin/walk.ts'
 export type { GroupShape, PolygonShape } from './strokes/area-definitions.ts'
 export {
   type AreaDefinition,
@@ -63,7 +68,18 @@ export {
   type StrokesDocument,
   type Uv,
 } from './strokes/document.ts'
+export {
+  nearestOnStroke,
+  type StrokeCurve,
+  type StrokePoint,
+  strokeCurves,
+} from './strokes/edit/curve-in-space.ts'
+export { type MirrorPlane, mirrorStroke } from './strokes/edit/mirror.ts'
+export { insertPoint, removePoint, smoothStroke } from './strokes/edit/points.ts'
+export { splineOf } from './strokes/edit/spline-of.ts'
+export { splitStroke } from './strokes/edit/split.ts'
 export { type HeightMap, strokesToHeight } from './strokes/height.ts'
 export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas, paintedNames } from './strokes/paint-areas.ts'
+export { StrokeLayer, type StrokeLayerOptions } from './strokes/stroke-layer.ts'
 export { targetArea } from './target-area.ts'
 export { drawUvLayout, type UvLayoutOptions } from './uv-layout.ts'

@@ -45,12 +45,14 @@ export interface SetDocument {
   }[]
   /** Side in texels that areas are resampled to when they are packed, 128 by default. */
   areaSize?: number
+  /** The lines of the layers, a document of strokes; for `furrow pack`. */
+  strokes?: string
 }
 
 /** The optional maps of a layer. */
 const MAPS = ['baseColor', 'roughness', 'occlusion', 'height'] as const
 
-/** Most characters of an image's URL. */
+/** Most characters of a URL. */
 const MAX_URL_LENGTH = 2048
 
 /**
@@ -84,6 +86,7 @@ export function readSetDocument(
     ...(root.areaSize !== undefined && {
       areaSize: reader.integer(root.areaSize, 'areaSize', MIN_AREA_SIZE, MAX_IMAGE_SIDE),
     }),
+    ...(root.strokes !== undefined && { strokes: reader.text(root.strokes, 'strokes', MAX_URL_LENGTH) }),
   }
 }
 

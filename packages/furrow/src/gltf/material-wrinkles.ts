@@ -9,11 +9,13 @@ interface IMaterialWrinkles extends IProperty {
   areas: RefSet<WrinkleArea>
   /** One JSON text per driver, so that copies are deep and equal drivers compare as equal. */
   drivers: string[]
+  /** JSON of the strokes, `null` for none. */
+  strokes: string
   /** JSON of unknown fields. */
   unknownFields: string
 }
 
-/** The wrinkles of one material: layers, areas and drivers. See {@link FurrowWrinkleMaps}. */
+/** The wrinkles of one material: layers, areas, drivers and strokes. See {@link FurrowWrinkleMaps}. */
 export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
   static override readonly EXTENSION_NAME = WRINKLE_MAPS
   declare readonly extensionName: typeof WRINKLE_MAPS
@@ -33,6 +35,7 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
       layers: new RefSet<WrinkleLayer>(),
       areas: new RefSet<WrinkleArea>(),
       drivers: [],
+      strokes: 'null',
       unknownFields: '{}',
     })
   }
@@ -78,6 +81,16 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
       'drivers',
       drivers.map((driver) => JSON.stringify(driver)),
     )
+  }
+
+  /** A copy of the lines of the layers, for `parseStrokes` of `furrow/author`, unchecked as they stand in the file; null for none. */
+  getStrokes(): unknown {
+    return JSON.parse(this.get('strokes'))
+  }
+
+  /** Replaces the strokes with a copy of these, which must be plain JSON; null for none. */
+  setStrokes(strokes: unknown): this {
+    return this.set('strokes', JSON.stringify(strokes ?? null))
   }
 
   /** Fields of the JSON that are unknown to this version; they are written back unchanged. */

@@ -17,7 +17,7 @@ interface PropertyFactory {
 
 /** Fields that are read into properties; all others are kept as unknown fields. */
 const KNOWN = {
-  root: ['name', 'extras', 'layers', 'areas', 'drivers'],
+  root: ['name', 'extras', 'layers', 'areas', 'drivers', 'strokes'],
   layer: ['name', 'extras', 'kind', ...Object.keys(LAYER_SLOTS)],
   area: ['name', 'extras', 'layer', 'texture', 'channel', 'combine', 'activation'],
 }
@@ -73,7 +73,11 @@ export function readMaterialWrinkles(
   const wrinkles = properties.createMaterialWrinkles()
   for (const layer of layers) wrinkles.addLayer(layer)
   for (const area of areas) wrinkles.addArea(area)
-  return wrinkles.setDrivers(maps.drivers).setExtras(extrasOf(raw)).setUnknownFields(without(raw, KNOWN.root))
+  return wrinkles
+    .setDrivers(maps.drivers)
+    .setStrokes(raw.strokes)
+    .setExtras(extrasOf(raw))
+    .setUnknownFields(without(raw, KNOWN.root))
 }
 
 /** glTF-Transform's textures are glTF's images; one that no registered extension can read is missing. */

@@ -16,12 +16,14 @@ type Json = Record<string, unknown>
 export function writeMaterialWrinkles(context: WriterContext, wrinkles: MaterialWrinkles, who: string): Json {
   const layers = wrinkles.listLayers()
   const drivers = wrinkles.getDrivers()
+  const strokes = wrinkles.getStrokes()
   const json = {
     ...wrinkles.getUnknownFields(),
     ...context.createPropertyDef(wrinkles),
     layers: layers.map((layer) => writeLayer(context, layer, who)),
     areas: wrinkles.listAreas().map((area) => writeArea(context, area, layers, who)),
     ...(drivers.length > 0 && { drivers }),
+    ...(strokes !== null && { strokes }),
   }
   parseWrinkleMaps(json, Infinity, who)
   return json

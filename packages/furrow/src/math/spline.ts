@@ -38,11 +38,15 @@ export function splineAt(out: Float64Array, points: ArrayLike<number>, segment: 
  * Chooses points of a line through which a spline stays within a distance of all others.
  *
  * @param points x, y and z of each; two or more, and no two in a row the same.
+ * @param chosen indices of points that are among them, from the first to the last.
  * @returns indices of points, the first and the last among them.
  */
-export function splineKnots(points: Float64Array, tolerance: number): number[] {
-  const last = points.length / 3 - 1
-  let knots = [0, last]
+export function splineKnots(
+  points: Float64Array,
+  tolerance: number,
+  chosen: readonly number[] = [0, points.length / 3 - 1],
+): number[] {
+  let knots = [...chosen]
   const out = new Float64Array(3)
   for (;;) {
     const through = Float64Array.from(knots.flatMap((i) => [...points.subarray(3 * i, 3 * i + 3)]))

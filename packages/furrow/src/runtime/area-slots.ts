@@ -18,4 +18,6 @@ export interface AreaSlots {
   readonly width: number
   readonly height: number
   readonly slots: readonly AreaSlot[]
+  /** Incremented when weights change. */
+  version: number
 }

@@ -8,7 +8,9 @@ export interface Cell {
   readonly index: number
   /** The activations that were drawn last, by area; NaN if none were. */
   readonly drawn: Float32Array
-  /** Whether it must be drawn even if no activation has changed: its areas have, or the texture is new. */
+  /** Version of the areas that were drawn last. */
+  version: number
+  /** Whether it must be drawn even if nothing has changed: the face has other areas, or the texture is new. */
   stale: boolean
 }
 
@@ -54,7 +56,7 @@ export class AtlasCells {
     this.#grow(first + faces.length)
     return faces.map((face, i) => {
       const drawn = new Float32Array(face.activations.values.length).fill(Number.NaN)
-      const cell: Cell = { face, index: first + i, drawn, stale: true }
+      const cell: Cell = { face, index: first + i, drawn, version: 0, stale: true }
       this.#cells[first + i] = cell
       return cell
     })
@@ -110,8 +112,8 @@ export class AtlasCells {
   }
 }
 
-function hasChanged({ face, drawn, stale }: Cell): boolean {
-  if (stale) return true
+function hasChanged({ face, drawn, version, stale }: Cell): boolean {
+  if (stale || version !== face.slots.version) return true
   const { values } = face.activations
   const count = face.slots.slots.length
   for (let i = 0; i < count; i++) if (hasMoved(values[i], drawn[i])) return true

@@ -1,5 +1,6 @@
 /** The exports that `furrow/three` and `furrow/webgpu` have in common. */
 
+export type { Bounds } from '../core/bounds.ts'
 export type { FaceScore } from '../runtime/face-scores.ts'
 export type { NamedInputs } from '../runtime/named-inputs.ts'
 export type { Clock } from '../runtime/wrinkle-faces.ts'
@@ -21,5 +22,7 @@ export type { AnyRenderer } from './renderer.ts'
 export { type AddDrivers, addDrivers } from './sources/add-drivers.ts'
 export type { DriversOptions } from './sources/binding.ts'
 export { addMorphNormals, addMuscles } from './sources/muscles.ts'
+export { updateArea } from './update/update-area.ts'
+export { type LayerImages, updateLayer } from './update/update-layer.ts'
 export type { WrinklesBase } from './wrinkles-base.ts'
 export { type LoadedFile, wrinklesOf, wrinklesReady } from './wrinkles-of.ts'

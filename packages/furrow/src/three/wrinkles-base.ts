@@ -57,8 +57,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   /**
    * @param renderer what depends on the renderer.
    * @param mesh with UVs, normals, and a lit material of its own.
-   * @param source a wrinkle set, copied: later changes have no effect, use `addArea` and `removeArea`. Or the wrinkles of another mesh,
-   *   whose set and textures are used, with activations at rest.
+   * @param source a wrinkle set, copied: later changes have no effect, use `addArea`, `removeArea`, `updateArea` and `updateLayer`. Or the wrinkles of
+   *   another mesh, whose set and textures are used, with activations at rest.
    * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then unchanged.
    */
   constructor(
@@ -79,7 +79,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     const material = checkMaterial(mesh)
     const areas = inputs?.areas ?? createAreaArray(set.areas, set.layers, allOptions.areaSize, 'Wrinkles')
     const textures = inputs?.textures ?? createTextures(set.layers, material.normalMap?.anisotropy ?? 1)
-    super(countFaces(mesh), set.areas, areas)
+    super(countFaces(mesh), inputs ? set.areas : copyAreas(set.areas), areas)
     this.mesh = mesh
     this.#renderer = renderer
     this.#options = allOptions
@@ -220,6 +220,12 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     return this.#material.clone()
   }
 
+  /** What `updateArea` and `updateLayer` change: this and all faces with the same textures. @internal */
+  editable(method: string): { areas: Area<ArraySlice>[]; inputs: ShaderInputs } {
+    this.checkInUse(method)
+    return { areas: this.areas, inputs: this.#inputs }
+  }
+
   /** Lets the wrinkles appear, over some seconds from the next frames on. @internal */
   appear(seconds: number): void {
     this.#appearance = new Appearance(1000 * seconds, this.clock)
@@ -241,7 +247,9 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
 
   /** Phase 4 of a frame, see `Frame`: influence maps, or the paper's table. @internal */
   collectInfluence(renderer: AnyRenderer): boolean {
-    const { fade, areas, paper } = this.#inputs
+    const { fade, areas, textures, paper } = this.#inputs
+    areas.upload?.(renderer)
+    textures.upload?.(renderer)
     const { mode, composed } = this.#material
     if (mode === 'paper') paper!.table.update(areas, this.faces[0].activations)
     const isUsed = mode === 'default' || composed !== null || this.#influenceViews > 0
@@ -255,8 +263,9 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     const { composed } = this.#material
     if (!composed) return
     locateCells(this.#inputs, this.#atlas, this.#cells)
-    const { areas, fade } = this.#inputs
-    composed.update(renderer, areas, this.faces[0].activations.values, fade.value)
+    const { areas, textures, fade } = this.#inputs
+    const { values } = this.faces[0].activations
+    composed.update(renderer, areas, values, fade.value, areas.version + textures.version)
   }
 
   /** Restores the material, and frees the textures that no other face uses. */
@@ -297,7 +306,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     release(old.texture)
     this.#inputs.areas = array
     this.#inputs.areaTexture.value = array.texture
-    this.areas = areas
+    this.areas = copyAreas(areas)
     for (const [i, face] of this.faces.entries()) {
       face.rebind(array, areas)
       this.#cells[i].stale = true
@@ -307,4 +316,9 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     // The shader graph of the paper's mode holds the array itself.
     if (this.mode === 'paper') this.#material.show('paper')
   }
+}
+
+/** The faces that use one array of areas have one list of them, which changes with it. */
+function copyAreas(areas: readonly Area<ArraySlice>[]): Area<ArraySlice>[] {
+  return areas.map((area) => ({ ...area }))
 }

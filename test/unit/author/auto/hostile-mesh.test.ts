@@ -18,7 +18,7 @@ test('creases are found from anywhere within their reach, and from nowhere else'
   const grid = new LineGrid([LINE], [5])
   const found = (x: number, y: number, z: number) => {
     const distances: number[] = []
-    grid.visit(x, y, z, 0, 0, 1, (_, distance) => distances.push(distance))
+    grid.visit([x, y, z], [0, 0, 1], (_, distance) => distances.push(distance))
     return distances
   }
   expect(found(5.9, 0, 0)[0]).toBeCloseTo(4.9)
@@ -47,7 +47,7 @@ test('what it costs to look for creases all over a skin grows with its size, not
     const grid = new LineGrid(lines, reaches)
     compared = 0
     for (let x = 0; x < millimetres; x += 10) {
-      for (let y = 0; y < millimetres; y += 10) grid.visit(x, y, 0, 0, 0, 1, () => {})
+      for (let y = 0; y < millimetres; y += 10) grid.visit([x, y, 0], [0, 0, 1], () => {})
     }
     return compared / (millimetres / 10) ** 2
   }

@@ -217,7 +217,7 @@ function draw(skin: Skin, { surface, regions }: CutFace, margin: number): DrawnF
     return surface.points[3 * surface.pointOf[vertex] + (i % 3)] / 1000
   })
   const metric = surfaceMetric({ ...skin, positions }, SIZE)
-  const { relief, occlusion } = drawStrokes([...new Set(regions.map(({ creases }) => creases))], {
+  const { relief, occlusion } = drawStrokes([...new Set(regions.map(({ creases }) => creases))].flat(), {
     texels,
     metric,
   })

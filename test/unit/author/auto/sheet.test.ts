@@ -56,7 +56,7 @@ describe.each([
     )
     expect(compression).toBeCloseTo(COMPRESSION, 3)
     const texels = new SkinTexels(skin, surface, SIZE, SIZE)
-    const { data } = drawStrokes([creases], { texels, metric: surfaceMetric(skin, SIZE, SIZE, 1) }).relief
+    const { data } = drawStrokes(creases, { texels, metric: surfaceMetric(skin, SIZE, SIZE, 1) }).relief
     const texel = SIDE / SIZE
     let [length, count] = [0, 0]
     for (let row = 150; row < SIZE - 150; row++) {

@@ -1,3 +1,4 @@
+import { latin1 } from '../../bytes.ts'
 import type { CheckedJson } from './checked-json.ts'
 
 // Draco Bitstream Specification 2.2: a header, the kind of connectivity, and how much there is; offsets in bytes.
@@ -41,7 +42,7 @@ export function dracoProblem(
 function readCounts(bytes: Uint8Array): { points: number; faces: number } | undefined {
   const isMesh =
     bytes.length > CONNECTIVITY &&
-    Buffer.from(bytes.subarray(0, VERSION)).toString('latin1') === MAGIC &&
+    latin1(bytes.subarray(0, VERSION)) === MAGIC &&
     bytes.subarray(VERSION, METHOD).join() === '2,2,1' &&
     ((bytes[FLAGS] | (bytes[FLAGS + 1] << 8)) & HAS_METADATA) === 0
   if (!isMesh) return undefined

@@ -37,12 +37,9 @@ function strainMap(texels: SkinTexels, tensors: Float64Array): StrainMap {
   const { width, height, surface } = texels
   const data = new Float32Array(width * height).fill(Number.NaN)
   const barycentrics = new Float64Array(3)
-  texels.visit(
-    () => true,
-    (texel, triangle, a, b, c) => {
-      barycentrics.set([a, b, c])
-      data[texel] = clamp(principalAt(surface, tensors, triangle, barycentrics).compression, 0, 1)
-    },
-  )
+  texels.visit((texel, triangle, a, b, c) => {
+    barycentrics.set([a, b, c])
+    data[texel] = clamp(principalAt(surface, tensors, triangle, barycentrics).compression, 0, 1)
+  })
   return { width, height, data }
 }

@@ -1,3 +1,4 @@
+import type { Bounds } from '../../core/bounds.ts'
 import { FurrowError } from '../../core/error.ts'
 import { toByte } from '../../core/normals/normal-byte.ts'
 import type { RgbaImage } from '../../core/types.ts'
@@ -30,7 +31,7 @@ export function heightToNormal(
   metric: Metric,
   frame: TangentFrame = 'orthonormal',
 ): RgbaImage {
-  return turnedNormals(relief, metric, frame, () => {})
+  return turnedNormals(relief, metric, frame)
 }
 
 /**
@@ -42,7 +43,7 @@ export function turnedNormals(
   relief: HeightMap,
   metric: Metric,
   frame: TangentFrame,
-  turn: (texel: number, slope: Float64Array) => void,
+  turn?: (texel: number, slope: Float64Array) => void,
 ): RgbaImage {
   const { width, height } = relief
   if (metric.width !== width || metric.height !== height) {
@@ -54,11 +55,29 @@ export function turnedNormals(
       remedy: 'measure the mesh at the size of the height map',
     })
   }
-  const data = new Uint8Array(4 * width * height)
+  const normal = { width, height, data: new Uint8Array(4 * width * height) }
+  drawNormals(normal, { x0: 0, y0: 0, x1: width, y1: height }, relief, metric, frame, turn)
+  return normal
+}
+
+/**
+ * Draws a rectangle of `turnedNormals`.
+ *
+ * @param normal takes the normals; of the size of height map and metric.
+ */
+export function drawNormals(
+  { data }: RgbaImage,
+  { x0, y0, x1, y1 }: Readonly<Bounds>,
+  relief: HeightMap,
+  metric: Metric,
+  frame: TangentFrame,
+  turn?: (texel: number, slope: Float64Array) => void,
+): void {
+  const { width, height } = relief
   const flat = toByte(0)
   const slope = new Float64Array(2)
-  for (let y = 0; y < height; y++) {
-    for (let x = 0; x < width; x++) {
+  for (let y = y0; y < y1; y++) {
+    for (let x = x0; x < x1; x++) {
       const i = y * width + x
       const hu = slopeAt(relief.data, y * width, x, 1, width, 'clamp') * width
       const hv = slopeAt(relief.data, x, y, width, height, 'clamp') * height
@@ -84,7 +103,7 @@ export function turnedNormals(
         slope[0] = -hu / Math.sqrt(uu)
         slope[1] = (hv - (uv / uu) * hu) * Math.sqrt(uu / det)
       }
-      turn(i, slope)
+      turn?.(i, slope)
       const z = 1 / Math.hypot(slope[0], slope[1], 1)
       data[4 * i] = toByte(slope[0] * z)
       data[4 * i + 1] = toByte(slope[1] * z)
@@ -92,5 +111,4 @@ export function turnedNormals(
       data[4 * i + 3] = 255
     }
   }
-  return { width, height, data }
 }

@@ -4,6 +4,9 @@
  */
 export type Edges = 'wrap' | 'clamp'
 
+/** Texels to either side whose values a slope depends on, at a border as well. */
+export const SLOPE_REACH = 2
+
 /**
  * Slope per texel at texel `i` of a row or column: central difference of fourth order over five texels (Fornberg 1988, Generation of
  * finite difference formulas).

@@ -13,6 +13,8 @@ export interface SkinCanvas {
   locator: UvLocator
   texels: SkinTexels
   metric: Metric
+  /** Millimetres per unit of the mesh's positions. */
+  scale: number
 }
 
 /**
@@ -38,7 +40,7 @@ export function skinCanvas(
   const welded = weldSurface(skin)
   const points = welded.points.map((value) => scale * value)
   const surface = { ...welded, points, areas: pointAreas(points, welded.corners) }
-  return { metric, ...mapSkin(skin, surface, width, height) }
+  return { metric, scale, ...mapSkin(skin, surface, width, height) }
 }
 
 /** Finds the texels of a skin in a map, and its points in the texture. */
@@ -47,7 +49,7 @@ export function mapSkin(
   surface: SkinSurface,
   width: number,
   height = width,
-): Omit<SkinCanvas, 'metric'> {
+): Omit<SkinCanvas, 'metric' | 'scale'> {
   const isDrawn = findOverlap(skin, surface).isMirrored ? isOnLeft(surface) : undefined
   return {
     surface,

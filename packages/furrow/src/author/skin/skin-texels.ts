@@ -1,15 +1,25 @@
-import { barycentrics2 } from '../../math/barycentrics.ts'
+import { barycentrics2, interpolate } from '../../math/barycentrics.ts'
 import { uvToTexels } from '../../math/triangle.ts'
 import { type BorderEdge, extendPlanes, FILTER_MARGIN } from '../border.ts'
 import { coverTexels } from '../cover-texels.ts'
-import { type Skin, type SkinSurface, skinVertices } from './surface.ts'
+import { cornersOf, type Skin, type SkinSurface, skinVertices } from './surface.ts'
 
 /** How often progress is told. */
 const PARTS = 32
+/** Side of a tile of texels that are searched for together. */
+const TILE = 8
 /** Owner of a texel far from any island. */
 const NONE = -1
+/** Barycentric coordinate up to which a texel is on the edge of a triangle. */
+const EDGE = 1e-3
 /** Twice the area, in square texels, below which a triangle has no plane to be continued in. */
 const NO_AREA = 1e-9
+
+/**
+ * Is given a texel's index, and its position and normal, whose arrays the next call changes. Beyond an island the position is in the plane of
+ * the border triangle, and the normal, which is not of length 1, that of its edge.
+ */
+export type TexelVisitor = (texel: number, position: Float64Array, normal: Float64Array) => void
 
 /** Which texels of a map a skin covers, and where on it they are. */
 export class SkinTexels {
@@ -19,6 +29,11 @@ export class SkinTexels {
   readonly #skin: Pick<Skin, 'uvs' | 'indices'>
   /** For each texel its triangle; -2 - triangle beyond the islands. */
   readonly #owner: Int32Array
+  /** The box round the skin of each tile, made when it is first asked for. */
+  #boxes: Float64Array | undefined
+  readonly #weights = new Float64Array(3)
+  readonly #position = new Float64Array(3)
+  readonly #normal = new Float64Array(3)
   /** The triangle that was located last, and its corners in texels. */
   #last = NONE
   readonly #corners = new Float64Array(6)
@@ -59,28 +74,86 @@ export class SkinTexels {
   /**
    * Visits the texels whose centres triangles cover, and those beyond the islands.
    *
-   * @param isWanted tells whether to visit the texels that a triangle covers; those beyond the islands always are.
    * @param visit is given the texel's index, row by row, the triangle and barycentric coordinates, which are below 0 beyond an island.
    */
-  visit(
-    isWanted: (triangle: number) => boolean,
-    visit: (texel: number, triangle: number, a: number, b: number, c: number) => void,
+  visit(visit: (texel: number, triangle: number, a: number, b: number, c: number) => void): void {
+    const weights = new Float64Array(3)
+    for (let texel = 0; texel < this.#owner.length; texel++) {
+      const triangle = this.locate(texel, weights)
+      if (triangle !== NONE) visit(texel, triangle, weights[0], weights[1], weights[2])
+    }
+  }
+
+  /**
+   * Visits the texels in some parts of space, and perhaps others near them.
+   *
+   * @param isNear tells of a box, given by its lowest and highest x, y and z, whether it reaches into those parts.
+   */
+  visitNear(
+    isNear: (low: Float64Array, high: Float64Array) => boolean,
+    visit: TexelVisitor,
     progress?: (fraction: number) => void,
   ): void {
-    const weights = new Float64Array(3)
-    /** 1 and 0 as `isWanted` says, -1 where it was not asked yet. */
-    const wanted = new Int8Array(this.surface.skinTriangles.length).fill(-1)
-    const part = Math.ceil(this.#owner.length / PARTS)
-    for (let texel = 0; texel < this.#owner.length; texel++) {
-      if (texel % part === part - 1) progress?.(texel / this.#owner.length)
-      const triangle = this.#triangleOf(texel)
-      if (triangle === NONE) continue
-      if (wanted[triangle] < 0) wanted[triangle] = isWanted(triangle) ? 1 : 0
-      if (this.#owner[texel] >= 0 && wanted[triangle] === 0) continue
-      this.locate(texel, weights)
-      visit(texel, triangle, weights[0], weights[1], weights[2])
+    const tiles = this.#tileCount()
+    this.#boxes ??= this.#tileBoxes()
+    const part = Math.ceil(tiles / PARTS)
+    for (let tile = 0; tile < tiles; tile++) {
+      if (tile % part === part - 1) progress?.(tile / tiles)
+      const box = this.#boxes.subarray(6 * tile, 6 * tile + 6)
+      if (isNear(box.subarray(0, 3), box.subarray(3, 6))) this.#visitTile(tile, visit)
     }
     progress?.(1)
+  }
+
+  /** Visits the texels that triangles cover besides their own one: parts of the skin that use the same texels. */
+  visitOverlaps(visit: (texel: number, triangle: number, a: number, b: number, c: number) => void): void {
+    for (let triangle = 0; triangle < this.surface.skinTriangles.length; triangle++) {
+      const corners = skinVertices(this.#skin, this.surface, triangle)
+      coverTexels(this.#skin.uvs, corners, this.width, this.height, (texel, a, b, c) => {
+        // Adjacent triangles both cover the texels of their edge.
+        if (this.#owner[texel] !== triangle && Math.min(a, b, c) > EDGE) visit(texel, triangle, a, b, c)
+      })
+    }
+  }
+
+  #tileCount(): number {
+    return Math.ceil(this.width / TILE) * Math.ceil(this.height / TILE)
+  }
+
+  /** The lowest and highest x, y and z of the texels of each tile; of those without any the lowest is above the highest. */
+  #tileBoxes(): Float64Array {
+    const boxes = new Float64Array(6 * this.#tileCount())
+    for (let first = 0; first < boxes.length; first += 6) {
+      boxes.fill(Infinity, first, first + 3)
+      boxes.fill(-Infinity, first + 3, first + 6)
+      this.#visitTile(first / 6, (_, position) => {
+        for (let k = 0; k < 3; k++) {
+          boxes[first + k] = Math.min(boxes[first + k], position[k])
+          boxes[first + 3 + k] = Math.max(boxes[first + 3 + k], position[k])
+        }
+      })
+    }
+    return boxes
+  }
+
+  #visitTile(tile: number, visit: TexelVisitor): void {
+    const { surface, width, height } = this
+    const columns = Math.ceil(width / TILE)
+    const [left, top] = [TILE * (tile % columns), TILE * Math.floor(tile / columns)]
+    const [right, bottom] = [Math.min(left + TILE, width), Math.min(top + TILE, height)]
+    const weights = this.#weights
+    for (let row = top; row < bottom; row++) {
+      for (let texel = row * width + left; texel < row * width + right; texel++) {
+        const triangle = this.locate(texel, weights)
+        if (triangle === NONE) continue
+        const [a, b, c] = cornersOf(surface, triangle)
+        interpolate(this.#position, surface.points, 3, a, b, c, weights[0], weights[1], weights[2])
+        // Beyond an island positions are in the plane of its border triangle, but normals stay those of its edge.
+        for (let k = 0; k < 3; k++) weights[k] = Math.max(weights[k], 0)
+        interpolate(this.#normal, surface.normals, 3, a, b, c, weights[0], weights[1], weights[2])
+        visit(texel, this.#position, this.#normal)
+      }
+    }
   }
 
   /**

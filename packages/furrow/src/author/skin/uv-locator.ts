@@ -1,3 +1,4 @@
+import type { Uv } from '../../core/json.ts'
 import { barycentrics2 } from '../../math/barycentrics.ts'
 import { type Skin, type SkinSurface, skinVertices } from './surface.ts'
 
@@ -63,6 +64,13 @@ export class UvLocator {
       }
     }
     return -1
+  }
+
+  /** u and v at barycentric coordinates of a triangle. */
+  uvAt(triangle: number, [a, b, c]: Float64Array): Uv {
+    this.#readCorners(triangle)
+    const [u0, v0, u1, v1, u2, v2] = this.#corners
+    return [a * u0 + b * u1 + c * u2, a * v0 + b * v1 + c * v2]
   }
 
   #locate(triangle: number, u: number, v: number, weights: Float64Array): number {

@@ -27,6 +27,11 @@ export interface SkinLine {
   normals: Float64Array
 }
 
+/** A line and the triangle that each of its points is on. */
+export interface TracedLine extends SkinLine {
+  triangles: readonly number[]
+}
+
 /** A skin and an index of its texture. */
 export type LocatedSkin = Pick<SkinCanvas, 'surface' | 'locator'>
 
@@ -36,7 +41,10 @@ export type LocatedSkin = Pick<SkinCanvas, 'surface' | 'locator'>
  * @returns its parts, each of two points or more: where the texture has no skin, a polyline or Bezier curve is interrupted, and points of a
  *   spline are left out.
  */
-export function layCurve({ curve, points }: Pick<Stroke, 'curve' | 'points'>, skin: LocatedSkin): SkinLine[] {
+export function layCurve(
+  { curve, points }: Pick<Stroke, 'curve' | 'points'>,
+  skin: LocatedSkin,
+): TracedLine[] {
   if (curve === 'spline') return laySpline(points, skin)
   return layInTexture(curve === 'bezier' ? flattenBezier(points) : points, skin)
 }
@@ -51,8 +59,8 @@ function flattenBezier(points: readonly Uv[]): Uv[] {
 }
 
 /** Finds each step on the skin by itself. */
-function layInTexture(polyline: readonly Uv[], { surface, locator }: LocatedSkin): SkinLine[] {
-  const lines: SkinLine[] = []
+function layInTexture(polyline: readonly Uv[], { surface, locator }: LocatedSkin): TracedLine[] {
+  const lines: TracedLine[] = []
   const trail = new Trail(surface)
   const [position, weights] = [new Float64Array(3), new Float64Array(3)]
   const step = Math.max(MAX_UV_STEP, lengthOf(polyline) / MOST_STEPS)
@@ -85,7 +93,7 @@ function* stepsAlong(polyline: readonly Uv[], step: number): Generator<Uv> {
 }
 
 /** Follows a smooth curve in space over the skin, from point to point. */
-function laySpline(uvs: readonly Uv[], { surface, locator }: LocatedSkin): SkinLine[] {
+function laySpline(uvs: readonly Uv[], { surface, locator }: LocatedSkin): TracedLine[] {
   const [position, weights] = [new Float64Array(3), new Float64Array(3)]
   const anchors: number[] = []
   const triangles: number[] = []
@@ -120,6 +128,7 @@ class Trail {
   readonly #surface: SkinSurface
   #points: number[] = []
   #normals: number[] = []
+  #triangles: number[] = []
   readonly #normal = new Float64Array(3)
 
   constructor(surface: SkinSurface) {
@@ -130,6 +139,7 @@ class Trail {
     normalAt(this.#normal, this.#surface, triangle, weights)
     this.#points.push(...position)
     this.#normals.push(...this.#normal)
+    this.#triangles.push(triangle)
   }
 
   /** Adds the points between two on a curve: projections onto the skin, or beyond its border the curve's own. */
@@ -168,10 +178,15 @@ class Trail {
   }
 
   /** The line, where it has two points; the next point begins another. */
-  end(): SkinLine[] {
-    const line = { points: Float64Array.from(this.#points), normals: Float64Array.from(this.#normals) }
+  end(): TracedLine[] {
+    const line = {
+      points: Float64Array.from(this.#points),
+      normals: Float64Array.from(this.#normals),
+      triangles: this.#triangles,
+    }
     this.#points = []
     this.#normals = []
+    this.#triangles = []
     return line.points.length >= 6 ? [line] : []
   }
 }

@@ -14,6 +14,8 @@ export interface LaidStroke extends SkinLine {
   /** Height of the raised banks, left and right of its direction as seen from outside, 0..1. */
   shoulder: readonly [left: number, right: number]
   softness: number
+  /** Where on the stroke its part begins and ends, as fractions of the length, 0..1. */
+  span: readonly [start: number, end: number]
 }
 
 /** Longest segment in millimetres: well below the thinnest visible wrinkle. */
@@ -64,7 +66,7 @@ export function layOutStroke(stroke: Stroke, skin: LocatedSkin): LaidStroke[] {
 }
 
 /** Distances in millimetres from the start to each point. */
-function arcLengths({ points }: SkinLine): Float64Array {
+export function arcLengths({ points }: Pick<SkinLine, 'points'>): Float64Array {
   const lengths = new Float64Array(points.length / 3)
   for (let i = 3; i < points.length; i += 3) {
     const step = Math.hypot(
@@ -122,7 +124,8 @@ function shapeLine(stroke: Stroke, line: SkinLine, start: number, end: number, t
     depths[i] = depth * fade * depthFactor(stroke.depths, s / total) * (1 - shallower)
     halfWidths[i] = (width / 2) * (END_WIDTH + (1 - END_WIDTH) * fade)
   }
-  return { points, normals: line.normals, depths, halfWidths, shoulder, softness }
+  const span = [start / total, end / total] as const
+  return { points, normals: line.normals, depths, halfWidths, shoulder, softness, span }
 }
 
 /** The unit vector to the right of a line at one of its points, in the skin as seen from outside. */
@@ -133,14 +136,14 @@ function rightOf({ points, normals }: SkinLine, i: number, out: Float64Array): v
   normalize(out)
 }
 
-function taperAt(t: number, [start, end]: readonly [number, number]): number {
+export function taperAt(t: number, [start, end]: readonly [number, number]): number {
   const fadeIn = start === 0 ? 1 : smoothstep(t / start)
   const fadeOut = end === 0 ? 1 : smoothstep((1 - t) / end)
   return fadeIn * fadeOut
 }
 
 /** Interpolates factors that are evenly spaced over 0..1. */
-function depthFactor(factors: readonly number[] | undefined, t: number): number {
+export function depthFactor(factors: readonly number[] | undefined, t: number): number {
   if (!factors) return 1
   const x = clamp(t, 0, 1) * (factors.length - 1)
   const from = Math.min(Math.floor(x), factors.length - 2)

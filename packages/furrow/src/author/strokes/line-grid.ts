@@ -5,12 +5,18 @@ const MIN_CELL = 4
 const MOST_IN_ROW = 2 ** 16
 /** How many times as long the side of a cube is as that of the cubes one level below, of which the lowest are the cells. */
 const BRANCHING = 4
+/** Numbers that the cubes of a level hold together; when there are more, the level is emptied: bounds the memory on dense lines. */
+const MOST_HELD = 2 ** 21
+/** What is left of a distance after rounding. */
+const ROUNDED = 1 - 1e-6
 /** From the centre of a cube to its corners, in halves of its side, with a margin for rounding. */
 const RADIUS = 1.0005 * Math.sqrt(3)
 /** Cells of the largest box that is searched; a larger one counts as near. */
 const MOST_CELLS = 4096
 /** Cosine between normals below which two points face different directions: one lip is not the other. */
 const FACING = 0.25
+/** Index of no segment. */
+const NONE = -1
 /** Numbers per segment: start, vector to its end, one over its squared length, normal. */
 const STRIDE = 10
 
@@ -25,7 +31,7 @@ const STRIDE = 10
  */
 export type LineVisitor = (line: number, distance: number, segment: number, t: number, side: number) => void
 
-/** Cubes of one size: the segments within reach of each, filled when they are first asked for. */
+/** Cubes of one size: the segments within reach of each as runs, filled when they are first asked for. */
 interface Level {
   /** Of a cube, in millimetres. */
   side: number
@@ -33,12 +39,13 @@ interface Level {
   low: readonly number[]
   rows: number
   layers: number
-  cubes: Map<number, readonly number[]>
+  cubes: Map<number, Int32Array>
 }
 
 /**
  * Finds lines near positions on the skin, by a grid of cells that are filled when they are first asked for, since skin has few of those
  * that are within reach of a line: each from the cube of cells that it is in, that one from a larger one, the largest from all segments.
+ * What is found at a position depends on the lines within reach of it alone.
  */
 export class LineGrid {
   readonly #reaches: readonly number[]
@@ -48,19 +55,19 @@ export class LineGrid {
   /** Of each segment its line, and the point it starts from. */
   readonly #lineOf: Int32Array
   readonly #pointOf: Int32Array
+  /** The longest segment of each line, in millimetres. */
+  readonly #longest: Float64Array
+  /** The segment of each line that a visit found last: from one texel to the next it changes little. */
+  readonly #last: Int32Array
   /** From the cells up. */
   readonly #levels: readonly Level[]
-  /** All segments. */
-  readonly #all: readonly number[]
+  /** All segments as runs: of segments of one line that follow each other the first, then the one behind the last. */
+  readonly #all: Int32Array
+  /** How many numbers the cubes of each level hold together. */
+  readonly #held: number[]
   /** The first and last cell within reach of any line, along each axis. */
   readonly #low = [Infinity, Infinity, Infinity]
   readonly #high = [-Infinity, -Infinity, -Infinity]
-  /** Of each line that a visit comes across: squared distance (-1 for none), nearest segment, position along it. */
-  readonly #squares: Float64Array
-  readonly #nearest: Int32Array
-  readonly #t: Float64Array
-  /** The lines that a visit comes across. */
-  readonly #found: Int32Array
 
   /** @param reaches how far away each line is found, in millimetres. */
   constructor(lines: readonly SkinLine[], reaches: readonly number[]) {
@@ -70,25 +77,27 @@ export class LineGrid {
     this.#segments = new Float64Array(STRIDE * total)
     this.#lineOf = new Int32Array(total)
     this.#pointOf = new Int32Array(total)
-    this.#squares = new Float64Array(lines.length).fill(-1)
-    this.#nearest = new Int32Array(lines.length)
-    this.#t = new Float64Array(lines.length)
-    this.#found = new Int32Array(lines.length)
+    this.#longest = new Float64Array(lines.length)
+    this.#last = new Int32Array(lines.length).fill(NONE)
+    const runs: number[] = []
     let segment = 0
     for (const [line, { points, normals }] of lines.entries()) {
+      const first = segment
       for (let point = 0; point + 1 < points.length / 3; point++) {
         this.#lineOf[segment] = line
         this.#pointOf[segment] = point
         this.#store(segment, points, normals)
         this.#widen(segment++)
       }
+      if (segment > first) runs.push(first, segment)
     }
-    this.#all = Array.from({ length: total }, (_, i) => i)
+    this.#all = Int32Array.from(runs)
     this.#levels = this.#levelsOf()
+    this.#held = this.#levels.map(() => 0)
   }
 
-  /** Whether lines may be within reach of a box. */
-  isNear(low: ArrayLike<number>, high: ArrayLike<number>): boolean {
+  /** Whether lines may be within reach of a box, given by its lowest and highest x, y and z. */
+  readonly isNear = (low: ArrayLike<number>, high: ArrayLike<number>): boolean => {
     const [left, right] = [
       Math.max(this.#cellOf(low[0]), this.#low[0]),
       Math.min(this.#cellOf(high[0]), this.#high[0]),
@@ -105,51 +114,90 @@ export class LineGrid {
     if ((right - left + 1) * (top - bottom + 1) * (front - back + 1) > MOST_CELLS) return true
     for (let x = left; x <= right; x++) {
       for (let y = bottom; y <= top; y++) {
-        for (let z = back; z <= front; z++) if (this.#cellAt(x, y, z).length > 0) return true
+        for (let z = back; z <= front; z++) if (this.#cubeAt(0, x, y, z).length > 0) return true
+      }
+    }
+    return false
+  }
+
+  /** Whether lines are within reach of a position, whichever way they face. */
+  isWithinReach(position: ArrayLike<number>): boolean {
+    const [x, y, z] = [position[0], position[1], position[2]]
+    const cell = this.#cellAround(x, y, z)
+    for (let run = 0; run < cell.length; run += 2) {
+      const line = this.#lineOf[cell[run]]
+      for (let segment = cell[run]; segment < cell[run + 1]; ) {
+        const square = this.#squareTo(segment, x, y, z)
+        if (square < this.#reaches[line] ** 2) return true
+        segment += this.#stepsTo(line, square, this.#reaches[line])
       }
     }
     return false
   }
 
   /**
-   * Visits each line within reach once, at its nearest point.
+   * Visits each line within reach once, at its nearest point that faces as the skin does, in the order of the lines.
    *
-   * @param x, y, z a position on the skin.
-   * @param nx, ny, nz the skin's normal there.
+   * @param position on the skin.
+   * @param normal of the skin there.
    */
-  visit(x: number, y: number, z: number, nx: number, ny: number, nz: number, visit: LineVisitor): void {
-    const cell = this.#cellAt(this.#cellOf(x), this.#cellOf(y), this.#cellOf(z))
+  visit(position: ArrayLike<number>, normal: ArrayLike<number>, visit: LineVisitor): void {
+    const [x, y, z] = [position[0], position[1], position[2]]
+    const [nx, ny, nz] = [normal[0], normal[1], normal[2]]
+    const cell = this.#cellAround(x, y, z)
     const s = this.#segments
-    let found = 0
-    for (let i = 0; i < cell.length; i++) {
-      const segment = cell[i]
-      const k = STRIDE * segment
-      if (s[k + 7] * nx + s[k + 8] * ny + s[k + 9] * nz < FACING) continue
-      const vx = x - s[k]
-      const vy = y - s[k + 1]
-      const vz = z - s[k + 2]
-      const along = (s[k + 3] * vx + s[k + 4] * vy + s[k + 5] * vz) * s[k + 6]
-      const t = along < 0 ? 0 : along > 1 ? 1 : along
-      const dx = vx - t * s[k + 3]
-      const dy = vy - t * s[k + 4]
-      const dz = vz - t * s[k + 5]
-      const square = dx * dx + dy * dy + dz * dz
-      const line = this.#lineOf[segment]
-      if (this.#squares[line] < 0) this.#found[found++] = line
-      else if (square >= this.#squares[line]) continue
-      this.#squares[line] = square
-      this.#nearest[line] = segment
-      this.#t[line] = t
-    }
-    for (let i = 0; i < found; i++) {
-      const line = this.#found[i]
-      const distance = Math.sqrt(this.#squares[line])
-      this.#squares[line] = -1
+    for (let run = 0; run < cell.length; ) {
+      const line = this.#lineOf[cell[run]]
+      /** What is farther need not be looked at: another segment is nearer, or the line is out of reach. */
+      let most = this.#reaches[line]
+      const last = this.#last[line]
+      if (last !== NONE && this.#faces(last, nx, ny, nz))
+        most = Math.min(most, Math.sqrt(this.#squareTo(last, x, y, z)))
+      /** The square of a distance from which the next segment cannot be nearer either. */
+      const far = ((most + 2 * this.#longest[line]) / ROUNDED) ** 2
+      let nearest = NONE
+      let least = Infinity
+      let where = 0
+      for (; run < cell.length && this.#lineOf[cell[run]] === line; run += 2) {
+        const end = cell[run + 1]
+        for (let segment = cell[run]; segment < end; ) {
+          // As `#squareTo`, but all in one place: the innermost loop of all.
+          const k = STRIDE * segment
+          const vx = x - s[k]
+          const vy = y - s[k + 1]
+          const vz = z - s[k + 2]
+          const along = (s[k + 3] * vx + s[k + 4] * vy + s[k + 5] * vz) * s[k + 6]
+          const t = along < 0 ? 0 : along > 1 ? 1 : along
+          const dx = vx - t * s[k + 3]
+          const dy = vy - t * s[k + 4]
+          const dz = vz - t * s[k + 5]
+          const square = dx * dx + dy * dy + dz * dz
+          if (square < least && this.#faces(segment, nx, ny, nz)) {
+            nearest = segment
+            least = square
+            where = t
+          }
+          segment += square < far ? 1 : this.#stepsTo(line, square, most)
+        }
+      }
+      const distance = Math.sqrt(least)
       if (distance >= this.#reaches[line]) continue
-      const segment = this.#nearest[line]
-      const side = this.#sideOf(segment, x, y, z, this.#t[line])
-      visit(line, distance, this.#pointOf[segment], this.#t[line], side)
+      this.#last[line] = nearest
+      visit(line, distance, this.#pointOf[nearest], where, this.#sideOf(nearest, x, y, z, where))
     }
+  }
+
+  /** How many segments further the next one of a line may be that is at a distance at most, by what a segment is from the position. */
+  #stepsTo(line: number, square: number, distance: number): number {
+    const segments = (ROUNDED * Math.sqrt(square) - distance) / this.#longest[line]
+    return segments >= 2 ? Math.floor(segments) : 1
+  }
+
+  /** Whether a segment faces as the skin does. */
+  #faces(segment: number, nx: number, ny: number, nz: number): boolean {
+    const s = this.#segments
+    const k = STRIDE * segment
+    return s[k + 7] * nx + s[k + 8] * ny + s[k + 9] * nz >= FACING
   }
 
   /**
@@ -169,7 +217,8 @@ export class LineGrid {
       s[k + 9] * (s[k + 3] * vy - s[k + 4] * vx)
     const isEnd =
       t > 0 ? t === 1 && this.#lineOf[segment + 1] !== this.#lineOf[segment] : this.#pointOf[segment] === 0
-    const beyond = isEnd ? s[k + 3] * vx + s[k + 4] * vy + s[k + 5] * vz - (t > 0 ? 1 / s[k + 6] : 0) : 0
+    if (!isEnd) return -Math.sign(left)
+    const beyond = s[k + 3] * vx + s[k + 4] * vy + s[k + 5] * vz - (t > 0 ? 1 / s[k + 6] : 0)
     return left === 0 ? 0 : -left / Math.hypot(left, beyond)
   }
 
@@ -184,6 +233,8 @@ export class LineGrid {
       square += component * component
     }
     this.#segments[STRIDE * segment + 6] = square > 0 ? 1 / square : 0
+    const line = this.#lineOf[segment]
+    this.#longest[line] = Math.max(this.#longest[line], Math.sqrt(square))
   }
 
   /** Widens the box within reach of any line by a segment. */
@@ -197,27 +248,30 @@ export class LineGrid {
     }
   }
 
-  /** The segments whose lines may be within reach of a cell. */
-  #cellAt(x: number, y: number, z: number): readonly number[] {
+  /** The runs of the cell that a position is in. */
+  #cellAround(x: number, y: number, z: number): Int32Array {
     const [low, high] = [this.#low, this.#high]
-    // Not the other way round: NaN is nowhere.
-    if (!(x >= low[0] && x <= high[0] && y >= low[1] && y <= high[1] && z >= low[2] && z <= high[2]))
-      return NONE
-    return this.#cubeAt(0, x, y, z)
+    const [i, j, k] = [this.#cellOf(x), this.#cellOf(y), this.#cellOf(z)]
+    const isInside = i >= low[0] && i <= high[0] && j >= low[1] && j <= high[1] && k >= low[2] && k <= high[2]
+    // A position that is NaN is nowhere.
+    return isInside ? this.#cubeAt(0, i, j, k) : NO_RUNS
   }
 
-  /** The segments whose lines may be within reach of a cube, given by its index along each axis. */
-  #cubeAt(level: number, x: number, y: number, z: number): readonly number[] {
+  /** The runs of a cube, given by its index along each axis. */
+  #cubeAt(level: number, x: number, y: number, z: number): Int32Array {
     if (level === this.#levels.length) return this.#all
     const { side, low, rows, layers, cubes } = this.#levels[level]
     const key = ((x - low[0]) * rows + (y - low[1])) * layers + (z - low[2])
-    let cube = cubes.get(key)
-    if (!cube) {
-      const [i, j, k] = [Math.floor(x / BRANCHING), Math.floor(y / BRANCHING), Math.floor(z / BRANCHING)]
-      const larger = this.#cubeAt(level + 1, i, j, k)
-      cube = larger.length > 0 ? this.#within(larger, x, y, z, side) : NONE
-      cubes.set(key, cube)
+    const known = cubes.get(key)
+    if (known) return known
+    const [i, j, k] = [Math.floor(x / BRANCHING), Math.floor(y / BRANCHING), Math.floor(z / BRANCHING)]
+    const cube = this.#within(this.#cubeAt(level + 1, i, j, k), x, y, z, side)
+    if (this.#held[level] > MOST_HELD) {
+      cubes.clear()
+      this.#held[level] = 0
     }
+    this.#held[level] += cube.length
+    cubes.set(key, cube)
     return cube
   }
 
@@ -235,14 +289,25 @@ export class LineGrid {
     return levels
   }
 
-  /** Those of some segments whose lines may be within reach of a cube, given by its index along each axis and its side. */
-  #within(segments: readonly number[], x: number, y: number, z: number, side: number): readonly number[] {
+  /** What of some runs is within reach of a cube, given by its index along each axis and its side. */
+  #within(runs: Int32Array, x: number, y: number, z: number, side: number): Int32Array {
     const radius = (side / 2) * RADIUS
     const [px, py, pz] = [(x + 0.5) * side, (y + 0.5) * side, (z + 0.5) * side]
-    return segments.filter(
-      (segment) =>
-        this.#squareTo(segment, px, py, pz) <= (this.#reaches[this.#lineOf[segment]] + radius) ** 2,
-    )
+    const within: number[] = []
+    for (let run = 0; run < runs.length; run += 2) {
+      const line = this.#lineOf[runs[run]]
+      const reach = this.#reaches[line] + radius
+      for (let segment = runs[run]; segment < runs[run + 1]; ) {
+        const square = this.#squareTo(segment, px, py, pz)
+        if (square <= reach ** 2) {
+          if (within.at(-1) === segment && this.#lineOf[segment - 1] === line) within.pop()
+          else within.push(segment)
+          within.push(segment + 1)
+        }
+        segment += this.#stepsTo(line, square, reach)
+      }
+    }
+    return Int32Array.from(within)
   }
 
   /** The squared distance from a position to a segment. */
@@ -254,7 +319,10 @@ export class LineGrid {
     const z = pz - s[k + 2]
     const along = (s[k + 3] * x + s[k + 4] * y + s[k + 5] * z) * s[k + 6]
     const t = along < 0 ? 0 : along > 1 ? 1 : along
-    return (x - t * s[k + 3]) ** 2 + (y - t * s[k + 4]) ** 2 + (z - t * s[k + 5]) ** 2
+    const dx = x - t * s[k + 3]
+    const dy = y - t * s[k + 4]
+    const dz = z - t * s[k + 5]
+    return dx * dx + dy * dy + dz * dz
   }
 
   #cellOf(millimetres: number): number {
@@ -262,7 +330,7 @@ export class LineGrid {
   }
 }
 
-const NONE: readonly number[] = []
+const NO_RUNS = new Int32Array(0)
 
 /** The longest side of the box round some lines. */
 function extentOf(lines: readonly SkinLine[]): number {

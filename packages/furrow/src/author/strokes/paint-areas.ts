@@ -8,7 +8,6 @@ import type { AreaDefinition, AreaShape, GroupShape, PolygonShape } from './area
 import type { Stroke, StrokesDocument } from './document.ts'
 import { layOutStrokes } from './lay-out.ts'
 import { LineGrid } from './line-grid.ts'
-import { visitTexelsNearLines } from './near-lines.ts'
 import { visitTexelsNear } from './near-outline.ts'
 
 /** A painted area: the part of `Area` that a strokes document can give. */
@@ -93,8 +92,8 @@ function paintGroup(
     lines,
     lines.map(() => radius + feather / 2),
   )
-  visitTexelsNearLines(canvas.texels, grid, (texel, x, y, z, normal) => {
-    grid.visit(x, y, z, normal[0], normal[1], normal[2], (_, distance) => {
+  canvas.texels.visitNear(grid.isNear, (texel, position, normal) => {
+    grid.visit(position, normal, (_, distance) => {
       weights[texel] = Math.max(weights[texel], weightAt(distance - radius, feather))
     })
   })

@@ -22,7 +22,9 @@ const FADE_START = 4.5
  */
 export function profile(distance: number, shoulder: number, softness: number): number {
   if (distance >= REACH) return 0
-  const t = (Math.hypot(distance, softness) - softness) / (Math.hypot(1, softness) - softness)
+  // The hypotenuse costs ten times as much.
+  const rounded = Math.sqrt(distance * distance + softness * softness) - softness
+  const t = rounded / (Math.sqrt(1 + softness * softness) - softness)
   const height = -(1 - shoulder * t) * Math.exp(-t)
   return distance <= FADE_START
     ? height

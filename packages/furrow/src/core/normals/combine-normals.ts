@@ -1,3 +1,4 @@
+import type { Bounds } from '../bounds.ts'
 import { FurrowError } from '../error.ts'
 import type { RgbaImage } from '../types.ts'
 import { toByte } from './normal-byte.ts'
@@ -13,24 +14,36 @@ import { toByte } from './normal-byte.ts'
  * @throws FurrowError when the sizes differ.
  */
 export function combineNormals(base: RgbaImage, detail: RgbaImage): RgbaImage {
+  checkSizes(base, detail)
+  const { width, height } = detail
+  const combined = { width, height, data: detail.data.slice() }
+  layOnNormals(base, combined, { x0: 0, y0: 0, x1: width, y1: height })
+  return combined
+}
+
+/** Throws where two normal maps that are laid over each other differ in size. */
+export function checkSizes(base: RgbaImage, detail: RgbaImage): void {
   const { width, height } = base
-  if (detail.width !== width || detail.height !== height) {
-    throw new FurrowError({
-      who: 'combineNormals',
-      what: 'the two normal maps differ in size',
-      value: `${detail.width} x ${detail.height}`,
-      limit: `${width} x ${height}, the base's`,
-      remedy: 'render the detail at the size of the base, or scale the base',
-    })
+  if (detail.width === width && detail.height === height) return
+  throw new FurrowError({
+    who: 'combineNormals',
+    what: 'the two normal maps differ in size',
+    value: `${detail.width} x ${detail.height}`,
+    limit: `${width} x ${height}, the base's`,
+    remedy: 'render the detail at the size of the base, or scale the base',
+  })
+}
+
+/** `combineNormals` in a rectangle, where `detail` becomes what both are together. */
+export function layOnNormals(base: RgbaImage, detail: RgbaImage, { x0, y0, x1, y1 }: Readonly<Bounds>): void {
+  const { width, data } = detail
+  for (let y = y0; y < y1; y++) {
+    for (let i = 4 * (y * width + x0); i < 4 * (y * width + x1); i += 4) {
+      if (isFlat(data, i)) copy(base.data, i, data)
+      else if (!isFlat(base.data, i)) blend(base.data, data, i, data)
+      data[i + 3] = 255
+    }
   }
-  const data = new Uint8Array(base.data.length)
-  for (let i = 0; i < data.length; i += 4) {
-    if (isFlat(detail.data, i)) copy(base.data, i, data)
-    else if (isFlat(base.data, i)) copy(detail.data, i, data)
-    else blend(base.data, detail.data, i, data)
-    data[i + 3] = 255
-  }
-  return { width, height, data }
 }
 
 function isFlat(data: Uint8Array, i: number): boolean {

@@ -3,7 +3,7 @@ import { packAreas } from '../../core/pack.ts'
 import type { Area, ArraySlice, GrayImage } from '../../core/types.ts'
 import { isSlice, layerIndex } from '../../core/wrinkle-set.ts'
 import type { AreaSlot, AreaSlots } from '../../runtime/area-slots.ts'
-import { type ArrayTexture, arrayOf } from '../material/array-texture.ts'
+import { type ArrayTexture, arrayOf, type Upload } from '../material/array-texture.ts'
 import { areaTexture } from '../material/textures.ts'
 
 /** The areas of a set as one array on the GPU. */
@@ -11,6 +11,8 @@ export interface AreaArray extends AreaSlots {
   readonly texture: ArrayTexture
   /** Channels per slice, each of which may hold an area. */
   readonly channels: 1 | 4
+  /** Uploads weights that changed; set by `updateArea`. */
+  upload?: Upload
 }
 
 /**
@@ -36,11 +38,11 @@ export function createAreaArray(
     combine: area.combine ?? ('sum' as const),
     ...locations[i],
   }))
-  return { ...array, slots }
+  return { ...array, slots, version: 0 }
 }
 
 /** An array, and where each area is in it. */
-type LocatedAreas = Omit<AreaArray, 'slots'> & {
+type LocatedAreas = Omit<AreaArray, 'slots' | 'version'> & {
   locations: Pick<AreaSlot, 'slice' | 'channel' | 'bounds'>[]
 }
 

@@ -98,6 +98,7 @@ export class InfluencePass {
       const quads = slot.combine === 'max' ? max : sum
       quads.put(column, row, slot, value)
     }
+    cell.version = areas.version
     cell.stale = false
   }
 

@@ -1,9 +1,13 @@
 import type { CompressedArrayTexture, DataArrayTexture } from 'three'
 import { FurrowError } from '../../core/error.ts'
 import { isSlice } from '../../core/wrinkle-set.ts'
+import type { AnyRenderer } from '../renderer.ts'
 
 /** A texture array, compressed or not. */
 export type ArrayTexture = CompressedArrayTexture | DataArrayTexture
+
+/** Uploads what has changed since the renderer drew last; called before every frame. */
+export type Upload = (renderer: AnyRenderer) => void
 
 /**
  * The array that maps are slices of.

@@ -39,6 +39,7 @@ export class ComposedMap {
   #renderer: AnyRenderer | null = null
   #areas: AreaArray | null = null
   #fade = 1
+  #version = 0
   #slots: AreaSlot[] = []
   readonly #span: AreaSlot = { ...WHOLE, bounds: { ...WHOLE.bounds } }
   #drawn = new Float32Array(0)
@@ -80,13 +81,18 @@ export class ComposedMap {
     this.#scene.add(this.#quads.mesh)
   }
 
-  /** Redraws where activations have changed, and all as wrinkles appear; the influence map must be up to date. */
-  update(renderer: AnyRenderer, areas: AreaArray, values: Float32Array, fade: number): void {
+  /**
+   * Redraws where activations have changed, and all as wrinkles appear; the influence map must be up to date.
+   *
+   * @param version another number when weights or maps have changed.
+   */
+  update(renderer: AnyRenderer, areas: AreaArray, values: Float32Array, fade: number, version: number): void {
     this.#quads.begin()
-    if (this.#isOutdated(renderer) || areas !== this.#areas || fade !== this.#fade)
-      this.#putAll(areas, values)
+    const isOutdated = this.#isOutdated(renderer) || areas !== this.#areas || version !== this.#version
+    if (isOutdated || fade !== this.#fade) this.#putAll(areas, values)
     else this.#putMoved(values)
     this.#fade = fade
+    this.#version = version
     this.#quads.end()
     if (this.#quads.mesh.visible) renderPreservingState(renderer, this.target, this.#scene, this.#camera)
   }

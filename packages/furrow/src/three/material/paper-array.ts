@@ -3,17 +3,20 @@ import { FurrowError } from '../../core/error.ts'
 import { combineNormals } from '../../core/normals/combine-normals.ts'
 import { scaleNormals } from '../../core/normals/scale-normals.ts'
 import { packColours } from '../../core/pack.ts'
-import type { ArraySlice, Layer, RgbaImage } from '../../core/types.ts'
+import type { RgbaImage } from '../../core/types.ts'
 import { isSlice } from '../../core/wrinkle-set.ts'
 import { readTexture } from '../loader/read-texture.ts'
 import { mapTexture } from './textures.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
+import type { WrinkleTextures } from './wrinkle-textures.ts'
 
 /** The array that the paper's shader reads: diffuse texture, smooth normals, wrinkled normals. */
 export interface PaperArray {
   texture: DataArrayTexture
   /** Whether the diffuse texture is encoded in sRGB, as the material's own map says. */
   diffuseIsSrgb: boolean
+  /** Version of the layers' maps. */
+  version: number
 }
 
 /**
@@ -23,7 +26,7 @@ export interface PaperArray {
  * @throws FurrowError when there are several layers, or maps cannot be read or differ in size.
  */
 export function packPaperArray(
-  layers: readonly Layer<ArraySlice>[],
+  { layers, version }: WrinkleTextures,
   material: WrinkleMaterial,
   smoothMap: WrinkleMaterial['normalMap'],
 ): PaperArray {
@@ -56,6 +59,7 @@ export function packPaperArray(
   return {
     texture: mapTexture(colours, material.normalMap?.anisotropy ?? 1),
     diffuseIsSrgb: map?.colorSpace === SRGBColorSpace,
+    version,
   }
 }
 

@@ -71,13 +71,7 @@ export class PatchedMaterial {
       })
     }
     if (mode === 'paper' || mode === 'composed') checkNotInstanced(this.#mesh, mode)
-    if (mode === 'paper') {
-      const smooth = this.#flat ? null : (this.composed?.base ?? this.#material.normalMap)
-      this.#inputs.paper ??= {
-        ...packPaperArray(this.#inputs.textures.layers, this.#material, smooth),
-        table: new ActivationTable(),
-      }
-    }
+    if (mode === 'paper') this.#packPaper()
     this.#unpatch()
     this.#unpatch = this.#patch(mode)
     this.#material.needsUpdate = true
@@ -92,6 +86,7 @@ export class PatchedMaterial {
     if (this.mode === 'off') return
     try {
       if (this.#isRefused && this.mode !== 'composed') this.show('default')
+      if (this.mode === 'paper') this.#packPaper()
       this.#checkShader(renderer)
     } catch (error) {
       this.show('off')
@@ -134,6 +129,21 @@ export class PatchedMaterial {
 
   get #isPatchable(): boolean {
     return !this.#isRefused && this.#renderer.canPatch(this.#material)
+  }
+
+  /** Packs the paper's array, and again if the layers' maps have changed: into the same texture, since shaders hold that. */
+  #packPaper(): void {
+    const { paper, textures } = this.#inputs
+    if (paper?.version === textures.version) return
+    const smooth = this.#flat ? null : (this.composed?.base ?? this.#material.normalMap)
+    const packed = packPaperArray(textures, this.#material, smooth)
+    if (!paper) {
+      this.#inputs.paper = { ...packed, table: new ActivationTable() }
+      return
+    }
+    paper.texture.image = packed.texture.image
+    paper.texture.needsUpdate = true
+    paper.version = packed.version
   }
 
   #patch(mode: WrinkleMode): () => void {

@@ -2,7 +2,7 @@ import { SRGBColorSpace } from 'three'
 import { packColours, packGrays } from '../../core/pack.ts'
 import type { ArraySlice, GrayImage, Layer, LayerKind, RgbaImage } from '../../core/types.ts'
 import { isSlice } from '../../core/wrinkle-set.ts'
-import { type ArrayTexture, arrayOf } from './array-texture.ts'
+import { type ArrayTexture, arrayOf, type Upload } from './array-texture.ts'
 import { mapTexture } from './textures.ts'
 
 /** One kind of map of all layers, as one array on the GPU. */
@@ -20,10 +20,14 @@ export type ValueKind = (typeof VALUE_KINDS)[number]
 
 /** The maps of a set's layers on the GPU, which several faces may use; see `retain` and `release`. */
 export interface WrinkleTextures {
-  readonly layers: readonly Layer<ArraySlice>[]
+  readonly layers: Layer<ArraySlice>[]
   readonly kinds: readonly LayerKind[]
   readonly normals: LayerMaps
   readonly values: Readonly<Partial<Record<ValueKind, LayerMaps>>>
+  /** Incremented when maps change. */
+  version: number
+  /** Uploads maps that changed; set by `updateLayer`. */
+  upload?: Upload
 }
 
 /**
@@ -39,7 +43,7 @@ export function createTextures(layers: readonly Layer<ArraySlice>[], anisotropy:
   })
   const normals = layerMaps(layers, 'normal', anisotropy)!
   const kinds = layers.map(({ kind }) => kind)
-  return { layers: [...layers], kinds, normals, values: Object.fromEntries(values) }
+  return { layers: [...layers], kinds, normals, values: Object.fromEntries(values), version: 0 }
 }
 
 /** All textures of a set's layers. */

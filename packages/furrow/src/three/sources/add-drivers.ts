@@ -1,6 +1,7 @@
 import { wrongArgument } from '../../core/argument.ts'
 import { FurrowError } from '../../core/error.ts'
 import { driversOf, type WrinkleDriver } from '../../drivers/registry.ts'
+import { checkWrinkles } from '../check-wrinkles.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { BINDINGS, bindDrivers } from './bind-drivers.ts'
 import type { DriversOptions, InputBindings } from './binding.ts'
@@ -28,8 +29,7 @@ export const addDrivers: AddDrivers = addDriversBy(BINDINGS)
 /** `addDrivers` with a renderer's ways to read inputs. */
 export function addDriversBy(bindings: InputBindings): AddDrivers {
   return (wrinkles, drivers, options = {}) => {
-    if (!wrinkles?.mesh)
-      throw wrongArgument('addDrivers', 'wrinkles', wrinkles, 'an object of class Wrinkles')
+    checkWrinkles(wrinkles, 'addDrivers')
     if (!Array.isArray(drivers) || !drivers.every((driver) => typeof driver?.type === 'string')) {
       throw wrongArgument('addDrivers', 'drivers', drivers, 'a list of objects with a type')
     }

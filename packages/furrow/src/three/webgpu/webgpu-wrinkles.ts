@@ -41,8 +41,8 @@ export class Wrinkles extends WrinklesBase {
   /**
    * @param mesh needs UVs and normals and a lit material of its own: a node material or a plain one; each
    *   instance of an `InstancedMesh` or `BatchedMesh` wrinkles independently.
-   * @param source a set, copied: later changes to it have no effect, use `addArea` and `removeArea`. Or the wrinkles
-   *   of another mesh, which are then shown here too, at rest, from the same textures.
+   * @param source a set, copied: later changes to it have no effect, use `addArea`, `removeArea`, `updateArea` and
+   *   `updateLayer`. Or the wrinkles of another mesh, which are then shown here too, at rest, from the same textures.
    * @throws FurrowError when the mesh, its material or the set does not fit, or three.js is too old or lacks what
    *   is needed; the mesh is then unchanged.
    */

@@ -42,7 +42,7 @@ export function makeGauge(
     centroidOf(surface, near[i], centroid)
     const [x, y, z] = centroid
     let [closest, line, segment] = [Infinity, -1, 0]
-    grid.visit(x, y, z, normals[3 * a], normals[3 * a + 1], normals[3 * a + 2], (crease, distance, at) => {
+    grid.visit(centroid, normals.subarray(3 * a, 3 * a + 3), (crease, distance, at) => {
       if (distance < closest) [closest, line, segment] = [distance, crease, at]
     })
     if (line < 0) continue

@@ -56,7 +56,7 @@ function countCrossings({ creases }: CreasedRegion, other: CreasedRegion, grid: 
     for (let i = 0; i + 5 < p.length; i += 3) {
       const direction = segmentVector(crease, i / 3)
       let crosses = false
-      grid.visit(p[i], p[i + 1], p[i + 2], n[i], n[i + 1], n[i + 2], (line, _, segment) => {
+      grid.visit(p.subarray(i, i + 3), n.subarray(i, i + 3), (line, _, segment) => {
         crosses ||= cosineBetween(direction, segmentVector(other.creases[line], segment)) < CROSSING
       })
       if (crosses) count++

@@ -1,19 +1,9 @@
 import type { Stroke } from '../../strokes/document.ts'
 import { type LaidStroke, layOutStroke } from '../../strokes/lay-out.ts'
-import type { LineStyle, SkinRegion } from '../anatomy/region.ts'
+import type { SkinRegion } from '../anatomy/region.ts'
 import { creaseDepth } from './crease-depth.ts'
-import { type StrokedSkin, strokeOf } from './stroke-of.ts'
-
-/** A line on the skin. */
-export interface LaidLine {
-  style: LineStyle
-  /** x, y and z of each point, in millimetres. */
-  points: Float64Array
-  /** The triangle of each point. */
-  triangles: readonly number[]
-  /** Fraction of its length that the skin loses across the line at each point; below 0 where it is stretched. */
-  compressions: readonly number[]
-}
+import { type LaidLine, MIN_POINTS } from './laid-line.ts'
+import { type StrokedSkin, strokeOf, uvAt } from './stroke-of.ts'
 
 /** A stroke as it lies on the skin. */
 export interface Crease extends LaidStroke {
@@ -47,8 +37,6 @@ export interface LineSettings {
 const MIN_DEPTH = 0.3
 /** Points to either side over which a line's compression is averaged. */
 const AVERAGED = 6
-/** A beginning, a middle and an end. */
-export const MIN_POINTS = 3
 /** Fraction of the points of all lines that may be compressed more than the region's compression. */
 const ABOVE = 0.3
 
@@ -72,7 +60,7 @@ export function creaseLines(
     .flatMap(({ style, compressions }) => (style.isDimple ? [] : compressions.filter((value) => value > 0)))
     .sort((a, b) => b - a)
   const compression = Math.max(assumedCompression, measured[Math.floor(ABOVE * measured.length)] ?? 0)
-  const drawn = lines.flatMap((line) => clipToDrawn(line, prepared.isDrawn))
+  const drawn = lines.flatMap((line) => clipToDrawn(line, prepared))
   const strokes = drawn.map((line): Stroke => {
     const { style, compressions } = line
     const fullDepth = creaseDepth(
@@ -97,13 +85,15 @@ export function creaseLines(
   return { strokes, creases, compression }
 }
 
-/** The parts of a line on triangles that are drawn; where it is cut it does not fade. */
-function clipToDrawn(line: LaidLine, isDrawn: (triangle: number) => boolean): LaidLine[] {
+/** The parts of a line inside the texture and on triangles that are drawn; where it is cut it does not fade. */
+function clipToDrawn(line: LaidLine, skin: StrokedSkin): LaidLine[] {
   const { points, triangles, compressions, style } = line
+  const isDrawn = (i: number) =>
+    skin.isDrawn(triangles[i]) && uvAt(line, i, skin).every((value) => value >= 0 && value <= 1)
   const parts: LaidLine[] = []
   for (let start = 0; start < triangles.length; ) {
     let end = start
-    while (end < triangles.length && isDrawn(triangles[end])) end++
+    while (end < triangles.length && isDrawn(end)) end++
     if (end - start >= MIN_POINTS) {
       const taper = [start === 0 ? style.taper[0] : 0, end === triangles.length ? style.taper[1] : 0] as const
       parts.push({

@@ -3,7 +3,7 @@ import { cornersOf, type SkinSurface, type SurfacePoint } from '../../skin/surfa
 import type { LineStyle } from '../anatomy/region.ts'
 import { principalAt } from '../strain/principal.ts'
 import { hasTensor } from '../strain/tensors.ts'
-import type { LaidLine } from './crease.ts'
+import type { LaidLine } from './laid-line.ts'
 import { PointGrid } from './point-grid.ts'
 import { type DirectionField, STEP, type Trace, traceLine } from './trace.ts'
 

@@ -4,7 +4,7 @@ import type { SkinSurface } from '../../skin/surface.ts'
 import type { Guide } from '../anatomy/region.ts'
 import { bilinearForm, compressionAlong, tensorAt } from '../strain/tensors.ts'
 import { type ChartPoint, type HeadChart, rollUp, unroll } from '../surface/head-chart.ts'
-import { type LaidLine, MIN_POINTS } from './crease.ts'
+import { type LaidLine, MIN_POINTS } from './laid-line.ts'
 import { type DirectionField, traceLine } from './trace.ts'
 
 /** How strongly a line is drawn back to its guide, per millimetre of distance. */

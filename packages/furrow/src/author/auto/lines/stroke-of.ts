@@ -1,11 +1,10 @@
 import type { Uv } from '../../../core/json.ts'
 import { lerp } from '../../../math/scalar.ts'
 import { splineKnots } from '../../../math/spline.ts'
-import { skinVertices } from '../../skin/surface.ts'
 import { barycentricsAt } from '../../skin/walk.ts'
 import type { Stroke } from '../../strokes/document.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
-import type { LaidLine } from './crease.ts'
+import type { LaidLine } from './laid-line.ts'
 import { STEP } from './trace.ts'
 
 /** What strokes are written for. */
@@ -46,16 +45,11 @@ export function strokeOf(
 }
 
 /** Where in the texture a point of a line is: to half a thousandth of a texel of 1024. */
-function uvAt({ points, triangles }: LaidLine, i: number, { skin, surface }: StrokedSkin): Uv {
+export function uvAt({ points, triangles }: LaidLine, i: number, { surface, locator }: StrokedSkin): Uv {
   const weights = new Float64Array(3)
   barycentricsAt(weights, surface, triangles[i], points.subarray(3 * i, 3 * i + 3))
-  const vertices = skinVertices(skin, surface, triangles[i])
-  const at = (k: number) =>
-    rounded(
-      vertices.reduce((sum, vertex, corner) => sum + weights[corner] * skin.uvs[2 * vertex + k], 0),
-      2e6,
-    )
-  return [at(0), at(1)]
+  const [u, v] = locator.uvAt(triangles[i], weights)
+  return [rounded(u, 2e6), rounded(v, 2e6)]
 }
 
 function sample(values: readonly number[], t: number): number {

@@ -2,7 +2,6 @@ import type { GrayImage } from '../../../core/types.ts'
 import { smoothstep } from '../../../math/scalar.ts'
 import type { SkinTexels } from '../../skin/skin-texels.ts'
 import { LineGrid } from '../../strokes/line-grid.ts'
-import { visitTexelsNearLines } from '../../strokes/near-lines.ts'
 import type { CreasedRegion } from '../lines/crease.ts'
 import { type HeadChart, unroll } from '../surface/head-chart.ts'
 import { visibility } from './visibility.ts'
@@ -35,13 +34,14 @@ export function drawAreas(
   )
   /** Distance to the nearest line of each owner. */
   const distances = new Float64Array(regions.length)
-  visitTexelsNearLines(texels, grid, (texel, x, y, z, normal) => {
+  texels.visitNear(grid.isNear, (texel, position, normal) => {
     distances.fill(Infinity)
-    grid.visit(x, y, z, normal[0], normal[1], normal[2], (line, distance) => {
+    grid.visit(position, normal, (line, distance) => {
       const { owner } = lines[line]
       distances[owner] = Math.min(distances[owner], distance)
     })
     if (regions.every((_, i) => distances[owners[i]] >= extents[i])) return
+    const [x, y, z] = position
     const point = unroll(x, y, z)
     const visible = chart ? visibility(chart, x, y, z, normal) : 1
     for (const [i, { region }] of regions.entries()) {

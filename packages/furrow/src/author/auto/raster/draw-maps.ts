@@ -63,7 +63,7 @@ export function drawMaps(
     const members = [...regions.keys()].filter((i) => layerOf[i] === layer)
     const own = members.map((i) => regions[i])
     const strokes = strokesOf(own)
-    const drawn = drawStrokes([...new Set(own.map(({ creases }) => creases))], { texels, metric })
+    const drawn = drawStrokes([...new Set(own.map(({ creases }) => creases))].flat(), { texels, metric })
     reportPart(layer, 1)
     const frames = frame === 'derivative' ? new FacetFrames(prepared, own) : undefined
     reportPart(layer, 2)

@@ -1,4 +1,5 @@
 import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from '../../skin/surface.ts'
+import type { MirrorPlane } from '../../strokes/edit/mirror.ts'
 import { HeadChart } from './head-chart.ts'
 import { centroidOf, findLandmarks, type Landmarks } from './landmarks.ts'
 import { faceShapeFinder, partShapeFinder } from './stand-ins.ts'
@@ -34,9 +35,44 @@ const BROWS_ABOVE = 10
  * @returns undefined where the targets needed for that have other names, or move nothing.
  */
 export function detectFace(skin: Skin): DetectedFace | undefined {
-  const welded = weldSurface(skin)
+  const placed = placeFace(skin)
+  if (!placed) return undefined
+  const { surface, offsets, scale } = placed
   const names = skin.targets.map(({ name }) => name)
   const [find, findPart] = [faceShapeFinder(names), partShapeFinder(names)]
+  const browsMoveAsOne = `${find('browInnerUp')}` === `${find('browOuterUpLeft')}`
+  const count = surface.areas.length
+  const landmarks = findLandmarks(surface, browsMoveAsOne, (...shapes) => {
+    const parts = shapes.flatMap(findPart)
+    if (parts.length > 0) return sumDisplacements(offsets, parts, count)
+    return inHalf(surface, shapes[0], sumDisplacements(offsets, shapes.flatMap(find), count))
+  })
+  return landmarks && { surface, chart: new HeadChart(surface), landmarks, scale, offsets, names, find }
+}
+
+/**
+ * Finds the plane between the left and right half of a face, by what its targets move.
+ *
+ * @returns undefined where they do not show the eyes and the mouth.
+ */
+export function middleOf(skin: Skin): MirrorPlane | undefined {
+  return placeFace(skin)?.middle
+}
+
+/** A skin in the frame of its face. */
+interface PlacedFace extends Pick<DetectedFace, 'surface' | 'offsets' | 'scale'> {
+  /** The plane between its left and right half, in the coordinates of the skin. */
+  middle: MirrorPlane
+}
+
+/**
+ * Moves a skin into the frame of its face, which the eyes and the mouth span.
+ *
+ * @returns undefined where its targets do not show them.
+ */
+export function placeFace(skin: Skin): PlacedFace | undefined {
+  const welded = weldSurface(skin)
+  const findPart = partShapeFinder(skin.targets.map(({ name }) => name))
   const raw = skin.targets.map((target) => pointOffsets(welded, target))
   const centroid = (threshold: number, ...shapes: string[]) =>
     centroidOf(welded, sumDisplacements(raw, shapes.flatMap(findPart), welded.areas.length), threshold)
@@ -52,15 +88,7 @@ export function detectFace(skin: Skin): DetectedFace | undefined {
   const areas = pointAreas(points, welded.corners)
   const surface = { ...welded, points, areas, normals: frame.directions(welded.normals, 1) }
   const offsets = raw.map((offset) => frame.directions(offset, frame.scale))
-  const browsMoveAsOne = `${find('browInnerUp')}` === `${find('browOuterUpLeft')}`
-  const count = surface.areas.length
-  const landmarks = findLandmarks(surface, browsMoveAsOne, (...shapes) => {
-    const parts = shapes.flatMap(findPart)
-    if (parts.length > 0) return sumDisplacements(offsets, parts, count)
-    return inHalf(surface, shapes[0], sumDisplacements(offsets, shapes.flatMap(find), count))
-  })
-  const { scale } = frame
-  return landmarks && { surface, chart: new HeadChart(surface), landmarks, scale, offsets, names, find }
+  return { surface, offsets, scale: frame.scale, middle: frame.middle }
 }
 
 /** Transforms coordinates into the frame of the face: the midpoint between the eyes becomes the origin, in millimetres. */
@@ -89,9 +117,11 @@ function faceFrame(leftEye: number[], rightEye: number[], mouth: number[]) {
     }
     return out
   }
+  const middle: MirrorPlane = { origin: [origin[0], origin[1], origin[2]], normal: [x[0], x[1], x[2]] }
   return {
     /** Millimetres per unit of the skin. */
     scale,
+    middle,
     positions: (vectors: Float64Array) => transform(vectors, origin, scale),
     directions: (vectors: Float64Array, factor: number) => transform(vectors, [0, 0, 0], factor),
   }

@@ -1,9 +1,10 @@
 import { checkCoverage } from '../../skin/check-coverage.ts'
 import { findOverlap, isOnLeft, isOverlapped } from '../../skin/overlap.ts'
-import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from '../../skin/surface.ts'
+import type { Skin, SkinSurface } from '../../skin/surface.ts'
 import { UvLocator } from '../../skin/uv-locator.ts'
 import { checkSkin } from './check-skin.ts'
 import { type DetectedFace, detectFace } from './detect-face.ts'
+import { weldInMillimetres } from './skin-surface.ts'
 import { moveToFirstTile } from './uv-tiles.ts'
 
 /** A skin that wrinkles can be made for. */
@@ -65,23 +66,4 @@ export function prepareSkin(raw: Skin): PreparedSkin {
 
 function percent(fraction: number): string {
   return `${Math.max(1, Math.round(100 * fraction))}%`
-}
-
-/** The skin of a tall adult has 2.2 square metres (Mosteller 1987); more is a model in another unit. */
-const MAX_AREA = 4e6
-
-/** A skin that is not a face, in metres as glTF has it, as one surface in millimetres. */
-function weldInMillimetres(skin: Skin): Pick<PreparedSkin, 'surface' | 'offsets' | 'scale'> {
-  const welded = weldSurface(skin)
-  const sum = pointAreas(welded.points, welded.corners).reduce((sum, area) => sum + area, 0)
-  let scale = 1000
-  // Centimetres, millimetres, or anything else: what is left is the size of a person at most.
-  while (scale ** 2 * sum > MAX_AREA && scale > Number.MIN_VALUE) scale /= 10
-  const points = welded.points.map((value) => scale * value)
-  const surface = { ...welded, points, areas: pointAreas(points, welded.corners) }
-  return {
-    surface,
-    scale,
-    offsets: skin.targets.map((target) => pointOffsets(welded, target).map((value) => scale * value)),
-  }
 }

@@ -1,0 +1,79 @@
+import type { Pixels } from './pixels.ts'
+
+/** The consecutive texels that make up a new one, and their weights, which sum to 1. */
+interface Taps {
+  first: number
+  weights: number[]
+}
+
+/**
+ * Scales an image to a square, by the filter of Mitchell and Netravali (Reconstruction Filters in Computer Graphics, 1988,
+ * with B = C = 1/3). It is written out so that Node and browsers give the same texels.
+ */
+export function scaleImage({ width, height, channels, data }: Pixels, size: number): Pixels {
+  const rowTaps = tapsOf(width, size)
+  const stretched = new Float32Array(height * size * channels)
+  for (let y = 0; y < height; y++) {
+    for (let x = 0; x < size; x++) {
+      const from = (y * width + rowTaps[x].first) * channels
+      addUp(rowTaps[x].weights, data, from, channels, stretched, (y * size + x) * channels, channels)
+    }
+  }
+  const columnTaps = tapsOf(height, size)
+  // Beyond 0 and 255, where the filter overshoots, values are clamped; halves are rounded to even.
+  const scaled = new Uint8ClampedArray(size * size * channels)
+  for (let y = 0; y < size; y++) {
+    for (let x = 0; x < size; x++) {
+      const from = (columnTaps[y].first * size + x) * channels
+      addUp(
+        columnTaps[y].weights,
+        stretched,
+        from,
+        size * channels,
+        scaled,
+        (y * size + x) * channels,
+        channels,
+      )
+    }
+  }
+  return { width: size, height: size, channels, data: new Uint8Array(scaled.buffer) }
+}
+
+/** Writes a texel as the weighted sum of others, which are `step` values apart. */
+function addUp(
+  weights: readonly number[],
+  source: Uint8Array | Float32Array,
+  from: number,
+  step: number,
+  target: Float32Array | Uint8ClampedArray,
+  to: number,
+  channels: number,
+): void {
+  for (let k = 0; k < channels; k++) {
+    let sum = 0
+    for (let i = 0; i < weights.length; i++) sum += weights[i] * source[from + i * step + k]
+    target[to + k] = sum
+  }
+}
+
+/** Centred on each new texel, as wide as two texels of the coarser image to either side; edges are cut off. */
+function tapsOf(from: number, to: number): Taps[] {
+  const scale = from / to
+  const unit = Math.max(scale, 1)
+  return Array.from({ length: to }, (_, i) => {
+    const centre = (i + 0.5) * scale - 0.5
+    const first = Math.max(0, Math.ceil(centre - 2 * unit))
+    const last = Math.min(from - 1, Math.floor(centre + 2 * unit))
+    const weights = Array.from({ length: last - first + 1 }, (_, k) => mitchell((first + k - centre) / unit))
+    const total = weights.reduce((sum, weight) => sum + weight, 0)
+    return { first, weights: weights.map((weight) => weight / total) }
+  })
+}
+
+/** Equation 8 of the paper. */
+function mitchell(distance: number): number {
+  const x = Math.abs(distance)
+  if (x >= 2) return 0
+  if (x < 1) return (7 * x ** 3 - 12 * x ** 2 + 16 / 3) / 6
+  return ((-7 / 3) * x ** 3 + 12 * x ** 2 - 20 * x + 32 / 3) / 6
+}

@@ -1,0 +1,25 @@
+import { fromUtf8 } from './bytes.ts'
+import { cannotRead, firstLine } from './errors.ts'
+import { kindOf } from './file-kind.ts'
+import { depthProblem } from './json-depth.ts'
+
+/**
+ * Parses the bytes of a JSON file.
+ *
+ * @param name of the file, as the user knows it.
+ * @throws FurrowError when it is not JSON, or too deep.
+ */
+export function parseJson(bytes: Uint8Array, name: string, who: string): unknown {
+  const hints = { limit: 'JSON', remedy: 'correct the file, or name another one' }
+  let json: unknown
+  try {
+    json = JSON.parse(fromUtf8(bytes))
+  } catch (error) {
+    const kind = kindOf(bytes)
+    const problem = kind === undefined || kind === 'text' ? firstLine(error) : `it is ${kind}`
+    throw cannotRead(who, name, new Error(problem, { cause: error }), hints)
+  }
+  const problem = depthProblem(json)
+  if (problem) throw cannotRead(who, name, new Error(problem), { remedy: 'correct the file' })
+  return json
+}

@@ -1,0 +1,27 @@
+import { GLTF_IMAGES, type ImageHeader } from '../../images/check-image.ts'
+import { withImageErrors } from '../../images/image-errors.ts'
+import { openImage } from '../../images/open-image.ts'
+import type { DecodedImage } from '../../images/pixels.ts'
+
+/** By libvips; see the function of this name for browsers. */
+export async function measureImage(
+  bytes: Uint8Array,
+  name: string,
+  who: string,
+  types = GLTF_IMAGES,
+): Promise<ImageHeader> {
+  return openImage(bytes, name, who, types)
+}
+
+/** By libvips; see the function of this name for browsers. */
+export async function decodeImage(
+  bytes: Uint8Array,
+  name: string,
+  who: string,
+  types = GLTF_IMAGES,
+): Promise<DecodedImage> {
+  const { image, type } = await openImage(bytes, name, who, types)
+  const raw = image.toColourspace('srgb').raw()
+  const { data, info } = await withImageErrors(name, who, () => raw.toBuffer({ resolveWithObject: true }))
+  return { type, width: info.width, height: info.height, channels: info.channels, data }
+}

@@ -1,0 +1,64 @@
+import { type Bounds, widen } from '../../core/bounds.ts'
+
+/** Side of the squares of texels that have a rectangle each. */
+const SIDE = 16
+/** Texels that one more rectangle may cost: two are merged where that takes in no more of others. */
+const SLACK = 4096
+
+/** Collects texels of a map that changed, as rectangles. */
+export class ChangedTexels {
+  readonly #width: number
+  readonly #height: number
+  /** What changed in each square, by its index. */
+  readonly #squares = new Map<number, Bounds>()
+
+  constructor(width: number, height: number) {
+    this.#width = width
+    this.#height = height
+  }
+
+  add(texel: number): void {
+    const [x, y] = [texel % this.#width, Math.floor(texel / this.#width)]
+    const square = Math.floor(y / SIDE) * Math.ceil(this.#width / SIDE) + Math.floor(x / SIDE)
+    const own = { x0: x, y0: y, x1: x + 1, y1: y + 1 }
+    const bounds = this.#squares.get(square)
+    if (bounds) widen(bounds, own)
+    else this.#squares.set(square, own)
+  }
+
+  /** Rectangles that contain the texels, and those up to `margin` texels beside them in the map. */
+  around(margin: number): Bounds[] {
+    return Array.from(this.#squares.values(), ({ x0, y0, x1, y1 }) => ({
+      x0: Math.max(x0 - margin, 0),
+      y0: Math.max(y0 - margin, 0),
+      x1: Math.min(x1 + margin, this.#width),
+      y1: Math.min(y1 + margin, this.#height),
+    }))
+  }
+}
+
+/** Merges rectangles into few that contain them, without taking in much else. */
+export function mergeBounds(all: readonly Bounds[]): Bounds[] {
+  let merged: Bounds[] = []
+  for (const bounds of all) {
+    const union = { ...bounds }
+    for (;;) {
+      const other = merged.find((each) => areSpared(union, each))
+      if (!other) break
+      widen(union, other)
+      merged = merged.filter((each) => each !== other)
+    }
+    merged.push(union)
+  }
+  return merged
+}
+
+function areSpared(a: Bounds, b: Bounds): boolean {
+  const both = { ...a }
+  widen(both, b)
+  return areaOf(both) <= areaOf(a) + areaOf(b) + SLACK
+}
+
+function areaOf({ x0, y0, x1, y1 }: Bounds): number {
+  return (x1 - x0) * (y1 - y0)
+}

@@ -1,0 +1,47 @@
+import type { SkinCanvas } from '../../skin/canvas.ts'
+import { nearestOnSurface } from '../../skin/nearest.ts'
+import { positionAt } from '../../skin/walk.ts'
+import type { Stroke } from '../document.ts'
+import { splineOf } from './spline-of.ts'
+import { clamped } from './traced-stroke.ts'
+
+/** The plane across which the left half of a face is its right half, in the coordinates of its mesh. */
+export interface MirrorPlane {
+  /** A position in the plane. */
+  origin: readonly [x: number, y: number, z: number]
+  /** At a right angle to it, of length 1. */
+  normal: readonly [x: number, y: number, z: number]
+}
+
+/** x = 0, as models of characters have it. */
+const MIDDLE: MirrorPlane = { origin: [0, 0, 0], normal: [1, 0, 0] }
+
+/**
+ * Mirrors a stroke: each point goes to the point of the skin that is nearest to its mirror image. Left and right shoulders change sides, and so
+ * does the group where its name ends in `Left` or `Right`. Where both halves use the same texels, a stroke is its own mirror image.
+ *
+ * @param plane x = 0 by default; `middleOf` finds that of a face.
+ * @returns the mirrored stroke as a spline (`splineOf`).
+ */
+export function mirrorStroke<S extends Stroke>(stroke: S, canvas: SkinCanvas, plane = MIDDLE): S {
+  const { surface, locator, scale } = canvas
+  const spline = splineOf(stroke, canvas)
+  const [position, weights] = [new Float64Array(3), new Float64Array(3)]
+  const points = spline.points.flatMap(([u, v]) => {
+    const triangle = locator.find(u, v, weights)
+    if (triangle < 0) return []
+    positionAt(position, surface, triangle, weights)
+    const rise = plane.normal.reduce((sum, n, k) => sum + n * (position[k] - scale * plane.origin[k]), 0)
+    for (let k = 0; k < 3; k++) position[k] -= 2 * rise * plane.normal[k]
+    return [clamped(locator.uvAt(nearestOnSurface(surface, position, weights), weights))]
+  })
+  const [left, right] = spline.shoulder
+  const mirrored: S = {
+    ...spline,
+    shoulder: [right, left],
+    points: points.length < 2 ? spline.points : points,
+  }
+  if (spline.group !== undefined)
+    mirrored.group = spline.group.replace(/(Left|Right)$/, (side) => (side === 'Left' ? 'Right' : 'Left'))
+  return mirrored
+}

@@ -1,0 +1,106 @@
+import { FurrowError } from '../../../core/error.ts'
+import { barycentricsAt, positionAt, walk } from '../../skin/walk.ts'
+import type { LocatedSkin } from '../curve.ts'
+import type { Stroke } from '../document.ts'
+import { splineOf } from './spline-of.ts'
+import { clamped, knotsOf, traceStroke, uvOf } from './traced-stroke.ts'
+
+/** Millimetres that a point moves over the skin at once. */
+const STEP = 0.5
+
+/**
+ * Adds a point to a stroke where its line is already. A spline through one more point is another curve: on faces the line moves by 0.01 mm in
+ * the median, 0.1 mm at most.
+ *
+ * @param along where on its line, as a fraction of its length, 0..1.
+ * @returns the stroke as a spline (`splineOf`), and the index of the new point; the stroke itself and -1 where a point is already, or none of
+ *   the line is on the skin.
+ */
+export function insertPoint<S extends Stroke>(
+  stroke: S,
+  along: number,
+  skin: LocatedSkin,
+): { stroke: S; index: number } {
+  const spline = splineOf(stroke, skin)
+  const line = traceStroke(spline, skin)
+  const length = along * (line.lengths.at(-1) ?? 0)
+  const place = line.lengths.findIndex((each) => each >= length)
+  const knots = knotsOf(spline, line, skin)
+  if (place < 0 || knots.includes(place)) return { stroke, index: -1 }
+  const index = knots.filter((knot) => knot < place).length
+  return { stroke: { ...spline, points: spline.points.toSpliced(index, 0, uvOf(line, place, skin)) }, index }
+}
+
+/**
+ * Removes a point of a stroke.
+ *
+ * @param index of the point; of a stroke that is no spline yet, in what `splineOf` makes of it.
+ * @throws FurrowError if there is no such point, or only two are left.
+ */
+export function removePoint<S extends Stroke>(stroke: S, index: number, skin: LocatedSkin): S {
+  const spline = splineOf(stroke, skin)
+  checkIndex('removePoint', index, 0, spline.points.length - 1)
+  if (spline.points.length <= 2) {
+    throw new FurrowError({
+      who: 'removePoint',
+      what: 'a stroke needs two points',
+      value: spline.points.length,
+      limit: '3 points or more',
+      remedy: 'remove the stroke',
+    })
+  }
+  return { ...spline, points: spline.points.toSpliced(index, 1) }
+}
+
+/**
+ * Smooths a stroke: moves each of its points over the skin towards the straight line between its neighbours. The ends stay.
+ *
+ * @param amount fraction of the way, 0..1.
+ * @returns the stroke as a spline (`splineOf`).
+ */
+export function smoothStroke<S extends Stroke>(stroke: S, amount: number, skin: LocatedSkin): S {
+  const { surface, locator } = skin
+  const spline = splineOf(stroke, skin)
+  const weights = new Float64Array(3)
+  const places = spline.points.map(([u, v]) => {
+    const triangle = locator.find(u, v, weights)
+    const position = new Float64Array(3)
+    if (triangle >= 0) positionAt(position, surface, triangle, weights)
+    return { triangle, position }
+  })
+  const points = spline.points.map((uv, i) => {
+    const [before, own, after] = [places[i - 1], places[i], places[i + 1]]
+    if (!before || !after || [before, own, after].some(({ triangle }) => triangle < 0)) return uv
+    const [near, far] = [before, after].map(({ position }) => distance(position, own.position))
+    const step = own.position.map(
+      (value, k) =>
+        amount * ((far * before.position[k] + near * after.position[k]) / (near + far || 1) - value),
+    )
+    const position = own.position.slice()
+    let { triangle } = own
+    const steps = Math.ceil(Math.hypot(...step) / STEP)
+    for (let n = 0; n < steps && triangle >= 0; n++)
+      triangle = walk(surface, triangle, position, step, Math.hypot(...step) / steps)
+    if (triangle < 0) return uv
+    barycentricsAt(weights, surface, triangle, position)
+    return clamped(locator.uvAt(triangle, weights))
+  })
+  return { ...spline, points }
+}
+
+function distance(a: Float64Array, b: Float64Array): number {
+  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2])
+}
+
+/** Throws where an index of a stroke's points is not within limits. */
+export function checkIndex(who: string, index: number, lowest: number, highest: number): void {
+  if (Number.isInteger(index) && index >= lowest && index <= highest) return
+  throw new FurrowError({
+    code: 'out-of-range',
+    who,
+    what: 'the stroke has no such point',
+    value: index,
+    limit: lowest <= highest ? `${lowest}..${highest}` : 'a stroke of 3 points or more',
+    remedy: 'name one of its points',
+  })
+}

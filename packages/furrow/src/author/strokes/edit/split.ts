@@ -1,0 +1,79 @@
+import { clamp, lerp } from '../../../math/scalar.ts'
+import { splineKnots } from '../../../math/spline.ts'
+import type { LocatedSkin } from '../curve.ts'
+import type { Stroke } from '../document.ts'
+import { depthFactor, taperAt } from '../lay-out.ts'
+import { checkIndex } from './points.ts'
+import { splineOf, TOLERANCE } from './spline-of.ts'
+import { knotsOf, traceStroke, uvOf } from './traced-stroke.ts'
+
+/** Millimetres between the factors on a part's depth. */
+const FACTOR_SPACING = 1
+/** Factors that a stroke may have. */
+const MOST_FACTORS = 256
+
+/**
+ * Splits a stroke in two at one of its points. Both parts lie where the stroke did, to 0.08 mm, with points added where they need them; they
+ * are as deep as it was there, and do not taper where it was cut. The waviness of the second is another.
+ *
+ * @param index of an inner point; of a stroke that is no spline yet, in what `splineOf` makes of it.
+ * @returns the parts as splines, from the start to the end.
+ * @throws FurrowError if there is no such point.
+ */
+export function splitStroke<S extends Stroke>(stroke: S, index: number, skin: LocatedSkin): [S, S] {
+  const spline = splineOf(stroke, skin)
+  checkIndex('splitStroke', index, 1, spline.points.length - 2)
+  const line = traceStroke(spline, skin)
+  const knots = knotsOf(spline, line, skin)
+  const part = (first: number, last: number): S => {
+    const points = splinePoints(spline, first, last)
+    const [start, end] = [line.lengths[knots[first]], line.lengths[knots[last]]]
+    // Where points are not on the skin, there is no line to keep.
+    if (!(end > start)) return { ...spline, points }
+    return { ...spline, points, ...shapeOf(spline, start, end, line.lengths.at(-1) ?? end) }
+  }
+  /** Points on the line from one point of the stroke to another. */
+  function splinePoints(of: S, first: number, last: number): S['points'] {
+    const own = knots.slice(first, last + 1)
+    if (own.some((knot, i) => i > 0 && knot <= own[i - 1])) return of.points.slice(first, last + 1)
+    const section = line.points.subarray(3 * own[0], 3 * own[own.length - 1] + 3)
+    const added = splineKnots(
+      section,
+      TOLERANCE,
+      own.map((knot) => knot - own[0]),
+    )
+    return added.map((i) => {
+      const at = own.indexOf(own[0] + i)
+      return at >= 0 ? of.points[first + at] : uvOf(line, own[0] + i, skin)
+    })
+  }
+  return [part(0, index), part(index, spline.points.length - 1)]
+}
+
+/** Tapers and depths of the part of a stroke between two lengths in millimetres. */
+function shapeOf(
+  { depths, taper }: Stroke,
+  start: number,
+  end: number,
+  total: number,
+): Pick<Stroke, 'taper' | 'depths'> {
+  const length = end - start
+  const own: Stroke['taper'] = [
+    start > 0 ? 0 : Math.min(1, (taper[0] * total) / length),
+    end < total ? 0 : Math.min(1, (taper[1] * total) / length),
+  ]
+  const isWithin =
+    taper[0] * total <= (start > 0 ? start : length) &&
+    taper[1] * total <= (end < total ? total - end : length)
+  if (!depths && isWithin) return { taper: own }
+  const count = clamp(Math.ceil(length / FACTOR_SPACING) + 1, 2, MOST_FACTORS)
+  return {
+    taper: own,
+    depths: Array.from({ length: count }, (_, i) => {
+      // The ends themselves, where both fade to nothing, say nothing of how.
+      const t = clamp(i / (count - 1), 1e-3, 1 - 1e-3)
+      const whole = lerp(start, end, t) / total
+      return clamp((depthFactor(depths, whole) * taperAt(whole, taper)) / (taperAt(t, own) || 1), 0, 1)
+    }),
+  }
+}

@@ -1,0 +1,63 @@
+import type { Uv } from '../../../core/json.ts'
+import { barycentricsAt, positionAt } from '../../skin/walk.ts'
+import { type LocatedSkin, layCurve } from '../curve.ts'
+import type { Stroke } from '../document.ts'
+import { arcLengths } from '../lay-out.ts'
+
+/** The line of a stroke on the skin, from end to end, in short steps: where it is interrupted, the next step is a long one. */
+export interface TracedStroke {
+  /** x, y and z of each point in millimetres, and its triangle. */
+  points: Float64Array
+  triangles: readonly number[]
+  /** Millimetres from the start to each point. */
+  lengths: Float64Array
+}
+
+/** Lays a stroke's line on the skin; it has no points where none of it is on the skin. */
+export function traceStroke(stroke: Stroke, skin: LocatedSkin): TracedStroke {
+  const lines = layCurve(stroke, skin)
+  const points = Float64Array.from(lines.flatMap((line) => [...line.points]))
+  return {
+    points,
+    triangles: lines.flatMap(({ triangles }) => triangles),
+    lengths: points.length > 0 ? arcLengths({ points }) : new Float64Array(0),
+  }
+}
+
+/** Where in the texture a point of a line is. */
+export function uvOf({ points, triangles }: TracedStroke, i: number, { surface, locator }: LocatedSkin): Uv {
+  const weights = new Float64Array(3)
+  barycentricsAt(weights, surface, triangles[i], points.subarray(3 * i, 3 * i + 3))
+  return clamped(locator.uvAt(triangles[i], weights))
+}
+
+/** What a document may say: beyond the border of the skin a line leaves the texture. */
+export function clamped([u, v]: Uv): Uv {
+  return [Math.min(1, Math.max(0, u)), Math.min(1, Math.max(0, v))]
+}
+
+/** The first point of a spline's line that is each of its points, in their order; of points that are not on the skin that of the one before. */
+export function knotsOf(
+  { points: uvs }: Stroke,
+  line: TracedStroke,
+  { surface, locator }: LocatedSkin,
+): number[] {
+  const [position, weights] = [new Float64Array(3), new Float64Array(3)]
+  const { points } = line
+  let from = 0
+  return uvs.map(([u, v]) => {
+    const triangle = locator.find(u, v, weights)
+    if (triangle < 0) return from
+    positionAt(position, surface, triangle, weights)
+    for (let i = from; i < line.triangles.length; i++) {
+      const isHere =
+        points[3 * i] === position[0] &&
+        points[3 * i + 1] === position[1] &&
+        points[3 * i + 2] === position[2]
+      if (!isHere) continue
+      from = i
+      break
+    }
+    return from
+  })
+}

@@ -1,0 +1,11 @@
+import { FurrowError } from '../../core/error.ts'
+
+/** The error for maps and areas that are slices of a KTX 2 file's texture. */
+export function compressed(who: string): FurrowError {
+  return new FurrowError({
+    code: 'unsupported',
+    who,
+    what: 'textures of KTX 2 files cannot be changed',
+    remedy: 'use a file with PNG or WebP maps',
+  })
+}

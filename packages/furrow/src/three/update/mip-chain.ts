@@ -1,0 +1,119 @@
+import { Color, type DataArrayTexture, LinearMipmapLinearFilter, MathUtils, SRGBColorSpace } from 'three'
+import type { Bounds } from '../../core/bounds.ts'
+
+/** One level of a slice's mipmaps. */
+export interface MipLevel {
+  readonly width: number
+  readonly height: number
+  readonly data: Uint8Array
+}
+
+/** The first level of a slice: a view of the texture's own data. */
+export function firstLevel(texture: DataArrayTexture, slice: number): MipLevel {
+  const { data, width, height, depth } = texture.image as MipLevel & { depth: number }
+  const bytes = data.length / depth
+  return { width, height, data: data.subarray(slice * bytes, (slice + 1) * bytes) }
+}
+
+/** Bytes per texel. */
+export function channelsOf({ width, height, data }: MipLevel): number {
+  return data.length / (width * height)
+}
+
+/**
+ * The mipmaps of one slice of an array on the CPU, so that a change of a few texels costs a few texels on every level. Each texel is the
+ * mean of four, colours decoded, as GPUs compute it for sides that are powers of two. Of other sizes, for which they differ, there is
+ * the first level only.
+ */
+export class MipChain {
+  readonly levels: readonly MipLevel[]
+  readonly #isColour: boolean
+
+  constructor(texture: DataArrayTexture, slice: number) {
+    const first = firstLevel(texture, slice)
+    const { width, height } = first
+    this.#isColour = texture.colorSpace === SRGBColorSpace
+    const isMapped = texture.minFilter === LinearMipmapLinearFilter
+    const isHalved = isMapped && MathUtils.isPowerOfTwo(width) && MathUtils.isPowerOfTwo(height)
+    this.levels = isHalved ? [first, ...smallerLevels(first)] : [first]
+    this.update({ x0: 0, y0: 0, x1: width, y1: height })
+  }
+
+  /**
+   * Computes the texels of all levels that depend on a rectangle of the first.
+   *
+   * @returns their rectangle on each level.
+   */
+  update(bounds: Bounds): Bounds[] {
+    const touched = [bounds]
+    for (let i = 1; i < this.levels.length; i++) {
+      const { x0, y0, x1, y1 } = touched[i - 1]
+      const half = { x0: x0 >> 1, y0: y0 >> 1, x1: (x1 + 1) >> 1, y1: (y1 + 1) >> 1 }
+      this.#halve(this.levels[i - 1], this.levels[i], half)
+      touched.push(half)
+    }
+    return touched
+  }
+
+  /** Averages texels of a level into a rectangle of the next. */
+  #halve(from: MipLevel, to: MipLevel, { x0, y0, x1, y1 }: Bounds): void {
+    const channels = channelsOf(from)
+    const colours = this.#isColour ? colourTables() : null
+    for (let y = y0; y < y1; y++) {
+      const top = 2 * y * from.width
+      const bottom = Math.min(2 * y + 1, from.height - 1) * from.width
+      for (let x = x0; x < x1; x++) {
+        const left = 2 * x
+        const right = Math.min(2 * x + 1, from.width - 1)
+        for (let c = 0; c < channels; c++) {
+          const a = from.data[(top + left) * channels + c]
+          const b = from.data[(top + right) * channels + c]
+          const d = from.data[(bottom + left) * channels + c]
+          const e = from.data[(bottom + right) * channels + c]
+          to.data[(y * to.width + x) * channels + c] =
+            colours && c < 3 ? colours.mean(a, b, d, e) : quarter(a + b + d + e)
+        }
+      }
+    }
+  }
+}
+
+/** Empty levels below another, down to one texel. */
+function smallerLevels(level: MipLevel): MipLevel[] {
+  if (level.width === 1 && level.height === 1) return []
+  const [width, height] = [Math.max(1, level.width >> 1), Math.max(1, level.height >> 1)]
+  const smaller = { width, height, data: new Uint8Array(width * height * channelsOf(level)) }
+  return [smaller, ...smallerLevels(smaller)]
+}
+
+/** A fourth of an integer, rounded to the nearest, and to an even one in the middle, as GPUs round. */
+function quarter(sum: number): number {
+  return (sum + 1 + ((sum >> 2) & 1)) >> 2
+}
+
+/** Steps of light between none and full: five for the finest step of sRGB, that from 0 to 1. */
+const STEPS = 1 << 14
+
+interface ColourTables {
+  /** The mean of four sRGB bytes as light, encoded again. */
+  mean(a: number, b: number, c: number, d: number): number
+}
+
+let tables: ColourTables | null = null
+
+/** Made when first needed: encoding a million texels one by one takes a noticeable time. */
+function colourTables(): ColourTables {
+  if (tables) return tables
+  const color = new Color()
+  const light = Float32Array.from(
+    { length: 256 },
+    (_, byte) => color.setScalar(byte / 255).convertSRGBToLinear().r,
+  )
+  const bytes = Uint8Array.from({ length: STEPS + 1 }, (_, step) =>
+    Math.round(255 * color.setScalar(step / STEPS).convertLinearToSRGB().r),
+  )
+  tables = {
+    mean: (a, b, c, d) => bytes[Math.round(((light[a] + light[b] + light[c] + light[d]) * STEPS) / 4)],
+  }
+  return tables
+}

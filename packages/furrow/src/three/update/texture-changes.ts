@@ -1,0 +1,138 @@
+import {
+  Box2,
+  type DataArrayTexture,
+  DataTexture,
+  type PixelFormat,
+  Vector2,
+  Vector3,
+  type WebGLRenderer,
+} from 'three'
+import { type Bounds, widen } from '../../core/bounds.ts'
+import type { AnyRenderer } from '../renderer.ts'
+import { channelsOf, firstLevel, MipChain, type MipLevel } from './mip-chain.ts'
+
+/** Changes that are kept for renderers that have not drawn them yet; one that lags further behind uploads whole slices. */
+const KEPT = 64
+
+/** Fraction of a slice from which on the GPU makes mipmaps faster, of all slices, than the CPU makes and uploads them. */
+const LARGE = 0.25
+
+const changesByTexture = new WeakMap<DataArrayTexture, TextureChanges>()
+
+/** The changes of a texture, one object for all faces that use it. */
+export function changesOf(texture: DataArrayTexture): TextureChanges {
+  const changes = changesByTexture.get(texture) ?? new TextureChanges(texture)
+  changesByTexture.set(texture, changes)
+  return changes
+}
+
+/**
+ * Texels of an array texture that have changed since it was made. three.js uploads whole slices at least, and computes all mipmaps of
+ * all slices again; this uploads rectangles. The texture's data stay complete, so that three.js uploads the same to a renderer that has
+ * not drawn the texture yet, or has lost its context.
+ */
+export class TextureChanges {
+  readonly #texture: DataArrayTexture
+  /** Oldest first. */
+  readonly #kept: { slice: number; bounds: Bounds }[] = []
+  /** Number of changes before those. */
+  #dropped = 0
+  /** Number of changes that each renderer has uploaded. */
+  readonly #uploaded = new WeakMap<AnyRenderer, number>()
+  readonly #chains = new Map<number, MipChain>()
+
+  constructor(texture: DataArrayTexture) {
+    this.#texture = texture
+  }
+
+  /** Records that the texture's data have changed in a rectangle of a slice. */
+  add(slice: number, bounds: Bounds): void {
+    if (bounds.x1 <= bounds.x0 || bounds.y1 <= bounds.y0) return
+    this.#kept.push({ slice, bounds })
+    if (this.#kept.length <= KEPT) return
+    this.#kept.shift()
+    this.#dropped++
+  }
+
+  /** Uploads what a renderer lacks. */
+  upload(renderer: AnyRenderer): void {
+    const count = this.#dropped + this.#kept.length
+    const from = this.#uploaded.get(renderer) ?? 0
+    if (from === count) return
+    this.#uploaded.set(renderer, count)
+    // One that does not have the texture yet, or not any more, uploads all of it now.
+    ;(renderer as WebGLRenderer).initTexture(this.#texture)
+    for (const [slice, bounds] of this.#since(from)) this.#copy(renderer as WebGLRenderer, slice, bounds)
+  }
+
+  /** By slice the rectangle that contains all changes since one of them. */
+  #since(from: number): Map<number, Bounds> {
+    const { width, height, depth } = this.#texture.image as { width: number; height: number; depth: number }
+    const rectangles = new Map<number, Bounds>()
+    if (from < this.#dropped) {
+      for (let slice = 0; slice < depth; slice++)
+        rectangles.set(slice, { x0: 0, y0: 0, x1: width, y1: height })
+      return rectangles
+    }
+    for (const { slice, bounds } of this.#kept.slice(from - this.#dropped)) {
+      const known = rectangles.get(slice)
+      if (known) widen(known, bounds)
+      else rectangles.set(slice, { ...bounds })
+    }
+    return rectangles
+  }
+
+  /** Copies a rectangle of a slice to the GPU, and what it changes on smaller levels. */
+  #copy(renderer: WebGLRenderer, slice: number, bounds: Bounds): void {
+    const texture = this.#texture
+    const { levels, touched } = this.#levelsOf(slice, bounds)
+    const source = stack(levels, touched, texture)
+    const { generateMipmaps } = texture
+    // After a copy to the first level three.js lets the GPU make all mipmaps again.
+    if (levels.length > 1) texture.generateMipmaps = false
+    try {
+      let row = 0
+      for (const [level, { x0, y0, x1, y1 }] of touched.entries()) {
+        const region = new Box2(new Vector2(0, row), new Vector2(x1 - x0, row + y1 - y0))
+        renderer.copyTextureToTexture(source, texture, region, new Vector3(x0, y0, slice), 0, level)
+        row += y1 - y0
+      }
+    } finally {
+      texture.generateMipmaps = generateMipmaps
+      source.dispose()
+    }
+  }
+
+  /** The levels to upload, and the rectangle that has changed in each: only the first, where the GPU makes the others. */
+  #levelsOf(slice: number, bounds: Bounds): { levels: readonly MipLevel[]; touched: Bounds[] } {
+    const first = firstLevel(this.#texture, slice)
+    const { x0, y0, x1, y1 } = bounds
+    if ((x1 - x0) * (y1 - y0) >= LARGE * first.width * first.height) {
+      this.#chains.delete(slice)
+      return { levels: [first], touched: [bounds] }
+    }
+    const chain = this.#chains.get(slice) ?? new MipChain(this.#texture, slice)
+    this.#chains.set(slice, chain)
+    return { levels: chain.levels, touched: chain.update(bounds) }
+  }
+}
+
+/** Rectangles of all levels as one image, below each other. */
+function stack(levels: readonly MipLevel[], touched: readonly Bounds[], like: DataArrayTexture): DataTexture {
+  const channels = channelsOf(levels[0])
+  const width = touched[0].x1 - touched[0].x0
+  const height = touched.reduce((sum, { y0, y1 }) => sum + y1 - y0, 0)
+  const stacked = new Uint8Array(width * height * channels)
+  let row = 0
+  for (const [level, { x0, y0, x1, y1 }] of touched.entries()) {
+    const { data, width: stride } = levels[level]
+    for (let y = y0; y < y1; y++) {
+      const start = (y * stride + x0) * channels
+      stacked.set(data.subarray(start, start + (x1 - x0) * channels), row++ * width * channels)
+    }
+  }
+  const source = new DataTexture(stacked, width, height, like.format as PixelFormat)
+  source.colorSpace = like.colorSpace
+  source.needsUpdate = true
+  return source
+}

@@ -1,0 +1,156 @@
+import type { DataArrayTexture } from 'three'
+import { isObject, wrongArgument } from '../../core/argument.ts'
+import type { Bounds } from '../../core/bounds.ts'
+import { FurrowError } from '../../core/error.ts'
+import { checkImage } from '../../core/image.ts'
+import type { ImageArray } from '../../core/pack.ts'
+import type { ArraySlice, GrayImage, Layer, RgbaImage } from '../../core/types.ts'
+import { isSlice, listNames } from '../../core/wrinkle-set.ts'
+import { checkWrinkles } from '../check-wrinkles.ts'
+import { type LayerMaps, VALUE_KINDS, type WrinkleTextures } from '../material/wrinkle-textures.ts'
+import type { WrinklesBase } from '../wrinkles-base.ts'
+import { compressed } from './compressed.ts'
+import { changesOf } from './texture-changes.ts'
+
+/** New images for maps of a layer, each with the size of the one it replaces; see `Layer`. */
+export interface LayerImages {
+  normal?: RgbaImage
+  baseColor?: RgbaImage
+  roughness?: GrayImage
+  occlusion?: GrayImage
+}
+
+const KINDS = ['normal', ...VALUE_KINDS] as const
+type Kind = (typeof KINDS)[number]
+
+/**
+ * Gives maps of a layer new pixels, which the next frame shows: on these wrinkles, and on all that use the same textures. Only a rectangle
+ * of them is uploaded, with the mipmaps that it touches, so that a stroke may be drawn again for every movement of a point. The GPU makes
+ * all mipmaps again, which takes about as long as uploading a whole map, where a quarter of a map or more changes, or a side of it is not
+ * a power of two.
+ *
+ * @param wrinkles of the face.
+ * @param name of the layer.
+ * @param images the whole maps; copied. Maps that are left out stay.
+ * @param region the texels that differ from the present maps, in each of them: columns x0 to x1 and rows y0 to y1 from the top, x1 and y1
+ *   excluded. By default all.
+ * @throws FurrowError when no layer has that name or it has no such map, an image is malformed or differs in size, the region is not
+ *   within it, the maps are in KTX 2 textures, or the wrinkles were disposed of; nothing then changes.
+ */
+export function updateLayer(
+  wrinkles: WrinklesBase,
+  name: string,
+  images: LayerImages,
+  region?: Readonly<Bounds>,
+): void {
+  checkWrinkles(wrinkles, WHO)
+  const { textures } = wrinkles.editable(WHO).inputs
+  const index = textures.layers.findIndex((layer) => layer.name === name)
+  if (index < 0) throw unknownLayer(name, textures.layers)
+  const updates = kindsOf(images).map((kind) => checkUpdate(textures, index, kind, images[kind], region))
+  for (const { kind, maps, image, bounds } of updates) {
+    const present = copyRegion(image, maps, index, bounds)
+    textures.layers[index] = { ...textures.layers[index], [kind]: present }
+  }
+  textures.version++
+  textures.upload = uploadOf(textures)
+}
+
+const WHO = 'updateLayer'
+
+/** A map to update. */
+interface Update {
+  kind: Kind
+  maps: LayerMaps
+  image: RgbaImage | GrayImage
+  bounds: Readonly<Bounds>
+}
+
+function kindsOf(images: LayerImages): Kind[] {
+  const given = isObject(images) ? Object.entries(images) : []
+  const names = given.flatMap(([name, image]) => (image === undefined ? [] : name))
+  if (names.length > 0 && names.every((name) => KINDS.includes(name as Kind))) return names as Kind[]
+  throw wrongArgument(WHO, 'images', isObject(images) ? names.join(', ') : images, KINDS.join(', '))
+}
+
+/** @throws FurrowError when a layer's map cannot be replaced by the image. */
+function checkUpdate(
+  textures: WrinkleTextures,
+  index: number,
+  kind: Kind,
+  image: RgbaImage | GrayImage | undefined,
+  region: Readonly<Bounds> | undefined,
+): Update {
+  const layer = textures.layers[index]
+  const who = `${WHO} layer "${layer.name}" ${kind}`
+  const maps = kind === 'normal' ? textures.normals : textures.values[kind]
+  const present: RgbaImage | GrayImage | ArraySlice | undefined = layer[kind]
+  if (!maps || !present) throw missing(who, layer)
+  if (isSlice(present)) throw compressed(who)
+  if (!isObject(image)) throw wrongArgument(who, 'image', image, 'an image')
+  const { width, height } = present
+  checkImage(image, kind === 'normal' || kind === 'baseColor' ? 'RGBA' : 'gray', who)
+  if (image.width !== width || image.height !== height) {
+    throw wrongArgument(who, 'size', `${image.width} x ${image.height}`, `${width} x ${height}, as before`)
+  }
+  const bounds = region ?? { x0: 0, y0: 0, x1: width, y1: height }
+  checkRegion(bounds, width, height, who)
+  return { kind, maps, image, bounds }
+}
+
+function checkRegion(region: Readonly<Bounds>, width: number, height: number, who: string): void {
+  const { x0, y0, x1, y1 } = region
+  const areWhole = [x0, y0, x1, y1].every(Number.isInteger)
+  if (areWhole && x0 >= 0 && y0 >= 0 && x0 <= x1 && y0 <= y1 && x1 <= width && y1 <= height) return
+  const limit = `0 <= x0 <= x1 <= ${width}, 0 <= y0 <= y1 <= ${height}, in whole texels`
+  throw wrongArgument(who, 'region', region, limit)
+}
+
+/** Copies a rectangle of an image into a layer's slice of an array. Returns the slice, as an image. */
+function copyRegion(
+  { width, height, data }: RgbaImage | GrayImage,
+  { texture, slices }: LayerMaps,
+  layer: number,
+  bounds: Readonly<Bounds>,
+): RgbaImage | GrayImage {
+  const slice = slices[layer]!
+  const present = (texture.image as ImageArray).data.subarray(slice * data.length, (slice + 1) * data.length)
+  const channels = data.length / (width * height)
+  for (let y = bounds.y0; y < bounds.y1; y++) {
+    const row = y * width
+    const [start, end] = [(row + bounds.x0) * channels, (row + bounds.x1) * channels]
+    present.set(data.subarray(start, end), start)
+  }
+  changesOf(texture as DataArrayTexture).add(slice, bounds)
+  return { width, height, data: present }
+}
+
+function uploadOf({ normals, values }: WrinkleTextures): WrinkleTextures['upload'] {
+  const changes = [normals, ...Object.values(values)].map(({ texture }) =>
+    changesOf(texture as DataArrayTexture),
+  )
+  return (renderer) => {
+    for (let i = 0; i < changes.length; i++) changes[i].upload(renderer)
+  }
+}
+
+function unknownLayer(name: string, layers: readonly { name: string }[]): FurrowError {
+  return new FurrowError({
+    code: 'unknown-name',
+    who: WHO,
+    what: 'unknown layer',
+    value: name,
+    limit: listNames(layers),
+    remedy: 'name one of the layers of the set',
+  })
+}
+
+function missing(who: string, layer: Layer<ArraySlice>): FurrowError {
+  return new FurrowError({
+    code: 'unsupported',
+    who,
+    what: 'the layer has no such map',
+    limit: KINDS.filter((kind) => layer[kind]).join(', '),
+    remedy: 'create the wrinkles anew, from layers with it',
+  })
+}

@@ -1,0 +1,26 @@
+import type { AreaDefinition, AreaShape } from 'furrow/author'
+import type { StudioDocument } from './document.ts'
+import { changed, kept } from './names.ts'
+
+type Shapes = Pick<StudioDocument, 'strokeAreas'>
+
+/** The shapes of areas with another name for one of them, and for the group of strokes that has its name. */
+export function renameInShapes({ strokeAreas }: StudioDocument, name: string, newName: string): Shapes {
+  if (!strokeAreas) return {}
+  const rename = (shape: AreaShape): AreaShape =>
+    'group' in shape && shape.group === name ? { ...shape, group: newName } : shape
+  const renamed = changed(strokeAreas, (area): AreaDefinition => {
+    const shapes = changed(area.shapes, rename) as AreaShape[]
+    const within = area.within && rename(area.within)
+    if (area.name !== name && shapes === area.shapes && within === area.within) return area
+    return { name: area.name === name ? newName : area.name, shapes, ...(within && { within }) }
+  })
+  return { strokeAreas: renamed as AreaDefinition[] }
+}
+
+/** The shapes of areas without those of one. */
+export function withoutShapes({ strokeAreas }: StudioDocument, name: string): Shapes {
+  return strokeAreas
+    ? { strokeAreas: kept(strokeAreas, (area) => area.name !== name) as AreaDefinition[] }
+    : {}
+}

@@ -1,0 +1,94 @@
+import { type Remote, wrap } from 'comlink'
+import type { RgbaImage } from 'furrow'
+import type { Bounds, HeightMap, Stroke } from 'furrow/author'
+import { changesOf } from './changes.ts'
+import { pasteRect } from './copy-rect.ts'
+import type { DrawingService, DrawingSurface, DrawnMaps } from './messages.ts'
+
+/** Maps of a layer, and the strokes that they show. */
+interface Sheet {
+  maps: DrawnMaps
+  strokes: readonly Stroke[]
+  base: RgbaImage | null
+}
+
+/** The maps that a worker draws from strokes. Calls are answered in their order. */
+export class Drawing {
+  readonly #worker: Worker
+  readonly #service: Remote<DrawingService>
+  readonly #sheets = new Map<string, Sheet>()
+  #surface: DrawingSurface | null = null
+
+  constructor() {
+    this.#worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
+    this.#service = wrap<DrawingService>(this.#worker)
+  }
+
+  /** Begins with another skin, or maps of another size. */
+  async begin(surface: DrawingSurface): Promise<void> {
+    this.#surface = surface
+    this.#sheets.clear()
+    await this.#service.begin(surface)
+  }
+
+  /** The maps of a layer, which `draw` changes in place; undefined before they were drawn. */
+  mapsOf(layer: string): DrawnMaps | undefined {
+    return this.#sheets.get(layer)?.maps
+  }
+
+  /**
+   * Draws what changed since the last call for this layer.
+   *
+   * @param base smooth normal map under the strokes.
+   * @returns the rectangles that changed; null where all did.
+   */
+  async draw(layer: string, strokes: readonly Stroke[], base: RgbaImage | null): Promise<Bounds[] | null> {
+    const known = this.#sheets.get(layer)
+    const sheet = known?.base === base ? known : await this.#addLayer(layer, base)
+    const before = sheet.strokes
+    sheet.strokes = strokes
+    const patches = await this.#service.draw(layer, changesOf(before, strokes))
+    for (const { bounds, normal, occlusion } of patches) {
+      pasteRect(sheet.maps.normal, bounds, 4, normal)
+      pasteRect(sheet.maps.occlusion, bounds, 1, occlusion)
+    }
+    return sheet === known ? patches.map(({ bounds }) => bounds) : null
+  }
+
+  /** Takes maps that show these strokes already; the worker draws them too, so that it can draw the next edit. */
+  async adopt(layer: string, strokes: readonly Stroke[], maps: DrawnMaps): Promise<void> {
+    this.#sheets.set(layer, { maps, strokes, base: null })
+    // Both at once: whatever is asked next comes after them.
+    await Promise.all([this.#service.addLayer(layer, null), this.#service.draw(layer, [...strokes])])
+  }
+
+  /** Heights in millimetres. */
+  reliefOf(layer: string): Promise<HeightMap> {
+    return this.#service.reliefOf(layer)
+  }
+
+  dispose(): void {
+    this.#worker.terminate()
+  }
+
+  async #addLayer(layer: string, base: RgbaImage | null): Promise<Sheet> {
+    const { size } = this.#surface!
+    const sheet: Sheet = { maps: flatMaps(size, base), strokes: [], base }
+    this.#sheets.set(layer, sheet)
+    await this.#service.addLayer(layer, base)
+    return sheet
+  }
+}
+
+/** Maps of skin without strokes: normals that point outwards, or those of the base. */
+function flatMaps(size: number, base: RgbaImage | null): DrawnMaps {
+  const data = base ? base.data.slice() : new Uint8Array(4 * size * size)
+  if (!base) new Uint32Array(data.buffer).fill(FLAT)
+  return {
+    normal: { width: size, height: size, data },
+    occlusion: { width: size, height: size, data: new Uint8Array(size * size).fill(255) },
+  }
+}
+
+/** 128, 128, 255, 255 in the order of memory: all browsers run on little-endian machines. */
+const FLAT = 0xffff8080

@@ -1,0 +1,108 @@
+import type { AutoWrinkles, Bounds } from 'furrow/author'
+import { decodeImage } from 'furrow/three'
+import { CHANNEL, channelOf } from '../../../packages/furrow/src/core/channels.ts'
+import type { ImageFile, LayerStroke, MapName, StudioDocument, StudioLayer } from '../document/document.ts'
+import { strokesOf } from '../document/strokes.ts'
+import type { SkinSource } from '../session/skin-source.ts'
+import type { LayerMaps } from '../viewer/document-view.ts'
+import { Drawing } from './drawing.ts'
+
+/** Rectangles of texels that changed in maps which are the same objects as before. */
+export type MapChanges = ReadonlyMap<LayerMaps, readonly Bounds[]>
+
+/** Makes the maps of a document's layers: a worker draws their strokes, over their images. */
+export class MapMaker {
+  #drawing: Drawing | null = null
+  #source: SkinSource | null = null
+  #size = 0
+  #changes = new Map<LayerMaps, Bounds[]>()
+
+  /** The maps of each layer, in their order: the same objects where they were not made anew. Call one after the other. */
+  async make(document: StudioDocument, source: SkinSource): Promise<LayerMaps[]> {
+    const drawing = await this.#begin(document, source)
+    const maps: LayerMaps[] = []
+    for (const layer of document.layers) {
+      maps.push(await this.#makeLayer(drawing, layer, strokesOf(document, layer.name)))
+    }
+    return maps
+  }
+
+  /** Takes the maps that automatic wrinkles came with, which show the strokes of the document. */
+  async adopt(document: StudioDocument, { layers }: AutoWrinkles, source: SkinSource): Promise<void> {
+    const drawing = await this.#begin(document, source)
+    for (const { name, normal, occlusion } of layers) {
+      drawing.adopt(name, strokesOf(document, name), { normal, occlusion })
+    }
+  }
+
+  /** What changed since the last call. */
+  takeChanges(): MapChanges {
+    const changes = this.#changes
+    this.#changes = new Map()
+    return changes
+  }
+
+  /** Ends the worker. */
+  close(): void {
+    this.#drawing?.dispose()
+    this.#drawing = null
+    this.#source = null
+  }
+
+  async #begin({ mapSize, scale }: StudioDocument, source: SkinSource): Promise<Drawing> {
+    this.#drawing ??= new Drawing()
+    if (source === this.#source && mapSize === this.#size) return this.#drawing
+    this.#source = source
+    this.#size = mapSize
+    const { skin, frame } = source
+    const mesh = { positions: skin.positions, uvs: skin.uvs, indices: skin.indices }
+    await this.#drawing.begin({ mesh, size: mapSize, scale, frame })
+    return this.#drawing
+  }
+
+  async #makeLayer(
+    drawing: Drawing,
+    layer: StudioLayer,
+    strokes: readonly LayerStroke[],
+  ): Promise<LayerMaps> {
+    if (strokes.length === 0 && layer.maps.normal) return decoded(layer)
+    const base = layer.maps.normal ? (await decoded(layer)).normal : null
+    const changes = await drawing.draw(layer.name, strokes, base)
+    const maps = drawing.mapsOf(layer.name)!
+    if (changes?.length) this.#changes.set(maps, [...(this.#changes.get(maps) ?? []), ...changes])
+    return maps
+  }
+}
+
+const decodedImages = new WeakMap<StudioLayer['maps'], Promise<LayerMaps>>()
+
+/** The images of a layer, decoded once. Rejects with a FurrowError where one cannot be. */
+function decoded({ name, maps }: StudioLayer): Promise<LayerMaps> {
+  const known = decodedImages.get(maps)
+  if (known) return known
+  const images = decodeMaps(maps, name)
+  decodedImages.set(maps, images)
+  return images
+}
+
+async function decodeMaps(maps: StudioLayer['maps'], layer: string): Promise<LayerMaps> {
+  const decode = (name: MapName, image: ImageFile | undefined) => {
+    return (
+      image &&
+      decodeImage(new Blob([image.bytes as BlobPart], { type: image.mimeType }), `layer "${layer}" ${name}`)
+    )
+  }
+  const { normal, baseColor, roughness, occlusion } = maps
+  const [normals, colours, rough, open] = await Promise.all([
+    decode('normal', normal),
+    decode('baseColor', baseColor),
+    decode('roughness', roughness),
+    decode('occlusion', occlusion),
+  ])
+  return {
+    normal: normals!,
+    ...(colours && { baseColor: colours }),
+    ...(rough && { roughness: channelOf(rough, CHANNEL.roughness) }),
+    ...(open && { occlusion: channelOf(open, CHANNEL.occlusion) }),
+  }
+}

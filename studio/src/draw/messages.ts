@@ -1,0 +1,41 @@
+import type { GrayImage, RgbaImage } from 'furrow'
+import type { Bounds, HeightMap, MetricMesh, Stroke, TangentFrame } from 'furrow/author'
+import type { ListChanges } from './changes.ts'
+
+/** The skin that strokes are drawn on, and how. */
+export interface DrawingSurface {
+  readonly mesh: MetricMesh
+  /** Side of the maps in texels. */
+  readonly size: number
+  /** Millimetres per unit of the mesh's positions. */
+  readonly scale: number
+  readonly frame: TangentFrame
+}
+
+/** Texels of the maps of a layer that changed. */
+export interface MapPatch {
+  bounds: Bounds
+  /** RGBA, row by row. */
+  normal: Uint8Array
+  /** 255 = open to the light. */
+  occlusion: Uint8Array
+}
+
+/** What the drawing worker does. */
+export interface DrawingService {
+  /** Begins with another skin, or maps of another size: all layers are without strokes. */
+  begin(surface: DrawingSurface): void
+  /** Begins a layer, or begins it again, over a normal map of the same size where there is one. */
+  addLayer(name: string, base: RgbaImage | null): void
+  removeLayer(name: string): void
+  /** Draws what changed of a layer's strokes. */
+  draw(name: string, changes: ListChanges<Stroke>): MapPatch[]
+  /** Heights of a layer in millimetres. */
+  reliefOf(name: string): HeightMap
+}
+
+/** Maps of a layer that are drawn from strokes. */
+export interface DrawnMaps {
+  readonly normal: RgbaImage
+  readonly occlusion: GrayImage
+}

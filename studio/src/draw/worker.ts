@@ -1,0 +1,47 @@
+/** Draws strokes into maps, away from the page. */
+
+import { expose, transfer } from 'comlink'
+import { type Bounds, type SkinCanvas, type Stroke, StrokeLayer, skinCanvas } from 'furrow/author'
+import { applyChanges } from './changes.ts'
+import { copyRect } from './copy-rect.ts'
+import type { DrawingService, DrawingSurface, MapPatch } from './messages.ts'
+
+interface Sheet {
+  layer: StrokeLayer
+  strokes: Stroke[]
+}
+
+let surface: DrawingSurface
+let canvas: SkinCanvas
+const sheets = new Map<string, Sheet>()
+
+const service: DrawingService = {
+  begin(next) {
+    surface = next
+    canvas = skinCanvas(next.mesh, next.size, next.size, next.scale)
+    sheets.clear()
+  },
+  addLayer(name, base) {
+    const { frame } = surface
+    sheets.set(name, { layer: new StrokeLayer(canvas, base ? { base, frame } : { frame }), strokes: [] })
+  },
+  removeLayer(name) {
+    sheets.delete(name)
+  },
+  draw(name, changes) {
+    const sheet = sheets.get(name)!
+    sheet.strokes = applyChanges(sheet.strokes, changes)
+    const patches = sheet.layer.draw(sheet.strokes).map((bounds) => patchOf(sheet.layer, bounds))
+    return transfer(
+      patches,
+      patches.flatMap(({ normal, occlusion }) => [normal.buffer, occlusion.buffer]),
+    )
+  },
+  reliefOf: (name) => sheets.get(name)!.layer.relief,
+}
+
+function patchOf({ normal, occlusion }: StrokeLayer, bounds: Bounds): MapPatch {
+  return { bounds, normal: copyRect(normal, bounds, 4), occlusion: copyRect(occlusion, bounds, 1) }
+}
+
+expose(service)

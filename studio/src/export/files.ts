@@ -1,0 +1,70 @@
+import type { WrinkleSetDocument } from 'furrow'
+import { checkFileBytes } from '../../../packages/cli/src/file-size.ts'
+import { type Glb, openGlb } from '../../../packages/cli/src/gltf/glb-file.ts'
+import {
+  dataOf,
+  missing,
+  normalised,
+  pathOf,
+  type ReadReference,
+  type Reference,
+} from '../../../packages/cli/src/gltf/references.ts'
+import { parseJson } from '../../../packages/cli/src/json-file.ts'
+import { folderDocument } from '../../../packages/cli/src/wrinkles/folder-document.ts'
+
+/** Files by their paths below a folder, with `/`. */
+export type Files = ReadonlyMap<string, Uint8Array>
+
+/** A face as it was opened: its file, and those that it refers to, by their paths or by the URIs in it. */
+export interface FaceFiles {
+  name: string
+  bytes: Uint8Array
+  references?: Files
+}
+
+const DOCUMENT = 'wrinkles.json'
+
+/** Opens a face as the commands read one. Throws FurrowError as `openGlb` does. */
+export async function openFace(
+  { name, bytes, references = new Map() }: FaceFiles,
+  who: string,
+): Promise<Glb> {
+  checkFileBytes(bytes.length, name, who)
+  return openGlb(bytes, name, who, referencesIn(references, name, who))
+}
+
+/** The wrinkle set of a folder, as `furrow pack` reads it. Throws FurrowError when it is malformed, or there is none. */
+export function wrinkleSetIn(folder: Files, who: string): WrinkleSetDocument {
+  const document = folder.get(DOCUMENT)
+  const json = document && parseJson(document, DOCUMENT, who)
+  return folderDocument(json, [...folder.keys()], 'the project', 'paper', who)
+}
+
+/** Reads what a wrinkle set refers to. Throws FurrowError when that is not in the folder. */
+export function wrinkleFilesIn(folder: Files, who: string): (uri: string) => Promise<Uint8Array> {
+  const read = referencesIn(folder, DOCUMENT, who)
+  return async (uri) => (await read(uri)).bytes
+}
+
+/**
+ * Returns what reads the references of a file among other files.
+ *
+ * @param files by their paths below the folder of the file, or by the URIs in it.
+ * @param file name of the file with the references, for errors.
+ */
+export function referencesIn(files: Files, file: string, who: string): ReadReference {
+  const known = new Map<string, Reference>()
+  const readAt = (path: string, uri: string): Reference => {
+    const bytes = files.get(path) ?? files.get(uri)
+    if (!bytes) throw missing(file, uri, who, new Error('it was not opened with it'))
+    return { bytes, path }
+  }
+  return async (uri) => {
+    const data = dataOf(uri)
+    const path = data ? undefined : pathOf(file, uri, who)
+    const key = path === undefined ? uri : normalised(path)
+    const reference = known.get(key) ?? (data ? { bytes: data } : readAt(key, uri))
+    known.set(key, reference)
+    return reference
+  }
+}

@@ -1,0 +1,67 @@
+import { proxy, type Remote, wrap } from 'comlink'
+import { FurrowError } from 'furrow'
+import type { Finding } from '../../../packages/cli/src/validate/finding.ts'
+import type { ExportedFace, ExportOptions, OnProgress } from './export-face.ts'
+import type { FaceFiles, Files } from './files.ts'
+import type { ReadFace } from './read-face.ts'
+import type { Tasks } from './worker.ts'
+
+/** How the page follows a task. */
+export interface Following {
+  onProgress?: OnProgress
+  /** Ends the worker when it is aborted. */
+  signal?: AbortSignal | undefined
+}
+
+/**
+ * `exportFace` in a worker of its own. What it is given is copied and stays the page's.
+ *
+ * @throws Error with the message of what `exportFace` throws, FurrowError when the worker dies, and the signal's reason when
+ *   that is aborted.
+ */
+export function exportInWorker(
+  face: FaceFiles,
+  folder: Files,
+  options: ExportOptions = {},
+  { onProgress = () => {}, signal }: Following = {},
+): Promise<ExportedFace> {
+  return run((tasks) => tasks.exportFace(face, folder, options, proxy(onProgress)), signal)
+}
+
+/** `readFace` in a worker of its own; see `exportInWorker`. */
+export function readInWorker(
+  face: FaceFiles,
+  options: { material?: string } = {},
+  { onProgress = () => {}, signal }: Following = {},
+): Promise<ReadFace> {
+  return run((tasks) => tasks.readFace(face, options, proxy(onProgress)), signal)
+}
+
+/** `validateFace` in a worker of its own; see `exportInWorker`. */
+export function validateInWorker(face: FaceFiles, signal?: AbortSignal): Promise<Finding[]> {
+  return run((tasks) => tasks.validateFace(face), signal)
+}
+
+async function run<T>(task: (tasks: Remote<Tasks>) => Promise<T>, signal?: AbortSignal): Promise<T> {
+  signal?.throwIfAborted()
+  const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
+  const ended = new Promise<never>((_, reject) => {
+    worker.onerror = ({ message }) => reject(died(message))
+    signal?.addEventListener('abort', () => reject(signal.reason), { once: true })
+  })
+  try {
+    return await Promise.race([task(wrap<Tasks>(worker)), ended])
+  } finally {
+    worker.terminate()
+  }
+}
+
+function died(message: string | undefined): FurrowError {
+  return new FurrowError({
+    code: 'unsupported',
+    who: 'Studio',
+    what: 'the worker that packs faces has ended',
+    value: message,
+    remedy: 'close other pages to free memory, and export again',
+  })
+}

@@ -1,0 +1,27 @@
+import { expose, transfer } from 'comlink'
+import { exportFace } from './export-face.ts'
+import { readFace } from './read-face.ts'
+import { validateFace } from './validate-face.ts'
+
+/** What the worker does; bytes that it made are handed over and not copied. */
+const tasks = {
+  async exportFace(...args: Parameters<typeof exportFace>) {
+    const exported = await exportFace(...args)
+    return transfer(exported, buffersOf([exported.bytes]))
+  },
+  async readFace(...args: Parameters<typeof readFace>) {
+    const read = await readFace(...args)
+    return transfer(read, buffersOf([read.face, ...(read.folder?.values() ?? [])]))
+  },
+  validateFace,
+}
+
+export type Tasks = typeof tasks
+
+expose(tasks)
+
+/** The buffers of arrays, each once. Maps that were copied from a face are parts of its buffer, which stays. */
+function buffersOf(arrays: readonly Uint8Array[]): ArrayBuffer[] {
+  const whole = arrays.filter(({ byteLength, buffer }) => byteLength === buffer.byteLength)
+  return [...new Set(whole.map(({ buffer }) => buffer as ArrayBuffer))]
+}

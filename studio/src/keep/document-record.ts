@@ -1,0 +1,102 @@
+import { FurrowError, type GrayImage } from 'furrow'
+import type { ImageFile, MapName, StudioArea, StudioDocument, StudioLayer } from '../document/document.ts'
+
+/** Of the record of a document. */
+const VERSION = 1
+
+/** A document with numbers in the place of its images, which are records of their own. */
+export interface DocumentRecord {
+  version: number
+  document: StoredDocument
+}
+
+type StoredDocument = Omit<StudioDocument, 'layers' | 'areas'> & {
+  layers: (Omit<StudioLayer, 'maps'> & { maps: { [Name in MapName]?: number } })[]
+  areas: (Omit<StudioArea, 'weights'> & { weights: number })[]
+}
+
+/** The weights of an area, or a map as in its file. */
+export type ImageRecord = GrayImage | ImageFile
+
+/** The images of a document, each once. */
+export function imagesOf({ layers, areas }: StudioDocument): Set<ImageRecord> {
+  return new Set([
+    ...layers.flatMap(({ maps }) => Object.values(maps)),
+    ...areas.map(({ weights }) => weights),
+  ])
+}
+
+/** @param numberOf gives the number of an image. */
+export function recordOf(document: StudioDocument, numberOf: (image: ImageRecord) => number): DocumentRecord {
+  const layers = document.layers.map((layer) => ({
+    ...layer,
+    maps: Object.fromEntries(Object.entries(layer.maps).map(([name, image]) => [name, numberOf(image)])),
+  }))
+  const areas = document.areas.map((area) => ({ ...area, weights: numberOf(area.weights) }))
+  return { version: VERSION, document: { ...document, layers, areas } }
+}
+
+/**
+ * The document of a record.
+ *
+ * @param images by number.
+ * @param name of the project, for errors.
+ * @throws FurrowError where a later version wrote the record, or something in it is missing.
+ */
+export function documentOf(
+  record: DocumentRecord | undefined,
+  images: ReadonlyMap<number, ImageRecord>,
+  name: string,
+): StudioDocument {
+  if (record === undefined) throw damaged(name, 'it has no document')
+  checkVersion(record.version, name)
+  try {
+    const { document } = record
+    const layers = document.layers.map((layer) => ({
+      ...layer,
+      maps: Object.fromEntries(
+        Object.entries(layer.maps).map(([map, number]) => [map, mapOf(images.get(number), map)]),
+      ),
+    }))
+    const areas = document.areas.map((area) => ({
+      ...area,
+      weights: weightsOf(images.get(area.weights), area.name, document.areaSize),
+    }))
+    for (const list of [document.strokes, document.drivers]) if (!Array.isArray(list)) throw new TypeError()
+    return { ...document, layers, areas }
+  } catch (error) {
+    const isMissing = error instanceof Missing
+    throw damaged(name, isMissing ? error.message : 'its document is incomplete', error)
+  }
+}
+
+/** Throws FurrowError for records of a later version. */
+export function checkVersion(version: unknown, name: string): void {
+  if (version === VERSION) return
+  throw new FurrowError({
+    code: 'unsupported',
+    who: 'Studio',
+    what: `${name} was stored by a later version of the studio`,
+    value: version,
+    limit: `${VERSION}`,
+    remedy: 'reload the page',
+  })
+}
+
+class Missing extends Error {}
+
+function mapOf(image: ImageRecord | undefined, map: string): ImageFile {
+  if (image && 'bytes' in image && image.bytes instanceof Uint8Array) return image
+  throw new Missing(`its map ${map} is missing`)
+}
+
+function weightsOf(image: ImageRecord | undefined, area: string, side: number): GrayImage {
+  if (image && 'data' in image && image.width === side && image.data.length === side * side) return image
+  throw new Missing(`its area ${area} is missing`)
+}
+
+function damaged(name: string, reason: string, cause?: unknown): FurrowError {
+  const what = `cannot open ${name} (${reason})`
+  const remedy = 'open its folder or file, if you saved one'
+  return new FurrowError({ code: 'unreadable', who: 'Studio', what, remedy }, { cause })
+}

@@ -1,0 +1,182 @@
+import { FurrowError } from 'furrow'
+import type { StudioDocument } from '../document/document.ts'
+import { type AvatarFile, Database, type ProjectRecord, rangeOf, SEVERAL, SINGLE } from './database.ts'
+import { checkVersion, documentOf } from './document-record.ts'
+import { openElsewhere, Project } from './project.ts'
+import { lockProject } from './project-lock.ts'
+
+/** A project in the list of projects. */
+export interface ProjectEntry {
+  readonly id: string
+  readonly name: string
+  /** Absent where the record is damaged. */
+  readonly changed?: Date
+  /** Of images and files. */
+  readonly bytes: number
+  readonly thumbnail?: Blob
+  /** Why it cannot be opened. */
+  readonly problem?: string
+}
+
+/** The projects that the browser keeps for this page. */
+export class ProjectStore {
+  readonly #database: Database
+  #askedToPersist = false
+
+  constructor(name = 'furrow-studio') {
+    this.#database = new Database(name)
+  }
+
+  /** All projects, the one that was changed last first. Those that are damaged are among them, with what is wrong. */
+  async list(): Promise<ProjectEntry[]> {
+    return this.#database.read(async (database) => {
+      const transaction = database.transaction(['projects', 'saves', 'thumbnails'])
+      const [projects, saves, thumbnails] = [
+        transaction.objectStore('projects'),
+        transaction.objectStore('saves'),
+        transaction.objectStore('thumbnails'),
+      ]
+      const ids = await projects.getAllKeys()
+      const entries = ids.map(async (id): Promise<ProjectEntry> => {
+        const [record, save, thumbnail] = await Promise.all([
+          projects.get(id),
+          saves.get(id),
+          thumbnails.get(id),
+        ])
+        const name = typeof record?.name === 'string' ? record.name : 'a damaged project'
+        const problem = problemOf(record, name)
+        return {
+          id,
+          name,
+          bytes: save?.bytes ?? 0,
+          ...(save?.changed instanceof Date && { changed: save.changed }),
+          ...(thumbnail && { thumbnail }),
+          ...(problem !== undefined && { problem }),
+        }
+      })
+      const time = ({ changed }: ProjectEntry) => changed?.getTime() ?? 0
+      return (await Promise.all(entries)).sort((a, b) => time(b) - time(a))
+    })
+  }
+
+  /**
+   * Makes a project, and stores it.
+   *
+   * @param files the avatar's files; the first is the face.
+   * @throws FurrowError where the browser cannot store it.
+   */
+  async create(name: string, files: readonly AvatarFile[], document: StudioDocument): Promise<Project> {
+    this.#askToPersist()
+    const id = crypto.randomUUID()
+    const release = await lockProject(id)
+    const project = new Project(this.#database, { id, name, files }, { document }, release)
+    try {
+      await project.save(document)
+    } catch (error) {
+      await project.close()
+      throw error
+    }
+    return project
+  }
+
+  /**
+   * Opens a project: for reading only where another tab has it.
+   *
+   * @throws FurrowError when there is none of that id, it is damaged, or a later version of the studio stored it.
+   */
+  async open(id: string): Promise<Project> {
+    const release = await lockProject(id)
+    try {
+      return await this.#database.read(async (database) => {
+        const transaction = database.transaction(['projects', 'documents', 'images', 'files'])
+        const [project, record, numbers, images, files] = await Promise.all([
+          transaction.objectStore('projects').get(id),
+          transaction.objectStore('documents').get(id),
+          transaction.objectStore('images').getAllKeys(rangeOf(id)),
+          transaction.objectStore('images').getAll(rangeOf(id)),
+          transaction.objectStore('files').getAll(rangeOf(id)),
+        ])
+        const name = nameOf(project)
+        const byNumber = new Map(numbers.map(([, number], i) => [number, images[i]]))
+        const document = documentOf(record, byNumber, name)
+        const stored = { images: new Map(numbers.map(([, number], i) => [images[i], number])), by: database }
+        return new Project(this.#database, { id, name, files }, { document, stored }, release)
+      })
+    } catch (error) {
+      await release?.()
+      throw error
+    }
+  }
+
+  /** @throws FurrowError when there is no such project. */
+  async rename(id: string, name: string): Promise<void> {
+    const record = await this.#database.read((database) => database.get('projects', id))
+    nameOf(record)
+    await this.#database.write((table) => table('projects').put({ ...record!, name }, id))
+  }
+
+  /**
+   * Copies a project as it is stored.
+   *
+   * @returns the id of the copy.
+   * @throws FurrowError when there is no such project, or no room for the copy.
+   */
+  async duplicate(id: string, name: string): Promise<string> {
+    const project = await this.open(id)
+    try {
+      const copy = await this.create(name, project.files, project.opened)
+      const thumbnail = await this.#database.read((database) => database.get('thumbnails', id))
+      if (thumbnail) await copy.setThumbnail(thumbnail)
+      await copy.close()
+      return copy.id
+    } finally {
+      await project.close()
+    }
+  }
+
+  /** @throws FurrowError while a tab has it open. */
+  async delete(id: string): Promise<void> {
+    const release = await lockProject(id)
+    if (!release) throw openElsewhere('the project', 'close it there first')
+    try {
+      await this.#database.write((table) => {
+        for (const name of SINGLE) table(name).delete(id)
+        for (const name of SEVERAL) table(name).delete(rangeOf(id))
+      })
+    } finally {
+      await release()
+    }
+  }
+
+  /** Closes the connection; the next call opens it again. */
+  close(): void {
+    this.#database.close()
+  }
+
+  /** Asks the browser not to clear the projects when the disk is full. Some ask the user in turn. */
+  #askToPersist(): void {
+    if (this.#askedToPersist) return
+    this.#askedToPersist = true
+    // An answer is not needed, nor a browser that can be asked.
+    navigator.storage?.persist?.().catch(() => {})
+  }
+}
+
+function nameOf(record: ProjectRecord | undefined): string {
+  if (!record) {
+    const remedy = 'choose one of the list'
+    throw new FurrowError({ code: 'unknown-name', who: 'Studio', what: 'the project is gone', remedy })
+  }
+  checkVersion(record.version, record.name)
+  return record.name
+}
+
+function problemOf(record: ProjectRecord | undefined, name: string): string | undefined {
+  if (typeof record?.name !== 'string') return 'its record is damaged'
+  try {
+    checkVersion(record.version, name)
+    return undefined
+  } catch (error) {
+    return (error as FurrowError).message
+  }
+}

@@ -1,0 +1,199 @@
+import {
+  areaWeights,
+  DEFAULT_AREA_SIZE,
+  FurrowError,
+  type GrayImage,
+  imageTypeOf,
+  resampleGray,
+  type WrinkleSetDocument,
+} from 'furrow'
+import { parseStrokes, type StrokesDocument } from 'furrow/author'
+import { depthProblem } from '../../../packages/cli/src/json-depth.ts'
+import { folderDocument } from '../../../packages/cli/src/wrinkles/folder-document.ts'
+import {
+  type ImageFile,
+  type LayerStroke,
+  MAP_NAMES,
+  type MapName,
+  type StudioArea,
+  type StudioDocument,
+  type StudioLayer,
+} from '../document/document.ts'
+import { named } from '../document/names.ts'
+import type { AvatarFile } from './database.ts'
+import { FACE_FOLDER, parseStudioFile, STUDIO_FILE, type StudioFile } from './studio-file.ts'
+
+const WHO = 'Studio'
+
+/** Where `studio.json` does not say: millimetres per unit of a face in metres, and the side of maps. */
+const DEFAULTS = { scale: 1000, mapSize: 1024 } as const
+/** What strokes draw. */
+const DRAWN: readonly MapName[] = ['normal', 'occlusion', 'height']
+
+/** Decodes a gray image. Throws FurrowError where it cannot be. */
+export type DecodeGray = (bytes: Uint8Array, path: string, who: string) => Promise<GrayImage>
+
+/** What a folder holds. */
+export interface ReadFolder {
+  document: StudioDocument
+  /** The avatar's files, the first of which is the face; none where there is no face. */
+  face: AvatarFile[]
+}
+
+/**
+ * Reads a folder as `furrow pack` does, and as the studio writes it. Maps that strokes were drawn into are left out: they are drawn again.
+ *
+ * @param files all files of the folder, with paths relative to it.
+ * @param name of the folder, for errors.
+ * @throws FurrowError for the first file that is missing or malformed.
+ */
+export async function readFolder(
+  files: readonly AvatarFile[],
+  name: string,
+  decode: DecodeGray,
+): Promise<ReadFolder> {
+  const folder = new Folder(files, name)
+  const studio = parseStudioFile(await folder.json(STUDIO_FILE))
+  const set = setOf(await folder.json('wrinkles.json'), folder)
+  const strokes = await strokesOf(folder, set)
+  const { areaSize = DEFAULT_AREA_SIZE } = set
+  const { scale, size } = strokes ?? { scale: studio.scale, size: studio.mapSize }
+  const isAutomatic = new Set(studio.automaticStrokes)
+  const document: StudioDocument = {
+    ...(set.mesh !== undefined && { mesh: set.mesh }),
+    ...(set.material !== undefined && { material: set.material }),
+    scale: scale ?? DEFAULTS.scale,
+    mapSize: size ?? DEFAULTS.mapSize,
+    areaSize,
+    layers: await Promise.all(set.layers.map((layer) => readLayer(folder, layer, strokes, studio))),
+    areas: await Promise.all(set.areas.map((area) => readArea(folder, area, set, decode, studio))),
+    strokes: (strokes?.strokes ?? []).map((stroke, i): LayerStroke => {
+      const layer = named(set.layers, stroke.layer ?? set.layers[0].name, 'layer').name
+      return { ...stroke, layer, ...(isAutomatic.has(i) && { isAutomatic: true }) }
+    }),
+    ...(strokes?.areas && { strokeAreas: strokes.areas }),
+    drivers: set.drivers ?? [],
+    ...(studio.auto && { auto: studio.auto }),
+  }
+  return { document, face: faceOf(files, studio) }
+}
+
+/** Files by path, read as they are asked for. */
+class Folder {
+  readonly name: string
+  readonly paths: readonly string[]
+  readonly #files: ReadonlyMap<string, Blob>
+
+  constructor(files: readonly AvatarFile[], name: string) {
+    this.name = name
+    this.#files = new Map(files.map(({ path, file }) => [path, file]))
+    this.paths = [...this.#files.keys()]
+  }
+
+  /** The JSON of a file; undefined where there is none. */
+  async json(path: string): Promise<unknown> {
+    const file = this.#files.get(path)
+    if (!file) return undefined
+    try {
+      const json = JSON.parse(await file.text())
+      const problem = depthProblem(json)
+      if (problem) throw new Error(problem)
+      return json
+    } catch (error) {
+      throw this.#unreadable(`${path} cannot be read (${(error as Error).message})`, 'correct the file')
+    }
+  }
+
+  /** A file by its address in a document. */
+  async bytes(address: string): Promise<Uint8Array> {
+    const file = this.#files.get(pathOf(address))
+    if (file) return new Uint8Array(await file.arrayBuffer())
+    throw this.#unreadable(
+      `${address} is not in the folder ${this.name}`,
+      'put it there, or correct wrinkles.json',
+    )
+  }
+
+  #unreadable(what: string, remedy: string): FurrowError {
+    return new FurrowError({ code: 'unreadable', who: WHO, what, remedy })
+  }
+}
+
+function setOf(json: unknown, { paths, name }: Folder): WrinkleSetDocument {
+  const areas = (json as { areas?: unknown } | undefined)?.areas
+  const hasNoAreas = Array.isArray(areas) && areas.length === 0
+  if (!hasNoAreas) return folderDocument(json, paths, name, 'paper', WHO)
+  // Nothing to pack yet, but a project that an artist has begun.
+  const begun = { ...(json as object), areas: [{ name: 'none' }] }
+  return { ...folderDocument(begun, paths, name, 'paper', WHO), areas: [] }
+}
+
+async function strokesOf(folder: Folder, set: WrinkleSetDocument): Promise<StrokesDocument | undefined> {
+  const json = set.strokes === undefined ? undefined : await folder.json(pathOf(set.strokes))
+  return json === undefined ? undefined : parseStrokes(json)
+}
+
+async function readLayer(
+  folder: Folder,
+  entry: WrinkleSetDocument['layers'][number],
+  strokes: StrokesDocument | undefined,
+  studio: StudioFile,
+): Promise<StudioLayer> {
+  const { name, kind, normalScale = 1, occlusionStrength = 1, heightAmplitude } = entry
+  const hasStrokes = strokes?.strokes.some((stroke) => (stroke.layer ?? name) === name) ?? false
+  const known = studio.layers?.[name]
+  const drawn = new Set(known?.drawn ?? (hasStrokes && !studio.layers ? DRAWN : []))
+  const amplitude = drawn.has('height') ? known?.heightAmplitude : heightAmplitude
+  const maps = await Promise.all(
+    MAP_NAMES.map(async (map): Promise<[MapName, ImageFile] | undefined> => {
+      const address = drawn.has(map) ? known?.under?.[map] : entry[map]
+      if (address === undefined) return undefined
+      const bytes = await folder.bytes(address)
+      return [map, { mimeType: imageTypeOf(bytes) ?? 'image/png', bytes }]
+    }),
+  )
+  return {
+    name,
+    kind,
+    maps: Object.fromEntries(maps.filter((each) => each !== undefined)),
+    normalScale,
+    occlusionStrength,
+    ...(amplitude !== undefined && { heightAmplitude: amplitude }),
+  }
+}
+
+async function readArea(
+  folder: Folder,
+  { name, image, layer, combine = 'sum', convention, activation = 0 }: WrinkleSetDocument['areas'][number],
+  { layers, areaSize = DEFAULT_AREA_SIZE }: WrinkleSetDocument,
+  decode: DecodeGray,
+  { automaticAreas }: StudioFile,
+): Promise<StudioArea> {
+  const gray = await decode(await folder.bytes(image), image, WHO)
+  return {
+    name,
+    layer: named(layers, layer ?? layers[0].name, 'layer').name,
+    combine,
+    activation,
+    weights: resampleGray(areaWeights(gray, convention, `${WHO}: ${image}`), areaSize),
+    ...(automaticAreas?.includes(name) && { isAutomatic: true }),
+  }
+}
+
+function faceOf(files: readonly AvatarFile[], { face }: StudioFile): AvatarFile[] {
+  const found = files.find(({ path }) => path === (face?.path ?? 'face.glb'))
+  if (!found) return []
+  const folder = `${FACE_FOLDER}/`
+  if (!found.path.startsWith(folder)) return [{ path: face?.name ?? found.path, file: found.file }]
+  const beside = files.filter((file) => file.path.startsWith(folder) && file !== found)
+  return [found, ...beside].map(({ path, file }) => ({ path: path.slice(folder.length), file }))
+}
+
+/** Addresses escape what has a meaning in them. */
+function pathOf(address: string): string {
+  try {
+    return decodeURIComponent(address).replace(/^\.\//, '')
+  } catch {
+    return address
+  }
+}

@@ -1,0 +1,138 @@
+import type { GrayImage } from 'furrow'
+import { barycentricsAt, walk } from 'furrow/author'
+import type { PaintMap } from './paint-map.ts'
+import type { PaintSkin, SkinPoint } from './paint-skin.ts'
+
+/** Weight that encloses what is filled. */
+const ENCLOSING = 128
+/** Texels of one island that are side by side are at most this many of their sides apart on the skin, however skewed the texture is. */
+const MOST_APART = 6
+/** No place. */
+const NONE = -1
+
+/**
+ * Finds what a fill covers: like a bucket of paint, the connected part of the skin round a point, across the seams of the texture, as far as
+ * weights are below one half; where they are above at the point, as far as they are above. At the enclosing outline it goes on uphill to the
+ * ridge, so that no gap is left before a soft one. Where nothing encloses it, it is the whole skin that is connected.
+ *
+ * @param visit is given each texel once.
+ */
+export function visitFilled(
+  { surface, skin }: PaintSkin,
+  map: PaintMap,
+  { data }: GrayImage,
+  start: SkinPoint,
+  visit: (texel: number) => void,
+): void {
+  const { size } = map
+  const { placeOf, triangleOf } = ownPlaces(map)
+  const [position, direction] = [new Float64Array(3), new Float64Array(3)]
+  const weights = new Float64Array(3)
+
+  const texelAt = (triangle: number, at: ArrayLike<number>): number => {
+    barycentricsAt(weights, surface, triangle, at)
+    const [u, v] = [0, 1].map((k) =>
+      [0, 1, 2].reduce((sum, corner) => {
+        const vertex = skin.indices[3 * surface.skinTriangles[triangle] + corner]
+        return sum + weights[corner] * skin.uvs[2 * vertex + k]
+      }, 0),
+    )
+    const [x, y] = [Math.floor(u * size), Math.floor(v * size)]
+    return x >= 0 && y >= 0 && x < size && y < size ? y * size + x : NONE
+  }
+  /** The texel on the skin beside another one, over the seam where the island ends. */
+  const beside = (texel: number, dx: number, dy: number): number => {
+    const next = neighbour(texel, dx, dy, size)
+    if (next === NONE || placeOf[next] === NONE) return NONE
+    const [from, to] = [placeOf[texel], placeOf[next]]
+    for (let k = 0; k < 3; k++) {
+      position[k] = map.positions[3 * from + k]
+      direction[k] = map.positions[3 * to + k] - position[k]
+    }
+    const distance = Math.hypot(direction[0], direction[1], direction[2])
+    if (!(distance < MOST_APART * map.texelSizes[triangleOf[from]])) return NONE
+    if (map.isBeyond[to] === 0) return next
+    // A texel beyond an island is next to those on it only.
+    if (map.isBeyond[from] === 1) return NONE
+    const triangle = walk(surface, triangleOf[from], position, direction, distance)
+    return triangle < 0 ? NONE : texelAt(triangle, position)
+  }
+
+  const filled = new Uint8Array(size * size)
+  const queue: number[] = []
+  const fill = (texel: number) => {
+    if (texel === NONE || placeOf[texel] === NONE || filled[texel] === 1) return
+    filled[texel] = 1
+    queue.push(texel)
+  }
+  const first = texelAt(start.triangle, start.position)
+  const isHigh = first !== NONE && data[first] >= ENCLOSING
+  fill(first)
+  for (let head = 0; head < queue.length; head++) {
+    const texel = queue[head]
+    visit(texel)
+    for (const [dx, dy] of AROUND) {
+      const next = beside(texel, dx, dy)
+      if (next === NONE) continue
+      const isSame = data[next] >= ENCLOSING === isHigh && data[texel] >= ENCLOSING === isHigh
+      const isUphill = data[next] >= ENCLOSING && data[next] >= data[texel]
+      if (isSame || isUphill) fill(next)
+    }
+  }
+  visitBeyond(map, placeOf, filled, visit)
+}
+
+const AROUND = [
+  [1, 0],
+  [-1, 0],
+  [0, 1],
+  [0, -1],
+] as const
+
+/** The place of each texel on the part of the skin that it belongs to first, and the triangle of each place. */
+function ownPlaces({ size, starts, texels }: PaintMap) {
+  const placeOf = new Int32Array(size * size).fill(NONE)
+  const triangleOf = new Uint32Array(texels.length)
+  for (let triangle = 0; triangle + 1 < starts.length; triangle++) {
+    for (let place = starts[triangle]; place < starts[triangle + 1]; place++) {
+      triangleOf[place] = triangle
+      if (placeOf[texels[place]] === NONE) placeOf[texels[place]] = place
+    }
+  }
+  return { placeOf, triangleOf }
+}
+
+/** Texels beyond an island go with the nearest one on it, breadth first. */
+function visitBeyond(
+  { size, isBeyond }: PaintMap,
+  placeOf: Int32Array,
+  filled: Uint8Array,
+  visit: (texel: number) => void,
+): void {
+  const queue = new Uint32Array(filled.length)
+  const isKnown = new Uint8Array(filled.length)
+  let count = 0
+  for (let texel = 0; texel < filled.length; texel++) {
+    if (placeOf[texel] === NONE || isBeyond[placeOf[texel]] === 1) continue
+    isKnown[texel] = 1
+    queue[count++] = texel
+  }
+  for (let head = 0; head < count; head++) {
+    const texel = queue[head]
+    for (const [dx, dy] of AROUND) {
+      const next = neighbour(texel, dx, dy, size)
+      if (next === NONE || isKnown[next] === 1 || placeOf[next] === NONE) continue
+      isKnown[next] = 1
+      queue[count++] = next
+      if (filled[texel] === 0 || filled[next] === 1) continue
+      filled[next] = 1
+      visit(next)
+    }
+  }
+}
+
+function neighbour(texel: number, dx: number, dy: number, size: number): number {
+  const x = (texel % size) + dx
+  const y = Math.floor(texel / size) + dy
+  return x >= 0 && y >= 0 && x < size && y < size ? y * size + x : NONE
+}

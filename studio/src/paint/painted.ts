@@ -1,0 +1,68 @@
+import type { GrayImage } from 'furrow'
+
+/** A rectangle of texels. */
+export interface Rectangle {
+  x: number
+  y: number
+  width: number
+  height: number
+}
+
+/** What painting made of an area: a new image, and where it differs from the old one; undefined where nothing does. */
+export interface Painted {
+  image: GrayImage
+  dirty: Rectangle | undefined
+}
+
+/** The rectangle round texels. */
+export class Bounds {
+  readonly #width: number
+  #left = Infinity
+  #top = Infinity
+  #right = -1
+  #bottom = -1
+
+  /** @param width of the image. */
+  constructor(width: number) {
+    this.#width = width
+  }
+
+  add(texel: number): void {
+    const [x, y] = [texel % this.#width, Math.floor(texel / this.#width)]
+    this.#left = Math.min(this.#left, x)
+    this.#right = Math.max(this.#right, x)
+    this.#top = Math.min(this.#top, y)
+    this.#bottom = Math.max(this.#bottom, y)
+  }
+
+  get rectangle(): Rectangle | undefined {
+    if (this.#right < 0) return undefined
+    const [x, y] = [this.#left, this.#top]
+    return { x, y, width: this.#right - x + 1, height: this.#bottom - y + 1 }
+  }
+}
+
+/** A weight of 0..255 that is covered by a brush which adds or removes, unrounded. */
+export function covered(weight: number, coverage: number, mode: 'add' | 'remove'): number {
+  return mode === 'add' ? weight + coverage * (255 - weight) : weight * (1 - coverage)
+}
+
+/**
+ * Adds to an area, or removes from it.
+ *
+ * @param coverage 0..1 for each texel.
+ */
+export function cover(
+  { width, height, data }: GrayImage,
+  coverage: ArrayLike<number>,
+  mode: 'add' | 'remove',
+): Painted {
+  const bounds = new Bounds(width)
+  const image = { width, height, data: data.slice() }
+  for (let texel = 0; texel < data.length; texel++) {
+    if (coverage[texel] === 0) continue
+    image.data[texel] = Math.round(covered(data[texel], coverage[texel], mode))
+    if (image.data[texel] !== data[texel]) bounds.add(texel)
+  }
+  return { image, dirty: bounds.rectangle }
+}

@@ -1,0 +1,149 @@
+import type { SkinSurface } from 'furrow/author'
+import {
+  BackSide,
+  Box3,
+  DoubleSide,
+  FrontSide,
+  type Material,
+  Ray,
+  type Side,
+  Triangle,
+  Vector3,
+} from 'three'
+import type { MeshBVH } from 'three-mesh-bvh'
+import { hierarchyOf } from './hierarchy.ts'
+import type { PaintSkin, SkinPoint } from './paint-skin.ts'
+import type { MeshSkin } from './read-skin.ts'
+import type { Sight } from './seen-places.ts'
+
+/** Fraction of the size of the skin by which something must be nearer to the camera to hide a point. */
+const IN_FRONT = 1e-3
+
+/** A point of the skin under the pointer. */
+export interface SkinHit extends SkinPoint {
+  /** Barycentric coordinates in the triangle. */
+  weights: [a: number, b: number, c: number]
+  /** v = 0 at the top. */
+  uv: [u: number, v: number]
+  /** Where it is now, in world space, and the unit normal of its triangle there, which faces the pointer. */
+  point: Vector3
+  normal: Vector3
+}
+
+/** Finds points of a skin under the pointer, as blendshapes and joints deform it now. */
+export class SkinPicker {
+  readonly #parts: MeshSkin['parts']
+  readonly #surface: SkinSurface
+  readonly #indices: ArrayLike<number>
+  readonly #uvs: ArrayLike<number>
+  /** Deformed, in world space. */
+  readonly #positions: Float32Array
+  readonly #hierarchy: MeshBVH
+  /** The surface's triangle for each one of the skin; -1 for those without an area at rest. */
+  readonly #triangleOf: Int32Array
+
+  /** @param painted made of the skin of the same meshes. */
+  constructor({ skin, parts }: MeshSkin, painted: PaintSkin) {
+    this.#parts = parts
+    this.#surface = painted.surface
+    this.#indices = skin.indices
+    this.#uvs = painted.skin.uvs
+    this.#positions = new Float32Array(skin.positions.length)
+    this.#triangleOf = new Int32Array(Math.floor(skin.indices.length / 3)).fill(-1)
+    for (const [t, skinTriangle] of this.#surface.skinTriangles.entries()) this.#triangleOf[skinTriangle] = t
+    this.#deform()
+    this.#hierarchy = hierarchyOf(this.#positions, this.#surfaceIndices())
+  }
+
+  /** Follows the pose. To be called when a stroke begins. */
+  refit(): void {
+    this.#deform()
+    this.#hierarchy.refit()
+  }
+
+  /** @returns undefined where a ray in world space does not hit the skin. */
+  pick(ray: Ray): SkinHit | undefined {
+    const found = this.#hierarchy.raycastFirst(ray, this.#side)
+    if (!found || found.faceIndex == null || !found.barycoord) return undefined
+    const triangle = this.#triangleOf[found.faceIndex]
+    const { x, y, z } = found.barycoord
+    const weights: SkinHit['weights'] = [x, y, z]
+    const { points, corners } = this.#surface
+    const position = mix(points, 3, corners, triangle, weights)
+    const uv = mix(this.#uvs, 2, this.#indices, found.faceIndex, weights)
+    const normal = found.face!.normal.clone()
+    if (normal.dot(ray.direction) > 0) normal.negate()
+    return {
+      triangle,
+      weights,
+      position: [position[0], position[1], position[2]],
+      uv: [uv[0], uv[1]],
+      point: found.point.clone(),
+      normal,
+    }
+  }
+
+  /** What a camera at a position in world space sees: the skin only can hide skin. Until the pose changes. */
+  sightFrom(eye: Vector3): Sight {
+    const side = this.#side
+    const ray = new Ray(eye.clone())
+    const [a, b, c, point, normal] = Array.from({ length: 5 }, () => new Vector3())
+    const size = this.#hierarchy.getBoundingBox(new Box3()).getSize(new Vector3()).length()
+    return (triangle, [wa, wb, wc]) => {
+      const first = 3 * this.#surface.skinTriangles[triangle]
+      for (const [k, corner] of [a, b, c].entries())
+        corner.fromArray(this.#positions, 3 * this.#indices[first + k])
+      point.set(0, 0, 0).addScaledVector(a, wa).addScaledVector(b, wb).addScaledVector(c, wc)
+      ray.direction.subVectors(point, eye)
+      const facing = -Triangle.getNormal(a, b, c, normal).dot(ray.direction)
+      if ((side === FrontSide && facing <= 0) || (side === BackSide && facing >= 0)) return false
+      const distance = ray.direction.length()
+      ray.direction.divideScalar(distance)
+      return this.#hierarchy.raycastFirst(ray, side, 0, distance - IN_FRONT * size) === null
+    }
+  }
+
+  /** The side of the triangles that is drawn; a mesh that is mirrored in space shows the other one. */
+  get #side(): Side {
+    const [{ mesh }] = this.#parts
+    const { side } = [mesh.material].flat()[0] as Material
+    if (side === DoubleSide) return side
+    const isMirrored = mesh.matrixWorld.determinant() < 0
+    return (side === FrontSide) === isMirrored ? BackSide : FrontSide
+  }
+
+  #deform(): void {
+    const point = new Vector3()
+    let i = 0
+    for (const { mesh, vertices } of this.#parts) {
+      let root = mesh.parent ?? mesh
+      while (root.parent) root = root.parent
+      root.updateMatrixWorld()
+      for (const vertex of vertices) {
+        mesh.getVertexPosition(vertex, point).applyMatrix4(mesh.matrixWorld).toArray(this.#positions, i)
+        i += 3
+      }
+    }
+  }
+
+  /** Triangles that the surface has not, which may have no positions, become a point of it. */
+  #surfaceIndices(): Uint32Array {
+    const vertex = this.#indices[3 * this.#surface.skinTriangles[0]]
+    return Uint32Array.from({ length: this.#indices.length }, (_, i) =>
+      this.#triangleOf[Math.floor(i / 3)] < 0 ? vertex : this.#indices[i],
+    )
+  }
+}
+
+/** Interpolates the values of a triangle's corners. */
+function mix(
+  values: ArrayLike<number>,
+  stride: number,
+  corners: ArrayLike<number>,
+  triangle: number,
+  weights: readonly number[],
+): number[] {
+  return Array.from({ length: stride }, (_, k) =>
+    weights.reduce((sum, weight, i) => sum + weight * values[stride * corners[3 * triangle + i] + k], 0),
+  )
+}

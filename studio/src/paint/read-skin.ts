@@ -1,0 +1,100 @@
+import { FurrowError } from 'furrow'
+import { joinParts, type Skin, type SkinPart } from 'furrow/author'
+import {
+  type BufferAttribute,
+  type InterleavedBufferAttribute,
+  Matrix4,
+  type Mesh,
+  type MeshStandardMaterial,
+  type SkinnedMesh,
+  Vector2,
+} from 'three'
+
+/** The meshes of a face as one skin. */
+export interface MeshSkin {
+  /** At rest. */
+  skin: Skin
+  /** The vertices of each mesh that the skin's are, one mesh after the other. */
+  parts: readonly { mesh: Mesh; vertices: Uint32Array }[]
+}
+
+/**
+ * Reads the mesh of a face and the other parts of its skin.
+ *
+ * @throws FurrowError when one has no texture coordinates.
+ */
+export function readSkin(meshes: readonly [Mesh, ...Mesh[]]): MeshSkin {
+  const parts: { mesh: Mesh; vertices: Uint32Array }[] = []
+  const [first] = meshes
+  const targets = first.geometry.morphAttributes.position?.map((_, i) => String(i)) ?? []
+  for (const [name, i] of Object.entries(first.morphTargetDictionary ?? {})) targets[i] = name
+  const skin = joinParts(
+    meshes.map((mesh) => partOf(mesh, (vertices) => parts.push({ mesh, vertices }))),
+    targets,
+    placementOf(first).toArray(),
+  )
+  return { skin, parts }
+}
+
+function partOf({ geometry, material, name }: Mesh, use: (vertices: Uint32Array) => void): SkinPart {
+  const { attributes, morphAttributes, morphTargetsRelative, index } = geometry
+  const { normalMap } = material as MeshStandardMaterial
+  const uvs = (normalMap?.channel && attributes[`uv${normalMap.channel}`]) || attributes.uv
+  if (!uvs) {
+    throw new FurrowError({
+      who: 'Studio',
+      what: 'a mesh without texture coordinates cannot be painted',
+      value: name,
+      remedy: 'unwrap it',
+    })
+  }
+  normalMap?.updateMatrix()
+  const uv = new Vector2()
+  const { count } = attributes.position
+  return {
+    count,
+    indices: index?.array ?? Uint32Array.from({ length: count }, (_, i) => i),
+    readPositions(vertices, out) {
+      use(vertices)
+      readVectors(attributes.position, vertices, out)
+    },
+    readUvs(vertices, out) {
+      for (const [i, vertex] of vertices.entries()) {
+        uv.fromBufferAttribute(uvs as BufferAttribute, vertex)
+        if (normalMap) uv.applyMatrix3(normalMap.matrix)
+        uv.toArray(out, 2 * i)
+      }
+    },
+    readOffsets(target, vertices, out) {
+      const moved = morphAttributes.position?.[target]
+      if (!moved) return
+      readVectors(moved, vertices, out)
+      if (morphTargetsRelative) return
+      const rest = new Float32Array(out.length)
+      readVectors(attributes.position, vertices, rest)
+      for (let i = 0; i < out.length; i++) out[i] -= rest[i]
+    },
+  }
+}
+
+function readVectors(
+  attribute: BufferAttribute | InterleavedBufferAttribute,
+  vertices: Uint32Array,
+  out: Float32Array,
+): void {
+  for (const [i, vertex] of vertices.entries()) {
+    out[3 * i] = attribute.getX(vertex)
+    out[3 * i + 1] = attribute.getY(vertex)
+    out[3 * i + 2] = attribute.getZ(vertex)
+  }
+}
+
+/** The matrix from mesh to world space: of a skinned mesh as its joints have it, since glTF ignores its node. */
+function placementOf(mesh: Mesh): Matrix4 {
+  mesh.updateWorldMatrix(true, false)
+  const { skeleton } = mesh as SkinnedMesh
+  const [bone] = skeleton?.bones ?? []
+  if (!bone) return mesh.matrixWorld
+  bone.updateWorldMatrix(true, false)
+  return new Matrix4().multiplyMatrices(bone.matrixWorld, skeleton.boneInverses[0])
+}

@@ -1,0 +1,45 @@
+import type { PaintMap } from './paint-map.ts'
+import { type PaintSkin, weightsOn } from './paint-skin.ts'
+
+/**
+ * Tells whether the camera sees a point of the skin.
+ *
+ * @param weights barycentric coordinates in the triangle.
+ */
+export type Sight = (triangle: number, weights: Float64Array) => boolean
+
+const SEEN = 1
+const HIDDEN = 2
+
+/** The places of a map that the camera sees, each of which is asked for once. */
+export class SeenPlaces {
+  readonly #skin: PaintSkin
+  readonly #map: PaintMap
+  readonly #sight: Sight
+  readonly #isMirrored: boolean
+  /** 0 until it is asked. */
+  readonly #known: Uint8Array
+  readonly #weights = new Float64Array(3)
+
+  /** @param isMirrored whether a place is seen where its counterpart on the other side of the face is. */
+  constructor(skin: PaintSkin, map: PaintMap, sight: Sight, isMirrored: boolean) {
+    this.#skin = skin
+    this.#map = map
+    this.#sight = sight
+    this.#isMirrored = isMirrored
+    this.#known = new Uint8Array(map.texels.length)
+  }
+
+  has(place: number, triangle: number): boolean {
+    if (this.#known[place] === 0) this.#known[place] = this.#look(place, triangle) ? SEEN : HIDDEN
+    return this.#known[place] === SEEN
+  }
+
+  #look(place: number, triangle: number): boolean {
+    const { positions } = this.#map
+    const position = [positions[3 * place], positions[3 * place + 1], positions[3 * place + 2]] as const
+    const point = this.#isMirrored ? this.#skin.mirrored(position) : { triangle, position }
+    weightsOn(this.#skin.surface, point.triangle, point.position, this.#weights)
+    return this.#sight(point.triangle, this.#weights)
+  }
+}

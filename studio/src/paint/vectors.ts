@@ -1,0 +1,39 @@
+export function dot(a: ArrayLike<number>, b: ArrayLike<number>): number {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/** a x b. */
+export function crossed(a: ArrayLike<number>, b: ArrayLike<number>): Float64Array {
+  return Float64Array.of(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+}
+
+export function distanceBetween(a: ArrayLike<number>, b: ArrayLike<number>): number {
+  return Math.hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2])
+}
+
+/**
+ * The square of the distance from a position to the segment between two points (Ericson, Real-Time Collision Detection, 5.1.2).
+ *
+ * @param from, to offsets of the x of the two points.
+ */
+export function squaredDistance(
+  points: ArrayLike<number>,
+  from: number,
+  to: number,
+  position: ArrayLike<number>,
+): number {
+  const [dx, dy, dz] = [
+    position[0] - points[from],
+    position[1] - points[from + 1],
+    position[2] - points[from + 2],
+  ]
+  const [ex, ey, ez] = [
+    points[to] - points[from],
+    points[to + 1] - points[from + 1],
+    points[to + 2] - points[from + 2],
+  ]
+  const along = dx * ex + dy * ey + dz * ez
+  const length = ex * ex + ey * ey + ez * ez
+  const t = along <= 0 || length === 0 ? 0 : along >= length ? 1 : along / length
+  return (dx - t * ex) ** 2 + (dy - t * ey) ** 2 + (dz - t * ez) ** 2
+}

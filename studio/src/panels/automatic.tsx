@@ -1,0 +1,134 @@
+import { AUTO_REGIONS, type AutoRegion } from 'furrow/author'
+import { useId } from 'preact/hooks'
+import type { AutoSettings } from '../document/document.ts'
+import type { PanelModel } from './model.ts'
+import { Section } from './section.tsx'
+
+const SIZES = [512, 1024, 2048, 4096] as const
+
+/** Controls of the automatic wrinkles: a preview while they move, all of them when they rest. */
+export function AutomaticWrinkles({ model }: { model: PanelModel }) {
+  const { auto, actions } = model
+  const settings = auto.value
+  const make = (change: Partial<AutoSettings>) => actions.makeAuto({ ...settings, ...change })
+  const preview = (change: Partial<AutoSettings>) => actions.previewAuto({ ...settings, ...change })
+  return (
+    <Section title="Automatic wrinkles">
+      <AutoSlider
+        label="Age"
+        range={[20, 80, 1]}
+        value={settings.age}
+        onMove={(age) => preview({ age })}
+        onRest={(age) => make({ age })}
+      />
+      <AutoSlider
+        label="Strength"
+        range={[0, 2, 0.05]}
+        value={settings.strength}
+        onMove={(strength) => preview({ strength })}
+        onRest={(strength) => make({ strength })}
+      />
+      <div class="settings">
+        <div class="setting">
+          <label for="map-size">Size</label>
+          <select
+            id="map-size"
+            value={settings.size}
+            onChange={({ currentTarget }) => make({ size: Number(currentTarget.value) })}
+          >
+            {SIZES.map((size) => (
+              <option key={size} value={size}>
+                {size} x {size}
+              </option>
+            ))}
+          </select>
+        </div>
+        <div class="setting">
+          <span class="label">Lines</span>
+          <button type="button" onClick={() => make({ seed: settings.seed + 1 })}>
+            Draw other lines
+          </button>
+        </div>
+      </div>
+      <Regions
+        chosen={settings.regions ?? AUTO_REGIONS}
+        onChange={(regions) => {
+          const { regions: _, ...others } = settings
+          actions.makeAuto(regions.length === AUTO_REGIONS.length ? others : { ...others, regions })
+        }}
+      />
+      <Run model={model} />
+    </Section>
+  )
+}
+
+interface AutoSliderProps {
+  label: string
+  /** Least, most, step. */
+  range: readonly [number, number, number]
+  value: number
+  onMove(value: number): void
+  onRest(value: number): void
+}
+
+function AutoSlider({ label, range: [min, max, step], value, onMove, onRest }: AutoSliderProps) {
+  const id = useId()
+  const fill = (value - min) / (max - min)
+  return (
+    <div class="row">
+      <label for={id}>{label}</label>
+      <input
+        id={id}
+        type="range"
+        {...{ min, max, step, value }}
+        style={{ '--value': fill }}
+        onInput={({ currentTarget }) => onMove(currentTarget.valueAsNumber)}
+        onChange={({ currentTarget }) => onRest(currentTarget.valueAsNumber)}
+      />
+      <output for={id} aria-live="off">
+        {step < 1 ? value.toFixed(2) : value}
+      </output>
+    </div>
+  )
+}
+
+interface RegionsProps {
+  chosen: readonly AutoRegion[]
+  onChange(regions: AutoRegion[]): void
+}
+
+function Regions({ chosen, onChange }: RegionsProps) {
+  return (
+    <fieldset class="chips">
+      <legend>Regions</legend>
+      {AUTO_REGIONS.map((region) => (
+        <label key={region}>
+          <input
+            type="checkbox"
+            checked={chosen.includes(region)}
+            onChange={({ currentTarget: { checked } }) => {
+              onChange(AUTO_REGIONS.filter((each) => (each === region ? checked : chosen.includes(each))))
+            }}
+          />
+          <span>{region}</span>
+        </label>
+      ))}
+    </fieldset>
+  )
+}
+
+/** How far the worker is. */
+function Run({ model: { autoRun, actions } }: { model: PanelModel }) {
+  const id = useId()
+  const run = autoRun.value
+  if (!run) return null
+  return (
+    <div class="run">
+      <label for={id}>Making wrinkles: {run.step}</label>
+      <progress id={id} max="1" value={run.fraction} />
+      <button type="button" class="quiet" onClick={actions.cancelAuto}>
+        Cancel
+      </button>
+    </div>
+  )
+}

@@ -1,0 +1,47 @@
+import type { PanelModel } from './model.ts'
+
+/** Formats that the file dialog offers. */
+const FACES = '.glb,.gltf,.vrm,.bin,.png,.jpg,.jpeg,.webp,.ktx2,.json,.zip'
+
+/** The name of the page, and what concerns the whole work: open, undo, redo. */
+export function Title({ model: { session, actions } }: { model: PanelModel }) {
+  const { undoLabel, redoLabel } = session
+  return (
+    <header class="title">
+      <div>
+        <h1>Furrow</h1>
+        <p>Wrinkles for any glTF character, in real time</p>
+      </div>
+      <div class="work">
+        <label class="file">
+          <input
+            type="file"
+            accept={FACES}
+            multiple
+            onChange={({ currentTarget }) => {
+              actions.openFiles([...currentTarget.files!])
+              currentTarget.value = ''
+            }}
+          />
+          <span>Open…</span>
+        </label>
+        <button
+          type="button"
+          disabled={!undoLabel.value}
+          title={undoLabel.value && `Undo: ${undoLabel.value}`}
+          onClick={actions.undo}
+        >
+          Undo
+        </button>
+        <button
+          type="button"
+          disabled={!redoLabel.value}
+          title={redoLabel.value && `Redo: ${redoLabel.value}`}
+          onClick={actions.redo}
+        >
+          Redo
+        </button>
+      </div>
+    </header>
+  )
+}

@@ -1,0 +1,127 @@
+import { effect, type ReadonlySignal, signal } from '@preact/signals'
+import { DEFAULT_AREA_SIZE, FurrowError } from 'furrow'
+import type { AutoWrinkles } from 'furrow/author'
+import { automaticDocument, layersLeft, remake } from '../document/automatic.ts'
+import type { AutoSettings, StudioDocument } from '../document/document.ts'
+import { MapMaker } from '../draw/map-maker.ts'
+import type { OpenedAvatar } from '../open/avatar.ts'
+import type { DrawnDocument } from '../viewer/document-view.ts'
+import { Automatic } from './automatic.ts'
+import { Session } from './session.ts'
+import { type SkinSource, skinSource } from './skin-source.ts'
+
+const AUTO_SETTINGS: AutoSettings = { age: 45, strength: 1, size: 1024, seed: 1 }
+
+/** Side in texels of the maps of previews. */
+const PREVIEW_SIZE = 256
+
+/**
+ * The face that is worked on: its document, and what is computed from it. Data flows one way: the document changes, its maps are drawn, and
+ * `drawn` changes.
+ */
+export class Workspace {
+  readonly session = new Session()
+  readonly automatic = new Automatic()
+  readonly #settings = signal<AutoSettings>(AUTO_SETTINGS)
+  readonly #drawn = signal<DrawnDocument | null>(null)
+  readonly #maps: MapMaker
+  readonly #onError: (error: unknown) => void
+  #avatar: OpenedAvatar | null = null
+  #source: SkinSource | null = null
+  #isDrawing = false
+
+  /** @param onError is told of what goes wrong while the page goes on. */
+  constructor(onError: (error: unknown) => void) {
+    this.#onError = onError
+    this.#maps = new MapMaker()
+    effect(() => {
+      this.session.document.value
+      void this.#draw()
+    })
+  }
+
+  /** The last document whose maps are drawn, or a preview; null for a plain face, or one whose wrinkles are not the document's. */
+  get drawn(): ReadonlySignal<DrawnDocument | null> {
+    return this.#drawn
+  }
+
+  /** Settings of the automatic wrinkles. */
+  get settings(): ReadonlySignal<AutoSettings> {
+    return this.#settings
+  }
+
+  /** Begins with another avatar, or another skin of it; one without wrinkles gets automatic ones. */
+  async open(avatar: OpenedAvatar): Promise<void> {
+    const isSame = avatar.root === this.#avatar?.root && avatar.skin === this.#avatar.skin
+    this.#avatar = avatar
+    if (isSame) return
+    this.automatic.cancel()
+    this.#maps.close()
+    this.session.open(null)
+    this.#drawn.value = null
+    this.#source = avatar.skins[avatar.skin].wrinkles ? null : skinSource(avatar)
+    this.#settings.value = AUTO_SETTINGS
+    if (this.#source) await this.makeAuto(AUTO_SETTINGS)
+  }
+
+  /** Makes the automatic wrinkles anew; those that were changed by hand stay. Rejects with a FurrowError where there are none. */
+  async makeAuto(settings: AutoSettings): Promise<void> {
+    const made = await this.#runAuto(settings)
+    if (!made) return
+    const { document, wrinkles } = made
+    await this.#maps.adopt(document, wrinkles, this.#source!)
+    if (!this.session.document.value) this.session.open(document)
+    else this.session.edit('Make automatic wrinkles', (old) => remake(old, document), 'automatic')
+  }
+
+  /** Shows small automatic wrinkles while a control moves; the document stays. */
+  async previewAuto(settings: AutoSettings): Promise<void> {
+    const made = await this.#runAuto(settings, PREVIEW_SIZE)
+    if (!made) return
+    const { document, wrinkles } = made
+    const maps = wrinkles.layers.map(({ normal, occlusion }) => ({ normal, occlusion }))
+    this.#drawn.value = { document, maps, changes: new Map() }
+  }
+
+  async #runAuto(
+    settings: AutoSettings,
+    size = settings.size,
+  ): Promise<{ document: StudioDocument; wrinkles: AutoWrinkles } | null> {
+    if (!this.#source) return null
+    this.#settings.value = settings
+    const present = this.session.document.peek()
+    const areaSize = present?.areaSize ?? DEFAULT_AREA_SIZE
+    const options = { ...settings, size, areaSize, layers: layersLeft(present) }
+    const wrinkles = await this.automatic.make(this.#source, options)
+    if (!wrinkles) return null
+    if (wrinkles.areas.length === 0) throw withoutAreas()
+    return { document: automaticDocument(wrinkles, settings, areaSize, {}), wrinkles }
+  }
+
+  /** Draws the maps of the document; of those that follow each other quickly, the last one. */
+  async #draw(): Promise<void> {
+    if (this.#isDrawing) return
+    this.#isDrawing = true
+    try {
+      for (;;) {
+        const document = this.session.document.peek()
+        if (!document || document === this.#drawn.peek()?.document) return
+        const maps = await this.#maps.make(document, this.#source!)
+        if (document !== this.session.document.peek()) continue
+        this.#drawn.value = { document, maps, changes: this.#maps.takeChanges() }
+      }
+    } catch (error) {
+      this.#onError(error)
+    } finally {
+      this.#isDrawing = false
+    }
+  }
+}
+
+function withoutAreas(): FurrowError {
+  return new FurrowError({
+    who: 'Studio',
+    what: 'no wrinkles can be made: no blendshape compresses the skin enough to crease it',
+    remedy: 'paint areas and draw strokes by hand, or choose another skin',
+  })
+}

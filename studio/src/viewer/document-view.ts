@@ -1,0 +1,94 @@
+import type { Area, GrayImage, Layer, RgbaImage } from 'furrow'
+import type { Bounds } from 'furrow/author'
+import { updateArea, updateLayer } from 'furrow/three'
+import type { Wrinkles } from '../../../stage/stage.ts'
+import type { StudioArea, StudioDocument, StudioLayer } from '../document/document.ts'
+import type { Viewer } from './viewer.ts'
+
+/** Decoded maps of a layer. */
+export interface LayerMaps {
+  readonly normal: RgbaImage
+  readonly baseColor?: RgbaImage
+  readonly roughness?: GrayImage
+  readonly occlusion?: GrayImage
+}
+
+/** A document with the maps of its layers, in their order. */
+export interface DrawnDocument {
+  readonly document: StudioDocument
+  readonly maps: readonly LayerMaps[]
+  /** Rectangles of texels that differ from the document drawn before, in maps that are the same objects. */
+  readonly changes: ReadonlyMap<LayerMaps, readonly Bounds[]>
+}
+
+/** Shows a document on the face, and changes only what another one changes. */
+export class DocumentView {
+  #viewer: Viewer | null = null
+  #shown: DrawnDocument | null = null
+
+  /** @throws FurrowError when the wrinkles do not fit the face, which is then plain. */
+  show(viewer: Viewer, drawn: DrawnDocument | null): void {
+    const before = viewer === this.#viewer ? this.#shown : null
+    this.#viewer = viewer
+    this.#shown = drawn
+    if (!drawn || drawn.document.areas.length === 0) {
+      if (viewer.wrinkles) viewer.setWrinkles(null)
+      return
+    }
+    const { document, maps } = drawn
+    if (before && viewer.wrinkles && canFollow(before, drawn)) {
+      updateMaps(viewer.wrinkles, drawn)
+      changeAreas(viewer, before.document, document)
+      if (before.document.drivers !== document.drivers) viewer.setDrivers(document.drivers)
+      return
+    }
+    const layers = document.layers.map((layer, i) => engineLayer(layer, maps[i]))
+    const areas = document.areas.map(engineArea)
+    viewer.setWrinkles({ set: { layers, areas }, drivers: [...document.drivers] })
+  }
+}
+
+/** Whether nothing changed but texels, areas that come and go, their weights, and drivers. */
+function canFollow(before: DrawnDocument, after: DrawnDocument): boolean {
+  const old = new Map(before.document.areas.map((area) => [area.name, area]))
+  return (
+    before.document.layers === after.document.layers &&
+    before.document.areaSize === after.document.areaSize &&
+    before.maps.every((maps, i) => maps === after.maps[i]) &&
+    after.document.areas.every((area) => haveSameFields(old.get(area.name) ?? area, area))
+  )
+}
+
+function haveSameFields(a: StudioArea, b: StudioArea): boolean {
+  return a.layer === b.layer && a.combine === b.combine && a.activation === b.activation
+}
+
+/** Uploads the rectangles that were drawn again. */
+function updateMaps(wrinkles: Wrinkles, { document, maps, changes }: DrawnDocument): void {
+  for (const [i, { name }] of document.layers.entries()) {
+    const { normal, occlusion } = maps[i]
+    for (const bounds of changes.get(maps[i]) ?? [])
+      updateLayer(wrinkles, name, { normal, occlusion: occlusion! }, bounds)
+  }
+}
+
+/** Adds areas, changes their weights, and removes others. New ones come first: wrinkles always have an area. */
+function changeAreas(viewer: Viewer, before: StudioDocument, after: StudioDocument): void {
+  if (before.areas === after.areas) return
+  const old = new Map(before.areas.map((area) => [area.name, area]))
+  const names = new Set(after.areas.map(({ name }) => name))
+  for (const area of after.areas) {
+    const known = old.get(area.name)
+    if (!known) viewer.addArea(engineArea(area))
+    else if (known.weights !== area.weights) updateArea(viewer.wrinkles!, area.name, area.weights)
+  }
+  for (const { name } of before.areas) if (!names.has(name)) viewer.removeArea(name)
+}
+
+function engineLayer({ name, kind, normalScale, occlusionStrength }: StudioLayer, maps: LayerMaps): Layer {
+  return { name, kind, normalScale, occlusionStrength, ...maps }
+}
+
+function engineArea({ name, layer, combine, activation, weights }: StudioArea): Area {
+  return { name, layer, combine, activation, weights }
+}

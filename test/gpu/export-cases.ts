@@ -1,0 +1,165 @@
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { dirname, join } from 'node:path'
+import sharp from 'sharp'
+import { packCommand } from '../../packages/cli/src/commands/pack.ts'
+import { faceFiles } from '../../packages/cli/src/gltf/face-files.ts'
+import { decodeGlb, type Glb } from '../../packages/cli/src/gltf/glb-file.ts'
+import { readGlbFile } from '../../packages/cli/src/gltf/read-glb-file.ts'
+import type { Finding } from '../../packages/cli/src/validate/finding.ts'
+import { runKhronosValidator } from '../../packages/cli/src/validate/khronos.ts'
+import { checkWrinkles } from '../../packages/cli/src/wrinkles/rules.ts'
+import { seeded } from '../random.ts'
+import { runAlone } from './pack-faces.ts'
+import { vrmFile } from './vrm-file.ts'
+import { type WrinkleJson, wrinkledFile } from './wrinkled-file.ts'
+
+/** Files by their paths, in base 64. */
+export type EncodedFiles = Record<string, string>
+
+/** A face, and what `furrow pack` makes of it and the project. */
+export interface ExportCase {
+  what: string
+  /** The file of the face, and those beside it. */
+  face: string
+  files: EncodedFiles
+  options: { ktx2?: boolean; size?: number }
+  /** In base 64. */
+  packed: string
+  findings: Finding[]
+}
+
+/** A face with faults, and what `furrow validate` finds. */
+export interface FaultyFace {
+  what: string
+  /** In base 64. */
+  file: string
+  findings: Finding[]
+}
+
+/** What the studio exports must equal. */
+export interface ExportCases {
+  /** The files of the project. */
+  project: EncodedFiles
+  cases: ExportCase[]
+  faulty: FaultyFace[]
+}
+
+const SIDE = 32
+
+/**
+ * Packs one project into faces of all kinds, in both forms.
+ *
+ * @param root an empty folder.
+ */
+export async function exportCases(root: string): Promise<ExportCases> {
+  const project = await projectFiles()
+  writeFiles(join(root, 'project'), project)
+  const glb = Buffer.from(await wrinkledFile())
+  const faces: [face: string, files: Record<string, Uint8Array>][] = [
+    ['face.glb', { 'face.glb': glb }],
+    ['avatar.vrm', { 'avatar.vrm': await vrmFile(true) }],
+    ['parts.gltf', await gltfFiles(glb)],
+  ]
+  const cases: ExportCase[] = []
+  for (const [face, files] of faces) {
+    writeFiles(join(root, 'faces'), files)
+    for (const options of [{}, { ktx2: true }, { size: 20 }]) {
+      const output = join(root, `${cases.length}.glb`)
+      const words = Object.entries(options).flatMap(([name, value]) =>
+        value === true ? [`--${name}`] : [`--${name}`, String(value)],
+      )
+      const path = join(root, 'faces', face)
+      await runAlone(packCommand, [join(root, 'project'), '--face', path, '-o', output, '--json', ...words])
+      cases.push({
+        what: [face, ...words].join(' '),
+        face,
+        files: encoded(files),
+        options,
+        packed: readFileSync(output, 'base64'),
+        findings: await findingsOf(await readGlbFile(output, 'test')),
+      })
+    }
+  }
+  return { project: encoded(project), cases, faulty: await Promise.all(FAULTS.map(faultyFace)) }
+}
+
+// biome-ignore lint/suspicious/noExplicitAny: the whole JSON of the file, as a careless program would edit it
+const FAULTS: [what: string, spoil: (wrinkles: WrinkleJson) => unknown, edit: (json: any) => unknown][] = [
+  ['an area on a layer that is not there', ({ areas }) => Object.assign(areas[1], { layer: 3 }), () => {}],
+  ['a scene without a face', () => {}, ({ scenes }) => scenes[0].nodes.pop()],
+  [
+    'wrong bounds',
+    () => {},
+    ({ accessors }) => Object.assign(accessors[0], { max: [0, 0, 0], min: [0, 0, 0] }),
+  ],
+  ['what the Khronos validator gives up at', () => {}, misalign],
+]
+
+function misalign({ accessors }: { accessors: object[] }): void {
+  const indices = { bufferView: 0, byteOffset: 1, componentType: 5125 }
+  Object.assign(accessors[0], { sparse: { count: 1, indices, values: { bufferView: 0 } } })
+}
+
+async function faultyFace([what, spoil, edit]: (typeof FAULTS)[number]): Promise<FaultyFace> {
+  const bytes = Buffer.from(await wrinkledFile(spoil, edit))
+  const glb = decodeGlb(bytes, 'face.glb', 'test')
+  return { what, file: bytes.toString('base64'), findings: await findingsOf(glb) }
+}
+
+async function findingsOf(glb: Glb): Promise<Finding[]> {
+  return [...(await checkWrinkles(glb)), ...(await runKhronosValidator(glb))]
+}
+
+/** Maps and areas as people save them: gray, with a palette, of 16 bits, with a profile; and a file of theirs. */
+async function projectFiles(): Promise<Record<string, Uint8Array>> {
+  const colours = (seed: number) => sharp(noise(seed, 3), { raw: raw(3) })
+  const gray = (seed: number) => sharp(noise(seed, 1), { raw: raw(1) }).toColourspace('b-w')
+  const document = {
+    version: 1,
+    layers: [{ name: 'age' }, { name: 'smile', kind: 'detail', normalScale: 0.5 }],
+    areas: ['brow', 'cheek', 'chin', 'eye', 'nose'].map((name, i) => ({
+      name,
+      layer: i % 2 ? 'smile' : 'age',
+    })),
+    drivers: [{ type: 'morph', area: 'brow', targets: [{ name: 'missing' }] }],
+    areaSize: 16,
+  }
+  return {
+    'wrinkles.json': Buffer.from(JSON.stringify(document)),
+    'notes.txt': Buffer.from('paint the chin'),
+    'layers/age/normal.png': await colours(1).png().toBuffer(),
+    'layers/age/roughness.png': await gray(2).png().toBuffer(),
+    'layers/smile/normal.png': await colours(3).toColourspace('rgb16').png().toBuffer(),
+    'layers/smile/baseColor.png': await colours(4).png({ palette: true, progressive: true }).toBuffer(),
+    'areas/brow.png': await gray(5).png().toBuffer(),
+    'areas/cheek.png': await gray(6).toColourspace('grey16').png().toBuffer(),
+    'areas/chin.png': await colours(7).png({ palette: true }).toBuffer(),
+    'areas/eye.png': await colours(8).ensureAlpha().withIccProfile('p3').png().toBuffer(),
+    'areas/nose.png': await gray(9).resize(100, 60).png({ progressive: true }).toBuffer(),
+  }
+}
+
+/** A `.gltf` with its buffer and its images beside it. */
+async function gltfFiles(glb: Uint8Array): Promise<Record<string, Uint8Array>> {
+  const files = await faceFiles(decodeGlb(glb, 'face.glb', 'test'), 'parts.gltf', 'test')
+  return Object.fromEntries(files.map(({ path, bytes }) => [path, bytes]))
+}
+
+const raw = <N extends 1 | 3>(channels: N) => ({ width: SIDE, height: SIDE, channels })
+
+function noise(seed: number, channels: number): Uint8Array {
+  const next = seeded(seed)
+  return Uint8Array.from({ length: SIDE * SIDE * channels }, () => Math.floor(256 * next()))
+}
+
+function writeFiles(folder: string, files: Record<string, Uint8Array>): void {
+  for (const [path, bytes] of Object.entries(files)) {
+    mkdirSync(dirname(join(folder, path)), { recursive: true })
+    writeFileSync(join(folder, path), bytes)
+  }
+}
+
+function encoded(files: Record<string, Uint8Array>): EncodedFiles {
+  const entries = Object.entries(files)
+  return Object.fromEntries(entries.map(([path, bytes]) => [path, Buffer.from(bytes).toString('base64')]))
+}

@@ -1,0 +1,139 @@
+import { beforeAll, describe, expect, it } from 'vitest'
+import { documentOf } from '../../packages/cli/src/gltf/document.ts'
+import { decodeGlb } from '../../packages/cli/src/gltf/glb-file.ts'
+import type { Finding } from '../../packages/cli/src/validate/finding.ts'
+import { GAVE_UP } from '../../packages/cli/src/validate/khronos.ts'
+import { checkWrinkles } from '../../packages/cli/src/wrinkles/rules.ts'
+import { exportInWorker, readInWorker, validateInWorker } from '../../studio/src/export/in-worker.ts'
+import type { DamagedFace } from './damaged-faces.ts'
+import type { EncodedFiles, ExportCase, ExportCases, FaultyFace } from './export-cases.ts'
+
+let project: Map<string, Uint8Array>
+let cases: ExportCase[]
+let faulty: FaultyFace[]
+
+beforeAll(async () => {
+  const made: ExportCases = await (await fetch('/export-cases.json')).json()
+  project = decoded(made.project)
+  cases = made.cases
+  faulty = made.faulty
+})
+
+describe('the studio exports', () => {
+  it('the bytes of furrow pack, with the findings of furrow validate', async () => {
+    expect(cases.length).toBe(9)
+    for (const { what, face, files, options, packed, findings } of cases) {
+      const exported = await exportInWorker(faceOf(face, files), project, options)
+      expect(same(exported.bytes, bytesOf(packed)), what).toBe(true)
+      expect(exported.findings, what).toEqual(findings)
+      expect(exported.warnings.join(), what).toMatch(/target "missing".* does not exist; it is kept/)
+      expect(exported.cost.file, what).toBeLessThan(exported.bytes.length)
+      expect(exported.cost.gpu, what).toBeGreaterThan(16 * 16)
+    }
+  })
+
+  it('a face that it read, as it was', async () => {
+    for (const { what, packed, options } of cases) {
+      if (options.ktx2) continue
+      const bytes = bytesOf(packed)
+      const { face, folder } = await readInWorker({ name: 'face.glb', bytes })
+      const exported = await exportInWorker({ name: 'face.glb', bytes: face }, folder!)
+      expect(same(exported.bytes, bytes), what).toBe(true)
+    }
+  })
+
+  it('step by step, and stops when it is told to', async () => {
+    const [{ face, files }] = cases
+    const steps: string[] = []
+    await exportInWorker(
+      faceOf(face, files),
+      project,
+      {},
+      { onProgress: (...step) => steps.push(step.join('/')) },
+    )
+    expect(steps).toEqual(['1/7', '2/7', '3/7', '4/7', '5/7', '6/7', '7/7'])
+    const stop = new AbortController()
+    const stopped = exportInWorker(faceOf(face, files), project, {}, { signal: stop.signal })
+    stop.abort(new Error('changed her mind'))
+    await expect(stopped).rejects.toThrow('changed her mind')
+  })
+
+  it('nothing of what cannot be used, and says why', async () => {
+    const [glb, , , , , , gltf] = cases
+    const face = faceOf(glb.face, glb.files)
+    const withFile = (path: string, bytes: Uint8Array) => new Map(project).set(path, bytes)
+    const cut = project.get('areas/brow.png')!.subarray(0, 60)
+    await expect(exportInWorker(face, withFile('areas/brow.png', cut))).rejects.toThrow(
+      'Studio: cannot read the image areas/brow.png (it is cut off)',
+    )
+    await expect(exportInWorker(face, new Map())).rejects.toThrow('Studio: no layers in the project')
+    const alone = { name: 'parts.gltf', bytes: bytesOf(gltf.files['parts.gltf']) }
+    await expect(exportInWorker(alone, project)).rejects.toThrow(
+      /Studio: cannot read parts.*which parts.gltf refers to/,
+    )
+  })
+})
+
+it('a face in Draco is decoded in the browser', async () => {
+  const read = async (name: string) => {
+    const file = new Uint8Array(await (await fetch(`/packed/${name}.glb`)).arrayBuffer())
+    const document = await documentOf(decodeGlb(file, name, 'test'), name, 'test')
+    const [primitive] = document.getRoot().listMeshes()[0].listPrimitives()
+    return [primitive.getIndices()!.getCount(), primitive.listTargets().length]
+  }
+  expect(await read('draco')).toEqual(await read('images'))
+})
+
+describe('the studio validates', () => {
+  it('as furrow validate does, files of all kinds, whole and with damaged images', async () => {
+    const faces: DamagedFace[] = await (await fetch('/damaged-faces.json')).json()
+    const differing: string[] = []
+    for (const { what, file, fault, isUnsure } of faces) {
+      const findings = await checkWrinkles(decodeGlb(bytesOf(file), 'face.glb', 'test'))
+      const error = findings.find(({ severity }) => severity === 'error')
+      if (Boolean(error) !== (fault !== null) && !isUnsure)
+        differing.push(`${what}: ${fault}; here: ${error?.message}`)
+    }
+    expect(differing).toEqual([])
+  })
+
+  it('whatever is wrong with a file, in the same words', async () => {
+    for (const { what, file, findings } of faulty) {
+      const found = await validateInWorker({ name: 'face.glb', bytes: bytesOf(file) })
+      // Only the words of what was thrown inside the validator are those of the engine.
+      const own = ({ code, message, ...rest }: Finding) => ({
+        code,
+        ...rest,
+        ...(code !== GAVE_UP && { message }),
+      })
+      expect(found.map(own), what).toEqual(findings.map(own))
+      expect(found.some(({ severity }) => severity === 'error')).toBe(true)
+    }
+  })
+
+  it('faces without wrinkles, and says of other files what they are', async () => {
+    const [{ packed }] = cases
+    const { face } = await readInWorker({ name: 'face.glb', bytes: bytesOf(packed) })
+    const findings = await validateInWorker({ name: 'face.glb', bytes: face })
+    expect(findings[0]).toMatchObject({ severity: 'warning', code: 'NO_WRINKLES' })
+    const picture = { name: 'face.glb', bytes: project.get('areas/brow.png')! }
+    await expect(validateInWorker(picture)).rejects.toThrow('Studio: face.glb is not usable: it is an image')
+  })
+})
+
+function faceOf(name: string, files: EncodedFiles) {
+  const references = decoded(files)
+  return { name, bytes: references.get(name)!, references }
+}
+
+function decoded(files: EncodedFiles): Map<string, Uint8Array> {
+  return new Map(Object.entries(files).map(([path, text]) => [path, bytesOf(text)]))
+}
+
+function bytesOf(base64: string): Uint8Array {
+  return Uint8Array.from(atob(base64), (character) => character.charCodeAt(0))
+}
+
+function same(a: Uint8Array, b: Uint8Array): boolean {
+  return a.length === b.length && a.every((byte, i) => byte === b[i])
+}

@@ -1,0 +1,117 @@
+// The browser's private file system stands in for a folder that a user picks: its handles are of the same kind.
+
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import {
+  askToWrite,
+  canWriteFolders,
+  filesOfFolder,
+  pickFolder,
+  writeFolder,
+} from '../../../studio/src/keep/disk-folder.ts'
+import type { FolderFile } from '../../../studio/src/keep/folder-files.ts'
+
+const text = (content: string) => new TextEncoder().encode(content)
+
+/** A project's files, with the images that its `studio.json` lists. */
+function filesOf(images: Record<string, string>, listed = Object.keys(images)): FolderFile[] {
+  return [
+    { path: 'face.glb', content: new Blob(['the face']) },
+    ...Object.entries(images).map(([path, content]) => ({ path, content: text(content) })),
+    { path: 'wrinkles.json', content: text('{}') },
+    { path: 'studio.json', content: text(JSON.stringify({ version: 1, files: listed })) },
+  ]
+}
+
+const IMAGES = { 'layers/up/normal.png': 'normals', 'areas/frown.png': 'frown' }
+
+let root: FileSystemDirectoryHandle
+let folder: FileSystemDirectoryHandle
+
+async function contents(): Promise<Record<string, string>> {
+  const files = await filesOfFolder(folder)
+  return Object.fromEntries(await Promise.all(files.map(async ({ path, file }) => [path, await file.text()])))
+}
+
+beforeEach(async () => {
+  root = await navigator.storage.getDirectory()
+  folder = await root.getDirectoryHandle(crypto.randomUUID(), { create: true })
+})
+
+afterEach(async () => {
+  vi.restoreAllMocks()
+  vi.unstubAllGlobals()
+  await root.removeEntry(folder.name, { recursive: true })
+})
+
+describe('a folder on disk', () => {
+  it('gets all files, and then only those that changed', async () => {
+    const files = filesOf(IMAGES)
+    expect((await writeFolder(folder, files)).length).toBe(5)
+    expect(await contents()).toMatchObject({ ...IMAGES, 'face.glb': 'the face', 'wrinkles.json': '{}' })
+    const opened = vi.spyOn(FileSystemFileHandle.prototype, 'createWritable')
+    expect(await writeFolder(folder, files)).toEqual([])
+    const painted = filesOf({ ...IMAGES, 'areas/frown.png': 'other' })
+    expect(await writeFolder(folder, painted)).toEqual(['areas/frown.png'])
+    expect(opened).toHaveBeenCalledTimes(1)
+    expect((await contents())['areas/frown.png']).toBe('other')
+  })
+
+  it('loses the images that the studio wrote before, and nothing else', async () => {
+    await writeFolder(folder, filesOf({ ...IMAGES, 'layers/up/normal.psd': 'source' }, Object.keys(IMAGES)))
+    const next = filesOf({ 'layers/up/normal.png': 'normals' })
+    expect(await writeFolder(folder, next)).toEqual(['studio.json', 'areas/frown.png'])
+    const paths = Object.keys(await contents()).sort()
+    expect(paths).toEqual([
+      'face.glb',
+      'layers/up/normal.png',
+      'layers/up/normal.psd',
+      'studio.json',
+      'wrinkles.json',
+    ])
+  })
+
+  it('is not made to lose other files by its studio.json', async () => {
+    await writeFolder(folder, [
+      ...filesOf(IMAGES, ['notes.txt', '../x', 3 as never]),
+      { path: 'notes.txt', content: text('mine') },
+    ])
+    await writeFolder(folder, filesOf(IMAGES))
+    expect((await contents())['notes.txt']).toBe('mine')
+  })
+
+  it('keeps a file whole whose writing fails', async () => {
+    await writeFolder(folder, filesOf(IMAGES))
+    vi.spyOn(FileSystemWritableFileStream.prototype, 'write').mockRejectedValue(new Error('disk full'))
+    const painted = filesOf({ ...IMAGES, 'areas/frown.png': 'other' })
+    await expect(writeFolder(folder, painted)).rejects.toThrow(
+      /Studio: cannot write to the folder .* \(disk full\)/,
+    )
+    expect((await contents())['areas/frown.png']).toBe('frown')
+  })
+
+  it('is read without folders that are none of the project', async () => {
+    await writeFolder(folder, filesOf(IMAGES))
+    const git = await folder.getDirectoryHandle('.git', { create: true })
+    await git.getFileHandle('config', { create: true })
+    expect((await filesOfFolder(folder)).length).toBe(5)
+  })
+
+  it('is written to when the user allows it again', async () => {
+    const asked = vi.fn().mockResolvedValue('granted')
+    const kept = { name: 'kept', queryPermission: async () => 'prompt', requestPermission: asked }
+    await askToWrite(kept as unknown as FileSystemDirectoryHandle)
+    expect(asked).toHaveBeenCalledTimes(1)
+    asked.mockResolvedValue('denied')
+    await expect(askToWrite(kept as unknown as FileSystemDirectoryHandle)).rejects.toThrow(
+      'Studio: cannot write to the folder kept (permission denied)',
+    )
+  })
+
+  it('is picked, or not', async () => {
+    vi.stubGlobal('showDirectoryPicker', async () => folder)
+    expect(canWriteFolders()).toBe(true)
+    expect(await pickFolder()).toBe(folder)
+    vi.stubGlobal('showDirectoryPicker', () => Promise.reject(new DOMException('', 'AbortError')))
+    expect(await pickFolder()).toBeUndefined()
+  })
+})

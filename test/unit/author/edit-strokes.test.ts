@@ -1,0 +1,200 @@
+import { describe, expect, it } from 'vitest'
+import {
+  insertPoint,
+  middleOf,
+  mirrorStroke,
+  nearestOnStroke,
+  parseStrokes,
+  removePoint,
+  type Stroke,
+  skinCanvas,
+  smoothStroke,
+  splineOf,
+  splitStroke,
+  strokeCurves,
+} from '../../../packages/furrow/src/author/index.ts'
+import { layOutStroke } from '../../../packages/furrow/src/author/strokes/lay-out.ts'
+import { cylinder, RADIUS, uvOf } from './skins.ts'
+
+const canvas = skinCanvas(cylinder(), 64)
+
+/** Rises over the front, crosses the seam at +x, and falls on the back. */
+const wave: Stroke = {
+  group: 'cheekLeft',
+  curve: 'spline',
+  points: [
+    [0.3, 20],
+    [0.6, 26],
+    [0.9, 34],
+    [1.2, 28],
+    [1.5, 24],
+  ].map(([turn, y]) => uvOf(turn, y)),
+  width: 2,
+  depth: 1,
+  depths: [0.5, 1, 0.25],
+  taper: [0.2, 0.4],
+  shoulder: [1, 0.2],
+  softness: 0.4,
+  waviness: 0,
+}
+
+/** The farthest that the line of a stroke is from those of others, in millimetres. */
+function farthest(stroke: Stroke, others: readonly Stroke[]): number {
+  const curves = others.flatMap((other) => strokeCurves(other, canvas))
+  return Math.max(
+    ...strokeCurves(stroke, canvas).flatMap(({ points, along }) =>
+      Array.from(along, (_, i) => {
+        const [x, y, z] = points.subarray(3 * i, 3 * i + 3)
+        return 1000 * (nearestOnStroke(curves, [x, y, z])?.distance ?? Infinity)
+      }),
+    ),
+  )
+}
+
+/** A document takes the strokes as they are. */
+function expectValid(...strokes: Stroke[]): void {
+  expect(parseStrokes({ version: 1, strokes: JSON.parse(JSON.stringify(strokes)) }).strokes).toEqual(strokes)
+}
+
+describe('a stroke as a line in space', () => {
+  it('lies on the skin in the coordinates of the mesh, from its start to its end', () => {
+    const [{ points, normals, along }, ...others] = strokeCurves(wave, canvas)
+    expect(others).toEqual([])
+    expect([along[0], along.at(-1)]).toEqual([0, 1])
+    for (let i = 0; i < points.length; i += 3) {
+      expect(Math.hypot(points[i], points[i + 2])).toBeCloseTo(RADIUS / 1000, 4)
+      expect(Math.hypot(...normals.subarray(i, i + 3))).toBeCloseTo(1)
+      if (i > 0) expect(along[i / 3]).toBeGreaterThan(along[i / 3 - 1])
+    }
+  })
+
+  it('counts on over its parts where the texture interrupts it', () => {
+    const points = [0.2, 0.8].map((u): [number, number] => [u, 0.5])
+    const curves = strokeCurves({ ...wave, curve: 'polyline', points }, canvas)
+    expect(curves.length).toBe(2)
+    expect(curves[1].along[0]).toBe(curves[0].along.at(-1))
+    expect(curves[1].along.at(-1)).toBe(1)
+  })
+
+  it('is found by its point that is nearest to a position', () => {
+    const [{ points, along }] = strokeCurves(wave, canvas)
+    const i = Math.floor(along.length / 3)
+    const [x, y, z] = points.subarray(3 * i, 3 * i + 3)
+    const found = nearestOnStroke(strokeCurves(wave, canvas), [x * 1.1, y, z * 1.1])
+    expect(found?.along).toBeCloseTo(along[i], 2)
+    expect(found?.distance).toBeCloseTo(0.1 * (RADIUS / 1000), 4)
+    expect(nearestOnStroke([], [0, 0, 0])).toBeUndefined()
+  })
+})
+
+describe('points of a stroke', () => {
+  it.each([0.1, 0.4, 0.6, 0.95])('are added at %d of its line, which stays where it is', (along) => {
+    const { stroke, index } = insertPoint(wave, along, canvas)
+    expect(stroke.points.length).toBe(6)
+    expect(stroke.points.toSpliced(index, 1)).toEqual(wave.points)
+    // A hundredth of the distance between points, which is 17 mm here.
+    expect(farthest(stroke, [wave])).toBeLessThan(0.25)
+    expect(farthest(wave, [stroke])).toBeLessThan(0.25)
+    expect(removePoint(stroke, index, canvas)).toEqual(wave)
+    expectValid(stroke)
+  })
+
+  it('are not added where one is, or where the stroke is not on the skin', () => {
+    expect(insertPoint(wave, 0, canvas)).toEqual({ stroke: wave, index: -1 })
+    const beside: Stroke = { ...wave, points: [[0.01, 0.01], [0.02, 0.02]] } // biome-ignore format: one line
+    expect(insertPoint(beside, 0.5, canvas)).toEqual({ stroke: beside, index: -1 })
+  })
+
+  it('are removed but for two', () => {
+    const short = { ...wave, points: wave.points.slice(0, 2) }
+    expect(() => removePoint(short, 0, canvas)).toThrow('removePoint: a stroke needs two points')
+    expect(() => removePoint(wave, 5, canvas)).toThrow('removePoint: the stroke has no such point')
+  })
+
+  it('are smoothed over the skin and across the seam, but for the ends', () => {
+    const zigzag = {
+      ...wave,
+      points: [0.7, 0.8, 0.9, 1.1, 1.2].map((turn, i) => uvOf(turn, i % 2 ? 34 : 26)),
+    }
+    const heights = (stroke: Stroke) =>
+      strokeCurves(stroke, canvas).flatMap(({ points }) => [...points.filter((_, i) => i % 3 === 1)])
+    const rangeOf = (stroke: Stroke) => Math.max(...heights(stroke)) - Math.min(...heights(stroke))
+    let smooth = zigzag
+    for (let n = 0; n < 8; n++) smooth = smoothStroke(smooth, 0.5, canvas)
+    expect([smooth.points[0], smooth.points[4]]).toEqual([zigzag.points[0], zigzag.points[4]])
+    expect(rangeOf(smooth)).toBeLessThan(0.3 * rangeOf(zigzag))
+    expectValid(smooth)
+  })
+})
+
+describe('a stroke of another kind', () => {
+  it.each(['polyline', 'bezier'] as const)('becomes a spline where it was: a %s', (curve) => {
+    const points: [number, number][] = [[0.1, 0.3], [0.2, 0.7], [0.3, 0.2], [0.4, 0.6]] // biome-ignore format: one line
+    const spline = splineOf({ ...wave, curve, points }, canvas)
+    expect(spline.curve).toBe('spline')
+    expect(farthest({ ...wave, curve, points }, [spline])).toBeLessThan(0.2)
+    expectValid(spline)
+  })
+})
+
+describe('a stroke that is split', () => {
+  const at = (stroke: Stroke, along: number) => {
+    const [{ depths }] = layOutStroke(stroke, canvas)
+    return depths[Math.round(along * (depths.length - 1))]
+  }
+
+  it.each([1, 2, 3])('at point %d lies where it did, and is as deep', (index) => {
+    const parts = splitStroke(wave, index, canvas)
+    expectValid(...parts)
+    for (const part of parts) expect(farthest(part, [wave])).toBeLessThan(0.1)
+    expect(farthest(wave, parts)).toBeLessThan(0.1)
+    expect(parts.map(({ taper }) => [taper[0] === 0, taper[1] === 0])).toEqual([
+      [false, true],
+      [true, false],
+    ])
+    const [first, second] = parts.map((part) => layOutStroke(part, canvas)[0].depths.length)
+    const cut = first / (first + second)
+    for (const t of [0.05, 0.3, 0.6, 0.95]) {
+      expect(at(parts[0], t)).toBeCloseTo(at(wave, t * cut), 1)
+      expect(at(parts[1], t)).toBeCloseTo(at(wave, cut + t * (1 - cut)), 1)
+    }
+  })
+
+  it('keeps an even depth without factors', () => {
+    const { depths: _, ...even } = wave
+    for (const part of splitStroke<Stroke>({ ...even, taper: [0.1, 0.1] }, 2, canvas))
+      expect(part.depths).toBeUndefined()
+  })
+
+  it('is cut at inner points only', () => {
+    for (const index of [0, 4, 1.5])
+      expect(() => splitStroke(wave, index, canvas)).toThrow(/splitStroke: the stroke has no such point/)
+  })
+})
+
+describe('a stroke that is mirrored', () => {
+  it('lies on the other side, with its banks and its group', () => {
+    const mirrored = mirrorStroke(wave, canvas)
+    expect(mirrored).toMatchObject({ shoulder: [0.2, 1], group: 'cheekRight' })
+    const [[own], [other]] = [strokeCurves(wave, canvas), strokeCurves(mirrored, canvas)]
+    for (let i = 0; i < own.points.length; i += 30) {
+      const [x, y, z] = own.points.subarray(i, i + 3)
+      expect(1000 * (nearestOnStroke([other], [-x, y, z])?.distance ?? 1)).toBeLessThan(0.1)
+    }
+    expect(farthest(mirrorStroke(mirrored, canvas), [wave])).toBeLessThan(0.1)
+    expectValid(mirrored)
+  })
+
+  it('is mirrored across any plane', () => {
+    const mirrored = mirrorStroke(wave, canvas, { origin: [0, 0, 0], normal: [0, 0, 1] })
+    const [{ points }] = strokeCurves(mirrored, canvas)
+    const [start] = strokeCurves(wave, canvas)
+    expect(points[0]).toBeCloseTo(start.points[0], 4)
+    expect(points[2]).toBeCloseTo(-start.points[2], 4)
+  })
+
+  it('has the middle of a face only where there is a face', () => {
+    const { positions, uvs, indices = [] } = cylinder()
+    expect(middleOf({ positions, uvs, indices, targets: [] })).toBeUndefined()
+  })
+})

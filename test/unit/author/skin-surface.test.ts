@@ -1,0 +1,57 @@
+import { fileURLToPath } from 'node:url'
+import { mapSkin, skinSurface } from 'furrow/author'
+import { describe, expect, it } from 'vitest'
+import { findSkin } from '../../../packages/cli/src/auto/find-skin.ts'
+import { readDocument } from '../../../packages/cli/src/gltf/read-document.ts'
+
+const HUMAN = fileURLToPath(new URL('../../../faces/human.glb', import.meta.url))
+
+describe('the surface of a skin', () => {
+  it('of a face is in the frame of the face, however it is turned and scaled', async () => {
+    const { skin } = findSkin(await readDocument(HUMAN, 'test'), HUMAN, 'test')
+    const { surface, scale } = skinSurface(skin)
+    // A quarter turn about y, twice as large, elsewhere.
+    const turned = (vectors: ArrayLike<number>, [x, y, z]: readonly number[]) =>
+      Float64Array.from({ length: vectors.length }, (_, i) => {
+        const first = i - (i % 3)
+        return [2 * vectors[first + 2] + x, 2 * vectors[first + 1] + y, -2 * vectors[first] + z][i % 3]
+      })
+    const other = skinSurface({
+      ...skin,
+      positions: turned(skin.positions, [1, 2, 3]),
+      targets: skin.targets.map(({ name, offsets }) => ({ name, offsets: turned(offsets, [0, 0, 0]) })),
+    })
+    expect(other.scale).toBeCloseTo(scale / 2, 6)
+    const differences = surface.points.map((value, i) => Math.abs(value - other.surface.points[i]))
+    expect(differences.reduce((a, b) => Math.max(a, b))).toBeLessThan(1e-3)
+  })
+
+  const sheet = {
+    positions: [0, 0, 0, 0.1, 0, 0, 0, 0.1, 0, 0.2, 0, 0, 0.3, 0, 0, 0.2, 0.1, 0],
+    uvs: [0, 1, 1, 1, 0, 0, 0, 1, 1, 1, 0, 0],
+    indices: [0, 1, 2, 3, 4, 5],
+    targets: [],
+  }
+
+  it('of anything else is in millimetres in its own frame', () => {
+    const { surface, scale } = skinSurface(sheet)
+    expect(scale).toBe(1000)
+    expect([...surface.points.slice(3, 6)]).toEqual([100, 0, 0])
+  })
+
+  it('has texels that several triangles use, each told once for each other triangle', () => {
+    const { surface } = skinSurface(sheet)
+    const { texels } = mapSkin(sheet, surface, 16)
+    const own: number[] = []
+    texels.visit((texel, triangle, a, b, c) => {
+      if (triangle === 0 && Math.min(a, b, c) > 1e-3) own.push(texel)
+    })
+    const others: number[] = []
+    texels.visitOverlaps((texel, triangle) => {
+      expect(triangle).toBe(1)
+      others.push(texel)
+    })
+    expect(others).toEqual(own)
+    expect(own.length).toBeGreaterThan(80)
+  })
+})

@@ -1,0 +1,101 @@
+import fc from 'fast-check'
+import { describe, expect, it } from 'vitest'
+import {
+  combineNormals,
+  heightToNormal,
+  type RgbaImage,
+  type SkinCanvas,
+  type Stroke,
+  StrokeLayer,
+  skinCanvas,
+} from '../../../packages/furrow/src/author/index.ts'
+import { drawStrokes } from '../../../packages/furrow/src/author/strokes/height.ts'
+import { layOutStroke } from '../../../packages/furrow/src/author/strokes/lay-out.ts'
+import { flatCanvas } from './planes.ts'
+import { cylinder, folded } from './skins.ts'
+
+const SIZE = 96
+
+/** All maps of a layer, as bytes. */
+const bytesOf = ({ relief, occlusion, normal }: Pick<StrokeLayer, 'relief' | 'occlusion' | 'normal'>) =>
+  [relief, occlusion, normal].map(({ data }) => Buffer.from(data.buffer.slice(0)))
+
+function drawnAnew(strokes: readonly Stroke[], canvas: SkinCanvas, base?: RgbaImage): Buffer[] {
+  const laid = strokes.flatMap((stroke) => layOutStroke(stroke, canvas))
+  const drawn = drawStrokes(laid, canvas)
+  const detail = heightToNormal(drawn.relief, canvas.metric, 'derivative')
+  return bytesOf({ ...drawn, normal: base ? combineNormals(base, detail) : detail })
+}
+
+/** Pores. */
+function pores(): RgbaImage {
+  const data = new Uint8Array(4 * SIZE * SIZE)
+  for (let i = 0; i < data.length; i++) data[i] = i % 4 === 3 ? 0 : i % 4 === 2 ? 250 : 120 + (i % 17)
+  return { width: SIZE, height: SIZE, data }
+}
+
+const coordinate = fc.double({ min: 0, max: 1, noNaN: true })
+const stroke: fc.Arbitrary<Stroke> = fc.record({
+  curve: fc.constantFrom('spline' as const, 'polyline' as const),
+  points: fc.array(fc.tuple(coordinate, coordinate), { minLength: 2, maxLength: 4 }),
+  width: fc.double({ min: 0.5, max: 6, noNaN: true }),
+  depth: fc.double({ min: 0, max: 2, noNaN: true }),
+  taper: fc.constantFrom<[number, number]>([0, 0], [0.3, 0.3]),
+  shoulder: fc.constantFrom<[number, number]>([0.6, 0.6], [1, 0]),
+  softness: fc.constant(0.4),
+  waviness: fc.constantFrom(0, 0.5),
+})
+
+/** An edit of a list of strokes; `at` is where, as a fraction of the list. */
+const edit = fc.record({
+  kind: fc.constantFrom('add', 'remove', 'replace', 'move', 'repeat', 'clear'),
+  at: fc.double({ min: 0, max: 0.999, noNaN: true }),
+  stroke,
+})
+
+type Edit = typeof edit extends fc.Arbitrary<infer T> ? T : never
+
+function edited(strokes: readonly Stroke[], { kind, at, stroke }: Edit): readonly Stroke[] {
+  const i = Math.floor(at * strokes.length)
+  if (kind === 'clear') return at > 0.7 ? [] : strokes
+  if (kind === 'add' || strokes.length === 0) return strokes.toSpliced(i, 0, stroke)
+  if (kind === 'replace') return strokes.with(i, { ...strokes[i], points: stroke.points })
+  if (kind === 'repeat') return [...strokes, strokes[i]]
+  const without = strokes.toSpliced(i, 1)
+  return kind === 'remove' ? without : [...without, strokes[i]]
+}
+
+describe.each([
+  ['a cylinder with two seams', () => skinCanvas(cylinder(), SIZE), undefined],
+  ['a sheet that fills its texture, with pores', () => flatCanvas(60, 60, SIZE), pores()],
+  ['a sheet whose halves use the same texels', () => skinCanvas(folded(), SIZE), undefined],
+] as const)('strokes that are edited on %s', (_, make, base) => {
+  const canvas = make()
+
+  it('give the maps of drawing them all anew, bit for bit, and change nothing beside what they tell', () => {
+    const sequence = fc.array(edit, { minLength: 1, maxLength: 8 })
+    const follow = (edits: readonly Edit[]) => {
+      const layer = new StrokeLayer(canvas, { frame: 'derivative', ...(base && { base }) })
+      let strokes: readonly Stroke[] = []
+      expect(bytesOf(layer)).toEqual(drawnAnew(strokes, canvas, base))
+      for (const each of edits) {
+        strokes = edited(strokes, each)
+        const before = bytesOf(layer)
+        const changed = layer.draw(strokes)
+        const after = bytesOf(layer)
+        const anew = drawnAnew(strokes, canvas, base)
+        expect(after.map((map, i) => map.equals(anew[i]))).toEqual([true, true, true])
+        const told = new Uint8Array(SIZE * SIZE)
+        for (const { x0, y0, x1, y1 } of changed) {
+          expect(x0 >= 0 && y0 >= 0 && x1 <= SIZE && y1 <= SIZE && x0 < x1 && y0 < y1).toBe(true)
+          for (let y = y0; y < y1; y++) told.fill(1, y * SIZE + x0, y * SIZE + x1)
+        }
+        for (const [i, map] of after.entries()) {
+          const channels = map.length / told.length
+          expect(map.every((byte, k) => byte === before[i][k] || told[Math.floor(k / channels)])).toBe(true)
+        }
+      }
+    }
+    fc.assert(fc.property(sequence, follow), { seed: 16, numRuns: 12 })
+  })
+})

@@ -1,0 +1,49 @@
+import { describe, expect, it } from 'vitest'
+import { type Stroke, StrokeLayer, skinCanvas } from '../../../packages/furrow/src/author/index.ts'
+import { cylinder, uvOf } from './skins.ts'
+
+describe('a layer of strokes', () => {
+  const canvas = skinCanvas(cylinder(), 256)
+  const line = (turns: number[], y: number): Stroke => ({
+    curve: 'spline',
+    points: turns.map((turn) => uvOf(turn, y)),
+    width: 2,
+    depth: 1,
+    taper: [0, 0],
+    shoulder: [0.6, 0.6],
+    softness: 0.4,
+    waviness: 0,
+  })
+
+  it('tells a rectangle on each side of a seam that a changed stroke crosses, and none where nothing changed', () => {
+    const layer = new StrokeLayer(canvas)
+    const own = line([0.8, 0.95, 1.05, 1.2], 12)
+    const changed = layer.draw([own]).sort((a, b) => a.x0 - b.x0)
+    expect(changed.length).toBe(2)
+    // The islands end and begin at 115 and 141; both go on for 14 texels, and slopes are taken over two more.
+    expect(changed[0].x1).toBeLessThanOrEqual(115 + 17)
+    expect(changed[1].x0).toBeGreaterThanOrEqual(141 - 17)
+    expect(layer.draw([own])).toEqual([])
+    expect(layer.draw([{ ...own }])).toEqual([])
+  })
+
+  it('draws only what is within reach of a changed stroke again', () => {
+    const layer = new StrokeLayer(canvas)
+    const others = [5, 15, 45, 55].map((y) => line([0.2, 0.8], y))
+    const own = line([0.3, 0.5], 30)
+    layer.draw([...others, own])
+    // Reach 7 mm, in texels of 60 mm / (0.8 * 256), with slopes over two more.
+    const most = 30 + 2 * (7 * (205 / 60) + 4)
+    for (const { y0, y1 } of layer.draw([...others, { ...own, depth: 0.5 }]))
+      expect(y1 - y0).toBeLessThan(most)
+    // What was spoilt elsewhere is still there: it was not drawn again.
+    layer.relief.data.fill(9)
+    layer.draw([...others, own])
+    expect(layer.relief.data.filter((value) => value === 9).length).toBeGreaterThan(200 * 200)
+  })
+
+  it('refuses a base of another size', () => {
+    const base = { width: 128, height: 128, data: new Uint8Array(4 * 128 * 128) }
+    expect(() => new StrokeLayer(canvas, { base })).toThrow('differ in size')
+  })
+})

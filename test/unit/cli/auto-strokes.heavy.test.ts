@@ -1,0 +1,37 @@
+import { readFileSync, writeFileSync } from 'node:fs'
+import { expect, test } from 'vitest'
+import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
+import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
+import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
+import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
+import { bench } from './command.ts'
+import { sheet, sheetGlb } from './sheet.ts'
+
+const at = bench(autoCommand)
+const { file } = at
+
+test.each([
+  ['PNG', []],
+  ['KTX 2', ['--ktx2']],
+])('auto keeps its lines in the file, with maps as %s', async (kind, options) => {
+  writeFileSync(file('sheet.glb'), await sheetGlb(sheet(40)))
+  const [out, lines, folder] = [file(`${kind}.glb`), file(`${kind}.json`), file(kind)]
+  await at.run(file('sheet.glb'), '-o', out, '--size', '512', '--strokes', lines, ...options)
+  await unpackCommand.parseAsync([out, '-o', folder], { from: 'user' })
+  expect(JSON.parse(readFileSync(lines, 'utf8')).strokes.length).toBeGreaterThan(3)
+  expect(readFileSync(`${folder}/strokes.json`)).toEqual(readFileSync(lines))
+})
+
+test('the strokes of a skin whose texture is another tile, and sticks out of it, are readable', async () => {
+  const shape = sheet(40)
+  // Down to 1 mm beyond the edges of the tile.
+  shape.uvs = shape.uvs!.map((value) => 1 + 1.006 * value - 0.003)
+  writeFileSync(file('tile.glb'), await sheetGlb(shape))
+  await at.run(file('tile.glb'), '-o', file('out.glb'), '--size', '512', '--age', '80', '--strength', '2')
+  at.printed = ''
+  await validateCommand.parseAsync([file('out.glb')], { from: 'user' })
+  expect(at.printed).not.toContain('STROKES')
+  at.printed = ''
+  await inspectCommand.parseAsync([file('out.glb'), '--json'], { from: 'user' })
+  expect(JSON.parse(at.printed).strokes.count).toBeGreaterThan(3)
+})

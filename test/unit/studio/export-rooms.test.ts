@@ -1,0 +1,68 @@
+import { readdirSync, readFileSync } from 'node:fs'
+import { dirname, join, relative, resolve } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { expect, it } from 'vitest'
+
+const ROOT = fileURLToPath(new URL('../../../', import.meta.url))
+const EXPORT = join(ROOT, 'studio/src/export')
+const BROWSER = join(ROOT, 'packages/cli/src/platform/browser')
+
+/** Packages that run in browsers, by their documentation and by test/gpu/export.test.ts. */
+const PORTABLE = [
+  '@bokuweb/zstd-wasm',
+  '@gltf-transform/core',
+  '@gltf-transform/extensions',
+  'comlink',
+  'draco3d',
+  'fast-png',
+  'fastest-levenshtein',
+  'furrow',
+  'gltf-validator',
+  'ktx-parse',
+  'ktx2-encoder',
+  'meshoptimizer',
+  'three',
+]
+
+/** What a file imports besides types. */
+function importsOf(path: string): string[] {
+  const text = readFileSync(path, 'utf8').replace(/^(import|export) type [^']* from '[^']+'$/gm, '')
+  return [...text.matchAll(/(?:from|import|new URL)\s*\(?\s*'([^']+)'/g)].map(([, name]) => name)
+}
+
+/** All files of ours that the studio's export loads, and the packages, each with a file that imports it. */
+function loaded() {
+  const files = new Set<string>()
+  const packages = new Map<string, string>()
+  const visit = (path: string) => {
+    if (files.has(path)) return
+    files.add(path)
+    for (const name of importsOf(path)) {
+      if (name.startsWith('.')) visit(resolve(dirname(path), name))
+      else if (name.startsWith('#platform/')) visit(join(BROWSER, `${name.slice('#platform/'.length)}.ts`))
+      else packages.set(name.replace(/^((?:@[^/]+\/)?[^/]+).*$/, '$1'), relative(ROOT, path))
+    }
+  }
+  for (const name of readdirSync(EXPORT)) visit(join(EXPORT, name))
+  return { files: [...files], packages }
+}
+
+it('what the studio exports with is free of Node', () => {
+  const { files, packages } = loaded()
+  expect(files).toContain(join(ROOT, 'packages/cli/src/wrinkles/pack.ts'))
+  expect([...packages].filter(([name]) => !PORTABLE.includes(name))).toEqual([])
+  for (const path of files) {
+    expect(readFileSync(path, 'utf8'), relative(ROOT, path)).not.toMatch(/\bBuffer[.(]|\bprocess\./)
+  }
+})
+
+it('each room for a platform has the same doors', () => {
+  const doorsOf = (platform: string) => {
+    const folder = join(ROOT, 'packages/cli/src/platform', platform)
+    return readdirSync(folder).flatMap((name) => {
+      const found = readFileSync(join(folder, name), 'utf8').matchAll(/^export (?:async )?function (\w+)/gm)
+      return [...found].map(([, door]) => `${name} ${door}`)
+    })
+  }
+  expect(doorsOf('browser')).toEqual(doorsOf('node'))
+})

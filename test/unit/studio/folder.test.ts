@@ -1,0 +1,244 @@
+import { readdirSync, readFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { resampleGray } from 'furrow'
+import sharp from 'sharp'
+import { describe, expect, it } from 'vitest'
+import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
+import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
+import { encodePng } from '../../../packages/cli/src/images/encode.ts'
+import { decodeGray } from '../../../packages/cli/src/images/pixels.ts'
+import { renameArea } from '../../../studio/src/document/areas.ts'
+import type { StudioDocument } from '../../../studio/src/document/document.ts'
+import { renameLayer } from '../../../studio/src/document/layers.ts'
+import { type DrawnMaps, type FolderFile, folderFiles } from '../../../studio/src/keep/folder-files.ts'
+import { readFolder } from '../../../studio/src/keep/read-folder.ts'
+import { unzipFolder, zipFolder } from '../../../studio/src/keep/zip.ts'
+import { Workshop } from '../cli/workshop.ts'
+import { sampleDocument } from './sample-document.ts'
+
+const shop = new Workshop()
+
+async function imageOf(side: number, value: number) {
+  const create = { width: side, height: side, channels: 3, background: { r: value, g: 128, b: 255 } } as const
+  return { mimeType: 'image/png', bytes: new Uint8Array(await sharp({ create }).png().toBuffer()) }
+}
+
+/** The sample with images that can be decoded, areas that are not uniform, and all kinds of flags. */
+async function wholeDocument(): Promise<StudioDocument> {
+  const document = sampleDocument()
+  const [up, down] = document.layers
+  const maps = { normal: await imageOf(64, 100), baseColor: await imageOf(64, 200) }
+  return {
+    ...document,
+    layers: [
+      { ...up, kind: 'replace', maps, normalScale: 1.5, occlusionStrength: 0.5 },
+      { ...down, heightAmplitude: 0.01 },
+    ],
+    areas: document.areas.map((area, i) => ({
+      ...area,
+      combine: i === 1 ? 'max' : 'sum',
+      activation: i / 4,
+      weights: { ...area.weights, data: area.weights.data.map((_, k) => 16 * k + i) },
+      ...(i === 2 && { isAutomatic: true }),
+    })),
+    strokes: document.strokes.map((stroke, i) => (i === 1 ? { ...stroke, isAutomatic: true } : stroke)),
+  }
+}
+
+async function drawnMaps(document: StudioDocument): Promise<Map<string, DrawnMaps>> {
+  const drawn = async (value: number): Promise<DrawnMaps> => ({
+    maps: { normal: await imageOf(64, value), occlusion: await imageOf(64, value + 1) },
+  })
+  return new Map([
+    [document.layers[0].name, await drawn(10)],
+    [document.layers[1].name, await drawn(20)],
+  ])
+}
+
+const FACE = [{ path: 'avatar.vrm', file: new Blob(['the face']) }]
+
+/** The files as they are read again. */
+const asRead = (files: readonly FolderFile[]) =>
+  files.map(({ path, content }) => ({ path, file: new Blob([content as BlobPart]) }))
+
+/** Files of a folder of the workshop. */
+function onDisk(name: string) {
+  return Object.entries(shop.files(name)).map(([path, base64]) => ({
+    path,
+    file: new Blob([Buffer.from(base64, 'base64')]),
+  }))
+}
+
+async function write(document: StudioDocument, face = FACE): Promise<FolderFile[]> {
+  return folderFiles(document, face, await drawnMaps(document), encodePng)
+}
+
+describe('the folder of a project', () => {
+  it('is read as the same document and the same face', async () => {
+    const document = await wholeDocument()
+    const { document: read, face } = await readFolder(asRead(await write(document)), 'Face', decodeGray)
+    expect(read).toEqual(document)
+    expect(face.map(({ path }) => path)).toEqual(['avatar.vrm'])
+    expect(await face[0].file.text()).toBe('the face')
+  })
+
+  it('keeps names that no file can have', async () => {
+    const renamed = renameArea(renameLayer(await wholeDocument(), 'up', 'brow/up?'), 'frown', '..')
+    const files = await write(renamed)
+    for (const { path } of files) expect(path).toMatch(/^[\w/ -]+\.\w+$/)
+    const { document } = await readFolder(asRead(files), 'Face', decodeGray)
+    // A shape of strokes must have the name of a file.
+    expect(document).toEqual({ ...renamed, strokeAreas: [renamed.strokeAreas![0]] })
+  })
+
+  it('is a document without areas, strokes, drivers and maps too', async () => {
+    const bare: StudioDocument = {
+      scale: 10,
+      mapSize: 32,
+      areaSize: 8,
+      layers: [sampleDocument().layers[1]],
+      areas: [],
+      strokes: [],
+      drivers: [],
+    }
+    const files = await folderFiles(bare, [], new Map(), encodePng)
+    expect(files.map(({ path }) => path)).toEqual(['layers/down/normal.png', 'wrinkles.json', 'studio.json'])
+    expect(await readFolder(asRead(files), 'Face', decodeGray)).toEqual({ document: bare, face: [] })
+  })
+
+  it('has a face with files beside it as they were', async () => {
+    const face = ['head/face.gltf', 'head/face.bin', 'skin.png'].map((path) => ({
+      path,
+      file: new Blob([path]),
+    }))
+    const files = await write(await wholeDocument(), face)
+    expect(files[0].path).toBe('face/head/face.gltf')
+    const read = await readFolder(asRead(files), 'Face', decodeGray)
+    expect(read.face.map(({ path }) => path)).toEqual(face.map(({ path }) => path))
+  })
+
+  it('survives a .zip', async () => {
+    const document = await wholeDocument()
+    const zip = await zipFolder(await write(document), 'My face')
+    const files = await unzipFolder(zip, 'My face.zip')
+    expect((await readFolder(files, 'Face', decodeGray)).document).toEqual(document)
+  })
+})
+
+describe('furrow pack', () => {
+  it('packs the folder', async () => {
+    const document = { ...(await wholeDocument()), mesh: undefined, material: undefined }
+    const bytes = readFileSync(join(await shop.makeFolder('hand'), 'face.glb'))
+    const face = [{ path: 'avatar.glb', file: new Blob([bytes]) }]
+    for (const { path, content } of await write(document, face)) {
+      const file = content instanceof Blob ? new Uint8Array(await content.arrayBuffer()) : content
+      shop.write(`project/${path}`, file)
+    }
+    await shop.run(packCommand, shop.path('project'), '-o', shop.path('packed.glb'))
+    shop.printed = ''
+    await shop.run(inspectCommand, shop.path('packed.glb'), '--json')
+    const report = JSON.parse(shop.printed)
+    expect(report.layers.map((layer: { name: string }) => layer.name)).toEqual(['up', 'down'])
+    expect(report.areas.map((area: { name: string }) => area.name)).toEqual(['forehead', 'frown', 'cheeks'])
+    expect(report.strokes.count).toBe(document.strokes.length)
+    expect(report.drivers.length).toBe(document.drivers.length)
+  })
+})
+
+describe('a folder made by hand', () => {
+  it('opens without documents, as furrow pack reads it', async () => {
+    await shop.makeFolder('plain')
+    const { document, face } = await readFolder(onDisk('plain'), 'plain', decodeGray)
+    expect(document.layers.map(({ name, maps }) => [name, Object.keys(maps)])).toEqual([
+      ['age', ['normal']],
+      ['expression', ['normal', 'baseColor']],
+    ])
+    const [image] = readdirSync(shop.path('plain/areas')).sort()
+    const gray = await decodeGray(readFileSync(shop.path(`plain/areas/${image}`)), image, 'test')
+    const weights = { ...gray, data: gray.data.map((value) => 255 - value) }
+    expect(document.areas[0].weights).toEqual(resampleGray(weights, document.areaSize))
+    expect(document).toMatchObject({ scale: 1000, areaSize: 128, strokes: [], drivers: [] })
+    expect(face.map(({ path }) => path)).toEqual(['face.glb'])
+  })
+
+  it('with strokes has them drawn again instead of their maps', async () => {
+    await shop.makeFolder('lines')
+    const points = [
+      [0.1, 0.2],
+      [0.4, 0.2],
+    ]
+    const strokes = [{ layer: 'age', points, width: 2, depth: 1 }]
+    shop.json('lines/strokes.json', { version: 1, scale: 100, size: 256, strokes })
+    const { document } = await readFolder(onDisk('lines'), 'lines', decodeGray)
+    expect(document).toMatchObject({ scale: 100, mapSize: 256, strokes })
+    expect(document.layers.map(({ maps }) => Object.keys(maps))).toEqual([[], ['normal', 'baseColor']])
+  })
+
+  it.each([
+    ['no JSON', { 'wrinkles.json': '{' }, 'wrinkles.json cannot be read'],
+    [
+      'no image',
+      { 'wrinkles.json': '{"layers":[{"name":"a"}],"areas":[{"name":"b"}]}' },
+      'is not in the folder',
+    ],
+    ['nothing', {}, 'no layers in hand'],
+    [
+      'strokes on no layer',
+      {
+        'wrinkles.json': '{"layers":[{"name":"a"}],"areas":[{"name":"b"}]}',
+        'strokes.json': '{"version":1,"strokes":[]}',
+      },
+      'strokes has the wrong number of items',
+    ],
+  ])('with %s is one clear message', async (_, files, message) => {
+    const list = Object.entries(files).map(([path, text]) => ({ path, file: new Blob([text]) }))
+    await expect(readFolder(list, 'hand', decodeGray)).rejects.toThrow(message)
+  })
+
+  it('with a studio.json that is none opens as without it', async () => {
+    await shop.makeFolder('odd')
+    shop.json('odd/studio.json', { version: 7, layers: 3 })
+    expect((await readFolder(onDisk('odd'), 'odd', decodeGray)).document.layers.length).toBe(2)
+  })
+})
+
+describe('a .zip', () => {
+  const files = [
+    { path: 'wrinkles.json', content: new TextEncoder().encode('{}') },
+    { path: 'layers/a/normal.png', content: new Blob(['image']) },
+  ]
+
+  it('holds one folder, which is left out when it is read', async () => {
+    const zip = await zipFolder(files, 'Gesicht ä')
+    const read = await unzipFolder(zip, 'a.zip')
+    expect(read.map(({ path }) => path)).toEqual(['wrinkles.json', 'layers/a/normal.png'])
+    expect(await read[1].file.text()).toBe('image')
+  })
+
+  it('is read without what systems leave in it', async () => {
+    const left = ['__MACOSX/._x', '.DS_Store'].map((path) => ({
+      path: `../${path}`,
+      content: new Uint8Array(1),
+    }))
+    const zip = await zipFolder([...files, ...left], 'x')
+    expect((await unzipFolder(zip, 'a.zip')).length).toBe(2)
+  })
+
+  it.each([
+    ['is none', new Blob(['PK but no more'])],
+    ['is empty', new Blob([])],
+  ])('that %s is one clear message', async (_, zip) => {
+    await expect(unzipFolder(zip, 'a.zip')).rejects.toThrow('Studio: cannot read a.zip')
+  })
+
+  it('that is cut off or damaged ends in files or in one message', async () => {
+    const bytes = new Uint8Array(await (await zipFolder(files, 'x')).arrayBuffer())
+    for (let i = 0; i < bytes.length; i += 3) {
+      const damaged = bytes.slice()
+      damaged[i] ^= 0x55
+      for (const zip of [bytes.subarray(0, i), damaged]) {
+        await unzipFolder(new Blob([zip]), 'a.zip').catch((error) => expect(error.name).toBe('FurrowError'))
+      }
+    }
+  })
+})

@@ -1,0 +1,51 @@
+import { describe, expect, it } from 'vitest'
+import {
+  changed,
+  checkNewName,
+  freeName,
+  kept,
+  named,
+  withNamed,
+} from '../../../studio/src/document/names.ts'
+
+const items = ['brow', 'brow 2', 'nose'].map((name) => ({ name }))
+
+describe('names', () => {
+  it('find their item, or an error that lists the others', () => {
+    expect(named(items, 'nose', 'area')).toBe(items[2])
+    expect(() => named(items, 'chin', 'area')).toThrow(
+      'Studio: no such area, got "chin", allowed: brow, brow 2, nose; name one of these',
+    )
+    expect(() => named([], 'chin', 'area')).toThrow('there is none')
+  })
+
+  it('replace one item and leave the others', () => {
+    const after = withNamed(items, 'brow', 'area', () => ({ name: 'chin' }))
+    expect(after).toEqual([{ name: 'chin' }, items[1], items[2]])
+    expect(after[1]).toBe(items[1])
+  })
+
+  it('that are new are usable and free', () => {
+    expect(() => checkNewName(items, 'chin', 'area')).not.toThrow()
+    expect(() => checkNewName(items, 'nose', 'area')).toThrow(
+      'two of the areas would have one name, got "nose"',
+    )
+    expect(() => checkNewName(items, '\u2028', 'area')).toThrow('no usable name')
+  })
+
+  it('are numbered where they are taken', () => {
+    expect(freeName(items, 'chin')).toBe('chin')
+    expect(freeName(items, 'nose')).toBe('nose 2')
+    expect(freeName(items, 'brow')).toBe('brow 3')
+    expect(freeName(items, 'brow 2')).toBe('brow 3')
+  })
+})
+
+describe('lists', () => {
+  it('are the same where nothing in them changes', () => {
+    expect(changed(items, (item) => item)).toBe(items)
+    expect(kept(items, () => true)).toBe(items)
+    expect(changed(items, (item) => (item.name === 'nose' ? { name: 'chin' } : item))[0]).toBe(items[0])
+    expect(kept(items, ({ name }) => name !== 'nose')).toEqual(items.slice(0, 2))
+  })
+})

@@ -1,0 +1,147 @@
+import { existsSync, readFileSync } from 'node:fs'
+import { fileURLToPath } from 'node:url'
+import type { Mesh } from 'three'
+import { Ray, Vector3 } from 'three'
+import { describe, expect, it } from 'vitest'
+import { BRUSH_DEFAULTS, falloff } from '../../../../studio/src/paint/brush.ts'
+import { BrushStroke } from '../../../../studio/src/paint/brush-stroke.ts'
+import type { SkinPoint } from '../../../../studio/src/paint/paint-skin.ts'
+import { SkinPicker } from '../../../../studio/src/paint/picker.ts'
+import { skinPath } from '../../../../studio/src/paint/skin-path.ts'
+import { SCANS } from '../../../bare-faces/bare-faces.ts'
+import { loadInNode } from '../../three/node-loader.ts'
+import { empty, paintSkin, placesOf } from './skins.ts'
+
+const FACES = [
+  ['human', fileURLToPath(new URL('../../../../faces/human.glb', import.meta.url)), 'skin'],
+  ...SCANS.map(({ name, path }) => [name, path, 'face']),
+].filter(([, path]) => existsSync(path))
+
+describe.each(FACES)('painting on %s', async (_, path, name) => {
+  const { scene } = await loadInNode(readFileSync(path))
+  scene.updateMatrixWorld()
+  const mesh = scene.getObjectByName(name) as Mesh
+  const skin = paintSkin(mesh)
+  const { surface } = skin
+  const SIZE = 128
+  const map = skin.mapOf(SIZE)
+  const near = (x: number, y: number, z: number): SkinPoint => skin.mirrored([-x, y, z])
+
+  it('is in millimetres in the frame of the face', () => {
+    // Across the eyes, whose middles are 63 mm apart, the face is about twice as wide.
+    const [left, right] = [near(200, 0, 0), near(-200, 0, 0)]
+    expect(left.position[0] - right.position[0]).toBeGreaterThan(110)
+    expect(left.position[0] - right.position[0]).toBeLessThan(200)
+    expect(Math.abs(left.position[0] + right.position[0])).toBeLessThan(10)
+  })
+
+  it('leaves no trace at seams of the texture, wherever they are', () => {
+    const seams = seamPoints(skin)
+    const chosen = seams.filter((_, i) => i % Math.ceil(seams.length / 12) === 0)
+    const settings = { ...BRUSH_DEFAULTS, radius: 9, softness: 1, flow: 1 }
+    let beyond = 0
+    for (const { position, triangles } of chosen) {
+      const stroke = new BrushStroke(empty(SIZE), settings, skin)
+      stroke.moveTo({ triangle: triangles[0], position })
+      const places = [...placesOf(map, stroke.end().image)].map((place) => ({
+        ...place,
+        distance: Math.hypot(place.x - position[0], place.y - position[1], place.z - position[2]),
+      }))
+      // On the two triangles of the edge, and where either continues beyond its island as far as filtering reads.
+      const beside = places.filter(({ triangle, distance }) => triangles.includes(triangle) && distance < 9)
+      const wrong = beside.filter(
+        ({ weight, distance }) => Math.abs(weight - 255 * falloff(distance, 9, 1)) > 1,
+      )
+      expect(wrong).toEqual([])
+      beyond += beside.filter(({ isBeyond }) => isBeyond).length
+    }
+    // The texture of the scan has no seams.
+    expect(beyond > 20 || seams.length === 0).toBe(true)
+  })
+
+  it('is the same in 5 points of a stroke and in 500', () => {
+    const corners = [
+      near(-35, 40, 20),
+      near(-10, 50, 30),
+      near(12, 42, 30),
+      near(20, 55, 25),
+      near(38, 38, 20),
+    ]
+    const points = corners.slice(1).flatMap((to, i) => divided(skinPath(surface, corners[i], to)!, 125))
+    expect(points.length).toBe(500)
+    const settings = { ...BRUSH_DEFAULTS, radius: 6, flow: 0.3 }
+    const [few, many] = [corners, [corners[0], ...points]].map((path) => {
+      const stroke = new BrushStroke(empty(SIZE), settings, skin)
+      for (const point of path) stroke.moveTo(point)
+      return stroke.end().image.data
+    })
+    expect(Math.max(...few)).toBeGreaterThan(250)
+    expect(Math.max(...few.map((weight, i) => Math.abs(weight - many[i])))).toBeLessThanOrEqual(1)
+  })
+
+  it('does not reach the lower lip from the upper one', () => {
+    const picker = new SkinPicker(skin.meshes, skin)
+    // Up the middle of the face: the lips part where the way over the skin from one point to the next goes into the mouth.
+    const centre = new Vector3()
+    mesh.geometry.computeBoundingBox()
+    mesh.geometry.boundingBox!.getCenter(centre).applyMatrix4(mesh.matrixWorld)
+    const hits = Array.from({ length: 300 }, (__, i) => {
+      const origin = new Vector3(centre.x, centre.y + (i - 150) * 0.001, centre.z + 2)
+      return picker.pick(new Ray(origin, new Vector3(0, 0, -1)))
+    }).filter((hit) => hit !== undefined)
+    const mouth = hits.findIndex(({ position: [x, y] }, i) => {
+      const next = hits[i + 1]
+      return Math.abs(x) < 5 && y > -85 && y < -55 && next && !skinPath(surface, hits[i], next)
+    })
+    expect(mouth).toBeGreaterThanOrEqual(0)
+    const [lower, upper] = [hits[mouth], hits[mouth + 1]]
+    const stroke = new BrushStroke(empty(SIZE), { ...BRUSH_DEFAULTS, radius: 5, flow: 1 }, skin)
+    stroke.moveTo(upper)
+    const { data } = stroke.end().image
+    const triangleWeight = (triangle: number) =>
+      [...placesOf(map, { width: SIZE, height: SIZE, data })]
+        .filter((place) => place.triangle === triangle && !place.isBeyond)
+        .reduce((most, { weight }) => Math.max(most, weight), 0)
+    expect(Math.max(...data)).toBeGreaterThan(200)
+    expect(triangleWeight(lower.triangle)).toBe(0)
+  })
+})
+
+/** The middles of edges where the texture is cut, and the two triangles of each. */
+function seamPoints({ skin: { uvs, indices }, surface }: ReturnType<typeof paintSkin>) {
+  const { adjacent, corners, skinTriangles, pointOf, points } = surface
+  const found: { position: SkinPoint['position']; triangles: [number, number] }[] = []
+  for (let i = 0; i < adjacent.length; i++) {
+    const [triangle, next] = [Math.floor(i / 3), adjacent[i]]
+    if (next < triangle) continue
+    const ends = [corners[i], corners[i % 3 === 2 ? i - 2 : i + 1]]
+    const middles = [triangle, next].map((t) => {
+      const vertices = [0, 1, 2].map((k) => indices[3 * skinTriangles[t] + k])
+      const edge = ends.map((end) => vertices.find((vertex) => pointOf[vertex] === end)!)
+      return [0, 1].map((k) => (uvs[2 * edge[0] + k] + uvs[2 * edge[1] + k]) / 2)
+    })
+    if (Math.hypot(middles[0][0] - middles[1][0], middles[0][1] - middles[1][1]) < 0.02) continue
+    const [x, y, z] = [0, 1, 2].map((k) => (points[3 * ends[0] + k] + points[3 * ends[1] + k]) / 2)
+    found.push({ position: [x, y, z], triangles: [triangle, next] })
+  }
+  return found
+}
+
+/** Points at even fractions of the way along a path; the last is its end. */
+function divided(path: readonly SkinPoint[], count: number): SkinPoint[] {
+  const lengths = path.slice(1).map(({ position: [x, y, z] }, i) => {
+    const [fromX, fromY, fromZ] = path[i].position
+    return Math.hypot(x - fromX, y - fromY, z - fromZ)
+  })
+  const total = lengths.reduce((sum, length) => sum + length, 0)
+  return Array.from({ length: count }, (_, n) => {
+    if (n === count - 1) return path[path.length - 1]
+    let left = (total * (n + 1)) / count
+    let i = 0
+    while (i < lengths.length - 1 && left > lengths[i]) left -= lengths[i++]
+    const position = [0, 1, 2].map(
+      (k) => path[i].position[k] + (left / lengths[i]) * (path[i + 1].position[k] - path[i].position[k]),
+    )
+    return { triangle: path[i].triangle, position: position as [number, number, number] }
+  })
+}

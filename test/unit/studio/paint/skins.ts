@@ -1,0 +1,99 @@
+import type { GrayImage } from 'furrow'
+import { BufferGeometry, Float32BufferAttribute, Mesh, MeshStandardMaterial } from 'three'
+import type { PaintMap } from '../../../../studio/src/paint/paint-map.ts'
+import { PaintSkin, type SkinPoint } from '../../../../studio/src/paint/paint-skin.ts'
+import { type MeshSkin, readSkin } from '../../../../studio/src/paint/read-skin.ts'
+
+/** A point of a grid: x, y and z in millimetres, and u and v. */
+type GridPoint = readonly [x: number, y: number, z: number, u: number, v: number]
+
+/** A mesh of grids of n x m squares, each with vertices of its own, in metres as glTF has it. */
+export function meshOf(
+  ...grids: readonly { n: number; m: number; at(i: number, j: number): GridPoint }[]
+): Mesh<BufferGeometry, MeshStandardMaterial> {
+  const [positions, uvs, indices]: number[][] = [[], [], []]
+  for (const { n, m, at } of grids) {
+    const first = positions.length / 3
+    for (let j = 0; j <= m; j++) {
+      for (let i = 0; i <= n; i++) {
+        const [x, y, z, u, v] = at(i / n, j / m)
+        positions.push(...[x, y, z].map((value) => Math.round(1e6 * value) / 1e9))
+        uvs.push(u, v)
+        const [p, above] = [first + j * (n + 1) + i, first + (j + 1) * (n + 1) + i]
+        if (i < n && j < m) indices.push(p, p + 1, above + 1, p, above + 1, above)
+      }
+    }
+  }
+  const geometry = new BufferGeometry()
+  geometry.setAttribute('position', new Float32BufferAttribute(positions, 3))
+  geometry.setAttribute('uv', new Float32BufferAttribute(uvs, 2))
+  geometry.setIndex(indices)
+  return new Mesh(geometry, new MeshStandardMaterial())
+}
+
+/** A sheet of 100 x 100 mm in front of x = 0, that faces +z, in two islands that meet at y = 10; the upper one is turned and larger. */
+export const cutSheet = () =>
+  meshOf(
+    { n: 20, m: 12, at: (i, j) => [100 * i - 50, 60 * j - 50, 0, 0.02 + 0.45 * i, 0.98 - 0.3 * j] },
+    { n: 20, m: 8, at: (i, j) => [100 * i - 50, 10 + 40 * j, 0, 0.98 - 0.4 * j, 0.02 + 0.9 * i] },
+  )
+
+/** A sheet of 100 x 100 mm with a texture of its own size. */
+export const plainSheet = () =>
+  meshOf({ n: 20, m: 20, at: (i, j) => [100 * i - 50, 100 * j - 50, 0, i, 1 - j] })
+
+/** Two sheets side by side, 1 mm apart, which a strip joins where x > 40 only. */
+export const lips = () =>
+  meshOf(
+    { n: 20, m: 10, at: (i, j) => [100 * i - 50, 50 * j + 0.5, 0, 0.05 + 0.9 * i, 0.45 - 0.4 * j] },
+    { n: 20, m: 10, at: (i, j) => [100 * i - 50, 50 * j - 50.5, 0, 0.05 + 0.9 * i, 0.95 - 0.4 * j] },
+    { n: 2, m: 1, at: (i, j) => [40 + 10 * i, j - 0.5, 0, 0.86 + 0.09 * i, 0.55 - 0.1 * j] },
+  )
+
+/** A sheet whose left and right half use the same texels, and a patch beside it that uses texels of both. */
+export const foldedSheet = () =>
+  meshOf(
+    { n: 10, m: 20, at: (i, j) => [50 * i, 100 * j - 50, 0, 0.05 + 0.9 * i, 0.95 - 0.9 * j] },
+    { n: 10, m: 20, at: (i, j) => [50 * i - 50, 100 * j - 50, 0, 0.95 - 0.9 * i, 0.95 - 0.9 * j] },
+  )
+
+/** A sphere of radius 50 mm round the origin, in an island for its front and one for its back. */
+export const ball = () => {
+  const half = (sign: number, u0: number) => ({
+    n: 24,
+    m: 24,
+    at: (i: number, j: number): GridPoint => {
+      // From left to right as seen from outside; the poles are at the top and at the bottom.
+      const [longitude, latitude] = [Math.PI * (i - 0.5), Math.PI * (j - 0.5)]
+      const [x, z] = [Math.sin(longitude), Math.cos(longitude)].map(
+        (value) => sign * 50 * Math.cos(latitude) * value,
+      )
+      return [x, 50 * Math.sin(latitude), z, u0 + 0.44 * i, 0.95 - 0.9 * j]
+    },
+  })
+  return meshOf(half(1, 0.03), half(-1, 0.53))
+}
+
+export function paintSkin(mesh: Mesh, ...parts: Mesh[]): PaintSkin & { meshes: MeshSkin } {
+  const meshes = readSkin([mesh, ...parts])
+  return Object.assign(new PaintSkin(meshes.skin), { meshes })
+}
+
+export function empty(size: number, weight = 0): GrayImage {
+  return { width: size, height: size, data: new Uint8Array(size * size).fill(weight) }
+}
+
+/** Where on the skin the places of a map are, and the weight that a texture has there. */
+export function* placesOf(map: PaintMap, { data }: GrayImage) {
+  for (let triangle = 0; triangle + 1 < map.starts.length; triangle++) {
+    for (let place = map.starts[triangle]; place < map.starts[triangle + 1]; place++) {
+      const [x, y, z] = map.positions.subarray(3 * place, 3 * place + 3)
+      const isBeyond = map.isBeyond[place] === 1
+      yield { triangle, x, y, z, isBeyond, texel: map.texels[place], weight: data[map.texels[place]] }
+    }
+  }
+}
+
+/** The point of a skin nearest to a position. */
+export const pointNear = (skin: PaintSkin, x: number, y: number, z = 0): SkinPoint =>
+  skin.mirrored([-x, y, z])

@@ -1,0 +1,86 @@
+import type { GrayImage, WrinkleDriver } from 'furrow'
+import { parseDrivers } from 'furrow'
+import { parseStrokes, type Stroke } from 'furrow/author'
+import {
+  LAYER_DEFAULTS,
+  type LayerStroke,
+  type StudioArea,
+  type StudioDocument,
+} from '../../../studio/src/document/document.ts'
+
+const AREA_SIZE = 4
+
+export function weightsOf(value: number): GrayImage {
+  return { width: AREA_SIZE, height: AREA_SIZE, data: new Uint8Array(AREA_SIZE ** 2).fill(value) }
+}
+
+export function areaOf(name: string, layer: string, value = 100): StudioArea {
+  return { name, layer, combine: 'sum', activation: 0, weights: weightsOf(value) }
+}
+
+export function strokeOf(layer: string, group: string, v = 0.5): LayerStroke {
+  const points = [
+    [0.1, v],
+    [0.9, v],
+  ]
+  const stroke = { layer, group, points, width: 2, depth: 0.5 }
+  return parseStrokes({ version: 1, strokes: [stroke] }).strokes[0] as Stroke as LayerStroke
+}
+
+/** Drivers of every kind that names areas. */
+export const DRIVERS: readonly WrinkleDriver[] = parseDrivers(
+  [
+    { type: 'morph', area: 'forehead', targets: [{ name: 'browInnerUp' }] },
+    { type: 'morph', area: 'frown', targets: [{ name: 'browDownLeft' }] },
+    { type: 'area', area: 'cheeks', areas: [{ name: 'forehead' }, { name: 'frown' }] },
+    { type: 'area', area: 'cheeks', areas: [{ name: 'frown' }] },
+    { type: 'muscle', name: 'corrugator', area: 'frown', origin: [0, 0, 0], insertion: [0, 0, 1] },
+    { type: 'conflict', targets: ['browInnerUp', 'browDownLeft'] },
+    {
+      type: 'expression',
+      name: 'angry',
+      targets: [{ name: 'browDownLeft' }],
+      activations: [{ area: 'frown', activation: 1 }, { area: 'cheeks' }],
+    },
+  ],
+  ['forehead', 'frown', 'cheeks'],
+)
+
+/** Two layers, three areas, three strokes with shapes, and drivers of every kind that names areas. */
+export function sampleDocument(): StudioDocument {
+  const normal = { mimeType: 'image/png', bytes: Uint8Array.of(1, 2, 3) }
+  return {
+    mesh: 'Head',
+    material: 'Skin',
+    scale: 1000,
+    mapSize: 64,
+    areaSize: AREA_SIZE,
+    layers: [
+      { ...LAYER_DEFAULTS, name: 'up', maps: { normal } },
+      { ...LAYER_DEFAULTS, name: 'down' },
+    ],
+    areas: [areaOf('forehead', 'up'), areaOf('frown', 'down'), areaOf('cheeks', 'down')],
+    strokes: [
+      strokeOf('up', 'forehead', 0.2),
+      strokeOf('down', 'frown', 0.4),
+      strokeOf('down', 'frown', 0.5),
+    ],
+    strokeAreas: [
+      { name: 'forehead', shapes: [{ group: 'forehead', radius: 4, feather: 4 }] },
+      {
+        name: 'frown',
+        shapes: [{ group: 'frown', radius: 4, feather: 4 }],
+        within: { group: 'forehead', radius: 9, feather: 4 },
+      },
+    ],
+    drivers: DRIVERS,
+    auto: { age: 45, strength: 1, size: 64, seed: 1 },
+  }
+}
+
+/** A document that throws where anything changes it. */
+export function frozen<T>(value: T): T {
+  if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value)) return value
+  for (const part of Object.values(value)) frozen(part)
+  return Object.freeze(value)
+}
