@@ -17,6 +17,7 @@ import { sortFiles } from './open/sort-files.ts'
 import type { Page } from './page.ts'
 import type { Hovered, PanelModel } from './panels/model.ts'
 import { showPanel } from './panels/show-panel.tsx'
+import { saveFile } from './save-file.ts'
 import { savePicture } from './save-picture.ts'
 import { Workspace } from './session/workspace.ts'
 import { addShortcuts } from './shortcuts.ts'
@@ -103,11 +104,12 @@ export class Studio {
   }
 
   #panelModel(): PanelModel {
-    const { session, automatic, settings } = this.#workspace
+    const { session, automatic, exporting, settings } = this.#workspace
     return {
       session,
       auto: settings,
       autoRun: automatic.run,
+      exporting: exporting.state,
       faces: this.#faces,
       viewer: this.#shown,
       frame: this.#frame,
@@ -140,6 +142,10 @@ export class Studio {
         previewAuto: (next) => void this.#messages.attempt(() => this.#workspace.previewAuto(next)),
         makeAuto: (next) => void this.#messages.attempt(() => this.#workspace.makeAuto(next)),
         cancelAuto: () => automatic.cancel(),
+        exportFace: (options) => void this.#messages.attempt(() => this.#workspace.export(options)),
+        cancelExport: () => exporting.cancel(),
+        saveExport: () => this.#saveExport(),
+        saveProject: () => void this.#messages.attempt(() => this.#saveProject()),
       },
     }
   }
@@ -287,6 +293,16 @@ export class Studio {
       viewer.removeArea(name)
       this.#messages.note(`Removed area ${name}`)
     })
+  }
+
+  #saveExport(): void {
+    const state = this.#workspace.exporting.state.peek()
+    if (state?.kind === 'done') saveFile(new Blob([state.face.bytes as BlobPart]), state.name)
+  }
+
+  async #saveProject(): Promise<void> {
+    const project = await this.#workspace.project()
+    if (project) saveFile(project.file, project.name)
   }
 
   async #savePicture(): Promise<void> {

@@ -3,6 +3,7 @@ import { withoutAlpha } from '../../../packages/cli/src/images/pixels.ts'
 import { encodePortablePng } from '../../../packages/cli/src/images/png.ts'
 import type { ImageFile, StudioDocument } from '../document/document.ts'
 import type { DrawnMaps } from '../draw/messages.ts'
+import type { AvatarFile } from '../keep/database.ts'
 import { type DrawnMaps as DrawnFiles, folderFiles } from '../keep/folder-files.ts'
 import { type ExportedFace, type ExportOptions, exportFace, type OnProgress } from './export-face.ts'
 import type { FaceFiles, Files } from './files.ts'
@@ -28,10 +29,17 @@ export async function exportDocument(
   return exportFace(face, await projectFiles(source), options, onProgress)
 }
 
-/** The folder of a document as `furrow pack` reads it, without its face. */
-export async function projectFiles({ document, drawn }: DocumentToExport): Promise<Files> {
+/**
+ * The folder of a document as `furrow pack` reads it.
+ *
+ * @param face the avatar's files, the first of which is the face; none to leave it out.
+ */
+export async function projectFiles(
+  { document, drawn }: DocumentToExport,
+  face: readonly AvatarFile[] = [],
+): Promise<Files> {
   const maps = new Map([...drawn].map(([layer, each]) => [layer, encodeMaps(each)]))
-  const files = await folderFiles(document, [], maps, async (pixels) => encodePortablePng(pixels))
+  const files = await folderFiles(document, face, maps, async (pixels) => encodePortablePng(pixels))
   const contents = files.map(async ({ path, content }): Promise<[string, Uint8Array]> => {
     return [path, content instanceof Blob ? new Uint8Array(await content.arrayBuffer()) : content]
   })

@@ -1,6 +1,7 @@
 import { proxy, type Remote, wrap } from 'comlink'
 import { FurrowError } from 'furrow'
 import type { Finding } from '../../../packages/cli/src/validate/finding.ts'
+import type { AvatarFile } from '../keep/database.ts'
 import type { DocumentToExport } from './export-document.ts'
 import type { ExportedFace, ExportOptions, OnProgress } from './export-face.ts'
 import type { FaceFiles, Files } from './files.ts'
@@ -40,8 +41,8 @@ export function exportDocumentInWorker(
 }
 
 /** `projectFiles` in a worker of its own; see `exportInWorker`. */
-export function projectFilesInWorker(source: DocumentToExport, signal?: AbortSignal): Promise<Files> {
-  return run((tasks) => tasks.projectFiles(source), signal)
+export function projectFilesInWorker(source: DocumentToExport, face: readonly AvatarFile[]): Promise<Files> {
+  return run((tasks) => tasks.projectFiles(source, face))
 }
 
 /** `readFace` in a worker of its own; see `exportInWorker`. */

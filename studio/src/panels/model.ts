@@ -3,7 +3,9 @@ import type { AreaConvention } from 'furrow'
 import type { WrinkleMode } from 'furrow/three'
 import type { RendererKind } from '../../../stage/stage.ts'
 import type { AutoSettings } from '../document/document.ts'
+import type { ExportOptions } from '../export/export-face.ts'
 import type { AutoRun } from '../session/automatic.ts'
+import type { ExportState } from '../session/exporting.ts'
 import type { Session } from '../session/session.ts'
 import type { Dial } from '../viewer/dials.ts'
 import type { Look } from '../viewer/looks.ts'
@@ -31,6 +33,7 @@ export interface PanelModel {
   /** Settings of the automatic wrinkles, and the run that makes them. */
   readonly auto: ReadonlySignal<AutoSettings>
   readonly autoRun: ReadonlySignal<AutoRun | null>
+  readonly exporting: ReadonlySignal<ExportState | null>
   readonly actions: PanelActions
 }
 
@@ -54,4 +57,8 @@ export interface PanelActions {
   previewAuto(settings: AutoSettings): void
   makeAuto(settings: AutoSettings): void
   cancelAuto(): void
+  exportFace(options: ExportOptions): void
+  cancelExport(): void
+  saveExport(): void
+  saveProject(): void
 }

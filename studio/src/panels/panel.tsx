@@ -1,5 +1,6 @@
 import { Areas } from './areas.tsx'
 import { AutomaticWrinkles } from './automatic.tsx'
+import { Export } from './export.tsx'
 import { Expressions } from './expressions.tsx'
 import type { PanelModel } from './model.ts'
 import { Settings } from './settings.tsx'
@@ -16,6 +17,7 @@ export function Panel({ model }: { model: PanelModel }) {
       <Settings model={model} />
       <Areas model={model} />
       <Targets model={model} />
+      {model.session.document.value && <Export model={model} />}
     </>
   )
 }

@@ -4,9 +4,11 @@ import type { AutoWrinkles } from 'furrow/author'
 import { automaticDocument, layersLeft, remake } from '../document/automatic.ts'
 import type { AutoSettings, StudioDocument } from '../document/document.ts'
 import { MapMaker } from '../draw/map-maker.ts'
+import type { ExportOptions } from '../export/export-face.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import type { DrawnDocument } from '../viewer/document-view.ts'
 import { Automatic } from './automatic.ts'
+import { documentToExport, Exporting } from './exporting.ts'
 import { Session } from './session.ts'
 import { type SkinSource, skinSource } from './skin-source.ts'
 
@@ -22,6 +24,7 @@ const PREVIEW_SIZE = 256
 export class Workspace {
   readonly session = new Session()
   readonly automatic = new Automatic()
+  readonly exporting = new Exporting()
   readonly #settings = signal<AutoSettings>(AUTO_SETTINGS)
   readonly #drawn = signal<DrawnDocument | null>(null)
   readonly #maps: MapMaker
@@ -36,6 +39,7 @@ export class Workspace {
     this.#maps = new MapMaker()
     effect(() => {
       this.session.document.value
+      this.exporting.cancel()
       void this.#draw()
     })
   }
@@ -62,6 +66,25 @@ export class Workspace {
     this.#source = avatar.skins[avatar.skin].wrinkles ? null : skinSource(avatar)
     this.#settings.value = AUTO_SETTINGS
     if (this.#source) await this.makeAuto(AUTO_SETTINGS)
+  }
+
+  /** Exports the document as it is drawn; see `Exporting`. */
+  async export(options: ExportOptions): Promise<void> {
+    const drawn = this.#drawn.peek()
+    if (drawn && this.#avatar) await this.exporting.start(drawn, this.#avatar, options)
+  }
+
+  /** The project as one .zip file, with the avatar. */
+  async project(): Promise<{ file: Blob; name: string } | null> {
+    const [drawn, avatar] = [this.#drawn.peek(), this.#avatar]
+    if (!drawn || !avatar) return null
+    const [{ projectFilesInWorker }, { zipFolder }] = await Promise.all([
+      import('../export/in-worker.ts'),
+      import('../keep/zip.ts'),
+    ])
+    const files = await projectFilesInWorker(documentToExport(drawn, avatar), avatar.files)
+    const list = [...files].map(([path, content]) => ({ path, content }))
+    return { file: await zipFolder(list, avatar.name), name: `${avatar.name}.zip` }
   }
 
   /** Makes the automatic wrinkles anew; those that were changed by hand stay. Rejects with a FurrowError where there are none. */
