@@ -1,4 +1,4 @@
-import { skinCanvas } from 'furrow/author'
+import { autoWrinkles, skinCanvas } from 'furrow/author'
 import { expect, test } from 'vitest'
 import { drawMaps } from '../../../../packages/furrow/src/author/auto/raster/draw-maps.ts'
 import type { PreparedSkin } from '../../../../packages/furrow/src/author/auto/surface/prepare-skin.ts'
@@ -25,6 +25,13 @@ test('strokes are not drawn on such triangles', () => {
   expect(() => skinCanvas({ positions, uvs, indices: repeated(indices, 200) }, 16)).toThrow(
     'skinCanvas: too many triangles of the skin lie on top of each other in its texture',
   )
+})
+
+test('a skin is refused whose size no document of strokes can tell', () => {
+  const { positions, uvs, indices } = sheet(8, 0)
+  const targets = [{ name: 'press', offsets: positions.map((x) => -0.1 * x) }]
+  const skin = { positions: positions.map((x) => 1e14 * x), uvs, indices, targets }
+  expect(() => autoWrinkles(skin)).toThrow('autoWrinkles: the skin is far too large for a character')
 })
 
 test('what lies outside the texture costs nothing and is not refused', () => {
