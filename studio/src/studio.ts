@@ -11,7 +11,7 @@ import { Loop } from './loop.ts'
 import { Messages } from './messages.ts'
 import { Meter } from './meter.ts'
 import { reducedMotion } from './motion.ts'
-import { faceOf, openDropped } from './open/avatar.ts'
+import { faceOf, type OpenedAvatar, openDropped } from './open/avatar.ts'
 import { type DroppedFile, filesOfInput, filesOfTransfer } from './open/dropped-files.ts'
 import { sortFiles } from './open/sort-files.ts'
 import type { Page } from './page.ts'
@@ -104,12 +104,14 @@ export class Studio {
   }
 
   #panelModel(): PanelModel {
-    const { session, automatic, exporting, settings } = this.#workspace
+    const { session, automatic, exporting, keeping, settings } = this.#workspace
     return {
       session,
       auto: settings,
       autoRun: automatic.run,
       exporting: exporting.state,
+      projects: keeping.projects,
+      saving: keeping.state,
       faces: this.#faces,
       viewer: this.#shown,
       frame: this.#frame,
@@ -141,7 +143,9 @@ export class Studio {
         redo: () => this.#redo(),
         previewAuto: (next) => void this.#messages.attempt(() => this.#workspace.previewAuto(next)),
         makeAuto: (next) => void this.#messages.attempt(() => this.#workspace.makeAuto(next)),
-        cancelAuto: () => automatic.cancel(),
+        cancelAuto: () => this.#workspace.cancelAuto(),
+        openProject: (id) => this.#open(() => this.#openProject(id)),
+        deleteProject: (id) => void this.#messages.attempt(() => keeping.delete(id)),
         exportFace: (options) => void this.#messages.attempt(() => this.#workspace.export(options)),
         cancelExport: () => exporting.cancel(),
         saveExport: () => this.#saveExport(),
@@ -161,6 +165,11 @@ export class Studio {
       this.#loading.show(title, 0)
       return fetchFace(name, (fraction) => this.#loading.show(title, fraction))
     }
+  }
+
+  #openProject(id: string): Promise<OpenedAvatar> {
+    this.#loading.show('Opening')
+    return this.#workspace.openProject(id)
   }
 
   #open(load: LoadAvatar): Promise<unknown> {

@@ -4,6 +4,8 @@ import type { WrinkleMode } from 'furrow/three'
 import type { RendererKind } from '../../../stage/stage.ts'
 import type { AutoSettings } from '../document/document.ts'
 import type { ExportOptions } from '../export/export-face.ts'
+import type { SaveState } from '../keep/autosave.ts'
+import type { ProjectEntry } from '../keep/project-store.ts'
 import type { AutoRun } from '../session/automatic.ts'
 import type { ExportState } from '../session/exporting.ts'
 import type { Session } from '../session/session.ts'
@@ -34,6 +36,9 @@ export interface PanelModel {
   readonly auto: ReadonlySignal<AutoSettings>
   readonly autoRun: ReadonlySignal<AutoRun | null>
   readonly exporting: ReadonlySignal<ExportState | null>
+  /** What the browser keeps, and whether the present work is saved. */
+  readonly projects: ReadonlySignal<readonly ProjectEntry[]>
+  readonly saving: ReadonlySignal<SaveState | null>
   readonly actions: PanelActions
 }
 
@@ -57,6 +62,8 @@ export interface PanelActions {
   previewAuto(settings: AutoSettings): void
   makeAuto(settings: AutoSettings): void
   cancelAuto(): void
+  openProject(id: string): void
+  deleteProject(id: string): void
   exportFace(options: ExportOptions): void
   cancelExport(): void
   saveExport(): void
