@@ -144,6 +144,7 @@ export class Studio {
         previewAuto: (next) => void this.#messages.attempt(() => this.#workspace.previewAuto(next)),
         makeAuto: (next) => void this.#messages.attempt(() => this.#workspace.makeAuto(next)),
         cancelAuto: () => this.#workspace.cancelAuto(),
+        editWrinkles: () => void this.#messages.attempt(() => this.#workspace.editWrinkles()),
         openProject: (id) => this.#open(() => this.#openProject(id)),
         deleteProject: (id) => void this.#messages.attempt(() => keeping.delete(id)),
         exportFace: (options) => void this.#messages.attempt(() => this.#workspace.export(options)),

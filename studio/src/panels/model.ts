@@ -62,6 +62,8 @@ export interface PanelActions {
   previewAuto(settings: AutoSettings): void
   makeAuto(settings: AutoSettings): void
   cancelAuto(): void
+  /** Makes a document of the wrinkles in the file. */
+  editWrinkles(): void
   openProject(id: string): void
   deleteProject(id: string): void
   exportFace(options: ExportOptions): void
