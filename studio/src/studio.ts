@@ -5,6 +5,7 @@ import { readArea } from './area-file.ts'
 import { Buttons } from './buttons.ts'
 import { displayName } from './display-name.ts'
 import { Divider } from './divider.ts'
+import type { StudioDocument } from './document/document.ts'
 import { acceptFiles } from './drop.ts'
 import { Loading } from './loading.ts'
 import { Loop } from './loop.ts'
@@ -18,8 +19,11 @@ import type { Page } from './page.ts'
 import type { Hovered, PanelModel } from './panels/model.ts'
 import { showPanel } from './panels/show-panel.tsx'
 import { savePicture } from './save-picture.ts'
+import { AreaEditor } from './session/area-editor.ts'
 import { Workspace } from './session/workspace.ts'
 import { addShortcuts } from './shortcuts.ts'
+import { Painting } from './tools/painting.ts'
+import { ToolHost } from './tools/tool-host.ts'
 import { adapterName } from './viewer/adapter.ts'
 import { DocumentView, type DrawnDocument } from './viewer/document-view.ts'
 import { fetchFace, listFaces } from './viewer/faces.ts'
@@ -42,6 +46,9 @@ export class Studio {
   readonly #host: ViewerHost
 
   readonly #workspace: Workspace
+  readonly #areas: AreaEditor
+  readonly #tools: ToolHost
+  readonly #painting: Painting
   readonly #view = new DocumentView()
   readonly #faces = signal<readonly string[]>([])
   readonly #shown = signal<Viewer | null>(null)
@@ -80,8 +87,23 @@ export class Studio {
       this.#loop.wake()
     })
     this.#workspace = new Workspace((error) => messages.error(error))
+    const { session } = this.#workspace
+    this.#areas = new AreaEditor(session, (task) => void messages.attempt(task))
+    this.#tools = new ToolHost(page.viewport, () => this.#viewer?.stage.camera ?? null)
+    this.#painting = new Painting({
+      session,
+      areas: this.#areas,
+      viewer: this.#shown,
+      frame: this.#frame,
+      host: this.#tools,
+      stage: page.stage,
+      wake: () => this.#loop.wake(),
+    })
     showPanel(page.panel, this.#panelModel())
-    effect(() => this.#highlight(this.#hovered.value))
+    effect(() => this.#highlight(this.#hovered.value, this.#painting.area.value))
+    effect(() =>
+      this.#arrange(this.#shown.value, this.#areas.hidden.value, this.#painting.area.value !== null),
+    )
     effect(() => this.#showDocument(this.#shown.value, this.#workspace.drawn.value))
     addShortcuts({ undo: () => this.#undo(), redo: () => this.#redo() })
     page.screenshot.addEventListener('click', () => this.#savePicture())
@@ -106,6 +128,8 @@ export class Studio {
     const { session, automatic, settings } = this.#workspace
     return {
       session,
+      areas: this.#areas,
+      painting: this.#painting,
       auto: settings,
       autoRun: automatic.run,
       faces: this.#faces,
@@ -142,6 +166,11 @@ export class Studio {
         cancelAuto: () => automatic.cancel(),
       },
     }
+  }
+
+  /** Null for a face whose wrinkles are not a document's. */
+  get #document(): StudioDocument | null {
+    return this.#workspace.session.document.peek()
   }
 
   get #viewer(): Viewer | null {
@@ -184,7 +213,6 @@ export class Studio {
   }
 
   #show(viewer: Viewer): void {
-    viewer.split = this.#divider.position
     if (viewer.avatar.root !== this.#shown.peek()?.avatar.root) this.#expression.value = null
     this.#shown.value = viewer
     this.#refresh()
@@ -214,6 +242,7 @@ export class Studio {
   #advance(delta: number): void {
     const wasMoving = this.#viewer?.moving
     this.#viewer?.advance(delta)
+    this.#painting.advance()
     this.#host.orbit?.advance(delta)
     this.#views.show(this.#host.orbit?.view ?? null)
     if (wasMoving) this.#frame.value++
@@ -256,11 +285,19 @@ export class Studio {
       })
   }
 
-  /** Shows which areas the pointer or focus is on, or which ones the blendshape moves. */
-  #highlight(hovered: Hovered | null): void {
-    const viewer = this.#viewer
+  /** Leaves muted areas out. Painting needs the whole face: what is painted is shown on the side with wrinkles. */
+  #arrange(viewer: Viewer | null, hidden: readonly string[], isPainting: boolean): void {
     if (!viewer) return
-    if (!hovered) viewer.highlight([])
+    viewer.hidden = hidden
+    viewer.split = isPainting ? 0 : this.#divider.position
+    this.#loop.wake()
+  }
+
+  /** Shows which areas the pointer or focus is on, or which ones the blendshape moves, or else the one that is painted. */
+  #highlight(hovered: Hovered | null, painted: string | null): void {
+    const viewer = this.#shown.value
+    if (!viewer) return
+    if (!hovered) viewer.highlight(painted === null ? [] : [painted])
     else viewer.highlight(hovered.kind === 'area' ? [hovered.name] : viewer.drivenBy(hovered.name))
     this.#loop.wake()
   }
@@ -271,6 +308,7 @@ export class Studio {
         const area = await readArea(file, convention)
         const viewer = this.#viewer
         if (!viewer) return
+        if (this.#document) return this.#areas.add(area)
         viewer.addArea(area)
         // Fully active, so that the new area is visible at once.
         viewer.wrinkles?.setActivation(area.name, 1)
@@ -284,7 +322,8 @@ export class Studio {
   #removeArea(name: string): void {
     this.#change((viewer) => {
       this.#hovered.value = null
-      viewer.removeArea(name)
+      if (this.#document) this.#areas.remove(name)
+      else viewer.removeArea(name)
       this.#messages.note(`Removed area ${name}`)
     })
   }

@@ -3,8 +3,10 @@ import type { AreaConvention } from 'furrow'
 import type { WrinkleMode } from 'furrow/three'
 import type { RendererKind } from '../../../stage/stage.ts'
 import type { AutoSettings } from '../document/document.ts'
+import type { AreaEditor } from '../session/area-editor.ts'
 import type { AutoRun } from '../session/automatic.ts'
 import type { Session } from '../session/session.ts'
+import type { Painting } from '../tools/painting.ts'
 import type { Dial } from '../viewer/dials.ts'
 import type { Look } from '../viewer/looks.ts'
 import type { Viewer } from '../viewer/viewer.ts'
@@ -18,6 +20,9 @@ export interface Hovered {
 /** What panels show and request. */
 export interface PanelModel {
   readonly session: Session
+  /** Areas of the document; where there is none, those of the viewer are shown. */
+  readonly areas: AreaEditor
+  readonly painting: Painting
   /** Names of the shipped faces. */
   readonly faces: ReadonlySignal<readonly string[]>
   readonly viewer: ReadonlySignal<Viewer | null>
