@@ -57,7 +57,7 @@ function BrushControls({ painting }: { painting: Painting }) {
         text={brush.flow.toFixed(2)}
         onInput={(flow) => change({ flow })}
       />
-      <div class="add">
+      <div class="add checks">
         <label class="check">
           <input
             type="checkbox"

@@ -118,11 +118,14 @@ export class Painting {
   }
 
   /** The face as it is posed now. */
-  #faceOf({ root, skins, skin: index }: OpenedAvatar, { scale }: StudioDocument): PaintedFace {
+  #faceOf({ root, skins, skin: index }: OpenedAvatar, document: StudioDocument): PaintedFace {
+    const { scale, areaSize } = document
     const known = this.#face
     if (known?.root !== root || known.index !== index || known.scale !== scale) {
       const meshes = readSkin(skins[index].meshes)
       const skin = new PaintSkin(meshes.skin, scale)
+      // Now rather than when the first stroke begins.
+      skin.mapOf(areaSize)
       this.#face = { root, index, scale, skin, picker: new SkinPicker(meshes, skin) }
     } else if (this.#isPoseNew) known.picker.refit()
     this.#isPoseNew = false
