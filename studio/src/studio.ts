@@ -5,6 +5,7 @@ import { readArea } from './area-file.ts'
 import { Buttons } from './buttons.ts'
 import { displayName } from './display-name.ts'
 import { Divider } from './divider.ts'
+import type { StudioDocument } from './document/document.ts'
 import { acceptFiles } from './drop.ts'
 import { Loading } from './loading.ts'
 import { Loop } from './loop.ts'
@@ -19,8 +20,11 @@ import type { Hovered, PanelModel } from './panels/model.ts'
 import { showPanel } from './panels/show-panel.tsx'
 import { saveFile } from './save-file.ts'
 import { savePicture } from './save-picture.ts'
+import { AreaEditor } from './session/area-editor.ts'
 import { Workspace } from './session/workspace.ts'
 import { addShortcuts } from './shortcuts.ts'
+import { Painting } from './tools/painting.ts'
+import { ToolHost } from './tools/tool-host.ts'
 import { adapterName } from './viewer/adapter.ts'
 import { DocumentView, type DrawnDocument } from './viewer/document-view.ts'
 import { fetchFace, listFaces } from './viewer/faces.ts'
@@ -43,6 +47,9 @@ export class Studio {
   readonly #host: ViewerHost
 
   readonly #workspace: Workspace
+  readonly #areas: AreaEditor
+  readonly #tools: ToolHost
+  readonly #painting: Painting
   readonly #view = new DocumentView()
   readonly #faces = signal<readonly string[]>([])
   readonly #shown = signal<Viewer | null>(null)
@@ -81,8 +88,23 @@ export class Studio {
       this.#loop.wake()
     })
     this.#workspace = new Workspace((error) => messages.error(error))
+    const { session } = this.#workspace
+    this.#areas = new AreaEditor(session, (task) => void messages.attempt(task))
+    this.#tools = new ToolHost(page.viewport, () => this.#viewer?.stage.camera ?? null)
+    this.#painting = new Painting({
+      session,
+      areas: this.#areas,
+      viewer: this.#shown,
+      frame: this.#frame,
+      host: this.#tools,
+      stage: page.stage,
+      wake: () => this.#loop.wake(),
+    })
     showPanel(page.panel, this.#panelModel())
-    effect(() => this.#highlight(this.#hovered.value))
+    effect(() => this.#highlight(this.#hovered.value, this.#painting.area.value))
+    effect(() =>
+      this.#arrange(this.#shown.value, this.#areas.hidden.value, this.#painting.area.value !== null),
+    )
     effect(() => this.#showDocument(this.#shown.value, this.#workspace.drawn.value))
     addShortcuts({ undo: () => this.#undo(), redo: () => this.#redo() })
     page.screenshot.addEventListener('click', () => this.#savePicture())
@@ -107,6 +129,8 @@ export class Studio {
     const { session, automatic, exporting, keeping, settings } = this.#workspace
     return {
       session,
+      areas: this.#areas,
+      painting: this.#painting,
       auto: settings,
       autoRun: automatic.run,
       exporting: exporting.state,
@@ -155,6 +179,11 @@ export class Studio {
     }
   }
 
+  /** Null for a face whose wrinkles are not a document's. */
+  get #document(): StudioDocument | null {
+    return this.#workspace.session.document.peek()
+  }
+
   get #viewer(): Viewer | null {
     return this.#host.viewer
   }
@@ -200,7 +229,6 @@ export class Studio {
   }
 
   #show(viewer: Viewer): void {
-    viewer.split = this.#divider.position
     if (viewer.avatar.root !== this.#shown.peek()?.avatar.root) this.#expression.value = null
     this.#shown.value = viewer
     this.#refresh()
@@ -230,6 +258,7 @@ export class Studio {
   #advance(delta: number): void {
     const wasMoving = this.#viewer?.moving
     this.#viewer?.advance(delta)
+    this.#painting.advance()
     this.#host.orbit?.advance(delta)
     this.#views.show(this.#host.orbit?.view ?? null)
     if (wasMoving) this.#frame.value++
@@ -272,11 +301,19 @@ export class Studio {
       })
   }
 
-  /** Shows which areas the pointer or focus is on, or which ones the blendshape moves. */
-  #highlight(hovered: Hovered | null): void {
-    const viewer = this.#viewer
+  /** Leaves muted areas out. Painting needs the whole face: what is painted is shown on the side with wrinkles. */
+  #arrange(viewer: Viewer | null, hidden: readonly string[], isPainting: boolean): void {
     if (!viewer) return
-    if (!hovered) viewer.highlight([])
+    viewer.hidden = hidden
+    viewer.split = isPainting ? 0 : this.#divider.position
+    this.#loop.wake()
+  }
+
+  /** Shows which areas the pointer or focus is on, or which ones the blendshape moves, or else the one that is painted. */
+  #highlight(hovered: Hovered | null, painted: string | null): void {
+    const viewer = this.#shown.value
+    if (!viewer) return
+    if (!hovered) viewer.highlight(painted === null ? [] : [painted])
     else viewer.highlight(hovered.kind === 'area' ? [hovered.name] : viewer.drivenBy(hovered.name))
     this.#loop.wake()
   }
@@ -287,6 +324,7 @@ export class Studio {
         const area = await readArea(file, convention)
         const viewer = this.#viewer
         if (!viewer) return
+        if (this.#document) return this.#areas.add(area)
         viewer.addArea(area)
         // Fully active, so that the new area is visible at once.
         viewer.wrinkles?.setActivation(area.name, 1)
@@ -300,7 +338,8 @@ export class Studio {
   #removeArea(name: string): void {
     this.#change((viewer) => {
       this.#hovered.value = null
-      viewer.removeArea(name)
+      if (this.#document) this.#areas.remove(name)
+      else viewer.removeArea(name)
       this.#messages.note(`Removed area ${name}`)
     })
   }

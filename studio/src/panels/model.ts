@@ -6,9 +6,11 @@ import type { AutoSettings } from '../document/document.ts'
 import type { ExportOptions } from '../export/export-face.ts'
 import type { SaveState } from '../keep/autosave.ts'
 import type { ProjectEntry } from '../keep/project-store.ts'
+import type { AreaEditor } from '../session/area-editor.ts'
 import type { AutoRun } from '../session/automatic.ts'
 import type { ExportState } from '../session/exporting.ts'
 import type { Session } from '../session/session.ts'
+import type { Painting } from '../tools/painting.ts'
 import type { Dial } from '../viewer/dials.ts'
 import type { Look } from '../viewer/looks.ts'
 import type { Viewer } from '../viewer/viewer.ts'
@@ -22,6 +24,9 @@ export interface Hovered {
 /** What panels show and request. */
 export interface PanelModel {
   readonly session: Session
+  /** Areas of the document; where there is none, those of the viewer are shown. */
+  readonly areas: AreaEditor
+  readonly painting: Painting
   /** Names of the shipped faces. */
   readonly faces: ReadonlySignal<readonly string[]>
   readonly viewer: ReadonlySignal<Viewer | null>
