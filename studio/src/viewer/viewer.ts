@@ -236,18 +236,16 @@ export class Viewer {
 
   /** Starts a transition to an expression from the current state. */
   play(name: string, seconds: number): void {
-    if (!this.#player) return
-    this.#player.play(name, seconds)
+    const player = this.#player
+    if (!player) return
+    this.#moveFace(() => player.play(name, seconds))
     this.#remaining = seconds
   }
 
   /** @param delta seconds since the last frame; infinity ends the transition. */
   advance(delta: number): void {
     if (!this.moving) return
-    const before = this.#drivenActivations().slice()
-    this.#player?.update(delta)
-    // Areas that expressions name are played, the others follow the face.
-    this.#applyDrivers(before, (area) => !this.#isPlayed(area))
+    this.#moveFace(() => this.#player?.update(delta))
     this.#remaining = Math.max(0, this.#remaining - delta)
   }
 
@@ -321,6 +319,13 @@ export class Viewer {
     this.#state.inputs.target.set(this.#face.skin.morphTargetInfluences ?? [])
     this.#program.evaluate(this.#state)
     return this.#state.activations
+  }
+
+  /** Plays an expression: areas that expressions name are played, the others follow the face. */
+  #moveFace(play: () => void): void {
+    const before = this.#drivenActivations().slice()
+    play()
+    this.#applyDrivers(before, (area) => !this.#isPlayed(area))
   }
 
   /** After blendshapes were set: sets the areas that they drive and leaves the others. */
