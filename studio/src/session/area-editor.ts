@@ -1,4 +1,4 @@
-import { computed, effect, type ReadonlySignal, signal } from '@preact/signals'
+import { batch, computed, effect, type ReadonlySignal, type Signal, signal } from '@preact/signals'
 import { type GrayImage, resampleGray } from 'furrow'
 import {
   type AreaFields,
@@ -100,13 +100,18 @@ export class AreaEditor {
   }
 
   rename(name: string, newName: string): void {
-    this.#edit(`Rename ${name}`, (document) => {
-      const renamed = renameArea(document, name, newName)
-      if (this.#muted.peek().has(name)) this.#muted.value = new Set([...this.#muted.peek(), newName])
-      if (this.#soloed.peek().has(name)) this.#soloed.value = new Set([...this.#soloed.peek(), newName])
-      if (this.#chosen.peek() === name) this.#chosen.value = newName
-      return renamed
-    })
+    const follow = (names: Signal<Names>) => {
+      if (names.peek().has(name)) names.value = new Set([...names.peek(), newName])
+    }
+    this.#attempt(() =>
+      // All at once: at no time is the chosen area none.
+      batch(() => {
+        this.#session.edit(`Rename ${name}`, (document) => renameArea(document, name, newName))
+        follow(this.#muted)
+        follow(this.#soloed)
+        if (this.#chosen.peek() === name) this.#chosen.value = newName
+      }),
+    )
   }
 
   set(name: string, fields: AreaFields): void {
