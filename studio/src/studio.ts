@@ -6,6 +6,7 @@ import { Buttons } from './buttons.ts'
 import { displayName } from './display-name.ts'
 import { Divider } from './divider.ts'
 import { acceptFiles } from './drop.ts'
+import { Lines } from './lines/lines.ts'
 import { Loading } from './loading.ts'
 import { Loop } from './loop.ts'
 import { Messages } from './messages.ts'
@@ -20,6 +21,7 @@ import { showPanel } from './panels/show-panel.tsx'
 import { savePicture } from './save-picture.ts'
 import { Workspace } from './session/workspace.ts'
 import { addShortcuts } from './shortcuts.ts'
+import { ToolHost } from './tools/tool-host.ts'
 import { adapterName } from './viewer/adapter.ts'
 import { DocumentView, type DrawnDocument } from './viewer/document-view.ts'
 import { fetchFace, listFaces } from './viewer/faces.ts'
@@ -43,6 +45,8 @@ export class Studio {
 
   readonly #workspace: Workspace
   readonly #view = new DocumentView()
+  readonly #tools: ToolHost
+  readonly #lines: Lines
   readonly #faces = signal<readonly string[]>([])
   readonly #shown = signal<Viewer | null>(null)
   readonly #frame = signal(0)
@@ -60,7 +64,10 @@ export class Studio {
     this.#loop = new Loop(
       {
         advance: (delta) => this.#advance(delta),
-        draw: () => this.#viewer?.draw(),
+        draw: () => {
+          this.#viewer?.draw()
+          this.#lines.draw()
+        },
         moving: () => this.#moving,
       },
       this.#meter.add,
@@ -80,6 +87,15 @@ export class Studio {
       this.#loop.wake()
     })
     this.#workspace = new Workspace((error) => messages.error(error))
+    this.#tools = new ToolHost(page.viewport, () => this.#viewer?.stage.camera ?? null)
+    this.#lines = new Lines({
+      stage: page.viewport,
+      session: this.#workspace.session,
+      viewer: this.#shown,
+      tools: this.#tools,
+      wake: () => this.#loop.wake(),
+      attempt: (task) => void messages.attempt(task),
+    })
     showPanel(page.panel, this.#panelModel())
     effect(() => this.#highlight(this.#hovered.value))
     effect(() => this.#showDocument(this.#shown.value, this.#workspace.drawn.value))
@@ -106,6 +122,7 @@ export class Studio {
     const { session, automatic, settings } = this.#workspace
     return {
       session,
+      lines: this.#lines.editor,
       auto: settings,
       autoRun: automatic.run,
       faces: this.#faces,
@@ -115,6 +132,7 @@ export class Studio {
       expression: this.#expression,
       hovered: this.#hovered,
       actions: {
+        attempt: (task) => void this.#messages.attempt(task),
         openFiles: (files) => this.#openFiles(async () => filesOfInput(files)),
         openFace: (name) => this.#open(this.#fetch(name)),
         chooseSkin: (skin) => this.#open(async (shown) => ({ ...shown!, skin })),

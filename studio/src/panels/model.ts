@@ -3,6 +3,7 @@ import type { AreaConvention } from 'furrow'
 import type { WrinkleMode } from 'furrow/three'
 import type { RendererKind } from '../../../stage/stage.ts'
 import type { AutoSettings } from '../document/document.ts'
+import type { LineEditor } from '../lines/line-editor.ts'
 import type { AutoRun } from '../session/automatic.ts'
 import type { Session } from '../session/session.ts'
 import type { Dial } from '../viewer/dials.ts'
@@ -18,6 +19,7 @@ export interface Hovered {
 /** What panels show and request. */
 export interface PanelModel {
   readonly session: Session
+  readonly lines: LineEditor
   /** Names of the shipped faces. */
   readonly faces: ReadonlySignal<readonly string[]>
   readonly viewer: ReadonlySignal<Viewer | null>
@@ -36,6 +38,8 @@ export interface PanelModel {
 
 /** What a user can request. Errors are shown on the stage. */
 export interface PanelActions {
+  /** Runs a task, and shows its errors. */
+  attempt(task: () => void): void
   openFiles(files: readonly File[]): void
   openFace(name: string): void
   /** Wrinkles another mesh of the avatar. */

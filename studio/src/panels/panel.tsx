@@ -1,6 +1,7 @@
 import { Areas } from './areas.tsx'
 import { AutomaticWrinkles } from './automatic.tsx'
 import { Expressions } from './expressions.tsx'
+import { Lines } from './lines.tsx'
 import type { PanelModel } from './model.ts'
 import { Settings } from './settings.tsx'
 import { Targets } from './targets.tsx'
@@ -13,6 +14,7 @@ export function Panel({ model }: { model: PanelModel }) {
       <Title model={model} />
       <Expressions model={model} />
       {model.session.document.value?.auto && <AutomaticWrinkles model={model} />}
+      {model.session.document.value && <Lines model={model} />}
       <Settings model={model} />
       <Areas model={model} />
       <Targets model={model} />
