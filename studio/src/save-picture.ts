@@ -1,3 +1,5 @@
+import { saveFile } from './save-file.ts'
+
 /**
  * Saves a canvas as a PNG file. Call it in the task that draws: a WebGPU canvas is blank afterwards.
  *
@@ -10,9 +12,5 @@ export async function savePicture(canvas: HTMLCanvasElement, name: string): Prom
       `Studio: cannot save the picture, got ${canvas.width} x ${canvas.height} pixels; make the window smaller`,
     )
   }
-  const link = document.createElement('a')
-  link.href = URL.createObjectURL(file)
-  link.download = name
-  link.click()
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000)
+  saveFile(file, name)
 }

@@ -12,12 +12,13 @@ import { Loop } from './loop.ts'
 import { Messages } from './messages.ts'
 import { Meter } from './meter.ts'
 import { reducedMotion } from './motion.ts'
-import { faceOf, openDropped } from './open/avatar.ts'
+import { faceOf, type OpenedAvatar, openDropped } from './open/avatar.ts'
 import { type DroppedFile, filesOfInput, filesOfTransfer } from './open/dropped-files.ts'
 import { sortFiles } from './open/sort-files.ts'
 import type { Page } from './page.ts'
 import type { Hovered, PanelModel } from './panels/model.ts'
 import { showPanel } from './panels/show-panel.tsx'
+import { saveFile } from './save-file.ts'
 import { savePicture } from './save-picture.ts'
 import { Workspace } from './session/workspace.ts'
 import { addShortcuts } from './shortcuts.ts'
@@ -119,12 +120,15 @@ export class Studio {
   }
 
   #panelModel(): PanelModel {
-    const { session, automatic, settings } = this.#workspace
+    const { session, automatic, exporting, keeping, settings } = this.#workspace
     return {
       session,
       lines: this.#lines.editor,
       auto: settings,
       autoRun: automatic.run,
+      exporting: exporting.state,
+      projects: keeping.projects,
+      saving: keeping.state,
       faces: this.#faces,
       viewer: this.#shown,
       frame: this.#frame,
@@ -157,7 +161,13 @@ export class Studio {
         redo: () => this.#redo(),
         previewAuto: (next) => void this.#messages.attempt(() => this.#workspace.previewAuto(next)),
         makeAuto: (next) => void this.#messages.attempt(() => this.#workspace.makeAuto(next)),
-        cancelAuto: () => automatic.cancel(),
+        cancelAuto: () => this.#workspace.cancelAuto(),
+        openProject: (id) => this.#open(() => this.#openProject(id)),
+        deleteProject: (id) => void this.#messages.attempt(() => keeping.delete(id)),
+        exportFace: (options) => void this.#messages.attempt(() => this.#workspace.export(options)),
+        cancelExport: () => exporting.cancel(),
+        saveExport: () => this.#saveExport(),
+        saveProject: () => void this.#messages.attempt(() => this.#saveProject()),
       },
     }
   }
@@ -173,6 +183,11 @@ export class Studio {
       this.#loading.show(title, 0)
       return fetchFace(name, (fraction) => this.#loading.show(title, fraction))
     }
+  }
+
+  #openProject(id: string): Promise<OpenedAvatar> {
+    this.#loading.show('Opening')
+    return this.#workspace.openProject(id)
   }
 
   #open(load: LoadAvatar): Promise<unknown> {
@@ -305,6 +320,16 @@ export class Studio {
       viewer.removeArea(name)
       this.#messages.note(`Removed area ${name}`)
     })
+  }
+
+  #saveExport(): void {
+    const state = this.#workspace.exporting.state.peek()
+    if (state?.kind === 'done') saveFile(new Blob([state.face.bytes as BlobPart]), state.name)
+  }
+
+  async #saveProject(): Promise<void> {
+    const project = await this.#workspace.project()
+    if (project) saveFile(project.file, project.name)
   }
 
   async #savePicture(): Promise<void> {

@@ -16,6 +16,7 @@ export {
   MAX_IMAGE_SIDE,
   MAX_LAYERS,
 } from './core/limits.ts'
+export { DecodedBytes } from './core/maps/decoded-bytes.ts'
 export { type ImageFileType, imageDamage, imageTypeOf } from './core/maps/image-file.ts'
 export {
   type Ktx2Fault,

@@ -1,6 +1,6 @@
 import { type Cost, costOf } from '../../../packages/cli/src/auto/cost.ts'
 import { encodeGlb } from '../../../packages/cli/src/gltf/glb-file.ts'
-import type { TargetNames } from '../../../packages/cli/src/gltf/target.ts'
+import type { TargetNames } from '../../../packages/cli/src/gltf/target-names.ts'
 import type { Finding } from '../../../packages/cli/src/validate/finding.ts'
 import { inspectWrinkles } from '../../../packages/cli/src/wrinkles/inspect.ts'
 import { PACK_DEFAULTS } from '../../../packages/cli/src/wrinkles/pack.ts'

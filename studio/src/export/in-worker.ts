@@ -1,6 +1,8 @@
 import { proxy, type Remote, wrap } from 'comlink'
 import { FurrowError } from 'furrow'
 import type { Finding } from '../../../packages/cli/src/validate/finding.ts'
+import type { AvatarFile } from '../keep/database.ts'
+import type { DocumentToExport } from './export-document.ts'
 import type { ExportedFace, ExportOptions, OnProgress } from './export-face.ts'
 import type { FaceFiles, Files } from './files.ts'
 import type { ReadFace } from './read-face.ts'
@@ -26,6 +28,21 @@ export function exportInWorker(
   { onProgress = () => {}, signal }: Following = {},
 ): Promise<ExportedFace> {
   return run((tasks) => tasks.exportFace(face, folder, options, proxy(onProgress)), signal)
+}
+
+/** `exportDocument` in a worker of its own; see `exportInWorker`. */
+export function exportDocumentInWorker(
+  face: FaceFiles,
+  source: DocumentToExport,
+  options: ExportOptions = {},
+  { onProgress = () => {}, signal }: Following = {},
+): Promise<ExportedFace> {
+  return run((tasks) => tasks.exportDocument(face, source, options, proxy(onProgress)), signal)
+}
+
+/** `projectFiles` in a worker of its own; see `exportInWorker`. */
+export function projectFilesInWorker(source: DocumentToExport, face: readonly AvatarFile[]): Promise<Files> {
+  return run((tasks) => tasks.projectFiles(source, face))
 }
 
 /** `readFace` in a worker of its own; see `exportInWorker`. */

@@ -1,4 +1,5 @@
 import { expose, transfer } from 'comlink'
+import { exportDocument, projectFiles } from './export-document.ts'
 import { exportFace } from './export-face.ts'
 import { readFace } from './read-face.ts'
 import { validateFace } from './validate-face.ts'
@@ -8,6 +9,14 @@ const tasks = {
   async exportFace(...args: Parameters<typeof exportFace>) {
     const exported = await exportFace(...args)
     return transfer(exported, buffersOf([exported.bytes]))
+  },
+  async exportDocument(...args: Parameters<typeof exportDocument>) {
+    const exported = await exportDocument(...args)
+    return transfer(exported, buffersOf([exported.bytes]))
+  },
+  async projectFiles(...args: Parameters<typeof projectFiles>) {
+    const files = await projectFiles(...args)
+    return transfer(files, buffersOf([...files.values()]))
   },
   async readFace(...args: Parameters<typeof readFace>) {
     const read = await readFace(...args)

@@ -1,6 +1,7 @@
 import { chooseSkin, MOST_TRIANGLES } from 'furrow/author'
 import type { Mesh } from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
+import { namesOfTarget, type TargetNames } from '../../../packages/cli/src/gltf/target-names.ts'
 import { skinOf } from '../../../packages/furrow/src/auto/character.ts'
 import { canCrease, readMeshes } from '../../../packages/furrow/src/three/loader/read-character.ts'
 import {
@@ -17,6 +18,8 @@ export interface SkinCandidate {
   name: string
   /** The first one drives. */
   meshes: [Mesh, ...Mesh[]]
+  /** Names of its mesh and material, as in `wrinkles.json`. */
+  target: TargetNames
   triangles: number
   blendshapes: number
   /** Why it cannot wrinkle and what helps; null if it can. */
@@ -82,7 +85,9 @@ function describe(meshes: [Mesh, ...Mesh[]], { parser }: GLTF): Omit<SkinCandida
   const mesh = index === undefined ? undefined : parser.json.meshes[index]
   const hasOthers = mesh?.primitives.length > meshes.length
   const triangles = meshes.reduce((sum, { geometry }) => sum + trianglesOf(geometry), 0)
+  const material = parser.associations.get(surface)?.materials
   return {
+    target: material === undefined ? {} : namesOfTarget(parser.json, material),
     name: (mesh?.name || name || `mesh ${index}`) + (hasOthers && surface.name ? ` (${surface.name})` : ''),
     meshes,
     triangles,

@@ -3,8 +3,12 @@ import type { AreaConvention } from 'furrow'
 import type { WrinkleMode } from 'furrow/three'
 import type { RendererKind } from '../../../stage/stage.ts'
 import type { AutoSettings } from '../document/document.ts'
+import type { ExportOptions } from '../export/export-face.ts'
+import type { SaveState } from '../keep/autosave.ts'
+import type { ProjectEntry } from '../keep/project-store.ts'
 import type { LineEditor } from '../lines/line-editor.ts'
 import type { AutoRun } from '../session/automatic.ts'
+import type { ExportState } from '../session/exporting.ts'
 import type { Session } from '../session/session.ts'
 import type { Dial } from '../viewer/dials.ts'
 import type { Look } from '../viewer/looks.ts'
@@ -33,6 +37,10 @@ export interface PanelModel {
   /** Settings of the automatic wrinkles, and the run that makes them. */
   readonly auto: ReadonlySignal<AutoSettings>
   readonly autoRun: ReadonlySignal<AutoRun | null>
+  readonly exporting: ReadonlySignal<ExportState | null>
+  /** What the browser keeps, and whether the present work is saved. */
+  readonly projects: ReadonlySignal<readonly ProjectEntry[]>
+  readonly saving: ReadonlySignal<SaveState | null>
   readonly actions: PanelActions
 }
 
@@ -58,4 +66,10 @@ export interface PanelActions {
   previewAuto(settings: AutoSettings): void
   makeAuto(settings: AutoSettings): void
   cancelAuto(): void
+  openProject(id: string): void
+  deleteProject(id: string): void
+  exportFace(options: ExportOptions): void
+  cancelExport(): void
+  saveExport(): void
+  saveProject(): void
 }

@@ -1,8 +1,10 @@
 import { Areas } from './areas.tsx'
 import { AutomaticWrinkles } from './automatic.tsx'
+import { Export } from './export.tsx'
 import { Expressions } from './expressions.tsx'
 import { Lines } from './lines.tsx'
 import type { PanelModel } from './model.ts'
+import { Recent } from './recent.tsx'
 import { Settings } from './settings.tsx'
 import { Targets } from './targets.tsx'
 import { Title } from './title.tsx'
@@ -12,12 +14,14 @@ export function Panel({ model }: { model: PanelModel }) {
   return (
     <>
       <Title model={model} />
+      <Recent model={model} />
       <Expressions model={model} />
       {model.session.document.value?.auto && <AutomaticWrinkles model={model} />}
       {model.session.document.value && <Lines model={model} />}
       <Settings model={model} />
       <Areas model={model} />
       <Targets model={model} />
+      {model.session.document.value && <Export model={model} />}
     </>
   )
 }

@@ -4,7 +4,7 @@ import type { PanelModel } from './model.ts'
 const FACES = '.glb,.gltf,.vrm,.bin,.png,.jpg,.jpeg,.webp,.ktx2,.json,.zip'
 
 /** The name of the page, and what concerns the whole work: open, undo, redo. */
-export function Title({ model: { session, actions } }: { model: PanelModel }) {
+export function Title({ model: { session, saving, actions } }: { model: PanelModel }) {
   const { undoLabel, redoLabel } = session
   return (
     <header class="title">
@@ -42,6 +42,11 @@ export function Title({ model: { session, actions } }: { model: PanelModel }) {
           Redo
         </button>
       </div>
+      {saving.value && (
+        <p class="hint" role="status">
+          {saving.value.kind === 'failed' ? saving.value.reason.message : 'Kept in this browser'}
+        </p>
+      )}
     </header>
   )
 }

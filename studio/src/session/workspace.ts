@@ -4,9 +4,13 @@ import type { AutoWrinkles } from 'furrow/author'
 import { automaticDocument, layersLeft, remake } from '../document/automatic.ts'
 import type { AutoSettings, StudioDocument } from '../document/document.ts'
 import { MapMaker } from '../draw/map-maker.ts'
-import type { OpenedAvatar } from '../open/avatar.ts'
+import type { ExportOptions } from '../export/export-face.ts'
+import type { Project } from '../keep/project.ts'
+import { type OpenedAvatar, openAvatar } from '../open/avatar.ts'
 import type { DrawnDocument } from '../viewer/document-view.ts'
 import { Automatic } from './automatic.ts'
+import { documentToExport, Exporting } from './exporting.ts'
+import { Keeping } from './keeping.ts'
 import { Session } from './session.ts'
 import { type SkinSource, skinSource } from './skin-source.ts'
 
@@ -22,20 +26,27 @@ const PREVIEW_SIZE = 256
 export class Workspace {
   readonly session = new Session()
   readonly automatic = new Automatic()
+  readonly exporting = new Exporting()
+  readonly keeping: Keeping
   readonly #settings = signal<AutoSettings>(AUTO_SETTINGS)
   readonly #drawn = signal<DrawnDocument | null>(null)
   readonly #maps: MapMaker
   readonly #onError: (error: unknown) => void
   #avatar: OpenedAvatar | null = null
   #source: SkinSource | null = null
+  /** A project whose avatar is about to be shown. */
+  #project: { project: Project; root: OpenedAvatar['root'] } | null = null
   #isDrawing = false
 
   /** @param onError is told of what goes wrong while the page goes on. */
   constructor(onError: (error: unknown) => void) {
     this.#onError = onError
     this.#maps = new MapMaker()
+    this.keeping = new Keeping(this.session, onError)
     effect(() => {
-      this.session.document.value
+      const document = this.session.document.value
+      if (document?.auto) this.#settings.value = document.auto
+      this.exporting.cancel()
       void this.#draw()
     })
   }
@@ -50,18 +61,65 @@ export class Workspace {
     return this.#settings
   }
 
+  /** Opens a project: its avatar, to be shown, whose document `open` then takes. Rejects with a FurrowError where it cannot be. */
+  async openProject(id: string): Promise<OpenedAvatar> {
+    const project = await this.keeping.open(id)
+    try {
+      const [face, ...others] = project.files.map(({ path, file }) => ({
+        path,
+        file: new File([file], path),
+      }))
+      const avatar = await openAvatar(face, { files: [face, ...others] })
+      this.#project = { project, root: avatar.root }
+      return avatar
+    } catch (error) {
+      await project.close()
+      throw error
+    }
+  }
+
   /** Begins with another avatar, or another skin of it; one without wrinkles gets automatic ones. */
   async open(avatar: OpenedAvatar): Promise<void> {
     const isSame = avatar.root === this.#avatar?.root && avatar.skin === this.#avatar.skin
     this.#avatar = avatar
     if (isSame) return
+    const project = this.#project?.root === avatar.root ? this.#project.project : null
+    this.#project = null
     this.automatic.cancel()
     this.#maps.close()
+    if (!project) await this.keeping.leave()
     this.session.open(null)
     this.#drawn.value = null
-    this.#source = avatar.skins[avatar.skin].wrinkles ? null : skinSource(avatar)
+    this.#source = avatar.skins[avatar.skin].wrinkles && !project ? null : skinSource(avatar)
     this.#settings.value = AUTO_SETTINGS
-    if (this.#source) await this.makeAuto(AUTO_SETTINGS)
+    if (project && this.#source) this.session.open(project.opened)
+    this.keeping.follow(avatar, project)
+    if (this.#source && !project) await this.makeAuto(AUTO_SETTINGS)
+  }
+
+  /** Ends the run that makes automatic wrinkles; what it previewed is shown no longer. */
+  cancelAuto(): void {
+    this.automatic.cancel()
+    void this.#draw()
+  }
+
+  /** Exports the document as it is drawn; see `Exporting`. */
+  async export(options: ExportOptions): Promise<void> {
+    const drawn = this.#drawn.peek()
+    if (drawn && this.#avatar) await this.exporting.start(drawn, this.#avatar, options)
+  }
+
+  /** The project as one .zip file, with the avatar. */
+  async project(): Promise<{ file: Blob; name: string } | null> {
+    const [drawn, avatar] = [this.#drawn.peek(), this.#avatar]
+    if (!drawn || !avatar) return null
+    const [{ projectFilesInWorker }, { zipFolder }] = await Promise.all([
+      import('../export/in-worker.ts'),
+      import('../keep/zip.ts'),
+    ])
+    const files = await projectFilesInWorker(documentToExport(drawn, avatar), avatar.files)
+    const list = [...files].map(([path, content]) => ({ path, content }))
+    return { file: await zipFolder(list, avatar.name), name: `${avatar.name}.zip` }
   }
 
   /** Makes the automatic wrinkles anew; those that were changed by hand stay. Rejects with a FurrowError where there are none. */
@@ -71,7 +129,7 @@ export class Workspace {
     const { document, wrinkles } = made
     await this.#maps.adopt(document, wrinkles, this.#source!)
     if (!this.session.document.value) this.session.open(document)
-    else this.session.edit('Make automatic wrinkles', (old) => remake(old, document), 'automatic')
+    else this.session.edit('Make automatic wrinkles', (old) => remake(old, document))
   }
 
   /** Shows small automatic wrinkles while a control moves; the document stays. */

@@ -33,7 +33,10 @@ export class ToolHost {
   }
 
   readonly #onDown = (event: PointerEvent): void => {
-    if (this.#pointer !== null) return event.stopImmediatePropagation()
+    if (this.#pointer !== null) {
+      event.stopImmediatePropagation()
+      return
+    }
     if (!this.#tool || event.button !== 0) return
     const pointer = this.#read(event)
     if (!pointer || !this.#tool.begin(pointer)) return

@@ -25,8 +25,12 @@ test.each([
   at.printed = ''
   await inspectCommand.parseAsync([file('out.glb'), '--json'], { from: 'user' })
   const { gpu, influenceMapBytes, imageBytes, strokes } = JSON.parse(at.printed)
-  const maps = options.length > 0 ? gpu.bits4 : gpu.uncompressed
-  expect(cost).toEqual({ file: imageBytes + strokes.bytes, gpu: maps + influenceMapBytes })
+  const isCompressed = options.length > 0
+  expect(cost).toEqual({
+    file: imageBytes + strokes.bytes,
+    gpu: (isCompressed ? gpu.bits4 : gpu.uncompressed) + influenceMapBytes,
+    phone: (isCompressed ? gpu.bits8 : gpu.uncompressed) + influenceMapBytes,
+  })
 })
 
 test('an avatar takes at most 2 MB on the GPU at 1024 texels, compressed, as inspect counts them', async () => {
@@ -47,6 +51,14 @@ test('what wrinkles cost, how they cost less and what drops them is printed', as
     /wrinkles: [\d.]+ kB in the file, [\d.]+ kB on the GPU; --ktx2 or a smaller --size/,
   )
   expect(at.printed).toContain('register FurrowWrinkleMaps')
+})
+
+test('what compressed wrinkles cost on a phone is printed too', async () => {
+  await at.run(await writeSheet('plain.glb'), '-o', file('out.glb'), '--size', '512', '--ktx2', '--force')
+  const [, desktop, phone] = /([\d.]+) kB on the GPU \(([\d.]+) kB on a phone, as ASTC\)/.exec(at.printed)!
+  // Maps take twice as much, areas and the influence map the same.
+  expect(Number(phone)).toBeGreaterThan(1.5 * Number(desktop))
+  expect(Number(phone)).toBeLessThan(2 * Number(desktop))
 })
 
 test('maps that are too large to compress are refused before the work', async () => {

@@ -1,7 +1,10 @@
 import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
+import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
+import { readGlbFile } from '../../../packages/cli/src/gltf/read-glb-file.ts'
+import { checkWrinkles } from '../../../packages/cli/src/wrinkles/rules.ts'
 import { bundle } from '../../../scripts/lib/bundle.mjs'
 import { flatPng } from '../../fuzz/damage-images.ts'
 import { joinGlb, setImage, splitGlb } from '../../fuzz/glb-parts.ts'
@@ -14,10 +17,16 @@ const MOST_SECONDS = 10
 const shop = new Workshop()
 let runner = ''
 let folder = ''
+/** An image of 8192 x 8192 texels in RGBA. */
+let colours: Buffer
 
 beforeAll(async () => {
   runner = await bundle('test/fuzz/run-command.ts')
   folder = await shop.makeFolder('face')
+  const background = { r: 128, g: 128, b: 255, alpha: 1 }
+  colours = await sharp({ create: { width: 8192, height: 8192, channels: 4, background } })
+    .png()
+    .toBuffer()
   await shop.run(packCommand, folder, '-o', shop.path('packed.glb'))
   await shop.run(packCommand, folder, '--ktx2', '-o', shop.path('packed-array.glb'))
 })
@@ -48,10 +57,17 @@ const ktx2 = (side: number, layers?: number) => (bytes: Buffer) => {
   return out
 }
 
+it('images that take more than 512 MiB together are refused', async () => {
+  const glb = await readGlbFile(withImages('packed.glb', png(8192)), 'test')
+  const messages = (await checkWrinkles(glb)).map(({ message }) => message)
+  expect(messages.join('\n')).toContain('the images of the wrinkles are too large together')
+})
+
 describe.each(['inspect', 'validate', 'unpack'])('%s takes at most 1 GB and 10 s for', (command) => {
   it.each([
     ['PNG images of 16,000 squared', () => withImages('packed.glb', png(16_000))],
     ['PNG images of 8192 squared', () => withImages('packed.glb', png(8192))],
+    ['PNG images of 8192 squared in RGBA', () => withImages('packed.glb', () => colours)],
     ['KTX 2 images of 16,384 squared', () => withImages('packed-array.glb', ktx2(16_384))],
     ['KTX 2 images of 8192 squared', () => withImages('packed-array.glb', ktx2(8192, 1))],
     ['KTX 2 arrays of 65,536 layers', () => withImages('packed-array.glb', ktx2(128, 65_536))],

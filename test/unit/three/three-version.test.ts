@@ -96,7 +96,7 @@ describe('internals of three.js', () => {
       },
       getDependency: async () => bytes.slice().buffer,
     }
-    await expect(loadMapArray(parser as never, 0)).rejects.toThrow(found(`KTX2Loader.${name}`))
+    await expect(loadMapArray(parser as never, 0, () => {})).rejects.toThrow(found(`KTX2Loader.${name}`))
   })
 
   it('are named where WebGLRenderer lacks what it knows of a target', () => {

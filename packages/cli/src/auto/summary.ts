@@ -61,7 +61,8 @@ export function summaryLines(
   })
   const page = report === undefined ? [] : [`${join(report, 'index.html')}: the report`]
   const less = ktx2 ? 'a smaller --size or fewer --layers take less' : '--ktx2 or a smaller --size takes less'
-  const sizes = `wrinkles: ${kilobytes(cost.file)} in the file, ${kilobytes(cost.gpu)} on the GPU; ${less}`
+  const onPhone = ktx2 ? ` (${kilobytes(cost.phone)} on a phone, as ASTC)` : ''
+  const sizes = `wrinkles: ${kilobytes(cost.file)} in the file, ${kilobytes(cost.gpu)} on the GPU${onPhone}; ${less}`
   return [head, ...rows, ...missingRows(missing), sizes, ...page, OTHER_TOOLS]
 }
 

@@ -5,8 +5,9 @@ import { Matrix4, Vector3 } from 'three'
 import { mostMovedSkin } from '../auto/find-skin.ts'
 import { didYouMean } from '../nearest.ts'
 import type { ReadOptions } from './external-files.ts'
-import { DEFAULT_NAME, nameOf, placementOf, trianglesOf } from './mesh-nodes.ts'
+import { nameOf, placementOf, trianglesOf } from './mesh-nodes.ts'
 import { readDocument } from './read-document.ts'
+import { DEFAULT_NAME } from './target-names.ts'
 
 /** What strokes need of a character: one mesh, its texture coordinates, and its skin's own normal map. */
 export interface FaceMesh {

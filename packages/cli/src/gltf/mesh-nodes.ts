@@ -1,9 +1,6 @@
 import { type Mesh, type mat4, type Node, Primitive } from '@gltf-transform/core'
 import { Matrix4 } from 'three'
 
-/** The mesh or material that commands choose when none is named and several exist. */
-export const DEFAULT_NAME = 'skin'
-
 /** The name of a node's mesh, or of the node where the mesh has none. */
 export function nameOf(node: Node): string {
   return node.getMesh()!.getName() || node.getName()

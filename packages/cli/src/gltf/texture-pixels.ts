@@ -1,8 +1,7 @@
-import { FurrowError, type TextureReference } from 'furrow'
+import { DecodedBytes, FurrowError, type TextureReference } from 'furrow'
 import { decodeImage, measureImage } from '#platform/images'
 import { type DecodedArray, decodeArray as decodeKtx2 } from '../array/ktx2.ts'
 import { readHeader } from '../array/ktx2-header.ts'
-import { checkDecodedBytes, mostFaceBytes } from '../images/decoded-bytes.ts'
 import { withImageErrors } from '../images/image-errors.ts'
 import type { Pixels } from '../images/pixels.ts'
 import type { Glb } from './glb-file.ts'
@@ -51,7 +50,7 @@ export async function sizeOf(
   glb: Glb,
   index: number,
   who: string,
-): Promise<{ width: number; height: number; decodedBytes: number }> {
+): Promise<{ width: number; height: number; slices?: number }> {
   const image = imageOf(glb, index, who)
   const { bytes, name } = image
   if (!isKtx2(image)) return measureImage(bytes, `"${name}"`, who)
@@ -72,14 +71,14 @@ async function cached<T>(
   return texture
 }
 
-/** Bytes of the decoded textures of files: all of them are kept. */
-const reserved = new WeakMap<Glb, number>()
+/** What the decoded textures of files take: all of them are kept. */
+const decoded = new WeakMap<Glb, DecodedBytes>()
 
 async function reserve(glb: Glb, index: number, who: string): Promise<void> {
-  const { decodedBytes } = await sizeOf(glb, index, who)
-  const sum = (reserved.get(glb) ?? 0) + decodedBytes
-  reserved.set(glb, sum)
-  checkDecodedBytes(sum, 'all images of the wrinkles', who, mostFaceBytes(glb.fileBytes))
+  const size = await sizeOf(glb, index, who)
+  const count = decoded.get(glb) ?? new DecodedBytes()
+  decoded.set(glb, count)
+  count.add(index, size, who)
 }
 
 async function decodeArray(glb: Glb, index: number, who: string): Promise<DecodedArray> {

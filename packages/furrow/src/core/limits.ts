@@ -19,6 +19,12 @@ export const MAX_IMAGE_SIDE = 8192
 /** Most bytes of an image or array once it is decoded: those of 8192 x 8192 texels in RGBA. */
 export const MAX_IMAGE_BYTES = 2 ** 28
 
+/**
+ * Most bytes of all images of a file's wrinkles once they are decoded, in RGBA: eight of 4096 x 4096 texels. With mipmaps that is 683 MiB on
+ * a GPU, of the 1 to 2 GiB that phones have for a page.
+ */
+export const MAX_WRINKLE_BYTES = 2 ** 29
+
 /** Most characters of a name in a file. */
 export const LONGEST_NAME = 256
 

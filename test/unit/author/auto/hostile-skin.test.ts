@@ -1,11 +1,10 @@
-import { paintAreas, parseStrokes, skinCanvas, strokesToHeight } from 'furrow/author'
+import { autoWrinkles, skinCanvas } from 'furrow/author'
 import { expect, test } from 'vitest'
 import { drawMaps } from '../../../../packages/furrow/src/author/auto/raster/draw-maps.ts'
 import type { PreparedSkin } from '../../../../packages/furrow/src/author/auto/surface/prepare-skin.ts'
 import { checkCoverage } from '../../../../packages/furrow/src/author/skin/check-coverage.ts'
 import { SkinTexels } from '../../../../packages/furrow/src/author/skin/skin-texels.ts'
 import { weldSurface } from '../../../../packages/furrow/src/author/skin/surface.ts'
-import { layOutStrokes } from '../../../../packages/furrow/src/author/strokes/lay-out.ts'
 import { seeded } from '../../../random.ts'
 import { sheet } from './sheet.ts'
 
@@ -28,26 +27,11 @@ test('strokes are not drawn on such triangles', () => {
   )
 })
 
-test('strokes that are too long together are refused, whether their maps or their areas are drawn', () => {
+test('a skin is refused whose size no document of strokes can tell', () => {
   const { positions, uvs, indices } = sheet(8, 0)
-  const canvas = skinCanvas({ positions, uvs, indices }, 16, 16, 1)
-  const stroke = {
-    group: 'a',
-    points: [
-      [0.1, 0.5],
-      [0.9, 0.5],
-    ],
-    width: 1,
-    depth: 0.1,
-  }
-  const document = (metres: number) =>
-    parseStrokes({ version: 1, scale: 1, strokes: repeated([stroke], metres / (0.8 * 0.08)) })
-  expect(layOutStrokes(document(90).strokes, canvas)).toHaveLength(1406)
-  for (const draw of [
-    () => paintAreas(document(110), canvas),
-    () => strokesToHeight(document(110).strokes, canvas),
-  ])
-    expect(draw).toThrow(/the strokes are too long together, got "1718 strokes", allowed: 100 m;/)
+  const targets = [{ name: 'press', offsets: positions.map((x) => -0.1 * x) }]
+  const skin = { positions: positions.map((x) => 1e14 * x), uvs, indices, targets }
+  expect(() => autoWrinkles(skin)).toThrow('autoWrinkles: the skin is far too large for a character')
 })
 
 test('what lies outside the texture costs nothing and is not refused', () => {

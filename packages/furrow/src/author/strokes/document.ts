@@ -52,6 +52,9 @@ export interface StrokesDocument {
   areas?: AreaDefinition[]
 }
 
+/** Least and most millimetres per unit of a face. */
+export const SCALES = [1e-6, 1e6] as const
+
 /** Values of the fields that a document omits. */
 export const STROKE_DEFAULTS = {
   curve: 'polyline',
@@ -86,7 +89,7 @@ export function parseStrokes(json: unknown): StrokesDocument {
   if (root.version !== 1) read.fail('unknown version', root.version, '1', 'write "version": 1')
   const document: StrokesDocument = {
     version: 1,
-    scale: read.number(or(root.scale, MILLIMETRES_PER_METRE), 'scale', 1e-6, 1e6, 'mm per unit'),
+    scale: read.number(or(root.scale, MILLIMETRES_PER_METRE), 'scale', ...SCALES, 'mm per unit'),
     strokes: read.array(root.strokes, 'strokes', 1, 10_000).map((stroke, i) => readStroke(read, stroke, i)),
   }
   if (root.size !== undefined) document.size = readSize(read, root.size)

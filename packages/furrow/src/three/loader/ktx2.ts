@@ -3,6 +3,7 @@ import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { FurrowError } from '../../core/error.ts'
 import { type Ktx2Header, readKtx2Header } from '../../core/maps/ktx2-header.ts'
+import type { TextureShape } from '../../core/maps/rules.ts'
 import { WRINKLE_MAPS } from '../../core/maps/wrinkle-maps.ts'
 import type { ArrayTexture } from '../material/array-texture.ts'
 import { requireInternal } from '../three-version.ts'
@@ -30,13 +31,20 @@ export interface Ktx2Texture {
   header: Ktx2Header
 }
 
+/** Throws where an image may not be decoded. */
+export type ShapeCheck = (shape: TextureShape) => void
+
 /**
  * Loads the areas of a file, a KTX 2 image or array, in the best format that the GPU supports.
  *
  * @throws FurrowError when the loader has no KTX2Loader, or the image is not one that KHR_texture_basisu allows.
  */
-export async function loadAreaArray(parser: GLTFParser, index: number): Promise<Ktx2Texture> {
-  const file = await readFile(parser, index)
+export async function loadAreaArray(
+  parser: GLTFParser,
+  index: number,
+  check: ShapeCheck,
+): Promise<Ktx2Texture> {
+  const file = await readFile(parser, index, check)
   const array = await transcode(file, ktx2LoaderOf(parser))
   // Areas are smooth already, and mipmaps would bleed across UV islands.
   array.minFilter = LinearFilter
@@ -49,8 +57,12 @@ export async function loadAreaArray(parser: GLTFParser, index: number): Promise<
  *
  * @throws FurrowError as `loadAreaArray` does, or when three.js's KTX2Loader lacks an internal that this needs.
  */
-export async function loadMapArray(parser: GLTFParser, index: number): Promise<Ktx2Texture> {
-  const file = await readFile(parser, index)
+export async function loadMapArray(
+  parser: GLTFParser,
+  index: number,
+  check: ShapeCheck,
+): Promise<Ktx2Texture> {
+  const file = await readFile(parser, index, check)
   const { header } = file
   const usual = ktx2LoaderOf(parser) as Transcoder
   const { workerConfig } = usual
@@ -103,11 +115,15 @@ interface Ktx2File {
 }
 
 /** Reads the KTX 2 file of a texture, and checks its header before anything is decoded. */
-async function readFile(parser: GLTFParser, index: number): Promise<Ktx2File> {
+async function readFile(parser: GLTFParser, index: number, check: ShapeCheck): Promise<Ktx2File> {
   const who = `${WRINKLE_MAPS} texture ${index}`
   const { extensions } = parser.json.textures[index]
   const bytes = await readImageBytes(parser, extensions?.KHR_texture_basisu?.source, who)
-  if (bytes) return { bytes, header: readKtx2Header(bytes, who), who }
+  if (bytes) {
+    const header = readKtx2Header(bytes, who)
+    check(header)
+    return { bytes, header, who }
+  }
   throw new FurrowError({
     who,
     what: 'a slice of an image that is not KTX 2',

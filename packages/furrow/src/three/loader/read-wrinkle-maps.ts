@@ -2,6 +2,7 @@ import { type ColorSpace, type Material, type Mesh, NoColorSpace, type Object3D,
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import { CHANNEL, channelOf } from '../../core/channels.ts'
 import { FurrowError } from '../../core/error.ts'
+import { DecodedBytes } from '../../core/maps/decoded-bytes.ts'
 import { mapProblems, type TextureShape, texturesOfFace } from '../../core/maps/rules.ts'
 import {
   checkDeclared,
@@ -84,12 +85,13 @@ export function materialReader(
   onFault?: (fault: FurrowError) => void,
 ): (material: number) => Promise<FileWrinkles> {
   const known = new Map<number, Promise<FileWrinkles>>()
+  const decoded = new DecodedBytes()
   const read = async (material: number): Promise<FileWrinkles> => {
     const { textures } = parser.json
     const count = Array.isArray(textures) ? textures.length : 0
     try {
       const maps = parseWrinkleMaps(extensionOf(material, parser), count, WRINKLE_MAPS, onFault)
-      return { set: await readSet(maps, parser), drivers: maps.drivers }
+      return { set: await readSet(maps, parser, decoded), drivers: maps.drivers }
     } catch (error) {
       throw fileError(error, WRINKLE_MAPS, UNREADABLE)
     }
@@ -126,9 +128,13 @@ function extensionOf(material: number, parser: Parser): unknown {
   return parser.json.materials[material].extensions?.[WRINKLE_MAPS]
 }
 
-async function readSet(maps: MapsAndAreas, parser: Parser): Promise<WrinkleSet<ArraySlice>> {
+async function readSet(
+  maps: MapsAndAreas,
+  parser: Parser,
+  decoded: DecodedBytes,
+): Promise<WrinkleSet<ArraySlice>> {
   checkDeclared(parser.json, WRINKLE_MAPS)
-  const source = new MapSource(parser)
+  const source = new MapSource(parser, decoded)
   const layers = await Promise.all(maps.layers.map((layer) => readLayer(layer, source)))
   const areas = maps.areas.map(
     async ({ name, layer, texture, channel, combine, activation }): Promise<Area<ArraySlice>> => ({
@@ -170,11 +176,16 @@ type ArrayUse = 'areas' | 'maps'
 /** Reads the images and arrays of a file, each once. */
 class MapSource {
   readonly #parser: Parser
+  readonly #decoded: DecodedBytes
   readonly #images = new Map<number, Promise<RgbaImage>>()
   readonly #arrays = new Map<number, Promise<Ktx2Texture>>()
+  /** Images are decoded one after the other: most tell their size only then. */
+  #decoding: Promise<unknown> = Promise.resolve()
 
-  constructor(parser: Parser) {
+  /** @param decoded counts what the images of the whole file take. */
+  constructor(parser: Parser, decoded: DecodedBytes) {
     this.#parser = parser
+    this.#decoded = decoded
   }
 
   get hasSlices(): boolean {
@@ -210,8 +221,17 @@ class MapSource {
       const image = imageOf(this.#parser.json.textures[index])
       const bytes = await readImageBytes(this.#parser, image, who)
       if (!bytes) throw fileError('a texture without an image', who, UNREADABLE)
-      return decodeBytes(bytes, who)
+      const decoding = this.#decoding.then(() => this.#decode(index, bytes, who))
+      this.#decoding = decoding.catch(() => {})
+      return decoding
     })
+  }
+
+  async #decode(index: number, bytes: Uint8Array<ArrayBuffer>, who: string): Promise<RgbaImage> {
+    this.#decoded.check(WRINKLE_MAPS)
+    const image = await decodeBytes(bytes, who)
+    this.#decoded.add(index, image, WRINKLE_MAPS)
+    return image
   }
 
   async #slice(
@@ -222,7 +242,9 @@ class MapSource {
   ): Promise<ArraySlice> {
     const { array } = await once(this.#arrays, index, async () => {
       const { loadAreaArray, loadMapArray } = await import('./ktx2.ts')
-      return (use === 'areas' ? loadAreaArray : loadMapArray)(this.#parser, index)
+      return (use === 'areas' ? loadAreaArray : loadMapArray)(this.#parser, index, (shape) =>
+        this.#decoded.add(index, shape, WRINKLE_MAPS),
+      )
     })
     // In glTF the use of a texture decides, not the colour space in its file.
     array.colorSpace = space

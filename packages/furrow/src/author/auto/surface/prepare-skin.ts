@@ -1,7 +1,9 @@
+import { FurrowError } from '../../../core/error.ts'
 import { checkCoverage } from '../../skin/check-coverage.ts'
 import { findOverlap, isOnLeft, isOverlapped } from '../../skin/overlap.ts'
 import type { Skin, SkinSurface } from '../../skin/surface.ts'
 import { UvLocator } from '../../skin/uv-locator.ts'
+import { SCALES } from '../../strokes/document.ts'
 import { checkSkin } from './check-skin.ts'
 import { type DetectedFace, detectFace } from './detect-face.ts'
 import { weldInMillimetres } from './skin-surface.ts'
@@ -49,6 +51,7 @@ export function prepareSkin(raw: Skin): PreparedSkin {
   const face = detectFace(skin)
   const find = face?.find ?? ((name: string) => [names.indexOf(name)])
   const { surface, offsets, scale } = face ?? weldInMillimetres(skin)
+  checkScale(scale)
   const overlap = findOverlap(skin, surface)
   const isMirrored = face !== undefined && overlap.isMirrored
   if (isMirrored)
@@ -66,4 +69,18 @@ export function prepareSkin(raw: Skin): PreparedSkin {
 
 function percent(fraction: number): string {
   return `${Math.max(1, Math.round(100 * fraction))}%`
+}
+
+/** Lines are kept in millimetres, and so is the size of the face. */
+function checkScale(scale: number): void {
+  const [least, most] = SCALES
+  if (scale >= least && scale <= most) return
+  throw new FurrowError({
+    code: 'out-of-range',
+    who: 'autoWrinkles',
+    what: `the skin is far too ${scale < least ? 'large' : 'small'} for a character`,
+    value: `${scale.toPrecision(3)} mm per unit of its positions`,
+    limit: `${least} to ${most}`,
+    remedy: 'check the scale and the positions of its vertices',
+  })
 }

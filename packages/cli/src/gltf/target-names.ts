@@ -1,0 +1,82 @@
+import { LONGEST_NAME } from 'furrow'
+import type { GltfJson, GltfMesh } from './gltf-json.ts'
+
+/** The mesh or material that commands choose when none is named and several exist. */
+export const DEFAULT_NAME = 'skin'
+
+/** Indices of the mesh and the material that get wrinkles. */
+export interface Target {
+  mesh: number
+  material: number
+}
+
+/** Names of a mesh and of one of its materials, or their indices where they have no name. */
+export interface TargetNames {
+  mesh?: string | undefined
+  material?: string | undefined
+}
+
+/** Names by which `findTarget` finds a material with wrinkles and the first mesh that has it; an index where no name does. */
+export function namesOfTarget(json: GltfJson, material: number): TargetNames {
+  const mesh = meshesOf(json).find(({ index }) => {
+    return materialsOf(json, index).some(({ target }) => target.material === material)
+  })
+  if (!mesh) return {}
+  return {
+    mesh: uniqueName(meshesOf(json), mesh),
+    material: uniqueName(
+      materialsOf(json, mesh.index),
+      materialsOf(json, mesh.index).find(({ target }) => target.material === material)!,
+    ),
+  }
+}
+
+/** A mesh or a material, with the names by which it may be named. */
+export interface Candidate {
+  index: number
+  names: string[]
+}
+
+/** The meshes with texture coordinates. */
+export function meshesOf(json: GltfJson): Candidate[] {
+  return (json.meshes ?? []).flatMap((mesh, index) => {
+    return mesh.primitives.some(hasTextureCoordinates) ? [{ index, names: namesOf(json, mesh, index) }] : []
+  })
+}
+
+/** The materials of a mesh where it has texture coordinates. */
+export function materialsOf(json: GltfJson, mesh: number): (Candidate & { target: Target })[] {
+  const primitives = json.meshes![mesh].primitives.filter(hasTextureCoordinates)
+  return [...new Set(primitives.map(({ material }) => material))].flatMap((index) => {
+    const material = index === undefined ? undefined : json.materials?.[index]
+    if (index === undefined || !material) return []
+    return [{ index, names: [material.name ?? String(index)], target: { mesh, material: index } }]
+  })
+}
+
+function hasTextureCoordinates({ attributes }: GltfMesh['primitives'][number]): boolean {
+  return attributes?.TEXCOORD_0 !== undefined
+}
+
+function namesOf({ nodes = [] }: GltfJson, mesh: GltfMesh, index: number): string[] {
+  const nodeNames = nodes.filter((node) => node.mesh === index).map(({ name }) => name)
+  const names = [mesh.name, ...nodeNames].filter((name) => name !== undefined)
+  return names.length > 0 ? names : [String(index)]
+}
+
+/** Those of a name; without one, those of the default name, or all where none has that. */
+export function chosen<T extends Candidate>(
+  candidates: readonly T[],
+  wanted: string | undefined,
+): readonly T[] {
+  const named = candidates.filter(({ names }) => names.includes(wanted ?? DEFAULT_NAME))
+  if (wanted === undefined) return named.length > 0 ? named : candidates
+  return named.length > 0 ? named : candidates.filter(({ index }) => String(index) === wanted)
+}
+
+function uniqueName(candidates: readonly Candidate[], own: Candidate): string {
+  const unique = own.names.find((name) => {
+    return name !== '' && name.length <= LONGEST_NAME && chosen(candidates, name).length === 1
+  })
+  return unique ?? String(own.index)
+}

@@ -1,0 +1,110 @@
+import { useSignal } from '@preact/signals'
+import { WRINKLE_MAPS } from 'furrow'
+import { useId } from 'preact/hooks'
+import type { ExportState } from '../session/exporting.ts'
+import type { PanelModel } from './model.ts'
+import { Section } from './section.tsx'
+
+/** The lines that show an exported face. */
+const CODE = `import { WrinkleLoaderPlugin } from 'furrow/three'
+
+loader.register((parser) => new WrinkleLoaderPlugin(parser))
+const { scene } = await loader.loadAsync('FILE')`
+
+/** Makes the avatar with its wrinkles, offers it, and says what it costs and how it is loaded. */
+export function Export({ model: { exporting, actions } }: { model: PanelModel }) {
+  const isCompressed = useSignal(false)
+  const state = exporting.value
+  return (
+    <Section title="Export" open={false}>
+      <div class="add">
+        <button type="button" onClick={() => actions.exportFace({ ktx2: isCompressed.value })}>
+          Make the file
+        </button>
+        <label class="check" title="Maps stay compressed on the GPU">
+          <input
+            type="checkbox"
+            checked={isCompressed.value}
+            onChange={({ currentTarget }) => {
+              isCompressed.value = currentTarget.checked
+            }}
+          />
+          KTX 2
+        </label>
+        <button type="button" onClick={actions.saveProject}>
+          Save project (.zip)
+        </button>
+      </div>
+      {state?.kind === 'running' && <Running fraction={state.fraction} onCancel={actions.cancelExport} />}
+      {state?.kind === 'done' && <Done state={state} onSave={actions.saveExport} />}
+    </Section>
+  )
+}
+
+function Running({ fraction, onCancel }: { fraction: number; onCancel(): void }) {
+  const id = useId()
+  return (
+    <div class="run">
+      <label for={id}>Packing and checking</label>
+      <progress id={id} max="1" value={fraction} />
+      <button type="button" class="quiet" onClick={onCancel}>
+        Cancel
+      </button>
+    </div>
+  )
+}
+
+function Done({ state, onSave }: { state: ExportState & { kind: 'done' }; onSave(): void }) {
+  const { bytes, findings, cost, warnings } = state.face
+  const errors = findings.filter(({ severity }) => severity === 'error')
+  const own = errors.filter(({ pointer }) => pointer?.includes(WRINKLE_MAPS))
+  const rest = errors.length - own.length
+  const notes = [
+    ...warnings,
+    ...own.map(({ message }) => message),
+    ...(rest > 0 ? [`The rest of the file has ${rest} errors, which it had before`] : []),
+  ]
+  return (
+    <>
+      <p class="hint" role="status">
+        {megabytes(bytes.length)} in all; the wrinkles take {megabytes(cost.file)} of it and{' '}
+        {megabytes(cost.gpu)} on the GPU.{' '}
+        {own.length === 0 ? 'The wrinkles have no errors.' : `The wrinkles have ${own.length} errors.`}
+      </p>
+      {notes.length > 0 && (
+        <ul class="hint">
+          {notes.map((note) => (
+            <li key={note}>{note}</li>
+          ))}
+        </ul>
+      )}
+      <button type="button" class="main" onClick={onSave}>
+        Save {state.name}
+      </button>
+      <Code text={CODE.replace('FILE', state.name)} />
+    </>
+  )
+}
+
+/** Text to copy. */
+function Code({ text }: { text: string }) {
+  return (
+    <>
+      <textarea
+        class="code"
+        readOnly
+        rows={6}
+        spellcheck={false}
+        aria-label="Code that loads it"
+        value={text}
+      />
+      <button type="button" onClick={() => navigator.clipboard.writeText(text)}>
+        Copy the code
+      </button>
+    </>
+  )
+}
+
+function megabytes(bytes: number): string {
+  return bytes < 1e6 ? `${Math.round(bytes / 1e3)} kB` : `${(bytes / 1e6).toFixed(1)} MB`
+}

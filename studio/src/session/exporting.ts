@@ -1,0 +1,76 @@
+import { type ReadonlySignal, signal } from '@preact/signals'
+import { strokesOf } from '../document/strokes.ts'
+import type { DrawnMaps } from '../draw/messages.ts'
+import type { DocumentToExport } from '../export/export-document.ts'
+import type { ExportedFace, ExportOptions } from '../export/export-face.ts'
+import type { OpenedAvatar } from '../open/avatar.ts'
+import type { DrawnDocument } from '../viewer/document-view.ts'
+import { faceFilesOf } from './face-files.ts'
+
+/** An export: how far it is, or what it gave. */
+export type ExportState =
+  | { kind: 'running'; fraction: number }
+  | { kind: 'done'; name: string; face: ExportedFace }
+
+/** Exports the face in a worker, one at a time. */
+export class Exporting {
+  readonly #state = signal<ExportState | null>(null)
+  #abort: AbortController | null = null
+
+  /** Null before anything was exported, and when the document has changed since. */
+  get state(): ReadonlySignal<ExportState | null> {
+    return this.#state
+  }
+
+  /** Rejects with what `exportDocument` throws. */
+  async start(drawn: DrawnDocument, avatar: OpenedAvatar, options: ExportOptions): Promise<void> {
+    this.cancel()
+    const abort = new AbortController()
+    this.#abort = abort
+    this.#state.value = { kind: 'running', fraction: 0 }
+    try {
+      const { exportDocumentInWorker } = await import('../export/in-worker.ts')
+      const onProgress = (done: number, total: number) => {
+        if (this.#abort === abort) this.#state.value = { kind: 'running', fraction: done / total }
+      }
+      const source = documentToExport(drawn, avatar)
+      const following = { onProgress, signal: abort.signal }
+      const face = await exportDocumentInWorker(await faceFilesOf(avatar), source, options, following)
+      if (this.#abort !== abort) return
+      this.#abort = null
+      this.#state.value = { kind: 'done', name: nameOf(avatar), face }
+    } catch (error) {
+      if (this.#abort !== abort) return
+      this.#abort = null
+      this.#state.value = null
+      throw error
+    }
+  }
+
+  /** Ends the run, and forgets what was exported. */
+  cancel(): void {
+    this.#abort?.abort()
+    this.#abort = null
+    this.#state.value = null
+  }
+}
+
+/** The document with the maps of its strokes, and the names of the mesh and material that it is for. */
+export function documentToExport(
+  { document, maps }: DrawnDocument,
+  { skins, skin }: OpenedAvatar,
+): DocumentToExport {
+  const drawn = document.layers.flatMap(({ name }, i): [string, DrawnMaps][] => {
+    const { normal, occlusion } = maps[i]
+    return strokesOf(document, name).length > 0 && occlusion ? [[name, { normal, occlusion }]] : []
+  })
+  return {
+    document: { ...skins[skin].target, ...document } as DocumentToExport['document'],
+    drawn: new Map(drawn),
+  }
+}
+
+/** `avatar.vrm` becomes `avatar-wrinkled.vrm`; files of several parts become one `.glb`. */
+function nameOf({ name, files: [face] }: OpenedAvatar): string {
+  return `${name}-wrinkled.${/\.vrm$/i.test(face.path) ? 'vrm' : 'glb'}`
+}

@@ -1,0 +1,17 @@
+import type { FaceFiles } from '../export/files.ts'
+import type { OpenedAvatar } from '../open/avatar.ts'
+import { bytesOf } from '../open/dropped-files.ts'
+
+/** The files of an avatar, as they were opened. Rejects with a FurrowError where they can no longer be read. */
+export async function faceFilesOf({ files }: OpenedAvatar): Promise<FaceFiles> {
+  const [face, ...others] = files
+  const folder = face.path.slice(0, face.path.lastIndexOf('/') + 1)
+  const references = others.map(async ({ path, file }): Promise<[string, Uint8Array]> => {
+    return [path.startsWith(folder) ? path.slice(folder.length) : path, await bytesOf(file, path)]
+  })
+  return {
+    name: face.path.slice(folder.length),
+    bytes: await bytesOf(face.file, face.path),
+    references: new Map(await Promise.all(references)),
+  }
+}

@@ -1,0 +1,19 @@
+import { DecodedBytes } from 'furrow'
+import { expect, test } from 'vitest'
+
+const large = { width: 8192, height: 8192 }
+
+test('images may take 512 MiB together, at four bytes per texel', () => {
+  const decoded = new DecodedBytes()
+  decoded.add(0, large, 'face')
+  decoded.add(1, { width: 1024, height: 1024, slices: 64 }, 'face')
+  expect(() => decoded.add(2, { width: 4, height: 4, slices: 0 }, 'face')).toThrow(
+    'face: the images of the wrinkles are too large together, got "513 MiB decoded", allowed: 512 MiB for all of a file; scale them down',
+  )
+  expect(() => decoded.check('face')).toThrow('too large together')
+})
+
+test('an image that several maps use counts once', () => {
+  const decoded = new DecodedBytes()
+  for (let i = 0; i < 10; i++) decoded.add(7, large, 'face')
+})

@@ -1,0 +1,67 @@
+import { expect, test, vi } from 'vitest'
+import { materialReader } from '../../../packages/furrow/src/three/loader/read-wrinkle-maps.ts'
+
+const decoded = vi.hoisted(() => ({ count: 0 }))
+
+// Images of the size that their first byte times 1024 tells.
+vi.mock('../../../packages/furrow/src/three/loader/decode-image.ts', () => ({
+  decodeBytes: async ([side]: Uint8Array) => {
+    decoded.count++
+    return { width: 1024 * side!, height: 1024 * side!, data: new Uint8Array() }
+  },
+}))
+
+/** A parser of a file with two faces, each with layers whose normal maps have these sides. */
+function parserOf(...faces: number[][]) {
+  const sides = faces.flat()
+  let next = 0
+  const materials = faces.map((layers) => ({
+    extensions: {
+      FURROW_wrinkle_maps: {
+        layers: layers.map((_, i) => ({ name: `l${i}`, normalTexture: { index: next++ } })),
+        areas: [{ name: 'a', layer: 0, texture: { index: sides.length }, channel: 0 }],
+      },
+    },
+  }))
+  const images = [...sides, 0].map((side) => ({ bufferView: side }))
+  return {
+    json: {
+      extensionsUsed: ['FURROW_wrinkle_maps'],
+      materials,
+      images,
+      textures: images.map((_, source) => ({ source })),
+    },
+    options: {},
+    getDependency: async (_: string, side: number) => Uint8Array.of(side).buffer,
+  }
+}
+
+const read = (...faces: number[][]) => {
+  decoded.count = 0
+  const ofMaterial = materialReader(parserOf(...faces) as never)
+  return Promise.allSettled(faces.map((_, material) => ofMaterial(material)))
+}
+
+test('images of 512 MiB together are loaded', async () => {
+  const [face] = await read([8, 8])
+  expect(face).toMatchObject({ status: 'fulfilled' })
+})
+
+test('more are refused, and what follows is not decoded', async () => {
+  const [face] = await read([8, 8, 8, 8])
+  expect(face).toMatchObject({
+    status: 'rejected',
+    reason: {
+      message: expect.stringMatching(
+        /the images of the wrinkles are too large together, got "768 MiB decoded"/,
+      ),
+    },
+  })
+  await Promise.resolve()
+  expect(decoded.count).toBeLessThanOrEqual(3)
+})
+
+test('the images of all faces of a file count together', async () => {
+  const faces = await read([8], [8], [4])
+  expect(faces.map(({ status }) => status)).toContain('rejected')
+})
