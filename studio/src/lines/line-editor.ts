@@ -81,18 +81,22 @@ export class LineEditor {
         const spline = splineOf(stroke, canvas)
         return [{ ...spline, points: spline.points.with(index, uv) }]
       },
-      `move-${index}`,
+      'points',
     )
   }
 
-  /** Adds a point to the chosen line, and chooses it. */
+  /** Adds a point to the chosen line, and chooses it: one step with the moves of it that follow, until `settle`. */
   insertPoint(along: number): void {
     let index = -1
-    this.#change('Add a point', (stroke, { canvas }) => {
-      const inserted = insertPoint(stroke, along, canvas)
-      index = inserted.index
-      return [inserted.stroke]
-    })
+    this.#change(
+      'Add a point',
+      (stroke, { canvas }) => {
+        const inserted = insertPoint(stroke, along, canvas)
+        index = inserted.index
+        return [inserted.stroke]
+      },
+      'points',
+    )
     if (index >= 0) this.point.value = index
   }
 

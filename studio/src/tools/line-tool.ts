@@ -27,7 +27,7 @@ export class LineTool implements StageTool {
   readonly #editor: LineEditor
   readonly #stage: LineStage
   #drawn: PathPoint[] = []
-  #moved = false
+  #isChanged = false
 
   constructor(editor: LineEditor, stage: LineStage) {
     this.#editor = editor
@@ -37,7 +37,7 @@ export class LineTool implements StageTool {
   begin(pointer: StagePointer): boolean {
     const { picker } = this.#stage
     if (!picker) return false
-    this.#moved = false
+    this.#isChanged = false
     if (this.#editor.mode.peek() === 'edit') return this.#choose(pointer)
     if (!picker.pick(pointer.ray)) return false
     this.#editor.choose(null)
@@ -59,7 +59,7 @@ export class LineTool implements StageTool {
 
   cancel(): void {
     this.#forgetPath()
-    if (!this.#moved) return
+    if (!this.#isChanged) return
     this.#editor.settle()
     this.#editor.session.undo()
   }
@@ -75,8 +75,9 @@ export class LineTool implements StageTool {
   /** Adds a point to the chosen line where the pointer is. */
   insert(pointer: Pick<StagePointer, 'x' | 'y'>): void {
     const hit = this.#lineAt(pointer)
-    if (hit && hit.stroke === this.#editor.chosen.peek() && this.#knotAt(pointer) < 0)
-      this.#editor.insertPoint(hit.along)
+    if (hit?.stroke !== this.#editor.chosen.peek() || this.#knotAt(pointer) >= 0) return
+    this.#editor.insertPoint(hit.along)
+    this.#editor.settle()
   }
 
   #choose(pointer: StagePointer): boolean {
@@ -88,8 +89,10 @@ export class LineTool implements StageTool {
     const hit = this.#lineAt(pointer)
     if (!hit) return false
     if (hit.stroke !== this.#editor.chosen.peek()) this.#editor.choose(hit.stroke)
-    else if (pointer.shift) this.#editor.insertPoint(hit.along)
-    else this.#editor.point.value = -1
+    else if (pointer.shift) {
+      this.#editor.insertPoint(hit.along)
+      this.#isChanged = true
+    } else this.#editor.point.value = -1
     return true
   }
 
@@ -100,7 +103,7 @@ export class LineTool implements StageTool {
     const hit = this.#stage.picker?.pick(last.ray)
     if (!hit) return
     this.#editor.movePoint(hit.uv)
-    this.#moved = true
+    this.#isChanged = true
   }
 
   #drawTo(pointers: readonly StagePointer[]): void {
