@@ -8,9 +8,11 @@ import { createServer, type ViteDevServer } from 'vite'
 import { afterAll, afterEach, beforeAll, expect, test, vi } from 'vitest'
 import { writeAvatars } from './avatars.ts'
 import { openBrowser, openPage } from './browser.ts'
-import { expectValue, shootStage, slider, waitUntilReady } from './studio-page.ts'
+import { shootStage, slider, waitUntilReady } from './studio-page.ts'
 
 type Point = readonly [x: number, y: number]
+
+const WAIT = { timeout: 60_000, interval: 200 }
 
 const folder = mkdtempSync(join(tmpdir(), 'furrow-lines-'))
 let server: ViteDevServer
@@ -36,10 +38,11 @@ beforeAll(async () => {
   await page.goto(`http://127.0.0.1:${(server.httpServer!.address() as { port: number }).port}/`)
   await waitUntilReady(page)
   await dropFile(join(folder, 'plain.glb'))
-  await page.getByRole('heading', { name: 'Automatic wrinkles' }).waitFor()
+  const forehead = slider(page, 'foreheadInnerLeft')
+  await forehead.waitFor()
   await page.getByRole('slider', { name: /^Divider/ }).press('Home')
   await page.getByRole('button', { name: 'Surprised' }).click()
-  await expectValue(slider(page, 'foreheadInnerLeft'), 1)
+  await vi.waitFor(async () => expect(Number(await forehead.inputValue())).toBeGreaterThan(0.3), WAIT)
   raised = await shootStage(page)
 }, 600_000)
 
@@ -100,8 +103,6 @@ test('a line is removed by the Delete key', async () => {
   await undo('Remove a line')
   await expectRestored()
 })
-
-const WAIT = { timeout: 60_000, interval: 200 }
 
 /** Chooses what the pointer does. */
 async function point(mode: 'Off' | 'Edit' | 'Draw'): Promise<void> {

@@ -87,8 +87,10 @@ export class Lines {
     const { camera } = viewer.peek()!.stage
     this.#lines = projectLines(document.strokes, skin, camera, this.#overlay.size)
     const [chosen, point] = [this.editor.chosen.peek(), this.editor.point.peek()]
-    const { hovered, path } = this.#tool
-    this.#overlay.draw({ lines: this.#lines, chosen, point, hovered, path })
+    const { hovered, path, isBending } = this.#tool
+    // Only what is bent, so that the wrinkles round it are seen.
+    const lines = isBending ? this.#lines.filter(({ stroke }) => stroke === chosen) : this.#lines
+    this.#overlay.draw({ lines, chosen, point, hovered, path })
   }
 
   /** Reads the skin of the present face, once, while lines are edited. */

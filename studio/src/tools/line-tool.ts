@@ -27,11 +27,17 @@ export class LineTool implements StageTool {
   readonly #editor: LineEditor
   readonly #stage: LineStage
   #drawn: PathPoint[] = []
+  /** Whether the gesture has changed the document. */
   #isChanged = false
 
   constructor(editor: LineEditor, stage: LineStage) {
     this.#editor = editor
     this.#stage = stage
+  }
+
+  /** Whether a line is being bent. */
+  get isBending(): boolean {
+    return this.#isChanged
   }
 
   begin(pointer: StagePointer): boolean {
@@ -55,6 +61,7 @@ export class LineTool implements StageTool {
     this.#forgetPath()
     if (points.length >= 2) this.#editor.draw(points)
     this.#editor.settle()
+    this.#isChanged = false
   }
 
   cancel(): void {
@@ -62,6 +69,7 @@ export class LineTool implements StageTool {
     if (!this.#isChanged) return
     this.#editor.settle()
     this.#editor.session.undo()
+    this.#isChanged = false
   }
 
   hover(pointer: StagePointer | null): void {
