@@ -16,6 +16,7 @@ export function addShortcuts({ undo, redo }: ShortcutActions): void {
   })
 }
 
-function isTextField(target: EventTarget | null): boolean {
+/** Whether keys pressed in an element are text. */
+export function isTextField(target: EventTarget | null): boolean {
   return target instanceof HTMLInputElement && !['range', 'checkbox', 'radio'].includes(target.type)
 }

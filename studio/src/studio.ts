@@ -5,6 +5,7 @@ import { readArea } from './area-file.ts'
 import { Buttons } from './buttons.ts'
 import { displayName } from './display-name.ts'
 import { Divider } from './divider.ts'
+import type { StudioDocument } from './document/document.ts'
 import { acceptFiles } from './drop.ts'
 import { Lines } from './lines/lines.ts'
 import { Loading } from './loading.ts'
@@ -20,8 +21,10 @@ import type { Hovered, PanelModel } from './panels/model.ts'
 import { showPanel } from './panels/show-panel.tsx'
 import { saveFile } from './save-file.ts'
 import { savePicture } from './save-picture.ts'
+import { AreaEditor } from './session/area-editor.ts'
 import { Workspace } from './session/workspace.ts'
 import { addShortcuts } from './shortcuts.ts'
+import { Painting } from './tools/painting.ts'
 import { ToolHost } from './tools/tool-host.ts'
 import { adapterName } from './viewer/adapter.ts'
 import { DocumentView, type DrawnDocument } from './viewer/document-view.ts'
@@ -45,8 +48,10 @@ export class Studio {
   readonly #host: ViewerHost
 
   readonly #workspace: Workspace
-  readonly #view = new DocumentView()
+  readonly #areas: AreaEditor
   readonly #tools: ToolHost
+  readonly #painting: Painting
+  readonly #view = new DocumentView()
   readonly #lines: Lines
   readonly #faces = signal<readonly string[]>([])
   readonly #shown = signal<Viewer | null>(null)
@@ -88,17 +93,38 @@ export class Studio {
       this.#loop.wake()
     })
     this.#workspace = new Workspace((error) => messages.error(error))
+    const { session } = this.#workspace
+    this.#areas = new AreaEditor(session, (task) => void messages.attempt(task))
     this.#tools = new ToolHost(page.viewport, () => this.#viewer?.stage.camera ?? null)
+    this.#painting = new Painting({
+      session,
+      areas: this.#areas,
+      viewer: this.#shown,
+      frame: this.#frame,
+      host: this.#tools,
+      stage: page.stage,
+      wake: () => this.#loop.wake(),
+    })
     this.#lines = new Lines({
       stage: page.viewport,
-      session: this.#workspace.session,
+      session,
       viewer: this.#shown,
       tools: this.#tools,
       wake: () => this.#loop.wake(),
       attempt: (task) => void messages.attempt(task),
     })
+    // One tool at a time.
+    effect(() => {
+      if (this.#painting.area.value !== null) this.#lines.editor.mode.value = 'off'
+    })
+    effect(() => {
+      if (this.#lines.editor.mode.value !== 'off') this.#painting.isOn = false
+    })
     showPanel(page.panel, this.#panelModel())
-    effect(() => this.#highlight(this.#hovered.value))
+    effect(() => this.#highlight(this.#hovered.value, this.#painting.area.value))
+    effect(() =>
+      this.#arrange(this.#shown.value, this.#areas.hidden.value, this.#painting.area.value !== null),
+    )
     effect(() => this.#showDocument(this.#shown.value, this.#workspace.drawn.value))
     addShortcuts({ undo: () => this.#undo(), redo: () => this.#redo() })
     page.screenshot.addEventListener('click', () => this.#savePicture())
@@ -124,6 +150,8 @@ export class Studio {
     return {
       session,
       lines: this.#lines.editor,
+      areas: this.#areas,
+      painting: this.#painting,
       auto: settings,
       autoRun: automatic.run,
       exporting: exporting.state,
@@ -162,6 +190,7 @@ export class Studio {
         previewAuto: (next) => void this.#messages.attempt(() => this.#workspace.previewAuto(next)),
         makeAuto: (next) => void this.#messages.attempt(() => this.#workspace.makeAuto(next)),
         cancelAuto: () => this.#workspace.cancelAuto(),
+        editWrinkles: () => void this.#messages.attempt(() => this.#workspace.editWrinkles()),
         openProject: (id) => this.#open(() => this.#openProject(id)),
         deleteProject: (id) => void this.#messages.attempt(() => keeping.delete(id)),
         exportFace: (options) => void this.#messages.attempt(() => this.#workspace.export(options)),
@@ -170,6 +199,11 @@ export class Studio {
         saveProject: () => void this.#messages.attempt(() => this.#saveProject()),
       },
     }
+  }
+
+  /** Null for a face whose wrinkles are not a document's. */
+  get #document(): StudioDocument | null {
+    return this.#workspace.session.document.peek()
   }
 
   get #viewer(): Viewer | null {
@@ -217,7 +251,6 @@ export class Studio {
   }
 
   #show(viewer: Viewer): void {
-    viewer.split = this.#divider.position
     if (viewer.avatar.root !== this.#shown.peek()?.avatar.root) this.#expression.value = null
     this.#shown.value = viewer
     this.#refresh()
@@ -247,6 +280,7 @@ export class Studio {
   #advance(delta: number): void {
     const wasMoving = this.#viewer?.moving
     this.#viewer?.advance(delta)
+    this.#painting.advance()
     this.#host.orbit?.advance(delta)
     this.#views.show(this.#host.orbit?.view ?? null)
     if (wasMoving) this.#frame.value++
@@ -289,11 +323,19 @@ export class Studio {
       })
   }
 
-  /** Shows which areas the pointer or focus is on, or which ones the blendshape moves. */
-  #highlight(hovered: Hovered | null): void {
-    const viewer = this.#viewer
+  /** Leaves muted areas out. Painting needs the whole face: what is painted is shown on the side with wrinkles. */
+  #arrange(viewer: Viewer | null, hidden: readonly string[], isPainting: boolean): void {
     if (!viewer) return
-    if (!hovered) viewer.highlight([])
+    viewer.hidden = hidden
+    viewer.split = isPainting ? 0 : this.#divider.position
+    this.#loop.wake()
+  }
+
+  /** Shows which areas the pointer or focus is on, or which ones the blendshape moves, or else the one that is painted. */
+  #highlight(hovered: Hovered | null, painted: string | null): void {
+    const viewer = this.#shown.value
+    if (!viewer) return
+    if (!hovered) viewer.highlight(painted === null ? [] : [painted])
     else viewer.highlight(hovered.kind === 'area' ? [hovered.name] : viewer.drivenBy(hovered.name))
     this.#loop.wake()
   }
@@ -304,6 +346,7 @@ export class Studio {
         const area = await readArea(file, convention)
         const viewer = this.#viewer
         if (!viewer) return
+        if (this.#document) return this.#areas.add(area)
         viewer.addArea(area)
         // Fully active, so that the new area is visible at once.
         viewer.wrinkles?.setActivation(area.name, 1)
@@ -317,7 +360,8 @@ export class Studio {
   #removeArea(name: string): void {
     this.#change((viewer) => {
       this.#hovered.value = null
-      viewer.removeArea(name)
+      if (this.#document) this.#areas.remove(name)
+      else viewer.removeArea(name)
       this.#messages.note(`Removed area ${name}`)
     })
   }

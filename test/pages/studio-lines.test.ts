@@ -8,7 +8,7 @@ import { createServer, type ViteDevServer } from 'vite'
 import { afterAll, afterEach, beforeAll, expect, test, vi } from 'vitest'
 import { writeAvatars } from './avatars.ts'
 import { openBrowser, openPage } from './browser.ts'
-import { shootStage, slider, waitUntilReady } from './studio-page.ts'
+import { dropPaths, expectValue, shootStage, slider, waitUntilReady } from './studio-page.ts'
 
 type Point = readonly [x: number, y: number]
 
@@ -37,12 +37,12 @@ beforeAll(async () => {
   }))
   await page.goto(`http://127.0.0.1:${(server.httpServer!.address() as { port: number }).port}/`)
   await waitUntilReady(page)
-  await dropFile(join(folder, 'plain.glb'))
-  const forehead = slider(page, 'foreheadInnerLeft')
-  await forehead.waitFor()
+  await dropPaths(page, [join(folder, 'plain.glb')], 'Plain')
+  await page.locator('#areas .row').first().waitFor()
+  await page.getByText('Making wrinkles').waitFor({ state: 'detached' })
   await page.getByRole('slider', { name: /^Divider/ }).press('Home')
   await page.getByRole('button', { name: 'Surprised' }).click()
-  await vi.waitFor(async () => expect(Number(await forehead.inputValue())).toBeGreaterThan(0.3), WAIT)
+  await expectValue(slider(page, 'foreheadInnerLeft'), 1)
   raised = await shootStage(page)
 }, 600_000)
 
@@ -176,13 +176,4 @@ async function pixelOf(colour: readonly [number, number, number]): Promise<[numb
     return found
   }
   return vi.waitFor(find, WAIT)
-}
-
-async function dropFile(path: string): Promise<void> {
-  const session = await page.context().newCDPSession(page)
-  const data = { items: [], files: [path], dragOperationsMask: 1 }
-  for (const type of ['dragEnter', 'dragOver', 'drop'] as const) {
-    await session.send('Input.dispatchDragEvent', { type, x: 100, y: 100, data })
-  }
-  await session.detach()
 }

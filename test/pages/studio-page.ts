@@ -90,3 +90,22 @@ export async function transitionValues(page: Page, expression: string, name: str
     return [...values]
   }, input)
 }
+
+/**
+ * Drops files and folders of the disk as the system does.
+ *
+ * @param name of the face that is then shown; by default the page has done nothing yet when this returns.
+ */
+export async function dropPaths(page: Page, files: string[], name?: string): Promise<void> {
+  const session = await page.context().newCDPSession(page)
+  const data = { items: [], files, dragOperationsMask: 1 }
+  for (const type of ['dragEnter', 'dragOver', 'drop'] as const) {
+    await session.send('Input.dispatchDragEvent', { type, x: 100, y: 100, data })
+  }
+  await session.detach()
+  if (name === undefined) return
+  const shown = page.locator('#face option:checked', { hasText: new RegExp(`^${name}$`) })
+  await shown.or(page.locator('#errors p')).first().waitFor({ state: 'attached' })
+  expect(await page.textContent('#errors')).toBe('')
+  await waitUntilReady(page)
+}

@@ -1,6 +1,7 @@
 import { proxy, type Remote, wrap } from 'comlink'
 import { FurrowError } from 'furrow'
 import type { Finding } from '../../../packages/cli/src/validate/finding.ts'
+import type { StudioDocument } from '../document/document.ts'
 import type { AvatarFile } from '../keep/database.ts'
 import type { DocumentToExport } from './export-document.ts'
 import type { ExportedFace, ExportOptions, OnProgress } from './export-face.ts'
@@ -52,6 +53,11 @@ export function readInWorker(
   { onProgress = () => {}, signal }: Following = {},
 ): Promise<ReadFace> {
   return run((tasks) => tasks.readFace(face, options, proxy(onProgress)), signal)
+}
+
+/** `readDocument` in a worker of its own; see `exportInWorker`. */
+export function readDocumentInWorker(face: FaceFiles, material?: string): Promise<StudioDocument | null> {
+  return run((tasks) => tasks.readDocument(face, material))
 }
 
 /** `validateFace` in a worker of its own; see `exportInWorker`. */

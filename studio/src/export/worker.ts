@@ -1,6 +1,7 @@
 import { expose, transfer } from 'comlink'
 import { exportDocument, projectFiles } from './export-document.ts'
 import { exportFace } from './export-face.ts'
+import { readDocument } from './read-document.ts'
 import { readFace } from './read-face.ts'
 import { validateFace } from './validate-face.ts'
 
@@ -22,6 +23,7 @@ const tasks = {
     const read = await readFace(...args)
     return transfer(read, buffersOf([read.face, ...(read.folder?.values() ?? [])]))
   },
+  readDocument,
   validateFace,
 }
 

@@ -57,11 +57,9 @@ export class Lines {
       session.document.value
       wake()
     })
-    let isChosen = false
     effect(() => {
-      const isWanted = this.editor.mode.value !== 'off'
-      if (isWanted !== isChosen) tools.choose(isWanted ? this.#tool : null)
-      isChosen = isWanted
+      if (this.editor.mode.value === 'off') tools.leave(this.#tool)
+      else tools.choose(this.#tool)
     })
     stage.addEventListener('dblclick', ({ clientX, clientY }) => {
       if (this.editor.mode.peek() !== 'edit') return

@@ -1,15 +1,19 @@
 import { useSignal } from '@preact/signals'
 import { useLayoutEffect, useRef } from 'preact/hooks'
+import type { StudioDocument } from '../document/document.ts'
+import type { AreaEditor } from '../session/area-editor.ts'
 import type { Dial } from '../viewer/dials.ts'
+import { ChosenArea } from './chosen-area.tsx'
 import type { PanelModel } from './model.ts'
 import { Section } from './section.tsx'
 import { Slider } from './slider.tsx'
 
-/** A slider per area, each with a button that removes it, and a field that adds areas from images. */
+/** A slider per area, each with a button that removes it, the controls of the chosen one, and a field that adds areas from images. */
 export function Areas({ model }: { model: PanelModel }) {
-  const { viewer, revision, frame, hovered, actions } = model
+  const { session, areas, viewer, revision, frame, hovered, actions } = model
   revision.value
-  const dials = viewer.value?.areas ?? []
+  const document = session.document.value
+  const dials = inOrder(viewer.value?.areas ?? [], document)
   const list = useRef<HTMLDivElement>(null)
   const removed = useRef(-1)
   // The focus stays at the same index when a row is removed.
@@ -40,7 +44,9 @@ export function Areas({ model }: { model: PanelModel }) {
             linked={driven.includes(dial.name)}
             onInput={actions.input}
             onHover={onHover}
+            before={document && <ChooseArea name={dial.name} areas={areas} />}
           >
+            {document && <ShownToggles name={dial.name} areas={areas} />}
             <button
               type="button"
               class="remove"
@@ -57,6 +63,7 @@ export function Areas({ model }: { model: PanelModel }) {
         ))}
       </div>
       <Explanation model={model} />
+      {document && <ChosenArea model={model} />}
       <AddAreas model={model} />
     </Section>
   )
@@ -78,11 +85,66 @@ function Explanation({ model: { viewer, hovered } }: { model: PanelModel }) {
   )
 }
 
-function AddAreas({ model: { actions } }: { model: PanelModel }) {
+/** The dials in the order of a document's areas. */
+function inOrder(dials: readonly Dial[], document: StudioDocument | null): readonly Dial[] {
+  if (!document) return dials
+  const index = new Map(document.areas.map(({ name }, i) => [name, i]))
+  const indexOf = ({ name }: Dial) => index.get(name) ?? index.size
+  return dials.toSorted((a, b) => indexOf(a) - indexOf(b))
+}
+
+function ChooseArea({ name, areas }: { name: string; areas: AreaEditor }) {
+  return (
+    <input
+      type="radio"
+      name="chosen-area"
+      class="choose"
+      title="Edit and paint"
+      aria-label={`Edit area ${name}`}
+      checked={areas.chosen.value?.name === name}
+      onChange={() => areas.choose(name)}
+    />
+  )
+}
+
+/** What the stage shows; the document stays. */
+function ShownToggles({ name, areas }: { name: string; areas: AreaEditor }) {
+  return (
+    <>
+      <button
+        type="button"
+        class="toggle"
+        title="Solo: show only this area"
+        aria-label={`Solo ${name}`}
+        aria-pressed={areas.soloed.value.has(name)}
+        onClick={() => areas.toggleSolo(name)}
+      >
+        S
+      </button>
+      <button
+        type="button"
+        class="toggle"
+        title="Mute: show the face without this area"
+        aria-label={`Mute ${name}`}
+        aria-pressed={areas.muted.value.has(name)}
+        onClick={() => areas.toggleMute(name)}
+      >
+        M
+      </button>
+    </>
+  )
+}
+
+function AddAreas({ model: { session, areas, actions } }: { model: PanelModel }) {
   const isPaper = useSignal(true)
   return (
     <>
       <div class="add">
+        {session.document.value && (
+          <button type="button" onClick={() => areas.addEmpty()}>
+            New area
+          </button>
+        )}
         <label class="file">
           <input
             type="file"

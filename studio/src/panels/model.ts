@@ -7,9 +7,11 @@ import type { ExportOptions } from '../export/export-face.ts'
 import type { SaveState } from '../keep/autosave.ts'
 import type { ProjectEntry } from '../keep/project-store.ts'
 import type { LineEditor } from '../lines/line-editor.ts'
+import type { AreaEditor } from '../session/area-editor.ts'
 import type { AutoRun } from '../session/automatic.ts'
 import type { ExportState } from '../session/exporting.ts'
 import type { Session } from '../session/session.ts'
+import type { Painting } from '../tools/painting.ts'
 import type { Dial } from '../viewer/dials.ts'
 import type { Look } from '../viewer/looks.ts'
 import type { Viewer } from '../viewer/viewer.ts'
@@ -24,6 +26,9 @@ export interface Hovered {
 export interface PanelModel {
   readonly session: Session
   readonly lines: LineEditor
+  /** Areas of the document; where there is none, those of the viewer are shown. */
+  readonly areas: AreaEditor
+  readonly painting: Painting
   /** Names of the shipped faces. */
   readonly faces: ReadonlySignal<readonly string[]>
   readonly viewer: ReadonlySignal<Viewer | null>
@@ -66,6 +71,8 @@ export interface PanelActions {
   previewAuto(settings: AutoSettings): void
   makeAuto(settings: AutoSettings): void
   cancelAuto(): void
+  /** Makes a document of the wrinkles in the file. */
+  editWrinkles(): void
   openProject(id: string): void
   deleteProject(id: string): void
   exportFace(options: ExportOptions): void

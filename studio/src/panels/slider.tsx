@@ -12,12 +12,14 @@ interface SliderProps {
   onHover?(dial: Dial | null): void
   /** Whether it is linked to what is hovered. */
   linked?: boolean
+  /** Before the label. */
+  before?: ComponentChildren
   /** Behind the number: buttons. */
   children?: ComponentChildren
 }
 
 /** A labelled slider of a dial. The number follows the face without rendering anything but itself. */
-export function Slider({ dial, frame, onInput, onHover, linked = false, children }: SliderProps) {
+export function Slider({ dial, frame, onInput, onHover, linked = false, before, children }: SliderProps) {
   const id = useId()
   const input = useRef<HTMLInputElement>(null)
   const output = useRef<HTMLOutputElement>(null)
@@ -32,7 +34,8 @@ export function Slider({ dial, frame, onInput, onHover, linked = false, children
     onHover?.(hovered ? dial : null)
   }
   return (
-    <div class={`row${children ? ' removable' : ''}${linked ? ' linked' : ''}`}>
+    <div class={`row${children ? ' removable' : ''}${before ? ' choosable' : ''}${linked ? ' linked' : ''}`}>
+      {before}
       <label
         for={id}
         title={dial.name}

@@ -4,8 +4,11 @@ import type { PanelModel } from './model.ts'
 const FACES = '.glb,.gltf,.vrm,.bin,.png,.jpg,.jpeg,.webp,.ktx2,.json,.zip'
 
 /** The name of the page, and what concerns the whole work: open, undo, redo. */
-export function Title({ model: { session, saving, actions } }: { model: PanelModel }) {
+export function Title({ model: { session, saving, viewer, revision, actions } }: { model: PanelModel }) {
   const { undoLabel, redoLabel } = session
+  revision.value
+  // What the file has is shown as it is, until it is to be changed.
+  const isEditable = Boolean(viewer.value?.wrinkles) && !session.document.value
   return (
     <header class="title">
       <div>
@@ -41,6 +44,11 @@ export function Title({ model: { session, saving, actions } }: { model: PanelMod
         >
           Redo
         </button>
+        {isEditable && (
+          <button type="button" onClick={actions.editWrinkles}>
+            Edit wrinkles
+          </button>
+        )}
       </div>
       {saving.value && (
         <p class="hint" role="status">

@@ -10,6 +10,7 @@ import { type OpenedAvatar, openAvatar } from '../open/avatar.ts'
 import type { DrawnDocument } from '../viewer/document-view.ts'
 import { Automatic } from './automatic.ts'
 import { documentToExport, Exporting } from './exporting.ts'
+import { faceFilesOf } from './face-files.ts'
 import { Keeping } from './keeping.ts'
 import { Session } from './session.ts'
 import { type SkinSource, skinSource } from './skin-source.ts'
@@ -95,6 +96,19 @@ export class Workspace {
     if (project && this.#source) this.session.open(project.opened)
     this.keeping.follow(avatar, project)
     if (this.#source && !project) await this.makeAuto(AUTO_SETTINGS)
+  }
+
+  /** Makes a document of the wrinkles that the avatar's file has, so that they can be changed. Rejects with a FurrowError where it cannot be. */
+  async editWrinkles(): Promise<void> {
+    const avatar = this.#avatar
+    const source = avatar && skinSource(avatar)
+    if (!avatar || !source || this.session.document.peek()) return
+    const { readDocumentInWorker } = await import('../export/in-worker.ts')
+    const { material } = avatar.skins[avatar.skin].target
+    const document = await readDocumentInWorker(await faceFilesOf(avatar), material)
+    if (!document || avatar !== this.#avatar) return
+    this.#source = source
+    this.session.open(document)
   }
 
   /** Ends the run that makes automatic wrinkles; what it previewed is shown no longer. */

@@ -6,7 +6,8 @@ export class ToolHost {
   readonly #stage: HTMLElement
   readonly #camera: () => Camera | null
   #tool: StageTool | null = null
-  #pointer: number | null = null
+  /** The last event of the pointer that the tool has taken. */
+  #taken: PointerEvent | null = null
 
   /**
    * @param stage the element that the face is drawn on.
@@ -19,57 +20,76 @@ export class ToolHost {
     stage.addEventListener('pointerdown', this.#onDown, { capture: true })
     stage.addEventListener('pointermove', this.#onMove, { capture: true })
     stage.addEventListener('pointerup', this.#onUp, { capture: true })
-    stage.addEventListener('pointercancel', () => this.#cancel(), { capture: true })
+    stage.addEventListener('pointercancel', () => this.cancel(), { capture: true })
     stage.addEventListener('pointerleave', () => this.#tool?.hover?.(null))
-    addEventListener('keydown', ({ key }) => key === 'Escape' && this.#cancel())
+    addEventListener('keydown', ({ key }) => key === 'Escape' && this.cancel())
+  }
+
+  /** Ends the use of a tool where it is the chosen one. */
+  leave(tool: StageTool): void {
+    if (this.#tool === tool) this.choose(null)
   }
 
   /** Chooses a tool; null for the camera alone. */
   choose(tool: StageTool | null): void {
-    this.#cancel()
+    this.cancel()
     this.#tool?.hover?.(null)
     this.#tool = tool
     this.#stage.classList.toggle('with-tool', tool !== null)
   }
 
   readonly #onDown = (event: PointerEvent): void => {
-    if (this.#pointer !== null) {
-      event.stopImmediatePropagation()
+    if (this.#taken) {
+      this.#meet(this.#taken, event)
       return
     }
-    if (!this.#tool || event.button !== 0) return
+    if (!this.#tool || event.button !== 0 || !event.isPrimary) return
     const pointer = this.#read(event)
     if (!pointer || !this.#tool.begin(pointer)) return
     event.stopImmediatePropagation()
     event.preventDefault()
-    this.#pointer = event.pointerId
+    this.#taken = event
     this.#stage.setPointerCapture(event.pointerId)
     this.#stage.focus({ preventScroll: true })
   }
 
+  /** A second finger gives both to the camera, the first one as if it had come down only now. Of anything else the first one goes on. */
+  #meet(taken: PointerEvent, second: PointerEvent): void {
+    if (taken.pointerType !== 'touch' || second.pointerType !== 'touch') {
+      second.stopImmediatePropagation()
+      return
+    }
+    this.cancel()
+    const { pointerId, pointerType, clientX, clientY } = taken
+    const first = new PointerEvent('pointerdown', { pointerId, pointerType, clientX, clientY, bubbles: true })
+    this.#stage.dispatchEvent(first)
+  }
+
   readonly #onMove = (event: PointerEvent): void => {
-    if (this.#pointer === null) {
+    if (!this.#taken) {
       if (event.buttons === 0) this.#tool?.hover?.(this.#read(event))
       return
     }
     event.stopImmediatePropagation()
-    if (event.pointerId !== this.#pointer) return
+    if (event.pointerId !== this.#taken.pointerId) return
+    this.#taken = event
     const events = event.getCoalescedEvents?.() ?? []
     const pointers = (events.length > 0 ? events : [event]).flatMap((each) => this.#read(each) ?? [])
     this.#tool?.move(pointers)
   }
 
   readonly #onUp = (event: PointerEvent): void => {
-    if (event.pointerId !== this.#pointer) return
+    if (event.pointerId !== this.#taken?.pointerId) return
     event.stopImmediatePropagation()
-    this.#pointer = null
+    this.#taken = null
     this.#tool?.end()
   }
 
-  #cancel(): void {
-    if (this.#pointer === null) return
-    this.#stage.releasePointerCapture(this.#pointer)
-    this.#pointer = null
+  /** Ends what the tool does without a result. */
+  cancel(): void {
+    if (!this.#taken) return
+    this.#stage.releasePointerCapture(this.#taken.pointerId)
+    this.#taken = null
     this.#tool?.cancel()
   }
 

@@ -48,7 +48,7 @@ export class DocumentView {
   }
 }
 
-/** Whether nothing changed but texels, areas that come and go, their weights, and drivers. */
+/** Whether nothing changed but texels, areas that come and go, their weights and activations, and drivers. */
 function canFollow(before: DrawnDocument, after: DrawnDocument): boolean {
   const old = new Map(before.document.areas.map((area) => [area.name, area]))
   return (
@@ -60,7 +60,7 @@ function canFollow(before: DrawnDocument, after: DrawnDocument): boolean {
 }
 
 function haveSameFields(a: StudioArea, b: StudioArea): boolean {
-  return a.layer === b.layer && a.combine === b.combine && a.activation === b.activation
+  return a.layer === b.layer && a.combine === b.combine
 }
 
 /** Uploads the rectangles that were drawn again. */
@@ -72,7 +72,7 @@ function updateMaps(wrinkles: Wrinkles, { document, maps, changes }: DrawnDocume
   }
 }
 
-/** Adds areas, changes their weights, and removes others. New ones come first: wrinkles always have an area. */
+/** Adds areas, changes their weights and activations at rest, and removes others. New ones come first: wrinkles always have an area. */
 function changeAreas(viewer: Viewer, before: StudioDocument, after: StudioDocument): void {
   if (before.areas === after.areas) return
   const old = new Map(before.areas.map((area) => [area.name, area]))
@@ -81,6 +81,7 @@ function changeAreas(viewer: Viewer, before: StudioDocument, after: StudioDocume
     const known = old.get(area.name)
     if (!known) viewer.addArea(engineArea(area))
     else if (known.weights !== area.weights) updateArea(viewer.wrinkles!, area.name, area.weights)
+    if (known && known.activation !== area.activation) viewer.rest(area.name, area.activation)
   }
   for (const { name } of before.areas) if (!names.has(name)) viewer.removeArea(name)
 }

@@ -35,6 +35,8 @@ export class Viewer {
   areas: readonly Dial[] = []
   /** Fraction of the width that is drawn without wrinkles. */
   split = 0.5
+  /** Areas that are drawn as if they were not active. */
+  hidden: readonly string[] = []
 
   readonly #face: Face
   /** The skin's material as it was before wrinkles were added; cloned for each `Looks`. */
@@ -51,6 +53,7 @@ export class Viewer {
   #looks!: Looks
   #mode: WrinkleMode = 'default'
   #look: Look = { name: 'shaded' }
+  #highlighted: readonly string[] = []
   readonly #background: Color
   readonly #toneMapping: Stage['renderer']['toneMapping']
 
@@ -98,7 +101,7 @@ export class Viewer {
     this.#looks.dispose()
     this.#wrinkles?.dispose()
     this.#wear(wrinkles)
-    for (const { name, write } of this.areas) write(before.get(name) ?? 0)
+    for (const { name, read, write } of this.areas) write(before.get(name) ?? read())
     this.#driveAll()
     if (this.#fault) throw this.#fault
     this.mode = mode
@@ -171,8 +174,19 @@ export class Viewer {
   }
 
   set look(look: Look) {
-    this.#looks.choose(look)
+    this.#choose(look)
     this.#look = look
+  }
+
+  /** Highlighted areas come before a look. */
+  #choose(look: Look): void {
+    const area = this.#highlighted.filter((name) => this.#wrinkles?.hasArea(name))
+    this.#looks.choose(area.length > 0 ? { name: 'influence', area } : look)
+  }
+
+  /** Shows another activation at rest, of an area that nothing drives. */
+  rest(area: string, activation: number): void {
+    if (!this.#program.plan.areaNames.includes(area)) this.wrinkles?.setActivation(area, activation)
   }
 
   /** Names of the blendshapes that drive an area, as on their dials. */
@@ -207,7 +221,8 @@ export class Viewer {
 
   /** Shows where areas are on the face, whatever their activations; of an empty list, restores the chosen look. */
   highlight(areas: readonly string[]): void {
-    this.#looks.choose(areas.length > 0 ? { name: 'influence', area: areas } : this.#look)
+    this.#highlighted = areas
+    this.#choose(this.#look)
   }
 
   get expressionNames(): string[] {
@@ -256,6 +271,14 @@ export class Viewer {
   }
 
   draw(): void {
+    const hidden = this.areas.filter(({ name }) => this.hidden.includes(name))
+    const activations = hidden.map(({ read }) => read())
+    for (const { write } of hidden) write(0)
+    this.#drawSides()
+    for (const [i, { write }] of hidden.entries()) write(activations[i])
+  }
+
+  #drawSides(): void {
     const { renderer } = this.stage
     const { clientWidth: width, clientHeight: height } = this.canvas
     const edge = Math.round(this.split * width)

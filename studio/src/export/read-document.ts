@@ -1,0 +1,20 @@
+import { decodeGray } from '../../../packages/cli/src/images/pixels.ts'
+import type { StudioDocument } from '../document/document.ts'
+import { readFolder } from '../keep/read-folder.ts'
+import type { FaceFiles } from './files.ts'
+import { readFace } from './read-face.ts'
+
+/**
+ * Reads the wrinkles of a face as a document.
+ *
+ * @param material name of the material with the wrinkles, where several have some.
+ * @returns null where the face has none.
+ * @throws FurrowError as `readFace` and `readFolder` do.
+ */
+export async function readDocument(file: FaceFiles, material?: string): Promise<StudioDocument | null> {
+  const { folder } = await readFace(file, material === undefined ? {} : { material })
+  if (!folder) return null
+  const files = [...folder].map(([path, bytes]) => ({ path, file: new Blob([bytes as BlobPart]) }))
+  const { document } = await readFolder(files, file.name, decodeGray)
+  return document
+}

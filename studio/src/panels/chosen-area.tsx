@@ -1,0 +1,110 @@
+import { useId } from 'preact/hooks'
+import type { StudioArea } from '../document/document.ts'
+import type { PanelModel } from './model.ts'
+import { PaintControls } from './painting.tsx'
+
+const COMBINATIONS: readonly { value: StudioArea['combine']; label: string }[] = [
+  { value: 'sum', label: 'Added' },
+  { value: 'max', label: 'Maximum' },
+]
+
+/** Controls of the chosen area. */
+export function ChosenArea({ model }: { model: PanelModel }) {
+  const { areas, viewer } = model
+  const area = areas.chosen.value
+  const id = useId()
+  if (!area) return null
+  const { name, activation } = area
+  const pose = () => new Map(viewer.value?.targets.map((dial) => [dial.name, dial.read()]))
+  return (
+    <section class="chosen-area" aria-label={`Area ${name}`}>
+      <div class="settings">
+        <div class="setting">
+          <label for={`${id}-name`}>Name</label>
+          <input
+            id={`${id}-name`}
+            type="text"
+            autocomplete="off"
+            spellcheck={false}
+            value={name}
+            onChange={({ currentTarget }) => {
+              areas.rename(name, currentTarget.value)
+              // What it is called now: a name that is taken is refused.
+              currentTarget.value = areas.chosen.peek()?.name ?? name
+            }}
+          />
+        </div>
+        <LayerChoice area={area} model={model} />
+        <div class="setting">
+          <label for={`${id}-combine`}>Overlap</label>
+          <select
+            id={`${id}-combine`}
+            title="How its influence and that of other areas of its layer make one"
+            value={area.combine}
+            onChange={({ currentTarget }) =>
+              areas.set(name, { combine: currentTarget.value as StudioArea['combine'] })
+            }
+          >
+            {COMBINATIONS.map(({ value, label }) => (
+              <option key={value} value={value}>
+                {label}
+              </option>
+            ))}
+          </select>
+        </div>
+      </div>
+      <div class="row">
+        <label for={`${id}-rest`} title="Activation where nothing moves the area">
+          At rest
+        </label>
+        <input
+          id={`${id}-rest`}
+          type="range"
+          min="0"
+          max="1"
+          step="0.01"
+          value={activation}
+          style={{ '--value': activation }}
+          onInput={({ currentTarget }) => areas.set(name, { activation: currentTarget.valueAsNumber })}
+          onChange={() => areas.settle()}
+        />
+        <output for={`${id}-rest`} aria-live="off">
+          {activation.toFixed(2)}
+        </output>
+      </div>
+      <div class="add">
+        <button type="button" onClick={() => areas.recordPose(name, pose())}>
+          This pose fully shows this area
+        </button>
+        <button type="button" onClick={() => areas.duplicate(name)}>
+          Duplicate
+        </button>
+        <button type="button" onClick={() => areas.remove(name)}>
+          Delete
+        </button>
+      </div>
+      <PaintControls painting={model.painting} />
+    </section>
+  )
+}
+
+function LayerChoice({ area, model: { session, areas } }: { area: StudioArea; model: PanelModel }) {
+  const id = useId()
+  const layers = session.document.value?.layers ?? []
+  return (
+    <div class="setting">
+      <label for={id}>Layer</label>
+      <select
+        id={id}
+        value={area.layer}
+        onChange={({ currentTarget }) => areas.set(area.name, { layer: currentTarget.value })}
+      >
+        {layers.map(({ name }) => (
+          <option key={name} value={name}>
+            {name}
+          </option>
+        ))}
+      </select>
+    </div>
+  )
+}

@@ -1,0 +1,148 @@
+import { computed, effect, type ReadonlySignal, signal } from '@preact/signals'
+import { type GrayImage, resampleGray } from 'furrow'
+import {
+  type AreaFields,
+  addArea,
+  addEmptyArea,
+  duplicateArea,
+  removeArea,
+  renameArea,
+  setArea,
+} from '../document/areas.ts'
+import type { StudioArea, StudioDocument } from '../document/document.ts'
+import { recordPose } from '../document/drivers.ts'
+import { freeName } from '../document/names.ts'
+import type { Session } from './session.ts'
+
+type Names = ReadonlySet<string>
+
+/** Changes the document's areas, and knows what the document does not: which one is chosen, and which the stage leaves out. */
+export class AreaEditor {
+  readonly #session: Session
+  readonly #attempt: (task: () => void) => unknown
+  readonly #chosen = signal<string | null>(null)
+  readonly #muted = signal<Names>(new Set())
+  readonly #soloed = signal<Names>(new Set())
+
+  /** The area whose controls are shown. */
+  readonly chosen: ReadonlySignal<StudioArea | null> = computed(() => {
+    return this.#session.document.value?.areas.find(({ name }) => name === this.#chosen.value) ?? null
+  })
+
+  /** Areas that are shown as if they were not active: those that are muted, and where there are soloed ones, all others. */
+  readonly hidden: ReadonlySignal<readonly string[]> = computed(() => {
+    const [muted, soloed] = [this.#muted.value, this.#soloed.value]
+    const names = this.#session.document.value?.areas.map(({ name }) => name) ?? []
+    const hasSolo = names.some((name) => soloed.has(name))
+    return names.filter((name) => muted.has(name) || (hasSolo && !soloed.has(name)))
+  })
+
+  /** @param attempt runs a task and shows its error. */
+  constructor(session: Session, attempt: (task: () => void) => unknown) {
+    this.#session = session
+    this.#attempt = attempt
+    effect(() => {
+      if (session.document.value === null) this.#forget()
+    })
+  }
+
+  get muted(): ReadonlySignal<Names> {
+    return this.#muted
+  }
+
+  get soloed(): ReadonlySignal<Names> {
+    return this.#soloed
+  }
+
+  choose(name: string | null): void {
+    this.#chosen.value = name
+  }
+
+  toggleMute(name: string): void {
+    this.#muted.value = toggled(this.#muted.peek(), name)
+  }
+
+  toggleSolo(name: string): void {
+    this.#soloed.value = toggled(this.#soloed.peek(), name)
+  }
+
+  /** Adds an empty area and chooses it. */
+  addEmpty(): void {
+    const name = freeName(this.#areas, 'area')
+    this.#edit('Add an area', (document) => addEmptyArea(document, name))
+    this.#chooseExisting(name)
+  }
+
+  /** Adds an area with weights, which are resampled, and chooses it; on the first layer. */
+  add({ name, weights }: { name: string; weights: GrayImage }): void {
+    this.#edit(`Add ${name}`, (document) => {
+      const { areaSize, layers } = document
+      const resampled = resampleGray(weights, areaSize)
+      return addArea(document, {
+        name,
+        layer: layers[0].name,
+        combine: 'sum',
+        activation: 0,
+        weights: resampled,
+      })
+    })
+    this.#chooseExisting(name)
+  }
+
+  duplicate(name: string): void {
+    const copy = freeName(this.#areas, name)
+    this.#edit(`Duplicate ${name}`, (document) => duplicateArea(document, name))
+    this.#chooseExisting(copy)
+  }
+
+  remove(name: string): void {
+    this.#edit(`Remove ${name}`, (document) => removeArea(document, name))
+  }
+
+  rename(name: string, newName: string): void {
+    this.#edit(`Rename ${name}`, (document) => {
+      const renamed = renameArea(document, name, newName)
+      if (this.#muted.peek().has(name)) this.#muted.value = new Set([...this.#muted.peek(), newName])
+      if (this.#soloed.peek().has(name)) this.#soloed.value = new Set([...this.#soloed.peek(), newName])
+      if (this.#chosen.peek() === name) this.#chosen.value = newName
+      return renamed
+    })
+  }
+
+  set(name: string, fields: AreaFields): void {
+    const key = `${Object.keys(fields).join()} of ${name}`
+    this.#edit(`Change ${name}`, (document) => setArea(document, name, fields), key)
+  }
+
+  /** Ends a series of `set`. */
+  settle(): void {
+    this.#session.settle()
+  }
+
+  /** Lets the blendshapes that are set activate an area as they are set. */
+  recordPose(name: string, weights: ReadonlyMap<string, number>): void {
+    this.#edit(`Record the pose of ${name}`, (document) => recordPose(document, name, weights))
+  }
+
+  get #areas(): readonly StudioArea[] {
+    return this.#session.document.peek()?.areas ?? []
+  }
+
+  #edit(label: string, operation: (document: StudioDocument) => StudioDocument, key?: string): void {
+    this.#attempt(() => this.#session.edit(label, operation, key))
+  }
+
+  #chooseExisting(name: string): void {
+    if (this.#areas.some((area) => area.name === name)) this.choose(name)
+  }
+
+  #forget(): void {
+    this.#chosen.value = null
+    this.#muted.value = new Set()
+    this.#soloed.value = new Set()
+  }
+}
+
+function toggled(names: Names, name: string): Names {
+  return names.has(name) ? new Set([...names].filter((each) => each !== name)) : new Set([...names, name])
+}

@@ -1,0 +1,130 @@
+/** The way of an artist with an avatar of her own: wrinkles, changes, the next day, a file. */
+
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { dirname, join } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { strFromU8, unzipSync } from 'fflate'
+import type { Browser, Page } from 'playwright-core'
+import { createServer, type ViteDevServer } from 'vite'
+import { afterAll, afterEach, beforeAll, expect, test, vi } from 'vitest'
+import { writeAvatars } from './avatars.ts'
+import { openBrowser, openPage } from './browser.ts'
+import { runFurrow } from './run-furrow.ts'
+import { dropPaths, expectValue, meanPngDifference, shootStage, waitUntilReady } from './studio-page.ts'
+
+const folder = mkdtempSync(join(tmpdir(), 'furrow-work-'))
+let server: ViteDevServer
+let browser: Browser
+let page: Page
+let complaints: string[]
+
+beforeAll(async () => {
+  await writeAvatars(folder)
+  server = await createServer({
+    configFile: fileURLToPath(new URL('../../studio/vite.config.ts', import.meta.url)),
+    logLevel: 'error',
+    server: { port: 0, host: '127.0.0.1', hmr: false, watch: null },
+  })
+  await server.listen()
+  browser = await openBrowser()
+  ;({ page, complaints } = await openPage(browser, {
+    viewport: { width: 800, height: 400 },
+    reducedMotion: 'reduce',
+  }))
+  await page.goto(`http://127.0.0.1:${(server.httpServer!.address() as { port: number }).port}/`)
+  await waitUntilReady(page)
+  await page.getByRole('slider', { name: /^Divider/ }).press('Home')
+})
+
+afterAll(async () => {
+  await browser?.close()
+  await server?.close()
+  rmSync(folder, { recursive: true, force: true })
+})
+
+afterEach(async () => {
+  expect(complaints).toEqual([])
+  expect(await page.textContent('#errors')).toBe('')
+})
+
+const age = () => page.getByRole('slider', { name: 'Age' })
+const areas = () => page.locator('#areas .row label').allTextContents()
+/** Nothing is made any more. */
+const made = () => page.getByText('Making wrinkles').waitFor({ state: 'detached' })
+const areMade = (names: string[]) =>
+  vi.waitFor(async () => expect(await areas()).toEqual(names), { timeout: 300_000 })
+
+let names: string[]
+let surprised: Buffer
+
+test('an avatar without wrinkles gets them, and its forehead creases', async () => {
+  await dropPaths(page, [join(folder, 'plain.glb')], 'Plain')
+  await page.locator('#areas .row').first().waitFor()
+  await made()
+  names = await areas()
+  expect(names).toContain('foreheadInnerLeft')
+  await page.getByRole('button', { name: 'Surprised' }).click()
+  await expectValue(page.getByLabel('foreheadInnerLeft', { exact: true }), 1)
+  const divider = page.getByRole('slider', { name: /^Divider/ })
+  surprised = await shootStage(page)
+  await divider.press('End')
+  expect(await meanPngDifference(surprised, await shootStage(page))).toBeGreaterThan(0.05)
+  await divider.press('Home')
+})
+
+test('another age changes them, and undo brings the old ones back', async () => {
+  await age().press('End')
+  await page.getByRole('button', { name: 'Undo' }).isEnabled()
+  await expect
+    .poll(() => page.getByRole('button', { name: 'Undo' }).isEnabled(), { timeout: 300_000 })
+    .toBe(true)
+  await made()
+  const old = await shootStage(page)
+  expect(await meanPngDifference(surprised, old)).toBeGreaterThan(0.02)
+  await page.keyboard.press('Control+z')
+  await expectValue(age(), 45)
+  await areMade(names)
+  await vi.waitFor(
+    async () => expect(await meanPngDifference(surprised, await shootStage(page))).toBeLessThan(0.02),
+    { timeout: 300_000 },
+  )
+  await page.keyboard.press('Control+Shift+z')
+  await expectValue(age(), 80)
+})
+
+test('the work is there after the page was closed', async () => {
+  await page.getByText('Kept in this browser').waitFor()
+  const before = await areas()
+  await page.reload()
+  await waitUntilReady(page)
+  await page.getByRole('heading', { name: 'Recent work' }).click()
+  await page.getByRole('button', { name: /^plain/ }).click()
+  await areMade(before)
+  await expectValue(age(), 80)
+})
+
+test('what is exported is what furrow pack makes of the saved project, and is valid', async () => {
+  await page.getByRole('heading', { name: 'Export' }).click()
+  await page.getByRole('button', { name: 'Make the file' }).click()
+  const [face] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Save plain-wrinkled.glb' }).click(),
+  ])
+  const [project] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Save project' }).click(),
+  ])
+  const exported = readFileSync(await face.path())
+  for (const [path, bytes] of Object.entries(unzipSync(readFileSync(await project.path())))) {
+    mkdirSync(dirname(join(folder, path)), { recursive: true })
+    writeFileSync(join(folder, path), bytes)
+  }
+  const wrinkles = readFileSync(join(folder, 'plain/strokes.json'))
+  expect(JSON.parse(strFromU8(wrinkles)).strokes.length).toBeGreaterThan(20)
+  const packed = await runFurrow(folder, {}, 'pack', 'plain', '-o', 'packed.glb')
+  expect(packed.stderr).toBe('')
+  expect(readFileSync(join(folder, 'packed.glb')).equals(exported)).toBe(true)
+  const { code, stdout } = await runFurrow(folder, {}, 'validate', 'packed.glb')
+  expect({ code, stdout }).toEqual({ code: 0, stdout: 'packed.glb: 0 errors, 0 warnings\n' })
+})
