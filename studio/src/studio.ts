@@ -122,9 +122,10 @@ export class Studio {
     })
     showPanel(page.panel, this.#panelModel())
     effect(() => this.#highlight(this.#hovered.value, this.#painting.area.value))
-    effect(() =>
-      this.#arrange(this.#shown.value, this.#areas.hidden.value, this.#painting.area.value !== null),
-    )
+    effect(() => {
+      const isEdited = this.#painting.area.value !== null || this.#lines.editor.mode.value !== 'off'
+      this.#arrange(this.#shown.value, this.#areas.hidden.value, isEdited)
+    })
     effect(() => this.#showDocument(this.#shown.value, this.#workspace.drawn.value))
     addShortcuts({ undo: () => this.#undo(), redo: () => this.#redo() })
     page.screenshot.addEventListener('click', () => this.#savePicture())
@@ -324,10 +325,10 @@ export class Studio {
   }
 
   /** Leaves muted areas out. Painting needs the whole face: what is painted is shown on the side with wrinkles. */
-  #arrange(viewer: Viewer | null, hidden: readonly string[], isPainting: boolean): void {
+  #arrange(viewer: Viewer | null, hidden: readonly string[], isEdited: boolean): void {
     if (!viewer) return
     viewer.hidden = hidden
-    viewer.split = isPainting ? 0 : this.#divider.position
+    viewer.split = isEdited ? 0 : this.#divider.position
     this.#loop.wake()
   }
 
