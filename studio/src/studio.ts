@@ -7,6 +7,7 @@ import { displayName } from './display-name.ts'
 import { Divider } from './divider.ts'
 import type { StudioDocument } from './document/document.ts'
 import { acceptFiles } from './drop.ts'
+import { Lines } from './lines/lines.ts'
 import { Loading } from './loading.ts'
 import { Loop } from './loop.ts'
 import { Messages } from './messages.ts'
@@ -51,6 +52,7 @@ export class Studio {
   readonly #tools: ToolHost
   readonly #painting: Painting
   readonly #view = new DocumentView()
+  readonly #lines: Lines
   readonly #faces = signal<readonly string[]>([])
   readonly #shown = signal<Viewer | null>(null)
   readonly #frame = signal(0)
@@ -68,7 +70,10 @@ export class Studio {
     this.#loop = new Loop(
       {
         advance: (delta) => this.#advance(delta),
-        draw: () => this.#viewer?.draw(),
+        draw: () => {
+          this.#viewer?.draw()
+          this.#lines.draw()
+        },
         moving: () => this.#moving,
       },
       this.#meter.add,
@@ -100,11 +105,27 @@ export class Studio {
       stage: page.stage,
       wake: () => this.#loop.wake(),
     })
+    this.#lines = new Lines({
+      stage: page.viewport,
+      session,
+      viewer: this.#shown,
+      tools: this.#tools,
+      wake: () => this.#loop.wake(),
+      attempt: (task) => void messages.attempt(task),
+    })
+    // One tool at a time.
+    effect(() => {
+      if (this.#painting.area.value !== null) this.#lines.editor.mode.value = 'off'
+    })
+    effect(() => {
+      if (this.#lines.editor.mode.value !== 'off') this.#painting.isOn = false
+    })
     showPanel(page.panel, this.#panelModel())
     effect(() => this.#highlight(this.#hovered.value, this.#painting.area.value))
-    effect(() =>
-      this.#arrange(this.#shown.value, this.#areas.hidden.value, this.#painting.area.value !== null),
-    )
+    effect(() => {
+      const isEdited = this.#painting.area.value !== null || this.#lines.editor.mode.value !== 'off'
+      this.#arrange(this.#shown.value, this.#areas.hidden.value, isEdited)
+    })
     effect(() => this.#showDocument(this.#shown.value, this.#workspace.drawn.value))
     addShortcuts({ undo: () => this.#undo(), redo: () => this.#redo() })
     page.screenshot.addEventListener('click', () => this.#savePicture())
@@ -129,6 +150,7 @@ export class Studio {
     const { session, automatic, exporting, keeping, settings } = this.#workspace
     return {
       session,
+      lines: this.#lines.editor,
       areas: this.#areas,
       painting: this.#painting,
       auto: settings,
@@ -143,6 +165,7 @@ export class Studio {
       expression: this.#expression,
       hovered: this.#hovered,
       actions: {
+        attempt: (task) => void this.#messages.attempt(task),
         openFiles: (files) => this.#openFiles(async () => filesOfInput(files)),
         openFace: (name) => this.#open(this.#fetch(name)),
         chooseSkin: (skin) => this.#open(async (shown) => ({ ...shown!, skin })),
@@ -302,10 +325,10 @@ export class Studio {
   }
 
   /** Leaves muted areas out. Painting needs the whole face: what is painted is shown on the side with wrinkles. */
-  #arrange(viewer: Viewer | null, hidden: readonly string[], isPainting: boolean): void {
+  #arrange(viewer: Viewer | null, hidden: readonly string[], isEdited: boolean): void {
     if (!viewer) return
     viewer.hidden = hidden
-    viewer.split = isPainting ? 0 : this.#divider.position
+    viewer.split = isEdited ? 0 : this.#divider.position
     this.#loop.wake()
   }
 

@@ -83,6 +83,12 @@ export class SkinPicker {
     }
   }
 
+  /** Where a point of the skin is now, in world space. */
+  positionOf(triangle: number, weights: readonly number[], out: Vector3): Vector3 {
+    const [x, y, z] = mix(this.#positions, 3, this.#indices, this.#surface.skinTriangles[triangle], weights)
+    return out.set(x, y, z)
+  }
+
   /** What a camera at a position in world space sees: the skin only can hide skin. Until the pose changes. */
   sightFrom(eye: Vector3): Sight {
     const side = this.#side

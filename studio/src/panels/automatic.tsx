@@ -2,6 +2,7 @@ import { AUTO_REGIONS, type AutoRegion } from 'furrow/author'
 import { useId } from 'preact/hooks'
 import type { AutoSettings } from '../document/document.ts'
 import type { PanelModel } from './model.ts'
+import { NumberSlider } from './number-slider.tsx'
 import { Section } from './section.tsx'
 
 const SIZES = [512, 1024, 2048, 4096] as const
@@ -14,14 +15,14 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
   const preview = (change: Partial<AutoSettings>) => actions.previewAuto({ ...settings, ...change })
   return (
     <Section title="Automatic wrinkles">
-      <AutoSlider
+      <NumberSlider
         label="Age"
         range={[20, 80, 1]}
         value={settings.age}
         onMove={(age) => preview({ age })}
         onRest={(age) => make({ age })}
       />
-      <AutoSlider
+      <NumberSlider
         label="Strength"
         range={[0, 2, 0.05]}
         value={settings.strength}
@@ -59,36 +60,6 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
       />
       <Run model={model} />
     </Section>
-  )
-}
-
-interface AutoSliderProps {
-  label: string
-  /** Least, most, step. */
-  range: readonly [number, number, number]
-  value: number
-  onMove(value: number): void
-  onRest(value: number): void
-}
-
-function AutoSlider({ label, range: [min, max, step], value, onMove, onRest }: AutoSliderProps) {
-  const id = useId()
-  const fill = (value - min) / (max - min)
-  return (
-    <div class="row">
-      <label for={id}>{label}</label>
-      <input
-        id={id}
-        type="range"
-        {...{ min, max, step, value }}
-        style={{ '--value': fill }}
-        onInput={({ currentTarget }) => onMove(currentTarget.valueAsNumber)}
-        onChange={({ currentTarget }) => onRest(currentTarget.valueAsNumber)}
-      />
-      <output for={id} aria-live="off">
-        {step < 1 ? value.toFixed(2) : value}
-      </output>
-    </div>
   )
 }
 

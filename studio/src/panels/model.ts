@@ -6,6 +6,7 @@ import type { AutoSettings } from '../document/document.ts'
 import type { ExportOptions } from '../export/export-face.ts'
 import type { SaveState } from '../keep/autosave.ts'
 import type { ProjectEntry } from '../keep/project-store.ts'
+import type { LineEditor } from '../lines/line-editor.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { AutoRun } from '../session/automatic.ts'
 import type { ExportState } from '../session/exporting.ts'
@@ -24,6 +25,7 @@ export interface Hovered {
 /** What panels show and request. */
 export interface PanelModel {
   readonly session: Session
+  readonly lines: LineEditor
   /** Areas of the document; where there is none, those of the viewer are shown. */
   readonly areas: AreaEditor
   readonly painting: Painting
@@ -49,6 +51,8 @@ export interface PanelModel {
 
 /** What a user can request. Errors are shown on the stage. */
 export interface PanelActions {
+  /** Runs a task, and shows its errors. */
+  attempt(task: () => void): void
   openFiles(files: readonly File[]): void
   openFace(name: string): void
   /** Wrinkles another mesh of the avatar. */

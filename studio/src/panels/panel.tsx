@@ -2,6 +2,7 @@ import { Areas } from './areas.tsx'
 import { AutomaticWrinkles } from './automatic.tsx'
 import { Export } from './export.tsx'
 import { Expressions } from './expressions.tsx'
+import { Lines } from './lines.tsx'
 import type { PanelModel } from './model.ts'
 import { Recent } from './recent.tsx'
 import { Settings } from './settings.tsx'
@@ -16,6 +17,7 @@ export function Panel({ model }: { model: PanelModel }) {
       <Recent model={model} />
       <Expressions model={model} />
       {model.session.document.value?.auto && <AutomaticWrinkles model={model} />}
+      {model.session.document.value && <Lines model={model} />}
       <Settings model={model} />
       <Areas model={model} />
       <Targets model={model} />

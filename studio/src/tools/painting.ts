@@ -78,12 +78,13 @@ export class Painting {
     })
     effect(() => {
       viewer.value
-      host.choose(this.area.value === null ? null : this.#tool)
+      if (this.area.value === null) host.leave(this.#tool)
+      else host.choose(this.#tool)
     })
     // A stroke goes on from weights that undo has replaced.
     effect(() => {
       session.document.value
-      host.cancel()
+      if (this.area.peek() !== null) host.cancel()
     })
     effect(() => {
       frame.value

@@ -25,6 +25,11 @@ export class ToolHost {
     addEventListener('keydown', ({ key }) => key === 'Escape' && this.cancel())
   }
 
+  /** Ends the use of a tool where it is the chosen one. */
+  leave(tool: StageTool): void {
+    if (this.#tool === tool) this.choose(null)
+  }
+
   /** Chooses a tool; null for the camera alone. */
   choose(tool: StageTool | null): void {
     this.cancel()

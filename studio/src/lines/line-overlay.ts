@@ -1,0 +1,105 @@
+import type { LayerStroke } from '../document/document.ts'
+import type { ProjectedLine } from './project-lines.ts'
+
+const COLOURS = {
+  line: '#ffcf9b',
+  hovered: '#fff0dd',
+  chosen: '#ff9d2e',
+  shadow: 'rgb(40 20 10 / 40%)',
+}
+/** Radii of points in CSS pixels. */
+const POINT = 4
+const CHOSEN_POINT = 6
+
+/** What is drawn over the face. */
+export interface LinePicture {
+  readonly lines: readonly ProjectedLine[]
+  readonly chosen: LayerStroke | null
+  /** Index of the chosen point of the chosen line; -1 for none. */
+  readonly point: number
+  readonly hovered: LayerStroke | null
+  readonly path: readonly { x: number; y: number }[]
+}
+
+/** A canvas over the stage with thin curves: both renderers have the same, and pictures of the face do not. */
+export class LineOverlay {
+  readonly #canvas = document.createElement('canvas')
+  readonly #stage: HTMLElement
+
+  constructor(stage: HTMLElement) {
+    this.#stage = stage
+    this.#canvas.className = 'lines'
+    this.#canvas.hidden = true
+    stage.after(this.#canvas)
+  }
+
+  get size(): [width: number, height: number] {
+    return [this.#stage.clientWidth, this.#stage.clientHeight]
+  }
+
+  hide(): void {
+    this.#canvas.hidden = true
+  }
+
+  draw({ lines, chosen, point, hovered, path }: LinePicture): void {
+    const [width, height] = this.size
+    const ratio = Math.min(devicePixelRatio, 2)
+    this.#canvas.hidden = false
+    this.#canvas.width = Math.round(width * ratio)
+    this.#canvas.height = Math.round(height * ratio)
+    const context = this.#canvas.getContext('2d')!
+    context.scale(ratio, ratio)
+    context.lineJoin = 'round'
+    context.lineCap = 'round'
+    for (const line of lines)
+      if (line.stroke !== chosen) drawLine(context, line, line.stroke === hovered ? 'hovered' : 'line')
+    const own = lines.find(({ stroke }) => stroke === chosen)
+    if (own) {
+      drawLine(context, own, 'chosen')
+      drawPoints(context, own, point)
+    }
+    drawPath(context, path)
+  }
+}
+
+function drawLine(
+  context: CanvasRenderingContext2D,
+  { x, y, isSeen }: ProjectedLine,
+  kind: 'line' | 'hovered' | 'chosen',
+): void {
+  context.beginPath()
+  for (let i = 0; i + 1 < x.length; i++) {
+    if (!isSeen[i]) continue
+    if (i === 0 || !isSeen[i - 1]) context.moveTo(x[i], y[i])
+    context.lineTo(x[i + 1], y[i + 1])
+  }
+  stroke(context, kind === 'line' ? 1.5 : 2.5, COLOURS[kind])
+}
+
+function drawPath(context: CanvasRenderingContext2D, path: LinePicture['path']): void {
+  context.beginPath()
+  for (const { x, y } of path) context.lineTo(x, y)
+  if (path.length > 1) stroke(context, 2, COLOURS.chosen)
+}
+
+/** With a shadow, so that it shows on light skin too. */
+function stroke(context: CanvasRenderingContext2D, width: number, colour: string): void {
+  context.lineWidth = width + 2
+  context.strokeStyle = COLOURS.shadow
+  context.stroke()
+  context.lineWidth = width
+  context.strokeStyle = colour
+  context.stroke()
+}
+
+function drawPoints(context: CanvasRenderingContext2D, { x, y, knots }: ProjectedLine, chosen: number): void {
+  for (const [index, i] of knots.entries()) {
+    context.beginPath()
+    context.arc(x[i], y[i], index === chosen ? CHOSEN_POINT : POINT, 0, 2 * Math.PI)
+    context.fillStyle = index === chosen ? COLOURS.chosen : '#fff'
+    context.fill()
+    context.lineWidth = 1.5
+    context.strokeStyle = '#212429'
+    context.stroke()
+  }
+}

@@ -1,0 +1,98 @@
+import {
+  barycentricsAt,
+  type MirrorPlane,
+  middleOf,
+  type Skin,
+  type SkinCanvas,
+  skinCanvas,
+  splineOf,
+} from 'furrow/author'
+import type { Mesh } from 'three'
+import { knotsOf, traceStroke } from '../../../packages/furrow/src/author/strokes/edit/traced-stroke.ts'
+import type { LayerStroke, StudioDocument } from '../document/document.ts'
+import { PaintSkin } from '../paint/paint-skin.ts'
+import { SkinPicker } from '../paint/picker.ts'
+import { readSkin } from '../paint/read-skin.ts'
+
+/** A stroke as a line on the skin, which follows the skin when that is deformed. */
+export interface SkinLine {
+  /** The triangle that each point is on, and its three barycentric coordinates in it. */
+  triangles: readonly number[]
+  weights: Float64Array
+  /** How far along the line each point is, as a fraction of its length, 0..1. */
+  along: Float64Array
+  /** For each point of the stroke as a spline, the point of the line there. */
+  knots: readonly number[]
+}
+
+/** The skin of a face as lines are drawn on it. */
+export class LineSkin {
+  /** With texels of the document's areas. */
+  readonly canvas: SkinCanvas
+  readonly picker: SkinPicker
+  readonly #skin: Skin
+  readonly #meshes: readonly Mesh[]
+  #pose: readonly number[] = []
+  readonly #lines = new WeakMap<LayerStroke, SkinLine | null>()
+
+  /** @throws FurrowError when the meshes cannot be drawn on. */
+  constructor(
+    meshes: readonly [Mesh, ...Mesh[]],
+    { scale, areaSize }: Pick<StudioDocument, 'scale' | 'areaSize'>,
+  ) {
+    const read = readSkin(meshes)
+    const painted = new PaintSkin(read.skin, scale)
+    const { positions, uvs, indices } = painted.skin
+    this.canvas = skinCanvas({ positions, uvs, indices }, areaSize, areaSize, scale)
+    this.#skin = read.skin
+    this.picker = new SkinPicker(read, painted)
+    this.#meshes = meshes
+    this.#pose = this.#readPose()
+  }
+
+  /** Between the left and right half; undefined where blendshapes do not show it. */
+  get middle(): MirrorPlane | undefined {
+    return middleOf(this.#skin)
+  }
+
+  /** Follows the blendshapes; nothing is done while they rest. */
+  follow(): void {
+    const pose = this.#readPose()
+    if (pose.every((value, i) => value === this.#pose[i])) return
+    this.#pose = pose
+    this.picker.refit()
+  }
+
+  #readPose(): number[] {
+    return this.#meshes.flatMap(({ morphTargetInfluences }) => morphTargetInfluences ?? [])
+  }
+
+  /** The line of a stroke, found once; null where none of it is on the skin. */
+  lineOf(stroke: LayerStroke): SkinLine | null {
+    const known = this.#lines.get(stroke)
+    if (known !== undefined) return known
+    const line = this.#trace(stroke)
+    this.#lines.set(stroke, line)
+    return line
+  }
+
+  #trace(stroke: LayerStroke): SkinLine | null {
+    const spline = splineOf(stroke, this.canvas)
+    const traced = traceStroke(spline, this.canvas)
+    const { points, triangles, lengths } = traced
+    if (triangles.length === 0) return null
+    const weights = new Float64Array(points.length)
+    const own = new Float64Array(3)
+    for (const [i, triangle] of triangles.entries()) {
+      barycentricsAt(own, this.canvas.surface, triangle, points.subarray(3 * i, 3 * i + 3))
+      weights.set(own, 3 * i)
+    }
+    const length = lengths[lengths.length - 1]
+    return {
+      triangles,
+      weights,
+      along: lengths.map((each) => each / length),
+      knots: knotsOf(spline, traced, this.canvas),
+    }
+  }
+}

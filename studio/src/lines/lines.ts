@@ -1,0 +1,110 @@
+import { effect, type ReadonlySignal, signal } from '@preact/signals'
+import type { Session } from '../session/session.ts'
+import { LineTool } from '../tools/line-tool.ts'
+import type { ToolHost } from '../tools/tool-host.ts'
+import type { Viewer } from '../viewer/viewer.ts'
+import { LineEditor } from './line-editor.ts'
+import { LineOverlay } from './line-overlay.ts'
+import { LineSkin } from './line-skin.ts'
+import { type ProjectedLine, projectLines } from './project-lines.ts'
+
+/** What lines need of the application. */
+export interface LinesParts {
+  /** The element that the face is drawn on. */
+  stage: HTMLElement
+  session: Session
+  viewer: ReadonlySignal<Viewer | null>
+  tools: ToolHost
+  /** Requests the next frame. */
+  wake(): void
+  /** Runs a task, and shows its errors. */
+  attempt(task: () => void): void
+}
+
+/** The lines of the document on the face: shows them, and lets the pointer edit them. */
+export class Lines {
+  readonly editor: LineEditor
+  readonly #parts: LinesParts
+  readonly #overlay: LineOverlay
+  readonly #tool: LineTool
+  readonly #skin = signal<LineSkin | null>(null)
+  /** What the skin was read of. */
+  #source: readonly unknown[] = []
+  #lines: ProjectedLine[] = []
+
+  constructor(parts: LinesParts) {
+    const { session, stage, tools, wake, attempt } = parts
+    this.#parts = parts
+    this.#overlay = new LineOverlay(stage)
+    this.editor = new LineEditor(session, () => this.#skin.peek())
+    const [skin, lines] = [this.#skin, () => this.#lines]
+    this.#tool = new LineTool(this.editor, {
+      get picker() {
+        return skin.peek()?.picker ?? null
+      },
+      get lines() {
+        return lines()
+      },
+      changed: wake,
+    })
+    effect(() => this.#readSkin())
+    effect(() => {
+      const { mode, chosen, point } = this.editor
+      if (mode.value === 'off') this.#overlay.hide()
+      chosen.value
+      point.value
+      this.#skin.value
+      session.document.value
+      wake()
+    })
+    effect(() => {
+      if (this.editor.mode.value === 'off') tools.leave(this.#tool)
+      else tools.choose(this.#tool)
+    })
+    stage.addEventListener('dblclick', ({ clientX, clientY }) => {
+      if (this.editor.mode.peek() !== 'edit') return
+      const { left, top } = stage.getBoundingClientRect()
+      attempt(() => this.#tool.insert({ x: clientX - left, y: clientY - top }))
+    })
+    stage.addEventListener('keydown', ({ key }) => {
+      if (this.editor.mode.peek() === 'off' || (key !== 'Delete' && key !== 'Backspace')) return
+      attempt(() => this.editor.remove())
+    })
+  }
+
+  /** Draws the lines over a frame of the face. */
+  draw(): void {
+    const { session, viewer } = this.#parts
+    const skin = this.#skin.peek()
+    const document = session.document.peek()
+    const mode = this.editor.mode.peek()
+    if (mode === 'off' || !skin || !document || !viewer.peek()) {
+      this.#overlay.hide()
+      return
+    }
+    const { camera } = viewer.peek()!.stage
+    this.#lines = projectLines(document.strokes, skin, camera, this.#overlay.size)
+    const [chosen, point] = [this.editor.chosen.peek(), this.editor.point.peek()]
+    const { hovered, path, isBending } = this.#tool
+    // Only what is bent, so that the wrinkles round it are seen.
+    const lines = isBending ? this.#lines.filter(({ stroke }) => stroke === chosen) : this.#lines
+    this.#overlay.draw({ lines, chosen, point, hovered, path })
+  }
+
+  /** Reads the skin of the present face, once, while lines are edited. */
+  #readSkin(): void {
+    const { session, viewer, attempt } = this.#parts
+    const document = session.document.value
+    const avatar = viewer.value?.avatar
+    if (this.editor.mode.value === 'off') return
+    const skin = avatar?.skins[avatar.skin]
+    const source = [skin, document?.scale, document?.areaSize]
+    if (source.every((value, i) => value === this.#source[i])) return
+    this.#source = source
+    this.#skin.value = null
+    if (!skin || !document) return
+    attempt(() => {
+      this.#skin.value = new LineSkin(skin.meshes, document)
+    })
+  }
+}

@@ -1,0 +1,89 @@
+import { type Camera, Vector3 } from 'three'
+import type { LayerStroke } from '../document/document.ts'
+import type { LineSkin } from './line-skin.ts'
+
+/** A line as the camera sees it. */
+export interface ProjectedLine {
+  readonly stroke: LayerStroke
+  /** Of each point in CSS pixels from the stage's upper left corner. */
+  readonly x: Float32Array
+  readonly y: Float32Array
+  /** Whether the camera sees each point. */
+  readonly isSeen: readonly boolean[]
+  /** How far along the line each point is, 0..1. */
+  readonly along: Float64Array
+  /** The points that are those of the stroke as a spline. */
+  readonly knots: readonly number[]
+}
+
+/** A point of a line under the pointer. */
+export interface LineHit {
+  readonly stroke: LayerStroke
+  readonly along: number
+  /** In CSS pixels. */
+  readonly distance: number
+}
+
+/** Points between two that are asked for whether they are hidden: 2 mm. */
+const SIGHT_STEP = 4
+
+/** Where lines are on the stage, on the face as it is deformed now. */
+export function projectLines(
+  strokes: readonly LayerStroke[],
+  skin: LineSkin,
+  camera: Camera,
+  [width, height]: readonly [width: number, height: number],
+): ProjectedLine[] {
+  skin.follow()
+  camera.updateMatrixWorld()
+  const sight = skin.picker.sightFrom(new Vector3().setFromMatrixPosition(camera.matrixWorld))
+  const point = new Vector3()
+  return strokes.flatMap((stroke) => {
+    const line = skin.lineOf(stroke)
+    if (!line) return []
+    const { triangles, weights, along, knots } = line
+    const [x, y] = [new Float32Array(along.length), new Float32Array(along.length)]
+    const isSeen: boolean[] = []
+    for (const [i, triangle] of triangles.entries()) {
+      const own = weights.subarray(3 * i, 3 * i + 3)
+      skin.picker.positionOf(triangle, [...own], point).project(camera)
+      x[i] = (0.5 + point.x / 2) * width
+      y[i] = (0.5 - point.y / 2) * height
+      isSeen.push(i % SIGHT_STEP === 0 || i === along.length - 1 ? sight(triangle, own) : isSeen[i - 1])
+    }
+    return [{ stroke, x, y, isSeen, along, knots }]
+  })
+}
+
+/** The visible line that is nearest to a point of the stage; undefined where none is within a distance. */
+export function nearestLine(
+  lines: readonly ProjectedLine[],
+  px: number,
+  py: number,
+  within: number,
+): LineHit | undefined {
+  let nearest: LineHit | undefined
+  for (const { stroke, x, y, isSeen, along } of lines) {
+    for (let i = 0; i + 1 < along.length; i++) {
+      if (!isSeen[i]) continue
+      const [dx, dy] = [x[i + 1] - x[i], y[i + 1] - y[i]]
+      const t = Math.min(1, Math.max(0, ((px - x[i]) * dx + (py - y[i]) * dy) / (dx * dx + dy * dy || 1)))
+      const distance = Math.hypot(x[i] + t * dx - px, y[i] + t * dy - py)
+      if (distance > (nearest?.distance ?? within)) continue
+      nearest = { stroke, along: along[i] + t * (along[i + 1] - along[i]), distance }
+    }
+  }
+  return nearest
+}
+
+/** The index of the spline's point that is nearest to a point of the stage; -1 where none is within a distance. */
+export function nearestKnot({ x, y, knots }: ProjectedLine, px: number, py: number, within: number): number {
+  let [nearest, least] = [-1, within]
+  for (const [index, i] of knots.entries()) {
+    const distance = Math.hypot(x[i] - px, y[i] - py)
+    if (distance > least) continue
+    nearest = index
+    least = distance
+  }
+  return nearest
+}

@@ -1,0 +1,144 @@
+import type { LayerStroke } from '../document/document.ts'
+import type { LineEditor } from '../lines/line-editor.ts'
+import { nearestKnot, nearestLine, type ProjectedLine } from '../lines/project-lines.ts'
+import { type PathPoint, reducePath } from '../lines/reduce-path.ts'
+import type { SkinPicker } from '../paint/picker.ts'
+import type { StagePointer, StageTool } from './stage-tool.ts'
+
+/** CSS pixels within which the pointer is on a line, and on a point, which comes first. */
+const ON_LINE = 8
+const ON_POINT = 10
+
+/** The lines on the stage. */
+export interface LineStage {
+  /** Null while there is nothing to edit. */
+  readonly picker: Pick<SkinPicker, 'pick'> | null
+  /** As the camera sees them. */
+  readonly lines: readonly ProjectedLine[]
+  /** What the tool shows has changed. */
+  changed(): void
+}
+
+/** Chooses lines and moves their points, or draws new ones. */
+export class LineTool implements StageTool {
+  /** The line under the pointer, and the way of the pointer that becomes one. */
+  hovered: LayerStroke | null = null
+  path: { x: number; y: number }[] = []
+  readonly #editor: LineEditor
+  readonly #stage: LineStage
+  #drawn: PathPoint[] = []
+  /** Whether the gesture has changed the document. */
+  #isChanged = false
+
+  constructor(editor: LineEditor, stage: LineStage) {
+    this.#editor = editor
+    this.#stage = stage
+  }
+
+  /** Whether a line is being bent. */
+  get isBending(): boolean {
+    return this.#isChanged
+  }
+
+  begin(pointer: StagePointer): boolean {
+    const { picker } = this.#stage
+    if (!picker) return false
+    this.#isChanged = false
+    if (this.#editor.mode.peek() === 'edit') return this.#choose(pointer)
+    if (!picker.pick(pointer.ray)) return false
+    this.#editor.choose(null)
+    this.#drawTo([pointer])
+    return true
+  }
+
+  move(pointers: readonly StagePointer[]): void {
+    if (this.#editor.mode.peek() === 'draw') this.#drawTo(pointers)
+    else this.#moveTo(pointers)
+  }
+
+  end(): void {
+    const points = reducePath(this.#drawn).map(({ uv }) => [uv[0], uv[1]] as [number, number])
+    this.#forgetPath()
+    if (points.length >= 2) this.#editor.draw(points)
+    this.#editor.settle()
+    this.#isChanged = false
+  }
+
+  cancel(): void {
+    this.#forgetPath()
+    if (!this.#isChanged) return
+    this.#editor.settle()
+    this.#editor.session.undo()
+    this.#isChanged = false
+  }
+
+  hover(pointer: StagePointer | null): void {
+    const isEditing = this.#editor.mode.peek() === 'edit'
+    const found = pointer && isEditing ? this.#lineAt(pointer)?.stroke : undefined
+    if ((found ?? null) === this.hovered) return
+    this.hovered = found ?? null
+    this.#stage.changed()
+  }
+
+  /** Adds a point to the chosen line where the pointer is. */
+  insert(pointer: Pick<StagePointer, 'x' | 'y'>): void {
+    const hit = this.#lineAt(pointer)
+    if (hit?.stroke !== this.#editor.chosen.peek() || this.#knotAt(pointer) >= 0) return
+    this.#editor.insertPoint(hit.along)
+    this.#editor.settle()
+  }
+
+  #choose(pointer: StagePointer): boolean {
+    const knot = this.#knotAt(pointer)
+    if (knot >= 0) {
+      this.#editor.point.value = knot
+      return true
+    }
+    const hit = this.#lineAt(pointer)
+    if (!hit) return false
+    if (hit.stroke !== this.#editor.chosen.peek()) this.#editor.choose(hit.stroke)
+    else if (pointer.shift) {
+      this.#editor.insertPoint(hit.along)
+      this.#isChanged = true
+    } else this.#editor.point.value = -1
+    return true
+  }
+
+  /** Moves the chosen point to where the pointer is now; off the skin it stays. */
+  #moveTo(pointers: readonly StagePointer[]): void {
+    const last = pointers.at(-1)
+    if (!last || this.#editor.point.peek() < 0) return
+    const hit = this.#stage.picker?.pick(last.ray)
+    if (!hit) return
+    this.#editor.movePoint(hit.uv)
+    this.#isChanged = true
+  }
+
+  #drawTo(pointers: readonly StagePointer[]): void {
+    for (const { ray, x, y } of pointers) {
+      const hit = this.#stage.picker?.pick(ray)
+      if (!hit) continue
+      this.#drawn.push(hit)
+      this.path.push({ x, y })
+    }
+    this.#stage.changed()
+  }
+
+  #forgetPath(): void {
+    this.#drawn = []
+    this.path = []
+    this.#stage.changed()
+  }
+
+  #lineAt({ x, y }: Pick<StagePointer, 'x' | 'y'>) {
+    const { lines } = this.#stage
+    const chosen = lines.filter(({ stroke }) => stroke === this.#editor.chosen.peek())
+    // The chosen line comes before those that cross it.
+    return nearestLine(chosen, x, y, ON_LINE) ?? nearestLine(lines, x, y, ON_LINE)
+  }
+
+  #knotAt({ x, y }: Pick<StagePointer, 'x' | 'y'>): number {
+    const chosen = this.#stage.lines.find(({ stroke }) => stroke === this.#editor.chosen.peek())
+    return chosen ? nearestKnot(chosen, x, y, ON_POINT) : -1
+  }
+}

@@ -1,0 +1,176 @@
+import { type SkinCanvas, skinCanvas, type Uv } from 'furrow/author'
+import { beforeEach, describe, expect, test } from 'vitest'
+import type { LayerStroke, StudioDocument } from '../../../../studio/src/document/document.ts'
+import { LineEditor } from '../../../../studio/src/lines/line-editor.ts'
+import { readSkin } from '../../../../studio/src/paint/read-skin.ts'
+import { Session } from '../../../../studio/src/session/session.ts'
+import { plainSheet } from '../paint/skins.ts'
+import { frozen, sampleDocument } from '../sample-document.ts'
+
+const SIZE = 32
+
+const canvas: SkinCanvas = skinCanvas(readSkin([plainSheet()]).skin, SIZE)
+let session: Session
+let editor: LineEditor
+
+beforeEach(() => {
+  session = new Session()
+  session.open(frozen(documentOn(SIZE)))
+  editor = new LineEditor(session, () => ({ canvas, middle: undefined }))
+  editor.mode.value = 'edit'
+})
+
+/** The sample with areas of another size: the first covers the upper half, the others nothing. */
+function documentOn(size: number): StudioDocument {
+  const sample = sampleDocument()
+  const areas = sample.areas.map((area, n) => {
+    const data = new Uint8Array(size * size).map((_, i) => (n === 0 && i < (size * size) / 2 ? 255 : 0))
+    return { ...area, weights: { width: size, height: size, data } }
+  })
+  const strokes = sample.strokes.map((stroke): LayerStroke => ({ ...stroke, isAutomatic: true }))
+  return { ...sample, areaSize: size, areas, strokes }
+}
+
+const strokes = () => session.document.value!.strokes
+const before = () => documentOn(SIZE).strokes
+
+describe('a chosen line', () => {
+  beforeEach(() => editor.choose(strokes()[0]))
+
+  test('is bent in one step however often its point moves, stays chosen, and is automatic no more', () => {
+    editor.point.value = 0
+    for (const v of [0.3, 0.35, 0.4]) editor.movePoint([0.1, v])
+    editor.settle()
+    expect(strokes()[0]).toMatchObject({
+      curve: 'spline',
+      points: [
+        [0.1, 0.4],
+        [expect.closeTo(0.9), expect.closeTo(0.2)],
+      ],
+    })
+    expect(editor.chosen.value).toBe(strokes()[0])
+    expect(strokes().map(({ isAutomatic }) => isAutomatic)).toEqual([undefined, true, true])
+    session.undo()
+    expect(strokes()).toEqual(before())
+    expect(editor.chosen.value).toBe(strokes()[0])
+  })
+
+  test('two gestures are two steps', () => {
+    editor.point.value = 0
+    editor.movePoint([0.1, 0.3])
+    editor.settle()
+    editor.movePoint([0.1, 0.4])
+    editor.settle()
+    session.undo()
+    expect(strokes()[0].points[0]).toEqual([0.1, 0.3])
+  })
+
+  test('takes a new point where it is clicked, and loses it again', () => {
+    editor.insertPoint(0.5)
+    expect(strokes()[0].points.length).toBe(3)
+    expect(editor.point.value).toBe(1)
+    editor.remove()
+    expect(strokes()[0].points.length).toBe(2)
+    expect(strokes().length).toBe(3)
+  })
+
+  test('is removed where no point is chosen, and where only two are left', () => {
+    editor.point.value = 1
+    editor.remove()
+    expect(strokes()).toEqual(before().slice(1))
+    expect(editor.chosen.value).toBeNull()
+  })
+
+  test('is split in its middle', () => {
+    editor.split()
+    expect(strokes().length).toBe(4)
+    expect(strokes()[0].points.at(-1)![0]).toBeCloseTo(0.5, 2)
+    expect(strokes()[1].points[0]).toEqual(strokes()[0].points.at(-1))
+  })
+
+  test('is mirrored: its image is added and chosen', () => {
+    editor.point.value = 0
+    editor.movePoint([0.3, 0.2])
+    editor.mirror()
+    expect(strokes().length).toBe(4)
+    expect(editor.chosen.value).toBe(strokes()[3])
+    expect(strokes()[3].points.map(([u]) => u)).toEqual([expect.closeTo(0.7, 3), expect.closeTo(0.1, 3)])
+  })
+
+  test('changes its shape by a slider in one step', () => {
+    editor.setShape({ width: 3 })
+    editor.setShape({ width: 4 })
+    editor.settle()
+    expect(strokes()[0].width).toBe(4)
+    session.undo()
+    expect(strokes()[0].width).toBe(2)
+    expect(session.undoLabel.value).toBeUndefined()
+  })
+
+  test('makes an area of a new name, which shows at rest', () => {
+    editor.setGroup('scar')
+    const area = session.document.value!.areas.at(-1)!
+    expect(area).toMatchObject({ name: 'scar', layer: 'up', activation: 1 })
+    expect(weightAt(area.weights, [0.5, 0.2])).toBe(255)
+    expect(weightAt(area.weights, [0.5, 0.8])).toBe(0)
+  })
+})
+
+describe('a line that is drawn', () => {
+  beforeEach(() => {
+    editor.mode.value = 'draw'
+    editor.setShape({ width: 5, depth: 1 })
+  })
+
+  test('belongs to the area under it and has the shape that is set', () => {
+    editor.draw([
+      [0.2, 0.3],
+      [0.8, 0.3],
+    ])
+    expect(strokes()[3]).toMatchObject({
+      group: 'forehead',
+      layer: 'up',
+      width: 5,
+      depth: 1,
+      curve: 'spline',
+    })
+    expect(editor.chosen.value).toBe(strokes()[3])
+    expect(session.document.value!.areas.map(({ name }) => name)).toEqual(['forehead', 'frown', 'cheeks'])
+    session.undo()
+    expect(strokes()).toEqual(before())
+  })
+
+  test('gets an area of its own where there is none', () => {
+    editor.draw([
+      [0.2, 0.8],
+      [0.8, 0.8],
+    ])
+    expect(strokes()[3].group).toBe('lines')
+    expect(session.document.value!.areas.at(-1)).toMatchObject({ name: 'lines', activation: 1 })
+  })
+
+  test('widens the area that is named', () => {
+    editor.setGroup('frown')
+    editor.draw([
+      [0.2, 0.8],
+      [0.8, 0.8],
+    ])
+    const { areas } = session.document.value!
+    expect(strokes()[3]).toMatchObject({ group: 'frown', layer: 'down' })
+    expect(areas.length).toBe(3)
+    expect(weightAt(areas[1].weights, [0.5, 0.8])).toBe(255)
+  })
+})
+
+test('nothing stays chosen when automatic wrinkles are made anew', () => {
+  editor.choose(strokes()[0])
+  session.edit('Make automatic wrinkles', (document) => ({
+    ...document,
+    auto: { ...document.auto!, age: 60 },
+  }))
+  expect(editor.chosen.value).toBeNull()
+})
+
+function weightAt({ width, data }: { width: number; data: Uint8Array }, [u, v]: Uv): number {
+  return data[Math.floor(v * width) * width + Math.floor(u * width)]
+}
