@@ -33,6 +33,8 @@ export default defineConfig({
       'preact/jsx-dev-runtime',
       '@preact/signals',
       'three-mesh-bvh',
+      'fflate',
+      'idb',
       // Of the worker that packs faces: found late, they would reload the page in the middle of an export.
       'comlink',
       '@gltf-transform/core',

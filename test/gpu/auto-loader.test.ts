@@ -82,7 +82,8 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
     expect(found!.getArea(found!.areaNames[0]!)).toEqual(made!.getArea(made!.areaNames[0]!))
     for (const { scene } of [first, second]) firstMesh(scene).morphTargetInfluences![0] = 1
     for (const wrinkles of [made!, found!]) wrinkles.appear(0)
-    expect(await picture(second)).toEqual(await picture(first))
+    // Software rasterisers round differently where threads share a picture out.
+    expect(largestDifference(await picture(second), await picture(first))).toBeLessThan(1e-5)
     const other = vi.fn()
     await wrinklesReady(await load(await bareSheet(), { ...AUTO, seed: 8, progress: other }))
     expect(other).toHaveBeenCalled()

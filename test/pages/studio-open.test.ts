@@ -78,11 +78,6 @@ test('a dropped avatar without wrinkles moves by expressions', async () => {
   await page.getByRole('button', { name: 'Neutral' }).click()
 })
 
-test('an area is refused while the avatar has no wrinkles', async () => {
-  await dropPaths(page, [join(folder, 'wrinkles/areas/everywhere.png')])
-  await dismiss(page, 'Studio: the face has no wrinkles for an area to show, got "everywhere"')
-})
-
 test.each([
   ['a broken file', 'broken.glb', 'Studio: broken.glb is not usable: it is cut off'],
   ['a format that is not glTF', 'model.fbx', 'Studio: model.fbx is not usable: it is an FBX file'],
