@@ -16,6 +16,7 @@ import {
   withoutIndex,
   withoutTargets,
 } from './bare-sheet.ts'
+import { largestDifference } from './difference.ts'
 import { createHarness, type Harness, RENDERERS } from './harness.ts'
 
 const SIZE = 64
