@@ -3,12 +3,11 @@ import { joinParts, type Skin, type SkinPart } from 'furrow/author'
 import {
   type BufferAttribute,
   type InterleavedBufferAttribute,
-  Matrix4,
   type Mesh,
   type MeshStandardMaterial,
-  type SkinnedMesh,
   Vector2,
 } from 'three'
+import { placementOf } from '../../../packages/furrow/src/three/loader/read-character.ts'
 
 /** The meshes of a face as one skin. */
 export interface MeshSkin {
@@ -87,14 +86,4 @@ function readVectors(
     out[3 * i + 1] = attribute.getY(vertex)
     out[3 * i + 2] = attribute.getZ(vertex)
   }
-}
-
-/** The matrix from mesh to world space: of a skinned mesh as its joints have it, since glTF ignores its node. */
-function placementOf(mesh: Mesh): Matrix4 {
-  mesh.updateWorldMatrix(true, false)
-  const { skeleton } = mesh as SkinnedMesh
-  const [bone] = skeleton?.bones ?? []
-  if (!bone) return mesh.matrixWorld
-  bone.updateWorldMatrix(true, false)
-  return new Matrix4().multiplyMatrices(bone.matrixWorld, skeleton.boneInverses[0])
 }

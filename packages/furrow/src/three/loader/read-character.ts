@@ -64,7 +64,7 @@ function targetNames({ geometry, morphTargetDictionary = {} }: Mesh): string[] {
  * The matrix from mesh to world space in the rest pose. glTF places a skinned mesh by its joints and ignores its node; in the rest pose
  * all joints give the same matrix.
  */
-function placementOf(mesh: Mesh): Matrix4 {
+export function placementOf(mesh: Mesh): Matrix4 {
   mesh.updateWorldMatrix(true, false)
   const { skeleton } = mesh as SkinnedMesh
   const [bone] = skeleton?.bones ?? []
