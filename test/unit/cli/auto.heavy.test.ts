@@ -59,7 +59,7 @@ describe('a body without a face', () => {
       material: 'cloth',
       reason: expect.stringContaining('the only one with'),
       bytes: readFileSync(file('out.glb')).length,
-      cost: { file: expect.any(Number), gpu: expect.any(Number) },
+      cost: { file: expect.any(Number), gpu: expect.any(Number), phone: expect.any(Number) },
       isFace: false,
       warnings: [expect.stringContaining('no face was found')],
       layers: ['auto1'],

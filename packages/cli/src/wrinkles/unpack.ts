@@ -1,13 +1,12 @@
 import type { GrayImage, TextureReference, WrinkleSetDocument } from 'furrow'
 import { fileNamesOf } from 'furrow/author'
-import { decodeImage } from '#platform/images'
+import { checkWhole, decodeImage, encodePng } from '#platform/images'
 import { utf8 } from '../bytes.ts'
 import type { OutputFile } from '../files.ts'
 import { namesOfTarget } from '../gltf/target-names.ts'
 import { imageOf, isKtx2 } from '../gltf/texture-image.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
 import { isOpaque, withoutAlpha } from '../images/pixels.ts'
-import { encodePortablePng } from '../images/png.ts'
 import type { Progress } from '../progress.ts'
 import { addressOf, STROKES_FILE } from './folder-document.ts'
 import { weightsOf } from './inspect.ts'
@@ -64,7 +63,7 @@ export async function unpackWrinkles(
   const areaEntries: WrinkleSetDocument['areas'] = []
   for (const [i, area] of maps.areas.entries()) {
     const path = `areas/${areaFiles[i]}.png`
-    outputs.push({ path, bytes: encodeWeights(areas[i], whiteIsVisible) })
+    outputs.push({ path, bytes: await encodeWeights(areas[i], whiteIsVisible) })
     areaEntries.push({
       name: area.name,
       image: addressOf(path),
@@ -95,15 +94,18 @@ export async function unpackWrinkles(
 /** A map as a PNG file; one that is PNG already is decoded to check it, and not encoded again. */
 async function pngOf({ glb }: WrinkledFile, info: TextureReference, who: string): Promise<Uint8Array> {
   const image = imageOf(glb, info.index, who)
+  if (image.mimeType === 'image/png') {
+    await checkWhole(image.bytes, `"${image.name}"`, who)
+    return image.bytes
+  }
   const pixels = isKtx2(image)
     ? await pixelsOf(glb, info, who)
     : await decodeImage(image.bytes, `"${image.name}"`, who)
-  if (image.mimeType === 'image/png') return image.bytes
-  return encodePortablePng(isOpaque(pixels) ? withoutAlpha(pixels) : pixels)
+  return encodePng(isOpaque(pixels) ? withoutAlpha(pixels) : pixels)
 }
 
 /** The weights of an area as an 8-bit gray PNG file; in the paper's convention white = no wrinkles. */
-function encodeWeights({ width, height, data }: GrayImage, whiteIsVisible: boolean): Uint8Array {
+function encodeWeights({ width, height, data }: GrayImage, whiteIsVisible: boolean): Promise<Uint8Array> {
   const gray = whiteIsVisible ? data : data.map((weight) => 255 - weight)
-  return encodePortablePng({ width, height, channels: 1, data: gray })
+  return encodePng({ width, height, channels: 1, data: gray })
 }

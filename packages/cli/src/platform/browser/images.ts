@@ -2,7 +2,8 @@ import { readImage } from '../../../../furrow/src/three/loader/read-texture.ts'
 import { checkImageSize, checkImageType, GLTF_IMAGES, type ImageHeader } from '../../images/check-image.ts'
 import { headerOf } from '../../images/header.ts'
 import { withImageErrors } from '../../images/image-errors.ts'
-import type { DecodedImage } from '../../images/pixels.ts'
+import type { DecodedImage, Pixels } from '../../images/pixels.ts'
+import { encodePortablePng } from '../../images/png.ts'
 
 /**
  * Reads the header of an image; one of WebP or AVIF is decoded for it, by the browser's own limits.
@@ -44,6 +45,18 @@ export async function decodeImage(
   } finally {
     bitmap.close()
   }
+}
+
+/** Pixels as a PNG file with the same channels, for what no packed face holds: there, the bytes must be the same everywhere. */
+export async function encodePng(pixels: Pixels): Promise<Uint8Array> {
+  return encodePortablePng(pixels)
+}
+
+/** Decodes an image to see that it can be. Throws FurrowError as `decodeImage` does. */
+export async function checkWhole(bytes: Uint8Array, name: string, who: string): Promise<void> {
+  await measureImage(bytes, name, who)
+  const bitmap = await bitmapOf(bytes, name, who)
+  bitmap.close()
 }
 
 async function measureBitmap(bytes: Uint8Array, name: string, who: string) {
