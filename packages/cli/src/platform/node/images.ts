@@ -14,17 +14,6 @@ export async function measureImage(
   return openImage(bytes, name, who, types)
 }
 
-/** By libvips, which takes a tenth of the memory; see the function of this name for browsers. */
-export async function encodePng(pixels: Pixels): Promise<Uint8Array> {
-  return encodeBySharp(pixels)
-}
-
-/** By libvips, a part of the image at a time; see the function of this name for browsers. */
-export async function checkWhole(bytes: Uint8Array, name: string, who: string): Promise<void> {
-  const { image } = await openImage(bytes, name, who)
-  await withImageErrors(name, who, () => image.stats())
-}
-
 /** By libvips; see the function of this name for browsers. */
 export async function decodeImage(
   bytes: Uint8Array,
@@ -36,4 +25,15 @@ export async function decodeImage(
   const raw = image.toColourspace('srgb').raw()
   const { data, info } = await withImageErrors(name, who, () => raw.toBuffer({ resolveWithObject: true }))
   return { type, width: info.width, height: info.height, channels: info.channels, data }
+}
+
+/** By libvips, which takes a tenth of the memory; see the function of this name for browsers. */
+export async function encodePng(pixels: Pixels): Promise<Uint8Array> {
+  return encodeBySharp(pixels)
+}
+
+/** By libvips, a part of the image at a time; see the function of this name for browsers. */
+export async function checkWhole(bytes: Uint8Array, name: string, who: string): Promise<void> {
+  const { image } = await openImage(bytes, name, who)
+  await withImageErrors(name, who, () => image.stats())
 }
