@@ -33,6 +33,10 @@ interface Tolerance {
   degrees: number
 }
 
+/** How far activations may be from those of the plain face. Visemes press the lips as well, and have a part in what drives them. */
+const ACTIVATIONS = 0.05
+const ACTIVATIONS_WITH_VISEMES = 0.08
+
 /** Texels at the border of lines differ where coordinates are rounded. */
 const ROUNDED = { levels: 1, degrees: 1 }
 const QUANTISED = { levels: 5, degrees: 4 }
@@ -62,7 +66,8 @@ describe.each(VARIANTS)('a face %s', (name, change) => {
     await change(document)
     const made = await makeWrinkles(workshop, name, document)
     expect([...made.areas.keys()]).toEqual([...face().areas.keys()])
-    expect(activationsApart(face(), made)).toBeLessThan(0.05)
+    const apart = name === 'with visemes and shapes of its own' ? ACTIVATIONS_WITH_VISEMES : ACTIVATIONS
+    expect(activationsApart(face(), made)).toBeLessThan(apart)
     expect(areasApart(face(), made)).toBeLessThan(levels)
     expect(await normalsApart(face(), made)).toBeLessThan(degrees)
     expect(made.warned).toBe('')
@@ -87,7 +92,7 @@ test.each([
   )
   expect(shapes[0]!.length).toBeGreaterThan(5)
   expect(shapes[1]).toEqual(shapes[0])
-  expect(activationsApart(face(), made)).toBeLessThan(0.05)
+  expect(activationsApart(face(), made)).toBeLessThan(ACTIVATIONS)
 })
 
 describe('a face in the manner of VRoid Studio', () => {
