@@ -12,6 +12,7 @@ interface SliderProps {
   onHover?(dial: Dial | null): void
   /** Whether it is linked to what is hovered. */
   linked?: boolean
+  isHidden?: boolean
   /** Before the label. */
   before?: ComponentChildren
   /** Behind the number: buttons. */
@@ -19,7 +20,16 @@ interface SliderProps {
 }
 
 /** A labelled slider of a dial. The number follows the face without rendering anything but itself. */
-export function Slider({ dial, frame, onInput, onHover, linked = false, before, children }: SliderProps) {
+export function Slider({
+  dial,
+  frame,
+  onInput,
+  onHover,
+  linked = false,
+  isHidden = false,
+  before,
+  children,
+}: SliderProps) {
   const id = useId()
   const input = useRef<HTMLInputElement>(null)
   const output = useRef<HTMLOutputElement>(null)
@@ -34,7 +44,10 @@ export function Slider({ dial, frame, onInput, onHover, linked = false, before, 
     onHover?.(hovered ? dial : null)
   }
   return (
-    <div class={`row${children ? ' removable' : ''}${before ? ' choosable' : ''}${linked ? ' linked' : ''}`}>
+    <div
+      hidden={isHidden}
+      class={`row${children ? ' removable' : ''}${before ? ' choosable' : ''}${linked ? ' linked' : ''}`}
+    >
       {before}
       <label
         for={id}

@@ -12,9 +12,8 @@ export function Targets({ model }: { model: PanelModel }) {
   const groups = useMemo(() => groupDials(dials ?? []), [dials])
   const filter = useSignal('')
   const query = filter.value.trim().toLowerCase()
-  const matching =
-    query === '' ? groups : groups.map(matchingOf(query)).filter((group) => group.dials.length > 0)
-  const count = matching.reduce((sum, group) => sum + group.dials.length, 0)
+  const matches = ({ name }: Dial) => name.toLowerCase().includes(query)
+  const count = (dials ?? []).filter(matches).length
   const area = hovered.value?.kind === 'area' ? hovered.value.name : undefined
   const linked = area === undefined ? [] : (viewer.value?.driversOf(area) ?? [])
   const aside = (
@@ -49,31 +48,33 @@ export function Targets({ model }: { model: PanelModel }) {
         />
       </label>
       <div id="targets" class="groups">
-        {matching.map((group) => (
-          <Group key={group.name} group={group} isFiltered={query !== ''} linked={linked} model={model} />
+        {groups.map((group) => (
+          <Group
+            key={group.name}
+            group={group}
+            isFiltered={query !== ''}
+            matches={matches}
+            linked={linked}
+            model={model}
+          />
         ))}
       </div>
     </Section>
   )
 }
 
-function matchingOf(query: string): (group: DialGroup) => DialGroup {
-  return ({ name, dials }) => ({
-    name,
-    dials: dials.filter((dial) => dial.name.toLowerCase().includes(query)),
-  })
-}
-
 interface GroupProps {
   group: DialGroup
   /** While there is a filter, every group is open; afterwards it is as it was. */
   isFiltered: boolean
+  /** Sliders that do not match are hidden; they follow the face all the same. */
+  matches(dial: Dial): boolean
   /** Names of the blendshapes that drive the hovered area. */
   linked: readonly string[]
   model: PanelModel
 }
 
-function Group({ group: { name, dials }, isFiltered, linked, model }: GroupProps) {
+function Group({ group: { name, dials }, isFiltered, matches, linked, model }: GroupProps) {
   const { frame, hovered, actions } = model
   const isOpen = useSignal(false)
   const onHover = (dial: Dial | null) => {
@@ -81,6 +82,7 @@ function Group({ group: { name, dials }, isFiltered, linked, model }: GroupProps
   }
   return (
     <details
+      hidden={!dials.some(matches)}
       class={dials.some((dial) => linked.includes(dial.name)) ? 'linked' : ''}
       open={isFiltered || isOpen.value}
       onToggle={({ currentTarget }) => {
@@ -89,7 +91,7 @@ function Group({ group: { name, dials }, isFiltered, linked, model }: GroupProps
     >
       <summary>
         {name}
-        <span>{dials.length}</span>
+        <span>{dials.filter(matches).length}</span>
       </summary>
       {dials.map((dial) => (
         <Slider
@@ -97,6 +99,7 @@ function Group({ group: { name, dials }, isFiltered, linked, model }: GroupProps
           dial={dial}
           frame={frame}
           linked={linked.includes(dial.name)}
+          isHidden={!matches(dial)}
           onInput={actions.input}
           onHover={onHover}
         />
