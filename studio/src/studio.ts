@@ -300,6 +300,7 @@ export class Studio {
     this.#change((viewer) => {
       viewer.play(name, reducedMotion.matches ? 0 : EXPRESSION_TIME)
       this.#expression.value = name
+      this.#frame.value++
     })
   }
 
@@ -309,6 +310,7 @@ export class Studio {
       viewer.advance(Number.POSITIVE_INFINITY)
       write()
       this.#expression.value = null
+      this.#frame.value++
     })
   }
 

@@ -304,7 +304,9 @@ async function checkControls(page: Page): Promise<void> {
     // Tab reaches only the chosen radio button of a group.
     const reachable = controls.filter(
       (control) =>
-        control.checkVisibility() && (!control.matches('[type=radio]') || control.matches(':checked')),
+        control.checkVisibility() &&
+        !control.matches(':disabled') &&
+        (!control.matches('[type=radio]') || control.matches(':checked')),
     )
     for (const [index, control] of reachable.entries()) control.dataset.reach = String(index)
     // Tab starts at the top of the page.

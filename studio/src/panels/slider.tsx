@@ -1,6 +1,6 @@
-import { type ReadonlySignal, useSignalEffect } from '@preact/signals'
+import { effect, type ReadonlySignal } from '@preact/signals'
 import type { ComponentChildren } from 'preact'
-import { useId, useRef } from 'preact/hooks'
+import { useId, useLayoutEffect, useRef } from 'preact/hooks'
 import type { Dial } from '../viewer/dials.ts'
 
 interface SliderProps {
@@ -33,10 +33,13 @@ export function Slider({
   const id = useId()
   const input = useRef<HTMLInputElement>(null)
   const output = useRef<HTMLOutputElement>(null)
-  useSignalEffect(() => {
-    frame.value
-    showNumber(input.current!, output.current!, dial.read())
-  })
+  // Not `useSignalEffect`, which waits for the next frame.
+  useLayoutEffect(() => {
+    return effect(() => {
+      frame.value
+      showNumber(input.current!, output.current!, dial.read())
+    })
+  }, [dial, frame])
   const isHovered = useRef(false)
   const hover = (hovered: boolean) => {
     if (isHovered.current === hovered) return
