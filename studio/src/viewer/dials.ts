@@ -28,7 +28,8 @@ const GROUPS: readonly [name: string, prefix: RegExp][] = [
 export function areaDials(wrinkles: Wrinkles): Dial[] {
   return wrinkles.areaNames.map((name) => ({
     name,
-    read: () => wrinkles.getActivation(name),
+    // An area that was removed may have a slider until the next render.
+    read: () => (wrinkles.hasArea(name) ? wrinkles.getActivation(name) : 0),
     write: (value) => wrinkles.setActivation(name, value),
   }))
 }
