@@ -1,4 +1,4 @@
-import { effect, signal } from '@preact/signals'
+import { batch, effect, signal } from '@preact/signals'
 import type { AreaConvention } from 'furrow'
 import { VIEWS, type ViewName } from '../../stage/views.ts'
 import { readArea } from './area-file.ts'
@@ -253,10 +253,13 @@ export class Studio {
 
   #show(viewer: Viewer): void {
     if (viewer.avatar.root !== this.#shown.peek()?.avatar.root) this.#expression.value = null
-    this.#shown.value = viewer
+    // Together: the last document is never shown on the next face.
+    batch(() => {
+      void this.#messages.attempt(() => this.#workspace.open(viewer.avatar))
+      this.#shown.value = viewer
+    })
     this.#refresh()
     this.#meter.reset()
-    void this.#messages.attempt(() => this.#workspace.open(viewer.avatar))
   }
 
   /** Shows what is worked on; a face that has wrinkles of its own and no document is left as it is. */
