@@ -5,9 +5,9 @@ import { paintArea } from '../document/areas.ts'
 import type { StudioDocument } from '../document/document.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import { BRUSH_DEFAULTS, BRUSH_RADII, type Brush } from '../paint/brush.ts'
-import { PaintSkin } from '../paint/paint-skin.ts'
-import { type SkinHit, SkinPicker } from '../paint/picker.ts'
-import { readSkin } from '../paint/read-skin.ts'
+import type { PaintSkin } from '../paint/paint-skin.ts'
+import type { SkinHit, SkinPicker } from '../paint/picker.ts'
+import { posedSkinOf } from '../paint/posed-skin.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { Session } from '../session/session.ts'
 import { isTextField } from '../shortcuts.ts'
@@ -123,11 +123,10 @@ export class Painting {
     const { scale, areaSize } = document
     const known = this.#face
     if (known?.root !== root || known.index !== index || known.scale !== scale) {
-      const meshes = readSkin(skins[index].meshes)
-      const skin = new PaintSkin(meshes.skin, scale)
+      const { skin, picker } = posedSkinOf(skins[index].meshes, scale)
       // Now rather than when the first stroke begins.
       skin.mapOf(areaSize)
-      this.#face = { root, index, scale, skin, picker: new SkinPicker(meshes, skin) }
+      this.#face = { root, index, scale, skin, picker }
     } else if (this.#isPoseNew) known.picker.refit()
     this.#isPoseNew = false
     return this.#face!
