@@ -13,7 +13,7 @@ import { Loop } from './loop.ts'
 import { Messages } from './messages.ts'
 import { Meter } from './meter.ts'
 import { reducedMotion } from './motion.ts'
-import { faceOf, type OpenedAvatar, openDropped } from './open/avatar.ts'
+import { type OpenedAvatar, openDropped } from './open/avatar.ts'
 import { type DroppedFile, filesOfInput, filesOfTransfer } from './open/dropped-files.ts'
 import { sortFiles } from './open/sort-files.ts'
 import type { Page } from './page.ts'
@@ -24,6 +24,7 @@ import { savePicture } from './save-picture.ts'
 import { AreaEditor } from './session/area-editor.ts'
 import { Workspace } from './session/workspace.ts'
 import { addShortcuts } from './shortcuts.ts'
+import { TextureToggle } from './texture/texture-toggle.ts'
 import { Painting } from './tools/painting.ts'
 import { ToolHost } from './tools/tool-host.ts'
 import { adapterName } from './viewer/adapter.ts'
@@ -112,6 +113,14 @@ export class Studio {
       tools: this.#tools,
       wake: () => this.#loop.wake(),
       attempt: (task) => void messages.attempt(task),
+    })
+    new TextureToggle(page.textureToggle, {
+      element: page.texture,
+      session,
+      areas: this.#areas,
+      painting: this.#painting,
+      viewer: this.#shown,
+      attempt: (task) => messages.attempt(task),
     })
     // One tool at a time.
     effect(() => {
@@ -395,8 +404,8 @@ export class Studio {
       const viewer = this.#viewer
       if (!viewer) return
       const { drawUvPicture } = await import('./uv-picture.ts')
-      const { skin } = faceOf(viewer.avatar)
-      await savePicture(drawUvPicture(skin), `${viewer.avatar.name}-uv.png`)
+      const { skins, skin } = viewer.avatar
+      await savePicture(drawUvPicture(skins[skin].meshes), `${viewer.avatar.name}-uv.png`)
       this.#messages.note('Saved the UV layout: paint over it')
     })
   }
