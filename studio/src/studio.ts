@@ -22,6 +22,7 @@ import { showPanel } from './panels/show-panel.tsx'
 import { saveFile } from './save-file.ts'
 import { savePicture } from './save-picture.ts'
 import { AreaEditor } from './session/area-editor.ts'
+import { LayerEditor } from './session/layer-editor.ts'
 import { Workspace } from './session/workspace.ts'
 import { addShortcuts } from './shortcuts.ts'
 import { TextureToggle } from './texture/texture-toggle.ts'
@@ -50,6 +51,7 @@ export class Studio {
 
   readonly #workspace: Workspace
   readonly #areas: AreaEditor
+  readonly #layers: LayerEditor
   readonly #tools: ToolHost
   readonly #painting: Painting
   readonly #view = new DocumentView()
@@ -96,6 +98,12 @@ export class Studio {
     this.#workspace = new Workspace((error) => messages.error(error))
     const { session } = this.#workspace
     this.#areas = new AreaEditor(session, (task) => void messages.attempt(task))
+    this.#layers = new LayerEditor({
+      session,
+      drawn: this.#workspace.drawn,
+      avatar: () => this.#viewer?.avatar ?? null,
+      attempt: (task) => messages.attempt(task),
+    })
     this.#tools = new ToolHost(page.viewport, () => this.#viewer?.stage.camera ?? null)
     this.#painting = new Painting({
       session,
@@ -161,6 +169,7 @@ export class Studio {
       session,
       lines: this.#lines.editor,
       areas: this.#areas,
+      layers: this.#layers,
       painting: this.#painting,
       auto: settings,
       autoRun: automatic.run,
