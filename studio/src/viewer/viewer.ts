@@ -1,16 +1,11 @@
 import {
   type Area,
-  canonicalTargetName,
-  DriverProgram,
-  type DriverState,
+  type Contribution,
   driversOf,
   EXPRESSIONS,
   type Expression,
-  explain,
   expressionsOf,
   FurrowError,
-  planDrivers,
-  targetSource,
   type WrinkleDriver,
 } from 'furrow'
 import { ExpressionPlayer, Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
@@ -22,7 +17,9 @@ import type { RendererKind, Stage, Wrinkles } from '../../../stage/stage.ts'
 import { faceOf, type OpenedAvatar } from '../open/avatar.ts'
 import type { CanvasStage } from './canvas-stage.ts'
 import { areaDials, type Dial, targetDials } from './dials.ts'
+import { FaceDrivers } from './face-drivers.ts'
 import { type Look, Looks, type Side } from './looks.ts'
+import { MuscleTargets } from './muscle-targets.ts'
 import { releaseFromGPU } from './release.ts'
 
 /** One avatar on one renderer's canvas, drawn without wrinkles left of the divider and with them right of it. */
@@ -31,12 +28,14 @@ export class Viewer {
   readonly kind: RendererKind
   readonly stage: Stage
   readonly avatar: OpenedAvatar
-  readonly targets: readonly Dial[]
+  targets: readonly Dial[] = []
   areas: readonly Dial[] = []
   /** Fraction of the width that is drawn without wrinkles. */
   split = 0.5
   /** Areas that are drawn as if they were not active. */
   hidden: readonly string[] = []
+  /** Numbers that an application would set for drivers, by name: age in years, stress. */
+  readonly inputs = new Map<string, number>()
 
   readonly #face: Face
   /** The skin's material as it was before wrinkles were added; cloned for each `Looks`. */
@@ -44,8 +43,10 @@ export class Viewer {
   #wrinkles: Wrinkles | null = null
   #fault: Error | null = null
   #drivers: readonly WrinkleDriver[] = []
-  #program!: DriverProgram
-  #state!: DriverState
+  #faceDrivers!: FaceDrivers
+  /** Activations at rest by area. */
+  readonly #resting = new Map<string, number>()
+  readonly #muscles: MuscleTargets
   /** Null for a face without blendshapes and wrinkles. */
   #player: ExpressionPlayer | null = null
   #expressions: readonly Expression[] = []
@@ -69,14 +70,7 @@ export class Viewer {
     this.#face = face
     this.#plain = cloned(face.skin.material)
     stage.show(face)
-    this.targets = targetDials(face.root).map((dial) => ({
-      ...dial,
-      write: (value) => {
-        const before = this.#drivenActivations().slice()
-        dial.write(value)
-        this.#applyDrivers(before)
-      },
-    }))
+    this.#muscles = new MuscleTargets([face.skin, ...face.parts])
     this.#wear(face.wrinkles)
   }
 
@@ -110,7 +104,12 @@ export class Viewer {
 
   /** Lets other drivers activate the areas. */
   setDrivers(drivers: readonly WrinkleDriver[]): void {
+    const before = this.#faceDrivers.plan.areaNames
+    this.#addMuscles(drivers)
     this.#drive(drivers)
+    const driven = this.#faceDrivers.plan.areaNames
+    for (const name of before.filter((area) => !driven.includes(area)))
+      this.#setActivation(name, this.#rest(name))
     this.#driveAll()
     this.#expressions = this.#completeExpressions()
     this.#player = this.#makePlayer()
@@ -120,6 +119,7 @@ export class Viewer {
   #wear(wrinkles: Face['wrinkles']): void {
     this.#fault = null
     this.#wrinkles = null
+    this.#addMuscles(wrinkles?.drivers ?? [])
     try {
       if (wrinkles) this.#wrinkles = this.stage.addWrinkles(this.#face, wrinkles)
     } catch (error) {
@@ -127,6 +127,8 @@ export class Viewer {
     }
     // The viewer runs the drivers, so that the areas' sliders follow at once.
     if (this.#wrinkles) this.#wrinkles.driven = false
+    this.#resting.clear()
+    for (const { name, activation } of wrinkles?.set.areas ?? []) this.#resting.set(name, activation ?? 0)
     this.#drive(wrinkles?.drivers ?? [])
     const plain = cloned(this.#plain)
     this.#looks = new Looks(this.#face, this.#wrinkles, plain, (mesh, own) => this.#createMirror(mesh, own))
@@ -134,23 +136,41 @@ export class Viewer {
     this.#expressions = this.#completeExpressions()
     this.#player = this.#makePlayer()
     this.#remaining = 0
+    this.#driveAll()
+  }
+
+  /** Each muscle is a blendshape more. */
+  #addMuscles(drivers: readonly WrinkleDriver[]): void {
+    this.#muscles.update(driversOf('muscle', drivers))
+    this.targets = targetDials(this.#face.root).map((dial) => ({
+      ...dial,
+      write: (value) => this.#driveAfter(() => dial.write(value)),
+    }))
   }
 
   /** Reads the drivers. */
   #drive(drivers: readonly WrinkleDriver[]): void {
-    const plan = planDrivers(driversOf('morph', drivers))
-    const targetNames = Object.keys(this.#face.skin.morphTargetDictionary ?? {})
     this.#drivers = drivers
-    this.#program = new DriverProgram(plan, { target: targetSource(plan.inputs.target, targetNames) })
-    this.#state = this.#program.createState()
+    this.#faceDrivers = new FaceDrivers(this.#wrinkles, drivers, {
+      inputs: this.inputs,
+      resting: this.#resting,
+    })
   }
 
   /** Sets all areas that are driven as the face's pose has them. */
   #driveAll(): void {
-    const activations = this.#drivenActivations()
-    for (const [i, name] of this.#program.plan.areaNames.entries()) {
-      if (this.#wrinkles?.hasArea(name)) this.#wrinkles.setActivation(name, activations[i])
+    const activations = this.#faceDrivers.evaluate()
+    for (const [i, name] of this.#faceDrivers.plan.areaNames.entries()) {
+      this.#setActivation(name, activations[i])
     }
+  }
+
+  #setActivation(area: string, activation: number): void {
+    if (this.#wrinkles?.hasArea(area)) this.#wrinkles.setActivation(area, activation)
+  }
+
+  #rest(area: string): number {
+    return this.#resting.get(area) ?? 0
   }
 
   #isPossible(look: Look): boolean {
@@ -184,39 +204,40 @@ export class Viewer {
     this.#looks.choose(area.length > 0 ? { name: 'influence', area } : look)
   }
 
-  /** Shows another activation at rest, of an area that nothing drives. */
+  /** Shows another activation at rest. */
   rest(area: string, activation: number): void {
-    if (!this.#program.plan.areaNames.includes(area)) this.wrinkles?.setActivation(area, activation)
+    this.#driveAfter(() => this.#resting.set(area, activation))
+    if (!this.#faceDrivers.plan.areaNames.includes(area)) this.#setActivation(area, activation)
   }
 
   /** Names of the blendshapes that drive an area, as on their dials. */
   driversOf(area: string): string[] {
-    return driversOf('morph', this.#drivers)
-      .filter((driver) => driver.area === area)
-      .flatMap(({ targets }) => targets.map(({ name }) => canonicalTargetName(name)))
+    return this.#faceDrivers.targetsOf(area)
   }
 
   /** Existing areas that a blendshape drives. */
   drivenBy(target: string): string[] {
-    const driven = driversOf('morph', this.#drivers).filter(({ targets }) =>
-      targets.some(({ name }) => canonicalTargetName(name) === target),
-    )
-    return [...new Set(driven.map(({ area }) => area))].filter((name) => this.wrinkles?.hasArea(name))
+    return this.#faceDrivers.areasOf(target).filter((name) => this.wrinkles?.hasArea(name))
   }
 
   /** Lines of text: the current activation of an area by each of its drivers, and the part of each input in it. */
   explain(area: string): string[] {
-    const { skin } = this.#face
-    const situation = {
-      targetNames: Object.keys(skin.morphTargetDictionary ?? {}),
-      weights: skin.morphTargetInfluences ?? [],
+    const lines = this.#faceDrivers.explain(area)
+    return lines.length > 0 ? lines : [`${area} has no driver: only its slider moves it`]
+  }
+
+  /** What each driver gives in the present pose, in the order of `setDrivers`; null for those that activate nothing. */
+  contributions(): (Contribution | null)[] {
+    return this.#faceDrivers.contributions()
+  }
+
+  /** Of a number that an application would set for drivers, in its own unit. */
+  inputDial(name: string): Dial {
+    return {
+      name,
+      read: () => this.#faceDrivers.input(name),
+      write: (value) => this.#driveAfter(() => this.inputs.set(name, value)),
     }
-    const [explanation] = explain(this.#drivers, [{ name: area }], situation)
-    if (explanation.parts.length === 0) return [`${area} has no driver: only its slider moves it`]
-    return explanation.parts.flatMap(({ activation, links }) => [
-      `${activation.toFixed(2)} of ${area} from`,
-      ...links.map(({ link, value }) => `${value.toFixed(2)} by ${link.name}`),
-    ])
   }
 
   /** Shows where areas are on the face, whatever their activations; of an empty list, restores the chosen look. */
@@ -254,6 +275,7 @@ export class Viewer {
     if (!this.wrinkles) throw withoutLayers(area.name)
     this.wrinkles.addArea(area)
     this.#face.wrinkles?.set.areas.push(area)
+    this.#resting.set(area.name, area.activation ?? 0)
     this.#areasChanged()
   }
 
@@ -314,26 +336,18 @@ export class Viewer {
     this.stage.render()
   }
 
-  /** Activations that the file's drivers compute from the current blendshape weights. */
-  #drivenActivations(): Float32Array {
-    this.#state.inputs.target.set(this.#face.skin.morphTargetInfluences ?? [])
-    this.#program.evaluate(this.#state)
-    return this.#state.activations
-  }
-
   /** Plays an expression: areas that expressions name are played, the others follow the face. */
   #moveFace(play: () => void): void {
-    const before = this.#drivenActivations().slice()
-    play()
-    this.#applyDrivers(before, (area) => !this.#isPlayed(area))
+    this.#driveAfter(play, (area) => !this.#isPlayed(area))
   }
 
-  /** After blendshapes were set: sets the areas that they drive and leaves the others. */
-  #applyDrivers(before: Float32Array, isWanted: (area: string) => boolean = () => true): void {
-    const after = this.#drivenActivations()
-    for (const [i, name] of this.#program.plan.areaNames.entries()) {
-      if (after[i] === before[i] || !isWanted(name)) continue
-      if (this.wrinkles?.hasArea(name)) this.wrinkles.setActivation(name, after[i])
+  /** Changes what drivers read, and sets the areas whose activation that changes; the others stay as they were set by hand. */
+  #driveAfter(change: () => void, isWanted: (area: string) => boolean = () => true): void {
+    const before = this.#faceDrivers.evaluate().slice()
+    change()
+    const after = this.#faceDrivers.evaluate()
+    for (const [i, name] of this.#faceDrivers.plan.areaNames.entries()) {
+      if (after[i] !== before[i] && isWanted(name)) this.#setActivation(name, after[i])
     }
   }
 
@@ -362,7 +376,7 @@ export class Viewer {
     const own = expressionsOf(this.#drivers)
     const [first, ...others] = own.length > 0 ? own : EXPRESSIONS
     const named = new Set(others.flatMap(({ activations }) => Object.keys(activations)))
-    const driven = new Set(this.#program.plan.areaNames)
+    const driven = new Set(this.#faceDrivers.plan.areaNames)
     const zeros = (names: string[]) => Object.fromEntries(names.map((name) => [name, 0]))
     const areas = this.areas.map(({ name }) => name).filter((name) => named.has(name) || !driven.has(name))
     const targets = { ...zeros(this.targets.map(({ name }) => name)), ...first.targets }
