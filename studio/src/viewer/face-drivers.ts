@@ -27,8 +27,8 @@ const MEASURED = ['target', 'joint', 'tension'] as const
  * comes to.
  */
 export class FaceDrivers {
-  readonly plan: DriverPlan
-  readonly #drivers: readonly WrinkleDriver[]
+  readonly list: readonly WrinkleDriver[]
+  readonly #plan: DriverPlan
   readonly #face: FaceState
   readonly #program: DriverProgram
   readonly #state: DriverState
@@ -36,18 +36,18 @@ export class FaceDrivers {
   readonly #read: () => void
 
   /** @param wrinkles null for a plain face, which has nothing to drive. */
-  constructor(wrinkles: Wrinkles | null, drivers: readonly WrinkleDriver[], face: FaceState) {
-    this.#drivers = drivers
+  constructor(wrinkles: Wrinkles | null, list: readonly WrinkleDriver[], face: FaceState) {
+    this.list = list
     this.#face = face
-    this.plan = planDrivers(wrinkles ? drivers.filter(({ type }) => type !== 'time') : [])
-    this.#values = valueSource(this.plan.inputs.value)
-    const { inputs } = this.plan
+    this.#plan = planDrivers(wrinkles ? list.filter(({ type }) => type !== 'time') : [])
+    this.#values = valueSource(this.#plan.inputs.value)
+    const { inputs } = this.#plan
     const readers = wrinkles && {
       target: BINDINGS.target(wrinkles, inputs.target, {}),
       joint: BINDINGS.joint(wrinkles, inputs.joint, {}),
       tension: BINDINGS.tension(wrinkles, inputs.tension, {}),
     }
-    this.#program = new DriverProgram(this.plan, { ...readers, value: this.#values })
+    this.#program = new DriverProgram(this.#plan, { ...readers, value: this.#values })
     const state = this.#program.createState()
     this.#state = state
     this.#read = () => {
@@ -55,13 +55,18 @@ export class FaceDrivers {
     }
   }
 
-  /** Activations by area of the plan, 0..1, in the present pose; overwritten by the next call. */
+  /** Areas that drivers activate or read, in the order of `evaluate`. */
+  get areaNames(): readonly string[] {
+    return this.#plan.areaNames
+  }
+
+  /** Activations, 0..1, in the present pose; overwritten by the next call. */
   evaluate(): Float32Array {
     const { inputs, resting } = this.#face
     const { names, initial } = this.#values
     this.#read()
     this.#state.inputs.value.set(names.map((name, i) => inputs.get(name) ?? initial[i]))
-    this.#state.resting.set(this.plan.areaNames.map((name) => resting.get(name) ?? 0))
+    this.#state.resting.set(this.#plan.areaNames.map((name) => resting.get(name) ?? 0))
     this.#program.evaluate(this.#state)
     return this.#state.activations
   }
@@ -71,7 +76,7 @@ export class FaceDrivers {
     this.evaluate()
     const { activations } = this.#program
     const indices = new Map(activations.map(({ driver }, i) => [driver, i]))
-    return this.#drivers.map((driver) => {
+    return this.list.map((driver) => {
       const index = indices.get(driver)
       return index === undefined ? null : this.#program.explain(index, this.#state)
     })
@@ -80,7 +85,7 @@ export class FaceDrivers {
   /** Lines of text: what each driver gives to an area in the present pose, and the part of each input in it. */
   explain(area: string): string[] {
     this.evaluate()
-    return this.#program.activations.flatMap(({ activation }, i) => {
+    const lines = this.#program.activations.flatMap(({ activation }, i) => {
       if (activation.area !== area) return []
       const now = this.#program.explain(i, this.#state)
       const parts = activation.links.map(
@@ -88,18 +93,19 @@ export class FaceDrivers {
       )
       return [`${now.activation.toFixed(2)} of ${area} from`, ...parts]
     })
+    return lines.length > 0 ? lines : [`${area} has no driver: only its slider moves it`]
   }
 
   /** Names of the blendshapes that drive an area, as on their sliders. */
   targetsOf(area: string): string[] {
-    return this.plan.activations
+    return this.#plan.activations
       .filter(({ activation }) => activation.area === area)
       .flatMap(({ activation }) => targetNames(activation.links))
   }
 
   /** Areas that a blendshape drives. */
   areasOf(target: string): string[] {
-    const driven = this.plan.activations.filter(({ activation }) =>
+    const driven = this.#plan.activations.filter(({ activation }) =>
       targetNames(activation.links).includes(target),
     )
     return [...new Set(driven.map(({ activation }) => activation.area))]

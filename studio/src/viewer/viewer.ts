@@ -2,9 +2,7 @@ import {
   type Area,
   type Contribution,
   driversOf,
-  EXPRESSIONS,
   type Expression,
-  expressionsOf,
   FurrowError,
   type WrinkleDriver,
 } from 'furrow'
@@ -17,6 +15,7 @@ import type { RendererKind, Stage, Wrinkles } from '../../../stage/stage.ts'
 import { faceOf, type OpenedAvatar } from '../open/avatar.ts'
 import type { CanvasStage } from './canvas-stage.ts'
 import { areaDials, type Dial, targetDials } from './dials.ts'
+import { completeExpressions } from './expressions.ts'
 import { FaceDrivers } from './face-drivers.ts'
 import { type Look, Looks, type Side } from './looks.ts'
 import { MuscleTargets } from './muscle-targets.ts'
@@ -42,8 +41,7 @@ export class Viewer {
   readonly #plain: Mesh['material']
   #wrinkles: Wrinkles | null = null
   #fault: Error | null = null
-  #drivers: readonly WrinkleDriver[] = []
-  #faceDrivers!: FaceDrivers
+  #drivers!: FaceDrivers
   /** Activations at rest by area. */
   readonly #resting = new Map<string, number>()
   readonly #muscles: MuscleTargets
@@ -104,15 +102,13 @@ export class Viewer {
 
   /** Lets other drivers activate the areas. */
   setDrivers(drivers: readonly WrinkleDriver[]): void {
-    const before = this.#faceDrivers.plan.areaNames
+    const before = this.#drivers.areaNames
     this.#addMuscles(drivers)
     this.#drive(drivers)
-    const driven = this.#faceDrivers.plan.areaNames
-    for (const name of before.filter((area) => !driven.includes(area)))
-      this.#setActivation(name, this.#rest(name))
+    const free = before.filter((area) => !this.#drivers.areaNames.includes(area))
+    for (const area of free) this.#setActivation(area, this.#resting.get(area) ?? 0)
     this.#driveAll()
-    this.#expressions = this.#completeExpressions()
-    this.#player = this.#makePlayer()
+    this.#renewExpressions()
   }
 
   /** Puts wrinkles on the plain face. */
@@ -132,10 +128,7 @@ export class Viewer {
     this.#drive(wrinkles?.drivers ?? [])
     const plain = cloned(this.#plain)
     this.#looks = new Looks(this.#face, this.#wrinkles, plain, (mesh, own) => this.#createMirror(mesh, own))
-    this.areas = this.#wrinkles ? areaDials(this.#wrinkles) : []
-    this.#expressions = this.#completeExpressions()
-    this.#player = this.#makePlayer()
-    this.#remaining = 0
+    this.#renewAreas()
     this.#driveAll()
   }
 
@@ -148,10 +141,8 @@ export class Viewer {
     }))
   }
 
-  /** Reads the drivers. */
   #drive(drivers: readonly WrinkleDriver[]): void {
-    this.#drivers = drivers
-    this.#faceDrivers = new FaceDrivers(this.#wrinkles, drivers, {
+    this.#drivers = new FaceDrivers(this.#wrinkles, drivers, {
       inputs: this.inputs,
       resting: this.#resting,
     })
@@ -159,18 +150,12 @@ export class Viewer {
 
   /** Sets all areas that are driven as the face's pose has them. */
   #driveAll(): void {
-    const activations = this.#faceDrivers.evaluate()
-    for (const [i, name] of this.#faceDrivers.plan.areaNames.entries()) {
-      this.#setActivation(name, activations[i])
-    }
+    const activations = this.#drivers.evaluate()
+    for (const [i, name] of this.#drivers.areaNames.entries()) this.#setActivation(name, activations[i])
   }
 
   #setActivation(area: string, activation: number): void {
     if (this.#wrinkles?.hasArea(area)) this.#wrinkles.setActivation(area, activation)
-  }
-
-  #rest(area: string): number {
-    return this.#resting.get(area) ?? 0
   }
 
   #isPossible(look: Look): boolean {
@@ -207,35 +192,34 @@ export class Viewer {
   /** Shows another activation at rest. */
   rest(area: string, activation: number): void {
     this.#driveAfter(() => this.#resting.set(area, activation))
-    if (!this.#faceDrivers.plan.areaNames.includes(area)) this.#setActivation(area, activation)
+    if (!this.#drivers.areaNames.includes(area)) this.#setActivation(area, activation)
   }
 
   /** Names of the blendshapes that drive an area, as on their dials. */
   driversOf(area: string): string[] {
-    return this.#faceDrivers.targetsOf(area)
+    return this.#drivers.targetsOf(area)
   }
 
   /** Existing areas that a blendshape drives. */
   drivenBy(target: string): string[] {
-    return this.#faceDrivers.areasOf(target).filter((name) => this.wrinkles?.hasArea(name))
+    return this.#drivers.areasOf(target).filter((name) => this.wrinkles?.hasArea(name))
   }
 
-  /** Lines of text: the current activation of an area by each of its drivers, and the part of each input in it. */
+  /** Lines of text: the present activation of an area by each of its drivers, and the part of each input in it. */
   explain(area: string): string[] {
-    const lines = this.#faceDrivers.explain(area)
-    return lines.length > 0 ? lines : [`${area} has no driver: only its slider moves it`]
+    return this.#drivers.explain(area)
   }
 
   /** What each driver gives in the present pose, in the order of `setDrivers`; null for those that activate nothing. */
   contributions(): (Contribution | null)[] {
-    return this.#faceDrivers.contributions()
+    return this.#drivers.contributions()
   }
 
   /** Of a number that an application would set for drivers, in its own unit. */
   inputDial(name: string): Dial {
     return {
       name,
-      read: () => this.#faceDrivers.input(name),
+      read: () => this.#drivers.input(name),
       write: (value) => this.#driveAfter(() => this.inputs.set(name, value)),
     }
   }
@@ -343,10 +327,10 @@ export class Viewer {
 
   /** Changes what drivers read, and sets the areas whose activation that changes; the others stay as they were set by hand. */
   #driveAfter(change: () => void, isWanted: (area: string) => boolean = () => true): void {
-    const before = this.#faceDrivers.evaluate().slice()
+    const before = this.#drivers.evaluate().slice()
     change()
-    const after = this.#faceDrivers.evaluate()
-    for (const [i, name] of this.#faceDrivers.plan.areaNames.entries()) {
+    const after = this.#drivers.evaluate()
+    for (const [i, name] of this.#drivers.areaNames.entries()) {
       if (after[i] !== before[i] && isWanted(name)) this.#setActivation(name, after[i])
     }
   }
@@ -356,31 +340,23 @@ export class Viewer {
   }
 
   #areasChanged(): void {
-    this.areas = this.wrinkles ? areaDials(this.wrinkles) : []
-    this.#expressions = this.#completeExpressions()
-    this.#player = this.#makePlayer()
-    this.#remaining = 0
+    this.#renewAreas()
     this.look = this.#look
   }
 
-  #makePlayer(): ExpressionPlayer | null {
-    if (this.targets.length === 0) return null
-    return new ExpressionPlayer(this.avatar.root, this.wrinkles ?? undefined, this.#expressions)
+  #renewAreas(): void {
+    this.areas = this.#wrinkles ? areaDials(this.#wrinkles) : []
+    this.#renewExpressions()
+    this.#remaining = 0
   }
 
-  /**
-   * The expressions of the file, or else the presets. The first one names every blendshape, and every area that another one names or nothing
-   * drives, so that each expression sets all of them.
-   */
-  #completeExpressions(): Expression[] {
-    const own = expressionsOf(this.#drivers)
-    const [first, ...others] = own.length > 0 ? own : EXPRESSIONS
-    const named = new Set(others.flatMap(({ activations }) => Object.keys(activations)))
-    const driven = new Set(this.#faceDrivers.plan.areaNames)
-    const zeros = (names: string[]) => Object.fromEntries(names.map((name) => [name, 0]))
-    const areas = this.areas.map(({ name }) => name).filter((name) => named.has(name) || !driven.has(name))
-    const targets = { ...zeros(this.targets.map(({ name }) => name)), ...first.targets }
-    return [{ name: first.name, targets, activations: { ...zeros(areas), ...first.activations } }, ...others]
+  #renewExpressions(): void {
+    const names = (dials: readonly Dial[]) => dials.map(({ name }) => name)
+    this.#expressions = completeExpressions(this.#drivers, names(this.targets), names(this.areas))
+    this.#player =
+      this.targets.length === 0
+        ? null
+        : new ExpressionPlayer(this.avatar.root, this.wrinkles ?? undefined, this.#expressions)
   }
 
   #createMirror(mesh: Mesh, wrinkles: Wrinkles): Wrinkles {

@@ -126,7 +126,7 @@ function pose(weights: readonly number[], angle: number): void {
 
 function activations(): Record<string, number> {
   const values = drivers.evaluate()
-  return Object.fromEntries(drivers.plan.areaNames.map((name, i) => [name, values[i]]))
+  return Object.fromEntries(drivers.areaNames.map((name, i) => [name, values[i]]))
 }
 
 describe('drivers on the stage', () => {
@@ -187,7 +187,7 @@ describe('drivers on the stage', () => {
 
   it('are none on a plain face', () => {
     const none = new FaceDrivers(null, DRIVERS, { inputs, resting })
-    expect(none.plan.areaNames).toEqual([])
+    expect(none.areaNames).toEqual([])
     expect(none.contributions()).toEqual(DRIVERS.map(() => null))
   })
 })
