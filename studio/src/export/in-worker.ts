@@ -3,6 +3,7 @@ import { FurrowError } from 'furrow'
 import type { Finding } from '../../../packages/cli/src/validate/finding.ts'
 import type { StudioDocument } from '../document/document.ts'
 import type { AvatarFile } from '../keep/database.ts'
+import type { BakeTarget } from './bake-sculpt.ts'
 import type { DocumentToExport } from './export-document.ts'
 import type { ExportedFace, ExportOptions, OnProgress } from './export-face.ts'
 import type { FaceFiles, Files } from './files.ts'
@@ -63,6 +64,15 @@ export function readDocumentInWorker(face: FaceFiles, material?: string): Promis
 /** `validateFace` in a worker of its own; see `exportInWorker`. */
 export function validateInWorker(face: FaceFiles, signal?: AbortSignal): Promise<Finding[]> {
   return run((tasks) => tasks.validateFace(face), signal)
+}
+
+/** `bakeSculpt` in a worker of its own; see `exportInWorker`. */
+export function bakeInWorker(
+  sculpt: FaceFiles,
+  target: BakeTarget,
+  { onProgress = () => {}, signal }: Following = {},
+): Promise<Uint8Array> {
+  return run((tasks) => tasks.bakeSculpt(sculpt, target, proxy(onProgress)), signal)
 }
 
 async function run<T>(task: (tasks: Remote<Tasks>) => Promise<T>, signal?: AbortSignal): Promise<T> {
