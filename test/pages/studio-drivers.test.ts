@@ -108,6 +108,29 @@ test('a point of the curve follows the mouse, in one step', async () => {
   await expect.poll(given, { timeout: 60_000 }).toBeLessThan(0.95)
 })
 
+test('a finger drags a point, in one step', async () => {
+  const last = point('Point 2 of 2')
+  const text = () => last.getAttribute('aria-valuetext')
+  await last.scrollIntoViewIfNeeded()
+  const before = await text()
+  const { x, y, width, height } = (await last.boundingBox())!
+  const session = await page.context().newCDPSession(page)
+  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', down = 0) => {
+    const touchPoints = [{ x: x + width / 2, y: y + height / 2 + down }]
+    return session.send('Input.dispatchTouchEvent', {
+      type,
+      touchPoints: type === 'touchEnd' ? [] : touchPoints,
+    })
+  }
+  await touch('touchStart')
+  for (const down of [5, 15, 30]) await touch('touchMove', down)
+  await touch('touchEnd')
+  await session.detach()
+  await expect.poll(text).toMatch(/gives 0\.[5-9]/)
+  await undo()
+  await expect.poll(text).toBe(before)
+})
+
 test('arrow keys move a point, Delete removes one, and buttons add them', async () => {
   const first = point('Point 1 of 2')
   await first.focus()
@@ -129,6 +152,19 @@ test('a marker stands where the input is, and numbers say what a driver gives', 
   await expect.poll(at).toBeGreaterThan(left + 100)
   await lastCard().getByText('Now: 1 gives 1.00').waitFor()
   expect(await lastCard().locator('summary output').textContent()).toBe('1.00')
+})
+
+test('the reasons of an area that the mouse is on follow the face', async () => {
+  await page.locator('#areas label', { hasText: 'lowerLip' }).hover()
+  await page.locator('.explanation', { hasText: '1.00 of lowerLip' }).waitFor()
+  for (const name of ['browInnerUp', 'jawOpen']) {
+    // Without a focus, which would scroll the area away from the mouse.
+    await slider(page, name).evaluate((input: HTMLInputElement) => {
+      input.value = '0'
+      input.dispatchEvent(new Event('input', { bubbles: true }))
+    })
+  }
+  await page.locator('.explanation', { hasText: '0.10 of lowerLip' }).waitFor()
 })
 
 test('blendshapes in conflict cancel each other, and removing the conflict ends that', async () => {
