@@ -5,6 +5,7 @@ import type { AreaEditor } from '../session/area-editor.ts'
 import type { Dial } from '../viewer/dials.ts'
 import { AreaThumbnail } from './area-thumbnail.tsx'
 import { ChosenArea } from './chosen-area.tsx'
+import { Reasons } from './drivers/reasons.tsx'
 import type { PanelModel } from './model.ts'
 import { Section } from './section.tsx'
 import { Slider } from './slider.tsx'
@@ -70,20 +71,10 @@ export function Areas({ model }: { model: PanelModel }) {
   )
 }
 
-/** What drives the area that is hovered, one line each. */
-function Explanation({ model: { viewer, hovered } }: { model: PanelModel }) {
-  const area = hovered.value?.kind === 'area' ? hovered.value.name : undefined
-  if (area === undefined) return null
-  return (
-    <p class="explanation">
-      {viewer.value?.explain(area).map((line) => (
-        <>
-          {line}
-          <br />
-        </>
-      ))}
-    </p>
-  )
+/** What drives the area that is hovered. */
+function Explanation({ model }: { model: PanelModel }) {
+  const { kind, name } = model.hovered.value ?? {}
+  return kind === 'area' && name !== undefined ? <Reasons area={name} model={model} /> : null
 }
 
 /** The dials in the order of a document's areas. */

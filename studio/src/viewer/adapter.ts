@@ -12,8 +12,19 @@ export async function unavailableReason(kind: RendererKind): Promise<string | nu
   return 'Studio: this browser supports WebGPU but finds no graphics adapter for it; the face stays on WebGL 2'
 }
 
+/** Names of adapters: asking WebGL for one waits until all that is drawn is finished, which may take a second. */
+const names = new WeakMap<Renderer, string>()
+
 /** The graphics adapter that a renderer runs on, by the name that its driver gives it. */
 export function adapterName(renderer: Renderer): string {
+  const known = names.get(renderer)
+  if (known !== undefined) return known
+  const name = readAdapterName(renderer)
+  names.set(renderer, name)
+  return name
+}
+
+function readAdapterName(renderer: Renderer): string {
   const gl = isWebGL(renderer) ? renderer.getContext() : backendOf(renderer)?.gl
   if (gl) {
     const debugInfo = gl.getExtension('WEBGL_debug_renderer_info')

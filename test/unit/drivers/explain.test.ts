@@ -1,4 +1,4 @@
-import { type Curve, explain, type WrinkleDriver } from 'furrow'
+import { type Curve, DriverProgram, explain, planDrivers, targetSource, type WrinkleDriver } from 'furrow'
 import { expect, it } from 'vitest'
 
 const STRAIGHT: Curve = [
@@ -52,4 +52,38 @@ it('says what each link and driver gives', () => {
     ],
   )
   expect(chin).toEqual({ area: 'chin', activation: expect.closeTo(0.3, 6), resting: 0.3, parts: [] })
+})
+
+it('says what a curve reads: the inputs, the links and what the rule makes of them', () => {
+  const bent: WrinkleDriver = {
+    type: 'morph',
+    area: 'glabella',
+    targets: [
+      {
+        name: 'browDownLeft',
+        weight: 0.5,
+        curve: [
+          [0.2, 0],
+          [0.7, 1],
+        ],
+      },
+      { name: 'browDownRight', weight: 1 },
+    ],
+    rule: 'max',
+    curve: [
+      [0.2, 0],
+      [0.6, 1],
+    ],
+  }
+  const plan = planDrivers([bent])
+  const names = ['browDownLeft', 'browDownRight']
+  const program = new DriverProgram(plan, { target: targetSource(plan.inputs.target, names) })
+  const state = program.createState()
+  state.inputs.target.set([0.6, 0.25])
+  program.evaluate(state)
+  const { inputs, links, combined, activation } = program.explain(0, state)
+  expect(inputs).toEqual([0.6, 0.25])
+  expect(links).toEqual([expect.closeTo(0.4, 6), 0.25])
+  expect(combined).toBeCloseTo(0.4, 6)
+  expect(activation).toBeCloseTo(0.5, 6)
 })

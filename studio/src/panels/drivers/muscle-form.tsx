@@ -41,7 +41,7 @@ export function MuscleForm({ driver, index, context }: FormProps<MuscleDriver>) 
         onChange={(next) => set({ kind: next as MuscleDriver['kind'] })}
       />
       {slider('Strength', 'strength', [-1, 1])}
-      {slider('Strongest at', 'inner', [0, Math.min(2, outer - 0.01)])}
+      {slider('Peak at', 'inner', [0, Math.min(2, outer - 0.01)])}
       {slider('Ends at', 'outer', [inner + 0.01, Math.max(2, outer)])}
       {kind === 'linear' ? (
         <NumberSetting
@@ -63,7 +63,7 @@ export function MuscleForm({ driver, index, context }: FormProps<MuscleDriver>) 
         />
       )}
       <VectorSetting
-        label={kind === 'sphincter' ? 'Centre' : 'At the bone'}
+        label={kind === 'sphincter' ? 'Centre' : 'Bone'}
         value={origin}
         step={1}
         factor={1000}
@@ -71,7 +71,7 @@ export function MuscleForm({ driver, index, context }: FormProps<MuscleDriver>) 
         onChange={(next) => set({ origin: next })}
       />
       <VectorSetting
-        label={kind === 'sphincter' ? 'Edge' : 'At the skin'}
+        label={kind === 'sphincter' ? 'Edge' : 'Skin'}
         value={insertion}
         step={1}
         factor={1000}
