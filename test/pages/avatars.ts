@@ -58,7 +58,7 @@ export async function writeAvatars(folder: string): Promise<void> {
 }
 
 /** The parts of VRM 0 that three-vrm needs. Nothing moves its bones. */
-function asVrm0(glb: Uint8Array): Uint8Array {
+export function asVrm0(glb: Uint8Array): Uint8Array {
   return editGlb(glb, (json) => {
     const bones = ['hips', 'spine', 'chest', 'neck', 'head', ...LIMBS]
     const first = json.nodes.length

@@ -2,6 +2,7 @@ import type { VRM } from '@pixiv/three-vrm'
 import { FurrowError } from 'furrow'
 import { LoadingManager, WebGLRenderer } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { firstLine } from '../../../packages/cli/src/errors.ts'
 import type { FaceFile } from './face-file.ts'
 import { findSkins, type SkinCandidate } from './skins.ts'
 
@@ -112,8 +113,4 @@ function damaged(name: string, error: unknown): FurrowError {
     },
     { cause: error },
   )
-}
-
-function firstLine(error: unknown): string {
-  return (error instanceof Error ? error.message : String(error)).split('\n')[0].trim()
 }

@@ -1,12 +1,13 @@
 import { FurrowError, type GrayImage } from 'furrow'
 import { crossOf, type SkinSurface } from 'furrow/author'
+import { dot } from '../../../packages/furrow/src/math/vector.ts'
 import { fade } from './brush.ts'
 import { checkPaintable, type PaintMap } from './paint-map.ts'
 import type { PaintSkin, SkinPoint } from './paint-skin.ts'
 import { cover, type Painted } from './painted.ts'
 import { SeenPlaces, type Sight } from './seen-places.ts'
 import { skinPath } from './skin-path.ts'
-import { crossed, dot, squaredDistance } from './vectors.ts'
+import { crossed, squaredDistance } from './vectors.ts'
 
 /** How a polygon is painted. */
 export interface PolygonBrush {

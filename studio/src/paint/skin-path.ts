@@ -1,6 +1,7 @@
 import { crossOf, type SkinSurface } from 'furrow/author'
+import { dot } from '../../../packages/furrow/src/math/vector.ts'
 import type { SkinPoint } from './paint-skin.ts'
-import { crossed, distanceBetween, dot } from './vectors.ts'
+import { crossed, distanceBetween } from './vectors.ts'
 
 /** A path longer than this many times the straight way, and some millimetres, has lost its way: it went into the mouth, say. */
 const MOST_DETOUR = 2

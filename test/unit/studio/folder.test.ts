@@ -174,6 +174,18 @@ describe('a folder made by hand', () => {
     expect(document.layers.map(({ maps }) => Object.keys(maps))).toEqual([[], ['normal', 'baseColor']])
   })
 
+  it('may hold its images in the addresses of its document', async () => {
+    const bytes = Uint8Array.from(
+      Buffer.from(await encodePng({ width: 2, height: 2, channels: 1, data: new Uint8Array(4) })),
+    )
+    const image = `data:image/png;base64,${Buffer.from(bytes).toString('base64')}`
+    const set = { layers: [{ name: 'a', normal: image }], areas: [{ name: 'b', image }] }
+    const files = [{ path: 'wrinkles.json', file: new Blob([JSON.stringify({ version: 1, ...set })]) }]
+    const { document } = await readFolder(files, 'hand', decodeGray)
+    expect(document.layers[0].maps.normal?.bytes).toEqual(bytes)
+    expect(document.areas[0].weights.data.every((weight) => weight === 255)).toBe(true)
+  })
+
   it.each([
     ['no JSON', { 'wrinkles.json': '{' }, 'cannot read wrinkles.json'],
     [

@@ -9,15 +9,21 @@ import { exposeAreas } from './animated-areas.ts'
 import { Appearance } from './appearance.ts'
 import { createAreaArray } from './atlas/area-array.ts'
 import type { InfluenceAtlas } from './atlas/influence-atlas.ts'
+import { callBeforeRender } from './before-render.ts'
 import { checkIsMesh, checkMesh } from './check-mesh.ts'
 import { frameOf, type RendererFrame } from './frame.ts'
 import { countFaces, instancesOf } from './instances.ts'
-import { ActivationTable } from './material/activation-table.ts'
+import { InfluenceViews } from './material/influence-views.ts'
 import { checkMaterial, PatchedMaterial } from './material/patched-material.ts'
 import type { RendererParts } from './material/renderer-parts.ts'
-import { createShaderInputs, locateCells, type ShaderInputs } from './material/shader-inputs.ts'
-import { release, retain } from './material/texture-users.ts'
-import { createTextures, listTextures } from './material/wrinkle-textures.ts'
+import {
+  createShaderInputs,
+  disposeShaderInputs,
+  exchangeAreas,
+  locateCells,
+  type ShaderInputs,
+} from './material/shader-inputs.ts'
+import { createTextures } from './material/wrinkle-textures.ts'
 import {
   checkMode,
   checkOptions,
@@ -50,8 +56,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   readonly #cells: readonly Cell[]
   readonly #inputs: ShaderInputs
   readonly #material: PatchedMaterial
-  /** Number of influence materials in use: they need the map in any mode. */
-  #influenceViews = 0
+  readonly #views: InfluenceViews
   #appearance: Appearance | null = null
 
   /**
@@ -88,8 +93,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.#cells = this.#atlas.add(this.faces)
     this.#entry = this.#frame.add(this)
     this.#inputs = createShaderInputs(textures, areas, this.#atlas)
-    for (const texture of [areas.texture, ...listTextures(textures)]) retain(texture)
     this.#material = new PatchedMaterial(mesh, material, this.#inputs, renderer)
+    this.#views = new InfluenceViews(this.#material, this.#inputs)
     this.addMesh(mesh)
     try {
       this.mode = allOptions.mode
@@ -173,14 +178,10 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    */
   createInfluenceMaterial(area?: string | readonly string[]): Material {
     this.checkInUse('createInfluenceMaterial')
-    const table = area === undefined ? null : this.#extentOf([area].flat())
-    const material = this.#material.influenceMaterial(table)
-    if (!table) this.#influenceViews++
-    material.addEventListener('dispose', () => {
-      if (table) table.texture.dispose()
-      else this.#influenceViews--
-    })
-    return material
+    if (area === undefined) return this.#views.showCurrent()
+    const names = [area].flat()
+    for (const name of names) this.getActivation(name)
+    return this.#views.showAreas(this.areas, names)
   }
 
   /**
@@ -190,17 +191,10 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   addMesh(mesh: Mesh): void {
     this.checkInUse('addMesh')
     checkIsMesh(mesh, 'Wrinkles.addMesh')
-    const before = mesh.onBeforeRender
-    // All parameters by name: a rest parameter would allocate in every frame.
-    const prepare: Mesh['onBeforeRender'] = (renderer, scene, camera, geometry, material, group) => {
-      before.call(mesh, renderer, scene, camera, geometry, material, group)
-      this.prepare(renderer as AnyRenderer, camera, mesh)
-    }
-    mesh.onBeforeRender = prepare
+    this.onDispose(callBeforeRender(mesh, (renderer, camera) => this.prepare(renderer, camera, mesh)))
     if (!wrinklesByMesh.has(mesh)) wrinklesByMesh.set(mesh, this)
     if (mesh === this.mesh) exposeAreas(mesh, this)
     this.onDispose(() => {
-      if (mesh.onBeforeRender === prepare) mesh.onBeforeRender = before
       if (wrinklesByMesh.get(mesh) === this) wrinklesByMesh.delete(mesh)
     })
   }
@@ -252,7 +246,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     textures.upload?.(renderer)
     const { mode, composed } = this.#material
     if (mode === 'paper') paper!.table.update(areas, this.faces[0].activations)
-    const isUsed = mode === 'default' || composed !== null || this.#influenceViews > 0
+    const isUsed = mode === 'default' || composed !== null || this.#views.isMapNeeded
     if (fade.value === 0 || !isUsed) return false
     this.#atlas.collect(this.#cells, renderer)
     return true
@@ -276,19 +270,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.#material.dispose()
     this.#atlas.remove(this.#cells)
     this.#frame.release(this.#atlas)
-    const { textures, areas, paper } = this.#inputs
-    for (const texture of [areas.texture, ...listTextures(textures)]) release(texture)
-    paper?.texture.dispose()
-    paper?.table.texture.dispose()
-  }
-
-  /** A table in which some areas have activation 1 and all others 0. */
-  #extentOf(names: readonly string[]): ActivationTable {
-    for (const name of names) this.getActivation(name)
-    const table = new ActivationTable()
-    const values = Float32Array.from(this.areas, ({ name }) => Number(names.includes(name)))
-    table.update(this.#inputs.areas, { version: 0, values })
-    return table
+    disposeShaderInputs(this.#inputs)
   }
 
   /** 1 = not faded, 0 = the mesh is too small on screen to show wrinkles. */
@@ -299,13 +281,10 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   }
 
   #replaceAreas(areas: Area<ArraySlice>[], who: string): void {
-    const { textures, areas: old } = this.#inputs
+    const { textures } = this.#inputs
     checkWrinkleSet({ layers: textures.layers, areas }, who)
     const array = createAreaArray(areas, textures.layers, this.#options.areaSize, who)
-    retain(array.texture)
-    release(old.texture)
-    this.#inputs.areas = array
-    this.#inputs.areaTexture.value = array.texture
+    exchangeAreas(this.#inputs, array)
     this.areas = copyAreas(areas)
     for (const [i, face] of this.faces.entries()) {
       face.rebind(array, areas)

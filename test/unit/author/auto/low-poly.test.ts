@@ -4,7 +4,7 @@ import { MeshoptSimplifier } from 'meshoptimizer/simplifier'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
 import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
-import type { Crease } from '../../../../packages/furrow/src/author/auto/lines/crease.ts'
+import type { LaidStroke } from '../../../../packages/furrow/src/author/strokes/lay-out.ts'
 import { FACES, facialCreases, prepareFace } from './faces.ts'
 
 const AGE = 50
@@ -47,7 +47,7 @@ describe('the shipped face with a sixth of its triangles', () => {
 interface DrawnFace {
   vertices: number
   wrinkles: AutoWrinkles
-  regions: Map<string, readonly Crease[]>
+  regions: Map<string, readonly LaidStroke[]>
 }
 
 async function draw(ratio: number): Promise<DrawnFace> {
@@ -87,7 +87,7 @@ function correlation(a: Float64Array, b: Float64Array): number {
 }
 
 /** The mean direction of lines, whichever end they begin at, weighted by length and depth. */
-function meanDirection(creases: readonly Crease[]): number[] {
+function meanDirection(creases: readonly LaidStroke[]): number[] {
   const sum = [0, 0, 0]
   for (const { points, depths } of creases) {
     for (let i = 0; i + 1 < depths.length; i++) {
@@ -105,7 +105,7 @@ function angleBetween(a: readonly number[], b: readonly number[]): number {
 }
 
 /** How far lines turn within two millimetres, in degrees: the 95th percentile of all their points. */
-function turnOf(creases: readonly Crease[]): number {
+function turnOf(creases: readonly LaidStroke[]): number {
   const turns = creases.flatMap(({ points, depths }) => {
     const spacing = Math.hypot(...[0, 1, 2].map((k) => points[3 + k] - points[k])) || 1
     const step = Math.max(1, Math.round(1 / spacing))

@@ -1,9 +1,9 @@
 import { autoWrinkles, heightToNormal, type Skin, surfaceMetric } from 'furrow/author'
 import { beforeAll, describe, expect, test } from 'vitest'
-import type { Crease } from '../../../../packages/furrow/src/author/auto/lines/crease.ts'
 import { unroll } from '../../../../packages/furrow/src/author/auto/surface/head-chart.ts'
 import { poseOf } from '../../../../packages/furrow/src/author/auto/surface/pose.ts'
 import { cornersOf, skinVertices } from '../../../../packages/furrow/src/author/skin/surface.ts'
+import type { LaidStroke } from '../../../../packages/furrow/src/author/strokes/lay-out.ts'
 import { barycentrics3 } from '../../../../packages/furrow/src/math/barycentrics.ts'
 import { decimatedSkin } from './decimated.ts'
 import { FACES, facialCreases, type PreparedFace, prepareFace } from './faces.ts'
@@ -81,7 +81,7 @@ class SmilingFace {
   }
 
   /** Degrees between a bank of a line as the facets shade it with one map, and as the smooth surface would with another. */
-  turnsAlong(fold: Crease, bank: number, map: Uint8Array, smoothMap: Uint8Array): number[] {
+  turnsAlong(fold: LaidStroke, bank: number, map: Uint8Array, smoothMap: Uint8Array): number[] {
     const { face, skin } = this.#prepared
     const turns: number[] = []
     for (let i = 1; i + 1 < fold.depths.length; i++) {
@@ -141,7 +141,7 @@ function leanOf(map: Uint8Array, texel: number, [tangent, bitangent]: [Vector, V
   return plus(scaled(tangent, x), bitangent, -y)
 }
 
-function longestOf(prepared: PreparedFace, name: string): Crease {
+function longestOf(prepared: PreparedFace, name: string): LaidStroke {
   const { creases } = facialCreases(prepared, (AGE - 20) / 60).find(({ region }) => region.name === name)!
   return creases.reduce((a, b) => (b.depths.length > a.depths.length ? b : a))
 }

@@ -6,7 +6,8 @@ import type { AreaArray } from '../atlas/area-array.ts'
 import type { InfluenceAtlas } from '../atlas/influence-atlas.ts'
 import type { ActivationTable } from './activation-table.ts'
 import type { PaperArray } from './paper-array.ts'
-import type { WrinkleTextures } from './wrinkle-textures.ts'
+import { release, retain } from './texture-users.ts'
+import { listTextures, type WrinkleTextures } from './wrinkle-textures.ts'
 
 /** What shaders read, as uniforms `{ value }`. The objects stay the same for the lifetime of the wrinkles. */
 export interface ShaderInputs {
@@ -32,13 +33,14 @@ export interface ShaderInputs {
   paper: (PaperArray & { table: ActivationTable }) | null
 }
 
-/** Creates the inputs of a set whose faces have cells in an atlas. */
+/** Creates the inputs of a set whose faces have cells in an atlas. Other faces may use the same textures. */
 export function createShaderInputs(
   textures: WrinkleTextures,
   areas: AreaArray,
   atlas: InfluenceAtlas,
 ): ShaderInputs {
   const { cells, target } = atlas
+  for (const texture of [areas.texture, ...listTextures(textures)]) retain(texture)
   const perLayer = (number: (layer: Pick<Layer, 'normalScale' | 'occlusionStrength'>) => number) =>
     new Vector4().fromArray([...textures.layers.map(number), 1, 1, 1])
   return {
@@ -54,6 +56,21 @@ export function createShaderInputs(
     occlusionStrength: { value: perLayer(({ occlusionStrength }) => occlusionStrength ?? 1) },
     paper: null,
   }
+}
+
+/** Takes other areas. */
+export function exchangeAreas(inputs: ShaderInputs, areas: AreaArray): void {
+  retain(areas.texture)
+  release(inputs.areas.texture)
+  inputs.areas = areas
+  inputs.areaTexture.value = areas.texture
+}
+
+/** Frees the textures that no other face uses. */
+export function disposeShaderInputs({ textures, areas, paper }: ShaderInputs): void {
+  for (const texture of [areas.texture, ...listTextures(textures)]) release(texture)
+  paper?.texture.dispose()
+  paper?.table.texture.dispose()
 }
 
 /** Updates where the cells of a mesh are, since an atlas may grow, and where there are active areas in them. */

@@ -53,7 +53,7 @@ export function fitDriver(
   creased: CreasedRegion,
   cause: Pose,
 ): FittedRegion | string {
-  const { region, creases } = creased
+  const { region, folds, creases } = creased
   const shapes = Object.keys(region.cause).join(', ')
   if (creases.length === 0) return 'the mesh has no skin where its lines begin'
   if (cause.size === 0) return `no blendshape is ${(region.shapes ?? []).join(' or ')} or stands in for it`
@@ -61,11 +61,7 @@ export function fitDriver(
     const targets = [...cause].map(([target, weight]) => ({ name: names[target], weight }))
     return { ...creased, driver: driverOf(region, targets), error: 0 }
   }
-  const gauge = makeGauge(
-    surface,
-    region,
-    creases.filter(({ isDimple }) => !isDimple),
-  )
+  const gauge = makeGauge(surface, region, folds)
   if (!gauge) return 'the mesh has no skin beside its lines'
   const rest = vectorsAcross(gauge, surface.points)
   const bounds = names.map((name) => boundsOf(name, region))

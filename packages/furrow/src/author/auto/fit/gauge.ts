@@ -1,8 +1,8 @@
 import { cross } from '../../../math/vector.ts'
 import { cornersOf, crossOf, type SkinSurface } from '../../skin/surface.ts'
+import type { SkinLine } from '../../strokes/curve.ts'
 import { LineGrid } from '../../strokes/line-grid.ts'
 import type { SkinRegion } from '../anatomy/region.ts'
-import type { Crease } from '../lines/crease.ts'
 import { unroll } from '../surface/head-chart.ts'
 
 /** Triangles that a region is measured by at most: more of them say no more about the mean of all. */
@@ -26,11 +26,11 @@ export interface Gauge {
 export function makeGauge(
   surface: SkinSurface,
   { reach, influence }: SkinRegion,
-  creases: readonly Crease[],
+  lines: readonly SkinLine[],
 ): Gauge | undefined {
   const grid = new LineGrid(
-    creases,
-    creases.map(() => reach),
+    lines,
+    lines.map(() => reach),
   )
   const { points, normals } = surface
   const near = trianglesNear(surface, grid)
@@ -42,14 +42,14 @@ export function makeGauge(
     centroidOf(surface, near[i], centroid)
     const [x, y, z] = centroid
     let [closest, line, segment] = [Infinity, -1, 0]
-    grid.visit(centroid, normals.subarray(3 * a, 3 * a + 3), (crease, distance, at) => {
-      if (distance < closest) [closest, line, segment] = [distance, crease, at]
+    grid.visit(centroid, normals.subarray(3 * a, 3 * a + 3), (found, distance, at) => {
+      if (distance < closest) [closest, line, segment] = [distance, found, at]
     })
     if (line < 0) continue
     const regionWeight = influence?.(unroll(x, y, z)) ?? 1
     const weight = regionWeight * (1 - closest / reach) * crossOf(points, a, b, c, normal)
     if (!(weight > 0)) continue
-    const p = creases[line].points
+    const p = lines[line].points
     const direction = [0, 1, 2].map((k) => p[3 * segment + 3 + k] - p[3 * segment + k])
     cross(perpendicular, normal, direction)
     const multiples = inEdges(points, a, b, c, perpendicular)
@@ -66,7 +66,7 @@ export function makeGauge(
   }
 }
 
-/** The triangles whose centroids may be within reach of creases. */
+/** The triangles whose centroids may be within reach of lines. */
 function trianglesNear(surface: SkinSurface, grid: LineGrid): number[] {
   const centroid = new Float64Array(3)
   const near: number[] = []

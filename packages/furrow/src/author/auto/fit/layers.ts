@@ -1,6 +1,7 @@
 import { dot, length } from '../../../math/vector.ts'
+import type { SkinLine } from '../../strokes/curve.ts'
 import { LineGrid } from '../../strokes/line-grid.ts'
-import type { Crease, CreasedRegion } from '../lines/crease.ts'
+import type { CreasedRegion } from '../lines/crease.ts'
 
 /** Cosine of the angle from which on lines of two regions cross. */
 const CROSSING = Math.cos((35 * Math.PI) / 180)
@@ -65,7 +66,7 @@ function countCrossings({ creases }: CreasedRegion, other: CreasedRegion, grid: 
   return count
 }
 
-function segmentVector({ points }: Crease, segment: number): number[] {
+function segmentVector({ points }: SkinLine, segment: number): number[] {
   return [0, 1, 2].map((k) => points[3 * segment + 3 + k] - points[3 * segment + k])
 }
 

@@ -1,3 +1,5 @@
+import { barycentricsAt, normalAt } from '../../skin/walk.ts'
+import type { SkinLine } from '../../strokes/curve.ts'
 import type { Stroke } from '../../strokes/document.ts'
 import { type LaidStroke, layOutStroke } from '../../strokes/lay-out.ts'
 import type { SkinRegion } from '../anatomy/region.ts'
@@ -5,16 +7,13 @@ import { creaseDepth } from './crease-depth.ts'
 import { type LaidLine, MIN_POINTS } from './laid-line.ts'
 import { type StrokedSkin, strokeOf, uvAt } from './stroke-of.ts'
 
-/** A stroke as it lies on the skin. */
-export interface Crease extends LaidStroke {
-  isDimple: boolean
-}
-
 /** The creases of a region. */
 export interface RegionCreases {
+  /** The lines that skin folds along: all but dimples. Strokes follow them within a tolerance. */
+  folds: readonly SkinLine[]
   strokes: readonly Stroke[]
   /** The strokes on the skin. */
-  creases: readonly Crease[]
+  creases: readonly LaidStroke[]
   /** Fraction by which the expression shortens the skin across the lines, where it does. */
   compression: number
 }
@@ -77,12 +76,21 @@ export function creaseLines(
     })
     return strokeOf(line, depth, factors, prepared)
   })
-  const creases = strokes.flatMap((stroke, i) =>
-    layOutStroke(stroke, prepared).map(
-      (part): Crease => ({ ...part, isDimple: drawn[i].style.isDimple ?? false }),
-    ),
-  )
-  return { strokes, creases, compression }
+  const folds = drawn.filter(({ style }) => !style.isDimple).map((line) => foldOf(line, prepared))
+  const creases = strokes.flatMap((stroke) => layOutStroke(stroke, prepared))
+  return { folds, strokes, creases, compression }
+}
+
+/** A line with the skin's normals. */
+function foldOf({ points, triangles }: LaidLine, { surface }: StrokedSkin): SkinLine {
+  const normals = new Float64Array(points.length)
+  const [weights, normal] = [new Float64Array(3), new Float64Array(3)]
+  for (const [i, triangle] of triangles.entries()) {
+    barycentricsAt(weights, surface, triangle, points.subarray(3 * i, 3 * i + 3))
+    normalAt(normal, surface, triangle, weights)
+    normals.set(normal, 3 * i)
+  }
+  return { points, normals }
 }
 
 /** The parts of a line inside the texture and on triangles that are drawn; where it is cut it does not fade. */

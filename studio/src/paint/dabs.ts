@@ -1,0 +1,209 @@
+import type { GrayImage } from 'furrow'
+import { type Brush, checkBrush, falloff } from './brush.ts'
+import { visitFilled } from './fill.ts'
+import { checkPaintable, type PaintMap } from './paint-map.ts'
+import type { PaintSkin, SkinPoint } from './paint-skin.ts'
+import { Bounds, covered, type Rectangle } from './painted.ts'
+import { Reach } from './reach.ts'
+import { SeenPlaces, type Sight } from './seen-places.ts'
+import { Smoother } from './smoother.ts'
+
+/** Texels by which skin is grown beyond the radius: filtering reads those beyond a seam. */
+const PAD = 1
+/** A brush has at least this radius in texels, so that it always covers one. */
+const LEAST_RADIUS = 1.25
+/** Of a brush that smooths: side of the cells that it averages over as a fraction of its radius, and at least, in texels. */
+const CELL = 0.25
+const LEAST_CELL = 1.5
+/** Cells beyond the radius that count in the averages. */
+const CELLS_AROUND = 2
+
+/**
+ * What a brush does to an area. A dab covers the skin within its radius in space that is connected with its centre there, so that seams of the
+ * texture do not matter and the other lip is left alone.
+ */
+export class Dabs {
+  /** The area as it is painted now; its data changes with each dab. */
+  readonly image: GrayImage
+  readonly #before: GrayImage
+  readonly #brush: Brush
+  readonly #skin: PaintSkin
+  readonly #map: PaintMap
+  readonly #reach: Reach
+  /** How far the dabs have covered each texel, 0..1; of a brush that smooths the unrounded weight, 0..255. */
+  readonly #state: Float32Array
+  /** The target of the present dab for each texel, and the texels that have one. */
+  readonly #target: Float32Array
+  #touched: number[] = []
+  /** The means round each texel, of a brush that smooths, and how many there are. */
+  readonly #sums: Float32Array
+  readonly #counts: Uint8Array
+  /** Of the dab and the mirrored one; empty where hidden skin is painted too. */
+  readonly #seen: readonly SeenPlaces[]
+  #bounds: Bounds
+  readonly #allBounds: Bounds
+
+  /**
+   * @param image a square area; not changed.
+   * @param sight by default hidden skin is painted as well. A fill asks for no sight: it follows the skin.
+   * @throws FurrowError when a setting of the brush is out of range, or the image cannot be painted.
+   */
+  constructor(image: GrayImage, brush: Brush, skin: PaintSkin, sight?: Sight) {
+    checkBrush(brush)
+    checkPaintable(image)
+    this.#map = skin.mapOf(image.width)
+    this.#before = image
+    this.image = { ...image, data: image.data.slice() }
+    this.#brush = { ...brush }
+    this.#skin = skin
+    this.#reach = new Reach(skin.surface)
+    const smoothed = brush.mode === 'smooth' ? image.data.length : 0
+    this.#sums = new Float32Array(smoothed)
+    this.#counts = new Uint8Array(smoothed)
+    this.#state =
+      brush.mode === 'smooth' ? Float32Array.from(image.data) : new Float32Array(image.data.length)
+    this.#target = new Float32Array(image.data.length)
+    this.#seen = sight
+      ? [false, true].map((isMirrored) => new SeenPlaces(skin, this.#map, sight, isMirrored))
+      : []
+    this.#bounds = new Bounds(image.width)
+    this.#allBounds = new Bounds(image.width)
+  }
+
+  /** The texels that differ from the image; undefined while none does. */
+  get changed(): Rectangle | undefined {
+    return this.#allBounds.rectangle
+  }
+
+  /** The texels that changed since the last call. */
+  takeChanged(): Rectangle | undefined {
+    const { rectangle } = this.#bounds
+    this.#bounds = new Bounds(this.image.width)
+    return rectangle
+  }
+
+  /** In millimetres. */
+  radiusAt({ triangle }: SkinPoint): number {
+    return Math.max(this.#brush.radius, LEAST_RADIUS * this.#map.texelSizes[triangle])
+  }
+
+  /** Adds a dab, and the mirrored one. @param pressure of the pen, 0..1. */
+  add(point: SkinPoint, pressure: number): void {
+    const strength = this.#brush.opacity * Math.min(Math.max(pressure, 0), 1)
+    if (!(strength > 0)) return
+    const centres = this.#sidesOf(point)
+    for (const [side, centre] of centres.entries()) this.#aim(centre, strength, side)
+    if (this.#brush.mode === 'smooth') this.#smooth(centres)
+    else this.#cover()
+    for (const texel of this.#touched) this.#target[texel] = 0
+    this.#touched = []
+  }
+
+  /** Fills the skin round a point, see `visitFilled`. */
+  fill(point: SkinPoint): void {
+    for (const each of this.#sidesOf(point)) {
+      visitFilled(this.#skin, this.#map, this.#before, each, (texel) => {
+        this.#write(texel, covered(this.#before.data[texel], this.#brush.opacity, 'add'))
+      })
+    }
+  }
+
+  /** The point, and that of the other side where the brush mirrors. */
+  #sidesOf(point: SkinPoint): SkinPoint[] {
+    return this.#brush.mirror ? [point, this.#skin.mirrored(point.position)] : [point]
+  }
+
+  /** Sets the targets of the texels within a dab. */
+  #aim(centre: SkinPoint, strength: number, side: number): void {
+    const { softness } = this.#brush
+    const radius = this.radiusAt(centre)
+    const target = this.#target
+    this.#visitPlaces(
+      centre,
+      radius + PAD * this.#map.texelSizes[centre.triangle],
+      (place, triangle, distance) => {
+        const value = strength * falloff(distance, radius, softness)
+        const texel = this.#map.texels[place]
+        if (value <= target[texel] || !(this.#seen[side]?.has(place, triangle) ?? true)) return
+        if (target[texel] === 0) this.#touched.push(texel)
+        target[texel] = value
+      },
+    )
+  }
+
+  /** Raises the coverage of the texels that have a target. */
+  #cover(): void {
+    const mode = this.#brush.mode === 'remove' ? 'remove' : 'add'
+    for (const texel of this.#touched) {
+      const missing = this.#target[texel] - this.#state[texel]
+      if (missing <= 0) continue
+      this.#state[texel] += this.#brush.flow * missing
+      this.#write(texel, covered(this.#before.data[texel], this.#state[texel], mode))
+    }
+  }
+
+  /** Moves the weights of the texels that have a target towards the means round them. */
+  #smooth(centres: readonly SkinPoint[]): void {
+    const { texels, positions, isBeyond, texelSizes } = this.#map
+    for (const centre of centres) {
+      const texelSize = texelSizes[centre.triangle]
+      const cell = Math.max(CELL * this.radiusAt(centre), LEAST_CELL * texelSize)
+      const radius = this.radiusAt(centre) + CELLS_AROUND * cell
+      const smoother = new Smoother(centre.position, radius, cell)
+      this.#visitPlaces(centre, radius, (place, triangle) => {
+        if (isBeyond[place] === 1) return
+        const value = this.#state[texels[place]]
+        const i = 3 * place
+        smoother.add(positions[i], positions[i + 1], positions[i + 2], value, texelSizes[triangle] ** 2)
+      })
+      this.#visitPlaces(centre, this.radiusAt(centre) + PAD * texelSize, (place) => {
+        const texel = texels[place]
+        if (this.#target[texel] === 0) return
+        const i = 3 * place
+        const mean = smoother.at(positions[i], positions[i + 1], positions[i + 2])
+        if (Number.isNaN(mean)) return
+        this.#sums[texel] += mean
+        this.#counts[texel]++
+      })
+    }
+    // All at once: a mirrored dab may touch the same texels.
+    for (const texel of this.#touched) {
+      if (this.#counts[texel] === 0) continue
+      const mean = this.#sums[texel] / this.#counts[texel]
+      this.#state[texel] += this.#brush.flow * this.#target[texel] * (mean - this.#state[texel])
+      this.#write(texel, this.#state[texel])
+      this.#sums[texel] = 0
+      this.#counts[texel] = 0
+    }
+  }
+
+  #write(texel: number, weight: number): void {
+    const rounded = Math.round(weight)
+    if (this.image.data[texel] === rounded) return
+    this.image.data[texel] = rounded
+    this.#bounds.add(texel)
+    this.#allBounds.add(texel)
+  }
+
+  /** Visits the places within a radius on the skin that is connected with a point. */
+  #visitPlaces(
+    centre: SkinPoint,
+    radius: number,
+    visit: (place: number, triangle: number, distance: number) => void,
+  ): void {
+    const { starts, positions } = this.#map
+    const [x, y, z] = centre.position
+    const square = radius * radius
+    this.#reach.visit(centre, radius, (triangle) => {
+      for (let place = starts[triangle]; place < starts[triangle + 1]; place++) {
+        const [dx, dy, dz] = [
+          positions[3 * place] - x,
+          positions[3 * place + 1] - y,
+          positions[3 * place + 2] - z,
+        ]
+        const distance = dx * dx + dy * dy + dz * dz
+        if (distance < square) visit(place, triangle, Math.sqrt(distance))
+      }
+    })
+  }
+}

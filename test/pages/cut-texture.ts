@@ -1,0 +1,62 @@
+import type { Accessor, Document } from '@gltf-transform/core'
+import sharp from 'sharp'
+
+/**
+ * Cuts a mesh's texture along the middle of the face, x = 0: each half of the skin has an island of its own beside the other's, and looks as
+ * before.
+ */
+export async function cutTexture(document: Document, meshName: string): Promise<void> {
+  const mesh = document
+    .getRoot()
+    .listMeshes()
+    .find((each) => each.getName() === meshName)!
+  const textures = new Set(
+    mesh.listPrimitives().flatMap((each) => document.getGraph().listChildren(each.getMaterial()!)),
+  )
+  for (const primitive of mesh.listPrimitives()) {
+    const positions = primitive.getAttribute('POSITION')!
+    const corners = [...primitive.getIndices()!.getArray()!]
+    const xOf = (vertex: number) => positions.getElement(vertex, [])[0]!
+    const vertices: { old: number; side: number }[] = []
+    const indexOf = new Map<number, number>()
+    const indices = corners.map((old, i) => {
+      const [a, b, c] = corners.slice(i - (i % 3), i - (i % 3) + 3) as [number, number, number]
+      const side = xOf(a) + xOf(b) + xOf(c) > 0 ? 1 : 0
+      const key = 2 * old + side
+      if (!indexOf.has(key)) indexOf.set(key, vertices.push({ old, side }) - 1)
+      return indexOf.get(key)!
+    })
+    primitive.getIndices()!.setArray(new Uint32Array(indices))
+    const rows = vertices.map(({ old }) => old)
+    for (const owner of [primitive, ...primitive.listTargets()])
+      for (const semantic of owner.listSemantics()) pick(owner.getAttribute(semantic)!, rows)
+    const uvs = primitive.getAttribute('TEXCOORD_0')!
+    for (const [i, { side }] of vertices.entries()) {
+      const [u, v] = uvs.getElement(i, [0, 0])
+      uvs.setElement(i, [(u + side) / 2, v])
+    }
+  }
+  for (const texture of textures) if ('getImage' in texture) await doubled(texture as never)
+}
+
+/** Keeps these rows, in this order. */
+function pick(accessor: Accessor, rows: readonly number[]): void {
+  const [size, old] = [accessor.getElementSize(), accessor.getArray()!]
+  const picked = new (old.constructor as typeof Float32Array)(size * rows.length)
+  for (const [i, row] of rows.entries())
+    picked.set(old.subarray(size * row, size * (row + 1)) as never, size * i)
+  accessor.setArray(picked)
+}
+
+/** The image twice, side by side, in its own size. */
+async function doubled(texture: {
+  getImage(): Uint8Array
+  setImage(image: Uint8Array): void
+}): Promise<void> {
+  const image = sharp(texture.getImage())
+  const { width, height } = (await image.metadata()) as { width: number; height: number }
+  const half = await image.resize(width / 2, height, { fit: 'fill' }).toBuffer()
+  const sides = [0, width / 2].map((left) => ({ input: half, left, top: 0 }))
+  const both = sharp({ create: { width, height, channels: 3, background: '#000' } }).composite(sides)
+  texture.setImage(await both.toFormat((await image.metadata()).format as 'png').toBuffer())
+}

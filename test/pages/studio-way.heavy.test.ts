@@ -1,0 +1,404 @@
+/** An artist's whole way by mouse: from an avatar of her own, by changes of each kind and another day, to the file that others load. */
+
+import { existsSync, readFileSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { type Document, Logger, NodeIO } from '@gltf-transform/core'
+import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
+import { prune, simplify, weld } from '@gltf-transform/functions'
+import { MeshoptSimplifier } from 'meshoptimizer/simplifier'
+import type { Locator, Page } from 'playwright-core'
+import sharp from 'sharp'
+import { beforeAll, describe, expect, test, vi } from 'vitest'
+import { turnScene } from '../avatar.ts'
+import { asVrm0 } from './avatars.ts'
+import { cutTexture } from './cut-texture.ts'
+import { openStudio } from './opened-studio.ts'
+import { runFurrow } from './run-furrow.ts'
+import { dropPaths, expectValue, meanPngDifference, shootStage, waitUntilReady } from './studio-page.ts'
+
+const SCAN = fileURLToPath(new URL('../../../shared/real-face/ict-face.glb', import.meta.url))
+const HUMAN = fileURLToPath(new URL('../../faces/human.glb', import.meta.url))
+const LOW_POLY = 0.12
+
+const io = new NodeIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS)
+
+/** Milliseconds: a run of automatic wrinkles on a busy machine. */
+const LONG = { timeout: 60_000, interval: 200 }
+
+const studio = openStudio({ width: 1280, height: 800 })
+let page: Page
+
+const button = (name: string) => page.getByRole('button', { name, exact: true })
+const area = (name: string) => page.getByRole('slider', { name, exact: true })
+const choice = (area: string) => page.getByRole('radio', { name: `Edit area ${area}`, exact: true })
+
+/** The shipped face without its wrinkles. */
+async function plain(): Promise<Document> {
+  const document = await io.read(HUMAN)
+  return document.transform(prune({ keepLeaves: true, keepAttributes: true, keepExtras: true }))
+}
+
+/** Avatars whose texture has a seam along the middle of the face; null for one that is not here. */
+const AVATARS: [kind: string, file: string, make: () => Promise<Uint8Array | null>][] = [
+  [
+    'a scan (without ../shared/real-face: nothing)',
+    'scan.glb',
+    async () => {
+      if (!existsSync(SCAN)) return null
+      const document = await io.read(SCAN)
+      await cutTexture(document, 'face')
+      return io.writeBinary(document)
+    },
+  ],
+  [
+    'a VRM',
+    'avatar.vrm',
+    async () => {
+      const document = await plain()
+      await cutTexture(document, 'skin')
+      turnScene(document, 180)
+      return asVrm0(await io.writeBinary(document))
+    },
+  ],
+  [
+    'a low-polygon avatar',
+    'low.glb',
+    async () => {
+      await MeshoptSimplifier.ready
+      const document = await plain()
+      await document.transform(weld(), simplify({ simplifier: MeshoptSimplifier, ratio: LOW_POLY, error: 1 }))
+      await cutTexture(document, 'skin')
+      return io.writeBinary(document)
+    },
+  ],
+]
+
+beforeAll(() => {
+  ;({ page } = studio)
+})
+
+describe.each(AVATARS)('%s', (_, file, make) => {
+  let bytes: Uint8Array | null
+  const name = file.replace(/\..*/, '')
+  /** Steps that were taken, by what undo calls them. */
+  const steps: string[] = []
+  let made: Buffer
+  let changed: Buffer
+  const step = (title: string, body: () => Promise<void>) =>
+    test(title, async ({ skip }) => {
+      if (!bytes) return skip('../shared/real-face is missing')
+      await body()
+    })
+
+  beforeAll(async () => {
+    bytes = await make()
+    if (bytes) writeFileSync(join(studio.folder, file), bytes)
+  })
+
+  step('gets wrinkles when it is dropped, and raised brows crease its forehead', async () => {
+    await dropPaths(page, [join(studio.folder, file)], title(name))
+    await choice('foreheadInnerLeft').waitFor()
+    await vi.waitFor(async () => expect(await page.getByText('Making wrinkles').count()).toBe(0), LONG)
+    await dragSlider(page.getByRole('slider', { name: /^Divider/ }), 0)
+    for (const { input } of await blendshapes(/^brow.*Up/)) await dragSlider(input, 1)
+    await vi.waitFor(
+      async () => expect(Number(await area('foreheadInnerLeft').inputValue())).toBeGreaterThan(0.8),
+      LONG,
+    )
+    made = await shootAside()
+    const mode = page.getByRole('group', { name: 'Wrinkles' })
+    await mode.getByText('Off', { exact: true }).click()
+    const plainFace = await shootAside()
+    await mode.getByText('Default', { exact: true }).click()
+    // The forehead, and nothing else: the mouth does not move.
+    expect(await differenceIn(made, plainFace, FOREHEAD)).toBeGreaterThan(0.5)
+    expect(await differenceIn(made, plainFace, CHIN)).toBeLessThan(0.1)
+    await expectPicture(made)
+  })
+
+  step('one of its lines is bent', async () => {
+    await linesTo('Edit')
+    const line = await lineIn(FOREHEAD)
+    await picture('line')
+    await page.mouse.click(line.x, line.y)
+    await picture('chosen')
+    const knot = await knotIn(FOREHEAD)
+    await page.mouse.move(knot.x, knot.y)
+    await page.mouse.down()
+    await page.mouse.move(knot.x + 3, knot.y + 12, { steps: 5 })
+    await page.mouse.up()
+    await undoIs('Move a point')
+    await picture('bent')
+    await linesTo('Off')
+    await expectChange(made, FOREHEAD, 0.02)
+    steps.push('Move a point')
+  })
+
+  step('an area is painted', async () => {
+    await choice('chin').check()
+    await button('Paint').click()
+    const { x, y } = await placeOf([0.5, 0.6])
+    // From the chin onto the cheek.
+    await page.mouse.move(x, y)
+    await page.mouse.down()
+    await page.mouse.move(x + 90, y - 40, { steps: 8 })
+    await page.mouse.up()
+    await undoIs('Paint chin')
+    await picture('painted')
+    await button('Paint').click()
+    steps.push('Paint chin')
+  })
+
+  step("a line is drawn across the texture's seam", async () => {
+    await linesTo('Off')
+    const before = await shootAside()
+    await linesTo('Draw')
+    // The middle of the forehead.
+    const { x, y } = await placeOf([0.5, 0.2])
+    await page.mouse.move(x - 45, y - 12)
+    await page.mouse.down()
+    await page.mouse.move(x + 45, y + 10, { steps: 12 })
+    await page.mouse.up()
+    await undoIs('Draw a line')
+    await picture('drawn')
+    await linesTo('Off')
+    await expectChange(before, FOREHEAD, 0.02)
+    const drawn = await shootAside()
+    // On both sides of it.
+    for (const side of [-1, 1]) {
+      const near = boxAround(0.5 + side * 0.018, 0.2)
+      expect(await differenceIn(before, drawn, near), `side ${side}`).toBeGreaterThan(0.3)
+    }
+    steps.push('Draw a line')
+  })
+
+  step('a pose is recorded as what drives an area', async () => {
+    await button('Neutral').click()
+    await puff(1)
+    await choice('chin').check()
+    await button('This pose fully shows this area').click()
+    await picture('recorded')
+    await expectValue(area('chin'), 1)
+    await puff(0)
+    await expectValue(area('chin'), 0)
+    await puff(1)
+    await expectValue(area('chin'), 1)
+    steps.push((await undoLabel())!)
+    changed = await shootAside()
+  })
+
+  step('all is undone, and done again', async () => {
+    for (const label of steps.toReversed()) {
+      await undoIs(label)
+      await button('Undo').click()
+    }
+    expect(await button('Undo').isDisabled()).toBe(true)
+    await expectValue(area('chin'), 0)
+    for (const _label of steps) await button('Redo').click()
+    expect(await button('Redo').isDisabled()).toBe(true)
+    await expectPicture(changed)
+  })
+
+  step('it is as it was after its tab was closed', async () => {
+    await page.getByText('Kept in this browser').waitFor()
+    const context = page.context()
+    const address = page.url()
+    await page.close()
+    page = await context.newPage()
+    await page.goto(address)
+    await waitUntilReady(page)
+    await page.getByRole('heading', { name: 'Recent work' }).click()
+    await page
+      .getByRole('button', { name: new RegExp(`^${name}`) })
+      .first()
+      .click()
+    await choice('chin').waitFor()
+    await dragSlider(page.getByRole('slider', { name: /^Divider/ }), 0)
+    await puff(1)
+    await expectValue(area('chin'), 1)
+    await choice('chin').check()
+    await expectPicture(changed)
+  })
+
+  step('furrow validate and furrow render find in its file what was made', async () => {
+    await page.getByRole('heading', { name: 'Export' }).click()
+    await button('Make the file').click()
+    const save = page.getByRole('button', { name: /^Save .*-wrinkled\./ })
+    await save.waitFor(LONG)
+    const [download] = await Promise.all([page.waitForEvent('download'), save.click()])
+    const exported = download.suggestedFilename()
+    writeFileSync(join(studio.folder, exported), readFileSync(await download.path()))
+    const { code, stdout } = await runFurrow(studio.folder, {}, 'validate', exported)
+    expect({ code, stdout }).toEqual({ code: 0, stdout: expect.stringContaining(': 0 errors') })
+    const withWrinkles = await rendered(exported, 'default')
+    const without = await rendered(exported, 'off')
+    const apart = await meanPngDifference(changed, withWrinkles)
+    expect(apart).toBeLessThan(0.1)
+    expect(await meanPngDifference(changed, without)).toBeGreaterThan(5 * apart)
+  })
+})
+
+/** What `furrow render` draws of an exported face in the pose of the stage, cut out as `shootStage` does. */
+async function rendered(face: string, mode: string): Promise<Buffer> {
+  const { width, height } = (await page.locator('#viewport').boundingBox())!
+  const puffed = (await blendshapes(PUFF)).map(({ name }) => `${name}=1`)
+  const words = ['--set', ...puffed, '--size', `${width}x${height}`, '--mode', mode]
+  const { stderr } = await runFurrow(studio.folder, {}, 'render', face, '-o', `${mode}.png`, ...words)
+  expect(stderr).toBe('')
+  const stage = { left: 0, top: 60, width, height: height - 180 }
+  return sharp(join(studio.folder, `${mode}.png`))
+    .extract(stage)
+    .png()
+    .toBuffer()
+}
+
+/** Regions of the stage in fractions of the viewport: left, top, right, bottom. */
+type Box = [number, number, number, number]
+const FOREHEAD: Box = [0.4, 0.15, 0.6, 0.24]
+const CHIN: Box = [0.45, 0.55, 0.55, 0.63]
+
+function boxAround(x: number, y: number): Box {
+  return [x - 0.015, y - 0.03, x + 0.015, y + 0.03]
+}
+
+/** As the list of faces shows the name of a file. */
+function title(name: string): string {
+  return name[0]!.toUpperCase() + name.slice(1)
+}
+
+async function placeOf([x, y]: readonly [number, number]): Promise<{ x: number; y: number }> {
+  const box = (await page.locator('#viewport').boundingBox())!
+  return { x: box.x + x * box.width, y: box.y + y * box.height }
+}
+
+/** Drags a slider's handle to a value from 0 to 1, as a mouse does. */
+async function dragSlider(input: Locator, value: number): Promise<void> {
+  await input.scrollIntoViewIfNeeded()
+  if ((await input.getAttribute('aria-orientation')) === 'horizontal') {
+    const [from, to] = [(await input.boundingBox())!, await placeOf([value, 0.5])]
+    await page.mouse.move(from.x + from.width / 2, from.y + from.height / 2)
+    await page.mouse.down()
+    await page.mouse.move(to.x, to.y, { steps: 4 })
+    await page.mouse.up()
+    return
+  }
+  const { x, y, width, height } = (await input.boundingBox())!
+  const now = Number(await input.inputValue())
+  // The handle's middle stays inside of the track.
+  const at = (fraction: number) => x + height / 2 + fraction * (width - height)
+  await page.mouse.move(at(now), y + height / 2)
+  await page.mouse.down()
+  await page.mouse.move(value === 1 ? x + width + 20 : value === 0 ? x - 20 : at(value), y + height / 2, {
+    steps: 4,
+  })
+  await page.mouse.up()
+}
+
+/** Sliders of blendshapes: avatars have one for both sides, or one per side. */
+async function blendshapes(names: RegExp): Promise<{ name: string; input: Locator }[]> {
+  await page.getByLabel('Filter blendshapes').fill(names.source.match(/[a-z]+/)![0])
+  const rows = await page.locator('#targets .row:visible').all()
+  const all = await Promise.all(
+    rows.map(async (row) => ({
+      name: (await row.locator('label').getAttribute('title'))!,
+      input: row.getByRole('slider'),
+    })),
+  )
+  return all.filter(({ name }) => names.test(name))
+}
+
+const PUFF = /^cheekPuff/
+
+async function puff(value: number): Promise<void> {
+  for (const { input } of await blendshapes(PUFF)) await dragSlider(input, value)
+}
+
+async function linesTo(mode: 'Off' | 'Edit' | 'Draw'): Promise<void> {
+  await page.getByRole('group', { name: 'Pointer' }).getByText(mode, { exact: true }).click()
+}
+
+async function undoLabel(): Promise<string | undefined> {
+  return (await button('Undo').getAttribute('title'))?.replace('Undo: ', '')
+}
+
+async function undoIs(label: string): Promise<void> {
+  await vi.waitFor(async () => expect(await undoLabel()).toBe(label), LONG)
+}
+
+/** Of the canvas with the lines: the pixel of a colour that is nearest to the middle of a box. */
+async function overlayPixel(
+  box: Box,
+  colour: readonly [number, number, number],
+): Promise<{ x: number; y: number }> {
+  await page.mouse.move(5, 790)
+  let found: { x: number; y: number } | null = null
+  await vi.waitFor(async () => {
+    found = await page.locator('canvas.lines').evaluate(
+      (canvas, [[left, top, right, bottom], rgb]) => {
+        const { width, height } = canvas as HTMLCanvasElement
+        const { data } = (canvas as HTMLCanvasElement).getContext('2d')!.getImageData(0, 0, width, height)
+        const middle = [((left + right) / 2) * width, ((top + bottom) / 2) * height] as const
+        let best: { x: number; y: number; distance: number } | null = null
+        for (let y = Math.ceil(top * height); y < bottom * height; y++) {
+          for (let x = Math.ceil(left * width); x < right * width; x++) {
+            const i = 4 * (y * width + x)
+            if (data[i + 3]! < 200 || rgb.some((value, k) => Math.abs(data[i + k]! - value) > 12)) continue
+            const distance = Math.hypot(x - middle[0], y - middle[1])
+            if (!best || distance < best.distance) best = { x, y, distance }
+          }
+        }
+        const ratio = width / canvas.clientWidth
+        return best && { x: best.x / ratio, y: best.y / ratio }
+      },
+      [box, colour] as const,
+    )
+    expect(found).not.toBeNull()
+  }, LONG)
+  const { x, y } = found!
+  const origin = (await page.locator('#viewport').boundingBox())!
+  return { x: origin.x + x, y: origin.y + y }
+}
+
+/** A place on a line, by the colour of lines. */
+const lineIn = (box: Box) => overlayPixel(box, [255, 207, 155])
+/** A point of the chosen line. */
+const knotIn = (box: Box) => overlayPixel(box, [255, 255, 255])
+
+/** Saves the page as `docs/studio.md` shows it, where that is asked for. */
+async function picture(name: string): Promise<void> {
+  const folder = process.env.FURROW_PICTURES
+  if (folder) await page.screenshot({ path: join(folder, `${name}.png`) })
+}
+
+/** Without the outlines of the brush and of the focus, nor what is hovered. */
+async function shootAside(): Promise<Buffer> {
+  await page.mouse.move(1270, 5)
+  await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur())
+  return shootStage(page)
+}
+
+/** Waits until the stage is as a picture shows it. */
+async function expectPicture(picture: Buffer): Promise<void> {
+  const check = async () => expect(await meanPngDifference(picture, await shootAside())).toBeLessThan(0.01)
+  await vi.waitFor(check, LONG)
+}
+
+async function expectChange(before: Buffer, box: Box, least: number): Promise<void> {
+  const check = async () => expect(await differenceIn(before, await shootAside(), box)).toBeGreaterThan(least)
+  await vi.waitFor(check, LONG)
+}
+
+/** Mean difference of two pictures of the stage within a box of the viewport, in 0..255. */
+async function differenceIn(a: Buffer, b: Buffer, [left, top, right, bottom]: Box): Promise<number> {
+  const { width, height } = (await page.locator('#viewport').boundingBox())!
+  const region = {
+    left: Math.round(left * width),
+    // `shootStage` begins below the toolbar.
+    top: Math.round(top * height - 60),
+    width: Math.round((right - left) * width),
+    height: Math.round((bottom - top) * height),
+  }
+  const [one, other] = await Promise.all([a, b].map((png) => sharp(png).extract(region).png().toBuffer()))
+  return meanPngDifference(one!, other!)
+}
