@@ -1,5 +1,5 @@
 import type { Browser, Page } from 'playwright-core'
-import { launchBrowser, newPage } from '../../packages/cli/src/browser.ts'
+import { launchBrowser } from '../../packages/cli/src/browser.ts'
 
 /** Milliseconds that an element or a page is waited for: a missing one fails its test long before the test's own limit. */
 const PATIENCE = 120_000
@@ -7,12 +7,13 @@ const PATIENCE = 120_000
 /** Opens the browser for tests of pages; the caller closes it. */
 export const openBrowser = launchBrowser
 
-/** Opens an empty page, and collects its console errors, exceptions and failed requests. */
+/** Opens an empty page in a context of its own, and collects its console errors, exceptions and failed requests. */
 export async function openPage(
   browser: Browser,
   options?: Parameters<Browser['newPage']>[0],
 ): Promise<{ page: Page; complaints: string[] }> {
-  const page = await newPage(browser, options)
+  const context = await browser.newContext(options)
+  const page = await context.newPage()
   page.setDefaultTimeout(PATIENCE)
   const complaints: string[] = []
   page.on('console', (message) => {

@@ -206,6 +206,7 @@ describe.each(AVATARS)('%s', (_, file, make) => {
     const address = page.url()
     await page.close()
     page = await context.newPage()
+    studio.page = page
     await page.goto(address)
     await waitUntilReady(page)
     await page.getByRole('heading', { name: 'Recent work' }).click()
@@ -233,9 +234,19 @@ describe.each(AVATARS)('%s', (_, file, make) => {
     expect({ code, stdout }).toEqual({ code: 0, stdout: expect.stringContaining(': 0 errors') })
     const withWrinkles = await rendered(exported, 'default')
     const without = await rendered(exported, 'off')
-    const apart = await meanPngDifference(changed, withWrinkles)
+    // A file with wrinkles is framed at the mesh that has them: it is opened for the comparison.
+    await dropPaths(
+      page,
+      [join(studio.folder, exported)],
+      title(exported.replace(/\..*/, '').replace('-', ' ')),
+    )
+    await dragSlider(page.getByRole('slider', { name: /^Divider/ }), 0)
+    await puff(1)
+    await expectValue(area('chin'), 1)
+    const opened = await shootAside()
+    const apart = await meanPngDifference(opened, withWrinkles)
     expect(apart).toBeLessThan(0.1)
-    expect(await meanPngDifference(changed, without)).toBeGreaterThan(5 * apart)
+    expect(await meanPngDifference(opened, without)).toBeGreaterThan(3 * apart)
   })
 })
 
