@@ -1,4 +1,4 @@
-import { effect, signal } from '@preact/signals'
+import { batch, effect, signal } from '@preact/signals'
 import type { AreaConvention } from 'furrow'
 import { VIEWS, type ViewName } from '../../stage/views.ts'
 import { readArea } from './area-file.ts'
@@ -6,6 +6,7 @@ import { Buttons } from './buttons.ts'
 import { displayName } from './display-name.ts'
 import { Divider } from './divider.ts'
 import type { StudioDocument } from './document/document.ts'
+import { Downloads } from './downloads.ts'
 import { acceptFiles } from './drop.ts'
 import { Lines } from './lines/lines.ts'
 import { Loading } from './loading.ts'
@@ -19,8 +20,6 @@ import { sortFiles } from './open/sort-files.ts'
 import type { Page } from './page.ts'
 import type { Hovered, PanelModel } from './panels/model.ts'
 import { showPanel } from './panels/show-panel.tsx'
-import { saveFile } from './save-file.ts'
-import { savePicture } from './save-picture.ts'
 import { AreaEditor } from './session/area-editor.ts'
 import { LayerEditor } from './session/layer-editor.ts'
 import { Workspace } from './session/workspace.ts'
@@ -56,6 +55,7 @@ export class Studio {
   readonly #painting: Painting
   readonly #view = new DocumentView()
   readonly #lines: Lines
+  readonly #downloads: Downloads
   readonly #faces = signal<readonly string[]>([])
   readonly #shown = signal<Viewer | null>(null)
   readonly #frame = signal(0)
@@ -96,6 +96,7 @@ export class Studio {
       this.#loop.wake()
     })
     this.#workspace = new Workspace((error) => messages.error(error))
+    this.#downloads = new Downloads(this.#workspace, messages)
     const { session } = this.#workspace
     this.#areas = new AreaEditor(session, (task) => void messages.attempt(task))
     this.#layers = new LayerEditor({
@@ -144,9 +145,11 @@ export class Studio {
       this.#arrange(this.#shown.value, this.#areas.hidden.value, isEdited)
     })
     effect(() => this.#showDocument(this.#shown.value, this.#workspace.drawn.value))
-    addShortcuts({ undo: () => this.#undo(), redo: () => this.#redo() })
-    page.screenshot.addEventListener('click', () => this.#savePicture())
-    page.uvLayout.addEventListener('click', () => this.#saveUvLayout())
+    addShortcuts({ undo: () => session.undo(), redo: () => session.redo() })
+    page.screenshot.addEventListener('click', () =>
+      this.#downloads.picture(this.#viewer, this.#expression.peek()),
+    )
+    page.uvLayout.addEventListener('click', () => this.#downloads.uvLayout(this.#viewer))
     acceptFiles(page.dropping, (files) => this.#openFiles(() => filesOfTransfer(files)))
   }
 
@@ -204,8 +207,6 @@ export class Studio {
           }),
         addAreaImages: (files, convention) => this.#addAreas(files, convention),
         removeArea: (name) => this.#removeArea(name),
-        undo: () => this.#undo(),
-        redo: () => this.#redo(),
         previewAuto: (next) => void this.#messages.attempt(() => this.#workspace.previewAuto(next)),
         makeAuto: (next) => void this.#messages.attempt(() => this.#workspace.makeAuto(next)),
         cancelAuto: () => this.#workspace.cancelAuto(),
@@ -214,8 +215,8 @@ export class Studio {
         deleteProject: (id) => void this.#messages.attempt(() => keeping.delete(id)),
         exportFace: (options) => void this.#messages.attempt(() => this.#workspace.export(options)),
         cancelExport: () => exporting.cancel(),
-        saveExport: () => this.#saveExport(),
-        saveProject: () => void this.#messages.attempt(() => this.#saveProject()),
+        saveExport: () => this.#downloads.export(),
+        saveProject: () => void this.#downloads.project(),
       },
     }
   }
@@ -271,10 +272,13 @@ export class Studio {
 
   #show(viewer: Viewer): void {
     if (viewer.avatar.root !== this.#shown.peek()?.avatar.root) this.#expression.value = null
-    this.#shown.value = viewer
+    // Together: the last document is never shown on the next face.
+    batch(() => {
+      void this.#messages.attempt(() => this.#workspace.open(viewer.avatar))
+      this.#shown.value = viewer
+    })
     this.#refresh()
     this.#meter.reset()
-    void this.#messages.attempt(() => this.#workspace.open(viewer.avatar))
   }
 
   /** Shows what is worked on; a face that has wrinkles of its own and no document is left as it is. */
@@ -286,14 +290,6 @@ export class Studio {
         this.#refresh()
         this.#loop.wake()
       })
-  }
-
-  #undo(): void {
-    this.#workspace.session.undo()
-  }
-
-  #redo(): void {
-    this.#workspace.session.redo()
   }
 
   #advance(delta: number): void {
@@ -384,38 +380,6 @@ export class Studio {
       if (this.#document) this.#areas.remove(name)
       else viewer.removeArea(name)
       this.#messages.note(`Removed area ${name}`)
-    })
-  }
-
-  #saveExport(): void {
-    const state = this.#workspace.exporting.state.peek()
-    if (state?.kind === 'done') saveFile(new Blob([state.face.bytes as BlobPart]), state.name)
-  }
-
-  async #saveProject(): Promise<void> {
-    const project = await this.#workspace.project()
-    if (project) saveFile(project.file, project.name)
-  }
-
-  async #savePicture(): Promise<void> {
-    await this.#messages.attempt(async () => {
-      const viewer = this.#viewer
-      if (!viewer) return
-      viewer.draw()
-      const words = ['furrow', viewer.avatar.name, this.#expression.value, viewer.look.name]
-      await savePicture(viewer.canvas, `${words.filter(Boolean).join('-')}.png`)
-      this.#messages.note('Saved the picture')
-    })
-  }
-
-  async #saveUvLayout(): Promise<void> {
-    await this.#messages.attempt(async () => {
-      const viewer = this.#viewer
-      if (!viewer) return
-      const { drawUvPicture } = await import('./uv-picture.ts')
-      const { skins, skin } = viewer.avatar
-      await savePicture(drawUvPicture(skins[skin].meshes), `${viewer.avatar.name}-uv.png`)
-      this.#messages.note('Saved the UV layout: paint over it')
     })
   }
 

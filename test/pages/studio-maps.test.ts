@@ -5,11 +5,12 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import type { Browser, Page } from 'playwright-core'
+import sharp from 'sharp'
 import { createServer, type ViteDevServer } from 'vite'
 import { afterAll, afterEach, beforeAll, expect, test, vi } from 'vitest'
 import { writeAvatars } from './avatars.ts'
 import { openBrowser, openPage } from './browser.ts'
-import { dropPaths, meanPngDifference, shootStage, waitUntilReady } from './studio-page.ts'
+import { dismiss, dropPaths, meanPngDifference, shootStage, waitUntilReady } from './studio-page.ts'
 
 /** An automatic area of the forehead. */
 const AREA = 'foreheadInnerLeft'
@@ -110,6 +111,59 @@ test('a drag beside the skin moves the texture and paints nothing', async () => 
   await button('Paint').click()
   await button('Texture').click()
   expect(await texture().isVisible()).toBe(false)
+})
+
+test('layers are added, renamed, moved and undone; a map is imported, and saved as an image', async () => {
+  await page.locator('summary', { hasText: /^Layers$/ }).click()
+  await button('New layer').click()
+  await page.locator('.layer summary', { hasText: 'layer' }).click()
+  await page.getByLabel('Name of layer layer').fill('sweat')
+  await page.keyboard.press('Enter')
+  await page.locator('.layer summary', { hasText: 'sweat' }).click()
+  const layerNames = () => page.locator('.layer summary').allInnerTexts()
+  const first = (await layerNames())[0]
+  await button('Move sweat up').click()
+  await vi.waitFor(async () => expect((await layerNames())[0]).toMatch(/^sweat/))
+  const gray = await sharp({ create: { width: 64, height: 64, channels: 3, background: '#808080' } })
+    .png()
+    .toBuffer()
+  const input = page.getByLabel('Import roughness of sweat')
+  await input.setInputFiles({ name: 'wet.png', mimeType: 'image/png', buffer: gray })
+  await vi.waitFor(() => expect(button('Save roughness of sweat').isEnabled()).resolves.toBe(true))
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    button('Save roughness of sweat').click(),
+  ])
+  expect(download.suggestedFilename()).toBe('plain-sweat-roughness.png')
+  // Of the size of the other maps.
+  expect(await sharp(await download.path()).metadata()).toMatchObject({
+    width: 1024,
+    height: 1024,
+    format: 'png',
+  })
+  await input.setInputFiles({ name: 'notes.png', mimeType: 'image/png', buffer: Buffer.from('no image') })
+  await dismiss(page, 'notes.png')
+  for (let i = 0; i < 4; i++) await button('Undo').click()
+  await vi.waitFor(async () => expect((await layerNames())[0]).toBe(first))
+  expect(await layerNames()).not.toContain('sweat')
+})
+
+test('a sculpt is baked into a layer, and the bake can be cancelled', async () => {
+  const [layer] = await page.locator('.layer summary').allInnerTexts()
+  await page.locator('.layer summary').first().click()
+  const sculpt = page.getByLabel(/^Bake a sculpt into/).first()
+  await sculpt.setInputFiles(join(folder, 'plain.glb'))
+  await button('Cancel').click()
+  expect(await button('Undo').isDisabled()).toBe(true)
+  await sculpt.setInputFiles(join(folder, 'broken.glb'))
+  await dismiss(page, 'broken.glb')
+  await sculpt.setInputFiles(join(folder, 'plain.glb'))
+  await vi.waitFor(
+    async () => expect(await button('Undo').getAttribute('title')).toBe('Undo: Bake plain.glb'),
+    { timeout: 120_000 },
+  )
+  expect((await page.locator('.layer summary').allInnerTexts())[0]).not.toBe(layer)
+  await button('Undo').click()
 })
 
 async function shootTexture(): Promise<Buffer> {

@@ -32,7 +32,7 @@ export function Title({ model: { session, saving, viewer, revision, actions } }:
           type="button"
           disabled={!undoLabel.value}
           title={undoLabel.value && `Undo: ${undoLabel.value}`}
-          onClick={actions.undo}
+          onClick={() => session.undo()}
         >
           Undo
         </button>
@@ -40,7 +40,7 @@ export function Title({ model: { session, saving, viewer, revision, actions } }:
           type="button"
           disabled={!redoLabel.value}
           title={redoLabel.value && `Redo: ${redoLabel.value}`}
-          onClick={actions.redo}
+          onClick={() => session.redo()}
         >
           Redo
         </button>

@@ -79,7 +79,7 @@ export class Workspace {
     }
   }
 
-  /** Begins with another avatar, or another skin of it; one without wrinkles gets automatic ones. */
+  /** Begins with another avatar, or another skin of it; one without wrinkles gets automatic ones. The last one's document is closed at once. */
   async open(avatar: OpenedAvatar): Promise<void> {
     const isSame = avatar.root === this.#avatar?.root && avatar.skin === this.#avatar.skin
     this.#avatar = avatar
@@ -88,9 +88,11 @@ export class Workspace {
     this.#project = null
     this.automatic.cancel()
     this.#maps.close()
-    if (!project) await this.keeping.leave()
+    const left = project ? undefined : this.keeping.leave()
     this.session.open(null)
     this.#drawn.value = null
+    if (left) await left
+    if (avatar !== this.#avatar) return
     this.#source = avatar.skins[avatar.skin].wrinkles && !project ? null : skinSource(avatar)
     this.#settings.value = AUTO_SETTINGS
     if (project && this.#source) this.session.open(project.opened)
@@ -138,10 +140,12 @@ export class Workspace {
 
   /** Makes the automatic wrinkles anew; those that were changed by hand stay. Rejects with a FurrowError where there are none. */
   async makeAuto(settings: AutoSettings): Promise<void> {
+    const avatar = this.#avatar
     const made = await this.#runAuto(settings)
     if (!made) return
     const { document, wrinkles } = made
     await this.#maps.adopt(document, wrinkles, this.#source!)
+    if (avatar !== this.#avatar) return
     if (!this.session.document.value) this.session.open(document)
     else this.session.edit('Make automatic wrinkles', (old) => remake(old, document))
   }
