@@ -114,6 +114,7 @@ export class Studio {
       host: this.#tools,
       stage: page.stage,
       wake: () => this.#loop.wake(),
+      attempt: (task) => messages.attempt(task),
     })
     this.#lines = new Lines({
       stage: page.viewport,

@@ -1,4 +1,3 @@
-import { useSignal } from '@preact/signals'
 import { useLayoutEffect, useRef } from 'preact/hooks'
 import type { StudioDocument } from '../document/document.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
@@ -141,7 +140,7 @@ function ShownToggles({ name, areas }: { name: string; areas: AreaEditor }) {
 }
 
 function AddAreas({ model: { session, areas, actions } }: { model: PanelModel }) {
-  const isPaper = useSignal(true)
+  const { isPaper } = areas
   return (
     <>
       <div class="add">

@@ -1,4 +1,5 @@
 import { useId } from 'preact/hooks'
+import { readArea } from '../area-file.ts'
 import type { StudioArea } from '../document/document.ts'
 import type { PanelModel } from './model.ts'
 import { PaintControls } from './painting.tsx'
@@ -79,12 +80,43 @@ export function ChosenArea({ model }: { model: PanelModel }) {
         <button type="button" onClick={() => areas.duplicate(name)}>
           Duplicate
         </button>
+        <button
+          type="button"
+          title="Show it on the other side of the face too"
+          onClick={() => areas.mirror(name, (weights) => model.painting.mirrored(weights))}
+        >
+          Mirror
+        </button>
+        <FromImage name={name} model={model} />
         <button type="button" onClick={() => areas.remove(name)}>
           Delete
         </button>
       </div>
       <PaintControls painting={model.painting} />
     </section>
+  )
+}
+
+/** Takes the place of what is painted. */
+function FromImage({ name, model: { areas, actions } }: { name: string; model: PanelModel }) {
+  const fill = async (file: File) => {
+    const { weights } = await readArea(file, areas.isPaper.peek() ? 'paper' : 'weight')
+    areas.fill(name, weights)
+  }
+  return (
+    <label class="file" title="A gray image in the place of what is painted">
+      <input
+        type="file"
+        accept="image/*"
+        aria-label={`Fill ${name} from an image`}
+        onChange={({ currentTarget }) => {
+          const [file] = currentTarget.files!
+          if (file) actions.attempt(() => fill(file))
+          currentTarget.value = ''
+        }}
+      />
+      <span>From image…</span>
+    </label>
   )
 }
 

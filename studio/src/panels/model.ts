@@ -54,7 +54,7 @@ export interface PanelModel {
 /** What a user can request. Errors are shown on the stage. */
 export interface PanelActions {
   /** Runs a task, and shows its errors. */
-  attempt(task: () => void): void
+  attempt(task: () => unknown): void
   openFiles(files: readonly File[]): void
   openFace(name: string): void
   /** Wrinkles another mesh of the avatar. */
