@@ -10,7 +10,7 @@ import { createServer, type ViteDevServer } from 'vite'
 import { afterAll, afterEach, beforeAll, expect, test, vi } from 'vitest'
 import { writeAvatars } from './avatars.ts'
 import { openBrowser, openPage } from './browser.ts'
-import { dismiss, dropPaths, meanPngDifference, shootStage, waitUntilReady } from './studio-page.ts'
+import { blackPng, dismiss, dropPaths, meanPngDifference, shootStage, waitUntilReady } from './studio-page.ts'
 
 /** An automatic area of the forehead. */
 const AREA = 'foreheadInnerLeft'
@@ -123,6 +123,7 @@ test('layers are added, renamed, moved and undone; a map is imported, and saved 
   const layerNames = () => page.locator('.layer summary').allInnerTexts()
   const first = (await layerNames())[0]
   await button('Move sweat up').click()
+  await button('Move sweat up').click()
   await vi.waitFor(async () => expect((await layerNames())[0]).toMatch(/^sweat/))
   const gray = await sharp({ create: { width: 64, height: 64, channels: 3, background: '#808080' } })
     .png()
@@ -143,7 +144,7 @@ test('layers are added, renamed, moved and undone; a map is imported, and saved 
   })
   await input.setInputFiles({ name: 'notes.png', mimeType: 'image/png', buffer: Buffer.from('no image') })
   await dismiss(page, 'notes.png')
-  for (let i = 0; i < 4; i++) await button('Undo').click()
+  for (let i = 0; i < 5; i++) await button('Undo').click()
   await vi.waitFor(async () => expect((await layerNames())[0]).toBe(first))
   expect(await layerNames()).not.toContain('sweat')
 })
@@ -165,6 +166,49 @@ test('a sculpt is baked into a layer, and the bake can be cancelled', async () =
   expect((await page.locator('.layer summary').allInnerTexts())[0]).not.toBe(layer)
   await button('Undo').click()
 })
+
+test('an area is painted by a polygon, filled from an image, and mirrored', async () => {
+  await choice('crowsFeetLeft').check()
+  await button('Paint').click()
+  await page.getByText('Polygon', { exact: true }).click()
+  const before = await shootAside()
+  const { x, y, width, height } = (await page.locator('#viewport').boundingBox())!
+  const corners = [
+    [0.42, 0.5],
+    [0.58, 0.5],
+    [0.5, 0.62],
+  ]
+  const draw = async () => {
+    for (const [u, v] of corners) await page.mouse.click(x + u * width, y + v * height)
+  }
+  await draw()
+  await page.keyboard.press('Escape')
+  expect(await button('Close polygon').isDisabled()).toBe(true)
+  await draw()
+  await page.keyboard.press('Enter')
+  await undoIs('Paint crowsFeetLeft')
+  const painted = await shootAside()
+  expect(await meanPngDifference(before, painted)).toBeGreaterThan(1)
+  await draw()
+  const [[u, v]] = corners
+  await page.mouse.click(x + u * width + 2, y + v * height - 2)
+  expect(await button('Clear').isDisabled()).toBe(true)
+  await button('Mirror').click()
+  await undoIs('Mirror crowsFeetLeft')
+  expect(await choice('crowsFeetRight').isChecked()).toBe(true)
+  const input = page.getByLabel('Fill crowsFeetRight from an image')
+  await input.setInputFiles({ name: 'all.png', mimeType: 'image/png', buffer: await blackPng() })
+  await undoIs('Fill crowsFeetRight from an image')
+  while (await button('Undo').isEnabled()) await button('Undo').click()
+  await choice('crowsFeetLeft').check()
+  await expectPicture(before)
+  await page.getByText('Brush', { exact: true }).first().click()
+  await button('Paint').click()
+})
+
+async function undoIs(label: string): Promise<void> {
+  await vi.waitFor(async () => expect(await button('Undo').getAttribute('title')).toBe(`Undo: ${label}`))
+}
 
 async function shootTexture(): Promise<Buffer> {
   await page.mouse.move(10, 600)

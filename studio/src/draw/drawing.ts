@@ -1,6 +1,6 @@
 import { type Remote, wrap } from 'comlink'
 import type { RgbaImage } from 'furrow'
-import type { Bounds, HeightMap, Stroke } from 'furrow/author'
+import type { Bounds, Stroke } from 'furrow/author'
 import { changesOf } from './changes.ts'
 import { pasteRect } from './copy-rect.ts'
 import type { DrawingService, DrawingSurface, DrawnMaps } from './messages.ts'
@@ -60,11 +60,6 @@ export class Drawing {
     this.#sheets.set(layer, { maps, strokes, base: null })
     // Both at once: whatever is asked next comes after them.
     await Promise.all([this.#service.addLayer(layer, null), this.#service.draw(layer, [...strokes])])
-  }
-
-  /** Heights in millimetres. */
-  reliefOf(layer: string): Promise<HeightMap> {
-    return this.#service.reliefOf(layer)
   }
 
   dispose(): void {

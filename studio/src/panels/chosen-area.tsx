@@ -1,6 +1,7 @@
 import { useId } from 'preact/hooks'
 import { readArea } from '../area-file.ts'
 import type { StudioArea } from '../document/document.ts'
+import { Drivers } from './drivers/drivers.tsx'
 import type { PanelModel } from './model.ts'
 import { PaintControls } from './painting.tsx'
 
@@ -93,6 +94,7 @@ export function ChosenArea({ model }: { model: PanelModel }) {
         </button>
       </div>
       <PaintControls painting={model.painting} />
+      <Drivers model={model} area={name} />
     </section>
   )
 }

@@ -6,9 +6,9 @@ import type { StudioDocument } from '../document/document.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import { BRUSH_DEFAULTS, BRUSH_RADII, type Brush } from '../paint/brush.ts'
 import { mirrorWeights } from '../paint/mirror-weights.ts'
-import { PaintSkin } from '../paint/paint-skin.ts'
-import { type SkinHit, SkinPicker } from '../paint/picker.ts'
-import { readSkin } from '../paint/read-skin.ts'
+import type { PaintSkin } from '../paint/paint-skin.ts'
+import type { SkinHit, SkinPicker } from '../paint/picker.ts'
+import { posedSkinOf } from '../paint/posed-skin.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { Session } from '../session/session.ts'
 import { isTextField } from '../shortcuts.ts'
@@ -201,11 +201,9 @@ export class Painting {
     const { scale, areaSize } = document
     const known = this.#known
     if (known?.root !== root || known.index !== index || known.scale !== scale) {
-      const meshes = readSkin(skins[index].meshes)
-      const skin = new PaintSkin(meshes.skin, scale)
+      const { skin, picker } = posedSkinOf(skins[index].meshes, scale)
       // Now rather than when the first stroke begins.
       skin.mapOf(areaSize)
-      const picker = new SkinPicker(meshes, skin)
       const texture = new TexturePicker(skin, picker, areaSize)
       this.#known = { root, index, scale, skin, picker, texture }
     } else if (this.#isPoseNew) known.picker.refit()

@@ -48,9 +48,11 @@ export class PolygonTool implements StageTool {
   }
 
   end(): void {
-    if (!this.#placed) return this.close()
-    this.#points.push(this.#placed)
-    this.#place(null)
+    const placed = this.#placed
+    if (placed) {
+      this.#points.push(placed)
+      this.#place(null)
+    } else this.close()
   }
 
   /** Takes back the point that is being placed. */
