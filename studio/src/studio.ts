@@ -31,6 +31,7 @@ import { adapterName } from './viewer/adapter.ts'
 import { DocumentView, type DrawnDocument } from './viewer/document-view.ts'
 import { fetchFace, listFaces } from './viewer/faces.ts'
 import { lookLabel } from './viewer/looks.ts'
+import { Staging } from './viewer/staging.ts'
 import type { Viewer } from './viewer/viewer.ts'
 import { type LoadAvatar, ViewerHost } from './viewer/viewer-host.ts'
 
@@ -51,6 +52,7 @@ export class Studio {
   readonly #workspace: Workspace
   readonly #areas: AreaEditor
   readonly #layers: LayerEditor
+  readonly #staging: Staging
   readonly #tools: ToolHost
   readonly #painting: Painting
   readonly #view = new DocumentView()
@@ -104,6 +106,11 @@ export class Studio {
       drawn: this.#workspace.drawn,
       avatar: () => this.#viewer?.avatar ?? null,
       attempt: (task) => messages.attempt(task),
+    })
+    this.#staging = new Staging({
+      viewer: this.#shown,
+      orbit: () => this.#host.orbit,
+      wake: () => this.#loop.wake(),
     })
     this.#tools = new ToolHost(page.viewport, () => this.#viewer?.stage.camera ?? null)
     this.#painting = new Painting({
@@ -186,6 +193,7 @@ export class Studio {
       revision: this.#revision,
       expression: this.#expression,
       hovered: this.#hovered,
+      staging: this.#staging,
       actions: {
         attempt: (task) => void this.#messages.attempt(task),
         openFiles: (files) => this.#openFiles(async () => filesOfInput(files)),

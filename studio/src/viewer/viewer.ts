@@ -275,6 +275,7 @@ export class Viewer {
   }
 
   draw(): void {
+    if (!this.moving) this.#looks.follow()
     const hidden = this.areas.filter(({ name }) => this.hidden.includes(name))
     const activations = hidden.map(({ read }) => read())
     for (const { write } of hidden) write(0)
