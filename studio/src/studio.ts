@@ -31,6 +31,7 @@ import { adapterName } from './viewer/adapter.ts'
 import { DocumentView, type DrawnDocument } from './viewer/document-view.ts'
 import { fetchFace, listFaces } from './viewer/faces.ts'
 import { lookLabel } from './viewer/looks.ts'
+import { Performer } from './viewer/performer.ts'
 import { Staging } from './viewer/staging.ts'
 import type { Viewer } from './viewer/viewer.ts'
 import { type LoadAvatar, ViewerHost } from './viewer/viewer-host.ts'
@@ -53,6 +54,7 @@ export class Studio {
   readonly #areas: AreaEditor
   readonly #layers: LayerEditor
   readonly #staging: Staging
+  readonly #performer: Performer
   readonly #tools: ToolHost
   readonly #painting: Painting
   readonly #view = new DocumentView()
@@ -112,6 +114,14 @@ export class Studio {
       orbit: () => this.#host.orbit,
       wake: () => this.#loop.wake(),
     })
+    this.#performer = new Performer({
+      viewer: this.#shown,
+      isSideLit: this.#staging.isSideLit,
+      onPose: () => {
+        this.#frame.value++
+        this.#loop.wake()
+      },
+    })
     this.#tools = new ToolHost(page.viewport, () => this.#viewer?.stage.camera ?? null)
     this.#painting = new Painting({
       session,
@@ -149,8 +159,11 @@ export class Studio {
     showPanel(page.panel, this.#panelModel())
     effect(() => this.#highlight(this.#hovered.value, this.#painting.area.value))
     effect(() => {
-      const isEdited = this.#painting.area.value !== null || this.#lines.editor.mode.value !== 'off'
-      this.#arrange(this.#shown.value, this.#areas.hidden.value, isEdited)
+      const hovered = this.#hovered.value
+      this.#performer.request(hovered?.kind === 'area' && !this.#isEdited ? hovered.name : null)
+    })
+    effect(() => {
+      this.#arrange(this.#shown.value, this.#areas.hidden.value, this.#isEdited)
     })
     effect(() => this.#showDocument(this.#shown.value, this.#workspace.drawn.value))
     addShortcuts({ undo: () => session.undo(), redo: () => session.redo() })
@@ -199,7 +212,10 @@ export class Studio {
         openFiles: (files) => this.#openFiles(async () => filesOfInput(files)),
         openFace: (name) => this.#open(this.#fetch(name)),
         chooseSkin: (skin) => this.#open(async (shown) => ({ ...shown!, skin })),
-        setRenderer: (kind) => this.#host.open(kind),
+        setRenderer: (kind) => {
+          this.#performer.settle()
+          return this.#host.open(kind)
+        },
         setMode: (mode) =>
           this.#change((viewer) => {
             viewer.mode = mode
@@ -209,6 +225,10 @@ export class Studio {
             viewer.look = look
           }),
         play: (name) => this.#play(name),
+        pose: () => {
+          this.#performer.settle()
+          return new Map(this.#viewer?.targets.map((dial) => [dial.name, dial.read()]))
+        },
         input: (dial, value) => this.#set(() => dial.write(value)),
         reset: (dials) =>
           this.#set(() => {
@@ -254,6 +274,7 @@ export class Studio {
   }
 
   #open(load: LoadAvatar): Promise<unknown> {
+    this.#performer.settle()
     return this.#host.open(this.#viewer?.kind ?? 'webgl', load)
   }
 
@@ -304,6 +325,7 @@ export class Studio {
   #advance(delta: number): void {
     const wasMoving = this.#viewer?.moving
     this.#viewer?.advance(delta)
+    this.#performer.advance(delta)
     this.#painting.advance()
     this.#host.orbit?.advance(delta)
     this.#views.show(this.#host.orbit?.view ?? null)
@@ -311,7 +333,12 @@ export class Studio {
   }
 
   get #moving(): boolean {
-    return (this.#viewer?.moving || this.#host.orbit?.moving) ?? false
+    return (this.#viewer?.moving || this.#performer.moving || this.#host.orbit?.moving) ?? false
+  }
+
+  /** Whether the pointer paints or draws on the face, which then holds still. */
+  get #isEdited(): boolean {
+    return this.#painting.area.value !== null || this.#lines.editor.mode.value !== 'off'
   }
 
   #goTo(name: ViewName): void {
@@ -321,6 +348,7 @@ export class Studio {
 
   #play(name: string): void {
     this.#change((viewer) => {
+      this.#performer.settle()
       viewer.play(name, reducedMotion.matches ? 0 : EXPRESSION_TIME)
       this.#expression.value = name
       this.#frame.value++
@@ -330,6 +358,7 @@ export class Studio {
   /** Sets sliders by hand, after finishing the transition to an expression. */
   #set(write: () => void): void {
     this.#change((viewer) => {
+      this.#performer.settle()
       viewer.advance(Number.POSITIVE_INFINITY)
       write()
       this.#expression.value = null
@@ -362,7 +391,10 @@ export class Studio {
     const viewer = this.#shown.value
     if (!viewer) return
     if (!hovered) viewer.highlight(painted === null ? [] : [painted])
-    else viewer.highlight(hovered.kind === 'area' ? [hovered.name] : viewer.drivenBy(hovered.name))
+    else if (hovered.kind === 'target') viewer.highlight(viewer.drivenBy(hovered.name))
+    // The face performs instead, where it can.
+    else if (painted === null && viewer.performanceOf(hovered.name)) viewer.highlight([])
+    else viewer.highlight([hovered.name])
     this.#loop.wake()
   }
 

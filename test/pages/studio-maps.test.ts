@@ -10,7 +10,15 @@ import { createServer, type ViteDevServer } from 'vite'
 import { afterAll, afterEach, beforeAll, expect, test, vi } from 'vitest'
 import { writeAvatars } from './avatars.ts'
 import { openBrowser, openPage } from './browser.ts'
-import { blackPng, dismiss, dropPaths, meanPngDifference, shootStage, waitUntilReady } from './studio-page.ts'
+import {
+  blackPng,
+  dismiss,
+  dropPaths,
+  meanPngDifference,
+  shootStage,
+  slider,
+  waitUntilReady,
+} from './studio-page.ts'
 
 /** An automatic area of the forehead. */
 const AREA = 'foreheadInnerLeft'
@@ -124,8 +132,7 @@ test('layers are added, renamed, moved and undone; a map is imported, and saved 
   await page.locator('.layer summary', { hasText: 'sweat' }).click()
   const layerNames = () => page.locator('.layer summary').allInnerTexts()
   const first = (await layerNames())[0]
-  await button('Move sweat up').click()
-  await button('Move sweat up').click()
+  while (await button('Move sweat up').isEnabled()) await button('Move sweat up').click()
   await eventually(async () => expect((await layerNames())[0]).toMatch(/^sweat/))
   const gray = await sharp({ create: { width: 64, height: 64, channels: 3, background: '#808080' } })
     .png()
@@ -146,7 +153,7 @@ test('layers are added, renamed, moved and undone; a map is imported, and saved 
   })
   await input.setInputFiles({ name: 'notes.png', mimeType: 'image/png', buffer: Buffer.from('no image') })
   await dismiss(page, 'notes.png')
-  for (let i = 0; i < 5; i++) await button('Undo').click()
+  while (await button('Undo').isEnabled()) await button('Undo').click()
   await eventually(async () => expect((await layerNames())[0]).toBe(first))
   expect(await layerNames()).not.toContain('sweat')
 })
@@ -241,6 +248,28 @@ test('the light is turned by keys and dragged over its ball; nothing turns by it
   await ball.press('Home')
   await expectPicture(before)
   expect(await page.getByLabel('Turntable').isDisabled()).toBe(true)
+})
+
+test('the face performs for the area under the pointer or the focus, lit from the side, and relaxes', async () => {
+  await slider(page, 'jawOpen').fill('0.3')
+  await slider(page, 'chin').fill('0.4')
+  const before = await shootAside()
+  const values = async (...names: string[]) =>
+    Promise.all(names.map(async (name) => Number(await slider(page, name).inputValue())))
+  await page.locator('#areas label', { hasText: 'crowsFeetLeft' }).hover()
+  await eventually(async () => expect((await values('crowsFeetLeft'))[0]).toBeGreaterThan(0.5))
+  expect(await values('jawOpen')).toEqual([0])
+  expect(await meanPngDifference(before, await shootStage(page))).toBeGreaterThan(2)
+  await expectPicture(before)
+  expect(await values('jawOpen', 'chin', 'crowsFeetLeft')).toEqual([0.3, 0.4, 0])
+  await choice('chin').focus()
+  await page.keyboard.press('Shift+Tab')
+  await page.keyboard.press('Tab')
+  await eventually(async () => expect((await values('jawOpen'))[0]).toBe(0))
+  // What moves the face by hand begins from the pose before.
+  await slider(page, 'mouthPucker').fill('0.5')
+  expect(await values('jawOpen', 'chin', 'mouthPucker')).toEqual([0.3, 0.4, 0.5])
+  expect(await button('Undo').isDisabled()).toBe(true)
 })
 
 async function undoIs(label: string): Promise<void> {

@@ -95,9 +95,19 @@ function inOrder(dials: readonly Dial[], document: StudioDocument | null): reado
 
 /** Its thumbnail is what one presses. */
 function ChooseArea({ name, model }: { name: string; model: PanelModel }) {
-  const { areas } = model
+  const { areas, hovered } = model
+  const point = (isHere: boolean) => {
+    hovered.value = isHere ? { kind: 'area', name } : null
+  }
   return (
-    <span class="choose">
+    <span
+      class="choose"
+      onPointerMove={({ pointerType, movementX, movementY }) => {
+        const isHovered = hovered.peek()?.name === name
+        if (pointerType === 'mouse' && !isHovered && (movementX !== 0 || movementY !== 0)) point(true)
+      }}
+      onPointerLeave={({ pointerType }) => pointerType === 'mouse' && point(false)}
+    >
       <input
         type="radio"
         name="chosen-area"
@@ -105,6 +115,13 @@ function ChooseArea({ name, model }: { name: string; model: PanelModel }) {
         aria-label={`Edit area ${name}`}
         checked={areas.chosen.value?.name === name}
         onChange={() => areas.choose(name)}
+        onFocus={({ currentTarget }) => {
+          // Of the keyboard: a click is with the pointer on it.
+          if (currentTarget.matches(':focus-visible')) point(true)
+        }}
+        onBlur={() => {
+          if (hovered.peek()?.name === name) point(false)
+        }}
       />
       <AreaThumbnail name={name} model={model} />
     </span>

@@ -12,12 +12,11 @@ const COMBINATIONS: readonly { value: StudioArea['combine']; label: string }[] =
 
 /** Controls of the chosen area. */
 export function ChosenArea({ model }: { model: PanelModel }) {
-  const { areas, viewer } = model
+  const { areas, actions } = model
   const area = areas.chosen.value
   const id = useId()
   if (!area) return null
   const { name, activation } = area
-  const pose = () => new Map(viewer.value?.targets.map((dial) => [dial.name, dial.read()]))
   return (
     <section class="chosen-area" aria-label={`Area ${name}`}>
       <div class="settings">
@@ -75,7 +74,7 @@ export function ChosenArea({ model }: { model: PanelModel }) {
         </output>
       </div>
       <div class="add">
-        <button type="button" onClick={() => areas.recordPose(name, pose())}>
+        <button type="button" onClick={() => areas.recordPose(name, actions.pose())}>
           This pose fully shows this area
         </button>
         <button type="button" onClick={() => areas.duplicate(name)}>

@@ -66,6 +66,8 @@ export interface PanelActions {
   setMode(mode: WrinkleMode): void
   setLook(look: Look): void
   play(expression: string): void
+  /** Weights of the blendshapes by name, as the user has set them. */
+  pose(): ReadonlyMap<string, number>
   input(dial: Dial, value: number): void
   reset(dials: readonly Dial[]): void
   addAreaImages(files: readonly File[], convention: AreaConvention): void

@@ -6,8 +6,8 @@ import type { Viewer } from './viewer.ts'
 
 /** Where the key light is at first: at the upper left. */
 export const KEY_LIGHT: LightDirection = { yaw: -46, pitch: 44 }
-/** Light that grazes the skin, so that lines show. */
-const SIDE_LIGHT: LightDirection = { yaw: -80, pitch: 18 }
+/** Light that grazes the skin, so that lines show; from where the side with wrinkles is. */
+const SIDE_LIGHT: LightDirection = { yaw: 72, pitch: 36 }
 
 export interface StagingParts {
   viewer: ReadonlySignal<Viewer | null>
