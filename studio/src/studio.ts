@@ -1,4 +1,4 @@
-import { batch, effect, signal } from '@preact/signals'
+import { batch, effect, signal, untracked } from '@preact/signals'
 import type { AreaConvention } from 'furrow'
 import { VIEWS, type ViewName } from '../../stage/views.ts'
 import { readArea } from './area-file.ts'
@@ -160,7 +160,8 @@ export class Studio {
     effect(() => this.#highlight(this.#hovered.value, this.#painting.area.value))
     effect(() => {
       const hovered = this.#hovered.value
-      this.#performer.request(hovered?.kind === 'area' && !this.#isEdited ? hovered.name : null)
+      const area = hovered?.kind === 'area' && !this.#isEdited ? hovered.name : null
+      untracked(() => this.#performer.request(area))
     })
     effect(() => {
       this.#arrange(this.#shown.value, this.#areas.hidden.value, this.#isEdited)
