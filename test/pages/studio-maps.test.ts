@@ -251,6 +251,8 @@ test('the light is turned by keys and dragged over its ball; nothing turns by it
 })
 
 test('the face performs for the area under the pointer or the focus, lit from the side, and relaxes', async () => {
+  // Unfolds the groups of what is found.
+  await page.locator('#filter').fill('o')
   await slider(page, 'jawOpen').fill('0.3')
   await slider(page, 'chin').fill('0.4')
   const before = await shootAside()
