@@ -254,7 +254,7 @@ test('the face performs for the area under the pointer or the focus, lit from th
   // Unfolds the groups of what is found.
   await page.locator('#filter').fill('o')
   await slider(page, 'jawOpen').fill('0.3')
-  await slider(page, 'noseRoot').fill('0.4')
+  await slider(page, 'noseLeft').fill('0.4')
   const before = await shootAside()
   const values = async (...names: string[]) =>
     Promise.all(names.map(async (name) => Number(await slider(page, name).inputValue())))
@@ -263,14 +263,14 @@ test('the face performs for the area under the pointer or the focus, lit from th
   expect(await values('jawOpen')).toEqual([0])
   expect(await meanPngDifference(before, await shootStage(page))).toBeGreaterThan(2)
   await expectPicture(before)
-  expect(await values('jawOpen', 'noseRoot', 'crowsFeetLeft')).toEqual([0.3, 0.4, 0])
-  await choice('noseRoot').focus()
+  expect(await values('jawOpen', 'noseLeft', 'crowsFeetLeft')).toEqual([0.3, 0.4, 0])
+  await choice('noseLeft').focus()
   await page.keyboard.press('Shift+Tab')
   await page.keyboard.press('Tab')
   await eventually(async () => expect((await values('jawOpen'))[0]).toBe(0))
   // What moves the face by hand begins from the pose before.
   await slider(page, 'mouthPucker').fill('0.5')
-  expect(await values('jawOpen', 'noseRoot', 'mouthPucker')).toEqual([0.3, 0.4, 0.5])
+  expect(await values('jawOpen', 'noseLeft', 'mouthPucker')).toEqual([0.3, 0.4, 0.5])
   expect(await button('Undo').isDisabled()).toBe(true)
 })
 
