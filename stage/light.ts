@@ -18,6 +18,8 @@ const TONE_MAPPED_BACKGROUND = 0x34373b
 
 /** The lights and environment of a scene. */
 export interface Lighting {
+  /** The light that shapes the face: its position is where it comes from, for a face that looks along +Z. */
+  readonly key: DirectionalLight
   /** Turns them round the upright axis. @param yaw radians from +Z to where the face looks. */
   turn(yaw: number): void
   remove(): void
@@ -33,14 +35,16 @@ export function lightScene(scene: Scene, renderer: WebGLRenderer | WebGPURendere
   scene.environmentIntensity = ENVIRONMENT
   scene.background = new Color(isWebGL(renderer) ? BACKGROUND : TONE_MAPPED_BACKGROUND)
   const lights = new Group()
-  for (const { name, colour, intensity, from } of LIGHTS) {
+  const [key, ...others] = LIGHTS.map(({ name, colour, intensity, from }) => {
     const light = new DirectionalLight(colour, intensity)
     light.name = name
     light.position.fromArray(from)
-    lights.add(light)
-  }
+    return light
+  })
+  lights.add(key, ...others)
   scene.add(lights)
   return {
+    key,
     turn(yaw) {
       lights.rotation.y = yaw
       scene.environmentRotation.y = yaw

@@ -17,7 +17,7 @@ import {
 } from 'three'
 import { WebGPURenderer } from 'three/webgpu'
 import type { Face } from './face.ts'
-import { isWebGL, lightScene } from './light.ts'
+import { isWebGL, type Lighting, lightScene } from './light.ts'
 import { frameView, type ViewName } from './views.ts'
 
 export type RendererKind = 'webgl' | 'webgpu'
@@ -30,6 +30,8 @@ export interface Stage {
   backend: 'WebGL 2' | 'WebGPU'
   scene: Scene
   camera: PerspectiveCamera
+  /** See `Lighting.key`. */
+  key: Lighting['key']
   /** Shows a face in place of the last one, without wrinkles. */
   show(face: Face): void
   /** Adds wrinkles to a face. The caller disposes of them. */
@@ -68,6 +70,7 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
     backend: backendName(renderer),
     scene,
     camera,
+    key: lighting.key,
     show(face) {
       if (shown) scene.remove(shown.root)
       shown = face

@@ -1,4 +1,4 @@
-import { batch, effect, signal } from '@preact/signals'
+import { batch, effect, signal, untracked } from '@preact/signals'
 import type { AreaConvention } from 'furrow'
 import { VIEWS, type ViewName } from '../../stage/views.ts'
 import { readArea } from './area-file.ts'
@@ -31,6 +31,8 @@ import { adapterName } from './viewer/adapter.ts'
 import { DocumentView, type DrawnDocument } from './viewer/document-view.ts'
 import { fetchFace, listFaces } from './viewer/faces.ts'
 import { lookLabel } from './viewer/looks.ts'
+import { Performer } from './viewer/performer.ts'
+import { Staging } from './viewer/staging.ts'
 import type { Viewer } from './viewer/viewer.ts'
 import { type LoadAvatar, ViewerHost } from './viewer/viewer-host.ts'
 
@@ -51,6 +53,8 @@ export class Studio {
   readonly #workspace: Workspace
   readonly #areas: AreaEditor
   readonly #layers: LayerEditor
+  readonly #staging: Staging
+  readonly #performer: Performer
   readonly #tools: ToolHost
   readonly #painting: Painting
   readonly #view = new DocumentView()
@@ -105,6 +109,19 @@ export class Studio {
       avatar: () => this.#viewer?.avatar ?? null,
       attempt: (task) => messages.attempt(task),
     })
+    this.#staging = new Staging({
+      viewer: this.#shown,
+      orbit: () => this.#host.orbit,
+      wake: () => this.#loop.wake(),
+    })
+    this.#performer = new Performer({
+      viewer: this.#shown,
+      isSideLit: this.#staging.isSideLit,
+      onPose: () => {
+        this.#frame.value++
+        this.#loop.wake()
+      },
+    })
     this.#tools = new ToolHost(page.viewport, () => this.#viewer?.stage.camera ?? null)
     this.#painting = new Painting({
       session,
@@ -114,6 +131,7 @@ export class Studio {
       host: this.#tools,
       stage: page.stage,
       wake: () => this.#loop.wake(),
+      attempt: (task) => messages.attempt(task),
     })
     this.#lines = new Lines({
       stage: page.viewport,
@@ -141,8 +159,12 @@ export class Studio {
     showPanel(page.panel, this.#panelModel())
     effect(() => this.#highlight(this.#hovered.value, this.#painting.area.value))
     effect(() => {
-      const isEdited = this.#painting.area.value !== null || this.#lines.editor.mode.value !== 'off'
-      this.#arrange(this.#shown.value, this.#areas.hidden.value, isEdited)
+      const hovered = this.#hovered.value
+      const area = hovered?.kind === 'area' && !this.#isEdited ? hovered.name : null
+      untracked(() => this.#performer.request(area))
+    })
+    effect(() => {
+      this.#arrange(this.#shown.value, this.#areas.hidden.value, this.#isEdited)
     })
     effect(() => this.#showDocument(this.#shown.value, this.#workspace.drawn.value))
     addShortcuts({ undo: () => session.undo(), redo: () => session.redo() })
@@ -185,12 +207,16 @@ export class Studio {
       revision: this.#revision,
       expression: this.#expression,
       hovered: this.#hovered,
+      staging: this.#staging,
       actions: {
         attempt: (task) => void this.#messages.attempt(task),
         openFiles: (files) => this.#openFiles(async () => filesOfInput(files)),
         openFace: (name) => this.#open(this.#fetch(name)),
         chooseSkin: (skin) => this.#open(async (shown) => ({ ...shown!, skin })),
-        setRenderer: (kind) => this.#host.open(kind),
+        setRenderer: (kind) => {
+          this.#performer.settle()
+          return this.#host.open(kind)
+        },
         setMode: (mode) =>
           this.#change((viewer) => {
             viewer.mode = mode
@@ -200,6 +226,10 @@ export class Studio {
             viewer.look = look
           }),
         play: (name) => this.#play(name),
+        pose: () => {
+          this.#performer.settle()
+          return new Map(this.#viewer?.targets.map((dial) => [dial.name, dial.read()]))
+        },
         input: (dial, value) => this.#set(() => dial.write(value)),
         reset: (dials) =>
           this.#set(() => {
@@ -245,6 +275,7 @@ export class Studio {
   }
 
   #open(load: LoadAvatar): Promise<unknown> {
+    this.#performer.settle()
     return this.#host.open(this.#viewer?.kind ?? 'webgl', load)
   }
 
@@ -295,6 +326,7 @@ export class Studio {
   #advance(delta: number): void {
     const wasMoving = this.#viewer?.moving
     this.#viewer?.advance(delta)
+    this.#performer.advance(delta)
     this.#painting.advance()
     this.#host.orbit?.advance(delta)
     this.#views.show(this.#host.orbit?.view ?? null)
@@ -302,7 +334,12 @@ export class Studio {
   }
 
   get #moving(): boolean {
-    return (this.#viewer?.moving || this.#host.orbit?.moving) ?? false
+    return (this.#viewer?.moving || this.#performer.moving || this.#host.orbit?.moving) ?? false
+  }
+
+  /** Whether the pointer paints or draws on the face, which then holds still. */
+  get #isEdited(): boolean {
+    return this.#painting.area.value !== null || this.#lines.editor.mode.value !== 'off'
   }
 
   #goTo(name: ViewName): void {
@@ -312,6 +349,7 @@ export class Studio {
 
   #play(name: string): void {
     this.#change((viewer) => {
+      this.#performer.settle()
       viewer.play(name, reducedMotion.matches ? 0 : EXPRESSION_TIME)
       this.#expression.value = name
       this.#frame.value++
@@ -321,6 +359,7 @@ export class Studio {
   /** Sets sliders by hand, after finishing the transition to an expression. */
   #set(write: () => void): void {
     this.#change((viewer) => {
+      this.#performer.settle()
       viewer.advance(Number.POSITIVE_INFINITY)
       write()
       this.#expression.value = null
@@ -353,7 +392,10 @@ export class Studio {
     const viewer = this.#shown.value
     if (!viewer) return
     if (!hovered) viewer.highlight(painted === null ? [] : [painted])
-    else viewer.highlight(hovered.kind === 'area' ? [hovered.name] : viewer.drivenBy(hovered.name))
+    else if (hovered.kind === 'target') viewer.highlight(viewer.drivenBy(hovered.name))
+    // The face performs instead, where it can.
+    else if (painted === null && viewer.performanceOf(hovered.name)) viewer.highlight([])
+    else viewer.highlight([hovered.name])
     this.#loop.wake()
   }
 

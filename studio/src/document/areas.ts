@@ -1,8 +1,9 @@
 import { type Combine, FurrowError, type GrayImage, MAX_AREAS } from 'furrow'
 import type { StudioArea, StudioDocument } from './document.ts'
-import { driversOfNewArea, renameInDrivers, withoutArea } from './drivers.ts'
+import { driversOfNewArea, onOtherSide, renameInDrivers, withoutArea } from './drivers.ts'
 import { changed, checkCount, checkNewName, freeName, named, withNamed } from './names.ts'
 import { checkRange } from './ranges.ts'
+import { otherSide } from './sides.ts'
 import { renameInShapes, withoutShapes } from './stroke-areas.ts'
 import { edited } from './strokes.ts'
 
@@ -62,6 +63,27 @@ export function duplicateArea(document: StudioDocument, name: string): StudioDoc
   const { isAutomatic: _, ...area } = named(document.areas, name, 'area')
   const added = addArea(document, { ...area, name: copy })
   return { ...added, drivers: [...document.drivers, ...driversOfNewArea(document.drivers, name, copy)] }
+}
+
+/**
+ * Shows an area on the other side of the face too: the area that is called so gets these weights; where there is none it is added, with the
+ * drivers of the first one reading the blendshapes of the other side.
+ *
+ * @param weights the mirror image of the area's.
+ */
+export function mirrorArea(document: StudioDocument, name: string, weights: GrayImage): StudioDocument {
+  const other = mirroredName(document, name)
+  if (document.areas.some((area) => area.name === other)) return paintArea(document, other, weights)
+  const { isAutomatic: _, ...area } = named(document.areas, name, 'area')
+  const added = addArea(document, { ...area, name: other, weights })
+  const drivers = driversOfNewArea(document.drivers, name, other).map(onOtherSide)
+  return { ...added, drivers: [...document.drivers, ...drivers] }
+}
+
+/** What the mirror image of an area is called. */
+export function mirroredName({ areas }: StudioDocument, name: string): string {
+  const other = otherSide(name)
+  return other === name ? freeName(areas, name) : other
 }
 
 /** @throws FurrowError when the layer is unknown or the activation outside 0..1. */

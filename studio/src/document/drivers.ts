@@ -9,6 +9,7 @@ import {
 } from 'furrow'
 import type { StudioDocument } from './document.ts'
 import { changed, kept, named } from './names.ts'
+import { otherSide } from './sides.ts'
 
 /** A weight below which a blendshape counts as not set. */
 const UNSET = 0.01
@@ -119,6 +120,16 @@ export function driversOfNewArea(
     const targets = [{ name: (driver as MuscleDriver).name }]
     return parseDrivers([{ type: 'morph', area: newName, targets }], [newName], 'Studio')
   })
+}
+
+/** A driver that reads the blendshapes of the other side. */
+export function onOtherSide(driver: WrinkleDriver): WrinkleDriver {
+  if (driver.type !== 'morph') return driver
+  const { targets } = driver as WrinkleDriver & { targets: Link[] }
+  return {
+    ...driver,
+    targets: targets.map((link) => ({ ...link, name: otherSide(link.name) })),
+  } as WrinkleDriver
 }
 
 /**

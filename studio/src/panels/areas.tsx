@@ -1,4 +1,3 @@
-import { useSignal } from '@preact/signals'
 import { useLayoutEffect, useRef } from 'preact/hooks'
 import type { StudioDocument } from '../document/document.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
@@ -87,9 +86,19 @@ function inOrder(dials: readonly Dial[], document: StudioDocument | null): reado
 
 /** Its thumbnail is what one presses. */
 function ChooseArea({ name, model }: { name: string; model: PanelModel }) {
-  const { areas } = model
+  const { areas, hovered } = model
+  const point = (isHere: boolean) => {
+    hovered.value = isHere ? { kind: 'area', name } : null
+  }
   return (
-    <span class="choose">
+    <span
+      class="choose"
+      onPointerMove={({ pointerType, movementX, movementY }) => {
+        const isHovered = hovered.peek()?.name === name
+        if (pointerType === 'mouse' && !isHovered && (movementX !== 0 || movementY !== 0)) point(true)
+      }}
+      onPointerLeave={({ pointerType }) => pointerType === 'mouse' && point(false)}
+    >
       <input
         type="radio"
         name="chosen-area"
@@ -97,6 +106,13 @@ function ChooseArea({ name, model }: { name: string; model: PanelModel }) {
         aria-label={`Edit area ${name}`}
         checked={areas.chosen.value?.name === name}
         onChange={() => areas.choose(name)}
+        onFocus={({ currentTarget }) => {
+          // Of the keyboard: a click is with the pointer on it.
+          if (currentTarget.matches(':focus-visible')) point(true)
+        }}
+        onBlur={() => {
+          if (hovered.peek()?.name === name) point(false)
+        }}
       />
       <AreaThumbnail name={name} model={model} />
     </span>
@@ -132,7 +148,7 @@ function ShownToggles({ name, areas }: { name: string; areas: AreaEditor }) {
 }
 
 function AddAreas({ model: { session, areas, actions } }: { model: PanelModel }) {
-  const isPaper = useSignal(true)
+  const { isPaper } = areas
   return (
     <>
       <div class="add">

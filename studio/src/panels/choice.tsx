@@ -4,16 +4,21 @@ interface ChoiceProps<T extends string> {
   legend: string
   options: readonly { value: T; label: string; title?: string }[]
   value: T
+  /** By default all in one row. */
+  columns?: number
   onChange(value: T): void
 }
 
-/** Radio buttons in one row. */
-export function Choice<T extends string>({ legend, options, value, onChange }: ChoiceProps<T>) {
+/** Radio buttons in a row, or in several. */
+export function Choice<T extends string>({ legend, options, value, columns, onChange }: ChoiceProps<T>) {
   const name = useId()
   return (
     <fieldset class="setting">
       <legend>{legend}</legend>
-      <div class="segments">
+      <div
+        class={columns ? 'segments grid' : 'segments'}
+        style={columns === undefined ? undefined : { '--columns': columns }}
+      >
         {options.map((option) => (
           <label key={option.value} title={option.title}>
             <input

@@ -1,4 +1,5 @@
 import { useId } from 'preact/hooks'
+import { readArea } from '../area-file.ts'
 import type { StudioArea } from '../document/document.ts'
 import { Drivers } from './drivers/drivers.tsx'
 import type { PanelModel } from './model.ts'
@@ -11,12 +12,11 @@ const COMBINATIONS: readonly { value: StudioArea['combine']; label: string }[] =
 
 /** Controls of the chosen area. */
 export function ChosenArea({ model }: { model: PanelModel }) {
-  const { areas, viewer } = model
+  const { areas, actions } = model
   const area = areas.chosen.value
   const id = useId()
   if (!area) return null
   const { name, activation } = area
-  const pose = () => new Map(viewer.value?.targets.map((dial) => [dial.name, dial.read()]))
   return (
     <section class="chosen-area" aria-label={`Area ${name}`}>
       <div class="settings">
@@ -74,12 +74,20 @@ export function ChosenArea({ model }: { model: PanelModel }) {
         </output>
       </div>
       <div class="add">
-        <button type="button" onClick={() => areas.recordPose(name, pose())}>
+        <button type="button" onClick={() => areas.recordPose(name, actions.pose())}>
           This pose fully shows this area
         </button>
         <button type="button" onClick={() => areas.duplicate(name)}>
           Duplicate
         </button>
+        <button
+          type="button"
+          title="Show it on the other side of the face too"
+          onClick={() => areas.mirror(name, (weights) => model.painting.mirrored(weights))}
+        >
+          Mirror
+        </button>
+        <FromImage name={name} model={model} />
         <button type="button" onClick={() => areas.remove(name)}>
           Delete
         </button>
@@ -87,6 +95,29 @@ export function ChosenArea({ model }: { model: PanelModel }) {
       <PaintControls painting={model.painting} />
       <Drivers model={model} area={name} />
     </section>
+  )
+}
+
+/** Takes the place of what is painted. */
+function FromImage({ name, model: { areas, actions } }: { name: string; model: PanelModel }) {
+  const fill = async (file: File) => {
+    const { weights } = await readArea(file, areas.isPaper.peek() ? 'paper' : 'weight')
+    areas.fill(name, weights)
+  }
+  return (
+    <label class="file" title="A gray image in the place of what is painted">
+      <input
+        type="file"
+        accept="image/*"
+        aria-label={`Fill ${name} from an image`}
+        onChange={({ currentTarget }) => {
+          const [file] = currentTarget.files!
+          if (file) actions.attempt(() => fill(file))
+          currentTarget.value = ''
+        }}
+      />
+      <span>From image…</span>
+    </label>
   )
 }
 

@@ -15,6 +15,7 @@ import type { Session } from '../session/session.ts'
 import type { Painting } from '../tools/painting.ts'
 import type { Dial } from '../viewer/dials.ts'
 import type { Look } from '../viewer/looks.ts'
+import type { Staging } from '../viewer/staging.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 
 /** What the pointer or the focus is on: an area or a blendshape. */
@@ -41,6 +42,8 @@ export interface PanelModel {
   /** The expression that the face shows or moves to; null once a slider has changed it. */
   readonly expression: ReadonlySignal<string | null>
   readonly hovered: Signal<Hovered | null>
+  /** Light and turntable. */
+  readonly staging: Staging
   /** Settings of the automatic wrinkles, and the run that makes them. */
   readonly auto: ReadonlySignal<AutoSettings>
   readonly autoRun: ReadonlySignal<AutoRun | null>
@@ -54,7 +57,7 @@ export interface PanelModel {
 /** What a user can request. Errors are shown on the stage. */
 export interface PanelActions {
   /** Runs a task, and shows its errors. */
-  attempt(task: () => void): void
+  attempt(task: () => unknown): void
   openFiles(files: readonly File[]): void
   openFace(name: string): void
   /** Wrinkles another mesh of the avatar. */
@@ -63,6 +66,8 @@ export interface PanelActions {
   setMode(mode: WrinkleMode): void
   setLook(look: Look): void
   play(expression: string): void
+  /** Weights of the blendshapes by name, as the user has set them. */
+  pose(): ReadonlyMap<string, number>
   input(dial: Dial, value: number): void
   reset(dials: readonly Dial[]): void
   addAreaImages(files: readonly File[], convention: AreaConvention): void

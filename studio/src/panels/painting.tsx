@@ -1,9 +1,13 @@
 import { BRUSH_MODES, type Brush } from '../paint/brush.ts'
-import type { Painting } from '../tools/painting.ts'
+import { PAINT_SHAPES, type Painting } from '../tools/painting.ts'
 import { Choice } from './choice.tsx'
 import { NumberSlider } from './number-slider.tsx'
+import { PaintChecks } from './paint-checks.tsx'
+import { PolygonControls } from './polygon.tsx'
 
-const MODES = BRUSH_MODES.map((value) => ({ value, label: value[0].toUpperCase() + value.slice(1) }))
+const titled = <T extends string>(value: T) => ({ value, label: value[0].toUpperCase() + value.slice(1) })
+const SHAPES = PAINT_SHAPES.map(titled)
+const MODES = BRUSH_MODES.map(titled)
 
 /** Least and greatest diameter in millimetres that the slider offers, and its step; keys go further. */
 const SIZES = [1, 80, 0.5] as const
@@ -23,7 +27,23 @@ export function PaintControls({ painting }: { painting: Painting }) {
       >
         Paint
       </button>
-      {isOn && <BrushControls painting={painting} />}
+      {isOn && (
+        <div class="brush">
+          <Choice
+            legend="Tool"
+            options={SHAPES}
+            value={painting.shape.value}
+            onChange={(shape) => {
+              painting.shape.value = shape
+            }}
+          />
+          {painting.shape.value === 'brush' ? (
+            <BrushControls painting={painting} />
+          ) : (
+            <PolygonControls painting={painting} />
+          )}
+        </div>
+      )}
     </>
   )
 }
@@ -34,7 +54,7 @@ function BrushControls({ painting }: { painting: Painting }) {
     painting.brush.value = { ...brush, ...fields }
   }
   return (
-    <div class="brush">
+    <>
       <Choice legend="Brush" options={MODES} value={brush.mode} onChange={(mode) => change({ mode })} />
       <NumberSlider
         label="Size"
@@ -55,30 +75,11 @@ function BrushControls({ painting }: { painting: Painting }) {
         value={brush.flow}
         onMove={(flow) => change({ flow })}
       />
-      <div class="add checks">
-        <label class="check">
-          <input
-            type="checkbox"
-            checked={brush.mirror}
-            onChange={({ currentTarget }) => change({ mirror: currentTarget.checked })}
-          />
-          Mirror
-        </label>
-        <label class="check" title="Also what the camera does not see">
-          <input
-            type="checkbox"
-            checked={painting.isThrough.value}
-            onChange={({ currentTarget }) => {
-              painting.isThrough.value = currentTarget.checked
-            }}
-          />
-          Paint through
-        </label>
-      </div>
+      <PaintChecks painting={painting} />
       <p class="hint">
         Drag on the face. Alt, two fingers, or a drag beside the face move the camera. Keys: [ and ] for the
         size, X for add or remove, Esc to take a stroke back.
       </p>
-    </div>
+    </>
   )
 }

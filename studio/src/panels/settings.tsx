@@ -5,6 +5,7 @@ import type { Look, LookName } from '../viewer/looks.ts'
 import { Choice } from './choice.tsx'
 import type { PanelModel } from './model.ts'
 import { Section } from './section.tsx'
+import { StagingControls } from './staging.tsx'
 
 const RENDERERS: readonly { value: RendererKind; label: string }[] = [
   { value: 'webgl', label: 'WebGL' },
@@ -19,8 +20,10 @@ const MODES: readonly { value: Exclude<WrinkleMode, 'composed'>; label: string; 
 
 const LOOKS: readonly { value: LookName; label: string; title?: string }[] = [
   { value: 'shaded', label: 'Shaded' },
+  { value: 'relief', label: 'Relief', title: 'The shape alone, in clay' },
   { value: 'normals', label: 'Normals' },
   { value: 'influence', label: 'Areas', title: 'Areas of influence times their activations' },
+  { value: 'strain', label: 'Strain', title: 'How the present pose compresses and stretches the skin' },
   { value: 'wireframe', label: 'Wires' },
 ]
 
@@ -52,12 +55,17 @@ export function Settings({ model }: { model: PanelModel }) {
         <Choice
           legend="Show"
           options={LOOKS}
+          columns={3}
           value={look.name}
           onChange={(name) => actions.setLook({ name })}
         />
+        {look.name === 'strain' && (
+          <p class="hint">Orange is compressed, blue is stretched: full colours from 30% on.</p>
+        )}
         {look.name === 'influence' && (
           <AreaChoice model={model} shown={typeof look.area === 'string' ? look.area : ''} />
         )}
+        <StagingControls staging={model.staging} />
       </div>
     </Section>
   )

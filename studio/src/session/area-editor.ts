@@ -5,6 +5,9 @@ import {
   addArea,
   addEmptyArea,
   duplicateArea,
+  mirrorArea,
+  mirroredName,
+  paintArea,
   removeArea,
   renameArea,
   setArea,
@@ -23,6 +26,9 @@ export class AreaEditor {
   readonly #chosen = signal<string | null>(null)
   readonly #muted = signal<Names>(new Set())
   readonly #soloed = signal<Names>(new Set())
+
+  /** Whether images of areas are white where no wrinkles are, the paper's convention. */
+  readonly isPaper = signal(true)
 
   /** The area whose controls are shown. */
   readonly chosen: ReadonlySignal<StudioArea | null> = computed(() => {
@@ -93,6 +99,27 @@ export class AreaEditor {
     const copy = freeName(this.#areas, name)
     this.#edit(`Duplicate ${name}`, (document) => duplicateArea(document, name))
     this.#chooseExisting(copy)
+  }
+
+  /**
+   * Shows an area on the other side of the face too, and chooses it there.
+   *
+   * @param mirror makes the mirror image of weights.
+   */
+  mirror(name: string, mirror: (weights: GrayImage) => GrayImage): void {
+    const document = this.#session.document.peek()
+    const area = document?.areas.find((each) => each.name === name)
+    if (!document || !area) return
+    const other = mirroredName(document, name)
+    this.#edit(`Mirror ${name}`, (old) => mirrorArea(old, name, mirror(area.weights)))
+    this.#chooseExisting(other)
+  }
+
+  /** Replaces the weights of an area, which are resampled. */
+  fill(name: string, weights: GrayImage): void {
+    this.#edit(`Fill ${name} from an image`, (document) =>
+      paintArea(document, name, resampleGray(weights, document.areaSize)),
+    )
   }
 
   remove(name: string): void {

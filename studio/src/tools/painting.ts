@@ -5,6 +5,7 @@ import { paintArea } from '../document/areas.ts'
 import type { StudioDocument } from '../document/document.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import { BRUSH_DEFAULTS, BRUSH_RADII, type Brush } from '../paint/brush.ts'
+import { mirrorWeights } from '../paint/mirror-weights.ts'
 import type { PaintSkin } from '../paint/paint-skin.ts'
 import type { SkinHit, SkinPicker } from '../paint/picker.ts'
 import { posedSkinOf } from '../paint/posed-skin.ts'
@@ -15,6 +16,8 @@ import { TexturePicker } from '../texture/texture-picker.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 import { BrushRing } from './brush-ring.ts'
 import { type PaintTarget, PaintTool } from './paint-tool.ts'
+import { PolygonPainting } from './polygon-painting.ts'
+import type { StageTool } from './stage-tool.ts'
 import type { ToolHost } from './tool-host.ts'
 
 /** Factor on the brush's radius per key press. */
@@ -30,6 +33,9 @@ interface PaintedFace {
   readonly texture: TexturePicker
 }
 
+export const PAINT_SHAPES = ['brush', 'polygon'] as const
+export type PaintShape = (typeof PAINT_SHAPES)[number]
+
 export interface PaintingParts {
   session: Session
   areas: AreaEditor
@@ -41,6 +47,8 @@ export interface PaintingParts {
   stage: HTMLElement
   /** Requests the next frame. */
   wake(): void
+  /** Runs a task, and shows its errors. */
+  attempt(task: () => void): unknown
 }
 
 /** Painting of the chosen area on the face: whether the tool is in use, its brush, and what it changes. */
@@ -56,6 +64,9 @@ export class Painting {
   readonly #stroke = signal<GrayImage | null>(null)
 
   readonly brush = signal<Brush>(BRUSH_DEFAULTS)
+  /** What paints on the face. */
+  readonly shape = signal<PaintShape>('brush')
+  readonly polygon: PolygonPainting
   /** Whether skin that the camera does not see is painted as well. */
   readonly isThrough = signal(false)
   /** Name of the area that is painted; null while the tool is not in use. */
@@ -67,7 +78,18 @@ export class Painting {
     this.#parts = parts
     const { session, areas, frame, host } = parts
     this.#ring = new BrushRing(parts.stage)
-    this.#addTool(host, () => this.#targetOnFace())
+    this.#addTool(host, () => this.#targetOnFace(), 'brush')
+    this.polygon = new PolygonPainting({
+      ...parts,
+      brush: this.brush,
+      target: () => this.#targetOnFace(),
+      camera: () => parts.viewer.peek()?.stage.camera ?? null,
+      keep: (area, weights) => this.#keep(area, weights),
+    })
+    this.#offer(host, this.polygon.tool, 'polygon')
+    effect(() => {
+      if (this.area.value === null || this.shape.value !== 'polygon') this.polygon.tool.clear()
+    })
     effect(() => {
       if (!areas.chosen.value) this.#isOn.value = false
     })
@@ -110,36 +132,52 @@ export class Painting {
 
   /** Lets the brush paint on the texture as well. @param host whose rays are those of a `TextureCamera`. */
   addTexture(host: ToolHost): void {
-    this.#addTool(host, () => this.#targetOnTexture())
+    this.#addTool(host, () => this.#targetOnTexture(), 'brush')
+  }
+
+  /** The mirror image of weights on the face that is open. */
+  mirrored(weights: GrayImage): GrayImage {
+    const { skin } = this
+    return skin ? mirrorWeights(weights, skin) : weights
   }
 
   /** Before a frame is drawn. */
   advance(): void {
     for (const { tool } of this.#tools) tool.showStroke()
     this.#drawRing()
+    this.polygon.advance()
   }
 
-  #addTool(host: ToolHost, target: () => PaintTarget | null): void {
-    const { session, viewer, wake } = this.#parts
+  #addTool(host: ToolHost, target: () => PaintTarget | null, shape: PaintShape): void {
+    const { wake } = this.#parts
     const tool = new PaintTool({
       target,
       onPaint: wake,
       show: (area, weights) => this.#show(area, weights),
-      keep: (area, weights) => session.edit(`Paint ${area}`, (old) => paintArea(old, area, weights)),
+      keep: (area, weights) => this.#keep(area, weights),
       onHit: (hit) => {
         this.#hit.value = hit
         this.#drawRing()
       },
     })
     this.#tools.push({ tool, host })
+    this.#offer(host, tool, shape)
+  }
+
+  /** Lets a tool have the pointer while its shape is painted. */
+  #offer(host: ToolHost, tool: StageTool, shape: PaintShape): void {
     effect(() => {
-      viewer.value
-      if (this.area.value === null) host.leave(tool)
+      this.#parts.viewer.value
+      if (this.area.value === null || this.shape.value !== shape) host.leave(tool)
       else host.choose(tool)
     })
   }
 
-  #targetOnFace(): PaintTarget | null {
+  #keep(area: string, weights: GrayImage): void {
+    this.#parts.session.edit(`Paint ${area}`, (old) => paintArea(old, area, weights))
+  }
+
+  #targetOnFace(): (PaintTarget & { picker: SkinPicker }) | null {
     const [viewer, area, face] = [this.#parts.viewer.peek(), this.#parts.areas.chosen.peek(), this.#face()]
     if (!viewer || !area || !face) return null
     const { skin, picker } = face

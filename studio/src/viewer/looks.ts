@@ -5,14 +5,15 @@ import {
   type Mesh,
   MeshBasicMaterial,
   MeshNormalMaterial,
-  type MeshStandardMaterial,
+  MeshStandardMaterial,
   Mesh as ThreeMesh,
 } from 'three'
 import type { Face } from '../../../stage/face.ts'
 import type { Wrinkles } from '../../../stage/stage.ts'
+import { StrainView } from './strain-view.ts'
 
 /** What the side with wrinkles shows: the lit face, or a technical view of it. */
-export type LookName = 'shaded' | 'normals' | 'influence' | 'wireframe'
+export type LookName = 'shaded' | 'relief' | 'normals' | 'influence' | 'strain' | 'wireframe'
 
 /** @property area shows only the influence of this area or these areas, as if fully active. */
 export type Look =
@@ -26,9 +27,13 @@ const TECHNICAL_BACKGROUND = new Color(0x131518)
 const WIRE_COLOUR = 0xe6b48c
 const SURFACE_COLOUR = 0x202328
 const OTHER_MESHES_COLOUR = 0x1b1e22
+/** Clay, on which light shows nothing but shape. */
+const CLAY = { color: 0xa39a92, roughness: 0.62 } as const
 
 /** A mesh has several materials where three-vrm draws an outline. */
 type Materials = Mesh['material']
+
+type NormalMaps = Pick<MeshStandardMaterial, 'normalMap' | 'normalScale' | 'side'>
 
 /** Makes the same wrinkles for another mesh, on the same renderer. */
 type CreateMirror = (mesh: Mesh, wrinkles: Wrinkles) => Wrinkles
@@ -39,7 +44,8 @@ interface SideLook {
   materials: Map<Mesh, Materials | null>
   /** Whether the materials are lit, and so tone-mapped. */
   lit: boolean
-  wireframe: boolean
+  /** What is drawn in the place of the skin, or over it. */
+  extra: 'wireframe' | 'strain' | null
 }
 
 /**
@@ -54,6 +60,7 @@ export class Looks {
   /** The skin's material without wrinkles. */
   readonly #plain: Materials
   readonly #wireframeMesh: Mesh
+  #strain: StrainView | null = null
   #sides: Record<Side, SideLook>
   #materials: Material[] = []
   #mirror: Wrinkles | null = null
@@ -82,6 +89,8 @@ export class Looks {
     this.#discard()
     const without = this.#shaded(this.#plain)
     if (look.name === 'normals') this.#sides = this.#normals()
+    else if (look.name === 'relief') this.#sides = this.#relief()
+    else if (look.name === 'strain') this.#sides = { without, with: this.#strained() }
     else if (influence) this.#sides = { without, with: this.#technical(influence) }
     else if (look.name === 'wireframe') this.#sides = { without, with: this.#wireframe() }
     else this.#sides = { without, with: this.#shaded(this.#originals.get(this.#face.skin)!) }
@@ -96,14 +105,20 @@ export class Looks {
     return TECHNICAL_BACKGROUND
   }
 
+  /** Follows the pose, now that it rests. */
+  follow(): void {
+    this.#strain?.follow()
+  }
+
   /** Sets the materials of a side, before it is drawn. */
   apply(side: Side): void {
-    const { materials, wireframe } = this.#sides[side]
+    const { materials, extra } = this.#sides[side]
     for (const [mesh, material] of materials) {
       mesh.visible = material !== null
       if (material) mesh.material = material
     }
-    this.#wireframeMesh.visible = wireframe
+    this.#wireframeMesh.visible = extra === 'wireframe'
+    if (this.#strain) this.#strain.visible = extra === 'strain'
     this.#copyActivations()
   }
 
@@ -122,7 +137,7 @@ export class Looks {
   #shaded(skin: Materials): SideLook {
     const materials = new Map<Mesh, Materials | null>(this.#originals)
     for (const mesh of this.#skin) materials.set(mesh, skin)
-    return { materials, lit: true, wireframe: false }
+    return { materials, lit: true, extra: null }
   }
 
   get #skin(): Mesh[] {
@@ -135,20 +150,41 @@ export class Looks {
     return this.#keep(new MeshBasicMaterial({ color: 0x000000, toneMapped: false }))
   }
 
-  /** Normals as lighting uses them, wrinkles included: a second `Wrinkles` patches this material as the first does the skin's. */
+  /** Normals as lighting uses them. */
   #normals(): Record<Side, SideLook> {
+    return this.#wrinkled((maps) => new MeshNormalMaterial(maps), new MeshNormalMaterial())
+  }
+
+  /** The shape alone, lit as the face is. */
+  #relief(): Record<Side, SideLook> {
+    const clay = new MeshStandardMaterial(CLAY)
+    const sides = this.#wrinkled((maps) => new MeshStandardMaterial({ ...CLAY, ...maps }), clay)
+    return { without: { ...sides.without, lit: true }, with: { ...sides.with, lit: true } }
+  }
+
+  /** The skin in a material without and with wrinkles: a second `Wrinkles` patches it as the first does the skin's. */
+  #wrinkled(create: (maps: NormalMaps) => Material, others: Material): Record<Side, SideLook> {
     const { skin } = this.#face
     const [plain] = [this.#plain].flat()
     const { normalMap, normalScale, side } = plain as MeshStandardMaterial
-    const createMaterial = () => this.#keep(new MeshNormalMaterial({ normalMap, normalScale, side }))
-    const flat = this.#keep(new MeshNormalMaterial())
-    const without = this.#technical(createMaterial(), flat)
+    const createMaterial = () => this.#keep(create({ normalMap, normalScale, side }))
+    const rest = this.#keep(others)
+    const without = this.#technical(createMaterial(), rest)
     if (!this.#wrinkles) return { without, with: without }
     const standIn = new ThreeMesh(skin.geometry, createMaterial())
     this.#mirror = this.#createMirror(standIn, this.#wrinkles)
     for (const mesh of this.#skin) this.#mirror.addMesh(mesh)
     this.#mirror.mode = this.#wrinkles.mode === 'off' ? 'off' : 'default'
-    return { without, with: this.#technical(standIn.material, flat) }
+    return { without, with: this.#technical(standIn.material, rest) }
+  }
+
+  #strained(): SideLook {
+    this.#strain = new StrainView(this.#skin)
+    this.#strain.follow()
+    const { materials, ...look } = this.#technical(this.#keep(new MeshBasicMaterial()))
+    const others = new Map(materials)
+    for (const mesh of this.#skin) others.set(mesh, null)
+    return { ...look, materials: others, extra: 'strain' }
   }
 
   #wireframe(): SideLook {
@@ -156,7 +192,7 @@ export class Looks {
     const surface = new MeshBasicMaterial({ color: SURFACE_COLOUR, polygonOffset: true, toneMapped: false })
     surface.polygonOffsetFactor = 1
     surface.polygonOffsetUnits = 1
-    return { ...this.#technical(this.#keep(surface)), wireframe: true }
+    return { ...this.#technical(this.#keep(surface)), extra: 'wireframe' }
   }
 
   /** The skin in one material and the rest in another; alpha-cut meshes such as lashes are hidden. */
@@ -170,7 +206,7 @@ export class Looks {
       const cutOut = transparent || alphaTest > 0 || alphaHash
       materials.set(mesh, this.#skin.includes(mesh) ? skin : cutOut ? null : rest)
     }
-    return { materials, lit: false, wireframe: false }
+    return { materials, lit: false, extra: null }
   }
 
   #copyActivations(): void {
@@ -187,6 +223,8 @@ export class Looks {
   }
 
   #discard(): void {
+    this.#strain?.dispose()
+    this.#strain = null
     this.#mirror?.dispose()
     this.#mirror = null
     for (const material of this.#materials) material.dispose()
@@ -209,5 +247,6 @@ function createWireframe(skin: Mesh): Mesh {
 export function lookLabel(look: Look, mode: WrinkleMode): string {
   if (look.name === 'influence') return look.area === undefined ? 'Influence' : [look.area].flat().join(', ')
   if (look.name === 'wireframe') return 'Wireframe'
+  if (look.name === 'strain') return 'Strain'
   return mode === 'off' ? 'Wrinkles off' : 'With wrinkles'
 }

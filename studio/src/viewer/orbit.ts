@@ -5,6 +5,8 @@ import type { ViewName } from '../../../stage/views.ts'
 
 /** Seconds of the transition from one view to another. */
 const TRANSITION_TIME = 0.45
+/** Of `OrbitControls`: 1 is a minute per turn. */
+const TURNTABLE_SPEED = 4
 /** Radians per key press. */
 const ROTATION_STEP = Math.PI / 36
 /** Factor per key press. */
@@ -56,7 +58,15 @@ export class Orbit {
 
   /** Whether the camera is still moving. */
   get moving(): boolean {
-    return this.#transition !== null || !this.#atRest
+    return this.#transition !== null || !this.#atRest || this.#controls.autoRotate
+  }
+
+  /** Whether it goes round the face by itself. */
+  set turntable(isOn: boolean) {
+    if (isOn === this.#controls.autoRotate) return
+    this.#controls.autoRotate = isOn
+    this.#controls.autoRotateSpeed = TURNTABLE_SPEED
+    if (isOn) this.#leaveView()
   }
 
   /** The fixed view that it shows or moves to, null once orbited by hand. */
@@ -91,7 +101,7 @@ export class Orbit {
       this.pose = interpolatePose(this.#transition.from, this.#transition.to, t * t * (3 - 2 * t))
       if (t === 1) this.#transition = null
     }
-    this.#atRest = !this.#controls.update()
+    this.#atRest = !this.#controls.update(delta)
   }
 
   dispose(): void {

@@ -19,6 +19,7 @@ import { completeExpressions } from './expressions.ts'
 import { FaceDrivers } from './face-drivers.ts'
 import { type Look, Looks, type Side } from './looks.ts'
 import { MuscleTargets } from './muscle-targets.ts'
+import { type Performance, performanceOf } from './performance.ts'
 import { releaseFromGPU } from './release.ts'
 
 /** One avatar on one renderer's canvas, drawn without wrinkles left of the divider and with them right of it. */
@@ -230,6 +231,12 @@ export class Viewer {
     this.#choose(this.#look)
   }
 
+  /** The pose that shows an area; null where no blendshape does. */
+  performanceOf(area: string): Performance | null {
+    const names = this.targets.map(({ name }) => name)
+    return performanceOf(area, this.#drivers.list, this.#expressions, names)
+  }
+
   get expressionNames(): string[] {
     return this.#expressions.map(({ name }) => name)
   }
@@ -275,6 +282,7 @@ export class Viewer {
   }
 
   draw(): void {
+    if (!this.moving) this.#looks.follow()
     const hidden = this.areas.filter(({ name }) => this.hidden.includes(name))
     const activations = hidden.map(({ read }) => read())
     for (const { write } of hidden) write(0)

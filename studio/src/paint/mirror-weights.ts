@@ -1,0 +1,59 @@
+import type { GrayImage } from 'furrow'
+import { checkPaintable } from './paint-map.ts'
+import { type PaintSkin, weightsOn } from './paint-skin.ts'
+
+/** Millimetres round what is mirrored within which its other side is looked for: faces are not quite symmetric. */
+const AROUND = 6
+
+/**
+ * An area on the other side of the face's own middle: each place of the skin has the weight of the point that is nearest to its mirror image.
+ *
+ * @throws FurrowError when the image cannot be painted.
+ */
+export function mirrorWeights(image: GrayImage, skin: PaintSkin): GrayImage {
+  checkPaintable(image)
+  const { width: size, height, data } = image
+  const { starts, texels, positions, locator } = skin.mapOf(size)
+  const [low, high] = otherSide(image, texels, positions)
+  const out = new Uint8Array(data.length)
+  const weights = new Float64Array(3)
+  for (let place = 0; place < starts[starts.length - 1]; place++) {
+    const [x, y, z] = positions.subarray(3 * place, 3 * place + 3)
+    if (x < low[0] || y < low[1] || z < low[2] || x > high[0] || y > high[1] || z > high[2]) continue
+    const { triangle, position } = skin.mirrored([x, y, z])
+    weightsOn(skin.surface, triangle, position, weights)
+    const [u, v] = locator.uvAt(triangle, weights)
+    const weight = sample(image, u * size - 0.5, v * size - 0.5)
+    // A texel that several parts of the skin use shows the greatest.
+    if (weight > out[texels[place]]) out[texels[place]] = weight
+  }
+  return { width: size, height, data: out }
+}
+
+/** The box, in millimetres, round where the mirror image will be. */
+function otherSide({ data }: GrayImage, texels: Uint32Array, positions: Float32Array) {
+  const [low, high] = [
+    [Infinity, Infinity, Infinity],
+    [-Infinity, -Infinity, -Infinity],
+  ]
+  for (let place = 0; place < texels.length; place++) {
+    if (data[texels[place]] === 0) continue
+    for (let k = 0; k < 3; k++) {
+      const value = k === 0 ? -positions[3 * place] : positions[3 * place + k]
+      low[k] = Math.min(low[k], value - AROUND)
+      high[k] = Math.max(high[k], value + AROUND)
+    }
+  }
+  return [low, high]
+}
+
+/** Bilinear, with the border's texels repeated. */
+function sample({ width, height, data }: GrayImage, x: number, y: number): number {
+  const at = (column: number, row: number) =>
+    data[Math.min(height - 1, Math.max(0, row)) * width + Math.min(width - 1, Math.max(0, column))]
+  const [column, row] = [Math.floor(x), Math.floor(y)]
+  const [s, t] = [x - column, y - row]
+  const above = (1 - s) * at(column, row) + s * at(column + 1, row)
+  const below = (1 - s) * at(column, row + 1) + s * at(column + 1, row + 1)
+  return Math.round((1 - t) * above + t * below)
+}

@@ -1,0 +1,30 @@
+import type { Painting } from '../tools/painting.ts'
+
+/** What a brush and a polygon have in common. */
+export function PaintChecks({ painting }: { painting: Painting }) {
+  const { mirror } = painting.brush.value
+  return (
+    <div class="add checks">
+      <label class="check">
+        <input
+          type="checkbox"
+          checked={mirror}
+          onChange={({ currentTarget }) => {
+            painting.brush.value = { ...painting.brush.peek(), mirror: currentTarget.checked }
+          }}
+        />
+        Mirror
+      </label>
+      <label class="check" title="Also what the camera does not see">
+        <input
+          type="checkbox"
+          checked={painting.isThrough.value}
+          onChange={({ currentTarget }) => {
+            painting.isThrough.value = currentTarget.checked
+          }}
+        />
+        Paint through
+      </label>
+    </div>
+  )
+}

@@ -1,0 +1,78 @@
+import { reducedMotion } from '../motion.ts'
+import { ballPoint, clampedLight, lightOnBall } from '../viewer/light-direction.ts'
+import { KEY_LIGHT, type Staging } from '../viewer/staging.ts'
+
+/** Degrees per key press. */
+const STEP = 5
+
+/** The light, as a ball that one drags it over, and the turntable. */
+export function StagingControls({ staging }: { staging: Staging }) {
+  return (
+    <div class="setting staging">
+      <span class="label">Light</span>
+      <LightBall staging={staging} />
+      <label
+        class="check"
+        title={reducedMotion.matches ? 'Off, as the system asks for less motion' : undefined}
+      >
+        <input
+          type="checkbox"
+          checked={staging.turntable.value}
+          disabled={reducedMotion.matches}
+          onChange={({ currentTarget }) => {
+            staging.turntable.value = currentTarget.checked
+          }}
+        />
+        Turntable
+      </label>
+    </div>
+  )
+}
+
+function LightBall({ staging: { light } }: { staging: Staging }) {
+  const { yaw, pitch } = light.value
+  const [x, y] = ballPoint(light.value)
+  const drag = (event: PointerEvent) => {
+    const { left, top, width, height } = (event.currentTarget as HTMLElement).getBoundingClientRect()
+    const across = (2 * (event.clientX - left)) / width - 1
+    const up = 1 - (2 * (event.clientY - top)) / height
+    light.value = lightOnBall(across, up)
+  }
+  const turn = (event: KeyboardEvent) => {
+    const steps: Record<string, readonly [number, number]> = {
+      ArrowLeft: [-STEP, 0],
+      ArrowRight: [STEP, 0],
+      ArrowUp: [0, STEP],
+      ArrowDown: [0, -STEP],
+    }
+    const step = steps[event.key]
+    if (!step && event.key !== 'Home') return
+    event.preventDefault()
+    light.value = step ? clampedLight({ yaw: yaw + step[0], pitch: pitch + step[1] }) : KEY_LIGHT
+  }
+  return (
+    <div
+      class="ball"
+      role="slider"
+      tabIndex={0}
+      title="Drag the light; Home and a double click put it back"
+      aria-label="Light"
+      aria-valuemin={-90}
+      aria-valuemax={90}
+      aria-valuenow={yaw}
+      aria-valuetext={`${Math.abs(yaw)}° from the ${yaw < 0 ? 'left' : 'right'}, ${Math.abs(pitch)}° from ${pitch < 0 ? 'below' : 'above'}`}
+      style={{ '--x': `${50 + 50 * x}%`, '--y': `${50 - 50 * y}%` }}
+      onPointerDown={(event) => {
+        event.currentTarget.setPointerCapture(event.pointerId)
+        drag(event)
+      }}
+      onPointerMove={(event) => {
+        if (event.currentTarget.hasPointerCapture(event.pointerId)) drag(event)
+      }}
+      onDblClick={() => {
+        light.value = KEY_LIGHT
+      }}
+      onKeyDown={turn}
+    />
+  )
+}

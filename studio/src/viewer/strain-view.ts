@@ -1,0 +1,90 @@
+import {
+  BufferAttribute,
+  BufferGeometry,
+  type InterleavedBufferAttribute,
+  type Mesh,
+  MeshBasicMaterial,
+  Vector3,
+} from 'three'
+import { strainColour, strainOf } from './strain.ts'
+
+/** Copies of the meshes of a skin that follow its pose and show its strain in their vertices. */
+export class StrainView {
+  readonly #parts: { mesh: Mesh; copy: Mesh; rest: Float32Array; indices: ArrayLike<number> }[]
+  readonly #material = new MeshBasicMaterial({ vertexColors: true, toneMapped: false })
+  #pose: readonly number[] | null = null
+
+  /** Hidden at first. */
+  constructor(meshes: readonly Mesh[]) {
+    this.#parts = meshes.map((mesh) => {
+      const copy = mesh.clone(false)
+      copy.name = 'strain'
+      copy.geometry = geometryOf(mesh.geometry)
+      copy.material = this.#material
+      copy.morphTargetInfluences = mesh.morphTargetInfluences
+      copy.visible = false
+      mesh.parent?.add(copy)
+      const { index } = mesh.geometry
+      const { position } = mesh.geometry.attributes
+      const indices = index?.array ?? Uint32Array.from({ length: position.count }, (_, i) => i)
+      return { mesh, copy, rest: floatsOf(position, 3), indices }
+    })
+  }
+
+  set visible(visible: boolean) {
+    for (const { copy } of this.#parts) copy.visible = visible
+  }
+
+  /** Measures the pose, where that is another one. */
+  follow(): void {
+    const pose = this.#parts.flatMap(({ mesh }) => mesh.morphTargetInfluences ?? [])
+    if (this.#pose && pose.every((weight, i) => weight === this.#pose![i])) return
+    this.#pose = pose
+    const point = new Vector3()
+    for (const { mesh, copy, rest, indices } of this.#parts) {
+      const posed = new Float32Array(rest.length)
+      for (let i = 0; i < rest.length / 3; i++) mesh.getVertexPosition(i, point).toArray(posed, 3 * i)
+      const colours = copy.geometry.attributes.color as BufferAttribute
+      for (const [i, strain] of strainOf(rest, posed, indices).entries())
+        colours.setXYZ(i, ...strainColour(strain))
+      colours.needsUpdate = true
+    }
+  }
+
+  dispose(): void {
+    for (const { copy } of this.#parts) {
+      copy.removeFromParent()
+      copy.geometry.dispose()
+    }
+    this.#material.dispose()
+  }
+}
+
+/** With attributes of its own: to dispose of shared ones would take them from the GPU for both. */
+function geometryOf({
+  attributes,
+  morphAttributes,
+  morphTargetsRelative,
+  index,
+}: BufferGeometry): BufferGeometry {
+  const geometry = new BufferGeometry()
+  const { position, skinIndex, skinWeight } = attributes
+  geometry.setAttribute('position', new BufferAttribute(floatsOf(position, 3), 3))
+  geometry.setAttribute('color', new BufferAttribute(new Float32Array(3 * position.count), 3))
+  if (skinIndex && skinWeight) {
+    geometry.setAttribute('skinIndex', new BufferAttribute(Uint16Array.from(floatsOf(skinIndex, 4)), 4))
+    geometry.setAttribute('skinWeight', new BufferAttribute(floatsOf(skinWeight, 4), 4))
+  }
+  if (morphAttributes.position) geometry.morphAttributes.position = morphAttributes.position
+  geometry.morphTargetsRelative = morphTargetsRelative
+  if (index) geometry.setIndex(index.clone())
+  return geometry
+}
+
+function floatsOf(attribute: BufferAttribute | InterleavedBufferAttribute, size: number): Float32Array {
+  const out = new Float32Array(size * attribute.count)
+  for (let i = 0; i < attribute.count; i++) {
+    for (let k = 0; k < size; k++) out[size * i + k] = attribute.getComponent(i, k)
+  }
+  return out
+}

@@ -1,0 +1,48 @@
+import { principalStretches, restInverse } from '../../../packages/furrow/src/math/stretch.ts'
+
+/** Strain that has the full colour, and the colours of compressed skin, of skin as it rests, and of stretched skin, linear RGB. */
+const FULL = 0.3
+const COMPRESSED = [0.9, 0.24, 0.04] as const
+const REST = [0.2, 0.2, 0.21] as const
+const STRETCHED = [0.06, 0.3, 0.85] as const
+
+/**
+ * How much a deformed surface is compressed or stretched: at each vertex the mean over its triangles, by their areas at rest, of whichever
+ * principal strain is the larger one (see `principalStretches`).
+ *
+ * @param rest, posed x, y and z of each vertex.
+ * @param indices three vertices per triangle.
+ * @returns a number per vertex: -0.2 where the skin is compressed by a fifth, 0 at rest.
+ */
+export function strainOf(
+  rest: ArrayLike<number>,
+  posed: ArrayLike<number>,
+  indices: ArrayLike<number>,
+): Float32Array {
+  const sums = new Float32Array(rest.length / 3)
+  const areas = new Float32Array(rest.length / 3)
+  const stretches = new Float64Array(2)
+  for (let t = 0; t + 2 < indices.length; t += 3) {
+    const [a, b, c] = [indices[t], indices[t + 1], indices[t + 2]]
+    const inverse = restInverse(a, b, c, rest)
+    if (!inverse) continue
+    principalStretches(stretches, inverse, 0, a, b, c, posed)
+    const [least, most] = [stretches[0] - 1, stretches[1] - 1]
+    const strain = -least > most ? least : most
+    // 1 / (along * height), twice the area.
+    const area = 1 / (inverse[0] * inverse[2])
+    for (const vertex of [a, b, c]) {
+      sums[vertex] += area * strain
+      areas[vertex] += area
+    }
+  }
+  return sums.map((sum, i) => (areas[i] > 0 ? sum / areas[i] : 0))
+}
+
+/** Linear RGB of a strain: orange where skin is compressed, blue where it is stretched. */
+export function strainColour(strain: number): [r: number, g: number, b: number] {
+  const t = Math.min(1, Math.abs(strain) / FULL)
+  const full = strain < 0 ? COMPRESSED : STRETCHED
+  const at = (k: number) => REST[k] + t * (full[k] - REST[k])
+  return [at(0), at(1), at(2)]
+}

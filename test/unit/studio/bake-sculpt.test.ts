@@ -1,0 +1,48 @@
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import sharp from 'sharp'
+import { afterAll, beforeAll, expect, it } from 'vitest'
+import { bakeCommand } from '../../../packages/cli/src/commands/bake.ts'
+import { bakeSculpt } from '../../../studio/src/export/bake-sculpt.ts'
+import { bench } from '../cli/command.ts'
+import { globe, icosphere, writeGlb } from '../cli/spheres.ts'
+
+const SIZE = 64
+
+const at = bench(bakeCommand)
+const folder = mkdtempSync(join(tmpdir(), 'furrow-sculpt-'))
+const read = (name: string) => ({ name, bytes: new Uint8Array(readFileSync(join(folder, name))) })
+
+beforeAll(async () => {
+  await writeGlb(join(folder, 'sculpt.glb'), { sculpt: icosphere(0.103, 3) })
+  await writeGlb(join(folder, 'elsewhere.glb'), { sculpt: icosphere(0.01, 1) })
+  await writeGlb(join(folder, 'face.glb'), { eye: icosphere(0.02, 1), skin: globe(0.1, 24, 12) })
+})
+
+afterAll(() => rmSync(folder, { recursive: true, force: true }))
+
+it('bakes the normal map that furrow bake makes of the same files', async () => {
+  const output = at.file('normal.png')
+  const options = ['-o', output, '--mesh', 'skin', '--size', `${SIZE}`, '--tangents', 'derivative']
+  await at.run(join(folder, 'sculpt.glb'), join(folder, 'face.glb'), ...options)
+  const steps: number[] = []
+  const target = { face: read('face.glb'), mesh: 'skin', size: SIZE }
+  const baked = await bakeSculpt(read('sculpt.glb'), target, (done, total) => steps.push(done / total))
+  const [own, commands] = await Promise.all([baked, output].map((png) => sharp(png).raw().toBuffer()))
+  expect(own.equals(commands)).toBe(true)
+  expect(steps.at(-1)).toBe(1)
+})
+
+it('refuses a sculpt that is not where the skin is, in one line', async () => {
+  const target = { face: read('face.glb'), mesh: 'skin', size: SIZE }
+  await expect(bakeSculpt(read('elsewhere.glb'), target)).rejects.toThrow(
+    /^bakeMaps: no ray hit .*; align both meshes/,
+  )
+})
+
+it('refuses what is no model, in one line', async () => {
+  const sculpt = { name: 'sculpt.png', bytes: new Uint8Array(40) }
+  const target = { face: read('face.glb'), size: SIZE }
+  await expect(bakeSculpt(sculpt, target)).rejects.toThrow(/^Studio: .*sculpt\.png/)
+})

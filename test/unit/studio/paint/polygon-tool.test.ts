@@ -1,0 +1,82 @@
+import { Ray, Vector3 } from 'three'
+import { beforeEach, expect, it } from 'vitest'
+import { type SkinHit, SkinPicker } from '../../../../studio/src/paint/picker.ts'
+import { PolygonTool } from '../../../../studio/src/tools/polygon-tool.ts'
+import type { StagePointer } from '../../../../studio/src/tools/stage-tool.ts'
+import { paintSkin, plainSheet } from './skins.ts'
+
+let tool: PolygonTool
+let closed: (readonly SkinHit[])[]
+
+beforeEach(() => {
+  const skin = paintSkin(plainSheet())
+  const picker = new SkinPicker(skin.meshes, skin)
+  closed = []
+  tool = new PolygonTool({
+    pick: ({ ray }) => picker.pick(ray),
+    project: ({ point }) => ({ x: 1000 * point.x, y: 1000 * point.y }),
+    close: (points) => closed.push(points),
+    changed: () => {},
+  })
+})
+
+/** A pixel per millimetre. */
+const at = (x: number, y: number, others: Partial<StagePointer> = {}): StagePointer => {
+  const ray = new Ray(new Vector3(x / 1000, y / 1000, 5), new Vector3(0, 0, -1))
+  return { ray, pressure: 1, x, y, shift: false, alt: false, ...others }
+}
+
+function click(x: number, y: number): boolean {
+  const isTaken = tool.begin(at(x, y))
+  if (isTaken) tool.end()
+  return isTaken
+}
+
+const places = (points: readonly SkinHit[]) =>
+  points.map(({ position }) => position.slice(0, 2).map((value) => Math.round(value)))
+
+it('clicks add points, and one near the first point closes the polygon', () => {
+  click(0, 0)
+  click(30, 0)
+  click(3, 3)
+  expect(closed).toEqual([])
+  click(30, 30)
+  click(4, -4)
+  expect(closed.map(places)).toEqual([
+    [
+      [0, 0],
+      [30, 0],
+      [3, 3],
+      [30, 30],
+    ],
+  ])
+  expect(tool.points).toEqual([])
+})
+
+it('a point follows the pointer until it is let go, and Escape takes it back', () => {
+  click(0, 0)
+  tool.begin(at(10, 0))
+  tool.move([at(20, 0), at(25, 5)])
+  expect(places(tool.points)).toEqual([
+    [0, 0],
+    [25, 5],
+  ])
+  tool.cancel()
+  expect(places(tool.points)).toEqual([[0, 0]])
+})
+
+it('two points enclose nothing; the last one is removed, and all of them', () => {
+  click(0, 0)
+  click(30, 0)
+  tool.close()
+  expect(closed).toEqual([])
+  tool.removeLast()
+  expect(places(tool.points)).toEqual([[0, 0]])
+  tool.clear()
+  expect(tool.points).toEqual([])
+})
+
+it('leaves the pointer to the camera beside the face and with Alt', () => {
+  expect(click(200, 0)).toBe(false)
+  expect(tool.begin(at(0, 0, { alt: true }))).toBe(false)
+})

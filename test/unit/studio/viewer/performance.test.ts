@@ -1,0 +1,45 @@
+import { type Expression, parseDrivers } from 'furrow'
+import { expect, it } from 'vitest'
+import { performanceOf } from '../../../../studio/src/viewer/performance.ts'
+
+const TARGETS = ['brow_up', 'browDown', 'jawOpen', 'cheek']
+const drivers = parseDrivers(
+  [
+    { type: 'morph', area: 'forehead', targets: [{ name: 'brow_up' }] },
+    { type: 'morph', area: 'frown', targets: [{ name: 'browDown' }, { name: 'brow_up', weight: -1 }] },
+    { type: 'morph', area: 'cheeks', targets: [{ name: 'cheek' }] },
+    { type: 'area', area: 'both', areas: [{ name: 'forehead' }] },
+  ],
+  ['forehead', 'frown', 'cheeks', 'both', 'chin', 'lines'],
+)
+const expressionOf = (name: string, targets: Record<string, number>, activations = {}): Expression => ({
+  name,
+  targets,
+  activations,
+})
+const expressions = [
+  expressionOf('neutral', { brow_up: 0, browDown: 0, jawOpen: 0, cheek: 0 }),
+  expressionOf('afraid', { brow_up: 0.6, jawOpen: 0.3 }),
+  expressionOf('surprised', { brow_up: 0.9, jawOpen: 0.5 }),
+  expressionOf('angry', { browDown: 0.8 }, { chin: 0.7 }),
+]
+const perform = (area: string) => performanceOf(area, drivers, expressions, TARGETS)
+const targetsOf = (area: string) => Object.fromEntries(perform(area)?.targets ?? [])
+
+it('is the expression that drives the area most, through other areas too', () => {
+  expect(targetsOf('forehead')).toEqual({ brow_up: 0.9, jawOpen: 0.5 })
+  expect(targetsOf('both')).toEqual({ brow_up: 0.9, jawOpen: 0.5 })
+  expect(targetsOf('frown')).toEqual({ browDown: 0.8 })
+})
+
+it('is the expression that activates the area itself', () => {
+  expect(perform('chin')?.activations.get('chin')).toBe(0.7)
+})
+
+it('is what its drivers read, fully set, where no expression shows the area', () => {
+  expect(targetsOf('cheeks')).toEqual({ cheek: 1 })
+})
+
+it('is nothing for an area that no blendshape shows', () => {
+  expect(perform('lines')).toBeNull()
+})
