@@ -193,6 +193,8 @@ export class Studio {
         cancelAuto: () => this.#workspace.cancelAuto(),
         editWrinkles: () => void this.#messages.attempt(() => this.#workspace.editWrinkles()),
         openProject: (id) => this.#open(() => this.#openProject(id)),
+        keepCopy: () => void this.#messages.attempt(() => keeping.copy()),
+        takeOver: () => this.#open(() => this.#takeOver()),
         deleteProject: (id) => void this.#messages.attempt(() => keeping.delete(id)),
         exportFace: (options) => void this.#messages.attempt(() => this.#workspace.export(options)),
         cancelExport: () => exporting.cancel(),
@@ -223,6 +225,13 @@ export class Studio {
   #openProject(id: string): Promise<OpenedAvatar> {
     this.#loading.show('Opening')
     return this.#workspace.openProject(id)
+  }
+
+  /** Opens the project again that another tab has, as that has saved it. */
+  async #takeOver(): Promise<OpenedAvatar> {
+    this.#loading.show('Opening')
+    const project = await this.#workspace.keeping.project()
+    return this.#workspace.openProject(project!.id, true)
   }
 
   #open(load: LoadAvatar): Promise<unknown> {

@@ -1,4 +1,5 @@
 import { expose, transfer } from 'comlink'
+import { holdLife } from '../workers/life.ts'
 import { exportDocument, projectFiles } from './export-document.ts'
 import { exportFace } from './export-face.ts'
 import { readDocument } from './read-document.ts'
@@ -30,6 +31,7 @@ const tasks = {
 export type Tasks = typeof tasks
 
 expose(tasks)
+holdLife()
 
 /** The buffers of arrays, each once. Maps that were copied from a face are parts of its buffer, which stays. */
 function buffersOf(arrays: readonly Uint8Array[]): ArrayBuffer[] {

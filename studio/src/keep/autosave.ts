@@ -27,25 +27,26 @@ export class AutoSave {
   readonly #save: (document: StudioDocument) => Promise<void>
   readonly #page: Page
   readonly #stopWatching: () => void
-  #saved: StudioDocument
+  #saved: StudioDocument | null
   #running: Promise<void> | undefined
   #timer: ReturnType<typeof setTimeout> | undefined
   #nextStart = 0
   #isDisposed = false
 
   /**
-   * @param document its present value counts as saved.
-   * @param save `Project.save`.
+   * @param save stores a document.
+   * @param saved what is stored already; null where nothing is.
    */
   constructor(
     document: ReadonlySignal<StudioDocument>,
     save: (document: StudioDocument) => Promise<void>,
     page: Page = globalThis.document,
+    saved: StudioDocument | null = document.peek(),
   ) {
     this.#document = document
     this.#save = save
     this.#page = page
-    this.#saved = document.peek()
+    this.#saved = saved
     this.#stopWatching = effect(() => this.#follow(document.value))
     page.addEventListener('visibilitychange', this.#onVisibility)
     globalThis.addEventListener?.('pagehide', this.#onPageHide)

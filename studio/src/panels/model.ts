@@ -4,12 +4,12 @@ import type { WrinkleMode } from 'furrow/three'
 import type { RendererKind } from '../../../stage/stage.ts'
 import type { AutoSettings } from '../document/document.ts'
 import type { ExportOptions } from '../export/export-face.ts'
-import type { SaveState } from '../keep/autosave.ts'
 import type { ProjectEntry } from '../keep/project-store.ts'
 import type { LineEditor } from '../lines/line-editor.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { AutoRun } from '../session/automatic.ts'
 import type { ExportState } from '../session/exporting.ts'
+import type { KeepState } from '../session/keeper.ts'
 import type { Session } from '../session/session.ts'
 import type { Painting } from '../tools/painting.ts'
 import type { Dial } from '../viewer/dials.ts'
@@ -45,7 +45,7 @@ export interface PanelModel {
   readonly exporting: ReadonlySignal<ExportState | null>
   /** What the browser keeps, and whether the present work is saved. */
   readonly projects: ReadonlySignal<readonly ProjectEntry[]>
-  readonly saving: ReadonlySignal<SaveState | null>
+  readonly saving: ReadonlySignal<KeepState | null>
   readonly actions: PanelActions
 }
 
@@ -74,6 +74,9 @@ export interface PanelActions {
   /** Makes a document of the wrinkles in the file. */
   editWrinkles(): void
   openProject(id: string): void
+  /** Of a project that another tab has: goes on in a copy of it, or with itself. */
+  keepCopy(): void
+  takeOver(): void
   deleteProject(id: string): void
   exportFace(options: ExportOptions): void
   cancelExport(): void

@@ -1,10 +1,12 @@
+import { KeepStatus } from './keep-status.tsx'
 import type { PanelModel } from './model.ts'
 
 /** Formats that the file dialog offers. */
 const FACES = '.glb,.gltf,.vrm,.bin,.png,.jpg,.jpeg,.webp,.ktx2,.json,.zip'
 
 /** The name of the page, and what concerns the whole work: open, undo, redo. */
-export function Title({ model: { session, saving, viewer, revision, actions } }: { model: PanelModel }) {
+export function Title({ model }: { model: PanelModel }) {
+  const { session, viewer, revision, actions } = model
   const { undoLabel, redoLabel } = session
   revision.value
   // What the file has is shown as it is, until it is to be changed.
@@ -50,11 +52,7 @@ export function Title({ model: { session, saving, viewer, revision, actions } }:
           </button>
         )}
       </div>
-      {saving.value && (
-        <p class="hint" role="status">
-          {saving.value.kind === 'failed' ? saving.value.reason.message : 'Kept in this browser'}
-        </p>
-      )}
+      <KeepStatus model={model} />
     </header>
   )
 }

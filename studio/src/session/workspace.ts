@@ -42,8 +42,8 @@ export class Workspace {
   /** @param onError is told of what goes wrong while the page goes on. */
   constructor(onError: (error: unknown) => void) {
     this.#onError = onError
-    this.#maps = new MapMaker()
-    this.keeping = new Keeping(this.session, onError)
+    this.#maps = new MapMaker(onError)
+    this.keeping = new Keeping(this.session)
     effect(() => {
       const document = this.session.document.value
       if (document?.auto) this.#settings.value = document.auto
@@ -62,9 +62,13 @@ export class Workspace {
     return this.#settings
   }
 
-  /** Opens a project: its avatar, to be shown, whose document `open` then takes. Rejects with a FurrowError where it cannot be. */
-  async openProject(id: string): Promise<OpenedAvatar> {
-    const project = await this.keeping.open(id)
+  /**
+   * Opens a project: its avatar, to be shown, whose document `open` then takes. Rejects with a FurrowError where it cannot be.
+   *
+   * @param take takes it from the tab that has it.
+   */
+  async openProject(id: string, take = false): Promise<OpenedAvatar> {
+    const project = await this.keeping.open(id, take)
     try {
       const [face, ...others] = project.files.map(({ path, file }) => ({
         path,
@@ -87,9 +91,9 @@ export class Workspace {
     const project = this.#project?.root === avatar.root ? this.#project.project : null
     this.#project = null
     this.automatic.cancel()
-    this.#maps.close()
     if (!project) await this.keeping.leave()
     this.session.open(null)
+    this.#maps.close()
     this.#drawn.value = null
     this.#source = avatar.skins[avatar.skin].wrinkles && !project ? null : skinSource(avatar)
     this.#settings.value = AUTO_SETTINGS
@@ -178,9 +182,14 @@ export class Workspace {
       for (;;) {
         const document = this.session.document.peek()
         if (!document || document === this.#drawn.peek()?.document) return
-        const maps = await this.#maps.make(document, this.#source!)
-        if (document !== this.session.document.peek()) continue
-        this.#drawn.value = { document, maps, changes: this.#maps.takeChanges() }
+        const isOld = () => document !== this.session.document.peek()
+        try {
+          const maps = await this.#maps.make(document, this.#source!)
+          if (!isOld()) this.#drawn.value = { document, maps, changes: this.#maps.takeChanges() }
+        } catch (error) {
+          // Another avatar was opened meanwhile.
+          if (!isOld()) throw error
+        }
       }
     } catch (error) {
       this.#onError(error)
