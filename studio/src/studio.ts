@@ -8,6 +8,7 @@ import { Divider } from './divider.ts'
 import type { StudioDocument } from './document/document.ts'
 import { acceptFiles } from './drop.ts'
 import { Lines } from './lines/lines.ts'
+import { PageLink } from './link/page-link.ts'
 import { Loading } from './loading.ts'
 import { Loop } from './loop.ts'
 import { Messages } from './messages.ts'
@@ -22,6 +23,7 @@ import { showPanel } from './panels/show-panel.tsx'
 import { saveFile } from './save-file.ts'
 import { savePicture } from './save-picture.ts'
 import { AreaEditor } from './session/area-editor.ts'
+import { Saving } from './session/saving.ts'
 import { Workspace } from './session/workspace.ts'
 import { addShortcuts } from './shortcuts.ts'
 import { Painting } from './tools/painting.ts'
@@ -48,6 +50,9 @@ export class Studio {
   readonly #host: ViewerHost
 
   readonly #workspace: Workspace
+  readonly #saving: Saving
+  readonly #link: PageLink
+  readonly #isListOpen = signal(false)
   readonly #areas: AreaEditor
   readonly #tools: ToolHost
   readonly #painting: Painting
@@ -93,6 +98,14 @@ export class Studio {
       this.#loop.wake()
     })
     this.#workspace = new Workspace((error) => messages.error(error))
+    this.#saving = new Saving(this.#workspace)
+    this.#link = new PageLink({
+      host: this.#host,
+      workspace: this.#workspace,
+      messages,
+      loading,
+      set: (write) => this.#set(write),
+    })
     const { session } = this.#workspace
     this.#areas = new AreaEditor(session, (task) => void messages.attempt(task))
     this.#tools = new ToolHost(page.viewport, () => this.#viewer?.stage.camera ?? null)
@@ -127,7 +140,14 @@ export class Studio {
       this.#arrange(this.#shown.value, this.#areas.hidden.value, isEdited)
     })
     effect(() => this.#showDocument(this.#shown.value, this.#workspace.drawn.value))
-    addShortcuts({ undo: () => this.#undo(), redo: () => this.#redo() })
+    addShortcuts({
+      undo: () => this.#undo(),
+      redo: () => this.#redo(),
+      save: () => this.#save(),
+      list: () => {
+        this.#isListOpen.value = true
+      },
+    })
     page.screenshot.addEventListener('click', () => this.#savePicture())
     page.uvLayout.addEventListener('click', () => this.#saveUvLayout())
     acceptFiles(page.dropping, (files) => this.#openFiles(() => filesOfTransfer(files)))
@@ -140,10 +160,13 @@ export class Studio {
       this.#faces.value = await listFaces()
       const query = new URLSearchParams(location.search)
       const name = this.#faces.value.find((known) => known === query.get('face')) ?? this.#faces.value[0]
-      await this.#host.open(query.get('renderer') === 'webgpu' ? 'webgpu' : 'webgl', this.#fetch(name))
+      const kind = query.get('renderer') === 'webgpu' ? 'webgpu' : 'webgl'
+      await this.#link.read()
+      await this.#host.open(kind, this.#link.load ?? this.#fetch(name))
+      if (!this.#viewer && this.#link.load) await this.#host.open(kind, this.#fetch(name))
     })
     if (!this.#viewer) this.#loading.done()
-    else this.#play('surprised')
+    else if (!this.#link.show()) this.#play('surprised')
   }
 
   #panelModel(): PanelModel {
@@ -158,6 +181,8 @@ export class Studio {
       exporting: exporting.state,
       projects: keeping.projects,
       saving: keeping.state,
+      folder: this.#saving.folder,
+      isListOpen: this.#isListOpen,
       faces: this.#faces,
       viewer: this.#shown,
       frame: this.#frame,
@@ -200,6 +225,8 @@ export class Studio {
         cancelExport: () => exporting.cancel(),
         saveExport: () => this.#saveExport(),
         saveProject: () => void this.#messages.attempt(() => this.#saveProject()),
+        saveToFolder: (isOther) => void this.#messages.attempt(() => this.#saveToFolder(isOther)),
+        copyLink: () => void this.#messages.attempt(() => this.#link.copy()),
       },
     }
   }
@@ -384,8 +411,19 @@ export class Studio {
   }
 
   async #saveProject(): Promise<void> {
-    const project = await this.#workspace.project()
+    const project = await this.#saving.zip()
     if (project) saveFile(project.file, project.name)
+  }
+
+  async #saveToFolder(isOther: boolean): Promise<void> {
+    const name = await this.#saving.toFolder(isOther)
+    if (name !== null) this.#messages.note(`Saved to the folder ${name}`)
+  }
+
+  /** Saves the project to its folder, or else as a file. */
+  #save(): void {
+    const hasFolder = this.#saving.folder.peek() !== null
+    void this.#messages.attempt(() => (hasFolder ? this.#saveToFolder(false) : this.#saveProject()))
   }
 
   async #savePicture(): Promise<void> {

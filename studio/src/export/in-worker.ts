@@ -3,6 +3,8 @@ import { FurrowError } from 'furrow'
 import type { Finding } from '../../../packages/cli/src/validate/finding.ts'
 import type { StudioDocument } from '../document/document.ts'
 import type { AvatarFile } from '../keep/database.ts'
+import type { ReadFolder } from '../keep/read-folder.ts'
+import type { WrinklesFolder } from '../open/sort-files.ts'
 import { endOf } from '../workers/life.ts'
 import type { DocumentToExport } from './export-document.ts'
 import type { ExportedFace, ExportOptions, OnProgress } from './export-face.ts'
@@ -59,6 +61,11 @@ export function readInWorker(
 /** `readDocument` in a worker of its own; see `exportInWorker`. */
 export function readDocumentInWorker(face: FaceFiles, material?: string): Promise<StudioDocument | null> {
   return run((tasks) => tasks.readDocument(face, material))
+}
+
+/** `readProject` in a worker of its own; see `exportInWorker`. */
+export function readProjectInWorker({ name, files }: WrinklesFolder): Promise<ReadFolder> {
+  return run((tasks) => tasks.readProject(files, name))
 }
 
 /** `validateFace` in a worker of its own; see `exportInWorker`. */

@@ -2,7 +2,7 @@ import { expose, transfer } from 'comlink'
 import { holdLife } from '../workers/life.ts'
 import { exportDocument, projectFiles } from './export-document.ts'
 import { exportFace } from './export-face.ts'
-import { readDocument } from './read-document.ts'
+import { readDocument, readProject } from './read-document.ts'
 import { readFace } from './read-face.ts'
 import { validateFace } from './validate-face.ts'
 
@@ -25,6 +25,7 @@ const tasks = {
     return transfer(read, buffersOf([read.face, ...(read.folder?.values() ?? [])]))
   },
   readDocument,
+  readProject,
   validateFace,
 }
 

@@ -46,6 +46,10 @@ export interface PanelModel {
   /** What the browser keeps, and whether the present work is saved. */
   readonly projects: ReadonlySignal<readonly ProjectEntry[]>
   readonly saving: ReadonlySignal<KeepState | null>
+  /** The project's folder on the disk; null where it has none. */
+  readonly folder: ReadonlySignal<FileSystemDirectoryHandle | null>
+  /** Whether the list of shortcuts is shown. */
+  readonly isListOpen: Signal<boolean>
   readonly actions: PanelActions
 }
 
@@ -82,4 +86,7 @@ export interface PanelActions {
   cancelExport(): void
   saveExport(): void
   saveProject(): void
+  /** Saves the project to its folder, or to one that the user chooses. */
+  saveToFolder(isOther: boolean): void
+  copyLink(): void
 }

@@ -4,6 +4,11 @@ import type { PanelModel } from './model.ts'
 /** Formats that the file dialog offers. */
 const FACES = '.glb,.gltf,.vrm,.bin,.png,.jpg,.jpeg,.webp,.ktx2,.json,.zip'
 
+/** Lets a dialog choose a folder, for which JSX has no name. */
+function chooseFolder(input: HTMLInputElement | null): void {
+  if (input) input.webkitdirectory = true
+}
+
 /** The name of the page, and what concerns the whole work: open, undo, redo. */
 export function Title({ model }: { model: PanelModel }) {
   const { session, viewer, revision, actions } = model
@@ -30,6 +35,17 @@ export function Title({ model }: { model: PanelModel }) {
           />
           <span>Open…</span>
         </label>
+        <label class="file">
+          <input
+            type="file"
+            ref={chooseFolder}
+            onChange={({ currentTarget }) => {
+              actions.openFiles([...currentTarget.files!])
+              currentTarget.value = ''
+            }}
+          />
+          <span>Open folder…</span>
+        </label>
         <button
           type="button"
           disabled={!undoLabel.value}
@@ -45,6 +61,23 @@ export function Title({ model }: { model: PanelModel }) {
           onClick={actions.redo}
         >
           Redo
+        </button>
+        <button
+          type="button"
+          title="Copy a link to this expression, view and avatar"
+          onClick={actions.copyLink}
+        >
+          Copy link
+        </button>
+        <button
+          type="button"
+          aria-label="Shortcuts"
+          title="Shortcuts (?)"
+          onClick={() => {
+            model.isListOpen.value = true
+          }}
+        >
+          ?
         </button>
         {isEditable && (
           <button type="button" onClick={actions.editWrinkles}>

@@ -18,7 +18,7 @@ export class Keeper {
   readonly #isElsewhere = signal(false)
   readonly #onCreate: () => void
   readonly #stopWatching: () => void
-  #project: Project | null = null
+  readonly #kept = signal<Project | null>(null)
 
   /**
    * @param project null where nothing is kept yet.
@@ -37,7 +37,7 @@ export class Keeper {
     this.#onCreate = onCreate
     if (project) this.#follow(project)
     this.#stopWatching = effect(() => {
-      if (session.undoLabel.value !== undefined && !this.#project) this.#save(null)
+      if (session.undoLabel.value !== undefined && !this.#kept.peek()) this.#save(null)
     })
   }
 
@@ -46,13 +46,19 @@ export class Keeper {
     this.#isElsewhere.value ? { kind: 'elsewhere' } : (this.#autosave.value?.state.value ?? null),
   )
 
+  /** The project; null before the first change. */
+  get kept(): ReadonlySignal<Project | null> {
+    return this.#kept
+  }
+
   /** The project, which is begun where there is none yet. Rejects with a FurrowError where it cannot be. */
   async project(): Promise<Project> {
-    if (!this.#project) {
+    if (!this.#kept.peek()) {
       this.#save(null)
       await this.#autosave.peek()?.flush()
     }
-    if (this.#project) return this.#project
+    const project = this.#kept.peek()
+    if (project) return project
     const state = this.#autosave.peek()?.state.peek()
     throw state?.kind === 'failed' ? state.reason : new Error('there is nothing to keep')
   }
@@ -62,7 +68,7 @@ export class Keeper {
     const document = this.#document.peek()
     if (!document) return
     const copy = await this.#create(document)
-    await this.#project?.close()
+    await this.#kept.peek()?.close()
     this.#isElsewhere.value = false
     this.#follow(copy)
     this.#onCreate()
@@ -73,11 +79,11 @@ export class Keeper {
     this.#stopWatching()
     await this.#autosave.peek()?.dispose()
     this.#autosave.value = null
-    await this.#project?.close()
+    await this.#kept.peek()?.close()
   }
 
   #follow(project: Project): void {
-    this.#project = project
+    this.#kept.value = project
     if (project.isReadOnly) {
       this.#isElsewhere.value = true
       return
@@ -103,9 +109,10 @@ export class Keeper {
   }
 
   async #write(document: StudioDocument): Promise<void> {
-    if (this.#project) return this.#project.save(document)
+    const known = this.#kept.peek()
+    if (known) return known.save(document)
     const project = await this.#create(document)
-    this.#project = project
+    this.#kept.value = project
     project.whenWanted(() => void this.#handOver(project))
     this.#onCreate()
   }

@@ -23,6 +23,9 @@ export class Keeping {
     return this.#projects
   }
 
+  /** The project that the work is kept in; null before the first change. */
+  readonly kept: ReadonlySignal<Project | null> = computed(() => this.#keeper.value?.kept.value ?? null)
+
   /** Null while nothing is to be saved. */
   readonly state: ReadonlySignal<KeepState | null> = computed(() => this.#keeper.value?.state.value ?? null)
 
