@@ -36,6 +36,9 @@ export default defineConfig({
       'three/addons/loaders/GLTFLoader.js',
       'three/addons/loaders/KTX2Loader.js',
       '@pixiv/three-vrm',
+      // Of the examples.
+      '@pixiv/three-vrm-core',
+      'meshoptimizer/simplifier',
       'preact',
       'preact/hooks',
       'preact/jsx-runtime',

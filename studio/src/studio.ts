@@ -1,4 +1,4 @@
-import { effect, signal } from '@preact/signals'
+import { batch, effect, signal } from '@preact/signals'
 import type { AreaConvention } from 'furrow'
 import { VIEWS, type ViewName } from '../../stage/views.ts'
 import { readArea } from './area-file.ts'
@@ -6,6 +6,7 @@ import { Buttons } from './buttons.ts'
 import { displayName } from './display-name.ts'
 import { Divider } from './divider.ts'
 import type { StudioDocument } from './document/document.ts'
+import { Downloads } from './downloads.ts'
 import { acceptFiles } from './drop.ts'
 import { Lines } from './lines/lines.ts'
 import { PageLink } from './link/page-link.ts'
@@ -14,14 +15,12 @@ import { Loop } from './loop.ts'
 import { Messages } from './messages.ts'
 import { Meter } from './meter.ts'
 import { reducedMotion } from './motion.ts'
-import { faceOf, type OpenedAvatar, openDropped } from './open/avatar.ts'
+import { type OpenedAvatar, openDropped } from './open/avatar.ts'
 import { type DroppedFile, filesOfInput, filesOfTransfer } from './open/dropped-files.ts'
 import { sortFiles } from './open/sort-files.ts'
 import type { Page } from './page.ts'
 import type { Hovered, PanelModel } from './panels/model.ts'
 import { showPanel } from './panels/show-panel.tsx'
-import { saveFile } from './save-file.ts'
-import { savePicture } from './save-picture.ts'
 import { AreaEditor } from './session/area-editor.ts'
 import { Saving } from './session/saving.ts'
 import { Workspace } from './session/workspace.ts'
@@ -58,6 +57,7 @@ export class Studio {
   readonly #painting: Painting
   readonly #view = new DocumentView()
   readonly #lines: Lines
+  readonly #downloads: Downloads
   readonly #faces = signal<readonly string[]>([])
   readonly #shown = signal<Viewer | null>(null)
   readonly #frame = signal(0)
@@ -99,6 +99,7 @@ export class Studio {
     })
     this.#workspace = new Workspace((error) => messages.error(error))
     this.#saving = new Saving(this.#workspace)
+    this.#downloads = new Downloads(this.#workspace, this.#saving, messages)
     this.#link = new PageLink({
       host: this.#host,
       workspace: this.#workspace,
@@ -141,15 +142,17 @@ export class Studio {
     })
     effect(() => this.#showDocument(this.#shown.value, this.#workspace.drawn.value))
     addShortcuts({
-      undo: () => this.#undo(),
-      redo: () => this.#redo(),
-      save: () => this.#save(),
+      undo: () => session.undo(),
+      redo: () => session.redo(),
+      save: () => this.#downloads.save(),
       list: () => {
         this.#isListOpen.value = true
       },
     })
-    page.screenshot.addEventListener('click', () => this.#savePicture())
-    page.uvLayout.addEventListener('click', () => this.#saveUvLayout())
+    page.screenshot.addEventListener('click', () =>
+      this.#downloads.picture(this.#viewer, this.#expression.peek()),
+    )
+    page.uvLayout.addEventListener('click', () => this.#downloads.uvLayout(this.#viewer))
     acceptFiles(page.dropping, (files) => this.#openFiles(() => filesOfTransfer(files)))
   }
 
@@ -211,8 +214,6 @@ export class Studio {
           }),
         addAreaImages: (files, convention) => this.#addAreas(files, convention),
         removeArea: (name) => this.#removeArea(name),
-        undo: () => this.#undo(),
-        redo: () => this.#redo(),
         previewAuto: (next) => void this.#messages.attempt(() => this.#workspace.previewAuto(next)),
         makeAuto: (next) => void this.#messages.attempt(() => this.#workspace.makeAuto(next)),
         cancelAuto: () => this.#workspace.cancelAuto(),
@@ -223,9 +224,9 @@ export class Studio {
         deleteProject: (id) => void this.#messages.attempt(() => keeping.delete(id)),
         exportFace: (options) => void this.#messages.attempt(() => this.#workspace.export(options)),
         cancelExport: () => exporting.cancel(),
-        saveExport: () => this.#saveExport(),
-        saveProject: () => void this.#messages.attempt(() => this.#saveProject()),
-        saveToFolder: (isOther) => void this.#messages.attempt(() => this.#saveToFolder(isOther)),
+        saveExport: () => this.#downloads.export(),
+        saveProject: () => void this.#downloads.project(),
+        saveToFolder: (isOther) => void this.#downloads.folder(isOther),
         copyLink: () => void this.#messages.attempt(() => this.#link.copy()),
       },
     }
@@ -289,10 +290,13 @@ export class Studio {
 
   #show(viewer: Viewer): void {
     if (viewer.avatar.root !== this.#shown.peek()?.avatar.root) this.#expression.value = null
-    this.#shown.value = viewer
+    // Together: the last document is never shown on the next face.
+    batch(() => {
+      void this.#messages.attempt(() => this.#workspace.open(viewer.avatar))
+      this.#shown.value = viewer
+    })
     this.#refresh()
     this.#meter.reset()
-    void this.#messages.attempt(() => this.#workspace.open(viewer.avatar))
   }
 
   /** Shows what is worked on; a face that has wrinkles of its own and no document is left as it is. */
@@ -304,14 +308,6 @@ export class Studio {
         this.#refresh()
         this.#loop.wake()
       })
-  }
-
-  #undo(): void {
-    this.#workspace.session.undo()
-  }
-
-  #redo(): void {
-    this.#workspace.session.redo()
   }
 
   #advance(delta: number): void {
@@ -402,49 +398,6 @@ export class Studio {
       if (this.#document) this.#areas.remove(name)
       else viewer.removeArea(name)
       this.#messages.note(`Removed area ${name}`)
-    })
-  }
-
-  #saveExport(): void {
-    const state = this.#workspace.exporting.state.peek()
-    if (state?.kind === 'done') saveFile(new Blob([state.face.bytes as BlobPart]), state.name)
-  }
-
-  async #saveProject(): Promise<void> {
-    const project = await this.#saving.zip()
-    if (project) saveFile(project.file, project.name)
-  }
-
-  async #saveToFolder(isOther: boolean): Promise<void> {
-    const name = await this.#saving.toFolder(isOther)
-    if (name !== null) this.#messages.note(`Saved to the folder ${name}`)
-  }
-
-  /** Saves the project to its folder, or else as a file. */
-  #save(): void {
-    const hasFolder = this.#saving.folder.peek() !== null
-    void this.#messages.attempt(() => (hasFolder ? this.#saveToFolder(false) : this.#saveProject()))
-  }
-
-  async #savePicture(): Promise<void> {
-    await this.#messages.attempt(async () => {
-      const viewer = this.#viewer
-      if (!viewer) return
-      viewer.draw()
-      const words = ['furrow', viewer.avatar.name, this.#expression.value, viewer.look.name]
-      await savePicture(viewer.canvas, `${words.filter(Boolean).join('-')}.png`)
-      this.#messages.note('Saved the picture')
-    })
-  }
-
-  async #saveUvLayout(): Promise<void> {
-    await this.#messages.attempt(async () => {
-      const viewer = this.#viewer
-      if (!viewer) return
-      const { drawUvPicture } = await import('./uv-picture.ts')
-      const { skin } = faceOf(viewer.avatar)
-      await savePicture(drawUvPicture(skin), `${viewer.avatar.name}-uv.png`)
-      this.#messages.note('Saved the UV layout: paint over it')
     })
   }
 

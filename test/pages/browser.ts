@@ -1,6 +1,9 @@
 import type { Browser, Page } from 'playwright-core'
 import { launchBrowser, newPage } from '../../packages/cli/src/browser.ts'
 
+/** Milliseconds that an element or a page is waited for: a missing one fails its test long before the test's own limit. */
+const PATIENCE = 120_000
+
 /** Opens the browser for tests of pages; the caller closes it. */
 export const openBrowser = launchBrowser
 
@@ -10,6 +13,7 @@ export async function openPage(
   options?: Parameters<Browser['newPage']>[0],
 ): Promise<{ page: Page; complaints: string[] }> {
   const page = await newPage(browser, options)
+  page.setDefaultTimeout(PATIENCE)
   const complaints: string[] = []
   page.on('console', (message) => {
     if (message.type() === 'error') complaints.push(message.text())

@@ -48,9 +48,10 @@ export class MapMaker {
 
   /** Takes the maps that automatic wrinkles came with, which show the strokes of the document. */
   async adopt(document: StudioDocument, { layers }: AutoWrinkles, source: SkinSource): Promise<void> {
-    const drawing = await this.#begin(document, source)
+    // Where the worker ends or is ended, `make` draws everything.
+    const drawing = await this.#begin(document, source).catch(() => null)
+    if (!drawing) return
     for (const { name, normal, occlusion } of layers) {
-      // Nobody waits for the worker to draw them too; where it ends, that is told elsewhere.
       drawing.adopt(name, strokesOf(document, name), { normal, occlusion }).catch(() => {})
     }
   }

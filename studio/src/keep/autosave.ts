@@ -23,10 +23,11 @@ type Page = Pick<Document, 'visibilityState' | 'addEventListener' | 'removeEvent
  */
 export class AutoSave {
   readonly #state = signal<SaveState>({ kind: 'saved' })
-  readonly #document: ReadonlySignal<StudioDocument>
   readonly #save: (document: StudioDocument) => Promise<void>
   readonly #page: Page
   readonly #stopWatching: () => void
+  /** The last one that was seen: the signal may go on to another face's before all is saved. */
+  #latest: StudioDocument
   #saved: StudioDocument | null
   #running: Promise<void> | undefined
   #timer: ReturnType<typeof setTimeout> | undefined
@@ -43,9 +44,9 @@ export class AutoSave {
     page: Page = globalThis.document,
     saved: StudioDocument | null = document.peek(),
   ) {
-    this.#document = document
     this.#save = save
     this.#page = page
+    this.#latest = document.peek()
     this.#saved = saved
     this.#stopWatching = effect(() => this.#follow(document.value))
     page.addEventListener('visibilitychange', this.#onVisibility)
@@ -63,7 +64,7 @@ export class AutoSave {
     if (this.#isDirty()) await this.#run()
   }
 
-  /** Stops watching, when what is not saved yet has been. */
+  /** Stops watching, at once, and saves what is not saved yet. */
   async dispose(): Promise<void> {
     this.#stopWatching()
     this.#page.removeEventListener('visibilitychange', this.#onVisibility)
@@ -84,10 +85,11 @@ export class AutoSave {
   }
 
   #isDirty(): boolean {
-    return this.#document.peek() !== this.#saved
+    return this.#latest !== this.#saved
   }
 
   #follow(document: StudioDocument): void {
+    this.#latest = document
     if (this.#running) return
     clearTimeout(this.#timer)
     if (document === this.#saved) this.#state.value = { kind: 'saved' }
@@ -104,7 +106,7 @@ export class AutoSave {
   /** Saves now: what `#save` does before it waits has been done when this returns. */
   #run(): Promise<void> {
     clearTimeout(this.#timer)
-    const document = this.#document.peek()
+    const document = this.#latest
     this.#nextStart = Date.now() + INTERVAL
     this.#running = this.#save(document)
       .then(

@@ -69,8 +69,6 @@ export interface PanelActions {
   reset(dials: readonly Dial[]): void
   addAreaImages(files: readonly File[], convention: AreaConvention): void
   removeArea(name: string): void
-  undo(): void
-  redo(): void
   /** Makes the automatic wrinkles with these settings: a preview while a control moves, all of them when it rests. */
   previewAuto(settings: AutoSettings): void
   makeAuto(settings: AutoSettings): void

@@ -33,14 +33,7 @@ export function ShortcutList({ isOpen }: { isOpen: Signal<boolean> }) {
     isOpen.value = false
   }
   return (
-    <dialog
-      ref={dialog}
-      class="shortcuts"
-      aria-labelledby="shortcuts-title"
-      onClose={close}
-      // Beside it.
-      onClick={({ target, currentTarget }) => target === currentTarget && close()}
-    >
+    <dialog ref={dialog} class="shortcuts" aria-labelledby="shortcuts-title" onClose={close}>
       <div>
         <header>
           <h2 id="shortcuts-title">Shortcuts</h2>

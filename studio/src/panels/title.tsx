@@ -50,7 +50,7 @@ export function Title({ model }: { model: PanelModel }) {
           type="button"
           disabled={!undoLabel.value}
           title={undoLabel.value && `Undo: ${undoLabel.value}`}
-          onClick={actions.undo}
+          onClick={() => session.undo()}
         >
           Undo
         </button>
@@ -58,7 +58,7 @@ export function Title({ model }: { model: PanelModel }) {
           type="button"
           disabled={!redoLabel.value}
           title={redoLabel.value && `Redo: ${redoLabel.value}`}
-          onClick={actions.redo}
+          onClick={() => session.redo()}
         >
           Redo
         </button>

@@ -48,7 +48,9 @@ export class Keeping {
   leave(): Promise<void> {
     const keeper = this.#keeper.peek()
     this.#keeper.value = null
-    this.#leaving = this.#leaving.then(() => keeper?.close()).then(() => this.#list())
+    // At once: the session goes on to another document.
+    const closed = keeper?.close()
+    this.#leaving = this.#leaving.then(() => closed).then(() => this.#list())
     return this.#leaving
   }
 

@@ -88,7 +88,7 @@ export class Workspace {
     }
   }
 
-  /** Begins with another avatar, or another skin of it; one without wrinkles gets automatic ones. */
+  /** Begins with another avatar, or another skin of it; one without wrinkles gets automatic ones. The last one's document is closed at once. */
   async open(avatar: OpenedAvatar): Promise<void> {
     const isSame = this.#avatar !== null && isSameWork(avatar, this.#avatar)
     this.#avatar = avatar
@@ -96,10 +96,12 @@ export class Workspace {
     const project = this.#project?.root === avatar.root ? this.#project.project : null
     this.#project = null
     this.automatic.cancel()
-    if (!project) await this.keeping.leave()
+    const left = project ? undefined : this.keeping.leave()
     this.session.open(null)
     this.#maps.close()
     this.#drawn.value = null
+    if (left) await left
+    if (avatar !== this.#avatar) return
     const opened = project?.opened ?? avatar.document
     this.#source = avatar.skins[avatar.skin].wrinkles && !opened ? null : skinSource(avatar)
     this.#settings.value = this.firstSettings
@@ -155,10 +157,12 @@ export class Workspace {
 
   /** Makes the automatic wrinkles anew; those that were changed by hand stay. Rejects with a FurrowError where there are none. */
   async makeAuto(settings: AutoSettings): Promise<void> {
+    const avatar = this.#avatar
     const made = await this.#runAuto(settings)
     if (!made) return
     const { document, wrinkles } = made
     await this.#maps.adopt(document, wrinkles, this.#source!)
+    if (avatar !== this.#avatar) return
     if (!this.session.document.value) this.session.open(document)
     else this.session.edit('Make automatic wrinkles', (old) => remake(old, document))
   }

@@ -1,18 +1,4 @@
-import {
-  type Area,
-  canonicalTargetName,
-  DriverProgram,
-  type DriverState,
-  driversOf,
-  EXPRESSIONS,
-  type Expression,
-  explain,
-  expressionsOf,
-  FurrowError,
-  planDrivers,
-  targetSource,
-  type WrinkleDriver,
-} from 'furrow'
+import { type Area, type Expression, FurrowError, type WrinkleDriver } from 'furrow'
 import { ExpressionPlayer, Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
 import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import { type Color, type Mesh, NoToneMapping } from 'three'
@@ -22,6 +8,8 @@ import type { RendererKind, Stage, Wrinkles } from '../../../stage/stage.ts'
 import { faceOf, type OpenedAvatar } from '../open/avatar.ts'
 import type { CanvasStage } from './canvas-stage.ts'
 import { areaDials, type Dial, targetDials } from './dials.ts'
+import { completeExpressions } from './expressions.ts'
+import { FaceDrivers } from './face-drivers.ts'
 import { type Look, Looks, type Side } from './looks.ts'
 import { releaseFromGPU } from './release.ts'
 
@@ -43,9 +31,7 @@ export class Viewer {
   readonly #plain: Mesh['material']
   #wrinkles: Wrinkles | null = null
   #fault: Error | null = null
-  #drivers: readonly WrinkleDriver[] = []
-  #program!: DriverProgram
-  #state!: DriverState
+  #drivers!: FaceDrivers
   /** Null for a face without blendshapes and wrinkles. */
   #player: ExpressionPlayer | null = null
   #expressions: readonly Expression[] = []
@@ -72,7 +58,7 @@ export class Viewer {
     this.targets = targetDials(face.root).map((dial) => ({
       ...dial,
       write: (value) => {
-        const before = this.#drivenActivations().slice()
+        const before = this.#drivers.evaluate().slice()
         dial.write(value)
         this.#applyDrivers(before)
       },
@@ -110,10 +96,9 @@ export class Viewer {
 
   /** Lets other drivers activate the areas. */
   setDrivers(drivers: readonly WrinkleDriver[]): void {
-    this.#drive(drivers)
+    this.#drivers = new FaceDrivers(this.#face.skin, drivers)
     this.#driveAll()
-    this.#expressions = this.#completeExpressions()
-    this.#player = this.#makePlayer()
+    this.#renewExpressions()
   }
 
   /** Puts wrinkles on the plain face. */
@@ -127,28 +112,16 @@ export class Viewer {
     }
     // The viewer runs the drivers, so that the areas' sliders follow at once.
     if (this.#wrinkles) this.#wrinkles.driven = false
-    this.#drive(wrinkles?.drivers ?? [])
+    this.#drivers = new FaceDrivers(this.#face.skin, wrinkles?.drivers ?? [])
     const plain = cloned(this.#plain)
     this.#looks = new Looks(this.#face, this.#wrinkles, plain, (mesh, own) => this.#createMirror(mesh, own))
-    this.areas = this.#wrinkles ? areaDials(this.#wrinkles) : []
-    this.#expressions = this.#completeExpressions()
-    this.#player = this.#makePlayer()
-    this.#remaining = 0
-  }
-
-  /** Reads the drivers. */
-  #drive(drivers: readonly WrinkleDriver[]): void {
-    const plan = planDrivers(driversOf('morph', drivers))
-    const targetNames = Object.keys(this.#face.skin.morphTargetDictionary ?? {})
-    this.#drivers = drivers
-    this.#program = new DriverProgram(plan, { target: targetSource(plan.inputs.target, targetNames) })
-    this.#state = this.#program.createState()
+    this.#renewAreas()
   }
 
   /** Sets all areas that are driven as the face's pose has them. */
   #driveAll(): void {
-    const activations = this.#drivenActivations()
-    for (const [i, name] of this.#program.plan.areaNames.entries()) {
+    const activations = this.#drivers.evaluate()
+    for (const [i, name] of this.#drivers.areaNames.entries()) {
       if (this.#wrinkles?.hasArea(name)) this.#wrinkles.setActivation(name, activations[i])
     }
   }
@@ -186,37 +159,22 @@ export class Viewer {
 
   /** Shows another activation at rest, of an area that nothing drives. */
   rest(area: string, activation: number): void {
-    if (!this.#program.plan.areaNames.includes(area)) this.wrinkles?.setActivation(area, activation)
+    if (!this.#drivers.areaNames.includes(area)) this.wrinkles?.setActivation(area, activation)
   }
 
   /** Names of the blendshapes that drive an area, as on their dials. */
   driversOf(area: string): string[] {
-    return driversOf('morph', this.#drivers)
-      .filter((driver) => driver.area === area)
-      .flatMap(({ targets }) => targets.map(({ name }) => canonicalTargetName(name)))
+    return this.#drivers.targetsOf(area)
   }
 
   /** Existing areas that a blendshape drives. */
   drivenBy(target: string): string[] {
-    const driven = driversOf('morph', this.#drivers).filter(({ targets }) =>
-      targets.some(({ name }) => canonicalTargetName(name) === target),
-    )
-    return [...new Set(driven.map(({ area }) => area))].filter((name) => this.wrinkles?.hasArea(name))
+    return this.#drivers.areasOf(target).filter((name) => this.wrinkles?.hasArea(name))
   }
 
-  /** Lines of text: the current activation of an area by each of its drivers, and the part of each input in it. */
+  /** Lines of text: the present activation of an area by each of its drivers, and the part of each input in it. */
   explain(area: string): string[] {
-    const { skin } = this.#face
-    const situation = {
-      targetNames: Object.keys(skin.morphTargetDictionary ?? {}),
-      weights: skin.morphTargetInfluences ?? [],
-    }
-    const [explanation] = explain(this.#drivers, [{ name: area }], situation)
-    if (explanation.parts.length === 0) return [`${area} has no driver: only its slider moves it`]
-    return explanation.parts.flatMap(({ activation, links }) => [
-      `${activation.toFixed(2)} of ${area} from`,
-      ...links.map(({ link, value }) => `${value.toFixed(2)} by ${link.name}`),
-    ])
+    return this.#drivers.explain(area)
   }
 
   /** Shows where areas are on the face, whatever their activations; of an empty list, restores the chosen look. */
@@ -314,24 +272,17 @@ export class Viewer {
     this.stage.render()
   }
 
-  /** Activations that the file's drivers compute from the current blendshape weights. */
-  #drivenActivations(): Float32Array {
-    this.#state.inputs.target.set(this.#face.skin.morphTargetInfluences ?? [])
-    this.#program.evaluate(this.#state)
-    return this.#state.activations
-  }
-
   /** Plays an expression: areas that expressions name are played, the others follow the face. */
   #moveFace(play: () => void): void {
-    const before = this.#drivenActivations().slice()
+    const before = this.#drivers.evaluate().slice()
     play()
     this.#applyDrivers(before, (area) => !this.#isPlayed(area))
   }
 
   /** After blendshapes were set: sets the areas that they drive and leaves the others. */
   #applyDrivers(before: Float32Array, isWanted: (area: string) => boolean = () => true): void {
-    const after = this.#drivenActivations()
-    for (const [i, name] of this.#program.plan.areaNames.entries()) {
+    const after = this.#drivers.evaluate()
+    for (const [i, name] of this.#drivers.areaNames.entries()) {
       if (after[i] === before[i] || !isWanted(name)) continue
       if (this.wrinkles?.hasArea(name)) this.wrinkles.setActivation(name, after[i])
     }
@@ -342,31 +293,23 @@ export class Viewer {
   }
 
   #areasChanged(): void {
-    this.areas = this.wrinkles ? areaDials(this.wrinkles) : []
-    this.#expressions = this.#completeExpressions()
-    this.#player = this.#makePlayer()
-    this.#remaining = 0
+    this.#renewAreas()
     this.look = this.#look
   }
 
-  #makePlayer(): ExpressionPlayer | null {
-    if (this.targets.length === 0) return null
-    return new ExpressionPlayer(this.avatar.root, this.wrinkles ?? undefined, this.#expressions)
+  #renewAreas(): void {
+    this.areas = this.#wrinkles ? areaDials(this.#wrinkles) : []
+    this.#renewExpressions()
+    this.#remaining = 0
   }
 
-  /**
-   * The expressions of the file, or else the presets. The first one names every blendshape, and every area that another one names or nothing
-   * drives, so that each expression sets all of them.
-   */
-  #completeExpressions(): Expression[] {
-    const own = expressionsOf(this.#drivers)
-    const [first, ...others] = own.length > 0 ? own : EXPRESSIONS
-    const named = new Set(others.flatMap(({ activations }) => Object.keys(activations)))
-    const driven = new Set(this.#program.plan.areaNames)
-    const zeros = (names: string[]) => Object.fromEntries(names.map((name) => [name, 0]))
-    const areas = this.areas.map(({ name }) => name).filter((name) => named.has(name) || !driven.has(name))
-    const targets = { ...zeros(this.targets.map(({ name }) => name)), ...first.targets }
-    return [{ name: first.name, targets, activations: { ...zeros(areas), ...first.activations } }, ...others]
+  #renewExpressions(): void {
+    const names = (dials: readonly Dial[]) => dials.map(({ name }) => name)
+    this.#expressions = completeExpressions(this.#drivers, names(this.targets), names(this.areas))
+    this.#player =
+      this.targets.length === 0
+        ? null
+        : new ExpressionPlayer(this.avatar.root, this.wrinkles ?? undefined, this.#expressions)
   }
 
   #createMirror(mesh: Mesh, wrinkles: Wrinkles): Wrinkles {

@@ -180,4 +180,18 @@ describe('automatic saving', () => {
     await vi.advanceTimersByTimeAsync(60_000)
     expect(saves.documents.length).toBe(1)
   })
+
+  it('saves the last document when it is disposed, though another face is open by then', async () => {
+    const { document, saves, autosave } = begin()
+    document.value = changedBy(0.25)
+    await vi.advanceTimersByTimeAsync(0)
+    const last = changedBy(0.5)
+    document.value = last
+    const disposed = autosave.dispose()
+    document.value = changedBy(0.75)
+    await saves.end()
+    await saves.end()
+    await disposed
+    expect(saves.documents.at(-1)).toBe(last)
+  })
 })
