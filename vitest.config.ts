@@ -15,6 +15,7 @@ const LATE = { testTimeout: 900_000, hookTimeout: 900_000 }
 // By default Vitest leaves one core idle, which is half of two.
 const ALL_CORES = { maxWorkers: '100%' }
 const HEAVY = 'test/unit/**/*.heavy.test.ts'
+const HEAVY_PAGES = 'test/pages/**/*.heavy.test.ts'
 
 export default defineConfig({
   test: {
@@ -33,21 +34,18 @@ export default defineConfig({
           fileParallelism: false,
         },
       },
-      {
-        resolve,
-        ssr,
-        test: {
-          name: 'pages',
-          include: ['test/pages/**/*.test.ts'],
-          ...LATE,
-          fileParallelism: false,
-        },
-      },
+      pagesProject('pages', 'test/pages/**/*.test.ts', [HEAVY_PAGES]),
+      pagesProject('heavy-pages', HEAVY_PAGES),
       gpuProject('gpu', ['test/gpu/**/*.test.ts']),
       onOldestThree(gpuProject('gpu-oldest', FILES_FOR_OLDEST)),
     ],
   },
 })
+
+/** Whole pages and commands, one at a time. */
+function pagesProject(name: string, include: string, exclude: string[] = []): TestProjectInlineConfiguration {
+  return { resolve, ssr, test: { name, include: [include], exclude, ...LATE, fileParallelism: false } }
+}
 
 /** A project in the browser, on three paths. */
 function gpuProject(name: string, files: string[]): TestProjectInlineConfiguration {

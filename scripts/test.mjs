@@ -1,4 +1,5 @@
-// Everything that must hold: `npm test`. What follows `--` goes to Vitest, e.g. `npm test -- --project unit`.
+// What must hold before every change: `npm test`. The rest, before a release: `npm run test:heavy`. What follows `--` goes to Vitest, e.g.
+// `npm test -- --project unit`.
 
 import { readFileSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -7,6 +8,10 @@ import { ensureBrowser, readAdapters } from './lib/browser.mjs'
 import { setUpPython } from './lib/python.mjs'
 import { Failure, main, run, say } from './lib/run.mjs'
 import { setUp } from './lib/set-up.mjs'
+
+/** Vitest's projects in `npm test` and in `npm run test:heavy`. */
+const ALWAYS = ['unit', 'packages', 'gpu', 'pages']
+const HEAVY = ['heavy', 'heavy-pages', 'gpu-oldest']
 
 /** Tests that were left out are named, as far as this many. */
 const LISTED = 20
@@ -31,12 +36,20 @@ await main(async () => {
   )
   const report = join(tmpdir(), `furrow-test-${process.pid}.json`)
   const options = ['--reporter=default', '--reporter=./scripts/lib/project-reporter.mjs', '--allowOnly=false']
-  const tests = await timed('tests', ['npx', 'vitest', 'run', ...options, ...process.argv.slice(2)], {
+  const tests = await timed('tests', ['npx', 'vitest', 'run', ...options, ...vitestWords()], {
     env: { ...process.env, FURROW_TEST_REPORT: report },
   })
   results.push(...readReport(report), tests)
   summarise(results)
 })
+
+/** Arguments for Vitest. Those that name no project get ours. */
+function vitestWords() {
+  const isHeavy = process.argv[2] === '--heavy'
+  const words = process.argv.slice(isHeavy ? 3 : 2)
+  if (words.some((word) => word.startsWith('--project'))) return words
+  return [...(isHeavy ? HEAVY : ALWAYS).map((name) => `--project=${name}`), ...words]
+}
 
 /** The Python of faces/. Without Python these checks are left out, but never in CI. */
 async function checkFaces() {

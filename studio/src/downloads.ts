@@ -1,5 +1,4 @@
 import type { Messages } from './messages.ts'
-import { faceOf } from './open/avatar.ts'
 import { saveFile } from './save-file.ts'
 import { savePicture } from './save-picture.ts'
 import type { Saving } from './session/saving.ts'
@@ -60,8 +59,8 @@ export class Downloads {
     return this.#messages.attempt(async () => {
       if (!viewer) return
       const { drawUvPicture } = await import('./uv-picture.ts')
-      const { skin } = faceOf(viewer.avatar)
-      await savePicture(drawUvPicture(skin), `${viewer.avatar.name}-uv.png`)
+      const { skins, skin } = viewer.avatar
+      await savePicture(drawUvPicture(skins[skin].meshes), `${viewer.avatar.name}-uv.png`)
       this.#messages.note('Saved the UV layout: paint over it')
     })
   }

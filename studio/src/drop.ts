@@ -17,8 +17,10 @@ export function acceptFiles(overlay: HTMLElement, onFiles: (files: DataTransfer)
   })
   addEventListener('drop', (event) => {
     if (!hasFiles(event)) return
-    event.preventDefault()
     overlay.hidden = true
+    // Something on the page took them.
+    if (event.defaultPrevented) return
+    event.preventDefault()
     onFiles(event.dataTransfer!)
   })
   addEventListener('paste', ({ clipboardData }) => {

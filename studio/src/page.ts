@@ -7,6 +7,8 @@ export interface Page {
   views: HTMLElement
   screenshot: HTMLButtonElement
   uvLayout: HTMLButtonElement
+  textureToggle: HTMLButtonElement
+  texture: HTMLElement
   loading: HTMLElement
   progress: HTMLProgressElement
   loadingText: HTMLElement
@@ -28,6 +30,8 @@ const IDS: Record<keyof Page, string> = {
   views: 'views',
   screenshot: 'screenshot',
   uvLayout: 'uv-layout',
+  textureToggle: 'texture-toggle',
+  texture: 'texture',
   loading: 'loading',
   progress: 'progress',
   loadingText: 'loading-text',

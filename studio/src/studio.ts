@@ -22,9 +22,11 @@ import type { Page } from './page.ts'
 import type { Hovered, PanelModel } from './panels/model.ts'
 import { showPanel } from './panels/show-panel.tsx'
 import { AreaEditor } from './session/area-editor.ts'
+import { LayerEditor } from './session/layer-editor.ts'
 import { Saving } from './session/saving.ts'
 import { Workspace } from './session/workspace.ts'
 import { addShortcuts } from './shortcuts.ts'
+import { TextureToggle } from './texture/texture-toggle.ts'
 import { Painting } from './tools/painting.ts'
 import { ToolHost } from './tools/tool-host.ts'
 import { adapterName } from './viewer/adapter.ts'
@@ -53,6 +55,7 @@ export class Studio {
   readonly #link: PageLink
   readonly #isListOpen = signal(false)
   readonly #areas: AreaEditor
+  readonly #layers: LayerEditor
   readonly #tools: ToolHost
   readonly #painting: Painting
   readonly #view = new DocumentView()
@@ -109,6 +112,12 @@ export class Studio {
     })
     const { session } = this.#workspace
     this.#areas = new AreaEditor(session, (task) => void messages.attempt(task))
+    this.#layers = new LayerEditor({
+      session,
+      drawn: this.#workspace.drawn,
+      avatar: () => this.#viewer?.avatar ?? null,
+      attempt: (task) => messages.attempt(task),
+    })
     this.#tools = new ToolHost(page.viewport, () => this.#viewer?.stage.camera ?? null)
     this.#painting = new Painting({
       session,
@@ -126,6 +135,14 @@ export class Studio {
       tools: this.#tools,
       wake: () => this.#loop.wake(),
       attempt: (task) => void messages.attempt(task),
+    })
+    new TextureToggle(page.textureToggle, {
+      element: page.texture,
+      session,
+      areas: this.#areas,
+      painting: this.#painting,
+      viewer: this.#shown,
+      attempt: (task) => messages.attempt(task),
     })
     // One tool at a time.
     effect(() => {
@@ -178,6 +195,7 @@ export class Studio {
       session,
       lines: this.#lines.editor,
       areas: this.#areas,
+      layers: this.#layers,
       painting: this.#painting,
       auto: settings,
       autoRun: automatic.run,

@@ -1,50 +1,41 @@
-import { FurrowError } from 'furrow'
 import { drawUvLayout } from 'furrow/author'
 import type { Mesh, MeshStandardMaterial } from 'three'
+import { readSkin } from './paint/read-skin.ts'
 
-/** Side of the picture in texels. */
-const SIZE = 2048
+/** Side of a template in texels. */
+const TEMPLATE_SIZE = 2048
 
 /**
- * Draws the UV layout of a mesh over its base colour: a template to paint areas and layers over.
+ * Draws the UV layout of a skin over its base colour: a template to paint areas and layers over.
  *
+ * @param meshes of the skin, which have one material.
+ * @param size side of the picture in texels.
  * @throws FurrowError for a mesh without texture coordinates.
  */
-export function drawUvPicture(mesh: Mesh): HTMLCanvasElement {
-  const { position, uv } = mesh.geometry.attributes
-  if (!uv) throw withoutUvs(mesh.name)
-  const [{ map }] = [mesh.material].flat() as MeshStandardMaterial[]
+export function drawUvPicture(meshes: readonly [Mesh, ...Mesh[]], size = TEMPLATE_SIZE): HTMLCanvasElement {
+  const { positions, uvs, indices } = readSkin(meshes).skin
   const canvas = document.createElement('canvas')
-  canvas.width = canvas.height = SIZE
-  const context = canvas.getContext('2d')
+  canvas.width = canvas.height = size
+  const context = canvas.getContext('2d', { willReadFrequently: true })
   if (!context) throw new Error('Studio: no canvas to draw the UV layout on; close other pages')
-  const layout = drawUvLayout(
-    {
-      positions: numbersOf(position.count, (i) => [position.getX(i), position.getY(i), position.getZ(i)]),
-      uvs: numbersOf(uv.count, (i) => [uv.getX(i), uv.getY(i)]),
-      ...(mesh.geometry.index && { indices: mesh.geometry.index.array }),
-    },
-    SIZE,
-    map?.image ? { base: pixelsOf(map.image as CanvasImageSource, context) } : {},
-  )
-  context.putImageData(new ImageData(Uint8ClampedArray.from(layout.data), SIZE, SIZE), 0, 0)
+  const colour = colourOf(meshes)
+  const base = colour && pixelsOf(colour, context)
+  const layout = drawUvLayout({ positions, uvs, indices }, size, base ? { base } : {})
+  context.putImageData(new ImageData(Uint8ClampedArray.from(layout.data), size, size), 0, 0)
   return canvas
 }
 
-function numbersOf(count: number, at: (index: number) => number[]): number[] {
-  return Array.from({ length: count }, (_, i) => at(i)).flat()
+/** The base colour texture of a skin; null where it has none that a canvas can draw: those of KTX 2 are on the GPU only. */
+export function colourOf([mesh]: readonly [Mesh, ...Mesh[]]): CanvasImageSource | null {
+  const [{ map }] = [mesh.material].flat() as MeshStandardMaterial[]
+  const image = map?.image as CanvasImageSource | null | undefined
+  const isDrawable =
+    image instanceof ImageBitmap || image instanceof HTMLImageElement || image instanceof HTMLCanvasElement
+  return isDrawable ? image : null
 }
 
 function pixelsOf(image: CanvasImageSource, context: CanvasRenderingContext2D) {
-  context.drawImage(image, 0, 0, SIZE, SIZE)
-  return { width: SIZE, height: SIZE, data: Uint8Array.from(context.getImageData(0, 0, SIZE, SIZE).data) }
-}
-
-function withoutUvs(mesh: string): FurrowError {
-  return new FurrowError({
-    who: 'Studio',
-    what: 'a mesh without texture coordinates has no UV layout',
-    value: mesh,
-    remedy: 'unwrap it, and export it again',
-  })
+  const { width, height } = context.canvas
+  context.drawImage(image, 0, 0, width, height)
+  return { width, height, data: Uint8Array.from(context.getImageData(0, 0, width, height).data) }
 }

@@ -1,12 +1,9 @@
-import { copyFileSync, existsSync, mkdtempSync, rmSync } from 'node:fs'
-import { tmpdir } from 'node:os'
+import { copyFileSync, existsSync } from 'node:fs'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
-import type { Browser, Page } from 'playwright-core'
-import { createServer, type ViteDevServer } from 'vite'
-import { afterAll, afterEach, beforeAll, expect, test } from 'vitest'
-import { writeAvatars } from './avatars.ts'
-import { openBrowser, openPage } from './browser.ts'
+import type { Page } from 'playwright-core'
+import { beforeAll, expect, test } from 'vitest'
+import { openStudio } from './opened-studio.ts'
 import {
   brightnessDeviation,
   dismiss,
@@ -20,44 +17,18 @@ import {
 
 const SCAN = fileURLToPath(new URL('../../../shared/real-face/ict-face.glb', import.meta.url))
 
-const folder = mkdtempSync(join(tmpdir(), 'furrow-avatars-'))
-let server: ViteDevServer
-let browser: Browser
+const studio = openStudio({ width: 800, height: 400 })
+const { folder } = studio
 let page: Page
-let complaints: string[]
 /** The shipped face at rest, without wrinkles: as its plain copies look. */
 let human: Buffer
 
 beforeAll(async () => {
-  await writeAvatars(folder)
-  server = await createServer({
-    configFile: fileURLToPath(new URL('../../studio/vite.config.ts', import.meta.url)),
-    logLevel: 'error',
-    server: { port: 0, host: '127.0.0.1', hmr: false, watch: null },
-  })
-  await server.listen()
-  browser = await openBrowser()
-  ;({ page, complaints } = await openPage(browser, {
-    viewport: { width: 800, height: 400 },
-    reducedMotion: 'reduce',
-  }))
-  await page.goto(`http://127.0.0.1:${(server.httpServer!.address() as { port: number }).port}/`)
-  await waitUntilReady(page)
+  ;({ page } = studio)
   await page.getByRole('button', { name: 'Neutral' }).click()
   await expectValue(slider(page, 'foreheadLeft'), 0)
   await page.getByRole('slider', { name: /^Divider/ }).press('End')
   human = await shootStage(page)
-})
-
-afterAll(async () => {
-  await browser?.close()
-  await server?.close()
-  rmSync(folder, { recursive: true, force: true })
-})
-
-afterEach(async () => {
-  expect(complaints).toEqual([])
-  expect(await page.textContent('#errors')).toBe('')
 })
 
 test.each([

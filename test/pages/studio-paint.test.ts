@@ -1,64 +1,25 @@
-import { mkdtempSync, rmSync } from 'node:fs'
-import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import { fileURLToPath } from 'node:url'
-import type { Browser, Page } from 'playwright-core'
+import type { Page } from 'playwright-core'
 import sharp from 'sharp'
-import { createServer, type ViteDevServer } from 'vite'
-import { afterAll, afterEach, beforeAll, expect, test, vi } from 'vitest'
-import { writeAvatars } from './avatars.ts'
-import { openBrowser, openPage } from './browser.ts'
-import {
-  dismiss,
-  dropPaths,
-  expectValue,
-  meanPngDifference,
-  shootStage,
-  slider,
-  waitUntilReady,
-} from './studio-page.ts'
+import { beforeAll, expect, test, vi } from 'vitest'
+import { openStudio } from './opened-studio.ts'
+import { dismiss, dropPaths, expectValue, meanPngDifference, shootStage, slider } from './studio-page.ts'
 
 /** An automatic area of the forehead. */
 const AREA = 'foreheadInnerLeft'
 
-const folder = mkdtempSync(join(tmpdir(), 'furrow-paint-'))
-let server: ViteDevServer
-let browser: Browser
+const studio = openStudio({ width: 900, height: 600 })
+const { folder } = studio
 let page: Page
-let complaints: string[]
 /** The cheek on the page. */
 let cheek: { x: number; y: number }
 
 beforeAll(async () => {
-  await writeAvatars(folder)
-  server = await createServer({
-    configFile: fileURLToPath(new URL('../../studio/vite.config.ts', import.meta.url)),
-    logLevel: 'error',
-    server: { port: 0, host: '127.0.0.1', hmr: false, watch: null },
-  })
-  await server.listen()
-  browser = await openBrowser()
-  ;({ page, complaints } = await openPage(browser, {
-    viewport: { width: 900, height: 600 },
-    reducedMotion: 'reduce',
-  }))
-  await page.goto(`http://127.0.0.1:${(server.httpServer!.address() as { port: number }).port}/`)
-  await waitUntilReady(page)
+  ;({ page } = studio)
   await dropPaths(page, [join(folder, 'plain.glb')], 'Plain')
   await choice(AREA).waitFor()
   const { x, y, width, height } = (await page.locator('#viewport').boundingBox())!
   cheek = { x: x + 0.62 * width, y: y + 0.58 * height }
-})
-
-afterAll(async () => {
-  await browser?.close()
-  await server?.close()
-  rmSync(folder, { recursive: true, force: true })
-})
-
-afterEach(async () => {
-  expect(complaints).toEqual([])
-  expect(await page.textContent('#errors')).toBe('')
 })
 
 const choice = (area: string) => page.getByRole('radio', { name: `Edit area ${area}`, exact: true })

@@ -1,51 +1,21 @@
 /** The way of an artist with an avatar of her own: wrinkles, changes, the next day, a file. */
 
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
-import { tmpdir } from 'node:os'
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { dirname, join } from 'node:path'
-import { fileURLToPath } from 'node:url'
 import { strFromU8, unzipSync } from 'fflate'
-import type { Browser, Page } from 'playwright-core'
-import { createServer, type ViteDevServer } from 'vite'
-import { afterAll, afterEach, beforeAll, expect, test, vi } from 'vitest'
-import { writeAvatars } from './avatars.ts'
-import { openBrowser, openPage } from './browser.ts'
+import type { Page } from 'playwright-core'
+import { beforeAll, expect, test, vi } from 'vitest'
+import { openStudio } from './opened-studio.ts'
 import { runFurrow } from './run-furrow.ts'
 import { dropPaths, expectValue, meanPngDifference, shootStage, waitUntilReady } from './studio-page.ts'
 
-const folder = mkdtempSync(join(tmpdir(), 'furrow-work-'))
-let server: ViteDevServer
-let browser: Browser
+const studio = openStudio({ width: 800, height: 400 })
+const { folder } = studio
 let page: Page
-let complaints: string[]
 
 beforeAll(async () => {
-  await writeAvatars(folder)
-  server = await createServer({
-    configFile: fileURLToPath(new URL('../../studio/vite.config.ts', import.meta.url)),
-    logLevel: 'error',
-    server: { port: 0, host: '127.0.0.1', hmr: false, watch: null },
-  })
-  await server.listen()
-  browser = await openBrowser()
-  ;({ page, complaints } = await openPage(browser, {
-    viewport: { width: 800, height: 400 },
-    reducedMotion: 'reduce',
-  }))
-  await page.goto(`http://127.0.0.1:${(server.httpServer!.address() as { port: number }).port}/`)
-  await waitUntilReady(page)
+  ;({ page } = studio)
   await page.getByRole('slider', { name: /^Divider/ }).press('Home')
-})
-
-afterAll(async () => {
-  await browser?.close()
-  await server?.close()
-  rmSync(folder, { recursive: true, force: true })
-})
-
-afterEach(async () => {
-  expect(complaints).toEqual([])
-  expect(await page.textContent('#errors')).toBe('')
 })
 
 const age = () => page.getByRole('slider', { name: 'Age' })

@@ -1,9 +1,9 @@
-import { fileURLToPath } from 'node:url'
 import type { Browser, Page } from 'playwright-core'
 import sharp from 'sharp'
-import { createServer, type ViteDevServer } from 'vite'
+import type { ViteDevServer } from 'vite'
 import { afterAll, afterEach, beforeAll, describe, expect, test } from 'vitest'
 import { openBrowser, openPage } from './browser.ts'
+import { serveStudio } from './opened-studio.ts'
 import {
   blackPng,
   brightnessDeviation,
@@ -25,14 +25,7 @@ let address: string
 let browser: Browser
 
 beforeAll(async () => {
-  server = await createServer({
-    configFile: fileURLToPath(new URL('../../studio/vite.config.ts', import.meta.url)),
-    logLevel: 'error',
-    // Changed files must not reload the page during the test.
-    server: { port: 0, host: '127.0.0.1', hmr: false, watch: null },
-  })
-  await server.listen()
-  address = `http://127.0.0.1:${(server.httpServer!.address() as { port: number }).port}/`
+  ;({ server, address } = await serveStudio())
   browser = await openBrowser()
 })
 

@@ -58,7 +58,7 @@ export async function checkOutputs(
 }
 
 /** The error for an output that would replace an input; `force` as in `OutputRules`. */
-export function overInput(path: string, who: string, force: boolean | undefined): FurrowError {
+function overInput(path: string, who: string, force: boolean | undefined): FurrowError {
   return new FurrowError({
     code: 'unwritable',
     who,

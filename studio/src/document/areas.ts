@@ -1,7 +1,7 @@
 import { type Combine, FurrowError, type GrayImage, MAX_AREAS } from 'furrow'
 import type { StudioArea, StudioDocument } from './document.ts'
 import { driversOfNewArea, renameInDrivers, withoutArea } from './drivers.ts'
-import { changed, checkNewName, freeName, named, withNamed } from './names.ts'
+import { changed, checkCount, checkNewName, freeName, named, withNamed } from './names.ts'
 import { checkRange } from './ranges.ts'
 import { renameInShapes, withoutShapes } from './stroke-areas.ts'
 import { edited } from './strokes.ts'
@@ -14,7 +14,7 @@ export function addArea(document: StudioDocument, area: StudioArea): StudioDocum
   checkNewName(document.areas, area.name, 'area')
   named(document.layers, area.layer, 'layer')
   checkSize(document, area.weights)
-  if (document.areas.length === MAX_AREAS) throw tooMany()
+  checkCount(document.areas, MAX_AREAS, 'area')
   return { ...document, areas: [...document.areas, area] }
 }
 
@@ -86,16 +86,5 @@ function checkSize({ areaSize }: StudioDocument, { width, height }: GrayImage): 
     value: `${width} x ${height}`,
     limit: `${areaSize} x ${areaSize} texels`,
     remedy: 'resample it',
-  })
-}
-
-function tooMany(): FurrowError {
-  return new FurrowError({
-    code: 'out-of-range',
-    who: 'Studio',
-    what: 'too many areas',
-    value: MAX_AREAS + 1,
-    limit: `${MAX_AREAS}`,
-    remedy: 'remove one first',
   })
 }

@@ -1,4 +1,12 @@
-import { type Link, type MuscleDriver, parseDrivers, type WrinkleDriver } from 'furrow'
+import {
+  canonicalTargetName,
+  driversOf,
+  FurrowError,
+  type Link,
+  type MuscleDriver,
+  parseDrivers,
+  type WrinkleDriver,
+} from 'furrow'
 import type { StudioDocument } from './document.ts'
 import { changed, kept, named } from './names.ts'
 
@@ -10,6 +18,7 @@ const UNSET = 0.01
  * this pose. It replaces the drivers that read blendshapes for this area.
  *
  * @param weights of the blendshapes by name, 0..1.
+ * @throws FurrowError when conflicts leave nothing of the blendshapes that are set.
  */
 export function recordPose(
   document: StudioDocument,
@@ -17,13 +26,39 @@ export function recordPose(
   weights: ReadonlyMap<string, number>,
 ): StudioDocument {
   named(document.areas, area, 'area')
-  const set = [...weights].filter(([, weight]) => Math.abs(weight) > UNSET)
+  const isSet = ([, weight]: readonly [string, number]) => Math.abs(weight) > UNSET
+  const set = [...afterConflicts(document.drivers, weights)].filter(isSet)
+  if (set.length === 0 && [...weights].some(isSet)) throw cancelled([...weights].filter(isSet))
   const others = document.drivers.filter((driver) => driver.type !== 'morph' || areaOf(driver) !== area)
   if (set.length === 0) return { ...document, drivers: others }
   // Least squares of one equation: the shortest vector of link weights with sum(link * weight) = 1.
   const squares = set.reduce((sum, [, weight]) => sum + weight * weight, 0)
   const targets = set.map(([name, weight]): Link => ({ name, weight: rounded(weight / squares) }))
   return addDriver({ ...document, drivers: others }, { type: 'morph', area, targets, rule: 'sum' })
+}
+
+/** The weights as drivers read them: of two blendshapes that cancel each other, what remains. */
+function afterConflicts(
+  drivers: readonly WrinkleDriver[],
+  weights: ReadonlyMap<string, number>,
+): Map<string, number> {
+  const left = new Map(weights)
+  for (const { targets } of driversOf('conflict', drivers)) {
+    const [a, b] = targets.map(canonicalTargetName)
+    const common = Math.min(left.get(a) ?? 0, left.get(b) ?? 0)
+    if (!(common > 0)) continue
+    for (const name of [a, b]) left.set(name, left.get(name)! - common)
+  }
+  return left
+}
+
+function cancelled(set: readonly (readonly [string, number])[]): FurrowError {
+  return new FurrowError({
+    who: 'Studio',
+    what: 'the blendshapes that are set cancel each other',
+    value: set.map(([name]) => name).join(', '),
+    remedy: 'set others, or remove the conflict between them',
+  })
 }
 
 /** @throws FurrowError when the driver is malformed. */

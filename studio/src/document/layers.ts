@@ -6,7 +6,7 @@ import {
   type StudioDocument,
   type StudioLayer,
 } from './document.ts'
-import { changed, checkNewName, kept, named, withNamed } from './names.ts'
+import { changed, checkCount, checkNewName, kept, named, withNamed } from './names.ts'
 import { checkRange } from './ranges.ts'
 
 /** Largest scale or amplitude that files may hold. */
@@ -20,16 +20,7 @@ export type LayerFields = Partial<
 /** A new layer without maps: strokes are drawn on it. Throws FurrowError when its name is taken or there are 4. */
 export function addLayer(document: StudioDocument, name: string): StudioDocument {
   checkNewName(document.layers, name, 'layer')
-  if (document.layers.length === MAX_LAYERS) {
-    throw new FurrowError({
-      code: 'out-of-range',
-      who: 'Studio',
-      what: 'too many layers',
-      value: MAX_LAYERS + 1,
-      limit: `${MAX_LAYERS}`,
-      remedy: 'remove one first',
-    })
-  }
+  checkCount(document.layers, MAX_LAYERS, 'layer')
   return { ...document, layers: [...document.layers, { ...LAYER_DEFAULTS, name }] }
 }
 

@@ -41,6 +41,19 @@ export function withNamed<T extends Named>(
   return items.map((item) => (item === old ? change(item) : item))
 }
 
+/** Throws FurrowError where there are as many items as there may be. */
+export function checkCount(items: readonly Named[], most: number, kind: string): void {
+  if (items.length < most) return
+  throw new FurrowError({
+    code: 'out-of-range',
+    who: 'Studio',
+    what: `too many ${kind}s`,
+    value: most + 1,
+    limit: `${most}`,
+    remedy: 'remove one first',
+  })
+}
+
 /** Throws FurrowError where a name is malformed or taken. */
 export function checkNewName(items: readonly Named[], name: string, kind: string): void {
   if (!isName(name)) {

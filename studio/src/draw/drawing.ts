@@ -1,6 +1,6 @@
 import { type Remote, wrap } from 'comlink'
 import { FurrowError, type RgbaImage } from 'furrow'
-import type { Bounds, HeightMap, Stroke } from 'furrow/author'
+import type { Bounds, Stroke } from 'furrow/author'
 import { endOf } from '../workers/life.ts'
 import { changesOf } from './changes.ts'
 import { pasteRect } from './copy-rect.ts'
@@ -71,11 +71,6 @@ export class Drawing {
     await this.#ask((service) =>
       Promise.all([service.addLayer(layer, null), service.draw(layer, [...strokes])]),
     )
-  }
-
-  /** Heights in millimetres. */
-  reliefOf(layer: string): Promise<HeightMap> {
-    return this.#ask((service) => service.reliefOf(layer))
   }
 
   dispose(): void {

@@ -6,6 +6,7 @@ import { strokesOf } from '../document/strokes.ts'
 import type { SkinSource } from '../session/skin-source.ts'
 import type { LayerMaps } from '../viewer/document-view.ts'
 import { Drawing } from './drawing.ts'
+import type { DrawnMaps } from './messages.ts'
 
 /** Rectangles of texels that changed in maps which are the same objects as before. */
 export type MapChanges = ReadonlyMap<LayerMaps, readonly Bounds[]>
@@ -16,6 +17,7 @@ export class MapMaker {
   #source: SkinSource | null = null
   #size = 0
   #changes = new Map<LayerMaps, Bounds[]>()
+  readonly #combined = new WeakMap<DrawnMaps, LayerMaps>()
   readonly #onEnd: (error: unknown) => void
 
   /** @param onEnd is told when the worker ends by itself; the next call starts another. */
@@ -96,19 +98,36 @@ export class MapMaker {
     layer: StudioLayer,
     strokes: readonly LayerStroke[],
   ): Promise<LayerMaps> {
-    if (strokes.length === 0 && layer.maps.normal) return decoded(layer)
-    const base = layer.maps.normal ? (await decoded(layer)).normal : null
-    const changes = await drawing.draw(layer.name, strokes, base)
-    const maps = drawing.mapsOf(layer.name)!
+    const own = await decoded(layer)
+    if (strokes.length === 0 && hasNormals(own)) return own
+    const changes = await drawing.draw(layer.name, strokes, own.normal ?? null)
+    const maps = this.#withOthers(drawing.mapsOf(layer.name)!, own)
     if (changes?.length) this.#changes.set(maps, [...(this.#changes.get(maps) ?? []), ...changes])
+    return maps
+  }
+
+  /** The maps that are drawn, with those of the layer that are not: the same object as long as both are. */
+  #withOthers(drawn: DrawnMaps, { baseColor, roughness }: OwnMaps): LayerMaps {
+    if (!baseColor && !roughness) return drawn
+    const known = this.#combined.get(drawn)
+    if (known && known.baseColor === baseColor && known.roughness === roughness) return known
+    const maps = { ...drawn, ...(baseColor && { baseColor }), ...(roughness && { roughness }) }
+    this.#combined.set(drawn, maps)
     return maps
   }
 }
 
-const decodedImages = new WeakMap<StudioLayer['maps'], Promise<LayerMaps>>()
+/** The decoded images of a layer, which may have no normals. */
+type OwnMaps = Partial<LayerMaps>
+
+function hasNormals(maps: OwnMaps): maps is LayerMaps {
+  return maps.normal !== undefined
+}
+
+const decodedImages = new WeakMap<StudioLayer['maps'], Promise<OwnMaps>>()
 
 /** The images of a layer, decoded once. Rejects with a FurrowError where one cannot be. */
-function decoded({ name, maps }: StudioLayer): Promise<LayerMaps> {
+function decoded({ name, maps }: StudioLayer): Promise<OwnMaps> {
   const known = decodedImages.get(maps)
   if (known) return known
   const images = decodeMaps(maps, name)
@@ -116,7 +135,7 @@ function decoded({ name, maps }: StudioLayer): Promise<LayerMaps> {
   return images
 }
 
-async function decodeMaps(maps: StudioLayer['maps'], layer: string): Promise<LayerMaps> {
+async function decodeMaps(maps: StudioLayer['maps'], layer: string): Promise<OwnMaps> {
   const decode = (name: MapName, image: ImageFile | undefined) => {
     return (
       image &&
@@ -131,7 +150,7 @@ async function decodeMaps(maps: StudioLayer['maps'], layer: string): Promise<Lay
     decode('occlusion', occlusion),
   ])
   return {
-    normal: normals!,
+    ...(normals && { normal: normals }),
     ...(colours && { baseColor: colours }),
     ...(rough && { roughness: channelOf(rough, CHANNEL.roughness) }),
     ...(open && { occlusion: channelOf(open, CHANNEL.occlusion) }),

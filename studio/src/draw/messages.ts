@@ -1,5 +1,5 @@
 import type { GrayImage, RgbaImage } from 'furrow'
-import type { Bounds, HeightMap, MetricMesh, Stroke, TangentFrame } from 'furrow/author'
+import type { Bounds, MetricMesh, Stroke, TangentFrame } from 'furrow/author'
 import type { ListChanges } from './changes.ts'
 
 /** The skin that strokes are drawn on, and how. */
@@ -27,11 +27,8 @@ export interface DrawingService {
   begin(surface: DrawingSurface): void
   /** Begins a layer, or begins it again, over a normal map of the same size where there is one. */
   addLayer(name: string, base: RgbaImage | null): void
-  removeLayer(name: string): void
   /** Draws what changed of a layer's strokes. */
   draw(name: string, changes: ListChanges<Stroke>): MapPatch[]
-  /** Heights of a layer in millimetres. */
-  reliefOf(name: string): HeightMap
 }
 
 /** Maps of a layer that are drawn from strokes. */

@@ -26,9 +26,6 @@ const service: DrawingService = {
     const { frame } = surface
     sheets.set(name, { layer: new StrokeLayer(canvas, base ? { base, frame } : { frame }), strokes: [] })
   },
-  removeLayer(name) {
-    sheets.delete(name)
-  },
   draw(name, changes) {
     const sheet = sheets.get(name)!
     sheet.strokes = applyChanges(sheet.strokes, changes)
@@ -38,7 +35,6 @@ const service: DrawingService = {
       patches.flatMap(({ normal, occlusion }) => [normal.buffer, occlusion.buffer]),
     )
   },
-  reliefOf: (name) => sheets.get(name)!.layer.relief,
 }
 
 function patchOf({ normal, occlusion }: StrokeLayer, bounds: Bounds): MapPatch {

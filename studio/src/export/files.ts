@@ -10,7 +10,7 @@ import {
   type Reference,
 } from '../../../packages/cli/src/gltf/references.ts'
 import { parseJson } from '../../../packages/cli/src/json-file.ts'
-import { folderDocument } from '../../../packages/cli/src/wrinkles/folder-document.ts'
+import { folderDocument, WRINKLES_FILE } from '../../../packages/cli/src/wrinkles/folder-document.ts'
 
 /** Files by their paths below a folder, with `/`. */
 export type Files = ReadonlyMap<string, Uint8Array>
@@ -21,8 +21,6 @@ export interface FaceFiles {
   bytes: Uint8Array
   references?: Files
 }
-
-const DOCUMENT = 'wrinkles.json'
 
 /** Opens a face as the commands read one. Throws FurrowError as `openGlb` does. */
 export async function openFace(
@@ -35,14 +33,14 @@ export async function openFace(
 
 /** The wrinkle set of a folder, as `furrow pack` reads it. Throws FurrowError when it is malformed, or there is none. */
 export function wrinkleSetIn(folder: Files, who: string): WrinkleSetDocument {
-  const document = folder.get(DOCUMENT)
-  const json = document && parseJson(document, DOCUMENT, who)
+  const document = folder.get(WRINKLES_FILE)
+  const json = document && parseJson(document, WRINKLES_FILE, who)
   return folderDocument(json, [...folder.keys()], 'the project', 'paper', who)
 }
 
 /** Reads what a wrinkle set refers to. Throws FurrowError when that is not in the folder. */
 export function wrinkleFilesIn(folder: Files, who: string): (uri: string) => Promise<Uint8Array> {
-  const read = referencesIn(folder, DOCUMENT, who)
+  const read = referencesIn(folder, WRINKLES_FILE, who)
   return async (uri) => (await read(uri)).bytes
 }
 

@@ -6,6 +6,7 @@ import type { AvatarFile } from '../keep/database.ts'
 import type { ReadFolder } from '../keep/read-folder.ts'
 import type { WrinklesFolder } from '../open/sort-files.ts'
 import { endOf } from '../workers/life.ts'
+import type { BakeTarget } from './bake-sculpt.ts'
 import type { DocumentToExport } from './export-document.ts'
 import type { ExportedFace, ExportOptions, OnProgress } from './export-face.ts'
 import type { FaceFiles, Files } from './files.ts'
@@ -71,6 +72,15 @@ export function readProjectInWorker({ name, files }: WrinklesFolder): Promise<Re
 /** `validateFace` in a worker of its own; see `exportInWorker`. */
 export function validateInWorker(face: FaceFiles, signal?: AbortSignal): Promise<Finding[]> {
   return run((tasks) => tasks.validateFace(face), signal)
+}
+
+/** `bakeSculpt` in a worker of its own; see `exportInWorker`. */
+export function bakeInWorker(
+  sculpt: FaceFiles,
+  target: BakeTarget,
+  { onProgress = () => {}, signal }: Following = {},
+): Promise<Uint8Array> {
+  return run((tasks) => tasks.bakeSculpt(sculpt, target, proxy(onProgress)), signal)
 }
 
 async function run<T>(task: (tasks: Remote<Tasks>) => Promise<T>, signal?: AbortSignal): Promise<T> {

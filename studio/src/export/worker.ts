@@ -1,5 +1,6 @@
 import { expose, transfer } from 'comlink'
 import { holdLife } from '../workers/life.ts'
+import { bakeSculpt } from './bake-sculpt.ts'
 import { exportDocument, projectFiles } from './export-document.ts'
 import { exportFace } from './export-face.ts'
 import { readDocument, readProject } from './read-document.ts'
@@ -23,6 +24,10 @@ const tasks = {
   async readFace(...args: Parameters<typeof readFace>) {
     const read = await readFace(...args)
     return transfer(read, buffersOf([read.face, ...(read.folder?.values() ?? [])]))
+  },
+  async bakeSculpt(...args: Parameters<typeof bakeSculpt>) {
+    const bytes = await bakeSculpt(...args)
+    return transfer(bytes, buffersOf([bytes]))
   },
   readDocument,
   readProject,

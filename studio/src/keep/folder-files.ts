@@ -1,7 +1,7 @@
 import type { GrayImage, WrinkleSetDocument } from 'furrow'
 import { fileNamesOf, isFileName, type StrokesDocument } from 'furrow/author'
 import type { Pixels } from '../../../packages/cli/src/images/pixels.ts'
-import { addressOf } from '../../../packages/cli/src/wrinkles/folder-document.ts'
+import { addressOf, WRINKLES_FILE } from '../../../packages/cli/src/wrinkles/folder-document.ts'
 import {
   type ImageFile,
   MAP_NAMES,
@@ -85,7 +85,7 @@ export async function folderFiles(
     ...faceFiles,
     ...images,
     ...(strokes ? [{ path: 'strokes.json', content: jsonFile(strokes) }] : []),
-    { path: 'wrinkles.json', content: jsonFile(set) },
+    { path: WRINKLES_FILE, content: jsonFile(set) },
     { path: STUDIO_FILE, content: jsonFile(studio) },
   ]
 }

@@ -1,15 +1,13 @@
 import {
   areaWeights,
   DEFAULT_AREA_SIZE,
-  FurrowError,
   type GrayImage,
   imageTypeOf,
   resampleGray,
   type WrinkleSetDocument,
 } from 'furrow'
 import { parseStrokes, type StrokesDocument } from 'furrow/author'
-import { depthProblem } from '../../../packages/cli/src/json-depth.ts'
-import { folderDocument } from '../../../packages/cli/src/wrinkles/folder-document.ts'
+import { folderDocument, WRINKLES_FILE } from '../../../packages/cli/src/wrinkles/folder-document.ts'
 import {
   type ImageFile,
   type LayerStroke,
@@ -20,6 +18,8 @@ import {
   type StudioLayer,
 } from '../document/document.ts'
 import { named } from '../document/names.ts'
+import { bytesOf } from '../open/dropped-files.ts'
+import { Folder } from '../open/folder.ts'
 import type { AvatarFile } from './database.ts'
 import { FACE_FOLDER, parseStudioFile, STUDIO_FILE, type StudioFile } from './studio-file.ts'
 
@@ -54,7 +54,7 @@ export async function readFolder(
 ): Promise<ReadFolder> {
   const folder = new Folder(files, name)
   const studio = parseStudioFile(await folder.json(STUDIO_FILE))
-  const set = setOf(await folder.json('wrinkles.json'), folder)
+  const set = setOf(await folder.json(WRINKLES_FILE), folder)
   const strokes = await strokesOf(folder, set)
   const { areaSize = DEFAULT_AREA_SIZE } = set
   const { scale, size } = strokes ?? { scale: studio.scale, size: studio.mapSize }
@@ -78,47 +78,6 @@ export async function readFolder(
   return { document, face: faceOf(files, studio) }
 }
 
-/** Files by path, read as they are asked for. */
-class Folder {
-  readonly name: string
-  readonly paths: readonly string[]
-  readonly #files: ReadonlyMap<string, Blob>
-
-  constructor(files: readonly AvatarFile[], name: string) {
-    this.name = name
-    this.#files = new Map(files.map(({ path, file }) => [path, file]))
-    this.paths = [...this.#files.keys()]
-  }
-
-  /** The JSON of a file; undefined where there is none. */
-  async json(path: string): Promise<unknown> {
-    const file = this.#files.get(path)
-    if (!file) return undefined
-    try {
-      const json = JSON.parse(await file.text())
-      const problem = depthProblem(json)
-      if (problem) throw new Error(problem)
-      return json
-    } catch (error) {
-      throw this.#unreadable(`${path} cannot be read (${(error as Error).message})`, 'correct the file')
-    }
-  }
-
-  /** A file by its address in a document. */
-  async bytes(address: string): Promise<Uint8Array> {
-    const file = this.#files.get(pathOf(address))
-    if (file) return new Uint8Array(await file.arrayBuffer())
-    throw this.#unreadable(
-      `${address} is not in the folder ${this.name}`,
-      'put it there, or correct wrinkles.json',
-    )
-  }
-
-  #unreadable(what: string, remedy: string): FurrowError {
-    return new FurrowError({ code: 'unreadable', who: WHO, what, remedy })
-  }
-}
-
 function setOf(json: unknown, { paths, name }: Folder): WrinkleSetDocument {
   const areas = (json as { areas?: unknown } | undefined)?.areas
   const hasNoAreas = Array.isArray(areas) && areas.length === 0
@@ -129,7 +88,7 @@ function setOf(json: unknown, { paths, name }: Folder): WrinkleSetDocument {
 }
 
 async function strokesOf(folder: Folder, set: WrinkleSetDocument): Promise<StrokesDocument | undefined> {
-  const json = set.strokes === undefined ? undefined : await folder.json(pathOf(set.strokes))
+  const json = set.strokes === undefined ? undefined : await folder.json(set.strokes)
   return json === undefined ? undefined : parseStrokes(json)
 }
 
@@ -148,7 +107,7 @@ async function readLayer(
     MAP_NAMES.map(async (map): Promise<[MapName, ImageFile] | undefined> => {
       const address = drawn.has(map) ? known?.under?.[map] : entry[map]
       if (address === undefined) return undefined
-      const bytes = await folder.bytes(address)
+      const bytes = await bytesOf(folder.file(address), address)
       return [map, { mimeType: imageTypeOf(bytes) ?? 'image/png', bytes }]
     }),
   )
@@ -169,7 +128,7 @@ async function readArea(
   decode: DecodeGray,
   { automaticAreas }: StudioFile,
 ): Promise<StudioArea> {
-  const gray = await decode(await folder.bytes(image), image, WHO)
+  const gray = await decode(await bytesOf(folder.file(image), image), image, WHO)
   return {
     name,
     layer: named(layers, layer ?? layers[0].name, 'layer').name,
@@ -187,13 +146,4 @@ function faceOf(files: readonly AvatarFile[], { face }: StudioFile): AvatarFile[
   if (!found.path.startsWith(folder)) return [{ path: face?.name ?? found.path, file: found.file }]
   const beside = files.filter((file) => file.path.startsWith(folder) && file !== found)
   return [found, ...beside].map(({ path, file }) => ({ path: path.slice(folder.length), file }))
-}
-
-/** Addresses escape what has a meaning in them. */
-function pathOf(address: string): string {
-  try {
-    return decodeURIComponent(address).replace(/^\.\//, '')
-  } catch {
-    return address
-  }
 }

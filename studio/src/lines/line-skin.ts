@@ -10,9 +10,8 @@ import {
 import type { Mesh } from 'three'
 import { knotsOf, traceStroke } from '../../../packages/furrow/src/author/strokes/edit/traced-stroke.ts'
 import type { LayerStroke, StudioDocument } from '../document/document.ts'
-import { PaintSkin } from '../paint/paint-skin.ts'
-import { SkinPicker } from '../paint/picker.ts'
-import { readSkin } from '../paint/read-skin.ts'
+import type { SkinPicker } from '../paint/picker.ts'
+import { posedSkinOf } from '../paint/posed-skin.ts'
 
 /** A stroke as a line on the skin, which follows the skin when that is deformed. */
 export interface SkinLine {
@@ -40,12 +39,11 @@ export class LineSkin {
     meshes: readonly [Mesh, ...Mesh[]],
     { scale, areaSize }: Pick<StudioDocument, 'scale' | 'areaSize'>,
   ) {
-    const read = readSkin(meshes)
-    const painted = new PaintSkin(read.skin, scale)
-    const { positions, uvs, indices } = painted.skin
+    const { skin, picker } = posedSkinOf(meshes, scale)
+    this.#skin = skin.skin
+    const { positions, uvs, indices } = this.#skin
     this.canvas = skinCanvas({ positions, uvs, indices }, areaSize, areaSize, scale)
-    this.#skin = read.skin
-    this.picker = new SkinPicker(read, painted)
+    this.picker = picker
     this.#meshes = meshes
     this.#pose = this.#readPose()
   }

@@ -2,7 +2,7 @@ import { FurrowError, type GrayImage } from 'furrow'
 import { mapSkin, type Skin, type SkinSurface, type SkinTexels, type UvLocator } from 'furrow/author'
 
 /** Sides of maps that can be painted, in texels. */
-export const PAINTED_SIDES = [2, 1024] as const
+const PAINTED_SIDES = [2, 1024] as const
 
 /** Barycentric coordinate below which a texel is beyond the edge of its triangle. */
 const OUTSIDE = -1e-6

@@ -3,6 +3,7 @@ import { useLayoutEffect, useRef } from 'preact/hooks'
 import type { StudioDocument } from '../document/document.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { Dial } from '../viewer/dials.ts'
+import { AreaThumbnail } from './area-thumbnail.tsx'
 import { ChosenArea } from './chosen-area.tsx'
 import type { PanelModel } from './model.ts'
 import { Section } from './section.tsx'
@@ -44,7 +45,7 @@ export function Areas({ model }: { model: PanelModel }) {
             linked={driven.includes(dial.name)}
             onInput={actions.input}
             onHover={onHover}
-            before={document && <ChooseArea name={dial.name} areas={areas} />}
+            before={document && <ChooseArea name={dial.name} model={model} />}
           >
             {document && <ShownToggles name={dial.name} areas={areas} />}
             <button
@@ -93,17 +94,21 @@ function inOrder(dials: readonly Dial[], document: StudioDocument | null): reado
   return dials.toSorted((a, b) => indexOf(a) - indexOf(b))
 }
 
-function ChooseArea({ name, areas }: { name: string; areas: AreaEditor }) {
+/** Its thumbnail is what one presses. */
+function ChooseArea({ name, model }: { name: string; model: PanelModel }) {
+  const { areas } = model
   return (
-    <input
-      type="radio"
-      name="chosen-area"
-      class="choose"
-      title="Edit and paint"
-      aria-label={`Edit area ${name}`}
-      checked={areas.chosen.value?.name === name}
-      onChange={() => areas.choose(name)}
-    />
+    <span class="choose">
+      <input
+        type="radio"
+        name="chosen-area"
+        title="Edit and paint"
+        aria-label={`Edit area ${name}`}
+        checked={areas.chosen.value?.name === name}
+        onChange={() => areas.choose(name)}
+      />
+      <AreaThumbnail name={name} model={model} />
+    </span>
   )
 }
 

@@ -1,5 +1,6 @@
 import { useId } from 'preact/hooks'
 import type { StudioArea } from '../document/document.ts'
+import { Drivers } from './drivers/drivers.tsx'
 import type { PanelModel } from './model.ts'
 import { PaintControls } from './painting.tsx'
 
@@ -84,6 +85,7 @@ export function ChosenArea({ model }: { model: PanelModel }) {
         </button>
       </div>
       <PaintControls painting={model.painting} />
+      <Drivers model={model} area={name} />
     </section>
   )
 }

@@ -10,6 +10,7 @@ import type { AreaEditor } from '../session/area-editor.ts'
 import type { AutoRun } from '../session/automatic.ts'
 import type { ExportState } from '../session/exporting.ts'
 import type { KeepState } from '../session/keeper.ts'
+import type { LayerEditor } from '../session/layer-editor.ts'
 import type { Session } from '../session/session.ts'
 import type { Painting } from '../tools/painting.ts'
 import type { Dial } from '../viewer/dials.ts'
@@ -28,6 +29,7 @@ export interface PanelModel {
   readonly lines: LineEditor
   /** Areas of the document; where there is none, those of the viewer are shown. */
   readonly areas: AreaEditor
+  readonly layers: LayerEditor
   readonly painting: Painting
   /** Names of the shipped faces. */
   readonly faces: ReadonlySignal<readonly string[]>

@@ -4,15 +4,25 @@ interface NumberSliderProps {
   label: string
   /** Least, most, step. */
   range: readonly [number, number, number]
+  /** May be beyond the range. */
   value: number
+  /** The value with its unit; by default the number alone. */
+  text?: string
   onMove(value: number): void
-  onRest(value: number): void
+  onRest?(value: number): void
 }
 
 /** A labelled slider of a number. */
-export function NumberSlider({ label, range: [min, max, step], value, onMove, onRest }: NumberSliderProps) {
+export function NumberSlider({
+  label,
+  range: [min, max, step],
+  value,
+  text = step < 1 ? value.toFixed(2) : `${value}`,
+  onMove,
+  onRest,
+}: NumberSliderProps) {
   const id = useId()
-  const fill = (value - min) / (max - min)
+  const fill = Math.min(Math.max((value - min) / (max - min), 0), 1)
   return (
     <div class="row">
       <label for={id}>{label}</label>
@@ -22,10 +32,10 @@ export function NumberSlider({ label, range: [min, max, step], value, onMove, on
         {...{ min, max, step, value }}
         style={{ '--value': fill }}
         onInput={({ currentTarget }) => onMove(currentTarget.valueAsNumber)}
-        onChange={({ currentTarget }) => onRest(currentTarget.valueAsNumber)}
+        onChange={({ currentTarget }) => onRest?.(currentTarget.valueAsNumber)}
       />
       <output for={id} aria-live="off">
-        {step < 1 ? value.toFixed(2) : value}
+        {text}
       </output>
     </div>
   )

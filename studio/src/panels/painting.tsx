@@ -1,12 +1,12 @@
-import { useId } from 'preact/hooks'
 import { BRUSH_MODES, type Brush } from '../paint/brush.ts'
 import type { Painting } from '../tools/painting.ts'
 import { Choice } from './choice.tsx'
+import { NumberSlider } from './number-slider.tsx'
 
 const MODES = BRUSH_MODES.map((value) => ({ value, label: value[0].toUpperCase() + value.slice(1) }))
 
-/** Least and greatest diameter in millimetres that the slider offers; keys go further. */
-const SIZES = [1, 80] as const
+/** Least and greatest diameter in millimetres that the slider offers, and its step; keys go further. */
+const SIZES = [1, 80, 0.5] as const
 
 /** Begins painting the chosen area, and sets the brush. */
 export function PaintControls({ painting }: { painting: Painting }) {
@@ -36,26 +36,24 @@ function BrushControls({ painting }: { painting: Painting }) {
   return (
     <div class="brush">
       <Choice legend="Brush" options={MODES} value={brush.mode} onChange={(mode) => change({ mode })} />
-      <BrushSlider
+      <NumberSlider
         label="Size"
         range={SIZES}
         value={2 * brush.radius}
         text={`${(2 * brush.radius).toFixed(brush.radius < 5 ? 1 : 0)} mm`}
-        onInput={(size) => change({ radius: size / 2 })}
+        onMove={(size) => change({ radius: size / 2 })}
       />
-      <BrushSlider
+      <NumberSlider
         label="Softness"
-        range={[0, 1]}
+        range={[0, 1, 0.01]}
         value={brush.softness}
-        text={brush.softness.toFixed(2)}
-        onInput={(softness) => change({ softness })}
+        onMove={(softness) => change({ softness })}
       />
-      <BrushSlider
+      <NumberSlider
         label="Flow"
-        range={[0.01, 1]}
+        range={[0.01, 1, 0.01]}
         value={brush.flow}
-        text={brush.flow.toFixed(2)}
-        onInput={(flow) => change({ flow })}
+        onMove={(flow) => change({ flow })}
       />
       <div class="add checks">
         <label class="check">
@@ -81,35 +79,6 @@ function BrushControls({ painting }: { painting: Painting }) {
         Drag on the face. Alt, two fingers, or a drag beside the face move the camera. Keys: [ and ] for the
         size, X for add or remove, Esc to take a stroke back.
       </p>
-    </div>
-  )
-}
-
-interface BrushSliderProps {
-  label: string
-  range: readonly [least: number, most: number]
-  value: number
-  text: string
-  onInput(value: number): void
-}
-
-function BrushSlider({ label, range: [min, max], value, text, onInput }: BrushSliderProps) {
-  const id = useId()
-  const fill = Math.min(Math.max((value - min) / (max - min), 0), 1)
-  return (
-    <div class="row">
-      <label for={id}>{label}</label>
-      <input
-        id={id}
-        type="range"
-        {...{ min, max, value }}
-        step={max > 1 ? 0.5 : 0.01}
-        style={{ '--value': fill }}
-        onInput={({ currentTarget }) => onInput(currentTarget.valueAsNumber)}
-      />
-      <output for={id} aria-live="off">
-        {text}
-      </output>
     </div>
   )
 }

@@ -2,6 +2,7 @@ import { Areas } from './areas.tsx'
 import { AutomaticWrinkles } from './automatic.tsx'
 import { Export } from './export.tsx'
 import { Expressions } from './expressions.tsx'
+import { Layers } from './layers.tsx'
 import { Lines } from './lines.tsx'
 import type { PanelModel } from './model.ts'
 import { Recent } from './recent.tsx'
@@ -22,6 +23,7 @@ export function Panel({ model }: { model: PanelModel }) {
       {model.session.document.value && <Lines model={model} />}
       <Settings model={model} />
       <Areas model={model} />
+      {model.session.document.value && <Layers model={model} />}
       <Targets model={model} />
       {model.session.document.value && <Export model={model} />}
     </>

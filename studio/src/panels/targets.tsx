@@ -7,7 +7,9 @@ import { Slider } from './slider.tsx'
 
 /** A slider per blendshape, in groups that fold, with a filter by name. */
 export function Targets({ model }: { model: PanelModel }) {
-  const { viewer, hovered, actions } = model
+  const { viewer, revision, hovered, actions } = model
+  // A muscle is a blendshape more.
+  revision.value
   const dials = viewer.value?.targets
   const groups = useMemo(() => groupDials(dials ?? []), [dials])
   const filter = useSignal('')

@@ -1,9 +1,10 @@
 import type { GrayImage } from 'furrow'
+import type { Ray } from 'three'
 import type { StudioArea } from '../document/document.ts'
 import type { Brush } from '../paint/brush.ts'
 import { BrushStroke } from '../paint/brush-stroke.ts'
 import type { PaintSkin } from '../paint/paint-skin.ts'
-import type { SkinHit, SkinPicker } from '../paint/picker.ts'
+import type { SkinHit } from '../paint/picker.ts'
 import type { Sight } from '../paint/seen-places.ts'
 import type { StagePointer, StageTool } from './stage-tool.ts'
 
@@ -12,8 +13,8 @@ export interface PaintTarget {
   readonly area: StudioArea
   readonly brush: Brush
   readonly skin: PaintSkin
-  /** Has the face's present pose. */
-  readonly picker: SkinPicker
+  /** Finds what is under a pointer. */
+  readonly picker: { pick(ray: Ray): SkinHit | undefined }
   /** Absent where hidden skin is painted as well. */
   readonly sight?: Sight | undefined
 }

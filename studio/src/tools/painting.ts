@@ -5,12 +5,13 @@ import { paintArea } from '../document/areas.ts'
 import type { StudioDocument } from '../document/document.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import { BRUSH_DEFAULTS, BRUSH_RADII, type Brush } from '../paint/brush.ts'
-import { PaintSkin } from '../paint/paint-skin.ts'
-import { type SkinHit, SkinPicker } from '../paint/picker.ts'
-import { readSkin } from '../paint/read-skin.ts'
+import type { PaintSkin } from '../paint/paint-skin.ts'
+import type { SkinHit, SkinPicker } from '../paint/picker.ts'
+import { posedSkinOf } from '../paint/posed-skin.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { Session } from '../session/session.ts'
 import { type ShortcutName, shortcutOf } from '../shortcuts.ts'
+import { TexturePicker } from '../texture/texture-picker.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 import { BrushRing } from './brush-ring.ts'
 import { type PaintTarget, PaintTool } from './paint-tool.ts'
@@ -26,6 +27,7 @@ interface PaintedFace {
   readonly scale: number
   readonly skin: PaintSkin
   readonly picker: SkinPicker
+  readonly texture: TexturePicker
 }
 
 export interface PaintingParts {
@@ -45,11 +47,13 @@ export interface PaintingParts {
 export class Painting {
   readonly #parts: PaintingParts
   readonly #isOn = signal(false)
-  readonly #tool: PaintTool
+  /** Each with what gives it pointers: the face's, and the texture's where that is shown. */
+  readonly #tools: { tool: PaintTool; host: ToolHost }[] = []
   readonly #ring: BrushRing
-  #face: PaintedFace | null = null
+  #known: PaintedFace | null = null
   #isPoseNew = true
-  #hit: SkinHit | null = null
+  readonly #hit = signal<SkinHit | null>(null)
+  readonly #stroke = signal<GrayImage | null>(null)
 
   readonly brush = signal<Brush>(BRUSH_DEFAULTS)
   /** Whether skin that the camera does not see is painted as well. */
@@ -61,30 +65,17 @@ export class Painting {
 
   constructor(parts: PaintingParts) {
     this.#parts = parts
-    const { session, areas, viewer, frame, host } = parts
+    const { session, areas, frame, host } = parts
     this.#ring = new BrushRing(parts.stage)
-    this.#tool = new PaintTool({
-      target: () => this.#target(),
-      onPaint: parts.wake,
-      show: (area, weights) => this.#show(area, weights),
-      keep: (area, weights) => session.edit(`Paint ${area}`, (old) => paintArea(old, area, weights)),
-      onHit: (hit) => {
-        this.#hit = hit
-        this.#drawRing()
-      },
-    })
+    this.#addTool(host, () => this.#targetOnFace())
     effect(() => {
       if (!areas.chosen.value) this.#isOn.value = false
-    })
-    effect(() => {
-      viewer.value
-      if (this.area.value === null) host.leave(this.#tool)
-      else host.choose(this.#tool)
     })
     // A stroke goes on from weights that undo has replaced.
     effect(() => {
       session.document.value
-      if (this.area.peek() !== null) host.cancel()
+      if (this.area.peek() !== null) for (const { host } of this.#tools) host.cancel()
+      this.#stroke.value = null
     })
     effect(() => {
       frame.value
@@ -102,49 +93,102 @@ export class Painting {
     this.#isOn.value = isOn
   }
 
+  /** Where the brush is on the skin; null off it. */
+  get hit(): ReadonlySignal<SkinHit | null> {
+    return this.#hit
+  }
+
+  /** The weights that the present stroke has made, anew whenever they changed; null between strokes. */
+  get stroke(): ReadonlySignal<GrayImage | null> {
+    return this.#stroke
+  }
+
+  /** The skin that is painted on; null where nothing is open. */
+  get skin(): PaintSkin | null {
+    return this.#face()?.skin ?? null
+  }
+
+  /** Lets the brush paint on the texture as well. @param host whose rays are those of a `TextureCamera`. */
+  addTexture(host: ToolHost): void {
+    this.#addTool(host, () => this.#targetOnTexture())
+  }
+
   /** Before a frame is drawn. */
   advance(): void {
-    this.#tool.showStroke()
+    for (const { tool } of this.#tools) tool.showStroke()
     this.#drawRing()
   }
 
-  #target(): PaintTarget | null {
-    const [viewer, document] = [this.#parts.viewer.peek(), this.#parts.session.document.peek()]
-    const area = this.#parts.areas.chosen.peek()
-    if (!viewer || !document || !area) return null
-    const { skin, picker } = this.#faceOf(viewer.avatar, document)
-    const eye = viewer.stage.camera.position
-    const sight = this.isThrough.peek() ? undefined : picker.sightFrom(eye)
+  #addTool(host: ToolHost, target: () => PaintTarget | null): void {
+    const { session, viewer, wake } = this.#parts
+    const tool = new PaintTool({
+      target,
+      onPaint: wake,
+      show: (area, weights) => this.#show(area, weights),
+      keep: (area, weights) => session.edit(`Paint ${area}`, (old) => paintArea(old, area, weights)),
+      onHit: (hit) => {
+        this.#hit.value = hit
+        this.#drawRing()
+      },
+    })
+    this.#tools.push({ tool, host })
+    effect(() => {
+      viewer.value
+      if (this.area.value === null) host.leave(tool)
+      else host.choose(tool)
+    })
+  }
+
+  #targetOnFace(): PaintTarget | null {
+    const [viewer, area, face] = [this.#parts.viewer.peek(), this.#parts.areas.chosen.peek(), this.#face()]
+    if (!viewer || !area || !face) return null
+    const { skin, picker } = face
+    const sight = this.isThrough.peek() ? undefined : picker.sightFrom(viewer.stage.camera.position)
     return { area, brush: this.brush.peek(), skin, picker, sight }
   }
 
-  /** The face as it is posed now. */
+  /** The texture shows what the camera does not see. */
+  #targetOnTexture(): PaintTarget | null {
+    const [area, face] = [this.#parts.areas.chosen.peek(), this.#face()]
+    return area && face && { area, brush: this.brush.peek(), skin: face.skin, picker: face.texture }
+  }
+
+  /** As it is posed now. */
+  #face(): PaintedFace | null {
+    const [viewer, document] = [this.#parts.viewer.peek(), this.#parts.session.document.peek()]
+    return viewer && document && this.#faceOf(viewer.avatar, document)
+  }
+
   #faceOf({ root, skins, skin: index }: OpenedAvatar, document: StudioDocument): PaintedFace {
     const { scale, areaSize } = document
-    const known = this.#face
+    const known = this.#known
     if (known?.root !== root || known.index !== index || known.scale !== scale) {
-      const meshes = readSkin(skins[index].meshes)
-      const skin = new PaintSkin(meshes.skin, scale)
+      const { skin, picker } = posedSkinOf(skins[index].meshes, scale)
       // Now rather than when the first stroke begins.
       skin.mapOf(areaSize)
-      this.#face = { root, index, scale, skin, picker: new SkinPicker(meshes, skin) }
+      const texture = new TexturePicker(skin, picker, areaSize)
+      this.#known = { root, index, scale, skin, picker, texture }
     } else if (this.#isPoseNew) known.picker.refit()
     this.#isPoseNew = false
-    return this.#face!
+    return this.#known!
   }
 
   #show(area: string, weights: GrayImage): void {
+    const isKept = this.#parts.areas.chosen.peek()?.weights === weights
+    // Another object, since its data has changed in place.
+    this.#stroke.value = isKept ? null : { ...weights }
     const wrinkles = this.#parts.viewer.peek()?.wrinkles
     if (wrinkles?.hasArea(area)) updateArea(wrinkles, area, weights)
   }
 
   #drawRing(): void {
     const [viewer, document] = [this.#parts.viewer.peek(), this.#parts.session.document.peek()]
-    if (!this.#hit || !viewer || !document) {
+    const hit = this.#hit.peek()
+    if (!hit || !viewer || !document) {
       this.#ring.hide()
       return
     }
-    const { point, normal } = this.#hit
+    const { point, normal } = hit
     this.#ring.show(point, normal, this.brush.peek().radius / document.scale, viewer.stage.camera)
   }
 

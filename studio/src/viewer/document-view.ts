@@ -1,4 +1,4 @@
-import type { Area, GrayImage, Layer, RgbaImage } from 'furrow'
+import { type Area, driversOf, type GrayImage, type Layer, type RgbaImage } from 'furrow'
 import type { Bounds } from 'furrow/author'
 import { updateArea, updateLayer } from 'furrow/three'
 import type { Wrinkles } from '../../../stage/stage.ts'
@@ -39,7 +39,7 @@ export class DocumentView {
     if (before && viewer.wrinkles && canFollow(before, drawn)) {
       updateMaps(viewer.wrinkles, drawn)
       changeAreas(viewer, before.document, document)
-      if (before.document.drivers !== document.drivers) viewer.setDrivers(document.drivers)
+      if (areDrivenAnew(before.document, document)) viewer.setDrivers(document.drivers)
       return
     }
     const layers = document.layers.map((layer, i) => engineLayer(layer, maps[i]))
@@ -61,6 +61,16 @@ function canFollow(before: DrawnDocument, after: DrawnDocument): boolean {
 
 function haveSameFields(a: StudioArea, b: StudioArea): boolean {
   return a.layer === b.layer && a.combine === b.combine
+}
+
+/** Whether drivers changed, or the skin that one of them measures. */
+function areDrivenAnew(before: StudioDocument, after: StudioDocument): boolean {
+  if (before.drivers !== after.drivers) return true
+  const weights = ({ areas }: StudioDocument, area: string) =>
+    areas.find(({ name }) => name === area)?.weights
+  return driversOf('tension', after.drivers).some(
+    ({ area }) => weights(before, area) !== weights(after, area),
+  )
 }
 
 /** Uploads the rectangles that were drawn again. */

@@ -1,67 +1,122 @@
 import {
+  type Contribution,
   canonicalTargetName,
+  type DriverPlan,
   DriverProgram,
   type DriverState,
-  driversOf,
-  explain,
   planDrivers,
-  targetSource,
+  valueSource,
   type WrinkleDriver,
 } from 'furrow'
-import type { Mesh } from 'three'
+import { inputName } from '../../../packages/furrow/src/drivers/activation.ts'
+import { BINDINGS } from '../../../packages/furrow/src/three/sources/bind-drivers.ts'
+import type { Wrinkles } from '../../../stage/stage.ts'
 
-/** The drivers of a face's wrinkles: what they activate in its present pose, and why. */
+/** What the face has beyond its mesh. Both maps are read whenever the drivers are evaluated. */
+export interface FaceState {
+  /** Numbers that an application would set, by name: age, stress. */
+  readonly inputs: ReadonlyMap<string, number>
+  /** Activations at rest by area, 0..1; 0 where there is none. */
+  readonly resting: ReadonlyMap<string, number>
+}
+
+const MEASURED = ['target', 'joint', 'tension'] as const
+
+/**
+ * Drivers of all types on the face that is shown, as the engine runs them, but for delays: sliders follow at once, and show what an area
+ * comes to.
+ */
 export class FaceDrivers {
   readonly list: readonly WrinkleDriver[]
-  readonly #skin: Mesh
-  readonly #targetNames: readonly string[]
+  readonly #plan: DriverPlan
+  readonly #face: FaceState
   readonly #program: DriverProgram
   readonly #state: DriverState
+  readonly #values: ReturnType<typeof valueSource>
+  readonly #read: () => void
 
-  constructor(skin: Mesh, list: readonly WrinkleDriver[]) {
+  /** @param wrinkles null for a plain face, which has nothing to drive. */
+  constructor(wrinkles: Wrinkles | null, list: readonly WrinkleDriver[], face: FaceState) {
     this.list = list
-    this.#skin = skin
-    this.#targetNames = Object.keys(skin.morphTargetDictionary ?? {})
-    const plan = planDrivers(driversOf('morph', list))
-    this.#program = new DriverProgram(plan, { target: targetSource(plan.inputs.target, this.#targetNames) })
-    this.#state = this.#program.createState()
+    this.#face = face
+    this.#plan = planDrivers(wrinkles ? list.filter(({ type }) => type !== 'time') : [])
+    this.#values = valueSource(this.#plan.inputs.value)
+    const { inputs } = this.#plan
+    const readers = wrinkles && {
+      target: BINDINGS.target(wrinkles, inputs.target, {}),
+      joint: BINDINGS.joint(wrinkles, inputs.joint, {}),
+      tension: BINDINGS.tension(wrinkles, inputs.tension, {}),
+    }
+    this.#program = new DriverProgram(this.#plan, { ...readers, value: this.#values })
+    const state = this.#program.createState()
+    this.#state = state
+    this.#read = () => {
+      if (readers) for (const kind of MEASURED) readers[kind].read(state.inputs[kind], 0, null)
+    }
   }
 
-  /** Areas that blendshapes drive, in the order of `evaluate`. */
+  /** Areas that drivers activate or read, in the order of `evaluate`. */
   get areaNames(): readonly string[] {
-    return this.#program.plan.areaNames
+    return this.#plan.areaNames
   }
 
-  /** Activations that the present blendshape weights give: the same array at every call. */
+  /** Activations, 0..1, in the present pose; overwritten by the next call. */
   evaluate(): Float32Array {
-    this.#state.inputs.target.set(this.#skin.morphTargetInfluences ?? [])
+    const { inputs, resting } = this.#face
+    const { names, initial } = this.#values
+    this.#read()
+    this.#state.inputs.value.set(names.map((name, i) => inputs.get(name) ?? initial[i]))
+    this.#state.resting.set(this.#plan.areaNames.map((name) => resting.get(name) ?? 0))
     this.#program.evaluate(this.#state)
     return this.#state.activations
   }
 
-  /** Names of the blendshapes that drive an area, as on their dials. */
-  targetsOf(area: string): string[] {
-    return driversOf('morph', this.list)
-      .filter((driver) => driver.area === area)
-      .flatMap(({ targets }) => targets.map(({ name }) => canonicalTargetName(name)))
+  /** What each driver gives in the present pose, in their order; null for those that activate nothing. */
+  contributions(): (Contribution | null)[] {
+    this.evaluate()
+    const { activations } = this.#program
+    const indices = new Map(activations.map(({ driver }, i) => [driver, i]))
+    return this.list.map((driver) => {
+      const index = indices.get(driver)
+      return index === undefined ? null : this.#program.explain(index, this.#state)
+    })
   }
 
-  /** Areas that a blendshape drives, by its name on its dial. */
-  areasOf(target: string): string[] {
-    const drivers = driversOf('morph', this.list).filter(({ targets }) =>
-      targets.some(({ name }) => canonicalTargetName(name) === target),
-    )
-    return [...new Set(drivers.map(({ area }) => area))]
-  }
-
-  /** Lines of text: the present activation of an area by each of its drivers, and the part of each input in it. */
+  /** Lines of text: what each driver gives to an area in the present pose, and the part of each input in it. */
   explain(area: string): string[] {
-    const situation = { targetNames: this.#targetNames, weights: this.#skin.morphTargetInfluences ?? [] }
-    const [explanation] = explain(this.list, [{ name: area }], situation)
-    if (explanation.parts.length === 0) return [`${area} has no driver: only its slider moves it`]
-    return explanation.parts.flatMap(({ activation, links }) => [
-      `${activation.toFixed(2)} of ${area} from`,
-      ...links.map(({ link, value }) => `${value.toFixed(2)} by ${link.name}`),
-    ])
+    this.evaluate()
+    const lines = this.#program.activations.flatMap(({ activation }, i) => {
+      if (activation.area !== area) return []
+      const now = this.#program.explain(i, this.#state)
+      const parts = activation.links.map(
+        ({ input }, k) => `${now.links[k].toFixed(2)} by ${inputName(input)}`,
+      )
+      return [`${now.activation.toFixed(2)} of ${area} from`, ...parts]
+    })
+    return lines.length > 0 ? lines : [`${area} has no driver: only its slider moves it`]
   }
+
+  /** Names of the blendshapes that drive an area, as on their sliders. */
+  targetsOf(area: string): string[] {
+    return this.#plan.activations
+      .filter(({ activation }) => activation.area === area)
+      .flatMap(({ activation }) => targetNames(activation.links))
+  }
+
+  /** Areas that a blendshape drives. */
+  areasOf(target: string): string[] {
+    const driven = this.#plan.activations.filter(({ activation }) =>
+      targetNames(activation.links).includes(target),
+    )
+    return [...new Set(driven.map(({ activation }) => activation.area))]
+  }
+
+  /** The value of an input that an application would set. */
+  input(name: string): number {
+    return this.#face.inputs.get(name) ?? this.#values.initial[this.#values.names.indexOf(name)] ?? 0
+  }
+}
+
+function targetNames(links: DriverPlan['activations'][number]['activation']['links']): string[] {
+  return links.flatMap(({ input }) => (input.kind === 'target' ? [canonicalTargetName(input.name)] : []))
 }

@@ -1,4 +1,11 @@
-import { type Area, type Expression, FurrowError, type WrinkleDriver } from 'furrow'
+import {
+  type Area,
+  type Contribution,
+  driversOf,
+  type Expression,
+  FurrowError,
+  type WrinkleDriver,
+} from 'furrow'
 import { ExpressionPlayer, Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
 import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import { type Color, type Mesh, NoToneMapping } from 'three'
@@ -11,6 +18,7 @@ import { areaDials, type Dial, targetDials } from './dials.ts'
 import { completeExpressions } from './expressions.ts'
 import { FaceDrivers } from './face-drivers.ts'
 import { type Look, Looks, type Side } from './looks.ts'
+import { MuscleTargets } from './muscle-targets.ts'
 import { releaseFromGPU } from './release.ts'
 
 /** One avatar on one renderer's canvas, drawn without wrinkles left of the divider and with them right of it. */
@@ -19,12 +27,14 @@ export class Viewer {
   readonly kind: RendererKind
   readonly stage: Stage
   readonly avatar: OpenedAvatar
-  readonly targets: readonly Dial[]
+  targets: readonly Dial[] = []
   areas: readonly Dial[] = []
   /** Fraction of the width that is drawn without wrinkles. */
   split = 0.5
   /** Areas that are drawn as if they were not active. */
   hidden: readonly string[] = []
+  /** Numbers that an application would set for drivers, by name: age in years, stress. */
+  readonly inputs = new Map<string, number>()
 
   readonly #face: Face
   /** The skin's material as it was before wrinkles were added; cloned for each `Looks`. */
@@ -32,6 +42,9 @@ export class Viewer {
   #wrinkles: Wrinkles | null = null
   #fault: Error | null = null
   #drivers!: FaceDrivers
+  /** Activations at rest by area. */
+  readonly #resting = new Map<string, number>()
+  readonly #muscles: MuscleTargets
   /** Null for a face without blendshapes and wrinkles. */
   #player: ExpressionPlayer | null = null
   #expressions: readonly Expression[] = []
@@ -55,14 +68,7 @@ export class Viewer {
     this.#face = face
     this.#plain = cloned(face.skin.material)
     stage.show(face)
-    this.targets = targetDials(face.root).map((dial) => ({
-      ...dial,
-      write: (value) => {
-        const before = this.#drivers.evaluate().slice()
-        dial.write(value)
-        this.#applyDrivers(before)
-      },
-    }))
+    this.#muscles = new MuscleTargets([face.skin, ...face.parts])
     this.#wear(face.wrinkles)
   }
 
@@ -96,7 +102,11 @@ export class Viewer {
 
   /** Lets other drivers activate the areas. */
   setDrivers(drivers: readonly WrinkleDriver[]): void {
-    this.#drivers = new FaceDrivers(this.#face.skin, drivers)
+    const before = this.#drivers.areaNames
+    this.#addMuscles(drivers)
+    this.#drive(drivers)
+    const free = before.filter((area) => !this.#drivers.areaNames.includes(area))
+    for (const area of free) this.#setActivation(area, this.#resting.get(area) ?? 0)
     this.#driveAll()
     this.#renewExpressions()
   }
@@ -105,6 +115,7 @@ export class Viewer {
   #wear(wrinkles: Face['wrinkles']): void {
     this.#fault = null
     this.#wrinkles = null
+    this.#addMuscles(wrinkles?.drivers ?? [])
     try {
       if (wrinkles) this.#wrinkles = this.stage.addWrinkles(this.#face, wrinkles)
     } catch (error) {
@@ -112,18 +123,39 @@ export class Viewer {
     }
     // The viewer runs the drivers, so that the areas' sliders follow at once.
     if (this.#wrinkles) this.#wrinkles.driven = false
-    this.#drivers = new FaceDrivers(this.#face.skin, wrinkles?.drivers ?? [])
+    this.#resting.clear()
+    for (const { name, activation } of wrinkles?.set.areas ?? []) this.#resting.set(name, activation ?? 0)
+    this.#drive(wrinkles?.drivers ?? [])
     const plain = cloned(this.#plain)
     this.#looks = new Looks(this.#face, this.#wrinkles, plain, (mesh, own) => this.#createMirror(mesh, own))
     this.#renewAreas()
+    this.#driveAll()
+  }
+
+  /** Each muscle is a blendshape more. */
+  #addMuscles(drivers: readonly WrinkleDriver[]): void {
+    this.#muscles.update(driversOf('muscle', drivers))
+    this.targets = targetDials(this.#face.root).map((dial) => ({
+      ...dial,
+      write: (value) => this.#driveAfter(() => dial.write(value)),
+    }))
+  }
+
+  #drive(drivers: readonly WrinkleDriver[]): void {
+    this.#drivers = new FaceDrivers(this.#wrinkles, drivers, {
+      inputs: this.inputs,
+      resting: this.#resting,
+    })
   }
 
   /** Sets all areas that are driven as the face's pose has them. */
   #driveAll(): void {
     const activations = this.#drivers.evaluate()
-    for (const [i, name] of this.#drivers.areaNames.entries()) {
-      if (this.#wrinkles?.hasArea(name)) this.#wrinkles.setActivation(name, activations[i])
-    }
+    for (const [i, name] of this.#drivers.areaNames.entries()) this.#setActivation(name, activations[i])
+  }
+
+  #setActivation(area: string, activation: number): void {
+    if (this.#wrinkles?.hasArea(area)) this.#wrinkles.setActivation(area, activation)
   }
 
   #isPossible(look: Look): boolean {
@@ -157,9 +189,10 @@ export class Viewer {
     this.#looks.choose(area.length > 0 ? { name: 'influence', area } : look)
   }
 
-  /** Shows another activation at rest, of an area that nothing drives. */
+  /** Shows another activation at rest. */
   rest(area: string, activation: number): void {
-    if (!this.#drivers.areaNames.includes(area)) this.wrinkles?.setActivation(area, activation)
+    this.#driveAfter(() => this.#resting.set(area, activation))
+    if (!this.#drivers.areaNames.includes(area)) this.#setActivation(area, activation)
   }
 
   /** Names of the blendshapes that drive an area, as on their dials. */
@@ -175,6 +208,20 @@ export class Viewer {
   /** Lines of text: the present activation of an area by each of its drivers, and the part of each input in it. */
   explain(area: string): string[] {
     return this.#drivers.explain(area)
+  }
+
+  /** What each driver gives in the present pose, in the order of `setDrivers`; null for those that activate nothing. */
+  contributions(): (Contribution | null)[] {
+    return this.#drivers.contributions()
+  }
+
+  /** Of a number that an application would set for drivers, in its own unit. */
+  inputDial(name: string): Dial {
+    return {
+      name,
+      read: () => this.#drivers.input(name),
+      write: (value) => this.#driveAfter(() => this.inputs.set(name, value)),
+    }
   }
 
   /** Shows where areas are on the face, whatever their activations; of an empty list, restores the chosen look. */
@@ -212,6 +259,7 @@ export class Viewer {
     if (!this.wrinkles) throw withoutLayers(area.name)
     this.wrinkles.addArea(area)
     this.#face.wrinkles?.set.areas.push(area)
+    this.#resting.set(area.name, area.activation ?? 0)
     this.#areasChanged()
   }
 
@@ -274,17 +322,16 @@ export class Viewer {
 
   /** Plays an expression: areas that expressions name are played, the others follow the face. */
   #moveFace(play: () => void): void {
-    const before = this.#drivers.evaluate().slice()
-    play()
-    this.#applyDrivers(before, (area) => !this.#isPlayed(area))
+    this.#driveAfter(play, (area) => !this.#isPlayed(area))
   }
 
-  /** After blendshapes were set: sets the areas that they drive and leaves the others. */
-  #applyDrivers(before: Float32Array, isWanted: (area: string) => boolean = () => true): void {
+  /** Changes what drivers read, and sets the areas whose activation that changes; the others stay as they were set by hand. */
+  #driveAfter(change: () => void, isWanted: (area: string) => boolean = () => true): void {
+    const before = this.#drivers.evaluate().slice()
+    change()
     const after = this.#drivers.evaluate()
     for (const [i, name] of this.#drivers.areaNames.entries()) {
-      if (after[i] === before[i] || !isWanted(name)) continue
-      if (this.wrinkles?.hasArea(name)) this.wrinkles.setActivation(name, after[i])
+      if (after[i] !== before[i] && isWanted(name)) this.#setActivation(name, after[i])
     }
   }
 

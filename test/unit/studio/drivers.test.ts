@@ -1,7 +1,7 @@
-import { parseDrivers, type WrinkleDriver } from 'furrow'
+import { explain, parseDrivers, type WrinkleDriver } from 'furrow'
 import { describe, expect, it } from 'vitest'
 import { addDriver, recordPose, removeDriver, setDriver } from '../../../studio/src/document/drivers.ts'
-import { frozen, sampleDocument } from './sample-document.ts'
+import { DRIVERS, frozen, sampleDocument } from './sample-document.ts'
 
 const document = frozen(sampleDocument())
 const driver = document.drivers[0]
@@ -40,6 +40,34 @@ describe('recording a pose', () => {
   it('at rest only removes it', () => {
     const after = recordPose(document, 'frown', new Map([['jawOpen', 0.005]]))
     expect(after.drivers).toEqual(document.drivers.filter((each) => each !== document.drivers[1]))
+  })
+
+  it('makes it 1 as drivers read it, after conflicts', () => {
+    const pose = new Map([
+      ['browInnerUp', 1],
+      ['browDownLeft', 0.25],
+    ])
+    const after = recordPose(document, 'cheeks', pose)
+    const [read] = explain(
+      after.drivers.slice(-1).concat(DRIVERS.filter(({ type }) => type === 'conflict')),
+      [{ name: 'cheeks' }],
+      {
+        targetNames: [...pose.keys()],
+        weights: [...pose.values()],
+      },
+    )
+    expect(read.activation).toBeCloseTo(1, 2)
+    expect(read.parts[0].links.map(({ link }) => link.name)).toEqual(['browInnerUp'])
+  })
+
+  it('of blendshapes that cancel each other is an error', () => {
+    const pose = new Map([
+      ['browInnerUp', 0.5],
+      ['browDownLeft', 0.5],
+    ])
+    expect(() => recordPose(document, 'cheeks', pose)).toThrow(
+      'cancel each other, got "browInnerUp, browDownLeft"',
+    )
   })
 
   it('of an unknown area is an error', () => {

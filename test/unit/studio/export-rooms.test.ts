@@ -22,6 +22,7 @@ const PORTABLE = [
   'ktx2-encoder',
   'meshoptimizer',
   'three',
+  'three-mesh-bvh',
 ]
 
 /** What a file imports besides types. */

@@ -175,7 +175,7 @@ describe('a folder made by hand', () => {
   })
 
   it.each([
-    ['no JSON', { 'wrinkles.json': '{' }, 'wrinkles.json cannot be read'],
+    ['no JSON', { 'wrinkles.json': '{' }, 'cannot read wrinkles.json'],
     [
       'no image',
       { 'wrinkles.json': '{"layers":[{"name":"a"}],"areas":[{"name":"b"}]}' },

@@ -1,7 +1,7 @@
 import type { BakeSource } from 'furrow/author'
 import { BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Ray, Triangle, Vector3 } from 'three'
 import { MeshBVH } from 'three-mesh-bvh'
-import type { Surface } from './read-meshes.ts'
+import type { Surface } from './surface.ts'
 
 /** Makes a surface ready for ray casts by a bounding volume hierarchy (three-mesh-bvh), which keeps and reorders the index array. */
 export function raySourceOf({ positions, normals, indices }: Surface): BakeSource {

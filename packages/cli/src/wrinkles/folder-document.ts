@@ -3,6 +3,9 @@ import { MAP_SLOTS } from './map-slots.ts'
 
 type Json = Record<string, unknown>
 
+/** The wrinkle set's document in a folder. */
+export const WRINKLES_FILE = 'wrinkles.json'
+
 /** The document of strokes in a folder. */
 export const STROKES_FILE = 'strokes.json'
 

@@ -5,7 +5,7 @@ import { cannotRead } from '../errors.ts'
 import { type ReadOptions, referenceReader } from '../gltf/external-files.ts'
 import { readJson } from '../inputs.ts'
 import { statOf } from '../outputs.ts'
-import { folderDocument } from './folder-document.ts'
+import { folderDocument, WRINKLES_FILE } from './folder-document.ts'
 
 /**
  * Reads the wrinkle set of a folder: its `wrinkles.json`, completed by `strokes.json` and the files in `layers/` and
@@ -19,9 +19,9 @@ export async function readFolder(
   whiteIsVisible: boolean,
   who: string,
 ): Promise<WrinkleSetDocument> {
-  const path = join(folder, 'wrinkles.json')
+  const path = join(folder, WRINKLES_FILE)
   const files = await listFiles(folder, who)
-  const json = files.includes('wrinkles.json') ? await readJson(path, who) : undefined
+  const json = files.includes(WRINKLES_FILE) ? await readJson(path, who) : undefined
   return folderDocument(json, files, folder, whiteIsVisible ? 'weight' : 'paper', who)
 }
 
@@ -36,7 +36,7 @@ export async function readReferenced(
   who: string,
   options: ReadOptions,
 ): Promise<Uint8Array> {
-  const read = referenceReader(join(folder, 'wrinkles.json'), who, options)
+  const read = referenceReader(join(folder, WRINKLES_FILE), who, options)
   return (await read(uri)).bytes
 }
 
@@ -53,7 +53,7 @@ async function listFiles(folder: string, who: string): Promise<string[]> {
 }
 
 function isFile(path: string, who: string): FurrowError {
-  const isDocument = basename(path) === 'wrinkles.json'
+  const isDocument = basename(path) === WRINKLES_FILE
   return new FurrowError({
     who,
     what: `${path} is a file`,

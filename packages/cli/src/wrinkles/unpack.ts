@@ -8,7 +8,7 @@ import { imageOf, isKtx2 } from '../gltf/texture-image.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
 import { isOpaque, withoutAlpha } from '../images/pixels.ts'
 import type { Progress } from '../progress.ts'
-import { addressOf, STROKES_FILE } from './folder-document.ts'
+import { addressOf, STROKES_FILE, WRINKLES_FILE } from './folder-document.ts'
 import { weightsOf } from './inspect.ts'
 import { MAP_SLOTS } from './map-slots.ts'
 import { strokesFile, strokesIn } from './strokes.ts'
@@ -88,7 +88,7 @@ export async function unpackWrinkles(
   }
   const text = `${JSON.stringify(document, null, 2)}\n`
   const warnings = problem === undefined ? [] : [problem]
-  return { files: [{ path: 'wrinkles.json', bytes: utf8(text) }, ...outputs], warnings }
+  return { files: [{ path: WRINKLES_FILE, bytes: utf8(text) }, ...outputs], warnings }
 }
 
 /** A map as a PNG file; one that is PNG already is decoded to check it, and not encoded again. */

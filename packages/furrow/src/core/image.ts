@@ -35,7 +35,7 @@ export function checkImage(
  *
  * @throws FurrowError when a side is not an integer from 1 to 8192.
  */
-export function checkSides(width: number, height: number, who: string): void {
+function checkSides(width: number, height: number, who: string): void {
   for (const side of [width, height]) {
     if (Number.isInteger(side) && side >= 1 && side <= MAX_IMAGE_SIDE) continue
     throw new FurrowError({

@@ -27,8 +27,12 @@ export interface BoundActivation {
 export interface Contribution {
   /** 0..1. */
   activation: number
+  /** Value of each input, before the link's curve and weight. */
+  inputs: number[]
   /** Value of each link, before rule and curve. */
   links: number[]
+  /** The links combined by the rule: what the curve reads. */
+  combined: number
 }
 
 /** Evaluates area activations in order. `addTo` allocates nothing, unless a registered rule does. */
@@ -37,7 +41,7 @@ export class ActivationSum {
   /** Scratch for registered rules: one value per link. */
   readonly #linkValues: readonly Float64Array[]
   readonly #warned = new Set<string>()
-  /** Result of `#read` and `#combine`; in an array, since a number that a function returns may be boxed. */
+  /** Result of `#readInput`, `#read` and `#combine`; in an array, since a number that a function returns may be boxed. */
   readonly #value = new Float64Array(1)
 
   constructor(activations: readonly BoundActivation[]) {
@@ -53,24 +57,33 @@ export class ActivationSum {
    */
   addTo(areas: Float32Array, inputs: Float64Array): void {
     for (let i = 0; i < this.#activations.length; i++) {
-      const { area } = this.#activations[i]
+      const { area, curve } = this.#activations[i]
       this.#combine(i, areas, inputs)
+      applyCurve(curve, this.#value)
       areas[area] = Math.min(1, areas[area] + this.#value[0])
     }
   }
 
   /** The contribution of one driver, by its index. Allocates. */
   explain(index: number, areas: Float32Array, inputs: Float64Array): Contribution {
-    const links = this.#activations[index].links.map((link) => {
+    const { links, curve } = this.#activations[index]
+    const value = this.#value
+    const inputValues = links.map((link) => {
+      this.#readInput(link, areas, inputs)
+      return value[0]
+    })
+    const linkValues = links.map((link) => {
       this.#read(link, areas, inputs)
-      return this.#value[0]
+      return value[0]
     })
     this.#combine(index, areas, inputs)
-    return { activation: this.#value[0], links }
+    const combined = value[0]
+    applyCurve(curve, value)
+    return { activation: value[0], inputs: inputValues, links: linkValues, combined }
   }
 
   #combine(index: number, areas: Float32Array, inputs: Float64Array): void {
-    const { links, rule, curve } = this.#activations[index]
+    const { links, rule } = this.#activations[index]
     const value = this.#value
     const values = this.#linkValues[index]
     let combined = rule === 'product' ? 1 : 0
@@ -83,14 +96,17 @@ export class ActivationSum {
       else combined = rule === 'min' ? Math.min(combined, value[0]) : Math.max(combined, value[0])
     }
     value[0] = typeof rule === 'function' ? rule(values) : combined
-    applyCurve(curve, value)
   }
 
-  #read(
-    { name, indices, isArea, weight, curve }: BoundLink,
-    areas: Float32Array,
-    inputs: Float64Array,
-  ): void {
+  #read(link: BoundLink, areas: Float32Array, inputs: Float64Array): void {
+    const { weight, curve } = link
+    const value = this.#value
+    this.#readInput(link, areas, inputs)
+    if (curve) applyCurve(curve, value)
+    value[0] *= weight
+  }
+
+  #readInput({ name, indices, isArea }: BoundLink, areas: Float32Array, inputs: Float64Array): void {
     const value = this.#value
     const from = isArea ? areas : inputs
     value[0] = 0
@@ -99,8 +115,6 @@ export class ActivationSum {
       this.#warn(name)
       value[0] = 0
     }
-    if (curve) applyCurve(curve, value)
-    value[0] *= weight
   }
 
   #warn(name: string): void {

@@ -2,7 +2,7 @@ import { FurrowError } from '../../core/error.ts'
 import type { Skin } from './surface.ts'
 
 /** How many textures the bounding boxes of all triangles may fill together: those of a face fill about two. */
-export const MOST_COVERAGE = 128
+const MOST_COVERAGE = 128
 
 /**
  * Checks that the triangles of a skin, which are drawn one by one, do not lie on top of each other by the hundred: few bytes can stand for

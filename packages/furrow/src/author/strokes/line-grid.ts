@@ -1,4 +1,5 @@
 import type { SkinLine } from './curve.ts'
+import { LineSegments } from './line-segments.ts'
 
 /** Side of a cell in millimetres, and cells along the longest side of the grid, at most: their indices stay exact on skin of any size. */
 const MIN_CELL = 4
@@ -7,19 +8,12 @@ const MOST_IN_ROW = 2 ** 16
 const BRANCHING = 4
 /** Numbers that the cubes of a level hold together; when there are more, the level is emptied: bounds the memory on dense lines. */
 const MOST_HELD = 2 ** 21
-/** What is left of a distance after rounding. */
-const ROUNDED = 1 - 1e-6
 /** From the centre of a cube to its corners, in halves of its side, with a margin for rounding. */
 const RADIUS = 1.0005 * Math.sqrt(3)
 /** Cells of the largest box that is searched; a larger one counts as near. */
 const MOST_CELLS = 4096
-/** Cosine between normals below which two points face different directions: one lip is not the other. */
-const FACING = 0.25
 /** Index of no segment. */
 const NONE = -1
-/** Numbers per segment: start, vector to its end, one over its squared length, normal. */
-const STRIDE = 10
-
 /**
  * Is given the point of a line that is nearest.
  *
@@ -51,18 +45,11 @@ export class LineGrid {
   readonly #reaches: readonly number[]
   /** Side of a cell in millimetres. */
   readonly #cell: number
-  readonly #segments: Float64Array
-  /** Of each segment its line, and the point it starts from. */
-  readonly #lineOf: Int32Array
-  readonly #pointOf: Int32Array
-  /** The longest segment of each line, in millimetres. */
-  readonly #longest: Float64Array
+  readonly #segments: LineSegments
   /** The segment of each line that a visit found last: from one texel to the next it changes little. */
   readonly #last: Int32Array
   /** From the cells up. */
   readonly #levels: readonly Level[]
-  /** All segments as runs: of segments of one line that follow each other the first, then the one behind the last. */
-  readonly #all: Int32Array
   /** How many numbers the cubes of each level hold together. */
   readonly #held: number[]
   /** The first and last cell within reach of any line, along each axis. */
@@ -73,25 +60,9 @@ export class LineGrid {
   constructor(lines: readonly SkinLine[], reaches: readonly number[]) {
     this.#reaches = reaches
     this.#cell = Math.max(MIN_CELL, extentOf(lines) / MOST_IN_ROW)
-    const total = lines.reduce((sum, { points }) => sum + Math.max(0, points.length / 3 - 1), 0)
-    this.#segments = new Float64Array(STRIDE * total)
-    this.#lineOf = new Int32Array(total)
-    this.#pointOf = new Int32Array(total)
-    this.#longest = new Float64Array(lines.length)
+    this.#segments = new LineSegments(lines)
     this.#last = new Int32Array(lines.length).fill(NONE)
-    const runs: number[] = []
-    let segment = 0
-    for (const [line, { points, normals }] of lines.entries()) {
-      const first = segment
-      for (let point = 0; point + 1 < points.length / 3; point++) {
-        this.#lineOf[segment] = line
-        this.#pointOf[segment] = point
-        this.#store(segment, points, normals)
-        this.#widen(segment++)
-      }
-      if (segment > first) runs.push(first, segment)
-    }
-    this.#all = Int32Array.from(runs)
+    for (const [line, { points }] of lines.entries()) this.#widen(points, reaches[line])
     this.#levels = this.#levelsOf()
     this.#held = this.#levels.map(() => 0)
   }
@@ -125,11 +96,11 @@ export class LineGrid {
     const [x, y, z] = [position[0], position[1], position[2]]
     const cell = this.#cellAround(x, y, z)
     for (let run = 0; run < cell.length; run += 2) {
-      const line = this.#lineOf[cell[run]]
+      const line = this.#segments.lineOf[cell[run]]
       for (let segment = cell[run]; segment < cell[run + 1]; ) {
-        const square = this.#squareTo(segment, x, y, z)
+        const square = this.#segments.squareTo(segment, x, y, z)
         if (square < this.#reaches[line] ** 2) return true
-        segment += this.#stepsTo(line, square, this.#reaches[line])
+        segment += this.#segments.stepsTo(line, square, this.#reaches[line])
       }
     }
     return false
@@ -145,106 +116,42 @@ export class LineGrid {
     const [x, y, z] = [position[0], position[1], position[2]]
     const [nx, ny, nz] = [normal[0], normal[1], normal[2]]
     const cell = this.#cellAround(x, y, z)
-    const s = this.#segments
+    const segments = this.#segments
     for (let run = 0; run < cell.length; ) {
-      const line = this.#lineOf[cell[run]]
+      const line = segments.lineOf[cell[run]]
       /** What is farther need not be looked at: another segment is nearer, or the line is out of reach. */
       let most = this.#reaches[line]
       const last = this.#last[line]
-      if (last !== NONE && this.#faces(last, nx, ny, nz))
-        most = Math.min(most, Math.sqrt(this.#squareTo(last, x, y, z)))
-      /** The square of a distance from which the next segment cannot be nearer either. */
-      const far = ((most + 2 * this.#longest[line]) / ROUNDED) ** 2
+      if (last !== NONE && segments.faces(last, nx, ny, nz))
+        most = Math.min(most, Math.sqrt(segments.squareTo(last, x, y, z)))
+      const far = segments.farFrom(line, most)
       let nearest = NONE
       let least = Infinity
-      let where = 0
-      for (; run < cell.length && this.#lineOf[cell[run]] === line; run += 2) {
+      for (; run < cell.length && segments.lineOf[cell[run]] === line; run += 2) {
         const end = cell[run + 1]
         for (let segment = cell[run]; segment < end; ) {
-          // As `#squareTo`, but all in one place: the innermost loop of all.
-          const k = STRIDE * segment
-          const vx = x - s[k]
-          const vy = y - s[k + 1]
-          const vz = z - s[k + 2]
-          const along = (s[k + 3] * vx + s[k + 4] * vy + s[k + 5] * vz) * s[k + 6]
-          const t = along < 0 ? 0 : along > 1 ? 1 : along
-          const dx = vx - t * s[k + 3]
-          const dy = vy - t * s[k + 4]
-          const dz = vz - t * s[k + 5]
-          const square = dx * dx + dy * dy + dz * dz
-          if (square < least && this.#faces(segment, nx, ny, nz)) {
+          const square = segments.squareTo(segment, x, y, z)
+          if (square < least && segments.faces(segment, nx, ny, nz)) {
             nearest = segment
             least = square
-            where = t
           }
-          segment += square < far ? 1 : this.#stepsTo(line, square, most)
+          segment += square < far ? 1 : segments.stepsTo(line, square, most)
         }
       }
       const distance = Math.sqrt(least)
       if (distance >= this.#reaches[line]) continue
       this.#last[line] = nearest
-      visit(line, distance, this.#pointOf[nearest], where, this.#sideOf(nearest, x, y, z, where))
+      const t = segments.fractionAt(nearest, x, y, z)
+      visit(line, distance, segments.pointOf[nearest], t, segments.sideOf(nearest, x, y, z, t))
     }
   }
 
-  /** How many segments further the next one of a line may be that is at a distance at most, by what a segment is from the position. */
-  #stepsTo(line: number, square: number, distance: number): number {
-    const segments = (ROUNDED * Math.sqrt(square) - distance) / this.#longest[line]
-    return segments >= 2 ? Math.floor(segments) : 1
-  }
-
-  /** Whether a segment faces as the skin does. */
-  #faces(segment: number, nx: number, ny: number, nz: number): boolean {
-    const s = this.#segments
-    const k = STRIDE * segment
-    return s[k + 7] * nx + s[k + 8] * ny + s[k + 9] * nz >= FACING
-  }
-
-  /**
-   * The sine of the angle, in the skin, between the segment and what lies to the right of it: 1 beside the line, less round its ends. The
-   * distance above the tangent plane does not count, for skin is curved.
-   */
-  #sideOf(segment: number, x: number, y: number, z: number, t: number): number {
-    const s = this.#segments
-    const k = STRIDE * segment
-    const vx = x - s[k]
-    const vy = y - s[k + 1]
-    const vz = z - s[k + 2]
-    // Both times the segment's length; (segment x offset) . normal is on the left.
-    const left =
-      s[k + 7] * (s[k + 4] * vz - s[k + 5] * vy) +
-      s[k + 8] * (s[k + 5] * vx - s[k + 3] * vz) +
-      s[k + 9] * (s[k + 3] * vy - s[k + 4] * vx)
-    const isEnd =
-      t > 0 ? t === 1 && this.#lineOf[segment + 1] !== this.#lineOf[segment] : this.#pointOf[segment] === 0
-    if (!isEnd) return -Math.sign(left)
-    const beyond = s[k + 3] * vx + s[k + 4] * vy + s[k + 5] * vz - (t > 0 ? 1 / s[k + 6] : 0)
-    return left === 0 ? 0 : -left / Math.hypot(left, beyond)
-  }
-
-  #store(segment: number, points: Float64Array, normals: Float64Array): void {
-    const start = 3 * this.#pointOf[segment]
-    let square = 0
-    for (let k = 0; k < 3; k++) {
-      const component = points[start + 3 + k] - points[start + k]
-      this.#segments[STRIDE * segment + k] = points[start + k]
-      this.#segments[STRIDE * segment + 3 + k] = component
-      this.#segments[STRIDE * segment + 7 + k] = normals[start + k]
-      square += component * component
-    }
-    this.#segments[STRIDE * segment + 6] = square > 0 ? 1 / square : 0
-    const line = this.#lineOf[segment]
-    this.#longest[line] = Math.max(this.#longest[line], Math.sqrt(square))
-  }
-
-  /** Widens the box within reach of any line by a segment. */
-  #widen(segment: number): void {
-    const reach = this.#reaches[this.#lineOf[segment]]
-    for (let k = 0; k < 3; k++) {
-      const start = this.#segments[STRIDE * segment + k]
-      const end = start + this.#segments[STRIDE * segment + 3 + k]
-      this.#low[k] = Math.min(this.#low[k], this.#cellOf(Math.min(start, end) - reach))
-      this.#high[k] = Math.max(this.#high[k], this.#cellOf(Math.max(start, end) + reach))
+  /** Widens the box within reach of any line by the points of one. A point alone has no segment. */
+  #widen(points: Float64Array, reach: number): void {
+    if (points.length < 6) return
+    for (let i = 0; i < points.length; i++) {
+      this.#low[i % 3] = Math.min(this.#low[i % 3], this.#cellOf(points[i] - reach))
+      this.#high[i % 3] = Math.max(this.#high[i % 3], this.#cellOf(points[i] + reach))
     }
   }
 
@@ -259,7 +166,7 @@ export class LineGrid {
 
   /** The runs of a cube, given by its index along each axis. */
   #cubeAt(level: number, x: number, y: number, z: number): Int32Array {
-    if (level === this.#levels.length) return this.#all
+    if (level === this.#levels.length) return this.#segments.runs
     const { side, low, rows, layers, cubes } = this.#levels[level]
     const key = ((x - low[0]) * rows + (y - low[1])) * layers + (z - low[2])
     const known = cubes.get(key)
@@ -293,36 +200,22 @@ export class LineGrid {
   #within(runs: Int32Array, x: number, y: number, z: number, side: number): Int32Array {
     const radius = (side / 2) * RADIUS
     const [px, py, pz] = [(x + 0.5) * side, (y + 0.5) * side, (z + 0.5) * side]
+    const segments = this.#segments
     const within: number[] = []
     for (let run = 0; run < runs.length; run += 2) {
-      const line = this.#lineOf[runs[run]]
+      const line = segments.lineOf[runs[run]]
       const reach = this.#reaches[line] + radius
       for (let segment = runs[run]; segment < runs[run + 1]; ) {
-        const square = this.#squareTo(segment, px, py, pz)
+        const square = segments.squareTo(segment, px, py, pz)
         if (square <= reach ** 2) {
-          if (within.at(-1) === segment && this.#lineOf[segment - 1] === line) within.pop()
+          if (within.at(-1) === segment && segments.lineOf[segment - 1] === line) within.pop()
           else within.push(segment)
           within.push(segment + 1)
         }
-        segment += this.#stepsTo(line, square, reach)
+        segment += segments.stepsTo(line, square, reach)
       }
     }
     return Int32Array.from(within)
-  }
-
-  /** The squared distance from a position to a segment. */
-  #squareTo(segment: number, px: number, py: number, pz: number): number {
-    const s = this.#segments
-    const k = STRIDE * segment
-    const x = px - s[k]
-    const y = py - s[k + 1]
-    const z = pz - s[k + 2]
-    const along = (s[k + 3] * x + s[k + 4] * y + s[k + 5] * z) * s[k + 6]
-    const t = along < 0 ? 0 : along > 1 ? 1 : along
-    const dx = x - t * s[k + 3]
-    const dy = y - t * s[k + 4]
-    const dz = z - t * s[k + 5]
-    return dx * dx + dy * dy + dz * dz
   }
 
   #cellOf(millimetres: number): number {

@@ -1,0 +1,114 @@
+import {
+  type ConflictDriver,
+  canonicalTargetName,
+  driversOf,
+  findTargets,
+  isKnownDriver,
+  type MorphDriver,
+  planDrivers,
+  type WrinkleDriver,
+} from 'furrow'
+import { areaOf } from './drivers.ts'
+
+/** Why a driver has less effect than it says, and what to do about it. */
+export interface DriverFault {
+  readonly text: string
+  readonly remedy: string
+  /** Index of a driver whose removal mends it. */
+  readonly removes?: number
+}
+
+/** Faults of the drivers of one area, by the driver's index. */
+export function driverFaults(
+  drivers: readonly WrinkleDriver[],
+  area: string,
+  targetNames: readonly string[],
+): ReadonlyMap<number, DriverFault> {
+  const { cyclicAreas } = planDrivers(drivers)
+  const faults = new Map<number, DriverFault>()
+  for (const [index, driver] of drivers.entries()) {
+    if (areaOf(driver) !== area) continue
+    const fault =
+      unknownType(driver) ??
+      (driver.type === 'area' && cyclicAreas.includes(area) ? cycle(area, index) : null) ??
+      earlierDelay(drivers, driver, index) ??
+      (driver.type === 'morph' ? faultOfMorph(driver as MorphDriver, drivers, targetNames) : null)
+    if (fault) faults.set(index, fault)
+  }
+  return faults
+}
+
+/** Indices of the conflicts that concern an area: between blendshapes that drive it, or that drive no area yet. */
+export function conflictsOf(drivers: readonly WrinkleDriver[], area: string): number[] {
+  const morphs = driversOf('morph', drivers)
+  const read = (names: readonly MorphDriver[]) =>
+    new Set(names.flatMap(({ targets }) => targets.map(({ name }) => canonicalTargetName(name))))
+  const own = read(morphs.filter((driver) => driver.area === area))
+  const all = read(morphs)
+  return drivers.flatMap((driver, index) => {
+    if (driver.type !== 'conflict') return []
+    const names = (driver as ConflictDriver).targets.map(canonicalTargetName)
+    const concerns = names.some((name) => own.has(name)) || !names.some((name) => all.has(name))
+    return concerns ? [index] : []
+  })
+}
+
+function unknownType(driver: WrinkleDriver): DriverFault | null {
+  if (isKnownDriver(driver)) return null
+  return {
+    text: `This version does not know drivers of type “${driver.type}”. It is kept in the file.`,
+    remedy: 'Drive the area by another one.',
+  }
+}
+
+function cycle(area: string, removes: number): DriverFault {
+  return {
+    text: `${area} drives itself in a circle, so this driver has no effect.`,
+    remedy: 'Read other areas, or remove it.',
+    removes,
+  }
+}
+
+/** Of several delays of one area, the last counts. */
+function earlierDelay(
+  drivers: readonly WrinkleDriver[],
+  driver: WrinkleDriver,
+  index: number,
+): DriverFault | null {
+  if (driver.type !== 'time') return null
+  const isLater = drivers.some(
+    (other, i) => i > index && other.type === 'time' && areaOf(other) === areaOf(driver),
+  )
+  if (!isLater) return null
+  return { text: 'A later delay of this area counts instead.', remedy: 'Remove this one.', removes: index }
+}
+
+function faultOfMorph(
+  { targets, rule }: MorphDriver,
+  drivers: readonly WrinkleDriver[],
+  targetNames: readonly string[],
+): DriverFault | null {
+  const missing = targets.filter(({ name }) => findTargets(name, targetNames).length === 0)
+  if (missing.length > 0) {
+    const names = missing.map(({ name }) => name).join(', ')
+    return { text: `This face has no blendshape ${names}.`, remedy: 'Choose one that it has, or remove it.' }
+  }
+  const read = new Set(targets.map(({ name }) => canonicalTargetName(name)))
+  const index = drivers.findIndex(
+    (other) =>
+      other.type === 'conflict' &&
+      (other as ConflictDriver).targets.every((name) => read.has(canonicalTargetName(name))),
+  )
+  if (index < 0 || rule === 'max') return null
+  const [a, b] = (drivers[index] as ConflictDriver).targets
+  const isNeverMet = rule === 'min' || rule === 'product'
+  return {
+    text: isNeverMet
+      ? `${a} and ${b} cancel each other, and this driver needs both: it never shows.`
+      : `${a} and ${b} cancel each other: raised together, they show less here than alone.`,
+    remedy: isNeverMet
+      ? 'Remove the conflict, or one of the two here.'
+      : 'Remove the conflict if both are wanted.',
+    removes: index,
+  }
+}

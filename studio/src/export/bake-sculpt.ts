@@ -1,0 +1,75 @@
+import { FurrowError } from 'furrow'
+import { bakeMaps, meshDiagonal } from 'furrow/author'
+import { lowMeshOf } from '../../../packages/cli/src/bake/low-mesh.ts'
+import { raySourceOf } from '../../../packages/cli/src/bake/ray-source.ts'
+import { surfaceOf } from '../../../packages/cli/src/bake/surface.ts'
+import { documentOf } from '../../../packages/cli/src/gltf/document.ts'
+import { nameOf, trianglesOf } from '../../../packages/cli/src/gltf/mesh-nodes.ts'
+import { encodePortablePng } from '../../../packages/cli/src/images/png.ts'
+import type { OnProgress } from './export-face.ts'
+import { type FaceFiles, openFace } from './files.ts'
+
+const WHO = 'Studio'
+
+/** How far a sculpt may be from the skin, as a fraction of the skin's diagonal: as `furrow bake` has it. */
+const CAGE = 0.02
+/** Fraction of the rays that may miss: the neck of a head that was sculpted alone is no fault. */
+const MOST_MISSES = 0.9
+
+/** The skin that a sculpt is baked for. */
+export interface BakeTarget {
+  face: FaceFiles
+  /** Name of its mesh; by default the first one with texture coordinates. */
+  mesh?: string | undefined
+  /** Side of the map in texels. */
+  size: number
+}
+
+/**
+ * Bakes a sculpt into a normal map of a face, as `furrow bake --tangents derivative` does: three.js derives the tangents of a mesh that has
+ * none.
+ *
+ * @returns a PNG file.
+ * @throws FurrowError when either cannot be read, or they do not coincide.
+ */
+export async function bakeSculpt(
+  sculpt: FaceFiles,
+  { face, mesh: meshName, size }: BakeTarget,
+  onProgress: OnProgress = () => {},
+): Promise<Uint8Array> {
+  const surface = surfaceOf(await readDocument(sculpt), sculpt.name, WHO)
+  const nodes = (await readDocument(face))
+    .getRoot()
+    .listNodes()
+    .filter((node) => node.getMesh())
+  const usable = nodes.filter((node) => trianglesOf(node.getMesh()!).length > 0)
+  const node = usable.find((each) => nameOf(each) === meshName) ?? usable.at(0)
+  if (!node) throw withoutSkin(face.name)
+  const { mesh } = lowMeshOf(node, face.name, WHO)
+  const cage = CAGE * meshDiagonal(mesh)
+  const { normal, samples, misses } = bakeMaps(mesh, raySourceOf(surface), { size, cage }, onProgress)
+  if (misses > MOST_MISSES * samples) throw elsewhere(sculpt.name, misses / samples)
+  return encodePortablePng({ width: size, height: size, channels: 3, data: normal.data as Uint8Array })
+}
+
+async function readDocument(file: FaceFiles) {
+  return documentOf(await openFace(file, WHO), file.name, WHO)
+}
+
+function withoutSkin(face: string): FurrowError {
+  return new FurrowError({
+    who: WHO,
+    what: `no mesh of ${face} has texture coordinates`,
+    remedy: 'unwrap it, and export it again',
+  })
+}
+
+function elsewhere(sculpt: string, missed: number): FurrowError {
+  return new FurrowError({
+    who: WHO,
+    what: `${sculpt} is not where the skin is: rays from the skin that miss it`,
+    value: `${Math.round(100 * missed)}%`,
+    limit: `${100 * MOST_MISSES}%`,
+    remedy: 'export the sculpt at the place and in the size of the face, in its rest pose',
+  })
+}

@@ -1,0 +1,28 @@
+import { useLayoutEffect, useRef } from 'preact/hooks'
+import { colouredArea } from '../texture/area-colours.ts'
+import { palePicture } from '../texture/pale-picture.ts'
+import { cropOf, shrink } from '../texture/thumbnail.ts'
+import type { PanelModel } from './model.ts'
+
+/** Pixels of its side: two for each on the page. */
+const SIDE = 56
+
+/** A small picture of an area on the skin's texture, drawn again when either has changed. */
+export function AreaThumbnail({ name, model }: { name: string; model: PanelModel }) {
+  const canvas = useRef<HTMLCanvasElement>(null)
+  const avatar = model.viewer.value?.avatar
+  const weights = model.session.document.value?.areas.find((area) => area.name === name)?.weights
+  const meshes = avatar?.skins[avatar.skin].meshes
+  useLayoutEffect(() => {
+    if (!weights || !meshes) return
+    const crop = cropOf(weights)
+    const [skin, area] = [palePicture(meshes), document.createElement('canvas')]
+    area.width = area.height = SIDE
+    area.getContext('2d')!.putImageData(colouredArea(shrink(weights, crop, SIDE)), 0, 0)
+    const [x, y, side] = [crop.x, crop.y, crop.side].map((value) => value * skin.width)
+    const context = canvas.current!.getContext('2d')!
+    context.drawImage(skin, x, y, side, side, 0, 0, SIDE, SIDE)
+    context.drawImage(area, 0, 0)
+  }, [weights, meshes])
+  return <canvas ref={canvas} class="thumbnail" width={SIDE} height={SIDE} />
+}

@@ -1,0 +1,70 @@
+import { useSignal } from '@preact/signals'
+import type { WrinkleDriver } from 'furrow'
+import { useId } from 'preact/hooks'
+import type { StudioDocument } from '../../document/document.ts'
+import { type AreaDriverType, type Drivable, newDriver } from '../../document/new-driver.ts'
+import { faceOf } from '../../open/avatar.ts'
+import { jointsOf } from '../../viewer/joints.ts'
+import { muscleAxis } from '../../viewer/muscle-axis.ts'
+import type { DriverContext } from './context.ts'
+import { LABELS } from './labels.ts'
+
+interface AddDriverProps {
+  document: StudioDocument
+  context: DriverContext
+  onAdd(driver: WrinkleDriver): void
+}
+
+/** A list of types, of which those that the face cannot have are not to be chosen. */
+export function AddDriver({ document, context, onAdd }: AddDriverProps) {
+  const id = useId()
+  const type = useSignal<AreaDriverType>('morph')
+  const { area } = context
+  const viewer = context.model.viewer.value
+  if (!viewer) return null
+  const make = (of: AreaDriverType) => newDriver(of, area, document, drivable(context, document))
+  const isPossible = (of: AreaDriverType) => of === 'muscle' || make(of) !== null
+  return (
+    <div class="add-driver">
+      <label for={id} class="hidden">
+        Driver to add
+      </label>
+      <select
+        id={id}
+        value={type.value}
+        onChange={({ currentTarget }) => {
+          type.value = currentTarget.value as AreaDriverType
+        }}
+      >
+        {Object.entries(LABELS).map(([each, label]) => (
+          <option key={each} value={each} disabled={!isPossible(each as AreaDriverType)}>
+            {label}
+          </option>
+        ))}
+      </select>
+      <button
+        type="button"
+        onClick={() => {
+          const driver = make(type.value)
+          if (driver) onAdd(driver)
+        }}
+      >
+        Add driver
+      </button>
+    </div>
+  )
+}
+
+/** Lists, and not the muscle, which takes a while: it is looked for when it is wanted. */
+function drivable({ model, area, targets, pose }: DriverContext, document: StudioDocument): Drivable {
+  const { avatar } = model.viewer.peek()!
+  return {
+    pose: pose(),
+    targets,
+    joints: jointsOf(avatar.root),
+    muscle: () => {
+      const { weights } = document.areas.find(({ name }) => name === area)!
+      return muscleAxis(faceOf(avatar).skin, weights)
+    },
+  }
+}

@@ -1,0 +1,105 @@
+import { useComputed } from '@preact/signals'
+import type { ConflictDriver } from 'furrow'
+import { canonicalTargetName } from 'furrow'
+import { conflictsOf } from '../../document/driver-faults.ts'
+import type { DriverContext } from './context.ts'
+import { NameSelect, optionsOf } from './fields.tsx'
+
+/** Pairs of blendshapes that cancel each other, as raising and lowering one brow. */
+export function Conflicts({ context }: { context: DriverContext }) {
+  const { model, editor, area, targets } = context
+  const drivers = model.session.document.value?.drivers ?? []
+  const own = conflictsOf(drivers, area)
+  const first = model.viewer.value?.driversOf(area).find((name) => targets.includes(name)) ?? targets[0]
+  if (targets.length < 2) return null
+  return (
+    <details class="conflicts">
+      <summary>
+        Conflicts
+        <span>{own.length}</span>
+      </summary>
+      <p class="hint">
+        Two blendshapes that undo each other, as a brow raised and lowered. Raised together, the smaller is
+        taken from both before wrinkles follow them; the face itself moves as before.
+      </p>
+      {own.map((index) => (
+        <Conflict key={index} index={index} driver={drivers[index] as ConflictDriver} context={context} />
+      ))}
+      <div class="add">
+        <button
+          type="button"
+          onClick={() => editor.add({ type: 'conflict', targets: [first, oppositeOf(first, targets)] })}
+        >
+          Add a conflict
+        </button>
+      </div>
+    </details>
+  )
+}
+
+interface ConflictProps {
+  index: number
+  driver: ConflictDriver
+  context: DriverContext
+}
+
+function Conflict({ index, driver, context: { model, editor, targets, slow } }: ConflictProps) {
+  const [a, b] = driver.targets
+  const taken = useComputed(() => {
+    slow.value
+    const dials = model.viewer.value?.targets ?? []
+    const read = (name: string) => dials.find((dial) => dial.name === canonicalTargetName(name))?.read() ?? 0
+    const common = Math.min(read(a), read(b))
+    return common > 0 ? `${common.toFixed(2)} is taken from both now` : ''
+  })
+  const choose = (position: number, name: string) => {
+    editor.set(index, 'targets', { targets: driver.targets.map((old, i) => (i === position ? name : old)) })
+    editor.settle()
+  }
+  return (
+    <div class="conflict">
+      <NameSelect
+        label="One side"
+        value={a}
+        options={optionsOf(targets)}
+        onChange={(name) => choose(0, name)}
+      />
+      <NameSelect
+        label="Other side"
+        value={b}
+        options={optionsOf(targets)}
+        onChange={(name) => choose(1, name)}
+      />
+      <button
+        type="button"
+        class="remove"
+        title="Remove"
+        aria-label={`Remove the conflict of ${a} and ${b}`}
+        onClick={() => editor.remove(index)}
+      >
+        ×
+      </button>
+      <p class="hint reading">{taken}</p>
+    </div>
+  )
+}
+
+/** Parts of names that undo each other. */
+const OPPOSITES: readonly (readonly [RegExp, string])[] = [
+  [/^browInnerUp$/, 'browDownLeft'],
+  [/^browOuterUp/, 'browDown'],
+  [/^browDown/, 'browOuterUp'],
+  [/^mouthSmile/, 'mouthFrown'],
+  [/^mouthFrown/, 'mouthSmile'],
+  [/^eyeWide/, 'eyeBlink'],
+  [/^eyeSquint/, 'eyeWide'],
+  [/^eyeBlink/, 'eyeWide'],
+  [/^mouthPucker$/, 'mouthStretchLeft'],
+]
+
+/** A guess to begin with: what undoes a blendshape on this face, or else any other one. */
+function oppositeOf(name: string, targets: readonly string[]): string {
+  const known = OPPOSITES.find(([part]) => part.test(name))
+  const opposite = known && name.replace(...known)
+  return targets.find((target) => target === opposite) ?? targets.find((target) => target !== name)!
+}

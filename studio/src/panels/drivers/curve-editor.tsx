@@ -1,0 +1,279 @@
+import { effect, type ReadonlySignal, useSignal } from '@preact/signals'
+import { type Curve, curveAt } from 'furrow'
+import { useLayoutEffect, useRef } from 'preact/hooks'
+import {
+  addPoint,
+  type CurveRanges,
+  movePoint,
+  type Range,
+  removePoint,
+  stepOf,
+  widestGap,
+} from '../../document/curve.ts'
+import { type Axis, textOn } from './axes.ts'
+import { NumberField } from './number-field.tsx'
+
+/** Of the drawing, in its own units; it is scaled to the panel's width. */
+const WIDTH = 280
+const HEIGHT = 124
+const MARGIN = { side: 10, top: 10, bottom: 22 }
+
+interface CurveEditorProps {
+  /** Whose it is, for screen readers. */
+  label: string
+  curve: Readonly<Curve>
+  axis: Axis
+  /** Least and most output that can be typed. */
+  outputs: Range
+  /** Where the input stands; null where that is unknown. */
+  now: ReadonlySignal<number | null>
+  /** While a point moves. */
+  onMove(curve: Curve): void
+  /** When it rests. */
+  onRest(): void
+}
+
+/**
+ * A curve whose points are dragged with mouse, finger or pen, and moved with the arrow keys; by a double click or a button it gets more. A
+ * marker follows the input without rendering anything but itself.
+ */
+export function CurveEditor({ label, curve, axis, outputs, now, onMove, onRest }: CurveEditorProps) {
+  const dragged = useSignal<{ index: number; ranges: CurveRanges; grip: readonly [number, number] } | null>(
+    null,
+  )
+  const chosen = useSignal(0)
+  const svg = useRef<SVGSVGElement>(null)
+  // The axes hold still while a point is dragged.
+  const ranges = dragged.value?.ranges ?? { input: axis.range, output: drawnOutputs(curve) }
+  const plot = plotOf(ranges)
+  const index = Math.min(chosen.value, curve.length - 1)
+  const [input, output] = curve[index]
+  const change = (next: Curve) => {
+    onMove(next)
+    onRest()
+  }
+  const add = (at: number) => {
+    const next = addPoint(curve, at, ranges)
+    const added = next.findIndex(([other], i) => other !== curve[i]?.[0])
+    if (next.length === curve.length) return
+    chosen.value = added
+    change(next)
+  }
+  const remove = (at: number) => {
+    if (curve.length > 2) change(removePoint(curve, at))
+  }
+  return (
+    <fieldset class="curve" aria-label={`Curve of ${label}`}>
+      <svg
+        class="curve-plot"
+        ref={svg}
+        viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
+        onDblClick={(event) => {
+          const isOnPoint = (event.target as Element).closest('[role=slider]')
+          if (!isOnPoint) add(plot.valueAt(pointIn(svg.current!, event))[0])
+        }}
+      >
+        <title>Drag the points; a double click adds one</title>
+        <Grid plot={plot} axis={axis} ranges={ranges} />
+        <polyline class="curve-line" points={lineOf(curve, plot, ranges.input)} />
+        <Marker curve={curve} plot={plot} now={now} range={ranges.input} />
+        {curve.map((point, i) => (
+          <g
+            key={i}
+            class={`curve-point ${i === index ? 'chosen' : ''}`}
+            transform={`translate(${plot.x(point[0])} ${plot.y(point[1])})`}
+            role="slider"
+            tabIndex={0}
+            aria-label={`Point ${i + 1} of ${curve.length}`}
+            aria-valuemin={ranges.output[0]}
+            aria-valuemax={ranges.output[1]}
+            aria-valuenow={point[1]}
+            aria-valuetext={`${axis.label} ${textOn(axis, point[0])} gives ${point[1]}`}
+            onFocus={() => {
+              chosen.value = i
+            }}
+            onKeyDown={(event) => {
+              const move = ARROWS[event.key]
+              const isRemoval = event.key === 'Delete' || event.key === 'Backspace'
+              if (!move && !isRemoval) return
+              event.preventDefault()
+              event.stopPropagation()
+              if (isRemoval) return remove(i)
+              const factor = event.shiftKey ? 10 : 1
+              const [dx, dy] = [stepOf(ranges.input), stepOf(ranges.output)]
+              const next = [point[0] + move[0] * factor * dx, point[1] + move[1] * factor * dy] as const
+              onMove(movePoint(curve, i, next, ranges))
+            }}
+            onKeyUp={onRest}
+            onPointerDown={(event) => {
+              if (event.button !== 0) return
+              event.currentTarget.setPointerCapture(event.pointerId)
+              const [x, y] = pointIn(svg.current!, event)
+              const grip = [plot.x(point[0]) - x, plot.y(point[1]) - y] as const
+              dragged.value = { index: i, ranges, grip }
+            }}
+            onPointerMove={(event) => {
+              const drag = dragged.peek()
+              if (drag?.index !== i) return
+              const [x, y] = pointIn(svg.current!, event)
+              onMove(movePoint(curve, i, plot.valueAt([x + drag.grip[0], y + drag.grip[1]]), ranges))
+            }}
+            onLostPointerCapture={() => {
+              dragged.value = null
+              onRest()
+            }}
+          >
+            <circle class="curve-grip" r="15" />
+            <circle class="curve-dot" r="5" />
+          </g>
+        ))}
+      </svg>
+      <div class="curve-fields">
+        <NumberField
+          label={`Point ${index + 1}`}
+          value={input * axis.factor}
+          step={Number((stepOf(axis.range) * axis.factor).toPrecision(1))}
+          unit={axis.unit}
+          onChange={(next) => {
+            const at = next / axis.factor
+            change(movePoint(curve, index, [at, output], { ...ranges, input: widened(ranges.input, at) }))
+          }}
+        />
+        <NumberField
+          label="gives"
+          value={output}
+          step={0.01}
+          range={outputs}
+          onChange={(next) => {
+            const drawn = { ...ranges, output: widened(ranges.output, next) }
+            change(movePoint(curve, index, [input, next], drawn))
+          }}
+        />
+        <span class="curve-buttons">
+          <button
+            type="button"
+            title="Add a point"
+            aria-label="Add a point"
+            onClick={() => add(widestGap(curve))}
+          >
+            +
+          </button>
+          <button
+            type="button"
+            title="Remove this point"
+            aria-label={`Remove point ${index + 1}`}
+            disabled={curve.length === 2}
+            onClick={() => remove(index)}
+          >
+            −
+          </button>
+        </span>
+      </div>
+    </fieldset>
+  )
+}
+
+const ARROWS: Record<string, readonly [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowDown: [0, -1],
+  ArrowUp: [0, 1],
+}
+
+/** Between the numbers of a curve and the units of the drawing. */
+interface Plot {
+  x(input: number): number
+  y(output: number): number
+  valueAt(point: readonly [number, number]): [number, number]
+}
+
+function plotOf({ input: [left, right], output: [bottom, top] }: CurveRanges): Plot {
+  const width = WIDTH - 2 * MARGIN.side
+  const height = HEIGHT - MARGIN.top - MARGIN.bottom
+  return {
+    x: (input) => MARGIN.side + (width * (input - left)) / (right - left),
+    y: (output) => MARGIN.top + (height * (top - output)) / (top - bottom),
+    valueAt: ([x, y]) => [
+      left + ((right - left) * (x - MARGIN.side)) / width,
+      top - ((top - bottom) * (y - MARGIN.top)) / height,
+    ],
+  }
+}
+
+/** A pointer in units of the drawing. */
+function pointIn(svg: SVGSVGElement, { clientX, clientY }: MouseEvent): [number, number] {
+  const { left, top, width, height } = svg.getBoundingClientRect()
+  return [((clientX - left) / width) * WIDTH, ((clientY - top) / height) * HEIGHT]
+}
+
+function drawnOutputs(curve: Readonly<Curve>): Range {
+  const outputs = curve.map(([, output]) => output)
+  return [Math.min(0, ...outputs), Math.max(1, ...outputs)]
+}
+
+function widened([low, high]: Range, value: number): Range {
+  return [Math.min(low, value), Math.max(high, value)]
+}
+
+/** Level beyond its ends, as it is evaluated. */
+function lineOf(curve: Readonly<Curve>, plot: Plot, [left, right]: Range): string {
+  const points = [[left, curveAt(curve, left)], ...curve, [right, curveAt(curve, right)]]
+  return points.map(([input, output]) => `${plot.x(input)},${plot.y(output)}`).join(' ')
+}
+
+function Grid({ plot, axis, ranges }: { plot: Plot; axis: Axis; ranges: CurveRanges }) {
+  const [left, right] = ranges.input
+  const [bottom, top] = ranges.output
+  const quarters = [0, 0.25, 0.5, 0.75, 1]
+  const d = quarters
+    .map((t) => {
+      const [x, y] = [plot.x(left + t * (right - left)), plot.y(bottom + t * (top - bottom))]
+      return `M${x} ${plot.y(bottom)}V${plot.y(top)}M${plot.x(left)} ${y}H${plot.x(right)}`
+    })
+    .join('')
+  return (
+    <g>
+      <path class="curve-grid" d={d} />
+      <text x={MARGIN.side} y={HEIGHT - 6}>
+        {textOn(axis, left)}
+      </text>
+      <text x={WIDTH / 2} y={HEIGHT - 6} text-anchor="middle">
+        {axis.label}
+      </text>
+      <text x={WIDTH - MARGIN.side} y={HEIGHT - 6} text-anchor="end">
+        {textOn(axis, right)}
+      </text>
+    </g>
+  )
+}
+
+interface MarkerProps {
+  curve: Readonly<Curve>
+  plot: Plot
+  now: ReadonlySignal<number | null>
+  range: Range
+}
+
+/** Where the input stands, and what the curve makes of it; at the edge where the input is beyond it. */
+function Marker({ curve, plot, now, range: [left, right] }: MarkerProps) {
+  const line = useRef<SVGLineElement>(null)
+  const dot = useRef<SVGCircleElement>(null)
+  useLayoutEffect(() => {
+    return effect(() => {
+      const input = now.value
+      for (const element of [line.current!, dot.current!]) {
+        element.style.display = input === null ? 'none' : ''
+      }
+      if (input === null) return
+      const x = plot.x(Math.min(right, Math.max(left, input)))
+      line.current!.setAttribute('transform', `translate(${x} 0)`)
+      dot.current!.setAttribute('transform', `translate(${x} ${plot.y(curveAt(curve, input))})`)
+    })
+  })
+  return (
+    <g class="curve-now">
+      <line ref={line} y1={MARGIN.top} y2={HEIGHT - MARGIN.bottom} />
+      <circle ref={dot} r="3.5" />
+    </g>
+  )
+}

@@ -1,0 +1,91 @@
+import { useComputed, useSignal } from '@preact/signals'
+import type { ExpressionDriver, WrinkleDriver } from 'furrow'
+import { useMemo } from 'preact/hooks'
+import { driverFaults } from '../../document/driver-faults.ts'
+import { areaOf } from '../../document/drivers.ts'
+import { DriverEditor } from '../../session/driver-editor.ts'
+import type { PanelModel } from '../model.ts'
+import { AddDriver } from './add-driver.tsx'
+import { Conflicts } from './conflicts.tsx'
+import type { DriverContext } from './context.ts'
+import { DriverCard } from './driver-card.tsx'
+import { useSlowed } from './live.ts'
+
+/** A weight below which a blendshape counts as not set. */
+const UNSET = 0.01
+
+/** What moves an area: its drivers with what each gives now, and the conflicts between what they read. */
+export function Drivers({ model, area }: { model: PanelModel; area: string }) {
+  const { session, viewer, revision, frame, actions } = model
+  revision.value
+  const document = session.document.value
+  const editor = useMemo(() => new DriverEditor(session, actions.attempt), [session, actions])
+  const now = useComputed(() => {
+    frame.value
+    return viewer.value?.contributions() ?? []
+  })
+  const slow = useSlowed(now)
+  const added = useSignal<number | null>(null)
+  const sum = useComputed(() => {
+    slow.value
+    return (
+      viewer.value?.areas
+        .find(({ name }) => name === area)
+        ?.read()
+        .toFixed(2) ?? ''
+    )
+  })
+  if (!document) return null
+  const dials = viewer.value?.targets ?? []
+  const context: DriverContext = {
+    model,
+    editor,
+    area,
+    targets: dials.map(({ name }) => name),
+    areas: document.areas.map(({ name }) => name),
+    pose: () => {
+      const weights = dials.map((dial) => [dial.name, Number(dial.read().toFixed(3))] as const)
+      return new Map(weights.filter(([, weight]) => Math.abs(weight) > UNSET))
+    },
+    now,
+    slow,
+  }
+  const faults = driverFaults(document.drivers, area, context.targets)
+  const own = document.drivers.flatMap((driver, index) => (concerns(driver, area) ? [{ driver, index }] : []))
+  return (
+    <details class="drivers" open>
+      <summary>
+        Drivers
+        <output class="part" title="Activation now" aria-live="off">
+          {sum}
+        </output>
+      </summary>
+      {own.length === 0 && <p class="hint">Nothing moves this area but its slider. Add what should.</p>}
+      {own.map(({ driver, index }) => (
+        <DriverCard
+          key={`${index} ${driver.type}`}
+          driver={driver}
+          index={index}
+          context={context}
+          fault={faults.get(index)}
+          open={index === added.value}
+        />
+      ))}
+      <AddDriver
+        document={document}
+        context={context}
+        onAdd={(driver) => {
+          added.value = document.drivers.length
+          editor.add(driver)
+        }}
+      />
+      <Conflicts context={context} />
+    </details>
+  )
+}
+
+/** Whether a driver activates an area; of an expression, whether it names it. */
+function concerns(driver: WrinkleDriver, area: string): boolean {
+  if (driver.type !== 'expression') return areaOf(driver) === area
+  return (driver as ExpressionDriver).activations.some((each) => each.area === area)
+}

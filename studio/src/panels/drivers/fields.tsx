@@ -1,0 +1,175 @@
+import { type ReadonlySignal, useComputed } from '@preact/signals'
+import type { Contribution, Curve } from 'furrow'
+import { useId } from 'preact/hooks'
+import { type Axis, textOn } from './axes.ts'
+import type { DriverContext } from './context.ts'
+import { CurveEditor } from './curve-editor.tsx'
+import { NumberField } from './number-field.tsx'
+
+interface NameFieldProps {
+  label: string
+  value: string
+  onChange(value: string): void
+}
+
+/** A name that is typed. An empty one is put back. */
+export function NameField({ label, value, onChange }: NameFieldProps) {
+  const id = useId()
+  return (
+    <div class="setting">
+      <label for={id}>{label}</label>
+      <input
+        id={id}
+        type="text"
+        autocomplete="off"
+        spellcheck={false}
+        value={value}
+        onChange={({ currentTarget }) => {
+          const name = currentTarget.value.trim()
+          if (name !== '' && name !== value) onChange(name)
+          else currentTarget.value = value
+        }}
+      />
+    </div>
+  )
+}
+
+interface SelectFieldProps {
+  label: string
+  value: string
+  options: readonly (readonly [value: string, label: string])[]
+  onChange(value: string): void
+}
+
+export function SelectField({ label, value, options, onChange }: SelectFieldProps) {
+  const id = useId()
+  return (
+    <div class="setting">
+      <label for={id}>{label}</label>
+      <NameSelect {...{ id, value, options, onChange }} />
+    </div>
+  )
+}
+
+interface NameSelectProps extends Omit<SelectFieldProps, 'label'> {
+  id?: string
+  label?: string
+}
+
+/** A list to choose from, in which the value is even where the face does not have it. */
+export function NameSelect({ id, label, value, options, onChange }: NameSelectProps) {
+  const isKnown = options.some(([each]) => each === value)
+  return (
+    <select
+      {...(id !== undefined && { id })}
+      aria-label={label}
+      title={value}
+      value={value}
+      onChange={({ currentTarget }) => onChange(currentTarget.value)}
+    >
+      {!isKnown && <option value={value}>{value}</option>}
+      {options.map(([each, text]) => (
+        <option key={each} value={each}>
+          {text}
+        </option>
+      ))}
+    </select>
+  )
+}
+
+/** Options that are read as they are written. */
+export function optionsOf(names: readonly string[]): (readonly [string, string])[] {
+  return names.map((name) => [name, name])
+}
+
+interface NumberSettingProps {
+  label: string
+  value: number
+  step: number
+  range?: readonly [number, number]
+  unit?: string
+  onChange(value: number): void
+}
+
+/** A number with its label in the column of labels. */
+export function NumberSetting(props: NumberSettingProps) {
+  return (
+    <div class="number-setting">
+      <NumberField {...props} />
+    </div>
+  )
+}
+
+interface VectorSettingProps {
+  label: string
+  value: readonly [number, number, number]
+  step: number
+  /** From the number in the file to the one that is read. */
+  factor?: number
+  unit?: string
+  onChange(value: [number, number, number]): void
+}
+
+export function VectorSetting({ label, value, step, factor = 1, unit, onChange }: VectorSettingProps) {
+  return (
+    <fieldset class="vector">
+      <legend>
+        {label}
+        {unit && `, ${unit}`}
+      </legend>
+      {(['x', 'y', 'z'] as const).map((axis, i) => (
+        <NumberField
+          key={axis}
+          label={axis}
+          value={value[i] * factor}
+          step={step}
+          onChange={(next) =>
+            onChange(value.map((old, k) => (k === i ? next / factor : old)) as [number, number, number])
+          }
+        />
+      ))}
+    </fieldset>
+  )
+}
+
+interface DriverCurveProps {
+  index: number
+  context: DriverContext
+  curve: Curve
+  axis: Axis
+}
+
+/** The curve from what a driver reads to the activation that it gives. */
+export function DriverCurve({ index, context: { editor, now, slow }, curve, axis }: DriverCurveProps) {
+  const input = useComputed(() => now.value[index]?.combined ?? null)
+  return (
+    <>
+      <CurveEditor
+        label={axis.label}
+        curve={curve}
+        axis={axis}
+        outputs={[0, 1]}
+        now={input}
+        onMove={(next) => editor.set(index, 'curve', { curve: next })}
+        onRest={() => editor.settle()}
+      />
+      <Reading contributions={slow} index={index} axis={axis} />
+    </>
+  )
+}
+
+interface ReadingProps {
+  contributions: ReadonlySignal<readonly (Contribution | null)[]>
+  index: number
+  axis: Axis
+}
+
+/** In words: where the marker stands. */
+function Reading({ contributions, index, axis }: ReadingProps) {
+  const text = useComputed(() => {
+    const now = contributions.value[index]
+    if (!now) return ''
+    return `Now: ${textOn(axis, now.combined)} gives ${now.activation.toFixed(2)}`
+  })
+  return <p class="hint reading">{text}</p>
+}

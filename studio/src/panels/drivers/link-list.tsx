@@ -1,0 +1,161 @@
+import { useComputed, useSignal } from '@preact/signals'
+import { type Curve, canonicalTargetName, type Link } from 'furrow'
+import { axisOf } from './axes.ts'
+import type { DriverContext } from './context.ts'
+import { CurveEditor } from './curve-editor.tsx'
+import { NameSelect, optionsOf } from './fields.tsx'
+import { NumberField } from './number-field.tsx'
+
+interface LinkListProps {
+  index: number
+  context: DriverContext
+  links: readonly Link[]
+  /** Names that links may have. */
+  names: readonly string[]
+  /** What one of them is called: `blendshape`. */
+  noun: string
+  /** Of the driver, which has the links. */
+  field: 'targets' | 'areas'
+}
+
+/** The blendshapes or areas that a driver reads: each by a factor, and by a curve of its own if wanted. */
+export function LinkList({ index, context, links, names, noun, field }: LinkListProps) {
+  const { editor } = context
+  const set = (next: readonly Link[], key = field as string) => editor.set(index, key, { [field]: next })
+  const change = (i: number, fields: Partial<Link>) => {
+    set(links.map((link, k) => (k === i ? { ...link, ...fields } : link)))
+    editor.settle()
+  }
+  const used = new Set(links.map(({ name }) => canonicalTargetName(name)))
+  const free = names.filter((name) => !used.has(canonicalTargetName(name)))
+  return (
+    <div class="links">
+      {links.map((link, i) => (
+        <LinkRow
+          key={i}
+          {...{ index, context, link, names, noun }}
+          position={i}
+          isOnly={links.length === 1}
+          onChange={(fields) => change(i, fields)}
+          onBend={(curve) => {
+            const bent = links.map((other, k) => (k === i ? { ...other, curve } : other))
+            set(bent, `curve of ${field} ${i}`)
+          }}
+          onRemove={() => {
+            set(links.filter((_, k) => k !== i))
+            editor.settle()
+          }}
+        />
+      ))}
+      {free.length > 0 && (
+        <NameSelect
+          label={`Add ${noun}`}
+          value=""
+          options={[['', `Add ${noun}…`], ...optionsOf(free)]}
+          onChange={(name) => {
+            if (name === '') return
+            set([...links, { name, weight: 1 }])
+            editor.settle()
+          }}
+        />
+      )}
+    </div>
+  )
+}
+
+interface LinkRowProps {
+  index: number
+  context: DriverContext
+  link: Link
+  /** Among the driver's links. */
+  position: number
+  names: readonly string[]
+  noun: string
+  /** Whether the driver has no other. */
+  isOnly: boolean
+  onChange(fields: Partial<Link>): void
+  onBend(curve: Curve): void
+  onRemove(): void
+}
+
+function LinkRow({
+  index,
+  context: { editor, now, slow },
+  link,
+  position,
+  names,
+  noun,
+  isOnly,
+  onChange,
+  onBend,
+  onRemove,
+}: LinkRowProps) {
+  const { name, weight, curve } = link
+  const isOpen = useSignal(false)
+  const input = useComputed(() => now.value[index]?.inputs[position] ?? null)
+  const part = useComputed(() => slow.value[index]?.links[position]?.toFixed(2) ?? '')
+  const shown = curve ?? LINE
+  return (
+    <>
+      <div class="link">
+        <NameSelect
+          label={`${noun} ${position + 1}`}
+          value={name}
+          options={optionsOf(names)}
+          onChange={(next) => onChange({ name: next })}
+        />
+        <NumberField
+          label={`Factor of ${name}`}
+          isLabelHidden
+          value={weight}
+          step={0.05}
+          range={[-1000, 1000]}
+          onChange={(next) => onChange({ weight: next })}
+        />
+        <output class="part" title="What it gives now" aria-live="off">
+          {part}
+        </output>
+        <button
+          type="button"
+          class={`toggle ${curve ? 'bent' : ''}`}
+          title="A curve of its own"
+          aria-label={`Curve of ${name}`}
+          aria-expanded={isOpen.value}
+          onClick={() => {
+            isOpen.value = !isOpen.value
+          }}
+        >
+          <svg class="bend" viewBox="0 0 16 16" aria-hidden="true">
+            <path d="M2 13C8 13 8 3 14 3" />
+          </svg>
+        </button>
+        <button
+          type="button"
+          class="remove"
+          title="Remove"
+          aria-label={`Remove ${name}`}
+          disabled={isOnly}
+          onClick={onRemove}
+        >
+          ×
+        </button>
+      </div>
+      {isOpen.value && (
+        <CurveEditor
+          label={`${name} alone`}
+          curve={shown}
+          axis={axisOf('fraction', name, shown)}
+          outputs={[-1000, 1000]}
+          now={input}
+          onMove={onBend}
+          onRest={() => editor.settle()}
+        />
+      )}
+    </>
+  )
+}
+
+const LINE: Curve = [
+  [0, 0],
+  [1, 1],
+]

@@ -1,0 +1,83 @@
+import type { MuscleDriver } from 'furrow'
+import { NumberSlider } from '../number-slider.tsx'
+import type { FormProps } from './context.ts'
+import { NameField, NumberSetting, SelectField, VectorSetting } from './fields.tsx'
+
+const KINDS: readonly (readonly [MuscleDriver['kind'], string])[] = [
+  ['linear', 'Fan'],
+  ['sheet', 'Sheet'],
+  ['sphincter', 'Ring'],
+]
+
+/** Degrees per radian. */
+const DEGREES = 180 / Math.PI
+
+/** A virtual muscle: where it is attached, how far it reaches and how much it pulls. */
+export function MuscleForm({ driver, index, context }: FormProps<MuscleDriver>) {
+  const { kind, origin, insertion, angle, width, inner, outer } = driver
+  const { editor } = context
+  // Positions are metres, and are read in millimetres.
+  const set = (fields: Partial<MuscleDriver>) => {
+    editor.set(index, Object.keys(fields)[0], fields)
+    editor.settle()
+  }
+  const slider = (label: string, field: 'strength' | 'inner' | 'outer', range: [number, number]) => (
+    <NumberSlider
+      label={label}
+      range={[...range, 0.01]}
+      value={driver[field]}
+      onMove={(value) => editor.set(index, field, { [field]: value })}
+      onRest={() => editor.settle()}
+    />
+  )
+  return (
+    <>
+      <NameField label="Name" value={driver.name} onChange={(name) => set({ name })} />
+      <p class="hint">Pulls the skin, and shows the area as it contracts. It is one of the blendshapes.</p>
+      <SelectField
+        label="Fibres"
+        value={kind}
+        options={KINDS}
+        onChange={(next) => set({ kind: next as MuscleDriver['kind'] })}
+      />
+      {slider('Strength', 'strength', [-1, 1])}
+      {slider('Strongest at', 'inner', [0, Math.min(2, outer - 0.01)])}
+      {slider('Ends at', 'outer', [inner + 0.01, Math.max(2, outer)])}
+      {kind === 'linear' ? (
+        <NumberSetting
+          label="Opens by"
+          value={angle * DEGREES}
+          step={1}
+          range={[1, 89]}
+          unit="°"
+          onChange={(next) => set({ angle: next / DEGREES })}
+        />
+      ) : (
+        <NumberSetting
+          label="Half its width"
+          value={width * 1000}
+          step={1}
+          range={[0.1, 1000]}
+          unit="mm"
+          onChange={(next) => set({ width: next / 1000 })}
+        />
+      )}
+      <VectorSetting
+        label={kind === 'sphincter' ? 'Centre' : 'At the bone'}
+        value={origin}
+        step={1}
+        factor={1000}
+        unit="mm"
+        onChange={(next) => set({ origin: next })}
+      />
+      <VectorSetting
+        label={kind === 'sphincter' ? 'Edge' : 'At the skin'}
+        value={insertion}
+        step={1}
+        factor={1000}
+        unit="mm"
+        onChange={(next) => set({ insertion: next })}
+      />
+    </>
+  )
+}

@@ -1,0 +1,29 @@
+import { NumberSlider } from '../number-slider.tsx'
+import type { Axis } from './axes.ts'
+import type { DriverContext } from './context.ts'
+
+interface NowSliderProps {
+  /** Of the input. */
+  name: string
+  label: string
+  axis: Axis
+  context: DriverContext
+}
+
+/** Sets a number that an application would set, on the stage only. */
+export function NowSlider({ name, label, axis: { range }, context: { model } }: NowSliderProps) {
+  const { viewer, frame, actions } = model
+  frame.value
+  const dial = viewer.value?.inputDial(name)
+  if (!dial) return null
+  const step = (range[1] - range[0]) / 100 >= 0.5 ? 1 : (range[1] - range[0]) / 100
+  return (
+    <NumberSlider
+      label={label}
+      range={[...range, step]}
+      value={dial.read()}
+      onMove={(value) => actions.input(dial, value)}
+      onRest={(value) => actions.input(dial, value)}
+    />
+  )
+}

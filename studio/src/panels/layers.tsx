@@ -1,0 +1,237 @@
+import { useId } from 'preact/hooks'
+import { MAP_NAMES, type MapName, type StudioLayer } from '../document/document.ts'
+import type { LayerEditor } from '../session/layer-editor.ts'
+import { Choice } from './choice.tsx'
+import type { PanelModel } from './model.ts'
+import { NumberSlider } from './number-slider.tsx'
+import { Section } from './section.tsx'
+
+const KINDS = [
+  { value: 'detail', label: 'Detail', title: 'Wrinkles only, laid over the skin’s own normal map' },
+  {
+    value: 'replace',
+    label: 'Replace',
+    title: 'Wrinkles and pores, in the place of the skin’s own normal map',
+  },
+] as const
+
+const MAP_LABELS: Record<MapName, string> = {
+  normal: 'Normal',
+  baseColor: 'Colour',
+  roughness: 'Roughness',
+  occlusion: 'Occlusion',
+  height: 'Height',
+}
+
+const IMAGES = 'image/png,image/jpeg,image/webp'
+const SCULPTS = '.glb,.gltf,.vrm'
+
+/** The layers of the document: what they are, and the maps that they have. */
+export function Layers({ model: { layers, session } }: { model: PanelModel }) {
+  const document = session.document.value
+  if (!document) return null
+  return (
+    <Section title="Layers" open={false}>
+      {document.layers.map((layer, i) => (
+        <Layer
+          key={layer.name}
+          layer={layer}
+          isFirst={i === 0}
+          isLast={i === document.layers.length - 1}
+          hasStrokes={document.strokes.some((stroke) => stroke.layer === layer.name)}
+          editor={layers}
+        />
+      ))}
+      <div class="add">
+        <button type="button" onClick={() => layers.add()}>
+          New layer
+        </button>
+        <button type="button" title="All layers and areas as images, in a .zip" onClick={() => layers.save()}>
+          Save all maps
+        </button>
+      </div>
+    </Section>
+  )
+}
+
+interface LayerProps {
+  layer: StudioLayer
+  isFirst: boolean
+  isLast: boolean
+  hasStrokes: boolean
+  editor: LayerEditor
+}
+
+function Layer({ layer, isFirst, isLast, hasStrokes, editor }: LayerProps) {
+  const { name, kind, normalScale, maps, heightAmplitude } = layer
+  const id = useId()
+  return (
+    <details class="layer">
+      <summary>
+        {name}
+        <span>{kind}</span>
+      </summary>
+      <div class="settings">
+        <div class="setting">
+          <label for={id}>Name</label>
+          <input
+            id={id}
+            type="text"
+            aria-label={`Name of layer ${name}`}
+            autocomplete="off"
+            spellcheck={false}
+            value={name}
+            onChange={({ currentTarget }) => {
+              editor.rename(name, currentTarget.value)
+              // What it is called still: a name that is taken is refused.
+              currentTarget.value = name
+            }}
+          />
+        </div>
+        <Choice
+          legend="Kind"
+          options={KINDS}
+          value={kind}
+          onChange={(value) => editor.set(name, { kind: value })}
+        />
+        <NumberSlider
+          label="Scale"
+          range={[0, 2, 0.05]}
+          value={normalScale}
+          onMove={(value) => editor.set(name, { normalScale: value })}
+          onRest={() => editor.settle()}
+        />
+        {maps.height && (
+          <NumberSlider
+            label="Height, mm"
+            range={[0, 10, 0.1]}
+            value={1000 * (heightAmplitude ?? 0)}
+            onMove={(value) => editor.set(name, { heightAmplitude: value / 1000 })}
+            onRest={() => editor.settle()}
+          />
+        )}
+      </div>
+      {MAP_NAMES.map((map) => (
+        <MapRow key={map} layer={layer} map={map} isDrawn={hasStrokes && isDrawn(map)} editor={editor} />
+      ))}
+      <Bake name={name} editor={editor} />
+      <div class="add">
+        <button
+          type="button"
+          disabled={isFirst}
+          aria-label={`Move ${name} up`}
+          onClick={() => editor.move(name, -1)}
+        >
+          Up
+        </button>
+        <button
+          type="button"
+          disabled={isLast}
+          aria-label={`Move ${name} down`}
+          onClick={() => editor.move(name, 1)}
+        >
+          Down
+        </button>
+        <button type="button" aria-label={`Remove layer ${name}`} onClick={() => editor.remove(name)}>
+          Remove
+        </button>
+      </div>
+    </details>
+  )
+}
+
+/** Whether strokes are drawn into a map of this name. */
+function isDrawn(map: MapName): boolean {
+  return map === 'normal' || map === 'occlusion'
+}
+
+interface MapRowProps {
+  layer: StudioLayer
+  map: MapName
+  isDrawn: boolean
+  editor: LayerEditor
+}
+
+function MapRow({ layer: { name, maps }, map, isDrawn, editor }: MapRowProps) {
+  const label = MAP_LABELS[map]
+  const isThere = maps[map] !== undefined
+  return (
+    <div class="map">
+      <span class="label">{label}</span>
+      <span class="hint">{isThere ? (isDrawn ? 'image + lines' : 'image') : isDrawn ? 'lines' : '–'}</span>
+      <label class="file" title={`Import ${label.toLowerCase()} map`}>
+        <input
+          type="file"
+          accept={IMAGES}
+          aria-label={`Import ${map} of ${name}`}
+          onChange={({ currentTarget }) => {
+            const [file] = currentTarget.files!
+            if (file) editor.importMap(name, map, file)
+            currentTarget.value = ''
+          }}
+        />
+        <span>Import…</span>
+      </label>
+      <button
+        type="button"
+        disabled={!isThere && !isDrawn}
+        aria-label={`Save ${map} of ${name}`}
+        onClick={() => editor.saveMap(name, map)}
+      >
+        Save
+      </button>
+      <button
+        type="button"
+        class="remove"
+        disabled={!isThere}
+        title="Remove"
+        aria-label={`Remove ${map} of ${name}`}
+        onClick={() => editor.removeMap(name, map)}
+      >
+        ×
+      </button>
+    </div>
+  )
+}
+
+/** Takes a sculpt, chosen or dropped here; how far it is. */
+function Bake({ name, editor }: { name: string; editor: LayerEditor }) {
+  const id = useId()
+  const run = editor.run.value
+  if (run?.layer === name) {
+    return (
+      <div class="run">
+        <label for={id}>Baking</label>
+        <progress id={id} max="1" value={run.fraction} />
+        <button type="button" class="quiet" onClick={() => editor.cancelBake()}>
+          Cancel
+        </button>
+      </div>
+    )
+  }
+  const bake = (files: FileList | null | undefined) => {
+    const file = files?.[0]
+    if (file) editor.bake(name, file)
+  }
+  return (
+    <label
+      class="file bake"
+      title="A detailed model of the wrinkled face, at the place and in the size of this one"
+      onDrop={(event) => {
+        event.preventDefault()
+        bake(event.dataTransfer?.files)
+      }}
+    >
+      <input
+        type="file"
+        accept={SCULPTS}
+        aria-label={`Bake a sculpt into ${name}`}
+        onChange={({ currentTarget }) => {
+          bake(currentTarget.files)
+          currentTarget.value = ''
+        }}
+      />
+      <span>Bake from a sculpt… or drop one here</span>
+    </label>
+  )
+}

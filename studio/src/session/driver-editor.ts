@@ -1,0 +1,46 @@
+import type { WrinkleDriver } from 'furrow'
+import type { StudioDocument } from '../document/document.ts'
+import { addDriver, removeDriver, setDriver } from '../document/drivers.ts'
+import type { Session } from './session.ts'
+
+/** Changes the document's drivers, which it knows by their index. Each change is one step to undo. */
+export class DriverEditor {
+  readonly #session: Session
+  readonly #attempt: (task: () => void) => unknown
+
+  /** @param attempt runs a task and shows its error. */
+  constructor(session: Session, attempt: (task: () => void) => unknown) {
+    this.#session = session
+    this.#attempt = attempt
+  }
+
+  add(driver: WrinkleDriver): void {
+    this.#edit('Add a driver', (document) => addDriver(document, driver))
+  }
+
+  /**
+   * Changes fields of a driver.
+   *
+   * @param field changes of the same one are one step until `settle`, as those of a point that is dragged.
+   */
+  set(index: number, field: string, fields: Readonly<Record<string, unknown>>): void {
+    const change = (document: StudioDocument) => {
+      const next: Record<string, unknown> = { ...document.drivers[index], ...fields }
+      return setDriver(document, index, next as WrinkleDriver)
+    }
+    this.#edit('Change a driver', change, `${field} of driver ${index}`)
+  }
+
+  /** Ends a series of `set`. */
+  settle(): void {
+    this.#session.settle()
+  }
+
+  remove(index: number): void {
+    this.#edit('Remove a driver', (document) => removeDriver(document, index))
+  }
+
+  #edit(label: string, operation: (document: StudioDocument) => StudioDocument, key?: string): void {
+    this.#attempt(() => this.#session.edit(label, operation, key))
+  }
+}

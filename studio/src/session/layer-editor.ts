@@ -1,0 +1,190 @@
+import { type ReadonlySignal, signal } from '@preact/signals'
+import { fileNamesOf } from 'furrow/author'
+import type { MapName, StudioDocument } from '../document/document.ts'
+import {
+  addLayer,
+  type LayerFields,
+  moveLayer,
+  removeLayer,
+  renameLayer,
+  setLayer,
+  setMap,
+} from '../document/layers.ts'
+import { freeName } from '../document/names.ts'
+import type { OpenedAvatar } from '../open/avatar.ts'
+import { bytesOf } from '../open/dropped-files.ts'
+import { saveFile } from '../save-file.ts'
+import type { DrawnDocument } from '../viewer/document-view.ts'
+import { documentToExport } from './exporting.ts'
+import { faceFilesOf } from './face-files.ts'
+import { readMap } from './map-file.ts'
+import type { Session } from './session.ts'
+
+/** Metres from black to white of a height map that is imported: an artist sets it to what was painted. */
+const HEIGHT_AMPLITUDE = 0.002
+
+/** A bake that is under way. */
+export interface BakeRun {
+  readonly layer: string
+  /** 0..1. */
+  readonly fraction: number
+}
+
+export interface LayerEditorParts {
+  session: Session
+  /** The document with the maps that were drawn for it. */
+  drawn: ReadonlySignal<DrawnDocument | null>
+  avatar(): OpenedAvatar | null
+  /** Runs a task, and shows its errors. */
+  attempt(task: () => unknown): unknown
+}
+
+/** Changes the document's layers, fills their maps from files and sculpts, and saves them as images. */
+export class LayerEditor {
+  readonly #parts: LayerEditorParts
+  readonly #bake = signal<BakeRun | null>(null)
+  #abort: AbortController | null = null
+
+  constructor(parts: LayerEditorParts) {
+    this.#parts = parts
+  }
+
+  /** Null while nothing is baked. */
+  get run(): ReadonlySignal<BakeRun | null> {
+    return this.#bake
+  }
+
+  add(): void {
+    this.#edit('Add a layer', (document) => addLayer(document, freeName(document.layers, 'layer')))
+  }
+
+  remove(name: string): void {
+    this.#edit(`Remove ${name}`, (document) => removeLayer(document, name))
+  }
+
+  rename(name: string, newName: string): void {
+    this.#edit(`Rename ${name}`, (document) => renameLayer(document, name, newName))
+  }
+
+  /** @param by -1 to move it up, 1 to move it down. */
+  move(name: string, by: -1 | 1): void {
+    this.#edit(`Move ${name}`, (document) => {
+      const index = document.layers.findIndex((layer) => layer.name === name) + by
+      return index < 0 || index >= document.layers.length ? document : moveLayer(document, name, index)
+    })
+  }
+
+  set(name: string, fields: LayerFields): void {
+    const key = `${Object.keys(fields).join()} of ${name}`
+    this.#edit(`Change ${name}`, (document) => setLayer(document, name, fields), key)
+  }
+
+  /** Ends a series of `set`. */
+  settle(): void {
+    this.#parts.session.settle()
+  }
+
+  removeMap(name: string, map: MapName): void {
+    this.#edit(`Remove ${map} of ${name}`, (document) => setMap(document, name, map, undefined))
+  }
+
+  importMap(name: string, map: MapName, file: File): void {
+    this.#parts.attempt(async () => {
+      const { session } = this.#parts
+      const size = session.document.peek()?.mapSize
+      if (size === undefined) return
+      const image = await readMap(file, map, size)
+      session.edit(`Import ${map} of ${name}`, (document) => {
+        const withImage = setMap(document, name, map, image)
+        const amplitude = document.layers.find((layer) => layer.name === name)?.heightAmplitude
+        const needsAmplitude = map === 'height' && amplitude === undefined
+        return needsAmplitude ? setLayer(withImage, name, { heightAmplitude: HEIGHT_AMPLITUDE }) : withImage
+      })
+    })
+  }
+
+  /** Bakes a sculpt into the normal map of a layer, which then has the skin's own details too. One at a time. */
+  bake(name: string, sculpt: File): void {
+    this.cancelBake()
+    const abort = new AbortController()
+    this.#abort = abort
+    this.#bake.value = { layer: name, fraction: 0 }
+    this.#parts.attempt(async () => {
+      try {
+        await this.#bakeInto(name, sculpt, abort.signal)
+      } catch (error) {
+        if (!abort.signal.aborted) throw error
+      } finally {
+        if (this.#abort === abort) this.#endBake()
+      }
+    })
+  }
+
+  cancelBake(): void {
+    this.#abort?.abort()
+    this.#endBake()
+  }
+
+  /**
+   * Saves maps and areas as images: one as it is, several as a .zip.
+   *
+   * @param only the start of their paths in a project's folder.
+   */
+  save(only = ''): void {
+    this.#parts.attempt(async () => {
+      const [drawn, avatar] = [this.#parts.drawn.peek(), this.#parts.avatar()]
+      if (!drawn || !avatar) return
+      const { projectFilesInWorker } = await import('../export/in-worker.ts')
+      const all = await projectFilesInWorker(documentToExport(drawn, avatar), [])
+      const images = [...all].filter(([path]) => /^(layers|areas)\//.test(path) && path.startsWith(only))
+      if (images.length === 1) {
+        const [[path, bytes]] = images
+        const name = path.replace(/^[^/]*\//, '').replaceAll('/', '-')
+        saveFile(new Blob([bytes as BlobPart]), `${avatar.name}-${name}`)
+        return
+      }
+      const { zipFolder } = await import('../keep/zip.ts')
+      const folder = `${avatar.name}-maps`
+      const files = images.map(([path, content]) => ({ path, content }))
+      saveFile(await zipFolder(files, folder), `${folder}.zip`)
+    })
+  }
+
+  /** Saves one map of a layer. */
+  saveMap(name: string, map: MapName): void {
+    const layers = this.#parts.session.document.peek()?.layers ?? []
+    const index = layers.findIndex((layer) => layer.name === name)
+    this.save(`layers/${fileNamesOf(layers.map((layer) => layer.name))[index]}/${map}.`)
+  }
+
+  async #bakeInto(name: string, sculpt: File, signal: AbortSignal): Promise<void> {
+    const { session } = this.#parts
+    const [document, avatar] = [session.document.peek(), this.#parts.avatar()]
+    if (!document || !avatar) return
+    const { bakeInWorker } = await import('../export/in-worker.ts')
+    const onProgress = (done: number, total: number) => {
+      if (!signal.aborted) this.#bake.value = { layer: name, fraction: done / total }
+    }
+    const target = {
+      face: await faceFilesOf(avatar),
+      mesh: avatar.skins[avatar.skin].target.mesh,
+      size: document.mapSize,
+    }
+    const high = { name: sculpt.name, bytes: await bytesOf(sculpt, sculpt.name) }
+    const bytes = await bakeInWorker(high, target, { onProgress, signal })
+    if (signal.aborted) return
+    session.edit(`Bake ${sculpt.name}`, (old) => {
+      const baked = setMap(old, name, 'normal', { mimeType: 'image/png', bytes })
+      return setLayer(baked, name, { kind: 'replace' })
+    })
+  }
+
+  #endBake(): void {
+    this.#abort = null
+    this.#bake.value = null
+  }
+
+  #edit(label: string, operation: (document: StudioDocument) => StudioDocument, key?: string): void {
+    this.#parts.attempt(() => this.#parts.session.edit(label, operation, key))
+  }
+}

@@ -1,0 +1,38 @@
+import { FurrowError, imageTypeOf, type RgbaImage } from 'furrow'
+import { decodeImage } from 'furrow/three'
+import type { ImageFile, MapName } from '../document/document.ts'
+import { bytesOf } from '../open/dropped-files.ts'
+
+/**
+ * Reads an image as a map of a layer.
+ *
+ * @param size side in texels that it is scaled to: the maps of all layers are in one array. A height map, which has 16 bits, keeps its own.
+ * @throws FurrowError when it is no image that a layer can have.
+ */
+export async function readMap(file: File, map: MapName, size: number): Promise<ImageFile> {
+  const image = await decodeImage(file, file.name)
+  const isKept = map === 'height' || (image.width === size && image.height === size)
+  const bytes = isKept ? await bytesOf(file, file.name) : await scaled(image, size, file.name)
+  return { mimeType: imageTypeOf(bytes) ?? 'image/png', bytes }
+}
+
+/** As a PNG file. */
+async function scaled({ width, height, data }: RgbaImage, size: number, name: string): Promise<Uint8Array> {
+  const image = new ImageData(Uint8ClampedArray.from(data), width, height)
+  const canvas = new OffscreenCanvas(size, size)
+  const context = canvas.getContext('2d')
+  if (!context) throw withoutCanvas(name)
+  context.imageSmoothingQuality = 'high'
+  const bitmap = await createImageBitmap(image, { colorSpaceConversion: 'none' })
+  context.drawImage(bitmap, 0, 0, size, size)
+  bitmap.close()
+  return bytesOf(await canvas.convertToBlob({ type: 'image/png' }), name)
+}
+
+function withoutCanvas(name: string): FurrowError {
+  return new FurrowError({
+    who: 'Studio',
+    what: `there is no canvas to scale ${name} on`,
+    remedy: 'close other pages to free memory',
+  })
+}

@@ -1,0 +1,103 @@
+import { MOUSE, OrthographicCamera, TOUCH, Vector3 } from 'three'
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
+
+/** Of the texture's side: the border that is seen around it at first, and movement per key press at this zoom. */
+const BORDER = 0.04
+const STEP = 0.1
+/** Factor per key press, and the largest. */
+const ZOOM_STEP = 1.25
+const MOST_ZOOM = 64
+
+/** Where a texture is on the screen: u and v in the middle, v down, and CSS pixels per side of the texture. */
+export interface TextureFrame {
+  centre: readonly [u: number, v: number]
+  scale: number
+}
+
+/** Looks straight at a texture that spans 0..1 in x and 0..-1 in y; moved by pointer, wheel, pinch and keys. */
+export class TextureCamera {
+  readonly camera = new OrthographicCamera()
+  readonly #controls: OrbitControls
+  readonly #onChange: () => void
+  #width = 1
+
+  /** @param element that the texture is drawn on. */
+  constructor(element: HTMLElement, onChange: () => void) {
+    this.#onChange = onChange
+    this.camera.position.set(0.5, -0.5, 1)
+    this.#controls = new OrbitControls(this.camera, element)
+    this.#controls.target.set(0.5, -0.5, 0)
+    this.#controls.enableRotate = false
+    this.#controls.zoomToCursor = true
+    this.#controls.minZoom = 1
+    this.#controls.maxZoom = MOST_ZOOM
+    this.#controls.mouseButtons = { LEFT: MOUSE.PAN, MIDDLE: MOUSE.PAN, RIGHT: MOUSE.PAN }
+    this.#controls.touches = { ONE: TOUCH.PAN, TWO: TOUCH.DOLLY_PAN }
+    this.#controls.addEventListener('change', () => {
+      this.#stayOnTexture()
+      onChange()
+    })
+    element.tabIndex = 0
+    element.addEventListener('keydown', this.#onKey)
+  }
+
+  get frame(): TextureFrame {
+    const { position, zoom, left, right } = this.camera
+    return { centre: [position.x, -position.y], scale: (this.#width * zoom) / (right - left) }
+  }
+
+  /** @param width, height of the element in CSS pixels. */
+  resize(width: number, height: number): void {
+    const half = (0.5 + BORDER) * Math.max(1, width / height, height / width)
+    const [x, y] = width < height ? [half * (width / height), half] : [half, half * (height / width)]
+    Object.assign(this.camera, { left: -x, right: x, top: y, bottom: -y })
+    this.#width = width
+    this.#apply()
+  }
+
+  /** Shows all of the texture. */
+  reset(): void {
+    this.camera.zoom = 1
+    this.#moveTo(0.5, -0.5)
+    this.#apply()
+  }
+
+  #stayOnTexture(): void {
+    const { x, y } = this.camera.position
+    this.#moveTo(Math.min(1, Math.max(0, x)), Math.min(0, Math.max(-1, y)))
+  }
+
+  #moveTo(x: number, y: number): void {
+    this.camera.position.set(x, y, 1)
+    this.#controls.target.copy(new Vector3(x, y, 0))
+  }
+
+  #apply(): void {
+    this.camera.updateProjectionMatrix()
+    this.camera.updateMatrixWorld()
+    this.#onChange()
+  }
+
+  readonly #onKey = (event: KeyboardEvent): void => {
+    if (event.altKey || event.ctrlKey || event.metaKey) return
+    const { position, zoom } = this.camera
+    const step = STEP / zoom
+    const moves: Record<string, readonly [x: number, y: number, factor: number]> = {
+      ArrowLeft: [-step, 0, 1],
+      ArrowRight: [step, 0, 1],
+      ArrowUp: [0, step, 1],
+      ArrowDown: [0, -step, 1],
+      '+': [0, 0, ZOOM_STEP],
+      '=': [0, 0, ZOOM_STEP],
+      '-': [0, 0, 1 / ZOOM_STEP],
+    }
+    const move = moves[event.key]
+    if (event.key === '0') this.reset()
+    if (!move) return
+    event.preventDefault()
+    this.camera.zoom = Math.min(MOST_ZOOM, Math.max(1, zoom * move[2]))
+    this.#moveTo(position.x + move[0], position.y + move[1])
+    this.#stayOnTexture()
+    this.#apply()
+  }
+}

@@ -1,0 +1,41 @@
+import { traceStroke, uvOf } from '../../../packages/furrow/src/author/strokes/edit/traced-stroke.ts'
+import type { LayerStroke } from '../document/document.ts'
+import type { PaintSkin } from '../paint/paint-skin.ts'
+
+/** A step from which on a line goes on in another island, as a fraction of the texture: points of a line are much closer. */
+const JUMP = 0.02
+
+/** A line in the texture: u and v of each point, in pieces that end where islands do. */
+export type TextureLine = readonly (readonly (readonly [u: number, v: number])[])[]
+
+/** The lines of strokes in the texture of a skin, each of which is found once. */
+export class TextureLines {
+  readonly #skin: PaintSkin
+  readonly #size: number
+  readonly #lines = new WeakMap<LayerStroke, TextureLine>()
+
+  /** @param size of the areas in texels. */
+  constructor(skin: PaintSkin, size: number) {
+    this.#skin = skin
+    this.#size = size
+  }
+
+  of(stroke: LayerStroke): TextureLine {
+    const line = this.#lines.get(stroke) ?? this.#trace(stroke)
+    this.#lines.set(stroke, line)
+    return line
+  }
+
+  #trace(stroke: LayerStroke): TextureLine {
+    const skin = { surface: this.#skin.surface, locator: this.#skin.mapOf(this.#size).locator }
+    const traced = traceStroke(stroke, skin)
+    const pieces: [u: number, v: number][][] = []
+    for (let i = 0; i < traced.triangles.length; i++) {
+      const [u, v] = uvOf(traced, i, skin)
+      const last = pieces.at(-1)?.at(-1)
+      if (last && Math.hypot(u - last[0], v - last[1]) < JUMP) pieces.at(-1)!.push([u, v])
+      else pieces.push([[u, v]])
+    }
+    return pieces.filter((piece) => piece.length > 1)
+  }
+}

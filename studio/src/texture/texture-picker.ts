@@ -1,0 +1,48 @@
+import { type Ray, Vector3 } from 'three'
+import { positionAt } from '../../../packages/furrow/src/author/skin/walk.ts'
+import type { PaintSkin } from '../paint/paint-skin.ts'
+import type { SkinHit, SkinPicker } from '../paint/picker.ts'
+
+const CORNERS = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+] as const
+
+/** Finds points of a skin under a pointer on its texture. */
+export class TexturePicker {
+  readonly #skin: PaintSkin
+  readonly #posed: Pick<SkinPicker, 'positionOf'>
+  readonly #size: number
+
+  /**
+   * @param posed tells where the skin is now.
+   * @param size of the areas in texels.
+   */
+  constructor(skin: PaintSkin, posed: Pick<SkinPicker, 'positionOf'>, size: number) {
+    this.#skin = skin
+    this.#posed = posed
+    this.#size = size
+  }
+
+  /**
+   * @param ray of a `TextureCamera`: u is its x, v its -y.
+   * @returns undefined where the texture has no skin; where parts of the skin share it, the first one.
+   */
+  pick({ origin: { x, y } }: Ray): SkinHit | undefined {
+    const own = new Float64Array(3)
+    const triangle = this.#skin.mapOf(this.#size).locator.find(x, -y, own)
+    if (triangle < 0) return undefined
+    const position = new Float64Array(3)
+    positionAt(position, this.#skin.surface, triangle, own)
+    const [a, b, c] = CORNERS.map((corner) => this.#posed.positionOf(triangle, corner, new Vector3()))
+    return {
+      triangle,
+      weights: [own[0], own[1], own[2]],
+      position: [position[0], position[1], position[2]],
+      uv: [x, -y],
+      point: this.#posed.positionOf(triangle, [...own], new Vector3()),
+      normal: b.sub(a).cross(c.sub(a)).normalize(),
+    }
+  }
+}

@@ -1,0 +1,51 @@
+import type { GrayImage } from 'furrow'
+
+/** Weight from which a texel counts, least side of a crop as a fraction of the texture, and its side by that of the area. */
+const SEEN = 32
+const LEAST_SIDE = 0.35
+const MARGIN = 1.3
+
+/** A square of a texture, as fractions of its side. */
+export interface Crop {
+  x: number
+  y: number
+  side: number
+}
+
+/** The part of the texture in which an area is seen, with enough round it to tell where that is; all of it for an empty one. */
+export function cropOf({ width, height, data }: GrayImage): Crop {
+  let [left, top, right, bottom] = [width, height, 0, 0]
+  for (let i = 0; i < data.length; i++) {
+    if (data[i] < SEEN) continue
+    const [x, y] = [i % width, Math.floor(i / width)]
+    left = Math.min(left, x)
+    right = Math.max(right, x + 1)
+    top = Math.min(top, y)
+    bottom = Math.max(bottom, y + 1)
+  }
+  if (right <= left) return { x: 0, y: 0, side: 1 }
+  const extent = Math.max((right - left) / width, (bottom - top) / height)
+  const side = Math.min(1, Math.max(LEAST_SIDE, MARGIN * extent))
+  const start = (low: number, high: number, size: number) =>
+    Math.min(1 - side, Math.max(0, (low + high) / 2 / size - side / 2))
+  return { x: start(left, right, width), y: start(top, bottom, height), side }
+}
+
+/** A part of an image in a smaller size: each pixel is the mean of the texels that it covers. */
+export function shrink({ width, height, data }: GrayImage, { x, y, side }: Crop, size: number): GrayImage {
+  const out = new Uint8Array(size * size)
+  const range = (start: number, i: number, of: number): [number, number] => {
+    const first = Math.min(of - 1, Math.floor((start + (i / size) * side) * of))
+    return [first, Math.max(first + 1, Math.min(of, Math.floor((start + ((i + 1) / size) * side) * of)))]
+  }
+  for (let row = 0; row < size; row++) {
+    const [y0, y1] = range(y, row, height)
+    for (let column = 0; column < size; column++) {
+      const [x0, x1] = range(x, column, width)
+      let sum = 0
+      for (let v = y0; v < y1; v++) for (let u = x0; u < x1; u++) sum += data[v * width + u]
+      out[row * size + column] = sum / ((x1 - x0) * (y1 - y0))
+    }
+  }
+  return { width: size, height: size, data: out }
+}

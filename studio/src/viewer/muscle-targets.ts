@@ -1,0 +1,56 @@
+import { type MuscleDriver, morphNormalDeltas, muscleOffsets } from 'furrow'
+import { addMuscles } from 'furrow/three'
+import type { BufferAttribute, BufferGeometry, Mesh } from 'three'
+import { coordinates, trianglesOf } from '../../../packages/furrow/src/three/sources/geometry-arrays.ts'
+
+/** The muscles of a face as blendshapes of its meshes, which follow the document. One that was removed stays, at rest. */
+export class MuscleTargets {
+  readonly #meshes: readonly Mesh[]
+  /** Those that are not blendshapes of the file. */
+  readonly #made = new Map<string, MuscleDriver>()
+
+  constructor(meshes: readonly Mesh[]) {
+    this.#meshes = meshes
+  }
+
+  /** Adds those that are new, and lets the others pull as they do now. */
+  update(muscles: readonly MuscleDriver[]): void {
+    const [{ morphTargetDictionary: known = {} }] = this.#meshes
+    const added = muscles.filter(({ name }) => known[name] === undefined)
+    for (const mesh of this.#meshes) addMuscles(mesh, added)
+    for (const muscle of added) this.#made.set(muscle.name, muscle)
+    for (const muscle of muscles) {
+      const before = this.#made.get(muscle.name)
+      if (!before || JSON.stringify(before) === JSON.stringify(muscle)) continue
+      for (const mesh of this.#meshes) pullAgain(mesh, muscle)
+      this.#made.set(muscle.name, muscle)
+    }
+  }
+}
+
+/** Computes the blendshape of a muscle anew. */
+function pullAgain({ geometry, morphTargetDictionary }: Mesh, muscle: MuscleDriver): void {
+  const index = morphTargetDictionary![muscle.name]
+  const positions = coordinates(geometry.getAttribute('position'))
+  const offsets = muscleOffsets(muscle, positions)
+  write(geometry, 'position', index, positions, offsets)
+  if (geometry.morphAttributes.normal?.[index]) {
+    const normals = coordinates(geometry.getAttribute('normal'))
+    const changes = morphNormalDeltas({ positions, normals, triangles: trianglesOf(geometry) })
+    write(geometry, 'normal', index, normals, changes(offsets))
+  }
+  // Renderers keep all blendshapes of a geometry in one texture, which they make once.
+  geometry.dispose()
+}
+
+function write(
+  geometry: BufferGeometry,
+  name: 'position' | 'normal',
+  index: number,
+  rest: ArrayLike<number>,
+  offsets: Float32Array,
+): void {
+  const base = geometry.morphTargetsRelative ? null : rest
+  const attribute = geometry.morphAttributes[name]![index] as BufferAttribute
+  attribute.array.set(base ? offsets.map((offset, i) => offset + base[i]) : offsets)
+}

@@ -1,0 +1,62 @@
+/** The studio in a browser, for tests of its page. */
+
+import { mkdtempSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import type { Browser, Page } from 'playwright-core'
+import { createServer, type ViteDevServer } from 'vite'
+import { afterAll, afterEach, beforeAll, expect } from 'vitest'
+import { writeAvatars } from './avatars.ts'
+import { openBrowser, openPage } from './browser.ts'
+import { waitUntilReady } from './studio-page.ts'
+
+/** Serves the studio on its sources; the caller closes the server. */
+export async function serveStudio(): Promise<{ server: ViteDevServer; address: string }> {
+  const server = await createServer({
+    configFile: fileURLToPath(new URL('../../studio/vite.config.ts', import.meta.url)),
+    logLevel: 'error',
+    // Changed files must not reload the page during the test.
+    server: { port: 0, host: '127.0.0.1', hmr: false, watch: null },
+  })
+  await server.listen()
+  const { port } = server.httpServer!.address() as { port: number }
+  return { server, address: `http://127.0.0.1:${port}/` }
+}
+
+interface OpenedStudio {
+  page: Page
+  complaints: string[]
+  /** Has the files of `writeAvatars`. */
+  folder: string
+}
+
+/**
+ * Opens the studio for all tests of a file, which must not cause errors.
+ *
+ * @returns what is there once the tests begin.
+ */
+export function openStudio(viewport: { width: number; height: number }): OpenedStudio {
+  const studio = { folder: mkdtempSync(join(tmpdir(), 'furrow-studio-')) } as OpenedStudio
+  let server: ViteDevServer
+  let browser: Browser
+  beforeAll(async () => {
+    await writeAvatars(studio.folder)
+    const served = await serveStudio()
+    server = served.server
+    browser = await openBrowser()
+    Object.assign(studio, await openPage(browser, { viewport, reducedMotion: 'reduce' }))
+    await studio.page.goto(served.address)
+    await waitUntilReady(studio.page)
+  })
+  afterAll(async () => {
+    await browser?.close()
+    await server?.close()
+    rmSync(studio.folder, { recursive: true, force: true })
+  })
+  afterEach(async () => {
+    expect(studio.complaints).toEqual([])
+    expect(await studio.page.textContent('#errors')).toBe('')
+  })
+  return studio
+}

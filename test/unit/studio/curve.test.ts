@@ -1,0 +1,123 @@
+import { type Curve, curveAt } from 'furrow'
+import { describe, expect, it } from 'vitest'
+import {
+  addPoint,
+  movePoint,
+  rangeAround,
+  removePoint,
+  stepOf,
+  widestGap,
+} from '../../../studio/src/document/curve.ts'
+import { seeded } from '../../random.ts'
+
+const UNIT = { input: [0, 1], output: [0, 1] } as const
+const line: Curve = [
+  [0, 0],
+  [0.5, 0.2],
+  [1, 1],
+]
+
+describe('the step of a range', () => {
+  it.each([
+    [[0, 1], 0.01],
+    [[20, 80], 0.5],
+    [[0, 0.5], 0.005],
+    [[0, 500], 5],
+    [[-0.3, 1.3], 0.01],
+    [[0, Math.PI], 0.02],
+  ] as const)('of %j is %d', (range, step) => {
+    expect(stepOf(range)).toBeCloseTo(step, 10)
+  })
+})
+
+describe('a point that is moved', () => {
+  it('goes where it is moved, in steps', () => {
+    expect(movePoint(line, 1, [0.3333, 0.6666], UNIT)[1]).toEqual([0.33, 0.67])
+  })
+
+  it('stays between its neighbours', () => {
+    expect(movePoint(line, 1, [2, 0.2], UNIT)[1]).toEqual([0.99, 0.2])
+    expect(movePoint(line, 1, [-2, 0.2], UNIT)[1]).toEqual([0.01, 0.2])
+    expect(movePoint(line, 0, [0.9, 0], UNIT)[0]).toEqual([0.49, 0])
+  })
+
+  it('stays within the ranges', () => {
+    expect(movePoint(line, 0, [-1, -1], UNIT)[0]).toEqual([0, 0])
+    expect(movePoint(line, 2, [3, 3], UNIT)[2]).toEqual([1, 1])
+  })
+
+  it('keeps its input where its neighbours leave no step', () => {
+    const narrow: Curve = [
+      [0.5, 0],
+      [0.505, 0.5],
+      [0.51, 1],
+    ]
+    expect(movePoint(narrow, 1, [0.9, 0.1], UNIT)[1]).toEqual([0.505, 0.1])
+  })
+
+  it('leaves the curve that was, and the other points as they are', () => {
+    const moved = movePoint(line, 1, [0.4, 0.4], UNIT)
+    expect(moved).not.toBe(line)
+    expect(moved[0]).toBe(line[0])
+    expect(moved[2]).toBe(line[2])
+    expect(line[1]).toEqual([0.5, 0.2])
+  })
+
+  it('never makes a curve whose inputs do not increase, whatever is dragged where', () => {
+    const random = seeded(1)
+    let curve = line
+    for (let i = 0; i < 500; i++) {
+      const index = Math.floor(random() * curve.length)
+      if (random() < 0.05 && curve.length < 12) curve = addPoint(curve, random(), UNIT)
+      else if (random() < 0.03) curve = removePoint(curve, index)
+      else curve = movePoint(curve, index, [3 * random() - 1, 3 * random() - 1], UNIT)
+      for (let k = 1; k < curve.length; k++) expect(curve[k][0]).toBeGreaterThan(curve[k - 1][0])
+      for (const [, output] of curve) expect(output >= 0 && output <= 1).toBe(true)
+    }
+  })
+})
+
+describe('a point that is added', () => {
+  it('lies on the curve, which stays as it was', () => {
+    const more = addPoint(line, 0.75, UNIT)
+    expect(more).toHaveLength(4)
+    expect(more[2]).toEqual([0.75, 0.6])
+    for (const input of [0, 0.2, 0.6, 0.9]) expect(curveAt(more, input)).toBeCloseTo(curveAt(line, input), 10)
+  })
+
+  it('is none where there is one already', () => {
+    expect(addPoint(line, 0.502, UNIT)).toEqual(line)
+  })
+
+  it('goes into the widest gap', () => {
+    const uneven: Curve = [
+      [0, 0],
+      [0.2, 0.1],
+      [1, 1],
+    ]
+    expect(widestGap(uneven)).toBeCloseTo(0.6, 10)
+  })
+})
+
+it('the last two points cannot be removed', () => {
+  const two = removePoint(line, 1)
+  expect(two).toEqual([line[0], line[2]])
+  expect(removePoint(two, 0)).toEqual(two)
+})
+
+describe('the range that a curve is drawn over', () => {
+  it('is the usual one where that holds it', () => {
+    expect(rangeAround(line, [0, 1])).toEqual([0, 1])
+  })
+
+  it('otherwise has room at both ends', () => {
+    const loudness: Curve = [
+      [60, 0],
+      [95, 1],
+    ]
+    const [low, high] = rangeAround(loudness)
+    expect(low).toBeLessThan(60)
+    expect(high).toBeGreaterThan(95)
+    expect(rangeAround([[0, 0], ...loudness], [0, 1])[1]).toBeGreaterThan(95)
+  })
+})

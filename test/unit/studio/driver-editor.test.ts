@@ -1,0 +1,141 @@
+import { curveAt, type MorphDriver, parseDrivers } from 'furrow'
+import { describe, expect, it } from 'vitest'
+import type { AreaDriverType, Drivable } from '../../../studio/src/document/new-driver.ts'
+import { newDriver } from '../../../studio/src/document/new-driver.ts'
+import { LABELS } from '../../../studio/src/panels/drivers/labels.ts'
+import { DriverEditor } from '../../../studio/src/session/driver-editor.ts'
+import { Session } from '../../../studio/src/session/session.ts'
+import { sampleDocument } from './sample-document.ts'
+
+const TYPES = Object.keys(LABELS) as AreaDriverType[]
+
+const face: Drivable = {
+  pose: new Map([
+    ['jawOpen', 0.2],
+    ['browInnerUp', 0.9],
+  ]),
+  targets: ['browDownLeft', 'browInnerUp', 'jawOpen'],
+  joints: [['neck', 'head']],
+  muscle: () => ({ origin: [0, 0.1, 0], insertion: [0, 0, 0] }),
+}
+
+function open() {
+  const session = new Session()
+  session.open(sampleDocument())
+  const errors: unknown[] = []
+  const editor = new DriverEditor(session, (task) => {
+    try {
+      task()
+    } catch (error) {
+      errors.push(error)
+    }
+  })
+  return { session, editor, errors, drivers: () => session.document.peek()!.drivers }
+}
+
+describe('a new driver', () => {
+  it.each(TYPES)('of type %s is one that files may have, and is added and undone', (type) => {
+    const { session, editor, errors, drivers } = open()
+    const before = drivers()
+    editor.add(newDriver(type, 'cheeks', session.document.peek()!, face)!)
+    expect(errors).toEqual([])
+    expect(drivers()).toHaveLength(before.length + 1)
+    expect(drivers().at(-1)!.type).toBe(type)
+    session.undo()
+    expect(drivers()).toBe(before)
+  })
+
+  it('reads the blendshape that is raised most', () => {
+    const { targets } = newDriver('morph', 'cheeks', sampleDocument(), face) as MorphDriver
+    expect(targets[0].name).toBe('browInnerUp')
+  })
+
+  it('does not take a name that another has', () => {
+    const document = sampleDocument()
+    const first = newDriver('input', 'cheeks', document, face)!
+    const second = newDriver('input', 'cheeks', { ...document, drivers: [first] }, face)!
+    expect((second as { name: string }).name).not.toBe((first as { name: string }).name)
+  })
+
+  it('is none where the face has nothing to read', () => {
+    const bare: Drivable = { pose: new Map(), targets: [], joints: [], muscle: () => null }
+    const { areas, ...document } = sampleDocument()
+    const alone = { ...document, areas: areas.slice(0, 1) }
+    for (const type of ['morph', 'area', 'bone', 'muscle'] as const) {
+      expect(newDriver(type, areas[0].name, alone, bare)).toBeNull()
+    }
+  })
+})
+
+describe('a change of a driver', () => {
+  it('is one step while a point is dragged, and another after it was let go', () => {
+    const { session, editor, drivers } = open()
+    const before = drivers()
+    const drag = (input: number) =>
+      editor.set(0, 'curve', {
+        curve: [
+          [input, 0],
+          [1, 1],
+        ],
+      })
+    for (const input of [0.1, 0.2, 0.3]) drag(input)
+    editor.settle()
+    drag(0.5)
+    editor.settle()
+    const curve = () => (drivers()[0] as MorphDriver).curve
+    expect(curve()[0][0]).toBe(0.5)
+    session.undo()
+    expect(curve()[0][0]).toBe(0.3)
+    session.undo()
+    expect(drivers()).toBe(before)
+    session.redo()
+    expect(curveAt(curve(), 0.65)).toBeCloseTo(0.5, 10)
+  })
+
+  it('of two drivers is two steps', () => {
+    const { session, editor, drivers } = open()
+    editor.set(0, 'rule', { rule: 'max' })
+    editor.set(1, 'rule', { rule: 'max' })
+    session.undo()
+    expect((drivers()[0] as MorphDriver).rule).toBe('max')
+    expect((drivers()[1] as MorphDriver).rule).toBe('sum')
+  })
+
+  it('that no file may have is refused with an error, and the driver stays', () => {
+    const { editor, errors, drivers } = open()
+    const before = drivers()
+    editor.set(0, 'curve', { curve: [[0, 0]] })
+    expect(String(errors[0])).toContain('Studio: drivers[0].curve')
+    expect(drivers()).toBe(before)
+  })
+
+  it('leaves out a field that is set to nothing', () => {
+    const { session, editor, drivers } = open()
+    const bone = { type: 'bone', joints: ['a', 'b'], measure: 'angle', axis: [1, 0, 0] }
+    const [driver] = parseDrivers(
+      [
+        {
+          ...bone,
+          area: 'cheeks',
+          curve: [
+            [0, 0],
+            [1, 1],
+          ],
+        },
+      ],
+      ['cheeks'],
+    )
+    editor.add(driver)
+    editor.set(session.document.peek()!.drivers.length - 1, 'axis', { axis: undefined })
+    expect(drivers().at(-1)).not.toHaveProperty('axis')
+  })
+
+  it('removes it, and undo brings it back in its position', () => {
+    const { session, editor, drivers } = open()
+    const before = drivers()
+    editor.remove(1)
+    expect(drivers()).toEqual(before.filter((_, i) => i !== 1))
+    session.undo()
+    expect(drivers()).toBe(before)
+  })
+})

@@ -1,0 +1,85 @@
+import { parseDrivers } from 'furrow'
+import { describe, expect, it } from 'vitest'
+import { conflictsOf, driverFaults } from '../../../studio/src/document/driver-faults.ts'
+
+const AREAS = ['brow', 'nose']
+const SHAPES = ['browInnerUp', 'browDownLeft', 'BrowOuterUp_L']
+const conflict = { type: 'conflict', targets: ['browInnerUp', 'browDownLeft'] }
+
+function faultsOf(drivers: readonly object[], area = 'brow') {
+  return [...driverFaults(parseDrivers(drivers, AREAS), area, SHAPES)]
+}
+
+const morph = (names: string[], rule = 'sum') => ({
+  type: 'morph',
+  area: 'brow',
+  rule,
+  targets: names.map((name) => ({ name })),
+})
+
+describe('what is wrong with a driver is said, with a remedy', () => {
+  it('of one that is right: nothing', () => {
+    expect(faultsOf([morph(['browInnerUp', 'browOuterUpLeft'])])).toEqual([])
+  })
+
+  it('of another area: nothing', () => {
+    expect(faultsOf([morph(['noseSneerLeft'])], 'nose')).toEqual([])
+  })
+
+  it('a blendshape that the face lacks', () => {
+    const [[index, { text, remedy }]] = faultsOf([morph(['browInnerUp']), morph(['noseSneerLeft'])])
+    expect(index).toBe(1)
+    expect(text).toContain('no blendshape noseSneerLeft')
+    expect(remedy).not.toBe('')
+  })
+
+  it('an area that drives itself', () => {
+    const circle = [
+      { type: 'area', area: 'brow', areas: [{ name: 'nose' }] },
+      { type: 'area', area: 'nose', areas: [{ name: 'brow' }] },
+    ]
+    const [[index, fault]] = faultsOf(circle)
+    expect(fault.text).toContain('drives itself')
+    expect(fault.removes).toBe(index)
+  })
+
+  it('a delay that a later one replaces', () => {
+    const delay = { type: 'time', area: 'brow', attack: 0.1 }
+    const faults = faultsOf([delay, delay])
+    expect(faults.map(([index, { removes }]) => [index, removes])).toEqual([[0, 0]])
+  })
+
+  it('a type of a later version', () => {
+    expect(faultsOf([{ type: 'breath', area: 'brow' }])[0][1].text).toContain('breath')
+  })
+
+  it.each([
+    ['min', 'never shows'],
+    ['product', 'never shows'],
+    ['sum', 'less'],
+  ])('two blendshapes that cancel each other, by the rule %s', (rule, text) => {
+    const [[index, fault]] = faultsOf([conflict, morph(['browDownLeft', 'browInnerUp'], rule)])
+    expect(index).toBe(1)
+    expect(fault.text).toContain(text)
+    expect(fault.removes).toBe(0)
+  })
+
+  it('but not where the larger of the two counts', () => {
+    expect(faultsOf([conflict, morph(['browDownLeft', 'browInnerUp'], 'max')])).toEqual([])
+  })
+})
+
+it('an area lists the conflicts of what drives it, in any spelling, and those that concern no area', () => {
+  const drivers = parseDrivers(
+    [
+      morph(['browInnerUp_L', 'browInnerUp']),
+      { type: 'morph', area: 'nose', targets: [{ name: 'jawOpen' }] },
+      conflict,
+      { type: 'conflict', targets: ['jawOpen', 'mouthClose'] },
+      { type: 'conflict', targets: ['eyeWideLeft', 'eyeBlinkLeft'] },
+    ],
+    AREAS,
+  )
+  expect(conflictsOf(drivers, 'brow')).toEqual([2, 4])
+  expect(conflictsOf(drivers, 'nose')).toEqual([3, 4])
+})

@@ -1,0 +1,241 @@
+import { type MuscleDriver, parseDrivers } from 'furrow'
+import { addDrivers, Wrinkles } from 'furrow/three'
+import { Bone, BufferAttribute, Mesh, MeshStandardMaterial, Object3D, PlaneGeometry } from 'three'
+import { beforeEach, describe, expect, it } from 'vitest'
+import { FaceDrivers } from '../../../studio/src/viewer/face-drivers.ts'
+import { jointsOf } from '../../../studio/src/viewer/joints.ts'
+import { muscleAxis } from '../../../studio/src/viewer/muscle-axis.ts'
+import { MuscleTargets } from '../../../studio/src/viewer/muscle-targets.ts'
+import { layer, randomNormals } from '../../cases.ts'
+import { seeded } from '../../random.ts'
+
+const SHAPES = ['browInnerUp', 'browDownLeft', 'squash']
+const AREAS = ['brow', 'glabella', 'lines', 'cold', 'neck', 'cheek', 'spare']
+
+/** One of each type that activates an area, and a conflict. */
+const DRIVERS = parseDrivers(
+  [
+    { type: 'conflict', targets: ['browInnerUp', 'browDownLeft'] },
+    {
+      type: 'morph',
+      area: 'brow',
+      targets: [
+        {
+          name: 'browInnerUp',
+          weight: 0.5,
+          curve: [
+            [0.1, 0],
+            [0.9, 1],
+          ],
+        },
+      ],
+    },
+    {
+      type: 'area',
+      area: 'glabella',
+      areas: [{ name: 'brow' }],
+      curve: [
+        [0, 0],
+        [0.4, 1],
+      ],
+    },
+    {
+      type: 'age',
+      area: 'lines',
+      curve: [
+        [20, 0],
+        [80, 0.6],
+      ],
+    },
+    {
+      type: 'input',
+      area: 'cold',
+      name: 'cold',
+      curve: [
+        [-10, 1],
+        [10, 0],
+      ],
+    },
+    {
+      type: 'bone',
+      area: 'neck',
+      joints: ['chest', 'head'],
+      measure: 'angle',
+      curve: [
+        [0, 0],
+        [1, 1],
+      ],
+    },
+    {
+      type: 'tension',
+      area: 'cheek',
+      curve: [
+        [0, 0],
+        [0.5, 1],
+      ],
+    },
+    { type: 'time', area: 'brow', attack: 5 },
+  ],
+  AREAS,
+)
+
+let mesh: Mesh
+let head: Bone
+let wrinkles: Wrinkles
+let inputs: Map<string, number>
+let resting: Map<string, number>
+let drivers: FaceDrivers
+
+beforeEach(() => {
+  const geometry = new PlaneGeometry()
+  geometry.morphTargetsRelative = true
+  geometry.morphAttributes.position = SHAPES.map((name) => {
+    const offsets = new Float32Array(12)
+    // Towards the middle, by half.
+    if (name === 'squash')
+      for (let i = 0; i < 4; i++) offsets[3 * i] = -geometry.getAttribute('position').getX(i) / 2
+    const attribute = new BufferAttribute(offsets, 3)
+    attribute.name = name
+    return attribute
+  })
+  mesh = new Mesh(geometry, new MeshStandardMaterial())
+  head = new Bone()
+  head.name = 'head'
+  const chest = new Bone()
+  chest.name = 'chest'
+  chest.add(head)
+  const root = new Object3D()
+  root.add(mesh, chest)
+  const weights = { width: 2, height: 2, data: new Uint8Array(4).fill(255) }
+  wrinkles = new Wrinkles(mesh, {
+    layers: [layer('skin', 'replace', randomNormals(seeded(1), 2))],
+    areas: AREAS.map((name) => ({ name, weights })),
+  })
+  inputs = new Map()
+  resting = new Map([['lines', 0.1]])
+  drivers = new FaceDrivers(wrinkles, DRIVERS, { inputs, resting })
+})
+
+function pose(weights: readonly number[], angle: number): void {
+  weights.forEach((weight, i) => {
+    mesh.morphTargetInfluences![i] = weight
+  })
+  head.rotation.x = angle
+  head.parent!.updateMatrixWorld(true)
+}
+
+function activations(): Record<string, number> {
+  const values = drivers.evaluate()
+  return Object.fromEntries(drivers.areaNames.map((name, i) => [name, values[i]]))
+}
+
+describe('drivers on the stage', () => {
+  it('at rest give what is at rest', () => {
+    pose([0, 0, 0], 0)
+    const { lines, ...others } = activations()
+    expect(lines).toBeCloseTo(0.1, 6)
+    expect(others).toEqual({ brow: 0, glabella: 0, cold: 0.5, neck: 0, cheek: 0 })
+  })
+
+  it('of every type give what the engine gives', () => {
+    addDrivers(
+      wrinkles,
+      DRIVERS.filter(({ type }) => type !== 'time'),
+    )
+    wrinkles.setRestingActivation('lines', 0.1)
+    const random = seeded(2)
+    for (let i = 0; i < 20; i++) {
+      pose([random(), random() / 2, random()], random())
+      for (const [name, value] of [
+        ['age', 20 + 60 * random()],
+        ['cold', 20 * random() - 10],
+      ] as const) {
+        inputs.set(name, value)
+        wrinkles.inputs.set(name, value)
+      }
+      wrinkles.update()
+      for (const [area, activation] of Object.entries(activations())) {
+        expect(activation, area).toBeCloseTo(wrinkles.getActivation(area), 5)
+      }
+    }
+  })
+
+  it('say what their links and curves read', () => {
+    pose([0.7, 0.2, 0], 0)
+    const given = drivers.contributions()
+    expect(given).toHaveLength(DRIVERS.length)
+    expect(given[0]).toBeNull()
+    expect(given[7]).toBeNull()
+    // What the conflict leaves of 0.7, through the link's curve, by half.
+    const { inputs: read, links, combined, activation } = given[1]!
+    expect(read[0]).toBeCloseTo(0.5, 6)
+    expect(links[0]).toBeCloseTo(0.25, 6)
+    expect(combined).toBeCloseTo(0.25, 6)
+    expect(activation).toBeCloseTo(0.25, 6)
+    expect(given[2]!.combined).toBeCloseTo(0.25, 6)
+    expect(given[2]!.activation).toBeCloseTo(0.625, 6)
+    expect(drivers.explain('brow')).toEqual(['0.25 of brow from', '0.25 by browInnerUp'])
+  })
+
+  it('are found by their blendshapes, and inputs by their names', () => {
+    expect(drivers.targetsOf('brow')).toEqual(['browInnerUp'])
+    expect(drivers.areasOf('browInnerUp')).toEqual(['brow'])
+    expect(drivers.input('age')).toBe(20)
+    inputs.set('age', 44)
+    expect(drivers.input('age')).toBe(44)
+  })
+
+  it('are none on a plain face', () => {
+    const none = new FaceDrivers(null, DRIVERS, { inputs, resting })
+    expect(none.areaNames).toEqual([])
+    expect(none.contributions()).toEqual(DRIVERS.map(() => null))
+  })
+})
+
+it('joints come after those that they hang on', () => {
+  expect(jointsOf(mesh.parent!)).toEqual([['chest', 'head']])
+})
+
+describe('a muscle of the document', () => {
+  const muscle = (strength: number) =>
+    parseDrivers(
+      [{ type: 'muscle', name: 'frontalis', origin: [0.5, 1.5, 0], insertion: [0.5, 0.5, 0], strength }],
+      [],
+    ) as MuscleDriver[]
+
+  const pull = () => {
+    const index = mesh.morphTargetDictionary!.frontalis
+    return Array.from(mesh.geometry.morphAttributes.position![index].array)
+  }
+
+  it('is a blendshape, which pulls as it is changed', () => {
+    const targets = new MuscleTargets([mesh])
+    targets.update(muscle(0.2))
+    expect(Object.keys(mesh.morphTargetDictionary!)).toEqual([...SHAPES, 'frontalis'])
+    const weak = pull()
+    expect(Math.hypot(...weak)).toBeGreaterThan(0)
+    let disposed = 0
+    mesh.geometry.addEventListener('dispose', () => disposed++)
+    targets.update(muscle(0.2))
+    expect(disposed).toBe(0)
+    targets.update(muscle(0.4))
+    expect(disposed).toBe(1)
+    expect(Math.hypot(...pull())).toBeCloseTo(2 * Math.hypot(...weak), 5)
+  })
+
+  it('leaves a blendshape of the file alone', () => {
+    const targets = new MuscleTargets([mesh])
+    const before = mesh.geometry.morphAttributes.position![2].array.slice()
+    targets.update([{ ...muscle(0.2)[0], name: 'squash' }])
+    targets.update([{ ...muscle(0.9)[0], name: 'squash' }])
+    expect(mesh.geometry.morphAttributes.position![2].array).toEqual(before)
+  })
+
+  it('begins in the middle of its area', () => {
+    const left = { width: 2, height: 1, data: Uint8Array.of(255, 0) }
+    const { origin, insertion } = muscleAxis(mesh, left)!
+    expect(insertion[0]).toBeCloseTo(-0.5, 6)
+    expect(origin[1]).toBeGreaterThan(insertion[1])
+    expect(muscleAxis(mesh, { ...left, data: new Uint8Array(2) })).toBeNull()
+  })
+})

@@ -1,0 +1,36 @@
+import { signal } from '@preact/signals'
+import { afterEach, beforeEach, expect, it, vi } from 'vitest'
+import { slowed } from '../../../studio/src/panels/drivers/live.ts'
+
+beforeEach(() => {
+  vi.useFakeTimers()
+})
+afterEach(() => {
+  vi.useRealTimers()
+})
+
+it('numbers to be read change a few times a second, and end with the last one', () => {
+  const source = signal(0)
+  const [slow, stop] = slowed(source, 250)
+  const seen: number[] = []
+  slow.subscribe((value) => seen.push(value))
+  for (let frame = 1; frame <= 60; frame++) {
+    source.value = frame
+    vi.advanceTimersByTime(1000 / 60)
+  }
+  expect(seen.length).toBeLessThanOrEqual(6)
+  vi.advanceTimersByTime(1000)
+  expect(slow.value).toBe(60)
+  stop()
+  source.value = 61
+  vi.advanceTimersByTime(1000)
+  expect(slow.value).toBe(60)
+})
+
+it('the first change is seen at once', () => {
+  const source = signal(0)
+  const [slow, stop] = slowed(source, 250)
+  source.value = 1
+  expect(slow.value).toBe(1)
+  stop()
+})

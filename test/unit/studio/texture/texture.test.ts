@@ -1,0 +1,69 @@
+import { parseStrokes, type Stroke } from 'furrow/author'
+import { Ray, Vector3 } from 'three'
+import { expect, it } from 'vitest'
+import { positionAt } from '../../../../packages/furrow/src/author/skin/walk.ts'
+import type { LayerStroke } from '../../../../studio/src/document/document.ts'
+import { SkinPicker } from '../../../../studio/src/paint/picker.ts'
+import { brushOutline } from '../../../../studio/src/texture/brush-outline.ts'
+import { TextureLines } from '../../../../studio/src/texture/texture-lines.ts'
+import { TexturePicker } from '../../../../studio/src/texture/texture-picker.ts'
+import { cutSheet, paintSkin } from '../paint/skins.ts'
+
+const SIZE = 64
+
+function cutSkin() {
+  const skin = paintSkin(cutSheet())
+  const picker = new SkinPicker(skin.meshes, skin)
+  return { skin, picker, texture: new TexturePicker(skin, picker, SIZE) }
+}
+
+/** As a camera over the texture sends it. */
+const rayAt = ([u, v]: readonly [number, number]) => new Ray(new Vector3(u, -v, 1), new Vector3(0, 0, -1))
+
+it.each([
+  [0.012, 0.031],
+  [-0.04, -0.03],
+])('a point of the texture is the same place as on the face: %f, %f', (x, y) => {
+  const { picker, texture } = cutSkin()
+  const onFace = picker.pick(new Ray(new Vector3(x, y, 5), new Vector3(0, 0, -1)))!
+  const hit = texture.pick(rayAt(onFace.uv))!
+  for (let k = 0; k < 3; k++) expect(hit.position[k]).toBeCloseTo(onFace.position[k], 3)
+  expect(hit.point.distanceTo(onFace.point)).toBeLessThan(1e-5)
+  expect(hit.normal.distanceTo(onFace.normal)).toBeLessThan(1e-5)
+})
+
+it('a point between islands is not on the skin', () => {
+  expect(cutSkin().texture.pick(rayAt([0.52, 0.5]))).toBeUndefined()
+})
+
+it.each([
+  [0.2, 0.8],
+  [0.75, 0.5],
+])(
+  'the outline of the brush is its radius away on the skin, however the texture stretches it: %f, %f',
+  (u, v) => {
+    const { skin, texture } = cutSkin()
+    const hit = texture.pick(rayAt([u, v]))!
+    const { locator } = skin.mapOf(SIZE)
+    const [weights, position] = [new Float64Array(3), new Float64Array(3)]
+    for (const [x, y] of brushOutline(skin, hit.triangle, hit.uv, 4)) {
+      positionAt(position, skin.surface, locator.find(x, y, weights), weights)
+      expect(Math.hypot(...position.map((value, k) => value - hit.position[k]))).toBeCloseTo(4, 3)
+    }
+  },
+)
+
+it('a line across a seam is drawn in two pieces, each in its island', () => {
+  const { skin } = cutSkin()
+  // From below the seam to above it, in the middle of the sheet.
+  const points = [
+    [0.245, 0.8],
+    [0.9, 0.47],
+  ]
+  const stroke = { points, curve: 'spline', width: 2, depth: 0.5 }
+  const [line] = parseStrokes({ version: 1, strokes: [stroke] }).strokes as Stroke[]
+  const pieces = new TextureLines(skin, SIZE).of({ ...line, layer: 'up' } as LayerStroke)
+  expect(pieces.length).toBe(2)
+  expect(pieces[0].every(([u]) => u < 0.48)).toBe(true)
+  expect(pieces[1].every(([u]) => u > 0.57)).toBe(true)
+})
