@@ -30,6 +30,22 @@ export const SHORTCUTS = {
   lines: {
     remove: { keys: ['Delete', 'Backspace'], does: 'Delete the point or the line that is chosen' },
   },
+  texture: {
+    left: { keys: ['ArrowLeft'], does: 'To the left' },
+    right: { keys: ['ArrowRight'], does: 'To the right' },
+    up: { keys: ['ArrowUp'], does: 'Upwards' },
+    down: { keys: ['ArrowDown'], does: 'Downwards' },
+    nearer: { keys: ['+', '='], does: 'Nearer' },
+    farther: { keys: ['-'], does: 'Farther' },
+    whole: { keys: ['0'], does: 'The whole texture' },
+  },
+  curve: {
+    left: { keys: ['ArrowLeft', 'Shift+ArrowLeft'], does: 'To the left, far with Shift' },
+    right: { keys: ['ArrowRight', 'Shift+ArrowRight'], does: 'To the right, far with Shift' },
+    up: { keys: ['ArrowUp', 'Shift+ArrowUp'], does: 'Upwards, far with Shift' },
+    down: { keys: ['ArrowDown', 'Shift+ArrowDown'], does: 'Downwards, far with Shift' },
+    remove: { keys: ['Delete', 'Backspace'], does: 'Delete the point' },
+  },
   divider: {
     left: { keys: ['ArrowLeft', 'ArrowDown'], does: 'To the left' },
     right: { keys: ['ArrowRight', 'ArrowUp'], does: 'To the right' },

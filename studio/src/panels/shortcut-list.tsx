@@ -7,6 +7,8 @@ const SCOPES: Record<Scope, string> = {
   face: 'On the face',
   painting: 'While painting',
   lines: 'On the face, while editing lines',
+  texture: 'On the texture',
+  curve: 'On a point of a curve',
   divider: 'On the divider',
 }
 
