@@ -1,12 +1,13 @@
 /** What an artist takes from the page and brings back: projects as files and folders, links, the page itself without a network. */
 
+import { execFileSync } from 'node:child_process'
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { dirname, join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { unzipSync } from 'fflate'
 import type { Browser, BrowserContext, Download, Page } from 'playwright-core'
-import { build, createServer, type PreviewServer, preview, type ViteDevServer } from 'vite'
+import { createServer, type PreviewServer, preview, type ViteDevServer } from 'vite'
 import { afterAll, beforeAll, expect, test } from 'vitest'
 import { packCommand } from '../../packages/cli/src/commands/pack.ts'
 import { Workshop } from '../unit/cli/workshop.ts'
@@ -14,7 +15,8 @@ import { writeAvatars } from './avatars.ts'
 import { openBrowser } from './browser.ts'
 import { dropPaths, expectValue, slider, waitUntilReady } from './studio-page.ts'
 
-const CONFIG = fileURLToPath(new URL('../../studio/vite.config.ts', import.meta.url))
+const ROOT = fileURLToPath(new URL('../../', import.meta.url))
+const CONFIG = join(ROOT, 'studio/vite.config.ts')
 const folder = mkdtempSync(join(tmpdir(), 'furrow-keep-'))
 const shop = new Workshop()
 let server: ViteDevServer
@@ -282,7 +284,10 @@ test('of two tabs on one project the second says so, keeps a copy or goes on wit
 
 test('the built page works without a network', async () => {
   const dist = join(folder, 'dist')
-  await build({ configFile: CONFIG, logLevel: 'error', build: { outDir: dist, emptyOutDir: true } })
+  // Not in this process, which is in the mode of tests.
+  const vite = join(ROOT, 'node_modules/vite/bin/vite.js')
+  const env = { ...process.env, NODE_ENV: 'production' }
+  execFileSync(process.execPath, [vite, 'build', join(ROOT, 'studio'), '--outDir', dist], { env })
   const built: PreviewServer = await preview({
     configFile: CONFIG,
     logLevel: 'error',

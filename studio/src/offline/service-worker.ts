@@ -45,8 +45,8 @@ addEventListener('fetch', (event) => {
 /** From the cache, else from the network, and kept: the addresses of a build's files never change what they mean. */
 async function answer(request: Request): Promise<Response> {
   const cache = await caches.open(CACHE)
-  // What follows the path is read by the page itself.
-  const known = await cache.match(request, { ignoreSearch: true })
+  // What follows the path is read by the page itself, and files are the same whoever asks: some servers say `Vary: Origin`.
+  const known = await cache.match(request, { ignoreSearch: true, ignoreVary: true })
   if (known) return known
   const response = await fetch(request)
   if (response.status === 200) await cache.put(request, response.clone()).catch(() => {})

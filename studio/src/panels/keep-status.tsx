@@ -19,7 +19,7 @@ export function KeepStatus({ model: { saving, session, actions } }: { model: Pan
         Open in another tab, which alone keeps it: changes in this one are not kept
       </p>
       <div class="work">
-        <button type="button" class="main" onClick={actions.keepCopy}>
+        <button type="button" onClick={actions.keepCopy}>
           Keep a copy
         </button>
         {!isChanged && (
