@@ -1,4 +1,4 @@
-/** What goes wrong: files that are none, a full disk, workers and graphics that end. The page says it in a line, and the work goes on. */
+/** What goes wrong: files that are none, a full disk, workers that end. The page says it in a line, and the work goes on. */
 
 import { closeSync, openSync, readFileSync, truncateSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -7,7 +7,7 @@ import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
 import { editGlb } from '../glb.ts'
 import { openStudio } from './opened-studio.ts'
-import { brightnessDeviation, dismiss, dropPaths, shootStage, waitUntilReady } from './studio-page.ts'
+import { dismiss, dropPaths, waitUntilReady } from './studio-page.ts'
 
 const SOON = { timeout: 60_000 }
 const studio = openStudio({ width: 800, height: 400 })
@@ -173,45 +173,4 @@ test('a worker that ends while it draws is told, and started again', async () =>
   await page.getByRole('heading', { name: 'Export' }).click()
   await button('Make the file').click()
   await button('Save plain-wrinkled.glb').waitFor()
-})
-
-test('a worker that ends while it exports is told, and can be started again', async () => {
-  await button('Make the file').click()
-  await page.getByText('Packing and checking').waitFor()
-  await expect.poll(() => endWorker('export/worker'), SOON).toBeGreaterThan(0)
-  await dismiss(page, 'the worker that packs faces has ended; close other pages to free memory')
-  await button('Make the file').click()
-  await button('Save plain-wrinkled.glb').waitFor()
-})
-
-test('a worker that ends while it makes wrinkles is told, and the wrinkles stay', async () => {
-  const before = await areas()
-  await page.getByRole('slider', { name: 'Age' }).press('End')
-  await page.getByText('Making wrinkles').waitFor()
-  await expect.poll(() => endWorker('auto'), SOON).toBeGreaterThan(0)
-  await dismiss(page, 'the worker ended before the wrinkles were made')
-  expect(await areas()).toEqual(before)
-})
-
-test('graphics that are lost in the middle of a stroke come back, and the stroke is painted', async () => {
-  await button('New area').click()
-  await button('Paint').click()
-  const { x, y, width, height } = (await page.locator('#viewport').boundingBox())!
-  await page.mouse.move(x + 0.45 * width, y + 0.4 * height)
-  await page.mouse.down()
-  await page.mouse.move(x + 0.48 * width, y + 0.4 * height, { steps: 4 })
-  await page.evaluate(() => {
-    const gl = document.querySelector('canvas')!.getContext('webgl2')!
-    const loss = gl.getExtension('WEBGL_lose_context')!
-    loss.loseContext()
-    Object.assign(globalThis, { restore: () => loss.restoreContext() })
-  })
-  await note('The graphics were lost')
-  await page.mouse.move(x + 0.52 * width, y + 0.4 * height, { steps: 4 })
-  await page.evaluate(() => (globalThis as never as { restore(): void }).restore())
-  await page.mouse.up()
-  expect(await button('Undo').getAttribute('title')).toBe('Undo: Paint area')
-  await expect
-    .poll(async () => brightnessDeviation(await shootStage(page)), { timeout: 60_000 })
-    .toBeGreaterThan(10)
 })
