@@ -1,10 +1,14 @@
 import { fileURLToPath } from 'node:url'
 import { defineConfig } from 'vite'
 import { guard } from './guard.ts'
+import { offline } from './offline.ts'
 import { serveExamples } from './serve-examples.ts'
 import { serveFaces } from './serve-faces.ts'
 
 const folder = (path: string) => fileURLToPath(new URL(path, import.meta.url))
+
+/** What the page may need at any time; of the faces, the list and the one that it opens first. */
+const isKept = (path: string) => !path.startsWith('faces/') || /^faces\/(index\.json|human\.glb)$/.test(path)
 
 export default defineConfig({
   root: folder('.'),
@@ -12,7 +16,12 @@ export default defineConfig({
   appType: 'mpa',
   publicDir: false,
   cacheDir: folder('../node_modules/.vite/studio'),
-  plugins: [serveFaces(folder('../faces')), serveExamples(folder('../examples')), guard(folder('..'))],
+  plugins: [
+    serveFaces(folder('../faces')),
+    serveExamples(folder('../examples')),
+    guard(folder('..')),
+    offline(isKept),
+  ],
   // Import the packages' sources instead of their builds (export condition `furrow-source`).
   resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
   optimizeDeps: {

@@ -1,4 +1,6 @@
-/** Movement per key press, and with Shift or a page key, in fractions of the width. */
+import { type ShortcutName, shortcutOf } from './shortcuts.ts'
+
+/** Movement per key press, near and far, in fractions of the width. */
 const STEP = 0.02
 const LARGE_STEP = 0.1
 
@@ -53,19 +55,17 @@ export class Divider {
   }
 
   readonly #onKey = (event: KeyboardEvent): void => {
-    const step = event.shiftKey ? LARGE_STEP : STEP
-    const to: Record<string, number> = {
-      ArrowLeft: this.#position - step,
-      ArrowDown: this.#position - step,
-      ArrowRight: this.#position + step,
-      ArrowUp: this.#position + step,
-      PageDown: this.#position - LARGE_STEP,
-      PageUp: this.#position + LARGE_STEP,
-      Home: 0,
-      End: 1,
+    const to: Record<ShortcutName<'divider'>, number> = {
+      left: this.#position - STEP,
+      right: this.#position + STEP,
+      farLeft: this.#position - LARGE_STEP,
+      farRight: this.#position + LARGE_STEP,
+      start: 0,
+      end: 1,
     }
-    if (!(event.key in to)) return
+    const name = shortcutOf('divider', event)
+    if (!name) return
     event.preventDefault()
-    this.move(to[event.key])
+    this.move(to[name])
   }
 }

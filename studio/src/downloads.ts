@@ -1,16 +1,19 @@
 import type { Messages } from './messages.ts'
 import { saveFile } from './save-file.ts'
 import { savePicture } from './save-picture.ts'
+import type { Saving } from './session/saving.ts'
 import type { Workspace } from './session/workspace.ts'
 import type { Viewer } from './viewer/viewer.ts'
 
-/** Files that the page offers as downloads. Errors are shown. */
+/** Files that the page gives to the user. Errors are shown. */
 export class Downloads {
   readonly #workspace: Workspace
+  readonly #saving: Saving
   readonly #messages: Messages
 
-  constructor(workspace: Workspace, messages: Messages) {
+  constructor(workspace: Workspace, saving: Saving, messages: Messages) {
     this.#workspace = workspace
+    this.#saving = saving
     this.#messages = messages
   }
 
@@ -22,9 +25,22 @@ export class Downloads {
 
   project(): Promise<unknown> {
     return this.#messages.attempt(async () => {
-      const project = await this.#workspace.project()
+      const project = await this.#saving.zip()
       if (project) saveFile(project.file, project.name)
     })
+  }
+
+  /** The project in its folder on the disk; see `Saving`. */
+  folder(isOther: boolean): Promise<unknown> {
+    return this.#messages.attempt(async () => {
+      const name = await this.#saving.toFolder(isOther)
+      if (name !== null) this.#messages.note(`Saved to the folder ${name}`)
+    })
+  }
+
+  /** The project in its folder, or else as a file. */
+  save(): Promise<unknown> {
+    return this.#saving.folder.peek() ? this.folder(false) : this.project()
   }
 
   /** What the stage shows. */

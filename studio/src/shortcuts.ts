@@ -1,22 +1,100 @@
-/** What shortcuts do. */
-export interface ShortcutActions {
-  undo(): void
-  redo(): void
+/** A shortcut: any of its keys, and what they do. */
+interface Shortcut {
+  /** As in `KeyboardEvent.key`, after `Mod+` (Control, on a Mac Command) and `Shift+`. */
+  readonly keys: readonly string[]
+  readonly does: string
 }
 
-/** Listens to Ctrl+Z, Ctrl+Shift+Z and Ctrl+Y, with Command on a Mac. Text fields keep their own undo. */
-export function addShortcuts({ undo, redo }: ShortcutActions): void {
+/** All shortcuts, by where they work: what handles keys and what lists them read this table. */
+export const SHORTCUTS = {
+  everywhere: {
+    undo: { keys: ['Mod+z'], does: 'Undo' },
+    redo: { keys: ['Mod+Shift+z', 'Mod+y'], does: 'Redo' },
+    save: { keys: ['Mod+s'], does: 'Save the project, to its folder where it has one' },
+    cancel: { keys: ['Escape'], does: 'Take back what the pointer is doing' },
+    list: { keys: ['?'], does: 'Show this list' },
+  },
+  face: {
+    left: { keys: ['ArrowLeft'], does: 'Orbit to the left' },
+    right: { keys: ['ArrowRight'], does: 'Orbit to the right' },
+    up: { keys: ['ArrowUp'], does: 'Orbit upwards' },
+    down: { keys: ['ArrowDown'], does: 'Orbit downwards' },
+    nearer: { keys: ['+', '='], does: 'Nearer' },
+    farther: { keys: ['-'], does: 'Farther' },
+  },
+  painting: {
+    smaller: { keys: ['['], does: 'Smaller brush' },
+    larger: { keys: [']'], does: 'Larger brush' },
+    exchange: { keys: ['x'], does: 'Exchange adding and removing' },
+  },
+  lines: {
+    remove: { keys: ['Delete', 'Backspace'], does: 'Delete the point or the line that is chosen' },
+  },
+  texture: {
+    left: { keys: ['ArrowLeft'], does: 'To the left' },
+    right: { keys: ['ArrowRight'], does: 'To the right' },
+    up: { keys: ['ArrowUp'], does: 'Upwards' },
+    down: { keys: ['ArrowDown'], does: 'Downwards' },
+    nearer: { keys: ['+', '='], does: 'Nearer' },
+    farther: { keys: ['-'], does: 'Farther' },
+    whole: { keys: ['0'], does: 'The whole texture' },
+  },
+  curve: {
+    left: { keys: ['ArrowLeft', 'Shift+ArrowLeft'], does: 'To the left, far with Shift' },
+    right: { keys: ['ArrowRight', 'Shift+ArrowRight'], does: 'To the right, far with Shift' },
+    up: { keys: ['ArrowUp', 'Shift+ArrowUp'], does: 'Upwards, far with Shift' },
+    down: { keys: ['ArrowDown', 'Shift+ArrowDown'], does: 'Downwards, far with Shift' },
+    remove: { keys: ['Delete', 'Backspace'], does: 'Delete the point' },
+  },
+  divider: {
+    left: { keys: ['ArrowLeft', 'ArrowDown'], does: 'To the left' },
+    right: { keys: ['ArrowRight', 'ArrowUp'], does: 'To the right' },
+    farLeft: { keys: ['PageDown', 'Shift+ArrowLeft', 'Shift+ArrowDown'], does: 'Far to the left' },
+    farRight: { keys: ['PageUp', 'Shift+ArrowRight', 'Shift+ArrowUp'], does: 'Far to the right' },
+    start: { keys: ['Home'], does: 'Wrinkles everywhere' },
+    end: { keys: ['End'], does: 'Wrinkles nowhere' },
+  },
+} as const satisfies Record<string, Record<string, Shortcut>>
+
+export type Scope = keyof typeof SHORTCUTS
+export type ShortcutName<S extends Scope> = keyof (typeof SHORTCUTS)[S] & string
+
+/** The shortcut of a scope that a key is; undefined where it is none, or text. */
+export function shortcutOf<S extends Scope>(scope: S, event: KeyboardEvent): ShortcutName<S> | undefined {
+  if (isTextField(event.target)) return undefined
+  const pressed = keyOf(event)
+  const entries = Object.entries<Shortcut>(SHORTCUTS[scope])
+  return entries.find(([, { keys }]) => keys.includes(pressed))?.[0] as ShortcutName<S> | undefined
+}
+
+/** Calls actions by the shortcuts that work everywhere; the browser's own are left out then. */
+export function addShortcuts(
+  actions: Record<Exclude<ShortcutName<'everywhere'>, 'cancel'>, () => void>,
+): void {
   addEventListener('keydown', (event) => {
-    if (!(event.ctrlKey || event.metaKey) || event.altKey || isTextField(event.target)) return
-    const key = event.key.toLowerCase()
-    const action = key === 'y' || (key === 'z' && event.shiftKey) ? redo : key === 'z' ? undo : null
-    if (!action) return
+    const name = shortcutOf('everywhere', event)
+    // What a pointer is doing knows the tool that it does it with.
+    if (!name || name === 'cancel') return
     event.preventDefault()
-    action()
+    actions[name]()
   })
 }
 
+/** A key as in the table. Shift is told where it does not make another character. */
+function keyOf(event: KeyboardEvent): string {
+  const { key, altKey, ctrlKey, metaKey, shiftKey } = event
+  // Keyboards that have brackets on AltGr report Control and Alt with it.
+  const isCharacter = event.getModifierState('AltGraph')
+  const isModified = !isCharacter && (ctrlKey || metaKey)
+  const name = key.length === 1 ? key.toLowerCase() : key
+  const alt = altKey && !isCharacter ? 'Alt+' : ''
+  const shift = shiftKey && (isModified || key.length > 1) ? 'Shift+' : ''
+  return `${isModified ? 'Mod+' : ''}${alt}${shift}${name}`
+}
+
 /** Whether keys pressed in an element are text. */
-export function isTextField(target: EventTarget | null): boolean {
-  return target instanceof HTMLInputElement && !['range', 'checkbox', 'radio'].includes(target.type)
+function isTextField(target: EventTarget | null): boolean {
+  if (typeof HTMLInputElement === 'undefined') return false
+  if (target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement) return true
+  return target instanceof HTMLInputElement && !['range', 'checkbox', 'radio', 'file'].includes(target.type)
 }

@@ -9,6 +9,7 @@ import type { StudioDocument } from './document/document.ts'
 import { Downloads } from './downloads.ts'
 import { acceptFiles } from './drop.ts'
 import { Lines } from './lines/lines.ts'
+import { PageLink } from './link/page-link.ts'
 import { Loading } from './loading.ts'
 import { Loop } from './loop.ts'
 import { Messages } from './messages.ts'
@@ -22,6 +23,7 @@ import type { Hovered, PanelModel } from './panels/model.ts'
 import { showPanel } from './panels/show-panel.tsx'
 import { AreaEditor } from './session/area-editor.ts'
 import { LayerEditor } from './session/layer-editor.ts'
+import { Saving } from './session/saving.ts'
 import { Workspace } from './session/workspace.ts'
 import { addShortcuts } from './shortcuts.ts'
 import { TextureToggle } from './texture/texture-toggle.ts'
@@ -51,6 +53,9 @@ export class Studio {
   readonly #host: ViewerHost
 
   readonly #workspace: Workspace
+  readonly #saving: Saving
+  readonly #link: PageLink
+  readonly #isListOpen = signal(false)
   readonly #areas: AreaEditor
   readonly #layers: LayerEditor
   readonly #staging: Staging
@@ -100,7 +105,15 @@ export class Studio {
       this.#loop.wake()
     })
     this.#workspace = new Workspace((error) => messages.error(error))
-    this.#downloads = new Downloads(this.#workspace, messages)
+    this.#saving = new Saving(this.#workspace)
+    this.#downloads = new Downloads(this.#workspace, this.#saving, messages)
+    this.#link = new PageLink({
+      host: this.#host,
+      workspace: this.#workspace,
+      messages,
+      loading,
+      set: (write) => this.#set(write),
+    })
     const { session } = this.#workspace
     this.#areas = new AreaEditor(session, (task) => void messages.attempt(task))
     this.#layers = new LayerEditor({
@@ -167,7 +180,14 @@ export class Studio {
       this.#arrange(this.#shown.value, this.#areas.hidden.value, this.#isEdited)
     })
     effect(() => this.#showDocument(this.#shown.value, this.#workspace.drawn.value))
-    addShortcuts({ undo: () => session.undo(), redo: () => session.redo() })
+    addShortcuts({
+      undo: () => session.undo(),
+      redo: () => session.redo(),
+      save: () => this.#downloads.save(),
+      list: () => {
+        this.#isListOpen.value = true
+      },
+    })
     page.screenshot.addEventListener('click', () =>
       this.#downloads.picture(this.#viewer, this.#expression.peek()),
     )
@@ -182,10 +202,13 @@ export class Studio {
       this.#faces.value = await listFaces()
       const query = new URLSearchParams(location.search)
       const name = this.#faces.value.find((known) => known === query.get('face')) ?? this.#faces.value[0]
-      await this.#host.open(query.get('renderer') === 'webgpu' ? 'webgpu' : 'webgl', this.#fetch(name))
+      const kind = query.get('renderer') === 'webgpu' ? 'webgpu' : 'webgl'
+      await this.#link.read()
+      await this.#host.open(kind, this.#link.load ?? this.#fetch(name))
+      if (!this.#viewer && this.#link.load) await this.#host.open(kind, this.#fetch(name))
     })
     if (!this.#viewer) this.#loading.done()
-    else this.#play('surprised')
+    else if (!this.#link.show()) this.#play('surprised')
   }
 
   #panelModel(): PanelModel {
@@ -201,6 +224,8 @@ export class Studio {
       exporting: exporting.state,
       projects: keeping.projects,
       saving: keeping.state,
+      folder: this.#saving.folder,
+      isListOpen: this.#isListOpen,
       faces: this.#faces,
       viewer: this.#shown,
       frame: this.#frame,
@@ -242,11 +267,15 @@ export class Studio {
         cancelAuto: () => this.#workspace.cancelAuto(),
         editWrinkles: () => void this.#messages.attempt(() => this.#workspace.editWrinkles()),
         openProject: (id) => this.#open(() => this.#openProject(id)),
+        keepCopy: () => void this.#messages.attempt(() => keeping.copy()),
+        takeOver: () => this.#open(() => this.#takeOver()),
         deleteProject: (id) => void this.#messages.attempt(() => keeping.delete(id)),
         exportFace: (options) => void this.#messages.attempt(() => this.#workspace.export(options)),
         cancelExport: () => exporting.cancel(),
         saveExport: () => this.#downloads.export(),
         saveProject: () => void this.#downloads.project(),
+        saveToFolder: (isOther) => void this.#downloads.folder(isOther),
+        copyLink: () => void this.#messages.attempt(() => this.#link.copy()),
       },
     }
   }
@@ -272,6 +301,13 @@ export class Studio {
   #openProject(id: string): Promise<OpenedAvatar> {
     this.#loading.show('Opening')
     return this.#workspace.openProject(id)
+  }
+
+  /** Opens the project again that another tab has, as that has saved it. */
+  async #takeOver(): Promise<OpenedAvatar> {
+    this.#loading.show('Opening')
+    const project = await this.#workspace.keeping.project()
+    return this.#workspace.openProject(project!.id, true)
   }
 
   #open(load: LoadAvatar): Promise<unknown> {

@@ -59,8 +59,11 @@ export function remake(document: StudioDocument, made: StudioDocument): StudioDo
     ...made.strokes.filter((stroke) => !stays(stroke) && !keptNames.has(stroke.group ?? '')),
   ]
   const areas = [...keptAreas, ...made.areas.filter(({ name }) => !keptNames.has(name))]
+  // Strokes are drawn over images of layers, which keep their size.
+  const hasImages = document.layers.some(({ maps }) => Object.keys(maps).length > 0)
   return {
     ...made,
+    ...(hasImages && { mapSize: document.mapSize }),
     areaSize: document.areaSize,
     areas: withOldLayers(areas, document, strokes),
     strokes,

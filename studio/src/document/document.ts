@@ -78,6 +78,11 @@ export type LayerStroke = Stroke & {
   readonly isAutomatic?: boolean
 }
 
+/** Ranges of these options, and the sizes that there are. */
+export const AUTO_AGES = [20, 80] as const
+export const AUTO_STRENGTHS = [0, 2] as const
+export const AUTO_SIZES = [512, 1024, 2048, 4096] as const
+
 /** Options of `autoWrinkles` that the studio offers. */
 export interface AutoSettings {
   /** Years, 20..80. */

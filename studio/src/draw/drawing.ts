@@ -1,6 +1,7 @@
 import { type Remote, wrap } from 'comlink'
-import type { RgbaImage } from 'furrow'
+import { FurrowError, type RgbaImage } from 'furrow'
 import type { Bounds, Stroke } from 'furrow/author'
+import { endOf } from '../workers/life.ts'
 import { changesOf } from './changes.ts'
 import { pasteRect } from './copy-rect.ts'
 import type { DrawingService, DrawingSurface, DrawnMaps } from './messages.ts'
@@ -16,19 +17,27 @@ interface Sheet {
 export class Drawing {
   readonly #worker: Worker
   readonly #service: Remote<DrawingService>
+  readonly #disposed = new AbortController()
+  readonly #end: Promise<never>
   readonly #sheets = new Map<string, Sheet>()
   #surface: DrawingSurface | null = null
 
   constructor() {
     this.#worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
+    this.#end = endOf(this.#worker, died, this.#disposed.signal)
     this.#service = wrap<DrawingService>(this.#worker)
+  }
+
+  /** Rejects with a FurrowError when the worker ends by itself; so does all that is asked of it then. */
+  get end(): Promise<never> {
+    return this.#end
   }
 
   /** Begins with another skin, or maps of another size. */
   async begin(surface: DrawingSurface): Promise<void> {
     this.#surface = surface
     this.#sheets.clear()
-    await this.#service.begin(surface)
+    await this.#ask((service) => service.begin(surface))
   }
 
   /** The maps of a layer, which `draw` changes in place; undefined before they were drawn. */
@@ -47,7 +56,7 @@ export class Drawing {
     const sheet = known?.base === base ? known : await this.#addLayer(layer, base)
     const before = sheet.strokes
     sheet.strokes = strokes
-    const patches = await this.#service.draw(layer, changesOf(before, strokes))
+    const patches = await this.#ask((service) => service.draw(layer, changesOf(before, strokes)))
     for (const { bounds, normal, occlusion } of patches) {
       pasteRect(sheet.maps.normal, bounds, 4, normal)
       pasteRect(sheet.maps.occlusion, bounds, 1, occlusion)
@@ -59,20 +68,37 @@ export class Drawing {
   async adopt(layer: string, strokes: readonly Stroke[], maps: DrawnMaps): Promise<void> {
     this.#sheets.set(layer, { maps, strokes, base: null })
     // Both at once: whatever is asked next comes after them.
-    await Promise.all([this.#service.addLayer(layer, null), this.#service.draw(layer, [...strokes])])
+    await this.#ask((service) =>
+      Promise.all([service.addLayer(layer, null), service.draw(layer, [...strokes])]),
+    )
   }
 
   dispose(): void {
+    this.#disposed.abort()
     this.#worker.terminate()
+  }
+
+  #ask<T>(question: (service: Remote<DrawingService>) => Promise<T>): Promise<T> {
+    return Promise.race([question(this.#service), this.#end])
   }
 
   async #addLayer(layer: string, base: RgbaImage | null): Promise<Sheet> {
     const { size } = this.#surface!
     const sheet: Sheet = { maps: flatMaps(size, base), strokes: [], base }
     this.#sheets.set(layer, sheet)
-    await this.#service.addLayer(layer, base)
+    await this.#ask((service) => service.addLayer(layer, base))
     return sheet
   }
+}
+
+function died(reason: string | undefined): FurrowError {
+  return new FurrowError({
+    code: 'unsupported',
+    who: 'Studio',
+    what: 'the worker that draws strokes has ended',
+    value: reason,
+    remedy: 'it is started again, and nothing is lost; close other pages if it runs out of memory',
+  })
 }
 
 /** Maps of skin without strokes: normals that point outwards, or those of the base. */

@@ -18,9 +18,28 @@ export class MapMaker {
   #size = 0
   #changes = new Map<LayerMaps, Bounds[]>()
   readonly #combined = new WeakMap<DrawnMaps, LayerMaps>()
+  readonly #onEnd: (error: unknown) => void
 
-  /** The maps of each layer, in their order: the same objects where they were not made anew. Call one after the other. */
+  /** @param onEnd is told when the worker ends by itself; the next call starts another. */
+  constructor(onEnd: (error: unknown) => void) {
+    this.#onEnd = onEnd
+  }
+
+  /**
+   * The maps of each layer, in their order: the same objects where they were not made anew. Call one after the other. Where the worker ends
+   * meanwhile, another one draws all of them.
+   */
   async make(document: StudioDocument, source: SkinSource): Promise<LayerMaps[]> {
+    try {
+      return await this.#make(document, source)
+    } catch (error) {
+      const hasEnded = this.#drawing === null && (error as Error).name !== 'AbortError'
+      if (!hasEnded) throw error
+      return this.#make(document, source)
+    }
+  }
+
+  async #make(document: StudioDocument, source: SkinSource): Promise<LayerMaps[]> {
     const drawing = await this.#begin(document, source)
     const maps: LayerMaps[] = []
     for (const layer of document.layers) {
@@ -31,9 +50,11 @@ export class MapMaker {
 
   /** Takes the maps that automatic wrinkles came with, which show the strokes of the document. */
   async adopt(document: StudioDocument, { layers }: AutoWrinkles, source: SkinSource): Promise<void> {
-    const drawing = await this.#begin(document, source)
+    // Where the worker ends or is ended, `make` draws everything.
+    const drawing = await this.#begin(document, source).catch(() => null)
+    if (!drawing) return
     for (const { name, normal, occlusion } of layers) {
-      drawing.adopt(name, strokesOf(document, name), { normal, occlusion })
+      drawing.adopt(name, strokesOf(document, name), { normal, occlusion }).catch(() => {})
     }
   }
 
@@ -44,7 +65,7 @@ export class MapMaker {
     return changes
   }
 
-  /** Ends the worker. */
+  /** Ends the worker; what it is drawing is rejected with an AbortError. */
   close(): void {
     this.#drawing?.dispose()
     this.#drawing = null
@@ -52,7 +73,7 @@ export class MapMaker {
   }
 
   async #begin({ mapSize, scale }: StudioDocument, source: SkinSource): Promise<Drawing> {
-    this.#drawing ??= new Drawing()
+    this.#drawing ??= this.#start()
     if (source === this.#source && mapSize === this.#size) return this.#drawing
     this.#source = source
     this.#size = mapSize
@@ -60,6 +81,16 @@ export class MapMaker {
     const mesh = { positions: skin.positions, uvs: skin.uvs, indices: skin.indices }
     await this.#drawing.begin({ mesh, size: mapSize, scale, frame })
     return this.#drawing
+  }
+
+  #start(): Drawing {
+    const drawing = new Drawing()
+    drawing.end.catch((error) => {
+      if (drawing !== this.#drawing) return
+      this.close()
+      this.#onEnd(error)
+    })
+    return drawing
   }
 
   async #makeLayer(

@@ -2,6 +2,7 @@
 
 import { expose, transfer } from 'comlink'
 import { type Bounds, type SkinCanvas, type Stroke, StrokeLayer, skinCanvas } from 'furrow/author'
+import { holdLife } from '../workers/life.ts'
 import { applyChanges } from './changes.ts'
 import { copyRect } from './copy-rect.ts'
 import type { DrawingService, DrawingSurface, MapPatch } from './messages.ts'
@@ -41,3 +42,4 @@ function patchOf({ normal, occlusion }: StrokeLayer, bounds: Bounds): MapPatch {
 }
 
 expose(service)
+holdLife()

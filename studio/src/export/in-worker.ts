@@ -3,6 +3,9 @@ import { FurrowError } from 'furrow'
 import type { Finding } from '../../../packages/cli/src/validate/finding.ts'
 import type { StudioDocument } from '../document/document.ts'
 import type { AvatarFile } from '../keep/database.ts'
+import type { ReadFolder } from '../keep/read-folder.ts'
+import type { WrinklesFolder } from '../open/sort-files.ts'
+import { endOf } from '../workers/life.ts'
 import type { BakeTarget } from './bake-sculpt.ts'
 import type { DocumentToExport } from './export-document.ts'
 import type { ExportedFace, ExportOptions, OnProgress } from './export-face.ts'
@@ -61,6 +64,11 @@ export function readDocumentInWorker(face: FaceFiles, material?: string): Promis
   return run((tasks) => tasks.readDocument(face, material))
 }
 
+/** `readProject` in a worker of its own; see `exportInWorker`. */
+export function readProjectInWorker({ name, files }: WrinklesFolder): Promise<ReadFolder> {
+  return run((tasks) => tasks.readProject(files, name))
+}
+
 /** `validateFace` in a worker of its own; see `exportInWorker`. */
 export function validateInWorker(face: FaceFiles, signal?: AbortSignal): Promise<Finding[]> {
   return run((tasks) => tasks.validateFace(face), signal)
@@ -78,13 +86,15 @@ export function bakeInWorker(
 async function run<T>(task: (tasks: Remote<Tasks>) => Promise<T>, signal?: AbortSignal): Promise<T> {
   signal?.throwIfAborted()
   const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
-  const ended = new Promise<never>((_, reject) => {
-    worker.onerror = ({ message }) => reject(died(message))
-    signal?.addEventListener('abort', () => reject(signal.reason), { once: true })
+  const done = new AbortController()
+  const ended = endOf(worker, died, done.signal)
+  const cancelled = new Promise<never>((_, reject) => {
+    signal?.addEventListener('abort', () => reject(signal.reason), { signal: done.signal })
   })
   try {
-    return await Promise.race([task(wrap<Tasks>(worker)), ended])
+    return await Promise.race([task(wrap<Tasks>(worker)), ended, cancelled])
   } finally {
+    done.abort()
     worker.terminate()
   }
 }

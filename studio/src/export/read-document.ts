@@ -1,6 +1,7 @@
 import { decodeGray } from '../../../packages/cli/src/images/pixels.ts'
 import type { StudioDocument } from '../document/document.ts'
-import { readFolder } from '../keep/read-folder.ts'
+import type { AvatarFile } from '../keep/database.ts'
+import { type ReadFolder, readFolder } from '../keep/read-folder.ts'
 import type { FaceFiles } from './files.ts'
 import { readFace } from './read-face.ts'
 
@@ -15,6 +16,11 @@ export async function readDocument(file: FaceFiles, material?: string): Promise<
   const { folder } = await readFace(file, material === undefined ? {} : { material })
   if (!folder) return null
   const files = [...folder].map(([path, bytes]) => ({ path, file: new Blob([bytes as BlobPart]) }))
-  const { document } = await readFolder(files, file.name, decodeGray)
+  const { document } = await readProject(files, file.name)
   return document
+}
+
+/** Reads a folder that `furrow pack` reads; see `readFolder`. */
+export function readProject(files: readonly AvatarFile[], name: string): Promise<ReadFolder> {
+  return readFolder(files, name, decodeGray)
 }

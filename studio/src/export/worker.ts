@@ -1,8 +1,9 @@
 import { expose, transfer } from 'comlink'
+import { holdLife } from '../workers/life.ts'
 import { bakeSculpt } from './bake-sculpt.ts'
 import { exportDocument, projectFiles } from './export-document.ts'
 import { exportFace } from './export-face.ts'
-import { readDocument } from './read-document.ts'
+import { readDocument, readProject } from './read-document.ts'
 import { readFace } from './read-face.ts'
 import { validateFace } from './validate-face.ts'
 
@@ -29,12 +30,14 @@ const tasks = {
     return transfer(bytes, buffersOf([bytes]))
   },
   readDocument,
+  readProject,
   validateFace,
 }
 
 export type Tasks = typeof tasks
 
 expose(tasks)
+holdLife()
 
 /** The buffers of arrays, each once. Maps that were copied from a face are parts of its buffer, which stays. */
 function buffersOf(arrays: readonly Uint8Array[]): ArrayBuffer[] {

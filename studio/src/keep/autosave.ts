@@ -28,25 +28,26 @@ export class AutoSave {
   readonly #stopWatching: () => void
   /** The last one that was seen: the signal may go on to another face's before all is saved. */
   #latest: StudioDocument
-  #saved: StudioDocument
+  #saved: StudioDocument | null
   #running: Promise<void> | undefined
   #timer: ReturnType<typeof setTimeout> | undefined
   #nextStart = 0
   #isDisposed = false
 
   /**
-   * @param document its present value counts as saved.
-   * @param save `Project.save`.
+   * @param save stores a document.
+   * @param saved what is stored already; null where nothing is.
    */
   constructor(
     document: ReadonlySignal<StudioDocument>,
     save: (document: StudioDocument) => Promise<void>,
     page: Page = globalThis.document,
+    saved: StudioDocument | null = document.peek(),
   ) {
     this.#save = save
     this.#page = page
     this.#latest = document.peek()
-    this.#saved = this.#latest
+    this.#saved = saved
     this.#stopWatching = effect(() => this.#follow(document.value))
     page.addEventListener('visibilitychange', this.#onVisibility)
     globalThis.addEventListener?.('pagehide', this.#onPageHide)

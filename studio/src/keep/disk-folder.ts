@@ -30,6 +30,25 @@ export async function pickFolder(): Promise<FileSystemDirectoryHandle | undefine
 }
 
 /**
+ * The folder for a project in one that was chosen: that itself where it is empty or has a project, else a new one in it, so that a project
+ * is not strewn over other files.
+ */
+export async function projectFolder(
+  chosen: FileSystemDirectoryHandle,
+  name: string,
+): Promise<FileSystemDirectoryHandle> {
+  const names: string[] = []
+  for await (const entry of chosen.keys()) names.push(entry)
+  const isProject = names.length === 0 || names.includes('wrinkles.json') || names.includes(STUDIO_FILE)
+  if (isProject) return chosen
+  try {
+    return await chosen.getDirectoryHandle(name, { create: true })
+  } catch (error) {
+    throw unwritable(chosen.name, (error as Error).message, 'choose another folder')
+  }
+}
+
+/**
  * Asks for the permission to write to a folder of an earlier visit, which browsers allow in answer to a click only.
  *
  * @throws FurrowError where the user does not give it.

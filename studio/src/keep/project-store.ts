@@ -3,7 +3,7 @@ import type { StudioDocument } from '../document/document.ts'
 import { type AvatarFile, Database, type ProjectRecord, rangeOf, SEVERAL, SINGLE } from './database.ts'
 import { checkVersion, documentOf } from './document-record.ts'
 import { openElsewhere, Project } from './project.ts'
-import { lockProject } from './project-lock.ts'
+import { lockProject, takeLock } from './project-lock.ts'
 
 /** A project in the list of projects. */
 export interface ProjectEntry {
@@ -68,8 +68,8 @@ export class ProjectStore {
   async create(name: string, files: readonly AvatarFile[], document: StudioDocument): Promise<Project> {
     this.#askToPersist()
     const id = crypto.randomUUID()
-    const release = await lockProject(id)
-    const project = new Project(this.#database, { id, name, files }, { document }, release)
+    const lock = await lockProject(id)
+    const project = new Project(this.#database, { id, name, files }, { document }, lock)
     try {
       await project.save(document)
     } catch (error) {
@@ -82,10 +82,11 @@ export class ProjectStore {
   /**
    * Opens a project: for reading only where another tab has it.
    *
+   * @param take takes it from the other tab, once that has saved its work.
    * @throws FurrowError when there is none of that id, it is damaged, or a later version of the studio stored it.
    */
-  async open(id: string): Promise<Project> {
-    const release = await lockProject(id)
+  async open(id: string, take = false): Promise<Project> {
+    const lock = await (take ? takeLock(id) : lockProject(id))
     try {
       return await this.#database.read(async (database) => {
         const transaction = database.transaction(['projects', 'documents', 'images', 'files'])
@@ -100,10 +101,10 @@ export class ProjectStore {
         const byNumber = new Map(numbers.map(([, number], i) => [number, images[i]]))
         const document = documentOf(record, byNumber, name)
         const stored = { images: new Map(numbers.map(([, number], i) => [images[i], number])), by: database }
-        return new Project(this.#database, { id, name, files }, { document, stored }, release)
+        return new Project(this.#database, { id, name, files }, { document, stored }, lock)
       })
     } catch (error) {
-      await release?.()
+      await lock?.release()
       throw error
     }
   }
@@ -136,15 +137,15 @@ export class ProjectStore {
 
   /** @throws FurrowError while a tab has it open. */
   async delete(id: string): Promise<void> {
-    const release = await lockProject(id)
-    if (!release) throw openElsewhere('the project', 'close it there first')
+    const lock = await lockProject(id)
+    if (!lock) throw openElsewhere('the project', 'close it there first')
     try {
       await this.#database.write((table) => {
         for (const name of SINGLE) table(name).delete(id)
         for (const name of SEVERAL) table(name).delete(rangeOf(id))
       })
     } finally {
-      await release()
+      await lock.release()
     }
   }
 

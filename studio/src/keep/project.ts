@@ -3,7 +3,7 @@ import type { StudioDocument } from '../document/document.ts'
 import type { AvatarFile, Database, ProjectRecord, SaveRecord, WritableTable } from './database.ts'
 import { rangeOf } from './database.ts'
 import { type ImageRecord, imagesOf, recordOf } from './document-record.ts'
-import type { ReleaseLock } from './project-lock.ts'
+import type { ProjectLock } from './project-lock.ts'
 
 /** Images with the numbers that they are stored under. */
 type Numbers = ReadonlyMap<ImageRecord, number>
@@ -24,34 +24,39 @@ export class Project {
   readonly opened: StudioDocument
   readonly #name: string
   readonly #database: Database
-  readonly #release: ReleaseLock | undefined
+  readonly #lock: ProjectLock | undefined
   #stored: Stored | undefined
 
   /**
    * @param opened.stored absent where nothing is.
-   * @param release gives the project's lock back; undefined where another tab has it.
+   * @param lock undefined where another tab has it.
    */
   constructor(
     database: Database,
     { id, name, files }: { id: string; name: string; files: readonly AvatarFile[] },
     { document, stored }: { document: StudioDocument; stored?: Stored },
-    release: ReleaseLock | undefined,
+    lock: ProjectLock | undefined,
   ) {
     this.id = id
     this.files = files
     this.opened = document
     this.#name = name
     this.#database = database
-    this.#release = release
+    this.#lock = lock
     this.#stored = stored
   }
 
   /**
-   * Whether another tab had the project open already: it can be looked at, changed and exported here, but is saved by the first tab alone.
-   * Two tabs that save in turn would each undo the other's work.
+   * Whether another tab has the project: it can be looked at, changed and exported here, but is saved by the other tab alone. Two tabs that
+   * save in turn would each undo the other's work.
    */
   get isReadOnly(): boolean {
-    return this.#release === undefined
+    return !this.#lock?.isHeld
+  }
+
+  /** Calls a function when another tab wants the project, which is to be closed then. */
+  whenWanted(call: () => void): void {
+    if (this.#lock) this.#lock.onWanted = call
   }
 
   /**
@@ -97,7 +102,7 @@ export class Project {
 
   /** Lets other tabs open it. */
   async close(): Promise<void> {
-    await this.#release?.()
+    await this.#lock?.release()
   }
 
   /** As stored, where it is: it may have another name by now. */

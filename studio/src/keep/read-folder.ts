@@ -1,3 +1,4 @@
+import { ImageUtils } from '@gltf-transform/core'
 import {
   areaWeights,
   DEFAULT_AREA_SIZE,
@@ -57,13 +58,14 @@ export async function readFolder(
   const set = setOf(await folder.json(WRINKLES_FILE), folder)
   const strokes = await strokesOf(folder, set)
   const { areaSize = DEFAULT_AREA_SIZE } = set
-  const { scale, size } = strokes ?? { scale: studio.scale, size: studio.mapSize }
+  const scale = strokes ? strokes.scale : studio.scale
+  const mapSize = studio.mapSize ?? strokes?.size ?? (await sideOf(folder, set))
   const isAutomatic = new Set(studio.automaticStrokes)
   const document: StudioDocument = {
     ...(set.mesh !== undefined && { mesh: set.mesh }),
     ...(set.material !== undefined && { material: set.material }),
     scale: scale ?? DEFAULTS.scale,
-    mapSize: size ?? DEFAULTS.mapSize,
+    mapSize: mapSize ?? DEFAULTS.mapSize,
     areaSize,
     layers: await Promise.all(set.layers.map((layer) => readLayer(folder, layer, strokes, studio))),
     areas: await Promise.all(set.areas.map((area) => readArea(folder, area, set, decode, studio))),
@@ -90,6 +92,15 @@ function setOf(json: unknown, { paths, name }: Folder): WrinkleSetDocument {
 async function strokesOf(folder: Folder, set: WrinkleSetDocument): Promise<StrokesDocument | undefined> {
   const json = set.strokes === undefined ? undefined : await folder.json(set.strokes)
   return json === undefined ? undefined : parseStrokes(json)
+}
+
+/** The side of the layers' normal maps: strokes are drawn over them. Undefined where none is known. */
+async function sideOf(folder: Folder, { layers }: WrinkleSetDocument): Promise<number | undefined> {
+  const address = layers.find(({ normal }) => normal !== undefined)?.normal
+  if (address === undefined) return undefined
+  const bytes = await bytesOf(folder.file(address), address)
+  const [width, height] = ImageUtils.getSize(bytes, imageTypeOf(bytes) ?? '') ?? []
+  return width === height ? width : undefined
 }
 
 async function readLayer(

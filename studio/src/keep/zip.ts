@@ -1,5 +1,6 @@
 import { strFromU8, type UnzipFileInfo, unzip, Zip, ZipDeflate, ZipPassThrough } from 'fflate'
 import { FurrowError } from 'furrow'
+import { bytesOf } from '../open/dropped-files.ts'
 import type { AvatarFile } from './database.ts'
 import type { FolderFile } from './folder-files.ts'
 
@@ -32,7 +33,8 @@ export async function zipFolder(files: readonly FolderFile[], name: string): Pro
  * @throws FurrowError when it is damaged, or too large.
  */
 export async function unzipFolder(file: Blob, name: string): Promise<AvatarFile[]> {
-  const bytes = new Uint8Array(await file.arrayBuffer())
+  if (file.size > MOST_BYTES) throw tooLarge(name)
+  const bytes = await bytesOf(file, name)
   let total = 0
   const filter = ({ name: path, originalSize }: UnzipFileInfo) => {
     if (path.endsWith('/') || isLeftBehind(path)) return false

@@ -1,5 +1,6 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals'
 import type { Session } from '../session/session.ts'
+import { shortcutOf } from '../shortcuts.ts'
 import { LineTool } from '../tools/line-tool.ts'
 import type { ToolHost } from '../tools/tool-host.ts'
 import type { Viewer } from '../viewer/viewer.ts'
@@ -66,8 +67,8 @@ export class Lines {
       const { left, top } = stage.getBoundingClientRect()
       attempt(() => this.#tool.insert({ x: clientX - left, y: clientY - top }))
     })
-    stage.addEventListener('keydown', ({ key }) => {
-      if (this.editor.mode.peek() === 'off' || (key !== 'Delete' && key !== 'Backspace')) return
+    stage.addEventListener('keydown', (event) => {
+      if (this.editor.mode.peek() === 'off' || shortcutOf('lines', event) !== 'remove') return
       attempt(() => this.editor.remove())
     })
   }

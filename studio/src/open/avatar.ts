@@ -2,12 +2,14 @@ import type { VRM } from '@pixiv/three-vrm'
 import { FurrowError } from 'furrow'
 import type { AnimationClip, Object3D, SkinnedMesh } from 'three'
 import type { Face } from '../../../stage/face.ts'
+import type { StudioDocument } from '../document/document.ts'
+import { STUDIO_FILE } from '../keep/studio-file.ts'
 import { releaseFromGPU, texturesOf } from '../viewer/release.ts'
 import type { DroppedFile } from './dropped-files.ts'
 import { readFaceFile } from './face-file.ts'
 import { loadGltf } from './load-gltf.ts'
 import { indexOfSkin, type SkinCandidate } from './skins.ts'
-import type { DroppedAvatar, DroppedWrinkles } from './sort-files.ts'
+import type { DroppedAvatar, DroppedWrinkles, WrinklesFolder } from './sort-files.ts'
 import { readWrinklesFolder } from './wrinkles-folder.ts'
 
 /** An avatar that a user opened. `{ ...avatar, skin }` is the same one with another skin. */
@@ -16,6 +18,12 @@ export interface OpenedAvatar {
   readonly name: string
   /** Its file as it was, then those that it refers to. */
   readonly files: readonly [DroppedFile, ...DroppedFile[]]
+  /** Where everyone can get it; absent where it was dropped. */
+  readonly address?: string
+  /** What its wrinkles were read from, where they are not in its file. */
+  readonly folder?: WrinklesFolder
+  /** What is worked on, where it was opened with it. */
+  readonly document?: StudioDocument
   readonly root: Object3D
   readonly skins: readonly SkinCandidate[]
   /** Index of the skin. */
@@ -36,12 +44,36 @@ export async function openDropped(
   dropped: DroppedAvatar | DroppedWrinkles,
   shown: OpenedAvatar | undefined,
 ): Promise<OpenedAvatar> {
-  if (dropped.kind === 'avatar') return openAvatar(dropped.face, dropped)
   const { wrinkles: folder, notes } = dropped
-  if (!shown) throw withoutAvatar(folder.name)
-  const wrinkles = await readWrinklesFolder(folder)
+  if (folder && isProject(folder)) return openProject(folder, notes, shown)
+  if (dropped.kind === 'avatar') return openAvatar(dropped.face, dropped)
+  if (!shown) throw withoutAvatar(dropped.wrinkles.name)
+  const wrinkles = await readWrinklesFolder(dropped.wrinkles)
   const skins = shown.skins.map((skin, i) => (i === shown.skin ? { ...skin, wrinkles } : skin))
-  return { ...shown, skins, notes }
+  const { document: _, ...avatar } = shown
+  return { ...avatar, folder: dropped.wrinkles, skins, notes }
+}
+
+/** Whether the studio wrote a folder: it is worked on at once. */
+function isProject({ files }: WrinklesFolder): boolean {
+  return files.some(({ path }) => path === STUDIO_FILE)
+}
+
+/** Opens a project's avatar, or the one on the stage where it has none, with the document of the project. */
+async function openProject(
+  folder: WrinklesFolder,
+  notes: readonly string[],
+  shown: OpenedAvatar | undefined,
+): Promise<OpenedAvatar> {
+  const { readProjectInWorker } = await import('../export/in-worker.ts')
+  const { document, face } = await readProjectInWorker(folder)
+  const files = face.map(({ path, file }) => ({ path, file: new File([file], path) }))
+  const avatar = files.length > 0 ? await openAvatar(files[0], { files, notes }) : shown
+  if (!avatar) throw withoutAvatar(folder.name)
+  const skin = avatar.skins.findIndex(({ target: { mesh, material } }) => {
+    return mesh === document.mesh && material === document.material
+  })
+  return { ...avatar, document, ...(skin >= 0 && { skin }) }
 }
 
 /**
@@ -73,7 +105,14 @@ export async function openAvatar(
       notes.push((error as Error).message)
     }
   }
-  return { ...avatar, skins, skin, notes: [...chosen, ...notes, ...notesOn(skins[skin])] }
+  const folder = skins[skin].wrinkles && wrinkles
+  return {
+    ...avatar,
+    skins,
+    skin,
+    ...(folder && { folder }),
+    notes: [...chosen, ...notes, ...notesOn(skins[skin])],
+  }
 }
 
 /** The avatar as the stage shows it. */

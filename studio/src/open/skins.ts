@@ -105,6 +105,9 @@ function faultOf(meshes: readonly Mesh[], triangles: number): string | null {
   if (!meshes.every(({ geometry }) => geometry.attributes.uv)) {
     return 'it has no texture coordinates: unwrap it, and export it again'
   }
+  if (!meshes.every(({ geometry }) => geometry.attributes.normal)) {
+    return 'it has no normals: export it again with normals'
+  }
   if (!readsNormalMap(surface)) return `its material is unlit: give it a lit one, and export it again`
   if (triangles > MOST_TRIANGLES) {
     return `it has ${triangles.toLocaleString('en')} triangles, more than ${MOST_TRIANGLES.toLocaleString('en')}: decimate it`

@@ -47,7 +47,8 @@ const WRINKLES = /^(|.*\/)(wrinkles\.json|layers\/[^/]+\/normal\.png)$/
  *
  * @throws FurrowError when there is nothing to open; it tells what the first file is.
  */
-export async function sortFiles(files: readonly DroppedFile[]): Promise<Dropped> {
+export async function sortFiles(dropped: readonly DroppedFile[]): Promise<Dropped> {
+  const files = await unpacked(dropped)
   const [wrinkles, ...others] = wrinklesFolders(files)
   const faces = await findFaces(files)
   const face = faces.find(({ path }) => wrinkles && path === `${wrinkles.path}face.glb`) ?? faces[0]
@@ -60,6 +61,19 @@ export async function sortFiles(files: readonly DroppedFile[]): Promise<Dropped>
   const images = files.filter(({ path }) => IMAGE.test(path))
   if (images.length > 0) return { kind: 'areas', images }
   throw await nothingUsable(files)
+}
+
+/** The files, with those in a .zip in its place. */
+async function unpacked(files: readonly DroppedFile[]): Promise<DroppedFile[]> {
+  const lists = files.map(async (dropped) => {
+    const { path, file } = dropped
+    if (!/\.zip$/i.test(path)) return dropped
+    const { unzipFolder } = await import('../keep/zip.ts')
+    const inside = await unzipFolder(file, path)
+    const folder = path.replace(/\.zip$/i, '')
+    return inside.map((each) => ({ path: `${folder}/${each.path}`, file: new File([each.file], each.path) }))
+  })
+  return (await Promise.all(lists)).flat()
 }
 
 /** The highest folder comes first. */

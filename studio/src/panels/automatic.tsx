@@ -1,11 +1,9 @@
 import { AUTO_REGIONS, type AutoRegion } from 'furrow/author'
 import { useId } from 'preact/hooks'
-import type { AutoSettings } from '../document/document.ts'
+import { AUTO_AGES, AUTO_SIZES, AUTO_STRENGTHS, type AutoSettings } from '../document/document.ts'
 import type { PanelModel } from './model.ts'
 import { NumberSlider } from './number-slider.tsx'
 import { Section } from './section.tsx'
-
-const SIZES = [512, 1024, 2048, 4096] as const
 
 /** Controls of the automatic wrinkles: a preview while they move, all of them when they rest. */
 export function AutomaticWrinkles({ model }: { model: PanelModel }) {
@@ -17,14 +15,14 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
     <Section title="Automatic wrinkles">
       <NumberSlider
         label="Age"
-        range={[20, 80, 1]}
+        range={[...AUTO_AGES, 1]}
         value={settings.age}
         onMove={(age) => preview({ age })}
         onRest={(age) => make({ age })}
       />
       <NumberSlider
         label="Strength"
-        range={[0, 2, 0.05]}
+        range={[...AUTO_STRENGTHS, 0.05]}
         value={settings.strength}
         onMove={(strength) => preview({ strength })}
         onRest={(strength) => make({ strength })}
@@ -37,7 +35,7 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
             value={settings.size}
             onChange={({ currentTarget }) => make({ size: Number(currentTarget.value) })}
           >
-            {SIZES.map((size) => (
+            {AUTO_SIZES.map((size) => (
               <option key={size} value={size}>
                 {size} x {size}
               </option>

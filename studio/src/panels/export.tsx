@@ -3,6 +3,7 @@ import { WRINKLE_MAPS } from 'furrow'
 import { useId } from 'preact/hooks'
 import type { ExportState } from '../session/exporting.ts'
 import type { PanelModel } from './model.ts'
+import { SaveProject } from './save-project.tsx'
 import { Section } from './section.tsx'
 
 /** The lines that show an exported face. */
@@ -12,7 +13,8 @@ loader.register((parser) => new WrinkleLoaderPlugin(parser))
 const { scene } = await loader.loadAsync('FILE')`
 
 /** Makes the avatar with its wrinkles, offers it, and says what it costs and how it is loaded. */
-export function Export({ model: { exporting, actions } }: { model: PanelModel }) {
+export function Export({ model }: { model: PanelModel }) {
+  const { exporting, actions } = model
   const isCompressed = useSignal(false)
   const state = exporting.value
   return (
@@ -31,10 +33,8 @@ export function Export({ model: { exporting, actions } }: { model: PanelModel })
           />
           KTX 2
         </label>
-        <button type="button" onClick={actions.saveProject}>
-          Save project (.zip)
-        </button>
       </div>
+      <SaveProject model={model} />
       {state?.kind === 'running' && <Running fraction={state.fraction} onCancel={actions.cancelExport} />}
       {state?.kind === 'done' && <Done state={state} onSave={actions.saveExport} />}
     </Section>

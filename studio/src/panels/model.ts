@@ -4,12 +4,12 @@ import type { WrinkleMode } from 'furrow/three'
 import type { RendererKind } from '../../../stage/stage.ts'
 import type { AutoSettings } from '../document/document.ts'
 import type { ExportOptions } from '../export/export-face.ts'
-import type { SaveState } from '../keep/autosave.ts'
 import type { ProjectEntry } from '../keep/project-store.ts'
 import type { LineEditor } from '../lines/line-editor.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { AutoRun } from '../session/automatic.ts'
 import type { ExportState } from '../session/exporting.ts'
+import type { KeepState } from '../session/keeper.ts'
 import type { LayerEditor } from '../session/layer-editor.ts'
 import type { Session } from '../session/session.ts'
 import type { Painting } from '../tools/painting.ts'
@@ -50,7 +50,11 @@ export interface PanelModel {
   readonly exporting: ReadonlySignal<ExportState | null>
   /** What the browser keeps, and whether the present work is saved. */
   readonly projects: ReadonlySignal<readonly ProjectEntry[]>
-  readonly saving: ReadonlySignal<SaveState | null>
+  readonly saving: ReadonlySignal<KeepState | null>
+  /** The project's folder on the disk; null where it has none. */
+  readonly folder: ReadonlySignal<FileSystemDirectoryHandle | null>
+  /** Whether the list of shortcuts is shown. */
+  readonly isListOpen: Signal<boolean>
   readonly actions: PanelActions
 }
 
@@ -79,9 +83,15 @@ export interface PanelActions {
   /** Makes a document of the wrinkles in the file. */
   editWrinkles(): void
   openProject(id: string): void
+  /** Of a project that another tab has: goes on in a copy of it, or with itself. */
+  keepCopy(): void
+  takeOver(): void
   deleteProject(id: string): void
   exportFace(options: ExportOptions): void
   cancelExport(): void
   saveExport(): void
   saveProject(): void
+  /** Saves the project to its folder, or to one that the user chooses. */
+  saveToFolder(isOther: boolean): void
+  copyLink(): void
 }

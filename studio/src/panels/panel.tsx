@@ -7,6 +7,7 @@ import { Lines } from './lines.tsx'
 import type { PanelModel } from './model.ts'
 import { Recent } from './recent.tsx'
 import { Settings } from './settings.tsx'
+import { ShortcutList } from './shortcut-list.tsx'
 import { Targets } from './targets.tsx'
 import { Title } from './title.tsx'
 
@@ -15,6 +16,7 @@ export function Panel({ model }: { model: PanelModel }) {
   return (
     <>
       <Title model={model} />
+      <ShortcutList isOpen={model.isListOpen} />
       <Recent model={model} />
       <Expressions model={model} />
       {model.session.document.value?.auto && <AutomaticWrinkles model={model} />}

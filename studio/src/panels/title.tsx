@@ -1,10 +1,17 @@
+import { KeepStatus } from './keep-status.tsx'
 import type { PanelModel } from './model.ts'
 
 /** Formats that the file dialog offers. */
 const FACES = '.glb,.gltf,.vrm,.bin,.png,.jpg,.jpeg,.webp,.ktx2,.json,.zip'
 
+/** Lets a dialog choose a folder, for which JSX has no name. */
+function chooseFolder(input: HTMLInputElement | null): void {
+  if (input) input.webkitdirectory = true
+}
+
 /** The name of the page, and what concerns the whole work: open, undo, redo. */
-export function Title({ model: { session, saving, viewer, revision, actions } }: { model: PanelModel }) {
+export function Title({ model }: { model: PanelModel }) {
+  const { session, viewer, revision, actions } = model
   const { undoLabel, redoLabel } = session
   revision.value
   // What the file has is shown as it is, until it is to be changed.
@@ -28,6 +35,17 @@ export function Title({ model: { session, saving, viewer, revision, actions } }:
           />
           <span>Open…</span>
         </label>
+        <label class="file">
+          <input
+            type="file"
+            ref={chooseFolder}
+            onChange={({ currentTarget }) => {
+              actions.openFiles([...currentTarget.files!])
+              currentTarget.value = ''
+            }}
+          />
+          <span>Open folder…</span>
+        </label>
         <button
           type="button"
           disabled={!undoLabel.value}
@@ -44,17 +62,30 @@ export function Title({ model: { session, saving, viewer, revision, actions } }:
         >
           Redo
         </button>
+        <button
+          type="button"
+          title="Copy a link to this expression, view and avatar"
+          onClick={actions.copyLink}
+        >
+          Copy link
+        </button>
+        <button
+          type="button"
+          aria-label="Shortcuts"
+          title="Shortcuts (?)"
+          onClick={() => {
+            model.isListOpen.value = true
+          }}
+        >
+          ?
+        </button>
         {isEditable && (
           <button type="button" onClick={actions.editWrinkles}>
             Edit wrinkles
           </button>
         )}
       </div>
-      {saving.value && (
-        <p class="hint" role="status">
-          {saving.value.kind === 'failed' ? saving.value.reason.message : 'Kept in this browser'}
-        </p>
-      )}
+      <KeepStatus model={model} />
     </header>
   )
 }

@@ -1,9 +1,8 @@
-import { computed, effect, type ReadonlySignal, signal } from '@preact/signals'
-import type { StudioDocument } from '../document/document.ts'
-import { AutoSave, type SaveState } from '../keep/autosave.ts'
+import { computed, type ReadonlySignal, signal } from '@preact/signals'
 import type { Project } from '../keep/project.ts'
 import { type ProjectEntry, ProjectStore } from '../keep/project-store.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
+import { Keeper, type KeepState } from './keeper.ts'
 import type { Session } from './session.ts'
 
 /** Keeps the work in the browser: a project begins with the first change, and is saved whenever the document changes. */
@@ -11,19 +10,11 @@ export class Keeping {
   readonly #session: Session
   readonly #store = new ProjectStore()
   readonly #projects = signal<readonly ProjectEntry[]>([])
-  readonly #autosave = signal<AutoSave | null>(null)
-  readonly #onError: (error: unknown) => void
-  #project: Project | null = null
-  #avatar: OpenedAvatar | null = null
-  #isBeginning = false
+  readonly #keeper = signal<Keeper | null>(null)
+  #leaving: Promise<void> = Promise.resolve()
 
-  /** @param onError is told of what goes wrong while the page goes on. */
-  constructor(session: Session, onError: (error: unknown) => void) {
+  constructor(session: Session) {
     this.#session = session
-    this.#onError = onError
-    effect(() => {
-      if (session.undoLabel.value !== undefined) void this.#begin()
-    })
     void this.#list()
   }
 
@@ -32,60 +23,51 @@ export class Keeping {
     return this.#projects
   }
 
-  /** Null while nothing is to be saved. */
-  readonly state: ReadonlySignal<SaveState | null> = computed(() => this.#autosave.value?.state.value ?? null)
+  /** The project that the work is kept in; null before the first change. */
+  readonly kept: ReadonlySignal<Project | null> = computed(() => this.#keeper.value?.kept.value ?? null)
 
-  /** Opens a project of the list; `follow` watches its document once that is in the session. Rejects with a FurrowError where it cannot be. */
-  async open(id: string): Promise<Project> {
+  /** Null while nothing is to be saved. */
+  readonly state: ReadonlySignal<KeepState | null> = computed(() => this.#keeper.value?.state.value ?? null)
+
+  /**
+   * Opens a project of the list; `follow` watches its document once that is in the session. Rejects with a FurrowError where it cannot be.
+   *
+   * @param take takes it from the tab that has it.
+   */
+  async open(id: string, take = false): Promise<Project> {
     await this.leave()
-    return this.#store.open(id)
+    return this.#store.open(id, take)
   }
 
   /** From now on the session's document is that of this avatar, and is kept in the project; in a new one where there is none. */
   follow(avatar: OpenedAvatar, project: Project | null): void {
-    this.#avatar = avatar
-    this.#project = project
-    if (project && !project.isReadOnly) this.#save(project)
+    this.#keeper.value = new Keeper(this.#store, this.#session, avatar, project, () => void this.#list())
   }
 
   /** Saves what is not saved yet, and lets other tabs open the project. */
-  async leave(): Promise<void> {
-    const [autosave, project] = [this.#autosave.peek(), this.#project]
-    this.#autosave.value = null
-    this.#project = null
-    this.#avatar = null
-    await autosave?.dispose()
-    await project?.close()
-    await this.#list()
+  leave(): Promise<void> {
+    const keeper = this.#keeper.peek()
+    this.#keeper.value = null
+    // At once: the session goes on to another document.
+    const closed = keeper?.close()
+    this.#leaving = this.#leaving.then(() => closed).then(() => this.#list())
+    return this.#leaving
+  }
+
+  /** The project that the work is kept in, begun where there is none yet. Rejects with a FurrowError where it cannot be. */
+  async project(): Promise<Project | undefined> {
+    return this.#keeper.peek()?.project()
+  }
+
+  /** Goes on in a new project. Rejects with a FurrowError where it cannot be. */
+  async copy(): Promise<void> {
+    await this.#keeper.peek()?.copy()
   }
 
   /** Deletes a project of the list. Rejects with a FurrowError where another tab has it. */
   async delete(id: string): Promise<void> {
     await this.#store.delete(id)
     await this.#list()
-  }
-
-  async #begin(): Promise<void> {
-    const document = this.#session.document.peek()
-    const avatar = this.#avatar
-    if (!document || !avatar || this.#project || this.#isBeginning) return
-    this.#isBeginning = true
-    try {
-      const project = await this.#store.create(avatar.name, avatar.files, document)
-      if (avatar !== this.#avatar) return void (await project.close())
-      this.#project = project
-      this.#save(project)
-      await this.#list()
-    } catch (error) {
-      this.#onError(error)
-    } finally {
-      this.#isBeginning = false
-    }
-  }
-
-  #save(project: Project): void {
-    const document = this.#session.document as ReadonlySignal<StudioDocument>
-    this.#autosave.value = new AutoSave(document, (next) => project.save(next))
   }
 
   async #list(): Promise<void> {

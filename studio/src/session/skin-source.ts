@@ -1,7 +1,7 @@
 import type { TangentFrame } from 'furrow/author'
 import type { Skin } from 'furrow/auto'
 import { skinOf } from '../../../packages/furrow/src/auto/character.ts'
-import { canCrease, readMeshes } from '../../../packages/furrow/src/three/loader/read-character.ts'
+import { readMeshes } from '../../../packages/furrow/src/three/loader/read-character.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 
 /** The skin of an avatar as wrinkles are made and drawn on it. */
@@ -11,10 +11,10 @@ export interface SkinSource {
   readonly frame: TangentFrame
 }
 
-/** Null where the avatar's skin has no blendshapes or cannot wrinkle. */
+/** Null where the avatar's skin cannot wrinkle; without blendshapes it has no targets. */
 export function skinSource({ skins, skin }: OpenedAvatar): SkinSource | null {
   const { meshes, fault } = skins[skin]
-  if (fault !== null || !meshes.every(canCrease)) return null
+  if (fault !== null) return null
   const data = readMeshes(meshes)
   return { skin: skinOf(data), frame: data.frame }
 }

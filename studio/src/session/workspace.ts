@@ -2,6 +2,7 @@ import { effect, type ReadonlySignal, signal } from '@preact/signals'
 import { DEFAULT_AREA_SIZE, FurrowError } from 'furrow'
 import type { AutoWrinkles } from 'furrow/author'
 import { automaticDocument, layersLeft, remake } from '../document/automatic.ts'
+import { blankDocument } from '../document/blank.ts'
 import type { AutoSettings, StudioDocument } from '../document/document.ts'
 import { MapMaker } from '../draw/map-maker.ts'
 import type { ExportOptions } from '../export/export-face.ts'
@@ -9,13 +10,14 @@ import type { Project } from '../keep/project.ts'
 import { type OpenedAvatar, openAvatar } from '../open/avatar.ts'
 import type { DrawnDocument } from '../viewer/document-view.ts'
 import { Automatic } from './automatic.ts'
-import { documentToExport, Exporting } from './exporting.ts'
+import { Exporting } from './exporting.ts'
 import { faceFilesOf } from './face-files.ts'
 import { Keeping } from './keeping.ts'
 import { Session } from './session.ts'
 import { type SkinSource, skinSource } from './skin-source.ts'
 
-const AUTO_SETTINGS: AutoSettings = { age: 45, strength: 1, size: 1024, seed: 1 }
+/** What automatic wrinkles are made with at first. */
+export const AUTO_SETTINGS: AutoSettings = { age: 45, strength: 1, size: 1024, seed: 1 }
 
 /** Side in texels of the maps of previews. */
 const PREVIEW_SIZE = 256
@@ -37,13 +39,16 @@ export class Workspace {
   #source: SkinSource | null = null
   /** A project whose avatar is about to be shown. */
   #project: { project: Project; root: OpenedAvatar['root'] } | null = null
-  #isDrawing = false
+  #drawing: Promise<void> | null = null
+
+  /** What the automatic wrinkles of the next avatars are made with at first. */
+  firstSettings = AUTO_SETTINGS
 
   /** @param onError is told of what goes wrong while the page goes on. */
   constructor(onError: (error: unknown) => void) {
     this.#onError = onError
-    this.#maps = new MapMaker()
-    this.keeping = new Keeping(this.session, onError)
+    this.#maps = new MapMaker(onError)
+    this.keeping = new Keeping(this.session)
     effect(() => {
       const document = this.session.document.value
       if (document?.auto) this.#settings.value = document.auto
@@ -62,9 +67,13 @@ export class Workspace {
     return this.#settings
   }
 
-  /** Opens a project: its avatar, to be shown, whose document `open` then takes. Rejects with a FurrowError where it cannot be. */
-  async openProject(id: string): Promise<OpenedAvatar> {
-    const project = await this.keeping.open(id)
+  /**
+   * Opens a project: its avatar, to be shown, whose document `open` then takes. Rejects with a FurrowError where it cannot be.
+   *
+   * @param take takes it from the tab that has it.
+   */
+  async openProject(id: string, take = false): Promise<OpenedAvatar> {
+    const project = await this.keeping.open(id, take)
     try {
       const [face, ...others] = project.files.map(({ path, file }) => ({
         path,
@@ -81,23 +90,35 @@ export class Workspace {
 
   /** Begins with another avatar, or another skin of it; one without wrinkles gets automatic ones. The last one's document is closed at once. */
   async open(avatar: OpenedAvatar): Promise<void> {
-    const isSame = avatar.root === this.#avatar?.root && avatar.skin === this.#avatar.skin
+    const isSame = this.#avatar !== null && isSameWork(avatar, this.#avatar)
     this.#avatar = avatar
     if (isSame) return
     const project = this.#project?.root === avatar.root ? this.#project.project : null
     this.#project = null
     this.automatic.cancel()
-    this.#maps.close()
     const left = project ? undefined : this.keeping.leave()
     this.session.open(null)
+    this.#maps.close()
     this.#drawn.value = null
     if (left) await left
     if (avatar !== this.#avatar) return
-    this.#source = avatar.skins[avatar.skin].wrinkles && !project ? null : skinSource(avatar)
-    this.#settings.value = AUTO_SETTINGS
-    if (project && this.#source) this.session.open(project.opened)
+    const opened = project?.opened ?? avatar.document
+    this.#source = avatar.skins[avatar.skin].wrinkles && !opened ? null : skinSource(avatar)
+    this.#settings.value = this.firstSettings
+    if (opened && this.#source) this.session.open(opened)
     this.keeping.follow(avatar, project)
-    if (this.#source && !project) await this.makeAuto(AUTO_SETTINGS)
+    if (this.#source && !opened) await this.#begin(this.#source)
+  }
+
+  /** Begins with automatic wrinkles; where there are none, with skin to paint and draw on. */
+  async #begin(source: SkinSource): Promise<void> {
+    const auto = source.skin.targets.length > 0 ? this.firstSettings : undefined
+    try {
+      if (auto) await this.makeAuto(auto)
+    } finally {
+      const isNone = source === this.#source && !this.session.document.peek()
+      if (isNone) this.session.open(blankDocument(auto))
+    }
   }
 
   /** Makes a document of the wrinkles that the avatar's file has, so that they can be changed. Rejects with a FurrowError where it cannot be. */
@@ -105,9 +126,11 @@ export class Workspace {
     const avatar = this.#avatar
     const source = avatar && skinSource(avatar)
     if (!avatar || !source || this.session.document.peek()) return
-    const { readDocumentInWorker } = await import('../export/in-worker.ts')
+    const { readDocumentInWorker, readProjectInWorker } = await import('../export/in-worker.ts')
     const { material } = avatar.skins[avatar.skin].target
-    const document = await readDocumentInWorker(await faceFilesOf(avatar), material)
+    const document = avatar.folder
+      ? (await readProjectInWorker(avatar.folder)).document
+      : await readDocumentInWorker(await faceFilesOf(avatar), material)
     if (!document || avatar !== this.#avatar) return
     this.#source = source
     this.session.open(document)
@@ -121,21 +144,15 @@ export class Workspace {
 
   /** Exports the document as it is drawn; see `Exporting`. */
   async export(options: ExportOptions): Promise<void> {
-    const drawn = this.#drawn.peek()
-    if (drawn && this.#avatar) await this.exporting.start(drawn, this.#avatar, options)
+    const work = await this.drawnWork()
+    if (work) await this.exporting.start(work.drawn, work.avatar, options)
   }
 
-  /** The project as one .zip file, with the avatar. */
-  async project(): Promise<{ file: Blob; name: string } | null> {
+  /** The avatar and its document once all maps are drawn; null where there is none, or where they cannot be drawn, which is told. */
+  async drawnWork(): Promise<{ drawn: DrawnDocument; avatar: OpenedAvatar } | null> {
+    await this.#draw()
     const [drawn, avatar] = [this.#drawn.peek(), this.#avatar]
-    if (!drawn || !avatar) return null
-    const [{ projectFilesInWorker }, { zipFolder }] = await Promise.all([
-      import('../export/in-worker.ts'),
-      import('../keep/zip.ts'),
-    ])
-    const files = await projectFilesInWorker(documentToExport(drawn, avatar), avatar.files)
-    const list = [...files].map(([path, content]) => ({ path, content }))
-    return { file: await zipFolder(list, avatar.name), name: `${avatar.name}.zip` }
+    return drawn && avatar && drawn.document === this.session.document.peek() ? { drawn, avatar } : null
   }
 
   /** Makes the automatic wrinkles anew; those that were changed by hand stay. Rejects with a FurrowError where there are none. */
@@ -175,23 +192,39 @@ export class Workspace {
   }
 
   /** Draws the maps of the document; of those that follow each other quickly, the last one. */
-  async #draw(): Promise<void> {
-    if (this.#isDrawing) return
-    this.#isDrawing = true
+  #draw(): Promise<void> {
+    this.#drawing ??= this.#drawAll().finally(() => {
+      this.#drawing = null
+    })
+    return this.#drawing
+  }
+
+  async #drawAll(): Promise<void> {
     try {
       for (;;) {
         const document = this.session.document.peek()
         if (!document || document === this.#drawn.peek()?.document) return
-        const maps = await this.#maps.make(document, this.#source!)
-        if (document !== this.session.document.peek()) continue
-        this.#drawn.value = { document, maps, changes: this.#maps.takeChanges() }
+        const isOld = () => document !== this.session.document.peek()
+        try {
+          const maps = await this.#maps.make(document, this.#source!)
+          if (!isOld()) this.#drawn.value = { document, maps, changes: this.#maps.takeChanges() }
+        } catch (error) {
+          // Another avatar was opened meanwhile.
+          if (!isOld()) throw error
+        }
       }
     } catch (error) {
       this.#onError(error)
-    } finally {
-      this.#isDrawing = false
     }
   }
+}
+
+/** Whether an avatar is shown again, as it is after another renderer was chosen. */
+function isSameWork(a: OpenedAvatar, b: OpenedAvatar): boolean {
+  const [skin, other] = [a.skins[a.skin], b.skins[b.skin]]
+  return (
+    a.root === b.root && a.skin === b.skin && a.document === b.document && skin.wrinkles === other.wrinkles
+  )
 }
 
 function withoutAreas(): FurrowError {

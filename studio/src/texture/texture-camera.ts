@@ -1,5 +1,6 @@
 import { MOUSE, OrthographicCamera, TOUCH, Vector3 } from 'three'
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
+import { shortcutOf } from '../shortcuts.ts'
 
 /** Of the texture's side: the border that is seen around it at first, and movement per key press at this zoom. */
 const BORDER = 0.04
@@ -79,24 +80,26 @@ export class TextureCamera {
   }
 
   readonly #onKey = (event: KeyboardEvent): void => {
-    if (event.altKey || event.ctrlKey || event.metaKey) return
+    const name = shortcutOf('texture', event)
+    if (!name) return
+    event.preventDefault()
+    if (name === 'whole') {
+      this.reset()
+      return
+    }
     const { position, zoom } = this.camera
     const step = STEP / zoom
-    const moves: Record<string, readonly [x: number, y: number, factor: number]> = {
-      ArrowLeft: [-step, 0, 1],
-      ArrowRight: [step, 0, 1],
-      ArrowUp: [0, step, 1],
-      ArrowDown: [0, -step, 1],
-      '+': [0, 0, ZOOM_STEP],
-      '=': [0, 0, ZOOM_STEP],
-      '-': [0, 0, 1 / ZOOM_STEP],
+    const moves: Record<typeof name, readonly [x: number, y: number, factor: number]> = {
+      left: [-step, 0, 1],
+      right: [step, 0, 1],
+      up: [0, step, 1],
+      down: [0, -step, 1],
+      nearer: [0, 0, ZOOM_STEP],
+      farther: [0, 0, 1 / ZOOM_STEP],
     }
-    const move = moves[event.key]
-    if (event.key === '0') this.reset()
-    if (!move) return
-    event.preventDefault()
-    this.camera.zoom = Math.min(MOST_ZOOM, Math.max(1, zoom * move[2]))
-    this.#moveTo(position.x + move[0], position.y + move[1])
+    const [x, y, factor] = moves[name]
+    this.camera.zoom = Math.min(MOST_ZOOM, Math.max(1, zoom * factor))
+    this.#moveTo(position.x + x, position.y + y)
     this.#stayOnTexture()
     this.#apply()
   }

@@ -11,7 +11,7 @@ import type { SkinHit, SkinPicker } from '../paint/picker.ts'
 import { posedSkinOf } from '../paint/posed-skin.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { Session } from '../session/session.ts'
-import { isTextField } from '../shortcuts.ts'
+import { type ShortcutName, shortcutOf } from '../shortcuts.ts'
 import { TexturePicker } from '../texture/texture-picker.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 import { BrushRing } from './brush-ring.ts'
@@ -231,17 +231,16 @@ export class Painting {
   }
 
   #onKey(event: KeyboardEvent): void {
-    if (this.area.peek() === null || event.ctrlKey || event.metaKey || event.altKey) return
-    if (isTextField(event.target)) return
+    const name = shortcutOf('painting', event)
+    if (this.area.peek() === null || !name) return
     const { mode, radius } = this.brush.peek()
     const [least, most] = BRUSH_RADII
     const resize = (factor: number) => ({ radius: Math.min(Math.max(radius * factor, least), most) })
-    const changes: Record<string, () => Partial<Brush>> = {
-      '[': () => resize(1 / SIZE_STEP),
-      ']': () => resize(SIZE_STEP),
-      x: () => ({ mode: mode === 'add' ? 'remove' : 'add' }),
+    const changes: Record<ShortcutName<'painting'>, () => Partial<Brush>> = {
+      smaller: () => resize(1 / SIZE_STEP),
+      larger: () => resize(SIZE_STEP),
+      exchange: () => ({ mode: mode === 'add' ? 'remove' : 'add' }),
     }
-    const change = changes[event.key.toLowerCase()]
-    if (change) this.brush.value = { ...this.brush.peek(), ...change() }
+    this.brush.value = { ...this.brush.peek(), ...changes[name]() }
   }
 }

@@ -1,4 +1,5 @@
 import { type Camera, Ray, Raycaster, Vector2 } from 'three'
+import { shortcutOf } from '../shortcuts.ts'
 import type { StagePointer, StageTool } from './stage-tool.ts'
 
 /** Gives pointers on the stage to the tool that is chosen, and to the camera where it does not take them. */
@@ -22,7 +23,7 @@ export class ToolHost {
     stage.addEventListener('pointerup', this.#onUp, { capture: true })
     stage.addEventListener('pointercancel', () => this.cancel(), { capture: true })
     stage.addEventListener('pointerleave', () => this.#tool?.hover?.(null))
-    addEventListener('keydown', ({ key }) => key === 'Escape' && this.cancel())
+    addEventListener('keydown', (event) => shortcutOf('everywhere', event) === 'cancel' && this.cancel())
   }
 
   /** Ends the use of a tool where it is the chosen one. */

@@ -1,7 +1,12 @@
+import { FurrowError } from 'furrow'
+import { checkFileBytes } from '../../../packages/cli/src/file-size.ts'
 import { type OpenedAvatar, openAvatar } from '../open/avatar.ts'
 
 /** Called while a face loads, with the fraction loaded so far; null if the server does not tell the size. */
 export type OnProgress = (fraction: number | null) => void
+
+/** Milliseconds without a byte after which a server is given up. */
+const PATIENCE = 30_000
 
 /** Names of the faces on the server. */
 export async function listFaces(): Promise<string[]> {
@@ -13,29 +18,82 @@ export async function listFaces(): Promise<string[]> {
   )
 }
 
-export async function fetchFace(name: string, onProgress: OnProgress): Promise<OpenedAvatar> {
-  const path = `${name}.glb`
-  const blob = await fetchBlob(absoluteUrl(`faces/${path}`), onProgress)
-  return openAvatar({ path, file: new File([blob], path) })
+/** One of the faces on the server. */
+export function fetchFace(name: string, onProgress: OnProgress): Promise<OpenedAvatar> {
+  return fetchAvatar(absoluteUrl(`faces/${name}.glb`), onProgress)
+}
+
+/**
+ * An avatar at an address. The server learns nothing about the user but that it was asked.
+ *
+ * @throws FurrowError when it cannot be fetched, is too large, or cannot be opened.
+ */
+export async function fetchAvatar(address: string, onProgress: OnProgress): Promise<OpenedAvatar> {
+  const path = fileNameOf(address)
+  const blob = await fetchBlob(address, path, onProgress)
+  return { ...(await openAvatar({ path, file: new File([blob], path) })), address }
+}
+
+/** The last part of an address. */
+export function fileNameOf(address: string): string {
+  const name = new URL(address).pathname.split('/').at(-1)!
+  try {
+    return decodeURIComponent(name) || 'avatar'
+  } catch {
+    return name
+  }
 }
 
 function absoluteUrl(path: string): string {
   return new URL(path, document.baseURI).href
 }
 
-async function fetchBlob(url: string, onProgress: OnProgress): Promise<Blob> {
-  const response = await fetch(url)
-  if (!response.ok || !response.body) {
-    throw new Error(`Studio: face not found, got HTTP status ${response.status} for ${url}; check the server`)
+async function fetchBlob(address: string, name: string, onProgress: OnProgress): Promise<Blob> {
+  const stalled = new AbortController()
+  let timer = 0
+  const wait = () => {
+    clearTimeout(timer)
+    timer = window.setTimeout(() => stalled.abort(new Error('the server does not answer')), PATIENCE)
   }
-  const length = Number(response.headers.get('Content-Length'))
-  const chunks: Uint8Array<ArrayBuffer>[] = []
-  const reader = response.body.getReader()
-  for (let loaded = 0; ; ) {
-    const { done, value } = await reader.read()
-    if (done) return new Blob(chunks)
-    chunks.push(value)
-    loaded += value.length
-    onProgress(length > 0 ? Math.min(loaded / length, 1) : null)
+  wait()
+  try {
+    const options: RequestInit = {
+      credentials: 'omit',
+      referrerPolicy: 'no-referrer',
+      signal: stalled.signal,
+    }
+    const response = await fetch(address, options)
+    if (!response.ok || !response.body) throw new Error(`HTTP status ${response.status}`)
+    const length = Number(response.headers.get('Content-Length'))
+    const chunks: Uint8Array<ArrayBuffer>[] = []
+    const reader = response.body.getReader()
+    for (let loaded = 0; ; ) {
+      checkFileBytes(Math.max(loaded, length), name, 'Studio')
+      const { done, value } = await reader.read()
+      if (done) return new Blob(chunks)
+      wait()
+      chunks.push(value)
+      loaded += value.length
+      onProgress(length > 0 ? Math.min(loaded / length, 1) : null)
+    }
+  } catch (error) {
+    stalled.abort()
+    throw error instanceof FurrowError ? error : notFetched(address, error as Error)
+  } finally {
+    clearTimeout(timer)
   }
+}
+
+function notFetched(address: string, cause: Error): FurrowError {
+  return new FurrowError(
+    {
+      code: 'unreadable',
+      who: 'Studio',
+      what: `an avatar cannot be fetched (${cause.message})`,
+      value: address,
+      remedy:
+        'check the connection, and that its server lets other pages read it (CORS); or download it and drop it here',
+    },
+    { cause },
+  )
 }

@@ -2,6 +2,7 @@ import { Spherical, Vector3 } from 'three'
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import type { Stage } from '../../../stage/stage.ts'
 import type { ViewName } from '../../../stage/views.ts'
+import { type ShortcutName, shortcutOf } from '../shortcuts.ts'
 
 /** Seconds of the transition from one view to another. */
 const TRANSITION_TIME = 0.45
@@ -127,20 +128,19 @@ export class Orbit {
   }
 
   readonly #onKey = (event: KeyboardEvent): void => {
-    const actions: Record<string, () => void> = {
-      ArrowLeft: () => this.#controls.rotateLeft(ROTATION_STEP),
-      ArrowRight: () => this.#controls.rotateLeft(-ROTATION_STEP),
-      ArrowUp: () => this.#controls.rotateUp(ROTATION_STEP),
-      ArrowDown: () => this.#controls.rotateUp(-ROTATION_STEP),
-      '+': () => this.#controls.dollyIn(1 / ZOOM_STEP),
-      '=': () => this.#controls.dollyIn(1 / ZOOM_STEP),
-      '-': () => this.#controls.dollyIn(ZOOM_STEP),
+    const actions: Record<ShortcutName<'face'>, () => void> = {
+      left: () => this.#controls.rotateLeft(ROTATION_STEP),
+      right: () => this.#controls.rotateLeft(-ROTATION_STEP),
+      up: () => this.#controls.rotateUp(ROTATION_STEP),
+      down: () => this.#controls.rotateUp(-ROTATION_STEP),
+      nearer: () => this.#controls.dollyIn(1 / ZOOM_STEP),
+      farther: () => this.#controls.dollyIn(ZOOM_STEP),
     }
-    const action = actions[event.key]
-    if (!action || event.altKey || event.ctrlKey || event.metaKey) return
+    const name = shortcutOf('face', event)
+    if (!name) return
     event.preventDefault()
     this.#leaveView()
-    action()
+    actions[name]()
   }
 }
 

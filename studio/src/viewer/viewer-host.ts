@@ -15,6 +15,8 @@ import { Viewer } from './viewer.ts'
 /** Milliseconds: two device losses within this time mean that WebGPU does not work here. */
 const LOSS_WINDOW = 15_000
 
+const LOST = 'The graphics were lost and come back by themselves; the work is kept'
+
 /** What a host needs of the application. */
 export interface HostParts {
   page: Page
@@ -40,6 +42,8 @@ export class ViewerHost {
   /** Renderers are created one at a time: each waits until the last one has released its device. */
   #opening: Promise<unknown> = Promise.resolve()
   #lastLoss = Number.NEGATIVE_INFINITY
+  /** Of the viewer: ends with it. */
+  #watching = new AbortController()
 
   constructor(parts: HostParts) {
     this.#parts = parts
@@ -130,6 +134,7 @@ export class ViewerHost {
     const [viewer, orbit] = [this.#viewer, this.#orbit]
     if (!viewer || !orbit) return null
     this.#parts.loop.stop()
+    this.#watching.abort()
     const state = snapshot(viewer, orbit)
     this.#viewer = null
     this.#orbit = null
@@ -142,8 +147,11 @@ export class ViewerHost {
   #watch(viewer: Viewer): void {
     const { messages, loop } = this.#parts
     const { renderer } = viewer.stage
+    this.#watching = new AbortController()
     if (isWebGL(renderer)) {
-      viewer.canvas.addEventListener('webglcontextrestored', () => loop.wake())
+      const { signal } = this.#watching
+      viewer.canvas.addEventListener('webglcontextrestored', () => loop.wake(), { signal })
+      viewer.canvas.addEventListener('webglcontextlost', () => messages.note(LOST), { signal })
       return
     }
     void deviceOf(renderer)?.lost.then(({ message }) => {

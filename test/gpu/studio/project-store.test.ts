@@ -313,6 +313,28 @@ describe('two tabs on one project', () => {
     expect((await reopen(copy.id)).opened).toEqual(removeArea(document, 'frown'))
   })
 
+  it('the second can take it, once the first has saved', async () => {
+    const first = await create(openStore())
+    const changed = removeArea(document, 'frown')
+    first.whenWanted(() => void first.save(changed).then(() => first.close()))
+    const second = await openStore().open(first.id, true)
+    expect([first.isReadOnly, second.isReadOnly]).toEqual([true, false])
+    expect(second.opened).toEqual(changed)
+    await expect(first.save(document)).rejects.toThrow('Studio: Face is open in another tab')
+    await second.close()
+  })
+
+  it('the second can take it from one that does not answer', async () => {
+    const first = await create(openStore())
+    let isWanted = 0
+    first.whenWanted(() => isWanted++)
+    const second = await openStore().open(first.id, true)
+    expect([first.isReadOnly, second.isReadOnly]).toEqual([true, false])
+    // When it was asked, and when it lost the project.
+    await expect.poll(() => isWanted).toBe(2)
+    await second.close()
+  })
+
   it('the next one to open it may save when the first has closed it', async () => {
     const first = await create(openStore())
     await first.close()

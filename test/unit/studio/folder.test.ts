@@ -161,6 +161,14 @@ describe('a folder made by hand', () => {
     expect(face.map(({ path }) => path)).toEqual(['face.glb'])
   })
 
+  it('has strokes drawn at the size of its maps', async () => {
+    await shop.makeFolder('sized')
+    const { bytes } = await imageOf(32, 128)
+    for (const layer of ['age', 'expression'])
+      shop.write(`sized/layers/${layer}/normal.png`, Buffer.from(bytes))
+    expect((await readFolder(onDisk('sized'), 'sized', decodeGray)).document.mapSize).toBe(32)
+  })
+
   it('with strokes has them drawn again instead of their maps', async () => {
     await shop.makeFolder('lines')
     const points = [

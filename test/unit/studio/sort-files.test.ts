@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest'
+import { zipFolder } from '../../../studio/src/keep/zip.ts'
 import { type DroppedFile, filesOfInput, filesOfTransfer } from '../../../studio/src/open/dropped-files.ts'
 import { sortFiles } from '../../../studio/src/open/sort-files.ts'
 
@@ -60,7 +61,7 @@ describe('what was dropped', () => {
   it.each([
     ['model.fbx', 'Kaydara FBX Binary', 'it is an FBX file', 'convert it with FBX2glTF'],
     ['model.obj', 'v 0 0 0', 'it is an OBJ file, which has no blendshapes', 'open it in Blender'],
-    ['avatar.zip', 'PK\x03\x04', 'it is an archive', 'unpack it first'],
+    ['avatar.rar', 'Rar!', 'it is an archive', 'unpack it first'],
     [
       'notes.txt',
       'hello',
@@ -72,6 +73,23 @@ describe('what was dropped', () => {
     const error = await sortFiles(dropped({ [name]: text })).catch((thrown: Error) => thrown.message)
     expect(error).toContain(`Studio: ${name} is not usable: ${problem}`)
     expect(error).toContain(`; ${remedy}`)
+  })
+
+  it('is what is in a .zip, which may be none', async () => {
+    const content = new Uint8Array([1])
+    const zip = await zipFolder(
+      ['face.glb', 'wrinkles.json'].map((path) => ({ path, content })),
+      'inside',
+    )
+    const sorted = await sortFiles([{ path: 'My face.zip', file: new File([zip], 'My face.zip') }])
+    expect(sorted).toMatchObject({
+      kind: 'avatar',
+      face: { path: 'My face/face.glb' },
+      wrinkles: { name: 'My face' },
+    })
+    await expect(sortFiles(dropped({ 'avatar.zip': 'PK\x03\x04' }))).rejects.toThrow(
+      'Studio: cannot read avatar.zip',
+    )
   })
 
   it('is nothing', async () => {

@@ -10,6 +10,7 @@ import {
   stepOf,
   widestGap,
 } from '../../document/curve.ts'
+import { type ShortcutName, shortcutOf } from '../../shortcuts.ts'
 import { type Axis, textOn } from './axes.ts'
 import { NumberField } from './number-field.tsx'
 
@@ -93,12 +94,12 @@ export function CurveEditor({ label, curve, axis, outputs, now, onMove, onRest }
               chosen.value = i
             }}
             onKeyDown={(event) => {
-              const move = ARROWS[event.key]
-              const isRemoval = event.key === 'Delete' || event.key === 'Backspace'
-              if (!move && !isRemoval) return
+              const name = shortcutOf('curve', event)
+              if (!name) return
               event.preventDefault()
               event.stopPropagation()
-              if (isRemoval) return remove(i)
+              if (name === 'remove') return remove(i)
+              const move = MOVES[name]
               const factor = event.shiftKey ? 10 : 1
               const [dx, dy] = [stepOf(ranges.input), stepOf(ranges.output)]
               const next = [point[0] + move[0] * factor * dx, point[1] + move[1] * factor * dy] as const
@@ -173,11 +174,11 @@ export function CurveEditor({ label, curve, axis, outputs, now, onMove, onRest }
   )
 }
 
-const ARROWS: Record<string, readonly [number, number]> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowDown: [0, -1],
-  ArrowUp: [0, 1],
+const MOVES: Record<Exclude<ShortcutName<'curve'>, 'remove'>, readonly [number, number]> = {
+  left: [-1, 0],
+  right: [1, 0],
+  down: [0, -1],
+  up: [0, 1],
 }
 
 /** Between the numbers of a curve and the units of the drawing. */

@@ -55,7 +55,7 @@ function vectors(attribute: BufferAttribute | InterleavedBufferAttribute): Vecto
 
 /** The names of the targets, or the indices of those that have none. */
 function targetNames({ geometry, morphTargetDictionary = {} }: Mesh): string[] {
-  const names = geometry.morphAttributes.position!.map((_, i) => String(i))
+  const names = (geometry.morphAttributes.position ?? []).map((_, i) => String(i))
   for (const [name, i] of Object.entries(morphTargetDictionary)) names[i] = name
   return names
 }

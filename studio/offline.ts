@@ -1,0 +1,34 @@
+import { createHash } from 'node:crypto'
+import { readFile } from 'node:fs/promises'
+import { fileURLToPath } from 'node:url'
+import { type Plugin, transformWithOxc } from 'vite'
+
+const WORKER = fileURLToPath(new URL('./src/offline/service-worker.ts', import.meta.url))
+
+/**
+ * Writes `service-worker.js` into a build, which keeps the page in the browser: `FILES` in it becomes the list of what the page needs to
+ * start and to make faces, `VERSION` the hash of their contents. Workbox writes such a worker too, with 250 packages.
+ *
+ * @param isKept whether a file is kept before it is asked for; others are kept from then on.
+ */
+export function offline(isKept: (path: string) => boolean): Plugin {
+  return {
+    name: 'furrow-offline',
+    apply: 'build',
+    // After all others have added their files.
+    enforce: 'post',
+    async generateBundle(_, bundle) {
+      const files = Object.keys(bundle).filter(isKept).sort()
+      const hash = createHash('sha256')
+      for (const path of Object.keys(bundle).sort()) {
+        const file = bundle[path]
+        hash.update(path).update(file.type === 'chunk' ? file.code : file.source)
+      }
+      const source = (await readFile(WORKER, 'utf8'))
+        .replace("'FILES'", JSON.stringify(['./', ...files]))
+        .replace("'VERSION'", JSON.stringify(hash.digest('hex').slice(0, 16)))
+      const { code } = await transformWithOxc(source, WORKER)
+      this.emitFile({ type: 'asset', fileName: 'service-worker.js', source: code })
+    },
+  }
+}

@@ -1,0 +1,19 @@
+import { DEFAULT_AREA_SIZE } from 'furrow'
+import { type AutoSettings, LAYER_DEFAULTS, type StudioDocument } from './document.ts'
+
+/** Of a face in metres, as glTF has them. */
+const MILLIMETRES = 1000
+
+/** A document of smooth skin, to paint and draw on. */
+export function blankDocument(auto: AutoSettings | undefined): StudioDocument {
+  return {
+    scale: MILLIMETRES,
+    mapSize: 1024,
+    areaSize: DEFAULT_AREA_SIZE,
+    layers: [{ ...LAYER_DEFAULTS, name: 'wrinkles' }],
+    areas: [],
+    strokes: [],
+    drivers: [],
+    ...(auto && { auto, mapSize: auto.size }),
+  }
+}

@@ -1,0 +1,162 @@
+import { FurrowError } from 'furrow'
+import { AUTO_REGIONS } from 'furrow/author'
+import type { AutoRegion } from 'furrow/auto'
+import { AUTO_AGES, AUTO_SIZES, AUTO_STRENGTHS, type AutoSettings } from '../document/document.ts'
+
+/** What a link says: everything small, and never the model. */
+export interface Link {
+  /** Address of the model, where that is public. */
+  model?: string | undefined
+  /** Weights of blendshapes, 0..1; those that are missing are 0. */
+  pose?: ReadonlyMap<string, number> | undefined
+  /** Position and target in the units of the scene. */
+  camera?: readonly [x: number, y: number, z: number, tx: number, ty: number, tz: number] | undefined
+  /** What automatic wrinkles are made with. */
+  auto?: AutoSettings | undefined
+}
+
+/** Most characters of a link that are read, of an address and of a name in it, and most blendshapes. */
+const MOST = { link: 20_000, address: 2000, name: 100, weights: 500 } as const
+/** Beyond it numbers of a camera are no place near a face. */
+const FARTHEST = 1e6
+/** Seeds are 32 bits. */
+const MOST_SEED = 2 ** 32 - 1
+
+/**
+ * A link as the hash of an address, without `#`: `model=faces/human.glb&pose=jawOpen:0.25&camera=0,1.6,0.5,0,1.6,0&auto=45,1,1024,1`, the last
+ * of which may go on with regions.
+ *
+ * @param base address of the page; models beside it get a relative one.
+ */
+export function formatLink({ model, pose, camera, auto }: Link, base: string): string {
+  const parts: string[] = []
+  const add = (name: string, text: string) => parts.push(`${name}=${text}`)
+  if (model !== undefined) add('model', escaped(relative(model, base)))
+  if (pose) {
+    const weights = [...pose].filter(([, weight]) => weight > 0)
+    add('pose', weights.map(([name, weight]) => `${escaped(name)}:${Number(weight.toFixed(3))}`).join(','))
+  }
+  if (camera) add('camera', camera.map((value) => Number(value.toPrecision(5))).join(','))
+  if (auto) {
+    const { age, strength, size, seed, regions = [] } = auto
+    add('auto', [age, strength, size, seed, ...regions].join(','))
+  }
+  return parts.join('&')
+}
+
+/**
+ * Reads a link. Nothing in it is trusted: numbers outside their ranges and addresses that are neither secure nor of this page are refused.
+ *
+ * @param hash with or without `#`.
+ * @param base address of the page.
+ * @throws FurrowError for the first part that cannot be used; parts of other names are ignored.
+ */
+export function parseLink(hash: string, base: string): Link {
+  const text = hash.replace(/^#/, '')
+  if (text.length > MOST.link) throw unusable('it is too long', text.length, `${MOST.link} characters`)
+  const parts = new Map(
+    text.split('&').map((part): [string, string] => {
+      const [name, ...rest] = part.split('=')
+      return [name, rest.join('=')]
+    }),
+  )
+  const read = <T>(name: string, parse: (text: string) => T): T | undefined => {
+    const part = parts.get(name)
+    return part === undefined ? undefined : parse(part)
+  }
+  return {
+    model: read('model', (part) => addressOf(unescaped(part), base)),
+    pose: read('pose', poseOf),
+    camera: read('camera', cameraOf),
+    auto: read('auto', autoOf),
+  }
+}
+
+function addressOf(text: string, base: string): string {
+  const fail = () =>
+    unusable('the address of its model', text.slice(0, MOST.name), 'https, or beside this page')
+  if (text.length > MOST.address || !URL.canParse(text, base)) throw fail()
+  const url = new URL(text, base)
+  const isAllowed = url.protocol === 'https:' || url.origin === new URL(base).origin
+  if (!isAllowed || url.origin === 'null' || url.username || url.password) throw fail()
+  return url.href
+}
+
+function poseOf(text: string): ReadonlyMap<string, number> {
+  const entries = text === '' ? [] : text.split(',')
+  if (entries.length > MOST.weights) throw unusable('its pose', entries.length, `${MOST.weights} blendshapes`)
+  return new Map(
+    entries.map((entry): [string, number] => {
+      const [name, weight, ...others] = entry.split(':')
+      const plain = unescaped(name)
+      if (plain === '' || plain.length > MOST.name || others.length > 0) {
+        throw unusable('its pose', entry.slice(0, MOST.name), 'NAME:WEIGHT')
+      }
+      return [plain, numberIn(weight, `the weight of ${plain}`, 0, 1)]
+    }),
+  )
+}
+
+function cameraOf(text: string): Link['camera'] {
+  const values = text.split(',').map((value) => numberIn(value, 'its camera', -FARTHEST, FARTHEST))
+  const [x, y, z, tx, ty, tz] = values
+  const distance = Math.hypot(x - tx, y - ty, z - tz)
+  // From straight above or below, which way is up?
+  const isUpright = Math.hypot(x - tx, z - tz) > 1e-3 * distance
+  if (values.length !== 6 || !isUpright) throw unusable('its camera', text.slice(0, MOST.name), '6 numbers')
+  return [x, y, z, tx, ty, tz]
+}
+
+function autoOf(text: string): AutoSettings {
+  const [age, strength, size, seed, ...regions] = text.split(',')
+  const side = numberIn(size, 'its size', AUTO_SIZES[0], AUTO_SIZES.at(-1)!)
+  if (!AUTO_SIZES.includes(side as never)) throw unusable('its size', side, AUTO_SIZES.join(', '))
+  const unknown = regions.find((region) => !AUTO_REGIONS.includes(region as AutoRegion))
+  if (unknown !== undefined)
+    throw unusable('its region', unknown.slice(0, MOST.name), AUTO_REGIONS.join(', '))
+  const number = numberIn(seed, 'its seed', 0, MOST_SEED)
+  if (!Number.isInteger(number)) throw unusable('its seed', seed, 'a whole number')
+  return {
+    age: numberIn(age, 'its age', ...AUTO_AGES),
+    strength: numberIn(strength, 'its strength', ...AUTO_STRENGTHS),
+    size: side,
+    seed: number,
+    ...(regions.length > 0 && { regions: AUTO_REGIONS.filter((region) => regions.includes(region)) }),
+  }
+}
+
+function numberIn(text: string | undefined, what: string, low: number, high: number): number {
+  const value = Number(text || Number.NaN)
+  if (value >= low && value <= high) return value
+  throw unusable(what, text?.slice(0, MOST.name), `${low} to ${high}`)
+}
+
+/** An address beside the page without what it has in common with the page's. */
+function relative(address: string, base: string): string {
+  const folder = new URL('.', base).href
+  return address.startsWith(folder) ? address.slice(folder.length) : address
+}
+
+/** What a link needs escaped; `/` stays, which is safe in a hash and easier to read. */
+function escaped(text: string): string {
+  return encodeURIComponent(text).replaceAll('%2F', '/')
+}
+
+function unescaped(text: string): string {
+  try {
+    return decodeURIComponent(text)
+  } catch {
+    throw unusable('it is cut off', text.slice(0, MOST.name))
+  }
+}
+
+function unusable(what: string, value: unknown, limit?: string): FurrowError {
+  return new FurrowError({
+    code: 'out-of-range',
+    who: 'Studio',
+    what: `the link cannot be used: ${what}`,
+    value,
+    limit,
+    remedy: 'ask for it again, or go on without it',
+  })
+}

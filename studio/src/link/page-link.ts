@@ -1,0 +1,83 @@
+import type { Loading } from '../loading.ts'
+import type { Messages } from '../messages.ts'
+import { AUTO_SETTINGS, type Workspace } from '../session/workspace.ts'
+import { fetchAvatar, fileNameOf } from '../viewer/faces.ts'
+import type { LoadAvatar, ViewerHost } from '../viewer/viewer-host.ts'
+import { formatLink, type Link, parseLink } from './link.ts'
+import { applyLink, linkOf } from './viewer-link.ts'
+
+export interface PageLinkParts {
+  host: ViewerHost
+  workspace: Workspace
+  messages: Messages
+  loading: Loading
+  /** Runs what sets blendshapes and the camera. */
+  set(write: () => void): void
+}
+
+/** The link in the hash of the page's address: what it says is shown, and what is shown can be copied as one. */
+export class PageLink {
+  readonly #parts: PageLinkParts
+  #link: Link | null = null
+
+  constructor(parts: PageLinkParts) {
+    this.#parts = parts
+    addEventListener('hashchange', () => void this.#follow())
+  }
+
+  /** Reads the link; what is wrong with it is told, and it counts as none. */
+  async read(): Promise<void> {
+    this.#link = null
+    if (location.hash.length < 2) return
+    const { messages, workspace } = this.#parts
+    await messages.attempt(() => {
+      const link = parseLink(location.hash, location.href)
+      this.#link = link
+      workspace.firstSettings = link.auto ?? AUTO_SETTINGS
+    })
+  }
+
+  /** Loads its model; null where it has none. */
+  get load(): LoadAvatar | null {
+    const model = this.#link?.model
+    if (model === undefined) return null
+    const title = `Loading ${fileNameOf(model)}`
+    return () => {
+      const { loading } = this.#parts
+      loading.show(title)
+      return fetchAvatar(model, (fraction) => loading.show(title, fraction))
+    }
+  }
+
+  /** Sets the face and the camera as it says. Returns whether there is a link. */
+  show(): boolean {
+    const { viewer, orbit } = this.#parts.host
+    const link = this.#link
+    if (!link || !viewer || !orbit) return false
+    this.#parts.set(() => applyLink(link, viewer, orbit))
+    return true
+  }
+
+  /** Copies a link to what is shown, and leaves it in the page's address too. */
+  async copy(): Promise<void> {
+    const { host, workspace, messages } = this.#parts
+    if (!host.viewer || !host.orbit) return
+    const link = linkOf(host.viewer, host.orbit, workspace.session.document.peek()?.auto)
+    history.replaceState(null, '', `#${formatLink(link, location.href)}`)
+    const what = link.model === undefined ? 'the avatar itself is not in it' : 'it opens this avatar'
+    // Browsers may refuse, and have no clipboard on pages that are not secure.
+    const isCopied = await navigator.clipboard?.writeText(location.href).then(
+      () => true,
+      () => false,
+    )
+    messages.note(isCopied ? `Copied the link: ${what}` : `The link is in the address of this page: ${what}`)
+  }
+
+  async #follow(): Promise<void> {
+    await this.read()
+    const { load } = this
+    const { host } = this.#parts
+    if (load) await host.open(host.viewer?.kind ?? 'webgl', load)
+    this.show()
+  }
+}

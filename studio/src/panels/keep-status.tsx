@@ -1,0 +1,33 @@
+import type { PanelModel } from './model.ts'
+
+/** Whether the work is kept, and what helps where it is not. */
+export function KeepStatus({ model: { saving, session, actions } }: { model: PanelModel }) {
+  const state = saving.value
+  if (!state) return null
+  if (state.kind !== 'elsewhere') {
+    const isFailed = state.kind === 'failed'
+    return (
+      <p class={isFailed ? 'hint warning' : 'hint'} role={isFailed ? 'alert' : 'status'}>
+        {isFailed ? state.reason.message : 'Kept in this browser'}
+      </p>
+    )
+  }
+  const isChanged = session.undoLabel.value !== undefined
+  return (
+    <div class="elsewhere">
+      <p class="hint warning" role="alert">
+        Open in another tab, which alone keeps it: changes in this one are not kept
+      </p>
+      <div class="work">
+        <button type="button" onClick={actions.keepCopy}>
+          Keep a copy
+        </button>
+        {!isChanged && (
+          <button type="button" onClick={actions.takeOver}>
+            Go on here
+          </button>
+        )}
+      </div>
+    </div>
+  )
+}

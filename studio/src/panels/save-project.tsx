@@ -1,0 +1,24 @@
+import { canWriteFolders } from '../keep/disk-folder.ts'
+import type { PanelModel } from './model.ts'
+
+/** Saves the work as what `furrow pack` reads: a file everywhere, a folder where the browser can write one. */
+export function SaveProject({ model: { folder, actions } }: { model: PanelModel }) {
+  const known = folder.value
+  return (
+    <div class="add">
+      <button type="button" onClick={actions.saveProject}>
+        Save project (.zip)
+      </button>
+      {canWriteFolders() && known && (
+        <button type="button" onClick={() => actions.saveToFolder(false)}>
+          Save to {known.name}
+        </button>
+      )}
+      {canWriteFolders() && (
+        <button type="button" onClick={() => actions.saveToFolder(true)}>
+          {known ? 'Save to another folder…' : 'Save to folder…'}
+        </button>
+      )}
+    </div>
+  )
+}

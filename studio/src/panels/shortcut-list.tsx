@@ -1,0 +1,78 @@
+import { type Signal, useSignalEffect } from '@preact/signals'
+import { useRef } from 'preact/hooks'
+import { type Scope, SHORTCUTS } from '../shortcuts.ts'
+
+const SCOPES: Record<Scope, string> = {
+  everywhere: 'Everywhere',
+  face: 'On the face',
+  painting: 'While painting',
+  lines: 'On the face, while editing lines',
+  texture: 'On the texture',
+  curve: 'On a point of a curve',
+  divider: 'On the divider',
+}
+
+const isMac = /^Mac/.test(navigator.platform)
+const SIGNS: Record<string, string> = {
+  Mod: isMac ? '⌘' : 'Ctrl',
+  Escape: 'Esc',
+  ArrowLeft: '←',
+  ArrowRight: '→',
+  ArrowUp: '↑',
+  ArrowDown: '↓',
+  PageUp: 'Page up',
+  PageDown: 'Page down',
+}
+
+/** All shortcuts, over the page. */
+export function ShortcutList({ isOpen }: { isOpen: Signal<boolean> }) {
+  const dialog = useRef<HTMLDialogElement>(null)
+  useSignalEffect(() => {
+    if (isOpen.value) dialog.current?.showModal()
+    else dialog.current?.close()
+  })
+  const close = () => {
+    isOpen.value = false
+  }
+  return (
+    <dialog ref={dialog} class="shortcuts" aria-labelledby="shortcuts-title" onClose={close}>
+      <div>
+        <header>
+          <h2 id="shortcuts-title">Shortcuts</h2>
+          <button type="button" onClick={close}>
+            Close
+          </button>
+        </header>
+        {(Object.keys(SCOPES) as Scope[]).map((scope) => (
+          <section key={scope}>
+            <h3>{SCOPES[scope]}</h3>
+            <dl>
+              {Object.entries(SHORTCUTS[scope]).map(([name, { keys, does }]) => (
+                <div key={name}>
+                  <dt>
+                    <Keys keys={keys} />
+                  </dt>
+                  <dd>{does}</dd>
+                </div>
+              ))}
+            </dl>
+          </section>
+        ))}
+      </div>
+    </dialog>
+  )
+}
+
+/** Keys that do the same. */
+function Keys({ keys }: { keys: readonly string[] }) {
+  return keys.map((key) => <kbd key={key}>{signOf(key)}</kbd>)
+}
+
+/** `Mod+z` as on the keyboard. */
+function signOf(key: string): string {
+  if (key.length === 1) return key.toUpperCase()
+  return key
+    .split('+')
+    .map((part) => SIGNS[part] ?? (part.length === 1 ? part.toUpperCase() : part))
+    .join(' ')
+}

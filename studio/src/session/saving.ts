@@ -1,0 +1,78 @@
+import { effect, type ReadonlySignal, signal } from '@preact/signals'
+import { askToWrite, pickFolder, projectFolder, writeFolder } from '../keep/disk-folder.ts'
+import type { FolderFile } from '../keep/folder-files.ts'
+import type { OpenedAvatar } from '../open/avatar.ts'
+import { documentToExport } from './exporting.ts'
+import type { Workspace } from './workspace.ts'
+
+/** Saves the project as a file or a folder, which are what `furrow pack` reads. */
+export class Saving {
+  readonly #workspace: Workspace
+  readonly #folder = signal<FileSystemDirectoryHandle | null>(null)
+
+  constructor(workspace: Workspace) {
+    this.#workspace = workspace
+    effect(() => {
+      const project = workspace.keeping.kept.value
+      this.#folder.value = null
+      void project?.folder().then(
+        (folder) => {
+          if (folder && project === workspace.keeping.kept.peek()) this.#folder.value = folder
+        },
+        () => {},
+      )
+    })
+  }
+
+  /** The folder of the project on the disk; null where it has none yet. */
+  get folder(): ReadonlySignal<FileSystemDirectoryHandle | null> {
+    return this.#folder
+  }
+
+  /** The project with the avatar as one file; null where there is none. Rejects with a FurrowError where it cannot be made. */
+  async zip(): Promise<{ file: Blob; name: string } | null> {
+    const project = await this.#files()
+    const { zipFolder } = await import('../keep/zip.ts')
+    return project && { file: await zipFolder(project.files, project.name), name: `${project.name}.zip` }
+  }
+
+  /**
+   * Writes the project to its folder, and to one that the user chooses where it has none. To be called in answer to a click.
+   *
+   * @param isOther asks for a folder in any case.
+   * @returns the name of the folder; null where none was chosen. Rejects with a FurrowError where it cannot be written.
+   */
+  async toFolder(isOther: boolean): Promise<string | null> {
+    const known = isOther ? null : this.#folder.peek()
+    const chosen = known ?? (await pickFolder())
+    if (!chosen) return null
+    if (known) await askToWrite(known)
+    const project = await this.#files()
+    if (!project) return null
+    const folder = known ?? (await projectFolder(chosen, project.name))
+    await writeFolder(folder, project.files)
+    await this.#remember(folder)
+    return folder.name
+  }
+
+  async #files(): Promise<{ name: string; files: FolderFile[] } | null> {
+    const work = await this.#workspace.drawnWork()
+    if (!work) return null
+    const { drawn, avatar } = work
+    const { projectFilesInWorker } = await import('../export/in-worker.ts')
+    const files = await projectFilesInWorker(documentToExport(drawn, avatar), avatar.files)
+    return { name: nameOf(avatar), files: [...files].map(([path, content]) => ({ path, content })) }
+  }
+
+  /** Where the browser stores nothing, the folder is known until the page is closed. */
+  async #remember(folder: FileSystemDirectoryHandle): Promise<void> {
+    const project = await this.#workspace.keeping.project().catch(() => undefined)
+    await project?.setFolder(folder).catch(() => {})
+    this.#folder.value = folder
+  }
+}
+
+/** The avatar's name as that of a file. */
+function nameOf({ name }: OpenedAvatar): string {
+  return name.replace(/[\\/:*?"<>|\p{Cc}]/gu, '_').replace(/^\.+/, '_') || 'avatar'
+}

@@ -1,0 +1,176 @@
+/** What goes wrong: files that are none, a full disk, workers that end. The page says it in a line, and the work goes on. */
+
+import { closeSync, openSync, readFileSync, truncateSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { Document, NodeIO } from '@gltf-transform/core'
+import type { Page } from 'playwright-core'
+import { beforeAll, expect, test } from 'vitest'
+import { editGlb } from '../glb.ts'
+import { openStudio } from './opened-studio.ts'
+import { dismiss, dropPaths, waitUntilReady } from './studio-page.ts'
+
+const SOON = { timeout: 60_000 }
+const studio = openStudio({ width: 800, height: 400 })
+let page: Page
+const at = (name: string) => join(studio.folder, name)
+const button = (name: string | RegExp) => page.getByRole('button', { name })
+const note = (text: string) => page.getByRole('status').getByText(text).waitFor()
+const areas = () => page.locator('#areas .row label').allTextContents()
+
+beforeAll(async () => {
+  page = studio.page
+  // Tests end workers as a browser does that runs out of memory: without any event.
+  await page.addInitScript(() => {
+    const workers = new Map<Worker, string>()
+    const { Worker } = globalThis
+    Object.assign(globalThis, {
+      endWorker: (name: string) => {
+        const ended = [...workers].filter(([, url]) => url.includes(name))
+        for (const [worker] of ended) worker.terminate()
+        return ended.length
+      },
+      Worker: class extends Worker {
+        constructor(url: string | URL, options?: WorkerOptions) {
+          super(url, options)
+          workers.set(this, String(url))
+        }
+        override terminate() {
+          workers.delete(this)
+          super.terminate()
+        }
+      },
+    })
+  })
+  await page.reload()
+  await waitUntilReady(page)
+
+  const plain = readFileSync(at('plain.glb'))
+  const write = (name: string, change: (primitive: { targets?: unknown; attributes: object }) => void) => {
+    const edited = editGlb(plain, (json) => {
+      for (const mesh of json.meshes) {
+        mesh.weights = undefined
+        mesh.extras = undefined
+        mesh.primitives.forEach(change)
+      }
+    })
+    writeFileSync(at(name), edited)
+  }
+  write('still.glb', (primitive) => {
+    primitive.targets = undefined
+  })
+  write('unwrapped.glb', (primitive) => {
+    primitive.attributes = { ...primitive.attributes, TEXCOORD_0: undefined }
+  })
+  writeFileSync(at('sheet.glb'), await sheet(20))
+  writeFileSync(at('millions.glb'), await sheet(1001))
+  writeFileSync(at('large.glb'), plain)
+  truncateSync(at('large.glb'), 600 * 2 ** 20)
+  closeSync(openSync(at('empty.glb'), 'w'))
+})
+
+const endWorker = (name: string) =>
+  page.evaluate((url) => (globalThis as never as { endWorker(name: string): number }).endWorker(url), name)
+
+/** A flat sheet of 2 x side x side triangles with one blendshape, which is no face. */
+async function sheet(side: number): Promise<Uint8Array> {
+  const document = new Document()
+  const buffer = document.createBuffer()
+  const row = side + 1
+  const positions = new Float32Array(3 * row * row)
+  const uvs = new Float32Array(2 * row * row)
+  const normals = positions.map((_, i) => (i % 3 === 2 ? 1 : 0))
+  const moved = new Float32Array(3 * row * row)
+  for (let i = 0; i < row * row; i++) {
+    const [u, v] = [(i % row) / side, Math.floor(i / row) / side]
+    positions.set([u - 0.5, 0.5 - v, 0], 3 * i)
+    uvs.set([u, v], 2 * i)
+    moved[3 * i + 2] = 0.1 * u
+  }
+  const indices = new Uint32Array(6 * side * side)
+  for (let i = 0; i < side * side; i++) {
+    const a = Math.floor(i / side) * row + (i % side)
+    indices.set([a, a + row, a + 1, a + 1, a + row, a + row + 1], 6 * i)
+  }
+  const accessor = (array: Float32Array | Uint32Array, type: 'VEC2' | 'VEC3' | 'SCALAR') =>
+    document
+      .createAccessor()
+      .setArray(array as never)
+      .setType(type)
+      .setBuffer(buffer)
+  const primitive = document
+    .createPrimitive()
+    .setIndices(accessor(indices, 'SCALAR'))
+    .setAttribute('POSITION', accessor(positions, 'VEC3'))
+    .setAttribute('NORMAL', accessor(normals, 'VEC3'))
+    .setAttribute('TEXCOORD_0', accessor(uvs, 'VEC2'))
+    .setMaterial(document.createMaterial('skin'))
+    .addTarget(document.createPrimitiveTarget('bend').setAttribute('POSITION', accessor(moved, 'VEC3')))
+  const mesh = document.createMesh('sheet').addPrimitive(primitive).setWeights([0])
+  document.createScene().addChild(document.createNode('sheet').setMesh(mesh))
+  return new NodeIO().writeBinary(document)
+}
+
+test('an avatar without blendshapes says so, and can be painted', async () => {
+  await dropPaths(page, [at('still.glb')], 'Still')
+  await note('has no blendshapes: it can be painted, but no expression moves it')
+  await button('New area').click()
+  await expect.poll(areas, SOON).toEqual(['area'])
+})
+
+test('one without texture coordinates says so', async () => {
+  await dropPaths(page, [at('unwrapped.glb')], 'Unwrapped')
+  await note('it has no texture coordinates: unwrap it, and export it again')
+})
+
+test('what is no face says so, and can be painted', async () => {
+  await dropPaths(page, [at('sheet.glb')])
+  await page
+    .getByRole('alert')
+    .getByText(/no wrinkles can be made|autoWrinkles/)
+    .waitFor()
+  await button('Dismiss').click()
+  await button('New area').click()
+  await expect.poll(areas, SOON).toEqual(['area'])
+})
+
+test('a file that is too large says so, unread', async () => {
+  await dropPaths(page, [at('large.glb')])
+  await dismiss(page, 'large.glb is too large, got "600 MiB", allowed: 512 MiB')
+})
+
+test('an empty file says so', async () => {
+  await dropPaths(page, [at('empty.glb')])
+  await dismiss(page, 'empty.glb is not usable')
+})
+
+test('two million triangles are shown, and told to be too many', async () => {
+  await dropPaths(page, [at('millions.glb')], 'Millions')
+  await note('it has 2,004,002 triangles, more than 2,000,000: decimate it')
+})
+
+test('a disk that is full keeps the work in memory, and saves it when there is room', async () => {
+  const session = await page.context().newCDPSession(page)
+  const { origin } = new URL(page.url())
+  await session.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: 1000 })
+  await dropPaths(page, [at('plain.glb')], 'Plain')
+  await expect.poll(async () => (await areas()).length, { timeout: 300_000 }).toBeGreaterThan(5)
+  await button('New area').click()
+  await page.getByText('the browser has no room left for this project; free some disk space').waitFor()
+  expect(await areas()).toContain('area')
+  await session.send('Storage.overrideQuotaForOrigin', { origin })
+  await page.getByText('Kept in this browser').waitFor()
+})
+
+test('a worker that ends while it draws is told, and started again', async () => {
+  expect(await endWorker('draw/worker')).toBeGreaterThan(0)
+  await page
+    .getByRole('alert')
+    .getByText('the worker that draws strokes has ended; it is started again')
+    .waitFor()
+  await button('Dismiss').click()
+  await button('Undo').click()
+  await expect.poll(areas, SOON).not.toContain('area')
+  await page.getByRole('heading', { name: 'Export' }).click()
+  await button('Make the file').click()
+  await button('Save plain-wrinkled.glb').waitFor()
+})
