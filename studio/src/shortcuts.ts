@@ -27,6 +27,11 @@ export const SHORTCUTS = {
     larger: { keys: [']'], does: 'Larger brush' },
     exchange: { keys: ['x'], does: 'Exchange adding and removing' },
   },
+  polygon: {
+    close: { keys: ['Enter'], does: 'Close the polygon' },
+    back: { keys: ['Backspace'], does: 'Take the last point back' },
+    clear: { keys: ['Escape'], does: 'Take the polygon back' },
+  },
   lines: {
     remove: { keys: ['Delete', 'Backspace'], does: 'Delete the point or the line that is chosen' },
   },

@@ -264,6 +264,9 @@ test('the face performs for the area under the pointer or the focus, lit from th
   expect(await meanPngDifference(before, await shootStage(page))).toBeGreaterThan(2)
   await expectPicture(before)
   expect(await values('jawOpen', 'noseLeft', 'crowsFeetLeft')).toEqual([0.3, 0.4, 0])
+  // Tab goes to the one of the list that is chosen.
+  await choice('noseLeft').check()
+  await shootAside()
   await choice('noseLeft').focus()
   await page.keyboard.press('Shift+Tab')
   await page.keyboard.press('Tab')

@@ -6,6 +6,7 @@ const SCOPES: Record<Scope, string> = {
   everywhere: 'Everywhere',
   face: 'On the face',
   painting: 'While painting',
+  polygon: 'While a polygon is drawn',
   lines: 'On the face, while editing lines',
   texture: 'On the texture',
   curve: 'On a point of a curve',

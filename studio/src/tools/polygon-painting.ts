@@ -3,7 +3,7 @@ import { type Camera, Vector3 } from 'three'
 import type { Brush } from '../paint/brush.ts'
 import type { SkinHit, SkinPicker } from '../paint/picker.ts'
 import { paintPolygon } from '../paint/polygon.ts'
-import { isTextField } from '../shortcuts.ts'
+import { shortcutOf } from '../shortcuts.ts'
 import type { PaintTarget } from './paint-tool.ts'
 import { PolygonOutline } from './polygon-outline.ts'
 import { PolygonTool } from './polygon-tool.ts'
@@ -82,15 +82,11 @@ export class PolygonPainting {
   }
 
   #onKey(event: KeyboardEvent): void {
-    if (this.#count.peek() === 0 || isTextField(event.target)) return
-    const actions: Record<string, () => void> = {
-      Enter: () => this.tool.close(),
-      Escape: () => this.tool.clear(),
-      Backspace: () => this.tool.removeLast(),
-    }
-    const action = actions[event.key]
-    if (!action) return
+    const name = this.#count.peek() > 0 && shortcutOf('polygon', event)
+    if (!name) return
     event.preventDefault()
-    action()
+    if (name === 'close') this.tool.close()
+    else if (name === 'back') this.tool.removeLast()
+    else this.tool.clear()
   }
 }
