@@ -1,11 +1,7 @@
-import { batch, effect, signal, untracked } from '@preact/signals'
-import type { AreaConvention } from 'furrow'
+import { batch, effect, signal } from '@preact/signals'
 import { VIEWS, type ViewName } from '../../stage/views.ts'
-import { readArea } from './area-file.ts'
 import { Buttons } from './buttons.ts'
-import { displayName } from './display-name.ts'
 import { Divider } from './divider.ts'
-import type { StudioDocument } from './document/document.ts'
 import { Downloads } from './downloads.ts'
 import { acceptFiles } from './drop.ts'
 import { Lines } from './lines/lines.ts'
@@ -14,14 +10,13 @@ import { Loading } from './loading.ts'
 import { Loop } from './loop.ts'
 import { Messages } from './messages.ts'
 import { Meter } from './meter.ts'
-import { reducedMotion } from './motion.ts'
-import { type OpenedAvatar, openDropped } from './open/avatar.ts'
-import { type DroppedFile, filesOfInput, filesOfTransfer } from './open/dropped-files.ts'
-import { sortFiles } from './open/sort-files.ts'
+import { filesOfInput, filesOfTransfer } from './open/dropped-files.ts'
+import { Opening } from './open/opening.ts'
 import type { Page } from './page.ts'
-import type { Hovered, PanelModel } from './panels/model.ts'
+import type { PanelModel } from './panels/model.ts'
 import { showPanel } from './panels/show-panel.tsx'
 import { AreaEditor } from './session/area-editor.ts'
+import { FaceAreas } from './session/face-areas.ts'
 import { LayerEditor } from './session/layer-editor.ts'
 import { Saving } from './session/saving.ts'
 import { Workspace } from './session/workspace.ts'
@@ -31,15 +26,11 @@ import { Painting } from './tools/painting.ts'
 import { ToolHost } from './tools/tool-host.ts'
 import { adapterName } from './viewer/adapter.ts'
 import { DocumentView, type DrawnDocument } from './viewer/document-view.ts'
-import { fetchFace, listFaces } from './viewer/faces.ts'
+import { listFaces } from './viewer/faces.ts'
 import { lookLabel } from './viewer/looks.ts'
-import { Performer } from './viewer/performer.ts'
-import { Staging } from './viewer/staging.ts'
+import { ShownFace } from './viewer/shown-face.ts'
 import type { Viewer } from './viewer/viewer.ts'
-import { type LoadAvatar, ViewerHost } from './viewer/viewer-host.ts'
-
-/** Seconds of the transition from one expression to another. */
-const EXPRESSION_TIME = 0.35
+import { ViewerHost } from './viewer/viewer-host.ts'
 
 /** The application: applies what the controls request, and shows the result. */
 export class Studio {
@@ -51,26 +42,22 @@ export class Studio {
   readonly #meter: Meter
   readonly #loop: Loop
   readonly #host: ViewerHost
+  readonly #face: ShownFace
+  readonly #opening: Opening
 
   readonly #workspace: Workspace
   readonly #saving: Saving
   readonly #link: PageLink
   readonly #isListOpen = signal(false)
   readonly #areas: AreaEditor
+  readonly #faceAreas: FaceAreas
   readonly #layers: LayerEditor
-  readonly #staging: Staging
-  readonly #performer: Performer
   readonly #tools: ToolHost
   readonly #painting: Painting
   readonly #view = new DocumentView()
   readonly #lines: Lines
   readonly #downloads: Downloads
   readonly #faces = signal<readonly string[]>([])
-  readonly #shown = signal<Viewer | null>(null)
-  readonly #frame = signal(0)
-  readonly #revision = signal(0)
-  readonly #expression = signal<string | null>(null)
-  readonly #hovered = signal<Hovered | null>(null)
 
   constructor(page: Page) {
     this.#page = page
@@ -96,7 +83,15 @@ export class Studio {
       loading,
       loop: this.#loop,
       onOpen: (viewer) => this.#show(viewer),
-      onSettled: () => this.#refresh(),
+      onSettled: () => this.#face.refresh(),
+    })
+    const wake = () => this.#loop.wake()
+    const attempt = (task: () => unknown) => messages.attempt(task)
+    this.#face = new ShownFace({
+      live: () => this.#host.viewer,
+      orbit: () => this.#host.orbit,
+      messages,
+      wake,
     })
     const views = Object.keys(VIEWS) as ViewName[]
     this.#views = new Buttons(page.views, views, (name) => this.#goTo(name), { 'three-quarter': '3/4' })
@@ -112,7 +107,7 @@ export class Studio {
       workspace: this.#workspace,
       messages,
       loading,
-      set: (write) => this.#set(write),
+      set: (write) => this.#face.set(write),
     })
     const { session } = this.#workspace
     this.#areas = new AreaEditor(session, (task) => void messages.attempt(task))
@@ -120,47 +115,43 @@ export class Studio {
       session,
       drawn: this.#workspace.drawn,
       avatar: () => this.#viewer?.avatar ?? null,
-      attempt: (task) => messages.attempt(task),
+      attempt,
     })
-    this.#staging = new Staging({
-      viewer: this.#shown,
-      orbit: () => this.#host.orbit,
-      wake: () => this.#loop.wake(),
-    })
-    this.#performer = new Performer({
-      viewer: this.#shown,
-      isSideLit: this.#staging.isSideLit,
-      onPose: () => {
-        this.#frame.value++
-        this.#loop.wake()
-      },
+    this.#faceAreas = new FaceAreas(this.#face, this.#areas, messages)
+    this.#opening = new Opening({
+      host: this.#host,
+      face: this.#face,
+      workspace: this.#workspace,
+      messages,
+      loading,
+      addAreas: (images) => this.#faceAreas.add(images, 'paper'),
     })
     this.#tools = new ToolHost(page.viewport, () => this.#viewer?.stage.camera ?? null)
     this.#painting = new Painting({
       session,
       areas: this.#areas,
-      viewer: this.#shown,
-      frame: this.#frame,
+      viewer: this.#face.viewer,
+      frame: this.#face.frame,
       host: this.#tools,
       stage: page.stage,
-      wake: () => this.#loop.wake(),
-      attempt: (task) => messages.attempt(task),
+      wake,
+      attempt,
     })
     this.#lines = new Lines({
       stage: page.viewport,
       session,
-      viewer: this.#shown,
+      viewer: this.#face.viewer,
       tools: this.#tools,
-      wake: () => this.#loop.wake(),
-      attempt: (task) => void messages.attempt(task),
+      wake,
+      attempt,
     })
     new TextureToggle(page.textureToggle, {
       element: page.texture,
       session,
       areas: this.#areas,
       painting: this.#painting,
-      viewer: this.#shown,
-      attempt: (task) => messages.attempt(task),
+      viewer: this.#face.viewer,
+      attempt,
     })
     // One tool at a time.
     effect(() => {
@@ -170,16 +161,17 @@ export class Studio {
       if (this.#lines.editor.mode.value !== 'off') this.#painting.isOn = false
     })
     showPanel(page.panel, this.#panelModel())
-    effect(() => this.#highlight(this.#hovered.value, this.#painting.area.value))
+    effect(() => this.#face.highlight(this.#painting.area.value))
     effect(() => {
-      const hovered = this.#hovered.value
-      const area = hovered?.kind === 'area' && !this.#isEdited ? hovered.name : null
-      untracked(() => this.#performer.request(area))
+      const hovered = this.#face.hovered.value
+      this.#face.perform(hovered?.kind === 'area' && !this.#isEdited ? hovered.name : null)
     })
+    effect(() => this.#arrange(this.#face.viewer.value, this.#areas.hidden.value, this.#isEdited))
     effect(() => {
-      this.#arrange(this.#shown.value, this.#areas.hidden.value, this.#isEdited)
+      this.#face.revision.value
+      this.#label()
     })
-    effect(() => this.#showDocument(this.#shown.value, this.#workspace.drawn.value))
+    effect(() => this.#showDocument(this.#face.viewer.value, this.#workspace.drawn.value))
     addShortcuts({
       undo: () => session.undo(),
       redo: () => session.redo(),
@@ -189,10 +181,10 @@ export class Studio {
       },
     })
     page.screenshot.addEventListener('click', () =>
-      this.#downloads.picture(this.#viewer, this.#expression.peek()),
+      this.#downloads.picture(this.#viewer, this.#face.expression.peek()),
     )
     page.uvLayout.addEventListener('click', () => this.#downloads.uvLayout(this.#viewer))
-    acceptFiles(page.dropping, (files) => this.#openFiles(() => filesOfTransfer(files)))
+    acceptFiles(page.dropping, (files) => this.#opening.files(() => filesOfTransfer(files)))
   }
 
   /** Lists the faces and opens the first, or the one that the URL names: `?renderer=webgpu&face=human-2`. */
@@ -204,15 +196,16 @@ export class Studio {
       const name = this.#faces.value.find((known) => known === query.get('face')) ?? this.#faces.value[0]
       const kind = query.get('renderer') === 'webgpu' ? 'webgpu' : 'webgl'
       await this.#link.read()
-      await this.#host.open(kind, this.#link.load ?? this.#fetch(name))
-      if (!this.#viewer && this.#link.load) await this.#host.open(kind, this.#fetch(name))
+      await this.#host.open(kind, this.#link.load ?? this.#opening.fetch(name))
+      if (!this.#viewer && this.#link.load) await this.#host.open(kind, this.#opening.fetch(name))
     })
     if (!this.#viewer) this.#loading.done()
-    else if (!this.#link.show()) this.#play('surprised')
+    else if (!this.#link.show()) this.#face.play('surprised')
   }
 
   #panelModel(): PanelModel {
     const { session, automatic, exporting, keeping, settings } = this.#workspace
+    const { viewer, frame, revision, expression, hovered, staging } = this.#face
     return {
       session,
       lines: this.#lines.editor,
@@ -227,48 +220,42 @@ export class Studio {
       folder: this.#saving.folder,
       isListOpen: this.#isListOpen,
       faces: this.#faces,
-      viewer: this.#shown,
-      frame: this.#frame,
-      revision: this.#revision,
-      expression: this.#expression,
-      hovered: this.#hovered,
-      staging: this.#staging,
+      viewer,
+      frame,
+      revision,
+      expression,
+      hovered,
+      staging,
       actions: {
         attempt: (task) => void this.#messages.attempt(task),
-        openFiles: (files) => this.#openFiles(async () => filesOfInput(files)),
-        openFace: (name) => this.#open(this.#fetch(name)),
-        chooseSkin: (skin) => this.#open(async (shown) => ({ ...shown!, skin })),
+        openFiles: (files) => this.#opening.files(async () => filesOfInput(files)),
+        openFace: (name) => this.#opening.open(this.#opening.fetch(name)),
+        chooseSkin: (skin) => this.#opening.open(async (shown) => ({ ...shown!, skin })),
         setRenderer: (kind) => {
-          this.#performer.settle()
+          this.#face.settle()
           return this.#host.open(kind)
         },
         setMode: (mode) =>
-          this.#change((viewer) => {
-            viewer.mode = mode
+          this.#face.change((shown) => {
+            shown.mode = mode
           }),
         setLook: (look) =>
-          this.#change((viewer) => {
-            viewer.look = look
+          this.#face.change((shown) => {
+            shown.look = look
           }),
-        play: (name) => this.#play(name),
-        pose: () => {
-          this.#performer.settle()
-          return new Map(this.#viewer?.targets.map((dial) => [dial.name, dial.read()]))
-        },
-        input: (dial, value) => this.#set(() => dial.write(value)),
-        reset: (dials) =>
-          this.#set(() => {
-            for (const dial of dials) dial.write(0)
-          }),
-        addAreaImages: (files, convention) => this.#addAreas(files, convention),
-        removeArea: (name) => this.#removeArea(name),
+        play: (name) => this.#face.play(name),
+        pose: () => this.#face.pose(),
+        input: (dial, value) => this.#face.set(() => dial.write(value)),
+        reset: (dials) => this.#face.reset(dials),
+        addAreaImages: (files, convention) => this.#faceAreas.add(files, convention),
+        removeArea: (name) => this.#faceAreas.remove(name),
         previewAuto: (next) => void this.#messages.attempt(() => this.#workspace.previewAuto(next)),
         makeAuto: (next) => void this.#messages.attempt(() => this.#workspace.makeAuto(next)),
         cancelAuto: () => this.#workspace.cancelAuto(),
         editWrinkles: () => void this.#messages.attempt(() => this.#workspace.editWrinkles()),
-        openProject: (id) => this.#open(() => this.#openProject(id)),
+        openProject: (id) => this.#opening.project(id),
         keepCopy: () => void this.#messages.attempt(() => keeping.copy()),
-        takeOver: () => this.#open(() => this.#takeOver()),
+        takeOver: () => this.#opening.takeOver(),
         deleteProject: (id) => void this.#messages.attempt(() => keeping.delete(id)),
         exportFace: (options) => void this.#messages.attempt(() => this.#workspace.export(options)),
         cancelExport: () => exporting.cancel(),
@@ -280,71 +267,17 @@ export class Studio {
     }
   }
 
-  /** Null for a face whose wrinkles are not a document's. */
-  get #document(): StudioDocument | null {
-    return this.#workspace.session.document.peek()
-  }
-
   get #viewer(): Viewer | null {
     return this.#host.viewer
   }
 
-  /** One of the faces on the server. */
-  #fetch(name: string): LoadAvatar {
-    const title = `Loading ${displayName(name)}`
-    return () => {
-      this.#loading.show(title, 0)
-      return fetchFace(name, (fraction) => this.#loading.show(title, fraction))
-    }
-  }
-
-  #openProject(id: string): Promise<OpenedAvatar> {
-    this.#loading.show('Opening')
-    return this.#workspace.openProject(id)
-  }
-
-  /** Opens the project again that another tab has, as that has saved it. */
-  async #takeOver(): Promise<OpenedAvatar> {
-    this.#loading.show('Opening')
-    const project = await this.#workspace.keeping.project()
-    return this.#workspace.openProject(project!.id, true)
-  }
-
-  #open(load: LoadAvatar): Promise<unknown> {
-    this.#performer.settle()
-    return this.#host.open(this.#viewer?.kind ?? 'webgl', load)
-  }
-
-  /**
-   * Opens what was dropped: an avatar, wrinkles for the one on the stage, or areas.
-   *
-   * @param list is called at once: what was dropped is gone after its event.
-   */
-  async #openFiles(list: () => Promise<DroppedFile[]>): Promise<void> {
-    await this.#messages.attempt(async () => {
-      const dropped = await sortFiles(await list())
-      if (dropped.kind === 'areas') {
-        const images = dropped.images.map(({ file }) => file)
-        return this.#addAreas(images, 'paper')
-      }
-      await this.#open(async (shown) => {
-        const name = dropped.kind === 'avatar' ? dropped.face.file.name : dropped.wrinkles.name
-        this.#loading.show(`Loading ${name}`)
-        const avatar = await openDropped(dropped, shown)
-        this.#messages.note(avatar.notes.join('. '))
-        return avatar
-      })
-    })
-  }
-
   #show(viewer: Viewer): void {
-    if (viewer.avatar.root !== this.#shown.peek()?.avatar.root) this.#expression.value = null
     // Together: the last document is never shown on the next face.
     batch(() => {
       void this.#messages.attempt(() => this.#workspace.open(viewer.avatar))
-      this.#shown.value = viewer
+      this.#face.show(viewer)
     })
-    this.#refresh()
+    this.#face.refresh()
     this.#meter.reset()
   }
 
@@ -354,23 +287,20 @@ export class Studio {
     void this.#messages
       .attempt(() => this.#view.show(viewer, drawn))
       .then(() => {
-        this.#refresh()
+        this.#face.refresh()
         this.#loop.wake()
       })
   }
 
   #advance(delta: number): void {
-    const wasMoving = this.#viewer?.moving
-    this.#viewer?.advance(delta)
-    this.#performer.advance(delta)
+    this.#face.advance(delta)
     this.#painting.advance()
     this.#host.orbit?.advance(delta)
     this.#views.show(this.#host.orbit?.view ?? null)
-    if (wasMoving) this.#frame.value++
   }
 
   get #moving(): boolean {
-    return (this.#viewer?.moving || this.#performer.moving || this.#host.orbit?.moving) ?? false
+    return this.#face.moving || (this.#host.orbit?.moving ?? false)
   }
 
   /** Whether the pointer paints or draws on the face, which then holds still. */
@@ -383,38 +313,6 @@ export class Studio {
     this.#loop.wake()
   }
 
-  #play(name: string): void {
-    this.#change((viewer) => {
-      this.#performer.settle()
-      viewer.play(name, reducedMotion.matches ? 0 : EXPRESSION_TIME)
-      this.#expression.value = name
-      this.#frame.value++
-    })
-  }
-
-  /** Sets sliders by hand, after finishing the transition to an expression. */
-  #set(write: () => void): void {
-    this.#change((viewer) => {
-      this.#performer.settle()
-      viewer.advance(Number.POSITIVE_INFINITY)
-      write()
-      this.#expression.value = null
-      this.#frame.value++
-    })
-  }
-
-  /** Changes the viewer; shows errors, and updates the controls to the state that results. */
-  #change(task: (viewer: Viewer) => void): void {
-    const viewer = this.#viewer
-    if (!viewer) return
-    void this.#messages
-      .attempt(() => task(viewer))
-      .then(() => {
-        this.#refresh()
-        this.#loop.wake()
-      })
-  }
-
   /** Leaves muted areas out. Painting needs the whole face: what is painted is shown on the side with wrinkles. */
   #arrange(viewer: Viewer | null, hidden: readonly string[], isEdited: boolean): void {
     if (!viewer) return
@@ -423,48 +321,8 @@ export class Studio {
     this.#loop.wake()
   }
 
-  /** Shows which areas the pointer or focus is on, or which ones the blendshape moves, or else the one that is painted. */
-  #highlight(hovered: Hovered | null, painted: string | null): void {
-    const viewer = this.#shown.value
-    if (!viewer) return
-    if (!hovered) viewer.highlight(painted === null ? [] : [painted])
-    else if (hovered.kind === 'target') viewer.highlight(viewer.drivenBy(hovered.name))
-    // The face performs instead, where it can.
-    else if (painted === null && viewer.performanceOf(hovered.name)) viewer.highlight([])
-    else viewer.highlight([hovered.name])
-    this.#loop.wake()
-  }
-
-  async #addAreas(files: readonly File[], convention: AreaConvention): Promise<void> {
-    for (const file of files) {
-      await this.#messages.attempt(async () => {
-        const area = await readArea(file, convention)
-        const viewer = this.#viewer
-        if (!viewer) return
-        if (this.#document) return this.#areas.add(area)
-        viewer.addArea(area)
-        // Fully active, so that the new area is visible at once.
-        viewer.wrinkles?.setActivation(area.name, 1)
-        this.#refresh()
-        this.#messages.note(`Added area ${area.name}`)
-        this.#loop.wake()
-      })
-    }
-  }
-
-  #removeArea(name: string): void {
-    this.#change((viewer) => {
-      this.#hovered.value = null
-      if (this.#document) this.#areas.remove(name)
-      else viewer.removeArea(name)
-      this.#messages.note(`Removed area ${name}`)
-    })
-  }
-
-  /** Updates the controls and labels to the viewer. */
-  #refresh(): void {
-    this.#revision.value++
-    this.#frame.value++
+  /** Says on the page what the stage shows, and on which device. */
+  #label(): void {
     const viewer = this.#viewer
     if (!viewer) return
     this.#page.sideWith.textContent = lookLabel(viewer.look, viewer.mode)

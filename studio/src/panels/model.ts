@@ -15,14 +15,9 @@ import type { Session } from '../session/session.ts'
 import type { Painting } from '../tools/painting.ts'
 import type { Dial } from '../viewer/dials.ts'
 import type { Look } from '../viewer/looks.ts'
+import type { Hovered } from '../viewer/shown-face.ts'
 import type { Staging } from '../viewer/staging.ts'
 import type { Viewer } from '../viewer/viewer.ts'
-
-/** What the pointer or the focus is on: an area or a blendshape. */
-export interface Hovered {
-  kind: 'area' | 'target'
-  name: string
-}
 
 /** What panels show and request. */
 export interface PanelModel {

@@ -43,6 +43,10 @@ export class AreaEditor {
     return names.filter((name) => muted.has(name) || (hasSolo && !soloed.has(name)))
   })
 
+  get hasDocument(): boolean {
+    return this.#session.document.peek() !== null
+  }
+
   /** @param attempt runs a task and shows its error. */
   constructor(session: Session, attempt: (task: () => void) => unknown) {
     this.#session = session

@@ -1,0 +1,82 @@
+import { displayName } from '../display-name.ts'
+import type { Loading } from '../loading.ts'
+import type { Messages } from '../messages.ts'
+import type { Workspace } from '../session/workspace.ts'
+import { fetchFace } from '../viewer/faces.ts'
+import type { ShownFace } from '../viewer/shown-face.ts'
+import type { LoadAvatar, ViewerHost } from '../viewer/viewer-host.ts'
+import { type OpenedAvatar, openDropped } from './avatar.ts'
+import type { DroppedFile } from './dropped-files.ts'
+import { sortFiles } from './sort-files.ts'
+
+export interface OpeningParts {
+  host: ViewerHost
+  face: ShownFace
+  workspace: Workspace
+  messages: Messages
+  loading: Loading
+  /** Adds areas from images. */
+  addAreas(images: readonly File[]): Promise<void>
+}
+
+/** Opens faces: those on the server, those that were dropped, and those that were worked on before. */
+export class Opening {
+  readonly #parts: OpeningParts
+
+  constructor(parts: OpeningParts) {
+    this.#parts = parts
+  }
+
+  open(load: LoadAvatar): Promise<unknown> {
+    const { host, face } = this.#parts
+    face.settle()
+    return host.open(host.viewer?.kind ?? 'webgl', load)
+  }
+
+  /** One of the faces on the server. */
+  fetch(name: string): LoadAvatar {
+    const { loading } = this.#parts
+    const title = `Loading ${displayName(name)}`
+    return () => {
+      loading.show(title, 0)
+      return fetchFace(name, (fraction) => loading.show(title, fraction))
+    }
+  }
+
+  project(id: string): Promise<unknown> {
+    return this.open(() => this.#projectOf(id))
+  }
+
+  /** Opens the project again that another tab has, as that has saved it. */
+  takeOver(): Promise<unknown> {
+    return this.open(async () => {
+      const project = await this.#parts.workspace.keeping.project()
+      return this.#projectOf(project!.id, true)
+    })
+  }
+
+  /**
+   * Opens what was dropped: an avatar, wrinkles for the one on the stage, or areas.
+   *
+   * @param list is called at once: what was dropped is gone after its event.
+   */
+  async files(list: () => Promise<DroppedFile[]>): Promise<void> {
+    const { messages, loading, addAreas } = this.#parts
+    await messages.attempt(async () => {
+      const dropped = await sortFiles(await list())
+      if (dropped.kind === 'areas') return addAreas(dropped.images.map(({ file }) => file))
+      await this.open(async (shown) => {
+        const name = dropped.kind === 'avatar' ? dropped.face.file.name : dropped.wrinkles.name
+        loading.show(`Loading ${name}`)
+        const avatar = await openDropped(dropped, shown)
+        messages.note(avatar.notes.join('. '))
+        return avatar
+      })
+    })
+  }
+
+  #projectOf(id: string, take = false): Promise<OpenedAvatar> {
+    this.#parts.loading.show('Opening')
+    return this.#parts.workspace.openProject(id, take)
+  }
+}
