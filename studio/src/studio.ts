@@ -284,9 +284,11 @@ export class Studio {
   /** Shows what is worked on; a face that has wrinkles of its own and no document is left as it is. */
   #showDocument(viewer: Viewer | null, drawn: DrawnDocument | null): void {
     if (!viewer || (!drawn && viewer.avatar.skins[viewer.avatar.skin].wrinkles)) return
+    const wasPlain = !viewer.wrinkles
     void this.#messages
       .attempt(() => this.#view.show(viewer, drawn))
       .then(() => {
+        if (viewer === this.#viewer && wasPlain === !!viewer.wrinkles) this.#host.orbit?.frame()
         this.#face.refresh()
         this.#loop.wake()
       })

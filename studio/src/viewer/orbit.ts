@@ -75,6 +75,11 @@ export class Orbit {
     return this.#view
   }
 
+  /** Frames the face anew in the fixed view, if it is in one: the stage has another shape, or the face another skin that wrinkles. */
+  frame(immediate = false): void {
+    if (this.#view) this.goTo(this.#view, immediate)
+  }
+
   /** @param immediate skips the transition, so that the next frame shows the view. */
   goTo(name: ViewName, immediate = false): void {
     const from = this.pose

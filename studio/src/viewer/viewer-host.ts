@@ -169,7 +169,7 @@ export class ViewerHost {
     const { clientWidth: width, clientHeight: height } = page.viewport
     if (!this.#viewer || width === 0 || height === 0) return
     this.#viewer.stage.resize(width, height, Math.min(devicePixelRatio, 2))
-    if (this.#orbit?.view) this.#orbit.goTo(this.#orbit.view, true)
+    this.#orbit?.frame(true)
     loop.wake()
   }
 }
