@@ -53,7 +53,7 @@ const OF_HUMAN: Heights = { forehead: 0.23, chin: 0.67 }
 
 /** Mean difference of pictures of the same work, in 0..255. */
 const SAME = 0.01
-/** Automatic lines are fitted to the facets of coarse meshes without tangents, but not where the studio draws them again: a fault to be mended. */
+/** After it is opened again, work on a coarse mesh differs by 0.04 at times. To be lowered to `SAME` once the cause is mended. */
 const SAME_ON_FACETS = 0.05
 
 /** Avatars whose texture has a seam along the middle of the face; null for one that is not here. */
