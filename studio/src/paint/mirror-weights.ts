@@ -1,4 +1,5 @@
 import type { GrayImage } from 'furrow'
+import { interpolateTexels } from '../../../packages/furrow/src/core/reference.ts'
 import { checkPaintable } from './paint-map.ts'
 import { type PaintSkin, weightsOn } from './paint-skin.ts'
 
@@ -16,6 +17,7 @@ export function mirrorWeights(image: GrayImage, skin: PaintSkin): GrayImage {
   const { starts, texels, positions, locator } = skin.mapOf(size)
   const [low, high] = otherSide(image, texels, positions)
   const out = new Uint8Array(data.length)
+  const weightAt = (column: number, row: number) => data[row * size + column]
   const weights = new Float64Array(3)
   for (let place = 0; place < starts[starts.length - 1]; place++) {
     const [x, y, z] = positions.subarray(3 * place, 3 * place + 3)
@@ -23,7 +25,7 @@ export function mirrorWeights(image: GrayImage, skin: PaintSkin): GrayImage {
     const { triangle, position } = skin.mirrored([x, y, z])
     weightsOn(skin.surface, triangle, position, weights)
     const [u, v] = locator.uvAt(triangle, weights)
-    const weight = sample(image, u * size - 0.5, v * size - 0.5)
+    const weight = Math.round(interpolateTexels(image, u * size - 0.5, v * size - 0.5, weightAt))
     // A texel that several parts of the skin use shows the greatest.
     if (weight > out[texels[place]]) out[texels[place]] = weight
   }
@@ -45,15 +47,4 @@ function otherSide({ data }: GrayImage, texels: Uint32Array, positions: Float32A
     }
   }
   return [low, high]
-}
-
-/** Bilinear, with the border's texels repeated. */
-function sample({ width, height, data }: GrayImage, x: number, y: number): number {
-  const at = (column: number, row: number) =>
-    data[Math.min(height - 1, Math.max(0, row)) * width + Math.min(width - 1, Math.max(0, column))]
-  const [column, row] = [Math.floor(x), Math.floor(y)]
-  const [s, t] = [x - column, y - row]
-  const above = (1 - s) * at(column, row) + s * at(column + 1, row)
-  const below = (1 - s) * at(column, row + 1) + s * at(column + 1, row + 1)
-  return Math.round((1 - t) * above + t * below)
 }

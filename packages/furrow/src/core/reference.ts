@@ -47,9 +47,18 @@ export function interpolate(
   v: number,
   texel: (i: number, j: number) => number,
 ): number {
-  const { width, height } = size
-  const x = Math.min(Math.max(repeat(u) * width - 0.5, 0), width - 1)
-  const y = Math.min(Math.max(repeat(v) * height - 0.5, 0), height - 1)
+  return interpolateTexels(size, repeat(u) * size.width - 0.5, repeat(v) * size.height - 0.5, texel)
+}
+
+/** `interpolate` at a column and row, which are whole numbers at the centres of texels. */
+export function interpolateTexels(
+  { width, height }: { width: number; height: number },
+  column: number,
+  row: number,
+  texel: (i: number, j: number) => number,
+): number {
+  const x = Math.min(Math.max(column, 0), width - 1)
+  const y = Math.min(Math.max(row, 0), height - 1)
   const x0 = Math.floor(x)
   const y0 = Math.floor(y)
   const x1 = Math.min(x0 + 1, width - 1)
