@@ -1,11 +1,5 @@
-import {
-  BufferAttribute,
-  BufferGeometry,
-  type InterleavedBufferAttribute,
-  type Mesh,
-  MeshBasicMaterial,
-  Vector3,
-} from 'three'
+import { BufferAttribute, BufferGeometry, type Mesh, MeshBasicMaterial, Vector3 } from 'three'
+import { coordinates, trianglesOf } from '../../../packages/furrow/src/three/sources/geometry-arrays.ts'
 import { strainColour, strainOf } from './strain.ts'
 
 /** Copies of the meshes of a skin that follow its pose and show its strain in their vertices. */
@@ -24,10 +18,8 @@ export class StrainView {
       copy.morphTargetInfluences = mesh.morphTargetInfluences
       copy.visible = false
       mesh.parent?.add(copy)
-      const { index } = mesh.geometry
-      const { position } = mesh.geometry.attributes
-      const indices = index?.array ?? Uint32Array.from({ length: position.count }, (_, i) => i)
-      return { mesh, copy, rest: floatsOf(position, 3), indices }
+      const { geometry } = mesh
+      return { mesh, copy, rest: coordinates(geometry.attributes.position), indices: trianglesOf(geometry) }
     })
   }
 
@@ -69,22 +61,14 @@ function geometryOf({
 }: BufferGeometry): BufferGeometry {
   const geometry = new BufferGeometry()
   const { position, skinIndex, skinWeight } = attributes
-  geometry.setAttribute('position', new BufferAttribute(floatsOf(position, 3), 3))
+  geometry.setAttribute('position', new BufferAttribute(coordinates(position), 3))
   geometry.setAttribute('color', new BufferAttribute(new Float32Array(3 * position.count), 3))
   if (skinIndex && skinWeight) {
-    geometry.setAttribute('skinIndex', new BufferAttribute(Uint16Array.from(floatsOf(skinIndex, 4)), 4))
-    geometry.setAttribute('skinWeight', new BufferAttribute(floatsOf(skinWeight, 4), 4))
+    geometry.setAttribute('skinIndex', new BufferAttribute(Uint16Array.from(coordinates(skinIndex, 4)), 4))
+    geometry.setAttribute('skinWeight', new BufferAttribute(coordinates(skinWeight, 4), 4))
   }
   if (morphAttributes.position) geometry.morphAttributes.position = morphAttributes.position
   geometry.morphTargetsRelative = morphTargetsRelative
   if (index) geometry.setIndex(index.clone())
   return geometry
-}
-
-function floatsOf(attribute: BufferAttribute | InterleavedBufferAttribute, size: number): Float32Array {
-  const out = new Float32Array(size * attribute.count)
-  for (let i = 0; i < attribute.count; i++) {
-    for (let k = 0; k < size; k++) out[size * i + k] = attribute.getComponent(i, k)
-  }
-  return out
 }
