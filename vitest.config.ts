@@ -54,6 +54,8 @@ function gpuProject(name: string, files: string[]): TestProjectInlineConfigurati
     ssr,
     plugins: [serveFaces(ssr)],
     optimizeDeps: {
+      // What is found late is optimised then, and reloads the page in the middle of a test: what is not listed is served as it is.
+      noDiscovery: true,
       include: [
         'three',
         'three/webgpu',
@@ -69,6 +71,7 @@ function gpuProject(name: string, files: string[]): TestProjectInlineConfigurati
         'idb',
         'fflate',
         '@preact/signals',
+        'three-mesh-bvh',
         'react',
         'react/jsx-runtime',
         'react-dom/client',

@@ -25,6 +25,8 @@ export default defineConfig({
   // Import the packages' sources instead of their builds (export condition `furrow-source`).
   resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
   optimizeDeps: {
+    // What is found late is optimised then, and reloads the page in the middle of work: what is not listed is served as it is.
+    noDiscovery: true,
     include: [
       'three',
       'three/webgpu',
@@ -47,7 +49,7 @@ export default defineConfig({
       'three-mesh-bvh',
       'fflate',
       'idb',
-      // Of the worker that packs faces: found late, they would reload the page in the middle of an export.
+      // Of the worker that packs faces.
       'comlink',
       '@gltf-transform/core',
       '@gltf-transform/extensions',
