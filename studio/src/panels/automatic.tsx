@@ -1,9 +1,9 @@
 import { AUTO_REGIONS, type AutoRegion } from 'furrow/author'
 import { useId } from 'preact/hooks'
 import { AUTO_AGES, AUTO_SIZES, AUTO_STRENGTHS, type AutoSettings } from '../document/document.ts'
+import { NumberSlider } from './controls/number-slider.tsx'
+import { Section } from './controls/section.tsx'
 import type { PanelModel } from './model.ts'
-import { NumberSlider } from './number-slider.tsx'
-import { Section } from './section.tsx'
 
 /** Controls of the automatic wrinkles: a preview while they move, all of them when they rest. */
 export function AutomaticWrinkles({ model }: { model: PanelModel }) {

@@ -1,6 +1,6 @@
 import { displayName } from '../display-name.ts'
+import { Section } from './controls/section.tsx'
 import type { PanelModel } from './model.ts'
-import { Section } from './section.tsx'
 
 /** A button per expression. */
 export function Expressions({ model: { viewer, revision, expression, actions } }: { model: PanelModel }) {

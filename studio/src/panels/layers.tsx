@@ -1,10 +1,10 @@
 import { useId } from 'preact/hooks'
 import { MAP_NAMES, type MapName, type StudioLayer } from '../document/document.ts'
 import type { LayerEditor } from '../session/layer-editor.ts'
-import { Choice } from './choice.tsx'
+import { Choice } from './controls/choice.tsx'
+import { NumberSlider } from './controls/number-slider.tsx'
+import { Section } from './controls/section.tsx'
 import type { PanelModel } from './model.ts'
-import { NumberSlider } from './number-slider.tsx'
-import { Section } from './section.tsx'
 
 const KINDS = [
   { value: 'detail', label: 'Detail', title: 'Wrinkles only, laid over the skin’s own normal map' },

@@ -1,9 +1,9 @@
 import { useId } from 'preact/hooks'
 import type { LineEditor, LineMode, LineShape } from '../lines/line-editor.ts'
-import { Choice } from './choice.tsx'
+import { Choice } from './controls/choice.tsx'
+import { NumberSlider } from './controls/number-slider.tsx'
+import { Section } from './controls/section.tsx'
 import type { PanelModel } from './model.ts'
-import { NumberSlider } from './number-slider.tsx'
-import { Section } from './section.tsx'
 
 const MODES: readonly { value: LineMode; label: string; title?: string }[] = [
   { value: 'off', label: 'Off' },

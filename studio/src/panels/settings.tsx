@@ -1,10 +1,10 @@
 import type { WrinkleMode } from 'furrow/three'
 import type { RendererKind } from '../../../stage/stage.ts'
 import { displayName } from '../display-name.ts'
-import type { Look, LookName } from '../viewer/looks.ts'
-import { Choice } from './choice.tsx'
+import type { Look, LookName } from '../viewer/looks/looks.ts'
+import { Choice } from './controls/choice.tsx'
+import { Section } from './controls/section.tsx'
 import type { PanelModel } from './model.ts'
-import { Section } from './section.tsx'
 import { StagingControls } from './staging.tsx'
 
 const RENDERERS: readonly { value: RendererKind; label: string }[] = [

@@ -1,9 +1,9 @@
 import { useSignal } from '@preact/signals'
 import { useMemo } from 'preact/hooks'
-import { type Dial, type DialGroup, groupDials } from '../viewer/dials.ts'
+import { type Dial, type DialGroup, groupDials } from '../viewer/pose/dials.ts'
+import { Section } from './controls/section.tsx'
+import { Slider } from './controls/slider.tsx'
 import type { PanelModel } from './model.ts'
-import { Section } from './section.tsx'
-import { Slider } from './slider.tsx'
 
 /** A slider per blendshape, in groups that fold, with a filter by name. */
 export function Targets({ model }: { model: PanelModel }) {

@@ -1,4 +1,4 @@
-import { KeepStatus } from './keep-status.tsx'
+import { KeepStatus } from './keeping/keep-status.tsx'
 import type { PanelModel } from './model.ts'
 
 /** Formats that the file dialog offers. */

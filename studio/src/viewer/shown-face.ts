@@ -1,9 +1,9 @@
 import { type ReadonlySignal, type Signal, signal, untracked } from '@preact/signals'
 import type { Messages } from '../messages.ts'
 import { reducedMotion } from '../motion.ts'
-import type { Dial } from './dials.ts'
 import type { Orbit } from './orbit.ts'
-import { Performer } from './performer.ts'
+import type { Dial } from './pose/dials.ts'
+import { Performer } from './pose/performer.ts'
 import { Staging } from './staging.ts'
 import type { Viewer } from './viewer.ts'
 

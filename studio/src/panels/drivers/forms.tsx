@@ -12,8 +12,8 @@ import type {
   WrinkleDriver,
 } from 'furrow'
 import type { FunctionComponent } from 'preact'
-import { jointsOf } from '../../viewer/joints.ts'
-import { NumberSlider } from '../number-slider.tsx'
+import { jointsOf } from '../../viewer/pose/joints.ts'
+import { NumberSlider } from '../controls/number-slider.tsx'
 import { axisOf } from './axes.ts'
 import type { FormProps } from './context.ts'
 import { DriverCurve, NameField, optionsOf, SelectField, VectorSetting } from './fields.tsx'

@@ -1,5 +1,5 @@
 import type { MuscleDriver } from 'furrow'
-import { NumberSlider } from '../number-slider.tsx'
+import { NumberSlider } from '../controls/number-slider.tsx'
 import type { FormProps } from './context.ts'
 import { NameField, NumberSetting, SelectField, VectorSetting } from './fields.tsx'
 

@@ -1,4 +1,4 @@
-import { NumberSlider } from '../number-slider.tsx'
+import { NumberSlider } from '../controls/number-slider.tsx'
 import type { Axis } from './axes.ts'
 import type { DriverContext } from './context.ts'
 

@@ -1,6 +1,6 @@
 import { type Expression, parseDrivers } from 'furrow'
 import { expect, it } from 'vitest'
-import { performanceOf } from '../../../../studio/src/viewer/performance.ts'
+import { performanceOf } from '../../../../studio/src/viewer/pose/performance.ts'
 
 const TARGETS = ['brow_up', 'browDown', 'jawOpen', 'cheek']
 const drivers = parseDrivers(

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest'
-import { strainColour, strainOf } from '../../../../studio/src/viewer/strain.ts'
+import { strainColour, strainOf } from '../../../../studio/src/viewer/looks/strain.ts'
 
 /** A square of two triangles, and a third one without an area. */
 const SQUARE = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]

@@ -1,9 +1,9 @@
 import { useId } from 'preact/hooks'
-import { readArea } from '../area-file.ts'
-import type { StudioArea } from '../document/document.ts'
-import { Drivers } from './drivers/drivers.tsx'
-import type { PanelModel } from './model.ts'
-import { PaintControls } from './painting.tsx'
+import { readArea } from '../../area-file.ts'
+import type { StudioArea } from '../../document/document.ts'
+import { Drivers } from '../drivers/drivers.tsx'
+import type { PanelModel } from '../model.ts'
+import { PaintControls } from '../painting/painting.tsx'
 
 const COMBINATIONS: readonly { value: StudioArea['combine']; label: string }[] = [
   { value: 'sum', label: 'Added' },

@@ -1,5 +1,5 @@
-import { canWriteFolders } from '../keep/disk-folder.ts'
-import type { PanelModel } from './model.ts'
+import { canWriteFolders } from '../../keep/disk-folder.ts'
+import type { PanelModel } from '../model.ts'
 
 /** Saves the work as what `furrow pack` reads: a file everywhere, a folder where the browser can write one. */
 export function SaveProject({ model: { folder, actions } }: { model: PanelModel }) {

@@ -1,8 +1,8 @@
 import { useLayoutEffect, useRef } from 'preact/hooks'
-import { colouredArea } from '../texture/area-colours.ts'
-import { palePicture } from '../texture/pale-picture.ts'
-import { cropOf, shrink } from '../texture/thumbnail.ts'
-import type { PanelModel } from './model.ts'
+import { colouredArea } from '../../texture/area-colours.ts'
+import { palePicture } from '../../texture/pale-picture.ts'
+import { cropOf, shrink } from '../../texture/thumbnail.ts'
+import type { PanelModel } from '../model.ts'
 
 /** Pixels of its side: two for each on the page. */
 const SIDE = 56

@@ -1,13 +1,13 @@
 import { useLayoutEffect, useRef } from 'preact/hooks'
-import type { StudioDocument } from '../document/document.ts'
-import type { AreaEditor } from '../session/area-editor.ts'
-import type { Dial } from '../viewer/dials.ts'
+import type { StudioDocument } from '../../document/document.ts'
+import type { AreaEditor } from '../../session/area-editor.ts'
+import type { Dial } from '../../viewer/pose/dials.ts'
+import { Section } from '../controls/section.tsx'
+import { Slider } from '../controls/slider.tsx'
+import { Reasons } from '../drivers/reasons.tsx'
+import type { PanelModel } from '../model.ts'
 import { AreaThumbnail } from './area-thumbnail.tsx'
 import { ChosenArea } from './chosen-area.tsx'
-import { Reasons } from './drivers/reasons.tsx'
-import type { PanelModel } from './model.ts'
-import { Section } from './section.tsx'
-import { Slider } from './slider.tsx'
 
 /** A slider per area, each with a button that removes it, the controls of the chosen one, and a field that adds areas from images. */
 export function Areas({ model }: { model: PanelModel }) {

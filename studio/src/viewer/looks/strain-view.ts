@@ -1,5 +1,5 @@
 import { BufferAttribute, BufferGeometry, type Mesh, MeshBasicMaterial, Vector3 } from 'three'
-import { coordinates, trianglesOf } from '../../../packages/furrow/src/three/sources/geometry-arrays.ts'
+import { coordinates, trianglesOf } from '../../../../packages/furrow/src/three/sources/geometry-arrays.ts'
 import { strainColour, strainOf } from './strain.ts'
 
 /** Copies of the meshes of a skin that follow its pose and show its strain in their vertices. */

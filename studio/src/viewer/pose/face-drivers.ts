@@ -8,9 +8,9 @@ import {
   valueSource,
   type WrinkleDriver,
 } from 'furrow'
-import { inputName } from '../../../packages/furrow/src/drivers/activation.ts'
-import { BINDINGS } from '../../../packages/furrow/src/three/sources/bind-drivers.ts'
-import type { Wrinkles } from '../../../stage/stage.ts'
+import { inputName } from '../../../../packages/furrow/src/drivers/activation.ts'
+import { BINDINGS } from '../../../../packages/furrow/src/three/sources/bind-drivers.ts'
+import type { Wrinkles } from '../../../../stage/stage.ts'
 
 /** What the face has beyond its mesh. Both maps are read whenever the drivers are evaluated. */
 export interface FaceState {

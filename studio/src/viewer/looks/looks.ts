@@ -8,8 +8,8 @@ import {
   MeshStandardMaterial,
   Mesh as ThreeMesh,
 } from 'three'
-import type { Face } from '../../../stage/face.ts'
-import type { Wrinkles } from '../../../stage/stage.ts'
+import type { Face } from '../../../../stage/face.ts'
+import type { Wrinkles } from '../../../../stage/stage.ts'
 import { StrainView } from './strain-view.ts'
 
 /** What the side with wrinkles shows: the lit face, or a technical view of it. */

@@ -1,7 +1,7 @@
 import { effect, type ReadonlySignal } from '@preact/signals'
 import type { ComponentChildren } from 'preact'
 import { useId, useLayoutEffect, useRef } from 'preact/hooks'
-import type { Dial } from '../viewer/dials.ts'
+import type { Dial } from '../../viewer/pose/dials.ts'
 
 interface SliderProps {
   dial: Dial

@@ -1,6 +1,6 @@
-import type { ProjectEntry } from '../keep/project-store.ts'
-import type { PanelModel } from './model.ts'
-import { Section } from './section.tsx'
+import type { ProjectEntry } from '../../keep/project-store.ts'
+import { Section } from '../controls/section.tsx'
+import type { PanelModel } from '../model.ts'
 
 /** What was worked on before, kept in this browser. */
 export function Recent({ model: { projects, actions } }: { model: PanelModel }) {

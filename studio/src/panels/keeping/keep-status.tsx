@@ -1,4 +1,4 @@
-import type { PanelModel } from './model.ts'
+import type { PanelModel } from '../model.ts'
 
 /** Whether the work is kept, and what helps where it is not. */
 export function KeepStatus({ model: { saving, session, actions } }: { model: PanelModel }) {

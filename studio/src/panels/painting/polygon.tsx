@@ -1,6 +1,6 @@
-import type { Painting } from '../tools/painting.ts'
-import { Choice } from './choice.tsx'
-import { NumberSlider } from './number-slider.tsx'
+import type { Painting } from '../../tools/painting.ts'
+import { Choice } from '../controls/choice.tsx'
+import { NumberSlider } from '../controls/number-slider.tsx'
 import { PaintChecks } from './paint-checks.tsx'
 
 const MODES = [

@@ -1,7 +1,7 @@
 import type { ReadonlySignal, Signal } from '@preact/signals'
-import { reducedMotion } from '../motion.ts'
+import { reducedMotion } from '../../motion.ts'
+import type { Viewer } from '../viewer.ts'
 import type { Dial } from './dials.ts'
-import type { Viewer } from './viewer.ts'
 
 /** Milliseconds from when an area is pointed at until the face performs, and seconds that it takes to. */
 const DELAY = 150

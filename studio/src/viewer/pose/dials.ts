@@ -1,6 +1,6 @@
 import { canonicalTargetName } from 'furrow'
 import type { Mesh, Object3D } from 'three'
-import type { Wrinkles } from '../../../stage/stage.ts'
+import type { Wrinkles } from '../../../../stage/stage.ts'
 
 /** A number in 0..1 that a slider shows and sets. */
 export interface Dial {

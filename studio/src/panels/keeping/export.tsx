@@ -1,10 +1,10 @@
 import { useSignal } from '@preact/signals'
 import { WRINKLE_MAPS } from 'furrow'
 import { useId } from 'preact/hooks'
-import type { ExportState } from '../session/exporting.ts'
-import type { PanelModel } from './model.ts'
+import type { ExportState } from '../../session/exporting.ts'
+import { Section } from '../controls/section.tsx'
+import type { PanelModel } from '../model.ts'
 import { SaveProject } from './save-project.tsx'
-import { Section } from './section.tsx'
 
 /** The lines that show an exported face. */
 const CODE = `import { WrinkleLoaderPlugin } from 'furrow/three'

@@ -1,7 +1,7 @@
-import { BRUSH_MODES, type Brush } from '../paint/brush.ts'
-import { PAINT_SHAPES, type Painting } from '../tools/painting.ts'
-import { Choice } from './choice.tsx'
-import { NumberSlider } from './number-slider.tsx'
+import { BRUSH_MODES, type Brush } from '../../paint/brush.ts'
+import { PAINT_SHAPES, type Painting } from '../../tools/painting.ts'
+import { Choice } from '../controls/choice.tsx'
+import { NumberSlider } from '../controls/number-slider.tsx'
 import { PaintChecks } from './paint-checks.tsx'
 import { PolygonControls } from './polygon.tsx'
 

@@ -1,4 +1,4 @@
-import type { Painting } from '../tools/painting.ts'
+import type { Painting } from '../../tools/painting.ts'
 
 /** What a brush and a polygon have in common. */
 export function PaintChecks({ painting }: { painting: Painting }) {
