@@ -68,7 +68,7 @@ function animate(file: Uint8Array, rising: readonly string[]): Uint8Array {
   })
 }
 
-const time = () => slider(page, 'Time')
+const time = () => slider(page, 'Time (s)')
 const forehead = () => slider(page, 'foreheadLeft')
 const button = (name: string) => page.getByRole('button', { name, exact: true })
 const expression = (name: string) => page.locator('#expressions button', { hasText: name })

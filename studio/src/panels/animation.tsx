@@ -25,9 +25,7 @@ export function Animation({ player }: { player: ClipPlayer }) {
             ))}
           </select>
         </div>
-      </div>
-      <Time player={player} />
-      <div class="settings">
+        <Time player={player} />
         <div class="work">
           <button type="button" onClick={() => (isPlaying.value ? player.pause() : player.play())}>
             {isPlaying.value ? 'Pause' : 'Play'}
@@ -69,10 +67,10 @@ function Time({ player }: { player: ClipPlayer }) {
   const { clip, time } = player
   return (
     <NumberSlider
-      label="Time"
+      label="Time (s)"
       range={[0, clip.value?.duration || 1, 0.01]}
       value={time.value}
-      text={`${time.value.toFixed(1)} s`}
+      text={time.value.toFixed(1)}
       onMove={(seconds) => player.scrub(seconds)}
     />
   )

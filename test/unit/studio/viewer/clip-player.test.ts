@@ -48,7 +48,7 @@ const pose = () =>
   [...mesh.morphTargetInfluences!, joint.quaternion.x].map((value) => Number(value.toFixed(4)))
 const REST = [0, 0, 0]
 /** A quarter turn. */
-const HALFWAY = [0.5, 0.5, 0.7071]
+const HALFWAY = [0.5, 0.5, Number(Math.SQRT1_2.toFixed(4))]
 
 it('nothing moves by itself', () => {
   player.advance(1)
