@@ -131,7 +131,6 @@ export class Studio {
       session,
       areas: this.#areas,
       viewer: this.#face.viewer,
-      frame: this.#face.frame,
       host: this.#tools,
       stage: page.stage,
       wake,
