@@ -113,7 +113,7 @@ export class Studio {
     this.#areas = new AreaEditor(session, (task) => void messages.attempt(task))
     this.#layers = new LayerEditor({
       session,
-      drawn: this.#workspace.drawn,
+      work: () => this.#workspace.drawnWork(),
       avatar: () => this.#viewer?.avatar ?? null,
       attempt,
     })

@@ -10,7 +10,7 @@ import type { Project } from '../keep/project.ts'
 import { type OpenedAvatar, openAvatar } from '../open/avatar.ts'
 import type { DrawnDocument } from '../viewer/document-view.ts'
 import { Automatic } from './automatic.ts'
-import { Exporting } from './exporting.ts'
+import { type DrawnWork, Exporting } from './exporting.ts'
 import { faceFilesOf } from './face-files.ts'
 import { Keeping } from './keeping.ts'
 import { Session } from './session.ts'
@@ -145,14 +145,15 @@ export class Workspace {
   /** Exports the document as it is drawn; see `Exporting`. */
   async export(options: ExportOptions): Promise<void> {
     const work = await this.drawnWork()
-    if (work) await this.exporting.start(work.drawn, work.avatar, options)
+    if (work) await this.exporting.start(work, options)
   }
 
   /** The avatar and its document once all maps are drawn; null where there is none, or where they cannot be drawn, which is told. */
-  async drawnWork(): Promise<{ drawn: DrawnDocument; avatar: OpenedAvatar } | null> {
+  async drawnWork(): Promise<DrawnWork | null> {
     await this.#draw()
     const [drawn, avatar] = [this.#drawn.peek(), this.#avatar]
-    return drawn && avatar && drawn.document === this.session.document.peek() ? { drawn, avatar } : null
+    if (!drawn || !avatar || drawn.document !== this.session.document.peek()) return null
+    return { drawn, avatar, heights: await this.#maps.heights(drawn.document, this.#source!) }
   }
 
   /** Makes the automatic wrinkles anew; those that were changed by hand stay. Rejects with a FurrowError where there are none. */
