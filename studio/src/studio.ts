@@ -107,6 +107,7 @@ export class Studio {
       workspace: this.#workspace,
       messages,
       loading,
+      light: this.#face.staging.light,
       set: (write) => this.#face.set(write),
     })
     const { session } = this.#workspace
