@@ -99,7 +99,7 @@ function Code({ text, onCopy }: { text: string; onCopy(text: string): void }) {
       <textarea
         class="code"
         readOnly
-        rows={6}
+        rows={8}
         spellcheck={false}
         aria-label="Code that loads it"
         value={text}
