@@ -43,7 +43,7 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
             ))}
           </select>
         </div>
-        <div class="setting">
+        <div class="setting with-button">
           <label for="other-lines">Lines of</label>
           <span class="with-button">
             <select
