@@ -1,6 +1,6 @@
 import { FurrowError } from 'furrow'
 import { bakeMaps, meshDiagonal } from 'furrow/author'
-import { lowMeshOf } from '../../../packages/cli/src/bake/low-mesh.ts'
+import { DEFAULT_CAGE, lowMeshOf } from '../../../packages/cli/src/bake/low-mesh.ts'
 import { raySourceOf } from '../../../packages/cli/src/bake/ray-source.ts'
 import { surfaceOf } from '../../../packages/cli/src/bake/surface.ts'
 import { documentOf } from '../../../packages/cli/src/gltf/document.ts'
@@ -11,8 +11,6 @@ import { type FaceFiles, openFace } from './files.ts'
 
 const WHO = 'Studio'
 
-/** How far a sculpt may be from the skin, as a fraction of the skin's diagonal: as `furrow bake` has it. */
-const CAGE = 0.02
 /** The skin that a sculpt is baked for. */
 export interface BakeTarget {
   face: FaceFiles
@@ -43,7 +41,7 @@ export async function bakeSculpt(
   const node = usable.find((each) => nameOf(each) === meshName) ?? usable.at(0)
   if (!node) throw withoutSkin(face.name)
   const { mesh } = lowMeshOf(node, face.name, WHO)
-  const cage = CAGE * meshDiagonal(mesh)
+  const cage = DEFAULT_CAGE * meshDiagonal(mesh)
   const { normal } = bakeMaps(mesh, raySourceOf(surface), { size, cage }, onProgress)
   return encodePortablePng({ width: size, height: size, channels: 3, data: normal.data as Uint8Array })
 }

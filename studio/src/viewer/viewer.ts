@@ -8,13 +8,14 @@ import {
 } from 'furrow'
 import { ExpressionPlayer, Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
 import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
-import { type Color, type Mesh, NoToneMapping } from 'three'
+import type { Mesh } from 'three'
 import type { Face } from '../../../stage/face.ts'
 import { isWebGL } from '../../../stage/light.ts'
 import type { RendererKind, Stage, Wrinkles } from '../../../stage/stage.ts'
 import { faceOf, type OpenedAvatar } from '../open/avatar.ts'
 import type { CanvasStage } from './canvas-stage.ts'
-import { type Look, Looks, type Side } from './looks/looks.ts'
+import { type Look, Looks } from './looks/looks.ts'
+import { Sides } from './looks/sides.ts'
 import { areaDials, type Dial, targetDials } from './pose/dials.ts'
 import { completeExpressions } from './pose/expressions.ts'
 import { FaceDrivers } from './pose/face-drivers.ts'
@@ -54,8 +55,7 @@ export class Viewer {
   #mode: WrinkleMode = 'default'
   #look: Look = { name: 'shaded' }
   #highlighted: readonly string[] = []
-  readonly #background: Color
-  readonly #toneMapping: Stage['renderer']['toneMapping']
+  readonly #sides: Sides
 
   /** Wrinkles that do not fit the face are left out. */
   constructor({ canvas, kind, stage }: CanvasStage, avatar: OpenedAvatar) {
@@ -63,8 +63,7 @@ export class Viewer {
     this.kind = kind
     this.stage = stage
     this.avatar = avatar
-    this.#background = (stage.scene.background as Color).clone()
-    this.#toneMapping = stage.renderer.toneMapping
+    this.#sides = new Sides(canvas, stage)
     const face = faceOf(avatar)
     this.#face = face
     this.#plain = cloned(face.skin.material)
@@ -261,6 +260,15 @@ export class Viewer {
     this.#remaining = Math.max(0, this.#remaining - delta)
   }
 
+  /** Moves joints and blendshapes by other means than the dials; areas follow all the same. */
+  move(change: () => void): void {
+    this.#driveAfter(() => {
+      change()
+      // Joints are read from it.
+      this.avatar.root.updateMatrixWorld()
+    })
+  }
+
   /** @throws FurrowError if the area cannot be added; nothing changes then. */
   addArea(area: Area): void {
     if (!this.wrinkles) throw withoutLayers(area.name)
@@ -286,46 +294,17 @@ export class Viewer {
     const hidden = this.areas.filter(({ name }) => this.hidden.includes(name))
     const activations = hidden.map(({ read }) => read())
     for (const { write } of hidden) write(0)
-    this.#drawSides()
+    this.#sides.draw(this.#looks, this.split)
     for (const [i, { write }] of hidden.entries()) write(activations[i])
-  }
-
-  #drawSides(): void {
-    const { renderer } = this.stage
-    const { clientWidth: width, clientHeight: height } = this.canvas
-    const edge = Math.round(this.split * width)
-    if (edge === 0 || edge === width) {
-      renderer.setScissorTest(false)
-      this.#drawSide(edge === 0 ? 'with' : 'without')
-      return
-    }
-    renderer.setScissorTest(true)
-    renderer.setScissor(0, 0, edge, height)
-    this.#drawSide('without')
-    renderer.setScissor(edge, 0, width - edge, height)
-    this.#drawSide('with')
   }
 
   /** Frees what the avatar has on the GPU; it remains usable by another viewer, and the stage for another avatar. */
   dispose(): void {
-    const { renderer, scene } = this.stage
     this.#looks.dispose()
     this.wrinkles?.dispose()
-    scene.remove(this.avatar.root)
-    scene.background = this.#background
-    renderer.toneMapping = this.#toneMapping
-    renderer.setScissorTest(false)
+    this.stage.scene.remove(this.avatar.root)
+    this.#sides.dispose()
     releaseFromGPU(this.avatar.root)
-  }
-
-  #drawSide(side: Side): void {
-    const { renderer, scene } = this.stage
-    const lit = this.#looks.lit(side)
-    this.#looks.apply(side)
-    ;(scene.background as Color).copy(lit ? this.#background : this.#looks.technicalBackground)
-    // WebGPURenderer tone-maps the whole frame and ignores `toneMapped` of materials.
-    if (!isWebGL(renderer)) renderer.toneMapping = lit ? this.#toneMapping : NoToneMapping
-    this.stage.render()
   }
 
   /** Plays an expression: areas that expressions name are played, the others follow the face. */

@@ -12,6 +12,9 @@ import {
   transform,
 } from './vertices.ts'
 
+/** How far a sculpt may be from the low mesh, as a fraction of the low mesh's diagonal, unless told. */
+export const DEFAULT_CAGE = 0.02
+
 /**
  * The mesh that maps are for, unindexed, with its own tangents, or else those that are computed, or none.
  *

@@ -2,6 +2,7 @@ import { performance } from 'node:perf_hooks'
 import { Option } from 'commander'
 import { FurrowError, MAX_IMAGE_SIDE } from 'furrow'
 import { BAKE_DEFAULTS, type BakedMaps, type BakeOptions, bakeMaps, meshDiagonal } from 'furrow/author'
+import { DEFAULT_CAGE } from '../bake/low-mesh.ts'
 import { raySourceOf } from '../bake/ray-source.ts'
 import { readLow, readSurface, type Tangents } from '../bake/read-meshes.ts'
 import { createCommand } from '../command.ts'
@@ -21,9 +22,6 @@ import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
 
 const WHO = 'furrow bake'
-
-/** The default cage, as a fraction of the low mesh's diagonal. */
-const DEFAULT_CAGE = 0.02
 
 /** Rays per sample for the occlusion; 32 per texel with four samples. */
 const DEFAULT_RAYS = 8
