@@ -1,0 +1,93 @@
+/** What an artist works with, on WebGPU; the looks as on WebGL. */
+
+import type { Page } from 'playwright-core'
+import { beforeAll, expect, test } from 'vitest'
+import { openStudio } from './opened-studio.ts'
+import {
+  areaChoice,
+  button,
+  meanPngDifference,
+  shootStage,
+  slider,
+  undoIs,
+  waitUntilReady,
+} from './studio-page.ts'
+
+const AREA = 'lowerLip'
+const LOOKS = ['Relief', 'Strain'] as const
+
+const studio = openStudio({ width: 900, height: 600 })
+let page: Page
+/** Pictures on WebGL. */
+const expected = new Map<string, Buffer>()
+
+beforeAll(async () => {
+  ;({ page } = studio)
+  await button(page, 'Edit wrinkles').click()
+  await areaChoice(page, AREA).waitFor()
+  await page.getByRole('slider', { name: /^Divider/ }).press('Home')
+  for (const name of LOOKS) expected.set(name, await shootLook(name))
+  await page.getByText('WebGPU', { exact: true }).click()
+  await waitUntilReady(page, 'WebGPU')
+})
+
+async function shootLook(name: string): Promise<Buffer> {
+  await button(page, 'Surprised').click()
+  const show = page.getByRole('group', { name: 'Show' })
+  await show.getByText(name).click()
+  const picture = await shootStage(page)
+  await show.getByText('Shaded').click()
+  return picture
+}
+
+/** A point of an element in fractions of its size. */
+async function pointIn(selector: string, u: number, v: number): Promise<[x: number, y: number]> {
+  const { x, y, width, height } = (await page.locator(selector).boundingBox())!
+  return [x + u * width, y + v * height]
+}
+
+async function drag(selector: string, ...points: [u: number, v: number][]): Promise<void> {
+  await page.mouse.move(...(await pointIn(selector, ...points[0])))
+  await page.mouse.down()
+  for (const point of points.slice(1))
+    await page.mouse.move(...(await pointIn(selector, ...point)), { steps: 4 })
+  await page.mouse.up()
+}
+
+/** Takes a step that changes the picture, and back: undo leaves nothing of it. */
+async function changesPicture(change: () => Promise<void>, label: string, least: number): Promise<void> {
+  const before = await shootStage(page)
+  await change()
+  await undoIs(page, label)
+  await expect
+    .poll(async () => meanPngDifference(before, await shootStage(page)), { timeout: 60_000 })
+    .toBeGreaterThan(least)
+  await button(page, 'Undo').click()
+  await expect
+    .poll(async () => meanPngDifference(before, await shootStage(page)), { timeout: 60_000 })
+    .toBe(0)
+}
+
+test.each(LOOKS)('%s is as on WebGL', async (name) => {
+  const picture = await shootLook(name)
+  expect(await meanPngDifference(expected.get(name)!, picture)).toBeLessThan(3)
+})
+
+test('an area is painted on the face, and shows where it lies', async () => {
+  await button(page, 'Neutral').click()
+  await areaChoice(page, AREA).check()
+  await button(page, 'Paint').click()
+  await changesPicture(() => drag('#viewport', [0.6, 0.55], [0.63, 0.6]), `Paint ${AREA}`, 0.05)
+})
+
+test('an area is painted on its texture', async () => {
+  await button(page, 'Texture').click()
+  await changesPicture(() => drag('#texture', [0.6, 0.45], [0.65, 0.5]), `Paint ${AREA}`, 0.05)
+  await button(page, 'Texture').click()
+})
+
+test('a line that is drawn creases the skin, and its area shows it', async () => {
+  await page.getByRole('group', { name: 'Pointer' }).getByText('Draw').click()
+  await slider(page, 'Depth, mm').fill('1')
+  await changesPicture(() => drag('#viewport', [0.38, 0.58], [0.4, 0.66]), 'Draw a line', 0.01)
+})
