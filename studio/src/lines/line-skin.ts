@@ -53,12 +53,18 @@ export class LineSkin {
     return middleOf(this.#skin)
   }
 
-  /** Follows the blendshapes; nothing is done while they rest. */
-  follow(): void {
+  /**
+   * Follows the blendshapes; nothing is done while they rest.
+   *
+   * @returns their values: the same array as long as they rest.
+   */
+  follow(): readonly number[] {
     const pose = this.#readPose()
-    if (pose.every((value, i) => value === this.#pose[i])) return
-    this.#pose = pose
-    this.picker.refit()
+    if (pose.some((value, i) => value !== this.#pose[i])) {
+      this.#pose = pose
+      this.picker.refit()
+    }
+    return this.#pose
   }
 
   #readPose(): number[] {

@@ -7,7 +7,7 @@ import type { Viewer } from '../viewer/viewer.ts'
 import { LineEditor } from './line-editor.ts'
 import { LineOverlay } from './line-overlay.ts'
 import { LineSkin } from './line-skin.ts'
-import { type ProjectedLine, projectLines } from './project-lines.ts'
+import { LineProjection, type ProjectedLine } from './project-lines.ts'
 
 /** What lines need of the application. */
 export interface LinesParts {
@@ -16,8 +16,6 @@ export interface LinesParts {
   session: Session
   viewer: ReadonlySignal<Viewer | null>
   tools: ToolHost
-  /** Requests the next frame. */
-  wake(): void
   /** Runs a task, and shows its errors. */
   attempt(task: () => void): void
 }
@@ -31,10 +29,12 @@ export class Lines {
   readonly #skin = signal<LineSkin | null>(null)
   /** What the skin was read of. */
   #source: readonly unknown[] = []
+  readonly #projection = new LineProjection()
   #lines: ProjectedLine[] = []
+  #request = 0
 
   constructor(parts: LinesParts) {
-    const { session, stage, tools, wake, attempt } = parts
+    const { session, stage, tools, attempt } = parts
     this.#parts = parts
     this.#overlay = new LineOverlay(stage)
     this.editor = new LineEditor(session, () => this.#skin.peek())
@@ -46,7 +46,7 @@ export class Lines {
       get lines() {
         return lines()
       },
-      changed: wake,
+      changed: () => this.#redraw(),
     })
     effect(() => this.#readSkin())
     effect(() => {
@@ -56,7 +56,7 @@ export class Lines {
       point.value
       this.#skin.value
       session.document.value
-      wake()
+      this.#redraw()
     })
     effect(() => {
       if (this.editor.mode.value === 'off') tools.leave(this.#tool)
@@ -73,6 +73,14 @@ export class Lines {
     })
   }
 
+  /** Draws the lines in the next frame. The face stays: it takes longer, and may have its own frame soon, with other wrinkles. */
+  #redraw(): void {
+    this.#request ||= requestAnimationFrame(() => {
+      this.#request = 0
+      this.draw()
+    })
+  }
+
   /** Draws the lines over a frame of the face. */
   draw(): void {
     const { session, viewer } = this.#parts
@@ -84,7 +92,7 @@ export class Lines {
       return
     }
     const { camera } = viewer.peek()!.stage
-    this.#lines = projectLines(document.strokes, skin, camera, this.#overlay.size)
+    this.#lines = this.#projection.project(document.strokes, skin, camera, this.#overlay.size)
     const [chosen, point] = [this.editor.chosen.peek(), this.editor.point.peek()]
     const { hovered, path, isBending } = this.#tool
     // Only what is bent, so that the wrinkles round it are seen.
