@@ -16,7 +16,7 @@ export class Buttons<T extends string> {
         const button = document.createElement('button')
         button.type = 'button'
         button.textContent = shortLabels?.[name] ?? displayName(name)
-        if (shortLabels?.[name]) button.ariaLabel = button.title = displayName(name)
+        if (shortLabels?.[name]) button.title = displayName(name)
         button.addEventListener('click', () => onPress(name))
         return [name, button]
       }),

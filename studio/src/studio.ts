@@ -131,7 +131,6 @@ export class Studio {
       session,
       areas: this.#areas,
       viewer: this.#face.viewer,
-      frame: this.#face.frame,
       host: this.#tools,
       stage: page.stage,
       wake,
@@ -164,6 +163,10 @@ export class Studio {
     effect(() => {
       const hovered = this.#face.hovered.value
       this.#face.perform(hovered?.kind === 'area' && !this.#isEdited ? hovered.name : null)
+    })
+    // The face holds still while it is edited.
+    effect(() => {
+      if (this.#isEdited) this.#face.player.pause()
     })
     effect(() => this.#arrange(this.#face.viewer.value, this.#areas.hidden.value, this.#isEdited))
     effect(() => {
@@ -204,7 +207,7 @@ export class Studio {
 
   #panelModel(): PanelModel {
     const { session, automatic, exporting, keeping, settings } = this.#workspace
-    const { viewer, frame, revision, expression, hovered, staging } = this.#face
+    const { viewer, frame, revision, expression, hovered, staging, player } = this.#face
     return {
       session,
       lines: this.#lines.editor,
@@ -225,6 +228,7 @@ export class Studio {
       expression,
       hovered,
       staging,
+      player,
       actions: {
         attempt: (task) => void this.#messages.attempt(task),
         openFiles: (files) => this.#opening.files(async () => filesOfInput(files)),
@@ -244,7 +248,7 @@ export class Studio {
           }),
         play: (name) => this.#face.play(name),
         pose: () => this.#face.pose(),
-        input: (dial, value) => this.#face.set(() => dial.write(value)),
+        input: (dial, value) => this.#face.input(dial, value),
         reset: (dials) => this.#face.reset(dials),
         addAreaImages: (files, convention) => this.#faceAreas.add(files, convention),
         removeArea: (name) => this.#faceAreas.remove(name),

@@ -5,6 +5,7 @@ import {
   DirectionalLight,
   FloatType,
   LinearFilter,
+  MeshPhongMaterial,
   MeshStandardMaterial,
   Scene,
   SRGBColorSpace,
@@ -49,6 +50,62 @@ describe.each(RENDERERS)("the layers' other maps on %s", (name) => {
         expect(largestDifference(plain, exact)).toBeGreaterThan(8 / 255)
       }
     })
+  })
+})
+
+describe.each(RENDERERS)('highlights of lights on %s', (name) => {
+  let harness: Harness
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterAll(() => harness.dispose())
+
+  it.each([
+    ['physical', () => new MeshStandardMaterial({ roughness: 0.9, metalness: 1 })],
+    ['Phong', () => new MeshPhongMaterial({ color: 0, specular: 0xffffff, shininess: 2 })],
+  ])('are shadowed in valleys of a %s material, as in the reference', async (_, create) => {
+    const random = seeded(31)
+    for (let i = 0; i < 3; i++) {
+      const own = randomLayer(random, 'layer', ['occlusion'])
+      const areas = randomAreas(random, 12, MAP).map((area) => ({ ...area, layer: 'layer' }))
+      const mesh = square(create(), 0.8, [0.1, 0.1])
+      const wrinkles = new harness.Wrinkles(
+        mesh,
+        { layers: [{ ...own, occlusionStrength: 1 }], areas },
+        { areaSize: MAP },
+      )
+      const scene = new Scene()
+      const light = new DirectionalLight(0xffffff, 8)
+      light.position.set(0.8, 0.1, 0.5)
+      scene.add(mesh, light)
+      const plain = await harness.render(scene, squareCamera(), PIXELS)
+      for (const { name } of areas) wrinkles.setActivation(name, random())
+      const shown = await harness.render(scene, squareCamera(), PIXELS)
+      const packed = packAreas(
+        areas.map(({ weights }) => weights),
+        MAP,
+      )
+      const table = areas.map(({ name, combine }) => ({
+        activation: wrinkles.getActivation(name),
+        layer: 0,
+        combine: combine ?? ('sum' as const),
+      }))
+      const cosine = light.position.z / light.position.length()
+      const exact = plain.slice()
+      for (let pixel = 0; pixel < PIXELS * PIXELS; pixel++) {
+        const u = (((pixel % PIXELS) + 0.5) / PIXELS) * 0.8 + 0.1
+        const v = (1 - (Math.floor(pixel / PIXELS) + 0.5) / PIXELS) * 0.8 + 0.1
+        const value = [reference.sampleArray(packGrays([own.occlusion!]), u, v, 0)]
+        const influence = reference.influenceFromMap(packed, table, u, v, 0)
+        const [visibility] = reference.mixValues([1], [{ value, influence }])
+        const shadow = reference.microShadow(visibility, cosine)
+        for (let c = 0; c < 3; c++) exact[4 * pixel + c] *= shadow
+      }
+      expect(largestDifference(shown, exact)).toBeLessThanOrEqual(2 / 255)
+      expect(largestDifference(plain, exact)).toBeGreaterThan(8 / 255)
+      wrinkles.dispose()
+      mesh.geometry.dispose()
+    }
   })
 })
 

@@ -11,6 +11,7 @@ declare module 'vitest' {
 export const FILES_FOR_OLDEST = [
   'three-version',
   'layers',
+  'maps',
   'paper',
   'crowd',
   'normals',

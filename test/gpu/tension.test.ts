@@ -47,7 +47,7 @@ afterEach(() => {
 })
 
 /** Adds wrinkles whose activations are the tension of a mesh; returns a function that draws until it is measured, and reads it. */
-function createMeasurement(mesh: Mesh, weights = full) {
+function createMeasurement(mesh: Mesh, weights = full, direction?: [number, number]) {
   mesh.material = new MeshStandardMaterial()
   mesh.frustumCulled = false
   const layers = [layer('skin', 'detail', randomNormals(seeded(1), 2))]
@@ -58,7 +58,13 @@ function createMeasurement(mesh: Mesh, weights = full) {
   ]
   addDrivers(
     wrinkles,
-    MEASURES.map((measure) => ({ type: 'tension', area: measure, measure, curve })),
+    MEASURES.map((measure) => ({
+      type: 'tension',
+      area: measure,
+      measure,
+      ...(direction && { direction }),
+      curve,
+    })),
   )
   disposers.push(() => wrinkles.dispose())
   const scene = new Scene()
@@ -104,6 +110,27 @@ function exactTension(mesh: Mesh, rest: ArrayLike<number>, weigh: (centroid: num
     stretch += weight * (stretches[1] - 1)
   }
   return { compression: compression / sum, stretch: stretch / sum }
+}
+
+/** The same along a direction of a sheet's texture, which is that of its x and y: how long a step along it is when deformed. */
+function exactTensionAlong(mesh: Mesh, rest: ArrayLike<number>, direction: [number, number]): number {
+  const triangles = mesh.geometry.index!.array
+  const step = new Vector3(...direction, 0).normalize()
+  let [sum, stretch] = [0, 0]
+  for (let k = 0; k < triangles.length; k += 3) {
+    const corners = [...triangles.slice(k, k + 3)]
+    const edges = (pointAt: (i: number) => Vector3) => {
+      const [a, b, c] = corners.map(pointAt)
+      return [b.sub(a), c.sub(a)]
+    }
+    const [e, f] = edges((i) => new Vector3().fromArray(rest as number[], 3 * i))
+    const [moved, alsoMoved] = edges((i) => mesh.getVertexPosition(i, new Vector3()))
+    const turn = e.clone().cross(f).z
+    const [s, t] = [step.clone().cross(f).z / turn, e.clone().cross(step).z / turn]
+    sum += turn
+    stretch += turn * (moved.multiplyScalar(s).addScaledVector(alsoMoved, t).length() - 1)
+  }
+  return stretch / sum
 }
 
 /** A skinned sheet whose upper half a joint rotates and scales. */
@@ -218,6 +245,22 @@ describe('tension on WebGPU', () => {
     expect(Math.abs(found.stretch - expected.stretch)).toBeLessThan(1e-4)
   })
 
+  it.each([
+    [1, 0],
+    [0, 2],
+    [1, -1],
+  ])('along %d, %d of the texture it is the change of length of that direction', async (...direction) => {
+    const mesh = skinnedSheet()
+    addTargets(mesh)
+    mesh.morphTargetInfluences?.splice(0, 2, 0.9, -0.4)
+    const rest = mesh.geometry.attributes.position.array
+    const { compression, stretch } = await createMeasurement(mesh, full, direction)()
+    const expected = exactTensionAlong(mesh, rest, direction)
+    expect(Math.abs(expected)).toBeGreaterThan(0.004)
+    expect(Math.abs(stretch - expected)).toBeLessThan(1e-4)
+    expect(Math.abs(compression + expected)).toBeLessThan(1e-4)
+  })
+
   it('follows a moving mesh, and does nothing while it is at rest', async () => {
     const mesh = new Mesh(sheet(3))
     const measure = createMeasurement(mesh)
@@ -312,5 +355,20 @@ describe("tension on WebGPURenderer's WebGL 2", () => {
     deform(mesh.geometry, (point) => point.multiply(new Vector3(0.8, 1, 1)))
     expect((await measure()).compression).toBeCloseTo(0.2, 5)
     expect(copyTo).not.toHaveBeenCalled()
+  })
+
+  it('is measured along a direction on the CPU', async () => {
+    const compressions: number[] = []
+    for (const direction of [
+      [1, 0],
+      [0, 1],
+    ] as [number, number][]) {
+      const mesh = new Mesh(sheet(7))
+      const measure = createMeasurement(mesh, full, direction)
+      deform(mesh.geometry, (point) => point.multiply(new Vector3(0.8, 1, 1)))
+      compressions.push((await measure()).compression)
+    }
+    expect(compressions[0]).toBeCloseTo(0.2, 5)
+    expect(compressions[1]).toBeCloseTo(0, 5)
   })
 })

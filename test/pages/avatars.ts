@@ -13,13 +13,13 @@ import { editGlb } from '../glb.ts'
 
 const HUMAN = fileURLToPath(new URL('../../faces/human.glb', import.meta.url))
 
-const io = new NodeIO()
+export const io = new NodeIO()
   .setLogger(new Logger(Logger.Verbosity.SILENT))
   .registerExtensions(ALL_EXTENSIONS)
   .registerDependencies({ 'draco3d.encoder': await draco3d.createEncoderModule() })
 
 /** The shipped face without its wrinkles: their extension is not registered. */
-async function plainHuman(): Promise<Document> {
+export async function plainHuman(): Promise<Document> {
   const document = await io.read(HUMAN)
   return document.transform(prune({ keepLeaves: true, keepAttributes: true, keepExtras: true }))
 }

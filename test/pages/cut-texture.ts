@@ -1,4 +1,4 @@
-import type { Accessor, Document } from '@gltf-transform/core'
+import { type Accessor, type Document, Texture } from '@gltf-transform/core'
 import sharp from 'sharp'
 
 /**
@@ -36,27 +36,23 @@ export async function cutTexture(document: Document, meshName: string): Promise<
       uvs.setElement(i, [(u + side) / 2, v])
     }
   }
-  for (const texture of textures) if ('getImage' in texture) await doubled(texture as never)
+  for (const texture of textures) if (texture instanceof Texture) await doubled(texture)
 }
 
 /** Keeps these rows, in this order. */
 function pick(accessor: Accessor, rows: readonly number[]): void {
   const [size, old] = [accessor.getElementSize(), accessor.getArray()!]
-  const picked = new (old.constructor as typeof Float32Array)(size * rows.length)
-  for (const [i, row] of rows.entries())
-    picked.set(old.subarray(size * row, size * (row + 1)) as never, size * i)
+  const picked = new (old.constructor as Float32ArrayConstructor)(size * rows.length)
+  for (const [i, row] of rows.entries()) picked.set(old.subarray(size * row, size * (row + 1)), size * i)
   accessor.setArray(picked)
 }
 
 /** The image twice, side by side, in its own size. */
-async function doubled(texture: {
-  getImage(): Uint8Array
-  setImage(image: Uint8Array): void
-}): Promise<void> {
-  const image = sharp(texture.getImage())
-  const { width, height } = (await image.metadata()) as { width: number; height: number }
+async function doubled(texture: Texture): Promise<void> {
+  const image = sharp(texture.getImage()!)
+  const { width, height, format } = await image.metadata()
   const half = await image.resize(width / 2, height, { fit: 'fill' }).toBuffer()
   const sides = [0, width / 2].map((left) => ({ input: half, left, top: 0 }))
   const both = sharp({ create: { width, height, channels: 3, background: '#000' } }).composite(sides)
-  texture.setImage(await both.toFormat((await image.metadata()).format as 'png').toBuffer())
+  texture.setImage(await both.toFormat(format).toBuffer())
 }

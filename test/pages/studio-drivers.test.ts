@@ -1,46 +1,20 @@
 /** What moves an area: recorded from a pose, bent by curves, held apart by conflicts. */
 
-import { fileURLToPath } from 'node:url'
-import type { Browser, Locator, Page } from 'playwright-core'
-import { createServer, type ViteDevServer } from 'vite'
-import { afterAll, afterEach, beforeAll, expect, test } from 'vitest'
-import { openBrowser, openPage } from './browser.ts'
-import { expectValue, slider, waitUntilReady } from './studio-page.ts'
+import type { Locator, Page } from 'playwright-core'
+import { beforeAll, expect, test } from 'vitest'
+import { openStudio } from './opened-studio.ts'
+import { areaChoice, expectValue, slider } from './studio-page.ts'
 
-let server: ViteDevServer
-let browser: Browser
+const studio = openStudio({ width: 800, height: 500 })
 let page: Page
-let complaints: string[]
 
 beforeAll(async () => {
-  server = await createServer({
-    configFile: fileURLToPath(new URL('../../studio/vite.config.ts', import.meta.url)),
-    logLevel: 'error',
-    server: { port: 0, host: '127.0.0.1', hmr: false, watch: null },
-  })
-  await server.listen()
-  browser = await openBrowser()
-  ;({ page, complaints } = await openPage(browser, {
-    viewport: { width: 800, height: 500 },
-    reducedMotion: 'reduce',
-  }))
-  await page.goto(`http://127.0.0.1:${(server.httpServer!.address() as { port: number }).port}/`)
-  await waitUntilReady(page)
+  ;({ page } = studio)
   await page.getByRole('button', { name: 'Edit wrinkles' }).click()
-  await page.getByRole('radio', { name: 'Edit area lowerLip' }).check()
+  await areaChoice(page, 'lowerLip').check()
   for (const group of ['Brows', 'Jaw', 'Mouth']) {
     await page.locator('#targets summary', { hasText: group }).click()
   }
-})
-
-afterAll(async () => {
-  await browser?.close()
-  await server?.close()
-})
-
-afterEach(async () => {
-  expect(complaints).toEqual([])
-  expect(await page.textContent('#errors')).toBe('')
 })
 
 const lip = () => slider(page, 'lowerLip')

@@ -8,12 +8,13 @@ import { fileURLToPath } from 'node:url'
 import { isDeepStrictEqual } from 'node:util'
 import { strFromU8, unzipSync } from 'fflate'
 import type { Browser, BrowserContext, Download, Page } from 'playwright-core'
-import { createServer, type PreviewServer, preview, type ViteDevServer } from 'vite'
+import { type PreviewServer, preview, type ViteDevServer } from 'vite'
 import { afterAll, beforeAll, expect, test } from 'vitest'
 import { packCommand } from '../../packages/cli/src/commands/pack.ts'
 import { Workshop } from '../unit/cli/workshop.ts'
 import { writeAvatars } from './avatars.ts'
 import { openBrowser } from './browser.ts'
+import { serveStudio } from './opened-studio.ts'
 import { dropPaths, expectValue, slider, waitUntilReady } from './studio-page.ts'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
@@ -28,13 +29,7 @@ let address: string
 
 beforeAll(async () => {
   await writeAvatars(folder)
-  server = await createServer({
-    configFile: CONFIG,
-    logLevel: 'error',
-    server: { port: 0, host: '127.0.0.1', hmr: false, watch: null },
-  })
-  await server.listen()
-  address = `http://127.0.0.1:${(server.httpServer!.address() as { port: number }).port}/`
+  ;({ server, address } = await serveStudio())
   browser = await openBrowser()
   context = await browser.newContext({ viewport: { width: 800, height: 400 }, reducedMotion: 'reduce' })
   context.setDefaultTimeout(0)

@@ -1,74 +1,45 @@
 /** Maps in the studio: the texture's view, layers, area tools, views of the stage, and what performs under the pointer. */
 
-import { mkdtempSync, rmSync } from 'node:fs'
-import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import { fileURLToPath } from 'node:url'
-import type { Browser, Page } from 'playwright-core'
+import type { Page } from 'playwright-core'
 import sharp from 'sharp'
-import { createServer, type ViteDevServer } from 'vite'
-import { afterAll, afterEach, beforeAll, expect, test, vi } from 'vitest'
-import { writeAvatars } from './avatars.ts'
-import { openBrowser, openPage } from './browser.ts'
+import { beforeAll, expect, test, vi } from 'vitest'
+import { openStudio } from './opened-studio.ts'
 import {
+  areaChoice,
   blackPng,
+  button,
+  DRAWING,
   dismiss,
   dropPaths,
+  expectPicture,
   meanPngDifference,
+  shootAside,
   shootStage,
   slider,
-  waitUntilReady,
+  undoIs,
 } from './studio-page.ts'
 
 /** An automatic area of the forehead. */
 const AREA = 'foreheadInnerLeft'
 
-const folder = mkdtempSync(join(tmpdir(), 'furrow-maps-'))
-let server: ViteDevServer
-let browser: Browser
+const studio = openStudio({ width: 1100, height: 640 })
+const { folder } = studio
 let page: Page
-let complaints: string[]
 
 beforeAll(async () => {
-  await writeAvatars(folder)
-  server = await createServer({
-    configFile: fileURLToPath(new URL('../../studio/vite.config.ts', import.meta.url)),
-    logLevel: 'error',
-    server: { port: 0, host: '127.0.0.1', hmr: false, watch: null },
-  })
-  await server.listen()
-  browser = await openBrowser()
-  ;({ page, complaints } = await openPage(browser, {
-    viewport: { width: 1100, height: 640 },
-    reducedMotion: 'reduce',
-  }))
-  await page.goto(`http://127.0.0.1:${(server.httpServer!.address() as { port: number }).port}/`)
-  await waitUntilReady(page)
+  ;({ page } = studio)
   await dropPaths(page, [join(folder, 'plain.glb')], 'Plain')
-  await choice(AREA).waitFor()
+  await areaChoice(page, AREA).waitFor()
 })
 
-afterAll(async () => {
-  await browser?.close()
-  await server?.close()
-  rmSync(folder, { recursive: true, force: true })
-})
-
-afterEach(async () => {
-  expect(complaints).toEqual([])
-  expect(await page.textContent('#errors')).toBe('')
-})
-
-const choice = (area: string) => page.getByRole('radio', { name: `Edit area ${area}`, exact: true })
-const button = (name: string) => page.getByRole('button', { name, exact: true })
-/** Drawing takes its time where no GPU is. */
-const eventually = (check: () => unknown) => vi.waitFor(check, { timeout: 120_000, interval: 200 })
+const eventually = (check: () => unknown) => vi.waitFor(check, DRAWING)
 const texture = () => page.getByRole('application', { name: /^Texture/ })
 
 test('the texture is shown beside the face, moved by keys and wheel, and shown whole again', async () => {
   const { width } = (await page.locator('#stage').boundingBox())!
-  await button('Texture').click()
-  await choice(AREA).check()
+  await button(page, 'Texture').click()
+  await areaChoice(page, AREA).check()
   const [stage, view] = await Promise.all([page.locator('#stage').boundingBox(), texture().boundingBox()])
   expect(stage!.width).toBeCloseTo(width / 2, 0)
   expect(view!.x).toBeCloseTo(stage!.x + stage!.width, 0)
@@ -87,27 +58,27 @@ test('the texture is shown beside the face, moved by keys and wheel, and shown w
 })
 
 test('a stroke on the texture paints the same place of the face, and its thumbnail', async () => {
-  await button('Paint').click()
+  await button(page, 'Paint').click()
   const thumbnail = () =>
-    choice(AREA).evaluate((radio) => (radio.nextElementSibling as HTMLCanvasElement).toDataURL())
-  const [before, small] = [await shootAside(), await thumbnail()]
+    areaChoice(page, AREA).evaluate((radio) => (radio.nextElementSibling as HTMLCanvasElement).toDataURL())
+  const [before, small] = [await shootAside(page), await thumbnail()]
   const { x, y, width, height } = (await texture().boundingBox())!
   await page.mouse.move(x + 0.46 * width, y + 0.55 * height)
   await page.mouse.down()
   await page.mouse.move(x + 0.54 * width, y + 0.55 * height, { steps: 5 })
   await page.mouse.up()
-  await eventually(async () => expect(await button('Undo').getAttribute('title')).toBe(`Undo: Paint ${AREA}`))
-  const painted = await shootAside()
+  await undoIs(page, `Paint ${AREA}`)
+  const painted = await shootAside(page)
   expect(await meanPngDifference(before, painted)).toBeGreaterThan(0.2)
   await eventually(async () => expect(await thumbnail()).not.toBe(small))
-  await button('Undo').click()
-  await expectPicture(before)
+  await button(page, 'Undo').click()
+  await expectPicture(page, before)
   expect(await thumbnail()).toBe(small)
-  await button('Paint').click()
+  await button(page, 'Paint').click()
 })
 
 test('a drag beside the skin moves the texture and paints nothing', async () => {
-  await button('Paint').click()
+  await button(page, 'Paint').click()
   const before = await shootTexture()
   const { x, y, width, height } = (await texture().boundingBox())!
   await page.mouse.move(x + 0.5 * width, y + 0.03 * height)
@@ -117,32 +88,32 @@ test('a drag beside the skin moves the texture and paints nothing', async () => 
   await eventually(async () =>
     expect(await meanPngDifference(before, await shootTexture())).toBeGreaterThan(3),
   )
-  expect(await button('Undo').isDisabled()).toBe(true)
-  await button('Paint').click()
-  await button('Texture').click()
+  expect(await button(page, 'Undo').isDisabled()).toBe(true)
+  await button(page, 'Paint').click()
+  await button(page, 'Texture').click()
   expect(await texture().isVisible()).toBe(false)
 })
 
 test('layers are added, renamed, moved and undone; a map is imported, and saved as an image', async () => {
   await page.locator('summary', { hasText: /^Layers$/ }).click()
-  await button('New layer').click()
+  await button(page, 'New layer').click()
   await page.locator('.layer summary', { hasText: 'layer' }).click()
   await page.getByLabel('Name of layer layer').fill('sweat')
   await page.keyboard.press('Enter')
   await page.locator('.layer summary', { hasText: 'sweat' }).click()
   const layerNames = () => page.locator('.layer summary').allInnerTexts()
   const first = (await layerNames())[0]
-  while (await button('Move sweat up').isEnabled()) await button('Move sweat up').click()
+  while (await button(page, 'Move sweat up').isEnabled()) await button(page, 'Move sweat up').click()
   await eventually(async () => expect((await layerNames())[0]).toMatch(/^sweat/))
   const gray = await sharp({ create: { width: 64, height: 64, channels: 3, background: '#808080' } })
     .png()
     .toBuffer()
   const input = page.getByLabel('Import roughness of sweat')
   await input.setInputFiles({ name: 'wet.png', mimeType: 'image/png', buffer: gray })
-  await eventually(() => expect(button('Save roughness of sweat').isEnabled()).resolves.toBe(true))
+  await eventually(() => expect(button(page, 'Save roughness of sweat').isEnabled()).resolves.toBe(true))
   const [download] = await Promise.all([
     page.waitForEvent('download'),
-    button('Save roughness of sweat').click(),
+    button(page, 'Save roughness of sweat').click(),
   ])
   expect(download.suggestedFilename()).toBe('plain-sweat-roughness.png')
   // Of the size of the other maps.
@@ -153,7 +124,7 @@ test('layers are added, renamed, moved and undone; a map is imported, and saved 
   })
   await input.setInputFiles({ name: 'notes.png', mimeType: 'image/png', buffer: Buffer.from('no image') })
   await dismiss(page, 'notes.png')
-  while (await button('Undo').isEnabled()) await button('Undo').click()
+  while (await button(page, 'Undo').isEnabled()) await button(page, 'Undo').click()
   await eventually(async () => expect((await layerNames())[0]).toBe(first))
   expect(await layerNames()).not.toContain('sweat')
 })
@@ -163,23 +134,21 @@ test('a sculpt is baked into a layer, and the bake can be cancelled', async () =
   await page.locator('.layer summary').first().click()
   const sculpt = page.getByLabel(/^Bake a sculpt into/).first()
   await sculpt.setInputFiles(join(folder, 'plain.glb'))
-  await button('Cancel').click()
-  expect(await button('Undo').isDisabled()).toBe(true)
+  await button(page, 'Cancel').click()
+  expect(await button(page, 'Undo').isDisabled()).toBe(true)
   await sculpt.setInputFiles(join(folder, 'broken.glb'))
   await dismiss(page, 'broken.glb')
   await sculpt.setInputFiles(join(folder, 'plain.glb'))
-  await eventually(async () =>
-    expect(await button('Undo').getAttribute('title')).toBe('Undo: Bake plain.glb'),
-  )
+  await undoIs(page, 'Bake plain.glb')
   expect((await page.locator('.layer summary').allInnerTexts())[0]).not.toBe(layer)
-  await button('Undo').click()
+  await button(page, 'Undo').click()
 })
 
 test('an area is painted by a polygon, filled from an image, and mirrored', async () => {
-  await choice('crowsFeetLeft').check()
-  await button('Paint').click()
+  await areaChoice(page, 'crowsFeetLeft').check()
+  await button(page, 'Paint').click()
   await page.getByText('Polygon', { exact: true }).click()
-  const before = await shootAside()
+  const before = await shootAside(page)
   const { x, y, width, height } = (await page.locator('#viewport').boundingBox())!
   const corners = [
     [0.42, 0.5],
@@ -191,54 +160,55 @@ test('an area is painted by a polygon, filled from an image, and mirrored', asyn
   }
   await draw()
   await page.keyboard.press('Escape')
-  expect(await button('Close polygon').isDisabled()).toBe(true)
+  expect(await button(page, 'Close polygon').isDisabled()).toBe(true)
   await draw()
   await page.keyboard.press('Enter')
-  await undoIs('Paint crowsFeetLeft')
-  const painted = await shootAside()
+  await undoIs(page, 'Paint crowsFeetLeft')
+  const painted = await shootAside(page)
   expect(await meanPngDifference(before, painted)).toBeGreaterThan(1)
   await draw()
   const [[u, v]] = corners
   await page.mouse.click(x + u * width + 2, y + v * height - 2)
-  expect(await button('Clear').isDisabled()).toBe(true)
-  await button('Mirror').click()
-  await undoIs('Mirror crowsFeetLeft')
-  expect(await choice('crowsFeetRight').isChecked()).toBe(true)
+  expect(await button(page, 'Clear').isDisabled()).toBe(true)
+  await button(page, 'Mirror').click()
+  await undoIs(page, 'Mirror crowsFeetLeft')
+  expect(await areaChoice(page, 'crowsFeetRight').isChecked()).toBe(true)
   const input = page.getByLabel('Fill crowsFeetRight from an image')
   await input.setInputFiles({ name: 'all.png', mimeType: 'image/png', buffer: await blackPng() })
-  await undoIs('Fill crowsFeetRight from an image')
-  while (await button('Undo').isEnabled()) await button('Undo').click()
-  await choice('crowsFeetLeft').check()
-  await expectPicture(before)
+  await undoIs(page, 'Fill crowsFeetRight from an image')
+  while (await button(page, 'Undo').isEnabled()) await button(page, 'Undo').click()
+  await areaChoice(page, 'crowsFeetLeft').check()
+  await expectPicture(page, before)
   await page.getByText('Brush', { exact: true }).first().click()
-  await button('Paint').click()
+  await button(page, 'Paint').click()
 })
 
 test('the face is shown as clay, and by its strain, which follows the pose', async () => {
-  const shaded = await shootAside()
+  const shaded = await shootAside(page)
   const show = page.getByRole('group', { name: 'Show' })
   await show.getByText('Relief').click()
-  expect(await meanPngDifference(shaded, await shootAside())).toBeGreaterThan(2)
+  expect(await meanPngDifference(shaded, await shootAside(page))).toBeGreaterThan(2)
   await show.getByText('Strain').click()
-  const rest = await shootAside()
+  const rest = await shootAside(page)
   expect(await meanPngDifference(shaded, rest)).toBeGreaterThan(2)
   await page.getByRole('button', { name: 'Surprised' }).click()
-  expect(await meanPngDifference(rest, await shootAside())).toBeGreaterThan(2)
+  expect(await meanPngDifference(rest, await shootAside(page))).toBeGreaterThan(2)
   await page.getByRole('button', { name: 'Neutral' }).click()
-  await expectPicture(rest)
+  await expectPicture(page, rest)
   await show.getByText('Shaded').click()
-  await expectPicture(shaded)
+  await expectPicture(page, shaded)
 })
 
 test('the light is turned by keys and dragged over its ball; nothing turns by itself where less motion is wanted', async () => {
-  const before = await shootAside()
+  const before = await shootAside(page)
   const ball = page.getByRole('slider', { name: 'Light', exact: true })
-  const turned = async () => expect(await meanPngDifference(before, await shootAside())).toBeGreaterThan(0.5)
+  const turned = async () =>
+    expect(await meanPngDifference(before, await shootAside(page))).toBeGreaterThan(0.5)
   for (let i = 0; i < 6; i++) await ball.press('ArrowRight')
   expect(await ball.getAttribute('aria-valuetext')).toBe('16° from the left, 44° from above')
   await turned()
   await ball.press('Home')
-  await expectPicture(before)
+  await expectPicture(page, before)
   const { x, y, width, height } = (await ball.boundingBox())!
   await page.mouse.move(x + 0.5 * width, y + 0.5 * height)
   await page.mouse.down()
@@ -246,7 +216,7 @@ test('the light is turned by keys and dragged over its ball; nothing turns by it
   await page.mouse.up()
   await turned()
   await ball.press('Home')
-  await expectPicture(before)
+  await expectPicture(page, before)
   expect(await page.getByLabel('Turntable').isDisabled()).toBe(true)
 })
 
@@ -255,31 +225,27 @@ test('the face performs for the area under the pointer or the focus, lit from th
   await page.locator('#filter').fill('o')
   await slider(page, 'jawOpen').fill('0.3')
   await slider(page, 'noseLeft').fill('0.4')
-  const before = await shootAside()
+  const before = await shootAside(page)
   const values = async (...names: string[]) =>
     Promise.all(names.map(async (name) => Number(await slider(page, name).inputValue())))
   await page.locator('#areas label', { hasText: 'crowsFeetLeft' }).hover()
   await eventually(async () => expect((await values('crowsFeetLeft'))[0]).toBeGreaterThan(0.5))
   expect(await values('jawOpen')).toEqual([0])
   expect(await meanPngDifference(before, await shootStage(page))).toBeGreaterThan(2)
-  await expectPicture(before)
+  await expectPicture(page, before)
   expect(await values('jawOpen', 'noseLeft', 'crowsFeetLeft')).toEqual([0.3, 0.4, 0])
   // Tab goes to the one of the list that is chosen.
-  await choice('noseLeft').check()
-  await shootAside()
-  await choice('noseLeft').focus()
+  await areaChoice(page, 'noseLeft').check()
+  await shootAside(page)
+  await areaChoice(page, 'noseLeft').focus()
   await page.keyboard.press('Shift+Tab')
   await page.keyboard.press('Tab')
   await eventually(async () => expect((await values('jawOpen'))[0]).toBe(0))
   // What moves the face by hand begins from the pose before.
   await slider(page, 'mouthPucker').fill('0.5')
   expect(await values('jawOpen', 'noseLeft', 'mouthPucker')).toEqual([0.3, 0.4, 0.5])
-  expect(await button('Undo').isDisabled()).toBe(true)
+  expect(await button(page, 'Undo').isDisabled()).toBe(true)
 })
-
-async function undoIs(label: string): Promise<void> {
-  await eventually(async () => expect(await button('Undo').getAttribute('title')).toBe(`Undo: ${label}`))
-}
 
 async function shootTexture(): Promise<Buffer> {
   await page.mouse.move(10, 600)
@@ -288,17 +254,4 @@ async function shootTexture(): Promise<Buffer> {
     () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
   )
   return page.screenshot({ clip: (await texture().boundingBox())! })
-}
-
-/** The stage without the outlines of the brush and of the focus, nor what is hovered. */
-async function shootAside(): Promise<Buffer> {
-  await page.mouse.move(1090, 10)
-  await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur())
-  return shootStage(page)
-}
-
-/** Waits until the stage is as a picture shows it, to the last bit. */
-async function expectPicture(picture: Buffer): Promise<void> {
-  const check = async () => expect(await meanPngDifference(picture, await shootAside())).toBe(0)
-  await eventually(check)
 }

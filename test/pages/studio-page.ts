@@ -4,6 +4,9 @@ import type { Locator, Page } from 'playwright-core'
 import sharp from 'sharp'
 import { expect, vi } from 'vitest'
 
+/** How long the page may take to compute and draw where no GPU is. */
+export const DRAWING = { timeout: 120_000, interval: 200 }
+
 /** Waits until a face is shown. */
 export async function waitUntilReady(page: Page, backend = ''): Promise<void> {
   await page.locator('#backend', { hasText: new RegExp(`^${backend}`) }).waitFor({ state: 'attached' })
@@ -12,6 +15,25 @@ export async function waitUntilReady(page: Page, backend = ''): Promise<void> {
 
 export function slider(page: Page, name: string): Locator {
   return page.getByLabel(name, { exact: true })
+}
+
+export function button(page: Page, name: string): Locator {
+  return page.getByRole('button', { name, exact: true })
+}
+
+/** What chooses an area in the list. */
+export function areaChoice(page: Page, area: string): Locator {
+  return page.getByRole('radio', { name: `Edit area ${area}`, exact: true })
+}
+
+/** What undo would take back. */
+export async function undoLabel(page: Page): Promise<string | undefined> {
+  return (await button(page, 'Undo').getAttribute('title'))?.replace('Undo: ', '')
+}
+
+/** Waits until undo would take back this. */
+export function undoIs(page: Page, label: string): Promise<void> {
+  return vi.waitFor(async () => expect(await undoLabel(page)).toBe(label), DRAWING)
 }
 
 export function expectValue(input: Locator, value: number): Promise<void> {
@@ -33,6 +55,24 @@ export async function shootStage(page: Page): Promise<Buffer> {
     if (before.equals(after)) return after
     before = after
   }
+}
+
+/** The stage without the outlines of the brush and of the focus, nor what is hovered. */
+export async function shootAside(page: Page): Promise<Buffer> {
+  await page.mouse.move(page.viewportSize()!.width - 10, 5)
+  await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur())
+  return shootStage(page)
+}
+
+/**
+ * Waits until the stage is as a picture shows it.
+ *
+ * @param most mean difference of the two in 0..255; by default they are equal.
+ */
+export function expectPicture(page: Page, picture: Buffer, most = 0): Promise<void> {
+  const check = async () =>
+    expect(await meanPngDifference(picture, await shootAside(page))).toBeLessThanOrEqual(most)
+  return vi.waitFor(check, DRAWING)
 }
 
 /** Mean difference of two pictures, in 0..255. */

@@ -3,7 +3,18 @@ import type { Page } from 'playwright-core'
 import sharp from 'sharp'
 import { beforeAll, expect, test, vi } from 'vitest'
 import { openStudio } from './opened-studio.ts'
-import { dismiss, dropPaths, expectValue, meanPngDifference, shootStage, slider } from './studio-page.ts'
+import {
+  areaChoice,
+  button,
+  dismiss,
+  dropPaths,
+  expectPicture,
+  expectValue,
+  meanPngDifference,
+  shootAside,
+  slider,
+  undoIs,
+} from './studio-page.ts'
 
 /** An automatic area of the forehead. */
 const AREA = 'foreheadInnerLeft'
@@ -17,43 +28,40 @@ let cheek: { x: number; y: number }
 beforeAll(async () => {
   ;({ page } = studio)
   await dropPaths(page, [join(folder, 'plain.glb')], 'Plain')
-  await choice(AREA).waitFor()
+  await areaChoice(page, AREA).waitFor()
   const { x, y, width, height } = (await page.locator('#viewport').boundingBox())!
   cheek = { x: x + 0.62 * width, y: y + 0.58 * height }
 })
 
-const choice = (area: string) => page.getByRole('radio', { name: `Edit area ${area}`, exact: true })
-const button = (name: string) => page.getByRole('button', { name, exact: true })
-
 test('a stroke on the cheek paints the chosen area there; undo takes it back without a trace', async () => {
-  await choice(AREA).check()
-  await button('Paint').click()
-  const before = await shootAside()
+  await areaChoice(page, AREA).check()
+  await button(page, 'Paint').click()
+  const before = await shootAside(page)
   await stroke()
   await page.mouse.up()
-  await undoIs(`Paint ${AREA}`)
-  const painted = await shootAside()
+  await undoIs(page, `Paint ${AREA}`)
+  const painted = await shootAside(page)
   expect(await differenceAt(before, painted, cheek)).toBeGreaterThan(50)
   expect(await differenceAt(before, painted, { x: cheek.x, y: cheek.y - 150 })).toBe(0)
-  await button('Undo').click()
-  await expectPicture(before)
-  await button('Redo').click()
-  await expectPicture(painted)
-  await button('Undo').click()
-  await expectPicture(before)
+  await button(page, 'Undo').click()
+  await expectPicture(page, before)
+  await button(page, 'Redo').click()
+  await expectPicture(page, painted)
+  await button(page, 'Undo').click()
+  await expectPicture(page, before)
 })
 
 test('Escape takes back a stroke that is under way', async () => {
-  const before = await shootAside()
+  const before = await shootAside(page)
   await stroke()
   await page.keyboard.press('Escape')
   await page.mouse.up()
-  expect(await meanPngDifference(before, await shootAside())).toBe(0)
-  expect(await button('Undo').isDisabled()).toBe(true)
+  expect(await meanPngDifference(before, await shootAside(page))).toBe(0)
+  expect(await button(page, 'Undo').isDisabled()).toBe(true)
 })
 
 test('keys change the brush, and Alt leaves the pointer to the camera', async () => {
-  const before = await shootAside()
+  const before = await shootAside(page)
   const size = page.getByLabel('Size').last()
   const old = Number(await size.inputValue())
   await page.keyboard.press(']')
@@ -68,16 +76,16 @@ test('keys change the brush, and Alt leaves the pointer to the camera', async ()
   await stroke()
   await page.mouse.up()
   await page.keyboard.up('Alt')
-  expect(await button('Undo').isDisabled()).toBe(true)
-  expect(await meanPngDifference(before, await shootAside())).toBeGreaterThan(1)
-  await button('Front').click()
-  await expectPicture(before)
-  await button('Paint').click()
+  expect(await button(page, 'Undo').isDisabled()).toBe(true)
+  expect(await meanPngDifference(before, await shootAside(page))).toBeGreaterThan(1)
+  await button(page, 'Front').click()
+  await expectPicture(page, before)
+  await button(page, 'Paint').click()
 })
 
 test('two fingers move the camera, though the first one had begun a stroke', async () => {
-  await button('Paint').click()
-  const before = await shootAside()
+  await button(page, 'Paint').click()
+  const before = await shootAside(page)
   const session = await page.context().newCDPSession(page)
   const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...offsets: number[]) =>
     session.send('Input.dispatchTouchEvent', {
@@ -91,53 +99,53 @@ test('two fingers move the camera, though the first one had begun a stroke', asy
   await touch('touchMove', -60, 90)
   await touch('touchEnd')
   await session.detach()
-  expect(await button('Undo').isDisabled()).toBe(true)
-  expect(await meanPngDifference(before, await shootAside())).toBeGreaterThan(1)
-  await button('Front').click()
-  await expectPicture(before)
-  await button('Paint').click()
+  expect(await button(page, 'Undo').isDisabled()).toBe(true)
+  expect(await meanPngDifference(before, await shootAside(page))).toBeGreaterThan(1)
+  await button(page, 'Front').click()
+  await expectPicture(page, before)
+  await button(page, 'Paint').click()
 })
 
 test('an area gets another name, and its own back by undo', async () => {
   await page.getByLabel('Name', { exact: true }).fill('brow')
   await page.keyboard.press('Enter')
-  await choice('brow').waitFor()
-  await choice(AREA).waitFor({ state: 'detached' })
+  await areaChoice(page, 'brow').waitFor()
+  await areaChoice(page, AREA).waitFor({ state: 'detached' })
   await page.getByLabel('Name', { exact: true }).fill('chin')
   await page.keyboard.press('Enter')
   await dismiss(page, 'two of the areas would have one name')
   expect(await page.getByLabel('Name', { exact: true }).inputValue()).toBe('brow')
-  await button('Undo').click()
-  await choice(AREA).waitFor()
+  await button(page, 'Undo').click()
+  await areaChoice(page, AREA).waitFor()
 })
 
 test('an area is deleted, and comes back by undo', async () => {
-  await choice(AREA).check()
-  await button('Delete').click()
-  await choice(AREA).waitFor({ state: 'detached' })
-  await button('Undo').click()
-  await choice(AREA).waitFor()
-  await button(`Remove area ${AREA}`).click()
-  await choice(AREA).waitFor({ state: 'detached' })
+  await areaChoice(page, AREA).check()
+  await button(page, 'Delete').click()
+  await areaChoice(page, AREA).waitFor({ state: 'detached' })
+  await button(page, 'Undo').click()
+  await areaChoice(page, AREA).waitFor()
+  await button(page, `Remove area ${AREA}`).click()
+  await areaChoice(page, AREA).waitFor({ state: 'detached' })
   await vi.waitFor(async () =>
     expect(await page.evaluate(() => document.activeElement?.className)).toBe('remove'),
   )
-  await button('Undo').click()
-  await choice(AREA).waitFor()
+  await button(page, 'Undo').click()
+  await areaChoice(page, AREA).waitFor()
 })
 
 test('a muted area is left out of the picture only', async () => {
   await page.getByRole('slider', { name: /^Divider/ }).press('Home')
-  const before = await shootAside()
+  const before = await shootAside(page)
   await slider(page, AREA).fill('1')
-  await button(`Mute ${AREA}`).click()
-  await expectPicture(before)
+  await button(page, `Mute ${AREA}`).click()
+  await expectPicture(page, before)
   await expectValue(slider(page, AREA), 1)
-  await button(`Mute ${AREA}`).click()
-  await button('Solo chin').click()
-  await expectPicture(before)
-  await button('Solo chin').click()
-  expect(await meanPngDifference(before, await shootAside())).toBeGreaterThan(0.05)
+  await button(page, `Mute ${AREA}`).click()
+  await button(page, 'Solo chin').click()
+  await expectPicture(page, before)
+  await button(page, 'Solo chin').click()
+  expect(await meanPngDifference(before, await shootAside(page))).toBeGreaterThan(0.05)
 })
 
 /** Presses the mouse on the cheek and drags it, as often as a hand that is seen in every frame. */
@@ -145,23 +153,6 @@ async function stroke(): Promise<void> {
   await page.mouse.move(cheek.x, cheek.y)
   await page.mouse.down()
   await page.mouse.move(cheek.x + 20, cheek.y + 12, { steps: 4 })
-}
-
-async function undoIs(label: string): Promise<void> {
-  await vi.waitFor(async () => expect(await button('Undo').getAttribute('title')).toBe(`Undo: ${label}`))
-}
-
-/** Without the outlines of the brush and of the focus, nor what is hovered. */
-async function shootAside(): Promise<Buffer> {
-  await page.mouse.move(880, 10)
-  await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur())
-  return shootStage(page)
-}
-
-/** Waits until the stage is as a picture shows it, to the last bit. */
-async function expectPicture(picture: Buffer): Promise<void> {
-  const check = async () => expect(await meanPngDifference(picture, await shootAside())).toBe(0)
-  await vi.waitFor(check, { timeout: 60_000, interval: 200 })
 }
 
 /** Mean difference of two pictures of the stage within 10 pixels of a point of the page, in 0..255. */

@@ -3,28 +3,32 @@
 import { existsSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
-import { type Document, Logger, NodeIO } from '@gltf-transform/core'
-import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
-import { prune, simplify, weld } from '@gltf-transform/functions'
+import { simplify, weld } from '@gltf-transform/functions'
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier'
 import type { Locator, Page } from 'playwright-core'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, test, vi } from 'vitest'
 import { turnScene } from '../avatar.ts'
-import { asVrm0 } from './avatars.ts'
+import { asVrm0, io, plainHuman } from './avatars.ts'
 import { cutTexture } from './cut-texture.ts'
 import { openStudio } from './opened-studio.ts'
 import { runFurrow } from './run-furrow.ts'
-import { dropPaths, expectValue, meanPngDifference, shootStage, waitUntilReady } from './studio-page.ts'
+import {
+  areaChoice,
+  button,
+  DRAWING,
+  dropPaths,
+  expectPicture,
+  expectValue,
+  meanPngDifference,
+  shootAside,
+  undoIs,
+  undoLabel,
+  waitUntilReady,
+} from './studio-page.ts'
 
 const SCAN = fileURLToPath(new URL('../../../shared/real-face/ict-face.glb', import.meta.url))
-const HUMAN = fileURLToPath(new URL('../../faces/human.glb', import.meta.url))
 const LOW_POLY = 0.12
-
-const io = new NodeIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS)
-
-/** Milliseconds: a run of automatic wrinkles on a busy machine. */
-const LONG = { timeout: 60_000, interval: 200 }
 
 const WINDOW = [1280, 800] as const
 const PHONE = [390, 844] as const
@@ -32,15 +36,7 @@ const PHONE = [390, 844] as const
 const studio = openStudio({ width: WINDOW[0], height: WINDOW[1] })
 let page: Page
 
-const button = (name: string) => page.getByRole('button', { name, exact: true })
 const area = (name: string) => page.getByRole('slider', { name, exact: true })
-const choice = (area: string) => page.getByRole('radio', { name: `Edit area ${area}`, exact: true })
-
-/** The shipped face without its wrinkles. */
-async function plain(): Promise<Document> {
-  const document = await io.read(HUMAN)
-  return document.transform(prune({ keepLeaves: true, keepAttributes: true, keepExtras: true }))
-}
 
 /** Heights on the stage, as fractions of it: the middle of the forehead's lines, and of the chin. */
 interface Heights {
@@ -82,7 +78,7 @@ const AVATARS: [
     OF_HUMAN,
     SAME,
     async () => {
-      const document = await plain()
+      const document = await plainHuman()
       await cutTexture(document, 'skin')
       turnScene(document, 180)
       return asVrm0(await io.writeBinary(document))
@@ -95,7 +91,7 @@ const AVATARS: [
     SAME_ON_FACETS,
     async () => {
       await MeshoptSimplifier.ready
-      const document = await plain()
+      const document = await plainHuman()
       await document.transform(weld(), simplify({ simplifier: MeshoptSimplifier, ratio: LOW_POLY, error: 1 }))
       await cutTexture(document, 'skin')
       return io.writeBinary(document)
@@ -129,24 +125,24 @@ describe.each(AVATARS)('%s', (_, file, heights, same, make) => {
 
   step('gets wrinkles when it is dropped, and raised brows crease its forehead', async () => {
     await dropPaths(page, [join(studio.folder, file)], title(name))
-    await choice('foreheadInnerLeft').waitFor()
-    await vi.waitFor(async () => expect(await page.getByText('Making wrinkles').count()).toBe(0), LONG)
+    await areaChoice(page, 'foreheadInnerLeft').waitFor()
+    await vi.waitFor(async () => expect(await page.getByText('Making wrinkles').count()).toBe(0), DRAWING)
     await dragSlider(page.getByRole('slider', { name: /^Divider/ }), 0)
     for (const { input } of await blendshapes(/^brow.*Up/)) await dragSlider(input, 1)
     await vi.waitFor(
       async () => expect(Number(await area('foreheadInnerLeft').inputValue())).toBeGreaterThan(0.8),
-      LONG,
+      DRAWING,
     )
-    made = await shootAside()
+    made = await shootAside(page)
     await picture('wrinkles')
     const mode = page.getByRole('group', { name: 'Wrinkles' })
     await mode.getByText('Off', { exact: true }).click()
-    const plainFace = await shootAside()
+    const plainFace = await shootAside(page)
     await mode.getByText('Default', { exact: true }).click()
     // The forehead, and nothing else: the mouth does not move.
     expect(await differenceIn(made, plainFace, forehead)).toBeGreaterThan(0.5)
     expect(await differenceIn(made, plainFace, chin)).toBeLessThan(0.1)
-    await expectPicture(made)
+    await expectPicture(page, made, SAME)
   })
 
   step('one of its lines is bent', async () => {
@@ -158,7 +154,7 @@ describe.each(AVATARS)('%s', (_, file, heights, same, make) => {
     await page.mouse.down()
     await page.mouse.move(knot.x + 3, knot.y + 12, { steps: 5 })
     await page.mouse.up()
-    await undoIs('Move a point')
+    await undoIs(page, 'Move a point')
     await picture('line')
     await linesTo('Off')
     await expectChange(made, forehead, 0.02)
@@ -166,23 +162,23 @@ describe.each(AVATARS)('%s', (_, file, heights, same, make) => {
   })
 
   step('an area is painted', async () => {
-    await choice('chin').check()
-    await button('Paint').click()
+    await areaChoice(page, 'chin').check()
+    await button(page, 'Paint').click()
     const { x, y } = await placeOf([0.5, heights.chin])
     // From the chin onto the cheek.
     await page.mouse.move(x, y)
     await page.mouse.down()
     await page.mouse.move(x + 90, y - 40, { steps: 8 })
     await page.mouse.up()
-    await undoIs('Paint chin')
+    await undoIs(page, 'Paint chin')
     await picture('paint')
-    await button('Paint').click()
+    await button(page, 'Paint').click()
     steps.push('Paint chin')
   })
 
   step("a line is drawn across the texture's seam", async () => {
     await linesTo('Off')
-    const before = await shootAside()
+    const before = await shootAside(page)
     await linesTo('Draw')
     // The middle of the forehead.
     const { x, y } = await placeOf([0.5, heights.forehead])
@@ -190,11 +186,11 @@ describe.each(AVATARS)('%s', (_, file, heights, same, make) => {
     await page.mouse.down()
     await page.mouse.move(x + 45, y + 10, { steps: 12 })
     await page.mouse.up()
-    await undoIs('Draw a line')
+    await undoIs(page, 'Draw a line')
     await picture('draw')
     await linesTo('Off')
     await expectChange(before, forehead, 0.02)
-    const drawn = await shootAside()
+    const drawn = await shootAside(page)
     // On both sides of it.
     for (const side of [-1, 1]) {
       const near = boxAround(0.5 + side * 0.018, heights.forehead)
@@ -204,30 +200,30 @@ describe.each(AVATARS)('%s', (_, file, heights, same, make) => {
   })
 
   step('a pose is recorded as what drives an area', async () => {
-    await button('Neutral').click()
+    await button(page, 'Neutral').click()
     await puff(1)
-    await choice('chin').check()
-    await button('This pose fully shows this area').click()
+    await areaChoice(page, 'chin').check()
+    await button(page, 'This pose fully shows this area').click()
     await picture('driver')
     await expectValue(area('chin'), 1)
     await puff(0)
     await expectValue(area('chin'), 0)
     await puff(1)
     await expectValue(area('chin'), 1)
-    steps.push((await undoLabel())!)
-    changed = await shootAside()
+    steps.push((await undoLabel(page))!)
+    changed = await shootAside(page)
   })
 
   step('all is undone, and done again', async () => {
     for (const label of steps.toReversed()) {
-      await undoIs(label)
-      await button('Undo').click()
+      await undoIs(page, label)
+      await button(page, 'Undo').click()
     }
-    expect(await button('Undo').isDisabled()).toBe(true)
+    expect(await button(page, 'Undo').isDisabled()).toBe(true)
     await expectValue(area('chin'), 0)
-    for (const _label of steps) await button('Redo').click()
-    expect(await button('Redo').isDisabled()).toBe(true)
-    await expectPicture(changed)
+    for (const _label of steps) await button(page, 'Redo').click()
+    expect(await button(page, 'Redo').isDisabled()).toBe(true)
+    await expectPicture(page, changed, SAME)
   })
 
   step('it is as it was after its tab was closed', async () => {
@@ -244,19 +240,19 @@ describe.each(AVATARS)('%s', (_, file, heights, same, make) => {
       .getByRole('button', { name: new RegExp(`^${name}`) })
       .first()
       .click()
-    await choice('chin').waitFor()
+    await areaChoice(page, 'chin').waitFor()
     await dragSlider(page.getByRole('slider', { name: /^Divider/ }), 0)
     await puff(1)
     await expectValue(area('chin'), 1)
-    await choice('chin').check()
-    await expectPicture(changed, same)
+    await areaChoice(page, 'chin').check()
+    await expectPicture(page, changed, same)
   })
 
   step('furrow validate and furrow render find in its file what was made', async () => {
     await page.getByRole('heading', { name: 'Export' }).click()
-    await button('Make the file').click()
+    await button(page, 'Make the file').click()
     const save = page.getByRole('button', { name: /^Save .*-wrinkled\./ })
-    await save.waitFor(LONG)
+    await save.waitFor(DRAWING)
     await save.scrollIntoViewIfNeeded()
     await picture('export')
     const [download] = await Promise.all([page.waitForEvent('download'), save.click()])
@@ -350,14 +346,6 @@ async function linesTo(mode: 'Off' | 'Edit' | 'Draw'): Promise<void> {
   await page.getByRole('group', { name: 'Pointer' }).getByText(mode, { exact: true }).click()
 }
 
-async function undoLabel(): Promise<string | undefined> {
-  return (await button('Undo').getAttribute('title'))?.replace('Undo: ', '')
-}
-
-async function undoIs(label: string): Promise<void> {
-  await vi.waitFor(async () => expect(await undoLabel()).toBe(label), LONG)
-}
-
 /** Of the canvas with the lines: the pixel of a colour that is nearest to the middle of a box. */
 async function overlayPixel(
   box: Box,
@@ -386,7 +374,7 @@ async function overlayPixel(
       [box, colour] as const,
     )
     expect(found).not.toBeNull()
-  }, LONG)
+  }, DRAWING)
   const { x, y } = found!
   const origin = (await page.locator('#viewport').boundingBox())!
   return { x: origin.x + x, y: origin.y + y }
@@ -410,22 +398,10 @@ async function picture(name: string): Promise<void> {
   }
 }
 
-/** Without the outlines of the brush and of the focus, nor what is hovered. */
-async function shootAside(): Promise<Buffer> {
-  await page.mouse.move(1270, 5)
-  await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur())
-  return shootStage(page)
-}
-
-/** Waits until the stage is as a picture shows it. */
-async function expectPicture(picture: Buffer, same = SAME): Promise<void> {
-  const check = async () => expect(await meanPngDifference(picture, await shootAside())).toBeLessThan(same)
-  await vi.waitFor(check, LONG)
-}
-
 async function expectChange(before: Buffer, box: Box, least: number): Promise<void> {
-  const check = async () => expect(await differenceIn(before, await shootAside(), box)).toBeGreaterThan(least)
-  await vi.waitFor(check, LONG)
+  const check = async () =>
+    expect(await differenceIn(before, await shootAside(page), box)).toBeGreaterThan(least)
+  await vi.waitFor(check, DRAWING)
 }
 
 /** Mean difference of two pictures of the stage within a box of the viewport, in 0..255. */

@@ -92,6 +92,8 @@ export interface AutoSettings {
   /** Side of the maps in texels. */
   readonly size: number
   readonly seed: number
+  /** Of regions with lines of their own. */
+  readonly seeds?: Readonly<Partial<Record<AutoRegion, number>>>
   /** All by default. */
   readonly regions?: readonly AutoRegion[]
 }

@@ -11,7 +11,7 @@ import type { Mesh } from 'three'
 import { knotsOf, traceStroke } from '../../../packages/furrow/src/author/strokes/edit/traced-stroke.ts'
 import type { LayerStroke, StudioDocument } from '../document/document.ts'
 import type { SkinPicker } from '../paint/picker.ts'
-import { posedSkinOf } from '../paint/posed-skin.ts'
+import { type PosedSkin, posedSkinOf } from '../paint/posed-skin.ts'
 
 /** A stroke as a line on the skin, which follows the skin when that is deformed. */
 export interface SkinLine {
@@ -28,10 +28,7 @@ export interface SkinLine {
 export class LineSkin {
   /** With texels of the document's areas. */
   readonly canvas: SkinCanvas
-  readonly picker: SkinPicker
-  readonly #skin: Skin
-  readonly #meshes: readonly Mesh[]
-  #pose: readonly number[] = []
+  readonly #posed: PosedSkin
   readonly #lines = new WeakMap<LayerStroke, SkinLine | null>()
 
   /** @throws FurrowError when the meshes cannot be drawn on. */
@@ -39,13 +36,13 @@ export class LineSkin {
     meshes: readonly [Mesh, ...Mesh[]],
     { scale, areaSize }: Pick<StudioDocument, 'scale' | 'areaSize'>,
   ) {
-    const { skin, picker } = posedSkinOf(meshes, scale)
-    this.#skin = skin.skin
+    this.#posed = posedSkinOf(meshes, scale)
     const { positions, uvs, indices } = this.#skin
     this.canvas = skinCanvas({ positions, uvs, indices }, areaSize, areaSize, scale)
-    this.picker = picker
-    this.#meshes = meshes
-    this.#pose = this.#readPose()
+  }
+
+  get picker(): SkinPicker {
+    return this.#posed.picker
   }
 
   /** Between the left and right half; undefined where blendshapes do not show it. */
@@ -53,22 +50,13 @@ export class LineSkin {
     return middleOf(this.#skin)
   }
 
-  /**
-   * Follows the blendshapes; nothing is done while they rest.
-   *
-   * @returns their values: the same array as long as they rest.
-   */
-  follow(): readonly number[] {
-    const pose = this.#readPose()
-    if (pose.some((value, i) => value !== this.#pose[i])) {
-      this.#pose = pose
-      this.picker.refit()
-    }
-    return this.#pose
+  /** Follows the pose. */
+  follow(): void {
+    this.#posed.follow()
   }
 
-  #readPose(): number[] {
-    return this.#meshes.flatMap(({ morphTargetInfluences }) => morphTargetInfluences ?? [])
+  get #skin(): Skin {
+    return this.#posed.skin.skin
   }
 
   /** The line of a stroke, found once; null where none of it is on the skin. */

@@ -42,8 +42,9 @@ export class LineProjection {
     size: readonly [width: number, height: number],
   ): ProjectedLine[] {
     camera.updateMatrixWorld()
+    skin.follow()
     const matrices = [...camera.matrixWorld.elements, ...camera.projectionMatrix.elements]
-    const view = [skin, skin.follow(), ...size, ...matrices]
+    const view = [skin, skin.picker.poses, ...size, ...matrices]
     if (view.some((value, i) => value !== this.#view[i])) {
       this.#view = view
       this.#lines = new WeakMap()

@@ -24,7 +24,7 @@ const MOST_SEED = 2 ** 32 - 1
 
 /**
  * A link as the hash of an address, without `#`: `model=faces/human.glb&pose=jawOpen:0.25&camera=0,1.6,0.5,0,1.6,0&auto=45,1,1024,1`, the last
- * of which may go on with regions.
+ * of which may go on with regions, and `lines=chin:2` with the seeds of some.
  *
  * @param base address of the page; models beside it get a relative one.
  */
@@ -38,8 +38,10 @@ export function formatLink({ model, pose, camera, auto }: Link, base: string): s
   }
   if (camera) add('camera', camera.map((value) => Number(value.toPrecision(5))).join(','))
   if (auto) {
-    const { age, strength, size, seed, regions = [] } = auto
+    const { age, strength, size, seed, regions = [], seeds = {} } = auto
     add('auto', [age, strength, size, seed, ...regions].join(','))
+    const lines = Object.entries(seeds).map(([region, own]) => `${region}:${own}`)
+    if (lines.length > 0) add('lines', lines.join(','))
   }
   return parts.join('&')
 }
@@ -64,11 +66,13 @@ export function parseLink(hash: string, base: string): Link {
     const part = parts.get(name)
     return part === undefined ? undefined : parse(part)
   }
+  const auto = read('auto', autoOf)
+  const seeds = read('lines', seedsOf)
   return {
     model: read('model', (part) => addressOf(unescaped(part), base)),
     pose: read('pose', poseOf),
     camera: read('camera', cameraOf),
-    auto: read('auto', autoOf),
+    auto: auto && seeds ? { ...auto, seeds } : auto,
   }
 }
 
@@ -111,18 +115,35 @@ function autoOf(text: string): AutoSettings {
   const [age, strength, size, seed, ...regions] = text.split(',')
   const side = numberIn(size, 'its size', AUTO_SIZES[0], AUTO_SIZES.at(-1)!)
   if (!AUTO_SIZES.includes(side as never)) throw unusable('its size', side, AUTO_SIZES.join(', '))
-  const unknown = regions.find((region) => !AUTO_REGIONS.includes(region as AutoRegion))
-  if (unknown !== undefined)
-    throw unusable('its region', unknown.slice(0, MOST.name), AUTO_REGIONS.join(', '))
-  const number = numberIn(seed, 'its seed', 0, MOST_SEED)
-  if (!Number.isInteger(number)) throw unusable('its seed', seed, 'a whole number')
+  for (const region of regions) checkRegion(region)
   return {
     age: numberIn(age, 'its age', ...AUTO_AGES),
     strength: numberIn(strength, 'its strength', ...AUTO_STRENGTHS),
     size: side,
-    seed: number,
+    seed: seedIn(seed),
     ...(regions.length > 0 && { regions: AUTO_REGIONS.filter((region) => regions.includes(region)) }),
   }
+}
+
+function seedsOf(text: string): AutoSettings['seeds'] {
+  return Object.fromEntries(
+    text.split(',').map((entry) => {
+      const [region, seed] = entry.split(':')
+      checkRegion(region)
+      return [region, seedIn(seed)]
+    }),
+  )
+}
+
+function checkRegion(region: string): void {
+  if (AUTO_REGIONS.includes(region as AutoRegion)) return
+  throw unusable('its region', region.slice(0, MOST.name), AUTO_REGIONS.join(', '))
+}
+
+function seedIn(text: string | undefined): number {
+  const seed = numberIn(text, 'its seed', 0, MOST_SEED)
+  if (Number.isInteger(seed)) return seed
+  throw unusable('its seed', text, 'a whole number')
 }
 
 function numberIn(text: string | undefined, what: string, low: number, high: number): number {

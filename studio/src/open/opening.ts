@@ -1,3 +1,4 @@
+import { FurrowError } from 'furrow'
 import { displayName } from '../display-name.ts'
 import type { Loading } from '../loading.ts'
 import type { Messages } from '../messages.ts'
@@ -65,6 +66,7 @@ export class Opening {
     await messages.attempt(async () => {
       const dropped = await sortFiles(await list())
       if (dropped.kind === 'areas') return addAreas(dropped.images.map(({ file }) => file))
+      if (dropped.kind === 'captures') return this.#addCapture(dropped.tables)
       await this.open(async (shown) => {
         const name = dropped.kind === 'avatar' ? dropped.face.file.name : dropped.wrinkles.name
         loading.show(`Loading ${name}`)
@@ -75,8 +77,26 @@ export class Opening {
     })
   }
 
+  async #addCapture(tables: readonly DroppedFile[]): Promise<void> {
+    const { host, face, messages } = this.#parts
+    const { readCapture } = await import('../capture/read-capture.ts')
+    const capture = await readCapture(tables.map(({ file }) => file))
+    const { captureClip } = await import('../capture/capture-clip.ts')
+    if (!host.viewer) throw withoutAvatar(capture.name)
+    face.player.add(captureClip(capture, host.viewer.avatar.root))
+    messages.note(`Added ${capture.name} to Animation`)
+  }
+
   #projectOf(id: string, take = false): Promise<OpenedAvatar> {
     this.#parts.loading.show('Opening')
     return this.#parts.workspace.openProject(id, take)
   }
+}
+
+function withoutAvatar(capture: string): FurrowError {
+  return new FurrowError({
+    who: 'Studio',
+    what: `there is no avatar for ${capture} to move`,
+    remedy: 'drop one first',
+  })
 }

@@ -4,7 +4,7 @@ import { NAME_FACE, otherFormat, unusable } from '../../../packages/cli/src/gltf
 import { bytesOf, type DroppedFile } from './dropped-files.ts'
 
 /** What a user dropped. */
-export type Dropped = DroppedAvatar | DroppedWrinkles | DroppedAreas
+export type Dropped = DroppedAvatar | DroppedWrinkles | DroppedCaptures | DroppedAreas
 
 export interface DroppedAvatar {
   kind: 'avatar'
@@ -24,6 +24,12 @@ export interface DroppedWrinkles {
   notes: readonly string[]
 }
 
+/** Tables, of which at least one should be a capture for the avatar on the stage: the app that writes them adds others. */
+export interface DroppedCaptures {
+  kind: 'captures'
+  tables: readonly DroppedFile[]
+}
+
 /** Painted areas for the avatar on the stage. */
 export interface DroppedAreas {
   kind: 'areas'
@@ -38,6 +44,7 @@ export interface WrinklesFolder {
 }
 
 const FACE = /\.(glb|vrm|gltf)$/i
+const TABLE = /\.csv$/i
 const IMAGE = /\.(png|jpe?g|webp|avif)$/i
 /** What makes the folder before it one of wrinkles. */
 const WRINKLES = /^(|.*\/)(wrinkles\.json|layers\/[^/]+\/normal\.png)$/
@@ -58,6 +65,9 @@ export async function sortFiles(dropped: readonly DroppedFile[]): Promise<Droppe
     notes.push(`Took the wrinkles in ${wrinkles.name}, one of ${1 + others.length} folders`)
   if (face) return { kind: 'avatar', face, files, wrinkles: wrinkles ?? null, notes }
   if (wrinkles) return { kind: 'wrinkles', wrinkles, notes }
+  // Before images: a take has a picture of itself.
+  const tables = files.filter(({ path }) => TABLE.test(path))
+  if (tables.length > 0) return { kind: 'captures', tables }
   const images = files.filter(({ path }) => IMAGE.test(path))
   if (images.length > 0) return { kind: 'areas', images }
   throw await nothingUsable(files)
@@ -109,7 +119,7 @@ function byDepth(a: string, b: string): number {
 
 async function nothingUsable(files: readonly DroppedFile[]): Promise<FurrowError> {
   const [first] = files
-  const remedy = 'drop a .glb, .vrm or .gltf, a folder of wrinkles, or gray images'
+  const remedy = 'drop a .glb, .vrm or .gltf, a folder of wrinkles, gray images, or a CSV of Live Link Face'
   if (!first) return new FurrowError({ who: 'Studio', what: 'no file was dropped', remedy })
   const other = otherFormat(await bytesOf(first.file.slice(0, HEAD_BYTES), first.path))
   const problem = other?.problem ?? 'its contents are unknown'

@@ -41,6 +41,7 @@ export class SkinPicker {
   readonly #hierarchy: MeshBVH
   /** The surface's triangle for each one of the skin; -1 for those without an area at rest. */
   readonly #triangleOf: Int32Array
+  #poses = 0
 
   /** @param painted made of the skin of the same meshes. */
   constructor({ skin, parts }: MeshSkin, painted: PaintSkin) {
@@ -55,8 +56,14 @@ export class SkinPicker {
     this.#hierarchy = hierarchyOf(this.#positions, this.#surfaceIndices())
   }
 
+  /** How often it has taken another pose. */
+  get poses(): number {
+    return this.#poses
+  }
+
   /** Follows the pose. To be called when a stroke begins. */
   refit(): void {
+    this.#poses++
     this.#deform()
     this.#hierarchy.refit()
   }

@@ -1,5 +1,5 @@
 import { AUTO_REGIONS, type AutoRegion } from 'furrow/author'
-import { useId } from 'preact/hooks'
+import { useId, useState } from 'preact/hooks'
 import { AUTO_AGES, AUTO_SIZES, AUTO_STRENGTHS, type AutoSettings } from '../document/document.ts'
 import { NumberSlider } from './controls/number-slider.tsx'
 import { Section } from './controls/section.tsx'
@@ -10,6 +10,7 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
   const { auto, actions } = model
   const settings = auto.value
   const make = (change: Partial<AutoSettings>) => actions.makeAuto({ ...settings, ...change })
+  const [lines, setLines] = useState<Lines>('all')
   const preview = (change: Partial<AutoSettings>) => actions.previewAuto({ ...settings, ...change })
   return (
     <Section title="Automatic wrinkles">
@@ -43,9 +44,21 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
           </select>
         </div>
         <div class="setting">
-          <span class="label">Lines</span>
-          <button type="button" onClick={() => make({ seed: settings.seed + 1 })}>
-            Draw other lines
+          <label for="other-lines">Lines of</label>
+          <select
+            id="other-lines"
+            value={lines}
+            onChange={({ currentTarget }) => setLines(currentTarget.value as Lines)}
+          >
+            <option value="all">the whole face</option>
+            {WITH_LINES.map((region) => (
+              <option key={region} value={region}>
+                {region === 'foreheadInner' ? 'forehead' : region}
+              </option>
+            ))}
+          </select>
+          <button type="button" onClick={() => make(otherLines(settings, lines))}>
+            Draw others
           </button>
         </div>
       </div>
@@ -59,6 +72,18 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
       <Run model={model} />
     </Section>
   )
+}
+
+/** Regions with lines of their own, or all. */
+type Lines = AutoRegion | 'all'
+
+/** The lines of the outer forehead are those of the inner one. */
+const WITH_LINES = AUTO_REGIONS.filter((region) => region !== 'foreheadOuter')
+
+/** The change by which some lines become others. */
+function otherLines({ seed, seeds }: AutoSettings, lines: Lines): Partial<AutoSettings> {
+  if (lines === 'all') return { seed: seed + 1, seeds: {} }
+  return { seeds: { ...seeds, [lines]: (seeds?.[lines] ?? seed) + 1 } }
 }
 
 interface RegionsProps {

@@ -14,6 +14,7 @@ import type { LayerEditor } from '../session/layer-editor.ts'
 import type { Session } from '../session/session.ts'
 import type { Painting } from '../tools/painting.ts'
 import type { Look } from '../viewer/looks/looks.ts'
+import type { ClipPlayer } from '../viewer/pose/clip-player.ts'
 import type { Dial } from '../viewer/pose/dials.ts'
 import type { Hovered } from '../viewer/shown-face.ts'
 import type { Staging } from '../viewer/staging.ts'
@@ -39,6 +40,8 @@ export interface PanelModel {
   readonly hovered: Signal<Hovered | null>
   /** Light and turntable. */
   readonly staging: Staging
+  /** Key frames. */
+  readonly player: ClipPlayer
   /** Settings of the automatic wrinkles, and the run that makes them. */
   readonly auto: ReadonlySignal<AutoSettings>
   readonly autoRun: ReadonlySignal<AutoRun | null>

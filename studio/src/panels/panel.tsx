@@ -1,3 +1,4 @@
+import { Animation } from './animation.tsx'
 import { Areas } from './areas/areas.tsx'
 import { AutomaticWrinkles } from './automatic.tsx'
 import { Expressions } from './expressions.tsx'
@@ -19,6 +20,7 @@ export function Panel({ model }: { model: PanelModel }) {
       <ShortcutList isOpen={model.isListOpen} />
       <Recent model={model} />
       <Expressions model={model} />
+      {model.player.clips.value.length > 0 && <Animation player={model.player} />}
       {model.session.document.value?.auto && <AutomaticWrinkles model={model} />}
       {model.session.document.value && <Lines model={model} />}
       <Settings model={model} />

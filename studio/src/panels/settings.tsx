@@ -1,5 +1,6 @@
 import type { WrinkleMode } from 'furrow/three'
 import type { RendererKind } from '../../../stage/stage.ts'
+import { type Appearance, chooseAppearance, chosenAppearance } from '../appearance.ts'
 import { displayName } from '../display-name.ts'
 import type { Look, LookName } from '../viewer/looks/looks.ts'
 import { Choice } from './controls/choice.tsx'
@@ -25,6 +26,12 @@ const LOOKS: readonly { value: LookName; label: string; title?: string }[] = [
   { value: 'influence', label: 'Areas', title: 'Areas of influence times their activations' },
   { value: 'strain', label: 'Strain', title: 'How the present pose compresses and stretches the skin' },
   { value: 'wireframe', label: 'Wires' },
+]
+
+const APPEARANCES: readonly { value: Appearance; label: string; title?: string }[] = [
+  { value: 'system', label: 'System', title: 'As the system is' },
+  { value: 'light', label: 'Light' },
+  { value: 'dark', label: 'Dark' },
 ]
 
 const ALL = 'All areas, as activated'
@@ -66,6 +73,7 @@ export function Settings({ model }: { model: PanelModel }) {
           <AreaChoice model={model} shown={typeof look.area === 'string' ? look.area : ''} />
         )}
         <StagingControls staging={model.staging} />
+        <Choice legend="Page" options={APPEARANCES} value={chosenAppearance()} onChange={chooseAppearance} />
       </div>
     </Section>
   )

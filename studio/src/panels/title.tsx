@@ -2,7 +2,7 @@ import { KeepStatus } from './keeping/keep-status.tsx'
 import type { PanelModel } from './model.ts'
 
 /** Formats that the file dialog offers. */
-const FACES = '.glb,.gltf,.vrm,.bin,.png,.jpg,.jpeg,.webp,.ktx2,.json,.zip'
+const FACES = '.glb,.gltf,.vrm,.bin,.png,.jpg,.jpeg,.webp,.ktx2,.json,.zip,.csv'
 
 /** Lets a dialog choose a folder, for which JSX has no name. */
 function chooseFolder(input: HTMLInputElement | null): void {

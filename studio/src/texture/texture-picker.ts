@@ -25,13 +25,16 @@ export class TexturePicker {
     this.#size = size
   }
 
-  /**
-   * @param ray of a `TextureCamera`: u is its x, v its -y.
-   * @returns undefined where the texture has no skin; where parts of the skin share it, the first one.
-   */
-  pick({ origin: { x, y } }: Ray): SkinHit | undefined {
+  /** Where a ray of a `TextureCamera` meets the texture, on skin or beside it. */
+  uvOf({ origin: { x, y } }: Ray): [u: number, v: number] {
+    return [x, -y]
+  }
+
+  /** @returns undefined where the texture has no skin; where parts of the skin share it, the first one. */
+  pick(ray: Ray): SkinHit | undefined {
     const own = new Float64Array(3)
-    const triangle = this.#skin.mapOf(this.#size).locator.find(x, -y, own)
+    const uv = this.uvOf(ray)
+    const triangle = this.#skin.mapOf(this.#size).locator.find(...uv, own)
     if (triangle < 0) return undefined
     const position = new Float64Array(3)
     positionAt(position, this.#skin.surface, triangle, own)
@@ -40,7 +43,7 @@ export class TexturePicker {
       triangle,
       weights: [own[0], own[1], own[2]],
       position: [position[0], position[1], position[2]],
-      uv: [x, -y],
+      uv,
       point: this.#posed.positionOf(triangle, [...own], new Vector3()),
       normal: b.sub(a).cross(c.sub(a)).normalize(),
     }

@@ -48,7 +48,7 @@ export class TextureView {
     this.#camera = new TextureCamera(element, () => this.#wake())
     this.#host = new ToolHost(element, () => this.#camera.camera)
     new ResizeObserver(() => this.#resize()).observe(element)
-    painting.addTexture(this.#host)
+    painting.addTexture(this.#host, element, this.#camera)
     let shown: OpenedAvatar | undefined
     effect(() => {
       const avatar = viewer.value?.avatar
@@ -98,6 +98,7 @@ export class TextureView {
 
   #draw(): void {
     const { painting, session, areas } = this.#parts
+    painting.polygon.advance()
     const context = this.#canvas.getContext('2d')!
     const ratio = Math.min(devicePixelRatio, 2)
     context.setTransform(ratio, 0, 0, ratio, 0, 0)

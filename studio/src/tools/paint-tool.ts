@@ -14,7 +14,11 @@ export interface PaintTarget {
   readonly brush: Brush
   readonly skin: PaintSkin
   /** Finds what is under a pointer. */
-  readonly picker: { pick(ray: Ray): SkinHit | undefined }
+  readonly picker: {
+    pick(ray: Ray): SkinHit | undefined
+    /** Of a texture, on which strokes go straight: where a ray meets it. */
+    uvOf?(ray: Ray): [u: number, v: number]
+  }
   /** Absent where hidden skin is painted as well. */
   readonly sight?: Sight | undefined
 }
@@ -57,7 +61,8 @@ export class PaintTool implements StageTool {
     let hit: SkinHit | undefined
     for (const { ray, pressure } of pointers) {
       hit = target.picker.pick(ray)
-      if (brush.moveTo(hit, pressure)) this.#isChanged = true
+      const uv = target.picker.uvOf?.(ray)
+      if (uv ? brush.moveInTexture(...uv, pressure) : brush.moveTo(hit, pressure)) this.#isChanged = true
     }
     this.#parts.onHit(hit ?? null)
     if (this.#isChanged) this.#parts.onPaint()

@@ -1,6 +1,7 @@
 import { computed, effect, type ReadonlySignal, signal } from '@preact/signals'
 import type { GrayImage } from 'furrow'
 import { updateArea } from 'furrow/three'
+import { Vector3 } from 'three'
 import { paintArea } from '../document/areas.ts'
 import type { StudioDocument } from '../document/document.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
@@ -12,6 +13,7 @@ import { posedSkinOf } from '../paint/posed-skin.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { Session } from '../session/session.ts'
 import { type ShortcutName, shortcutOf } from '../shortcuts.ts'
+import type { TextureCamera } from '../texture/texture-camera.ts'
 import { TexturePicker } from '../texture/texture-picker.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 import { BrushRing } from './brush-ring.ts'
@@ -23,11 +25,8 @@ import type { ToolHost } from './tool-host.ts'
 /** Factor on the brush's radius per key press. */
 const SIZE_STEP = 1.15
 
-/** A face that is painted on, in the pose that it had when the picker was made or refitted last. */
+/** A face that is painted on, in its present pose. */
 interface PaintedFace {
-  readonly root: OpenedAvatar['root']
-  readonly index: number
-  readonly scale: number
   readonly skin: PaintSkin
   readonly picker: SkinPicker
   readonly texture: TexturePicker
@@ -40,8 +39,6 @@ export interface PaintingParts {
   session: Session
   areas: AreaEditor
   viewer: ReadonlySignal<Viewer | null>
-  /** Changes whenever the pose may have changed. */
-  frame: ReadonlySignal<number>
   host: ToolHost
   /** The element over which the brush is outlined. */
   stage: HTMLElement
@@ -58,8 +55,6 @@ export class Painting {
   /** Each with what gives it pointers: the face's, and the texture's where that is shown. */
   readonly #tools: { tool: PaintTool; host: ToolHost }[] = []
   readonly #ring: BrushRing
-  #known: PaintedFace | null = null
-  #isPoseNew = true
   readonly #hit = signal<SkinHit | null>(null)
   readonly #stroke = signal<GrayImage | null>(null)
 
@@ -76,19 +71,24 @@ export class Painting {
 
   constructor(parts: PaintingParts) {
     this.#parts = parts
-    const { session, areas, frame, host } = parts
+    const { session, areas, host } = parts
     this.#ring = new BrushRing(parts.stage)
     this.#addTool(host, () => this.#targetOnFace(), 'brush')
     this.polygon = new PolygonPainting({
       ...parts,
       brush: this.brush,
-      target: () => this.#targetOnFace(),
-      camera: () => parts.viewer.peek()?.stage.camera ?? null,
       keep: (area, weights) => this.#keep(area, weights),
     })
-    this.#offer(host, this.polygon.tool, 'polygon')
+    const onFace = this.polygon.addView({
+      element: parts.stage,
+      camera: () => parts.viewer.peek()?.stage.camera ?? null,
+      target: () => this.#targetOnFace(),
+      positionOf: ({ triangle, weights }) =>
+        this.#face()?.picker.positionOf(triangle, weights, new Vector3()) ?? null,
+    })
+    this.#offer(host, onFace, 'polygon')
     effect(() => {
-      if (this.area.value === null || this.shape.value !== 'polygon') this.polygon.tool.clear()
+      if (this.area.value === null || this.shape.value !== 'polygon') this.polygon.clear()
     })
     effect(() => {
       if (!areas.chosen.value) this.#isOn.value = false
@@ -98,10 +98,6 @@ export class Painting {
       session.document.value
       if (this.area.peek() !== null) for (const { host } of this.#tools) host.cancel()
       this.#stroke.value = null
-    })
-    effect(() => {
-      frame.value
-      this.#isPoseNew = true
     })
     effect(() => {
       this.brush.value
@@ -130,9 +126,17 @@ export class Painting {
     return this.#face()?.skin ?? null
   }
 
-  /** Lets the brush paint on the texture as well. @param host whose rays are those of a `TextureCamera`. */
-  addTexture(host: ToolHost): void {
-    this.#addTool(host, () => this.#targetOnTexture(), 'brush')
+  /**
+   * Lets the texture be painted as well.
+   *
+   * @param host whose rays are those of the camera.
+   * @param element that shows the texture as the camera sees it.
+   */
+  addTexture(host: ToolHost, element: HTMLElement, { camera }: TextureCamera): void {
+    const target = () => this.#targetOnTexture()
+    this.#addTool(host, target, 'brush')
+    const positionOf = ({ uv: [u, v] }: SkinHit) => new Vector3(u, -v, 0)
+    this.#offer(host, this.polygon.addView({ element, camera: () => camera, target, positionOf }), 'polygon')
   }
 
   /** The mirror image of weights on the face that is open. */
@@ -177,7 +181,7 @@ export class Painting {
     this.#parts.session.edit(`Paint ${area}`, (old) => paintArea(old, area, weights))
   }
 
-  #targetOnFace(): (PaintTarget & { picker: SkinPicker }) | null {
+  #targetOnFace(): PaintTarget | null {
     const [viewer, area, face] = [this.#parts.viewer.peek(), this.#parts.areas.chosen.peek(), this.#face()]
     if (!viewer || !area || !face) return null
     const { skin, picker } = face
@@ -197,18 +201,12 @@ export class Painting {
     return viewer && document && this.#faceOf(viewer.avatar, document)
   }
 
-  #faceOf({ root, skins, skin: index }: OpenedAvatar, document: StudioDocument): PaintedFace {
+  #faceOf({ skins, skin: index }: OpenedAvatar, document: StudioDocument): PaintedFace {
     const { scale, areaSize } = document
-    const known = this.#known
-    if (known?.root !== root || known.index !== index || known.scale !== scale) {
-      const { skin, picker } = posedSkinOf(skins[index].meshes, scale)
-      // Now rather than when the first stroke begins.
-      skin.mapOf(areaSize)
-      const texture = new TexturePicker(skin, picker, areaSize)
-      this.#known = { root, index, scale, skin, picker, texture }
-    } else if (this.#isPoseNew) known.picker.refit()
-    this.#isPoseNew = false
-    return this.#known!
+    const { skin, picker } = posedSkinOf(skins[index].meshes, scale)
+    // Now rather than when the first stroke begins.
+    skin.mapOf(areaSize)
+    return { skin, picker, texture: new TexturePicker(skin, picker, areaSize) }
   }
 
   #show(area: string, weights: GrayImage): void {

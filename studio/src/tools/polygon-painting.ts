@@ -1,50 +1,52 @@
 import { type ReadonlySignal, signal } from '@preact/signals'
-import { type Camera, Vector3 } from 'three'
+import type { Camera, Vector3 } from 'three'
 import type { Brush } from '../paint/brush.ts'
-import type { SkinHit, SkinPicker } from '../paint/picker.ts'
+import type { SkinHit } from '../paint/picker.ts'
 import { paintPolygon } from '../paint/polygon.ts'
 import { shortcutOf } from '../shortcuts.ts'
 import type { PaintTarget } from './paint-tool.ts'
+import { Polygon } from './polygon.ts'
 import { PolygonOutline } from './polygon-outline.ts'
 import { PolygonTool } from './polygon-tool.ts'
-import type { StagePointer } from './stage-tool.ts'
 
 /** Millimetres within which a polygon fades, at first. */
 const FEATHER = 4
 
-export interface PolygonPaintingParts {
+/** Where a polygon is drawn: the face on the stage, or its texture. */
+export interface PolygonView {
   /** The element over which the polygon is drawn. */
-  stage: HTMLElement
-  brush: ReadonlySignal<Brush>
-  /** Null where there is nothing to paint. */
-  target(): (PaintTarget & { picker: SkinPicker }) | null
+  element: HTMLElement
   camera(): Camera | null
+  /** Null where there is nothing to paint. */
+  target(): PaintTarget | null
+  /** Where the camera has a point of the skin; null where nothing is open. */
+  positionOf(hit: SkinHit): Vector3 | null
+}
+
+export interface PolygonPaintingParts {
+  brush: ReadonlySignal<Brush>
   keep(area: string, painted: PaintTarget['area']['weights']): void
   /** Requests the next frame. */
   wake(): void
   attempt(task: () => void): unknown
 }
 
-/** Paints an area by polygons that are drawn on the face. */
+/** Paints an area by polygons that are drawn on the skin, in any of its views. */
 export class PolygonPainting {
   /** Millimetres across the outline within which it fades. */
   readonly feather = signal(FEATHER)
-  readonly tool: PolygonTool
   readonly #parts: PolygonPaintingParts
-  readonly #outline: PolygonOutline
+  readonly #polygon: Polygon
+  readonly #views: { view: PolygonView; outline: PolygonOutline }[] = []
+  /** The view of the last click. */
+  #last: PolygonView | null = null
   readonly #count = signal(0)
 
   constructor(parts: PolygonPaintingParts) {
     this.#parts = parts
-    this.#outline = new PolygonOutline(parts.stage)
-    this.tool = new PolygonTool({
-      pick: (pointer: StagePointer) => parts.target()?.picker.pick(pointer.ray),
-      project: (hit) => this.#project(hit),
-      close: (points) => parts.attempt(() => this.#paint(points)),
-      changed: () => {
-        this.#count.value = this.tool.points.length
-        parts.wake()
-      },
+    this.#polygon = new Polygon(() => {
+      this.#count.value = this.#polygon.points.length
+      parts.wake()
     })
     addEventListener('keydown', (event) => this.#onKey(event))
   }
@@ -54,13 +56,38 @@ export class PolygonPainting {
     return this.#count
   }
 
+  /** Lets the polygon be drawn in a view. Returns what takes its pointer. */
+  addView(view: PolygonView): PolygonTool {
+    this.#views.push({ view, outline: new PolygonOutline(view.element) })
+    return new PolygonTool({
+      polygon: this.#polygon,
+      pick: ({ ray }) => {
+        this.#last = view
+        return view.target()?.picker.pick(ray)
+      },
+      project: (hit) => project(hit, view),
+      close: () => this.close(),
+    })
+  }
+
+  /** Paints what the polygon encloses, where it has enough points, and begins anew. */
+  close(): void {
+    const points = this.#polygon.take()
+    if (points) this.#parts.attempt(() => this.#paint(points))
+  }
+
+  clear(): void {
+    this.#polygon.clear()
+  }
+
   /** Before a frame is drawn. */
   advance(): void {
-    this.#outline.show(this.tool.points.map((hit) => this.#project(hit)))
+    for (const { view, outline } of this.#views)
+      outline.show(this.#polygon.points.map((hit) => project(hit, view)))
   }
 
   #paint(points: readonly SkinHit[]): void {
-    const target = this.#parts.target()
+    const target = this.#last?.target()
     if (!target) return
     const { mode, opacity, mirror } = this.#parts.brush.peek()
     const brush = {
@@ -73,20 +100,19 @@ export class PolygonPainting {
     if (dirty) this.#parts.keep(target.area.name, image)
   }
 
-  #project({ triangle, weights }: SkinHit): { x: number; y: number } {
-    const { stage, target, camera } = this.#parts
-    const [picker, eye] = [target()?.picker, camera()]
-    if (!picker || !eye) return { x: 0, y: 0 }
-    const { x, y } = picker.positionOf(triangle, weights, new Vector3()).project(eye)
-    return { x: ((1 + x) / 2) * stage.clientWidth, y: ((1 - y) / 2) * stage.clientHeight }
-  }
-
   #onKey(event: KeyboardEvent): void {
     const name = this.#count.peek() > 0 && shortcutOf('polygon', event)
     if (!name) return
     event.preventDefault()
-    if (name === 'close') this.tool.close()
-    else if (name === 'back') this.tool.removeLast()
-    else this.tool.clear()
+    if (name === 'close') this.close()
+    else if (name === 'back') this.#polygon.removeLast()
+    else this.clear()
   }
+}
+
+function project(hit: SkinHit, { element, camera, positionOf }: PolygonView): { x: number; y: number } {
+  const [position, eye] = [positionOf(hit), camera()]
+  if (!position || !eye) return { x: 0, y: 0 }
+  const { x, y } = position.project(eye)
+  return { x: ((1 + x) / 2) * element.clientWidth, y: ((1 - y) / 2) * element.clientHeight }
 }

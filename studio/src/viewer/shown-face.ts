@@ -2,6 +2,7 @@ import { type ReadonlySignal, type Signal, signal, untracked } from '@preact/sig
 import type { Messages } from '../messages.ts'
 import { reducedMotion } from '../motion.ts'
 import type { Orbit } from './orbit.ts'
+import { ClipPlayer } from './pose/clip-player.ts'
 import type { Dial } from './pose/dials.ts'
 import { Performer } from './pose/performer.ts'
 import { Staging } from './staging.ts'
@@ -31,6 +32,8 @@ export class ShownFace {
   readonly viewer = signal<Viewer | null>(null)
   readonly hovered: Signal<Hovered | null> = signal(null)
   readonly staging: Staging
+  /** Key frames. */
+  readonly player: ClipPlayer
   readonly #parts: ShownFaceParts
   readonly #performer: Performer
   readonly #frame = signal(0)
@@ -41,13 +44,18 @@ export class ShownFace {
     this.#parts = parts
     const { viewer } = this
     this.staging = new Staging({ viewer, orbit: parts.orbit, wake: parts.wake })
-    this.#performer = new Performer({
+    const onPose = () => {
+      this.#frame.value++
+      parts.wake()
+    }
+    this.#performer = new Performer({ viewer, isSideLit: this.staging.isSideLit, onPose })
+    this.player = new ClipPlayer({
       viewer,
-      isSideLit: this.staging.isSideLit,
-      onPose: () => {
-        this.#frame.value++
-        parts.wake()
+      begin: () => {
+        this.#rest()
+        this.#expression.value = null
       },
+      onPose,
     })
   }
 
@@ -67,12 +75,16 @@ export class ShownFace {
   }
 
   get moving(): boolean {
-    return (this.#live?.moving || this.#performer.moving) ?? false
+    return (this.#live?.moving || this.#performer.moving || this.player.isPlaying.peek()) ?? false
   }
 
   show(viewer: Viewer): void {
-    if (viewer.avatar.root !== this.viewer.peek()?.avatar.root) this.#expression.value = null
+    const { root, animations } = viewer.avatar
+    const isOther = root !== this.viewer.peek()?.avatar.root
     this.viewer.value = viewer
+    if (!isOther) return
+    this.#expression.value = null
+    this.player.open(root, animations)
   }
 
   /** @param delta seconds since the last frame. */
@@ -81,6 +93,7 @@ export class ShownFace {
     const wasMoving = viewer?.moving
     viewer?.advance(delta)
     this.#performer.advance(delta)
+    this.player.advance(delta)
     if (wasMoving) this.#frame.value++
   }
 
@@ -106,17 +119,31 @@ export class ShownFace {
   play(name: string): void {
     this.change((viewer) => {
       this.#performer.settle()
+      this.player.stop()
       viewer.play(name, reducedMotion.matches ? 0 : EXPRESSION_TIME)
       this.#expression.value = name
       this.#frame.value++
     })
   }
 
-  /** Sets sliders by hand, after finishing the transition to an expression. */
+  /** Moves a slider by hand. A clip goes on unless it is a blendshape's. */
+  input(dial: Dial, value: number): void {
+    if (this.#live?.targets.includes(dial)) this.set(() => dial.write(value))
+    else this.#set(() => dial.write(value))
+  }
+
+  /** Sets another pose by hand: no clip moves the face then. */
   set(write: () => void): void {
-    this.change((viewer) => {
-      this.settle()
-      viewer.advance(Number.POSITIVE_INFINITY)
+    this.#set(() => {
+      this.player.stop()
+      write()
+    })
+  }
+
+  /** Sets sliders after finishing the transition to an expression. */
+  #set(write: () => void): void {
+    this.change(() => {
+      this.#rest()
       write()
       this.#expression.value = null
       this.#frame.value++
@@ -137,7 +164,7 @@ export class ShownFace {
 
   /** Lets the face perform for an area, null for none. */
   perform(area: string | null): void {
-    untracked(() => this.#performer.request(area))
+    untracked(() => this.#performer.request(this.player.isPlaying.peek() ? null : area))
   }
 
   /** Ends a performance: the face has the pose before it. */
@@ -155,6 +182,12 @@ export class ShownFace {
     else if (painted === null && viewer.performanceOf(hovered.name)) viewer.highlight([])
     else viewer.highlight([hovered.name])
     this.#parts.wake()
+  }
+
+  /** Ends what moves the face by itself, but for a clip. */
+  #rest(): void {
+    this.settle()
+    this.#live?.advance(Number.POSITIVE_INFINITY)
   }
 
   get #live(): Viewer | null {

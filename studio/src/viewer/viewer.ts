@@ -260,6 +260,15 @@ export class Viewer {
     this.#remaining = Math.max(0, this.#remaining - delta)
   }
 
+  /** Moves joints and blendshapes by other means than the dials; areas follow all the same. */
+  move(change: () => void): void {
+    this.#driveAfter(() => {
+      change()
+      // Joints are read from it.
+      this.avatar.root.updateMatrixWorld()
+    })
+  }
+
   /** @throws FurrowError if the area cannot be added; nothing changes then. */
   addArea(area: Area): void {
     if (!this.wrinkles) throw withoutLayers(area.name)

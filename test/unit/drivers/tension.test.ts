@@ -156,6 +156,58 @@ describe('tension drivers', () => {
   })
 })
 
+describe('tension along a direction of the texture', () => {
+  /** What drivers along directions measure of a sheet whose texture and points have moved. */
+  function along(
+    directions: readonly (readonly [number, number])[],
+    rest: Sheet,
+    move: (point: Vector3) => Vector3,
+    kind: TensionDriver['measure'] = 'compression',
+  ): number[] {
+    const now = rest.positions.slice()
+    for (let i = 0; i < now.length; i += 3) move(new Vector3().fromArray(rest.positions, i)).toArray(now, i)
+    const plan = planDrivers(directions.map(([u, v]) => ({ ...driver(kind), direction: [u, v] })))
+    const samples = [{ area: 'sheet', triangles: rest.triangles }]
+    const tension = new TensionMeasurement(plan.inputs.tension, samples, rest.positions, rest.uvs)
+    const out = new Float64Array(directions.length)
+    tension.measure(now, out)
+    return [...out]
+  }
+  const turn = new Matrix4().makeRotationFromEuler(new Euler(0.4, 1.2, -2)).setPosition(3, -1, 7)
+  const shorten = (point: Vector3) => point.multiply(new Vector3(0.8, 1, 1)).applyMatrix4(turn)
+
+  it('tells a squint from a scrunch: skin shortened along u is as long as before along v', () => {
+    const [u, back, v, diagonal] = along([[1, 0], [-3, 0], [0, 0.2], [1, 1]], sheet(6, 0.5), shorten) // biome-ignore format: one line
+    expect(u).toBeCloseTo(0.2, 9)
+    expect(back).toBeCloseTo(0.2, 9)
+    expect(v).toBeCloseTo(0, 9)
+    expect(diagonal).toBeCloseTo(1 - Math.sqrt((0.8 ** 2 + 1) / 2), 9)
+  })
+
+  it('is signed, and follows the texture where that is turned, mirrored or sheared', () => {
+    const rest = sheet(5, 0.4)
+    const mapped = (map: (u: number, v: number) => [number, number]) => ({
+      ...rest,
+      uvs: rest.uvs.flatMap((_, i) => (i % 2 === 0 ? map(rest.uvs[i], rest.uvs[i + 1]) : [])),
+    })
+    const turned = mapped((u, v) => [0.3 - v, 0.1 + u])
+    expect(along([[0, 1]], turned, shorten, 'stretch')[0]).toBeCloseTo(-0.2, 9)
+    expect(along([[1, 0]], turned, shorten, 'stretch')[0]).toBeCloseTo(0, 9)
+    const mirrored = mapped((u, v) => [1 - u, v])
+    expect(along([[1, 0]], mirrored, shorten)[0]).toBeCloseTo(0.2, 9)
+    // Along u alone, x and y both grow by a: the direction on the sheet is the diagonal.
+    const sheared = mapped((u, v) => [u, v - u])
+    expect(along([[1, 0]], sheared, shorten)[0]).toBeCloseTo(1 - Math.sqrt((0.8 ** 2 + 1) / 2), 9)
+  })
+
+  it('leaves out triangles that have no place in the texture', () => {
+    const rest = sheet(2)
+    const uvs = rest.uvs.map((value, i) => (i < 6 ? 0 : value))
+    expect(along([[1, 0]], { ...rest, uvs }, shorten)[0]).toBeCloseTo(0.2, 9)
+    expect(along([[1, 0]], { ...rest, uvs: rest.uvs.map(() => 0) }, shorten)[0]).toBe(0)
+  })
+})
+
 describe('sampleTriangles', () => {
   it('takes triangles by the weight they have, and none where there is none', () => {
     const left: GrayImage = { width: 2, height: 1, data: Uint8Array.of(255, 0) }

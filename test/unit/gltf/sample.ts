@@ -43,7 +43,7 @@ export const DRIVERS: WrinkleDriver[] = [
   { type: 'area', area: 'nose', areas: [{ name: 'brow', weight: -1 }], rule: 'sum', curve: CURVE },
   { type: 'conflict', targets: ['browInnerUp', 'browDown'] },
   { type: 'bone', area: 'nose', joints: ['head', 'jaw'], measure: 'angle', axis: [1, 0, 0], curve: CURVE },
-  { type: 'tension', area: 'brow', measure: 'stretch', curve: CURVE },
+  { type: 'tension', area: 'brow', measure: 'stretch', direction: [0, -1], curve: CURVE },
   {
     type: 'muscle',
     name: 'frontalis',

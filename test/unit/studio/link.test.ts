@@ -12,7 +12,7 @@ const whole: Link = {
     ['a:b,c&d=e/ä', 0.125],
   ]),
   camera: [0.1, 1.6, 0.55, 0, 1.62, 0],
-  auto: { age: 63, strength: 1.25, size: 2048, seed: 7, regions: ['glabella', 'chin'] },
+  auto: { age: 63, strength: 1.25, size: 2048, seed: 7, regions: ['glabella', 'chin'], seeds: { chin: 9 } },
 }
 
 describe('a link', () => {
@@ -71,6 +71,9 @@ describe('a link', () => {
     ['a size that would take the memory', 'auto=45,1,65536,1'],
     ['a size between', 'auto=45,1,1000,1'],
     ['a broken seed', 'auto=45,1,1024,0.5'],
+    ['a broken seed of a region', 'auto=45,1,1024,1&lines=chin:0.5'],
+    ['no seed of a region', 'auto=45,1,1024,1&lines=chin'],
+    ['lines of no region', 'auto=45,1,1024,1&lines=elbow:2'],
     ['a region of no face', 'auto=45,1,1024,1,elbow'],
     ['no end', `x=${'a'.repeat(30_000)}`],
   ])('with %s is refused in one line', (_, hash) => {

@@ -58,6 +58,16 @@ describe('what was dropped', () => {
     ])
   })
 
+  it('is a take, whatever pictures are in its folder', async () => {
+    const take = dropped({ 'take/take.csv': 'Timecode', 'take/frame_log.csv': '', 'take/thumbnail.jpg': '' })
+    const sorted = await sortFiles(take)
+    expect(sorted).toMatchObject({ kind: 'captures', tables: [take[0], take[1]] })
+  })
+
+  it('is a face, whatever tables are in its folder', async () => {
+    expect((await faceOf({ 'a/a.glb': GLB, 'a/a.csv': 'Timecode' })).face).toBe('a/a.glb')
+  })
+
   it.each([
     ['model.fbx', 'Kaydara FBX Binary', 'it is an FBX file', 'convert it with FBX2glTF'],
     ['model.obj', 'v 0 0 0', 'it is an OBJ file, which has no blendshapes', 'open it in Blender'],
@@ -66,7 +76,7 @@ describe('what was dropped', () => {
       'notes.txt',
       'hello',
       'it is text, not glTF',
-      'drop a .glb, .vrm or .gltf, a folder of wrinkles, or gray images',
+      'drop a .glb, .vrm or .gltf, a folder of wrinkles, gray images, or a CSV of Live Link Face',
     ],
     ['unknown', '\x00\x01', 'its contents are unknown', 'drop a .glb'],
   ])('is not usable: %s', async (name, text, problem, remedy) => {

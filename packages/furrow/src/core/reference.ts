@@ -152,6 +152,21 @@ export function mixValues(
 }
 
 /**
+ * Micro-shadow: how much of a light's highlight reaches a point whose layers are occluded. What is visible of the sky is taken as a cone
+ * around the normal; light from inside of it arrives, and fades outside (D. Chan, "Material Advances in Call of Duty: WWII", 2018).
+ * Diffuse light has none: skin scatters it further than these valleys are wide.
+ *
+ * @param visibility occlusion of the layers over a value of 1, see `mixValues`; 0..1.
+ * @param cosine of the angle between the shaded normal and the light, 0..1.
+ * @returns a factor of the light's specular reflection, 0..1.
+ */
+export function microShadow(visibility: number, cosine: number): number {
+  // Of the light of a sky that is even, a cone lets through the squared sine of its half angle.
+  const squaredCosineOfCone = 1 - visibility
+  return cosine ** 2 < squaredCosineOfCone ? cosine ** 2 / squaredCosineOfCone : 1
+}
+
+/**
  * Step 4 of the paper's shader: interpolates between two lit colours.
  *
  * @param smooth lit with smooth normals, linear.

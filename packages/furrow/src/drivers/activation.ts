@@ -17,7 +17,13 @@ export type Input =
       axis?: readonly [number, number, number]
     }
   /** Fraction by which the skin under an area is shortened or lengthened, averaged over the area. */
-  | { kind: 'tension'; area: string; measure: 'compression' | 'stretch' }
+  | {
+      kind: 'tension'
+      area: string
+      measure: 'compression' | 'stretch'
+      /** In texture coordinates: measure along it only, not along the principal direction. */
+      direction?: readonly [number, number]
+    }
   /** A number that the application sets by name; until then `initial`, 0 by default. */
   | { kind: 'value'; name: string; initial?: number }
   /** Activation of an area, 0..1. */

@@ -38,7 +38,10 @@ function inputText(input: Input): string {
   if (input.kind === 'target') return input.name
   if (input.kind === 'value') return `input ${input.name}`
   if (input.kind === 'area') return `area ${input.name}`
-  if (input.kind === 'tension') return `${input.measure} of the skin`
+  if (input.kind === 'tension') {
+    const { measure, direction } = input
+    return `${measure} of the skin${direction ? ` along ${direction.join(' ')}` : ''}`
+  }
   const { measure, from, joint, axis } = input
   return `${measure} of joint ${joint} from ${from}${axis ? ` about ${axis.join(' ')}` : ''}`
 }

@@ -105,14 +105,26 @@ export class Fields {
   /** `axis`, of any length but 0; nothing if it is absent. */
   axis(): { axis?: [number, number, number] } {
     if (!this.has('axis')) return {}
-    const axis = this.#vector('axis')
-    if (Math.hypot(...axis) > 0) return { axis }
+    const [x, y, z] = this.#vector('axis', 3)
+    if (Math.hypot(x, y, z) > 0) return { axis: [x, y, z] }
     this.#reader.fail(`${this.#at}.axis has no direction`, '0, 0, 0', undefined, 'write e.g. 1, 0, 0')
+  }
+
+  /** `direction` in texture coordinates, of any length but 0; nothing if it is absent. */
+  direction(): { direction?: [number, number] } {
+    if (!this.has('direction')) return {}
+    const [u, v] = this.#vector('direction', 2)
+    if (Math.hypot(u, v) > 0) return { direction: [u, v] }
+    this.#reader.fail(`${this.#at}.direction has no direction`, '0, 0', undefined, 'write e.g. 1, 0')
   }
 
   /** `origin` and `insertion` of a muscle, which differ. */
   muscleAxis(): Record<'origin' | 'insertion', [number, number, number]> {
-    const [origin, insertion] = [this.#vector('origin'), this.#vector('insertion')]
+    const point = (field: string): [number, number, number] => {
+      const [x, y, z] = this.#vector(field, 3)
+      return [x, y, z]
+    }
+    const [origin, insertion] = [point('origin'), point('insertion')]
     if (origin.some((value, i) => value !== insertion[i])) return { origin, insertion }
     const at = `${this.#at}.insertion`
     this.#reader.fail(`${at} equals the origin`, insertion.join(', '), undefined, 'give the muscle a length')
@@ -130,15 +142,11 @@ export class Fields {
     )
   }
 
-  #vector(field: string): [number, number, number] {
+  #vector(field: string, size: number): number[] {
     const path = `${this.#at}.${field}`
     return this.#reader
-      .array(this.#json[field], path, 3, 3)
-      .map((value, i) => this.#reader.number(value, `${path}[${i}]`, -LARGEST, LARGEST, '')) as [
-      number,
-      number,
-      number,
-    ]
+      .array(this.#json[field], path, size, size)
+      .map((value, i) => this.#reader.number(value, `${path}[${i}]`, -LARGEST, LARGEST, ''))
   }
 
   #curve(low: number, high: number, fallback?: readonly CurvePoint[]): Curve {

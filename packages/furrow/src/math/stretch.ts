@@ -24,6 +24,35 @@ export function restInverse(
 }
 
 /**
+ * What `restInverse` is for, of one direction alone: for `principalStretches`, whose smaller result is then 0, and the larger one the
+ * stretch along a direction of the texture.
+ *
+ * @param uvs texture coordinates of each vertex.
+ * @param direction in texture coordinates, of any length but 0.
+ * @returns 0, and the multiples of the triangle's two edges that sum to a vector of length 1 along the direction; undefined where
+ *   the triangle has no area, in space or in the texture.
+ */
+export function restDirection(
+  a: number,
+  b: number,
+  c: number,
+  positions: ArrayLike<number>,
+  uvs: ArrayLike<number>,
+  [du, dv]: readonly [number, number],
+): number[] | undefined {
+  if (!restInverse(a, b, c, positions)) return undefined
+  const [u1, v1] = [uvs[2 * b] - uvs[2 * a], uvs[2 * b + 1] - uvs[2 * a + 1]]
+  const [u2, v2] = [uvs[2 * c] - uvs[2 * a], uvs[2 * c + 1] - uvs[2 * a + 1]]
+  const [first, second] = [du * v2 - dv * u2, dv * u1 - du * v1]
+  multiplyEdges(a, b, c, positions)
+  const [uu, uv, vv] = products
+  const length = Math.sqrt(first * first * uu + 2 * first * second * uv + second * second * vv)
+  const isMapped = u1 * v2 - v1 * u2 !== 0
+  const direction = [0, first / length, second / length]
+  return isMapped && direction.every(Number.isFinite) ? direction : undefined
+}
+
+/**
  * Principal stretches of a triangle in its own plane: the square roots of the eigenvalues of the right Cauchy-Green tensor (Bonet, Wood:
  * Nonlinear Continuum Mechanics, 3.6). A rigid motion gives 1 and 1.
  *

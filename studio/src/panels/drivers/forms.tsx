@@ -7,7 +7,6 @@ import type {
   InputDriver,
   MorphDriver,
   Rule,
-  TensionDriver,
   TimeDriver,
   WrinkleDriver,
 } from 'furrow'
@@ -20,6 +19,7 @@ import { DriverCurve, NameField, optionsOf, SelectField, VectorSetting } from '.
 import { LinkList } from './link-list.tsx'
 import { MuscleForm } from './muscle-form.tsx'
 import { NowSlider } from './now-slider.tsx'
+import { TensionForm } from './tension-form.tsx'
 
 const RULES: readonly (readonly [Rule, string])[] = [
   ['sum', 'Added'],
@@ -175,27 +175,6 @@ const CURVES: Record<string, BoneDriver['curve']> = {
     [0, 0],
     [0.1, 1],
   ],
-}
-
-function TensionForm({ driver: { measure, curve }, index, context }: FormProps<TensionDriver>) {
-  const label = measure === 'compression' ? 'Shortened by' : 'Lengthened by'
-  return (
-    <>
-      <SelectField
-        label="Skin is"
-        value={measure}
-        options={[
-          ['compression', 'Pushed together'],
-          ['stretch', 'Stretched'],
-        ]}
-        onChange={(next) => {
-          context.editor.set(index, 'measure', { measure: next })
-          context.editor.settle()
-        }}
-      />
-      <DriverCurve {...{ index, context, curve }} axis={axisOf('tension', label, curve)} />
-    </>
-  )
 }
 
 function TimeForm({ driver, index, context: { editor } }: FormProps<TimeDriver>) {

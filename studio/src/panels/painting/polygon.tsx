@@ -33,16 +33,16 @@ export function PolygonControls({ painting }: { painting: Painting }) {
       />
       <PaintChecks painting={painting} />
       <div class="add">
-        <button type="button" disabled={count < 3} onClick={() => polygon.tool.close()}>
+        <button type="button" disabled={count < 3} onClick={() => polygon.close()}>
           Close polygon
         </button>
-        <button type="button" disabled={count === 0} onClick={() => polygon.tool.clear()}>
+        <button type="button" disabled={count === 0} onClick={() => polygon.clear()}>
           Clear
         </button>
       </div>
       <p class="hint">
-        Click points on the face. Enter, or a click on the first point, closes the polygon; Backspace takes
-        the last point back, Esc all of them.
+        Click points on the face or on its texture. Enter, or a click on the first point, closes the polygon;
+        Backspace takes the last point back, Esc all of them.
       </p>
     </>
   )

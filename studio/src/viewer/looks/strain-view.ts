@@ -1,15 +1,17 @@
 import { BufferAttribute, BufferGeometry, type Mesh, MeshBasicMaterial, Vector3 } from 'three'
 import { coordinates, trianglesOf } from '../../../../packages/furrow/src/three/sources/geometry-arrays.ts'
+import { PoseWatch } from '../pose/pose-watch.ts'
 import { strainColour, strainOf } from './strain.ts'
 
 /** Copies of the meshes of a skin that follow its pose and show its strain in their vertices. */
 export class StrainView {
   readonly #parts: { mesh: Mesh; copy: Mesh; rest: Float32Array; indices: ArrayLike<number> }[]
   readonly #material = new MeshBasicMaterial({ vertexColors: true, toneMapped: false })
-  #pose: readonly number[] | null = null
+  readonly #watch: PoseWatch
 
   /** Hidden at first. */
   constructor(meshes: readonly Mesh[]) {
+    this.#watch = new PoseWatch(meshes)
     this.#parts = meshes.map((mesh) => {
       const copy = mesh.clone(false)
       copy.name = 'strain'
@@ -29,9 +31,7 @@ export class StrainView {
 
   /** Measures the pose, where that is another one. */
   follow(): void {
-    const pose = this.#parts.flatMap(({ mesh }) => mesh.morphTargetInfluences ?? [])
-    if (this.#pose && pose.every((weight, i) => weight === this.#pose![i])) return
-    this.#pose = pose
+    if (!this.#watch.isNew()) return
     const point = new Vector3()
     for (const { mesh, copy, rest, indices } of this.#parts) {
       const posed = new Float32Array(rest.length)

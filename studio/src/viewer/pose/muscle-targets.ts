@@ -53,4 +53,5 @@ function write(
   const base = geometry.morphTargetsRelative ? null : rest
   const attribute = geometry.morphAttributes[name]![index] as BufferAttribute
   attribute.array.set(base ? offsets.map((offset, i) => offset + base[i]) : offsets)
+  attribute.needsUpdate = true
 }

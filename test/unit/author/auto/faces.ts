@@ -1,5 +1,5 @@
 import { fileURLToPath } from 'node:url'
-import { AUTO_DEFAULTS, AUTO_REGIONS, type AutoWrinkles, autoWrinkles, type Skin } from 'furrow/author'
+import { AUTO_DEFAULTS, type AutoWrinkles, autoWrinkles, type Skin } from 'furrow/author'
 import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
 import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
 import type { CreasedRegion } from '../../../../packages/furrow/src/author/auto/lines/crease.ts'
@@ -32,8 +32,7 @@ export function prepareFace(skin: Skin): PreparedFace {
 
 /** The creases of all regions of a face, of the default strength and seed. */
 export function facialCreases(prepared: PreparedFace, ageFraction: number): CreasedRegion[] {
-  const { strength, seed, areas } = AUTO_DEFAULTS
-  const settings = { ageFraction, strength, seed, regions: AUTO_REGIONS, maxAreas: areas }
+  const settings = { ...AUTO_DEFAULTS, ageFraction, maxAreas: AUTO_DEFAULTS.areas }
   return layLines(prepared, measureStrain(prepared, settings), settings)
 }
 

@@ -9,8 +9,7 @@ const SIZE = [800, 600] as const
 
 /** A skin on which every line has two points. */
 const skin = {
-  pose: [0] as readonly number[],
-  follow: () => skin.pose,
+  follow() {},
   lineOf: vi.fn((_: LayerStroke) => ({
     triangles: [0, 0],
     weights: Float64Array.of(1, 0, 0, 0, 1, 0),
@@ -18,6 +17,7 @@ const skin = {
     knots: [0, 1],
   })),
   picker: {
+    poses: 0,
     sightFrom: () => () => true,
     positionOf: (_triangle: number, weights: ArrayLike<number>, out: { set(...xyz: number[]): unknown }) =>
       out.set(weights[0], 0, 0),
@@ -54,7 +54,7 @@ test('all lines are looked for again when the camera, the face or the stage chan
   const moved = project(strokes)
   expect(moved.searched).toEqual(strokes)
   expect(moved.projected[0].x[0]).not.toBe(before.x[0])
-  skin.pose = [0.5]
+  skin.picker.poses++
   expect(project(strokes).searched).toEqual(strokes)
   expect(project(strokes, [400, 300]).searched).toEqual(strokes)
 })

@@ -1,22 +1,35 @@
 import { Ray, Vector3 } from 'three'
 import { beforeEach, expect, it } from 'vitest'
 import { type SkinHit, SkinPicker } from '../../../../studio/src/paint/picker.ts'
+import { TexturePicker } from '../../../../studio/src/texture/texture-picker.ts'
+import { Polygon } from '../../../../studio/src/tools/polygon.ts'
 import { PolygonTool } from '../../../../studio/src/tools/polygon-tool.ts'
 import type { StagePointer } from '../../../../studio/src/tools/stage-tool.ts'
 import { paintSkin, plainSheet } from './skins.ts'
 
+let polygon: Polygon
 let tool: PolygonTool
 let closed: (readonly SkinHit[])[]
+
+let onTexture: PolygonTool
 
 beforeEach(() => {
   const skin = paintSkin(plainSheet())
   const picker = new SkinPicker(skin.meshes, skin)
+  const texture = new TexturePicker(skin, picker, 64)
   closed = []
+  polygon = new Polygon(() => {})
   tool = new PolygonTool({
+    polygon,
     pick: ({ ray }) => picker.pick(ray),
     project: ({ point }) => ({ x: 1000 * point.x, y: 1000 * point.y }),
-    close: (points) => closed.push(points),
-    changed: () => {},
+    close: () => closed.push(polygon.take()!),
+  })
+  onTexture = new PolygonTool({
+    polygon,
+    pick: ({ ray }) => texture.pick(ray),
+    project: ({ uv: [u, v] }) => ({ x: 500 * u, y: 500 * v }),
+    close: () => closed.push(polygon.take()!),
   })
 })
 
@@ -50,33 +63,51 @@ it('clicks add points, and one near the first point closes the polygon', () => {
       [30, 30],
     ],
   ])
-  expect(tool.points).toEqual([])
+  expect(polygon.points).toEqual([])
 })
 
 it('a point follows the pointer until it is let go, and Escape takes it back', () => {
   click(0, 0)
   tool.begin(at(10, 0))
   tool.move([at(20, 0), at(25, 5)])
-  expect(places(tool.points)).toEqual([
+  expect(places(polygon.points)).toEqual([
     [0, 0],
     [25, 5],
   ])
   tool.cancel()
-  expect(places(tool.points)).toEqual([[0, 0]])
+  expect(places(polygon.points)).toEqual([[0, 0]])
 })
 
 it('two points enclose nothing; the last one is removed, and all of them', () => {
   click(0, 0)
   click(30, 0)
-  tool.close()
-  expect(closed).toEqual([])
-  tool.removeLast()
-  expect(places(tool.points)).toEqual([[0, 0]])
-  tool.clear()
-  expect(tool.points).toEqual([])
+  expect(polygon.take()).toBeNull()
+  polygon.removeLast()
+  expect(places(polygon.points)).toEqual([[0, 0]])
+  polygon.clear()
+  expect(polygon.points).toEqual([])
 })
 
 it('leaves the pointer to the camera beside the face and with Alt', () => {
   expect(click(200, 0)).toBe(false)
   expect(tool.begin(at(0, 0, { alt: true }))).toBe(false)
+})
+
+it('is drawn on the face and on its texture in turn', () => {
+  const inTexture = (u: number, v: number) => {
+    const ray = new Ray(new Vector3(u, -v, 1), new Vector3(0, 0, -1))
+    onTexture.begin({ ...at(0, 0), ray, x: 500 * u, y: 500 * v })
+    onTexture.end()
+  }
+  click(-30, -30)
+  inTexture(0.8, 0.8)
+  click(30, 30)
+  inTexture(0.2, 0.8)
+  expect(closed.map(places)).toEqual([
+    [
+      [-30, -30],
+      [30, -30],
+      [30, 30],
+    ],
+  ])
 })

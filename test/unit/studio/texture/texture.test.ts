@@ -1,13 +1,16 @@
+import type { GrayImage } from 'furrow'
 import { parseStrokes, type Stroke } from 'furrow/author'
 import { Ray, Vector3 } from 'three'
 import { expect, it } from 'vitest'
 import { positionAt } from '../../../../packages/furrow/src/author/skin/walk.ts'
 import type { LayerStroke } from '../../../../studio/src/document/document.ts'
+import { BRUSH_DEFAULTS } from '../../../../studio/src/paint/brush.ts'
 import { SkinPicker } from '../../../../studio/src/paint/picker.ts'
 import { brushOutline } from '../../../../studio/src/texture/brush-outline.ts'
 import { TextureLines } from '../../../../studio/src/texture/texture-lines.ts'
 import { TexturePicker } from '../../../../studio/src/texture/texture-picker.ts'
-import { cutSheet, paintSkin } from '../paint/skins.ts'
+import { PaintTool } from '../../../../studio/src/tools/paint-tool.ts'
+import { cutSheet, empty, paintSkin, placesOf } from '../paint/skins.ts'
 
 const SIZE = 64
 
@@ -52,6 +55,41 @@ it.each([
     }
   },
 )
+
+it('a quick stroke between two islands goes straight in the texture, and not over the skin between them', () => {
+  const { skin, texture } = cutSkin()
+  let painted: GrayImage | undefined
+  const tool = new PaintTool({
+    target: () => ({
+      area: { name: 'a', layer: 'up', combine: 'sum', activation: 0, weights: empty(SIZE) },
+      brush: { ...BRUSH_DEFAULTS, radius: 3 },
+      skin,
+      picker: texture,
+    }),
+    onPaint: () => {},
+    show: () => {},
+    keep: (_, weights) => {
+      painted = weights
+    },
+    onHit: () => {},
+  })
+  const at = (u: number, v: number) => ({
+    ray: rayAt([u, v]),
+    pressure: 1,
+    x: 0,
+    y: 0,
+    shift: false,
+    alt: false,
+  })
+  tool.begin(at(0.1, 0.8))
+  tool.move([at(0.9, 0.7)])
+  tool.end()
+  const places = [...placesOf(skin.mapOf(SIZE), painted!)].filter(({ weight }) => weight > 0)
+  const uv = places.map(({ texel }) => [(texel % SIZE) / SIZE, Math.floor(texel / SIZE) / SIZE])
+  expect(uv.some(([u]) => u > 0.85)).toBe(true)
+  // What is beside the line of the stroke, by more than the brush.
+  expect(uv.filter(([u, v]) => Math.abs(v - (0.8 - (u - 0.1) / 8)) > 0.04)).toEqual([])
+})
 
 it('a line across a seam is drawn in two pieces, each in its island', () => {
   const { skin } = cutSkin()

@@ -28,6 +28,8 @@ export interface AutoOptions {
   areaSize?: number
   /** Any whole number; the same one gives the same wrinkles. */
   seed?: number
+  /** Of regions of a face that get other lines than `seed` gives them. The forehead has one, `foreheadInner`: its lines run through both. */
+  seeds?: Readonly<Partial<Record<AutoRegion, number>>>
   /** Layers at most, 1..4. */
   layers?: number
   /** Areas at most, 1..64; those with the least compression are left out. */
@@ -45,6 +47,7 @@ export const AUTO_DEFAULTS = {
   size: 1024,
   areaSize: 128,
   seed: 1,
+  seeds: {},
   layers: 4,
   areas: 24,
   regions: AUTO_REGIONS,

@@ -7,8 +7,13 @@ export interface TensionDriver {
   type: 'tension'
   /** Name of the area. */
   area: string
-  /** Fraction by which the skin is shortened, or lengthened, along its principal direction. */
+  /** Fraction by which the skin is shortened, or lengthened. */
   measure: 'compression' | 'stretch'
+  /**
+   * Direction in texture coordinates along which it is measured: wrinkles lie across it (Nordenberg 2003).
+   * By default the principal one, wherever that points.
+   */
+  direction?: [u: number, v: number]
   /** Points [fraction, activation]. */
   curve: Curve
 }
@@ -18,11 +23,12 @@ export const tension: DriverDefinition<TensionDriver> = {
   read: (fields) => ({
     area: fields.area(),
     measure: fields.choice('measure', ['compression', 'stretch'], 'compression'),
+    ...fields.direction(),
     curve: fields.curve(),
   }),
-  activate: ({ area, measure, curve }) => ({
+  activate: ({ area, measure, direction, curve }) => ({
     area,
-    links: linkTo({ kind: 'tension', area, measure }),
+    links: linkTo({ kind: 'tension', area, measure, ...(direction && { direction }) }),
     rule: 'sum',
     curve,
   }),

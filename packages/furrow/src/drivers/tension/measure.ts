@@ -1,4 +1,4 @@
-import { principalStretches, restInverse } from '../../math/stretch.ts'
+import { principalStretches, restDirection, restInverse } from '../../math/stretch.ts'
 import type { InputOf } from '../activation.ts'
 
 /** Triangles that represent an area. */
@@ -12,14 +12,16 @@ export interface TensionSample {
 /** One input, bound to its triangles. */
 interface BoundTension {
   corners: Uint32Array
-  /** `restInverse` of each triangle. */
+  /** `restInverse` of each triangle, or `restDirection`. */
   inverses: Float64Array
+  /** Whether the larger stretch is measured: with a direction it is the one along it. */
+  isLarger: boolean
   isStretch: boolean
 }
 
 /**
  * Measures how far the skin under areas is compressed or stretched, whatever deforms it: the mean over an area's triangles of
- * 1 - their smaller principal stretch (`compression`), or of the larger one - 1 (`stretch`). A rigid motion gives 0. `measure` allocates
+ * 1 - their smaller principal stretch (`compression`), or of the larger one - 1 (`stretch`); of inputs with a direction, the stretch along it. A rigid motion gives 0. `measure` allocates
  * nothing.
  */
 export class TensionMeasurement {
@@ -32,16 +34,19 @@ export class TensionMeasurement {
    * @param inputs what to measure, as in `DriverPlan.inputs.tension`.
    * @param samples triangles of the inputs' areas; degenerate ones are left out.
    * @param rest x, y and z of each vertex at rest, in any unit.
+   * @param uvs u and v of each vertex; inputs with a direction need them.
    */
   constructor(
     inputs: readonly InputOf<'tension'>[],
     samples: readonly TensionSample[],
     rest: ArrayLike<number>,
+    uvs: ArrayLike<number> = [],
   ) {
-    this.#bound = inputs.map(({ area, measure }) => {
+    this.#bound = inputs.map(({ area, measure, direction }) => {
       const sample = samples.find((own) => own.area === area)
-      const { corners, inverses } = measureAtRest(sample?.triangles ?? [], rest)
-      return corners.length === 0 ? null : { corners, inverses, isStretch: measure === 'stretch' }
+      const { corners, inverses } = measureAtRest(sample?.triangles ?? [], { rest, uvs, direction })
+      const isLarger = measure === 'stretch' || direction !== undefined
+      return corners.length === 0 ? null : { corners, inverses, isLarger, isStretch: measure === 'stretch' }
     })
     this.missing = this.#bound.map((bound) => (bound ? [] : ['triangles']))
   }
@@ -62,26 +67,35 @@ export class TensionMeasurement {
   #measureOne(
     out: Float64Array,
     i: number,
-    { corners, inverses, isStretch }: BoundTension,
+    { corners, inverses, isLarger, isStretch }: BoundTension,
     positions: ArrayLike<number>,
   ): void {
     const stretches = this.#stretches
     let sum = 0
     for (let k = 0; k < corners.length; k += 3) {
       principalStretches(stretches, inverses, k, corners[k], corners[k + 1], corners[k + 2], positions)
-      sum += isStretch ? stretches[1] - 1 : 1 - stretches[0]
+      sum += stretches[isLarger ? 1 : 0] - 1
     }
-    out[i] = sum / (corners.length / 3)
+    const mean = sum / (corners.length / 3)
+    out[i] = isStretch ? mean : -mean
   }
 }
 
+/** What is measured at rest: along the direction, if there is one. */
+interface AtRest {
+  rest: ArrayLike<number>
+  uvs: ArrayLike<number>
+  direction: readonly [number, number] | undefined
+}
+
 /** Leaves out degenerate triangles. */
-function measureAtRest(triangles: ArrayLike<number>, rest: ArrayLike<number>) {
+function measureAtRest(triangles: ArrayLike<number>, { rest, uvs, direction }: AtRest) {
   const [corners, inverses]: number[][] = [[], []]
   for (let k = 0; k + 2 < triangles.length; k += 3) {
-    const inverse = restInverse(triangles[k], triangles[k + 1], triangles[k + 2], rest)
+    const [a, b, c] = [triangles[k], triangles[k + 1], triangles[k + 2]]
+    const inverse = direction ? restDirection(a, b, c, rest, uvs, direction) : restInverse(a, b, c, rest)
     if (!inverse) continue
-    corners.push(triangles[k], triangles[k + 1], triangles[k + 2])
+    corners.push(a, b, c)
     inverses.push(...inverse)
   }
   return { corners: Uint32Array.from(corners), inverses: Float64Array.from(inverses) }

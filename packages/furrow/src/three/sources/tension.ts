@@ -15,10 +15,15 @@ const SAMPLES = 16
 export interface TensionSurface {
   /** The mesh at rest. */
   sampled: SampledMesh
-  /** Areas whose tension is measured, each once. */
-  areaNames: readonly string[]
-  /** Per area: how much it covers of each triangle (`coverage`); empty if that is unknown. */
-  covered: readonly Float64Array[]
+  /** What is measured, each once: an area, along its principal directions or a given one. */
+  measured: readonly MeasuredArea[]
+}
+
+export interface MeasuredArea {
+  area: string
+  direction?: InputOf<'tension'>['direction']
+  /** How much it covers of each triangle (`coverage`); empty if that is unknown. */
+  covered: Float64Array
 }
 
 /** Prepares the surface for some inputs. The coverage of areas in compressed textures is unknown. */
@@ -26,15 +31,27 @@ export function tensionSurface(
   wrinkles: WrinklesBase,
   inputs: readonly InputOf<'tension'>[],
 ): TensionSurface {
-  const areaNames = [...new Set(inputs.map(({ area }) => area))]
-  if (areaNames.length === 0) return { sampled: EMPTY, areaNames, covered: [] }
+  if (inputs.length === 0) return { sampled: EMPTY, measured: [] }
   const sampled = sampledMesh(wrinkles.mesh)
-  const covered = areaNames.map((area) => {
+  const covered = new Map<string, Float64Array>()
+  for (const { area } of inputs) {
     const weights = wrinkles.getArea(area)?.weights
-    return weights && 'data' in weights ? coverage(sampled, weights) : new Float64Array()
-  })
-  return { sampled, areaNames, covered }
+    if (covered.has(area)) continue
+    covered.set(area, weights && 'data' in weights ? coverage(sampled, weights) : new Float64Array())
+  }
+  const measured = inputs.filter((input, i) => indexIn(inputs, input) === i)
+  return {
+    sampled,
+    measured: measured.map(({ area, direction }) => ({ area, direction, covered: covered.get(area)! })),
+  }
 }
+
+/** Index of what an input measures, in whatever sense. */
+export function indexIn(measured: readonly Measured[], { area, direction }: Measured): number {
+  return measured.findIndex((own) => own.area === area && own.direction?.join() === direction?.join())
+}
+
+type Measured = Pick<MeasuredArea, 'area' | 'direction'>
 
 const EMPTY: SampledMesh = { positions: [], uvs: [], triangles: [] }
 
@@ -45,20 +62,23 @@ export const bindTension: BindInputs<'tension'> = (wrinkles, inputs) =>
 /** Measures a few triangles of each area on the CPU. */
 export function sampledTension(
   mesh: Mesh,
-  { sampled, areaNames, covered }: TensionSurface,
+  { sampled, measured }: TensionSurface,
   inputs: readonly InputOf<'tension'>[],
 ): InputReader<unknown> {
-  const samples = covered.map((coverage) => sampleCovered(sampled, coverage, SAMPLES))
+  const areas = [...new Map(measured.map((own) => [own.area, own.covered]))]
+  const samples = areas.map(([, covered]) => sampleCovered(sampled, covered, SAMPLES))
   const vertices = Uint32Array.from(new Set(samples.flatMap((triangles) => [...triangles])))
   const indices = new Map([...vertices].map((vertex, i) => [vertex, i]))
-  const rest = Float64Array.from(
-    [...vertices].flatMap((vertex) => [0, 1, 2].map((k) => sampled.positions[3 * vertex + k])),
-  )
-  const bound = areaNames.map((area, i) => ({
+  const ofVertices = (array: ArrayLike<number>, size: number) =>
+    Float64Array.from(
+      [...vertices].flatMap((vertex) => Array.from({ length: size }, (_, k) => array[size * vertex + k])),
+    )
+  const rest = ofVertices(sampled.positions, 3)
+  const bound = areas.map(([area], i) => ({
     area,
     triangles: samples[i].map((vertex) => indices.get(vertex)!),
   }))
-  const measurement = new TensionMeasurement(inputs, bound, rest)
+  const measurement = new TensionMeasurement(inputs, bound, rest, ofVertices(sampled.uvs, 2))
   const positions = new Float64Array(rest.length)
   const position = new Vector3()
   return {

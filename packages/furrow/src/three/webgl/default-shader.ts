@@ -3,7 +3,14 @@ import type { Instances } from '../instances.ts'
 import type { ValueKind } from '../material/wrinkle-textures.ts'
 import { requireInternal } from '../three-version.ts'
 import { influenceFromMap } from './influence-glsl.ts'
-import { type NormalLayers, normalMixing, TOON_COLOUR, type ValueLayers, valueMixing } from './mixing-glsl.ts'
+import {
+  MICRO_SHADOW,
+  type NormalLayers,
+  normalMixing,
+  TOON_COLOUR,
+  type ValueLayers,
+  valueMixing,
+} from './mixing-glsl.ts'
 import { MAIN, replace, replaceChunk, unpatchable } from './shader-text.ts'
 
 /** What a program depends on: never the number of areas. */
@@ -38,6 +45,7 @@ export function defaultFragment(fragment: string, variant: ShaderVariant): strin
     normalMixing(variant),
     isToon ? TOON_COLOUR : '',
     ...Object.entries(values).map(([kind, layers]) => valueMixing(kind as ValueKind, layers)),
+    values.occlusion ? MICRO_SHADOW : '',
   ].join('')
   const sample = `furrowSampleInfluence(${uv});`
   const mixed = [
@@ -47,7 +55,12 @@ export function defaultFragment(fragment: string, variant: ShaderVariant): strin
     isToon ? `diffuseColor.rgb = furrowToonColour(diffuseColor.rgb, furrowOwn, ${normal});` : '',
     scaled,
   ].join('\n\t')
-  const started = `${declarations}\n${MAIN}${isBuiltIn ? `\n\t${sample}` : ''}`
+  const started = [
+    declarations,
+    MAIN,
+    isBuiltIn ? `\t${sample}` : '',
+    values.occlusion ? '\tfurrowVisibility = furrowMix_occlusion( 1.0 );' : '',
+  ].join('\n')
   return mixOthers(replace(replace(shader, scaled, mixed), MAIN, started), values)
 }
 
@@ -107,9 +120,18 @@ function mixOthers(fragment: string, { baseColor, roughness, occlusion }: Shader
       const sample = 'texture2D( aoMap, vAoMapUv ).r'
       const withMap = replace(chunk, sample, `furrowMix_occlusion( ${sample} )`)
       const scaled = `( ${sample} - 1.0 ) * aoMapIntensity + 1.0`
-      const withoutMap = replace(chunk, scaled, 'furrowMix_occlusion( 1.0 )')
+      const withoutMap = replace(chunk, scaled, 'furrowVisibility')
       return `${withMap}\n${replace(withoutMap, '#ifdef USE_AOMAP', '#ifndef USE_AOMAP')}`
     })
+    for (const name of ['lights_physical_pars_fragment', 'lights_phong_pars_fragment'] as const) {
+      shader = replaceChunk(shader, name, shadowHighlights)
+    }
   }
   return shader
+}
+
+/** Highlights of lights are shadowed by the layers' occlusion; those of the surroundings are by three.js. */
+function shadowHighlights(chunk: string): string {
+  const highlight = 'reflectedLight.directSpecular += irradiance *'
+  return `float furrowMicroShadow( float cosine );\n${replace(chunk, highlight, `${highlight} furrowMicroShadow( dotNL ) *`)}`
 }

@@ -63,6 +63,15 @@ vec3 furrowToonColour(vec3 colour, vec3 own, vec3 mixed) {
 }
 `
 
+/** Declares `float furrowMicroShadow(float cosine)`, see `microShadow` in the reference. */
+export const MICRO_SHADOW = /* glsl */ `
+float furrowVisibility = 1.0;
+float furrowMicroShadow(float cosine) {
+  float cone = 1.0 - furrowVisibility;
+  return cosine * cosine < cone ? cosine * cosine / cone : 1.0;
+}
+`
+
 /** The GLSL type of a kind's values, which components of a texel they are, and the uniform that scales them. */
 const VALUES: Record<ValueKind, { type: string; swizzle: (channel: number) => string; uniform?: string }> = {
   baseColor: { type: 'vec3', swizzle: () => '.rgb' },

@@ -2,7 +2,7 @@ import type { Mesh } from 'three'
 import { Fn, If, Loop, localId, max, vec2, workgroupBarrier, workgroupId } from 'three/tsl'
 import type { ComputeNode, Node, StorageBufferNode, WebGPURenderer } from 'three/webgpu'
 import { sentence } from '../../core/error.ts'
-import { restInverse } from '../../math/stretch.ts'
+import { restDirection, restInverse } from '../../math/stretch.ts'
 import type { TensionSurface } from '../sources/tension.ts'
 import { Buffers } from './buffers.ts'
 import { DeformedPositions } from './deformed-positions.ts'
@@ -15,13 +15,13 @@ const LANES = 64
 const PER_AREA = 2
 
 /**
- * Measures on the graphics card how far the skin under each area is compressed and stretched: the mean over all of its
+ * Measures on the graphics card how far the skin under each area is compressed and stretched, along its principal directions or a given one: the mean over all of its
  * triangles, weighted by the area's weight times surface at rest, however the mesh is deformed. Each area has a workgroup: there are few
  * areas and thousands of triangles under each, too many for a single invocation. The result is read back one or two
  * frames later; nothing waits for it.
  */
 export class AreaTension {
-  /** Of each area the mean of 1 - smaller principal stretch, and that of larger principal stretch - 1. */
+  /** Of each measured area the means of 1 - smaller principal stretch and larger one - 1, or of 1 - stretch and stretch - 1 along its direction. */
   readonly values: Float32Array
   /** Whether `values` hold a measurement. */
   isReady = false
@@ -37,7 +37,7 @@ export class AreaTension {
   constructor(mesh: Mesh, surface: TensionSurface) {
     this.#mesh = mesh
     this.#lists = listTriangles(surface)
-    this.values = new Float32Array(PER_AREA * surface.covered.length)
+    this.values = new Float32Array(PER_AREA * surface.measured.length)
   }
 
   /** Starts measuring the mesh in its current pose, unless a measurement is pending or nothing has changed. Never waits or throws. */
@@ -110,22 +110,25 @@ interface TriangleLists {
   weighted: Float32Array
 }
 
-function listTriangles({ sampled: { positions, triangles }, covered }: TensionSurface): TriangleLists {
+function listTriangles({ sampled: { positions, uvs, triangles }, measured }: TensionSurface): TriangleLists {
   const [corners, weighted]: number[][] = [[], []]
-  const starts = new Uint32Array(covered.length + 1)
-  for (const [area, weights] of covered.entries()) {
+  const starts = new Uint32Array(measured.length + 1)
+  for (const [area, { covered, direction }] of measured.entries()) {
     const found: { k: number; inverse: number[] }[] = []
     let sum = 0
-    for (const [k, weight] of weights.entries()) {
+    for (const [k, weight] of covered.entries()) {
+      if (!(weight > 0)) continue
       const [a, b, c] = [3 * k, 3 * k + 1, 3 * k + 2].map((corner) => triangles[corner])
-      const inverse = weight > 0 && restInverse(a, b, c, positions)
+      const inverse = direction
+        ? restDirection(a, b, c, positions, uvs, direction)
+        : restInverse(a, b, c, positions)
       if (!inverse) continue
       found.push({ k, inverse })
       sum += weight
     }
     for (const { k, inverse } of found) {
       corners.push(triangles[3 * k], triangles[3 * k + 1], triangles[3 * k + 2], 0)
-      weighted.push(...inverse, weights[k] / sum)
+      weighted.push(...inverse, covered[k] / sum)
     }
     starts[area + 1] = corners.length / 4
   }
@@ -203,7 +206,7 @@ function meanOf(
   })().compute(workgroups(areas), [LANES])
 }
 
-/** `principalStretches` of math/stretch: 1 - the smaller one, and the larger one - 1. */
+/** `principalStretches` of math/stretch: 1 - the smaller one, and the larger one - 1; along a direction the same stretch is both. */
 function changeOf(u: Node<'vec3'>, v: Node<'vec3'>, inverse: Node<'vec4'>): Node<'vec2'> {
   const [xx, xy, yy] = [inverse.x, inverse.y, inverse.z]
   // The columns of the deformation gradient; their dot products are the right Cauchy-Green tensor.
@@ -212,6 +215,8 @@ function changeOf(u: Node<'vec3'>, v: Node<'vec3'>, inverse: Node<'vec4'>): Node
   const [c00, c01, c11] = [first.dot(first), first.dot(second), second.dot(second)]
   const mean = c00.add(c11).mul(0.5).toVar()
   const spread = vec2(c00.sub(c11).mul(0.5), c01).length().toVar()
-  const smaller = max(mean.sub(spread), 0).sqrt()
-  return vec2(smaller.oneMinus(), mean.add(spread).sqrt().sub(1))
+  const larger = mean.add(spread).sqrt().toVar()
+  // Only `restDirection` has a 0 here.
+  const smaller = xx.equal(0).select(larger, max(mean.sub(spread), 0).sqrt())
+  return vec2(smaller.oneMinus(), larger.sub(1))
 }

@@ -1,5 +1,5 @@
 import type { BindInputs } from '../sources/binding.ts'
-import { sampledTension, tensionSurface } from '../sources/tension.ts'
+import { indexIn, sampledTension, tensionSurface } from '../sources/tension.ts'
 import { AreaTension } from './area-tension.ts'
 import { canCompute } from './buffers.ts'
 
@@ -14,7 +14,7 @@ export const bindComputedTension: BindInputs<'tension'> = (wrinkles, inputs) => 
   const tension = new AreaTension(wrinkles.mesh, surface)
   wrinkles.onDispose(() => tension.dispose())
   const indices = inputs.map(
-    ({ area, measure }) => 2 * surface.areaNames.indexOf(area) + (measure === 'stretch' ? 1 : 0),
+    (input) => 2 * indexIn(surface.measured, input) + (input.measure === 'stretch' ? 1 : 0),
   )
   return {
     ...sampled,

@@ -1,5 +1,5 @@
 /** The layers' maps mixed into the material's own, in TSL; the same formulas as the GLSL of `webgl/` and the reference. */
-import { Fn, float, If, max, mix, vec2, vec3, vec4 } from 'three/tsl'
+import { Fn, float, If, max, mix, select, vec2, vec3, vec4 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
 import { TOON_LINE } from '../../core/toon-line.ts'
 import type { LayerKind } from '../../core/types.ts'
@@ -95,6 +95,13 @@ export function mixValues(
     }
     return value
   })()
+}
+
+/** A factor of the highlights of a light, see `microShadow` in the reference. */
+export function microShadow(visibility: Node<'float'>, cosine: Node<'float'>): Node<'float'> {
+  const cone = visibility.oneMinus().toVar()
+  const squared = cosine.mul(cosine).toVar()
+  return select(squared.lessThan(cone), squared.div(cone), 1)
 }
 
 /**

@@ -32,6 +32,7 @@ import { composeMaterial } from './compose-material.ts'
 import { checkBatch, influenceFromAreas, influenceFromMap } from './influence.ts'
 import { influenceMaterial } from './influence-material.ts'
 import { quadMaterials } from './influence-quads.ts'
+import { shadowHighlights } from './micro-shadow.ts'
 import { type LayerInfluence, mixNormals, mixValues, toonColour } from './mix.ts'
 import { materialProperty, normalInView, typed } from './node.ts'
 import { mapUv, repeat } from './texture-sampling.ts'
@@ -60,6 +61,7 @@ const PATCHED = [
   'roughnessNode',
   'aoNode',
   'setupLighting',
+  'setupLightingModel',
   'customProgramCacheKey',
 ] as const
 
@@ -130,6 +132,11 @@ function layerNodes(material: Patched, inputs: ShaderInputs, layers: LayerInflue
     const value = mixValues('occlusion', own, inputs, layers).x
     const intensity = materialProperty('aoMapIntensity', 'float')
     added.aoNode = aoMap ? value.sub(1).mul(intensity).add(1) : value
+    const visibility = aoMap ? mixValues('occlusion', vec3(1), inputs, layers).x : value
+    added.setupLightingModel = function (this: NodeMaterial) {
+      const model = Object.getPrototypeOf(this).setupLightingModel.call(this)
+      return shadowHighlights(model, visibility)
+    }
   }
   return added
 }

@@ -15,6 +15,19 @@ export interface StrainedRegion {
   tensors: Float64Array
 }
 
+/** Which regions a face gets, and what makes their lines these and no others; as in `AutoOptions`. */
+export interface RegionSettings {
+  seed: number
+  seeds: Readonly<Partial<Record<AutoRegion, number>>>
+  regions: readonly AutoRegion[]
+}
+
+/** The region whose seed makes random numbers of a name: that of a side, or of lines that several regions have in common. */
+function regionOf(name: string): AutoRegion {
+  const region = name.replace(/(Left|Right)$/, '')
+  return region === 'forehead' ? 'foreheadInner' : (region as AutoRegion)
+}
+
 /**
  * Measures the strain of each region's expression on a face.
  *
@@ -23,15 +36,14 @@ export interface StrainedRegion {
 export function strainFaceRegions(
   face: DetectedFace,
   ageFraction: number,
-  seed: number,
-  wanted: readonly AutoRegion[],
+  { seed, seeds, regions: wanted }: RegionSettings,
   report: (fraction: number) => void,
 ): StrainedRegion[] {
   const context = {
     landmarks: face.landmarks,
     ageFraction,
     byAge: (at20: number, at80: number) => lerp(at20, at80, ageFraction),
-    rngOf: (name: string) => new Rng(seed, name),
+    rngOf: (name: string) => new Rng(seeds[regionOf(name)] ?? seed, name),
   }
   const regions = faceRegions(context, wanted).map((inArkit) => {
     const cause = poseInRigShapes(inArkit.cause, face.names)

@@ -1,6 +1,5 @@
-import type { AutoRegion } from '../anatomy/regions.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
-import { type StrainedRegion, strainFaceRegions } from './face-strain.ts'
+import { type RegionSettings, type StrainedRegion, strainFaceRegions } from './face-strain.ts'
 import { type CompressedPatch, findPatches } from './patches.ts'
 
 /** Where skin may crease. */
@@ -11,11 +10,9 @@ export interface StrainedSkin {
   patches: readonly CompressedPatch[]
 }
 
-export interface StrainSettings {
+export interface StrainSettings extends RegionSettings {
   /** 0 at 20 years, 1 at 80. */
   ageFraction: number
-  seed: number
-  regions: readonly AutoRegion[]
   /** Patches at most. */
   maxAreas: number
 }
@@ -27,10 +24,10 @@ export interface StrainSettings {
  */
 export function measureStrain(
   prepared: PreparedSkin,
-  { ageFraction, seed, regions, maxAreas }: StrainSettings,
+  { ageFraction, maxAreas, ...settings }: StrainSettings,
   report: (fraction: number) => void = () => {},
 ): StrainedSkin {
   return prepared.face
-    ? { regions: strainFaceRegions(prepared.face, ageFraction, seed, regions, report), patches: [] }
+    ? { regions: strainFaceRegions(prepared.face, ageFraction, settings, report), patches: [] }
     : { regions: [], patches: findPatches(prepared, maxAreas, report) }
 }

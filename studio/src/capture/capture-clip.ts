@@ -1,0 +1,37 @@
+import { FurrowError } from 'furrow'
+import { AnimationClip, type Mesh, NumberKeyframeTrack, type Object3D } from 'three'
+import { targetFinder } from '../../../packages/furrow/src/drivers/morph/target-names.ts'
+import type { Capture } from './live-link-face.ts'
+
+/**
+ * A capture as key frames of a face: of every mesh that has its blendshapes, in any spelling that drivers know.
+ *
+ * @throws FurrowError when the face has none of them.
+ */
+export function captureClip({ name, times, weights }: Capture, face: Object3D): AnimationClip {
+  const tracks: NumberKeyframeTrack[] = []
+  face.traverse((object) => {
+    const { morphTargetDictionary: dictionary } = object as Mesh
+    if (!dictionary) return
+    const targets = Object.keys(dictionary)
+    const find = targetFinder(targets)
+    for (const [blendshape, values] of weights) {
+      for (const index of find(blendshape)) {
+        const path = `${object.uuid}.morphTargetInfluences[${dictionary[targets[index]]}]`
+        tracks.push(new NumberKeyframeTrack(path, times, values))
+      }
+    }
+  })
+  if (tracks.length === 0) throw withoutBlendshapes(name)
+  return new AnimationClip(name, times[times.length - 1], tracks)
+}
+
+function withoutBlendshapes(name: string): FurrowError {
+  return new FurrowError({
+    code: 'unknown-name',
+    who: 'Studio',
+    what: `the face has none of the blendshapes in ${name}`,
+    limit: 'names of ARKit, such as browInnerUp',
+    remedy: 'name its blendshapes so, or open another avatar',
+  })
+}

@@ -1,0 +1,77 @@
+import type { ClipPlayer } from '../viewer/pose/clip-player.ts'
+import { Choice } from './controls/choice.tsx'
+import { NumberSlider } from './controls/number-slider.tsx'
+import { Section } from './controls/section.tsx'
+
+const SPEEDS = ['0.25', '0.5', '1', '2'].map((value) => ({ value, label: `${value}×` }))
+
+/** Plays key frames of the file, and captures. */
+export function Animation({ player }: { player: ClipPlayer }) {
+  const { clips, clip, isPlaying, isShown, isLooped, speed } = player
+  return (
+    <Section title="Animation">
+      <div class="settings">
+        <div class="setting">
+          <label for="clip">Clip</label>
+          <select
+            id="clip"
+            value={clips.value.indexOf(clip.value!)}
+            onChange={({ currentTarget }) => player.choose(clips.value[Number(currentTarget.value)])}
+          >
+            {clips.value.map(({ uuid, name }, i) => (
+              <option key={uuid} value={i}>
+                {name || `Clip ${i + 1}`}
+              </option>
+            ))}
+          </select>
+        </div>
+        <Time player={player} />
+        <div class="work">
+          <button type="button" onClick={() => (isPlaying.value ? player.pause() : player.play())}>
+            {isPlaying.value ? 'Pause' : 'Play'}
+          </button>
+          <button
+            type="button"
+            disabled={!isShown.value}
+            title="Gives the face the pose back that it had before"
+            onClick={() => player.stop()}
+          >
+            Stop
+          </button>
+          <label class="check">
+            <input
+              type="checkbox"
+              checked={isLooped.value}
+              onChange={({ currentTarget }) => {
+                isLooped.value = currentTarget.checked
+              }}
+            />
+            Loop
+          </label>
+        </div>
+        <Choice
+          legend="Speed"
+          options={SPEEDS}
+          value={`${speed.value}`}
+          onChange={(value) => {
+            speed.value = Number(value)
+          }}
+        />
+      </div>
+    </Section>
+  )
+}
+
+/** The time in the clip; it alone follows each frame. */
+function Time({ player }: { player: ClipPlayer }) {
+  const { clip, time } = player
+  return (
+    <NumberSlider
+      label="Time (s)"
+      range={[0, clip.value?.duration || 1, 0.01]}
+      value={time.value}
+      text={time.value.toFixed(1)}
+      onMove={(seconds) => player.scrub(seconds)}
+    />
+  )
+}

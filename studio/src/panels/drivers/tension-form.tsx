@@ -1,0 +1,66 @@
+import type { TensionDriver } from 'furrow'
+import { NumberSlider } from '../controls/number-slider.tsx'
+import { axisOf } from './axes.ts'
+import type { FormProps } from './context.ts'
+import { DriverCurve, SelectField } from './fields.tsx'
+
+export function TensionForm({
+  driver: { measure, direction, curve },
+  index,
+  context,
+}: FormProps<TensionDriver>) {
+  const label = measure === 'compression' ? 'Shortened by' : 'Lengthened by'
+  const turn = (angle: number | null) =>
+    context.editor.set(index, 'direction', { direction: angle === null ? undefined : directionAt(angle) })
+  return (
+    <>
+      <SelectField
+        label="Skin is"
+        value={measure}
+        options={[
+          ['compression', 'Pushed together'],
+          ['stretch', 'Stretched'],
+        ]}
+        onChange={(next) => {
+          context.editor.set(index, 'measure', { measure: next })
+          context.editor.settle()
+        }}
+      />
+      <SelectField
+        label="Along"
+        value={direction ? 'one' : 'any'}
+        options={[
+          ['any', 'Any direction'],
+          ['one', 'One direction of the texture'],
+        ]}
+        onChange={(next) => {
+          turn(next === 'one' ? 0 : null)
+          context.editor.settle()
+        }}
+      />
+      {direction && (
+        <NumberSlider
+          label="Angle"
+          range={[0, 180, 5]}
+          value={angleOf(direction)}
+          text={`${Math.round(angleOf(direction))}°`}
+          onMove={turn}
+          onRest={() => context.editor.settle()}
+        />
+      )}
+      <DriverCurve {...{ index, context, curve }} axis={axisOf('tension', label, curve)} />
+    </>
+  )
+}
+
+/** Degrees from the texture's u to its v, 0..180: a direction there and back is one. */
+function angleOf([u, v]: readonly [number, number]): number {
+  const degrees = (Math.atan2(v, u) * 180) / Math.PI
+  return degrees < 0 ? degrees + 180 : degrees
+}
+
+function directionAt(degrees: number): [number, number] {
+  const radians = (degrees * Math.PI) / 180
+  const rounded = (value: number) => Math.round(value * 1e4) / 1e4
+  return [rounded(Math.cos(radians)), rounded(Math.sin(radians))]
+}

@@ -1,0 +1,144 @@
+import { type ReadonlySignal, type Signal, signal } from '@preact/signals'
+import { type AnimationAction, type AnimationClip, AnimationMixer, type Object3D } from 'three'
+import type { Viewer } from '../viewer.ts'
+import { splitWeights } from './split-weights.ts'
+
+export interface ClipPlayerParts {
+  viewer: ReadonlySignal<Pick<Viewer, 'move'> | null>
+  /** Called before a clip begins to move the face: nothing else moves it then. */
+  begin(): void
+  /** The pose is another one, and a frame is to be drawn. */
+  onPose(): void
+}
+
+/** Plays key frames on the face: animations of its file, and captures. Nothing plays by itself. */
+export class ClipPlayer {
+  readonly #parts: ClipPlayerParts
+  readonly #clips = signal<readonly AnimationClip[]>([])
+  readonly #clip = signal<AnimationClip | null>(null)
+  readonly #time = signal(0)
+  readonly #isPlaying = signal(false)
+  readonly #isShown = signal(false)
+  #mixer: AnimationMixer | null = null
+  /** While the clip moves the face. */
+  #action: AnimationAction | null = null
+
+  /** Whether a clip begins again at its end. */
+  readonly isLooped = signal(true)
+  /** Seconds of a clip per second. */
+  readonly speed: Signal<number> = signal(1)
+
+  constructor(parts: ClipPlayerParts) {
+    this.#parts = parts
+  }
+
+  get clips(): ReadonlySignal<readonly AnimationClip[]> {
+    return this.#clips
+  }
+
+  /** The clip that is chosen; null where there is none. */
+  get clip(): ReadonlySignal<AnimationClip | null> {
+    return this.#clip
+  }
+
+  /** Seconds from the clip's begin. */
+  get time(): ReadonlySignal<number> {
+    return this.#time
+  }
+
+  get isPlaying(): ReadonlySignal<boolean> {
+    return this.#isPlaying
+  }
+
+  /** Whether the face has the clip's pose, playing or not. */
+  get isShown(): ReadonlySignal<boolean> {
+    return this.#isShown
+  }
+
+  /** Begins with another avatar and the clips of its file. */
+  open(root: Object3D, animations: readonly AnimationClip[]): void {
+    this.#action = null
+    this.#isShown.value = this.#isPlaying.value = false
+    this.#mixer = new AnimationMixer(root)
+    this.#clips.value = animations.filter(({ tracks }) => tracks.length > 0).map(splitWeights)
+    this.#clip.value = this.#clips.value[0] ?? null
+    this.#time.value = 0
+  }
+
+  /** Adds a clip, and chooses it. One of the same name is replaced. */
+  add(clip: AnimationClip): void {
+    this.#clips.value = [...this.#clips.value.filter(({ name }) => name !== clip.name), clip]
+    this.choose(clip)
+  }
+
+  /** Chooses a clip; it plays on where another one did. */
+  choose(clip: AnimationClip): void {
+    const isPlaying = this.#isPlaying.peek()
+    this.stop()
+    this.#clip.value = clip
+    if (isPlaying) this.play()
+  }
+
+  /** Plays the clip from where it stands, or again where it is at its end. */
+  play(): void {
+    const clip = this.#clip.peek()
+    if (!clip) return
+    this.#seek(this.#time.peek() >= clip.duration ? 0 : this.#time.peek())
+    this.#isPlaying.value = this.#action !== null
+    this.#parts.onPose()
+  }
+
+  pause(): void {
+    this.#isPlaying.value = false
+  }
+
+  /** Pauses at a time in seconds. */
+  scrub(time: number): void {
+    this.pause()
+    this.#seek(time)
+  }
+
+  #seek(time: number): void {
+    if (!this.#action) this.#begin()
+    const [viewer, action] = [this.#parts.viewer.peek(), this.#action]
+    if (!viewer || !action) return
+    this.#time.value = time
+    viewer.move(() => {
+      action.time = time
+      this.#mixer?.update(0)
+    })
+    this.#parts.onPose()
+  }
+
+  /** Gives the face the pose back that it had before the clip. */
+  stop(): void {
+    this.#isPlaying.value = false
+    this.#time.value = 0
+    if (!this.#action) return
+    this.#action = null
+    this.#isShown.value = false
+    this.#parts.viewer.peek()?.move(() => this.#mixer?.stopAllAction())
+    this.#parts.onPose()
+  }
+
+  /** @param delta seconds since the last frame. */
+  advance(delta: number): void {
+    const clip = this.#clip.peek()
+    if (!clip || !this.#isPlaying.peek()) return
+    const time = this.#time.peek() + delta * this.speed.peek()
+    if (time < clip.duration) this.#seek(time)
+    else if (this.isLooped.peek()) this.#seek(clip.duration > 0 ? time % clip.duration : 0)
+    else {
+      this.pause()
+      this.#seek(clip.duration)
+    }
+  }
+
+  #begin(): void {
+    const [clip, mixer] = [this.#clip.peek(), this.#mixer]
+    if (!clip || !mixer || !this.#parts.viewer.peek()) return
+    this.#parts.begin()
+    this.#action = mixer.clipAction(clip).reset().play()
+    this.#isShown.value = true
+  }
+}

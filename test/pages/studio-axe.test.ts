@@ -1,0 +1,146 @@
+/** axe-core finds nothing on the studio's page in any of its main states, light or dark, in a window or on a phone. */
+
+import { readFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { join } from 'node:path'
+import type { AxeResults } from 'axe-core'
+import type { Page } from 'playwright-core'
+import { beforeAll, expect, test } from 'vitest'
+import { openStudio } from './opened-studio.ts'
+import { dropPaths } from './studio-page.ts'
+
+const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
+const WINDOW = { width: 1280, height: 800 }
+const PHONE = { width: 390, height: 844 }
+
+const RULES = {
+  runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'],
+  // Off by default.
+  rules: { 'target-size': { enabled: true } },
+  resultTypes: ['violations'],
+}
+/** What the light page has of its own. */
+const OF_COLOURS = { runOnly: ['color-contrast'], resultTypes: ['violations'] }
+
+const studio = openStudio(WINDOW)
+let page: Page
+
+beforeAll(async () => {
+  ;({ page } = studio)
+  await page.evaluate(AXE)
+})
+
+/** Each rule that is broken, with the elements that break it. */
+async function violations(rules: object): Promise<string[]> {
+  const results = await page.evaluate(
+    (options) => (globalThis as unknown as { axe: { run: Run } }).axe.run(document, options),
+    rules,
+  )
+  return results.violations.flatMap(({ id, help, nodes }) =>
+    nodes.map(({ html, any, all, none }) => {
+      const reasons = [...any, ...all, ...none].map(({ message }) => message)
+      return `${id} (${help}): ${html}\n  ${reasons.join('\n  ')}`
+    }),
+  )
+}
+
+type Run = (context: Document, options: object) => Promise<AxeResults>
+
+async function expectNone(): Promise<void> {
+  const found: string[] = []
+  for (const [where, viewport] of Object.entries({ window: WINDOW, phone: PHONE })) {
+    await page.setViewportSize(viewport)
+    for (const [colorScheme, rules] of [['dark', RULES] as const, ['light', OF_COLOURS] as const]) {
+      await page.emulateMedia({ colorScheme })
+      const own = await violations(rules)
+      found.push(...own.map((violation) => `${colorScheme}, ${where}: ${violation}`))
+    }
+  }
+  await page.setViewportSize(WINDOW)
+  expect(found).toEqual([])
+}
+
+const button = (name: string) => page.getByRole('button', { name, exact: true })
+
+function unfoldAll(): Promise<void> {
+  return page.evaluate(() => {
+    for (const details of document.querySelectorAll('details')) details.open = true
+  })
+}
+
+test('as it opens', expectNone)
+
+test('with an avatar whose wrinkles are made', async () => {
+  await dropPaths(page, [join(studio.folder, 'turned.vrm')], 'Turned')
+  await page.locator('#areas .row').first().waitFor()
+  await page.getByText('Making wrinkles').waitFor({ state: 'detached' })
+  await unfoldAll()
+  await expectNone()
+})
+
+test('with every type of driver, unfolded', async () => {
+  await page
+    .getByRole('radio', { name: /^Edit area / })
+    .first()
+    .check()
+  const list = page.getByLabel('Driver to add')
+  for (const label of await list.locator('option').allTextContents()) {
+    await list.selectOption({ label })
+    await button('Add driver').click()
+  }
+  await expect.poll(() => page.locator('.driver').count()).toBeGreaterThan(9)
+  await unfoldAll()
+  await page
+    .getByRole('button', { name: /^Curve of / })
+    .first()
+    .click()
+  await button('Add a conflict').click()
+  await expectNone()
+})
+
+test('while it is painted, by brush and by polygon', async () => {
+  await button('Paint').click()
+  await expectNone()
+  await page.getByText('Polygon', { exact: true }).click()
+  await expectNone()
+  await button('Paint').click()
+})
+
+test('with the texture beside the face', async () => {
+  await button('Texture').click()
+  await page.locator('#texture canvas').waitFor()
+  await expectNone()
+  await button('Texture').click()
+})
+
+test('while lines are edited', async () => {
+  await page.getByText('Edit', { exact: true }).click()
+  await expectNone()
+})
+
+test('with a file made', async () => {
+  await button('Make the file').click()
+  await button('Copy the code').waitFor()
+  await expectNone()
+})
+
+test('with a message, and an expression that is played', async () => {
+  await dropPaths(page, [join(studio.folder, 'model.fbx')])
+  await page.getByRole('alert').filter({ hasText: 'fbx' }).waitFor()
+  await button('Surprised').click()
+  await expectNone()
+  await page.getByRole('button', { name: 'Dismiss' }).click()
+})
+
+test('with the list of shortcuts', async () => {
+  await button('Shortcuts').click()
+  await expectNone()
+  await button('Close').last().click()
+})
+
+test('with recent work', async () => {
+  await page.reload()
+  await page.getByRole('heading', { name: 'Recent work' }).click()
+  await page.evaluate(AXE)
+  await expectNone()
+})

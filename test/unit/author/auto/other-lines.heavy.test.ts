@@ -1,0 +1,43 @@
+import { type AutoOptions, autoWrinkles, strokesOf } from 'furrow/author'
+import { beforeAll, expect, test } from 'vitest'
+import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
+import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
+import type { Skin } from '../../../../packages/furrow/src/author/skin/surface.ts'
+import { FACES } from './faces.ts'
+
+let skin: Skin
+let first: Map<string, string>
+
+beforeAll(async () => {
+  const [[, path]] = FACES
+  skin = findSkin(await readDocument(path, 'test'), path, 'test').skin
+  first = linesOf({})
+})
+
+test.each([
+  ['chin', /^chin$/],
+  ['crowsFeet', /^crowsFeet(Left|Right)$/],
+  ['foreheadInner', /^forehead(Inner|Outer)?(Left|Right)?$/],
+] as const)('the lines of %s become others alone', (region, names) => {
+  const others = linesOf({ seeds: { [region]: 2 } })
+  expect([...others.keys()]).toEqual([...first.keys()])
+  const changed = [...first].flatMap(([name, lines]) => (others.get(name) === lines ? [] : [name]))
+  expect(changed.length).toBeGreaterThan(0)
+  expect(changed.filter((name) => !names.test(name))).toEqual([])
+})
+
+test('a seed for all regions, and the same one for each, give the same lines', () => {
+  const seeds = { chin: 5, neck: 5 }
+  const regions = ['chin', 'neck'] as const
+  expect(linesOf({ seeds, regions })).toEqual(linesOf({ seed: 5, regions }))
+})
+
+/** The lines by their group, as text. */
+function linesOf(options: AutoOptions): Map<string, string> {
+  const { strokes } = strokesOf(autoWrinkles(skin, { size: 512, areaSize: 64, ...options }))
+  const lines = new Map<string, string>()
+  for (const { group = '', points } of strokes) {
+    lines.set(group, `${lines.get(group) ?? ''}${JSON.stringify(points)}`)
+  }
+  return lines
+}

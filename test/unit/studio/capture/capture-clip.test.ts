@@ -1,0 +1,60 @@
+import { AnimationMixer, BufferAttribute, BufferGeometry, Group, Mesh } from 'three'
+import { expect, it } from 'vitest'
+import { captureClip } from '../../../../studio/src/capture/capture-clip.ts'
+import type { Capture } from '../../../../studio/src/capture/live-link-face.ts'
+
+const CAPTURE: Capture = {
+  name: 'take',
+  times: Float32Array.of(0, 2),
+  weights: new Map([
+    ['BrowInnerUp', Float32Array.of(0, 1)],
+    ['JawOpen', Float32Array.of(0, 0.5)],
+    ['TongueOut', Float32Array.of(1, 1)],
+  ]),
+}
+
+/** A face of meshes with these blendshapes. */
+function faceOf(...meshes: string[][]): Group {
+  const face = new Group()
+  for (const names of meshes) {
+    const geometry = new BufferGeometry().setAttribute(
+      'position',
+      new BufferAttribute(new Float32Array(9), 3),
+    )
+    geometry.morphAttributes.position = names.map((name) =>
+      Object.assign(new BufferAttribute(new Float32Array(9), 3), { name }),
+    )
+    face.add(new Mesh(geometry))
+  }
+  return face
+}
+
+/** Weights of the meshes at a time. */
+function weightsAt(face: Group, time: number): number[][] {
+  const mixer = new AnimationMixer(face)
+  mixer.clipAction(captureClip(CAPTURE, face)).play()
+  mixer.setTime(time)
+  return face.children.map((mesh) => (mesh as Mesh).morphTargetInfluences!)
+}
+
+it.each([
+  ['of ARKit', ['browInnerUp', 'jawOpen']],
+  ['of the app', ['BrowInnerUp', 'JawOpen']],
+  ['with prefixes', ['blendShape1.browInnerUp', 'BS_jawOpen']],
+])('a capture moves blendshapes with names %s', (_, names) => {
+  expect(weightsAt(faceOf(names), 1)).toEqual([[0.5, 0.25]])
+})
+
+it('a capture moves every mesh, and both halves of a blendshape that the avatar has in two', () => {
+  const face = faceOf(['jawOpen', 'smile'], ['browInnerUp_L', 'browInnerUp_R', 'jawOpen'])
+  expect(weightsAt(face, 1)).toEqual([
+    [0.25, 0],
+    [0.5, 0.5, 0.25],
+  ])
+})
+
+it('a capture for a face without any of its blendshapes is refused', () => {
+  expect(() => captureClip(CAPTURE, faceOf(['Fcl_ALL_Joy']))).toThrow(
+    'Studio: the face has none of the blendshapes in take, allowed: names of ARKit, such as browInnerUp; name its',
+  )
+})

@@ -1,0 +1,163 @@
+import {
+  AnimationClip,
+  BufferAttribute,
+  BufferGeometry,
+  Group,
+  InterpolateDiscrete,
+  Mesh,
+  NumberKeyframeTrack,
+  type Object3D,
+  QuaternionKeyframeTrack,
+} from 'three'
+import { beforeEach, expect, it } from 'vitest'
+import { ClipPlayer } from '../../../../studio/src/viewer/pose/clip-player.ts'
+
+let face: Group
+let mesh: Mesh
+let joint: Object3D
+let player: ClipPlayer
+let begun: number
+
+/** Half a turn about x in two seconds, and two blendshapes, as GLTFLoader reads them. */
+const nod = () =>
+  new AnimationClip('nod', 2, [
+    new QuaternionKeyframeTrack(`${joint.uuid}.quaternion`, [0, 2], [0, 0, 0, 1, 1, 0, 0, 0]),
+    new NumberKeyframeTrack(`${mesh.uuid}.morphTargetInfluences`, [0, 2], [0, 1, 1, 0]),
+  ])
+
+beforeEach(() => {
+  face = new Group()
+  const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(9), 3))
+  geometry.morphAttributes.position = ['browInnerUp', 'jawOpen'].map((name) =>
+    Object.assign(new BufferAttribute(new Float32Array(9), 3), { name }),
+  )
+  mesh = new Mesh(geometry)
+  joint = new Group()
+  face.add(joint.add(mesh))
+  begun = 0
+  const viewer = { avatar: { root: face }, move: (change: () => void) => change() }
+  player = new ClipPlayer({
+    viewer: { peek: () => viewer } as never,
+    begin: () => begun++,
+    onPose: () => {},
+  })
+  player.open(face, [nod()])
+})
+
+const pose = () =>
+  [...mesh.morphTargetInfluences!, joint.quaternion.x].map((value) => Number(value.toFixed(4)))
+const REST = [0, 0, 0]
+/** A quarter turn. */
+const HALFWAY = [0.5, 0.5, Number(Math.SQRT1_2.toFixed(4))]
+
+it('nothing moves by itself', () => {
+  player.advance(1)
+  expect(pose()).toEqual(REST)
+  expect(player.clip.value?.name).toBe('nod')
+  expect({ begun, isPlaying: player.isPlaying.value }).toEqual({ begun: 0, isPlaying: false })
+})
+
+it('joints and blendshapes move together, until it is paused', () => {
+  player.play()
+  player.advance(0.5)
+  player.advance(0.5)
+  expect(pose()).toEqual(HALFWAY)
+  player.pause()
+  player.advance(0.5)
+  expect(pose()).toEqual(HALFWAY)
+  expect(player.time.value).toBe(1)
+  player.play()
+  player.advance(0.5)
+  expect(player.time.value).toBe(1.5)
+  expect(begun).toBe(1)
+})
+
+it('scrubbing shows a time without playing, forwards and backwards', () => {
+  player.scrub(2)
+  expect(pose()).toEqual([1, 0, 1])
+  player.scrub(1)
+  expect(pose()).toEqual(HALFWAY)
+  player.advance(0.5)
+  expect(pose()).toEqual(HALFWAY)
+  expect(player.isShown.value).toBe(true)
+})
+
+it('a clip that loops goes on from its begin; another one stays at its end, and plays again from there', () => {
+  player.play()
+  player.advance(3)
+  expect(pose()).toEqual(HALFWAY)
+  player.isLooped.value = false
+  player.advance(9)
+  expect(pose()).toEqual([1, 0, 1])
+  expect(player.isPlaying.value).toBe(false)
+  player.play()
+  expect(pose()).toEqual([0, 1, 0])
+})
+
+it('the speed counts', () => {
+  player.speed.value = 0.25
+  player.play()
+  player.advance(4)
+  expect(pose()).toEqual(HALFWAY)
+})
+
+it('stopping gives the pose before it back', () => {
+  mesh.morphTargetInfluences![0] = 0.25
+  player.play()
+  player.advance(1)
+  player.stop()
+  expect(pose()).toEqual([0.25, 0, 0])
+  expect({ time: player.time.value, isShown: player.isShown.value }).toEqual({ time: 0, isShown: false })
+})
+
+it('another clip begins from that pose too, and plays on', () => {
+  player.play()
+  player.advance(1)
+  const path = `${mesh.uuid}.morphTargetInfluences[jawOpen]`
+  player.add(new AnimationClip('talk', 1, [new NumberKeyframeTrack(path, [0, 1], [0, 1])]))
+  expect(pose()).toEqual(REST)
+  player.advance(0.5)
+  expect(pose()).toEqual([0, 0.5, 0])
+  expect(player.clips.value.map(({ name }) => name)).toEqual(['nod', 'talk'])
+})
+
+it('a blendshape that was added meanwhile, as by a muscle, is left alone', () => {
+  mesh.morphTargetInfluences!.push(0.3)
+  player.play()
+  player.advance(1)
+  expect(mesh.morphTargetInfluences).toEqual([0.5, 0.5, 0.3])
+  player.stop()
+  expect(mesh.morphTargetInfluences).toEqual([0, 0, 0.3])
+})
+
+it('key frames in steps stay steps', () => {
+  const track = new NumberKeyframeTrack(
+    `${mesh.uuid}.morphTargetInfluences`,
+    [0, 1],
+    [0.1, 0.2, 1, 0.9],
+    InterpolateDiscrete,
+  )
+  player.open(face, [new AnimationClip('steps', 1, [track])])
+  player.scrub(0.99)
+  expect(mesh.morphTargetInfluences).toEqual([0.1, 0.2].map(Math.fround))
+})
+
+it('a clip without duration shows its pose', () => {
+  player.open(face, [
+    new AnimationClip('pose', 0, [
+      new NumberKeyframeTrack(`${mesh.uuid}.morphTargetInfluences`, [0], [0.5, 1]),
+    ]),
+  ])
+  player.play()
+  player.advance(1)
+  expect(mesh.morphTargetInfluences).toEqual([0.5, 1])
+})
+
+it('a face without clips has nothing to play', () => {
+  player.open(face, [])
+  player.play()
+  player.scrub(1)
+  player.advance(1)
+  player.stop()
+  expect({ begun, isPlaying: player.isPlaying.value }).toEqual({ begun: 0, isPlaying: false })
+})
