@@ -142,7 +142,6 @@ export class Studio {
       session,
       viewer: this.#face.viewer,
       tools: this.#tools,
-      wake,
       attempt,
     })
     new TextureToggle(page.textureToggle, {
