@@ -143,7 +143,6 @@ export class Studio {
       session,
       viewer: this.#face.viewer,
       tools: this.#tools,
-      wake,
       attempt,
     })
     new TextureToggle(page.textureToggle, {

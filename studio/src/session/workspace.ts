@@ -15,6 +15,7 @@ import { Automatic } from './automatic.ts'
 import { type DrawnWork, Exporting } from './exporting.ts'
 import { faceFilesOf } from './face-files.ts'
 import { Keeping } from './keeping.ts'
+import { Latest } from './latest.ts'
 import { Session } from './session.ts'
 import { type SkinSource, skinSource } from './skin-source.ts'
 
@@ -42,6 +43,8 @@ export class Workspace {
   /** A project whose avatar is about to be shown. */
   #project: { project: Project; root: OpenedAvatar['root'] } | null = null
   #drawing: Promise<void> | null = null
+  /** A slider moves on while a preview is made. */
+  readonly #previews = new Latest((settings: AutoSettings) => this.#preview(settings))
 
   /** What the automatic wrinkles of the next avatars are made with at first. */
   firstSettings = AUTO_SETTINGS
@@ -97,7 +100,7 @@ export class Workspace {
     if (isSame) return
     const project = this.#project?.root === avatar.root ? this.#project.project : null
     this.#project = null
-    this.automatic.cancel()
+    this.#endAuto()
     const left = project ? undefined : this.keeping.leave()
     this.session.open(null)
     this.#maps.close()
@@ -140,7 +143,7 @@ export class Workspace {
 
   /** Ends the run that makes automatic wrinkles; what it previewed is shown no longer. */
   cancelAuto(): void {
-    this.automatic.cancel()
+    this.#endAuto()
     void this.#draw()
   }
 
@@ -161,6 +164,7 @@ export class Workspace {
   /** Makes the automatic wrinkles anew; those that were changed by hand stay. Rejects with a FurrowError where there are none. */
   async makeAuto(settings: AutoSettings): Promise<void> {
     const avatar = this.#avatar
+    this.#endAuto()
     const made = await this.#runAuto(settings)
     if (!made) return
     const { document, wrinkles } = made
@@ -170,8 +174,18 @@ export class Workspace {
     else this.session.edit('Make automatic wrinkles', (old) => remake(old, document))
   }
 
-  /** Shows small automatic wrinkles while a control moves; the document stays. */
-  async previewAuto(settings: AutoSettings): Promise<void> {
+  /** Shows small automatic wrinkles while a control moves; the document stays. What comes while a preview is made waits, the last of it alone. */
+  previewAuto(settings: AutoSettings): Promise<void> {
+    this.#settings.value = settings
+    return this.#previews.run(settings)
+  }
+
+  #endAuto(): void {
+    this.#previews.drop()
+    this.automatic.cancel()
+  }
+
+  async #preview(settings: AutoSettings): Promise<void> {
     const made = await this.#runAuto(settings, PREVIEW_SIZE)
     if (!made) return
     const { document, wrinkles } = made
