@@ -64,6 +64,21 @@ describe('light and dark', () => {
   })
 })
 
+test('on a dense screen the texture fills its view', async () => {
+  const session = await page.context().newCDPSession(page)
+  await session.send('Emulation.setDeviceMetricsOverride', { ...WINDOW, deviceScaleFactor: 2, mobile: false })
+  const toggle = page.getByRole('button', { name: 'Texture' })
+  await toggle.click()
+  const canvas = page.locator('#texture canvas')
+  const [view, picture] = [await page.locator('#texture').boundingBox(), await canvas.boundingBox()]
+  // But for the border of the view.
+  expect(picture!.width).toBeCloseTo(view!.width, -1)
+  expect(picture!.height).toBeCloseTo(view!.height, -1)
+  await toggle.click()
+  await session.send('Emulation.clearDeviceMetricsOverride')
+  await session.detach()
+})
+
 test.each([390, 640, 768, 1280, 1920, 2560])('nothing is cut at %i pixels', async (width) => {
   await page.setViewportSize({ width, height: 800 })
   const edit = page.getByRole('button', { name: 'Edit wrinkles' })
