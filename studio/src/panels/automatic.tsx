@@ -1,6 +1,7 @@
 import { AUTO_REGIONS, type AutoRegion } from 'furrow/author'
-import { useId, useState } from 'preact/hooks'
+import { useState } from 'preact/hooks'
 import { AUTO_AGES, AUTO_SIZES, AUTO_STRENGTHS, type AutoSettings } from '../document/document.ts'
+import { AutoProgress } from './auto-progress.tsx'
 import { NumberSlider } from './controls/number-slider.tsx'
 import { Section } from './controls/section.tsx'
 import type { PanelModel } from './model.ts'
@@ -71,7 +72,7 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
           actions.makeAuto(regions.length === AUTO_REGIONS.length ? others : { ...others, regions })
         }}
       />
-      <Run model={model} />
+      <AutoProgress model={model} />
     </Section>
   )
 }
@@ -110,21 +111,5 @@ function Regions({ chosen, onChange }: RegionsProps) {
         </label>
       ))}
     </fieldset>
-  )
-}
-
-/** How far the worker is. */
-function Run({ model: { autoRun, actions } }: { model: PanelModel }) {
-  const id = useId()
-  const run = autoRun.value
-  if (!run) return null
-  return (
-    <div class="run">
-      <label for={id}>Making wrinkles: {run.step}</label>
-      <progress id={id} max="1" value={run.fraction} />
-      <button type="button" class="quiet" onClick={actions.cancelAuto}>
-        Cancel
-      </button>
-    </div>
   )
 }

@@ -1,3 +1,4 @@
+import { AutoProgress } from './auto-progress.tsx'
 import { KeepStatus } from './keeping/keep-status.tsx'
 import type { PanelModel } from './model.ts'
 
@@ -86,6 +87,8 @@ export function Title({ model }: { model: PanelModel }) {
           </button>
         )}
       </div>
+      {/* Of an avatar that has just come: later it is beside the controls that it makes again. */}
+      {!session.document.value && <AutoProgress model={model} />}
       <KeepStatus model={model} />
     </header>
   )

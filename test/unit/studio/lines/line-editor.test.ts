@@ -75,6 +75,15 @@ describe('a chosen line', () => {
     expect(editor.chosen.value!.points[0]).toEqual([0.2, 0.4])
   })
 
+  test('is removed whole, whichever point is chosen', () => {
+    editor.point.value = 0
+    const count = strokes().length
+    expect(editor.pointCount).toBe(2)
+    editor.removeLine()
+    expect(strokes()).toHaveLength(count - 1)
+    expect([editor.chosen.value, editor.point.value, editor.pointCount]).toEqual([null, -1, 0])
+  })
+
   test('two gestures are two steps', () => {
     editor.point.value = 0
     editor.movePoint([0.1, 0.3])

@@ -1,0 +1,18 @@
+import { useId } from 'preact/hooks'
+import type { PanelModel } from './model.ts'
+
+/** How far the automatic wrinkles are, while they are made. */
+export function AutoProgress({ model: { autoRun, actions } }: { model: PanelModel }) {
+  const id = useId()
+  const run = autoRun.value
+  if (!run) return null
+  return (
+    <div class="run">
+      <label for={id}>Making wrinkles: {run.step}</label>
+      <progress id={id} max="1" value={run.fraction} />
+      <button type="button" class="quiet" onClick={actions.cancelAuto}>
+        Cancel
+      </button>
+    </div>
+  )
+}

@@ -1,0 +1,105 @@
+/** The studio's page is light or dark as the system is or as the user chooses, and nothing on it is cut at any width. */
+
+import type { Page } from 'playwright-core'
+import sharp from 'sharp'
+import { beforeAll, describe, expect, test } from 'vitest'
+import { openStudio } from './opened-studio.ts'
+import { waitUntilReady } from './studio-page.ts'
+
+const WINDOW = { width: 1280, height: 800 }
+
+const studio = openStudio(WINDOW)
+let page: Page
+
+beforeAll(() => {
+  ;({ page } = studio)
+})
+
+const choose = (name: string) => page.getByRole('group', { name: 'Page' }).getByText(name).click()
+
+/** Mean brightness of an element with what is drawn over it, 0..255. */
+async function brightness(selector: string): Promise<number> {
+  const picture = sharp(await page.locator(selector).screenshot()).grayscale()
+  return (await picture.stats()).channels[0].mean
+}
+
+const isLight = async () => (await brightness('#panel')) > 180
+
+describe('light and dark', () => {
+  test('the page follows the system, and the stage stays dark', async () => {
+    for (const colorScheme of ['dark', 'light'] as const) {
+      await page.emulateMedia({ colorScheme })
+      expect(await isLight()).toBe(colorScheme === 'light')
+      expect(await brightness('#views')).toBeLessThan(120)
+      const field = await page.locator('#face').evaluate((select) => getComputedStyle(select).colorScheme)
+      expect(field).toBe('light dark')
+    }
+  })
+
+  test('a choice decides instead, also on the next visit, until the system is chosen again', async () => {
+    await page.emulateMedia({ colorScheme: 'light' })
+    await choose('Dark')
+    expect(await isLight()).toBe(false)
+    await page.reload()
+    await waitUntilReady(page)
+    expect(await page.getByRole('radio', { name: 'Dark' }).isChecked()).toBe(true)
+    expect(await isLight()).toBe(false)
+    await page.emulateMedia({ colorScheme: 'dark' })
+    await choose('Light')
+    expect(await isLight()).toBe(true)
+    await choose('System')
+    expect(await isLight()).toBe(false)
+  })
+
+  test('where the system replaces all colours, what is chosen is seen', async () => {
+    await page.emulateMedia({ forcedColors: 'active' })
+    const colours = await page.evaluate(() =>
+      ['true', 'false'].map((pressed) => {
+        const button = document.querySelector(`#expressions [aria-pressed=${pressed}]`)!
+        return getComputedStyle(button).backgroundColor
+      }),
+    )
+    expect(colours[0]).not.toBe(colours[1])
+    await page.emulateMedia({ forcedColors: 'none' })
+  })
+})
+
+test('on a dense screen the texture fills its view', async () => {
+  const session = await page.context().newCDPSession(page)
+  await session.send('Emulation.setDeviceMetricsOverride', { ...WINDOW, deviceScaleFactor: 2, mobile: false })
+  const toggle = page.getByRole('button', { name: 'Texture' })
+  await toggle.click()
+  const canvas = page.locator('#texture canvas')
+  const [view, picture] = [await page.locator('#texture').boundingBox(), await canvas.boundingBox()]
+  // But for the border of the view.
+  expect(picture!.width).toBeCloseTo(view!.width, -1)
+  expect(picture!.height).toBeCloseTo(view!.height, -1)
+  await toggle.click()
+  await session.send('Emulation.clearDeviceMetricsOverride')
+  await session.detach()
+})
+
+test.each([390, 640, 768, 1280, 1920, 2560])('nothing is cut at %i pixels', async (width) => {
+  await page.setViewportSize({ width, height: 800 })
+  const edit = page.getByRole('button', { name: 'Edit wrinkles' })
+  if (await edit.isVisible()) await edit.click()
+  await page.getByRole('radio', { name: 'Edit area upperLip' }).check()
+  const cut = await page.evaluate(() => {
+    for (const details of document.querySelectorAll('details')) details.open = true
+    const isCut = (element: Element) =>
+      element.checkVisibility() &&
+      !element.closest('.hidden, .title > :first-child') &&
+      (element.scrollWidth > element.clientWidth + 1 || isOutside(element))
+    const isOutside = (element: Element) => element.getBoundingClientRect().right > innerWidth + 1
+    const found = [
+      ...document.querySelectorAll('button, .file span, .segments span, legend, h2, #areas label'),
+    ]
+    return found.filter(isCut).map(({ outerHTML }) => outerHTML)
+  })
+  expect(cut).toEqual([])
+  const panel = await page.evaluate(() => {
+    const { scrollWidth, clientWidth } = document.querySelector('#panel')!
+    return scrollWidth - clientWidth
+  })
+  expect(panel).toBe(0)
+})
