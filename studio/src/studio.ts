@@ -4,6 +4,7 @@ import { Buttons } from './buttons.ts'
 import { Divider } from './divider.ts'
 import { Downloads } from './downloads.ts'
 import { acceptFiles } from './drop.ts'
+import { keepFocus } from './keep-focus.ts'
 import { Lines } from './lines/lines.ts'
 import { PageLink } from './link/page-link.ts'
 import { Loading } from './loading.ts'
@@ -107,13 +108,14 @@ export class Studio {
       workspace: this.#workspace,
       messages,
       loading,
+      light: this.#face.staging.light,
       set: (write) => this.#face.set(write),
     })
     const { session } = this.#workspace
     this.#areas = new AreaEditor(session, (task) => void messages.attempt(task))
     this.#layers = new LayerEditor({
       session,
-      drawn: this.#workspace.drawn,
+      work: () => this.#workspace.drawnWork(),
       avatar: () => this.#viewer?.avatar ?? null,
       attempt,
     })
@@ -159,6 +161,7 @@ export class Studio {
       if (this.#lines.editor.mode.value !== 'off') this.#painting.isOn = false
     })
     showPanel(page.panel, this.#panelModel())
+    keepFocus(document.body)
     effect(() => this.#face.highlight(this.#painting.area.value))
     effect(() => {
       const hovered = this.#face.hovered.value
@@ -252,6 +255,7 @@ export class Studio {
         reset: (dials) => this.#face.reset(dials),
         addAreaImages: (files, convention) => this.#faceAreas.add(files, convention),
         removeArea: (name) => this.#faceAreas.remove(name),
+        moveLinePoint: (right, down) => void this.#messages.attempt(() => this.#lines.movePoint(right, down)),
         previewAuto: (next) => void this.#messages.attempt(() => this.#workspace.previewAuto(next)),
         makeAuto: (next) => void this.#messages.attempt(() => this.#workspace.makeAuto(next)),
         cancelAuto: () => this.#workspace.cancelAuto(),
@@ -265,6 +269,7 @@ export class Studio {
         saveExport: () => this.#downloads.export(),
         saveProject: () => void this.#downloads.project(),
         saveToFolder: (isOther) => void this.#downloads.folder(isOther),
+        copyCode: (text) => void this.#downloads.copyCode(text),
         copyLink: () => void this.#messages.attempt(() => this.#link.copy()),
       },
     }

@@ -62,6 +62,26 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
     })
   })
 
+  it.each([
+    ['default', 'off'],
+    ['paper', 'off'],
+    ['default', 'paper'],
+  ] as const)('in %s mode again after %s, it follows activations', async (mode, other) => {
+    const { mesh, wrinkles } = wrinkled(new MeshStandardMaterial(), mode)
+    const show = (area: string) => {
+      for (const each of wrinkles.areaNames) wrinkles.setActivation(each, each === area ? 1 : 0)
+      return picture(mesh)
+    }
+    const pictures = [await show('area0'), await show('area1')]
+    expect(pictures[0]).not.toBe(pictures[1])
+    await show('area0')
+    wrinkles.mode = other
+    await picture(mesh)
+    wrinkles.mode = mode
+    expect(await show('area1')).toBe(pictures[1])
+    expect(await show('area0')).toBe(pictures[0])
+  })
+
   it('is bit-identical without active areas', async () => {
     const material = new MeshStandardMaterial()
     const base = randomNormals(seeded(1), 16)

@@ -1,4 +1,4 @@
-/** What goes wrong: files that are none, a full disk, workers that end. The page says it in a line, and the work goes on. */
+/** What goes wrong with files and disks: the page says it in a line, and the work goes on. */
 
 import { closeSync, openSync, readFileSync, truncateSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -7,7 +7,7 @@ import { beforeAll, expect, test } from 'vitest'
 import { editGlb } from '../glb.ts'
 import { openStudio } from './opened-studio.ts'
 import { sheet } from './sheet.ts'
-import { dismiss, dropPaths, waitUntilReady } from './studio-page.ts'
+import { dismiss, dropPaths } from './studio-page.ts'
 
 const SOON = { timeout: 60_000 }
 const studio = openStudio({ width: 800, height: 400 })
@@ -19,31 +19,6 @@ const areas = () => page.locator('#areas .row label').allTextContents()
 
 beforeAll(async () => {
   page = studio.page
-  // Tests end workers as a browser does that runs out of memory: without any event.
-  await page.addInitScript(() => {
-    const workers = new Map<Worker, string>()
-    const { Worker } = globalThis
-    Object.assign(globalThis, {
-      endWorker: (name: string) => {
-        const ended = [...workers].filter(([, url]) => url.includes(name))
-        for (const [worker] of ended) worker.terminate()
-        return ended.length
-      },
-      Worker: class extends Worker {
-        constructor(url: string | URL, options?: WorkerOptions) {
-          super(url, options)
-          workers.set(this, String(url))
-        }
-        override terminate() {
-          workers.delete(this)
-          super.terminate()
-        }
-      },
-    })
-  })
-  await page.reload()
-  await waitUntilReady(page)
-
   const plain = readFileSync(at('plain.glb'))
   const write = (name: string, change: (primitive: { targets?: unknown; attributes: object }) => void) => {
     const edited = editGlb(plain, (json) => {
@@ -67,9 +42,6 @@ beforeAll(async () => {
   truncateSync(at('large.glb'), 600 * 2 ** 20)
   closeSync(openSync(at('empty.glb'), 'w'))
 })
-
-const endWorker = (name: string) =>
-  page.evaluate((url) => (globalThis as never as { endWorker(name: string): number }).endWorker(url), name)
 
 // The first: Chromium heeds another quota only where nothing is stored yet.
 test('a disk that is full keeps the work in memory, and saves it when there is room', async () => {
@@ -121,18 +93,4 @@ test('an empty file says so', async () => {
 test('two million triangles are shown, and told to be too many', async () => {
   await dropPaths(page, [at('millions.glb')], 'Millions')
   await note('it has 2,004,002 triangles, more than 2,000,000: decimate it')
-})
-
-test('a worker that ends while it draws is told, and started again', async () => {
-  expect(await endWorker('draw/worker')).toBeGreaterThan(0)
-  await page
-    .getByRole('alert')
-    .getByText('the worker that draws strokes has ended; it is started again')
-    .waitFor()
-  await button('Dismiss').click()
-  await button('Undo').click()
-  await expect.poll(areas, SOON).not.toContain('area')
-  await page.getByRole('heading', { name: 'Export' }).click()
-  await button('Make the file').click()
-  await button('Save plain-wrinkled.glb').waitFor()
 })

@@ -1,7 +1,9 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals'
+import { FurrowError } from 'furrow'
 import type { Session } from '../session/session.ts'
 import { shortcutOf } from '../shortcuts.ts'
 import { LineTool } from '../tools/line-tool.ts'
+import { rayAt } from '../tools/ray-at.ts'
 import type { ToolHost } from '../tools/tool-host.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 import { LineEditor } from './line-editor.ts'
@@ -73,12 +75,24 @@ export class Lines {
     })
   }
 
-  /** Draws the lines in the next frame. The face stays: it takes longer, and may have its own frame soon, with other wrinkles. */
-  #redraw(): void {
-    this.#request ||= requestAnimationFrame(() => {
-      this.#request = 0
-      this.draw()
-    })
+  /**
+   * Moves the chosen point over the skin, as the camera sees it; beside the skin it stays.
+   *
+   * @param right, down in CSS pixels.
+   * @throws FurrowError for a point that the camera does not see.
+   */
+  movePoint(right: number, down: number): void {
+    const camera = this.#parts.viewer.peek()?.stage.camera
+    const [stroke, skin] = [this.editor.chosen.peek(), this.#skin.peek()]
+    if (!camera || !stroke || !skin) return
+    const { size } = this.#overlay
+    // As it is now: keys may come faster than frames.
+    const [line] = this.#projection.project([stroke], skin, camera, size)
+    const i = line?.knots[this.editor.point.peek()]
+    if (i === undefined) return
+    if (!line.isSeen[i]) throw hiddenPoint()
+    const hit = skin.picker.pick(rayAt(camera, [line.x[i] + right, line.y[i] + down], size))
+    if (hit) this.editor.movePoint(hit.uv)
   }
 
   /** Draws the lines over a frame of the face. */
@@ -100,6 +114,14 @@ export class Lines {
     this.#overlay.draw({ lines, chosen, point, hovered, path })
   }
 
+  /** Draws the lines in the next frame. The face stays: it takes longer, and may have its own frame soon, with other wrinkles. */
+  #redraw(): void {
+    this.#request ||= requestAnimationFrame(() => {
+      this.#request = 0
+      this.draw()
+    })
+  }
+
   /** Reads the skin of the present face, once, while lines are edited. */
   #readSkin(): void {
     const { session, viewer, attempt } = this.#parts
@@ -116,4 +138,12 @@ export class Lines {
       this.#skin.value = new LineSkin(skin.meshes, document)
     })
   }
+}
+
+function hiddenPoint(): FurrowError {
+  return new FurrowError({
+    who: 'Studio',
+    what: 'the point of the line is hidden',
+    remedy: 'turn the face until it is seen',
+  })
 }

@@ -74,7 +74,7 @@ export class PatchedMaterial {
     if (mode === 'paper') this.#packPaper()
     this.#unpatch()
     this.#unpatch = this.#patch(mode)
-    this.#material.needsUpdate = true
+    this.#renderer.renew(this.#material)
     this.mode = mode
   }
 

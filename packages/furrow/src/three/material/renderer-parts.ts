@@ -13,7 +13,7 @@ export interface RendererParts {
   /** Whether the material's shader is known to be one that `patch` can edit; if not, the composed mode shows its wrinkles. */
   canPatch(material: WrinkleMaterial): boolean
   /**
-   * Makes a material show wrinkles, and returns a function that undoes it; the caller sets `needsUpdate`.
+   * Makes a material show wrinkles, and returns a function that undoes it; the caller calls `renew` after either.
    *
    * @param refuse called if the shader cannot be edited after all, which is known only when it is compiled; it then stays as it was.
    */
@@ -24,6 +24,8 @@ export interface RendererParts {
     instances: Instances,
     refuse: () => void,
   ): () => void
+  /** Makes the renderer build the material's shader anew, with the uniforms that it has now. */
+  renew(material: Material): void
   /**
    * Why the GPU does not accept the material's shader, as far as the renderer knows by now; null if nothing is wrong. Called before the
    * material is drawn, in every frame.

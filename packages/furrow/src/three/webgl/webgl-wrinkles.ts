@@ -65,11 +65,21 @@ const patch: RendererParts['patch'] = (material, inputs, mode, instances, refuse
   return () => Object.assign(material, original)
 }
 
+/**
+ * three.js keeps the programs of a material, but the uniforms of the one that it built last: a program that it takes up again, as that of the
+ * default mode after `off`, would get none of its own.
+ */
+const renew: RendererParts['renew'] = (material) => {
+  material.dispose()
+  material.needsUpdate = true
+}
+
 const PARTS: RendererParts = {
   entry: 'furrow/three',
   canPatch: ({ fragmentShader, isRawShaderMaterial }) =>
     fragmentShader === undefined || (!isRawShaderMaterial && isPatchable(fragmentShader)),
   patch,
+  renew,
   faultOf,
   composeMaterial,
   influenceMaterial,

@@ -100,6 +100,9 @@ const PARTS: RendererParts = {
   entry: 'furrow/webgpu',
   canPatch: () => true,
   patch,
+  renew: (material) => {
+    material.needsUpdate = true
+  },
   faultOf,
   composeMaterial,
   influenceMaterial,

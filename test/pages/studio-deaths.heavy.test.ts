@@ -1,0 +1,172 @@
+/** What ends under an artist's hands: the graphics in the middle of a stroke, workers in the middle of their work. Nothing is lost. */
+
+import { join } from 'node:path'
+import type { Page } from 'playwright-core'
+import { beforeAll, expect, test } from 'vitest'
+import { openStudio } from './opened-studio.ts'
+import {
+  areaChoice,
+  button,
+  dismiss,
+  dropPaths,
+  expectPicture,
+  meanPngDifference,
+  shootAside,
+  undoIs,
+  waitUntilReady,
+} from './studio-page.ts'
+
+const AREA = 'foreheadInnerLeft'
+/** Mean difference of pictures of the same work, in 0..255. */
+const SAME = 0.01
+const SOON = { timeout: 60_000 }
+
+/** What the page has for these tests. */
+interface Ending {
+  /** Ends the workers of this name as a browser does that runs out of memory, without any event; returns how many. */
+  endWorker(name: string): number
+  /** Ends the next worker of this name as soon as it has begun. */
+  endNextWorker(name: string): void
+  lost: WEBGL_lose_context
+}
+
+declare global {
+  interface Window extends Ending {}
+}
+
+const studio = openStudio({ width: 900, height: 600 })
+let page: Page
+
+beforeAll(async () => {
+  page = studio.page
+  await page.addInitScript(() => {
+    const workers = new Map<Worker, string>()
+    let next: string | null = null
+    const { Worker } = window
+    Object.assign(window, {
+      endWorker: (name: string) => {
+        const ended = [...workers].filter(([, url]) => url.includes(name))
+        for (const [worker] of ended) worker.terminate()
+        return ended.length
+      },
+      endNextWorker: (name: string) => {
+        next = name
+      },
+      Worker: class extends Worker {
+        constructor(url: string | URL, options?: WorkerOptions) {
+          super(url, options)
+          workers.set(this, String(url))
+          if (next === null || !String(url).includes(next)) return
+          next = null
+          // The first message says that it lives.
+          this.addEventListener('message', () => this.terminate(), { once: true })
+        }
+        override terminate() {
+          workers.delete(this)
+          super.terminate()
+        }
+      },
+    })
+  })
+  await page.reload()
+  await waitUntilReady(page)
+  await dropPaths(page, [join(studio.folder, 'plain.glb')], 'Plain')
+  await areaChoice(page, AREA).waitFor()
+  await page.getByText('Making wrinkles').waitFor({ state: 'detached' })
+  await page.getByRole('slider', { name: /^Divider/ }).press('Home')
+})
+
+const areas = () => page.locator('#areas .row label').allTextContents()
+const note = (text: string) => page.getByRole('status').getByText(text).waitFor()
+
+async function loseGraphics(): Promise<void> {
+  await page.evaluate(() => {
+    const canvas = document.querySelector<HTMLCanvasElement>('#viewport canvas')!
+    window.lost = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!
+    window.lost.loseContext()
+  })
+  await note('The graphics were lost and come back by themselves; the work is kept')
+}
+
+const restoreGraphics = () => page.evaluate(() => window.lost.restoreContext())
+
+/** Drags over the forehead; what happens in the middle of it happens with the button down. */
+async function stroke(inTheMiddle: () => Promise<void> = async () => {}): Promise<void> {
+  const { x, y, width, height } = (await page.locator('#viewport').boundingBox())!
+  const at = (u: number) => [x + u * width, y + 0.27 * height] as const
+  await page.mouse.move(...at(0.45))
+  await page.mouse.down()
+  await page.mouse.move(...at(0.5), { steps: 5 })
+  await inTheMiddle()
+  await page.mouse.move(...at(0.55), { steps: 5 })
+  await page.mouse.up()
+}
+
+/** Makes a stroke with whole graphics, and the same one while they are lost: both make the same. */
+async function expectSameStroke(label: string): Promise<void> {
+  const before = await shootAside(page)
+  await stroke()
+  await undoIs(page, label)
+  const whole = await shootAside(page)
+  expect(await meanPngDifference(before, whole)).toBeGreaterThan(5 * SAME)
+  await button(page, 'Undo').click()
+  await expectPicture(page, before, SAME)
+  await stroke(loseGraphics)
+  await undoIs(page, label)
+  await restoreGraphics()
+  await expectPicture(page, whole, SAME)
+  await button(page, 'Undo').click()
+  await expectPicture(page, before, SAME)
+  await stroke()
+  await undoIs(page, label)
+  await expectPicture(page, whole, SAME)
+  await button(page, 'Undo').click()
+}
+
+test('a brush stroke during which the graphics are lost is painted whole, and the next one too', async () => {
+  await areaChoice(page, 'chin').check()
+  await button(page, 'Paint').click()
+  await expectSameStroke('Paint chin')
+  await button(page, 'Paint').click()
+})
+
+test('a line during which the graphics are lost is drawn whole, and the next one too', async () => {
+  const pointer = page.getByRole('group', { name: 'Pointer' })
+  await page.getByRole('button', { name: 'Surprised' }).click()
+  await pointer.getByText('Draw', { exact: true }).click()
+  await expectSameStroke('Draw a line')
+  await pointer.getByText('Off', { exact: true }).click()
+})
+
+test('a worker that ends while it makes wrinkles is told; the work stays, and the next try works', async () => {
+  const [names, before] = [await areas(), await shootAside(page)]
+  await page.evaluate(() => window.endNextWorker('auto/worker'))
+  await button(page, 'Draw other lines').click()
+  await dismiss(page, 'the worker ended before the wrinkles were made')
+  expect(await areas()).toEqual(names)
+  await expectPicture(page, before, SAME)
+  await button(page, 'Draw other lines').click()
+  await undoIs(page, 'Make automatic wrinkles')
+  await button(page, 'Undo').click()
+  await expectPicture(page, before, SAME)
+})
+
+test('a worker that ends while it draws is told, and started again', async () => {
+  await button(page, 'New area').click()
+  await expect.poll(areas, SOON).toContain('area')
+  expect(await page.evaluate(() => window.endWorker('draw/worker'))).toBeGreaterThan(0)
+  await dismiss(page, 'the worker that draws strokes has ended; it is started again')
+  await button(page, 'Undo').click()
+  await expect.poll(areas, SOON).not.toContain('area')
+})
+
+test('a worker that ends while it packs is told; the next try makes the file', async () => {
+  await page.getByRole('heading', { name: 'Export' }).click()
+  await page.evaluate(() => window.endNextWorker('export/worker'))
+  await button(page, 'Make the file').click()
+  await dismiss(page, 'the worker that packs faces has ended')
+  expect(await page.getByText('Packing and checking').count()).toBe(0)
+  await button(page, 'Make the file').click()
+  await button(page, 'Save plain-wrinkled.glb').waitFor()
+  expect(await areas()).toContain(AREA)
+})
