@@ -1,28 +1,29 @@
-import { copyFileSync } from 'node:fs'
+import { copyFileSync, existsSync, mkdirSync } from 'node:fs'
 import { join } from 'node:path'
 import { build } from 'vite'
 
 /** Builds the studio of a checkout as it is published into a folder, and the page that times `furrow/auto` into `auto/` in it. */
 export async function buildStudio(checkout, dist, files) {
-  const options = { emptyOutDir: true, reportCompressedSize: false }
   await build({
     configFile: join(checkout, 'studio/vite.config.ts'),
     logLevel: 'silent',
-    build: { ...options, outDir: dist },
+    build: { outDir: dist, emptyOutDir: true, reportCompressedSize: false },
   })
+  mkdirSync(join(dist, 'auto'), { recursive: true })
+  const page = join(checkout, 'bench/studio/auto.html')
+  if (existsSync(page)) await buildPage(checkout, page, join(dist, 'auto'))
+  for (const [name, path] of Object.entries({ ...files.avatars, low: files.low })) {
+    copyFileSync(path, join(dist, 'auto', `${name}.glb`))
+  }
+}
+
+async function buildPage(root, page, outDir) {
   await build({
-    root: checkout,
+    root,
     base: './',
     configFile: false,
     logLevel: 'silent',
     resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
-    build: {
-      ...options,
-      outDir: join(dist, 'auto'),
-      rolldownOptions: { input: join(checkout, 'bench/studio/auto.html') },
-    },
+    build: { outDir, emptyOutDir: true, reportCompressedSize: false, rolldownOptions: { input: page } },
   })
-  for (const [name, path] of Object.entries({ ...files.avatars, low: files.low })) {
-    copyFileSync(path, join(dist, 'auto', `${name}.glb`))
-  }
 }

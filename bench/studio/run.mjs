@@ -16,7 +16,6 @@ import { measureSizes } from './cases/sizes.mjs'
 import { measureTasks } from './cases/tasks.mjs'
 import { writeFiles } from './files.mjs'
 import { StudioPage } from './studio-page.mjs'
-import { toTable } from './table.mjs'
 
 const CASES = {
   opening: measureOpening,
@@ -65,6 +64,7 @@ try {
 
 async function run() {
   const { launchBrowser } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
+  const { toTable } = await server.ssrLoadModule('/bench/studio/table.ts')
   const { withBar } = await server.ssrLoadModule('/packages/cli/src/progress.ts')
   const names = checkNames(options.only ?? Object.keys(CASES))
   const plan = {

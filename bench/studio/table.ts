@@ -1,5 +1,5 @@
 /** What each figure is to stay below, by how its name begins: milliseconds until the frame, on a software rasteriser. */
-const GOALS = {
+const GOALS: Record<string, number> = {
   'drop to face': 1000,
   'first stroke to relief': 100,
   'stroke to relief': 100,
@@ -8,22 +8,28 @@ const GOALS = {
   'furrow/auto: scan': 4000,
 }
 
-/**
- * Results as Markdown.
- *
- * @param results medians of each figure, by the name of the build.
- */
-export function toTable(results, builds) {
+/** The medians of a figure, by the name of the build; of a frame, when its commands had been given, and when it was drawn. */
+export interface Result {
+  figure: string
+  medians: Record<string, { submitted: number; seen?: number }>
+}
+
+/** Results as Markdown. */
+export function toTable(results: readonly Result[], builds: readonly string[]): string {
   const head = ['figure', ...builds.flatMap((build) => [build, 'drawn']), 'goal']
   const rows = results.map(({ figure, medians }) => [
     figure,
     ...builds.flatMap((build) => [text(medians[build]?.submitted), text(medians[build]?.seen)]),
-    GOALS[Object.keys(GOALS).find((start) => figure.startsWith(start))] ?? '',
+    goalOf(figure),
   ])
   return `${[head, head.map(() => '---'), ...rows].map((row) => `| ${row.join(' | ')} |`).join('\n')}\n`
 }
 
-function text(value) {
+function goalOf(figure: string): number | string {
+  return Object.entries(GOALS).find(([start]) => figure.startsWith(start))?.[1] ?? ''
+}
+
+function text(value: number | undefined): string {
   if (value === undefined) return ''
   return value < 10 ? value.toFixed(1) : Math.round(value).toLocaleString('en')
 }
