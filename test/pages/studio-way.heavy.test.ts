@@ -116,6 +116,7 @@ describe.each(AVATARS)('%s', (_, file, heights, make) => {
     await dropPaths(page, [join(studio.folder, file)], title(name))
     await areaChoice(page, 'foreheadInnerLeft').waitFor()
     await vi.waitFor(async () => expect(await page.getByText('Making wrinkles').count()).toBe(0), DRAWING)
+    await picture('open')
     await dragSlider(page.getByRole('slider', { name: /^Divider/ }), 0)
     for (const { input } of await blendshapes(/^brow.*Up/)) await dragSlider(input, 1)
     await vi.waitFor(
