@@ -5,7 +5,7 @@ import type { Saving } from './session/saving.ts'
 import type { Workspace } from './session/workspace.ts'
 import type { Viewer } from './viewer/viewer.ts'
 
-/** Files that the page gives to the user. Errors are shown. */
+/** Files and text that the page gives to the user. Errors are shown. */
 export class Downloads {
   readonly #workspace: Workspace
   readonly #saving: Saving
@@ -41,6 +41,14 @@ export class Downloads {
   /** The project in its folder, or else as a file. */
   save(): Promise<unknown> {
     return this.#saving.folder.peek() ? this.folder(false) : this.project()
+  }
+
+  /** To the clipboard. */
+  copyCode(text: string): Promise<unknown> {
+    return this.#messages.attempt(async () => {
+      await navigator.clipboard.writeText(text)
+      this.#messages.note('Copied the code')
+    })
   }
 
   /** What the stage shows. */

@@ -35,6 +35,13 @@ export const SHORTCUTS = {
   lines: {
     remove: { keys: ['Delete', 'Backspace'], does: 'Delete the point or the line that is chosen' },
   },
+  linePoint: {
+    left: { keys: ['ArrowLeft', 'Shift+ArrowLeft'], does: 'To the left on the face, far with Shift' },
+    right: { keys: ['ArrowRight', 'Shift+ArrowRight'], does: 'To the right on the face, far with Shift' },
+    up: { keys: ['ArrowUp', 'Shift+ArrowUp'], does: 'Upwards on the face, far with Shift' },
+    down: { keys: ['ArrowDown', 'Shift+ArrowDown'], does: 'Downwards on the face, far with Shift' },
+    remove: { keys: ['Delete', 'Backspace'], does: 'Delete the point' },
+  },
   texture: {
     left: { keys: ['ArrowLeft'], does: 'To the left' },
     right: { keys: ['ArrowRight'], does: 'To the right' },
@@ -66,8 +73,8 @@ export type ShortcutName<S extends Scope> = keyof (typeof SHORTCUTS)[S] & string
 
 /** The shortcut of a scope that a key is; undefined where it is none, or text. */
 export function shortcutOf<S extends Scope>(scope: S, event: KeyboardEvent): ShortcutName<S> | undefined {
-  if (isTextField(event.target)) return undefined
   const pressed = keyOf(event)
+  if (isTyped(pressed, event.target)) return undefined
   const entries = Object.entries<Shortcut>(SHORTCUTS[scope])
   return entries.find(([, { keys }]) => keys.includes(pressed))?.[0] as ShortcutName<S> | undefined
 }
@@ -97,9 +104,10 @@ function keyOf(event: KeyboardEvent): string {
   return `${isModified ? 'Mod+' : ''}${alt}${shift}${name}`
 }
 
-/** Whether keys pressed in an element are text. */
-function isTextField(target: EventTarget | null): boolean {
+/** Whether an element takes a key for itself: as text, or to choose from a list. */
+function isTyped(pressed: string, target: EventTarget | null): boolean {
   if (typeof HTMLInputElement === 'undefined') return false
-  if (target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement) return true
+  if (target instanceof HTMLTextAreaElement) return true
+  if (target instanceof HTMLSelectElement) return !pressed.startsWith('Mod+')
   return target instanceof HTMLInputElement && !['range', 'checkbox', 'radio', 'file'].includes(target.type)
 }

@@ -4,6 +4,7 @@ import { Buttons } from './buttons.ts'
 import { Divider } from './divider.ts'
 import { Downloads } from './downloads.ts'
 import { acceptFiles } from './drop.ts'
+import { keepFocus } from './keep-focus.ts'
 import { Lines } from './lines/lines.ts'
 import { PageLink } from './link/page-link.ts'
 import { Loading } from './loading.ts'
@@ -160,6 +161,7 @@ export class Studio {
       if (this.#lines.editor.mode.value !== 'off') this.#painting.isOn = false
     })
     showPanel(page.panel, this.#panelModel())
+    keepFocus(document.body)
     effect(() => this.#face.highlight(this.#painting.area.value))
     effect(() => {
       const hovered = this.#face.hovered.value
@@ -253,6 +255,7 @@ export class Studio {
         reset: (dials) => this.#face.reset(dials),
         addAreaImages: (files, convention) => this.#faceAreas.add(files, convention),
         removeArea: (name) => this.#faceAreas.remove(name),
+        moveLinePoint: (right, down) => void this.#messages.attempt(() => this.#lines.movePoint(right, down)),
         previewAuto: (next) => void this.#messages.attempt(() => this.#workspace.previewAuto(next)),
         makeAuto: (next) => void this.#messages.attempt(() => this.#workspace.makeAuto(next)),
         cancelAuto: () => this.#workspace.cancelAuto(),
@@ -266,6 +269,7 @@ export class Studio {
         saveExport: () => this.#downloads.export(),
         saveProject: () => void this.#downloads.project(),
         saveToFolder: (isOther) => void this.#downloads.folder(isOther),
+        copyCode: (text) => void this.#downloads.copyCode(text),
         copyLink: () => void this.#messages.attempt(() => this.#link.copy()),
       },
     }

@@ -7,6 +7,12 @@ export function otherSide(name: string): string {
   return name
 }
 
+/** The end of a name that tells its side, with what is before it. */
+export function splitSide(name: string): [start: string, side: string] {
+  const side = name.match(/(Left|Right|[_. -][LRlr])$/)?.[0] ?? ''
+  return [name.slice(0, name.length - side.length), side]
+}
+
 /** `browLeft`, `leftBrow`, `brow_left`, `brow_L`, as blendshapes and areas are named. */
 const SIDES = [
   [/Left(?![a-z])/, 'Right'],

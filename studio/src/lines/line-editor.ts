@@ -66,6 +66,12 @@ export class LineEditor {
     })
   }
 
+  /** How many points the chosen line has; 0 without one. */
+  get pointCount(): number {
+    const [stroke, surface] = [this.chosen.value, this.#surface()]
+    return stroke && surface ? splineOf(stroke, surface.canvas).points.length : 0
+  }
+
   choose(stroke: LayerStroke | null): void {
     const { strokes } = this.session.document.peek() ?? {}
     this.#index.value = (stroke && strokes?.indexOf(stroke)) ?? -1
@@ -111,8 +117,12 @@ export class LineEditor {
       this.#change('Remove a point', () => [removePoint(stroke, index, canvas)])
       return
     }
+    this.removeLine()
+  }
+
+  removeLine(): void {
     this.#change('Remove a line', () => [])
-    this.#index.value = -1
+    this.choose(null)
   }
 
   smooth(): void {

@@ -1,7 +1,9 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals'
+import { FurrowError } from 'furrow'
 import type { Session } from '../session/session.ts'
 import { shortcutOf } from '../shortcuts.ts'
 import { LineTool } from '../tools/line-tool.ts'
+import { rayAt } from '../tools/ray-at.ts'
 import type { ToolHost } from '../tools/tool-host.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 import { LineEditor } from './line-editor.ts'
@@ -73,6 +75,26 @@ export class Lines {
     })
   }
 
+  /**
+   * Moves the chosen point over the skin, as the camera sees it; beside the skin it stays.
+   *
+   * @param right, down in CSS pixels.
+   * @throws FurrowError for a point that the camera does not see.
+   */
+  movePoint(right: number, down: number): void {
+    const camera = this.#parts.viewer.peek()?.stage.camera
+    const [stroke, skin] = [this.editor.chosen.peek(), this.#skin.peek()]
+    if (!camera || !stroke || !skin) return
+    const { size } = this.#overlay
+    // As it is now: keys may come faster than frames.
+    const [line] = projectLines([stroke], skin, camera, size)
+    const i = line?.knots[this.editor.point.peek()]
+    if (i === undefined) return
+    if (!line.isSeen[i]) throw hiddenPoint()
+    const hit = skin.picker.pick(rayAt(camera, [line.x[i] + right, line.y[i] + down], size))
+    if (hit) this.editor.movePoint(hit.uv)
+  }
+
   /** Draws the lines over a frame of the face. */
   draw(): void {
     const { session, viewer } = this.#parts
@@ -108,4 +130,12 @@ export class Lines {
       this.#skin.value = new LineSkin(skin.meshes, document)
     })
   }
+}
+
+function hiddenPoint(): FurrowError {
+  return new FurrowError({
+    who: 'Studio',
+    what: 'the point of the line is hidden',
+    remedy: 'turn the face until it is seen',
+  })
 }

@@ -43,23 +43,25 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
             ))}
           </select>
         </div>
-        <div class="setting">
+        <div class="setting with-button">
           <label for="other-lines">Lines of</label>
-          <select
-            id="other-lines"
-            value={lines}
-            onChange={({ currentTarget }) => setLines(currentTarget.value as Lines)}
-          >
-            <option value="all">the whole face</option>
-            {WITH_LINES.map((region) => (
-              <option key={region} value={region}>
-                {region === 'foreheadInner' ? 'forehead' : region}
-              </option>
-            ))}
-          </select>
-          <button type="button" onClick={() => make(otherLines(settings, lines))}>
-            Draw others
-          </button>
+          <span class="with-button">
+            <select
+              id="other-lines"
+              value={lines}
+              onChange={({ currentTarget }) => setLines(currentTarget.value as Lines)}
+            >
+              <option value="all">the whole face</option>
+              {WITH_LINES.map((region) => (
+                <option key={region} value={region}>
+                  {region === 'foreheadInner' ? 'forehead' : region}
+                </option>
+              ))}
+            </select>
+            <button type="button" onClick={() => make(otherLines(settings, lines))}>
+              Draw others
+            </button>
+          </span>
         </div>
       </div>
       <Regions

@@ -1,4 +1,4 @@
-import { useId } from 'preact/hooks'
+import { useId, useRef } from 'preact/hooks'
 import { MAP_NAMES, type MapName, type StudioLayer } from '../document/document.ts'
 import type { LayerEditor } from '../session/layer-editor.ts'
 import { Choice } from './controls/choice.tsx'
@@ -29,12 +29,13 @@ const SCULPTS = '.glb,.gltf,.vrm'
 /** The layers of the document: what they are, and the maps that they have. */
 export function Layers({ model: { layers, session } }: { model: PanelModel }) {
   const document = session.document.value
+  const keys = useKeys(document?.layers.map(({ name }) => name) ?? [])
   if (!document) return null
   return (
     <Section title="Layers" open={false}>
       {document.layers.map((layer, i) => (
         <Layer
-          key={layer.name}
+          key={keys[i]}
           layer={layer}
           isFirst={i === 0}
           isLast={i === document.layers.length - 1}
@@ -52,6 +53,16 @@ export function Layers({ model: { layers, session } }: { model: PanelModel }) {
       </div>
     </Section>
   )
+}
+
+/** Keys of layers, which keep theirs when they are renamed: a form that is typed in is not to be made anew. */
+function useKeys(names: readonly string[]): readonly number[] {
+  const last = useRef({ names, keys: names.map((_, i) => i), free: names.length })
+  const { names: old, keys, free } = last.current
+  const isRenamed = names.length === old.length && names.filter((name) => !old.includes(name)).length === 1
+  const next = names.map((name, i) => keys[isRenamed ? i : old.indexOf(name)] ?? free + i)
+  last.current = { names, keys: next, free: Math.max(free, ...next.map((key) => key + 1)) }
+  return next
 }
 
 interface LayerProps {
@@ -118,7 +129,7 @@ function Layer({ layer, isFirst, isLast, hasStrokes, editor }: LayerProps) {
       <div class="add">
         <button
           type="button"
-          disabled={isFirst}
+          aria-disabled={isFirst}
           aria-label={`Move ${name} up`}
           onClick={() => editor.move(name, -1)}
         >
@@ -126,7 +137,7 @@ function Layer({ layer, isFirst, isLast, hasStrokes, editor }: LayerProps) {
         </button>
         <button
           type="button"
-          disabled={isLast}
+          aria-disabled={isLast}
           aria-label={`Move ${name} down`}
           onClick={() => editor.move(name, 1)}
         >

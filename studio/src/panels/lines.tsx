@@ -3,6 +3,7 @@ import type { LineEditor, LineMode, LineShape } from '../lines/line-editor.ts'
 import { Choice } from './controls/choice.tsx'
 import { NumberSlider } from './controls/number-slider.tsx'
 import { Section } from './controls/section.tsx'
+import { LineChoice, LinePoints } from './line-choice.tsx'
 import type { PanelModel } from './model.ts'
 
 const MODES: readonly { value: LineMode; label: string; title?: string }[] = [
@@ -12,7 +13,8 @@ const MODES: readonly { value: LineMode; label: string; title?: string }[] = [
 ]
 
 /** Controls of the lines on the face: of the chosen one, or of those that are drawn. */
-export function Lines({ model: { lines, session, actions } }: { model: PanelModel }) {
+export function Lines({ model }: { model: PanelModel }) {
+  const { lines, session, actions } = model
   const mode = lines.mode.value
   const chosen = lines.chosen.value
   const shape = mode === 'draw' ? lines.shape.value : chosen
@@ -27,7 +29,9 @@ export function Lines({ model: { lines, session, actions } }: { model: PanelMode
             lines.mode.value = value
           }}
         />
+        {mode === 'edit' && <LineChoice editor={lines} strokes={session.document.value?.strokes ?? []} />}
         <p class="hint">{HINTS[mode === 'edit' && chosen ? 'chosen' : mode]}</p>
+        {mode === 'edit' && chosen && <LinePoints editor={lines} actions={actions} />}
         {mode !== 'off' && shape && (
           <>
             <Shape shape={shape} editor={lines} attempt={actions.attempt} />
@@ -50,7 +54,7 @@ export function Lines({ model: { lines, session, actions } }: { model: PanelMode
 
 const HINTS: Record<LineMode | 'chosen', string> = {
   off: 'Every wrinkle is a line: edit those that are there, or draw your own.',
-  edit: 'Click a line on the face.',
+  edit: 'Click a line on the face, or choose it above.',
   chosen: 'Drag a point to move it. Shift+click or double-click adds one, Delete removes it.',
   draw: 'Draw on the skin. Drag beside the face to turn it.',
 }
@@ -155,16 +159,17 @@ function groupsOf({ document }: PanelModel['session']): string[] {
 }
 
 function Operations({ editor, attempt }: ControlsProps) {
-  const buttons: readonly [label: string, title: string, action: () => void][] = [
+  const buttons: readonly [label: string, title: string, action: () => void, isOff?: boolean][] = [
     ['Smooth', 'Moves its points towards a smoother line', () => editor.smooth()],
     ['Split', 'At the chosen point, or in the middle', () => editor.split()],
     ['Mirror', 'Adds its mirror image', () => editor.mirror()],
-    ['Delete', 'The chosen point, or the line', () => editor.remove()],
+    ['Delete line', '', () => editor.removeLine()],
+    ['Delete point', 'The chosen one', () => editor.remove(), editor.point.value < 0],
   ]
   return (
     <fieldset class="grid lines-actions" aria-label="Chosen line">
-      {buttons.map(([label, title, action]) => (
-        <button key={label} type="button" title={title} onClick={() => attempt(action)}>
+      {buttons.map(([label, title, action, isOff]) => (
+        <button key={label} type="button" title={title} disabled={isOff} onClick={() => attempt(action)}>
           {label}
         </button>
       ))}

@@ -74,6 +74,8 @@ export interface PanelActions {
   reset(dials: readonly Dial[]): void
   addAreaImages(files: readonly File[], convention: AreaConvention): void
   removeArea(name: string): void
+  /** Moves the chosen point of the chosen line over the skin, by CSS pixels as it is seen. */
+  moveLinePoint(right: number, down: number): void
   /** Makes the automatic wrinkles with these settings: a preview while a control moves, all of them when it rests. */
   previewAuto(settings: AutoSettings): void
   makeAuto(settings: AutoSettings): void
@@ -92,4 +94,5 @@ export interface PanelActions {
   /** Saves the project to its folder, or to one that the user chooses. */
   saveToFolder(isOther: boolean): void
   copyLink(): void
+  copyCode(text: string): void
 }

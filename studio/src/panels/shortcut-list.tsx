@@ -8,6 +8,7 @@ const SCOPES: Record<Scope, string> = {
   painting: 'While painting',
   polygon: 'While a polygon is drawn',
   lines: 'On the face, while editing lines',
+  linePoint: 'On a number of a line’s points',
   texture: 'On the texture',
   curve: 'On a point of a curve',
   divider: 'On the divider',

@@ -46,9 +46,10 @@ export function Title({ model }: { model: PanelModel }) {
           />
           <span>Open folder…</span>
         </label>
+        {/* Without an end they keep the focus, so that one key may be pressed until all is undone. */}
         <button
           type="button"
-          disabled={!undoLabel.value}
+          aria-disabled={!undoLabel.value}
           title={undoLabel.value && `Undo: ${undoLabel.value}`}
           onClick={() => session.undo()}
         >
@@ -56,7 +57,7 @@ export function Title({ model }: { model: PanelModel }) {
         </button>
         <button
           type="button"
-          disabled={!redoLabel.value}
+          aria-disabled={!redoLabel.value}
           title={redoLabel.value && `Redo: ${redoLabel.value}`}
           onClick={() => session.redo()}
         >

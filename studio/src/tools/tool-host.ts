@@ -1,5 +1,6 @@
-import { type Camera, Ray, Raycaster, Vector2 } from 'three'
+import type { Camera } from 'three'
 import { shortcutOf } from '../shortcuts.ts'
+import { rayAt } from './ray-at.ts'
 import type { StagePointer, StageTool } from './stage-tool.ts'
 
 /** Gives pointers on the stage to the tool that is chosen, and to the camera where it does not take them. */
@@ -99,10 +100,8 @@ export class ToolHost {
     const { left, top, width, height } = this.#stage.getBoundingClientRect()
     if (!camera || width === 0 || height === 0) return null
     const [x, y] = [clientX - left, clientY - top]
-    const caster = new Raycaster()
-    caster.setFromCamera(new Vector2((2 * x) / width - 1, 1 - (2 * y) / height), camera)
     return {
-      ray: new Ray().copy(caster.ray),
+      ray: rayAt(camera, [x, y], [width, height]),
       // A mouse reports one half, which means nothing.
       pressure: pointerType === 'pen' ? pressure : 1,
       x,

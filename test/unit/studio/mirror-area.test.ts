@@ -2,7 +2,7 @@ import { parseDrivers } from 'furrow'
 import { describe, expect, it } from 'vitest'
 import { addArea, mirrorArea, mirroredName } from '../../../studio/src/document/areas.ts'
 import { addDriver } from '../../../studio/src/document/drivers.ts'
-import { otherSide } from '../../../studio/src/document/sides.ts'
+import { otherSide, splitSide } from '../../../studio/src/document/sides.ts'
 import { areaOf, frozen, sampleDocument, weightsOf } from './sample-document.ts'
 
 it.each([
@@ -51,4 +51,13 @@ describe('an area on the other side', () => {
     expect(mirroredName(document, 'forehead')).toBe('forehead 2')
     expect(mirrorArea(document, 'forehead', weightsOf(7)).areas.at(-1)?.name).toBe('forehead 2')
   })
+})
+
+it.each([
+  ['foreheadInnerLeft', 'foreheadInner', 'Left'],
+  ['mouthSmile_R', 'mouthSmile', '_R'],
+  ['chin', 'chin', ''],
+  ['Left', '', 'Left'],
+])('what tells the side of %s is known', (name, start, side) => {
+  expect(splitSide(name)).toEqual([start, side])
 })

@@ -54,7 +54,7 @@ export function ChosenArea({ model }: { model: PanelModel }) {
           </select>
         </div>
       </div>
-      <div class="row">
+      <div class="row number">
         <label for={`${id}-rest`} title="Activation where nothing moves the area">
           At rest
         </label>

@@ -24,7 +24,7 @@ export function NumberSlider({
   const id = useId()
   const fill = Math.min(Math.max((value - min) / (max - min), 0), 1)
   return (
-    <div class="row">
+    <div class="row number">
       <label for={id}>{label}</label>
       <input
         id={id}

@@ -1,6 +1,7 @@
 import { effect, type ReadonlySignal } from '@preact/signals'
 import type { ComponentChildren } from 'preact'
 import { useId, useLayoutEffect, useRef } from 'preact/hooks'
+import { splitSide } from '../../document/sides.ts'
 import type { Dial } from '../../viewer/pose/dials.ts'
 
 interface SliderProps {
@@ -31,6 +32,7 @@ export function Slider({
   children,
 }: SliderProps) {
   const id = useId()
+  const [start, side] = splitSide(dial.name)
   const input = useRef<HTMLInputElement>(null)
   const output = useRef<HTMLOutputElement>(null)
   // Not `useSignalEffect`, which waits for the next frame.
@@ -61,7 +63,9 @@ export function Slider({
         }}
         onPointerLeave={() => hover(false)}
       >
-        {dial.name}
+        {start}
+        <wbr />
+        {side}
       </label>
       <input
         ref={input}

@@ -29,6 +29,7 @@ export function axisOf(kind: keyof typeof KINDS, label: string, curve: Readonly<
 
 /** A number of an axis as it is read: `45°`, `12.5 mm`, `0.3`. */
 export function textOn({ factor, unit }: Axis, value: number): string {
-  const number = Number((value * factor).toPrecision(3))
+  // Rounding leaves nothing of what is next to nothing.
+  const number = Number((value * factor).toFixed(6)) && Number((value * factor).toPrecision(3))
   return unit === '' || unit === '°' || unit === '%' ? `${number}${unit}` : `${number} ${unit}`
 }

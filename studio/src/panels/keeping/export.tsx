@@ -36,7 +36,7 @@ export function Export({ model }: { model: PanelModel }) {
       </div>
       <SaveProject model={model} />
       {state?.kind === 'running' && <Running fraction={state.fraction} onCancel={actions.cancelExport} />}
-      {state?.kind === 'done' && <Done state={state} onSave={actions.saveExport} />}
+      {state?.kind === 'done' && <Done state={state} onSave={actions.saveExport} onCopy={actions.copyCode} />}
     </Section>
   )
 }
@@ -54,7 +54,13 @@ function Running({ fraction, onCancel }: { fraction: number; onCancel(): void })
   )
 }
 
-function Done({ state, onSave }: { state: ExportState & { kind: 'done' }; onSave(): void }) {
+interface DoneProps {
+  state: ExportState & { kind: 'done' }
+  onSave(): void
+  onCopy(text: string): void
+}
+
+function Done({ state, onSave, onCopy }: DoneProps) {
   const { bytes, findings, cost, warnings } = state.face
   const errors = findings.filter(({ severity }) => severity === 'error')
   const own = errors.filter(({ pointer }) => pointer?.includes(WRINKLE_MAPS))
@@ -81,24 +87,24 @@ function Done({ state, onSave }: { state: ExportState & { kind: 'done' }; onSave
       <button type="button" class="main" onClick={onSave}>
         Save {state.name}
       </button>
-      <Code text={CODE.replace('FILE', state.name)} />
+      <Code text={CODE.replace('FILE', state.name)} onCopy={onCopy} />
     </>
   )
 }
 
 /** Text to copy. */
-function Code({ text }: { text: string }) {
+function Code({ text, onCopy }: { text: string; onCopy(text: string): void }) {
   return (
     <>
       <textarea
         class="code"
         readOnly
-        rows={6}
+        rows={8}
         spellcheck={false}
         aria-label="Code that loads it"
         value={text}
       />
-      <button type="button" onClick={() => navigator.clipboard.writeText(text)}>
+      <button type="button" onClick={() => onCopy(text)}>
         Copy the code
       </button>
     </>

@@ -1,0 +1,99 @@
+import { useId } from 'preact/hooks'
+import type { LayerStroke } from '../document/document.ts'
+import type { LineEditor } from '../lines/line-editor.ts'
+import { type ShortcutName, shortcutOf } from '../shortcuts.ts'
+import type { PanelModel } from './model.ts'
+
+/** CSS pixels per key press, near and far. */
+const STEP = 2
+const LARGE_STEP = 20
+
+/** A list of all lines, for those who do not point at the face. */
+export function LineChoice({ editor, strokes }: { editor: LineEditor; strokes: readonly LayerStroke[] }) {
+  const id = useId()
+  return (
+    <div class="setting">
+      <label for={id}>Line</label>
+      <select
+        id={id}
+        value={editor.chosen.value ? strokes.indexOf(editor.chosen.value) : ''}
+        onChange={({ currentTarget: { value } }) =>
+          editor.choose(value === '' ? null : strokes[Number(value)])
+        }
+      >
+        <option value="">None</option>
+        {namesOf(strokes).map((name, i) => (
+          <option key={i} value={i}>
+            {name}
+          </option>
+        ))}
+      </select>
+    </div>
+  )
+}
+
+/** Lines have no names: that of the group, and a number where the group has several. */
+function namesOf(strokes: readonly LayerStroke[]): string[] {
+  const groups = strokes.map(({ group }) => group ?? 'Without a group')
+  return groups.map((group, i) => {
+    const isAlone = groups.indexOf(group) === groups.lastIndexOf(group)
+    return isAlone ? group : `${group} ${groups.slice(0, i + 1).filter((other) => other === group).length}`
+  })
+}
+
+/** The points of the chosen line, by number: one that has the focus is chosen, and moves with the arrow keys. */
+export function LinePoints({ editor, actions }: { editor: LineEditor; actions: PanelModel['actions'] }) {
+  const count = editor.pointCount
+  const point = editor.point.value
+  const onKeyDown = (event: KeyboardEvent, index: number) => {
+    const name = shortcutOf('linePoint', event)
+    if (!name) return
+    event.preventDefault()
+    editor.point.value = index
+    if (name === 'remove') {
+      actions.attempt(() => editor.remove())
+      // What has the focus now.
+      if (editor.chosen.peek()) editor.point.value = Math.min(index, editor.pointCount - 1)
+      return
+    }
+    const step = event.shiftKey ? LARGE_STEP : STEP
+    const [right, down] = DIRECTIONS[name]
+    actions.moveLinePoint(right * step, down * step)
+  }
+  return (
+    <fieldset class="setting">
+      <legend>Points</legend>
+      <div class="points">
+        {Array.from({ length: count }, (_, i) => (
+          <button
+            key={i}
+            type="button"
+            aria-pressed={i === point}
+            aria-label={`Point ${i + 1} of ${count}`}
+            title="Arrow keys move it, Delete removes it"
+            onFocus={() => {
+              editor.point.value = i
+            }}
+            onClick={() => {
+              editor.point.value = i
+            }}
+            onKeyDown={(event) => onKeyDown(event, i)}
+            onKeyUp={() => editor.settle()}
+          >
+            {i + 1}
+          </button>
+        ))}
+      </div>
+    </fieldset>
+  )
+}
+
+const DIRECTIONS: Record<
+  Exclude<ShortcutName<'linePoint'>, 'remove'>,
+  readonly [right: number, down: number]
+> = {
+  left: [-1, 0],
+  right: [1, 0],
+  up: [0, -1],
+  down: [0, 1],
+}

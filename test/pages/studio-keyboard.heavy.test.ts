@@ -1,0 +1,278 @@
+/** An artist's way with the keyboard alone: all but painting. The focus is always seen, and never lost. */
+
+import { join } from 'node:path'
+import type { Page } from 'playwright-core'
+import { beforeAll, expect, test } from 'vitest'
+import { openStudio } from './opened-studio.ts'
+import { waitUntilReady } from './studio-page.ts'
+
+/** Keys until something is given up: more than the page has controls. */
+const MOST_KEYS = 500
+/** Milliseconds: a run of automatic wrinkles on a busy machine. */
+const LONG = { timeout: 120_000, interval: 200 }
+
+const studio = openStudio({ width: 1280, height: 800 })
+let page: Page
+/** What is chosen where a file is asked for. */
+let file = 'plain.glb'
+/** Areas before anything is changed. */
+let names: string[]
+
+beforeAll(async () => {
+  ;({ page } = studio)
+  // Listened for from the start: the browser is told so only after a while.
+  page.on('filechooser', (chooser) => chooser.setFiles(join(studio.folder, file)))
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write'])
+})
+
+/** What has the focus, as a user knows it; `body` where nothing has. */
+async function focused(): Promise<{ name: string; value: string; isSeen: boolean }> {
+  return page.evaluate(() => {
+    const element = document.activeElement as HTMLInputElement
+    if (element === document.body) return { name: 'body', value: '', isSeen: false }
+    const text = element.ariaLabel ?? element.labels?.[0]?.textContent ?? element.textContent ?? ''
+    // The focus of what is drawn by its neighbour, its parts or itself.
+    const drawn: [Element | null, string?][] = [
+      [element],
+      [element, '::after'],
+      [element.nextElementSibling],
+      [element.querySelector('.curve-grip')],
+    ]
+    const isSeen = drawn.some(([each, part]) => {
+      if (!each) return false
+      const { outlineStyle, outlineWidth, stroke } = getComputedStyle(each, part)
+      return (
+        (outlineStyle !== 'none' && outlineStyle !== 'auto' && parseFloat(outlineWidth) >= 2) ||
+        (each.matches('.curve-grip') && stroke !== 'none')
+      )
+    })
+    return {
+      name: text.trim().replace(/\s+/g, ' '),
+      value: element.ariaValueText ?? element.value ?? '',
+      isSeen: isSeen && element.matches(':focus-visible'),
+    }
+  })
+}
+
+/** Presses Tab until a control has the focus, which must be seen all the way. */
+async function tabTo(name: string | RegExp, key: 'Tab' | 'Shift+Tab' = 'Tab'): Promise<void> {
+  const isIt = (text: string) => (typeof name === 'string' ? text === name : name.test(text))
+  const passed: string[] = []
+  for (let i = 0; i < MOST_KEYS; i++) {
+    const { name: text, isSeen } = await focused()
+    if (text !== 'body') expect(isSeen, `the focus on ${text}`).toBe(true)
+    if (isIt(text)) return
+    passed.push(text)
+    await page.keyboard.press(key)
+  }
+  throw new Error(`No ${name} after ${MOST_KEYS} keys: ${[...new Set(passed)].join(', ')}`)
+}
+
+const backTo = (name: string | RegExp) => tabTo(name, 'Shift+Tab')
+
+async function press(...keys: string[]): Promise<void> {
+  for (const key of keys) await page.keyboard.press(key)
+}
+
+/** Unfolds a part of the page, which has the focus afterwards. */
+async function unfold(name: string | RegExp, go = tabTo): Promise<void> {
+  await go(name)
+  const isOpen = () => page.evaluate(() => (document.activeElement!.parentElement as HTMLDetailsElement).open)
+  if (!(await isOpen())) await press('Enter')
+  expect(await isOpen()).toBe(true)
+}
+
+const value = async () => (await focused()).value
+const areas = () => page.locator('#areas .row label').allTextContents()
+const areMade = () => page.getByText('Making wrinkles').waitFor({ state: 'detached' })
+const isUndoable = () => page.getByRole('button', { name: 'Undo' }).isEnabled()
+const shown = () => page.evaluate(() => document.querySelector<HTMLElement>('.lines')?.hidden === false)
+
+test('opens an avatar, which gets wrinkles', async () => {
+  await tabTo('Open…')
+  await press('Enter')
+  await page.locator('#face option:checked', { hasText: /^Plain$/ }).waitFor({ state: 'attached' })
+  await waitUntilReady(page)
+  await page.locator('#areas .row').first().waitFor()
+  await areMade()
+  names = await areas()
+  expect((await focused()).name).toBe('Open…')
+})
+
+test('plays an expression', async () => {
+  await tabTo('Surprised')
+  await press('Enter')
+  await expect
+    .poll(() => page.locator('#expressions button[aria-pressed=true]').textContent())
+    .toBe('Surprised')
+})
+
+test('makes the wrinkles older', async () => {
+  await tabTo('Age')
+  await press('End')
+  expect(await value()).toBe('80')
+  await expect.poll(isUndoable, LONG).toBe(true)
+  await areMade()
+})
+
+test('chooses a line, moves its points and deletes one, and the line', async () => {
+  await tabTo('Off')
+  await press('ArrowRight')
+  expect((await focused()).name).toBe('Edit')
+  await expect.poll(shown).toBe(true)
+  await tabTo('Line')
+  const lines = await page.getByLabel('Line', { exact: true }).locator('option').count()
+  await press('f', 'o', 'r', 'e', 'h')
+  await tabTo(/^Point 1 of /)
+  const count = async () => Number((await focused()).name.split(' ').at(-1))
+  const before = await count()
+  await tabTo(/^Point 2 of /)
+  await press('ArrowUp', 'ArrowUp', 'Shift+ArrowLeft')
+  await expect
+    .poll(() => page.getByRole('button', { name: 'Undo' }).getAttribute('title'))
+    .toBe('Undo: Move a point')
+  await tabTo(`Point ${before} of ${before}`)
+  await press('Delete')
+  await expect.poll(async () => (await focused()).name).toBe(`Point ${before - 1} of ${before - 1}`)
+  await tabTo('Delete line')
+  await press('Enter')
+  await expect.poll(() => page.getByLabel('Line', { exact: true }).locator('option').count()).toBe(lines - 1)
+  expect((await focused()).name).not.toBe('body')
+  await backTo('Edit')
+  await press('ArrowLeft')
+  await expect.poll(shown).toBe(false)
+})
+
+test('sets a blendshape', async () => {
+  await unfold(/^Brows/)
+  await tabTo('browInnerUp')
+  await press('Home', 'ArrowRight', 'PageUp', 'End')
+  expect(await value()).toBe('1')
+})
+
+test('chooses an area, renames it, and changes its layer and how it overlaps', async () => {
+  await backTo(/^Edit area/)
+  const name = (await focused()).name
+  await press('ArrowDown', 'ArrowUp', 'Space')
+  expect((await focused()).name).toBe(name)
+  await tabTo('Name')
+  await press('Control+a')
+  await page.keyboard.type('Browline')
+  await press('Enter')
+  await expect.poll(areas).toContain('Browline')
+  expect(await focused()).toMatchObject({ name: 'Name', value: 'Browline' })
+  await tabTo('Overlap')
+  await press('ArrowDown')
+  expect(await value()).toBe('max')
+})
+
+test('records the pose, and bends the curve of its driver', async () => {
+  await tabTo('This pose fully shows this area')
+  await press('Enter')
+  await expect
+    .poll(() => page.getByRole('button', { name: 'Undo' }).getAttribute('title'))
+    .toBe('Undo: Record the pose of Browline')
+  await unfold(/^Blendshapes.*brow/)
+  await tabTo('Point 1 of 2')
+  await press('ArrowRight', 'ArrowRight', 'Shift+ArrowUp')
+  await expect.poll(value).toMatch(/gives 0\.1$/)
+  await tabTo('Remove this driver')
+  await press('Enter')
+  await expect.poll(() => page.locator('.driver').count()).toBe(0)
+  expect((await focused()).name).toMatch(/Driver to add|Add driver/)
+  await press('Control+z')
+  await expect.poll(() => page.locator('.driver').count()).toBe(1)
+})
+
+test('changes a layer', async () => {
+  await unfold('Layers')
+  await unfold(/detail|replace/)
+  await tabTo('Detail')
+  await press('ArrowRight')
+  expect((await focused()).name).toBe('Replace')
+  await tabTo('Scale')
+  await press('ArrowRight')
+  expect(await value()).toBe('1.05')
+  await backTo(/^Name of layer/)
+  await press('Control+a')
+  await page.keyboard.type('Skin')
+  await press('Enter')
+  expect(await focused()).toMatchObject({ name: 'Name of layer Skin', value: 'Skin' })
+})
+
+test('shows an area with another layer', async () => {
+  await backTo('Layer')
+  const before = await value()
+  await press('End')
+  if ((await value()) === before) await press('Home')
+  expect(await value()).not.toBe(before)
+})
+
+test('exports, and copies the code', async () => {
+  await unfold('Export')
+  await tabTo('Make the file')
+  await press('Enter')
+  await page.getByText('Copy the code').waitFor(LONG)
+  await tabTo('Copy the code')
+  await press('Enter')
+  await page.getByText('Copied the code').waitFor()
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toContain(
+    "loadAsync('plain-wrinkled.glb')",
+  )
+})
+
+test('turns the light, the camera and the divider', async () => {
+  await backTo('Light')
+  const light = await value()
+  await press('ArrowLeft', 'ArrowUp')
+  expect(await value()).not.toBe(light)
+  await backTo(/^Divider/)
+  await press('Home', 'PageUp')
+  expect(await value()).toBe('10% without, 90% with wrinkles')
+  const front = page.getByRole('button', { name: 'Front' })
+  expect(await front.getAttribute('aria-pressed')).toBe('true')
+  await backTo(/^The face/)
+  await press('ArrowLeft', 'ArrowLeft', '+')
+  await expect.poll(() => front.getAttribute('aria-pressed')).toBe('false')
+})
+
+test('reads the shortcuts, and closes them', async () => {
+  await press('?')
+  await expect.poll(async () => (await focused()).name).toBe('Close')
+  await press('Escape')
+  await expect.poll(async () => (await focused()).name).toMatch(/^The face/)
+})
+
+test('undoes all, and does all again', async () => {
+  const after = await areas()
+  await tabTo('Undo')
+  for (let i = 0; (await isUndoable()) && i < MOST_KEYS; i++) await press('Enter')
+  expect((await focused()).name).toBe('Undo')
+  await expect.poll(areas, LONG).toEqual(names)
+  const redo = page.getByRole('button', { name: 'Redo' })
+  await tabTo('Redo')
+  for (let i = 0; (await redo.isEnabled()) && i < MOST_KEYS; i++) await press('Enter')
+  expect((await focused()).name).toBe('Redo')
+  await expect.poll(areas, LONG).toEqual(after)
+})
+
+test('removes an area, and the focus is on the next one', async () => {
+  await tabTo(/^Remove area/)
+  const first = (await focused()).name
+  await press('Enter')
+  await expect.poll(async () => (await areas()).length).toBe(names.length - 1)
+  const next = (await focused()).name
+  expect(next).toMatch(/^Remove area/)
+  expect(next).not.toBe(first)
+})
+
+test('dismisses a message, and the focus is where it was', async () => {
+  file = 'model.fbx'
+  await backTo('Open…')
+  await press('Enter')
+  await page.getByText('FBX file').waitFor()
+  await backTo('Dismiss')
+  await press('Enter')
+  await expect.poll(() => page.textContent('#errors')).toBe('')
+  expect((await focused()).name).not.toBe('body')
+})
