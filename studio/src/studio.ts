@@ -108,13 +108,14 @@ export class Studio {
       workspace: this.#workspace,
       messages,
       loading,
+      light: this.#face.staging.light,
       set: (write) => this.#face.set(write),
     })
     const { session } = this.#workspace
     this.#areas = new AreaEditor(session, (task) => void messages.attempt(task))
     this.#layers = new LayerEditor({
       session,
-      drawn: this.#workspace.drawn,
+      work: () => this.#workspace.drawnWork(),
       avatar: () => this.#viewer?.avatar ?? null,
       attempt,
     })
@@ -142,7 +143,6 @@ export class Studio {
       session,
       viewer: this.#face.viewer,
       tools: this.#tools,
-      wake,
       attempt,
     })
     new TextureToggle(page.textureToggle, {

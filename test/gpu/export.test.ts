@@ -4,7 +4,11 @@ import { decodeGlb } from '../../packages/cli/src/gltf/glb-file.ts'
 import type { Finding } from '../../packages/cli/src/validate/finding.ts'
 import { GAVE_UP } from '../../packages/cli/src/validate/khronos.ts'
 import { checkWrinkles } from '../../packages/cli/src/wrinkles/rules.ts'
-import { exportInWorker, readInWorker, validateInWorker } from '../../studio/src/export/in-worker.ts'
+import { exportFace } from '../../studio/src/export/export-face.ts'
+import { type FaceFiles, openFace } from '../../studio/src/export/files.ts'
+import { exportDocumentInWorker, readProjectInWorker } from '../../studio/src/export/in-worker.ts'
+import { readFace } from '../../studio/src/export/read-face.ts'
+import { findingsOf } from '../../studio/src/export/validate-face.ts'
 import type { DamagedFace } from './damaged-faces.ts'
 import type { EncodedFiles, ExportCase, ExportCases, FaultyFace } from './export-cases.ts'
 
@@ -23,7 +27,7 @@ describe('the studio exports', () => {
   it('the bytes of furrow pack, with the findings of furrow validate', async () => {
     expect(cases.length).toBe(9)
     for (const { what, face, files, options, packed, findings } of cases) {
-      const exported = await exportInWorker(faceOf(face, files), project, options)
+      const exported = await exportFace(faceOf(face, files), project, options)
       expect(same(exported.bytes, bytesOf(packed)), what).toBe(true)
       expect(exported.findings, what).toEqual(findings)
       expect(exported.warnings.join(), what).toMatch(/target "missing".* does not exist; it is kept/)
@@ -36,24 +40,23 @@ describe('the studio exports', () => {
     for (const { what, packed, options } of cases) {
       if (options.ktx2) continue
       const bytes = bytesOf(packed)
-      const { face, folder } = await readInWorker({ name: 'face.glb', bytes })
-      const exported = await exportInWorker({ name: 'face.glb', bytes: face }, folder!)
+      const { face, folder } = await readFace({ name: 'face.glb', bytes })
+      const exported = await exportFace({ name: 'face.glb', bytes: face }, folder!)
       expect(same(exported.bytes, bytes), what).toBe(true)
     }
   })
 
   it('step by step, and stops when it is told to', async () => {
     const [{ face, files }] = cases
+    const list = [...project].map(([path, bytes]) => ({ path, file: new File([bytes as BlobPart], path) }))
+    const { document } = await readProjectInWorker({ name: 'project', files: list })
+    const source = { document, drawn: new Map() }
     const steps: string[] = []
-    await exportInWorker(
-      faceOf(face, files),
-      project,
-      {},
-      { onProgress: (...step) => steps.push(step.join('/')) },
-    )
+    const onProgress = (...step: number[]) => steps.push(step.join('/'))
+    await exportDocumentInWorker(faceOf(face, files), source, {}, { onProgress })
     expect(steps).toEqual(['1/7', '2/7', '3/7', '4/7', '5/7', '6/7', '7/7'])
     const stop = new AbortController()
-    const stopped = exportInWorker(faceOf(face, files), project, {}, { signal: stop.signal })
+    const stopped = exportDocumentInWorker(faceOf(face, files), source, {}, { signal: stop.signal })
     stop.abort(new Error('changed her mind'))
     await expect(stopped).rejects.toThrow('changed her mind')
   })
@@ -63,12 +66,12 @@ describe('the studio exports', () => {
     const face = faceOf(glb.face, glb.files)
     const withFile = (path: string, bytes: Uint8Array) => new Map(project).set(path, bytes)
     const cut = project.get('areas/brow.png')!.subarray(0, 60)
-    await expect(exportInWorker(face, withFile('areas/brow.png', cut))).rejects.toThrow(
+    await expect(exportFace(face, withFile('areas/brow.png', cut))).rejects.toThrow(
       'Studio: cannot read the image areas/brow.png (it is cut off)',
     )
-    await expect(exportInWorker(face, new Map())).rejects.toThrow('Studio: no layers in the project')
+    await expect(exportFace(face, new Map())).rejects.toThrow('Studio: no layers in the project')
     const alone = { name: 'parts.gltf', bytes: bytesOf(gltf.files['parts.gltf']) }
-    await expect(exportInWorker(alone, project)).rejects.toThrow(
+    await expect(exportFace(alone, project)).rejects.toThrow(
       /Studio: cannot read parts.*which parts.gltf refers to/,
     )
   })
@@ -99,7 +102,7 @@ describe('the studio validates', () => {
 
   it('whatever is wrong with a file, in the same words', async () => {
     for (const { what, file, findings } of faulty) {
-      const found = await validateInWorker({ name: 'face.glb', bytes: bytesOf(file) })
+      const found = await validate({ name: 'face.glb', bytes: bytesOf(file) })
       // Only the words of what was thrown inside the validator are those of the engine.
       const own = ({ code, message, ...rest }: Finding) => ({
         code,
@@ -113,13 +116,15 @@ describe('the studio validates', () => {
 
   it('faces without wrinkles, and says of other files what they are', async () => {
     const [{ packed }] = cases
-    const { face } = await readInWorker({ name: 'face.glb', bytes: bytesOf(packed) })
-    const findings = await validateInWorker({ name: 'face.glb', bytes: face })
+    const { face } = await readFace({ name: 'face.glb', bytes: bytesOf(packed) })
+    const findings = await validate({ name: 'face.glb', bytes: face })
     expect(findings[0]).toMatchObject({ severity: 'warning', code: 'NO_WRINKLES' })
     const picture = { name: 'face.glb', bytes: project.get('areas/brow.png')! }
-    await expect(validateInWorker(picture)).rejects.toThrow('Studio: face.glb is not usable: it is an image')
+    await expect(validate(picture)).rejects.toThrow('Studio: face.glb is not usable: it is an image')
   })
 })
+
+const validate = async (face: FaceFiles) => findingsOf(await openFace(face, 'Studio'))
 
 function faceOf(name: string, files: EncodedFiles) {
   const references = decoded(files)

@@ -1,6 +1,6 @@
 import type { Area, GrayImage, Layer, RgbaImage, WrinkleSet } from 'furrow'
 import type { Bounds, LayerImages, WrinkleMode } from 'furrow/three'
-import { updateArea, updateLayer } from 'furrow/three'
+import { scaleLayer, updateArea, updateLayer } from 'furrow/three'
 import {
   AmbientLight,
   type DataArrayTexture,
@@ -160,6 +160,29 @@ describe.each(RENDERERS)('wrinkles that are changed while they are shown, on %s'
     }
     wrinkles.dispose()
   })
+
+  it.each(['default', 'composed'] as const)(
+    'show layers more or less strongly, in the mode %s',
+    async (mode) => {
+      const set = randomMaps(seeded(48))
+      const { mesh, wrinkles } = faceOf(set, mode)
+      const other = faceOf(wrinkles, mode)
+      const before = await picture(mesh)
+      for (const [layer, scale] of [
+        { normalScale: 0.3 },
+        { normalScale: 1.6, occlusionStrength: 0.2 },
+      ].entries()) {
+        scaleLayer(wrinkles, `layer${layer}`, scale)
+        Object.assign(set.layers[layer], scale)
+      }
+      const fresh = faceOf(set, mode)
+      const expected = await picture(fresh.mesh)
+      expect(largestDifference(expected, before)).toBeGreaterThan(8)
+      for (const each of [mesh, other.mesh])
+        expect(largestDifference(await picture(each), expected)).toBeLessThanOrEqual(1)
+      for (const each of [other, fresh, { wrinkles }]) each.wrinkles.dispose()
+    },
+  )
 
   it.each([
     ['of 48 x 20 texels', 48, 20],

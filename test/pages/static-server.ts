@@ -5,10 +5,12 @@ import { extname, join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 
 const TYPES: Record<string, string> = {
+  '.css': 'text/css',
   '.html': 'text/html',
   '.js': 'text/javascript',
   '.json': 'application/json',
   '.png': 'image/png',
+  '.wasm': 'application/wasm',
 }
 
 const REPOSITORY = fileURLToPath(new URL('../../', import.meta.url))

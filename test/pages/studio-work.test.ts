@@ -4,6 +4,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { dirname, join } from 'node:path'
 import { strFromU8, unzipSync } from 'fflate'
 import type { Page } from 'playwright-core'
+import sharp from 'sharp'
 import { beforeAll, expect, test, vi } from 'vitest'
 import { openStudio } from './opened-studio.ts'
 import { runFurrow } from './run-furrow.ts'
@@ -97,4 +98,24 @@ test('what is exported is what furrow pack makes of the saved project, and is va
   expect(readFileSync(join(folder, 'packed.glb')).equals(exported)).toBe(true)
   const { code, stdout } = await runFurrow(folder, {}, 'validate', 'packed.glb')
   expect({ code, stdout }).toEqual({ code: 0, stdout: 'packed.glb: 0 errors, 0 warnings\n' })
+})
+
+test('its maps, heights too, are those that furrow auto makes with these options', async () => {
+  const settings = ['--age', '80', '--size', '1024', '--seed', '1']
+  await runFurrow(folder, {}, 'auto', 'plain.glb', '-o', 'auto.glb', ...settings)
+  await runFurrow(folder, {}, 'unpack', 'auto.glb', '-o', 'auto')
+  const levels = (path: string) => sharp(join(folder, path)).toColourspace('b-w').raw().toBuffer()
+  const { layers } = JSON.parse(readFileSync(join(folder, 'plain/wrinkles.json'), 'utf8'))
+  const made = JSON.parse(readFileSync(join(folder, 'auto/wrinkles.json'), 'utf8')).layers
+  expect(layers.length).toBe(made.length)
+  for (const [i, layer] of made.entries()) {
+    expect(layers[i].heightAmplitude).toBeCloseTo(layer.heightAmplitude, 9)
+    for (const map of ['normal', 'occlusion', 'height']) {
+      const [own, other] = await Promise.all([
+        levels(`plain/${layers[i][map]}`),
+        levels(`auto/${layer[map]}`),
+      ])
+      expect(own.equals(other), `${layer.name} ${map}`).toBe(true)
+    }
+  }
 })

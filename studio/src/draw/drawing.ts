@@ -1,6 +1,6 @@
 import { type Remote, wrap } from 'comlink'
 import { FurrowError, type RgbaImage } from 'furrow'
-import type { Bounds, Stroke } from 'furrow/author'
+import type { Bounds, HeightMap, Stroke } from 'furrow/author'
 import { endOf } from '../workers/life.ts'
 import { changesOf } from './changes.ts'
 import { pasteRect } from './copy-rect.ts'
@@ -71,6 +71,14 @@ export class Drawing {
     await this.#ask((service) =>
       Promise.all([service.addLayer(layer, null), service.draw(layer, [...strokes])]),
     )
+  }
+
+  /** The heights of a layer's strokes alone; undefined before they were drawn. */
+  async heightsOf(layer: string): Promise<HeightMap | undefined> {
+    const maps = this.mapsOf(layer)
+    if (!maps) return undefined
+    const { width, height } = maps.normal
+    return { width, height, data: await this.#ask((service) => service.heights(layer)) }
   }
 
   dispose(): void {

@@ -1,4 +1,4 @@
-import type { AutoWrinkles, Bounds } from 'furrow/author'
+import type { AutoWrinkles, Bounds, HeightMap } from 'furrow/author'
 import { decodeImage } from 'furrow/three'
 import { CHANNEL, channelOf } from '../../../packages/furrow/src/core/channels.ts'
 import type { ImageFile, LayerStroke, MapName, StudioDocument, StudioLayer } from '../document/document.ts'
@@ -56,6 +56,19 @@ export class MapMaker {
     for (const { name, normal, occlusion } of layers) {
       drawing.adopt(name, strokesOf(document, name), { normal, occlusion }).catch(() => {})
     }
+  }
+
+  /** The heights of the strokes of a document that was made, by the names of layers that have some. */
+  async heights(document: StudioDocument, source: SkinSource): Promise<ReadonlyMap<string, HeightMap>> {
+    // Its worker may have ended since.
+    if (!this.#drawing) await this.make(document, source)
+    const heights = new Map<string, HeightMap>()
+    for (const { name } of document.layers) {
+      if (strokesOf(document, name).length === 0) continue
+      const own = await this.#drawing?.heightsOf(name)
+      if (own) heights.set(name, own)
+    }
+    return heights
   }
 
   /** What changed since the last call. */

@@ -29,6 +29,8 @@ export interface DrawingService {
   addLayer(name: string, base: RgbaImage | null): void
   /** Draws what changed of a layer's strokes. */
   draw(name: string, changes: ListChanges<Stroke>): MapPatch[]
+  /** A copy of the heights of a layer's strokes; see `HeightMap`. */
+  heights(name: string): Float32Array
 }
 
 /** Maps of a layer that are drawn from strokes. */

@@ -35,6 +35,10 @@ const service: DrawingService = {
       patches.flatMap(({ normal, occlusion }) => [normal.buffer, occlusion.buffer]),
     )
   },
+  heights(name) {
+    const heights = sheets.get(name)!.layer.relief.data.slice()
+    return transfer(heights, [heights.buffer])
+  },
 }
 
 function patchOf({ normal, occlusion }: StrokeLayer, bounds: Bounds): MapPatch {

@@ -1,4 +1,5 @@
-import { resampleGray } from 'furrow'
+import type { HeightMap } from 'furrow/author'
+import { halfSide, heightLevels } from '../../../packages/cli/src/images/half-side.ts'
 import { withoutAlpha } from '../../../packages/cli/src/images/pixels.ts'
 import { encodePortablePng } from '../../../packages/cli/src/images/png.ts'
 import type { ImageFile, StudioDocument } from '../document/document.ts'
@@ -12,7 +13,12 @@ import type { FaceFiles, Files } from './files.ts'
 export interface DocumentToExport {
   document: StudioDocument
   /** By the names of layers with strokes. */
-  drawn: ReadonlyMap<string, DrawnMaps>
+  drawn: ReadonlyMap<string, StrokeMaps>
+}
+
+/** The maps of a layer that are drawn from strokes, with their heights. */
+export interface StrokeMaps extends DrawnMaps {
+  readonly relief: HeightMap
 }
 
 /**
@@ -38,7 +44,8 @@ export async function projectFiles(
   { document, drawn }: DocumentToExport,
   face: readonly AvatarFile[] = [],
 ): Promise<Files> {
-  const maps = new Map([...drawn].map(([layer, each]) => [layer, encodeMaps(each)]))
+  const painted = new Set(document.layers.flatMap(({ name, maps }) => (maps.height ? name : [])))
+  const maps = new Map([...drawn].map(([layer, each]) => [layer, encodeMaps(each, painted.has(layer))]))
   const files = await folderFiles(document, face, maps, async (pixels) => encodePortablePng(pixels))
   const contents = files.map(async ({ path, content }): Promise<[string, Uint8Array]> => {
     return [path, content instanceof Blob ? new Uint8Array(await content.arrayBuffer()) : content]
@@ -46,15 +53,20 @@ export async function projectFiles(
   return new Map(await Promise.all(contents))
 }
 
-/** Occlusion has half the side of the normals, as automatic wrinkles write it: only these show how steep a crease is. */
-function encodeMaps({ normal, occlusion }: DrawnMaps): DrawnFiles {
-  const half = resampleGray(occlusion, occlusion.width / 2)
-  return {
-    maps: {
-      normal: png(encodePortablePng(withoutAlpha({ ...normal, channels: 4 }))),
-      occlusion: png(encodePortablePng({ ...half, channels: 1 })),
-    },
+/**
+ * Occlusion and heights have half the side of the normals, as automatic wrinkles write them: only these show how steep a crease is.
+ *
+ * @param hasHeights whether the layer has heights of its own, which stay.
+ */
+function encodeMaps({ normal, occlusion, relief }: StrokeMaps, hasHeights: boolean): DrawnFiles {
+  const maps = {
+    normal: png(encodePortablePng(withoutAlpha({ ...normal, channels: 4 }))),
+    occlusion: png(encodePortablePng({ ...halfSide(occlusion), channels: 1 })),
   }
+  if (hasHeights) return { maps }
+  const { levels, amplitude } = heightLevels(relief.data)
+  const height = png(encodePortablePng({ ...halfSide({ ...relief, data: levels }), channels: 1 }))
+  return { maps: { ...maps, height }, heightAmplitude: amplitude }
 }
 
 function png(bytes: Uint8Array): ImageFile {

@@ -1,6 +1,5 @@
 import { proxy, type Remote, wrap } from 'comlink'
 import { FurrowError } from 'furrow'
-import type { Finding } from '../../../packages/cli/src/validate/finding.ts'
 import type { StudioDocument } from '../document/document.ts'
 import type { AvatarFile } from '../keep/database.ts'
 import type { ReadFolder } from '../keep/read-folder.ts'
@@ -10,7 +9,6 @@ import type { BakeTarget } from './bake-sculpt.ts'
 import type { DocumentToExport } from './export-document.ts'
 import type { ExportedFace, ExportOptions, OnProgress } from './export-face.ts'
 import type { FaceFiles, Files } from './files.ts'
-import type { ReadFace } from './read-face.ts'
 import type { Tasks } from './worker.ts'
 
 /** How the page follows a task. */
@@ -21,21 +19,11 @@ export interface Following {
 }
 
 /**
- * `exportFace` in a worker of its own. What it is given is copied and stays the page's.
+ * `exportDocument` in a worker of its own. What it is given is copied and stays the page's.
  *
- * @throws Error with the message of what `exportFace` throws, FurrowError when the worker dies, and the signal's reason when
+ * @throws Error with the message of what `exportDocument` throws, FurrowError when the worker dies, and the signal's reason when
  *   that is aborted.
  */
-export function exportInWorker(
-  face: FaceFiles,
-  folder: Files,
-  options: ExportOptions = {},
-  { onProgress = () => {}, signal }: Following = {},
-): Promise<ExportedFace> {
-  return run((tasks) => tasks.exportFace(face, folder, options, proxy(onProgress)), signal)
-}
-
-/** `exportDocument` in a worker of its own; see `exportInWorker`. */
 export function exportDocumentInWorker(
   face: FaceFiles,
   source: DocumentToExport,
@@ -45,36 +33,22 @@ export function exportDocumentInWorker(
   return run((tasks) => tasks.exportDocument(face, source, options, proxy(onProgress)), signal)
 }
 
-/** `projectFiles` in a worker of its own; see `exportInWorker`. */
+/** `projectFiles` in a worker of its own; see `exportDocumentInWorker`. */
 export function projectFilesInWorker(source: DocumentToExport, face: readonly AvatarFile[]): Promise<Files> {
   return run((tasks) => tasks.projectFiles(source, face))
 }
 
-/** `readFace` in a worker of its own; see `exportInWorker`. */
-export function readInWorker(
-  face: FaceFiles,
-  options: { material?: string } = {},
-  { onProgress = () => {}, signal }: Following = {},
-): Promise<ReadFace> {
-  return run((tasks) => tasks.readFace(face, options, proxy(onProgress)), signal)
-}
-
-/** `readDocument` in a worker of its own; see `exportInWorker`. */
+/** `readDocument` in a worker of its own; see `exportDocumentInWorker`. */
 export function readDocumentInWorker(face: FaceFiles, material?: string): Promise<StudioDocument | null> {
   return run((tasks) => tasks.readDocument(face, material))
 }
 
-/** `readProject` in a worker of its own; see `exportInWorker`. */
+/** `readProject` in a worker of its own; see `exportDocumentInWorker`. */
 export function readProjectInWorker({ name, files }: WrinklesFolder): Promise<ReadFolder> {
   return run((tasks) => tasks.readProject(files, name))
 }
 
-/** `validateFace` in a worker of its own; see `exportInWorker`. */
-export function validateInWorker(face: FaceFiles, signal?: AbortSignal): Promise<Finding[]> {
-  return run((tasks) => tasks.validateFace(face), signal)
-}
-
-/** `bakeSculpt` in a worker of its own; see `exportInWorker`. */
+/** `bakeSculpt` in a worker of its own; see `exportDocumentInWorker`. */
 export function bakeInWorker(
   sculpt: FaceFiles,
   target: BakeTarget,

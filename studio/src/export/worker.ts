@@ -2,17 +2,10 @@ import { expose, transfer } from 'comlink'
 import { holdLife } from '../workers/life.ts'
 import { bakeSculpt } from './bake-sculpt.ts'
 import { exportDocument, projectFiles } from './export-document.ts'
-import { exportFace } from './export-face.ts'
 import { readDocument, readProject } from './read-document.ts'
-import { readFace } from './read-face.ts'
-import { validateFace } from './validate-face.ts'
 
 /** What the worker does; bytes that it made are handed over and not copied. */
 const tasks = {
-  async exportFace(...args: Parameters<typeof exportFace>) {
-    const exported = await exportFace(...args)
-    return transfer(exported, buffersOf([exported.bytes]))
-  },
   async exportDocument(...args: Parameters<typeof exportDocument>) {
     const exported = await exportDocument(...args)
     return transfer(exported, buffersOf([exported.bytes]))
@@ -21,17 +14,12 @@ const tasks = {
     const files = await projectFiles(...args)
     return transfer(files, buffersOf([...files.values()]))
   },
-  async readFace(...args: Parameters<typeof readFace>) {
-    const read = await readFace(...args)
-    return transfer(read, buffersOf([read.face, ...(read.folder?.values() ?? [])]))
-  },
   async bakeSculpt(...args: Parameters<typeof bakeSculpt>) {
     const bytes = await bakeSculpt(...args)
     return transfer(bytes, buffersOf([bytes]))
   },
   readDocument,
   readProject,
-  validateFace,
 }
 
 export type Tasks = typeof tasks

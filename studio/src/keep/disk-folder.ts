@@ -1,5 +1,4 @@
 import { FurrowError } from 'furrow'
-import type { AvatarFile } from './database.ts'
 import type { FolderFile } from './folder-files.ts'
 import { parseStudioFile, STUDIO_FILE } from './studio-file.ts'
 
@@ -9,9 +8,6 @@ type Directory = FileSystemDirectoryHandle & {
   requestPermission?(mode: { mode: 'readwrite' }): Promise<PermissionState>
 }
 type Picker = (options: { id: string; mode: 'readwrite' }) => Promise<FileSystemDirectoryHandle>
-
-/** What a project's folder may have in it: others, such as those of a version control system, are not looked into. */
-const FOLDERS = ['layers', 'areas', 'under', 'face']
 
 /** Whether the browser can write to a folder of the disk; others download a .zip. */
 export function canWriteFolders(): boolean {
@@ -59,19 +55,6 @@ export async function askToWrite(folder: FileSystemDirectoryHandle): Promise<voi
   if (((await queryPermission?.call(folder, mode)) ?? 'granted') === 'granted') return
   if ((await requestPermission?.call(folder, mode)) === 'granted') return
   throw unwritable(folder.name, 'permission denied', 'allow it, or save to another folder')
-}
-
-/** All files of a project's folder. */
-export async function filesOfFolder(folder: FileSystemDirectoryHandle): Promise<AvatarFile[]> {
-  const files: AvatarFile[] = []
-  const list = async (directory: FileSystemDirectoryHandle, path: string) => {
-    for await (const [name, handle] of directory.entries()) {
-      if (handle.kind === 'file') files.push({ path: path + name, file: await handle.getFile() })
-      else if (path !== '' || FOLDERS.includes(name)) await list(handle, `${path}${name}/`)
-    }
-  }
-  await list(folder, '')
-  return files
 }
 
 /**

@@ -1,4 +1,4 @@
-import { strFromU8, type UnzipFileInfo, unzip, Zip, ZipDeflate, ZipPassThrough } from 'fflate'
+import { type UnzipFileInfo, unzip, Zip, ZipDeflate, ZipPassThrough } from 'fflate'
 import { FurrowError } from 'furrow'
 import { bytesOf } from '../open/dropped-files.ts'
 import type { AvatarFile } from './database.ts'
@@ -57,11 +57,6 @@ export async function unzipFolder(file: Blob, name: string): Promise<AvatarFile[
     path: path.slice(root.length),
     file: new Blob([files[path] as Uint8Array<ArrayBuffer>]),
   }))
-}
-
-/** Whether bytes begin as those of a .zip do. */
-export function isZip(bytes: Uint8Array): boolean {
-  return strFromU8(bytes.subarray(0, 4), true) === 'PK\x03\x04'
 }
 
 /** The folder that all files are in, with its `/`; empty where there is none. */

@@ -35,6 +35,12 @@ export function withArea(document: StudioDocument, stroke: LayerStroke, canvas: 
   return joined === area.weights ? document : paintArea(document, group, joined)
 }
 
+/** Whether the area that shows a line shows it at a point too; true where none is made for the line alone. */
+export function isShownAt({ areas }: StudioDocument, { group }: LayerStroke, point: Uv): boolean {
+  const area = areas.find(({ name }) => name === group)
+  return !area || meanWeight(area.weights, [point]) >= UNDER
+}
+
 /** The areas that show a group: that of its name, or else those of its left and right side. */
 function areasOf({ areas }: StudioDocument, group: string): StudioArea[] {
   const own = areas.filter(({ name }) => name === group)

@@ -13,7 +13,7 @@ import {
 import type { LayerStroke, StudioDocument } from '../document/document.ts'
 import { replaceStroke } from '../document/strokes.ts'
 import type { Session } from '../session/session.ts'
-import { addLine, type NewLine, withArea } from './line-area.ts'
+import { addLine, isShownAt, type NewLine, withArea } from './line-area.ts'
 
 /** What the pointer does on the face: orbits only, edits lines, or draws new ones. */
 export type LineMode = 'off' | 'edit' | 'draw'
@@ -48,6 +48,8 @@ export class LineEditor {
   readonly #surface: () => LineSurface | null
   /** Operations keep a line at its index in the document, and undo brings it back to it. */
   readonly #index = signal(-1)
+  /** Whether the present gesture has moved a point. */
+  #hasMoved = false
 
   /** Null while no line is chosen. */
   readonly chosen: ReadonlySignal<LayerStroke | null> = computed(
@@ -81,6 +83,7 @@ export class LineEditor {
   /** Moves the chosen point to another point of the skin; one step until `settle`. */
   movePoint(uv: Uv): void {
     const index = this.point.peek()
+    this.#hasMoved = true
     this.#change(
       'Move a point',
       (stroke, { canvas }) => {
@@ -193,9 +196,27 @@ export class LineEditor {
     else this.#change('Change the layer of a line', (stroke) => [{ ...stroke, layer }])
   }
 
-  /** Ends a gesture: the next change is another step. */
+  /** Ends a gesture: the next change is another step. A point that was moved off its line's area takes the area along: nothing that is drawn fades. */
   settle(): void {
+    if (this.#hasMoved) this.#coverPoint()
+    this.#hasMoved = false
     this.session.settle()
+  }
+
+  /** As part of the step that has moved the point. */
+  #coverPoint(): void {
+    const [stroke, surface] = [this.chosen.peek(), this.#surface()]
+    const document = this.session.document.peek()
+    if (!stroke || !surface || !document) return
+    const { canvas } = surface
+    const point = splineOf(stroke, canvas).points[this.point.peek()]
+    if (!point || isShownAt(document, stroke, point)) return
+    const cover = (old: StudioDocument) => withArea(old, stroke, canvas)
+    this.session.edit('Move a point', cover, this.#keyOf('points'))
+  }
+
+  #keyOf(gesture: string): string {
+    return `line-${this.#index.peek()}-${gesture}`
   }
 
   #add(label: string, stroke: NewLine): void {
@@ -216,6 +237,6 @@ export class LineEditor {
     const changed = make(stroke, surface)
     if (changed[0] === stroke) return
     const operation = (document: StudioDocument) => replaceStroke(document, stroke, changed)
-    this.session.edit(label, operation, key && `line-${this.#index.peek()}-${key}`)
+    this.session.edit(label, operation, key && this.#keyOf(key))
   }
 }

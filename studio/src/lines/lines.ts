@@ -9,7 +9,7 @@ import type { Viewer } from '../viewer/viewer.ts'
 import { LineEditor } from './line-editor.ts'
 import { LineOverlay } from './line-overlay.ts'
 import { LineSkin } from './line-skin.ts'
-import { type ProjectedLine, projectLines } from './project-lines.ts'
+import { LineProjection, type ProjectedLine } from './project-lines.ts'
 
 /** What lines need of the application. */
 export interface LinesParts {
@@ -18,8 +18,6 @@ export interface LinesParts {
   session: Session
   viewer: ReadonlySignal<Viewer | null>
   tools: ToolHost
-  /** Requests the next frame. */
-  wake(): void
   /** Runs a task, and shows its errors. */
   attempt(task: () => void): void
 }
@@ -33,10 +31,12 @@ export class Lines {
   readonly #skin = signal<LineSkin | null>(null)
   /** What the skin was read of. */
   #source: readonly unknown[] = []
+  readonly #projection = new LineProjection()
   #lines: ProjectedLine[] = []
+  #request = 0
 
   constructor(parts: LinesParts) {
-    const { session, stage, tools, wake, attempt } = parts
+    const { session, stage, tools, attempt } = parts
     this.#parts = parts
     this.#overlay = new LineOverlay(stage)
     this.editor = new LineEditor(session, () => this.#skin.peek())
@@ -48,7 +48,7 @@ export class Lines {
       get lines() {
         return lines()
       },
-      changed: wake,
+      changed: () => this.#redraw(),
     })
     effect(() => this.#readSkin())
     effect(() => {
@@ -58,7 +58,7 @@ export class Lines {
       point.value
       this.#skin.value
       session.document.value
-      wake()
+      this.#redraw()
     })
     effect(() => {
       if (this.editor.mode.value === 'off') tools.leave(this.#tool)
@@ -87,7 +87,7 @@ export class Lines {
     if (!camera || !stroke || !skin) return
     const { size } = this.#overlay
     // As it is now: keys may come faster than frames.
-    const [line] = projectLines([stroke], skin, camera, size)
+    const [line] = this.#projection.project([stroke], skin, camera, size)
     const i = line?.knots[this.editor.point.peek()]
     if (i === undefined) return
     if (!line.isSeen[i]) throw hiddenPoint()
@@ -106,12 +106,20 @@ export class Lines {
       return
     }
     const { camera } = viewer.peek()!.stage
-    this.#lines = projectLines(document.strokes, skin, camera, this.#overlay.size)
+    this.#lines = this.#projection.project(document.strokes, skin, camera, this.#overlay.size)
     const [chosen, point] = [this.editor.chosen.peek(), this.editor.point.peek()]
     const { hovered, path, isBending } = this.#tool
     // Only what is bent, so that the wrinkles round it are seen.
     const lines = isBending ? this.#lines.filter(({ stroke }) => stroke === chosen) : this.#lines
     this.#overlay.draw({ lines, chosen, point, hovered, path })
+  }
+
+  /** Draws the lines in the next frame. The face stays: it takes longer, and may have its own frame soon, with other wrinkles. */
+  #redraw(): void {
+    this.#request ||= requestAnimationFrame(() => {
+      this.#request = 0
+      this.draw()
+    })
   }
 
   /** Reads the skin of the present face, once, while lines are edited. */

@@ -1,5 +1,6 @@
 import { type Camera, Vector3 } from 'three'
 import type { LayerStroke } from '../document/document.ts'
+import type { Sight } from '../paint/seen-places.ts'
 import type { LineSkin } from './line-skin.ts'
 
 /** A line as the camera sees it. */
@@ -27,32 +28,60 @@ export interface LineHit {
 /** Points between two that are asked for whether they are hidden: 2 mm. */
 const SIGHT_STEP = 4
 
-/** Where lines are on the stage, on the face as it is deformed now. */
-export function projectLines(
-  strokes: readonly LayerStroke[],
+/** Where lines are on the stage, on the face as it is deformed now. Each is looked for once, until the camera or the face moves. */
+export class LineProjection {
+  /** What the lines were projected by. */
+  #view: readonly unknown[] = []
+  #lines = new WeakMap<LayerStroke, ProjectedLine | null>()
+
+  /** @param size of the stage in CSS pixels. */
+  project(
+    strokes: readonly LayerStroke[],
+    skin: LineSkin,
+    camera: Camera,
+    size: readonly [width: number, height: number],
+  ): ProjectedLine[] {
+    camera.updateMatrixWorld()
+    skin.follow()
+    const matrices = [...camera.matrixWorld.elements, ...camera.projectionMatrix.elements]
+    const view = [skin, skin.picker.poses, ...size, ...matrices]
+    if (view.some((value, i) => value !== this.#view[i])) {
+      this.#view = view
+      this.#lines = new WeakMap()
+    }
+    const sight = skin.picker.sightFrom(new Vector3().setFromMatrixPosition(camera.matrixWorld))
+    return strokes.flatMap((stroke) => {
+      const known = this.#lines.get(stroke)
+      if (known !== undefined) return known ?? []
+      const line = projectLine(stroke, skin, sight, camera, size)
+      this.#lines.set(stroke, line)
+      return line ?? []
+    })
+  }
+}
+
+/** Null where none of the line is on the skin. */
+function projectLine(
+  stroke: LayerStroke,
   skin: LineSkin,
+  sight: Sight,
   camera: Camera,
   [width, height]: readonly [width: number, height: number],
-): ProjectedLine[] {
-  skin.follow()
-  camera.updateMatrixWorld()
-  const sight = skin.picker.sightFrom(new Vector3().setFromMatrixPosition(camera.matrixWorld))
+): ProjectedLine | null {
+  const line = skin.lineOf(stroke)
+  if (!line) return null
+  const { triangles, weights, along, knots } = line
   const point = new Vector3()
-  return strokes.flatMap((stroke) => {
-    const line = skin.lineOf(stroke)
-    if (!line) return []
-    const { triangles, weights, along, knots } = line
-    const [x, y] = [new Float32Array(along.length), new Float32Array(along.length)]
-    const isSeen: boolean[] = []
-    for (const [i, triangle] of triangles.entries()) {
-      const own = weights.subarray(3 * i, 3 * i + 3)
-      skin.picker.positionOf(triangle, [...own], point).project(camera)
-      x[i] = (0.5 + point.x / 2) * width
-      y[i] = (0.5 - point.y / 2) * height
-      isSeen.push(i % SIGHT_STEP === 0 || i === along.length - 1 ? sight(triangle, own) : isSeen[i - 1])
-    }
-    return [{ stroke, x, y, isSeen, along, knots }]
-  })
+  const [x, y] = [new Float32Array(along.length), new Float32Array(along.length)]
+  const isSeen: boolean[] = []
+  for (const [i, triangle] of triangles.entries()) {
+    const own = weights.subarray(3 * i, 3 * i + 3)
+    skin.picker.positionOf(triangle, own, point).project(camera)
+    x[i] = (0.5 + point.x / 2) * width
+    y[i] = (0.5 - point.y / 2) * height
+    isSeen.push(i % SIGHT_STEP === 0 || i === along.length - 1 ? sight(triangle, own) : isSeen[i - 1])
+  }
+  return { stroke, x, y, isSeen, along, knots }
 }
 
 /** The visible line that is nearest to a point of the stage; undefined where none is within a distance. */

@@ -2,6 +2,7 @@ import { FurrowError } from 'furrow'
 import { AUTO_REGIONS } from 'furrow/author'
 import type { AutoRegion } from 'furrow/auto'
 import { AUTO_AGES, AUTO_SIZES, AUTO_STRENGTHS, type AutoSettings } from '../document/document.ts'
+import { type LightDirection, MOST_LIGHT } from '../viewer/light-direction.ts'
 
 /** What a link says: everything small, and never the model. */
 export interface Link {
@@ -11,6 +12,8 @@ export interface Link {
   pose?: ReadonlyMap<string, number> | undefined
   /** Position and target in the units of the scene. */
   camera?: readonly [x: number, y: number, z: number, tx: number, ty: number, tz: number] | undefined
+  /** Where the light comes from; absent where it is that of every face at first. */
+  light?: LightDirection | undefined
   /** What automatic wrinkles are made with. */
   auto?: AutoSettings | undefined
 }
@@ -23,12 +26,12 @@ const FARTHEST = 1e6
 const MOST_SEED = 2 ** 32 - 1
 
 /**
- * A link as the hash of an address, without `#`: `model=faces/human.glb&pose=jawOpen:0.25&camera=0,1.6,0.5,0,1.6,0&auto=45,1,1024,1`, the last
+ * A link as the hash of an address, without `#`: `model=faces/human.glb&pose=jawOpen:0.25&camera=0,1.6,0.5,0,1.6,0&light=60,20&auto=45,1,1024,1`, the last
  * of which may go on with regions, and `lines=chin:2` with the seeds of some.
  *
  * @param base address of the page; models beside it get a relative one.
  */
-export function formatLink({ model, pose, camera, auto }: Link, base: string): string {
+export function formatLink({ model, pose, camera, light, auto }: Link, base: string): string {
   const parts: string[] = []
   const add = (name: string, text: string) => parts.push(`${name}=${text}`)
   if (model !== undefined) add('model', escaped(relative(model, base)))
@@ -37,6 +40,7 @@ export function formatLink({ model, pose, camera, auto }: Link, base: string): s
     add('pose', weights.map(([name, weight]) => `${escaped(name)}:${Number(weight.toFixed(3))}`).join(','))
   }
   if (camera) add('camera', camera.map((value) => Number(value.toPrecision(5))).join(','))
+  if (light) add('light', `${light.yaw},${light.pitch}`)
   if (auto) {
     const { age, strength, size, seed, regions = [], seeds = {} } = auto
     add('auto', [age, strength, size, seed, ...regions].join(','))
@@ -72,6 +76,7 @@ export function parseLink(hash: string, base: string): Link {
     model: read('model', (part) => addressOf(unescaped(part), base)),
     pose: read('pose', poseOf),
     camera: read('camera', cameraOf),
+    light: read('light', lightOf),
     auto: auto && seeds ? { ...auto, seeds } : auto,
   }
 }
@@ -109,6 +114,16 @@ function cameraOf(text: string): Link['camera'] {
   const isUpright = Math.hypot(x - tx, z - tz) > 1e-3 * distance
   if (values.length !== 6 || !isUpright) throw unusable('its camera', text.slice(0, MOST.name), '6 numbers')
   return [x, y, z, tx, ty, tz]
+}
+
+function lightOf(text: string): LightDirection {
+  const [yaw, pitch, ...others] = text.split(',')
+  if (others.length > 0) throw unusable('its light', text.slice(0, MOST.name), '2 numbers')
+  const [mostYaw, mostPitch] = MOST_LIGHT
+  return {
+    yaw: numberIn(yaw, 'its light', -mostYaw, mostYaw),
+    pitch: numberIn(pitch, 'its light', -mostPitch, mostPitch),
+  }
 }
 
 function autoOf(text: string): AutoSettings {

@@ -4,13 +4,14 @@ import { AUTO_SETTINGS, type Workspace } from '../session/workspace.ts'
 import { fetchAvatar, fileNameOf } from '../viewer/faces.ts'
 import type { LoadAvatar, ViewerHost } from '../viewer/viewer-host.ts'
 import { formatLink, type Link, parseLink } from './link.ts'
-import { applyLink, linkOf } from './viewer-link.ts'
+import { applyLink, linkOf, type ShownScene } from './viewer-link.ts'
 
 export interface PageLinkParts {
   host: ViewerHost
   workspace: Workspace
   messages: Messages
   loading: Loading
+  light: ShownScene['light']
   /** Runs what sets blendshapes and the camera. */
   set(write: () => void): void
 }
@@ -51,18 +52,18 @@ export class PageLink {
 
   /** Sets the face and the camera as it says. Returns whether there is a link. */
   show(): boolean {
-    const { viewer, orbit } = this.#parts.host
-    const link = this.#link
-    if (!link || !viewer || !orbit) return false
-    this.#parts.set(() => applyLink(link, viewer, orbit))
+    const [link, scene] = [this.#link, this.#scene]
+    if (!link || !scene) return false
+    this.#parts.set(() => applyLink(link, scene))
     return true
   }
 
   /** Copies a link to what is shown, and leaves it in the page's address too. */
   async copy(): Promise<void> {
-    const { host, workspace, messages } = this.#parts
-    if (!host.viewer || !host.orbit) return
-    const link = linkOf(host.viewer, host.orbit, workspace.session.document.peek()?.auto)
+    const { workspace, messages } = this.#parts
+    const scene = this.#scene
+    if (!scene) return
+    const link = linkOf(scene, workspace.session.document.peek()?.auto)
     history.replaceState(null, '', `#${formatLink(link, location.href)}`)
     const what = link.model === undefined ? 'the avatar itself is not in it' : 'it opens this avatar'
     // Browsers may refuse, and have no clipboard on pages that are not secure.
@@ -71,6 +72,12 @@ export class PageLink {
       () => false,
     )
     messages.note(isCopied ? `Copied the link: ${what}` : `The link is in the address of this page: ${what}`)
+  }
+
+  get #scene(): ShownScene | null {
+    const { host, light } = this.#parts
+    const { viewer, orbit } = host
+    return viewer && orbit && { viewer, orbit, light }
   }
 
   async #follow(): Promise<void> {

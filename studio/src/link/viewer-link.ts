@@ -1,26 +1,41 @@
+import type { Signal } from '@preact/signals'
 import { Vector3 } from 'three'
 import type { AutoSettings } from '../document/document.ts'
+import type { LightDirection } from '../viewer/light-direction.ts'
 import type { Orbit } from '../viewer/orbit.ts'
+import { KEY_LIGHT } from '../viewer/staging.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 import type { Link } from './link.ts'
+
+/** A face as it is shown. */
+export interface ShownScene {
+  viewer: Viewer
+  orbit: Orbit
+  light: Signal<LightDirection>
+}
 
 /**
  * What a link says of a face as it is shown.
  *
  * @param auto what its wrinkles were made with; undefined where they are others.
  */
-export function linkOf({ avatar, targets }: Viewer, { pose }: Orbit, auto: AutoSettings | undefined): Link {
-  const { position, target } = pose
+export function linkOf({ viewer, orbit, light }: ShownScene, auto: AutoSettings | undefined): Link {
+  const { avatar, targets } = viewer
+  const { position, target } = orbit.pose
+  const { yaw, pitch } = light.peek()
   return {
     model: avatar.address,
     pose: new Map(targets.map(({ name, read }) => [name, read()])),
     camera: [position.x, position.y, position.z, target.x, target.y, target.z],
+    light: yaw === KEY_LIGHT.yaw && pitch === KEY_LIGHT.pitch ? undefined : { yaw, pitch },
     auto,
   }
 }
 
 /** Shows a face as a link says. Blendshapes that it does not have are left out. */
-export function applyLink({ pose, camera }: Link, viewer: Viewer, orbit: Orbit): void {
+export function applyLink({ pose, camera, light }: Link, scene: ShownScene): void {
+  const { viewer, orbit } = scene
+  scene.light.value = light ?? KEY_LIGHT
   if (pose) for (const { name, write } of viewer.targets) write(pose.get(name) ?? 0)
   if (!camera) return
   const [x, y, z, ...target] = camera

@@ -8,7 +8,7 @@ import { releaseFromGPU, texturesOf } from '../viewer/release.ts'
 import type { DroppedFile } from './dropped-files.ts'
 import { readFaceFile } from './face-file.ts'
 import { loadGltf } from './load-gltf.ts'
-import { indexOfSkin, type SkinCandidate } from './skins.ts'
+import { indexOfSkin, type SkinCandidate, skinOfDocument } from './skins.ts'
 import type { DroppedAvatar, DroppedWrinkles, WrinklesFolder } from './sort-files.ts'
 import { readWrinklesFolder } from './wrinkles-folder.ts'
 
@@ -70,10 +70,7 @@ async function openProject(
   const files = face.map(({ path, file }) => ({ path, file: new File([file], path) }))
   const avatar = files.length > 0 ? await openAvatar(files[0], { files, notes }) : shown
   if (!avatar) throw withoutAvatar(folder.name)
-  const skin = avatar.skins.findIndex(({ target: { mesh, material } }) => {
-    return mesh === document.mesh && material === document.material
-  })
-  return { ...avatar, document, ...(skin >= 0 && { skin }) }
+  return { ...avatar, document, skin: skinOfDocument(avatar, document) }
 }
 
 /**

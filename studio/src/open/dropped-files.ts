@@ -40,13 +40,6 @@ export function filesOfInput(chosen: Iterable<File>): DroppedFile[] {
   return files.list
 }
 
-/** The files below a folder that the File System Access API gave. Throws FurrowError when there are too many. */
-export async function filesOfFolder(folder: FileSystemDirectoryHandle): Promise<DroppedFile[]> {
-  const files = new Listing()
-  await addHandle(files, folder, '', 0)
-  return files.list
-}
-
 /**
  * The bytes of a file, or of a part of it.
  *
@@ -91,17 +84,6 @@ async function addEntry(
     // Browsers list a hundred at a time, and then none.
     for (let some = await nextEntries(reader); some.length > 0; some = await nextEntries(reader)) {
       for (const child of some) await addEntry(files, child, `${path}/`, depth + 1)
-    }
-  }
-}
-
-async function addHandle(files: Listing, handle: FileSystemHandle, folder: string, depth: number) {
-  if (isHidden(handle.name)) return
-  const path = folder + handle.name
-  if (handle.kind === 'file') files.add(path, await (handle as FileSystemFileHandle).getFile())
-  else if (depth < MOST_DEPTH) {
-    for await (const child of (handle as FileSystemDirectoryHandle).values()) {
-      await addHandle(files, child, `${path}/`, depth + 1)
     }
   }
 }

@@ -78,6 +78,16 @@ export function indexOfSkin(skins: readonly SkinCandidate[]): number {
   return skins.indexOf(largest)
 }
 
+/** The skin that a document is of, or else the one that was chosen. */
+export function skinOfDocument(
+  { skins, skin }: { skins: readonly SkinCandidate[]; skin: number },
+  { mesh, material }: TargetNames,
+): number {
+  if (mesh === undefined && material === undefined) return skin
+  const index = skins.findIndex(({ target }) => target.mesh === mesh && target.material === material)
+  return index < 0 ? skin : index
+}
+
 function describe(meshes: [Mesh, ...Mesh[]], { parser }: GLTF): Omit<SkinCandidate, 'wrinkles'> {
   const [{ name, geometry }] = meshes
   const surface = surfaceOf(meshes[0])

@@ -41,6 +41,7 @@ export class SkinPicker {
   readonly #hierarchy: MeshBVH
   /** The surface's triangle for each one of the skin; -1 for those without an area at rest. */
   readonly #triangleOf: Int32Array
+  #poses = 0
 
   /** @param painted made of the skin of the same meshes. */
   constructor({ skin, parts }: MeshSkin, painted: PaintSkin) {
@@ -55,8 +56,14 @@ export class SkinPicker {
     this.#hierarchy = hierarchyOf(this.#positions, this.#surfaceIndices())
   }
 
+  /** How often it has taken another pose. */
+  get poses(): number {
+    return this.#poses
+  }
+
   /** Follows the pose. To be called when a stroke begins. */
   refit(): void {
+    this.#poses++
     this.#deform()
     this.#hierarchy.refit()
   }
@@ -84,9 +91,16 @@ export class SkinPicker {
   }
 
   /** Where a point of the skin is now, in world space. */
-  positionOf(triangle: number, weights: readonly number[], out: Vector3): Vector3 {
-    const [x, y, z] = mix(this.#positions, 3, this.#indices, this.#surface.skinTriangles[triangle], weights)
-    return out.set(x, y, z)
+  positionOf(triangle: number, weights: ArrayLike<number>, out: Vector3): Vector3 {
+    const first = 3 * this.#surface.skinTriangles[triangle]
+    out.set(0, 0, 0)
+    for (let k = 0; k < 3; k++) {
+      const [at, weight] = [3 * this.#indices[first + k], weights[k]]
+      out.x += weight * this.#positions[at]
+      out.y += weight * this.#positions[at + 1]
+      out.z += weight * this.#positions[at + 2]
+    }
+    return out
   }
 
   /** What a camera at a position in world space sees: the skin only can hide skin. Until the pose changes. */

@@ -26,6 +26,7 @@ export class AreaEditor {
   readonly #chosen = signal<string | null>(null)
   readonly #muted = signal<Names>(new Set())
   readonly #soloed = signal<Names>(new Set())
+  #lastHidden: readonly string[] = []
 
   /** Whether images of areas are white where no wrinkles are, the paper's convention. */
   readonly isPaper = signal(true)
@@ -35,12 +36,19 @@ export class AreaEditor {
     return this.#session.document.value?.areas.find(({ name }) => name === this.#chosen.value) ?? null
   })
 
-  /** Areas that are shown as if they were not active: those that are muted, and where there are soloed ones, all others. */
+  /**
+   * Areas that are shown as if they were not active: those that are muted, and where there are soloed ones, all others. The same list as long
+   * as it has the same names: the face is drawn again when it is another.
+   */
   readonly hidden: ReadonlySignal<readonly string[]> = computed(() => {
     const [muted, soloed] = [this.#muted.value, this.#soloed.value]
     const names = this.#session.document.value?.areas.map(({ name }) => name) ?? []
     const hasSolo = names.some((name) => soloed.has(name))
-    return names.filter((name) => muted.has(name) || (hasSolo && !soloed.has(name)))
+    const hidden = names.filter((name) => muted.has(name) || (hasSolo && !soloed.has(name)))
+    const last = this.#lastHidden
+    const isSame = hidden.length === last.length && hidden.every((name, i) => name === last[i])
+    if (!isSame) this.#lastHidden = hidden
+    return this.#lastHidden
   })
 
   get hasDocument(): boolean {

@@ -1,7 +1,6 @@
 import { type ReadonlySignal, signal } from '@preact/signals'
-import { strokesOf } from '../document/strokes.ts'
-import type { DrawnMaps } from '../draw/messages.ts'
-import type { DocumentToExport } from '../export/export-document.ts'
+import type { HeightMap } from 'furrow/author'
+import type { DocumentToExport, StrokeMaps } from '../export/export-document.ts'
 import type { ExportedFace, ExportOptions } from '../export/export-face.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import type { DrawnDocument } from '../viewer/document-view.ts'
@@ -11,6 +10,14 @@ import { faceFilesOf } from './face-files.ts'
 export type ExportState =
   | { kind: 'running'; fraction: number }
   | { kind: 'done'; name: string; face: ExportedFace }
+
+/** A document with all that is drawn of it, and its avatar. */
+export interface DrawnWork {
+  drawn: DrawnDocument
+  avatar: OpenedAvatar
+  /** Of strokes, by the names of layers that have some. */
+  heights: ReadonlyMap<string, HeightMap>
+}
 
 /** Exports the face in a worker, one at a time. */
 export class Exporting {
@@ -23,7 +30,7 @@ export class Exporting {
   }
 
   /** Rejects with what `exportDocument` throws. */
-  async start(drawn: DrawnDocument, avatar: OpenedAvatar, options: ExportOptions): Promise<void> {
+  async start(work: DrawnWork, options: ExportOptions): Promise<void> {
     this.cancel()
     const abort = new AbortController()
     this.#abort = abort
@@ -33,7 +40,8 @@ export class Exporting {
       const onProgress = (done: number, total: number) => {
         if (this.#abort === abort) this.#state.value = { kind: 'running', fraction: done / total }
       }
-      const source = documentToExport(drawn, avatar)
+      const { avatar } = work
+      const source = documentToExport(work)
       const following = { onProgress, signal: abort.signal }
       const face = await exportDocumentInWorker(await faceFilesOf(avatar), source, options, following)
       if (this.#abort !== abort) return
@@ -56,13 +64,16 @@ export class Exporting {
 }
 
 /** The document with the maps of its strokes, and the names of the mesh and material that it is for. */
-export function documentToExport(
-  { document, maps }: DrawnDocument,
-  { skins, skin }: OpenedAvatar,
-): DocumentToExport {
-  const drawn = document.layers.flatMap(({ name }, i): [string, DrawnMaps][] => {
+export function documentToExport({
+  drawn: { document, maps },
+  avatar,
+  heights,
+}: DrawnWork): DocumentToExport {
+  const { skins, skin } = avatar
+  const drawn = document.layers.flatMap(({ name }, i): [string, StrokeMaps][] => {
     const { normal, occlusion } = maps[i]
-    return strokesOf(document, name).length > 0 && occlusion ? [[name, { normal, occlusion }]] : []
+    const relief = heights.get(name)
+    return relief && occlusion ? [[name, { normal, occlusion, relief }]] : []
   })
   return {
     document: { ...skins[skin].target, ...document } as DocumentToExport['document'],

@@ -14,8 +14,7 @@ import { freeName } from '../document/names.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import { bytesOf } from '../open/dropped-files.ts'
 import { saveFile } from '../save-file.ts'
-import type { DrawnDocument } from '../viewer/document-view.ts'
-import { documentToExport } from './exporting.ts'
+import { type DrawnWork, documentToExport } from './exporting.ts'
 import { faceFilesOf } from './face-files.ts'
 import { readMap } from './map-file.ts'
 import type { Session } from './session.ts'
@@ -32,8 +31,8 @@ export interface BakeRun {
 
 export interface LayerEditorParts {
   session: Session
-  /** The document with the maps that were drawn for it. */
-  drawn: ReadonlySignal<DrawnDocument | null>
+  /** The document with all that is drawn of it; null where there is none. */
+  work(): Promise<DrawnWork | null>
   avatar(): OpenedAvatar | null
   /** Runs a task, and shows its errors. */
   attempt(task: () => unknown): unknown
@@ -132,10 +131,11 @@ export class LayerEditor {
    */
   save(only = ''): void {
     this.#parts.attempt(async () => {
-      const [drawn, avatar] = [this.#parts.drawn.peek(), this.#parts.avatar()]
-      if (!drawn || !avatar) return
+      const work = await this.#parts.work()
+      if (!work) return
+      const { avatar } = work
       const { projectFilesInWorker } = await import('../export/in-worker.ts')
-      const all = await projectFilesInWorker(documentToExport(drawn, avatar), [])
+      const all = await projectFilesInWorker(documentToExport(work), [])
       const images = [...all].filter(([path]) => /^(layers|areas)\//.test(path) && path.startsWith(only))
       if (images.length === 1) {
         const [[path, bytes]] = images

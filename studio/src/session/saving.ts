@@ -58,9 +58,9 @@ export class Saving {
   async #files(): Promise<{ name: string; files: FolderFile[] } | null> {
     const work = await this.#workspace.drawnWork()
     if (!work) return null
-    const { drawn, avatar } = work
+    const { avatar } = work
     const { projectFilesInWorker } = await import('../export/in-worker.ts')
-    const files = await projectFilesInWorker(documentToExport(drawn, avatar), avatar.files)
+    const files = await projectFilesInWorker(documentToExport(work), avatar.files)
     return { name: nameOf(avatar), files: [...files].map(([path, content]) => ({ path, content })) }
   }
 

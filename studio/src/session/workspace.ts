@@ -1,6 +1,7 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals'
 import { DEFAULT_AREA_SIZE, FurrowError } from 'furrow'
 import type { AutoWrinkles } from 'furrow/author'
+import type { TargetNames } from '../../../packages/cli/src/gltf/target-names.ts'
 import { automaticDocument, layersLeft, remake } from '../document/automatic.ts'
 import { blankDocument } from '../document/blank.ts'
 import type { AutoSettings, StudioDocument } from '../document/document.ts'
@@ -8,11 +9,13 @@ import { MapMaker } from '../draw/map-maker.ts'
 import type { ExportOptions } from '../export/export-face.ts'
 import type { Project } from '../keep/project.ts'
 import { type OpenedAvatar, openAvatar } from '../open/avatar.ts'
+import { skinOfDocument } from '../open/skins.ts'
 import type { DrawnDocument } from '../viewer/document-view.ts'
 import { Automatic } from './automatic.ts'
-import { Exporting } from './exporting.ts'
+import { type DrawnWork, Exporting } from './exporting.ts'
 import { faceFilesOf } from './face-files.ts'
 import { Keeping } from './keeping.ts'
+import { Latest } from './latest.ts'
 import { Session } from './session.ts'
 import { type SkinSource, skinSource } from './skin-source.ts'
 
@@ -40,6 +43,8 @@ export class Workspace {
   /** A project whose avatar is about to be shown. */
   #project: { project: Project; root: OpenedAvatar['root'] } | null = null
   #drawing: Promise<void> | null = null
+  /** A slider moves on while a preview is made. */
+  readonly #previews = new Latest((settings: AutoSettings) => this.#preview(settings))
 
   /** What the automatic wrinkles of the next avatars are made with at first. */
   firstSettings = AUTO_SETTINGS
@@ -81,7 +86,7 @@ export class Workspace {
       }))
       const avatar = await openAvatar(face, { files: [face, ...others] })
       this.#project = { project, root: avatar.root }
-      return avatar
+      return { ...avatar, skin: skinOfDocument(avatar, project.opened) }
     } catch (error) {
       await project.close()
       throw error
@@ -95,7 +100,7 @@ export class Workspace {
     if (isSame) return
     const project = this.#project?.root === avatar.root ? this.#project.project : null
     this.#project = null
-    this.automatic.cancel()
+    this.#endAuto()
     const left = project ? undefined : this.keeping.leave()
     this.session.open(null)
     this.#maps.close()
@@ -117,7 +122,7 @@ export class Workspace {
       if (auto) await this.makeAuto(auto)
     } finally {
       const isNone = source === this.#source && !this.session.document.peek()
-      if (isNone) this.session.open(blankDocument(auto))
+      if (isNone) this.session.open({ ...this.#target, ...blankDocument(auto) })
     }
   }
 
@@ -133,31 +138,33 @@ export class Workspace {
       : await readDocumentInWorker(await faceFilesOf(avatar), material)
     if (!document || avatar !== this.#avatar) return
     this.#source = source
-    this.session.open(document)
+    this.session.open({ ...this.#target, ...document })
   }
 
   /** Ends the run that makes automatic wrinkles; what it previewed is shown no longer. */
   cancelAuto(): void {
-    this.automatic.cancel()
+    this.#endAuto()
     void this.#draw()
   }
 
   /** Exports the document as it is drawn; see `Exporting`. */
   async export(options: ExportOptions): Promise<void> {
     const work = await this.drawnWork()
-    if (work) await this.exporting.start(work.drawn, work.avatar, options)
+    if (work) await this.exporting.start(work, options)
   }
 
   /** The avatar and its document once all maps are drawn; null where there is none, or where they cannot be drawn, which is told. */
-  async drawnWork(): Promise<{ drawn: DrawnDocument; avatar: OpenedAvatar } | null> {
+  async drawnWork(): Promise<DrawnWork | null> {
     await this.#draw()
     const [drawn, avatar] = [this.#drawn.peek(), this.#avatar]
-    return drawn && avatar && drawn.document === this.session.document.peek() ? { drawn, avatar } : null
+    if (!drawn || !avatar || drawn.document !== this.session.document.peek()) return null
+    return { drawn, avatar, heights: await this.#maps.heights(drawn.document, this.#source!) }
   }
 
   /** Makes the automatic wrinkles anew; those that were changed by hand stay. Rejects with a FurrowError where there are none. */
   async makeAuto(settings: AutoSettings): Promise<void> {
     const avatar = this.#avatar
+    this.#endAuto()
     const made = await this.#runAuto(settings)
     if (!made) return
     const { document, wrinkles } = made
@@ -167,8 +174,18 @@ export class Workspace {
     else this.session.edit('Make automatic wrinkles', (old) => remake(old, document))
   }
 
-  /** Shows small automatic wrinkles while a control moves; the document stays. */
-  async previewAuto(settings: AutoSettings): Promise<void> {
+  /** Shows small automatic wrinkles while a control moves; the document stays. What comes while a preview is made waits, the last of it alone. */
+  previewAuto(settings: AutoSettings): Promise<void> {
+    this.#settings.value = settings
+    return this.#previews.run(settings)
+  }
+
+  #endAuto(): void {
+    this.#previews.drop()
+    this.automatic.cancel()
+  }
+
+  async #preview(settings: AutoSettings): Promise<void> {
     const made = await this.#runAuto(settings, PREVIEW_SIZE)
     if (!made) return
     const { document, wrinkles } = made
@@ -188,7 +205,13 @@ export class Workspace {
     const wrinkles = await this.automatic.make(this.#source, options)
     if (!wrinkles) return null
     if (wrinkles.areas.length === 0) throw withoutAreas()
-    return { document: automaticDocument(wrinkles, settings, areaSize, {}), wrinkles }
+    return { document: automaticDocument(wrinkles, settings, areaSize, this.#target), wrinkles }
+  }
+
+  /** Names of the skin: a project is opened with the one that was chosen. */
+  get #target(): TargetNames {
+    const { skins, skin } = this.#avatar!
+    return skins[skin].target
   }
 
   /** Draws the maps of the document; of those that follow each other quickly, the last one. */

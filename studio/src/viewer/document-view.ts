@@ -1,6 +1,6 @@
 import { type Area, driversOf, type GrayImage, type Layer, type RgbaImage } from 'furrow'
 import type { Bounds } from 'furrow/author'
-import { updateArea, updateLayer } from 'furrow/three'
+import { scaleLayer, updateArea, updateLayer } from 'furrow/three'
 import type { Wrinkles } from '../../../stage/stage.ts'
 import type { StudioArea, StudioDocument, StudioLayer } from '../document/document.ts'
 import type { Viewer } from './viewer.ts'
@@ -38,6 +38,7 @@ export class DocumentView {
     const { document, maps } = drawn
     if (before && viewer.wrinkles && canFollow(before, drawn)) {
       updateMaps(viewer.wrinkles, drawn)
+      scaleLayers(viewer.wrinkles, before.document, document)
       changeAreas(viewer, before.document, document)
       if (areDrivenAnew(before.document, document)) viewer.setDrivers(document.drivers)
       return
@@ -48,15 +49,21 @@ export class DocumentView {
   }
 }
 
-/** Whether nothing changed but texels, areas that come and go, their weights and activations, and drivers. */
+/** Whether nothing changed but texels, the strength of layers, areas that come and go, their weights and activations, and drivers. */
 function canFollow(before: DrawnDocument, after: DrawnDocument): boolean {
   const old = new Map(before.document.areas.map((area) => [area.name, area]))
   return (
-    before.document.layers === after.document.layers &&
+    before.document.layers.length === after.document.layers.length &&
+    before.document.layers.every((layer, i) => areAlike(layer, after.document.layers[i])) &&
     before.document.areaSize === after.document.areaSize &&
     before.maps.every((maps, i) => maps === after.maps[i]) &&
     after.document.areas.every((area) => haveSameFields(old.get(area.name) ?? area, area))
   )
+}
+
+/** Whether two layers differ in their strength at most. */
+function areAlike(a: StudioLayer, b: StudioLayer): boolean {
+  return a.name === b.name && a.kind === b.kind
 }
 
 function haveSameFields(a: StudioArea, b: StudioArea): boolean {
@@ -79,6 +86,13 @@ function updateMaps(wrinkles: Wrinkles, { document, maps, changes }: DrawnDocume
     const { normal, occlusion } = maps[i]
     for (const bounds of changes.get(maps[i]) ?? [])
       updateLayer(wrinkles, name, { normal, occlusion: occlusion! }, bounds)
+  }
+}
+
+function scaleLayers(wrinkles: Wrinkles, before: StudioDocument, after: StudioDocument): void {
+  for (const [i, layer] of after.layers.entries()) {
+    const { name, normalScale, occlusionStrength } = layer
+    if (layer !== before.layers[i]) scaleLayer(wrinkles, name, { normalScale, occlusionStrength })
   }
 }
 

@@ -6,15 +6,14 @@ export interface LightDirection {
   readonly pitch: number
 }
 
-/** Largest angles: beyond them the face is lit from behind. */
-const MOST_YAW = 90
-const MOST_PITCH = 85
+/** Largest yaw and pitch: beyond them the face is lit from behind. */
+export const MOST_LIGHT = [90, 85] as const
 
 const RADIANS = Math.PI / 180
 
 export function clampedLight({ yaw, pitch }: LightDirection): LightDirection {
   const clamp = (value: number, most: number) => Math.round(Math.min(most, Math.max(-most, value)))
-  return { yaw: clamp(yaw, MOST_YAW), pitch: clamp(pitch, MOST_PITCH) }
+  return { yaw: clamp(yaw, MOST_LIGHT[0]), pitch: clamp(pitch, MOST_LIGHT[1]) }
 }
 
 /** A position that a light comes from, for a face that looks along +Z. */

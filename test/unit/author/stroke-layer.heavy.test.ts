@@ -48,7 +48,7 @@ const stroke: fc.Arbitrary<Stroke> = fc.record({
 
 /** An edit of a list of strokes; `at` is where, as a fraction of the list. */
 const edit = fc.record({
-  kind: fc.constantFrom('add', 'remove', 'replace', 'move', 'repeat', 'clear'),
+  kind: fc.constantFrom('add', 'remove', 'replace', 'bend', 'bend', 'move', 'repeat', 'clear'),
   at: fc.double({ min: 0, max: 0.999, noNaN: true }),
   stroke,
 })
@@ -60,6 +60,9 @@ function edited(strokes: readonly Stroke[], { kind, at, stroke }: Edit): readonl
   if (kind === 'clear') return at > 0.7 ? [] : strokes
   if (kind === 'add' || strokes.length === 0) return strokes.toSpliced(i, 0, stroke)
   if (kind === 'replace') return strokes.with(i, { ...strokes[i], points: stroke.points })
+  // The same one each time, with others before and behind it.
+  const middle = Math.floor(strokes.length / 2)
+  if (kind === 'bend') return strokes.with(middle, { ...strokes[middle], points: stroke.points })
   if (kind === 'repeat') return [...strokes, strokes[i]]
   const without = strokes.toSpliced(i, 1)
   return kind === 'remove' ? without : [...without, strokes[i]]
@@ -73,7 +76,7 @@ describe.each([
   const canvas = make()
 
   it('give the maps of drawing them all anew, bit for bit, and change nothing beside what they tell', () => {
-    const sequence = fc.array(edit, { minLength: 1, maxLength: 8 })
+    const sequence = fc.array(edit, { minLength: 1, maxLength: 12 })
     const follow = (edits: readonly Edit[]) => {
       const layer = new StrokeLayer(canvas, { frame: 'derivative', ...(base && { base }) })
       let strokes: readonly Stroke[] = []

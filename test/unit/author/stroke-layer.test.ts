@@ -1,5 +1,6 @@
-import { describe, expect, it } from 'vitest'
+import { describe, expect, it, vi } from 'vitest'
 import { type Stroke, StrokeLayer, skinCanvas } from '../../../packages/furrow/src/author/index.ts'
+import { LineGrid } from '../../../packages/furrow/src/author/strokes/line-grid.ts'
 import { cylinder, uvOf } from './skins.ts'
 
 describe('a layer of strokes', () => {
@@ -40,6 +41,30 @@ describe('a layer of strokes', () => {
     layer.relief.data.fill(9)
     layer.draw([...others, own])
     expect(layer.relief.data.filter((value) => value === 9).length).toBeGreaterThan(200 * 200)
+  })
+
+  it('looks for the lines round one that is bent only once', () => {
+    const layer = new StrokeLayer(canvas)
+    const others = [27, 29, 31, 33].map((y) => line([0.3, 0.6], y))
+    const bent = (depth: number) => [
+      ...others.slice(0, 2),
+      { ...line([0.3, 0.5], 30), depth },
+      ...others.slice(2),
+    ]
+    const searches = (strokes: readonly Stroke[]) => {
+      const visit = vi.spyOn(LineGrid.prototype, 'visit')
+      layer.draw(strokes)
+      const count = visit.mock.calls.length
+      visit.mockRestore()
+      return count
+    }
+    layer.draw(bent(1))
+    const first = searches(bent(0.8))
+    // In each texel the bent line and all others; then the bent line alone.
+    expect(searches(bent(0.6))).toBe(first / 2)
+    // Others that changed meanwhile are looked for again.
+    layer.draw(bent(0.6).slice(1))
+    expect(searches([...bent(0.5)].slice(1))).toBe(first)
   })
 
   it('refuses a base of another size', () => {

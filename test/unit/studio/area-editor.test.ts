@@ -85,6 +85,14 @@ describe('what the stage leaves out', () => {
     expect(areas.hidden.value).toEqual(['glabella'])
   })
 
+  it('stays the same list while the document changes elsewhere: the face need not be drawn again', () => {
+    areas.toggleMute('frown')
+    const before = areas.hidden.value
+    session.edit('Remove lines', (document) => ({ ...document, strokes: [] }))
+    areas.set('frown', { activation: 0.7 })
+    expect(areas.hidden.value).toBe(before)
+  })
+
   it('is nothing once the only soloed area is removed', () => {
     areas.toggleSolo('frown')
     areas.remove('frown')

@@ -2,9 +2,9 @@ import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import { exportFace } from '../../../studio/src/export/export-face.ts'
-import { referencesIn, wrinkleSetIn } from '../../../studio/src/export/files.ts'
+import { openFace, referencesIn, wrinkleSetIn } from '../../../studio/src/export/files.ts'
 import { readFace } from '../../../studio/src/export/read-face.ts'
-import { validateFace } from '../../../studio/src/export/validate-face.ts'
+import { findingsOf } from '../../../studio/src/export/validate-face.ts'
 import { Workshop } from '../cli/workshop.ts'
 
 const shop = new Workshop()
@@ -95,6 +95,8 @@ describe('a project', () => {
     const { face } = await projectAt('bare')
     const { folder, face: bytes } = await readFace(face)
     expect(folder).toBeUndefined()
-    expect((await validateFace({ name: 'face.glb', bytes }))[0]).toMatchObject({ code: 'NO_WRINKLES' })
+    expect((await findingsOf(await openFace({ name: 'face.glb', bytes }, 'Studio')))[0]).toMatchObject({
+      code: 'NO_WRINKLES',
+    })
   })
 })

@@ -223,6 +223,23 @@ describe('a muscle of the document', () => {
     expect(Math.hypot(...pull())).toBeCloseTo(2 * Math.hypot(...weak), 5)
   })
 
+  it('is gone when it is removed; others pull on, and it comes back by undo', () => {
+    const targets = new MuscleTargets([mesh])
+    const other = { ...muscle(0.3)[0], name: 'corrugator' }
+    targets.update([...muscle(0.2), other])
+    const { morphTargetInfluences: weights, morphTargetDictionary: known } = mesh
+    weights![known!.corrugator] = 0.7
+    const pulled = mesh.geometry.morphAttributes.position![known!.corrugator]
+    targets.update([other])
+    expect(Object.keys(known!)).toEqual([...SHAPES, 'corrugator'])
+    expect(weights).toHaveLength(SHAPES.length + 1)
+    expect(weights![known!.corrugator]).toBe(0.7)
+    expect(mesh.geometry.morphAttributes.position![known!.corrugator]).toBe(pulled)
+    targets.update([...muscle(0.2), other])
+    expect(known!.frontalis).toBe(SHAPES.length + 1)
+    expect(Math.hypot(...pull())).toBeGreaterThan(0)
+  })
+
   it('leaves a blendshape of the file alone', () => {
     const targets = new MuscleTargets([mesh])
     const before = mesh.geometry.morphAttributes.position![2].array.slice()

@@ -1,4 +1,3 @@
-import { signal } from '@preact/signals'
 import { beforeEach, expect, it } from 'vitest'
 import { LayerEditor } from '../../../studio/src/session/layer-editor.ts'
 import { Session } from '../../../studio/src/session/session.ts'
@@ -13,7 +12,7 @@ beforeEach(() => {
   errors = []
   layers = new LayerEditor({
     session,
-    drawn: signal(null),
+    work: async () => null,
     avatar: () => null,
     attempt: (task) => {
       try {

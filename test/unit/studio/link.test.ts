@@ -12,6 +12,7 @@ const whole: Link = {
     ['a:b,c&d=e/ä', 0.125],
   ]),
   camera: [0.1, 1.6, 0.55, 0, 1.62, 0],
+  light: { yaw: -46, pitch: 20 },
   auto: { age: 63, strength: 1.25, size: 2048, seed: 7, regions: ['glabella', 'chin'], seeds: { chin: 9 } },
 }
 
@@ -32,6 +33,7 @@ describe('a link', () => {
       model,
       pose: new Map([['jawOpen', 0.25]]),
       camera: undefined,
+      light: undefined,
       auto: { age: 45, strength: 1, size: 1024, seed: 1 },
     })
   })
@@ -62,6 +64,9 @@ describe('a link', () => {
     ['a name without end', `pose=${'a'.repeat(200)}:1`],
     ['blendshapes without end', `pose=${Array(600).fill('a:1').join()}`],
     ['five numbers of a camera', 'camera=1,2,3,4,5'],
+    ['a light from behind', 'light=120,0'],
+    ['one number of a light', 'light=20'],
+    ['three numbers of a light', 'light=20,20,1'],
     ['an infinite camera', 'camera=Infinity,0,0,0,0,0'],
     ['a camera in what it looks at', 'camera=1,2,3,1,2,3'],
     ['a camera straight above', 'camera=0,9,0,0,0,0'],
@@ -84,7 +89,7 @@ describe('a link', () => {
     fc.assert(
       fc.property(
         fc.string({ maxLength: 200 }),
-        fc.constantFrom('model', 'pose', 'camera', 'auto'),
+        fc.constantFrom('model', 'pose', 'camera', 'light', 'auto'),
         (text, name) => {
           try {
             parseLink(`#${name}=${text}`, PAGE)

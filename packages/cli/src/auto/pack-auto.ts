@@ -1,6 +1,6 @@
-import type { GrayImage } from 'furrow'
 import { type AutoWrinkles, type RgbaImage, strokesOf } from 'furrow/author'
 import { encodePng, encodeRgbaNormalMap } from '../images/encode.ts'
+import { halfSide, heightLevels } from '../images/half-side.ts'
 import { encodeAreaImages } from '../wrinkles/area-images.ts'
 import type { CheckedImage } from '../wrinkles/checked-image.ts'
 import type { LayerImages, PackedArea, PackedWrinkles } from '../wrinkles/embed.ts'
@@ -26,13 +26,10 @@ export async function packAuto(wrinkles: AutoWrinkles, ktx2: boolean, who: strin
         name,
         kind: 'detail',
         normal: await normalImage(`${name} normal`, normal),
-        occlusion: await grayImage(`${name} occlusion`, {
-          ...occlusion,
-          data: Float32Array.from(occlusion.data),
-        }),
+        occlusion: await grayImage(`${name} occlusion`, occlusion),
       }
       if (ktx2) return layer
-      const heights = scaleHeights(relief.data)
+      const heights = heightLevels(relief.data)
       const height = await grayImage(`${name} height`, { ...relief, data: heights.levels })
       return { ...layer, height, heightAmplitude: heights.amplitude }
     }),
@@ -61,30 +58,14 @@ async function normalImage(name: string, map: RgbaImage): Promise<CheckedImage> 
   return { name, mimeType: 'image/png', bytes: await encodeRgbaNormalMap(map), width, height }
 }
 
-/** Encodes a map of levels 0..255 with half its side: each texel is the mean of four. */
-async function grayImage(
-  name: string,
-  { width, height, data }: Omit<GrayImage, 'data'> & { data: Float32Array },
-): Promise<CheckedImage> {
-  const half = { width: width / 2, height: height / 2 }
-  const out = new Uint8Array(half.width * half.height)
-  for (let y = 0; y < half.height; y++) {
-    for (let x = 0; x < half.width; x++) {
-      const i = 2 * y * width + 2 * x
-      out[y * half.width + x] = Math.round(
-        (data[i] + data[i + 1] + data[i + width] + data[i + width + 1]) / 4,
-      )
-    }
-  }
-  return { name, mimeType: 'image/png', bytes: await encodePng({ ...half, data: out, channels: 1 }), ...half }
-}
-
-/** Heights in millimetres as levels 0..255, 127.5 = 0 mm; `amplitude` is the height of white above black in metres. */
-function scaleHeights(millimetres: Float32Array): { levels: Float32Array; amplitude: number } {
-  let largest = 0.001
-  for (let i = 0; i < millimetres.length; i++) largest = Math.max(largest, Math.abs(millimetres[i]))
+/** Encodes a map of levels 0..255 with half its side. */
+async function grayImage(name: string, map: Parameters<typeof halfSide>[0]): Promise<CheckedImage> {
+  const { width, height, data } = halfSide(map)
   return {
-    levels: millimetres.map((height) => 127.5 + (127.5 * height) / largest),
-    amplitude: (2 * largest) / 1000,
+    name,
+    mimeType: 'image/png',
+    bytes: await encodePng({ width, height, data, channels: 1 }),
+    width,
+    height,
   }
 }

@@ -14,3 +14,8 @@ export function wrongArgument(who: string, what: string, value: unknown, limit: 
 export function isObject(value: unknown): value is object {
   return typeof value === 'object' && value !== null
 }
+
+/** @throws FurrowError when a number is given that is not finite. */
+export function checkFinite(value: number | undefined, what: string, who: string): void {
+  if (value !== undefined && !Number.isFinite(value)) throw wrongArgument(who, what, value, 'a finite number')
+}

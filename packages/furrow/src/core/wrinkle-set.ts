@@ -1,4 +1,4 @@
-import { isObject, wrongArgument } from './argument.ts'
+import { checkFinite, isObject, wrongArgument } from './argument.ts'
 import { FurrowError } from './error.ts'
 import { checkImage } from './image.ts'
 import { MAX_AREAS, MAX_LAYERS } from './limits.ts'
@@ -95,10 +95,6 @@ export function layerIndex(
     })
   }
   return index
-}
-
-function checkFinite(value: number | undefined, what: string, who: string): void {
-  if (value !== undefined && !Number.isFinite(value)) throw wrongArgument(who, what, value, 'a finite number')
 }
 
 /** The names of areas or layers, for errors. */

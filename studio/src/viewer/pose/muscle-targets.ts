@@ -3,7 +3,7 @@ import { addMuscles } from 'furrow/three'
 import type { BufferAttribute, BufferGeometry, Mesh } from 'three'
 import { coordinates, trianglesOf } from '../../../../packages/furrow/src/three/sources/geometry-arrays.ts'
 
-/** The muscles of a face as blendshapes of its meshes, which follow the document. One that was removed stays, at rest. */
+/** The muscles of a face as blendshapes of its meshes, which follow the document. */
 export class MuscleTargets {
   readonly #meshes: readonly Mesh[]
   /** Those that are not blendshapes of the file. */
@@ -13,8 +13,13 @@ export class MuscleTargets {
     this.#meshes = meshes
   }
 
-  /** Adds those that are new, and lets the others pull as they do now. */
+  /** Adds those that are new, removes those that are gone, and lets the others pull as they do now. */
   update(muscles: readonly MuscleDriver[]): void {
+    for (const name of this.#made.keys()) {
+      if (muscles.some((muscle) => muscle.name === name)) continue
+      removeTarget(this.#meshes, name)
+      this.#made.delete(name)
+    }
     const [{ morphTargetDictionary: known = {} }] = this.#meshes
     const added = muscles.filter(({ name }) => known[name] === undefined)
     for (const mesh of this.#meshes) addMuscles(mesh, added)
@@ -25,6 +30,24 @@ export class MuscleTargets {
       for (const mesh of this.#meshes) pullAgain(mesh, muscle)
       this.#made.set(muscle.name, muscle)
     }
+  }
+}
+
+/** Removes a blendshape; what reads blendshapes by their indices is to find them again. */
+function removeTarget(meshes: readonly Mesh[], name: string): void {
+  const indices = new Map<BufferGeometry, number>()
+  for (const { geometry, morphTargetDictionary: dictionary, morphTargetInfluences } of meshes) {
+    const index = dictionary?.[name]
+    if (index === undefined) continue
+    indices.set(geometry, index)
+    morphTargetInfluences!.splice(index, 1)
+    delete dictionary![name]
+    for (const other of Object.keys(dictionary!)) if (dictionary![other] > index) dictionary![other]--
+  }
+  // Meshes may have a geometry in common.
+  for (const [geometry, index] of indices) {
+    for (const offsets of Object.values(geometry.morphAttributes)) offsets?.splice(index, 1)
+    geometry.dispose()
   }
 }
 

@@ -55,6 +55,26 @@ describe('a chosen line', () => {
     expect(editor.chosen.value).toBe(strokes()[0])
   })
 
+  test('takes its area along where a point is moved off it, in the same step; elsewhere the area stays', () => {
+    const area = () => session.document.value!.areas[0]
+    const at = ([u, v]: Uv) => area().weights.data[Math.floor(v * SIZE) * SIZE + Math.floor(u * SIZE)]
+    editor.choose(strokes().find(({ group }) => group === area().name)!)
+    const { weights } = area()
+    editor.point.value = 0
+    editor.movePoint([0.2, 0.4])
+    editor.settle()
+    expect(area().weights).toBe(weights)
+    expect(at([0.2, 0.8])).toBe(0)
+    for (const v of [0.6, 0.7, 0.8]) editor.movePoint([0.2, v])
+    editor.settle()
+    expect(at([0.2, 0.8])).toBeGreaterThan(200)
+    // Not where the pointer has been on its way.
+    expect(at([0.05, 0.6])).toBe(0)
+    session.undo()
+    expect(area().weights).toBe(weights)
+    expect(editor.chosen.value!.points[0]).toEqual([0.2, 0.4])
+  })
+
   test('two gestures are two steps', () => {
     editor.point.value = 0
     editor.movePoint([0.1, 0.3])

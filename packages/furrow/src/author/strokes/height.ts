@@ -1,11 +1,11 @@
 import type { GrayImage } from '../../core/types.ts'
-import { lerp } from '../../math/scalar.ts'
 import type { Metric } from '../metric.ts'
 import type { SkinCanvas } from '../skin/canvas.ts'
 import type { Stroke } from './document.ts'
-import { type LaidStroke, layOutStrokes } from './lay-out.ts'
+import { addStroke, HeightSum, sharpestAt } from './height-sum.ts'
+import { type LaidStroke, layOutStrokes, reachOf } from './lay-out.ts'
 import { LineGrid, type LineVisitor } from './line-grid.ts'
-import { profile, REACH } from './profile.ts'
+import type { OtherStrokes } from './other-strokes.ts'
 
 /** Relief of the skin. */
 export interface HeightMap {
@@ -23,17 +23,8 @@ export interface DrawnStrokes {
 }
 
 /**
- * Exponent of the smooth maximum that joins strokes: (a^6 + b^6)^(1/6) is the larger of two, at most 12% more where they are
- * equal. Valleys that cross are as deep as the deeper one, not as both together.
- */
-const JOIN = 6
-/** Fraction of the light that a valley loses, per depth in half widths, and at most. */
-const SHADE = 1.1
-const MAX_SHADE = 0.75
-
-/**
  * Draws strokes as a height map. Distances are measured in space, so that neither the texture's stretch nor its seams show. Valleys are joined
- * with valleys and banks with banks (see JOIN), then added, so the order of the strokes does not matter and a single stroke keeps its exact
+ * with valleys and banks with banks (see `HeightSum`), then added, so the order of the strokes does not matter and a single stroke keeps its exact
  * profile. No valley is drawn sharper than a texel. Strokes, or parts of them, that are not on the skin are left out.
  *
  * @param progress is called with the strokes drawn so far: all of them in the part of the map that is done.
@@ -75,11 +66,6 @@ export function flatSkin(width: number, height: number): DrawnStrokes {
   }
 }
 
-/** How far from its middle a stroke is drawn, in millimetres. */
-export function reachOf({ halfWidths }: LaidStroke): number {
-  return REACH * halfWidths.reduce((a, b) => Math.max(a, b), 0)
-}
-
 /** Draws strokes texel by texel: what a texel gets depends on the strokes within reach of it, and on nothing else. */
 export class StrokePen {
   /** Whether strokes may be within reach of a box, given by its lowest and highest x, y and z. */
@@ -88,18 +74,20 @@ export class StrokePen {
   readonly #grid: LineGrid
   readonly #metric: Metric
   readonly #drawn: DrawnStrokes
-  /** Half the size of the texel that is drawn, in millimetres; sums of powers of its heights; its darkest shade. */
+  readonly #others: OtherStrokes | undefined
+  readonly #sum = new HeightSum()
   #sharpest = 0
-  #valleys = 0
-  #banks = 0
-  #shade = 0
 
-  /** @param drawn takes what is drawn. */
-  constructor(strokes: readonly LaidStroke[], metric: Metric, drawn: DrawnStrokes) {
+  /**
+   * @param drawn takes what is drawn.
+   * @param others are drawn too, in texels that these strokes reach or not.
+   */
+  constructor(strokes: readonly LaidStroke[], metric: Metric, drawn: DrawnStrokes, others?: OtherStrokes) {
     this.#strokes = strokes
     this.#grid = new LineGrid(strokes, strokes.map(reachOf))
     this.#metric = metric
     this.#drawn = drawn
+    this.#others = others
     this.isNear = this.#grid.isNear
   }
 
@@ -112,39 +100,28 @@ export class StrokePen {
    */
   draw(texel: number, position: Float64Array, normal: Float64Array): boolean {
     const { relief, occlusion } = this.#drawn
-    this.#sharpest = texelSize(this.#metric, texel) / 2
-    this.#valleys = this.#banks = this.#shade = 0
-    this.#grid.visit(position, normal, this.#add)
-    const height = Math.fround(this.#banks ** (1 / JOIN) - this.#valleys ** (1 / JOIN))
-    const open = Math.round(255 * (1 - Math.min(MAX_SHADE, Math.fround(this.#shade))))
+    this.#sharpest = sharpestAt(this.#metric, texel)
+    this.#addAll(texel, position, normal)
+    const { height, open } = this.#sum
     if (relief.data[texel] === height && occlusion.data[texel] === open) return false
     relief.data[texel] = height
     occlusion.data[texel] = open
     return true
   }
 
-  readonly #add: LineVisitor = (line, distance, segment, t, side) => {
-    const { depths, halfWidths, shoulder, softness } = this.#strokes[line]
-    const depth = lerp(depths[segment], depths[segment + 1], t)
-    const halfWidth = lerp(halfWidths[segment], halfWidths[segment + 1], t)
-    if (depth === 0) return
-    const raised = lerp(shoulder[0], shoulder[1], 0.5 + 0.5 * side)
-    const roundness = Math.max(softness, this.#sharpest / halfWidth)
-    const height = depth * profile(distance / halfWidth, raised, roundness)
-    if (height < 0) {
-      this.#valleys += powerOf(height)
-      this.#shade = Math.max(this.#shade, (-height / halfWidth) * SHADE)
-    } else this.#banks += powerOf(height)
+  #addAll(texel: number, position: Float64Array, normal: Float64Array): void {
+    const sum = this.#sum
+    if (!this.#others) {
+      sum.clear()
+      this.#grid.visit(position, normal, this.#add)
+      return
+    }
+    const held = this.#others.begin(sum, texel, position, normal)
+    this.#grid.visit(position, normal, this.#add)
+    this.#others.end(sum, held)
   }
-}
 
-/** A height to the power of JOIN. */
-function powerOf(height: number): number {
-  const square = height * height
-  return square * square * square
-}
-
-/** The longer side of a texel in millimetres. */
-function texelSize({ uu, vv, width, height }: Metric, texel: number): number {
-  return Math.sqrt(Math.max(uu[texel] / width ** 2, vv[texel] / height ** 2))
+  readonly #add: LineVisitor = (line, distance, segment, t, side) => {
+    addStroke(this.#sum, this.#strokes[line], distance, segment, t, side, this.#sharpest)
+  }
 }

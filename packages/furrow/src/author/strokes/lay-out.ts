@@ -5,6 +5,7 @@ import { clamp, lerp, smoothstep } from '../../math/scalar.ts'
 import { cross, normalize } from '../../math/vector.ts'
 import { type LocatedSkin, layCurve, type SkinLine } from './curve.ts'
 import type { Stroke } from './document.ts'
+import { REACH } from './profile.ts'
 
 /** A stroke on the skin, with its cross-section at each point. */
 export interface LaidStroke extends SkinLine {
@@ -63,6 +64,11 @@ export function layOutStroke(stroke: Stroke, skin: LocatedSkin): LaidStroke[] {
     before += lengths[i][lengths[i].length - 1]
     return before > start ? [shapeLine(stroke, resample(line, lengths[i]), start, before, total)] : []
   })
+}
+
+/** How far from its middle a stroke is drawn, in millimetres. */
+export function reachOf({ halfWidths }: LaidStroke): number {
+  return REACH * halfWidths.reduce((a, b) => Math.max(a, b), 0)
 }
 
 /** Distances in millimetres from the start to each point. */

@@ -6,9 +6,10 @@ import { SLOPE_REACH } from '../relief/slope.ts'
 import type { SkinCanvas } from '../skin/canvas.ts'
 import { ChangedTexels, mergeBounds } from './changed-texels.ts'
 import type { Stroke } from './document.ts'
-import { type DrawnStrokes, flatSkin, type HeightMap, reachOf, StrokePen } from './height.ts'
-import { type LaidStroke, layOutStroke } from './lay-out.ts'
+import { type DrawnStrokes, flatSkin, type HeightMap, StrokePen } from './height.ts'
+import { type LaidStroke, layOutStroke, reachOf } from './lay-out.ts'
 import { LineGrid } from './line-grid.ts'
+import { OtherStrokes } from './other-strokes.ts'
 
 /** What lies under the strokes of a `StrokeLayer`, and how its normals are written. */
 export interface StrokeLayerOptions {
@@ -20,10 +21,10 @@ export interface StrokeLayerOptions {
 
 /**
  * The maps of a layer, which follow its strokes: what is drawn again after an edit is the skin within reach of the strokes that were added,
- * removed or replaced. The maps are bit for bit those of drawing all strokes anew: `strokesToHeight`, `heightToNormal`, `combineNormals`.
+ * removed or replaced. Where one stroke is replaced again and again, as one that is bent, what the others give to that skin is held. The maps are bit for bit those of drawing all strokes anew: `strokesToHeight`, `heightToNormal`, `combineNormals`.
  *
  * It holds 9 bytes per texel for the maps, 1 for the search, and 64 bytes per half millimetre of a stroke: 10.5 MB at 1024 x 1024 texels
- * and 42 MB at 2048 x 2048, besides its canvas, which layers of one size can have in common.
+ * and 42 MB at 2048 x 2048, besides its canvas, which layers of one size can have in common; and up to 32 MB while one stroke is edited.
  */
 export class StrokeLayer {
   /** Changed in place by `draw`, as are the other maps. */
@@ -37,6 +38,8 @@ export class StrokeLayer {
   readonly #frame: TangentFrame
   readonly #drawn: DrawnStrokes
   #strokes: readonly PlacedStroke[] = []
+  /** The stroke that the last change replaced, by its index, and all others; null where the last change was another one. */
+  #edit: { index: number; others: OtherStrokes } | null = null
 
   /**
    * A layer without strokes.
@@ -66,12 +69,11 @@ export class StrokeLayer {
    */
   draw(strokes: readonly Stroke[]): Bounds[] {
     const { placed, changed } = this.#place(strokes)
+    const edited = this.#indexOfEdit(placed)
     this.#strokes = placed
     if (changed.length === 0) return []
     const touched = new LineGrid(laidOf(changed), laidOf(changed).map(reachOf))
-    // Whatever else reaches a touched texel.
-    const near = placed.filter(({ box }) => changed.some((other) => overlap(box, other.box)))
-    const pen = new StrokePen(laidOf(near), this.#canvas.metric, this.#drawn)
+    const pen = edited < 0 ? this.#penFor(placed, changed) : this.#penForEdit(placed, edited)
     const texels = new ChangedTexels(this.relief.width, this.relief.height)
     this.#canvas.texels.visitNear(touched.isNear, (texel, position, normal) => {
       if (touched.isWithinReach(position) && pen.draw(texel, position, normal)) texels.add(texel)
@@ -79,6 +81,31 @@ export class StrokeLayer {
     const bounds = texels.around(SLOPE_REACH)
     for (const each of bounds) this.#drawNormals(each)
     return mergeBounds(bounds)
+  }
+
+  /** The index of the only stroke that is another than before; -1 where more changed, or nothing. */
+  #indexOfEdit(placed: readonly PlacedStroke[]): number {
+    const before = this.#strokes
+    if (placed.length !== before.length) return -1
+    const index = placed.findIndex((each, i) => each !== before[i])
+    const isOnly = placed.every((each, i) => i === index || each === before[i])
+    return isOnly ? index : -1
+  }
+
+  #penFor(placed: readonly PlacedStroke[], changed: readonly PlacedStroke[]): StrokePen {
+    this.#edit = null
+    // Whatever else reaches a touched texel.
+    const near = placed.filter(({ box }) => changed.some((other) => overlap(box, other.box)))
+    return new StrokePen(laidOf(near), this.#canvas.metric, this.#drawn)
+  }
+
+  #penForEdit(placed: readonly PlacedStroke[], index: number): StrokePen {
+    const { metric } = this.#canvas
+    if (this.#edit?.index !== index) {
+      const [before, behind] = [placed.slice(0, index), placed.slice(index + 1)]
+      this.#edit = { index, others: new OtherStrokes(laidOf(before), laidOf(behind), metric) }
+    }
+    return new StrokePen(placed[index].laid, metric, this.#drawn, this.#edit.others)
   }
 
   /** Lays new strokes on the skin, and finds those that are not what they were. */

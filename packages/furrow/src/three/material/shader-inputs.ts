@@ -1,5 +1,4 @@
 import { type Texture, Vector2, Vector3, Vector4 } from 'three'
-import type { Layer } from '../../core/types.ts'
 import type { Cell } from '../../runtime/atlas-cells.ts'
 import { findReach, reachAll } from '../../runtime/reach.ts'
 import type { AreaArray } from '../atlas/area-array.ts'
@@ -41,8 +40,6 @@ export function createShaderInputs(
 ): ShaderInputs {
   const { cells, target } = atlas
   for (const texture of [areas.texture, ...listTextures(textures)]) retain(texture)
-  const perLayer = (number: (layer: Pick<Layer, 'normalScale' | 'occlusionStrength'>) => number) =>
-    new Vector4().fromArray([...textures.layers.map(number), 1, 1, 1])
   return {
     textures,
     areas,
@@ -52,8 +49,8 @@ export function createShaderInputs(
     inset: { value: new Vector2(0.5 / cells.width, 0.5 / cells.height) },
     reach: { value: new Vector4() },
     fade: { value: 1 },
-    normalScale: { value: perLayer(({ normalScale }) => normalScale ?? 1) },
-    occlusionStrength: { value: perLayer(({ occlusionStrength }) => occlusionStrength ?? 1) },
+    normalScale: textures.normalScale,
+    occlusionStrength: textures.occlusionStrength,
     paper: null,
   }
 }

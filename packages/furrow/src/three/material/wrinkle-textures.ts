@@ -1,4 +1,4 @@
-import { SRGBColorSpace } from 'three'
+import { SRGBColorSpace, Vector4 } from 'three'
 import { packColours, packGrays } from '../../core/pack.ts'
 import type { ArraySlice, GrayImage, Layer, LayerKind, RgbaImage } from '../../core/types.ts'
 import { isSlice } from '../../core/wrinkle-set.ts'
@@ -24,7 +24,10 @@ export interface WrinkleTextures {
   readonly kinds: readonly LayerKind[]
   readonly normals: LayerMaps
   readonly values: Readonly<Partial<Record<ValueKind, LayerMaps>>>
-  /** Incremented when maps change. */
+  /** Scale of normals, and strength of occlusion, per layer: uniforms that all faces with these textures read. */
+  readonly normalScale: { value: Vector4 }
+  readonly occlusionStrength: { value: Vector4 }
+  /** Incremented when maps or their strengths change. */
   version: number
   /** Uploads maps that changed; set by `updateLayer`. */
   upload?: Upload
@@ -43,7 +46,19 @@ export function createTextures(layers: readonly Layer<ArraySlice>[], anisotropy:
   })
   const normals = layerMaps(layers, 'normal', anisotropy)!
   const kinds = layers.map(({ kind }) => kind)
-  return { layers: [...layers], kinds, normals, values: Object.fromEntries(values), version: 0 }
+  return {
+    layers: [...layers],
+    kinds,
+    normals,
+    values: Object.fromEntries(values),
+    normalScale: { value: perLayer(layers.map(({ normalScale }) => normalScale ?? 1)) },
+    occlusionStrength: { value: perLayer(layers.map(({ occlusionStrength }) => occlusionStrength ?? 1)) },
+    version: 0,
+  }
+}
+
+function perLayer(numbers: readonly number[]): Vector4 {
+  return new Vector4().fromArray([...numbers, 1, 1, 1])
 }
 
 /** All textures of a set's layers. */

@@ -5,12 +5,13 @@ import { FurrowError } from '../../core/error.ts'
 import { checkImage } from '../../core/image.ts'
 import type { ImageArray } from '../../core/pack.ts'
 import type { ArraySlice, GrayImage, Layer, RgbaImage } from '../../core/types.ts'
-import { isSlice, listNames } from '../../core/wrinkle-set.ts'
+import { isSlice } from '../../core/wrinkle-set.ts'
 import { checkWrinkles } from '../check-wrinkles.ts'
 import { type LayerMaps, VALUE_KINDS, type WrinkleTextures } from '../material/wrinkle-textures.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { compressed } from './compressed.ts'
 import { changesOf } from './texture-changes.ts'
+import { unknownLayer } from './unknown-layer.ts'
 
 /** New images for maps of a layer, each with the size of the one it replaces; see `Layer`. */
 export interface LayerImages {
@@ -46,7 +47,7 @@ export function updateLayer(
   checkWrinkles(wrinkles, WHO)
   const { textures } = wrinkles.editable(WHO).inputs
   const index = textures.layers.findIndex((layer) => layer.name === name)
-  if (index < 0) throw unknownLayer(name, textures.layers)
+  if (index < 0) throw unknownLayer(name, textures.layers, WHO)
   const updates = kindsOf(images).map((kind) => checkUpdate(textures, index, kind, images[kind], region))
   for (const { kind, maps, image, bounds } of updates) {
     const present = copyRegion(image, maps, index, bounds)
@@ -132,17 +133,6 @@ function uploadOf({ normals, values }: WrinkleTextures): WrinkleTextures['upload
   return (renderer) => {
     for (let i = 0; i < changes.length; i++) changes[i].upload(renderer)
   }
-}
-
-function unknownLayer(name: string, layers: readonly { name: string }[]): FurrowError {
-  return new FurrowError({
-    code: 'unknown-name',
-    who: WHO,
-    what: 'unknown layer',
-    value: name,
-    limit: listNames(layers),
-    remedy: 'name one of the layers of the set',
-  })
 }
 
 function missing(who: string, layer: Layer<ArraySlice>): FurrowError {

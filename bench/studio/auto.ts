@@ -1,0 +1,31 @@
+/** Times `furrow/auto` from the call to the result, in milliseconds. */
+import { autoWrinklesInWorker } from 'furrow/auto'
+import { type Mesh, Scene } from 'three'
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { skinOf } from '../../packages/furrow/src/auto/character.ts'
+import { readMeshes } from '../../packages/furrow/src/three/loader/read-character.ts'
+
+declare global {
+  interface Window {
+    auto(path: string, size: number): Promise<number>
+  }
+}
+
+window.auto = async (path, size) => {
+  const { scene } = await new GLTFLoader().loadAsync(path)
+  new Scene().add(scene)
+  const skin = skinOf(readMeshes([largestOf(scene)]))
+  const start = performance.now()
+  await autoWrinklesInWorker(skin, { size })
+  return performance.now() - start
+}
+
+/** The mesh with blendshapes and the most vertices. */
+function largestOf(scene: Scene['children'][number]): Mesh {
+  const meshes: Mesh[] = []
+  scene.traverse((object) => {
+    if ((object as Mesh).morphTargetInfluences) meshes.push(object as Mesh)
+  })
+  const count = ({ geometry }: Mesh) => geometry.attributes.position.count
+  return meshes.sort((a, b) => count(b) - count(a))[0]
+}

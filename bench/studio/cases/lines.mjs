@@ -1,0 +1,58 @@
+import { StudioPage } from '../studio-page.mjs'
+
+const MOVES = 6
+/** CSS pixels round a point of the skin: wrinkles of the area that is changed. */
+const WIDE = 60
+
+/** A line across the forehead, among others: its end is moved; undo and redo of it, and of a field of its layer. */
+export async function measureLines(bench, add) {
+  for (const count of bench.counts) {
+    const studio = await StudioPage.open(bench)
+    const { page } = studio
+    await studio.openProject(await bench.files.project(count))
+    await studio.linesTo('Draw')
+    const [from, to] = [await studio.pointAt(0.4, 0.23), await studio.pointAt(0.6, 0.22)]
+    await studio.drag(from, to)
+    await studio.untilIdle()
+    await studio.linesTo('Edit')
+    await page.mouse.move(to.x, to.y)
+    await page.mouse.down()
+    await studio.untilIdle()
+    for (let i = 1; i <= MOVES; i++) {
+      const point = { x: to.x, y: to.y + 4 * i }
+      const time = await studio.timeToPixel('pointermove', point, () => page.mouse.move(point.x, point.y))
+      add(`${i === 1 ? 'first ' : ''}stroke to relief: ${count} lines`, time)
+    }
+    await page.mouse.up()
+    const end = { x: to.x, y: to.y + 4 * MOVES }
+    await measureUndo(studio, end, `a line: ${count} lines`, add)
+    if (count === bench.counts[0]) await measureScale(studio, end, add)
+    await studio.close()
+  }
+}
+
+/** How strong the normals of a layer are. */
+async function measureScale(studio, point, add) {
+  const { page } = studio
+  await studio.linesTo('Off')
+  await page.getByRole('heading', { name: 'Layers' }).click()
+  await page.locator('details.layer summary').click()
+  await page.locator('details.layer').getByLabel('Scale').focus()
+  const press = () => page.keyboard.press('ArrowLeft')
+  for (let i = 0; i < MOVES; i++) {
+    await studio.untilIdle()
+    add('scale of a layer', await studio.timeToPixel('input', point, press, WIDE))
+  }
+  await measureUndo(studio, point, 'a field', add)
+}
+
+async function measureUndo(studio, point, what, add) {
+  for (const [figure, keys] of [
+    ['undo', 'Control+z'],
+    ['redo', 'Control+Shift+z'],
+  ]) {
+    await studio.untilIdle()
+    const press = () => studio.page.keyboard.press(keys)
+    add(`${figure} ${what}`, await studio.timeToPixel('keydown', point, press, WIDE))
+  }
+}

@@ -1,0 +1,34 @@
+import { StudioPage } from '../studio-page.mjs'
+import { WorkerSessions } from '../worker-sessions.mjs'
+
+const MEGABYTE = 2 ** 20
+
+/** What many brush strokes leave in memory, after a collection of garbage: on the page, and in its workers. */
+export async function measureMemory(bench, add) {
+  const studio = await StudioPage.open(bench)
+  const { page } = studio
+  const session = await page.context().newCDPSession(page)
+  const workers = await WorkerSessions.attach(session)
+  await studio.openProject(await bench.files.project(10))
+  await studio.button('New area').click()
+  await studio.button('Paint').click()
+  await studio.untilIdle()
+  const before = await heapOf(session)
+  for (let i = 0; i < bench.strokes; i++) {
+    const [x, y] = [0.42 + 0.16 * ((i * 0.618) % 1), 0.2 + 0.45 * ((i * 0.367) % 1)]
+    await studio.drag(await studio.pointAt(x, y), await studio.pointAt(x + 0.02, y), 1)
+  }
+  await studio.untilIdle()
+  const after = await heapOf(session)
+  add('heap of the page, MB', after / MEGABYTE)
+  add(`of which ${bench.strokes} brush strokes, MB`, (after - before) / MEGABYTE)
+  add('heaps of its workers, MB', (await workers.heap()) / MEGABYTE)
+  await studio.close()
+}
+
+/** Objects, and the memory of typed arrays, in bytes. */
+async function heapOf(session) {
+  await session.send('HeapProfiler.collectGarbage')
+  const { usedSize, backingStorageSize = 0 } = await session.send('Runtime.getHeapUsage')
+  return usedSize + backingStorageSize
+}

@@ -1,0 +1,19 @@
+import { StudioPage } from '../studio-page.mjs'
+
+/** From the drop of an avatar without wrinkles to the frame that shows the face, and to the one that shows its wrinkles. */
+export async function measureOpening(bench, add) {
+  for (const [name, path] of Object.entries(bench.files.avatars)) {
+    const studio = await StudioPage.open(bench)
+    await studio.drop(path)
+    await studio.untilMade()
+    await studio.untilIdle()
+    const { drop, ready, wrinkled, frames } = await studio.page.evaluate(() => {
+      const { events, ready, wrinkled, frames } = window.probe
+      return { drop: events.drop, ready: ready.at(-1), wrinkled, frames }
+    })
+    const frameAfter = (time) => frames.find((frame) => frame > time) - drop
+    add(`drop to face: ${name}`, frameAfter(ready))
+    add(`drop to wrinkles: ${name}`, frameAfter(wrinkled))
+    await studio.close()
+  }
+}

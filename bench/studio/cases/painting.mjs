@@ -1,0 +1,31 @@
+import { StudioPage } from '../studio-page.mjs'
+
+const MOVES = 10
+
+/** Dabs of a brush that is moved over the cheek, and undo. */
+export async function measurePainting(bench, add) {
+  const studio = await StudioPage.open(bench)
+  const { page } = studio
+  await studio.openProject(await bench.files.project(10))
+  await studio.button('New area').click()
+  await studio.button('Paint').click()
+  await studio.untilIdle()
+  const at = (i) => studio.pointAt(0.56 + 0.012 * i, 0.5)
+  const start = await at(0)
+  await page.mouse.move(start.x, start.y)
+  add('first dab of a stroke', await studio.timeToPixel('pointerdown', start, () => page.mouse.down()))
+  for (let i = 1; i <= MOVES; i++) {
+    const point = await at(i)
+    add('dab', await studio.timeToPixel('pointermove', point, () => page.mouse.move(point.x, point.y)))
+  }
+  await page.mouse.up()
+  const middle = await at(MOVES / 2)
+  for (const [figure, keys] of [
+    ['undo a brush stroke', 'Control+z'],
+    ['redo a brush stroke', 'Control+Shift+z'],
+  ]) {
+    await studio.untilIdle()
+    add(figure, await studio.timeToPixel('keydown', middle, () => page.keyboard.press(keys)))
+  }
+  await studio.close()
+}

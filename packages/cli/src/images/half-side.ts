@@ -1,0 +1,30 @@
+import type { GrayImage } from 'furrow'
+
+/** Levels, 0..255, with half the side: each texel is the mean of four. */
+export function halfSide({
+  width,
+  height,
+  data,
+}: Pick<GrayImage, 'width' | 'height'> & { data: ArrayLike<number> }): GrayImage {
+  const half = { width: width / 2, height: height / 2 }
+  const out = new Uint8Array(half.width * half.height)
+  for (let y = 0; y < half.height; y++) {
+    for (let x = 0; x < half.width; x++) {
+      const i = 2 * y * width + 2 * x
+      out[y * half.width + x] = Math.round(
+        (data[i] + data[i + 1] + data[i + width] + data[i + width + 1]) / 4,
+      )
+    }
+  }
+  return { ...half, data: out }
+}
+
+/** Heights in millimetres as levels 0..255, 127.5 = 0 mm; `amplitude` is the height of white above black in metres. */
+export function heightLevels(millimetres: Float32Array): { levels: Float32Array; amplitude: number } {
+  let largest = 0.001
+  for (let i = 0; i < millimetres.length; i++) largest = Math.max(largest, Math.abs(millimetres[i]))
+  return {
+    levels: millimetres.map((height) => 127.5 + (127.5 * height) / largest),
+    amplitude: (2 * largest) / 1000,
+  }
+}

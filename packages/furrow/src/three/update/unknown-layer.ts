@@ -1,0 +1,13 @@
+import { FurrowError } from '../../core/error.ts'
+import { listNames } from '../../core/wrinkle-set.ts'
+
+export function unknownLayer(name: string, layers: readonly { name: string }[], who: string): FurrowError {
+  return new FurrowError({
+    code: 'unknown-name',
+    who,
+    what: 'unknown layer',
+    value: name,
+    limit: listNames(layers),
+    remedy: 'name one of the layers of the set',
+  })
+}

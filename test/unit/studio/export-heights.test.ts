@@ -1,0 +1,66 @@
+import sharp from 'sharp'
+import { expect, it } from 'vitest'
+import type { StudioDocument } from '../../../studio/src/document/document.ts'
+import { projectFiles, type StrokeMaps } from '../../../studio/src/export/export-document.ts'
+import { readProject } from '../../../studio/src/export/read-document.ts'
+import { sampleDocument } from './sample-document.ts'
+
+const SIDE = 64
+
+/** Maps of lines: 0.2 mm deep on the left, 0.1 mm high on the right. */
+function lines(): StrokeMaps {
+  const texels = SIDE ** 2
+  const data = Float32Array.from({ length: texels }, (_, i) => (i % SIDE < SIDE / 2 ? -0.2 : 0.1))
+  return {
+    normal: { width: SIDE, height: SIDE, data: new Uint8Array(4 * texels).fill(128) },
+    occlusion: { width: SIDE, height: SIDE, data: new Uint8Array(texels).fill(250) },
+    relief: { width: SIDE, height: SIDE, data },
+  }
+}
+
+async function documentOf(maps: StudioDocument['layers'][number]['maps'], heightAmplitude?: number) {
+  const document = sampleDocument()
+  const [, down] = document.layers
+  const layer = { ...down, maps, ...(heightAmplitude !== undefined && { heightAmplitude }) }
+  return { ...document, layers: [{ ...layer, name: 'up' }, down] }
+}
+
+const entryOf = (files: ReadonlyMap<string, Uint8Array>) =>
+  JSON.parse(new TextDecoder().decode(files.get('wrinkles.json')!)).layers[0]
+
+it('lines give their layer a height map in millimetres, of half the side', async () => {
+  const document = await documentOf({})
+  const files = await projectFiles({ document, drawn: new Map([['up', lines()]]) })
+  expect(entryOf(files)).toMatchObject({
+    height: 'layers/up/height.png',
+    heightAmplitude: expect.closeTo(4e-4, 8),
+  })
+  const { data, info } = await sharp(files.get('layers/up/height.png')!)
+    .toColourspace('b-w')
+    .raw()
+    .toBuffer({ resolveWithObject: true })
+  expect([info.width, info.height]).toEqual([SIDE / 2, SIDE / 2])
+  // 127.5 is the smooth skin, 0 the deepest line.
+  expect([data[0], data[SIDE / 2 - 1]]).toEqual([0, 191])
+})
+
+it('a project is read without the heights that its lines make anew', async () => {
+  const document = await documentOf({})
+  const files = await projectFiles({ document, drawn: new Map([['up', lines()]]) })
+  const read = async (paths: (path: string) => boolean) => {
+    const list = [...files].filter(([path]) => paths(path))
+    const folder = list.map(([path, bytes]) => ({ path, file: new Blob([bytes as BlobPart]) }))
+    return (await readProject(folder, 'Face')).document.layers[0]
+  }
+  expect(await read(() => true)).toEqual(document.layers[0])
+  // As `furrow unpack` gives it.
+  expect(await read((path) => path !== 'studio.json')).toEqual(document.layers[0])
+})
+
+it("a layer's own height map stays beside lines", async () => {
+  const height = { mimeType: 'image/png', bytes: Uint8Array.of(1, 2, 3) }
+  const document = await documentOf({ height }, 0.02)
+  const files = await projectFiles({ document, drawn: new Map([['up', lines()]]) })
+  expect(files.get('layers/up/height.png')).toEqual(height.bytes)
+  expect(entryOf(files).heightAmplitude).toBe(0.02)
+})
