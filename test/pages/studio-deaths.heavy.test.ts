@@ -141,11 +141,11 @@ test('a line during which the graphics are lost is drawn whole, and the next one
 test('a worker that ends while it makes wrinkles is told; the work stays, and the next try works', async () => {
   const [names, before] = [await areas(), await shootAside(page)]
   await page.evaluate(() => window.endNextWorker('auto/worker'))
-  await button(page, 'Draw other lines').click()
+  await button(page, 'Draw others').click()
   await dismiss(page, 'the worker ended before the wrinkles were made')
   expect(await areas()).toEqual(names)
   await expectPicture(page, before, SAME)
-  await button(page, 'Draw other lines').click()
+  await button(page, 'Draw others').click()
   await undoIs(page, 'Make automatic wrinkles')
   await button(page, 'Undo').click()
   await expectPicture(page, before, SAME)

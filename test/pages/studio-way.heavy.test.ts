@@ -116,6 +116,7 @@ describe.each(AVATARS)('%s', (_, file, heights, make) => {
     await dropPaths(page, [join(studio.folder, file)], title(name))
     await areaChoice(page, 'foreheadInnerLeft').waitFor()
     await vi.waitFor(async () => expect(await page.getByText('Making wrinkles').count()).toBe(0), DRAWING)
+    await picture('open')
     await dragSlider(page.getByRole('slider', { name: /^Divider/ }), 0)
     for (const { input } of await blendshapes(/^brow.*Up/)) await dragSlider(input, 1)
     await vi.waitFor(
@@ -160,7 +161,7 @@ describe.each(AVATARS)('%s', (_, file, heights, make) => {
     await page.mouse.move(x + 90, y - 40, { steps: 8 })
     await page.mouse.up()
     await undoIs(page, 'Paint chin')
-    await picture('paint')
+    await picture('paint', page.getByLabel('Size').last())
     await button(page, 'Paint').click()
     steps.push('Paint chin')
   })
@@ -193,7 +194,7 @@ describe.each(AVATARS)('%s', (_, file, heights, make) => {
     await puff(1)
     await areaChoice(page, 'chin').check()
     await button(page, 'This pose fully shows this area').click()
-    await picture('driver')
+    await picture('driver', button(page, 'This pose fully shows this area'))
     await expectValue(area('chin'), 1)
     await puff(0)
     await expectValue(area('chin'), 0)
@@ -242,8 +243,7 @@ describe.each(AVATARS)('%s', (_, file, heights, make) => {
     await button(page, 'Make the file').click()
     const save = page.getByRole('button', { name: /^Save .*-wrinkled\./ })
     await save.waitFor(DRAWING)
-    await save.scrollIntoViewIfNeeded()
-    await picture('export')
+    await picture('export', save)
     const [download] = await Promise.all([page.waitForEvent('download'), save.click()])
     const exported = download.suggestedFilename()
     writeFileSync(join(studio.folder, exported), readFileSync(await download.path()))
@@ -374,12 +374,17 @@ const lineIn = (box: Box) => overlayPixel(box, [255, 207, 155])
 /** A point of the chosen line. */
 const knotIn = (box: Box) => overlayPixel(box, [255, 255, 255])
 
-/** Saves the page as `docs/studio.md` shows it, at the sizes of a window and a phone, where that is asked for. */
-async function picture(name: string): Promise<void> {
+/**
+ * Saves the page as `docs/studio.md` shows it, at the sizes of a window and a phone, where that is asked for.
+ *
+ * @param shown what the panel is scrolled to.
+ */
+async function picture(name: string, shown?: Locator): Promise<void> {
   const folder = process.env.FURROW_STUDIO_PICTURES
   if (!folder) return
   for (const [width, height] of [PHONE, WINDOW] as const) {
     await page.setViewportSize({ width, height })
+    await shown?.evaluate((element) => element.scrollIntoView({ block: 'center' }))
     await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 500)))
     await sharp(await page.screenshot())
       .webp({ quality: 85 })
