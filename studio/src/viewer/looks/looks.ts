@@ -122,13 +122,19 @@ export class Looks {
     this.#copyActivations()
   }
 
-  /** Restores every mesh's material. */
-  dispose(): void {
-    this.#discard()
+  /** Gives every mesh its own material again, after both sides are drawn: others read it. */
+  restore(): void {
     for (const [mesh, material] of this.#originals) {
       mesh.material = material
       mesh.visible = true
     }
+    this.#wireframeMesh.visible = false
+    if (this.#strain) this.#strain.visible = false
+  }
+
+  dispose(): void {
+    this.#discard()
+    this.restore()
     this.#wireframeMesh.removeFromParent()
     ;(this.#wireframeMesh.material as Material).dispose()
     for (const material of [this.#plain].flat()) material.dispose()

@@ -19,6 +19,11 @@ export class Sides {
 
   /** @param split fraction of the width that is drawn without wrinkles. */
   draw(looks: Looks, split: number): void {
+    this.#drawBoth(looks, split)
+    looks.restore()
+  }
+
+  #drawBoth(looks: Looks, split: number): void {
     const { renderer } = this.#stage
     const { clientWidth: width, clientHeight: height } = this.#canvas
     const edge = Math.round(split * width)
