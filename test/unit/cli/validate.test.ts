@@ -123,6 +123,12 @@ describe('furrow validate', () => {
     expect(process.exitCode).toBeUndefined()
   })
 
+  it('counts no blendshape as missing that a muscle is', async () => {
+    const muscle = { type: 'muscle', name: 'x', origin: [0, 0, 0], insertion: [0, 1, 0] }
+    const drivers = [muscle, { type: 'morph', area: 'nose', targets: [{ name: 'x' }] }]
+    expect(await codesOf(spoilt((_, maps) => Object.assign(maps, { drivers })))).not.toContain('DRIVER_NAME')
+  })
+
   it('sees in the images what the JSON does not tell', async () => {
     const folder = await shop.makeFolder('odd')
     const jpeg = await sharp(await noise(1, 3))

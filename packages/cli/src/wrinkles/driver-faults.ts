@@ -1,6 +1,7 @@
 import {
   type DriverPlan,
   DriverProgram,
+  driversOf,
   measuredSource,
   planDrivers,
   targetSource,
@@ -25,8 +26,10 @@ export function findDriverFaults(
   jointNames: readonly string[],
 ): DriverFaults {
   const plan = planDrivers(drivers)
+  // Players make the targets of muscles.
+  const muscles = driversOf('muscle', drivers).map(({ name }) => name)
   const { missing } = new DriverProgram(plan, {
-    target: targetSource(plan.inputs.target, targetNames),
+    target: targetSource(plan.inputs.target, [...targetNames, ...muscles]),
     joint: measuredSource(plan.inputs.joint.map((input) => missingJoints(input, jointNames))),
     value: valueSource(plan.inputs.value),
   })
