@@ -2,6 +2,7 @@ import { type MuscleDriver, parseDrivers } from 'furrow'
 import { addDrivers, Wrinkles } from 'furrow/three'
 import { Bone, BufferAttribute, Mesh, MeshStandardMaterial, Object3D, PlaneGeometry } from 'three'
 import { beforeEach, describe, expect, it } from 'vitest'
+import { targetDials } from '../../../studio/src/viewer/pose/dials.ts'
 import { FaceDrivers } from '../../../studio/src/viewer/pose/face-drivers.ts'
 import { jointsOf } from '../../../studio/src/viewer/pose/joints.ts'
 import { muscleAxis } from '../../../studio/src/viewer/pose/muscle-axis.ts'
@@ -238,6 +239,21 @@ describe('a muscle of the document', () => {
     targets.update([...muscle(0.2), other])
     expect(known!.frontalis).toBe(SHAPES.length + 1)
     expect(Math.hypot(...pull())).toBeGreaterThan(0)
+  })
+
+  it('has a slider that is harmless once it is removed, and those of others go on', () => {
+    const targets = new MuscleTargets([mesh])
+    const other = { ...muscle(0.3)[0], name: 'corrugator' }
+    targets.update([...muscle(0.2), other])
+    const dials = targetDials(mesh)
+    const dial = (name: string) => dials.find((each) => each.name === name)!
+    dial('corrugator').write(0.7)
+    targets.update([other])
+    const before = [...mesh.morphTargetInfluences!]
+    dial('frontalis').write(0.4)
+    expect(dial('frontalis').read()).toBe(0)
+    expect(mesh.morphTargetInfluences).toEqual(before)
+    expect(dial('corrugator').read()).toBe(0.7)
   })
 
   it('leaves a blendshape of the file alone', () => {

@@ -34,22 +34,35 @@ export function areaDials(wrinkles: Wrinkles): Dial[] {
   }))
 }
 
+/** A blendshape of a mesh: its index by its name there, and the weights by index. */
+interface Binding {
+  indices: Record<string, number>
+  spelling: string
+  weights: number[]
+}
+
 /** One dial per blendshape for all meshes that have it: skin, eyes, teeth and tongue move together. */
 export function targetDials(root: Object3D): Dial[] {
-  const bindings = new Map<string, { weights: number[]; index: number }[]>()
+  const bindings = new Map<string, Binding[]>()
   root.traverse((object) => {
-    const { morphTargetDictionary, morphTargetInfluences: weights } = object as Mesh
-    if (!morphTargetDictionary || !weights) return
-    for (const [spelling, index] of Object.entries(morphTargetDictionary)) {
+    const { morphTargetDictionary: indices, morphTargetInfluences: weights } = object as Mesh
+    if (!indices || !weights) return
+    for (const spelling of Object.keys(indices)) {
       const name = canonicalTargetName(spelling)
-      bindings.set(name, [...(bindings.get(name) ?? []), { weights, index }])
+      bindings.set(name, [...(bindings.get(name) ?? []), { indices, spelling, weights }])
     }
   })
   return [...bindings].map(([name, targets]) => ({
     name,
-    read: () => targets[0].weights[targets[0].index],
+    // A muscle that was removed may have a slider until the next render, and changes the indices of others.
+    read: () => {
+      const [{ indices, spelling, weights }] = targets
+      return weights[indices[spelling]] ?? 0
+    },
     write: (value) => {
-      for (const { weights, index } of targets) weights[index] = value
+      for (const { indices, spelling, weights } of targets) {
+        if (spelling in indices) weights[indices[spelling]] = value
+      }
     },
   }))
 }
