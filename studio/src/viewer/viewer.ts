@@ -186,7 +186,7 @@ export class Viewer {
   /** Highlighted areas come before a look. */
   #choose(look: Look): void {
     const area = this.#highlighted.filter((name) => this.#wrinkles?.hasArea(name))
-    this.#looks.choose(area.length > 0 ? { name: 'influence', area } : look)
+    this.#looks.choose(area.length > 0 ? { name: 'marked', area } : look)
   }
 
   /** Shows another activation at rest. */

@@ -10,15 +10,22 @@ import {
 } from 'three'
 import type { Face } from '../../../../stage/face.ts'
 import type { Wrinkles } from '../../../../stage/stage.ts'
+import { AreaOverlay, createMatcap, headlit } from './area-overlay.ts'
 import { StrainView } from './strain-view.ts'
 
 /** What the side with wrinkles shows: the lit face, or a technical view of it. */
-export type LookName = 'shaded' | 'relief' | 'normals' | 'influence' | 'strain' | 'wireframe'
+export type LookName = Look['name']
 
 /** @property area shows only the influence of this area or these areas, as if fully active. */
 export type Look =
-  | { name: Exclude<LookName, 'influence'> }
+  | { name: 'shaded' | 'relief' | 'normals' | 'strain' | 'wireframe' }
   | { name: 'influence'; area?: string | readonly string[] }
+
+/** Areas in orange on the face in its own colours, to find and to paint them. */
+interface Marked {
+  name: 'marked'
+  area: readonly string[]
+}
 
 export type Side = 'without' | 'with'
 
@@ -45,7 +52,7 @@ interface SideLook {
   /** Whether the materials are lit, and so tone-mapped. */
   lit: boolean
   /** What is drawn in the place of the skin, or over it. */
-  extra: 'wireframe' | 'strain' | null
+  extra: 'wireframe' | 'strain' | 'marked' | null
 }
 
 /**
@@ -61,6 +68,8 @@ export class Looks {
   readonly #plain: Materials
   readonly #wireframeMesh: Mesh
   #strain: StrainView | null = null
+  #overlay: AreaOverlay | null = null
+  readonly #matcap = createMatcap()
   #sides: Record<Side, SideLook>
   #materials: Material[] = []
   #mirror: Wrinkles | null = null
@@ -84,13 +93,14 @@ export class Looks {
   }
 
   /** @throws FurrowError if the look names an unknown area; the look then does not change. */
-  choose(look: Look): void {
-    const influence = look.name === 'influence' ? this.#influence(look.area) : null
+  choose(look: Look | Marked): void {
+    const influence = look.name === 'influence' || look.name === 'marked' ? this.#influence(look.area) : null
     this.#discard()
     const without = this.#shaded(this.#plain)
     if (look.name === 'normals') this.#sides = this.#normals()
     else if (look.name === 'relief') this.#sides = this.#relief()
     else if (look.name === 'strain') this.#sides = { without, with: this.#strained() }
+    else if (look.name === 'marked') this.#sides = { without, with: this.#marked(influence!) }
     else if (influence) this.#sides = { without, with: this.#technical(influence) }
     else if (look.name === 'wireframe') this.#sides = { without, with: this.#wireframe() }
     else this.#sides = { without, with: this.#shaded(this.#originals.get(this.#face.skin)!) }
@@ -119,6 +129,7 @@ export class Looks {
     }
     this.#wireframeMesh.visible = extra === 'wireframe'
     if (this.#strain) this.#strain.visible = extra === 'strain'
+    if (this.#overlay) this.#overlay.visible = extra === 'marked'
     this.#copyActivations()
   }
 
@@ -130,6 +141,7 @@ export class Looks {
     }
     this.#wireframeMesh.visible = false
     if (this.#strain) this.#strain.visible = false
+    if (this.#overlay) this.#overlay.visible = false
   }
 
   dispose(): void {
@@ -138,6 +150,7 @@ export class Looks {
     this.#wireframeMesh.removeFromParent()
     ;(this.#wireframeMesh.material as Material).dispose()
     for (const material of [this.#plain].flat()) material.dispose()
+    this.#matcap.dispose()
   }
 
   #shaded(skin: Materials): SideLook {
@@ -193,6 +206,17 @@ export class Looks {
     return { ...look, materials: others, extra: 'strain' }
   }
 
+  #marked(influence: Material): SideLook {
+    this.#overlay = new AreaOverlay(this.#skin, this.#keep(influence))
+    const materials = new Map<Mesh, Materials | null>()
+    for (const [mesh, original] of this.#originals) {
+      const [material] = [original].flat()
+      const isHidden = isCutOut(material) && !this.#skin.includes(mesh)
+      materials.set(mesh, isHidden ? null : this.#keep(headlit(material, this.#matcap)))
+    }
+    return { materials, lit: true, extra: 'marked' }
+  }
+
   #wireframe(): SideLook {
     // The surface is pushed back from its wireframe: WebGPU has no depth bias for lines.
     const surface = new MeshBasicMaterial({ color: SURFACE_COLOUR, polygonOffset: true, toneMapped: false })
@@ -208,9 +232,8 @@ export class Looks {
       others ?? this.#keep(new MeshBasicMaterial({ color: OTHER_MESHES_COLOUR, toneMapped: false }))
     const materials = new Map<Mesh, Materials | null>()
     for (const [mesh, original] of this.#originals) {
-      const [{ transparent, alphaTest, alphaHash }] = [original].flat()
-      const cutOut = transparent || alphaTest > 0 || alphaHash
-      materials.set(mesh, this.#skin.includes(mesh) ? skin : cutOut ? null : rest)
+      const hidden = isCutOut([original].flat()[0])
+      materials.set(mesh, this.#skin.includes(mesh) ? skin : hidden ? null : rest)
     }
     return { materials, lit: false, extra: null }
   }
@@ -231,11 +254,17 @@ export class Looks {
   #discard(): void {
     this.#strain?.dispose()
     this.#strain = null
+    this.#overlay?.dispose()
+    this.#overlay = null
     this.#mirror?.dispose()
     this.#mirror = null
     for (const material of this.#materials) material.dispose()
     this.#materials = []
   }
+}
+
+function isCutOut({ transparent, alphaTest, alphaHash }: Material): boolean {
+  return transparent || alphaTest > 0 || alphaHash
 }
 
 /** A wireframe copy of the skin that shares its morph weights; hidden at first. */

@@ -29,7 +29,7 @@ export const influenceMaterial: RendererParts['influenceMaterial'] = (
   return material
 }
 
-const LARGEST = 'diffuseColor.rgb = vec3(max(max(influence.x, influence.y), max(influence.z, influence.w)));'
+const LARGEST = 'diffuseColor.rgb *= vec3(max(max(influence.x, influence.y), max(influence.z, influence.w)));'
 
 /** Makes an unlit material show the largest influence of any layer as gray, from the map. */
 function mapFragment(fragment: string, layers: number, isInstanced: boolean): string {
