@@ -1,27 +1,32 @@
 import { BoxGeometry, Group, Mesh, MeshStandardMaterial } from 'three'
 import { expect, it } from 'vitest'
-import { type LookName, Looks } from '../../../../studio/src/viewer/looks/looks.ts'
+import { Looks } from '../../../../studio/src/viewer/looks/looks.ts'
 
-it.each<LookName>(['shaded', 'relief', 'normals', 'influence', 'strain', 'wireframe'])(
-  'after the look %s is drawn, every mesh has its own material and is visible',
-  (name) => {
-    const [skin, eyes] = ['skin', 'eyes'].map(
-      (own) => new Mesh(new BoxGeometry(), new MeshStandardMaterial({ name: own })),
-    )
-    const lashes = new Mesh(new BoxGeometry(), new MeshStandardMaterial({ transparent: true }))
-    const root = new Group().add(skin, eyes, lashes)
-    const own = [skin, eyes, lashes].map(({ material }) => material)
-    const looks = new Looks({ root, skin, parts: [], wrinkles: null }, null, skin.material.clone(), () => {
-      throw new Error('no wrinkles')
-    })
-    looks.choose({ name })
-    for (const side of ['without', 'with'] as const) looks.apply(side)
-    if (name !== 'shaded') expect(skin.visible && skin.material === own[0]).toBe(false)
-    looks.restore()
-    const others = root.children.filter((child) => child !== skin && child !== eyes && child !== lashes)
-    expect([skin, eyes, lashes].every(({ material }, i) => material === own[i])).toBe(true)
-    expect([skin, eyes, lashes].every(({ visible }) => visible)).toBe(true)
-    expect(others.some(({ visible }) => visible)).toBe(false)
-    looks.dispose()
-  },
-)
+it.each<Parameters<Looks['choose']>[0]>([
+  { name: 'shaded' },
+  { name: 'relief' },
+  { name: 'normals' },
+  { name: 'influence' },
+  { name: 'strain' },
+  { name: 'wireframe' },
+  { name: 'marked', area: ['brow'] },
+])('after the look $name is drawn, every mesh has its own material and is visible', (look) => {
+  const [skin, eyes] = ['skin', 'eyes'].map(
+    (own) => new Mesh(new BoxGeometry(), new MeshStandardMaterial({ name: own })),
+  )
+  const lashes = new Mesh(new BoxGeometry(), new MeshStandardMaterial({ transparent: true }))
+  const root = new Group().add(skin, eyes, lashes)
+  const own = [skin, eyes, lashes].map(({ material }) => material)
+  const looks = new Looks({ root, skin, parts: [], wrinkles: null }, null, skin.material.clone(), () => {
+    throw new Error('no wrinkles')
+  })
+  looks.choose(look)
+  for (const side of ['without', 'with'] as const) looks.apply(side)
+  if (look.name !== 'shaded') expect(skin.visible && skin.material === own[0]).toBe(false)
+  looks.restore()
+  const others = root.children.filter((child) => child !== skin && child !== eyes && child !== lashes)
+  expect([skin, eyes, lashes].every(({ material }, i) => material === own[i])).toBe(true)
+  expect([skin, eyes, lashes].every(({ visible }) => visible)).toBe(true)
+  expect(others.some(({ visible }) => visible)).toBe(false)
+  looks.dispose()
+})
