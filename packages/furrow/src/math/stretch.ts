@@ -23,24 +23,32 @@ export function restInverse(
   return inverse.every(Number.isFinite) ? inverse : undefined
 }
 
+/** A mesh at rest, and the direction along which its stretch is measured. */
+export interface AtRest {
+  /** x, y and z of each vertex. */
+  positions: ArrayLike<number>
+  /** Texture coordinates of each vertex; a direction needs them. */
+  uvs: ArrayLike<number>
+  /** In texture coordinates, of any length but 0; by default the principal ones. */
+  direction?: readonly [number, number] | undefined
+}
+
 /**
- * What `restInverse` is for, of one direction alone: for `principalStretches`, whose smaller result is then 0, and the larger one the
- * stretch along a direction of the texture.
+ * `restInverse`, or what takes its place along a direction of the texture: for `principalStretches`, whose results are then both the stretch
+ * along it.
  *
- * @param uvs texture coordinates of each vertex.
- * @param direction in texture coordinates, of any length but 0.
- * @returns 0, and the multiples of the triangle's two edges that sum to a vector of length 1 along the direction; undefined where
- *   the triangle has no area, in space or in the texture.
+ * @returns along a direction 0, and the multiples of the triangle's two edges that sum to a vector of length 1 along it. Undefined where
+ *   the triangle has no area, in space or, along a direction, in the texture.
  */
-export function restDirection(
+export function restMatrix(
   a: number,
   b: number,
   c: number,
-  positions: ArrayLike<number>,
-  uvs: ArrayLike<number>,
-  [du, dv]: readonly [number, number],
+  { positions, uvs, direction }: AtRest,
 ): number[] | undefined {
-  if (!restInverse(a, b, c, positions)) return undefined
+  const inverse = restInverse(a, b, c, positions)
+  if (!inverse || !direction) return inverse
+  const [du, dv] = direction
   const [u1, v1] = [uvs[2 * b] - uvs[2 * a], uvs[2 * b + 1] - uvs[2 * a + 1]]
   const [u2, v2] = [uvs[2 * c] - uvs[2 * a], uvs[2 * c + 1] - uvs[2 * a + 1]]
   const [first, second] = [du * v2 - dv * u2, dv * u1 - du * v1]
@@ -48,8 +56,8 @@ export function restDirection(
   const [uu, uv, vv] = products
   const length = Math.sqrt(first * first * uu + 2 * first * second * uv + second * second * vv)
   const isMapped = u1 * v2 - v1 * u2 !== 0
-  const direction = [0, first / length, second / length]
-  return isMapped && direction.every(Number.isFinite) ? direction : undefined
+  const matrix = [0, first / length, second / length]
+  return isMapped && matrix.every(Number.isFinite) ? matrix : undefined
 }
 
 /**
@@ -57,7 +65,7 @@ export function restDirection(
  * Nonlinear Continuum Mechanics, 3.6). A rigid motion gives 1 and 1.
  *
  * @param out takes the smaller and the larger one.
- * @param inverses results of `restInverse`; the triangle's begins at `offset`.
+ * @param inverses results of `restInverse` or `restMatrix`; the triangle's begins at `offset`.
  * @param positions of the vertices now.
  */
 export function principalStretches(
@@ -81,8 +89,9 @@ export function principalStretches(
   const c11 = xy * xy * uu + 2 * xy * yy * uv + yy * yy * vv
   const mean = (c00 + c11) / 2
   const spread = Math.sqrt(((c00 - c11) / 2) ** 2 + c01 * c01)
-  out[0] = Math.sqrt(Math.max(0, mean - spread))
   out[1] = Math.sqrt(mean + spread)
+  // Only the matrix of a direction has a 0 here.
+  out[0] = xx === 0 ? out[1] : Math.sqrt(Math.max(0, mean - spread))
 }
 
 function multiplyEdges(a: number, b: number, c: number, positions: ArrayLike<number>): void {

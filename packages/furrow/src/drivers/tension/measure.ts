@@ -1,4 +1,4 @@
-import { principalStretches, restDirection, restInverse } from '../../math/stretch.ts'
+import { type AtRest, principalStretches, restMatrix } from '../../math/stretch.ts'
 import type { InputOf } from '../activation.ts'
 
 /** Triangles that represent an area. */
@@ -12,17 +12,15 @@ export interface TensionSample {
 /** One input, bound to its triangles. */
 interface BoundTension {
   corners: Uint32Array
-  /** `restInverse` of each triangle, or `restDirection`. */
+  /** `restMatrix` of each triangle. */
   inverses: Float64Array
-  /** Whether the larger stretch is measured: with a direction it is the one along it. */
-  isLarger: boolean
   isStretch: boolean
 }
 
 /**
  * Measures how far the skin under areas is compressed or stretched, whatever deforms it: the mean over an area's triangles of
- * 1 - their smaller principal stretch (`compression`), or of the larger one - 1 (`stretch`); of inputs with a direction, the stretch along it. A rigid motion gives 0. `measure` allocates
- * nothing.
+ * 1 - their smaller principal stretch (`compression`), or of the larger one - 1 (`stretch`). Where an input has a direction, the stretch along
+ * it takes the place of both. A rigid motion gives 0. `measure` allocates nothing.
  */
 export class TensionMeasurement {
   /** Per input: `triangles` if its area has none, for warnings. Such an input is not measured. */
@@ -44,9 +42,12 @@ export class TensionMeasurement {
   ) {
     this.#bound = inputs.map(({ area, measure, direction }) => {
       const sample = samples.find((own) => own.area === area)
-      const { corners, inverses } = measureAtRest(sample?.triangles ?? [], { rest, uvs, direction })
-      const isLarger = measure === 'stretch' || direction !== undefined
-      return corners.length === 0 ? null : { corners, inverses, isLarger, isStretch: measure === 'stretch' }
+      const { corners, inverses } = measureAtRest(sample?.triangles ?? [], {
+        positions: rest,
+        uvs,
+        direction,
+      })
+      return corners.length === 0 ? null : { corners, inverses, isStretch: measure === 'stretch' }
     })
     this.missing = this.#bound.map((bound) => (bound ? [] : ['triangles']))
   }
@@ -67,33 +68,25 @@ export class TensionMeasurement {
   #measureOne(
     out: Float64Array,
     i: number,
-    { corners, inverses, isLarger, isStretch }: BoundTension,
+    { corners, inverses, isStretch }: BoundTension,
     positions: ArrayLike<number>,
   ): void {
     const stretches = this.#stretches
     let sum = 0
     for (let k = 0; k < corners.length; k += 3) {
       principalStretches(stretches, inverses, k, corners[k], corners[k + 1], corners[k + 2], positions)
-      sum += stretches[isLarger ? 1 : 0] - 1
+      sum += isStretch ? stretches[1] - 1 : 1 - stretches[0]
     }
-    const mean = sum / (corners.length / 3)
-    out[i] = isStretch ? mean : -mean
+    out[i] = sum / (corners.length / 3)
   }
 }
 
-/** What is measured at rest: along the direction, if there is one. */
-interface AtRest {
-  rest: ArrayLike<number>
-  uvs: ArrayLike<number>
-  direction: readonly [number, number] | undefined
-}
-
 /** Leaves out degenerate triangles. */
-function measureAtRest(triangles: ArrayLike<number>, { rest, uvs, direction }: AtRest) {
+function measureAtRest(triangles: ArrayLike<number>, rest: AtRest) {
   const [corners, inverses]: number[][] = [[], []]
   for (let k = 0; k + 2 < triangles.length; k += 3) {
     const [a, b, c] = [triangles[k], triangles[k + 1], triangles[k + 2]]
-    const inverse = direction ? restDirection(a, b, c, rest, uvs, direction) : restInverse(a, b, c, rest)
+    const inverse = restMatrix(a, b, c, rest)
     if (!inverse) continue
     corners.push(a, b, c)
     inverses.push(...inverse)

@@ -35,8 +35,8 @@ export function tensionSurface(
   const sampled = sampledMesh(wrinkles.mesh)
   const covered = new Map<string, Float64Array>()
   for (const { area } of inputs) {
-    const weights = wrinkles.getArea(area)?.weights
     if (covered.has(area)) continue
+    const weights = wrinkles.getArea(area)?.weights
     covered.set(area, weights && 'data' in weights ? coverage(sampled, weights) : new Float64Array())
   }
   const measured = inputs.filter((input, i) => indexIn(inputs, input) === i)

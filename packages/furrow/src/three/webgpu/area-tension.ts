@@ -2,7 +2,7 @@ import type { Mesh } from 'three'
 import { Fn, If, Loop, localId, max, vec2, workgroupBarrier, workgroupId } from 'three/tsl'
 import type { ComputeNode, Node, StorageBufferNode, WebGPURenderer } from 'three/webgpu'
 import { sentence } from '../../core/error.ts'
-import { restDirection, restInverse } from '../../math/stretch.ts'
+import { restMatrix } from '../../math/stretch.ts'
 import type { TensionSurface } from '../sources/tension.ts'
 import { Buffers } from './buffers.ts'
 import { DeformedPositions } from './deformed-positions.ts'
@@ -15,8 +15,8 @@ const LANES = 64
 const PER_AREA = 2
 
 /**
- * Measures on the graphics card how far the skin under each area is compressed and stretched, along its principal directions or a given one: the mean over all of its
- * triangles, weighted by the area's weight times surface at rest, however the mesh is deformed. Each area has a workgroup: there are few
+ * Measures on the graphics card how far the skin under each area is compressed and stretched, along its principal directions or a given
+ * one: the mean over all of its triangles, weighted by the area's weight times surface at rest, however the mesh is deformed. Each area has a workgroup: there are few
  * areas and thousands of triangles under each, too many for a single invocation. The result is read back one or two
  * frames later; nothing waits for it.
  */
@@ -119,9 +119,7 @@ function listTriangles({ sampled: { positions, uvs, triangles }, measured }: Ten
     for (const [k, weight] of covered.entries()) {
       if (!(weight > 0)) continue
       const [a, b, c] = [3 * k, 3 * k + 1, 3 * k + 2].map((corner) => triangles[corner])
-      const inverse = direction
-        ? restDirection(a, b, c, positions, uvs, direction)
-        : restInverse(a, b, c, positions)
+      const inverse = restMatrix(a, b, c, { positions, uvs, direction })
       if (!inverse) continue
       found.push({ k, inverse })
       sum += weight
@@ -206,7 +204,7 @@ function meanOf(
   })().compute(workgroups(areas), [LANES])
 }
 
-/** `principalStretches` of math/stretch: 1 - the smaller one, and the larger one - 1; along a direction the same stretch is both. */
+/** `principalStretches` of math/stretch: 1 - the smaller one, and the larger one - 1. */
 function changeOf(u: Node<'vec3'>, v: Node<'vec3'>, inverse: Node<'vec4'>): Node<'vec2'> {
   const [xx, xy, yy] = [inverse.x, inverse.y, inverse.z]
   // The columns of the deformation gradient; their dot products are the right Cauchy-Green tensor.
@@ -216,7 +214,7 @@ function changeOf(u: Node<'vec3'>, v: Node<'vec3'>, inverse: Node<'vec4'>): Node
   const mean = c00.add(c11).mul(0.5).toVar()
   const spread = vec2(c00.sub(c11).mul(0.5), c01).length().toVar()
   const larger = mean.add(spread).sqrt().toVar()
-  // Only `restDirection` has a 0 here.
+  // Only the matrix of a direction has a 0 here.
   const smaller = xx.equal(0).select(larger, max(mean.sub(spread), 0).sqrt())
   return vec2(smaller.oneMinus(), larger.sub(1))
 }
