@@ -10,7 +10,8 @@ import {
 } from 'three'
 import type { Face } from '../../../../stage/face.ts'
 import type { Wrinkles } from '../../../../stage/stage.ts'
-import { AreaOverlay, createMatcap, headlit } from './area-overlay.ts'
+import { AreaOverlay, movingCopy } from './area-overlay.ts'
+import { Headlit } from './headlit.ts'
 import { StrainView } from './strain-view.ts'
 
 /** What the side with wrinkles shows: the lit face, or a technical view of it. */
@@ -69,7 +70,7 @@ export class Looks {
   readonly #wireframeMesh: Mesh
   #strain: StrainView | null = null
   #overlay: AreaOverlay | null = null
-  readonly #matcap = createMatcap()
+  readonly #headlit = new Headlit()
   #sides: Record<Side, SideLook>
   #materials: Material[] = []
   #mirror: Wrinkles | null = null
@@ -150,7 +151,7 @@ export class Looks {
     this.#wireframeMesh.removeFromParent()
     ;(this.#wireframeMesh.material as Material).dispose()
     for (const material of [this.#plain].flat()) material.dispose()
-    this.#matcap.dispose()
+    this.#headlit.dispose()
   }
 
   #shaded(skin: Materials): SideLook {
@@ -212,7 +213,7 @@ export class Looks {
     for (const [mesh, original] of this.#originals) {
       const [material] = [original].flat()
       const isHidden = isCutOut(material) && !this.#skin.includes(mesh)
-      materials.set(mesh, isHidden ? null : this.#keep(headlit(material, this.#matcap)))
+      materials.set(mesh, isHidden ? null : this.#headlit.of(mesh, material))
     }
     return { materials, lit: true, extra: 'marked' }
   }
@@ -269,12 +270,9 @@ function isCutOut({ transparent, alphaTest, alphaHash }: Material): boolean {
 
 /** A wireframe copy of the skin that shares its morph weights; hidden at first. */
 function createWireframe(skin: Mesh): Mesh {
-  const wireframe = skin.clone(false)
+  const material = new MeshBasicMaterial({ color: WIRE_COLOUR, wireframe: true, toneMapped: false })
+  const wireframe = movingCopy(skin, material)
   wireframe.name = 'wireframe'
-  wireframe.material = new MeshBasicMaterial({ color: WIRE_COLOUR, wireframe: true, toneMapped: false })
-  wireframe.morphTargetInfluences = skin.morphTargetInfluences
-  wireframe.visible = false
-  skin.parent?.add(wireframe)
   return wireframe
 }
 
