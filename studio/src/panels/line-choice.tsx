@@ -35,10 +35,13 @@ export function LineChoice({ editor, strokes }: { editor: LineEditor; strokes: r
 /** Lines have no names: that of the group, and a number where the group has several. */
 function namesOf(strokes: readonly LayerStroke[]): string[] {
   const groups = strokes.map(({ group }) => group ?? 'Without a group')
-  return groups.map((group, i) => {
-    const isAlone = groups.indexOf(group) === groups.lastIndexOf(group)
-    return isAlone ? group : `${group} ${groups.slice(0, i + 1).filter((other) => other === group).length}`
+  const counts = new Map<string, number>()
+  const numbers = groups.map((group) => {
+    const number = (counts.get(group) ?? 0) + 1
+    counts.set(group, number)
+    return number
   })
+  return groups.map((group, i) => (counts.get(group) === 1 ? group : `${group} ${numbers[i]}`))
 }
 
 /** The points of the chosen line, by number: one that has the focus is chosen, and moves with the arrow keys. */

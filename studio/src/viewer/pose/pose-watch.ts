@@ -1,4 +1,4 @@
-import type { BufferAttribute, Mesh, SkinnedMesh } from 'three'
+import type { BufferAttribute, Mesh, Object3D, SkinnedMesh } from 'three'
 
 /** Tells when the pose of a face is another one: its blendshapes, its joints, or where it stands. */
 export class PoseWatch {
@@ -20,10 +20,8 @@ export class PoseWatch {
 
   #read(): number[] {
     const pose: number[] = []
+    for (const root of new Set(this.#meshes.map(rootOf))) root.updateMatrixWorld()
     for (const mesh of this.#meshes) {
-      let root = mesh.parent ?? mesh
-      while (root.parent) root = root.parent
-      root.updateMatrixWorld()
       pose.push(...(mesh.morphTargetInfluences ?? []), ...mesh.matrixWorld.elements)
       // A muscle that pulls otherwise.
       for (const offsets of mesh.geometry.morphAttributes.position ?? [])
@@ -33,4 +31,10 @@ export class PoseWatch {
     }
     return pose
   }
+}
+
+function rootOf(object: Object3D): Object3D {
+  let root = object
+  while (root.parent) root = root.parent
+  return root
 }
