@@ -5,7 +5,7 @@ import { join } from 'node:path'
 import { parseArgs } from 'node:util'
 import { measureCpu } from './cpu.mjs'
 import { chromiumHost, nodeHost } from './hosts.mjs'
-import { serve } from './serve.mjs'
+import { runServed, serve } from './serve.mjs'
 import { measureSizes } from './size.mjs'
 
 const { values: options } = parseArgs({
@@ -21,14 +21,7 @@ const { values: options } = parseArgs({
 })
 
 const server = await serve()
-try {
-  await run()
-} catch (error) {
-  process.stderr.write(`${error.message}\n`)
-  process.exitCode = 1
-} finally {
-  await server.close()
-}
+await runServed(server, run)
 // Dawn keeps the process alive.
 if (options.node) process.exit()
 

@@ -23,6 +23,18 @@ export async function serve() {
   return server.listen()
 }
 
+/** Runs a benchmark and closes its server; an error is told in one line. */
+export async function runServed(server, run) {
+  try {
+    await run()
+  } catch (error) {
+    process.stderr.write(`${error.message}\n`)
+    process.exitCode = 1
+  } finally {
+    await server.close()
+  }
+}
+
 /** Opens a page and waits until it has set the global `ready`. */
 export async function openPage(server, browser, path, ready) {
   const { newPage } = await server.ssrLoadModule('/packages/cli/src/browser.ts')

@@ -5,7 +5,7 @@ import { writeFile } from 'node:fs/promises'
 import { cpus, tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { parseArgs } from 'node:util'
-import { ROOT, serve } from '../serve.mjs'
+import { ROOT, runServed, serve } from '../serve.mjs'
 import { buildStudio } from './build.mjs'
 import { measureAuto } from './cases/auto.mjs'
 import { measureLines } from './cases/lines.mjs'
@@ -52,15 +52,8 @@ const { values: options } = parseArgs({
 
 const folder = mkdtempSync(join(tmpdir(), 'furrow-bench-studio-'))
 const server = await serve()
-try {
-  await run()
-} catch (error) {
-  process.stderr.write(`${error.message}\n`)
-  process.exitCode = 1
-} finally {
-  await server.close()
-  rmSync(folder, { recursive: true, force: true })
-}
+await runServed(server, run)
+rmSync(folder, { recursive: true, force: true })
 
 async function run() {
   const { launchBrowser } = await server.ssrLoadModule('/packages/cli/src/browser.ts')

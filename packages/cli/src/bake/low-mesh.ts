@@ -12,7 +12,7 @@ import {
   transform,
 } from './vertices.ts'
 
-/** How far a sculpt may be from the low mesh, as a fraction of the low mesh's diagonal, unless told. */
+/** How far a sculpt may be from the low mesh by default, as a fraction of the low mesh's diagonal. */
 export const DEFAULT_CAGE = 0.02
 
 /**
