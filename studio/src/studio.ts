@@ -160,6 +160,7 @@ export class Studio {
     effect(() => {
       if (this.#lines.editor.mode.value !== 'off') this.#painting.isOn = false
     })
+    effect(() => this.#workspace.prepareEdit(this.#lines.editor.chosen.value))
     showPanel(page.panel, this.#panelModel())
     keepFocus(document.body)
     effect(() => this.#face.highlight(this.#painting.area.value))

@@ -7,6 +7,8 @@ const COLOURS = {
   chosen: '#ff9d2e',
   shadow: 'rgb(40 20 10 / 40%)',
 }
+/** CSS pixels between points of a curve that are drawn: the points of a line may be less than one apart. */
+const STEP = 3
 /** Radii of points in CSS pixels. */
 const POINT = 4
 const CHOSEN_POINT = 6
@@ -47,7 +49,8 @@ export class LineOverlay {
     this.#canvas.hidden = false
     this.#canvas.width = Math.round(width * ratio)
     this.#canvas.height = Math.round(height * ratio)
-    const context = this.#canvas.getContext('2d')!
+    // Kept on the processor: hundreds of thin curves take a GPU without hardware seconds, during which the page gets no events.
+    const context = this.#canvas.getContext('2d', { willReadFrequently: true })!
     context.scale(ratio, ratio)
     context.lineJoin = 'round'
     context.lineCap = 'round'
@@ -62,16 +65,30 @@ export class LineOverlay {
   }
 }
 
+/** What is seen of a line: the indices of the points by which each part is drawn, from its first to its last. */
+export function seenParts({ x, y, isSeen }: Pick<ProjectedLine, 'x' | 'y' | 'isSeen'>): number[][] {
+  const parts: number[][] = []
+  for (let i = 0; i + 1 < x.length; i++) {
+    if (!isSeen[i]) continue
+    if (i === 0 || !isSeen[i - 1]) parts.push([i])
+    const part = parts.at(-1)!
+    const last = part.at(-1)!
+    const next = i + 1
+    const isEnd = next + 1 === x.length || !isSeen[next]
+    if (isEnd || Math.hypot(x[next] - x[last], y[next] - y[last]) >= STEP) part.push(next)
+  }
+  return parts
+}
+
 function drawLine(
   context: CanvasRenderingContext2D,
-  { x, y, isSeen }: ProjectedLine,
+  line: ProjectedLine,
   kind: 'line' | 'hovered' | 'chosen',
 ): void {
   context.beginPath()
-  for (let i = 0; i + 1 < x.length; i++) {
-    if (!isSeen[i]) continue
-    if (i === 0 || !isSeen[i - 1]) context.moveTo(x[i], y[i])
-    context.lineTo(x[i + 1], y[i + 1])
+  for (const [first, ...others] of seenParts(line)) {
+    context.moveTo(line.x[first], line.y[first])
+    for (const i of others) context.lineTo(line.x[i], line.y[i])
   }
   stroke(context, kind === 'line' ? 1.5 : 2.5, COLOURS[kind])
 }
