@@ -26,6 +26,9 @@ export interface LinePicture {
 /** A canvas over the stage with thin curves: both renderers have the same, and pictures of the face do not. */
 export class LineOverlay {
   readonly #canvas = document.createElement('canvas')
+  /** The lines that are not chosen, which stay while one is drawn, bent or hovered, and what they were drawn of. */
+  readonly #others = document.createElement('canvas')
+  #drawn: readonly unknown[] = []
   readonly #stage: HTMLElement
 
   constructor(stage: HTMLElement) {
@@ -44,24 +47,40 @@ export class LineOverlay {
   }
 
   draw({ lines, chosen, point, hovered, path }: LinePicture): void {
-    const [width, height] = this.size
-    const ratio = Math.min(devicePixelRatio, 2)
     this.#canvas.hidden = false
-    this.#canvas.width = Math.round(width * ratio)
-    this.#canvas.height = Math.round(height * ratio)
-    // Kept on the processor: hundreds of thin curves take a GPU without hardware seconds, during which the page gets no events.
-    const context = this.#canvas.getContext('2d', { willReadFrequently: true })!
-    context.scale(ratio, ratio)
-    context.lineJoin = 'round'
-    context.lineCap = 'round'
-    for (const line of lines)
-      if (line.stroke !== chosen) drawLine(context, line, line.stroke === hovered ? 'hovered' : 'line')
+    const context = this.#clear(this.#canvas)
+    this.#drawOthers(lines.filter(({ stroke }) => stroke !== chosen))
+    context.drawImage(this.#others, 0, 0, ...this.size)
+    const over = lines.find(({ stroke }) => stroke === hovered && stroke !== chosen)
+    if (over) drawLine(context, over, 'hovered')
     const own = lines.find(({ stroke }) => stroke === chosen)
     if (own) {
       drawLine(context, own, 'chosen')
       drawPoints(context, own, point)
     }
     drawPath(context, path)
+  }
+
+  #drawOthers(lines: readonly ProjectedLine[]): void {
+    const source = [...this.size, devicePixelRatio, ...lines]
+    if (source.length === this.#drawn.length && source.every((each, i) => each === this.#drawn[i])) return
+    this.#drawn = source
+    const context = this.#clear(this.#others)
+    for (const line of lines) drawLine(context, line, 'line')
+  }
+
+  /** Makes a canvas as large as the stage, and empty. */
+  #clear(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
+    const ratio = Math.min(devicePixelRatio, 2)
+    const [width, height] = this.size.map((side) => Math.round(side * ratio))
+    canvas.width = width
+    canvas.height = height
+    // Kept on the processor: hundreds of thin curves take a software rasteriser seconds, during which the page gets no events.
+    const context = canvas.getContext('2d', { willReadFrequently: true })!
+    context.scale(ratio, ratio)
+    context.lineJoin = 'round'
+    context.lineCap = 'round'
+    return context
   }
 }
 

@@ -1,5 +1,7 @@
-import { describe, expect, it } from 'vitest'
-import { seenParts } from '../../../../studio/src/lines/line-overlay.ts'
+import { afterEach, describe, expect, it, vi } from 'vitest'
+import { LineOverlay, seenParts } from '../../../../studio/src/lines/line-overlay.ts'
+import type { ProjectedLine } from '../../../../studio/src/lines/project-lines.ts'
+import { strokeOf } from '../sample-document.ts'
 
 /** A line with points 0.5 pixels apart. */
 const line = (isSeen: boolean[]) => ({
@@ -21,5 +23,48 @@ describe('a line over the face', () => {
       [4, 10, 13],
     ])
     expect(seenParts(line([false, false]))).toEqual([])
+  })
+
+  describe('among others', () => {
+    afterEach(() => vi.unstubAllGlobals())
+
+    it('is hovered, chosen again and drawn without drawing the others again, until they move', () => {
+      /** Curves and their shadows that are drawn on each canvas. */
+      const strokes: number[] = []
+      const createElement = () => {
+        const own = strokes.push(0) - 1
+        const stroke = () => strokes[own]++
+        const context = new Proxy(
+          {},
+          { get: (_, key) => (key === 'stroke' ? stroke : () => {}), set: () => true },
+        )
+        return { getContext: () => context }
+      }
+      vi.stubGlobal('document', { createElement })
+      vi.stubGlobal('devicePixelRatio', 1)
+      const overlay = new LineOverlay({
+        clientWidth: 9,
+        clientHeight: 9,
+        after() {},
+      } as unknown as HTMLElement)
+      const projected = (): ProjectedLine => ({
+        ...line([true, true]),
+        stroke: strokeOf('up', 'forehead'),
+        along: Float64Array.of(0, 1),
+        knots: [],
+      })
+      const lines = [projected(), projected(), projected()]
+      const [first, second] = lines
+      const rest = { lines, chosen: first.stroke, point: -1, hovered: null, path: [] }
+      const drawnBy = (picture: Partial<typeof rest> | { hovered: ProjectedLine['stroke'] }) => {
+        const before = [...strokes]
+        overlay.draw({ ...rest, ...picture })
+        return strokes.map((count, i) => count - before[i])
+      }
+      expect(drawnBy({})).toEqual([2, 4])
+      expect(drawnBy({ hovered: second.stroke })).toEqual([4, 0])
+      expect(drawnBy({ lines: [projected(), ...lines] })).toEqual([2, 6])
+      expect(drawnBy({ lines: [first] })).toEqual([2, 0])
+    })
   })
 })
