@@ -1,3 +1,5 @@
+import { nextTask } from '../later.ts'
+
 /** Steps of a preparation between which a worker answers calls: 500 texels, which take a few milliseconds. */
 const SLICE = 8
 
@@ -13,9 +15,4 @@ export class Preparation {
       await nextTask()
     }
   }
-}
-
-/** After the messages that have come. */
-function nextTask(): Promise<void> {
-  return new Promise((resolve) => setTimeout(resolve))
 }
