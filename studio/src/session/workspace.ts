@@ -8,6 +8,7 @@ import type { AutoSettings, LayerStroke, StudioDocument } from '../document/docu
 import { MapMaker } from '../draw/map-maker.ts'
 import type { ExportOptions } from '../export/export-face.ts'
 import type { Project } from '../keep/project.ts'
+import { nextTask } from '../later.ts'
 import { type OpenedAvatar, openAvatar } from '../open/avatar.ts'
 import { skinOfDocument } from '../open/skins.ts'
 import type { DrawnDocument } from '../viewer/document-view.ts'
@@ -106,6 +107,8 @@ export class Workspace {
     this.#maps.close()
     this.#drawn.value = null
     if (left) await left
+    // In a task of its own: a skin of a million vertices takes long to read.
+    await nextTask()
     if (avatar !== this.#avatar) return
     const opened = project?.opened ?? avatar.document
     this.#source = avatar.skins[avatar.skin].wrinkles && !opened ? null : skinSource(avatar)

@@ -96,7 +96,10 @@ function movedVertices({ mesh, used }: DrawnMesh, index: number): number[] {
     squares[k] = x * x + y * y + z * z
     largest = Math.max(largest, squares[k])
   }
-  return largest > 0 ? used.filter((_, k) => squares[k] > MOVED * MOVED * largest) : []
+  const found: number[] = []
+  const least = MOVED * MOVED * largest
+  for (let k = 0; k < used.length; k++) if (squares[k] > least) found.push(used[k])
+  return found
 }
 
 /** A box that all but a few do not exceed. */
