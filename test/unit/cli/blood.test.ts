@@ -1,12 +1,20 @@
 import { readFileSync } from 'node:fs'
-import { FurrowError, parseWrinkleMaps } from 'furrow'
+import { FurrowError, type GrayImage, parseWrinkleMaps, type RgbaImage } from 'furrow'
+import { readWrinkleMaps } from 'furrow/three'
 import sharp from 'sharp'
-import { beforeAll, describe, expect, it } from 'vitest'
+import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest'
 import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
 import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
 import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
+import { loadInNode } from '../three/node-loader.ts'
 import { faceBytes, jsonOf, noise, Workshop } from './workshop.ts'
+
+// Node has no WebGL to read pixels with; its stand-in for a bitmap has them.
+vi.mock(import('../../../packages/furrow/src/three/loader/read-texture.ts'), async (original) => ({
+  ...(await original()),
+  readImage: (bitmap) => bitmap as unknown as RgbaImage,
+}))
 
 const NAME = 'FURROW_wrinkle_maps'
 const SIZE = 16
@@ -65,6 +73,8 @@ beforeAll(async () => {
   folder = await makeFolder('folder')
   await shop.run(packCommand, folder, '-o', out)
 })
+
+afterAll(() => vi.unstubAllGlobals())
 
 describe('the blood map of a folder', () => {
   it('is packed into the blue channel of the occlusion', async () => {
@@ -128,6 +138,17 @@ describe('the blood map of a folder', () => {
     await shop.run(unpackCommand, shop.path('ktx2.glb'), '-o', shop.path('ktx2'))
     const blood = await grayOf(shop.path('ktx2/layers/down/blood.png'))
     expect(Math.abs(blood[34] - BLOOD(34))).toBeLessThan(40)
+  })
+
+  it('is read by the loader', async () => {
+    const [found] = await readWrinkleMaps(await loadInNode(readFileSync(out)))
+    const [up, down] = found.set.layers
+    expect(up.bloodAmplitude).toBe(0.25)
+    const texels = Array.from({ length: SIZE * SIZE }, (_, i) => i)
+    expect([...(up.blood as GrayImage).data]).toEqual(texels.map(BLOOD))
+    expect([...(up.occlusion as GrayImage).data]).toEqual(texels.map(OCCLUSION))
+    expect(down).toMatchObject({ bloodAmplitude: 0.5, blood: up.blood })
+    expect(down).not.toHaveProperty('occlusion')
   })
 
   it('is inspected as a map of its own, which costs nothing beside the occlusion', async () => {
