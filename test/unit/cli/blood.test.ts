@@ -116,6 +116,22 @@ describe('the blood map of a folder', () => {
     expect([0, 1, 2, 3].map((i) => bytes[3 * i + 2])).toEqual([128, 0, 255, 129])
   })
 
+  it('is scaled to the size of the occlusion', async () => {
+    const small = await makeFolder('small')
+    shop.write('small/layers/up/blood.png', await gray((i) => (i < 32 ? 128 : 200), 8, 8))
+    await shop.run(packCommand, small, '-o', shop.path('small.glb'))
+    const { bytes, width } = await imageOf(
+      shop.path('small.glb'),
+      mapsOf(shop.path('small.glb')).layers[0].bloodTexture!.index,
+    )
+    expect(width).toBe(SIZE)
+    expect([bytes[3 * 16 + 2], bytes[3 * (SIZE * SIZE - 1) + 2], bytes[3 * 16]]).toEqual([
+      128,
+      200,
+      OCCLUSION(16),
+    ])
+  })
+
   it('leaves roughness in the image that it shares with the occlusion', async () => {
     const orm = await makeFolder('orm', { roughness: 'layers/up/occlusion.png' })
     shop.write('orm/layers/up/occlusion.png', await noise(5, 3, SIZE))
@@ -174,8 +190,11 @@ describe('the blood map of a folder', () => {
 describe('pack refuses', () => {
   it.each([
     [
-      'blood of another size than the occlusion',
-      (at: string) => gray(BLOOD, 8, 8).then((bytes) => shop.write(`${at}/layers/up/blood.png`, bytes)),
+      'blood of another size than an occlusion that is not square',
+      async (at: string) => {
+        const wide = sharp({ create: { width: 32, height: 16, channels: 3, background: '#fff' } })
+        shop.write(`${at}/layers/up/occlusion.png`, await wide.png().toBuffer())
+      },
       /blood map of layer "up" differs in size from its occlusion/,
     ],
     [

@@ -4,6 +4,7 @@ import type { Glb } from '../gltf/glb-file.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
 import { channelOf } from '../images/pixels.ts'
 import { encodePortablePng } from '../images/png.ts'
+import { scaleImage } from '../images/scale.ts'
 import type { CheckedImage } from './checked-image.ts'
 import type { MapName } from './map-slots.ts'
 
@@ -11,11 +12,11 @@ import type { MapName } from './map-slots.ts'
 const CHANNELS: Partial<Record<MapName, number>> = { occlusion: 0, blood: 2 }
 
 /**
- * Puts blood into the blue channel of a layer's occlusion. Red is white where there is none, and green where roughness is elsewhere.
+ * Puts blood into the blue channel of a layer's occlusion, at its size. Red is white where there is none, and green where roughness is elsewhere.
  *
  * @param layer its maps; where the roughness is in the image of the occlusion, it stays there.
  * @returns the maps with the images that hold blood.
- * @throws FurrowError when the two differ in size.
+ * @throws FurrowError when the two differ in size and the occlusion is not square.
  */
 export async function withBlood<L extends { name: string } & Partial<Record<MapName, CheckedImage>>>(
   layer: L,
@@ -23,20 +24,22 @@ export async function withBlood<L extends { name: string } & Partial<Record<MapN
 ): Promise<L> {
   const { name, blood, occlusion, roughness } = layer
   if (!blood || blood === occlusion) return layer
-  if (occlusion && (occlusion.width !== blood.width || occlusion.height !== blood.height)) {
+  const { width, height } = occlusion ?? blood
+  const isScaled = width !== blood.width || height !== blood.height
+  if (isScaled && width !== height) {
     throw new FurrowError({
       who,
       what: `the blood map of layer "${name}" differs in size from its occlusion`,
       value: `${blood.width} x ${blood.height}`,
-      limit: `${occlusion.width} x ${occlusion.height}: they share an image`,
-      remedy: 'scale them to one size, or all maps with --size',
+      limit: `${width} x ${height}: they share an image`,
+      remedy: 'scale them to one size',
     })
   }
-  const { width, height } = blood
   const data = new Uint8Array(3 * width * height).fill(255)
   const fill = async (image: CheckedImage | undefined, channel: number) => {
     if (!image) return
-    const values = channelOf(await decodeImage(image.bytes, image.name, who), channel).data
+    const pixels = await decodeImage(image.bytes, image.name, who)
+    const values = channelOf(image === blood && isScaled ? scaleImage(pixels, width) : pixels, channel).data
     for (let i = 0; i < values.length; i++) data[3 * i + channel] = values[i]
   }
   const isShared = roughness !== undefined && roughness === occlusion
