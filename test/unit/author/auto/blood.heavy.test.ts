@@ -92,6 +92,11 @@ describe.each(FACES)('blood of %s', async (_, path) => {
     expect(areas.map(({ name }) => name)).not.toContain('flushBrows')
   })
 
+  test('is left out with the regions that it belongs to', () => {
+    const { blood } = autoWrinkles(skin, { ...SETTINGS, regions: ['nose', 'crowsFeet'] })
+    expect(blood.areas.map(({ name }) => name)).toEqual(['flushNoseLeft', 'flushNoseRight'])
+  })
+
   test('is the same each time, and a valid part of the set', () => {
     expect(autoWrinkles(skin, SETTINGS).blood).toEqual(blood)
     const set = autoWrinkleSet(wrinkles)

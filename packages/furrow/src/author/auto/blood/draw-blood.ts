@@ -6,6 +6,7 @@ import { clamp, smoothstep } from '../../../math/scalar.ts'
 import type { SkinTexels } from '../../skin/skin-texels.ts'
 import type { HeightMap } from '../../strokes/height.ts'
 import { LineGrid } from '../../strokes/line-grid.ts'
+import type { AutoRegion } from '../anatomy/regions.ts'
 import type { CreasedRegion } from '../lines/crease.ts'
 import { visibility } from '../raster/visibility.ts'
 import type { DetectedFace } from '../surface/detect-face.ts'
@@ -35,7 +36,7 @@ export interface AutoBlood {
 /** Optical depth in green of the strongest flush, at a strength of 1. */
 const AMPLITUDE = 0.35
 /** Deepest tone of a valley, as a fraction of the amplitude, and the millimetres of depth at which it has 63% of it. */
-const VALLEY = 0.45
+const VALLEY = 0.3
 const VALLEY_DEPTH = 0.7
 /** Millimetres from a line within which a flush on the same layer would show it, and over which it fades in from there. */
 const LINE_REACH = 5
@@ -56,15 +57,17 @@ export interface BloodSource {
  * Draws the blood of each layer: valleys are a little deeper in tone, and flushes of a face are on areas of their own, since blood is slower
  * than lines. Each of these is on the layer with the fewest lines where it is, and gives way to them.
  *
- * @param settings the strength multiplies the amplitude.
+ * @param settings the strength multiplies the amplitude; a flush is drawn where one of its regions is wanted.
  */
 export function drawBlood(
   { face, names, isMirrored }: Pick<PreparedSkin, 'face' | 'names' | 'isMirrored'>,
   source: BloodSource,
-  { strength }: { strength: number },
+  { strength, regions }: { strength: number; regions: readonly AutoRegion[] },
 ): AutoBlood {
   const maps = source.layers.map(({ relief }) => valleysOf(relief))
-  const areas = face ? drawFlushes(face, flushesOf(face.landmarks, isMirrored), names, source, maps) : []
+  const flushes = face ? flushesOf(face.landmarks, isMirrored) : []
+  const wanted = flushes.filter((flush) => flush.regions.some((region) => regions.includes(region)))
+  const areas = face ? drawFlushes(face, wanted, names, source, maps) : []
   const amplitude = clamp(Math.round(1000 * AMPLITUDE * strength) / 1000, 0, MAX_BLOOD_AMPLITUDE)
   return { amplitude, maps, areas }
 }

@@ -1,4 +1,5 @@
 import { SIDES, type SkinRegion } from '../anatomy/region.ts'
+import type { AutoRegion } from '../anatomy/regions.ts'
 import { type ChartPoint, unroll } from '../surface/head-chart.ts'
 import type { Landmarks } from '../surface/landmarks.ts'
 
@@ -6,6 +7,8 @@ import type { Landmarks } from '../surface/landmarks.ts'
 export interface Flush {
   /** Name of its area. */
   name: string
+  /** It is drawn where one of these is wanted. */
+  regions: readonly AutoRegion[]
   /** An ellipse on the chart of the head, in millimetres: full in the middle, fading out to its edge. */
   centre: ChartPoint
   radii: ChartPoint
@@ -54,6 +57,7 @@ export function flushesOf(landmarks: Landmarks, isMirrored: boolean): Flush[] {
   return [
     {
       name: 'flushBrows',
+      regions: ['glabella', 'noseRoot'],
       centre: [0, brow + 4],
       radii: [21, 19],
       amount: 1,
@@ -63,6 +67,7 @@ export function flushesOf(landmarks: Landmarks, isMirrored: boolean): Flush[] {
     ...sides.flatMap(({ side, name, ends }): Flush[] => [
       {
         name: `flushNose${name}`,
+        regions: ['nose'],
         centre: [side * (wing + 2), base + 5],
         radii: [11, 16],
         amount: 1,
@@ -71,6 +76,7 @@ export function flushesOf(landmarks: Landmarks, isMirrored: boolean): Flush[] {
       },
       {
         name: `flushCheek${name}`,
+        regions: ['nasolabial'],
         centre: [side * (eye + 4), cheek],
         radii: [25, 19],
         amount: 0.8,
@@ -80,6 +86,7 @@ export function flushesOf(landmarks: Landmarks, isMirrored: boolean): Flush[] {
     ]),
     {
       name: 'paleLips',
+      regions: ['upperLip', 'lowerLip'],
       centre: [0, mouth],
       radii: [corner * 1.05, 12],
       amount: -0.7,
