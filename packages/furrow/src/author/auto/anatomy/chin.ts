@@ -81,7 +81,7 @@ function neck({ landmarks, byAge, rngOf }: FaceContext): FaceRegion {
       width: byAge(3, 4),
       depth: rng.uniform(0.7, 1),
       taper: [0.5, 0.5],
-      shoulder: [0.8, 0.8],
+      shoulder: [0.3, 0.3],
       softness: 0.6,
     }
   })

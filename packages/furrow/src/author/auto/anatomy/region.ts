@@ -13,6 +13,8 @@ export interface LineStyle {
   taper: readonly [start: number, end: number]
   /** Height of the raised banks, left and right of its direction, 0..1. */
   shoulder: readonly [left: number, right: number]
+  /** Steeper on the left of its direction than on the right, -0.9..0.9. */
+  lean?: number
   /** Roundness of the valley's bottom, 0..1. */
   softness: number
   /** Whether its direction is random, so that no compression is measured across it. */
