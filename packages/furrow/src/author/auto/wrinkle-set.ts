@@ -1,4 +1,7 @@
 import type { WrinkleSet } from '../../core/types.ts'
+import type { AgeDriver } from '../../drivers/age/definition.ts'
+import type { ExpressionDriver } from '../../drivers/expression/definition.ts'
+import type { MorphDriver } from '../../drivers/morph/definition.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 import type { AutoWrinkles } from './auto.ts'
 
@@ -11,6 +14,18 @@ export function autoWrinkleSet({
   return {
     layers: layers.map(({ name, normal, occlusion }) => ({ name, kind: 'detail', normal, occlusion })),
     areas: areas.map(({ name, layer, weights }) => ({ name, layer: layers[layer].name, weights })),
-    drivers: [...areas.map(({ driver }) => driver), ...expressions],
+    drivers: autoDrivers({ areas, expressions }),
   }
+}
+
+/** All drivers of automatic wrinkles: of blendshapes, of age, and expressions. */
+export function autoDrivers({
+  areas,
+  expressions,
+}: Pick<AutoWrinkles, 'areas' | 'expressions'>): (MorphDriver | AgeDriver | ExpressionDriver)[] {
+  return [
+    ...areas.map(({ driver }) => driver),
+    ...areas.flatMap(({ ageing }) => ageing ?? []),
+    ...expressions,
+  ]
 }

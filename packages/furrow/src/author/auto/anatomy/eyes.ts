@@ -67,6 +67,7 @@ function crowsFeet({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: s
     spacing: 4.5,
     creasedFraction: byAge(0.35, 0.85),
     maxDepth: byAge(0.5, 0.85),
+    atRest: 0.6,
     reach: 4,
     feather: 6,
   }
@@ -105,6 +106,7 @@ function underEye({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: st
     spacing: 3,
     creasedFraction: byAge(0.2, 0.55),
     maxDepth: byAge(0.2, 0.4),
+    atRest: 0.5,
     reach: 2.5,
     feather: 4,
   }

@@ -79,6 +79,7 @@ export function forehead({ landmarks, byAge, rngOf }: FaceContext): FaceRegion[]
     spacing: height / lines,
     creasedFraction: byAge(0.45, 0.9),
     maxDepth: byAge(0.8, 1.35),
+    atRest: 0.3,
     reach: 6,
     feather: 7,
     influence: ([across]) => {

@@ -51,6 +51,7 @@ function glabella(
     spacing: 11,
     creasedFraction: byAge(0.6, 1),
     maxDepth: byAge(1.1, 2.1),
+    atRest: 0.35,
     reach: 5,
     feather: 6,
     influence: ([across]) => smoothstep((side * across + MIDDLE) / (2 * MIDDLE)),
@@ -77,6 +78,7 @@ function noseRoot({ landmarks, ageFraction, byAge, rngOf }: FaceContext): FaceRe
     spacing: 9,
     creasedFraction: byAge(0.3, 0.8),
     maxDepth: byAge(0.6, 1.1),
+    atRest: 0.3,
     reach: 4,
     feather: 5,
   }

@@ -69,6 +69,7 @@ function nasolabial(
     spacing: 14,
     creasedFraction: byAge(0.4, 0.8),
     maxDepth: byAge(1.2, 1.9),
+    atRest: 0.55,
     reach: 6,
     feather: 6,
   }
@@ -121,6 +122,7 @@ function mouthCorner(
     spacing: 6,
     creasedFraction: byAge(0.25, 0.7),
     maxDepth: byAge(0.5, 1),
+    atRest: 0.45,
     reach: 3,
     feather: 4,
   }
@@ -165,6 +167,7 @@ function lip({ landmarks, byAge, rngOf }: FaceContext, name: string, away: 1 | -
     spacing: (2 * corner * 0.86) / (lines - 1),
     creasedFraction: byAge(0.15, 0.7),
     maxDepth: byAge(0.25, 0.6),
+    atRest: 0.4,
     reach: 1.5,
     feather: 4,
   }

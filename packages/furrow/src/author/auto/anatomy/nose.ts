@@ -44,6 +44,7 @@ function bunnyLines({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: 
     spacing: 4.5,
     creasedFraction: byAge(0.35, 0.8),
     maxDepth: byAge(0.5, 0.9),
+    atRest: 0.15,
     reach: 3,
     feather: 5,
   }

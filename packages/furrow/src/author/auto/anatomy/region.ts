@@ -35,6 +35,8 @@ export interface SkinRegion {
   creasedFraction: number
   /** In millimetres. */
   maxDepth: number
+  /** Fraction of the depth that a face of 70 years has at rest, 0..1; lines of other skin go with what folds it. */
+  atRest?: number
   /** Compression by muscles that pucker skin within itself, which no target shows: the area is driven by its cause alone. */
   assumedCompression?: number
   /** How far its area reaches beyond its lines, and over what distance it fades out from there, in millimetres. */
