@@ -53,6 +53,10 @@ export interface Layer<Slice = never> {
   occlusion?: GrayImage | Slice
   /** 0 = no occlusion, 1 = as in the map; 1 by default. */
   occlusionStrength?: number
+  /** Height of the surface where wrinkles show, linear, 127.5 = the skin itself; drawn as relief. */
+  height?: GrayImage | Slice
+  /** Metres from black to white of the heights, 0 by default. */
+  heightAmplitude?: number
 }
 
 /** How an area combines with others of its layer at the same texel: added, or the maximum of both. */

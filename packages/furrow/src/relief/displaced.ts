@@ -7,6 +7,9 @@ import type { DenseMesh } from './dense-mesh.ts'
  */
 export const PHONG = 0.5
 
+/** Metres of room from which on a surface is curved in full. */
+export const ROOM_TO_CURVE = 0.0005
+
 /** The coarse mesh as it is deformed now. */
 export interface DeformedMesh {
   /** x, y and z of each vertex. */
@@ -36,7 +39,8 @@ export function displacement(
  *
  * @param firstOf of each coarse vertex the first one at its position, see `WeldedEdges`.
  * @param heightAt metres outwards at a point of the texture.
- * @param room metres outwards at most, of each coarse vertex, see `outwardRoom`.
+ * @param room metres in either direction at most, of each coarse vertex, see `outwardRoom`; where there is next to none, the surface is not
+ *   curved either, since other meshes may adjoin.
  * @param amount 0 = the coarse mesh, 1 = full relief.
  * @returns x, y and z of each dense vertex.
  */
@@ -60,18 +64,19 @@ export function displace(
     const flat = [0, 1, 2].map((axis) => sum(positions, axis))
     const normal = unit([0, 1, 2].map((axis) => sum(smooth, axis)))
     const curved = flat.slice()
+    const most = corners.reduce((total, { vertex, weight }) => total + weight * room[vertex / 3], 0)
+    const curvature = PHONG * amount * Math.min(most / ROOM_TO_CURVE, 1)
     for (const { vertex, weight } of corners) {
       const beyond = [0, 1, 2].reduce(
         (total, axis) => total + (flat[axis] - positions[vertex + axis]) * smooth[vertex + axis],
         0,
       )
-      for (const axis of [0, 1, 2]) curved[axis] -= PHONG * amount * weight * beyond * smooth[vertex + axis]
+      for (const axis of [0, 1, 2]) curved[axis] -= curvature * weight * beyond * smooth[vertex + axis]
     }
     const [u0, v0, u1, v1] = dense.uvs.subarray(4 * i, 4 * i + 4)
     const height = (heightAt(u0, v0) + heightAt(u1, v1)) / 2
-    const most = corners.reduce((total, { vertex, weight }) => total + weight * room[vertex / 3], 0)
-    for (const axis of [0, 1, 2])
-      out[3 * i + axis] = curved[axis] + normal[axis] * Math.min(height, most) * amount
+    const outwards = Math.min(Math.max(height, -most), most) * amount
+    for (const axis of [0, 1, 2]) out[3 * i + axis] = curved[axis] + normal[axis] * outwards
   }
   return out
 }
