@@ -77,6 +77,37 @@ test('a stroke on the texture paints the same place of the face, and its thumbna
   await button(page, 'Paint').click()
 })
 
+test('a polygon that is drawn on the texture paints its inside on the face, and is outlined where it is drawn', async () => {
+  await button(page, 'Paint').click()
+  await page.getByText('Polygon', { exact: true }).click()
+  const [face, map] = [await shootAside(page), await shootTexture()]
+  const { x, y, width, height } = (await texture().boundingBox())!
+  const corners = [
+    [0.45, 0.54],
+    [0.55, 0.54],
+    [0.5, 0.59],
+  ]
+  for (const [u, v] of corners) await page.mouse.click(x + u * width, y + v * height)
+  await eventually(async () => {
+    const circles = await texture().locator('circle').all()
+    const boxes = await Promise.all(circles.map((circle) => circle.boundingBox()))
+    const seen = boxes.map((box) => [box!.x + box!.width / 2 - x, box!.y + box!.height / 2 - y])
+    expect(seen.length).toBe(corners.length)
+    for (const [i, [u, v]] of corners.entries()) {
+      expect(Math.hypot(seen[i][0] - u * width, seen[i][1] - v * height)).toBeLessThan(1)
+    }
+  })
+  // The first point again closes it.
+  await page.mouse.click(x + corners[0][0] * width, y + corners[0][1] * height)
+  await undoIs(page, `Paint ${AREA}`)
+  expect(await meanPngDifference(face, await shootAside(page))).toBeGreaterThan(0.1)
+  await button(page, 'Undo').click()
+  await expectPicture(page, face)
+  await eventually(async () => expect(await meanPngDifference(map, await shootTexture())).toBe(0))
+  await page.getByText('Brush', { exact: true }).first().click()
+  await button(page, 'Paint').click()
+})
+
 test('a drag beside the skin moves the texture and paints nothing', async () => {
   await button(page, 'Paint').click()
   const before = await shootTexture()

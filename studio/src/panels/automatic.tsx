@@ -44,7 +44,7 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
             ))}
           </select>
         </div>
-        <div class="setting with-button">
+        <div class="setting">
           <label for="other-lines">Lines of</label>
           <span class="with-button">
             <select
@@ -52,7 +52,7 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
               value={lines}
               onChange={({ currentTarget }) => setLines(currentTarget.value as Lines)}
             >
-              <option value="all">the whole face</option>
+              <option value="all">all regions</option>
               {WITH_LINES.map((region) => (
                 <option key={region} value={region}>
                   {region === 'foreheadInner' ? 'forehead' : region}

@@ -27,7 +27,9 @@ export class TextureCamera {
     this.#onChange = onChange
     this.camera.position.set(0.5, -0.5, 1)
     this.#controls = new OrbitControls(this.camera, element)
+    // At first they look at the origin, from the side.
     this.#controls.target.set(0.5, -0.5, 0)
+    this.#controls.update()
     this.#controls.enableRotate = false
     this.#controls.zoomToCursor = true
     this.#controls.minZoom = 1
