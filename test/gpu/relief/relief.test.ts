@@ -3,7 +3,6 @@ import { interpolate } from '../../../packages/furrow/src/core/reference.ts'
 import { displace } from '../../../packages/furrow/src/relief/displaced.ts'
 import { outwardRoom } from '../../../packages/furrow/src/relief/outward-room.ts'
 import { splitMesh } from '../../../packages/furrow/src/relief/split-mesh.ts'
-import { WeldedEdges } from '../../../packages/furrow/src/relief/welded-edges.ts'
 import { createHarness, type Harness, RENDERERS } from '../harness.ts'
 import { AMPLITUDE, ball, heightBytes, heightSet, sceneOf, sideCamera } from './ball.ts'
 import { distances, fractionWithin, outlineOf, projectedOutline } from './outline.ts'
@@ -47,7 +46,7 @@ function referenceOutline(mesh: ReturnType<typeof ball>) {
   let step = steps.next()
   while (!step.done) step = steps.next()
   const dense = step.value
-  const { firstOf } = new WeldedEdges(coarse)
+  const { firstOf } = dense
   const normals = attributes.normal.array
   const room = outwardRoom(coarse, normals, firstOf, AMPLITUDE / 2)
   const offsets = morphAttributes.position![0].array
@@ -56,7 +55,7 @@ function referenceOutline(mesh: ReturnType<typeof ball>) {
   const size = Math.sqrt(bytes.length)
   const heightAt = (u: number, v: number) =>
     (interpolate({ width: size, height: size }, u, v, (i, j) => bytes[i + j * size]) / 255 - 0.5) * AMPLITUDE
-  const out = displace(dense, { positions, normals }, firstOf, heightAt, room)
+  const out = displace(dense, { positions, normals }, heightAt, room)
   const toPixels = (value: number) => (value / SIDE + 0.5) * FINE
   return projectedOutline(dense.triangles, (i) => [toPixels(out[3 * i]), toPixels(out[3 * i + 1])], FINE)
 }

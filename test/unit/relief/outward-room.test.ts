@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest'
 import { outwardRoom } from '../../../packages/furrow/src/relief/outward-room.ts'
-import { WeldedEdges } from '../../../packages/furrow/src/relief/welded-edges.ts'
+import { firstVertices } from '../../../packages/furrow/src/relief/welded-edges.ts'
 import { sphere } from './coarse.ts'
 
 /** A sheet of 20 x 20 squares of 1 mm, at a height, that faces up or down. */
@@ -31,7 +31,7 @@ it('surfaces that face each other may fill less than half of the gap, and those 
       uvs: new Float32Array(2 * 882),
       triangles: [...lower.triangles, ...upper.triangles.map((i) => i + 441)],
     }
-    const { firstOf } = new WeldedEdges(mesh)
+    const firstOf = firstVertices(mesh.positions)
     return outwardRoom(mesh, [...lower.normals, ...upper.normals], firstOf, 0.001)
   }
   const lips = roomBetween(0.001, 1)
@@ -42,7 +42,7 @@ it('surfaces that face each other may fill less than half of the gap, and those 
 
 it('nothing bulges at the border of a mesh, and the more the farther from it', () => {
   const mesh = { ...sheet(0, 1), uvs: new Float32Array(882) }
-  const { firstOf } = new WeldedEdges(mesh)
+  const firstOf = firstVertices(mesh.positions)
   const room = outwardRoom(mesh, mesh.normals, firstOf, 0.001)
   expect(room[0]).toBe(0)
   expect(room[2 * 21 + 10]).toBeCloseTo(0.0005, 6)
@@ -51,6 +51,6 @@ it('nothing bulges at the border of a mesh, and the more the farther from it', (
 
 it('a round surface has room everywhere', () => {
   const mesh = sphere(0.05, 32)
-  const { firstOf } = new WeldedEdges(mesh)
+  const firstOf = firstVertices(mesh.positions)
   expect(Math.min(...outwardRoom(mesh, mesh.normals, firstOf, 0.001))).toBeGreaterThan(0.001)
 })

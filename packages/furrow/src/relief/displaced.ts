@@ -37,7 +37,6 @@ export function displacement(
  * Displaces a dense mesh: every vertex is put on its coarse triangle as that is deformed, curved by Phong tessellation, and moved along
  * the smooth normal.
  *
- * @param firstOf of each coarse vertex the first one at its position, see `WeldedEdges`.
  * @param heightAt metres outwards at a point of the texture.
  * @param room metres in either direction at most, of each coarse vertex, see `outwardRoom`; where there is next to none, the surface is not
  *   curved either, since other meshes may adjoin.
@@ -45,15 +44,14 @@ export function displacement(
  * @returns x, y and z of each dense vertex.
  */
 export function displace(
-  dense: Pick<DenseMesh, 'count' | 'parents' | 'weights' | 'uvs'>,
+  dense: DenseMesh,
   { positions, normals }: DeformedMesh,
-  firstOf: ArrayLike<number>,
   heightAt: (u: number, v: number) => number,
   room: ArrayLike<number>,
   amount = 1,
 ): Float64Array {
   const out = new Float64Array(3 * dense.count)
-  const smooth = smoothNormals(normals, firstOf)
+  const smooth = smoothNormals(normals, dense.firstOf)
   for (let i = 0; i < dense.count; i++) {
     const corners = [0, 1, 2].map((k) => ({
       vertex: 3 * dense.parents[3 * i + k],

@@ -1,5 +1,6 @@
 import type { CoarseMesh } from './coarse-mesh.ts'
 import { smoothNormals } from './displaced.ts'
+import { nextCorner } from './welded-edges.ts'
 
 /** Of the gap between two surfaces, how much each may fill. */
 const OF_GAP = 0.4
@@ -18,7 +19,7 @@ const OPPOSED = -0.2
  * the gap. Rims, as those of lids, come to lie on others when the face moves: they do not bulge, and skin near them little.
  *
  * @param normals unit normals at rest.
- * @param firstOf of each vertex the first one at its position, see `WeldedEdges`.
+ * @param firstOf of each vertex the first one at its position, see `firstVertices`.
  * @param reach metres within which other parts matter: the largest displacement.
  * @returns metres outwards, at each vertex.
  */
@@ -30,40 +31,53 @@ export function outwardRoom(
 ): Float32Array {
   const room = new Float32Array(firstOf.length).fill(AMPLE)
   const smooth = smoothNormals(normals, firstOf)
-  const cell = Math.max(reach / OF_GAP, reach / FROM_RIM)
-  const points = firstOf.reduce<number[]>((list, first, i) => {
-    if (first === i) list.push(i)
-    return list
-  }, [])
-  const grid = new PointGrid(positions, points, cell)
   const isRim = rims(triangles, smooth, firstOf)
+  const points = firstOf.filter((first, vertex) => first === vertex)
+  // No farther than matters: a rim that leaves more than `reach`, a gap of which the part is more than `reach`.
+  const grid = new PointGrid(positions, points, reach / OF_GAP)
+  const rimGrid = new PointGrid(
+    positions,
+    points.filter((i) => isRim[i]),
+    reach / FROM_RIM,
+  )
   for (const i of points) {
-    const limit = (value: number) => {
-      room[i] = Math.min(room[i], value)
-    }
-    grid.visit(i, (j) => {
-      const d = [0, 1, 2].map((axis) => positions[3 * j + axis] - positions[3 * i + axis])
-      const distance = Math.hypot(...d)
-      if (isRim[j]) limit(distance * FROM_RIM)
-      const facing = dot(smooth, 3 * i, smooth, 3 * j)
-      if (i !== j && facing < OPPOSED && dot(smooth, 3 * i, d, 0) >= 0) limit(distance * OF_GAP)
+    let least = AMPLE
+    rimGrid.visit(i, (j) => {
+      least = Math.min(least, distance(positions, i, j) * FROM_RIM)
     })
+    grid.visit(i, (j) => {
+      if (isFacing(positions, smooth, i, j)) least = Math.min(least, distance(positions, i, j) * OF_GAP)
+    })
+    room[i] = least
   }
   for (let i = 0; i < room.length; i++) room[i] = room[firstOf[i]]
   return room
+}
+
+/** Whether a point is in front of another one, and faces it. */
+function isFacing(positions: ArrayLike<number>, smooth: Float64Array, i: number, j: number): boolean {
+  if (i === j || dot(smooth, 3 * i, smooth, 3 * j) >= OPPOSED) return false
+  let ahead = 0
+  for (let k = 0; k < 3; k++) ahead += smooth[3 * i + k] * (positions[3 * j + k] - positions[3 * i + k])
+  return ahead >= 0
+}
+
+function distance(positions: ArrayLike<number>, i: number, j: number): number {
+  const x = positions[3 * j] - positions[3 * i]
+  const y = positions[3 * j + 1] - positions[3 * i + 1]
+  const z = positions[3 * j + 2] - positions[3 * i + 2]
+  return Math.sqrt(x * x + y * y + z * z)
 }
 
 /** 1 for each first vertex on the border of the mesh, or on an edge that turns back. */
 function rims(triangles: ArrayLike<number>, smooth: Float64Array, firstOf: Uint32Array): Uint8Array {
   const isRim = new Uint8Array(firstOf.length)
   const sides = new Map<number, number>()
-  for (let k = 0; k + 2 < triangles.length; k += 3) {
-    for (let corner = 0; corner < 3; corner++) {
-      const [a, b] = [firstOf[triangles[k + corner]], firstOf[triangles[k + ((corner + 1) % 3)]]]
-      const key = a < b ? a * firstOf.length + b : b * firstOf.length + a
-      sides.set(key, (sides.get(key) ?? 0) + 1)
-      if (dot(smooth, 3 * a, smooth, 3 * b) < OPPOSED) isRim[a] = isRim[b] = 1
-    }
+  for (let corner = 0; corner < triangles.length - (triangles.length % 3); corner++) {
+    const [a, b] = [firstOf[triangles[corner]], firstOf[triangles[nextCorner(corner)]]]
+    const key = a < b ? a * firstOf.length + b : b * firstOf.length + a
+    sides.set(key, (sides.get(key) ?? 0) + 1)
+    if (dot(smooth, 3 * a, smooth, 3 * b) < OPPOSED) isRim[a] = isRim[b] = 1
   }
   for (const [key, count] of sides) {
     if (count === 1) isRim[key % firstOf.length] = isRim[Math.floor(key / firstOf.length)] = 1
@@ -75,13 +89,13 @@ function rims(triangles: ArrayLike<number>, smooth: Float64Array, firstOf: Uint3
 class PointGrid {
   readonly #positions: ArrayLike<number>
   readonly #cell: number
-  readonly #cubes = new Map<string, number[]>()
+  readonly #cubes = new Map<number, number[]>()
 
-  constructor(positions: ArrayLike<number>, points: readonly number[], cell: number) {
+  constructor(positions: ArrayLike<number>, points: Uint32Array, cell: number) {
     this.#positions = positions
     this.#cell = cell
     for (const i of points) {
-      const key = this.#cubeOf(i).join()
+      const key = keyOf(this.#at(i, 0), this.#at(i, 1), this.#at(i, 2))
       const cube = this.#cubes.get(key)
       if (cube) cube.push(i)
       else this.#cubes.set(key, [i])
@@ -90,19 +104,25 @@ class PointGrid {
 
   /** Visits all points within a cube's side of a point, itself and some farther ones included. */
   visit(i: number, visit: (j: number) => void): void {
-    const [x, y, z] = this.#cubeOf(i)
+    const [x, y, z] = [this.#at(i, 0), this.#at(i, 1), this.#at(i, 2)]
     for (let dx = -1; dx <= 1; dx++) {
       for (let dy = -1; dy <= 1; dy++) {
         for (let dz = -1; dz <= 1; dz++) {
-          for (const j of this.#cubes.get(`${x + dx},${y + dy},${z + dz}`) ?? []) visit(j)
+          const cube = this.#cubes.get(keyOf(x + dx, y + dy, z + dz))
+          if (cube) for (const j of cube) visit(j)
         }
       }
     }
   }
 
-  #cubeOf(i: number): number[] {
-    return [0, 1, 2].map((axis) => Math.floor(this.#positions[3 * i + axis] / this.#cell))
+  #at(i: number, axis: number): number {
+    return Math.floor(this.#positions[3 * i + axis] / this.#cell)
   }
+}
+
+/** One number for a cube. Cubes far apart may have the same: that only costs time. */
+function keyOf(x: number, y: number, z: number): number {
+  return (x & 0xffff) + 0x10000 * (y & 0xffff) + 0x100000000 * (z & 0xffff)
 }
 
 function dot(a: ArrayLike<number>, i: number, b: ArrayLike<number>, j: number): number {

@@ -38,8 +38,11 @@ export function splitPatch(rules: PatchRules, emit: (a: number, b: number, c: nu
     if (edge < 0) {
       if (!Number.isInteger(x) || !Number.isInteger(y) || !rules.isLong(q.x - p.x, q.y - p.y)) return null
       const key = x * (WHOLE + 1) + y
-      const point = inner.get(key) ?? { x, y, index: rules.inside(x, y) }
-      inner.set(key, point)
+      let point = inner.get(key)
+      if (!point) {
+        point = { x, y, index: rules.inside(x, y) }
+        inner.set(key, point)
+      }
       return point
     }
     const [from, to] = [alongEdge(p, edge), alongEdge(q, edge)]

@@ -1,5 +1,5 @@
 import type { CoarseMesh } from './coarse-mesh.ts'
-import { type DenseMesh, DenseVertices } from './dense-mesh.ts'
+import { DenseBuilder, type DenseMesh } from './dense-mesh.ts'
 import { splitPatch, WHOLE } from './patch.ts'
 import { WeldedEdges } from './welded-edges.ts'
 
@@ -32,60 +32,38 @@ export function* splitMesh(
   const { edge: wanted, budget } = { ...SPLIT_DEFAULTS, ...options }
   const edges = new WeldedEdges(mesh)
   yield
-  const edge = fitBudget(mesh, covered, edges, wanted, budget)
+  const edge = fitBudget(covered, edges, wanted, budget)
   yield
   const splitter = new Splitter(mesh, edges, LONGEST * edge)
   for (let t = 0; t < covered.length; t++) {
     splitter.split(t, covered[t] > 0)
     if (t % SLICE === SLICE - 1) yield
   }
-  const { vertices, triangles } = splitter
-  return {
-    count: vertices.count,
-    triangles: Uint32Array.from(triangles),
-    parents: Uint32Array.from(vertices.parents),
-    corners: Uint32Array.from(vertices.corners),
-    weights: Float32Array.from(vertices.weights),
-    uvs: Float32Array.from(vertices.uvs),
-    edge,
-  }
+  return splitter.dense.finish(edge)
 }
 
 /** Cuts edges so that there are no more triangles than allowed. Returns the length aimed at. */
-function fitBudget(
-  mesh: CoarseMesh,
-  covered: Uint8Array,
-  edges: WeldedEdges,
-  wanted: number,
-  budget: number,
-): number {
+function fitBudget(covered: Uint8Array, edges: WeldedEdges, wanted: number, budget: number): number {
   for (let edge = wanted; ; ) {
     edges.cut(covered, LONGEST * edge)
-    const count = countTriangles(mesh, edges, covered.length)
-    if (count <= budget || !edges.isAnyCut) return edge
+    const count = countTriangles(edges)
+    if (count <= budget || edges.levels.every((level) => level === 0)) return edge
     edge *= Math.max(1.05, Math.sqrt(count / budget))
   }
 }
 
 /** About how many triangles there will be: each halving of all three edges makes four of one. */
-function countTriangles({ triangles }: CoarseMesh, edges: WeldedEdges, count: number): number {
+function countTriangles({ edgeOf, levels }: WeldedEdges): number {
   let sum = 0
-  for (let t = 0; t < count; t++) {
-    const levels = levelsOf(triangles, t, edges)
-    sum += 2 ** ((2 * (levels[0] + levels[1] + levels[2])) / 3)
+  for (let k = 0; k < edgeOf.length; k += 3) {
+    sum += 2 ** ((2 * (levels[edgeOf[k]] + levels[edgeOf[k + 1]] + levels[edgeOf[k + 2]])) / 3)
   }
   return sum
 }
 
-function levelsOf(triangles: ArrayLike<number>, t: number, edges: WeldedEdges): [number, number, number] {
-  const [a, b, c] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]]
-  return [edges.between(a, b).level, edges.between(b, c).level, edges.between(c, a).level]
-}
-
 /** Splits triangles one by one. Those that have an edge in common have its vertices in common too. */
 class Splitter {
-  readonly vertices: DenseVertices
-  readonly triangles: number[] = []
+  readonly dense: DenseBuilder
   readonly #mesh: CoarseMesh
   readonly #edges: WeldedEdges
   readonly #longest: number
@@ -96,61 +74,61 @@ class Splitter {
     this.#mesh = mesh
     this.#edges = edges
     this.#longest = longest
-    this.vertices = new DenseVertices(edges.firstOf)
+    this.dense = new DenseBuilder(edges.firstOf)
     const uvs = uvsOfPoints(mesh, edges.firstOf)
-    for (let i = 0; i < edges.firstOf.length; i++)
-      this.vertices.add([i, i, i], [1, 0, 0], uvs[edges.firstOf[i]])
+    for (let i = 0; i < edges.firstOf.length; i++) {
+      this.dense.addVertex([i, i, i], [1, 0, 0], uvs[edges.firstOf[i]])
+    }
   }
 
   split(t: number, isCovered: boolean): void {
     const { triangles, uvs } = this.#mesh
+    const { edgeOf, levels } = this.#edges
     const corners = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]] as const
-    const levels = levelsOf(triangles, t, this.#edges)
-    const emit = (a: number, b: number, c: number) => {
-      this.triangles.push(a, b, c)
-    }
-    if (Math.max(...levels) === 0) {
-      emit(...corners)
+    const [a, b, c] = corners
+    const levelsHere = [levels[edgeOf[3 * t]], levels[edgeOf[3 * t + 1]], levels[edgeOf[3 * t + 2]]] as const
+    if (levelsHere[0] + levelsHere[1] + levelsHere[2] === 0) {
+      this.dense.addTriangle(a, b, c)
       return
     }
-    const [a, b, c] = corners
     const squared = squaredLengths(this.#mesh.positions, corners)
     const limit = (this.#longest * WHOLE) ** 2
     splitPatch(
       {
         corners,
-        levels,
+        levels: levelsHere,
         isLong: (dx, dy) => isCovered && squared(dx, dy) > limit,
-        onEdge: (edge, part) => this.#onEdge(corners[edge], corners[(edge + 1) % 3], part),
+        onEdge: (edge, part) => this.#onEdge(3 * t + edge, corners[edge], corners[(edge + 1) % 3], part),
         inside: (x, y) => {
-          const weights = [x / WHOLE, y / WHOLE, (WHOLE - x - y) / WHOLE] as const
-          const [u, v] = [0, 1].map(
-            (k) => weights[0] * uvs[2 * a + k] + weights[1] * uvs[2 * b + k] + weights[2] * uvs[2 * c + k],
-          )
-          return this.vertices.add(corners, weights, [u, v, u, v])
+          const [wa, wb, wc] = [x / WHOLE, y / WHOLE, (WHOLE - x - y) / WHOLE]
+          const u = wa * uvs[2 * a] + wb * uvs[2 * b] + wc * uvs[2 * c]
+          const v = wa * uvs[2 * a + 1] + wb * uvs[2 * b + 1] + wc * uvs[2 * c + 1]
+          return this.dense.addVertex(corners, [wa, wb, wc], [u, v, u, v])
         },
       },
-      emit,
+      (p, q, r) => this.dense.addTriangle(p, q, r),
     )
   }
 
   /** The vertex at some part, 0..1, of the edge from `a` to `b`. */
-  #onEdge(a: number, b: number, part: number): number {
-    const [from, to, t] = this.#edges.startsAt(a, b) ? [a, b, part] : [b, a, 1 - part]
-    const { level, uvs } = this.#edges.between(a, b)
-    const segments = 2 ** level
-    const key = from * this.#edges.firstOf.length + to
+  #onEdge(corner: number, a: number, b: number, part: number): number {
+    const { edgeOf, levels, firstOf } = this.#edges
+    const [from, to, at] = this.#edges.startsAt(a, b) ? [a, b, part] : [b, a, 1 - part]
+    const key = from * firstOf.length + to
     const known = this.#onEdges.get(key)
-    const first = known ?? this.vertices.count
+    const edge = edgeOf[corner]
+    const segments = 2 ** levels[edge]
+    const first = known ?? this.dense.count
     if (known === undefined) {
       this.#onEdges.set(key, first)
-      for (let k = 1; k < segments; k++) {
-        const at = k / segments
-        const [p, q] = uvs.map(([u0, v0, u1, v1]) => [u0 + at * (u1 - u0), v0 + at * (v1 - v0)])
-        this.vertices.add([from, to, from], [1 - at, at, 0], [p[0], p[1], q[0], q[1]])
-      }
+      for (let k = 1; k < segments; k++) this.#addOnEdge(edge, from, to, k / segments)
     }
-    return first + t * segments - 1
+    return first + at * segments - 1
+  }
+
+  #addOnEdge(edge: number, from: number, to: number, at: number): void {
+    const uv = (k: number) => this.#edges.uvAt(edge, at, k)
+    this.dense.addVertex([from, to, from], [1 - at, at, 0], [uv(0), uv(1), uv(2), uv(3)])
   }
 }
 

@@ -1,90 +1,105 @@
 import { weldVertices } from '../math/weld.ts'
 import type { CoarseMesh } from './coarse-mesh.ts'
 
-/** An edge of the welded mesh: all edges between the same two positions, whatever their texture coordinates. */
-export interface WeldedEdge {
-  /** Metres at rest. */
-  length: number
-  /** It is cut into 2 to the power of this many segments. */
-  level: number
-  /**
-   * Texture coordinates at both ends, from the one whose vertex is first: of two of the edges at a seam, the same two for all of them; otherwise
-   * twice the same.
-   */
-  uvs: readonly [first: EdgeUvs, last: EdgeUvs]
-}
+/** Halvings of an edge at most: 1 m into segments of 1 mm. */
+export const MAX_LEVEL = 10
 
-/** u and v at one end and at the other. */
-export type EdgeUvs = readonly [number, number, number, number]
+/** Texture coordinates of two edges, each u and v at one end and at the other. */
+const PER_EDGE = 8
 
-/** The first vertex at each vertex's position, and the welded edges. */
+/**
+ * The edges of the welded mesh, by number: those between the same two positions are one, whatever their texture coordinates. They begin at
+ * the end whose first vertex comes first.
+ */
 export class WeldedEdges {
   /** Of each vertex the first one at its position: all of them move as that does. */
   readonly firstOf: Uint32Array
-  readonly #edges = new Map<number, WeldedEdge>()
-  readonly #mesh: CoarseMesh
+  /** The edge from each corner of each triangle to the next. */
+  readonly edgeOf: Uint32Array
+  /** An edge is cut into 2 to the power of this many segments. */
+  readonly levels: Uint8Array
+  readonly #lengths: Float64Array
+  readonly #uvs: Float64Array
 
-  constructor(mesh: CoarseMesh) {
-    this.#mesh = mesh
-    const { pointOf, count } = weldVertices(mesh.positions)
-    const first = new Uint32Array(count).fill(0xffffffff)
-    for (const [vertex, point] of pointOf.entries()) first[point] = Math.min(first[point], vertex)
-    this.firstOf = pointOf.map((point) => first[point])
-    const { triangles } = mesh
-    for (let k = 0; k + 2 < triangles.length; k += 3) {
-      for (let corner = 0; corner < 3; corner++) {
-        this.#add(triangles[k + corner], triangles[k + ((corner + 1) % 3)])
+  constructor({ positions, uvs, triangles }: CoarseMesh) {
+    this.firstOf = firstVertices(positions)
+    const { firstOf } = this
+    const corners = triangles.length - (triangles.length % 3)
+    this.edgeOf = new Uint32Array(corners)
+    this.#lengths = new Float64Array(corners)
+    this.#uvs = new Float64Array(PER_EDGE * corners)
+    const known = new Map<number, number>()
+    for (let corner = 0; corner < corners; corner++) {
+      const [a, b] = [triangles[corner], triangles[nextCorner(corner)]]
+      const [from, to] = this.startsAt(a, b) ? [a, b] : [b, a]
+      const key = firstOf[from] * firstOf.length + firstOf[to]
+      const edge = known.get(key) ?? known.size
+      this.edgeOf[corner] = edge
+      const isNew = edge === known.size
+      if (isNew) {
+        known.set(key, edge)
+        this.#lengths[edge] = distance(positions, a, b)
       }
+      this.#addUvs(uvs, edge, from, to, isNew)
     }
+    this.levels = new Uint8Array(known.size)
   }
 
-  /** The edge between two vertices of a triangle. */
-  between(a: number, b: number): WeldedEdge {
-    return this.#edges.get(this.#key(a, b))!
-  }
-
-  /** Whether an edge's segments are counted from its vertex `a` on: they are from that whose position comes first. */
+  /** Whether the edge between two vertices begins at `a`. */
   startsAt(a: number, b: number): boolean {
     return this.firstOf[a] < this.firstOf[b]
   }
 
-  get isAnyCut(): boolean {
-    for (const { level } of this.#edges.values()) if (level > 0) return true
-    return false
+  /**
+   * One of the texture coordinates at a point of an edge: of two of the edges at a seam, the same two for all of them; otherwise twice the same.
+   *
+   * @param at 0..1, from where the edge begins.
+   * @param k 0 and 1 for u and v of the one, 2 and 3 for those of the other.
+   */
+  uvAt(edge: number, at: number, k: number): number {
+    const offset = PER_EDGE * edge + (k < 2 ? k : k + 2)
+    return this.#uvs[offset] + at * (this.#uvs[offset + 2] - this.#uvs[offset])
   }
 
   /** Cuts the edges of some triangles into segments no longer than `longest`; all others stay whole. */
   cut(covered: Uint8Array, longest: number): void {
-    for (const edge of this.#edges.values()) edge.level = 0
-    const { triangles } = this.#mesh
-    for (let t = 0; t < covered.length; t++) {
-      if (!covered[t]) continue
-      for (let corner = 0; corner < 3; corner++) {
-        const edge = this.between(triangles[3 * t + corner], triangles[3 * t + ((corner + 1) % 3)])
-        edge.level = levelOf(edge.length, longest)
-      }
+    this.levels.fill(0)
+    for (let corner = 0; corner < this.edgeOf.length; corner++) {
+      if (!covered[Math.floor(corner / 3)]) continue
+      const edge = this.edgeOf[corner]
+      if (this.levels[edge] === 0) this.levels[edge] = levelOf(this.#lengths[edge], longest)
     }
   }
 
-  #add(a: number, b: number): void {
-    const { positions, uvs } = this.#mesh
-    const [from, to] = this.startsAt(a, b) ? [a, b] : [b, a]
-    const own: EdgeUvs = [uvs[2 * from], uvs[2 * from + 1], uvs[2 * to], uvs[2 * to + 1]]
-    const key = this.#key(a, b)
-    const known = this.#edges.get(key)
-    if (known) {
-      const [first, last] = known.uvs
-      known.uvs = [isBefore(own, first) ? own : first, isBefore(last, own) ? own : last]
-      return
+  /** Of all texture coordinates of an edge, those that come first and last in an order, whichever it is. */
+  #addUvs(uvs: ArrayLike<number>, edge: number, from: number, to: number, isNew: boolean): void {
+    const all = this.#uvs
+    const own = (k: number) => uvs[2 * (k < 2 ? from : to) + (k % 2)]
+    const compare = (offset: number) => {
+      for (let k = 0; k < 4; k++) if (own(k) !== all[offset + k]) return own(k) - all[offset + k]
+      return 0
     }
-    const length = Math.hypot(...[0, 1, 2].map((axis) => positions[3 * a + axis] - positions[3 * b + axis]))
-    this.#edges.set(key, { length, level: 0, uvs: [own, own] })
+    const [first, last] = [PER_EDGE * edge, PER_EDGE * edge + 4]
+    const isFirst = isNew || compare(first) < 0
+    const isLast = isNew || compare(last) > 0
+    for (let k = 0; k < 4; k++) {
+      if (isFirst) all[first + k] = own(k)
+      if (isLast) all[last + k] = own(k)
+    }
   }
+}
 
-  #key(a: number, b: number): number {
-    const [p, q] = [this.firstOf[a], this.firstOf[b]]
-    return p < q ? p * this.firstOf.length + q : q * this.firstOf.length + p
-  }
+/** The corner of the same triangle that follows. */
+export function nextCorner(corner: number): number {
+  return corner % 3 === 2 ? corner - 2 : corner + 1
+}
+
+/** Of each vertex the first one at its position. */
+export function firstVertices(positions: ArrayLike<number>): Uint32Array {
+  const { pointOf, count } = weldVertices(positions)
+  const first = new Uint32Array(count)
+  for (let vertex = pointOf.length - 1; vertex >= 0; vertex--) first[pointOf[vertex]] = vertex
+  return pointOf.map((point) => first[point])
 }
 
 /** Halvings until segments are no longer than `longest`. */
@@ -93,11 +108,7 @@ function levelOf(length: number, longest: number): number {
   return Number.isFinite(level) ? Math.min(Math.max(level, 0), MAX_LEVEL) : 0
 }
 
-/** Halvings of an edge at most: 1 m into segments of 1 mm. */
-export const MAX_LEVEL = 10
-
-/** An order of texture coordinates, whichever it is. */
-function isBefore(a: EdgeUvs, b: EdgeUvs): boolean {
-  const k = a.findIndex((value, i) => value !== b[i])
-  return k >= 0 && a[k] < b[k]
+function distance(positions: ArrayLike<number>, a: number, b: number): number {
+  const [x, y, z] = [0, 1, 2].map((axis) => positions[3 * a + axis] - positions[3 * b + axis])
+  return Math.sqrt(x * x + y * y + z * z)
 }

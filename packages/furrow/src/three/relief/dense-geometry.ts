@@ -12,7 +12,6 @@ import { coveredTriangles } from '../../relief/covered-triangles.ts'
 import type { DenseMesh } from '../../relief/dense-mesh.ts'
 import { outwardRoom } from '../../relief/outward-room.ts'
 import { splitMesh } from '../../relief/split-mesh.ts'
-import { WeldedEdges } from '../../relief/welded-edges.ts'
 import { coordinates, trianglesOf } from '../sources/geometry-arrays.ts'
 import { wrinkleUvs } from '../wrinkle-uvs.ts'
 import { COARSE_WIDTH } from './coarse-pass.ts'
@@ -57,7 +56,7 @@ export function* splitGeometry(request: SplitRequest): Generator<void, Split> {
     : new Uint8Array(coarse.triangles.length / 3).fill(1)
   yield
   const dense = yield* splitMesh(coarse, covered)
-  const { firstOf } = new WeldedEdges(coarse)
+  const { firstOf } = dense
   yield
   const room = outwardRoom(coarse, coordinates(geometry.attributes.normal), firstOf, reach)
   yield
