@@ -22,7 +22,7 @@ export interface ReliefOwner extends Omit<ReliefHost, 'refuse'> {
 
 /** Whether a face is drawn with relief: splits its meshes when that is first wanted, and shows it while it can be seen. */
 export class ReliefControl {
-  mode: ReliefMode
+  #mode: ReliefMode
   readonly #owner: ReliefOwner
   #relief: Relief | null = null
   #making: Promise<void> | null = null
@@ -41,7 +41,17 @@ export class ReliefControl {
     this.#isPossible = owner.inputs.textures.layers.some(
       ({ height, heightAmplitude = 0 }) => height && heightAmplitude > 0,
     )
-    this.mode = mode
+    this.#mode = mode
+  }
+
+  get mode(): ReliefMode {
+    return this.#mode
+  }
+
+  set mode(mode: ReliefMode) {
+    this.#mode = mode
+    // By size the next frame tells.
+    if (mode !== 'auto') this.#show(mode === 'on')
   }
 
   /** Splits the meshes, and shows the relief if the mode is `on`. */
@@ -88,7 +98,7 @@ export class ReliefControl {
 
   /** After this frame: lists of what it draws have been made. */
   #begin(): void {
-    queueMicrotask(() => this.#make().then(() => this.#show(this.#unseen === 0)))
+    queueMicrotask(() => this.#make().then(() => this.#show(this.#unseen === 0 && this.mode !== 'off')))
   }
 
   #show(isShown: boolean): void {
