@@ -3,6 +3,8 @@ import {
   BufferGeometry,
   DataTexture,
   FloatType,
+  InterleavedBuffer,
+  InterleavedBufferAttribute,
   type Material,
   type Mesh,
   RedFormat,
@@ -116,31 +118,40 @@ function denseGeometry(
   room: Float32Array,
 ): BufferGeometry {
   const geometry = new BufferGeometry()
-  const add = (name: string, array: Float32Array, size: number) =>
-    geometry.setAttribute(name, new BufferAttribute(array, size))
   for (const [name, attribute] of Object.entries(attributes)) {
     if (DEFORMING.includes(name)) continue
-    add(
-      name,
-      interpolate(coordinates(attribute, attribute.itemSize), attribute.itemSize, dense),
-      attribute.itemSize,
-    )
+    const { itemSize } = attribute
+    const values = interpolate(coordinates(attribute, itemSize), itemSize, dense)
+    geometry.setAttribute(name, new BufferAttribute(values, itemSize))
   }
-  add(
-    'furrowParents',
-    Float32Array.from(dense.parents, (i) => first + i),
-    3,
-  )
-  add(
-    'furrowCorners',
-    Float32Array.from(dense.corners, (i) => first + i),
-    3,
-  )
-  add('furrowWeights', dense.weights, 3)
-  add('furrowUvs', dense.uvs, 4)
-  add('furrowRoom', room, 1)
+  const { parents, corners, weights, uvs } = dense
+  addInterleaved(geometry, dense.count, [
+    ['furrowParents', parents.map((i) => first + i), 3],
+    ['furrowCorners', corners.map((i) => first + i), 3],
+    ['furrowWeights', weights, 3],
+    ['furrowUvs', uvs, 4],
+    ['furrowRoom', room, 1],
+  ])
   geometry.setIndex(new BufferAttribute(dense.triangles, 1))
   return geometry
+}
+
+/** Adds attributes of floats in one buffer: WebGPU guarantees no more than eight for a geometry. */
+function addInterleaved(
+  geometry: BufferGeometry,
+  count: number,
+  parts: readonly [name: string, values: ArrayLike<number>, size: number][],
+): void {
+  const stride = parts.reduce((sum, [, , size]) => sum + size, 0)
+  const buffer = new InterleavedBuffer(new Float32Array(stride * count), stride)
+  let offset = 0
+  for (const [name, values, size] of parts) {
+    for (let i = 0; i < size * count; i++) {
+      buffer.array[stride * Math.floor(i / size) + offset + (i % size)] = values[i]
+    }
+    geometry.setAttribute(name, new InterleavedBufferAttribute(buffer, size, offset))
+    offset += size
+  }
 }
 
 function interpolate(
