@@ -125,7 +125,7 @@ def paint_pores(fields: FaceFields, depth: float) -> np.ndarray:
 def relief(height: np.ndarray, depth: float, near: np.ndarray, step=3) -> np.ndarray:
     """The tangent-space normal map (size, size, 3), 0..1, of a height in texels; flat where `near` is false.
 
-    x and y are multiples of `step` / 127 around zero (which is 128/255): with 3 the file has 0.4 of the bytes, and pores
+    x and y are multiples of `step` / 127 around zero (which is 128/255): with 3 the file has 0.4 of the bytes and pores
     still look smooth.
     """
     # x is right, y is up.
