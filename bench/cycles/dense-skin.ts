@@ -11,7 +11,6 @@ import { coveredTriangles } from '../../packages/furrow/src/relief/covered-trian
 import { displace, displacement } from '../../packages/furrow/src/relief/displaced.ts'
 import { outwardRoom } from '../../packages/furrow/src/relief/outward-room.ts'
 import { splitMesh } from '../../packages/furrow/src/relief/split-mesh.ts'
-import { WeldedEdges } from '../../packages/furrow/src/relief/welded-edges.ts'
 import type { Description } from './page.ts'
 
 const WHO = 'cycles'
@@ -44,9 +43,8 @@ export async function denseSkin({ skin, activations }: Description, folder: stri
     skin.positions,
     normals,
   )
-  const { firstOf } = new WeldedEdges(mesh)
-  const room = outwardRoom(mesh, skin.normals, firstOf, REACH)
-  const moved = displace(dense, { positions: skin.positions, normals }, firstOf, heightAt, room)
+  const room = outwardRoom(mesh, skin.normals, dense.firstOf, REACH)
+  const moved = displace(dense, { positions: skin.positions, normals }, heightAt, room)
   return {
     positions: Float32Array.from(moved),
     uvs: textureCoordinates(dense, uvs),
