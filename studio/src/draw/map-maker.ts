@@ -59,6 +59,12 @@ export class MapMaker {
     }
   }
 
+  /** Prepares the next edit of a stroke, so that the first one is as quick as those that follow; null for none. */
+  prepare(stroke: LayerStroke | null): void {
+    // Where the worker ends, `make` starts another.
+    this.#drawing?.prepare(stroke).catch(() => {})
+  }
+
   /** The heights of the strokes of a document that was made, by the names of layers that have some. */
   async heights(document: StudioDocument, source: SkinSource): Promise<ReadonlyMap<string, HeightMap>> {
     // Its worker may have ended since.
