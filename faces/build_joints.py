@@ -11,7 +11,7 @@ from builder.command import Job, run
 from builder.glb import Glb
 from builder.joints.hand import build_hand
 from builder.joints.hand_creases import hand_strokes
-from builder.joints.hand_maps import HandFields, paint_hand, paint_hand_relief, paint_hand_surface
+from builder.joints.hand_maps import HandFields, paint_hand, paint_hand_relief, paint_hand_surface, paint_pressed
 from builder.joints.neck import build_neck, follow_body, spread_map, spread_out, without_targets
 from builder.joints.neck_creases import neck_strokes
 from builder.joints.poses import hand_clip, neck_clips
@@ -47,7 +47,12 @@ def make_hand(wheel, mesh, tell):
     glb.add(skin)
     glb.add(hand.cuff)
     glb.animation("fist", *hand_clip())
-    return glb.finish(), {"hand/strokes.json": hand_strokes(hand)}
+    blood, pressed = paint_pressed(fields)
+    return glb.finish(), {
+        "hand/strokes.json": hand_strokes(hand),
+        "hand/layers/creases/blood.png": encode(blood[::2, ::2], "png")[1],
+        "hand/areas/pressed.png": encode(pressed[::8, ::8], "png")[1],
+    }
 
 
 def make_neck(wheel, mesh, tell):

@@ -41,6 +41,7 @@ const PAGE = { width: 720, height: 900, crop: { left: 135, top: 20, width: 450, 
 /** Drawn on WebGL 2, since a WebGPU canvas cannot be captured without a GPU. */
 const CHEEKS = { width: 1100, height: 1300, crop: { left: 300, top: 400, width: 500, height: 500 } }
 const HAND = { width: 900, height: 900, crop: { left: 190, top: 130, width: 490, height: 660 } }
+const FIST = { width: 1300, height: 1300, crop: { left: 440, top: 540, width: 460, height: 420 } }
 const NECK = { width: 900, height: 900, crop: { left: 270, top: 130, width: 450, height: 660 } }
 const BASIC_EXPRESSIONS = ['neutral', 'happiness', 'surprise', 'anger', 'sadness', 'fear', 'disgust']
 
@@ -125,6 +126,10 @@ const FIGURES = {
     { ...NECK, page: 'joints.html?model=neck&turn=1&smooth' },
     { ...NECK, page: 'joints.html?model=neck&turn=1' },
   ],
+  knuckles: [
+    { ...FIST, page: 'joints.html?fist=1&view=165&smooth' },
+    { ...FIST, page: 'joints.html?fist=1&view=165' },
+  ],
   age: [20, 40, 60, 80].map((years) => ({ ...PAGE, page: `age.html?age=${years}` })),
   normals: ['none', 'baked', 'recomputed'].map((remedy) => ({
     ...CHEEKS,
@@ -144,6 +149,9 @@ const FIGURES = {
   blood: bloodOfSkins(),
   transform: [FOREHEAD, { ...FOREHEAD, face: 'lossless' }, { ...FOREHEAD, face: 'lossy' }],
 }
+
+/** The file of the shipped face with automatic wrinkles, which is made once. */
+let wrinkled
 
 /** Variants of the faces, and the functions that write them. */
 const FACES = {
@@ -233,13 +241,13 @@ async function auto(face, file, age) {
   await autoCommand.parseAsync([face, '-o', file, '--age', String(age), '--replace'], { from: 'user' })
 }
 
-/** The shipped face with automatic wrinkles, made once. */
-let wrinkled
-
 /** @param isPale whether the blood stays as it is at rest. */
 async function tint(file, factor, isPale) {
   const { transformFile } = await import('./lib/transform.mjs')
-  if (!wrinkled) await auto(FACE, (wrinkled = `${file}.auto.glb`), 45)
+  if (!wrinkled) {
+    wrinkled = `${file}.auto.glb`
+    await auto(FACE, wrinkled, 45)
+  }
   await transformFile(wrinkled, file, [
     (document) => {
       for (const material of document.getRoot().listMaterials()) {

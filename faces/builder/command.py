@@ -17,14 +17,14 @@ from .source import BadInput, Mesh, Wheel
 class Job:
     """One model.
 
-    `build(wheel, mesh, tell)` calls `tell(step)` at the start of each step and returns the file's bytes, and texts to
-    write beside it, by path relative to the output folder.
+    `build(wheel, mesh, tell)` calls `tell(step)` at the start of each step and returns the file's bytes, and texts and
+    images to write beside it, by path relative to the output folder.
     """
 
     file: str
     steps: list[str]
     largest: int  # bytes
-    build: Callable[[Wheel, Mesh, Callable[[str], None]], tuple[bytes, dict[str, str]]]
+    build: Callable[[Wheel, Mesh, Callable[[str], None]], tuple[bytes, dict[str, str | bytes]]]
 
 
 def run(description: str, folder: Path, jobs: list[Job]) -> int:
@@ -49,9 +49,9 @@ def run(description: str, folder: Path, jobs: list[Job]) -> int:
                         "raise the thresholds in builder/glb.py"
                     )
                 _write(options.out / job.file, data)
-                for name, text in beside.items():
+                for name, content in beside.items():
                     (options.out / name).parent.mkdir(parents=True, exist_ok=True)
-                    _write(options.out / name, text.encode())
+                    _write(options.out / name, content.encode() if isinstance(content, str) else content)
     except BadInput as error:
         print(f"build: {error}", file=sys.stderr)
         return 1

@@ -41,6 +41,9 @@ afterAll(() => rm(folder, { recursive: true, force: true }))
 const SURPRISED = { expression: 'surprised', width: 200, height: 152 }
 const HAPPY = { ...SURPRISED, expression: 'happy' }
 
+/** Brows that the file's drivers read. */
+const RAISED = { targets: { browInnerUp: 1 }, width: 200, height: 152 }
+
 /** Every option that the other requests do not set. */
 const ANGRY: Partial<PictureRequest> = {
   mode: 'composed',
@@ -65,6 +68,8 @@ describe('furrow render', () => {
     await writeFile(bare, editGlb(await readFile(FACE), strip))
     const plain = join(folder, 'plain.vrm')
     await writeFile(plain, editGlb(await readFile(FACE), removeWrinkles))
+    const slow = join(folder, 'slow.glb')
+    await writeFile(slow, editGlb(await readFile(images), delay))
     const wide = { input: images, mode: 'off', view: 'front' } as const
     const requests: Record<string, PictureRequest> = {
       'webgl images': { input: images, ...SURPRISED },
@@ -72,6 +77,8 @@ describe('furrow render', () => {
       'webgl large': { ...wide, width: 2112, height: 96 },
       'webgl small': { ...wide, width: 1056, height: 48 },
       'webgl angry': { ...wide, ...ANGRY, width: 96, height: 96 },
+      'webgl driven': { input: images, ...RAISED },
+      'webgl delayed': { input: slow, ...RAISED },
       'webgl again': { input: images, ...SURPRISED },
       'webgl KTX 2 arrays': { input: arrays, ...SURPRISED },
       'webgl Draco': { input: compressed, ...SURPRISED },
@@ -139,6 +146,11 @@ describe('furrow render', () => {
     )
     expect(differences[0]).toBeGreaterThan(20)
     expect(differences[1]).toBeLessThan(differences[0] / 2)
+  })
+
+  test('shows where delays end', () => {
+    expect(opaque('webgl delayed')).toEqual(opaque('webgl driven'))
+    expect(largestDifference(opaque('webgl driven'), opaque('webgl off'), FOREHEAD)).toBeGreaterThan(20)
   })
 
   test('draws a .gltf and the files beside it like the .glb', () => {
@@ -312,7 +324,15 @@ function strip(json: { materials: { extensions?: { FURROW_wrinkle_maps?: Wrinkle
   }
 }
 
+/** Lets all areas take a minute to crease. */
+function delay(json: { materials: { extensions?: { FURROW_wrinkle_maps?: WrinkleMapsJson } }[] }): void {
+  for (const { extensions } of json.materials) {
+    const wrinkled = extensions?.FURROW_wrinkle_maps
+    wrinkled?.drivers?.push(...wrinkled.areas.map(({ name }) => ({ type: 'time', area: name, attack: 60 })))
+  }
+}
+
 interface WrinkleMapsJson {
   areas: { name: string }[]
-  drivers?: unknown
+  drivers?: object[]
 }

@@ -11,6 +11,7 @@ import {
   planDrivers,
 } from 'furrow'
 import { FurrowWrinkleMaps, type MaterialWrinkles } from 'furrow/gltf'
+import sharp from 'sharp'
 import { Matrix4, Quaternion, Vector3 } from 'three'
 import { describe, expect, it } from 'vitest'
 
@@ -64,6 +65,7 @@ describe('the hand', () => {
       'knuckles',
       'palm',
       'thenar',
+      'pressed',
     ])
   })
 
@@ -73,6 +75,22 @@ describe('the hand', () => {
     const { knuckles, ...others } = activations()
     expect(knuckles).toBe(0)
     for (const activation of Object.values(others)) expect(activation).toBe(1)
+  })
+
+  it('has white knuckles as a fist, and refills in about a second', async () => {
+    const material = documents.hand
+      .getRoot()
+      .listMaterials()
+      .find((one) => one.getName() === 'skin')!
+    const wrinkles = material.getExtension<MaterialWrinkles>('FURROW_wrinkle_maps')!
+    const [layer] = wrinkles.listLayers()
+    expect(layer.getBloodAmplitude()).toBeGreaterThan(0.2)
+    const image = sharp(layer.getTexture('bloodTexture')!.getImage()!)
+    const [, , blue] = (await image.stats()).channels
+    expect(blue.max).toBe(128)
+    expect(blue.min).toBeLessThan(40)
+    expect(wrinkles.getDrivers()).toContainEqual({ type: 'time', area: 'pressed', attack: 0.15, release: 1 })
+    expect(jointsOf(documents.hand).activations().pressed).toBe(0)
   })
 })
 
@@ -120,12 +138,12 @@ function jointsOf(original: Document) {
     .listMaterials()
     .find((one) => one.getName() === 'skin')!
   const wrinkles = material.getExtension<MaterialWrinkles>('FURROW_wrinkle_maps')!
-  const drivers = wrinkles.getDrivers() as BoneDriver[]
+  const drivers = wrinkles.getDrivers()
   const now = () => joints.flatMap((joint) => joint.getWorldMatrix() as number[])
   const joint = (name: string) => joints[names.indexOf(name)]
   const quaternionOf = (matrix: Matrix4) => new Quaternion().setFromRotationMatrix(matrix)
   return {
-    drivers,
+    drivers: drivers.filter(({ type }) => type === 'bone') as BoneDriver[],
     rest,
     now,
     /** Rotates a joint from rest about a local axis, in radians. */
@@ -165,6 +183,8 @@ function jointsOf(original: Document) {
       const program = new DriverProgram(plan, { joint: measuredSource(joints.missing) })
       expect(program.missing).toEqual([])
       const state = program.createState()
+      // Delays have ended.
+      state.seconds[0] = 60
       joints.measure(now(), state.inputs.joint)
       program.evaluate(state)
       return Object.fromEntries(plan.areaNames.map((name, i) => [name, state.activations[i]]))
