@@ -59,7 +59,7 @@ let scene: Scene
 let wrinkles: Wrinkles
 
 window.pose = async (address, shot) => {
-  const loader = new GLTFLoader().register((parser) => new WrinkleLoaderPlugin(parser))
+  const loader = new GLTFLoader().register((parser) => new WrinkleLoaderPlugin(parser, { relief: 'on' }))
   const gltf = await loader.loadAsync(address)
   wrinkles = gltf.userData.wrinkles[0]
   scene = new Scene()
@@ -67,6 +67,7 @@ window.pose = async (address, shot) => {
   pose(gltf.scene, shot.targets)
   const target = frameFace(camera, gltf.scene, shot.view)
   light(gltf.scene)
+  await wrinkles.reliefReady()
   wrinkles.update()
   const activations = wrinkles.areaNames.map((name) => [name, wrinkles.getActivation(name)])
   return {
