@@ -135,12 +135,18 @@ describe('a skin that is made in a worker', () => {
     expect(posedSkinOf(meshes, SCALE).picker.pick(down(0.2))?.position[1]).toBeCloseTo(20, 4)
   })
 
-  it('does not replace the one that was needed before it came', async () => {
+  it('does not replace the one that was needed before it came, but brings the map of the areas', async () => {
     const meshes: [Mesh] = [plainSheet()]
     const preparation = prepareSkin(meshes, SCALE, AREA)
     const needed = posedSkinOf(meshes, SCALE)
+    expect(needed.skin.hasMap(AREA)).toBe(false)
     await preparation
     expect(posedSkinOf(meshes, SCALE)).toBe(needed)
+    expect(needed.skin.hasMap(AREA)).toBe(true)
+    const map = needed.skin.mapOf(2 * AREA)
+    await prepareSkin(meshes, SCALE, 2 * AREA)
+    expect(needed.skin.mapOf(2 * AREA)).toBe(map)
+    expect(asked).toBe(1)
   })
 
   it('is made on the page where the worker cannot, which says why', async () => {
