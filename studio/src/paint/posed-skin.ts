@@ -1,5 +1,4 @@
 import type { Mesh } from 'three'
-import { nextTask } from '../later.ts'
 import { PoseWatch } from '../viewer/pose/pose-watch.ts'
 import { makeSkinInWorker } from './in-worker.ts'
 import { type MadeSkin, makeSkin } from './make-skin.ts'
@@ -72,12 +71,10 @@ export async function prepareSkin(
   }
   const vertices = meshes.reduce((sum, { geometry }) => sum + geometry.attributes.position.count, 0)
   if (known()?.hasMap(size) || vertices > MOST_PREPARED) return
-  const read = readSkin(meshes)
-  // Each a task of its own: copying the skin for the worker takes as long as reading it.
-  await nextTask()
-  const made = await makeSkinInWorker(read.skin, scale, size)
+  const { skin: own, parts } = readSkin(meshes)
+  const { skin, made } = await makeSkinInWorker(own, scale, size)
   // A tool may have needed the skin meanwhile, or an area its map.
-  const skin = known()
-  if (!skin) lastMade.set(meshes, new PosedSkin(meshes, scale, read, made))
-  else if (!skin.hasMap(size)) skin.addMap(made.map!)
+  const early = known()
+  if (!early) lastMade.set(meshes, new PosedSkin(meshes, scale, { skin, parts }, made))
+  else if (!early.hasMap(size)) early.addMap(made.map!)
 }

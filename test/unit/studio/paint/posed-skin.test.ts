@@ -1,4 +1,5 @@
 import { expose } from 'comlink'
+import type { Skin } from 'furrow/author'
 import { Bone, Group, type Mesh, Ray, Skeleton, SkinnedMesh, Vector3 } from 'three'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { LineSkin } from '../../../../studio/src/lines/line-skin.ts'
@@ -84,13 +85,13 @@ describe('a skin that is made in a worker', () => {
   /** Skins that workers were asked for. */
   let asked = 0
 
-  /** A worker in the same thread: what it is sent and answers is copied. */
+  /** A worker in the same thread: what it is sent and answers is copied, or moved. */
   function FakeWorker() {
     const { port1, port2 } = new MessageChannel()
     const service = {
-      makeSkin(...args: Parameters<typeof makeSkin>) {
+      makeSkin(skin: Skin, scale: number, size: number) {
         asked++
-        return makeSkin(...args)
+        return { skin, made: makeSkin(skin, scale, size) }
       },
     }
     expose(service, port2)
