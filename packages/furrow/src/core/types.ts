@@ -60,6 +60,10 @@ export interface Layer<Slice = never> {
   blood?: GrayImage | Slice
   /** Optical depth that green light gains from 128 to 255, 0..2; required with `blood`. See `BLOOD_ABSORPTION`. */
   bloodAmplitude?: number
+  /** Height of the surface where wrinkles show, linear, 127.5 = the skin itself; drawn as relief. */
+  height?: GrayImage | Slice
+  /** Metres from black to white of the heights; required with `height`. */
+  heightAmplitude?: number
 }
 
 /** How an area combines with others of its layer at the same texel: added, or the maximum of both. */

@@ -35,18 +35,27 @@ export function isSlice(map: object | undefined): map is ArraySlice {
 
 function checkLayer(layer: Layer<ArraySlice>, who: string): void {
   if (!isObject(layer)) throw wrongArgument(who, 'a layer', layer, 'an object with a name, kind and normals')
-  const { name, kind: kindOfLayer, normal, baseColor, roughness, occlusion, blood } = layer
+  const { name, kind: kindOfLayer, normal, baseColor, roughness, occlusion, blood, height } = layer
   if (kindOfLayer !== 'replace' && kindOfLayer !== 'detail') {
     throw wrongArgument(who, `kind of layer "${name}"`, kindOfLayer, 'replace or detail')
   }
   if (!isObject(normal)) throw wrongArgument(who, `normals of layer "${name}"`, normal, 'an image')
   checkFinite(layer.normalScale, `normalScale of layer "${name}"`, who)
+  checkFinite(layer.heightAmplitude, `heightAmplitude of layer "${name}"`, who)
+  if (height && layer.heightAmplitude === undefined) {
+    throw wrongArgument(
+      who,
+      `heights of layer "${name}" without heightAmplitude`,
+      undefined,
+      'metres from black to white',
+    )
+  }
   checkFinite(layer.occlusionStrength, `occlusionStrength of layer "${name}"`, who)
   if (blood) checkBloodAmplitude(layer.bloodAmplitude, name, who)
   for (const [kind, map] of Object.entries({ normal, baseColor })) {
     if (map && !isSlice(map)) checkImage(map, 'RGBA', `${who} layer "${name}" ${kind}`)
   }
-  for (const [kind, map] of Object.entries({ roughness, occlusion, blood })) {
+  for (const [kind, map] of Object.entries({ roughness, occlusion, blood, height })) {
     if (map && !isSlice(map)) checkImage(map, 'gray', `${who} layer "${name}" ${kind}`)
   }
 }

@@ -46,6 +46,8 @@ export async function readImages(
       occlusion,
       blood,
       bloodAmplitude,
+      height,
+      heightAmplitude,
     } = layer
     return {
       name,
@@ -57,6 +59,7 @@ export async function readImages(
       ...(occlusion && { occlusion: channelOf(await image(occlusion), CHANNEL.occlusion) }),
       ...(occlusionStrength !== undefined && { occlusionStrength }),
       ...(blood && { blood: channelOf(await image(blood), CHANNEL.blood), bloodAmplitude }),
+      ...(height && { height: channelOf(await image(height), CHANNEL.height), heightAmplitude }),
     }
   })
   const areas = document.areas.map(

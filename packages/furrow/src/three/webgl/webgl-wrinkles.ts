@@ -84,6 +84,7 @@ const PARTS: RendererParts = {
   composeMaterial,
   influenceMaterial,
   quads: quadMaterials,
+  loadRelief: async () => (await import('./relief.ts')).RELIEF_PARTS,
 }
 
 function valueLayers(values: WrinkleTextures['values']): ShaderVariant['values'] {

@@ -107,6 +107,7 @@ const PARTS: RendererParts = {
   composeMaterial,
   influenceMaterial,
   quads: quadMaterials,
+  loadRelief: async () => (await import('./relief.ts')).RELIEF_PARTS,
 }
 
 /** The default mode: the layers' maps mixed into the material's, lit once. */
