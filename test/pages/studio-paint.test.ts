@@ -6,6 +6,7 @@ import { openStudio } from './opened-studio.ts'
 import {
   areaChoice,
   button,
+  DRAWING,
   dismiss,
   dropPaths,
   expectPicture,
@@ -22,15 +23,23 @@ const AREA = 'foreheadInnerLeft'
 const studio = openStudio({ width: 900, height: 600 })
 const { folder } = studio
 let page: Page
+/** Addresses of the workers that the page has started. */
+const workers: string[] = []
 /** The cheek on the page. */
 let cheek: { x: number; y: number }
 
 beforeAll(async () => {
   ;({ page } = studio)
+  page.on('worker', (worker) => workers.push(worker.url()))
   await dropPaths(page, [join(folder, 'plain.glb')], 'Plain')
   await areaChoice(page, AREA).waitFor()
   const { x, y, width, height } = (await page.locator('#viewport').boundingBox())!
   cheek = { x: x + 0.62 * width, y: y + 0.58 * height }
+})
+
+test('a worker makes the skin ready before it is painted', async () => {
+  const ofSkin = () => workers.filter((url) => url.includes('/paint/worker'))
+  await vi.waitFor(() => expect(ofSkin().length).toBe(1), DRAWING)
 })
 
 test('a stroke on the cheek paints the chosen area there; undo takes it back without a trace', async () => {

@@ -1,17 +1,29 @@
+import { transfer } from 'comlink'
 import { FurrowError } from 'furrow'
 import type { Skin } from 'furrow/author'
+import { buffersOf } from '../../../packages/furrow/src/auto/buffers.ts'
 import { runOnce } from '../workers/run-once.ts'
 import type { MadeSkin } from './make-skin.ts'
 import type { SkinService } from './worker.ts'
 
 /**
- * `makeSkin` in a worker of its own. The skin is copied.
+ * `makeSkin` in a worker of its own. The arrays of the skin are moved there and come back with what was made: copying them would take the page
+ * as long as reading them.
  *
  * @returns a promise that rejects with an Error with the message of what `makeSkin` throws, and a FurrowError where the worker dies.
  */
-export function makeSkinInWorker(skin: Skin, scale: number, size: number): Promise<MadeSkin> {
+export function makeSkinInWorker(
+  skin: Skin,
+  scale: number,
+  size: number,
+): Promise<{ skin: Skin; made: MadeSkin }> {
   const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
-  return runOnce<SkinService, MadeSkin>(worker, (service) => service.makeSkin(skin, scale, size), died)
+  const moved = transfer(skin, buffersOf(skin))
+  return runOnce<SkinService, { skin: Skin; made: MadeSkin }>(
+    worker,
+    (service) => service.makeSkin(moved, scale, size),
+    died,
+  )
 }
 
 function died(reason: string | undefined): FurrowError {

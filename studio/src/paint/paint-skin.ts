@@ -58,12 +58,23 @@ export class PaintSkin {
   constructor(skin: Skin, surface: SkinSurface, map?: PaintMapArrays) {
     this.skin = moveToFirstTile(skin).skin
     this.surface = surface
-    if (map) this.#addMap(map)
+    if (map) this.addMap(map)
+  }
+
+  hasMap(size: number): boolean {
+    return this.#maps.has(size)
+  }
+
+  /** Takes a map that was made of the same skin and surface elsewhere. */
+  addMap(arrays: PaintMapArrays): PaintMap {
+    const map = { ...arrays, locator: new UvLocator(this.skin, this.surface, arrays.grid) }
+    this.#maps.set(arrays.size, map)
+    return map
   }
 
   /** The texels of a map of size x size, which are found once. */
   mapOf(size: number): PaintMap {
-    return this.#maps.get(size) ?? this.#addMap(paintMapArrays(this.skin, this.surface, size))
+    return this.#maps.get(size) ?? this.addMap(paintMapArrays(this.skin, this.surface, size))
   }
 
   /** The point of the skin that is nearest to where a position is on the other side of the face. */
@@ -74,12 +85,6 @@ export class PaintSkin {
     // The surface has at least one triangle.
     const { faceIndex, point } = found!
     return { triangle: faceIndex, position: [point.x, point.y, point.z] }
-  }
-
-  #addMap(arrays: PaintMapArrays): PaintMap {
-    const map = { ...arrays, locator: new UvLocator(this.skin, this.surface, arrays.grid) }
-    this.#maps.set(arrays.size, map)
-    return map
   }
 }
 

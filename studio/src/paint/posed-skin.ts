@@ -1,5 +1,4 @@
 import type { Mesh } from 'three'
-import { nextTask } from '../later.ts'
 import { PoseWatch } from '../viewer/pose/pose-watch.ts'
 import { makeSkinInWorker } from './in-worker.ts'
 import { type MadeSkin, makeSkin } from './make-skin.ts'
@@ -57,7 +56,7 @@ export function posedSkinOf(meshes: readonly [Mesh, ...Mesh[]], scale: number): 
 const MOST_PREPARED = 500_000
 
 /**
- * Makes the skin of a face in a worker, so that `posedSkinOf` has it at once. It rejects with a FurrowError where that fails.
+ * Makes the skin of a face and the map of its areas in a worker, so that tools have them at once. It rejects with a FurrowError where that fails.
  *
  * @param size side of the face's areas in texels.
  */
@@ -66,13 +65,16 @@ export async function prepareSkin(
   scale: number,
   size: number,
 ): Promise<void> {
-  const isMade = () => lastMade.get(meshes)?.scale === scale
+  const known = () => {
+    const last = lastMade.get(meshes)
+    return last?.scale === scale ? last.skin : null
+  }
   const vertices = meshes.reduce((sum, { geometry }) => sum + geometry.attributes.position.count, 0)
-  if (isMade() || vertices > MOST_PREPARED) return
-  const read = readSkin(meshes)
-  // Each a task of its own: copying the skin for the worker takes as long as reading it.
-  await nextTask()
-  const made = await makeSkinInWorker(read.skin, scale, size)
-  // It was needed meanwhile.
-  if (!isMade()) lastMade.set(meshes, new PosedSkin(meshes, scale, read, made))
+  if (known()?.hasMap(size) || vertices > MOST_PREPARED) return
+  const { skin: own, parts } = readSkin(meshes)
+  const { skin, made } = await makeSkinInWorker(own, scale, size)
+  // A tool may have needed the skin meanwhile, or an area its map.
+  const early = known()
+  if (!early) lastMade.set(meshes, new PosedSkin(meshes, scale, { skin, parts }, made))
+  else if (!early.hasMap(size)) early.addMap(made.map!)
 }

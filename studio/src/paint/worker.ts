@@ -7,9 +7,10 @@ import { holdLife } from '../workers/life.ts'
 import { type MadeSkin, makeSkin } from './make-skin.ts'
 
 const service = {
-  makeSkin(skin: Skin, scale: number, size: number): MadeSkin {
-    const made = makeSkin(skin, scale, size)
-    return transfer(made, [...buffersOf(made), ...(made.hierarchy.roots as ArrayBuffer[])])
+  /** Hands the skin back with what was made of it. */
+  makeSkin(skin: Skin, scale: number, size: number): { skin: Skin; made: MadeSkin } {
+    const answer = { skin, made: makeSkin(skin, scale, size) }
+    return transfer(answer, [...buffersOf(answer), ...(answer.made.hierarchy.roots as ArrayBuffer[])])
   },
 }
 

@@ -1,4 +1,5 @@
 import { expose } from 'comlink'
+import type { Skin } from 'furrow/author'
 import { Bone, Group, type Mesh, Ray, Skeleton, SkinnedMesh, Vector3 } from 'three'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { LineSkin } from '../../../../studio/src/lines/line-skin.ts'
@@ -84,13 +85,13 @@ describe('a skin that is made in a worker', () => {
   /** Skins that workers were asked for. */
   let asked = 0
 
-  /** A worker in the same thread: what it is sent and answers is copied. */
+  /** A worker in the same thread: what it is sent and answers is copied, or moved. */
   function FakeWorker() {
     const { port1, port2 } = new MessageChannel()
     const service = {
-      makeSkin(...args: Parameters<typeof makeSkin>) {
+      makeSkin(skin: Skin, scale: number, size: number) {
         asked++
-        return makeSkin(...args)
+        return { skin, made: makeSkin(skin, scale, size) }
       },
     }
     expose(service, port2)
@@ -135,12 +136,18 @@ describe('a skin that is made in a worker', () => {
     expect(posedSkinOf(meshes, SCALE).picker.pick(down(0.2))?.position[1]).toBeCloseTo(20, 4)
   })
 
-  it('does not replace the one that was needed before it came', async () => {
+  it('does not replace the one that was needed before it came, but brings the map of the areas', async () => {
     const meshes: [Mesh] = [plainSheet()]
     const preparation = prepareSkin(meshes, SCALE, AREA)
     const needed = posedSkinOf(meshes, SCALE)
+    expect(needed.skin.hasMap(AREA)).toBe(false)
     await preparation
     expect(posedSkinOf(meshes, SCALE)).toBe(needed)
+    expect(needed.skin.hasMap(AREA)).toBe(true)
+    const map = needed.skin.mapOf(2 * AREA)
+    await prepareSkin(meshes, SCALE, 2 * AREA)
+    expect(needed.skin.mapOf(2 * AREA)).toBe(map)
+    expect(asked).toBe(1)
   })
 
   it('is made on the page where the worker cannot, which says why', async () => {
