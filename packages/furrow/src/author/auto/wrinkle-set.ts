@@ -6,11 +6,29 @@ import type { AutoWrinkles } from './auto.ts'
 export function autoWrinkleSet({
   layers,
   areas,
+  blood,
   expressions,
-}: Pick<AutoWrinkles, 'layers' | 'areas' | 'expressions'>): WrinkleSet & { drivers: WrinkleDriver[] } {
+}: Pick<AutoWrinkles, 'layers' | 'areas' | 'blood' | 'expressions'>): WrinkleSet & {
+  drivers: WrinkleDriver[]
+} {
   return {
-    layers: layers.map(({ name, normal, occlusion }) => ({ name, kind: 'detail', normal, occlusion })),
-    areas: areas.map(({ name, layer, weights }) => ({ name, layer: layers[layer].name, weights })),
-    drivers: [...areas.map(({ driver }) => driver), ...expressions],
+    layers: layers.map(({ name, normal, occlusion }, i) => ({
+      name,
+      kind: 'detail',
+      normal,
+      occlusion,
+      blood: blood.maps[i],
+      bloodAmplitude: blood.amplitude,
+    })),
+    areas: [...areas, ...blood.areas].map(({ name, layer, weights }) => ({
+      name,
+      layer: layers[layer].name,
+      weights,
+    })),
+    drivers: [
+      ...areas.map(({ driver }) => driver),
+      ...blood.areas.flatMap(({ drivers }) => drivers),
+      ...expressions,
+    ],
   }
 }

@@ -173,7 +173,8 @@ async function readSet(
 
 /** All maps but heights, which only relief needs: the wrinkles are shown without it where they cannot be read. */
 async function readLayer(layer: WrinkleMapsLayer, source: MapSource): Promise<Layer<ArraySlice>> {
-  const { name, kind, normalTexture, baseColorTexture, roughnessTexture, occlusionTexture } = layer
+  const { name, kind, normalTexture, baseColorTexture, roughnessTexture, occlusionTexture, bloodTexture } =
+    layer
   const gray = (info: TextureReference, channel: number) => source.gray(info, channel, 'maps')
   return {
     name,
@@ -185,6 +186,10 @@ async function readLayer(layer: WrinkleMapsLayer, source: MapSource): Promise<La
     ...(occlusionTexture && {
       occlusion: await gray(occlusionTexture, CHANNEL.occlusion),
       occlusionStrength: occlusionTexture.strength,
+    }),
+    ...(bloodTexture && {
+      blood: await gray(bloodTexture, CHANNEL.blood),
+      bloodAmplitude: bloodTexture.amplitude,
     }),
   }
 }
