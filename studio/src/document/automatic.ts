@@ -1,5 +1,5 @@
 import { FurrowError, MAX_LAYERS } from 'furrow'
-import { type AutoWrinkles, strokesOf } from 'furrow/author'
+import { type AutoWrinkles, autoDrivers, strokesOf } from 'furrow/author'
 import {
   type AutoSettings,
   LAYER_DEFAULTS,
@@ -36,7 +36,7 @@ export function automaticDocument(
       return { name, layer: layers[layer].name, combine: 'sum', activation: 0, weights, isAutomatic }
     }),
     strokes: (strokesOf(wrinkles).strokes as LayerStroke[]).map((stroke) => ({ ...stroke, isAutomatic })),
-    drivers: [...areas.map(({ driver }) => driver), ...expressions],
+    drivers: autoDrivers({ areas, expressions }),
     auto,
   }
 }

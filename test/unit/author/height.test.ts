@@ -62,23 +62,68 @@ describe('strokesToHeight', () => {
     const bare = strokesToHeight(strokes({ ...level, shoulder: 0 }), canvas).data
     expect(highestOf(bare)).toBe(0)
     const full = strokesToHeight(strokes({ ...level, shoulder: 1 }), canvas).data
-    // Highest at t = 2: exp(-2) of the depth.
-    expect(highestOf(full)).toBeCloseTo(0.6 * Math.exp(-2), 3)
+    // Of a softness of 0.4, about two half widths from the bottom.
+    expect(highestOf(full)).toBeCloseTo(0.6 * 0.2798, 3)
     expect(sample(full, canvas, 50, 50 + 7 * 2 + 0.5)).toBe(0)
     expect(sample(full, canvas, 50, 50 - 7 * 2 - 0.5)).toBe(0)
   })
 
-  it('keeps the volume: with full shoulders the banks hold nine tenths of the valley', () => {
-    const { data } = strokesToHeight(strokes({ ...level, width: 8, shoulder: 1, softness: 0 }), canvas)
-    let [valley, banks] = [0, 0]
-    for (let y = 0; y < 401; y++) {
-      const h = data[y * 401 + 200]
-      if (h < 0) valley -= h
-      else banks += h
+  it('keeps the volume: with full shoulders the banks hold what the valley lost, however far they reach', () => {
+    for (const bank of [10, 17, 30]) {
+      const { data } = strokesToHeight(
+        strokes({ ...level, width: 8, shoulder: 1, softness: 0, bank }),
+        canvas,
+      )
+      let [valley, banks] = [0, 0]
+      for (let y = 0; y < 401; y++) {
+        const h = data[y * 401 + 200]
+        if (h < 0) valley -= h
+        else banks += h
+      }
+      expect(banks / valley).toBeGreaterThan(0.98)
+      // The fade at the valley's far end takes a twentieth of it.
+      expect(banks / valley).toBeLessThan(1.07)
     }
-    // The missing tenth is the fade at the far end.
-    expect(banks / valley).toBeGreaterThan(0.87)
-    expect(banks / valley).toBeLessThan(1)
+  })
+
+  it('has one convex bulge between two lines whose banks reach from one to the other', () => {
+    const line = (v: number) => ({
+      ...level,
+      points: [
+        [0.05, v],
+        [0.95, v],
+      ],
+      width: 2,
+      depth: 1,
+      shoulder: 1,
+      bank: 10,
+    })
+    const { data } = strokesToHeight(strokes(line(0.45), line(0.55)), canvas)
+    const across = Array.from({ length: 41 }, (_, i) => sample(data, canvas, 50, 45 + i / 4))
+    // From 1 mm beside one bottom to 1 mm beside the other, it bends downwards everywhere.
+    for (let i = 4; i <= 36; i++) {
+      expect(across[i - 1] + across[i + 1] - 2 * across[i]).toBeLessThan(1e-4)
+    }
+    const crest = across.indexOf(Math.max(...across))
+    expect(crest).toBeGreaterThan(14)
+    expect(crest).toBeLessThan(26)
+    expect(across[crest]).toBeGreaterThan(0.15)
+  })
+
+  it('has no rim: a bank falls nowhere a tenth as steeply as it rises from the bottom', () => {
+    const { data } = strokesToHeight(strokes({ ...level, width: 2, depth: 1, shoulder: 1, bank: 9 }), canvas)
+    const across = Array.from({ length: 45 }, (_, i) => sample(data, canvas, 50, 50 + i / 4))
+    const slopes = across.slice(1).map((height, i) => 4 * (height - across[i]))
+    expect(Math.max(...slopes)).toBeGreaterThan(0.8)
+    expect(Math.min(...slopes)).toBeGreaterThan(-0.08)
+  })
+
+  it('is steeper on the left with lean, and as deep', () => {
+    const { data } = strokesToHeight(strokes({ ...level, shoulder: 0, lean: 0.5 }), canvas)
+    expect(sample(data, canvas, 50, 50)).toBeCloseTo(-0.6, 3)
+    // The line runs to the right; half widths of 2 mm times 0.5 on its left, which is up, and 1.5 on its right.
+    expect(sample(data, canvas, 50, 49)).toBeCloseTo(-0.6 / Math.E, 2)
+    expect(sample(data, canvas, 50, 53)).toBeCloseTo(-0.6 / Math.E, 2)
   })
 
   it('raises the left and the right side apart', () => {

@@ -1,4 +1,4 @@
-import { type AutoWrinkles, type RgbaImage, strokesOf } from 'furrow/author'
+import { type AutoWrinkles, autoDrivers, type RgbaImage, strokesOf } from 'furrow/author'
 import { encodePng, encodeRgbaNormalMap } from '../images/encode.ts'
 import { halfSide, heightLevels } from '../images/half-side.ts'
 import { encodeAreaImages } from '../wrinkles/area-images.ts'
@@ -20,7 +20,7 @@ type LayerMaps = LayerImages & { normal: CheckedImage }
  * @param ktx2 whether maps and areas become KTX 2 arrays; these have no heights, which no renderer of Furrow reads.
  */
 export async function packAuto(wrinkles: AutoWrinkles, ktx2: boolean, who: string): Promise<PackedWrinkles> {
-  const { layers, areas, blood, expressions } = wrinkles
+  const { layers, areas, blood } = wrinkles
   const maps = await Promise.all(
     layers.map(async ({ name, normal, relief, occlusion }, i): Promise<LayerMaps> => {
       const maps = {
@@ -55,11 +55,7 @@ export async function packAuto(wrinkles: AutoWrinkles, ktx2: boolean, who: strin
   return {
     layers: ktx2 ? await encodeMapArrays(maps, who) : maps,
     areas: packed,
-    drivers: [
-      ...areas.map(({ driver }) => driver),
-      ...blood.areas.flatMap(({ drivers }) => drivers),
-      ...expressions,
-    ],
+    drivers: autoDrivers(wrinkles),
     strokes: strokesOf(wrinkles),
   }
 }

@@ -30,7 +30,7 @@ export type { LandmarkPosition as Place, Landmarks } from './auto/surface/landma
 export { skinSurface } from './auto/surface/skin-surface.ts'
 export { faceShapeFinder } from './auto/surface/stand-ins.ts'
 export { moveToFirstTile } from './auto/surface/uv-tiles.ts'
-export { autoWrinkleSet } from './auto/wrinkle-set.ts'
+export { autoDrivers, autoWrinkleSet } from './auto/wrinkle-set.ts'
 export {
   BAKE_DEFAULTS,
   type BakedMaps,

@@ -62,7 +62,7 @@ export interface Layer<Slice = never> {
   bloodAmplitude?: number
   /** Height of the surface where wrinkles show, linear, 127.5 = the skin itself; drawn as relief. */
   height?: GrayImage | Slice
-  /** Metres from black to white of the heights, 0 by default. */
+  /** Metres from black to white of the heights; required with `height`. */
   heightAmplitude?: number
 }
 

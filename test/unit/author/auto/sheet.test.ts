@@ -50,7 +50,7 @@ describe.each([
     const locator = new UvLocator(skin, surface)
     const { creases, compression } = creaseLines(
       { skin, surface, locator, isDrawn: () => true },
-      { spacing, creasedFraction: 1, maxDepth: Infinity },
+      { name: 'sheet', spacing, creasedFraction: 1, maxDepth: Infinity },
       lines,
       1,
     )
@@ -85,7 +85,7 @@ test('rigid motion causes no strain', () => {
 
 test('no compression needs no depth, and more compression more', () => {
   const depths = [0, 0.05, 0.1, 0.2, 0.4].map((compression) =>
-    creaseDepth(compression, 6, 1.5, [0.9, 0.9], 0.5),
+    creaseDepth(compression, 6, 1.5, { shoulder: [0.9, 0.9], banks: [4, 4], lean: 0, softness: 0.5 }),
   )
   expect(depths[0]).toBeLessThan(0.001)
   for (let i = 1; i < depths.length; i++) expect(depths[i]).toBeGreaterThan(depths[i - 1])

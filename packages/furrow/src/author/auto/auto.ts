@@ -1,5 +1,6 @@
 import { FurrowError } from '../../core/error.ts'
 import type { GrayImage } from '../../core/types.ts'
+import type { AgeDriver } from '../../drivers/age/definition.ts'
 import type { ExpressionDriver } from '../../drivers/expression/definition.ts'
 import { EXPRESSIONS } from '../../drivers/expression/presets.ts'
 import type { MorphDriver } from '../../drivers/morph/definition.ts'
@@ -8,6 +9,7 @@ import type { Skin } from '../skin/surface.ts'
 import type { StrokesDocument } from '../strokes/document.ts'
 import { AUTO_REGIONS, type AutoRegion } from './anatomy/regions.ts'
 import { type AutoBlood, drawBlood } from './blood/draw-blood.ts'
+import { ageDriver } from './fit/age-driver.ts'
 import type { MissingRegion } from './fit/fit-driver.ts'
 import { fitDrivers } from './fit/fit-drivers.ts'
 import { assignLayers } from './fit/layers.ts'
@@ -62,6 +64,8 @@ export interface AutoArea {
   layer: number
   weights: GrayImage
   driver: MorphDriver
+  /** Keeps its lines at rest by the input `age`; of a face alone. */
+  ageing?: AgeDriver | undefined
   /** Fraction by which its expression shortens the skin across its lines. */
   compression: number
   /** Root mean square of the driver's activation less the measured one, over single targets and combinations, 0..1. */
@@ -149,6 +153,7 @@ export function autoWrinkles(
       layer: layerOf[i],
       weights: weights[i],
       driver,
+      ageing: ageDriver(region),
       compression,
       error,
       lines: creases.length,

@@ -34,6 +34,10 @@ export interface Stroke {
   taper: [start: number, end: number]
   /** Raised banks, 0..1, left and right along the curve as seen from outside: 1 = they hold all the skin pushed out of the valley. */
   shoulder: [left: number, right: number]
+  /** How far the banks reach from the bottom, left and right, in millimetres, 0.1..100; 2.2 widths by default. */
+  bank?: [left: number, right: number]
+  /** Steeper on the left than on the right, -0.9..0.9, 0 by default: the half widths are 1 - lean and 1 + lean times their mean. */
+  lean?: number
   /** Roundness of the valley's bottom, 0..1: 0 = a sharp fold, 1 = as round as the valley is wide. */
   softness: number
   /** Irregularity, 0..1: the line meanders and its depth varies, the same on every run. */
@@ -74,6 +78,8 @@ const STROKE_FIELDS = [
   'depths',
   'taper',
   'shoulder',
+  'bank',
+  'lean',
   'softness',
   'waviness',
 ] as const
@@ -131,6 +137,8 @@ function readStroke(read: JsonReader, json: unknown, index: number): Stroke {
   }
   if (field.group !== undefined) stroke.group = read.name(field.group, `${path}.group`)
   if (field.layer !== undefined) stroke.layer = read.name(field.layer, `${path}.layer`)
+  if (field.lean !== undefined) stroke.lean = read.number(field.lean, `${path}.lean`, -0.9, 0.9, '')
+  if (field.bank !== undefined) stroke.bank = read.pair(field.bank, `${path}.bank`, 0.1, 100)
   if (field.depths !== undefined) {
     stroke.depths = read
       .array(field.depths, `${path}.depths`, 2, 256)

@@ -1,20 +1,20 @@
 import { lerp } from '../../math/scalar.ts'
 import type { Metric } from '../metric.ts'
-import type { LaidStroke } from './lay-out.ts'
-import { profile } from './profile.ts'
+import type { CrossSection, LaidStroke } from './lay-out.ts'
+import { bankAt, valleyAt } from './profile.ts'
 
 /**
- * Exponent of the smooth maximum that joins strokes: (a^6 + b^6)^(1/6) is the larger of two, at most 12% more where they are
- * equal. Valleys that cross are as deep as the deeper one, not as both together.
+ * Exponents by which strokes are joined. Of valleys (a^6 + b^6)^(1/6) is the larger of two, at most 12% more where they are equal: valleys that
+ * cross are as deep as the deeper one, not as both together. Of banks (a^2 + b^2)^(1/2) makes one bulge of those of two neighbouring lines.
  */
-const JOIN = 6
+const JOIN = { valleys: 6, banks: 2 } as const
 /** Fraction of the light that a valley loses, per depth in half widths, and at most. */
 const SHADE = 1.1
 const MAX_SHADE = 0.75
 
-/** Joins what strokes give to a texel, in their order: valleys with valleys and banks with banks (see JOIN), then added. */
+/** Joins what strokes give to a texel, in their order: valleys with valleys and banks with banks (see JOIN), then subtracted. */
 export class HeightSum {
-  /** Sums of powers of heights. */
+  /** Sums of powers of depths and of heights. */
   valleys = 0
   banks = 0
   /** The darkest of the strokes. */
@@ -24,15 +24,15 @@ export class HeightSum {
     this.valleys = this.banks = this.shade = 0
   }
 
-  /** @param power of a height, with its sign. */
-  add(power: number): void {
-    if (power < 0) this.valleys -= power
-    else this.banks += power
+  /** Adds the powers of a depth and of a height. */
+  add(valley: number, bank: number): void {
+    this.valleys += valley
+    this.banks += bank
   }
 
   /** In millimetres above (+) or below (-) the smooth skin. */
   get height(): number {
-    return Math.fround(this.banks ** (1 / JOIN) - this.valleys ** (1 / JOIN))
+    return Math.fround(this.banks ** (1 / JOIN.banks) - this.valleys ** (1 / JOIN.valleys))
   }
 
   /** 255 = open to the light. */
@@ -41,32 +41,55 @@ export class HeightSum {
   }
 }
 
+/** What a stroke gives to a texel, as powers. */
+export interface StrokePowers {
+  valley: number
+  bank: number
+}
+
 /**
  * Adds a stroke at a texel to a sum; the parameters are those of `LineVisitor`.
  *
  * @param sharpest half the size of the texel: no valley is drawn sharper.
- * @returns the power of its height that was added, with its sign.
+ * @param out takes the powers that were added.
  */
 export function addStroke(
   sum: HeightSum,
-  { depths, halfWidths, shoulder, softness }: LaidStroke,
+  stroke: LaidStroke,
   distance: number,
   segment: number,
   t: number,
   side: number,
   sharpest: number,
-): number {
-  const depth = lerp(depths[segment], depths[segment + 1], t)
-  if (depth === 0) return 0
-  const halfWidth = lerp(halfWidths[segment], halfWidths[segment + 1], t)
-  const raised = lerp(shoulder[0], shoulder[1], 0.5 + 0.5 * side)
-  const roundness = Math.max(softness, sharpest / halfWidth)
-  const height = depth * profile(distance / halfWidth, raised, roundness)
-  const square = height * height
-  const power = Math.sign(height) * square * square * square
-  if (height < 0) sum.shade = Math.max(sum.shade, (-height / halfWidth) * SHADE)
-  sum.add(power)
-  return power
+  out?: StrokePowers,
+): void {
+  const depth = lerp(stroke.depths[segment], stroke.depths[segment + 1], t)
+  const halfWidth = lerp(stroke.halfWidths[segment], stroke.halfWidths[segment + 1], t)
+  addSection(sum, stroke, depth, halfWidth, distance, side, sharpest, out)
+}
+
+/** Adds a point of a stroke's cross-section to a sum, see `addStroke`. */
+export function addSection(
+  sum: HeightSum,
+  { shoulder, banks, lean, softness }: CrossSection,
+  depth: number,
+  halfWidth: number,
+  distance: number,
+  side: number,
+  sharpest: number,
+  out?: StrokePowers,
+): void {
+  const right = 0.5 + 0.5 * side
+  const wall = halfWidth * (1 + lean * side)
+  const valley = depth * valleyAt(distance / wall, Math.max(softness, sharpest / wall))
+  const reach = lerp(banks[0], banks[1], right)
+  const bank = depth * bankAt(distance / halfWidth, reach, lerp(shoulder[0], shoulder[1], right))
+  sum.shade = Math.max(sum.shade, (valley / halfWidth) * SHADE)
+  const cube = valley * valley * valley
+  sum.add(cube * cube, bank * bank)
+  if (!out) return
+  out.valley = cube * cube
+  out.bank = bank * bank
 }
 
 /** Half the longer side of a texel in millimetres. */

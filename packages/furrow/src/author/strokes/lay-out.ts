@@ -1,20 +1,36 @@
 import { FurrowError } from '../../core/error.ts'
 import type { Uv } from '../../core/json.ts'
-import { hash32 } from '../../math/hash.ts'
+import { noise } from '../../math/noise.ts'
 import { clamp, lerp, smoothstep } from '../../math/scalar.ts'
 import { cross, normalize } from '../../math/vector.ts'
 import { type LocatedSkin, layCurve, type SkinLine } from './curve.ts'
 import type { Stroke } from './document.ts'
-import { REACH } from './profile.ts'
+import { VALLEY_REACH } from './profile.ts'
 
-/** A stroke on the skin, with its cross-section at each point. */
-export interface LaidStroke extends SkinLine {
-  /** Depth and half the width of the valley at each point, in millimetres. */
-  depths: Float64Array
-  halfWidths: Float64Array
+/** What of a stroke shapes its cross-section. */
+export type SectionStyle = Readonly<
+  Pick<Stroke, 'width' | 'softness'> & {
+    shoulder: CrossSection['shoulder']
+    bank?: CrossSection['banks'] | undefined
+    lean?: number | undefined
+  }
+>
+
+/** How the cross-section of a stroke is shaped, relative to the valley's depth and half its width. */
+export interface CrossSection {
   /** Height of the raised banks, left and right of its direction as seen from outside, 0..1. */
   shoulder: readonly [left: number, right: number]
+  /** How far the banks reach, left and right, in half widths. */
+  banks: readonly [left: number, right: number]
+  lean: number
   softness: number
+}
+
+/** A stroke on the skin, with its cross-section at each point. */
+export interface LaidStroke extends SkinLine, CrossSection {
+  /** Depth of the valley and half its width at each point, in millimetres. */
+  depths: Float64Array
+  halfWidths: Float64Array
   /** Where on the stroke its part begins and ends, as fractions of the length, 0..1. */
   span: readonly [start: number, end: number]
 }
@@ -27,6 +43,11 @@ const MOST_SEGMENTS = 8192
 const MOST_MILLIMETRES = 100_000
 /** Width left at a tapered end, where the depth is zero: a crease ends in a hairline. */
 const END_WIDTH = 0.4
+/**
+ * How far banks reach by default, in widths: with full shoulders the valley and its banks are at the height of the smooth skin half a width from
+ * the bottom, where 12 x^2 (1 - x)^2 = 1/e, x = 1/2 / BANK.
+ */
+const BANK = 2.2055
 /** Wavelength of the irregularity in millimetres; a second, weaker octave has 0.4 of it. */
 const WAVELENGTH = 9
 
@@ -67,8 +88,24 @@ export function layOutStroke(stroke: Stroke, skin: LocatedSkin): LaidStroke[] {
 }
 
 /** How far from its middle a stroke is drawn, in millimetres. */
-export function reachOf({ halfWidths }: LaidStroke): number {
-  return REACH * halfWidths.reduce((a, b) => Math.max(a, b), 0)
+export function reachOf(stroke: LaidStroke): number {
+  return sectionReach(stroke) * stroke.halfWidths.reduce((a, b) => Math.max(a, b), 0)
+}
+
+/** The cross-section of a stroke. */
+export function sectionOf({
+  width,
+  shoulder,
+  bank = [BANK * width, BANK * width],
+  lean = 0,
+  softness,
+}: SectionStyle): CrossSection {
+  return { shoulder, banks: [(2 * bank[0]) / width, (2 * bank[1]) / width], lean, softness }
+}
+
+/** How far a cross-section reaches from its middle, in half widths. */
+export function sectionReach({ banks, lean }: CrossSection): number {
+  return Math.max(VALLEY_REACH * (1 + Math.abs(lean)), ...banks)
 }
 
 /** Distances in millimetres from the start to each point. */
@@ -111,7 +148,7 @@ function resample(line: SkinLine, lengths: Float64Array): SkinLine {
  * @param start, end of the line along the stroke, and the stroke's whole length, in millimetres.
  */
 function shapeLine(stroke: Stroke, line: SkinLine, start: number, end: number, total: number): LaidStroke {
-  const { width, depth, waviness, shoulder, softness } = stroke
+  const { width, depth, waviness } = stroke
   const segments = line.points.length / 3 - 1
   const [depths, halfWidths] = [new Float64Array(segments + 1), new Float64Array(segments + 1)]
   const points = line.points.slice()
@@ -131,7 +168,7 @@ function shapeLine(stroke: Stroke, line: SkinLine, start: number, end: number, t
     halfWidths[i] = (width / 2) * (END_WIDTH + (1 - END_WIDTH) * fade)
   }
   const span = [start / total, end / total] as const
-  return { points, normals: line.normals, depths, halfWidths, shoulder, softness, span }
+  return { points, normals: line.normals, depths, halfWidths, ...sectionOf(stroke), span }
 }
 
 /** The unit vector to the right of a line at one of its points, in the skin as seen from outside. */
@@ -154,17 +191,6 @@ export function depthFactor(factors: readonly number[] | undefined, t: number): 
   const x = clamp(t, 0, 1) * (factors.length - 1)
   const from = Math.min(Math.floor(x), factors.length - 2)
   return lerp(factors[from], factors[from + 1], x - from)
-}
-
-/** Value noise in one dimension, -1..1: random values at whole numbers, joined by smoothstep. */
-function noise(x: number, seed: number): number {
-  const cell = Math.floor(x)
-  return lerp(randomAt(cell, seed), randomAt(cell + 1, seed), smoothstep(x - cell))
-}
-
-/** -1..1 from two whole numbers. */
-function randomAt(cell: number, seed: number): number {
-  return hash32(Math.imul(cell, 0x9e3779b1) ^ Math.imul(seed, 0x85ebca6b)) / 0x7fffffff - 1
 }
 
 /** From where a stroke starts, so that strokes differ and runs do not. */

@@ -1,11 +1,11 @@
 import type { Metric } from '../metric.ts'
-import { addStroke, HeightSum, sharpestAt } from './height-sum.ts'
+import { addStroke, HeightSum, type StrokePowers, sharpestAt } from './height-sum.ts'
 import { type LaidStroke, reachOf } from './lay-out.ts'
 import { LineGrid, type LineVisitor } from './line-grid.ts'
 
 /** Numbers that are held; when there are more, all are forgotten: 32 MB. */
 const MOST_HELD = 2 ** 22
-/** Numbers of a texel before those of the strokes behind the edited one: three of the sum, and how many follow. */
+/** Numbers of a texel before those of the strokes behind the edited one, two of each: three of the sum, and how many follow. */
 const HEAD = 4
 
 /**
@@ -26,6 +26,7 @@ export class OtherStrokes {
   readonly #before = new HeightSum()
   readonly #after = new HeightSum()
   #sharpest = 0
+  readonly #powers: StrokePowers = { valley: 0, bank: 0 }
 
   constructor(before: readonly LaidStroke[], behind: readonly LaidStroke[], metric: Metric) {
     this.#strokes = [...before, ...behind]
@@ -56,7 +57,7 @@ export class OtherStrokes {
   end(sum: HeightSum, start: number): void {
     const first = start + HEAD
     const end = first + this.#numbers[start + HEAD - 1]
-    for (let i = first; i < end; i++) sum.add(this.#numbers[i])
+    for (let i = first; i < end; i += 2) sum.add(this.#numbers[i], this.#numbers[i + 1])
   }
 
   /**
@@ -73,7 +74,7 @@ export class OtherStrokes {
     }
     const start = this.#used
     this.#starts.set(texel, start)
-    this.#reserve(HEAD + this.#strokes.length)
+    this.#reserve(HEAD + 2 * this.#strokes.length)
     this.#used = start + HEAD
     this.#before.clear()
     this.#after.clear()
@@ -88,8 +89,10 @@ export class OtherStrokes {
   readonly #add: LineVisitor = (line, distance, segment, t, side) => {
     const isBehind = line >= this.#behind
     const sum = isBehind ? this.#after : this.#before
-    const power = addStroke(sum, this.#strokes[line], distance, segment, t, side, this.#sharpest)
-    if (isBehind) this.#numbers[this.#used++] = power
+    addStroke(sum, this.#strokes[line], distance, segment, t, side, this.#sharpest, this.#powers)
+    if (!isBehind) return
+    this.#numbers[this.#used++] = this.#powers.valley
+    this.#numbers[this.#used++] = this.#powers.bank
   }
 
   #reserve(count: number): void {

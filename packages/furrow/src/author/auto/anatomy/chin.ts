@@ -58,6 +58,7 @@ function chin({ landmarks, byAge, rngOf }: FaceContext): FaceRegion {
     spacing: 7,
     creasedFraction: byAge(0.3, 0.7),
     maxDepth: byAge(0.6, 1),
+    atRest: 0.2,
     assumedCompression: 0.1,
     reach: 3,
     feather: 5,
@@ -81,7 +82,7 @@ function neck({ landmarks, byAge, rngOf }: FaceContext): FaceRegion {
       width: byAge(3, 4),
       depth: rng.uniform(0.7, 1),
       taper: [0.5, 0.5],
-      shoulder: [0.8, 0.8],
+      shoulder: [0.3, 0.3],
       softness: 0.6,
     }
   })
@@ -92,6 +93,7 @@ function neck({ landmarks, byAge, rngOf }: FaceContext): FaceRegion {
     spacing: 17,
     creasedFraction: byAge(0.15, 0.5),
     maxDepth: byAge(0.3, 0.9),
+    atRest: 0.5,
     reach: 6,
     feather: 8,
   }

@@ -1,4 +1,5 @@
 import type { ChartPoint } from '../surface/head-chart.ts'
+import { withFineEnds } from './fine-ends.ts'
 import {
   bezierPath,
   chartPointOf,
@@ -36,10 +37,10 @@ function crowsFeet({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: s
     const length = byAge(24, 46) * (0.7 + 0.3 * strength) * rng.uniform(0.85, 1.12)
     return {
       path: ray(t, 6.5 + 2 * Math.abs(2 * t - 1) + rng.jitter(1), length),
-      width: byAge(2, 2.6) * (0.85 + 0.15 * strength),
+      width: byAge(1.4, 1.9) * (0.85 + 0.15 * strength),
       depth: strength,
       taper: [0.25, 0.6],
-      shoulder: [0.9, 0.9],
+      shoulder: [1, 1],
       softness: byAge(0.5, 0.4),
     }
   })
@@ -58,7 +59,7 @@ function crowsFeet({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: s
     path: walk(side, [side * start[0], start[1]], byAge(9, 14), (t) => rise + 24 - 10 * t),
     depth: 0.55,
   }
-  const guides = [...long, ...fine, fork]
+  const guides = [...withFineEnds(long, byAge(0.2, 0.6), rngOf(`crowsFeet${name} ends`)), ...fine, fork]
   return {
     name: `crowsFeet${name}`,
     cause: { [`eyeSquint${name}`]: 0.6, [`cheekSquint${name}`]: 1, [`mouthSmile${name}`]: 0.6 },
@@ -66,6 +67,7 @@ function crowsFeet({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: s
     spacing: 4.5,
     creasedFraction: byAge(0.35, 0.85),
     maxDepth: byAge(0.5, 0.85),
+    atRest: 0.6,
     reach: 4,
     feather: 6,
   }
@@ -90,7 +92,7 @@ function underEye({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: st
         [from + (2 * (to - from)) / 3, up - 2.2 - 0.4 * i],
         [to, up + 1.5 - 0.5 * i],
       ),
-      width: byAge(1.7, 2.2),
+      width: byAge(1.3, 1.6),
       depth: 1 - 0.16 * i,
       taper: [0.5, 0.5],
       shoulder: [0.8, 0.8],
@@ -104,13 +106,14 @@ function underEye({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: st
     spacing: 3,
     creasedFraction: byAge(0.2, 0.55),
     maxDepth: byAge(0.2, 0.4),
+    atRest: 0.5,
     reach: 2.5,
     feather: 4,
   }
 }
 
 /** Style of lines that fork off, or run between two others. */
-const BRANCH = { width: 1.7, taper: [0.3, 0.6], shoulder: [0.8, 0.8], softness: 0.5 } as const
+const BRANCH = { width: 1.3, taper: [0.3, 0.6], shoulder: [0.8, 0.8], softness: 0.5 } as const
 
 /**
  * A curve that runs outwards.

@@ -1,5 +1,6 @@
 import { smoothstep } from '../../../math/scalar.ts'
 import type { ChartPoint } from '../surface/head-chart.ts'
+import { withFineEnds } from './fine-ends.ts'
 import {
   chartPointOf,
   type FaceContext,
@@ -56,16 +57,17 @@ export function forehead({ landmarks, byAge, rngOf }: FaceContext): FaceRegion[]
           const [across, up] = pointAt(from + s * length)
           return [across, up + lift]
         }),
-        width: byAge(3.6, 4.6) * (0.85 + 0.2 * strength),
+        width: byAge(2.8, 3.5) * (0.85 + 0.2 * strength),
         depth: strength * rng.uniform(0.85, 1),
         taper: [Math.min(0.5, 16 / length), Math.min(0.5, 16 / length)],
-        shoulder: [0.9, 0.9],
+        shoulder: [1, 1],
         softness: byAge(0.55, 0.4),
       })
     }
     if (i > 0 && rng.next() < byAge(0.45, 0.9))
       guides.push(shortLine(pointAt, height / lines, reach, rng.jitter(0.6), byAge(0.25, 0.42)))
   }
+  const withEnds = withFineEnds(guides, byAge(0.25, 0.6), rngOf('forehead ends'))
   const region = (side: Side, sideName: string, half: 'Inner' | 'Outer'): FaceRegion => ({
     name: `forehead${half}${sideName}`,
     cause:
@@ -73,10 +75,11 @@ export function forehead({ landmarks, byAge, rngOf }: FaceContext): FaceRegion[]
         ? { browInnerUp: 1, [`browOuterUp${sideName}`]: 0.5 }
         : { [`browOuterUp${sideName}`]: 1, browInnerUp: 0.4 },
     expression: { browInnerUp: 1, browOuterUpLeft: 1, browOuterUpRight: 1 },
-    guides,
+    guides: withEnds,
     spacing: height / lines,
     creasedFraction: byAge(0.45, 0.9),
     maxDepth: byAge(0.8, 1.35),
+    atRest: 0.3,
     reach: 6,
     feather: 7,
     influence: ([across]) => {
@@ -103,7 +106,7 @@ function shortLine(
       const [across, up] = pointAt(middle + (2 * t - 1) * half)
       return [across, up - 0.5 * spacing]
     }),
-    width: 2.4,
+    width: 2,
     depth,
     taper: [0.5, 0.5],
     shoulder: [0.8, 0.8],

@@ -38,9 +38,9 @@ function glabella(
     depth,
     taper: [0.4, 0.5],
     shoulder: [0.9, 0.9],
-    softness: byAge(0.5, 0.35),
+    softness: byAge(0.6, 0.5),
   })
-  const guides = [line(centre, -8 + rng.jitter(1), 15 + rng.jitter(2), byAge(4.2, 5.4), 1)]
+  const guides = [line(centre, -8 + rng.jitter(1), 15 + rng.jitter(2), byAge(2.8, 3.6), 1)]
   if (ageFraction > 0.2)
     guides.push(line(centre + 4.6 + rng.jitter(0.5), -2, 11 + rng.jitter(2), 2.6, byAge(0.35, 0.6)))
   if (ageFraction > 0.5) guides.push(line(centre - 3.6, -1, 9 + rng.jitter(2), 2.2, 0.35))
@@ -51,6 +51,7 @@ function glabella(
     spacing: 11,
     creasedFraction: byAge(0.6, 1),
     maxDepth: byAge(1.1, 2.1),
+    atRest: 0.35,
     reach: 5,
     feather: 6,
     influence: ([across]) => smoothstep((side * across + MIDDLE) / (2 * MIDDLE)),
@@ -66,9 +67,9 @@ function noseRoot({ landmarks, ageFraction, byAge, rngOf }: FaceContext): FaceRe
     depth,
     taper: [0.45, 0.45],
     shoulder: [0.9, 0.9],
-    softness: 0.5,
+    softness: 0.65,
   })
-  const guides = [line(level + rng.jitter(0.6), 9, byAge(2.8, 3.4), 1)]
+  const guides = [line(level + rng.jitter(0.6), 9, byAge(2.5, 3), 1)]
   if (ageFraction > 0.35) guides.push(line(level - 4.6, 6.5, 2.4, 0.5))
   return {
     name: 'noseRoot',
@@ -77,6 +78,7 @@ function noseRoot({ landmarks, ageFraction, byAge, rngOf }: FaceContext): FaceRe
     spacing: 9,
     creasedFraction: byAge(0.3, 0.8),
     maxDepth: byAge(0.6, 1.1),
+    atRest: 0.3,
     reach: 4,
     feather: 5,
   }

@@ -38,19 +38,19 @@ function nasolabial(
   const guides: Guide[] = [
     {
       path,
-      width: byAge(5.2, 6.4),
+      width: byAge(3.8, 4.6),
       depth: 1,
       taper: [0.2, 0.5],
+      // The cheek hangs over the fold.
       shoulder: side > 0 ? [1, 0.25] : [0.25, 1],
+      lean: side * 0.25,
       softness: byAge(0.5, 0.3),
     },
   ]
   if (ageFraction > 0.4) {
     guides.push({
-      path: path
-        .slice(5, 15)
-        .map(([across, up]) => [across + side * (5.5 + rng.jitter(0.4)), up + 0.5] as const),
-      width: 2.6,
+      path: path.slice(5, 15).map(([across, up], i) => [across + side * (3.5 + 0.5 * i), up + 0.5] as const),
+      width: 1.8,
       depth: byAge(0.05, 0.22),
       taper: [0.5, 0.5],
       shoulder: [0.8, 0.8],
@@ -68,7 +68,8 @@ function nasolabial(
     guides,
     spacing: 14,
     creasedFraction: byAge(0.4, 0.8),
-    maxDepth: byAge(1.4, 2.4),
+    maxDepth: byAge(1.2, 1.9),
+    atRest: 0.55,
     reach: 6,
     feather: 6,
   }
@@ -93,7 +94,8 @@ function mouthCorner(
     width,
     depth,
     taper: [0.5, 0.5],
-    shoulder: [0.8, 0.8],
+    // No bank on the lips.
+    shoulder: side > 0 ? [0.8, 0.1] : [0.1, 0.8],
     softness: 0.5,
   })
   const guides = [arc(3.2 + rng.jitter(0.4), 5, 6, 2.6, 1)]
@@ -120,6 +122,7 @@ function mouthCorner(
     spacing: 6,
     creasedFraction: byAge(0.25, 0.7),
     maxDepth: byAge(0.5, 1),
+    atRest: 0.45,
     reach: 3,
     feather: 4,
   }
@@ -150,11 +153,11 @@ function lip({ landmarks, byAge, rngOf }: FaceContext, name: string, away: 1 | -
         [across + 0.6 * lean, from + (away * 2 * length) / 3],
         [across + lean, from + away * length],
       ),
-      width: byAge(1.6, 2),
+      width: byAge(1.2, 1.5),
       depth: rng.uniform(0.55, 1),
       taper: [0.2, 0.7],
       shoulder: [0.8, 0.8],
-      softness: 0.5,
+      softness: 0.65,
     }
   })
   return {
@@ -164,6 +167,7 @@ function lip({ landmarks, byAge, rngOf }: FaceContext, name: string, away: 1 | -
     spacing: (2 * corner * 0.86) / (lines - 1),
     creasedFraction: byAge(0.15, 0.7),
     maxDepth: byAge(0.25, 0.6),
+    atRest: 0.4,
     reach: 1.5,
     feather: 4,
   }

@@ -30,11 +30,11 @@ function bunnyLines({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: 
         [end - 4, up + 0.5 * rise],
         [end, up + rise],
       ),
-      width: byAge(2.4, 3),
+      width: byAge(2, 2.5),
       depth: i === 0 ? 0.75 : 1 - 0.12 * i,
       taper: [0.45, 0.5],
       shoulder: [0.9, 0.9],
-      softness: 0.5,
+      softness: 0.65,
     }
   })
   return {
@@ -44,6 +44,7 @@ function bunnyLines({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: 
     spacing: 4.5,
     creasedFraction: byAge(0.35, 0.8),
     maxDepth: byAge(0.5, 0.9),
+    atRest: 0.15,
     reach: 3,
     feather: 5,
   }

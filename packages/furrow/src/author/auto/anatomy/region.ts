@@ -13,6 +13,8 @@ export interface LineStyle {
   taper: readonly [start: number, end: number]
   /** Height of the raised banks, left and right of its direction, 0..1. */
   shoulder: readonly [left: number, right: number]
+  /** Steeper on the left of its direction than on the right, -0.9..0.9. */
+  lean?: number
   /** Roundness of the valley's bottom, 0..1. */
   softness: number
   /** Whether its direction is random, so that no compression is measured across it. */
@@ -33,6 +35,8 @@ export interface SkinRegion {
   creasedFraction: number
   /** In millimetres. */
   maxDepth: number
+  /** Fraction of the depth that a face of 70 years has at rest, 0..1; lines of other skin go with what folds it. */
+  atRest?: number
   /** Compression by muscles that pucker skin within itself, which no target shows: the area is driven by its cause alone. */
   assumedCompression?: number
   /** How far its area reaches beyond its lines, and over what distance it fades out from there, in millimetres. */

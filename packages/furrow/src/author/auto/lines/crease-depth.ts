@@ -1,13 +1,14 @@
 import { clamp } from '../../../math/scalar.ts'
-import { profile, REACH } from '../../strokes/profile.ts'
+import { addSection, HeightSum } from '../../strokes/height-sum.ts'
+import { type CrossSection, sectionReach } from '../../strokes/lay-out.ts'
 
-/** Step along a valley's side, in half widths. */
-const STEP = 0.02
+/** Steps from one line to the next. */
+const STEPS = 256
 /** Bisections of the range of depths: to a thousandth of a millimetre. */
 const BISECTIONS = 16
 
 /**
- * Depth of a valley that takes up the length that skin loses: of a length dx at rest (1 - e) dx is left, over which the relief must be dx
+ * Depth of valleys that take up the length that skin loses: of a length dx at rest (1 - e) dx is left, over which the relief must be dx
  * long, so the mean of sqrt((1 - e)^2 + h'^2) over one spacing is 1.
  *
  * @param compression e, 0..1.
@@ -17,23 +18,13 @@ export function creaseDepth(
   compression: number,
   spacing: number,
   halfWidth: number,
-  shoulder: readonly [left: number, right: number],
-  softness: number,
+  section: CrossSection,
 ): number {
   const left = 1 - clamp(compression, 0, 1)
-  const end = Math.min(REACH, spacing / (2 * halfWidth))
-  const steps = Math.ceil(end / STEP)
-  const slopes = shoulder.flatMap((raised) =>
-    Array.from({ length: steps }, (_, i) => {
-      const [from, to] = [(end * i) / steps, (end * (i + 1)) / steps]
-      return (profile(to, raised, softness) - profile(from, raised, softness)) / ((to - from) * halfWidth)
-    }),
-  )
-  // Beyond the reach of the valley the skin is flat, and shortened nevertheless.
-  const covered = (2 * end * halfWidth) / spacing
+  const heights = heightsBetween(spacing, halfWidth, section)
+  const slopes = heights.slice(1).map((height, i) => ((height - heights[i]) * STEPS) / spacing)
   const length = (depth: number) =>
-    (covered * slopes.reduce((sum, slope) => sum + Math.hypot(left, depth * slope), 0)) / slopes.length +
-    (1 - covered) * left
+    slopes.reduce((sum, slope) => sum + Math.sqrt(left ** 2 + (depth * slope) ** 2), 0) / STEPS
   let [low, high] = [0, 2 * spacing]
   for (let i = 0; i < BISECTIONS; i++) {
     const middle = (low + high) / 2
@@ -41,4 +32,18 @@ export function creaseDepth(
     else high = middle
   }
   return low
+}
+
+/** Heights from one of many parallel lines of depth 1 to the next. */
+function heightsBetween(spacing: number, halfWidth: number, section: CrossSection): number[] {
+  const sum = new HeightSum()
+  const lines = 1 + Math.ceil((sectionReach(section) * halfWidth) / spacing)
+  return Array.from({ length: STEPS + 1 }, (_, i) => {
+    sum.clear()
+    for (let line = -lines; line <= lines; line++) {
+      const offset = spacing * (i / STEPS - line)
+      addSection(sum, section, 1, halfWidth, Math.abs(offset), Math.sign(offset), 0)
+    }
+    return sum.height
+  })
 }

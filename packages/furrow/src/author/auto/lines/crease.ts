@@ -1,11 +1,15 @@
+import { noise } from '../../../math/noise.ts'
+import { Rng } from '../../../math/rng.ts'
 import { barycentricsAt, normalAt } from '../../skin/walk.ts'
 import type { SkinLine } from '../../strokes/curve.ts'
 import type { Stroke } from '../../strokes/document.ts'
-import { type LaidStroke, layOutStroke } from '../../strokes/lay-out.ts'
+import { type LaidStroke, layOutStroke, sectionOf } from '../../strokes/lay-out.ts'
 import type { SkinRegion } from '../anatomy/region.ts'
+import { bankReaches } from './bank-reaches.ts'
 import { creaseDepth } from './crease-depth.ts'
 import { type LaidLine, MIN_POINTS } from './laid-line.ts'
 import { type StrokedSkin, strokeOf, uvAt } from './stroke-of.ts'
+import { STEP } from './trace.ts'
 
 /** The creases of a region. */
 export interface RegionCreases {
@@ -34,6 +38,13 @@ export interface LineSettings {
 
 /** Fraction of the depth that is left where the expression does not compress the skin. */
 const MIN_DEPTH = 0.3
+/**
+ * Fraction by which a line is shallower here and there, and millimetres from one such place to the next, about. What it takes up goes with the
+ * square of its depth, whose mean along the line is UNIFORM squared.
+ */
+const VARIATION = 0.4
+const WAVELENGTH = 8
+const UNIFORM = 0.81
 /** Points to either side over which a line's compression is averaged. */
 const AVERAGED = 6
 /** Fraction of the points of all lines that may be compressed more than the region's compression. */
@@ -47,11 +58,12 @@ const ABOVE = 0.3
 export function creaseLines(
   prepared: StrokedSkin,
   {
+    name,
     spacing,
     creasedFraction,
     maxDepth,
     assumedCompression = 0,
-  }: Pick<SkinRegion, 'spacing' | 'creasedFraction' | 'maxDepth' | 'assumedCompression'>,
+  }: Pick<SkinRegion, 'name' | 'spacing' | 'creasedFraction' | 'maxDepth' | 'assumedCompression'>,
   lines: readonly LaidLine[],
   strength: number,
 ): RegionCreases {
@@ -59,26 +71,33 @@ export function creaseLines(
     .flatMap(({ style, compressions }) => (style.isDimple ? [] : compressions.filter((value) => value > 0)))
     .sort((a, b) => b - a)
   const compression = Math.max(assumedCompression, measured[Math.floor(ABOVE * measured.length)] ?? 0)
-  const drawn = lines.flatMap((line) => clipToDrawn(line, prepared))
-  const strokes = drawn.map((line): Stroke => {
-    const { style, compressions } = line
-    const fullDepth = creaseDepth(
-      creasedFraction * compression,
-      spacing,
-      style.width / 2,
-      style.shoulder,
-      style.softness,
-    )
-    const depth = strength * style.depth * Math.min(maxDepth, fullDepth)
-    const factors = movingAverage(compressions).map((value) => {
-      const relative = compression > 0 ? Math.min(1, Math.max(0, value) / compression) : 0
-      return MIN_DEPTH + (1 - MIN_DEPTH) * Math.sqrt(relative)
-    })
-    return strokeOf(line, depth, factors, prepared)
+  const rng = new Rng(0, `${name} depth`)
+  const drawn = lines.flatMap((line) => {
+    const variation = Math.floor(2 ** 31 * rng.next())
+    return clipToDrawn(line, prepared).map((part) => ({ ...part, variation }))
   })
-  const folds = drawn.filter(({ style }) => !style.isDimple).map((line) => foldOf(line, prepared))
+  const onSkin = drawn.map((line) => foldOf(line, prepared))
+  const folds = onSkin.filter((_, i) => !drawn[i].style.isDimple)
+  const reaches = bankReaches(folds, spacing)
+  const banks = onSkin.map((line) => reaches[folds.indexOf(line)])
+  const strokes = drawn.map((line, i): Stroke => {
+    const { style } = line
+    const section = sectionOf({ ...style, bank: banks[i] })
+    const fullDepth = creaseDepth(creasedFraction * compression, spacing, style.width / 2, section)
+    const depth = strength * style.depth * Math.min(maxDepth, fullDepth / UNIFORM)
+    return strokeOf(line, depth, depthFactors(line, compression), banks[i], prepared)
+  })
   const creases = strokes.flatMap((stroke) => layOutStroke(stroke, prepared))
   return { folds, strokes, creases, compression }
+}
+
+/** Factors on a line's depth: by how far the skin is compressed there, and by chance. */
+function depthFactors({ compressions, variation }: LaidLine & { variation: number }, full: number): number[] {
+  return movingAverage(compressions).map((compression, i) => {
+    const relative = full > 0 ? Math.min(1, Math.max(0, compression) / full) : 0
+    const shallower = VARIATION * (0.5 + 0.5 * noise((i * STEP) / WAVELENGTH, variation))
+    return (MIN_DEPTH + (1 - MIN_DEPTH) * Math.sqrt(relative)) * (1 - shallower)
+  })
 }
 
 /** A line with the skin's normals. */

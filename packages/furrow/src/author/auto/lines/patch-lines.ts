@@ -9,7 +9,7 @@ import type { StrokedSkin } from './stroke-of.ts'
 
 /** Millimetres from line to line. */
 const SPACING = 6
-const STYLE: LineStyle = { width: 3, depth: 1, taper: [0.4, 0.4], shoulder: [0.9, 0.9], softness: 0.5 }
+const STYLE: LineStyle = { width: 2, depth: 1, taper: [0.4, 0.4], shoulder: [0.9, 0.9], softness: 0.5 }
 
 /** Lays lines on patches of a skin without anatomy: shallower than on a face. */
 export function layPatchLines(

@@ -22,14 +22,16 @@ const BLUNT = 0.85
  *
  * @param depth in millimetres.
  * @param factors on the depth, one per point.
+ * @param bank how far its banks reach; by its width where it is undefined.
  */
 export function strokeOf(
   line: LaidLine,
   depth: number,
   factors: readonly number[],
+  bank: readonly [left: number, right: number] | undefined,
   skin: StrokedSkin,
 ): Stroke {
-  const { width, taper, shoulder, softness } = line.style
+  const { width, taper, shoulder, lean, softness } = line.style
   const count = Math.max(2, Math.round((line.triangles.length * STEP) / FACTOR_SPACING) + 1)
   return {
     curve: 'spline',
@@ -39,6 +41,8 @@ export function strokeOf(
     depths: Array.from({ length: count }, (_, i) => rounded(sample(factors, i / (count - 1)), 1e3)),
     taper: [rounded(BLUNT * taper[0], 1e3), rounded(BLUNT * taper[1], 1e3)],
     shoulder: [rounded(shoulder[0], 1e3), rounded(shoulder[1], 1e3)],
+    ...(bank && { bank: [rounded(bank[0], 100), rounded(bank[1], 100)] }),
+    ...(lean !== undefined && { lean }),
     softness: rounded(softness, 1e3),
     waviness: 0,
   }

@@ -1,14 +1,15 @@
 import { triangleNormal } from '../../../math/triangle.ts'
 import { cross, dot, length, normalize } from '../../../math/vector.ts'
 import { skinVertices, triangleBox } from '../../skin/surface.ts'
+import { reachOf } from '../../strokes/lay-out.ts'
 import { LineGrid } from '../../strokes/line-grid.ts'
 import { activationOf, type FittedRegion } from '../fit/fit-driver.ts'
 import { type Pose, poseOf } from '../surface/pose.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { type Patch, patchOf } from './patch.ts'
 
-/** Half widths of a valley from its middle within which its slopes show. */
-const NEAR = 3
+/** Fraction of a crease's reach within which its slopes show. */
+const NEAR = 0.6
 /** Activation below which a pose does not count. */
 const MIN_ACTIVATION = 0.1
 /** Weight of leaving slopes as they are, relative to that of the poses: keeps them finite on facets seen edge-on. */
@@ -115,7 +116,7 @@ function posesOf({ names, find }: Skin, { region, driver }: FittedRegion): Weigh
 function trianglesNear({ surface }: Skin, { creases }: FittedRegion): number[] {
   const grid = new LineGrid(
     creases,
-    creases.map(({ halfWidths }) => NEAR * halfWidths.reduce((a, b) => Math.max(a, b), 0)),
+    creases.map((crease) => NEAR * reachOf(crease)),
   )
   const [low, high] = [new Float64Array(3), new Float64Array(3)]
   const near: number[] = []

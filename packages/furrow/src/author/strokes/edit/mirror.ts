@@ -17,7 +17,7 @@ export interface MirrorPlane {
 const MIDDLE: MirrorPlane = { origin: [0, 0, 0], normal: [1, 0, 0] }
 
 /**
- * Mirrors a stroke: each point goes to the point of the skin that is nearest to its mirror image. Left and right shoulders change sides, and so
+ * Mirrors a stroke: each point goes to the point of the skin that is nearest to its mirror image. Left and right sides of its cross-section change, and so
  * does the group where its name ends in `Left` or `Right`. Where both halves use the same texels, a stroke is its own mirror image.
  *
  * @param plane x = 0 by default; `middleOf` finds that of a face.
@@ -35,12 +35,14 @@ export function mirrorStroke<S extends Stroke>(stroke: S, canvas: SkinCanvas, pl
     for (let k = 0; k < 3; k++) position[k] -= 2 * rise * plane.normal[k]
     return [clamped(locator.uvAt(nearestOnSurface(surface, position, weights), weights))]
   })
-  const [left, right] = spline.shoulder
+  const swapped = ([left, right]: Stroke['shoulder']): Stroke['shoulder'] => [right, left]
   const mirrored: S = {
     ...spline,
-    shoulder: [right, left],
+    shoulder: swapped(spline.shoulder),
     points: points.length < 2 ? spline.points : points,
   }
+  if (spline.bank) mirrored.bank = swapped(spline.bank)
+  if (spline.lean !== undefined) mirrored.lean = -spline.lean
   if (spline.group !== undefined)
     mirrored.group = spline.group.replace(/(Left|Right)$/, (side) => (side === 'Left' ? 'Right' : 'Left'))
   return mirrored
