@@ -38,6 +38,7 @@ interface Candidate {
 export async function measure(bench: Bench, benchCase: Case, plan: Plan): Promise<Measured[]> {
   const candidates = createCandidates(bench, benchCase)
   try {
+    await Promise.all(candidates.map(({ applied }) => applied.ready))
     const changed = await changedFractions(bench, benchCase, candidates)
     for (let round = 0; round < plan.rounds; round++) {
       for (const i of roundOrder(candidates.length, round)) {

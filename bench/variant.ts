@@ -13,6 +13,8 @@ export interface Variant {
 }
 
 export interface AppliedVariant {
+  /** Fulfilled when it can be drawn; at once by default. */
+  ready?: Promise<void>
   setActivation(area: string, value: number): void
   dispose(): void
 }
