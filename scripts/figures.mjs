@@ -71,8 +71,29 @@ const agesOf = (name, picture) =>
     })),
   )
 
+/** The shipped face and two darker ones: what its base colour is multiplied by, in linear sRGB. */
+const SKINS = { light: [1, 1, 1], medium: [0.62, 0.55, 0.48], dark: [0.18, 0.15, 0.13] }
+const FLUSHED = { width: 760, height: 760, crop: { left: 250, top: 170, width: 260, height: 380 } }
+const FLUSHES = [
+  { ...both('mouthSmile', 0.9), ...both('cheekSquint', 0.8) },
+  { ...both('noseSneer'), ...both('browDown', 0.8) },
+]
+
+/** A row for each skin: each expression without blood and with it. */
+const bloodOfSkins = () =>
+  Object.keys(SKINS).flatMap((skin) =>
+    FLUSHES.flatMap((targets, i) =>
+      ['Pale', ''].map((end, k) => ({
+        ...FLUSHED,
+        targets,
+        face: `${skin}${end}`,
+        beginsRow: i === 0 && k === 0,
+      })),
+    ),
+  )
+
 /** Figures of many faces are stored as JPEG. */
-const JPEG_FIGURES = ['auto-human', 'auto-scan']
+const JPEG_FIGURES = ['auto-human', 'auto-scan', 'blood']
 
 /** Each figure is a row of pictures, from left to right. */
 const FIGURES = {
@@ -120,6 +141,7 @@ const FIGURES = {
     height: 540,
     crop: { left: 157, top: 8, width: 315, height: 374 },
   }),
+  blood: bloodOfSkins(),
   transform: [FOREHEAD, { ...FOREHEAD, face: 'lossless' }, { ...FOREHEAD, face: 'lossy' }],
 }
 
@@ -129,6 +151,12 @@ const FACES = {
   arrays: (file) => pack(file, '--ktx2'),
   lossless: (file) => shrink(file, true),
   lossy: (file) => shrink(file, false),
+  ...Object.fromEntries(
+    Object.entries(SKINS).flatMap(([name, factor]) => [
+      [name, (file) => tint(file, factor, false)],
+      [`${name}Pale`, (file) => tint(file, factor, true)],
+    ]),
+  ),
   ...Object.fromEntries(
     AGES.flatMap((age) => [
       [`human${age}`, (file) => auto(FACE, file, age)],
@@ -203,6 +231,25 @@ async function pack(file, ...options) {
 async function auto(face, file, age) {
   const { autoCommand } = await import('../packages/cli/dist/commands/auto.js')
   await autoCommand.parseAsync([face, '-o', file, '--age', String(age), '--replace'], { from: 'user' })
+}
+
+/** The shipped face with automatic wrinkles, made once. */
+let wrinkled
+
+/** @param isPale whether the blood stays as it is at rest. */
+async function tint(file, factor, isPale) {
+  const { transformFile } = await import('./lib/transform.mjs')
+  if (!wrinkled) await auto(FACE, (wrinkled = `${file}.auto.glb`), 45)
+  await transformFile(wrinkled, file, [
+    (document) => {
+      for (const material of document.getRoot().listMaterials()) {
+        const wrinkles = material.getExtension('FURROW_wrinkle_maps')
+        if (!wrinkles) continue
+        material.setBaseColorFactor([...factor, 1])
+        if (isPale) for (const layer of wrinkles.listLayers()) layer.setBloodAmplitude(0)
+      }
+    },
+  ])
 }
 
 async function shrink(file, lossless) {

@@ -69,7 +69,7 @@ HUMAN = {
         "iris_inner": (0.44, 0.38, 0.26),
         "eye_white": (0.80, 0.765, 0.725),
         "roughness": 0.60,
-        "pores": 0.30,
+        "pores": 0.55,
         "fuzz": (0.030, 0.018, 0.014),  # linear
         "shirt": (0.020, 0.024, 0.032),  # linear
     },
@@ -133,7 +133,7 @@ HUMAN_2 = {
         "iris_inner": (0.27, 0.165, 0.09),
         "eye_white": (0.72, 0.67, 0.61),
         "roughness": 0.54,
-        "pores": 0.28,
+        "pores": 0.50,
         "fuzz": (0.020, 0.013, 0.010),  # linear
         "shirt": (0.055, 0.018, 0.022),  # linear
     },

@@ -5,6 +5,7 @@ import { Divider } from './divider.ts'
 import { Downloads } from './downloads.ts'
 import { acceptFiles } from './drop.ts'
 import { keepFocus } from './keep-focus.ts'
+import { nextTask } from './later.ts'
 import { Lines } from './lines/lines.ts'
 import { PageLink } from './link/page-link.ts'
 import { Loading } from './loading.ts'
@@ -160,6 +161,7 @@ export class Studio {
     effect(() => {
       if (this.#lines.editor.mode.value !== 'off') this.#painting.isOn = false
     })
+    effect(() => this.#workspace.prepareEdit(this.#lines.editor.chosen.value))
     showPanel(page.panel, this.#panelModel())
     keepFocus(document.body)
     effect(() => this.#face.highlight(this.#painting.area.value))
@@ -295,8 +297,11 @@ export class Studio {
     const wasPlain = !viewer.wrinkles
     void this.#messages
       .attempt(() => this.#view.show(viewer, drawn))
-      .then(() => {
-        if (viewer === this.#viewer && wasPlain === !!viewer.wrinkles) this.#host.orbit?.frame()
+      .then(async () => {
+        const isOther = wasPlain === !!viewer.wrinkles
+        // In a task of its own: all blendshapes are looked at.
+        if (isOther) await nextTask()
+        if (isOther && viewer === this.#viewer) this.#host.orbit?.frame()
         this.#face.refresh()
         this.#loop.wake()
       })

@@ -18,7 +18,7 @@ import { createHarness, type Harness, RENDERERS, square, squareCamera } from './
 
 const PIXELS = 32
 const MAP = 16
-const KINDS = ['baseColor', 'roughness', 'occlusion'] as const
+const KINDS = ['baseColor', 'roughness', 'occlusion', 'blood'] as const
 type Kind = (typeof KINDS)[number]
 
 /** The kinds of maps of each layer, some of which may be absent. */
@@ -28,6 +28,8 @@ const LAYERS: Kind[][][] = [
   [['occlusion']],
   [['baseColor', 'roughness', 'occlusion']],
   [['baseColor', 'occlusion'], ['roughness'], [], ['baseColor', 'roughness', 'occlusion']],
+  [['blood']],
+  [['occlusion', 'blood'], ['baseColor', 'blood'], [], ['occlusion']],
 ]
 
 describe.each(RENDERERS)("the layers' other maps on %s", (name) => {
@@ -158,7 +160,9 @@ async function compare(harness: Harness, random: () => number, kinds: Kind[][], 
     )
   wrinkles.dispose()
   const exactMaterial = material.clone()
-  exactMaterial.map = pictureOf(mixed('baseColor'))
+  const blood = mixed('blood')
+  const colour = mixed('baseColor')
+  exactMaterial.map = pictureOf((u, v) => reference.bloodColour(colour(u, v), blood(u, v)[0]))
   exactMaterial.roughnessMap = pictureOf(mixed('roughness'))
   // The material's intensity applies to its own map only; a layer has its own strength.
   if (!hasMaps) exactMaterial.aoMapIntensity = 1
@@ -183,15 +187,18 @@ function randomLayer(random: () => number, name: string, kinds: Kind[]): Layer {
     normal: flat,
     normalScale: 0,
     occlusionStrength: 0.6,
+    bloodAmplitude: 0.8,
     ...(kinds.includes('baseColor') && { baseColor: randomImage(random, MAP) }),
     ...(kinds.includes('roughness') && { roughness: gray() }),
     ...(kinds.includes('occlusion') && { occlusion: gray() }),
+    ...(kinds.includes('blood') && { blood: gray() }),
   }
 }
 
 function layerValue(layer: Layer, kind: Kind, u: number, v: number): number[] {
   if (kind === 'baseColor') return colourAt(layer.baseColor!, u, v)
   const value = reference.sampleArray(packGrays([layer[kind]!]), u, v, 0)
+  if (kind === 'blood') return [reference.bloodOf(value) * layer.bloodAmplitude!]
   return [kind === 'occlusion' ? 1 + (value - 1) * layer.occlusionStrength! : value]
 }
 
@@ -201,6 +208,7 @@ function ownValue(
   u: number,
   v: number,
 ) {
+  if (kind === 'blood') return [0]
   if (!own) return kind === 'baseColor' ? [1, 1, 1] : [1]
   if (kind === 'baseColor') return colourAt(own.baseColor, u, v)
   return [reference.sampleArray(packColours([own.rest]), u, v, 0, kind === 'roughness' ? 1 : 0)]

@@ -7,7 +7,7 @@ declare module 'vitest' {
   }
 }
 
-/** Tests of what breaks first on an older three.js: array textures, blending, the paper's lighting, changed geometries, batches, KTX2Loader, copies into textures. */
+/** Tests of what breaks first on an older three.js: array textures, blending, the paper's lighting, changed geometries, batches, KTX2Loader, ranges to draw, copies into textures. */
 export const FILES_FOR_OLDEST = [
   'three-version',
   'layers',
@@ -18,6 +18,7 @@ export const FILES_FOR_OLDEST = [
   'loader',
   'mtoon',
   'update',
+  'relief/relief',
 ].map((name) => `test/gpu/${name}.test.ts`)
 
 /** Runs a project on `three-oldest`, the oldest three.js that is allowed. */

@@ -19,7 +19,7 @@ import { readLevel } from './read-level.ts'
 
 const AREA = 16
 const MAP = 64
-const KINDS = ['normal', 'baseColor', 'roughness', 'occlusion'] as const
+const KINDS = ['normal', 'baseColor', 'roughness', 'occlusion', 'blood'] as const
 
 /** Rectangles in the middle, at borders and corners, all, and of one texel. */
 const REGIONS: Bounds[] = [
@@ -170,7 +170,7 @@ describe.each(RENDERERS)('wrinkles that are changed while they are shown, on %s'
       const before = await picture(mesh)
       for (const [layer, scale] of [
         { normalScale: 0.3 },
-        { normalScale: 1.6, occlusionStrength: 0.2 },
+        { normalScale: 1.6, occlusionStrength: 0.2, bloodAmplitude: 1.2 },
       ].entries()) {
         scaleLayer(wrinkles, `layer${layer}`, scale)
         Object.assign(set.layers[layer], scale)
@@ -298,7 +298,12 @@ describe.each(RENDERERS)('wrinkles that are changed while they are shown, on %s'
 function randomMaps(random: () => number, width = MAP, height = width): WrinkleSet {
   const layers = (['replace', 'detail'] as const).map((kind, i): Layer => {
     const maps = Object.fromEntries(KINDS.map((map) => [map, randomMap(random, map, width, height)]))
-    return { name: `layer${i}`, kind, ...(maps as unknown as Pick<Layer, (typeof KINDS)[number]>) }
+    return {
+      name: `layer${i}`,
+      kind,
+      bloodAmplitude: 0.5,
+      ...(maps as unknown as Pick<Layer, (typeof KINDS)[number]>),
+    }
   })
   const areas = randomAreas(random, 8, AREA).map((area, i): Area => {
     const weights = i % 2 ? area.weights : cropped(area.weights, i, AREA)

@@ -1,6 +1,7 @@
 """The maps of a face's skin, and its other parts."""
 
 import numpy as np
+from scipy.ndimage import gaussian_filter
 
 from ..part import Part
 from ..raster import Atlas
@@ -33,6 +34,8 @@ class Face:
         open_sky = atlas.spread(occlusion(skin.positions, skin.normals, scene))
         # The upper lid is folded at rest and must not be black when the eye closes.
         open_sky += (1 - open_sky) * 0.65 * fields.spot("upper-lid", 0.010, (1.6, 1, 1))
+        # So are the insides of the lips, which a smile shows.
+        open_sky += (1 - open_sky) * 0.5 * np.clip(gaussian_filter(fields.mouth_hole, 6) * 2.5, 0, 1)
         tell("colour")
         self.colour = paint_colour(fields, open_sky, look)
         tell("normals")

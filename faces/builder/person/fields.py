@@ -15,13 +15,13 @@ class Fields:
     def __init__(self, atlas: Atlas, positions: np.ndarray, seed: int):
         self.size = atlas.size
         self.space = atlas.spread(positions)  # metres, on this skin
-        self._seed = seed
+        self.seed = seed
         self.near = binary_dilation(atlas.covered, iterations=8)
         self.spread = atlas.spread
 
     def noise(self, size: float, channel: int, stretch=(1, 1, 1)) -> np.ndarray:
         """Smooth noise in space (so without seams): mean 0, deviation about 1, spots of `size` metres."""
-        lattice = np.random.default_rng([self._seed, channel]).normal(size=(48, 48, 48))
+        lattice = np.random.default_rng([self.seed, channel]).normal(size=(48, 48, 48))
         at = self.space / (size * np.array(stretch)) + 1000.0
         values = map_coordinates(lattice, at.reshape(-1, 3).T, order=1, mode="grid-wrap")
         return (values * 1.7).reshape(self.size, self.size)

@@ -9,6 +9,7 @@ from scipy.ndimage import gaussian_filter
 from .brows import paint_brows
 from .fields import FaceFields, Fields
 from .landmarks import BEARD, HAIR, LOWER_LIP, UPPER_LIP
+from .skin_net import skin_net
 
 
 def paint_colour(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.ndarray:
@@ -60,7 +61,7 @@ def paint_colour(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.nd
     creases = fields.stripes(0.0011, 33)
     lip = np.array(look["lip"]) * (1 + 0.05 * creases[..., None] + 0.04 * rough(0.002, 30)[..., None])
     skin = lay(skin, lip, look["lips"] * lips)
-    line = np.clip(gaussian_filter(fields.mouth_hole, 3) * 2.0, 0, 1)
+    line = np.clip(gaussian_filter(fields.mouth_hole, 2) * 1.6, 0, 1)
     skin = lay(skin, np.array(look["lip_line"]), 0.92 * line)
 
     # Beard shadow and cropped hair: a tone under the skin, and stubble as fine specks.
@@ -95,35 +96,44 @@ def mottled(fields: Fields, look: dict) -> np.ndarray:
 
 
 def paint_pores(fields: FaceFields, depth: float) -> np.ndarray:
-    """A tangent-space normal map (size, size, 3) in 0..1: pores only, from height in the layout's own grid."""
+    """A tangent-space normal map (size, size, 3) in 0..1 of skin at rest: fine furrows, pores, creases of the lips."""
     spot = fields.spot
-    # Cells of two sizes; pores are the pits where the noise is low.
-    fine, coarse = fields.noise(0.00075, 61), fields.noise(0.0015, 62)
-    pits = -np.clip(-fine - 0.25, 0, 2) - 0.8 * np.clip(-coarse - 0.5, 0, 2) + 0.25 * fine
-    where = (
-        0.55
-        + 0.6 * spot("nose-tip", 0.02)
-        + 0.45 * spot("cheek", 0.025)
-        + 0.35 * spot("forehead", 0.04)
-        + 0.3 * spot("chin", 0.02)
-    )
-    where *= 1 - 0.75 * np.maximum(spot("upper-lid", 0.011, (1.5, 1, 1)), spot("lower-lid", 0.009, (1.5, 1, 1)))
-    where *= 1 - np.clip(fields.outline(HAIR, 0.008) * 1.2, 0, 1)  # none under the hair
-    height = gaussian_filter(pits * where, 0.8)
+    lids = np.maximum(spot("upper-lid", 0.011, (1.5, 1, 1)), spot("lower-lid", 0.009, (1.5, 1, 1)))
+    ears = np.maximum.reduce([spot("ear-top", 0.02), spot("ear-middle", 0.022), spot("ear-lobe", 0.016)])
+    nose = np.maximum.reduce([spot("nose-tip", 0.016), spot("nose-wing", 0.011), 0.6 * spot("nose-bridge", 0.014)])
+    cheek = np.maximum(spot("cheek", 0.024), 0.8 * spot("cheek-bone", 0.018))
+    chin = spot("chin", 0.018)
+    forehead = np.maximum(spot("forehead", 0.045), spot("glabella", 0.018))
+    temple = np.maximum(spot("temple", 0.026), 0.7 * spot("jaw", 0.03))
+
+    # Wide plateaus on cheeks and neck, narrow ones on the forehead and round the eyes.
+    spacing = 0.0013 + 0.0001 * cheek + 0.0002 * spot("throat", 0.05) - 0.0003 * forehead - 0.0004 * lids
+    furrow, pore = skin_net(fields, spacing, width=0.55)
+    # Patches in which the net hardly shows: skin is nowhere the same for a centimetre.
+    patchy = np.clip(1 + 0.3 * fields.rough(0.009, 61), 0.3, 1.6)
+    furrows = 0.28 + 0.15 * forehead + 0.1 * chin - 0.12 * cheek - 0.2 * temple - 0.12 * lids
+    pores = 0.16 + 0.75 * nose + 0.5 * cheek + 0.3 * chin - 0.1 * forehead - 0.12 * temple
+    bare = (1 - 0.75 * lids) * (1 - 0.6 * ears)
+    bare *= 1 - np.clip(fields.outline(HAIR, 0.008) * 1.2, 0, 1)  # none under the hair
+    sunk = np.maximum(furrows, 0) * furrow + np.maximum(pores, 0) * pore
+    height = gaussian_filter(-sunk * patchy * bare, 0.6)
     lips = fields.outline(UPPER_LIP + LOWER_LIP[1:], 0.002)
-    height = height * (1 - lips) + 1.1 * gaussian_filter(fields.stripes(0.0011, 33), 1.0) * lips
-    return relief(height, depth, fields.near)
+    height = height * (1 - lips) + 0.65 * gaussian_filter(fields.stripes(0.0011, 33), 1.0) * lips
+    return relief(height, depth, fields.near, step=4)
 
 
-def relief(height: np.ndarray, depth: float, near: np.ndarray) -> np.ndarray:
-    """The tangent-space normal map (size, size, 3), 0..1, of a height in texels; flat where `near` is false."""
+def relief(height: np.ndarray, depth: float, near: np.ndarray, step=3) -> np.ndarray:
+    """The tangent-space normal map (size, size, 3), 0..1, of a height in texels; flat where `near` is false.
+
+    x and y are multiples of `step` / 127 around zero (which is 128/255): with 3 the file has 0.4 of the bytes and pores
+    still look smooth.
+    """
     # x is right, y is up.
     right, down = np.gradient(height, axis=1), np.gradient(height, axis=0)
     normal = np.stack([-depth * right, depth * down, np.ones_like(height)], axis=2)
     normal[~near] = [0, 0, 1]
     normal /= np.linalg.norm(normal, axis=2, keepdims=True)
-    # In steps of 3/127 around zero (which is 128/255): 0.4 of the bytes, and fine enough for pores.
-    steps = np.round(normal[..., :2] * 127 / 3) * 3
+    steps = np.round(normal[..., :2] * 127 / step) * step
     flat = np.concatenate([steps, np.full((*steps.shape[:2], 1), 127.0)], axis=2)
     return (flat + 128) / 255
 

@@ -6,6 +6,7 @@
 
 export { type ActivationPointer, parseActivationPointer } from './core/activation-pointer.ts'
 export { type AreaConvention, areaWeights } from './core/area.ts'
+export { BLOOD_ABSORPTION, BLOOD_AT_REST, MAX_BLOOD_AMPLITUDE } from './core/blood.ts'
 export { type ErrorCode, type ErrorParts, FurrowError } from './core/error.ts'
 export { resampleGray } from './core/image.ts'
 export {

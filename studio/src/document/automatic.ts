@@ -24,7 +24,7 @@ export function automaticDocument(
   areaSize: number,
   names: Pick<StudioDocument, 'mesh' | 'material'>,
 ): StudioDocument {
-  const { layers, areas, scale } = wrinkles
+  const { layers, areas, expressions, scale } = wrinkles
   const isAutomatic = true
   return {
     ...names,
@@ -36,7 +36,7 @@ export function automaticDocument(
       return { name, layer: layers[layer].name, combine: 'sum', activation: 0, weights, isAutomatic }
     }),
     strokes: (strokesOf(wrinkles).strokes as LayerStroke[]).map((stroke) => ({ ...stroke, isAutomatic })),
-    drivers: autoDrivers(wrinkles),
+    drivers: autoDrivers({ areas, expressions }),
     auto,
   }
 }

@@ -29,7 +29,7 @@ export interface StudioDocument {
 }
 
 /** The maps of a layer that images can be. */
-export const MAP_NAMES = ['normal', 'baseColor', 'roughness', 'occlusion', 'height'] as const
+export const MAP_NAMES = ['normal', 'baseColor', 'roughness', 'occlusion', 'height', 'blood'] as const
 export type MapName = (typeof MAP_NAMES)[number]
 
 /** An encoded image, as it is in a file. */
@@ -48,6 +48,8 @@ export interface StudioLayer {
   readonly occlusionStrength: number
   /** Metres from black to white of the height map. */
   readonly heightAmplitude?: number
+  /** Optical depth of the blood map's white, 0..2. */
+  readonly bloodAmplitude?: number
 }
 
 /** Values of the fields of a new layer. */

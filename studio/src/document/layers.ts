@@ -1,4 +1,4 @@
-import { FurrowError, MAX_LAYERS } from 'furrow'
+import { FurrowError, MAX_BLOOD_AMPLITUDE, MAX_LAYERS } from 'furrow'
 import {
   type ImageFile,
   LAYER_DEFAULTS,
@@ -14,7 +14,7 @@ const LARGEST = 1000
 
 /** Fields of a layer that are set as they are. */
 export type LayerFields = Partial<
-  Pick<StudioLayer, 'kind' | 'normalScale' | 'occlusionStrength' | 'heightAmplitude'>
+  Pick<StudioLayer, 'kind' | 'normalScale' | 'occlusionStrength' | 'heightAmplitude' | 'bloodAmplitude'>
 >
 
 /** A new layer without maps: strokes are drawn on it. Throws FurrowError when its name is taken or there are 4. */
@@ -69,6 +69,7 @@ export function setLayer(document: StudioDocument, name: string, fields: LayerFi
   checkRange(`normal scale of ${name}`, fields.normalScale, -LARGEST, LARGEST)
   checkRange(`strength of the occlusion of ${name}`, fields.occlusionStrength, 0, 1)
   checkRange(`amplitude of the heights of ${name}`, fields.heightAmplitude, 0, LARGEST)
+  checkRange(`amplitude of the blood of ${name}`, fields.bloodAmplitude, 0, MAX_BLOOD_AMPLITUDE)
   return {
     ...document,
     layers: withNamed(document.layers, name, 'layer', (layer) => ({ ...layer, ...fields })),

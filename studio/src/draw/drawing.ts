@@ -1,6 +1,7 @@
 import { type Remote, wrap } from 'comlink'
 import { FurrowError, type RgbaImage } from 'furrow'
 import type { Bounds, HeightMap, Stroke } from 'furrow/author'
+import type { LayerStroke } from '../document/document.ts'
 import { endOf } from '../workers/life.ts'
 import { changesOf } from './changes.ts'
 import { pasteRect } from './copy-rect.ts'
@@ -71,6 +72,17 @@ export class Drawing {
     await this.#ask((service) =>
       Promise.all([service.addLayer(layer, null), service.draw(layer, [...strokes])]),
     )
+  }
+
+  /**
+   * Lets the worker find, while nothing else is asked of it, what it needs when a stroke is edited; null for none. A stroke that it was not told of
+   * changes nothing.
+   */
+  async prepare(stroke: LayerStroke | null): Promise<void> {
+    const index = stroke ? (this.#sheets.get(stroke.layer)?.strokes.indexOf(stroke) ?? -1) : -1
+    if (stroke && index < 0) return
+    const known = stroke && { layer: stroke.layer, index }
+    await this.#ask((service) => service.prepare(known))
   }
 
   /** The heights of a layer's strokes alone; undefined before they were drawn. */

@@ -1,3 +1,4 @@
+import { type GrayImage, resampleGray } from 'furrow'
 import type { AutoWrinkles, Bounds, HeightMap } from 'furrow/author'
 import { decodeImage } from 'furrow/three'
 import { CHANNEL, channelOf } from '../../../packages/furrow/src/core/channels.ts'
@@ -58,6 +59,12 @@ export class MapMaker {
     }
   }
 
+  /** Prepares the next edit of a stroke, so that the first one is as quick as those that follow; null for none. */
+  prepare(stroke: LayerStroke | null): void {
+    // Where the worker ends, `make` starts another.
+    this.#drawing?.prepare(stroke).catch(() => {})
+  }
+
   /** The heights of the strokes of a document that was made, by the names of layers that have some. */
   async heights(document: StudioDocument, source: SkinSource): Promise<ReadonlyMap<string, HeightMap>> {
     // Its worker may have ended since.
@@ -112,7 +119,7 @@ export class MapMaker {
     strokes: readonly LayerStroke[],
   ): Promise<LayerMaps> {
     const own = await decoded(layer)
-    if (strokes.length === 0 && hasNormals(own)) return own
+    if (strokes.length === 0 && hasNormals(own)) return withFittingBlood(own, this.#size)
     const changes = await drawing.draw(layer.name, strokes, own.normal ?? null)
     const maps = this.#withOthers(drawing.mapsOf(layer.name)!, own)
     if (changes?.length) this.#changes.set(maps, [...(this.#changes.get(maps) ?? []), ...changes])
@@ -120,11 +127,18 @@ export class MapMaker {
   }
 
   /** The maps that are drawn, with those of the layer that are not: the same object as long as both are. */
-  #withOthers(drawn: DrawnMaps, { baseColor, roughness }: OwnMaps): LayerMaps {
-    if (!baseColor && !roughness) return drawn
+  #withOthers(drawn: DrawnMaps, { baseColor, roughness, blood }: OwnMaps): LayerMaps {
+    if (!baseColor && !roughness && !blood) return drawn
+    const fitting = blood && scaledBlood(blood, drawn.occlusion.width)
     const known = this.#combined.get(drawn)
-    if (known && known.baseColor === baseColor && known.roughness === roughness) return known
-    const maps = { ...drawn, ...(baseColor && { baseColor }), ...(roughness && { roughness }) }
+    if (known && known.baseColor === baseColor && known.roughness === roughness && known.blood === fitting)
+      return known
+    const maps = {
+      ...drawn,
+      ...(baseColor && { baseColor }),
+      ...(roughness && { roughness }),
+      ...(fitting && { blood: fitting }),
+    }
     this.#combined.set(drawn, maps)
     return maps
   }
@@ -135,6 +149,31 @@ type OwnMaps = Partial<LayerMaps>
 
 function hasNormals(maps: OwnMaps): maps is LayerMaps {
   return maps.normal !== undefined
+}
+
+/** Blood maps by those they were scaled from: the same object as long as both sizes stay. */
+const scaledBloods = new WeakMap<GrayImage, GrayImage>()
+
+/** Blood has the size of the occlusion, which strokes draw anew. */
+function scaledBlood(blood: GrayImage, size: number): GrayImage {
+  const known = scaledBloods.get(blood)
+  if (known?.width === size) return known
+  const scaled = resampleGray(blood, size)
+  scaledBloods.set(blood, scaled)
+  return scaled
+}
+
+const fittingMaps = new WeakMap<LayerMaps, LayerMaps>()
+
+/** The maps of a layer without strokes. @param size of maps that strokes draw. */
+function withFittingBlood(own: LayerMaps, size: number): LayerMaps {
+  if (!own.blood) return own
+  const blood = scaledBlood(own.blood, own.occlusion?.width ?? size)
+  const known = fittingMaps.get(own)
+  if (known?.blood === blood) return known
+  const maps = { ...own, blood }
+  fittingMaps.set(own, maps)
+  return maps
 }
 
 const decodedImages = new WeakMap<StudioLayer['maps'], Promise<OwnMaps>>()
@@ -155,17 +194,19 @@ async function decodeMaps(maps: StudioLayer['maps'], layer: string): Promise<Own
       decodeImage(new Blob([image.bytes as BlobPart], { type: image.mimeType }), `layer "${layer}" ${name}`)
     )
   }
-  const { normal, baseColor, roughness, occlusion } = maps
-  const [normals, colours, rough, open] = await Promise.all([
+  const { normal, baseColor, roughness, occlusion, blood } = maps
+  const [normals, colours, rough, open, flushed] = await Promise.all([
     decode('normal', normal),
     decode('baseColor', baseColor),
     decode('roughness', roughness),
     decode('occlusion', occlusion),
+    decode('blood', blood),
   ])
   return {
     ...(normals && { normal: normals }),
     ...(colours && { baseColor: colours }),
     ...(rough && { roughness: channelOf(rough, CHANNEL.roughness) }),
     ...(open && { occlusion: channelOf(open, CHANNEL.occlusion) }),
+    ...(flushed && { blood: channelOf(flushed, CHANNEL.blood) }),
   }
 }

@@ -29,6 +29,8 @@ export interface DrawingService {
   addLayer(name: string, base: RgbaImage | null): void
   /** Draws what changed of a layer's strokes. */
   draw(name: string, changes: ListChanges<Stroke>): MapPatch[]
+  /** Prepares the next edit of a stroke of a layer, given by its index, until another one is asked for; null for none. */
+  prepare(stroke: { layer: string; index: number } | null): Promise<void>
   /** A copy of the heights of a layer's strokes; see `HeightMap`. */
   heights(name: string): Float32Array
 }

@@ -6,6 +6,7 @@ import { holdLife } from '../workers/life.ts'
 import { applyChanges } from './changes.ts'
 import { copyRect } from './copy-rect.ts'
 import type { DrawingService, DrawingSurface, MapPatch } from './messages.ts'
+import { Preparation } from './preparation.ts'
 
 interface Sheet {
   layer: StrokeLayer
@@ -15,9 +16,11 @@ interface Sheet {
 let surface: DrawingSurface
 let canvas: SkinCanvas
 const sheets = new Map<string, Sheet>()
+const preparation = new Preparation()
 
 const service: DrawingService = {
   begin(next) {
+    void preparation.run(null)
     surface = next
     canvas = skinCanvas(next.mesh, next.size, next.size, next.scale)
     sheets.clear()
@@ -35,10 +38,18 @@ const service: DrawingService = {
       patches.flatMap(({ normal, occlusion }) => [normal.buffer, occlusion.buffer]),
     )
   },
+  prepare(stroke) {
+    return preparation.run(stroke ? stepsOf(stroke) : null)
+  },
   heights(name) {
     const heights = sheets.get(name)!.layer.relief.data.slice()
     return transfer(heights, [heights.buffer])
   },
+}
+
+function stepsOf({ layer, index }: { layer: string; index: number }): Iterator<unknown> {
+  const sheet = sheets.get(layer)!
+  return sheet.layer.prepare(sheet.strokes[index])
 }
 
 function patchOf({ normal, occlusion }: StrokeLayer, bounds: Bounds): MapPatch {

@@ -1,10 +1,10 @@
-import { proxy, type Remote, wrap } from 'comlink'
+import { proxy, type Remote } from 'comlink'
 import { FurrowError } from 'furrow'
 import type { StudioDocument } from '../document/document.ts'
 import type { AvatarFile } from '../keep/database.ts'
 import type { ReadFolder } from '../keep/read-folder.ts'
 import type { WrinklesFolder } from '../open/sort-files.ts'
-import { endOf } from '../workers/life.ts'
+import { runOnce } from '../workers/run-once.ts'
 import type { BakeTarget } from './bake-sculpt.ts'
 import type { DocumentToExport } from './export-document.ts'
 import type { ExportedFace, ExportOptions, OnProgress } from './export-face.ts'
@@ -60,17 +60,7 @@ export function bakeInWorker(
 async function run<T>(task: (tasks: Remote<Tasks>) => Promise<T>, signal?: AbortSignal): Promise<T> {
   signal?.throwIfAborted()
   const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
-  const done = new AbortController()
-  const ended = endOf(worker, died, done.signal)
-  const cancelled = new Promise<never>((_, reject) => {
-    signal?.addEventListener('abort', () => reject(signal.reason), { signal: done.signal })
-  })
-  try {
-    return await Promise.race([task(wrap<Tasks>(worker)), ended, cancelled])
-  } finally {
-    done.abort()
-    worker.terminate()
-  }
+  return runOnce<Tasks, T>(worker, task, died, signal)
 }
 
 function died(message: string | undefined): FurrowError {

@@ -111,7 +111,7 @@ function layerFiles(
       }),
     ) as { [Name in MapName]?: string }
   const entries = layers.map((layer, i) => {
-    const { name, kind, maps: own, normalScale, occlusionStrength } = layer
+    const { name, kind, maps: own, normalScale, occlusionStrength, bloodAmplitude } = layer
     const { maps: made = {}, heightAmplitude = layer.heightAmplitude } = drawnMaps.get(name) ?? {}
     const instead = own.normal || made.normal || !flat ? made : { ...made, normal: flat }
     const isReplaced = MAP_NAMES.filter((map) => instead[map])
@@ -131,6 +131,7 @@ function layerFiles(
       ...(normalScale !== 1 && { normalScale }),
       ...(occlusionStrength !== 1 && { occlusionStrength }),
       ...(heightAmplitude !== undefined && { heightAmplitude }),
+      ...(bloodAmplitude !== undefined && { bloodAmplitude }),
     } as LayerEntry
   })
   return { images, entries, drawn: Object.fromEntries(drawn) }

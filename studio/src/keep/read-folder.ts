@@ -109,7 +109,7 @@ async function readLayer(
   strokes: StrokesDocument | undefined,
   studio: StudioFile,
 ): Promise<StudioLayer> {
-  const { name, kind, normalScale = 1, occlusionStrength = 1, heightAmplitude } = entry
+  const { name, kind, normalScale = 1, occlusionStrength = 1, heightAmplitude, bloodAmplitude } = entry
   const hasStrokes = strokes?.strokes.some((stroke) => (stroke.layer ?? name) === name) ?? false
   const known = studio.layers?.[name]
   const drawn = new Set(known?.drawn ?? (hasStrokes && !studio.layers ? DRAWN : []))
@@ -129,6 +129,7 @@ async function readLayer(
     normalScale,
     occlusionStrength,
     ...(amplitude !== undefined && { heightAmplitude: amplitude }),
+    ...(bloodAmplitude !== undefined && { bloodAmplitude }),
   }
 }
 

@@ -7,6 +7,8 @@ const COLOURS = {
   chosen: '#ff9d2e',
   shadow: 'rgb(40 20 10 / 40%)',
 }
+/** CSS pixels between points of a curve that are drawn: the points of a line may be less than one apart. */
+const STEP = 3
 /** Radii of points in CSS pixels. */
 const POINT = 4
 const CHOSEN_POINT = 6
@@ -24,6 +26,9 @@ export interface LinePicture {
 /** A canvas over the stage with thin curves: both renderers have the same, and pictures of the face do not. */
 export class LineOverlay {
   readonly #canvas = document.createElement('canvas')
+  /** The lines that are not chosen, which stay while one is drawn, bent or hovered, and what they were drawn of. */
+  readonly #others = document.createElement('canvas')
+  #drawn: readonly unknown[] = []
   readonly #stage: HTMLElement
 
   constructor(stage: HTMLElement) {
@@ -42,17 +47,12 @@ export class LineOverlay {
   }
 
   draw({ lines, chosen, point, hovered, path }: LinePicture): void {
-    const [width, height] = this.size
-    const ratio = Math.min(devicePixelRatio, 2)
     this.#canvas.hidden = false
-    this.#canvas.width = Math.round(width * ratio)
-    this.#canvas.height = Math.round(height * ratio)
-    const context = this.#canvas.getContext('2d')!
-    context.scale(ratio, ratio)
-    context.lineJoin = 'round'
-    context.lineCap = 'round'
-    for (const line of lines)
-      if (line.stroke !== chosen) drawLine(context, line, line.stroke === hovered ? 'hovered' : 'line')
+    const context = this.#clear(this.#canvas)
+    this.#drawOthers(lines.filter(({ stroke }) => stroke !== chosen))
+    context.drawImage(this.#others, 0, 0, ...this.size)
+    const over = lines.find(({ stroke }) => stroke === hovered && stroke !== chosen)
+    if (over) drawLine(context, over, 'hovered')
     const own = lines.find(({ stroke }) => stroke === chosen)
     if (own) {
       drawLine(context, own, 'chosen')
@@ -60,18 +60,54 @@ export class LineOverlay {
     }
     drawPath(context, path)
   }
+
+  #drawOthers(lines: readonly ProjectedLine[]): void {
+    const source = [...this.size, devicePixelRatio, ...lines]
+    if (source.length === this.#drawn.length && source.every((each, i) => each === this.#drawn[i])) return
+    this.#drawn = source
+    const context = this.#clear(this.#others)
+    for (const line of lines) drawLine(context, line, 'line')
+  }
+
+  /** Makes a canvas as large as the stage, and empty. */
+  #clear(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
+    const ratio = Math.min(devicePixelRatio, 2)
+    const [width, height] = this.size.map((side) => Math.round(side * ratio))
+    canvas.width = width
+    canvas.height = height
+    // Kept on the processor: hundreds of thin curves take a software rasteriser seconds, during which the page gets no events.
+    const context = canvas.getContext('2d', { willReadFrequently: true })!
+    context.scale(ratio, ratio)
+    context.lineJoin = 'round'
+    context.lineCap = 'round'
+    return context
+  }
+}
+
+/** What is seen of a line: the indices of the points by which each part is drawn, from its first to its last. */
+export function seenParts({ x, y, isSeen }: Pick<ProjectedLine, 'x' | 'y' | 'isSeen'>): number[][] {
+  const parts: number[][] = []
+  for (let i = 0; i + 1 < x.length; i++) {
+    if (!isSeen[i]) continue
+    if (i === 0 || !isSeen[i - 1]) parts.push([i])
+    const part = parts.at(-1)!
+    const last = part.at(-1)!
+    const next = i + 1
+    const isEnd = next + 1 === x.length || !isSeen[next]
+    if (isEnd || Math.hypot(x[next] - x[last], y[next] - y[last]) >= STEP) part.push(next)
+  }
+  return parts
 }
 
 function drawLine(
   context: CanvasRenderingContext2D,
-  { x, y, isSeen }: ProjectedLine,
+  line: ProjectedLine,
   kind: 'line' | 'hovered' | 'chosen',
 ): void {
   context.beginPath()
-  for (let i = 0; i + 1 < x.length; i++) {
-    if (!isSeen[i]) continue
-    if (i === 0 || !isSeen[i - 1]) context.moveTo(x[i], y[i])
-    context.lineTo(x[i + 1], y[i + 1])
+  for (const [first, ...others] of seenParts(line)) {
+    context.moveTo(line.x[first], line.y[first])
+    for (const i of others) context.lineTo(line.x[i], line.y[i])
   }
   stroke(context, kind === 'line' ? 1.5 : 2.5, COLOURS[kind])
 }

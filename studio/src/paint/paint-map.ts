@@ -1,5 +1,6 @@
 import { FurrowError, type GrayImage } from 'furrow'
 import { mapSkin, type Skin, type SkinSurface, type SkinTexels, type UvLocator } from 'furrow/author'
+import type { UvGrid } from '../../../packages/furrow/src/author/skin/uv-locator.ts'
 
 /** Sides of maps that can be painted, in texels. */
 const PAINTED_SIDES = [2, 1024] as const
@@ -8,13 +9,13 @@ const PAINTED_SIDES = [2, 1024] as const
 const OUTSIDE = -1e-6
 
 /**
- * The texels of a square map by the triangles that they are on. A texel has several places where parts of the skin use it, and texels beyond a
- * UV island have one where the island's border triangle continues, so that filtering finds the same on both sides of a seam.
+ * The texels of a square map by the triangles that they are on, as arrays that a worker can hand over. A texel has several places where parts
+ * of the skin use it, and texels beyond a UV island have one where the island's border triangle continues, so that filtering finds the same on
+ * both sides of a seam.
  */
-export class PaintMap {
+export interface PaintMapArrays {
   /** Side in texels. */
   readonly size: number
-  readonly locator: UvLocator
   /** The places on triangle t: from `starts[t]` to `starts[t + 1]`. */
   readonly starts: Uint32Array
   /** Of each place, and x, y and z of where it is on the skin, in millimetres. */
@@ -24,54 +25,64 @@ export class PaintMap {
   readonly isBeyond: Uint8Array
   /** Side of a texel on each triangle, in millimetres: the square root of its area. */
   readonly texelSizes: Float32Array
+  /** Of its locator. */
+  readonly grid: UvGrid
+}
 
-  /** @throws FurrowError when the size is not a whole number from 2 to 1024. */
-  constructor(skin: Pick<Skin, 'uvs' | 'indices'>, surface: SkinSurface, size: number) {
-    const [least, most] = PAINTED_SIDES
-    if (!(Number.isInteger(size) && size >= least && size <= most)) {
-      throw new FurrowError({
-        code: 'out-of-range',
-        who: 'Studio',
-        what: 'side of an area that is painted',
-        value: size,
-        limit: `${least} to ${most} texels`,
-        remedy: 'resample the area',
-      })
-    }
-    this.size = size
-    const { texels, locator } = mapSkin(skin, surface, size)
-    this.locator = locator
-    const places = this.#findPlaces(texels, surface)
-    this.starts = places.starts
-    this.texels = places.texels
-    this.positions = places.positions
-    this.isBeyond = places.isBeyond
-    this.texelSizes = texelSizes(skin, surface, size)
-  }
+/** A map that is painted. */
+export interface PaintMap extends Omit<PaintMapArrays, 'grid'> {
+  readonly locator: UvLocator
+}
 
-  #findPlaces(skinTexels: SkinTexels, surface: SkinSurface) {
-    const starts = new Uint32Array(surface.skinTriangles.length + 1)
-    visitPlaces(skinTexels, (_, triangle) => starts[triangle + 1]++)
-    for (let t = 1; t < starts.length; t++) starts[t] += starts[t - 1]
-    const count = starts[starts.length - 1]
-    const next = starts.slice()
-    const texels = new Uint32Array(count)
-    const positions = new Float32Array(3 * count)
-    const isBeyond = new Uint8Array(count)
-    const { points, corners } = surface
-    visitPlaces(skinTexels, (texel, triangle, a, b, c) => {
-      const place = next[triangle]++
-      texels[place] = texel
-      isBeyond[place] = Math.min(a, b, c) < OUTSIDE ? 1 : 0
-      for (let k = 0; k < 3; k++) {
-        positions[3 * place + k] =
-          a * points[3 * corners[3 * triangle] + k] +
-          b * points[3 * corners[3 * triangle + 1] + k] +
-          c * points[3 * corners[3 * triangle + 2] + k]
-      }
+/** @throws FurrowError when the size is not a whole number from 2 to 1024. */
+export function paintMapArrays(
+  skin: Pick<Skin, 'uvs' | 'indices'>,
+  surface: SkinSurface,
+  size: number,
+): PaintMapArrays {
+  const [least, most] = PAINTED_SIDES
+  if (!(Number.isInteger(size) && size >= least && size <= most)) {
+    throw new FurrowError({
+      code: 'out-of-range',
+      who: 'Studio',
+      what: 'side of an area that is painted',
+      value: size,
+      limit: `${least} to ${most} texels`,
+      remedy: 'resample the area',
     })
-    return { starts, texels, positions, isBeyond }
   }
+  const { texels, locator } = mapSkin(skin, surface, size)
+  return {
+    size,
+    ...findPlaces(texels, surface),
+    texelSizes: texelSizes(skin, surface, size),
+    grid: locator.grid,
+  }
+}
+
+/** The texels of each triangle, and where they are. */
+function findPlaces(skinTexels: SkinTexels, surface: SkinSurface) {
+  const starts = new Uint32Array(surface.skinTriangles.length + 1)
+  visitPlaces(skinTexels, (_, triangle) => starts[triangle + 1]++)
+  for (let t = 1; t < starts.length; t++) starts[t] += starts[t - 1]
+  const count = starts[starts.length - 1]
+  const next = starts.slice()
+  const texels = new Uint32Array(count)
+  const positions = new Float32Array(3 * count)
+  const isBeyond = new Uint8Array(count)
+  const { points, corners } = surface
+  visitPlaces(skinTexels, (texel, triangle, a, b, c) => {
+    const place = next[triangle]++
+    texels[place] = texel
+    isBeyond[place] = Math.min(a, b, c) < OUTSIDE ? 1 : 0
+    for (let k = 0; k < 3; k++) {
+      positions[3 * place + k] =
+        a * points[3 * corners[3 * triangle] + k] +
+        b * points[3 * corners[3 * triangle + 1] + k] +
+        c * points[3 * corners[3 * triangle + 2] + k]
+    }
+  })
+  return { starts, texels, positions, isBeyond }
 }
 
 /** @throws FurrowError when an area is not square, or its data incomplete. */

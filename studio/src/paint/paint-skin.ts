@@ -2,8 +2,9 @@ import { FurrowError } from 'furrow'
 import { barycentricsAt, moveToFirstTile, type Skin, type SkinSurface, skinSurface } from 'furrow/author'
 import { Vector3 } from 'three'
 import type { MeshBVH } from 'three-mesh-bvh'
+import { UvLocator } from '../../../packages/furrow/src/author/skin/uv-locator.ts'
 import { hierarchyOf } from './hierarchy.ts'
-import { PaintMap } from './paint-map.ts'
+import { type PaintMap, type PaintMapArrays, paintMapArrays } from './paint-map.ts'
 
 /** A point on a skin. */
 export interface SkinPoint {
@@ -13,48 +14,56 @@ export interface SkinPoint {
   position: readonly [x: number, y: number, z: number]
 }
 
-/** A skin that is painted on: its surface at rest, in millimetres, and the maps of it. */
+/**
+ * The surface of a skin at rest, in millimetres; of a face in its own frame, whose x = 0 is its middle.
+ *
+ * @param scale millimetres per unit of the skin's positions; by default a face is measured by the distance of its eyes.
+ * @throws FurrowError when the skin has no triangle.
+ */
+export function paintSurface(skin: Skin, scale?: number): SkinSurface {
+  const { surface, scale: measured } = skinSurface(skin)
+  if (surface.corners.length === 0) {
+    throw new FurrowError({
+      who: 'Studio',
+      what: 'no triangle of the mesh has an area that could be painted',
+      value: `${Math.floor(skin.indices.length / 3)} triangles`,
+      remedy: 'check the mesh in the program that made it',
+    })
+  }
+  if (scale !== undefined && !(scale > 0 && scale < Infinity)) {
+    throw new FurrowError({
+      code: 'out-of-range',
+      who: 'Studio',
+      what: 'millimetres per unit of the mesh',
+      value: scale,
+      limit: 'above 0',
+      remedy: 'give 1000 for a mesh in metres',
+    })
+  }
+  const factor = (scale ?? measured) / measured
+  return { ...surface, points: surface.points.map((value) => factor * value) }
+}
+
+/** A skin that is painted on: its surface, and the maps of it. */
 export class PaintSkin {
   readonly skin: Skin
-  /** Of a face in its own frame, whose x = 0 is its middle. */
   readonly surface: SkinSurface
   readonly #maps = new Map<number, PaintMap>()
   #hierarchy: MeshBVH | undefined
 
   /**
-   * @param scale millimetres per unit of the skin's positions; by default a face is measured by the distance of its eyes.
-   * @throws FurrowError when the skin has no triangle.
+   * @param surface of `paintSurface`.
+   * @param map one that was made of them before.
    */
-  constructor(skin: Skin, scale?: number) {
+  constructor(skin: Skin, surface: SkinSurface, map?: PaintMapArrays) {
     this.skin = moveToFirstTile(skin).skin
-    const { surface, scale: measured } = skinSurface(skin)
-    if (surface.corners.length === 0) {
-      throw new FurrowError({
-        who: 'Studio',
-        what: 'no triangle of the mesh has an area that could be painted',
-        value: `${Math.floor(skin.indices.length / 3)} triangles`,
-        remedy: 'check the mesh in the program that made it',
-      })
-    }
-    if (scale !== undefined && !(scale > 0 && scale < Infinity)) {
-      throw new FurrowError({
-        code: 'out-of-range',
-        who: 'Studio',
-        what: 'millimetres per unit of the mesh',
-        value: scale,
-        limit: 'above 0',
-        remedy: 'give 1000 for a mesh in metres',
-      })
-    }
-    const factor = (scale ?? measured) / measured
-    this.surface = { ...surface, points: surface.points.map((value) => factor * value) }
+    this.surface = surface
+    if (map) this.#addMap(map)
   }
 
   /** The texels of a map of size x size, which are found once. */
   mapOf(size: number): PaintMap {
-    const map = this.#maps.get(size) ?? new PaintMap(this.skin, this.surface, size)
-    this.#maps.set(size, map)
-    return map
+    return this.#maps.get(size) ?? this.#addMap(paintMapArrays(this.skin, this.surface, size))
   }
 
   /** The point of the skin that is nearest to where a position is on the other side of the face. */
@@ -65,6 +74,12 @@ export class PaintSkin {
     // The surface has at least one triangle.
     const { faceIndex, point } = found!
     return { triangle: faceIndex, position: [point.x, point.y, point.z] }
+  }
+
+  #addMap(arrays: PaintMapArrays): PaintMap {
+    const map = { ...arrays, locator: new UvLocator(this.skin, this.surface, arrays.grid) }
+    this.#maps.set(arrays.size, map)
+    return map
   }
 }
 

@@ -11,7 +11,8 @@ import {
   Vector3,
 } from 'three'
 import type { MeshBVH } from 'three-mesh-bvh'
-import { hierarchyOf } from './hierarchy.ts'
+import { hierarchyAgain } from './hierarchy.ts'
+import type { MadeSkin } from './make-skin.ts'
 import type { PaintSkin, SkinPoint } from './paint-skin.ts'
 import type { MeshSkin } from './read-skin.ts'
 import type { Sight } from './seen-places.ts'
@@ -43,8 +44,11 @@ export class SkinPicker {
   readonly #triangleOf: Int32Array
   #poses = 0
 
-  /** @param painted made of the skin of the same meshes. */
-  constructor({ skin, parts }: MeshSkin, painted: PaintSkin) {
+  /**
+   * @param painted has the skin of the same meshes.
+   * @param made of that skin.
+   */
+  constructor({ skin, parts }: MeshSkin, painted: PaintSkin, made: Pick<MadeSkin, 'indices' | 'hierarchy'>) {
     this.#parts = parts
     this.#surface = painted.surface
     this.#indices = skin.indices
@@ -53,7 +57,7 @@ export class SkinPicker {
     this.#triangleOf = new Int32Array(Math.floor(skin.indices.length / 3)).fill(-1)
     for (const [t, skinTriangle] of this.#surface.skinTriangles.entries()) this.#triangleOf[skinTriangle] = t
     this.#deform()
-    this.#hierarchy = hierarchyOf(this.#positions, this.#surfaceIndices())
+    this.#hierarchy = hierarchyAgain(made.hierarchy, this.#positions, made.indices)
   }
 
   /** How often it has taken another pose. */
@@ -144,14 +148,6 @@ export class SkinPicker {
         i += 3
       }
     }
-  }
-
-  /** Triangles that the surface has not, which may have no positions, become a point of it. */
-  #surfaceIndices(): Uint32Array {
-    const vertex = this.#indices[3 * this.#surface.skinTriangles[0]]
-    return Uint32Array.from({ length: this.#indices.length }, (_, i) =>
-      this.#triangleOf[Math.floor(i / 3)] < 0 ? vertex : this.#indices[i],
-    )
   }
 }
 

@@ -1,8 +1,11 @@
 import type { Mesh } from 'three'
+import { nextTask } from '../later.ts'
 import { PoseWatch } from '../viewer/pose/pose-watch.ts'
+import { makeSkinInWorker } from './in-worker.ts'
+import { type MadeSkin, makeSkin } from './make-skin.ts'
 import { PaintSkin } from './paint-skin.ts'
 import { SkinPicker } from './picker.ts'
-import { readSkin } from './read-skin.ts'
+import { type MeshSkin, readSkin } from './read-skin.ts'
 
 /** The skin of a face as all tools use it. */
 export class PosedSkin {
@@ -13,10 +16,10 @@ export class PosedSkin {
   readonly scale: number
   readonly #watch: PoseWatch
 
-  constructor(meshes: readonly [Mesh, ...Mesh[]], scale: number) {
-    const read = readSkin(meshes)
-    this.skin = new PaintSkin(read.skin, scale)
-    this.picker = new SkinPicker(read, this.skin)
+  /** @param made of what was read. */
+  constructor(meshes: readonly Mesh[], scale: number, read: MeshSkin, made: MadeSkin) {
+    this.skin = new PaintSkin(read.skin, made.surface, made.map)
+    this.picker = new SkinPicker(read, this.skin, made)
     this.scale = scale
     this.#watch = new PoseWatch(meshes)
     this.#watch.isNew()
@@ -32,7 +35,8 @@ export class PosedSkin {
 const lastMade = new WeakMap<readonly Mesh[], PosedSkin>()
 
 /**
- * The skin of a face in its present pose. It is read once, which takes 0.1 to 0.3 s for a scan: later calls give the same one.
+ * The skin of a face in its present pose. It is made once: later calls give the same one. Where `prepareSkin` has not made it, the page waits for
+ * it: 0.1 to 0.3 s for a scan.
  *
  * @param scale millimetres per unit of its positions.
  * @throws FurrowError when it cannot be painted.
@@ -43,7 +47,32 @@ export function posedSkinOf(meshes: readonly [Mesh, ...Mesh[]], scale: number): 
     last.follow()
     return last
   }
-  const made = new PosedSkin(meshes, scale)
+  const read = readSkin(meshes)
+  const made = new PosedSkin(meshes, scale, read, makeSkin(read.skin, scale))
   lastMade.set(meshes, made)
   return made
+}
+
+/** Vertices of the largest skin that is made before it is needed: a larger one takes hundreds of megabytes, perhaps for nothing. */
+const MOST_PREPARED = 500_000
+
+/**
+ * Makes the skin of a face in a worker, so that `posedSkinOf` has it at once. It rejects with a FurrowError where that fails.
+ *
+ * @param size side of the face's areas in texels.
+ */
+export async function prepareSkin(
+  meshes: readonly [Mesh, ...Mesh[]],
+  scale: number,
+  size: number,
+): Promise<void> {
+  const isMade = () => lastMade.get(meshes)?.scale === scale
+  const vertices = meshes.reduce((sum, { geometry }) => sum + geometry.attributes.position.count, 0)
+  if (isMade() || vertices > MOST_PREPARED) return
+  const read = readSkin(meshes)
+  // Each a task of its own: copying the skin for the worker takes as long as reading it.
+  await nextTask()
+  const made = await makeSkinInWorker(read.skin, scale, size)
+  // It was needed meanwhile.
+  if (!isMade()) lastMade.set(meshes, new PosedSkin(meshes, scale, read, made))
 }

@@ -8,6 +8,7 @@ import {
   Vector2,
 } from 'three'
 import { placementOf } from '../../../packages/furrow/src/three/loader/read-character.ts'
+import { vectorsOf } from '../../../packages/furrow/src/three/sources/geometry-arrays.ts'
 
 /** The meshes of a face as one skin. */
 export interface MeshSkin {
@@ -81,9 +82,8 @@ function readVectors(
   vertices: Uint32Array,
   out: Float32Array,
 ): void {
-  for (const [i, vertex] of vertices.entries()) {
-    out[3 * i] = attribute.getX(vertex)
-    out[3 * i + 1] = attribute.getY(vertex)
-    out[3 * i + 2] = attribute.getZ(vertex)
+  const vectors = vectorsOf(attribute, vertices)
+  for (let i = 0; i < vertices.length; i++) {
+    for (let k = 0; k < 3; k++) out[3 * i + k] = vectors[3 * vertices[i] + k]
   }
 }

@@ -1,3 +1,4 @@
+import { MAX_BLOOD_AMPLITUDE } from 'furrow'
 import { useId, useRef } from 'preact/hooks'
 import { MAP_NAMES, type MapName, type StudioLayer } from '../document/document.ts'
 import type { LayerEditor } from '../session/layer-editor.ts'
@@ -21,6 +22,7 @@ const MAP_LABELS: Record<MapName, string> = {
   roughness: 'Roughness',
   occlusion: 'Occlusion',
   height: 'Height',
+  blood: 'Blood',
 }
 
 const IMAGES = 'image/png,image/jpeg,image/webp'
@@ -74,7 +76,7 @@ interface LayerProps {
 }
 
 function Layer({ layer, isFirst, isLast, hasStrokes, editor }: LayerProps) {
-  const { name, kind, normalScale, maps, heightAmplitude } = layer
+  const { name, kind, normalScale, maps, heightAmplitude, bloodAmplitude } = layer
   const id = useId()
   return (
     <details class="layer">
@@ -118,6 +120,15 @@ function Layer({ layer, isFirst, isLast, hasStrokes, editor }: LayerProps) {
             range={[0, 10, 0.1]}
             value={1000 * (heightAmplitude ?? 0)}
             onMove={(value) => editor.set(name, { heightAmplitude: value / 1000 })}
+            onRest={() => editor.settle()}
+          />
+        )}
+        {maps.blood && (
+          <NumberSlider
+            label="Blood"
+            range={[0, MAX_BLOOD_AMPLITUDE, 0.05]}
+            value={bloodAmplitude ?? 0}
+            onMove={(value) => editor.set(name, { bloodAmplitude: value })}
             onRest={() => editor.settle()}
           />
         )}

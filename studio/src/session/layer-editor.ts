@@ -21,6 +21,8 @@ import type { Session } from './session.ts'
 
 /** Metres from black to white of a height map that is imported: an artist sets it to what was painted. */
 const HEIGHT_AMPLITUDE = 0.002
+/** That of an imported blood map: white is a clear flush. */
+const BLOOD_AMPLITUDE = 0.3
 
 /** A bake that is under way. */
 export interface BakeRun {
@@ -95,9 +97,12 @@ export class LayerEditor {
       const image = await readMap(file, map, size)
       session.edit(`Import ${map} of ${name}`, (document) => {
         const withImage = setMap(document, name, map, image)
-        const amplitude = document.layers.find((layer) => layer.name === name)?.heightAmplitude
-        const needsAmplitude = map === 'height' && amplitude === undefined
-        return needsAmplitude ? setLayer(withImage, name, { heightAmplitude: HEIGHT_AMPLITUDE }) : withImage
+        const layer = document.layers.find((each) => each.name === name)
+        if (map === 'height' && layer?.heightAmplitude === undefined)
+          return setLayer(withImage, name, { heightAmplitude: HEIGHT_AMPLITUDE })
+        if (map === 'blood' && layer?.bloodAmplitude === undefined)
+          return setLayer(withImage, name, { bloodAmplitude: BLOOD_AMPLITUDE })
+        return withImage
       })
     })
   }

@@ -4,10 +4,11 @@ import type { AutoWrinkles } from 'furrow/author'
 import type { TargetNames } from '../../../packages/cli/src/gltf/target-names.ts'
 import { automaticDocument, layersLeft, remake } from '../document/automatic.ts'
 import { blankDocument } from '../document/blank.ts'
-import type { AutoSettings, StudioDocument } from '../document/document.ts'
+import type { AutoSettings, LayerStroke, StudioDocument } from '../document/document.ts'
 import { MapMaker } from '../draw/map-maker.ts'
 import type { ExportOptions } from '../export/export-face.ts'
 import type { Project } from '../keep/project.ts'
+import { nextTask } from '../later.ts'
 import { type OpenedAvatar, openAvatar } from '../open/avatar.ts'
 import { skinOfDocument } from '../open/skins.ts'
 import type { DrawnDocument } from '../viewer/document-view.ts'
@@ -106,6 +107,8 @@ export class Workspace {
     this.#maps.close()
     this.#drawn.value = null
     if (left) await left
+    // In a task of its own: a skin of a million vertices takes long to read.
+    await nextTask()
     if (avatar !== this.#avatar) return
     const opened = project?.opened ?? avatar.document
     this.#source = avatar.skins[avatar.skin].wrinkles && !opened ? null : skinSource(avatar)
@@ -172,6 +175,11 @@ export class Workspace {
     if (avatar !== this.#avatar) return
     if (!this.session.document.value) this.session.open(document)
     else this.session.edit('Make automatic wrinkles', (old) => remake(old, document))
+  }
+
+  /** Tells which stroke is likely to be edited next; null for none. */
+  prepareEdit(stroke: LayerStroke | null): void {
+    this.#maps.prepare(stroke)
   }
 
   /** Shows small automatic wrinkles while a control moves; the document stays. What comes while a preview is made waits, the last of it alone. */

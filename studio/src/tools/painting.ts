@@ -4,12 +4,13 @@ import { updateArea } from 'furrow/three'
 import { Vector3 } from 'three'
 import { paintArea } from '../document/areas.ts'
 import type { StudioDocument } from '../document/document.ts'
+import { runInTurn } from '../later.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import { BRUSH_DEFAULTS, BRUSH_RADII, type Brush } from '../paint/brush.ts'
 import { mirrorWeights } from '../paint/mirror-weights.ts'
 import type { PaintSkin } from '../paint/paint-skin.ts'
 import type { SkinHit, SkinPicker } from '../paint/picker.ts'
-import { posedSkinOf } from '../paint/posed-skin.ts'
+import { posedSkinOf, prepareSkin } from '../paint/posed-skin.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { Session } from '../session/session.ts'
 import { type ShortcutName, shortcutOf } from '../shortcuts.ts'
@@ -93,6 +94,7 @@ export class Painting {
     effect(() => {
       if (!areas.chosen.value) this.#isOn.value = false
     })
+    this.#prepareSkins()
     // A stroke goes on from weights that undo has replaced.
     effect(() => {
       session.document.value
@@ -150,6 +152,22 @@ export class Painting {
     for (const { tool } of this.#tools) tool.showStroke()
     this.#drawRing()
     this.polygon.advance()
+  }
+
+  /** Makes the skin of each face ready before it is painted. Where that fails, painting tells why. */
+  #prepareSkins(): void {
+    const { viewer, session } = this.#parts
+    const meshes = computed(() => {
+      const avatar = viewer.value?.avatar
+      return avatar?.skins[avatar.skin].meshes
+    })
+    const scale = computed(() => session.document.value?.scale)
+    const size = computed(() => session.document.value?.areaSize)
+    effect(() => {
+      const [own, millimetres, side] = [meshes.value, scale.value, size.value]
+      if (!own || millimetres === undefined || side === undefined) return
+      return runInTurn(() => void prepareSkin(own, millimetres, side).catch(() => {}))
+    })
   }
 
   #addTool(host: ToolHost, target: () => PaintTarget | null, shape: PaintShape): void {

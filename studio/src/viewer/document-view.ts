@@ -11,6 +11,7 @@ export interface LayerMaps {
   readonly baseColor?: RgbaImage
   readonly roughness?: GrayImage
   readonly occlusion?: GrayImage
+  readonly blood?: GrayImage
 }
 
 /** A document with the maps of its layers, in their order. */
@@ -91,8 +92,9 @@ function updateMaps(wrinkles: Wrinkles, { document, maps, changes }: DrawnDocume
 
 function scaleLayers(wrinkles: Wrinkles, before: StudioDocument, after: StudioDocument): void {
   for (const [i, layer] of after.layers.entries()) {
-    const { name, normalScale, occlusionStrength } = layer
-    if (layer !== before.layers[i]) scaleLayer(wrinkles, name, { normalScale, occlusionStrength })
+    const { name, normalScale, occlusionStrength, bloodAmplitude = 0 } = layer
+    if (layer !== before.layers[i])
+      scaleLayer(wrinkles, name, { normalScale, occlusionStrength, bloodAmplitude })
   }
 }
 
@@ -110,8 +112,9 @@ function changeAreas(viewer: Viewer, before: StudioDocument, after: StudioDocume
   for (const { name } of before.areas) if (!names.has(name)) viewer.removeArea(name)
 }
 
-function engineLayer({ name, kind, normalScale, occlusionStrength }: StudioLayer, maps: LayerMaps): Layer {
-  return { name, kind, normalScale, occlusionStrength, ...maps }
+function engineLayer(layer: StudioLayer, maps: LayerMaps): Layer {
+  const { name, kind, normalScale, occlusionStrength, bloodAmplitude = 0 } = layer
+  return { name, kind, normalScale, occlusionStrength, bloodAmplitude, ...maps }
 }
 
 function engineArea({ name, layer, combine, activation, weights }: StudioArea): Area {

@@ -46,8 +46,9 @@ const stroke: fc.Arbitrary<Stroke> = fc.record({
   waviness: fc.constantFrom(0, 0.5),
 })
 
-/** An edit of a list of strokes; `at` is where, as a fraction of the list. */
+/** An edit of a list of strokes; `at` is where, as a fraction of the list, and `steps` how far one there is prepared before it. */
 const edit = fc.record({
+  steps: fc.constantFrom(0, 5, 40, 200),
   kind: fc.constantFrom('add', 'remove', 'replace', 'bend', 'bend', 'move', 'repeat', 'clear'),
   at: fc.double({ min: 0, max: 0.999, noNaN: true }),
   stroke,
@@ -82,6 +83,9 @@ describe.each([
       let strokes: readonly Stroke[] = []
       expect(bytesOf(layer)).toEqual(drawnAnew(strokes, canvas, base))
       for (const each of edits) {
+        const prepared = strokes[Math.floor(each.at * strokes.length)]
+        const steps = prepared && layer.prepare(prepared)
+        for (let i = 0; i < each.steps; i++) steps?.next()
         strokes = edited(strokes, each)
         const before = bytesOf(layer)
         const changed = layer.draw(strokes)

@@ -3,6 +3,15 @@ import { type Stroke, StrokeLayer, skinCanvas } from '../../../packages/furrow/s
 import { LineGrid } from '../../../packages/furrow/src/author/strokes/line-grid.ts'
 import { cylinder, uvOf } from './skins.ts'
 
+/** How often lines were looked for round a texel. */
+function searchesOf(action: () => unknown): number {
+  const visit = vi.spyOn(LineGrid.prototype, 'visit')
+  action()
+  const count = visit.mock.calls.length
+  visit.mockRestore()
+  return count
+}
+
 describe('a layer of strokes', () => {
   const canvas = skinCanvas(cylinder(), 256)
   const line = (turns: number[], y: number): Stroke => ({
@@ -51,13 +60,7 @@ describe('a layer of strokes', () => {
       { ...line([0.3, 0.5], 30), depth },
       ...others.slice(2),
     ]
-    const searches = (strokes: readonly Stroke[]) => {
-      const visit = vi.spyOn(LineGrid.prototype, 'visit')
-      layer.draw(strokes)
-      const count = visit.mock.calls.length
-      visit.mockRestore()
-      return count
-    }
+    const searches = (strokes: readonly Stroke[]) => searchesOf(() => layer.draw(strokes))
     layer.draw(bent(1))
     const first = searches(bent(0.8))
     // In each texel the bent line and all others; then the bent line alone.
@@ -65,6 +68,73 @@ describe('a layer of strokes', () => {
     // Others that changed meanwhile are looked for again.
     layer.draw(bent(0.6).slice(1))
     expect(searches([...bent(0.5)].slice(1))).toBe(first)
+  })
+
+  it('looks for the lines round a new one only once: it is bent, removed and drawn again with what was found', () => {
+    const layer = new StrokeLayer(canvas)
+    const others = [27, 29, 31, 33].map((y) => line([0.3, 0.6], y))
+    const own = line([0.3, 0.5], 30)
+    const searches = (strokes: readonly Stroke[]) => searchesOf(() => layer.draw(strokes))
+    layer.draw(others)
+    const first = searches([...others, own])
+    const later = [
+      searches([...others, { ...own, depth: 0.5 }]),
+      searches(others),
+      searches([...others, own]),
+      searches(others.with(2, own)),
+    ]
+    expect(later.slice(0, 3)).toEqual([first / 2, first / 2, first / 2])
+    // Two changes at once: all lines are looked for anew.
+    expect(later[3]).toBeGreaterThan(first / 2)
+  })
+
+  describe('prepared for a line', () => {
+    const others = [10, 27, 29, 31, 33, 50].map((y) => line([0.3, 0.6], y))
+    const draw = (layer: StrokeLayer, strokes: readonly Stroke[]) => searchesOf(() => layer.draw(strokes))
+    const bent = (at: number) => others.with(at, { ...others[at], depth: 0.5 })
+    const layerOf = (strokes: readonly Stroke[]) => {
+      const layer = new StrokeLayer(canvas)
+      layer.draw(strokes)
+      return layer
+    }
+
+    it('has found the lines round it when it is first bent', () => {
+      const [layer, plain] = [layerOf(others), layerOf(others)]
+      const found = searchesOf(() => [...layer.prepare(others[2])])
+      const first = draw(plain, bent(2))
+      // Only texels within reach of it are looked at.
+      expect(found).toBe(first / 2)
+      expect(draw(layer, bent(2))).toBe(first / 2)
+      for (const map of ['relief', 'normal', 'occlusion'] as const) {
+        const [own, other] = [layer, plain].map((each) => Buffer.from(each[map].data.buffer))
+        expect(own.equals(other)).toBe(true)
+      }
+    })
+
+    it('does so in steps of a tile, which go on where the line was bent meanwhile', () => {
+      const layer = layerOf(others)
+      const steps = layer.prepare(others[2])
+      const first = [1, 2, 3].map(() => searchesOf(() => steps.next()))
+      for (const searches of first) expect(searches).toBeLessThanOrEqual(64)
+      const whole = draw(layerOf(others), bent(2))
+      const found = first.reduce((sum, searches) => sum + searches)
+      expect(draw(layer, bent(2))).toBe(whole - found)
+      expect(steps.next().done).toBe(false)
+      expect(searchesOf(() => [...steps])).toBe(0)
+    })
+
+    it('ends when another line is prepared or edited, and does nothing for one that is not drawn', () => {
+      const layer = layerOf(others)
+      const steps = layer.prepare(others[2])
+      steps.next()
+      layer.prepare(others[4]).next()
+      expect(steps.next().done).toBe(true)
+      const again = layer.prepare(others[2])
+      again.next()
+      layer.draw(bent(4))
+      expect(again.next().done).toBe(true)
+      expect(layer.prepare(others[4]).next().done).toBe(true)
+    })
   })
 
   it('refuses a base of another size', () => {

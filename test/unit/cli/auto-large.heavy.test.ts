@@ -43,7 +43,7 @@ describe('the shipped face', () => {
   test('creases only in the regions that are named', async () => {
     await run(FACE, '-o', file('some.glb'), '--replace', '--regions', 'upperLip', 'crowsFeet')
     const names = areasOf(file('some.glb')).map(({ name }) => name)
-    expect(names).toEqual(['crowsFeetLeft', 'crowsFeetRight', 'upperLip'])
+    expect(names).toEqual(['crowsFeetLeft', 'crowsFeetRight', 'upperLip', 'paleLips'])
   })
 })
 

@@ -9,7 +9,7 @@ import { checkWrinkles } from '../../../packages/cli/src/wrinkles/rules.ts'
 import { Random } from '../../fuzz/random.ts'
 import { mutate } from '../gltf/mutations.ts'
 import { loadInNode } from '../three/node-loader.ts'
-import { jsonOf, Workshop, withJson } from './workshop.ts'
+import { jsonOf, noise, Workshop, withJson } from './workshop.ts'
 
 // Node has no WebGL to read pixels with; its stand-in for a bitmap has them.
 vi.mock(import('../../../packages/furrow/src/three/loader/read-texture.ts'), async (original) => ({
@@ -37,6 +37,9 @@ beforeAll(async () => {
   const folder = await shop.makeFolder('face')
   const strokes = ['age', 'expression'].map((layer) => ({ ...STROKE, layer }))
   shop.json('face/strokes.json', { version: 1, strokes })
+  shop.write('face/layers/age/blood.png', await noise(5, 3))
+  shop.write('face/layers/age/occlusion.png', await noise(6, 3))
+  shop.json('face/wrinkles.json', { layers: [{ name: 'age', bloodAmplitude: 0.5 }, { name: 'expression' }] })
   for (const args of [[], ['--ktx2']]) {
     await shop.run(packCommand, folder, '-o', shop.path('base.glb'), ...args)
     bases.push(readFileSync(shop.path('base.glb')))

@@ -21,6 +21,16 @@ describe('checkWrinkleSet', () => {
       'too many layers, got 5, allowed: 1 to 4 layers',
     ],
     [
+      'heights without an amplitude',
+      { ...good, layers: [{ ...good.layers[0], height: weights }] },
+      'heights of layer "skin" without heightAmplitude, got "undefined", allowed: metres from black to white',
+    ],
+    [
+      'malformed heights',
+      { ...good, layers: [{ ...good.layers[0], height: { ...weights, width: 3 }, heightAmplitude: 0.001 }] },
+      'layer "skin" height',
+    ],
+    [
       'two areas of one name',
       { ...good, areas: [...good.areas, ...good.areas] },
       'two areas with the same name, got "nose"',

@@ -32,6 +32,8 @@ const FULL = {
       occlusionStrength: 0.5,
       height: 'h.png',
       heightAmplitude: 0.002,
+      blood: 'b.png',
+      bloodAmplitude: 0.5,
     } satisfies Required<WrinkleSetDocument['layers'][number]>,
   ],
   areas: [

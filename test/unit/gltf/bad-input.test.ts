@@ -41,6 +41,13 @@ describe('a file with an invalid field', () => {
     ['layers.1.normalTexture', undefined, 'layers[1].normalTexture must be an object'],
     ['layers.0.normalTexture.scale', 1e9, 'layers[0].normalTexture.scale is out of range'],
     ['layers.0.heightTexture.amplitude', undefined, 'layers[0].heightTexture.amplitude must be a number'],
+    ['layers.0.bloodTexture.amplitude', undefined, 'layers[0].bloodTexture.amplitude must be a number'],
+    ['layers.0.bloodTexture.amplitude', 2.5, 'layers[0].bloodTexture.amplitude is out of range'],
+    [
+      'layers.0.bloodTexture.index',
+      4,
+      'layers[0].bloodTexture is not that of the occlusion, got "4", allowed: 5',
+    ],
     ['layers.0.occlusionTexture.strength', 2, 'layers[0].occlusionTexture.strength is out of range'],
     ['areas.2.texture.index', 10, 'areas[2].texture.index is out of range, got 10, allowed: 0..9'],
     ['areas.2.texture.index', 1.5, 'areas[2].texture.index must be a whole number'],
@@ -111,7 +118,8 @@ function isValid({ layers, areas, drivers }: WrinkleMaps, textures: number): boo
         (!layer.baseColorTexture || index(layer.baseColorTexture.index, textures)) &&
         (!layer.roughnessTexture || index(layer.roughnessTexture.index, textures)) &&
         (!layer.occlusionTexture || within(layer.occlusionTexture.strength, 0, 1)) &&
-        (!layer.heightTexture || within(layer.heightTexture.amplitude, 0, 1000)),
+        (!layer.heightTexture || within(layer.heightTexture.amplitude, 0, 1000)) &&
+        (!layer.bloodTexture || within(layer.bloodTexture.amplitude, 0, 2)),
     ) &&
     areas.every(
       (area) =>

@@ -33,6 +33,7 @@ describe('FurrowWrinkleMaps', () => {
       normalTexture: { index: 2, scale: 0.5 },
       occlusionTexture: { index: 5, strength: 0.25 },
       heightTexture: { index: 6, amplitude: 0.004 },
+      bloodTexture: { index: 5, amplitude: 0.5 },
     })
     expect(maps.areas[0]).toEqual({ name: 'brow', texture: { index: 8 } })
     expect(maps.areas[4]).toEqual({
@@ -88,7 +89,7 @@ describe('FurrowWrinkleMaps', () => {
     const [layers, areas] = [wrinklesOf(document).listLayers(), wrinklesOf(document).listAreas()]
     const array = areas[0].getTexture()
     for (const [slice, area] of areas.entries()) area.setTexture(array, 0).setSlice(slice)
-    layers[0].setSlice('occlusionTexture', 3)
+    layers[0].setSlice('occlusionTexture', 3).setSlice('bloodTexture', 3)
     const slicesOf = (from: typeof document) => [
       wrinklesOf(from)
         .listAreas()
@@ -122,7 +123,7 @@ describe('FurrowWrinkleMaps', () => {
     const [R, G, B] = [0x1000, 0x0100, 0x0010]
     expect(listTextureChannels(of('up'))).toEqual([R, G, B])
     expect(listTextureChannels(of('dry'))).toEqual([G])
-    expect(listTextureChannels(of('shade'))).toEqual([R])
+    expect(listTextureChannels(of('shade'))).toEqual([R, B])
     expect(listTextureChannels(of('relief'))).toEqual([R])
     expect(listTextureChannels(of('weights 0'))).toEqual([R, G, B])
     expect(listTextureChannels(of('weights 1'))).toEqual([R, G])

@@ -158,16 +158,19 @@ export async function createSample(): Promise<Document> {
   document.createScene().addChild(document.createNode('skin').setMesh(mesh))
 
   const extension = document.createExtension(FurrowWrinkleMaps)
+  const shade = await texture('shade', 5)
   const up = extension
     .createLayer('up')
     .setTexture('normalTexture', await texture('up', 2))
     .setTexture('baseColorTexture', await texture('flushed', 3))
     .setTexture('roughnessTexture', await texture('dry', 4))
-    .setTexture('occlusionTexture', await texture('shade', 5))
+    .setTexture('occlusionTexture', shade)
     .setTexture('heightTexture', await texture('relief', 6))
     .setNormalScale(0.5)
     .setOcclusionStrength(0.25)
     .setHeightAmplitude(0.004)
+    .setTexture('bloodTexture', shade)
+    .setBloodAmplitude(0.5)
     .setUnknownFields({ later: { deep: [1, 2] } })
   const down = extension
     .createLayer('down')
@@ -196,7 +199,7 @@ export function wrinklesOf(document: Document): MaterialWrinkles {
 /** The extension as plain data, with images by name: what tools must preserve. */
 export function summary(document: Document) {
   const wrinkles = wrinklesOf(document)
-  const slots = ['normal', 'baseColor', 'roughness', 'occlusion', 'height'] as const
+  const slots = ['normal', 'baseColor', 'roughness', 'occlusion', 'height', 'blood'] as const
   return {
     extras: wrinkles.getExtras(),
     unknown: wrinkles.getUnknownFields(),
@@ -205,7 +208,12 @@ export function summary(document: Document) {
     layers: wrinkles.listLayers().map((layer) => ({
       name: layer.getName(),
       kind: layer.getKind(),
-      numbers: [layer.getNormalScale(), layer.getOcclusionStrength(), layer.getHeightAmplitude()],
+      numbers: [
+        layer.getNormalScale(),
+        layer.getOcclusionStrength(),
+        layer.getHeightAmplitude(),
+        layer.getBloodAmplitude(),
+      ],
       textures: slots.map((slot) => layer.getTexture(`${slot}Texture`)?.getName()),
       unknown: layer.getUnknownFields(),
     })),

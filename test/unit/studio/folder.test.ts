@@ -27,11 +27,15 @@ async function imageOf(side: number, value: number) {
 async function wholeDocument(): Promise<StudioDocument> {
   const document = sampleDocument()
   const [up, down] = document.layers
-  const maps = { normal: await imageOf(64, 100), baseColor: await imageOf(64, 200) }
+  const maps = {
+    normal: await imageOf(64, 100),
+    baseColor: await imageOf(64, 200),
+    blood: await imageOf(32, 150),
+  }
   return {
     ...document,
     layers: [
-      { ...up, kind: 'replace', maps, normalScale: 1.5, occlusionStrength: 0.5 },
+      { ...up, kind: 'replace', maps, normalScale: 1.5, occlusionStrength: 0.5, bloodAmplitude: 0.4 },
       { ...down, heightAmplitude: 0.01 },
     ],
     areas: document.areas.map((area, i) => ({

@@ -70,6 +70,7 @@ describe('a layer', () => {
     expect(() => setLayer(document, 'up', { normalScale: Number.NaN })).toThrow('normal scale of up, got NaN')
     expect(() => setLayer(document, 'up', { occlusionStrength: 1.5 })).toThrow('allowed: 0 to 1')
     expect(() => setLayer(document, 'up', { heightAmplitude: -1 })).toThrow('amplitude of the heights')
+    expect(() => setLayer(document, 'up', { bloodAmplitude: 2.5 })).toThrow('allowed: 0 to 2')
   })
 
   it('gets and loses maps', () => {

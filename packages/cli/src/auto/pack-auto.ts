@@ -2,6 +2,7 @@ import { type AutoWrinkles, autoDrivers, type RgbaImage, strokesOf } from 'furro
 import { encodePng, encodeRgbaNormalMap } from '../images/encode.ts'
 import { halfSide, heightLevels } from '../images/half-side.ts'
 import { encodeAreaImages } from '../wrinkles/area-images.ts'
+import { withBlood } from '../wrinkles/blood-image.ts'
 import type { CheckedImage } from '../wrinkles/checked-image.ts'
 import type { LayerImages, PackedArea, PackedWrinkles } from '../wrinkles/embed.ts'
 import { AREAS_PER_SLICE, encodeAreaArray, encodeMapArrays } from '../wrinkles/ktx2-images.ts'
@@ -19,14 +20,19 @@ type LayerMaps = LayerImages & { normal: CheckedImage }
  * @param ktx2 whether maps and areas become KTX 2 arrays; these have no heights, which no renderer of Furrow reads.
  */
 export async function packAuto(wrinkles: AutoWrinkles, ktx2: boolean, who: string): Promise<PackedWrinkles> {
-  const { layers, areas } = wrinkles
+  const { layers, areas, blood } = wrinkles
   const maps = await Promise.all(
-    layers.map(async ({ name, normal, relief, occlusion }): Promise<LayerMaps> => {
-      const layer: LayerMaps = {
+    layers.map(async ({ name, normal, relief, occlusion }, i): Promise<LayerMaps> => {
+      const maps = {
         name,
-        kind: 'detail',
         normal: await normalImage(`${name} normal`, normal),
         occlusion: await grayImage(`${name} occlusion`, occlusion),
+        blood: await grayImage(`${name} blood`, blood.maps[i]),
+      }
+      const layer: LayerMaps = {
+        ...(await withBlood(maps, who)),
+        kind: 'detail',
+        bloodAmplitude: blood.amplitude,
       }
       if (ktx2) return layer
       const heights = heightLevels(relief.data)
@@ -34,10 +40,11 @@ export async function packAuto(wrinkles: AutoWrinkles, ktx2: boolean, who: strin
       return { ...layer, height, heightAmplitude: heights.amplitude }
     }),
   )
-  const weights = areas.map((area) => area.weights)
+  const allAreas = [...areas, ...blood.areas]
+  const weights = allAreas.map((area) => area.weights)
   const images = ktx2 ? await encodeAreaArray(weights, who) : encodeAreaImages(weights, AREAS_PER_IMAGE)
   const perImage = ktx2 ? AREAS_PER_SLICE : AREAS_PER_IMAGE
-  const packed = areas.map(
+  const packed = allAreas.map(
     ({ name, layer }, i): PackedArea => ({
       name,
       layer,

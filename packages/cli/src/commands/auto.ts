@@ -76,7 +76,12 @@ export const autoCommand = createCommand('auto')
   .argument('<face>', 'a face with blendshapes (.glb, .vrm, .gltf)')
   .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb, .vrm, .gltf)')
   .option('--age <years>', 'lines grow in number, length and depth, 20 to 80', years, AUTO_DEFAULTS.age)
-  .option('--strength <factor>', 'multiplies the depth, 0 to 2', factor, AUTO_DEFAULTS.strength)
+  .option(
+    '--strength <factor>',
+    'multiplies the depth of lines and the amount of blood, 0 to 2',
+    factor,
+    AUTO_DEFAULTS.strength,
+  )
   .addOption(
     new Option('--size <texels>', 'side of the maps').choices(SIZES).default(String(AUTO_DEFAULTS.size)),
   )
@@ -92,7 +97,7 @@ export const autoCommand = createCommand('auto')
     `largest number of layers, over which crossing lines are spread, 1 to 4 (default: ${AUTO_DEFAULTS.layers}, with --ktx2 ${KTX2_LAYERS})`,
     count(1, 4),
   )
-  .option('--areas <count>', 'largest number of areas, 1 to 64', count(1, 64), AUTO_DEFAULTS.areas)
+  .option('--areas <count>', 'largest number of areas with lines, 1 to 64', count(1, 64), AUTO_DEFAULTS.areas)
   .addOption(
     new Option('--regions <names...>', 'parts of a face that may crease, all by default').choices(
       AUTO_REGIONS,

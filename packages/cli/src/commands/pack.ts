@@ -77,7 +77,8 @@ export const packCommand = createCommand('pack')
   .addHelpText(
     'after',
     `
-Layers may also have baseColor.png, roughness.png, occlusion.png and height.png.
+Layers may also have baseColor.png, roughness.png, occlusion.png, height.png and blood.png; the last two need an
+amplitude in wrinkles.json.
 Image tools drop the colours where alpha is 0: use --share 4 only for files that no such tool will process.
 A slice of a KTX 2 array always holds four areas.
 
@@ -170,8 +171,8 @@ function describe(result: Result): string {
 
 /** Bytes of all images, each once. */
 function imageBytes({ layers, areas }: PackedFolder): number {
-  const maps = layers.flatMap(({ normal, baseColor, roughness, occlusion, height }) => {
-    return [normal, baseColor, roughness, occlusion, height]
+  const maps = layers.flatMap(({ normal, baseColor, roughness, occlusion, height, blood }) => {
+    return [normal, baseColor, roughness, occlusion, height, blood]
   })
   const images = new Set([...maps, ...areas.map(({ image }) => image)].map((image) => image?.bytes))
   return [...images].reduce((sum, bytes) => sum + (bytes?.length ?? 0), 0)

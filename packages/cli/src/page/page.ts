@@ -34,7 +34,7 @@ window.drawPicture = async (job) => {
 interface Scene {
   stage: Stage
   face: Face
-  /** Null where the face has no wrinkles. */
+  /** Null where the face has no wrinkles. Without delays: a picture shows what they end in. */
   loaded: Pick<LoadedWrinkles, 'set' | 'drivers'> | null
   /** Blendshape weights of the file. */
   initialWeights: Map<Mesh, readonly number[]>
@@ -74,7 +74,8 @@ async function open(job: PageJob): Promise<Scene> {
     throw new Error('this browser has no WebGPU: use --renderer webgl')
   }
   const face = await loadFace(job.face, job.mesh, loaderFor(stage.renderer))
-  const loaded = job.wrinkles ? await loadDocument(job.wrinkles) : face.wrinkles
+  const file = job.wrinkles ? await loadDocument(job.wrinkles) : face.wrinkles
+  const loaded = file && { ...file, drivers: file.drivers.filter(({ type }) => type !== 'time') }
   stage.show(face)
   const initialWeights = new Map<Mesh, readonly number[]>()
   face.root.traverse((object) => {

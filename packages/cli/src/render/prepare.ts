@@ -115,8 +115,8 @@ async function findWrinkles(
   )
   const files = new Map([[path, path]])
   // Heights are not drawn.
-  const maps = layers.flatMap(({ normal, baseColor, roughness, occlusion }) => {
-    return [normal, baseColor, roughness, occlusion].filter((map) => map !== undefined)
+  const maps = layers.flatMap(({ normal, baseColor, roughness, occlusion, blood }) => {
+    return [normal, baseColor, roughness, occlusion, blood].filter((map) => map !== undefined)
   })
   for (const uri of [...maps, ...areas.map(({ image }) => image)]) {
     const real = await resolveInside(path, uri, WHO, options)

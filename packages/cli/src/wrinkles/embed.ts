@@ -26,6 +26,9 @@ export interface LayerImages {
   occlusionStrength?: number
   height?: FileImage
   heightAmplitude?: number
+  /** In B; the same image as the occlusion's, where there is one. */
+  blood?: FileImage
+  bloodAmplitude?: number
 }
 
 /** An area and the channel of the image that holds it; other areas may use the other channels. */
@@ -85,6 +88,7 @@ export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedW
     roughnessTexture: textureInfo(layer.roughness),
     occlusionTexture: textureInfo(layer.occlusion, omitDefault('strength', layer.occlusionStrength, 1)),
     heightTexture: textureInfo(layer.height, { amplitude: layer.heightAmplitude }),
+    bloodTexture: textureInfo(layer.blood, { amplitude: layer.bloodAmplitude }),
   }))
   const areas = wrinkles.areas.map((area) => ({
     name: area.name,

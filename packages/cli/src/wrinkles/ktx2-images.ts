@@ -13,8 +13,8 @@ export const AREAS_PER_SLICE = 4
 
 const MIME_TYPE = 'image/ktx2'
 
-/** Whether the maps of each kind are colours. */
-const IS_SRGB = { normal: false, baseColor: true, roughness: false, occlusion: false, height: false } as const
+/** The maps that become one array, those of a layer being one image. */
+const KINDS = [['normal'], ['baseColor'], ['roughness'], ['occlusion', 'blood'], ['height']] as const
 
 /**
  * Encodes the maps of each kind as one KTX 2 array in UASTC, with mipmaps.
@@ -26,19 +26,23 @@ export async function encodeMapArrays(
   who: string,
 ): Promise<LayerImages[]> {
   const encoded: LayerImages[] = layers.map((layer) => ({ ...layer }))
-  for (const [kind, srgb] of Object.entries(IS_SRGB) as [keyof typeof IS_SRGB, boolean][]) {
-    const withMap = encoded.filter((layer) => layer[kind])
+  for (const maps of KINDS) {
+    const [kind] = maps
+    const mapOf = (layer: LayerImages) => maps.map((map) => layer[map]).find((map) => map !== undefined)
+    const withMap = encoded.filter(mapOf)
     if (withMap.length === 0) continue
-    const images = withMap.map((layer) => layer[kind] as CheckedImage)
+    const images = withMap.map((layer) => mapOf(layer) as CheckedImage)
     checkOneSize(images, kind, who)
     const { width, height } = images[0]
     const pixels = await Promise.all(
       images.map(async ({ bytes, name }) => toRgba(await decodeImage(bytes, name, who))),
     )
     const names = withMap.map((_, i) => `layer-${i}`)
+    const srgb = kind === 'baseColor'
     const bytes = await encode({ width, height, channels: 4, srgb, names, layers: pixels }, true, who)
     for (const [slice, layer] of withMap.entries()) {
-      layer[kind] = { name: `${kind} maps`, mimeType: MIME_TYPE, bytes, slice }
+      const image = { name: `${kind} maps`, mimeType: MIME_TYPE, bytes, slice }
+      for (const map of maps) if (layer[map]) layer[map] = image
     }
   }
   return encoded

@@ -5,6 +5,7 @@ export const MAP_SLOTS = [
   ['roughness', 'roughnessTexture'],
   ['occlusion', 'occlusionTexture'],
   ['height', 'heightTexture'],
+  ['blood', 'bloodTexture'],
 ] as const
 
 /** The name of a map of a layer in a folder. */

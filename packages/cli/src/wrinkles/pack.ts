@@ -13,6 +13,7 @@ import { decodeGray } from '../images/pixels.ts'
 import { didYouMean } from '../nearest.ts'
 import type { Progress } from '../progress.ts'
 import { type AreasPerImage, encodeAreaImages } from './area-images.ts'
+import { withBlood } from './blood-image.ts'
 import { type CheckedImage, checkMap, checkOneSize, scaleMap } from './checked-image.ts'
 import type { LayerImages, PackedArea, PackedWrinkles } from './embed.ts'
 import { AREAS_PER_SLICE, encodeAreaArray, encodeMapArrays } from './ktx2-images.ts'
@@ -119,8 +120,8 @@ async function packLayers(
     return image
   }
   const packed: (LayerImages & { normal: CheckedImage })[] = []
-  for (const { name, normal, baseColor, roughness, occlusion, height, ...rest } of layers) {
-    packed.push({
+  for (const { name, normal, baseColor, roughness, occlusion, height, blood, ...rest } of layers) {
+    const images = {
       ...rest,
       name,
       normal: (await load(normal, `${name} normal`, 'normals'))!,
@@ -128,7 +129,9 @@ async function packLayers(
       roughness: await load(roughness, `${name} roughness`),
       occlusion: await load(occlusion, `${name} occlusion`),
       height: await load(height, `${name} height`),
-    })
+      blood: await load(blood, `${name} blood`),
+    }
+    packed.push(await withBlood(images, who))
     step()
   }
   checkOneSize(

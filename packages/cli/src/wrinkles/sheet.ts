@@ -6,6 +6,7 @@ import { pixelsOf } from '../gltf/texture-pixels.ts'
 import type { Pixels } from '../images/pixels.ts'
 import { escapeMarkup } from '../markup.ts'
 import { drawSkinLayout } from '../uv/draw-layout.ts'
+import { partOfImage } from './blood-image.ts'
 import { weightsOf } from './inspect.ts'
 import { MAP_SLOTS } from './map-slots.ts'
 import type { WrinkledFile } from './wrinkled-file.ts'
@@ -35,7 +36,8 @@ export async function drawSheet(file: WrinkledFile, who: string): Promise<Uint8A
     for (const [map, slot] of MAP_SLOTS) {
       const info = layer[slot]
       if (!info) continue
-      const pixels = await scaled(await pixelsOf(file.glb, info, who))
+      const part = await partOfImage(file.glb, layer, map, who)
+      const pixels = await scaled(part ? { ...part, channels: 1 } : await pixelsOf(file.glb, info, who))
       tiles.push({ label: `${layer.name}: ${map}`, pixels })
     }
   }

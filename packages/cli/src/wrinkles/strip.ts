@@ -45,6 +45,7 @@ function ownTextures(json: GltfJson, extension: unknown, who: string): Set<numbe
     layer.roughnessTexture,
     layer.occlusionTexture,
     layer.heightTexture,
+    layer.bloodTexture,
   ])
   const all = [...infos, ...areas.map(({ texture }) => texture)]
   return new Set(all.flatMap((info) => (info ? [info.index] : [])))

@@ -8,6 +8,7 @@ import { imageOf, isKtx2 } from '../gltf/texture-image.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
 import { isOpaque, withoutAlpha } from '../images/pixels.ts'
 import type { Progress } from '../progress.ts'
+import { partOfImage } from './blood-image.ts'
 import { addressOf, STROKES_FILE, WRINKLES_FILE } from './folder-document.ts'
 import { weightsOf } from './inspect.ts'
 import { MAP_SLOTS } from './map-slots.ts'
@@ -46,13 +47,18 @@ export async function unpackWrinkles(
       const info = layer[slot]
       if (!info) continue
       const path = `layers/${fileNames[i]}/${map}.png`
-      outputs.push({ path, bytes: await pngOf(file, info, who) })
+      const part = await partOfImage(file.glb, layer, map, who)
+      outputs.push({
+        path,
+        bytes: part ? await encodePng({ ...part, channels: 1 }) : await pngOf(file, info, who),
+      })
       entry[map] = addressOf(path)
     }
     if (layer.normalTexture.scale !== 1) entry.normalScale = layer.normalTexture.scale
     if (layer.occlusionTexture && layer.occlusionTexture.strength !== 1) {
       entry.occlusionStrength = layer.occlusionTexture.strength
     }
+    if (layer.bloodTexture) entry.bloodAmplitude = layer.bloodTexture.amplitude
     if (layer.heightTexture) entry.heightAmplitude = layer.heightTexture.amplitude
     layers.push(entry as LayerEntry)
     progress(i + 1, total)

@@ -18,6 +18,7 @@ export {
   autoWrinkles,
   strokesOf,
 } from './auto/auto.ts'
+export type { AutoBlood, BloodArea } from './auto/blood/draw-blood.ts'
 export type { MissingRegion } from './auto/fit/fit-driver.ts'
 export type { AutoLayer } from './auto/raster/draw-maps.ts'
 export { type StrainMap, strainMaps } from './auto/strain-map.ts'

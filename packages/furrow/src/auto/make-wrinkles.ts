@@ -1,8 +1,9 @@
 import { type AutoOptions, type AutoProgress, type AutoWrinkles, autoWrinkles } from '../author/auto/auto.ts'
 import { chooseSkin } from '../author/auto/surface/choose-skin.ts'
 import { autoWrinkleSet } from '../author/auto/wrinkle-set.ts'
+import { BLOOD_AT_REST } from '../core/blood.ts'
 import { FurrowError } from '../core/error.ts'
-import { type ImageArray, packColours, packGrays } from '../core/pack.ts'
+import { type ImageArray, packColours, packPairs } from '../core/pack.ts'
 import type { Area } from '../core/types.ts'
 import type { WrinkleDriver } from '../drivers/registry.ts'
 import { type CharacterData, skinOf } from './character.ts'
@@ -15,7 +16,9 @@ export interface CharacterWrinkles {
   /** Names of the layers, and their maps one after the other. */
   layers: string[]
   normals: ImageArray
-  occlusion: ImageArray
+  /** Occlusion and blood in two channels. */
+  occlusionAndBlood: ImageArray
+  bloodAmplitude: number
   areas: Area[]
   drivers: WrinkleDriver[]
 }
@@ -52,8 +55,15 @@ function packed(wrinkles: AutoWrinkles): Omit<CharacterWrinkles, 'mesh'> {
   const { layers, areas, drivers } = autoWrinkleSet(wrinkles)
   const names = layers.map(({ name }) => name)
   const normals = layers.map(({ normal }) => normal)
-  const occlusion = wrinkles.layers.map((layer) => layer.occlusion)
-  return { layers: names, normals: packColours(normals), occlusion: packGrays(occlusion), areas, drivers }
+  const pairs = wrinkles.layers.map(({ occlusion }, i) => [occlusion, wrinkles.blood.maps[i]] as const)
+  return {
+    layers: names,
+    normals: packColours(normals),
+    occlusionAndBlood: packPairs(pairs, [255, BLOOD_AT_REST]),
+    bloodAmplitude: wrinkles.blood.amplitude,
+    areas,
+    drivers,
+  }
 }
 
 function withoutAreas(): FurrowError {

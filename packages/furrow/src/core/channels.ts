@@ -1,7 +1,7 @@
 import type { GrayImage, RgbaImage } from './types.ts'
 
-/** Channels of single-value maps in their images, as in glTF: 0 = R, 1 = G. */
-export const CHANNEL = { occlusion: 0, roughness: 1 } as const
+/** Channels of single-value maps in their images, as in glTF: 0 = R to 2 = B. Blood is in the image of the occlusion. */
+export const CHANNEL = { occlusion: 0, roughness: 1, blood: 2, height: 0 } as const
 
 /**
  * Extracts one channel of an image, its values unchanged.

@@ -1,4 +1,5 @@
 import type { AreaConvention } from './area.ts'
+import { MAX_BLOOD_AMPLITUDE } from './blood.ts'
 import { type JsonReader, or } from './json.ts'
 import { LARGEST, LONGEST_NAME, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS, MIN_AREA_SIZE } from './limits.ts'
 import type { Combine, LayerKind } from './types.ts'
@@ -29,6 +30,10 @@ export interface SetDocument {
     height?: string
     /** Metres from black to white of the height map; required with it. */
     heightAmplitude?: number
+    /** Blood in the B channel, linear, 128 of 255 = as at rest. Gray images have it in all. */
+    blood?: string
+    /** Optical depth that green light gains from 128 to 255, 0..2; required with it. */
+    bloodAmplitude?: number
   }[]
   areas: {
     name: string
@@ -50,7 +55,7 @@ export interface SetDocument {
 }
 
 /** The optional maps of a layer. */
-const MAPS = ['baseColor', 'roughness', 'occlusion', 'height'] as const
+const MAPS = ['baseColor', 'roughness', 'occlusion', 'height', 'blood'] as const
 
 /** Most characters of a URL. */
 const MAX_URL_LENGTH = 2048
@@ -110,6 +115,15 @@ function readLayer(reader: JsonReader, item: unknown, at: string): SetDocument['
   }
   if (layer.height !== undefined || json.heightAmplitude !== undefined) {
     layer.heightAmplitude = reader.number(json.heightAmplitude, `${at}.heightAmplitude`, 0, LARGEST, 'metres')
+  }
+  if (layer.blood !== undefined || json.bloodAmplitude !== undefined) {
+    layer.bloodAmplitude = reader.number(
+      json.bloodAmplitude,
+      `${at}.bloodAmplitude`,
+      0,
+      MAX_BLOOD_AMPLITUDE,
+      '',
+    )
   }
   return layer
 }

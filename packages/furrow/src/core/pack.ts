@@ -13,7 +13,7 @@ export interface ImageArray {
   height: number
   /** Number of images. */
   depth: number
-  channels: 1 | 4
+  channels: 1 | 2 | 4
   /** width x height x depth x channels bytes. */
   data: Uint8Array
 }
@@ -71,6 +71,33 @@ export function packAreas(
     return resampleGray(image, size)
   })
   return concatenate(images, size, size, 1)
+}
+
+/**
+ * Packs two single-channel maps of each layer into the channels of one image, as occlusion and blood are.
+ *
+ * @param pairs of each layer both maps, at least one of which exists; copied.
+ * @param neutral what a map that is missing holds, 0..255.
+ * @param who names the caller in errors.
+ * @throws FurrowError when there is none, one is malformed, or their sizes differ.
+ */
+export function packPairs(
+  pairs: readonly (readonly [GrayImage | undefined, GrayImage | undefined])[],
+  neutral: readonly [number, number],
+  who = 'packPairs',
+): ImageArray {
+  const present = pairs.flat().filter((image) => image !== undefined)
+  checkSizes(present, 'gray', who)
+  const { width, height } = present[0]
+  const texels = width * height
+  const data = new Uint8Array(2 * texels * pairs.length)
+  for (const [slice, pair] of pairs.entries()) {
+    for (const [channel, image] of pair.entries()) {
+      const start = 2 * texels * slice + channel
+      for (let i = 0; i < texels; i++) data[start + 2 * i] = image ? image.data[i] : neutral[channel]
+    }
+  }
+  return { width, height, depth: pairs.length, channels: 2, data }
 }
 
 function checkSizes(images: readonly (GrayImage | RgbaImage)[], layout: 'gray' | 'RGBA', who: string): void {

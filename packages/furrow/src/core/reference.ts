@@ -2,6 +2,7 @@
  * The paper's formulas in float64 on the CPU (C. D. G. Reis, J. M. De Martino, H. C. Batagelo, "Real-time Simulation of Wrinkles",
  * WSCG 2008): the reference that tests compare every GPU path with. Colours and values are linear.
  */
+import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from './blood.ts'
 import type { ImageArray } from './pack.ts'
 import { repeat } from './repeat.ts'
 import { TOON_LINE } from './toon-line.ts'
@@ -149,6 +150,28 @@ export function mixValues(
   return base.map(
     (own, i) => own + sum(layers.map((layer) => ((layer.value[i] - own) * layer.influence) / total)),
   )
+}
+
+/**
+ * What a blood map says at a point: 0 as much as at rest, 1 redder by its amplitude, -1 paler by it. `mixValues` mixes it, times the amplitude
+ * of its layer, into a value of 0.
+ *
+ * @param stored as in the map, 0..1.
+ */
+export function bloodOf(stored: number): number {
+  const steps = stored * 255 - BLOOD_AT_REST
+  return Math.abs(steps) < BLOOD_THRESHOLD ? 0 : Math.max(steps / (255 - BLOOD_AT_REST), -1)
+}
+
+/**
+ * The skin's colour with more or less blood in it, see `BLOOD_ABSORPTION`.
+ *
+ * @param colour base colour, linear sRGB.
+ * @param blood optical depth that green light gains.
+ * @returns linear sRGB; the colour itself where blood is 0.
+ */
+export function bloodColour(colour: readonly number[], blood: number): number[] {
+  return colour.map((value, i) => value * Math.exp(-BLOOD_ABSORPTION[i] * blood))
 }
 
 /**

@@ -53,6 +53,17 @@ export interface Layer<Slice = never> {
   occlusion?: GrayImage | Slice
   /** 0 = no occlusion, 1 = as in the map; 1 by default. */
   occlusionStrength?: number
+  /**
+   * Blood in the skin, which absorbs light, linear: 128 = as much as at rest, 255 = redder by `bloodAmplitude`, 1 = paler by it. Of the
+   * size of the occlusion maps.
+   */
+  blood?: GrayImage | Slice
+  /** Optical depth that green light gains from 128 to 255, 0..2; required with `blood`. See `BLOOD_ABSORPTION`. */
+  bloodAmplitude?: number
+  /** Height of the surface where wrinkles show, linear, 127.5 = the skin itself; drawn as relief. */
+  height?: GrayImage | Slice
+  /** Metres from black to white of the heights; required with `height`. */
+  heightAmplitude?: number
 }
 
 /** How an area combines with others of its layer at the same texel: added, or the maximum of both. */

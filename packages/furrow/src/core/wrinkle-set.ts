@@ -1,4 +1,5 @@
 import { checkFinite, isObject, wrongArgument } from './argument.ts'
+import { MAX_BLOOD_AMPLITUDE } from './blood.ts'
 import { FurrowError } from './error.ts'
 import { checkImage } from './image.ts'
 import { MAX_AREAS, MAX_LAYERS } from './limits.ts'
@@ -34,19 +35,35 @@ export function isSlice(map: object | undefined): map is ArraySlice {
 
 function checkLayer(layer: Layer<ArraySlice>, who: string): void {
   if (!isObject(layer)) throw wrongArgument(who, 'a layer', layer, 'an object with a name, kind and normals')
-  const { name, kind: kindOfLayer, normal, baseColor, roughness, occlusion } = layer
+  const { name, kind: kindOfLayer, normal, baseColor, roughness, occlusion, blood, height } = layer
   if (kindOfLayer !== 'replace' && kindOfLayer !== 'detail') {
     throw wrongArgument(who, `kind of layer "${name}"`, kindOfLayer, 'replace or detail')
   }
   if (!isObject(normal)) throw wrongArgument(who, `normals of layer "${name}"`, normal, 'an image')
   checkFinite(layer.normalScale, `normalScale of layer "${name}"`, who)
+  checkFinite(layer.heightAmplitude, `heightAmplitude of layer "${name}"`, who)
+  if (height && layer.heightAmplitude === undefined) {
+    throw wrongArgument(
+      who,
+      `heights of layer "${name}" without heightAmplitude`,
+      undefined,
+      'metres from black to white',
+    )
+  }
   checkFinite(layer.occlusionStrength, `occlusionStrength of layer "${name}"`, who)
+  if (blood) checkBloodAmplitude(layer.bloodAmplitude, name, who)
   for (const [kind, map] of Object.entries({ normal, baseColor })) {
     if (map && !isSlice(map)) checkImage(map, 'RGBA', `${who} layer "${name}" ${kind}`)
   }
-  for (const [kind, map] of Object.entries({ roughness, occlusion })) {
+  for (const [kind, map] of Object.entries({ roughness, occlusion, blood, height })) {
     if (map && !isSlice(map)) checkImage(map, 'gray', `${who} layer "${name}" ${kind}`)
   }
+}
+
+/** @throws FurrowError when the amplitude of a layer's blood is missing or out of range. */
+export function checkBloodAmplitude(amplitude: number | undefined, layer: string, who: string): void {
+  if (amplitude !== undefined && amplitude >= 0 && amplitude <= MAX_BLOOD_AMPLITUDE) return
+  throw wrongArgument(who, `bloodAmplitude of layer "${layer}"`, amplitude, `0 to ${MAX_BLOOD_AMPLITUDE}`)
 }
 
 /**

@@ -46,6 +46,7 @@ export function readMaterialWrinkles(
       .setNormalScale(layer.normalTexture.scale)
       .setOcclusionStrength(layer.occlusionTexture?.strength ?? 1)
       .setHeightAmplitude(layer.heightTexture?.amplitude ?? 0)
+      .setBloodAmplitude(layer.bloodTexture?.amplitude ?? 0)
       .setExtras(extrasOf(raw.layers[i]))
       .setUnknownFields(without(raw.layers[i], KNOWN.layer))
     for (const slot of Object.keys(LAYER_SLOTS) as LayerSlot[]) {

@@ -29,6 +29,10 @@ interface IWrinkleLayer extends IProperty {
   heightTextureInfo: TextureInfo
   heightTextureSlice: number
   heightAmplitude: number
+  bloodTexture: Texture
+  bloodTextureInfo: TextureInfo
+  bloodTextureSlice: number
+  bloodAmplitude: number
   /** JSON of unknown fields. */
   unknownFields: string
 }
@@ -43,6 +47,7 @@ export type LayerSlot =
   | 'roughnessTexture'
   | 'occlusionTexture'
   | 'heightTexture'
+  | 'bloodTexture'
 
 /** The channels that are read of each slot's image, and whether they are colours. */
 export const LAYER_SLOTS: Readonly<Record<LayerSlot, { channels: number; isColor?: boolean }>> = {
@@ -51,6 +56,7 @@ export const LAYER_SLOTS: Readonly<Record<LayerSlot, { channels: number; isColor
   roughnessTexture: { channels: TextureChannel.G },
   occlusionTexture: { channels: TextureChannel.R },
   heightTexture: { channels: TextureChannel.R },
+  bloodTexture: { channels: TextureChannel.B },
 }
 
 /** A layer of {@link MaterialWrinkles}: maps of the skin fully wrinkled. */
@@ -90,6 +96,10 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
       heightTextureInfo: info('heightTexture'),
       heightTextureSlice: NO_SLICE,
       heightAmplitude: 0,
+      bloodTexture: null,
+      bloodTextureInfo: info('bloodTexture'),
+      bloodTextureSlice: NO_SLICE,
+      bloodAmplitude: 0,
       unknownFields: '{}',
     })
   }
@@ -109,7 +119,7 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
     return this.getRef(slot)
   }
 
-  /** Sets the image of a slot; null for none. */
+  /** Sets the image of a slot; null for none. Blood is in that of the occlusion, where there is one. */
   setTexture(slot: LayerSlot, texture: Texture | null): this {
     return this.setRef(slot, texture, { ...LAYER_SLOTS[slot] })
   }
@@ -158,6 +168,16 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
   /** Sets the metres from black to white of the height map. */
   setHeightAmplitude(metres: number): this {
     return this.set('heightAmplitude', metres)
+  }
+
+  /** Optical depth that green light gains from 128 to 255 of the blood map. */
+  getBloodAmplitude(): number {
+    return this.get('bloodAmplitude')
+  }
+
+  /** Sets the optical depth that green light gains from 128 to 255 of the blood map, 0 to 2. */
+  setBloodAmplitude(depth: number): this {
+    return this.set('bloodAmplitude', depth)
   }
 
   /** Fields of the JSON that are unknown to this version; they are written back unchanged. */

@@ -46,6 +46,7 @@ function sliceOf(slice: number | null): Json {
 
 function numberOf(slot: LayerSlot, layer: WrinkleLayer): Json {
   if (slot === 'heightTexture') return { amplitude: layer.getHeightAmplitude() }
+  if (slot === 'bloodTexture') return { amplitude: layer.getBloodAmplitude() }
   if (slot === 'normalTexture' && layer.getNormalScale() !== 1) return { scale: layer.getNormalScale() }
   if (slot === 'occlusionTexture' && layer.getOcclusionStrength() !== 1) {
     return { strength: layer.getOcclusionStrength() }

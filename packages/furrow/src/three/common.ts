@@ -12,6 +12,7 @@ export { decodeImage, toGray } from './loader/decode-image.ts'
 export { loadWrinkleSet } from './loader/load-wrinkle-set.ts'
 export { type LoadedWrinkles, readWrinkleMaps } from './loader/read-wrinkle-maps.ts'
 export {
+  type ReliefMode,
   WRINKLES_DEFAULTS,
   type WrinkleLoaderOptions,
   type WrinkleMode,

@@ -10,6 +10,14 @@ export type WrinkleMode = 'default' | 'paper' | 'composed' | 'off'
 
 const MODES: readonly WrinkleMode[] = ['default', 'paper', 'composed', 'off']
 
+/**
+ * `on` moves the surface itself by the layers' heights, so that wrinkles change outlines and shadows; `auto` does so where a millimetre
+ * is more than a pixel; `off` never does.
+ */
+export type ReliefMode = 'off' | 'on' | 'auto'
+
+const RELIEF_MODES: readonly ReliefMode[] = ['off', 'on', 'auto']
+
 /** How wrinkles are shown; defaults are in `WRINKLES_DEFAULTS`. */
 export interface WrinklesOptions {
   /** `default` by default. */
@@ -21,6 +29,8 @@ export interface WrinklesOptions {
    * never fade.
    */
   fadeBelow?: number
+  /** Whether the layers' heights move the surface, `off` by default. Loaders read heights only for other values. */
+  relief?: ReliefMode
 }
 
 /** Options of `WrinkleLoaderPlugin`. */
@@ -37,6 +47,7 @@ export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = {
   mode: 'default',
   areaSize: DEFAULT_AREA_SIZE,
   fadeBelow: 0,
+  relief: 'off',
 }
 
 /** @throws FurrowError when there is no such mode. */
@@ -44,12 +55,22 @@ export function checkMode(mode: WrinkleMode, who = 'Wrinkles.mode'): void {
   if (!MODES.includes(mode)) throw wrongArgument(who, 'unknown mode', mode, MODES.join(', '))
 }
 
+/** @throws FurrowError when there is no such mode of relief. */
+export function checkReliefMode(relief: ReliefMode, who = 'Wrinkles.relief'): void {
+  if (!RELIEF_MODES.includes(relief))
+    throw wrongArgument(who, 'unknown relief', relief, RELIEF_MODES.join(', '))
+}
+
 /**
  * @param who the caller, in errors.
  * @throws FurrowError at the first option that is not what it must be.
  */
-export function checkOptions({ mode, areaSize, fadeBelow }: Required<WrinklesOptions>, who: string): void {
+export function checkOptions(
+  { mode, areaSize, fadeBelow, relief }: Required<WrinklesOptions>,
+  who: string,
+): void {
   checkMode(mode, who)
+  checkReliefMode(relief, who)
   if (!(Number.isInteger(areaSize) && areaSize >= MIN_AREA_SIZE && areaSize <= MAX_IMAGE_SIDE)) {
     throw wrongArgument(who, 'areaSize', areaSize, `${MIN_AREA_SIZE} to ${MAX_IMAGE_SIDE} texels`)
   }

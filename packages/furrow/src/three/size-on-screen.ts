@@ -14,6 +14,12 @@ export function fadeOnScreen(mesh: Mesh, camera: Camera, renderer: AnyRenderer, 
   return Math.min(1, Math.max(0, (2 * sizeOnScreen(mesh, camera, renderer)) / fadeBelow - 1))
 }
 
+/** Pixels per unit of a mesh's positions in the picture being drawn, at its centre; Infinity if the camera is inside its bounding sphere. */
+export function pixelsPerUnit(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
+  const size = sizeOnScreen(mesh, camera, renderer)
+  return size / (2 * mesh.geometry.boundingSphere!.radius)
+}
+
 /** Diameter of a mesh's bounding sphere in the picture being drawn, in pixels; Infinity if the camera is inside it. */
 function sizeOnScreen(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
   const { geometry } = mesh

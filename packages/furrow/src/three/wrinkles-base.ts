@@ -24,13 +24,17 @@ import {
   type ShaderInputs,
 } from './material/shader-inputs.ts'
 import { createTextures } from './material/wrinkle-textures.ts'
+import { meshUnits } from './mesh-units.ts'
 import {
   checkMode,
   checkOptions,
+  checkReliefMode,
+  type ReliefMode,
   WRINKLES_DEFAULTS,
   type WrinkleMode,
   type WrinklesOptions,
 } from './options.ts'
+import { ReliefControl, type ReliefOwner } from './relief-control.ts'
 import { type AnyRenderer, checkRenderer, isRefused } from './renderer.ts'
 import { fadeOnScreen } from './size-on-screen.ts'
 
@@ -57,6 +61,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   readonly #inputs: ShaderInputs
   readonly #material: PatchedMaterial
   readonly #views: InfluenceViews
+  readonly #meshes: Mesh[] = []
+  readonly #relief: ReliefControl
   #appearance: Appearance | null = null
 
   /**
@@ -95,6 +101,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.#inputs = createShaderInputs(textures, areas, this.#atlas)
     this.#material = new PatchedMaterial(mesh, material, this.#inputs, renderer)
     this.#views = new InfluenceViews(this.#material, this.#inputs)
+    this.#relief = new ReliefControl(this.#reliefOwner(), allOptions.relief)
     this.addMesh(mesh)
     try {
       this.mode = allOptions.mode
@@ -120,6 +127,29 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.checkInUse('mode')
     checkMode(mode)
     if (mode !== this.mode) this.#material.show(mode)
+  }
+
+  /** Whether the layers' heights move the surface. */
+  get relief(): ReliefMode {
+    return this.#relief.mode
+  }
+
+  /**
+   * Changes whether the layers' heights move the surface. Triangles under areas are split when that is first wanted, in slices: the page
+   * goes on, and shows the face without relief until then. Meshes that cannot have relief stay as they are, with one warning.
+   *
+   * @throws FurrowError when there is no such value.
+   */
+  set relief(mode: ReliefMode) {
+    this.checkInUse('relief')
+    checkReliefMode(mode)
+    this.#relief.mode = mode
+  }
+
+  /** Splits the triangles for relief now, where there are heights; fulfilled when it can be drawn. */
+  async reliefReady(): Promise<void> {
+    this.checkInUse('reliefReady')
+    await this.#relief.ready()
   }
 
   /** Number of faces: instances, or 1 for any other mesh. */
@@ -191,6 +221,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   addMesh(mesh: Mesh): void {
     this.checkInUse('addMesh')
     checkIsMesh(mesh, 'Wrinkles.addMesh')
+    this.#meshes.push(mesh)
     this.onDispose(callBeforeRender(mesh, (renderer, camera) => this.prepare(renderer, camera, mesh)))
     if (!wrinklesByMesh.has(mesh)) wrinklesByMesh.set(mesh, this)
     if (mesh === this.mesh) exposeAreas(mesh, this)
@@ -235,6 +266,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.#material.settle(renderer)
     this.#inputs.fade.value =
       this.#fadeOf(mesh, camera, renderer) * (this.#appearance?.advance(this.clock) ?? 1)
+    this.#relief.prepare(renderer, camera, mesh)
     this.#frame.begin(this.#entry, renderer)
     locateCells(this.#inputs, this.#atlas, this.#cells)
   }
@@ -246,7 +278,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     textures.upload?.(renderer)
     const { mode, composed } = this.#material
     if (mode === 'paper') paper!.table.update(areas, this.faces[0].activations)
-    const isUsed = mode === 'default' || composed !== null || this.#views.isMapNeeded
+    const isUsed = mode === 'default' || composed !== null || this.#views.isMapNeeded || this.#relief.isShown
     if (fade.value === 0 || !isUsed) return false
     this.#atlas.collect(this.#cells, renderer)
     return true
@@ -265,6 +297,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   /** Restores the material, and frees the textures that no other face uses. */
   override dispose(): void {
     if (this.isDisposed) return
+    this.#relief.dispose()
     super.dispose()
     this.#frame.remove(this.#entry)
     this.#material.dispose()
@@ -278,6 +311,20 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     const { fadeBelow } = this.#options
     if (fadeBelow === 0 || this.#material.composed || instancesOf(this.mesh)) return 1
     return fadeOnScreen(mesh, camera, renderer, fadeBelow)
+  }
+
+  #reliefOwner(): ReliefOwner {
+    const { material } = this.#material
+    return {
+      meshes: this.#meshes,
+      material,
+      inputs: this.#inputs,
+      units: meshUnits(this.mesh),
+      isOn: () => this.mode !== 'off',
+      prepare: (renderer, camera, mesh) => this.prepare(renderer, camera, mesh),
+      setRelief: (relief) => this.#material.setRelief(relief && ((own) => relief.patch(own))),
+      loadParts: () => this.#renderer.loadRelief(),
+    }
   }
 
   #replaceAreas(areas: Area<ArraySlice>[], who: string): void {

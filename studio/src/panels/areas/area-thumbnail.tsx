@@ -1,4 +1,7 @@
+import type { GrayImage } from 'furrow'
 import { useLayoutEffect, useRef } from 'preact/hooks'
+import type { Mesh } from 'three'
+import { runInTurn } from '../../later.ts'
 import { colouredArea } from '../../texture/area-colours.ts'
 import { palePicture } from '../../texture/pale-picture.ts'
 import { cropOf, shrink } from '../../texture/thumbnail.ts'
@@ -7,7 +10,7 @@ import type { PanelModel } from '../model.ts'
 /** Pixels of its side: two for each on the page. */
 const SIDE = 56
 
-/** A small picture of an area on the skin's texture, drawn again when either has changed. */
+/** A small picture of an area on the skin's texture, drawn again when either has changed, and one at a time: a face has dozens of areas. */
 export function AreaThumbnail({ name, model }: { name: string; model: PanelModel }) {
   const canvas = useRef<HTMLCanvasElement>(null)
   const avatar = model.viewer.value?.avatar
@@ -15,14 +18,22 @@ export function AreaThumbnail({ name, model }: { name: string; model: PanelModel
   const meshes = avatar?.skins[avatar.skin].meshes
   useLayoutEffect(() => {
     if (!weights || !meshes) return
-    const crop = cropOf(weights)
-    const [skin, area] = [palePicture(meshes), document.createElement('canvas')]
-    area.width = area.height = SIDE
-    area.getContext('2d')!.putImageData(colouredArea(shrink(weights, crop, SIDE)), 0, 0)
-    const [x, y, side] = [crop.x, crop.y, crop.side].map((value) => value * skin.width)
-    const context = canvas.current!.getContext('2d')!
-    context.drawImage(skin, x, y, side, side, 0, 0, SIDE, SIDE)
-    context.drawImage(area, 0, 0)
+    return runInTurn(() => drawThumbnail(canvas.current!, weights, meshes))
   }, [weights, meshes])
   return <canvas ref={canvas} class="thumbnail" width={SIDE} height={SIDE} />
+}
+
+function drawThumbnail(
+  canvas: HTMLCanvasElement,
+  weights: GrayImage,
+  meshes: readonly [Mesh, ...Mesh[]],
+): void {
+  const crop = cropOf(weights)
+  const [skin, area] = [palePicture(meshes), document.createElement('canvas')]
+  area.width = area.height = SIDE
+  area.getContext('2d')!.putImageData(colouredArea(shrink(weights, crop, SIDE)), 0, 0)
+  const [x, y, side] = [crop.x, crop.y, crop.side].map((value) => value * skin.width)
+  const context = canvas.getContext('2d')!
+  context.drawImage(skin, x, y, side, side, 0, 0, SIDE, SIDE)
+  context.drawImage(area, 0, 0)
 }

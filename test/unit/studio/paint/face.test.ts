@@ -80,7 +80,7 @@ describe.each(FACES)('painting on %s', async (_, path, name) => {
   })
 
   it('does not reach the lower lip from the upper one', () => {
-    const picker = new SkinPicker(skin.meshes, skin)
+    const picker = new SkinPicker(skin.meshes, skin, skin.made)
     // Up the middle of the face: the lips part where the way over the skin from one point to the next goes into the mouth.
     const centre = new Vector3()
     mesh.geometry.computeBoundingBox()

@@ -15,7 +15,7 @@ const area: StudioArea = { name: 'cheek', layer: 'up', combine: 'sum', activatio
 /** A tool on a sheet, and what it has shown, kept and asked for. */
 function toolOnSheet() {
   const skin = paintSkin(plainSheet())
-  const picker = new SkinPicker(skin.meshes, skin)
+  const picker = new SkinPicker(skin.meshes, skin, skin.made)
   const [shown, kept]: GrayImage[][] = [[], []]
   const calls = { paint: 0, hits: [] as boolean[] }
   const tool = new PaintTool({

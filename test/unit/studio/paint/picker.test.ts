@@ -14,7 +14,7 @@ import {
 import { describe, expect, it } from 'vitest'
 import { BRUSH_DEFAULTS } from '../../../../studio/src/paint/brush.ts'
 import { BrushStroke } from '../../../../studio/src/paint/brush-stroke.ts'
-import { PaintSkin } from '../../../../studio/src/paint/paint-skin.ts'
+import { paintSurface } from '../../../../studio/src/paint/paint-skin.ts'
 import { SkinPicker } from '../../../../studio/src/paint/picker.ts'
 import { paintPolygon } from '../../../../studio/src/paint/polygon.ts'
 import { readSkin } from '../../../../studio/src/paint/read-skin.ts'
@@ -22,7 +22,7 @@ import { ball, cutSheet, empty, meshOf, paintSkin, placesOf, plainSheet, pointNe
 
 function pickerOf(mesh: Mesh, ...parts: Mesh[]) {
   const skin = paintSkin(mesh, ...parts)
-  return { skin, picker: new SkinPicker(skin.meshes, skin) }
+  return { skin, picker: new SkinPicker(skin.meshes, skin, skin.made) }
 }
 
 /** From metres in front of a position, along -z. */
@@ -122,11 +122,11 @@ describe('picking', () => {
     mesh.geometry.deleteAttribute('uv')
     expect(() => readSkin([mesh])).toThrow(FurrowError)
     const nothing = { positions: [], uvs: [], indices: [], targets: [] }
-    expect(() => new PaintSkin(nothing)).toThrow(FurrowError)
+    expect(() => paintSurface(nothing)).toThrow(FurrowError)
     const { skin } = readSkin([plainSheet()])
     for (const scale of [0, -1, Number.NaN, Infinity])
-      expect(() => new PaintSkin(skin, scale)).toThrow(FurrowError)
-    expect(new PaintSkin(skin, 500).surface.points.reduce((a, b) => Math.max(a, b))).toBeCloseTo(25, 4)
+      expect(() => paintSurface(skin, scale)).toThrow(FurrowError)
+    expect(paintSurface(skin, 500).points.reduce((a, b) => Math.max(a, b))).toBeCloseTo(25, 4)
   })
 })
 

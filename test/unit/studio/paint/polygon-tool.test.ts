@@ -15,7 +15,7 @@ let onTexture: PolygonTool
 
 beforeEach(() => {
   const skin = paintSkin(plainSheet())
-  const picker = new SkinPicker(skin.meshes, skin)
+  const picker = new SkinPicker(skin.meshes, skin, skin.made)
   const texture = new TexturePicker(skin, picker, 64)
   closed = []
   polygon = new Polygon(() => {})

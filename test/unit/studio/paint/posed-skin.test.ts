@@ -1,7 +1,9 @@
+import { expose } from 'comlink'
 import { Bone, Group, type Mesh, Ray, Skeleton, SkinnedMesh, Vector3 } from 'three'
-import { expect, it, vi } from 'vitest'
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { LineSkin } from '../../../../studio/src/lines/line-skin.ts'
-import { posedSkinOf } from '../../../../studio/src/paint/posed-skin.ts'
+import { makeSkin } from '../../../../studio/src/paint/make-skin.ts'
+import { posedSkinOf, prepareSkin } from '../../../../studio/src/paint/posed-skin.ts'
 import { PoseWatch } from '../../../../studio/src/viewer/pose/pose-watch.ts'
 import { plainSheet } from './skins.ts'
 
@@ -75,4 +77,75 @@ it('joints, parents, blendshapes that are added and muscles that change are anot
     change()
     expect(watch.isNew()).toBe(true)
   }
+})
+
+describe('a skin that is made in a worker', () => {
+  const AREA = 64
+  /** Skins that workers were asked for. */
+  let asked = 0
+
+  /** A worker in the same thread: what it is sent and answers is copied. */
+  function FakeWorker() {
+    const { port1, port2 } = new MessageChannel()
+    const service = {
+      makeSkin(...args: Parameters<typeof makeSkin>) {
+        asked++
+        return makeSkin(...args)
+      },
+    }
+    expose(service, port2)
+    return Object.assign(port1, { terminate: () => port1.close() })
+  }
+
+  beforeEach(() => {
+    asked = 0
+    vi.stubGlobal('Worker', FakeWorker)
+  })
+  afterEach(() => vi.unstubAllGlobals())
+
+  it('is that of all tools, and the same as one that is made on the page', async () => {
+    const mesh = plainSheet()
+    const meshes: [Mesh] = [mesh]
+    await prepareSkin(meshes, SCALE, AREA)
+    const own = posedSkinOf([mesh], SCALE)
+    const prepared = posedSkinOf(meshes, SCALE)
+    expect(prepared.skin.surface).toEqual(own.skin.surface)
+    // It came with the map of the areas: none is made on the page.
+    const map = prepared.skin.mapOf(AREA)
+    expect(prepared.skin.mapOf(AREA)).toBe(map)
+    const { locator, ...arrays } = map
+    const { locator: other, ...others } = own.skin.mapOf(AREA)
+    expect(arrays).toEqual(others)
+    expect(locator.grid).toEqual(other.grid)
+    const ray = new Ray(new Vector3(0.011, 0.013, 5), new Vector3(0, 0, -1))
+    expect(prepared.picker.pick(ray)).toEqual(own.picker.pick(ray))
+    await prepareSkin(meshes, SCALE, AREA)
+    expect(asked).toBe(1)
+  })
+
+  it('has the pose of the face when it is ready, and of every moment after it', async () => {
+    const mesh = plainSheet()
+    const meshes: [Mesh] = [mesh]
+    const preparation = prepareSkin(meshes, SCALE, AREA)
+    mesh.position.y = 0.1
+    await preparation
+    const down = (y: number) => new Ray(new Vector3(0.01, y + 0.02, 5), new Vector3(0, 0, -1))
+    expect(posedSkinOf(meshes, SCALE).picker.pick(down(0.1))?.position[1]).toBeCloseTo(20, 4)
+    mesh.position.y = 0.2
+    expect(posedSkinOf(meshes, SCALE).picker.pick(down(0.2))?.position[1]).toBeCloseTo(20, 4)
+  })
+
+  it('does not replace the one that was needed before it came', async () => {
+    const meshes: [Mesh] = [plainSheet()]
+    const preparation = prepareSkin(meshes, SCALE, AREA)
+    const needed = posedSkinOf(meshes, SCALE)
+    await preparation
+    expect(posedSkinOf(meshes, SCALE)).toBe(needed)
+  })
+
+  it('is made on the page where the worker cannot, which says why', async () => {
+    const meshes: [Mesh] = [plainSheet()]
+    await expect(prepareSkin(meshes, SCALE, 1.5)).rejects.toThrow('side of an area')
+    expect(posedSkinOf(meshes, SCALE).skin.surface.corners.length).toBeGreaterThan(0)
+  })
 })

@@ -1,5 +1,6 @@
 import type { GrayImage } from 'furrow'
 import { BufferGeometry, Float32BufferAttribute, Mesh, MeshStandardMaterial } from 'three'
+import { type MadeSkin, makeSkin } from '../../../../studio/src/paint/make-skin.ts'
 import type { PaintMap } from '../../../../studio/src/paint/paint-map.ts'
 import { PaintSkin, type SkinPoint } from '../../../../studio/src/paint/paint-skin.ts'
 import { type MeshSkin, readSkin } from '../../../../studio/src/paint/read-skin.ts'
@@ -74,9 +75,10 @@ export const ball = () => {
   return meshOf(half(1, 0.03), half(-1, 0.53))
 }
 
-export function paintSkin(mesh: Mesh, ...parts: Mesh[]): PaintSkin & { meshes: MeshSkin } {
+export function paintSkin(mesh: Mesh, ...parts: Mesh[]): PaintSkin & { meshes: MeshSkin; made: MadeSkin } {
   const meshes = readSkin([mesh, ...parts])
-  return Object.assign(new PaintSkin(meshes.skin), { meshes })
+  const made = makeSkin(meshes.skin)
+  return Object.assign(new PaintSkin(meshes.skin, made.surface), { meshes, made })
 }
 
 export function empty(size: number, weight = 0): GrayImage {

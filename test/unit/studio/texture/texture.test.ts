@@ -16,7 +16,7 @@ const SIZE = 64
 
 function cutSkin() {
   const skin = paintSkin(cutSheet())
-  const picker = new SkinPicker(skin.meshes, skin)
+  const picker = new SkinPicker(skin.meshes, skin, skin.made)
   return { skin, picker, texture: new TexturePicker(skin, picker, SIZE) }
 }
 

@@ -9,6 +9,7 @@ import type { Skin } from '../skin/surface.ts'
 import type { StrokesDocument } from '../strokes/document.ts'
 import { type OddMeasure, oddMeasures } from './anatomy/proportions.ts'
 import { AUTO_REGIONS, type AutoRegion } from './anatomy/regions.ts'
+import { type AutoBlood, drawBlood } from './blood/draw-blood.ts'
 import { ageDriver } from './fit/age-driver.ts'
 import type { MissingRegion } from './fit/fit-driver.ts'
 import { fitDrivers } from './fit/fit-drivers.ts'
@@ -35,7 +36,7 @@ export interface AutoOptions {
   seeds?: Readonly<Partial<Record<AutoRegion, number>>>
   /** Layers at most, 1..4. */
   layers?: number
-  /** Areas at most, 1..64; those with the least compression are left out. */
+  /** Areas with lines at most, 1..64; those with the least compression are left out. */
   areas?: number
   /** Parts of a face that may crease, all by default. Only a face has any. */
   regions?: readonly AutoRegion[]
@@ -80,6 +81,8 @@ export interface AutoWrinkles {
   /** Names of the targets that were used: all but broken ones. */
   targets: string[]
   layers: AutoLayer[]
+  /** Maps of the layers, and areas that show nothing else. */
+  blood: AutoBlood
   areas: AutoArea[]
   /** Millimetres per unit of the skin's positions: a face is measured by the distance of its eyes. */
   scale: number
@@ -122,7 +125,7 @@ export function autoWrinkles(
     return report
   }
 
-  // One room per stage, each using those before it: surface -> strain -> lines -> fit -> raster.
+  // One room per stage, each using those before it: surface -> strain -> lines -> fit -> raster -> blood.
   begin('face')
   const prepared = prepareSkin(skin)
   if (!prepared.face && options.regions) throw regionsWithoutFace(options.regions)
@@ -136,7 +139,11 @@ export function autoWrinkles(
   const fitted = fitDrivers(prepared, creased, maxAreas, begin('drivers'))
   begin('layers')
   const layerOf = assignLayers(fitted.regions, settings.layers)
-  const { layers, weights } = drawMaps(prepared, fitted.regions, layerOf, settings, begin('maps'))
+  const drawn = drawMaps(prepared, fitted.regions, layerOf, settings, begin('maps'))
+  const { layers, weights } = drawn ?? { layers: [], weights: [] }
+  const blood = drawn
+    ? drawBlood(prepared, { ...drawn, regions: fitted.regions, layerOf }, settings)
+    : { amplitude: 0, maps: [], areas: [] }
   progress(AUTO_STEPS.length, AUTO_STEPS.length, 'done')
 
   const { face, names, scale } = prepared
@@ -144,6 +151,7 @@ export function autoWrinkles(
     landmarks: face?.landmarks,
     targets: [...names],
     layers,
+    blood,
     areas: fitted.regions.map(({ region, driver, compression, error, creases }, i) => ({
       name: region.name,
       layer: layerOf[i],

@@ -4,7 +4,7 @@ import { checkCoverage } from './check-coverage.ts'
 import { findOverlap, isOnLeft } from './overlap.ts'
 import { SkinTexels } from './skin-texels.ts'
 import { pointAreas, type Skin, type SkinSurface, weldSurface } from './surface.ts'
-import { UvLocator } from './uv-locator.ts'
+import { UvLocator, uvGridOf } from './uv-locator.ts'
 
 /** What strokes are drawn on: the skin as a surface, and where on it the texels of a map are. */
 export interface SkinCanvas {
@@ -53,7 +53,7 @@ export function mapSkin(
   const isDrawn = findOverlap(skin, surface).isMirrored ? isOnLeft(surface) : undefined
   return {
     surface,
-    locator: new UvLocator(skin, surface, isDrawn),
+    locator: new UvLocator(skin, surface, uvGridOf(skin, surface, isDrawn)),
     texels: new SkinTexels(skin, surface, width, height, isDrawn, MIPMAP_MARGIN),
   }
 }

@@ -94,15 +94,28 @@ export class SkinTexels {
     visit: TexelVisitor,
     progress?: (fraction: number) => void,
   ): void {
-    const tiles = this.#tileCount()
-    this.#boxes ??= this.#tileBoxes()
-    const part = Math.ceil(tiles / PARTS)
-    for (let tile = 0; tile < tiles; tile++) {
-      if (tile % part === part - 1) progress?.(tile / tiles)
-      const box = this.#boxes.subarray(6 * tile, 6 * tile + 6)
-      if (isNear(box.subarray(0, 3), box.subarray(3, 6))) this.#visitTile(tile, visit)
+    let told = 0
+    for (const done of this.visitNearInSteps(isNear, visit)) {
+      if (done - told < 1 / PARTS) continue
+      told = done
+      progress?.(done)
     }
     progress?.(1)
+  }
+
+  /** As `visitNear`, and yields the fraction done after each tile of 64 texels that was visited: the caller may leave the rest for later. */
+  *visitNearInSteps(
+    isNear: (low: Float64Array, high: Float64Array) => boolean,
+    visit: TexelVisitor,
+  ): Generator<number, void> {
+    const tiles = this.#tileCount()
+    this.#boxes ??= this.#tileBoxes()
+    for (let tile = 0; tile < tiles; tile++) {
+      const box = this.#boxes.subarray(6 * tile, 6 * tile + 6)
+      if (!isNear(box.subarray(0, 3), box.subarray(3, 6))) continue
+      this.#visitTile(tile, visit)
+      yield (tile + 1) / tiles
+    }
   }
 
   /** Visits the texels that triangles cover besides their own one: parts of the skin that use the same texels. */

@@ -13,41 +13,35 @@ const BESIDE = [2 ** -12, 2 ** -10]
 /** The eight directions. */
 const AROUND = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => (x || y ? [[x, y] as const] : [])))
 
+/** The triangles of a skin by the cells of a grid over its texture, as arrays that a worker can hand over. */
+export interface UvGrid {
+  /** Cells along each side. */
+  side: number
+  /** The triangles whose bounding boxes overlap cell i: from `starts[i]` to `starts[i + 1]`. */
+  starts: Uint32Array
+  triangles: Uint32Array
+}
+
 /** Finds where on a skin a point of its texture is, by a grid over the texture. */
 export class UvLocator {
   readonly #skin: Pick<Skin, 'uvs' | 'indices'>
   readonly #surface: SkinSurface
-  readonly #side: number
-  /** The triangles whose bounding boxes overlap cell i: from `#starts[i]` to `#starts[i + 1]`. */
-  readonly #starts: Uint32Array
-  readonly #triangles: Uint32Array
+  readonly grid: UvGrid
   readonly #corners = new Float64Array(6)
   readonly #candidate = new Float64Array(3)
 
   /**
    * @param skin in the first tile of its texture.
-   * @param isUsed tells which triangles a point may be on; where several are left, the first one is found.
+   * @param grid of the triangles that a point may be on; where several are left, the first one is found.
    */
   constructor(
     skin: Pick<Skin, 'uvs' | 'indices'>,
     surface: SkinSurface,
-    isUsed: (triangle: number) => boolean = () => true,
+    grid: UvGrid = uvGridOf(skin, surface),
   ) {
     this.#skin = skin
     this.#surface = surface
-    const used = [...surface.skinTriangles.keys()].filter(isUsed)
-    this.#side = this.#chooseSide(used)
-    const starts = new Uint32Array(this.#side ** 2 + 1)
-    for (const triangle of used) this.#visitCells(triangle, (cell) => starts[cell + 1]++)
-    for (let i = 1; i < starts.length; i++) starts[i] += starts[i - 1]
-    this.#starts = starts
-    this.#triangles = new Uint32Array(starts[starts.length - 1])
-    const next = starts.slice()
-    for (const triangle of used) {
-      this.#visitCells(triangle, (cell) => {
-        this.#triangles[next[cell]++] = triangle
-      })
-    }
+    this.grid = grid
   }
 
   /**
@@ -81,53 +75,85 @@ export class UvLocator {
 
   #triangleAt(u: number, v: number): number {
     if (!(u >= 0 && u <= 1 && v >= 0 && v <= 1)) return -1
-    const cell = this.#cellOf(v) * this.#side + this.#cellOf(u)
+    const { side, starts, triangles } = this.grid
+    const cell = cellOf(v, side) * side + cellOf(u, side)
     const weights = this.#candidate
-    for (let i = this.#starts[cell]; i < this.#starts[cell + 1]; i++) {
-      this.#locate(this.#triangles[i], u, v, weights)
-      if (weights[0] >= INSIDE && weights[1] >= INSIDE && weights[2] >= INSIDE) return this.#triangles[i]
+    for (let i = starts[cell]; i < starts[cell + 1]; i++) {
+      this.#locate(triangles[i], u, v, weights)
+      if (weights[0] >= INSIDE && weights[1] >= INSIDE && weights[2] >= INSIDE) return triangles[i]
     }
     return -1
   }
 
   #readCorners(triangle: number): void {
-    const { uvs } = this.#skin
-    for (const [k, vertex] of skinVertices(this.#skin, this.#surface, triangle).entries()) {
-      this.#corners[2 * k] = uvs[2 * vertex]
-      this.#corners[2 * k + 1] = uvs[2 * vertex + 1]
-    }
+    readCorners(this.#corners, this.#skin, this.#surface, triangle)
   }
+}
 
-  /** So many cells that triangles have `ENTRIES` of them on average, however large they are. */
-  #chooseSide(triangles: readonly number[]): number {
-    let [area, extent] = [0, 0]
-    for (const triangle of triangles) {
-      const [left, top, right, bottom] = this.#boxOf(triangle)
-      area += (right - left) * (bottom - top)
-      extent += right - left + bottom - top
-    }
-    const entries = ENTRIES * triangles.length
-    const side = Math.min(Math.sqrt(entries / (area || 1)), entries / (extent || 1))
-    return Math.max(1, Math.min(MOST_CELLS, Math.floor(side)))
-  }
-
-  /** Its least and greatest u and v. */
-  #boxOf(triangle: number): [left: number, top: number, right: number, bottom: number] {
-    this.#readCorners(triangle)
-    const [u0, v0, u1, v1, u2, v2] = this.#corners
+/** @param isUsed tells which triangles a point may be on. */
+export function uvGridOf(
+  skin: Pick<Skin, 'uvs' | 'indices'>,
+  surface: SkinSurface,
+  isUsed: (triangle: number) => boolean = () => true,
+): UvGrid {
+  const used = [...surface.skinTriangles.keys()].filter(isUsed)
+  const corners = new Float64Array(6)
+  const boxOf = (triangle: number): UvBox => {
+    readCorners(corners, skin, surface, triangle)
+    const [u0, v0, u1, v1, u2, v2] = corners
     return [Math.min(u0, u1, u2), Math.min(v0, v1, v2), Math.max(u0, u1, u2), Math.max(v0, v1, v2)]
   }
-
-  #visitCells(triangle: number, visit: (cell: number) => void): void {
-    const [left, top, right, bottom] = this.#boxOf(triangle)
+  const side = chooseSide(used, boxOf)
+  const visitCells = (triangle: number, visit: (cell: number) => void) => {
+    const [left, top, right, bottom] = boxOf(triangle)
     if (!(right >= 0 && left <= 1 && bottom >= 0 && top <= 1)) return
-    for (let row = this.#cellOf(top); row <= this.#cellOf(bottom); row++) {
-      for (let column = this.#cellOf(left); column <= this.#cellOf(right); column++)
-        visit(row * this.#side + column)
+    for (let row = cellOf(top, side); row <= cellOf(bottom, side); row++) {
+      for (let column = cellOf(left, side); column <= cellOf(right, side); column++)
+        visit(row * side + column)
     }
   }
+  const starts = new Uint32Array(side ** 2 + 1)
+  for (const triangle of used) visitCells(triangle, (cell) => starts[cell + 1]++)
+  for (let i = 1; i < starts.length; i++) starts[i] += starts[i - 1]
+  const triangles = new Uint32Array(starts[starts.length - 1])
+  const next = starts.slice()
+  for (const triangle of used) {
+    visitCells(triangle, (cell) => {
+      triangles[next[cell]++] = triangle
+    })
+  }
+  return { side, starts, triangles }
+}
 
-  #cellOf(coordinate: number): number {
-    return Math.max(0, Math.min(this.#side - 1, Math.floor(coordinate * this.#side)))
+/** Least and greatest u and v of a triangle. */
+type UvBox = readonly [left: number, top: number, right: number, bottom: number]
+
+/** So many cells that triangles have `ENTRIES` of them on average, however large they are. */
+function chooseSide(triangles: readonly number[], boxOf: (triangle: number) => UvBox): number {
+  let [area, extent] = [0, 0]
+  for (const triangle of triangles) {
+    const [left, top, right, bottom] = boxOf(triangle)
+    area += (right - left) * (bottom - top)
+    extent += right - left + bottom - top
+  }
+  const entries = ENTRIES * triangles.length
+  const side = Math.min(Math.sqrt(entries / (area || 1)), entries / (extent || 1))
+  return Math.max(1, Math.min(MOST_CELLS, Math.floor(side)))
+}
+
+function cellOf(coordinate: number, side: number): number {
+  return Math.max(0, Math.min(side - 1, Math.floor(coordinate * side)))
+}
+
+/** u and v of a triangle's corners. */
+function readCorners(
+  out: Float64Array,
+  skin: Pick<Skin, 'uvs' | 'indices'>,
+  surface: SkinSurface,
+  triangle: number,
+): void {
+  for (const [k, vertex] of skinVertices(skin, surface, triangle).entries()) {
+    out[2 * k] = skin.uvs[2 * vertex]
+    out[2 * k + 1] = skin.uvs[2 * vertex + 1]
   }
 }

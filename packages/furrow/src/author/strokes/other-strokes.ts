@@ -46,7 +46,7 @@ export class OtherStrokes {
    * @returns what `end` takes once the edited one is added.
    */
   begin(sum: HeightSum, texel: number, position: Float64Array, normal: Float64Array): number {
-    const start = this.#starts.get(texel) ?? this.#hold(texel, position, normal)
+    const start = this.hold(texel, position, normal)
     sum.valleys = this.#numbers[start]
     sum.banks = this.#numbers[start + 1]
     sum.shade = this.#numbers[start + 2]
@@ -60,7 +60,14 @@ export class OtherStrokes {
     for (let i = first; i < end; i += 2) sum.add(this.#numbers[i], this.#numbers[i + 1])
   }
 
-  #hold(texel: number, position: Float64Array, normal: Float64Array): number {
+  /**
+   * Finds what the strokes give to a texel where that is not held yet.
+   *
+   * @returns where its numbers begin.
+   */
+  hold(texel: number, position: Float64Array, normal: Float64Array): number {
+    const known = this.#starts.get(texel)
+    if (known !== undefined) return known
     if (this.#used > MOST_HELD) {
       this.#starts.clear()
       this.#used = 0

@@ -21,7 +21,8 @@ export interface StrokeLayerOptions {
 
 /**
  * The maps of a layer, which follow its strokes: what is drawn again after an edit is the skin within reach of the strokes that were added,
- * removed or replaced. Where one stroke is replaced again and again, as one that is bent, what the others give to that skin is held. The maps are bit for bit those of drawing all strokes anew: `strokesToHeight`, `heightToNormal`, `combineNormals`.
+ * removed or replaced. Where that is one stroke, again and again, as one that is bent, what the others give to that skin is held; `prepare` finds
+ * it beforehand. The maps are bit for bit those of drawing all strokes anew: `strokesToHeight`, `heightToNormal`, `combineNormals`.
  *
  * It holds 9 bytes per texel for the maps, 1 for the search, and 64 bytes per half millimetre of a stroke: 10.5 MB at 1024 x 1024 texels
  * and 42 MB at 2048 x 2048, besides its canvas, which layers of one size can have in common; and up to 32 MB while one stroke is edited.
@@ -38,8 +39,8 @@ export class StrokeLayer {
   readonly #frame: TangentFrame
   readonly #drawn: DrawnStrokes
   #strokes: readonly PlacedStroke[] = []
-  /** The stroke that the last change replaced, by its index, and all others; null where the last change was another one. */
-  #edit: { index: number; others: OtherStrokes } | null = null
+  /** Null where the last change was one of several strokes. */
+  #edit: Edit | null = null
 
   /**
    * A layer without strokes.
@@ -69,11 +70,11 @@ export class StrokeLayer {
    */
   draw(strokes: readonly Stroke[]): Bounds[] {
     const { placed, changed } = this.#place(strokes)
-    const edited = this.#indexOfEdit(placed)
-    this.#strokes = placed
     if (changed.length === 0) return []
-    const touched = new LineGrid(laidOf(changed), laidOf(changed).map(reachOf))
-    const pen = edited < 0 ? this.#penFor(placed, changed) : this.#penForEdit(placed, edited)
+    this.#edit = this.#editTo(placed)
+    this.#strokes = placed
+    const touched = gridOf(changed)
+    const pen = this.#edit ? this.#penForEdit(this.#edit) : this.#penFor(changed)
     const texels = new ChangedTexels(this.relief.width, this.relief.height)
     this.#canvas.texels.visitNear(touched.isNear, (texel, position, normal) => {
       if (touched.isWithinReach(position) && pen.draw(texel, position, normal)) texels.add(texel)
@@ -83,29 +84,55 @@ export class StrokeLayer {
     return mergeBounds(bounds)
   }
 
-  /** The index of the only stroke that is another than before; -1 where more changed, or nothing. */
-  #indexOfEdit(placed: readonly PlacedStroke[]): number {
-    const before = this.#strokes
-    if (placed.length !== before.length) return -1
-    const index = placed.findIndex((each, i) => each !== before[i])
-    const isOnly = placed.every((each, i) => i === index || each === before[i])
-    return isOnly ? index : -1
+  /**
+   * Finds what all other strokes give to the skin within reach of one of them, which `draw` finds otherwise when that one is first replaced or
+   * removed.
+   *
+   * @returns steps of 64 texels each, which can be left for later, also between calls of `draw`; there are no more once another stroke is
+   *   prepared or edited. None where the stroke is not drawn.
+   */
+  *prepare(stroke: Stroke): Generator<void, void> {
+    const index = this.#strokes.findIndex((each) => each.stroke === stroke)
+    if (index < 0) return
+    if (this.#edit?.before.length !== index || this.#edit.behind.length !== this.#strokes.length - index - 1)
+      this.#edit = this.#editOf(this.#strokes.slice(0, index), this.#strokes.slice(index + 1))
+    const edit = this.#edit
+    const near = gridOf([this.#strokes[index]])
+    const steps = this.#canvas.texels.visitNearInSteps(near.isNear, (texel, position, normal) => {
+      if (near.isWithinReach(position)) edit.others.hold(texel, position, normal)
+    })
+    for (const _ of steps) {
+      yield
+      if (this.#edit !== edit) return
+    }
   }
 
-  #penFor(placed: readonly PlacedStroke[], changed: readonly PlacedStroke[]): StrokePen {
-    this.#edit = null
+  /** What turns the strokes into others, where that is one of them: added, removed or replaced. */
+  #editTo(placed: readonly PlacedStroke[]): Edit | null {
+    if (this.#edit && isOfEdit(placed, this.#edit)) return this.#edit
+    const old = this.#strokes
+    const shorter = Math.min(old.length, placed.length)
+    let [same, sameAtEnd] = [0, 0]
+    while (same < shorter && old[same] === placed[same]) same++
+    while (sameAtEnd < shorter - same && old.at(-1 - sameAtEnd) === placed.at(-1 - sameAtEnd)) sameAtEnd++
+    if (Math.max(old.length, placed.length) - same - sameAtEnd > 1) return null
+    return this.#editOf(placed.slice(0, same), placed.slice(placed.length - sameAtEnd))
+  }
+
+  #editOf(before: readonly PlacedStroke[], behind: readonly PlacedStroke[]): Edit {
+    const others = new OtherStrokes(laidOf(before), laidOf(behind), this.#canvas.metric)
+    return { before, behind, others }
+  }
+
+  #penFor(changed: readonly PlacedStroke[]): StrokePen {
     // Whatever else reaches a touched texel.
-    const near = placed.filter(({ box }) => changed.some((other) => overlap(box, other.box)))
+    const near = this.#strokes.filter(({ box }) => changed.some((other) => overlap(box, other.box)))
     return new StrokePen(laidOf(near), this.#canvas.metric, this.#drawn)
   }
 
-  #penForEdit(placed: readonly PlacedStroke[], index: number): StrokePen {
-    const { metric } = this.#canvas
-    if (this.#edit?.index !== index) {
-      const [before, behind] = [placed.slice(0, index), placed.slice(index + 1)]
-      this.#edit = { index, others: new OtherStrokes(laidOf(before), laidOf(behind), metric) }
-    }
-    return new StrokePen(placed[index].laid, metric, this.#drawn, this.#edit.others)
+  #penForEdit({ before, behind, others }: Edit): StrokePen {
+    const own = this.#strokes.slice(before.length, this.#strokes.length - behind.length)
+    return new StrokePen(laidOf(own), this.#canvas.metric, this.#drawn, others)
   }
 
   /** Lays new strokes on the skin, and finds those that are not what they were. */
@@ -144,6 +171,23 @@ interface PlacedStroke {
   box: Float64Array
 }
 
+/** One stroke is edited, or there is none at present. */
+interface Edit {
+  before: readonly PlacedStroke[]
+  behind: readonly PlacedStroke[]
+  others: OtherStrokes
+}
+
+/** Whether strokes are those of an edit, with one or none where the edited one is. */
+function isOfEdit(strokes: readonly PlacedStroke[], { before, behind }: Edit): boolean {
+  const more = strokes.length - before.length - behind.length
+  return (
+    (more === 0 || more === 1) &&
+    before.every((each, i) => each === strokes[i]) &&
+    behind.every((each, i) => each === strokes[before.length + more + i])
+  )
+}
+
 function placeOf(laid: readonly LaidStroke[]): Omit<PlacedStroke, 'stroke'> {
   const box = Float64Array.of(Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity)
   for (const line of laid) {
@@ -158,6 +202,11 @@ function placeOf(laid: readonly LaidStroke[]): Omit<PlacedStroke, 'stroke'> {
 
 function overlap(a: Float64Array, b: Float64Array): boolean {
   return a[0] <= b[3] && b[0] <= a[3] && a[1] <= b[4] && b[1] <= a[4] && a[2] <= b[5] && b[2] <= a[5]
+}
+
+function gridOf(strokes: readonly PlacedStroke[]): LineGrid {
+  const laid = laidOf(strokes)
+  return new LineGrid(laid, laid.map(reachOf))
 }
 
 function laidOf(strokes: readonly PlacedStroke[]): LaidStroke[] {

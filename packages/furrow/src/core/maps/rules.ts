@@ -1,6 +1,11 @@
 import type { ErrorParts } from '../error.ts'
 import { MAX_IMAGE_SIDE } from '../limits.ts'
-import { type MapsAndAreas, type TextureReference, WRINKLE_MAPS } from './wrinkle-maps.ts'
+import {
+  type MapsAndAreas,
+  type TextureReference,
+  WRINKLE_MAPS,
+  type WrinkleMapsLayer,
+} from './wrinkle-maps.ts'
 
 /** What reading the image of a texture tells about it. */
 export interface TextureShape {
@@ -17,13 +22,15 @@ export interface MapProblem extends ErrorParts {
   rule: 'IMAGE_SIZE' | 'LAYER_SIZES' | 'MIXED_FORMATS' | 'KTX2_LAYOUTS' | 'NO_SLICE' | 'ARRAY_AS_IMAGE'
 }
 
-/** The kinds of maps that are drawn, with their names for errors. Heights are for tools. */
+/** The kinds of maps that are drawn, with their slots and names for errors. Heights are for tools. */
 const KINDS = {
-  normalTexture: 'normal',
-  baseColorTexture: 'base colour',
-  roughnessTexture: 'roughness',
-  occlusionTexture: 'occlusion',
-} as const
+  normal: { normalTexture: 'normal' },
+  'base colour': { baseColorTexture: 'base colour' },
+  roughness: { roughnessTexture: 'roughness' },
+  occlusion: { occlusionTexture: 'occlusion', bloodTexture: 'blood' },
+} as const satisfies Record<string, Partial<Record<keyof WrinkleMapsLayer, string>>>
+
+type MapSlot = Extract<keyof WrinkleMapsLayer, `${string}Texture`>
 
 /** A map or an area: its texture, and what to call it in errors. */
 type Named = TextureReference & { called: string }
@@ -61,12 +68,14 @@ export function mapProblems(
 
 /** The maps of each kind, and the areas. */
 function kindsOf({ layers, areas }: MapsAndAreas): [kind: string, infos: Named[]][] {
-  const maps = Object.entries(KINDS).map(([slot, kind]): [string, Named[]] => [
+  const maps = Object.entries(KINDS).map(([kind, slots]): [string, Named[]] => [
     `${kind} maps`,
-    layers.flatMap((layer) => {
-      const info = layer[slot as keyof typeof KINDS]
-      return info ? [{ ...info, called: `layer "${layer.name}": ${kind}` }] : []
-    }),
+    layers.flatMap((layer) =>
+      Object.entries(slots).flatMap(([slot, map]) => {
+        const info = layer[slot as MapSlot]
+        return info ? [{ ...info, called: `layer "${layer.name}": ${map}` }] : []
+      }),
+    ),
   ])
   return [...maps, ['areas', areas.map(({ name, texture }) => ({ ...texture, called: `area "${name}"` }))]]
 }

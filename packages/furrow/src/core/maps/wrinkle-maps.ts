@@ -1,3 +1,4 @@
+import { MAX_BLOOD_AMPLITUDE } from '../blood.ts'
 import { FurrowError } from '../error.ts'
 import { type JsonReader, or } from '../json.ts'
 import { LARGEST, MAX_AREAS, MAX_LAYERS, MAX_SLICES } from '../limits.ts'
@@ -28,6 +29,8 @@ export interface WrinkleMapsLayer {
   occlusionTexture?: TextureReference & { strength: number }
   /** Height in R, linear, 0.5 = the surface; `amplitude` is the metres from black to white. */
   heightTexture?: TextureReference & { amplitude: number }
+  /** Blood in B, linear, 128 of 255 = as at rest; `amplitude` is what green light loses from there to 255, as an optical depth. */
+  bloodTexture?: TextureReference & { amplitude: number }
 }
 
 /** One area of the extension's JSON, defaults filled in. */
@@ -91,12 +94,14 @@ export function readMaps(
   return { layers, areas, drivers: root.drivers }
 }
 
-const LAYER_SLOTS = [
-  'normalTexture',
-  'baseColorTexture',
-  'roughnessTexture',
-  'occlusionTexture',
-  'heightTexture',
+/** Slots of layers and areas whose maps are in one array, if in any. */
+const ARRAYS = [
+  ['layers', ['normalTexture']],
+  ['layers', ['baseColorTexture']],
+  ['layers', ['roughnessTexture']],
+  ['layers', ['occlusionTexture', 'bloodTexture']],
+  ['layers', ['heightTexture']],
+  ['areas', ['texture']],
 ] as const
 
 type ReadTexture = (value: unknown, path: string) => Record<string, unknown> & TextureReference
@@ -132,7 +137,30 @@ function readLayer(reader: JsonReader, texture: ReadTexture, item: unknown, at: 
     const info = texture(json.heightTexture, `${at}.heightTexture`)
     layer.heightTexture = { ...info, amplitude: number(info.amplitude, 'heightTexture.amplitude', 0) }
   }
+  if (json.bloodTexture !== undefined) {
+    const info = texture(json.bloodTexture, `${at}.bloodTexture`)
+    const field = `${at}.bloodTexture.amplitude`
+    layer.bloodTexture = {
+      ...info,
+      amplitude: reader.number(info.amplitude, field, 0, MAX_BLOOD_AMPLITUDE, ''),
+    }
+    checkBlood(reader, layer.bloodTexture, layer.occlusionTexture, at)
+  }
   return layer
+}
+
+/** Blood is the third channel of the occlusion's image, so that no shader needs another sampler for it. */
+function checkBlood(
+  reader: JsonReader,
+  blood: TextureReference,
+  occlusion: TextureReference | undefined,
+  at: string,
+): void {
+  if (!occlusion || (blood.index === occlusion.index && blood.slice === occlusion.slice)) return
+  const nameOf = ({ index, slice }: TextureReference) =>
+    slice === undefined ? `${index}` : `${index}, slice ${slice}`
+  const remedy = 'put it into the B channel of that image'
+  reader.fail(`${at}.bloodTexture is not that of the occlusion`, nameOf(blood), nameOf(occlusion), remedy)
 }
 
 function readArea(
@@ -166,12 +194,14 @@ function checkNames(reader: JsonReader, named: readonly { name: string }[], list
 function checkSlices(reader: JsonReader, layers: WrinkleMapsLayer[], areas: WrinkleMapsArea[]): void {
   const arrays = new Map<number, string>()
   const images = new Map<number, string>()
-  for (const slot of [...LAYER_SLOTS, 'texture'] as const) {
-    const [list, owners] = slot === 'texture' ? (['areas', areas] as const) : (['layers', layers] as const)
-    const found = owners.flatMap((owner, i) => {
-      const info = (owner as Partial<Record<typeof slot, TextureReference>>)[slot]
-      return info ? [{ ...info, at: `${list}[${i}].${slot}` }] : []
-    })
+  for (const [list, slots] of ARRAYS) {
+    const owners: readonly object[] = list === 'areas' ? areas : layers
+    const found = owners.flatMap((owner, i) =>
+      slots.flatMap((slot) => {
+        const info = (owner as Partial<Record<typeof slot, TextureReference>>)[slot]
+        return info ? [{ ...info, at: `${list}[${i}].${slot}` }] : []
+      }),
+    )
     const array = found.find(({ slice }) => slice !== undefined)
     for (const { index, slice, at } of found) {
       if ((slice !== undefined) !== (array !== undefined) || (array && index !== array.index)) {

@@ -22,7 +22,15 @@ export const EXPRESSIONS: readonly Expression[] = [
   },
   {
     name: 'happy',
-    targets: { ...both('mouthSmile', 0.85), ...both('cheekSquint', 0.8), ...both('eyeSquint', 0.4) },
+    // The upper teeth show.
+    targets: {
+      ...both('mouthSmile', 0.8),
+      ...both('mouthUpperUp', 0.6),
+      ...both('mouthLowerDown', 0.2),
+      ...both('cheekSquint', 0.8),
+      ...both('eyeSquint', 0.4),
+      jawOpen: 0.12,
+    },
     activations: { ...both('crowsFeet'), ...both('nasolabial', 0.9), ...both('underEye', 0.9) },
   },
   {

@@ -1,6 +1,7 @@
 import { type Bone, Box3, type Object3D, type SkinnedMesh, Sphere, Vector3 } from 'three'
 import { ALIASES } from '../../drivers/morph/aliases.ts'
 import { canonicalTargetName } from '../../drivers/morph/target-names.ts'
+import { vectorsOf } from '../sources/geometry-arrays.ts'
 import type { DrawnMesh } from './drawn-mesh.ts'
 
 /** A blendshape moves the vertices that it displaces by more than this fraction of its largest displacement. */
@@ -83,18 +84,22 @@ function movedVertices({ mesh, used }: DrawnMesh, index: number): number[] {
   const { attributes, morphAttributes, morphTargetsRelative } = mesh.geometry
   const target = morphAttributes.position?.[index]
   if (!target) return []
-  const rest = attributes.position
+  const moved = vectorsOf(target, used)
+  const rest = morphTargetsRelative ? null : vectorsOf(attributes.position, used)
   // Plain loops: of a million vertices, callbacks take seconds.
   const squares = new Float64Array(used.length)
   let largest = 0
   for (let k = 0; k < used.length; k++) {
-    const i = used[k]
-    let [x, y, z] = [target.getX(i), target.getY(i), target.getZ(i)]
-    if (!morphTargetsRelative) [x, y, z] = [x - rest.getX(i), y - rest.getY(i), z - rest.getZ(i)]
+    const i = 3 * used[k]
+    let [x, y, z] = [moved[i], moved[i + 1], moved[i + 2]]
+    if (rest) [x, y, z] = [x - rest[i], y - rest[i + 1], z - rest[i + 2]]
     squares[k] = x * x + y * y + z * z
     largest = Math.max(largest, squares[k])
   }
-  return largest > 0 ? used.filter((_, k) => squares[k] > MOVED * MOVED * largest) : []
+  const found: number[] = []
+  const least = MOVED * MOVED * largest
+  for (let k = 0; k < used.length; k++) if (squares[k] > least) found.push(used[k])
+  return found
 }
 
 /** A box that all but a few do not exceed. */

@@ -1,6 +1,7 @@
 import type { Camera, Material, Mesh, SkinnedMesh } from 'three'
 import { instancesOf } from '../instances.ts'
 import { surfaceOf, withSurface } from '../material/surface.ts'
+import { isReliefMesh } from '../relief/is-relief-mesh.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 
@@ -95,6 +96,7 @@ export class Adoption {
   }
 
   #onDraw(mesh: Mesh, renderer: AnyRenderer, camera: Camera): void {
+    if (isReliefMesh(mesh)) return
     if (this.#known.has(mesh)) {
       this.#isShown = true
       return
@@ -146,6 +148,7 @@ export class Adoption {
 /** Adds wrinkles to the first mesh that is drawn with a copy of a face's material. */
 function adoptCopy(copy: Material, source: WrinklesBase, parts: AdoptionParts): void {
   const unwatch = parts.watch(copy, (mesh) => {
+    if (isReliefMesh(mesh)) return
     unwatch()
     afterFrame(() => addUntilRemoved(mesh, source, parts, () => adoptCopy(copy, source, parts)))
   })

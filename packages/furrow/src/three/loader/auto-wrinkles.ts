@@ -57,15 +57,18 @@ export async function makeAutoWrinkles(
 }
 
 /** The worker has packed the maps, so that this takes no time. */
-function setOf({ layers, normals, occlusion, areas, drivers }: CharacterWrinkles): FileWrinkles {
+function setOf(made: CharacterWrinkles): FileWrinkles {
+  const { layers, normals, occlusionAndBlood, bloodAmplitude, areas, drivers } = made
   const normalArray = mapTexture(normals, 1)
-  const occlusionArray = mapTexture(occlusion, 1)
+  const pairArray = mapTexture(occlusionAndBlood, 1)
   const set: WrinkleSet<ArraySlice> = {
     layers: layers.map((name, slice) => ({
       name,
       kind: 'detail',
       normal: { array: normalArray, slice, channel: 0 },
-      occlusion: { array: occlusionArray, slice, channel: 0 },
+      occlusion: { array: pairArray, slice, channel: 0 },
+      blood: { array: pairArray, slice, channel: 1 },
+      bloodAmplitude,
     })),
     areas,
   }

@@ -3,9 +3,9 @@ import { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/maps/wrinkle-maps.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { isSlice } from '../../core/wrinkle-set.ts'
-import { VALUE_KINDS } from '../material/wrinkle-textures.ts'
 
-const KINDS = ['normal', ...VALUE_KINDS] as const
+/** Maps that become one array. */
+const GROUPS = [['normal'], ['baseColor'], ['roughness'], ['occlusion', 'blood']] as const
 
 /**
  * Joins separate compressed images of one kind of map into one array, since shaders read them through one sampler; blocks are copied as
@@ -18,10 +18,16 @@ export function joinArrays({ layers, areas }: WrinkleSet<ArraySlice>): WrinkleSe
   const joined = layers.map((layer) => ({ ...layer }))
   // Occlusion and roughness may be channels of the same images, and then use the same array.
   const known = new Map<string, Compressed>()
-  for (const kind of KINDS) {
-    const sliced = joined.filter((layer) => isSlice(layer[kind]))
-    const slices = join(sliced.map((layer) => layer[kind]) as ArraySlice[], `${kind} maps`, known)
-    for (const [i, layer] of sliced.entries()) Object.assign(layer, { [kind]: slices[i] })
+  for (const kinds of GROUPS) {
+    const sliced = joined.flatMap((layer) =>
+      kinds.filter((kind) => isSlice(layer[kind])).map((kind) => ({ layer, kind })),
+    )
+    const slices = join(
+      sliced.map(({ layer, kind }) => layer[kind]) as ArraySlice[],
+      `${kinds[0]} maps`,
+      known,
+    )
+    for (const [i, { layer, kind }] of sliced.entries()) Object.assign(layer, { [kind]: slices[i] })
   }
   const slicedAreas = areas.filter(({ weights }) => isSlice(weights))
   const weights = join(slicedAreas.map((area) => area.weights) as ArraySlice[], 'areas', known)

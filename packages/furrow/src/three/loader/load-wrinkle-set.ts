@@ -36,7 +36,19 @@ export async function readImages(
 ): Promise<Omit<WrinkleSet, 'drivers'>> {
   const image = async (address: string) => decodeImage(await read(address), address)
   const layers = document.layers.map(async (layer): Promise<Layer> => {
-    const { name, kind, normalScale, occlusionStrength, baseColor, roughness, occlusion } = layer
+    const {
+      name,
+      kind,
+      normalScale,
+      occlusionStrength,
+      baseColor,
+      roughness,
+      occlusion,
+      blood,
+      bloodAmplitude,
+      height,
+      heightAmplitude,
+    } = layer
     return {
       name,
       kind,
@@ -46,6 +58,8 @@ export async function readImages(
       ...(roughness && { roughness: channelOf(await image(roughness), CHANNEL.roughness) }),
       ...(occlusion && { occlusion: channelOf(await image(occlusion), CHANNEL.occlusion) }),
       ...(occlusionStrength !== undefined && { occlusionStrength }),
+      ...(blood && { blood: channelOf(await image(blood), CHANNEL.blood), bloodAmplitude }),
+      ...(height && { height: channelOf(await image(height), CHANNEL.height), heightAmplitude }),
     }
   })
   const areas = document.areas.map(

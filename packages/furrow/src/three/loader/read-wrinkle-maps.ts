@@ -56,7 +56,7 @@ const UNREADABLE = 'the wrinkles cannot be read'
  * @throws FurrowError when the extension is malformed or an image cannot be read.
  */
 export async function readWrinkleMaps(gltf: GLTF, parser: Parser = gltf.parser): Promise<LoadedWrinkles[]> {
-  const wrinklesOf = materialReader(parser)
+  const wrinklesOf = materialReader(parser, { withHeights: true })
   const found: LoadedWrinkles[] = []
   for (const { meshes, material } of wrinkledFaces(gltf, parser)) {
     found.push({ meshes, ...(await wrinklesOf(material)) })
@@ -74,15 +74,24 @@ export function wrinkledFaces(gltf: GLTF, parser: Parser): FileFace[] {
   })
 }
 
+/** How the wrinkles of materials are read. */
+export interface ReadOptions {
+  /** Is told of each malformed driver, which is then left out; by default it is thrown. */
+  onFault?: (fault: FurrowError) => void
+  /** Whether the layers' heights are read, for relief; not by default. */
+  withHeights?: boolean
+  /** Is told of heights that cannot be read, which are then left out; by default it is thrown. */
+  onHeightFault?: (fault: unknown) => void
+}
+
 /**
  * Reads the wrinkles of materials, of each once.
  *
- * @param onFault is told of each malformed driver, which is then left out; by default it is thrown.
  * @returns a function of a material's index, which throws FurrowError when the extension is malformed or an image cannot be read.
  */
 export function materialReader(
   parser: Parser,
-  onFault?: (fault: FurrowError) => void,
+  options: ReadOptions = {},
 ): (material: number) => Promise<FileWrinkles> {
   const known = new Map<number, Promise<FileWrinkles>>()
   const decoded = new DecodedBytes()
@@ -90,8 +99,8 @@ export function materialReader(
     const { textures } = parser.json
     const count = Array.isArray(textures) ? textures.length : 0
     try {
-      const maps = parseWrinkleMaps(extensionOf(material, parser), count, WRINKLE_MAPS, onFault)
-      return { set: await readSet(maps, parser, decoded), drivers: maps.drivers }
+      const maps = parseWrinkleMaps(extensionOf(material, parser), count, WRINKLE_MAPS, options.onFault)
+      return { set: await readSet(maps, parser, decoded, options), drivers: maps.drivers }
     } catch (error) {
       throw fileError(error, WRINKLE_MAPS, UNREADABLE)
     }
@@ -132,6 +141,7 @@ async function readSet(
   maps: MapsAndAreas,
   parser: Parser,
   decoded: DecodedBytes,
+  { withHeights, onHeightFault }: ReadOptions,
 ): Promise<WrinkleSet<ArraySlice>> {
   checkDeclared(parser.json, WRINKLE_MAPS)
   const source = new MapSource(parser, decoded)
@@ -148,13 +158,23 @@ async function readSet(
   const set = { layers, areas: await Promise.all(areas) }
   const [problem] = mapProblems(maps, await source.shapes(), texturesOfFace(parser.json), WRINKLE_MAPS)
   if (problem) throw new FurrowError(problem)
+  if (withHeights) {
+    const heights = maps.layers.map((layer) => readHeight(layer, source))
+    try {
+      for (const [i, height] of (await Promise.all(heights)).entries()) Object.assign(layers[i], height)
+    } catch (error) {
+      if (!onHeightFault) throw error
+      onHeightFault(error)
+    }
+  }
   // Most files have no KTX 2 images: what only these need is fetched when one appears.
   return source.hasSlices ? (await import('./join-arrays.ts')).joinArrays(set) : set
 }
 
-/** All maps but heights, which are for tools. */
+/** All maps but heights, which only relief needs: the wrinkles are shown without it where they cannot be read. */
 async function readLayer(layer: WrinkleMapsLayer, source: MapSource): Promise<Layer<ArraySlice>> {
-  const { name, kind, normalTexture, baseColorTexture, roughnessTexture, occlusionTexture } = layer
+  const { name, kind, normalTexture, baseColorTexture, roughnessTexture, occlusionTexture, bloodTexture } =
+    layer
   const gray = (info: TextureReference, channel: number) => source.gray(info, channel, 'maps')
   return {
     name,
@@ -167,7 +187,21 @@ async function readLayer(layer: WrinkleMapsLayer, source: MapSource): Promise<La
       occlusion: await gray(occlusionTexture, CHANNEL.occlusion),
       occlusionStrength: occlusionTexture.strength,
     }),
+    ...(bloodTexture && {
+      blood: await gray(bloodTexture, CHANNEL.blood),
+      bloodAmplitude: bloodTexture.amplitude,
+    }),
   }
+}
+
+async function readHeight(
+  { heightTexture }: WrinkleMapsLayer,
+  source: MapSource,
+): Promise<Pick<Layer<ArraySlice>, 'height' | 'heightAmplitude'>> {
+  if (!heightTexture) return {}
+  // As precise as areas are: a surface shows steps sooner than a colour does.
+  const height = await source.gray(heightTexture, CHANNEL.height, 'areas')
+  return { height, heightAmplitude: heightTexture.amplitude }
 }
 
 /** What an array is used for, which decides its format on the GPU. */

@@ -92,7 +92,11 @@ export class WrinkleLoader {
     const wrinkles: WrinklesBase[] = []
     gltf.userData.wrinkles = wrinkles
     const faces = new Map<number, WrinklesBase[]>()
-    const read = materialReader(this.#parser, (fault) => this.#warnings.add(fault, 'the other drivers work'))
+    const read = materialReader(this.#parser, {
+      onFault: (fault) => this.#warnings.add(fault, 'the other drivers work'),
+      withHeights: this.#options.relief !== 'off',
+      onHeightFault: (fault) => this.#warnings.add(fault, 'the wrinkles are shown without relief'),
+    })
     const added: AddedFaces = { bySet: new Map(), byMaterial: new Map() }
     const expressions = this.#isVrm() ? () => vrmOf(gltf) : undefined
     const plain = new Set<number>()

@@ -39,6 +39,8 @@ export class PatchedMaterial {
   /** The normal map of a material that has none, while it shows wrinkles. */
   readonly #flat: Texture | null
   #unpatch: () => void = () => {}
+  /** Makes the material draw relief too; null while there is none. */
+  #patchRelief: ((material: Material) => () => void) | null = null
   /** Whether the shader turned out to be one that cannot be patched. */
   #isRefused = false
 
@@ -94,6 +96,12 @@ export class PatchedMaterial {
     }
   }
 
+  /** Makes the material draw relief too, in all modes but `off`; null for none. */
+  setRelief(patch: ((material: Material) => () => void) | null): void {
+    this.#patchRelief = patch
+    if (this.mode !== 'off') this.show(this.mode)
+  }
+
   /** Copies the material without wrinkles. */
   clone(): Material {
     this.#unpatch()
@@ -127,6 +135,11 @@ export class PatchedMaterial {
     this.#material.dispose()
   }
 
+  /** The user's own. */
+  get material(): Material {
+    return this.#material
+  }
+
   get #isPatchable(): boolean {
     return !this.#isRefused && this.#renderer.canPatch(this.#material)
   }
@@ -157,7 +170,9 @@ export class PatchedMaterial {
       mode === 'composed'
         ? this.#compose()
         : this.#renderer.patch(material, this.#inputs, mode, instancesOf(this.#mesh), refuse)
+    const undoRelief = this.#patchRelief?.(material)
     return () => {
+      undoRelief?.()
       undo()
       if (material.normalMap === this.#flat) material.normalMap = null
     }

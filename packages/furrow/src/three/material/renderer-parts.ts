@@ -1,6 +1,7 @@
 import type { Material, Texture } from 'three'
 import type { QuadMaterials } from '../atlas/influence-pass.ts'
 import type { Instances } from '../instances.ts'
+import type { ReliefParts } from '../relief/relief-parts.ts'
 import type { AnyRenderer, Entry } from '../renderer.ts'
 import type { ActivationTable } from './activation-table.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
@@ -46,4 +47,6 @@ export interface RendererParts {
   ): Material
   /** What draws influence maps. */
   quads: QuadMaterials
+  /** What draws relief, loaded when it is first wanted. */
+  loadRelief(): Promise<ReliefParts>
 }

@@ -28,6 +28,8 @@ export interface ShaderInputs {
   readonly normalScale: { value: Vector4 }
   /** Strength of occlusion, per layer. */
   readonly occlusionStrength: { value: Vector4 }
+  /** Amplitude of blood, per layer. */
+  readonly bloodAmplitude: { value: Vector4 }
   /** In the paper's mode only. */
   paper: (PaperArray & { table: ActivationTable }) | null
 }
@@ -51,6 +53,7 @@ export function createShaderInputs(
     fade: { value: 1 },
     normalScale: textures.normalScale,
     occlusionStrength: textures.occlusionStrength,
+    bloodAmplitude: textures.bloodAmplitude,
     paper: null,
   }
 }

@@ -11,6 +11,7 @@ import {
   RedFormat,
   RepeatWrapping,
   RGBAFormat,
+  RGFormat,
 } from 'three'
 import type { ImageArray } from '../../core/pack.ts'
 
@@ -25,8 +26,10 @@ export function areaTexture(areas: ImageArray): DataArrayTexture {
   return finish(texture)
 }
 
+const FORMATS = { 1: RedFormat, 2: RGFormat, 4: RGBAFormat } as const
+
 /**
- * A texture of layers' maps, with one channel or four, filtered with mipmaps.
+ * A texture of layers' maps, with one channel, two or four, filtered with mipmaps.
  *
  * @param anisotropy that of the map they are mixed with, so that both blur alike at grazing angles.
  * @param colorSpace `SRGBColorSpace` for colours to be decoded when sampled; none by default.
@@ -37,7 +40,7 @@ export function mapTexture(
   colorSpace: ColorSpace = NoColorSpace,
 ): DataArrayTexture {
   const texture = new DataArrayTexture(maps.data, maps.width, maps.height, maps.depth)
-  if (maps.channels === 1) texture.format = RedFormat
+  texture.format = FORMATS[maps.channels]
   texture.colorSpace = colorSpace
   texture.minFilter = LinearMipmapLinearFilter
   texture.generateMipmaps = true

@@ -1,5 +1,6 @@
 import { SRGBColorSpace, Vector4 } from 'three'
-import { packColours, packGrays } from '../../core/pack.ts'
+import { BLOOD_AT_REST } from '../../core/blood.ts'
+import { packColours, packGrays, packPairs } from '../../core/pack.ts'
 import type { ArraySlice, GrayImage, Layer, LayerKind, RgbaImage } from '../../core/types.ts'
 import { isSlice } from '../../core/wrinkle-set.ts'
 import { type ArrayTexture, arrayOf, type Upload } from './array-texture.ts'
@@ -15,7 +16,7 @@ export interface LayerMaps {
 }
 
 /** Kinds of maps that a layer may have besides its normals. */
-export const VALUE_KINDS = ['baseColor', 'roughness', 'occlusion'] as const
+export const VALUE_KINDS = ['baseColor', 'roughness', 'occlusion', 'blood'] as const
 export type ValueKind = (typeof VALUE_KINDS)[number]
 
 /** The maps of a set's layers on the GPU, which several faces may use; see `retain` and `release`. */
@@ -24,9 +25,10 @@ export interface WrinkleTextures {
   readonly kinds: readonly LayerKind[]
   readonly normals: LayerMaps
   readonly values: Readonly<Partial<Record<ValueKind, LayerMaps>>>
-  /** Scale of normals, and strength of occlusion, per layer: uniforms that all faces with these textures read. */
+  /** Scale of normals, strength of occlusion and amplitude of blood, per layer: uniforms that all faces with these textures read. */
   readonly normalScale: { value: Vector4 }
   readonly occlusionStrength: { value: Vector4 }
+  readonly bloodAmplitude: { value: Vector4 }
   /** Incremented when maps or their strengths change. */
   version: number
   /** Uploads maps that changed; set by `updateLayer`. */
@@ -40,8 +42,9 @@ export interface WrinkleTextures {
  * @throws FurrowError when maps of one kind differ in size, or are in several arrays.
  */
 export function createTextures(layers: readonly Layer<ArraySlice>[], anisotropy: number): WrinkleTextures {
+  const pair = pairMaps(layers, anisotropy)
   const values = VALUE_KINDS.flatMap((kind) => {
-    const maps = layerMaps(layers, kind, anisotropy)
+    const maps = pair?.[kind as PairedKind] ?? layerMaps(layers, kind, anisotropy)
     return maps ? [[kind, maps]] : []
   })
   const normals = layerMaps(layers, 'normal', anisotropy)!
@@ -53,6 +56,7 @@ export function createTextures(layers: readonly Layer<ArraySlice>[], anisotropy:
     values: Object.fromEntries(values),
     normalScale: { value: perLayer(layers.map(({ normalScale }) => normalScale ?? 1)) },
     occlusionStrength: { value: perLayer(layers.map(({ occlusionStrength }) => occlusionStrength ?? 1)) },
+    bloodAmplitude: { value: perLayer(layers.map(({ bloodAmplitude }) => bloodAmplitude ?? 0)) },
     version: 0,
   }
 }
@@ -61,9 +65,9 @@ function perLayer(numbers: readonly number[]): Vector4 {
   return new Vector4().fromArray([...numbers, 1, 1, 1])
 }
 
-/** All textures of a set's layers. */
+/** All textures of a set's layers, each once. */
 export function listTextures({ normals, values }: WrinkleTextures): ArrayTexture[] {
-  return [normals, ...Object.values(values)].map(({ texture }) => texture)
+  return [...new Set([normals, ...Object.values(values)].map(({ texture }) => texture))]
 }
 
 type Map = RgbaImage | GrayImage | ArraySlice
@@ -85,6 +89,31 @@ function layerMaps(
   texture.anisotropy = anisotropy
   const slices = maps.map((map) => (isSlice(map) ? map.slice : null))
   return { texture, slices, channel: (present[0] as ArraySlice).channel }
+}
+
+/** Images of these are channels of one array: samplers are few. */
+const PAIR = ['occlusion', 'blood'] as const
+type PairedKind = (typeof PAIR)[number]
+
+/** Occlusion and blood of layers that have images of both. */
+function pairMaps(
+  layers: readonly Layer<ArraySlice>[],
+  anisotropy: number,
+): Record<PairedKind, LayerMaps> | undefined {
+  const isPaired = PAIR.every((kind) => layers.some((layer) => layer[kind]))
+  if (!isPaired || layers.some((layer) => PAIR.some((kind) => isSlice(layer[kind])))) return undefined
+  const owners = layers.filter(({ occlusion, blood }) => occlusion ?? blood)
+  const pairs = owners.map(
+    (layer) => PAIR.map((kind) => layer[kind]) as [GrayImage | undefined, GrayImage | undefined],
+  )
+  const who = 'Wrinkles occlusion and blood maps of the layers'
+  const texture = mapTexture(packPairs(pairs, [255, BLOOD_AT_REST], who), anisotropy)
+  const mapsOf = (kind: PairedKind): LayerMaps => ({
+    texture,
+    slices: layers.map((layer) => (layer[kind] ? owners.indexOf(layer) : null)),
+    channel: PAIR.indexOf(kind),
+  })
+  return { occlusion: mapsOf('occlusion'), blood: mapsOf('blood') }
 }
 
 function packMaps(images: (RgbaImage | GrayImage)[], kind: 'normal' | ValueKind, anisotropy: number) {

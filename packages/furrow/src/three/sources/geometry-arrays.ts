@@ -1,4 +1,4 @@
-import type { BufferGeometry } from 'three'
+import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three'
 
 /** Copies an attribute to floats, whether it is quantised, interleaved or plain. */
 export function coordinates(
@@ -8,6 +8,26 @@ export function coordinates(
   const out = new Float32Array(size * attribute.count)
   for (let i = 0; i < out.length; i++) out[i] = attribute.getComponent(Math.floor(i / size), i % size)
   return out
+}
+
+/**
+ * x, y and z of some vertices, at three times their index; not to be changed: it is the attribute's own array where that holds nothing else, for
+ * reading through the attribute takes several times as long.
+ */
+export function vectorsOf(
+  attribute: BufferAttribute | InterleavedBufferAttribute,
+  vertices: ArrayLike<number>,
+): ArrayLike<number> {
+  const { isBufferAttribute, array, itemSize, normalized } = attribute as BufferAttribute
+  if (isBufferAttribute && itemSize === 3 && !normalized) return array
+  const vectors = new Float32Array(3 * attribute.count)
+  for (let k = 0; k < vertices.length; k++) {
+    const i = vertices[k]
+    vectors[3 * i] = attribute.getX(i)
+    vectors[3 * i + 1] = attribute.getY(i)
+    vectors[3 * i + 2] = attribute.getZ(i)
+  }
+  return vectors
 }
 
 /** Three indices of vertices per triangle, even if the geometry has no index. */

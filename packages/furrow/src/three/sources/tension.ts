@@ -1,9 +1,10 @@
-import { type Mesh, type MeshStandardMaterial, Vector2, Vector3 } from 'three'
+import { type Material, type Mesh, Vector3 } from 'three'
 import type { InputOf } from '../../drivers/activation.ts'
 import { measuredSource } from '../../drivers/sources.ts'
 import { TensionMeasurement } from '../../drivers/tension/measure.ts'
 import { coverage, type SampledMesh, sampleCovered } from '../../drivers/tension/samples.ts'
 import type { InputReader } from '../../runtime/driver-runtime.ts'
+import { wrinkleUvs } from '../wrinkle-uvs.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import type { BindInputs } from './binding.ts'
 import { trianglesOf } from './geometry-arrays.ts'
@@ -93,20 +94,16 @@ export function sampledTension(
   }
 }
 
-/** The mesh at rest, with the texture coordinates of the areas, which are the normal map's. */
-function sampledMesh({ geometry, material }: Mesh): SampledMesh {
-  const position = geometry.getAttribute('position')
-  const { normalMap } = material as MeshStandardMaterial
-  const attribute = geometry.getAttribute(normalMap?.channel ? `uv${normalMap.channel}` : 'uv')
+/** The mesh at rest, with the texture coordinates of the areas. */
+function sampledMesh(mesh: Mesh): SampledMesh {
+  const position = mesh.geometry.getAttribute('position')
   const positions = new Float64Array(3 * position.count)
-  const uvs = new Float64Array(2 * position.count)
-  const uv = new Vector2()
-  normalMap?.updateMatrix()
   for (let i = 0; i < position.count; i++) {
     positions.set([position.getX(i), position.getY(i), position.getZ(i)], 3 * i)
-    uv.fromBufferAttribute(attribute as never, i)
-    if (normalMap) uv.applyMatrix3(normalMap.matrix)
-    uvs.set([uv.x, uv.y], 2 * i)
   }
-  return { positions, uvs, triangles: trianglesOf(geometry) }
+  return {
+    positions,
+    uvs: wrinkleUvs(mesh, mesh.material as Material),
+    triangles: trianglesOf(mesh.geometry),
+  }
 }

@@ -3,13 +3,18 @@ import { isObject, wrongArgument } from '../../core/argument.ts'
 import type { Bounds } from '../../core/bounds.ts'
 import { FurrowError } from '../../core/error.ts'
 import { checkImage } from '../../core/image.ts'
-import type { ImageArray } from '../../core/pack.ts'
 import type { ArraySlice, GrayImage, Layer, RgbaImage } from '../../core/types.ts'
 import { isSlice } from '../../core/wrinkle-set.ts'
 import { checkWrinkles } from '../check-wrinkles.ts'
-import { type LayerMaps, VALUE_KINDS, type WrinkleTextures } from '../material/wrinkle-textures.ts'
+import {
+  type LayerMaps,
+  listTextures,
+  VALUE_KINDS,
+  type WrinkleTextures,
+} from '../material/wrinkle-textures.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { compressed } from './compressed.ts'
+import { channelsOf, firstLevel } from './mip-chain.ts'
 import { changesOf } from './texture-changes.ts'
 import { unknownLayer } from './unknown-layer.ts'
 
@@ -19,6 +24,7 @@ export interface LayerImages {
   baseColor?: RgbaImage
   roughness?: GrayImage
   occlusion?: GrayImage
+  blood?: GrayImage
 }
 
 const KINDS = ['normal', ...VALUE_KINDS] as const
@@ -51,7 +57,7 @@ export function updateLayer(
   const updates = kindsOf(images).map((kind) => checkUpdate(textures, index, kind, images[kind], region))
   for (const { kind, maps, image, bounds } of updates) {
     const present = copyRegion(image, maps, index, bounds)
-    textures.layers[index] = { ...textures.layers[index], [kind]: present }
+    if (present) textures.layers[index] = { ...textures.layers[index], [kind]: present }
   }
   textures.version++
   textures.upload = uploadOf(textures)
@@ -107,29 +113,32 @@ function checkRegion(region: Readonly<Bounds>, width: number, height: number, wh
   throw wrongArgument(who, 'region', region, limit)
 }
 
-/** Copies a rectangle of an image into a layer's slice of an array. Returns the slice, as an image. */
+/**
+ * Copies a rectangle of an image into a layer's slice of an array, or into a channel of it.
+ *
+ * @returns the slice, as an image; undefined where it holds another map too. The paper's mode packs the layers' images.
+ */
 function copyRegion(
   { width, height, data }: RgbaImage | GrayImage,
-  { texture, slices }: LayerMaps,
+  { texture, slices, channel }: LayerMaps,
   layer: number,
   bounds: Readonly<Bounds>,
-): RgbaImage | GrayImage {
+): RgbaImage | GrayImage | undefined {
   const slice = slices[layer]!
-  const present = (texture.image as ImageArray).data.subarray(slice * data.length, (slice + 1) * data.length)
+  const level = firstLevel(texture as DataArrayTexture, slice)
   const channels = data.length / (width * height)
+  const stride = channelsOf(level)
   for (let y = bounds.y0; y < bounds.y1; y++) {
-    const row = y * width
-    const [start, end] = [(row + bounds.x0) * channels, (row + bounds.x1) * channels]
-    present.set(data.subarray(start, end), start)
+    const [start, end] = [y * width + bounds.x0, y * width + bounds.x1]
+    if (stride === channels) level.data.set(data.subarray(start * channels, end * channels), start * channels)
+    else for (let i = start; i < end; i++) level.data[stride * i + channel] = data[i]
   }
   changesOf(texture as DataArrayTexture).add(slice, bounds)
-  return { width, height, data: present }
+  return stride === channels ? { width, height, data: level.data } : undefined
 }
 
-function uploadOf({ normals, values }: WrinkleTextures): WrinkleTextures['upload'] {
-  const changes = [normals, ...Object.values(values)].map(({ texture }) =>
-    changesOf(texture as DataArrayTexture),
-  )
+function uploadOf(textures: WrinkleTextures): WrinkleTextures['upload'] {
+  const changes = listTextures(textures).map((texture) => changesOf(texture as DataArrayTexture))
   return (renderer) => {
     for (let i = 0; i < changes.length; i++) changes[i].upload(renderer)
   }

@@ -4,6 +4,7 @@ import type { ValueKind } from '../material/wrinkle-textures.ts'
 import { requireInternal } from '../three-version.ts'
 import { influenceFromMap } from './influence-glsl.ts'
 import {
+  BLOOD_COLOUR,
   MICRO_SHADOW,
   type NormalLayers,
   normalMixing,
@@ -11,7 +12,7 @@ import {
   type ValueLayers,
   valueMixing,
 } from './mixing-glsl.ts'
-import { MAIN, replace, replaceChunk, unpatchable } from './shader-text.ts'
+import { includeOf, MAIN, replace, replaceChunk, unpatchable } from './shader-text.ts'
 
 /** What a program depends on: never the number of areas. */
 export interface ShaderVariant extends NormalLayers {
@@ -46,6 +47,7 @@ export function defaultFragment(fragment: string, variant: ShaderVariant): strin
     isToon ? TOON_COLOUR : '',
     ...Object.entries(values).map(([kind, layers]) => valueMixing(kind as ValueKind, layers)),
     values.occlusion ? MICRO_SHADOW : '',
+    values.blood ? BLOOD_COLOUR : '',
   ].join('')
   const sample = `furrowSampleInfluence(${uv});`
   const mixed = [
@@ -93,8 +95,18 @@ function instanceIndex(instances: 'instanced' | 'batched'): string {
 }
 
 /** Mixes into the material's own maps where it reads them; without a map its own value is 1. */
-function mixOthers(fragment: string, { baseColor, roughness, occlusion }: ShaderVariant['values']): string {
+function mixOthers(
+  fragment: string,
+  { baseColor, roughness, occlusion, blood }: ShaderVariant['values'],
+): string {
   let shader = fragment
+  // Before the edit below, which replaces the include.
+  if (blood) {
+    shader = shader.replace(
+      includeOf('map_fragment'),
+      (include) => `${include}\n\tdiffuseColor.rgb = furrowBloodColour( diffuseColor.rgb );`,
+    )
+  }
   if (baseColor) {
     shader = replaceChunk(shader, 'map_fragment', (chunk) => {
       const withMap = replace(

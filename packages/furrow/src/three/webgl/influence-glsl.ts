@@ -8,12 +8,7 @@
  */
 export function influenceFromMap(layers: number, isInstanced: boolean, isAnisotropic: boolean): string {
   const channels = Array.from({ length: 4 }, (_, i) => (i < layers ? `influence[${i}]` : '0.0'))
-  return /* glsl */ `${REPEAT}
-uniform highp sampler2D furrowInfluenceMap;
-uniform vec3 furrowGrid;
-uniform vec2 furrowInset;
-uniform vec4 furrowBounds;
-uniform float furrowFade;
+  return /* glsl */ `${INFLUENCE_LOOKUP}
 ${isInstanced ? 'flat in float vFurrowInstance;' : 'const float vFurrowInstance = 0.0;'}
 vec4 furrowInfluence = vec4(0.0);
 bool furrowHasInfluence = false;
@@ -22,16 +17,10 @@ vec2 furrowDx;
 vec2 furrowDy;
 
 void furrowSampleInfluence(vec2 unwrapped) {
-  vec2 uv = furrowRepeat(unwrapped);
-  furrowUv = uv;
+  furrowUv = furrowRepeat(unwrapped);
   furrowDx = dFdx(unwrapped);
   furrowDy = dFdy(unwrapped);
-  if (furrowFade <= 0.0 || any(lessThan(uv, furrowBounds.xy)) || any(greaterThan(uv, furrowBounds.zw))) return;
-  float cell = furrowGrid.z + vFurrowInstance;
-  float row = floor((cell + 0.5) / furrowGrid.x);
-  vec2 corner = vec2(cell - row * furrowGrid.x, row);
-  vec2 inside = clamp(uv, furrowInset, 1.0 - furrowInset);
-  vec4 influence = min(textureLod(furrowInfluenceMap, (corner + inside) / furrowGrid.xy, 0.0), 1.0) * furrowFade;
+  vec4 influence = furrowLookUp(unwrapped, furrowGrid.z + vFurrowInstance);
   furrowInfluence = vec4(${channels.join(', ')});
   furrowHasInfluence = any(greaterThan(furrowInfluence, vec4(0.0)));
 }
@@ -46,6 +35,24 @@ vec4 furrowSampleSlice(highp sampler2DArray maps, float slice) {
 const REPEAT = /* glsl */ `
 vec2 furrowRepeat(vec2 uv) {
   return uv - max(ceil(uv) - 1.0, min(floor(uv), 0.0));
+}
+`
+
+/** Declares `vec4 furrowLookUp(vec2 unwrapped, float cell)`: a cell of the atlas, 0 outside of what active areas reach. For any stage. */
+export const INFLUENCE_LOOKUP = /* glsl */ `${REPEAT}
+uniform highp sampler2D furrowInfluenceMap;
+uniform highp vec3 furrowGrid;
+uniform highp vec2 furrowInset;
+uniform highp vec4 furrowBounds;
+uniform highp float furrowFade;
+
+vec4 furrowLookUp(vec2 unwrapped, float cell) {
+  vec2 uv = furrowRepeat(unwrapped);
+  if (furrowFade <= 0.0 || any(lessThan(uv, furrowBounds.xy)) || any(greaterThan(uv, furrowBounds.zw))) return vec4(0.0);
+  float row = floor((cell + 0.5) / furrowGrid.x);
+  vec2 corner = vec2(cell - row * furrowGrid.x, row);
+  vec2 inside = clamp(uv, furrowInset, 1.0 - furrowInset);
+  return min(textureLod(furrowInfluenceMap, (corner + inside) / furrowGrid.xy, 0.0), 1.0) * furrowFade;
 }
 `
 

@@ -1,3 +1,4 @@
+import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from '../../core/blood.ts'
 import { TOON_LINE } from '../../core/toon-line.ts'
 import type { LayerKind } from '../../core/types.ts'
 import type { ValueKind } from '../material/wrinkle-textures.ts'
@@ -14,6 +15,8 @@ export interface ValueLayers {
   /** Slice of each layer's map; null for a layer without. */
   slices: readonly (number | null)[]
   channel: number
+  /** The kind whose array holds these maps: its sampler is declared, and read for both. */
+  sampler: ValueKind
 }
 
 /** Declares `vec3 furrowMixNormals(vec3 base)`: `mixNormals` of the reference without the last normalisation. */
@@ -72,26 +75,68 @@ float furrowMicroShadow(float cosine) {
 }
 `
 
-/** The GLSL type of a kind's values, which components of a texel they are, and the uniform that scales them. */
-const VALUES: Record<ValueKind, { type: string; swizzle: (channel: number) => string; uniform?: string }> = {
+/** Declares `vec3 furrowBloodColour(vec3 colour)`, see `bloodColour` in the reference; after `furrowMix_blood`. */
+export const BLOOD_COLOUR = /* glsl */ `
+vec3 furrowBloodColour(vec3 colour) {
+  float blood = furrowMix_blood(0.0);
+  return blood == 0.0 ? colour : colour * exp(-blood * vec3(${BLOOD_ABSORPTION.join(', ')}));
+}
+`
+
+/** See `bloodOf` in the reference. */
+const BLOOD_OF = /* glsl */ `
+float furrowBloodOf(float stored) {
+  float steps = stored * 255.0 - ${BLOOD_AT_REST}.0;
+  return abs(steps) < ${BLOOD_THRESHOLD} ? 0.0 : max(steps / ${255 - BLOOD_AT_REST}.0, -1.0);
+}
+`
+
+/** How a kind's values are read in GLSL. */
+interface ValueReading {
+  type: string
+  /** Components of a texel. */
+  swizzle: (channel: number) => string
+  /** What scales them, by layer. */
+  uniform?: string
+  /** The value of what is stored, and the scale of its layer. */
+  decode?: (stored: string, scale: string) => string
+  /** Declared before. */
+  functions?: string
+}
+
+const component = (channel: number) => `[${channel}]`
+
+const VALUES: Record<ValueKind, ValueReading> = {
   baseColor: { type: 'vec3', swizzle: () => '.rgb' },
-  roughness: { type: 'float', swizzle: (channel) => `[${channel}]` },
-  occlusion: { type: 'float', swizzle: (channel) => `[${channel}]`, uniform: 'furrowOcclusionStrength' },
+  roughness: { type: 'float', swizzle: component },
+  occlusion: {
+    type: 'float',
+    swizzle: component,
+    uniform: 'furrowOcclusionStrength',
+    decode: (stored, strength) => `mix(1.0, ${stored}, ${strength})`,
+  },
+  blood: {
+    type: 'float',
+    swizzle: component,
+    uniform: 'furrowBloodAmplitude',
+    decode: (stored, amplitude) => `furrowBloodOf(${stored}) * ${amplitude}`,
+    functions: BLOOD_OF,
+  },
 }
 
 /** Declares `TYPE furrowMix_KIND(TYPE base)`: `mixValues` of the reference. */
-export function valueMixing(kind: ValueKind, { slices, channel }: ValueLayers): string {
-  const { type, swizzle, uniform } = VALUES[kind]
+export function valueMixing(kind: ValueKind, { slices, channel, sampler }: ValueLayers): string {
+  const { type, swizzle, uniform, decode, functions = '' } = VALUES[kind]
   const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
   const total = layers.map(({ layer }) => `furrowInfluence[${layer}]`).join(' + ')
   const mixed = layers.map(({ slice, layer }) => {
-    const stored = `furrowSampleSlice(furrow_${kind}, ${slice}.0)${swizzle(channel)}`
-    const value = uniform ? `mix(1.0, ${stored}, ${uniform}[${layer}])` : stored
+    const stored = `furrowSampleSlice(furrow_${sampler}, ${slice}.0)${swizzle(channel)}`
+    const value = decode ? decode(stored, `${uniform}[${layer}]`) : stored
     return /* glsl */ `
   if (furrowInfluence[${layer}] > 0.0) value += (${value} - base) * furrowInfluence[${layer}] / total;`
   })
   return /* glsl */ `
-uniform highp sampler2DArray furrow_${kind};
+${functions}${sampler === kind ? `uniform highp sampler2DArray furrow_${kind};` : ''}
 ${uniform ? `uniform vec4 ${uniform};` : ''}
 ${type} furrowMix_${kind}(${type} base) {
   ${type} value = base;

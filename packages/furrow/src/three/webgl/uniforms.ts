@@ -27,6 +27,7 @@ export function layerUniforms({
   textures,
   normalScale,
   occlusionStrength,
+  bloodAmplitude,
 }: ShaderInputs): Record<string, IUniform> {
   const values = Object.entries(textures.values).map(([kind, { texture }]) => [
     `furrow_${kind}`,
@@ -36,6 +37,7 @@ export function layerUniforms({
     furrowNormals: { value: textures.normals.texture },
     furrowNormalScale: normalScale,
     furrowOcclusionStrength: occlusionStrength,
+    furrowBloodAmplitude: bloodAmplitude,
     ...Object.fromEntries(values),
   }
 }

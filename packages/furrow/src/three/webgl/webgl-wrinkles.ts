@@ -2,7 +2,7 @@ import type { Mesh, WebGLProgramParametersWithUniforms, WebGLRenderer } from 'th
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import { isToon } from '../material/wrinkle-material.ts'
-import type { WrinkleTextures } from '../material/wrinkle-textures.ts'
+import type { ValueKind, WrinkleTextures } from '../material/wrinkle-textures.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { type AddDrivers, addDrivers } from '../sources/add-drivers.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
@@ -84,10 +84,15 @@ const PARTS: RendererParts = {
   composeMaterial,
   influenceMaterial,
   quads: quadMaterials,
+  loadRelief: async () => (await import('./relief.ts')).RELIEF_PARTS,
 }
 
 function valueLayers(values: WrinkleTextures['values']): ShaderVariant['values'] {
+  const kinds = Object.keys(values) as ValueKind[]
   return Object.fromEntries(
-    Object.entries(values).map(([kind, { slices, channel }]) => [kind, { slices, channel }]),
+    Object.entries(values).map(([kind, { texture, slices, channel }]) => {
+      const sampler = kinds.find((other) => values[other]!.texture === texture)!
+      return [kind, { slices, channel, sampler }]
+    }),
   )
 }

@@ -1,6 +1,7 @@
 /** The layers' maps mixed into the material's own, in TSL; the same formulas as the GLSL of `webgl/` and the reference. */
 import { Fn, float, If, max, mix, select, vec2, vec3, vec4 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
+import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from '../../core/blood.ts'
 import { TOON_LINE } from '../../core/toon-line.ts'
 import type { LayerKind } from '../../core/types.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
@@ -65,17 +66,17 @@ export function mixNormals(
 /**
  * Mixes one kind of the layers' other maps into the material's own value, see `mixValues` in the reference.
  *
- * @param base the value of the material's own map, 1 where it has none; occlusion and roughness in all three components.
- * @returns the mixed value; occlusion and roughness in x.
+ * @param base the value of the material's own map, 1 where it has none, 0 of blood; single values in all three components.
+ * @returns the mixed value; single values in x.
  */
 export function mixValues(
   kind: ValueKind,
   base: Node<'vec3'>,
-  { textures, occlusionStrength }: ShaderInputs,
+  { textures, occlusionStrength, bloodAmplitude }: ShaderInputs,
   { influence, uv }: LayerInfluence,
 ): Node<'vec3'> {
   const { texture, slices, channel } = textures.values[kind]!
-  const strengths = inputUniform<'vec4'>(occlusionStrength)
+  const scales = inputUniform<'vec4'>(kind === 'blood' ? bloodAmplitude : occlusionStrength)
   const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
   return Fn(() => {
     const own = base.toVar()
@@ -88,13 +89,39 @@ export function mixValues(
       If(influenceOf(layer).greaterThan(0), () => {
         const texel = sampleSlice(texture, gradients, slice)
         const stored = kind === 'baseColor' ? texel.rgb : vec3(texel[CHANNELS[channel]])
-        const strength = strengths[CHANNELS[layer]]
-        const sampled = kind === 'occlusion' ? stored.sub(1).mul(strength).add(1) : stored
+        const sampled = decode(kind, stored, scales[CHANNELS[layer]])
         value.addAssign(sampled.sub(own).mul(influenceOf(layer)).div(total))
       })
     }
     return value
   })()
+}
+
+/** The value of what is stored in a map, and the scale of its layer. */
+function decode(kind: ValueKind, stored: Node<'vec3'>, scale: Node<'float'>): Node<'vec3'> {
+  if (kind === 'occlusion') return stored.sub(1).mul(scale).add(1)
+  return kind === 'blood' ? vec3(bloodOf(stored.x).mul(scale)) : stored
+}
+
+/** See `bloodOf` in the reference. */
+function bloodOf(stored: Node<'float'>): Node<'float'> {
+  const steps = stored.mul(255).sub(BLOOD_AT_REST).toVar()
+  return select(steps.abs().lessThan(BLOOD_THRESHOLD), 0, max(steps.div(255 - BLOOD_AT_REST), -1))
+}
+
+/** The skin's colour with its blood, see `bloodColour` in the reference. */
+export function bloodColour(colour: Node<'vec3'>, blood: Node<'float'>): Node<'vec3'> {
+  const amount = blood.toVar()
+  const own = colour.toVar()
+  return select(
+    amount.equal(0),
+    own,
+    own.mul(
+      vec3(...BLOOD_ABSORPTION)
+        .mul(amount.negate())
+        .exp(),
+    ),
+  )
 }
 
 /** A factor of the highlights of a light, see `microShadow` in the reference. */

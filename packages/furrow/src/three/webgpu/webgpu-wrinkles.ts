@@ -33,7 +33,7 @@ import { checkBatch, influenceFromAreas, influenceFromMap } from './influence.ts
 import { influenceMaterial } from './influence-material.ts'
 import { quadMaterials } from './influence-quads.ts'
 import { shadowHighlights } from './micro-shadow.ts'
-import { type LayerInfluence, mixNormals, mixValues, toonColour } from './mix.ts'
+import { bloodColour, type LayerInfluence, mixNormals, mixValues, toonColour } from './mix.ts'
 import { materialProperty, normalInView, typed } from './node.ts'
 import { mapUv, repeat } from './texture-sampling.ts'
 
@@ -107,6 +107,7 @@ const PARTS: RendererParts = {
   composeMaterial,
   influenceMaterial,
   quads: quadMaterials,
+  loadRelief: async () => (await import('./relief.ts')).RELIEF_PARTS,
 }
 
 /** The default mode: the layers' maps mixed into the material's, lit once. */
@@ -117,12 +118,13 @@ function layerNodes(material: Patched, inputs: ShaderInputs, layers: LayerInflue
   const added: Added = {
     normalNode: normalNode ? ontoNormal(typed(normalNode), mixed) : normalMap(mixed, normalScale()),
   }
-  const { baseColor, roughness, occlusion } = inputs.textures.values
+  const { baseColor, roughness, occlusion, blood } = inputs.textures.values
   const { map, roughnessMap, aoMap } = material as Partial<MeshStandardMaterial>
-  if (baseColor || isToon(material)) {
+  if (baseColor || blood || isToon(material)) {
     const own = map ? materialProperty('map', 'texture') : vec4(1)
     const mapped = baseColor ? mixValues('baseColor', own.rgb, inputs, layers) : own.rgb
-    const colour = materialProperty('color', 'color').mul(mapped)
+    const unflushed = materialProperty('color', 'color').mul(mapped)
+    const colour = blood ? bloodColour(unflushed, mixValues('blood', vec3(0), inputs, layers).x) : unflushed
     added.colorNode = vec4(isToon(material) ? toonColour(colour, ownNormal, mixed) : colour, own.a)
   }
   if (roughness && 'roughness' in material) {

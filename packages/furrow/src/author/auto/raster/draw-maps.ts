@@ -32,12 +32,22 @@ export interface MapSettings {
   frame: TangentFrame
 }
 
+/** What was drawn, and where on the skin texels are. */
+export interface DrawnMaps {
+  layers: AutoLayer[]
+  /** Of each region's area. */
+  weights: GrayImage[]
+  /** Of the layers' maps, and of areas. */
+  texels: SkinTexels
+  areaTexels: SkinTexels
+}
+
 /**
  * Draws the maps of all layers and areas.
  *
  * @param layerOf the layer of each region.
  * @param report is given the fraction that is done.
- * @returns the layers, and the weights of each region's area.
+ * @returns undefined where there are no regions.
  */
 export function drawMaps(
   prepared: PreparedSkin,
@@ -45,9 +55,9 @@ export function drawMaps(
   layerOf: readonly number[],
   { size, areaSize, frame }: MapSettings,
   report: (fraction: number) => void,
-): { layers: AutoLayer[]; weights: GrayImage[] } {
+): DrawnMaps | undefined {
   // Finding the texels of the skin costs more than all that comes before.
-  if (regions.length === 0) return { layers: [], weights: [] }
+  if (regions.length === 0) return undefined
   const { skin, surface, face, isDrawn } = prepared
   const texels = new SkinTexels(skin, surface, size, size, isDrawn, MIPMAP_MARGIN)
   const areaTexels = new SkinTexels(skin, surface, areaSize, areaSize, isDrawn)
@@ -74,7 +84,7 @@ export function drawMaps(
     reportPart(layer, 3)
     for (const [k, image] of drawAreas(areaTexels, own, face?.chart).entries()) weights[members[k]] = image
   }
-  return { layers, weights }
+  return { layers, weights, texels, areaTexels }
 }
 
 /** The strokes of regions that share a layer. Left and right may share their lines, which are in a group without a side then. */

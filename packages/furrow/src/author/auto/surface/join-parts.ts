@@ -43,7 +43,7 @@ export function joinParts(
     for (const [k, offset] of offsets.entries()) {
       part.readOffsets(k, vertices, offset.subarray(3 * first, 3 * end))
     }
-    for (const vertex of corners) indices[corner++] = first + vertex
+    for (let k = 0; k < corners.length; k++) indices[corner++] = first + corners[k]
     first = end
   }
   if (placement) {
@@ -53,15 +53,21 @@ export function joinParts(
   return { positions, uvs, indices, targets: names.map((name, k) => ({ name, offsets: offsets[k] })) }
 }
 
-/** The vertices that triangles use, ascending, and each triangle's corners as indices into them. */
+/** The vertices that triangles use, ascending, and each triangle's corners as indices into them. Plain loops: there may be millions. */
 function usedVertices({ count, indices }: SkinPart): { vertices: Uint32Array; corners: Uint32Array } {
-  const corners = Uint32Array.from(indices)
+  const corners = new Uint32Array(indices)
   const isUsed = new Uint8Array(count)
-  for (const vertex of corners) isUsed[vertex] = 1
-  const vertices = Uint32Array.from({ length: count }, (_, i) => i).filter((i) => isUsed[i] === 1)
+  for (let i = 0; i < corners.length; i++) isUsed[corners[i]] = 1
   const newIndex = new Uint32Array(count)
-  for (const [i, vertex] of vertices.entries()) newIndex[vertex] = i
-  return { vertices, corners: corners.map((vertex) => (vertex < count ? newIndex[vertex] : NO_VERTEX)) }
+  let total = 0
+  for (let vertex = 0; vertex < count; vertex++) {
+    newIndex[vertex] = total
+    total += isUsed[vertex]
+  }
+  const vertices = new Uint32Array(total)
+  for (let vertex = 0; vertex < count; vertex++) if (isUsed[vertex]) vertices[newIndex[vertex]] = vertex
+  for (let i = 0; i < corners.length; i++) corners[i] = corners[i] < count ? newIndex[corners[i]] : NO_VERTEX
+  return { vertices, corners }
 }
 
 /** Multiplies vectors by an affine matrix, in place; w = 1 for points, 0 for displacements. */

@@ -2,7 +2,7 @@ import { FurrowError } from '../../../core/error.ts'
 import { checkCoverage } from '../../skin/check-coverage.ts'
 import { findOverlap, isOnLeft, isOverlapped } from '../../skin/overlap.ts'
 import type { Skin, SkinSurface } from '../../skin/surface.ts'
-import { UvLocator } from '../../skin/uv-locator.ts'
+import { UvLocator, uvGridOf } from '../../skin/uv-locator.ts'
 import { SCALES } from '../../strokes/document.ts'
 import { checkSkin } from './check-skin.ts'
 import { type DetectedFace, detectFace } from './detect-face.ts'
@@ -63,7 +63,7 @@ export function prepareSkin(raw: Skin): PreparedSkin {
       'no face was found by what the blendshapes move: wrinkles are placed by strain alone, cautiously',
     )
   const isDrawn = isMirrored ? isOnLeft(surface) : () => true
-  const locator = new UvLocator(skin, surface, isDrawn)
+  const locator = new UvLocator(skin, surface, uvGridOf(skin, surface, isDrawn))
   return { skin, names, find, face, surface, offsets, scale, isMirrored, isDrawn, locator, warnings }
 }
 

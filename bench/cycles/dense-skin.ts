@@ -1,0 +1,109 @@
+/** The skin that Cycles draws: split finer than a page would split it, and moved in float64 by the functions that judge the shaders. */
+import { readFile } from 'node:fs/promises'
+import { join } from 'node:path'
+import { readHeightImage } from '../../packages/cli/src/images/height-image.ts'
+import { decodeGray } from '../../packages/cli/src/images/pixels.ts'
+import { readFolder } from '../../packages/cli/src/wrinkles/folder.ts'
+import { packAreas } from '../../packages/furrow/src/core/pack.ts'
+import { influence, interpolate } from '../../packages/furrow/src/core/reference.ts'
+import { DeformedNormals } from '../../packages/furrow/src/math/deformed-normals.ts'
+import { coveredTriangles } from '../../packages/furrow/src/relief/covered-triangles.ts'
+import { displace, displacement } from '../../packages/furrow/src/relief/displaced.ts'
+import { outwardRoom } from '../../packages/furrow/src/relief/outward-room.ts'
+import { splitMesh } from '../../packages/furrow/src/relief/split-mesh.ts'
+import type { Description } from './page.ts'
+
+const WHO = 'cycles'
+
+/** Metres: a narrow valley has some edges across it. */
+const EDGE = 0.00035
+const MOST_TRIANGLES = 1_500_000
+
+/** The largest displacement in metres, which room is looked for. */
+const REACH = 0.002
+
+/** A mesh to draw: x, y and z of each vertex, and u and v. */
+export interface Skin {
+  positions: Float32Array
+  uvs: Float32Array
+  triangles: Uint32Array
+}
+
+/** @param folder what `furrow unpack` made of the face. */
+export async function denseSkin({ skin, activations }: Description, folder: string): Promise<Skin> {
+  const { uvs, triangles } = skin
+  const { areas, heightAt } = await readRelief(folder, activations)
+  const mesh = { positions: skin.rest, uvs, triangles }
+  const slices = Array.from({ length: areas.depth }, (_, slice) => slice)
+  const dense = finish(
+    splitMesh(mesh, coveredTriangles(mesh, areas, slices), { edge: EDGE, budget: MOST_TRIANGLES }),
+  )
+  const normals = new Float32Array(skin.normals.length)
+  new DeformedNormals({ positions: skin.rest, normals: skin.normals, triangles }).update(
+    skin.positions,
+    normals,
+  )
+  const room = outwardRoom(mesh, skin.normals, dense.firstOf, REACH)
+  const moved = displace(dense, { positions: skin.positions, normals }, heightAt, room)
+  return {
+    positions: Float32Array.from(moved),
+    uvs: textureCoordinates(dense, uvs),
+    triangles: dense.triangles,
+  }
+}
+
+/** The areas of a folder, and how far its layers move the surface, in metres. */
+async function readRelief(folder: string, activations: Record<string, number>) {
+  const set = await readFolder(folder, false, WHO)
+  const read = (path: string) => join(folder, decodeURIComponent(path))
+  const weights = await Promise.all(
+    set.areas.map(async ({ image, convention }) => {
+      const gray = await decodeGray(await readFile(read(image)), image, WHO)
+      if (convention !== 'weight') gray.data = gray.data.map((value) => 255 - value)
+      return gray
+    }),
+  )
+  const areas = packAreas(weights)
+  const layers = await Promise.all(
+    set.layers.map(async ({ height, heightAmplitude = 0 }) => ({
+      image: height === undefined ? null : await readHeightImage(read(height), WHO),
+      amplitude: heightAmplitude,
+    })),
+  )
+  const active = set.areas.map(({ name, layer, combine = 'sum' }) => ({
+    activation: activations[name] ?? 0,
+    layer: layer === undefined ? 0 : set.layers.findIndex((each) => each.name === layer),
+    combine,
+  }))
+  const heightAt = (u: number, v: number) =>
+    displacement(
+      layers.flatMap(({ image, amplitude }, layer) => {
+        if (!image) return []
+        const full = 2 ** image.bits - 1
+        const height = interpolate(image, u, v, (i, j) => image.data[i + j * image.width]) / full
+        return { influence: influence(areas, active, u, v, layer), height, amplitude }
+      }),
+    )
+  return { areas, heightAt }
+}
+
+/** Those of the triangles themselves, which differ on both sides of a seam. */
+function textureCoordinates(
+  { count, corners, weights }: { count: number; corners: Uint32Array; weights: Float32Array },
+  uvs: ArrayLike<number>,
+): Float32Array {
+  const out = new Float32Array(2 * count)
+  for (let i = 0; i < 3 * count; i++) {
+    for (let axis = 0; axis < 2; axis++) {
+      out[2 * Math.floor(i / 3) + axis] += weights[i] * uvs[2 * corners[i] + axis]
+    }
+  }
+  return out
+}
+
+function finish<T>(steps: Generator<void, T>): T {
+  for (;;) {
+    const { done, value } = steps.next()
+    if (done) return value
+  }
+}

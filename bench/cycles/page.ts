@@ -1,0 +1,142 @@
+/** Draws a face by three.js and Furrow under the lamps that Cycles has too, and tells what Cycles needs to draw the same. */
+import { frameFace, WrinkleLoaderPlugin, type WrinkleMode, type Wrinkles } from 'furrow/three'
+import {
+  Box3,
+  Color,
+  DirectionalLight,
+  type Mesh,
+  NoToneMapping,
+  type Object3D,
+  PCFSoftShadowMap,
+  PerspectiveCamera,
+  PMREMGenerator,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from 'three'
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { LAMPS, type Shot, SIZE, SURROUNDINGS } from './shots.ts'
+
+/** What Cycles draws: metres, +Y up. */
+export interface Description {
+  camera: { position: number[]; target: number[]; fov: number }
+  /** The mesh that wrinkles, in its pose. */
+  skin: {
+    name: string
+    /** x, y and z of each vertex in world space: at rest and in the pose. */
+    rest: number[]
+    positions: number[]
+    /** At rest. */
+    normals: number[]
+    uvs: number[]
+    triangles: number[]
+  }
+  /** Activations by area. */
+  activations: Record<string, number>
+}
+
+declare global {
+  interface Window {
+    /** Opens a face in the pose of a shot. */
+    pose(address: string, shot: Shot): Promise<Description>
+    /** @returns the picture as a data URL of a PNG, transparent round the face. */
+    draw(mode: WrinkleMode): string
+  }
+}
+
+const FIELD_OF_VIEW = 22
+
+const canvas = document.createElement('canvas')
+const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true })
+renderer.setSize(SIZE, SIZE)
+renderer.toneMapping = NoToneMapping
+renderer.shadowMap.enabled = true
+renderer.shadowMap.type = PCFSoftShadowMap
+renderer.setClearColor(0, 0)
+
+const camera = new PerspectiveCamera(FIELD_OF_VIEW, 1)
+let scene: Scene
+let wrinkles: Wrinkles
+
+window.pose = async (address, shot) => {
+  const loader = new GLTFLoader().register((parser) => new WrinkleLoaderPlugin(parser))
+  const gltf = await loader.loadAsync(address)
+  wrinkles = gltf.userData.wrinkles[0]
+  scene = new Scene()
+  scene.add(gltf.scene)
+  pose(gltf.scene, shot.targets)
+  const target = frameFace(camera, gltf.scene, shot.view)
+  light(gltf.scene)
+  wrinkles.update()
+  const activations = wrinkles.areaNames.map((name) => [name, wrinkles.getActivation(name)])
+  return {
+    camera: { position: camera.position.toArray(), target: target.toArray(), fov: FIELD_OF_VIEW },
+    skin: skinOf(wrinkles.mesh),
+    activations: Object.fromEntries(activations),
+  }
+}
+
+window.draw = (mode) => {
+  wrinkles.mode = mode
+  renderer.render(scene, camera)
+  return canvas.toDataURL()
+}
+
+function pose(face: Object3D, targets: Record<string, number>): void {
+  face.traverse((object) => {
+    const { morphTargetDictionary, morphTargetInfluences } = object as Mesh
+    for (const [name, index] of Object.entries(morphTargetDictionary ?? {})) {
+      morphTargetInfluences![index] = targets[name] ?? 0
+    }
+  })
+  face.updateMatrixWorld()
+}
+
+/** Every lamp throws shadows, as in Cycles. */
+function light(face: Object3D): void {
+  const surroundings = new Scene()
+  surroundings.background = new Color(SURROUNDINGS, SURROUNDINGS, SURROUNDINGS)
+  scene.environment = new PMREMGenerator(renderer).fromScene(surroundings).texture
+  const bounds = new Box3().setFromObject(face)
+  const centre = bounds.getCenter(new Vector3())
+  const radius = bounds.getSize(new Vector3()).length() / 2
+  face.traverse((object) => {
+    object.castShadow = object.receiveShadow = true
+  })
+  for (const { from, strength } of LAMPS) {
+    const lamp = new DirectionalLight(0xffffff, strength)
+    lamp.position
+      .fromArray(from)
+      .setLength(2 * radius)
+      .add(centre)
+    lamp.target.position.copy(centre)
+    lamp.castShadow = true
+    Object.assign(lamp.shadow.camera, {
+      left: -radius,
+      right: radius,
+      top: radius,
+      bottom: -radius,
+      near: radius,
+      far: 3 * radius,
+    })
+    lamp.shadow.mapSize.set(4096, 4096)
+    lamp.shadow.normalBias = radius / 500
+    scene.add(lamp, lamp.target)
+  }
+}
+
+/** In world space, as its blendshapes and joints have it. */
+function skinOf(mesh: Mesh): Description['skin'] {
+  const { position, normal, uv } = mesh.geometry.attributes
+  const count = position.count
+  const point = new Vector3()
+  const each = (read: (i: number) => number[]) => Array.from({ length: count }, (_, i) => read(i)).flat()
+  return {
+    name: mesh.name,
+    rest: each((i) => point.fromBufferAttribute(position, i).applyMatrix4(mesh.matrixWorld).toArray()),
+    positions: each((i) => mesh.getVertexPosition(i, point).applyMatrix4(mesh.matrixWorld).toArray()),
+    normals: each((i) => point.fromBufferAttribute(normal, i).transformDirection(mesh.matrixWorld).toArray()),
+    uvs: each((i) => [uv.getX(i), uv.getY(i)]),
+    triangles: [...mesh.geometry.index!.array],
+  }
+}

@@ -1,0 +1,107 @@
+"""Draws a face in Blender's Cycles: the skin as real geometry that scatters light under its surface, and everything else of the file.
+
+    python render.py SCENE.json PICTURE.png
+
+The scene names the face, binary files with the skin's vertices, texture coordinates and triangles, the camera, the lamps and the weights of
+blendshapes; all of it in metres and in the axes of glTF, +Y up.
+"""
+import json
+import math
+import sys
+from pathlib import Path
+
+import bpy
+import numpy as np
+from mathutils import Vector
+
+# Mean free paths of red, green and blue light in light skin, in metres (after H. W. Jensen et al., "A Practical Model for Subsurface
+# Light Transport", 2001, table 1, skin1: 3.67, 1.37 and 0.68 mm of diffuse reflectance's fall-off).
+SCATTERING = (0.00367, 0.00137, 0.00068)
+# How much of the diffuse light scatters below the surface first.
+SCATTERED = 0.25
+
+
+def upright(values):
+    """From glTF's axes to Blender's, where +Z is up."""
+    x, y, z = np.moveaxis(np.asarray(values, np.float64), -1, 0)
+    return np.stack([x, -z, y], -1)
+
+
+def replace_skin(name, folder):
+    positions = upright(np.fromfile(folder / 'positions.bin', np.float32).reshape(-1, 3))
+    triangles = np.fromfile(folder / 'triangles.bin', np.uint32).reshape(-1, 3).astype(np.int32)
+    uvs = np.fromfile(folder / 'uvs.bin', np.float32).reshape(-1, 2)
+    old = next(o for o in bpy.data.objects if o.type == 'MESH' and name in (o.name, o.data.name))
+    mesh = bpy.data.meshes.new('dense')
+    mesh.vertices.add(len(positions))
+    mesh.vertices.foreach_set('co', positions.astype(np.float32).ravel())
+    mesh.loops.add(triangles.size)
+    mesh.loops.foreach_set('vertex_index', triangles.ravel())
+    mesh.polygons.add(len(triangles))
+    mesh.polygons.foreach_set('loop_start', np.arange(0, triangles.size, 3, dtype=np.int32))
+    mesh.polygons.foreach_set('use_smooth', np.ones(len(triangles), bool))
+    layer = mesh.uv_layers.new(name=old.data.uv_layers[0].name)
+    corners = uvs[triangles.ravel()]
+    layer.data.foreach_set('uv', np.stack([corners[:, 0], 1 - corners[:, 1]], -1).astype(np.float32).ravel())
+    mesh.update(calc_edges=True)
+    # Vertices of both sides of a seam are one: otherwise a crease is shaded there.
+    material = old.data.materials[0]
+    mesh.materials.append(material)
+    skin = bpy.data.objects.new('skin that is split', mesh)
+    bpy.context.scene.collection.objects.link(skin)
+    weld = skin.modifiers.new('weld', 'WELD')
+    weld.merge_threshold = 1e-7
+    bpy.data.objects.remove(old)
+    return material
+
+
+def scatter(material):
+    surface = next(node for node in material.node_tree.nodes if node.type == 'BSDF_PRINCIPLED')
+    surface.inputs['Subsurface Weight'].default_value = SCATTERED
+    surface.inputs['Subsurface Radius'].default_value = SCATTERING
+    surface.inputs['Subsurface Scale'].default_value = 1
+
+
+def aim(thing, direction):
+    thing.rotation_euler = Vector(direction).to_track_quat('-Z', 'Y').to_euler()
+    bpy.context.scene.collection.objects.link(thing)
+
+
+def main():
+    scene_path, picture = Path(sys.argv[1]), sys.argv[2]
+    asked = json.loads(scene_path.read_text())
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.ops.import_scene.gltf(filepath=asked['face'])
+    for keys in bpy.data.shape_keys:
+        for key in keys.key_blocks:
+            key.value = asked['targets'].get(key.name, 0)
+    scatter(replace_skin(asked['skin'], scene_path.parent))
+
+    for lamp in asked['lamps']:
+        sun = bpy.data.lights.new('lamp', 'SUN')
+        sun.energy, sun.angle = lamp['strength'], math.radians(asked['lampAngle'])
+        aim(bpy.data.objects.new('lamp', sun), -upright(lamp['from']))
+    camera = bpy.data.objects.new('camera', bpy.data.cameras.new('camera'))
+    position, target = upright(asked['camera']['position']), upright(asked['camera']['target'])
+    camera.location = position
+    camera.data.angle, camera.data.clip_start = math.radians(asked['camera']['fov']), 0.001
+    aim(camera, target - position)
+
+    scene = bpy.context.scene
+    scene.camera = camera
+    scene.world = bpy.data.worlds.new('world')
+    scene.world.use_nodes = True
+    grey = asked['surroundings']
+    scene.world.node_tree.nodes['Background'].inputs[0].default_value = (grey, grey, grey, 1)
+    scene.view_settings.view_transform = 'Standard'
+    scene.render.engine = 'CYCLES'
+    scene.render.film_transparent = True
+    scene.cycles.samples, scene.cycles.use_denoising = asked['samples'], True
+    scene.render.resolution_x = scene.render.resolution_y = asked['size']
+    scene.render.image_settings.color_mode = 'RGBA'
+    scene.render.filepath = picture
+    bpy.ops.render.render(write_still=True)
+
+
+if __name__ == '__main__':
+    main()

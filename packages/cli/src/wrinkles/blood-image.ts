@@ -1,0 +1,75 @@
+import { FurrowError, type GrayImage, type WrinkleMapsLayer } from 'furrow'
+import { decodeImage } from '#platform/images'
+import type { Glb } from '../gltf/glb-file.ts'
+import { pixelsOf } from '../gltf/texture-pixels.ts'
+import { channelOf } from '../images/pixels.ts'
+import { encodePortablePng } from '../images/png.ts'
+import { scaleImage } from '../images/scale.ts'
+import type { CheckedImage } from './checked-image.ts'
+import type { MapName } from './map-slots.ts'
+
+/** Channels of the maps that share an image, as glTF has them; roughness is the second. */
+const CHANNELS: Partial<Record<MapName, number>> = { occlusion: 0, blood: 2 }
+
+/**
+ * Puts blood into the blue channel of a layer's occlusion, at its size. Red is white where there is none, and green where roughness is elsewhere.
+ *
+ * @param layer its maps; where the roughness is in the image of the occlusion, it stays there.
+ * @returns the maps with the images that hold blood.
+ * @throws FurrowError when the two differ in size and the occlusion is not square.
+ */
+export async function withBlood<L extends { name: string } & Partial<Record<MapName, CheckedImage>>>(
+  layer: L,
+  who: string,
+): Promise<L> {
+  const { name, blood, occlusion, roughness } = layer
+  if (!blood || blood === occlusion) return layer
+  const { width, height } = occlusion ?? blood
+  const isScaled = width !== blood.width || height !== blood.height
+  if (isScaled && width !== height) {
+    throw new FurrowError({
+      who,
+      what: `the blood map of layer "${name}" differs in size from its occlusion`,
+      value: `${blood.width} x ${blood.height}`,
+      limit: `${width} x ${height}: they share an image`,
+      remedy: 'scale them to one size',
+    })
+  }
+  const data = new Uint8Array(3 * width * height).fill(255)
+  const fill = async (image: CheckedImage | undefined, channel: number) => {
+    if (!image) return
+    const pixels = await decodeImage(image.bytes, image.name, who)
+    const values = channelOf(image === blood && isScaled ? scaleImage(pixels, width) : pixels, channel).data
+    for (let i = 0; i < values.length; i++) data[3 * i + channel] = values[i]
+  }
+  const isShared = roughness !== undefined && roughness === occlusion
+  await fill(occlusion, 0)
+  if (isShared) await fill(roughness, 1)
+  await fill(blood, 2)
+  const bytes = encodePortablePng({ width, height, channels: 3, data })
+  const image = { ...(occlusion ?? blood), mimeType: 'image/png', bytes }
+  return {
+    ...layer,
+    blood: image,
+    ...(occlusion && { occlusion: image }),
+    ...(isShared && { roughness: image }),
+  }
+}
+
+/**
+ * A map that shares its image with blood, on its own.
+ *
+ * @returns undefined for maps that do not.
+ */
+export async function partOfImage(
+  glb: Glb,
+  layer: WrinkleMapsLayer,
+  map: MapName,
+  who: string,
+): Promise<GrayImage | undefined> {
+  const channel = CHANNELS[map]
+  const { bloodTexture } = layer
+  const isThere = map === 'blood' || layer.occlusionTexture !== undefined
+  if (channel === undefined || !bloodTexture || !isThere) return undefined
+  return channelOf(await pixelsOf(glb, bloodTexture, who), channel)
+}

@@ -1,0 +1,170 @@
+import { BLOOD_AT_REST, MAX_BLOOD_AMPLITUDE } from '../../../core/blood.ts'
+import type { GrayImage } from '../../../core/types.ts'
+import type { MorphDriver } from '../../../drivers/morph/definition.ts'
+import type { TimeDriver } from '../../../drivers/time/definition.ts'
+import { clamp, smoothstep } from '../../../math/scalar.ts'
+import type { SkinTexels } from '../../skin/skin-texels.ts'
+import type { HeightMap } from '../../strokes/height.ts'
+import { LineGrid } from '../../strokes/line-grid.ts'
+import type { AutoRegion } from '../anatomy/regions.ts'
+import type { CreasedRegion } from '../lines/crease.ts'
+import { visibility } from '../raster/visibility.ts'
+import type { DetectedFace } from '../surface/detect-face.ts'
+import { unroll } from '../surface/head-chart.ts'
+import { poseOf } from '../surface/pose.ts'
+import type { PreparedSkin } from '../surface/prepare-skin.ts'
+import { type Flush, fadeOf, flushesOf } from './flushes.ts'
+
+/** An area that shows blood and no lines, with its delay. */
+export interface BloodArea {
+  name: string
+  /** Index of its layer. */
+  layer: number
+  weights: GrayImage
+  drivers: [MorphDriver, TimeDriver]
+}
+
+/** Blood of automatic wrinkles. */
+export interface AutoBlood {
+  /** That of all layers, see `Layer`. */
+  amplitude: number
+  /** One for each layer. */
+  maps: GrayImage[]
+  areas: BloodArea[]
+}
+
+/** Optical depth in green of the strongest flush, at a strength of 1. */
+const AMPLITUDE = 0.35
+/** Deepest tone of a valley, as a fraction of the amplitude, and the millimetres of depth at which it has 63% of it. */
+const VALLEY = 0.3
+const VALLEY_DEPTH = 0.7
+/** Millimetres from a line within which a flush on the same layer would show it, and over which it fades in from there. */
+const LINE_REACH = 5
+const LINE_FADE = 4
+
+/** What blood is drawn from. */
+export interface BloodSource {
+  /** Texels of the layers' maps, and of areas. */
+  texels: SkinTexels
+  areaTexels: SkinTexels
+  layers: readonly { relief: HeightMap }[]
+  /** Regions with their lines, and the layer of each. */
+  regions: readonly CreasedRegion[]
+  layerOf: readonly number[]
+}
+
+/**
+ * Draws the blood of each layer: valleys are a little deeper in tone, and flushes of a face are on areas of their own, since blood is slower
+ * than lines. Each of these is on the layer with the fewest lines where it is, and gives way to them.
+ *
+ * @param settings the strength multiplies the amplitude; a flush is drawn where one of its regions is wanted.
+ */
+export function drawBlood(
+  { face, names, isMirrored }: Pick<PreparedSkin, 'face' | 'names' | 'isMirrored'>,
+  source: BloodSource,
+  { strength, regions }: { strength: number; regions: readonly AutoRegion[] },
+): AutoBlood {
+  const maps = source.layers.map(({ relief }) => valleysOf(relief))
+  const flushes = face ? flushesOf(face.landmarks, isMirrored) : []
+  const wanted = flushes.filter((flush) => flush.regions.some((region) => regions.includes(region)))
+  const areas = face ? drawFlushes(face, wanted, names, source, maps) : []
+  const amplitude = clamp(Math.round(1000 * AMPLITUDE * strength) / 1000, 0, MAX_BLOOD_AMPLITUDE)
+  return { amplitude, maps, areas }
+}
+
+function valleysOf({ width, height, data }: HeightMap): GrayImage {
+  const tone = (mm: number) => (mm < 0 ? VALLEY * (1 - Math.exp(mm / VALLEY_DEPTH)) : 0)
+  return { width, height, data: Uint8Array.from(data, (mm) => byteOf(tone(mm))) }
+}
+
+/** @param amount -1..1. */
+function byteOf(amount: number): number {
+  return BLOOD_AT_REST + Math.round((255 - BLOOD_AT_REST) * clamp(amount, -1, 1))
+}
+
+/** Adds the flushes that the targets of a face cause to the layers' maps, and draws their areas. */
+function drawFlushes(
+  face: DetectedFace,
+  flushes: readonly Flush[],
+  names: readonly string[],
+  source: BloodSource,
+  maps: readonly GrayImage[],
+): BloodArea[] {
+  const areas: BloodArea[] = []
+  for (const flush of flushes) {
+    const targets = [...poseOf(face.find, flush.cause)].map(([target, weight]) => ({
+      name: names[target],
+      weight,
+    }))
+    if (targets.length === 0) continue
+    const grids = source.layers.map((_, layer) => linesOf(source, layer))
+    const drawn = grids.map((grid) => drawArea(face, source.areaTexels, flush, grid))
+    const visible = drawn.map(({ data }) => data.reduce((sum, weight) => sum + weight, 0))
+    const layer = visible.indexOf(Math.max(...visible))
+    if (visible[layer] === 0) continue
+    addFlush(source.texels, flush, maps[layer])
+    const { name: area, attack, release } = flush
+    areas.push({
+      name: area,
+      layer,
+      weights: drawn[layer],
+      drivers: [
+        {
+          type: 'morph',
+          area,
+          targets,
+          rule: 'sum',
+          curve: [
+            [0.1, 0],
+            [1, 1],
+          ],
+        },
+        { type: 'time', area, attack, release },
+      ],
+    })
+  }
+  return areas
+}
+
+function linesOf({ regions, layerOf }: BloodSource, layer: number): LineGrid {
+  const lines = [
+    ...new Set(regions.filter((_, i) => layerOf[i] === layer).map(({ creases }) => creases)),
+  ].flat()
+  return new LineGrid(
+    lines,
+    lines.map(() => LINE_REACH + LINE_FADE),
+  )
+}
+
+/** Weights of a flush, 255 in its middle: none where the lines of its layer would show with it, or skin is hidden. */
+function drawArea({ chart }: DetectedFace, texels: SkinTexels, flush: Flush, lines: LineGrid): GrayImage {
+  const { width, height } = texels
+  const data = new Uint8Array(width * height)
+  texels.visitNear(isNear(flush), (texel, position, normal) => {
+    const [x, y, z] = position
+    const fade = fadeOf(flush, unroll(x, y, z))
+    if (fade === 0) return
+    let nearest = Infinity
+    lines.visit(position, normal, (_, distance) => {
+      nearest = Math.min(nearest, distance)
+    })
+    const clear = nearest === Infinity ? 1 : smoothstep((nearest - LINE_REACH) / LINE_FADE)
+    // The map holds the other half of the fading.
+    data[texel] = Math.round(255 * Math.sqrt(fade) * clear * visibility(chart, x, y, z, normal))
+  })
+  return { width, height, data }
+}
+
+function addFlush(texels: SkinTexels, flush: Flush, { data }: GrayImage): void {
+  texels.visitNear(isNear(flush), (texel, [x, y, z]) => {
+    const fade = fadeOf(flush, unroll(x, y, z))
+    if (fade === 0) return
+    const own = (data[texel] - BLOOD_AT_REST) / (255 - BLOOD_AT_REST)
+    data[texel] = byteOf(own + flush.amount * Math.sqrt(fade))
+  })
+}
+
+/** Whether a flush may reach into a box. Heights of the chart are those of space. */
+function isNear({ centre, radii }: Flush): (low: Float64Array, high: Float64Array) => boolean {
+  return (low, high) => high[1] >= centre[1] - radii[1] && low[1] <= centre[1] + radii[1] && high[2] > -60
+}

@@ -1,0 +1,103 @@
+/** The surface with relief in float64: what tests compare the shaders of both renderers with. */
+import type { DenseMesh } from './dense-mesh.ts'
+
+/**
+ * How far Phong tessellation moves a point from its flat triangle towards its projections onto the planes of the corners (T. Boubekeur,
+ * M. Alexa, "Phong Tessellation", 2008). They choose 3/4 by eye; with 1/2 the surface through the corners is exact where it is quadratic.
+ */
+export const PHONG = 0.5
+
+/** Metres of room from which on a surface is curved in full. */
+export const ROOM_TO_CURVE = 0.0005
+
+/** The coarse mesh as it is deformed now. */
+export interface DeformedMesh {
+  /** x, y and z of each vertex. */
+  positions: ArrayLike<number>
+  /** Unit normals of each vertex, which may differ where positions are equal. */
+  normals: ArrayLike<number>
+}
+
+/**
+ * How far heights move the surface outwards: those of all layers, each as far as it shows.
+ *
+ * @param layers of each the influence, 0..1; the height, 0..1, 0.5 = the surface; and the metres from 0 to 1.
+ * @returns metres.
+ */
+export function displacement(
+  layers: readonly { influence: number; height: number; amplitude: number }[],
+): number {
+  return layers.reduce(
+    (sum, { influence, height, amplitude }) => sum + influence * (height - 0.5) * amplitude,
+    0,
+  )
+}
+
+/**
+ * Displaces a dense mesh: every vertex is put on its coarse triangle as that is deformed, curved by Phong tessellation, and moved along
+ * the smooth normal.
+ *
+ * @param heightAt metres outwards at a point of the texture.
+ * @param room metres in either direction at most, of each coarse vertex, see `outwardRoom`; where there is next to none, the surface is not
+ *   curved either, since other meshes may adjoin.
+ * @param amount 0 = the coarse mesh, 1 = full relief.
+ * @returns x, y and z of each dense vertex.
+ */
+export function displace(
+  dense: DenseMesh,
+  { positions, normals }: DeformedMesh,
+  heightAt: (u: number, v: number) => number,
+  room: ArrayLike<number>,
+  amount = 1,
+): Float64Array {
+  const out = new Float64Array(3 * dense.count)
+  const smooth = smoothNormals(normals, dense.firstOf)
+  for (let i = 0; i < dense.count; i++) {
+    const corners = [0, 1, 2].map((k) => ({
+      vertex: 3 * dense.parents[3 * i + k],
+      weight: dense.weights[3 * i + k],
+    }))
+    const sum = (values: ArrayLike<number>, axis: number) =>
+      corners.reduce((total, { vertex, weight }) => total + weight * values[vertex + axis], 0)
+    const flat = [0, 1, 2].map((axis) => sum(positions, axis))
+    const normal = unit([0, 1, 2].map((axis) => sum(smooth, axis)))
+    const curved = flat.slice()
+    const most = corners.reduce((total, { vertex, weight }) => total + weight * room[vertex / 3], 0)
+    const curvature = PHONG * amount * Math.min(most / ROOM_TO_CURVE, 1)
+    for (const { vertex, weight } of corners) {
+      const beyond = [0, 1, 2].reduce(
+        (total, axis) => total + (flat[axis] - positions[vertex + axis]) * smooth[vertex + axis],
+        0,
+      )
+      for (const axis of [0, 1, 2]) curved[axis] -= curvature * weight * beyond * smooth[vertex + axis]
+    }
+    const [u0, v0, u1, v1] = dense.uvs.subarray(4 * i, 4 * i + 4)
+    const height = (heightAt(u0, v0) + heightAt(u1, v1)) / 2
+    const outwards = Math.min(Math.max(height, -most), most) * amount
+    for (const axis of [0, 1, 2]) out[3 * i + axis] = curved[axis] + normal[axis] * outwards
+  }
+  return out
+}
+
+/** Of each first vertex the mean direction of all normals at its position; its own where they cancel out. */
+export function smoothNormals(normals: ArrayLike<number>, firstOf: ArrayLike<number>): Float64Array {
+  const sums = new Float64Array(normals.length)
+  for (let i = 0; i < firstOf.length; i++) {
+    for (let axis = 0; axis < 3; axis++) sums[3 * firstOf[i] + axis] += normals[3 * i + axis]
+  }
+  for (let i = 0; i < firstOf.length; i++) {
+    if (firstOf[i] !== i) continue
+    const sum = [...sums.subarray(3 * i, 3 * i + 3)]
+    const direction = Math.hypot(...sum) > CANCELLED ? sum : [0, 1, 2].map((axis) => normals[3 * i + axis])
+    sums.set(unit(direction), 3 * i)
+  }
+  return sums
+}
+
+/** A sum of unit normals that is shorter has no direction. */
+export const CANCELLED = 1e-3
+
+function unit(vector: readonly number[]): number[] {
+  const length = Math.hypot(...vector) || 1
+  return vector.map((value) => value / length)
+}

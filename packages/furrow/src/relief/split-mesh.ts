@@ -1,0 +1,162 @@
+import type { CoarseMesh } from './coarse-mesh.ts'
+import { DenseBuilder, type DenseMesh } from './dense-mesh.ts'
+import { splitPatch, WHOLE } from './patch.ts'
+import { WeldedEdges } from './welded-edges.ts'
+
+export interface SplitOptions {
+  /** Length that edges have after splitting, about, in metres. */
+  edge?: number
+  /** Triangles at most; edges become longer instead. */
+  budget?: number
+}
+
+export const SPLIT_DEFAULTS: Required<SplitOptions> = { edge: 0.0012, budget: 100_000 }
+
+/** Halved edges are between 0.7 and 1.4 of the length that is aimed at. */
+const LONGEST = Math.SQRT2
+
+/** Triangles of the coarse mesh in one slice. */
+const SLICE = 256
+
+/**
+ * Splits the triangles under areas into patches, and joins all others to them without T-junctions.
+ *
+ * @param covered 1 for each triangle that is split, see `coveredTriangles`.
+ * @returns a generator, so that a page may spread the work over frames.
+ */
+export function* splitMesh(
+  mesh: CoarseMesh,
+  covered: Uint8Array,
+  options: SplitOptions = {},
+): Generator<void, DenseMesh> {
+  const { edge: wanted, budget } = { ...SPLIT_DEFAULTS, ...options }
+  const edges = new WeldedEdges(mesh)
+  yield
+  const edge = fitBudget(covered, edges, wanted, budget)
+  yield
+  const splitter = new Splitter(mesh, edges, LONGEST * edge)
+  for (let t = 0; t < covered.length; t++) {
+    splitter.split(t, covered[t] > 0)
+    if (t % SLICE === SLICE - 1) yield
+  }
+  return splitter.dense.finish(edge)
+}
+
+/** Cuts edges so that there are no more triangles than allowed. Returns the length aimed at. */
+function fitBudget(covered: Uint8Array, edges: WeldedEdges, wanted: number, budget: number): number {
+  for (let edge = wanted; ; ) {
+    edges.cut(covered, LONGEST * edge)
+    const count = countTriangles(edges)
+    if (count <= budget || edges.levels.every((level) => level === 0)) return edge
+    edge *= Math.max(1.05, Math.sqrt(count / budget))
+  }
+}
+
+/** About how many triangles there will be: each halving of all three edges makes four of one. */
+function countTriangles({ edgeOf, levels }: WeldedEdges): number {
+  let sum = 0
+  for (let k = 0; k < edgeOf.length; k += 3) {
+    sum += 2 ** ((2 * (levels[edgeOf[k]] + levels[edgeOf[k + 1]] + levels[edgeOf[k + 2]])) / 3)
+  }
+  return sum
+}
+
+/** Splits triangles one by one. Those that have an edge in common have its vertices in common too. */
+class Splitter {
+  readonly dense: DenseBuilder
+  readonly #mesh: CoarseMesh
+  readonly #edges: WeldedEdges
+  readonly #longest: number
+  /** The first vertex on each edge that is cut, by the edge's two vertices. */
+  readonly #onEdges = new Map<number, number>()
+
+  constructor(mesh: CoarseMesh, edges: WeldedEdges, longest: number) {
+    this.#mesh = mesh
+    this.#edges = edges
+    this.#longest = longest
+    this.dense = new DenseBuilder(edges.firstOf)
+    const uvs = uvsOfPoints(mesh, edges.firstOf)
+    for (let i = 0; i < edges.firstOf.length; i++) {
+      this.dense.addVertex([i, i, i], [1, 0, 0], uvs[edges.firstOf[i]])
+    }
+  }
+
+  split(t: number, isCovered: boolean): void {
+    const { triangles, uvs } = this.#mesh
+    const { edgeOf, levels } = this.#edges
+    const corners = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]] as const
+    const [a, b, c] = corners
+    const levelsHere = [levels[edgeOf[3 * t]], levels[edgeOf[3 * t + 1]], levels[edgeOf[3 * t + 2]]] as const
+    if (levelsHere[0] + levelsHere[1] + levelsHere[2] === 0) {
+      this.dense.addTriangle(a, b, c)
+      return
+    }
+    const squared = squaredLengths(this.#mesh.positions, corners)
+    const limit = (this.#longest * WHOLE) ** 2
+    splitPatch(
+      {
+        corners,
+        levels: levelsHere,
+        isLong: (dx, dy) => isCovered && squared(dx, dy) > limit,
+        onEdge: (edge, part) => this.#onEdge(3 * t + edge, corners[edge], corners[(edge + 1) % 3], part),
+        inside: (x, y) => {
+          const [wa, wb, wc] = [x / WHOLE, y / WHOLE, (WHOLE - x - y) / WHOLE]
+          const u = wa * uvs[2 * a] + wb * uvs[2 * b] + wc * uvs[2 * c]
+          const v = wa * uvs[2 * a + 1] + wb * uvs[2 * b + 1] + wc * uvs[2 * c + 1]
+          return this.dense.addVertex(corners, [wa, wb, wc], [u, v, u, v])
+        },
+      },
+      (p, q, r) => this.dense.addTriangle(p, q, r),
+    )
+  }
+
+  /** The vertex at some part, 0..1, of the edge from `a` to `b`. */
+  #onEdge(corner: number, a: number, b: number, part: number): number {
+    const { edgeOf, levels, firstOf } = this.#edges
+    const [from, to, at] = this.#edges.startsAt(a, b) ? [a, b, part] : [b, a, 1 - part]
+    const key = from * firstOf.length + to
+    const known = this.#onEdges.get(key)
+    const edge = edgeOf[corner]
+    const segments = 2 ** levels[edge]
+    const first = known ?? this.dense.count
+    if (known === undefined) {
+      this.#onEdges.set(key, first)
+      for (let k = 1; k < segments; k++) this.#addOnEdge(edge, from, to, k / segments)
+    }
+    return first + at * segments - 1
+  }
+
+  #addOnEdge(edge: number, from: number, to: number, at: number): void {
+    const uv = (k: number) => this.#edges.uvAt(edge, at, k)
+    this.dense.addVertex([from, to, from], [1 - at, at, 0], [uv(0), uv(1), uv(2), uv(3)])
+  }
+}
+
+/** Squared length, times the square of `WHOLE`, of a step within a triangle, given by how much its first two barycentrics change. */
+function squaredLengths(
+  positions: ArrayLike<number>,
+  [a, b, c]: readonly [number, number, number],
+): (dx: number, dy: number) => number {
+  let [xx, xy, yy] = [0, 0, 0]
+  for (let axis = 0; axis < 3; axis++) {
+    const x = positions[3 * a + axis] - positions[3 * c + axis]
+    const y = positions[3 * b + axis] - positions[3 * c + axis]
+    xx += x * x
+    xy += x * y
+    yy += y * y
+  }
+  return (dx, dy) => dx * dx * xx + 2 * dx * dy * xy + dy * dy * yy
+}
+
+/** Of each first vertex two of the texture coordinates at its position, the same for all vertices there. */
+function uvsOfPoints({ uvs }: CoarseMesh, firstOf: Uint32Array): [number, number, number, number][] {
+  const found: [number, number, number, number][] = []
+  for (const [vertex, first] of firstOf.entries()) {
+    const [u, v] = [uvs[2 * vertex], uvs[2 * vertex + 1]]
+    const known = found[first]
+    if (!known) found[first] = [u, v, u, v]
+    else if (u < known[0] || (u === known[0] && v < known[1])) [known[0], known[1]] = [u, v]
+    else if (u > known[2] || (u === known[2] && v > known[3])) [known[2], known[3]] = [u, v]
+  }
+  return found
+}

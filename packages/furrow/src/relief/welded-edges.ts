@@ -1,0 +1,114 @@
+import { weldVertices } from '../math/weld.ts'
+import type { CoarseMesh } from './coarse-mesh.ts'
+
+/** Halvings of an edge at most: 1 m into segments of 1 mm. */
+export const MAX_LEVEL = 10
+
+/** Texture coordinates of two edges, each u and v at one end and at the other. */
+const PER_EDGE = 8
+
+/**
+ * The edges of the welded mesh, by number: those between the same two positions are one, whatever their texture coordinates. They begin at
+ * the end whose first vertex comes first.
+ */
+export class WeldedEdges {
+  /** Of each vertex the first one at its position: all of them move as that does. */
+  readonly firstOf: Uint32Array
+  /** The edge from each corner of each triangle to the next. */
+  readonly edgeOf: Uint32Array
+  /** An edge is cut into 2 to the power of this many segments. */
+  readonly levels: Uint8Array
+  readonly #lengths: Float64Array
+  readonly #uvs: Float64Array
+
+  constructor({ positions, uvs, triangles }: CoarseMesh) {
+    this.firstOf = firstVertices(positions)
+    const { firstOf } = this
+    const corners = triangles.length - (triangles.length % 3)
+    this.edgeOf = new Uint32Array(corners)
+    this.#lengths = new Float64Array(corners)
+    this.#uvs = new Float64Array(PER_EDGE * corners)
+    const known = new Map<number, number>()
+    for (let corner = 0; corner < corners; corner++) {
+      const [a, b] = [triangles[corner], triangles[nextCorner(corner)]]
+      const [from, to] = this.startsAt(a, b) ? [a, b] : [b, a]
+      const key = firstOf[from] * firstOf.length + firstOf[to]
+      const edge = known.get(key) ?? known.size
+      this.edgeOf[corner] = edge
+      const isNew = edge === known.size
+      if (isNew) {
+        known.set(key, edge)
+        this.#lengths[edge] = distance(positions, a, b)
+      }
+      this.#addUvs(uvs, edge, from, to, isNew)
+    }
+    this.levels = new Uint8Array(known.size)
+  }
+
+  /** Whether the edge between two vertices begins at `a`. */
+  startsAt(a: number, b: number): boolean {
+    return this.firstOf[a] < this.firstOf[b]
+  }
+
+  /**
+   * One of the texture coordinates at a point of an edge: of two of the edges at a seam, the same two for all of them; otherwise twice the same.
+   *
+   * @param at 0..1, from where the edge begins.
+   * @param k 0 and 1 for u and v of the one, 2 and 3 for those of the other.
+   */
+  uvAt(edge: number, at: number, k: number): number {
+    const offset = PER_EDGE * edge + (k < 2 ? k : k + 2)
+    return this.#uvs[offset] + at * (this.#uvs[offset + 2] - this.#uvs[offset])
+  }
+
+  /** Cuts the edges of some triangles into segments no longer than `longest`; all others stay whole. */
+  cut(covered: Uint8Array, longest: number): void {
+    this.levels.fill(0)
+    for (let corner = 0; corner < this.edgeOf.length; corner++) {
+      if (!covered[Math.floor(corner / 3)]) continue
+      const edge = this.edgeOf[corner]
+      if (this.levels[edge] === 0) this.levels[edge] = levelOf(this.#lengths[edge], longest)
+    }
+  }
+
+  /** Of all texture coordinates of an edge, those that come first and last in an order, whichever it is. */
+  #addUvs(uvs: ArrayLike<number>, edge: number, from: number, to: number, isNew: boolean): void {
+    const all = this.#uvs
+    const own = (k: number) => uvs[2 * (k < 2 ? from : to) + (k % 2)]
+    const compare = (offset: number) => {
+      for (let k = 0; k < 4; k++) if (own(k) !== all[offset + k]) return own(k) - all[offset + k]
+      return 0
+    }
+    const [first, last] = [PER_EDGE * edge, PER_EDGE * edge + 4]
+    const isFirst = isNew || compare(first) < 0
+    const isLast = isNew || compare(last) > 0
+    for (let k = 0; k < 4; k++) {
+      if (isFirst) all[first + k] = own(k)
+      if (isLast) all[last + k] = own(k)
+    }
+  }
+}
+
+/** The corner of the same triangle that follows. */
+export function nextCorner(corner: number): number {
+  return corner % 3 === 2 ? corner - 2 : corner + 1
+}
+
+/** Of each vertex the first one at its position. */
+export function firstVertices(positions: ArrayLike<number>): Uint32Array {
+  const { pointOf, count } = weldVertices(positions)
+  const first = new Uint32Array(count)
+  for (let vertex = pointOf.length - 1; vertex >= 0; vertex--) first[pointOf[vertex]] = vertex
+  return pointOf.map((point) => first[point])
+}
+
+/** Halvings until segments are no longer than `longest`. */
+function levelOf(length: number, longest: number): number {
+  const level = Math.ceil(Math.log2(length / longest))
+  return Number.isFinite(level) ? Math.min(Math.max(level, 0), MAX_LEVEL) : 0
+}
+
+function distance(positions: ArrayLike<number>, a: number, b: number): number {
+  const [x, y, z] = [0, 1, 2].map((axis) => positions[3 * a + axis] - positions[3 * b + axis])
+  return Math.sqrt(x * x + y * y + z * z)
+}

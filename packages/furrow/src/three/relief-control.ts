@@ -1,0 +1,153 @@
+import type { Camera, Mesh } from 'three'
+import { smoothstep } from '../math/scalar.ts'
+import type { AreaArray } from './atlas/area-array.ts'
+import type { ReliefMode } from './options.ts'
+import type { Relief, ReliefHost } from './relief/relief.ts'
+import type { ReliefParts } from './relief/relief-parts.ts'
+import type { AnyRenderer } from './renderer.ts'
+import { pixelsPerUnit } from './size-on-screen.ts'
+
+/** Pixels per millimetre at which relief by size begins, and at which it is full: between them it grows, so that nobody sees it come. */
+const SIZES = [1, 1.5] as const
+
+/** Draws in a row in which nothing of it is seen before the meshes themselves are drawn again: cameras may take turns. */
+const PATIENCE = 60
+
+/** What relief needs of the wrinkles it belongs to. */
+export interface ReliefOwner extends Omit<ReliefHost, 'refuse'> {
+  /** Makes the material draw it, or no longer. */
+  setRelief(relief: Relief | null): void
+  loadParts(): Promise<ReliefParts>
+}
+
+/** Whether a face is drawn with relief: splits its meshes when that is first wanted, and shows it while it can be seen. */
+export class ReliefControl {
+  #mode: ReliefMode
+  readonly #owner: ReliefOwner
+  #relief: Relief | null = null
+  #making: Promise<void> | null = null
+  /** The areas that the meshes were split under: they are split again under others. */
+  #areas: AreaArray | null = null
+  #version = 0
+  /** Whether the dense geometries are drawn. */
+  isShown = false
+  #isPossible: boolean
+  #isDisposed = false
+  /** Draws in a row in which nothing of it was seen. */
+  #unseen = 0
+
+  constructor(owner: ReliefOwner, mode: ReliefMode) {
+    this.#owner = owner
+    this.#isPossible = owner.inputs.textures.layers.some(
+      ({ height, heightAmplitude = 0 }) => height && heightAmplitude > 0,
+    )
+    this.#mode = mode
+  }
+
+  get mode(): ReliefMode {
+    return this.#mode
+  }
+
+  set mode(mode: ReliefMode) {
+    this.#mode = mode
+    // By size the next frame tells.
+    if (mode !== 'auto') this.#show(mode === 'on')
+  }
+
+  /** Splits the meshes, and shows the relief if the mode is `on`. */
+  async ready(): Promise<void> {
+    await this.#make()
+    if (this.mode === 'on') this.#show(true)
+  }
+
+  /** Called before a mesh is drawn. */
+  prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
+    if (!this.#isPossible || (this.mode === 'off' && !this.#relief)) return
+    const amount = this.#amountOf(renderer, camera, mesh)
+    if (this.#relief) {
+      this.#relief.amount.value = amount
+      this.#relief.follow()
+    }
+    if (amount === 0) {
+      this.#unseen++
+      if (this.isShown && this.#unseen === PATIENCE) queueMicrotask(() => this.#show(false))
+      return
+    }
+    this.#unseen = 0
+    if (!this.isShown || this.#isOutdated) this.#begin()
+  }
+
+  dispose(): void {
+    this.#isDisposed = true
+    this.#relief?.dispose()
+    this.#relief = null
+  }
+
+  get #isOutdated(): boolean {
+    const { areas } = this.#owner.inputs
+    return areas !== this.#areas || areas.version !== this.#version
+  }
+
+  #amountOf(renderer: AnyRenderer, camera: Camera, mesh: Mesh): number {
+    if (this.mode === 'off' || !this.#owner.isOn()) return 0
+    if (this.mode === 'on') return 1
+    const perMillimetre = pixelsPerUnit(mesh, camera, renderer) / (1000 * this.#owner.units.atRest)
+    const [from, to] = SIZES
+    return smoothstep((perMillimetre - from) / (to - from))
+  }
+
+  /** After this frame: lists of what it draws have been made. */
+  #begin(): void {
+    queueMicrotask(() => this.#make().then(() => this.#show(this.#unseen === 0 && this.mode !== 'off')))
+  }
+
+  #show(isShown: boolean): void {
+    this.isShown = isShown && this.#relief !== null
+    this.#relief?.show(this.isShown)
+  }
+
+  #make(): Promise<void> {
+    if (!this.#isPossible || !(this.#isOutdated || this.#making)) return Promise.resolve()
+    this.#making ??= this.#split().finally(() => {
+      this.#making = null
+    })
+    return this.#making
+  }
+
+  async #split(): Promise<void> {
+    const { areas } = this.#owner.inputs
+    this.#areas = areas
+    this.#version = areas.version
+    try {
+      const [{ Relief }, parts] = await Promise.all([import('./relief/relief.ts'), this.#owner.loadParts()])
+      const host = { ...this.#owner, refuse: (error: unknown) => this.#refuse(error) }
+      const made = await Relief.create(host, parts, () => !this.#isDisposed)
+      if (made) this.#exchange(made)
+    } catch (error) {
+      this.#refuse(error)
+    }
+  }
+
+  /** The face stays without relief from the next frame on. */
+  #refuse(error: unknown): void {
+    if (!this.#isPossible) return
+    this.#isPossible = false
+    console.warn((error as Error).message)
+    queueMicrotask(() => {
+      if (this.#isDisposed) return
+      this.#show(false)
+      if (this.#relief) this.#owner.setRelief(null)
+      this.#relief?.dispose()
+      this.#relief = null
+    })
+  }
+
+  #exchange(made: Relief): void {
+    const before = this.#relief
+    made.amount.value = before?.amount.value ?? Number(this.mode === 'on')
+    this.#relief = made
+    this.#owner.setRelief(made)
+    before?.dispose()
+    this.#show(this.isShown)
+  }
+}

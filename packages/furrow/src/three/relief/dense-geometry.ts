@@ -1,0 +1,171 @@
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DataTexture,
+  FloatType,
+  InterleavedBuffer,
+  InterleavedBufferAttribute,
+  type Material,
+  type Mesh,
+  RedFormat,
+} from 'three'
+import type { ImageArray } from '../../core/pack.ts'
+import { coveredTriangles } from '../../relief/covered-triangles.ts'
+import type { DenseMesh } from '../../relief/dense-mesh.ts'
+import { outwardRoom } from '../../relief/outward-room.ts'
+import { splitMesh } from '../../relief/split-mesh.ts'
+import { coordinates, trianglesOf } from '../sources/geometry-arrays.ts'
+import { wrinkleUvs } from '../wrinkle-uvs.ts'
+import { COARSE_WIDTH } from './coarse-pass.ts'
+
+/** Areas in memory, and which of them lie on layers with heights. Null where their weights are not in memory: they may be anywhere. */
+export type CoveringAreas = { array: ImageArray; slices: readonly number[] } | null
+
+/** What is split, and how. */
+export interface SplitRequest {
+  mesh: Mesh
+  /** Only its triangles are drawn with relief, where the mesh has several materials. */
+  material: Material
+  areas: CoveringAreas
+  /** Texel of the mesh's first vertex in the coarse textures. */
+  first: number
+  /** Metres per unit of the mesh's positions. */
+  metresPerUnit: number
+  /** Metres that heights can move the surface. */
+  reach: number
+}
+
+/** The dense geometry of a mesh. */
+export interface Split {
+  geometry: BufferGeometry
+  /** See `DenseMesh`. */
+  edge: number
+  /** The next vertex at the same position of each vertex; the last one's is the first. */
+  next: Uint32Array
+}
+
+/**
+ * Splits a mesh into the geometry that its relief is drawn with. Attributes of its own are interpolated; positions and normals that move
+ * are read from the coarse textures by `furrowParents`, `furrowCorners` and `furrowWeights`.
+ */
+export function* splitGeometry(request: SplitRequest): Generator<void, Split> {
+  const { mesh, material, areas, first, metresPerUnit, reach } = request
+  const { geometry } = mesh
+  const positions = coordinates(geometry.attributes.position).map((value) => value * metresPerUnit)
+  const coarse = { positions, uvs: wrinkleUvs(mesh, material), triangles: drawnTriangles(mesh, material) }
+  const covered = areas
+    ? coveredTriangles(coarse, areas.array, areas.slices)
+    : new Uint8Array(coarse.triangles.length / 3).fill(1)
+  yield
+  const dense = yield* splitMesh(coarse, covered)
+  const { firstOf } = dense
+  yield
+  const room = outwardRoom(coarse, coordinates(geometry.attributes.normal), firstOf, reach)
+  yield
+  return {
+    geometry: denseGeometry(geometry, dense, first, roomOf(dense, room)),
+    edge: dense.edge,
+    next: ringOf(firstOf),
+  }
+}
+
+/** A texture of the rings of all meshes, each of whose vertices begin at its first texel. */
+export function ringTexture(splits: readonly { next: Uint32Array; first: number }[]): DataTexture {
+  const count = splits.reduce((sum, { next }) => sum + next.length, 0)
+  const rows = Math.ceil(count / COARSE_WIDTH)
+  const data = new Float32Array(COARSE_WIDTH * rows)
+  for (const { next, first } of splits)
+    for (const [i, value] of next.entries()) data[first + i] = first + value
+  const texture = new DataTexture(data, COARSE_WIDTH, rows, RedFormat, FloatType)
+  texture.needsUpdate = true
+  return texture
+}
+
+/** The triangles of a mesh that a material is on. */
+function drawnTriangles(mesh: Mesh, material: Material): ArrayLike<number> {
+  const all = trianglesOf(mesh.geometry)
+  const { material: own, geometry } = mesh
+  if (!Array.isArray(own)) return all
+  const groups = geometry.groups.filter(({ materialIndex = 0 }) => own[materialIndex] === material)
+  return groups.flatMap(({ start, count }) =>
+    Array.from({ length: Math.min(count, all.length - start) }, (_, i) => all[start + i]),
+  )
+}
+
+function ringOf(firstOf: Uint32Array): Uint32Array {
+  const next = Uint32Array.from(firstOf.keys())
+  for (const [vertex, first] of firstOf.entries()) {
+    if (vertex === first) continue
+    next[vertex] = next[first]
+    next[first] = vertex
+  }
+  return next
+}
+
+function roomOf({ count, parents, weights }: DenseMesh, room: Float32Array): Float32Array {
+  const out = new Float32Array(count)
+  for (let i = 0; i < parents.length; i++) out[Math.floor(i / 3)] += weights[i] * room[parents[i]]
+  return out
+}
+
+/** Attributes that only deform the coarse mesh. */
+const DEFORMING = ['skinIndex', 'skinWeight']
+
+function denseGeometry(
+  { attributes }: BufferGeometry,
+  dense: DenseMesh,
+  first: number,
+  room: Float32Array,
+): BufferGeometry {
+  const geometry = new BufferGeometry()
+  for (const [name, attribute] of Object.entries(attributes)) {
+    if (DEFORMING.includes(name)) continue
+    const { itemSize } = attribute
+    const values = interpolate(coordinates(attribute, itemSize), itemSize, dense)
+    geometry.setAttribute(name, new BufferAttribute(values, itemSize))
+  }
+  const { parents, corners, weights, uvs } = dense
+  addInterleaved(geometry, dense.count, [
+    ['furrowParents', parents.map((i) => first + i), 3],
+    ['furrowCorners', corners.map((i) => first + i), 3],
+    ['furrowWeights', weights, 3],
+    ['furrowUvs', uvs, 4],
+    ['furrowRoom', room, 1],
+  ])
+  geometry.setIndex(new BufferAttribute(dense.triangles, 1))
+  return geometry
+}
+
+/** Adds attributes of floats in one buffer: WebGPU guarantees no more than eight for a geometry. */
+function addInterleaved(
+  geometry: BufferGeometry,
+  count: number,
+  parts: readonly [name: string, values: ArrayLike<number>, size: number][],
+): void {
+  const stride = parts.reduce((sum, [, , size]) => sum + size, 0)
+  const buffer = new InterleavedBuffer(new Float32Array(stride * count), stride)
+  let offset = 0
+  for (const [name, values, size] of parts) {
+    for (let i = 0; i < size * count; i++) {
+      buffer.array[stride * Math.floor(i / size) + offset + (i % size)] = values[i]
+    }
+    geometry.setAttribute(name, new InterleavedBufferAttribute(buffer, size, offset))
+    offset += size
+  }
+}
+
+function interpolate(
+  values: Float32Array,
+  size: number,
+  { count, corners, weights }: DenseMesh,
+): Float32Array {
+  const out = new Float32Array(size * count)
+  for (let i = 0; i < count; i++) {
+    for (let k = 0; k < 3; k++) {
+      const [corner, weight] = [corners[3 * i + k], weights[3 * i + k]]
+      if (weight === 0) continue
+      for (let n = 0; n < size; n++) out[size * i + n] += weight * values[size * corner + n]
+    }
+  }
+  return out
+}

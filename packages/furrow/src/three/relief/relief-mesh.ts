@@ -1,0 +1,39 @@
+import { type BufferGeometry, InstancedMesh, type Material, Mesh, Object3D } from 'three'
+
+/** What is drawn in place of a mesh: its dense geometry. A child of that mesh, which it follows in all that drawing depends on. */
+export type ReliefMesh = Mesh & { readonly isReliefMesh: true }
+
+/** Creates what is drawn in place of a mesh with one of its materials. It is not a child yet. */
+export function createReliefMesh(mesh: Mesh, geometry: BufferGeometry, material: Material): ReliefMesh {
+  const { isInstancedMesh, count, instanceMatrix, instanceColor } = mesh as InstancedMesh
+  const relief: Mesh = isInstancedMesh
+    ? Object.assign(new InstancedMesh(geometry, material, 0), { count, instanceMatrix, instanceColor })
+    : new Mesh(geometry, material)
+  relief.name = `${mesh.name} relief`
+  // The user's mesh is what rays hit, and its bounds are those that count.
+  relief.raycast = () => {}
+  // A copy of the mesh has a relief of its own.
+  relief.clone = () => new Object3D() as never
+  Object.defineProperty(relief, 'boundingSphere', { get: () => boundingSphereOf(mesh) })
+  return Object.assign(relief, { isReliefMesh: true } as const)
+}
+
+/** Takes from the mesh what drawing depends on. */
+export function followMesh(relief: ReliefMesh, mesh: Mesh): void {
+  relief.castShadow = mesh.castShadow
+  relief.receiveShadow = mesh.receiveShadow
+  relief.renderOrder = mesh.renderOrder
+  relief.frustumCulled = mesh.frustumCulled
+  relief.layers.mask = mesh.layers.mask
+  if ('count' in relief) Object.assign(relief, { count: (mesh as InstancedMesh).count })
+}
+
+function boundingSphereOf(mesh: Mesh) {
+  const own = mesh as Partial<InstancedMesh>
+  if (own.boundingSphere !== undefined) {
+    if (own.boundingSphere === null) own.computeBoundingSphere!()
+    return own.boundingSphere
+  }
+  if (mesh.geometry.boundingSphere === null) mesh.geometry.computeBoundingSphere()
+  return mesh.geometry.boundingSphere
+}

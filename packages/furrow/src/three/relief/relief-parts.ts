@@ -1,0 +1,23 @@
+import type { Material, Mesh } from 'three'
+import type { Instances } from '../instances.ts'
+import type { ShaderInputs } from '../material/shader-inputs.ts'
+import type { AnyRenderer } from '../renderer.ts'
+import type { CoarseParts } from './coarse-pass.ts'
+import type { ReliefInputs } from './relief-inputs.ts'
+import type { ReliefMesh } from './relief-mesh.ts'
+
+/** What relief needs of a renderer. */
+export interface ReliefParts extends CoarseParts {
+  /** Makes a material draw dense geometries in their places too; returns what undoes that. Any other geometry is drawn as before. */
+  patch(material: Material, relief: ReliefInputs, inputs: ShaderInputs, instances: Instances): () => void
+  /** Gives what is drawn in place of a mesh the materials that its shadow needs, if any; returns what frees them. */
+  dressShadow(
+    dense: ReliefMesh,
+    mesh: Mesh,
+    relief: ReliefInputs,
+    inputs: ShaderInputs,
+    instances: Instances,
+  ): () => void
+  /** Runs something that draws elsewhere while a shadow is being drawn. */
+  duringShadow(renderer: AnyRenderer, draw: () => void): void
+}

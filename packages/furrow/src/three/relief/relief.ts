@@ -1,0 +1,209 @@
+import type { Camera, Material, Mesh, Sphere, Texture } from 'three'
+import { FurrowError } from '../../core/error.ts'
+import { SPLIT_DEFAULTS } from '../../relief/split-mesh.ts'
+import { instancesOf } from '../instances.ts'
+import type { ShaderInputs } from '../material/shader-inputs.ts'
+import type { MeshUnits } from '../mesh-units.ts'
+import type { AnyRenderer } from '../renderer.ts'
+import { CoarsePass } from './coarse-pass.ts'
+import { type CoveringAreas, ringTexture, type Split, splitGeometry } from './dense-geometry.ts'
+import { checkReach, createHeightMaps, type HeightMaps } from './height-maps.ts'
+import type { ReliefInputs } from './relief-inputs.ts'
+import { createReliefMesh } from './relief-mesh.ts'
+import type { ReliefParts } from './relief-parts.ts'
+import { inSlices } from './slices.ts'
+import { StandIn } from './stand-in.ts'
+
+/** The wrinkles whose relief it is. */
+export interface ReliefHost {
+  /** The meshes of the face. */
+  readonly meshes: readonly Mesh[]
+  /** The one that shows the wrinkles. */
+  readonly material: Material
+  readonly inputs: ShaderInputs
+  readonly units: MeshUnits
+  /** Whether the material shows wrinkles now. */
+  isOn(): boolean
+  /** Runs the phases of a frame, as before any mesh is drawn. */
+  prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void
+  /** Called during a frame if a shader cannot draw the relief: it is then to be dropped. */
+  refuse(error: unknown): void
+}
+
+/** The dense geometry of one mesh, and the texel of its first vertex in the coarse textures. */
+type MeshSplit = Split & { mesh: Mesh; first: number }
+
+/** The relief of one face: dense geometries that are drawn in place of its meshes. */
+export class Relief {
+  /** 0 = the meshes as they are, 1 = full relief. */
+  readonly amount = { value: 0 }
+  readonly #host: ReliefHost
+  readonly #parts: ReliefParts
+  readonly #heights: HeightMaps
+  readonly #ring: Texture
+  readonly #pass: CoarsePass
+  readonly #inputs: ReliefInputs
+  readonly #standIns: StandIn[]
+  readonly #onDispose: (() => void)[] = []
+  #isRefused = false
+
+  private constructor(
+    host: ReliefHost,
+    parts: ReliefParts,
+    heights: HeightMaps,
+    splits: readonly MeshSplit[],
+  ) {
+    this.#host = host
+    this.#parts = parts
+    this.#heights = heights
+    this.#ring = ringTexture(splits)
+    this.#pass = new CoarsePass(splits, this.#ring, parts)
+    const [positions, directions] = this.#pass.target.textures
+    this.#inputs = {
+      heights,
+      coarse: { positions, directions },
+      unitsPerMetre: 1 / host.units.deformed,
+      amount: this.amount,
+      refuse: (error) => {
+        this.#isRefused = true
+        host.refuse(error)
+      },
+    }
+    this.#standIns = splits.map((split) => this.#standInOf(split))
+  }
+
+  /**
+   * Splits the meshes of a face, in slices.
+   *
+   * @param isWanted asked now and then; the work ends when it no longer is, and the result is null.
+   * @throws FurrowError when the meshes or the heights are not fit for it.
+   */
+  static async create(host: ReliefHost, parts: ReliefParts, isWanted: () => boolean): Promise<Relief | null> {
+    const { meshes, material, units, inputs } = host
+    for (const mesh of meshes) checkMesh(mesh)
+    const heights = createHeightMaps(inputs.textures.layers)
+    try {
+      checkReach(heights, units.atRest * Math.max(...meshes.map(radiusOf)))
+      const areas = coveringAreas(inputs, heights)
+      const splits: MeshSplit[] = []
+      let first = 0
+      for (const mesh of meshes) {
+        const request = { mesh, material, areas, first, metresPerUnit: units.atRest, reach: heights.reach }
+        const split = await inSlices(splitGeometry(request), isWanted)
+        if (!split) break
+        splits.push({ ...split, mesh, first })
+        first += split.next.length
+      }
+      if (splits.length === meshes.length) {
+        warnOfLongEdges(splits)
+        return new Relief(host, parts, heights, splits)
+      }
+    } catch (error) {
+      heights.dispose()
+      throw error
+    }
+    heights.dispose()
+    return null
+  }
+
+  /** Makes the material draw it; for `PatchedMaterial`. */
+  patch(material: Material): () => void {
+    const { meshes, inputs } = this.#host
+    return this.#parts.patch(material, this.#inputs, inputs, instancesOf(meshes[0]))
+  }
+
+  /** Draws the dense geometries from now on, or the meshes themselves. Not to be called during a frame. */
+  show(isShown: boolean): void {
+    for (const standIn of this.#standIns) standIn.show(isShown)
+  }
+
+  /** Takes over how the meshes are drawn, from the next frame on. */
+  follow(): void {
+    for (const standIn of this.#standIns) standIn.follow()
+  }
+
+  dispose(): void {
+    this.show(false)
+    for (const free of this.#onDispose) free()
+    this.#pass.dispose()
+    this.#ring.dispose()
+    this.#heights.dispose()
+  }
+
+  #standInOf({ mesh, geometry }: MeshSplit): StandIn {
+    const { material, inputs } = this.#host
+    const dense = createReliefMesh(mesh, geometry, material)
+    const undress = this.#parts.dressShadow(dense, mesh, this.#inputs, inputs, instancesOf(mesh))
+    this.#onDispose.push(undress, () => geometry.dispose())
+    return new StandIn(mesh, dense, {
+      material,
+      isOn: () => !this.#isRefused && this.#host.isOn(),
+      prepare: (renderer, camera, drawn) => this.#host.prepare(renderer, camera, drawn),
+      deform: (renderer, isShadow) => {
+        if (isShadow) this.#parts.duringShadow(renderer, () => this.#pass.update(renderer))
+        else this.#pass.update(renderer)
+      },
+    })
+  }
+}
+
+/** Triangles that a mesh may have to begin with: there is nothing to split in more. */
+const MOST_TRIANGLES = SPLIT_DEFAULTS.budget
+
+/** @throws FurrowError when a mesh cannot have relief. */
+function checkMesh(mesh: Mesh): void {
+  const { index, attributes } = mesh.geometry
+  const count = (index ?? attributes.position).count / 3
+  const who = `Wrinkles.relief of mesh "${mesh.name}"`
+  if (count > MOST_TRIANGLES) {
+    throw new FurrowError({
+      code: 'out-of-range',
+      who,
+      what: 'the mesh has too many triangles to split',
+      value: Math.floor(count),
+      limit: `${MOST_TRIANGLES} triangles`,
+      remedy: 'reduce it; fine detail belongs into its normal map',
+    })
+  }
+  const { morphTexture } = mesh as { morphTexture?: Texture | null }
+  if (instancesOf(mesh) !== 'batched' && !morphTexture) return
+  throw new FurrowError({
+    code: 'unsupported',
+    who,
+    what: morphTexture ? 'instances with blendshapes of their own' : 'a BatchedMesh',
+    limit: 'meshes, and instances that move as one',
+    remedy: 'show it without relief',
+  })
+}
+
+/** The areas on layers with heights. */
+function coveringAreas({ areas }: ShaderInputs, heights: HeightMaps): CoveringAreas {
+  const { texture, slots, channels, width, height } = areas
+  const { data, depth } = texture.image as { data?: Uint8Array; depth: number }
+  // Compressed areas are on the graphics card only.
+  if (channels !== 1 || !data) return null
+  const layers = new Set(heights.layers.map(({ layer }) => layer))
+  const slices = slots.flatMap(({ layer, slice }) => (layers.has(layer) ? slice : []))
+  return { array: { data, width, height, depth, channels }, slices }
+}
+
+function radiusOf({ geometry }: Mesh): number {
+  if (geometry.boundingSphere === null) geometry.computeBoundingSphere()
+  return (geometry.boundingSphere as Sphere).radius
+}
+
+function warnOfLongEdges(splits: readonly MeshSplit[]): void {
+  for (const { mesh, edge } of splits) {
+    if (edge <= SPLIT_DEFAULTS.edge) continue
+    const millimetres = (length: number) => `${(1000 * length).toPrecision(2)} mm`
+    console.warn(
+      new FurrowError({
+        who: `Wrinkles.relief of mesh "${mesh.name}"`,
+        what: `more than ${SPLIT_DEFAULTS.budget} triangles, so their edges are longer`,
+        value: millimetres(edge),
+        limit: millimetres(SPLIT_DEFAULTS.edge),
+        remedy: 'let fewer areas be on layers with heights',
+      }).message,
+    )
+  }
+}

@@ -1,0 +1,20 @@
+import { type Material, type Mesh, type MeshStandardMaterial, Vector2 } from 'three'
+
+/**
+ * Texture coordinates of the areas and layers, which are those of the normal map, its `KHR_texture_transform` applied.
+ *
+ * @returns u and v of each vertex.
+ */
+export function wrinkleUvs({ geometry }: Mesh, material: Material): Float64Array {
+  const { normalMap } = material as MeshStandardMaterial
+  const attribute = geometry.getAttribute(normalMap?.channel ? `uv${normalMap.channel}` : 'uv')
+  const uvs = new Float64Array(2 * attribute.count)
+  const uv = new Vector2()
+  normalMap?.updateMatrix()
+  for (let i = 0; i < attribute.count; i++) {
+    uv.fromBufferAttribute(attribute as never, i)
+    if (normalMap) uv.applyMatrix3(normalMap.matrix)
+    uvs.set([uv.x, uv.y], 2 * i)
+  }
+  return uvs
+}

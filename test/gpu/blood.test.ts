@@ -1,0 +1,125 @@
+import { type Area, type GrayImage, type Layer, packAreas, packGrays, reference } from 'furrow'
+import { Color, DirectionalLight, MeshLambertMaterial, Scene } from 'three'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { randomAreas } from '../cases.ts'
+import { seeded } from '../random.ts'
+import { largestDifference } from './difference.ts'
+import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+
+const CASES = 200
+const PIXELS = 16
+const MAP = 16
+const AREAS = 4
+
+/** Of three layers, the first has occlusion too and the last neither: occlusion changes neither direct nor diffuse light. */
+const LAYERS = ['both', 'blood', 'neither']
+
+describe.each(RENDERERS)('blood on %s', (name) => {
+  let harness: Harness
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterAll(() => harness.dispose())
+
+  /** Pictures of a square in one colour, at rest and with wrinkles. */
+  async function show(layers: Layer[], areas: Area[], color: Color, activations: readonly number[]) {
+    const mesh = square(new MeshLambertMaterial({ color }))
+    const wrinkles = new harness.Wrinkles(mesh, { layers, areas }, { areaSize: MAP })
+    const scene = new Scene()
+    const light = new DirectionalLight(0xffffff, 3)
+    light.position.set(0.3, 0.2, 1)
+    scene.add(mesh, light)
+    const plain = await harness.render(scene, squareCamera(), PIXELS)
+    for (const [i, activation] of activations.entries()) wrinkles.setActivation(areas[i].name, activation)
+    const shown = await harness.render(scene, squareCamera(), PIXELS)
+    const dispose = () => {
+      wrinkles.dispose()
+      mesh.geometry.dispose()
+    }
+    return { plain, shown, dispose }
+  }
+
+  it('absorbs as the reference does, in 200 random cases', async () => {
+    const random = seeded(17)
+    // Each case is disposed after the next is drawn, so that the renderer keeps their common program.
+    let release = () => {}
+    let largestEffect = 0
+    for (let i = 0; i < CASES; i++) {
+      const layers = LAYERS.map((layer) => randomLayer(random, layer, random() * 2))
+      const areas = randomAreas(random, AREAS, MAP).map((area, k) => ({ ...area, layer: LAYERS[k % 3] }))
+      const activations = areas.map(() => (random() < 0.2 ? 0 : random()))
+      const color = new Color(random(), random(), random()).multiplyScalar(0.5)
+      const { plain, shown, dispose } = await show(layers, areas, color, activations)
+      const exact = absorbed(plain, layers, areas, activations)
+      expect(largestDifference(shown, exact)).toBeLessThanOrEqual(2 / 255)
+      largestEffect = Math.max(largestEffect, largestDifference(plain, exact))
+      release()
+      release = dispose
+    }
+    expect(largestEffect).toBeGreaterThan(64 / 255)
+    release()
+  })
+
+  it('leaves every bit as it is where there is as much as at rest', async () => {
+    const random = seeded(18)
+    const areas = randomAreas(random, AREAS, MAP)
+    const color = new Color(0.71, 0.43, 0.337)
+    const layer = randomLayer(random, 'both', 2)
+    layer.blood!.data.fill(128)
+    const { blood: _, ...bloodless } = layer
+    const [own, other] = [await show([layer], areas, color, [1]), await show([bloodless], areas, color, [1])]
+    expect(own.shown).toEqual(other.shown)
+    for (const { dispose } of [own, other]) dispose()
+  })
+})
+
+/** The picture at rest with the blood of the reference. */
+function absorbed(
+  plain: Float32Array,
+  layers: readonly Layer[],
+  areas: readonly Area[],
+  activations: readonly number[],
+): Float32Array {
+  const packed = packAreas(
+    areas.map(({ weights }) => weights as GrayImage),
+    MAP,
+  )
+  const active = areas.map(({ layer, combine = 'sum' }, i) => ({
+    activation: activations[i],
+    layer: LAYERS.indexOf(layer!),
+    combine,
+  }))
+  const maps = layers.map(({ blood }) => blood && packGrays([blood as GrayImage]))
+  const exact = plain.slice()
+  for (let pixel = 0; pixel < PIXELS * PIXELS; pixel++) {
+    const u = ((pixel % PIXELS) + 0.5) / PIXELS
+    const v = 1 - (Math.floor(pixel / PIXELS) + 0.5) / PIXELS
+    const values = layers.flatMap(({ bloodAmplitude }, i) => {
+      const map = maps[i]
+      if (!map) return []
+      const value = [reference.bloodOf(reference.sampleArray(map, u, v, 0)) * bloodAmplitude!]
+      return [{ value, influence: reference.influenceFromMap(packed, active, u, v, i) }]
+    })
+    const [blood] = reference.mixValues([0], values)
+    exact.set(reference.bloodColour([...plain.subarray(4 * pixel, 4 * pixel + 3)], blood), 4 * pixel)
+  }
+  return exact
+}
+
+function randomLayer(random: () => number, name: string, bloodAmplitude: number): Layer {
+  const gray = (): GrayImage => ({
+    width: MAP,
+    height: MAP,
+    data: Uint8Array.from({ length: MAP * MAP }, () => random() * 256),
+  })
+  const flat = { width: MAP, height: MAP, data: new Uint8Array(4 * MAP * MAP).fill(128) }
+  for (let i = 2; i < flat.data.length; i += 4) flat.data[i] = 255
+  return {
+    name,
+    kind: 'detail',
+    normal: flat,
+    normalScale: 0,
+    ...(name === 'both' && { occlusion: gray() }),
+    ...(name !== 'neither' && { blood: gray(), bloodAmplitude }),
+  }
+}

@@ -1,0 +1,78 @@
+import { type Area, type ArraySlice, type GrayImage, packAreas, reference } from 'furrow'
+import { readWrinkleMaps } from 'furrow/three'
+import type { Mesh, Object3D } from 'three'
+import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { coveredTriangles } from '../../../packages/furrow/src/relief/covered-triangles.ts'
+import { displace } from '../../../packages/furrow/src/relief/displaced.ts'
+import { outwardRoom } from '../../../packages/furrow/src/relief/outward-room.ts'
+import { splitMesh } from '../../../packages/furrow/src/relief/split-mesh.ts'
+import type { Harness } from '../harness.ts'
+
+/** Metres from black to white. */
+const AMPLITUDE = 0.002
+const SIDE = 512
+
+/** Bands across the whole texture, of some millimetres on the skin. */
+const bands: GrayImage = {
+  width: SIDE,
+  height: SIDE,
+  data: Uint8Array.from({ length: SIDE * SIDE }, (_, i) =>
+    Math.round(127.5 + 127.5 * Math.sin((2 * Math.PI * 40 * Math.floor(i / SIDE)) / SIDE)),
+  ),
+}
+
+export interface BandedFace {
+  root: Object3D
+  skin: Mesh
+  areas: Area<ArraySlice>[]
+  wrinkles: InstanceType<Harness['Wrinkles']>
+  dispose(): void
+}
+
+/** The shipped face, with heights added to its wrinkles, all areas of which are active. */
+export async function bandedFace(harness: Harness): Promise<BandedFace> {
+  const gltf: GLTF = await new GLTFLoader().loadAsync('/packed/shipped.glb')
+  const [{ meshes, set }] = await readWrinkleMaps(gltf)
+  const [skin] = meshes
+  const layers = set.layers.map((layer) => ({ ...layer, height: bands, heightAmplitude: AMPLITUDE }))
+  const areas = set.areas.map((area) => ({ ...area, activation: 1 }))
+  const wrinkles = new harness.Wrinkles(skin, { layers, areas }, { relief: 'on' })
+  await wrinkles.reliefReady()
+  return { root: gltf.scene, skin, areas, wrinkles, dispose: () => wrinkles.dispose() }
+}
+
+/** The skin with its relief in float64: triangles, and positions in the mesh's space. */
+export function displacedSkin({ skin, areas: activeAreas }: BandedFace) {
+  const { attributes, index, morphAttributes } = skin.geometry
+  const rest = attributes.position.array
+  const coarse = { positions: rest, uvs: attributes.uv.array, triangles: index!.array }
+  const areas = packAreas(activeAreas.map(({ weights }) => weights as GrayImage))
+  const active = activeAreas.map(({ combine = 'sum' }) => ({ activation: 1, layer: 0, combine }) as const)
+  const slices = activeAreas.map((_, slice) => slice)
+  const steps = splitMesh(coarse, coveredTriangles(coarse, areas, slices))
+  let step = steps.next()
+  while (!step.done) step = steps.next()
+  const dense = step.value
+  const room = outwardRoom(coarse, attributes.normal.array, dense.firstOf, AMPLITUDE / 2)
+  const deformed = (name: 'position' | 'normal') => {
+    const out = Float64Array.from(attributes[name].array)
+    for (const [target, weight] of skin.morphTargetInfluences!.entries()) {
+      const offsets = morphAttributes[name]?.[target]
+      if (weight !== 0 && offsets) for (let i = 0; i < out.length; i++) out[i] += weight * offsets.array[i]
+    }
+    return out
+  }
+  const normals = deformed('normal')
+  for (let i = 0; i < normals.length; i += 3) {
+    const length = Math.hypot(normals[i], normals[i + 1], normals[i + 2])
+    for (let axis = 0; axis < 3; axis++) normals[i + axis] /= length
+  }
+  const size = { width: SIDE, height: SIDE }
+  const heightAt = (u: number, v: number) => {
+    const influence = reference.influenceFromMap(areas, active, u, v)
+    const height = reference.interpolate(size, u, v, (i, j) => bands.data[i + j * SIDE]) / 255
+    return influence * (height - 0.5) * AMPLITUDE
+  }
+  const positions = displace(dense, { positions: deformed('position'), normals }, heightAt, room)
+  return { triangles: dense.triangles, positions }
+}

@@ -1,0 +1,36 @@
+import { BufferAttribute, BufferGeometry, Mesh, MeshStandardMaterial } from 'three'
+import { interpolate } from '../../../packages/furrow/src/core/reference.ts'
+import { displace } from '../../../packages/furrow/src/relief/displaced.ts'
+import { outwardRoom } from '../../../packages/furrow/src/relief/outward-room.ts'
+import { splitMesh } from '../../../packages/furrow/src/relief/split-mesh.ts'
+import { AMPLITUDE, heightBytes } from './ball.ts'
+
+/** A ball with full relief as the reference in float64 has it, its blendshape included. */
+export function displacedBall({ geometry, morphTargetInfluences }: Mesh) {
+  const { attributes, index, morphAttributes } = geometry
+  const rest = attributes.position.array as Float32Array
+  const coarse = { positions: rest, uvs: attributes.uv.array, triangles: index!.array }
+  const steps = splitMesh(coarse, new Uint8Array(index!.count / 3).fill(1))
+  let step = steps.next()
+  while (!step.done) step = steps.next()
+  const dense = step.value
+  const normals = attributes.normal.array
+  const room = outwardRoom(coarse, normals, dense.firstOf, AMPLITUDE / 2)
+  const offsets = morphAttributes.position![0].array
+  const positions = Float64Array.from(rest, (value, i) => value + morphTargetInfluences![0] * offsets[i])
+  const bytes = heightBytes()
+  const side = Math.sqrt(bytes.length)
+  const heightAt = (u: number, v: number) =>
+    (interpolate({ width: side, height: side }, u, v, (i, j) => bytes[i + j * side]) / 255 - 0.5) * AMPLITUDE
+  return { triangles: dense.triangles, positions: displace(dense, { positions, normals }, heightAt, room) }
+}
+
+/** The same as a mesh of its own, to draw. */
+export function displacedMesh(ball: Mesh): Mesh {
+  const { triangles, positions } = displacedBall(ball)
+  const geometry = new BufferGeometry()
+  geometry.setAttribute('position', new BufferAttribute(Float32Array.from(positions), 3))
+  geometry.setIndex(new BufferAttribute(triangles, 1))
+  geometry.computeVertexNormals()
+  return new Mesh(geometry, new MeshStandardMaterial({ color: 0, emissive: 0xffffff }))
+}

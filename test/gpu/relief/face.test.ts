@@ -1,0 +1,133 @@
+import { findTargets } from 'furrow'
+import { frameFace } from 'furrow/three'
+import {
+  AmbientLight,
+  Box3,
+  Color,
+  type Mesh,
+  OrthographicCamera,
+  PerspectiveCamera,
+  Scene,
+  Vector3,
+} from 'three'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { Rng } from '../../../packages/furrow/src/math/rng.ts'
+import { createHarness, type Harness, RENDERERS } from '../harness.ts'
+import { type BandedFace, bandedFace, displacedSkin } from './banded-face.ts'
+import { distances, fractionWithin, type Outline, outlineOf, projectedOutline } from './outline.ts'
+
+/** Pixels of the picture of the whole head in which distances are given, and of the one that is drawn: outlines are drawn twice as fine. */
+const PIXELS = 1600
+const FINE = 2 * PIXELS
+
+/** Pixels of a picture of 400 that relief may move an outline. */
+const NEAR = 3
+
+const POSE = { browInnerUp: 1, browOuterUpLeft: 1, browOuterUpRight: 1, mouthSmileLeft: 0.5 }
+
+describe.each(RENDERERS)('the shipped face on %s', (name) => {
+  let harness: Harness
+  let face: BandedFace
+  beforeAll(async () => {
+    harness = await createHarness(name)
+    face = await bandedFace(harness)
+  })
+  afterAll(() => {
+    face.dispose()
+    harness.dispose()
+  })
+
+  function pose(weights: Record<string, number>): void {
+    face.root.traverse((object) => {
+      const { morphTargetDictionary, morphTargetInfluences } = object as Mesh
+      if (!morphTargetDictionary) return
+      morphTargetInfluences!.fill(0)
+      for (const [target, weight] of Object.entries(weights)) {
+        const targets = findTargets(target, Object.keys(morphTargetDictionary))
+        for (const index of targets) morphTargetInfluences![index] = weight
+      }
+    })
+  }
+
+  it('has the outline of the reference in profile, which is that of no face without relief', async () => {
+    pose(POSE)
+    const { skin, wrinkles } = face
+    const box = new Box3().setFromObject(skin)
+    const centre = box.getCenter(new Vector3())
+    const side = Math.max(box.max.y - box.min.y, box.max.z - box.min.z)
+    const camera = new OrthographicCamera(-side / 2, side / 2, side / 2, -side / 2, 0, 2)
+    camera.position.set(-1, centre.y, centre.z)
+    camera.lookAt(centre)
+    const picture = async () => {
+      const alone = new Scene().add(skin, new AmbientLight(0xffffff, 30))
+      const found = outlineOf(await harness.renderBytes(alone, camera, FINE), FINE, FINE)
+      return found
+    }
+    await picture()
+    const shown = await picture()
+    wrinkles.relief = 'off'
+    const plain = await picture()
+    wrinkles.relief = 'on'
+    const { triangles, positions } = displacedSkin(face)
+    const scale = FINE / side
+    const expected = projectedOutline(
+      triangles,
+      (vertex) => [
+        (positions[3 * vertex + 2] - centre.z) * scale + FINE / 2,
+        (positions[3 * vertex + 1] - centre.y) * scale + FINE / 2,
+      ],
+      FINE,
+    )
+    const pixels = (a: Outline, b: Outline) => distances(a, b).map((distance) => (distance * PIXELS) / FINE)
+    expect(fractionWithin(0.5, pixels(shown, expected))).toBeGreaterThan(0.995)
+    expect(Math.max(...forehead(pixels(plain, expected)))).toBeGreaterThan(1.5)
+    expect(Math.max(...forehead(pixels(shown, expected)))).toBeLessThan(0.5)
+  })
+
+  it('shows no background inside the head, in random views and poses', async () => {
+    const rng = new Rng(17)
+    const scene = new Scene().add(face.root, face.skin, new AmbientLight(0xffffff, 3))
+    scene.background = new Color(0x00ff00)
+    const targets = Object.keys(face.skin.morphTargetDictionary!)
+    const size = 400
+    // All 20 on the first path; the others read the same numbers in the same order.
+    const views = name === RENDERERS[0] ? 20 : 4
+    for (let i = 0; i < views; i++) {
+      pose(Object.fromEntries(targets.map((target) => [target, rng.next() < 0.1 ? rng.next() : 0])))
+      const camera = new PerspectiveCamera(22, 1, 0.05, 10)
+      frameFace(camera, face.root, { yaw: rng.uniform(-180, 180), pitch: rng.uniform(-20, 40), zoom: 1 })
+      face.wrinkles.relief = 'on'
+      await harness.renderBytes(scene, camera, size)
+      const shown = await harness.renderBytes(scene, camera, size)
+      face.wrinkles.relief = 'off'
+      const plain = await harness.renderBytes(scene, camera, size)
+      expect(holes(shown, plain, size)).toEqual([])
+    }
+  })
+})
+
+/** The rows of the forehead, of distances on the left and then those on the right, where the face is. */
+function forehead(found: number[]): number[] {
+  const right = found.slice(found.length / 2)
+  return right.slice(0.72 * right.length, 0.86 * right.length)
+}
+
+/** Pixels that show the background although the other picture shows none near them; those round the head are not among them. */
+function holes(shown: Uint8Array, plain: Uint8Array, size: number): number[] {
+  const isBackground = (pixels: Uint8Array, x: number, y: number) => {
+    const i = 4 * (x + y * size)
+    return pixels[i] === 0 && pixels[i + 1] === 255 && pixels[i + 2] === 0
+  }
+  const found: number[] = []
+  for (let y = NEAR; y < size - NEAR; y++) {
+    for (let x = NEAR; x < size - NEAR; x++) {
+      if (!isBackground(shown, x, y)) continue
+      let isNear = false
+      for (let dy = -NEAR; dy <= NEAR; dy++) {
+        for (let dx = -NEAR; dx <= NEAR; dx++) isNear ||= isBackground(plain, x + dx, y + dy)
+      }
+      if (!isNear) found.push(x + y * size)
+    }
+  }
+  return found
+}

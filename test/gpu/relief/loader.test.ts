@@ -1,0 +1,86 @@
+import { readWrinkleMaps, wrinklesOf } from 'furrow/three'
+import type { Mesh } from 'three'
+import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { afterEach, describe, expect, it, vi } from 'vitest'
+import { createHarness, RENDERERS, squareCamera } from '../harness.ts'
+import { wrinkledFile } from '../wrinkled-file.ts'
+import { sceneOf } from './ball.ts'
+
+/** A file whose layer has heights: a red channel of its textures, by index. They are as high as a mesh of that size allows. */
+// biome-ignore lint/suspicious/noExplicitAny: the whole JSON of the file, as a careless program would edit it
+const fileWithHeights = (index = 2, edit: (json: any) => unknown = () => {}) =>
+  wrinkledFile(
+    ({ layers: [layer] }) => Object.assign(layer, { heightTexture: { index, amplitude: 0.05 } }),
+    edit,
+  )
+
+/** A file whose heights are in an image that is none. */
+const fileWithoutImage = () =>
+  fileWithHeights(3, (json) => {
+    json.images.push({ uri: 'data:image/png;base64,AAAA' })
+    json.textures.push({ source: json.images.length - 1 })
+  })
+
+function meshesOf({ scene }: GLTF): Mesh[] {
+  const meshes: Mesh[] = []
+  scene.traverse((object) => {
+    if ((object as Mesh).isMesh) meshes.push(object as Mesh)
+  })
+  return meshes
+}
+
+afterEach(() => {
+  vi.restoreAllMocks()
+})
+
+describe.each(RENDERERS)('loaded for %s', (name) => {
+  const load = async (file: Uint8Array<ArrayBuffer>, relief: 'on' | 'off') => {
+    const harness = await createHarness(name)
+    const loader = new GLTFLoader().register((parser) => new harness.Plugin(parser, { relief }))
+    return { harness, gltf: await loader.parseAsync(file.slice().buffer, '') }
+  }
+
+  it('a file shows its relief, with all of its primitives, and copies have their own', async () => {
+    // A quad of a metre has more than the budget of triangles.
+    vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const { harness, gltf } = await load(await fileWithHeights(), 'on')
+    const meshes = meshesOf(gltf)
+    await wrinklesOf(meshes[0])!.reliefReady()
+    expect(meshes.map(({ children }) => children.length)).toEqual([1, 1])
+    const copy = gltf.scene.clone()
+    const copies = meshesOf({ scene: copy } as GLTF)
+    expect(copies).toHaveLength(2)
+    await harness.renderBytes(sceneOf(gltf.scene as never, copy as never), squareCamera(), 32)
+    await wrinklesOf(copies[0])!.reliefReady()
+    expect(copies[0].children.filter((child) => 'isReliefMesh' in child)).toHaveLength(1)
+    harness.dispose()
+  })
+
+  it('without relief no heights are read, and damaged ones do no harm', async () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const { harness, gltf } = await load(await fileWithoutImage(), 'off')
+    const [mesh] = meshesOf(gltf)
+    await wrinklesOf(mesh)!.reliefReady()
+    expect(mesh.children).toEqual([])
+    expect(warn.mock.calls.flat().join()).not.toContain('relief')
+    harness.dispose()
+  })
+
+  it('heights that cannot be read cost the relief only', async () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const { harness, gltf } = await load(await fileWithoutImage(), 'on')
+    const [mesh] = meshesOf(gltf)
+    expect(wrinklesOf(mesh)).toBeDefined()
+    await wrinklesOf(mesh)!.reliefReady()
+    expect(mesh.children).toEqual([])
+    expect(warn).toHaveBeenCalledOnce()
+    expect(warn.mock.lastCall![0]).toContain('the wrinkles are shown without relief')
+    harness.dispose()
+  })
+})
+
+it('heights are part of what a file holds', async () => {
+  const gltf = await new GLTFLoader().parseAsync((await fileWithHeights()).buffer, '')
+  const [{ set }] = await readWrinkleMaps(gltf)
+  expect(set.layers[0]).toMatchObject({ height: { width: 16, height: 16 }, heightAmplitude: 0.05 })
+})

@@ -1,0 +1,312 @@
+import {
+  BatchedMesh,
+  Bone,
+  DirectionalLight,
+  Float32BufferAttribute,
+  InstancedMesh,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  type OrthographicCamera,
+  PlaneGeometry,
+  Raycaster,
+  type Scene,
+  Skeleton,
+  SkinnedMesh,
+  SphereGeometry,
+  Uint16BufferAttribute,
+  Vector3,
+  type WebGLRenderer,
+} from 'three'
+import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
+import { afterAll, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
+import { createHarness, type Harness, RENDERERS } from '../harness.ts'
+import { ball, heightSet, RADIUS, sceneOf, sideCamera } from './ball.ts'
+import { displacedMesh } from './displaced-ball.ts'
+
+const SIZE = 256
+const SIDE = 0.15
+
+describe.each(RENDERERS)('%s', (name) => {
+  let harness: Harness
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterAll(() => harness.dispose())
+  beforeEach(() => {
+    vi.restoreAllMocks()
+  })
+
+  const picture = (scene: Scene, camera: OrthographicCamera = sideCamera(SIDE)) =>
+    harness.renderBytes(scene, camera, SIZE)
+
+  /** Wrinkles whose relief is drawn from now on. */
+  async function raised(mesh: Mesh, set = heightSet(), options = {}) {
+    const wrinkles = new harness.Wrinkles(mesh, set, { relief: 'on', ...options })
+    await wrinkles.reliefReady()
+    return wrinkles
+  }
+
+  it('relief that is switched off, or disposed of, leaves the mesh as it was', async () => {
+    const mesh = ball()
+    const scene = sceneOf(mesh)
+    const plain = await picture(scene)
+    const hooks = [mesh.onAfterRender, mesh.onBeforeShadow, mesh.onAfterShadow]
+    const wrinkles = await raised(mesh)
+    const shown = await picture(scene)
+    expect(differing(shown, plain)).toBeGreaterThan(100)
+    wrinkles.relief = 'off'
+    expect(differing(await picture(scene), plain)).toBe(0)
+    wrinkles.relief = 'on'
+    expect(differing(await picture(scene), shown)).toBe(0)
+    wrinkles.mode = 'off'
+    expect(differing(await picture(scene), plain)).toBe(0)
+    wrinkles.mode = 'default'
+    expect(differing(await picture(scene), shown)).toBe(0)
+    wrinkles.dispose()
+    expect(mesh.children).toEqual([])
+    expect([mesh.onAfterRender, mesh.onBeforeShadow, mesh.onAfterShadow]).toEqual(hooks)
+    expect(mesh.geometry.drawRange).toEqual({ start: 0, count: Infinity })
+    expect(differing(await picture(scene), plain)).toBe(0)
+  })
+
+  it('blendshapes and activations move the relief in the frame in which they change', async () => {
+    const mesh = ball()
+    const wrinkles = await raised(mesh)
+    const scene = sceneOf(mesh)
+    await picture(scene)
+    mesh.morphTargetInfluences![0] = 0.7
+    expect(differing(await picture(scene), await picture(sceneOf(displacedMesh(mesh))))).toBeLessThan(20)
+    wrinkles.setActivation('all', 0)
+    expect(differing(await picture(scene), await picture(sceneOf(displacedMesh(mesh))))).toBeGreaterThan(100)
+    wrinkles.dispose()
+  })
+
+  it('shadows have the outline of the relief', async () => {
+    const shadowOf = async (mesh: Mesh) => {
+      const scene = sceneOf(mesh)
+      const ground = new Mesh(new PlaneGeometry(1, 1), new MeshStandardMaterial())
+      ground.position.z = -0.1
+      ground.receiveShadow = mesh.castShadow = true
+      const light = new DirectionalLight(0xffffff, 3)
+      light.position.set(0.1, 0.02, 0.1)
+      light.castShadow = true
+      light.shadow.mapSize.set(2048, 2048)
+      Object.assign(light.shadow.camera, {
+        left: -0.1,
+        right: 0.1,
+        top: 0.1,
+        bottom: -0.1,
+        near: 0.01,
+        far: 0.5,
+      })
+      scene.add(ground, light)
+      await picture(scene, sideCamera(0.4))
+      return picture(scene, sideCamera(0.4))
+    }
+    const { shadowMap } = harness.renderer
+    shadowMap.enabled = true
+    const mesh = ball()
+    const plain = await shadowOf(mesh)
+    const wrinkles = await raised(mesh)
+    const shown = await shadowOf(mesh)
+    const expected = await shadowOf(displacedMesh(mesh))
+    expect(differing(plain, expected)).toBeGreaterThan(5 * differing(shown, expected))
+    wrinkles.dispose()
+    shadowMap.enabled = false
+  })
+
+  it('each instance has a relief of its own', async () => {
+    const { geometry, material } = ball()
+    geometry.morphAttributes = {}
+    const mesh = new InstancedMesh(geometry, material, 2)
+    mesh.setMatrixAt(0, new Matrix4().makeTranslation(-0.06, 0, 0))
+    mesh.setMatrixAt(1, new Matrix4().makeTranslation(0.06, 0, 0))
+    const wrinkles = new harness.Wrinkles(mesh, heightSet(), { relief: 'on' })
+    wrinkles.setActivation('all', 0, 0)
+    await wrinkles.reliefReady()
+    const scene = sceneOf(mesh)
+    const camera = sideCamera(0.24)
+    await picture(scene, camera)
+    const shown = await picture(scene, camera)
+    const [flat, raised] = [ball(), displacedMesh(ball())]
+    flat.position.x = -0.06
+    raised.position.x = 0.06
+    const expected = await picture(sceneOf(flat, raised), camera)
+    const left = (pixels: Uint8Array) => pixels.filter((_, i) => Math.floor(i / 4) % SIZE < SIZE / 2)
+    const right = (pixels: Uint8Array) => pixels.filter((_, i) => Math.floor(i / 4) % SIZE >= SIZE / 2)
+    expect(differing(right(shown), right(expected))).toBeLessThan(20)
+    expect(differing(left(shown), left(expected))).toBeLessThan(200)
+    wrinkles.dispose()
+  })
+
+  it('a skeleton moves the relief, and a copy has one of its own', async () => {
+    const { mesh, bone } = skinnedBall()
+    const wrinkles = await raised(mesh)
+    const scene = sceneOf(mesh)
+    bone.rotation.z = 0.5
+    bone.position.x = 0.01
+    const shown = await picture(scene)
+    const expected = displacedMesh(ball())
+    expected.rotation.z = 0.5
+    expected.position.x = 0.01
+    expect(differing(shown, await picture(sceneOf(expected)))).toBeLessThan(20)
+    const copy = cloneSkinned(scene)
+    copy.traverse((object) => expect('isReliefMesh' in object).toBe(false))
+    wrinkles.dispose()
+  })
+
+  it('shading keeps the normals of the mesh: heights do not count twice', async () => {
+    const lit = (mesh: Mesh) => {
+      const light = new DirectionalLight(0xffffff, 3)
+      light.position.set(1, 1, 1)
+      return sceneOf(mesh).add(light)
+    }
+    const mesh = ball(48)
+    mesh.material = new MeshStandardMaterial()
+    const wrinkles = new harness.Wrinkles(mesh, heightSet())
+    const scene = lit(mesh)
+    const plain = await picture(scene)
+    wrinkles.relief = 'on'
+    await wrinkles.reliefReady()
+    const shown = await picture(scene)
+    let worst = 0
+    for (let y = 96; y < 160; y++) {
+      for (let i = 4 * (96 + y * SIZE); i < 4 * (160 + y * SIZE); i++)
+        worst = Math.max(worst, Math.abs(shown[i] - plain[i]))
+    }
+    expect(worst).toBeLessThan(14)
+    wrinkles.dispose()
+  })
+
+  it('rays hit the mesh, once', async () => {
+    const mesh = ball()
+    const wrinkles = await raised(mesh)
+    const hits = new Raycaster(new Vector3(0, 0, 1), new Vector3(0, 0, -1)).intersectObject(
+      sceneOf(mesh),
+      true,
+    )
+    expect(hits.every(({ object }) => object === mesh)).toBe(true)
+    expect(hits.length).toBeGreaterThan(0)
+    wrinkles.dispose()
+  })
+
+  it('a pass with another material draws the face, and no second one', async () => {
+    const mesh = ball()
+    const wrinkles = await raised(mesh)
+    const scene = sceneOf(mesh)
+    await picture(scene)
+    scene.overrideMaterial = new MeshBasicMaterial({ color: 0x00ff00 })
+    const pixels = await picture(scene)
+    const middle = 4 * (SIZE / 2 + (SIZE / 2) * SIZE)
+    expect([...pixels.subarray(middle, middle + 3)]).toEqual([0, 255, 0])
+    mesh.visible = false
+    expect((await picture(scene)).every((value, i) => i % 4 === 3 || value === 0)).toBe(true)
+    wrinkles.dispose()
+  })
+
+  it('the composed mode has relief too', async () => {
+    const mesh = ball()
+    const scene = sceneOf(mesh)
+    const wrinkles = await raised(mesh, heightSet(), { mode: 'composed' })
+    await picture(scene)
+    const shown = await picture(scene)
+    expect(differing(shown, await picture(sceneOf(displacedMesh(mesh))))).toBeLessThan(20)
+    wrinkles.dispose()
+  })
+
+  it('by size on screen, relief is drawn only where it can be seen', async () => {
+    const mesh = ball()
+    const wrinkles = new harness.Wrinkles(mesh, heightSet(), { relief: 'auto' })
+    const scene = sceneOf(mesh)
+    const far = sideCamera(0.5)
+    await picture(scene, far)
+    expect(mesh.children).toEqual([])
+    await picture(scene)
+    await wrinkles.reliefReady()
+    await picture(scene)
+    expect(mesh.children).toHaveLength(1)
+    expect(differing(await picture(scene), await picture(sceneOf(displacedMesh(mesh))))).toBeLessThan(20)
+    for (let i = 0; i < 60; i++) await picture(scene, far)
+    expect(mesh.children).toEqual([])
+    wrinkles.dispose()
+  })
+
+  it.each([
+    ['heights of 10 m', () => ball(), 10, 'reach too far'],
+    [
+      'a mesh of two million triangles',
+      () => new Mesh(new SphereGeometry(RADIUS, 1000, 1000), new MeshStandardMaterial()),
+      0.003,
+      'too many triangles',
+    ],
+    ['batches', () => batch(), 0.003, 'BatchedMesh'],
+  ])('%s cost the relief and one warning', async (_, make, heightAmplitude, message) => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const mesh = make()
+    const { layers, areas } = heightSet()
+    const wrinkles = await raised(mesh, { layers: [{ ...layers[0], heightAmplitude }], areas })
+    const scene = sceneOf(mesh)
+    await picture(scene)
+    await picture(scene)
+    expect(warn.mock.calls.map(([text]) => text)).toEqual([expect.stringContaining(message)])
+    expect(mesh.children).toEqual([])
+    wrinkles.dispose()
+  })
+})
+
+it('relief is drawn again after the loss of a WebGL context', async () => {
+  const harness = await createHarness('webgl')
+  const mesh = ball()
+  const wrinkles = new harness.Wrinkles(mesh, heightSet(), { relief: 'on' })
+  await wrinkles.reliefReady()
+  const scene = sceneOf(mesh)
+  const draw = () => harness.renderBytes(scene, sideCamera(SIDE), SIZE)
+  await draw()
+  const before = await draw()
+  const canvas = harness.renderer.domElement
+  const loss = (harness.renderer as WebGLRenderer).getContext().getExtension('WEBGL_lose_context')!
+  const restored = new Promise((resolve) =>
+    canvas.addEventListener('webglcontextrestored', resolve, { once: true }),
+  )
+  const lost = new Promise((resolve) => canvas.addEventListener('webglcontextlost', resolve, { once: true }))
+  loss.loseContext()
+  await lost
+  await new Promise((resolve) => setTimeout(resolve, 10))
+  loss.restoreContext()
+  await restored
+  expect(differing(await draw(), before)).toBe(0)
+  wrinkles.dispose()
+  harness.dispose()
+})
+
+/** Number of pixels whose green differs. */
+function differing(a: Uint8Array, b: Uint8Array): number {
+  let count = 0
+  for (let i = 1; i < a.length; i += 4) if (Math.abs(a[i] - b[i]) > 8) count++
+  return count
+}
+
+/** A ball on one bone. */
+function skinnedBall() {
+  const { geometry, material } = ball()
+  geometry.morphAttributes = {}
+  const { count } = geometry.attributes.position
+  geometry.setAttribute('skinIndex', new Uint16BufferAttribute(new Uint16Array(4 * count), 4))
+  const weights = Float32Array.from({ length: 4 * count }, (_, i) => Number(i % 4 === 0))
+  geometry.setAttribute('skinWeight', new Float32BufferAttribute(weights, 4))
+  const bone = new Bone()
+  const mesh = new SkinnedMesh(geometry, material)
+  mesh.add(bone)
+  mesh.bind(new Skeleton([bone]))
+  return { mesh, bone }
+}
+
+function batch(): BatchedMesh {
+  const { geometry, material } = ball()
+  geometry.morphAttributes = {}
+  const mesh = new BatchedMesh(1, 1000, 4000, material as MeshStandardMaterial)
+  mesh.addInstance(mesh.addGeometry(geometry))
+  return mesh
+}

@@ -1,0 +1,218 @@
+import { readFileSync } from 'node:fs'
+import { FurrowError, type GrayImage, parseWrinkleMaps, type RgbaImage } from 'furrow'
+import { readWrinkleMaps } from 'furrow/three'
+import sharp from 'sharp'
+import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest'
+import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
+import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
+import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
+import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
+import { loadInNode } from '../three/node-loader.ts'
+import { faceBytes, jsonOf, noise, Workshop } from './workshop.ts'
+
+// Node has no WebGL to read pixels with; its stand-in for a bitmap has them.
+vi.mock(import('../../../packages/furrow/src/three/loader/read-texture.ts'), async (original) => ({
+  ...(await original()),
+  readImage: (bitmap) => bitmap as unknown as RgbaImage,
+}))
+
+const NAME = 'FURROW_wrinkle_maps'
+const SIZE = 16
+const shop = new Workshop()
+
+const mapsOf = (path: string) =>
+  parseWrinkleMaps(jsonOf(readFileSync(path)).materials[0].extensions[NAME], 99)
+
+/** A gray PNG file whose texels are `value(i)` of 255, or of 65535. */
+function gray(value: (i: number) => number, bits: 8 | 16 = 8, size = SIZE): Promise<Uint8Array> {
+  const data = new (bits === 16 ? Uint16Array : Uint8Array)(size * size).map((_, i) => value(i))
+  return sharp(data, { raw: { width: size, height: size, channels: 1 } })
+    .toColourspace(bits === 16 ? 'grey16' : 'b-w')
+    .png()
+    .toBuffer()
+}
+
+const grayOf = async (path: string) => [...(await sharp(path).toColourspace('b-w').raw().toBuffer())]
+
+/** The image that a texture of a packed file has, decoded. */
+async function imageOf(path: string, texture: number) {
+  const bytes = readFileSync(path)
+  const { textures, images, bufferViews } = jsonOf(bytes)
+  const { byteOffset, byteLength } = bufferViews[images[textures[texture].source].bufferView]
+  const start = bytes.length - bytes.readUInt32LE(20 + bytes.readUInt32LE(12)) + byteOffset
+  const image = sharp(bytes.subarray(start, start + byteLength))
+  return { bytes: await image.raw().toBuffer(), ...(await image.metadata()) }
+}
+
+const BLOOD = (i: number) => (i % 3 === 0 ? 128 : i % 256)
+const OCCLUSION = (i: number) => 255 - (i % 100)
+
+/** A folder with a layer that has blood and occlusion, and one that has blood only. */
+async function makeFolder(name: string, more: object = {}) {
+  shop.write(`${name}/face.glb`, await faceBytes())
+  for (const layer of ['up', 'down']) {
+    shop.write(`${name}/layers/${layer}/normal.png`, await noise(1, 3, SIZE))
+    shop.write(`${name}/layers/${layer}/blood.png`, await gray(BLOOD))
+  }
+  shop.write(`${name}/layers/up/occlusion.png`, await gray(OCCLUSION))
+  shop.write(`${name}/areas/nose.png`, await gray((i) => i))
+  shop.json(`${name}/wrinkles.json`, {
+    version: 1,
+    layers: [
+      { name: 'up', bloodAmplitude: 0.25, occlusionStrength: 0.5, ...more },
+      { name: 'down', bloodAmplitude: 0.5 },
+    ],
+  })
+  return shop.path(name)
+}
+
+const out = shop.path('packed.glb')
+let folder = ''
+
+beforeAll(async () => {
+  folder = await makeFolder('folder')
+  await shop.run(packCommand, folder, '-o', out)
+})
+
+afterAll(() => vi.unstubAllGlobals())
+
+describe('the blood map of a folder', () => {
+  it('is packed into the blue channel of the occlusion', async () => {
+    const [up, down] = mapsOf(out).layers
+    expect(up.bloodTexture).toMatchObject({ index: up.occlusionTexture!.index, amplitude: 0.25 })
+    expect(down.bloodTexture).toMatchObject({ amplitude: 0.5 })
+    expect(down).not.toHaveProperty('occlusionTexture')
+    const image = await imageOf(out, up.bloodTexture!.index)
+    expect(image.channels).toBe(3)
+    for (const [i, at] of [0, 1, 7, 255].entries()) {
+      expect([...image.bytes.subarray(3 * at, 3 * at + 3)], `${i}`).toEqual([OCCLUSION(at), 255, BLOOD(at)])
+    }
+    const alone = await imageOf(out, down.bloodTexture!.index)
+    expect([...alone.bytes.subarray(3, 6)]).toEqual([255, 255, BLOOD(1)])
+  })
+
+  it('comes back as a gray image, beside the occlusion', async () => {
+    await shop.run(unpackCommand, out, '-o', shop.path('again'))
+    const texels = Array.from({ length: SIZE * SIZE }, (_, i) => i)
+    expect(await grayOf(shop.path('again/layers/up/blood.png'))).toEqual(texels.map(BLOOD))
+    expect(await grayOf(shop.path('again/layers/up/occlusion.png'))).toEqual(texels.map(OCCLUSION))
+    expect((await sharp(shop.path('again/layers/up/blood.png')).metadata()).channels).toBe(1)
+    const { layers } = JSON.parse(readFileSync(shop.path('again/wrinkles.json'), 'utf8'))
+    expect(layers[0]).toMatchObject({ blood: 'layers/up/blood.png', bloodAmplitude: 0.25 })
+    expect(layers[1]).not.toHaveProperty('occlusion')
+    await shop.run(packCommand, shop.path('again'), '-o', shop.path('twice.glb'))
+    expect(readFileSync(shop.path('twice.glb')).equals(readFileSync(out))).toBe(true)
+  })
+
+  it('may have 16 bits, of which 32768 is as at rest', async () => {
+    const deep = await makeFolder('deep')
+    const values = [32768, 0, 65535, 33025]
+    shop.write('deep/layers/down/blood.png', await gray((i) => values[i % 4], 16))
+    await shop.run(packCommand, deep, '-o', shop.path('deep.glb'))
+    const { bytes } = await imageOf(
+      shop.path('deep.glb'),
+      mapsOf(shop.path('deep.glb')).layers[1].bloodTexture!.index,
+    )
+    expect([0, 1, 2, 3].map((i) => bytes[3 * i + 2])).toEqual([128, 0, 255, 129])
+  })
+
+  it('is scaled to the size of the occlusion', async () => {
+    const small = await makeFolder('small')
+    shop.write('small/layers/up/blood.png', await gray((i) => (i < 32 ? 128 : 200), 8, 8))
+    await shop.run(packCommand, small, '-o', shop.path('small.glb'))
+    const { bytes, width } = await imageOf(
+      shop.path('small.glb'),
+      mapsOf(shop.path('small.glb')).layers[0].bloodTexture!.index,
+    )
+    expect(width).toBe(SIZE)
+    expect([bytes[3 * 16 + 2], bytes[3 * (SIZE * SIZE - 1) + 2], bytes[3 * 16]]).toEqual([
+      128,
+      200,
+      OCCLUSION(16),
+    ])
+  })
+
+  it('leaves roughness in the image that it shares with the occlusion', async () => {
+    const orm = await makeFolder('orm', { roughness: 'layers/up/occlusion.png' })
+    shop.write('orm/layers/up/occlusion.png', await noise(5, 3, SIZE))
+    await shop.run(packCommand, orm, '-o', shop.path('orm.glb'))
+    const [up] = mapsOf(shop.path('orm.glb')).layers
+    expect(up.roughnessTexture!.index).toBe(up.bloodTexture!.index)
+    const { bytes } = await imageOf(shop.path('orm.glb'), up.bloodTexture!.index)
+    const painted = await sharp(shop.path('orm/layers/up/occlusion.png')).raw().toBuffer()
+    expect([...bytes.subarray(6, 9)]).toEqual([painted[6], painted[7], BLOOD(2)])
+  })
+
+  it('becomes a channel of the KTX 2 array of the occlusion', async () => {
+    await shop.run(packCommand, folder, '-o', shop.path('ktx2.glb'), '--ktx2')
+    const { layers } = mapsOf(shop.path('ktx2.glb'))
+    const { index } = layers[0].occlusionTexture!
+    expect(layers.map(({ bloodTexture }) => bloodTexture)).toEqual([
+      { index, slice: 0, amplitude: 0.25 },
+      { index, slice: 1, amplitude: 0.5 },
+    ])
+    await shop.run(unpackCommand, shop.path('ktx2.glb'), '-o', shop.path('ktx2'))
+    const blood = await grayOf(shop.path('ktx2/layers/down/blood.png'))
+    expect(Math.abs(blood[34] - BLOOD(34))).toBeLessThan(40)
+  })
+
+  it('is read by the loader', async () => {
+    const [found] = await readWrinkleMaps(await loadInNode(readFileSync(out)))
+    const [up, down] = found.set.layers
+    expect(up.bloodAmplitude).toBe(0.25)
+    const texels = Array.from({ length: SIZE * SIZE }, (_, i) => i)
+    expect([...(up.blood as GrayImage).data]).toEqual(texels.map(BLOOD))
+    expect([...(up.occlusion as GrayImage).data]).toEqual(texels.map(OCCLUSION))
+    expect(down).toMatchObject({ bloodAmplitude: 0.5, blood: up.blood })
+    expect(down).not.toHaveProperty('occlusion')
+  })
+
+  it('is inspected as a map of its own, which costs nothing beside the occlusion', async () => {
+    await shop.run(inspectCommand, out, '--sheet', shop.path('sheet.png'), '--json')
+    const { layers, gpu } = JSON.parse(shop.printed)
+    const [up] = layers
+    const maps = Object.fromEntries(
+      up.maps.map((map: { map: string; texture: number }) => [map.map, map.texture]),
+    )
+    expect(maps.blood).toBe(maps.occlusion)
+    // Two normal maps and two images with blood, of 16 x 16 texels with mipmaps, and an area of 128 x 128.
+    expect(gpu.uncompressed).toBe(4 * 4 * (256 + 64 + 16 + 4 + 1) - 4 * 4 * 341 + 3 * 4 * 341 + 128 * 128)
+    expect((await sharp(shop.path('sheet.png')).metadata()).width).toBeGreaterThan(256)
+  })
+
+  it('is valid', async () => {
+    await shop.run(validateCommand, out)
+    expect(shop.printed).toContain('0 errors, 0 warnings')
+    expect(process.exitCode ?? 0).toBe(0)
+  })
+})
+
+describe('pack refuses', () => {
+  it.each([
+    [
+      'blood of another size than an occlusion that is not square',
+      async (at: string) => {
+        const wide = sharp({ create: { width: 32, height: 16, channels: 3, background: '#fff' } })
+        shop.write(`${at}/layers/up/occlusion.png`, await wide.png().toBuffer())
+      },
+      /blood map of layer "up" differs in size from its occlusion/,
+    ],
+    [
+      'blood without an amplitude',
+      async (at: string) => shop.json(`${at}/wrinkles.json`, { layers: [{ name: 'up' }] }),
+      /layers\[0\]\.bloodAmplitude must be a number/,
+    ],
+    [
+      'a damaged image',
+      async (at: string) => shop.write(`${at}/layers/up/blood.png`, (await gray(BLOOD)).subarray(0, 60)),
+      /blood\.png/,
+    ],
+  ])('%s', async (what, spoil, message) => {
+    const name = what.replaceAll(' ', '-')
+    const spoilt = await makeFolder(name)
+    await spoil(name)
+    const error = await shop.failure(packCommand, spoilt, '-o', shop.path('no.glb'))
+    expect(error).toBeInstanceOf(FurrowError)
+    expect(error.message).toMatch(message)
+  })
+})

@@ -1,0 +1,56 @@
+import { expect, it } from 'vitest'
+import { outwardRoom } from '../../../packages/furrow/src/relief/outward-room.ts'
+import { firstVertices } from '../../../packages/furrow/src/relief/welded-edges.ts'
+import { sphere } from './coarse.ts'
+
+/** A sheet of 20 x 20 squares of 1 mm, at a height, that faces up or down. */
+function sheet(y: number, up: 1 | -1) {
+  const positions: number[] = []
+  const normals: number[] = []
+  const triangles: number[] = []
+  for (let i = 0; i <= 20; i++) {
+    for (let j = 0; j <= 20; j++) {
+      positions.push(i / 1000, y, j / 1000)
+      normals.push(0, up, 0)
+      if (i === 20 || j === 20) continue
+      const a = i * 21 + j
+      triangles.push(...(up === 1 ? [a, a + 1, a + 21] : [a, a + 21, a + 1]))
+      triangles.push(...(up === 1 ? [a + 1, a + 22, a + 21] : [a + 1, a + 21, a + 22]))
+    }
+  }
+  return { positions, normals, triangles }
+}
+
+const CENTRE = 10 * 21 + 10
+
+it('surfaces that face each other may fill less than half of the gap, and those that turn away all', () => {
+  const roomBetween = (gap: number, facing: 1 | -1) => {
+    const [lower, upper] = [sheet(0, facing), sheet(gap, -facing as 1 | -1)]
+    const mesh = {
+      positions: [...lower.positions, ...upper.positions],
+      uvs: new Float32Array(2 * 882),
+      triangles: [...lower.triangles, ...upper.triangles.map((i) => i + 441)],
+    }
+    const firstOf = firstVertices(mesh.positions)
+    return outwardRoom(mesh, [...lower.normals, ...upper.normals], firstOf, 0.001)
+  }
+  const lips = roomBetween(0.001, 1)
+  expect(lips[CENTRE]).toBeCloseTo(0.0004, 6)
+  expect(lips[CENTRE + 441]).toBeCloseTo(0.0004, 6)
+  expect(roomBetween(0.001, -1)[CENTRE]).toBeGreaterThan(0.002)
+})
+
+it('nothing bulges at the border of a mesh, and the more the farther from it', () => {
+  const mesh = { ...sheet(0, 1), uvs: new Float32Array(882) }
+  const firstOf = firstVertices(mesh.positions)
+  const room = outwardRoom(mesh, mesh.normals, firstOf, 0.001)
+  expect(room[0]).toBe(0)
+  expect(room[2 * 21 + 10]).toBeCloseTo(0.0005, 6)
+  expect(room[CENTRE]).toBeGreaterThan(0.001)
+})
+
+it('a round surface has room everywhere', () => {
+  const mesh = sphere(0.05, 32)
+  const firstOf = firstVertices(mesh.positions)
+  expect(Math.min(...outwardRoom(mesh, mesh.normals, firstOf, 0.001))).toBeGreaterThan(0.001)
+})

@@ -1,0 +1,53 @@
+import { expose } from 'comlink'
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import type { LayerStroke } from '../../../../studio/src/document/document.ts'
+import { Drawing } from '../../../../studio/src/draw/drawing.ts'
+import { sampleDocument } from '../sample-document.ts'
+
+const prepared: unknown[] = []
+
+/** A worker that notes what it is asked to prepare, and draws nothing. */
+function FakeWorker() {
+  const { port1, port2 } = new MessageChannel()
+  const service = {
+    begin() {},
+    addLayer() {},
+    draw: () => [],
+    prepare: (stroke: unknown) => void prepared.push(stroke),
+  }
+  expose(service, port2)
+  return Object.assign(port1, { terminate: () => port1.close() })
+}
+
+describe('the worker that draws strokes', () => {
+  const mesh = { positions: [], uvs: [], indices: [] }
+  let drawing: Drawing
+
+  beforeEach(async () => {
+    vi.stubGlobal('Worker', FakeWorker)
+    prepared.length = 0
+    drawing = new Drawing()
+    await drawing.begin({ mesh, size: 4, scale: 1000, frame: 'orthonormal' })
+  })
+  afterEach(() => {
+    drawing.dispose()
+    vi.unstubAllGlobals()
+  })
+
+  it('is told which stroke may be edited next by its index in the layer, and when it is none', async () => {
+    const stroke = sampleDocument().strokes[0]
+    const others = [{ ...stroke }, stroke]
+    await drawing.draw(stroke.layer, others, null)
+    await drawing.prepare(stroke)
+    await drawing.prepare(null)
+    expect(prepared).toEqual([{ layer: stroke.layer, index: 1 }, null])
+  })
+
+  it('is not asked to prepare a stroke that it has not drawn: what it prepares goes on', async () => {
+    const stroke: LayerStroke = sampleDocument().strokes[0]
+    await drawing.prepare(stroke)
+    await drawing.draw(stroke.layer, [stroke], null)
+    await drawing.prepare({ ...stroke })
+    expect(prepared).toEqual([])
+  })
+})

@@ -1,0 +1,27 @@
+import { expect, it, vi } from 'vitest'
+import { nextTask, runInTurn } from '../../../studio/src/later.ts'
+
+it('tasks that can wait run one at a time, in their order, and not once they are cancelled', async () => {
+  /** Starts the next task, as the page does when it rests. */
+  let rest: (() => void) | null = null
+  vi.stubGlobal('requestIdleCallback', (callback: () => void) => {
+    rest = callback
+  })
+  const done: string[] = []
+  runInTurn(() => done.push('first'))
+  const cancel = runInTurn(() => done.push('second'))
+  runInTurn(() => done.push('third'))
+  const nextRest = async () => {
+    rest?.()
+    await nextTask()
+  }
+  await nextTask()
+  expect(done).toEqual([])
+  await nextRest()
+  expect(done).toEqual(['first'])
+  cancel()
+  await nextRest()
+  await nextRest()
+  expect(done).toEqual(['first', 'third'])
+  vi.unstubAllGlobals()
+})

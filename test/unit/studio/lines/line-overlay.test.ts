@@ -1,0 +1,70 @@
+import { afterEach, describe, expect, it, vi } from 'vitest'
+import { LineOverlay, seenParts } from '../../../../studio/src/lines/line-overlay.ts'
+import type { ProjectedLine } from '../../../../studio/src/lines/project-lines.ts'
+import { strokeOf } from '../sample-document.ts'
+
+/** A line with points 0.5 pixels apart. */
+const line = (isSeen: boolean[]) => ({
+  x: Float32Array.from(isSeen, (_, i) => i / 2),
+  y: new Float32Array(isSeen.length),
+  isSeen,
+})
+
+describe('a line over the face', () => {
+  it('is drawn by points three pixels apart, from its first to its last', () => {
+    expect(seenParts(line(Array(16).fill(true)))).toEqual([[0, 6, 12, 15]])
+    expect(seenParts(line([true, true]))).toEqual([[0, 1]])
+  })
+
+  it('has a part for each stretch that is seen, to the point behind it', () => {
+    const isSeen = [true, true, false, false, ...Array(9).fill(true), false, false]
+    expect(seenParts(line(isSeen))).toEqual([
+      [0, 2],
+      [4, 10, 13],
+    ])
+    expect(seenParts(line([false, false]))).toEqual([])
+  })
+
+  describe('among others', () => {
+    afterEach(() => vi.unstubAllGlobals())
+
+    it('is hovered, chosen again and drawn without drawing the others again, until they move', () => {
+      /** Curves and their shadows that are drawn on each canvas. */
+      const strokes: number[] = []
+      const createElement = () => {
+        const own = strokes.push(0) - 1
+        const stroke = () => strokes[own]++
+        const context = new Proxy(
+          {},
+          { get: (_, key) => (key === 'stroke' ? stroke : () => {}), set: () => true },
+        )
+        return { getContext: () => context }
+      }
+      vi.stubGlobal('document', { createElement })
+      vi.stubGlobal('devicePixelRatio', 1)
+      const overlay = new LineOverlay({
+        clientWidth: 9,
+        clientHeight: 9,
+        after() {},
+      } as unknown as HTMLElement)
+      const projected = (): ProjectedLine => ({
+        ...line([true, true]),
+        stroke: strokeOf('up', 'forehead'),
+        along: Float64Array.of(0, 1),
+        knots: [],
+      })
+      const lines = [projected(), projected(), projected()]
+      const [first, second] = lines
+      const rest = { lines, chosen: first.stroke, point: -1, hovered: null, path: [] }
+      const drawnBy = (picture: Partial<typeof rest> | { hovered: ProjectedLine['stroke'] }) => {
+        const before = [...strokes]
+        overlay.draw({ ...rest, ...picture })
+        return strokes.map((count, i) => count - before[i])
+      }
+      expect(drawnBy({})).toEqual([2, 4])
+      expect(drawnBy({ hovered: second.stroke })).toEqual([4, 0])
+      expect(drawnBy({ lines: [projected(), ...lines] })).toEqual([2, 6])
+      expect(drawnBy({ lines: [first] })).toEqual([2, 0])
+    })
+  })
+})
