@@ -64,7 +64,7 @@ describe('parseStrokes', () => {
     [
       'an array',
       [],
-      'the document must be an object, got []; write { ... } with version, scale, size, strokes, areas',
+      'the document must be an object, got []; write { ... } with version, scale, size, strokes, furrows, areas',
     ],
     ['nothing', undefined, 'the document must be an object, got nothing'],
     ['no version', {}, 'unknown version, got nothing, allowed: 1; write "version": 1'],

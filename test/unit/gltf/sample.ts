@@ -86,6 +86,8 @@ export const STROKES = {
       depths: [1, 0.25],
       taper: 0.5,
       shoulder: [1, 0.5],
+      bank: [6, 8],
+      lean: 0.25,
       softness: 0.5,
       waviness: 0.25,
     },
@@ -102,6 +104,7 @@ export const STROKES = {
       depth: 0.25,
     },
   ],
+  furrows: { size: 2, depth: 0.1, stretch: 1.5, seed: 3, layer: 'up' },
   areas: [
     {
       name: 'brow',

@@ -2,6 +2,7 @@ import { join } from 'node:path'
 import { Option } from 'commander'
 import { DEFAULT_AREA_SIZE, FurrowError, MAX_IMAGE_SIDE } from 'furrow'
 import {
+  addFurrows,
   combineNormals,
   fileNamesOf,
   type HeightMap,
@@ -173,6 +174,9 @@ async function drawMaps(document: StrokesDocument, face: FaceMesh, options: Opti
   const canvas = skinCanvas(face.mesh, base?.width ?? side, base?.height ?? side, document.scale)
   const { metric } = canvas
   const heights = withBar('strokes', (progress) => strokesToHeight(document.strokes, canvas, progress))
+  const { furrows, strokes } = document
+  if (furrows && (furrows.layer === undefined || furrows.layer === options.layer))
+    addFurrows(heights, canvas, furrows, strokes)
   const drawn: DrawnFile[] = []
   const sizeText = `${metric.width} x ${metric.height}`
   if (output) {

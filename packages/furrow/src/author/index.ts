@@ -42,6 +42,8 @@ export {
 export { type BakeMesh, sharedNormals } from './bake/mesh.ts'
 export type { AnyHit } from './bake/occlusion.ts'
 export { fileNamesOf, isFileName } from './file-names.ts'
+export { addFurrows, furrowHeights } from './furrows/furrows.ts'
+export { FURROW_DEFAULTS, type Furrows } from './furrows/read-furrows.ts'
 export { type Metric, type MetricMesh, surfaceMetric } from './metric.ts'
 export { heightToNormal, type TangentFrame } from './relief/height-to-normal.ts'
 export {

@@ -7,6 +7,7 @@ import type { MorphDriver } from '../../drivers/morph/definition.ts'
 import type { TangentFrame } from '../relief/height-to-normal.ts'
 import type { Skin } from '../skin/surface.ts'
 import type { StrokesDocument } from '../strokes/document.ts'
+import { type OddMeasure, oddMeasures } from './anatomy/proportions.ts'
 import { AUTO_REGIONS, type AutoRegion } from './anatomy/regions.ts'
 import { type AutoBlood, drawBlood } from './blood/draw-blood.ts'
 import { ageDriver } from './fit/age-driver.ts'
@@ -117,7 +118,6 @@ export function autoWrinkles(
 ): AutoWrinkles {
   const settings = { ...AUTO_DEFAULTS, ...options }
   const { age, areas: maxAreas } = settings
-  const lineSettings = { ...settings, ageFraction: (age - 20) / 60, maxAreas }
   const begin = (step: (typeof AUTO_STEPS)[number]) => {
     const report = (fraction: number) =>
       progress(AUTO_STEPS.indexOf(step) + fraction, AUTO_STEPS.length, step)
@@ -129,6 +129,10 @@ export function autoWrinkles(
   begin('face')
   const prepared = prepareSkin(skin)
   if (!prepared.face && options.regions) throw regionsWithoutFace(options.regions)
+  const odd = prepared.face && !options.regions ? oddMeasures(prepared.face.landmarks) : []
+  const doubtful = new Set(odd.flatMap(({ regions }) => regions))
+  const regions = settings.regions.filter((region) => !doubtful.has(region))
+  const lineSettings = { ...settings, regions, ageFraction: (age - 20) / 60, maxAreas }
   const lineProgress = begin('lines')
   // The strain is the largest of the data: it is freed once the lines are laid.
   const creased = layLines(prepared, measureStrain(prepared, lineSettings, lineProgress), lineSettings)
@@ -159,9 +163,9 @@ export function autoWrinkles(
       lines: creases.length,
     })),
     scale,
-    missing: [...fitted.missing],
+    missing: [...fitted.missing, ...[...doubtful].map((name) => ({ name, reason: 'the head is stylised' }))],
     expressions: face ? presetsOf(face.find) : [],
-    warnings: [...prepared.warnings, ...fitted.warnings],
+    warnings: [...prepared.warnings, ...stylised(odd), ...fitted.warnings],
   }
 }
 
@@ -169,6 +173,15 @@ export function autoWrinkles(
 export function strokesOf({ layers, scale }: Pick<AutoWrinkles, 'layers' | 'scale'>): StrokesDocument {
   const strokes = layers.flatMap(({ name, strokes }) => strokes.map((stroke) => ({ layer: name, ...stroke })))
   return { version: 1, scale, size: layers[0].relief.width, strokes }
+}
+
+/** One line about a head on which landmarks fail. */
+function stylised(odd: readonly OddMeasure[]): string[] {
+  if (odd.length === 0) return []
+  const measures = odd.map(({ what }) => what).join('; ')
+  return [
+    `the head is stylised (${measures}, where the eyes are 63 mm apart): regions that rely on this are left out unless they are asked for`,
+  ]
 }
 
 function regionsWithoutFace(regions: readonly string[]): FurrowError {

@@ -1,5 +1,6 @@
 import { JsonReader, or, type Uv } from '../../core/json.ts'
 import { MAX_AREAS, MAX_IMAGE_SIDE } from '../../core/limits.ts'
+import { type Furrows, readFurrows } from '../furrows/read-furrows.ts'
 import { MILLIMETRES_PER_METRE } from '../metric.ts'
 import { type AreaDefinition, type AreaShape, readAreaDefinitions } from './area-definitions.ts'
 
@@ -52,6 +53,8 @@ export interface StrokesDocument {
   /** Default side of the maps in texels, 16..8192. */
   size?: number
   strokes: Stroke[]
+  /** The net of fine furrows between the strokes. */
+  furrows?: Furrows
   /** Soft shapes that become the areas; by default every group becomes an area round its strokes. */
   areas?: AreaDefinition[]
 }
@@ -91,7 +94,7 @@ const STROKE_FIELDS = [
  */
 export function parseStrokes(json: unknown): StrokesDocument {
   const read = new JsonReader('parseStrokes')
-  const root = read.object(json, 'the document', ['version', 'scale', 'size', 'strokes', 'areas'])
+  const root = read.object(json, 'the document', ['version', 'scale', 'size', 'strokes', 'furrows', 'areas'])
   if (root.version !== 1) read.fail('unknown version', root.version, '1', 'write "version": 1')
   const document: StrokesDocument = {
     version: 1,
@@ -99,6 +102,7 @@ export function parseStrokes(json: unknown): StrokesDocument {
     strokes: read.array(root.strokes, 'strokes', 1, 10_000).map((stroke, i) => readStroke(read, stroke, i)),
   }
   if (root.size !== undefined) document.size = readSize(read, root.size)
+  if (root.furrows !== undefined) document.furrows = readFurrows(read, root.furrows)
   if (root.areas !== undefined) {
     const areas = read.array(root.areas, 'areas', 1, MAX_AREAS)
     const groups = new Set(document.strokes.map((stroke) => stroke.group))

@@ -1,0 +1,106 @@
+import { describe, expect, test } from 'vitest'
+import {
+  addFurrows,
+  FURROW_DEFAULTS,
+  furrowHeights,
+  parseStrokes,
+  skinCanvas,
+  strokesToHeight,
+} from '../../../packages/furrow/src/author/index.ts'
+import { flatCanvas, sheet } from './planes.ts'
+
+const SIDE = 40
+const SIZE = 400
+const FURROWS = { ...FURROW_DEFAULTS, size: 2, depth: 0.1 }
+
+/** A line across the middle of the sheet, without depth: it gives directions alone. */
+const level = parseStrokes({
+  version: 1,
+  strokes: [
+    {
+      points: [
+        [0.02, 0.5],
+        [0.98, 0.5],
+      ],
+      width: 1,
+      depth: 0,
+    },
+  ],
+}).strokes
+
+const lowestOf = (data: Float32Array) => data.reduce((low, height) => Math.min(low, height))
+
+/** Millimetres from furrow to furrow of the large cells, along rows or columns near the middle of a sheet. */
+function spacing(data: Float32Array, along: 'rows' | 'columns'): number {
+  let [length, count] = [0, 0]
+  for (let line = 150; line < 250; line++) {
+    let isInside = false
+    for (let i = 0; i < SIZE; i++) {
+      const isFurrow = data[along === 'rows' ? line * SIZE + i : i * SIZE + line] < -0.06
+      if (isFurrow && !isInside) count++
+      isInside = isFurrow
+    }
+    length += SIDE
+  }
+  return length / count
+}
+
+describe('furrowHeights', () => {
+  const canvas = flatCanvas(SIDE, SIDE, SIZE)
+  const { data } = furrowHeights(canvas, FURROWS)
+
+  test('covers the skin with furrows about a cell apart, no deeper than stated', () => {
+    expect(lowestOf(data)).toBeCloseTo(-0.1, 2)
+    expect(data.every((height) => height <= 0)).toBe(true)
+    for (const along of ['rows', 'columns'] as const) {
+      expect(spacing(data, along)).toBeGreaterThan(0.7 * FURROWS.size)
+      expect(spacing(data, along)).toBeLessThan(1.5 * FURROWS.size)
+    }
+  })
+
+  test('is the same on every run, and another net with another seed', () => {
+    expect(furrowHeights(canvas, FURROWS).data).toEqual(data)
+    expect(furrowHeights(canvas, { ...FURROWS, seed: 2 }).data).not.toEqual(data)
+  })
+
+  test('divides large cells by smaller ones, whose furrows are shallower', () => {
+    const between = data.filter((height) => height < -0.03 && height > -0.05).length
+    expect(between / data.length).toBeGreaterThan(0.05)
+  })
+
+  test('has cells that are longer along the lines of the skin', () => {
+    const relief = strokesToHeight(level, canvas)
+    addFurrows(relief, canvas, { ...FURROWS, stretch: 2 }, level)
+    expect(spacing(relief.data, 'rows') / spacing(relief.data, 'columns')).toBeGreaterThan(1.25)
+    expect(spacing(data, 'rows') / spacing(data, 'columns')).toBeLessThan(1.15)
+  })
+
+  test('runs across seams of the texture', () => {
+    // The left half of the sheet keeps its texels, the right half is moved up by a quarter in an island of its own.
+    const left = sheet([SIDE, 0, 0], [0, -SIDE, 0], [0, 0.5, 0.5, 1])
+    const right = sheet([SIDE, 0, 0], [0, -SIDE, 0], [0.5, 0.5, 1, 1])
+    const islands = [left, right].map(({ positions, uvs, indices = [] }, i) => ({
+      positions: Array.from(positions),
+      uvs: Array.from(uvs, (value, k) => (i === 1 && k % 2 === 1 ? value - 0.25 : value)),
+      indices: Array.from(indices, (index) => index + 4 * i),
+    }))
+    const cut = skinCanvas(
+      {
+        positions: islands.flatMap(({ positions }) => positions),
+        uvs: islands.flatMap(({ uvs }) => uvs),
+        indices: islands.flatMap(({ indices }) => indices),
+      },
+      SIZE,
+    )
+    const moved = furrowHeights(cut, FURROWS).data
+    for (let row = 220; row < 380; row++) {
+      expect(moved[row * SIZE + 190]).toBeCloseTo(data[row * SIZE + 190], 6)
+      expect(moved[(row - 100) * SIZE + 210]).toBeCloseTo(data[row * SIZE + 210], 6)
+    }
+  })
+
+  test('is shallower where texels are too large for it', () => {
+    const coarse = furrowHeights(flatCanvas(SIDE, SIDE, 40), FURROWS).data
+    expect(lowestOf(coarse)).toBeGreaterThan(-0.05)
+  })
+})
