@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest'
+import { furrowHeights } from '../../../packages/furrow/src/author/furrows/furrows.ts'
 import {
   addFurrows,
   FURROW_DEFAULTS,
-  furrowHeights,
   parseStrokes,
   skinCanvas,
   strokesToHeight,

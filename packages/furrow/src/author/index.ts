@@ -30,7 +30,7 @@ export type { LandmarkPosition as Place, Landmarks } from './auto/surface/landma
 export { skinSurface } from './auto/surface/skin-surface.ts'
 export { faceShapeFinder } from './auto/surface/stand-ins.ts'
 export { moveToFirstTile } from './auto/surface/uv-tiles.ts'
-export { autoDrivers, autoWrinkleSet } from './auto/wrinkle-set.ts'
+export { type AutoDriver, autoDrivers, autoWrinkleSet } from './auto/wrinkle-set.ts'
 export {
   BAKE_DEFAULTS,
   type BakedMaps,
@@ -42,7 +42,7 @@ export {
 export { type BakeMesh, sharedNormals } from './bake/mesh.ts'
 export type { AnyHit } from './bake/occlusion.ts'
 export { fileNamesOf, isFileName } from './file-names.ts'
-export { addFurrows, furrowHeights } from './furrows/furrows.ts'
+export { addFurrows } from './furrows/furrows.ts'
 export { FURROW_DEFAULTS, type Furrows } from './furrows/read-furrows.ts'
 export { type Metric, type MetricMesh, surfaceMetric } from './metric.ts'
 export { heightToNormal, type TangentFrame } from './relief/height-to-normal.ts'
@@ -58,7 +58,7 @@ export type { Edges } from './relief/slope.ts'
 export { mapSkin, type SkinCanvas, skinCanvas } from './skin/canvas.ts'
 export type { SkinTexels, TexelVisitor } from './skin/skin-texels.ts'
 export { crossOf, type Skin, type SkinSurface, type SkinTarget } from './skin/surface.ts'
-export type { UvLocator } from './skin/uv-locator.ts'
+export type { UvGrid, UvLocator } from './skin/uv-locator.ts'
 export { barycentricsAt, walk } from './skin/walk.ts'
 export type { GroupShape, PolygonShape } from './strokes/area-definitions.ts'
 export type { LocatedSkin } from './strokes/curve.ts'

@@ -6,7 +6,8 @@ import type { WrinkleDriver } from '../../drivers/registry.ts'
 import type { TimeDriver } from '../../drivers/time/definition.ts'
 import type { AutoWrinkles } from './auto.ts'
 
-type AutoDriver = MorphDriver | AgeDriver | TimeDriver | ExpressionDriver
+/** A driver of automatic wrinkles. */
+export type AutoDriver = MorphDriver | AgeDriver | TimeDriver | ExpressionDriver
 
 /** Automatic wrinkles as a wrinkle set, drivers and expressions included: `new Wrinkles(mesh, autoWrinkleSet(wrinkles))` shows them. */
 export function autoWrinkleSet({
