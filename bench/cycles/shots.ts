@@ -57,7 +57,7 @@ export const SHOTS: readonly Shot[] = [
     age: 70,
     targets: SURPRISE,
     view: { yaw: -88, pitch: 3, zoom: 2 },
-    crop: { left: 0.45, top: 0.1, width: 0.4, height: 0.35 },
+    crop: { left: 0.78, top: 0.12, width: 0.2, height: 0.28 },
   },
   {
     name: 'frown',
