@@ -30,5 +30,5 @@ export async function loadInNode(bytes: Uint8Array): Promise<GLTF> {
   vi.stubGlobal('self', globalThis)
   vi.stubGlobal('createImageBitmap', createImageBitmap)
   const loader = new GLTFLoader().setKTX2Loader(ktx2Loader as unknown as KTX2Loader)
-  return loader.parseAsync(bytes.slice().buffer as ArrayBuffer, '')
+  return loader.parseAsync(new Uint8Array(bytes).buffer, '')
 }
