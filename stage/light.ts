@@ -1,4 +1,12 @@
-import { Color, DirectionalLight, Group, PMREMGenerator, type Scene, type WebGLRenderer } from 'three'
+import {
+  Color,
+  DirectionalLight,
+  Group,
+  PMREMGenerator,
+  type Scene,
+  type Texture,
+  type WebGLRenderer,
+} from 'three'
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js'
 import { PMREMGenerator as NodePMREMGenerator, type WebGPURenderer } from 'three/webgpu'
 
@@ -28,10 +36,18 @@ export interface Lighting {
 /** Adds lights, environment and background to a scene, for a face that looks along +Z. */
 export function lightScene(scene: Scene, renderer: WebGLRenderer | WebGPURenderer): Lighting {
   const pmrem = isWebGL(renderer) ? new PMREMGenerator(renderer) : new NodePMREMGenerator(renderer)
-  const room = new RoomEnvironment()
-  const environment = pmrem.fromScene(room as never, 0.04)
-  room.dispose()
-  scene.environment = environment.texture
+  let environment: { texture: Texture; dispose(): void } | null = null
+  const surround = () => {
+    environment?.dispose()
+    const room = new RoomEnvironment()
+    environment = pmrem.fromScene(room as never, 0.04)
+    room.dispose()
+    scene.environment = environment.texture
+  }
+  surround()
+  // It was drawn on the GPU: a context that was lost comes back without it.
+  const { domElement } = renderer
+  if (isWebGL(renderer)) domElement.addEventListener('webglcontextrestored', surround)
   scene.environmentIntensity = ENVIRONMENT
   scene.background = new Color(isWebGL(renderer) ? BACKGROUND : TONE_MAPPED_BACKGROUND)
   const lights = new Group()
@@ -51,7 +67,8 @@ export function lightScene(scene: Scene, renderer: WebGLRenderer | WebGPURendere
     },
     remove() {
       scene.remove(lights)
-      environment.dispose()
+      domElement.removeEventListener('webglcontextrestored', surround)
+      environment?.dispose()
       pmrem.dispose()
     },
   }

@@ -2,6 +2,7 @@
 
 import {
   addDrivers,
+  type FaceView,
   type LoadedWrinkles,
   Wrinkles as WebGLWrinkles,
   type WrinklesOptions,
@@ -41,7 +42,7 @@ export interface Stage {
     options?: WrinklesOptions,
   ): Wrinkles
   /** Moves the camera to a view, and the lights to where the face looks; returns the point that the camera looks at. */
-  view(name: ViewName): Vector3
+  view(view: ViewName | Required<FaceView>): Vector3
   /** @param pixelRatio device pixels per CSS pixel. */
   resize(width: number, height: number, pixelRatio?: number): void
   render(): void
@@ -84,8 +85,8 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
       addDrivers(wrinkles, drivers)
       return wrinkles
     },
-    view(name) {
-      const { target, front } = frameView(shown?.root ?? scene, camera, name)
+    view(view) {
+      const { target, front } = frameView(shown?.root ?? scene, camera, view)
       lighting.turn(front)
       return target
     },

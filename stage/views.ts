@@ -29,14 +29,19 @@ export interface FramedFace {
  * @param face the object to frame, at its current world transform.
  * @param camera with its aspect set.
  */
-export function frameView(face: Object3D, camera: PerspectiveCamera, view: ViewName): FramedFace {
+export function frameView(
+  face: Object3D,
+  camera: PerspectiveCamera,
+  view: ViewName | Required<FaceView>,
+): FramedFace {
+  const angles = typeof view === 'string' ? VIEWS[view] : view
   camera.fov = FIELD_OF_VIEW
-  const target = frameFace(camera, face, VIEWS[view])
+  const target = frameFace(camera, face, angles)
   // Nothing but the face is on the stage: depth is as precise as it can be.
   const distance = camera.position.distanceTo(target)
   camera.near = distance / 20
   camera.far = distance * 4
   camera.updateProjectionMatrix()
   const { x, z } = camera.position.clone().sub(target)
-  return { target, front: Math.atan2(x, z) - MathUtils.degToRad(VIEWS[view].yaw) }
+  return { target, front: Math.atan2(x, z) - MathUtils.degToRad(angles.yaw) }
 }

@@ -5,12 +5,20 @@ import { readHeightImage } from '../../packages/cli/src/images/height-image.ts'
 import { decodeGray } from '../../packages/cli/src/images/pixels.ts'
 import { readFolder } from '../../packages/cli/src/wrinkles/folder.ts'
 import { packAreas } from '../../packages/furrow/src/core/pack.ts'
-import { influence, interpolate } from '../../packages/furrow/src/core/reference.ts'
+import {
+  bloodColour,
+  bloodOf,
+  influence,
+  interpolate,
+  mixValues,
+} from '../../packages/furrow/src/core/reference.ts'
 import { DeformedNormals } from '../../packages/furrow/src/math/deformed-normals.ts'
 import { coveredTriangles } from '../../packages/furrow/src/relief/covered-triangles.ts'
 import { displace, displacement } from '../../packages/furrow/src/relief/displaced.ts'
+import { weightedTexels } from '../../packages/furrow/src/relief/height-fields.ts'
 import { outwardRoom } from '../../packages/furrow/src/relief/outward-room.ts'
 import { splitMesh } from '../../packages/furrow/src/relief/split-mesh.ts'
+import { MAX_LEVEL } from '../../packages/furrow/src/relief/welded-edges.ts'
 import type { Description } from './page.ts'
 
 const WHO = 'cycles'
@@ -22,22 +30,23 @@ const MOST_TRIANGLES = 1_500_000
 /** The largest displacement in metres, which room is looked for. */
 const REACH = 0.002
 
-/** A mesh to draw: x, y and z of each vertex, and u and v. */
+/** A mesh to draw: x, y and z of each vertex, u and v, and what its blood makes of the base colour's red, green and blue. */
 export interface Skin {
   positions: Float32Array
   uvs: Float32Array
+  tints: Float32Array
   triangles: Uint32Array
 }
 
 /** @param folder what `furrow unpack` made of the face. */
 export async function denseSkin({ skin, activations }: Description, folder: string): Promise<Skin> {
   const { uvs, triangles } = skin
-  const { areas, heightAt } = await readRelief(folder, activations)
+  const { areas, heightAt, bloodAt } = await readWrinkles(folder, activations)
   const mesh = { positions: skin.rest, uvs, triangles }
   const slices = Array.from({ length: areas.depth }, (_, slice) => slice)
-  const dense = finish(
-    splitMesh(mesh, coveredTriangles(mesh, areas, slices), { edge: EDGE, budget: MOST_TRIANGLES }),
-  )
+  const covered = coveredTriangles(mesh, weightedTexels(areas, slices))
+  const halvings = covered.map((isCovered) => isCovered * MAX_LEVEL)
+  const dense = finish(splitMesh(mesh, halvings, { edge: EDGE, budget: MOST_TRIANGLES }))
   const normals = new Float32Array(skin.normals.length)
   new DeformedNormals({ positions: skin.rest, normals: skin.normals, triangles }).update(
     skin.positions,
@@ -45,15 +54,16 @@ export async function denseSkin({ skin, activations }: Description, folder: stri
   )
   const room = outwardRoom(mesh, skin.normals, dense.firstOf, REACH)
   const moved = displace(dense, { positions: skin.positions, normals }, heightAt, room)
-  return {
-    positions: Float32Array.from(moved),
-    uvs: textureCoordinates(dense, uvs),
-    triangles: dense.triangles,
+  const denseUvs = textureCoordinates(dense, uvs)
+  const tints = new Float32Array(3 * dense.count)
+  for (let i = 0; i < dense.count; i++) {
+    tints.set(bloodColour([1, 1, 1], bloodAt(denseUvs[2 * i], denseUvs[2 * i + 1])), 3 * i)
   }
+  return { positions: Float32Array.from(moved), uvs: denseUvs, tints, triangles: dense.triangles }
 }
 
-/** The areas of a folder, and how far its layers move the surface, in metres. */
-async function readRelief(folder: string, activations: Record<string, number>) {
+/** The areas of a folder, how far its layers move the surface, in metres, and how much blood they bring, in optical depths of green. */
+async function readWrinkles(folder: string, activations: Record<string, number>) {
   const set = await readFolder(folder, false, WHO)
   const read = (path: string) => join(folder, decodeURIComponent(path))
   const weights = await Promise.all(
@@ -65,9 +75,11 @@ async function readRelief(folder: string, activations: Record<string, number>) {
   )
   const areas = packAreas(weights)
   const layers = await Promise.all(
-    set.layers.map(async ({ height, heightAmplitude = 0 }) => ({
+    set.layers.map(async ({ height, heightAmplitude = 0, blood, bloodAmplitude = 0 }) => ({
       image: height === undefined ? null : await readHeightImage(read(height), WHO),
       amplitude: heightAmplitude,
+      blood: blood === undefined ? null : await decodeGray(await readFile(read(blood)), blood, WHO),
+      bloodAmplitude,
     })),
   )
   const active = set.areas.map(({ name, layer, combine = 'sum' }) => ({
@@ -84,7 +96,16 @@ async function readRelief(folder: string, activations: Record<string, number>) {
         return { influence: influence(areas, active, u, v, layer), height, amplitude }
       }),
     )
-  return { areas, heightAt }
+  const bloodAt = (u: number, v: number) => {
+    const parts = layers.flatMap(({ blood, bloodAmplitude }, layer) => {
+      if (!blood) return []
+      const stored = interpolate(blood, u, v, (i, j) => blood.data[i + j * blood.width] / 255)
+      const value = [bloodOf(stored) * bloodAmplitude]
+      return { value, influence: influence(areas, active, u, v, layer) }
+    })
+    return mixValues([0], parts)[0]
+  }
+  return { areas, heightAt, bloodAt }
 }
 
 /** Those of the triangles themselves, which differ on both sides of a seam. */

@@ -1,5 +1,5 @@
 /** Draws a face by three.js and Furrow under the lamps that Cycles has too, and tells what Cycles needs to draw the same. */
-import { frameFace, WrinkleLoaderPlugin, type WrinkleMode, type Wrinkles } from 'furrow/three'
+import { addDrivers, frameFace, readWrinkleMaps, type WrinkleMode, Wrinkles } from 'furrow/three'
 import {
   Box3,
   Color,
@@ -59,9 +59,15 @@ let scene: Scene
 let wrinkles: Wrinkles
 
 window.pose = async (address, shot) => {
-  const loader = new GLTFLoader().register((parser) => new WrinkleLoaderPlugin(parser, { relief: 'on' }))
-  const gltf = await loader.loadAsync(address)
-  wrinkles = gltf.userData.wrinkles[0]
+  const gltf = await new GLTFLoader().loadAsync(address)
+  const [{ meshes, set, drivers }] = await readWrinkleMaps(gltf)
+  wrinkles = new Wrinkles(meshes[0], set, { relief: 'on' })
+  for (const mesh of meshes.slice(1)) wrinkles.addMesh(mesh)
+  // Without delays: a picture shows what they end in.
+  addDrivers(
+    wrinkles,
+    drivers.filter(({ type }) => type !== 'time'),
+  )
   scene = new Scene()
   scene.add(gltf.scene)
   pose(gltf.scene, shot.targets)
@@ -93,7 +99,7 @@ function pose(face: Object3D, targets: Record<string, number>): void {
   face.updateMatrixWorld()
 }
 
-/** Every lamp throws shadows, as in Cycles. */
+/** Every lamp throws shadows, as in Cycles; but shadow maps see the cards of lashes whole, which Cycles sees through. */
 function light(face: Object3D): void {
   const surroundings = new Scene()
   surroundings.background = new Color(SURROUNDINGS, SURROUNDINGS, SURROUNDINGS)
@@ -102,7 +108,9 @@ function light(face: Object3D): void {
   const centre = bounds.getCenter(new Vector3())
   const radius = bounds.getSize(new Vector3()).length() / 2
   face.traverse((object) => {
-    object.castShadow = object.receiveShadow = true
+    const { material } = object as Mesh
+    object.castShadow = !Array.isArray(material) && !material?.transparent
+    object.receiveShadow = true
   })
   for (const { from, strength } of LAMPS) {
     const lamp = new DirectionalLight(0xffffff, strength)

@@ -27,6 +27,10 @@ def upright(values):
     return np.stack([x, -z, y], -1)
 
 
+# Colour attribute of the vertices: what more or less blood makes of the base colour.
+TINT = 'tint'
+
+
 def replace_skin(name, folder):
     positions = upright(np.fromfile(folder / 'positions.bin', np.float32).reshape(-1, 3))
     triangles = np.fromfile(folder / 'triangles.bin', np.uint32).reshape(-1, 3).astype(np.int32)
@@ -43,6 +47,9 @@ def replace_skin(name, folder):
     layer = mesh.uv_layers.new(name=old.data.uv_layers[0].name)
     corners = uvs[triangles.ravel()]
     layer.data.foreach_set('uv', np.stack([corners[:, 0], 1 - corners[:, 1]], -1).astype(np.float32).ravel())
+    tints = np.fromfile(folder / 'tints.bin', np.float32).reshape(-1, 3)
+    attribute = mesh.color_attributes.new(TINT, 'FLOAT_COLOR', 'POINT')
+    attribute.data.foreach_set('color', np.insert(tints, 3, 1, axis=1).ravel())
     mesh.update(calc_edges=True)
     # Vertices of both sides of a seam are one: otherwise a crease is shaded there.
     material = old.data.materials[0]
@@ -55,8 +62,23 @@ def replace_skin(name, folder):
     return material
 
 
+def flush(tree, surface):
+    colour = surface.inputs['Base Color']
+    tint, product = tree.nodes.new('ShaderNodeVertexColor'), tree.nodes.new('ShaderNodeMix')
+    tint.layer_name = TINT
+    product.data_type, product.blend_type = 'RGBA', 'MULTIPLY'
+    factor, first, second = (next(s for s in product.inputs if s.identifier == name) for name in ('Factor_Float', 'A_Color', 'B_Color'))
+    factor.default_value = 1
+    first.default_value = colour.default_value
+    for link in list(colour.links):
+        tree.links.new(link.from_socket, first)
+    tree.links.new(tint.outputs['Color'], second)
+    tree.links.new(next(s for s in product.outputs if s.identifier == 'Result_Color'), colour)
+
+
 def scatter(material):
     surface = next(node for node in material.node_tree.nodes if node.type == 'BSDF_PRINCIPLED')
+    flush(material.node_tree, surface)
     surface.inputs['Subsurface Weight'].default_value = SCATTERED
     surface.inputs['Subsurface Radius'].default_value = SCATTERING
     surface.inputs['Subsurface Scale'].default_value = 1

@@ -68,6 +68,14 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
     expect(differences[7]).toBe(differences[5])
   })
 
+  it('gets heights too, which relief draws', async () => {
+    const gltf = await load(await bareSheet())
+    const [wrinkles] = await wrinklesReady(gltf)
+    wrinkles!.relief = 'on'
+    await wrinkles!.reliefReady()
+    expect(firstMesh(gltf.scene).children.map((child) => 'isReliefMesh' in child)).toEqual([true])
+  })
+
   it('is found in the cache by its content and options, and is then the same', async () => {
     const steps = vi.fn()
     const first = await load(await bareSheet(), { ...AUTO, seed: 7, progress: steps })

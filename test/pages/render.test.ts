@@ -70,6 +70,7 @@ describe('furrow render', () => {
     await writeFile(plain, editGlb(await readFile(FACE), removeWrinkles))
     const slow = join(folder, 'slow.glb')
     await writeFile(slow, editGlb(await readFile(images), delay))
+    const set = await writeSet()
     const wide = { input: images, mode: 'off', view: 'front' } as const
     const requests: Record<string, PictureRequest> = {
       'webgl images': { input: images, ...SURPRISED },
@@ -85,7 +86,8 @@ describe('furrow render', () => {
       'webgl bare': { input: bare, ...HAPPY },
       'webgl bare off': { input: bare, ...HAPPY, mode: 'off' },
       'webgl plain': { input: plain, ...SURPRISED },
-      'webgl set': { input: plain, wrinkles: await writeSet(), ...SURPRISED },
+      'webgl set': { input: plain, wrinkles: set, ...SURPRISED },
+      'webgl relief': { input: plain, wrinkles: set, ...SURPRISED, relief: 'on' },
       'webgl text': { input: await writeGltf(images), ...SURPRISED },
       'webgpu images': { input: images, ...SURPRISED, renderer: 'webgpu' },
       'webgpu off': { input: images, ...SURPRISED, renderer: 'webgpu', mode: 'off' },
@@ -168,6 +170,14 @@ describe('furrow render', () => {
     expect(largestDifference(opaque('webgl bare'), opaque('webgl bare off'), FOLDS)).toBeGreaterThan(20)
   })
 
+  test('moves the surface by the heights of a set, if relief is on', () => {
+    const [flat, raised] = [opaque('webgl set'), opaque('webgl relief')]
+    expect(drawn.get('webgl relief')!.warnings).toEqual([])
+    // Pictures of one scene are equal to the bit; a millimetre is a pixel and a half here.
+    expect(largestDifference(raised, flat, FOREHEAD)).toBeGreaterThan(3)
+    expect(largestDifference(raised, flat, CHIN)).toBe(0)
+  })
+
   test("accepts blendshapes, activations, a view and the paper's mode", async () => {
     const file = join(out, 'new', 'folder', 'brow.png')
     const options = ['--view', 'close', '--mode', 'paper', '--size', '160x120']
@@ -194,13 +204,22 @@ describe('furrow render', () => {
   }
 })
 
-/** The left half of the human's forehead, driven by one blendshape, with a second map. */
+/** The left half of the human's forehead, driven by one blendshape, with a second map and heights. */
 async function writeSet(): Promise<string> {
   const own = join(folder, 'set')
   await cp(join(ROOT, 'faces/human'), own, { recursive: true })
   await cp(join(own, 'layers/expression/normal.png'), join(own, 'occlusion.png'))
   const set = {
-    layers: [{ name: 'expression', kind: 'detail', occlusion: 'occlusion.png', occlusionStrength: 0 }],
+    layers: [
+      {
+        name: 'expression',
+        kind: 'detail',
+        occlusion: 'occlusion.png',
+        occlusionStrength: 0,
+        height: 'occlusion.png',
+        heightAmplitude: 0.01,
+      },
+    ],
     areas: [{ name: 'foreheadLeft' }],
     drivers: [{ type: 'morph', area: 'foreheadLeft', targets: [{ name: 'browOuterUpLeft', weight: 1 }] }],
   }

@@ -13,7 +13,7 @@ export async function measurePainting(bench, add) {
   const at = (i) => studio.pointAt(0.56 + 0.012 * i, 0.5)
   const start = await at(0)
   await page.mouse.move(start.x, start.y)
-  add('first dab of a stroke', await studio.timeToPixel('pointerdown', start, () => page.mouse.down()))
+  add('first dab, at once', await studio.timeToPixel('pointerdown', start, () => page.mouse.down()))
   for (let i = 1; i <= MOVES; i++) {
     const point = await at(i)
     add('dab', await studio.timeToPixel('pointermove', point, () => page.mouse.move(point.x, point.y)))
@@ -27,5 +27,9 @@ export async function measurePainting(bench, add) {
     await studio.untilIdle()
     add(figure, await studio.timeToPixel('keydown', middle, () => page.keyboard.press(keys)))
   }
+  await studio.untilIdle()
+  await page.mouse.move(start.x, start.y)
+  add('first dab of the next stroke', await studio.timeToPixel('pointerdown', start, () => page.mouse.down()))
+  await page.mouse.up()
   await studio.close()
 }

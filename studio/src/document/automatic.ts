@@ -2,6 +2,7 @@ import { FurrowError, MAX_LAYERS } from 'furrow'
 import { type AutoWrinkles, autoDrivers, strokesOf } from 'furrow/author'
 import {
   type AutoSettings,
+  type ImageFile,
   LAYER_DEFAULTS,
   type LayerStroke,
   type StudioArea,
@@ -14,36 +15,45 @@ import { areaOf } from './drivers.ts'
 const AUTOMATIC_LAYER = /^auto\d$/
 
 /**
- * A document of automatic wrinkles: their lines as strokes, which draw the maps; areas, drivers and expressions.
+ * A document of automatic wrinkles: their lines as strokes, which draw the maps; blood, areas, drivers and expressions.
  *
  * @param names of the mesh and the material.
+ * @param bloodMaps of the layers, as files; none for a preview, whose maps are never drawn from it.
  */
 export function automaticDocument(
   wrinkles: AutoWrinkles,
   auto: AutoSettings,
   areaSize: number,
   names: Pick<StudioDocument, 'mesh' | 'material'>,
+  bloodMaps: readonly ImageFile[] = [],
 ): StudioDocument {
-  const { layers, areas, expressions, scale } = wrinkles
+  const { layers, areas, blood, scale } = wrinkles
   const isAutomatic = true
   return {
     ...names,
     scale,
     mapSize: auto.size,
     areaSize,
-    layers: layers.map(({ name }) => ({ ...LAYER_DEFAULTS, name })),
-    areas: areas.map(({ name, layer, weights }): StudioArea => {
+    layers: layers.map(
+      ({ name }, i): StudioLayer => ({
+        ...LAYER_DEFAULTS,
+        name,
+        bloodAmplitude: blood.amplitude,
+        ...(bloodMaps[i] && { maps: { blood: bloodMaps[i] }, isBloodAutomatic: true }),
+      }),
+    ),
+    areas: [...areas, ...blood.areas].map(({ name, layer, weights }): StudioArea => {
       return { name, layer: layers[layer].name, combine: 'sum', activation: 0, weights, isAutomatic }
     }),
     strokes: (strokesOf(wrinkles).strokes as LayerStroke[]).map((stroke) => ({ ...stroke, isAutomatic })),
-    drivers: autoDrivers({ areas, expressions }),
+    drivers: autoDrivers(wrinkles),
     auto,
   }
 }
 
 /**
  * Replaces the automatic wrinkles of a document by others, and keeps what an artist has made or changed: areas that were painted with the
- * strokes of their group, strokes that were bent, layers with images, and drivers of areas that stay.
+ * strokes of their group, strokes that were bent, layers with images, blood maps among them, and drivers of areas that stay.
  */
 export function remake(document: StudioDocument, made: StudioDocument): StudioDocument {
   const keptAreas = document.areas.filter((area) => !area.isAutomatic)
@@ -60,11 +70,12 @@ export function remake(document: StudioDocument, made: StudioDocument): StudioDo
   ]
   const areas = [...keptAreas, ...made.areas.filter(({ name }) => !keptNames.has(name))]
   // Strokes are drawn over images of layers, which keep their size.
-  const hasImages = document.layers.some(({ maps }) => Object.keys(maps).length > 0)
+  const hasImages = document.layers.some(hasOwnMaps)
   return {
     ...made,
     ...(hasImages && { mapSize: document.mapSize }),
     areaSize: document.areaSize,
+    ...(document.furrows && { furrows: document.furrows }),
     areas: withOldLayers(areas, document, strokes),
     strokes,
     layers: joinedLayers(document, made, areas, strokes),
@@ -110,7 +121,12 @@ function isOf({ group }: LayerStroke, area: string): boolean {
   return group === area || group === area.replace(/(Left|Right)$/, '')
 }
 
-/** The layers of both that are in use, those of the document as they are. */
+/** Whether a layer has maps that are not automatic. */
+function hasOwnMaps({ maps, isBloodAutomatic }: StudioLayer): boolean {
+  return Object.keys(maps).some((map) => map !== 'blood' || !isBloodAutomatic)
+}
+
+/** The layers of both that are in use, those of the document as they are but for automatic blood. */
 function joinedLayers(
   document: StudioDocument,
   made: StudioDocument,
@@ -118,10 +134,31 @@ function joinedLayers(
   strokes: readonly LayerStroke[],
 ): StudioLayer[] {
   const used = new Set([...areas, ...strokes].map(({ layer }) => layer))
-  const old = document.layers.filter(({ name, maps }) => used.has(name) || Object.keys(maps).length > 0)
+  const isAsStrong = document.auto?.strength === made.auto?.strength
+  const old = document.layers
+    .filter((layer) => used.has(layer.name) || hasOwnMaps(layer))
+    .map((layer) => {
+      const other = made.layers.find(({ name }) => name === layer.name)
+      return other ? withBloodOf(other, layer, isAsStrong) : layer
+    })
   const names = new Set(old.map(({ name }) => name))
   return [...old, ...made.layers.filter(({ name }) => !names.has(name) && used.has(name))].slice(
     0,
     MAX_LAYERS,
   )
+}
+
+/** A layer with the blood of another one, unless it has a map of its own. @param isAsStrong whether its amplitude stays. */
+function withBloodOf(
+  { maps: { blood }, bloodAmplitude }: StudioLayer,
+  layer: StudioLayer,
+  isAsStrong: boolean,
+): StudioLayer {
+  if (!blood || (layer.maps.blood && !layer.isBloodAutomatic)) return layer
+  return {
+    ...layer,
+    maps: { ...layer.maps, blood },
+    bloodAmplitude: (isAsStrong ? layer.bloodAmplitude : undefined) ?? bloodAmplitude!,
+    isBloodAutomatic: true,
+  }
 }

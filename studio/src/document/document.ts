@@ -1,5 +1,5 @@
 import type { Combine, GrayImage, LayerKind, WrinkleDriver } from 'furrow'
-import type { AutoRegion, Stroke, StrokesDocument } from 'furrow/author'
+import type { AutoRegion, Furrows, Stroke, StrokesDocument } from 'furrow/author'
 
 /**
  * What an artist works on: the wrinkles of one face as plain data that never changes. An operation makes another document, in which
@@ -23,6 +23,8 @@ export interface StudioDocument {
   readonly strokes: readonly LayerStroke[]
   /** Shapes of areas that came with the strokes. */
   readonly strokeAreas?: StrokesDocument['areas']
+  /** The net of fine furrows that came with the strokes: kept, and not drawn. */
+  readonly furrows?: Furrows
   readonly drivers: readonly WrinkleDriver[]
   /** What the automatic wrinkles were made with; absent where there are none. */
   readonly auto?: AutoSettings
@@ -50,6 +52,8 @@ export interface StudioLayer {
   readonly heightAmplitude?: number
   /** Optical depth of the blood map's white, 0..2. */
   readonly bloodAmplitude?: number
+  /** Whether `autoWrinkles` made the blood map: it is made anew with the other automatic wrinkles. */
+  readonly isBloodAutomatic?: boolean
 }
 
 /** Values of the fields of a new layer. */

@@ -24,7 +24,7 @@ export function addLayer(document: StudioDocument, name: string): StudioDocument
   return { ...document, layers: [...document.layers, { ...LAYER_DEFAULTS, name }] }
 }
 
-/** Removes a layer with its strokes. Throws FurrowError when areas still show it. */
+/** Removes a layer with its strokes and furrows. Throws FurrowError when areas still show it. */
 export function removeLayer(document: StudioDocument, name: string): StudioDocument {
   named(document.layers, name, 'layer')
   const shown = document.areas.filter(({ layer }) => layer === name)
@@ -36,14 +36,16 @@ export function removeLayer(document: StudioDocument, name: string): StudioDocum
       remedy: shown.length > 0 ? 'move them to another layer first' : 'add another one first',
     })
   }
+  const { furrows, ...others } = document
   return {
-    ...document,
+    ...others,
+    ...(furrows && furrows.layer !== name && { furrows }),
     layers: document.layers.filter((layer) => layer.name !== name),
     strokes: kept(document.strokes, ({ layer }) => layer !== name),
   }
 }
 
-/** Renames a layer, in areas and strokes too. */
+/** Renames a layer, in areas, strokes and furrows too. */
 export function renameLayer(document: StudioDocument, name: string, newName: string): StudioDocument {
   if (newName === name) return document
   checkNewName(document.layers, newName, 'layer')
@@ -54,6 +56,7 @@ export function renameLayer(document: StudioDocument, name: string, newName: str
     layers: withNamed(document.layers, name, 'layer', (layer) => ({ ...layer, name: newName })),
     areas: changed(document.areas, rename),
     strokes: changed(document.strokes, rename),
+    ...(document.furrows?.layer === name && { furrows: { ...document.furrows, layer: newName } }),
   }
 }
 
@@ -84,9 +87,10 @@ export function setMap(
   image: ImageFile | undefined,
 ): StudioDocument {
   const change = (layer: StudioLayer): StudioLayer => {
+    const { isBloodAutomatic, ...others } = layer
     const maps = { ...layer.maps, [map]: image }
     if (!image) delete maps[map]
-    return { ...layer, maps }
+    return { ...others, maps, ...(isBloodAutomatic && map !== 'blood' && { isBloodAutomatic }) }
   }
   return { ...document, layers: withNamed(document.layers, name, 'layer', change) }
 }

@@ -1,5 +1,4 @@
-import type { HeightMap } from 'furrow/author'
-import { halfSide, heightLevels } from '../../../packages/cli/src/images/half-side.ts'
+import { type HeightMap, halfSide, heightLevels } from 'furrow/author'
 import { withoutAlpha } from '../../../packages/cli/src/images/pixels.ts'
 import { encodePortablePng } from '../../../packages/cli/src/images/png.ts'
 import type { ImageFile, StudioDocument } from '../document/document.ts'

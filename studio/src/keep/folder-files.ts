@@ -168,6 +168,7 @@ function strokesOf(document: StudioDocument): StrokesDocument | undefined {
     scale: document.scale,
     size: document.mapSize,
     strokes: document.strokes.map(({ isAutomatic, ...stroke }) => stroke),
+    ...(document.furrows && { furrows: document.furrows }),
     ...(areas && areas.length > 0 && { areas }),
   }
 }

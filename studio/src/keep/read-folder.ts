@@ -74,6 +74,7 @@ export async function readFolder(
       return { ...stroke, layer, ...(isAutomatic.has(i) && { isAutomatic: true }) }
     }),
     ...(strokes?.areas && { strokeAreas: strokes.areas }),
+    ...(strokes?.furrows && { furrows: strokes.furrows }),
     drivers: set.drivers ?? [],
     ...(studio.auto && { auto: studio.auto }),
   }
@@ -130,6 +131,7 @@ async function readLayer(
     occlusionStrength,
     ...(amplitude !== undefined && { heightAmplitude: amplitude }),
     ...(bloodAmplitude !== undefined && { bloodAmplitude }),
+    ...(studio.automaticBlood?.includes(name) && entry.blood !== undefined && { isBloodAutomatic: true }),
   }
 }
 

@@ -13,6 +13,8 @@ export interface StudioFile {
   /** Names of automatic areas, and indices of automatic strokes. */
   automaticAreas?: string[]
   automaticStrokes?: number[]
+  /** Names of layers whose blood map is automatic. */
+  automaticBlood?: string[]
   /** By the layer's name. */
   layers?: Record<string, DrawnLayer>
   face?: FaceFile
@@ -43,10 +45,11 @@ export const UNDER = 'under'
 export const FACE_FOLDER = 'face'
 
 /** What is automatic in a document. */
-export function automaticParts({ areas, strokes }: StudioDocument) {
+export function automaticParts({ layers, areas, strokes }: StudioDocument) {
   return {
     automaticAreas: areas.flatMap(({ name, isAutomatic }) => (isAutomatic ? [name] : [])),
     automaticStrokes: strokes.flatMap(({ isAutomatic }, i) => (isAutomatic ? [i] : [])),
+    automaticBlood: layers.flatMap(({ name, isBloodAutomatic }) => (isBloodAutomatic ? [name] : [])),
   }
 }
 

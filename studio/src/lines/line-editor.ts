@@ -19,7 +19,10 @@ import { addLine, isShownAt, type NewLine, withArea } from './line-area.ts'
 export type LineMode = 'off' | 'edit' | 'draw'
 
 /** The cross-section of a line, and how it ends. */
-export type LineShape = Pick<LayerStroke, 'width' | 'depth' | 'softness' | 'shoulder' | 'taper'>
+export type LineShape = Pick<
+  LayerStroke,
+  'width' | 'depth' | 'softness' | 'shoulder' | 'bank' | 'lean' | 'taper'
+>
 
 /** A wrinkle of the forehead, about. */
 const SHAPE: LineShape = { width: 3, depth: 0.6, softness: 0.4, shoulder: [0.6, 0.6], taper: [0.3, 0.3] }

@@ -9,9 +9,10 @@ import {
 } from 'furrow/author'
 import type { Mesh } from 'three'
 import { knotsOf, traceStroke } from '../../../packages/furrow/src/author/strokes/edit/traced-stroke.ts'
-import type { LayerStroke, StudioDocument } from '../document/document.ts'
+import type { LayerStroke } from '../document/document.ts'
+import { makeCanvasInWorker } from '../paint/in-worker.ts'
 import type { SkinPicker } from '../paint/picker.ts'
-import { type PosedSkin, posedSkinOf } from '../paint/posed-skin.ts'
+import { type PosedSkin, prepareSkin } from '../paint/posed-skin.ts'
 
 /** A stroke as a line on the skin, which follows the skin when that is deformed. */
 export interface SkinLine {
@@ -31,14 +32,10 @@ export class LineSkin {
   readonly #posed: PosedSkin
   readonly #lines = new WeakMap<LayerStroke, SkinLine | null>()
 
-  /** @throws FurrowError when the meshes cannot be drawn on. */
-  constructor(
-    meshes: readonly [Mesh, ...Mesh[]],
-    { scale, areaSize }: Pick<StudioDocument, 'scale' | 'areaSize'>,
-  ) {
-    this.#posed = posedSkinOf(meshes, scale)
-    const { positions, uvs, indices } = this.#skin
-    this.canvas = skinCanvas({ positions, uvs, indices }, areaSize, areaSize, scale)
+  /** @param canvas of the same skin. */
+  constructor(posed: PosedSkin, canvas: SkinCanvas) {
+    this.#posed = posed
+    this.canvas = canvas
   }
 
   get picker(): SkinPicker {
@@ -87,4 +84,21 @@ export class LineSkin {
       knots: knotsOf(spline, traced, this.canvas),
     }
   }
+}
+
+/**
+ * Makes the skin of a face ready to be drawn on, in workers; on the page where they end. It rejects with a FurrowError where it cannot be drawn on.
+ *
+ * @param size side of the face's areas in texels.
+ */
+export async function readLineSkin(
+  meshes: readonly [Mesh, ...Mesh[]],
+  scale: number,
+  size: number,
+): Promise<LineSkin> {
+  const posed = await prepareSkin(meshes, scale, size)
+  const { positions, uvs, indices } = posed.skin.skin
+  const mesh = { positions, uvs, indices }
+  const canvas = await makeCanvasInWorker(mesh, size, scale).catch(() => skinCanvas(mesh, size, size, scale))
+  return new LineSkin(posed, canvas)
 }

@@ -8,7 +8,7 @@ import type { ToolHost } from '../tools/tool-host.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 import { LineEditor } from './line-editor.ts'
 import { LineOverlay } from './line-overlay.ts'
-import { LineSkin } from './line-skin.ts'
+import { type LineSkin, readLineSkin } from './line-skin.ts'
 import { LineProjection, type ProjectedLine } from './project-lines.ts'
 
 /** What lines need of the application. */
@@ -19,7 +19,7 @@ export interface LinesParts {
   viewer: ReadonlySignal<Viewer | null>
   tools: ToolHost
   /** Runs a task, and shows its errors. */
-  attempt(task: () => void): void
+  attempt(task: () => unknown): unknown
 }
 
 /** The lines of the document on the face: shows them, and lets the pointer edit them. */
@@ -29,6 +29,8 @@ export class Lines {
   readonly #overlay: LineOverlay
   readonly #tool: LineTool
   readonly #skin = signal<LineSkin | null>(null)
+  /** Reads the skin; null once that is done. */
+  #reading: Promise<void> | null = null
   /** What the skin was read of. */
   #source: readonly unknown[] = []
   readonly #projection = new LineProjection()
@@ -39,7 +41,7 @@ export class Lines {
     const { session, stage, tools, attempt } = parts
     this.#parts = parts
     this.#overlay = new LineOverlay(stage)
-    this.editor = new LineEditor(session, () => this.#skin.peek())
+    this.editor = new LineEditor(session, () => this.#skin.value)
     const [skin, lines] = [this.#skin, () => this.#lines]
     this.#tool = new LineTool(this.editor, {
       get picker() {
@@ -48,6 +50,7 @@ export class Lines {
       get lines() {
         return lines()
       },
+      waitsFor: () => this.#reading,
       changed: () => this.#redraw(),
     })
     effect(() => this.#readSkin())
@@ -133,10 +136,18 @@ export class Lines {
     if (source.every((value, i) => value === this.#source[i])) return
     this.#source = source
     this.#skin.value = null
+    this.#reading = null
     if (!skin || !document) return
-    attempt(() => {
-      this.#skin.value = new LineSkin(skin.meshes, document)
+    const { scale, areaSize } = document
+    const reading = readLineSkin(skin.meshes, scale, areaSize).then((own) => {
+      if (reading === this.#reading) this.#skin.value = own
     })
+    this.#reading = reading
+    void attempt(() =>
+      reading.finally(() => {
+        if (reading === this.#reading) this.#reading = null
+      }),
+    )
   }
 }
 

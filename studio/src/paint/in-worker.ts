@@ -1,6 +1,7 @@
 import { transfer } from 'comlink'
 import { FurrowError } from 'furrow'
-import type { Skin } from 'furrow/author'
+import type { Skin, SkinCanvas } from 'furrow/author'
+import { canvasAgain, type SkinCanvasArrays } from '../../../packages/furrow/src/author/skin/canvas.ts'
 import { buffersOf } from '../../../packages/furrow/src/auto/buffers.ts'
 import { runOnce } from '../workers/run-once.ts'
 import type { MadeSkin } from './make-skin.ts'
@@ -17,13 +18,30 @@ export function makeSkinInWorker(
   scale: number,
   size: number,
 ): Promise<{ skin: Skin; made: MadeSkin }> {
-  const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
   const moved = transfer(skin, buffersOf(skin))
   return runOnce<SkinService, { skin: Skin; made: MadeSkin }>(
-    worker,
+    startWorker(),
     (service) => service.makeSkin(moved, scale, size),
     died,
   )
+}
+
+/** `skinCanvas` in a worker of its own. It rejects as `makeSkinInWorker` does. */
+export async function makeCanvasInWorker(
+  mesh: Pick<Skin, 'positions' | 'uvs' | 'indices'>,
+  size: number,
+  scale: number,
+): Promise<SkinCanvas> {
+  const arrays = await runOnce<SkinService, SkinCanvasArrays>(
+    startWorker(),
+    (service) => service.makeCanvas(mesh, size, scale),
+    died,
+  )
+  return canvasAgain(mesh, arrays)
+}
+
+function startWorker(): Worker {
+  return new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
 }
 
 function died(reason: string | undefined): FurrowError {

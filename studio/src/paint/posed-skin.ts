@@ -33,6 +33,9 @@ export class PosedSkin {
 /** By the meshes, which are one array for as long as the avatar is open. */
 const lastMade = new WeakMap<readonly Mesh[], PosedSkin>()
 
+/** Those that are being made. */
+const preparations = new WeakMap<readonly Mesh[], { scale: number; size: number; skin: Promise<PosedSkin> }>()
+
 /**
  * The skin of a face in its present pose. It is made once: later calls give the same one. Where `prepareSkin` has not made it, the page waits for
  * it: 0.1 to 0.3 s for a scan.
@@ -41,8 +44,8 @@ const lastMade = new WeakMap<readonly Mesh[], PosedSkin>()
  * @throws FurrowError when it cannot be painted.
  */
 export function posedSkinOf(meshes: readonly [Mesh, ...Mesh[]], scale: number): PosedSkin {
-  const last = lastMade.get(meshes)
-  if (last?.scale === scale) {
+  const last = knownSkin(meshes, scale)
+  if (last) {
     last.follow()
     return last
   }
@@ -52,29 +55,62 @@ export function posedSkinOf(meshes: readonly [Mesh, ...Mesh[]], scale: number): 
   return made
 }
 
-/** Vertices of the largest skin that is made before it is needed: a larger one takes hundreds of megabytes, perhaps for nothing. */
-const MOST_PREPARED = 500_000
-
-/**
- * Makes the skin of a face and the map of its areas in a worker, so that tools have them at once. It rejects with a FurrowError where that fails.
- *
- * @param size side of the face's areas in texels.
- */
-export async function prepareSkin(
+/** The skin of a face in its present pose, with the map of areas of a size; null before `prepareSkin` has made both. */
+export function preparedSkin(
   meshes: readonly [Mesh, ...Mesh[]],
   scale: number,
   size: number,
-): Promise<void> {
-  const known = () => {
-    const last = lastMade.get(meshes)
-    return last?.scale === scale ? last.skin : null
+): PosedSkin | null {
+  const known = knownSkin(meshes, scale)
+  if (!known?.skin.hasMap(size)) return null
+  known.follow()
+  return known
+}
+
+/**
+ * Makes the skin of a face and the map of its areas in a worker; on the page where the worker ends. It rejects with a FurrowError where the skin
+ * cannot be painted.
+ *
+ * @param size side of the face's areas in texels.
+ */
+export function prepareSkin(
+  meshes: readonly [Mesh, ...Mesh[]],
+  scale: number,
+  size: number,
+): Promise<PosedSkin> {
+  const last = preparations.get(meshes)
+  if (last?.scale === scale && last.size === size) return last.skin
+  const own = { scale, size, skin: makePrepared(meshes, scale, size) }
+  const forget = () => {
+    if (preparations.get(meshes) === own) preparations.delete(meshes)
   }
-  const vertices = meshes.reduce((sum, { geometry }) => sum + geometry.attributes.position.count, 0)
-  if (known()?.hasMap(size) || vertices > MOST_PREPARED) return
+  preparations.set(meshes, own)
+  own.skin.then(forget, forget)
+  return own.skin
+}
+
+async function makePrepared(
+  meshes: readonly [Mesh, ...Mesh[]],
+  scale: number,
+  size: number,
+): Promise<PosedSkin> {
+  const known = preparedSkin(meshes, scale, size)
+  if (known) return known
   const { skin: own, parts } = readSkin(meshes)
-  const { skin, made } = await makeSkinInWorker(own, scale, size)
-  // A tool may have needed the skin meanwhile, or an area its map.
-  const early = known()
-  if (!early) lastMade.set(meshes, new PosedSkin(meshes, scale, { skin, parts }, made))
-  else if (!early.hasMap(size)) early.addMap(made.map!)
+  const answer = await makeSkinInWorker(own, scale, size).catch(() => null)
+  if (answer) {
+    const { skin, made } = answer
+    // An area may have needed the skin meanwhile.
+    const early = knownSkin(meshes, scale)
+    if (!early) lastMade.set(meshes, new PosedSkin(meshes, scale, { skin, parts }, made))
+    else if (!early.skin.hasMap(size)) early.skin.addMap(made.map!)
+  }
+  const posed = posedSkinOf(meshes, scale)
+  posed.skin.mapOf(size)
+  return posed
+}
+
+function knownSkin(meshes: readonly Mesh[], scale: number): PosedSkin | null {
+  const last = lastMade.get(meshes)
+  return last?.scale === scale ? last : null
 }

@@ -1,7 +1,8 @@
 /** Makes the skin of a face ready for tools, away from the page. */
 
 import { expose, transfer } from 'comlink'
-import type { Skin } from 'furrow/author'
+import { type MetricMesh, type Skin, skinCanvas } from 'furrow/author'
+import { canvasArrays, type SkinCanvasArrays } from '../../../packages/furrow/src/author/skin/canvas.ts'
 import { buffersOf } from '../../../packages/furrow/src/auto/buffers.ts'
 import { holdLife } from '../workers/life.ts'
 import { type MadeSkin, makeSkin } from './make-skin.ts'
@@ -11,6 +12,11 @@ const service = {
   makeSkin(skin: Skin, scale: number, size: number): { skin: Skin; made: MadeSkin } {
     const answer = { skin, made: makeSkin(skin, scale, size) }
     return transfer(answer, [...buffersOf(answer), ...(answer.made.hierarchy.roots as ArrayBuffer[])])
+  },
+  /** See `skinCanvas`. */
+  makeCanvas(mesh: MetricMesh, size: number, scale: number): SkinCanvasArrays {
+    const arrays = canvasArrays(skinCanvas(mesh, size, size, scale))
+    return transfer(arrays, buffersOf(arrays))
   },
 }
 

@@ -1,4 +1,5 @@
 import { useId } from 'preact/hooks'
+import { BANK_WIDTHS } from '../../../packages/furrow/src/author/strokes/lay-out.ts'
 import type { LineEditor, LineMode, LineShape } from '../lines/line-editor.ts'
 import { Choice } from './controls/choice.tsx'
 import { NumberSlider } from './controls/number-slider.tsx'
@@ -70,11 +71,14 @@ interface ControlsProps {
 const WIDTH = [0.2, 12, 0.1] as const
 const DEPTH = [0, 3, 0.02] as const
 const FRACTION = [0, 1, 0.01] as const
+/** Of the raised sides. */
+const BANK = [0.2, 30, 0.1] as const
+const LEAN = [-0.9, 0.9, 0.05] as const
 /** Of the length, at each end: beyond one half, both fade the same part. */
 const TAPER = [0, 0.5, 0.01] as const
 
 function Shape({ shape, editor, attempt }: ControlsProps & { shape: LineShape }) {
-  const { width, depth, softness, shoulder, taper } = shape
+  const { width, depth, softness, shoulder, bank, lean = 0, taper } = shape
   const slider = (
     label: string,
     range: readonly [number, number, number],
@@ -95,6 +99,10 @@ function Shape({ shape, editor, attempt }: ControlsProps & { shape: LineShape })
       {slider('Depth, mm', DEPTH, depth, (value) => ({ depth: value }))}
       {slider('Softness', FRACTION, softness, (value) => ({ softness: value }))}
       {slider('Shoulders', FRACTION, mean(shoulder), (value) => ({ shoulder: [value, value] }))}
+      {slider('Banks, mm', BANK, bank ? mean(bank) : BANK_WIDTHS * width, (value) => ({
+        bank: [value, value],
+      }))}
+      {slider('Lean', LEAN, lean, (value) => ({ lean: value }))}
       {slider('Taper', TAPER, mean(taper), (value) => ({ taper: [value, value] }))}
     </div>
   )

@@ -1,4 +1,4 @@
-import { FurrowError, imageTypeOf, type RgbaImage } from 'furrow'
+import { FurrowError, type GrayImage, imageTypeOf, type RgbaImage } from 'furrow'
 import { decodeImage } from 'furrow/three'
 import type { ImageFile, MapName } from '../document/document.ts'
 import { bytesOf } from '../open/dropped-files.ts'
@@ -16,12 +16,23 @@ export async function readMap(file: File, map: MapName, size: number): Promise<I
   return { mimeType: imageTypeOf(bytes) ?? 'image/png', bytes }
 }
 
+/** A gray map as a PNG file. The browser encodes it beside the page. */
+export async function grayFile({ width, height, data }: GrayImage, name: string): Promise<ImageFile> {
+  const { canvas, context } = canvasOf(width, height, name)
+  const image = new ImageData(width, height)
+  for (let i = 0; i < data.length; i++) {
+    image.data[4 * i] = image.data[4 * i + 1] = image.data[4 * i + 2] = data[i]
+    image.data[4 * i + 3] = 255
+  }
+  context.putImageData(image, 0, 0)
+  const mimeType = 'image/png'
+  return { mimeType, bytes: await bytesOf(await canvas.convertToBlob({ type: mimeType }), name) }
+}
+
 /** As a PNG file. */
 async function scaled({ width, height, data }: RgbaImage, size: number, name: string): Promise<Uint8Array> {
   const image = new ImageData(Uint8ClampedArray.from(data), width, height)
-  const canvas = new OffscreenCanvas(size, size)
-  const context = canvas.getContext('2d')
-  if (!context) throw withoutCanvas(name)
+  const { canvas, context } = canvasOf(size, size, name)
   context.imageSmoothingQuality = 'high'
   const bitmap = await createImageBitmap(image, { colorSpaceConversion: 'none' })
   context.drawImage(bitmap, 0, 0, size, size)
@@ -29,10 +40,17 @@ async function scaled({ width, height, data }: RgbaImage, size: number, name: st
   return bytesOf(await canvas.convertToBlob({ type: 'image/png' }), name)
 }
 
+function canvasOf(width: number, height: number, name: string) {
+  const canvas = new OffscreenCanvas(width, height)
+  const context = canvas.getContext('2d')
+  if (!context) throw withoutCanvas(name)
+  return { canvas, context }
+}
+
 function withoutCanvas(name: string): FurrowError {
   return new FurrowError({
     who: 'Studio',
-    what: `there is no canvas to scale ${name} on`,
+    what: `there is no canvas to draw ${name} on`,
     remedy: 'close other pages to free memory',
   })
 }

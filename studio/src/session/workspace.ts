@@ -1,10 +1,10 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals'
 import { DEFAULT_AREA_SIZE, FurrowError } from 'furrow'
-import type { AutoWrinkles } from 'furrow/author'
+import { type AutoWrinkles, halfSide } from 'furrow/author'
 import type { TargetNames } from '../../../packages/cli/src/gltf/target-names.ts'
 import { automaticDocument, layersLeft, remake } from '../document/automatic.ts'
 import { blankDocument } from '../document/blank.ts'
-import type { AutoSettings, LayerStroke, StudioDocument } from '../document/document.ts'
+import type { AutoSettings, ImageFile, LayerStroke, StudioDocument } from '../document/document.ts'
 import { MapMaker } from '../draw/map-maker.ts'
 import type { ExportOptions } from '../export/export-face.ts'
 import type { Project } from '../keep/project.ts'
@@ -17,6 +17,7 @@ import { type DrawnWork, Exporting } from './exporting.ts'
 import { faceFilesOf } from './face-files.ts'
 import { Keeping } from './keeping.ts'
 import { Latest } from './latest.ts'
+import { grayFile } from './map-file.ts'
 import { Session } from './session.ts'
 import { type SkinSource, skinSource } from './skin-source.ts'
 
@@ -168,9 +169,13 @@ export class Workspace {
   async makeAuto(settings: AutoSettings): Promise<void> {
     const avatar = this.#avatar
     this.#endAuto()
-    const made = await this.#runAuto(settings)
-    if (!made) return
-    const { document, wrinkles } = made
+    const wrinkles = await this.#runAuto(settings)
+    if (!wrinkles) return
+    const bloodMaps = await Promise.all(
+      wrinkles.blood.maps.map((map, i) => grayFile(halfSide(map), `blood of ${wrinkles.layers[i].name}`)),
+    )
+    if (avatar !== this.#avatar) return
+    const document = this.#documentOf(wrinkles, settings, bloodMaps)
     await this.#maps.adopt(document, wrinkles, this.#source!)
     if (avatar !== this.#avatar) return
     if (!this.session.document.value) this.session.open(document)
@@ -194,26 +199,35 @@ export class Workspace {
   }
 
   async #preview(settings: AutoSettings): Promise<void> {
-    const made = await this.#runAuto(settings, PREVIEW_SIZE)
-    if (!made) return
-    const { document, wrinkles } = made
-    const maps = wrinkles.layers.map(({ normal, occlusion }) => ({ normal, occlusion }))
+    const wrinkles = await this.#runAuto(settings, PREVIEW_SIZE)
+    if (!wrinkles) return
+    const document = this.#documentOf(wrinkles, settings)
+    const { layers, blood } = wrinkles
+    const maps = layers.map(({ normal, occlusion }, i) => ({ normal, occlusion, blood: blood.maps[i] }))
     this.#drawn.value = { document, maps, changes: new Map() }
   }
 
-  async #runAuto(
-    settings: AutoSettings,
-    size = settings.size,
-  ): Promise<{ document: StudioDocument; wrinkles: AutoWrinkles } | null> {
+  async #runAuto(settings: AutoSettings, size = settings.size): Promise<AutoWrinkles | null> {
     if (!this.#source) return null
     this.#settings.value = settings
-    const present = this.session.document.peek()
-    const areaSize = present?.areaSize ?? DEFAULT_AREA_SIZE
-    const options = { ...settings, size, areaSize, layers: layersLeft(present) }
+    const layers = layersLeft(this.session.document.peek())
+    const options = { ...settings, size, areaSize: this.#areaSize, layers }
     const wrinkles = await this.automatic.make(this.#source, options)
     if (!wrinkles) return null
     if (wrinkles.areas.length === 0) throw withoutAreas()
-    return { document: automaticDocument(wrinkles, settings, areaSize, this.#target), wrinkles }
+    return wrinkles
+  }
+
+  #documentOf(
+    wrinkles: AutoWrinkles,
+    settings: AutoSettings,
+    bloodMaps?: readonly ImageFile[],
+  ): StudioDocument {
+    return automaticDocument(wrinkles, settings, this.#areaSize, this.#target, bloodMaps)
+  }
+
+  get #areaSize(): number {
+    return this.session.document.peek()?.areaSize ?? DEFAULT_AREA_SIZE
   }
 
   /** Names of the skin: a project is opened with the one that was chosen. */

@@ -15,6 +15,8 @@ export interface LineStage {
   readonly picker: Pick<SkinPicker, 'pick'> | null
   /** As the camera sees them. */
   readonly lines: readonly ProjectedLine[]
+  /** What makes the picker; null once that is done. */
+  waitsFor(): Promise<unknown> | null
   /** What the tool shows has changed. */
   changed(): void
 }
@@ -38,6 +40,10 @@ export class LineTool implements StageTool {
   /** Whether a line is being bent. */
   get isBending(): boolean {
     return this.#isChanged
+  }
+
+  waitsFor(): Promise<unknown> | null {
+    return this.#stage.waitsFor()
   }
 
   begin(pointer: StagePointer): boolean {

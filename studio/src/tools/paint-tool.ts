@@ -26,6 +26,8 @@ export interface PaintTarget {
 export interface PaintToolParts {
   /** Called when a stroke begins and when the pointer hovers; null where there is nothing to paint. */
   target(): PaintTarget | null
+  /** What makes the target; null once that is done. */
+  waitsFor(): Promise<unknown> | null
   /** The painted weights have changed: `showStroke` is to be called before the next frame. */
   onPaint(): void
   /** Shows weights of an area that are not the document's, or are its own again. */
@@ -44,6 +46,10 @@ export class PaintTool implements StageTool {
 
   constructor(parts: PaintToolParts) {
     this.#parts = parts
+  }
+
+  waitsFor(): Promise<unknown> | null {
+    return this.#parts.waitsFor()
   }
 
   begin(pointer: StagePointer): boolean {

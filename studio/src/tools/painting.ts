@@ -10,7 +10,7 @@ import { BRUSH_DEFAULTS, BRUSH_RADII, type Brush } from '../paint/brush.ts'
 import { mirrorWeights } from '../paint/mirror-weights.ts'
 import type { PaintSkin } from '../paint/paint-skin.ts'
 import type { SkinHit, SkinPicker } from '../paint/picker.ts'
-import { posedSkinOf, prepareSkin } from '../paint/posed-skin.ts'
+import { posedSkinOf, preparedSkin, prepareSkin } from '../paint/posed-skin.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { Session } from '../session/session.ts'
 import { type ShortcutName, shortcutOf } from '../shortcuts.ts'
@@ -33,6 +33,12 @@ interface PaintedFace {
   readonly texture: TexturePicker
 }
 
+/** What the skin of the open face is made of. */
+type OpenFace = Pick<StudioDocument, 'scale' | 'areaSize'> & Pick<OpenedAvatar['skins'][number], 'meshes'>
+
+/** Vertices of the largest skin that is made before it is needed: a larger one takes hundreds of megabytes, perhaps for nothing. */
+const MOST_PREPARED = 500_000
+
 export const PAINT_SHAPES = ['brush', 'polygon'] as const
 export type PaintShape = (typeof PAINT_SHAPES)[number]
 
@@ -46,7 +52,7 @@ export interface PaintingParts {
   /** Requests the next frame. */
   wake(): void
   /** Runs a task, and shows its errors. */
-  attempt(task: () => void): unknown
+  attempt(task: () => unknown): unknown
 }
 
 /** Painting of the chosen area on the face: whether the tool is in use, its brush, and what it changes. */
@@ -58,6 +64,7 @@ export class Painting {
   readonly #ring: BrushRing
   readonly #hit = signal<SkinHit | null>(null)
   readonly #stroke = signal<GrayImage | null>(null)
+  readonly #made = signal(0)
 
   readonly brush = signal<Brush>(BRUSH_DEFAULTS)
   /** What paints on the face. */
@@ -78,6 +85,7 @@ export class Painting {
     this.polygon = new PolygonPainting({
       ...parts,
       brush: this.brush,
+      waitsFor: () => this.#waitsFor(),
       keep: (area, weights) => this.#keep(area, weights),
     })
     const onFace = this.polygon.addView({
@@ -95,6 +103,9 @@ export class Painting {
       if (!areas.chosen.value) this.#isOn.value = false
     })
     this.#prepareSkins()
+    effect(() => {
+      if (this.area.value !== null) void this.#waitsFor()
+    })
     // A stroke goes on from weights that undo has replaced.
     effect(() => {
       session.document.value
@@ -123,9 +134,14 @@ export class Painting {
     return this.#stroke
   }
 
-  /** The skin that is painted on; null where nothing is open. */
+  /** The skin that is painted on; null where nothing is open, and until it is made. */
   get skin(): PaintSkin | null {
     return this.#face()?.skin ?? null
+  }
+
+  /** Changes whenever a skin was made. */
+  get made(): ReadonlySignal<number> {
+    return this.#made
   }
 
   /**
@@ -143,8 +159,8 @@ export class Painting {
 
   /** The mirror image of weights on the face that is open. */
   mirrored(weights: GrayImage): GrayImage {
-    const { skin } = this
-    return skin ? mirrorWeights(weights, skin) : weights
+    const open = this.#open()
+    return open ? mirrorWeights(weights, posedSkinOf(open.meshes, open.scale).skin) : weights
   }
 
   /** Before a frame is drawn. */
@@ -154,26 +170,40 @@ export class Painting {
     this.polygon.advance()
   }
 
-  /** Makes the skin of each face ready before it is painted. Where that fails, painting tells why. */
+  /** Makes the skin of each face ready before it is painted, but for those whose making takes hundreds of megabytes. Where that fails, painting tells why. */
   #prepareSkins(): void {
     const { viewer, session } = this.#parts
-    const meshes = computed(() => {
-      const avatar = viewer.value?.avatar
-      return avatar?.skins[avatar.skin].meshes
-    })
+    const avatar = computed(() => viewer.value?.avatar)
     const scale = computed(() => session.document.value?.scale)
     const size = computed(() => session.document.value?.areaSize)
     effect(() => {
-      const [own, millimetres, side] = [meshes.value, scale.value, size.value]
-      if (!own || millimetres === undefined || side === undefined) return
-      return runInTurn(() => void prepareSkin(own, millimetres, side).catch(() => {}))
+      avatar.value
+      scale.value
+      size.value
+      const open = this.#open()
+      if (!open || isLarge(open.meshes)) return
+      return runInTurn(() => void this.#prepare(open).catch(() => {}))
     })
+  }
+
+  async #prepare({ meshes, scale, areaSize }: OpenFace): Promise<void> {
+    await prepareSkin(meshes, scale, areaSize)
+    this.#made.value++
+    this.#parts.wake()
+  }
+
+  /** What makes the skin; null once it is made. */
+  #waitsFor(): Promise<unknown> | null {
+    const open = this.#open()
+    if (!open || preparedSkin(open.meshes, open.scale, open.areaSize)) return null
+    return Promise.resolve(this.#parts.attempt(() => this.#prepare(open)))
   }
 
   #addTool(host: ToolHost, target: () => PaintTarget | null, shape: PaintShape): void {
     const { wake } = this.#parts
     const tool = new PaintTool({
       target,
+      waitsFor: () => this.#waitsFor(),
       onPaint: wake,
       show: (area, weights) => this.#show(area, weights),
       keep: (area, weights) => this.#keep(area, weights),
@@ -213,18 +243,21 @@ export class Painting {
     return area && face && { area, brush: this.brush.peek(), skin: face.skin, picker: face.texture }
   }
 
-  /** As it is posed now. */
+  /** As it is posed now; null until its skin is made. */
   #face(): PaintedFace | null {
-    const [viewer, document] = [this.#parts.viewer.peek(), this.#parts.session.document.peek()]
-    return viewer && document && this.#faceOf(viewer.avatar, document)
+    const open = this.#open()
+    const made = open && preparedSkin(open.meshes, open.scale, open.areaSize)
+    if (!made) return null
+    const { skin, picker } = made
+    return { skin, picker, texture: new TexturePicker(skin, picker, open.areaSize) }
   }
 
-  #faceOf({ skins, skin: index }: OpenedAvatar, document: StudioDocument): PaintedFace {
+  #open(): OpenFace | null {
+    const [viewer, document] = [this.#parts.viewer.peek(), this.#parts.session.document.peek()]
+    if (!viewer || !document) return null
+    const { skins, skin } = viewer.avatar
     const { scale, areaSize } = document
-    const { skin, picker } = posedSkinOf(skins[index].meshes, scale)
-    // Now rather than when the first stroke begins.
-    skin.mapOf(areaSize)
-    return { skin, picker, texture: new TexturePicker(skin, picker, areaSize) }
+    return { meshes: skins[skin].meshes, scale, areaSize }
   }
 
   #show(area: string, weights: GrayImage): void {
@@ -259,4 +292,8 @@ export class Painting {
     }
     this.brush.value = { ...this.brush.peek(), ...changes[name]() }
   }
+}
+
+function isLarge(meshes: OpenFace['meshes']): boolean {
+  return meshes.reduce((sum, { geometry }) => sum + geometry.attributes.position.count, 0) > MOST_PREPARED
 }

@@ -25,6 +25,8 @@ export interface PolygonView {
 
 export interface PolygonPaintingParts {
   brush: ReadonlySignal<Brush>
+  /** What makes the skin; null once that is done. */
+  waitsFor(): Promise<unknown> | null
   keep(area: string, painted: PaintTarget['area']['weights']): void
   /** Requests the next frame. */
   wake(): void
@@ -65,6 +67,7 @@ export class PolygonPainting {
         this.#last = view
         return view.target()?.picker.pick(ray)
       },
+      waitsFor: this.#parts.waitsFor,
       project: (hit) => project(hit, view),
       close: () => this.close(),
     })

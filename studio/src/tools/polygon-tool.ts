@@ -9,6 +9,8 @@ export interface PolygonToolParts {
   polygon: Polygon
   /** The skin under a pointer. */
   pick(pointer: StagePointer): SkinHit | undefined
+  /** What makes the skin; null once that is done. */
+  waitsFor(): Promise<unknown> | null
   /** Where a point of the skin is now, in CSS pixels from the view's upper left corner. */
   project(hit: SkinHit): { x: number; y: number }
   /** A click has closed the polygon. */
@@ -21,6 +23,10 @@ export class PolygonTool implements StageTool {
 
   constructor(parts: PolygonToolParts) {
     this.#parts = parts
+  }
+
+  waitsFor(): Promise<unknown> | null {
+    return this.#parts.waitsFor()
   }
 
   begin(pointer: StagePointer): boolean {

@@ -15,6 +15,8 @@ export interface StagePointer {
 
 /** What the pointer does on the face while it is chosen. */
 export interface StageTool {
+  /** What the tool waits for before it can begin, an error included; null where it can. What the pointer does meanwhile is done then. */
+  waitsFor?(): Promise<unknown> | null
   /** @returns whether the tool takes the pointer until it is let go; otherwise the camera orbits. */
   begin(pointer: StagePointer): boolean
   /** @param pointers all positions since the last call, in order. */

@@ -10,6 +10,10 @@ export class ToolHost {
   #tool: StageTool | null = null
   /** The last event of the pointer that the tool has taken. */
   #taken: PointerEvent | null = null
+  /** Whether the tool has begun with it. */
+  #isBegun = false
+  /** What the pointer does while the tool waits, to be done then; null where it does not wait. */
+  #held: (() => void)[] | null = null
 
   /**
    * @param stage the element that the face is drawn on.
@@ -47,12 +51,44 @@ export class ToolHost {
     }
     if (!this.#tool || event.button !== 0 || !event.isPrimary) return
     const pointer = this.#read(event)
-    if (!pointer || !this.#tool.begin(pointer)) return
+    if (!pointer || !this.#begin(this.#tool, pointer)) return
     event.stopImmediatePropagation()
     event.preventDefault()
     this.#taken = event
     this.#stage.setPointerCapture(event.pointerId)
     this.#stage.focus({ preventScroll: true })
+  }
+
+  /** Returns whether the tool takes the pointer, for as long as it waits in any case. */
+  #begin(tool: StageTool, pointer: StagePointer): boolean {
+    const waiting = this.#held ? null : tool.waitsFor?.()
+    if (waiting) this.#hold(waiting)
+    const begin = () => {
+      this.#isBegun = tool.begin(pointer)
+    }
+    if (this.#held) this.#held.push(begin)
+    else begin()
+    return this.#held !== null || this.#isBegun
+  }
+
+  #hold(waiting: Promise<unknown>): void {
+    const held: (() => void)[] = []
+    this.#held = held
+    const go = () => {
+      if (held !== this.#held) return
+      this.#held = null
+      for (const step of held) step()
+    }
+    waiting.then(go, go)
+  }
+
+  /** Goes on with what has begun, now or once the tool waits no more. */
+  #goOn(step: () => void): void {
+    const own = () => {
+      if (this.#isBegun) step()
+    }
+    if (this.#held) this.#held.push(own)
+    else own()
   }
 
   /** A second finger gives both to the camera, the first one as if it had come down only now. Of anything else the first one goes on. */
@@ -77,18 +113,19 @@ export class ToolHost {
     this.#taken = event
     const events = event.getCoalescedEvents?.() ?? []
     const pointers = (events.length > 0 ? events : [event]).flatMap((each) => this.#read(each) ?? [])
-    this.#tool?.move(pointers)
+    this.#goOn(() => this.#tool?.move(pointers))
   }
 
   readonly #onUp = (event: PointerEvent): void => {
     if (event.pointerId !== this.#taken?.pointerId) return
     event.stopImmediatePropagation()
     this.#taken = null
-    this.#tool?.end()
+    this.#goOn(() => this.#tool?.end())
   }
 
   /** Ends what the tool does without a result. */
   cancel(): void {
+    this.#held = null
     if (!this.#taken) return
     this.#stage.releasePointerCapture(this.#taken.pointerId)
     this.#taken = null

@@ -3,6 +3,7 @@ import { interpolate } from '../../../packages/furrow/src/core/reference.ts'
 import { displace } from '../../../packages/furrow/src/relief/displaced.ts'
 import { outwardRoom } from '../../../packages/furrow/src/relief/outward-room.ts'
 import { splitMesh } from '../../../packages/furrow/src/relief/split-mesh.ts'
+import { MAX_LEVEL } from '../../../packages/furrow/src/relief/welded-edges.ts'
 import { AMPLITUDE, heightBytes } from './ball.ts'
 
 /** A ball with full relief as the reference in float64 has it, its blendshape included. */
@@ -10,7 +11,7 @@ export function displacedBall({ geometry, morphTargetInfluences }: Mesh) {
   const { attributes, index, morphAttributes } = geometry
   const rest = attributes.position.array as Float32Array
   const coarse = { positions: rest, uvs: attributes.uv.array, triangles: index!.array }
-  const steps = splitMesh(coarse, new Uint8Array(index!.count / 3).fill(1))
+  const steps = splitMesh(coarse, new Uint8Array(index!.count / 3).fill(MAX_LEVEL))
   let step = steps.next()
   while (!step.done) step = steps.next()
   const dense = step.value

@@ -21,6 +21,14 @@ const fileWithoutImage = () =>
     json.textures.push({ source: json.images.length - 1 })
   })
 
+/** A camera that sees some millimetres. */
+function close() {
+  const camera = squareCamera()
+  camera.zoom = 200
+  camera.updateProjectionMatrix()
+  return camera
+}
+
 function meshesOf({ scene }: GLTF): Mesh[] {
   const meshes: Mesh[] = []
   scene.traverse((object) => {
@@ -34,7 +42,7 @@ afterEach(() => {
 })
 
 describe.each(RENDERERS)('loaded for %s', (name) => {
-  const load = async (file: Uint8Array<ArrayBuffer>, relief: 'on' | 'off') => {
+  const load = async (file: Uint8Array<ArrayBuffer>, relief: 'on' | 'off' | 'auto') => {
     const harness = await createHarness(name)
     const loader = new GLTFLoader().register((parser) => new harness.Plugin(parser, { relief }))
     return { harness, gltf: await loader.parseAsync(file.slice().buffer, '') }
@@ -60,9 +68,23 @@ describe.each(RENDERERS)('loaded for %s', (name) => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const { harness, gltf } = await load(await fileWithoutImage(), 'off')
     const [mesh] = meshesOf(gltf)
-    await wrinklesOf(mesh)!.reliefReady()
+    await harness.renderBytes(sceneOf(gltf.scene as never), close(), 32)
+    await new Promise((resolve) => setTimeout(resolve, 100))
     expect(mesh.children).toEqual([])
     expect(warn.mock.calls.flat().join()).not.toContain('relief')
+    harness.dispose()
+  })
+
+  it('by size heights are read when a millimetre is more than a pixel, and not before', async () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const { harness, gltf } = await load(await fileWithoutImage(), 'auto')
+    const scene = sceneOf(gltf.scene as never)
+    await harness.renderBytes(scene, squareCamera(), 32)
+    await new Promise((resolve) => setTimeout(resolve, 100))
+    expect(warn).not.toHaveBeenCalled()
+    await harness.renderBytes(scene, close(), 32)
+    await vi.waitFor(() => expect(warn).toHaveBeenCalledOnce())
+    expect(warn.mock.lastCall![0]).toContain('the wrinkles are shown without relief')
     harness.dispose()
   })
 
@@ -71,6 +93,7 @@ describe.each(RENDERERS)('loaded for %s', (name) => {
     const { harness, gltf } = await load(await fileWithoutImage(), 'on')
     const [mesh] = meshesOf(gltf)
     expect(wrinklesOf(mesh)).toBeDefined()
+    expect(warn).not.toHaveBeenCalled()
     await wrinklesOf(mesh)!.reliefReady()
     expect(mesh.children).toEqual([])
     expect(warn).toHaveBeenCalledOnce()

@@ -14,6 +14,7 @@ import {
   type Scene,
   Skeleton,
   SkinnedMesh,
+  Sphere,
   SphereGeometry,
   Uint16BufferAttribute,
   Vector3,
@@ -242,6 +243,7 @@ describe.each(RENDERERS)('%s', (name) => {
       'too many triangles',
     ],
     ['batches', () => batch(), 0.003, 'BatchedMesh'],
+    ['positions that are no numbers', () => brokenBall(), 0.003, 'positions that are no numbers'],
   ])('%s cost the relief and one warning', async (_, make, heightAmplitude, message) => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const mesh = make()
@@ -286,6 +288,15 @@ function differing(a: Uint8Array, b: Uint8Array): number {
   let count = 0
   for (let i = 1; i < a.length; i += 4) if (Math.abs(a[i] - b[i]) > 8) count++
   return count
+}
+
+/** A ball one of whose vertices, which no triangle has, is nowhere. Its bounds are known: three.js complains of such positions. */
+function brokenBall() {
+  const mesh = ball()
+  const { geometry } = mesh
+  geometry.attributes.position.setX(0, Number.NaN)
+  geometry.boundingSphere = new Sphere(new Vector3(), Number.NaN)
+  return mesh
 }
 
 /** A ball on one bone. */

@@ -3,6 +3,7 @@ import { furrowHeights } from '../../../packages/furrow/src/author/furrows/furro
 import {
   addFurrows,
   FURROW_DEFAULTS,
+  type FurrowRegion,
   parseStrokes,
   skinCanvas,
   strokesToHeight,
@@ -27,6 +28,9 @@ const level = parseStrokes({
     },
   ],
 }).strokes
+
+/** Texels that are in a furrow of half the depth, about. */
+const between = (data: Float32Array) => data.filter((height) => height < -0.03 && height > -0.05).length
 
 const lowestOf = (data: Float32Array) => data.reduce((low, height) => Math.min(low, height))
 
@@ -102,5 +106,53 @@ describe('furrowHeights', () => {
   test('is shallower where texels are too large for it', () => {
     const coarse = furrowHeights(flatCanvas(SIDE, SIDE, 40), FURROWS).data
     expect(lowestOf(coarse)).toBeGreaterThan(-0.05)
+  })
+
+  test('leaves furrows out that are less than two texels wide, and those alone', () => {
+    // A furrow of the large cells is 0.6 mm wide, of the small ones 0.27 mm.
+    expect(lowestOf(furrowHeights(flatCanvas(SIDE, SIDE, 100), FURROWS).data)).toBe(0)
+    const { data } = furrowHeights(flatCanvas(SIDE, SIDE, 150), FURROWS)
+    expect(lowestOf(data)).toBeCloseTo(-0.1, 2)
+    const own = furrowHeights(flatCanvas(SIDE, SIDE, 150), { ...FURROWS, size: 2 / 0.45 })
+    expect(lowestOf(own.data)).toBeCloseTo(-0.1, 2)
+    expect(between(data)).toBeLessThan(between(own.data))
+  })
+
+  describe('in regions', () => {
+    const regions: FurrowRegion[] = [
+      { at: [0.2, 0.5], radius: 8, size: 1, depth: 0.05 },
+      { at: [0.7, 0.5], radius: 12, size: 3, depth: 0.1 },
+    ]
+    const drawn = furrowHeights(canvas, { ...FURROWS, regions }).data
+    const column = (column: number) =>
+      Float32Array.from({ length: SIZE }, (_, row) => drawn[row * SIZE + column])
+
+    test('there is a net in these alone, as deep as they say', () => {
+      expect(lowestOf(drawn.filter((_, texel) => texel % SIZE < 160))).toBeCloseTo(-0.05, 2)
+      expect(lowestOf(drawn)).toBeCloseTo(-0.1, 2)
+      for (let row = 0; row < SIZE; row++) {
+        for (let at = 0; at < SIZE; at++) {
+          const inside = regions.some(
+            ({ at: [u, v], radius }) =>
+              Math.hypot((at + 0.5) / SIZE - u, (row + 0.5) / SIZE - v) * SIDE < radius,
+          )
+          if (!inside) expect(drawn[row * SIZE + at]).toBeCloseTo(0, 9)
+        }
+      }
+    })
+
+    test('the cells of each are of its size', () => {
+      const [fine, coarse] = [80, 280].map((middle) => {
+        let count = 0
+        for (let at = middle - 30; at < middle + 30; at++) {
+          const heights = column(at).subarray(SIZE / 2 - 50, SIZE / 2 + 50)
+          const half = lowestOf(heights) / 2
+          count += heights.filter((height, i) => height < half && !(heights[i - 1] < half)).length
+        }
+        return count
+      })
+      expect(fine / coarse).toBeGreaterThan(2)
+      expect(fine / coarse).toBeLessThan(4.5)
+    })
   })
 })

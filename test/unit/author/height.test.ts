@@ -118,6 +118,51 @@ describe('strokesToHeight', () => {
     expect(Math.min(...slopes)).toBeGreaterThan(-0.08)
   })
 
+  describe('on texels as wide as a fine line', () => {
+    // 100 mm in 201 texels, as a face of 1024 texels has them at the temples. It crosses them at a slant, now on a centre and now between two.
+    const coarse = flatCanvas(100, 100, 201)
+    const slanting = {
+      points: [
+        [0.1, 0.3],
+        [0.9, 0.63],
+      ],
+      width: 1.2,
+      depth: 0.5,
+      shoulder: 1,
+      softness: 0.4,
+    }
+    /** The steepest slope between neighbouring texels of some columns. */
+    const steepest = (data: Float32Array, from: number, to: number) => {
+      let most = 0
+      for (let x = from; x < to; x++)
+        for (let y = 1; y < 201; y++)
+          most = Math.max(most, Math.abs(data[y * 201 + x] - data[(y - 1) * 201 + x]) / 0.5)
+      return most
+    }
+
+    it('is as deep between two texels as on one: a line, not a row of dots', () => {
+      const { data } = strokesToHeight(strokes({ ...slanting, taper: 0 }), coarse)
+      const depths = Array.from({ length: 120 }, (_, x) =>
+        Math.max(...Array.from({ length: 201 }, (_, y) => -data[y * 201 + x + 40])),
+      )
+      expect(Math.max(...depths) / Math.min(...depths)).toBeLessThan(1.5)
+    })
+
+    it('has ends that run out, much less steep than its middle', () => {
+      const { data } = strokesToHeight(strokes({ ...slanting, width: 1.6, taper: 0.5 }), coarse)
+      // The line covers columns 20 to 181; the last fifth of it ends there.
+      expect(steepest(data, 149, 181) / steepest(data, 80, 120)).toBeLessThan(0.35)
+    })
+
+    it('keeps its volume', () => {
+      const volumeOf = (canvas: SkinCanvas) => {
+        const { data } = strokesToHeight(strokes({ ...slanting, taper: 0, shoulder: 0, softness: 0 }), canvas)
+        return data.reduce((sum, mm) => sum - mm, 0) * (100 / canvas.metric.width) ** 2
+      }
+      expect(volumeOf(coarse) / volumeOf(canvas)).toBeCloseTo(1, 1)
+    })
+  })
+
   it('is steeper on the left with lean, and as deep', () => {
     const { data } = strokesToHeight(strokes({ ...level, shoulder: 0, lean: 0.5 }), canvas)
     expect(sample(data, canvas, 50, 50)).toBeCloseTo(-0.6, 3)

@@ -21,6 +21,7 @@ describe('the schema of a document of strokes', () => {
     ['The document', schema],
     ['A stroke', schema.$defs.stroke],
     ['Furrows', schema.properties.furrows],
+    ['A region of furrows', schema.$defs.furrowRegion],
     ['An area', schema.$defs.area],
   ])('has the fields of the page under "%s"', (heading, { properties }) => {
     expect(tableOf(heading).map(([name]) => name)).toEqual(Object.keys(properties))

@@ -66,6 +66,7 @@ describe('furrow render refuses', () => {
     ['an unknown area', [FACE, '--activation', 'chin=1'], /unknown area, got "chin"/],
     ['an unknown view', [FACE, '--view', 'top'], /option '--view <name>' argument 'top' is invalid/],
     ['an unknown mode', [FACE, '--mode', 'on'], /option '--mode <name>' argument 'on' is invalid/],
+    ['an unknown relief', [FACE, '--relief', 'yes'], /option '--relief <when>' argument 'yes' is invalid/],
     [
       'an unknown renderer',
       [FACE, '--renderer', 'metal'],

@@ -25,6 +25,11 @@ describe('checkWrinkleSet', () => {
       { ...good, layers: [{ ...good.layers[0], height: weights }] },
       'heights of layer "skin" without heightAmplitude, got "undefined", allowed: metres from black to white',
     ],
+    ...[Number.NaN, Infinity, -0.001].map((heightAmplitude): [string, WrinkleSet, string] => [
+      `an amplitude of heights of ${heightAmplitude}`,
+      { ...good, layers: [{ ...good.layers[0], height: weights, heightAmplitude }] },
+      'heightAmplitude of layer "skin"',
+    ]),
     [
       'malformed heights',
       { ...good, layers: [{ ...good.layers[0], height: { ...weights, width: 3 }, heightAmplitude: 0.001 }] },

@@ -104,7 +104,14 @@ export const STROKES = {
       depth: 0.25,
     },
   ],
-  furrows: { size: 2, depth: 0.1, stretch: 1.5, seed: 3, layer: 'up' },
+  furrows: {
+    size: 2,
+    depth: 0.1,
+    stretch: 1.5,
+    seed: 3,
+    layer: 'up',
+    regions: [{ at: [0.5, 0.5], radius: 30, size: 1, depth: 0.05 }],
+  },
   areas: [
     {
       name: 'brow',

@@ -4,6 +4,7 @@ import { coveredTriangles } from '../../../packages/furrow/src/relief/covered-tr
 import type { DenseMesh } from '../../../packages/furrow/src/relief/dense-mesh.ts'
 import { displace, displacement } from '../../../packages/furrow/src/relief/displaced.ts'
 import { splitMesh } from '../../../packages/furrow/src/relief/split-mesh.ts'
+import { MAX_LEVEL } from '../../../packages/furrow/src/relief/welded-edges.ts'
 import { finish, sphere } from './coarse.ts'
 
 const RADIUS = 0.05
@@ -15,7 +16,7 @@ function cover(mesh: CoarseMesh, isCovered: (x: number, y: number, z: number) =>
     const [x, y, z] = [0, 1, 2].map((axis) =>
       [0, 1, 2].reduce((sum, k) => sum + mesh.positions[3 * mesh.triangles[3 * t + k] + axis] / 3, 0),
     )
-    return Number(isCovered(x, y, z))
+    return isCovered(x, y, z) ? MAX_LEVEL : 0
   })
 }
 
@@ -163,23 +164,11 @@ it('triangles without area, or with coordinates that are no numbers, are kept as
     uvs: [0, 0, 0.5, 0, 1, 0, 0, Number.NaN],
     triangles: [0, 0, 0, 0, 1, 2, 0, 1, 3],
   }
-  const dense = finish(splitMesh(mesh, new Uint8Array([1, 1, 1]), { edge: 0.001 }))
+  const dense = finish(splitMesh(mesh, new Uint8Array(3).fill(MAX_LEVEL), { edge: 0.001 }))
   expect(dense.triangles.length).toBeGreaterThan(9)
   expect(dense.weights.every(Number.isFinite)).toBe(true)
-  const areas = { width: 2, height: 2, depth: 1, channels: 1 as const, data: new Uint8Array(4).fill(255) }
-  expect(coveredTriangles(mesh, areas, [0])).toEqual(new Uint8Array([1, 1, 0]))
-})
-
-it('a triangle is covered where an area has any weight on it, however small either is', () => {
-  const size = 16
-  const data = new Uint8Array(2 * size * size)
-  data[size * size + 4 + 4 * size] = 1
-  const areas = { width: size, height: size, depth: 2, channels: 1 as const, data }
-  const at = (u: number, v: number, side: number) => [u, v, u + side, v, u, v + side]
-  const uvs = [...at(0.28, 0.28, 0.001), ...at(0, 0, 0.9), ...at(0.6, 0.6, 0.2), ...at(-0.72, 2.28, 0.001)]
-  const mesh = { positions: new Float32Array(36), uvs, triangles: Array.from({ length: 12 }, (_, i) => i) }
-  expect([...coveredTriangles(mesh, areas, [1])]).toEqual([1, 1, 0, 1])
-  expect([...coveredTriangles(mesh, areas, [0])]).toEqual([0, 0, 0, 0])
+  const everywhere = { width: 2, height: 2, data: new Uint8Array(4).fill(1) }
+  expect(coveredTriangles(mesh, everywhere)).toEqual(new Uint8Array([1, 1, 0]))
 })
 
 it('the work is done in slices', () => {
@@ -188,4 +177,28 @@ it('the work is done in slices', () => {
   const steps = splitMesh(mesh, half(mesh), { edge: EDGE })
   while (!steps.next().done) slices++
   expect(slices).toBeGreaterThan(20)
+})
+
+it('edges are halved no more often than their triangles need', () => {
+  const mesh = sphere(RADIUS)
+  const halved = (halvings: number) =>
+    finish(
+      splitMesh(
+        mesh,
+        half(mesh).map((most) => Math.min(most, halvings)),
+        { edge: EDGE },
+      ),
+    ).triangles.length
+  const [none, once, twice] = [0, 1, 2].map(halved)
+  expect(none).toBe(mesh.triangles.length)
+  expect(once).toBeGreaterThan(1.5 * none)
+  expect(twice).toBeGreaterThan(1.5 * once)
+  const dense = finish(
+    splitMesh(
+      mesh,
+      half(mesh).map((_, t) => t % 4),
+      { edge: EDGE },
+    ),
+  )
+  expect(new Set(edgeCounts(positionsOf(mesh, dense), dense.triangles))).toEqual(new Set([2]))
 })

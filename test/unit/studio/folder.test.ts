@@ -45,6 +45,7 @@ async function wholeDocument(): Promise<StudioDocument> {
       weights: { ...area.weights, data: area.weights.data.map((_, k) => 16 * k + i) },
       ...(i === 2 && { isAutomatic: true }),
     })),
+    furrows: { size: 1, depth: 0.1, stretch: 1.2, seed: 7, layer: up.name },
     strokes: document.strokes.map((stroke, i) => (i === 1 ? { ...stroke, isAutomatic: true } : stroke)),
   }
 }

@@ -37,6 +37,14 @@ describe('a layer', () => {
     expect(after.areas[1]).toBe(document.areas[1])
     expect(after.strokes[1]).toBe(document.strokes[1])
     expect(after.drivers).toBe(document.drivers)
+    const furrows = { size: 1, depth: 0.1, stretch: 1.2, seed: 7, layer: 'up' }
+    expect(renameLayer({ ...document, furrows }, 'up', 'raised').furrows).toEqual({
+      ...furrows,
+      layer: 'raised',
+    })
+    expect(renameLayer({ ...document, furrows }, 'down', 'low').furrows).toBe(furrows)
+    const bare = { ...document, areas: [areaOf('frown', 'down')], furrows }
+    expect(removeLayer(bare, 'up').furrows).toBeUndefined()
     expect(renameLayer(document, 'up', 'up')).toBe(document)
   })
 

@@ -1,6 +1,12 @@
-import { type AutoWrinkles, autoDrivers, type RgbaImage, strokesOf } from 'furrow/author'
+import {
+  type AutoWrinkles,
+  autoDrivers,
+  halfSide,
+  heightLevels,
+  type RgbaImage,
+  strokesOf,
+} from 'furrow/author'
 import { encodePng, encodeRgbaNormalMap } from '../images/encode.ts'
-import { halfSide, heightLevels } from '../images/half-side.ts'
 import { encodeAreaImages } from '../wrinkles/area-images.ts'
 import { withBlood } from '../wrinkles/blood-image.ts'
 import type { CheckedImage } from '../wrinkles/checked-image.ts'
@@ -17,10 +23,10 @@ type LayerMaps = LayerImages & { normal: CheckedImage }
  * Encodes the maps and areas of automatic wrinkles for a file, with the strokes that their lines are. Occlusion and heights have half the side of the normals: only these show how
  * steep a crease is.
  *
- * @param ktx2 whether maps and areas become KTX 2 arrays; these have no heights, which no renderer of Furrow reads.
+ * @param ktx2 whether maps and areas become KTX 2 arrays. Heights remain PNG.
  */
 export async function packAuto(wrinkles: AutoWrinkles, ktx2: boolean, who: string): Promise<PackedWrinkles> {
-  const { layers, areas, blood } = wrinkles
+  const { layers, areas, blood, furrows } = wrinkles
   const maps = await Promise.all(
     layers.map(async ({ name, normal, relief, occlusion }, i): Promise<LayerMaps> => {
       const maps = {
@@ -34,13 +40,14 @@ export async function packAuto(wrinkles: AutoWrinkles, ktx2: boolean, who: strin
         kind: 'detail',
         bloodAmplitude: blood.amplitude,
       }
-      if (ktx2) return layer
+      // Fine furrows are too shallow to move the surface.
+      if (name === furrows?.furrows.layer) return layer
       const heights = heightLevels(relief.data)
       const height = await grayImage(`${name} height`, { ...relief, data: heights.levels })
       return { ...layer, height, heightAmplitude: heights.amplitude }
     }),
   )
-  const allAreas = [...areas, ...blood.areas]
+  const allAreas = [...areas, ...blood.areas, ...(furrows?.areas ?? [])]
   const weights = allAreas.map((area) => area.weights)
   const images = ktx2 ? await encodeAreaArray(weights, who) : encodeAreaImages(weights, AREAS_PER_IMAGE)
   const perImage = ktx2 ? AREAS_PER_SLICE : AREAS_PER_IMAGE

@@ -49,13 +49,14 @@ const KTX2_LAYERS = 2
 
 interface Options {
   output: string
-  age: number
+  age?: number
   strength: number
   size: (typeof SIZES)[number]
   seed: number
   mesh?: string
   layers?: number
   areas: number
+  furrows?: boolean
   ktx2?: boolean
   regions?: AutoRegion[]
   replace?: boolean
@@ -75,7 +76,11 @@ export const autoCommand = createCommand('auto')
   .description("make wrinkles from a face's own blendshapes, where they compress the skin")
   .argument('<face>', 'a face with blendshapes (.glb, .vrm, .gltf)')
   .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb, .vrm, .gltf)')
-  .option('--age <years>', 'lines grow in number, length and depth, 20 to 80', years, AUTO_DEFAULTS.age)
+  .option(
+    '--age <years>',
+    `lines grow in number, length and depth, 20 to 80; where given, they show at rest too (default: ${AUTO_DEFAULTS.age})`,
+    years,
+  )
   .option(
     '--strength <factor>',
     'multiplies the depth of lines and the amount of blood, 0 to 2',
@@ -94,7 +99,7 @@ export const autoCommand = createCommand('auto')
   .option('--mesh <name>', 'the mesh that wrinkles (default: the one whose skin brows, lids and mouth move)')
   .option(
     '--layers <count>',
-    `largest number of layers, over which crossing lines are spread, 1 to 4 (default: ${AUTO_DEFAULTS.layers}, with --ktx2 ${KTX2_LAYERS})`,
+    `largest number of layers, over which crossing lines are spread, 1 to 4 (default: ${AUTO_DEFAULTS.layers}, with --ktx2 ${KTX2_LAYERS}, with --ktx2 and --furrows ${KTX2_LAYERS + 1})`,
     count(1, 4),
   )
   .option('--areas <count>', 'largest number of areas with lines, 1 to 64', count(1, 64), AUTO_DEFAULTS.areas)
@@ -104,8 +109,12 @@ export const autoCommand = createCommand('auto')
     ),
   )
   .option(
+    '--furrows',
+    'add a layer of fine furrows, the net that covers all skin: deeper where it is squeezed, smoother where it is pulled; needs a --size that shows them',
+  )
+  .option(
     '--ktx2',
-    'maps and areas as KTX 2 arrays (UASTC), which stay compressed on the GPU; without heights',
+    'maps and areas as KTX 2 arrays (UASTC), which stay compressed on the GPU; heights remain PNG',
   )
   .option('--replace', 'replace existing wrinkles')
   .option('--strokes <file>', 'write the strokes, which the output has too, to a file of their own (.json)')
@@ -123,17 +132,31 @@ Examples:
   .action(auto)
 
 async function auto(face: string, options: Options): Promise<void> {
-  const { output, report, strokes, mesh, age, strength, seed, areas, regions, ktx2 = false } = options
-  const layers = options.layers ?? (ktx2 ? KTX2_LAYERS : AUTO_DEFAULTS.layers)
-  const settings = {
+  const {
+    output,
+    report,
+    strokes,
+    mesh,
     age,
+    strength,
+    seed,
+    areas,
+    regions,
+    furrows = false,
+    ktx2 = false,
+  } = options
+  const layers = options.layers ?? (ktx2 ? KTX2_LAYERS + (furrows ? 1 : 0) : AUTO_DEFAULTS.layers)
+  const settings = {
+    ...(age !== undefined && { age }),
     strength,
     size: Number(options.size),
     seed,
     layers,
     areas,
+    furrows,
     ...(regions && { regions }),
   }
+  if (furrows && layers < 2) throw withoutFurrowLayer()
   if (ktx2) checkCompressible(settings.size, layers)
   const rules = { extensions: FACE_EXTENSIONS, inputs: [face], force: options.force ?? false }
   await checkOutputs([output], WHO, rules)
@@ -173,7 +196,12 @@ async function auto(face: string, options: Options): Promise<void> {
     const ofSkin = faceWarnings(glb.json, found.material, found.materialName)
     const warnings = [...wrinkles.warnings, ...ofSkin].map((text) => `${WHO}: ${text}`)
     if (report !== undefined) {
-      const listed = { ...settings, regions: regions?.join(', ') ?? 'all' }
+      const listed = {
+        age: AUTO_DEFAULTS.age,
+        ...settings,
+        furrows: furrows ? 'yes' : 'no',
+        regions: regions?.join(', ') ?? 'all',
+      }
       const path = isStdout(output) ? face : output
       const source = { path, glb, found, wrinkles, settings: listed, warnings }
       const made = await makeReport(source, report, steps, WHO)
@@ -221,6 +249,17 @@ function removeOldWrinkles(glb: Glb, { material, materialName }: FoundSkin, repl
     what: 'the material already has wrinkles',
     value: materialName,
     remedy: 'replace them with --replace',
+  })
+}
+
+function withoutFurrowLayer(): FurrowError {
+  return new FurrowError({
+    code: 'usage',
+    who: WHO,
+    what: 'fine furrows need a layer besides those of lines',
+    value: '--layers 1',
+    limit: '2 to 4',
+    remedy: 'omit --layers or --furrows',
   })
 }
 

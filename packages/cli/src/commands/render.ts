@@ -13,6 +13,7 @@ import {
   PICTURE_DEFAULTS,
   PICTURE_SIDE,
   type PictureRequest,
+  RELIEF_NAMES,
   RENDERER_NAMES,
   VIEW_NAMES,
 } from '../render/picture.ts'
@@ -25,7 +26,7 @@ const DEFAULT_SIZE = `${PICTURE_DEFAULTS.width}x${PICTURE_DEFAULTS.height}`
 interface Options
   extends Pick<
     PictureRequest,
-    'wrinkles' | 'mesh' | 'expression' | 'view' | 'renderer' | 'mode' | 'allowOutside'
+    'wrinkles' | 'mesh' | 'expression' | 'view' | 'renderer' | 'mode' | 'relief' | 'allowOutside'
   > {
   output: string
   set?: Record<string, number>
@@ -59,6 +60,11 @@ export const renderCommand = createCommand('render')
   .addOption(
     new Option('--mode <name>', 'mode of the wrinkles').choices(MODE_NAMES).default(PICTURE_DEFAULTS.mode),
   )
+  .addOption(
+    new Option('--relief <when>', 'whether the heights of layers move the surface')
+      .choices(RELIEF_NAMES)
+      .default(PICTURE_DEFAULTS.relief),
+  )
   .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
@@ -69,7 +75,8 @@ export const renderCommand = createCommand('render')
 Examples:
   $ furrow render wrinkled.glb -o surprised.png --expression surprised
   $ furrow render wrinkled.glb -o brow.png --set browOuterUpLeft=1 --activation glabellaLeft=0.7 --view close
-  $ furrow render wrinkled.glb -o plain.png --expression surprised --mode off --size 1600x1200`,
+  $ furrow render wrinkled.glb -o plain.png --expression surprised --mode off --size 1600x1200
+  $ furrow render wrinkled.glb -o profile.png --set browInnerUp=1 --view left --relief on`,
   )
   .action(render)
 

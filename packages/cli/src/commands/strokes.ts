@@ -107,7 +107,7 @@ async function drawStrokes(path: string, options: Options): Promise<void> {
   await checkOutputs([output, normal, ...maps], WHO, { inputs, force })
   const face = await readFaceMesh(options.face, WHO, options)
   const drawn = await withCommandErrors(WHO, async () => [
-    ...(await drawMaps({ ...document, strokes }, face, options)),
+    ...(await drawMaps(document, strokes, face, options)),
     ...(await drawAreas(document, face, options)),
   ])
   await writeAll(drawn, WHO)
@@ -119,8 +119,8 @@ async function drawStrokes(path: string, options: Options): Promise<void> {
 }
 
 /** The strokes that the maps show. A map is of one layer; areas are painted round the strokes of all. */
-function strokesOfLayer({ strokes }: StrokesDocument, { layer, output, normal }: Options): Stroke[] {
-  const layers = [...new Set(strokes.flatMap(({ layer }) => layer ?? []))]
+function strokesOfLayer({ strokes, furrows }: StrokesDocument, { layer, output, normal }: Options): Stroke[] {
+  const layers = [...new Set([...strokes, furrows].flatMap((drawn) => drawn?.layer ?? []))]
   if (layer !== undefined && !layers.includes(layer)) {
     throw new FurrowError({
       code: 'unknown-name',
@@ -165,7 +165,12 @@ interface DrawnFile extends OutputFile {
 }
 
 /** The height map and the normal map, where they are asked for. */
-async function drawMaps(document: StrokesDocument, face: FaceMesh, options: Options): Promise<DrawnFile[]> {
+async function drawMaps(
+  document: StrokesDocument,
+  strokes: readonly Stroke[],
+  face: FaceMesh,
+  options: Options,
+): Promise<DrawnFile[]> {
   const { output, normal } = options
   if (!output && !normal) return []
   const size = options.size ?? document.size
@@ -173,10 +178,10 @@ async function drawMaps(document: StrokesDocument, face: FaceMesh, options: Opti
   const side = size ?? DEFAULT_SIZE
   const canvas = skinCanvas(face.mesh, base?.width ?? side, base?.height ?? side, document.scale)
   const { metric } = canvas
-  const heights = withBar('strokes', (progress) => strokesToHeight(document.strokes, canvas, progress))
-  const { furrows, strokes } = document
+  const heights = withBar('strokes', (progress) => strokesToHeight(strokes, canvas, progress))
+  const { furrows } = document
   if (furrows && (furrows.layer === undefined || furrows.layer === options.layer))
-    addFurrows(heights, canvas, furrows, strokes)
+    addFurrows(heights, canvas, furrows, document.strokes)
   const drawn: DrawnFile[] = []
   const sizeText = `${metric.width} x ${metric.height}`
   if (output) {
@@ -188,7 +193,7 @@ async function drawMaps(document: StrokesDocument, face: FaceMesh, options: Opti
     const wrinkles = heightToNormal(heights, metric, face.hasTangents ? 'orthonormal' : 'derivative')
     const bytes = await encodeRgbaNormalMap(base ? combineNormals(base, wrinkles) : wrinkles)
     const over = `over ${base ? (options.base ?? "the skin's own normal map") : 'a flat skin'}`
-    const { length } = document.strokes
+    const { length } = strokes
     const count = `${length} ${length === 1 ? 'stroke' : 'strokes'}`
     drawn.push({ path: normal, bytes, note: `${sizeText}, ${count} ${over}` })
   }

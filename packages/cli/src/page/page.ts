@@ -54,7 +54,8 @@ async function draw(job: PageJob): Promise<PageReport> {
   shown?.dispose()
   const named = EXPRESSIONS.find(({ name }) => name === job.expression)
   if (loaded) {
-    shown = stage.addWrinkles(face, loaded, { mode: job.mode })
+    shown = stage.addWrinkles(face, loaded, { mode: job.mode, relief: job.relief })
+    if (job.relief !== 'off') await shown.reliefReady()
     express(face.root, shown, loaded, named, job)
   } else {
     setTargets(face.root, named?.targets ?? {})

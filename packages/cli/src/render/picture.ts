@@ -4,9 +4,17 @@
 export const VIEW_NAMES = ['front', 'left', 'right', 'three-quarter', 'close'] as const
 export const RENDERER_NAMES = ['webgl', 'webgpu'] as const
 export const MODE_NAMES = ['default', 'paper', 'composed', 'off'] as const
+export const RELIEF_NAMES = ['off', 'on', 'auto'] as const
 
 /** Limits of the sides of a picture in pixels. */
 export const PICTURE_SIDE = { min: 16, max: 8192 } as const
+
+/** A camera view that has no name: degrees from where the face looks, and magnification; 1 shows the whole face. */
+export interface CameraView {
+  yaw: number
+  pitch: number
+  zoom: number
+}
 
 /** One picture to draw. */
 export interface PictureRequest {
@@ -27,9 +35,11 @@ export interface PictureRequest {
   /** In pixels. */
   width?: number
   height?: number
-  view?: (typeof VIEW_NAMES)[number]
+  view?: (typeof VIEW_NAMES)[number] | CameraView
   renderer?: (typeof RENDERER_NAMES)[number]
   mode?: (typeof MODE_NAMES)[number]
+  /** Whether heights move the surface; `auto`: where a millimetre is more than a pixel. */
+  relief?: (typeof RELIEF_NAMES)[number]
 }
 
 export const PICTURE_DEFAULTS = {
@@ -38,6 +48,7 @@ export const PICTURE_DEFAULTS = {
   view: 'front',
   renderer: 'webgl',
   mode: 'default',
+  relief: 'off',
 } as const satisfies Partial<PictureRequest>
 
 /** What the page is to draw: the request with all defaults applied and files as addresses. */

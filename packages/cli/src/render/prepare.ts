@@ -114,9 +114,8 @@ async function findWrinkles(
     `${WHO}: ${path}`,
   )
   const files = new Map([[path, path]])
-  // Heights are not drawn.
-  const maps = layers.flatMap(({ normal, baseColor, roughness, occlusion, blood }) => {
-    return [normal, baseColor, roughness, occlusion, blood].filter((map) => map !== undefined)
+  const maps = layers.flatMap(({ normal, baseColor, roughness, occlusion, blood, height }) => {
+    return [normal, baseColor, roughness, occlusion, blood, height].filter((map) => map !== undefined)
   })
   for (const uri of [...maps, ...areas.map(({ image }) => image)]) {
     const real = await resolveInside(path, uri, WHO, options)

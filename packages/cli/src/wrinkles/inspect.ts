@@ -139,7 +139,7 @@ async function measureMap(
     width,
     height,
     bytes: bytes.length,
-    // No renderer loads heights.
+    // Heights are uploaded for relief alone, which is off by default.
     gpu: map === 'height' ? NO_SIZES : mapSizes(width, height),
   }
 }

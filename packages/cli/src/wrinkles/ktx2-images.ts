@@ -13,11 +13,14 @@ export const AREAS_PER_SLICE = 4
 
 const MIME_TYPE = 'image/ktx2'
 
-/** The maps that become one array, those of a layer being one image. */
-const KINDS = [['normal'], ['baseColor'], ['roughness'], ['occlusion', 'blood'], ['height']] as const
+/**
+ * The maps that become one array, those of a layer being one image. Heights remain as they are: meshes are split by them in memory, where
+ * compressed blocks tell nothing.
+ */
+const KINDS = [['normal'], ['baseColor'], ['roughness'], ['occlusion', 'blood']] as const
 
 /**
- * Encodes the maps of each kind as one KTX 2 array in UASTC, with mipmaps.
+ * Encodes the maps of each kind but heights as one KTX 2 array in UASTC, with mipmaps.
  *
  * @throws FurrowError where maps of one kind differ in size, or their sides are not multiples of 4 texels.
  */

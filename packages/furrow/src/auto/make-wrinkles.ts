@@ -4,7 +4,7 @@ import { autoWrinkleSet } from '../author/auto/wrinkle-set.ts'
 import { BLOOD_AT_REST } from '../core/blood.ts'
 import { FurrowError } from '../core/error.ts'
 import { type ImageArray, packColours, packPairs } from '../core/pack.ts'
-import type { Area } from '../core/types.ts'
+import type { Area, Layer } from '../core/types.ts'
 import type { WrinkleDriver } from '../drivers/registry.ts'
 import { type CharacterData, skinOf } from './character.ts'
 import { keep, keyOf, recall } from './kept.ts'
@@ -19,6 +19,8 @@ export interface CharacterWrinkles {
   /** Occlusion and blood in two channels. */
   occlusionAndBlood: ImageArray
   bloodAmplitude: number
+  /** Heights of each layer, with their metres from black to white. */
+  heights: Pick<Layer, 'height' | 'heightAmplitude'>[]
   areas: Area[]
   drivers: WrinkleDriver[]
 }
@@ -61,6 +63,7 @@ function packed(wrinkles: AutoWrinkles): Omit<CharacterWrinkles, 'mesh'> {
     normals: packColours(normals),
     occlusionAndBlood: packPairs(pairs, [255, BLOOD_AT_REST]),
     bloodAmplitude: wrinkles.blood.amplitude,
+    heights: layers.map(({ height, heightAmplitude }) => ({ height, heightAmplitude })),
     areas,
     drivers,
   }

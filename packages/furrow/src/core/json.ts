@@ -106,13 +106,16 @@ export class JsonReader {
 
   /** An array of `low` to 4096 points [u, v], both 0..1. Throws otherwise. */
   points(value: unknown, path: string, low: number): Uv[] {
-    return this.array(value, path, low, 4096).map((point, i) => {
-      const [u, v] = this.array(point, `${path}[${i}]`, 2, 2)
-      return [
-        this.number(u, `${path}[${i}][0]`, 0, 1, 'of the texture'),
-        this.number(v, `${path}[${i}][1]`, 0, 1, 'of the texture'),
-      ]
-    })
+    return this.array(value, path, low, 4096).map((point, i) => this.point(point, `${path}[${i}]`))
+  }
+
+  /** A point of the texture. Throws otherwise. */
+  point(value: unknown, path: string): Uv {
+    const [u, v] = this.array(value, path, 2, 2)
+    return [
+      this.number(u, `${path}[0]`, 0, 1, 'of the texture'),
+      this.number(v, `${path}[1]`, 0, 1, 'of the texture'),
+    ]
   }
 
   /** Throws FurrowError. Of a field that is missing it says so: `undefined` would not be printed. */

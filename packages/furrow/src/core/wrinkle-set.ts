@@ -50,6 +50,9 @@ function checkLayer(layer: Layer<ArraySlice>, who: string): void {
       'metres from black to white',
     )
   }
+  if ((layer.heightAmplitude ?? 0) < 0) {
+    throw wrongArgument(who, `heightAmplitude of layer "${name}"`, layer.heightAmplitude, '0 metres or more')
+  }
   checkFinite(layer.occlusionStrength, `occlusionStrength of layer "${name}"`, who)
   if (blood) checkBloodAmplitude(layer.bloodAmplitude, name, who)
   for (const [kind, map] of Object.entries({ normal, baseColor })) {

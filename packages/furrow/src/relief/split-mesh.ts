@@ -19,33 +19,33 @@ const LONGEST = Math.SQRT2
 const SLICE = 256
 
 /**
- * Splits the triangles under areas into patches, and joins all others to them without T-junctions.
+ * Splits triangles into patches, and joins all others to them without T-junctions.
  *
- * @param covered 1 for each triangle that is split, see `coveredTriangles`.
+ * @param halvings how often the edges of each triangle are halved at most, see `neededHalvings`; those that are short enough are not.
  * @returns a generator, so that a page may spread the work over frames.
  */
 export function* splitMesh(
   mesh: CoarseMesh,
-  covered: Uint8Array,
+  halvings: Uint8Array,
   options: SplitOptions = {},
 ): Generator<void, DenseMesh> {
   const { edge: wanted, budget } = { ...SPLIT_DEFAULTS, ...options }
   const edges = new WeldedEdges(mesh)
   yield
-  const edge = fitBudget(covered, edges, wanted, budget)
+  const edge = fitBudget(halvings, edges, wanted, budget)
   yield
   const splitter = new Splitter(mesh, edges, LONGEST * edge)
-  for (let t = 0; t < covered.length; t++) {
-    splitter.split(t, covered[t] > 0)
+  for (let t = 0; t < halvings.length; t++) {
+    splitter.split(t, halvings[t])
     if (t % SLICE === SLICE - 1) yield
   }
   return splitter.dense.finish(edge)
 }
 
 /** Cuts edges so that there are no more triangles than allowed. Returns the length aimed at. */
-function fitBudget(covered: Uint8Array, edges: WeldedEdges, wanted: number, budget: number): number {
+function fitBudget(halvings: Uint8Array, edges: WeldedEdges, wanted: number, budget: number): number {
   for (let edge = wanted; ; ) {
-    edges.cut(covered, LONGEST * edge)
+    edges.cut(halvings, LONGEST * edge)
     const count = countTriangles(edges)
     if (count <= budget || edges.levels.every((level) => level === 0)) return edge
     edge *= Math.max(1.05, Math.sqrt(count / budget))
@@ -81,7 +81,7 @@ class Splitter {
     }
   }
 
-  split(t: number, isCovered: boolean): void {
+  split(t: number, halvings: number): void {
     const { triangles, uvs } = this.#mesh
     const { edgeOf, levels } = this.#edges
     const corners = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]] as const
@@ -93,11 +93,12 @@ class Splitter {
     }
     const squared = squaredLengths(this.#mesh.positions, corners)
     const limit = (this.#longest * WHOLE) ** 2
+    const shortest = WHOLE / 2 ** halvings
     splitPatch(
       {
         corners,
         levels: levelsHere,
-        isLong: (dx, dy) => isCovered && squared(dx, dy) > limit,
+        isLong: (dx, dy) => stepOf(dx, dy) > shortest && squared(dx, dy) > limit,
         onEdge: (edge, part) => this.#onEdge(3 * t + edge, corners[edge], corners[(edge + 1) % 3], part),
         inside: (x, y) => {
           const [wa, wb, wc] = [x / WHOLE, y / WHOLE, (WHOLE - x - y) / WHOLE]
@@ -130,6 +131,11 @@ class Splitter {
     const uv = (k: number) => this.#edges.uvAt(edge, at, k)
     this.dense.addVertex([from, to, from], [1 - at, at, 0], [uv(0), uv(1), uv(2), uv(3)])
   }
+}
+
+/** Of how many parts of an edge of the patch a step within it consists. */
+function stepOf(dx: number, dy: number): number {
+  return Math.max(Math.abs(dx), Math.abs(dy), Math.abs(dx + dy))
 }
 
 /** Squared length, times the square of `WHOLE`, of a step within a triangle, given by how much its first two barycentrics change. */

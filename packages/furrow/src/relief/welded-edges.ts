@@ -61,13 +61,14 @@ export class WeldedEdges {
     return this.#uvs[offset] + at * (this.#uvs[offset + 2] - this.#uvs[offset])
   }
 
-  /** Cuts the edges of some triangles into segments no longer than `longest`; all others stay whole. */
-  cut(covered: Uint8Array, longest: number): void {
-    this.levels.fill(0)
+  /** Halves edges as often as one of their triangles needs, but not those that are no longer than `longest`. */
+  cut(halvings: Uint8Array, longest: number): void {
+    const { levels } = this
+    levels.fill(0)
     for (let corner = 0; corner < this.edgeOf.length; corner++) {
-      if (!covered[Math.floor(corner / 3)]) continue
+      const needed = halvings[Math.floor(corner / 3)]
       const edge = this.edgeOf[corner]
-      if (this.levels[edge] === 0) this.levels[edge] = levelOf(this.#lengths[edge], longest)
+      if (needed > levels[edge]) levels[edge] = Math.min(needed, levelOf(this.#lengths[edge], longest))
     }
   }
 

@@ -50,7 +50,7 @@ export class NamedInputs {
   }
 
   /**
-   * The value of an input: as set, or its drivers' initial value (`age`: 20), or 0.
+   * The value of an input: as set, or its drivers' initial value (`age`: 20 unless the file says otherwise), or 0.
    *
    * @param instance index of an instance, 0 by default.
    * @throws FurrowError when the instance does not exist.

@@ -29,7 +29,7 @@ export interface WrinklesOptions {
    * never fade.
    */
   fadeBelow?: number
-  /** Whether the layers' heights move the surface, `off` by default. Loaders read heights only for other values. */
+  /** Whether the layers' heights move the surface, `off` by default. Heights are decoded, and triangles split, when that is first wanted. */
   relief?: ReliefMode
 }
 

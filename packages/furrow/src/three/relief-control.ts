@@ -2,6 +2,7 @@ import type { Camera, Mesh } from 'three'
 import { smoothstep } from '../math/scalar.ts'
 import type { AreaArray } from './atlas/area-array.ts'
 import type { ReliefMode } from './options.ts'
+import { canRise } from './relief/raised-layer.ts'
 import type { Relief, ReliefHost } from './relief/relief.ts'
 import type { ReliefParts } from './relief/relief-parts.ts'
 import type { AnyRenderer } from './renderer.ts'
@@ -38,9 +39,7 @@ export class ReliefControl {
 
   constructor(owner: ReliefOwner, mode: ReliefMode) {
     this.#owner = owner
-    this.#isPossible = owner.inputs.textures.layers.some(
-      ({ height, heightAmplitude = 0 }) => height && heightAmplitude > 0,
-    )
+    this.#isPossible = owner.inputs.textures.layers.some(canRise)
     this.#mode = mode
   }
 
@@ -132,7 +131,7 @@ export class ReliefControl {
   #refuse(error: unknown): void {
     if (!this.#isPossible) return
     this.#isPossible = false
-    console.warn((error as Error).message)
+    warn(error as Error)
     queueMicrotask(() => {
       if (this.#isDisposed) return
       this.#show(false)
@@ -150,4 +149,13 @@ export class ReliefControl {
     before?.dispose()
     this.#show(this.isShown)
   }
+}
+
+const told = new WeakSet<Error>()
+
+/** Once: several faces may have the same heights. */
+function warn(error: Error): void {
+  if (told.has(error)) return
+  told.add(error)
+  console.warn(`${error.message} (the wrinkles are shown without relief)`)
 }

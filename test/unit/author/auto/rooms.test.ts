@@ -3,7 +3,7 @@ import { fileURLToPath } from 'node:url'
 import { expect, test } from 'vitest'
 
 /** The rooms of `author/auto`, in the direction of the data: each imports only from those before it. */
-const ROOMS = ['surface', 'anatomy', 'strain', 'lines', 'fit', 'raster', 'blood']
+const ROOMS = ['surface', 'anatomy', 'strain', 'lines', 'fit', 'raster', 'blood', 'furrows']
 const AUTO = fileURLToPath(new URL('../../../../packages/furrow/src/author/auto/', import.meta.url))
 
 test.each(ROOMS)('%s imports from earlier rooms only', (room) => {

@@ -14,6 +14,8 @@ const AGE = 45
 /** Degrees by which a facet may turn the shading of a line, and points of it, half a millimetre apart, that make a break where they are turned more. */
 const TURN = 19
 const BREAK = 4
+/** Lean of which rounding to bytes, by half a step and by the byte of zero, turns the direction by TURN alone. */
+const UNSEEN = 3 / 127.5
 
 type Vector = readonly [x: number, y: number, z: number]
 
@@ -106,7 +108,8 @@ class SmilingFace {
       const texel = v * SIZE + u
       const shaded = leanOf(map, texel, frameOf(this.#derivativesOf(hit.triangle), normal))
       const smooth = leanOf(smoothMap, texel, frameOf([du, dv], normal))
-      turns.push(degreesBetween(shaded, smooth))
+      const isSeen = Math.hypot(...[0, 1].map((k) => smoothMap[4 * texel + k] / 127.5 - 1)) > UNSEEN
+      turns.push(isSeen ? degreesBetween(shaded, smooth) : 0)
     }
     return turns
   }

@@ -136,6 +136,20 @@ describe('a chosen line', () => {
     expect(session.undoLabel.value).toBeUndefined()
   })
 
+  test('gets banks and a lean, each a step', () => {
+    editor.setShape({ bank: [5, 5] })
+    editor.setShape({ bank: [6, 6] })
+    editor.setShape({ lean: -0.3 })
+    editor.settle()
+    expect(strokes()[0]).toMatchObject({ bank: [6, 6], lean: -0.3 })
+    session.undo()
+    expect(strokes()[0].lean).toBeUndefined()
+    session.undo()
+    expect(strokes()[0]).toEqual(before()[0])
+    session.redo()
+    expect(strokes()[0].bank).toEqual([6, 6])
+  })
+
   test('makes an area of a new name, which shows at rest', () => {
     editor.setGroup('scar')
     const area = session.document.value!.areas.at(-1)!

@@ -1,19 +1,25 @@
 import { expose } from 'comlink'
-import type { Skin } from 'furrow/author'
+import { type MetricMesh, type Skin, skinCanvas } from 'furrow/author'
 import { Bone, Group, type Mesh, Ray, Skeleton, SkinnedMesh, Vector3 } from 'three'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { LineSkin } from '../../../../studio/src/lines/line-skin.ts'
+import { canvasArrays } from '../../../../packages/furrow/src/author/skin/canvas.ts'
+import { LineSkin, readLineSkin } from '../../../../studio/src/lines/line-skin.ts'
 import { makeSkin } from '../../../../studio/src/paint/make-skin.ts'
-import { posedSkinOf, prepareSkin } from '../../../../studio/src/paint/posed-skin.ts'
+import { posedSkinOf, preparedSkin, prepareSkin } from '../../../../studio/src/paint/posed-skin.ts'
 import { PoseWatch } from '../../../../studio/src/viewer/pose/pose-watch.ts'
 import { plainSheet } from './skins.ts'
 
 const SCALE = 1000
 
+function lineSkinOf(meshes: [Mesh]): LineSkin {
+  const posed = posedSkinOf(meshes, SCALE)
+  return new LineSkin(posed, skinCanvas(posed.skin.skin, 64, 64, SCALE))
+}
+
 it('painting and lines read the skin of an avatar once', () => {
   const meshes: [Mesh] = [plainSheet()]
   const { skin, picker } = posedSkinOf(meshes, SCALE)
-  expect(new LineSkin(meshes, { scale: SCALE, areaSize: 64 }).picker).toBe(picker)
+  expect(lineSkinOf(meshes).picker).toBe(picker)
   expect(posedSkinOf(meshes, SCALE).skin).toBe(skin)
   expect(posedSkinOf([...meshes], SCALE).skin).not.toBe(skin)
 })
@@ -40,7 +46,7 @@ it('a face that rests is not read again, nor one whose pose comes again', () => 
   const meshes: [Mesh] = [mesh]
   const posed = posedSkinOf(meshes, SCALE)
   const refit = vi.spyOn(posed.picker, 'refit').mockReturnValue()
-  const lines = new LineSkin(meshes, { scale: SCALE, areaSize: 64 })
+  const lines = lineSkinOf(meshes)
   posedSkinOf(meshes, SCALE)
   lines.follow()
   expect(refit).not.toHaveBeenCalled()
@@ -92,6 +98,9 @@ describe('a skin that is made in a worker', () => {
       makeSkin(skin: Skin, scale: number, size: number) {
         asked++
         return { skin, made: makeSkin(skin, scale, size) }
+      },
+      makeCanvas(mesh: MetricMesh, size: number, scale: number) {
+        return canvasArrays(skinCanvas(mesh, size, size, scale))
       },
     }
     expose(service, port2)
@@ -148,6 +157,29 @@ describe('a skin that is made in a worker', () => {
     await prepareSkin(meshes, SCALE, 2 * AREA)
     expect(needed.skin.mapOf(2 * AREA)).toBe(map)
     expect(asked).toBe(1)
+  })
+
+  it('is made once however often it is asked for, and tools have it only then', async () => {
+    const meshes: [Mesh] = [plainSheet()]
+    const preparations = [prepareSkin(meshes, SCALE, AREA), prepareSkin(meshes, SCALE, AREA)]
+    expect(preparedSkin(meshes, SCALE, AREA)).toBeNull()
+    const [first, second] = await Promise.all(preparations)
+    expect(second).toBe(first)
+    expect(preparedSkin(meshes, SCALE, AREA)).toBe(first)
+    expect(preparedSkin(meshes, SCALE, 2 * AREA)).toBeNull()
+    expect(asked).toBe(1)
+  })
+
+  it('has the canvas for lines from a worker too, the same as one of the page', async () => {
+    const meshes: [Mesh] = [plainSheet()]
+    const { canvas } = await readLineSkin(meshes, SCALE, AREA)
+    const { skin } = posedSkinOf(meshes, SCALE).skin
+    const own = skinCanvas(skin, AREA, AREA, SCALE)
+    expect(canvasArrays(canvas)).toEqual(canvasArrays(own))
+    const weights = [new Float64Array(3), new Float64Array(3)]
+    const found = [canvas, own].map(({ locator }, i) => locator.find(0.3, 0.4, weights[i]))
+    expect(found[0]).toBe(found[1])
+    expect(weights[0]).toEqual(weights[1])
   })
 
   it('is made on the page where the worker cannot, which says why', async () => {

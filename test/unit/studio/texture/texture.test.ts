@@ -66,6 +66,7 @@ it('a quick stroke between two islands goes straight in the texture, and not ove
       skin,
       picker: texture,
     }),
+    waitsFor: () => null,
     onPaint: () => {},
     show: () => {},
     keep: (_, weights) => {

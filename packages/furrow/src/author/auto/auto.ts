@@ -9,11 +9,13 @@ import type { Skin } from '../skin/surface.ts'
 import type { StrokesDocument } from '../strokes/document.ts'
 import { type OddMeasure, oddMeasures } from './anatomy/proportions.ts'
 import { AUTO_REGIONS, type AutoRegion } from './anatomy/regions.ts'
-import { type AutoBlood, drawBlood } from './blood/draw-blood.ts'
+import { type AutoBlood, drawBlood, withoutBlood } from './blood/draw-blood.ts'
 import { ageDriver } from './fit/age-driver.ts'
 import type { MissingRegion } from './fit/fit-driver.ts'
 import { fitDrivers } from './fit/fit-drivers.ts'
 import { assignLayers } from './fit/layers.ts'
+import { type AutoFurrows, drawNet } from './furrows/draw-net.ts'
+import { planNet } from './furrows/plan-net.ts'
 import { layLines } from './lines/lay-lines.ts'
 import { type AutoLayer, drawMaps } from './raster/draw-maps.ts'
 import { measureStrain } from './strain/measure-strain.ts'
@@ -22,7 +24,7 @@ import { prepareSkin } from './surface/prepare-skin.ts'
 
 /** Settings of `autoWrinkles`; `AUTO_DEFAULTS` has the defaults. */
 export interface AutoOptions {
-  /** Years, 20..80: lines grow in number, length and depth. */
+  /** Years, 20..80: lines grow in number, length and depth. Where given, a face is so old at rest too, until its input `age` is set. */
   age?: number
   /** Multiplies the depth, 0..2. */
   strength?: number
@@ -34,12 +36,14 @@ export interface AutoOptions {
   seed?: number
   /** Of regions of a face that get other lines than `seed` gives them. The forehead has one, `foreheadInner`: its lines run through both. */
   seeds?: Readonly<Partial<Record<AutoRegion, number>>>
-  /** Layers at most, 1..4. */
+  /** Layers at most, 1..4; with fine furrows 2 or more. */
   layers?: number
   /** Areas with lines at most, 1..64; those with the least compression are left out. */
   areas?: number
   /** Parts of a face that may crease, all by default. Only a face has any. */
   regions?: readonly AutoRegion[]
+  /** Whether a face gets a net of fine furrows too, on a layer of its own. Where a furrow is less than two texels wide there are none. */
+  furrows?: boolean
   /** The frame in which renderers read the normal maps, see `heightToNormal`. */
   frame?: TangentFrame
 }
@@ -55,6 +59,7 @@ export const AUTO_DEFAULTS = {
   layers: 4,
   areas: 24,
   regions: AUTO_REGIONS,
+  furrows: false,
   frame: 'orthonormal',
 } as const satisfies AutoOptions
 
@@ -80,7 +85,10 @@ export interface AutoWrinkles {
   landmarks: Landmarks | undefined
   /** Names of the targets that were used: all but broken ones. */
   targets: string[]
+  /** That of fine furrows, which has no strokes, is the last one. */
   layers: AutoLayer[]
+  /** The net of fine furrows, where one was asked for and texels are small enough. */
+  furrows: AutoFurrows | undefined
   /** Maps of the layers, and areas that show nothing else. */
   blood: AutoBlood
   areas: AutoArea[]
@@ -109,7 +117,7 @@ export const AUTO_STEPS = ['face', 'lines', 'drivers', 'layers', 'maps'] as cons
  * input and seed give the same maps, bit for bit.
  *
  * @throws FurrowError when the skin has no targets, no UV area, or values that are NaN or infinite; when regions are chosen and no face is
- *   detected.
+ *   detected; when furrows are wanted and there is one layer.
  */
 export function autoWrinkles(
   skin: Skin,
@@ -125,7 +133,9 @@ export function autoWrinkles(
     return report
   }
 
-  // One room per stage, each using those before it: surface -> strain -> lines -> fit -> raster -> blood.
+  if (settings.furrows && settings.layers < 2) throw withoutLayer()
+
+  // One room per stage, each using those before it: surface -> strain -> lines -> fit -> raster -> blood, furrows.
   begin('face')
   const prepared = prepareSkin(skin)
   if (!prepared.face && options.regions) throw regionsWithoutFace(options.regions)
@@ -138,41 +148,61 @@ export function autoWrinkles(
   const creased = layLines(prepared, measureStrain(prepared, lineSettings, lineProgress), lineSettings)
   const fitted = fitDrivers(prepared, creased, maxAreas, begin('drivers'))
   begin('layers')
-  const layerOf = assignLayers(fitted.regions, settings.layers)
+  const { face } = prepared
+  const planned =
+    face && settings.furrows ? planNet({ ...prepared, face }, { ...settings, regions }) : undefined
+  const layerOf = assignLayers(fitted.regions, planned?.net ? settings.layers - 1 : settings.layers)
   const drawn = drawMaps(prepared, fitted.regions, layerOf, settings, begin('maps'))
   const { layers, weights } = drawn ?? { layers: [], weights: [] }
   const blood = drawn
     ? drawBlood(prepared, { ...drawn, regions: fitted.regions, layerOf }, settings)
     : { amplitude: 0, maps: [], areas: [] }
+  const furrows =
+    drawn && face && planned?.net ? drawNet({ ...prepared, face }, planned.net, drawn, settings) : undefined
+  if (furrows) blood.maps.push(withoutBlood(settings.size))
   progress(AUTO_STEPS.length, AUTO_STEPS.length, 'done')
 
-  const { face, names, scale } = prepared
+  const { names, scale } = prepared
   return {
     landmarks: face?.landmarks,
     targets: [...names],
-    layers,
+    layers: furrows ? [...layers, furrows.layer] : layers,
+    furrows: furrows?.net,
     blood,
     areas: fitted.regions.map(({ region, driver, compression, error, creases }, i) => ({
       name: region.name,
       layer: layerOf[i],
       weights: weights[i],
       driver,
-      ageing: ageDriver(region),
+      ageing: ageDriver(region, options.age),
       compression,
       error,
       lines: creases.length,
     })),
     scale,
-    missing: [...fitted.missing, ...[...doubtful].map((name) => ({ name, reason: 'the head is stylised' }))],
+    missing: [
+      ...fitted.missing,
+      ...[...doubtful].map((name) => ({ name, reason: 'the head is stylised' })),
+      ...(planned?.missing ?? []),
+    ],
     expressions: face ? presetsOf(face.find) : [],
-    warnings: [...prepared.warnings, ...stylised(odd), ...fitted.warnings],
+    warnings: [
+      ...prepared.warnings,
+      ...stylised(odd),
+      ...fitted.warnings,
+      ...(settings.furrows && !face ? ['fine furrows are of faces alone, and none is drawn'] : []),
+    ],
   }
 }
 
-/** The lines of all layers as a document that `parseStrokes` reads. */
-export function strokesOf({ layers, scale }: Pick<AutoWrinkles, 'layers' | 'scale'>): StrokesDocument {
+/** The lines of all layers, and the net of fine furrows, as a document that `parseStrokes` reads. */
+export function strokesOf({
+  layers,
+  scale,
+  furrows: net,
+}: Pick<AutoWrinkles, 'layers' | 'scale'> & Partial<Pick<AutoWrinkles, 'furrows'>>): StrokesDocument {
   const strokes = layers.flatMap(({ name, strokes }) => strokes.map((stroke) => ({ layer: name, ...stroke })))
-  return { version: 1, scale, size: layers[0].relief.width, strokes }
+  return { version: 1, scale, size: layers[0].relief.width, strokes, ...(net && { furrows: net.furrows }) }
 }
 
 /** One line about a head on which landmarks fail. */
@@ -182,6 +212,16 @@ function stylised(odd: readonly OddMeasure[]): string[] {
   return [
     `the head is stylised (${measures}, where the eyes are 63 mm apart): regions that rely on this are left out unless they are asked for`,
   ]
+}
+
+function withoutLayer(): FurrowError {
+  return new FurrowError({
+    who: 'autoWrinkles',
+    what: 'fine furrows need a layer besides those of lines',
+    value: '1 layer',
+    limit: '2 to 4',
+    remedy: 'allow one more layer, or leave the furrows out',
+  })
 }
 
 function regionsWithoutFace(regions: readonly string[]): FurrowError {

@@ -1,55 +1,71 @@
-import type { WrinkleSet } from '../../core/types.ts'
+import type { Layer, WrinkleSet } from '../../core/types.ts'
 import type { AgeDriver } from '../../drivers/age/definition.ts'
 import type { ExpressionDriver } from '../../drivers/expression/definition.ts'
 import type { MorphDriver } from '../../drivers/morph/definition.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 import type { TimeDriver } from '../../drivers/time/definition.ts'
+import type { HeightMap } from '../strokes/height.ts'
 import type { AutoWrinkles } from './auto.ts'
+import { halfSide, heightLevels } from './raster/half-side.ts'
 
 /** A driver of automatic wrinkles. */
 export type AutoDriver = MorphDriver | AgeDriver | TimeDriver | ExpressionDriver
 
-/** Automatic wrinkles as a wrinkle set, drivers and expressions included: `new Wrinkles(mesh, autoWrinkleSet(wrinkles))` shows them. */
+type Heights = Required<Pick<Layer, 'height' | 'heightAmplitude'>>
+
+/** Automatic wrinkles as a wrinkle set, heights, drivers and expressions included: `new Wrinkles(mesh, autoWrinkleSet(wrinkles))` shows them. */
 export function autoWrinkleSet({
   layers,
   areas,
   blood,
+  furrows,
   expressions,
-}: Pick<AutoWrinkles, 'layers' | 'areas' | 'blood' | 'expressions'>): WrinkleSet & {
+}: Pick<AutoWrinkles, 'layers' | 'areas' | 'blood' | 'furrows' | 'expressions'>): WrinkleSet & {
   drivers: WrinkleDriver[]
 } {
   return {
-    layers: layers.map(({ name, normal, occlusion }, i) => ({
+    layers: layers.map(({ name, normal, occlusion, relief }, i) => ({
       name,
       kind: 'detail',
       normal,
       occlusion,
+      // Fine furrows are too shallow to move the surface.
+      ...(name !== furrows?.furrows.layer && heightOf(relief)),
       blood: blood.maps[i],
       bloodAmplitude: blood.amplitude,
     })),
-    areas: [...areas, ...blood.areas].map(({ name, layer, weights }) => ({
+    areas: [...areas, ...blood.areas, ...(furrows?.areas ?? [])].map(({ name, layer, weights }) => ({
       name,
       layer: layers[layer].name,
       weights,
     })),
-    drivers: autoDrivers({ areas, blood, expressions }),
+    drivers: autoDrivers({ areas, blood, furrows, expressions }),
   }
 }
 
+/** Heights with half the side of the normals: only these show how steep a crease is. */
+function heightOf(relief: HeightMap): Heights {
+  const { levels, amplitude } = heightLevels(relief.data)
+  return { height: halfSide({ ...relief, data: levels }), heightAmplitude: amplitude }
+}
+
 /**
- * All drivers of automatic wrinkles: of blendshapes, of age, of blood, and expressions.
+ * All drivers of automatic wrinkles: of blendshapes, of age, of blood, of fine furrows, and expressions.
  *
- * @param wrinkles without blood where its areas are not used.
+ * @param wrinkles without blood or furrows where their areas are not used.
  */
 export function autoDrivers({
   areas,
   blood,
+  furrows,
   expressions,
-}: Pick<AutoWrinkles, 'areas' | 'expressions'> & Partial<Pick<AutoWrinkles, 'blood'>>): AutoDriver[] {
+}: Pick<AutoWrinkles, 'areas' | 'expressions'> &
+  Partial<Pick<AutoWrinkles, 'blood' | 'furrows'>>): AutoDriver[] {
   return [
     ...areas.map(({ driver }) => driver),
     ...areas.flatMap(({ ageing }) => ageing ?? []),
     ...(blood?.areas ?? []).flatMap(({ drivers }) => drivers),
+    ...(furrows?.areas ?? []).map(({ driver }) => driver),
     ...expressions,
   ]
 }

@@ -1,50 +1,72 @@
+import { hash32 } from '../../math/hash.ts'
+import { smoothstep } from '../../math/scalar.ts'
+import type { Metric } from '../metric.ts'
 import type { SkinCanvas } from '../skin/canvas.ts'
-import { cornersOf } from '../skin/surface.ts'
-import { positionAt } from '../skin/walk.ts'
 import { layCurve, type SkinLine } from '../strokes/curve.ts'
 import type { Stroke } from '../strokes/document.ts'
 import type { HeightMap } from '../strokes/height.ts'
 import { valleyAt } from '../strokes/profile.ts'
-import { borderDistance } from './cells.ts'
 import { directionsAlong, TENSOR } from './direction-field.ts'
+import { LocalCells } from './local-cells.ts'
 import type { Furrows } from './read-furrows.ts'
+import { FURROW_WIDTH, type Seeds, scatterSeeds, squareBy } from './scatter.ts'
+import { SeedGrid } from './seed-grid.ts'
 
 /** Levels of the net, from its cells down: size and depth as fractions. Small furrows divide the cells of large ones. */
 const LEVELS = [
   { size: 1, depth: 1 },
   { size: 0.45, depth: 0.45 },
 ] as const
-/** Half the width of a furrow, as a fraction of its cells' size. */
-const HALF_WIDTH = 0.11
 const SOFTNESS = 0.5
+/** Texels across a furrow from which on it is drawn, and from which on it is as deep as it should be. */
+export const LEAST_TEXELS = 1.7
+const ENOUGH_TEXELS = 2.2
+/** Sizes within which the seeds of the two nearest cells are. */
+const REACH = 1.75
+
+/** How much shallower furrows are than the deepest: at random, and where they run across lines, of the fraction that distances count less. */
+const UNEVEN = 0.55
+const ACROSS = 0.9
+
+/** What furrows are drawn on. */
+type FurrowCanvas = Pick<SkinCanvas, 'surface' | 'texels' | 'metric' | 'locator'>
 
 /**
  * Draws the net of fine furrows on a skin (Bando, Kuratate and Nishita 2002, A simple method for modeling wrinkles on human skin): the borders of a
- * cellular pattern, divided by those of a finer one. Its cells are stretched along the lines of the skin near them. The pattern is one of
- * space, so that seams of the texture do not show. Furrows finer than two texels are drawn wider, and less deep.
+ * cellular pattern (Worley 1996, A cellular texture basis function), divided by those of a finer one. Its cells are stretched along the
+ * lines of the skin near them. The pattern is one of space, so that seams of the texture do not show. Furrows that are less than two texels
+ * wide are left out.
  *
  * @param lines of the skin in millimetres; far from them, cells are as long as wide.
  */
 export function furrowHeights(
-  { surface, texels, metric }: Pick<SkinCanvas, 'surface' | 'texels' | 'metric'>,
+  canvas: FurrowCanvas,
   furrows: Furrows,
   lines: readonly SkinLine[] = [],
 ): HeightMap {
+  const { surface, texels, metric } = canvas
   const { width, height } = metric
   const data = new Float32Array(width * height)
   const directions = directionsAlong(surface, lines)
-  const [position, weights, tensor] = [new Float64Array(3), new Float64Array(3), new Float64Array(TENSOR)]
-  texels.visit((texel, triangle, a, b, c) => {
-    weights.set([a, b, c])
-    positionAt(position, surface, triangle, weights)
-    metricAt(tensor, directions, cornersOf(surface, triangle), weights, furrows.stretch)
-    const texelSize = Math.sqrt(Math.max(metric.uu[texel] / width ** 2, metric.vv[texel] / height ** 2))
-    data[texel] = furrowHeight(position, tensor, furrows, texelSize)
-  })
+  const cells = new LocalCells(furrows, canvas)
+  const { stretch } = furrows
+  const texelSizes = texelSizesOf(canvas)
+  const visible = (triangle: number, furrow: number) => resolved(furrow, texelSizes[triangle])
+  for (const [level, { size: part, depth }] of LEVELS.entries()) {
+    const seed = furrows.seed + level
+    const pen = new FurrowPen(
+      scatterSeeds({ surface, directions, cells, stretch, seed, part, visible }),
+      stretch,
+    )
+    texels.visitNear(pen.isNear, (texel, position) => {
+      cells.find(position[0], position[1], position[2])
+      if (cells.depth > 0) data[texel] = Math.min(data[texel], -depth * cells.depth * pen.depthAt(position))
+    })
+  }
   return { width, height, data }
 }
 
-/** Adds the net of fine furrows to the relief of strokes, whose lines it follows. */
+/** Adds the net of fine furrows to a relief. Its cells follow the lines of the strokes. */
 export function addFurrows(
   relief: HeightMap,
   canvas: SkinCanvas,
@@ -59,39 +81,150 @@ export function addFurrows(
   for (let i = 0; i < data.length; i++) relief.data[i] += data[i]
 }
 
-/** The height of all levels at a position. */
-function furrowHeight(
-  [x, y, z]: Float64Array,
-  metric: Float64Array,
-  { size, depth, stretch, seed }: Furrows,
-  texelSize: number,
-): number {
-  let deepest = 0
-  for (const [level, { size: part, depth: fraction }] of LEVELS.entries()) {
-    const cell = part * size
-    const halfWidth = HALF_WIDTH * cell
-    // A furrow that texels cannot resolve keeps its volume.
-    const drawn = Math.max(halfWidth, texelSize)
-    const distance = borderDistance(x, y, z, cell, seed + level, metric, 1 / stretch ** 2)
-    deepest = Math.max(deepest, ((fraction * halfWidth) / drawn) * valleyAt(distance / drawn, SOFTNESS))
-  }
-  return -depth * deepest
+/** How much of a furrow texels can show, 0..1. */
+function resolved(width: number, texelSize: number): number {
+  return smoothstep((width / texelSize - LEAST_TEXELS) / (ENOUGH_TEXELS - LEAST_TEXELS))
 }
 
-/** The identity, less what counts along the direction of the skin's lines. Beyond an island it stays that of the edge. */
-function metricAt(
-  out: Float64Array,
-  directions: Float64Array,
-  corners: readonly number[],
-  weights: Float64Array,
-  stretch: number,
-): void {
-  const less = 1 - 1 / stretch ** 2
-  const inside = weights.map((weight) => Math.max(0, weight))
-  const total = inside[0] + inside[1] + inside[2]
-  for (let k = 0; k < TENSOR; k++) {
-    let along = 0
-    for (let n = 0; n < 3; n++) along += (inside[n] / total) * directions[TENSOR * corners[n] + k]
-    out[k] = (k < 3 ? 1 : 0) - less * along
+/** Millimetres across the texels of each triangle, along the side on which they are longer. */
+function texelSizesOf({ surface, locator, metric }: FurrowCanvas): Float64Array {
+  const sizes = new Float64Array(surface.skinTriangles.length)
+  const corners = [0, 1, 2].map((k) => Float64Array.from([0, 1, 2], (n) => (n === k ? 1 : 0)))
+  for (const triangle of sizes.keys()) {
+    const uvs = corners.map((corner) => locator.uvAt(triangle, corner))
+    for (let k = 0; k < 3; k++) {
+      const [from, to] = [uvs[k], uvs[(k + 1) % 3]]
+      const length = edgeLength(
+        surface.points,
+        surface.corners,
+        3 * triangle + k,
+        3 * triangle + ((k + 1) % 3),
+      )
+      const texels = texelsBetween(from, to, metric)
+      sizes[triangle] = Math.max(sizes[triangle], length / texels)
+    }
+  }
+  return sizes
+}
+
+/** Texels between two places; no more than the map has, for triangles that repeat it. */
+function texelsBetween(from: readonly number[], to: readonly number[], { width, height }: Metric): number {
+  return Math.min(Math.hypot((to[0] - from[0]) * width, (to[1] - from[1]) * height), width + height)
+}
+
+function edgeLength(points: Float64Array, corners: Uint32Array, from: number, to: number): number {
+  const [a, b] = [3 * corners[from], 3 * corners[to]]
+  return Math.hypot(points[b] - points[a], points[b + 1] - points[a + 1], points[b + 2] - points[a + 2])
+}
+
+/** Numbers of a seed of a tile: its distance from the middle of the tile, position, metric, size, visibility and hash. */
+const SEED = 4 + TENSOR + 3
+
+/** Draws one level of a net tile by tile. */
+class FurrowPen {
+  readonly #seeds: Seeds
+  readonly #grid: SeedGrid
+  /** Millimetres within which the two nearest seeds of any position are. */
+  readonly #reach: number
+  /** The middle of the tile that is drawn, and the seeds near it, `#count` of them, the nearest first. */
+  readonly #middle = new Float64Array(3)
+  #tile = new Float64Array(64 * SEED)
+  #count = 0
+
+  constructor(seeds: Seeds, stretch: number) {
+    this.#seeds = seeds
+    this.#reach = REACH * stretch * seeds.sizes.reduce((largest, size) => Math.max(largest, size), 0.1)
+    this.#grid = new SeedGrid(seeds.positions, this.#reach)
+    for (const index of seeds.sizes.keys()) this.#grid.add(index)
+  }
+
+  /** Gathers the seeds near a box, for the positions in it that follow. */
+  readonly isNear = (low: Float64Array, high: Float64Array): boolean => {
+    this.#count = 0
+    if (low[0] > high[0]) return false
+    const { positions, metrics } = this.#seeds
+    const middle = this.#middle
+    let square = 0
+    for (let k = 0; k < 3; k++) {
+      middle[k] = (low[k] + high[k]) / 2
+      square += (high[k] - low[k]) ** 2
+    }
+    const [x, y, z] = middle
+    const found = this.#grid.search(low, high, this.#reach)
+    const distances = new Float64Array(found.length)
+    let [nearest, second, third] = [Infinity, Infinity, Infinity]
+    for (let n = 0; n < found.length; n++) {
+      const [seed, i] = [3 * found[n], TENSOR * found[n]]
+      const away = squareBy(metrics, i, positions[seed] - x, positions[seed + 1] - y, positions[seed + 2] - z)
+      const distance = Math.sqrt(away)
+      distances[n] = distance
+      if (distance < third) third = distance
+      if (third < second) [second, third] = [third, second]
+      if (second < nearest) [nearest, second] = [second, nearest]
+    }
+    // By its metric a seed is at most as far from a position as from the middle, and half the diagonal; at least as far as less that.
+    const farthest = third + Math.sqrt(square)
+    const near = [...distances.keys()].filter((n) => distances[n] <= farthest)
+    near.sort((a, b) => distances[a] - distances[b])
+    if (near.length * SEED > this.#tile.length) this.#tile = new Float64Array(2 * near.length * SEED)
+    for (const n of near) this.#addToTile(found[n], distances[n])
+    return this.#count > 2
+  }
+
+  #addToTile(index: number, distance: number): void {
+    const { positions, metrics, sizes, visible, hashes } = this.#seeds
+    const tile = this.#tile
+    const first = SEED * this.#count++
+    tile[first] = distance
+    for (let k = 0; k < 3; k++) tile[first + 1 + k] = positions[3 * index + k]
+    for (let k = 0; k < TENSOR; k++) tile[first + 4 + k] = metrics[TENSOR * index + k]
+    tile[first + 4 + TENSOR] = sizes[index]
+    tile[first + 5 + TENSOR] = visible[index]
+    tile[first + 6 + TENSOR] = hashes[index]
+  }
+
+  /**
+   * How deep in a furrow a position of the tile is, 0..1: the deepest of those between its three nearest seeds. The distance to the border
+   * between two cells is half the difference of the distances to their seeds.
+   */
+  depthAt(position: Float64Array): number {
+    const tile = this.#tile
+    const [x, y, z] = position
+    const off = Math.hypot(x - this.#middle[0], y - this.#middle[1], z - this.#middle[2])
+    let [nearest, second, third] = [Infinity, Infinity, Infinity]
+    let [a, b, c] = [0, 0, 0]
+    const end = SEED * this.#count
+    for (let i = 0; i < end; i += SEED) {
+      const least = tile[i] - off
+      if (least > 0 && least * least >= third) break
+      const square = squareBy(tile, i + 4, tile[i + 1] - x, tile[i + 2] - y, tile[i + 3] - z)
+      if (square >= third) continue
+      ;[third, c] = [square, i]
+      if (third < second) [second, b, third, c] = [third, c, second, b]
+      if (second < nearest) [nearest, a, second, b] = [second, b, nearest, a]
+    }
+    // As wide on one side as on the other.
+    const halfWidth = (FURROW_WIDTH / 2) * ((tile[a + 4 + TENSOR] + tile[b + 4 + TENSOR]) / 2)
+    const visible = (tile[a + 5 + TENSOR] + tile[b + 5 + TENSOR]) / 2
+    const valley = (square: number) =>
+      valleyAt((Math.sqrt(square) - Math.sqrt(nearest)) / 2 / halfWidth, SOFTNESS)
+    const own = this.#strength(a, b) * valley(second)
+    // Beside a shallow furrow, the deeper one that it runs into.
+    const next = valley(third)
+    return (
+      visible *
+      (next > own ? Math.max(own, next * Math.max(this.#strength(a, c), this.#strength(b, c))) : own)
+    )
+  }
+
+  /** Depth of the furrow between two seeds of the tile, as a fraction: they differ, and are shallower across the lines of the skin. */
+  #strength(a: number, b: number): number {
+    const tile = this.#tile
+    const [dx, dy, dz] = [tile[b + 1] - tile[a + 1], tile[b + 2] - tile[a + 2], tile[b + 3] - tile[a + 3]]
+    const square = dx * dx + dy * dy + dz * dz
+    // How much less distances count along this way than across the lines.
+    const along = 2 * square - squareBy(tile, a + 4, dx, dy, dz) - squareBy(tile, b + 4, dx, dy, dz)
+    const random = hash32(tile[a + 6 + TENSOR] ^ tile[b + 6 + TENSOR]) / 2 ** 32
+    return (1 - UNEVEN * random) * (1 - (ACROSS * along) / (2 * square))
   }
 }

@@ -4,7 +4,7 @@ import { checkCoverage } from './check-coverage.ts'
 import { findOverlap, isOnLeft } from './overlap.ts'
 import { SkinTexels } from './skin-texels.ts'
 import { pointAreas, type Skin, type SkinSurface, weldSurface } from './surface.ts'
-import { UvLocator, uvGridOf } from './uv-locator.ts'
+import { type UvGrid, UvLocator, uvGridOf } from './uv-locator.ts'
 
 /** What strokes are drawn on: the skin as a surface, and where on it the texels of a map are. */
 export interface SkinCanvas {
@@ -55,5 +55,30 @@ export function mapSkin(
     surface,
     locator: new UvLocator(skin, surface, uvGridOf(skin, surface, isDrawn)),
     texels: new SkinTexels(skin, surface, width, height, isDrawn, MIPMAP_MARGIN),
+  }
+}
+
+/** A canvas as arrays that a worker can hand over. */
+export interface SkinCanvasArrays extends Pick<SkinCanvas, 'surface' | 'metric' | 'scale'> {
+  /** Of its locator. */
+  grid: UvGrid
+  /** Of its texels. */
+  owners: Int32Array
+}
+
+export function canvasArrays({ locator, texels, ...plain }: SkinCanvas): SkinCanvasArrays {
+  return { ...plain, grid: locator.grid, owners: texels.owners }
+}
+
+/** The canvas that arrays were made of. @param skin that of the canvas. */
+export function canvasAgain(
+  skin: Pick<Skin, 'uvs' | 'indices'>,
+  { grid, owners, ...plain }: SkinCanvasArrays,
+): SkinCanvas {
+  const { surface, metric } = plain
+  return {
+    ...plain,
+    locator: new UvLocator(skin, surface, grid),
+    texels: new SkinTexels(skin, surface, metric.width, metric.height, owners),
   }
 }

@@ -27,8 +27,8 @@ export class SkinTexels {
   readonly height: number
   readonly surface: SkinSurface
   readonly #skin: Pick<Skin, 'uvs' | 'indices'>
-  /** For each texel its triangle; -2 - triangle beyond the islands. */
-  readonly #owner: Int32Array
+  /** For each texel its triangle; -1 where there is no skin, -2 - triangle beyond the islands. */
+  readonly owners: Int32Array
   /** The box round the skin of each tile, made when it is first asked for. */
   #boxes: Float64Array | undefined
   readonly #weights = new Float64Array(3)
@@ -40,7 +40,7 @@ export class SkinTexels {
 
   /**
    * @param width of the map in texels, as is height.
-   * @param isDrawn tells whether a triangle is drawn into the texture.
+   * @param isDrawn tells whether a triangle is drawn into the texture; or `owners` that were found before.
    * @param margin texels by which the skin is continued beyond its islands.
    */
   constructor(
@@ -48,14 +48,18 @@ export class SkinTexels {
     surface: SkinSurface,
     width: number,
     height: number,
-    isDrawn: (triangle: number) => boolean = () => true,
+    isDrawn: ((triangle: number) => boolean) | Int32Array = () => true,
     margin = FILTER_MARGIN,
   ) {
     this.width = width
     this.height = height
     this.surface = surface
     this.#skin = skin
-    this.#owner = new Int32Array(width * height).fill(NONE)
+    if (isDrawn instanceof Int32Array) {
+      this.owners = isDrawn
+      return
+    }
+    this.owners = new Int32Array(width * height).fill(NONE)
     const drawn = surface.skinTriangles.map((_, triangle) => (isDrawn(triangle) ? 1 : 0))
     for (const [triangle, flag] of drawn.entries()) if (flag) this.#cover(triangle)
     const border = this.#borderEdges(drawn)
@@ -64,9 +68,9 @@ export class SkinTexels {
       width,
       height,
       margin,
-      (texel) => this.#owner[texel] < 0,
+      (texel) => this.owners[texel] < 0,
       (texel, triangle) => {
-        this.#owner[texel] = -2 - triangle
+        this.owners[texel] = -2 - triangle
       },
     )
   }
@@ -78,7 +82,7 @@ export class SkinTexels {
    */
   visit(visit: (texel: number, triangle: number, a: number, b: number, c: number) => void): void {
     const weights = new Float64Array(3)
-    for (let texel = 0; texel < this.#owner.length; texel++) {
+    for (let texel = 0; texel < this.owners.length; texel++) {
       const triangle = this.locate(texel, weights)
       if (triangle !== NONE) visit(texel, triangle, weights[0], weights[1], weights[2])
     }
@@ -124,7 +128,7 @@ export class SkinTexels {
       const corners = skinVertices(this.#skin, this.surface, triangle)
       coverTexels(this.#skin.uvs, corners, this.width, this.height, (texel, a, b, c) => {
         // Adjacent triangles both cover the texels of their edge.
-        if (this.#owner[texel] !== triangle && Math.min(a, b, c) > EDGE) visit(texel, triangle, a, b, c)
+        if (this.owners[texel] !== triangle && Math.min(a, b, c) > EDGE) visit(texel, triangle, a, b, c)
       })
     }
   }
@@ -185,7 +189,7 @@ export class SkinTexels {
   }
 
   #triangleOf(texel: number): number {
-    const owner = this.#owner[texel]
+    const owner = this.owners[texel]
     return owner < NONE ? -2 - owner : owner
   }
 
@@ -199,7 +203,7 @@ export class SkinTexels {
   #cover(triangle: number): void {
     const corners = skinVertices(this.#skin, this.surface, triangle)
     coverTexels(this.#skin.uvs, corners, this.width, this.height, (texel) => {
-      if (this.#owner[texel] < 0) this.#owner[texel] = triangle
+      if (this.owners[texel] < 0) this.owners[texel] = triangle
     })
   }
 

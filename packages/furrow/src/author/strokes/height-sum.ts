@@ -12,6 +12,12 @@ const JOIN = { valleys: 6, banks: 2 } as const
 const SHADE = 1.1
 const MAX_SHADE = 0.75
 
+/**
+ * Half the width of the narrowest valley that is drawn, in halves of a texel. Finer ones would be dotted lines: as deep as they are where the
+ * bottom meets the centre of a texel, and half as deep between two.
+ */
+const NARROWEST = 3
+
 /** Joins what strokes give to a texel, in their order: valleys with valleys and banks with banks (see JOIN), then subtracted. */
 export class HeightSum {
   /** Sums of powers of depths and of heights. */
@@ -50,7 +56,7 @@ export interface StrokePowers {
 /**
  * Adds a stroke at a texel to a sum; the parameters are those of `LineVisitor`.
  *
- * @param sharpest half the size of the texel: no valley is drawn sharper.
+ * @param sharpest half the size of the texel: no valley is drawn sharper, or narrower than NARROWEST of it.
  * @param out takes the powers that were added.
  */
 export function addStroke(
@@ -81,10 +87,13 @@ export function addSection(
 ): void {
   const right = 0.5 + 0.5 * side
   const wall = halfWidth * (1 + lean * side)
-  const valley = depth * valleyAt(distance / wall, Math.max(softness, sharpest / wall))
+  const widened = Math.max(1, (NARROWEST * sharpest) / wall)
+  const valley = depth * valleyAt(distance / wall, Math.max(softness, sharpest / (widened * wall)), widened)
   const reach = lerp(banks[0], banks[1], right)
-  const bank = depth * bankAt(distance / halfWidth, reach, lerp(shoulder[0], shoulder[1], right))
-  sum.shade = Math.max(sum.shade, (valley / halfWidth) * SHADE)
+  // A bank would rise from the bottom with an edge: that is rounded too.
+  const rounded = sharpest > 0 ? distance / Math.sqrt(distance * distance + sharpest * sharpest) : 1
+  const bank = depth * rounded * bankAt(distance / halfWidth, reach, lerp(shoulder[0], shoulder[1], right))
+  sum.shade = Math.max(sum.shade, (valley / (widened * halfWidth)) * SHADE)
   const cube = valley * valley * valley
   sum.add(cube * cube, bank * bank)
   if (!out) return

@@ -25,7 +25,8 @@ export interface DrawnStrokes {
 /**
  * Draws strokes as a height map. Distances are measured in space, so that neither the texture's stretch nor its seams show. Valleys are joined
  * with valleys and banks with banks (see `HeightSum`), then added, so the order of the strokes does not matter and a single stroke keeps its exact
- * profile. No valley is drawn sharper than a texel. Strokes, or parts of them, that are not on the skin are left out.
+ * profile. No valley is drawn sharper than a texel; one narrower than three texels is widened, and shallower. Strokes, or parts of them, that are
+ * not on the skin are left out.
  *
  * @param progress is called with the strokes drawn so far: all of them in the part of the map that is done.
  * @throws FurrowError where they are longer than 100 m together.

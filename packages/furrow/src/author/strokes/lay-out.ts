@@ -45,9 +45,9 @@ const MOST_MILLIMETRES = 100_000
 const END_WIDTH = 0.4
 /**
  * How far banks reach by default, in widths: with full shoulders the valley and its banks are at the height of the smooth skin half a width from
- * the bottom, where 12 x^2 (1 - x)^2 = 1/e, x = 1/2 / BANK.
+ * the bottom, where 12 x^2 (1 - x)^2 = 1/e, x = 1/2 / BANK_WIDTHS.
  */
-const BANK = 2.2055
+export const BANK_WIDTHS = 2.2055
 /** Wavelength of the irregularity in millimetres; a second, weaker octave has 0.4 of it. */
 const WAVELENGTH = 9
 
@@ -96,7 +96,7 @@ export function reachOf(stroke: LaidStroke): number {
 export function sectionOf({
   width,
   shoulder,
-  bank = [BANK * width, BANK * width],
+  bank = [BANK_WIDTHS * width, BANK_WIDTHS * width],
   lean = 0,
   softness,
 }: SectionStyle): CrossSection {

@@ -17,14 +17,16 @@ const BANK_VOLUME = 9 / 16
  * The bottom is rounded by `softness`, which keeps the values at t = 0 and t = 1; the far end fades to exactly 0 at VALLEY_REACH.
  *
  * @param distance from the bottom in half widths, at least 0.
- * @param softness 0..1, in half widths.
- * @returns the depth below the banks, 1 at the bottom.
+ * @param softness 0..1, in half widths as drawn.
+ * @param widened how many times as wide it is drawn, and so as shallow: its volume stays. At least 1.
+ * @returns the depth below the banks, 1 / widened at the bottom.
  */
-export function valleyAt(distance: number, softness: number): number {
+export function valleyAt(distance: number, softness: number, widened = 1): number {
   if (distance >= VALLEY_REACH) return 0
+  const t = distance / widened
   // The hypotenuse costs ten times as much.
-  const rounded = Math.sqrt(distance * distance + softness * softness) - softness
-  const depth = Math.exp(-rounded / (Math.sqrt(1 + softness * softness) - softness))
+  const rounded = Math.sqrt(t * t + softness * softness) - softness
+  const depth = Math.exp(-rounded / (Math.sqrt(1 + softness * softness) - softness)) / widened
   return distance <= FADE_START
     ? depth
     : depth * (1 - smoothstep((distance - FADE_START) / (VALLEY_REACH - FADE_START)))

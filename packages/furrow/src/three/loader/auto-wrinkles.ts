@@ -58,7 +58,7 @@ export async function makeAutoWrinkles(
 
 /** The worker has packed the maps, so that this takes no time. */
 function setOf(made: CharacterWrinkles): FileWrinkles {
-  const { layers, normals, occlusionAndBlood, bloodAmplitude, areas, drivers } = made
+  const { layers, normals, occlusionAndBlood, bloodAmplitude, heights, areas, drivers } = made
   const normalArray = mapTexture(normals, 1)
   const pairArray = mapTexture(occlusionAndBlood, 1)
   const set: WrinkleSet<ArraySlice> = {
@@ -69,6 +69,7 @@ function setOf(made: CharacterWrinkles): FileWrinkles {
       occlusion: { array: pairArray, slice, channel: 0 },
       blood: { array: pairArray, slice, channel: 1 },
       bloodAmplitude,
+      ...heights[slice],
     })),
     areas,
   }

@@ -78,10 +78,8 @@ export function wrinkledFaces(gltf: GLTF, parser: Parser): FileFace[] {
 export interface ReadOptions {
   /** Is told of each malformed driver, which is then left out; by default it is thrown. */
   onFault?: (fault: FurrowError) => void
-  /** Whether the layers' heights are read, for relief; not by default. */
+  /** Whether the layers' heights are read now; by default their layers have `readHeight`, see `RaisedLayer`. */
   withHeights?: boolean
-  /** Is told of heights that cannot be read, which are then left out; by default it is thrown. */
-  onHeightFault?: (fault: unknown) => void
 }
 
 /**
@@ -141,7 +139,7 @@ async function readSet(
   maps: MapsAndAreas,
   parser: Parser,
   decoded: DecodedBytes,
-  { withHeights, onHeightFault }: ReadOptions,
+  { withHeights }: ReadOptions,
 ): Promise<WrinkleSet<ArraySlice>> {
   checkDeclared(parser.json, WRINKLE_MAPS)
   const source = new MapSource(parser, decoded)
@@ -158,20 +156,22 @@ async function readSet(
   const set = { layers, areas: await Promise.all(areas) }
   const [problem] = mapProblems(maps, await source.shapes(), texturesOfFace(parser.json), WRINKLE_MAPS)
   if (problem) throw new FurrowError(problem)
-  if (withHeights) {
-    const heights = maps.layers.map((layer) => readHeight(layer, source))
-    try {
-      for (const [i, height] of (await Promise.all(heights)).entries()) Object.assign(layers[i], height)
-    } catch (error) {
-      if (!onHeightFault) throw error
-      onHeightFault(error)
+  let heights: ReturnType<typeof readHeights> | undefined
+  for (const [i, { heightTexture }] of maps.layers.entries()) {
+    if (!heightTexture) continue
+    // A source of its own: nothing else that was decoded stays in memory until heights are wanted.
+    const readHeight = async () => {
+      heights ??= readHeights(maps.layers, new MapSource(parser, decoded))
+      return (await heights)[i]!
     }
+    Object.assign(layers[i], { heightAmplitude: heightTexture.amplitude })
+    Object.assign(layers[i], withHeights ? { height: await readHeight() } : { readHeight })
   }
   // Most files have no KTX 2 images: what only these need is fetched when one appears.
   return source.hasSlices ? (await import('./join-arrays.ts')).joinArrays(set) : set
 }
 
-/** All maps but heights, which only relief needs: the wrinkles are shown without it where they cannot be read. */
+/** All maps but heights, which only relief needs. */
 async function readLayer(layer: WrinkleMapsLayer, source: MapSource): Promise<Layer<ArraySlice>> {
   const { name, kind, normalTexture, baseColorTexture, roughnessTexture, occlusionTexture, bloodTexture } =
     layer
@@ -194,14 +194,15 @@ async function readLayer(layer: WrinkleMapsLayer, source: MapSource): Promise<La
   }
 }
 
-async function readHeight(
-  { heightTexture }: WrinkleMapsLayer,
-  source: MapSource,
-): Promise<Pick<Layer<ArraySlice>, 'height' | 'heightAmplitude'>> {
-  if (!heightTexture) return {}
-  // As precise as areas are: a surface shows steps sooner than a colour does.
-  const height = await source.gray(heightTexture, CHANNEL.height, 'areas')
-  return { height, heightAmplitude: heightTexture.amplitude }
+/** The heights of layers, if any. As precise as areas are: a surface shows steps sooner than a colour does. */
+async function readHeights(layers: readonly WrinkleMapsLayer[], source: MapSource) {
+  try {
+    return await Promise.all(
+      layers.map(({ heightTexture }) => heightTexture && source.gray(heightTexture, CHANNEL.height, 'areas')),
+    )
+  } catch (error) {
+    throw fileError(error, WRINKLE_MAPS, UNREADABLE)
+  }
 }
 
 /** What an array is used for, which decides its format on the GPU. */

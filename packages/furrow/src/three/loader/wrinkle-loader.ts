@@ -94,8 +94,6 @@ export class WrinkleLoader {
     const faces = new Map<number, WrinklesBase[]>()
     const read = materialReader(this.#parser, {
       onFault: (fault) => this.#warnings.add(fault, 'the other drivers work'),
-      withHeights: this.#options.relief !== 'off',
-      onHeightFault: (fault) => this.#warnings.add(fault, 'the wrinkles are shown without relief'),
     })
     const added: AddedFaces = { bySet: new Map(), byMaterial: new Map() }
     const expressions = this.#isVrm() ? () => vrmOf(gltf) : undefined

@@ -9,24 +9,27 @@ import {
   type Mesh,
   RedFormat,
 } from 'three'
-import type { ImageArray } from '../../core/pack.ts'
+import type { CoarseMesh } from '../../relief/coarse-mesh.ts'
 import { coveredTriangles } from '../../relief/covered-triangles.ts'
 import type { DenseMesh } from '../../relief/dense-mesh.ts'
+import type { HeightField, Mask } from '../../relief/height-fields.ts'
+import { neededHalvings } from '../../relief/needed-halvings.ts'
 import { outwardRoom } from '../../relief/outward-room.ts'
 import { splitMesh } from '../../relief/split-mesh.ts'
+import { MAX_LEVEL } from '../../relief/welded-edges.ts'
 import { coordinates, trianglesOf } from '../sources/geometry-arrays.ts'
 import { wrinkleUvs } from '../wrinkle-uvs.ts'
 import { COARSE_WIDTH } from './coarse-pass.ts'
 
-/** Areas in memory, and which of them lie on layers with heights. Null where their weights are not in memory: they may be anywhere. */
-export type CoveringAreas = { array: ImageArray; slices: readonly number[] } | null
+/** How the layers move the surface; where heights are not in memory, only where they do; null for anywhere. */
+export type Raised = readonly HeightField[] | Mask | null
 
 /** What is split, and how. */
 export interface SplitRequest {
   mesh: Mesh
   /** Only its triangles are drawn with relief, where the mesh has several materials. */
   material: Material
-  areas: CoveringAreas
+  raised: Raised
   /** Texel of the mesh's first vertex in the coarse textures. */
   first: number
   /** Metres per unit of the mesh's positions. */
@@ -49,24 +52,29 @@ export interface Split {
  * are read from the coarse textures by `furrowParents`, `furrowCorners` and `furrowWeights`.
  */
 export function* splitGeometry(request: SplitRequest): Generator<void, Split> {
-  const { mesh, material, areas, first, metresPerUnit, reach } = request
+  const { mesh, material, raised, first, metresPerUnit, reach } = request
   const { geometry } = mesh
   const positions = coordinates(geometry.attributes.position).map((value) => value * metresPerUnit)
   const coarse = { positions, uvs: wrinkleUvs(mesh, material), triangles: drawnTriangles(mesh, material) }
-  const covered = areas
-    ? coveredTriangles(coarse, areas.array, areas.slices)
-    : new Uint8Array(coarse.triangles.length / 3).fill(1)
+  const normals = coordinates(geometry.attributes.normal)
+  const halvings = halvingsFor(coarse, normals, raised)
   yield
-  const dense = yield* splitMesh(coarse, covered)
+  const dense = yield* splitMesh(coarse, halvings)
   const { firstOf } = dense
   yield
-  const room = outwardRoom(coarse, coordinates(geometry.attributes.normal), firstOf, reach)
+  const room = outwardRoom(coarse, normals, firstOf, reach)
   yield
   return {
     geometry: denseGeometry(geometry, dense, first, roomOf(dense, room)),
     edge: dense.edge,
     next: ringOf(firstOf),
   }
+}
+
+function halvingsFor(coarse: CoarseMesh, normals: Float32Array, raised: Raised): Uint8Array {
+  if (Array.isArray(raised)) return neededHalvings(coarse, normals, raised)
+  if (raised === null) return new Uint8Array(coarse.triangles.length / 3).fill(MAX_LEVEL)
+  return coveredTriangles(coarse, raised as Mask).map((isCovered) => isCovered * MAX_LEVEL)
 }
 
 /** A texture of the rings of all meshes, each of whose vertices begin at its first texel. */

@@ -1,14 +1,17 @@
 import { LinearFilter } from 'three'
 import { FurrowError } from '../../core/error.ts'
-import { packGrays } from '../../core/pack.ts'
-import type { ArraySlice, GrayImage, Layer } from '../../core/types.ts'
+import { type ImageArray, packGrays } from '../../core/pack.ts'
+import type { GrayImage } from '../../core/types.ts'
 import { isSlice } from '../../core/wrinkle-set.ts'
 import { type ArrayTexture, arrayOf } from '../material/array-texture.ts'
 import { areaTexture } from '../material/textures.ts'
+import { canRise, type RaisedLayer } from './raised-layer.ts'
 
 /** The heights of a set's layers on the GPU. */
 export interface HeightMaps {
   texture: ArrayTexture
+  /** The same in memory; null for compressed ones, which are on the graphics card only. */
+  array: ImageArray | null
   /** Channel of the texture, 0 = R to 3 = A. */
   channel: number
   /** Those of the layers that have heights. */
@@ -28,29 +31,24 @@ export interface HeightLayer {
   amplitude: number
 }
 
-type Map = GrayImage | ArraySlice
-
-/** Whether any layer can move the surface. */
-export function hasHeights(layers: readonly Layer<ArraySlice>[]): boolean {
-  return layers.some(({ height, heightAmplitude = 0 }) => height && heightAmplitude > 0)
-}
-
 /**
- * Creates the texture of the layers' heights.
+ * Creates the texture of the layers' heights, which a file may have yet to decode.
  *
- * @throws FurrowError when maps differ in size or are in several arrays.
+ * @throws FurrowError when maps cannot be read, differ in size or are in several arrays.
  */
-export function createHeightMaps(layers: readonly Layer<ArraySlice>[]): HeightMaps {
-  const found = layers.flatMap(({ height, heightAmplitude = 0 }, layer) =>
-    height && heightAmplitude > 0 ? [{ layer, amplitude: heightAmplitude, map: height as Map }] : [],
-  )
+export async function createHeightMaps(layers: readonly RaisedLayer[]): Promise<HeightMaps> {
+  const read = layers.map(async (own, layer) => {
+    const map = canRise(own) && (own.height ?? (await own.readHeight?.()))
+    return map ? [{ layer, amplitude: own.heightAmplitude!, map }] : []
+  })
+  const found = (await Promise.all(read)).flat()
   const maps = found.map(({ map }) => map)
-  const texture = maps.some(isSlice)
-    ? arrayOf(maps, 'Wrinkles', 'heights')
-    : areaTexture(packGrays(maps as GrayImage[], 'Wrinkles heights of the layers'))
+  const array = maps.some(isSlice) ? null : packGrays(maps as GrayImage[], 'Wrinkles heights of the layers')
+  const texture = array ? areaTexture(array) : arrayOf(maps, 'Wrinkles', 'heights')
   texture.minFilter = LinearFilter
   return {
     texture,
+    array,
     channel: isSlice(maps[0]) ? maps[0].channel : 0,
     layers: found.map(({ layer, amplitude, map }, i) => ({
       layer,
@@ -59,7 +57,7 @@ export function createHeightMaps(layers: readonly Layer<ArraySlice>[]): HeightMa
     })),
     reach: found.reduce((sum, { amplitude }) => sum + amplitude / 2, 0),
     dispose: () => {
-      if (!maps.some(isSlice)) texture.dispose()
+      if (array) texture.dispose()
     },
   }
 }

@@ -1,12 +1,13 @@
 import type { Camera, Material, Mesh, Sphere, Texture } from 'three'
 import { FurrowError } from '../../core/error.ts'
+import { HeightField, weightedTexels } from '../../relief/height-fields.ts'
 import { SPLIT_DEFAULTS } from '../../relief/split-mesh.ts'
 import { instancesOf } from '../instances.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
 import type { MeshUnits } from '../mesh-units.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import { CoarsePass } from './coarse-pass.ts'
-import { type CoveringAreas, ringTexture, type Split, splitGeometry } from './dense-geometry.ts'
+import { type Raised, ringTexture, type Split, splitGeometry } from './dense-geometry.ts'
 import { checkReach, createHeightMaps, type HeightMaps } from './height-maps.ts'
 import type { ReliefInputs } from './relief-inputs.ts'
 import { createReliefMesh } from './relief-mesh.ts'
@@ -81,14 +82,14 @@ export class Relief {
   static async create(host: ReliefHost, parts: ReliefParts, isWanted: () => boolean): Promise<Relief | null> {
     const { meshes, material, units, inputs } = host
     for (const mesh of meshes) checkMesh(mesh)
-    const heights = createHeightMaps(inputs.textures.layers)
+    const heights = await createHeightMaps(inputs.textures.layers)
     try {
       checkReach(heights, units.atRest * Math.max(...meshes.map(radiusOf)))
-      const areas = coveringAreas(inputs, heights)
+      const raised = raisedBy(inputs, heights)
       const splits: MeshSplit[] = []
       let first = 0
       for (const mesh of meshes) {
-        const request = { mesh, material, areas, first, metresPerUnit: units.atRest, reach: heights.reach }
+        const request = { mesh, material, raised, first, metresPerUnit: units.atRest, reach: heights.reach }
         const split = await inSlices(splitGeometry(request), isWanted)
         if (!split) break
         splits.push({ ...split, mesh, first })
@@ -165,6 +166,13 @@ function checkMesh(mesh: Mesh): void {
       remedy: 'reduce it; fine detail belongs into its normal map',
     })
   }
+  if (!Number.isFinite(radiusOf(mesh))) {
+    throw new FurrowError({
+      who,
+      what: 'the mesh has positions that are no numbers',
+      remedy: 'export it again; it is shown without relief until then',
+    })
+  }
   const { morphTexture } = mesh as { morphTexture?: Texture | null }
   if (instancesOf(mesh) !== 'batched' && !morphTexture) return
   throw new FurrowError({
@@ -176,15 +184,18 @@ function checkMesh(mesh: Mesh): void {
   })
 }
 
-/** The areas on layers with heights. */
-function coveringAreas({ areas }: ShaderInputs, heights: HeightMaps): CoveringAreas {
+function raisedBy({ areas }: ShaderInputs, { array, layers }: HeightMaps): Raised {
   const { texture, slots, channels, width, height } = areas
   const { data, depth } = texture.image as { data?: Uint8Array; depth: number }
   // Compressed areas are on the graphics card only.
-  if (channels !== 1 || !data) return null
-  const layers = new Set(heights.layers.map(({ layer }) => layer))
-  const slices = slots.flatMap(({ layer, slice }) => (layers.has(layer) ? slice : []))
-  return { array: { data, width, height, depth, channels }, slices }
+  const weights = channels === 1 && data ? { data, width, height, depth, channels } : null
+  const raised = layers.map((own) => ({
+    ...own,
+    areas: slots.flatMap(({ layer, slice }) => (layer === own.layer ? slice : [])),
+  }))
+  if (array) return raised.map((layer) => new HeightField(layer, array, weights))
+  const slices = raised.flatMap((layer) => layer.areas)
+  return weights && weightedTexels(weights, slices)
 }
 
 function radiusOf({ geometry }: Mesh): number {

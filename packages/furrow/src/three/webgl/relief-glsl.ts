@@ -50,50 +50,63 @@ vec3 furrowUnpack(vec2 octahedral) {
   return normalize(v);
 }
 
-vec3 furrowCoarseNormal(float vertex) {
-  return furrowUnpack(furrowCoarse(furrowCoarseDirections, vertex).xy);
+/** Of the three corners, as far as they have weight; read first in main. */
+vec4 furrowDirections[3];
+
+void furrowReadDirections() {
+  furrowDirections[0] = furrowCoarse(furrowCoarseDirections, furrowCorners.x);
+  furrowDirections[1] = furrowDirections[2] = furrowDirections[0];
+  if (furrowWeights.y > 0.0) furrowDirections[1] = furrowCoarse(furrowCoarseDirections, furrowCorners.y);
+  if (furrowWeights.z > 0.0) furrowDirections[2] = furrowCoarse(furrowCoarseDirections, furrowCorners.z);
 }
 
 vec3 furrowShadingNormal() {
-  return furrowCoarseNormal(furrowCorners.x) * furrowWeights.x
-    + furrowCoarseNormal(furrowCorners.y) * furrowWeights.y
-    + furrowCoarseNormal(furrowCorners.z) * furrowWeights.z;
+  return furrowUnpack(furrowDirections[0].xy) * furrowWeights.x
+    + furrowUnpack(furrowDirections[1].xy) * furrowWeights.y
+    + furrowUnpack(furrowDirections[2].xy) * furrowWeights.z;
 }
 
 vec3 furrowShadingTangent() {
-  return furrowUnpack(furrowCoarse(furrowCoarseDirections, furrowCorners.x).zw) * furrowWeights.x
-    + furrowUnpack(furrowCoarse(furrowCoarseDirections, furrowCorners.y).zw) * furrowWeights.y
-    + furrowUnpack(furrowCoarse(furrowCoarseDirections, furrowCorners.z).zw) * furrowWeights.z;
+  return furrowUnpack(furrowDirections[0].zw) * furrowWeights.x
+    + furrowUnpack(furrowDirections[1].zw) * furrowWeights.y
+    + furrowUnpack(furrowDirections[2].zw) * furrowWeights.z;
 }
 
-vec3 furrowSmoothNormal(float first, float next) {
-  vec3 own = furrowCoarseNormal(first);
-  vec3 sum = own;
+/** Position and smooth normal of a parent; most are no seam, where the normal is that of the corner. */
+void furrowReadParent(float first, float corner, vec2 direction, out vec3 position, out vec3 normal) {
+  vec4 texel = furrowCoarse(furrowCoarsePositions, first);
+  position = texel.xyz;
+  if (first != corner) direction = furrowCoarse(furrowCoarseDirections, first).xy;
+  normal = furrowUnpack(direction);
+  if (texel.w == first) return;
+  vec3 sum = normal;
+  float next = texel.w;
   for (int i = 0; i < ${MOST_TWINS} && next != first; i++) {
-    sum += furrowCoarseNormal(next);
+    sum += furrowUnpack(furrowCoarse(furrowCoarseDirections, next).xy);
     next = furrowCoarse(furrowCoarsePositions, next).w;
   }
-  return normalize(dot(sum, sum) > ${(CANCELLED ** 2).toExponential()} ? sum : own);
+  normal = normalize(dot(sum, sum) > ${(CANCELLED ** 2).toExponential()} ? sum : normal);
 }
 
 float furrowDisplacement(vec2 at) {
   vec4 influence = furrowLookUp(at, furrowGrid.z + ${isInstanced ? 'float(gl_InstanceID)' : '0.0'});
+  if (!any(greaterThan(influence, vec4(0.0)))) return 0.0;
   at = furrowRepeat(at);
   return 0.0 ${displacement.join(' ')};
 }
 
 vec3 furrowSurface() {
-  vec4 a = furrowCoarse(furrowCoarsePositions, furrowParents.x);
-  vec4 b = furrowCoarse(furrowCoarsePositions, furrowParents.y);
-  vec4 c = furrowCoarse(furrowCoarsePositions, furrowParents.z);
-  vec3 na = furrowSmoothNormal(furrowParents.x, a.w);
-  vec3 nb = furrowSmoothNormal(furrowParents.y, b.w);
-  vec3 nc = furrowSmoothNormal(furrowParents.z, c.w);
+  vec3 a, na;
+  furrowReadParent(furrowParents.x, furrowCorners.x, furrowDirections[0].xy, a, na);
+  vec3 b = a, nb = na, c = a, nc = na;
   vec3 w = furrowWeights;
-  vec3 flatPoint = a.xyz * w.x + b.xyz * w.y + c.xyz * w.z;
-  vec3 curve = dot(flatPoint - a.xyz, na) * na * w.x + dot(flatPoint - b.xyz, nb) * nb * w.y + dot(flatPoint - c.xyz, nc) * nc * w.z;
+  if (w.y > 0.0) furrowReadParent(furrowParents.y, furrowCorners.y, furrowDirections[1].xy, b, nb);
+  if (w.z > 0.0) furrowReadParent(furrowParents.z, furrowCorners.z, furrowDirections[2].xy, c, nc);
+  vec3 flatPoint = a * w.x + b * w.y + c * w.z;
+  vec3 curve = dot(flatPoint - a, na) * na * w.x + dot(flatPoint - b, nb) * nb * w.y + dot(flatPoint - c, nc) * nc * w.z;
   float curved = ${PHONG.toFixed(2)} * furrowAmount * min(furrowRoom / ${ROOM_TO_CURVE.toExponential()}, 1.0);
-  float height = (furrowDisplacement(furrowUvs.xy) + furrowDisplacement(furrowUvs.zw)) * 0.5;
+  float height = furrowDisplacement(furrowUvs.xy);
+  if (furrowUvs.xy != furrowUvs.zw) height = (height + furrowDisplacement(furrowUvs.zw)) * 0.5;
   vec3 direction = normalize(na * w.x + nb * w.y + nc * w.z);
   float outwards = clamp(height, -furrowRoom, furrowRoom) * furrowAmount * furrowUnitsPerMetre;
   return flatPoint - curve * curved + direction * outwards;

@@ -104,7 +104,11 @@ const patch: ReliefParts['patch'] = (material, relief, inputs, instances) => {
 
 /** Puts vertices of dense geometries in their places before three.js's chunks deform others. */
 function reliefVertex(vertex: string, functions: string): string {
-  const declared = replace(vertex, MAIN, `${functions}\n${MAIN}`)
+  const declared = replace(
+    vertex,
+    MAIN,
+    `${functions}\n${MAIN}\nif (furrowIsDense()) furrowReadDirections();`,
+  )
   const turned = replaceChunk(
     declared,
     'beginnormal_vertex',

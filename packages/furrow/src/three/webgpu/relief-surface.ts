@@ -62,7 +62,13 @@ function mixCorners(direction: (vertex: Node<'float'>) => Node<'vec3'>): Node<'v
   const corners = attribute<'vec3'>('furrowCorners', 'vec3')
   const weights = attribute<'vec3'>('furrowWeights', 'vec3')
   return mixThree(
-    (axis) => direction(corners[axis]),
+    (axis) => {
+      const own = vec3(0).toVar()
+      If(weights[axis].greaterThan(0), () => {
+        own.assign(direction(corners[axis]))
+      })
+      return own
+    },
     (axis) => weights[axis],
   )
 }
@@ -89,8 +95,14 @@ function surface(
   const points = { x: vertexOf('x'), y: vertexOf('y'), z: vertexOf('z') }
 
   function vertexOf(axis: Axis) {
-    const texel = coarseTexel(coarse.positions, parents[axis]).toVar()
-    return { position: texel.xyz, normal: smoothNormal(coarse, parents[axis], texel.w) }
+    const [position, normal] = [vec3(0).toVar(), vec3(0).toVar()]
+    // Most vertices are the mesh's own, or on an edge.
+    If(weights[axis].greaterThan(0), () => {
+      const texel = coarseTexel(coarse.positions, parents[axis]).toVar()
+      position.assign(texel.xyz)
+      normal.assign(smoothNormal(coarse, parents[axis], texel.w))
+    })
+    return { position, normal }
   }
 
   function displacement(at: Node<'vec2'>): Node<'float'> {
@@ -109,7 +121,10 @@ function surface(
     return normal.mul(flat.sub(position).dot(normal))
   }, weightOf)
   const curved = amountNow.mul(PHONG).mul(min(room.div(ROOM_TO_CURVE), 1))
-  const height = displacement(uvs.xy).add(displacement(uvs.zw)).mul(0.5)
+  const height = displacement(uvs.xy).toVar()
+  If(uvs.x.notEqual(uvs.z).or(uvs.y.notEqual(uvs.w)), () => {
+    height.assign(height.add(displacement(uvs.zw)).mul(0.5))
+  })
   const direction = mixThree((axis) => points[axis].normal, weightOf).normalize()
   const outwards = height.clamp(room.negate(), room).mul(amountNow).mul(unitsPerMetre)
   return flat.sub(curve.mul(curved)).add(direction.mul(outwards))

@@ -17,6 +17,9 @@ export function mouth(context: FaceContext): FaceRegion[] {
   ]
 }
 
+/** The cheek slides over the lip, which hardly moves: the fold takes up its skin, so many millimetres of it. */
+const CHEEK = 10
+
 /** One deep line from the wing of the nose to beside the corner of the mouth, which bulges on the side of the cheek. */
 function nasolabial(
   { landmarks, ageFraction, byAge, rngOf }: FaceContext,
@@ -44,6 +47,7 @@ function nasolabial(
       // The cheek hangs over the fold.
       shoulder: side > 0 ? [1, 0.25] : [0.25, 1],
       lean: side * 0.25,
+      gathers: side * CHEEK,
       softness: byAge(0.5, 0.3),
     },
   ]

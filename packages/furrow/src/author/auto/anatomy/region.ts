@@ -49,6 +49,8 @@ export interface SkinRegion {
 /** Where a crease would run by anatomy alone. */
 export interface Guide extends LineStyle {
   path: readonly ChartPoint[]
+  /** How far the skin reaches that it takes up, in millimetres to the left (+) or right (-) of its direction; by default it is that along the line. */
+  gathers?: number
 }
 
 /** A part of a face. */

@@ -72,6 +72,11 @@ export function drawBlood(
   return { amplitude, maps, areas }
 }
 
+/** The map of a layer that shows no blood. */
+export function withoutBlood(size: number): GrayImage {
+  return { width: size, height: size, data: new Uint8Array(size * size).fill(BLOOD_AT_REST) }
+}
+
 function valleysOf({ width, height, data }: HeightMap): GrayImage {
   const tone = (mm: number) => (mm < 0 ? VALLEY * (1 - Math.exp(mm / VALLEY_DEPTH)) : 0)
   return { width, height, data: Uint8Array.from(data, (mm) => byteOf(tone(mm))) }

@@ -79,7 +79,7 @@ export function flushesOf(landmarks: Landmarks, isMirrored: boolean): Flush[] {
         regions: ['nasolabial'],
         centre: [side * (eye + 4), cheek],
         radii: [25, 19],
-        amount: 0.8,
+        amount: 0.5,
         cause: causeOf({ mouthSmile: 1, cheekSquint: 0.3 }, ends),
         ...REDDENING,
       },

@@ -13,8 +13,12 @@ const AT_REST: readonly (readonly [years: number, fraction: number])[] = [
   [80, 1.05],
 ]
 
-/** Keeps a region's lines when the face is at rest, by the input `age`: what has been folded for long stays so. */
-export function ageDriver({ name, atRest }: SkinRegion): AgeDriver | undefined {
+/**
+ * Keeps a region's lines when the face is at rest, by the input `age`: what has been folded for long stays so.
+ *
+ * @param years of the face until the application sets the input; by default its lines do not show at rest.
+ */
+export function ageDriver({ name, atRest }: SkinRegion, years: number | undefined): AgeDriver | undefined {
   if (atRest === undefined) return undefined
   return {
     type: 'age',
@@ -23,5 +27,6 @@ export function ageDriver({ name, atRest }: SkinRegion): AgeDriver | undefined {
       years,
       Math.min(1, Math.round(1000 * fraction * atRest) / 1000),
     ]),
+    ...(years !== undefined && { initial: years }),
   }
 }

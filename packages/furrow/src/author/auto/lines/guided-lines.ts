@@ -1,6 +1,7 @@
 import { clamp, smoothstep } from '../../../math/scalar.ts'
-import { cross } from '../../../math/vector.ts'
-import type { SkinSurface } from '../../skin/surface.ts'
+import { cross, dot, normalize } from '../../../math/vector.ts'
+import { cornersOf, crossOf, type SkinSurface } from '../../skin/surface.ts'
+import { barycentricsAt, normalAt, walk } from '../../skin/walk.ts'
 import type { Guide } from '../anatomy/region.ts'
 import { bilinearForm, compressionAlong, tensorAt } from '../strain/tensors.ts'
 import { type ChartPoint, type HeadChart, rollUp, unroll } from '../surface/head-chart.ts'
@@ -14,6 +15,8 @@ const YIELD = 0.5
 const MAX_TURN = 0.3
 /** Compression from which on its direction is fully trusted. */
 const TRUSTED = 0.05
+/** Steps over the skin beside a line that it gathers. */
+const GATHERED = 5
 
 /**
  * Lays guides on the skin: each line begins where its guide does and follows it, turned a little towards the direction of strain.
@@ -36,7 +39,7 @@ export function layGuides(
 function followGuide(
   surface: SkinSurface,
   chart: HeadChart,
-  { path }: Guide,
+  { path, gathers = 0 }: Guide,
   tensors: Float64Array,
 ): Omit<LaidLine, 'style'> | undefined {
   const start = chart.find(path[0])
@@ -54,7 +57,11 @@ function followGuide(
     const tensor = tensorAt(surface, tensors, triangle, barycentrics)
     if (!isOver) turnToStrain(tensor, normal, out)
     cross(across, normal, out)
-    compressions.push(compressionAlong(tensor, across[0], across[1], across[2]))
+    compressions.push(
+      gathers === 0
+        ? compressionAlong(tensor, across[0], across[1], across[2])
+        : compressionBeside(surface, tensors, triangle, position, across, gathers),
+    )
     return !isOver
   }
   const trace = traceLine(surface, start, field, 2 * lengthOf(path))
@@ -64,6 +71,37 @@ function followGuide(
     triangles: trace.triangles,
     compressions: compressions.slice(0, trace.triangles.length),
   }
+}
+
+/**
+ * The mean compression across a line, from it to so many millimetres to its left (+) or right (-); on the line alone where the triangles are
+ * so large that they tell no more, and too large for a deep crease.
+ */
+function compressionBeside(
+  surface: SkinSurface,
+  tensors: Float64Array,
+  start: number,
+  from: Float64Array,
+  left: Float64Array,
+  gathers: number,
+): number {
+  const [position, across] = [from.slice(), left.map((value) => Math.sign(gathers) * value)]
+  const [weights, normal] = [new Float64Array(3), new Float64Array(3)]
+  let triangle = start
+  let [sum, count] = [0, 0]
+  const [a, b, c] = cornersOf(surface, start)
+  const isCoarse = Math.sqrt(crossOf(surface.points, a, b, c, normal)) > Math.abs(gathers) / 2
+  while (triangle >= 0 && count <= (isCoarse ? 0 : GATHERED)) {
+    barycentricsAt(weights, surface, triangle, position)
+    normalAt(normal, surface, triangle, weights)
+    const rise = dot(across, normal)
+    for (let k = 0; k < 3; k++) across[k] -= rise * normal[k]
+    normalize(across)
+    sum += compressionAlong(tensorAt(surface, tensors, triangle, weights), across[0], across[1], across[2])
+    count++
+    triangle = walk(surface, triangle, position, across, Math.abs(gathers) / GATHERED)
+  }
+  return sum / count
 }
 
 function isPast(here: ChartPoint, from: ChartPoint, to: ChartPoint): boolean {

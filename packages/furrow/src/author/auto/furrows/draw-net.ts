@@ -1,0 +1,84 @@
+import type { GrayImage } from '../../../core/types.ts'
+import type { MorphDriver } from '../../../drivers/morph/definition.ts'
+import { addFurrows } from '../../furrows/furrows.ts'
+import type { Furrows } from '../../furrows/read-furrows.ts'
+import { heightToNormal } from '../../relief/height-to-normal.ts'
+import { skinCanvas } from '../../skin/canvas.ts'
+import type { SkinTexels } from '../../skin/skin-texels.ts'
+import { flatSkin } from '../../strokes/height.ts'
+import type { AutoLayer, DrawnMaps, MapSettings } from '../raster/draw-maps.ts'
+import { visibility } from '../raster/visibility.ts'
+import type { DetectedFace } from '../surface/detect-face.ts'
+import type { PreparedSkin } from '../surface/prepare-skin.ts'
+import { netDrivers } from './net-drivers.ts'
+import { netWeights } from './net-weights.ts'
+import { FURROW_LAYER, type PlannedNet } from './plan-net.ts'
+
+/** An area of fine furrows. */
+export interface FurrowArea {
+  name: string
+  /** Index of its layer. */
+  layer: number
+  weights: GrayImage
+  /** Deepens the furrows where skin is squeezed, and smooths them where it is pulled. */
+  driver: MorphDriver
+}
+
+/** The net of fine furrows of automatic wrinkles, whose layer is the last one. */
+export interface AutoFurrows {
+  /** As a strokes document has it: with the strokes of all layers, `addFurrows` draws it as the layer's `relief`. */
+  furrows: Furrows
+  areas: FurrowArea[]
+}
+
+/**
+ * Draws the net of a face and its areas.
+ *
+ * @param drawn the layers of lines, which the net follows; its own comes behind them.
+ */
+export function drawNet(
+  prepared: PreparedSkin & { face: DetectedFace },
+  { regions, furrows }: PlannedNet,
+  { layers, areaTexels }: Pick<DrawnMaps, 'layers' | 'areaTexels'>,
+  { size, frame }: MapSettings,
+): { layer: AutoLayer; net: AutoFurrows } {
+  // In the frame of the mesh, as a document is drawn: the net depends on it.
+  const canvas = skinCanvas(prepared.skin, size, size, prepared.scale)
+  const { relief, occlusion } = flatSkin(size, size)
+  addFurrows(
+    relief,
+    canvas,
+    furrows,
+    layers.flatMap(({ strokes }) => strokes),
+  )
+  const normal = heightToNormal(relief, canvas.metric, frame)
+  const weights = drawWeights(prepared.face, regions, areaTexels)
+  const areas = netDrivers(prepared.face, regions).map((driver, i) => ({
+    name: driver.area,
+    layer: layers.length,
+    weights: weights[i],
+    driver,
+  }))
+  return { layer: { name: FURROW_LAYER, strokes: [], normal, relief, occlusion }, net: { furrows, areas } }
+}
+
+/** Weights of the areas; none where skin is not visible from outside. */
+function drawWeights(
+  { chart }: DetectedFace,
+  regions: PlannedNet['regions'],
+  texels: SkinTexels,
+): GrayImage[] {
+  const { width, height } = texels
+  const images = regions.map(() => new Uint8Array(width * height))
+  const weights = new Float64Array(regions.length)
+  texels.visitNear(
+    () => true,
+    (texel, [x, y, z], normal) => {
+      netWeights(regions, x, y, z, weights)
+      if (weights.every((weight) => weight === 0)) return
+      const visible = visibility(chart, x, y, z, normal)
+      for (const [i, data] of images.entries()) data[texel] = Math.round(255 * weights[i] * visible)
+    },
+  )
+  return images.map((data) => ({ width, height, data }))
+}

@@ -1,0 +1,74 @@
+import type { Curve } from '../../../drivers/curve.ts'
+import type { MorphDriver } from '../../../drivers/morph/definition.ts'
+import { roundWeight } from '../fit/fit-driver.ts'
+import { visibility } from '../raster/visibility.ts'
+import { compressionTensors, TENSOR_SIZE } from '../strain/tensors.ts'
+import type { DetectedFace } from '../surface/detect-face.ts'
+import { netWeights } from './net-weights.ts'
+import { AT_REST, type PlannedRegion } from './plan-net.ts'
+
+/** Fraction of its area that the skin of a region loses where its furrows are deepest, and gains where they have gone furthest. */
+const SQUEEZED = 0.12
+const PULLED = 0.2
+/** Activation of skin that is pulled so far. */
+const SMOOTH = 0.1
+/** Fractions of the area below which a target is left out, and targets at most. */
+const NEGLIGIBLE = 0.004
+const MOST_TARGETS = 24
+
+/**
+ * Finds how far each target squeezes the skin of each region. Skin becomes rougher where it is compressed, and smoother where it is stretched
+ * (Nagano et al. 2015, Skin microstructure deformation with displacement map convolution). The fraction of its area that skin loses is
+ * nearly linear in the weights of targets, so that their sum drives the area.
+ */
+export function netDrivers(
+  { chart, surface, offsets, names }: DetectedFace,
+  regions: readonly PlannedRegion[],
+): MorphDriver[] {
+  const { points, normals, areas } = surface
+  const weights = new Float64Array(areas.length * regions.length)
+  const totals = new Float64Array(regions.length)
+  for (let point = 0; point < areas.length; point++) {
+    const own = weights.subarray(regions.length * point, regions.length * (point + 1))
+    const [x, y, z] = points.subarray(3 * point, 3 * point + 3)
+    netWeights(regions, x, y, z, own)
+    const visible = visibility(chart, x, y, z, normals.subarray(3 * point, 3 * point + 3))
+    for (let i = 0; i < regions.length; i++) {
+      own[i] *= visible
+      totals[i] += areas[point] * own[i]
+    }
+  }
+  const links = regions.map((): { name: string; weight: number }[] => [])
+  for (const [target, offset] of offsets.entries()) {
+    const lost = new Float64Array(regions.length)
+    const tensors = compressionTensors(surface, offset)
+    for (let point = 0; point < areas.length; point++) {
+      const first = TENSOR_SIZE * point
+      const trace = tensors[first] + tensors[first + 3] + tensors[first + 5]
+      if (trace === 0) continue
+      for (let i = 0; i < regions.length; i++)
+        lost[i] += areas[point] * weights[regions.length * point + i] * trace
+    }
+    for (const [i, own] of links.entries()) own.push({ name: names[target], weight: lost[i] / totals[i] })
+  }
+  return regions.map(({ name: area }, i) => ({
+    type: 'morph',
+    area,
+    targets: strongest(links[i]),
+    rule: 'sum',
+    curve: [
+      [-PULLED, SMOOTH],
+      [0, AT_REST],
+      [SQUEEZED, 1],
+    ] satisfies Curve,
+  }))
+}
+
+/** Those that count, the strongest first. */
+function strongest(links: readonly { name: string; weight: number }[]): MorphDriver['targets'] {
+  return links
+    .filter(({ weight }) => Math.abs(weight) >= NEGLIGIBLE)
+    .sort((a, b) => Math.abs(b.weight) - Math.abs(a.weight))
+    .slice(0, MOST_TARGETS)
+    .map(({ name, weight }) => ({ name, weight: roundWeight(weight) }))
+}

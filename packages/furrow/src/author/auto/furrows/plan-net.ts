@@ -1,0 +1,127 @@
+import type { Uv } from '../../../core/json.ts'
+import { LEAST_TEXELS } from '../../furrows/furrows.ts'
+import type { FurrowRegion, Furrows } from '../../furrows/read-furrows.ts'
+import { FURROW_WIDTH } from '../../furrows/scatter.ts'
+import { cornersOf, crossOf, skinVertices } from '../../skin/surface.ts'
+import { barycentricsAt } from '../../skin/walk.ts'
+import type { AutoRegion } from '../anatomy/regions.ts'
+import type { MissingRegion } from '../fit/fit-driver.ts'
+import type { DetectedFace } from '../surface/detect-face.ts'
+import type { PreparedSkin } from '../surface/prepare-skin.ts'
+import { ageOfNet, netRegionsOf } from './net-regions.ts'
+
+/** Name of the layer. */
+export const FURROW_LAYER = 'furrows'
+
+/** Activation at rest, between that of skin that is pulled and of skin that is squeezed. */
+export const AT_REST = 0.5
+
+/** Fraction of its regions that a net must be in: it costs a layer. */
+const LEAST_PART = 0.5
+
+/** A part of a net, and where its spheres are in the frame of the face. */
+export interface PlannedRegion {
+  name: string
+  spheres: readonly { position: readonly [number, number, number]; radius: number }[]
+}
+
+/** The net of a face before it is drawn. */
+export interface PlannedNet {
+  regions: readonly PlannedRegion[]
+  /** As a strokes document has it. */
+  furrows: Furrows
+}
+
+export interface NetSettings {
+  age: number
+  strength: number
+  /** Side of the maps in texels. */
+  size: number
+  seed: number
+  regions: readonly AutoRegion[]
+}
+
+/**
+ * Chooses where the net of a face is, and how large its cells are.
+ *
+ * @returns no net where texels are too large for most of it; with the regions that are left out for that.
+ */
+export function planNet(
+  prepared: PreparedSkin & { face: DetectedFace },
+  { age, strength, size, seed, regions }: NetSettings,
+): { net: PlannedNet | undefined; missing: MissingRegion[] } {
+  const { chart, landmarks } = prepared.face
+  const missing: MissingRegion[] = []
+  const planned: PlannedRegion[] = []
+  const documented: FurrowRegion[] = []
+  for (const region of netRegionsOf(landmarks, age)) {
+    if (!region.regions.some((name) => regions.includes(name))) continue
+    const spheres = region.spheres.flatMap(({ centre, radius }) => {
+      const found = chart.find(centre)
+      return found ? [{ ...found, radius }] : []
+    })
+    if (spheres.length === 0) {
+      missing.push({ name: region.name, reason: 'the mesh has no skin there' })
+      continue
+    }
+    const texel =
+      spheres.reduce((sum, { triangle }) => sum + texelSize(prepared, triangle, size), 0) / spheres.length
+    const width = FURROW_WIDTH * region.size
+    if (width < LEAST_TEXELS * texel) {
+      missing.push({ name: region.name, reason: tooFine(width, texel, size) })
+      continue
+    }
+    planned.push({ name: region.name, spheres })
+    for (const { triangle, position, radius } of spheres) {
+      const depth = (region.depth * strength) / AT_REST
+      documented.push({
+        at: uvOf(prepared, triangle, position),
+        radius,
+        size: rounded(region.size),
+        depth: rounded(depth),
+      })
+    }
+  }
+  if (planned.length < LEAST_PART * (planned.length + missing.length)) {
+    const reason = 'the net of fine furrows would be in few regions alone'
+    return { net: undefined, missing: [...missing, ...planned.map(({ name }) => ({ name, reason }))] }
+  }
+  if (documented.length === 0) return { net: undefined, missing }
+  const [{ size: usual, depth }] = documented
+  const furrows = {
+    size: usual,
+    depth,
+    stretch: rounded(ageOfNet(age).stretch),
+    seed,
+    layer: FURROW_LAYER,
+    regions: documented,
+  }
+  return { net: { regions: planned, furrows }, missing }
+}
+
+/** Millimetres across a texel: the root of its area on a triangle. */
+function texelSize({ skin, surface }: PreparedSkin, triangle: number, size: number): number {
+  const [a, b, c] = skinVertices(skin, surface, triangle)
+  const uv = (vertex: number) => [skin.uvs[2 * vertex], skin.uvs[2 * vertex + 1]] as const
+  const [[u0, v0], [u1, v1], [u2, v2]] = [uv(a), uv(b), uv(c)]
+  const texels = size ** 2 * Math.abs((u1 - u0) * (v2 - v0) - (u2 - u0) * (v1 - v0))
+  return Math.sqrt(crossOf(surface.points, ...cornersOf(surface, triangle), new Float64Array(3)) / texels)
+}
+
+/** @param texel millimetres across one of a map of this size. */
+function tooFine(width: number, texel: number, size: number): string {
+  let enough = size
+  while (width * enough < LEAST_TEXELS * texel * size) enough *= 2
+  return `fine furrows are less than two texels wide there, and more with a size of ${enough}`
+}
+
+function uvOf({ surface, locator }: PreparedSkin, triangle: number, position: ArrayLike<number>): Uv {
+  const weights = new Float64Array(3)
+  barycentricsAt(weights, surface, triangle, position)
+  const [u, v] = locator.uvAt(triangle, weights)
+  return [rounded(u), rounded(v)]
+}
+
+function rounded(value: number): number {
+  return Math.round(1e4 * value) / 1e4
+}

@@ -1,0 +1,67 @@
+import { clamp, smoothstep } from '../../math/scalar.ts'
+import { positionAt } from '../skin/walk.ts'
+import type { LocatedSkin } from '../strokes/curve.ts'
+import type { Furrows } from './read-furrows.ts'
+
+/** Numbers of a region: its centre, the square of its radius, size and depth. */
+const REGION = 6
+/** Weight of regions, together, at which the net is as deep as they say. */
+const FULL = 0.3
+
+/** How large and deep the cells of a net are, from place to place. */
+export class LocalCells {
+  /** The smallest and the largest size in millimetres. */
+  readonly smallest: number
+  readonly largest: number
+  /** Of the last position: millimetres across a cell, and of its depth, which is 0 where there is no net. */
+  size: number
+  depth: number
+  /** Undefined where the cells are the same everywhere. */
+  readonly #regions: Float64Array | undefined
+
+  constructor({ size, depth, regions }: Furrows, { surface, locator }: LocatedSkin) {
+    this.size = size
+    this.depth = depth
+    const weights = new Float64Array(3)
+    const position = new Float64Array(3)
+    const placed = regions?.flatMap(({ at, radius, ...cells }) => {
+      const triangle = locator.find(at[0], at[1], weights)
+      if (triangle < 0) return []
+      positionAt(position, surface, triangle, weights)
+      return [...position, radius ** 2, cells.size, cells.depth]
+    })
+    this.#regions = placed && Float64Array.from(placed)
+    const sizes = regions?.map((region) => region.size) ?? [size]
+    this.smallest = Math.min(...sizes)
+    this.largest = Math.max(...sizes)
+  }
+
+  /** Finds the cells of a position: means of those of the regions it is in, by weights that fall to 0 at their radius. */
+  find(x: number, y: number, z: number): void {
+    const regions = this.#regions
+    if (!regions) return
+    let [total, size, depth] = [0, 0, 0]
+    for (let i = 0; i < regions.length; i += REGION) {
+      const square = (x - regions[i]) ** 2 + (y - regions[i + 1]) ** 2 + (z - regions[i + 2]) ** 2
+      if (square >= regions[i + 3]) continue
+      const weight = (1 - square / regions[i + 3]) ** 2
+      total += weight
+      size += weight * regions[i + 4]
+      depth += weight * regions[i + 5]
+    }
+    this.size = total > 0 ? size / total : this.largest
+    this.depth = total > 0 ? (depth / total) * smoothstep(total / FULL) : 0
+  }
+
+  /** Whether there may be a net in a box. */
+  isIn(low: Float64Array, high: Float64Array): boolean {
+    const regions = this.#regions
+    if (!regions) return true
+    for (let i = 0; i < regions.length; i += REGION) {
+      let square = 0
+      for (let k = 0; k < 3; k++) square += (clamp(regions[i + k], low[k], high[k]) - regions[i + k]) ** 2
+      if (square < regions[i + 3]) return true
+    }
+    return false
+  }
+}

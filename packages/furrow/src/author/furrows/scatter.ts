@@ -1,0 +1,230 @@
+import { hash32 } from '../../math/hash.ts'
+import { triangleNormal } from '../../math/triangle.ts'
+import { normalize } from '../../math/vector.ts'
+import { cornersOf, crossOf, type SkinSurface, triangleBox } from '../skin/surface.ts'
+import { barycentricsAt } from '../skin/walk.ts'
+import { TENSOR } from './direction-field.ts'
+import type { LocalCells } from './local-cells.ts'
+import { SeedGrid } from './seed-grid.ts'
+
+/** Seeds of cells. */
+export interface Seeds {
+  /** x, y and z of each. */
+  positions: Float64Array
+  /** Of each the matrix by which the squares of distances from it are measured, `TENSOR` numbers. */
+  metrics: Float64Array
+  /** Millimetres across its cell. */
+  sizes: Float64Array
+  /** How much of the furrows round it texels can show, 0..1. */
+  visible: Float64Array
+  /** A random whole number of each. */
+  hashes: Uint32Array
+}
+
+/** What cells are like on a skin. */
+export interface CellSource {
+  surface: SkinSurface
+  /** `directionsAlong` at the points of the surface. */
+  directions: Float64Array
+  cells: LocalCells
+  /** How many times as long as wide they are on a line. */
+  stretch: number
+  seed: number
+  /** Fraction of the size of `cells` that these have. */
+  part: number
+  /** How much of a furrow the texels of a triangle can show, 0..1. */
+  visible(triangle: number, width: number): number
+}
+
+/** Width of a furrow as a fraction of its cells' size. */
+export const FURROW_WIDTH = 0.3
+
+/** Side of a cell of the lattice that candidates lie in, as a fraction of the smallest size. */
+const LATTICE = 0.5
+/** Distance from the skin within which they count, as a fraction of the lattice's side: one per square of the lattice's side then does. */
+const SHELL = 0.5
+/** Least distance of two seeds as a fraction of the size: random disks so wide leave that size between their centres, on average. */
+const APART = 0.8
+/** Longest edge of a triangle whose box is searched, in cells of the lattice. */
+const LONGEST = 8
+/** Candidates at most, about: the lattice is coarser where there would be more. */
+const MOST_CANDIDATES = 1_500_000
+
+/**
+ * Scatters seeds over a skin so that no two are near each other, and hardly a gap is between (Poisson disks). Candidates are the points of
+ * a jittered lattice in space that are next to the skin: neither its triangles nor its texture change them. Where the skin has a direction,
+ * disks are ellipses along it.
+ */
+export function scatterSeeds(source: CellSource): Seeds {
+  const candidates = candidatesOn(source)
+  const { positions, metrics, sizes } = candidates
+  const count = sizes.length
+  const largest = APART * source.part * source.cells.largest * source.stretch
+  const grid = new SeedGrid(positions, largest)
+  const kept: number[] = []
+  for (const index of inRandomOrder(candidates.hashes)) {
+    const position = positions.subarray(3 * index, 3 * index + 3)
+    const [x, y, z] = position
+    const radius = APART * sizes[index]
+    const near = grid.search(position, position, radius * source.stretch)
+    let isFree = true
+    for (let n = 0; n < near.length && isFree; n++) {
+      const other = 3 * near[n]
+      const [dx, dy, dz] = [positions[other] - x, positions[other + 1] - y, positions[other + 2] - z]
+      isFree = squareBy(metrics, TENSOR * index, dx, dy, dz) >= radius * radius
+    }
+    if (!isFree) continue
+    grid.add(index)
+    kept.push(index)
+  }
+  if (kept.length === count) return candidates
+  const pick = (values: Float64Array, stride: number) => {
+    const out = new Float64Array(stride * kept.length)
+    for (const [i, index] of kept.entries())
+      out.set(values.subarray(stride * index, stride * (index + 1)), stride * i)
+    return out
+  }
+  return {
+    positions: pick(positions, 3),
+    metrics: pick(metrics, TENSOR),
+    sizes: pick(sizes, 1),
+    visible: pick(candidates.visible, 1),
+    hashes: Uint32Array.from(kept, (index) => candidates.hashes[index]),
+  }
+}
+
+/** The square of a distance by the matrix that begins at an index. */
+export function squareBy(m: Float64Array, i: number, dx: number, dy: number, dz: number): number {
+  return (
+    m[i] * dx * dx +
+    m[i + 1] * dy * dy +
+    m[i + 2] * dz * dz +
+    2 * (m[i + 3] * dx * dy + m[i + 4] * dx * dz + m[i + 5] * dy * dz)
+  )
+}
+
+/** Indices in the order of their hashes. */
+function inRandomOrder(hashes: Uint32Array): Uint32Array {
+  // Both numbers fit into the 53 bits of one.
+  const bits = 2 ** 21
+  const keys = Float64Array.from(hashes, (hash, i) => hash * bits + (i % bits)).sort()
+  return Uint32Array.from(keys, (key) => key % bits)
+}
+
+/** Points of the lattice next to the skin that a furrow could be seen at. */
+function candidatesOn(source: CellSource): Seeds {
+  const { surface, cells, part, seed } = source
+  const triangles = visibleTriangles(source)
+  const area = triangles.reduce((sum, { area }) => sum + area, 0)
+  const side = Math.max(LATTICE * part * cells.smallest, Math.sqrt(area / MOST_CANDIDATES))
+  const [positions, metrics, sizes, visibles, hashes]: number[][] = [[], [], [], [], []]
+  const seen = new Set<number>()
+  const [point, weights, normal] = [new Float64Array(3), new Float64Array(3), new Float64Array(3)]
+  const metric = new Float64Array(TENSOR)
+
+  const tryCell = ({ triangle, visible }: VisibleTriangle, i: number, j: number, k: number) => {
+    const hash = hash32(Math.imul(i, 0x8da6b343) ^ Math.imul(j, 0xd8163841) ^ Math.imul(k, 0xcb1ab31f) ^ seed)
+    point[0] = (i + (hash & 1023) / 1024) * side
+    point[1] = (j + ((hash >>> 10) & 1023) / 1024) * side
+    point[2] = (k + ((hash >>> 20) & 1023) / 1024) * side
+    let away = 0
+    for (let n = 0; n < 3; n++)
+      away += normal[n] * (point[n] - surface.points[3 * surface.corners[3 * triangle] + n])
+    if (Math.abs(away) >= SHELL * side) return
+    barycentricsAt(weights, surface, triangle, point)
+    if (!(weights[0] >= 0 && weights[1] >= 0 && weights[2] >= 0)) return
+    cells.find(point[0], point[1], point[2])
+    if (cells.depth === 0) return
+    // Skin in folds may come by twice.
+    const key = ((i & 0x1ffff) * 0x20000 + (j & 0x1ffff)) * 0x20000 + (k & 0x1ffff)
+    if (seen.has(key)) return
+    seen.add(key)
+    metricAt(metric, source, triangle, weights)
+    positions.push(point[0], point[1], point[2])
+    metrics.push(metric[0], metric[1], metric[2], metric[3], metric[4], metric[5])
+    sizes.push(part * cells.size)
+    visibles.push(visible)
+    hashes.push(hash32(hash ^ k))
+  }
+  const visitBox = (triangle: VisibleTriangle, a: Position, b: Position, c: Position) => {
+    const longest = longestEdge(a, b, c)
+    if (longest.square > (LONGEST * side) ** 2) {
+      const [from, to, other] = longest.corners
+      const middle = [0, 1, 2].map((n) => (from[n] + to[n]) / 2)
+      visitBox(triangle, from, middle, other)
+      visitBox(triangle, middle, to, other)
+      return
+    }
+    const cell = (n: number, least: boolean) =>
+      Math.floor(
+        (least ? Math.min(a[n], b[n], c[n]) : Math.max(a[n], b[n], c[n])) / side + (least ? -1 : 1) * SHELL,
+      )
+    const [i1, j1, k1] = [cell(0, false), cell(1, false), cell(2, false)]
+    for (let i = cell(0, true); i <= i1; i++) {
+      for (let j = cell(1, true); j <= j1; j++) {
+        for (let k = cell(2, true); k <= k1; k++) tryCell(triangle, i, j, k)
+      }
+    }
+  }
+  for (const visible of triangles) {
+    const [a, b, c] = cornersOf(surface, visible.triangle)
+    const at = (corner: number) => surface.points.subarray(3 * corner, 3 * corner + 3)
+    triangleNormal(normal, surface.points, a, b, c)
+    normalize(normal)
+    visitBox(visible, at(a), at(b), at(c))
+  }
+  return {
+    positions: Float64Array.from(positions),
+    metrics: Float64Array.from(metrics),
+    sizes: Float64Array.from(sizes),
+    visible: Float64Array.from(visibles),
+    hashes: Uint32Array.from(hashes),
+  }
+}
+
+interface VisibleTriangle {
+  triangle: number
+  area: number
+  /** How much of its furrows texels can show, more than 0. */
+  visible: number
+}
+
+/** Triangles that have a net which the texels can show. */
+function visibleTriangles({ surface, cells, part, visible }: CellSource): VisibleTriangle[] {
+  const found: VisibleTriangle[] = []
+  const [low, high, normal] = [new Float64Array(3), new Float64Array(3), new Float64Array(3)]
+  const { points } = surface
+  for (let triangle = 0; triangle < surface.skinTriangles.length; triangle++) {
+    triangleBox(surface, triangle, low, high)
+    if (!cells.isIn(low, high)) continue
+    const [a, b, c] = cornersOf(surface, triangle)
+    const centre = (k: number) => (points[3 * a + k] + points[3 * b + k] + points[3 * c + k]) / 3
+    cells.find(centre(0), centre(1), centre(2))
+    const seen = visible(triangle, FURROW_WIDTH * part * cells.size)
+    if (seen > 0) found.push({ triangle, area: crossOf(points, a, b, c, normal) / 2, visible: seen })
+  }
+  return found
+}
+
+type Position = ArrayLike<number>
+
+/** The longest edge of a triangle: the square of its length, its two corners and the third. */
+function longestEdge(a: Position, b: Position, c: Position) {
+  const square = (p: Position, q: Position) => (p[0] - q[0]) ** 2 + (p[1] - q[1]) ** 2 + (p[2] - q[2]) ** 2
+  const [ab, bc, ca] = [square(a, b), square(b, c), square(c, a)]
+  if (ab >= bc && ab >= ca) return { square: ab, corners: [a, b, c] as const }
+  if (bc >= ca) return { square: bc, corners: [b, c, a] as const }
+  return { square: ca, corners: [c, a, b] as const }
+}
+
+/** The identity, less what counts along the direction of the skin's lines. */
+function metricAt(out: Float64Array, source: CellSource, triangle: number, weights: Float64Array): void {
+  const { surface, directions, stretch } = source
+  const less = 1 - 1 / stretch ** 2
+  for (let k = 0; k < TENSOR; k++) {
+    let along = 0
+    for (let n = 0; n < 3; n++)
+      along += weights[n] * directions[TENSOR * surface.corners[3 * triangle + n] + k]
+    out[k] = (k < 3 ? 1 : 0) - less * along
+  }
+}

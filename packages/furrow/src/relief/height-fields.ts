@@ -1,0 +1,140 @@
+import type { ImageArray } from '../core/pack.ts'
+
+/** A layer with heights, as far as these are in memory. */
+export interface RaisedLayer {
+  /** Slice of its heights. */
+  slice: number
+  /** Metres from black to white. */
+  amplitude: number
+  /** Slices of its areas. */
+  areas: readonly number[]
+}
+
+/** Texels of which each is 1 or 0. */
+export interface Mask {
+  width: number
+  height: number
+  data: Uint8Array
+}
+
+/** How far a layer moves the surface where all of its areas are active, in texture space. */
+export class HeightField {
+  readonly width: number
+  readonly height: number
+  readonly #levels: Uint8Array
+  readonly #first: number
+  readonly #metresPerLevel: number
+  readonly #weights: Uint8Array | null
+  readonly #areas: ImageArray | null
+
+  /**
+   * @param heights gray, 127.5 = the surface.
+   * @param areas weights, one slice each; null where they are not in memory, and may be 255 anywhere.
+   */
+  constructor(
+    { slice, amplitude, areas: slices }: RaisedLayer,
+    heights: ImageArray,
+    areas: ImageArray | null,
+  ) {
+    this.width = heights.width
+    this.height = heights.height
+    this.#levels = heights.data
+    this.#first = slice * heights.width * heights.height
+    this.#metresPerLevel = amplitude / 255
+    this.#weights = areas && widen(unite(areas, slices), areas)
+    this.#areas = areas
+  }
+
+  /** Metres outwards at a texel. */
+  at(x: number, y: number): number {
+    const { width, height } = this
+    const metres = (this.#levels[this.#first + x + y * width] - 127.5) * this.#metresPerLevel
+    if (!this.#weights || !this.#areas) return metres
+    const column = Math.floor(((x + 0.5) / width) * this.#areas.width)
+    const row = Math.floor(((y + 0.5) / height) * this.#areas.height)
+    return (metres * this.#weights[column + row * this.#areas.width]) / 255
+  }
+
+  /** Adds how many metres each texel can be moved, in either direction. */
+  addReach(sums: Float32Array): void {
+    const { width, height } = this
+    const areas = this.#areas
+    for (let y = 0; y < height; y++) {
+      const row = areas ? areas.width * Math.floor(((y + 0.5) / height) * areas.height) : 0
+      for (let x = 0; x < width; x++) {
+        // Most of the texture is under no area.
+        if (areas && this.#weights && !this.#weights[row + Math.floor(((x + 0.5) / width) * areas.width)])
+          continue
+        sums[x + y * width] += Math.abs(this.at(x, y))
+      }
+    }
+  }
+
+  /** Metres outwards between texels, whose centres are at whole numbers; coordinates are repeated. */
+  between(x: number, y: number): number {
+    const right = x - Math.floor(x)
+    const down = y - Math.floor(y)
+    const x0 = wrap(Math.floor(x), this.width)
+    const y0 = wrap(Math.floor(y), this.height)
+    const x1 = x0 + 1 === this.width ? 0 : x0 + 1
+    const y1 = y0 + 1 === this.height ? 0 : y0 + 1
+    const above = this.at(x0, y0) * (1 - right) + this.at(x1, y0) * right
+    const below = this.at(x0, y1) * (1 - right) + this.at(x1, y1) * right
+    return above * (1 - down) + below * down
+  }
+}
+
+/** Finds the texels at which the layers together can move the surface by more than some metres. */
+export function raisedTexels(fields: readonly HeightField[], metres: number): Mask {
+  const [{ width, height }] = fields
+  const sums = new Float32Array(width * height)
+  for (const field of fields) field.addReach(sums)
+  const mask = new Uint8Array(sums.length)
+  for (let i = 0; i < sums.length; i++) if (sums[i] > metres) mask[i] = 1
+  return { width, height, data: widen(mask, { width, height }) }
+}
+
+/** Finds the texels on which any of some areas has weight, whatever heights there are. */
+export function weightedTexels(areas: ImageArray, slices: readonly number[]): Mask {
+  const weights = unite(areas, slices)
+  const { width, height } = areas
+  return {
+    width,
+    height,
+    data: widen(
+      weights.map((weight) => Number(weight > 0)),
+      areas,
+    ),
+  }
+}
+
+function wrap(texel: number, size: number): number {
+  return ((texel % size) + size) % size
+}
+
+/** The sum of some areas, at most 255: no way of combining them shows more. */
+function unite({ width, height, data }: ImageArray, slices: readonly number[]): Uint8Array {
+  const sum = new Uint8ClampedArray(width * height)
+  for (const slice of slices) {
+    const first = slice * sum.length
+    for (let i = 0; i < sum.length; i++) sum[i] += data[first + i]
+  }
+  return new Uint8Array(sum.buffer)
+}
+
+/** The largest of every texel and its neighbours: as far as bilinear filtering spreads it. */
+function widen(values: Uint8Array, { width, height }: { width: number; height: number }): Uint8Array {
+  const rows = new Uint8Array(values.length)
+  for (let y = 0; y < height; y++) {
+    for (let x = 0; x < width; x++) {
+      const i = x + y * width
+      rows[i] = Math.max(values[i], x > 0 ? values[i - 1] : 0, x < width - 1 ? values[i + 1] : 0)
+    }
+  }
+  const wide = new Uint8Array(values.length)
+  for (let i = 0; i < wide.length; i++) {
+    const [above, below] = [i - width, i + width]
+    wide[i] = Math.max(rows[i], above >= 0 ? rows[above] : 0, below < wide.length ? rows[below] : 0)
+  }
+  return wide
+}

@@ -1,0 +1,54 @@
+import { AGES, BEFORE } from './faces.mjs'
+
+export const both = (name, weight = 1) => ({ [`${name}Left`]: weight, [`${name}Right`]: weight })
+
+/** Close-ups of 1600 x 1200 pixels, of which the middle of the face is shown. */
+const SIZE = { width: 1600, height: 1200 }
+const VIEWS = {
+  profile: { yaw: 90, pitch: 2, zoom: 1.9 },
+  'three-quarter': { yaw: 38, pitch: 2, zoom: 1.9 },
+}
+const SHOWN = { width: 880, height: 1100 }
+
+/** The faces, and where the shown part begins: from the top, and from the left in each view. */
+const FACES = {
+  human: { top: 100, left: { profile: 60, 'three-quarter': 230 } },
+  'human-2': { top: 100, left: { profile: 60, 'three-quarter': 230 } },
+  scan: { mesh: 'face', top: 40, left: { profile: 160, 'three-quarter': 330 } },
+}
+
+/** Each row is one of them. */
+const EXPRESSIONS = [
+  { browInnerUp: 1, ...both('browOuterUp'), ...both('eyeWide', 0.6) },
+  { ...both('browDown'), ...both('noseSneer', 0.3), ...both('eyeSquint', 0.4) },
+  { ...both('noseSneer'), ...both('mouthUpperUp', 0.4), ...both('browDown', 0.3) },
+  { ...both('mouthSmile', 0.9), ...both('cheekSquint', 0.8), ...both('eyeSquint', 0.3) },
+]
+
+/** A row of pictures for each expression: at 70 years by the version before, if there is one, and now at each age. */
+function closeUps(name, view) {
+  const { mesh, top, left } = FACES[name]
+  const columns = [
+    ...(BEFORE ? [{ face: `${name}Before` }] : []),
+    ...AGES.map((age) => ({ face: `${name}${age}`, relief: 'on' })),
+  ]
+  return EXPRESSIONS.flatMap((targets) =>
+    columns.map((column, i) => ({
+      ...SIZE,
+      ...column,
+      ...(mesh && { mesh }),
+      view: VIEWS[view],
+      targets,
+      crop: { ...SHOWN, left: left[view], top },
+      scale: 0.55,
+      beginsRow: i === 0,
+    })),
+  )
+}
+
+/** Figures of `docs/skin.md`. */
+export const CLOSE_UPS = Object.fromEntries(
+  Object.keys(FACES).flatMap((name) =>
+    Object.keys(VIEWS).map((view) => [`skin/${name}-${view}`, closeUps(name, view)]),
+  ),
+)

@@ -1,0 +1,136 @@
+/** What the figures of the README and the docs show. Figures 8, 9 and 10 are the paper's. */
+
+import { both, CLOSE_UPS } from './close-ups.mjs'
+import { AGES, SKINS } from './faces.mjs'
+import { MOVING, movingPictures } from './moving.mjs'
+
+/** Crops of larger pictures, in which the face fills the frame. */
+const PORTRAIT = { width: 900, height: 1050, crop: { left: 180, top: 50, width: 540, height: 720 } }
+const EYE = {
+  width: 1600,
+  height: 1200,
+  view: 'close',
+  crop: { left: 700, top: 330, width: 720, height: 540 },
+}
+
+const BROW = {
+  width: 1600,
+  height: 1200,
+  view: 'close',
+  targets: { browOuterUpLeft: 1, browInnerUp: 0.4 },
+  crop: { left: 480, top: 130, width: 720, height: 480 },
+}
+const FOREHEAD = { ...PORTRAIT, expression: 'surprised', crop: { ...PORTRAIT.crop, height: 480 } }
+
+/** Pictures of example pages. */
+const PAGE = { width: 720, height: 900, crop: { left: 135, top: 20, width: 450, height: 540 } }
+/** Drawn on WebGL 2, since a WebGPU canvas cannot be captured without a GPU. */
+const CHEEKS = { width: 1100, height: 1300, crop: { left: 300, top: 400, width: 500, height: 500 } }
+const HAND = { width: 900, height: 900, crop: { left: 190, top: 130, width: 490, height: 660 } }
+const FIST = { width: 1300, height: 1300, crop: { left: 440, top: 540, width: 460, height: 420 } }
+const NECK = { width: 900, height: 900, crop: { left: 270, top: 130, width: 450, height: 660 } }
+const BASIC_EXPRESSIONS = ['neutral', 'happiness', 'surprise', 'anger', 'sadness', 'fear', 'disgust']
+
+/** Poses that show automatic wrinkles. */
+const POSES = [
+  { browInnerUp: 1, ...both('browOuterUp'), ...both('eyeWide', 0.8), jawOpen: 0.25 },
+  { ...both('browDown'), ...both('eyeSquint', 0.3), ...both('mouthPress', 0.4) },
+  { ...both('mouthSmile', 0.9), ...both('cheekSquint', 0.8), ...both('eyeSquint', 0.3) },
+  { ...both('noseSneer'), ...both('mouthUpperUp', 0.5), ...both('browDown', 0.4) },
+  { ...both('eyeSquint'), ...both('cheekSquint') },
+  { mouthPucker: 1 },
+  { browOuterUpLeft: 1, browInnerUp: 0.2 },
+  { mouthSmileRight: 1, cheekSquintRight: 0.8 },
+]
+/** A row without wrinkles, and one for each age. */
+const agesOf = (name, picture) =>
+  [undefined, ...AGES].flatMap((age) =>
+    POSES.map((targets, i) => ({
+      ...picture,
+      targets,
+      face: `${name}${age ?? AGES[0]}`,
+      mode: age === undefined ? 'off' : 'default',
+      beginsRow: i === 0,
+    })),
+  )
+
+const FLUSHED = { width: 760, height: 760, crop: { left: 250, top: 170, width: 260, height: 380 } }
+const FLUSHES = [
+  { ...both('mouthSmile', 0.9), ...both('cheekSquint', 0.8) },
+  { ...both('noseSneer'), ...both('browDown', 0.8) },
+]
+
+/** A row for each skin: each expression without blood and with it. */
+const bloodOfSkins = () =>
+  Object.keys(SKINS).flatMap((skin) =>
+    FLUSHES.flatMap((targets, i) =>
+      ['Pale', ''].map((end, k) => ({
+        ...FLUSHED,
+        targets,
+        face: `${skin}${end}`,
+        beginsRow: i === 0 && k === 0,
+      })),
+    ),
+  )
+
+/**
+ * The file and the pictures of each figure: from left to right, in rows of which each begins with a picture that says so. A picture is
+ * the request for it, the part of it that is shown, and how much that is enlarged; or an example page. `face` is one of `FACES`, by default the shipped one.
+ */
+export const FIGURES = {
+  'figure-8': [
+    { ...PORTRAIT, expression: 'neutral' },
+    { ...PORTRAIT, expression: 'surprised' },
+  ],
+  'figure-9': [
+    { ...PORTRAIT, expression: 'leftBrow' },
+    { ...PORTRAIT, expression: 'rightBrow' },
+  ],
+  'figure-10': [
+    { ...EYE, activations: { crowsFeetLeft: 1 }, targets: { cheekSquintLeft: 1, eyeSquintLeft: 0.6 } },
+  ],
+  ktx2: [
+    { ...BROW, face: 'images' },
+    { ...BROW, face: 'arrays' },
+  ],
+  muscles: BASIC_EXPRESSIONS.map((name) => ({ ...PAGE, page: `muscles.html?expression=${name}` })),
+  joints: [
+    { ...HAND, page: 'joints.html?fist=0' },
+    { ...HAND, page: 'joints.html?fist=1&smooth' },
+    { ...HAND, page: 'joints.html?fist=1' },
+    { ...NECK, page: 'joints.html?model=neck&turn=1&smooth' },
+    { ...NECK, page: 'joints.html?model=neck&turn=1' },
+  ],
+  knuckles: [
+    { ...FIST, page: 'joints.html?fist=1&view=165&smooth' },
+    { ...FIST, page: 'joints.html?fist=1&view=165' },
+  ],
+  age: [20, 40, 60, 80].map((years) => ({ ...PAGE, page: `age.html?age=${years}` })),
+  normals: ['none', 'baked', 'recomputed'].map((remedy) => ({
+    ...CHEEKS,
+    page: `normals.html?webgl&remedy=${remedy}&cheekPuff=1&mouthPucker=0.7`,
+  })),
+  'auto-human': agesOf('human', {
+    width: 630,
+    height: 540,
+    crop: { left: 157, top: 36, width: 315, height: 374 },
+  }),
+  'auto-scan': agesOf('scan', {
+    mesh: 'face',
+    width: 630,
+    height: 540,
+    crop: { left: 157, top: 8, width: 315, height: 374 },
+  }),
+  blood: bloodOfSkins(),
+  transform: [FOREHEAD, { ...FOREHEAD, face: 'lossless' }, { ...FOREHEAD, face: 'lossy' }],
+  ...CLOSE_UPS,
+  [MOVING]: movingPictures(),
+}
+
+/** Formats of files other than PNG: many faces are smaller as JPEG. */
+export const FORMATS = {
+  ...Object.fromEntries(
+    ['auto-human', 'auto-scan', 'blood', ...Object.keys(CLOSE_UPS)].map((name) => [name, 'jpg']),
+  ),
+  [MOVING]: 'webp',
+}

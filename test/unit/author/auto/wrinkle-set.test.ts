@@ -1,0 +1,22 @@
+import { expect, it } from 'vitest'
+import { autoWrinkleSet } from '../../../../packages/furrow/src/author/index.ts'
+
+it('a set of automatic wrinkles has heights in levels of half the side, and their amplitude in metres', () => {
+  const gray = { width: 4, height: 4, data: new Uint8Array(16).fill(255) }
+  const normal = { ...gray, data: new Uint8Array(64).fill(255) }
+  // Millimetres: a bulge in one quarter, and a valley of twice its height in another.
+  const data = Float32Array.from({ length: 16 }, (_, i) =>
+    i % 4 < 2 && i < 8 ? 0.2 : i % 4 > 1 && i > 7 ? -0.4 : 0,
+  )
+  const layer = { name: 'a', strokes: [], normal, occlusion: gray, relief: { width: 4, height: 4, data } }
+  const blood = { maps: [gray], areas: [], amplitude: 1 }
+  const [made] = autoWrinkleSet({
+    layers: [layer],
+    areas: [],
+    blood,
+    furrows: undefined,
+    expressions: [],
+  }).layers
+  expect(made.height).toEqual({ width: 2, height: 2, data: Uint8Array.of(191, 128, 128, 0) })
+  expect(made.heightAmplitude).toBeCloseTo(0.0008, 9)
+})

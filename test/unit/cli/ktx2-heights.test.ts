@@ -1,0 +1,14 @@
+import { expect, it } from 'vitest'
+import { encodePng } from '../../../packages/cli/src/images/encode.ts'
+import { encodeMapArrays } from '../../../packages/cli/src/wrinkles/ktx2-images.ts'
+
+it('heights of files with KTX 2 arrays remain the images that they are', async () => {
+  const size = { width: 4, height: 4 }
+  const bytes = await encodePng({ ...size, channels: 3, data: new Uint8Array(48).fill(128) })
+  const image = { name: 'map', mimeType: 'image/png', bytes, ...size }
+  const layer = { name: 'a', kind: 'detail' as const, normal: image, height: image, heightAmplitude: 0.001 }
+  const [encoded] = await encodeMapArrays([layer], 'test')
+  expect(encoded.height).toBe(image)
+  expect(encoded.heightAmplitude).toBe(0.001)
+  expect(encoded.normal.mimeType).toBe('image/ktx2')
+})

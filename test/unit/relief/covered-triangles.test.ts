@@ -1,0 +1,49 @@
+import { expect, it } from 'vitest'
+import { coveredTriangles } from '../../../packages/furrow/src/relief/covered-triangles.ts'
+import {
+  HeightField,
+  raisedTexels,
+  weightedTexels,
+} from '../../../packages/furrow/src/relief/height-fields.ts'
+
+const SIDE = 16
+
+/** Triangles at 4 of 16 texels from the corner, over the whole texture, far from there, and at the same texel of another repetition. */
+function triangles() {
+  const at = (u: number, v: number, side: number) => [u, v, u + side, v, u, v + side]
+  const uvs = [...at(0.28, 0.28, 0.001), ...at(0, 0, 0.9), ...at(0.6, 0.6, 0.2), ...at(-0.72, 2.28, 0.001)]
+  return { positions: new Float32Array(36), uvs, triangles: Array.from({ length: 12 }, (_, i) => i) }
+}
+
+/** Slices of one value, but for the texel (4, 4) of the last one. */
+function images(depth: number, value: number, texel: number) {
+  const data = new Uint8Array(depth * SIDE * SIDE).fill(value)
+  data[(depth - 1) * SIDE * SIDE + 4 + 4 * SIDE] = texel
+  return { width: SIDE, height: SIDE, depth, channels: 1 as const, data }
+}
+
+const LAYER = { slice: 0, amplitude: 0.002, areas: [0] }
+
+it('a triangle is covered where an area has any weight on it, however small either is', () => {
+  const areas = images(2, 0, 1)
+  expect([...coveredTriangles(triangles(), weightedTexels(areas, [1]))]).toEqual([1, 1, 0, 1])
+  expect([...coveredTriangles(triangles(), weightedTexels(areas, [0]))]).toEqual([0, 0, 0, 0])
+})
+
+it('texels are raised where the heights of a layer times its areas are more than asked for', () => {
+  const raised = (areas: ReturnType<typeof images> | null, metres: number) => {
+    const field = new HeightField(LAYER, images(1, 128, 255), areas)
+    return [...coveredTriangles(triangles(), raisedTexels([field], metres))]
+  }
+  expect(raised(null, 0.0001)).toEqual([1, 1, 0, 1])
+  expect(raised(images(1, 255, 255), 0.0001)).toEqual([1, 1, 0, 1])
+  expect(raised(images(1, 0, 0), 0.0001)).toEqual([0, 0, 0, 0])
+  expect(raised(images(1, 100, 100), 0.0003)).toEqual([1, 1, 0, 1])
+  expect(raised(images(1, 100, 100), 0.0005)).toEqual([0, 0, 0, 0])
+})
+
+it('layers raise a texel together', () => {
+  const field = new HeightField(LAYER, images(1, 255, 255), null)
+  expect(raisedTexels([field], 0.0015).data[0]).toBe(0)
+  expect(raisedTexels([field, field], 0.0015).data[0]).toBe(1)
+})

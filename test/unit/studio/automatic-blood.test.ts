@@ -1,0 +1,133 @@
+import { autoWrinkles, halfSide } from 'furrow/author'
+import sharp from 'sharp'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { findSkin } from '../../../packages/cli/src/auto/find-skin.ts'
+import { packAuto } from '../../../packages/cli/src/auto/pack-auto.ts'
+import { readDocument } from '../../../packages/cli/src/gltf/read-document.ts'
+import { encodePng } from '../../../packages/cli/src/images/encode.ts'
+import type { PackedWrinkles } from '../../../packages/cli/src/wrinkles/embed.ts'
+import { automaticDocument, remake } from '../../../studio/src/document/automatic.ts'
+import type { AutoSettings, ImageFile, StudioDocument } from '../../../studio/src/document/document.ts'
+import { setLayer, setMap } from '../../../studio/src/document/layers.ts'
+import { projectFiles, type StrokeMaps } from '../../../studio/src/export/export-document.ts'
+import { readProject } from '../../../studio/src/export/read-document.ts'
+import { FACES } from '../author/auto/faces.ts'
+
+const SETTINGS: AutoSettings = { age: 60, strength: 1, size: 128, seed: 1 }
+const AREA = 128
+
+let document: StudioDocument
+let drawn: Map<string, StrokeMaps>
+let packed: PackedWrinkles
+
+beforeAll(async () => {
+  const [[, path]] = FACES
+  const { skin } = findSkin(await readDocument(path, 'test'), path, 'test')
+  const wrinkles = autoWrinkles(skin, { ...SETTINGS, areaSize: AREA })
+  const bloodMaps = await Promise.all(wrinkles.blood.maps.map((map) => fileOf(halfSide(map))))
+  document = automaticDocument(wrinkles, SETTINGS, AREA, {}, bloodMaps)
+  drawn = new Map(wrinkles.layers.map(({ name, ...maps }) => [name, maps]))
+  packed = await packAuto(wrinkles, false, 'test')
+})
+
+async function fileOf(
+  map: Pick<ReturnType<typeof halfSide>, 'width' | 'height' | 'data'>,
+): Promise<ImageFile> {
+  return { mimeType: 'image/png', bytes: Uint8Array.from(await encodePng({ ...map, channels: 1 })) }
+}
+
+/** A channel of an image. */
+async function channel(bytes: Uint8Array, index: 0 | 1 | 2 | 3): Promise<Buffer> {
+  return sharp(bytes).toColourspace('srgb').removeAlpha().extractChannel(index).raw().toBuffer()
+}
+
+const text = (bytes: Uint8Array) => JSON.parse(new TextDecoder().decode(bytes))
+
+describe('a project of automatic wrinkles has what furrow auto writes', () => {
+  it('the same areas, flushed and pale ones among them, on the same layers', async () => {
+    const files = await projectFiles({ document, drawn })
+    const { layers, areas } = text(files.get('wrinkles.json')!)
+    const names = packed.layers.map(({ name }) => name)
+    expect(areas.map(({ name, layer }: { name: string; layer: string }) => [name, layer])).toEqual(
+      packed.areas.map(({ name, layer }) => [name, names[layer]]),
+    )
+    expect(areas.map(({ name }: { name: string }) => name)).toContain('flushBrows')
+    expect(layers.map(({ name }: { name: string }) => name)).toEqual(names)
+    for (const [i, { image, channel: index }] of packed.areas.entries()) {
+      const own = await channel(files.get(areas[i].image)!, 0)
+      expect(
+        Buffer.from(own.map((value) => 255 - value)).equals(await channel(image.bytes, index as 0 | 1 | 2)),
+      ).toBe(true)
+    }
+  })
+
+  it('the same drivers', async () => {
+    const files = await projectFiles({ document, drawn })
+    expect(text(files.get('wrinkles.json')!).drivers).toEqual(JSON.parse(JSON.stringify(packed.drivers)))
+  })
+
+  it('the same maps of each layer, blood among them', async () => {
+    const files = await projectFiles({ document, drawn })
+    const { layers } = text(files.get('wrinkles.json')!)
+    for (const [i, made] of packed.layers.entries()) {
+      const own = layers[i]
+      expect(own).toMatchObject({
+        kind: made.kind,
+        bloodAmplitude: made.bloodAmplitude,
+        heightAmplitude: made.heightAmplitude,
+      })
+      const [occlusion, blood] = [files.get(own.occlusion)!, files.get(own.blood)!]
+      expect((await channel(occlusion, 0)).equals(await channel(made.occlusion!.bytes, 0))).toBe(true)
+      expect((await channel(blood, 0)).equals(await channel(made.blood!.bytes, 2))).toBe(true)
+      expect((await channel(files.get(own.normal)!, 0)).equals(await channel(made.normal!.bytes, 0))).toBe(
+        true,
+      )
+    }
+  })
+
+  it('and is read again with its automatic blood', async () => {
+    const files = await projectFiles({ document, drawn })
+    const folder = [...files].map(([path, bytes]) => ({ path, file: new Blob([bytes as BlobPart]) }))
+    const read = await readProject(folder, 'Face')
+    expect(read.document.layers).toEqual(document.layers)
+  })
+})
+
+describe('made anew', () => {
+  let other: StudioDocument
+  const image: ImageFile = { mimeType: 'image/png', bytes: Uint8Array.of(1, 2, 3) }
+  const bloodOf = (each: StudioDocument, i = 0) => each.layers[i].maps.blood
+
+  beforeAll(async () => {
+    const layers = document.layers.map((layer) => ({ ...layer, maps: { blood: { ...image } } }))
+    other = { ...document, mapSize: 256, layers }
+  })
+
+  it('blood is that of the new lines, with the strength that an artist has set', () => {
+    const { name } = document.layers[0]
+    const made = remake(setLayer(document, name, { bloodAmplitude: 0.5 }), other)
+    expect(bloodOf(made)).toBe(bloodOf(other))
+    expect(made.layers[0]).toMatchObject({ bloodAmplitude: 0.5, isBloodAutomatic: true })
+    // Automatic maps do not hold the size of the others.
+    expect(made.mapSize).toBe(256)
+    const stronger = { ...other, auto: { ...SETTINGS, strength: 2 } }
+    expect(remake(made, stronger).layers[0].bloodAmplitude).toBe(other.layers[0].bloodAmplitude)
+  })
+
+  it('a blood map that an artist imported stays', () => {
+    const [{ name }] = document.layers
+    const made = remake(setMap(document, name, 'blood', image), other)
+    expect(bloodOf(made)).toBe(image)
+    expect(made.layers[0].isBloodAutomatic).toBeUndefined()
+    expect(bloodOf(made, 1)).toBe(bloodOf(other, 1))
+  })
+
+  it('flushed areas are replaced, and one that was painted stays with its drivers', () => {
+    const painted = document.areas.map((area) =>
+      area.name === 'flushBrows' ? { ...area, isAutomatic: false } : area,
+    )
+    const made = remake({ ...document, areas: painted }, { ...other, areas: [], drivers: [] })
+    expect(made.areas.map(({ name }) => name)).toEqual(['flushBrows'])
+    expect(made.drivers.map(({ type }) => type)).toEqual(['morph', 'time'])
+  })
+})

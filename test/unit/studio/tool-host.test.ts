@@ -1,0 +1,91 @@
+import { PerspectiveCamera } from 'three'
+import { afterEach, beforeEach, expect, it, vi } from 'vitest'
+import type { StageTool } from '../../../studio/src/tools/stage-tool.ts'
+import { ToolHost } from '../../../studio/src/tools/tool-host.ts'
+
+/** What the tool was told, in order. */
+let told: string[]
+let stage: EventTarget
+let host: ToolHost
+/** What the tool waits for; null where it is ready. */
+let waiting: Promise<unknown> | null
+let isTaken: boolean
+
+const tool: StageTool = {
+  waitsFor: () => waiting,
+  begin({ x }) {
+    told.push(`begin ${x}`)
+    return isTaken
+  },
+  move: (pointers) => void told.push(...pointers.map(({ x }) => `move ${x}`)),
+  end: () => void told.push('end'),
+  cancel: () => void told.push('cancel'),
+}
+
+beforeEach(() => {
+  vi.stubGlobal('addEventListener', () => {})
+  told = []
+  waiting = null
+  isTaken = true
+  stage = Object.assign(new EventTarget(), {
+    classList: { toggle() {} },
+    getBoundingClientRect: () => ({ left: 0, top: 0, width: 100, height: 100 }),
+    setPointerCapture() {},
+    releasePointerCapture() {},
+    focus() {},
+  })
+  host = new ToolHost(stage as HTMLElement, () => new PerspectiveCamera())
+  host.choose(tool)
+})
+afterEach(() => vi.unstubAllGlobals())
+
+function send(type: string, clientX: number): void {
+  const event = new Event(type, { cancelable: true })
+  const fields = { clientX, clientY: 50, pointerId: 1, pointerType: 'mouse', button: 0, isPrimary: true }
+  stage.dispatchEvent(Object.assign(event, fields))
+}
+
+function draw(from: number, to: number): void {
+  send('pointerdown', from)
+  send('pointermove', to)
+  send('pointerup', to)
+}
+
+it('gives the pointer to the tool from its beginning to its end', () => {
+  draw(10, 20)
+  expect(told).toEqual(['begin 10', 'move 20', 'end'])
+})
+
+it('keeps what the pointer does while the tool waits, and does it then', async () => {
+  let ready = () => {}
+  waiting = new Promise<void>((resolve) => {
+    ready = resolve
+  })
+  draw(10, 20)
+  draw(30, 40)
+  send('pointerdown', 50)
+  expect(told).toEqual([])
+  ready()
+  await waiting
+  await Promise.resolve()
+  send('pointermove', 60)
+  expect(told).toEqual(['begin 10', 'move 20', 'end', 'begin 30', 'move 40', 'end', 'begin 50', 'move 60'])
+})
+
+it('goes on where what the tool waits for fails, and leaves a pointer that it does not take', async () => {
+  waiting = Promise.reject(new Error('no skin'))
+  isTaken = false
+  draw(10, 20)
+  await waiting.catch(() => {})
+  await Promise.resolve()
+  expect(told).toEqual(['begin 10'])
+})
+
+it('forgets what was kept when another tool is chosen', async () => {
+  waiting = Promise.resolve()
+  draw(10, 20)
+  host.choose(null)
+  await waiting
+  await Promise.resolve()
+  expect(told).toEqual([])
+})
