@@ -91,8 +91,8 @@ export const AUTO_SIZES = [512, 1024, 2048, 4096] as const
 
 /** Options of `autoWrinkles` that the studio offers. */
 export interface AutoSettings {
-  /** Years, 20..80. */
-  readonly age: number
+  /** Years, 20..80. Where given, the face is so old at rest too. */
+  readonly age?: number
   /** Multiplies the depth, 0..2. */
   readonly strength: number
   /** Side of the maps in texels. */

@@ -43,7 +43,7 @@ export function formatLink({ model, pose, camera, light, auto }: Link, base: str
   if (light) add('light', `${light.yaw},${light.pitch}`)
   if (auto) {
     const { age, strength, size, seed, regions = [], seeds = {} } = auto
-    add('auto', [age, strength, size, seed, ...regions].join(','))
+    add('auto', [age ?? '', strength, size, seed, ...regions].join(','))
     const lines = Object.entries(seeds).map(([region, own]) => `${region}:${own}`)
     if (lines.length > 0) add('lines', lines.join(','))
   }
@@ -132,7 +132,7 @@ function autoOf(text: string): AutoSettings {
   if (!AUTO_SIZES.includes(side as never)) throw unusable('its size', side, AUTO_SIZES.join(', '))
   for (const region of regions) checkRegion(region)
   return {
-    age: numberIn(age, 'its age', ...AUTO_AGES),
+    ...(age !== '' && { age: numberIn(age, 'its age', ...AUTO_AGES) }),
     strength: numberIn(strength, 'its strength', ...AUTO_STRENGTHS),
     size: side,
     seed: seedIn(seed),

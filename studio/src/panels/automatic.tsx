@@ -1,4 +1,4 @@
-import { AUTO_REGIONS, type AutoRegion } from 'furrow/author'
+import { AUTO_DEFAULTS, AUTO_REGIONS, type AutoRegion } from 'furrow/author'
 import { useState } from 'preact/hooks'
 import { AUTO_AGES, AUTO_SIZES, AUTO_STRENGTHS, type AutoSettings } from '../document/document.ts'
 import { AutoProgress } from './auto-progress.tsx'
@@ -18,7 +18,7 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
       <NumberSlider
         label="Age"
         range={[...AUTO_AGES, 1]}
-        value={settings.age}
+        value={settings.age ?? AUTO_DEFAULTS.age}
         onMove={(age) => preview({ age })}
         onRest={(age) => make({ age })}
       />

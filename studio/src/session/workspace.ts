@@ -22,7 +22,7 @@ import { Session } from './session.ts'
 import { type SkinSource, skinSource } from './skin-source.ts'
 
 /** What automatic wrinkles are made with at first. */
-export const AUTO_SETTINGS: AutoSettings = { age: 45, strength: 1, size: 1024, seed: 1 }
+export const AUTO_SETTINGS: AutoSettings = { strength: 1, size: 1024, seed: 1 }
 
 /** Side in texels of the maps of previews. */
 const PREVIEW_SIZE = 256
