@@ -49,8 +49,20 @@ export class MapMaker {
     return maps
   }
 
-  /** Takes the maps that automatic wrinkles came with, which show the strokes of the document. */
-  async adopt(document: StudioDocument, { layers }: AutoWrinkles, source: SkinSource): Promise<void> {
+  /**
+   * Takes the maps that automatic wrinkles came with, which show the strokes of the document.
+   *
+   * @param bloods of the layers, as their images hold them.
+   */
+  async adopt(
+    document: StudioDocument,
+    { layers }: AutoWrinkles,
+    bloods: readonly GrayImage[],
+    source: SkinSource,
+  ): Promise<void> {
+    for (const [i, { maps }] of document.layers.entries()) {
+      decodedImages.set(maps, Promise.resolve({ blood: bloods[i] }))
+    }
     // Where the worker ends or is ended, `make` draws everything.
     const drawing = await this.#begin(document, source).catch(() => null)
     if (!drawing) return

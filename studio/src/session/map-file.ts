@@ -40,9 +40,10 @@ async function scaled({ width, height, data }: RgbaImage, size: number, name: st
   return bytesOf(await canvas.convertToBlob({ type: 'image/png' }), name)
 }
 
+/** A canvas in memory: one on the GPU is read back, and that waits for the frames before it. */
 function canvasOf(width: number, height: number, name: string) {
   const canvas = new OffscreenCanvas(width, height)
-  const context = canvas.getContext('2d')
+  const context = canvas.getContext('2d', { willReadFrequently: true })
   if (!context) throw withoutCanvas(name)
   return { canvas, context }
 }

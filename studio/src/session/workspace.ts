@@ -171,12 +171,13 @@ export class Workspace {
     this.#endAuto()
     const wrinkles = await this.#runAuto(settings)
     if (!wrinkles) return
+    const bloods = wrinkles.blood.maps.map(halfSide)
     const bloodMaps = await Promise.all(
-      wrinkles.blood.maps.map((map, i) => grayFile(halfSide(map), `blood of ${wrinkles.layers[i].name}`)),
+      bloods.map((map, i) => grayFile(map, `blood of ${wrinkles.layers[i].name}`)),
     )
     if (avatar !== this.#avatar) return
     const document = this.#documentOf(wrinkles, settings, bloodMaps)
-    await this.#maps.adopt(document, wrinkles, this.#source!)
+    await this.#maps.adopt(document, wrinkles, bloods, this.#source!)
     if (avatar !== this.#avatar) return
     if (!this.session.document.value) this.session.open(document)
     else this.session.edit('Make automatic wrinkles', (old) => remake(old, document))
