@@ -1,34 +1,30 @@
 import { Clone } from '@react-three/drei/core/Clone'
-import { act, createRoot, extend, type ReconcilerRoot, useGraph } from '@react-three/fiber'
+import { useGraph } from '@react-three/fiber'
 import { WrinkleLoaderPlugin, type Wrinkles, wrinklesOf } from 'furrow/three'
-import { createElement, type ReactNode, StrictMode } from 'react'
+import { createElement, type ReactNode } from 'react'
 import * as THREE from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { clone } from 'three/addons/utils/SkeletonUtils.js'
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
 import { createHarness, type Harness, squareCamera } from './harness.ts'
+import { createReactScene, type ReactScene } from './react-root.ts'
 import { wrinkledFile } from './wrinkled-file.ts'
 
 const SIZE = 32
 
 describe('a loaded face in React Three Fiber', () => {
   let harness: Harness
-  let root: ReconcilerRoot<HTMLCanvasElement>
+  let react: ReactScene
   let scene: THREE.Scene
   let gltf: GLTF
 
   beforeAll(async () => {
-    vi.stubGlobal('IS_REACT_ACT_ENVIRONMENT', true)
-    extend(THREE as never)
     harness = await createHarness('webgl')
-    root = createRoot(harness.renderer.domElement as HTMLCanvasElement)
-    const size = { width: SIZE, height: SIZE, top: 0, left: 0 }
-    await root.configure({ gl: harness.renderer as THREE.WebGLRenderer, frameloop: 'never', size })
+    react = await createReactScene(harness, SIZE)
   })
   afterAll(async () => {
-    await act(async () => root.unmount())
+    await react.dispose()
     harness.dispose()
-    vi.unstubAllGlobals()
   })
   beforeEach(async () => {
     const loader = new GLTFLoader().register((parser) => new WrinkleLoaderPlugin(parser))
@@ -41,9 +37,7 @@ describe('a loaded face in React Three Fiber', () => {
   })
 
   const show = async (children: ReactNode) => {
-    const light = createElement('directionalLight', { intensity: 2, position: [1, 1, 1] })
-    const store = await act(async () => root.render(createElement(StrictMode, null, light, children)))
-    scene = store.getState().scene
+    scene = (await react.show(children)).scene
   }
   const picture = async () => {
     // Faces that the page has made wrinkle from their second frame on.

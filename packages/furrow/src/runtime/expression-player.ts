@@ -38,6 +38,11 @@ export class ExpressionPlayerBase {
     ])
   }
 
+  /** Whether a transition is going on, so that the next frame will differ. */
+  get isPlaying(): boolean {
+    return !this.#mix.still
+  }
+
   /**
    * Starts a transition from the current face, sliders included, to an expression, or to several at once, which are added:
    * `{ happy: 0.6, surprised: 0.4 }`.

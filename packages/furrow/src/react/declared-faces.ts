@@ -1,0 +1,82 @@
+import type { Object3D } from 'three'
+import type { ExpressionChoice } from '../runtime/expression-mix.ts'
+import { ExpressionPlayer } from '../three/ExpressionPlayer.ts'
+import type { WrinklesBase } from '../three/wrinkles-base.ts'
+import type { WrinkleState } from './wrinkle-state.ts'
+import { DeclaredFace } from './declared-face.ts'
+
+/** The faces under an object, which come and go, and the state that is declared of them. */
+export class DeclaredFaces {
+  readonly #known = new Map<WrinklesBase, DeclaredFace>()
+  readonly #warned = new Set<string>()
+  #player: ExpressionPlayer | null = null
+  /** Whether the player is for other faces. */
+  #isStale = true
+  #playing: ExpressionChoice | undefined
+
+  /**
+   * Applies a state to faces, and moves their expression on. To be called in each frame.
+   *
+   * @param root of the meshes that an expression moves.
+   * @param faces that are there now.
+   * @param seconds since the last frame.
+   * @returns whether the next frame will differ by itself.
+   */
+  update(root: Object3D, faces: readonly WrinklesBase[], state: WrinkleState, seconds: number): boolean {
+    for (const face of this.#known.keys()) {
+      if (faces.includes(face)) continue
+      this.#known.delete(face)
+      this.#isStale = true
+    }
+    for (const face of faces) {
+      if (!this.#known.has(face)) {
+        this.#known.set(face, new DeclaredFace(face, this.#warn))
+        this.#isStale = true
+      }
+      this.#known.get(face)!.apply(state)
+    }
+    this.#express(root, faces[0], state.expression)
+    this.#player?.update(seconds)
+    return this.#player?.isPlaying ?? false
+  }
+
+  /** Returns all faces to what they were. */
+  release(): void {
+    for (const face of this.#known.values()) face.apply({})
+    this.#known.clear()
+    if (this.#playing !== undefined) this.#player?.play({}, 0)
+    this.#isStale = true
+    this.#playing = undefined
+  }
+
+  /** Faces without an expression, before and now, are left to the page. */
+  #express(root: Object3D, face: WrinklesBase | undefined, expression: ExpressionChoice | undefined): void {
+    const isNew = !isSame(expression, this.#playing)
+    if (!isNew && (expression === undefined || !this.#isStale)) return
+    this.#playing = expression
+    try {
+      if (this.#isStale) {
+        this.#player = null
+        this.#isStale = false
+        this.#player = new ExpressionPlayer(root, face)
+      }
+      this.#player?.play(expression ?? {})
+    } catch (error) {
+      this.#warn(error)
+    }
+  }
+
+  readonly #warn = (error: unknown) => {
+    const text = error instanceof Error ? error.message : String(error)
+    if (this.#warned.has(text)) return
+    this.#warned.add(text)
+    console.warn(text)
+  }
+}
+
+/** Of the same names and weights: pages write `{{ happy: 0.5 }}` anew for each render. */
+function isSame(a: ExpressionChoice | undefined, b: ExpressionChoice | undefined): boolean {
+  if (a === b || typeof a !== 'object' || typeof b !== 'object') return a === b
+  const names = Object.keys(a)
+  return names.length === Object.keys(b).length && names.every((name) => a[name] === b[name])
+}

@@ -1,0 +1,52 @@
+import { createElement, type ReactNode, useLayoutEffect, useRef } from 'react'
+import type { Group, Mesh, Object3D } from 'three'
+import type { ArraySlice, WrinkleSet } from '../core/types.ts'
+import type { WrinklesBase } from '../three/wrinkles-base.ts'
+import { wrinklesOf } from '../three/wrinkles-of.ts'
+import type { WrinkleState } from './wrinkle-state.ts'
+import { useDeclaration } from './use-declaration.ts'
+
+/** Properties of `<Wrinkles>`. */
+export interface WrinklesProps extends WrinkleState {
+  /** What has the faces. Without children, it is the parent: `<mesh><Wrinkles set={set} /></mesh>`. */
+  children?: ReactNode
+  /** Wrinkles for the mesh that is the parent, when no loader has added any. */
+  set?: WrinkleSet<ArraySlice>
+}
+
+/** The `Wrinkles` class of a renderer. */
+export type WrinklesClass = new (mesh: Mesh, set: WrinkleSet<ArraySlice>) => WrinklesBase
+
+/** Makes the component for a renderer. */
+export function wrinklesComponent(Wrinkles: WrinklesClass) {
+  return ({ children, set, ...state }: WrinklesProps): ReactNode => {
+    const group = useRef<Group>(null)
+    const isWrapper = children !== undefined
+    const rootOf = () => (isWrapper ? group.current : (group.current?.parent ?? null))
+    useLayoutEffect(() => {
+      const mesh = group.current?.parent as Mesh | null | undefined
+      if (!set || !mesh) return
+      try {
+        const own = new Wrinkles(mesh, set)
+        return () => own.dispose()
+      } catch (error) {
+        // The face stays plain.
+        console.warn((error as Error).message)
+      }
+    }, [set])
+    useDeclaration(() => {
+      const root = rootOf()
+      return root && { root, faces: facesUnder(root) }
+    }, state)
+    return createElement('group', { ref: group }, children)
+  }
+}
+
+function facesUnder(root: Object3D): WrinklesBase[] {
+  const faces = new Set<WrinklesBase>()
+  root.traverse((object) => {
+    const own = (object as Mesh).isMesh ? wrinklesOf(object as Mesh) : undefined
+    if (own && !own.isDisposed) faces.add(own)
+  })
+  return [...faces]
+}

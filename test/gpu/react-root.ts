@@ -1,0 +1,45 @@
+import { act, createRoot, extend, type RootState } from '@react-three/fiber'
+import { createElement, type ReactNode, StrictMode } from 'react'
+import * as THREE from 'three'
+import { vi } from 'vitest'
+import type { Harness } from './harness.ts'
+
+export interface ReactScene {
+  /** Renders elements in StrictMode, beside a light. */
+  show(children: ReactNode): Promise<RootState>
+  /** Lets time go on by frames of 0.1 s, with what components do in them. */
+  advance(frames: number): Promise<void>
+  dispose(): Promise<void>
+}
+
+/** React Three Fiber on the renderer of a test, which draws when it is told to. */
+export async function createReactScene(harness: Harness, size: number): Promise<ReactScene> {
+  vi.stubGlobal('IS_REACT_ACT_ENVIRONMENT', true)
+  extend(THREE as never)
+  const root = createRoot(harness.renderer.domElement as HTMLCanvasElement)
+  await root.configure({
+    gl: harness.renderer as THREE.WebGLRenderer,
+    frameloop: 'never',
+    size: { width: size, height: size, top: 0, left: 0 },
+  })
+  let state: RootState | undefined
+  let seconds = 0
+  return {
+    async show(children) {
+      const light = createElement('directionalLight', { intensity: 2, position: [1, 1, 1] })
+      const store = await act(async () => root.render(createElement(StrictMode, null, light, children)))
+      state = store.getState()
+      return state
+    },
+    async advance(frames) {
+      for (let i = 0; i < frames; i++) {
+        seconds += 0.1
+        await act(async () => state!.advance(seconds))
+      }
+    },
+    async dispose() {
+      await act(async () => root.unmount())
+      vi.unstubAllGlobals()
+    },
+  }
+}

@@ -1,0 +1,210 @@
+import { Clone } from '@react-three/drei/core/Clone'
+import { extendLoader, extendLoaderWith, useWrinkles, type WrinkleState, Wrinkles } from 'furrow/react'
+import { type WrinklesBase, wrinklesOf } from 'furrow/three'
+import { createElement, type ReactNode } from 'react'
+import { type Mesh, MeshStandardMaterial, PlaneGeometry, type WebGLRenderer } from 'three'
+import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
+import { randomSet } from '../cases.ts'
+import { seeded } from '../random.ts'
+import { createHarness, type Harness } from './harness.ts'
+import { createReactScene, type ReactScene } from './react-root.ts'
+import { wrinkledFile } from './wrinkled-file.ts'
+
+const SIZE = 16
+
+describe('the state of wrinkles in React', () => {
+  let harness: Harness
+  let react: ReactScene
+  let gltf: GLTF
+  let face: WrinklesBase
+
+  beforeAll(async () => {
+    harness = await createHarness('webgl')
+    react = await createReactScene(harness, SIZE)
+  })
+  afterAll(async () => {
+    await react.dispose()
+    harness.dispose()
+  })
+  beforeEach(async () => {
+    const loader = new GLTFLoader()
+    // As hooks do for each file.
+    for (let i = 0; i < 2; i++) extendLoader(loader)
+    gltf = await loader.parseAsync((await wrinkledFile()).buffer, '')
+    face = wrinklesOf(gltf)[0]
+  })
+  afterEach(async () => {
+    await react.show(null)
+    face.dispose()
+    vi.restoreAllMocks()
+  })
+
+  function Hooked({ state }: { state?: WrinkleState }) {
+    useWrinkles(gltf, state)
+    return createElement('primitive', { object: gltf.scene })
+  }
+  const WAYS: [string, (state: WrinkleState) => ReactNode][] = [
+    ['by useWrinkles', (state) => createElement(Hooked, { state })],
+    [
+      'by <Wrinkles> round a <primitive>',
+      (state) => createElement(Wrinkles, state, createElement('primitive', { object: gltf.scene })),
+    ],
+    [
+      'by <Wrinkles> in a <primitive>',
+      (state) => createElement('primitive', { object: gltf.scene }, createElement(Wrinkles, state)),
+    ],
+  ]
+  const shown = () => ({
+    activations: face.areaNames.map((name) => face.getActivation(name)),
+    age: face.inputs.get('age'),
+    mode: face.mode,
+    relief: face.relief,
+  })
+  const REST = { activations: [0, 0.25, 0, 0], age: 0, mode: 'default', relief: 'off' }
+
+  it('is of one face, however often the loader is extended', () => {
+    expect(wrinklesOf(gltf)).toHaveLength(1)
+  })
+
+  it.each(WAYS)('is set %s, follows its properties, and ends with the component', async (_, element) => {
+    await react.show(
+      element({ activations: { c: 0.5, none: 1 }, inputs: { age: 50 }, mode: 'composed', relief: 'auto' }),
+    )
+    await react.advance(2)
+    const all = { activations: [0, 0.25, 0.5, 0], age: 50, mode: 'composed', relief: 'auto' }
+    expect(shown()).toEqual(all)
+    await react.show(element({ activations: { b: 1, d: 0.75 }, inputs: { age: 60 } }))
+    await react.advance(2)
+    expect(shown()).toEqual({ ...REST, activations: [0, 1, 0, 0.75], age: 60 })
+    await react.show(null)
+    await react.advance(1)
+    face.update()
+    expect(shown()).toEqual(REST)
+    expect(face.isDisposed).toBe(false)
+  })
+
+  it.each(WAYS)(
+    'plays expressions %s over some frames, and lets go of the blendshapes',
+    async (_, element) => {
+      face.expressions = [
+        { type: 'expression', name: 'rest', targets: {}, activations: {} },
+        { type: 'expression', name: 'raised', targets: { browInnerUp: 1 }, activations: {} },
+      ] as never
+      const brows = () => (gltf.scene.getObjectByName('face')!.children[0] as Mesh).morphTargetInfluences![0]
+      await react.show(element({}))
+      await react.advance(1)
+      for (const mesh of gltf.scene.getObjectByName('face')!.children as Mesh[])
+        mesh.morphTargetInfluences![0] = 0.5
+      await react.advance(3)
+      expect(brows()).toBe(0.5)
+      await react.show(element({ expression: 'raised' }))
+      await react.advance(2)
+      expect(brows()).toBeGreaterThan(0.5)
+      expect(brows()).toBeLessThan(1)
+      await react.advance(3)
+      expect(brows()).toBe(1)
+      face.update()
+      expect(face.getActivation('a')).toBe(1)
+      await react.show(element({ expression: { raised: 0.25 } }))
+      await react.advance(5)
+      expect(brows()).toBeCloseTo(0.25)
+      await react.show(null)
+      expect(brows()).toBe(0)
+    },
+  )
+
+  it('reaches copies of a face, each by itself', async () => {
+    const copy = (age: number) =>
+      createElement(
+        Wrinkles,
+        { key: age, inputs: { age } },
+        createElement(Clone, { object: gltf.scene, deep: 'materialsOnly' }),
+      )
+    const { scene } = await react.show([copy(30), copy(70)])
+    await react.advance(4)
+    const ages: number[] = []
+    scene.traverse((object) => {
+      const own = (object as Mesh).isMesh && wrinklesOf(object as Mesh)
+      if (own) ages.push(own.inputs.get('age'))
+    })
+    expect(new Set(ages)).toEqual(new Set([30, 70]))
+    expect(face.inputs.get('age')).toBe(0)
+  })
+
+  it('leaves out what a face cannot do, with one warning, and does the rest', async () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const state = { mode: 'fancy' as never, inputs: { age: NaN, stress: 0.5 }, expression: 'unknown' }
+    await react.show(createElement(Hooked, { state }))
+    await react.advance(5)
+    await react.show(createElement(Hooked, { state: { ...state } }))
+    await react.advance(5)
+    expect(face.inputs.get('stress')).toBe(0.5)
+    const texts = warn.mock.calls.map(([text]) => String(text))
+    for (const fault of [/unknown mode, got "fancy"/, /"age" is NaN/, /expression.*got "unknown"/]) {
+      expect(
+        texts.filter((text) => fault.test(text)),
+        String(fault),
+      ).toHaveLength(1)
+    }
+  })
+
+  it('adds a set to a mesh, and takes it away with the component', async () => {
+    const material = new MeshStandardMaterial()
+    const geometry = new PlaneGeometry()
+    const set = randomSet(seeded(3), 1, 16)
+    const [{ name }] = set.areas
+    const element = (child: ReactNode) => createElement('mesh', { geometry, material }, child)
+    const { scene } = await react.show(
+      element(createElement(Wrinkles, { set, activations: { [name]: 0.5 } })),
+    )
+    await react.advance(2)
+    const mesh = scene.getObjectByProperty('isMesh', true) as Mesh
+    const own = wrinklesOf(mesh)!
+    expect(own.getActivation(name)).toBe(0.5)
+    await react.show(element(null))
+    expect([own.isDisposed, wrinklesOf(mesh)]).toEqual([true, undefined])
+  })
+
+  it('leaves a mesh plain that cannot have the set, with one warning', async () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const broken = createElement(Wrinkles, { set: { layers: [], areas: [] } })
+    await react.show(createElement('mesh', null, createElement('planeGeometry'), broken))
+    await react.advance(2)
+    expect(warn.mock.calls.length).toBeGreaterThan(0)
+    for (const [text] of warn.mock.calls) expect(text).toMatch(/^Wrinkles: /)
+  })
+
+  it('keeps a face without wrinkles as it is', async () => {
+    const plain = await new GLTFLoader().parseAsync((await wrinkledFile()).buffer, '')
+    const warn = vi.spyOn(console, 'warn')
+    const state = { activations: { a: 1 }, inputs: { age: 70 }, mode: 'composed' } as const
+    await react.show(createElement(Wrinkles, state, createElement('primitive', { object: plain.scene })))
+    await react.advance(2)
+    expect(warn).not.toHaveBeenCalled()
+  })
+
+  it('leaves nothing after a hundred mounts', async () => {
+    const { memory } = (harness.renderer as WebGLRenderer).info
+    const mount = async () => {
+      for (const [, element] of WAYS) {
+        await react.show(element({ activations: { c: 1 }, expression: 'surprised' }))
+        await react.advance(2)
+        await react.show(null)
+      }
+    }
+    vi.spyOn(console, 'warn').mockImplementation(() => {})
+    await mount()
+    const { textures, geometries } = memory
+    for (let i = 0; i < 33; i++) await mount()
+    expect([memory.textures, memory.geometries]).toEqual([textures, geometries])
+  })
+
+  it('has the options of the loader', async () => {
+    const loader = new GLTFLoader()
+    extendLoaderWith({ mode: 'composed' })(loader)
+    const file = await loader.parseAsync((await wrinkledFile()).buffer, '')
+    expect(wrinklesOf(file)[0].mode).toBe('composed')
+    wrinklesOf(file)[0].dispose()
+  })
+})

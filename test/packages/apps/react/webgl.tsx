@@ -1,0 +1,28 @@
+import { Bounds, useGLTF } from '@react-three/drei'
+import { Canvas } from '@react-three/fiber'
+import { extendLoader, useWrinkles, type WrinkleState } from 'furrow/react'
+import { Suspense, useState } from 'react'
+
+function Face(state: WrinkleState) {
+  const gltf = useGLTF('/wrinkled.glb', true, true, extendLoader)
+  useWrinkles(gltf, state)
+  return <primitive object={gltf.scene} />
+}
+
+export function App() {
+  const [mode, setMode] = useState<'default' | 'off'>('default')
+  return (
+    <Canvas
+      gl={{ preserveDrawingBuffer: true }}
+      camera={{ fov: 22, position: [0, 0, 1] }}
+      onClick={() => setMode('off')}
+    >
+      <directionalLight intensity={3} position={[-0.5, 0, 1]} />
+      <Suspense>
+        <Bounds fit clip margin={1} maxDuration={0}>
+          <Face expression="surprised" mode={mode} />
+        </Bounds>
+      </Suspense>
+    </Canvas>
+  )
+}
