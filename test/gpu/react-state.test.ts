@@ -175,13 +175,22 @@ describe('the state of wrinkles in React', () => {
     for (const [text] of warn.mock.calls) expect(text).toMatch(/^Wrinkles: /)
   })
 
-  it('keeps a face without wrinkles as it is', async () => {
+  it('keeps a face without wrinkles as it is, but for its expression', async () => {
     const plain = await new GLTFLoader().parseAsync((await wrinkledFile()).buffer, '')
-    const warn = vi.spyOn(console, 'warn')
-    const state = { activations: { a: 1 }, inputs: { age: 70 }, mode: 'composed' } as const
-    await react.show(createElement(Wrinkles, state, createElement('primitive', { object: plain.scene })))
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const state: WrinkleState = { activations: { a: 1 }, inputs: { age: 70 }, mode: 'composed' }
+    const element = (own: WrinkleState) =>
+      createElement(Wrinkles, own, createElement('primitive', { object: plain.scene }))
+    await react.show(element(state))
     await react.advance(2)
     expect(warn).not.toHaveBeenCalled()
+    await react.show(element({ ...state, expression: 'surprised' }))
+    await react.advance(5)
+    const [mesh] = plain.scene.getObjectByName('face')!.children as Mesh[]
+    expect(mesh.morphTargetInfluences![0]).toBeGreaterThan(0.5)
+    expect(warn.mock.calls.map(([text]) => String(text))).toEqual([
+      expect.stringMatching(/lacks blendshapes/),
+    ])
   })
 
   it('leaves nothing after a hundred mounts', async () => {

@@ -2,7 +2,6 @@
 
 import { cp, mkdir, readFile, writeFile } from 'node:fs/promises'
 import { basename, join } from 'node:path'
-import { pathToFileURL } from 'node:url'
 import type { Browser, Page } from 'playwright-core'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { BARE_FACES } from '../bare-faces/bare-faces.ts'
@@ -10,7 +9,17 @@ import { openBrowser, openPage } from '../pages/browser.ts'
 import { firstPicture, openPaused, playSurprise, readNextFrame, switchOff } from '../pages/paused-page.ts'
 import { contrast, largestDifference, WHOLE } from '../pages/pixels.ts'
 import { startStaticServer } from '../pages/static-server.ts'
-import { createApp, DEPENDENCIES, pack, ROOT, remove, run, runUninstalled, temporaryFolder } from './npm.ts'
+import {
+  createApp,
+  DEPENDENCIES,
+  pack,
+  previewServer,
+  ROOT,
+  remove,
+  run,
+  runUninstalled,
+  temporaryFolder,
+} from './npm.ts'
 
 /** The scan where it is at hand, otherwise one of ours. */
 const AVATAR = BARE_FACES.at(-1)!.path
@@ -47,7 +56,7 @@ describe('an app in strict TypeScript, built by Vite', () => {
   beforeAll(async () => {
     await run(app, 'npx', 'tsc')
     await run(app, 'npx', 'vite', 'build')
-    server = await previewServer()
+    server = await previewServer(app)
   })
   afterAll(() => server?.close())
 
@@ -79,17 +88,6 @@ async function expectWrinkles(page: Page, off: () => Promise<void>): Promise<voi
   expect(contrast(wrinkled)).toBeGreaterThan(100)
   await off()
   expect(largestDifference(wrinkled, await readNextFrame(page), WHOLE)).toBeGreaterThan(20)
-}
-
-/** The app's own Vite, which shows what it has built. */
-async function previewServer() {
-  const { preview }: typeof import('vite') = await import(
-    pathToFileURL(join(app, 'node_modules/vite/dist/node/index.js')).href
-  )
-  const server = await preview({ root: app, logLevel: 'warn', preview: { host: '127.0.0.1', port: 0 } })
-  const origin = server.resolvedUrls?.local[0]?.replace(/\/$/, '')
-  if (!origin) throw new Error('Vite does not say where it listens')
-  return { origin, close: () => server.close() }
 }
 
 /** Opens a page with its time paused; it must complain of nothing. */

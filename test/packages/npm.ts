@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs'
 import { cp, mkdir, mkdtemp, rm, symlink, writeFile } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import { fileURLToPath } from 'node:url'
+import { fileURLToPath, pathToFileURL } from 'node:url'
 import { promisify } from 'node:util'
 
 export const ROOT = fileURLToPath(new URL('../../', import.meta.url))
@@ -17,6 +17,14 @@ export const DEPENDENCIES = {
   types: at('@types/three'),
   vite: at('vite'),
   typescript: at('typescript'),
+  react: [
+    'react',
+    'react-dom',
+    '@types/react',
+    '@types/react-dom',
+    '@react-three/fiber',
+    '@react-three/drei',
+  ].map(at),
   // Only applications of our tests use these.
   webpack: 'webpack@5.112.2',
   esbuild: 'esbuild@0.28.2',
@@ -70,6 +78,17 @@ export async function runUninstalled(folder: string, tarball: string, ...words: 
   } finally {
     await remove(cache)
   }
+}
+
+/** What an app has built, served by its own Vite. */
+export async function previewServer(app: string): Promise<{ origin: string; close(): Promise<void> }> {
+  const { preview }: typeof import('vite') = await import(
+    pathToFileURL(join(app, 'node_modules/vite/dist/node/index.js')).href
+  )
+  const server = await preview({ root: app, logLevel: 'warn', preview: { host: '127.0.0.1', port: 0 } })
+  const origin = server.resolvedUrls?.local[0]?.replace(/\/$/, '')
+  if (!origin) throw new Error('Vite does not say where it listens')
+  return { origin, close: () => server.close() }
 }
 
 export function remove(folder: string): Promise<void> {

@@ -34,13 +34,15 @@ describe('documentation', () => {
   })
 
   it('has examples that compile', () => {
-    const examples = new Map(
-      PAGES.flatMap((page) =>
-        blocks(page, 'ts').map((text, i) => [join(ROOT, `test/${page.replaceAll('/', '-')}-${i}.ts`), text]),
-      ),
-    )
+    const examples = examplesIn('ts')
     expect(examples.size).toBeGreaterThan(3)
     expect(compile(examples)).toEqual([])
+  })
+
+  it('has examples in React that compile', () => {
+    const examples = examplesIn('tsx')
+    expect(examples.size).toBeGreaterThan(3)
+    expect(compile(examples, { jsxImportSource: 'react' })).toEqual([])
   })
 
   it('has a wrinkles.json that parses', () => {
@@ -64,10 +66,16 @@ describe('documentation', () => {
   })
 })
 
+/** All blocks of one language, by the paths that they are compiled at. */
+function examplesIn(language: string): Map<string, string> {
+  const path = (page: string, i: number) => join(ROOT, `test/${page.replaceAll('/', '-')}-${i}.${language}`)
+  return new Map(PAGES.flatMap((page) => blocks(page, language).map((text, i) => [path(page, i), text])))
+}
+
 /** Type-checks texts as if they were files of the project; returns what the compiler says. */
-function compile(files: Map<string, string>): string[] {
+function compile(files: Map<string, string>, own: ts.CompilerOptions = {}): string[] {
   const config = ts.readConfigFile(join(ROOT, 'tsconfig.json'), ts.sys.readFile)
-  const { options } = ts.parseJsonConfigFileContent(config.config, ts.sys, ROOT)
+  const options = { ...ts.parseJsonConfigFileContent(config.config, ts.sys, ROOT).options, ...own }
   const host = ts.createCompilerHost(options)
   const { readFile, fileExists } = host
   host.readFile = (path) => files.get(path) ?? readFile(path)

@@ -1,7 +1,8 @@
-import { Bounds, useGLTF } from '@react-three/drei'
+import { useGLTF } from '@react-three/drei'
 import { Canvas } from '@react-three/fiber'
 import { extendLoader, useWrinkles, type WrinkleState } from 'furrow/react'
 import { Suspense, useState } from 'react'
+import { Framed } from './framed.tsx'
 
 function Face(state: WrinkleState) {
   const gltf = useGLTF('/wrinkled.glb', true, true, extendLoader)
@@ -12,16 +13,12 @@ function Face(state: WrinkleState) {
 export function App() {
   const [mode, setMode] = useState<'default' | 'off'>('default')
   return (
-    <Canvas
-      gl={{ preserveDrawingBuffer: true }}
-      camera={{ fov: 22, position: [0, 0, 1] }}
-      onClick={() => setMode('off')}
-    >
+    <Canvas camera={{ fov: 22 }} onClick={() => setMode('off')}>
       <directionalLight intensity={3} position={[-0.5, 0, 1]} />
       <Suspense>
-        <Bounds fit clip margin={1} maxDuration={0}>
+        <Framed>
           <Face expression="surprised" mode={mode} />
-        </Bounds>
+        </Framed>
       </Suspense>
     </Canvas>
   )

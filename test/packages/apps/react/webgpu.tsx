@@ -1,11 +1,9 @@
 import { Canvas, extend, type ThreeToJSXElements, useLoader } from '@react-three/fiber'
 import { extendLoader, Wrinkles } from 'furrow/react/webgpu'
-import { frameFace } from 'furrow/webgpu'
-import { Suspense, useLayoutEffect, useState } from 'react'
-import { useThree } from '@react-three/fiber'
-import type { PerspectiveCamera } from 'three'
+import { Suspense, useState } from 'react'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import * as THREE from 'three/webgpu'
+import { Framed } from './framed.tsx'
 
 declare module '@react-three/fiber' {
   interface ThreeElements extends ThreeToJSXElements<typeof THREE> {}
@@ -14,10 +12,6 @@ extend(THREE as never)
 
 function Face() {
   const { scene } = useLoader(GLTFLoader, '/wrinkled.glb', extendLoader)
-  const camera = useThree((state) => state.camera)
-  useLayoutEffect(() => {
-    frameFace(camera as PerspectiveCamera, scene)
-  }, [camera, scene])
   return <primitive object={scene} />
 }
 
@@ -36,7 +30,9 @@ export function App() {
       <directionalLight intensity={3} position={[-0.5, 0, 1]} />
       <Suspense>
         <Wrinkles expression="surprised" mode={mode}>
-          <Face />
+          <Framed>
+            <Face />
+          </Framed>
         </Wrinkles>
       </Suspense>
     </Canvas>
