@@ -132,7 +132,10 @@ export const FIGURES = {
 /** Formats of files other than PNG: many faces are smaller as JPEG. */
 export const FORMATS = {
   ...Object.fromEntries(
-    ['auto-human', 'auto-scan', 'blood', 'skin/furrows', ...Object.keys(CLOSE_UPS)].map((name) => [name, 'jpg']),
+    ['auto-human', 'auto-scan', 'blood', 'skin/furrows', ...Object.keys(CLOSE_UPS)].map((name) => [
+      name,
+      'jpg',
+    ]),
   ),
   [MOVING]: 'webp',
 }
