@@ -27,6 +27,7 @@ export const FACES = {
   arrays: (file) => pack(file, '--ktx2'),
   lossless: (file) => shrink(file, true),
   lossy: (file) => shrink(file, false),
+  furrows: (file) => auto(FACE, file, 70, '--furrows', '--size', '2048'),
   ...Object.fromEntries(
     Object.entries(SKINS).flatMap(([name, factor]) => [
       [name, (file) => tint(file, factor, false)],
@@ -47,9 +48,10 @@ async function pack(file, ...options) {
   await packCommand.parseAsync(args, { from: 'user' })
 }
 
-async function auto(face, file, age) {
+async function auto(face, file, age, ...options) {
   const { autoCommand } = await import('../../packages/cli/dist/commands/auto.js')
-  await autoCommand.parseAsync([face, '-o', file, '--age', String(age), '--replace'], { from: 'user' })
+  const args = [face, '-o', file, '--age', String(age), '--replace', ...options]
+  await autoCommand.parseAsync(args, { from: 'user' })
 }
 
 /** Wrinkles for the greatest age by the earlier version. */

@@ -2,6 +2,7 @@
 
 import { both, CLOSE_UPS } from './close-ups.mjs'
 import { AGES, SKINS } from './faces.mjs'
+import { FURROWS } from './furrows.mjs'
 import { MOVING, movingPictures } from './moving.mjs'
 
 /** Crops of larger pictures, in which the face fills the frame. */
@@ -124,13 +125,17 @@ export const FIGURES = {
   blood: bloodOfSkins(),
   transform: [FOREHEAD, { ...FOREHEAD, face: 'lossless' }, { ...FOREHEAD, face: 'lossy' }],
   ...CLOSE_UPS,
+  'skin/furrows': FURROWS,
   [MOVING]: movingPictures(),
 }
 
 /** Formats of files other than PNG: many faces are smaller as JPEG. */
 export const FORMATS = {
   ...Object.fromEntries(
-    ['auto-human', 'auto-scan', 'blood', ...Object.keys(CLOSE_UPS)].map((name) => [name, 'jpg']),
+    ['auto-human', 'auto-scan', 'blood', 'skin/furrows', ...Object.keys(CLOSE_UPS)].map((name) => [
+      name,
+      'jpg',
+    ]),
   ),
   [MOVING]: 'webp',
 }

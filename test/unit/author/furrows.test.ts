@@ -12,6 +12,8 @@ import { flatCanvas, sheet } from './planes.ts'
 
 const SIDE = 40
 const SIZE = 400
+/** In a millimetre. */
+const TEXELS = SIZE / SIDE
 const FURROWS = { ...FURROW_DEFAULTS, size: 2, depth: 0.1 }
 
 /** A line across the middle of the sheet, without depth: it gives directions alone. */
@@ -34,19 +36,38 @@ const between = (data: Float32Array) => data.filter((height) => height < -0.03 &
 
 const lowestOf = (data: Float32Array) => data.reduce((low, height) => Math.min(low, height))
 
+/** Fraction of the greatest depth that furrows of the small cells do not reach. */
+const LARGE = 0.46
+
 /** Millimetres from furrow to furrow of the large cells, along rows or columns near the middle of a sheet. */
 function spacing(data: Float32Array, along: 'rows' | 'columns'): number {
   let [length, count] = [0, 0]
   for (let line = 150; line < 250; line++) {
     let isInside = false
     for (let i = 0; i < SIZE; i++) {
-      const isFurrow = data[along === 'rows' ? line * SIZE + i : i * SIZE + line] < -0.06
+      const isFurrow = data[along === 'rows' ? line * SIZE + i : i * SIZE + line] < -LARGE * FURROWS.depth
       if (isFurrow && !isInside) count++
       isInside = isFurrow
     }
     length += SIDE
   }
   return length / count
+}
+
+/** Texels of each connected patch of a sheet whose heights pass a test. */
+function patches(data: Float32Array, isIn: (height: number) => boolean): number[] {
+  const left = new Set([...data.keys()].filter((texel) => isIn(data[texel])))
+  const sizes: number[] = []
+  for (const first of left) {
+    left.delete(first)
+    const patch = [first]
+    for (const texel of patch) {
+      for (const next of [texel - 1, texel + 1, texel - SIZE, texel + SIZE])
+        if (left.delete(next)) patch.push(next)
+    }
+    sizes.push(patch.length)
+  }
+  return sizes
 }
 
 describe('furrowHeights', () => {
@@ -70,6 +91,14 @@ describe('furrowHeights', () => {
   test('divides large cells by smaller ones, whose furrows are shallower', () => {
     const between = data.filter((height) => height < -0.03 && height > -0.05).length
     expect(between / data.length).toBeGreaterThan(0.05)
+  })
+
+  test('is broken: where all of its cells were closed, it would be scales', () => {
+    const cell = (FURROWS.size * TEXELS) ** 2
+    const closed = patches(data, (height) => height > -LARGE * FURROWS.depth).filter(
+      (texels) => texels > cell / 4 && texels < 2 * cell,
+    )
+    expect(closed.length / (SIDE / FURROWS.size) ** 2).toBeLessThan(0.2)
   })
 
   test('has cells that are longer along the lines of the skin', () => {
@@ -142,12 +171,13 @@ describe('furrowHeights', () => {
     })
 
     test('the cells of each are of its size', () => {
-      const [fine, coarse] = [80, 280].map((middle) => {
+      const [fine, coarse] = regions.map(({ at: [u], depth }) => {
+        const middle = u * SIZE
         let count = 0
         for (let at = middle - 30; at < middle + 30; at++) {
-          const heights = column(at).subarray(SIZE / 2 - 50, SIZE / 2 + 50)
-          const half = lowestOf(heights) / 2
-          count += heights.filter((height, i) => height < half && !(heights[i - 1] < half)).length
+          const heights = column(at).subarray(SIZE / 2 - 35, SIZE / 2 + 35)
+          const isLarge = (height: number) => height < -LARGE * depth
+          count += heights.filter((height, i) => isLarge(height) && !isLarge(heights[i - 1])).length
         }
         return count
       })

@@ -21,11 +21,11 @@ const SOFTNESS = 0.5
 /** Texels across a furrow from which on it is drawn, and from which on it is as deep as it should be. */
 export const LEAST_TEXELS = 1.7
 const ENOUGH_TEXELS = 2.2
-/** Sizes within which the seeds of the two nearest cells are. */
-const REACH = 1.75
+/** Sizes within which the seeds of the three nearest cells are, though distances from some count less. */
+const REACH = 2.2
 
 /** How much shallower furrows are than the deepest: at random, and where they run across lines, of the fraction that distances count less. */
-const UNEVEN = 0.55
+const UNEVEN = 0.85
 const ACROSS = 0.9
 
 /** What furrows are drawn on. */
@@ -117,8 +117,9 @@ function edgeLength(points: Float64Array, corners: Uint32Array, from: number, to
   return Math.hypot(points[b] - points[a], points[b + 1] - points[a + 1], points[b + 2] - points[a + 2])
 }
 
-/** Numbers of a seed of a tile: its distance from the middle of the tile, position, metric, size, visibility and hash. */
-const SEED = 4 + TENSOR + 3
+/** Numbers of a seed of a tile: its distance from the middle of the tile, position, metric, and these. */
+const [SIZE, SCALE, VISIBLE, HASH] = [4 + TENSOR, 5 + TENSOR, 6 + TENSOR, 7 + TENSOR]
+const SEED = 8 + TENSOR
 
 /** Draws one level of a net tile by tile. */
 class FurrowPen {
@@ -172,15 +173,16 @@ class FurrowPen {
   }
 
   #addToTile(index: number, distance: number): void {
-    const { positions, metrics, sizes, visible, hashes } = this.#seeds
+    const { positions, metrics, sizes, scales, visible, hashes } = this.#seeds
     const tile = this.#tile
     const first = SEED * this.#count++
     tile[first] = distance
     for (let k = 0; k < 3; k++) tile[first + 1 + k] = positions[3 * index + k]
     for (let k = 0; k < TENSOR; k++) tile[first + 4 + k] = metrics[TENSOR * index + k]
-    tile[first + 4 + TENSOR] = sizes[index]
-    tile[first + 5 + TENSOR] = visible[index]
-    tile[first + 6 + TENSOR] = hashes[index]
+    tile[first + SIZE] = sizes[index]
+    tile[first + SCALE] = scales[index]
+    tile[first + VISIBLE] = visible[index]
+    tile[first + HASH] = hashes[index]
   }
 
   /**
@@ -204,8 +206,9 @@ class FurrowPen {
       if (second < nearest) [nearest, a, second, b] = [second, b, nearest, a]
     }
     // As wide on one side as on the other.
-    const halfWidth = (FURROW_WIDTH / 2) * ((tile[a + 4 + TENSOR] + tile[b + 4 + TENSOR]) / 2)
-    const visible = (tile[a + 5 + TENSOR] + tile[b + 5 + TENSOR]) / 2
+    const width = (seed: number) => FURROW_WIDTH * tile[seed + SCALE] * tile[seed + SIZE]
+    const halfWidth = (width(a) + width(b)) / 4
+    const visible = (tile[a + VISIBLE] + tile[b + VISIBLE]) / 2
     const valley = (square: number) =>
       valleyAt((Math.sqrt(square) - Math.sqrt(nearest)) / 2 / halfWidth, SOFTNESS)
     const own = this.#strength(a, b) * valley(second)
@@ -223,8 +226,9 @@ class FurrowPen {
     const [dx, dy, dz] = [tile[b + 1] - tile[a + 1], tile[b + 2] - tile[a + 2], tile[b + 3] - tile[a + 3]]
     const square = dx * dx + dy * dy + dz * dz
     // How much less distances count along this way than across the lines.
-    const along = 2 * square - squareBy(tile, a + 4, dx, dy, dz) - squareBy(tile, b + 4, dx, dy, dz)
-    const random = hash32(tile[a + 6 + TENSOR] ^ tile[b + 6 + TENSOR]) / 2 ** 32
+    const across = (seed: number) => squareBy(tile, seed + 4, dx, dy, dz) / tile[seed + SCALE] ** 2
+    const along = 2 * square - across(a) - across(b)
+    const random = hash32(tile[a + HASH] ^ tile[b + HASH]) / 2 ** 32
     return (1 - UNEVEN * random) * (1 - (ACROSS * along) / (2 * square))
   }
 }

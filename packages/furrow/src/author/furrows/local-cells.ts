@@ -6,7 +6,7 @@ import type { Furrows } from './read-furrows.ts'
 /** Numbers of a region: its centre, the square of its radius, size and depth. */
 const REGION = 6
 /** Weight of regions, together, at which the net is as deep as they say. */
-const FULL = 0.3
+const FULL = 0.6
 
 /** How large and deep the cells of a net are, from place to place. */
 export class LocalCells {

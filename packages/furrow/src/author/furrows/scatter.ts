@@ -15,6 +15,8 @@ export interface Seeds {
   metrics: Float64Array
   /** Millimetres across its cell. */
   sizes: Float64Array
+  /** By how much the matrix makes distances shorter, at most 1, besides along the lines of the skin. */
+  scales: Float64Array
   /** How much of the furrows round it texels can show, 0..1. */
   visible: Float64Array
   /** A random whole number of each. */
@@ -45,6 +47,11 @@ const LATTICE = 0.5
 const SHELL = 0.5
 /** Least distance of two seeds as a fraction of the size: random disks so wide leave that size between their centres, on average. */
 const APART = 0.8
+/**
+ * How much less than others' distances from a seed may count, as a fraction. Borders between cells of one kind are straight, and read as scales;
+ * where distances from two seeds count differently, they are arcs (a multiplicatively weighted Voronoi diagram), and cells differ in size.
+ */
+const UNEQUAL = 0.35
 /** Longest edge of a triangle whose box is searched, in cells of the lattice. */
 const LONGEST = 8
 /** Candidates at most, about: the lattice is coarser where there would be more. */
@@ -71,7 +78,7 @@ export function scatterSeeds(source: CellSource): Seeds {
     for (let n = 0; n < near.length && isFree; n++) {
       const other = 3 * near[n]
       const [dx, dy, dz] = [positions[other] - x, positions[other + 1] - y, positions[other + 2] - z]
-      isFree = squareBy(metrics, TENSOR * index, dx, dy, dz) >= radius * radius
+      isFree = squareBy(metrics, TENSOR * index, dx, dy, dz) >= (candidates.scales[index] * radius) ** 2
     }
     if (!isFree) continue
     grid.add(index)
@@ -88,6 +95,7 @@ export function scatterSeeds(source: CellSource): Seeds {
     positions: pick(positions, 3),
     metrics: pick(metrics, TENSOR),
     sizes: pick(sizes, 1),
+    scales: pick(candidates.scales, 1),
     visible: pick(candidates.visible, 1),
     hashes: Uint32Array.from(kept, (index) => candidates.hashes[index]),
   }
@@ -117,7 +125,7 @@ function candidatesOn(source: CellSource): Seeds {
   const triangles = visibleTriangles(source)
   const area = triangles.reduce((sum, { area }) => sum + area, 0)
   const side = Math.max(LATTICE * part * cells.smallest, Math.sqrt(area / MOST_CANDIDATES))
-  const [positions, metrics, sizes, visibles, hashes]: number[][] = [[], [], [], [], []]
+  const [positions, metrics, sizes, scales, visibles, hashes]: number[][] = [[], [], [], [], [], []]
   const seen = new Set<number>()
   const [point, weights, normal] = [new Float64Array(3), new Float64Array(3), new Float64Array(3)]
   const metric = new Float64Array(TENSOR)
@@ -139,10 +147,12 @@ function candidatesOn(source: CellSource): Seeds {
     const key = ((i & 0x1ffff) * 0x20000 + (j & 0x1ffff)) * 0x20000 + (k & 0x1ffff)
     if (seen.has(key)) return
     seen.add(key)
-    metricAt(metric, source, triangle, weights)
+    const scale = 1 - UNEQUAL * (hash32(~hash) / 2 ** 32)
+    metricAt(metric, source, triangle, weights, scale)
     positions.push(point[0], point[1], point[2])
     metrics.push(metric[0], metric[1], metric[2], metric[3], metric[4], metric[5])
     sizes.push(part * cells.size)
+    scales.push(scale)
     visibles.push(visible)
     hashes.push(hash32(hash ^ k))
   }
@@ -177,6 +187,7 @@ function candidatesOn(source: CellSource): Seeds {
     positions: Float64Array.from(positions),
     metrics: Float64Array.from(metrics),
     sizes: Float64Array.from(sizes),
+    scales: Float64Array.from(scales),
     visible: Float64Array.from(visibles),
     hashes: Uint32Array.from(hashes),
   }
@@ -217,14 +228,20 @@ function longestEdge(a: Position, b: Position, c: Position) {
   return { square: ca, corners: [c, a, b] as const }
 }
 
-/** The identity, less what counts along the direction of the skin's lines. */
-function metricAt(out: Float64Array, source: CellSource, triangle: number, weights: Float64Array): void {
+/** The identity, less what counts along the direction of the skin's lines, for distances times a scale. */
+function metricAt(
+  out: Float64Array,
+  source: CellSource,
+  triangle: number,
+  weights: Float64Array,
+  scale: number,
+): void {
   const { surface, directions, stretch } = source
   const less = 1 - 1 / stretch ** 2
   for (let k = 0; k < TENSOR; k++) {
     let along = 0
     for (let n = 0; n < 3; n++)
       along += weights[n] * directions[TENSOR * surface.corners[3 * triangle + n] + k]
-    out[k] = (k < 3 ? 1 : 0) - less * along
+    out[k] = scale ** 2 * ((k < 3 ? 1 : 0) - less * along)
   }
 }

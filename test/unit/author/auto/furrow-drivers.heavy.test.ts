@@ -1,0 +1,200 @@
+import {
+  DriverProgram,
+  type GrayImage,
+  measuredSource,
+  planDrivers,
+  reference,
+  sampleTriangles,
+  type TensionDriver,
+  TensionMeasurement,
+} from 'furrow'
+import { type AutoWrinkles, autoWrinkles, type Skin } from 'furrow/author'
+import { beforeAll, describe, expect, test } from 'vitest'
+import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
+import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
+import { poseOf } from '../../../../packages/furrow/src/author/auto/surface/pose.ts'
+import { curveAt } from '../../../../packages/furrow/src/drivers/curve.ts'
+import { driven } from '../../../driven.ts'
+import { seeded } from '../../../random.ts'
+import { FACES, prepareFace } from './faces.ts'
+
+type Pose = Readonly<Record<string, number>>
+
+/** Triangles per area: so many that their mean is that of all, and as many as the tension driver has on the CPU. */
+const [ALL, FEW] = [4096, 16]
+const POSES = 60
+
+const both = (name: string, weight = 1) => ({ [`${name}Left`]: weight, [`${name}Right`]: weight })
+const EXPRESSIONS: Record<string, Pose> = {
+  frown: { ...both('browDown'), ...both('noseSneer', 0.6), ...both('eyeSquint', 0.4) },
+  smile: { ...both('mouthSmile', 0.9), ...both('cheekSquint', 0.8), ...both('eyeSquint', 0.3) },
+  surprise: { browInnerUp: 1, ...both('browOuterUp'), jawOpen: 0.6 },
+  open: { jawOpen: 1 },
+}
+
+describe.each(FACES)('fine furrows of %s', (_, path) => {
+  let skin: Skin
+  let wrinkles: AutoWrinkles
+  beforeAll(async () => {
+    skin = findSkin(await readDocument(path, 'test'), path, 'test').skin
+    wrinkles = autoWrinkles(skin, { size: 2048, furrows: true, age: 50 })
+  })
+
+  const areas = () => wrinkles.furrows!.areas
+  const names = () => skin.targets.map(({ name }) => name)
+
+  function deformed(pose: Pose): Float64Array {
+    const positions = Float64Array.from(skin.positions)
+    for (const { name, offsets } of skin.targets) {
+      const weight = pose[name] ?? 0
+      if (weight !== 0) for (let i = 0; i < positions.length; i++) positions[i] += weight * offsets[i]
+    }
+    return positions
+  }
+
+  /** Means of 1 - the smaller principal stretch and of the larger one - 1 over each area. */
+  function tension(count: number) {
+    const mesh = { positions: skin.positions, uvs: skin.uvs, triangles: skin.indices }
+    const inputs = areas().flatMap(({ name: area }) =>
+      (['compression', 'stretch'] as const).map((measure) => ({ kind: 'tension' as const, area, measure })),
+    )
+    const samples = areas().map(({ name, weights }) => ({
+      area: name,
+      triangles: sampleTriangles(mesh, weights, count),
+    }))
+    const measurement = new TensionMeasurement(inputs, samples, skin.positions)
+    return (pose: Pose) => {
+      const values = new Float64Array(inputs.length)
+      measurement.measure(deformed(pose), values)
+      return values
+    }
+  }
+
+  /** Activations by blendshapes, as they are written. */
+  function byBlendshapes(pose: Pose): Record<string, number> {
+    const weights = Float32Array.from(names(), (name) => pose[name] ?? 0)
+    return driven(
+      areas().map(({ driver }) => driver),
+      names(),
+    ).activations({ weights })
+  }
+
+  /** Activations by two tension drivers per area with the same ends: one deepens from rest, the other smooths out. */
+  function byTension(values: Float64Array): Record<string, number> {
+    const drivers = areas().flatMap(({ name, driver: { curve } }): TensionDriver[] => {
+      const [[pulled, smooth], [, rest], [squeezed]] = curve
+      return [
+        {
+          type: 'tension',
+          area: name,
+          measure: 'compression',
+          curve: [
+            [0, 0],
+            [squeezed, 1 - rest],
+          ],
+        },
+        {
+          type: 'tension',
+          area: name,
+          measure: 'stretch',
+          curve: [
+            [0, rest],
+            [-pulled, smooth],
+          ],
+        },
+      ]
+    })
+    const plan = planDrivers(drivers)
+    const program = new DriverProgram(plan, { tension: measuredSource(drivers.map(() => [])) })
+    const state = program.createState()
+    state.inputs.tension.set(values)
+    program.evaluate(state)
+    return Object.fromEntries(plan.areaNames.map((name, i) => [name, state.activations[i]]))
+  }
+
+  test('follow the strain of combined poses, and nearer than tension drivers', () => {
+    const random = seeded(17)
+    const [all, few] = [tension(ALL), tension(FEW)]
+    const squares = { blendshapes: 0, tension: 0, sampled: 0 }
+    for (let n = 0; n < POSES; n++) {
+      const pose: Record<string, number> = {}
+      for (let k = 2 + Math.floor(5 * random()); k > 0; k--)
+        pose[names()[Math.floor(random() * names().length)]] = 0.3 + 0.7 * random()
+      const measured = all(pose)
+      const found = {
+        blendshapes: byBlendshapes(pose),
+        tension: byTension(measured),
+        sampled: byTension(few(pose)),
+      }
+      for (const [i, { name, driver }] of areas().entries()) {
+        // The fraction of its area that the skin loses.
+        const exact = curveAt(driver.curve, measured[2 * i] - measured[2 * i + 1])
+        for (const by of ['blendshapes', 'tension', 'sampled'] as const)
+          squares[by] += (found[by][name] - exact) ** 2
+      }
+    }
+    const rms = (by: keyof typeof squares) => Math.sqrt(squares[by] / POSES / areas().length)
+    expect(rms('blendshapes')).toBeLessThan(0.03)
+    expect(rms('tension')).toBeGreaterThan(2 * rms('blendshapes'))
+    expect(rms('sampled')).toBeGreaterThan(2 * rms('blendshapes'))
+  })
+
+  test('turn normals more where skin is squeezed than at rest, and less where it is pulled', () => {
+    const all = tension(ALL)
+    const rest = tilts({})
+    const seen = { squeezed: 0, pulled: 0 }
+    const { find } = prepareFace(skin).face
+    for (const expression of Object.values(EXPRESSIONS)) {
+      const pose = Object.fromEntries(
+        [...poseOf(find, expression)].map(([i, weight]) => [names()[i], weight]),
+      )
+      const measured = all(pose)
+      const posed = tilts(pose)
+      for (const [i, { name }] of areas().entries()) {
+        const lost = measured[2 * i] - measured[2 * i + 1]
+        const ratio = posed[i] / rest[i]
+        if (lost > 0.03) seen.squeezed++
+        if (lost < -0.03) seen.pulled++
+        if (lost > 0.03) expect(ratio, name).toBeGreaterThan(1.15)
+        if (lost < -0.03) expect(ratio, name).toBeLessThan(0.95)
+      }
+    }
+    expect(seen.squeezed).toBeGreaterThan(3)
+    expect(seen.pulled).toBeGreaterThan(3)
+  })
+
+  /** Mean tangent of the angle by which the net turns normals, by area, in a pose. */
+  function tilts(pose: Pose): number[] {
+    const { normal } = wrinkles.layers.at(-1)!
+    const activations = byBlendshapes(pose)
+    return areas().map(({ name, weights }) => {
+      let [sum, count] = [0, 0]
+      for (const [texel, weight] of weights.data.entries()) {
+        if (weight < 200) continue
+        for (const rgb of pixelsUnder(texel, weights, normal)) {
+          const detail = {
+            normal: reference.unpackNormal(rgb),
+            influence: activations[name],
+            kind: 'detail' as const,
+          }
+          const [x, y, z] = reference.mixNormals([0, 0, 1], [detail])
+          sum += Math.hypot(x, y) / z
+          count++
+        }
+      }
+      return sum / count
+    })
+  }
+})
+
+/** Colours, 0..1, of the texels of a larger image that are under one of a smaller. */
+function* pixelsUnder(texel: number, { width }: GrayImage, image: GrayImage) {
+  const factor = image.width / width
+  const [x0, y0] = [(texel % width) * factor, Math.floor(texel / width) * factor]
+  for (let y = y0; y < y0 + factor; y++) {
+    for (let x = x0; x < x0 + factor; x++) {
+      const first = 4 * (y * image.width + x)
+      yield [0, 1, 2].map((k) => image.data[first + k] / 255)
+    }
+  }
+}
