@@ -1,6 +1,6 @@
 import { type CompressedArrayTexture as Compressed, CompressedArrayTexture } from 'three'
 import { FurrowError } from '../../core/error.ts'
-import { WRINKLE_MAPS } from '../../core/maps/wrinkle-maps.ts'
+import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { isSlice } from '../../core/wrinkle-set.ts'
 

@@ -2,10 +2,11 @@ import type { Material, Mesh } from 'three'
 import type { GLTF, GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import type { AutoRunOptions } from '../../auto/run-worker.ts'
 import { isObject, wrongArgument } from '../../core/argument.ts'
-import { WRINKLE_MAPS } from '../../core/maps/wrinkle-maps.ts'
+import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
-import { driversOf, type WrinkleDriver } from '../../drivers/registry.ts'
+import { driversOf } from '../../drivers/of-type.ts'
+import type { WrinkleDriver } from '../../drivers/registry.ts'
 import { surfaceOf } from '../material/surface.ts'
 import {
   checkOptions,
@@ -13,11 +14,12 @@ import {
   type WrinkleLoaderOptions,
   type WrinklesOptions,
 } from '../options.ts'
-import { bindDrivers } from '../sources/bind-drivers.ts'
-import type { InputBindings } from '../sources/binding.ts'
+import { bindPlan, type PlannedDrivers } from '../sources/bind-plan.ts'
+import type { FetchedBindings } from '../sources/binding.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { Adoption, type WatchDraws } from './adoption.ts'
 import type { MadeWrinkles } from './auto-wrinkles.ts'
+import { planFetched } from './plan-fetched.ts'
 import {
   type FileFace,
   type FileWrinkles,
@@ -40,7 +42,7 @@ const FADE_IN = 0.3
 /** What depends on the renderer. */
 export interface LoaderParts {
   Wrinkles: WrinklesClass
-  bindings: InputBindings
+  bindings: FetchedBindings
   watchDraws: WatchDraws
 }
 
@@ -159,7 +161,8 @@ export class WrinkleLoader {
     // Another face with the same material has its own activations, and so needs its own material.
     if (copy) for (const mesh of meshes) mesh.material = copy
     await addMusclesOf(meshes[0], drivers)
-    const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, drivers, { expressions })
+    const planned = await planFetched(drivers, this.#parts.bindings)
+    const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, planned, { expressions })
     if (!bySet.has(set)) bySet.set(set, own)
     if (!copy) byMaterial.set(material, own)
     return own
@@ -169,10 +172,10 @@ export class WrinkleLoader {
   #addWrinkles(
     meshes: readonly Mesh[],
     source: WrinkleSet<ArraySlice> | WrinklesBase,
-    drivers: readonly WrinkleDriver[],
+    drivers: PlannedDrivers,
     { expressions, copyOf }: FaceOrigin = {},
   ): WrinklesBase {
-    const { Wrinkles, bindings, watchDraws: watch } = this.#parts
+    const { Wrinkles, watchDraws: watch } = this.#parts
     const [mesh, ...others] = meshes
     const parts = { watch, add: (adopted: Mesh, from: WrinklesBase) => this.#tryAdd(adopted, from, drivers) }
     const adoption = new Adoption(surfaceOf(mesh), meshes, parts, copyOf)
@@ -181,7 +184,7 @@ export class WrinkleLoader {
       own = new Wrinkles(mesh, source, this.#options)
       adoption.begin(own)
       for (const other of others) own.addMesh(other)
-      const runtime = bindDrivers(own, drivers, () => ({ expressions: expressions?.() }), bindings)
+      const runtime = bindPlan(own, drivers, () => ({ expressions: expressions?.() }))
       // three-vrm may create a VRM's expressions after this: they are looked up when the face is first drawn.
       if (!expressions) runtime.bind()
     } catch (error) {
@@ -194,7 +197,7 @@ export class WrinkleLoader {
   }
 
   /** For a mesh that the page made. */
-  #tryAdd(mesh: Mesh, source: WrinklesBase, drivers: readonly WrinkleDriver[]): WrinklesBase | undefined {
+  #tryAdd(mesh: Mesh, source: WrinklesBase, drivers: PlannedDrivers): WrinklesBase | undefined {
     try {
       return this.#addWrinkles([mesh], source, drivers)
     } catch (error) {
@@ -203,7 +206,7 @@ export class WrinkleLoader {
     }
   }
 
-  #followClones(mesh: Mesh, own: WrinklesBase, drivers: readonly WrinkleDriver[]): void {
+  #followClones(mesh: Mesh, own: WrinklesBase, drivers: PlannedDrivers): void {
     mesh.clone = (recursive) => {
       const copy: Mesh = Object.getPrototypeOf(mesh).clone.call(mesh, recursive)
       copy.material = own.cloneMaterial()

@@ -4,7 +4,6 @@ import type { RendererParts } from '../material/renderer-parts.ts'
 import { isToon } from '../material/wrinkle-material.ts'
 import type { ValueKind, WrinkleTextures } from '../material/wrinkle-textures.ts'
 import type { WrinklesOptions } from '../options.ts'
-import { type AddDrivers, addDrivers } from '../sources/add-drivers.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import { composeMaterial } from './compose-material.ts'
 import { defaultFragment, instancedVertex, isPatchable, type ShaderVariant } from './default-shader.ts'
@@ -14,18 +13,10 @@ import { paperFragment } from './paper-shader.ts'
 import { faultOf } from './program-fault.ts'
 import { areaUniforms, layerUniforms, mapUniforms } from './uniforms.ts'
 
-/** Wrinkles on one mesh for `WebGLRenderer`. */
-export class Wrinkles extends WrinklesBase {
-  /**
-   * @param mesh needs UVs and normals and a lit material of its own; each instance of an `InstancedMesh`
-   *   or `BatchedMesh` wrinkles independently.
-   * @param source a set, copied: later changes to it have no effect, use `addArea`, `removeArea`, `updateArea` and
-   *   `updateLayer`. Or the wrinkles of another mesh, which are then shown here too, at rest, from the same textures.
-   * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then unchanged.
-   */
+/** The wrinkles of a loaded file, whose drivers the loader adds; `Wrinkles` is the same for all else. */
+export class WebGLWrinkles extends WrinklesBase {
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
     super(PARTS, mesh, source, options)
-    if ('drivers' in source) addDrivers(this, source.drivers as Parameters<AddDrivers>[1])
   }
 }
 

@@ -17,7 +17,6 @@ import {
 } from 'three/tsl'
 import type { MeshStandardNodeMaterial, Node, NodeBuilder, NodeMaterial } from 'three/webgpu'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
-import type { WrinkleDriver } from '../../drivers/registry.ts'
 import { instancesOf } from '../instances.ts'
 import type { PaperArray } from '../material/paper-array.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
@@ -26,7 +25,6 @@ import { isToon, type WrinkleMaterial } from '../material/wrinkle-material.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { checkThree } from '../three-version.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
-import { addDrivers } from './add-drivers.ts'
 import { faultOf, unwatch, watched } from './build-fault.ts'
 import { composeMaterial } from './compose-material.ts'
 import { checkBatch, influenceFromAreas, influenceFromMap } from './influence.ts'
@@ -37,21 +35,12 @@ import { bloodColour, type LayerInfluence, mixNormals, mixValues, toonColour } f
 import { materialProperty, normalInView, typed } from './node.ts'
 import { mapUv, repeat } from './texture-sampling.ts'
 
-/** Wrinkles on one mesh for `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
-export class Wrinkles extends WrinklesBase {
-  /**
-   * @param mesh needs UVs and normals and a lit material of its own: a node material or a plain one; each
-   *   instance of an `InstancedMesh` or `BatchedMesh` wrinkles independently.
-   * @param source a set, copied: later changes to it have no effect, use `addArea`, `removeArea`, `updateArea` and
-   *   `updateLayer`. Or the wrinkles of another mesh, which are then shown here too, at rest, from the same textures.
-   * @throws FurrowError when the mesh, its material or the set does not fit, or three.js is too old or lacks what
-   *   is needed; the mesh is then unchanged.
-   */
+/** The wrinkles of a loaded file, whose drivers the loader adds; `Wrinkles` is the same for all else. */
+export class WebGPUWrinkles extends WrinklesBase {
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
     checkThree('Wrinkles of furrow/webgpu')
     if (instancesOf(mesh) === 'batched') checkBatch(mesh)
     super(PARTS, mesh, source, options)
-    if ('drivers' in source) addDrivers(this, source.drivers as readonly WrinkleDriver[])
   }
 }
 
