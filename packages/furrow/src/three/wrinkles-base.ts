@@ -113,11 +113,12 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
 
   /** How wrinkles are shown. */
   get mode(): WrinkleMode {
-    return this.#material.mode
+    return this.#material.wanted
   }
 
   /**
-   * Changes how wrinkles are shown; the material's program is recompiled. The composed mode shows normals only, and does not fade.
+   * Changes how wrinkles are shown; the material's program is recompiled. The composed mode shows normals only, and does not fade. On a
+   * page that loads files and does not import `Wrinkles`, `paper` and `composed` are fetched when first wanted, and shown then.
    *
    * @throws FurrowError when the mode is not possible: `paper` with more than one layer, or with maps of the material that
    *   cannot be read or differ in size; `paper` and `composed` for instances; `paper` for a material that cannot be patched. The mode then

@@ -7,7 +7,9 @@ import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
 import { driversOf } from '../../drivers/of-type.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
+import type { RendererParts } from '../material/renderer-parts.ts'
 import { surfaceOf } from '../material/surface.ts'
+import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
 import {
   checkOptions,
   WRINKLES_DEFAULTS,
@@ -42,6 +44,7 @@ const FADE_IN = 0.3
 /** What depends on the renderer. */
 export interface LoaderParts {
   Wrinkles: WrinklesClass
+  renderer: RendererParts
   bindings: FetchedBindings
   watchDraws: WatchDraws
 }
@@ -162,10 +165,18 @@ export class WrinkleLoader {
     if (copy) for (const mesh of meshes) mesh.material = copy
     await addMusclesOf(meshes[0], drivers)
     const planned = await planFetched(drivers, this.#parts.bindings)
+    await this.#fetchMode(material)
     const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, planned, { expressions })
     if (!bySet.has(set)) bySet.set(set, own)
     if (!copy) byMaterial.set(material, own)
     return own
+  }
+
+  /** Fetches the mode that a material will show, so that it does from the first frame on. */
+  async #fetchMode(material: Material): Promise<void> {
+    const { others, canPatch } = this.#parts.renderer
+    const { mode } = this.#options
+    if (mode === 'default' ? !canPatch(material as WrinkleMaterial) : mode !== 'off') await others.load()
   }
 
   /** Adds wrinkles to the meshes of one face, to every copy of them, and to what is drawn with their material. */

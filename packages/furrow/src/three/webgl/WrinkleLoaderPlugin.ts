@@ -4,7 +4,7 @@ import type { WrinkleLoaderOptions } from '../options.ts'
 import type { FetchedBindings } from '../sources/binding.ts'
 import { bindTargetWeights } from '../sources/morph.ts'
 import { watchDraws } from './watch-draws.ts'
-import { WebGLWrinkles } from './webgl-wrinkles.ts'
+import { PARTS, WebGLWrinkles } from './webgl-wrinkles.ts'
 
 const BINDINGS: FetchedBindings = {
   target: () => bindTargetWeights,
@@ -19,6 +19,6 @@ export class WrinkleLoaderPlugin extends WrinkleLoader {
    * @throws FurrowError when an option is unknown or out of range.
    */
   constructor(parser: GLTFParser, options: WrinkleLoaderOptions = {}) {
-    super(parser, { Wrinkles: WebGLWrinkles, bindings: BINDINGS, watchDraws }, options)
+    super(parser, { Wrinkles: WebGLWrinkles, renderer: PARTS, bindings: BINDINGS, watchDraws }, options)
   }
 }

@@ -3,7 +3,11 @@ import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { type AddDrivers, addDrivers } from '../sources/add-drivers.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
-import { WebGLWrinkles } from './webgl-wrinkles.ts'
+import { OTHER_MODES } from './other-modes.ts'
+import { PARTS, WebGLWrinkles } from './webgl-wrinkles.ts'
+
+// A page that makes wrinkles of its own has all modes at once.
+PARTS.others.value = OTHER_MODES
 
 /** Wrinkles on one mesh for `WebGLRenderer`. */
 export class Wrinkles extends WebGLWrinkles {

@@ -4,7 +4,7 @@ import type { WrinkleLoaderOptions } from '../options.ts'
 import type { FetchedBindings } from '../sources/binding.ts'
 import { bindTargetWeights } from '../sources/morph.ts'
 import { watchDraws } from './watch-draws.ts'
-import { WebGPUWrinkles } from './webgpu-wrinkles.ts'
+import { PARTS, WebGPUWrinkles } from './webgpu-wrinkles.ts'
 
 const BINDINGS: FetchedBindings = {
   target: () => bindTargetWeights,
@@ -19,6 +19,6 @@ export class WrinkleLoaderPlugin extends WrinkleLoader {
    * @throws FurrowError when an option is unknown or out of range.
    */
   constructor(parser: GLTFParser, options: WrinkleLoaderOptions = {}) {
-    super(parser, { Wrinkles: WebGPUWrinkles, bindings: BINDINGS, watchDraws }, options)
+    super(parser, { Wrinkles: WebGPUWrinkles, renderer: PARTS, bindings: BINDINGS, watchDraws }, options)
   }
 }

@@ -4,7 +4,11 @@ import type { WrinkleDriver } from '../../drivers/registry.ts'
 import type { WrinklesOptions } from '../options.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { addDrivers } from './add-drivers.ts'
-import { WebGPUWrinkles } from './webgpu-wrinkles.ts'
+import { OTHER_MODES } from './other-modes.ts'
+import { PARTS, WebGPUWrinkles } from './webgpu-wrinkles.ts'
+
+// A page that makes wrinkles of its own has all modes at once.
+PARTS.others.value = OTHER_MODES
 
 /** Wrinkles on one mesh for `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
 export class Wrinkles extends WebGPUWrinkles {
