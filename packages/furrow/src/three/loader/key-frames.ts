@@ -3,7 +3,7 @@ import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import { type ActivationPointer, parseActivationPointer } from '../../core/activation-pointer.ts'
 import { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
-import { activationTrack } from '../animated-areas.ts'
+import { activationTrack } from '../activation-track.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import type { Warnings } from './warnings.ts'
 

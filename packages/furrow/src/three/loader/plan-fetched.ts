@@ -2,12 +2,14 @@ import { morph } from '../../drivers/morph/definition.ts'
 import { planBy } from '../../drivers/plan.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 import type { PlannedDrivers } from '../sources/bind-plan.ts'
-import type { FetchedBindings } from '../sources/binding.ts'
+import type { BindInputs, FetchedBindings } from '../sources/binding.ts'
+import { meshTargets } from '../sources/morph.ts'
 
 /** Plans the drivers of a file, and fetches what these drivers need beyond blendshapes, which most files have alone. */
 export async function planFetched(
   drivers: readonly WrinkleDriver[],
-  { target, joint, tension }: FetchedBindings,
+  { joint, tension }: FetchedBindings,
+  isVrm: boolean,
 ): Promise<PlannedDrivers> {
   const isUsual = drivers.every(({ type }) => type === 'morph')
   const { definitionOf } = isUsual ? MORPH_ONLY : await import('../../drivers/registry.ts')
@@ -17,7 +19,7 @@ export async function planFetched(
     drivers,
     plan,
     bindings: {
-      target: await target(),
+      target: isVrm ? (await import('../sources/target.ts')).bindTargets : meshTargetsOnly,
       ...(inputs.joint.length > 0 && { joint: await joint() }),
       ...(inputs.tension.length > 0 && { tension: await tension() }),
     },
@@ -25,3 +27,5 @@ export async function planFetched(
 }
 
 const MORPH_ONLY = { definitionOf: () => morph as never }
+
+const meshTargetsOnly: BindInputs<'target'> = (wrinkles, inputs) => meshTargets(wrinkles, inputs)

@@ -164,7 +164,7 @@ export class WrinkleLoader {
     // Another face with the same material has its own activations, and so needs its own material.
     if (copy) for (const mesh of meshes) mesh.material = copy
     await addMusclesOf(meshes[0], drivers)
-    const planned = await planFetched(drivers, this.#parts.bindings)
+    const planned = await planFetched(drivers, this.#parts.bindings, expressions !== undefined)
     await this.#fetchMode(material)
     const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, planned, { expressions })
     if (!bySet.has(set)) bySet.set(set, own)

@@ -6,12 +6,12 @@ import type { WrinklesBase } from '../wrinkles-base.ts'
 import { bindPlan } from './bind-plan.ts'
 import type { DriversOptions, InputBindings } from './binding.ts'
 import { bindJoints } from './joint.ts'
-import { bindTargetWeights } from './morph.ts'
+import { bindTargets } from './target.ts'
 import { bindTension } from './tension.ts'
 
 /** How `furrow/three` reads each kind of input. */
 export const BINDINGS = {
-  target: bindTargetWeights,
+  target: bindTargets,
   joint: bindJoints,
   tension: bindTension,
 } satisfies InputBindings

@@ -21,4 +21,7 @@ export type BindInputs<K extends MeasuredKind> = (
 export type InputBindings = { readonly [K in MeasuredKind]?: BindInputs<K> }
 
 /** The same, where what most files have no use for is fetched when one does. */
-export type FetchedBindings = { readonly [K in MeasuredKind]: () => BindInputs<K> | Promise<BindInputs<K>> }
+export interface FetchedBindings {
+  joint(): Promise<BindInputs<'joint'>>
+  tension(): Promise<BindInputs<'tension'>>
+}

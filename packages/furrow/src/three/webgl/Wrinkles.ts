@@ -1,5 +1,6 @@
 import type { Mesh } from 'three'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
+import { checkSource } from '../check-source.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { type AddDrivers, addDrivers } from '../sources/add-drivers.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
@@ -19,7 +20,7 @@ export class Wrinkles extends WebGLWrinkles {
    * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then unchanged.
    */
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
-    super(mesh, source, options)
+    super(mesh, checkSource(source), options)
     if ('drivers' in source) addDrivers(this, source.drivers as Parameters<AddDrivers>[1])
   }
 

@@ -2,12 +2,10 @@ import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import { WrinkleLoader } from '../loader/wrinkle-loader.ts'
 import type { WrinkleLoaderOptions } from '../options.ts'
 import type { FetchedBindings } from '../sources/binding.ts'
-import { bindTargetWeights } from '../sources/morph.ts'
 import { watchDraws } from './watch-draws.ts'
 import { PARTS, WebGPUWrinkles } from './webgpu-wrinkles.ts'
 
 const BINDINGS: FetchedBindings = {
-  target: () => bindTargetWeights,
   joint: async () => (await import('../sources/joint.ts')).bindJoints,
   tension: async () => (await import('./computed-tension.ts')).bindComputedTension,
 }

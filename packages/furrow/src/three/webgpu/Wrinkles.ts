@@ -1,11 +1,12 @@
 import type { Mesh } from 'three'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
+import { checkSource } from '../check-source.ts'
 import type { WrinklesOptions } from '../options.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { addDrivers } from './add-drivers.ts'
 import { OTHER_MODES } from './other-modes.ts'
-import { PARTS, WebGPUWrinkles } from './webgpu-wrinkles.ts'
+import { checkThreeFor, PARTS, WebGPUWrinkles } from './webgpu-wrinkles.ts'
 
 // A page that makes wrinkles of its own has all modes at once.
 PARTS.others.value = OTHER_MODES
@@ -21,7 +22,7 @@ export class Wrinkles extends WebGPUWrinkles {
    *   is needed; the mesh is then unchanged.
    */
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
-    super(mesh, source, options)
+    super(checkThreeFor(mesh), checkSource(source), options)
     if ('drivers' in source) addDrivers(this, source.drivers as readonly WrinkleDriver[])
   }
 

@@ -23,10 +23,15 @@ import { mapUv } from './texture-sampling.ts'
 /** The wrinkles of a loaded file, whose drivers the loader adds; `Wrinkles` is the same for all else. */
 export class WebGPUWrinkles extends WrinklesBase {
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
-    checkThree('Wrinkles of furrow/webgpu')
-    if (instancesOf(mesh) === 'batched') checkBatch(mesh)
-    super(PARTS, mesh, source, options)
+    super(PARTS, checkThreeFor(mesh), source, options)
   }
+}
+
+/** @throws FurrowError when three.js is too old, or lacks what is needed for the mesh. */
+export function checkThreeFor(mesh: Mesh): Mesh {
+  checkThree('Wrinkles of furrow/webgpu')
+  if (instancesOf(mesh) === 'batched') checkBatch(mesh)
+  return mesh
 }
 
 /** The default mode. */
