@@ -20,6 +20,7 @@ const FETCHED = {
   'tension, on the CPU': ['three/sources/tension'],
   'tension, by the GPU': ['three/webgpu/computed-tension'],
   muscles: ['three/sources/muscles'],
+  'expressions of a VRM': ['three/sources/target'],
   'the modes composed and paper': ['three/webgl/other-modes', 'three/webgpu/other-modes'],
   'KTX 2': ['drivers/parse', 'core/maps/rules', 'three/loader/ktx2', 'three/loader/join-arrays'],
   'maps of several sizes': ['core/maps/rules'],
