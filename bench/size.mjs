@@ -54,6 +54,25 @@ export async function measureSizes() {
   return sizes
 }
 
+/** Other libraries that add to a character or a scene, for comparison. */
+const PEERS = {
+  '@pixiv/three-vrm': ['VRMLoaderPlugin'],
+  '@react-three/drei': ['Text', 'Facemesh', 'Stage', 'useGLTF', 'Environment', 'OrbitControls'],
+}
+
+/** The same of what pages import of other libraries, without three.js and React. */
+export async function measurePeers() {
+  const sizes = {}
+  for (const [library, names] of Object.entries(PEERS)) {
+    for (const name of names) {
+      const code = `import { ${name} as used } from '${library}'; globalThis.used = used`
+      const chunks = await bundle(code, /^(three|react|react-dom|@react-three\/fiber)(\/|$)/)
+      sizes[`${name}, ${library}`] = compressed(closure([chunks[0]], chunks))
+    }
+  }
+  return sizes
+}
+
 const PAGE = 'virtual:page'
 
 /** Builds a page as a bundler would; its first chunk comes first. */
