@@ -12,7 +12,7 @@ export async function planFetched(
   isVrm: boolean,
 ): Promise<PlannedDrivers> {
   const isUsual = drivers.every(({ type }) => type === 'morph')
-  const { definitionOf } = isUsual ? MORPH_ONLY : await import('../../drivers/registry.ts')
+  const definitionOf = isUsual ? morphOnly : (await import('../../drivers/registry.ts')).definitionOf
   const plan = planBy(definitionOf, drivers)
   const { inputs } = plan
   return {
@@ -26,6 +26,6 @@ export async function planFetched(
   }
 }
 
-const MORPH_ONLY = { definitionOf: () => morph as never }
+const morphOnly = () => morph as never
 
 const meshTargetsOnly: BindInputs<'target'> = (wrinkles, inputs) => meshTargets(wrinkles, inputs)

@@ -102,11 +102,22 @@ export function materialReader(
   return (material) => once(known, material, () => read(material))
 }
 
+/** Begins to fetch what reads a file that is out of the usual, so that it arrives while the rest is loaded. */
+export function prefetchParser({ json }: Parser): void {
+  const { materials } = json
+  if (!Array.isArray(materials)) return
+  const all = materials.flatMap((material) => material?.extensions?.[WRINKLE_MAPS] ?? [])
+  if (all.some((maps) => !readUsualMaps(maps, Infinity))) importParser().catch(() => {})
+}
+
 /** Reads what is out of the usual, or says what is wrong with it. */
 async function parseMaps(json: unknown, textureCount: number, onFault: ReadOptions['onFault']) {
-  const { parseWrinkleMaps } = await import('../../drivers/parse.ts')
+  const parseWrinkleMaps = await importParser()
   return parseWrinkleMaps(json, textureCount, WRINKLE_MAPS, onFault)
 }
+
+/** Bundlers leave out what a module has beyond what is taken from it where it is imported. */
+const importParser = async () => (await import('../../drivers/parse.ts')).parseWrinkleMaps
 
 /** Groups meshes by face: the primitives of a glTF mesh that have one material are one face. */
 export function facesOf(gltf: GLTF, parser: Parser): [Mesh, ...Mesh[]][] {

@@ -27,6 +27,7 @@ import {
   type FileWrinkles,
   facesOf,
   materialReader,
+  prefetchParser,
   wrinkledFaces,
 } from './read-wrinkle-maps.ts'
 import { Warnings } from './warnings.ts'
@@ -82,6 +83,7 @@ export class WrinkleLoader {
 
   /** Called by the loader before it loads anything. */
   async beforeRoot(): Promise<void> {
+    prefetchParser(this.#parser)
     if (this.#auto) {
       // Arrives while the rest is loaded.
       this.#autoModule = import('./auto-wrinkles.ts')
