@@ -25,6 +25,7 @@ describe.each(RENDERERS)('modes that are fetched, on %s', (name) => {
     const loader = new GLTFLoader().register((parser) => new harness.Plugin(parser, { mode }))
     const gltf = await loader.parseAsync(file.slice().buffer, '')
     const [wrinkles] = wrinklesOf(gltf) as [WrinklesBase]
+    expect(wrinkles).toBeInstanceOf(harness.Wrinkles)
     wrinkles.driven = false
     wrinkles.setActivation('a', 1)
     const light = new DirectionalLight(0xffffff, 2)

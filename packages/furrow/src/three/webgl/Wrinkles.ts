@@ -3,7 +3,7 @@ import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { checkSource } from '../check-source.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { type AddDrivers, addDrivers } from '../sources/add-drivers.ts'
-import type { WrinklesBase } from '../wrinkles-base.ts'
+import { WrinklesBase } from '../wrinkles-base.ts'
 import { OTHER_MODES } from './other-modes.ts'
 import { PARTS, WebGLWrinkles } from './webgl-wrinkles.ts'
 
@@ -11,7 +11,7 @@ import { PARTS, WebGLWrinkles } from './webgl-wrinkles.ts'
 PARTS.others.value = OTHER_MODES
 
 /** Wrinkles on one mesh for `WebGLRenderer`. */
-export class Wrinkles extends WebGLWrinkles {
+export class Wrinkles extends WrinklesBase {
   /**
    * @param mesh needs UVs and normals and a lit material of its own; each instance of an `InstancedMesh`
    *   or `BatchedMesh` wrinkles independently.
@@ -20,13 +20,15 @@ export class Wrinkles extends WebGLWrinkles {
    * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then unchanged.
    */
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
-    super(mesh, checkSource(source), options)
+    super(PARTS, mesh, checkSource(source), options)
     if ('drivers' in source) addDrivers(this, source.drivers as Parameters<AddDrivers>[1])
   }
 
-  /** Those of loaded files too. */
+  /** Those of loaded files too. @internal */
   static override [Symbol.hasInstance](value: unknown): boolean {
     // biome-ignore lint/complexity/noThisInStatic: those of a class that extends it are fewer
-    return Function.prototype[Symbol.hasInstance].call(this === Wrinkles ? WebGLWrinkles : this, value)
+    const isOwn = Function.prototype[Symbol.hasInstance].call(this, value)
+    // biome-ignore lint/complexity/noThisInStatic: as above
+    return isOwn || (this === Wrinkles && value instanceof WebGLWrinkles)
   }
 }

@@ -3,7 +3,7 @@ import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 import { checkSource } from '../check-source.ts'
 import type { WrinklesOptions } from '../options.ts'
-import type { WrinklesBase } from '../wrinkles-base.ts'
+import { WrinklesBase } from '../wrinkles-base.ts'
 import { addDrivers } from './add-drivers.ts'
 import { OTHER_MODES } from './other-modes.ts'
 import { checkThreeFor, PARTS, WebGPUWrinkles } from './webgpu-wrinkles.ts'
@@ -12,7 +12,7 @@ import { checkThreeFor, PARTS, WebGPUWrinkles } from './webgpu-wrinkles.ts'
 PARTS.others.value = OTHER_MODES
 
 /** Wrinkles on one mesh for `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
-export class Wrinkles extends WebGPUWrinkles {
+export class Wrinkles extends WrinklesBase {
   /**
    * @param mesh needs UVs and normals and a lit material of its own: a node material or a plain one; each
    *   instance of an `InstancedMesh` or `BatchedMesh` wrinkles independently.
@@ -22,13 +22,15 @@ export class Wrinkles extends WebGPUWrinkles {
    *   is needed; the mesh is then unchanged.
    */
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
-    super(checkThreeFor(mesh), checkSource(source), options)
+    super(PARTS, checkThreeFor(mesh), checkSource(source), options)
     if ('drivers' in source) addDrivers(this, source.drivers as readonly WrinkleDriver[])
   }
 
-  /** Those of loaded files too. */
+  /** Those of loaded files too. @internal */
   static override [Symbol.hasInstance](value: unknown): boolean {
     // biome-ignore lint/complexity/noThisInStatic: those of a class that extends it are fewer
-    return Function.prototype[Symbol.hasInstance].call(this === Wrinkles ? WebGPUWrinkles : this, value)
+    const isOwn = Function.prototype[Symbol.hasInstance].call(this, value)
+    // biome-ignore lint/complexity/noThisInStatic: as above
+    return isOwn || (this === Wrinkles && value instanceof WebGPUWrinkles)
   }
 }
