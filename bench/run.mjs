@@ -77,8 +77,8 @@ async function run() {
       `processor: ${microseconds.toFixed(1)} microseconds and ${bytes.toFixed(1)} bytes a frame, one face, ${targets} blendshapes that drive ${areas} areas${allTypes ? ', and every other type of driver' : ''}\n`,
     )
   }
-  for (const { page, gzipped } of await measureSizes()) {
-    process.stdout.write(`download: ${page}: ${kilobytes(gzipped)} gzipped\n`)
+  for (const [what, { gzip, brotli }] of Object.entries(await measureSizes())) {
+    process.stdout.write(`download: ${what}: ${kilobytes(gzip)} by gzip, ${kilobytes(brotli)} by Brotli\n`)
   }
 }
 

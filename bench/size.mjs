@@ -1,7 +1,7 @@
-// What a page downloads of the library, minified and gzipped; three.js, the user's own code and what is fetched on demand apart:
-// KTX 2, key frames of areas and muscles come when a file has them.
+// What a page downloads of the library, minified, then gzipped or as Brotli; three.js and the user's own code apart. A page's own size is
+// that of all it loads before a file: what files need is fetched when they do, and measured apart.
 
-import { gzipSync } from 'node:zlib'
+import { brotliCompressSync, gzipSync } from 'node:zlib'
 import { build } from 'vite'
 import { ROOT } from './serve.mjs'
 
@@ -13,30 +13,107 @@ const PAGES = {
   'all of furrow/webgpu': "import * as used from 'furrow/webgpu'",
 }
 
-const PAGE = 'virtual:page'
+/** Fetched by pages with the loader alone: the modules that are imported on demand. */
+const FETCHED = {
+  'drivers beyond blendshapes': ['drivers/parse', 'drivers/registry'],
+  joints: ['three/sources/joint'],
+  'tension, on the CPU': ['three/sources/tension'],
+  'tension, by the GPU': ['three/webgpu/computed-tension'],
+  muscles: ['three/sources/muscles'],
+  'expressions of a VRM': ['three/sources/target'],
+  'the modes composed and paper': ['three/webgl/other-modes', 'three/webgpu/other-modes'],
+  'KTX 2': ['drivers/parse', 'core/maps/rules', 'three/loader/ktx2', 'three/loader/join-arrays'],
+  'maps of several sizes': ['core/maps/rules'],
+  'a damaged file': ['drivers/parse', 'core/maps/rules'],
+  'key frames of areas': ['three/loader/key-frames'],
+  relief: ['three/relief/relief', 'three/webgl/relief', 'three/webgpu/relief', 'three/relief-control'],
+  'the option auto': ['three/loader/auto-wrinkles', 'auto/start-worker'],
+}
 
-/** Gzipped bytes of each page. */
+/**
+ * Bytes by gzip and Brotli: of each page, and of what is fetched later by pages with the loader alone.
+ *
+ * @returns {Promise<Record<string, { gzip: number, brotli: number }>>}
+ */
 export async function measureSizes() {
-  const sizes = []
+  const sizes = {}
   for (const [page, code] of Object.entries(PAGES)) {
-    const { output } = await build({
-      root: ROOT,
-      configFile: false,
-      logLevel: 'silent',
-      plugins: [virtualPage(`${code}; globalThis.used = used`)],
-      ssr: { noExternal: true },
-      build: {
-        write: false,
-        minify: true,
-        // Without Vite's own helper for dynamic imports.
-        ssr: true,
-        // Not as a library: of those Vite leaves the spaces.
-        rolldownOptions: { input: PAGE, external: /^three(\/|$)/ },
-      },
-    })
-    sizes.push({ page, gzipped: gzipSync(output[0].code, { level: 9 }).length })
+    const chunks = await bundle(`${code}; globalThis.used = used`, /^three(\/|$)/)
+    const [entry] = chunks
+    const own = closure([entry], chunks)
+    sizes[page] = compressed(own)
+    if (!page.startsWith('the loader')) continue
+    for (const [what, modules] of Object.entries(FETCHED)) {
+      const roots = chunks.filter(({ facadeModuleId: id }) =>
+        modules.some((name) => id?.endsWith(`/furrow/dist/${name}.js`)),
+      )
+      const later = closure(roots, chunks).filter((chunk) => !own.includes(chunk))
+      if (later.length > 0) sizes[`${page}: ${what}`] = compressed(later)
+    }
   }
   return sizes
+}
+
+/** Other libraries that add to a character or a scene, for comparison. */
+const PEERS = {
+  '@pixiv/three-vrm': ['VRMLoaderPlugin'],
+  '@react-three/drei': ['Text', 'Facemesh', 'Stage', 'useGLTF', 'Environment', 'OrbitControls'],
+}
+
+/** The same of what pages import of other libraries, without three.js and React. */
+export async function measurePeers() {
+  const sizes = {}
+  for (const [library, names] of Object.entries(PEERS)) {
+    for (const name of names) {
+      const code = `import { ${name} as used } from '${library}'; globalThis.used = used`
+      const chunks = await bundle(code, /^(three|react|react-dom|@react-three\/fiber)(\/|$)/)
+      sizes[`${name}, ${library}`] = compressed(closure([chunks[0]], chunks))
+    }
+  }
+  return sizes
+}
+
+const PAGE = 'virtual:page'
+
+/** Builds a page as a bundler would; its first chunk comes first. */
+export async function bundle(code, external) {
+  const { output } = await build({
+    root: ROOT,
+    configFile: false,
+    logLevel: 'silent',
+    plugins: [virtualPage(code)],
+    ssr: { noExternal: true },
+    build: {
+      write: false,
+      minify: true,
+      // Without Vite's own helper for dynamic imports.
+      ssr: true,
+      // Not as a library: of those Vite leaves the spaces.
+      rolldownOptions: { input: PAGE, external },
+    },
+  })
+  return output.filter(({ type }) => type === 'chunk').sort((a, b) => Number(b.isEntry) - Number(a.isEntry))
+}
+
+/** Some chunks, and all that they import at once. */
+export function closure(chunks, all) {
+  const found = new Set(chunks)
+  for (const { imports } of found) {
+    for (const name of imports) {
+      const chunk = all.find(({ fileName }) => fileName === name)
+      if (chunk) found.add(chunk)
+    }
+  }
+  return [...found]
+}
+
+/** Each file is compressed by itself, as servers do. */
+export function compressed(chunks) {
+  const sum = (compress) => chunks.reduce((total, { code }) => total + compress(code).length, 0)
+  return {
+    gzip: sum((code) => gzipSync(code, { level: 9 })),
+    brotli: sum((code) => brotliCompressSync(code)),
+  }
 }
 
 function virtualPage(code) {

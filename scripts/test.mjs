@@ -5,6 +5,7 @@ import { readFileSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { ensureBrowser, readAdapters } from './lib/browser.mjs'
+import { compareDownload, warnings } from './lib/download.mjs'
 import { setUpPython } from './lib/python.mjs'
 import { Failure, main, run, say } from './lib/run.mjs'
 import { setUp } from './lib/set-up.mjs'
@@ -30,7 +31,7 @@ await main(async () => {
     ...(
       await Promise.all([
         timed('type check', ['npx', 'tsc', '--noEmit']),
-        inOrder(() => timed('lint', ['npx', 'biome', 'check', '.']), checkFaces),
+        inOrder(() => timed('lint', ['npx', 'biome', 'check', '.']), checkFaces, checkDownload),
       ])
     ).flat(),
   )
@@ -61,6 +62,12 @@ async function checkFaces() {
     () => timed('faces lint', [...ruff, 'check', 'faces']),
     () => timed('faces tests', [python, '-m', 'pytest', '--quiet', 'faces']),
   )
+}
+
+/** What pages download may grow, but not unseen. */
+async function checkDownload() {
+  const grown = warnings(await compareDownload())
+  return { name: 'download', state: grown.length > 0 ? 'warning' : 'passed', detail: grown.join('\n') }
 }
 
 async function inOrder(...steps) {

@@ -17,6 +17,7 @@ export {
   MAX_IMAGE_SIDE,
   MAX_LAYERS,
 } from './core/limits.ts'
+export { checkDeclared, WRINKLE_MAPS } from './core/maps/declared.ts'
 export { DecodedBytes } from './core/maps/decoded-bytes.ts'
 export { type ImageFileType, imageDamage, imageTypeOf } from './core/maps/image-file.ts'
 export {
@@ -33,13 +34,11 @@ export {
   type TextureShape,
   texturesOfFace,
 } from './core/maps/rules.ts'
-export {
-  checkDeclared,
-  type MapsAndAreas,
-  type TextureReference,
-  WRINKLE_MAPS,
-  type WrinkleMapsArea,
-  type WrinkleMapsLayer,
+export type {
+  MapsAndAreas,
+  TextureReference,
+  WrinkleMapsArea,
+  WrinkleMapsLayer,
 } from './core/maps/wrinkle-maps.ts'
 export { isName } from './core/name.ts'
 export { type ImageArray, packAreas, packColours, packGrays } from './core/pack.ts'
@@ -87,6 +86,7 @@ export { ALIASES } from './drivers/morph/aliases.ts'
 export { canonicalTargetName, findTargets } from './drivers/morph/target-names.ts'
 export { type VrmExpression, type VrmExpressions, VrmWeights } from './drivers/morph/vrm.ts'
 export { muscleOffsets } from './drivers/muscle/offsets.ts'
+export { driversOf } from './drivers/of-type.ts'
 export {
   parseDrivers,
   parseWrinkleMaps,
@@ -94,7 +94,8 @@ export {
   type WrinkleMaps,
   type WrinkleSetDocument,
 } from './drivers/parse.ts'
-export { type DriverPlan, type PlannedActivation, type PlannedFilter, planDrivers } from './drivers/plan.ts'
+export type { DriverPlan, PlannedActivation, PlannedFilter } from './drivers/plan.ts'
+export { planDrivers } from './drivers/plan-drivers.ts'
 export {
   type BoundInput,
   DriverProgram,
@@ -103,12 +104,7 @@ export {
   type InputSources,
 } from './drivers/program.ts'
 export type * from './drivers/registry.ts'
-export {
-  DRIVER_TYPES,
-  driversOf,
-  isKnownDriver,
-  registerDriver,
-} from './drivers/registry.ts'
+export { DRIVER_TYPES, isKnownDriver, registerDriver } from './drivers/registry.ts'
 export { measuredSource, targetSource, valueSource } from './drivers/sources.ts'
 export { TensionMeasurement, type TensionSample } from './drivers/tension/measure.ts'
 export { type SampledMesh, sampleTriangles } from './drivers/tension/samples.ts'

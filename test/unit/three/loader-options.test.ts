@@ -41,3 +41,12 @@ it('a wrinkle set brings its drivers', () => {
   frameOf(mesh)()
   expect(wrinkles.getActivation('area0')).toBe(1)
 })
+
+it('a class of its own that extends Wrinkles has instances of its own only', () => {
+  class Own extends Wrinkles {}
+  const create = (Class: typeof Wrinkles) =>
+    new Class(new Mesh(new PlaneGeometry(), new MeshStandardMaterial()), randomSet(seeded(1), 1, 2))
+  expect(create(Own)).toBeInstanceOf(Own)
+  expect(create(Own)).toBeInstanceOf(Wrinkles)
+  expect(create(Wrinkles)).not.toBeInstanceOf(Own)
+})

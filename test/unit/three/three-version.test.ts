@@ -19,7 +19,7 @@ import {
 import { instancedVertex } from '../../../packages/furrow/src/three/webgl/default-shader.ts'
 import { quadMaterials } from '../../../packages/furrow/src/three/webgl/influence-quads.ts'
 import { checkBatch } from '../../../packages/furrow/src/three/webgpu/influence.ts'
-import { Wrinkles } from '../../../packages/furrow/src/three/webgpu/webgpu-wrinkles.ts'
+import { Wrinkles } from '../../../packages/furrow/src/three/webgpu/Wrinkles.ts'
 
 let revision: string | null = null
 vi.mock('three', async (original) => {

@@ -1,4 +1,4 @@
-import { WRINKLE_MAPS } from './maps/wrinkle-maps.ts'
+import { WRINKLE_MAPS } from './maps/declared.ts'
 
 /** Target of an animation channel: the activation at rest of one area. */
 export interface ActivationPointer {

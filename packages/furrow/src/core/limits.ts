@@ -25,6 +25,15 @@ export const MAX_IMAGE_BYTES = 2 ** 28
  */
 export const MAX_WRINKLE_BYTES = 2 ** 29
 
+/** Most drivers of a set. */
+export const MAX_DRIVERS = 4096
+
+/** Most links of a driver. */
+export const MAX_LINKS = 1024
+
+/** Most points of a curve. */
+export const MAX_CURVE_POINTS = 64
+
 /** Most characters of a name in a file. */
 export const LONGEST_NAME = 256
 

@@ -1,12 +1,9 @@
 import type { JsonReader } from '../core/json.ts'
 import { or } from '../core/json.ts'
-import { LARGEST, LONGEST_NAME } from '../core/limits.ts'
+import { LARGEST, LONGEST_NAME, MAX_CURVE_POINTS, MAX_LINKS } from '../core/limits.ts'
 import type { Rule } from './activation.ts'
 import type { Curve, CurvePoint } from './curve.ts'
 import type { Link } from './link.ts'
-
-const MAX_LINKS = 1024
-const MAX_CURVE_POINTS = 64
 
 type Json = Record<string, unknown>
 

@@ -2,11 +2,11 @@ import type { AreaConvention } from '../core/area.ts'
 import { readSetDocument, type SetDocument } from '../core/document.ts'
 import { FurrowError } from '../core/error.ts'
 import { JsonReader, or } from '../core/json.ts'
-import { type MapsAndAreas, readMaps, WRINKLE_MAPS } from '../core/maps/wrinkle-maps.ts'
+import { MAX_DRIVERS } from '../core/limits.ts'
+import { WRINKLE_MAPS } from '../core/maps/declared.ts'
+import { type MapsAndAreas, readMaps } from '../core/maps/wrinkle-maps.ts'
 import { Fields } from './fields.ts'
 import { definitionOf, type WrinkleDriver } from './registry.ts'
-
-const MAX_DRIVERS = 4096
 
 /** The JSON of the glTF extension on a material, checked and with defaults filled in. */
 export interface WrinkleMaps extends MapsAndAreas {

@@ -1,6 +1,6 @@
 import type { AreaActivation, Input, InputKind, InputOf } from './activation.ts'
-import type { ActivationFilter, InputFilter } from './definition.ts'
-import { definitionOf, isKnownDriver, type WrinkleDriver } from './registry.ts'
+import type { ActivationFilter, DriverDefinition, InputFilter } from './definition.ts'
+import type { WrinkleDriver } from './registry.ts'
 
 /** One driver that activates an area. */
 export interface PlannedActivation {
@@ -39,8 +39,15 @@ export interface DriverPlan {
   readonly unknownTypes: readonly string[]
 }
 
-/** Orders the drivers of a face for evaluation. Drivers of unknown type are left out. */
-export function planDrivers(drivers: readonly WrinkleDriver[]): DriverPlan {
+/**
+ * Orders the drivers of a face for evaluation. Drivers of unknown type are left out.
+ *
+ * @param definitionOf the definition of a type, undefined for unknown ones: given, so that a page fetches only those that its files use.
+ */
+export function planBy(
+  definitionOf: (type: string) => DriverDefinition | undefined,
+  drivers: readonly WrinkleDriver[],
+): DriverPlan {
   const known = drivers.flatMap((driver) => {
     const definition = definitionOf(driver.type)
     return definition ? [{ driver, definition }] : []
@@ -88,7 +95,7 @@ export function planDrivers(drivers: readonly WrinkleDriver[]): DriverPlan {
       area: ofKind('area', inputs),
     },
     cyclicAreas,
-    unknownTypes: [...new Set(drivers.filter((driver) => !isKnownDriver(driver)).map(({ type }) => type))],
+    unknownTypes: [...new Set(drivers.map(({ type }) => type).filter((type) => !definitionOf(type)))],
   }
 }
 

@@ -96,8 +96,3 @@ export function definitionOf(type: string): DriverDefinition | undefined {
 export function isKnownDriver(driver: WrinkleDriver): boolean {
   return definitions.has(driver.type)
 }
-
-/** The drivers of one type, in order. */
-export function driversOf<T extends DriverType>(type: T, drivers: readonly WrinkleDriver[]): DriverOf<T>[] {
-  return drivers.filter((driver): driver is DriverOf<T> => driver.type === type)
-}

@@ -5,7 +5,7 @@ import {
   type ReaderContext,
   type WriterContext,
 } from '@gltf-transform/core'
-import { WRINKLE_MAPS } from '../core/maps/wrinkle-maps.ts'
+import { WRINKLE_MAPS } from '../core/maps/declared.ts'
 import { MaterialWrinkles } from './material-wrinkles.ts'
 import { readMaterialWrinkles } from './read.ts'
 import { WrinkleArea } from './wrinkle-area.ts'

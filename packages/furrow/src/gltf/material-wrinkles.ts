@@ -1,5 +1,5 @@
 import { ExtensionProperty, type IProperty, type Nullable, PropertyType, RefSet } from '@gltf-transform/core'
-import { WRINKLE_MAPS } from '../core/maps/wrinkle-maps.ts'
+import { WRINKLE_MAPS } from '../core/maps/declared.ts'
 import type { WrinkleDriver } from '../drivers/registry.ts'
 import type { WrinkleArea } from './wrinkle-area.ts'
 import type { WrinkleLayer } from './wrinkle-layer.ts'

@@ -1,6 +1,6 @@
 import type { GLTF, ReaderContext, Texture, TextureInfo } from '@gltf-transform/core'
 import { FurrowError } from '../core/error.ts'
-import { WRINKLE_MAPS } from '../core/maps/wrinkle-maps.ts'
+import { WRINKLE_MAPS } from '../core/maps/declared.ts'
 import { parseWrinkleMaps } from '../drivers/parse.ts'
 import type { MaterialWrinkles } from './material-wrinkles.ts'
 import type { WrinkleArea } from './wrinkle-area.ts'

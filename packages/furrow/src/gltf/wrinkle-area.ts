@@ -6,7 +6,7 @@ import {
   TextureChannel,
   TextureInfo,
 } from '@gltf-transform/core'
-import { WRINKLE_MAPS } from '../core/maps/wrinkle-maps.ts'
+import { WRINKLE_MAPS } from '../core/maps/declared.ts'
 import type { Combine } from '../core/types.ts'
 import { NO_SLICE, type WrinkleLayer } from './wrinkle-layer.ts'
 

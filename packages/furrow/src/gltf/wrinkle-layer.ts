@@ -6,7 +6,7 @@ import {
   TextureChannel,
   TextureInfo,
 } from '@gltf-transform/core'
-import { WRINKLE_MAPS } from '../core/maps/wrinkle-maps.ts'
+import { WRINKLE_MAPS } from '../core/maps/declared.ts'
 import type { LayerKind } from '../core/types.ts'
 
 interface IWrinkleLayer extends IProperty {

@@ -1,7 +1,7 @@
 import { wrongArgument } from '../core/argument.ts'
+import { listNames } from '../core/check-areas.ts'
 import { FurrowError, sentence } from '../core/error.ts'
 import { MAX_AREAS } from '../core/limits.ts'
-import { listNames } from '../core/wrinkle-set.ts'
 
 /** The activation vector: one number, 0..1, per area, bound by name. */
 export class Activations {

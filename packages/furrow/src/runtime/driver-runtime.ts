@@ -22,8 +22,8 @@ export interface InputReader<Engine> extends InputSource {
 /** Kinds of inputs that an engine measures. */
 export type MeasuredKind = Exclude<ExternalInputKind, 'value'>
 
-/** A reader for each kind. */
-export type InputReaders<Engine> = { readonly [K in MeasuredKind]: InputReader<Engine> }
+/** A reader for each kind that a plan has. */
+export type InputReaders<Engine> = { readonly [K in MeasuredKind]?: InputReader<Engine> }
 
 const MEASURED = ['target', 'joint', 'tension'] as const satisfies readonly MeasuredKind[]
 
@@ -83,9 +83,10 @@ export class DriverRuntime<Engine> {
     const program = new DriverProgram(plan, { ...readers, value: this.#values })
     const bound: Bound<Engine> = {
       program,
-      readers: MEASURED.map((kind) => ({ kind, reader: readers[kind] })).filter(
-        ({ kind }) => plan.inputs[kind].length > 0,
-      ),
+      readers: MEASURED.flatMap((kind) => {
+        const reader = readers[kind]
+        return reader && plan.inputs[kind].length > 0 ? { kind, reader } : []
+      }),
     }
     this.#bound = bound
     this.#warn([

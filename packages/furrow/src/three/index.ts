@@ -6,4 +6,4 @@
 
 export * from './common.ts'
 export { WrinkleLoaderPlugin } from './webgl/WrinkleLoaderPlugin.ts'
-export { Wrinkles } from './webgl/webgl-wrinkles.ts'
+export { Wrinkles } from './webgl/Wrinkles.ts'

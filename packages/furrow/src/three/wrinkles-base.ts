@@ -1,7 +1,7 @@
 import type { Camera, Material, Mesh } from 'three'
 import { wrongArgument } from '../core/argument.ts'
+import { checkArea, checkAreas } from '../core/check-areas.ts'
 import type { Area, ArraySlice, WrinkleSet } from '../core/types.ts'
-import { checkArea, checkWrinkleSet } from '../core/wrinkle-set.ts'
 import type { Cell } from '../runtime/atlas-cells.ts'
 import type { FrameEntry } from '../runtime/frame.ts'
 import { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
@@ -34,7 +34,8 @@ import {
   type WrinkleMode,
   type WrinklesOptions,
 } from './options.ts'
-import { ReliefControl, type ReliefOwner } from './relief-control.ts'
+import { canRise } from './relief/raised-layer.ts'
+import type { ReliefControl, ReliefOwner } from './relief-control.ts'
 import { type AnyRenderer, checkRenderer, isRefused } from './renderer.ts'
 import { fadeOnScreen } from './size-on-screen.ts'
 
@@ -62,7 +63,10 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   readonly #material: PatchedMaterial
   readonly #views: InfluenceViews
   readonly #meshes: Mesh[] = []
-  readonly #relief: ReliefControl
+  readonly #reliefOwner: ReliefOwner
+  #reliefMode: ReliefMode = 'off'
+  /** Null until relief is wanted, and there are heights for it. */
+  #relief: ReliefControl | null = null
   #appearance: Appearance | null = null
 
   /**
@@ -85,7 +89,6 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     if (source instanceof WrinklesBase) source.checkInUse('set')
     const allOptions = { ...WRINKLES_DEFAULTS, ...own, ...options }
     checkOptions(allOptions, 'Wrinkles')
-    checkWrinkleSet(set, 'Wrinkles')
     checkMesh(mesh)
     const material = checkMaterial(mesh)
     const areas = inputs?.areas ?? createAreaArray(set.areas, set.layers, allOptions.areaSize, 'Wrinkles')
@@ -101,8 +104,9 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.#inputs = createShaderInputs(textures, areas, this.#atlas)
     this.#material = new PatchedMaterial(mesh, material, this.#inputs, renderer)
     this.#views = new InfluenceViews(this.#material, this.#inputs)
-    this.#relief = new ReliefControl(this.#reliefOwner(), allOptions.relief)
+    this.#reliefOwner = this.#ownRelief()
     this.addMesh(mesh)
+    this.relief = allOptions.relief
     try {
       this.mode = allOptions.mode
     } catch (error) {
@@ -113,11 +117,12 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
 
   /** How wrinkles are shown. */
   get mode(): WrinkleMode {
-    return this.#material.mode
+    return this.#material.wanted
   }
 
   /**
-   * Changes how wrinkles are shown; the material's program is recompiled. The composed mode shows normals only, and does not fade.
+   * Changes how wrinkles are shown; the material's program is recompiled. The composed mode shows normals only, and does not fade. On a
+   * page that loads files and does not import `Wrinkles`, `paper` and `composed` are fetched when first wanted, and shown then.
    *
    * @throws FurrowError when the mode is not possible: `paper` with more than one layer, or with maps of the material that
    *   cannot be read or differ in size; `paper` and `composed` for instances; `paper` for a material that cannot be patched. The mode then
@@ -131,7 +136,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
 
   /** Whether the layers' heights move the surface. */
   get relief(): ReliefMode {
-    return this.#relief.mode
+    return this.#reliefMode
   }
 
   /**
@@ -143,13 +148,15 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   set relief(mode: ReliefMode) {
     this.checkInUse('relief')
     checkReliefMode(mode)
-    this.#relief.mode = mode
+    this.#reliefMode = mode
+    if (this.#relief) this.#relief.mode = mode
+    else if (mode !== 'off') this.#fetchRelief().catch(({ message }) => console.warn(message))
   }
 
   /** Splits the triangles for relief now, where there are heights; fulfilled when it can be drawn. */
   async reliefReady(): Promise<void> {
     this.checkInUse('reliefReady')
-    await this.#relief.ready()
+    await (await this.#fetchRelief())?.ready()
   }
 
   /** Number of faces: instances, or 1 for any other mesh. */
@@ -266,7 +273,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.#material.settle(renderer)
     this.#inputs.fade.value =
       this.#fadeOf(mesh, camera, renderer) * (this.#appearance?.advance(this.clock) ?? 1)
-    this.#relief.prepare(renderer, camera, mesh)
+    this.#relief?.prepare(renderer, camera, mesh)
     this.#frame.begin(this.#entry, renderer)
     locateCells(this.#inputs, this.#atlas, this.#cells)
   }
@@ -278,7 +285,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     textures.upload?.(renderer)
     const { mode, composed } = this.#material
     if (mode === 'paper') paper!.table.update(areas, this.faces[0].activations)
-    const isUsed = mode === 'default' || composed !== null || this.#views.isMapNeeded || this.#relief.isShown
+    const isUsed = mode === 'default' || composed !== null || this.#views.isMapNeeded || this.#relief?.isShown
     if (fade.value === 0 || !isUsed) return false
     this.#atlas.collect(this.#cells, renderer)
     return true
@@ -297,7 +304,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   /** Restores the material, and frees the textures that no other face uses. */
   override dispose(): void {
     if (this.isDisposed) return
-    this.#relief.dispose()
+    this.#relief?.dispose()
     super.dispose()
     this.#frame.remove(this.#entry)
     this.#material.dispose()
@@ -313,7 +320,14 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     return fadeOnScreen(mesh, camera, renderer, fadeBelow)
   }
 
-  #reliefOwner(): ReliefOwner {
+  async #fetchRelief(): Promise<ReliefControl | null> {
+    if (!this.#inputs.textures.layers.some(canRise)) return null
+    const { ReliefControl } = await import('./relief-control.ts')
+    if (!this.isDisposed) this.#relief ??= new ReliefControl(this.#reliefOwner, this.#reliefMode)
+    return this.#relief
+  }
+
+  #ownRelief(): ReliefOwner {
     const { material } = this.#material
     return {
       meshes: this.#meshes,
@@ -329,7 +343,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
 
   #replaceAreas(areas: Area<ArraySlice>[], who: string): void {
     const { textures } = this.#inputs
-    checkWrinkleSet({ layers: textures.layers, areas }, who)
+    checkAreas(areas, textures.layers, who)
     const array = createAreaArray(areas, textures.layers, this.#options.areaSize, who)
     exchangeAreas(this.#inputs, array)
     this.areas = copyAreas(areas)

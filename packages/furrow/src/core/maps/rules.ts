@@ -1,11 +1,7 @@
 import type { ErrorParts } from '../error.ts'
 import { MAX_IMAGE_SIDE } from '../limits.ts'
-import {
-  type MapsAndAreas,
-  type TextureReference,
-  WRINKLE_MAPS,
-  type WrinkleMapsLayer,
-} from './wrinkle-maps.ts'
+import { WRINKLE_MAPS } from './declared.ts'
+import type { MapsAndAreas, TextureReference, WrinkleMapsLayer } from './wrinkle-maps.ts'
 
 /** What reading the image of a texture tells about it. */
 export interface TextureShape {

@@ -1,11 +1,7 @@
 import { MAX_BLOOD_AMPLITUDE } from '../blood.ts'
-import { FurrowError } from '../error.ts'
 import { type JsonReader, or } from '../json.ts'
 import { LARGEST, MAX_AREAS, MAX_LAYERS, MAX_SLICES } from '../limits.ts'
 import type { Combine, LayerKind } from '../types.ts'
-
-/** Name of the glTF material extension specified in docs/FURROW_wrinkle_maps.md. */
-export const WRINKLE_MAPS = 'FURROW_wrinkle_maps'
 
 /** A glTF texture info: a texture by its index, with whatever other fields glTF allows. */
 export interface TextureReference {
@@ -51,21 +47,6 @@ export interface WrinkleMapsArea {
 export interface MapsAndAreas {
   layers: WrinkleMapsLayer[]
   areas: WrinkleMapsArea[]
-}
-
-/**
- * Checks that a file declares the extension, as glTF requires: tools drop what is not declared.
- *
- * @param json of the file.
- * @throws FurrowError when it does not.
- */
-export function checkDeclared({ extensionsUsed }: { extensionsUsed?: unknown }, who: string): void {
-  if (Array.isArray(extensionsUsed) && extensionsUsed.includes(WRINKLE_MAPS)) return
-  throw new FurrowError({
-    who,
-    what: `extensionsUsed lacks ${WRINKLE_MAPS}`,
-    remedy: 'add it: tools drop extensions that are not declared',
-  })
 }
 
 /**

@@ -1,4 +1,5 @@
-import { driversOf, type WrinkleDriver } from '../registry.ts'
+import { driversOf } from '../of-type.ts'
+import type { WrinkleDriver } from '../registry.ts'
 
 /** A facial expression: weights of blendshapes and activations of areas. */
 export interface Expression {

@@ -1,7 +1,7 @@
 import { boundsOf } from '../../core/bounds.ts'
+import { isSlice, layerIndex } from '../../core/check-areas.ts'
 import { packAreas } from '../../core/pack.ts'
 import type { Area, ArraySlice, GrayImage } from '../../core/types.ts'
-import { isSlice, layerIndex } from '../../core/wrinkle-set.ts'
 import type { AreaSlot, AreaSlots } from '../../runtime/area-slots.ts'
 import { type ArrayTexture, arrayOf, type Upload } from '../material/array-texture.ts'
 import { areaTexture } from '../material/textures.ts'

@@ -2,7 +2,7 @@ import { FurrowError } from '../../core/error.ts'
 import { MAX_IMAGE_SIDE } from '../../core/limits.ts'
 import { imageDamage, imageTypeOf } from '../../core/maps/image-file.ts'
 import type { GrayImage, RgbaImage } from '../../core/types.ts'
-import { readImage } from './read-texture.ts'
+import { readImage } from './read-image.ts'
 
 /**
  * Decodes an image file in the browser, without colour management, to 8 bits per channel.

@@ -1,8 +1,8 @@
 import { type CompressedArrayTexture as Compressed, CompressedArrayTexture } from 'three'
+import { isSlice } from '../../core/check-areas.ts'
 import { FurrowError } from '../../core/error.ts'
-import { WRINKLE_MAPS } from '../../core/maps/wrinkle-maps.ts'
+import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
-import { isSlice } from '../../core/wrinkle-set.ts'
 
 /** Maps that become one array. */
 const GROUPS = [['normal'], ['baseColor'], ['roughness'], ['occlusion', 'blood']] as const

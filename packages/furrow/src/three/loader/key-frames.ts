@@ -2,8 +2,8 @@ import { Interpolant, InterpolateDiscrete, type KeyframeTrack, type Mesh, type T
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import { type ActivationPointer, parseActivationPointer } from '../../core/activation-pointer.ts'
 import { FurrowError } from '../../core/error.ts'
-import { WRINKLE_MAPS } from '../../core/maps/wrinkle-maps.ts'
-import { activationTrack } from '../animated-areas.ts'
+import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
+import { activationTrack } from '../activation-track.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import type { Warnings } from './warnings.ts'
 

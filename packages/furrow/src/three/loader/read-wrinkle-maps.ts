@@ -2,18 +2,13 @@ import { type ColorSpace, type Material, type Mesh, NoColorSpace, type Object3D,
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import { CHANNEL, channelOf } from '../../core/channels.ts'
 import { FurrowError } from '../../core/error.ts'
+import { checkDeclared, WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import { DecodedBytes } from '../../core/maps/decoded-bytes.ts'
-import { mapProblems, type TextureShape, texturesOfFace } from '../../core/maps/rules.ts'
-import {
-  checkDeclared,
-  type MapsAndAreas,
-  type TextureReference,
-  WRINKLE_MAPS,
-  type WrinkleMapsLayer,
-} from '../../core/maps/wrinkle-maps.ts'
+import type { TextureShape } from '../../core/maps/rules.ts'
+import type { MapsAndAreas, TextureReference, WrinkleMapsLayer } from '../../core/maps/wrinkle-maps.ts'
 import type { Area, ArraySlice, GrayImage, Layer, RgbaImage, WrinkleSet } from '../../core/types.ts'
-import { parseWrinkleMaps } from '../../drivers/parse.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
+import { readUsualMaps } from '../../drivers/usual-maps.ts'
 import { surfaceOf } from '../material/surface.ts'
 import { decodeBytes } from './decode-image.ts'
 import { fileError } from './file-error.ts'
@@ -97,7 +92,8 @@ export function materialReader(
     const { textures } = parser.json
     const count = Array.isArray(textures) ? textures.length : 0
     try {
-      const maps = parseWrinkleMaps(extensionOf(material, parser), count, WRINKLE_MAPS, options.onFault)
+      const json = extensionOf(material, parser)
+      const maps = readUsualMaps(json, count) ?? (await parseMaps(json, count, options.onFault))
       return { set: await readSet(maps, parser, decoded, options), drivers: maps.drivers }
     } catch (error) {
       throw fileError(error, WRINKLE_MAPS, UNREADABLE)
@@ -105,6 +101,23 @@ export function materialReader(
   }
   return (material) => once(known, material, () => read(material))
 }
+
+/** Begins to fetch what reads a file that is out of the usual, so that it arrives while the rest is loaded. */
+export function prefetchParser({ json }: Parser): void {
+  const { materials } = json
+  if (!Array.isArray(materials)) return
+  const all = materials.flatMap((material) => material?.extensions?.[WRINKLE_MAPS] ?? [])
+  if (all.some((maps) => !readUsualMaps(maps, Infinity))) importParser().catch(() => {})
+}
+
+/** Reads what is out of the usual, or says what is wrong with it. */
+async function parseMaps(json: unknown, textureCount: number, onFault: ReadOptions['onFault']) {
+  const parseWrinkleMaps = await importParser()
+  return parseWrinkleMaps(json, textureCount, WRINKLE_MAPS, onFault)
+}
+
+/** Bundlers leave out what a module has beyond what is taken from it where it is imported. */
+const importParser = async () => (await import('../../drivers/parse.ts')).parseWrinkleMaps
 
 /** Groups meshes by face: the primitives of a glTF mesh that have one material are one face. */
 export function facesOf(gltf: GLTF, parser: Parser): [Mesh, ...Mesh[]][] {
@@ -154,8 +167,7 @@ async function readSet(
     }),
   )
   const set = { layers, areas: await Promise.all(areas) }
-  const [problem] = mapProblems(maps, await source.shapes(), texturesOfFace(parser.json), WRINKLE_MAPS)
-  if (problem) throw new FurrowError(problem)
+  if (source.hasSlices || differInSize(layers)) await checkMaps(maps, source, parser)
   let heights: ReturnType<typeof readHeights> | undefined
   for (const [i, { heightTexture }] of maps.layers.entries()) {
     if (!heightTexture) continue
@@ -169,6 +181,27 @@ async function readSet(
   }
   // Most files have no KTX 2 images: what only these need is fetched when one appears.
   return source.hasSlices ? (await import('./join-arrays.ts')).joinArrays(set) : set
+}
+
+/** Whether the images of some kind do; nothing else can be wrong with images that were decoded. */
+function differInSize(layers: readonly Layer<ArraySlice>[]): boolean {
+  const sizesOf = (...kinds: ('normal' | 'baseColor' | 'roughness' | 'occlusion' | 'blood')[]) =>
+    new Set(
+      layers.flatMap((layer) =>
+        kinds.flatMap((kind) => (layer[kind] ? sizeOf(layer[kind] as RgbaImage) : [])),
+      ),
+    )
+  const sizes = [sizesOf('normal'), sizesOf('baseColor'), sizesOf('roughness'), sizesOf('occlusion', 'blood')]
+  return sizes.some(({ size }) => size > 1)
+}
+
+const sizeOf = ({ width, height }: RgbaImage) => `${width} x ${height}`
+
+/** @throws FurrowError when the maps break a rule. */
+async function checkMaps(maps: MapsAndAreas, source: MapSource, { json }: Parser): Promise<void> {
+  const { mapProblems, texturesOfFace } = await import('../../core/maps/rules.ts')
+  const [problem] = mapProblems(maps, await source.shapes(), texturesOfFace(json), WRINKLE_MAPS)
+  if (problem) throw new FurrowError(problem)
 }
 
 /** All maps but heights, which only relief needs. */

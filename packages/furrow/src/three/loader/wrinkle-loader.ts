@@ -2,27 +2,32 @@ import type { Material, Mesh } from 'three'
 import type { GLTF, GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import type { AutoRunOptions } from '../../auto/run-worker.ts'
 import { isObject, wrongArgument } from '../../core/argument.ts'
-import { WRINKLE_MAPS } from '../../core/maps/wrinkle-maps.ts'
+import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
-import { driversOf, type WrinkleDriver } from '../../drivers/registry.ts'
+import { driversOf } from '../../drivers/of-type.ts'
+import type { WrinkleDriver } from '../../drivers/registry.ts'
+import type { RendererParts } from '../material/renderer-parts.ts'
 import { surfaceOf } from '../material/surface.ts'
+import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
 import {
   checkOptions,
   WRINKLES_DEFAULTS,
   type WrinkleLoaderOptions,
   type WrinklesOptions,
 } from '../options.ts'
-import { bindDrivers } from '../sources/bind-drivers.ts'
-import type { InputBindings } from '../sources/binding.ts'
+import { bindPlan, type PlannedDrivers } from '../sources/bind-plan.ts'
+import type { FetchedBindings } from '../sources/binding.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { Adoption, type WatchDraws } from './adoption.ts'
 import type { MadeWrinkles } from './auto-wrinkles.ts'
+import { planFetched } from './plan-fetched.ts'
 import {
   type FileFace,
   type FileWrinkles,
   facesOf,
   materialReader,
+  prefetchParser,
   wrinkledFaces,
 } from './read-wrinkle-maps.ts'
 import { Warnings } from './warnings.ts'
@@ -40,7 +45,8 @@ const FADE_IN = 0.3
 /** What depends on the renderer. */
 export interface LoaderParts {
   Wrinkles: WrinklesClass
-  bindings: InputBindings
+  renderer: RendererParts
+  bindings: FetchedBindings
   watchDraws: WatchDraws
 }
 
@@ -77,6 +83,7 @@ export class WrinkleLoader {
 
   /** Called by the loader before it loads anything. */
   async beforeRoot(): Promise<void> {
+    prefetchParser(this.#parser)
     if (this.#auto) {
       // Arrives while the rest is loaded.
       this.#autoModule = import('./auto-wrinkles.ts')
@@ -159,20 +166,29 @@ export class WrinkleLoader {
     // Another face with the same material has its own activations, and so needs its own material.
     if (copy) for (const mesh of meshes) mesh.material = copy
     await addMusclesOf(meshes[0], drivers)
-    const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, drivers, { expressions })
+    const planned = await planFetched(drivers, this.#parts.bindings, expressions !== undefined)
+    await this.#fetchMode(material)
+    const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, planned, { expressions })
     if (!bySet.has(set)) bySet.set(set, own)
     if (!copy) byMaterial.set(material, own)
     return own
+  }
+
+  /** Fetches the mode that a material will show, so that it does from the first frame on. */
+  async #fetchMode(material: Material): Promise<void> {
+    const { others, canPatch } = this.#parts.renderer
+    const { mode } = this.#options
+    if (mode === 'default' ? !canPatch(material as WrinkleMaterial) : mode !== 'off') await others.load()
   }
 
   /** Adds wrinkles to the meshes of one face, to every copy of them, and to what is drawn with their material. */
   #addWrinkles(
     meshes: readonly Mesh[],
     source: WrinkleSet<ArraySlice> | WrinklesBase,
-    drivers: readonly WrinkleDriver[],
+    drivers: PlannedDrivers,
     { expressions, copyOf }: FaceOrigin = {},
   ): WrinklesBase {
-    const { Wrinkles, bindings, watchDraws: watch } = this.#parts
+    const { Wrinkles, watchDraws: watch } = this.#parts
     const [mesh, ...others] = meshes
     const parts = { watch, add: (adopted: Mesh, from: WrinklesBase) => this.#tryAdd(adopted, from, drivers) }
     const adoption = new Adoption(surfaceOf(mesh), meshes, parts, copyOf)
@@ -181,7 +197,7 @@ export class WrinkleLoader {
       own = new Wrinkles(mesh, source, this.#options)
       adoption.begin(own)
       for (const other of others) own.addMesh(other)
-      const runtime = bindDrivers(own, drivers, () => ({ expressions: expressions?.() }), bindings)
+      const runtime = bindPlan(own, drivers, () => ({ expressions: expressions?.() }))
       // three-vrm may create a VRM's expressions after this: they are looked up when the face is first drawn.
       if (!expressions) runtime.bind()
     } catch (error) {
@@ -194,7 +210,7 @@ export class WrinkleLoader {
   }
 
   /** For a mesh that the page made. */
-  #tryAdd(mesh: Mesh, source: WrinklesBase, drivers: readonly WrinkleDriver[]): WrinklesBase | undefined {
+  #tryAdd(mesh: Mesh, source: WrinklesBase, drivers: PlannedDrivers): WrinklesBase | undefined {
     try {
       return this.#addWrinkles([mesh], source, drivers)
     } catch (error) {
@@ -203,7 +219,7 @@ export class WrinkleLoader {
     }
   }
 
-  #followClones(mesh: Mesh, own: WrinklesBase, drivers: readonly WrinkleDriver[]): void {
+  #followClones(mesh: Mesh, own: WrinklesBase, drivers: PlannedDrivers): void {
     mesh.clone = (recursive) => {
       const copy: Mesh = Object.getPrototypeOf(mesh).clone.call(mesh, recursive)
       copy.material = own.cloneMaterial()

@@ -1,6 +1,6 @@
 import type { CompressedArrayTexture, DataArrayTexture } from 'three'
+import { isSlice } from '../../core/check-areas.ts'
 import { FurrowError } from '../../core/error.ts'
-import { isSlice } from '../../core/wrinkle-set.ts'
 import type { AnyRenderer } from '../renderer.ts'
 
 /** A texture array, compressed or not. */

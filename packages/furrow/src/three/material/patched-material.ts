@@ -5,8 +5,7 @@ import { instancesOf } from '../instances.ts'
 import type { WrinkleMode } from '../options.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import { ActivationTable } from './activation-table.ts'
-import { ComposedMap } from './composed-map.ts'
-import { packPaperArray } from './paper-array.ts'
+import type { ComposedMap } from './composed-map.ts'
 import type { RendererParts } from './renderer-parts.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import { readsNormalMap, surfaceOf, withSurface } from './surface.ts'
@@ -29,6 +28,7 @@ export function checkMaterial(mesh: Mesh): WrinkleMaterial {
 
 /** The user's own material while it shows wrinkles. */
 export class PatchedMaterial {
+  /** What is shown. */
   mode: WrinkleMode = 'off'
   /** Replaces the material's own normal map in the composed mode. */
   composed: ComposedMap | null = null
@@ -43,6 +43,8 @@ export class PatchedMaterial {
   #patchRelief: ((material: Material) => () => void) | null = null
   /** Whether the shader turned out to be one that cannot be patched. */
   #isRefused = false
+  /** The mode that is shown as soon as what it takes was fetched. */
+  #pending: WrinkleMode | null = null
 
   constructor(mesh: Mesh, material: WrinkleMaterial, inputs: ShaderInputs, renderer: RendererParts) {
     this.#mesh = mesh
@@ -55,8 +57,14 @@ export class PatchedMaterial {
     patchedMaterials.add(material)
   }
 
+  /** The mode that is shown, or is about to be. */
+  get wanted(): WrinkleMode {
+    return this.#pending ?? this.mode
+  }
+
   /**
-   * Changes the mode. A material that cannot be patched shows the composed mode instead of the default one.
+   * Changes the mode, at once or when what it takes was fetched. A material that cannot be patched shows the composed mode instead of the
+   * default one.
    *
    * @throws FurrowError when the mode is not possible; it then stays as it was.
    */
@@ -72,12 +80,16 @@ export class PatchedMaterial {
         remedy: 'use the composed mode',
       })
     }
-    if (mode === 'paper' || mode === 'composed') checkNotInstanced(this.#mesh, mode)
+    if (mode === 'paper' || mode === 'composed') {
+      checkNotInstanced(this.#mesh, mode)
+      if (!this.#renderer.others.value) {
+        this.#showFetched(mode)
+        return
+      }
+    }
     if (mode === 'paper') this.#packPaper()
-    this.#unpatch()
-    this.#unpatch = this.#patch(mode)
-    this.#renderer.renew(this.#material)
-    this.mode = mode
+    this.#pending = null
+    this.#apply(mode)
   }
 
   /**
@@ -99,7 +111,7 @@ export class PatchedMaterial {
   /** Makes the material draw relief too, in all modes but `off`; null for none. */
   setRelief(patch: ((material: Material) => () => void) | null): void {
     this.#patchRelief = patch
-    if (this.mode !== 'off') this.show(this.mode)
+    if (this.mode !== 'off') this.#apply(this.mode)
   }
 
   /** Copies the material without wrinkles. */
@@ -144,12 +156,34 @@ export class PatchedMaterial {
     return !this.#isRefused && this.#renderer.canPatch(this.#material)
   }
 
+  #apply(mode: WrinkleMode): void {
+    this.#unpatch()
+    this.#unpatch = this.#patch(mode)
+    this.#renderer.renew(this.#material)
+    this.mode = mode
+  }
+
+  /** Until then what is shown stays. */
+  async #showFetched(mode: WrinkleMode): Promise<void> {
+    if (this.#pending === mode) return
+    this.#pending = mode
+    try {
+      await this.#renderer.others.load()
+      if (this.#pending === mode) this.show(mode)
+    } catch (error) {
+      this.#pending = null
+      // A shader that cannot be patched would ask for it again in every frame.
+      if (this.#isRefused) this.show('off')
+      console.warn((error as Error).message)
+    }
+  }
+
   /** Packs the paper's array, and again if the layers' maps have changed: into the same texture, since shaders hold that. */
   #packPaper(): void {
     const { paper, textures } = this.#inputs
     if (paper?.version === textures.version) return
     const smooth = this.#flat ? null : (this.composed?.base ?? this.#material.normalMap)
-    const packed = packPaperArray(textures, this.#material, smooth)
+    const packed = this.#renderer.others.value!.packPaperArray(textures, this.#material, smooth)
     if (!paper) {
       this.#inputs.paper = { ...packed, table: new ActivationTable() }
       return
@@ -166,10 +200,12 @@ export class PatchedMaterial {
     const refuse = () => {
       this.#isRefused = true
     }
-    const undo =
-      mode === 'composed'
-        ? this.#compose()
-        : this.#renderer.patch(material, this.#inputs, mode, instancesOf(this.#mesh), refuse)
+    const { others, patch } = this.#renderer
+    const undo = {
+      composed: () => this.#compose(),
+      paper: () => others.value!.patchPaper(material, this.#inputs, refuse),
+      default: () => patch(material, this.#inputs, instancesOf(this.#mesh), refuse),
+    }[mode]()
     const undoRelief = this.#patchRelief?.(material)
     return () => {
       undoRelief?.()
@@ -196,7 +232,8 @@ export class PatchedMaterial {
 
   /** Replaces the material's own normal map by the composed one. */
   #compose(): () => void {
-    const { composeMaterial, quads } = this.#renderer
+    const { others, quads } = this.#renderer
+    const { ComposedMap, composeMaterial } = others.value!
     const base = this.#material.normalMap!
     const normals = this.#inputs.textures.normals.texture
     const composed = new ComposedMap(base, normals, composeMaterial(base, this.#inputs), quads.hasContents)

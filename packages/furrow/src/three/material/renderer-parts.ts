@@ -1,9 +1,11 @@
-import type { Material, Texture } from 'three'
+import type { Material } from 'three'
 import type { QuadMaterials } from '../atlas/influence-pass.ts'
 import type { Instances } from '../instances.ts'
 import type { ReliefParts } from '../relief/relief-parts.ts'
 import type { AnyRenderer, Entry } from '../renderer.ts'
 import type { ActivationTable } from './activation-table.ts'
+import type { Fetched } from './fetched.ts'
+import type { OtherModes } from './other-modes.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
@@ -14,17 +16,11 @@ export interface RendererParts {
   /** Whether the material's shader is known to be one that `patch` can edit; if not, the composed mode shows its wrinkles. */
   canPatch(material: WrinkleMaterial): boolean
   /**
-   * Makes a material show wrinkles, and returns a function that undoes it; the caller calls `renew` after either.
+   * Makes a material show wrinkles in the default mode, and returns a function that undoes it; the caller calls `renew` after either.
    *
    * @param refuse called if the shader cannot be edited after all, which is known only when it is compiled; it then stays as it was.
    */
-  patch(
-    material: WrinkleMaterial,
-    inputs: ShaderInputs,
-    mode: 'default' | 'paper',
-    instances: Instances,
-    refuse: () => void,
-  ): () => void
+  patch(material: WrinkleMaterial, inputs: ShaderInputs, instances: Instances, refuse: () => void): () => void
   /** Makes the renderer build the material's shader anew, with the uniforms that it has now. */
   renew(material: Material): void
   /**
@@ -32,8 +28,8 @@ export interface RendererParts {
    * material is drawn, in every frame.
    */
   faultOf(material: Material, renderer: AnyRenderer): string | null
-  /** A material for `Quads` that draws the composed normal map: `base` with the wrinkles mixed in. */
-  composeMaterial(base: Texture, inputs: ShaderInputs): Material
+  /** The other modes: fetched, since most pages show the default one only. */
+  others: Fetched<OtherModes>
   /**
    * A material that shows influence as gray: that of the influence map, or that of a table of activations.
    *

@@ -1,8 +1,8 @@
 import { SRGBColorSpace, Vector4 } from 'three'
 import { BLOOD_AT_REST } from '../../core/blood.ts'
+import { isSlice } from '../../core/check-areas.ts'
 import { packColours, packGrays, packPairs } from '../../core/pack.ts'
 import type { ArraySlice, GrayImage, Layer, LayerKind, RgbaImage } from '../../core/types.ts'
-import { isSlice } from '../../core/wrinkle-set.ts'
 import { type ArrayTexture, arrayOf, type Upload } from './array-texture.ts'
 import { mapTexture } from './textures.ts'
 

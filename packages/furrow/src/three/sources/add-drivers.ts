@@ -1,6 +1,7 @@
 import { wrongArgument } from '../../core/argument.ts'
 import { FurrowError } from '../../core/error.ts'
-import { driversOf, type WrinkleDriver } from '../../drivers/registry.ts'
+import { driversOf } from '../../drivers/of-type.ts'
+import type { WrinkleDriver } from '../../drivers/registry.ts'
 import { checkWrinkles } from '../check-wrinkles.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { BINDINGS, bindDrivers } from './bind-drivers.ts'

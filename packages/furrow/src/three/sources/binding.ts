@@ -17,5 +17,11 @@ export type BindInputs<K extends MeasuredKind> = (
   options: DriversOptions,
 ) => InputReader<AnyRenderer>
 
-/** How a renderer reads each kind of input. */
-export type InputBindings = { readonly [K in MeasuredKind]: BindInputs<K> }
+/** How a renderer reads each kind of input. Drivers that read others are left out. */
+export type InputBindings = { readonly [K in MeasuredKind]?: BindInputs<K> }
+
+/** The same, where what most files have no use for is fetched when one does. */
+export interface FetchedBindings {
+  joint(): Promise<BindInputs<'joint'>>
+  tension(): Promise<BindInputs<'tension'>>
+}

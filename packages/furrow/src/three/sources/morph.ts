@@ -1,12 +1,21 @@
 import type { InstancedMesh, Mesh } from 'three'
-import { VrmWeights } from '../../drivers/morph/vrm.ts'
+import type { InputOf } from '../../drivers/activation.ts'
+import type { VrmWeights } from '../../drivers/morph/vrm.ts'
 import { targetSource } from '../../drivers/sources.ts'
-import type { BindInputs } from './binding.ts'
+import type { InputReader } from '../../runtime/driver-runtime.ts'
+import type { WrinklesBase } from '../wrinkles-base.ts'
 
-/** Reads the weights of the mesh's blendshapes; of instances, their own if they have any (`setMorphAt`). */
-export const bindTargetWeights: BindInputs<'target'> = ({ mesh }, inputs, { expressions }) => {
+/**
+ * Reads the weights of the mesh's blendshapes; of instances, their own if they have any (`setMorphAt`).
+ *
+ * @param vrm weights that links may name like blendshapes.
+ */
+export function meshTargets(
+  { mesh }: WrinklesBase,
+  inputs: readonly InputOf<'target'>[],
+  vrm?: VrmWeights,
+): InputReader<unknown> {
   const own = targetNames(mesh)
-  const vrm = expressions && new VrmWeights(expressions)
   return {
     ...targetSource(inputs, vrm ? [...own, ...vrm.names] : own),
     read(values, instance) {

@@ -1,5 +1,5 @@
+import { listNames } from '../../core/check-areas.ts'
 import { FurrowError } from '../../core/error.ts'
-import { listNames } from '../../core/wrinkle-set.ts'
 
 export function unknownLayer(name: string, layers: readonly { name: string }[], who: string): FurrowError {
   return new FurrowError({

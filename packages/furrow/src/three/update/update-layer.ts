@@ -1,10 +1,10 @@
 import type { DataArrayTexture } from 'three'
 import { isObject, wrongArgument } from '../../core/argument.ts'
 import type { Bounds } from '../../core/bounds.ts'
+import { isSlice } from '../../core/check-areas.ts'
 import { FurrowError } from '../../core/error.ts'
 import { checkImage } from '../../core/image.ts'
 import type { ArraySlice, GrayImage, Layer, RgbaImage } from '../../core/types.ts'
-import { isSlice } from '../../core/wrinkle-set.ts'
 import { checkWrinkles } from '../check-wrinkles.ts'
 import {
   type LayerMaps,

@@ -1,9 +1,14 @@
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import { WrinkleLoader } from '../loader/wrinkle-loader.ts'
 import type { WrinkleLoaderOptions } from '../options.ts'
-import { BINDINGS } from '../sources/bind-drivers.ts'
+import type { FetchedBindings } from '../sources/binding.ts'
 import { watchDraws } from './watch-draws.ts'
-import { Wrinkles } from './webgl-wrinkles.ts'
+import { PARTS, WebGLWrinkles } from './webgl-wrinkles.ts'
+
+const BINDINGS: FetchedBindings = {
+  joint: async () => (await import('../sources/joint.ts')).bindJoints,
+  tension: async () => (await import('../sources/tension.ts')).bindTension,
+}
 
 /** For `GLTFLoader` and `WebGLRenderer`: `loader.register((parser) => new WrinkleLoaderPlugin(parser))`. */
 export class WrinkleLoaderPlugin extends WrinkleLoader {
@@ -12,6 +17,6 @@ export class WrinkleLoaderPlugin extends WrinkleLoader {
    * @throws FurrowError when an option is unknown or out of range.
    */
   constructor(parser: GLTFParser, options: WrinkleLoaderOptions = {}) {
-    super(parser, { Wrinkles, bindings: BINDINGS, watchDraws }, options)
+    super(parser, { Wrinkles: WebGLWrinkles, renderer: PARTS, bindings: BINDINGS, watchDraws }, options)
   }
 }

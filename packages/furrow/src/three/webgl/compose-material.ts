@@ -1,12 +1,12 @@
 import { ShaderMaterial } from 'three'
-import type { RendererParts } from '../material/renderer-parts.ts'
+import type { OtherModes } from '../material/other-modes.ts'
 import { influenceFromMap } from './influence-glsl.ts'
 import { QUAD_SETTINGS } from './influence-quads.ts'
 import { type NormalLayers, normalMixing } from './mixing-glsl.ts'
 import { layerUniforms, mapUniforms } from './uniforms.ts'
 
 /** Draws the composed normal map on `WebGLRenderer`. */
-export const composeMaterial: RendererParts['composeMaterial'] = (base, inputs) => {
+export const composeMaterial: OtherModes['composeMaterial'] = (base, inputs) => {
   const { kinds, normals } = inputs.textures
   return new ShaderMaterial({
     ...QUAD_SETTINGS,

@@ -1,40 +1,28 @@
-import type { Mesh, WebGLProgramParametersWithUniforms, WebGLRenderer } from 'three'
+import type { Mesh } from 'three'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
+import { Fetched } from '../material/fetched.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import { isToon } from '../material/wrinkle-material.ts'
 import type { ValueKind, WrinkleTextures } from '../material/wrinkle-textures.ts'
 import type { WrinklesOptions } from '../options.ts'
-import { type AddDrivers, addDrivers } from '../sources/add-drivers.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
-import { composeMaterial } from './compose-material.ts'
 import { defaultFragment, instancedVertex, isPatchable, type ShaderVariant } from './default-shader.ts'
 import { influenceMaterial } from './influence-material.ts'
 import { quadMaterials } from './influence-quads.ts'
-import { paperFragment } from './paper-shader.ts'
+import { patchShader } from './patch-shader.ts'
 import { faultOf } from './program-fault.ts'
-import { areaUniforms, layerUniforms, mapUniforms } from './uniforms.ts'
+import { layerUniforms, mapUniforms } from './uniforms.ts'
 
-/** Wrinkles on one mesh for `WebGLRenderer`. */
-export class Wrinkles extends WrinklesBase {
-  /**
-   * @param mesh needs UVs and normals and a lit material of its own; each instance of an `InstancedMesh`
-   *   or `BatchedMesh` wrinkles independently.
-   * @param source a set, copied: later changes to it have no effect, use `addArea`, `removeArea`, `updateArea` and
-   *   `updateLayer`. Or the wrinkles of another mesh, which are then shown here too, at rest, from the same textures.
-   * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then unchanged.
-   */
+/** The wrinkles of a loaded file, whose drivers the loader adds; `Wrinkles` is the same for all else. */
+export class WebGLWrinkles extends WrinklesBase {
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
     super(PARTS, mesh, source, options)
-    if ('drivers' in source) addDrivers(this, source.drivers as Parameters<AddDrivers>[1])
   }
 }
 
-/** Patches the material's own GLSL, after the user's `onBeforeCompile`, if any. */
-const patch: RendererParts['patch'] = (material, inputs, mode, instances, refuse) => {
-  const { onBeforeCompile, customProgramCacheKey } = material
-  const original = { onBeforeCompile, customProgramCacheKey }
-  const { textures, areas } = inputs
-  const paper = mode === 'paper' ? inputs.paper : null
+/** The default mode. */
+const patch: RendererParts['patch'] = (material, inputs, instances, refuse) => {
+  const { textures } = inputs
   const variant: ShaderVariant = {
     kinds: textures.kinds,
     normals: textures.normals.slices,
@@ -43,26 +31,15 @@ const patch: RendererParts['patch'] = (material, inputs, mode, instances, refuse
     anisotropic: textures.normals.texture.anisotropy > 1,
     isToon: isToon(material),
   }
-  const uniforms = paper
-    ? { ...areaUniforms(inputs, paper.table), furrowColours: { value: paper.texture } }
-    : { ...mapUniforms(inputs), ...layerUniforms(inputs) }
-  material.onBeforeCompile = (shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer) => {
-    onBeforeCompile.call(material, shader, renderer)
-    try {
-      const { fragmentShader } = shader
-      shader.fragmentShader = paper
-        ? paperFragment(fragmentShader, areas.channels, paper.diffuseIsSrgb)
-        : defaultFragment(fragmentShader, variant)
-    } catch {
-      return refuse()
-    }
-    if (instances && !paper) shader.vertexShader = instancedVertex(shader.vertexShader, instances)
-    // Not into the object itself: a ShaderMaterial's is its own, which its copies copy.
-    shader.uniforms = { ...shader.uniforms, ...uniforms }
-  }
-  const key = paper ? `paper ${areas.channels} ${paper.diffuseIsSrgb}` : JSON.stringify(variant)
-  material.customProgramCacheKey = () => `${customProgramCacheKey.call(material)} furrow ${key}`
-  return () => Object.assign(material, original)
+  return patchShader(material, {
+    key: JSON.stringify(variant),
+    uniforms: { ...mapUniforms(inputs), ...layerUniforms(inputs) },
+    edit(shader) {
+      shader.fragmentShader = defaultFragment(shader.fragmentShader, variant)
+      if (instances) shader.vertexShader = instancedVertex(shader.vertexShader, instances)
+    },
+    refuse,
+  })
 }
 
 /**
@@ -74,14 +51,14 @@ const renew: RendererParts['renew'] = (material) => {
   material.needsUpdate = true
 }
 
-const PARTS: RendererParts = {
+export const PARTS: RendererParts = {
   entry: 'furrow/three',
   canPatch: ({ fragmentShader, isRawShaderMaterial }) =>
     fragmentShader === undefined || (!isRawShaderMaterial && isPatchable(fragmentShader)),
   patch,
   renew,
   faultOf,
-  composeMaterial,
+  others: new Fetched(async () => (await import('./other-modes.ts')).OTHER_MODES),
   influenceMaterial,
   quads: quadMaterials,
   loadRelief: async () => (await import('./relief.ts')).RELIEF_PARTS,

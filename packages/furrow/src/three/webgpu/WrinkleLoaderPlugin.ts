@@ -1,9 +1,14 @@
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import { WrinkleLoader } from '../loader/wrinkle-loader.ts'
 import type { WrinkleLoaderOptions } from '../options.ts'
-import { BINDINGS } from './bindings.ts'
+import type { FetchedBindings } from '../sources/binding.ts'
 import { watchDraws } from './watch-draws.ts'
-import { Wrinkles } from './webgpu-wrinkles.ts'
+import { PARTS, WebGPUWrinkles } from './webgpu-wrinkles.ts'
+
+const BINDINGS: FetchedBindings = {
+  joint: async () => (await import('../sources/joint.ts')).bindJoints,
+  tension: async () => (await import('./computed-tension.ts')).bindComputedTension,
+}
 
 /** For `GLTFLoader` and `WebGPURenderer`: `loader.register((parser) => new WrinkleLoaderPlugin(parser))`. */
 export class WrinkleLoaderPlugin extends WrinkleLoader {
@@ -12,6 +17,6 @@ export class WrinkleLoaderPlugin extends WrinkleLoader {
    * @throws FurrowError when an option is unknown or out of range.
    */
   constructor(parser: GLTFParser, options: WrinkleLoaderOptions = {}) {
-    super(parser, { Wrinkles, bindings: BINDINGS, watchDraws }, options)
+    super(parser, { Wrinkles: WebGPUWrinkles, renderer: PARTS, bindings: BINDINGS, watchDraws }, options)
   }
 }

@@ -3,4 +3,4 @@ import type { InputBindings } from '../sources/binding.ts'
 import { bindComputedTension } from './computed-tension.ts'
 
 /** How `furrow/webgpu` reads each kind of input. */
-export const BINDINGS: InputBindings = { ...WEBGL_BINDINGS, tension: bindComputedTension }
+export const BINDINGS = { ...WEBGL_BINDINGS, tension: bindComputedTension } satisfies InputBindings

@@ -52,3 +52,8 @@ export function typed<T extends string>(node: Node): Node<T> {
 export function typedBuffer<T extends string>(node: Node): StorageBufferNode<T> {
   return node as StorageBufferNode<T>
 }
+
+/** The scale of the material's normal map. */
+export function normalScale(): Node<'vec2'> {
+  return materialProperty('normalScale', 'vec2')
+}

@@ -1,0 +1,146 @@
+import { MAX_BLOOD_AMPLITUDE } from '../core/blood.ts'
+import {
+  LARGEST,
+  LONGEST_NAME,
+  MAX_AREAS,
+  MAX_CURVE_POINTS,
+  MAX_DRIVERS,
+  MAX_LAYERS,
+  MAX_LINKS,
+} from '../core/limits.ts'
+import type { TextureReference, WrinkleMapsArea, WrinkleMapsLayer } from '../core/maps/wrinkle-maps.ts'
+import { isName } from '../core/name.ts'
+import type { Rule } from './activation.ts'
+import { type Curve, IDENTITY } from './curve.ts'
+import type { MorphDriver } from './morph/definition.ts'
+import type { WrinkleMaps } from './parse.ts'
+
+/** What is read here: every field is checked before it is used, and a field of what has none throws. */
+// biome-ignore lint/suspicious/noExplicitAny: JSON of any shape
+type Json = any
+
+/**
+ * Reads the JSON of the glTF extension as most files have it: sound, its maps images of their own, its drivers blendshapes. Undefined for
+ * any other, which `parseWrinkleMaps` reads, or refuses with the reason: a page need not fetch that for most files. What is returned is
+ * what that returns.
+ *
+ * @param textureCount number of textures in the file.
+ */
+export function readUsualMaps(json: Json, textureCount: number): WrinkleMaps | undefined {
+  try {
+    const { drivers = [] } = json
+    const layers = list(json.layers, 1, MAX_LAYERS).map((layer) => readLayer(layer, textureCount))
+    const areas = list(json.areas, 1, MAX_AREAS).map((area) => readArea(area, textureCount, layers.length))
+    namesOf(layers)
+    const names = namesOf(areas)
+    return { layers, areas, drivers: list(drivers, 0, MAX_DRIVERS).map((driver) => readMorph(driver, names)) }
+  } catch {
+    return undefined
+  }
+}
+
+function readLayer(json: Json, textures: number): WrinkleMapsLayer {
+  const texture = (slot: string) => readTexture(json[slot], textures)
+  const has = (slot: string) => json[slot] !== undefined
+  const amplitude = (slot: string, high: number) => ({
+    ...texture(slot),
+    amplitude: number(json[slot].amplitude, 0, high),
+  })
+  const { scale = 1 } = json.normalTexture
+  const layer: WrinkleMapsLayer = {
+    name: nameOf(json),
+    kind: choice(json.kind, ['replace', 'detail']),
+    normalTexture: { ...texture('normalTexture'), scale: number(scale, -LARGEST, LARGEST) },
+  }
+  if (has('baseColorTexture')) layer.baseColorTexture = texture('baseColorTexture')
+  if (has('roughnessTexture')) layer.roughnessTexture = texture('roughnessTexture')
+  if (has('occlusionTexture')) {
+    const { strength = 1 } = json.occlusionTexture
+    layer.occlusionTexture = { ...texture('occlusionTexture'), strength: number(strength, 0, 1) }
+  }
+  if (has('heightTexture')) layer.heightTexture = amplitude('heightTexture', LARGEST)
+  if (has('bloodTexture')) {
+    layer.bloodTexture = amplitude('bloodTexture', MAX_BLOOD_AMPLITUDE)
+    require((layer.occlusionTexture ?? layer.bloodTexture).index === layer.bloodTexture.index)
+  }
+  return layer
+}
+
+function readArea(json: Json, textures: number, layers: number): WrinkleMapsArea {
+  const { layer = 0, channel = 0, activation = 0 } = json
+  return {
+    name: nameOf(json),
+    layer: index(layer, layers),
+    texture: readTexture(json.texture, textures),
+    channel: index(channel, 4),
+    combine: choice(json.combine, ['sum', 'max']),
+    activation: number(activation, 0, 1),
+  }
+}
+
+function readMorph(json: Json, areas: ReadonlySet<string>): MorphDriver {
+  const { type, area, rule, targets, curve = IDENTITY } = json
+  require(type === 'morph' && areas.has(area))
+  return {
+    type,
+    area,
+    targets: list(targets, 1, MAX_LINKS).map(({ name, weight = 1, curve }) => {
+      require(typeof name === 'string' && name !== '' && name.length <= LONGEST_NAME)
+      const link = { name, weight: number(weight, -LARGEST, LARGEST) }
+      return curve === undefined ? link : { ...link, curve: readCurve(curve, -LARGEST, LARGEST) }
+    }),
+    rule: choice<Rule>(rule, ['sum', 'max', 'min', 'product']),
+    curve: readCurve(curve, 0, 1),
+  }
+}
+
+function readCurve(json: Json, low: number, high: number): Curve {
+  return list(json, 2, MAX_CURVE_POINTS).map((point, i) => {
+    const [input, output] = list(point, 2, 2)
+    require(i === 0 || input > json[i - 1][0])
+    return [number(input, -LARGEST, LARGEST), number(output, low, high)]
+  })
+}
+
+function readTexture(json: Json, textures: number): TextureReference {
+  require(json.slice === undefined)
+  return { ...json, index: index(json.index, textures) }
+}
+
+function require(isUsual: boolean): void {
+  if (!isUsual) throw new Error()
+}
+
+function list(json: Json, low: number, high: number): Json[] {
+  require(Array.isArray(json) && json.length >= low && json.length <= high)
+  return json
+}
+
+function number(json: Json, low: number, high: number): number {
+  require(typeof json === 'number' && json >= low && json <= high)
+  return json
+}
+
+function index(json: Json, count: number): number {
+  require(Number.isInteger(json))
+  return number(json, 0, count - 1)
+}
+
+/** The first of the allowed values is the default. */
+function choice<T extends string>(json: Json, allowed: readonly T[]): T {
+  const [given] = json === undefined ? allowed : [json]
+  require(allowed.includes(given))
+  return given
+}
+
+function nameOf({ name }: Json): string {
+  require(isName(name))
+  return name
+}
+
+/** The names, each once. */
+function namesOf(named: readonly { name: string }[]): Set<string> {
+  const names = new Set(named.map(({ name }) => name))
+  require(names.size === named.length)
+  return names
+}

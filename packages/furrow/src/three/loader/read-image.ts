@@ -1,0 +1,58 @@
+import { FurrowError } from '../../core/error.ts'
+import type { RgbaImage } from '../../core/types.ts'
+
+export type Drawable = ImageBitmap | HTMLImageElement | HTMLCanvasElement | OffscreenCanvas
+
+/**
+ * Reads an image's pixels exactly as decoded. It uses WebGL, since a 2D canvas multiplies colours by alpha and loses them where that is
+ * small, and an alpha channel may hold an area.
+ */
+export function readImage(image: Drawable): RgbaImage {
+  const { width, height } = image
+  // Outside of browsers, a decoder that stands in for the browser's has the pixels.
+  if (hasPixels(image)) return image
+  const gl = reader()
+  const texture = gl.createTexture()
+  const framebuffer = gl.createFramebuffer()
+  gl.bindTexture(gl.TEXTURE_2D, texture)
+  gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false)
+  gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE)
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, image)
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer)
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0)
+  const data = new Uint8Array(width * height * 4)
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, data)
+  const fault = gl.getError()
+  gl.deleteFramebuffer(framebuffer)
+  gl.deleteTexture(texture)
+  if (fault === gl.NO_ERROR) return { width, height, data }
+  throw new FurrowError({
+    code: 'unsupported',
+    who: 'readImage',
+    what: 'image that WebGL cannot read',
+    value: `${width} x ${height}, WebGL error ${fault}`,
+    limit: `${gl.getParameter(gl.MAX_TEXTURE_SIZE)} texels on a side`,
+    remedy: 'scale it down',
+  })
+}
+
+let context: WebGL2RenderingContext | null = null
+
+/** One small context for all images: browsers allow only a few per page. */
+function reader(): WebGL2RenderingContext {
+  if (!context || context.isContextLost()) context = new OffscreenCanvas(1, 1).getContext('webgl2')
+  if (context) return context
+  throw new FurrowError({
+    code: 'unsupported',
+    who: 'readImage',
+    what: 'no WebGL 2 context to read images with',
+    limit: 'a browser with WebGL 2',
+    remedy: 'close other pages that use WebGL, or update the browser',
+  })
+}
+
+/** Whether an image is its pixels, RGBA. */
+export function hasPixels(image: object): image is RgbaImage {
+  const { data, width, height } = image as Partial<RgbaImage>
+  return data instanceof Uint8Array && data.length === width! * height! * 4
+}

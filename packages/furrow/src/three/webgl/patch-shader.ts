@@ -1,0 +1,30 @@
+import type { IUniform, Material, WebGLProgramParametersWithUniforms, WebGLRenderer } from 'three'
+
+/** How a material's GLSL is edited. */
+interface ShaderPatch {
+  /** The same for edits that give the same program. */
+  key: string
+  uniforms: Record<string, IUniform>
+  /** Throws where the shader cannot be edited. */
+  edit(shader: WebGLProgramParametersWithUniforms): void
+  /** Called where it cannot; the shader then stays as it was. */
+  refuse(): void
+}
+
+/** Edits a material's own GLSL, after the user's `onBeforeCompile`, if any; returns what undoes that. */
+export function patchShader(material: Material, { key, uniforms, edit, refuse }: ShaderPatch): () => void {
+  const { onBeforeCompile, customProgramCacheKey } = material
+  const original = { onBeforeCompile, customProgramCacheKey }
+  material.onBeforeCompile = (shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer) => {
+    onBeforeCompile.call(material, shader, renderer)
+    try {
+      edit(shader)
+    } catch {
+      return refuse()
+    }
+    // Not into the object itself: a ShaderMaterial's is its own, which its copies copy.
+    shader.uniforms = { ...shader.uniforms, ...uniforms }
+  }
+  material.customProgramCacheKey = () => `${customProgramCacheKey.call(material)} furrow ${key}`
+  return () => Object.assign(material, original)
+}

@@ -1,0 +1,36 @@
+import type { Mesh } from 'three'
+import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
+import type { WrinkleDriver } from '../../drivers/registry.ts'
+import { checkSource } from '../check-source.ts'
+import type { WrinklesOptions } from '../options.ts'
+import { WrinklesBase } from '../wrinkles-base.ts'
+import { addDrivers } from './add-drivers.ts'
+import { OTHER_MODES } from './other-modes.ts'
+import { checkThreeFor, PARTS, WebGPUWrinkles } from './webgpu-wrinkles.ts'
+
+// A page that makes wrinkles of its own has all modes at once.
+PARTS.others.value = OTHER_MODES
+
+/** Wrinkles on one mesh for `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
+export class Wrinkles extends WrinklesBase {
+  /**
+   * @param mesh needs UVs and normals and a lit material of its own: a node material or a plain one; each
+   *   instance of an `InstancedMesh` or `BatchedMesh` wrinkles independently.
+   * @param source a set, copied: later changes to it have no effect, use `addArea`, `removeArea`, `updateArea` and
+   *   `updateLayer`. Or the wrinkles of another mesh, which are then shown here too, at rest, from the same textures.
+   * @throws FurrowError when the mesh, its material or the set does not fit, or three.js is too old or lacks what
+   *   is needed; the mesh is then unchanged.
+   */
+  constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
+    super(PARTS, checkThreeFor(mesh), checkSource(source), options)
+    if ('drivers' in source) addDrivers(this, source.drivers as readonly WrinkleDriver[])
+  }
+
+  /** Those of loaded files too. @internal */
+  static override [Symbol.hasInstance](value: unknown): boolean {
+    // biome-ignore lint/complexity/noThisInStatic: those of a class that extends it are fewer
+    const isOwn = Function.prototype[Symbol.hasInstance].call(this, value)
+    // biome-ignore lint/complexity/noThisInStatic: as above
+    return isOwn || (this === Wrinkles && value instanceof WebGPUWrinkles)
+  }
+}

@@ -1,0 +1,17 @@
+import { ComposedMap } from '../material/composed-map.ts'
+import type { OtherModes } from '../material/other-modes.ts'
+import { packPaperArray } from '../material/paper-array.ts'
+import { composeMaterial } from './compose-material.ts'
+import { influenceFromAreas } from './influence.ts'
+import { paperNodes } from './paper-nodes.ts'
+import { patchNodes } from './patch-nodes.ts'
+import { mapUv } from './texture-sampling.ts'
+
+const patchPaper: OtherModes['patchPaper'] = (material, inputs) => {
+  const paper = inputs.paper!
+  const uv = mapUv(material)
+  return patchNodes(material, paperNodes(paper, uv, influenceFromAreas(inputs, paper.table, uv)))
+}
+
+/** The paper's mode and the composed one on `WebGPURenderer`. */
+export const OTHER_MODES: OtherModes = { packPaperArray, patchPaper, ComposedMap, composeMaterial }

@@ -1,0 +1,16 @@
+export interface Size {
+  gzip: number
+  brotli: number
+}
+
+export interface Row {
+  what: string
+  size: Size
+  figure: Size | undefined
+  hasGrown: boolean
+}
+
+export function compareDownload(): Promise<Row[]>
+export function compare(sizes: Record<string, Size>, figures: Record<string, Size>): Row[]
+export function writeFigures(rows: readonly Row[]): void
+export function warnings(rows: readonly Row[]): string[]

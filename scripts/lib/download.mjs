@@ -1,0 +1,38 @@
+import { readFileSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { measureSizes } from '../../bench/size.mjs'
+import { ROOT } from './run.mjs'
+
+const FIGURES = join(ROOT, 'bench/sizes.json')
+
+/** What a page may download more than the figures say before anybody is told. */
+const ALLOWED = 0.01
+
+/** Bytes of each page and of what it fetches later, as they are now and as the repository's figures say. */
+export async function compareDownload() {
+  return compare(await measureSizes(), JSON.parse(readFileSync(FIGURES, 'utf8')))
+}
+
+/** Each size beside its figure, and whether it has grown by more than is allowed. What has no figure is new, and has not grown. */
+export function compare(sizes, figures) {
+  return Object.entries(sizes).map(([what, size]) => {
+    const figure = figures[what]
+    return { what, size, figure, hasGrown: figure !== undefined && size.gzip > figure.gzip * (1 + ALLOWED) }
+  })
+}
+
+/** Makes what is measured now the figures. */
+export function writeFigures(rows) {
+  const figures = Object.fromEntries(rows.map(({ what, size }) => [what, size]))
+  writeFileSync(FIGURES, `${JSON.stringify(figures, null, 2)}\n`)
+}
+
+/** One line about each that has grown. */
+export function warnings(rows) {
+  return rows
+    .filter(({ hasGrown }) => hasGrown)
+    .map(({ what, size, figure }) => {
+      const percent = (100 * (size.gzip / figure.gzip - 1)).toFixed(1)
+      return `download: ${what} has grown by ${percent}%, from ${figure.gzip} to ${size.gzip} bytes by gzip; if it must, run \`npm run size -- --write\``
+    })
+}

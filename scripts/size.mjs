@@ -1,0 +1,22 @@
+// What pages download of the library, beside the figures in bench/sizes.json: `npm run size`, and `npm run size -- --write` to keep what
+// is measured as the figures. Growth is a warning and no failure. `--peers` measures other libraries too.
+
+import { measurePeers } from '../bench/size.mjs'
+import { compareDownload, warnings, writeFigures } from './lib/download.mjs'
+import { main, say } from './lib/run.mjs'
+import { setUp } from './lib/set-up.mjs'
+
+await main(async () => {
+  await setUp()
+  const rows = await compareDownload()
+  for (const { what, size, figure } of rows)
+    print(size, `${what} (${figure ? `${figure.gzip} before` : 'new'})`)
+  for (const line of warnings(rows)) say(line)
+  if (process.argv.includes('--write')) writeFigures(rows)
+  if (!process.argv.includes('--peers')) return
+  for (const [what, size] of Object.entries(await measurePeers())) print(size, what)
+})
+
+function print({ gzip, brotli }, what) {
+  say(`${String(gzip).padStart(6)} bytes by gzip, ${String(brotli).padStart(6)} by Brotli  ${what}`)
+}

@@ -1,0 +1,82 @@
+import { type WrinkleMode, type WrinklesBase, wrinklesOf } from 'furrow/three'
+import { DirectionalLight, type Mesh, Scene } from 'three'
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { afterAll, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
+import { PARTS as WEBGL } from '../../packages/furrow/src/three/webgl/webgl-wrinkles.ts'
+import { PARTS as WEBGPU } from '../../packages/furrow/src/three/webgpu/webgpu-wrinkles.ts'
+import { createHarness, type Harness, RENDERERS, squareCamera } from './harness.ts'
+import { wrinkledFile } from './wrinkled-file.ts'
+
+/** As on a page that imports the loader alone. */
+describe.each(RENDERERS)('modes that are fetched, on %s', (name) => {
+  const { others } = name === 'webgl' ? WEBGL : WEBGPU
+  let harness: Harness
+  let file: Uint8Array<ArrayBuffer>
+  beforeAll(async () => {
+    harness = await createHarness(name)
+    file = await wrinkledFile()
+  })
+  afterAll(() => harness.dispose())
+  beforeEach(() => {
+    others.value = null
+  })
+
+  async function load(mode: WrinkleMode) {
+    const loader = new GLTFLoader().register((parser) => new harness.Plugin(parser, { mode }))
+    const gltf = await loader.parseAsync(file.slice().buffer, '')
+    const [wrinkles] = wrinklesOf(gltf) as [WrinklesBase]
+    expect(wrinkles).toBeInstanceOf(harness.Wrinkles)
+    wrinkles.driven = false
+    wrinkles.setActivation('a', 1)
+    const light = new DirectionalLight(0xffffff, 2)
+    light.position.set(1, 1, 1)
+    const scene = new Scene().add(gltf.scene, light)
+    const picture = async () => (await harness.renderBytes(scene, squareCamera(), 32)).join()
+    return { wrinkles, mesh: wrinkles.mesh as Mesh, picture }
+  }
+
+  it.each(['composed', 'paper'] as const)('%s is shown when it is there', async (mode) => {
+    const usual = await load('default')
+    const before = await usual.picture()
+    const expected = await load(mode)
+    expect(others.value).not.toBeNull()
+    const wanted = await expected.picture()
+    expect(wanted).not.toBe(before)
+
+    others.value = null
+    usual.wrinkles.mode = mode
+    expect(usual.wrinkles.mode).toBe(mode)
+    expect(await usual.picture()).toBe(before)
+    await vi.waitFor(async () => expect(await usual.picture()).toBe(wanted))
+    usual.wrinkles.mode = 'default'
+    expect(await usual.picture()).toBe(before)
+    usual.wrinkles.dispose()
+    expected.wrinkles.dispose()
+  })
+
+  it('the mode that was set last is shown', async () => {
+    const { wrinkles, picture } = await load('default')
+    const before = await picture()
+    wrinkles.mode = 'composed'
+    wrinkles.mode = 'default'
+    await others.load()
+    expect(wrinkles.mode).toBe('default')
+    expect(await picture()).toBe(before)
+    wrinkles.mode = 'off'
+    wrinkles.dispose()
+  })
+
+  it('a mode that cannot be fetched leaves what is shown, with a warning', async () => {
+    const { wrinkles, picture } = await load('default')
+    const before = await picture()
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const fetch = vi.spyOn(others, 'load').mockRejectedValue(new Error('no network'))
+    wrinkles.mode = 'composed'
+    await vi.waitFor(() => expect(wrinkles.mode).toBe('default'))
+    expect(warn.mock.calls).toEqual([['no network']])
+    fetch.mockRestore()
+    warn.mockRestore()
+    expect(await picture()).toBe(before)
+    wrinkles.dispose()
+  })
+})

@@ -1,0 +1,80 @@
+// Loads a face that a blendshape drives, then one that an input drives; the title says what they came to, and whether that took more files.
+import { WrinkleLoaderPlugin, wrinklesOf } from 'furrow/three'
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+
+const POSITIONS = [0, 0, 0, 1, 0, 0, 0, 1, 0]
+const NORMALS = [0, 0, 1, 0, 0, 1, 0, 0, 1]
+const UVS = [0, 0, 1, 0, 0, 1]
+
+/** An image of one colour. */
+function image(colour) {
+  const canvas = Object.assign(document.createElement('canvas'), { width: 4, height: 4 })
+  const context = canvas.getContext('2d')
+  context.fillStyle = colour
+  context.fillRect(0, 0, 4, 4)
+  return { uri: canvas.toDataURL('image/png') }
+}
+
+/** A triangle with one area and one blendshape, `jawOpen`. */
+function file(driver) {
+  const data = new Float32Array([...POSITIONS, ...NORMALS, ...UVS])
+  const uri = `data:application/octet-stream;base64,${btoa(String.fromCharCode(...new Uint8Array(data.buffer)))}`
+  const curve = [
+    [0, 0],
+    [1, 1],
+  ]
+  const wrinkles = {
+    layers: [{ name: 'skin', normalTexture: { index: 0 } }],
+    areas: [{ name: 'nose', texture: { index: 1 } }],
+    drivers: [{ ...driver, area: 'nose', curve }],
+  }
+  const attributes = { POSITION: 0, NORMAL: 1, TEXCOORD_0: 2 }
+  return JSON.stringify({
+    asset: { version: '2.0' },
+    extensionsUsed: ['FURROW_wrinkle_maps'],
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ mesh: 0 }],
+    meshes: [
+      {
+        primitives: [{ attributes, material: 0, targets: [{ POSITION: 0 }] }],
+        extras: { targetNames: ['jawOpen'] },
+        weights: [0.5],
+      },
+    ],
+    materials: [{ extensions: { FURROW_wrinkle_maps: wrinkles } }],
+    textures: [{ source: 0 }, { source: 1 }],
+    images: [image('rgb(128, 128, 255)'), image('white')],
+    buffers: [{ byteLength: data.byteLength, uri }],
+    bufferViews: [
+      { buffer: 0, byteLength: 36 },
+      { buffer: 0, byteOffset: 36, byteLength: 36 },
+      { buffer: 0, byteOffset: 72, byteLength: 24 },
+    ],
+    accessors: [
+      { bufferView: 0, componentType: 5126, count: 3, type: 'VEC3', min: [0, 0, 0], max: [1, 1, 0] },
+      { bufferView: 1, componentType: 5126, count: 3, type: 'VEC3' },
+      { bufferView: 2, componentType: 5126, count: 3, type: 'VEC2' },
+    ],
+  })
+}
+
+const scripts = () =>
+  performance.getEntriesByType('resource').filter(({ name }) => name.endsWith('.js')).length
+
+/** What a driver makes of its area, and whether files were fetched for it. */
+async function result(driver) {
+  const before = scripts()
+  const loader = new GLTFLoader().register((parser) => new WrinkleLoaderPlugin(parser))
+  const [wrinkles] = wrinklesOf(await loader.parseAsync(file(driver), ''))
+  if (driver.type === 'input') wrinkles.inputs.set('stress', 0.25)
+  wrinkles.update()
+  return `${driver.type} ${wrinkles.getActivation('nose')}${scripts() > before ? ', fetched' : ''}`
+}
+
+try {
+  const morph = await result({ type: 'morph', targets: [{ name: 'jawOpen' }] })
+  document.title = `${morph}; ${await result({ type: 'input', name: 'stress' })}`
+} catch (error) {
+  document.title = error.message
+}

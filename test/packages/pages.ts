@@ -1,0 +1,63 @@
+import { cp } from 'node:fs/promises'
+import { join } from 'node:path'
+import { pathToFileURL } from 'node:url'
+import type { Browser } from 'playwright-core'
+import { openPage } from '../pages/browser.ts'
+import { startStaticServer } from '../pages/static-server.ts'
+import { run } from './npm.ts'
+
+/** A module of a package that an app has installed. */
+export function importOf(app: string, path: string) {
+  return import(pathToFileURL(join(app, 'node_modules', path)).href)
+}
+
+/** Builds `main.js` of an app by webpack; returns the folder, which has the app's `index.html` too. */
+export async function buildByWebpack(app: string): Promise<string> {
+  const { default: webpack } = await importOf(app, 'webpack/lib/index.js')
+  const path = join(app, 'webpack')
+  const settings = {
+    context: app,
+    entry: './main.js',
+    mode: 'production',
+    output: { path, filename: 'main.js' },
+  }
+  const problems = await new Promise<unknown[]>((resolve, reject) => {
+    webpack(settings, (error: Error | null, result: { compilation: { errors: unknown[] } }) =>
+      error ? reject(error) : resolve(result.compilation.errors),
+    )
+  })
+  if (problems.length > 0) throw new Error(problems.join('\n'))
+  await cp(join(app, 'index.html'), join(path, 'index.html'))
+  return path
+}
+
+/** The same by esbuild, in one file or, if it may split, in several. */
+export async function buildByEsbuild(app: string, maySplit: boolean): Promise<string> {
+  const path = join(app, maySplit ? 'esbuild in several' : 'esbuild in one file')
+  const options = ['--bundle', '--minify', '--format=esm', `--outdir=${path}`]
+  await run(app, 'npx', 'esbuild', 'main.js', ...options, ...(maySplit ? ['--splitting'] : []))
+  await cp(join(app, 'index.html'), join(path, 'index.html'))
+  return path
+}
+
+/** The title of a page in a folder when it has done its work. */
+export async function titleOf(browser: Browser, root: string, page: string): Promise<string> {
+  const server = await startStaticServer(root)
+  try {
+    return await titleAt(browser, `${server.origin}/${page}`)
+  } finally {
+    server.close()
+  }
+}
+
+/** The title of a page when it has done its work: until then it is `working`. */
+export async function titleAt(browser: Browser, url: string): Promise<string> {
+  const { page } = await openPage(browser)
+  try {
+    await page.goto(url)
+    await page.waitForFunction(() => document.title !== 'working', undefined, { timeout: 0 })
+    return await page.title()
+  } finally {
+    await page.close()
+  }
+}

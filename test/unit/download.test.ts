@@ -1,0 +1,36 @@
+import { describe, expect, it } from 'vitest'
+import { closure, compressed } from '../../bench/size.mjs'
+import { compare, warnings } from '../../scripts/lib/download.mjs'
+
+describe('the guard of the download', () => {
+  const size = (gzip: number) => ({ gzip, brotli: gzip - 10 })
+  const warningsOf = (now: number, before: number) =>
+    warnings(compare({ 'the loader': size(now) }, { 'the loader': size(before) }))
+
+  it('warns of growth by more than 1%, with both numbers', () => {
+    expect(warningsOf(1011, 1000)).toEqual([
+      expect.stringContaining('the loader has grown by 1.1%, from 1000 to 1011 bytes'),
+    ])
+  })
+
+  it('says nothing of less, of what shrinks, and of what is new', () => {
+    expect(warningsOf(1010, 1000)).toEqual([])
+    expect(warningsOf(500, 1000)).toEqual([])
+    expect(warnings(compare({ new: size(5) }, {}))).toEqual([])
+  })
+})
+
+describe('the size of a page', () => {
+  const chunks = [
+    { fileName: 'page', imports: ['shared', 'three'], code: 'a' },
+    { fileName: 'shared', imports: ['deep'], code: 'b' },
+    { fileName: 'deep', imports: ['shared'], code: 'c' },
+    { fileName: 'later', imports: ['page'], code: 'd' },
+  ]
+
+  it('is that of all files that it loads at once', () => {
+    const own = closure([chunks[0]], chunks)
+    expect(own.map(({ fileName }) => fileName)).toEqual(['page', 'shared', 'deep'])
+    expect(compressed(own).gzip).toBe(3 * compressed([chunks[0]]).gzip)
+  })
+})
