@@ -2,8 +2,8 @@ import type { Object3D } from 'three'
 import type { ExpressionChoice } from '../runtime/expression-mix.ts'
 import { ExpressionPlayer } from '../three/ExpressionPlayer.ts'
 import type { WrinklesBase } from '../three/wrinkles-base.ts'
-import type { WrinkleState } from './wrinkle-state.ts'
 import { DeclaredFace } from './declared-face.ts'
+import type { WrinkleState } from './wrinkle-state.ts'
 
 /** The faces under an object, which come and go, and the state that is declared of them. */
 export class DeclaredFaces {

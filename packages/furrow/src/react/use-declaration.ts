@@ -2,8 +2,8 @@ import { useFrame, useThree } from '@react-three/fiber'
 import { useLayoutEffect, useRef } from 'react'
 import type { Object3D } from 'three'
 import type { WrinklesBase } from '../three/wrinkles-base.ts'
-import type { WrinkleState } from './wrinkle-state.ts'
 import { DeclaredFaces } from './declared-faces.ts'
+import type { WrinkleState } from './wrinkle-state.ts'
 
 /** Where faces are. */
 export interface FaceSource {

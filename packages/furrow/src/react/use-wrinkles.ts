@@ -2,8 +2,8 @@ import { useEffect, useState } from 'react'
 import type { Object3D } from 'three'
 import type { WrinklesBase } from '../three/wrinkles-base.ts'
 import { type LoadedFile, wrinklesOf, wrinklesReady } from '../three/wrinkles-of.ts'
-import type { WrinkleState } from './wrinkle-state.ts'
 import { useDeclaration } from './use-declaration.ts'
+import type { WrinkleState } from './wrinkle-state.ts'
 
 const NO_STATE: WrinkleState = {}
 

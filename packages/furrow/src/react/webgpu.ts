@@ -6,13 +6,13 @@
 
 import type { ReactNode } from 'react'
 import { WrinkleLoaderPlugin } from '../three/webgpu/WrinkleLoaderPlugin.ts'
-import { Wrinkles as WebGPUWrinkles } from '../three/webgpu/webgpu-wrinkles.ts'
+import { Wrinkles as WebGPUWrinkles } from '../three/webgpu/Wrinkles.ts'
 import { type ExtendableLoader, loaderExtensions } from './extend-loader.ts'
 import { type WrinklesProps, wrinklesComponent } from './wrinkles-component.ts'
 
-export type { WrinkleState } from './wrinkle-state.ts'
 export type { ExtendableLoader } from './extend-loader.ts'
 export { useWrinkles } from './use-wrinkles.ts'
+export type { WrinkleState } from './wrinkle-state.ts'
 export type { WrinklesProps } from './wrinkles-component.ts'
 
 /**

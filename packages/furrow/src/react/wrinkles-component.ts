@@ -3,8 +3,8 @@ import type { Group, Mesh, Object3D } from 'three'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import type { WrinklesBase } from '../three/wrinkles-base.ts'
 import { wrinklesOf } from '../three/wrinkles-of.ts'
-import type { WrinkleState } from './wrinkle-state.ts'
 import { useDeclaration } from './use-declaration.ts'
+import type { WrinkleState } from './wrinkle-state.ts'
 
 /** Properties of `<Wrinkles>`. */
 export interface WrinklesProps extends WrinkleState {
