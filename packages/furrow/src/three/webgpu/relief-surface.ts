@@ -121,13 +121,14 @@ function surface(
   const weights = attribute<'vec3'>('furrowWeights', 'vec3')
   const uvs = attribute<'vec4'>('furrowUvs', 'vec4')
   const room = attribute<'float'>('furrowRoom', 'float')
+  const level = attribute<'float'>('furrowLevel', 'float')
   const amountNow = inputUniform<'float'>(amount)
 
   function displacement(at: Node<'vec2'>): Node<'float'> {
     const influence = influenceFromMap(inputs, at, instances).toVar()
     const uv = repeat(at).toVar()
     const moved = heights.layers.map(({ layer, slice, amplitude }) => {
-      const height = texture(heights.texture, uv).depth(int(slice)).level(int(0))[CHANNELS[heights.channel]]
+      const height = texture(heights.texture, uv).depth(int(slice)).level(level)[CHANNELS[heights.channel]]
       return influence[CHANNELS[layer]].mul(height.sub(0.5)).mul(amplitude)
     })
     return moved.reduce((sum, own) => sum.add(own))
