@@ -46,9 +46,12 @@ export class HeightField {
     this.#areas = areas
   }
 
-  /** Metres outwards at a texel of a mipmap. */
-  at(x: number, y: number, level = 0): number {
-    const { width, height, data } = this.#mipmap(level)
+  /** Metres outwards at a texel. */
+  at(x: number, y: number): number {
+    return this.#metres(this.#mipmaps[0], x, y)
+  }
+
+  #metres({ width, height, data }: Gray, x: number, y: number): number {
     const metres = (data[x + y * width] - 127.5) * this.#metresPerGray
     if (!this.#weights || !this.#areas) return metres
     const column = Math.floor(((x + 0.5) / width) * this.#areas.width)
@@ -83,7 +86,8 @@ export class HeightField {
   }
 
   #bilinear(atX: number, atY: number, level: number): number {
-    const { width, height } = this.#mipmap(level)
+    const map = this.#mipmap(level)
+    const { width, height } = map
     const x = ((atX + 0.5) / this.width) * width - 0.5
     const y = ((atY + 0.5) / this.height) * height - 0.5
     const right = x - Math.floor(x)
@@ -92,8 +96,8 @@ export class HeightField {
     const y0 = wrap(Math.floor(y), height)
     const x1 = x0 + 1 === width ? 0 : x0 + 1
     const y1 = y0 + 1 === height ? 0 : y0 + 1
-    const above = this.at(x0, y0, level) * (1 - right) + this.at(x1, y0, level) * right
-    const below = this.at(x0, y1, level) * (1 - right) + this.at(x1, y1, level) * right
+    const above = this.#metres(map, x0, y0) * (1 - right) + this.#metres(map, x1, y0) * right
+    const below = this.#metres(map, x0, y1) * (1 - right) + this.#metres(map, x1, y1) * right
     return above * (1 - down) + below * down
   }
 

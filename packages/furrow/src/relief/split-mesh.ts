@@ -40,10 +40,7 @@ export function* splitMesh(
   const levels = versions.map((version) => edges.levelsFor(version, LONGEST * edge))
   const splitter = new Splitter(mesh, edges, levels, LONGEST * edge)
   for (let t = 0; t < halvings.length; t++) {
-    splitter.split(
-      t,
-      versions.map((version) => version[t]),
-    )
+    splitter.split(t, versions)
     if (t % SLICE === SLICE - 1) yield
   }
   return splitter.dense.finish(edge)
@@ -91,30 +88,29 @@ class Splitter {
     }
   }
 
-  /** @param halvings in each version. */
-  split(t: number, halvings: readonly number[]): void {
-    const { triangles } = this.#mesh
+  /** @param versions the halvings of all triangles in each version. */
+  split(t: number, versions: readonly Uint8Array[]): void {
+    const { triangles, positions } = this.#mesh
     const { edgeOf } = this.#edges
     const corners = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]] as const
-    const squared = squaredLengths(this.#mesh.positions, corners)
     const limit = (this.#longest * WHOLE) ** 2
+    let squared: ((dx: number, dy: number) => number) | null = null
     const known = new Map<number, number>()
-    for (const [version, levels] of this.#levels.entries()) {
-      const levelsHere = [
-        levels[edgeOf[3 * t]],
-        levels[edgeOf[3 * t + 1]],
-        levels[edgeOf[3 * t + 2]],
-      ] as const
-      if (levelsHere[0] + levelsHere[1] + levelsHere[2] === 0) {
-        this.dense.addTriangle(version, ...corners)
+    for (let version = 0; version < versions.length; version++) {
+      const all = this.#levels[version]
+      const levels = [all[edgeOf[3 * t]], all[edgeOf[3 * t + 1]], all[edgeOf[3 * t + 2]]] as const
+      if (levels[0] + levels[1] + levels[2] === 0) {
+        this.dense.addTriangle(version, corners[0], corners[1], corners[2])
         continue
       }
-      const shortest = WHOLE / 2 ** halvings[version]
+      squared ??= squaredLengths(positions, corners)
+      const length = squared
+      const shortest = WHOLE / 2 ** versions[version][t]
       splitPatch(
         {
           corners,
-          levels: levelsHere,
-          isLong: (dx, dy) => stepOf(dx, dy) > shortest && squared(dx, dy) > limit,
+          levels,
+          isLong: (dx, dy) => stepOf(dx, dy) > shortest && length(dx, dy) > limit,
           onEdge: (edge, part) => this.#onEdge(3 * t + edge, corners[edge], corners[(edge + 1) % 3], part),
           inside: (x, y) => this.#inside(corners, x, y, known),
         },
