@@ -18,19 +18,16 @@ import {
   SphereGeometry,
   Uint16BufferAttribute,
   Vector3,
-  type WebGLRenderer,
 } from 'three'
 import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
 import { afterAll, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
 import { createHarness, type Harness, RENDERERS } from '../harness.ts'
 import { ball, heightSet, RADIUS, sceneOf, sideCamera } from './ball.ts'
+import { differing, FEW } from './differing.ts'
 import { displacedMesh } from './displaced-ball.ts'
 
 const SIZE = 256
 const SIDE = 0.15
-
-/** Pixels of outlines in which a surface that is as fine as the picture may differ from the reference, and one that is wrong does not. */
-const FEW = 50
 
 describe.each(RENDERERS)('%s', (name) => {
   let harness: Harness
@@ -275,38 +272,6 @@ describe.each(RENDERERS)('%s', (name) => {
     wrinkles.dispose()
   })
 })
-
-it('relief is drawn again after the loss of a WebGL context', async () => {
-  const harness = await createHarness('webgl')
-  const mesh = ball()
-  const wrinkles = new harness.Wrinkles(mesh, heightSet(), { relief: 'on' })
-  await wrinkles.reliefReady()
-  const scene = sceneOf(mesh)
-  const draw = () => harness.renderBytes(scene, sideCamera(SIDE), SIZE)
-  await draw()
-  const before = await draw()
-  const canvas = harness.renderer.domElement
-  const loss = (harness.renderer as WebGLRenderer).getContext().getExtension('WEBGL_lose_context')!
-  const restored = new Promise((resolve) =>
-    canvas.addEventListener('webglcontextrestored', resolve, { once: true }),
-  )
-  const lost = new Promise((resolve) => canvas.addEventListener('webglcontextlost', resolve, { once: true }))
-  loss.loseContext()
-  await lost
-  await new Promise((resolve) => setTimeout(resolve, 10))
-  loss.restoreContext()
-  await restored
-  expect(differing(await draw(), before)).toBe(0)
-  wrinkles.dispose()
-  harness.dispose()
-})
-
-/** Number of pixels whose green differs. */
-function differing(a: Uint8Array, b: Uint8Array): number {
-  let count = 0
-  for (let i = 1; i < a.length; i += 4) if (Math.abs(a[i] - b[i]) > 8) count++
-  return count
-}
 
 /** A ball one of whose vertices, which no triangle has, is nowhere. Its bounds are known: three.js complains of such positions. */
 function brokenBall() {
