@@ -43,7 +43,7 @@ export async function bandedFace(harness: Harness): Promise<BandedFace> {
   return { root: gltf.scene, skin, areas, wrinkles, dispose: () => wrinkles.dispose() }
 }
 
-/** The skin with its relief in float64: triangles, and positions in the mesh's space. */
+/** The skin with its relief in float64, and without: triangles, and positions in the mesh's space. */
 export function displacedSkin({ skin, areas: activeAreas }: BandedFace) {
   const { attributes, index, morphAttributes } = skin.geometry
   const rest = attributes.position.array
@@ -77,6 +77,7 @@ export function displacedSkin({ skin, areas: activeAreas }: BandedFace) {
     const height = reference.interpolate(size, u, v, (i, j) => bands.data[i + j * SIDE]) / 255
     return influence * (height - 0.5) * AMPLITUDE
   }
-  const positions = displace(dense, { positions: deformed('position'), normals }, heightAt, room)
-  return { triangles: dense.triangles, positions }
+  const plain = { triangles: coarse.triangles, positions: deformed('position') }
+  const positions = displace(dense, { positions: plain.positions, normals }, heightAt, room)
+  return { triangles: dense.triangles, positions, plain }
 }

@@ -49,39 +49,54 @@ describe.each(RENDERERS)('the shipped face on %s', (name) => {
     })
   }
 
-  it('has the outline of the reference in profile, which is that of no face without relief', async () => {
-    pose(POSE)
-    const { skin, wrinkles } = face
-    const box = new Box3().setFromObject(skin)
+  /** A picture's outline of the skin in profile, and that of the reference, in pixels of pictures of that size. */
+  function inProfile(size: number) {
+    const box = new Box3().setFromObject(face.skin)
     const centre = box.getCenter(new Vector3())
     const side = Math.max(box.max.y - box.min.y, box.max.z - box.min.z)
     const camera = new OrthographicCamera(-side / 2, side / 2, side / 2, -side / 2, 0, 2)
     camera.position.set(-1, centre.y, centre.z)
     camera.lookAt(centre)
     const picture = async () => {
-      const alone = new Scene().add(skin, new AmbientLight(0xffffff, 30))
-      const found = outlineOf(await harness.renderBytes(alone, camera, FINE), FINE, FINE)
-      return found
+      const alone = new Scene().add(face.skin, new AmbientLight(0xffffff, 30))
+      return outlineOf(await harness.renderBytes(alone, camera, size), size, size)
     }
+    const reference = () => {
+      const { triangles, positions } = displacedSkin(face)
+      const toPixels = (vertex: number, axis: number) =>
+        ((positions[3 * vertex + axis] - centre.getComponent(axis)) / side + 0.5) * size
+      return projectedOutline(triangles, (vertex) => [toPixels(vertex, 2), toPixels(vertex, 1)], size)
+    }
+    return { picture, reference }
+  }
+
+  it('has the outline of the reference in profile, which is that of no face without relief', async () => {
+    pose(POSE)
+    const { picture, reference } = inProfile(FINE)
     await picture()
     const shown = await picture()
-    wrinkles.relief = 'off'
+    face.wrinkles.relief = 'off'
     const plain = await picture()
-    wrinkles.relief = 'on'
-    const { triangles, positions } = displacedSkin(face)
-    const scale = FINE / side
-    const expected = projectedOutline(
-      triangles,
-      (vertex) => [
-        (positions[3 * vertex + 2] - centre.z) * scale + FINE / 2,
-        (positions[3 * vertex + 1] - centre.y) * scale + FINE / 2,
-      ],
-      FINE,
-    )
+    face.wrinkles.relief = 'on'
+    const expected = reference()
     const pixels = (a: Outline, b: Outline) => distances(a, b).map((distance) => (distance * PIXELS) / FINE)
     expect(fractionWithin(0.5, pixels(shown, expected))).toBeGreaterThan(0.995)
     expect(Math.max(...forehead(pixels(plain, expected)))).toBeGreaterThan(1.5)
     expect(Math.max(...forehead(pixels(shown, expected)))).toBeLessThan(0.5)
+  })
+
+  it.each([
+    ['second', 1, 1200],
+    ['third', 2, 600],
+  ])('has it with the %s of its versions too, which a smaller picture takes', async (_, version, size) => {
+    pose(POSE)
+    const { picture, reference } = inProfile(size)
+    await picture()
+    const found = distances(await picture(), reference())
+    // Pixels themselves are half of one off.
+    expect(fractionWithin(1, found)).toBeGreaterThan(0.995)
+    const [{ geometry }] = face.skin.children.filter((child) => 'isReliefMesh' in child) as unknown as Mesh[]
+    expect(geometry.drawRange.start).toBe(geometry.groups[version].start)
   })
 
   it('shows no background inside the head, in random views and poses', async () => {

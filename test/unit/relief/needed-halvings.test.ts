@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest'
 import { HeightField } from '../../../packages/furrow/src/relief/height-fields.ts'
-import { neededHalvings, TOLERANCE } from '../../../packages/furrow/src/relief/needed-halvings.ts'
+import { neededHalvings, TOLERANCES } from '../../../packages/furrow/src/relief/needed-halvings.ts'
 
 const SIDE = 64
 
@@ -10,6 +10,7 @@ function halvings(
   amplitude = 0.001,
   layers = 1,
   normals: ArrayLike<number> = new Float32Array(18),
+  { mipmap = 0, version = 0 } = {},
 ): number[] {
   const at = (u: number) => [u, 0.25, u + 0.25, 0.25, u, 0.5]
   const mesh = {
@@ -20,7 +21,9 @@ function halvings(
   const data = Uint8Array.from({ length: SIDE * SIDE }, (_, i) => heightAt(i % SIDE, Math.floor(i / SIDE)))
   const heights = { width: SIDE, height: SIDE, depth: 1, channels: 1 as const, data }
   const field = new HeightField({ slice: 0, amplitude, areas: [] }, heights, null)
-  return [...neededHalvings(mesh, normals, Array(layers).fill(field))]
+  return [
+    ...neededHalvings(mesh, normals, Array(layers).fill(field), new Float32Array(6).fill(mipmap))[version],
+  ]
 }
 
 const narrow = (x: number) => (x === 15 ? 0 : 128)
@@ -47,9 +50,17 @@ it('a triangle that is curved between its corners is split where heights move it
   expect(halvings(() => 128, 0.001, 1, turned)).toEqual([0, 0])
 })
 
+it('a coarser version takes fewer halvings, and so does a valley that is narrower than mipmaps show', () => {
+  const rough = (version: number) => halvings(broad, 0.001, 1, undefined, { version })[0]
+  const versions = TOLERANCES.map((_, version) => rough(version))
+  expect(versions[0]).toBeGreaterThan(versions[2])
+  expect(versions).toEqual([...versions].sort((a, b) => b - a))
+  expect(halvings(narrow, 0.0005, 1, undefined, { mipmap: 2 })[0]).toBeLessThan(halvings(narrow, 0.0005)[0])
+})
+
 it('a valley that nobody sees takes none, unless layers have it together', () => {
-  expect(halvings(narrow, 1.5 * TOLERANCE)).toEqual([0, 0])
-  expect(halvings(narrow, 1.5 * TOLERANCE, 2)[0]).toBeGreaterThan(0)
+  expect(halvings(narrow, 1.5 * TOLERANCES[0])).toEqual([0, 0])
+  expect(halvings(narrow, 1.5 * TOLERANCES[0], 2)[0]).toBeGreaterThan(0)
 })
 
 it('heights of a single texel, and triangles without area or with coordinates that are no numbers, need none', () => {
@@ -66,5 +77,5 @@ it('heights of a single texel, and triangles without area or with coordinates th
     uvs: [0, 0, 0.5, 0, 1, 0, 0, 0, 7, Number.NaN, 1, 1],
     triangles: [0, 0, 0, 0, 1, 2, 3, 4, 5],
   }
-  expect([...neededHalvings(mesh, mesh.positions, [field])]).toEqual([0, 0, 0])
+  expect(neededHalvings(mesh, mesh.positions, [field], new Float32Array(6))[0]).toEqual(new Uint8Array(3))
 })

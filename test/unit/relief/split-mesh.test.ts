@@ -58,6 +58,22 @@ it('a closed surface stays closed: split triangles and their neighbours meet wit
   expect(new Set(edgeCounts(positionsOf(mesh, dense), dense.triangles))).toEqual(new Set([2]))
 })
 
+it('coarser versions are closed too, and have vertices of the finest and no others outside of its triangles', () => {
+  const mesh = sphere(RADIUS)
+  const finest = half(mesh).map((most, t) => Math.min(most, 1 + (t % 4)))
+  const coarser = [1, 2, 9].map((less) => finest.map((halvings) => Math.max(halvings - less, 0)))
+  const dense = finish(splitMesh(mesh, finest, { edge: EDGE / 2, coarser }))
+  const alone = finish(splitMesh(mesh, finest, { edge: EDGE / 2 }))
+  expect(dense.triangles.length).toBe(alone.triangles.length)
+  expect(dense.count).toBeLessThan(1.05 * alone.count)
+  const positions = positionsOf(mesh, dense)
+  const versions = [dense.triangles, ...dense.coarser]
+  for (const triangles of versions) expect(new Set(edgeCounts(positions, triangles))).toEqual(new Set([2]))
+  const lengths = versions.map(({ length }) => length)
+  expect(lengths).toEqual([...new Set(lengths)].sort((a, b) => b - a))
+  expect(dense.coarser[2]).toEqual(Uint32Array.from(mesh.triangles))
+})
+
 it('edges of covered triangles have the length that is asked for, and others stay whole', () => {
   const mesh = sphere(RADIUS)
   const covered = half(mesh)

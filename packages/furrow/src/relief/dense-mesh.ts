@@ -8,6 +8,8 @@ export interface DenseMesh {
   count: number
   /** Three vertices each. */
   triangles: Uint32Array
+  /** The triangles of coarser versions of the surface, of some of the same vertices. */
+  coarser: Uint32Array[]
   /** Three vertices of the coarse mesh for each vertex, each the first at its position: for the surface. */
   parents: Uint32Array
   /** The same three corners as the triangle itself has them: for what differs at seams, such as shading normals and texture coordinates. */
@@ -48,16 +50,20 @@ class Numbers<T extends Float32Array | Uint32Array> {
 /** A dense mesh while it grows. */
 export class DenseBuilder {
   count = 0
-  readonly #triangles = new Numbers(new Uint32Array())
   readonly #parents = new Numbers(new Uint32Array())
   readonly #corners = new Numbers(new Uint32Array())
   readonly #weights = new Numbers(new Float32Array())
   readonly #uvs = new Numbers(new Float32Array())
   readonly #firstOf: Uint32Array
+  readonly #versions: Numbers<Uint32Array>[]
 
-  /** @param firstOf of each coarse vertex the first one at its position. */
-  constructor(firstOf: Uint32Array) {
+  /**
+   * @param firstOf of each coarse vertex the first one at its position.
+   * @param versions of the surface.
+   */
+  constructor(firstOf: Uint32Array, versions: number) {
     this.#firstOf = firstOf
+    this.#versions = Array.from({ length: versions }, () => new Numbers(new Uint32Array()))
   }
 
   /** Adds a vertex, by its corners, its weights and two pairs of texture coordinates, and returns its index. */
@@ -75,16 +81,19 @@ export class DenseBuilder {
     return this.count++
   }
 
-  addTriangle(a: number, b: number, c: number): void {
-    this.#triangles.push(a)
-    this.#triangles.push(b)
-    this.#triangles.push(c)
+  addTriangle(version: number, a: number, b: number, c: number): void {
+    const triangles = this.#versions[version]
+    triangles.push(a)
+    triangles.push(b)
+    triangles.push(c)
   }
 
   finish(edge: number): DenseMesh {
+    const [triangles, ...coarser] = this.#versions.map(({ all }) => all)
     return {
       count: this.count,
-      triangles: this.#triangles.all,
+      triangles,
+      coarser,
       parents: this.#parents.all,
       corners: this.#corners.all,
       weights: this.#weights.all,

@@ -21,9 +21,9 @@ export interface Mask {
 export class HeightField {
   readonly width: number
   readonly height: number
-  readonly #levels: Uint8Array
-  readonly #first: number
-  readonly #metresPerLevel: number
+  /** The heights, and their mipmaps as far as they have been asked for. */
+  readonly #mipmaps: Gray[]
+  readonly #metresPerGray: number
   readonly #weights: Uint8Array | null
   readonly #areas: ImageArray | null
 
@@ -38,17 +38,21 @@ export class HeightField {
   ) {
     this.width = heights.width
     this.height = heights.height
-    this.#levels = heights.data
-    this.#first = slice * heights.width * heights.height
-    this.#metresPerLevel = amplitude / 255
+    const first = slice * heights.width * heights.height
+    const data = heights.data.subarray(first, first + heights.width * heights.height)
+    this.#mipmaps = [{ width: heights.width, height: heights.height, data }]
+    this.#metresPerGray = amplitude / 255
     this.#weights = areas && widen(unite(areas, slices), areas)
     this.#areas = areas
   }
 
   /** Metres outwards at a texel. */
   at(x: number, y: number): number {
-    const { width, height } = this
-    const metres = (this.#levels[this.#first + x + y * width] - 127.5) * this.#metresPerLevel
+    return this.#metres(this.#mipmaps[0], x, y)
+  }
+
+  #metres({ width, height, data }: Gray, x: number, y: number): number {
+    const metres = (data[x + y * width] - 127.5) * this.#metresPerGray
     if (!this.#weights || !this.#areas) return metres
     const column = Math.floor(((x + 0.5) / width) * this.#areas.width)
     const row = Math.floor(((y + 0.5) / height) * this.#areas.height)
@@ -70,18 +74,62 @@ export class HeightField {
     }
   }
 
-  /** Metres outwards between texels, whose centres are at whole numbers; coordinates are repeated. */
-  between(x: number, y: number): number {
+  /**
+   * Metres outwards between texels, whose centres are at whole numbers; coordinates are repeated.
+   *
+   * @param level of the mipmaps, between which it is interpolated as a graphics card does.
+   */
+  between(x: number, y: number, level = 0): number {
+    const finer = Math.floor(level)
+    const value = this.#bilinear(x, y, finer)
+    return level === finer ? value : value + (level - finer) * (this.#bilinear(x, y, finer + 1) - value)
+  }
+
+  #bilinear(atX: number, atY: number, level: number): number {
+    const map = this.#mipmap(level)
+    const { width, height } = map
+    const x = ((atX + 0.5) / this.width) * width - 0.5
+    const y = ((atY + 0.5) / this.height) * height - 0.5
     const right = x - Math.floor(x)
     const down = y - Math.floor(y)
-    const x0 = wrap(Math.floor(x), this.width)
-    const y0 = wrap(Math.floor(y), this.height)
-    const x1 = x0 + 1 === this.width ? 0 : x0 + 1
-    const y1 = y0 + 1 === this.height ? 0 : y0 + 1
-    const above = this.at(x0, y0) * (1 - right) + this.at(x1, y0) * right
-    const below = this.at(x0, y1) * (1 - right) + this.at(x1, y1) * right
+    const x0 = wrap(Math.floor(x), width)
+    const y0 = wrap(Math.floor(y), height)
+    const x1 = x0 + 1 === width ? 0 : x0 + 1
+    const y1 = y0 + 1 === height ? 0 : y0 + 1
+    const above = this.#metres(map, x0, y0) * (1 - right) + this.#metres(map, x1, y0) * right
+    const below = this.#metres(map, x0, y1) * (1 - right) + this.#metres(map, x1, y1) * right
     return above * (1 - down) + below * down
   }
+
+  #mipmap(level: number): Gray {
+    const found = this.#mipmaps[level]
+    if (found) return found
+    const finer = this.#mipmap(level - 1)
+    const made = finer.width * finer.height > 1 ? halve(finer) : finer
+    this.#mipmaps[level] = made
+    return made
+  }
+}
+
+/** A gray image. */
+interface Gray {
+  width: number
+  height: number
+  data: Uint8Array
+}
+
+/** The next mipmap: each texel the mean of four. */
+function halve({ width, height, data }: Gray): Gray {
+  const half = { width: Math.max(width >> 1, 1), height: Math.max(height >> 1, 1) }
+  const out = new Uint8Array(half.width * half.height)
+  const [dx, dy] = [width > 1 ? 1 : 0, height > 1 ? width : 0]
+  for (let y = 0; y < half.height; y++) {
+    for (let x = 0; x < half.width; x++) {
+      const i = 2 * (x + y * width)
+      out[x + y * half.width] = (data[i] + data[i + dx] + data[i + dy] + data[i + dx + dy] + 2) >> 2
+    }
+  }
+  return { ...half, data: out }
 }
 
 /** Finds the texels at which the layers together can move the surface by more than some metres. */

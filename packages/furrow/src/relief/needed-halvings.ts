@@ -6,10 +6,10 @@ import { type HeightField, raisedTexels } from './height-fields.ts'
 import { MAX_LEVEL } from './welded-edges.ts'
 
 /**
- * Metres by which a surface may miss its heights: a third of a pixel where a millimetre is 10 pixels, and a head 2,000, so that an outline is
- * within half a pixel. Seven eighths of a face with automatic wrinkles are flat enough as they are.
+ * Metres by which a surface may miss its heights, in each version of it: less than half a pixel where a millimetre is 10 pixels, and a
+ * head 2,000; where it is 5; and where it is 2.5. Most of a face with automatic wrinkles is flat enough as it is.
  */
-export const TOLERANCE = 0.00004
+export const TOLERANCES = [0.00004, 0.00008, 0.00016] as const
 
 /** Halvings of heights at most that are tried, in as many steps as there are texels. */
 const MOST = 5
@@ -19,28 +19,35 @@ const MOST = 5
  * is curved where it moves. A flat triangle between whose corners heights rise evenly is not split at all.
  *
  * @param normals unit normals at rest.
- * @returns halvings of each triangle.
+ * @param levels of the heights' mipmaps, at each vertex, see `heightLevels`.
+ * @returns halvings of each triangle, for each of the tolerances.
  */
 export function neededHalvings(
   mesh: CoarseMesh,
   normals: ArrayLike<number>,
   fields: readonly HeightField[],
-): Uint8Array {
+  levels: ArrayLike<number>,
+): Uint8Array[] {
   const { uvs, triangles } = mesh
   // A surface misses heights that are half as large by no more than the tolerance.
-  const covered = coveredTriangles(mesh, raisedTexels(fields, TOLERANCE / 2))
+  const covered = coveredTriangles(mesh, raisedTexels(fields, TOLERANCES[0] / 2))
+  const needed = TOLERANCES.map(() => new Uint8Array(covered.length))
   const corners = new Float64Array(6)
   const [{ width, height }] = fields
-  return covered.map((isCovered, t) => {
-    if (!isCovered) return 0
+  for (const [t, isCovered] of covered.entries()) {
+    if (!isCovered) continue
     errors.fill(0)
-    uvToTexels(corners, uvs, triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2], width, height)
-    for (const field of fields) addMisses(corners, field)
+    const [a, b, c] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]]
+    uvToTexels(corners, uvs, a, b, c, width, height)
+    for (const field of fields) addMisses(corners, field, (levels[a] + levels[b] + levels[c]) / 3)
     const bulge = bulgeOf(mesh, normals, t)
-    // Half of an edge is a quarter as far from a curve.
-    const enough = errors.findIndex((error, level) => !(error + bulge / 4 ** level > TOLERANCE))
-    return enough < 0 ? MAX_LEVEL : enough
-  })
+    for (const [i, tolerance] of TOLERANCES.entries()) {
+      // Half of an edge is a quarter as far from a curve.
+      const enough = errors.findIndex((error, halvings) => !(error + bulge / 4 ** halvings > tolerance))
+      needed[i][t] = enough < 0 ? MAX_LEVEL : enough
+    }
+  }
+  return needed
 }
 
 /** Metres by which heights are missed after each number of halvings. */
@@ -63,9 +70,9 @@ function bulgeOf({ positions, triangles }: CoarseMesh, normals: ArrayLike<number
 }
 
 /** @param corners of a triangle, in texels. */
-function addMisses(corners: Float64Array, field: HeightField): void {
+function addMisses(corners: Float64Array, field: HeightField, mipmap: number): void {
   const most = Math.min(Math.max(Math.ceil(Math.log2(longestSide(corners))), 0), MOST)
-  const grid = new Grid(corners, field, 2 ** most)
+  const grid = new Grid(corners, field, mipmap, 2 ** most)
   if (grid.isFlat) return
   for (let level = 0; level < most; level++) errors[level] += grid.error(2 ** (most - level))
 }
@@ -81,14 +88,15 @@ class Grid {
   /** Whether no height differs from the surface: the layer is none of this skin. */
   readonly isFlat: boolean
 
-  constructor([ax, ay, bx, by, cx, cy]: Float64Array, field: HeightField, steps: number) {
+  constructor([ax, ay, bx, by, cx, cy]: Float64Array, field: HeightField, mipmap: number, steps: number) {
     this.#steps = steps
     this.#values = new Float64Array((steps + 1) ** 2)
     for (let i = 0; i <= steps; i++) {
       for (let j = 0; i + j <= steps; j++) {
         const [a, b] = [i / steps, j / steps]
         const c = 1 - a - b
-        this.#values[i * (steps + 1) + j] = field.between(ax * a + bx * b + cx * c, ay * a + by * b + cy * c)
+        const [x, y] = [ax * a + bx * b + cx * c, ay * a + by * b + cy * c]
+        this.#values[i * (steps + 1) + j] = field.between(x, y, mipmap)
       }
     }
     this.isFlat = this.#values.every((value) => value === 0)

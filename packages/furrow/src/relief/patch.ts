@@ -20,7 +20,7 @@ export interface PatchRules {
   isLong(dx: number, dy: number): boolean
   /** The vertex on an edge, `part` of it from its first corner on. */
   onEdge(edge: number, part: number): number
-  /** A new vertex inside. */
+  /** The vertex inside, the same for the same numbers. */
   inside(x: number, y: number): number
 }
 
@@ -31,19 +31,12 @@ export interface PatchRules {
  * @param emit takes the three vertices of each triangle, in the order of the corners.
  */
 export function splitPatch(rules: PatchRules, emit: (a: number, b: number, c: number) => void): void {
-  const inner = new Map<number, Point>()
   const middle = (p: Point, q: Point): Point | null => {
     const edge = edgeOf(p, q)
     const [x, y] = [(p.x + q.x) / 2, (p.y + q.y) / 2]
     if (edge < 0) {
       if (!Number.isInteger(x) || !Number.isInteger(y) || !rules.isLong(q.x - p.x, q.y - p.y)) return null
-      const key = x * (WHOLE + 1) + y
-      let point = inner.get(key)
-      if (!point) {
-        point = { x, y, index: rules.inside(x, y) }
-        inner.set(key, point)
-      }
-      return point
+      return { x, y, index: rules.inside(x, y) }
     }
     const [from, to] = [alongEdge(p, edge), alongEdge(q, edge)]
     if (Math.abs(to - from) <= 2 ** -rules.levels[edge]) return null

@@ -8,9 +8,11 @@ export interface SplitOptions {
   edge?: number
   /** Triangles at most; edges become longer instead. */
   budget?: number
+  /** Halvings for coarser versions of the surface, each with no more than the one before. */
+  coarser?: readonly Uint8Array[]
 }
 
-export const SPLIT_DEFAULTS: Required<SplitOptions> = { edge: 0.0012, budget: 100_000 }
+export const SPLIT_DEFAULTS: Required<SplitOptions> = { edge: 0.0012, budget: 100_000, coarser: [] }
 
 /** Halved edges are between 0.7 and 1.4 of the length that is aimed at. */
 const LONGEST = Math.SQRT2
@@ -29,14 +31,16 @@ export function* splitMesh(
   halvings: Uint8Array,
   options: SplitOptions = {},
 ): Generator<void, DenseMesh> {
-  const { edge: wanted, budget } = { ...SPLIT_DEFAULTS, ...options }
+  const { edge: wanted, budget, coarser } = { ...SPLIT_DEFAULTS, ...options }
   const edges = new WeldedEdges(mesh)
   yield
   const edge = fitBudget(halvings, edges, wanted, budget)
   yield
-  const splitter = new Splitter(mesh, edges, LONGEST * edge)
+  const versions = [halvings, ...coarser]
+  const levels = versions.map((version) => edges.levelsFor(version, LONGEST * edge))
+  const splitter = new Splitter(mesh, edges, levels, LONGEST * edge)
   for (let t = 0; t < halvings.length; t++) {
-    splitter.split(t, halvings[t])
+    splitter.split(t, versions)
     if (t % SLICE === SLICE - 1) yield
   }
   return splitter.dense.finish(edge)
@@ -45,15 +49,15 @@ export function* splitMesh(
 /** Cuts edges so that there are no more triangles than allowed. Returns the length aimed at. */
 function fitBudget(halvings: Uint8Array, edges: WeldedEdges, wanted: number, budget: number): number {
   for (let edge = wanted; ; ) {
-    edges.cut(halvings, LONGEST * edge)
-    const count = countTriangles(edges)
-    if (count <= budget || edges.levels.every((level) => level === 0)) return edge
+    const levels = edges.levelsFor(halvings, LONGEST * edge)
+    const count = countTriangles(edges.edgeOf, levels)
+    if (count <= budget || levels.every((level) => level === 0)) return edge
     edge *= Math.max(1.05, Math.sqrt(count / budget))
   }
 }
 
 /** About how many triangles there will be: each halving of all three edges makes four of one. */
-function countTriangles({ edgeOf, levels }: WeldedEdges): number {
+function countTriangles(edgeOf: Uint32Array, levels: Uint8Array): number {
   let sum = 0
   for (let k = 0; k < edgeOf.length; k += 3) {
     sum += 2 ** ((2 * (levels[edgeOf[k]] + levels[edgeOf[k + 1]] + levels[edgeOf[k + 2]])) / 3)
@@ -61,64 +65,89 @@ function countTriangles({ edgeOf, levels }: WeldedEdges): number {
   return sum
 }
 
-/** Splits triangles one by one. Those that have an edge in common have its vertices in common too. */
+/** Splits triangles one by one, for all versions. Those that have an edge in common have its vertices in common too. */
 class Splitter {
   readonly dense: DenseBuilder
   readonly #mesh: CoarseMesh
   readonly #edges: WeldedEdges
+  readonly #levels: readonly Uint8Array[]
   readonly #longest: number
   /** The first vertex on each edge that is cut, by the edge's two vertices. */
   readonly #onEdges = new Map<number, number>()
 
-  constructor(mesh: CoarseMesh, edges: WeldedEdges, longest: number) {
+  /** @param levels of the edges in each version, the finest first. */
+  constructor(mesh: CoarseMesh, edges: WeldedEdges, levels: readonly Uint8Array[], longest: number) {
     this.#mesh = mesh
     this.#edges = edges
+    this.#levels = levels
     this.#longest = longest
-    this.dense = new DenseBuilder(edges.firstOf)
+    this.dense = new DenseBuilder(edges.firstOf, levels.length)
     const uvs = uvsOfPoints(mesh, edges.firstOf)
     for (let i = 0; i < edges.firstOf.length; i++) {
       this.dense.addVertex([i, i, i], [1, 0, 0], uvs[edges.firstOf[i]])
     }
   }
 
-  split(t: number, halvings: number): void {
-    const { triangles, uvs } = this.#mesh
-    const { edgeOf, levels } = this.#edges
+  /** @param versions the halvings of all triangles in each version. */
+  split(t: number, versions: readonly Uint8Array[]): void {
+    const { triangles, positions } = this.#mesh
+    const { edgeOf } = this.#edges
     const corners = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]] as const
-    const [a, b, c] = corners
-    const levelsHere = [levels[edgeOf[3 * t]], levels[edgeOf[3 * t + 1]], levels[edgeOf[3 * t + 2]]] as const
-    if (levelsHere[0] + levelsHere[1] + levelsHere[2] === 0) {
-      this.dense.addTriangle(a, b, c)
-      return
-    }
-    const squared = squaredLengths(this.#mesh.positions, corners)
     const limit = (this.#longest * WHOLE) ** 2
-    const shortest = WHOLE / 2 ** halvings
-    splitPatch(
-      {
-        corners,
-        levels: levelsHere,
-        isLong: (dx, dy) => stepOf(dx, dy) > shortest && squared(dx, dy) > limit,
-        onEdge: (edge, part) => this.#onEdge(3 * t + edge, corners[edge], corners[(edge + 1) % 3], part),
-        inside: (x, y) => {
-          const [wa, wb, wc] = [x / WHOLE, y / WHOLE, (WHOLE - x - y) / WHOLE]
-          const u = wa * uvs[2 * a] + wb * uvs[2 * b] + wc * uvs[2 * c]
-          const v = wa * uvs[2 * a + 1] + wb * uvs[2 * b + 1] + wc * uvs[2 * c + 1]
-          return this.dense.addVertex(corners, [wa, wb, wc], [u, v, u, v])
+    let squared: ((dx: number, dy: number) => number) | null = null
+    const known = new Map<number, number>()
+    for (let version = 0; version < versions.length; version++) {
+      const all = this.#levels[version]
+      const levels = [all[edgeOf[3 * t]], all[edgeOf[3 * t + 1]], all[edgeOf[3 * t + 2]]] as const
+      if (levels[0] + levels[1] + levels[2] === 0) {
+        this.dense.addTriangle(version, corners[0], corners[1], corners[2])
+        continue
+      }
+      squared ??= squaredLengths(positions, corners)
+      const length = squared
+      const shortest = WHOLE / 2 ** versions[version][t]
+      splitPatch(
+        {
+          corners,
+          levels,
+          isLong: (dx, dy) => stepOf(dx, dy) > shortest && length(dx, dy) > limit,
+          onEdge: (edge, part) => this.#onEdge(3 * t + edge, corners[edge], corners[(edge + 1) % 3], part),
+          inside: (x, y) => this.#inside(corners, x, y, known),
         },
-      },
-      (p, q, r) => this.dense.addTriangle(p, q, r),
-    )
+        (p, q, r) => this.dense.addTriangle(version, p, q, r),
+      )
+    }
+  }
+
+  /** @param known the vertices inside of the triangle so far. */
+  #inside(
+    corners: readonly [number, number, number],
+    x: number,
+    y: number,
+    known: Map<number, number>,
+  ): number {
+    const key = x * (WHOLE + 1) + y
+    const found = known.get(key)
+    if (found !== undefined) return found
+    const { uvs } = this.#mesh
+    const [a, b, c] = corners
+    const [wa, wb, wc] = [x / WHOLE, y / WHOLE, (WHOLE - x - y) / WHOLE]
+    const u = wa * uvs[2 * a] + wb * uvs[2 * b] + wc * uvs[2 * c]
+    const v = wa * uvs[2 * a + 1] + wb * uvs[2 * b + 1] + wc * uvs[2 * c + 1]
+    const vertex = this.dense.addVertex(corners, [wa, wb, wc], [u, v, u, v])
+    known.set(key, vertex)
+    return vertex
   }
 
   /** The vertex at some part, 0..1, of the edge from `a` to `b`. */
   #onEdge(corner: number, a: number, b: number, part: number): number {
-    const { edgeOf, levels, firstOf } = this.#edges
+    const { edgeOf, firstOf } = this.#edges
     const [from, to, at] = this.#edges.startsAt(a, b) ? [a, b, part] : [b, a, 1 - part]
     const key = from * firstOf.length + to
     const known = this.#onEdges.get(key)
     const edge = edgeOf[corner]
-    const segments = 2 ** levels[edge]
+    // Coarser versions have some of the vertices of the finest.
+    const segments = 2 ** this.#levels[0][edge]
     const first = known ?? this.dense.count
     if (known === undefined) {
       this.#onEdges.set(key, first)

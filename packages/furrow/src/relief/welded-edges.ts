@@ -16,8 +16,8 @@ export class WeldedEdges {
   readonly firstOf: Uint32Array
   /** The edge from each corner of each triangle to the next. */
   readonly edgeOf: Uint32Array
-  /** An edge is cut into 2 to the power of this many segments. */
-  readonly levels: Uint8Array
+  /** How many edges there are. */
+  readonly count: number
   readonly #lengths: Float64Array
   readonly #uvs: Float64Array
 
@@ -42,7 +42,7 @@ export class WeldedEdges {
       }
       this.#addUvs(uvs, edge, from, to, isNew)
     }
-    this.levels = new Uint8Array(known.size)
+    this.count = known.size
   }
 
   /** Whether the edge between two vertices begins at `a`. */
@@ -61,15 +61,19 @@ export class WeldedEdges {
     return this.#uvs[offset] + at * (this.#uvs[offset + 2] - this.#uvs[offset])
   }
 
-  /** Halves edges as often as one of their triangles needs, but not those that are no longer than `longest`. */
-  cut(halvings: Uint8Array, longest: number): void {
-    const { levels } = this
-    levels.fill(0)
+  /**
+   * Halves edges as often as one of their triangles needs, but not those that are no longer than `longest`.
+   *
+   * @returns of each edge, into 2 to the power of how many segments it is cut.
+   */
+  levelsFor(halvings: Uint8Array, longest: number): Uint8Array {
+    const levels = new Uint8Array(this.count)
     for (let corner = 0; corner < this.edgeOf.length; corner++) {
       const needed = halvings[Math.floor(corner / 3)]
       const edge = this.edgeOf[corner]
       if (needed > levels[edge]) levels[edge] = Math.min(needed, levelOf(this.#lengths[edge], longest))
     }
+    return levels
   }
 
   /** Of all texture coordinates of an edge, those that come first and last in an order, whichever it is. */

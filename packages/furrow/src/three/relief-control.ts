@@ -62,9 +62,11 @@ export class ReliefControl {
   /** Called before a mesh is drawn. */
   prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
     if (!this.#isPossible || (this.mode === 'off' && !this.#relief)) return
-    const amount = this.#amountOf(renderer, camera, mesh)
+    const pixelsPerMetre = pixelsPerUnit(mesh, camera, renderer) / this.#owner.units.atRest
+    const amount = this.#amountAt(pixelsPerMetre)
     if (this.#relief) {
       this.#relief.amount.value = amount
+      this.#relief.pixelsPerMetre = pixelsPerMetre
       this.#relief.follow()
     }
     if (amount === 0) {
@@ -87,12 +89,11 @@ export class ReliefControl {
     return areas !== this.#areas || areas.version !== this.#version
   }
 
-  #amountOf(renderer: AnyRenderer, camera: Camera, mesh: Mesh): number {
+  #amountAt(pixelsPerMetre: number): number {
     if (this.mode === 'off' || !this.#owner.isOn()) return 0
     if (this.mode === 'on') return 1
-    const perMillimetre = pixelsPerUnit(mesh, camera, renderer) / (1000 * this.#owner.units.atRest)
     const [from, to] = SIZES
-    return smoothstep((perMillimetre - from) / (to - from))
+    return smoothstep((pixelsPerMetre / 1000 - from) / (to - from))
   }
 
   /** After this frame: lists of what it draws have been made. */

@@ -40,6 +40,8 @@ export class CoarsePass {
   readonly #scene = new Scene()
   readonly #camera = new OrthographicCamera()
   readonly #poses: Pose[]
+  /** The renderer whose target holds the vertices: a page may make another one, as after the loss of a device. */
+  #renderer: AnyRenderer | null = null
 
   /**
    * @param meshes with the texel of each one's first vertex.
@@ -65,7 +67,8 @@ export class CoarsePass {
 
   /** Draws the vertices, if any may have moved. */
   update(renderer: AnyRenderer): void {
-    let changed = !this.#parts.hasContents(renderer, this.target)
+    let changed = renderer !== this.#renderer || !this.#parts.hasContents(renderer, this.target)
+    this.#renderer = renderer
     for (const pose of this.#poses) if (pose.update()) changed = true
     if (changed) this.#draw(renderer)
   }

@@ -13,10 +13,11 @@ import type { CoarseMesh } from '../../relief/coarse-mesh.ts'
 import { coveredTriangles } from '../../relief/covered-triangles.ts'
 import type { DenseMesh } from '../../relief/dense-mesh.ts'
 import type { HeightField, Mask } from '../../relief/height-fields.ts'
+import { heightLevels } from '../../relief/height-levels.ts'
 import { neededHalvings } from '../../relief/needed-halvings.ts'
 import { outwardRoom } from '../../relief/outward-room.ts'
-import { splitMesh } from '../../relief/split-mesh.ts'
-import { MAX_LEVEL } from '../../relief/welded-edges.ts'
+import { SPLIT_DEFAULTS, splitMesh } from '../../relief/split-mesh.ts'
+import { firstVertices, MAX_LEVEL } from '../../relief/welded-edges.ts'
 import { coordinates, trianglesOf } from '../sources/geometry-arrays.ts'
 import { wrinkleUvs } from '../wrinkle-uvs.ts'
 import { COARSE_WIDTH } from './coarse-pass.ts'
@@ -36,10 +37,13 @@ export interface SplitRequest {
   metresPerUnit: number
   /** Metres that heights can move the surface. */
   reach: number
+  /** Size of the heights in texels. */
+  map: { width: number; height: number }
 }
 
 /** The dense geometry of a mesh. */
 export interface Split {
+  /** Has a group for each version of the surface, the finest first. */
   geometry: BufferGeometry
   /** See `DenseMesh`. */
   edge: number
@@ -52,29 +56,35 @@ export interface Split {
  * are read from the coarse textures by `furrowParents`, `furrowCorners` and `furrowWeights`.
  */
 export function* splitGeometry(request: SplitRequest): Generator<void, Split> {
-  const { mesh, material, raised, first, metresPerUnit, reach } = request
+  const { mesh, material, raised, first, metresPerUnit, reach, map } = request
   const { geometry } = mesh
   const positions = coordinates(geometry.attributes.position).map((value) => value * metresPerUnit)
   const coarse = { positions, uvs: wrinkleUvs(mesh, material), triangles: drawnTriangles(mesh, material) }
   const normals = coordinates(geometry.attributes.normal)
-  const halvings = halvingsFor(coarse, normals, raised)
+  const levels = heightLevels(coarse, firstVertices(positions), SPLIT_DEFAULTS.edge, map)
+  const [halvings, ...coarser] = halvingsFor(coarse, normals, raised, levels)
   yield
-  const dense = yield* splitMesh(coarse, halvings)
+  const dense = yield* splitMesh(coarse, halvings, { coarser })
   const { firstOf } = dense
   yield
   const room = outwardRoom(coarse, normals, firstOf, reach)
   yield
   return {
-    geometry: denseGeometry(geometry, dense, first, roomOf(dense, room)),
+    geometry: denseGeometry(geometry, dense, first, mixParents(dense, room), mixParents(dense, levels)),
     edge: dense.edge,
     next: ringOf(firstOf),
   }
 }
 
-function halvingsFor(coarse: CoarseMesh, normals: Float32Array, raised: Raised): Uint8Array {
-  if (Array.isArray(raised)) return neededHalvings(coarse, normals, raised)
-  if (raised === null) return new Uint8Array(coarse.triangles.length / 3).fill(MAX_LEVEL)
-  return coveredTriangles(coarse, raised as Mask).map((isCovered) => isCovered * MAX_LEVEL)
+function halvingsFor(
+  coarse: CoarseMesh,
+  normals: Float32Array,
+  raised: Raised,
+  levels: Float32Array,
+): Uint8Array[] {
+  if (Array.isArray(raised)) return neededHalvings(coarse, normals, raised, levels)
+  if (raised === null) return [new Uint8Array(coarse.triangles.length / 3).fill(MAX_LEVEL)]
+  return [coveredTriangles(coarse, raised as Mask).map((isCovered) => isCovered * MAX_LEVEL)]
 }
 
 /** A texture of the rings of all meshes, each of whose vertices begin at its first texel. */
@@ -110,9 +120,10 @@ function ringOf(firstOf: Uint32Array): Uint32Array {
   return next
 }
 
-function roomOf({ count, parents, weights }: DenseMesh, room: Float32Array): Float32Array {
+/** A number of each vertex, between those of its parents: the same on both sides of a seam. */
+function mixParents({ count, parents, weights }: DenseMesh, values: Float32Array): Float32Array {
   const out = new Float32Array(count)
-  for (let i = 0; i < parents.length; i++) out[Math.floor(i / 3)] += weights[i] * room[parents[i]]
+  for (let i = 0; i < parents.length; i++) out[Math.floor(i / 3)] += weights[i] * values[parents[i]]
   return out
 }
 
@@ -124,6 +135,7 @@ function denseGeometry(
   dense: DenseMesh,
   first: number,
   room: Float32Array,
+  levels: Float32Array,
 ): BufferGeometry {
   const geometry = new BufferGeometry()
   for (const [name, attribute] of Object.entries(attributes)) {
@@ -139,9 +151,22 @@ function denseGeometry(
     ['furrowWeights', weights, 3],
     ['furrowUvs', uvs, 4],
     ['furrowRoom', room, 1],
+    ['furrowLevel', levels, 1],
   ])
-  geometry.setIndex(new BufferAttribute(dense.triangles, 1))
+  addVersions(geometry, [dense.triangles, ...dense.coarser])
   return geometry
+}
+
+/** One after the other in one index: a group each. */
+function addVersions(geometry: BufferGeometry, versions: readonly Uint32Array[]): void {
+  const index = new Uint32Array(versions.reduce((sum, { length }) => sum + length, 0))
+  let start = 0
+  for (const triangles of versions) {
+    index.set(triangles, start)
+    geometry.addGroup(start, triangles.length)
+    start += triangles.length
+  }
+  geometry.setIndex(new BufferAttribute(index, 1))
 }
 
 /** Adds attributes of floats in one buffer: WebGPU guarantees no more than eight for a geometry. */

@@ -1,10 +1,9 @@
-import { LinearFilter } from 'three'
 import { isSlice } from '../../core/check-areas.ts'
 import { FurrowError } from '../../core/error.ts'
 import { type ImageArray, packGrays } from '../../core/pack.ts'
 import type { GrayImage } from '../../core/types.ts'
 import { type ArrayTexture, arrayOf } from '../material/array-texture.ts'
-import { areaTexture } from '../material/textures.ts'
+import { mapTexture } from '../material/textures.ts'
 import { canRise, type RaisedLayer } from './raised-layer.ts'
 
 /** The heights of a set's layers on the GPU. */
@@ -44,8 +43,7 @@ export async function createHeightMaps(layers: readonly RaisedLayer[]): Promise<
   const found = (await Promise.all(read)).flat()
   const maps = found.map(({ map }) => map)
   const array = maps.some(isSlice) ? null : packGrays(maps as GrayImage[], 'Wrinkles heights of the layers')
-  const texture = array ? areaTexture(array) : arrayOf(maps, 'Wrinkles', 'heights')
-  texture.minFilter = LinearFilter
+  const texture = array ? mapTexture(array, 1) : arrayOf(maps, 'Wrinkles', 'heights')
   return {
     texture,
     array,

@@ -1,6 +1,7 @@
 import type { Camera, Material, Mesh, Sphere, Texture } from 'three'
 import { FurrowError } from '../../core/error.ts'
 import { HeightField, weightedTexels } from '../../relief/height-fields.ts'
+import { TOLERANCES } from '../../relief/needed-halvings.ts'
 import { SPLIT_DEFAULTS } from '../../relief/split-mesh.ts'
 import { instancesOf } from '../instances.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
@@ -38,6 +39,8 @@ type MeshSplit = Split & { mesh: Mesh; first: number }
 export class Relief {
   /** 0 = the meshes as they are, 1 = full relief. */
   readonly amount = { value: 0 }
+  /** Pixels per metre in the picture being drawn. */
+  pixelsPerMetre = Infinity
   readonly #host: ReliefHost
   readonly #parts: ReliefParts
   readonly #heights: HeightMaps
@@ -89,7 +92,9 @@ export class Relief {
       const splits: MeshSplit[] = []
       let first = 0
       for (const mesh of meshes) {
-        const request = { mesh, material, raised, first, metresPerUnit: units.atRest, reach: heights.reach }
+        const { reach } = heights
+        const map = heights.texture.image as { width: number; height: number }
+        const request = { mesh, material, raised, first, metresPerUnit: units.atRest, reach, map }
         const split = await inSlices(splitGeometry(request), isWanted)
         if (!split) break
         splits.push({ ...split, mesh, first })
@@ -144,8 +149,18 @@ export class Relief {
         if (isShadow) this.#parts.duringShadow(renderer, () => this.#pass.update(renderer))
         else this.#pass.update(renderer)
       },
+      version: () => versionFor(this.pixelsPerMetre),
     })
   }
+}
+
+/** Pixels by which a surface may miss its heights: another version of it then differs by less than one. */
+const MOST_PIXELS = 0.45
+
+/** The coarsest version of a surface that is fine enough: edges of triangles cost more than what they show, see bench/README.md. */
+function versionFor(pixelsPerMetre: number): number {
+  const tooCoarse = TOLERANCES.findIndex((tolerance) => tolerance * pixelsPerMetre > MOST_PIXELS)
+  return tooCoarse < 0 ? TOLERANCES.length - 1 : Math.max(tooCoarse - 1, 0)
 }
 
 /** Triangles that a mesh may have to begin with: there is nothing to split in more. */

@@ -12,6 +12,8 @@ export interface StandInHost {
   prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void
   /** Finds where the vertices of the mesh are now. */
   deform(renderer: AnyRenderer, isShadow: boolean): void
+  /** Which version of the surface to draw: a group of the dense geometry. */
+  version(): number
 }
 
 /**
@@ -103,15 +105,19 @@ export class StandIn {
     const dense = this.#dense
     const host = this.#host
     const { geometry } = dense
+    const draw = (isDrawn: boolean) => {
+      const { start, count } = geometry.groups[Math.min(host.version(), geometry.groups.length - 1)]
+      geometry.setDrawRange(start, isDrawn ? count : 0)
+    }
     dense.onBeforeRender = (renderer, _scene, camera, _geometry, material) => {
       host.prepare(renderer as AnyRenderer, camera, this.#mesh)
       const isDrawn = this.#isDrawnWith(material)
       if (isDrawn) host.deform(renderer as AnyRenderer, false)
-      geometry.setDrawRange(0, isDrawn ? Infinity : 0)
+      draw(isDrawn)
     }
     dense.onBeforeShadow = (renderer) => {
       if (this.#isInUse) host.deform(renderer as AnyRenderer, true)
-      geometry.setDrawRange(0, this.#isInUse ? Infinity : 0)
+      draw(this.#isInUse)
     }
   }
 }

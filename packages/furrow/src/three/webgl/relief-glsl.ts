@@ -20,7 +20,7 @@ export interface ReliefVariant {
 export function reliefFunctions({ heights, channel, isInstanced }: ReliefVariant): string {
   const displacement = heights.map(
     ({ layer, slice, amplitude }) =>
-      `+ influence[${layer}] * (textureLod(furrowHeights, vec3(at, ${slice}.0), 0.0)[${channel}] - 0.5) * ${amplitude.toExponential()}`,
+      `+ influence[${layer}] * (textureLod(furrowHeights, vec3(at, ${slice}.0), furrowLevel)[${channel}] - 0.5) * ${amplitude.toExponential()}`,
   )
   return /* glsl */ `
 in vec3 furrowParents;
@@ -28,6 +28,7 @@ in vec3 furrowCorners;
 in vec3 furrowWeights;
 in vec4 furrowUvs;
 in float furrowRoom;
+in float furrowLevel;
 uniform highp sampler2D furrowCoarsePositions;
 uniform highp sampler2D furrowCoarseDirections;
 uniform highp sampler2DArray furrowHeights;

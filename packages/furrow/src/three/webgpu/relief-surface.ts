@@ -2,6 +2,7 @@
 import type { BufferGeometry, Texture } from 'three'
 import {
   attribute,
+  Break,
   Fn,
   If,
   instancedMesh,
@@ -16,6 +17,7 @@ import {
   texture,
   textureLoad,
   vec3,
+  vec4,
 } from 'three/tsl'
 import type { Node, NodeBuilder } from 'three/webgpu'
 import { CANCELLED, PHONG, ROOM_TO_CURVE } from '../../relief/displaced.ts'
@@ -47,115 +49,114 @@ export function reliefPosition(
 ): Node<'vec3'> {
   return Fn((_: [], { geometry, object }: NodeBuilder & { geometry: BufferGeometry }) => {
     if (!geometry.hasAttribute('furrowWeights')) return own ?? positionLocal
-    const { directions } = relief.coarse
-    normalLocal.assign(mixCorners((vertex) => normalOf(directions, vertex)))
+    const weights = attribute<'vec3'>('furrowWeights', 'vec3')
+    const corners = { x: cornerOf('x'), y: cornerOf('y'), z: cornerOf('z') }
+
+    function cornerOf(axis: Axis): Corner {
+      const [position, normal] = [vec3(0).toVar(), vec3(0).toVar()]
+      const directions = vec4(0).toVar()
+      // Most vertices are the mesh's own, or on an edge.
+      If(weights[axis].greaterThan(0), () => {
+        const corner = attribute<'vec3'>('furrowCorners', 'vec3')[axis]
+        directions.assign(coarseTexel(relief.coarse.directions, corner))
+        readParent(relief.coarse, axis, directions.xy, position, normal)
+      })
+      return { position, normal, directions }
+    }
+
+    normalLocal.assign(mixThree((axis) => fromOctahedron(corners[axis].directions.xy), weights))
     if (geometry.hasAttribute('tangent'))
-      tangentLocal.assign(mixCorners((vertex) => tangentOf(directions, vertex)))
-    positionLocal.assign(surface(relief, inputs, instances))
+      tangentLocal.assign(mixThree((axis) => fromOctahedron(corners[axis].directions.zw), weights))
+    positionLocal.assign(surface(relief, inputs, instances, corners))
     // three.js has moved the instances already: vertices that were not in their places then.
     if (instances) instancedMesh(object as never)
     return own ?? positionLocal
   })()
 }
 
-function mixCorners(direction: (vertex: Node<'float'>) => Node<'vec3'>): Node<'vec3'> {
-  const corners = attribute<'vec3'>('furrowCorners', 'vec3')
-  const weights = attribute<'vec3'>('furrowWeights', 'vec3')
-  return mixThree(
-    (axis) => {
-      const own = vec3(0).toVar()
-      If(weights[axis].greaterThan(0), () => {
-        own.assign(direction(corners[axis]))
+/** One of the coarse vertices that a vertex lies between: as the surface has it, and the directions for shading. */
+interface Corner {
+  position: Node<'vec3'>
+  /** Smooth. */
+  normal: Node<'vec3'>
+  directions: Node<'vec4'>
+}
+
+/** Position and smooth normal of a parent; most are no seam, where the normal is that of the corner. */
+function readParent(
+  { positions, directions }: ReliefInputs['coarse'],
+  axis: Axis,
+  direction: Node<'vec2'>,
+  position: Node<'vec3'>,
+  normal: Node<'vec3'>,
+): void {
+  const first = attribute<'vec3'>('furrowParents', 'vec3')[axis]
+  const corner = attribute<'vec3'>('furrowCorners', 'vec3')[axis]
+  const texel = coarseTexel(positions, first).toVar()
+  position.assign(texel.xyz)
+  normal.assign(fromOctahedron(direction))
+  const next = texel.w.toVar()
+  If(next.notEqual(first), () => {
+    If(corner.notEqual(first), () => {
+      normal.assign(normalOf(directions, first))
+    })
+    const sum = normal.toVar()
+    Loop(MOST_TWINS, () => {
+      If(next.equal(first), () => {
+        Break()
       })
-      return own
-    },
-    (axis) => weights[axis],
-  )
-}
-
-function normalOf(directions: Texture, vertex: Node<'float'>): Node<'vec3'> {
-  return fromOctahedron(coarseTexel(directions, vertex).xy)
-}
-
-function tangentOf(directions: Texture, vertex: Node<'float'>): Node<'vec3'> {
-  return fromOctahedron(coarseTexel(directions, vertex).zw)
+      sum.addAssign(normalOf(directions, next))
+      next.assign(coarseTexel(positions, next).w)
+    })
+    normal.assign(select(sum.dot(sum).greaterThan(CANCELLED ** 2), sum, normal).normalize())
+  })
 }
 
 function surface(
-  { heights, coarse, unitsPerMetre, amount }: ReliefInputs,
+  { heights, unitsPerMetre, amount }: ReliefInputs,
   inputs: ShaderInputs,
   instances: Instances,
+  corners: Record<Axis, Corner>,
 ): Node<'vec3'> {
-  const parents = attribute<'vec3'>('furrowParents', 'vec3')
   const weights = attribute<'vec3'>('furrowWeights', 'vec3')
   const uvs = attribute<'vec4'>('furrowUvs', 'vec4')
   const room = attribute<'float'>('furrowRoom', 'float')
+  const level = attribute<'float'>('furrowLevel', 'float')
   const amountNow = inputUniform<'float'>(amount)
-  const weightOf = (axis: Axis) => weights[axis]
-  const points = { x: vertexOf('x'), y: vertexOf('y'), z: vertexOf('z') }
-
-  function vertexOf(axis: Axis) {
-    const [position, normal] = [vec3(0).toVar(), vec3(0).toVar()]
-    // Most vertices are the mesh's own, or on an edge.
-    If(weights[axis].greaterThan(0), () => {
-      const texel = coarseTexel(coarse.positions, parents[axis]).toVar()
-      position.assign(texel.xyz)
-      normal.assign(smoothNormal(coarse, parents[axis], texel.w))
-    })
-    return { position, normal }
-  }
 
   function displacement(at: Node<'vec2'>): Node<'float'> {
     const influence = influenceFromMap(inputs, at, instances).toVar()
     const uv = repeat(at).toVar()
     const moved = heights.layers.map(({ layer, slice, amplitude }) => {
-      const height = texture(heights.texture, uv).depth(int(slice)).level(int(0))[CHANNELS[heights.channel]]
+      const height = texture(heights.texture, uv).depth(int(slice)).level(level)[CHANNELS[heights.channel]]
       return influence[CHANNELS[layer]].mul(height.sub(0.5)).mul(amplitude)
     })
     return moved.reduce((sum, own) => sum.add(own))
   }
 
-  const flat = mixThree((axis) => points[axis].position, weightOf).toVar()
+  const flat = mixThree((axis) => corners[axis].position, weights).toVar()
   const curve = mixThree((axis) => {
-    const { position, normal } = points[axis]
+    const { position, normal } = corners[axis]
     return normal.mul(flat.sub(position).dot(normal))
-  }, weightOf)
+  }, weights)
   const curved = amountNow.mul(PHONG).mul(min(room.div(ROOM_TO_CURVE), 1))
   const height = displacement(uvs.xy).toVar()
   If(uvs.x.notEqual(uvs.z).or(uvs.y.notEqual(uvs.w)), () => {
     height.assign(height.add(displacement(uvs.zw)).mul(0.5))
   })
-  const direction = mixThree((axis) => points[axis].normal, weightOf).normalize()
+  const direction = mixThree((axis) => corners[axis].normal, weights).normalize()
   const outwards = height.clamp(room.negate(), room).mul(amountNow).mul(unitsPerMetre)
   return flat.sub(curve.mul(curved)).add(direction.mul(outwards))
 }
 
 type Axis = 'x' | 'y' | 'z'
 
-function mixThree(value: (axis: Axis) => Node<'vec3'>, weight: (axis: Axis) => Node<'float'>): Node<'vec3'> {
-  return value('x')
-    .mul(weight('x'))
-    .add(value('y').mul(weight('y')), value('z').mul(weight('z')))
+function mixThree(value: (axis: Axis) => Node<'vec3'>, weights: Node<'vec3'>): Node<'vec3'> {
+  return value('x').mul(weights.x).add(value('y').mul(weights.y), value('z').mul(weights.z))
 }
 
-/** The mean of the normals at a vertex's position: those of the vertices in a ring that begins with it. */
-function smoothNormal(
-  { positions, directions }: ReliefInputs['coarse'],
-  first: Node<'float'>,
-  second: Node<'float'>,
-): Node<'vec3'> {
-  const own = normalOf(directions, first).toVar()
-  const sum = own.toVar()
-  const next = second.toVar()
-  Loop(MOST_TWINS, () => {
-    If(next.notEqual(first), () => {
-      sum.addAssign(normalOf(directions, next))
-      next.assign(coarseTexel(positions, next).w)
-    })
-  })
-  return vec3(select(sum.dot(sum).greaterThan(CANCELLED ** 2), sum, own))
-    .normalize()
-    .toVar()
+function normalOf(directions: Texture, vertex: Node<'float'>): Node<'vec3'> {
+  return fromOctahedron(coarseTexel(directions, vertex).xy)
 }
 
 function coarseTexel(values: Texture, vertex: Node<'float'>): Node<'vec4'> {

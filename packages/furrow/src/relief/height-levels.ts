@@ -1,0 +1,38 @@
+import { triangleNormal, uvArea } from '../math/triangle.ts'
+import type { CoarseMesh } from './coarse-mesh.ts'
+
+/**
+ * Finds the mipmap level of heights whose texels are half as wide as the space between vertices: what is narrower would show as single
+ * vertices that happen to be in it (L. Williams, "Pyramidal Parametrics", 1983). Texels as wide as that space would take three quarters
+ * of the finest waves that the vertices can show, these take a quarter: mipmaps filter twice, when they are made and between texels.
+ *
+ * @param firstOf of each vertex the first one at its position, see `firstVertices`.
+ * @param edge metres between vertices.
+ * @param map size of the heights in texels.
+ * @returns the level at each vertex, 0 = the heights themselves; the same for all at one position.
+ */
+export function heightLevels(
+  { positions, uvs, triangles }: CoarseMesh,
+  firstOf: Uint32Array,
+  edge: number,
+  map: { width: number; height: number },
+): Float32Array {
+  const onSkin = new Float64Array(firstOf.length)
+  const inMap = new Float64Array(firstOf.length)
+  const normal = new Float64Array(3)
+  for (let k = 0; k + 2 < triangles.length; k += 3) {
+    const [a, b, c] = [triangles[k], triangles[k + 1], triangles[k + 2]]
+    triangleNormal(normal, positions, a, b, c)
+    const area = Math.hypot(normal[0], normal[1], normal[2]) / 2
+    const texels = uvArea(uvs, a, b, c) * map.width * map.height
+    if (!(Number.isFinite(area) && Number.isFinite(texels))) continue
+    for (const vertex of [a, b, c]) {
+      onSkin[firstOf[vertex]] += area
+      inMap[firstOf[vertex]] += texels
+    }
+  }
+  return Float32Array.from(firstOf, (first) => {
+    const texelsPerHalf = (edge / 2) * Math.sqrt(inMap[first] / onSkin[first])
+    return texelsPerHalf > 1 && texelsPerHalf < Infinity ? Math.log2(texelsPerHalf) : 0
+  })
+}
