@@ -5,12 +5,18 @@ import { brotliCompressSync, gzipSync } from 'node:zlib'
 import { build } from 'vite'
 import { ROOT } from './serve.mjs'
 
+/** What pages have besides. */
+const ELSEWHERE = /^(three|react|react-dom|@react-three\/fiber)(\/|$)/
+
 /** What each page imports. */
 const PAGES = {
   'the loader, furrow/three': "import { WrinkleLoaderPlugin as used } from 'furrow/three'",
   'the loader, furrow/webgpu': "import { WrinkleLoaderPlugin as used } from 'furrow/webgpu'",
+  'extendLoader and useWrinkles, furrow/react':
+    "import { extendLoader, useWrinkles } from 'furrow/react'; const used = [extendLoader, useWrinkles]",
   'all of furrow/three': "import * as used from 'furrow/three'",
   'all of furrow/webgpu': "import * as used from 'furrow/webgpu'",
+  'all of furrow/react': "import * as used from 'furrow/react'",
 }
 
 /** Fetched by pages with the loader alone: the modules that are imported on demand. */
@@ -38,7 +44,7 @@ const FETCHED = {
 export async function measureSizes() {
   const sizes = {}
   for (const [page, code] of Object.entries(PAGES)) {
-    const chunks = await bundle(`${code}; globalThis.used = used`, /^three(\/|$)/)
+    const chunks = await bundle(`${code}; globalThis.used = used`, ELSEWHERE)
     const [entry] = chunks
     const own = closure([entry], chunks)
     sizes[page] = compressed(own)
@@ -66,7 +72,7 @@ export async function measurePeers() {
   for (const [library, names] of Object.entries(PEERS)) {
     for (const name of names) {
       const code = `import { ${name} as used } from '${library}'; globalThis.used = used`
-      const chunks = await bundle(code, /^(three|react|react-dom|@react-three\/fiber)(\/|$)/)
+      const chunks = await bundle(code, ELSEWHERE)
       sizes[`${name}, ${library}`] = compressed(closure([chunks[0]], chunks))
     }
   }

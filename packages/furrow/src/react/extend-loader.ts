@@ -4,6 +4,7 @@ import type { WrinkleLoaderOptions } from '../three/options.ts'
 
 /** A `GLTFLoader`, three.js's or another package's. */
 export interface ExtendableLoader {
+  /** Adds a plugin, once for each function. */
   // biome-ignore lint/suspicious/noExplicitAny: each package has a parser type of its own
   register(plugin: (parser: any) => any): unknown
 }

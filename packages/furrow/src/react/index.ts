@@ -21,14 +21,14 @@ export type { WrinklesProps } from './wrinkles-component.ts'
  *
  * @throws FurrowError, as the file is loaded, when an option is unknown or out of range.
  */
-export const extendLoaderWith = loaderExtensions(WrinkleLoaderPlugin)
+export const extendLoaderWith = /* @__PURE__ */ loaderExtensions(WrinkleLoaderPlugin)
 
 /** Adds `WrinkleLoaderPlugin` to a loader: `useGLTF(url, true, true, extendLoader)`, or `<Gltf src={url} extendLoader={extendLoader} />`. */
-export const extendLoader: (loader: ExtendableLoader) => void = extendLoaderWith()
+export const extendLoader: (loader: ExtendableLoader) => void = /* @__PURE__ */ extendLoaderWith()
 
 /**
  * The state of wrinkles: of the meshes among its children, or without children of its parent and what is under it.
  *
  * What a face cannot do is left out with one warning; a face without wrinkles stays as it is.
  */
-export const Wrinkles: (props: WrinklesProps) => ReactNode = wrinklesComponent(WebGLWrinkles)
+export const Wrinkles: (props: WrinklesProps) => ReactNode = /* @__PURE__ */ wrinklesComponent(WebGLWrinkles)
