@@ -39,7 +39,7 @@ import { print } from '../print.ts'
 import { withBar } from '../progress.ts'
 import { drawSet } from '../wrinkles/draw-set.ts'
 import { readReferenced } from '../wrinkles/folder.ts'
-import { STROKES_FILE } from '../wrinkles/folder-document.ts'
+import { STROKES_FILE, WRINKLES_FILE } from '../wrinkles/folder-document.ts'
 import { type OpenSet, openSet } from '../wrinkles/open-set.ts'
 import { layersOf } from '../wrinkles/strokes.ts'
 
@@ -228,12 +228,18 @@ async function drawInto(
   { size = document.size ?? DEFAULT_SIZE, allowOutside }: Options,
 ): Promise<DrawnFile[]> {
   if (size % 2 !== 0) throw oddSize(size)
-  const { folder, set, isNew, layers } = open
+  const { folder, set, isNew } = open
   const canvas = skinCanvas(face.mesh, size, size, document.scale)
   const read = (uri: string) => readReferenced(folder, uri, WHO, { allowOutside })
-  const files = await drawSet(set, layers, document, read, { canvas, frame: frameOf(face) }, WHO)
+  const on = { canvas, frame: frameOf(face) }
+  const { layers, files } = await drawSet(set, open.layers, document, read, on, WHO)
+  files.unshift({ path: WRINKLES_FILE, bytes: jsonFile({ ...open.json, layers }) })
   if (isNew) files.push({ path: STROKES_FILE, bytes: jsonFile(json as object) })
-  const drawn = files.map(({ path, bytes }) => ({ path: join(folder, path), bytes, note: 'written' }))
+  const drawn = files.map(({ path, bytes }) => ({
+    path: join(folder, path),
+    bytes,
+    note: `${bytes.length} bytes`,
+  }))
   return isNew ? [...drawn, ...(await drawAreas(document, face, join(folder, 'areas')))] : drawn
 }
 

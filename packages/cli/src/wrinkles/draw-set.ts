@@ -16,10 +16,9 @@ import {
 } from 'furrow/author'
 import type { OutputFile } from '../files.ts'
 import { decodeGray } from '../images/pixels.ts'
-import { jsonFile } from '../json-file.ts'
 import { didYouMean } from '../nearest.ts'
 import { encodeLayer } from './encode-layer.ts'
-import { addressOf, WRINKLES_FILE } from './folder-document.ts'
+import { addressOf } from './folder-document.ts'
 import type { ReadFile } from './pack.ts'
 import { layersOf } from './strokes.ts'
 
@@ -80,7 +79,7 @@ export function drawnPaths({ layers }: WrinkleSetDocument, layer: string): Map<s
  * blood that is not the tone of valleys.
  *
  * @param read reads a file of the set.
- * @returns the files of the set that change, `wrinkles.json` first, with paths relative to its folder.
+ * @returns all layers as `wrinkles.json` has them, and the images that were drawn, with paths relative to its folder.
  */
 export async function drawSet(
   set: WrinkleSetDocument,
@@ -89,7 +88,7 @@ export async function drawSet(
   read: ReadFile,
   on: DrawnOn,
   who: string,
-): Promise<OutputFile[]> {
+): Promise<{ layers: LayerEntry[]; files: OutputFile[] }> {
   const files: OutputFile[] = []
   const entries = [...set.layers]
   for (const [i, entry] of entries.entries()) {
@@ -111,7 +110,7 @@ export async function drawSet(
     }
     entries[i] = changed
   }
-  return [{ path: WRINKLES_FILE, bytes: jsonFile({ ...set, layers: entries }) }, ...files]
+  return { layers: entries, files }
 }
 
 async function drawLayer(

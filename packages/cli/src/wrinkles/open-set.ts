@@ -1,6 +1,7 @@
 import { join } from 'node:path'
 import type { WrinkleSetDocument } from 'furrow'
 import { paintedNames, type StrokesDocument } from 'furrow/author'
+import { readJson } from '../inputs.ts'
 import { statOf } from '../outputs.ts'
 import { drawnPaths, layersToDraw } from './draw-set.ts'
 import { readFolder } from './folder.ts'
@@ -11,6 +12,8 @@ import { layersOf } from './strokes.ts'
 export interface OpenSet {
   folder: string
   set: WrinkleSetDocument
+  /** Its document as it is written. */
+  json: object
   /** Whether the folder had none. */
   isNew: boolean
   /** Names of the layers to draw. */
@@ -38,10 +41,11 @@ export async function openSet(
   const document = join(folder, WRINKLES_FILE)
   const isNew = (await statOf(document)) === undefined
   const set = isNew ? setOf(strokes) : await readFolder(folder, false, who)
+  const json = isNew ? set : ((await readJson(document, who)) as object)
   const layers = layersToDraw(set, strokes, layer, who)
   const maps = layers.flatMap((name) => [...drawnPaths(set, name).values()])
   const paths = [...maps, ...(isNew ? set.areas.map(({ name }) => `areas/${name}.png`) : [])]
-  return { folder, set, isNew, layers, document, images: paths.map((path) => join(folder, path)) }
+  return { folder, set, json, isNew, layers, document, images: paths.map((path) => join(folder, path)) }
 }
 
 /** A set of the layers of a document and its areas, each on the layer of the strokes that it is painted round. */
