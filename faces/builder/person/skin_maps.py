@@ -187,7 +187,7 @@ def encode(image: np.ndarray, kind: str, quality=88) -> tuple[str, bytes]:
 
 
 def encode_palette(image: np.ndarray) -> tuple[str, bytes]:
-    """A PNG file of an image of few colours, as the 256 most frequent: with the normals of skin it is 0.7 of one in RGB.
+    """A PNG file of an image of few colours, as the 256 most frequent: 0.7 of one in RGB for the normals of skin.
 
     The few texels of another colour, in the steepest stripes of the lips, take the nearest.
     """

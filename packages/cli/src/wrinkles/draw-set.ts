@@ -26,6 +26,7 @@ type LayerEntry = WrinkleSetDocument['layers'][number]
 
 /** The maps that strokes give a layer. */
 const DRAWN_MAPS = ['normal', 'occlusion', 'blood', 'height'] as const
+type DrawnMap = (typeof DRAWN_MAPS)[number]
 
 /** What strokes are drawn on. */
 export interface DrawnOn {
@@ -68,10 +69,16 @@ function noLayer(
 }
 
 /** Paths of the maps of a layer that strokes draw, relative to the folder of its set. */
-export function drawnPaths({ layers }: WrinkleSetDocument, layer: string): Map<string, string> {
+export function drawnPaths({ layers }: WrinkleSetDocument, layer: string): Record<DrawnMap, string> {
   const names = layers.map(({ name }) => name)
   const folder = fileNamesOf(names)[names.indexOf(layer)]
-  return new Map(DRAWN_MAPS.map((map) => [map, `layers/${folder}/${map}.png`]))
+  const path = (map: DrawnMap) => `layers/${folder}/${map}.png`
+  return {
+    normal: path('normal'),
+    occlusion: path('occlusion'),
+    blood: path('blood'),
+    height: path('height'),
+  }
 }
 
 /**
@@ -94,21 +101,21 @@ export async function drawSet(
   for (const [i, entry] of entries.entries()) {
     if (!layers.includes(entry.name)) continue
     const maps = await drawLayer(entry, document, read, on, who)
-    const drawn = {
-      ...entry,
-      kind: 'detail',
-      bloodAmplitude: entry.bloodAmplitude ?? BLOOD_AMPLITUDE,
-    } as const
-    const { height: _, heightAmplitude: __, ...rest } = drawn
-    const changed: LayerEntry = { ...rest, ...(maps.height && { heightAmplitude: maps.heightAmplitude! }) }
     const paths = drawnPaths(set, entry.name)
+    const { height: _, heightAmplitude: __, bloodAmplitude = BLOOD_AMPLITUDE, ...rest } = entry
+    entries[i] = {
+      ...rest,
+      kind: 'detail',
+      normal: addressOf(paths.normal),
+      occlusion: addressOf(paths.occlusion),
+      blood: addressOf(paths.blood),
+      bloodAmplitude,
+      ...(maps.height && { height: addressOf(paths.height), heightAmplitude: maps.heightAmplitude! }),
+    }
     for (const map of DRAWN_MAPS) {
       const image = maps[map]
-      if (!image) continue
-      changed[map] = addressOf(paths.get(map)!)
-      files.push({ path: paths.get(map)!, bytes: image.bytes })
+      if (image) files.push({ path: paths[map], bytes: image.bytes })
     }
-    entries[i] = changed
   }
   return { layers: entries, files }
 }

@@ -43,7 +43,7 @@ export async function openSet(
   const set = isNew ? setOf(strokes) : await readFolder(folder, false, who)
   const json = isNew ? set : ((await readJson(document, who)) as object)
   const layers = layersToDraw(set, strokes, layer, who)
-  const maps = layers.flatMap((name) => [...drawnPaths(set, name).values()])
+  const maps = layers.flatMap((name) => Object.values(drawnPaths(set, name)))
   const paths = [...maps, ...(isNew ? set.areas.map(({ name }) => `areas/${name}.png`) : [])]
   return { folder, set, json, isNew, layers, document, images: paths.map((path) => join(folder, path)) }
 }
