@@ -137,7 +137,7 @@ describe.each(FACES)('faces/%s', (name) => {
     const expected = changedBlood(halfSide(own), valleysOf(made.layers[0].relief), valleysOf(lines.relief))
     const shipped = await grayOf(`${name}/layers/expression/blood.png`)
     expect(largestDifference(shipped.data, expected.data)).toBeLessThanOrEqual(1)
-    expect(layer.bloodAmplitude).toBe(0.35)
+    expect(layer.bloodAmplitude).toBe(0.25)
   })
 })
 
