@@ -1,8 +1,11 @@
+import io
+
 import numpy as np
 import pytest
+from PIL import Image
 
 from builder.person.fields import Fields, occlusion
-from builder.person.skin_maps import encode, lay, relief
+from builder.person.skin_maps import encode, encode_palette, lay, relief
 from builder.raster import Atlas
 from tests.shapes import grid, sheet_part
 
@@ -78,3 +81,17 @@ def test_images_are_encoded_the_same_every_time():
         assert mime == f"image/{kind}"
         assert data.startswith(magic)
         assert encode(image, kind)[1] == data
+
+
+def test_a_palette_keeps_the_most_frequent_colours():
+    pixels = np.zeros((32, 32, 3), np.uint8)
+    pixels[..., 0] = np.arange(32)[:, None] // 2 * 8
+    pixels[..., 1] = np.arange(32)[None] // 2 * 8
+    pixels[0, 0] = (0, 3, 0)  # the 257th colour, in one texel
+    mime, data = encode_palette(pixels / 255)
+    image = Image.open(io.BytesIO(data))
+    assert (mime, image.mode) == ("image/png", "P")
+    decoded = np.asarray(image.convert("RGB"))
+    assert decoded[0, 0].tolist() == [0, 0, 0]
+    assert (decoded[1:] == pixels[1:]).all()
+    assert encode_palette(pixels / 255)[1] == data

@@ -14,7 +14,7 @@ from .head import Head
 from .lashes import lash_map, lash_part
 from .mouth import mouth_part, socket_part, teeth_part, tongue_part
 from .shirt import OVERLAP, shirt_part
-from .skin_maps import encode, paint_colour, paint_pores, paint_specular, paint_surface
+from .skin_maps import encode, encode_palette, paint_colour, paint_pores, paint_specular, paint_surface
 
 MAP_SIZE = 1024  # pixels
 STEPS = ["occlusion", "colour", "normals", "surface", "parts"]
@@ -49,7 +49,7 @@ class Face:
         look = self._look
         return {
             "skin-colour": encode(self.colour, "jpeg"),
-            "skin-normal": encode(self.pores, "png"),
+            "skin-normal": encode_palette(self.pores),
             "skin-surface": encode(self.surface[::2, ::2], "jpeg", 82),
             "skin-specular": encode(self.specular[::4, ::4], "png"),
             "eye": encode(paint_eye(look, ball_of(self._head, self._mesh, "left").limbus), "jpeg", 92),

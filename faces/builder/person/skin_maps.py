@@ -186,5 +186,22 @@ def encode(image: np.ndarray, kind: str, quality=88) -> tuple[str, bytes]:
     return f"image/{kind}", out.getvalue()
 
 
+def encode_palette(image: np.ndarray) -> tuple[str, bytes]:
+    """A PNG file of an image of few colours, as the 256 most frequent: 0.7 of one in RGB for the normals of skin.
+
+    The few texels of another colour, in the steepest stripes of the lips, take the nearest.
+    """
+    pixels = np.round(np.clip(image, 0, 1) * 255).astype(np.uint8)
+    colours, texels, counts = np.unique(pixels.reshape(-1, 3), axis=0, return_inverse=True, return_counts=True)
+    kept = colours[np.sort(np.argsort(-counts, kind="stable")[:256])]
+    nearest = np.square(colours[:, None].astype(int) - kept[None].astype(int)).sum(axis=2).argmin(axis=1)
+    data = Image.fromarray(nearest[texels].astype(np.uint8).reshape(pixels.shape[:2]), "P")
+    data.putpalette(kept.tobytes())
+    out = io.BytesIO()
+    # 1 is zlib's strategy for noise.
+    data.save(out, "PNG", compress_level=9, compress_type=1)
+    return "image/png", out.getvalue()
+
+
 def lay(under: np.ndarray, colour: np.ndarray, amount: np.ndarray) -> np.ndarray:
     return under + (colour - under) * np.clip(amount, 0, 1)[..., None]

@@ -1,4 +1,4 @@
-import { fromUtf8 } from './bytes.ts'
+import { fromUtf8, utf8 } from './bytes.ts'
 import { cannotRead, firstLine } from './errors.ts'
 import { kindOf } from './file-kind.ts'
 import { depthProblem } from './json-depth.ts'
@@ -22,4 +22,15 @@ export function parseJson(bytes: Uint8Array, name: string, who: string): unknown
   const problem = depthProblem(json)
   if (problem) throw cannotRead(who, name, new Error(problem), { remedy: 'correct the file' })
   return json
+}
+
+/** An object as a file: each item of its lists, such as a stroke or an area, on a line of its own. */
+export function jsonFile(object: object): Uint8Array {
+  const fields = Object.entries(object).map(([name, value]) => `  "${name}": ${fieldText(value)}`)
+  return utf8(`{\n${fields.join(',\n')}\n}\n`)
+}
+
+function fieldText(value: unknown): string {
+  if (!Array.isArray(value)) return JSON.stringify(value)
+  return `[\n${value.map((item) => `    ${JSON.stringify(item)}`).join(',\n')}\n  ]`
 }

@@ -1,9 +1,10 @@
-import { existsSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { Document, NodeIO } from '@gltf-transform/core'
 import sharp from 'sharp'
 import { afterAll, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
+import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
 import { accessorsOf } from '../../accessors.ts'
 import { sheet } from './planes.ts'
@@ -108,6 +109,140 @@ describe('furrow strokes', () => {
     const gray = await image.toColourspace('b-w').raw().toBuffer()
     expect(gray[64 * 128 + 64]).toBe(0)
     expect(gray[0]).toBe(255)
+  })
+
+  describe('--into', () => {
+    const set = file('set')
+    const inSet = (name: string) => join(set, name)
+    const draw = (document: object, ...args: string[]) => {
+      writeFileSync(file('lines.json'), JSON.stringify(document))
+      return run(file('lines.json'), '--face', face, '--into', set, '--size', '64', ...args)
+    }
+    const setDocument = () => JSON.parse(readFileSync(inSet('wrinkles.json'), 'utf8'))
+    const grayOf = (name: string) => sharp(inSet(name)).toColourspace('b-w').raw().toBuffer()
+    /** Of a map of 32 x 32 texels: on the line, which runs along v = 0.5, where a second one will be, and off both. */
+    const [LINE, SECOND, OFF] = [16 * 32 + 16, 8 * 32 + 16, 28 * 32 + 16]
+    const moved = (v: number) => ({
+      ...DOCUMENT,
+      strokes: DOCUMENT.strokes.map((stroke) => ({
+        ...stroke,
+        points: [
+          [0.1, v],
+          [0.9, v],
+        ],
+      })),
+    })
+
+    beforeEach(() => rmSync(set, { recursive: true, force: true }))
+
+    it('makes a new folder that furrow pack reads, with heights in metres', async () => {
+      await draw(DOCUMENT)
+      expect(readdirSync(set).sort()).toEqual(['areas', 'layers', 'strokes.json', 'wrinkles.json'])
+      const { layers, areas } = setDocument()
+      expect(layers).toMatchObject([{ name: 'expression', kind: 'detail', bloodAmplitude: 0.35 }])
+      // The valley of 0.5 mm, which texels of 1.6 mm make shallower, is the largest height; white is as far above the skin.
+      expect(layers[0].heightAmplitude).toBeGreaterThan(0.0006)
+      expect(layers[0].heightAmplitude).toBeLessThan(0.001)
+      expect(areas).toEqual([{ name: 'brow', image: 'areas/brow.png' }])
+      expect((await sharp(inSet('layers/expression/normal.png')).metadata()).width).toBe(64)
+      for (const map of ['height', 'occlusion', 'blood']) {
+        expect((await sharp(inSet(`layers/expression/${map}.png`)).metadata()).width, map).toBe(32)
+      }
+      const heights = await grayOf('layers/expression/height.png')
+      expect(heights[LINE]).toBeLessThan(80)
+      expect(heights[OFF]).toBe(128)
+      expect((await grayOf('layers/expression/occlusion.png'))[LINE]).toBeLessThan(250)
+      const flat = { create: { width: 8, height: 8, channels: 3 as const, background: '#8080ff' } }
+      await writeFace(file('flat.glb'), ['skin'], await sharp(flat).png().toBuffer())
+      await packCommand.parseAsync([set, '--face', file('flat.glb'), '-o', file('wrinkled.glb')], {
+        from: 'user',
+      })
+      expect(printed).toContain('strokes: 1')
+    })
+
+    it('draws the same again, byte for byte', async () => {
+      await draw(DOCUMENT)
+      const read = () =>
+        ['wrinkles.json', 'layers/expression/blood.png'].map((name) => readFileSync(inSet(name)))
+      const before = read()
+      await draw(DOCUMENT)
+      expect(read()).toEqual(before)
+    })
+
+    it('keeps areas, drivers, options and flushes of a set whose lines move', async () => {
+      await draw(DOCUMENT)
+      const blood = await grayOf('layers/expression/blood.png')
+      expect(blood[LINE]).toBeGreaterThan(128)
+      blood[OFF] = 200
+      const raw = { width: 32, height: 32, channels: 1 as const }
+      writeFileSync(
+        inSet('layers/expression/blood.png'),
+        await sharp(blood, { raw }).toColourspace('b-w').png().toBuffer(),
+      )
+      const own = setDocument()
+      own.layers[0].occlusionStrength = 0.5
+      own.layers[0].bloodAmplitude = 0.2
+      own.drivers = [{ type: 'morph', area: 'brow', targets: [{ name: 'browInnerUp', weight: 1 }] }]
+      writeFileSync(inSet('wrinkles.json'), JSON.stringify(own))
+      await draw(moved(0.25))
+      const drawn = await grayOf('layers/expression/blood.png')
+      expect([drawn[LINE], drawn[OFF]]).toEqual([128, 200])
+      expect(drawn[SECOND]).toBe(blood[LINE])
+      expect(setDocument()).toMatchObject({
+        layers: [{ occlusionStrength: 0.5, bloodAmplitude: 0.2 }],
+        areas: own.areas,
+        drivers: own.drivers,
+      })
+    })
+
+    it('draws each layer of a document, and no heights of fine furrows', async () => {
+      const strokes = ['up', 'down'].map((layer, i) => ({
+        ...moved(0.25 + 0.5 * i).strokes[0],
+        layer,
+        group: layer,
+      }))
+      await draw({ version: 1, strokes, furrows: { layer: 'net' } })
+      const { layers, areas } = setDocument()
+      expect(layers.map(({ name, height }: { name: string; height?: string }) => [name, height])).toEqual([
+        ['up', 'layers/up/height.png'],
+        ['down', 'layers/down/height.png'],
+        ['net', undefined],
+      ])
+      expect(areas.map(({ name, layer }: { name: string; layer: string }) => [name, layer])).toEqual([
+        ['up', 'up'],
+        ['down', 'down'],
+      ])
+      expect((await grayOf('layers/down/height.png'))[SECOND]).toBe(128)
+      const before = readFileSync(inSet('layers/up/normal.png'))
+      await draw(
+        { version: 1, strokes: strokes.map((stroke) => ({ ...stroke, depth: 1 })) },
+        '--layer',
+        'down',
+      )
+      expect(readFileSync(inSet('layers/up/normal.png'))).toEqual(before)
+      await expect(draw(DOCUMENT)).rejects.toThrow(
+        'furrow strokes: strokes[0] names no layer, allowed: up, down, net; name one of them in the document',
+      )
+      const typed = { version: 1, strokes: [{ ...strokes[0], layer: 'dwon' }] }
+      await expect(draw(typed)).rejects.toThrow('the folder has no such layer, got "dwon"')
+    })
+
+    it('says what is wrong and writes nothing', async () => {
+      const odd = draw(DOCUMENT, '--size', '65')
+      await expect(odd).rejects.toThrow(
+        'half the side of the normals, which is odd, got 65; choose --size 66',
+      )
+      await expect(draw(DOCUMENT, '--detail')).rejects.toThrow("'--into <folder>' cannot be used with")
+      expect(existsSync(set)).toBe(false)
+      await draw(DOCUMENT)
+      await expect(draw(DOCUMENT, '--size', '128')).rejects.toThrow(
+        /its flushes would be lost, got "?32 x 32/,
+      )
+      const before = '{ "layers": 3 }'
+      writeFileSync(inSet('wrinkles.json'), before)
+      await expect(draw(DOCUMENT)).rejects.toThrow(/set\/wrinkles\.json: layers/)
+      expect(readFileSync(inSet('wrinkles.json'), 'utf8')).toBe(before)
+    })
   })
 
   it.each([

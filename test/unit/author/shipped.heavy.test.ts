@@ -10,15 +10,20 @@ import {
   type AutoOptions,
   type AutoWrinkles,
   autoWrinkles,
-  combineNormals,
+  changedBlood,
+  type GrayImage,
+  type HeightMap,
   halfSide,
-  heightToNormal,
+  heightLevels,
   paintAreas,
   parseStrokes,
+  StrokeLayer,
   type StrokesDocument,
   skinCanvas,
+  strokesOf,
   strokesToHeight,
   surfaceMetric,
+  valleyBlood,
 } from '../../../packages/furrow/src/author/index.ts'
 
 const faces = new URL('../../../faces/', import.meta.url)
@@ -29,6 +34,7 @@ const strokes = (): StrokesDocument => parseStrokes(json('human/drawn.json'))
 const both = (name: string) => [`${name}Left`, `${name}Right`]
 const DRAWN = [...both('forehead'), 'glabella', 'nose']
 const MADE = [...both('crowsFeet'), ...both('nasolabial'), ...both('underEye'), 'upperLip', 'lowerLip']
+const FLUSHED = [...both('flushNose'), ...both('flushCheek'), 'paleLips']
 const AREAS = [...DRAWN, ...MADE]
 
 /** What `furrow auto` is told in faces/human/README.md. */
@@ -37,17 +43,23 @@ const OPTIONS = {
   strength: 1.3,
   layers: 1,
   frame: 'orthonormal',
-  regions: ['crowsFeet', 'nasolabial', 'underEye', 'upperLip', 'lowerLip'],
+  regions: ['glabella', 'nose', 'crowsFeet', 'nasolabial', 'underEye', 'upperLip', 'lowerLip'],
 } as const satisfies AutoOptions
 
 /** Weights of a committed area, 255 = fully visible. */
 async function committed(name: string, face = 'human'): Promise<Uint8Array> {
-  const { data, info } = await sharp(path(`${face}/areas/${name}.png`))
+  const { width, height, data } = await grayOf(`${face}/areas/${name}.png`)
+  expect([width, height]).toEqual([128, 128])
+  return data.map((gray) => 255 - gray)
+}
+
+async function grayOf(file: string): Promise<GrayImage> {
+  const { data, info } = await sharp(path(file))
     .toColourspace('b-w')
     .raw()
     .toBuffer({ resolveWithObject: true })
-  expect([info.width, info.height, info.channels]).toEqual([128, 128, 1])
-  return data.map((gray) => 255 - gray)
+  expect(info.channels).toBe(1)
+  return { width: info.width, height: info.height, data: new Uint8Array(data) }
 }
 
 const largestDifference = (a: Uint8Array, b: Uint8Array) =>
@@ -56,49 +68,76 @@ const largestDifference = (a: Uint8Array, b: Uint8Array) =>
 const FACES = ['human', 'human-2'].filter((name) => existsSync(path(`${name}/wrinkles.json`)))
 
 describe.each(FACES)('faces/%s', (name) => {
+  const set = parseWrinkleSetDocument(json(`${name}/wrinkles.json`))
+  const [layer] = set.layers
   let made: AutoWrinkles
+  /** What is made where nothing is drawn, and what is drawn. */
+  let document: StrokesDocument
+  let lines: StrokeLayer
 
   beforeAll(async () => {
     const { skin } = findSkin(await readDocument(path(`${name}.glb`), 'test'), name, 'test')
     made = autoWrinkles(skin, OPTIONS)
+    const kept = strokesOf(made).strokes.filter(({ group }) => !/^(glabella|nose)(Left|Right)$/.test(group!))
+    document = { ...strokesOf(made), strokes: [...kept, ...strokes().strokes] }
+    const { mesh } = await readFaceMesh(path(`${name}.glb`), 'test')
+    lines = new StrokeLayer(skinCanvas(mesh, 1024, 1024, made.scale), { frame: OPTIONS.frame })
+    lines.draw(document.strokes)
   })
 
-  it('is a wrinkle set of twelve areas whose files exist', () => {
-    const set = parseWrinkleSetDocument(json(`${name}/wrinkles.json`))
-    expect(set.areas.map((area) => area.name)).toEqual(AREAS)
-    for (const address of [
-      ...set.areas.map((area) => area.image),
-      ...set.layers.map((layer) => layer.normal),
-    ]) {
+  it('is a wrinkle set of seventeen areas whose files exist', () => {
+    expect(set.areas.map((area) => area.name)).toEqual([...AREAS, ...FLUSHED])
+    for (const address of [...set.areas.map((area) => area.image), layer.normal]) {
       expect(existsSync(path(`${name}/${address}`)), address).toBe(true)
     }
   })
 
   it('has the areas that its blendshapes give, up to rounding', async () => {
-    expect(new Set(made.areas.map((area) => area.name))).toEqual(new Set(MADE))
-    for (const { name: area, weights } of made.areas) {
+    for (const { name: area, weights } of [...made.areas, ...made.blood.areas]) {
+      if (![...MADE, ...FLUSHED].includes(area)) continue
       expect(largestDifference(await committed(area, name), weights.data), area).toBeLessThanOrEqual(1)
     }
   })
 
-  it('has the normal map that its strokes give over what its blendshapes give, up to rounding', async () => {
-    const { mesh } = await readFaceMesh(path(`${name}.glb`), 'test')
-    const file = path(`${name}/layers/expression/normal.png`)
-    const shipped = await decodeNormalMap(readFileSync(file), file, 'test')
-    const canvas = skinCanvas(mesh, 1024)
-    const drawn = heightToNormal(strokesToHeight(strokes().strokes, canvas), canvas.metric, OPTIONS.frame)
-    const expected = combineNormals(made.layers[0].normal, drawn)
-    expect(largestDifference(shipped.data, expected.data)).toBeLessThanOrEqual(1)
+  it('has the strokes that its blendshapes give, and those that are drawn', () => {
+    const stored = parseStrokes(json(`${name}/strokes.json`))
+    expect(stored.scale).toBeCloseTo(made.scale, 3)
+    expect(stored.strokes.map(({ group, points }) => [group, points.length])).toEqual(
+      document.strokes.map(({ group, points }) => [group, points.length]),
+    )
   })
 
-  it('has the occlusion that its blendshapes give, up to rounding', async () => {
-    const { data } = await sharp(path(`${name}/layers/expression/occlusion.png`))
-      .toColourspace('b-w')
-      .raw()
-      .toBuffer({ resolveWithObject: true })
+  it('has the normals and the occlusion of its strokes, up to rounding', async () => {
+    const file = path(`${name}/layers/expression/normal.png`)
+    const shipped = await decodeNormalMap(readFileSync(file), file, 'test')
+    expect(largestDifference(shipped.data, lines.normal.data)).toBeLessThanOrEqual(1)
+    const occlusion = await grayOf(`${name}/layers/expression/occlusion.png`)
+    expect(largestDifference(occlusion.data, halfSide(lines.occlusion).data)).toBeLessThanOrEqual(1)
+  })
+
+  it('has their heights, by which relief moves the skin', async () => {
+    const { levels, amplitude } = heightLevels(lines.relief.data)
+    expect(layer.heightAmplitude).toBeCloseTo(amplitude, 6)
+    const heights = await grayOf(`${name}/layers/expression/height.png`)
     expect(
-      largestDifference(new Uint8Array(data), halfSide(made.layers[0].occlusion).data),
+      largestDifference(heights.data, halfSide({ ...lines.relief, data: levels }).data),
     ).toBeLessThanOrEqual(1)
+  })
+
+  it('has the flushes that are made for it, and valleys that are deeper in tone', async () => {
+    const valleysOf = ({ data, width, height }: HeightMap) => {
+      const { levels, amplitude } = heightLevels(data)
+      const half = halfSide({ width, height, data: levels })
+      return valleyBlood({
+        ...half,
+        data: Float32Array.from(half.data, (b) => 1000 * amplitude * (b / 255 - 0.5)),
+      })
+    }
+    const [own] = made.blood.maps
+    const expected = changedBlood(halfSide(own), valleysOf(made.layers[0].relief), valleysOf(lines.relief))
+    const shipped = await grayOf(`${name}/layers/expression/blood.png`)
+    expect(largestDifference(shipped.data, expected.data)).toBeLessThanOrEqual(1)
+    expect(layer.bloodAmplitude).toBe(0.25)
   })
 })
 

@@ -1,7 +1,8 @@
-import { readFileSync, writeFileSync } from 'node:fs'
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
 import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
 import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
+import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
 import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
 import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
 import { bench } from './command.ts'
@@ -20,6 +21,26 @@ test.each([
   await unpackCommand.parseAsync([out, '-o', folder], { from: 'user' })
   expect(JSON.parse(readFileSync(lines, 'utf8')).strokes.length).toBeGreaterThan(3)
   expect(readFileSync(`${folder}/strokes.json`)).toEqual(readFileSync(lines))
+})
+
+test('furrow strokes draws them again as the same maps, byte for byte', async () => {
+  const [out, folder] = [file('human.glb'), file('human')]
+  await at.run('faces/human.glb', '-o', out, '--replace', '--size', '512', '--layers', '2')
+  await unpackCommand.parseAsync([out, '-o', folder], { from: 'user' })
+  const maps = () => {
+    const names = readdirSync(`${folder}/layers`, { recursive: true, encoding: 'utf8' }).sort()
+    return names.flatMap((name) =>
+      name.endsWith('.png') ? [[name, readFileSync(`${folder}/layers/${name}`)]] : [],
+    )
+  }
+  const made = maps()
+  expect(made).toHaveLength(8)
+  const args = [`${folder}/strokes.json`, '--face', `${folder}/face.glb`, '--into', folder]
+  await strokesCommand.parseAsync(args, { from: 'user' })
+  for (const [i, [name, bytes]] of maps().entries()) {
+    expect(name).toBe(made[i][0])
+    expect((bytes as Buffer).equals(made[i][1] as Buffer), name as string).toBe(true)
+  }
 })
 
 test('the strokes of a skin whose texture is another tile, and sticks out of it, are readable', async () => {

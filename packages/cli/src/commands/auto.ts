@@ -25,6 +25,7 @@ import { FACE_EXTENSIONS, faceFiles } from '../gltf/face-files.ts'
 import type { Glb } from '../gltf/glb-file.ts'
 import { readGlbFile } from '../gltf/read-glb-file.ts'
 import { shadingOf } from '../gltf/shading.ts'
+import { jsonFile } from '../json-file.ts'
 import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
 import { checkFolder, checkOutputs, isStdout } from '../outputs.ts'
 import { print, warn } from '../print.ts'
@@ -33,7 +34,6 @@ import { embedWrinkles } from '../wrinkles/embed.ts'
 import { faceWarnings } from '../wrinkles/face-rules.ts'
 import { inspectWrinkles } from '../wrinkles/inspect.ts'
 import { stripWrinkles } from '../wrinkles/strip.ts'
-import { strokesFile } from '../wrinkles/strokes.ts'
 import { wrinklesOf } from '../wrinkles/wrinkled-file.ts'
 
 const WHO = 'furrow auto'
@@ -192,7 +192,7 @@ async function auto(face: string, options: Options): Promise<void> {
     const cost = costOf(await inspectWrinkles(wrinklesOf(glb, found.material, WHO), WHO), ktx2)
     const files = await faceFiles(glb, output, WHO, rules)
     const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0)
-    if (strokes !== undefined) files.push({ path: strokes, bytes: strokesFile(strokesOf(wrinkles)) })
+    if (strokes !== undefined) files.push({ path: strokes, bytes: jsonFile(strokesOf(wrinkles)) })
     const ofSkin = faceWarnings(glb.json, found.material, found.materialName)
     const warnings = [...wrinkles.warnings, ...ofSkin].map((text) => `${WHO}: ${text}`)
     if (report !== undefined) {

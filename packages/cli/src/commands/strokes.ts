@@ -16,6 +16,7 @@ import {
   type StrokesDocument,
   skinCanvas,
   strokesToHeight,
+  type TangentFrame,
 } from 'furrow/author'
 import { createCommand } from '../command.ts'
 import { withCommandErrors } from '../errors.ts'
@@ -30,11 +31,17 @@ import {
   HEIGHT_ZERO,
 } from '../images/encode.ts'
 import { readBytes, readJson } from '../inputs.ts'
+import { jsonFile } from '../json-file.ts'
 import { didYouMean } from '../nearest.ts'
 import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
 import { checkFolder, checkOutputs } from '../outputs.ts'
 import { print } from '../print.ts'
 import { withBar } from '../progress.ts'
+import { drawSet } from '../wrinkles/draw-set.ts'
+import { readReferenced } from '../wrinkles/folder.ts'
+import { STROKES_FILE, WRINKLES_FILE } from '../wrinkles/folder-document.ts'
+import { type OpenSet, openSet } from '../wrinkles/open-set.ts'
+import { layersOf } from '../wrinkles/strokes.ts'
 
 const WHO = 'furrow strokes'
 
@@ -49,6 +56,7 @@ interface Options {
   output?: string
   normal?: string
   areas?: string
+  into?: string
   layer?: string
   size?: number
   allowOutside?: boolean
@@ -68,6 +76,12 @@ export const strokesCommand = createCommand('strokes')
   .option('-o, --output <file>', 'height map, 16-bit gray PNG')
   .option('--normal <file>', 'wrinkled normal map, 8-bit RGB PNG')
   .option('--areas <folder>', 'one gray PNG per area, white = no wrinkles')
+  .addOption(
+    new Option(
+      '--into <folder>',
+      'all maps of the layers, heights, occlusion and blood too, into a folder that furrow pack reads',
+    ).conflicts(['base', 'detail']),
+  )
   .option('--layer <name>', 'draw only the strokes of this layer')
   .option(
     '--size <texels>',
@@ -79,36 +93,40 @@ export const strokesCommand = createCommand('strokes')
   .addHelpText(
     'after',
     `
-At least one of -o, --normal and --areas is needed. Documents of strokes: docs/strokes.md.
+At least one of -o, --normal, --areas and --into is needed. Documents of strokes: docs/strokes.md.
 
 Examples:
   $ furrow strokes scars.json --face avatar.glb --normal normal.png --areas areas
-  $ furrow strokes scars.json --face avatar.glb --detail --normal scars.png -o height.png --size 2048`,
+  $ furrow strokes scars.json --face avatar.glb --detail --normal scars.png -o height.png --size 2048
+  $ furrow strokes scars.json --face avatar.glb --into scars`,
   )
   .action(drawStrokes)
 
 async function drawStrokes(path: string, options: Options): Promise<void> {
-  if (!options.output && !options.normal && !options.areas) {
+  if (!options.output && !options.normal && !options.areas && !options.into) {
     throw new FurrowError({
       code: 'usage',
       who: WHO,
       what: 'no output',
-      limit: '-o HEIGHT.png, --normal NORMAL.png, --areas FOLDER',
+      limit: '-o HEIGHT.png, --normal NORMAL.png, --areas FOLDER, --into FOLDER',
       remedy: 'name at least one of them',
     })
   }
-  const { output, normal, areas, base, force = false } = options
-  if (areas !== undefined) await checkFolder(areas, WHO)
+  const { output, normal, areas, into, base, force = false } = options
+  for (const folder of [areas, into]) if (folder !== undefined) await checkFolder(folder, WHO)
   const json = await readJson(path, WHO, 'the strokes')
   const document = withCommandErrors(WHO, () => parseStrokes(json))
   const strokes = strokesOfLayer(document, options)
   const maps = areas === undefined ? [] : areaNames(document).map((name) => areaPath(areas, name))
   const inputs = [path, options.face, ...(base === undefined ? [] : [base])]
-  await checkOutputs([output, normal, ...maps], WHO, { inputs, force })
+  const set = into === undefined ? undefined : await openSet(into, document, options.layer, WHO)
+  await checkOutputs([output, normal, ...maps, ...(set?.images ?? [])], WHO, { inputs, force })
+  if (set) await checkOutputs([set.document], WHO, { inputs, force, extensions: ['.json'] })
   const face = await readFaceMesh(options.face, WHO, options)
   const drawn = await withCommandErrors(WHO, async () => [
     ...(await drawMaps(document, strokes, face, options)),
-    ...(await drawAreas(document, face, options)),
+    ...(await drawAreas(document, face, areas)),
+    ...(set ? await drawInto(set, document, json, face, options) : []),
   ])
   await writeAll(drawn, WHO)
   print(
@@ -119,8 +137,9 @@ async function drawStrokes(path: string, options: Options): Promise<void> {
 }
 
 /** The strokes that the maps show. A map is of one layer; areas are painted round the strokes of all. */
-function strokesOfLayer({ strokes, furrows }: StrokesDocument, { layer, output, normal }: Options): Stroke[] {
-  const layers = [...new Set([...strokes, furrows].flatMap((drawn) => drawn?.layer ?? []))]
+function strokesOfLayer(document: StrokesDocument, { layer, output, normal }: Options): Stroke[] {
+  const { strokes } = document
+  const layers = layersOf(document)
   if (layer !== undefined && !layers.includes(layer)) {
     throw new FurrowError({
       code: 'unknown-name',
@@ -190,7 +209,7 @@ async function drawMaps(
     drawn.push({ path: output, bytes: await encodeHeight(heights), note })
   }
   if (normal) {
-    const wrinkles = heightToNormal(heights, metric, face.hasTangents ? 'orthonormal' : 'derivative')
+    const wrinkles = heightToNormal(heights, metric, frameOf(face))
     const bytes = await encodeRgbaNormalMap(base ? combineNormals(base, wrinkles) : wrinkles)
     const over = `over ${base ? (options.base ?? "the skin's own normal map") : 'a flat skin'}`
     const { length } = strokes
@@ -200,8 +219,47 @@ async function drawMaps(
   return drawn
 }
 
+/** All maps of the layers, and in a new folder whatever else `furrow pack` needs. */
+async function drawInto(
+  open: OpenSet,
+  document: StrokesDocument,
+  json: unknown,
+  face: FaceMesh,
+  { size = document.size ?? DEFAULT_SIZE, allowOutside }: Options,
+): Promise<DrawnFile[]> {
+  if (size % 2 !== 0) throw oddSize(size)
+  const { folder, set, isNew } = open
+  const canvas = skinCanvas(face.mesh, size, size, document.scale)
+  const read = (uri: string) => readReferenced(folder, uri, WHO, { allowOutside })
+  const on = { canvas, frame: frameOf(face) }
+  const { layers, files } = await drawSet(set, open.layers, document, read, on, WHO)
+  files.unshift({ path: WRINKLES_FILE, bytes: jsonFile({ ...open.json, layers }) })
+  if (isNew) files.push({ path: STROKES_FILE, bytes: jsonFile(json as object) })
+  const drawn = files.map(({ path, bytes }) => ({
+    path: join(folder, path),
+    bytes,
+    note: `${bytes.length} bytes`,
+  }))
+  return isNew ? [...drawn, ...(await drawAreas(document, face, join(folder, 'areas')))] : drawn
+}
+
+const frameOf = ({ hasTangents }: FaceMesh): TangentFrame => (hasTangents ? 'orthonormal' : 'derivative')
+
+function oddSize(size: number): FurrowError {
+  return new FurrowError({
+    who: WHO,
+    what: 'heights, occlusion and blood have half the side of the normals, which is odd',
+    value: size,
+    remedy: `choose --size ${size + 1}`,
+  })
+}
+
 /** A gray image per area, where they are asked for. */
-function drawAreas(document: StrokesDocument, face: FaceMesh, { areas }: Options): Promise<DrawnFile[]> {
+function drawAreas(
+  document: StrokesDocument,
+  face: FaceMesh,
+  areas: string | undefined,
+): Promise<DrawnFile[]> {
   if (!areas) return Promise.resolve([])
   const painted = paintAreas(
     document,

@@ -1,5 +1,5 @@
 import { FurrowError, WRINKLE_MAPS } from 'furrow'
-import { parseStrokes } from 'furrow/author'
+import { parseStrokes, type StrokesDocument } from 'furrow/author'
 import { utf8 } from '../bytes.ts'
 import { withCommandErrors } from '../errors.ts'
 import { checkFileBytes } from '../file-size.ts'
@@ -53,15 +53,9 @@ export function strokesBytes(strokes: object | undefined): number {
   return strokes === undefined ? 0 : utf8(JSON.stringify(strokes)).length
 }
 
-/** Strokes as a file: each stroke and each area on a line of its own. */
-export function strokesFile(strokes: object): Uint8Array {
-  const fields = Object.entries(strokes).map(([name, value]) => `  "${name}": ${fieldText(value)}`)
-  return utf8(`{\n${fields.join(',\n')}\n}\n`)
-}
-
-function fieldText(value: unknown): string {
-  if (!Array.isArray(value)) return JSON.stringify(value)
-  return `[\n${value.map((item) => `    ${JSON.stringify(item)}`).join(',\n')}\n  ]`
+/** Names of the layers that strokes and furrows of a document are on. */
+export function layersOf({ strokes, furrows }: StrokesDocument): string[] {
+  return [...new Set([...strokes, furrows].flatMap((drawn) => drawn?.layer ?? []))]
 }
 
 function checkedStrokes(json: unknown, layers: readonly string[], who: string): StoredStrokes {

@@ -7,12 +7,13 @@ import { namesOfTarget } from '../gltf/target-names.ts'
 import { imageOf, isKtx2 } from '../gltf/texture-image.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
 import { isOpaque, withoutAlpha } from '../images/pixels.ts'
+import { jsonFile } from '../json-file.ts'
 import type { Progress } from '../progress.ts'
 import { partOfImage } from './blood-image.ts'
 import { addressOf, STROKES_FILE, WRINKLES_FILE } from './folder-document.ts'
 import { weightsOf } from './inspect.ts'
 import { MAP_SLOTS } from './map-slots.ts'
-import { strokesFile, strokesIn } from './strokes.ts'
+import { strokesIn } from './strokes.ts'
 import type { WrinkledFile } from './wrinkled-file.ts'
 
 type LayerEntry = WrinkleSetDocument['layers'][number]
@@ -82,7 +83,7 @@ export async function unpackWrinkles(
   }
 
   const { strokes, problem } = strokesIn(file, `${who}: the strokes are left out`)
-  if (strokes) outputs.push({ path: STROKES_FILE, bytes: strokesFile(strokes) })
+  if (strokes) outputs.push({ path: STROKES_FILE, bytes: jsonFile(strokes) })
   const document: WrinkleSetDocument = {
     version: 1,
     ...namesOfTarget(file.glb.json, file.material),

@@ -89,3 +89,4 @@ export { GROUP_SHAPE, type PaintedArea, paintArea, paintAreas, paintedNames } fr
 export { StrokeLayer, type StrokeLayerOptions } from './strokes/stroke-layer.ts'
 export { targetArea } from './target-area.ts'
 export { drawUvLayout, type UvLayoutOptions } from './uv-layout.ts'
+export { BLOOD_AMPLITUDE, changedBlood, valleyBlood } from './valley-blood.ts'

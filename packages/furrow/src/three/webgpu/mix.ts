@@ -111,17 +111,16 @@ function bloodOf(stored: Node<'float'>): Node<'float'> {
 
 /** The skin's colour with its blood, see `bloodColour` in the reference. */
 export function bloodColour(colour: Node<'vec3'>, blood: Node<'float'>): Node<'vec3'> {
-  const amount = blood.toVar()
-  const own = colour.toVar()
-  return select(
-    amount.equal(0),
-    own,
-    own.mul(
-      vec3(...BLOOD_ABSORPTION)
-        .mul(amount.negate())
-        .exp(),
-    ),
-  )
+  return Fn(() => {
+    // Read before the branch: in it, the levels of textures would be found from neighbours that do not enter it.
+    const own = colour.toVar()
+    const amount = blood.toVar()
+    const absorption = vec3(...BLOOD_ABSORPTION)
+    If(amount.notEqual(0), () => {
+      own.mulAssign(absorption.mul(amount.negate()).exp())
+    })
+    return own
+  })()
 }
 
 /** A factor of the highlights of a light, see `microShadow` in the reference. */

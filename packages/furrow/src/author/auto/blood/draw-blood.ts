@@ -6,6 +6,7 @@ import { clamp, smoothstep } from '../../../math/scalar.ts'
 import type { SkinTexels } from '../../skin/skin-texels.ts'
 import type { HeightMap } from '../../strokes/height.ts'
 import { LineGrid } from '../../strokes/line-grid.ts'
+import { BLOOD_AMPLITUDE, bloodByte, valleyBlood } from '../../valley-blood.ts'
 import type { AutoRegion } from '../anatomy/regions.ts'
 import type { CreasedRegion } from '../lines/crease.ts'
 import { visibility } from '../raster/visibility.ts'
@@ -33,11 +34,6 @@ export interface AutoBlood {
   areas: BloodArea[]
 }
 
-/** Optical depth in green of the strongest flush, at a strength of 1. */
-const AMPLITUDE = 0.35
-/** Deepest tone of a valley, as a fraction of the amplitude, and the millimetres of depth at which it has 63% of it. */
-const VALLEY = 0.3
-const VALLEY_DEPTH = 0.7
 /** Millimetres from a line within which a flush on the same layer would show it, and over which it fades in from there. */
 const LINE_REACH = 5
 const LINE_FADE = 4
@@ -64,27 +60,17 @@ export function drawBlood(
   source: BloodSource,
   { strength, regions }: { strength: number; regions: readonly AutoRegion[] },
 ): AutoBlood {
-  const maps = source.layers.map(({ relief }) => valleysOf(relief))
+  const maps = source.layers.map(({ relief }) => valleyBlood(relief))
   const flushes = face ? flushesOf(face.landmarks, isMirrored) : []
   const wanted = flushes.filter((flush) => flush.regions.some((region) => regions.includes(region)))
   const areas = face ? drawFlushes(face, wanted, names, source, maps) : []
-  const amplitude = clamp(Math.round(1000 * AMPLITUDE * strength) / 1000, 0, MAX_BLOOD_AMPLITUDE)
+  const amplitude = clamp(Math.round(1000 * BLOOD_AMPLITUDE * strength) / 1000, 0, MAX_BLOOD_AMPLITUDE)
   return { amplitude, maps, areas }
 }
 
 /** The map of a layer that shows no blood. */
 export function withoutBlood(size: number): GrayImage {
   return { width: size, height: size, data: new Uint8Array(size * size).fill(BLOOD_AT_REST) }
-}
-
-function valleysOf({ width, height, data }: HeightMap): GrayImage {
-  const tone = (mm: number) => (mm < 0 ? VALLEY * (1 - Math.exp(mm / VALLEY_DEPTH)) : 0)
-  return { width, height, data: Uint8Array.from(data, (mm) => byteOf(tone(mm))) }
-}
-
-/** @param amount -1..1. */
-function byteOf(amount: number): number {
-  return BLOOD_AT_REST + Math.round((255 - BLOOD_AT_REST) * clamp(amount, -1, 1))
 }
 
 /** Adds the flushes that the targets of a face cause to the layers' maps, and draws their areas. */
@@ -165,7 +151,7 @@ function addFlush(texels: SkinTexels, flush: Flush, { data }: GrayImage): void {
     const fade = fadeOf(flush, unroll(x, y, z))
     if (fade === 0) return
     const own = (data[texel] - BLOOD_AT_REST) / (255 - BLOOD_AT_REST)
-    data[texel] = byteOf(own + flush.amount * Math.sqrt(fade))
+    data[texel] = bloodByte(own + flush.amount * Math.sqrt(fade))
   })
 }
 
