@@ -14,5 +14,7 @@ export default defineConfig({
     license: { fileName: 'LICENSES.md' },
     // Both renderers of three.js in one file, read from disk: its size costs nothing.
     chunkSizeWarningLimit: 4000,
+    // The library fetches on demand what this page has anyway.
+    rolldownOptions: { checks: { ineffectiveDynamicImport: false } },
   },
 })
