@@ -2,6 +2,7 @@
 // that of all it loads before a file: what files need is fetched when they do, and measured apart.
 
 import { brotliCompressSync, gzipSync } from 'node:zlib'
+import { build } from 'vite'
 import { ROOT } from './serve.mjs'
 
 /** What pages have besides. */
@@ -82,8 +83,6 @@ const PAGE = 'virtual:page'
 
 /** Builds a page as a bundler would; its first chunk comes first. */
 export async function bundle(code, external) {
-  // Scripts that install it import this file before.
-  const { build } = await import('vite')
   const { output } = await build({
     root: ROOT,
     configFile: false,

@@ -1,13 +1,14 @@
 // What pages download of the library, beside the figures in bench/sizes.json: `npm run size`, and `npm run size -- --write` to keep what
 // is measured as the figures. Growth is a warning and no failure. `--peers` measures other libraries too.
 
-import { measurePeers } from '../bench/size.mjs'
-import { compareDownload, warnings, writeFigures } from './lib/download.mjs'
 import { main, say } from './lib/run.mjs'
 import { setUp } from './lib/set-up.mjs'
 
 await main(async () => {
   await setUp()
+  // These need what it installs.
+  const { compareDownload, warnings, writeFigures } = await import('./lib/download.mjs')
+  const { measurePeers } = await import('../bench/size.mjs')
   const rows = await compareDownload()
   for (const { what, size, figure } of rows)
     print(size, `${what} (${figure ? `${figure.gzip} before` : 'new'})`)

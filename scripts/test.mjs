@@ -5,7 +5,6 @@ import { readFileSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { ensureBrowser, readAdapters } from './lib/browser.mjs'
-import { compareDownload, warnings } from './lib/download.mjs'
 import { setUpPython } from './lib/python.mjs'
 import { Failure, main, run, say } from './lib/run.mjs'
 import { setUp } from './lib/set-up.mjs'
@@ -66,6 +65,8 @@ async function checkFaces() {
 
 /** What pages download may grow, but not unseen. */
 async function checkDownload() {
+  // It needs what `setUp` installs.
+  const { compareDownload, warnings } = await import('./lib/download.mjs')
   const grown = warnings(await compareDownload())
   return { name: 'download', state: grown.length > 0 ? 'warning' : 'passed', detail: grown.join('\n') }
 }
