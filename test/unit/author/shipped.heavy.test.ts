@@ -10,9 +10,8 @@ import {
   type AutoOptions,
   type AutoWrinkles,
   autoWrinkles,
-  changedBlood,
+  BLOOD_AMPLITUDE,
   type GrayImage,
-  type HeightMap,
   halfSide,
   heightLevels,
   paintAreas,
@@ -34,7 +33,6 @@ const strokes = (): StrokesDocument => parseStrokes(json('human/drawn.json'))
 const both = (name: string) => [`${name}Left`, `${name}Right`]
 const DRAWN = [...both('forehead'), 'glabella', 'nose']
 const MADE = [...both('crowsFeet'), ...both('nasolabial'), ...both('underEye'), 'upperLip', 'lowerLip']
-const FLUSHED = [...both('flushNose'), ...both('flushCheek'), 'paleLips']
 const AREAS = [...DRAWN, ...MADE]
 
 /** What `furrow auto` is told in faces/human/README.md. */
@@ -85,16 +83,16 @@ describe.each(FACES)('faces/%s', (name) => {
     lines.draw(document.strokes)
   })
 
-  it('is a wrinkle set of seventeen areas whose files exist', () => {
-    expect(set.areas.map((area) => area.name)).toEqual([...AREAS, ...FLUSHED])
+  it('is a wrinkle set of twelve areas whose files exist', () => {
+    expect(set.areas.map((area) => area.name)).toEqual(AREAS)
     for (const address of [...set.areas.map((area) => area.image), layer.normal]) {
       expect(existsSync(path(`${name}/${address}`)), address).toBe(true)
     }
   })
 
   it('has the areas that its blendshapes give, up to rounding', async () => {
-    for (const { name: area, weights } of [...made.areas, ...made.blood.areas]) {
-      if (![...MADE, ...FLUSHED].includes(area)) continue
+    for (const { name: area, weights } of made.areas) {
+      if (!MADE.includes(area)) continue
       expect(largestDifference(await committed(area, name), weights.data), area).toBeLessThanOrEqual(1)
     }
   })
@@ -124,20 +122,17 @@ describe.each(FACES)('faces/%s', (name) => {
     ).toBeLessThanOrEqual(1)
   })
 
-  it('has the flushes that are made for it, and valleys that are deeper in tone', async () => {
-    const valleysOf = ({ data, width, height }: HeightMap) => {
-      const { levels, amplitude } = heightLevels(data)
-      const half = halfSide({ width, height, data: levels })
-      return valleyBlood({
-        ...half,
-        data: Float32Array.from(half.data, (b) => 1000 * amplitude * (b / 255 - 0.5)),
-      })
-    }
-    const [own] = made.blood.maps
-    const expected = changedBlood(halfSide(own), valleysOf(made.layers[0].relief), valleysOf(lines.relief))
+  it('has valleys that are deeper in tone', async () => {
+    const { width, height, data } = lines.relief
+    const { levels, amplitude } = heightLevels(data)
+    const half = halfSide({ width, height, data: levels })
+    const expected = valleyBlood({
+      ...half,
+      data: Float32Array.from(half.data, (b) => 1000 * amplitude * (b / 255 - 0.5)),
+    })
     const shipped = await grayOf(`${name}/layers/expression/blood.png`)
     expect(largestDifference(shipped.data, expected.data)).toBeLessThanOrEqual(1)
-    expect(layer.bloodAmplitude).toBe(0.25)
+    expect(layer.bloodAmplitude).toBe(BLOOD_AMPLITUDE)
   })
 })
 

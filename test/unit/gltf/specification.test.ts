@@ -83,7 +83,7 @@ describe('the schema', () => {
     const json = jsonOf(readFileSync(shop.path('human.glb')))
     const maps = json.materials[0].extensions[NAME]
     expect(validate(maps), JSON.stringify(validate.errors)).toBe(true)
-    expect(maps.areas).toHaveLength(17)
+    expect(maps.areas).toHaveLength(12)
   })
 
   it('accepts everything that the parsers accept, and refuses most of what they refuse', async () => {
