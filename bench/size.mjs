@@ -83,6 +83,7 @@ const PAGE = 'virtual:page'
 
 /** Builds a page as a bundler would; its first chunk comes first. */
 export async function bundle(code, external) {
+  const { NODE_ENV } = process.env
   const { output } = await build({
     root: ROOT,
     configFile: false,
@@ -98,6 +99,8 @@ export async function bundle(code, external) {
       rolldownOptions: { input: PAGE, external },
     },
   })
+  // Vite sets it, and what is run after this would be built for production too.
+  if (NODE_ENV === undefined) delete process.env.NODE_ENV
   return output.filter(({ type }) => type === 'chunk').sort((a, b) => Number(b.isEntry) - Number(a.isEntry))
 }
 
