@@ -10,6 +10,7 @@ import {
   type StudioLayer,
 } from './document.ts'
 import { areaOf } from './drivers.ts'
+import { shapesOf } from './stroke-areas.ts'
 
 /** Names that `autoWrinkles` gives to layers. */
 const AUTOMATIC_LAYER = /^auto\d$/
@@ -76,6 +77,7 @@ export function remake(document: StudioDocument, made: StudioDocument): StudioDo
     ...(hasImages && { mapSize: document.mapSize }),
     areaSize: document.areaSize,
     ...(document.furrows && { furrows: document.furrows }),
+    ...shapesOf(document, keptNames),
     areas: withOldLayers(areas, document, strokes),
     strokes,
     layers: joinedLayers(document, made, areas, strokes),

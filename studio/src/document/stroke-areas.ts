@@ -19,8 +19,15 @@ export function renameInShapes({ strokeAreas }: StudioDocument, name: string, ne
 }
 
 /** The shapes of areas without those of one. */
-export function withoutShapes({ strokeAreas }: StudioDocument, name: string): Shapes {
-  return strokeAreas
-    ? { strokeAreas: kept(strokeAreas, (area) => area.name !== name) as AreaDefinition[] }
-    : {}
+export function withoutShapes(document: StudioDocument, name: string): Shapes {
+  return shapesWhere(document, (area) => area !== name)
+}
+
+/** The shapes of some areas. */
+export function shapesOf(document: StudioDocument, names: ReadonlySet<string>): Shapes {
+  return shapesWhere(document, (area) => names.has(area))
+}
+
+function shapesWhere({ strokeAreas }: StudioDocument, isKept: (area: string) => boolean): Shapes {
+  return strokeAreas ? { strokeAreas: kept(strokeAreas, ({ name }) => isKept(name)) as AreaDefinition[] } : {}
 }

@@ -9,6 +9,7 @@ import {
   renameArea,
   setArea,
 } from '../../../studio/src/document/areas.ts'
+import { remake } from '../../../studio/src/document/automatic.ts'
 import type { StudioDocument } from '../../../studio/src/document/document.ts'
 import { areaOf, frozen, sampleDocument, weightsOf } from './sample-document.ts'
 
@@ -186,4 +187,10 @@ describe('duplicating an area', () => {
     const after = duplicateArea(addEmptyArea(document, name), name)
     expect(after.areas.at(-1)!.name).toBe(`${'皺'.repeat(254)} 2`)
   })
+})
+
+it('automatic wrinkles made anew leave the shapes of the areas that stay', () => {
+  const areas = document.areas.map((area) => ({ ...area, isAutomatic: area.name === 'frown' }))
+  const { strokeAreas: _, ...made } = document
+  expect(remake({ ...document, areas }, made).strokeAreas).toEqual([document.strokeAreas![0]])
 })
