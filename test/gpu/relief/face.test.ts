@@ -13,8 +13,8 @@ import {
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { Rng } from '../../../packages/furrow/src/math/rng.ts'
 import { createHarness, type Harness, RENDERERS } from '../harness.ts'
-import { type BandedFace, bandedFace, displacedSkin } from './banded-face.ts'
 import { distances, fractionWithin, type Outline, outlineOf, projectedOutline } from './outline.ts'
+import { bandedFace, displacedSkin, type RaisedFace } from './raised-face.ts'
 
 /** Pixels of the picture of the whole head in which distances are given, and of the one that is drawn: outlines are drawn twice as fine. */
 const PIXELS = 1600
@@ -27,7 +27,7 @@ const POSE = { browInnerUp: 1, browOuterUpLeft: 1, browOuterUpRight: 1, mouthSmi
 
 describe.each(RENDERERS)('the shipped face on %s', (name) => {
   let harness: Harness
-  let face: BandedFace
+  let face: RaisedFace
   beforeAll(async () => {
     harness = await createHarness(name)
     face = await bandedFace(harness)

@@ -1,4 +1,4 @@
-import { type Area, type ArraySlice, type GrayImage, packAreas, reference } from 'furrow'
+import { type Area, type ArraySlice, type GrayImage, type Layer, packAreas, reference } from 'furrow'
 import { readWrinkleMaps } from 'furrow/three'
 import type { Mesh, Object3D } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
@@ -14,7 +14,14 @@ import type { Harness } from '../harness.ts'
 const AMPLITUDE = 0.002
 const SIDE = 512
 
-/** Bands across the whole texture, of some millimetres on the skin. */
+/** What moves the surface. */
+export interface Heights {
+  height: GrayImage
+  /** Metres. */
+  heightAmplitude: number
+}
+
+/** Bands across the whole texture, of some millimetres on the skin: far more than wrinkles are. */
 const bands: GrayImage = {
   width: SIDE,
   height: SIDE,
@@ -23,28 +30,48 @@ const bands: GrayImage = {
   ),
 }
 
-export interface BandedFace {
+const BANDS: Heights = { height: bands, heightAmplitude: AMPLITUDE }
+
+export interface RaisedFace {
   root: Object3D
   skin: Mesh
+  heights: Heights
   areas: Area<ArraySlice>[]
   wrinkles: InstanceType<Harness['Wrinkles']>
   dispose(): void
 }
 
-/** The shipped face, with heights added to its wrinkles, all areas of which are active. */
-export async function bandedFace(harness: Harness): Promise<BandedFace> {
+/** The shipped face with bands in place of the heights of its wrinkles, all areas of which are active. */
+export async function bandedFace(harness: Harness): Promise<RaisedFace> {
+  return raisedFace(harness, () => BANDS)
+}
+
+/** The shipped face with its own heights, all areas active. */
+export async function shippedFace(harness: Harness): Promise<RaisedFace> {
+  return raisedFace(harness, ([{ height, heightAmplitude }]) => {
+    if (!height || !('data' in height)) throw new Error('the shipped face has no heights')
+    return { height: height as GrayImage, heightAmplitude: heightAmplitude! }
+  })
+}
+
+async function raisedFace(
+  harness: Harness,
+  heightsOf: (layers: readonly Layer<ArraySlice>[]) => Heights,
+): Promise<RaisedFace> {
   const gltf: GLTF = await new GLTFLoader().loadAsync('/packed/shipped.glb')
   const [{ meshes, set }] = await readWrinkleMaps(gltf)
   const [skin] = meshes
-  const layers = set.layers.map((layer) => ({ ...layer, height: bands, heightAmplitude: AMPLITUDE }))
+  const heights = heightsOf(set.layers)
+  const layers = set.layers.map((layer) => ({ ...layer, ...heights }))
   const areas = set.areas.map((area) => ({ ...area, activation: 1 }))
   const wrinkles = new harness.Wrinkles(skin, { layers, areas }, { relief: 'on' })
   await wrinkles.reliefReady()
-  return { root: gltf.scene, skin, areas, wrinkles, dispose: () => wrinkles.dispose() }
+  return { root: gltf.scene, skin, heights, areas, wrinkles, dispose: () => wrinkles.dispose() }
 }
 
 /** The skin with its relief in float64, and without: triangles, and positions in the mesh's space. */
-export function displacedSkin({ skin, areas: activeAreas }: BandedFace) {
+export function displacedSkin({ skin, heights, areas: activeAreas }: RaisedFace) {
+  const { height: map, heightAmplitude } = heights
   const { attributes, index, morphAttributes } = skin.geometry
   const rest = attributes.position.array
   const coarse = { positions: rest, uvs: attributes.uv.array, triangles: index!.array }
@@ -57,7 +84,7 @@ export function displacedSkin({ skin, areas: activeAreas }: BandedFace) {
   let step = steps.next()
   while (!step.done) step = steps.next()
   const dense = step.value
-  const room = outwardRoom(coarse, attributes.normal.array, dense.firstOf, AMPLITUDE / 2)
+  const room = outwardRoom(coarse, attributes.normal.array, dense.firstOf, heightAmplitude / 2)
   const deformed = (name: 'position' | 'normal') => {
     const out = Float64Array.from(attributes[name].array)
     for (const [target, weight] of skin.morphTargetInfluences!.entries()) {
@@ -71,11 +98,10 @@ export function displacedSkin({ skin, areas: activeAreas }: BandedFace) {
     const length = Math.hypot(normals[i], normals[i + 1], normals[i + 2])
     for (let axis = 0; axis < 3; axis++) normals[i + axis] /= length
   }
-  const size = { width: SIDE, height: SIDE }
   const heightAt = (u: number, v: number) => {
     const influence = reference.influenceFromMap(areas, active, u, v)
-    const height = reference.interpolate(size, u, v, (i, j) => bands.data[i + j * SIDE]) / 255
-    return influence * (height - 0.5) * AMPLITUDE
+    const height = reference.interpolate(map, u, v, (i, j) => map.data[i + j * map.width]) / 255
+    return influence * (height - 0.5) * heightAmplitude
   }
   const plain = { triangles: coarse.triangles, positions: deformed('position') }
   const positions = displace(dense, { positions: plain.positions, normals }, heightAt, room)
