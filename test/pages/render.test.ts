@@ -39,6 +39,8 @@ afterAll(() => rm(folder, { recursive: true, force: true }))
 
 /** Options of the pictures that are compared. */
 const SURPRISED = { expression: 'surprised', width: 200, height: 152 }
+/** Here a millimetre is more than a pixel. */
+const NEAR = { width: 480, height: 360 }
 const HAPPY = { ...SURPRISED, expression: 'happy' }
 
 /** Brows that the file's drivers read. */
@@ -86,8 +88,11 @@ describe('furrow render', () => {
       'webgl bare': { input: bare, ...HAPPY },
       'webgl bare off': { input: bare, ...HAPPY, mode: 'off' },
       'webgl plain': { input: plain, ...SURPRISED },
-      'webgl set': { input: plain, wrinkles: set, ...SURPRISED },
+      'webgl set': { input: plain, wrinkles: set, ...SURPRISED, relief: 'off' },
       'webgl relief': { input: plain, wrinkles: set, ...SURPRISED, relief: 'on' },
+      'webgl relief by size': { input: plain, wrinkles: set, ...SURPRISED },
+      'webgl near': { input: plain, wrinkles: set, ...SURPRISED, ...NEAR },
+      'webgl near flat': { input: plain, wrinkles: set, ...SURPRISED, ...NEAR, relief: 'off' },
       'webgl text': { input: await writeGltf(images), ...SURPRISED },
       'webgpu images': { input: images, ...SURPRISED, renderer: 'webgpu' },
       'webgpu off': { input: images, ...SURPRISED, renderer: 'webgpu', mode: 'off' },
@@ -173,9 +178,14 @@ describe('furrow render', () => {
   test('moves the surface by the heights of a set, if relief is on', () => {
     const [flat, raised] = [opaque('webgl set'), opaque('webgl relief')]
     expect(drawn.get('webgl relief')!.warnings).toEqual([])
-    // Pictures of one scene are equal to the bit; a millimetre is a pixel and a half here.
+    // Pictures of one scene are equal to the bit.
     expect(largestDifference(raised, flat, FOREHEAD)).toBeGreaterThan(3)
     expect(largestDifference(raised, flat, CHIN)).toBe(0)
+  })
+
+  test('moves it by size on screen by default', () => {
+    expect(opaque('webgl relief by size')).toEqual(opaque('webgl set'))
+    expect(drawn.get('webgl near')!.pixels).not.toEqual(drawn.get('webgl near flat')!.pixels)
   })
 
   test("accepts blendshapes, activations, a view and the paper's mode", async () => {

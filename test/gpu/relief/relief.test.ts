@@ -249,6 +249,27 @@ describe.each(RENDERERS)('%s', (name) => {
     wrinkles.dispose()
   })
 
+  it('a face at rest is drawn as without relief, also where it is large', async () => {
+    const mesh = ball()
+    const plain = await picture(sceneOf(ball()))
+    const wrinkles = new harness.Wrinkles(mesh, heightSet())
+    const [area] = wrinkles.areaNames
+    const scene = sceneOf(mesh)
+    await wrinkles.reliefReady()
+    await picture(scene)
+    await picture(scene)
+    expect(mesh.children).toHaveLength(1)
+    wrinkles.setActivation(area, 0)
+    for (let i = 0; i < 60; i++) await picture(scene)
+    expect(mesh.children).toEqual([])
+    expect(await picture(scene)).toEqual(plain)
+    wrinkles.setActivation(area, 0.05)
+    await picture(scene)
+    await picture(scene)
+    expect(mesh.children).toHaveLength(1)
+    wrinkles.dispose()
+  })
+
   it.each([
     ['heights of 10 m', () => ball(), 10, 'reach too far'],
     [

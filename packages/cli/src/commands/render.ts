@@ -76,7 +76,7 @@ Examples:
   $ furrow render wrinkled.glb -o surprised.png --expression surprised
   $ furrow render wrinkled.glb -o brow.png --set browOuterUpLeft=1 --activation glabellaLeft=0.7 --view close
   $ furrow render wrinkled.glb -o plain.png --expression surprised --mode off --size 1600x1200
-  $ furrow render wrinkled.glb -o profile.png --set browInnerUp=1 --view left --relief on`,
+  $ furrow render wrinkled.glb -o profile.png --set browInnerUp=1 --view left`,
   )
   .action(render)
 

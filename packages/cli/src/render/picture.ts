@@ -48,7 +48,7 @@ export const PICTURE_DEFAULTS = {
   view: 'front',
   renderer: 'webgl',
   mode: 'default',
-  relief: 'off',
+  relief: 'auto',
 } as const satisfies Partial<PictureRequest>
 
 /** What the page is to draw: the request with all defaults applied and files as addresses. */

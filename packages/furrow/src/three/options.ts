@@ -12,7 +12,7 @@ const MODES: readonly WrinkleMode[] = ['default', 'paper', 'composed', 'off']
 
 /**
  * `on` moves the surface itself by the layers' heights, so that wrinkles change outlines and shadows; `auto` does so where a millimetre
- * is more than a pixel; `off` never does.
+ * is more than a pixel and an area is active; `off` never does.
  */
 export type ReliefMode = 'off' | 'on' | 'auto'
 
@@ -29,7 +29,7 @@ export interface WrinklesOptions {
    * never fade.
    */
   fadeBelow?: number
-  /** Whether the layers' heights move the surface, `off` by default. Heights are decoded, and triangles split, when that is first wanted. */
+  /** Whether the layers' heights move the surface, `auto` by default. Heights are decoded, and triangles split, when that is first wanted. */
   relief?: ReliefMode
 }
 
@@ -47,7 +47,7 @@ export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = {
   mode: 'default',
   areaSize: DEFAULT_AREA_SIZE,
   fadeBelow: 0,
-  relief: 'off',
+  relief: 'auto',
 }
 
 /** @throws FurrowError when there is no such mode. */

@@ -11,6 +11,9 @@ import { pixelsPerUnit } from './size-on-screen.ts'
 /** Pixels per millimetre at which relief by size begins, and at which it is full: between them it grows, so that nobody sees it come. */
 const SIZES = [1, 1.5] as const
 
+/** Activation up to which relief by size grows with the face's largest one: a face at rest is drawn as without relief. */
+const AWAKE = 0.1
+
 /** Draws in a row in which nothing of it is seen before the meshes themselves are drawn again: cameras may take turns. */
 const PATIENCE = 60
 
@@ -19,6 +22,8 @@ export interface ReliefOwner extends Omit<ReliefHost, 'refuse'> {
   /** Makes the material draw it, or no longer. */
   setRelief(relief: Relief | null): void
   loadParts(): Promise<ReliefParts>
+  /** The largest activation of all areas of all faces. */
+  largestActivation(): number
 }
 
 /** Whether a face is drawn with relief: splits its meshes when that is first wanted, and shows it while it can be seen. */
@@ -93,7 +98,8 @@ export class ReliefControl {
     if (this.mode === 'off' || !this.#owner.isOn()) return 0
     if (this.mode === 'on') return 1
     const [from, to] = SIZES
-    return smoothstep((pixelsPerMetre / 1000 - from) / (to - from))
+    const bySize = smoothstep((pixelsPerMetre / 1000 - from) / (to - from))
+    return bySize && bySize * Math.min(this.#owner.largestActivation() / AWAKE, 1)
   }
 
   /** After this frame: lists of what it draws have been made. */

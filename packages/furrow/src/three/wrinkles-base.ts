@@ -273,9 +273,10 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.#material.settle(renderer)
     this.#inputs.fade.value =
       this.#fadeOf(mesh, camera, renderer) * (this.#appearance?.advance(this.clock) ?? 1)
-    this.#relief?.prepare(renderer, camera, mesh)
     this.#frame.begin(this.#entry, renderer)
     locateCells(this.#inputs, this.#atlas, this.#cells)
+    // After the drivers: relief by size depends on activations.
+    this.#relief?.prepare(renderer, camera, mesh)
   }
 
   /** Phase 4 of a frame, see `Frame`: influence maps, or the paper's table. @internal */
@@ -320,6 +321,12 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     return fadeOnScreen(mesh, camera, renderer, fadeBelow)
   }
 
+  #largestActivation(): number {
+    let largest = 0
+    for (const { activations } of this.faces) largest = Math.max(largest, activations.largest)
+    return largest
+  }
+
   async #fetchRelief(): Promise<ReliefControl | null> {
     if (!this.#inputs.textures.layers.some(canRise)) return null
     const { ReliefControl } = await import('./relief-control.ts')
@@ -338,6 +345,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
       prepare: (renderer, camera, mesh) => this.prepare(renderer, camera, mesh),
       setRelief: (relief) => this.#material.setRelief(relief && ((own) => relief.patch(own))),
       loadParts: () => this.#renderer.loadRelief(),
+      largestActivation: () => this.#largestActivation(),
     }
   }
 
