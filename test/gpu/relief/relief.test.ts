@@ -22,7 +22,7 @@ import {
 import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
 import { afterAll, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
 import { createHarness, type Harness, RENDERERS } from '../harness.ts'
-import { ball, heightSet, RADIUS, sceneOf, sideCamera } from './ball.ts'
+import { AMPLITUDE, ball, heightSet, RADIUS, sceneOf, sideCamera } from './ball.ts'
 import { differing, FEW } from './differing.ts'
 import { displacedMesh } from './displaced-ball.ts'
 
@@ -267,6 +267,33 @@ describe.each(RENDERERS)('%s', (name) => {
     await picture(scene)
     await picture(scene)
     expect(mesh.children).toHaveLength(1)
+    wrinkles.dispose()
+  })
+
+  it('triangles without area under an area are drawn as what they are: nothing', async () => {
+    const [mesh, other] = [ball(), ball()]
+    const indices = [...other.geometry.index!.array]
+    other.geometry.setIndex([...indices, 40, 40, 40, 60, 61, 61, indices[90], indices[91], indices[90]])
+    const wrinkles = await raised(mesh)
+    const pictures = [await picture(sceneOf(mesh))]
+    wrinkles.dispose()
+    const others = await raised(other)
+    pictures.push(await picture(sceneOf(other)))
+    expect(other.children).toHaveLength(1)
+    expect(pictures[1]).toEqual(pictures[0])
+    others.dispose()
+  })
+
+  it('heights of one texel move the surface as a whole', async () => {
+    const { layers, areas } = heightSet()
+    const height = { width: 1, height: 1, data: new Uint8Array([255]) }
+    const mesh = ball(64)
+    const wrinkles = await raised(mesh, { layers: [{ ...layers[0], height }], areas })
+    const shown = await picture(sceneOf(mesh))
+    const larger = ball(64)
+    larger.scale.setScalar(1 + AMPLITUDE / 2 / RADIUS)
+    expect(differing(shown, await picture(sceneOf(larger)))).toBeLessThan(FEW)
+    expect(differing(shown, await picture(sceneOf(ball(64))))).toBeGreaterThan(10 * FEW)
     wrinkles.dispose()
   })
 
