@@ -1,0 +1,239 @@
+import { flat, image, noise, normals, SIDE, uniform } from '../map-image.ts'
+import type { Sample, SampleArea, SampleLayer } from '../sample.ts'
+
+const WEIGHTS = noise(1)
+const area = (name: string, more: Partial<SampleArea> = {}): SampleArea => ({
+  name,
+  weights: WEIGHTS,
+  ...more,
+})
+const skin = (more: Partial<SampleLayer> = {}): SampleLayer => ({ name: 'skin', normal: normals(2), ...more })
+/** A layer that shows in its other maps only. */
+const unfolded = (more: Partial<SampleLayer>): SampleLayer => ({
+  name: 'skin',
+  normal: flat(),
+  kind: 'detail',
+  ...more,
+})
+const base = normals(3)
+
+/** Weights that grow from left to right, and half everywhere: equal at a texel, so that both ways to combine by `max` agree. */
+const RAMP = image(SIDE, (column) => [17 * column, 136, 255])
+
+export const LAYER_SAMPLES: readonly Sample[] = [
+  {
+    name: 'replace',
+    rule: 'Normals of a layer of kind replace are mixed with those of the material by the influence.',
+    section: 'Mixing',
+    file: { base, layers: [skin({ kind: 'replace' })], areas: [area('a', { activation: 0.7 })] },
+    poses: [{ activations: { a: 0.7 } }],
+  },
+  {
+    name: 'detail',
+    rule: 'Slopes of a layer of kind detail are laid over the normals of the material by reoriented normal mapping.',
+    section: 'Mixing',
+    file: { base, layers: [skin({ kind: 'detail' })], areas: [area('a', { activation: 0.8 })] },
+    poses: [{ activations: { a: 0.8 } }],
+  },
+  {
+    name: 'kind-by-default',
+    rule: 'A layer without a kind replaces.',
+    section: 'layer',
+    file: { base, layers: [skin()], areas: [area('a', { activation: 1 })] },
+    poses: [{ activations: { a: 1 } }],
+  },
+  {
+    name: 'replace-and-detail',
+    rule: 'Details are laid over the normals that the layers of kind replace give.',
+    section: 'Mixing',
+    file: {
+      base,
+      layers: [skin({ kind: 'detail' }), { name: 'age', kind: 'replace', normal: normals(4) }],
+      areas: [area('a', { activation: 0.9 }), area('b', { layer: 1, channel: 1, activation: 0.7 })],
+    },
+    poses: [{ activations: { a: 0.9, b: 0.7 } }],
+  },
+  {
+    name: 'two-details',
+    rule: 'The slopes of layers of kind detail are added.',
+    section: 'Mixing',
+    file: {
+      base,
+      layers: [skin({ kind: 'detail' }), { name: 'age', kind: 'detail', normal: normals(4) }],
+      areas: [area('a', { activation: 0.6 }), area('b', { layer: 1, channel: 1, activation: 0.6 })],
+    },
+    poses: [{ activations: { a: 0.6, b: 0.6 } }],
+  },
+  {
+    name: 'four-layers',
+    rule: 'Where the influences of layers of kind replace add up to more than 1, they are divided by their sum.',
+    section: 'Mixing',
+    file: {
+      base,
+      layers: [5, 6, 7, 8].map((seed, i) => ({ name: `layer${i}`, kind: 'replace', normal: normals(seed) })),
+      areas: [0, 1, 2, 3].map((layer) => {
+        return area(`area${layer}`, { layer, channel: (layer % 3) as 0 | 1 | 2, activation: 1 })
+      }),
+    },
+    poses: [{ activations: { area0: 1, area1: 1, area2: 1, area3: 1 } }],
+  },
+  {
+    name: 'normal-scale',
+    rule: "The scale of a layer's normal texture multiplies x and y of its normals.",
+    section: 'layer',
+    file: {
+      base,
+      layers: [skin({ kind: 'detail', normalScale: 0.4 })],
+      areas: [area('a', { activation: 1 })],
+    },
+    poses: [{ activations: { a: 1 } }],
+  },
+  {
+    name: 'no-normal-map',
+    rule: 'A material without a normal map has the normals of its surface; its layers read TEXCOORD_0.',
+    section: 'Implementation notes',
+    file: { layers: [skin()], areas: [area('a', { activation: 1 })] },
+    poses: [{ activations: { a: 1 } }],
+  },
+  {
+    name: 'channels',
+    rule: 'An area is in the channel of its texture that it names.',
+    section: 'area',
+    file: {
+      base,
+      layers: [skin()],
+      areas: [
+        area('r'),
+        area('g', { channel: 1, activation: 0.5 }),
+        area('b', { channel: 2, activation: 0.25 }),
+      ],
+    },
+    poses: [{ activations: { r: 0, g: 0.5, b: 0.25 } }],
+  },
+  {
+    name: 'sum',
+    rule: 'Areas of a layer that overlap are added, and their sum is 1 at most.',
+    section: 'Influence',
+    file: {
+      base,
+      layers: [skin()],
+      areas: [0, 1, 2].map((channel) =>
+        area(`${channel}`, { channel: channel as 0 | 1 | 2, activation: 0.9 }),
+      ),
+    },
+    poses: [{ activations: { 0: 0.9, 1: 0.9, 2: 0.9 } }],
+  },
+  {
+    name: 'max',
+    rule: 'Of areas that combine by max, the largest counts.',
+    section: 'Influence',
+    file: {
+      base,
+      layers: [skin()],
+      areas: [0, 1].map((channel) => {
+        return area(`${channel}`, { weights: RAMP, channel: channel as 0 | 1, combine: 'max', activation: 1 })
+      }),
+    },
+    poses: [{ activations: { 0: 1, 1: 1 } }],
+  },
+  {
+    name: 'sum-and-max',
+    rule: 'The larger of the sum and the maximum counts.',
+    section: 'Influence',
+    file: {
+      base,
+      layers: [skin()],
+      areas: [
+        area('a', { weights: RAMP, activation: 0.5 }),
+        area('b', { weights: RAMP, activation: 0.5 }),
+        area('c', { weights: RAMP, channel: 1, combine: 'max', activation: 1 }),
+      ],
+    },
+    poses: [{ activations: { a: 0.5, b: 0.5, c: 1 } }],
+  },
+  {
+    name: 'many-areas',
+    rule: 'A material may have up to 256 areas.',
+    section: 'FURROW_wrinkle_maps',
+    file: {
+      base,
+      layers: [skin()],
+      areas: Array.from({ length: 256 }, (_, i) => {
+        return area(`area${i}`, { channel: (i % 3) as 0 | 1 | 2, activation: i % 64 === 7 ? 0.25 : 0 })
+      }),
+    },
+    poses: [
+      {
+        activations: Object.fromEntries(
+          Array.from({ length: 256 }, (_, i) => [`area${i}`, i % 64 === 7 ? 0.25 : 0]),
+        ),
+      },
+    ],
+  },
+  {
+    name: 'names',
+    rule: 'Names may have any characters but control characters, and differ by case.',
+    section: 'Names',
+    file: {
+      base,
+      layers: [skin()],
+      areas: [
+        area('Stirn / links', { activation: 0.5 }),
+        area('stirn / links', { channel: 1 }),
+        area('\u984d', { channel: 2, activation: 0.5 }),
+      ],
+    },
+    poses: [{ activations: { 'Stirn / links': 0.5, 'stirn / links': 0, '\u984d': 0.5 } }],
+  },
+  {
+    name: 'base-color',
+    rule: "A layer's base colour is mixed with the material's in linear space.",
+    section: 'Mixing',
+    file: { base, layers: [unfolded({ baseColor: noise(9) })], areas: [area('a', { activation: 1 })] },
+    poses: [{ activations: { a: 1 } }],
+  },
+  {
+    name: 'occlusion',
+    rule: "A layer's occlusion is mixed with the material's, by its strength.",
+    section: 'Mixing',
+    file: {
+      base,
+      layers: [unfolded({ occlusion: noise(10), occlusionStrength: 0.6 })],
+      areas: [area('a', { activation: 1 })],
+    },
+    poses: [{ activations: { a: 1 } }],
+  },
+  {
+    name: 'roughness',
+    rule: "A layer's roughness is mixed with the material's.",
+    section: 'Mixing',
+    // Of a flat surface, so that highlights tell nothing but roughness.
+    file: {
+      layers: [unfolded({ roughness: noise(11), normalScale: 0 })],
+      areas: [area('a', { activation: 1 })],
+    },
+    poses: [{ activations: { a: 1 } }],
+  },
+  {
+    name: 'blood',
+    rule: 'Blood multiplies the base colour by what haemoglobin absorbs.',
+    section: 'Blood',
+    file: {
+      base,
+      layers: [unfolded({ blood: noise(12), bloodAmplitude: 1.2 })],
+      areas: [area('a', { activation: 1 })],
+    },
+    poses: [{ activations: { a: 1 } }],
+  },
+  {
+    name: 'blood-at-rest',
+    rule: 'Blood of 128 of 255 leaves the colour as it is.',
+    section: 'Blood',
+    file: {
+      base,
+      layers: [unfolded({ blood: uniform(0, 0, 128), bloodAmplitude: 2 })],
+      areas: [area('a', { activation: 1 })],
+    },
+    poses: [{ activations: { a: 1 } }],
+  },
+]

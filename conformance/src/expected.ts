@@ -1,0 +1,149 @@
+import { type GrayImage, packAreas, reference } from 'furrow'
+import type { MapImage } from './map-image.ts'
+import type { Pose, Sample, SampleFile, SampleLayer } from './sample.ts'
+
+/** Pixels along a side of the pictures. */
+export const PIXELS = 32
+
+/** Pixels whose values a sample's JSON lists: column and row from the top left. */
+const LISTED = [
+  [3, 3],
+  [11, 5],
+  [20, 8],
+  [27, 12],
+  [6, 19],
+  [14, 22],
+  [23, 26],
+  [29, 30],
+] as const
+
+/** What an engine must find at a point of the square. */
+export interface Expected {
+  /** Of each layer. */
+  influence: number[]
+  /** In tangent space, a unit vector. */
+  normal: number[]
+  /** Linear; the material's own is white. */
+  baseColor: number[]
+  /** The material's own is 1. */
+  roughness: number
+  /** The material's own is 1. */
+  occlusion: number
+}
+
+/** @returns what must be at the centre of a pixel of the square, by the float64 reference. */
+export function expectedAt(file: SampleFile, pose: Pose, column: number, row: number): Expected {
+  const [u, v] = uvAt(file, (column + 0.5) / PIXELS, (row + 0.5) / PIXELS)
+  const weights = file.areas.map(({ weights, channel = 0 }) => channelOf(weights, channel))
+  const areas = packAreas(weights, weights[0].width)
+  const active = file.areas.map(({ name, layer = 0, combine = 'sum' as const }) => {
+    return { activation: pose.activations[name], layer, combine }
+  })
+  const influence = file.layers.map((_, layer) => reference.influence(areas, active, u, v, layer))
+  const mixed = (own: readonly number[], valuesOf: (layer: SampleLayer) => number[] | undefined) =>
+    reference.mixValues(
+      own,
+      file.layers.flatMap((layer, i) => {
+        const value = valuesOf(layer)
+        return value ? [{ value, influence: influence[i] }] : []
+      }),
+    )
+  const [blood] = mixed([0], ({ blood: map, bloodAmplitude = 0 }) => {
+    return map && [reference.bloodOf(texel(map, u, v, 2)) * bloodAmplitude]
+  })
+  const baseColor = mixed([1, 1, 1], ({ baseColor: map }) => map && colourAt(map, u, v))
+  return {
+    influence,
+    normal: reference.mixNormals(
+      file.base ? normalAt(file.base, u, v) : [0, 0, 1],
+      file.layers.map(({ kind = 'replace', normal, normalScale = 1 }, i) => {
+        const [x, y, z] = normalAt(normal, u, v)
+        return { kind, normal: [x * normalScale, y * normalScale, z], influence: influence[i] }
+      }),
+    ),
+    baseColor: reference.bloodColour(baseColor, blood),
+    roughness: mixed([1], ({ roughness }) => roughness && [texel(roughness, u, v, 1)])[0],
+    occlusion: mixed([1], ({ occlusion, occlusionStrength = 1 }) => {
+      return occlusion && [1 + occlusionStrength * (texel(occlusion, u, v, 0) - 1)]
+    })[0],
+  }
+}
+
+/** The JSON beside a sample file. */
+export function describe(sample: Sample): object {
+  const { rule, section, file, poses, isMoved } = sample
+  if (poses.length === 0) return { rule, section, refused: true }
+  return {
+    rule,
+    section,
+    poses: poses.map((pose) => ({
+      ...pose,
+      ...(!isMoved && {
+        points: LISTED.map(([column, row]) => ({
+          column,
+          row,
+          ...rounded(expectedAt(file, pose, column, row)),
+        })),
+      }),
+    })),
+  }
+}
+
+/** Normals over the square as a picture: R, G and B are (x, y, z) / 2 + 1 / 2. */
+export function normalPicture(file: SampleFile, pose: Pose): MapImage {
+  const data = new Uint8Array(3 * PIXELS * PIXELS)
+  for (let i = 0; i < PIXELS * PIXELS; i++) {
+    const { normal } = expectedAt(file, pose, i % PIXELS, Math.floor(i / PIXELS))
+    data.set(
+      normal.map((value) => Math.round((value * 0.5 + 0.5) * 255)),
+      3 * i,
+    )
+  }
+  return { width: PIXELS, height: PIXELS, data }
+}
+
+/** Six decimals: files stay readable, and differ nowhere by what matters. */
+function rounded(expected: Expected): Expected {
+  const round = (value: number) => Math.round(value * 1e6) / 1e6
+  return {
+    influence: expected.influence.map(round),
+    normal: expected.normal.map(round),
+    baseColor: expected.baseColor.map(round),
+    roughness: round(expected.roughness),
+    occlusion: round(expected.occlusion),
+  }
+}
+
+/** @param x from the left of the square. @param y from its top. */
+function uvAt({ uvs = {} }: SampleFile, x: number, y: number): [number, number] {
+  const { scale = 1, offset = [0, 0], transform = { scale: [1, 1], offset: [0, 0] } } = uvs
+  const at = (value: number, axis: 0 | 1) =>
+    (value * scale + offset[axis]) * transform.scale[axis] + transform.offset[axis]
+  return [at(x, 0), at(y, 1)]
+}
+
+function texel({ width, height, data }: MapImage, u: number, v: number, channel: number): number {
+  return reference.interpolate({ width, height }, u, v, (i, j) => data[3 * (i + j * width) + channel]) / 255
+}
+
+function normalAt(map: MapImage, u: number, v: number): number[] {
+  return reference.unpackNormal([0, 1, 2].map((channel) => texel(map, u, v, channel)))
+}
+
+/** Graphics cards decode sRGB before they interpolate. */
+function colourAt({ width, height, data }: MapImage, u: number, v: number): number[] {
+  return [0, 1, 2].map((channel) =>
+    reference.interpolate({ width, height }, u, v, (i, j) =>
+      linear(data[3 * (i + j * width) + channel] / 255),
+    ),
+  )
+}
+
+/** IEC 61966-2-1. */
+function linear(encoded: number): number {
+  return encoded <= 0.04045 ? encoded / 12.92 : ((encoded + 0.055) / 1.055) ** 2.4
+}
+
+function channelOf({ width, height, data }: MapImage, channel: number): GrayImage {
+  return { width, height, data: Uint8Array.from({ length: width * height }, (_, i) => data[3 * i + channel]) }
+}

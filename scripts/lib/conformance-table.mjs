@@ -1,0 +1,54 @@
+// The table of docs/conformance.md: what each engine's runner found, rule by rule.
+
+import { readFileSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { ROOT } from './run.mjs'
+
+const PAGE = join(ROOT, 'docs', 'conformance.md')
+const MARKS = ['<!-- table -->', '<!-- end of table -->']
+
+/** Suites of tests whose names say of which engine they are; each has one test for each sample. */
+const SUITE = /conformance of (.+)$/
+
+/**
+ * @param report JSON of Vitest.
+ * @returns of each engine, the samples and whether they passed.
+ */
+export function resultsOf(report) {
+  const engines = new Map()
+  for (const { ancestorTitles, title, status } of report.testResults.flatMap(
+    (file) => file.assertionResults,
+  )) {
+    const [, engine] = ancestorTitles.join(' ').match(SUITE) ?? []
+    if (!engine) continue
+    if (!engines.has(engine)) engines.set(engine, new Map())
+    engines.get(engine).set(title, status === 'passed')
+  }
+  return engines
+}
+
+/** Writes the table into the page. */
+export function writeTable(samples, engines) {
+  const names = [...engines.keys()]
+  const rows = samples.map(({ name, rule, section }) => {
+    const cells = names.map((engine) => (engines.get(engine).get(name) ? 'yes' : '**no**'))
+    return `| [\`${name}\`](../conformance/files/${name}.json) | ${rule} | ${link(section)} | ${cells.join(' | ')} |`
+  })
+  const table = [
+    `| sample | rule | specification | ${names.join(' | ')} |`,
+    `| --- | --- | --- |${' --- |'.repeat(names.length)}`,
+    ...rows,
+  ]
+  const [before, rest] = readFileSync(PAGE, 'utf8').split(MARKS[0])
+  const [, after] = rest.split(MARKS[1])
+  writeFileSync(PAGE, `${before}${MARKS[0]}\n\n${table.join('\n')}\n\n${MARKS[1]}${after}`)
+}
+
+/** A heading of the specification, as GitHub links to it. */
+function link(section) {
+  const anchor = section
+    .toLowerCase()
+    .replace(/[^\w -]/g, '')
+    .replaceAll(' ', '-')
+  return `[${section.replaceAll('_', '\\_')}](FURROW_wrinkle_maps.md#${anchor})`
+}

@@ -1,0 +1,64 @@
+/** The sample files of the conformance suite, as they lie in the repository: what any engine's runner reads. */
+
+/** What must follow from one pose. */
+export interface ExpectedPose {
+  weights?: Record<string, number>
+  inputs?: Record<string, number>
+  rotations?: Record<string, number[]>
+  translations?: Record<string, number[]>
+  seconds?: number
+  activations: Record<string, number>
+  /** None where the pose moves the square. */
+  points?: ExpectedPoint[]
+}
+
+/** At the centre of a pixel of the square, counted from the top left. */
+export interface ExpectedPoint {
+  column: number
+  row: number
+  influence: number[]
+  normal: number[]
+  baseColor: number[]
+  roughness: number
+  occlusion: number
+}
+
+export interface ExpectedSample {
+  rule: string
+  refused?: true
+  poses?: ExpectedPose[]
+}
+
+const FOLDER = '../../../conformance/files/'
+const models = import.meta.glob('../../../conformance/files/*.glb', {
+  query: '?url',
+  eager: true,
+  import: 'default',
+})
+const texts = import.meta.glob('../../../conformance/files/*.json', {
+  query: '?raw',
+  eager: true,
+  import: 'default',
+})
+const pictures = import.meta.glob('../../../conformance/files/*.png', {
+  query: '?url',
+  eager: true,
+  import: 'default',
+})
+
+/** By name. */
+export const SAMPLES = Object.keys(models).map((path) => path.slice(FOLDER.length, -'.glb'.length))
+
+export const addressOf = (name: string) => models[`${FOLDER}${name}.glb`] as string
+
+export const expectedOf = (name: string) =>
+  JSON.parse(texts[`${FOLDER}${name}.json`] as string) as ExpectedSample
+
+/** The picture of the normals in a pose: RGB of 8 bits, rows from the top. */
+export async function pictureOf(name: string, pose: number): Promise<ImageData> {
+  const response = await fetch(pictures[`${FOLDER}${name}-${pose}.png`] as string)
+  const bitmap = await createImageBitmap(await response.blob(), { colorSpaceConversion: 'none' })
+  const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!
+  context.drawImage(bitmap, 0, 0)
+  return context.getImageData(0, 0, bitmap.width, bitmap.height)
+}

@@ -1,0 +1,130 @@
+import { type Wrinkles, wrinklesOf } from 'furrow/three'
+import {
+  AmbientLight,
+  type BufferGeometry,
+  DirectionalLight,
+  type Mesh,
+  type MeshPhysicalMaterial,
+  type Object3D,
+  Scene,
+} from 'three'
+import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js'
+import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js'
+import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
+import { type Harness, squareCamera } from '../harness.ts'
+import { addressOf, type ExpectedPose } from './samples.ts'
+
+type Square = Mesh<BufferGeometry, MeshPhysicalMaterial>
+
+/** Pixels along a side. */
+export const PIXELS = 32
+
+/** Frames until a pose has taken effect. */
+const FRAMES = 4
+
+/** Reads sample files, and draws them, with three.js. */
+export class ThreeRunner {
+  readonly #harness: Harness
+  readonly #loader: GLTFLoader
+  readonly #ktx2 = new KTX2Loader().setTranscoderPath('/node_modules/three/examples/jsm/libs/basis/')
+  readonly #draco = new DRACOLoader().setDecoderPath('/node_modules/three/examples/jsm/libs/draco/gltf/')
+
+  constructor(harness: Harness) {
+    this.#harness = harness
+    this.#ktx2.detectSupport(harness.renderer as never)
+    this.#loader = new GLTFLoader()
+      .setKTX2Loader(this.#ktx2)
+      .setDRACOLoader(this.#draco)
+      .setMeshoptDecoder(MeshoptDecoder)
+      .register((parser) => new harness.Plugin(parser))
+  }
+
+  async open(name: string): Promise<ThreeSample> {
+    return new ThreeSample(this.#harness, await this.#loader.loadAsync(addressOf(name)))
+  }
+
+  dispose(): void {
+    this.#ktx2.dispose()
+    this.#draco.dispose()
+  }
+}
+
+/** A loaded sample file. */
+export class ThreeSample {
+  readonly #harness: Harness
+  readonly #root: Object3D
+  readonly #meshes: Square[] = []
+  /** None where the file was refused. */
+  readonly wrinkles: Wrinkles | undefined
+  #milliseconds = 0
+
+  constructor(harness: Harness, { scene }: GLTF) {
+    this.#harness = harness
+    this.#root = scene
+    scene.traverse((object) => {
+      if ('isMesh' in object) this.#meshes.push(object as Square)
+    })
+    this.wrinkles = wrinklesOf(this.#meshes[0])
+    if (this.wrinkles) this.wrinkles.clock = { now: () => this.#milliseconds }
+  }
+
+  /** Sets a pose, draws a frame and reads the activations. */
+  async pose({ weights = {}, inputs = {}, rotations = {}, translations = {}, seconds = 0 }: ExpectedPose) {
+    for (const { morphTargetDictionary = {}, morphTargetInfluences } of this.#meshes) {
+      for (const [target, index] of Object.entries(morphTargetDictionary)) {
+        morphTargetInfluences![index] = weights[target] ?? 0
+      }
+    }
+    for (const [input, value] of Object.entries(inputs)) this.wrinkles!.inputs.set(input, value)
+    this.#root.traverse((node) => {
+      node.quaternion.fromArray(rotations[node.name] ?? [0, 0, 0, 1])
+      if (translations[node.name]) node.position.fromArray(translations[node.name])
+    })
+    this.#root.updateMatrixWorld()
+    this.#milliseconds += 1000 * seconds
+    // On WebGPU tension is measured by the graphics card, which takes some frames.
+    for (let i = 0; i < FRAMES; i++) await this.#draw(new AmbientLight())
+    return Object.fromEntries(
+      this.wrinkles!.areaNames.map((area) => [area, this.wrinkles!.getActivation(area)]),
+    )
+  }
+
+  /** The normals, as far as they point to positive sides: three pictures with a light along one axis each. */
+  async normals(): Promise<Float32Array[]> {
+    const pictures: Float32Array[] = []
+    for (const axis of [0, 1, 2]) {
+      const light = new DirectionalLight(0xffffff, Math.PI)
+      light.position.set(0, 0, 0).setComponent(axis, 1)
+      pictures.push(await this.#draw(light))
+    }
+    return pictures
+  }
+
+  /** Base colour times occlusion, linear: what light from all sides leaves of white. */
+  colours(): Promise<Float32Array> {
+    return this.#draw(new AmbientLight(0xffffff, Math.PI))
+  }
+
+  /** The highlight of a light in front, with wrinkles, or of the plain material with some roughness everywhere. */
+  async highlights(plainRoughness?: number): Promise<Float32Array> {
+    const light = new DirectionalLight(0xffffff, Math.PI).translateZ(1)
+    const [{ material }] = this.#meshes
+    material.specularIntensity = 1
+    material.roughness = plainRoughness ?? 1
+    this.wrinkles!.mode = plainRoughness === undefined ? 'default' : 'off'
+    return this.#draw(light)
+  }
+
+  dispose(): void {
+    this.wrinkles?.dispose()
+    for (const { geometry, material } of this.#meshes) {
+      geometry.dispose()
+      material.dispose()
+    }
+  }
+
+  #draw(light: AmbientLight | DirectionalLight): Promise<Float32Array> {
+    return this.#harness.render(new Scene().add(this.#root, light), squareCamera(), PIXELS)
+  }
+}
