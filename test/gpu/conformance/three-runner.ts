@@ -13,12 +13,10 @@ import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { type Harness, squareCamera } from '../harness.ts'
-import { addressOf, type ExpectedPose } from './samples.ts'
+import { addressOf, type ExpectedPoint, type ExpectedPose } from './samples.ts'
+import { at, type OpenedSample, PIXELS, type Pixels } from './suite.ts'
 
 type Square = Mesh<BufferGeometry, MeshPhysicalMaterial>
-
-/** Pixels along a side. */
-export const PIXELS = 32
 
 /** Frames until a pose has taken effect. */
 const FRAMES = 4
@@ -40,7 +38,7 @@ export class ThreeRunner {
       .register((parser) => new harness.Plugin(parser))
   }
 
-  async open(name: string): Promise<ThreeSample> {
+  async open(name: string): Promise<OpenedSample> {
     return new ThreeSample(this.#harness, await this.#loader.loadAsync(addressOf(name)))
   }
 
@@ -51,12 +49,12 @@ export class ThreeRunner {
 }
 
 /** A loaded sample file. */
-export class ThreeSample {
+class ThreeSample implements OpenedSample {
   readonly #harness: Harness
   readonly #root: Object3D
   readonly #meshes: Square[] = []
   /** None where the file was refused. */
-  readonly wrinkles: Wrinkles | undefined
+  readonly #wrinkles: Wrinkles | undefined
   #milliseconds = 0
 
   constructor(harness: Harness, { scene }: GLTF) {
@@ -65,18 +63,21 @@ export class ThreeSample {
     scene.traverse((object) => {
       if ('isMesh' in object) this.#meshes.push(object as Square)
     })
-    this.wrinkles = wrinklesOf(this.#meshes[0])
-    if (this.wrinkles) this.wrinkles.clock = { now: () => this.#milliseconds }
+    this.#wrinkles = wrinklesOf(this.#meshes[0])
+    if (this.#wrinkles) this.#wrinkles.clock = { now: () => this.#milliseconds }
   }
 
-  /** Sets a pose, draws a frame and reads the activations. */
+  get isWrinkled(): boolean {
+    return this.#wrinkles !== undefined
+  }
+
   async pose({ weights = {}, inputs = {}, rotations = {}, translations = {}, seconds = 0 }: ExpectedPose) {
     for (const { morphTargetDictionary = {}, morphTargetInfluences } of this.#meshes) {
       for (const [target, index] of Object.entries(morphTargetDictionary)) {
         morphTargetInfluences![index] = weights[target] ?? 0
       }
     }
-    for (const [input, value] of Object.entries(inputs)) this.wrinkles!.inputs.set(input, value)
+    for (const [input, value] of Object.entries(inputs)) this.#wrinkles!.inputs.set(input, value)
     this.#root.traverse((node) => {
       node.quaternion.fromArray(rotations[node.name] ?? [0, 0, 0, 1])
       if (translations[node.name]) node.position.fromArray(translations[node.name])
@@ -86,45 +87,58 @@ export class ThreeSample {
     // On WebGPU tension is measured by the graphics card, which takes some frames.
     for (let i = 0; i < FRAMES; i++) await this.#draw(new AmbientLight())
     return Object.fromEntries(
-      this.wrinkles!.areaNames.map((area) => [area, this.wrinkles!.getActivation(area)]),
+      this.#wrinkles!.areaNames.map((area) => [area, this.#wrinkles!.getActivation(area)]),
     )
   }
 
-  /** The normals, as far as they point to positive sides: three pictures with a light along one axis each. */
-  async normals(): Promise<Float32Array[]> {
-    const pictures: Float32Array[] = []
+  /** A light along an axis shows that component. */
+  async normals() {
+    const pictures: Pixels[] = []
     for (const axis of [0, 1, 2]) {
       const light = new DirectionalLight(0xffffff, Math.PI)
       light.position.set(0, 0, 0).setComponent(axis, 1)
       pictures.push(await this.#draw(light))
     }
-    return pictures
+    return { pictures, areColoured: true }
   }
 
-  /** Base colour times occlusion, linear: what light from all sides leaves of white. */
-  colours(): Promise<Float32Array> {
-    return this.#draw(new AmbientLight(0xffffff, Math.PI))
+  async colours() {
+    return { picture: await this.#draw(new AmbientLight(0xffffff, Math.PI)), areOccluded: true }
   }
 
-  /** The highlight of a light in front, with wrinkles, or of the plain material with some roughness everywhere. */
-  async highlights(plainRoughness?: number): Promise<Float32Array> {
-    const light = new DirectionalLight(0xffffff, Math.PI).translateZ(1)
-    const [{ material }] = this.#meshes
-    material.specularIntensity = 1
-    material.roughness = plainRoughness ?? 1
-    this.wrinkles!.mode = plainRoughness === undefined ? 'default' : 'off'
-    return this.#draw(light)
+  /** Compares highlights with those of the plain material with the roughness of a point. */
+  async hasRoughness(points: readonly ExpectedPoint[], tolerance: number): Promise<boolean> {
+    if (points.every(({ roughness }) => roughness === 1)) return true
+    const shown = await this.#highlights()
+    for (const { column, row, roughness } of points) {
+      const plain = await this.#highlights(roughness)
+      if (Math.abs(shown[4 * at(column, row)] - plain[4 * at(column, row)]) > tolerance) return false
+    }
+    return true
   }
 
   dispose(): void {
-    this.wrinkles?.dispose()
+    this.#wrinkles?.dispose()
     for (const { geometry, material } of this.#meshes) {
       geometry.dispose()
       material.dispose()
     }
   }
 
-  #draw(light: AmbientLight | DirectionalLight): Promise<Float32Array> {
+  /** With wrinkles, or of the plain material with some roughness everywhere. */
+  async #highlights(plainRoughness?: number): Promise<Pixels> {
+    const light = new DirectionalLight(0xffffff, Math.PI).translateZ(1)
+    const [{ material }] = this.#meshes
+    const { specularIntensity, roughness } = material
+    Object.assign(material, { specularIntensity: 1, roughness: plainRoughness ?? roughness })
+    this.#wrinkles!.mode = plainRoughness === undefined ? 'default' : 'off'
+    const picture = await this.#draw(light)
+    this.#wrinkles!.mode = 'default'
+    Object.assign(material, { specularIntensity, roughness })
+    return picture
+  }
+
+  #draw(light: AmbientLight | DirectionalLight): Promise<Pixels> {
     return this.#harness.render(new Scene().add(this.#root, light), squareCamera(), PIXELS)
   }
 }

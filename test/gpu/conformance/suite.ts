@@ -1,0 +1,97 @@
+import { beforeEach, expect, it, vi } from 'vitest'
+import { type ExpectedPoint, type ExpectedPose, expectedOf, pictureOf, SAMPLES } from './samples.ts'
+
+/** Pixels along a side of a picture that the square fills. */
+export const PIXELS = 32
+
+const TOLERANCE = 2 / 255
+
+/** A picture in a file is rounded to bytes: half a step of a number from -1 to 1. */
+const ROUNDING = 1 / 255
+
+/** Linear RGBA, rows from the bottom. */
+export type Pixels = Float32Array
+
+/** A sample file that an engine has loaded. */
+export interface OpenedSample {
+  readonly isWrinkled: boolean
+  /** Sets a pose, draws, and reads the activations. */
+  pose(pose: ExpectedPose): Promise<Record<string, number>>
+  /**
+   * x, y and z of the normals, each a picture of its own, in all channels. Negative ones may be 0, and values may be multiplied by the
+   * base colour, as a light from there shows them.
+   */
+  normals(): Promise<{ pictures: readonly Pixels[]; areColoured: boolean }>
+  /** The base colour, which may be multiplied by the occlusion, as light from all sides shows it. */
+  colours(): Promise<{ picture: Pixels; areOccluded: boolean }>
+  /** Roughness at points, within the tolerance of what is expected. */
+  hasRoughness(points: readonly ExpectedPoint[], tolerance: number): Promise<boolean>
+  /** Occlusion, where colours are without. */
+  occlusion?(): Promise<Pixels>
+  dispose(): void
+}
+
+/** Tests that an engine finds what must follow from each sample file. */
+export function testSamples(open: (name: string) => Promise<OpenedSample>): void {
+  beforeEach(() => {
+    vi.spyOn(console, 'warn').mockImplementation(() => {})
+    return () => vi.restoreAllMocks()
+  })
+
+  it.each(SAMPLES)('%s', async (name) => {
+    const { refused, poses = [] } = expectedOf(name)
+    const opened = await open(name)
+    expect(opened.isWrinkled).toBe(!refused)
+    for (const [i, pose] of poses.entries()) {
+      const activations = await opened.pose(pose)
+      expect(Object.keys(activations)).toEqual(Object.keys(pose.activations))
+      for (const [area, activation] of Object.entries(pose.activations)) {
+        expect(Math.abs(activations[area] - activation), area).toBeLessThanOrEqual(1e-6)
+      }
+      if (pose.points) await checkPoints(opened, pose.points, await pictureOf(name, i))
+    }
+    opened.dispose()
+  })
+}
+
+async function checkPoints(opened: OpenedSample, points: readonly ExpectedPoint[], picture: ImageData) {
+  const { pictures, areColoured } = await opened.normals()
+  const { picture: colours, areOccluded } = await opened.colours()
+  const occlusions = await opened.occlusion?.()
+  for (const { column, row, normal, baseColor, occlusion } of points) {
+    const pixel = 4 * at(column, row)
+    for (const channel of [0, 1, 2]) {
+      const colour = areColoured ? baseColor[channel] : 1
+      for (const axis of [0, 1, 2]) checkPositive(pictures[axis][pixel + channel], normal[axis] * colour)
+      const light = areOccluded ? occlusion : 1
+      checkPositive(colours[pixel + channel], baseColor[channel] * light)
+    }
+    if (occlusions) checkPositive(occlusions[pixel], occlusion)
+  }
+  const isWhite = points.every(({ baseColor }) => baseColor.every((value) => value === 1))
+  if (isWhite || !areColoured) checkPicture(pictures, picture)
+  expect(await opened.hasRoughness(points, TOLERANCE)).toBe(true)
+}
+
+/** Negative values need not be seen. */
+function checkPositive(shown: number, expected: number): void {
+  expect(Math.abs(Math.max(0, shown) - Math.max(0, expected))).toBeLessThanOrEqual(TOLERANCE)
+}
+
+/** The normals of all pixels. */
+function checkPicture(shown: readonly Pixels[], { data }: ImageData): void {
+  let worst = 0
+  for (const axis of [0, 1, 2]) {
+    for (let i = 0; i < PIXELS * PIXELS; i++) {
+      const normal = (data[4 * i + axis] / 255) * 2 - 1
+      const pixel = shown[axis][4 * at(i % PIXELS, Math.floor(i / PIXELS))]
+      worst = Math.max(worst, Math.abs(Math.max(0, pixel) - Math.max(0, normal)))
+    }
+  }
+  expect(worst).toBeLessThanOrEqual(TOLERANCE + ROUNDING)
+}
+
+/** Index of a pixel, counted from the top left. */
+export function at(column: number, row: number): number {
+  return column + (PIXELS - 1 - row) * PIXELS
+}
