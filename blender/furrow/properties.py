@@ -3,6 +3,8 @@ A wrinkle set as Blender's properties. They belong to the node group that shows 
 the group, its images and its drivers are saved, linked and appended together.
 """
 
+import json
+
 import bpy
 from bpy.props import (
     BoolProperty,
@@ -31,6 +33,18 @@ def _rebuild(self, _context):
 
     if not is_loading():
         rebuild(self.id_data)
+
+
+def _rename(self, context):
+    """Drivers name areas; they follow."""
+    from .format.edit import with_area_renamed
+
+    wrinkles = self.id_data.furrow
+    if self.known_name and self.known_name != self.name:
+        for driver in wrinkles.drivers:
+            driver.json = json.dumps(with_area_renamed([json.loads(driver.json)], self.known_name, self.name)[0])
+    self.known_name = self.name
+    _rebuild(self, context)
 
 
 def _preview(self, _context):
@@ -87,7 +101,8 @@ class FurrowLayer(bpy.types.PropertyGroup):
 class FurrowArea(bpy.types.PropertyGroup):
     """Where one group of wrinkles lies."""
 
-    name: StringProperty(name="Name", update=_rebuild)
+    name: StringProperty(name="Name", update=_rename)
+    known_name: StringProperty(description="The name before it is changed")
     layer: IntProperty(name="Layer", min=0, max=3, description="Whose wrinkles it shows, from 0", update=_rebuild)
     image: _image("Weights: white where wrinkles are fully visible")
     channel: EnumProperty(name="Channel", items=CHANNELS, update=_rebuild)

@@ -1,8 +1,9 @@
 """What Blender is told about when the extension is enabled."""
 
-from . import properties
+from . import operators, panel, preferences, properties
+from .exporter import restore_materials
 
-MODULES = (properties,)
+MODULES = (properties, preferences, operators, panel)
 
 
 def register():
@@ -11,5 +12,6 @@ def register():
 
 
 def unregister():
+    restore_materials()
     for module in reversed(MODULES):
         module.unregister()
