@@ -29,7 +29,8 @@ def build_drivers(tree, activations):
     _clear(tree)
     wrinkles = tree.furrow
     face = wrinkles.face
-    keys = face.data.shape_keys if face and face.type == "MESH" else None
+    mesh = face.data if face and face.type == "MESH" else None
+    keys = mesh.shape_keys if mesh else None
     targets = [block.name for block in keys.key_blocks if block != keys.reference_key] if keys else []
     areas = [area.name for area in wrinkles.areas]
     drivers = [json.loads(driver.json) for driver in wrinkles.drivers]
@@ -45,7 +46,7 @@ def build_drivers(tree, activations):
         curve = tree.driver_add(f'["{step.name}"]')
         _set_up(curve, step.combine, step.expression)
         for source, name in zip(step.sources, "abcdefgh" if step.expression else _names(step), strict=False):
-            _read(curve.driver, name, source, tree, keys)
+            _read(curve.driver, name, source, tree, mesh)
         _shape(curve, step)
     for area, (node, index) in activations.items():
         curve = tree.nodes[node].inputs[index].driver_add("default_value")
@@ -116,10 +117,12 @@ def _key(curve, points, extrapolation):
     curve.update()
 
 
-def _read(driver, name, source, tree, keys):
+def _read(driver, name, source, tree, mesh):
     if source.kind == "target":
         block = bpy.utils.escape_identifier(source.name)
-        _variable(driver, name, "KEY", keys, f'key_blocks["{block}"].value')
+        # Through the mesh: a driver that reads the shape keys themselves misses the first change after a file is
+        # opened, in one to two of a hundred openings (Blender 4.5 and 5.0).
+        _variable(driver, name, "MESH", mesh, f'shape_keys.key_blocks["{block}"].value')
     elif source.kind == "step":
         _variable(driver, name, "NODETREE", tree, f'["{source.name}"]')
     elif source.kind == "rest":
