@@ -3,6 +3,7 @@ Import: hooks of Blender's own glTF importer. Whatever is wrong costs the wrinkl
 face.
 """
 
+import json
 import struct
 
 import bpy
@@ -25,18 +26,22 @@ class ImportHooks:
 
     def gather_import_material_after_hook(self, gltf_material, _vertex_color, material, gltf):
         """The images become Blender's and the set a node group in the material."""
-        json = (gltf_material.extensions or {}).get(EXTENSION)
-        if json is None:
+        extension = (gltf_material.extensions or {}).get(EXTENSION)
+        if extension is None:
             return
         tree = new_group(f"Wrinkles of {material.name}")
         try:
             faults = []
             self.file = self.file or GltfFile(gltf.filename)
-            document = read_document(json, self.file.texture_count, f'material "{material.name}"', faults.append)
+            document = read_document(extension, self.file.texture_count, f'material "{material.name}"', faults.append)
             load_document(tree, document, self.file.image_of)
             rebuild(tree)
             put_in(material, tree)
             self.loaded.append((material, tree))
+            if EXTENSION in _animations(self.file):
+                _warn(
+                    gltf, f"Furrow: key frames of activations in {gltf.filename} are left out; set them at rest again"
+                )
             if faults:
                 _warn(gltf, f"{faults[0]}; {len(faults)} of its drivers are left out")
         except Exception as error:
@@ -53,6 +58,11 @@ class ImportHooks:
                 rebuild(tree)
             except Exception as error:
                 _warn(gltf, f"{_text(error)}; nothing drives the wrinkles of {material.name}")
+
+
+def _animations(file):
+    """Where `KHR_animation_pointer` names the extension."""
+    return json.dumps(file.json.get("animations", []))
 
 
 def _text(error):

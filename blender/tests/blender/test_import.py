@@ -78,6 +78,21 @@ class ImportTest(BlenderTest):
         self.assertEqual(len(warnings), 1)
         self.assertIn("drivers[0].area", warnings[0])
 
+    def test_key_frames_of_activations_are_named(self):
+        path = self.write_face(document(), IMAGES)
+        file = GltfFile(path)
+        pointer = f"/materials/0/extensions/{EXTENSION}/areas/0/activation"
+        target = {"path": "pointer", "extensions": {"KHR_animation_pointer": {"pointer": pointer}}}
+        # Of x, y and z of a corner: any numbers will do.
+        sampler = {"input": 0, "output": 0}
+        file.json["animations"] = [{"samplers": [sampler], "channels": [{"sampler": 0, "target": target}]}]
+        file.json["extensionsUsed"].append("KHR_animation_pointer")
+        path.write_bytes(write_glb(file.json, file.binary))
+        group, warnings = self.import_with_warnings(path)
+        self.assertEqual(len(group.furrow.areas), 1)
+        self.assertEqual(len(warnings), 1)
+        self.assertIn("key frames", warnings[0])
+
     def change(self, path, change):
         file = GltfFile(path)
         extensions = file.json["materials"][0]["extensions"]
