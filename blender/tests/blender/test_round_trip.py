@@ -1,15 +1,19 @@
 """Import, export: the same layers, areas and drivers, and the same pixels, in files that validate."""
 
+import base64
 import subprocess
 import unittest
 
 import bpy
 
 from furrow.exporter import restore_materials
+from furrow.format.container import ImageFile
 from furrow.format.document import SLOTS, read_document
 from furrow.material import group_node
 from support import FLAT, ROOT, BlenderTest, document, image, wrinkles_of
 
+#: 8 x 8 texels of (128, 128, 255), lossless.
+WEBP = "UklGRh4AAABXRUJQVlA4TBEAAAAvB8ABAAdQwAL2v/+BiOh/AAA="
 IMAGES = [image("normal", FLAT), image("areas", lambda x, y: (x * 30, y * 30, 90))]
 
 
@@ -67,6 +71,10 @@ class RoundTripTest(BlenderTest):
         made["strokes"] = {"version": 1, "strokes": []}
         made["layers"][0]["later"] = "kept"
         self.check(self.write_face(made, IMAGES, targets=["a"]))
+
+    def test_webp_stays_webp(self):
+        flat = ImageFile("normal", "image/webp", base64.b64decode(WEBP))
+        self.check(self.write_face(document(), [flat, IMAGES[1]], targets=["a"]))
 
     def test_separate_files(self):
         self.import_face(self.write_face(document(), IMAGES, targets=["a"], normal=IMAGES[0]))
