@@ -12,6 +12,8 @@ import { openPage, ROOT, runServed, serve } from '../serve.mjs'
 
 const PYTHON = join(ROOT, 'blender/.venv-4.5/bin/python')
 const BACKGROUND = { r: 40, g: 40, b: 40 }
+/** Degrees that a lamp spans. */
+const LAMP_ANGLE = 4
 const SAMPLES = 48
 const GAP = 8
 /** Width of one picture of the four. */
@@ -61,6 +63,7 @@ await runServed(server, async () => {
       camera,
       activations,
       lamps: LAMPS,
+      lampAngle: LAMP_ANGLE,
       surroundings: SURROUNDINGS,
     }
     await writeFile(file('scene.json'), JSON.stringify({ ...scene, samples: SAMPLES, size: SIZE }))

@@ -3,8 +3,8 @@ Where a wrinkle group stands in a material: between its textures and what they f
 goes back in.
 """
 
-_GROUP = "furrow_wrinkles"
-_OUT = "furrow_out_for_export"
+#: Custom property of a group's node that is out of its material.
+_OUT = "furrow_out"
 
 
 def group_node(material):
@@ -64,9 +64,9 @@ def take_out(material):
 
 
 def put_back(material):
-    """Undo `take_out`."""
+    """Undo `take_out`; a material that has no Principled BSDF any more is left without."""
     node = group_node(material)
-    if node is None or _OUT not in node:
+    if node is None or _OUT not in node or not _shaders(material.node_tree):
         return
     for key in (_OUT, "normal_map", "made_normal_map", "made_uv"):
         if key in node:
@@ -79,10 +79,14 @@ def put_back(material):
 
 def shader_node(tree):
     """The Principled BSDF that the output shows, else the first there is. Raises LookupError."""
-    nodes = [node for node in tree.nodes if node.type == "BSDF_PRINCIPLED"]
+    nodes = _shaders(tree)
     if not nodes:
         raise LookupError("the material has no Principled BSDF")
     return next((node for node in nodes if any(output.is_linked for output in node.outputs)), nodes[0])
+
+
+def _shaders(tree):
+    return [node for node in tree.nodes if node.type == "BSDF_PRINCIPLED"]
 
 
 def _link(tree, node, name, target):

@@ -8,7 +8,7 @@ import bpy
 from .format.document import read_document
 from .format.reader import FurrowError
 from .images import file_from_image, image_from_file
-from .material import group_node, put_in
+from .material import group_node, put_back, take_out
 from .rig import build_drivers, show_preview
 from .shading import build_nodes
 
@@ -120,14 +120,18 @@ def materials_of(tree):
 def rebuild(tree):
     """Make the nodes and drivers anew after the properties changed, and link what the group's sockets now need."""
     wrinkles = tree.furrow
+    materials = materials_of(tree)
+    # A socket that is not needed any more would take the links with it that pass through it.
+    for material in materials:
+        take_out(material)
     with _loading_properties():
         activations = build_nodes(tree)
         plan = build_drivers(tree, activations)
         wrinkles.notes = "\n".join(_notes(wrinkles, plan))
     if wrinkles.preview:
         show_preview(tree)
-    for material in materials_of(tree):
-        put_in(material, tree)
+    for material in materials:
+        put_back(material)
 
 
 def is_loading():

@@ -13,7 +13,7 @@ from furrow.material import group_node, wrinkle_group
 from furrow.operators.base import drivers_of
 from furrow.rig import activation_of
 from furrow.weights import draw_weights
-from support import FLAT, BlenderTest, document, image, set_weights, small_face, wrinkles_of
+from support import FLAT, ROOT, BlenderTest, document, image, set_weights, small_face, wrinkles_of
 from test_round_trip import validate
 
 
@@ -101,6 +101,25 @@ class AuthorTest(BlenderTest):
         self.assertEqual(tree.furrow.areas[0].layer, 0)
         with self.assertRaises(RuntimeError):
             bpy.ops.furrow.layer_remove()
+
+    def test_a_map_that_is_taken_away_leaves_the_texture_of_the_face(self):
+        self.import_face(ROOT / "faces" / "human.glb")
+        material = bpy.data.materials["skin.001"]
+        tree = wrinkle_group(material)
+        shader = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
+        self.assertEqual(shader.inputs["Base Color"].links[0].from_node, group_node(material))
+        tree.furrow.layers[0].blood = None
+        self.assertEqual(shader.inputs["Base Color"].links[0].from_node.type, "TEX_IMAGE")
+        tree.furrow.layers[0].blood = tree.furrow.layers[0].occlusion
+        self.assertEqual(shader.inputs["Base Color"].links[0].from_node, group_node(material))
+        self.assertEqual(group_node(material).inputs["Base Color"].links[0].from_node.type, "TEX_IMAGE")
+
+    def test_a_material_that_lost_its_shader_is_left_alone(self):
+        tree = self.new_set()
+        nodes = self.face.active_material.node_tree.nodes
+        nodes.remove(next(node for node in nodes if node.type == "BSDF_PRINCIPLED"))
+        tree.furrow.layers[0].kind = "detail"
+        self.export_face()
 
     def test_a_removed_set_leaves_the_plain_material(self):
         material = self.face.active_material
