@@ -21,11 +21,15 @@ class BlenderTest(unittest.TestCase):
     """An empty Blender with the extension, and a folder, for each test."""
 
     def setUp(self):
-        bpy.ops.wm.read_factory_settings(use_empty=True)
-        addon_utils.enable("furrow", default_set=True)
+        self.empty()
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
+
+    def empty(self):
+        """Begin with an empty Blender again."""
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+        addon_utils.enable("furrow", default_set=True)
 
     def import_face(self, path):
         """Import a file; the node group of its first material with wrinkles, or None."""

@@ -57,8 +57,7 @@ class RoundTripTest(BlenderTest):
 
     def test_joints_delays_and_what_is_unknown(self):
         self.check(ROOT / "faces" / "hand.glb")
-        bpy.ops.wm.read_factory_settings(use_empty=True)
-        self.setUp()
+        self.empty()
         drivers = [
             {"type": "breath", "depth": 3, "extras": {"a": [1]}},
             {"type": "tension", "area": "nose", "measure": "stretch", "curve": [[0, 0], [0.123456789, 1]]},
@@ -113,8 +112,7 @@ class RoundTripTest(BlenderTest):
         pixels[0:4] = (0.2, 0.4, 0.6, 1)
         painted.pixels = pixels
         written = self.export_face()
-        bpy.ops.wm.read_factory_settings(use_empty=True)
-        self.setUp()
+        self.empty()
         again = self.import_face(written).furrow.areas[0].image
         for a, b in zip(again.pixels, pixels, strict=True):
             self.assertAlmostEqual(a, b, delta=1 / 255)
