@@ -30,7 +30,7 @@ await main(async () => {
     ...(
       await Promise.all([
         timed('type check', ['npx', 'tsc', '--noEmit']),
-        inOrder(() => timed('lint', ['npx', 'biome', 'check', '.']), checkFaces, checkDownload),
+        inOrder(() => timed('lint', ['npx', 'biome', 'check', '.']), checkPython, checkDownload),
       ])
     ).flat(),
   )
@@ -51,15 +51,18 @@ function vitestWords() {
   return [...(isHeavy ? HEAVY : ALWAYS).map((name) => `--project=${name}`), ...words]
 }
 
-/** The Python of faces/. Without Python these checks are left out, but never in CI. */
-async function checkFaces() {
+/** The Python of faces/, and of blender/ what needs no Blender. Without Python these checks are left out, but never in CI. */
+async function checkPython() {
   const python = await setUpPython()
-  if (!python) return [{ name: 'faces', state: process.env.CI ? 'FAILED' : 'left out' }]
+  if (!python) return [{ name: 'Python', state: process.env.CI ? 'FAILED' : 'left out' }]
   const ruff = [python, '-m', 'ruff']
   return inOrder(
     () => timed('faces format', [...ruff, 'format', '--check', 'faces']),
     () => timed('faces lint', [...ruff, 'check', 'faces']),
     () => timed('faces tests', [python, '-m', 'pytest', '--quiet', 'faces']),
+    () => timed('blender format', [...ruff, 'format', '--check', 'blender']),
+    () => timed('blender lint', [...ruff, 'check', 'blender']),
+    () => timed('blender tests', [python, 'blender/tests/plain.py']),
   )
 }
 

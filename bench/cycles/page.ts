@@ -61,7 +61,7 @@ let wrinkles: Wrinkles
 window.pose = async (address, shot) => {
   const gltf = await new GLTFLoader().loadAsync(address)
   const [{ meshes, set, drivers }] = await readWrinkleMaps(gltf)
-  wrinkles = new Wrinkles(meshes[0], set, { relief: 'on' })
+  wrinkles = new Wrinkles(meshes[0], set, { relief: shot.relief ?? 'on' })
   for (const mesh of meshes.slice(1)) wrinkles.addMesh(mesh)
   // Without delays: a picture shows what they end in.
   addDrivers(

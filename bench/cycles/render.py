@@ -89,16 +89,14 @@ def aim(thing, direction):
     bpy.context.scene.collection.objects.link(thing)
 
 
-def main():
-    scene_path, picture = Path(sys.argv[1]), sys.argv[2]
-    asked = json.loads(scene_path.read_text())
-    bpy.ops.wm.read_factory_settings(use_empty=True)
+def load(asked):
     bpy.ops.import_scene.gltf(filepath=asked['face'])
     for keys in bpy.data.shape_keys:
         for key in keys.key_blocks:
             key.value = asked['targets'].get(key.name, 0)
-    scatter(replace_skin(asked['skin'], scene_path.parent))
 
+
+def light_and_aim(asked):
     for lamp in asked['lamps']:
         sun = bpy.data.lights.new('lamp', 'SUN')
         sun.energy, sun.angle = lamp['strength'], math.radians(asked['lampAngle'])
@@ -121,7 +119,16 @@ def main():
     scene.cycles.samples, scene.cycles.use_denoising = asked['samples'], True
     scene.render.resolution_x = scene.render.resolution_y = asked['size']
     scene.render.image_settings.color_mode = 'RGBA'
-    scene.render.filepath = picture
+
+
+def main():
+    scene_path, picture = Path(sys.argv[1]), sys.argv[2]
+    asked = json.loads(scene_path.read_text())
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    load(asked)
+    scatter(replace_skin(asked['skin'], scene_path.parent))
+    light_and_aim(asked)
+    bpy.context.scene.render.filepath = picture
     bpy.ops.render.render(write_still=True)
 
 

@@ -17,6 +17,8 @@ export interface Shot {
   /** Weights of blendshapes, 0..1. */
   targets: Record<string, number>
   view: FaceView
+  /** Whether three.js moves the surface by the heights of layers, `on` by default. */
+  relief?: 'off' | 'on'
   /** The part of the picture that is compared by number, as fractions of its sides. */
   crop: { left: number; top: number; width: number; height: number }
 }

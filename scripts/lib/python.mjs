@@ -7,6 +7,7 @@ import { ROOT, run, say } from './run.mjs'
 
 /** As `requires-python` in faces/pyproject.toml has it. */
 const OLDEST = [3, 11]
+const isAllowed = ([major, minor]) => major > OLDEST[0] || (major === OLDEST[0] && minor >= OLDEST[1])
 const NAMES = ['python3', 'python', 'python3.14', 'python3.13', 'python3.12', 'python3.11']
 const FOLDER = join(ROOT, 'faces/.venv')
 /** Where the hash of what was installed is kept; written last. */
@@ -24,7 +25,7 @@ export async function setUpPython() {
   const python = join(FOLDER, process.platform === 'win32' ? 'Scripts/python.exe' : 'bin/python')
   if (existsSync(INSTALLED) && readFileSync(INSTALLED, 'utf8') === wanted && (await versionOf(python)))
     return python
-  const found = await findPython()
+  const found = await pythonNamed(NAMES, isAllowed)
   if (!found) {
     say(`python   missing, allowed: ${OLDEST.join('.')} or later; install it to check faces/`)
     return undefined
@@ -49,11 +50,14 @@ export async function setUpPython() {
   return python
 }
 
-async function findPython() {
-  for (const name of NAMES) {
-    const [major, minor] = (await versionOf(name)) ?? [0, 0]
-    if (major > OLDEST[0] || (major === OLDEST[0] && minor >= OLDEST[1])) return name
-  }
+/**
+ * The first Python of these names whose version is allowed; undefined if there is none.
+ *
+ * @param {string[]} names
+ * @param {(version: [number, number]) => boolean} allows major and minor number.
+ */
+export async function pythonNamed(names, allows) {
+  for (const name of names) if (allows((await versionOf(name)) ?? [0, 0])) return name
   return undefined
 }
 

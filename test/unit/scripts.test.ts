@@ -26,6 +26,12 @@ test.each([
     '',
     '--moments is not a whole number, got "", allowed: 1 or more; write e.g. --moments 20',
   ],
+  [
+    'blender',
+    '--version',
+    '2.8',
+    '--version is unknown, got "2.8", allowed: 4.5 or 5.0; write e.g. --version 4.5',
+  ],
   ['fuzz', '--cuont', '5', expect.stringContaining("Unknown option '--cuont'")],
 ])('npm run %s -- %s %s is refused in one line', (script, option, value, line) => {
   const { status, stderr } = spawnSync(process.execPath, [`scripts/${script}.mjs`, option, value], {

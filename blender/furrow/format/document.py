@@ -1,0 +1,119 @@
+"""The JSON of the extension on a material, checked by the rules that every reader has (docs/FURROW_wrinkle_maps.md)."""
+
+from .driver_fields import read_driver
+from .reader import LARGEST, FurrowError, Reader
+
+EXTENSION = "FURROW_wrinkle_maps"
+MAX_LAYERS = 4
+MAX_AREAS = 256
+MAX_DRIVERS = 4096
+
+#: Texture slots of a layer with the number that belongs to each: its name, its range, and its default (None: required).
+SLOTS = {
+    "normalTexture": ("scale", -LARGEST, LARGEST, 1),
+    "baseColorTexture": None,
+    "roughnessTexture": None,
+    "occlusionTexture": ("strength", 0, 1, 1),
+    "heightTexture": ("amplitude", 0, LARGEST, None),
+    "bloodTexture": ("amplitude", 0, 2, None),
+}
+
+
+def read_document(json, texture_count, who=EXTENSION, on_fault=None):
+    """
+    Check the extension's JSON and fill its defaults in. Unknown fields and unknown drivers are kept.
+
+    `on_fault` is told of each malformed driver, which is then left out; by default it is raised.
+    Returns a new dict with `layers`, `areas`, `drivers` and whatever else there was.
+    """
+    reader = Reader(who)
+    root = dict(reader.object(json, "the extension"))
+    layers = reader.array(root.get("layers"), "layers", 1, MAX_LAYERS)
+    root["layers"] = [_layer(reader, item, f"layers[{i}]", texture_count) for i, item in enumerate(layers)]
+    areas = reader.array(root.get("areas"), "areas", 1, MAX_AREAS)
+    root["areas"] = [_area(reader, item, f"areas[{i}]", len(layers), texture_count) for i, item in enumerate(areas)]
+    for kind in ("layers", "areas"):
+        _check_names(reader, root[kind], kind)
+    root["drivers"] = _drivers(reader, root.get("drivers", []), [area["name"] for area in root["areas"]], on_fault)
+    return root
+
+
+def textures_of(document):
+    """All texture infos of a document, layers first."""
+    for layer in document["layers"]:
+        yield from (layer[slot] for slot in SLOTS if slot in layer)
+    for area in document["areas"]:
+        yield area["texture"]
+
+
+def with_defaults_removed(document):
+    """The document as it is written to a file: without what is the default anyway."""
+    layers = []
+    for layer in document["layers"]:
+        out = {key: value for key, value in layer.items() if (key, value) != ("kind", "replace")}
+        for slot, number in SLOTS.items():
+            if slot in out and number and out[slot].get(number[0]) == number[3]:
+                out[slot] = {key: value for key, value in out[slot].items() if key != number[0]}
+        layers.append(out)
+    usual = {"layer": 0, "channel": 0, "combine": "sum", "activation": 0}
+    areas = [{k: v for k, v in area.items() if k not in usual or v != usual[k]} for area in document["areas"]]
+    out = {**document, "layers": layers, "areas": areas}
+    if not out["drivers"]:
+        del out["drivers"]
+    return out
+
+
+def _texture(reader, value, path, count, number=None):
+    info = dict(reader.object(value, path))
+    info["index"] = reader.integer(info.get("index"), f"{path}.index", 0, count - 1)
+    if "slice" in info:
+        info["slice"] = reader.integer(info["slice"], f"{path}.slice", 0, 255)
+    if number:
+        field, low, high, usual = number
+        info[field] = reader.number(info.get(field, usual), f"{path}.{field}", low, high)
+    return info
+
+
+def _layer(reader, item, at, count):
+    layer = dict(reader.object(item, at))
+    reader.name(layer.get("name"), f"{at}.name")
+    layer["kind"] = reader.choice(layer.get("kind", "replace"), f"{at}.kind", ("replace", "detail"))
+    for slot, number in SLOTS.items():
+        if slot in layer or slot == "normalTexture":
+            layer[slot] = _texture(reader, layer.get(slot), f"{at}.{slot}", count, number)
+    blood, occlusion = layer.get("bloodTexture"), layer.get("occlusionTexture")
+    if blood and occlusion and (blood["index"], blood.get("slice")) != (occlusion["index"], occlusion.get("slice")):
+        what = f"{at}.bloodTexture is not that of the occlusion"
+        reader.fail(what, blood["index"], str(occlusion["index"]), "put it into the B channel of that image")
+    return layer
+
+
+def _area(reader, item, at, layer_count, count):
+    area = dict(reader.object(item, at))
+    reader.name(area.get("name"), f"{at}.name")
+    area["layer"] = reader.integer(area.get("layer", 0), f"{at}.layer", 0, layer_count - 1)
+    area["texture"] = _texture(reader, area.get("texture"), f"{at}.texture", count)
+    area["channel"] = reader.integer(area.get("channel", 0), f"{at}.channel", 0, 3)
+    area["combine"] = reader.choice(area.get("combine", "sum"), f"{at}.combine", ("sum", "max"))
+    area["activation"] = reader.number(area.get("activation", 0), f"{at}.activation", 0, 1)
+    return area
+
+
+def _check_names(reader, named, kind):
+    seen = set()
+    for i, item in enumerate(named):
+        if item["name"] in seen:
+            reader.fail(f"{kind}[{i}].name is taken", item["name"], None, "give each a distinct name")
+        seen.add(item["name"])
+
+
+def _drivers(reader, value, areas, on_fault):
+    found = []
+    for i, item in enumerate(reader.array(value, "drivers", 0, MAX_DRIVERS)):
+        try:
+            found.append(read_driver(reader, item, f"drivers[{i}]", areas))
+        except FurrowError as fault:
+            if on_fault is None:
+                raise
+            on_fault(str(fault))
+    return found

@@ -1,0 +1,118 @@
+"""
+Import: hooks of Blender's own glTF importer. Whatever is wrong costs the wrinkles and one warning, never the plain
+face.
+"""
+
+import json
+import struct
+
+import bpy
+from mathutils import Matrix
+
+from .format.container import GltfFile
+from .format.document import EXTENSION, read_document
+from .format.reader import FurrowError
+from .joints import armature_of, remember_frames
+from .material import put_in
+from .wrinkle_set import load_document, new_group, rebuild
+
+
+class ImportHooks:
+    """One per import; Blender calls its methods."""
+
+    def __init__(self):
+        self.file = None
+        self.loaded = []
+
+    def gather_import_material_after_hook(self, gltf_material, _vertex_color, material, gltf):
+        """The images become Blender's and the set a node group in the material."""
+        extension = (gltf_material.extensions or {}).get(EXTENSION)
+        if extension is None:
+            return
+        tree = new_group(f"Wrinkles of {material.name}")
+        try:
+            faults = []
+            self.file = self.file or GltfFile(gltf.filename)
+            document = read_document(extension, self.file.texture_count, f'material "{material.name}"', faults.append)
+            load_document(tree, document, self.file.image_of)
+            rebuild(tree)
+            put_in(material, tree)
+            self.loaded.append((material, tree))
+            if EXTENSION in _animations(self.file):
+                _warn(
+                    gltf, f"Furrow: key frames of activations in {gltf.filename} are left out; set them at rest again"
+                )
+            if faults:
+                _warn(gltf, f"{faults[0]}; {len(faults)} of its drivers are left out")
+        except Exception as error:
+            # Any fault of the file, also those nobody thought of, leaves the plain face.
+            _remove(tree)
+            _warn(gltf, f"{_text(error)}; the face is imported without wrinkles")
+
+    def gather_import_scene_after_nodes_hook(self, _gltf_scene, _scene, gltf):
+        """Objects exist now, and drivers can read their shape keys and bones."""
+        for material, tree in self.loaded:
+            try:
+                tree.furrow.face = _face_of(material)
+                _remember_frames(self.file, tree.furrow.face)
+                rebuild(tree)
+            except Exception as error:
+                _warn(gltf, f"{_text(error)}; nothing drives the wrinkles of {material.name}")
+
+
+def _animations(file):
+    """Where `KHR_animation_pointer` names the extension."""
+    return json.dumps(file.json.get("animations", []))
+
+
+def _text(error):
+    return str(error) if isinstance(error, FurrowError) else f"Furrow: {type(error).__name__}, {error}"
+
+
+def _warn(gltf, text):
+    gltf.log.warning(text, popup=True)
+
+
+def _remove(tree):
+    layers, areas = tree.furrow.layers, tree.furrow.areas
+    images = {area.image for area in areas} | {layer.normal for layer in layers}
+    bpy.data.node_groups.remove(tree)
+    for image in images - {None}:
+        if image.users == 0:
+            bpy.data.images.remove(image)
+
+
+def _face_of(material):
+    """The first mesh with the material, one with shape keys if there is any."""
+    meshes = [
+        item
+        for item in bpy.data.objects
+        if item.type == "MESH" and any(slot.material == material for slot in item.material_slots)
+    ]
+    return next((item for item in meshes if item.data.shape_keys), meshes[0] if meshes else None)
+
+
+def _remember_frames(file, face):
+    """The rest rotations of joints by the inverse bind matrices of the skins."""
+    armature = armature_of(face)
+    if armature is None:
+        return
+    rests = {}
+    for skin in file.json.get("skins", []):
+        matrices = _inverse_binds(file, skin)
+        for node, matrix in zip(skin["joints"], matrices, strict=False):
+            rests[file.json["nodes"][node].get("name")] = matrix.inverted_safe().to_3x3().normalized()
+    remember_frames(armature, rests.get)
+
+
+def _inverse_binds(file, skin):
+    accessor = file.json["accessors"][skin["inverseBindMatrices"]] if "inverseBindMatrices" in skin else None
+    if accessor is None:
+        return []
+    data = file.view(accessor["bufferView"])
+    start = accessor.get("byteOffset", 0)
+    matrices = []
+    for i in range(accessor["count"]):
+        numbers = struct.unpack_from("<16f", data, start + 64 * i)
+        matrices.append(Matrix([numbers[row::4] for row in range(4)]))
+    return matrices

@@ -1,0 +1,85 @@
+"""Areas: from a vertex group (which weight painting changes), or from an image."""
+
+import bpy
+
+from ..format.document import MAX_AREAS
+from ..format.edit import without_area
+from ..format.reader import FurrowError
+from ..paint import image_from_vertex_group
+from ..wrinkle_set import rebuild
+from .base import OnWrinkles, active_area, drivers_of, free_name, set_drivers
+
+
+class FURROW_OT_area_add(OnWrinkles, bpy.types.Operator):
+    """Add an area; choose its image below"""
+
+    bl_idname = "furrow.area_add"
+    bl_label = "Area from Image"
+
+    name: bpy.props.StringProperty(name="Name", default="area")
+
+    def run(self, context, tree):
+        add_area(tree, self.name, None)
+
+
+class FURROW_OT_area_from_vertex_group(OnWrinkles, bpy.types.Operator):
+    """
+    Draw the weights of the active vertex group into the image of an area of the same name, a new one if there is none
+    """
+
+    bl_idname = "furrow.area_from_vertex_group"
+    bl_label = "Area from Vertex Group"
+
+    size: bpy.props.IntProperty(name="Size", default=128, min=2, max=8192, description="Texels on a side")
+
+    def run(self, context, tree):
+        face = context.object
+        group = face.vertex_groups.active
+        if group is None:
+            raise FurrowError(f"Furrow: {face.name} has no vertex group; paint weights first")
+        image = image_from_vertex_group(face, group, self.size)
+        area = tree.furrow.areas.get(group.name)
+        if area is None:
+            add_area(tree, group.name, image)
+        else:
+            area.image = image
+            area.channel = "0"
+
+
+class FURROW_OT_area_remove(OnWrinkles, bpy.types.Operator):
+    """Remove the chosen area and what drives it"""
+
+    bl_idname = "furrow.area_remove"
+    bl_label = "Remove Area"
+
+    def run(self, context, tree):
+        wrinkles = tree.furrow
+        area = active_area(tree)
+        set_drivers(tree, without_area(drivers_of(tree), area.name))
+        index = wrinkles.areas.find(area.name)
+        # Numbers at rest are stored by index.
+        rest = [item.activation for item in wrinkles.areas]
+        wrinkles.areas.remove(index)
+        for item, value in zip(wrinkles.areas, rest[:index] + rest[index + 1 :], strict=True):
+            item.activation = value
+        wrinkles.active_area = max(0, index - 1)
+        rebuild(tree)
+
+
+def add_area(tree, name, image):
+    """Add an area on the chosen layer and choose it."""
+    wrinkles = tree.furrow
+    if len(wrinkles.areas) >= MAX_AREAS:
+        raise FurrowError(f"Furrow: a wrinkle set has at most {MAX_AREAS} areas; merge those that move together")
+    layer = min(wrinkles.active_layer, max(0, len(wrinkles.layers) - 1))
+    area = wrinkles.areas.add()
+    area.name = free_name(name, [item for item in wrinkles.areas if item != area])
+    area.activation = 0
+    area.layer = layer
+    area.image = image
+    wrinkles.active_area = len(wrinkles.areas) - 1
+    return area
+
+
+CLASSES = (FURROW_OT_area_add, FURROW_OT_area_from_vertex_group, FURROW_OT_area_remove)
+register, unregister = bpy.utils.register_classes_factory(CLASSES)

@@ -1,0 +1,31 @@
+"""Preferences of the extension."""
+
+import bpy
+
+
+class FurrowPreferences(bpy.types.AddonPreferences):
+    bl_idname = __package__
+
+    command: bpy.props.StringProperty(
+        name="furrow",
+        subtype="FILE_PATH",
+        description="The command that makes wrinkles automatically; empty for the one on the path",
+    )
+
+    def draw(self, _context):
+        self.layout.prop(self, "command")
+        self.layout.label(text="Install it with Node.js: npm install --global furrow-cli")
+
+
+def preferred_command(context):
+    """The command of the preferences; empty for the one on the path."""
+    addon = context.preferences.addons.get(__package__)
+    return addon.preferences.command if addon and addon.preferences else ""
+
+
+def register():
+    bpy.utils.register_class(FurrowPreferences)
+
+
+def unregister():
+    bpy.utils.unregister_class(FurrowPreferences)

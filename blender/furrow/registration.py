@@ -1,0 +1,17 @@
+"""What Blender is told about when the extension is enabled."""
+
+from . import operators, panel, preferences, properties
+from .exporter import restore_materials
+
+MODULES = (properties, preferences, operators, panel)
+
+
+def register():
+    for module in MODULES:
+        module.register()
+
+
+def unregister():
+    restore_materials()
+    for module in reversed(MODULES):
+        module.unregister()

@@ -1,0 +1,153 @@
+"""
+Drivers of a wrinkle group. Each step of the plan is a custom property of the node group with one driver of Blender, and
+the last of them drive the inputs of the nodes: `["d0l1"]` is the second link of the first driver, `["a3"]` the
+activation of the fourth area, `["rest3"]` that at rest.
+"""
+
+import json
+import re
+
+import bpy
+
+from .format.plan import activation_name, plan_drivers
+from .joints import armature_of, can_measure, read_bone, with_joints_measured
+
+#: Names of custom properties that hold steps.
+_STEP = re.compile(r"[acd]\d")
+
+#: Key frames of a driver that scales: it goes on beyond both.
+_UNIT = ((0, 0), (1, 1))
+
+
+def build_drivers(tree, activations):
+    """
+    Replace the drivers of a wrinkle group by those of its set.
+
+    `activations`: for each area, the node's name and the input's index that take its activation, as `build_nodes`
+    returns them. Returns the plan.
+    """
+    _clear(tree)
+    wrinkles = tree.furrow
+    face = wrinkles.face
+    mesh = face.data if face and face.type == "MESH" else None
+    keys = mesh.shape_keys if mesh else None
+    targets = [block.name for block in keys.key_blocks if block != keys.reference_key] if keys else []
+    areas = [area.name for area in wrinkles.areas]
+    drivers = [json.loads(driver.json) for driver in wrinkles.drivers]
+    plan = plan_drivers(drivers, areas, targets, lambda driver: can_measure(face, driver))
+    _declare_inputs(wrinkles, plan.inputs)
+    for area in wrinkles.areas:
+        # Drivers can only read what is there.
+        area.activation = area.activation
+    steps = with_joints_measured(plan.steps, face)
+    for step in steps:
+        tree[step.name] = 0.0
+    for step in steps:
+        curve = tree.driver_add(f'["{step.name}"]')
+        _set_up(curve, step.combine, step.expression)
+        for source, name in zip(step.sources, "abcdefgh" if step.expression else _names(step), strict=False):
+            _read(curve.driver, name, source, tree, mesh)
+        _shape(curve, step)
+    for area, (node, index) in activations.items():
+        curve = tree.nodes[node].inputs[index].driver_add("default_value")
+        _set_up(curve, "SUM")
+        _variable(curve.driver, "a", "NODETREE", tree, f'["{activation_name(area)}"]')
+        _key(curve, (), "CONSTANT")
+    tree.update_tag()
+    return plan
+
+
+def activation_of(tree, area):
+    """The current activation of an area, by index."""
+    return tree.get(activation_name(area), 0.0)
+
+
+def show_preview(tree):
+    """Show the chosen area alone and fully wrinkled while `preview` is set: the nodes' own drivers rest meanwhile."""
+    if tree.animation_data is None:
+        return
+    wrinkles = tree.furrow
+    chosen = activation_name(wrinkles.active_area)
+    for curve in tree.animation_data.drivers:
+        if not curve.data_path.startswith("nodes["):
+            continue
+        curve.mute = wrinkles.preview
+        if wrinkles.preview:
+            owner = tree.path_resolve(curve.data_path.rsplit(".", 1)[0])
+            path = curve.driver.variables[0].targets[0].data_path
+            owner.default_value = 1.0 if path == f'["{chosen}"]' else 0.0
+    tree.update_tag()
+
+
+def _clear(tree):
+    if tree.animation_data:
+        for curve in list(tree.animation_data.drivers):
+            tree.animation_data.drivers.remove(curve)
+    for name in [name for name in list(tree.keys()) if _STEP.match(name)]:
+        del tree[name]
+
+
+def _names(step):
+    return [f"v{i}" for i in range(len(step.sources))]
+
+
+def _set_up(curve, kind, expression=""):
+    curve.driver.type = kind
+    if expression:
+        curve.driver.expression = expression
+
+
+def _shape(curve, step):
+    if step.slope is not None:
+        _key(curve, [(x, y * step.slope) for x, y in _UNIT], "LINEAR")
+    else:
+        _key(curve, step.curve or (), "CONSTANT")
+
+
+def _key(curve, points, extrapolation):
+    """What a driver gives becomes the F-curve's input; one without key frames passes it on."""
+    for modifier in list(curve.modifiers):
+        curve.modifiers.remove(modifier)
+    curve.keyframe_points.clear()
+    curve.keyframe_points.add(len(points))
+    for key, (x, y) in zip(curve.keyframe_points, points, strict=True):
+        key.co = (x, y)
+        key.interpolation = "LINEAR"
+    curve.extrapolation = extrapolation
+    curve.update()
+
+
+def _read(driver, name, source, tree, mesh):
+    if source.kind == "target":
+        block = bpy.utils.escape_identifier(source.name)
+        # Through the mesh: a driver that reads the shape keys themselves misses the first change after a file is
+        # opened, in one to two of a hundred openings (Blender 4.5 and 5.0).
+        _variable(driver, name, "MESH", mesh, f'shape_keys.key_blocks["{block}"].value')
+    elif source.kind == "step":
+        _variable(driver, name, "NODETREE", tree, f'["{source.name}"]')
+    elif source.kind == "rest":
+        _variable(driver, name, "NODETREE", tree, f'["rest{source.name}"]')
+    elif source.kind == "input":
+        index = tree.furrow.inputs.find(source.name)
+        _variable(driver, name, "NODETREE", tree, f'["input{index}"]')
+    else:
+        read_bone(driver, armature_of(tree.furrow.face), source.name).name = name
+
+
+def _variable(driver, name, id_type, owner, path):
+    variable = driver.variables.new()
+    variable.name = name
+    target = variable.targets[0]
+    target.id_type = id_type
+    target.id = owner
+    target.data_path = path
+
+
+def _declare_inputs(wrinkles, inputs):
+    """Exactly the inputs that drivers read; those that were there keep their values."""
+    values = {item.name: item.value for item in wrinkles.inputs}
+    wrinkles.inputs.clear()
+    for name, initial in inputs.items():
+        item = wrinkles.inputs.add()
+        item.name = name
+        item.value = values.get(name, initial)

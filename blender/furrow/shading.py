@@ -1,0 +1,199 @@
+"""
+The nodes of a wrinkle set: influence of each layer, then normals, base colour, roughness and blood, mixed before they
+are lit, as the section "Mixing" of docs/FURROW_wrinkle_maps.md says.
+
+The group takes what the material had and gives what it shall have. Normals are colours in tangent space on both sides:
+the material's own Normal Map node turns them into directions.
+"""
+
+from .graph import Graph
+
+#: By which optical depth each channel falls as blood grows.
+BLOOD_ABSORPTION = (0.35, 1.0, 0.89)
+
+#: Sockets of the group: type, default, and which maps of layers make it needed (none: always).
+SOCKETS = {
+    "Base Color": ("NodeSocketColor", (1, 1, 1, 1), ("base_color", "blood")),
+    "Roughness": ("NodeSocketFloat", 1.0, ("roughness",)),
+    "Normal": ("NodeSocketColor", (0.5, 0.5, 1, 1), ()),
+}
+FACTORS = {"Base Color Factor": "Base Color", "Roughness Factor": "Roughness"}
+
+
+def build_nodes(tree):
+    """
+    Fill a node group with the nodes of its wrinkle set.
+
+    Returns for each area, by index, the input that takes its activation: a pair of a node's name and an input's index.
+    """
+    wrinkles = tree.furrow
+    _declare(tree, [name for name, (_, _, maps) in SOCKETS.items() if not maps or _has(wrinkles, maps)])
+    tree.nodes.clear()
+    graph = Graph(tree)
+    inputs = graph.node("NodeGroupInput").outputs
+    activations = {}
+    tile = graph.vector("FRACTION", inputs["UV"], label="repeat")
+    images = _area_images(graph, wrinkles, tile)
+    influences = [_influence(graph, wrinkles, index, images, activations) for index in range(len(wrinkles.layers))]
+    outputs = graph.node("NodeGroupOutput")
+    normal = _mixed_normal(graph, wrinkles, influences, inputs)
+    tree.links.new(normal, outputs.inputs["Normal"])
+    if "Base Color" in outputs.inputs:
+        tree.links.new(_mixed_color(graph, wrinkles, influences, inputs), outputs.inputs["Base Color"])
+    if "Roughness" in outputs.inputs:
+        rough = [
+            (graph.separate(graph.texture(layer.roughness, inputs["UV"], layer.name)[0])[1], influence)
+            for layer, influence in zip(wrinkles.layers, influences, strict=True)
+            if layer.roughness
+        ]
+        mixed = _mixed_number(graph, inputs["Roughness"], rough)
+        factor = graph.math("MULTIPLY", mixed, inputs["Roughness Factor"])
+        tree.links.new(factor, outputs.inputs["Roughness"])
+    outputs.location.x = 200 * (max(graph.columns.values()) + 1)
+    return activations
+
+
+def _has(wrinkles, maps):
+    return any(getattr(layer, name) for layer in wrinkles.layers for name in maps)
+
+
+def _declare(tree, names):
+    """Give the group exactly these sockets; those it has keep their links and values in materials."""
+    wanted = {(name, "OUTPUT"): SOCKETS[name] for name in names}
+    wanted |= {(name, "INPUT"): SOCKETS[name] for name in names}
+    wanted |= {(factor, "INPUT"): SOCKETS[name] for factor, name in FACTORS.items() if name in names}
+    wanted[("Normal Scale", "INPUT")] = ("NodeSocketFloat", 1.0, ())
+    wanted[("UV", "INPUT")] = ("NodeSocketVector", (0, 0, 0), ())
+    for item in list(tree.interface.items_tree):
+        if (item.name, item.in_out) not in wanted:
+            tree.interface.remove(item)
+    there = {(item.name, item.in_out) for item in tree.interface.items_tree}
+    for (name, in_out), (kind, default, _) in wanted.items():
+        if (name, in_out) not in there:
+            socket = tree.interface.new_socket(name, in_out=in_out, socket_type=kind)
+            socket.default_value = (1, 1, 1, 1) if name == "Base Color Factor" else default
+
+
+def _area_images(graph, wrinkles, uv):
+    """Nodes of the images of areas, one for each image: areas that share one are read together."""
+    images = {}
+    for area in wrinkles.areas:
+        if area.image and area.image.name not in images:
+            images[area.image.name] = graph.texture(area.image, uv, "areas", "EXTEND")
+    return images
+
+
+def _influence(graph, wrinkles, layer, images, activations):
+    """max(min(1, sum of w a), largest w a)."""
+    sums, largest = [], []
+    own = [(i, area) for i, area in enumerate(wrinkles.areas) if area.layer == layer and area.image]
+    for name, (color, alpha) in images.items():
+        of_image = [(i, area) for i, area in own if area.image.name == name]
+        for wanted in ("sum", "max"):
+            in_colour = [(i, a) for i, a in of_image if a.combine == wanted and a.channel != "3"]
+            for i, area in of_image:
+                if area.combine == wanted and area.channel == "3":
+                    node = graph.node("ShaderNodeMath", (alpha, 0.0), area.name, operation="MULTIPLY")
+                    activations[i] = (node.name, 1)
+                    (sums if wanted == "sum" else largest).append(node.outputs[0])
+            # Several areas in one channel, which files may have, need a product each.
+            while in_colour:
+                chosen = {a.channel: (i, a) for i, a in reversed(in_colour)}
+                in_colour = [pair for pair in in_colour if pair not in chosen.values()]
+                label = ", ".join(area.name for _, area in sorted(chosen.values()))
+                weights = graph.node("ShaderNodeCombineXYZ", (0.0, 0.0, 0.0), label)
+                for channel, (i, _) in chosen.items():
+                    activations[i] = (weights.name, int(channel))
+                if wanted == "sum":
+                    sums.append(graph.vector("DOT_PRODUCT", color, weights.outputs[0]))
+                else:
+                    products = graph.separate(graph.vector("MULTIPLY", color, weights.outputs[0]))
+                    largest.extend(products[int(channel)] for channel in chosen)
+    label = f"influence of {wrinkles.layers[layer].name}"
+    total = graph.math("ADD", graph.total(sums), 0.0, clamp=True, label=label)
+    return graph.total([total, *largest], "MAXIMUM")
+
+
+def _shares(graph, influences):
+    """Influences divided by their sum where that exceeds 1."""
+    if len(influences) < 2:
+        return influences
+    total = graph.math("MAXIMUM", graph.total(influences), 1.0)
+    return [graph.math("DIVIDE", influence, total) for influence in influences]
+
+
+def _unpacked(graph, color, scale):
+    """A normal as stored, -1 to 1, with x and y scaled."""
+    normal = graph.vector("MULTIPLY_ADD", color, (2, 2, 2), (-1, -1, -1))
+    if isinstance(scale, float) and scale == 1:
+        return normal
+    return graph.vector("MULTIPLY", normal, graph.combine(scale, scale, 1.0))
+
+
+def _mixed_normal(graph, wrinkles, influences, inputs):
+    base = _unpacked(graph, inputs["Normal"], inputs["Normal Scale"])
+    layers = [
+        (layer, _unpacked(graph, graph.texture(layer.normal, inputs["UV"], layer.name)[0], layer.normal_scale), own)
+        for layer, own in zip(wrinkles.layers, influences, strict=True)
+        if layer.normal
+    ]
+    replacing = [(normal, own) for layer, normal, own in layers if layer.kind == "replace"]
+    mixed = base
+    for (normal, _), share in zip(replacing, _shares(graph, [own for _, own in replacing]), strict=True):
+        difference = graph.vector("SUBTRACT", normal, base)
+        mixed = graph.vector("ADD", mixed, graph.vector("SCALE", difference, share))
+    mixed = graph.vector("NORMALIZE", mixed)
+    slope = None
+    for layer, normal, own in layers:
+        if layer.kind == "detail":
+            factor = graph.math("DIVIDE", own, graph.separate(normal)[2])
+            scaled = graph.vector("SCALE", normal, factor)
+            slope = scaled if slope is None else graph.vector("ADD", slope, scaled)
+    if slope is not None:
+        mixed = _reoriented(graph, mixed, graph.vector("NORMALIZE", _with_z_1(graph, slope)))
+    return graph.vector("MULTIPLY_ADD", mixed, (0.5, 0.5, 0.5), (0.5, 0.5, 0.5))
+
+
+def _with_z_1(graph, slope):
+    x, y, _ = graph.separate(slope)
+    return graph.combine(x, y, 1.0)
+
+
+def _reoriented(graph, base, detail):
+    """The detail, rotated as (0, 0, 1) is to the base: t dot(t, u) / t.z - u."""
+    t = graph.vector("ADD", base, (0, 0, 1))
+    u = graph.vector("MULTIPLY", detail, (-1, -1, 1))
+    scale = graph.math("DIVIDE", graph.vector("DOT_PRODUCT", t, u), graph.separate(t)[2])
+    return graph.vector("NORMALIZE", graph.vector("SUBTRACT", graph.vector("SCALE", t, scale), u))
+
+
+def _mixed_color(graph, wrinkles, influences, inputs):
+    pairs = list(zip(wrinkles.layers, influences, strict=True))
+    colors = [
+        (graph.texture(layer.base_color, inputs["UV"], layer.name)[0], own) for layer, own in pairs if layer.base_color
+    ]
+    mixed = inputs["Base Color"]
+    for (color, _), share in zip(colors, _shares(graph, [own for _, own in colors]), strict=True):
+        difference = graph.vector("SUBTRACT", color, inputs["Base Color"])
+        mixed = graph.vector("ADD", mixed, graph.vector("SCALE", difference, share))
+    mixed = graph.vector("MULTIPLY", mixed, inputs["Base Color Factor"])
+    bleeding = [(layer, own) for layer, own in pairs if layer.blood]
+    if not bleeding:
+        return mixed
+    depths = []
+    for (layer, _), share in zip(bleeding, _shares(graph, [own for _, own in bleeding]), strict=True):
+        stored = graph.separate(graph.texture(layer.blood, inputs["UV"], layer.name)[0])[2]
+        signed = graph.math("MULTIPLY_ADD", stored, 255 / 127, -128 / 127)
+        amount = graph.math("MAXIMUM", signed, -1.0)
+        depths.append(graph.math("MULTIPLY", graph.math("MULTIPLY", amount, layer.blood_amplitude), share))
+    depth = graph.total(depths)
+    transmitted = [graph.math("EXPONENT", graph.math("MULTIPLY", depth, -k)) for k in BLOOD_ABSORPTION]
+    return graph.vector("MULTIPLY", mixed, graph.combine(*transmitted, label="blood"))
+
+
+def _mixed_number(graph, base, values):
+    mixed = base
+    for (value, _), share in zip(values, _shares(graph, [own for _, own in values]), strict=True):
+        difference = graph.math("SUBTRACT", value, base)
+        mixed = graph.math("MULTIPLY_ADD", difference, share, mixed)
+    return mixed

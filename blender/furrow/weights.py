@@ -1,0 +1,67 @@
+"""Weights of vertices drawn into an image in UV space. Needs NumPy, which Blender brings, and nothing else."""
+
+import numpy as np
+
+#: Texels that weights go on beyond the borders of UV islands, so that bilinear samples there read no black.
+MARGIN = 4
+
+
+def draw_weights(coordinates, weights, size, margin=MARGIN):
+    """
+    Draw triangles with a weight at each corner.
+
+    `coordinates`: texture coordinates, v upwards, of shape (triangles, 3, 2). `weights`: 0 to 1, of shape (triangles,
+    3). Returns float32 of shape (size, size), the lowest row first, as Blender stores images.
+    """
+    image = np.zeros((size, size), np.float32)
+    covered = np.zeros((size, size), bool)
+    texels = np.asarray(coordinates, np.float64) * size - 0.5
+    # What lies outside of the image repeats; a triangle is moved as a whole.
+    texels -= np.floor((texels.mean(axis=1, keepdims=True) + 0.5) / size) * size
+    for corners, values in zip(texels, np.asarray(weights, np.float64), strict=True):
+        _draw(image, covered, corners, values)
+    return _with_margin(image, covered, margin)
+
+
+def _draw(image, covered, corners, values):
+    low = np.maximum(np.ceil(corners.min(axis=0) - 1e-9), 0).astype(int)
+    high = np.minimum(np.floor(corners.max(axis=0) + 1e-9), image.shape[0] - 1).astype(int)
+    if (low > high).any():
+        return
+    a, b, c = corners
+    area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    if abs(area) < 1e-12:
+        return
+    x, y = np.meshgrid(np.arange(low[0], high[0] + 1), np.arange(low[1], high[1] + 1))
+    second = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / area
+    third = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area
+    inside = (second >= -1e-9) & (third >= -1e-9) & (second + third <= 1 + 1e-9)
+    own = (1 - second - third) * values[0] + second * values[1] + third * values[2]
+    part = np.s_[low[1] : high[1] + 1, low[0] : high[0] + 1]
+    image[part][inside] = own[inside]
+    covered[part][inside] = True
+
+
+def _with_margin(image, covered, margin):
+    """Each texel beside a covered one gets the mean of its covered neighbours, as often as the margin is wide."""
+    for _ in range(margin):
+        total, count = np.zeros_like(image), np.zeros_like(image)
+        for dy in (-1, 0, 1):
+            for dx in (-1, 0, 1):
+                there = _shifted(covered, dy, dx)
+                total += np.where(there, _shifted(image, dy, dx), 0)
+                count += there
+        new = ~covered & (count > 0)
+        image[new] = total[new] / count[new]
+        covered |= new
+    return image
+
+
+def _shifted(array, dy, dx):
+    """Moved by a texel, without wrapping round."""
+    out = np.zeros_like(array)
+    height, width = array.shape
+    target = np.s_[max(dy, 0) : height + min(dy, 0), max(dx, 0) : width + min(dx, 0)]
+    source = np.s_[max(-dy, 0) : height + min(-dy, 0), max(-dx, 0) : width + min(-dx, 0)]
+    out[target] = array[source]
+    return out

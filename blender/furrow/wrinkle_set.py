@@ -1,0 +1,171 @@
+"""A wrinkle set between its JSON and Blender's properties, and the nodes and drivers that follow from these."""
+
+import json
+from contextlib import contextmanager
+
+import bpy
+
+from .format.document import read_document
+from .format.reader import FurrowError
+from .images import file_from_image, image_from_file
+from .material import group_node, put_back, take_out
+from .rig import build_drivers, show_preview
+from .shading import build_nodes
+
+#: Maps of a layer: property, texture slot, and the number that belongs to it as property and field.
+MAPS = (
+    ("normal", "normalTexture", "normal_scale", "scale"),
+    ("base_color", "baseColorTexture", None, None),
+    ("roughness", "roughnessTexture", None, None),
+    ("occlusion", "occlusionTexture", "occlusion_strength", "strength"),
+    ("height", "heightTexture", "height_amplitude", "amplitude"),
+    ("blood", "bloodTexture", "blood_amplitude", "amplitude"),
+)
+_SLOTS = [slot for _, slot, _, _ in MAPS]
+_loading = 0
+
+
+def new_group(name):
+    """An empty wrinkle set in a node group of its own."""
+    tree = bpy.data.node_groups.new(name, "ShaderNodeTree")
+    tree.furrow.is_wrinkles = True
+    return tree
+
+
+def load_document(tree, document, image_of):
+    """Fill a wrinkle set from a checked document. `image_of`: an ImageFile by the index of a texture."""
+    images = {}
+
+    def image(info, is_data=True):
+        key = (info["index"], is_data)
+        if key not in images:
+            if "slice" in info:
+                raise FurrowError("Furrow: slices of KTX 2 arrays, which Blender cannot read; pack without --ktx2")
+            images[key] = image_from_file(image_of(info["index"]), is_data)
+        return images[key]
+
+    wrinkles = tree.furrow
+    with _loading_properties():
+        for item in document["layers"]:
+            layer = wrinkles.layers.add()
+            layer.name, layer.kind = item["name"], item["kind"]
+            for prop, slot, number, field in MAPS:
+                if slot in item:
+                    setattr(layer, prop, image(item[slot], prop != "base_color"))
+                    if number:
+                        setattr(layer, number, item[slot][field])
+            layer.other = _rest(item, "name", "kind", *_SLOTS)
+        for item in document["areas"]:
+            area = wrinkles.areas.add()
+            area.name, area.layer, area.combine = item["name"], item["layer"], item["combine"]
+            area.image, area.channel, area.activation = image(item["texture"]), str(item["channel"]), item["activation"]
+            area.other = _rest(item, "name", "layer", "combine", "texture", "channel", "activation")
+        for item in document["drivers"]:
+            wrinkles.drivers.add().json = json.dumps(item)
+        wrinkles.other = _rest(document, "layers", "areas", "drivers")
+
+
+def document_of(tree):
+    """
+    The document of a wrinkle set, its textures indices into a list of ImageFile, and that list.
+
+    Raises FurrowError where the set is incomplete.
+    """
+    wrinkles = tree.furrow
+    files = []
+
+    def texture(image, owner):
+        if image is None:
+            raise FurrowError(f"Furrow: {owner} has no image; choose one or remove it")
+        file = file_from_image(image)
+        if file not in files:
+            files.append(file)
+        return {"index": files.index(file)}
+
+    layers = []
+    for layer in wrinkles.layers:
+        item = {"name": layer.name, "kind": layer.kind}
+        for prop, slot, number, field in MAPS:
+            if prop == "normal" or getattr(layer, prop):
+                item[slot] = texture(getattr(layer, prop), f'the normal map of layer "{layer.name}"')
+                if number:
+                    item[slot][field] = _short(getattr(layer, number))
+        layers.append({**item, **json.loads(layer.other)})
+    areas = []
+    for area in wrinkles.areas:
+        item = {
+            "name": area.name,
+            "layer": area.layer,
+            "texture": texture(area.image, f'area "{area.name}"'),
+            "channel": int(area.channel),
+            "combine": area.combine,
+            "activation": _short(area.activation),
+        }
+        areas.append({**item, **json.loads(area.other)})
+    drivers = [json.loads(driver.json) for driver in wrinkles.drivers]
+    root = {"layers": layers, "areas": areas, "drivers": drivers, **json.loads(wrinkles.other)}
+    return read_document(root, len(files), f'material group "{tree.name}"'), files
+
+
+def materials_of(tree):
+    """All materials that show a wrinkle set."""
+    found = []
+    for material in bpy.data.materials:
+        node = group_node(material)
+        if node and node.node_tree == tree:
+            found.append(material)
+    return found
+
+
+def rebuild(tree):
+    """Make the nodes and drivers anew after the properties changed, and link what the group's sockets now need."""
+    wrinkles = tree.furrow
+    materials = materials_of(tree)
+    # A socket that is not needed any more would take the links with it that pass through it.
+    for material in materials:
+        take_out(material)
+    with _loading_properties():
+        activations = build_nodes(tree)
+        plan = build_drivers(tree, activations)
+        wrinkles.notes = "\n".join(_notes(wrinkles, plan))
+    if wrinkles.preview:
+        show_preview(tree)
+    for material in materials:
+        put_back(material)
+
+
+def is_loading():
+    """Whether properties are being set that need no rebuilding each."""
+    return _loading > 0
+
+
+@contextmanager
+def _loading_properties():
+    global _loading
+    _loading += 1
+    try:
+        yield
+    finally:
+        _loading -= 1
+
+
+def _notes(wrinkles, plan):
+    notes = [f"Not shown: {note}" for note in plan.kept]
+    maps = [
+        f"{name} of {layer.name}"
+        for layer in wrinkles.layers
+        for name in ("occlusion", "height")
+        if getattr(layer, name)
+    ]
+    notes += [f"Not shown: {name}" for name in maps]
+    notes += [f'"{name}" is missing on {wrinkles.face.name if wrinkles.face else "the face"}' for name in plan.missing]
+    return notes
+
+
+def _rest(item, *known):
+    return json.dumps({key: value for key, value in item.items() if key not in known})
+
+
+def _short(value):
+    """A number as it was written: Blender keeps 24 bits of it."""
+    return float(f"{value:.7g}")

@@ -1,0 +1,32 @@
+"""
+Run the tests in blender/tests/blender, or those whose file matches a pattern.
+
+What Blender itself prints goes to a file, whose name is printed if a test fails.
+"""
+
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+HERE = Path(__file__).parent
+sys.path[:0] = [str(HERE.parent), str(HERE / "format"), str(HERE / "blender")]
+
+# Settings of the user are neither read nor changed.
+os.environ.setdefault("BLENDER_USER_RESOURCES", tempfile.mkdtemp(prefix="furrow-blender-"))
+
+import bpy  # noqa: E402, F401  Before addon_utils, which it brings.
+
+if __name__ == "__main__":
+    descriptor, log = tempfile.mkstemp(prefix="furrow-blender-", suffix=".txt")
+    report = os.fdopen(os.dup(2), "w")
+    for stream in (1, 2):
+        os.dup2(descriptor, stream)
+    suite = unittest.defaultTestLoader.discover(str(HERE / "blender"), sys.argv[1] if sys.argv[1:] else "test*.py")
+    passed = unittest.TextTestRunner(report, verbosity=2).run(suite).wasSuccessful()
+    if not passed:
+        report.write(f"what Blender printed: {log}\n")
+    report.flush()
+    # Blender as a module does not end in order: it lists all that it did not free.
+    os._exit(0 if passed else 1)

@@ -1,0 +1,53 @@
+// Tests the extension for Blender with Blender itself: `npm run test:blender`, on all versions, or `-- --version 4.5`. What follows goes to
+// the tests as a pattern of file names, e.g. `-- test_drivers.py`. Ctrl-C ends it.
+
+import { existsSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { parseArgs } from 'node:util'
+import { pythonNamed } from './lib/python.mjs'
+import { Failure, main, must, ROOT, run, say } from './lib/run.mjs'
+
+/** The long-term release, and the newest that PyPI has for the same Python. */
+const VERSIONS = ['4.5', '5.0']
+
+await main(async () => {
+  const { values, positionals } = parseArgs({
+    options: { version: { type: 'string', multiple: true, default: VERSIONS } },
+    allowPositionals: true,
+  })
+  for (const version of values.version) {
+    if (VERSIONS.includes(version)) continue
+    throw new Failure(
+      `--version is unknown, got "${version}", allowed: ${VERSIONS.join(' or ')}; write e.g. --version 4.5`,
+    )
+  }
+  if (!existsSync(join(ROOT, 'packages/cli/dist'))) await must(['npm', 'run', '--silent', 'build'])
+  const failed = []
+  for (const version of values.version) {
+    const python = await setUp(version)
+    say(`Blender ${version}`)
+    if ((await run([python, 'blender/tests/run.py', ...positionals])) !== 0) failed.push(version)
+  }
+  if (failed.length > 0) throw new Failure(`failed on Blender ${failed.join(', ')}`)
+})
+
+/** A virtual environment with Blender as a Python module, in blender/.venv-VERSION; path of its Python. */
+async function setUp(version) {
+  const folder = join(ROOT, `blender/.venv-${version}`)
+  const python = join(folder, process.platform === 'win32' ? 'Scripts/python.exe' : 'bin/python')
+  // Written last, so that an installation that was interrupted begins anew.
+  const installed = join(folder, 'installed')
+  if (existsSync(installed)) return python
+  const found = await pythonNamed(
+    ['python3.11', 'python3', 'python'],
+    ([major, minor]) => major === 3 && minor === 11,
+  )
+  if (!found) throw new Failure("Python 3.11 is missing, which is Blender's own; install it, allowed: 3.11")
+  say(
+    `installing Blender ${version} as a Python module: about 350 MB are fetched, 950 MB on disk (blender/.venv-${version})`,
+  )
+  await must([found, '-m', 'venv', '--clear', folder])
+  await must([python, '-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', `bpy==${version}.*`])
+  writeFileSync(installed, '')
+  return python
+}

@@ -1,0 +1,8 @@
+import { expect, test } from 'vitest'
+import { ALIASES } from '../../../packages/furrow/src/drivers/morph/aliases.ts'
+
+/** Python reads a copy; after a change of the table: `npx vitest run test/unit/blender/aliases.test.ts -u`. */
+test("the extension for Blender has the library's names of blendshapes", async () => {
+  const text = `[\n${ALIASES.map((names) => `  ${JSON.stringify(names).replaceAll(',', ', ')}`).join(',\n')}\n]\n`
+  await expect(text).toMatchFileSnapshot('../../../blender/furrow/format/aliases.json')
+})
