@@ -81,8 +81,10 @@ ${own}
 #else
 ${direct}${one};
 #endif`
-    injections[replacing('specularBase+=info.specular*shadow')] =
-      'specularBase+=info.specular*furrowMicroShadow(preInfo.NdotL)*shadow'
+    for (const factors of ['shadow', 'shadow*lightmapColor.rgb']) {
+      injections[replacing(`specularBase+=info.specular*${factors};`)] =
+        `specularBase+=info.specular*furrowMicroShadow(preInfo.NdotL)*${factors};`
+    }
   }
   return injections
 }
