@@ -2,13 +2,11 @@
 
 import { cp } from 'node:fs/promises'
 import { join } from 'node:path'
-import type { Browser, Page } from 'playwright-core'
+import type { Browser } from 'playwright-core'
 import { afterAll, beforeAll, expect, it } from 'vitest'
 import { openBrowser, openPage } from '../pages/browser.ts'
-import { meanPngDifference } from '../pages/studio-page.ts'
 import { createApp, DEPENDENCIES, pack, previewServer, ROOT, remove, run, temporaryFolder } from './npm.ts'
-
-const DRAWING = { timeout: 120_000, interval: 500 }
+import { settled } from './settled.ts'
 
 let folder: string
 let browser: Browser
@@ -49,16 +47,3 @@ it.each([
   expect(complaints).toEqual([])
   await page.close()
 })
-
-/** A picture that differs from the one before and is still. */
-async function settled(page: Page, before: Buffer): Promise<Buffer> {
-  let last = before
-  const isSettled = async () => {
-    const now = await page.screenshot()
-    const [moved, changed] = await Promise.all([meanPngDifference(last, now), meanPngDifference(before, now)])
-    last = now
-    return moved === 0 && changed > 0.1
-  }
-  await expect.poll(isSettled, DRAWING).toBe(true)
-  return last
-}

@@ -1,7 +1,7 @@
 /** One morph target of one mesh, and the name that it was found by. */
 export interface TargetBinding {
-  /** Weights of the mesh's targets, which are written to. */
-  influences: number[]
+  /** Weights of the mesh's targets by index, which are written to. */
+  influences: { [target: number]: number }
   /** Index of the target among them. */
   target: number
   /** Index of the name in the list. */
