@@ -50,7 +50,7 @@ function pagesProject(name: string, include: string, exclude: string[] = []): Te
 
 /** The modules of Babylon.js that are imported: each by its path, as its applications do. */
 function babylonModules(): string[] {
-  const folders = ['packages/furrow/src/babylon', 'test/gpu/babylon']
+  const folders = ['packages/furrow/src/babylon', 'test/gpu/babylon', 'test/gpu/conformance']
   const texts = folders.flatMap((folder) =>
     readdirSync(folder, { recursive: true, encoding: 'utf8' })
       .filter((path) => path.endsWith('.ts'))
