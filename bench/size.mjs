@@ -25,9 +25,9 @@ const PAGES = {
 const FETCHED = {
   'drivers beyond blendshapes': ['drivers/parse', 'drivers/registry'],
   joints: ['three/sources/joint', 'babylon/sources/joint'],
-  'tension, on the CPU': ['three/sources/tension'],
+  'tension, on the CPU': ['three/sources/tension', 'babylon/sources/tension'],
   'tension, by the GPU': ['three/webgpu/computed-tension'],
-  muscles: ['three/sources/muscles'],
+  muscles: ['three/sources/muscles', 'babylon/sources/muscles'],
   'expressions of a VRM': ['three/sources/target'],
   'the modes composed and paper': ['three/webgl/other-modes', 'three/webgpu/other-modes'],
   'KTX 2': ['drivers/parse', 'core/maps/rules', 'three/loader/ktx2', 'three/loader/join-arrays'],

@@ -1,35 +1,17 @@
 // An app in Babylon.js, in strict TypeScript, built by Vite from the packed package.
 
-import { cp } from 'node:fs/promises'
-import { join } from 'node:path'
-import type { Browser } from 'playwright-core'
 import { afterAll, beforeAll, expect, it } from 'vitest'
-import { openBrowser, openPage } from '../pages/browser.ts'
-import { createApp, DEPENDENCIES, pack, previewServer, ROOT, remove, run, temporaryFolder } from './npm.ts'
+import { openPage } from '../pages/browser.ts'
+import { DEPENDENCIES } from './npm.ts'
+import { type ServedApp, serveApp } from './served-app.ts'
 import { settled } from './settled.ts'
 
-let folder: string
-let browser: Browser
-let server: { origin: string; close(): Promise<void> }
+let served: ServedApp
 
 beforeAll(async () => {
-  folder = await temporaryFolder()
-  const { vite, typescript, babylon } = DEPENDENCIES
-  const tarball = await pack('furrow', folder)
-  const app = await createApp(join(folder, 'app'), [tarball, vite, typescript, ...babylon])
-  await cp(join(ROOT, 'test/packages/apps/babylon'), app, { recursive: true })
-  await cp(join(ROOT, 'faces/human.glb'), join(app, 'public/wrinkled.glb'))
-  await run(app, 'npx', 'tsc')
-  await run(app, 'npx', 'vite', 'build')
-  server = await previewServer(app)
-  browser = await openBrowser()
+  served = await serveApp('babylon', DEPENDENCIES.babylon)
 })
-
-afterAll(async () => {
-  await browser?.close()
-  await server?.close()
-  await remove(folder)
-})
+afterAll(() => served?.close())
 
 it.each([
   ['WebGL 2', ''],
@@ -37,13 +19,13 @@ it.each([
 ])(
   'shows a surprised face on %s, and the same without wrinkles, from its own files alone',
   async (_, way) => {
-    const { page, complaints } = await openPage(browser, { viewport: { width: 300, height: 300 } })
+    const { page, complaints } = await openPage(served.browser, { viewport: { width: 300, height: 300 } })
     const foreign: string[] = []
     page.on('request', (request) => {
-      if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(server.origin))
+      if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(served.origin))
         foreign.push(request.url())
     })
-    await page.goto(`${server.origin}/?${way}`)
+    await page.goto(`${served.origin}/?${way}`)
     const canvas = page.locator('canvas')
     await canvas.waitFor()
     const empty = await page.screenshot()

@@ -13,9 +13,9 @@ import { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
 import { checkIsMesh, checkMaterial, checkMesh } from './check-mesh.ts'
 import { checkMode, checkOptions, type WrinkleMode, type WrinklesOptions } from './options.ts'
 import { patchMaterial } from './patched-material.ts'
-import { type SceneMember, sceneFrame } from './scene-frame.ts'
+import { sceneFrame } from './scene-frame.ts'
 import { SharedSet } from './shared-set.ts'
-import { CELL, type DrawnFace, WrinklePlugin } from './wrinkle-plugin.ts'
+import { CELL, WrinklePlugin } from './wrinkle-plugin.ts'
 
 const facesByMesh = new WeakMap<AbstractMesh, WrinklesBase>()
 
@@ -39,7 +39,7 @@ function adoptedLater(mesh: AbstractMesh): WrinklesBase | undefined {
  * base of `Wrinkles`. The material remains the user's, and `dispose` restores it. Copies of the mesh, by `clone`, `createInstance` or
  * `instantiateModelsToScene`, get wrinkles of their own before they are first drawn.
  */
-export class WrinklesBase extends WrinkleFaces<Scene> implements SceneMember, DrawnFace {
+export class WrinklesBase extends WrinkleFaces<Scene> {
   /** The mesh that drives: its blendshapes, skeleton and surface are measured. */
   readonly mesh: AbstractMesh
   /** @internal */

@@ -16,6 +16,9 @@ export async function planFetched(drivers: readonly WrinkleDriver[]): Promise<Pl
     plan,
     bindings: {
       target: bindTargets,
+      ...(plan.inputs.tension.length > 0 && {
+        tension: (await import('../sources/tension.ts')).bindTension,
+      }),
       ...(plan.inputs.joint.length > 0 && { joint: (await import('../sources/joint.ts')).bindJoints }),
     },
   }

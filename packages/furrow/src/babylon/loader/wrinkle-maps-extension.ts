@@ -4,6 +4,7 @@ import type { IGLTFLoaderExtension } from '@babylonjs/loaders/glTF/2.0/glTFLoade
 import type { INode } from '@babylonjs/loaders/glTF/2.0/glTFLoaderInterfaces.js'
 import { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
+import { driversOf } from '../../drivers/of-type.ts'
 import {
   extensionOf,
   type FileWrinkles,
@@ -71,6 +72,11 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
     first: Map<FileWrinkles['set'], WrinklesBase>,
   ): Promise<void> {
     const planned = await planFetched(drivers)
+    const muscles = driversOf('muscle', drivers)
+    if (muscles.length > 0) {
+      const { addMuscles } = await import('../sources/muscles.ts')
+      for (const part of [mesh, ...others]) addMuscles(part, muscles)
+    }
     const own = new WrinklesBase(mesh, first.get(set) ?? set, this.#options)
     try {
       for (const other of others) own.addMesh(other)

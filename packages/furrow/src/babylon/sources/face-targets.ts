@@ -2,9 +2,8 @@ import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { MorphTargetManager } from '@babylonjs/core/Morph/morphTargetManager.js'
 import type { Node } from '@babylonjs/core/node.js'
 import { wrongArgument } from '../../core/argument.ts'
-import { FurrowError } from '../../core/error.ts'
 import { targetFinder } from '../../drivers/morph/target-names.ts'
-import type { TargetBinding } from '../../runtime/target-binding.ts'
+import { noTargets, type TargetBinding } from '../../runtime/target-binding.ts'
 import { targetNames } from './target.ts'
 
 /**
@@ -19,15 +18,7 @@ export function bindFaceTargets(face: Node, names: readonly string[], who: strin
   const meshes = [face as AbstractMesh, ...face.getChildMeshes()]
   // Instances and clones share them.
   const managers = new Set(meshes.flatMap(({ morphTargetManager }) => morphTargetManager ?? []))
-  if (managers.size === 0) {
-    throw new FurrowError({
-      who,
-      what: 'no morph targets',
-      value: face.name,
-      limit: 'at least one mesh with named blendshapes',
-      remedy: 'export the blendshapes with the face, or set activations yourself',
-    })
-  }
+  if (managers.size === 0) throw noTargets(who, face.name)
   return [...managers].flatMap((targets) => {
     const find = targetFinder(targetNames(targets))
     const influences = influencesOf(targets)
