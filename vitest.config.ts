@@ -1,3 +1,4 @@
+import { readdirSync, readFileSync } from 'node:fs'
 import { playwright } from '@vitest/browser-playwright'
 import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config'
 import { CHROMIUM_FLAGS } from './packages/cli/src/chromium-flags.ts'
@@ -47,6 +48,21 @@ function pagesProject(name: string, include: string, exclude: string[] = []): Te
   return { resolve, ssr, test: { name, include: [include], exclude, ...LATE, fileParallelism: false } }
 }
 
+/** The modules of Babylon.js that are imported: each by its path, as its applications do. */
+function babylonModules(): string[] {
+  const folders = ['packages/furrow/src/babylon', 'test/gpu/babylon', 'test/gpu/conformance']
+  const texts = folders.flatMap((folder) =>
+    readdirSync(folder, { recursive: true, encoding: 'utf8' })
+      .filter((path) => path.endsWith('.ts'))
+      .map((path) => readFileSync(`${folder}/${path}`, 'utf8')),
+  )
+  // Those of which only types are imported are gone when the code runs.
+  const imports = texts.flatMap((text) => [
+    ...text.matchAll(/^(?:import|} from) (?!type)(?:.* from )?'(@babylonjs[^']+)'/gm),
+  ])
+  return [...new Set(imports.map(([, name]) => name))]
+}
+
 /** A project in the browser, on three paths. */
 function gpuProject(name: string, files: string[]): TestProjectInlineConfiguration {
   return {
@@ -86,6 +102,7 @@ function gpuProject(name: string, files: string[]): TestProjectInlineConfigurati
         'gltf-validator',
         'draco3d',
         'meshoptimizer/decoder',
+        ...babylonModules(),
       ],
       // The first does not link with the newest three.js; the others find their WebAssembly beside their own modules.
       exclude: ['@pixiv/three-vrm-materials-mtoon/nodes', 'ktx2-encoder', '@bokuweb/zstd-wasm'],

@@ -6,7 +6,7 @@ import { build } from 'vite'
 import { ROOT } from './serve.mjs'
 
 /** What pages have besides. */
-const ELSEWHERE = /^(three|react|react-dom|@react-three\/fiber)(\/|$)/
+const ELSEWHERE = /^(three|react|react-dom|@react-three\/fiber|@babylonjs\/(?:core|loaders))(\/|$)/
 
 /** What each page imports. */
 const PAGES = {
@@ -14,18 +14,20 @@ const PAGES = {
   'the loader, furrow/webgpu': "import { WrinkleLoaderPlugin as used } from 'furrow/webgpu'",
   'extendLoader and useWrinkles, furrow/react':
     "import { extendLoader, useWrinkles } from 'furrow/react'; const used = [extendLoader, useWrinkles]",
+  'the loader, furrow/babylon': "import { registerWrinkleMaps as used } from 'furrow/babylon'",
   'all of furrow/three': "import * as used from 'furrow/three'",
   'all of furrow/webgpu': "import * as used from 'furrow/webgpu'",
   'all of furrow/react': "import * as used from 'furrow/react'",
+  'all of furrow/babylon': "import * as used from 'furrow/babylon'",
 }
 
 /** Fetched by pages with the loader alone: the modules that are imported on demand. */
 const FETCHED = {
   'drivers beyond blendshapes': ['drivers/parse', 'drivers/registry'],
-  joints: ['three/sources/joint'],
-  'tension, on the CPU': ['three/sources/tension'],
+  joints: ['three/sources/joint', 'babylon/sources/joint'],
+  'tension, on the CPU': ['three/sources/tension', 'babylon/sources/tension'],
   'tension, by the GPU': ['three/webgpu/computed-tension'],
-  muscles: ['three/sources/muscles'],
+  muscles: ['three/sources/muscles', 'babylon/sources/muscles'],
   'expressions of a VRM': ['three/sources/target'],
   'the modes composed and paper': ['three/webgl/other-modes', 'three/webgpu/other-modes'],
   'KTX 2': ['drivers/parse', 'core/maps/rules', 'three/loader/ktx2', 'three/loader/join-arrays'],

@@ -1,4 +1,4 @@
-import { type GrayImage, type Layer, packAreas, packColours, packGrays, reference } from 'furrow'
+import { packAreas, packColours, packGrays, reference } from 'furrow'
 import {
   AmbientLight,
   DataTexture,
@@ -15,23 +15,9 @@ import { randomAreas, randomImage } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { colourAt, type Kind, LAYERS, layerValue, MAP, randomLayer } from './layer-values.ts'
 
 const PIXELS = 32
-const MAP = 16
-const KINDS = ['baseColor', 'roughness', 'occlusion', 'blood'] as const
-type Kind = (typeof KINDS)[number]
-
-/** The kinds of maps of each layer, some of which may be absent. */
-const LAYERS: Kind[][][] = [
-  [['baseColor']],
-  [['roughness']],
-  [['occlusion']],
-  [['baseColor', 'roughness', 'occlusion']],
-  [['baseColor', 'occlusion'], ['roughness'], [], ['baseColor', 'roughness', 'occlusion']],
-  [['blood']],
-  [['occlusion', 'blood'], ['baseColor', 'blood'], [], ['occlusion']],
-]
-
 describe.each(RENDERERS)("the layers' other maps on %s", (name) => {
   let harness: Harness
   beforeAll(async () => {
@@ -173,35 +159,6 @@ async function compare(harness: Harness, random: () => number, kinds: Kind[][], 
   return { shown, exact, plain }
 }
 
-function randomLayer(random: () => number, name: string, kinds: Kind[]): Layer {
-  const gray = (): GrayImage => ({
-    width: MAP,
-    height: MAP,
-    data: Uint8Array.from({ length: MAP * MAP }, () => random() * 256),
-  })
-  const flat = { width: MAP, height: MAP, data: new Uint8Array(MAP * MAP * 4).fill(128) }
-  for (let i = 2; i < flat.data.length; i += 4) flat.data[i] = 255
-  return {
-    name,
-    kind: 'detail',
-    normal: flat,
-    normalScale: 0,
-    occlusionStrength: 0.6,
-    bloodAmplitude: 0.8,
-    ...(kinds.includes('baseColor') && { baseColor: randomImage(random, MAP) }),
-    ...(kinds.includes('roughness') && { roughness: gray() }),
-    ...(kinds.includes('occlusion') && { occlusion: gray() }),
-    ...(kinds.includes('blood') && { blood: gray() }),
-  }
-}
-
-function layerValue(layer: Layer, kind: Kind, u: number, v: number): number[] {
-  if (kind === 'baseColor') return colourAt(layer.baseColor!, u, v)
-  const value = reference.sampleArray(packGrays([layer[kind]!]), u, v, 0)
-  if (kind === 'blood') return [reference.bloodOf(value) * layer.bloodAmplitude!]
-  return [kind === 'occlusion' ? 1 + (value - 1) * layer.occlusionStrength! : value]
-}
-
 function ownValue(
   kind: Kind,
   own: Record<'baseColor' | 'rest', ReturnType<typeof randomImage>> | null,
@@ -212,17 +169,6 @@ function ownValue(
   if (!own) return kind === 'baseColor' ? [1, 1, 1] : [1]
   if (kind === 'baseColor') return colourAt(own.baseColor, u, v)
   return [reference.sampleArray(packColours([own.rest]), u, v, 0, kind === 'roughness' ? 1 : 0)]
-}
-
-/** GPUs decode sRGB before interpolation. */
-function colourAt(image: ReturnType<typeof randomImage>, u: number, v: number): number[] {
-  return [0, 1, 2].map((c) =>
-    reference.interpolate(image, u, v, (i, j) => linear(image.data[4 * (i + j * image.width) + c] / 255)),
-  )
-}
-
-function linear(encoded: number): number {
-  return encoded <= 0.04045 ? encoded / 12.92 : ((encoded + 0.055) / 1.055) ** 2.4
 }
 
 function linearTexture(image: ReturnType<typeof randomImage>): DataTexture {

@@ -25,6 +25,7 @@ export const DEPENDENCIES = {
     '@react-three/fiber',
     '@react-three/drei',
   ].map(at),
+  babylon: ['@babylonjs/core', '@babylonjs/loaders'].map(at),
   // Only applications of our tests use these.
   webpack: 'webpack@5.112.2',
   esbuild: 'esbuild@0.28.2',

@@ -1,45 +1,26 @@
 // An app in React Three Fiber, in strict TypeScript, built by Vite from the packed package.
 
-import { cp } from 'node:fs/promises'
-import { join } from 'node:path'
-import type { Browser, Page } from 'playwright-core'
 import { afterAll, beforeAll, expect, it } from 'vitest'
-import { openBrowser, openPage } from '../pages/browser.ts'
-import { meanPngDifference } from '../pages/studio-page.ts'
-import { createApp, DEPENDENCIES, pack, previewServer, ROOT, remove, run, temporaryFolder } from './npm.ts'
+import { openPage } from '../pages/browser.ts'
+import { DEPENDENCIES } from './npm.ts'
+import { type ServedApp, serveApp } from './served-app.ts'
+import { settled } from './settled.ts'
 
-const DRAWING = { timeout: 120_000, interval: 500 }
-
-let folder: string
-let browser: Browser
-let server: { origin: string; close(): Promise<void> }
+let served: ServedApp
 
 beforeAll(async () => {
-  folder = await temporaryFolder()
-  const { three, types, vite, typescript, react } = DEPENDENCIES
-  const tarball = await pack('furrow', folder)
-  const app = await createApp(join(folder, 'app'), [tarball, three, types, vite, typescript, ...react])
-  await cp(join(ROOT, 'test/packages/apps/react'), app, { recursive: true })
-  await cp(join(ROOT, 'faces/human.glb'), join(app, 'public/wrinkled.glb'))
-  await run(app, 'npx', 'tsc')
-  await run(app, 'npx', 'vite', 'build')
-  server = await previewServer(app)
-  browser = await openBrowser()
+  const { three, types, react } = DEPENDENCIES
+  served = await serveApp('react', [three, types, ...react])
 })
-
-afterAll(async () => {
-  await browser?.close()
-  await server?.close()
-  await remove(folder)
-})
+afterAll(() => served?.close())
 
 it.each([
   ['of a hook', ''],
   ["of a component round drei's <Gltf>", 'gltf'],
   ['on WebGPURenderer', 'webgpu'],
 ])('shows a surprised face by properties %s, and follows them', async (_, way) => {
-  const { page, complaints } = await openPage(browser, { viewport: { width: 300, height: 300 } })
-  await page.goto(`${server.origin}/?${way}`)
+  const { page, complaints } = await openPage(served.browser, { viewport: { width: 300, height: 300 } })
+  await page.goto(`${served.origin}/?${way}`)
   const canvas = page.locator('canvas')
   await canvas.waitFor()
   const empty = await page.screenshot()
@@ -49,16 +30,3 @@ it.each([
   expect(complaints).toEqual([])
   await page.close()
 })
-
-/** A picture that differs from the one before and is still. */
-async function settled(page: Page, before: Buffer): Promise<Buffer> {
-  let last = before
-  const isSettled = async () => {
-    const now = await page.screenshot()
-    const [moved, changed] = await Promise.all([meanPngDifference(last, now), meanPngDifference(before, now)])
-    last = now
-    return moved === 0 && changed > 0.1
-  }
-  await expect.poll(isSettled, DRAWING).toBe(true)
-  return last
-}

@@ -1,6 +1,6 @@
 import { folderDocument, WRINKLES_FILE } from '../../../packages/cli/src/wrinkles/folder-document.ts'
+import type { FileWrinkles } from '../../../packages/furrow/src/runtime/file/read-wrinkles.ts'
 import { readImages } from '../../../packages/furrow/src/three/loader/load-wrinkle-set.ts'
-import type { FileWrinkles } from '../../../packages/furrow/src/three/loader/read-wrinkle-maps.ts'
 import { Folder } from './folder.ts'
 import type { WrinklesFolder } from './sort-files.ts'
 

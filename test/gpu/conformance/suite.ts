@@ -31,14 +31,21 @@ export interface OpenedSample {
   dispose(): void
 }
 
-/** Tests that an engine finds what must follow from each sample file. */
-export function testSamples(open: (name: string) => Promise<OpenedSample>): void {
+/**
+ * Tests that an engine finds what must follow from each sample file.
+ *
+ * @param missing samples that need what the engine does not have yet: their faces must stay plain.
+ */
+export function testSamples(
+  open: (name: string) => Promise<OpenedSample>,
+  missing: readonly string[] = [],
+): void {
   beforeEach(() => {
     vi.spyOn(console, 'warn').mockImplementation(() => {})
     return () => vi.restoreAllMocks()
   })
 
-  it.each(SAMPLES)('%s', async (name) => {
+  it.each(SAMPLES.filter((name) => !missing.includes(name)))('%s', async (name) => {
     const { refused, poses = [] } = expectedOf(name)
     const opened = await open(name)
     expect(opened.isWrinkled).toBe(!refused)
@@ -50,6 +57,12 @@ export function testSamples(open: (name: string) => Promise<OpenedSample>): void
       }
       if (pose.points) await checkPoints(opened, pose.points, await pictureOf(name, i))
     }
+    opened.dispose()
+  })
+
+  it.each(missing)('%s stays plain', async (name) => {
+    const opened = await open(name)
+    expect(opened.isWrinkled).toBe(false)
     opened.dispose()
   })
 }

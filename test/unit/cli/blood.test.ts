@@ -11,7 +11,7 @@ import { loadInNode } from '../three/node-loader.ts'
 import { faceBytes, jsonOf, noise, Workshop } from './workshop.ts'
 
 // Node has no WebGL to read pixels with; its stand-in for a bitmap has them.
-vi.mock(import('../../../packages/furrow/src/three/loader/read-image.ts'), async (original) => ({
+vi.mock(import('../../../packages/furrow/src/runtime/file/read-image.ts'), async (original) => ({
   ...(await original()),
   readImage: (bitmap) => bitmap as unknown as RgbaImage,
 }))

@@ -12,7 +12,7 @@ import { loadInNode } from '../three/node-loader.ts'
 import { jsonOf, noise, Workshop, withJson } from './workshop.ts'
 
 // Node has no WebGL to read pixels with; its stand-in for a bitmap has them.
-vi.mock(import('../../../packages/furrow/src/three/loader/read-image.ts'), async (original) => ({
+vi.mock(import('../../../packages/furrow/src/runtime/file/read-image.ts'), async (original) => ({
   ...(await original()),
   readImage: (bitmap) => bitmap as unknown as RgbaImage,
 }))

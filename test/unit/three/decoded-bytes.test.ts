@@ -4,7 +4,7 @@ import { materialReader } from '../../../packages/furrow/src/three/loader/read-w
 const decoded = vi.hoisted(() => ({ count: 0 }))
 
 // Images of the size that their first byte times 1024 tells.
-vi.mock('../../../packages/furrow/src/three/loader/decode-image.ts', () => ({
+vi.mock('../../../packages/furrow/src/runtime/file/decode-image.ts', () => ({
   decodeBytes: async ([side]: Uint8Array) => {
     decoded.count++
     return { width: 1024 * side!, height: 1024 * side!, data: new Uint8Array() }

@@ -2,13 +2,13 @@
 
 export type { Bounds } from '../core/bounds.ts'
 export type { FaceScore } from '../runtime/face-scores.ts'
+export { decodeImage, toGray } from '../runtime/file/decode-image.ts'
 export type { NamedInputs } from '../runtime/named-inputs.ts'
 export type { Clock } from '../runtime/wrinkle-faces.ts'
 export { activationTrack } from './activation-track.ts'
 export { type FaceView, frameFace } from './camera/frame-face.ts'
 export { ExpressionPlayer } from './ExpressionPlayer.ts'
 export { FaceScores } from './FaceScores.ts'
-export { decodeImage, toGray } from './loader/decode-image.ts'
 export { loadWrinkleSet } from './loader/load-wrinkle-set.ts'
 export { type LoadedWrinkles, readWrinkleMaps } from './loader/read-wrinkle-maps.ts'
 export {

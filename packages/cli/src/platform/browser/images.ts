@@ -1,4 +1,4 @@
-import { readImage } from '../../../../furrow/src/three/loader/read-image.ts'
+import { readImage } from '../../../../furrow/src/runtime/file/read-image.ts'
 import { checkImageSize, checkImageType, GLTF_IMAGES, type ImageHeader } from '../../images/check-image.ts'
 import { headerOf } from '../../images/header.ts'
 import { withImageErrors } from '../../images/image-errors.ts'

@@ -3,10 +3,10 @@ import type { CharacterWrinkles } from '../../auto/make-wrinkles.ts'
 import { type AutoRunOptions, runWorker } from '../../auto/run-worker.ts'
 import { FurrowError } from '../../core/error.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
+import type { FileWrinkles } from '../../runtime/file/read-wrinkles.ts'
 import { surfaceOf } from '../material/surface.ts'
 import { mapTexture } from '../material/textures.ts'
 import { canCrease, readMeshes } from './read-character.ts'
-import type { FileWrinkles } from './read-wrinkle-maps.ts'
 
 type Meshes = [Mesh, ...Mesh[]]
 

@@ -3,9 +3,9 @@ import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import { type ActivationPointer, parseActivationPointer } from '../../core/activation-pointer.ts'
 import { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
+import type { Warnings } from '../../runtime/file/warnings.ts'
 import { activationTrack } from '../activation-track.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
-import type { Warnings } from './warnings.ts'
 
 type Parser = GLTF['parser']
 

@@ -5,9 +5,9 @@ import { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import { type Ktx2Header, readKtx2Header } from '../../core/maps/ktx2-header.ts'
 import type { TextureShape } from '../../core/maps/rules.ts'
+import { fileError } from '../../runtime/file/file-error.ts'
 import type { ArrayTexture } from '../material/array-texture.ts'
 import { requireInternal } from '../three-version.ts'
-import { fileError } from './file-error.ts'
 import { readImageBytes } from './image-bytes.ts'
 
 interface LoaderOptions {

@@ -5,7 +5,7 @@ import { FurrowError } from '../../core/error.ts'
 import type { Area, Layer, WrinkleSet } from '../../core/types.ts'
 import { checkWrinkleSet } from '../../core/wrinkle-set.ts'
 import { parseWrinkleSetDocument } from '../../drivers/parse.ts'
-import { decodeImage, toGray } from './decode-image.ts'
+import { decodeImage, toGray } from '../../runtime/file/decode-image.ts'
 
 /**
  * Loads a wrinkle set from a `wrinkles.json` and the images beside it, drivers included. It must list its layers and areas, since a

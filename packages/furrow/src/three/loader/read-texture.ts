@@ -1,7 +1,7 @@
 import type { Texture } from 'three'
 import { FurrowError } from '../../core/error.ts'
 import type { RgbaImage } from '../../core/types.ts'
-import { type Drawable, hasPixels, readImage } from './read-image.ts'
+import { type Drawable, hasPixels, readImage } from '../../runtime/file/read-image.ts'
 
 /**
  * Reads the pixels of a texture as stored in its file, row 0 at v = 0.

@@ -7,6 +7,8 @@ import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
 import { driversOf } from '../../drivers/of-type.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
+import { type FileWrinkles, prefetchParser } from '../../runtime/file/read-wrinkles.ts'
+import { Warnings } from '../../runtime/file/warnings.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import { surfaceOf } from '../material/surface.ts'
 import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
@@ -22,15 +24,7 @@ import type { WrinklesBase } from '../wrinkles-base.ts'
 import { Adoption, type WatchDraws } from './adoption.ts'
 import type { MadeWrinkles } from './auto-wrinkles.ts'
 import { planFetched } from './plan-fetched.ts'
-import {
-  type FileFace,
-  type FileWrinkles,
-  facesOf,
-  materialReader,
-  prefetchParser,
-  wrinkledFaces,
-} from './read-wrinkle-maps.ts'
-import { Warnings } from './warnings.ts'
+import { type FileFace, facesOf, materialReader, wrinkledFaces } from './read-wrinkle-maps.ts'
 
 /** The `Wrinkles` class of a renderer. */
 type WrinklesClass = new (
@@ -67,7 +61,7 @@ export class WrinkleLoader {
   readonly #parts: LoaderParts
   readonly #options: Required<WrinklesOptions>
   readonly #auto: AutoRunOptions | undefined
-  readonly #warnings = new Warnings()
+  readonly #warnings = new Warnings('WrinkleLoaderPlugin')
   #autoModule: Promise<typeof import('./auto-wrinkles.ts')> | undefined
 
   constructor(parser: GLTFParser, parts: LoaderParts, { auto, ...options }: WrinkleLoaderOptions) {

@@ -1,10 +1,18 @@
-import { SRGBColorSpace, Vector4 } from 'three'
-import { BLOOD_AT_REST } from '../../core/blood.ts'
+import { NoColorSpace, SRGBColorSpace, Vector4 } from 'three'
 import { isSlice } from '../../core/check-areas.ts'
-import { packColours, packGrays, packPairs } from '../../core/pack.ts'
 import type { ArraySlice, GrayImage, Layer, LayerKind, RgbaImage } from '../../core/types.ts'
+import {
+  PAIR,
+  type PackedMaps,
+  packMaps,
+  packPair,
+  VALUE_KINDS,
+  type ValueKind,
+} from '../../runtime/layer-maps.ts'
 import { type ArrayTexture, arrayOf, type Upload } from './array-texture.ts'
 import { mapTexture } from './textures.ts'
+
+export { VALUE_KINDS, type ValueKind }
 
 /** One kind of map of all layers, as one array on the GPU. */
 export interface LayerMaps {
@@ -14,10 +22,6 @@ export interface LayerMaps {
   /** Channel of single-channel maps, 0 = R to 3 = A. */
   channel: number
 }
-
-/** Kinds of maps that a layer may have besides its normals. */
-export const VALUE_KINDS = ['baseColor', 'roughness', 'occlusion', 'blood'] as const
-export type ValueKind = (typeof VALUE_KINDS)[number]
 
 /** The maps of a set's layers on the GPU, which several faces may use; see `retain` and `release`. */
 export interface WrinkleTextures {
@@ -81,9 +85,9 @@ function layerMaps(
   const present = maps.filter((map): map is Map => map !== undefined)
   if (present.length === 0) return undefined
   if (!present.some(isSlice)) {
-    let next = 0
-    const slices = maps.map((map) => (map ? next++ : null))
-    return { texture: packMaps(present as (RgbaImage | GrayImage)[], kind, anisotropy), slices, channel: 0 }
+    const packed = packMaps(maps as (RgbaImage | GrayImage | undefined)[], kind)
+    const space = kind === 'baseColor' ? SRGBColorSpace : NoColorSpace
+    return onGpu(packed, mapTexture(packed.images, anisotropy, space))
   }
   const texture = arrayOf(present, 'Wrinkles', `${kind} maps`)
   texture.anisotropy = anisotropy
@@ -91,8 +95,6 @@ function layerMaps(
   return { texture, slices, channel: (present[0] as ArraySlice).channel }
 }
 
-/** Images of these are channels of one array: samplers are few. */
-const PAIR = ['occlusion', 'blood'] as const
 type PairedKind = (typeof PAIR)[number]
 
 /** Occlusion and blood of layers that have images of both. */
@@ -102,24 +104,11 @@ function pairMaps(
 ): Record<PairedKind, LayerMaps> | undefined {
   const isPaired = PAIR.every((kind) => layers.some((layer) => layer[kind]))
   if (!isPaired || layers.some((layer) => PAIR.some((kind) => isSlice(layer[kind])))) return undefined
-  const owners = layers.filter(({ occlusion, blood }) => occlusion ?? blood)
-  const pairs = owners.map(
-    (layer) => PAIR.map((kind) => layer[kind]) as [GrayImage | undefined, GrayImage | undefined],
-  )
-  const who = 'Wrinkles occlusion and blood maps of the layers'
-  const texture = mapTexture(packPairs(pairs, [255, BLOOD_AT_REST], who), anisotropy)
-  const mapsOf = (kind: PairedKind): LayerMaps => ({
-    texture,
-    slices: layers.map((layer) => (layer[kind] ? owners.indexOf(layer) : null)),
-    channel: PAIR.indexOf(kind),
-  })
-  return { occlusion: mapsOf('occlusion'), blood: mapsOf('blood') }
+  const { occlusion, blood } = packPair(layers as readonly Layer[])
+  const texture = mapTexture(occlusion.images, anisotropy)
+  return { occlusion: onGpu(occlusion, texture), blood: onGpu(blood, texture) }
 }
 
-function packMaps(images: (RgbaImage | GrayImage)[], kind: 'normal' | ValueKind, anisotropy: number) {
-  const who = `Wrinkles ${kind} maps of the layers`
-  if (kind === 'normal') return mapTexture(packColours(images as RgbaImage[], who), anisotropy)
-  if (kind === 'baseColor')
-    return mapTexture(packColours(images as RgbaImage[], who), anisotropy, SRGBColorSpace)
-  return mapTexture(packGrays(images, who), anisotropy)
+function onGpu({ slices, channel }: PackedMaps, texture: ArrayTexture): LayerMaps {
+  return { texture, slices, channel }
 }

@@ -1,8 +1,7 @@
 import type { Mesh, Object3D } from 'three'
 import { wrongArgument } from '../../core/argument.ts'
-import { FurrowError } from '../../core/error.ts'
 import { targetFinder } from '../../drivers/morph/target-names.ts'
-import type { TargetBinding } from '../../runtime/target-binding.ts'
+import { noTargets, type TargetBinding } from '../../runtime/target-binding.ts'
 
 /**
  * Finds the morph targets with some names, in any spelling that `findTargets` knows, on all meshes under an object.
@@ -28,11 +27,5 @@ export function bindTargets(face: Object3D, names: readonly string[], who: strin
     }
   })
   if (meshes > 0) return bindings
-  throw new FurrowError({
-    who,
-    what: 'no morph targets',
-    value: face.name,
-    limit: 'at least one mesh with named blendshapes',
-    remedy: 'export the blendshapes with the face, or set activations yourself',
-  })
+  throw noTargets(who, face.name)
 }

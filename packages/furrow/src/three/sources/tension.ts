@@ -1,58 +1,27 @@
 import { type Material, type Mesh, Vector3 } from 'three'
 import type { InputOf } from '../../drivers/activation.ts'
-import { measuredSource } from '../../drivers/sources.ts'
-import { TensionMeasurement } from '../../drivers/tension/measure.ts'
-import { coverage, type SampledMesh, sampleCovered } from '../../drivers/tension/samples.ts'
+import type { SampledMesh } from '../../drivers/tension/samples.ts'
 import type { InputReader } from '../../runtime/driver-runtime.ts'
+import {
+  tensionSurface as surfaceOf,
+  type TensionSurface,
+  sampledTension as tensionOf,
+} from '../../runtime/sampled-tension.ts'
 import { wrinkleUvs } from '../wrinkle-uvs.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import type { BindInputs } from './binding.ts'
 import { trianglesOf } from './geometry-arrays.ts'
 
-/** Triangles per area: each costs three vertices, which are deformed on the CPU. */
-const SAMPLES = 16
+export { indexIn, type MeasuredArea, type TensionSurface } from '../../runtime/sampled-tension.ts'
 
-/** The surface that tension is measured on. */
-export interface TensionSurface {
-  /** The mesh at rest. */
-  sampled: SampledMesh
-  /** What is measured, each once: an area, along its principal directions or a given one. */
-  measured: readonly MeasuredArea[]
-}
-
-export interface MeasuredArea {
-  area: string
-  direction?: InputOf<'tension'>['direction']
-  /** How much it covers of each triangle (`coverage`); empty if that is unknown. */
-  covered: Float64Array
-}
-
-/** Prepares the surface for some inputs. The coverage of areas in compressed textures is unknown. */
+/** The surface of a mesh for some inputs. */
 export function tensionSurface(
   wrinkles: WrinklesBase,
   inputs: readonly InputOf<'tension'>[],
 ): TensionSurface {
   if (inputs.length === 0) return { sampled: EMPTY, measured: [] }
-  const sampled = sampledMesh(wrinkles.mesh)
-  const covered = new Map<string, Float64Array>()
-  for (const { area } of inputs) {
-    if (covered.has(area)) continue
-    const weights = wrinkles.getArea(area)?.weights
-    covered.set(area, weights && 'data' in weights ? coverage(sampled, weights) : new Float64Array())
-  }
-  const measured = inputs.filter((input, i) => indexIn(inputs, input) === i)
-  return {
-    sampled,
-    measured: measured.map(({ area, direction }) => ({ area, direction, covered: covered.get(area)! })),
-  }
+  return surfaceOf(sampledMesh(wrinkles.mesh), inputs, (name) => wrinkles.getArea(name))
 }
-
-/** Index of what an input measures, in whatever sense. */
-export function indexIn(measured: readonly Measured[], { area, direction }: Measured): number {
-  return measured.findIndex((own) => own.area === area && own.direction?.join() === direction?.join())
-}
-
-type Measured = Pick<MeasuredArea, 'area' | 'direction'>
 
 const EMPTY: SampledMesh = { positions: [], uvs: [], triangles: [] }
 
@@ -63,35 +32,14 @@ export const bindTension: BindInputs<'tension'> = (wrinkles, inputs) =>
 /** Measures a few triangles of each area on the CPU. */
 export function sampledTension(
   mesh: Mesh,
-  { sampled, measured }: TensionSurface,
+  surface: TensionSurface,
   inputs: readonly InputOf<'tension'>[],
 ): InputReader<unknown> {
-  const areas = [...new Map(measured.map((own) => [own.area, own.covered]))]
-  const samples = areas.map(([, covered]) => sampleCovered(sampled, covered, SAMPLES))
-  const vertices = Uint32Array.from(new Set(samples.flatMap((triangles) => [...triangles])))
-  const indices = new Map([...vertices].map((vertex, i) => [vertex, i]))
-  const ofVertices = (array: ArrayLike<number>, size: number) =>
-    Float64Array.from(
-      [...vertices].flatMap((vertex) => Array.from({ length: size }, (_, k) => array[size * vertex + k])),
-    )
-  const rest = ofVertices(sampled.positions, 3)
-  const bound = areas.map(([area], i) => ({
-    area,
-    triangles: samples[i].map((vertex) => indices.get(vertex)!),
-  }))
-  const measurement = new TensionMeasurement(inputs, bound, rest, ofVertices(sampled.uvs, 2))
-  const positions = new Float64Array(rest.length)
   const position = new Vector3()
-  return {
-    ...measuredSource(measurement.missing),
-    read(values) {
-      for (let i = 0; i < vertices.length; i++) {
-        mesh.getVertexPosition(vertices[i], position)
-        position.toArray(positions, 3 * i)
-      }
-      measurement.measure(positions, values)
-    },
-  }
+  return tensionOf(surface, inputs, (vertex, positions, offset) => {
+    mesh.getVertexPosition(vertex, position)
+    position.toArray(positions, offset)
+  })
 }
 
 /** The mesh at rest, with the texture coordinates of the areas. */

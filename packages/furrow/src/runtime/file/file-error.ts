@@ -1,7 +1,7 @@
 import { FurrowError } from '../../core/error.ts'
 
 /**
- * What was thrown while a file was read, as the error that users see: three.js and the browser have words of their own.
+ * What was thrown while a file was read, as the error that users see: engines and browsers have words of their own.
  *
  * @param who, what of the error; a `FurrowError` remains as it is.
  */

@@ -1,0 +1,17 @@
+/**
+ * Wrinkles in Babylon.js, on WebGL 2 and WebGPU.
+ *
+ * @module furrow/babylon
+ */
+
+export type { FaceScore } from '../runtime/face-scores.ts'
+export type { NamedInputs } from '../runtime/named-inputs.ts'
+export type { Clock } from '../runtime/wrinkle-faces.ts'
+export { ExpressionPlayer } from './expression-player.ts'
+export { FaceScores } from './face-scores.ts'
+export { WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from './options.ts'
+export { registerWrinkleMaps } from './register.ts'
+export { addDrivers } from './sources/add-drivers.ts'
+export { Wrinkles } from './wrinkles.ts'
+export type { WrinklesBase } from './wrinkles-base.ts'
+export { type LoadedFile, wrinklesOf } from './wrinkles-of.ts'

@@ -1,0 +1,36 @@
+import { boundsOf } from '../../core/bounds.ts'
+import { layerIndex } from '../../core/check-areas.ts'
+import { type ImageArray, packAreas } from '../../core/pack.ts'
+import type { Area } from '../../core/types.ts'
+import type { AreaSlots } from '../../runtime/area-slots.ts'
+
+/** The areas of a set as images of one size, one per slice. */
+export interface AreaSlices extends AreaSlots {
+  readonly images: ImageArray
+}
+
+/**
+ * Resamples a set's areas to a square grid.
+ *
+ * @param size side of the grid in texels.
+ * @throws FurrowError when an image is malformed.
+ */
+export function packSlices(
+  areas: readonly Area[],
+  layers: readonly { name: string }[],
+  size: number,
+): AreaSlices {
+  const images = packAreas(
+    areas.map(({ weights }) => weights),
+    size,
+    'Wrinkles',
+  )
+  const slots = areas.map((area, slice) => ({
+    layer: layerIndex(area, layers),
+    combine: area.combine ?? ('sum' as const),
+    slice,
+    channel: 0,
+    bounds: boundsOf(images, slice),
+  }))
+  return { images, slots, width: size, height: size, version: 0 }
+}

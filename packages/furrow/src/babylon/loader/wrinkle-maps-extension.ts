@@ -1,0 +1,142 @@
+import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
+import type { GLTFLoader } from '@babylonjs/loaders/glTF/2.0/glTFLoader.js'
+import type { IGLTFLoaderExtension } from '@babylonjs/loaders/glTF/2.0/glTFLoaderExtension.js'
+import type { INode } from '@babylonjs/loaders/glTF/2.0/glTFLoaderInterfaces.js'
+import { FurrowError } from '../../core/error.ts'
+import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
+import { driversOf } from '../../drivers/of-type.ts'
+import {
+  extensionOf,
+  type FileWrinkles,
+  prefetchParser,
+  type WrinkledFile,
+  wrinkleReader,
+} from '../../runtime/file/read-wrinkles.ts'
+import { Warnings } from '../../runtime/file/warnings.ts'
+import type { WrinklesOptions } from '../options.ts'
+import { bindPlan } from '../sources/bind-plan.ts'
+import { WrinklesBase } from '../wrinkles-base.ts'
+import { planFetched } from './plan-fetched.ts'
+
+/** A face of a file: meshes of one node that have one material with the extension. */
+interface FileFace {
+  /** The first one drives. */
+  meshes: AbstractMesh[]
+  /** Index of the material in the file. */
+  material: number
+}
+
+/**
+ * Adds the wrinkles of FURROW_wrinkle_maps to what Babylon.js loads. A file never fails to load because of its wrinkles: a face whose
+ * wrinkles are damaged or not possible stays plain, with one warning.
+ */
+export class WrinkleMapsExtension implements IGLTFLoaderExtension {
+  readonly name = WRINKLE_MAPS
+  enabled = true
+  readonly #loader: GLTFLoader
+  readonly #options: WrinklesOptions
+  readonly #warnings = new Warnings('registerWrinkleMaps')
+
+  constructor(loader: GLTFLoader, options: WrinklesOptions) {
+    this.#loader = loader
+    this.#options = options
+  }
+
+  onLoading(): void {
+    prefetchParser({ json: this.#loader.gltf })
+  }
+
+  /** Called by the loader when everything else is loaded. */
+  async onReady(): Promise<void> {
+    const faces = facesOf(this.#loader)
+    if (faces.length === 0) return
+    const read = wrinkleReader(fileOf(this.#loader), {
+      onFault: (fault) => this.#warnings.add(fault, 'the other drivers work'),
+    })
+    const first = new Map<FileWrinkles['set'], WrinklesBase>()
+    for (const { meshes, material } of faces) {
+      try {
+        await this.#add(meshes, await read(material), first)
+      } catch (error) {
+        const name = this.#loader.gltf.materials?.[material].name ?? material
+        this.#warnings.add(error, `material ${JSON.stringify(name)} stays plain`)
+      }
+    }
+  }
+
+  dispose(): void {}
+
+  async #add(
+    [mesh, ...others]: AbstractMesh[],
+    { set, drivers }: FileWrinkles,
+    first: Map<FileWrinkles['set'], WrinklesBase>,
+  ): Promise<void> {
+    const planned = await planFetched(drivers)
+    const muscles = driversOf('muscle', drivers)
+    if (muscles.length > 0) {
+      const { addMuscles } = await import('../sources/muscles.ts')
+      for (const part of [mesh, ...others]) addMuscles(part, muscles)
+    }
+    const own = new WrinklesBase(mesh, first.get(set) ?? set, this.#options)
+    try {
+      for (const other of others) own.addMesh(other)
+      bindPlan(own, planned)
+    } catch (error) {
+      own.dispose()
+      throw error
+    }
+    if (!first.has(set)) first.set(set, own)
+  }
+}
+
+/** The faces whose materials have the extension, malformed or not. */
+function facesOf({ gltf }: GLTFLoader): FileFace[] {
+  const wrinkled = (gltf.materials ?? []).filter(
+    ({ index }) => extensionOf(index, { json: gltf }) !== undefined,
+  )
+  return (gltf.nodes ?? []).flatMap((node) =>
+    wrinkled.flatMap(({ index, _data }) => {
+      const materials = Object.values(_data ?? {}).map(({ babylonMaterial }) => babylonMaterial)
+      const meshes = meshesOf(node).filter(({ material }) => material && materials.includes(material))
+      return meshes.length > 0 ? [{ meshes, material: index }] : []
+    }),
+  )
+}
+
+function meshesOf({ _primitiveBabylonMeshes: meshes }: INode): readonly AbstractMesh[] {
+  return meshes ?? []
+}
+
+function fileOf(loader: GLTFLoader): WrinkledFile {
+  const { gltf } = loader
+  return {
+    json: gltf,
+    async readBytes(index, who) {
+      const image = gltf.images?.[index as number]
+      if (!image) return undefined
+      try {
+        const bytes = await loader.loadImageAsync(`/images/${index}`, image)
+        return new Uint8Array(bytes.buffer as ArrayBuffer, bytes.byteOffset, bytes.byteLength)
+      } catch {
+        throw new FurrowError({
+          code: 'unreadable',
+          who,
+          what: 'an image that cannot be fetched',
+          value: image.uri ?? `image ${index}`,
+          remedy: 'check that the server serves it at this address',
+        })
+      }
+    },
+    prefersArrays: false,
+    async loadArray() {
+      throw new FurrowError({
+        code: 'unsupported',
+        who: WRINKLE_MAPS,
+        what: 'the maps are KTX 2, which furrow/babylon does not read',
+        limit: 'PNG, JPEG, WebP or AVIF',
+        remedy: 'pack the file without --ktx2',
+      })
+    },
+    joinArrays: async (set) => set,
+  }
+}

@@ -1,0 +1,130 @@
+import type { ValueKind } from '../../runtime/layer-maps.ts'
+import { type Dialect, GLSL, WGSL } from './dialect.ts'
+import { type MixedLayers, mixing } from './mixing.ts'
+
+/** Materials whose shaders can be edited. */
+export type ShaderKind = 'pbr' | 'standard'
+
+/** What Babylon.js adds to a shader, or replaces in it: by the name of a point, or by `!` and a regular expression. */
+export type Injections = Record<string, string>
+
+/** Passes the cell of an instance on to the fragment shader. */
+export function vertexInjections(isWgsl: boolean): Injections {
+  const declared = isWgsl
+    ? 'attribute furrowCell: f32;\nvarying vFurrowCell: f32;'
+    : 'attribute float furrowCell;\nvarying float vFurrowCell;'
+  const passed = isWgsl ? 'vertexOutputs.vFurrowCell = vertexInputs.furrowCell;' : 'vFurrowCell = furrowCell;'
+  return {
+    CUSTOM_VERTEX_DEFINITIONS: `#ifdef FURROW_CELLS\n${declared}\n#endif`,
+    CUSTOM_VERTEX_MAIN_BEGIN: `#ifdef FURROW_CELLS\n${passed}\n#endif`,
+  }
+}
+
+/**
+ * Mixes the layers' maps into the material's own where the shader reads them, before it lights them. Without a map the material's own value
+ * is 1.
+ */
+export function fragmentInjections(kind: ShaderKind, isWgsl: boolean, layers: MixedLayers): Injections {
+  const d = isWgsl ? WGSL : GLSL
+  const normal = texel(d, 'bump', 'Bump')
+  return {
+    CUSTOM_FRAGMENT_DEFINITIONS: mixing(d, layers),
+    [replacing(normal)]: `furrowMixNormals(${normal},${d.passed('vBumpUV')}+uvOffset)`,
+    ...(kind === 'pbr' ? pbr(d, layers.values) : standard(d, layers.values)),
+  }
+}
+
+type Values = Readonly<Partial<Record<ValueKind, unknown>>>
+
+function pbr(d: Dialect, { baseColor, roughness, occlusion, blood }: Values): Injections {
+  const { vec3 } = d
+  const toLinear = d.isWgsl ? 'toLinearSpaceVec3' : 'toLinearSpace'
+  const one = `${vec3}(1.0)`
+  const injections: Injections = {}
+  if (baseColor) {
+    for (const own of [`${toLinear}(albedoTexture.rgb)`, 'albedoTexture.rgb']) {
+      injections[replacing(`surfaceAlbedo*=${own};`)] = `surfaceAlbedo*=furrowMix_baseColor(${own});`
+    }
+  }
+  injections.CUSTOM_FRAGMENT_UPDATE_ALBEDO = [
+    baseColor ? `#ifndef ALBEDO\nsurfaceAlbedo*=furrowMix_baseColor(${one});\n#endif` : '',
+    blood ? 'surfaceAlbedo=furrowBloodColour(surfaceAlbedo);' : '',
+  ].join('\n')
+  if (roughness) {
+    const own = 'surfaceMetallicOrReflectivityColorMap'
+    for (const channel of ['a', 'g']) {
+      injections[replacing(`metallicRoughness.g*=${own}.${channel};`)] =
+        `metallicRoughness.g*=furrowMix_roughness(${vec3}(${own}.${channel})).x;`
+    }
+    injections.CUSTOM_FRAGMENT_UPDATE_METALLICROUGHNESS = `
+#if !defined(REFLECTIVITY) || !defined(ROUGHNESSSTOREINMETALMAPALPHA) && !defined(ROUGHNESSSTOREINMETALMAPGREEN)
+metallicRoughness.g*=furrowMix_roughness(${one}).x;
+#endif`
+  }
+  if (occlusion) {
+    injections.CUSTOM_FRAGMENT_BEFORE_LIGHTS = `furrowVisibility = furrowMix_occlusion(${one}).x;`
+    const map = `${texel(d, 'ambient', 'Ambient').replace('.xyz', '.rgb')}`
+    injections[replacing(`${map};`)] = `furrowMix_occlusion(${map});`
+    const unoccluded = d.isWgsl
+      ? 'var ambientOcclusionColor: vec3f= vec3f(1.,1.,1.);'
+      : 'vec3 ambientOcclusionColor=vec3(1.,1.,1.);'
+    injections[replacing(unoccluded)] =
+      `${unoccluded}\n#ifndef AMBIENT\nambientOcclusionColor=${vec3}(furrowVisibility);\n#endif`
+    // Without a map of its own the material would darken the light of lamps too, which its map does not.
+    const direct = d.isWgsl
+      ? 'var ambientOcclusionForDirectDiffuse: vec3f='
+      : 'vec3 ambientOcclusionForDirectDiffuse='
+    const own = `${direct}aoOut.ambientOcclusionColor;`
+    injections[replacing(own)] = `
+#ifdef AOSTOREINMETALMAPRED
+${own}
+#else
+${direct}${one};
+#endif`
+    for (const factors of ['shadow', 'shadow*lightmapColor.rgb']) {
+      injections[replacing(`specularBase+=info.specular*${factors};`)] =
+        `specularBase+=info.specular*furrowMicroShadow(preInfo.NdotL)*${factors};`
+    }
+  }
+  return injections
+}
+
+/** The standard material computes in the sRGB space, and has no roughness. */
+function standard(d: Dialect, { baseColor, occlusion, blood }: Values): Injections {
+  const { vec3, vec4 } = d
+  const [toLinear, toGamma] = d.isWgsl
+    ? ['toLinearSpaceVec3', 'toGammaSpaceVec3']
+    : ['toLinearSpace', 'toGammaSpace']
+  const one = `${vec3}(1.0)`
+  /** Where there are no wrinkles, the colour stays as it is to the last bit. */
+  const inLinear = (change: string) =>
+    `if (furrowLargest > 0.0) { baseColor=${vec4}(${toGamma}(${change}(${toLinear}(baseColor.rgb))),baseColor.a); }`
+  const injections: Injections = {}
+  if (baseColor) {
+    const map = `baseColor=${texel(d, 'diffuse', 'Diffuse').replace('.xyz', '')};`
+    injections[replacing(map)] = `${map}\n${inLinear('furrowMix_baseColor')}`
+  }
+  injections.CUSTOM_FRAGMENT_UPDATE_DIFFUSE = [
+    baseColor
+      ? `#ifndef DIFFUSE\nbaseColor=${vec4}(baseColor.rgb*${toGamma}(furrowMix_baseColor(${one})),baseColor.a);\n#endif`
+      : '',
+    blood ? inLinear('furrowBloodColour') : '',
+  ].join('\n')
+  if (occlusion) {
+    const map = texel(d, 'ambient', 'Ambient').replace('.xyz', '.rgb')
+    injections[replacing(`${map}*`)] = `furrowMix_occlusion(${map})*`
+    injections.CUSTOM_FRAGMENT_BEFORE_LIGHTS = `#ifndef AMBIENT\nbaseAmbientColor=furrowMix_occlusion(${one});\n#endif`
+  }
+  return injections
+}
+
+/** How Babylon.js reads the texel of a map. */
+function texel({ isWgsl, passed }: Dialect, map: string, name: string): string {
+  const textures = isWgsl ? `${map}Sampler,${map}SamplerSampler` : `${map}Sampler`
+  return `TEXRD(${textures},${passed(`v${name}UV`)}+uvOffset).xyz`
+}
+
+/** The key of what replaces a text of the shader. */
+function replacing(text: string): string {
+  return `!${text.replace(/[\\^$.*+?()[\]{}|]/g, '\\$&')}`
+}

@@ -1,0 +1,48 @@
+import type { Scene } from '@babylonjs/core/scene.js'
+import type { Area, Layer } from '../core/types.ts'
+import { type AreaSlices, packSlices } from './influence/area-slices.ts'
+import { InfluenceAtlas } from './influence/influence-atlas.ts'
+import { createTextures, type LayerTextures } from './layer-textures.ts'
+import { sceneFrame } from './scene-frame.ts'
+
+/** What all faces with one wrinkle set in one scene share: its areas, its textures, and the atlas of their influence maps. */
+export class SharedSet {
+  readonly scene: Scene
+  readonly areas: readonly Area[]
+  readonly slices: AreaSlices
+  readonly textures: LayerTextures
+  readonly atlas: InfluenceAtlas
+  #users = 0
+
+  /**
+   * @param areaSize side of the areas' grid in texels.
+   * @param anisotropy of the normal map that the layers are mixed with.
+   * @throws FurrowError when images of one kind differ in size.
+   */
+  constructor(
+    { layers, areas }: { layers: readonly Layer[]; areas: readonly Area[] },
+    areaSize: number,
+    anisotropy: number,
+    scene: Scene,
+  ) {
+    this.scene = scene
+    this.areas = areas.map((area) => ({ ...area }))
+    this.slices = packSlices(areas, layers, areaSize)
+    this.textures = createTextures(layers, anisotropy, scene)
+    this.atlas = new InfluenceAtlas(this.slices, scene)
+    sceneFrame(scene).targets.push(this.atlas)
+  }
+
+  retain(): void {
+    this.#users++
+  }
+
+  /** Frees everything with the last user. */
+  release(): void {
+    if (--this.#users > 0) return
+    const { targets } = sceneFrame(this.scene)
+    targets.splice(targets.indexOf(this.atlas), 1)
+    this.atlas.dispose()
+    for (const texture of Object.values(this.textures.textures)) texture.dispose()
+  }
+}

@@ -1,0 +1,42 @@
+import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
+import type { MorphTargetManager } from '@babylonjs/core/Morph/morphTargetManager.js'
+import type { Node } from '@babylonjs/core/node.js'
+import { wrongArgument } from '../../core/argument.ts'
+import { targetFinder } from '../../drivers/morph/target-names.ts'
+import { noTargets, type TargetBinding } from '../../runtime/target-binding.ts'
+import { targetNames } from './target.ts'
+
+/**
+ * Finds the morph targets with some names, in any spelling that `findTargets` knows, on all meshes under a node.
+ *
+ * @throws FurrowError when no mesh has morph targets, or the face is not a node of Babylon.js.
+ */
+export function bindFaceTargets(face: Node, names: readonly string[], who: string): TargetBinding[] {
+  if (typeof face?.getChildMeshes !== 'function') {
+    throw wrongArgument(who, 'a face', face, 'a mesh or TransformNode of Babylon.js')
+  }
+  const meshes = [face as AbstractMesh, ...face.getChildMeshes()]
+  // Instances and clones share them.
+  const managers = new Set(meshes.flatMap(({ morphTargetManager }) => morphTargetManager ?? []))
+  if (managers.size === 0) throw noTargets(who, face.name)
+  return [...managers].flatMap((targets) => {
+    const find = targetFinder(targetNames(targets))
+    const influences = influencesOf(targets)
+    return names.flatMap((wanted, name) => find(wanted).map((target) => ({ influences, target, name })))
+  })
+}
+
+/** The weights of some targets, to be read and written by their indices. */
+function influencesOf(targets: MorphTargetManager): TargetBinding['influences'] {
+  const influences = {}
+  for (let i = 0; i < targets.numTargets; i++) {
+    const target = targets.getTarget(i)
+    Object.defineProperty(influences, i, {
+      get: () => target.influence,
+      set: (value: number) => {
+        target.influence = value
+      },
+    })
+  }
+  return influences
+}

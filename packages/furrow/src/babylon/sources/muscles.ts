@@ -1,0 +1,31 @@
+import { VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
+import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
+import { MorphTarget } from '@babylonjs/core/Morph/morphTarget.js'
+import { MorphTargetManager } from '@babylonjs/core/Morph/morphTargetManager.js'
+import type { MuscleDriver } from '../../drivers/muscle/definition.ts'
+import { muscleOffsets } from '../../drivers/muscle/offsets.ts'
+import { morphNormalDeltas } from '../../math/deformed-normals.ts'
+import { trianglesOf, vertexData } from './surface.ts'
+import { targetNames } from './target.ts'
+
+/**
+ * Adds virtual muscles to a mesh: each becomes a morph target of its name, with normals, whose weight is the contraction. Muscles
+ * whose name is a target already are skipped, as they are for an instance, which has the targets of its source.
+ */
+export function addMuscles(mesh: AbstractMesh, muscles: readonly MuscleDriver[]): void {
+  const known = targetNames(mesh.morphTargetManager)
+  const missing = muscles.filter(({ name }) => !known.includes(name))
+  if (missing.length === 0) return
+  mesh.morphTargetManager ??= new MorphTargetManager(mesh.getScene())
+  const positions = vertexData(mesh, VertexBuffer.PositionKind)
+  const normals = vertexData(mesh, VertexBuffer.NormalKind)
+  const normalDeltas = morphNormalDeltas({ positions, normals, triangles: trianglesOf(mesh) })
+  for (const muscle of missing) {
+    const offsets = muscleOffsets(muscle, positions)
+    const target = new MorphTarget(muscle.name, 0, mesh.getScene())
+    target.setPositions(positions.map((value, i) => value + offsets[i]))
+    const turned = normalDeltas(offsets)
+    target.setNormals(normals.map((value, i) => value + turned[i]))
+    mesh.morphTargetManager.addTarget(target)
+  }
+}

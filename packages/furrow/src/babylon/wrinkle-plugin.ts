@@ -1,0 +1,180 @@
+import type { AbstractEngine } from '@babylonjs/core/Engines/abstractEngine.js'
+import type { Material } from '@babylonjs/core/Materials/material.js'
+import type { MaterialDefines } from '@babylonjs/core/Materials/materialDefines.js'
+import { MaterialPluginBase } from '@babylonjs/core/Materials/materialPluginBase.js'
+import { ShaderLanguage } from '@babylonjs/core/Materials/shaderLanguage.js'
+import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
+import type { UniformBuffer } from '@babylonjs/core/Materials/uniformBuffer.js'
+import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
+import type { SubMesh } from '@babylonjs/core/Meshes/subMesh.js'
+import type { Scene } from '@babylonjs/core/scene.js'
+import type { Cell } from '../runtime/atlas-cells.ts'
+import { VALUE_KINDS, type ValueKind } from '../runtime/layer-maps.ts'
+import type { Reach } from '../runtime/reach.ts'
+import {
+  fragmentInjections,
+  type Injections,
+  type ShaderKind,
+  vertexInjections,
+} from './shaders/injections.ts'
+import { type MixedLayers, samplerOf } from './shaders/mixing.ts'
+import type { SharedSet } from './shared-set.ts'
+
+/** What a draw of a mesh needs to know of its face. */
+export interface DrawnFace {
+  readonly shared: SharedSet
+  readonly cells: readonly Cell[]
+  /** Texture coordinates outside of which there are no wrinkles now. */
+  readonly reach: Reach
+  /** Whether the vertices of its instances tell their cells. */
+  readonly hasCells: boolean
+}
+
+/** Uniforms, each of four numbers. */
+const UNIFORMS = [
+  'furrowGrid',
+  'furrowInset',
+  'furrowBounds',
+  'furrowNormalScale',
+  'furrowOcclusionStrength',
+  'furrowBloodAmplitude',
+] as const
+
+/** Beyond all texture coordinates: no wrinkles. */
+const NOWHERE: Reach = { x: 1, y: 1, z: 0, w: 0 }
+
+/** Numbers of shader variants by their code: effects are told apart by their defines. */
+const variants = new Map<string, number>()
+
+function variantOf(injections: Injections | null): number {
+  const code = JSON.stringify(injections)
+  const known = variants.get(code) ?? variants.size + 1
+  variants.set(code, known)
+  return known
+}
+
+const ONE = (sampler: ValueKind) => ({ slices: [0], channel: 0, sampler })
+const ALL_KINDS: MixedLayers = {
+  kinds: ['replace'],
+  normals: [0],
+  values: Object.fromEntries(VALUE_KINDS.map((kind) => [kind, ONE(kind)])),
+}
+
+/** Name of the vertex attribute with the cell of an instance. */
+export const CELL = 'furrowCell'
+
+/** Makes the shader of one material show the wrinkles of the meshes that it draws, each its own. */
+export class WrinklePlugin extends MaterialPluginBase {
+  static readonly NAME = 'FurrowWrinkles'
+  readonly #kind: ShaderKind
+  readonly #faceOf: (mesh: AbstractMesh) => DrawnFace | undefined
+  #shared: SharedSet | null = null
+  #fragment: Injections | null = null
+  #variant = 0
+
+  /** @param faceOf the face of a mesh; undefined for a mesh without. */
+  constructor(material: Material, kind: ShaderKind, faceOf: (mesh: AbstractMesh) => DrawnFace | undefined) {
+    super(material, WrinklePlugin.NAME, 300, { FURROW: 0, FURROW_CELLS: false }, false)
+    this.registerForExtraEvents = true
+    this.doNotSerialize = true
+    this.#kind = kind
+    this.#faceOf = faceOf
+    // Where code may be added is asked once, now: for sets with maps of all kinds.
+    this.#fragment = fragmentInjections(kind, this.#isWgsl, ALL_KINDS)
+    this._pluginManager._addPlugin(this)
+    this._enable(true)
+  }
+
+  /** The set whose wrinkles the material shows; null for none. */
+  get shared(): SharedSet | null {
+    return this.#shared
+  }
+
+  set shared(shared: SharedSet | null) {
+    this.#shared = shared
+    this.#fragment = shared && fragmentInjections(this.#kind, this.#isWgsl, shared.textures.mixed)
+    this.#variant = shared ? variantOf(this.#fragment) : 0
+    this.markAllDefinesAsDirty()
+  }
+
+  get #isWgsl(): boolean {
+    return this._material.shaderLanguage === ShaderLanguage.WGSL
+  }
+
+  override getClassName(): string {
+    return WrinklePlugin.NAME
+  }
+
+  override isCompatible(): boolean {
+    return true
+  }
+
+  override isReadyForSubMesh(): boolean {
+    return this.#shared?.atlas.isSettled ?? true
+  }
+
+  override prepareDefines(defines: MaterialDefines, _scene: Scene, mesh: AbstractMesh): void {
+    defines.FURROW = this.#variant
+    defines.FURROW_CELLS =
+      this.#shared !== null && Boolean(defines.INSTANCES) && (this.#faceOf(mesh)?.hasCells ?? false)
+  }
+
+  override getAttributes(attributes: string[], _scene: Scene, mesh: AbstractMesh): void {
+    if (this.#faceOf(mesh)?.hasCells) attributes.push(CELL)
+  }
+
+  override getSamplers(samplers: string[]): void {
+    // Of all kinds: the list is made once, and the material may show another set later.
+    samplers.push('furrowInfluenceMap')
+    for (const kind of ['normal', ...VALUE_KINDS] as const) {
+      samplers.push(samplerOf(kind))
+    }
+  }
+
+  override getUniforms(language = ShaderLanguage.GLSL) {
+    return {
+      ubo: UNIFORMS.map((name) => ({ name, size: 4, type: 'vec4' })),
+      // For engines without uniform buffers.
+      ...(language === ShaderLanguage.GLSL && {
+        fragment: UNIFORMS.map((name) => `uniform vec4 ${name};`).join('\n'),
+      }),
+    }
+  }
+
+  override getCustomCode(shaderType: string, language = ShaderLanguage.GLSL): Injections | null {
+    if (!this.#fragment) return null
+    return shaderType === 'vertex' ? vertexInjections(language === ShaderLanguage.WGSL) : this.#fragment
+  }
+
+  override hardBindForSubMesh(
+    uniforms: UniformBuffer,
+    _scene: Scene,
+    _engine: AbstractEngine,
+    subMesh: SubMesh,
+  ): void {
+    const shared = this.#shared
+    if (!shared) return
+    const face = this.#faceOf(subMesh.getMesh())
+    const { grid, width, height } = shared.atlas.cells
+    const { x, y, z, w } = face?.reach ?? NOWHERE
+    uniforms.updateFloat4('furrowGrid', grid.columns, grid.rows, face?.cells[0].index ?? 0, 0)
+    uniforms.updateFloat4('furrowInset', 0.5 / width, 0.5 / height, 0, 0)
+    uniforms.updateFloat4('furrowBounds', x, y, z, w)
+    const { textures, normalScale, occlusionStrength, bloodAmplitude } = shared.textures
+    setFour(uniforms, 'furrowNormalScale', normalScale)
+    setFour(uniforms, 'furrowOcclusionStrength', occlusionStrength)
+    setFour(uniforms, 'furrowBloodAmplitude', bloodAmplitude)
+    uniforms.setTexture('furrowInfluenceMap', shared.atlas.map)
+    for (const kind in textures) {
+      uniforms.setTexture(samplerOf(kind as 'normal'), textures[kind as 'normal']!)
+    }
+  }
+
+  override hasTexture(texture: BaseTexture): boolean {
+    return Object.values(this.#shared?.textures.textures ?? {}).includes(texture as never)
+  }
+}
+
+function setFour(uniforms: UniformBuffer, name: string, [x, y, z, w]: readonly number[]): void {
+  uniforms.updateFloat4(name, x, y, z, w)
+}

@@ -1,0 +1,56 @@
+import { BLOOD_AT_REST } from '../core/blood.ts'
+import { type ImageArray, packColours, packGrays, packPairs } from '../core/pack.ts'
+import type { GrayImage, Layer, RgbaImage } from '../core/types.ts'
+
+/** Kinds of maps that a layer may have besides its normals. */
+export const VALUE_KINDS = ['baseColor', 'roughness', 'occlusion', 'blood'] as const
+export type ValueKind = (typeof VALUE_KINDS)[number]
+
+/** The images of one kind of map, of all layers, as one array. */
+export interface PackedMaps {
+  images: ImageArray
+  /** Slice of each layer's map; null for a layer that has none. */
+  slices: readonly (number | null)[]
+  /** Channel of single-channel maps. */
+  channel: number
+}
+
+/**
+ * Packs the images of one kind.
+ *
+ * @param maps of each layer; undefined for a layer that has none.
+ * @throws FurrowError when their sizes differ.
+ */
+export function packMaps(
+  maps: readonly (RgbaImage | GrayImage | undefined)[],
+  kind: 'normal' | ValueKind,
+): PackedMaps {
+  const present = maps.filter((map) => map !== undefined)
+  const pack = kind === 'normal' || kind === 'baseColor' ? packColours : packGrays
+  let next = 0
+  return {
+    images: pack(present, `Wrinkles ${kind} maps of the layers`),
+    slices: maps.map((map) => (map ? next++ : null)),
+    channel: 0,
+  }
+}
+
+/** Images of these are channels of one array: samplers are few. */
+export const PAIR = ['occlusion', 'blood'] as const
+
+/** Packs occlusion and blood of layers that have images of both. */
+export function packPair(layers: readonly Layer[]): Record<(typeof PAIR)[number], PackedMaps> {
+  const owners = layers.filter(({ occlusion, blood }) => occlusion ?? blood)
+  const pairs = owners.map(({ occlusion, blood }): [GrayImage | undefined, GrayImage | undefined] => [
+    occlusion,
+    blood,
+  ])
+  const who = 'Wrinkles occlusion and blood maps of the layers'
+  const images = packPairs(pairs, [255, BLOOD_AT_REST], who)
+  const mapsOf = (kind: (typeof PAIR)[number]): PackedMaps => ({
+    images,
+    slices: layers.map((layer) => (layer[kind] ? owners.indexOf(layer) : null)),
+    channel: PAIR.indexOf(kind),
+  })
+  return { occlusion: mapsOf('occlusion'), blood: mapsOf('blood') }
+}

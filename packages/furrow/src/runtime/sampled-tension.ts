@@ -1,0 +1,88 @@
+import type { Area, ArraySlice } from '../core/types.ts'
+import type { InputOf } from '../drivers/activation.ts'
+import { measuredSource } from '../drivers/sources.ts'
+import { TensionMeasurement } from '../drivers/tension/measure.ts'
+import { coverage, type SampledMesh, sampleCovered } from '../drivers/tension/samples.ts'
+import type { InputReader } from './driver-runtime.ts'
+
+/** Triangles per area: each costs three vertices, which are deformed on the CPU. */
+const SAMPLES = 16
+
+/** The surface that tension is measured on. */
+export interface TensionSurface {
+  /** The mesh at rest. */
+  sampled: SampledMesh
+  /** What is measured, each once: an area, along its principal directions or a given one. */
+  measured: readonly MeasuredArea[]
+}
+
+export interface MeasuredArea {
+  area: string
+  direction?: InputOf<'tension'>['direction']
+  /** How much it covers of each triangle (`coverage`); empty if that is unknown. */
+  covered: Float64Array
+}
+
+/**
+ * Prepares the surface for some inputs. The coverage of areas in compressed textures is unknown.
+ *
+ * @param areaOf the area of a name.
+ */
+export function tensionSurface(
+  sampled: SampledMesh,
+  inputs: readonly InputOf<'tension'>[],
+  areaOf: (name: string) => Area<ArraySlice> | undefined,
+): TensionSurface {
+  const covered = new Map<string, Float64Array>()
+  for (const { area } of inputs) {
+    if (covered.has(area)) continue
+    const weights = areaOf(area)?.weights
+    covered.set(area, weights && 'data' in weights ? coverage(sampled, weights) : new Float64Array())
+  }
+  const measured = inputs.filter((input, i) => indexIn(inputs, input) === i)
+  return {
+    sampled,
+    measured: measured.map(({ area, direction }) => ({ area, direction, covered: covered.get(area)! })),
+  }
+}
+
+/** Index of what an input measures, in whatever sense. */
+export function indexIn(measured: readonly Measured[], { area, direction }: Measured): number {
+  return measured.findIndex((own) => own.area === area && own.direction?.join() === direction?.join())
+}
+
+type Measured = Pick<MeasuredArea, 'area' | 'direction'>
+
+/**
+ * Measures a few triangles of each area on the CPU.
+ *
+ * @param read writes the current position of a vertex at an offset.
+ */
+export function sampledTension(
+  { sampled, measured }: TensionSurface,
+  inputs: readonly InputOf<'tension'>[],
+  read: (vertex: number, positions: Float64Array, offset: number) => void,
+): InputReader<unknown> {
+  const areas = [...new Map(measured.map((own) => [own.area, own.covered]))]
+  const samples = areas.map(([, covered]) => sampleCovered(sampled, covered, SAMPLES))
+  const vertices = Uint32Array.from(new Set(samples.flatMap((triangles) => [...triangles])))
+  const indices = new Map([...vertices].map((vertex, i) => [vertex, i]))
+  const ofVertices = (array: ArrayLike<number>, size: number) =>
+    Float64Array.from(
+      [...vertices].flatMap((vertex) => Array.from({ length: size }, (_, k) => array[size * vertex + k])),
+    )
+  const rest = ofVertices(sampled.positions, 3)
+  const bound = areas.map(([area], i) => ({
+    area,
+    triangles: samples[i].map((vertex) => indices.get(vertex)!),
+  }))
+  const measurement = new TensionMeasurement(inputs, bound, rest, ofVertices(sampled.uvs, 2))
+  const positions = new Float64Array(rest.length)
+  return {
+    ...measuredSource(measurement.missing),
+    read(values) {
+      for (let i = 0; i < vertices.length; i++) read(vertices[i], positions, 3 * i)
+      measurement.measure(positions, values)
+    },
+  }
+}

@@ -1,0 +1,91 @@
+import { Camera } from '@babylonjs/core/Cameras/camera.js'
+import { FreeCamera } from '@babylonjs/core/Cameras/freeCamera.js'
+import { Constants } from '@babylonjs/core/Engines/constants.js'
+import { Engine } from '@babylonjs/core/Engines/engine.js'
+import { WebGPUEngine } from '@babylonjs/core/Engines/webgpuEngine.js'
+import { RenderTargetTexture } from '@babylonjs/core/Materials/Textures/renderTargetTexture.js'
+import { Color4 } from '@babylonjs/core/Maths/math.color.js'
+import { Vector3 } from '@babylonjs/core/Maths/math.vector.js'
+import { Mesh } from '@babylonjs/core/Meshes/mesh.js'
+import { VertexData } from '@babylonjs/core/Meshes/mesh.vertexData.js'
+import { Scene } from '@babylonjs/core/scene.js'
+
+/** Both are tested; a missing one fails. */
+export const ENGINES = ['webgl', 'webgpu'] as const
+export type EngineName = (typeof ENGINES)[number]
+
+export interface BabylonHarness {
+  name: EngineName
+  engine: Engine | WebGPUEngine
+  /** An empty scene, seen by a camera whose frame `square` fills. */
+  createScene(): Scene
+  /** Renders a scene and reads it back: linear RGBA, floats, row 0 at the bottom. */
+  render(scene: Scene, width: number, height?: number): Promise<Float32Array>
+  /** What the GPU has complained of. */
+  errors: string[]
+  dispose(): void
+}
+
+/** Creates an engine; fails if it is not available. */
+export async function createHarness(name: EngineName): Promise<BabylonHarness> {
+  const canvas = document.createElement('canvas')
+  const errors: string[] = []
+  let engine: Engine | WebGPUEngine
+  if (name === 'webgpu') {
+    engine = new WebGPUEngine(canvas)
+    await engine.initAsync()
+    const { _device: device } = engine as unknown as { _device: EventTarget }
+    device.addEventListener('uncapturederror', (event) => {
+      errors.push((event as Event & { error: Error }).error.message)
+    })
+  } else {
+    engine = new Engine(canvas, false)
+    if (engine.version < 2) throw new Error('WebGL 2 is not available')
+  }
+  return {
+    name,
+    engine,
+    errors,
+    createScene() {
+      const scene = new Scene(engine)
+      scene.clearColor = new Color4(0, 0, 0, 0)
+      // Colours stay linear, without tone mapping.
+      scene.imageProcessingConfiguration.applyByPostProcess = true
+      const camera = new FreeCamera('camera', new Vector3(0, 0, -5), scene)
+      camera.mode = Camera.ORTHOGRAPHIC_CAMERA
+      camera.orthoLeft = camera.orthoBottom = -1
+      camera.orthoRight = camera.orthoTop = 1
+      return scene
+    },
+    async render(scene, width, height = width) {
+      const target = new RenderTargetTexture('picture', { width, height }, scene, {
+        generateMipMaps: false,
+        type: Constants.TEXTURETYPE_FLOAT,
+        format: Constants.TEXTUREFORMAT_RGBA,
+      })
+      const camera = scene.activeCamera!
+      camera.outputRenderTarget = target
+      engine.beginFrame()
+      await scene.whenReadyAsync(true)
+      scene.render()
+      engine.endFrame()
+      const pixels = new Float32Array((await target.readPixels()) as Float32Array)
+      camera.outputRenderTarget = null
+      target.dispose()
+      return pixels
+    },
+    dispose: () => engine.dispose(),
+  }
+}
+
+/** A square that fills the frame; `uv = (x, 1 - y) * scale + offset`, v downwards as in glTF. */
+export function square(scene: Scene, scale = 1, offset = [0, 0]): Mesh {
+  const mesh = new Mesh('square', scene)
+  const data = new VertexData()
+  data.positions = [-1, 1, 0, 1, 1, 0, -1, -1, 0, 1, -1, 0]
+  data.normals = [0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1]
+  data.uvs = [0, 0, 1, 0, 0, 1, 1, 1].map((value, i) => value * scale + offset[i % 2])
+  data.indices = [0, 2, 1, 2, 3, 1]
+  data.applyToMesh(mesh)
+  return mesh
+}

@@ -1,0 +1,346 @@
+import type { FreeCamera } from '@babylonjs/core/Cameras/freeCamera.js'
+import { DirectionalLight } from '@babylonjs/core/Lights/directionalLight.js'
+import { HemisphericLight } from '@babylonjs/core/Lights/hemisphericLight.js'
+import { LoadAssetContainerAsync } from '@babylonjs/core/Loading/sceneLoader.js'
+import { Matrix, Vector3 } from '@babylonjs/core/Maths/math.vector.js'
+import type { Mesh } from '@babylonjs/core/Meshes/mesh.js'
+import type { Scene } from '@babylonjs/core/scene.js'
+import '@babylonjs/loaders/glTF/2.0/glTFLoader.js'
+import { ExpressionPlayer, FaceScores, registerWrinkleMaps, Wrinkles, wrinklesOf } from 'furrow/babylon'
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest'
+import { quietConsole } from '../quiet-console.ts'
+import { driver, wrinkledFile } from '../wrinkled-file.ts'
+import { type BabylonHarness, createHarness, ENGINES } from './harness.ts'
+
+const PIXELS = 32
+
+// biome-ignore lint/suspicious/noExplicitAny: tests spoil files in ways that no type allows
+type Any = any
+
+beforeAll(() => registerWrinkleMaps())
+
+async function load(scene: Scene, file: Uint8Array) {
+  const container = await LoadAssetContainerAsync(file, scene, { pluginExtension: '.glb' })
+  container.addAllToScene()
+  return container
+}
+
+/** A scene that is lit, and seen from where glTF's faces look. */
+function litScene(harness: BabylonHarness): Scene {
+  const scene = harness.createScene()
+  const camera = scene.activeCamera as FreeCamera
+  camera.position.z = 5
+  camera.setTarget(Vector3.Zero())
+  new HemisphericLight('sky', Vector3.Up(), scene).intensity = 0.3
+  new DirectionalLight('sun', new Vector3(-1, -1, -1), scene)
+  return scene
+}
+
+const setTarget = (meshes: readonly { morphTargetManager?: Mesh['morphTargetManager'] }[], value: number) => {
+  for (const { morphTargetManager } of meshes) {
+    if (morphTargetManager) morphTargetManager.getTarget(0).influence = value
+  }
+}
+
+describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
+  const written = quietConsole()
+  let harness: BabylonHarness
+  let scene: Scene
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterEach(() => {
+    scene.dispose()
+    expect(harness.errors).toEqual([])
+  })
+  afterAll(() => harness.dispose())
+
+  const open = async (...edits: Parameters<typeof wrinkledFile>) => {
+    scene = litScene(harness)
+    return load(scene, await wrinkledFile(...edits))
+  }
+  const picture = () => harness.render(scene, PIXELS)
+
+  it('wrinkles as its blendshapes move, on all primitives', async () => {
+    const { meshes } = await open()
+    const rest = await picture()
+    setTarget(meshes, 1)
+    const moved = await picture()
+    for (const half of [0, PIXELS / 2]) expect(differs(rest, moved, half), `half at ${half}`).toBe(true)
+    setTarget(meshes, 0)
+    expect(await picture()).toEqual(rest)
+    expect(written.warn).not.toHaveBeenCalled()
+  })
+
+  it('activates an area by its driver, and others by their resting activation', async () => {
+    const container = await open()
+    const faces = wrinklesOf(container)
+    expect(faces).toHaveLength(1)
+    const [wrinkles] = faces
+    expect(wrinkles.areaNames).toEqual(['a', 'b', 'c', 'd'])
+    expect(wrinkles.getActivation('b')).toBe(0.25)
+    setTarget(container.meshes, 0.6)
+    await picture()
+    // The curve rises from 0.2 to 1, so that 0.6 is halfway.
+    expect(wrinkles.getActivation('a')).toBeCloseTo(0.5, 6)
+  })
+
+  it('reads joints, age, inputs and time', async () => {
+    const container = await open(
+      (maps) => {
+        maps.drivers = [
+          {
+            type: 'bone',
+            area: 'a',
+            joints: ['head', 'jaw'],
+            measure: 'angle',
+            curve: [
+              [0, 0],
+              [1, 1],
+            ],
+          },
+          {
+            type: 'age',
+            area: 'b',
+            curve: [
+              [20, 0],
+              [70, 1],
+            ],
+          },
+          {
+            type: 'input',
+            area: 'c',
+            name: 'stress',
+            curve: [
+              [0, 0],
+              [1, 1],
+            ],
+          },
+          { type: 'time', area: 'c', attack: 10, release: 10 },
+        ]
+      },
+      (json) => {
+        json.nodes.push({ name: 'head', children: [json.nodes.length + 1] }, { name: 'jaw' })
+        json.scenes[0].nodes.push(json.nodes.length - 2)
+      },
+    )
+    const [wrinkles] = wrinklesOf(container)
+    let now = 0
+    wrinkles.clock = { now: () => now }
+    wrinkles.update()
+    const jaw = container.transformNodes.find((node) => node.name === 'jaw')!
+    jaw.rotate(Vector3.Right(), 0.5)
+    wrinkles.inputs.set('age', 45)
+    wrinkles.inputs.set('stress', 1)
+    now = 1000
+    wrinkles.update()
+    expect(wrinkles.getActivation('a')).toBeCloseTo(0.5, 5)
+    expect(wrinkles.getActivation('b')).toBeCloseTo(0.75, 5)
+    expect(wrinkles.getActivation('c')).toBeGreaterThan(0.01)
+    expect(wrinkles.getActivation('c')).toBeLessThan(0.5)
+  })
+
+  it('plays expressions and scores', async () => {
+    const { meshes } = await open()
+    const [root] = meshes
+    const player = new ExpressionPlayer(root, wrinklesOf(meshes[1]), [
+      { name: 'surprised', targets: { browInnerUp: 0.8 }, activations: { d: 0.5 } },
+    ])
+    player.play('surprised', 0)
+    expect(meshes[1].morphTargetManager!.getTarget(0).influence).toBeCloseTo(0.8, 6)
+    new FaceScores(root).set([{ categoryName: 'browInnerUp', score: 0.3 }])
+    expect(meshes[2].morphTargetManager!.getTarget(0).influence).toBeCloseTo(0.3, 6)
+  })
+
+  it('gives clones and instances activations of their own', async () => {
+    const container = await open()
+    const [, left] = container.meshes as Mesh[]
+    const clone = left.clone('clone')
+    const instance = left.createInstance('instance')
+    const faces = [left, clone, instance].map((mesh) => wrinklesOf(mesh)!)
+    expect(new Set(faces).size).toBe(3)
+    clone.position.x = 1
+    for (const mesh of [clone, instance]) mesh.setEnabled(false)
+    const shown = async (mesh: { setEnabled(on: boolean): void }, activation: number) => {
+      for (const own of [...container.meshes.slice(1), clone, instance]) own.setEnabled(false)
+      mesh.setEnabled(true)
+      faces[[left, clone, instance].indexOf(mesh as Mesh)].setActivation('d', activation)
+      return picture()
+    }
+    const rest = await shown(left, 0)
+    const wrinkled = await shown(left, 1)
+    expect(wrinkled).not.toEqual(rest)
+    clone.position.copyFrom(left.position)
+    expect(await shown(clone, 0)).toEqual(rest)
+    expect(await shown(clone, 1)).toEqual(wrinkled)
+    expect(await shown(instance as never, 0)).toEqual(rest)
+    expect(await shown(instance as never, 1)).toEqual(wrinkled)
+    expect(await shown(left, 0.5)).not.toEqual(wrinkled)
+  })
+
+  it('gives instances that are drawn at once cells of their own', async () => {
+    const container = await open()
+    const [, left, right] = container.meshes as Mesh[]
+    right.setEnabled(false)
+    const instance = left.createInstance('instance')
+    instance.position.x = 1
+    const rest = await picture()
+    wrinklesOf(instance)!.setActivation('d', 1)
+    const moved = await picture()
+    const halves = [0, PIXELS / 2].map((half) => differs(rest, moved, half))
+    expect(halves.filter(Boolean)).toHaveLength(1)
+    wrinklesOf(instance)!.setActivation('d', 0)
+    wrinklesOf(left)!.setActivation('d', 1)
+    const other = await picture()
+    expect([0, PIXELS / 2].map((half) => differs(rest, other, half))).toEqual(
+      halves.map((changed) => !changed),
+    )
+  })
+
+  it('gives thin instances cells of their own', async () => {
+    const container = await open()
+    const [, left, right] = container.meshes as Mesh[]
+    right.setEnabled(false)
+    left.thinInstanceAdd([Matrix.Identity(), Matrix.Translation(1, 0, 0)])
+    const wrinkles = new Wrinkles(left, wrinklesOf(left)!)
+    expect(wrinkles.faceCount).toBe(2)
+    const rest = await picture()
+    wrinkles.setActivation('d', 1, 1)
+    const moved = await picture()
+    expect([0, PIXELS / 2].map((half) => differs(rest, moved, half)).filter(Boolean)).toHaveLength(1)
+  })
+
+  it('gives copies of a container wrinkles of their own, with materials of their own or not', async () => {
+    for (const cloneMaterials of [false, true]) {
+      const container = await open()
+      const copy = container.instantiateModelsToScene(undefined, cloneMaterials, { doNotInstantiate: true })
+      const [own] = wrinklesOf(container)
+      const [copied] = wrinklesOf(copy)
+      expect(copied).not.toBe(own)
+      setTarget(container.meshes, 0.6)
+      await picture()
+      expect(copied.areaNames).toEqual(own.areaNames)
+      copied.setActivation('d', 1)
+      await picture()
+      expect(own.getActivation('d')).toBe(0)
+      scene.dispose()
+    }
+  })
+
+  it('leaves nothing behind in 100 loads and disposes', async () => {
+    const file = await wrinkledFile()
+    scene = litScene(harness)
+    const counts = () => {
+      const { _compiledEffects: effects } = harness.engine as unknown as { _compiledEffects: object }
+      const { textures, materials, meshes } = scene
+      return {
+        textures: textures.length,
+        onGpu: harness.engine.getLoadedTexturesCache().length,
+        effects: Object.keys(effects).length,
+        materials: materials.length,
+        meshes: meshes.length,
+        observers: scene.onBeforeRenderObservable.observers.length,
+      }
+    }
+    const once = async () => {
+      const container = await load(scene, file)
+      setTarget(container.meshes, 1)
+      await picture()
+      container.dispose()
+    }
+    await once()
+    const before = counts()
+    for (let i = 0; i < 100; i++) await once()
+    expect(counts()).toEqual(before)
+  })
+
+  it.each([
+    [
+      'null',
+      (_: Any, json: Any) => (json.materials[0].extensions.FURROW_wrinkle_maps = null),
+      /must be an object, got null/,
+    ],
+    ['no layers', (maps: Any) => delete maps.layers, /layers must be an array, got nothing/],
+    [
+      'an unknown texture',
+      (maps: Any) => (maps.layers[0].normalTexture.index = 99),
+      /normalTexture.index is out of range, got 99/,
+    ],
+    [
+      'a texture without an image',
+      (maps: Any, json: Any) => (json.textures[maps.areas[0].texture.index] = {}),
+      /cannot be read/,
+    ],
+    [
+      'an image that is cut off',
+      (maps: Any, json: Any) => {
+        const { source } = json.textures[maps.layers[0].normalTexture.index]
+        json.bufferViews[json.images[source].bufferView].byteLength = 60
+      },
+      /not a readable image, got "it is cut off"/,
+    ],
+    [
+      'a file that does not declare it',
+      (_: Any, json: Any) => (json.extensionsUsed = []),
+      /extensionsUsed lacks/,
+    ],
+    [
+      'KTX 2',
+      (maps: Any, json: Any) => {
+        const texture = json.textures[maps.layers[0].normalTexture.index]
+        texture.extensions = { KHR_texture_basisu: { source: texture.source } }
+        delete texture.source
+      },
+      /the maps are KTX 2, which furrow\/babylon does not read/,
+    ],
+  ])('stays plain, with one warning, because of %s', async (_, spoil, warning) => {
+    const container = await open(undefined, (json) =>
+      spoil(json.materials[0].extensions.FURROW_wrinkle_maps as never, json),
+    )
+    expect(wrinklesOf(container)).toEqual([])
+    expect(written.warn.mock.calls.flat().filter((text) => /FURROW|Wrinkle/.test(String(text)))).toHaveLength(
+      1,
+    )
+    expect(String(written.warn.mock.calls[0])).toMatch(warning)
+    const pixels = await picture()
+    expect(Math.max(...pixels)).toBeGreaterThan(0.1)
+  })
+
+  it('leaves out drivers that are malformed, unknown or without their inputs, with one warning each', async () => {
+    const container = await open((maps) => {
+      maps.drivers = [
+        driver('a', 'browInnerUp'),
+        { type: 'morph', area: 'b', targets: 1 },
+        { type: 'telepathy', area: 'b' },
+        driver('c', 'nowhere'),
+      ]
+    })
+    setTarget(container.meshes, 1)
+    await picture()
+    expect(wrinklesOf(container)[0].getActivation('a')).toBe(1)
+    expect(written.warn).toHaveBeenCalledTimes(2)
+  })
+})
+
+describe('what only three.js shows', () => {
+  it.each([
+    [{ mode: 'paper' }, /a mode that Babylon.js does not have, got "paper"/],
+    [{ mode: 'composed' }, /a mode that Babylon.js does not have/],
+    [{ relief: 'on' }, /an option that Babylon.js does not have, got "relief"/],
+    [{ auto: {} }, /an option that Babylon.js does not have, got "auto"/],
+    [{ fadeBelow: 100 }, /an option that Babylon.js does not have/],
+    [{ areaSize: 1 }, /areaSize/],
+  ])('is refused: %j', (options, message) => {
+    expect(() => registerWrinkleMaps(options as never)).toThrow(message)
+  })
+})
+
+function differs(a: Float32Array, b: Float32Array, x0: number): boolean {
+  for (let y = 0; y < PIXELS; y++) {
+    for (let x = x0 + 2; x < x0 + PIXELS / 2 - 2; x++) {
+      const at = 4 * (y * PIXELS + x)
+      for (let c = 0; c < 3; c++) if (Math.abs(a[at + c] - b[at + c]) > 1 / 255) return true
+    }
+  }
+  return false
+}

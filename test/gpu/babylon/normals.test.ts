@@ -1,0 +1,169 @@
+import { DirectionalLight } from '@babylonjs/core/Lights/directionalLight.js'
+import { PBRMaterial } from '@babylonjs/core/Materials/PBR/pbrMaterial.js'
+import { StandardMaterial } from '@babylonjs/core/Materials/standardMaterial.js'
+import { RawTexture } from '@babylonjs/core/Materials/Textures/rawTexture.js'
+import { Color3 } from '@babylonjs/core/Maths/math.color.js'
+import { Vector3 } from '@babylonjs/core/Maths/math.vector.js'
+import type { Scene } from '@babylonjs/core/scene.js'
+import { type LayerKind, packAreas, packColours, type RgbaImage, reference } from 'furrow'
+import { Wrinkles } from 'furrow/babylon'
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest'
+import { layer, randomAreas, randomNormals } from '../../cases.ts'
+import { seeded } from '../../random.ts'
+import { type BabylonHarness, createHarness, ENGINES, square } from './harness.ts'
+
+const PIXELS = 32
+const MAP = 16
+
+/** Normals in Babylon.js's debug modes. */
+const SHOW_NORMAL = 5
+
+const KINDS: LayerKind[][] = [
+  ['replace'],
+  ['detail'],
+  ['replace', 'replace'],
+  ['detail', 'replace', 'detail'],
+  ['replace', 'detail', 'replace', 'detail'],
+]
+
+describe.each(ENGINES)('normals in Babylon.js on %s', (name) => {
+  let harness: BabylonHarness
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterEach(() => expect(harness.errors).toEqual([]))
+  afterAll(() => harness.dispose())
+
+  it.each([
+    ['PBRMaterial', shownByPbr],
+    ['StandardMaterial', shownByStandard],
+  ] as const)('of a %s are within 2/255 of the reference', async (_, create) => {
+    const random = seeded(5)
+    for (const kinds of KINDS) {
+      for (const hasMap of [true, false]) {
+        const { worst, effect } = await compare(harness, random, kinds, hasMap, create)
+        expect(worst).toBeLessThanOrEqual(2 / 255)
+        expect(effect, 'the effect of the layers').toBeGreaterThan(16 / 255)
+      }
+    }
+  })
+
+  it('without influence are those of the material, to the last bit, also after dispose', async () => {
+    const random = seeded(6)
+    for (const hasMap of [true, false]) {
+      const scene = harness.createScene()
+      const { mesh } = skin(scene, random, hasMap, shownByPbr)
+      const plain = await harness.render(scene, PIXELS)
+      const wrinkles = new Wrinkles(mesh, randomLayers(random, ['replace', 'detail']), { areaSize: MAP })
+      expect(await harness.render(scene, PIXELS)).toEqual(plain)
+      wrinkles.setActivation('area0', 1)
+      expect(await harness.render(scene, PIXELS)).not.toEqual(plain)
+      wrinkles.mode = 'off'
+      expect(await harness.render(scene, PIXELS)).toEqual(plain)
+      wrinkles.mode = 'default'
+      wrinkles.dispose()
+      expect(await harness.render(scene, PIXELS)).toEqual(plain)
+      expect((mesh.material as PBRMaterial).bumpTexture !== null).toBe(hasMap)
+      scene.dispose()
+    }
+  })
+})
+
+/** How a material shows its normal, and what is to be seen of a normal in tangent space. */
+interface Shown {
+  material: PBRMaterial | StandardMaterial
+  seen(normal: readonly number[]): number[]
+}
+
+/** The whole normal, in world space, where z points away from the camera. */
+function shownByPbr(scene: Scene): Shown {
+  const material = new PBRMaterial('skin', scene)
+  Object.assign(material, { metallic: 0, roughness: 1, debugMode: SHOW_NORMAL, debugLimit: -1 })
+  return { material, seen: ([x, y, z]) => [x, y, -z].map((value) => value * 0.5 + 0.5) }
+}
+
+/** One light along each axis, of one primary colour each. The material's output is decoded as sRGB. */
+function shownByStandard(scene: Scene): Shown {
+  const material = new StandardMaterial('skin', scene)
+  material.specularColor = Color3.Black()
+  material.ambientColor = Color3.Black()
+  for (const [axis, direction] of [
+    [-1, 0, 0],
+    [0, -1, 0],
+    [0, 0, 1],
+  ].entries()) {
+    const light = new DirectionalLight('light', Vector3.FromArray(direction), scene)
+    light.diffuse = Color3.FromArray([0, 1, 2].map((i) => Number(i === axis)))
+  }
+  return { material, seen: (normal) => normal.map((value) => Math.max(value, 0) ** 2.2) }
+}
+
+function skin(scene: Scene, random: () => number, hasMap: boolean, create: (scene: Scene) => Shown) {
+  const { material, seen } = create(scene)
+  const base = hasMap ? randomNormals(random, MAP) : flatNormals()
+  if (hasMap) {
+    material.bumpTexture = RawTexture.CreateRGBATexture(base.data, MAP, MAP, scene, false, false)
+    material.invertNormalMapX = true
+  }
+  const mesh = square(scene)
+  mesh.material = material
+  return { mesh, seen, base }
+}
+
+function flatNormals(): RgbaImage {
+  const data = Uint8Array.from({ length: 4 * MAP * MAP }, (_, i) => [127.5, 127.5, 255, 255][i % 4])
+  return { width: MAP, height: MAP, data }
+}
+
+function randomLayers(random: () => number, kinds: readonly LayerKind[]) {
+  return {
+    layers: kinds.map((kind, i) => layer(`layer${i}`, kind, randomNormals(random, MAP))),
+    areas: randomAreas(random, 12, MAP).map((area, i) => ({ ...area, layer: `layer${i % kinds.length}` })),
+  }
+}
+
+async function compare(
+  harness: BabylonHarness,
+  random: () => number,
+  kinds: readonly LayerKind[],
+  hasMap: boolean,
+  create: (scene: Scene) => Shown,
+) {
+  const scene = harness.createScene()
+  const { mesh, seen, base } = skin(scene, random, hasMap, create)
+  const { layers, areas } = randomLayers(random, kinds)
+  const wrinkles = new Wrinkles(mesh, { layers, areas }, { areaSize: MAP })
+  const table = areas.map(({ name, combine = 'sum' }, i) => {
+    const activation = random() * 0.5
+    wrinkles.setActivation(name, activation)
+    return { activation, layer: i % kinds.length, combine }
+  })
+  const shown = await harness.render(scene, PIXELS)
+  scene.dispose()
+  const packed = packAreas(
+    areas.map(({ weights }) => weights),
+    MAP,
+  )
+  const maps = packColours([base, ...layers.map(({ normal }) => normal as RgbaImage)])
+  let [worst, effect] = [0, 0]
+  for (let i = 0; i < PIXELS * PIXELS; i++) {
+    const u = ((i % PIXELS) + 0.5) / PIXELS
+    const v = 1 - (Math.floor(i / PIXELS) + 0.5) / PIXELS
+    const normalOf = (map: number) =>
+      map === 0 && !hasMap
+        ? [0, 0, 1]
+        : reference.unpackNormal([0, 1, 2].map((c) => reference.sampleArray(maps, u, v, map, c)))
+    const mixed = kinds.map((kind, k) => ({
+      kind,
+      normal: normalOf(k + 1),
+      influence: reference.influenceFromMap(packed, table, u, v, k),
+    }))
+    const exact = seen(reference.mixNormals(normalOf(0), mixed))
+    const plain = seen(reference.mixNormals(normalOf(0), []))
+    for (const axis of [0, 1, 2]) {
+      worst = Math.max(worst, Math.abs(shown[4 * i + axis] - exact[axis]))
+      effect = Math.max(effect, Math.abs(plain[axis] - exact[axis]))
+    }
+  }
+  return { worst, effect }
+}

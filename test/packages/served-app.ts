@@ -1,0 +1,36 @@
+import { cp } from 'node:fs/promises'
+import { join } from 'node:path'
+import type { Browser } from 'playwright-core'
+import { openBrowser } from '../pages/browser.ts'
+import { createApp, DEPENDENCIES, pack, previewServer, ROOT, remove, run, temporaryFolder } from './npm.ts'
+
+/** An app that is served, and a browser to open it in. */
+export interface ServedApp {
+  origin: string
+  browser: Browser
+  close(): Promise<void>
+}
+
+/**
+ * Builds an app of `apps` by Vite, with the packed package and the shipped face.
+ *
+ * @param packages what it installs beside ours, Vite and TypeScript.
+ */
+export async function serveApp(source: string, packages: readonly string[]): Promise<ServedApp> {
+  const folder = await temporaryFolder()
+  const { vite, typescript } = DEPENDENCIES
+  const tarball = await pack('furrow', folder)
+  const app = await createApp(join(folder, 'app'), [tarball, vite, typescript, ...packages])
+  await cp(join(ROOT, 'test/packages/apps', source), app, { recursive: true })
+  await cp(join(ROOT, 'faces/human.glb'), join(app, 'public/wrinkled.glb'))
+  await run(app, 'npx', 'tsc')
+  await run(app, 'npx', 'vite', 'build')
+  const server = await previewServer(app)
+  const browser = await openBrowser()
+  const close = async () => {
+    await browser.close()
+    await server.close()
+    await remove(folder)
+  }
+  return { origin: server.origin, browser, close }
+}
