@@ -67,11 +67,14 @@ function createCandidates({ face, scene, renderer }: Bench, benchCase: Case): Ca
     })
 }
 
-/** Fraction of pixels in which each variant differs from the plain face. Draws each once, which compiles it. */
+/** Fraction of pixels in which each variant differs from the plain face. Draws each before, which compiles it. */
 async function changedFractions(bench: Bench, benchCase: Case, candidates: Candidate[]): Promise<number[]> {
   const pictures = new Map<string, Uint8Array>()
   for (const candidate of candidates) {
-    drawFrame(bench, benchCase, candidate, 0)
+    for (let i = VARIANTS.get(candidate.name)!.warmUp ?? 1; i > 0; i--) {
+      drawFrame(bench, benchCase, candidate, 0)
+      await new Promise((resolve) => setTimeout(resolve))
+    }
     pictures.set(candidate.name, await bench.timedRenderer.read())
   }
   const plain = pictures.get('plain')

@@ -1,4 +1,5 @@
-import { ComposedMap } from '../material/composed-map.ts'
+import { AutoMode } from '../material/auto-mode.ts'
+import { ComposedMap, composedSize } from '../material/composed-map.ts'
 import type { OtherModes } from '../material/other-modes.ts'
 import { packPaperArray } from '../material/paper-array.ts'
 import { composeMaterial } from './compose-material.ts'
@@ -13,5 +14,12 @@ const patchPaper: OtherModes['patchPaper'] = (material, inputs) => {
   return patchNodes(material, paperNodes(paper, uv, influenceFromAreas(inputs, paper.table, uv)))
 }
 
-/** The paper's mode and the composed one on `WebGPURenderer`. */
-export const OTHER_MODES: OtherModes = { packPaperArray, patchPaper, ComposedMap, composeMaterial }
+/** All modes but the default one, on `WebGPURenderer`. */
+export const OTHER_MODES: OtherModes = {
+  packPaperArray,
+  patchPaper,
+  ComposedMap,
+  composedSize,
+  composeMaterial,
+  AutoMode,
+}
