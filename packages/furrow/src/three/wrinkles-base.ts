@@ -102,8 +102,11 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.#cells = this.#atlas.add(this.faces)
     this.#entry = this.#frame.add(this)
     this.#inputs = createShaderInputs(textures, areas, this.#atlas)
-    const { textureBudget } = allOptions
-    this.#material = new PatchedMaterial(mesh, material, this.#inputs, renderer, textureBudget)
+    this.#material = new PatchedMaterial(mesh, material, this.#inputs, renderer, {
+      textureBudget: allOptions.textureBudget,
+      // Not within `compile`, whose lights another call of it would take.
+      onCompile: (own) => queueMicrotask(() => this.isDisposed || this.#atlas.compile(own)),
+    })
     this.#views = new InfluenceViews(this.#material, this.#inputs)
     this.#reliefOwner = this.#ownRelief()
     this.addMesh(mesh)

@@ -29,3 +29,18 @@ export function renderPreservingState(
   renderer.info.autoReset = autoReset
   renderer.autoClear = autoClear
 }
+
+/** Compiles what a scene is drawn into a target with, and allocates the target; fulfilled when it is compiled. Outside of frames only. */
+export async function compileFor(
+  renderer: AnyRenderer,
+  target: RenderTarget,
+  scene: Scene,
+  camera: Camera,
+): Promise<void> {
+  const gl = renderer as WebGLRenderer
+  const before = gl.getRenderTarget()
+  gl.setRenderTarget(target as never)
+  const compiled = gl.compileAsync(scene, camera)
+  gl.setRenderTarget(before)
+  await compiled
+}

@@ -8,7 +8,6 @@ import {
   type Texture,
   type TextureDataType,
   UnsignedByteType,
-  type WebGLRenderer,
 } from 'three'
 import { type Bounds, widen } from '../../core/bounds.ts'
 import type { AreaSlot } from '../../runtime/area-slots.ts'
@@ -16,7 +15,7 @@ import { hasMoved } from '../../runtime/atlas-cells.ts'
 import type { AreaArray } from '../atlas/area-array.ts'
 import type { QuadMaterials } from '../atlas/influence-pass.ts'
 import { Quads } from '../atlas/quads.ts'
-import { renderPreservingState } from '../atlas/render-preserving-state.ts'
+import { compileFor, renderPreservingState } from '../atlas/render-preserving-state.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 
@@ -136,13 +135,7 @@ export class ComposedMap {
 
   /** Compiles what draws it without waiting, where that is possible outside of frames. */
   async compile(renderer: AnyRenderer): Promise<void> {
-    if (!('isWebGLRenderer' in renderer)) return
-    const gl = renderer as WebGLRenderer
-    const before = gl.getRenderTarget()
-    gl.setRenderTarget(this.target as never)
-    const compiled = gl.compileAsync(this.#scene, this.#camera)
-    gl.setRenderTarget(before)
-    await compiled
+    if ('isWebGLRenderer' in renderer) await compileFor(renderer, this.target, this.#scene, this.#camera)
   }
 
   dispose(): void {

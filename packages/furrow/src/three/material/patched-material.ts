@@ -7,7 +7,7 @@ import type { AnyRenderer } from '../renderer.ts'
 import { ActivationTable } from './activation-table.ts'
 import type { AutoMode } from './auto-mode.ts'
 import type { ComposedMap } from './composed-map.ts'
-import type { RendererParts } from './renderer-parts.ts'
+import type { PatchEvents, RendererParts } from './renderer-parts.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import { readsNormalMap, surfaceOf, withSurface } from './surface.ts'
 import { flatNormalTexture } from './textures.ts'
@@ -25,6 +25,11 @@ export function checkMaterial(mesh: Mesh): WrinkleMaterial {
   const problem = problemOf(material)
   if (!problem) return material
   throw new FurrowError({ who: 'Wrinkles', value: mesh.name, ...problem })
+}
+
+interface PatchedMaterialOptions extends Pick<PatchEvents, 'onCompile'> {
+  /** See `WrinklesOptions`. */
+  textureBudget: number
 }
 
 /** The user's own material while it shows wrinkles. */
@@ -49,17 +54,16 @@ export class PatchedMaterial {
   #auto: AutoMode | null = null
   /** Found before the material is patched. */
   #isComposable = false
-  readonly #textureBudget: number
+  readonly #options: PatchedMaterialOptions
 
-  /** @param textureBudget see `WrinklesOptions`. */
   constructor(
     mesh: Mesh,
     material: WrinkleMaterial,
     inputs: ShaderInputs,
     renderer: RendererParts,
-    textureBudget: number,
+    options: PatchedMaterialOptions,
   ) {
-    this.#textureBudget = textureBudget
+    this.#options = options
     this.#mesh = mesh
     this.#material = material
     this.#inputs = inputs
@@ -84,7 +88,7 @@ export class PatchedMaterial {
       inputs: this.#inputs,
       hasContents: this.#renderer.quads.hasContents,
       composeMaterial: others.composeMaterial,
-      budget: this.#textureBudget,
+      budget: this.#options.textureBudget,
     })
     return this.#auto
   }
@@ -241,7 +245,8 @@ export class PatchedMaterial {
       this.#isRefused = true
     }
     const { others, patch } = this.#renderer
-    const patchDefault = () => patch(material, this.#inputs, instancesOf(this.#mesh), refuse)
+    const events = { refuse, onCompile: this.#options.onCompile }
+    const patchDefault = () => patch(material, this.#inputs, instancesOf(this.#mesh), events)
     const undo = {
       composed: () => this.#compose(),
       paper: () => others.value!.patchPaper(material, this.#inputs, refuse),
