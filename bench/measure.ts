@@ -36,7 +36,7 @@ interface Candidate {
  * @throws Error if a variant shows no wrinkles.
  */
 export async function measure(bench: Bench, benchCase: Case, plan: Plan): Promise<Measured[]> {
-  const candidates = createCandidates(bench, benchCase)
+  const candidates = createCandidates(bench, benchCase, plan)
   try {
     await Promise.all(candidates.map(({ applied }) => applied.ready))
     const changed = await changedFractions(bench, benchCase, candidates)
@@ -55,10 +55,14 @@ export async function measure(bench: Bench, benchCase: Case, plan: Plan): Promis
   }
 }
 
-function createCandidates({ face, scene, renderer }: Bench, benchCase: Case): Candidate[] {
+function createCandidates(
+  { face, scene, renderer }: Bench,
+  benchCase: Case,
+  { variants = [...VARIANTS.keys()] }: Plan,
+): Candidate[] {
   const set = createSet(face, benchCase.areas, benchCase.layers)
   return [...VARIANTS]
-    .filter(([, variant]) => variant.canShow(benchCase, renderer))
+    .filter(([name, variant]) => variants.includes(name) && variant.canShow(benchCase, renderer))
     .map(([name, variant]) => {
       const mesh = createSkin(face)
       mesh.visible = false
