@@ -20,14 +20,6 @@ export function pixelsPerUnit(mesh: Mesh, camera: Camera, renderer: AnyRenderer)
   return size / (2 * mesh.geometry.boundingSphere!.radius)
 }
 
-/** The same of the point nearest to the camera. */
-export function largestPixelsPerUnit(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
-  const perUnit = pixelsPerUnit(mesh, camera, renderer)
-  if (!(camera as PerspectiveCamera).isPerspectiveCamera || perUnit === Infinity) return perUnit
-  const distance = eye.setFromMatrixPosition(camera.matrixWorld).distanceTo(sphere.center)
-  return (perUnit * distance) / (distance - sphere.radius)
-}
-
 /** Diameter of a mesh's bounding sphere in the picture being drawn, in pixels; Infinity if the camera is inside it. */
 export function sizeOnScreen(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
   const { geometry } = mesh

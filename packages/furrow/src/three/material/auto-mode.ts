@@ -5,7 +5,6 @@ import {
   LinearMipmapLinearFilter,
   type Mesh,
   RepeatWrapping,
-  type SkinnedMesh,
   type Texture,
   UnsignedByteType,
   type VideoTexture,
@@ -14,7 +13,6 @@ import { hasMoved } from '../../runtime/atlas-cells.ts'
 import type { QuadMaterials } from '../atlas/influence-pass.ts'
 import { callAfterRender } from '../before-render.ts'
 import type { AnyRenderer } from '../renderer.ts'
-import { largestPixelsPerUnit, pictureOf, sizeOnScreen } from '../size-on-screen.ts'
 import { ComposePolicy } from './compose-policy.ts'
 import {
   type ComposedFormat,
@@ -23,6 +21,7 @@ import {
   composedSize,
   type Size,
 } from './composed-map.ts'
+import { pixelsOnScreen, sideOnScreen } from './screen-need.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import { uvLayoutOf } from './uv-layout.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
@@ -116,7 +115,7 @@ export class AutoMode {
     const base = material.normalMap
     if (!base || !isRepeated(base, mesh)) return
     const side = sideOnScreen(mesh, camera, renderer, base.channel)
-    this.#addView(side, pixelsOf(mesh, camera, renderer))
+    this.#addView(side, pixelsOnScreen(mesh, camera, renderer))
     const made = this.#made
     if (made?.state !== 'drawn' || made.renderer !== renderer || made.base !== base) return
     // Another view of this frame may be nearer than those of the last.
@@ -237,18 +236,6 @@ function halvingsOf({ width, height }: Size, needed: number): number {
 function isKept(made: Made, renderer: AnyRenderer, base: Texture, halvings: number): boolean {
   if (made.renderer !== renderer || made.base !== base || made.baseVersion !== base.version) return false
   return halvings === made.halvings || halvings === made.halvings + 1
-}
-
-/** Texels of a side that a view can tell apart: all where a skeleton may have moved the mesh elsewhere. */
-function sideOnScreen(mesh: Mesh, camera: Camera, renderer: AnyRenderer, channel: number): number {
-  if ((mesh as Partial<SkinnedMesh>).isSkinnedMesh) return Infinity
-  return uvLayoutOf(mesh.geometry, channel).unitsPerUv * largestPixelsPerUnit(mesh, camera, renderer)
-}
-
-/** Pixels that a mesh covers, at most. */
-function pixelsOf(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
-  const { width, height } = pictureOf(renderer)
-  return Math.min(width * height, (Math.PI / 4) * sizeOnScreen(mesh, camera, renderer) ** 2)
 }
 
 /** Whether a mesh shows a map as if it repeated, which the layers' maps do. */

@@ -1,4 +1,3 @@
-import type { AutoMode } from './auto-mode.ts'
 import type { ComposedMap, ComposeMaterial, composedSize } from './composed-map.ts'
 import type { packPaperArray } from './paper-array.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
@@ -11,6 +10,5 @@ export interface OtherModes {
   patchPaper(material: WrinkleMaterial, inputs: ShaderInputs, refuse: () => void): () => void
   ComposedMap: typeof ComposedMap
   composedSize: typeof composedSize
-  AutoMode: typeof AutoMode
   composeMaterial: ComposeMaterial
 }

@@ -7,6 +7,7 @@ import type { AnyRenderer } from '../renderer.ts'
 import { ActivationTable } from './activation-table.ts'
 import type { AutoMode } from './auto-mode.ts'
 import type { ComposedMap } from './composed-map.ts'
+import { Fetched } from './fetched.ts'
 import type { PatchEvents, RendererParts } from './renderer-parts.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import { readsNormalMap, surfaceOf, withSurface } from './surface.ts'
@@ -14,6 +15,8 @@ import { flatNormalTexture } from './textures.ts'
 import { isToon, type WrinkleMaterial } from './wrinkle-material.ts'
 
 const patchedMaterials = new WeakSet<Material>()
+
+const autoMode = new Fetched(async () => (await import('./auto-mode.ts')).AutoMode)
 
 /**
  * The material of a mesh that shows its wrinkles.
@@ -82,8 +85,8 @@ export class PatchedMaterial {
   /** What draws the composed map now and then in the mode `auto`; null where that never happens, or not yet. */
   get auto(): AutoMode | null {
     const others = this.#renderer.others.value
-    if (this.mode !== 'auto' || !others || !this.#isComposable) return null
-    this.#auto ??= new others.AutoMode({
+    if (this.mode !== 'auto' || !others || !autoMode.value || !this.#isComposable) return null
+    this.#auto ??= new autoMode.value({
       material: this.#material,
       inputs: this.#inputs,
       hasContents: this.#renderer.quads.hasContents,
@@ -124,7 +127,8 @@ export class PatchedMaterial {
     this.#pending = null
     this.#apply(mode)
     // Until then it is the default mode.
-    if (mode === 'auto' && this.#isComposable) others.load().catch(({ message }) => console.warn(message))
+    if (mode !== 'auto' || !this.#isComposable) return
+    Promise.all([others.load(), autoMode.load()]).catch(({ message }) => console.warn(message))
   }
 
   /**

@@ -1,4 +1,3 @@
-import { AutoMode } from '../material/auto-mode.ts'
 import { ComposedMap, composedSize } from '../material/composed-map.ts'
 import type { OtherModes } from '../material/other-modes.ts'
 import { packPaperArray } from '../material/paper-array.ts'
@@ -20,12 +19,11 @@ const patchPaper: OtherModes['patchPaper'] = (material, inputs, refuse) => {
   })
 }
 
-/** All modes but the default one, on `WebGLRenderer`. */
+/** What all modes but the default one take, on `WebGLRenderer`. */
 export const OTHER_MODES: OtherModes = {
   packPaperArray,
   patchPaper,
   ComposedMap,
   composedSize,
   composeMaterial,
-  AutoMode,
 }

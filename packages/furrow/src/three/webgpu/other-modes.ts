@@ -1,4 +1,3 @@
-import { AutoMode } from '../material/auto-mode.ts'
 import { ComposedMap, composedSize } from '../material/composed-map.ts'
 import type { OtherModes } from '../material/other-modes.ts'
 import { packPaperArray } from '../material/paper-array.ts'
@@ -14,12 +13,11 @@ const patchPaper: OtherModes['patchPaper'] = (material, inputs) => {
   return patchNodes(material, paperNodes(paper, uv, influenceFromAreas(inputs, paper.table, uv)))
 }
 
-/** All modes but the default one, on `WebGPURenderer`. */
+/** What all modes but the default one take, on `WebGPURenderer`. */
 export const OTHER_MODES: OtherModes = {
   packPaperArray,
   patchPaper,
   ComposedMap,
   composedSize,
   composeMaterial,
-  AutoMode,
 }
