@@ -15,6 +15,8 @@ export interface Case {
 /** How often each case is measured. */
 export interface Plan {
   rounds: number
+  /** Names of the variants, all by default; the plain face must be one. */
+  variants?: readonly string[]
 }
 
 export const PLANS = {

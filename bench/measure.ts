@@ -36,7 +36,7 @@ interface Candidate {
  * @throws Error if a variant shows no wrinkles.
  */
 export async function measure(bench: Bench, benchCase: Case, plan: Plan): Promise<Measured[]> {
-  const candidates = createCandidates(bench, benchCase)
+  const candidates = createCandidates(bench, benchCase, plan)
   try {
     await Promise.all(candidates.map(({ applied }) => applied.ready))
     const changed = await changedFractions(bench, benchCase, candidates)
@@ -55,10 +55,14 @@ export async function measure(bench: Bench, benchCase: Case, plan: Plan): Promis
   }
 }
 
-function createCandidates({ face, scene, renderer }: Bench, benchCase: Case): Candidate[] {
+function createCandidates(
+  { face, scene, renderer }: Bench,
+  benchCase: Case,
+  { variants = [...VARIANTS.keys()] }: Plan,
+): Candidate[] {
   const set = createSet(face, benchCase.areas, benchCase.layers)
   return [...VARIANTS]
-    .filter(([, variant]) => variant.canShow(benchCase, renderer))
+    .filter(([name, variant]) => variants.includes(name) && variant.canShow(benchCase, renderer))
     .map(([name, variant]) => {
       const mesh = createSkin(face)
       mesh.visible = false
@@ -67,11 +71,14 @@ function createCandidates({ face, scene, renderer }: Bench, benchCase: Case): Ca
     })
 }
 
-/** Fraction of pixels in which each variant differs from the plain face. Draws each once, which compiles it. */
+/** Fraction of pixels in which each variant differs from the plain face. Draws each before, which compiles it. */
 async function changedFractions(bench: Bench, benchCase: Case, candidates: Candidate[]): Promise<number[]> {
   const pictures = new Map<string, Uint8Array>()
   for (const candidate of candidates) {
-    drawFrame(bench, benchCase, candidate, 0)
+    for (let i = VARIANTS.get(candidate.name)!.warmUp ?? 1; i > 0; i--) {
+      drawFrame(bench, benchCase, candidate, 0)
+      await new Promise((resolve) => setTimeout(resolve))
+    }
     pictures.set(candidate.name, await bench.timedRenderer.read())
   }
   const plain = pictures.get('plain')

@@ -30,6 +30,7 @@ const FETCHED = {
   muscles: ['three/sources/muscles', 'babylon/sources/muscles'],
   'expressions of a VRM': ['three/sources/target'],
   'the modes composed and paper': ['three/webgl/other-modes', 'three/webgpu/other-modes'],
+  'the mode auto': ['three/webgl/other-modes', 'three/webgpu/other-modes', 'three/material/auto-mode'],
   'KTX 2': ['drivers/parse', 'core/maps/rules', 'three/loader/ktx2', 'three/loader/join-arrays'],
   'maps of several sizes': ['core/maps/rules'],
   'a damaged file': ['drivers/parse', 'core/maps/rules'],

@@ -8,6 +8,8 @@ import type { Case } from './case.ts'
 export interface Variant {
   /** Whether it can show a case. */
   canShow(benchCase: Case, renderer: RendererKind): boolean
+  /** Frames to draw before it is drawn as it stays, 1 by default. */
+  warmUp?: number
   /** Adds the wrinkles to a mesh with a material of its own. */
   apply(mesh: Mesh, set: WrinkleSet, renderer: RendererKind): AppliedVariant
 }

@@ -40,6 +40,7 @@ await main(async () => {
     env: { ...process.env, FURROW_TEST_REPORT: report },
   })
   results.push(...readReport(report), tests)
+  if (process.env.CI) results.push(await checkRatios())
   summarise(results)
 })
 
@@ -72,6 +73,20 @@ async function checkDownload() {
   const { compareDownload, warnings } = await import('./lib/download.mjs')
   const grown = warnings(await compareDownload())
   return { name: 'download', state: grown.length > 0 ? 'warning' : 'passed', detail: grown.join('\n') }
+}
+
+/** What a frame costs may grow, but not unseen. Nothing else must run then. */
+async function checkRatios() {
+  say('frame')
+  const start = performance.now()
+  // It needs what `setUp` installs.
+  const { measureRatios, readFigures, warnings } = await import('../bench/ratios.mjs')
+  const grown = await measureRatios().then(
+    (ratios) => warnings(ratios, readFigures()),
+    ({ message }) => [message],
+  )
+  const seconds = (performance.now() - start) / 1000
+  return { name: 'frame', state: grown.length > 0 ? 'warning' : 'passed', seconds, detail: grown.join('\n') }
 }
 
 async function inOrder(...steps) {

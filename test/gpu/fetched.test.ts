@@ -54,6 +54,17 @@ describe.each(RENDERERS)('modes that are fetched, on %s', (name) => {
     expected.wrinkles.dispose()
   })
 
+  it('auto shows the default mode from the first frame on, and fetches the rest', async () => {
+    const usual = await load('default')
+    const before = await usual.picture()
+    const { wrinkles, picture } = await load('auto')
+    expect(wrinkles.mode).toBe('auto')
+    expect(await picture()).toBe(before)
+    await vi.waitFor(() => expect(others.value).not.toBeNull())
+    usual.wrinkles.dispose()
+    wrinkles.dispose()
+  })
+
   it('the mode that was set last is shown', async () => {
     const { wrinkles, picture } = await load('default')
     const before = await picture()

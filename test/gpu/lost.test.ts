@@ -1,11 +1,12 @@
 import { updateArea, updateLayer } from 'furrow/three'
-import { DirectionalLight, MeshPhysicalMaterial, Scene, type WebGLRenderer } from 'three'
+import { DirectionalLight, MeshPhysicalMaterial, Scene } from 'three'
 import type { WebGPURenderer } from 'three/webgpu'
 import { describe, expect, it } from 'vitest'
 import { randomAreas, randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
 import { createHarness, type Harness, square, squareCamera } from './harness.ts'
+import { loseContext } from './lose-context.ts'
 
 function wrinkledScene(harness: Harness, set = randomSet(seeded(4), 6, 8, 16)) {
   const mesh = square(new MeshPhysicalMaterial())
@@ -16,22 +17,6 @@ function wrinkledScene(harness: Harness, set = randomSet(seeded(4), 6, 8, 16)) {
   const wrinkles = new harness.Wrinkles(mesh, set, { areaSize: 8 })
   for (const area of wrinkles.areaNames) wrinkles.setActivation(area, 0.4)
   return { scene, wrinkles }
-}
-
-/** Loses a WebGL context, and waits until it is restored. */
-async function loseContext({ renderer }: Harness, whileLost: () => void) {
-  const canvas = renderer.domElement
-  const loss = (renderer as WebGLRenderer).getContext().getExtension('WEBGL_lose_context')!
-  const once = (event: string) =>
-    new Promise((resolve) => canvas.addEventListener(event, resolve, { once: true }))
-  const lost = once('webglcontextlost')
-  loss.loseContext()
-  await lost
-  whileLost()
-  const restored = once('webglcontextrestored')
-  await new Promise((resolve) => setTimeout(resolve, 10))
-  loss.restoreContext()
-  await restored
 }
 
 describe('after a loss of the graphics device', () => {

@@ -6,14 +6,27 @@ export function callBeforeRender(
   mesh: Mesh,
   prepare: (renderer: AnyRenderer, camera: Camera) => void,
 ): () => void {
-  const before = mesh.onBeforeRender
+  return callAround('onBeforeRender', mesh, prepare)
+}
+
+/** The same after it is drawn. */
+export function callAfterRender(mesh: Mesh, restore: () => void): () => void {
+  return callAround('onAfterRender', mesh, restore)
+}
+
+function callAround(
+  event: 'onBeforeRender' | 'onAfterRender',
+  mesh: Mesh,
+  call: (renderer: AnyRenderer, camera: Camera) => void,
+): () => void {
+  const own = mesh[event]
   // All parameters by name: a rest parameter would allocate in every frame.
   const both: Mesh['onBeforeRender'] = (renderer, scene, camera, geometry, material, group) => {
-    before.call(mesh, renderer, scene, camera, geometry, material, group)
-    prepare(renderer as AnyRenderer, camera)
+    own.call(mesh, renderer, scene, camera, geometry, material, group)
+    call(renderer as AnyRenderer, camera)
   }
-  mesh.onBeforeRender = both
+  mesh[event] = both
   return () => {
-    if (mesh.onBeforeRender === both) mesh.onBeforeRender = before
+    if (mesh[event] === both) mesh[event] = own
   }
 }

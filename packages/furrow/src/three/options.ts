@@ -4,11 +4,12 @@ import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE, MIN_AREA_SIZE } from '../core/limits
 
 /**
  * `default` mixes normals and lights once; `paper` lights twice and mixes colours; `composed` draws the mixed normals into a texture
- * that replaces the material's normal map; `off` shows no wrinkles.
+ * that replaces the material's normal map; `auto` is the default mode, and the composed one while that is cheaper and looks the same; `off`
+ * shows no wrinkles.
  */
-export type WrinkleMode = 'default' | 'paper' | 'composed' | 'off'
+export type WrinkleMode = 'default' | 'auto' | 'paper' | 'composed' | 'off'
 
-const MODES: readonly WrinkleMode[] = ['default', 'paper', 'composed', 'off']
+const MODES: readonly WrinkleMode[] = ['default', 'auto', 'paper', 'composed', 'off']
 
 /**
  * `on` moves the surface itself by the layers' heights, so that wrinkles change outlines and shadows; `auto` does so where a millimetre
@@ -31,6 +32,11 @@ export interface WrinklesOptions {
   fadeBelow?: number
   /** Whether the layers' heights move the surface, `auto` by default. Heights are decoded, and triangles split, when that is first wanted. */
   relief?: ReliefMode
+  /**
+   * Bytes of texture memory that the maps of all faces in the mode `auto` may take together, 64 MiB by default; a face whose map does not
+   * fit stays in the default mode. A map of 1024 x 1024 takes 5.6 MB.
+   */
+  textureBudget?: number
 }
 
 /** Options of `WrinkleLoaderPlugin`. */
@@ -48,6 +54,7 @@ export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = {
   areaSize: DEFAULT_AREA_SIZE,
   fadeBelow: 0,
   relief: 'auto',
+  textureBudget: 64 * 2 ** 20,
 }
 
 /** @throws FurrowError when there is no such mode. */
@@ -66,7 +73,7 @@ export function checkReliefMode(relief: ReliefMode, who = 'Wrinkles.relief'): vo
  * @throws FurrowError at the first option that is not what it must be.
  */
 export function checkOptions(
-  { mode, areaSize, fadeBelow, relief }: Required<WrinklesOptions>,
+  { mode, areaSize, fadeBelow, relief, textureBudget }: Required<WrinklesOptions>,
   who: string,
 ): void {
   checkMode(mode, who)
@@ -77,4 +84,5 @@ export function checkOptions(
   if (!(fadeBelow >= 0 && fadeBelow < Infinity)) {
     throw wrongArgument(who, 'fadeBelow', fadeBelow, '0 pixels or more')
   }
+  if (!(textureBudget >= 0)) throw wrongArgument(who, 'textureBudget', textureBudget, '0 bytes or more')
 }

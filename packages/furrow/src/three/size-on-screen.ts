@@ -21,14 +21,19 @@ export function pixelsPerUnit(mesh: Mesh, camera: Camera, renderer: AnyRenderer)
 }
 
 /** Diameter of a mesh's bounding sphere in the picture being drawn, in pixels; Infinity if the camera is inside it. */
-function sizeOnScreen(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
+export function sizeOnScreen(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
   const { geometry } = mesh
   if (geometry.boundingSphere === null) geometry.computeBoundingSphere()
   sphere.copy(geometry.boundingSphere!).applyMatrix4(mesh.matrixWorld)
-  const height = renderer.getRenderTarget()?.height ?? renderer.domElement.height
+  const { height } = pictureOf(renderer)
   // Element 5 of a projection scales heights to halves of the screen.
   const diameter = Math.abs(camera.projectionMatrix.elements[5]) * sphere.radius
   if (!(camera as PerspectiveCamera).isPerspectiveCamera) return diameter * height
   const distance = eye.setFromMatrixPosition(camera.matrixWorld).distanceTo(sphere.center)
   return distance > sphere.radius ? (diameter / distance) * height : Infinity
+}
+
+/** The size of the picture being drawn, in pixels. */
+export function pictureOf(renderer: AnyRenderer): { width: number; height: number } {
+  return renderer.getRenderTarget() ?? renderer.domElement
 }

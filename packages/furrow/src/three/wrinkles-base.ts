@@ -102,7 +102,11 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.#cells = this.#atlas.add(this.faces)
     this.#entry = this.#frame.add(this)
     this.#inputs = createShaderInputs(textures, areas, this.#atlas)
-    this.#material = new PatchedMaterial(mesh, material, this.#inputs, renderer)
+    this.#material = new PatchedMaterial(mesh, material, this.#inputs, renderer, {
+      textureBudget: allOptions.textureBudget,
+      // Not within `compile`, whose lights another call of it would take.
+      onCompile: (own) => queueMicrotask(() => this.isDisposed || this.#atlas.compile(own)),
+    })
     this.#views = new InfluenceViews(this.#material, this.#inputs)
     this.#reliefOwner = this.#ownRelief()
     this.addMesh(mesh)
@@ -270,6 +274,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
       if (this.mode !== 'off') this.mode = 'off'
       return
     }
+    this.#material.auto?.end()
     this.#material.settle(renderer)
     this.#inputs.fade.value =
       this.#fadeOf(mesh, camera, renderer) * (this.#appearance?.advance(this.clock) ?? 1)
@@ -277,6 +282,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     locateCells(this.#inputs, this.#atlas, this.#cells)
     // After the drivers: relief by size depends on activations.
     this.#relief?.prepare(renderer, camera, mesh)
+    // What a page draws with the same material is not told when it was drawn, and shows the default mode.
+    if (this.#meshes.includes(mesh)) this.#material.auto?.begin(renderer, camera, mesh)
   }
 
   /** Phase 4 of a frame, see `Frame`: influence maps, or the paper's table. @internal */
@@ -286,20 +293,22 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     textures.upload?.(renderer)
     const { mode, composed } = this.#material
     if (mode === 'paper') paper!.table.update(areas, this.faces[0].activations)
-    const isUsed = mode === 'default' || composed !== null || this.#views.isMapNeeded || this.#relief?.isShown
+    const isMixed = mode === 'default' || mode === 'auto' || composed !== null
+    const isUsed = isMixed || this.#views.isMapNeeded || this.#relief?.isShown
     if (fade.value === 0 || !isUsed) return false
     this.#atlas.collect(this.#cells, renderer)
     return true
   }
 
-  /** Phase 5: the composed normal map, in its mode. @internal */
+  /** Phase 5: the composed normal map, in its mode and now and then in `auto`. @internal */
   composeNormals(renderer: AnyRenderer): void {
-    const { composed } = this.#material
-    if (!composed) return
+    const { composed, auto } = this.#material
+    if (!composed && !auto) return
     locateCells(this.#inputs, this.#atlas, this.#cells)
     const { areas, textures, fade } = this.#inputs
     const { values } = this.faces[0].activations
-    composed.update(renderer, areas, values, fade.value, areas.version + textures.version)
+    composed?.update(renderer, areas, values, fade.value, areas.version + textures.version)
+    auto?.step(renderer, values, !this.#views.isMapNeeded && !this.#relief?.isShown)
   }
 
   /** Restores the material, and frees the textures that no other face uses. */

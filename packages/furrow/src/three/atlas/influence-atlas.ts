@@ -78,6 +78,11 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     this.cells.changes = 0
   }
 
+  /** Compiles what draws it, unless it has drawn already. */
+  compile(renderer: AnyRenderer): void {
+    if (renderer !== this.#renderer) this.#pass.compile(renderer, this.cells.slots as Set<AreaArray>)
+  }
+
   dispose(): void {
     this.target.dispose()
     this.#pass.dispose()

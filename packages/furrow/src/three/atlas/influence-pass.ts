@@ -4,7 +4,7 @@ import type { AtlasCells, Cell } from '../../runtime/atlas-cells.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import type { AreaArray } from './area-array.ts'
 import { Quads } from './quads.ts'
-import { renderPreservingState } from './render-preserving-state.ts'
+import { compileFor, renderPreservingState } from './render-preserving-state.ts'
 
 /** What depends on the renderer: the quads' materials, and whether a target still holds what was drawn. */
 export interface QuadMaterials {
@@ -62,6 +62,13 @@ export class InfluencePass {
       max.end()
     }
     renderPreservingState(renderer, this.#target, this.#scene, this.#camera)
+  }
+
+  /** Compiles what draws some arrays of areas. */
+  compile(renderer: AnyRenderer, used: ReadonlySet<AreaArray>): void {
+    for (const areas of used) this.#batchOf(areas)
+    // Whatever is wrong, the first frame tells.
+    compileFor(renderer, this.#target, this.#scene, this.#camera).catch(() => {})
   }
 
   /** Frees the resources of all other arrays of areas. */

@@ -1,12 +1,13 @@
 import type { Camera, RenderTarget, Scene, WebGLRenderer } from 'three'
 import type { AnyRenderer } from '../renderer.ts'
 
-/** Renders into a target, without clearing it, during another render call, and restores the renderer's state. */
+/** Renders into a level of a target, without clearing it, during another render call, and restores the renderer's state. */
 export function renderPreservingState(
   renderer: AnyRenderer,
   target: RenderTarget,
   scene: Scene,
   camera: Camera,
+  targetLevel = 0,
 ): void {
   const gl = renderer as WebGLRenderer
   const before = gl.getRenderTarget()
@@ -20,11 +21,26 @@ export function renderPreservingState(
   renderer.info.autoReset = false
   renderer.xr.enabled = false
   if (gl.shadowMap) gl.shadowMap.autoUpdate = false
-  gl.setRenderTarget(target as never)
+  gl.setRenderTarget(target as never, 0, targetLevel)
   renderer.render(scene, camera)
   gl.setRenderTarget(before, face, level)
   if (gl.shadowMap) gl.shadowMap.autoUpdate = shadows
   renderer.xr.enabled = xr
   renderer.info.autoReset = autoReset
   renderer.autoClear = autoClear
+}
+
+/** Compiles what a scene is drawn into a target with, and allocates the target; fulfilled when it is compiled. Outside of frames only. */
+export async function compileFor(
+  renderer: AnyRenderer,
+  target: RenderTarget,
+  scene: Scene,
+  camera: Camera,
+): Promise<void> {
+  const gl = renderer as WebGLRenderer
+  const before = gl.getRenderTarget()
+  gl.setRenderTarget(target as never)
+  const compiled = gl.compileAsync(scene, camera)
+  gl.setRenderTarget(before)
+  await compiled
 }

@@ -172,7 +172,8 @@ export class WrinkleLoader {
   async #fetchMode(material: Material): Promise<void> {
     const { others, canPatch } = this.#parts.renderer
     const { mode } = this.#options
-    if (mode === 'default' ? !canPatch(material as WrinkleMaterial) : mode !== 'off') await others.load()
+    const isPatched = mode === 'default' || mode === 'auto'
+    if (isPatched ? !canPatch(material as WrinkleMaterial) : mode !== 'off') await others.load()
   }
 
   /** Adds wrinkles to the meshes of one face, to every copy of them, and to what is drawn with their material. */

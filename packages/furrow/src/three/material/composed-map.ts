@@ -6,6 +6,8 @@ import {
   RenderTarget,
   Scene,
   type Texture,
+  type TextureDataType,
+  UnsignedByteType,
 } from 'three'
 import { type Bounds, widen } from '../../core/bounds.ts'
 import type { AreaSlot } from '../../runtime/area-slots.ts'
@@ -13,8 +15,9 @@ import { hasMoved } from '../../runtime/atlas-cells.ts'
 import type { AreaArray } from '../atlas/area-array.ts'
 import type { QuadMaterials } from '../atlas/influence-pass.ts'
 import { Quads } from '../atlas/quads.ts'
-import { renderPreservingState } from '../atlas/render-preserving-state.ts'
+import { compileFor, renderPreservingState } from '../atlas/render-preserving-state.ts'
 import type { AnyRenderer } from '../renderer.ts'
+import type { ShaderInputs } from './shader-inputs.ts'
 
 const WHOLE: AreaSlot = {
   layer: 0,
@@ -22,6 +25,31 @@ const WHOLE: AreaSlot = {
   slice: 0,
   channel: 0,
   bounds: { x0: 0, y0: 0, x1: 1, y1: 1 },
+}
+
+/** In texels. */
+export interface Size {
+  width: number
+  height: number
+}
+
+/** A material for `Quads` that draws the composed normal map: `base` with the wrinkles mixed in. */
+export type ComposeMaterial = (base: Texture, inputs: ShaderInputs) => Material
+
+export interface ComposedFormat extends Size {
+  /** Bytes by default. */
+  type?: TextureDataType
+  /**
+   * Number of levels that are drawn, each from those of the maps that are as fine: as the default mode mixes them. Of one, the default, the GPU
+   * makes the others, which is cheaper and differs by a step of 8 bits or two.
+   */
+  levels?: number
+}
+
+/** The size of the larger of a face's own normal map and the array of its layers' normals. */
+export function composedSize(base: Texture, normals: Texture): Size {
+  const [own, layered] = [base, normals].map(({ image }) => image as Size)
+  return { width: Math.max(own.width, layered.width), height: Math.max(own.height, layered.height) }
 }
 
 /**
@@ -40,27 +68,27 @@ export class ComposedMap {
   #areas: AreaArray | null = null
   #fade = 1
   #version = 0
+  readonly #levels: number
   #slots: AreaSlot[] = []
   readonly #span: AreaSlot = { ...WHOLE, bounds: { ...WHOLE.bounds } }
   #drawn = new Float32Array(0)
 
   /**
    * @param base the map to replace, whose filters and transform are kept.
-   * @param normals the array of the layers' normals. The composed map has the size of the larger of both.
    * @param material draws `Quads` of the composed map.
    */
   constructor(
     base: Texture,
-    normals: Texture,
+    { width, height, type = UnsignedByteType, levels = 1 }: ComposedFormat,
     material: Material,
     hasContents: QuadMaterials['hasContents'],
   ) {
     this.base = base
-    const [own, layered] = [base, normals].map(({ image }) => image as { width: number; height: number })
-    const [width, height] = [Math.max(own.width, layered.width), Math.max(own.height, layered.height)]
+    this.#levels = levels
     this.target = new RenderTarget(width, height, {
+      type,
       depthBuffer: false,
-      generateMipmaps: true,
+      generateMipmaps: levels === 1,
       magFilter: LinearFilter,
       minFilter: LinearMipmapLinearFilter,
       anisotropy: base.anisotropy,
@@ -68,6 +96,8 @@ export class ComposedMap {
       wrapT: base.wrapT,
     })
     const { texture } = this.target
+    // What three.js allocates levels by that are drawn one by one.
+    if (levels > 1) texture.mipmaps = Array.from({ length: levels }, () => ({})) as typeof texture.mipmaps
     texture.channel = base.channel
     texture.matrixAutoUpdate = base.matrixAutoUpdate
     texture.offset.copy(base.offset)
@@ -94,7 +124,18 @@ export class ComposedMap {
     this.#fade = fade
     this.#version = version
     this.#quads.end()
-    if (this.#quads.mesh.visible) renderPreservingState(renderer, this.target, this.#scene, this.#camera)
+    if (!this.#quads.mesh.visible) return
+    for (let level = 0; level < this.#levels; level++) {
+      // `WebGPURenderer` halves it by itself.
+      const halvings = 'isWebGLRenderer' in renderer ? level : 0
+      this.target.viewport.set(0, 0, this.target.width >> halvings, this.target.height >> halvings)
+      renderPreservingState(renderer, this.target, this.#scene, this.#camera, level)
+    }
+  }
+
+  /** Compiles what draws it without waiting, where that is possible outside of frames. */
+  async compile(renderer: AnyRenderer): Promise<void> {
+    if ('isWebGLRenderer' in renderer) await compileFor(renderer, this.target, this.#scene, this.#camera)
   }
 
   dispose(): void {

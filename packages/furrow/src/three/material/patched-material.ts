@@ -5,14 +5,18 @@ import { instancesOf } from '../instances.ts'
 import type { WrinkleMode } from '../options.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import { ActivationTable } from './activation-table.ts'
+import type { AutoMode } from './auto-mode.ts'
 import type { ComposedMap } from './composed-map.ts'
-import type { RendererParts } from './renderer-parts.ts'
+import { Fetched } from './fetched.ts'
+import type { PatchEvents, RendererParts } from './renderer-parts.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import { readsNormalMap, surfaceOf, withSurface } from './surface.ts'
 import { flatNormalTexture } from './textures.ts'
-import type { WrinkleMaterial } from './wrinkle-material.ts'
+import { isToon, type WrinkleMaterial } from './wrinkle-material.ts'
 
 const patchedMaterials = new WeakSet<Material>()
+
+const autoMode = new Fetched(async () => (await import('./auto-mode.ts')).AutoMode)
 
 /**
  * The material of a mesh that shows its wrinkles.
@@ -24,6 +28,11 @@ export function checkMaterial(mesh: Mesh): WrinkleMaterial {
   const problem = problemOf(material)
   if (!problem) return material
   throw new FurrowError({ who: 'Wrinkles', value: mesh.name, ...problem })
+}
+
+interface PatchedMaterialOptions extends Pick<PatchEvents, 'onCompile'> {
+  /** See `WrinklesOptions`. */
+  textureBudget: number
 }
 
 /** The user's own material while it shows wrinkles. */
@@ -45,8 +54,19 @@ export class PatchedMaterial {
   #isRefused = false
   /** The mode that is shown as soon as what it takes was fetched. */
   #pending: WrinkleMode | null = null
+  #auto: AutoMode | null = null
+  /** Found before the material is patched. */
+  #isComposable = false
+  readonly #options: PatchedMaterialOptions
 
-  constructor(mesh: Mesh, material: WrinkleMaterial, inputs: ShaderInputs, renderer: RendererParts) {
+  constructor(
+    mesh: Mesh,
+    material: WrinkleMaterial,
+    inputs: ShaderInputs,
+    renderer: RendererParts,
+    options: PatchedMaterialOptions,
+  ) {
+    this.#options = options
     this.#mesh = mesh
     this.#material = material
     this.#inputs = inputs
@@ -62,14 +82,30 @@ export class PatchedMaterial {
     return this.#pending ?? this.mode
   }
 
+  /** What draws the composed map now and then in the mode `auto`; null where that never happens, or not yet. */
+  get auto(): AutoMode | null {
+    const others = this.#renderer.others.value
+    if (this.mode !== 'auto' || !others || !autoMode.value || !this.#isComposable) return null
+    this.#auto ??= new autoMode.value({
+      material: this.#material,
+      inputs: this.#inputs,
+      hasContents: this.#renderer.quads.hasContents,
+      composeMaterial: others.composeMaterial,
+      budget: this.#options.textureBudget,
+    })
+    return this.#auto
+  }
+
   /**
    * Changes the mode, at once or when what it takes was fetched. A material that cannot be patched shows the composed mode instead of the
-   * default one.
+   * default one and `auto`.
    *
    * @throws FurrowError when the mode is not possible; it then stays as it was.
    */
   show(wanted: WrinkleMode): void {
-    const mode = wanted === 'default' && !this.#isPatchable ? 'composed' : wanted
+    const { others } = this.#renderer
+    const isPatched = wanted === 'default' || wanted === 'auto'
+    const mode = isPatched && !this.#isPatchable ? 'composed' : wanted
     if (mode === 'paper' && !this.#isPatchable) {
       throw new FurrowError({
         code: 'unsupported',
@@ -82,7 +118,7 @@ export class PatchedMaterial {
     }
     if (mode === 'paper' || mode === 'composed') {
       checkNotInstanced(this.#mesh, mode)
-      if (!this.#renderer.others.value) {
+      if (!others.value) {
         this.#showFetched(mode)
         return
       }
@@ -90,6 +126,9 @@ export class PatchedMaterial {
     if (mode === 'paper') this.#packPaper()
     this.#pending = null
     this.#apply(mode)
+    // Until then it is the default mode.
+    if (mode !== 'auto' || !this.#isComposable) return
+    Promise.all([others.load(), autoMode.load()]).catch(({ message }) => console.warn(message))
   }
 
   /**
@@ -156,6 +195,14 @@ export class PatchedMaterial {
     return !this.#isRefused && this.#renderer.canPatch(this.#material)
   }
 
+  /** Whether a composed map would look as the default mode does: it has normals only, of one face, which the material's own program reads. */
+  get #canCompose(): boolean {
+    const { fragmentShader, normalNode } = this.#material as WrinkleMaterial & { normalNode?: unknown }
+    const hasNormalsOnly = Object.keys(this.#inputs.textures.values).length === 0
+    const isRead = fragmentShader === undefined && !normalNode
+    return hasNormalsOnly && isRead && !isToon(this.#material) && !instancesOf(this.#mesh)
+  }
+
   #apply(mode: WrinkleMode): void {
     this.#unpatch()
     this.#unpatch = this.#patch(mode)
@@ -194,6 +241,7 @@ export class PatchedMaterial {
   }
 
   #patch(mode: WrinkleMode): () => void {
+    this.#isComposable = this.#canCompose
     if (mode === 'off') return () => {}
     const material = this.#material
     if (this.#flat) material.normalMap ??= this.#flat
@@ -201,13 +249,18 @@ export class PatchedMaterial {
       this.#isRefused = true
     }
     const { others, patch } = this.#renderer
+    const events = { refuse, onCompile: this.#options.onCompile }
+    const patchDefault = () => patch(material, this.#inputs, instancesOf(this.#mesh), events)
     const undo = {
       composed: () => this.#compose(),
       paper: () => others.value!.patchPaper(material, this.#inputs, refuse),
-      default: () => patch(material, this.#inputs, instancesOf(this.#mesh), refuse),
+      default: patchDefault,
+      auto: patchDefault,
     }[mode]()
     const undoRelief = this.#patchRelief?.(material)
     return () => {
+      this.#auto?.dispose()
+      this.#auto = null
       undoRelief?.()
       undo()
       if (material.normalMap === this.#flat) material.normalMap = null
@@ -233,10 +286,10 @@ export class PatchedMaterial {
   /** Replaces the material's own normal map by the composed one. */
   #compose(): () => void {
     const { others, quads } = this.#renderer
-    const { ComposedMap, composeMaterial } = others.value!
+    const { ComposedMap, composeMaterial, composedSize } = others.value!
     const base = this.#material.normalMap!
-    const normals = this.#inputs.textures.normals.texture
-    const composed = new ComposedMap(base, normals, composeMaterial(base, this.#inputs), quads.hasContents)
+    const size = composedSize(base, this.#inputs.textures.normals.texture)
+    const composed = new ComposedMap(base, size, composeMaterial(base, this.#inputs), quads.hasContents)
     this.composed = composed
     this.#material.normalMap = composed.target.texture
     return () => {

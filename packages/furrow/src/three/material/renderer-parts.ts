@@ -9,6 +9,14 @@ import type { OtherModes } from './other-modes.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
+/** What a patched material calls when its shader is compiled. */
+export interface PatchEvents {
+  /** The shader cannot be edited after all; it then stays as it was. */
+  refuse(): void
+  /** On `WebGLRenderer`, which in `compile` does nothing else that is done before a mesh is drawn. */
+  onCompile(renderer: AnyRenderer): void
+}
+
 /** What depends on the renderer. */
 export interface RendererParts {
   /** The entry of the package that it belongs to. */
@@ -18,9 +26,14 @@ export interface RendererParts {
   /**
    * Makes a material show wrinkles in the default mode, and returns a function that undoes it; the caller calls `renew` after either.
    *
-   * @param refuse called if the shader cannot be edited after all, which is known only when it is compiled; it then stays as it was.
+   * @param events what is known only when the shader is compiled.
    */
-  patch(material: WrinkleMaterial, inputs: ShaderInputs, instances: Instances, refuse: () => void): () => void
+  patch(
+    material: WrinkleMaterial,
+    inputs: ShaderInputs,
+    instances: Instances,
+    events: PatchEvents,
+  ): () => void
   /** Makes the renderer build the material's shader anew, with the uniforms that it has now. */
   renew(material: Material): void
   /**

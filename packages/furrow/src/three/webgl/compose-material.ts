@@ -1,12 +1,12 @@
 import { ShaderMaterial } from 'three'
-import type { OtherModes } from '../material/other-modes.ts'
+import type { ComposeMaterial } from '../material/composed-map.ts'
 import { influenceFromMap } from './influence-glsl.ts'
 import { QUAD_SETTINGS } from './influence-quads.ts'
 import { type NormalLayers, normalMixing } from './mixing-glsl.ts'
 import { layerUniforms, mapUniforms } from './uniforms.ts'
 
 /** Draws the composed normal map on `WebGLRenderer`. */
-export const composeMaterial: OtherModes['composeMaterial'] = (base, inputs) => {
+export const composeMaterial: ComposeMaterial = (base, inputs) => {
   const { kinds, normals } = inputs.textures
   return new ShaderMaterial({
     ...QUAD_SETTINGS,
@@ -25,7 +25,7 @@ out vec4 composed;
 
 void main() {
   furrowSampleInfluence(targetUv);
-  vec3 base = textureLod(furrowBase, targetUv, 0.0).xyz * 2.0 - 1.0;
+  vec3 base = texture(furrowBase, targetUv).xyz * 2.0 - 1.0;
   composed = vec4(furrowMixNormals(base) * 0.5 + 0.5, 1.0);
 }
 `

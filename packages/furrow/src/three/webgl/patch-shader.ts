@@ -9,10 +9,15 @@ interface ShaderPatch {
   edit(shader: WebGLProgramParametersWithUniforms): void
   /** Called where it cannot; the shader then stays as it was. */
   refuse(): void
+  /** Called after it was edited, before it is compiled. */
+  onCompile?(renderer: WebGLRenderer): void
 }
 
 /** Edits a material's own GLSL, after the user's `onBeforeCompile`, if any; returns what undoes that. */
-export function patchShader(material: Material, { key, uniforms, edit, refuse }: ShaderPatch): () => void {
+export function patchShader(
+  material: Material,
+  { key, uniforms, edit, refuse, onCompile }: ShaderPatch,
+): () => void {
   const { onBeforeCompile, customProgramCacheKey } = material
   const original = { onBeforeCompile, customProgramCacheKey }
   material.onBeforeCompile = (shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer) => {
@@ -24,6 +29,7 @@ export function patchShader(material: Material, { key, uniforms, edit, refuse }:
     }
     // Not into the object itself: a ShaderMaterial's is its own, which its copies copy.
     shader.uniforms = { ...shader.uniforms, ...uniforms }
+    onCompile?.(renderer)
   }
   material.customProgramCacheKey = () => `${customProgramCacheKey.call(material)} furrow ${key}`
   return () => Object.assign(material, original)

@@ -21,7 +21,7 @@ export class WebGLWrinkles extends WrinklesBase {
 }
 
 /** The default mode. */
-const patch: RendererParts['patch'] = (material, inputs, instances, refuse) => {
+const patch: RendererParts['patch'] = (material, inputs, instances, { refuse, onCompile }) => {
   const { textures } = inputs
   const variant: ShaderVariant = {
     kinds: textures.kinds,
@@ -39,6 +39,7 @@ const patch: RendererParts['patch'] = (material, inputs, instances, refuse) => {
       if (instances) shader.vertexShader = instancedVertex(shader.vertexShader, instances)
     },
     refuse,
+    onCompile,
   })
 }
 

@@ -1,4 +1,4 @@
-import { ComposedMap } from '../material/composed-map.ts'
+import { ComposedMap, composedSize } from '../material/composed-map.ts'
 import type { OtherModes } from '../material/other-modes.ts'
 import { packPaperArray } from '../material/paper-array.ts'
 import { composeMaterial } from './compose-material.ts'
@@ -13,5 +13,11 @@ const patchPaper: OtherModes['patchPaper'] = (material, inputs) => {
   return patchNodes(material, paperNodes(paper, uv, influenceFromAreas(inputs, paper.table, uv)))
 }
 
-/** The paper's mode and the composed one on `WebGPURenderer`. */
-export const OTHER_MODES: OtherModes = { packPaperArray, patchPaper, ComposedMap, composeMaterial }
+/** What all modes but the default one take, on `WebGPURenderer`. */
+export const OTHER_MODES: OtherModes = {
+  packPaperArray,
+  patchPaper,
+  ComposedMap,
+  composedSize,
+  composeMaterial,
+}

@@ -1,0 +1,263 @@
+import {
+  type Camera,
+  HalfFloatType,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  type Mesh,
+  RepeatWrapping,
+  type Texture,
+  UnsignedByteType,
+  type VideoTexture,
+} from 'three'
+import { hasMoved } from '../../runtime/atlas-cells.ts'
+import type { QuadMaterials } from '../atlas/influence-pass.ts'
+import { callAfterRender } from '../before-render.ts'
+import type { AnyRenderer } from '../renderer.ts'
+import { ComposePolicy } from './compose-policy.ts'
+import {
+  type ComposedFormat,
+  ComposedMap,
+  type ComposeMaterial,
+  composedSize,
+  type Size,
+} from './composed-map.ts'
+import { pixelsOnScreen, sideOnScreen } from './screen-need.ts'
+import type { ShaderInputs } from './shader-inputs.ts'
+import { uvLayoutOf } from './uv-layout.ts'
+import type { WrinkleMaterial } from './wrinkle-material.ts'
+
+/** How much finer than the screen needs a map is made, so that a camera that comes a little nearer keeps it. */
+const RESERVE = 1.2
+
+/** A side is halved while it is longer. */
+const SMALLEST_SIDE = 64
+
+const NO_SIZE: Size = { width: 0, height: 0 }
+
+/** Bytes on the GPU of the maps of all faces. */
+let allocated = 0
+
+/** The face that it is drawn for. */
+export interface AutoModeHost {
+  material: WrinkleMaterial
+  inputs: ShaderInputs
+  hasContents: QuadMaterials['hasContents']
+  composeMaterial: ComposeMaterial
+  /** Bytes that the maps of all faces may take together. */
+  budget: number
+}
+
+/** A composed map, and what it was made from. */
+interface Made {
+  map: ComposedMap
+  renderer: AnyRenderer
+  base: Texture
+  baseVersion: number
+  /** How often the sides of the full size were halved. */
+  halvings: number
+  bytes: number
+  state: 'new' | 'drawing' | 'drawn'
+}
+
+/** What the views of a frame need. */
+interface View {
+  /** That the face covers, at most. */
+  pixels: number
+  /** Texels of the finest level that is seen, if the whole map were as fine. */
+  side: number
+}
+
+/**
+ * Draws a face in the default mode's own program, but with a composed map in place of its normal map while that is cheaper: nothing is
+ * compiled, and any draw may be either way. The map is the material's only during the draw.
+ */
+export class AutoMode {
+  readonly #host: AutoModeHost
+  readonly #policy = new ComposePolicy()
+  /** The activations of the frame before, and the version of what else wrinkles are drawn from. */
+  #values = new Float32Array(0)
+  #version = -1
+  #made: Made | null = null
+  /** Of the last frame in which it was drawn, and of this one so far. */
+  #seen: View = { pixels: 0, side: 0 }
+  #view: View = { pixels: 0, side: 0 }
+  /** The material's own map, and how far wrinkles have faded, while another is set. */
+  #own: { map: Texture; fade: number } | null = null
+  readonly #watched = new Map<Mesh, () => void>()
+  readonly #end = () => this.end()
+
+  constructor(host: AutoModeHost) {
+    this.#host = host
+  }
+
+  /** Called once in a frame, when the influence map is up to date. */
+  step(renderer: AnyRenderer, values: Float32Array, isPossible: boolean): void {
+    this.#takeView()
+    const { material, inputs, hasContents } = this.#host
+    const base = material.normalMap
+    const isUsable = isPossible && inputs.fade.value === 1 && base !== null && isReplaceable(base)
+    const size = isUsable ? composedSize(base, inputs.textures.normals.texture) : NO_SIZE
+    const made = this.#made
+    const isLost = made?.state === 'drawn' && !hasContents(renderer, made.map.target)
+    const isFit = isUsable && (!made || isKept(made, renderer, base, halvingsOf(size, this.#seen.side)))
+    if (!isFit || isLost) this.#drop()
+    const hasChanged = this.#follow(values) || !isFit || isLost
+    const isWanted = this.#policy.step(hasChanged, this.#seen.pixels)
+    if (!isWanted && this.#made) this.#made.state = 'new'
+    if (!isWanted || !isUsable) return
+    this.#made ??= this.#make(renderer, base, size)
+    if (this.#made?.state === 'new') this.#draw(this.#made, values)
+  }
+
+  /** Called before a mesh is drawn, after everything else is up to date. */
+  begin(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
+    const { material, inputs } = this.#host
+    const base = material.normalMap
+    if (!base || !isRepeated(base, mesh)) return
+    const side = sideOnScreen(mesh, camera, renderer, base.channel)
+    this.#addView(side, pixelsOnScreen(mesh, camera, renderer))
+    const made = this.#made
+    if (made?.state !== 'drawn' || made.renderer !== renderer || made.base !== base) return
+    // Another view of this frame may be nearer than those of the last.
+    if (halvingsOf(composedSize(base, inputs.textures.normals.texture), side) < made.halvings) return
+    if (!this.#watched.has(mesh)) this.#watched.set(mesh, callAfterRender(mesh, this.#end))
+    const { texture } = made.map.target
+    if (base.matrixAutoUpdate) base.updateMatrix()
+    texture.matrix.copy(base.matrix)
+    this.#own = { map: base, fade: inputs.fade.value }
+    material.normalMap = texture
+    inputs.fade.value = 0
+  }
+
+  /** Called after a mesh is drawn, and before one is prepared: whoever replaces `onAfterRender` costs nothing but what a page sees of the material. */
+  end(): void {
+    if (!this.#own) return
+    const { material, inputs } = this.#host
+    if (material.normalMap === this.#made?.map.target.texture) material.normalMap = this.#own.map
+    inputs.fade.value = this.#own.fade
+    this.#own = null
+  }
+
+  dispose(): void {
+    this.end()
+    this.#drop()
+    for (const unwatch of this.#watched.values()) unwatch()
+    this.#watched.clear()
+  }
+
+  /** Makes a map as fine as the screen needs; null if there is not the memory for it. */
+  #make(renderer: AnyRenderer, base: Texture, { width, height }: Size): Made | null {
+    const { inputs, hasContents, composeMaterial, budget } = this.#host
+    const halvings = halvingsOf({ width, height }, RESERVE * this.#seen.side)
+    const isFloat = base.type === HalfFloatType
+    const format: ComposedFormat = {
+      width: width >> halvings,
+      height: height >> halvings,
+      type: isFloat ? HalfFloatType : UnsignedByteType,
+      levels: 1 + Math.floor(Math.log2(Math.max(width, height) >> halvings)),
+    }
+    // With mipmaps, which take a third.
+    const bytes = Math.ceil((format.width * format.height * (isFloat ? 8 : 4) * 4) / 3)
+    if (allocated + bytes > budget) return null
+    allocated += bytes
+    // The face's own fade is 0 while the map is drawn in its place.
+    const material = composeMaterial(base, { ...inputs, fade: { value: 1 } })
+    const map = new ComposedMap(base, format, material, hasContents)
+    map.target.texture.matrixAutoUpdate = false
+    return { map, renderer, base, baseVersion: base.version, halvings, bytes, state: 'new' }
+  }
+
+  /** After this frame, so that it does not wait for it; what cannot be drawn is not shown. */
+  #draw(made: Made, values: Float32Array): void {
+    made.state = 'drawing'
+    const { areas, textures } = this.#host.inputs
+    const isCurrent = () => this.#made === made && made.state === 'drawing'
+    const draw = () => {
+      if (!isCurrent()) return
+      made.map.update(made.renderer, areas, values, 1, areas.version + textures.version)
+      made.state = 'drawn'
+    }
+    queueMicrotask(() => {
+      if (!isCurrent()) return
+      made.map
+        .compile(made.renderer)
+        .then(draw)
+        .catch(() => {})
+    })
+  }
+
+  /** Whether wrinkles have changed since the last call. */
+  #follow(values: Float32Array): boolean {
+    const { areas, textures } = this.#host.inputs
+    const version = areas.version + textures.version
+    let hasChanged = version !== this.#version || values.length !== this.#values.length
+    this.#version = version
+    if (values.length !== this.#values.length) this.#values = values.slice()
+    for (let i = 0; i < values.length; i++) {
+      if (!hasMoved(values[i], this.#values[i])) continue
+      this.#values[i] = values[i]
+      hasChanged = true
+    }
+    return hasChanged
+  }
+
+  #takeView(): void {
+    if (this.#view.pixels === 0) return
+    ;[this.#seen, this.#view] = [this.#view, this.#seen]
+    this.#view.pixels = this.#view.side = 0
+  }
+
+  #addView(side: number, pixels: number): void {
+    this.#view.side = Math.max(this.#view.side, side)
+    this.#view.pixels = Math.max(this.#view.pixels, pixels)
+  }
+
+  #drop(): void {
+    if (!this.#made) return
+    this.end()
+    allocated -= this.#made.bytes
+    this.#made.map.dispose()
+    this.#made = null
+  }
+}
+
+/** How often a map's sides may be halved for a screen that needs a side of so many texels. */
+function halvingsOf({ width, height }: Size, needed: number): number {
+  let side = Math.max(width, height)
+  let halvings = 0
+  while (side >= 2 * needed && Math.min(width, height) >> (halvings + 1) >= SMALLEST_SIDE) {
+    side /= 2
+    halvings++
+  }
+  return halvings
+}
+
+/** Whether a map still serves. */
+function isKept(made: Made, renderer: AnyRenderer, base: Texture, halvings: number): boolean {
+  if (made.renderer !== renderer || made.base !== base || made.baseVersion !== base.version) return false
+  return halvings === made.halvings || halvings === made.halvings + 1
+}
+
+/** Whether a mesh shows a map as if it repeated, which the layers' maps do. */
+function isRepeated(
+  { wrapS, wrapT, channel, offset, repeat, rotation, matrixAutoUpdate }: Texture,
+  mesh: Mesh,
+): boolean {
+  if (wrapS === RepeatWrapping && wrapT === RepeatWrapping) return true
+  const isPlaced =
+    matrixAutoUpdate && offset.x === 0 && offset.y === 0 && repeat.x === 1 && repeat.y === 1 && rotation === 0
+  return isPlaced && wrapS === wrapT && uvLayoutOf(mesh.geometry, channel).isInside
+}
+
+/** Whether a composed map can replace a normal map unseen: it is filtered as those of glTF are by default, or is one texel, and does not change by itself. */
+function isReplaceable(map: Texture): boolean {
+  const { width, height } = (map.image ?? {}) as Partial<Size>
+  if (width === 1 && height === 1) return true
+  return (
+    width! * height! > 0 &&
+    map.minFilter === LinearMipmapLinearFilter &&
+    map.magFilter === LinearFilter &&
+    !map.isRenderTargetTexture &&
+    !(map as Partial<VideoTexture>).isVideoTexture
+  )
+}

@@ -1,0 +1,25 @@
+import type { Camera, Mesh, PerspectiveCamera, SkinnedMesh } from 'three'
+import type { AnyRenderer } from '../renderer.ts'
+import { pictureOf, pixelsPerUnit, sizeOnScreen } from '../size-on-screen.ts'
+import { uvLayoutOf } from './uv-layout.ts'
+
+/**
+ * Texels that a side of a map needs to be as fine as the picture being drawn wherever the mesh may be seen: Infinity where a skeleton may
+ * have moved it elsewhere.
+ */
+export function sideOnScreen(mesh: Mesh, camera: Camera, renderer: AnyRenderer, channel: number): number {
+  if ((mesh as Partial<SkinnedMesh>).isSkinnedMesh) return Infinity
+  const side = uvLayoutOf(mesh.geometry, channel).unitsPerUv * pixelsPerUnit(mesh, camera, renderer)
+  if (!(camera as PerspectiveCamera).isPerspectiveCamera || side === Infinity) return side
+  const { height } = pictureOf(renderer)
+  // The size is of the middle of the bounding sphere, so many of its radiuses away; its nearest point is one radius nearer.
+  const distance =
+    (Math.abs(camera.projectionMatrix.elements[5]) * height) / sizeOnScreen(mesh, camera, renderer)
+  return (side * distance) / (distance - 1)
+}
+
+/** Pixels that a mesh covers, at most. */
+export function pixelsOnScreen(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
+  const { width, height } = pictureOf(renderer)
+  return Math.min(width * height, (Math.PI / 4) * sizeOnScreen(mesh, camera, renderer) ** 2)
+}

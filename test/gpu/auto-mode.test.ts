@@ -1,0 +1,321 @@
+import type { WrinkleSet } from 'furrow'
+import { updateLayer, type WrinklesOptions } from 'furrow/three'
+import {
+  DataTexture,
+  DirectionalLight,
+  InstancedMesh,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  type Material,
+  MeshPhysicalMaterial,
+  type MeshStandardMaterial,
+  MeshToonMaterial,
+  PerspectiveCamera,
+  PlaneGeometry,
+  RepeatWrapping,
+  Scene,
+} from 'three'
+import { vec3 } from 'three/tsl'
+import { MeshStandardNodeMaterial } from 'three/webgpu'
+import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
+import { PARTS as WEBGL } from '../../packages/furrow/src/three/webgl/webgl-wrinkles.ts'
+import { PARTS as WEBGPU } from '../../packages/furrow/src/three/webgpu/webgpu-wrinkles.ts'
+import { loadFace } from '../../stage/face.ts'
+import { frameView } from '../../stage/views.ts'
+import { randomNormals, randomSet } from '../cases.ts'
+import { seeded } from '../random.ts'
+import { largestDifference } from './difference.ts'
+import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { loseContext } from './lose-context.ts'
+
+/** Sides of the maps and pictures. */
+const MAP = 64
+
+/** More frames than a face must be still for. */
+const FRAMES = 40
+
+/** What nobody sees: two steps of 8 bits. */
+const UNSEEN = 2
+
+/** A normal map as those of glTF are. */
+function normalMap(seed: number): DataTexture {
+  const map = new DataTexture(randomNormals(seeded(seed), MAP).data, MAP, MAP)
+  map.wrapS = map.wrapT = RepeatWrapping
+  map.magFilter = LinearFilter
+  map.minFilter = LinearMipmapLinearFilter
+  map.generateMipmaps = true
+  map.needsUpdate = true
+  return map
+}
+
+/** A square with wrinkles, and whether its last draw showed another map than its own. */
+function faceOf(
+  harness: Harness,
+  options: WrinklesOptions = {},
+  material: Material = new MeshPhysicalMaterial({ normalMap: normalMap(2), roughness: 0.6 }),
+  set: WrinkleSet = randomSet(seeded(4), 6, 16, MAP),
+) {
+  const mesh = square(material)
+  const shown = { isComposed: false }
+  const wrinkles = new harness.Wrinkles(mesh, set, { mode: 'auto', areaSize: 16, ...options })
+  const lit = material as MeshStandardMaterial
+  const { onBeforeRender } = mesh
+  mesh.onBeforeRender = (...drawn) => {
+    onBeforeRender.apply(mesh, drawn)
+    shown.isComposed = lit.normalMap?.isRenderTargetTexture ?? false
+  }
+  for (const [i, area] of wrinkles.areaNames.entries()) wrinkles.setActivation(area, 0.3 + 0.1 * i)
+  const light = new DirectionalLight(0xffffff, 2)
+  light.position.set(1, 1, 1)
+  const scene = new Scene().add(mesh, light)
+  const picture = async () => (await harness.renderBytes(scene, squareCamera(), MAP)).slice()
+  /** Some frames; the last picture. */
+  const frames = async (count = FRAMES) => {
+    let last = await picture()
+    for (let i = 1; i < count; i++) last = await picture()
+    return last
+  }
+  return {
+    mesh,
+    wrinkles,
+    shown,
+    scene,
+    material: lit,
+    picture,
+    frames,
+    /** Draws frames until the composed map is shown. */
+    async composed() {
+      for (let i = 0; i < 5 * FRAMES && !(shown.isComposed && i > 0); i++) await picture()
+      expect(shown.isComposed).toBe(true)
+    },
+    /** The picture in the default mode, of a face of its own. */
+    async wanted() {
+      const before = wrinkles.mode
+      const { isComposed } = shown
+      wrinkles.mode = 'default'
+      const pixels = await picture()
+      wrinkles.mode = before
+      shown.isComposed = isComposed
+      return pixels
+    },
+  }
+}
+
+describe.each(RENDERERS)('the mode auto on %s', (name) => {
+  const { others } = name === 'webgl' ? WEBGL : WEBGPU
+  let harness: Harness
+  const disposers: (() => void)[] = []
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterEach(() => {
+    for (const dispose of disposers.splice(0)) dispose()
+  })
+  afterAll(() => harness.dispose())
+
+  function face(...own: Parameters<typeof faceOf> extends [Harness, ...infer Rest] ? Rest : never) {
+    const made = faceOf(harness, ...own)
+    disposers.push(() => made.wrinkles.dispose())
+    return made
+  }
+
+  it.each([1, 2, 6])(
+    'a change of a face that is drawn %s times smaller is not seen, nor compiled',
+    async (times) => {
+      const { skin, wrinkles: file } = await loadFace('/faces/human.glb')
+      const [{ kind, name: layer, normal }] = file!.set.layers
+      const set = { layers: [{ kind, name: layer, normal }], areas: file!.set.areas } as WrinkleSet
+      const light = new DirectionalLight(0xffffff, 2)
+      light.position.set(-1, 1.3, 1)
+      const scene = new Scene().add(light)
+      const camera = new PerspectiveCamera()
+      frameView(skin, camera, 'front')
+      camera.zoom = 2 / times
+      camera.updateProjectionMatrix()
+      scene.add(skin)
+      let isComposed = false
+      const material = skin.material as MeshStandardMaterial
+      const own = material.normalMap
+      skin.onAfterRender = () => {
+        isComposed = material.normalMap !== own
+      }
+      const wrinkles = new harness.Wrinkles(skin, set, { mode: 'default' })
+      for (const [i, area] of wrinkles.areaNames.entries()) wrinkles.setActivation(area, 0.4 + 0.1 * (i % 6))
+      const picture = () => harness.renderBytes(scene, camera, 320)
+      const wanted = (await picture()).slice()
+      expect(isComposed).toBe(false)
+      wrinkles.mode = 'auto'
+      expect(largestDifference((await picture()).slice(), wanted)).toBe(0)
+      const compiled: number[] = []
+      for (let i = 0; i < 20 * FRAMES && !isComposed; i++) {
+        const before = harness.programs()
+        harness.renderer.render(scene, camera)
+        compiled.push(harness.programs() - before)
+        await new Promise((resolve) => setTimeout(resolve, 5))
+      }
+      expect(isComposed).toBe(true)
+      expect(compiled.length).toBeGreaterThan(30)
+      const composed = (await picture()).slice()
+      expect(largestDifference(composed, wanted)).toBeLessThanOrEqual(UNSEEN)
+      expect(material.normalMap).toBe(own)
+      wrinkles.dispose()
+      // The first one draws to the canvas for the first time.
+      expect(compiled.slice(1).every((count) => count === 0)).toBe(true)
+    },
+  )
+
+  it('shows the default mode while it moves, and the composed one when it is still again', async () => {
+    const { wrinkles, shown, picture, composed, wanted } = face()
+    await composed()
+    wrinkles.setActivation('area0', 0.9)
+    expect(largestDifference(await picture(), await wanted())).toBe(0)
+    expect(shown.isComposed).toBe(false)
+    await composed()
+    expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
+    wrinkles.setActivation('area0', 0)
+    wrinkles.setActivation('area1', 0)
+    await composed()
+    expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
+  })
+
+  it('shows a normal map that the page sets, maps that it changes, and areas that it adds', async () => {
+    const { wrinkles, shown, picture, composed, wanted, material } = face()
+    const expectFresh = async () => {
+      expect(largestDifference(await picture(), await wanted())).toBe(0)
+      expect(shown.isComposed).toBe(false)
+      await composed()
+      expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
+    }
+    await composed()
+    material.normalMap = normalMap(9)
+    await expectFresh()
+    const image = material.normalMap.image as { data: Uint8Array }
+    image.data.set(randomNormals(seeded(12), MAP).data)
+    material.normalMap.needsUpdate = true
+    await expectFresh()
+    updateLayer(wrinkles, 'skin', { normal: randomNormals(seeded(10), MAP) })
+    await expectFresh()
+    wrinkles.removeArea('area3')
+    await expectFresh()
+  })
+
+  it('a material without a normal map keeps its own between draws', async () => {
+    const { picture, composed, wanted, material } = face({}, new MeshPhysicalMaterial())
+    const own = material.normalMap
+    await composed()
+    expect(material.normalMap).toBe(own)
+    expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
+  })
+
+  it('faces share the memory that they may take', async () => {
+    const bytes = (MAP * MAP * 4 * 4) / 3
+    const first = face({ textureBudget: 1.5 * bytes })
+    await first.composed()
+    const second = face({ textureBudget: 1.5 * bytes })
+    await second.frames()
+    expect(second.shown.isComposed).toBe(false)
+    first.wrinkles.dispose()
+    await second.composed()
+    const none = face({ textureBudget: 0 })
+    await none.frames()
+    expect(none.shown.isComposed).toBe(false)
+  })
+
+  it('small faces, those that fade, and views of the influence show the default mode', async () => {
+    const { wrinkles, mesh, scene, shown, composed, frames } = face()
+    await composed()
+    const { material } = mesh
+    const view = wrinkles.createInfluenceMaterial()
+    mesh.material = view as typeof material
+    await frames(2)
+    expect(new Set(await harness.renderBytes(scene, squareCamera(), MAP)).size).toBeGreaterThan(8)
+    mesh.material = material
+    view.dispose()
+    await composed()
+    for (let i = 0; i < 3; i++) await harness.renderBytes(scene, squareCamera(), 8)
+    expect(shown.isComposed).toBe(false)
+    const faded = face({ fadeBelow: 100 })
+    await faded.frames()
+    expect(faded.shown.isComposed).toBe(false)
+  })
+
+  it('other channels, toon materials, normals of nodes and instances are what they are in the default mode, and nothing is fetched for them', async () => {
+    const set = randomSet(seeded(4), 6, 16, MAP)
+    const occlusion = { width: 1, height: 1, data: Uint8Array.of(128) }
+    const shaded = { ...set, layers: [{ ...set.layers[0], occlusion }] }
+    const load = vi.spyOn(others, 'load')
+    const cases = [
+      face({}, new MeshPhysicalMaterial({ normalMap: normalMap(2) }), shaded),
+      face({}, new MeshToonMaterial({ normalMap: normalMap(2) })),
+    ]
+    if (name !== 'webgl') {
+      const material = new MeshStandardNodeMaterial()
+      material.normalNode = vec3(0.3, 0.2, 0.93).normalize()
+      cases.push(face({}, material))
+    }
+    for (const { shown, frames, wanted, wrinkles } of cases) {
+      expect(largestDifference(await frames(), await wanted())).toBe(0)
+      expect(shown.isComposed).toBe(false)
+      expect(wrinkles.mode).toBe('auto')
+    }
+    const instanced = new InstancedMesh(new PlaneGeometry(), new MeshPhysicalMaterial(), 3)
+    const wrinkles = new harness.Wrinkles(instanced, set, { mode: 'auto' })
+    expect(wrinkles.mode).toBe('auto')
+    wrinkles.dispose()
+    expect(load).not.toHaveBeenCalled()
+    load.mockRestore()
+  })
+
+  it('modes that are set, copies and disposal find the material as it was', async () => {
+    const { wrinkles, shown, picture, composed, wanted, material, mesh } = face()
+    const own = material.normalMap
+    await composed()
+    const { onAfterRender } = mesh
+    expect(wrinkles.cloneMaterial()).toMatchObject({ normalMap: own })
+    await composed()
+    wrinkles.mode = 'default'
+    expect(mesh.onAfterRender).not.toBe(onAfterRender)
+    expect(largestDifference(await picture(), await wanted())).toBe(0)
+    wrinkles.mode = 'composed'
+    expect(material.normalMap).not.toBe(own)
+    wrinkles.mode = 'auto'
+    expect(material.normalMap).toBe(own)
+    await composed()
+    wrinkles.mode = 'off'
+    await picture()
+    expect(shown.isComposed).toBe(false)
+    wrinkles.mode = 'auto'
+    await composed()
+    wrinkles.dispose()
+    expect(material.normalMap).toBe(own)
+    await picture()
+    expect(shown.isComposed).toBe(false)
+  })
+})
+
+it('a face in the mode auto that two renderers draw in turns is right in both', async () => {
+  const [harness, other] = [await createHarness('webgl'), await createHarness('webgl')]
+  const { picture, composed, wanted, scene, wrinkles } = faceOf(harness)
+  const expected = await wanted()
+  await composed()
+  for (let i = 0; i < 3; i++) {
+    expect(largestDifference(await picture(), expected)).toBeLessThanOrEqual(UNSEEN)
+    const there = await other.renderBytes(scene, squareCamera(), MAP)
+    expect(largestDifference(there, expected)).toBeLessThanOrEqual(UNSEEN)
+  }
+  wrinkles.dispose()
+  for (const { dispose } of [harness, other]) dispose()
+})
+
+it('the mode auto remains when a WebGL context is restored', async () => {
+  const harness = await createHarness('webgl')
+  const { picture, composed, wanted, wrinkles } = faceOf(harness)
+  const expected = await wanted()
+  await composed()
+  await loseContext(harness, () => {})
+  expect(largestDifference(await picture(), expected)).toBeLessThanOrEqual(UNSEEN)
+  await composed()
+  expect(largestDifference(await picture(), expected)).toBeLessThanOrEqual(UNSEEN)
+  wrinkles.dispose()
+  harness.dispose()
+})

@@ -1,0 +1,52 @@
+import {
+  AmbientLight,
+  DirectionalLight,
+  MeshPhysicalMaterial,
+  RenderTarget,
+  Scene,
+  type WebGLRenderer,
+} from 'three'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { randomSet } from '../cases.ts'
+import { seeded } from '../random.ts'
+import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+
+const SIZE = 32
+
+describe.each(RENDERERS)('compileAsync on %s', (name) => {
+  let harness: Harness
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterAll(() => harness.dispose())
+
+  it.each(['default', 'auto'] as const)(
+    'compiles all that the first frame with wrinkles takes in the mode %s, and draws nothing too early',
+    async (mode) => {
+      const renderer = harness.renderer as WebGLRenderer
+      const face = () => {
+        const mesh = square(new MeshPhysicalMaterial())
+        const scene = new Scene().add(mesh, new DirectionalLight(), new AmbientLight())
+        const wrinkles = new harness.Wrinkles(mesh, randomSet(seeded(3), 6, 16), { mode, areaSize: 16 })
+        for (const area of wrinkles.areaNames) wrinkles.setActivation(area, 0.5)
+        return { scene, wrinkles }
+      }
+      const { scene, wrinkles } = face()
+      const target = new RenderTarget(SIZE, SIZE)
+      renderer.setRenderTarget(target as never)
+      const none = harness.programs()
+      await renderer.compileAsync(scene, squareCamera())
+      const programs = harness.programs()
+      expect(programs).toBeGreaterThan(none + 1)
+      renderer.render(scene, squareCamera())
+      renderer.setRenderTarget(null)
+      expect(harness.programs()).toBe(programs)
+      const shown = (await harness.renderBytes(scene, squareCamera(), SIZE)).join()
+      wrinkles.dispose()
+      const fresh = face()
+      expect(shown).toBe((await harness.renderBytes(fresh.scene, squareCamera(), SIZE)).join())
+      fresh.wrinkles.dispose()
+      target.dispose()
+    },
+  )
+})
