@@ -1,5 +1,5 @@
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
-import { FurrowError, sentence } from '../core/error.ts'
+import { FurrowError } from '../core/error.ts'
 import type { SkinMaterial } from './check-mesh.ts'
 import type { ShaderKind } from './shaders/injections.ts'
 import type { SharedSet } from './shared-set.ts'
@@ -49,18 +49,9 @@ export function patchMaterial(
 
 function apply(material: SkinMaterial, plugin: WrinklePlugin, shared: SharedSet): Patch {
   plugin.shared = shared
-  const onError = material.onError
-  material.onError = (effect, errors) => {
-    // The material without wrinkles, which has compiled before, is drawn from the next frame on.
-    if (plugin.shared) {
-      plugin.shared = null
-      console.warn(refusal(material, errors))
-    } else onError?.(effect, errors)
-  }
   const restoreNormals = material.bumpTexture ? () => {} : addFlatNormals(material)
   const remove = () => {
     plugin.shared = null
-    material.onError = onError
     restoreNormals()
   }
   return { users: 0, remove }
@@ -80,13 +71,4 @@ function addFlatNormals(material: SkinMaterial): () => void {
     Object.assign(material, { invertNormalMapX, invertNormalMapY })
     flat.dispose()
   }
-}
-
-function refusal({ name }: SkinMaterial, errors: string): string {
-  return sentence({
-    who: 'Wrinkles',
-    what: `the shader of material "${name}" does not compile with wrinkles`,
-    value: errors.trim().split('\n')[0],
-    remedy: 'it is shown without; report this with the version of Babylon.js',
-  })
 }
