@@ -4,6 +4,7 @@ import type { Node } from 'three/webgpu'
 import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from '../../core/blood.ts'
 import { TOON_LINE } from '../../core/toon-line.ts'
 import type { LayerKind } from '../../core/types.ts'
+import type { ArrayTexture } from '../material/array-texture.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
 import type { ValueKind } from '../material/wrinkle-textures.ts'
 import { inputUniform } from './node.ts'
@@ -20,16 +21,26 @@ export interface LayerInfluence {
 
 /** Reoriented normal mapping, see `reorientNormal` in the reference; unit vectors. */
 export function reorient(base: Node<'vec3'>, detail: Node<'vec3'>): Node<'vec3'> {
-  const t = base.add(vec3(0, 0, 1)).toVar()
+  return alongReoriented(base, detail).div(base.z.add(1))
+}
+
+/**
+ * The same direction, from vectors of any length. Of t and r in the reference, the base's length times t.z is left in as a factor, so that
+ * nothing is divided.
+ */
+function alongReoriented(base: Node<'vec3'>, detail: Node<'vec3'>): Node<'vec3'> {
+  const size = base.length().toVar()
+  const t = vec3(base.xy, base.z.add(size)).toVar()
   const r = detail.mul(vec3(-1, -1, 1)).toVar()
-  return t.mul(t.dot(r).div(t.z)).sub(r)
+  return t.mul(t.dot(r)).sub(r.mul(size.mul(t.z)))
 }
 
 /**
  * Mixes the normals of all layers into the base, see `mixNormals` in the reference.
  *
  * @param base the material's own map as stored, 0..1.
- * @returns normal as stored, 0..1; the base itself, bit by bit, where the influence of all layers is 0.
+ * @returns normal as stored, but of any length, since whoever uses it normalises it; the base itself, bit by bit, where the influence of
+ *   all layers is 0.
  */
 export function mixNormals(
   base: Node<'vec3'>,
@@ -46,13 +57,17 @@ export function mixNormals(
       const own = unpack(normal).toVar()
       const layers = kinds.map((kind, layer) => {
         const influence = influences[CHANNELS[layer]]
-        const sampled = (kind === 'replace' ? own : vec3(0, 0, 1)).toVar()
-        If(influence.greaterThan(0), () => {
+        const scale = scales[CHANNELS[layer]]
+        const sampled = () => {
           const stored = unpack(sampleSlice(normals.texture, gradients, normals.slices[layer]!).xyz)
-          const scale = scales[CHANNELS[layer]]
-          sampled.assign(stored.mul(vec3(scale, scale, 1)))
+          return stored.mul(vec3(scale, scale, 1))
+        }
+        if (kinds.length === 1) return { kind, influence, normal: sampled().toVar() }
+        const normal = (kind === 'replace' ? own : vec3(0, 0, 1)).toVar()
+        If(influence.greaterThan(0), () => {
+          normal.assign(sampled())
         })
-        return { kind, influence, normal: sampled }
+        return { kind, influence, normal }
       })
       const replaced = replaceNormal(own, ofKind('replace', layers))
       const details = ofKind('detail', layers)
@@ -61,6 +76,31 @@ export function mixNormals(
     })
     return normal
   })()
+}
+
+/** Reads texels of a slice, whose layers are given; 0 where none of these has influence. */
+export type TexelReader = (texture: ArrayTexture, slice: number, layers: readonly number[]) => Node<'vec4'>
+
+/** Reads each slice once, whatever number of kinds its channels hold, and however often they are mixed in. */
+export function texelReader({ influence, uv }: LayerInfluence): TexelReader {
+  const known = new Map<string, Node<'vec4'>>()
+  return (texture, slice, layers) => {
+    const key = `${texture.id} ${slice} ${layers}`
+    const texel = known.get(key) ?? readTexel()
+    known.set(key, texel)
+    return texel
+
+    function readTexel(): Node<'vec4'> {
+      return Fn(() => {
+        const read = vec4(0).toVar()
+        const gradients = gradientsOf(uv)
+        If(sum(layers.map((layer) => influence[CHANNELS[layer]])).greaterThan(0), () => {
+          read.assign(sampleSlice(texture, gradients, slice))
+        })
+        return read
+      })()
+    }
+  }
 }
 
 /**
@@ -73,25 +113,25 @@ export function mixValues(
   kind: ValueKind,
   base: Node<'vec3'>,
   { textures, occlusionStrength, bloodAmplitude }: ShaderInputs,
-  { influence, uv }: LayerInfluence,
+  influence: Node<'vec4'>,
+  read: TexelReader,
 ): Node<'vec3'> {
   const { texture, slices, channel } = textures.values[kind]!
   const scales = inputUniform<'vec4'>(kind === 'blood' ? bloodAmplitude : occlusionStrength)
+  const sharing = Object.values(textures.values).filter((other) => other.texture === texture)
   const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
   return Fn(() => {
     const own = base.toVar()
     const value = own.toVar()
     const influences = influence.toVar()
-    const gradients = gradientsOf(uv)
     const influenceOf = (layer: number) => influences[CHANNELS[layer]]
     const total = max(float(1), sum(layers.map(({ layer }) => influenceOf(layer)))).toVar()
     for (const { slice, layer } of layers) {
-      If(influenceOf(layer).greaterThan(0), () => {
-        const texel = sampleSlice(texture, gradients, slice)
-        const stored = kind === 'baseColor' ? texel.rgb : vec3(texel[CHANNELS[channel]])
-        const sampled = decode(kind, stored, scales[CHANNELS[layer]])
-        value.addAssign(sampled.sub(own).mul(influenceOf(layer)).div(total))
-      })
+      const owners = slices.flatMap((_, k) => (sharing.some(({ slices }) => slices[k] === slice) ? [k] : []))
+      const texel = read(texture, slice, owners).toVar()
+      const stored = kind === 'baseColor' ? texel.rgb : vec3(texel[CHANNELS[channel]])
+      const sampled = decode(kind, stored, scales[CHANNELS[layer]])
+      value.addAssign(sampled.sub(own).mul(influenceOf(layer).div(total)))
     }
     return value
   })()
@@ -164,8 +204,9 @@ function unpack(stored: Node<'vec3'>): Node<'vec3'> {
 function replaceNormal(base: Node<'vec3'>, layers: readonly SampledLayer[]): Node<'vec3'> {
   if (layers.length === 0) return base
   const total = max(float(1), sum(layers.map(({ influence }) => influence))).toVar()
+  const shareOf = (influence: Node<'float'>) => (layers.length === 1 ? influence : influence.div(total))
   return layers.reduce<Node<'vec3'>>(
-    (mixed, { influence, normal }) => mixed.add(normal.sub(base).mul(influence).div(total)),
+    (mixed, { influence, normal }) => mixed.add(normal.sub(base).mul(shareOf(influence))),
     base,
   )
 }
@@ -173,10 +214,10 @@ function replaceNormal(base: Node<'vec3'>, layers: readonly SampledLayer[]): Nod
 /** Sums layers of detail as slopes and reorients them onto the normal. */
 function addDetails(base: Node<'vec3'>, layers: readonly SampledLayer[]): Node<'vec3'> {
   const slope = layers.reduce<Node<'vec2'>>(
-    (total, { influence, normal }) => total.add(normal.xy.div(normal.z).mul(influence)),
+    (total, { influence, normal }) => total.add(normal.xy.mul(influence.div(normal.z))),
     vec2(0),
   )
-  return reorient(base.normalize(), vec3(slope, 1).normalize())
+  return alongReoriented(base, vec3(slope, 1))
 }
 
 function sum(values: readonly Node<'float'>[]): Node<'float'> {
