@@ -204,7 +204,7 @@ export class PatchedMaterial {
     const undo = {
       composed: () => this.#compose(),
       paper: () => others.value!.patchPaper(material, this.#inputs, refuse),
-      default: () => patch(material, this.#inputs, instancesOf(this.#mesh), refuse),
+      default: () => patch(material, this.#inputs, this.#mesh, refuse),
     }[mode]()
     const undoRelief = this.#patchRelief?.(material)
     return () => {

@@ -1,4 +1,4 @@
-import type { Material } from 'three'
+import type { Material, Mesh } from 'three'
 import type { QuadMaterials } from '../atlas/influence-pass.ts'
 import type { Instances } from '../instances.ts'
 import type { ReliefParts } from '../relief/relief-parts.ts'
@@ -20,7 +20,7 @@ export interface RendererParts {
    *
    * @param refuse called if the shader cannot be edited after all, which is known only when it is compiled; it then stays as it was.
    */
-  patch(material: WrinkleMaterial, inputs: ShaderInputs, instances: Instances, refuse: () => void): () => void
+  patch(material: WrinkleMaterial, inputs: ShaderInputs, mesh: Mesh, refuse: () => void): () => void
   /** Makes the renderer build the material's shader anew, with the uniforms that it has now. */
   renew(material: Material): void
   /**

@@ -9,7 +9,7 @@ export const composeMaterial: OtherModes['composeMaterial'] = (base, inputs) => 
   const uv = varying(targetUv())
   const stored = texture(base, uv).level(int(0)).xyz
   const influence = influenceFromMap(inputs, uv, null)
-  const mixed = mixNormals(stored, inputs, { influence, uv }).toVar()
+  const mixed = mixNormals(stored, inputs, { influence, uv, isTiled: false }).toVar()
   if (!inputs.textures.kinds.includes('detail')) return quadMaterial('composed', vec4(mixed, 1))
   const unit = mixed.mul(2).sub(1).normalize().mul(0.5).add(0.5)
   return quadMaterial('composed', vec4(select(influence.greaterThan(vec4(0)).any(), unit, mixed), 1))

@@ -7,8 +7,9 @@ import type { LayerKind } from '../../core/types.ts'
 import type { ArrayTexture } from '../material/array-texture.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
 import type { ValueKind } from '../material/wrinkle-textures.ts'
+import { isShown } from './influence.ts'
 import { inputUniform } from './node.ts'
-import { gradientsOf, sampleSlice } from './texture-sampling.ts'
+import { sliceSampler } from './texture-sampling.ts'
 
 /** Channels of a `vec4` in the order of the layers. */
 const CHANNELS = ['x', 'y', 'z', 'w'] as const
@@ -17,6 +18,8 @@ const CHANNELS = ['x', 'y', 'z', 'w'] as const
 export interface LayerInfluence {
   influence: Node<'vec4'>
   uv: Node<'vec2'>
+  /** Whether these may wrap between neighbouring pixels. */
+  isTiled: boolean
 }
 
 /** Reoriented normal mapping, see `reorientNormal` in the reference; unit vectors. */
@@ -44,48 +47,45 @@ function alongReoriented(base: Node<'vec3'>, detail: Node<'vec3'>): Node<'vec3'>
  */
 export function mixNormals(
   base: Node<'vec3'>,
-  { textures, normalScale }: ShaderInputs,
-  { influence, uv }: LayerInfluence,
+  inputs: ShaderInputs,
+  { influence, uv, isTiled }: LayerInfluence,
 ): Node<'vec3'> {
-  const { kinds, normals } = textures
-  const scales = inputUniform<'vec4'>(normalScale)
+  const { kinds, normals } = inputs.textures
+  const scales = inputUniform<'vec4'>(inputs.normalScale)
   return Fn(() => {
     const normal = base.toVar()
     const influences = influence.toVar()
-    const gradients = gradientsOf(uv)
-    If(influences.greaterThan(vec4(0)).any(), () => {
+    const sample = sliceSampler(uv, isTiled)
+    If(isShown(inputs), () => {
       const own = unpack(normal).toVar()
       const layers = kinds.map((kind, layer) => {
-        const influence = influences[CHANNELS[layer]]
         const scale = scales[CHANNELS[layer]]
-        const sampled = () => {
-          const stored = unpack(sampleSlice(normals.texture, gradients, normals.slices[layer]!).xyz)
-          return stored.mul(vec3(scale, scale, 1))
+        const stored = unpack(sample(normals.texture, normals.slices[layer]!).xyz)
+        return {
+          kind,
+          influence: influences[CHANNELS[layer]],
+          normal: stored.mul(vec3(scale, scale, 1)).toVar(),
         }
-        if (kinds.length === 1) return { kind, influence, normal: sampled().toVar() }
-        const normal = (kind === 'replace' ? own : vec3(0, 0, 1)).toVar()
-        If(influence.greaterThan(0), () => {
-          normal.assign(sampled())
-        })
-        return { kind, influence, normal }
       })
       const replaced = replaceNormal(own, ofKind('replace', layers))
       const details = ofKind('detail', layers)
       const mixed = details.length === 0 ? replaced : addDetails(replaced, details)
-      normal.assign(mixed.mul(0.5).add(0.5))
+      // No select, which TSL makes a branch.
+      const hasInfluence = influences.dot(vec4(1)).sign()
+      normal.assign(mix(normal, mixed.mul(0.5).add(0.5), hasInfluence))
     })
     return normal
   })()
 }
 
-/** Reads texels of a slice, whose layers are given; 0 where none of these has influence. */
-export type TexelReader = (texture: ArrayTexture, slice: number, layers: readonly number[]) => Node<'vec4'>
+/** Reads texels of a slice of an array; 0 at rest. */
+export type TexelReader = (texture: ArrayTexture, slice: number) => Node<'vec4'>
 
 /** Reads each slice once, whatever number of kinds its channels hold, and however often they are mixed in. */
-export function texelReader({ influence, uv }: LayerInfluence): TexelReader {
+export function texelReader(inputs: ShaderInputs, { uv, isTiled }: LayerInfluence): TexelReader {
   const known = new Map<string, Node<'vec4'>>()
-  return (texture, slice, layers) => {
-    const key = `${texture.id} ${slice} ${layers}`
+  return (texture, slice) => {
+    const key = `${texture.id} ${slice}`
     const texel = known.get(key) ?? readTexel()
     known.set(key, texel)
     return texel
@@ -93,9 +93,9 @@ export function texelReader({ influence, uv }: LayerInfluence): TexelReader {
     function readTexel(): Node<'vec4'> {
       return Fn(() => {
         const read = vec4(0).toVar()
-        const gradients = gradientsOf(uv)
-        If(sum(layers.map((layer) => influence[CHANNELS[layer]])).greaterThan(0), () => {
-          read.assign(sampleSlice(texture, gradients, slice))
+        const sample = sliceSampler(uv, isTiled)
+        If(isShown(inputs), () => {
+          read.assign(sample(texture, slice))
         })
         return read
       })()
@@ -118,7 +118,6 @@ export function mixValues(
 ): Node<'vec3'> {
   const { texture, slices, channel } = textures.values[kind]!
   const scales = inputUniform<'vec4'>(kind === 'blood' ? bloodAmplitude : occlusionStrength)
-  const sharing = Object.values(textures.values).filter((other) => other.texture === texture)
   const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
   return Fn(() => {
     const own = base.toVar()
@@ -127,8 +126,7 @@ export function mixValues(
     const influenceOf = (layer: number) => influences[CHANNELS[layer]]
     const total = max(float(1), sum(layers.map(({ layer }) => influenceOf(layer)))).toVar()
     for (const { slice, layer } of layers) {
-      const owners = slices.flatMap((_, k) => (sharing.some(({ slices }) => slices[k] === slice) ? [k] : []))
-      const texel = read(texture, slice, owners).toVar()
+      const texel = read(texture, slice).toVar()
       const stored = kind === 'baseColor' ? texel.rgb : vec3(texel[CHANNELS[channel]])
       const sampled = decode(kind, stored, scales[CHANNELS[layer]])
       value.addAssign(sampled.sub(own).mul(influenceOf(layer).div(total)))

@@ -10,6 +10,7 @@ import { isToon } from '../material/wrinkle-material.ts'
 import type { ValueKind } from '../material/wrinkle-textures.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { checkThree } from '../three-version.ts'
+import { isTiled } from '../wrinkle-uvs.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import { faultOf } from './build-fault.ts'
 import { checkBatch, influenceFromMap } from './influence.ts'
@@ -36,11 +37,15 @@ export function checkThreeFor(mesh: Mesh): Mesh {
 }
 
 /** The default mode. */
-const patch: RendererParts['patch'] = (material, inputs, instances) => {
+const patch: RendererParts['patch'] = (material, inputs, mesh) => {
   const uv = mapUv(material)
   return patchNodes(
     material,
-    layerNodes(material, inputs, { influence: influenceFromMap(inputs, uv, instances), uv }),
+    layerNodes(material, inputs, {
+      influence: influenceFromMap(inputs, uv, instancesOf(mesh)),
+      uv,
+      isTiled: isTiled(mesh, material),
+    }),
   )
 }
 
@@ -68,7 +73,7 @@ function layerNodes(material: Patched, inputs: ShaderInputs, layers: LayerInflue
   }
   const { baseColor, roughness, occlusion, blood } = inputs.textures.values
   const { map, roughnessMap, aoMap } = material as Partial<MeshStandardMaterial>
-  const read = texelReader(layers)
+  const read = texelReader(inputs, layers)
   const mixInto = (kind: ValueKind, own: Node<'vec3'>) => mixValues(kind, own, inputs, layers.influence, read)
   if (baseColor || blood || isToon(material)) {
     const own = map ? materialProperty('map', 'texture') : vec4(1)
