@@ -7,6 +7,7 @@ export function idleRenderer() {
     xr: { enabled: false },
     shadowMap: { autoUpdate: true },
     properties: { get: () => properties },
+    getContext: () => ({ getExtension: () => ({}) }),
     getRenderTarget: () => null,
     getActiveCubeFace: () => 0,
     getActiveMipmapLevel: () => 0,

@@ -75,8 +75,11 @@ function patchTsl(material: MeshPhysicalMaterial, { textures, weights, tsl }: Pe
   const base = texture(material.normalMap!).xyz.mul(2).sub(1) as Node<'vec3'>
   const normal = tsl(base, textures, weightNodes)
   const scale = uniform(material.normalScale) as unknown as Node<'vec2'>
-  // Not a node material: the renderer copies `normalNode` to the node material that it makes of this one.
+  // Not a node material: the renderer copies `normalNode` to the node material that it makes of this one. It would share one program
+  // among all such materials of equal properties, nodes not compared: of two techniques, the second would be drawn by the first's.
   Object.assign(material, { normalNode: normalMap(normal.mul(0.5).add(0.5) as Node<'vec3'>, scale) })
+  const name = Object.keys(textures).join(' ')
+  material.customProgramCacheKey = () => name
 }
 
 /** A mask of up to four gray images, one per channel; unused channels are 0. */

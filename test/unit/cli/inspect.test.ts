@@ -82,8 +82,8 @@ describe('furrow inspect', () => {
     )
     const maps = 3 * mapSizes(16, 16).uncompressed
     expect(report.gpu.uncompressed).toBe(maps + 5 * 128 * 128)
-    // Two layers in half floats.
-    expect(report.influenceMapBytes).toBe(4 * 128 * 128)
+    // Two layers in floats.
+    expect(report.influenceMapBytes).toBe(8 * 128 * 128)
     expect(report.fileBytes).toBe(readFileSync(face).length)
     expect(report.areas[0]).toMatchObject({ name: 'brow', channel: 'R', coverage: 0.125, largest: 1 })
     expect(report.drivers).toHaveLength(4)

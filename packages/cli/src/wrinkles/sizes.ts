@@ -32,12 +32,12 @@ export function areaSliceSizes(width: number, height: number): GpuSizes {
   return { uncompressed: 4 * width * height, bits8: compressed, bits4: compressed }
 }
 
-/** Channels of an influence map of half floats, by number of layers less 1: no format has three. */
-const INFLUENCE_CHANNELS = [1, 2, 4, 4]
+/** Bytes of a texel of an influence map, by number of layers less 1: one or two floats, or four halves of such. */
+const INFLUENCE_TEXEL = [4, 8, 8, 8]
 
 /** Bytes of the influence map of a face: as large as an area, one channel per layer. */
 export function influenceMapBytes(width: number, height: number, layers: number): number {
-  return 2 * INFLUENCE_CHANNELS[layers - 1] * width * height
+  return INFLUENCE_TEXEL[layers - 1] * width * height
 }
 
 export function sumSizes(sizes: readonly GpuSizes[]): GpuSizes {

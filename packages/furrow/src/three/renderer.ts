@@ -31,6 +31,19 @@ export function isRefused(renderer: AnyRenderer, entry: Entry, who: string): boo
   return true
 }
 
+/** What textures of 32-bit floats need, to be filtered and to be blended: by WebGL 2, and by WebGPU. */
+const FLOAT_EXTENSIONS = ['OES_texture_float_linear', 'EXT_float_blend']
+const FLOAT_FEATURES = ['float32-filterable', 'float32-blendable']
+
+/** Whether a renderer can add up 32-bit floats in a texture, and filter it. */
+export function filtersFloats(renderer: AnyRenderer): boolean {
+  const { backend } = renderer as Partial<Pick<WebGPURenderer, 'backend'>>
+  if ((backend as { isWebGPUBackend?: true } | undefined)?.isWebGPUBackend)
+    return FLOAT_FEATURES.every((name) => (renderer as WebGPURenderer).hasFeature(name))
+  const gl = renderer.getContext() as WebGL2RenderingContext
+  return FLOAT_EXTENSIONS.every((name) => gl.getExtension(name) !== null)
+}
+
 function problemOf(renderer: AnyRenderer, entry: Entry, who: string): FurrowError | null {
   const { isWebGLRenderer, isWebGPURenderer } = renderer as {
     isWebGLRenderer?: true

@@ -18,3 +18,8 @@ export function wrinkleUvs({ geometry }: Mesh, material: Material): Float64Array
   }
   return uvs
 }
+
+/** Whether texture coordinates wrap somewhere on a mesh: neighbouring pixels may then be at opposite edges of its maps. */
+export function isTiled(mesh: Mesh, material: Material): boolean {
+  return wrinkleUvs(mesh, material).some((coordinate) => coordinate < 0 || coordinate > 1)
+}

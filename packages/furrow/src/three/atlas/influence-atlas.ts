@@ -1,12 +1,24 @@
-import { HalfFloatType, LinearFilter, RedFormat, RenderTarget, RGBAFormat, RGFormat } from 'three'
+import {
+  FloatType,
+  HalfFloatType,
+  LinearFilter,
+  RedFormat,
+  RenderTarget,
+  RGBAFormat,
+  RGFormat,
+  type TextureDataType,
+} from 'three'
 import { AtlasCells, type Cell } from '../../runtime/atlas-cells.ts'
 import type { Face } from '../../runtime/face.ts'
 import type { InfluenceTarget } from '../../runtime/frame.ts'
-import type { AnyRenderer } from '../renderer.ts'
+import { type AnyRenderer, filtersFloats } from '../renderer.ts'
 import type { AreaArray } from './area-array.ts'
 import { InfluencePass, type QuadMaterials } from './influence-pass.ts'
 
 const FORMATS = [RedFormat, RGFormat, RGBAFormat, RGBAFormat] as const
+
+/** More channels of whole floats than these take graphics cards several steps to filter. */
+const MOST_WHOLE_FLOATS = 2
 
 /**
  * The influence maps of all faces of one kind, side by side in one texture: per layer, the sum of a face's areas times their
@@ -14,8 +26,9 @@ const FORMATS = [RedFormat, RGFormat, RGBAFormat, RGBAFormat] as const
  * over the rectangles of active areas; one pass draws all cells of a frame. Shaders of faces take one sample of it, however many areas
  * there are.
  *
- * Texels hold T = max(sum, largest `max`), unclamped, in half floats; shaders take min(1, T) after interpolation, and so clamp exactly
- * where the reference does.
+ * Texels hold T = max(sum, largest `max`), unclamped; shaders take min(1, T) after interpolation, and so clamp exactly where the reference
+ * does. They are whole floats where these can be filtered and added up, else half ones: a software rasteriser has to convert halves,
+ * four of them for each sample, which costs as much as a texture of bytes. Bytes cannot hold what passes 1.
  */
 export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   readonly layers: number
@@ -92,6 +105,14 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   #checkContents(renderer: AnyRenderer): void {
     if (renderer === this.#renderer && this.#pass.hasContents(renderer)) return
     this.#renderer = renderer
+    this.#setType(this.layers <= MOST_WHOLE_FLOATS && filtersFloats(renderer) ? FloatType : HalfFloatType)
     this.cells.invalidate()
+  }
+
+  #setType(type: TextureDataType): void {
+    const { texture } = this.target
+    if (texture.type === type) return
+    texture.type = type
+    this.target.dispose()
   }
 }

@@ -250,7 +250,7 @@ export class PatchedMaterial {
     }
     const { others, patch } = this.#renderer
     const events = { refuse, onCompile: this.#options.onCompile }
-    const patchDefault = () => patch(material, this.#inputs, instancesOf(this.#mesh), events)
+    const patchDefault = () => patch(material, this.#inputs, this.#mesh, events)
     const undo = {
       composed: () => this.#compose(),
       paper: () => others.value!.patchPaper(material, this.#inputs, refuse),

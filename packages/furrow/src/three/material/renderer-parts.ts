@@ -1,4 +1,4 @@
-import type { Material } from 'three'
+import type { Material, Mesh } from 'three'
 import type { QuadMaterials } from '../atlas/influence-pass.ts'
 import type { Instances } from '../instances.ts'
 import type { ReliefParts } from '../relief/relief-parts.ts'
@@ -28,12 +28,7 @@ export interface RendererParts {
    *
    * @param events what is known only when the shader is compiled.
    */
-  patch(
-    material: WrinkleMaterial,
-    inputs: ShaderInputs,
-    instances: Instances,
-    events: PatchEvents,
-  ): () => void
+  patch(material: WrinkleMaterial, inputs: ShaderInputs, mesh: Mesh, events: PatchEvents): () => void
   /** Makes the renderer build the material's shader anew, with the uniforms that it has now. */
   renew(material: Material): void
   /**

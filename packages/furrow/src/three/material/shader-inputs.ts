@@ -18,9 +18,11 @@ export interface ShaderInputs {
   readonly influence: { value: Texture }
   /** Columns and rows of its cells, and the index of this mesh's first cell. */
   readonly grid: { value: Vector3 }
+  /** Where that cell is, in 0..1 of the atlas: its corner, and the size of any cell. */
+  readonly cell: { value: Vector4 }
   /** Half a texel of a cell, in 0..1: samples are clamped to stay this far inside it. */
   readonly inset: { value: Vector2 }
-  /** Texture coordinates outside which there are no wrinkles now: u0, v0, u1, v1. */
+  /** Texture coordinates outside which there are no wrinkles now: u0, v0, u1, v1. Empty where all are faded out. */
   readonly reach: { value: Vector4 }
   /** 1 = not faded, 0 = too far away to show wrinkles. */
   readonly fade: { value: number }
@@ -48,6 +50,7 @@ export function createShaderInputs(
     areaTexture: { value: areas.texture },
     influence: { value: target.texture },
     grid: { value: new Vector3() },
+    cell: { value: new Vector4() },
     inset: { value: new Vector2(0.5 / cells.width, 0.5 / cells.height) },
     reach: { value: new Vector4() },
     fade: { value: 1 },
@@ -75,12 +78,15 @@ export function disposeShaderInputs({ textures, areas, paper }: ShaderInputs): v
 
 /** Updates where the cells of a mesh are, since an atlas may grow, and where there are active areas in them. */
 export function locateCells(
-  { grid, reach, areas }: ShaderInputs,
+  { grid, cell, reach, fade, areas }: ShaderInputs,
   atlas: InfluenceAtlas,
   cells: readonly Cell[],
 ): void {
   const { columns, rows } = atlas.cells.grid
-  grid.value.set(columns, rows, cells[0].index)
-  if (cells.length === 1) findReach(areas, cells[0].face.activations.values, reach.value)
+  const { index, face } = cells[0]
+  grid.value.set(columns, rows, index)
+  cell.value.set((index % columns) / columns, Math.floor(index / columns) / rows, 1 / columns, 1 / rows)
+  if (fade.value === 0) reach.value.set(1, 1, 0, 0)
+  else if (cells.length === 1) findReach(areas, face.activations.values, reach.value)
   else reachAll(reach.value)
 }

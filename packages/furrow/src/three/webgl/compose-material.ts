@@ -26,7 +26,9 @@ out vec4 composed;
 void main() {
   furrowSampleInfluence(targetUv);
   vec3 base = texture(furrowBase, targetUv).xyz * 2.0 - 1.0;
-  composed = vec4(furrowMixNormals(base) * 0.5 + 0.5, 1.0);
+  vec3 mixed = furrowMixNormals(base);
+  ${layers.kinds.includes('detail') ? 'if (furrowHasInfluence) mixed = normalize(mixed);' : ''}
+  composed = vec4(mixed * 0.5 + 0.5, 1.0);
 }
 `
 }

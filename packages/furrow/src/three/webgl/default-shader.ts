@@ -2,7 +2,7 @@ import { ShaderChunk } from 'three'
 import type { Instances } from '../instances.ts'
 import type { ValueKind } from '../material/wrinkle-textures.ts'
 import { requireInternal } from '../three-version.ts'
-import { influenceFromMap } from './influence-glsl.ts'
+import { CORNER_OF_INSTANCE, influenceFromMap } from './influence-glsl.ts'
 import {
   BLOOD_COLOUR,
   MICRO_SHADOW,
@@ -11,6 +11,7 @@ import {
   TOON_COLOUR,
   type ValueLayers,
   valueMixing,
+  valueReading,
 } from './mixing-glsl.ts'
 import { includeOf, MAIN, replace, replaceChunk, unpatchable } from './shader-text.ts'
 
@@ -41,10 +42,12 @@ export function defaultFragment(fragment: string, variant: ShaderVariant): strin
   const { kinds, instances, anisotropic, isToon } = variant
   const isBuiltIn = uv === BUILT_IN_UV
   const values = isBuiltIn ? variant.values : {}
+  const hasValues = Object.keys(values).length > 0
   const declarations = [
     influenceFromMap(kinds.length, instances !== null, anisotropic),
     normalMixing(variant),
     isToon ? TOON_COLOUR : '',
+    hasValues ? valueReading(values) : '',
     ...Object.entries(values).map(([kind, layers]) => valueMixing(kind as ValueKind, layers)),
     values.occlusion ? MICRO_SHADOW : '',
     values.blood ? BLOOD_COLOUR : '',
@@ -61,6 +64,7 @@ export function defaultFragment(fragment: string, variant: ShaderVariant): strin
     declarations,
     MAIN,
     isBuiltIn ? `\t${sample}` : '',
+    hasValues ? '\tfurrowReadValues();' : '',
     values.occlusion ? '\tfurrowVisibility = furrowMix_occlusion( 1.0 );' : '',
   ].join('\n')
   return mixOthers(replace(replace(shader, scaled, mixed), MAIN, started), values)
@@ -81,10 +85,11 @@ const NORMAL_SCALED = /\b(\w+)\.xy \*= normalScale;/
 /** Texture coordinates that three.js passes from the vertex shader. */
 const BUILT_IN_UV = 'vNormalMapUv'
 
-/** Passes the index of the instance from the vertex shader to the fragment shader. */
+/** Passes the corner of the instance's cell from the vertex shader to the fragment shader. */
 export function instancedVertex(vertex: string, instances: 'instanced' | 'batched'): string {
-  const varying = 'flat out float vFurrowInstance;'
-  return replace(vertex, MAIN, `${varying}\n${MAIN}\n\tvFurrowInstance = ${instanceIndex(instances)};`)
+  const declarations = `${CORNER_OF_INSTANCE}flat out highp vec2 vFurrowCorner;`
+  const corner = `vFurrowCorner = furrowCornerOf(${instanceIndex(instances)});`
+  return replace(vertex, MAIN, `${declarations}\n${MAIN}\n\t${corner}`)
 }
 
 function instanceIndex(instances: 'instanced' | 'batched'): string {

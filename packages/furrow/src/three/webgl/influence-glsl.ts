@@ -9,7 +9,7 @@
 export function influenceFromMap(layers: number, isInstanced: boolean, isAnisotropic: boolean): string {
   const channels = Array.from({ length: 4 }, (_, i) => (i < layers ? `influence[${i}]` : '0.0'))
   return /* glsl */ `${INFLUENCE_LOOKUP}
-${isInstanced ? 'flat in float vFurrowInstance;' : 'const float vFurrowInstance = 0.0;'}
+${isInstanced ? 'flat in highp vec2 vFurrowCorner;' : ''}
 vec4 furrowInfluence = vec4(0.0);
 bool furrowHasInfluence = false;
 vec2 furrowUv;
@@ -20,7 +20,7 @@ void furrowSampleInfluence(vec2 unwrapped) {
   furrowUv = furrowRepeat(unwrapped);
   furrowDx = dFdx(unwrapped);
   furrowDy = dFdy(unwrapped);
-  vec4 influence = furrowLookUp(unwrapped, furrowGrid.z + vFurrowInstance);
+  vec4 influence = furrowLookUp(furrowUv, ${isInstanced ? 'vFurrowCorner' : 'furrowCell.xy'});
   furrowInfluence = vec4(${channels.join(', ')});
   furrowHasInfluence = any(greaterThan(furrowInfluence, vec4(0.0)));
 }
@@ -38,22 +38,42 @@ vec2 furrowRepeat(vec2 uv) {
 }
 `
 
-/** Declares `vec4 furrowLookUp(vec2 unwrapped, float cell)`: a cell of the atlas, 0 outside of what active areas reach. For any stage. */
+/**
+ * Declares `vec4 furrowLookUp(vec2 uv, vec2 corner)`: the influence of the cell at a corner, at texture coordinates within 0..1; 0 outside
+ * of what active areas reach. For any stage.
+ */
 export const INFLUENCE_LOOKUP = /* glsl */ `${REPEAT}
 uniform highp sampler2D furrowInfluenceMap;
-uniform highp vec3 furrowGrid;
+uniform highp vec4 furrowCell;
 uniform highp vec2 furrowInset;
 uniform highp vec4 furrowBounds;
 uniform highp float furrowFade;
 
-vec4 furrowLookUp(vec2 unwrapped, float cell) {
-  vec2 uv = furrowRepeat(unwrapped);
-  if (furrowFade <= 0.0 || any(lessThan(uv, furrowBounds.xy)) || any(greaterThan(uv, furrowBounds.zw))) return vec4(0.0);
-  float row = floor((cell + 0.5) / furrowGrid.x);
-  vec2 corner = vec2(cell - row * furrowGrid.x, row);
-  vec2 inside = clamp(uv, furrowInset, 1.0 - furrowInset);
-  return min(textureLod(furrowInfluenceMap, (corner + inside) / furrowGrid.xy, 0.0), 1.0) * furrowFade;
+vec4 furrowLookUp(vec2 uv, vec2 corner) {
+  vec4 influence = vec4(0.0);
+  if (all(greaterThanEqual(uv, furrowBounds.xy)) && all(lessThanEqual(uv, furrowBounds.zw))) {
+    vec2 inside = clamp(uv, furrowInset, 1.0 - furrowInset);
+    influence = min(textureLod(furrowInfluenceMap, corner + inside * furrowCell.zw, 0.0), 1.0) * furrowFade;
+  }
+  return influence;
 }
+`
+
+/**
+ * Declares `vec2 furrowCornerOf(float instance)`, for vertex shaders; each instance has a cell, in the order of rows. A shader may have it
+ * twice, by the default mode and by relief.
+ */
+export const CORNER_OF_INSTANCE = /* glsl */ `
+#ifndef FURROW_CORNER
+#define FURROW_CORNER
+uniform highp vec3 furrowGrid;
+
+vec2 furrowCornerOf(float instance) {
+  float cell = furrowGrid.z + instance;
+  float row = floor((cell + 0.5) / furrowGrid.x);
+  return vec2(cell - row * furrowGrid.x, row) / furrowGrid.xy;
+}
+#endif
 `
 
 const GRADIENTS = 'return textureGrad(maps, vec3(furrowUv, slice), furrowDx, furrowDy);'

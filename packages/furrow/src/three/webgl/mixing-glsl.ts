@@ -19,42 +19,49 @@ export interface ValueLayers {
   sampler: ValueKind
 }
 
-/** Declares `vec3 furrowMixNormals(vec3 base)`: `mixNormals` of the reference without the last normalisation. */
+/**
+ * Declares `vec3 furrowMixNormals(vec3 base)`: `mixNormals` of the reference, of any length, since whoever uses it normalises it.
+ * No function returns early: software rasterisers pay for that in every pixel.
+ */
 export function normalMixing({ kinds, normals }: NormalLayers): string {
   const influence = (layer: number) => `furrowInfluence[${layer}]`
-  const sampled = kinds.map(
-    (kind, layer) => /* glsl */ `
-  vec3 n${layer} = ${kind === 'replace' ? 'base' : 'vec3(0.0, 0.0, 1.0)'};
-  if (${influence(layer)} > 0.0) {
-    n${layer} = furrowSampleSlice(furrowNormals, ${normals[layer]}.0).xyz * 2.0 - 1.0;
-    n${layer}.xy *= furrowNormalScale[${layer}];
-  }`,
-  )
+  const sampled = kinds.map((kind, layer) => {
+    const sample = `n${layer} = (furrowSampleSlice(furrowNormals, ${normals[layer]}.0).xyz * 2.0 - 1.0) * vec3(vec2(furrowNormalScale[${layer}]), 1.0);`
+    return /* glsl */ `
+    vec3 n${layer} = ${kind === 'replace' ? 'base' : 'vec3(0.0, 0.0, 1.0)'};
+    ${kinds.length > 1 ? `if (${influence(layer)} > 0.0) ` : ''}${sample}`
+  })
   const replacing = indicesOf(kinds, 'replace')
   const details = indicesOf(kinds, 'detail')
-  const replaced = replacing.map((layer) => ` + (n${layer} - base) * ${influence(layer)} / total`)
-  const slope = details.map((layer) => `n${layer}.xy / n${layer}.z * ${influence(layer)}`).join(' + ')
+  const total = replacing.length > 1 ? ` / max(1.0, ${replacing.map(influence).join(' + ')})` : ''
+  const replaced = replacing.map((layer) => ` + (n${layer} - base) * (${influence(layer)}${total})`)
+  const slope = details.map((layer) => `n${layer}.xy * (${influence(layer)} / n${layer}.z)`).join(' + ')
   const reoriented = `
-  normal = furrowReorient(normalize(normal), normalize(vec3(${slope}, 1.0)));`
+    normal = furrowReorient(normal, vec3(${slope}, 1.0));`
   return /* glsl */ `
 uniform highp sampler2DArray furrowNormals;
 uniform vec4 furrowNormalScale;
 ${details.length > 0 ? REORIENT : ''}
 vec3 furrowMixNormals(vec3 base) {
-  if (!furrowHasInfluence) return base;${sampled.join('')}
-  float total = max(1.0, ${[...replacing.map(influence), '0.0'].join(' + ')});
-  vec3 normal = base${replaced.join('')};${details.length > 0 ? reoriented : ''}
+  vec3 normal = base;
+  if (furrowHasInfluence) {${sampled.join('')}
+    normal = base${replaced.join('')};${details.length > 0 ? reoriented : ''}
+  }
   return normal;
 }
 `
 }
 
-/** Reoriented normal mapping, see \`reorientNormal\` in the reference. */
+/**
+ * Reoriented normal mapping, see `reorientNormal` in the reference: the same direction, from vectors of any length. Of t and r there, the
+ * base's length times t.z is left in as a factor, so that nothing is divided.
+ */
 const REORIENT = /* glsl */ `
 vec3 furrowReorient(vec3 base, vec3 detail) {
-  vec3 t = base + vec3(0.0, 0.0, 1.0);
-  vec3 r = detail * vec3(-1.0, -1.0, 1.0);
-  return t * (dot(t, r) / t.z) - r;
+  float size = length(base);
+  vec3 t = vec3(base.xy, base.z + size);
+  vec3 r = vec3(-detail.xy, detail.z);
+  return t * dot(t, r) - r * (size * t.z);
 }
 `
 
@@ -124,24 +131,60 @@ const VALUES: Record<ValueKind, ValueReading> = {
   },
 }
 
-/** Declares `TYPE furrowMix_KIND(TYPE base)`: `mixValues` of the reference. */
+/**
+ * Declares the samplers of the layers' other maps, and `void furrowReadValues()`, which reads each slice once, whatever number of kinds its
+ * channels hold, and however often they are mixed in.
+ */
+export function valueReading(values: Readonly<Partial<Record<ValueKind, ValueLayers>>>): string {
+  const all = Object.values(values)
+  const samplers = [...new Set(all.map(({ sampler }) => sampler))]
+  const reads = samplers.flatMap((sampler) => {
+    const sharing = all.filter((other) => other.sampler === sampler).map(({ slices }) => slices)
+    const slices = new Set(sharing.flat().filter((slice) => slice !== null))
+    return [...slices].map((slice) => ({ sampler, slice, layers: layersOf(sharing, slice) }))
+  })
+  const declared = samplers.map((sampler) => `uniform highp sampler2DArray furrow_${sampler};`)
+  const texels = reads.map(({ sampler, slice }) => `vec4 ${texelOf(sampler, slice)} = vec4(0.0);`)
+  const statements = reads.map(({ sampler, slice, layers }) => {
+    const isShown = layers.map((layer) => `furrowInfluence[${layer}]`).join(' + ')
+    return `if (${isShown} > 0.0) ${texelOf(sampler, slice)} = furrowSampleSlice(furrow_${sampler}, ${slice}.0);`
+  })
+  return /* glsl */ `
+${[...declared, ...texels].join('\n')}
+void furrowReadValues() {
+  ${statements.join('\n  ')}
+}
+`
+}
+
+/** Where the texel of a slice is kept. */
+function texelOf(sampler: ValueKind, slice: number): string {
+  return `furrowTexel_${sampler}_${slice}`
+}
+
+/** The layers that have a slice, of any kind. */
+function layersOf(kinds: readonly (readonly (number | null)[])[], slice: number): number[] {
+  return kinds[0].flatMap((_, layer) => (kinds.some((slices) => slices[layer] === slice) ? [layer] : []))
+}
+
+/** Declares `TYPE furrowMix_KIND(TYPE base)`: `mixValues` of the reference; after `furrowReadValues`. */
 export function valueMixing(kind: ValueKind, { slices, channel, sampler }: ValueLayers): string {
   const { type, swizzle, uniform, decode, functions = '' } = VALUES[kind]
   const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
   const total = layers.map(({ layer }) => `furrowInfluence[${layer}]`).join(' + ')
   const mixed = layers.map(({ slice, layer }) => {
-    const stored = `furrowSampleSlice(furrow_${sampler}, ${slice}.0)${swizzle(channel)}`
+    const stored = `${texelOf(sampler, slice)}${swizzle(channel)}`
     const value = decode ? decode(stored, `${uniform}[${layer}]`) : stored
     return /* glsl */ `
-  if (furrowInfluence[${layer}] > 0.0) value += (${value} - base) * furrowInfluence[${layer}] / total;`
+    value += (${value} - base) * (furrowInfluence[${layer}] / total);`
   })
   return /* glsl */ `
-${functions}${sampler === kind ? `uniform highp sampler2DArray furrow_${kind};` : ''}
-${uniform ? `uniform vec4 ${uniform};` : ''}
+${functions}${uniform ? `uniform vec4 ${uniform};` : ''}
 ${type} furrowMix_${kind}(${type} base) {
   ${type} value = base;
-  if (!furrowHasInfluence) return value;
-  float total = max(1.0, ${total});${mixed.join('')}
+  if (furrowHasInfluence) {
+    float total = max(1.0, ${total});${mixed.join('')}
+  }
   return value;
 }
 `

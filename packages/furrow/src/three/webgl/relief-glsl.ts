@@ -1,6 +1,6 @@
 import { CANCELLED, PHONG, ROOM_TO_CURVE } from '../../relief/displaced.ts'
 import type { HeightLayer } from '../relief/height-maps.ts'
-import { INFLUENCE_LOOKUP } from './influence-glsl.ts'
+import { CORNER_OF_INSTANCE, INFLUENCE_LOOKUP } from './influence-glsl.ts'
 
 /** Vertices at one position at most whose normals are averaged: a guard, not a limit that meshes meet. */
 const MOST_TWINS = 16
@@ -34,7 +34,7 @@ uniform highp sampler2D furrowCoarseDirections;
 uniform highp sampler2DArray furrowHeights;
 uniform float furrowUnitsPerMetre;
 uniform float furrowAmount;
-${INFLUENCE_LOOKUP}
+${INFLUENCE_LOOKUP}${isInstanced ? CORNER_OF_INSTANCE : ''}
 bool furrowIsDense() {
   return furrowWeights.x + furrowWeights.y + furrowWeights.z > 0.0;
 }
@@ -90,10 +90,11 @@ void furrowReadParent(float first, float corner, vec2 direction, out vec3 positi
 }
 
 float furrowDisplacement(vec2 at) {
-  vec4 influence = furrowLookUp(at, furrowGrid.z + ${isInstanced ? 'float(gl_InstanceID)' : '0.0'});
-  if (!any(greaterThan(influence, vec4(0.0)))) return 0.0;
   at = furrowRepeat(at);
-  return 0.0 ${displacement.join(' ')};
+  vec4 influence = furrowLookUp(at, ${isInstanced ? 'furrowCornerOf(float(gl_InstanceID))' : 'furrowCell.xy'});
+  float height = 0.0;
+  if (any(greaterThan(influence, vec4(0.0)))) height = 0.0 ${displacement.join(' ')};
+  return height;
 }
 
 vec3 furrowSurface() {

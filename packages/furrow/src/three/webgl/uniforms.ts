@@ -7,6 +7,7 @@ export function mapUniforms(inputs: ShaderInputs): Record<string, IUniform> {
   return {
     furrowInfluenceMap: inputs.influence,
     furrowGrid: inputs.grid,
+    furrowCell: inputs.cell,
     furrowInset: inputs.inset,
     furrowBounds: inputs.reach,
     furrowFade: inputs.fade,

@@ -1,5 +1,6 @@
 import type { Mesh } from 'three'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
+import { instancesOf } from '../instances.ts'
 import { Fetched } from '../material/fetched.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import { isToon } from '../material/wrinkle-material.ts'
@@ -21,8 +22,9 @@ export class WebGLWrinkles extends WrinklesBase {
 }
 
 /** The default mode. */
-const patch: RendererParts['patch'] = (material, inputs, instances, { refuse, onCompile }) => {
+const patch: RendererParts['patch'] = (material, inputs, mesh, { refuse, onCompile }) => {
   const { textures } = inputs
+  const instances = instancesOf(mesh)
   const variant: ShaderVariant = {
     kinds: textures.kinds,
     normals: textures.normals.slices,

@@ -1,4 +1,4 @@
-import { texture, varying, vec4 } from 'three/tsl'
+import { select, texture, varying, vec4 } from 'three/tsl'
 import type { ComposeMaterial } from '../material/composed-map.ts'
 import { influenceFromMap } from './influence.ts'
 import { quadMaterial, targetUv } from './influence-quads.ts'
@@ -8,6 +8,9 @@ import { mixNormals } from './mix.ts'
 export const composeMaterial: ComposeMaterial = (base, inputs) => {
   const uv = varying(targetUv())
   const stored = texture(base, uv).xyz
-  const mixed = mixNormals(stored, inputs, { influence: influenceFromMap(inputs, uv, null), uv })
-  return quadMaterial('composed', vec4(mixed, 1))
+  const influence = influenceFromMap(inputs, uv, null)
+  const mixed = mixNormals(stored, inputs, { influence, uv, isTiled: false }).toVar()
+  if (!inputs.textures.kinds.includes('detail')) return quadMaterial('composed', vec4(mixed, 1))
+  const unit = mixed.mul(2).sub(1).normalize().mul(0.5).add(0.5)
+  return quadMaterial('composed', vec4(select(influence.greaterThan(vec4(0)).any(), unit, mixed), 1))
 }

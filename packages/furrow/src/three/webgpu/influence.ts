@@ -30,10 +30,16 @@ import { repeat } from './texture-sampling.ts'
  *
  * @param uv texture coordinates, repeating outside of 0..1.
  * @param instances of the mesh, each of which has a cell of its own.
+ * @param isVertex whether it is read by a vertex, which skips the sample outside of what active areas reach.
  * @returns influence of layers 0..3 in x, y, z, w, each 0..1.
  */
-export function influenceFromMap(inputs: ShaderInputs, uv: Node<'vec2'>, instances: Instances): Node<'vec4'> {
-  const grid = inputUniform<'vec3'>(inputs.grid)
+export function influenceFromMap(
+  inputs: ShaderInputs,
+  uv: Node<'vec2'>,
+  instances: Instances,
+  isVertex = false,
+): Node<'vec4'> {
+  const cell = inputUniform<'vec4'>(inputs.cell)
   const inset = inputUniform<'vec2'>(inputs.inset)
   const bounds = inputUniform<'vec4'>(inputs.reach)
   const fade = inputUniform<'float'>(inputs.fade)
@@ -42,13 +48,11 @@ export function influenceFromMap(inputs: ShaderInputs, uv: Node<'vec2'>, instanc
     const influence = vec4(0).toVar()
     const wrapped = repeat(uv).toVar()
     const isInBounds = wrapped.greaterThanEqual(bounds.xy).all().and(wrapped.lessThanEqual(bounds.zw).all())
-    If(fade.greaterThan(0).and(isInBounds), () => {
-      const firstCell = grid.z
-      const cell = instances ? firstCell.add(varying(instanceOf(instances))) : firstCell
-      const row = cell.add(0.5).div(grid.x).floor().toVar()
-      const corner = vec2(cell.sub(row.mul(grid.x)), row)
+    If(isVertex ? isInBounds : isShown(inputs), () => {
+      const corner = instances ? varying(cornerOf(inputs, instanceOf(instances))) : cell.xy
       const inside = wrapped.clamp(inset, inset.oneMinus())
-      const sampled = texture(inputs.influence.value, corner.add(inside).div(grid.xy)).level(int(0))
+      const atlas = texture(inputs.influence.value, corner.add(inside.mul(cell.zw)))
+      const sampled = isVertex ? atlas.level(int(0)) : atlas
       // Channels without a layer hold whatever the format gives them.
       const [x, y, z, w] = [0, 1, 2, 3].map((i) => (i < layers ? 1 : 0))
       influence.assign(
@@ -59,6 +63,23 @@ export function influenceFromMap(inputs: ShaderInputs, uv: Node<'vec2'>, instanc
     })
     return influence
   })()
+}
+
+/**
+ * Not at rest: the same for all pixels. All branches between pixels are on this, so that samplers find their levels: software rasterisers
+ * pay more for others, and for levels that are given, than for the samples that they save.
+ */
+export function isShown({ reach }: ShaderInputs): Node<'bool'> {
+  const bounds = inputUniform<'vec4'>(reach)
+  return bounds.x.lessThan(bounds.z)
+}
+
+/** Corner of an instance's cell, in 0..1 of the atlas; each has a cell, in the order of rows. */
+function cornerOf({ grid }: ShaderInputs, instance: Node<'float'>): Node<'vec2'> {
+  const { x: columns, xy: size, z: first } = inputUniform<'vec3'>(grid)
+  const cell = first.add(instance)
+  const row = cell.add(0.5).div(columns).floor()
+  return vec2(cell.sub(row.mul(columns)), row).div(size)
 }
 
 /** Index of the instance that is drawn. A batch draws its visible instances in an order of its own, which is in a texture. */

@@ -4,10 +4,12 @@ import type { Node } from 'three/webgpu'
 import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from '../../core/blood.ts'
 import { TOON_LINE } from '../../core/toon-line.ts'
 import type { LayerKind } from '../../core/types.ts'
+import type { ArrayTexture } from '../material/array-texture.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
 import type { ValueKind } from '../material/wrinkle-textures.ts'
+import { isShown } from './influence.ts'
 import { inputUniform } from './node.ts'
-import { gradientsOf, sampleSlice } from './texture-sampling.ts'
+import { sliceSampler } from './texture-sampling.ts'
 
 /** Channels of a `vec4` in the order of the layers. */
 const CHANNELS = ['x', 'y', 'z', 'w'] as const
@@ -16,51 +18,89 @@ const CHANNELS = ['x', 'y', 'z', 'w'] as const
 export interface LayerInfluence {
   influence: Node<'vec4'>
   uv: Node<'vec2'>
+  /** Whether these may wrap between neighbouring pixels. */
+  isTiled: boolean
 }
 
 /** Reoriented normal mapping, see `reorientNormal` in the reference; unit vectors. */
 export function reorient(base: Node<'vec3'>, detail: Node<'vec3'>): Node<'vec3'> {
-  const t = base.add(vec3(0, 0, 1)).toVar()
+  return alongReoriented(base, detail).div(base.z.add(1))
+}
+
+/**
+ * The same direction, from vectors of any length. Of t and r in the reference, the base's length times t.z is left in as a factor, so that
+ * nothing is divided.
+ */
+function alongReoriented(base: Node<'vec3'>, detail: Node<'vec3'>): Node<'vec3'> {
+  const size = base.length().toVar()
+  const t = vec3(base.xy, base.z.add(size)).toVar()
   const r = detail.mul(vec3(-1, -1, 1)).toVar()
-  return t.mul(t.dot(r).div(t.z)).sub(r)
+  return t.mul(t.dot(r)).sub(r.mul(size.mul(t.z)))
 }
 
 /**
  * Mixes the normals of all layers into the base, see `mixNormals` in the reference.
  *
  * @param base the material's own map as stored, 0..1.
- * @returns normal as stored, 0..1; the base itself, bit by bit, where the influence of all layers is 0.
+ * @returns normal as stored, but of any length, since whoever uses it normalises it; the base itself, bit by bit, where the influence of
+ *   all layers is 0.
  */
 export function mixNormals(
   base: Node<'vec3'>,
-  { textures, normalScale }: ShaderInputs,
-  { influence, uv }: LayerInfluence,
+  inputs: ShaderInputs,
+  { influence, uv, isTiled }: LayerInfluence,
 ): Node<'vec3'> {
-  const { kinds, normals } = textures
-  const scales = inputUniform<'vec4'>(normalScale)
+  const { kinds, normals } = inputs.textures
+  const scales = inputUniform<'vec4'>(inputs.normalScale)
   return Fn(() => {
     const normal = base.toVar()
     const influences = influence.toVar()
-    const gradients = gradientsOf(uv)
-    If(influences.greaterThan(vec4(0)).any(), () => {
+    const sample = sliceSampler(uv, isTiled)
+    If(isShown(inputs), () => {
       const own = unpack(normal).toVar()
       const layers = kinds.map((kind, layer) => {
-        const influence = influences[CHANNELS[layer]]
-        const sampled = (kind === 'replace' ? own : vec3(0, 0, 1)).toVar()
-        If(influence.greaterThan(0), () => {
-          const stored = unpack(sampleSlice(normals.texture, gradients, normals.slices[layer]!).xyz)
-          const scale = scales[CHANNELS[layer]]
-          sampled.assign(stored.mul(vec3(scale, scale, 1)))
-        })
-        return { kind, influence, normal: sampled }
+        const scale = scales[CHANNELS[layer]]
+        const stored = unpack(sample(normals.texture, normals.slices[layer]!).xyz)
+        return {
+          kind,
+          influence: influences[CHANNELS[layer]],
+          normal: stored.mul(vec3(scale, scale, 1)).toVar(),
+        }
       })
       const replaced = replaceNormal(own, ofKind('replace', layers))
       const details = ofKind('detail', layers)
       const mixed = details.length === 0 ? replaced : addDetails(replaced, details)
-      normal.assign(mixed.mul(0.5).add(0.5))
+      // No select, which TSL makes a branch.
+      const hasInfluence = influences.dot(vec4(1)).sign()
+      normal.assign(mix(normal, mixed.mul(0.5).add(0.5), hasInfluence))
     })
     return normal
   })()
+}
+
+/** Reads texels of a slice of an array; 0 at rest. */
+export type TexelReader = (texture: ArrayTexture, slice: number) => Node<'vec4'>
+
+/** Reads each slice once, whatever number of kinds its channels hold, and however often they are mixed in. */
+export function texelReader(inputs: ShaderInputs, { uv, isTiled }: LayerInfluence): TexelReader {
+  const known = new Map<string, Node<'vec4'>>()
+  return (texture, slice) => {
+    const key = `${texture.id} ${slice}`
+    const texel = known.get(key) ?? readTexel()
+    known.set(key, texel)
+    return texel
+
+    function readTexel(): Node<'vec4'> {
+      return Fn(() => {
+        const read = vec4(0).toVar()
+        const sample = sliceSampler(uv, isTiled)
+        If(isShown(inputs), () => {
+          read.assign(sample(texture, slice))
+        })
+        return read
+      })()
+    }
+  }
 }
 
 /**
@@ -73,7 +113,8 @@ export function mixValues(
   kind: ValueKind,
   base: Node<'vec3'>,
   { textures, occlusionStrength, bloodAmplitude }: ShaderInputs,
-  { influence, uv }: LayerInfluence,
+  influence: Node<'vec4'>,
+  read: TexelReader,
 ): Node<'vec3'> {
   const { texture, slices, channel } = textures.values[kind]!
   const scales = inputUniform<'vec4'>(kind === 'blood' ? bloodAmplitude : occlusionStrength)
@@ -82,16 +123,13 @@ export function mixValues(
     const own = base.toVar()
     const value = own.toVar()
     const influences = influence.toVar()
-    const gradients = gradientsOf(uv)
     const influenceOf = (layer: number) => influences[CHANNELS[layer]]
     const total = max(float(1), sum(layers.map(({ layer }) => influenceOf(layer)))).toVar()
     for (const { slice, layer } of layers) {
-      If(influenceOf(layer).greaterThan(0), () => {
-        const texel = sampleSlice(texture, gradients, slice)
-        const stored = kind === 'baseColor' ? texel.rgb : vec3(texel[CHANNELS[channel]])
-        const sampled = decode(kind, stored, scales[CHANNELS[layer]])
-        value.addAssign(sampled.sub(own).mul(influenceOf(layer)).div(total))
-      })
+      const texel = read(texture, slice).toVar()
+      const stored = kind === 'baseColor' ? texel.rgb : vec3(texel[CHANNELS[channel]])
+      const sampled = decode(kind, stored, scales[CHANNELS[layer]])
+      value.addAssign(sampled.sub(own).mul(influenceOf(layer).div(total)))
     }
     return value
   })()
@@ -164,8 +202,9 @@ function unpack(stored: Node<'vec3'>): Node<'vec3'> {
 function replaceNormal(base: Node<'vec3'>, layers: readonly SampledLayer[]): Node<'vec3'> {
   if (layers.length === 0) return base
   const total = max(float(1), sum(layers.map(({ influence }) => influence))).toVar()
+  const shareOf = (influence: Node<'float'>) => (layers.length === 1 ? influence : influence.div(total))
   return layers.reduce<Node<'vec3'>>(
-    (mixed, { influence, normal }) => mixed.add(normal.sub(base).mul(influence).div(total)),
+    (mixed, { influence, normal }) => mixed.add(normal.sub(base).mul(shareOf(influence))),
     base,
   )
 }
@@ -173,10 +212,10 @@ function replaceNormal(base: Node<'vec3'>, layers: readonly SampledLayer[]): Nod
 /** Sums layers of detail as slopes and reorients them onto the normal. */
 function addDetails(base: Node<'vec3'>, layers: readonly SampledLayer[]): Node<'vec3'> {
   const slope = layers.reduce<Node<'vec2'>>(
-    (total, { influence, normal }) => total.add(normal.xy.div(normal.z).mul(influence)),
+    (total, { influence, normal }) => total.add(normal.xy.mul(influence.div(normal.z))),
     vec2(0),
   )
-  return reorient(base.normalize(), vec3(slope, 1).normalize())
+  return alongReoriented(base, vec3(slope, 1))
 }
 
 function sum(values: readonly Node<'float'>[]): Node<'float'> {

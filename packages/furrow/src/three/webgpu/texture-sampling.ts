@@ -39,6 +39,23 @@ export function sampleSlice(array: ArrayTexture, { uv, dx, dy }: Gradients, slic
   return sampled.level(level)
 }
 
+/** Samples a slice of an array, counted from 0. */
+export type SliceSampler = (array: ArrayTexture, slice: number) => Node<'vec4'>
+
+/**
+ * How the layers' maps are sampled; call it outside of any branch.
+ *
+ * @param isTiled whether texture coordinates may wrap between neighbouring pixels; if not, the sampler finds the level of detail.
+ */
+export function sliceSampler(uv: Node<'vec2'>, isTiled: boolean): SliceSampler {
+  if (isTiled) {
+    const gradients = gradientsOf(uv)
+    return (array, slice) => sampleSlice(array, gradients, slice)
+  }
+  const wrapped = repeat(uv).toVar()
+  return (array, slice) => texture(array, wrapped).depth(int(slice))
+}
+
 /** Wraps texture coordinates into 0..1, see `repeat` in core; those already within stay exactly as they are. */
 export function repeat(uv: Node<'vec2'>): Node<'vec2'> {
   return uv.sub(max(uv.ceil().sub(1), min(uv.floor(), 0)))

@@ -7,15 +7,17 @@ import { Fetched } from '../material/fetched.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
 import { isToon } from '../material/wrinkle-material.ts'
+import type { ValueKind } from '../material/wrinkle-textures.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { checkThree } from '../three-version.ts'
+import { isTiled } from '../wrinkle-uvs.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import { faultOf } from './build-fault.ts'
 import { checkBatch, influenceFromMap } from './influence.ts'
 import { influenceMaterial } from './influence-material.ts'
 import { quadMaterials } from './influence-quads.ts'
 import { shadowHighlights } from './micro-shadow.ts'
-import { bloodColour, type LayerInfluence, mixNormals, mixValues, toonColour } from './mix.ts'
+import { bloodColour, type LayerInfluence, mixNormals, mixValues, texelReader, toonColour } from './mix.ts'
 import { materialProperty, normalScale, typed } from './node.ts'
 import { type Added, type Patched, patchNodes } from './patch-nodes.ts'
 import { mapUv } from './texture-sampling.ts'
@@ -35,11 +37,15 @@ export function checkThreeFor(mesh: Mesh): Mesh {
 }
 
 /** The default mode. */
-const patch: RendererParts['patch'] = (material, inputs, instances) => {
+const patch: RendererParts['patch'] = (material, inputs, mesh) => {
   const uv = mapUv(material)
   return patchNodes(
     material,
-    layerNodes(material, inputs, { influence: influenceFromMap(inputs, uv, instances), uv }),
+    layerNodes(material, inputs, {
+      influence: influenceFromMap(inputs, uv, instancesOf(mesh)),
+      uv,
+      isTiled: isTiled(mesh, material),
+    }),
   )
 }
 
@@ -67,24 +73,26 @@ function layerNodes(material: Patched, inputs: ShaderInputs, layers: LayerInflue
   }
   const { baseColor, roughness, occlusion, blood } = inputs.textures.values
   const { map, roughnessMap, aoMap } = material as Partial<MeshStandardMaterial>
+  const read = texelReader(inputs, layers)
+  const mixInto = (kind: ValueKind, own: Node<'vec3'>) => mixValues(kind, own, inputs, layers.influence, read)
   if (baseColor || blood || isToon(material)) {
     const own = map ? materialProperty('map', 'texture') : vec4(1)
-    const mapped = baseColor ? mixValues('baseColor', own.rgb, inputs, layers) : own.rgb
+    const mapped = baseColor ? mixInto('baseColor', own.rgb) : own.rgb
     const unflushed = materialProperty('color', 'color').mul(mapped)
-    const colour = blood ? bloodColour(unflushed, mixValues('blood', vec3(0), inputs, layers).x) : unflushed
+    const colour = blood ? bloodColour(unflushed, mixInto('blood', vec3(0)).x) : unflushed
     added.colorNode = vec4(isToon(material) ? toonColour(colour, ownNormal, mixed) : colour, own.a)
   }
   if (roughness && 'roughness' in material) {
     const own = roughnessMap ? vec3(materialProperty('roughnessMap', 'texture').g) : vec3(1)
-    const value = mixValues('roughness', own, inputs, layers).x
+    const value = mixInto('roughness', own).x
     added.roughnessNode = materialProperty('roughness', 'float').mul(value)
   }
   if (occlusion && 'aoMap' in material) {
     const own = aoMap ? vec3(materialProperty('aoMap', 'texture').r) : vec3(1)
-    const value = mixValues('occlusion', own, inputs, layers).x
+    const value = mixInto('occlusion', own).x
     const intensity = materialProperty('aoMapIntensity', 'float')
     added.aoNode = aoMap ? value.sub(1).mul(intensity).add(1) : value
-    const visibility = aoMap ? mixValues('occlusion', vec3(1), inputs, layers).x : value
+    const visibility = aoMap ? mixInto('occlusion', vec3(1)).x : value
     added.setupLightingModel = function (this: NodeMaterial) {
       const model = Object.getPrototypeOf(this).setupLightingModel.call(this)
       return shadowHighlights(model, visibility)

@@ -1,0 +1,13 @@
+import { Mesh, MeshStandardMaterial, PlaneGeometry, Texture } from 'three'
+import { expect, test } from 'vitest'
+import { isTiled } from '../../../packages/furrow/src/three/wrinkle-uvs.ts'
+
+test('texture coordinates wrap where they leave 0..1, the transform of the normal map applied', () => {
+  const material = new MeshStandardMaterial({ normalMap: new Texture() })
+  const mesh = new Mesh(new PlaneGeometry(), material)
+  expect(isTiled(mesh, material)).toBe(false)
+  material.normalMap!.offset.set(0, 0.1)
+  expect(isTiled(mesh, material)).toBe(true)
+  material.normalMap!.repeat.set(1, 0.9)
+  expect(isTiled(mesh, material)).toBe(false)
+})
