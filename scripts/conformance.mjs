@@ -15,7 +15,7 @@ await main(async () => {
   say(`${samples.length} samples in conformance/files`)
   if (process.argv.includes('--files')) return
   process.env.FURROW_CHROMIUM = await ensureBrowser()
-  const engines = await runEngines()
+  const engines = new Map([...(await runEngines()), ['Blender (activations)', await runBlender()]])
   writeTable(samples, engines)
   for (const [engine, results] of engines) {
     const passed = [...results.values()].filter(Boolean).length
@@ -46,12 +46,29 @@ async function makeFiles() {
 }
 
 async function runEngines() {
+  const report = await reported((file) => {
+    const reporters = ['--reporter=default', '--reporter=json', `--outputFile.json=${file}`]
+    return run(['npx', 'vitest', 'run', '--project', 'gpu', 'test/gpu/conformance', ...reporters])
+  })
+  return resultsOf(report)
+}
+
+/** Of each sample whether it passed; those that Blender leaves out are missing. */
+async function runBlender() {
+  const words = ['node', 'scripts/blender.mjs', '--version', '4.5', 'test_conformance.py']
+  const report = await reported((file) => {
+    return run(words, { env: { ...process.env, FURROW_CONFORMANCE_REPORT: file } })
+  })
+  return new Map(Object.entries(report))
+}
+
+/** The JSON that a program writes into a file. */
+async function reported(write) {
   const folder = await mkdtemp(join(tmpdir(), 'furrow-conformance-'))
   const file = join(folder, 'report.json')
   try {
-    const reporters = ['--reporter=default', '--reporter=json', `--outputFile.json=${file}`]
-    await run(['npx', 'vitest', 'run', '--project', 'gpu', 'test/gpu/conformance', ...reporters])
-    return resultsOf(JSON.parse(await readFile(file, 'utf8')))
+    await write(file)
+    return JSON.parse(await readFile(file, 'utf8'))
   } finally {
     await rm(folder, { recursive: true })
   }

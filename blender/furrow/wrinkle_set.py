@@ -55,6 +55,8 @@ def load_document(tree, document, image_of):
                     if number:
                         setattr(layer, number, item[slot][field])
             layer.other = _rest(item, "name", "kind", *_SLOTS)
+        for prop, _, _, _ in MAPS:
+            _check_sizes([getattr(layer, prop) for layer in wrinkles.layers if getattr(layer, prop)])
         for item in document["areas"]:
             area = wrinkles.areas.add()
             area.name, area.layer, area.combine = item["name"], item["layer"], item["combine"]
@@ -63,6 +65,14 @@ def load_document(tree, document, image_of):
         for item in document["drivers"]:
             wrinkles.drivers.add().json = json.dumps(item)
         wrinkles.other = _rest(document, "layers", "areas", "drivers")
+
+
+def _check_sizes(images):
+    """All maps of one kind have one size; other engines put them into one array."""
+    sizes = {tuple(image.size) for image in images}
+    if len(sizes) > 1:
+        found = ", ".join(f"{width} x {height}" for width, height in sorted(sizes))
+        raise FurrowError(f"Furrow: maps of one kind differ in size, got {found}; scale them to one size")
 
 
 def document_of(tree):

@@ -7,6 +7,9 @@ import { ROOT } from './run.mjs'
 const PAGE = join(ROOT, 'docs', 'conformance.md')
 const MARKS = ['<!-- table -->', '<!-- end of table -->']
 
+/** An engine that lacks what a sample needs has no test for it. */
+const CELLS = { true: 'yes', false: '**no**', undefined: 'not supported' }
+
 /** Suites of tests whose names say of which engine they are; each has one test for each sample. */
 const SUITE = /conformance of (.+)$/
 
@@ -31,7 +34,7 @@ export function resultsOf(report) {
 export function writeTable(samples, engines) {
   const names = [...engines.keys()]
   const rows = samples.map(({ name, rule, section }) => {
-    const cells = names.map((engine) => (engines.get(engine).get(name) ? 'yes' : '**no**'))
+    const cells = names.map((engine) => CELLS[String(engines.get(engine).get(name))])
     return `| [\`${name}\`](../conformance/files/${name}.json) | ${rule} | ${link(section)} | ${cells.join(' | ')} |`
   })
   const table = [
