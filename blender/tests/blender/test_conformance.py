@@ -1,13 +1,12 @@
 """
 The sample files of the conformance suite: activations, and what must be refused.
 
-Normals and colours of what Blender draws are compared in test_shading.py. With FURROW_CONFORMANCE_REPORT, what each sample gave is written
-to that file as JSON, for the table of docs/conformance.md.
+Normals and colours of what Blender draws are compared in test_shading.py. With FURROW_CONFORMANCE_REPORT, what each
+sample gave is written to that file as JSON, for the table of docs/conformance.md.
 """
 
 import json
 import os
-import unittest
 from pathlib import Path
 
 import bpy
