@@ -1,4 +1,4 @@
-import { VRMLoaderPlugin } from '@pixiv/three-vrm'
+import { VRMLoaderPlugin, VRMUtils } from '@pixiv/three-vrm'
 import { MToonMaterial } from '@pixiv/three-vrm-materials-mtoon'
 import type { MToonNodeMaterial } from '@pixiv/three-vrm-materials-mtoon/nodes'
 import { WrinkleLoaderPlugin, wrinklesOf } from 'furrow/three'
@@ -142,6 +142,22 @@ describe.each([
     face.dispose()
     expect(meanDifference(await picture(gltf.scene), await picture(plain.scene))).toBe(0)
     expect(warn.mock.calls.filter(([text]) => /wrinkle/i.test(text))).toEqual([])
+  })
+
+  it("wrinkles as before after three-vrm's own optimisations, and in first person", async () => {
+    const gltf = await load(vrm, wrinkled)
+    move(gltf.scene, 1)
+    const moved = await picture(gltf.scene)
+    const { vrm: avatar } = gltf.userData
+    VRMUtils.removeUnnecessaryVertices(gltf.scene)
+    VRMUtils.combineSkeletons(gltf.scene)
+    VRMUtils.rotateVRM0(avatar)
+    avatar.firstPerson?.setup()
+    expect(meanDifference(await picture(gltf.scene), moved)).toBe(0)
+    const [face] = wrinklesOf(gltf)
+    expect(face.getActivation('a')).toBe(1)
+    move(gltf.scene, 0)
+    expect(meanDifference(await picture(gltf.scene), moved)).toBeGreaterThan(5)
   })
 
   it('wrinkles by itself in each copy, and as a mesh that a page makes', async () => {
