@@ -117,7 +117,8 @@ export class Viewer {
     this.#wrinkles = null
     this.#addMuscles(wrinkles?.drivers ?? [])
     try {
-      if (wrinkles) this.#wrinkles = this.stage.addWrinkles(this.#face, wrinkles)
+      // Relief is drawn by a mesh of its own, which looks, lines and brushes do not know.
+      if (wrinkles) this.#wrinkles = this.stage.addWrinkles(this.#face, wrinkles, { relief: 'off' })
     } catch (error) {
       this.#fault = error as Error
     }

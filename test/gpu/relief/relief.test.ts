@@ -287,6 +287,21 @@ describe.each(RENDERERS)('%s', (name) => {
     wrinkles.dispose()
   })
 
+  it('a mesh that gets another geometry is split again', async () => {
+    const mesh = ball()
+    const wrinkles = await raised(mesh)
+    const scene = sceneOf(mesh)
+    await picture(scene)
+    const larger = ball().geometry.scale(1.2, 1.2, 1.2)
+    mesh.geometry = larger
+    await picture(scene)
+    await wrinkles.reliefReady()
+    await picture(scene)
+    const expected = await picture(sceneOf(displacedMesh(Object.assign(ball(), { geometry: larger }))))
+    expect(differing(await picture(scene), expected)).toBeLessThan(FEW)
+    wrinkles.dispose()
+  })
+
   it('triangles without area under an area are drawn as what they are: nothing', async () => {
     const [mesh, other] = [ball(), ball()]
     const indices = [...other.geometry.index!.array]

@@ -1,4 +1,4 @@
-import type { Camera, Mesh } from 'three'
+import type { BufferGeometry, Camera, Mesh } from 'three'
 import { smoothstep } from '../math/scalar.ts'
 import type { AreaArray } from './atlas/area-array.ts'
 import type { ReliefMode } from './options.ts'
@@ -35,6 +35,8 @@ export class ReliefControl {
   /** The areas that the meshes were split under: they are split again under others. */
   #areas: AreaArray | null = null
   #version = 0
+  /** The geometries that were split: a page may give a mesh another one. */
+  #geometries: BufferGeometry[] = []
   /** Whether the dense geometries are drawn. */
   isShown = false
   #isPossible: boolean
@@ -90,8 +92,10 @@ export class ReliefControl {
   }
 
   get #isOutdated(): boolean {
-    const { areas } = this.#owner.inputs
-    return areas !== this.#areas || areas.version !== this.#version
+    const { meshes, inputs } = this.#owner
+    const { areas } = inputs
+    if (areas !== this.#areas || areas.version !== this.#version) return true
+    return meshes.some(({ geometry }, i) => geometry !== this.#geometries[i])
   }
 
   #amountAt(pixelsPerMetre: number): number {
@@ -121,9 +125,10 @@ export class ReliefControl {
   }
 
   async #split(): Promise<void> {
-    const { areas } = this.#owner.inputs
-    this.#areas = areas
-    this.#version = areas.version
+    const { meshes, inputs } = this.#owner
+    this.#areas = inputs.areas
+    this.#version = inputs.areas.version
+    this.#geometries = meshes.map(({ geometry }) => geometry)
     try {
       const [{ Relief }, parts] = await Promise.all([import('./relief/relief.ts'), this.#owner.loadParts()])
       const host = { ...this.#owner, refuse: (error: unknown) => this.#refuse(error) }
