@@ -2,6 +2,9 @@ import type { BufferGeometry, Camera, Material, Mesh } from 'three'
 import type { AnyRenderer } from '../renderer.ts'
 import { followMesh, type ReliefMesh } from './relief-mesh.ts'
 
+/** Vertices to draw for nothing to be drawn: less than a triangle, but not 0, of which WebGPU warns. */
+const NOTHING = 1
+
 /** The wrinkles of the mesh, as far as a stand-in needs them. */
 export interface StandInHost {
   /** The one that shows the wrinkles. */
@@ -107,7 +110,7 @@ export class StandIn {
     const { geometry } = dense
     const draw = (isDrawn: boolean) => {
       const { start, count } = geometry.groups[Math.min(host.version(), geometry.groups.length - 1)]
-      geometry.setDrawRange(start, isDrawn ? count : 0)
+      geometry.setDrawRange(start, isDrawn ? count : NOTHING)
     }
     dense.onBeforeRender = (renderer, _scene, camera, _geometry, material) => {
       host.prepare(renderer as AnyRenderer, camera, this.#mesh)
@@ -134,7 +137,7 @@ class HiddenRange {
     this.#geometry = geometry
     this.#start = start
     this.#count = count
-    geometry.setDrawRange(0, 0)
+    geometry.setDrawRange(0, NOTHING)
   }
 
   restore(): void {
