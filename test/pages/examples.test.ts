@@ -5,7 +5,15 @@ import sharp from 'sharp'
 import { afterAll, beforeAll, expect, test } from 'vitest'
 import { editGlb } from '../glb.ts'
 import { openBrowser, openPage } from './browser.ts'
-import { firstPicture, openPaused, playSurprise, readNextFrame, SECOND, switchOff } from './paused-page.ts'
+import {
+  drawRelief,
+  firstPicture,
+  openPaused,
+  playSurprise,
+  readNextFrame,
+  SECOND,
+  switchOff,
+} from './paused-page.ts'
 import { contrast, largestDifference, meanDifference, type Region, WHOLE } from './pixels.ts'
 import { type CanvasPixels, readCanvas } from './read-canvas.ts'
 import { startStaticServer } from './static-server.ts'
@@ -225,6 +233,7 @@ async function withExample<T>(
       await page.setViewportSize(size)
     }
     await playSurprise(page)
+    if (hasControls) await drawRelief(page)
     const result = await inspect(page)
     expect(complaints).toEqual([])
     return result

@@ -25,6 +25,23 @@ export async function playSurprise(page: Page): Promise<void> {
   await page.clock.fastForward(SECOND / 2)
 }
 
+/** Waits until all meshes that may be drawn with relief are split, and draws that; the page's import map finds the modules. */
+export async function drawRelief(page: Page): Promise<void> {
+  const imports = await page.locator('script[type=importmap]').textContent()
+  if (!imports!.includes('furrow/three')) return
+  await page.evaluate(`
+    Promise.all([import('three'), import('furrow/three')]).then(([{ Scene }, { wrinklesOf }]) => {
+      Scene.prototype.onBeforeRender = (_, scene) => {
+        const all = new Set()
+        scene.traverse((object) => all.add(wrinklesOf(object)))
+        window.reliefReady ??= Promise.all([...all].map((wrinkles) => wrinkles?.reliefReady()))
+      }
+    })`)
+  await page.clock.runFor(SECOND / 60)
+  await page.evaluate('window.reliefReady')
+  await page.clock.runFor(SECOND / 30)
+}
+
 /** Switches off the wrinkles of all meshes from the next frame on. The page's import map finds the modules. */
 export async function switchOff(page: Page): Promise<void> {
   await page.evaluate(`
