@@ -16,6 +16,7 @@ const LATE = { testTimeout: 900_000, hookTimeout: 900_000 }
 // By default Vitest leaves one core idle, which is half of two.
 const ALL_CORES = { maxWorkers: '100%' }
 const HEAVY = 'test/unit/**/*.heavy.test.ts'
+const HEAVY_GPU = 'test/gpu/**/*.heavy.test.ts'
 const HEAVY_PAGES = 'test/pages/**/*.heavy.test.ts'
 
 export default defineConfig({
@@ -37,7 +38,8 @@ export default defineConfig({
       },
       pagesProject('pages', 'test/pages/**/*.test.ts', [HEAVY_PAGES]),
       pagesProject('heavy-pages', HEAVY_PAGES),
-      gpuProject('gpu', ['test/gpu/**/*.test.ts']),
+      gpuProject('gpu', ['test/gpu/**/*.test.ts'], [HEAVY_GPU]),
+      gpuProject('heavy-gpu', [HEAVY_GPU]),
       onOldestThree(gpuProject('gpu-oldest', FILES_FOR_OLDEST)),
     ],
   },
@@ -64,7 +66,7 @@ function babylonModules(): string[] {
 }
 
 /** A project in the browser, on three paths. */
-function gpuProject(name: string, files: string[]): TestProjectInlineConfiguration {
+function gpuProject(name: string, files: string[], exclude: string[] = []): TestProjectInlineConfiguration {
   return {
     resolve,
     ssr,
@@ -110,6 +112,7 @@ function gpuProject(name: string, files: string[]): TestProjectInlineConfigurati
     test: {
       name,
       include: files,
+      exclude,
       ...LATE,
       fileParallelism: false,
       browser: {

@@ -98,23 +98,25 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
     expect(other).toHaveBeenCalled()
   })
 
-  it.each([
-    ['quantised', quantise],
-    ['in two primitives', splitInTwo],
-    ['without an index', withoutIndex],
-    ['placed by a node', scaleNode],
-  ])('gets the same wrinkles %s', async (_, edit) => {
-    const areas = async (file: Uint8Array<ArrayBuffer>) => {
-      const [wrinkles] = await wrinklesReady(await load(file))
-      return wrinkles!.getArea(wrinkles!.areaNames[0]!)!.weights as { data: Uint8Array }
-    }
-    const [{ data: own }, { data: others }] = [
-      await areas(await bareSheet()),
-      await areas(await bareSheet(edit)),
-    ]
-    expect(Math.max(...own)).toBe(255)
-    expect(difference(own, others) / difference(own, new Uint8Array(own.length))).toBeLessThan(0.05)
-  })
+  // Nothing is drawn: one renderer tells.
+  if (name === 'webgl')
+    it.each([
+      ['quantised', quantise],
+      ['in two primitives', splitInTwo],
+      ['without an index', withoutIndex],
+      ['placed by a node', scaleNode],
+    ])('gets the same wrinkles %s', async (_, edit) => {
+      const areas = async (file: Uint8Array<ArrayBuffer>) => {
+        const [wrinkles] = await wrinklesReady(await load(file))
+        return wrinkles!.getArea(wrinkles!.areaNames[0]!)!.weights as { data: Uint8Array }
+      }
+      const [{ data: own }, { data: others }] = [
+        await areas(await bareSheet()),
+        await areas(await bareSheet(edit)),
+      ]
+      expect(Math.max(...own)).toBe(255)
+      expect(difference(own, others) / difference(own, new Uint8Array(own.length))).toBeLessThan(0.05)
+    })
 
   it.each<[string, (document: Document) => void, RegExp]>([
     ['an unlit material', makeUnlit, /does not support normal maps.*\(the file stays plain\)$/],

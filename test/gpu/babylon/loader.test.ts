@@ -230,23 +230,25 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
     }
   })
 
-  it.runIf(name === 'webgl')('has its influence and maps again after the context was lost', async () => {
-    const [wrinkles] = wrinklesOf(await open())
-    wrinkles.setActivation('d', 1)
-    const before = await picture()
-    const { _gl: gl } = harness.engine as unknown as { _gl: WebGL2RenderingContext }
-    const extension = gl.getExtension('WEBGL_lose_context')!
-    const restored = new Promise((resolve) => harness.engine.onContextRestoredObservable.addOnce(resolve))
-    extension.loseContext()
-    await new Promise((resolve) => setTimeout(resolve, 50))
-    extension.restoreContext()
-    await restored
-    // Babylon.js does not draw with programs of before, plain or not, in the frames of this test.
-    wrinkles.mode = 'off'
-    await picture()
-    wrinkles.mode = 'default'
-    expect(await picture()).toEqual(before)
-  })
+  // Nothing in Babylon.js loses a device of WebGPU and gets it again.
+  if (name === 'webgl')
+    it('has its influence and maps again after the context was lost', async () => {
+      const [wrinkles] = wrinklesOf(await open())
+      wrinkles.setActivation('d', 1)
+      const before = await picture()
+      const { _gl: gl } = harness.engine as unknown as { _gl: WebGL2RenderingContext }
+      const extension = gl.getExtension('WEBGL_lose_context')!
+      const restored = new Promise((resolve) => harness.engine.onContextRestoredObservable.addOnce(resolve))
+      extension.loseContext()
+      await new Promise((resolve) => setTimeout(resolve, 50))
+      extension.restoreContext()
+      await restored
+      // Babylon.js does not draw with programs of before, plain or not, in the frames of this test.
+      wrinkles.mode = 'off'
+      await picture()
+      wrinkles.mode = 'default'
+      expect(await picture()).toEqual(before)
+    })
 
   it('leaves nothing behind in 100 loads and disposes', async () => {
     const file = await wrinkledFile()
