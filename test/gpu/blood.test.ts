@@ -5,14 +5,18 @@ import { randomAreas } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { type Kind, MAP, randomLayer } from './layer-values.ts'
 
 const CASES = 200
 const PIXELS = 16
-const MAP = 16
 const AREAS = 4
 
 /** Of three layers, the first has occlusion too and the last neither: occlusion changes neither direct nor diffuse light. */
-const LAYERS = ['both', 'blood', 'neither']
+const LAYERS = { both: ['occlusion', 'blood'], blood: ['blood'], neither: [] } as const satisfies Record<
+  string,
+  Kind[]
+>
+const NAMES = Object.keys(LAYERS)
 
 describe.each(RENDERERS)('blood on %s', (name) => {
   let harness: Harness
@@ -45,8 +49,11 @@ describe.each(RENDERERS)('blood on %s', (name) => {
     let release = () => {}
     let largestEffect = 0
     for (let i = 0; i < CASES; i++) {
-      const layers = LAYERS.map((layer) => randomLayer(random, layer, random() * 2))
-      const areas = randomAreas(random, AREAS, MAP).map((area, k) => ({ ...area, layer: LAYERS[k % 3] }))
+      const layers = Object.entries(LAYERS).map(([layer, kinds]) => ({
+        ...randomLayer(random, layer, kinds),
+        bloodAmplitude: random() * 2,
+      }))
+      const areas = randomAreas(random, AREAS, MAP).map((area, k) => ({ ...area, layer: NAMES[k % 3] }))
       const activations = areas.map(() => (random() < 0.2 ? 0 : random()))
       const color = new Color(random(), random(), random()).multiplyScalar(0.5)
       const { plain, shown, dispose } = await show(layers, areas, color, activations)
@@ -64,7 +71,7 @@ describe.each(RENDERERS)('blood on %s', (name) => {
     const random = seeded(18)
     const areas = randomAreas(random, AREAS, MAP)
     const color = new Color(0.71, 0.43, 0.337)
-    const layer = randomLayer(random, 'both', 2)
+    const layer = { ...randomLayer(random, 'both', LAYERS.both), bloodAmplitude: 2 }
     layer.blood!.data.fill(128)
     const { blood: _, ...bloodless } = layer
     const [own, other] = [await show([layer], areas, color, [1]), await show([bloodless], areas, color, [1])]
@@ -86,7 +93,7 @@ function absorbed(
   )
   const active = areas.map(({ layer, combine = 'sum' }, i) => ({
     activation: activations[i],
-    layer: LAYERS.indexOf(layer!),
+    layer: NAMES.indexOf(layer!),
     combine,
   }))
   const maps = layers.map(({ blood }) => blood && packGrays([blood as GrayImage]))
@@ -104,22 +111,4 @@ function absorbed(
     exact.set(reference.bloodColour([...plain.subarray(4 * pixel, 4 * pixel + 3)], blood), 4 * pixel)
   }
   return exact
-}
-
-function randomLayer(random: () => number, name: string, bloodAmplitude: number): Layer {
-  const gray = (): GrayImage => ({
-    width: MAP,
-    height: MAP,
-    data: Uint8Array.from({ length: MAP * MAP }, () => random() * 256),
-  })
-  const flat = { width: MAP, height: MAP, data: new Uint8Array(4 * MAP * MAP).fill(128) }
-  for (let i = 2; i < flat.data.length; i += 4) flat.data[i] = 255
-  return {
-    name,
-    kind: 'detail',
-    normal: flat,
-    normalScale: 0,
-    ...(name === 'both' && { occlusion: gray() }),
-    ...(name !== 'neither' && { blood: gray(), bloodAmplitude }),
-  }
 }

@@ -19,7 +19,7 @@ export const LAYERS: Kind[][][] = [
 ]
 
 /** A layer with random maps of some kinds, and flat normals. */
-export function randomLayer(random: () => number, name: string, kinds: Kind[]): Layer {
+export function randomLayer(random: () => number, name: string, kinds: readonly Kind[]): Layer {
   const gray = (): GrayImage => ({
     width: MAP,
     height: MAP,

@@ -1,10 +1,11 @@
 import { PBRMaterial } from '@babylonjs/core/Materials/PBR/pbrMaterial.js'
 import type { Scene } from '@babylonjs/core/scene.js'
-import { type GrayImage, packAreas, reference, type WrinkleSet } from 'furrow'
+import type { GrayImage, WrinkleSet } from 'furrow'
 import { Wrinkles } from 'furrow/babylon'
 import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest'
 import { randomSet } from '../../cases.ts'
 import { seeded } from '../../random.ts'
+import { influenceDifference, type UvTransform } from '../influence-difference.ts'
 import { type BabylonHarness, createHarness, ENGINES, square } from './harness.ts'
 
 const CASES = 200
@@ -34,7 +35,7 @@ describe.each(ENGINES)('influence in Babylon.js on %s', (name) => {
       const scale = 0.2 + random() * 1.2
       const offset = [random() * 0.4 - 0.2, random() * 0.4 - 0.2]
       const activations = set.areas.map(() => (random() < 0.3 ? 0 : Math.min(1, random() * (4 / count))))
-      const { error, mesh } = await largestError(harness, scene, set, activations, scale, offset)
+      const { error, mesh } = await largestError(harness, scene, set, activations, { scale, offset })
       worst = Math.max(worst, error)
       release()
       mesh.setEnabled(false)
@@ -56,29 +57,16 @@ async function largestError(
   scene: Scene,
   set: WrinkleSet,
   activations: readonly number[],
-  scale: number,
-  offset: readonly number[],
+  transform: UvTransform,
 ) {
-  const mesh = square(scene, scale, [...offset])
+  const mesh = square(scene, transform.scale, [...transform.offset])
   const material = new PBRMaterial('skin', scene)
   Object.assign(material, { metallic: 0, roughness: 1, debugMode: SHOW_ROUGHNESS, debugLimit: -1 })
   mesh.material = material
   const wrinkles = new Wrinkles(mesh, set, { areaSize: AREA })
   for (const [i, area] of set.areas.entries()) wrinkles.setActivation(area.name, activations[i])
   const pixels = await harness.render(scene, PIXELS)
-  const areas = packAreas(
-    set.areas.map(({ weights }) => weights),
-    AREA,
-  )
-  const table = set.areas.map(({ combine = 'sum' }, i) => ({ activation: activations[i], layer: 0, combine }))
-  let error = 0
-  for (let y = 0; y < PIXELS; y++) {
-    for (let x = 0; x < PIXELS; x++) {
-      const u = ((x + 0.5) / PIXELS) * scale + offset[0]
-      const v = (1 - (y + 0.5) / PIXELS) * scale + offset[1]
-      const exact = reference.influenceFromMap(areas, table, u, v)
-      error = Math.max(error, Math.abs(1 - pixels[(y * PIXELS + x) * 4] - exact))
-    }
-  }
+  const shown = (i: number) => 1 - pixels[i * 4]
+  const error = influenceDifference(set, AREA, activations, transform, shown, PIXELS)
   return { error, mesh }
 }

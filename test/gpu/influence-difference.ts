@@ -1,0 +1,40 @@
+import { packAreas, reference, type WrinkleSet } from 'furrow'
+
+/** The square's texture coordinates, see `square`. */
+export interface UvTransform {
+  scale: number
+  offset: readonly number[]
+}
+
+/**
+ * Largest difference over the pixels of a drawn square between the influence and the float64 reference.
+ *
+ * @param set with areas of `areaSize` x `areaSize` texels.
+ * @param activations of the areas when the square was drawn.
+ * @param shown influence at a pixel, given its index.
+ * @param side of the picture in pixels.
+ */
+export function influenceDifference(
+  set: WrinkleSet,
+  areaSize: number,
+  activations: readonly number[],
+  { scale, offset }: UvTransform,
+  shown: (pixel: number) => number,
+  side: number,
+): number {
+  const areas = packAreas(
+    set.areas.map(({ weights }) => weights),
+    areaSize,
+  )
+  const table = set.areas.map(({ combine = 'sum' }, i) => ({ activation: activations[i], layer: 0, combine }))
+  let largest = 0
+  for (let y = 0; y < side; y++) {
+    for (let x = 0; x < side; x++) {
+      const u = ((x + 0.5) / side) * scale + offset[0]
+      const v = (1 - (y + 0.5) / side) * scale + offset[1]
+      const exact = reference.influenceFromMap(areas, table, u, v)
+      largest = Math.max(largest, Math.abs(shown(y * side + x) - exact))
+    }
+  }
+  return largest
+}

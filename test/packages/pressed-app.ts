@@ -1,0 +1,28 @@
+import { expect } from 'vitest'
+import { openPage } from '../pages/browser.ts'
+import type { ServedApp } from './served-app.ts'
+import { settled } from './settled.ts'
+
+/**
+ * Opens an app that shows a face, whose picture must change when it is clicked, and must not report errors.
+ *
+ * @returns what was requested from elsewhere.
+ */
+export async function expectFaceThatChanges(app: ServedApp, query: string): Promise<string[]> {
+  const { page, complaints } = await openPage(app.browser, { viewport: { width: 300, height: 300 } })
+  const foreign: string[] = []
+  page.on('request', (request) => {
+    if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(app.origin))
+      foreign.push(request.url())
+  })
+  await page.goto(`${app.origin}/?${query}`)
+  const canvas = page.locator('canvas')
+  await canvas.waitFor()
+  const empty = await page.screenshot()
+  const shown = await settled(page, empty)
+  await canvas.click()
+  await settled(page, shown)
+  expect(complaints).toEqual([])
+  await page.close()
+  return foreign
+}
