@@ -1,5 +1,6 @@
 import type { CoarseMesh } from './coarse-mesh.ts'
 import { DenseBuilder, type DenseMesh } from './dense-mesh.ts'
+import { MOST_TRIANGLES } from './most-triangles.ts'
 import { splitPatch, WHOLE } from './patch.ts'
 import { WeldedEdges } from './welded-edges.ts'
 
@@ -12,7 +13,7 @@ export interface SplitOptions {
   coarser?: readonly Uint8Array[]
 }
 
-export const SPLIT_DEFAULTS: Required<SplitOptions> = { edge: 0.0012, budget: 100_000, coarser: [] }
+export const SPLIT_DEFAULTS: Required<SplitOptions> = { edge: 0.0012, budget: MOST_TRIANGLES, coarser: [] }
 
 /** Halved edges are between 0.7 and 1.4 of the length that is aimed at. */
 const LONGEST = Math.SQRT2
