@@ -13,12 +13,11 @@ import {
   mixValues,
 } from '../../packages/furrow/src/core/reference.ts'
 import { DeformedNormals } from '../../packages/furrow/src/math/deformed-normals.ts'
-import { coveredTriangles } from '../../packages/furrow/src/relief/covered-triangles.ts'
+import { coveredTriangles, mostHalvings } from '../../packages/furrow/src/relief/covered-triangles.ts'
 import { displace, displacement } from '../../packages/furrow/src/relief/displaced.ts'
 import { weightedTexels } from '../../packages/furrow/src/relief/height-fields.ts'
 import { outwardRoom } from '../../packages/furrow/src/relief/outward-room.ts'
 import { splitMesh } from '../../packages/furrow/src/relief/split-mesh.ts'
-import { MAX_LEVEL } from '../../packages/furrow/src/relief/welded-edges.ts'
 import type { Description } from './page.ts'
 
 const WHO = 'cycles'
@@ -44,8 +43,7 @@ export async function denseSkin({ skin, activations }: Description, folder: stri
   const { areas, heightAt, bloodAt } = await readWrinkles(folder, activations)
   const mesh = { positions: skin.rest, uvs, triangles }
   const slices = Array.from({ length: areas.depth }, (_, slice) => slice)
-  const covered = coveredTriangles(mesh, weightedTexels(areas, slices))
-  const halvings = covered.map((isCovered) => isCovered * MAX_LEVEL)
+  const halvings = mostHalvings(coveredTriangles(mesh, weightedTexels(areas, slices)))
   const dense = finish(splitMesh(mesh, halvings, { edge: EDGE, budget: MOST_TRIANGLES }))
   const normals = new Float32Array(skin.normals.length)
   new DeformedNormals({ positions: skin.rest, normals: skin.normals, triangles }).update(

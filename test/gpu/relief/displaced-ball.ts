@@ -11,7 +11,7 @@ export function displacedBall({ geometry, morphTargetInfluences }: Mesh) {
   const { attributes, index, morphAttributes } = geometry
   const rest = attributes.position.array as Float32Array
   const coarse = { positions: rest, uvs: attributes.uv.array, triangles: index!.array }
-  const steps = splitMesh(coarse, new Uint8Array(index!.count / 3).fill(MAX_LEVEL))
+  const steps = splitMesh(coarse, new Float32Array(index!.count).fill(MAX_LEVEL))
   let step = steps.next()
   while (!step.done) step = steps.next()
   const dense = step.value

@@ -2,12 +2,11 @@ import { type Area, type ArraySlice, type GrayImage, type Layer, packAreas, refe
 import { readWrinkleMaps } from 'furrow/three'
 import type { Mesh, Object3D } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
-import { coveredTriangles } from '../../../packages/furrow/src/relief/covered-triangles.ts'
+import { coveredTriangles, mostHalvings } from '../../../packages/furrow/src/relief/covered-triangles.ts'
 import { displace } from '../../../packages/furrow/src/relief/displaced.ts'
 import { weightedTexels } from '../../../packages/furrow/src/relief/height-fields.ts'
 import { outwardRoom } from '../../../packages/furrow/src/relief/outward-room.ts'
 import { splitMesh } from '../../../packages/furrow/src/relief/split-mesh.ts'
-import { MAX_LEVEL } from '../../../packages/furrow/src/relief/welded-edges.ts'
 import type { Harness } from '../harness.ts'
 
 /** Metres from black to white. */
@@ -79,7 +78,7 @@ export function displacedSkin({ skin, heights, areas: activeAreas }: RaisedFace)
   const active = activeAreas.map(({ combine = 'sum' }) => ({ activation: 1, layer: 0, combine }) as const)
   const slices = activeAreas.map((_, slice) => slice)
   // Wherever areas are, and as finely as it gets: more than the shaders' mesh, which is split where heights need it.
-  const halvings = coveredTriangles(coarse, weightedTexels(areas, slices)).map((is) => is * MAX_LEVEL)
+  const halvings = mostHalvings(coveredTriangles(coarse, weightedTexels(areas, slices)))
   const steps = splitMesh(coarse, halvings)
   let step = steps.next()
   while (!step.done) step = steps.next()

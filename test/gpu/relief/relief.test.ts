@@ -1,3 +1,4 @@
+import type { WrinkleSet } from 'furrow'
 import {
   BatchedMesh,
   Bone,
@@ -331,26 +332,60 @@ describe.each(RENDERERS)('%s', (name) => {
 
   it.each([
     ['heights of 10 m', () => ball(), 10, 'reach too far'],
+    ['positions that are no numbers', () => brokenBall(), 0.003, 'positions that are no numbers'],
+  ])('%s cost the relief and one warning, also by size', async (_, make, heightAmplitude, message) => {
+    for (const relief of ['on', 'auto'] as const) {
+      const { layers, areas } = heightSet()
+      const { warnings } = await drawn(make(), { layers: [{ ...layers[0], heightAmplitude }], areas }, relief)
+      expect(warnings).toEqual([expect.stringContaining(message)])
+      expect(warnings[0]).toContain('(the wrinkles are shown without relief)')
+    }
+  })
+
+  it.each([
     [
       'a mesh of two million triangles',
       () => new Mesh(new SphereGeometry(RADIUS, 1000, 1000), new MeshStandardMaterial()),
-      0.003,
       'too many triangles',
     ],
-    ['batches', () => batch(), 0.003, 'BatchedMesh'],
-    ['positions that are no numbers', () => brokenBall(), 0.003, 'positions that are no numbers'],
-  ])('%s cost the relief and one warning', async (_, make, heightAmplitude, message) => {
-    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
-    const mesh = make()
+    ['batches', () => batch(), 'BatchedMesh'],
+    ['instances with blendshapes of their own', () => crowd(), 'instances with blendshapes of their own'],
+  ])('%s have no relief: by size silently, with a warning once it is asked for', async (_, make, message) => {
     const { layers, areas } = heightSet()
-    const wrinkles = await raised(mesh, { layers: [{ ...layers[0], heightAmplitude }], areas })
+    const readHeight = vi.fn()
+    const unread = { ...layers[0], height: undefined, readHeight }
+    const { wrinkles, warnings, scene } = await drawn(make(), { layers: [unread], areas }, 'auto')
+    expect(warnings).toEqual([])
+    expect(readHeight).not.toHaveBeenCalled()
+    wrinkles.relief = 'on'
+    await picture(scene)
+    expect(warnings).toEqual([expect.stringContaining(message)])
+    expect((await drawn(make(), heightSet(), 'on')).warnings).toEqual([expect.stringContaining(message)])
+  })
+
+  it('more triangles than the budget make longer edges: by size silently, with a warning once it is asked for', async () => {
+    const large = ball()
+    large.geometry.scale(20, 20, 20)
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const wrinkles = await raised(large, heightSet(), { relief: 'auto' })
+    expect(warn).not.toHaveBeenCalled()
+    wrinkles.relief = 'on'
+    expect(warn.mock.calls).toEqual([[expect.stringContaining('so their edges are longer')]])
+    expect(large.children).toHaveLength(1)
+    wrinkles.dispose()
+  })
+
+  /** What has been warned of when a mesh that cannot have relief was drawn some times, and will be. */
+  async function drawn(mesh: Mesh, set: WrinkleSet, relief: 'on' | 'auto') {
+    const warnings: string[] = []
+    vi.spyOn(console, 'warn').mockImplementation((text) => warnings.push(text))
+    const wrinkles = await raised(mesh, set, { relief })
     const scene = sceneOf(mesh)
     await picture(scene)
     await picture(scene)
-    expect(warn.mock.calls.map(([text]) => text)).toEqual([expect.stringContaining(message)])
     expect(mesh.children).toEqual([])
-    wrinkles.dispose()
-  })
+    return { wrinkles, warnings, scene }
+  }
 })
 
 /** A ball one of whose vertices, which no triangle has, is nowhere. Its bounds are known: three.js complains of such positions. */
@@ -375,6 +410,19 @@ function skinnedBall() {
   mesh.add(bone)
   mesh.bind(new Skeleton([bone]))
   return { mesh, bone }
+}
+
+/** Two instances, one of which is taller. */
+function crowd(): InstancedMesh {
+  const { geometry, material } = ball()
+  const mesh = new InstancedMesh(geometry, material, 2)
+  const shaped = ball()
+  for (const i of [0, 1]) {
+    mesh.setMatrixAt(i, new Matrix4())
+    shaped.morphTargetInfluences![0] = i
+    mesh.setMorphAt(i, shaped)
+  }
+  return mesh
 }
 
 function batch(): BatchedMesh {

@@ -11,8 +11,9 @@ const RADIUS = 0.05
 const EDGE = 0.003
 
 /** Covers the triangles whose centre fulfils a condition. */
-function cover(mesh: CoarseMesh, isCovered: (x: number, y: number, z: number) => boolean): Uint8Array {
-  return Uint8Array.from({ length: mesh.triangles.length / 3 }, (_, t) => {
+function cover(mesh: CoarseMesh, isCovered: (x: number, y: number, z: number) => boolean): Float32Array {
+  return Float32Array.from(mesh.triangles, (_, corner) => {
+    const t = Math.floor(corner / 3)
     const [x, y, z] = [0, 1, 2].map((axis) =>
       [0, 1, 2].reduce((sum, k) => sum + mesh.positions[3 * mesh.triangles[3 * t + k] + axis] / 3, 0),
     )
@@ -60,7 +61,7 @@ it('a closed surface stays closed: split triangles and their neighbours meet wit
 
 it('coarser versions are closed too, and have vertices of the finest and no others outside of its triangles', () => {
   const mesh = sphere(RADIUS)
-  const finest = half(mesh).map((most, t) => Math.min(most, 1 + (t % 4)))
+  const finest = half(mesh).map((most, corner) => Math.min(most, 1 + (Math.floor(corner / 3) % 4)))
   const coarser = [1, 2, 9].map((less) => finest.map((halvings) => Math.max(halvings - less, 0)))
   const dense = finish(splitMesh(mesh, finest, { edge: EDGE / 2, coarser }))
   const alone = finish(splitMesh(mesh, finest, { edge: EDGE / 2 }))
@@ -180,7 +181,7 @@ it('triangles without area, or with coordinates that are no numbers, are kept as
     uvs: [0, 0, 0.5, 0, 1, 0, 0, Number.NaN],
     triangles: [0, 0, 0, 0, 1, 2, 0, 1, 3],
   }
-  const dense = finish(splitMesh(mesh, new Uint8Array(3).fill(MAX_LEVEL), { edge: 0.001 }))
+  const dense = finish(splitMesh(mesh, new Float32Array(9).fill(MAX_LEVEL), { edge: 0.001 }))
   expect(dense.triangles.length).toBeGreaterThan(9)
   expect(dense.weights.every(Number.isFinite)).toBe(true)
   const everywhere = { width: 2, height: 2, data: new Uint8Array(4).fill(1) }
@@ -193,6 +194,23 @@ it('the work is done in slices', () => {
   const steps = splitMesh(mesh, half(mesh), { edge: EDGE })
   while (!steps.next().done) slices++
   expect(slices).toBeGreaterThan(20)
+})
+
+it('a triangle that is to be split in one direction becomes strips, and stays closed with its neighbours', () => {
+  const mesh = sphere(RADIUS)
+  const strips = Float32Array.from(mesh.triangles, (_, corner) => [-2, 2.7, 2.7][corner % 3])
+  const dense = finish(splitMesh(mesh, strips, { edge: 1e-4 }))
+  expect(new Set(edgeCounts(positionsOf(mesh, dense), dense.triangles))).toEqual(new Set([2]))
+  const alone = {
+    positions: [0, 0, 0, 0.01, 0, 0, 0, 0.01, 0],
+    uvs: [0, 0, 1, 0, 0, 1],
+    triangles: [0, 1, 2],
+  }
+  const counts = [0, 0.7, 1.7, 2.7].map((halvings) => {
+    const { triangles } = finish(splitMesh(alone, new Float32Array([-2, halvings, halvings]), { edge: 1e-4 }))
+    return triangles.length / 3
+  })
+  expect(counts).toEqual([1, 3, 9, 27])
 })
 
 it('edges are halved no more often than their triangles need', () => {
@@ -212,7 +230,7 @@ it('edges are halved no more often than their triangles need', () => {
   const dense = finish(
     splitMesh(
       mesh,
-      half(mesh).map((_, t) => t % 4),
+      half(mesh).map((_, corner) => Math.floor(corner / 3) % 4),
       { edge: EDGE },
     ),
   )

@@ -2,6 +2,7 @@ import { rasterize } from '../math/rasterize.ts'
 import { uvToTexels } from '../math/triangle.ts'
 import type { CoarseMesh } from './coarse-mesh.ts'
 import type { Mask } from './height-fields.ts'
+import { MAX_LEVEL } from './welded-edges.ts'
 
 /** Finds the triangles on which a mask has any texel: 1 for each of these, 0 for the others. */
 export function coveredTriangles({ uvs, triangles }: CoarseMesh, { width, height, data }: Mask): Uint8Array {
@@ -23,6 +24,14 @@ export function coveredTriangles({ uvs, triangles }: CoarseMesh, { width, height
     covered[t] = any
   }
   return covered
+}
+
+/** Halvings of each edge of the triangles, see `splitMesh`: as many as there may be where they are covered, none elsewhere. */
+export function mostHalvings(covered: Uint8Array): Float32Array {
+  return Float32Array.from(
+    { length: 3 * covered.length },
+    (_, edge) => covered[Math.floor(edge / 3)] * MAX_LEVEL,
+  )
 }
 
 /** Texture coordinates repeat: moves a triangle by whole textures, so that its centre is inside. */

@@ -17,6 +17,9 @@ export interface Mask {
   data: Uint8Array
 }
 
+/** The gray at which the surface is where it was. */
+const NEUTRAL = 127.5
+
 /** How far a layer moves the surface where all of its areas are active, in texture space. */
 export class HeightField {
   readonly width: number
@@ -24,8 +27,7 @@ export class HeightField {
   /** The heights, and their mipmaps as far as they have been asked for. */
   readonly #mipmaps: Gray[]
   readonly #metresPerGray: number
-  readonly #weights: Uint8Array | null
-  readonly #areas: ImageArray | null
+  readonly #weights: Gray | null
 
   /**
    * @param heights gray, 127.5 = the surface.
@@ -42,34 +44,21 @@ export class HeightField {
     const data = heights.data.subarray(first, first + heights.width * heights.height)
     this.#mipmaps = [{ width: heights.width, height: heights.height, data }]
     this.#metresPerGray = amplitude / 255
-    this.#weights = areas && widen(unite(areas, slices), areas)
-    this.#areas = areas
-  }
-
-  /** Metres outwards at a texel. */
-  at(x: number, y: number): number {
-    return this.#metres(this.#mipmaps[0], x, y)
-  }
-
-  #metres({ width, height, data }: Gray, x: number, y: number): number {
-    const metres = (data[x + y * width] - 127.5) * this.#metresPerGray
-    if (!this.#weights || !this.#areas) return metres
-    const column = Math.floor(((x + 0.5) / width) * this.#areas.width)
-    const row = Math.floor(((y + 0.5) / height) * this.#areas.height)
-    return (metres * this.#weights[column + row * this.#areas.width]) / 255
+    this.#weights = areas && { ...areas, data: unite(areas, slices) }
   }
 
   /** Adds how many metres each texel can be moved, in either direction. */
   addReach(sums: Float32Array): void {
-    const { width, height } = this
-    const areas = this.#areas
+    const [{ width, height, data }] = this.#mipmaps
+    const areas = this.#weights && { ...this.#weights, data: widen(this.#weights.data, this.#weights) }
     for (let y = 0; y < height; y++) {
       const row = areas ? areas.width * Math.floor(((y + 0.5) / height) * areas.height) : 0
       for (let x = 0; x < width; x++) {
+        const weight = areas ? areas.data[row + Math.floor(((x + 0.5) / width) * areas.width)] / 255 : 1
         // Most of the texture is under no area.
-        if (areas && this.#weights && !this.#weights[row + Math.floor(((x + 0.5) / width) * areas.width)])
-          continue
-        sums[x + y * width] += Math.abs(this.at(x, y))
+        if (weight === 0) continue
+        const i = x + y * width
+        sums[i] += weight * Math.abs(data[i] - NEUTRAL) * this.#metresPerGray
       }
     }
   }
@@ -81,23 +70,24 @@ export class HeightField {
    */
   between(x: number, y: number, level = 0): number {
     const finer = Math.floor(level)
-    const value = this.#bilinear(x, y, finer)
-    return level === finer ? value : value + (level - finer) * (this.#bilinear(x, y, finer + 1) - value)
+    const gray = this.#bilinear(x, y, this.#mipmap(finer))
+    const coarser = level === finer ? gray : this.#bilinear(x, y, this.#mipmap(finer + 1))
+    const metres = (gray + (level - finer) * (coarser - gray) - NEUTRAL) * this.#metresPerGray
+    return metres && this.#weights ? (metres * this.#bilinear(x, y, this.#weights)) / 255 : metres
   }
 
-  #bilinear(atX: number, atY: number, level: number): number {
-    const map = this.#mipmap(level)
-    const { width, height } = map
+  /** An image of the same texture coordinates between its texels. */
+  #bilinear(atX: number, atY: number, { width, height, data }: Gray): number {
     const x = ((atX + 0.5) / this.width) * width - 0.5
     const y = ((atY + 0.5) / this.height) * height - 0.5
     const right = x - Math.floor(x)
     const down = y - Math.floor(y)
     const x0 = wrap(Math.floor(x), width)
-    const y0 = wrap(Math.floor(y), height)
+    const y0 = width * wrap(Math.floor(y), height)
     const x1 = x0 + 1 === width ? 0 : x0 + 1
-    const y1 = y0 + 1 === height ? 0 : y0 + 1
-    const above = this.#metres(map, x0, y0) * (1 - right) + this.#metres(map, x1, y0) * right
-    const below = this.#metres(map, x0, y1) * (1 - right) + this.#metres(map, x1, y1) * right
+    const y1 = y0 + width === data.length ? 0 : y0 + width
+    const above = data[x0 + y0] * (1 - right) + data[x1 + y0] * right
+    const below = data[x0 + y1] * (1 - right) + data[x1 + y1] * right
     return above * (1 - down) + below * down
   }
 

@@ -3,7 +3,7 @@ import type { CoarseMesh } from './coarse-mesh.ts'
 import { coveredTriangles } from './covered-triangles.ts'
 import { PHONG } from './displaced.ts'
 import { type HeightField, raisedTexels } from './height-fields.ts'
-import { MAX_LEVEL } from './welded-edges.ts'
+import { MAX_LEVEL, nextCorner } from './welded-edges.ts'
 
 /**
  * Metres by which a surface may miss its heights, in each version of it: less than half a pixel where a millimetre is 10 pixels, and a
@@ -11,70 +11,101 @@ import { MAX_LEVEL } from './welded-edges.ts'
  */
 export const TOLERANCES = [0.00004, 0.00008, 0.00016] as const
 
+/** Of what a surface may miss its heights by, what edges may: inside an equilateral triangle, a sphere through its corners is 4/3 as far off. */
+const ON_EDGES = 3 / 4
+
 /** Halvings of heights at most that are tried, in as many steps as there are texels. */
 const MOST = 5
 
 /**
- * Finds how often the edges of each triangle are to be halved, so that planes between its points follow the surface: the heights, and how it
- * is curved where it moves. A flat triangle between whose corners heights rise evenly is not split at all.
+ * Finds how often each edge of each triangle is to be halved, so that planes between its points follow the surface: the heights, and how it
+ * is curved where it moves. An edge is halved as often as lines parallel to it take: a triangle is split across a fold, and not along it. A flat
+ * triangle between whose corners heights rise evenly is not split at all.
  *
  * @param normals unit normals at rest.
  * @param levels of the heights' mipmaps, at each vertex, see `heightLevels`.
- * @returns halvings of each triangle, for each of the tolerances.
+ * @returns halvings from each corner of each triangle to the next, for each of the tolerances. They are real numbers: an edge that is to be
+ *   halved 1.5 times is halved twice, and lines across the triangle that are a little longer than its halves need not be halved again.
  */
-export function neededHalvings(
+export function* neededHalvings(
   mesh: CoarseMesh,
   normals: ArrayLike<number>,
   fields: readonly HeightField[],
   levels: ArrayLike<number>,
-): Uint8Array[] {
+): Generator<void, Float32Array[]> {
   const { uvs, triangles } = mesh
   // A surface misses heights that are half as large by no more than the tolerance.
   const covered = coveredTriangles(mesh, raisedTexels(fields, TOLERANCES[0] / 2))
-  const needed = TOLERANCES.map(() => new Uint8Array(covered.length))
+  const needed = TOLERANCES.map(() => new Float32Array(3 * covered.length))
   const corners = new Float64Array(6)
   const [{ width, height }] = fields
   for (const [t, isCovered] of covered.entries()) {
+    if (t % SLICE === 0) yield
     if (!isCovered) continue
-    errors.fill(0)
     const [a, b, c] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]]
     uvToTexels(corners, uvs, a, b, c, width, height)
-    for (const field of fields) addMisses(corners, field, (levels[a] + levels[b] + levels[c]) / 3)
-    const bulge = bulgeOf(mesh, normals, t)
-    for (const [i, tolerance] of TOLERANCES.entries()) {
-      // Half of an edge is a quarter as far from a curve.
-      const enough = errors.findIndex((error, halvings) => !(error + bulge / 4 ** halvings > tolerance))
-      needed[i][t] = enough < 0 ? MAX_LEVEL : enough
+    const mipmap = (levels[a] + levels[b] + levels[c]) / 3
+    const grids = fields.map((field) => new Grid(corners, field, mipmap)).filter(({ isFlat }) => !isFlat)
+    for (let k = 0; k < 3; k++) {
+      const edge = 3 * t + k
+      const bulge = bulgeOf(mesh, normals, edge)
+      const misses = missesOf(grids, k, bulge)
+      // The coarsest first: a finer version has all of its points.
+      let halvings = FEWEST
+      for (let i = TOLERANCES.length - 1; i >= 0; i--) {
+        halvings = Math.max(halvings, halvingsFor(misses, ON_EDGES * TOLERANCES[i]))
+        needed[i][edge] = halvings
+      }
     }
+    for (const own of needed) balance(own, 3 * t)
   }
   return needed
 }
 
-/** Metres by which heights are missed after each number of halvings. */
-const errors = new Float64Array(MAX_LEVEL + 1)
+/** Triangles in one slice. */
+const SLICE = 256
 
-/** How far the edges of a triangle are from the surface that is curved through their ends, see `displace`, in metres. */
-function bulgeOf({ positions, triangles }: CoarseMesh, normals: ArrayLike<number>, t: number): number {
-  let bulge = 0
-  for (let k = 0; k < 3; k++) {
-    const [from, to] = [3 * triangles[3 * t + k], 3 * triangles[3 * t + ((k + 1) % 3)]]
-    let [start, end] = [0, 0]
-    for (let axis = 0; axis < 3; axis++) {
-      const step = positions[to + axis] - positions[from + axis]
-      start += step * normals[from + axis]
-      end += step * normals[to + axis]
-    }
-    bulge = Math.max(bulge, (PHONG / 4) * (Math.abs(start) + Math.abs(end)))
+/** Metres by which the surface is missed along lines parallel to an edge after some halvings; half of an edge is a quarter as far from a curve. */
+function missesOf(grids: readonly Grid[], edge: number, bulge: number): (halvings: number) => number {
+  const known: number[] = []
+  return (halvings) => {
+    known[halvings] ??= grids.reduce((sum, grid) => sum + grid.error(edge, halvings), bulge / 4 ** halvings)
+    return known[halvings]
   }
-  return bulge
 }
 
-/** @param corners of a triangle, in texels. */
-function addMisses(corners: Float64Array, field: HeightField, mipmap: number): void {
-  const most = Math.min(Math.max(Math.ceil(Math.log2(longestSide(corners))), 0), MOST)
-  const grid = new Grid(corners, field, mipmap, 2 ** most)
-  if (grid.isFlat) return
-  for (let level = 0; level < most; level++) errors[level] += grid.error(2 ** (most - level))
+/** Halvings of an edge along which the surface is straight, or nearly: it would do if it were eight times as long. */
+const FEWEST = -3
+
+/** The last halving need not be a whole one. */
+function halvingsFor(misses: (halvings: number) => number, tolerance: number): number {
+  let enough = 0
+  while (enough < MAX_LEVEL && misses(enough) > tolerance) enough++
+  const before = Math.max(enough - 1, 0)
+  return Math.min(before + Math.log2(misses(before) / tolerance) / 2, enough)
+}
+
+/**
+ * Lets no edge be in more parts than the other two together: lengths of a triangle, by which the patch is split.
+ *
+ * @param first the first of three halvings.
+ */
+function balance(halvings: Float32Array, first: number): void {
+  const [a, b, c] = [first, first + 1, first + 2].sort((i, k) => halvings[i] - halvings[k])
+  const rest = 2 ** halvings[c] - 2 ** halvings[a]
+  if (rest > 2 ** halvings[b]) halvings[b] = Math.log2(rest)
+}
+
+/** How far an edge of a triangle is from the surface that is curved through its ends, see `displace`, in metres. */
+function bulgeOf({ positions, triangles }: CoarseMesh, normals: ArrayLike<number>, corner: number): number {
+  const [from, to] = [3 * triangles[corner], 3 * triangles[nextCorner(corner)]]
+  let [start, end] = [0, 0]
+  for (let axis = 0; axis < 3; axis++) {
+    const step = positions[to + axis] - positions[from + axis]
+    start += step * normals[from + axis]
+    end += step * normals[to + axis]
+  }
+  return (PHONG / 4) * (Math.abs(start) + Math.abs(end))
 }
 
 function longestSide([ax, ay, bx, by, cx, cy]: Float64Array): number {
@@ -85,11 +116,23 @@ function longestSide([ax, ay, bx, by, cx, cy]: Float64Array): number {
 class Grid {
   readonly #steps: number
   readonly #values: Float64Array
+  /** Of each edge, where its row begins, and how far it is to the next value of the row, and to the next row. */
+  readonly #from: readonly number[]
+  readonly #along: readonly number[]
+  readonly #across: readonly number[]
   /** Whether no height differs from the surface: the layer is none of this skin. */
   readonly isFlat: boolean
 
-  constructor([ax, ay, bx, by, cx, cy]: Float64Array, field: HeightField, mipmap: number, steps: number) {
+  /** @param corners of the triangle, in texels. */
+  constructor(corners: Float64Array, field: HeightField, mipmap: number) {
+    const [ax, ay, bx, by, cx, cy] = corners
+    const steps = 2 ** Math.min(Math.max(Math.ceil(Math.log2(longestSide(corners))), 0), MOST)
     this.#steps = steps
+    const column = steps + 1
+    // Values are at i * column + j, for i steps towards the first corner and j towards the second.
+    this.#from = [steps * column, steps, 0]
+    this.#along = [1 - column, -1, column]
+    this.#across = [-column, column - 1, 1]
     this.#values = new Float64Array((steps + 1) ** 2)
     for (let i = 0; i <= steps; i++) {
       for (let j = 0; i + j <= steps; j++) {
@@ -102,30 +145,24 @@ class Grid {
     this.isFlat = this.#values.every((value) => value === 0)
   }
 
-  /** The farthest that heights are from planes between every so manieth of them. */
-  error(stride: number): number {
+  /** The farthest that heights are from straight lines along rows parallel to an edge, after some halvings of these. */
+  error(edge: number, halvings: number): number {
+    const stride = this.#steps / 2 ** halvings
+    if (stride <= 1) return 0
+    const { [edge]: step } = this.#along
     let worst = 0
-    for (let i = 0; i <= this.#steps; i++) {
-      for (let j = 0; i + j <= this.#steps; j++) {
-        worst = Math.max(worst, Math.abs(this.#at(i, j) - this.#plane(i, j, stride)))
+    // The row of the edge itself is the longest; each other one begins a step further from it.
+    for (let row = 0, first = this.#from[edge]; row < this.#steps; row++, first += this.#across[edge]) {
+      const length = this.#steps - row
+      for (let from = 0; from < length; from += stride) {
+        const to = Math.min(from + stride, length)
+        const start = this.#values[first + from * step]
+        const slope = (this.#values[first + to * step] - start) / (to - from)
+        for (let k = from + 1; k < to; k++) {
+          worst = Math.max(worst, Math.abs(this.#values[first + k * step] - start - slope * (k - from)))
+        }
       }
     }
     return worst
-  }
-
-  #plane(i: number, j: number, stride: number): number {
-    const i0 = i - (i % stride)
-    const j0 = j - (j % stride)
-    const a = (i - i0) / stride
-    const b = (j - j0) / stride
-    if (a + b === 0) return this.#at(i, j)
-    const ahead = this.#at(i0 + stride, j0)
-    const beside = this.#at(i0, j0 + stride)
-    if (a + b <= 1) return this.#at(i0, j0) * (1 - a - b) + ahead * a + beside * b
-    return this.#at(i0 + stride, j0 + stride) * (a + b - 1) + ahead * (1 - b) + beside * (1 - a)
-  }
-
-  #at(i: number, j: number): number {
-    return this.#values[i * (this.#steps + 1) + j]
   }
 }

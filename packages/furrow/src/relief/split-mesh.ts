@@ -1,5 +1,6 @@
 import type { CoarseMesh } from './coarse-mesh.ts'
 import { DenseBuilder, type DenseMesh } from './dense-mesh.ts'
+import { MOST_TRIANGLES } from './most-triangles.ts'
 import { splitPatch, WHOLE } from './patch.ts'
 import { WeldedEdges } from './welded-edges.ts'
 
@@ -8,11 +9,11 @@ export interface SplitOptions {
   edge?: number
   /** Triangles at most; edges become longer instead. */
   budget?: number
-  /** Halvings for coarser versions of the surface, each with no more than the one before. */
-  coarser?: readonly Uint8Array[]
+  /** Halvings of edges for coarser versions of the surface, each with no more than the one before. */
+  coarser?: readonly Float32Array[]
 }
 
-export const SPLIT_DEFAULTS: Required<SplitOptions> = { edge: 0.0012, budget: 100_000, coarser: [] }
+export const SPLIT_DEFAULTS: Required<SplitOptions> = { edge: 0.0012, budget: MOST_TRIANGLES, coarser: [] }
 
 /** Halved edges are between 0.7 and 1.4 of the length that is aimed at. */
 const LONGEST = Math.SQRT2
@@ -23,12 +24,13 @@ const SLICE = 256
 /**
  * Splits triangles into patches, and joins all others to them without T-junctions.
  *
- * @param halvings how often the edges of each triangle are halved at most, see `neededHalvings`; those that are short enough are not.
+ * @param halvings how often the three edges of each triangle are halved at most, as real numbers, see `neededHalvings`; those that are short
+ *   enough are not.
  * @returns a generator, so that a page may spread the work over frames.
  */
 export function* splitMesh(
   mesh: CoarseMesh,
-  halvings: Uint8Array,
+  halvings: Float32Array,
   options: SplitOptions = {},
 ): Generator<void, DenseMesh> {
   const { edge: wanted, budget, coarser } = { ...SPLIT_DEFAULTS, ...options }
@@ -39,7 +41,7 @@ export function* splitMesh(
   const versions = [halvings, ...coarser]
   const levels = versions.map((version) => edges.levelsFor(version, LONGEST * edge))
   const splitter = new Splitter(mesh, edges, levels, LONGEST * edge)
-  for (let t = 0; t < halvings.length; t++) {
+  for (let t = 0; 3 * t < halvings.length; t++) {
     splitter.split(t, versions)
     if (t % SLICE === SLICE - 1) yield
   }
@@ -47,7 +49,7 @@ export function* splitMesh(
 }
 
 /** Cuts edges so that there are no more triangles than allowed. Returns the length aimed at. */
-function fitBudget(halvings: Uint8Array, edges: WeldedEdges, wanted: number, budget: number): number {
+function fitBudget(halvings: Float32Array, edges: WeldedEdges, wanted: number, budget: number): number {
   for (let edge = wanted; ; ) {
     const levels = edges.levelsFor(halvings, LONGEST * edge)
     const count = countTriangles(edges.edgeOf, levels)
@@ -56,7 +58,7 @@ function fitBudget(halvings: Uint8Array, edges: WeldedEdges, wanted: number, bud
   }
 }
 
-/** About how many triangles there will be: each halving of all three edges makes four of one. */
+/** About how many triangles there will be: each halving of all three edges makes four of one, of two of them more than two. */
 function countTriangles(edgeOf: Uint32Array, levels: Uint8Array): number {
   let sum = 0
   for (let k = 0; k < edgeOf.length; k += 3) {
@@ -88,8 +90,8 @@ class Splitter {
     }
   }
 
-  /** @param versions the halvings of all triangles in each version. */
-  split(t: number, versions: readonly Uint8Array[]): void {
+  /** @param versions the halvings of all edges in each version. */
+  split(t: number, versions: readonly Float32Array[]): void {
     const { triangles, positions } = this.#mesh
     const { edgeOf } = this.#edges
     const corners = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]] as const
@@ -105,12 +107,12 @@ class Splitter {
       }
       squared ??= squaredLengths(positions, corners)
       const length = squared
-      const shortest = WHOLE / 2 ** versions[version][t]
+      const parts = partsOf(versions[version], 3 * t)
       splitPatch(
         {
           corners,
           levels,
-          isLong: (dx, dy) => stepOf(dx, dy) > shortest && length(dx, dy) > limit,
+          isLong: (dx, dy) => parts(dx, dy) > WHOLE ** 2 && length(dx, dy) > limit,
           onEdge: (edge, part) => this.#onEdge(3 * t + edge, corners[edge], corners[(edge + 1) % 3], part),
           inside: (x, y) => this.#inside(corners, x, y, known),
         },
@@ -162,9 +164,16 @@ class Splitter {
   }
 }
 
-/** Of how many parts of an edge of the patch a step within it consists. */
-function stepOf(dx: number, dy: number): number {
-  return Math.max(Math.abs(dx), Math.abs(dy), Math.abs(dx + dy))
+/**
+ * The square, times that of `WHOLE`, of how many parts a step within a triangle is to be split into: its length in the metric in which the
+ * edges are as long as they need parts. In it, all edges of the split triangle are to be shorter than 1 (P.-L. George, H. Borouchaki,
+ * "Delaunay Triangulation and Meshing", 1998).
+ *
+ * @param first the first of the three edges' halvings.
+ */
+function partsOf(halvings: Float32Array, first: number): (dx: number, dy: number) => number {
+  const [ab, bc, ca] = [4 ** halvings[first], 4 ** halvings[first + 1], 4 ** halvings[first + 2]]
+  return (dx, dy) => dx * dx * ca + dx * dy * (ca + bc - ab) + dy * dy * bc
 }
 
 /** Squared length, times the square of `WHOLE`, of a step within a triangle, given by how much its first two barycentrics change. */

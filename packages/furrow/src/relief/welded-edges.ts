@@ -64,12 +64,13 @@ export class WeldedEdges {
   /**
    * Halves edges as often as one of their triangles needs, but not those that are no longer than `longest`.
    *
+   * @param halvings of each triangle's own edges.
    * @returns of each edge, into 2 to the power of how many segments it is cut.
    */
-  levelsFor(halvings: Uint8Array, longest: number): Uint8Array {
+  levelsFor(halvings: Float32Array, longest: number): Uint8Array {
     const levels = new Uint8Array(this.count)
     for (let corner = 0; corner < this.edgeOf.length; corner++) {
-      const needed = halvings[Math.floor(corner / 3)]
+      const needed = Math.ceil(halvings[corner])
       const edge = this.edgeOf[corner]
       if (needed > levels[edge]) levels[edge] = Math.min(needed, levelOf(this.#lengths[edge], longest))
     }

@@ -2,6 +2,7 @@ import type { BufferGeometry, Camera, Mesh } from 'three'
 import { smoothstep } from '../math/scalar.ts'
 import type { AreaArray } from './atlas/area-array.ts'
 import type { ReliefMode } from './options.ts'
+import { limitationOf } from './relief/limitation.ts'
 import { canRise } from './relief/raised-layer.ts'
 import type { Relief, ReliefHost } from './relief/relief.ts'
 import type { ReliefParts } from './relief/relief-parts.ts'
@@ -41,6 +42,8 @@ export class ReliefControl {
   isShown = false
   #isPossible: boolean
   #isDisposed = false
+  /** What keeps the relief from being drawn, or as fine as it should be, though nothing is wrong with the file. */
+  #limitation: Error | null = null
   /** Draws in a row in which nothing of it was seen. */
   #unseen = 0
 
@@ -56,6 +59,7 @@ export class ReliefControl {
 
   set mode(mode: ReliefMode) {
     this.#mode = mode
+    this.#tellLimitation()
     // By size the next frame tells.
     if (mode !== 'auto') this.#show(mode === 'on')
   }
@@ -129,21 +133,47 @@ export class ReliefControl {
     this.#areas = inputs.areas
     this.#version = inputs.areas.version
     this.#geometries = meshes.map(({ geometry }) => geometry)
+    const limitation = meshes.map(limitationOf).find(Boolean)
+    if (limitation) {
+      this.#limit(limitation)
+      return
+    }
     try {
       const [{ Relief }, parts] = await Promise.all([import('./relief/relief.ts'), this.#owner.loadParts()])
-      const host = { ...this.#owner, refuse: (error: unknown) => this.#refuse(error) }
+      const host = { ...this.#owner, refuse: (error: unknown) => this.#limit(error as Error) }
       const made = await Relief.create(host, parts, () => !this.#isDisposed)
       if (made) this.#exchange(made)
     } catch (error) {
-      this.#refuse(error)
+      this.#end()
+      this.#warn(error as Error)
     }
   }
 
-  /** The face stays without relief from the next frame on. */
-  #refuse(error: unknown): void {
+  /** No relief, because of what it cannot do. */
+  #limit(limitation: Error): void {
     if (!this.#isPossible) return
+    this.#end()
+    this.#limitation = limitation
+    this.#tellLimitation()
+  }
+
+  /** A page that asked for nothing hears of faults only. */
+  #tellLimitation(): void {
+    if (this.#limitation && this.mode === 'on') this.#warn(this.#limitation)
+  }
+
+  /** Once: several faces may have the same heights. */
+  #warn(error: Error): void {
+    if (told.has(error)) return
+    told.add(error)
+    console.warn(
+      this.#isPossible ? error.message : `${error.message} (the wrinkles are shown without relief)`,
+    )
+  }
+
+  /** The face stays without relief from the next frame on. */
+  #end(): void {
     this.#isPossible = false
-    warn(error as Error)
     queueMicrotask(() => {
       if (this.#isDisposed) return
       this.#show(false)
@@ -157,6 +187,8 @@ export class ReliefControl {
     const before = this.#relief
     made.amount.value = before?.amount.value ?? Number(this.mode === 'on')
     this.#relief = made
+    this.#limitation = made.limitation
+    this.#tellLimitation()
     this.#owner.setRelief(made)
     before?.dispose()
     this.#show(this.isShown)
@@ -164,10 +196,3 @@ export class ReliefControl {
 }
 
 const told = new WeakSet<Error>()
-
-/** Once: several faces may have the same heights. */
-function warn(error: Error): void {
-  if (told.has(error)) return
-  told.add(error)
-  console.warn(`${error.message} (the wrinkles are shown without relief)`)
-}

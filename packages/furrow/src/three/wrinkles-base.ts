@@ -145,7 +145,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
 
   /**
    * Changes whether the layers' heights move the surface. Triangles under areas are split when that is first wanted, in slices: the page
-   * goes on, and shows the face without relief until then. Meshes that cannot have relief stay as they are, with one warning.
+   * goes on, and shows the face without relief until then. Meshes that cannot have relief stay as they are; `on` warns of it, once.
    *
    * @throws FurrowError when there is no such value.
    */

@@ -10,7 +10,7 @@ import {
   RedFormat,
 } from 'three'
 import type { CoarseMesh } from '../../relief/coarse-mesh.ts'
-import { coveredTriangles } from '../../relief/covered-triangles.ts'
+import { coveredTriangles, mostHalvings } from '../../relief/covered-triangles.ts'
 import type { DenseMesh } from '../../relief/dense-mesh.ts'
 import type { HeightField, Mask } from '../../relief/height-fields.ts'
 import { heightLevels } from '../../relief/height-levels.ts'
@@ -62,7 +62,7 @@ export function* splitGeometry(request: SplitRequest): Generator<void, Split> {
   const coarse = { positions, uvs: wrinkleUvs(mesh, material), triangles: drawnTriangles(mesh, material) }
   const normals = coordinates(geometry.attributes.normal)
   const levels = heightLevels(coarse, firstVertices(positions), SPLIT_DEFAULTS.edge, map)
-  const [halvings, ...coarser] = halvingsFor(coarse, normals, raised, levels)
+  const [halvings, ...coarser] = yield* halvingsFor(coarse, normals, raised, levels)
   yield
   const dense = yield* splitMesh(coarse, halvings, { coarser })
   const { firstOf } = dense
@@ -76,15 +76,15 @@ export function* splitGeometry(request: SplitRequest): Generator<void, Split> {
   }
 }
 
-function halvingsFor(
+function* halvingsFor(
   coarse: CoarseMesh,
   normals: Float32Array,
   raised: Raised,
   levels: Float32Array,
-): Uint8Array[] {
-  if (Array.isArray(raised)) return neededHalvings(coarse, normals, raised, levels)
-  if (raised === null) return [new Uint8Array(coarse.triangles.length / 3).fill(MAX_LEVEL)]
-  return [coveredTriangles(coarse, raised as Mask).map((isCovered) => isCovered * MAX_LEVEL)]
+): Generator<void, Float32Array[]> {
+  if (Array.isArray(raised)) return yield* neededHalvings(coarse, normals, raised, levels)
+  if (raised) return [mostHalvings(coveredTriangles(coarse, raised as Mask))]
+  return [new Float32Array(coarse.triangles.length).fill(MAX_LEVEL)]
 }
 
 /** A texture of the rings of all meshes, each of whose vertices begin at its first texel. */

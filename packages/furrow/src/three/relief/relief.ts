@@ -41,6 +41,8 @@ export class Relief {
   readonly amount = { value: 0 }
   /** Pixels per metre in the picture being drawn. */
   pixelsPerMetre = Infinity
+  /** Why it is not as fine as it should be; null if it is. */
+  readonly limitation: FurrowError | null
   readonly #host: ReliefHost
   readonly #parts: ReliefParts
   readonly #heights: HeightMaps
@@ -60,6 +62,7 @@ export class Relief {
     this.#host = host
     this.#parts = parts
     this.#heights = heights
+    this.limitation = longEdges(splits)
     this.#ring = ringTexture(splits)
     this.#pass = new CoarsePass(splits, this.#ring, parts)
     const [positions, directions] = this.#pass.target.textures
@@ -84,7 +87,7 @@ export class Relief {
    */
   static async create(host: ReliefHost, parts: ReliefParts, isWanted: () => boolean): Promise<Relief | null> {
     const { meshes, material, units, inputs } = host
-    for (const mesh of meshes) checkMesh(mesh)
+    for (const mesh of meshes) checkPositions(mesh)
     const heights = await createHeightMaps(inputs.textures.layers)
     try {
       checkReach(heights, units.atRest * Math.max(...meshes.map(radiusOf)))
@@ -100,10 +103,7 @@ export class Relief {
         splits.push({ ...split, mesh, first })
         first += split.next.length
       }
-      if (splits.length === meshes.length) {
-        warnOfLongEdges(splits)
-        return new Relief(host, parts, heights, splits)
-      }
+      if (splits.length === meshes.length) return new Relief(host, parts, heights, splits)
     } catch (error) {
       heights.dispose()
       throw error
@@ -163,39 +163,13 @@ function versionFor(pixelsPerMetre: number): number {
   return tooCoarse < 0 ? TOLERANCES.length - 1 : Math.max(tooCoarse - 1, 0)
 }
 
-/** Triangles that a mesh may have to begin with: there is nothing to split in more. */
-const MOST_TRIANGLES = SPLIT_DEFAULTS.budget
-
-/** @throws FurrowError when a mesh cannot have relief. */
-function checkMesh(mesh: Mesh): void {
-  const { index, attributes } = mesh.geometry
-  const count = (index ?? attributes.position).count / 3
-  const who = `Wrinkles.relief of mesh "${mesh.name}"`
-  if (count > MOST_TRIANGLES) {
-    throw new FurrowError({
-      code: 'out-of-range',
-      who,
-      what: 'the mesh has too many triangles to split',
-      value: Math.floor(count),
-      limit: `${MOST_TRIANGLES} triangles`,
-      remedy: 'reduce it; fine detail belongs into its normal map',
-    })
-  }
-  if (!Number.isFinite(radiusOf(mesh))) {
-    throw new FurrowError({
-      who,
-      what: 'the mesh has positions that are no numbers',
-      remedy: 'export it again; it is shown without relief until then',
-    })
-  }
-  const { morphTexture } = mesh as { morphTexture?: Texture | null }
-  if (instancesOf(mesh) !== 'batched' && !morphTexture) return
+/** @throws FurrowError when positions of a mesh are no numbers. */
+function checkPositions(mesh: Mesh): void {
+  if (Number.isFinite(radiusOf(mesh))) return
   throw new FurrowError({
-    code: 'unsupported',
-    who,
-    what: morphTexture ? 'instances with blendshapes of their own' : 'a BatchedMesh',
-    limit: 'meshes, and instances that move as one',
-    remedy: 'show it without relief',
+    who: `Wrinkles.relief of mesh "${mesh.name}"`,
+    what: 'the mesh has positions that are no numbers',
+    remedy: 'export it again; it is shown without relief until then',
   })
 }
 
@@ -218,18 +192,17 @@ function radiusOf({ geometry }: Mesh): number {
   return (geometry.boundingSphere as Sphere).radius
 }
 
-function warnOfLongEdges(splits: readonly MeshSplit[]): void {
-  for (const { mesh, edge } of splits) {
-    if (edge <= SPLIT_DEFAULTS.edge) continue
-    const millimetres = (length: number) => `${(1000 * length).toPrecision(2)} mm`
-    console.warn(
-      new FurrowError({
-        who: `Wrinkles.relief of mesh "${mesh.name}"`,
-        what: `more than ${SPLIT_DEFAULTS.budget} triangles, so their edges are longer`,
-        value: millimetres(edge),
-        limit: millimetres(SPLIT_DEFAULTS.edge),
-        remedy: 'let fewer areas be on layers with heights',
-      }).message,
-    )
-  }
+/** The first mesh whose edges are longer than they should be, so as not to be too many. */
+function longEdges(splits: readonly MeshSplit[]): FurrowError | null {
+  const long = splits.find(({ edge }) => edge > SPLIT_DEFAULTS.edge)
+  if (!long) return null
+  const millimetres = (length: number) => `${(1000 * length).toPrecision(2)} mm`
+  return new FurrowError({
+    code: 'out-of-range',
+    who: `Wrinkles.relief of mesh "${long.mesh.name}"`,
+    what: `more than ${SPLIT_DEFAULTS.budget} triangles, so their edges are longer`,
+    value: millimetres(long.edge),
+    limit: millimetres(SPLIT_DEFAULTS.edge),
+    remedy: 'let fewer areas be on layers with heights',
+  })
 }

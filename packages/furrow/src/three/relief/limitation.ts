@@ -1,0 +1,30 @@
+import type { InstancedMesh, Mesh } from 'three'
+import { FurrowError } from '../../core/error.ts'
+import { MOST_TRIANGLES } from '../../relief/most-triangles.ts'
+import { instancesOf } from '../instances.ts'
+
+/** Why a mesh with which nothing is wrong has no relief; null if it can have it. */
+export function limitationOf(mesh: Mesh): FurrowError | null {
+  const { index, attributes } = mesh.geometry
+  const count = Math.floor((index ?? attributes.position).count / 3)
+  const who = `Wrinkles.relief of mesh "${mesh.name}"`
+  if (count > MOST_TRIANGLES) {
+    return new FurrowError({
+      code: 'out-of-range',
+      who,
+      what: 'the mesh has too many triangles to split',
+      value: count,
+      limit: `${MOST_TRIANGLES} triangles`,
+      remedy: 'reduce it; fine detail belongs into its normal map',
+    })
+  }
+  const { morphTexture } = mesh as Partial<InstancedMesh>
+  if (instancesOf(mesh) !== 'batched' && !morphTexture) return null
+  return new FurrowError({
+    code: 'unsupported',
+    who,
+    what: morphTexture ? 'instances with blendshapes of their own' : 'a BatchedMesh',
+    limit: 'meshes, and instances that move as one',
+    remedy: 'show it without relief',
+  })
+}
