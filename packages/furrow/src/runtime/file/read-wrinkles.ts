@@ -87,12 +87,18 @@ export function wrinkleReader(
   return (material) => once(known, material, () => read(material))
 }
 
-/** Begins to fetch what reads a file that is out of the usual, so that it arrives while the rest is loaded. */
-export function prefetchParser({ json }: Pick<WrinkledFile, 'json'>): void {
+/**
+ * Begins to fetch what reads a file that is out of the usual, so that it arrives while the rest is loaded.
+ *
+ * @returns whether the file is.
+ */
+export function prefetchParser({ json }: Pick<WrinkledFile, 'json'>): boolean {
   const { materials } = json
-  if (!Array.isArray(materials)) return
+  if (!Array.isArray(materials)) return false
   const all = materials.flatMap((material) => material?.extensions?.[WRINKLE_MAPS] ?? [])
-  if (all.some((maps) => !readUsualMaps(maps, Infinity))) importParser().catch(() => {})
+  if (all.every((maps) => readUsualMaps(maps, Infinity))) return false
+  importParser().catch(() => {})
+  return true
 }
 
 /** Reads what is out of the usual, or says what is wrong with it. */

@@ -5,8 +5,6 @@ import { isObject, wrongArgument } from '../../core/argument.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
-import { driversOf } from '../../drivers/of-type.ts'
-import type { WrinkleDriver } from '../../drivers/registry.ts'
 import { type FileWrinkles, prefetchParser } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
@@ -18,12 +16,11 @@ import {
   type WrinkleLoaderOptions,
   type WrinklesOptions,
 } from '../options.ts'
-import { bindPlan, type PlannedDrivers } from '../sources/bind-plan.ts'
-import type { FetchedBindings } from '../sources/binding.ts'
+import type { Drive, FetchedBindings } from '../sources/binding.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { Adoption, type WatchDraws } from './adoption.ts'
 import type { MadeWrinkles } from './auto-wrinkles.ts'
-import { planFetched } from './plan-fetched.ts'
+import { prepareDrivers } from './prepare-drivers.ts'
 import { type FileFace, facesOf, materialReader, wrinkledFaces } from './read-wrinkle-maps.ts'
 
 /** The `Wrinkles` class of a renderer. */
@@ -77,7 +74,8 @@ export class WrinkleLoader {
 
   /** Called by the loader before it loads anything. */
   async beforeRoot(): Promise<void> {
-    prefetchParser(this.#parser)
+    // What reads other drivers than blendshapes is fetched together with what runs them.
+    if (prefetchParser(this.#parser)) import('./any-drivers.ts').catch(() => {})
     if (this.#auto) {
       // Arrives while the rest is loaded.
       this.#autoModule = import('./auto-wrinkles.ts')
@@ -159,10 +157,10 @@ export class WrinkleLoader {
     const copy = byMaterial.get(material)?.cloneMaterial()
     // Another face with the same material has its own activations, and so needs its own material.
     if (copy) for (const mesh of meshes) mesh.material = copy
-    await addMusclesOf(meshes[0], drivers)
-    const planned = await planFetched(drivers, this.#parts.bindings, expressions !== undefined)
+    const isVrm = expressions !== undefined
+    const drive = await prepareDrivers(meshes[0], drivers, this.#parts.bindings, isVrm)
     await this.#fetchMode(material)
-    const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, planned, { expressions })
+    const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, drive, { expressions })
     if (!bySet.has(set)) bySet.set(set, own)
     if (!copy) byMaterial.set(material, own)
     return own
@@ -180,45 +178,43 @@ export class WrinkleLoader {
   #addWrinkles(
     meshes: readonly Mesh[],
     source: WrinkleSet<ArraySlice> | WrinklesBase,
-    drivers: PlannedDrivers,
+    drive: Drive,
     { expressions, copyOf }: FaceOrigin = {},
   ): WrinklesBase {
     const { Wrinkles, watchDraws: watch } = this.#parts
     const [mesh, ...others] = meshes
-    const parts = { watch, add: (adopted: Mesh, from: WrinklesBase) => this.#tryAdd(adopted, from, drivers) }
+    const parts = { watch, add: (adopted: Mesh, from: WrinklesBase) => this.#tryAdd(adopted, from, drive) }
     const adoption = new Adoption(surfaceOf(mesh), meshes, parts, copyOf)
     let own: WrinklesBase | undefined
     try {
       own = new Wrinkles(mesh, source, this.#options)
       adoption.begin(own)
       for (const other of others) own.addMesh(other)
-      const runtime = bindPlan(own, drivers, () => ({ expressions: expressions?.() }))
-      // three-vrm may create a VRM's expressions after this: they are looked up when the face is first drawn.
-      if (!expressions) runtime.bind()
+      drive(own, expressions)
     } catch (error) {
       adoption.end()
       own?.dispose()
       throw error
     }
-    for (const part of meshes) this.#followClones(part, own, drivers)
+    for (const part of meshes) this.#followClones(part, own, drive)
     return own
   }
 
   /** For a mesh that the page made. */
-  #tryAdd(mesh: Mesh, source: WrinklesBase, drivers: PlannedDrivers): WrinklesBase | undefined {
+  #tryAdd(mesh: Mesh, source: WrinklesBase, drive: Drive): WrinklesBase | undefined {
     try {
-      return this.#addWrinkles([mesh], source, drivers)
+      return this.#addWrinkles([mesh], source, drive)
     } catch (error) {
       this.#warnings.add(error, `mesh ${JSON.stringify(mesh.name)} stays plain`)
       return undefined
     }
   }
 
-  #followClones(mesh: Mesh, own: WrinklesBase, drivers: PlannedDrivers): void {
+  #followClones(mesh: Mesh, own: WrinklesBase, drive: Drive): void {
     mesh.clone = (recursive) => {
       const copy: Mesh = Object.getPrototypeOf(mesh).clone.call(mesh, recursive)
       copy.material = own.cloneMaterial()
-      this.#addWrinkles([copy], own, drivers, { copyOf: own })
+      this.#addWrinkles([copy], own, drive, { copyOf: own })
       return copy as typeof mesh
     }
     own.onDispose(() => {
@@ -254,10 +250,4 @@ function hasPointers({ json: { animations } }: GLTFParser): boolean {
     Array.isArray(animations) &&
     animations.some((animation) => Array.isArray(animation?.channels) && animation.channels.some(isPointer))
   )
-}
-
-/** Copies of the mesh share its geometry, and so its muscles. */
-async function addMusclesOf(mesh: Mesh, drivers: readonly WrinkleDriver[]): Promise<void> {
-  const muscles = driversOf('muscle', drivers)
-  if (muscles.length > 0) (await import('../sources/muscles.ts')).addMuscles(mesh, muscles)
 }
