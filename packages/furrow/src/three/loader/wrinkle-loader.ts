@@ -7,6 +7,7 @@ import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
 import { type FileWrinkles, prefetchParser } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
+import { needChannels } from '../material/channels.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import { surfaceOf } from '../material/surface.ts'
 import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
@@ -159,7 +160,7 @@ export class WrinkleLoader {
     if (copy) for (const mesh of meshes) mesh.material = copy
     const isVrm = expressions !== undefined
     const drive = await prepareDrivers(meshes[0], drivers, this.#parts.bindings, isVrm)
-    await this.#fetchMode(material)
+    await Promise.all([this.#fetchMode(material), this.#fetchChannels(set, material)])
     const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, drive, { expressions })
     if (!bySet.has(set)) bySet.set(set, own)
     if (!copy) byMaterial.set(material, own)
@@ -172,6 +173,11 @@ export class WrinkleLoader {
     const { mode } = this.#options
     const isPatched = mode === 'default' || mode === 'auto'
     if (isPatched ? !canPatch(material as WrinkleMaterial) : mode !== 'off') await others.load()
+  }
+
+  /** Fetches what mixes other maps than normals, where there are any. */
+  async #fetchChannels({ layers }: FileWrinkles['set'], material: Material): Promise<void> {
+    if (needChannels(layers, material as WrinkleMaterial)) await this.#parts.renderer.channels.load()
   }
 
   /** Adds wrinkles to the meshes of one face, to every copy of them, and to what is drawn with their material. */

@@ -1,15 +1,9 @@
 import { NoColorSpace, SRGBColorSpace, Vector4 } from 'three'
 import { isSlice } from '../../core/check-areas.ts'
 import type { ArraySlice, GrayImage, Layer, LayerKind, RgbaImage } from '../../core/types.ts'
-import {
-  PAIR,
-  type PackedMaps,
-  packMaps,
-  packPair,
-  VALUE_KINDS,
-  type ValueKind,
-} from '../../runtime/layer-maps.ts'
+import { type PackedMaps, packMaps, VALUE_KINDS, type ValueKind } from '../../runtime/layer-maps.ts'
 import { type ArrayTexture, arrayOf, type Upload } from './array-texture.ts'
+import type { Channels } from './channels.ts'
 import { mapTexture } from './textures.ts'
 
 export { VALUE_KINDS, type ValueKind }
@@ -43,21 +37,21 @@ export interface WrinkleTextures {
  * Creates the textures of a set's layers.
  *
  * @param anisotropy that of the map they are mixed with.
+ * @param channels where `needChannels` says so.
  * @throws FurrowError when maps of one kind differ in size, or are in several arrays.
  */
-export function createTextures(layers: readonly Layer<ArraySlice>[], anisotropy: number): WrinkleTextures {
-  const pair = pairMaps(layers, anisotropy)
-  const values = VALUE_KINDS.flatMap((kind) => {
-    const maps = pair?.[kind as PairedKind] ?? layerMaps(layers, kind, anisotropy)
-    return maps ? [[kind, maps]] : []
-  })
+export function createTextures(
+  layers: readonly Layer<ArraySlice>[],
+  anisotropy: number,
+  channels: Channels | null,
+): WrinkleTextures {
   const normals = layerMaps(layers, 'normal', anisotropy)!
   const kinds = layers.map(({ kind }) => kind)
   return {
     layers: [...layers],
     kinds,
     normals,
-    values: Object.fromEntries(values),
+    values: channels?.valueTextures(layers, anisotropy) ?? {},
     normalScale: { value: perLayer(layers.map(({ normalScale }) => normalScale ?? 1)) },
     occlusionStrength: { value: perLayer(layers.map(({ occlusionStrength }) => occlusionStrength ?? 1)) },
     bloodAmplitude: { value: perLayer(layers.map(({ bloodAmplitude }) => bloodAmplitude ?? 0)) },
@@ -76,7 +70,8 @@ export function listTextures({ normals, values }: WrinkleTextures): ArrayTexture
 
 type Map = RgbaImage | GrayImage | ArraySlice
 
-function layerMaps(
+/** The maps of one kind; undefined where no layer has any. */
+export function layerMaps(
   layers: readonly Layer<ArraySlice>[],
   kind: 'normal' | ValueKind,
   anisotropy: number,
@@ -95,20 +90,7 @@ function layerMaps(
   return { texture, slices, channel: (present[0] as ArraySlice).channel }
 }
 
-type PairedKind = (typeof PAIR)[number]
-
-/** Occlusion and blood of layers that have images of both. */
-function pairMaps(
-  layers: readonly Layer<ArraySlice>[],
-  anisotropy: number,
-): Record<PairedKind, LayerMaps> | undefined {
-  const isPaired = PAIR.every((kind) => layers.some((layer) => layer[kind]))
-  if (!isPaired || layers.some((layer) => PAIR.some((kind) => isSlice(layer[kind])))) return undefined
-  const { occlusion, blood } = packPair(layers as readonly Layer[])
-  const texture = mapTexture(occlusion.images, anisotropy)
-  return { occlusion: onGpu(occlusion, texture), blood: onGpu(blood, texture) }
-}
-
-function onGpu({ slices, channel }: PackedMaps, texture: ArrayTexture): LayerMaps {
+/** Maps that were packed, on the GPU. */
+export function onGpu({ slices, channel }: PackedMaps, texture: ArrayTexture): LayerMaps {
   return { texture, slices, channel }
 }
