@@ -2,6 +2,7 @@ import { CHANNEL, channelOf } from '../../core/channels.ts'
 import { FurrowError } from '../../core/error.ts'
 import { checkDeclared, WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import { DecodedBytes } from '../../core/maps/decoded-bytes.ts'
+import { pngHeader } from '../../core/maps/png.ts'
 import type { TextureShape } from '../../core/maps/rules.ts'
 import type { MapsAndAreas, TextureReference, WrinkleMapsLayer } from '../../core/maps/wrinkle-maps.ts'
 import type { Area, ArraySlice, GrayImage, Layer, RgbaImage, WrinkleSet } from '../../core/types.ts'
@@ -87,18 +88,12 @@ export function wrinkleReader(
   return (material) => once(known, material, () => read(material))
 }
 
-/**
- * Begins to fetch what reads a file that is out of the usual, so that it arrives while the rest is loaded.
- *
- * @returns whether the file is.
- */
-export function prefetchParser({ json }: Pick<WrinkledFile, 'json'>): boolean {
+/** Begins to fetch what reads a file that is out of the usual, so that it arrives while the rest is loaded. */
+export function prefetchParser({ json }: Pick<WrinkledFile, 'json'>): void {
   const { materials } = json
-  if (!Array.isArray(materials)) return false
+  if (!Array.isArray(materials)) return
   const all = materials.flatMap((material) => material?.extensions?.[WRINKLE_MAPS] ?? [])
-  if (all.every((maps) => readUsualMaps(maps, Infinity))) return false
-  importParser().catch(() => {})
-  return true
+  if (all.some((maps) => !readUsualMaps(maps, Infinity))) importParser().catch(() => {})
 }
 
 /** Reads what is out of the usual, or says what is wrong with it. */
@@ -211,7 +206,7 @@ class MapSource {
   readonly #decoded: DecodedBytes
   readonly #images = new Map<number, Promise<RgbaImage>>()
   readonly #arrays = new Map<number, Promise<FileArray>>()
-  /** Images are decoded one after the other: most tell their size only then. */
+  /** Images that do not tell their size before are decoded one after the other. */
   #decoding: Promise<unknown> = Promise.resolve()
 
   /** @param decoded counts what the images of the whole file take. */
@@ -253,6 +248,11 @@ class MapSource {
       const image = imageOf(this.#file.json.textures[index])
       const bytes = await this.#file.readBytes(image, who)
       if (!bytes) throw fileError('a texture without an image', who, UNREADABLE)
+      const size = pngHeader(bytes)
+      if (size) {
+        this.#decoded.add(index, size, WRINKLE_MAPS)
+        return decodeBytes(bytes, who)
+      }
       const decoding = this.#decoding.then(() => this.#decode(index, bytes, who))
       this.#decoding = decoding.catch(() => {})
       return decoding

@@ -5,7 +5,7 @@ import { isObject, wrongArgument } from '../../core/argument.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
-import { type FileWrinkles, prefetchParser } from '../../runtime/file/read-wrinkles.ts'
+import { extensionOf, type FileWrinkles } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
 import { needChannels } from '../material/channels.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
@@ -60,6 +60,7 @@ export class WrinkleLoader {
   readonly #options: Required<WrinklesOptions>
   readonly #auto: AutoRunOptions | undefined
   readonly #warnings = new Warnings('WrinkleLoaderPlugin')
+  #reader: ReturnType<typeof materialReader> | undefined
   #autoModule: Promise<typeof import('./auto-wrinkles.ts')> | undefined
 
   constructor(parser: GLTFParser, parts: LoaderParts, { auto, ...options }: WrinkleLoaderOptions) {
@@ -75,8 +76,7 @@ export class WrinkleLoader {
 
   /** Called by the loader before it loads anything. */
   async beforeRoot(): Promise<void> {
-    // What reads other drivers than blendshapes is fetched together with what runs them.
-    if (prefetchParser(this.#parser)) import('./any-drivers.ts').catch(() => {})
+    this.#begin()
     if (this.#auto) {
       // Arrives while the rest is loaded.
       this.#autoModule = import('./auto-wrinkles.ts')
@@ -87,14 +87,36 @@ export class WrinkleLoader {
     dropBrokenChannels(this.#parser, this.#warnings)
   }
 
+  /** Begins to read the wrinkles of the meshes' materials, and to fetch what these take, while the rest is loaded. */
+  #begin(): void {
+    for (const material of materialsOfMeshes(this.#parser.json)) {
+      const maps = extensionOf(material, this.#parser) as WrittenMaps | null | undefined
+      if (maps === undefined) continue
+      // Whatever is wrong is told when the wrinkles are added.
+      this.#read(material).catch(() => {})
+      const [layers, drivers] = [maps?.layers, maps?.drivers].map((items) =>
+        Array.isArray(items) ? items : [],
+      )
+      if (layers.some((layer) => VALUE_SLOTS.some((slot) => layer?.[slot]))) {
+        this.#parts.renderer.channels.load().catch(() => {})
+      }
+      if (drivers.some((driver) => driver?.type !== 'morph')) import('./any-drivers.ts').catch(() => {})
+    }
+  }
+
+  /** Reads the wrinkles of a material, once. */
+  #read(material: number): Promise<FileWrinkles> {
+    this.#reader ??= materialReader(this.#parser, {
+      onFault: (fault) => this.#warnings.add(fault, 'the other drivers work'),
+    })
+    return this.#reader(material)
+  }
+
   /** Called by the loader when everything else is loaded. */
   async afterRoot(gltf: GLTF): Promise<void> {
     const wrinkles: WrinklesBase[] = []
     gltf.userData.wrinkles = wrinkles
     const faces = new Map<number, WrinklesBase[]>()
-    const read = materialReader(this.#parser, {
-      onFault: (fault) => this.#warnings.add(fault, 'the other drivers work'),
-    })
     const added: AddedFaces = { bySet: new Map(), byMaterial: new Map() }
     const expressions = this.#isVrm() ? () => vrmOf(gltf) : undefined
     const plain = new Set<number>()
@@ -102,7 +124,7 @@ export class WrinkleLoader {
     if (this.#auto && wrinkled.length === 0) await this.#beginAuto(gltf, wrinkles, expressions)
     for (const face of wrinkled) {
       try {
-        const own = await this.#addFace(face.meshes, await read(face.material), added, expressions)
+        const own = await this.#addFace(face.meshes, await this.#read(face.material), added, expressions)
         wrinkles.push(own)
         faces.set(face.material, [...(faces.get(face.material) ?? []), own])
       } catch (error) {
@@ -242,6 +264,19 @@ interface AddedFaces {
   bySet: Map<FileWrinkles['set'], WrinklesBase>
   /** The first of each material. */
   byMaterial: Map<Material, WrinklesBase>
+}
+
+/** What is in a file, which may be anything. */
+type WrittenMaps = Record<'layers' | 'drivers', Record<string, unknown>[] | undefined>
+
+const VALUE_SLOTS = ['baseColorTexture', 'roughnessTexture', 'occlusionTexture', 'bloodTexture'] as const
+
+/** The materials that a file's meshes have, as far as it is sound. */
+function materialsOfMeshes({ meshes, materials }: GLTFParser['json']): Set<number> {
+  const used: unknown[] = [meshes]
+    .flat()
+    .flatMap((mesh) => [mesh?.primitives].flat().map((part) => part?.material))
+  return new Set(used.filter((material): material is number => Boolean(materials?.[material as number])))
 }
 
 /** Where three-vrm's plugins put the expressions. */

@@ -1,8 +1,8 @@
 import { isSlice } from '../../core/check-areas.ts'
 import type { ArraySlice, Layer } from '../../core/types.ts'
 import { PAIR, packPair, VALUE_KINDS, type ValueKind } from '../../runtime/layer-maps.ts'
+import { type LayerMaps, layerMaps, onGpu } from './layer-textures.ts'
 import { mapTexture } from './textures.ts'
-import { type LayerMaps, layerMaps, onGpu } from './wrinkle-textures.ts'
 
 /**
  * Creates the textures of the layers' maps besides their normals.

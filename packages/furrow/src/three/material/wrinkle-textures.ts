@@ -1,21 +1,11 @@
-import { NoColorSpace, SRGBColorSpace, Vector4 } from 'three'
-import { isSlice } from '../../core/check-areas.ts'
-import type { ArraySlice, GrayImage, Layer, LayerKind, RgbaImage } from '../../core/types.ts'
-import { type PackedMaps, packMaps, VALUE_KINDS, type ValueKind } from '../../runtime/layer-maps.ts'
-import { type ArrayTexture, arrayOf, type Upload } from './array-texture.ts'
+import { Vector4 } from 'three'
+import type { ArraySlice, Layer, LayerKind } from '../../core/types.ts'
+import { VALUE_KINDS, type ValueKind } from '../../runtime/layer-maps.ts'
+import type { ArrayTexture, Upload } from './array-texture.ts'
 import type { Channels } from './channels.ts'
-import { mapTexture } from './textures.ts'
+import { type LayerMaps, layerMaps } from './layer-textures.ts'
 
-export { VALUE_KINDS, type ValueKind }
-
-/** One kind of map of all layers, as one array on the GPU. */
-export interface LayerMaps {
-  texture: ArrayTexture
-  /** Slice of each layer's map; null for a layer that has none. */
-  slices: readonly (number | null)[]
-  /** Channel of single-channel maps, 0 = R to 3 = A. */
-  channel: number
-}
+export { type LayerMaps, VALUE_KINDS, type ValueKind }
 
 /** The maps of a set's layers on the GPU, which several faces may use; see `retain` and `release`. */
 export interface WrinkleTextures {
@@ -66,31 +56,4 @@ function perLayer(numbers: readonly number[]): Vector4 {
 /** All textures of a set's layers, each once. */
 export function listTextures({ normals, values }: WrinkleTextures): ArrayTexture[] {
   return [...new Set([normals, ...Object.values(values)].map(({ texture }) => texture))]
-}
-
-type Map = RgbaImage | GrayImage | ArraySlice
-
-/** The maps of one kind; undefined where no layer has any. */
-export function layerMaps(
-  layers: readonly Layer<ArraySlice>[],
-  kind: 'normal' | ValueKind,
-  anisotropy: number,
-): LayerMaps | undefined {
-  const maps = layers.map((layer): Map | undefined => layer[kind])
-  const present = maps.filter((map): map is Map => map !== undefined)
-  if (present.length === 0) return undefined
-  if (!present.some(isSlice)) {
-    const packed = packMaps(maps as (RgbaImage | GrayImage | undefined)[], kind)
-    const space = kind === 'baseColor' ? SRGBColorSpace : NoColorSpace
-    return onGpu(packed, mapTexture(packed.images, anisotropy, space))
-  }
-  const texture = arrayOf(present, 'Wrinkles', `${kind} maps`)
-  texture.anisotropy = anisotropy
-  const slices = maps.map((map) => (isSlice(map) ? map.slice : null))
-  return { texture, slices, channel: (present[0] as ArraySlice).channel }
-}
-
-/** Maps that were packed, on the GPU. */
-export function onGpu({ slices, channel }: PackedMaps, texture: ArrayTexture): LayerMaps {
-  return { texture, slices, channel }
 }
