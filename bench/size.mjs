@@ -23,7 +23,7 @@ const PAGES = {
 
 /** Fetched by pages with the loader alone: the modules that are imported on demand. */
 const FETCHED = {
-  'drivers beyond blendshapes': ['drivers/parse', 'drivers/registry'],
+  'drivers beyond blendshapes': ['drivers/parse', 'drivers/registry', 'three/loader/any-drivers'],
   joints: ['three/sources/joint', 'babylon/sources/joint'],
   'tension, on the CPU': ['three/sources/tension', 'babylon/sources/tension'],
   'tension, by the GPU': ['three/webgpu/computed-tension'],

@@ -65,6 +65,21 @@ describe.each(RENDERERS)('modes that are fetched, on %s', (name) => {
     wrinkles.dispose()
   })
 
+  it('a material that shows influence is black until then', async () => {
+    const { wrinkles, mesh, picture } = await load('default')
+    const shown = mesh.material
+    const views = [undefined, 'a'].map((area) => wrinkles.createInfluenceMaterial(area))
+    for (const view of views) {
+      others.value = null
+      mesh.material = wrinkles.createInfluenceMaterial()
+      const black = await picture()
+      mesh.material = view
+      await vi.waitFor(async () => expect((await picture()) === black).toBe(false))
+    }
+    mesh.material = shown
+    wrinkles.dispose()
+  })
+
   it('the mode that was set last is shown', async () => {
     const { wrinkles, picture } = await load('default')
     const before = await picture()

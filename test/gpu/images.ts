@@ -2,12 +2,24 @@
 
 import { crc32 } from '../crc32.ts'
 
-/** @param raw scanlines without filter bytes. */
-export async function png(width: number, height: number, depth: 8 | 16, colour: 0 | 2 | 6, raw: Uint8Array) {
+/**
+ * @param raw scanlines without filter bytes.
+ * @param filter of all rows, 0 to 4: what `raw` was filtered by.
+ */
+export async function png(
+  width: number,
+  height: number,
+  depth: 8 | 16,
+  colour: 0 | 2 | 4 | 6,
+  raw: Uint8Array,
+  filter = 0,
+) {
   const stride = (raw.length / height) | 0
   const filtered = new Uint8Array((stride + 1) * height)
-  for (let y = 0; y < height; y++)
+  for (let y = 0; y < height; y++) {
+    filtered[y * (stride + 1)] = filter
     filtered.set(raw.subarray(y * stride, (y + 1) * stride), y * (stride + 1) + 1)
+  }
   const header = new Uint8Array(13)
   const view = new DataView(header.buffer)
   view.setUint32(0, width)

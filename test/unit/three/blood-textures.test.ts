@@ -1,6 +1,7 @@
 import type { Layer } from 'furrow'
 import { RGFormat } from 'three'
 import { describe, expect, it } from 'vitest'
+import { valueTextures } from '../../../packages/furrow/src/three/material/value-textures.ts'
 import { createTextures, listTextures } from '../../../packages/furrow/src/three/material/wrinkle-textures.ts'
 
 const gray = (value: number, size = 2) => ({
@@ -18,7 +19,7 @@ describe('blood on the GPU', () => {
       layer('neither', {}),
       layer('blood', { blood: gray(100), bloodAmplitude: 0.5 }),
     ]
-    const textures = createTextures(layers, 1)
+    const textures = createTextures(layers, 1, { valueTextures })
     const { occlusion, blood } = textures.values
     expect(listTextures(textures)).toEqual([textures.normals.texture, occlusion!.texture])
     expect(blood!.texture).toBe(occlusion!.texture)
@@ -29,13 +30,15 @@ describe('blood on the GPU', () => {
   })
 
   it('costs nothing where there is none', () => {
-    const { values } = createTextures([layer('plain', { occlusion: gray(10) })], 1)
+    const { values } = createTextures([layer('plain', { occlusion: gray(10) })], 1, { valueTextures })
     expect(Object.keys(values)).toEqual(['occlusion'])
     expect((values.occlusion!.texture.image as { data: Uint8Array }).data).toHaveLength(4)
   })
 
   it('must have the size of the occlusion', () => {
     const layers = [layer('both', { occlusion: gray(10), blood: gray(200, 4), bloodAmplitude: 0.25 })]
-    expect(() => createTextures(layers, 1)).toThrow('occlusion and blood maps of the layers')
+    expect(() => createTextures(layers, 1, { valueTextures })).toThrow(
+      'occlusion and blood maps of the layers',
+    )
   })
 })

@@ -9,5 +9,7 @@ export const CHANNEL = { occlusion: 0, roughness: 1, blood: 2, height: 0 } as co
  * @param channel 0 = R to 3 = A.
  */
 export function channelOf({ width, height, data }: RgbaImage, channel: number): GrayImage {
-  return { width, height, data: Uint8Array.from({ length: width * height }, (_, i) => data[4 * i + channel]) }
+  const values = new Uint8Array(width * height)
+  for (let i = 0; i < values.length; i++) values[i] = data[4 * i + channel]
+  return { width, height, data: values }
 }

@@ -5,6 +5,7 @@ import { DriverProgram, type DriverState, type InputSource } from '../drivers/pr
 import { valueSource } from '../drivers/sources.ts'
 import type { Activations } from './activations.ts'
 import type { Face } from './face.ts'
+import type { FaceDrivers } from './face-drivers.ts'
 import type { NamedInputs } from './named-inputs.ts'
 
 /** Reads the inputs of one kind from an engine's objects. */
@@ -30,8 +31,8 @@ const MEASURED = ['target', 'joint', 'tension'] as const satisfies readonly Meas
 /** Index of an area that the face does not have. */
 const NO_AREA = 0xffff
 
-/** Runs drivers on the faces of one mesh, with one method per phase. Allocates nothing after the first frame. */
-export class DriverRuntime<Engine> {
+/** Runs drivers of any type on the faces of one mesh. Allocates nothing after the first frame. */
+export class DriverRuntime<Engine> implements FaceDrivers<Engine> {
   readonly plan: DriverPlan
   readonly #bind: () => InputReaders<Engine>
   readonly #values: InputSource
@@ -71,6 +72,10 @@ export class DriverRuntime<Engine> {
     this.#named = values.names.map((name, i) => inputs.declare(name, values.initial[i]))
   }
 
+  get movedAreas(): ReadonlySet<string> {
+    return this.plan.movedAreas
+  }
+
   /** Finds the inputs, unless it has done so, and warns of those that the mesh lacks. */
   bind(): Bound<Engine> {
     // Apart from what it does once: a function with closures allocates their context whenever it is called.
@@ -97,7 +102,6 @@ export class DriverRuntime<Engine> {
     return bound
   }
 
-  /** Phase 1: reads the inputs of all faces. */
   readInputs(faces: readonly Face[], clock: { now(): number }, engine: Engine | null): void {
     const { program, readers } = this.bind()
     const named = this.#named
@@ -113,7 +117,6 @@ export class DriverRuntime<Engine> {
     }
   }
 
-  /** Phase 2: evaluates the drivers of all faces. */
   evaluate(faces: readonly Face[]): void {
     if (faces[0].slots !== this.#slots) this.#findAreas(faces[0])
     const { program } = this.bind()
@@ -127,7 +130,6 @@ export class DriverRuntime<Engine> {
     }
   }
 
-  /** Phase 3: sets the faces' activations. */
   apply(faces: readonly Face[]): void {
     for (let i = 0; i < faces.length; i++) setAll(faces[i].activations, this.#indices, this.#states[i])
   }

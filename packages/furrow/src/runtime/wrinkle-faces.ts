@@ -3,8 +3,8 @@ import { FurrowError } from '../core/error.ts'
 import type { Area, ArraySlice } from '../core/types.ts'
 import type { Expression } from '../drivers/expression/expression.ts'
 import type { AreaSlots } from './area-slots.ts'
-import type { DriverRuntime } from './driver-runtime.ts'
 import { Face } from './face.ts'
+import type { FaceDrivers } from './face-drivers.ts'
 import { checkInstance, NamedInputs } from './named-inputs.ts'
 
 /** A source of time. */
@@ -32,7 +32,7 @@ export abstract class WrinkleFaces<Engine = unknown> {
   protected areas: Area<ArraySlice>[]
   #clock: Clock = performance
   #isDisposed = false
-  #drivers: DriverRuntime<Engine> | null = null
+  #drivers: FaceDrivers<Engine> | null = null
   readonly #disposers: (() => void)[] = []
 
   /**
@@ -112,7 +112,7 @@ export abstract class WrinkleFaces<Engine = unknown> {
     }
     const { activations, resting } = this.#faceOf(instance, 'setActivations')
     activations.setNamed(names, values)
-    resting.setNamed(names, values, this.#drivers?.plan.movedAreas)
+    resting.setNamed(names, values, this.#drivers?.movedAreas)
   }
 
   /**
@@ -153,7 +153,7 @@ export abstract class WrinkleFaces<Engine = unknown> {
   }
 
   /** Replaces the drivers. @internal */
-  setDrivers(drivers: DriverRuntime<Engine>): void {
+  setDrivers(drivers: FaceDrivers<Engine>): void {
     this.checkInUse('setDrivers')
     this.#drivers = drivers
   }
@@ -205,6 +205,6 @@ export abstract class WrinkleFaces<Engine = unknown> {
   }
 
   #isMoved(area: string): boolean {
-    return this.#drivers?.plan.movedAreas.has(area) ?? false
+    return this.#drivers?.movedAreas.has(area) ?? false
   }
 }

@@ -13,7 +13,6 @@ import { callBeforeRender } from './before-render.ts'
 import { checkIsMesh, checkMesh } from './check-mesh.ts'
 import { frameOf, type RendererFrame } from './frame.ts'
 import { countFaces, instancesOf } from './instances.ts'
-import { InfluenceViews } from './material/influence-views.ts'
 import { checkMaterial, PatchedMaterial } from './material/patched-material.ts'
 import type { RendererParts } from './material/renderer-parts.ts'
 import {
@@ -61,7 +60,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   readonly #cells: readonly Cell[]
   readonly #inputs: ShaderInputs
   readonly #material: PatchedMaterial
-  readonly #views: InfluenceViews
+  /** How many materials show the current influence, which needs the map in any mode. */
+  #views = 0
   readonly #meshes: Mesh[] = []
   readonly #reliefOwner: ReliefOwner
   #reliefMode: ReliefMode = 'off'
@@ -92,7 +92,9 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     checkMesh(mesh)
     const material = checkMaterial(mesh)
     const areas = inputs?.areas ?? createAreaArray(set.areas, set.layers, allOptions.areaSize, 'Wrinkles')
-    const textures = inputs?.textures ?? createTextures(set.layers, material.normalMap?.anisotropy ?? 1)
+    const textures =
+      inputs?.textures ??
+      createTextures(set.layers, material.normalMap?.anisotropy ?? 1, renderer.channels.value)
     super(countFaces(mesh), inputs ? set.areas : copyAreas(set.areas), areas)
     this.mesh = mesh
     this.#renderer = renderer
@@ -107,7 +109,6 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
       // Not within `compile`, whose lights another call of it would take.
       onCompile: (own) => queueMicrotask(() => this.isDisposed || this.#atlas.compile(own)),
     })
-    this.#views = new InfluenceViews(this.#material, this.#inputs)
     this.#reliefOwner = this.#ownRelief()
     this.addMesh(mesh)
     this.relief = allOptions.relief
@@ -211,7 +212,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
 
   /**
    * Creates a material that shows influence as gray on the moving mesh, black = none, white = 1: the current influence, or the weights
-   * of some areas, whatever their activations. Dispose of it after use, and create it again after areas were added or removed.
+   * of some areas, whatever their activations. Dispose of it after use, and create it again after areas were added or removed. On a page
+   * that loads files and does not import `Wrinkles`, it is black until what draws it was fetched.
    *
    * @param area name or names; by default, the current influence.
    *
@@ -219,10 +221,15 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    */
   createInfluenceMaterial(area?: string | readonly string[]): Material {
     this.checkInUse('createInfluenceMaterial')
-    if (area === undefined) return this.#views.showCurrent()
-    const names = [area].flat()
-    for (const name of names) this.getActivation(name)
-    return this.#views.showAreas(this.areas, names)
+    if (area !== undefined) {
+      const names = [area].flat()
+      for (const name of names) this.getActivation(name)
+      return this.#material.influenceMaterial({ areas: this.areas, names })
+    }
+    const material = this.#material.influenceMaterial()
+    this.#views++
+    material.addEventListener('dispose', () => this.#views--)
+    return material
   }
 
   /**
@@ -294,7 +301,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     const { mode, composed } = this.#material
     if (mode === 'paper') paper!.table.update(areas, this.faces[0].activations)
     const isMixed = mode === 'default' || mode === 'auto' || composed !== null
-    const isUsed = isMixed || this.#views.isMapNeeded || this.#relief?.isShown
+    const isUsed = isMixed || this.#views > 0 || this.#relief?.isShown
     if (fade.value === 0 || !isUsed) return false
     this.#atlas.collect(this.#cells, renderer)
     return true
@@ -308,7 +315,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     const { areas, textures, fade } = this.#inputs
     const { values } = this.faces[0].activations
     composed?.update(renderer, areas, values, fade.value, areas.version + textures.version)
-    auto?.step(renderer, values, !this.#views.isMapNeeded && !this.#relief?.isShown)
+    auto?.step(renderer, values, this.#views === 0 && !this.#relief?.isShown)
   }
 
   /** Restores the material, and frees the textures that no other face uses. */

@@ -1,3 +1,5 @@
+import { PNG_SIGNATURE_BYTES } from './png.ts'
+
 /** The formats of images in files, by their media types. */
 export type ImageFileType = 'image/png' | 'image/jpeg' | 'image/webp' | 'image/avif' | 'image/ktx2'
 
@@ -29,7 +31,6 @@ export function imageDamage(bytes: Uint8Array): string | undefined {
 
 const CUT_OFF = 'it is cut off'
 
-const PNG_SIGNATURE_BYTES = 8
 /** The types of a PNG's first and last chunk. */
 const IHDR = 0x49484452
 const IEND = 0x49454e44

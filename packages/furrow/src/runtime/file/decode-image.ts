@@ -1,8 +1,9 @@
 import { FurrowError } from '../../core/error.ts'
 import { MAX_IMAGE_SIDE } from '../../core/limits.ts'
 import { imageDamage, imageTypeOf } from '../../core/maps/image-file.ts'
+import { type PngHeader, pngChunks, pngHeader } from '../../core/maps/png.ts'
 import type { GrayImage, RgbaImage } from '../../core/types.ts'
-import { readImage } from './read-image.ts'
+import { hasPlainAlpha, inflatePng } from './inflate-png.ts'
 
 /**
  * Decodes an image file in the browser, without colour management, to 8 bits per channel.
@@ -15,31 +16,35 @@ import { readImage } from './read-image.ts'
  */
 export async function decodeImage(file: Blob, who: string): Promise<RgbaImage> {
   const image = await decodeBytes(new Uint8Array(await file.arrayBuffer()), who)
-  checkOpaque(image, who)
+  const { data } = image
+  for (let i = 3; i < data.length; i += 4) {
+    if (data[i] !== 255) throw (await faults()).transparent(data[i], who)
+  }
   return image
 }
 
 /** As `decodeImage`, with alpha as stored. */
 export async function decodeBytes(bytes: Uint8Array<ArrayBuffer>, who: string): Promise<RgbaImage> {
-  if (bytes.length === 0) {
-    throw new FurrowError({
-      code: 'unreadable',
-      who,
-      what: 'empty file',
-      value: '0 bytes',
-      remedy: 'export the image again',
-    })
-  }
   const type = imageTypeOf(bytes)
-  if (type === undefined || type === 'image/ktx2') throw notReadable(who, `${bytes.length} bytes`)
   const damage = imageDamage(bytes)
-  if (damage) throw notReadable(who, damage)
-  if (type === 'image/png') checkPngSize(bytes, who)
-  const bitmap = await decode(new Blob([bytes], { type }), who)
-  checkSize(bitmap.width, bitmap.height, who)
-  const image = readImage(bitmap)
-  bitmap.close()
-  return image
+  if (damage || !type || type === 'image/ktx2') throw (await faults()).unreadable(bytes, who, damage)
+  const png = pngHeader(bytes)
+  // To refuse huge images before they are decoded.
+  if (png) await checkSize(png, who)
+  try {
+    if (png && hasPlainAlpha(png)) return await inflatePng(bytes, png)
+    const bitmap = await createImageBitmap(new Blob([bytes], { type }), {
+      colorSpaceConversion: 'none',
+      premultiplyAlpha: 'none',
+    })
+    await checkSize(bitmap, who)
+    const isOpaque = type === 'image/jpeg' || (png && hasNoAlpha(png, bytes))
+    const image = isOpaque ? readOpaque(bitmap) : (await import('./read-image.ts')).readImage(bitmap)
+    bitmap.close()
+    return image
+  } catch (error) {
+    throw error instanceof FurrowError ? error : (await faults()).unreadable(bytes, who)
+  }
 }
 
 /** Converts colours, as stored, to gray by the luma weights of ITU-R BT.601. Grays keep their value exactly. */
@@ -51,52 +56,25 @@ export function toGray({ width, height, data }: RgbaImage): GrayImage {
   return { width, height, data: gray }
 }
 
-async function decode(file: Blob, who: string): Promise<ImageBitmap> {
-  try {
-    return await createImageBitmap(file, { colorSpaceConversion: 'none', premultiplyAlpha: 'none' })
-  } catch {
-    throw notReadable(who, `${file.size} bytes`)
-  }
+/** What says what is wrong with a file: fetched, since most are sound. */
+const faults = () => import('./image-faults.ts')
+
+async function checkSize(size: { width: number; height: number }, who: string): Promise<void> {
+  if (Math.max(size.width, size.height) > MAX_IMAGE_SIDE) throw (await faults()).tooLarge(size, who)
 }
 
-function notReadable(who: string, value: string): FurrowError {
-  return new FurrowError({
-    code: 'unreadable',
-    who,
-    what: 'not a readable image',
-    value,
-    limit: 'a whole PNG, JPEG, WebP or AVIF file',
-    remedy: 'export the image again; it may be cut off',
-  })
+/** Whether a file is gray or RGB, with no colour that stands for transparency. */
+function hasNoAlpha({ colour }: PngHeader, bytes: Uint8Array<ArrayBuffer>): boolean {
+  return (colour === 0 || colour === 2) && pngChunks(bytes, 'tRNS').length === 0
 }
 
-function checkSize(width: number, height: number, who: string): void {
-  if (Math.max(width, height) <= MAX_IMAGE_SIDE) return
-  throw new FurrowError({
-    code: 'out-of-range',
-    who,
-    what: 'image too large',
-    value: `${width} x ${height}`,
-    limit: `${MAX_IMAGE_SIDE} texels on a side`,
-    remedy: 'scale it down; areas need 128 texels, normal maps 1024 to 4096',
-  })
-}
-
-function checkOpaque({ data }: RgbaImage, who: string): void {
-  for (let i = 3; i < data.length; i += 4) {
-    if (data[i] === 255) continue
-    throw new FurrowError({
-      who,
-      what: 'image with transparent texels',
-      value: `alpha ${data[i]}`,
-      limit: 'alpha 255 throughout',
-      remedy: 'flatten it onto white (an area) or onto 128, 128, 255 (a normal map)',
-    })
-  }
-}
-
-/** By the header, to refuse huge images before they are decoded. The first chunk is whole. */
-function checkPngSize(bytes: Uint8Array, who: string): void {
-  const header = new DataView(bytes.buffer, bytes.byteOffset)
-  checkSize(header.getUint32(16), header.getUint32(20), who)
+/** The pixels of an image without alpha, which a 2D canvas keeps as they are. */
+function readOpaque(bitmap: ImageBitmap): RgbaImage {
+  // Outside of browsers, a decoder that stands in for the browser's has the pixels.
+  if ('data' in bitmap) return bitmap as RgbaImage
+  const { width, height } = bitmap
+  const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })!
+  context.drawImage(bitmap, 0, 0)
+  const { data } = context.getImageData(0, 0, width, height)
+  return { width, height, data: new Uint8Array(data.buffer) }
 }

@@ -2,6 +2,7 @@ import { CHANNEL, channelOf } from '../../core/channels.ts'
 import { FurrowError } from '../../core/error.ts'
 import { checkDeclared, WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import { DecodedBytes } from '../../core/maps/decoded-bytes.ts'
+import { pngHeader } from '../../core/maps/png.ts'
 import type { TextureShape } from '../../core/maps/rules.ts'
 import type { MapsAndAreas, TextureReference, WrinkleMapsLayer } from '../../core/maps/wrinkle-maps.ts'
 import type { Area, ArraySlice, GrayImage, Layer, RgbaImage, WrinkleSet } from '../../core/types.ts'
@@ -117,17 +118,22 @@ async function readSet(
 ): Promise<WrinkleSet<ArraySlice>> {
   checkDeclared(file.json, WRINKLE_MAPS)
   const source = new MapSource(file, decoded)
-  const layers = await Promise.all(maps.layers.map((layer) => readLayer(layer, source)))
-  const areas = maps.areas.map(
-    async ({ name, layer, texture, channel, combine, activation }): Promise<Area<ArraySlice>> => ({
-      name,
-      layer: layers[layer].name,
-      combine,
-      activation,
-      weights: await source.gray(texture, channel, 'areas'),
-    }),
-  )
-  const set = { layers, areas: await Promise.all(areas) }
+  // Everything at once: what decodes images has several threads.
+  const [layers, areas] = await Promise.all([
+    Promise.all(maps.layers.map((layer) => readLayer(layer, source))),
+    Promise.all(
+      maps.areas.map(
+        async ({ name, layer, texture, channel, combine, activation }): Promise<Area<ArraySlice>> => ({
+          name,
+          layer: maps.layers[layer].name,
+          combine,
+          activation,
+          weights: await source.gray(texture, channel, 'areas'),
+        }),
+      ),
+    ),
+  ])
+  const set = { layers, areas }
   if (source.hasSlices || differInSize(layers)) await checkMaps(maps, source, file)
   let heights: ReturnType<typeof readHeights> | undefined
   for (const [i, { heightTexture }] of maps.layers.entries()) {
@@ -169,22 +175,24 @@ async function checkMaps(maps: MapsAndAreas, source: MapSource, { json }: Wrinkl
 async function readLayer(layer: WrinkleMapsLayer, source: MapSource): Promise<Layer<ArraySlice>> {
   const { name, kind, normalTexture, baseColorTexture, roughnessTexture, occlusionTexture, bloodTexture } =
     layer
-  const gray = (info: TextureReference, channel: number) => source.gray(info, channel, 'maps')
+  const gray = async (info: TextureReference | undefined, channel: number) =>
+    info && source.gray(info, channel, 'maps')
+  const [normal, baseColor, roughness, occlusion, blood] = await Promise.all([
+    source.colours(normalTexture),
+    baseColorTexture && source.colours(baseColorTexture, 'colours'),
+    gray(roughnessTexture, CHANNEL.roughness),
+    gray(occlusionTexture, CHANNEL.occlusion),
+    gray(bloodTexture, CHANNEL.blood),
+  ])
   return {
     name,
     kind,
-    normal: await source.colours(normalTexture),
+    normal,
     normalScale: normalTexture.scale,
-    ...(baseColorTexture && { baseColor: await source.colours(baseColorTexture, 'colours') }),
-    ...(roughnessTexture && { roughness: await gray(roughnessTexture, CHANNEL.roughness) }),
-    ...(occlusionTexture && {
-      occlusion: await gray(occlusionTexture, CHANNEL.occlusion),
-      occlusionStrength: occlusionTexture.strength,
-    }),
-    ...(bloodTexture && {
-      blood: await gray(bloodTexture, CHANNEL.blood),
-      bloodAmplitude: bloodTexture.amplitude,
-    }),
+    ...(baseColor && { baseColor }),
+    ...(roughness && { roughness }),
+    ...(occlusion && { occlusion, occlusionStrength: occlusionTexture!.strength }),
+    ...(blood && { blood, bloodAmplitude: bloodTexture!.amplitude }),
   }
 }
 
@@ -205,7 +213,7 @@ class MapSource {
   readonly #decoded: DecodedBytes
   readonly #images = new Map<number, Promise<RgbaImage>>()
   readonly #arrays = new Map<number, Promise<FileArray>>()
-  /** Images are decoded one after the other: most tell their size only then. */
+  /** Images that do not tell their size before are decoded one after the other. */
   #decoding: Promise<unknown> = Promise.resolve()
 
   /** @param decoded counts what the images of the whole file take. */
@@ -247,6 +255,11 @@ class MapSource {
       const image = imageOf(this.#file.json.textures[index])
       const bytes = await this.#file.readBytes(image, who)
       if (!bytes) throw fileError('a texture without an image', who, UNREADABLE)
+      const size = pngHeader(bytes)
+      if (size) {
+        this.#decoded.add(index, size, WRINKLE_MAPS)
+        return decodeBytes(bytes, who)
+      }
       const decoding = this.#decoding.then(() => this.#decode(index, bytes, who))
       this.#decoding = decoding.catch(() => {})
       return decoding

@@ -5,10 +5,9 @@ import { isObject, wrongArgument } from '../../core/argument.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
-import { driversOf } from '../../drivers/of-type.ts'
-import type { WrinkleDriver } from '../../drivers/registry.ts'
-import { type FileWrinkles, prefetchParser } from '../../runtime/file/read-wrinkles.ts'
+import { extensionOf, type FileWrinkles } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
+import { needChannels } from '../material/channels.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import { surfaceOf } from '../material/surface.ts'
 import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
@@ -18,12 +17,11 @@ import {
   type WrinkleLoaderOptions,
   type WrinklesOptions,
 } from '../options.ts'
-import { bindPlan, type PlannedDrivers } from '../sources/bind-plan.ts'
-import type { FetchedBindings } from '../sources/binding.ts'
+import type { Drive, FetchedBindings } from '../sources/binding.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { Adoption, type WatchDraws } from './adoption.ts'
 import type { MadeWrinkles } from './auto-wrinkles.ts'
-import { planFetched } from './plan-fetched.ts'
+import { prepareDrivers } from './prepare-drivers.ts'
 import { type FileFace, facesOf, materialReader, wrinkledFaces } from './read-wrinkle-maps.ts'
 
 /** The `Wrinkles` class of a renderer. */
@@ -62,6 +60,7 @@ export class WrinkleLoader {
   readonly #options: Required<WrinklesOptions>
   readonly #auto: AutoRunOptions | undefined
   readonly #warnings = new Warnings('WrinkleLoaderPlugin')
+  #reader: ReturnType<typeof materialReader> | undefined
   #autoModule: Promise<typeof import('./auto-wrinkles.ts')> | undefined
 
   constructor(parser: GLTFParser, parts: LoaderParts, { auto, ...options }: WrinkleLoaderOptions) {
@@ -77,7 +76,7 @@ export class WrinkleLoader {
 
   /** Called by the loader before it loads anything. */
   async beforeRoot(): Promise<void> {
-    prefetchParser(this.#parser)
+    this.#begin()
     if (this.#auto) {
       // Arrives while the rest is loaded.
       this.#autoModule = import('./auto-wrinkles.ts')
@@ -88,14 +87,36 @@ export class WrinkleLoader {
     dropBrokenChannels(this.#parser, this.#warnings)
   }
 
+  /** Begins to read the wrinkles of the meshes' materials, and to fetch what these take, while the rest is loaded. */
+  #begin(): void {
+    for (const material of materialsOfMeshes(this.#parser.json)) {
+      const maps = extensionOf(material, this.#parser) as WrittenMaps | null | undefined
+      if (maps === undefined) continue
+      // Whatever is wrong is told when the wrinkles are added.
+      this.#read(material).catch(() => {})
+      const [layers, drivers] = [maps?.layers, maps?.drivers].map((items) =>
+        Array.isArray(items) ? items : [],
+      )
+      if (layers.some((layer) => VALUE_SLOTS.some((slot) => layer?.[slot]))) {
+        this.#parts.renderer.channels.load().catch(() => {})
+      }
+      if (drivers.some((driver) => driver?.type !== 'morph')) import('./any-drivers.ts').catch(() => {})
+    }
+  }
+
+  /** Reads the wrinkles of a material, once. */
+  #read(material: number): Promise<FileWrinkles> {
+    this.#reader ??= materialReader(this.#parser, {
+      onFault: (fault) => this.#warnings.add(fault, 'the other drivers work'),
+    })
+    return this.#reader(material)
+  }
+
   /** Called by the loader when everything else is loaded. */
   async afterRoot(gltf: GLTF): Promise<void> {
     const wrinkles: WrinklesBase[] = []
     gltf.userData.wrinkles = wrinkles
     const faces = new Map<number, WrinklesBase[]>()
-    const read = materialReader(this.#parser, {
-      onFault: (fault) => this.#warnings.add(fault, 'the other drivers work'),
-    })
     const added: AddedFaces = { bySet: new Map(), byMaterial: new Map() }
     const expressions = this.#isVrm() ? () => vrmOf(gltf) : undefined
     const plain = new Set<number>()
@@ -103,7 +124,7 @@ export class WrinkleLoader {
     if (this.#auto && wrinkled.length === 0) await this.#beginAuto(gltf, wrinkles, expressions)
     for (const face of wrinkled) {
       try {
-        const own = await this.#addFace(face.meshes, await read(face.material), added, expressions)
+        const own = await this.#addFace(face.meshes, await this.#read(face.material), added, expressions)
         wrinkles.push(own)
         faces.set(face.material, [...(faces.get(face.material) ?? []), own])
       } catch (error) {
@@ -159,10 +180,10 @@ export class WrinkleLoader {
     const copy = byMaterial.get(material)?.cloneMaterial()
     // Another face with the same material has its own activations, and so needs its own material.
     if (copy) for (const mesh of meshes) mesh.material = copy
-    await addMusclesOf(meshes[0], drivers)
-    const planned = await planFetched(drivers, this.#parts.bindings, expressions !== undefined)
-    await this.#fetchMode(material)
-    const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, planned, { expressions })
+    const isVrm = expressions !== undefined
+    const drive = await prepareDrivers(meshes[0], drivers, this.#parts.bindings, isVrm)
+    await Promise.all([this.#fetchMode(material), this.#fetchChannels(set, material)])
+    const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, drive, { expressions })
     if (!bySet.has(set)) bySet.set(set, own)
     if (!copy) byMaterial.set(material, own)
     return own
@@ -176,49 +197,52 @@ export class WrinkleLoader {
     if (isPatched ? !canPatch(material as WrinkleMaterial) : mode !== 'off') await others.load()
   }
 
+  /** Fetches what mixes other maps than normals, where there are any. */
+  async #fetchChannels({ layers }: FileWrinkles['set'], material: Material): Promise<void> {
+    if (needChannels(layers, material as WrinkleMaterial)) await this.#parts.renderer.channels.load()
+  }
+
   /** Adds wrinkles to the meshes of one face, to every copy of them, and to what is drawn with their material. */
   #addWrinkles(
     meshes: readonly Mesh[],
     source: WrinkleSet<ArraySlice> | WrinklesBase,
-    drivers: PlannedDrivers,
+    drive: Drive,
     { expressions, copyOf }: FaceOrigin = {},
   ): WrinklesBase {
     const { Wrinkles, watchDraws: watch } = this.#parts
     const [mesh, ...others] = meshes
-    const parts = { watch, add: (adopted: Mesh, from: WrinklesBase) => this.#tryAdd(adopted, from, drivers) }
+    const parts = { watch, add: (adopted: Mesh, from: WrinklesBase) => this.#tryAdd(adopted, from, drive) }
     const adoption = new Adoption(surfaceOf(mesh), meshes, parts, copyOf)
     let own: WrinklesBase | undefined
     try {
       own = new Wrinkles(mesh, source, this.#options)
       adoption.begin(own)
       for (const other of others) own.addMesh(other)
-      const runtime = bindPlan(own, drivers, () => ({ expressions: expressions?.() }))
-      // three-vrm may create a VRM's expressions after this: they are looked up when the face is first drawn.
-      if (!expressions) runtime.bind()
+      drive(own, expressions)
     } catch (error) {
       adoption.end()
       own?.dispose()
       throw error
     }
-    for (const part of meshes) this.#followClones(part, own, drivers)
+    for (const part of meshes) this.#followClones(part, own, drive)
     return own
   }
 
   /** For a mesh that the page made. */
-  #tryAdd(mesh: Mesh, source: WrinklesBase, drivers: PlannedDrivers): WrinklesBase | undefined {
+  #tryAdd(mesh: Mesh, source: WrinklesBase, drive: Drive): WrinklesBase | undefined {
     try {
-      return this.#addWrinkles([mesh], source, drivers)
+      return this.#addWrinkles([mesh], source, drive)
     } catch (error) {
       this.#warnings.add(error, `mesh ${JSON.stringify(mesh.name)} stays plain`)
       return undefined
     }
   }
 
-  #followClones(mesh: Mesh, own: WrinklesBase, drivers: PlannedDrivers): void {
+  #followClones(mesh: Mesh, own: WrinklesBase, drive: Drive): void {
     mesh.clone = (recursive) => {
       const copy: Mesh = Object.getPrototypeOf(mesh).clone.call(mesh, recursive)
       copy.material = own.cloneMaterial()
-      this.#addWrinkles([copy], own, drivers, { copyOf: own })
+      this.#addWrinkles([copy], own, drive, { copyOf: own })
       return copy as typeof mesh
     }
     own.onDispose(() => {
@@ -242,6 +266,19 @@ interface AddedFaces {
   byMaterial: Map<Material, WrinklesBase>
 }
 
+/** What is in a file, which may be anything. */
+type WrittenMaps = Record<'layers' | 'drivers', Record<string, unknown>[] | undefined>
+
+const VALUE_SLOTS = ['baseColorTexture', 'roughnessTexture', 'occlusionTexture', 'bloodTexture'] as const
+
+/** The materials that a file's meshes have, as far as it is sound. */
+function materialsOfMeshes({ meshes, materials }: GLTFParser['json']): Set<number> {
+  const used: unknown[] = [meshes]
+    .flat()
+    .flatMap((mesh) => [mesh?.primitives].flat().map((part) => part?.material))
+  return new Set(used.filter((material): material is number => Boolean(materials?.[material as number])))
+}
+
 /** Where three-vrm's plugins put the expressions. */
 function vrmOf({ userData }: GLTF): VrmExpressions | undefined {
   return userData.vrmExpressionManager ?? userData.vrm?.expressionManager
@@ -254,10 +291,4 @@ function hasPointers({ json: { animations } }: GLTFParser): boolean {
     Array.isArray(animations) &&
     animations.some((animation) => Array.isArray(animation?.channels) && animation.channels.some(isPointer))
   )
-}
-
-/** Copies of the mesh share its geometry, and so its muscles. */
-async function addMusclesOf(mesh: Mesh, drivers: readonly WrinkleDriver[]): Promise<void> {
-  const muscles = driversOf('muscle', drivers)
-  if (muscles.length > 0) (await import('../sources/muscles.ts')).addMuscles(mesh, muscles)
 }

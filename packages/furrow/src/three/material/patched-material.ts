@@ -4,10 +4,10 @@ import { checkNotInstanced } from '../check-mesh.ts'
 import { instancesOf } from '../instances.ts'
 import type { WrinkleMode } from '../options.ts'
 import type { AnyRenderer } from '../renderer.ts'
-import { ActivationTable } from './activation-table.ts'
 import type { AutoMode } from './auto-mode.ts'
 import type { ComposedMap } from './composed-map.ts'
 import { Fetched } from './fetched.ts'
+import type { InfluenceView } from './other-modes.ts'
 import type { PatchEvents, RendererParts } from './renderer-parts.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import { readsNormalMap, surfaceOf, withSurface } from './surface.ts'
@@ -167,14 +167,18 @@ export class PatchedMaterial {
     return withSurface(this.#mesh, this.#material, this.clone())
   }
 
-  /**
-   * Creates a material that shows influence as gray.
-   *
-   * @param table fixed activations; null for the current ones.
-   */
-  influenceMaterial(table: ActivationTable | null): Material {
-    const mapped = this.#flat ? { normalMap: this.#flat } : this.#material
-    return this.#renderer.influenceMaterial(mapped, this.#inputs, table, instancesOf(this.#mesh))
+  /** Creates a material that shows influence as gray: black until what draws it was fetched. */
+  influenceMaterial(weights?: InfluenceView['weights']): Material {
+    const { others, unlitMaterial } = this.#renderer
+    const material = unlitMaterial()
+    const wrinkled = this.#flat ? { normalMap: this.#flat } : this.#material
+    const view = { wrinkled, inputs: this.#inputs, instances: instancesOf(this.#mesh), weights }
+    if (others.value) others.value.showInfluence(material, view)
+    else {
+      const showFetched = async () => (await others.load()).showInfluence(material, view)
+      showFetched().catch(({ message }) => console.warn(message))
+    }
+    return material
   }
 
   /** Restores the material. */
@@ -225,19 +229,9 @@ export class PatchedMaterial {
     }
   }
 
-  /** Packs the paper's array, and again if the layers' maps have changed: into the same texture, since shaders hold that. */
   #packPaper(): void {
-    const { paper, textures } = this.#inputs
-    if (paper?.version === textures.version) return
     const smooth = this.#flat ? null : (this.composed?.base ?? this.#material.normalMap)
-    const packed = this.#renderer.others.value!.packPaperArray(textures, this.#material, smooth)
-    if (!paper) {
-      this.#inputs.paper = { ...packed, table: new ActivationTable() }
-      return
-    }
-    paper.texture.image = packed.texture.image
-    paper.texture.needsUpdate = true
-    paper.version = packed.version
+    this.#renderer.others.value!.updatePaper(this.#inputs, this.#material, smooth)
   }
 
   #patch(mode: WrinkleMode): () => void {

@@ -1,9 +1,8 @@
 import type { Material, Mesh } from 'three'
 import type { QuadMaterials } from '../atlas/influence-pass.ts'
-import type { Instances } from '../instances.ts'
 import type { ReliefParts } from '../relief/relief-parts.ts'
 import type { AnyRenderer, Entry } from '../renderer.ts'
-import type { ActivationTable } from './activation-table.ts'
+import type { Channels } from './channels.ts'
 import type { Fetched } from './fetched.ts'
 import type { OtherModes } from './other-modes.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
@@ -36,19 +35,12 @@ export interface RendererParts {
    * material is drawn, in every frame.
    */
   faultOf(material: Material, renderer: AnyRenderer): string | null
-  /** The other modes: fetched, since most pages show the default one only. */
+  /** The other modes, and what shows influence: fetched, since most pages show the default mode only. */
   others: Fetched<OtherModes>
-  /**
-   * A material that shows influence as gray: that of the influence map, or that of a table of activations.
-   *
-   * @param material its normal map has the texture coordinates.
-   */
-  influenceMaterial(
-    material: Pick<WrinkleMaterial, 'normalMap'>,
-    inputs: ShaderInputs,
-    table: ActivationTable | null,
-    instances: Instances,
-  ): Material
+  /** What mixes other maps than normals: fetched for layers that have any. */
+  channels: Fetched<Channels>
+  /** A black one, without lights and tone mapping. */
+  unlitMaterial(): Material
   /** What draws influence maps. */
   quads: QuadMaterials
   /** What draws relief, loaded when it is first wanted. */

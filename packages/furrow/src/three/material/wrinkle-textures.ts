@@ -1,27 +1,11 @@
-import { NoColorSpace, SRGBColorSpace, Vector4 } from 'three'
-import { isSlice } from '../../core/check-areas.ts'
-import type { ArraySlice, GrayImage, Layer, LayerKind, RgbaImage } from '../../core/types.ts'
-import {
-  PAIR,
-  type PackedMaps,
-  packMaps,
-  packPair,
-  VALUE_KINDS,
-  type ValueKind,
-} from '../../runtime/layer-maps.ts'
-import { type ArrayTexture, arrayOf, type Upload } from './array-texture.ts'
-import { mapTexture } from './textures.ts'
+import { Vector4 } from 'three'
+import type { ArraySlice, Layer, LayerKind } from '../../core/types.ts'
+import { VALUE_KINDS, type ValueKind } from '../../runtime/layer-maps.ts'
+import type { ArrayTexture, Upload } from './array-texture.ts'
+import type { Channels } from './channels.ts'
+import { type LayerMaps, layerMaps } from './layer-textures.ts'
 
-export { VALUE_KINDS, type ValueKind }
-
-/** One kind of map of all layers, as one array on the GPU. */
-export interface LayerMaps {
-  texture: ArrayTexture
-  /** Slice of each layer's map; null for a layer that has none. */
-  slices: readonly (number | null)[]
-  /** Channel of single-channel maps, 0 = R to 3 = A. */
-  channel: number
-}
+export { type LayerMaps, VALUE_KINDS, type ValueKind }
 
 /** The maps of a set's layers on the GPU, which several faces may use; see `retain` and `release`. */
 export interface WrinkleTextures {
@@ -43,21 +27,21 @@ export interface WrinkleTextures {
  * Creates the textures of a set's layers.
  *
  * @param anisotropy that of the map they are mixed with.
+ * @param channels where `needChannels` says so.
  * @throws FurrowError when maps of one kind differ in size, or are in several arrays.
  */
-export function createTextures(layers: readonly Layer<ArraySlice>[], anisotropy: number): WrinkleTextures {
-  const pair = pairMaps(layers, anisotropy)
-  const values = VALUE_KINDS.flatMap((kind) => {
-    const maps = pair?.[kind as PairedKind] ?? layerMaps(layers, kind, anisotropy)
-    return maps ? [[kind, maps]] : []
-  })
+export function createTextures(
+  layers: readonly Layer<ArraySlice>[],
+  anisotropy: number,
+  channels: Channels | null,
+): WrinkleTextures {
   const normals = layerMaps(layers, 'normal', anisotropy)!
   const kinds = layers.map(({ kind }) => kind)
   return {
     layers: [...layers],
     kinds,
     normals,
-    values: Object.fromEntries(values),
+    values: channels?.valueTextures(layers, anisotropy) ?? {},
     normalScale: { value: perLayer(layers.map(({ normalScale }) => normalScale ?? 1)) },
     occlusionStrength: { value: perLayer(layers.map(({ occlusionStrength }) => occlusionStrength ?? 1)) },
     bloodAmplitude: { value: perLayer(layers.map(({ bloodAmplitude }) => bloodAmplitude ?? 0)) },
@@ -72,43 +56,4 @@ function perLayer(numbers: readonly number[]): Vector4 {
 /** All textures of a set's layers, each once. */
 export function listTextures({ normals, values }: WrinkleTextures): ArrayTexture[] {
   return [...new Set([normals, ...Object.values(values)].map(({ texture }) => texture))]
-}
-
-type Map = RgbaImage | GrayImage | ArraySlice
-
-function layerMaps(
-  layers: readonly Layer<ArraySlice>[],
-  kind: 'normal' | ValueKind,
-  anisotropy: number,
-): LayerMaps | undefined {
-  const maps = layers.map((layer): Map | undefined => layer[kind])
-  const present = maps.filter((map): map is Map => map !== undefined)
-  if (present.length === 0) return undefined
-  if (!present.some(isSlice)) {
-    const packed = packMaps(maps as (RgbaImage | GrayImage | undefined)[], kind)
-    const space = kind === 'baseColor' ? SRGBColorSpace : NoColorSpace
-    return onGpu(packed, mapTexture(packed.images, anisotropy, space))
-  }
-  const texture = arrayOf(present, 'Wrinkles', `${kind} maps`)
-  texture.anisotropy = anisotropy
-  const slices = maps.map((map) => (isSlice(map) ? map.slice : null))
-  return { texture, slices, channel: (present[0] as ArraySlice).channel }
-}
-
-type PairedKind = (typeof PAIR)[number]
-
-/** Occlusion and blood of layers that have images of both. */
-function pairMaps(
-  layers: readonly Layer<ArraySlice>[],
-  anisotropy: number,
-): Record<PairedKind, LayerMaps> | undefined {
-  const isPaired = PAIR.every((kind) => layers.some((layer) => layer[kind]))
-  if (!isPaired || layers.some((layer) => PAIR.some((kind) => isSlice(layer[kind])))) return undefined
-  const { occlusion, blood } = packPair(layers as readonly Layer[])
-  const texture = mapTexture(occlusion.images, anisotropy)
-  return { occlusion: onGpu(occlusion, texture), blood: onGpu(blood, texture) }
-}
-
-function onGpu({ slices, channel }: PackedMaps, texture: ArrayTexture): LayerMaps {
-  return { texture, slices, channel }
 }

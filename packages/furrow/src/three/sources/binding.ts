@@ -25,3 +25,10 @@ export interface FetchedBindings {
   joint(): Promise<BindInputs<'joint'>>
   tension(): Promise<BindInputs<'tension'>>
 }
+
+/**
+ * Lets the drivers of a file activate the areas of a face.
+ *
+ * @param expressions those of a VRM, which may not exist before its first frame.
+ */
+export type Drive = (own: WrinklesBase, expressions?: () => VrmExpressions | undefined) => void

@@ -4,11 +4,13 @@ import { checkSource } from '../check-source.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { type AddDrivers, addDrivers } from '../sources/add-drivers.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
+import { CHANNELS } from './channels.ts'
 import { OTHER_MODES } from './other-modes.ts'
 import { PARTS, WebGLWrinkles } from './webgl-wrinkles.ts'
 
-// A page that makes wrinkles of its own has all modes at once.
+// A page that makes wrinkles of its own has all modes and maps at once.
 PARTS.others.value = OTHER_MODES
+PARTS.channels.value = CHANNELS
 
 /** Wrinkles on one mesh for `WebGLRenderer`. */
 export class Wrinkles extends WrinklesBase {

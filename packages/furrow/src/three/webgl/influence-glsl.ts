@@ -32,7 +32,7 @@ vec4 furrowSampleSlice(highp sampler2DArray maps, float slice) {
 }
 
 /** Wraps texture coordinates into 0..1, see `repeat` in core; those already within stay exactly as they are. */
-const REPEAT = /* glsl */ `
+export const REPEAT = /* glsl */ `
 vec2 furrowRepeat(vec2 uv) {
   return uv - max(ceil(uv) - 1.0, min(floor(uv), 0.0));
 }
@@ -83,31 +83,3 @@ const LEVEL = /* glsl */ `vec2 size = vec2(textureSize(maps, 0).xy);
   vec2 dx = furrowDx * size;
   vec2 dy = furrowDy * size;
   return textureLod(maps, vec3(furrowUv, slice), 0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1.0)));`
-
-/**
- * The influence of each layer from the areas themselves, as in the paper's step 3: a loop over all of them, for every layer at once.
- *
- * @param channels of a slice that hold areas.
- */
-export function influenceFromAreas(channels: 1 | 4): string {
-  const weight = channels === 1 ? 'texel.r' : 'texel[i % 4]'
-  const slice = channels === 1 ? 'i' : 'i / 4'
-  return /* glsl */ `${REPEAT}
-uniform highp sampler2DArray furrowAreas;
-uniform highp sampler2D furrowActivations;
-uniform int furrowAreaCount;
-
-vec4 furrowInfluenceFromAreas(vec2 unwrapped) {
-  vec2 uv = furrowRepeat(unwrapped);
-  vec4 sum = vec4(0.0);
-  vec4 largest = vec4(0.0);
-  for (int i = 0; i < furrowAreaCount; i++) {
-    vec4 texel = textureLod(furrowAreas, vec3(uv, float(${slice})), 0.0);
-    float weight = ${weight};
-    sum += weight * texelFetch(furrowActivations, ivec2(i, 0), 0);
-    largest = max(largest, weight * texelFetch(furrowActivations, ivec2(i, 1), 0));
-  }
-  return max(min(sum, 1.0), largest);
-}
-`
-}

@@ -1,22 +1,22 @@
-import { type IUniform, MeshBasicMaterial } from 'three'
-import type { RendererParts } from '../material/renderer-parts.ts'
+import { Color, type IUniform } from 'three'
+import type { ShowInfluence } from '../material/other-modes.ts'
+import { areaUniforms, influenceFromAreas } from './areas-glsl.ts'
 import { instancedVertex } from './default-shader.ts'
-import { influenceFromAreas, influenceFromMap } from './influence-glsl.ts'
+import { influenceFromMap } from './influence-glsl.ts'
 import { MAIN, replace, replaceChunk } from './shader-text.ts'
-import { areaUniforms, mapUniforms } from './uniforms.ts'
+import { mapUniforms } from './uniforms.ts'
 
 /** Shows the influence as gray on the mesh as it moves: black = no wrinkles, white = fully visible. */
-export const influenceMaterial: RendererParts['influenceMaterial'] = (
-  { normalMap },
-  inputs,
+export const showInfluence: ShowInfluence = (
+  material,
+  { wrinkled: { normalMap }, inputs, instances },
   table,
-  instances,
 ) => {
   const layers = inputs.textures.layers.length
   const { channels } = inputs.areas
-  // The map provides its texture coordinates, transform included; the shader samples the areas instead.
-  const material = new MeshBasicMaterial({ map: normalMap, toneMapped: false })
   const uniforms: Record<string, IUniform> = table ? areaUniforms(inputs, table) : mapUniforms(inputs)
+  // The map provides its texture coordinates, transform included; the shader samples the areas instead.
+  Object.assign(material, { map: normalMap, color: new Color(1, 1, 1), needsUpdate: true })
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, uniforms)
     if (!table && instances) shader.vertexShader = instancedVertex(shader.vertexShader, instances)
@@ -26,7 +26,6 @@ export const influenceMaterial: RendererParts['influenceMaterial'] = (
   }
   const variant = table ? `areas ${channels}` : `map ${layers} ${instances}`
   material.customProgramCacheKey = () => `furrow influence ${variant}`
-  return material
 }
 
 const LARGEST = 'diffuseColor.rgb *= vec3(max(max(influence.x, influence.y), max(influence.z, influence.w)));'

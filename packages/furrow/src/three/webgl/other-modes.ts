@@ -1,10 +1,12 @@
 import { ComposedMap, composedSize } from '../material/composed-map.ts'
 import type { OtherModes } from '../material/other-modes.ts'
-import { packPaperArray } from '../material/paper-array.ts'
+import { showInfluenceBy } from '../material/show-influence.ts'
+import { updatePaper } from '../material/update-paper.ts'
+import { areaUniforms } from './areas-glsl.ts'
 import { composeMaterial } from './compose-material.ts'
+import { showInfluence } from './influence-material.ts'
 import { paperFragment } from './paper-shader.ts'
 import { patchShader } from './patch-shader.ts'
-import { areaUniforms } from './uniforms.ts'
 
 const patchPaper: OtherModes['patchPaper'] = (material, inputs, refuse) => {
   const { areas, paper } = inputs
@@ -19,11 +21,12 @@ const patchPaper: OtherModes['patchPaper'] = (material, inputs, refuse) => {
   })
 }
 
-/** What all modes but the default one take, on `WebGLRenderer`. */
+/** What all modes but the default one take, and what shows influence, on `WebGLRenderer`. */
 export const OTHER_MODES: OtherModes = {
-  packPaperArray,
+  updatePaper,
   patchPaper,
   ComposedMap,
   composedSize,
   composeMaterial,
+  showInfluence: showInfluenceBy(showInfluence),
 }

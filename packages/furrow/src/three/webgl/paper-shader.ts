@@ -1,4 +1,4 @@
-import { influenceFromAreas } from './influence-glsl.ts'
+import { influenceFromAreas } from './areas-glsl.ts'
 import { includeOf, MAIN, replace, replaceChunk, unpatchable } from './shader-text.ts'
 
 /**

@@ -1,5 +1,4 @@
 import type { IUniform } from 'three'
-import type { ActivationTable } from '../material/activation-table.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
 
 /** For shaders that read the influence map. */
@@ -11,15 +10,6 @@ export function mapUniforms(inputs: ShaderInputs): Record<string, IUniform> {
     furrowInset: inputs.inset,
     furrowBounds: inputs.reach,
     furrowFade: inputs.fade,
-  }
-}
-
-/** For shaders that sum the areas themselves. */
-export function areaUniforms(inputs: ShaderInputs, table: ActivationTable): Record<string, IUniform> {
-  return {
-    furrowAreas: inputs.areaTexture,
-    furrowActivations: { value: table.texture },
-    furrowAreaCount: table.count,
   }
 }
 

@@ -1,4 +1,4 @@
-import type { Mesh } from 'three'
+import { type Mesh, MeshBasicMaterial } from 'three'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { instancesOf } from '../instances.ts'
 import { Fetched } from '../material/fetched.ts'
@@ -8,11 +8,11 @@ import type { ValueKind, WrinkleTextures } from '../material/wrinkle-textures.ts
 import type { WrinklesOptions } from '../options.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import { defaultFragment, instancedVertex, isPatchable, type ShaderVariant } from './default-shader.ts'
-import { influenceMaterial } from './influence-material.ts'
 import { quadMaterials } from './influence-quads.ts'
 import { patchShader } from './patch-shader.ts'
 import { faultOf } from './program-fault.ts'
 import { layerUniforms, mapUniforms } from './uniforms.ts'
+import type { ShaderChannels } from './value-layers.ts'
 
 /** The wrinkles of a loaded file, whose drivers the loader adds; `Wrinkles` is the same for all else. */
 export class WebGLWrinkles extends WrinklesBase {
@@ -37,7 +37,7 @@ const patch: RendererParts['patch'] = (material, inputs, mesh, { refuse, onCompi
     key: JSON.stringify(variant),
     uniforms: { ...mapUniforms(inputs), ...layerUniforms(inputs) },
     edit(shader) {
-      shader.fragmentShader = defaultFragment(shader.fragmentShader, variant)
+      shader.fragmentShader = defaultFragment(shader.fragmentShader, variant, PARTS.channels.value)
       if (instances) shader.vertexShader = instancedVertex(shader.vertexShader, instances)
     },
     refuse,
@@ -54,7 +54,7 @@ const renew: RendererParts['renew'] = (material) => {
   material.needsUpdate = true
 }
 
-export const PARTS: RendererParts = {
+export const PARTS: RendererParts & { channels: Fetched<ShaderChannels> } = {
   entry: 'furrow/three',
   canPatch: ({ fragmentShader, isRawShaderMaterial }) =>
     fragmentShader === undefined || (!isRawShaderMaterial && isPatchable(fragmentShader)),
@@ -62,7 +62,8 @@ export const PARTS: RendererParts = {
   renew,
   faultOf,
   others: new Fetched(async () => (await import('./other-modes.ts')).OTHER_MODES),
-  influenceMaterial,
+  channels: new Fetched(async () => (await import('./channels.ts')).CHANNELS),
+  unlitMaterial: () => new MeshBasicMaterial({ color: 0, toneMapped: false }),
   quads: quadMaterials,
   loadRelief: async () => (await import('./relief.ts')).RELIEF_PARTS,
 }

@@ -5,11 +5,13 @@ import { checkSource } from '../check-source.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import { addDrivers } from './add-drivers.ts'
+import { CHANNELS } from './channels.ts'
 import { OTHER_MODES } from './other-modes.ts'
 import { checkThreeFor, PARTS, WebGPUWrinkles } from './webgpu-wrinkles.ts'
 
-// A page that makes wrinkles of its own has all modes at once.
+// A page that makes wrinkles of its own has all modes and maps at once.
 PARTS.others.value = OTHER_MODES
+PARTS.channels.value = CHANNELS
 
 /** Wrinkles on one mesh for `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
 export class Wrinkles extends WrinklesBase {

@@ -1,6 +1,6 @@
 import { normalView, vec3 } from 'three/tsl'
 import type { LightingModel, Node } from 'three/webgpu'
-import { microShadow } from './mix.ts'
+import { microShadow } from './mix-values.ts'
 import { typed } from './node.ts'
 
 /**

@@ -1,8 +1,10 @@
 import { ComposedMap, composedSize } from '../material/composed-map.ts'
 import type { OtherModes } from '../material/other-modes.ts'
-import { packPaperArray } from '../material/paper-array.ts'
+import { showInfluenceBy } from '../material/show-influence.ts'
+import { updatePaper } from '../material/update-paper.ts'
 import { composeMaterial } from './compose-material.ts'
-import { influenceFromAreas } from './influence.ts'
+import { influenceFromAreas } from './influence-from-areas.ts'
+import { showInfluence } from './influence-material.ts'
 import { paperNodes } from './paper-nodes.ts'
 import { patchNodes } from './patch-nodes.ts'
 import { mapUv } from './texture-sampling.ts'
@@ -13,11 +15,12 @@ const patchPaper: OtherModes['patchPaper'] = (material, inputs) => {
   return patchNodes(material, paperNodes(paper, uv, influenceFromAreas(inputs, paper.table, uv)))
 }
 
-/** What all modes but the default one take, on `WebGPURenderer`. */
+/** What all modes but the default one take, and what shows influence, on `WebGPURenderer`. */
 export const OTHER_MODES: OtherModes = {
-  packPaperArray,
+  updatePaper,
   patchPaper,
   ComposedMap,
   composedSize,
   composeMaterial,
+  showInfluence: showInfluenceBy(showInfluence),
 }

@@ -1,23 +1,20 @@
-import type { Mesh, MeshStandardMaterial } from 'three'
-import { bitangentView, mat3, normalMap, tangentView, vec3, vec4 } from 'three/tsl'
-import type { Node, NodeMaterial } from 'three/webgpu'
+import type { Mesh } from 'three'
+import { bitangentView, mat3, normalMap, tangentView, vec3 } from 'three/tsl'
+import { MeshBasicNodeMaterial, type Node } from 'three/webgpu'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { instancesOf } from '../instances.ts'
 import { Fetched } from '../material/fetched.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
-import { isToon } from '../material/wrinkle-material.ts'
-import type { ValueKind } from '../material/wrinkle-textures.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { checkThree } from '../three-version.ts'
 import { isTiled } from '../wrinkle-uvs.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import { faultOf } from './build-fault.ts'
+import type { NodeChannels } from './channels.ts'
 import { checkBatch, influenceFromMap } from './influence.ts'
-import { influenceMaterial } from './influence-material.ts'
 import { quadMaterials } from './influence-quads.ts'
-import { shadowHighlights } from './micro-shadow.ts'
-import { bloodColour, type LayerInfluence, mixNormals, mixValues, texelReader, toonColour } from './mix.ts'
+import { type LayerInfluence, mixNormals } from './mix.ts'
 import { materialProperty, normalScale, typed } from './node.ts'
 import { type Added, type Patched, patchNodes } from './patch-nodes.ts'
 import { mapUv } from './texture-sampling.ts'
@@ -49,7 +46,7 @@ const patch: RendererParts['patch'] = (material, inputs, mesh) => {
   )
 }
 
-export const PARTS: RendererParts = {
+export const PARTS: RendererParts & { channels: Fetched<NodeChannels> } = {
   entry: 'furrow/webgpu',
   canPatch: () => true,
   patch,
@@ -58,7 +55,8 @@ export const PARTS: RendererParts = {
   },
   faultOf,
   others: new Fetched(async () => (await import('./other-modes.ts')).OTHER_MODES),
-  influenceMaterial,
+  channels: new Fetched(async () => (await import('./channels.ts')).CHANNELS),
+  unlitMaterial: () => new MeshBasicNodeMaterial({ color: 0, toneMapped: false }),
   quads: quadMaterials,
   loadRelief: async () => (await import('./relief.ts')).RELIEF_PARTS,
 }
@@ -71,33 +69,7 @@ function layerNodes(material: Patched, inputs: ShaderInputs, layers: LayerInflue
   const added: Added = {
     normalNode: normalNode ? ontoNormal(typed(normalNode), mixed) : normalMap(mixed, normalScale()),
   }
-  const { baseColor, roughness, occlusion, blood } = inputs.textures.values
-  const { map, roughnessMap, aoMap } = material as Partial<MeshStandardMaterial>
-  const read = texelReader(inputs, layers)
-  const mixInto = (kind: ValueKind, own: Node<'vec3'>) => mixValues(kind, own, inputs, layers.influence, read)
-  if (baseColor || blood || isToon(material)) {
-    const own = map ? materialProperty('map', 'texture') : vec4(1)
-    const mapped = baseColor ? mixInto('baseColor', own.rgb) : own.rgb
-    const unflushed = materialProperty('color', 'color').mul(mapped)
-    const colour = blood ? bloodColour(unflushed, mixInto('blood', vec3(0)).x) : unflushed
-    added.colorNode = vec4(isToon(material) ? toonColour(colour, ownNormal, mixed) : colour, own.a)
-  }
-  if (roughness && 'roughness' in material) {
-    const own = roughnessMap ? vec3(materialProperty('roughnessMap', 'texture').g) : vec3(1)
-    const value = mixInto('roughness', own).x
-    added.roughnessNode = materialProperty('roughness', 'float').mul(value)
-  }
-  if (occlusion && 'aoMap' in material) {
-    const own = aoMap ? vec3(materialProperty('aoMap', 'texture').r) : vec3(1)
-    const value = mixInto('occlusion', own).x
-    const intensity = materialProperty('aoMapIntensity', 'float')
-    added.aoNode = aoMap ? value.sub(1).mul(intensity).add(1) : value
-    const visibility = aoMap ? mixInto('occlusion', vec3(1)).x : value
-    added.setupLightingModel = function (this: NodeMaterial) {
-      const model = Object.getPrototypeOf(this).setupLightingModel.call(this)
-      return shadowHighlights(model, visibility)
-    }
-  }
+  PARTS.channels.value?.add(added, material, inputs, { layers, ownNormal, mixed })
   return added
 }
 

@@ -1,0 +1,115 @@
+/** Times a face from its file to the first frame, in a page that has drawn nothing before but an empty scene. */
+import { Box3, DirectionalLight, type Mesh, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three'
+import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+
+/** Milliseconds. */
+export interface FirstFrame {
+  /** From the bytes of the file to what the loader returns. */
+  parsed: number
+  /** From there until the GPU has drawn the face. */
+  drawn: number
+  /** The longest time without a task of the page's own before the face was drawn: how long it can have been stuck in one. */
+  longest: number
+}
+
+declare global {
+  interface Window {
+    firstFrame(renderer: 'webgl' | 'webgpu', hasWrinkles: boolean): Promise<FirstFrame>
+  }
+}
+
+window.firstFrame = async (kind, hasWrinkles) => {
+  const { draw, Plugin } = await (kind === 'webgl' ? webgl() : webgpu())
+  const file = await (await fetch('/human.glb')).arrayBuffer()
+  const camera = new PerspectiveCamera(20, 4 / 3, 0.01, 10)
+  await draw(new Scene(), camera)
+  const pulse = new Pulse()
+  await pulse.begin()
+  const start = performance.now()
+  const loader = new GLTFLoader()
+  if (hasWrinkles) loader.register((parser) => new Plugin(parser))
+  const gltf = await loader.parseAsync(file, '')
+  const parsed = performance.now()
+  const scene = litFace(gltf, camera)
+  await rest()
+  const { longest } = pulse
+  pulse.end()
+  const ready = performance.now()
+  await draw(scene, camera)
+  return { parsed: parsed - start, drawn: performance.now() - ready, longest }
+}
+
+async function webgl() {
+  const { WrinkleLoaderPlugin } = await import('furrow/three')
+  const renderer = new WebGLRenderer()
+  renderer.setSize(800, 600)
+  document.body.append(renderer.domElement)
+  const gl = renderer.getContext()
+  const draw = async (scene: Scene, camera: PerspectiveCamera) => {
+    renderer.render(scene, camera)
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4))
+  }
+  return { draw, Plugin: WrinkleLoaderPlugin }
+}
+
+async function webgpu() {
+  const [{ WrinkleLoaderPlugin }, { WebGPURenderer }] = await Promise.all([
+    import('furrow/webgpu'),
+    import('three/webgpu'),
+  ])
+  const renderer = new WebGPURenderer()
+  renderer.setSize(800, 600)
+  document.body.append(renderer.domElement)
+  await renderer.init()
+  const { device } = renderer.backend as unknown as { device: GPUDevice }
+  const draw = async (scene: Scene, camera: PerspectiveCamera) => {
+    renderer.render(scene, camera)
+    await device.queue.onSubmittedWorkDone()
+  }
+  return { draw, Plugin: WrinkleLoaderPlugin }
+}
+
+/** The face in lights, frowning. */
+function litFace({ scene: face }: GLTF, camera: PerspectiveCamera): Scene {
+  const light = new DirectionalLight(0xffffff, 2)
+  light.position.set(-1, 1.35, 0.95)
+  face.traverse((object) => {
+    const { morphTargetInfluences, morphTargetDictionary } = object as Mesh
+    for (const name of ['browInnerUp', 'browDownLeft', 'noseSneerLeft', 'mouthSmileLeft']) {
+      const index = morphTargetDictionary?.[name]
+      if (index !== undefined) morphTargetInfluences![index] = 1
+    }
+  })
+  const centre = new Box3().setFromObject(face).getCenter(new Vector3())
+  camera.position.copy(centre).z += 1
+  return new Scene().add(face, light)
+}
+
+/** Lets the tasks that wait come first. */
+function rest(): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve))
+}
+
+/** Runs a task of its own as often as the page lets it. */
+class Pulse {
+  longest = 0
+  #last = 0
+  readonly #channel = new MessageChannel()
+
+  begin(): Promise<void> {
+    return new Promise((resolve) => {
+      this.#channel.port1.onmessage = () => {
+        const now = performance.now()
+        if (this.#last > 0) this.longest = Math.max(this.longest, now - this.#last)
+        this.#last = now
+        this.#channel.port2.postMessage(null)
+        resolve()
+      }
+      this.#channel.port2.postMessage(null)
+    })
+  }
+
+  end(): void {
+    this.#channel.port1.close()
+  }
+}

@@ -1,0 +1,92 @@
+// What wrinkles add from a file to the first frame: `node bench/load/run.mjs [--rounds 9] [--renderer webgl] [--json FILE]`.
+
+import { copyFileSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs'
+import { cpus, tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { parseArgs } from 'node:util'
+import { build, preview } from 'vite'
+import { ROOT, runServed, serve } from '../serve.mjs'
+
+const { values: options } = parseArgs({
+  options: {
+    rounds: { type: 'string', default: '9' },
+    renderer: { type: 'string', multiple: true, default: ['webgl', 'webgpu'] },
+    json: { type: 'string' },
+  },
+})
+const rounds = Number(options.rounds)
+
+const server = await serve()
+await runServed(server, run)
+
+async function run() {
+  const { median } = await server.ssrLoadModule('/bench/statistics.ts')
+  const { launchBrowser, newPage } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
+  const folder = mkdtempSync(join(tmpdir(), 'furrow-load-'))
+  const site = await serveBuilt(folder)
+  const browser = await launchBrowser()
+  const rows = []
+  try {
+    const first = async (renderer, hasWrinkles) => {
+      // A page of its own, which has compiled nothing.
+      const page = await newPage(browser)
+      await page.goto(new URL('/bench/load/page.html', site.resolvedUrls.local[0]).href)
+      await page.waitForFunction(() => 'firstFrame' in window)
+      const times = await page.evaluate(([a, b]) => window.firstFrame(a, b), [renderer, hasWrinkles])
+      await page.close()
+      return times
+    }
+    for (const renderer of options.renderer) {
+      const times = []
+      // The first round starts the GPU process and is not counted.
+      for (let i = 0; i <= rounds; i++) {
+        const pair = {}
+        for (const hasWrinkles of i % 2 ? [true, false] : [false, true]) {
+          pair[hasWrinkles ? 'wrinkled' : 'plain'] = await first(renderer, hasWrinkles)
+        }
+        if (i > 0) times.push(pair)
+      }
+      for (const what of ['parsed', 'drawn', 'longest']) {
+        const of = (variant) => median(times.map((pair) => pair[variant][what]))
+        const added = median(times.map(({ plain, wrinkled }) => wrinkled[what] - plain[what]))
+        rows.push({ renderer, what, plain: of('plain'), wrinkled: of('wrinkled'), added })
+      }
+    }
+  } finally {
+    await browser.close()
+    await new Promise((resolve) => site.httpServer.close(resolve))
+    rmSync(folder, { recursive: true })
+  }
+  process.stdout.write(
+    `${cpus()[0].model}, ${cpus().length} cores, medians of ${rounds} rounds, in milliseconds\n`,
+  )
+  process.stdout.write(line(['', '', 'plain', 'with wrinkles', 'added']))
+  for (const { renderer, what, ...times } of rows) {
+    const text = [times.plain, times.wrinkled, times.added].map((ms) => ms.toFixed(0))
+    process.stdout.write(line([renderer, what, ...text]))
+  }
+  if (options.json) writeFileSync(options.json, `${JSON.stringify(rows, null, 2)}\n`)
+}
+
+/** The page as it is published, and the face. */
+async function serveBuilt(outDir) {
+  await build({
+    root: ROOT,
+    configFile: false,
+    logLevel: 'silent',
+    resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
+    build: { outDir, emptyOutDir: true, rolldownOptions: { input: join(ROOT, 'bench/load/page.html') } },
+  })
+  copyFileSync(join(ROOT, 'faces/human.glb'), join(outDir, 'human.glb'))
+  return preview({
+    root: ROOT,
+    configFile: false,
+    logLevel: 'silent',
+    build: { outDir },
+    preview: { host: '127.0.0.1', port: 0 },
+  })
+}
+
+function line(cells) {
+  return `${cells.map((cell) => cell.padStart(14)).join('')}\n`
+}

@@ -1,0 +1,63 @@
+import { type PngHeader, pngChunks } from '../../core/maps/png.ts'
+import type { RgbaImage } from '../../core/types.ts'
+
+/** Whether `inflatePng` reads such a file: the usual one for four areas in one image. */
+export function hasPlainAlpha({ depth, colour, isInterlaced }: PngHeader): boolean {
+  return depth === 8 && (colour === 4 || colour === 6) && !isInterlaced
+}
+
+/**
+ * Reads the pixels of a PNG file with alpha exactly as stored. A 2D canvas multiplies colours by alpha, and loses them where that is small;
+ * WebGL keeps them, but takes tens of milliseconds to begin, in which the page stands still.
+ *
+ * @param bytes a whole file.
+ * @throws whatever is wrong with its data.
+ */
+export async function inflatePng(
+  bytes: Uint8Array<ArrayBuffer>,
+  { width, height, colour }: PngHeader,
+): Promise<RgbaImage> {
+  const packed = new Blob(pngChunks(bytes, 'IDAT')).stream().pipeThrough(new DecompressionStream('deflate'))
+  const filtered = new Uint8Array(await new Response(packed).arrayBuffer())
+  const channels = colour === 4 ? 2 : 4
+  const rows = unfilter(filtered, width * channels, height, channels)
+  if (channels === 4) return { width, height, data: rows }
+  const data = new Uint8Array(4 * width * height)
+  for (let i = 0; i < width * height; i++) {
+    data.fill(rows[2 * i], 4 * i, 4 * i + 3)
+    data[4 * i + 3] = rows[2 * i + 1]
+  }
+  return { width, height, data }
+}
+
+/** Undoes the filter of each row, which its first byte names (PNG, section 9). */
+function unfilter(filtered: Uint8Array, stride: number, height: number, step: number): Uint8Array {
+  if (filtered.length < (stride + 1) * height) throw new Error('too few pixels')
+  const rows = new Uint8Array(stride * height)
+  for (let y = 0; y < height; y++) {
+    const filter = filtered[y * (stride + 1)]
+    const from = y * (stride + 1) + 1
+    const to = y * stride
+    for (let x = 0; x < stride; x++) {
+      const left = x < step ? 0 : rows[to + x - step]
+      const up = y === 0 ? 0 : rows[to + x - stride]
+      const corner = x < step || y === 0 ? 0 : rows[to + x - stride - step]
+      rows[to + x] = filtered[from + x] + predict(filter, left, up, corner)
+    }
+  }
+  return rows
+}
+
+function predict(filter: number, left: number, up: number, corner: number): number {
+  if (filter === 1) return left
+  if (filter === 2) return up
+  if (filter === 3) return (left + up) >> 1
+  return filter === 4 ? nearest(left, up, corner) : 0
+}
+
+/** Paeth's predictor. */
+function nearest(left: number, up: number, corner: number): number {
+  const [a, b, c] = [Math.abs(up - corner), Math.abs(left - corner), Math.abs(left + up - 2 * corner)]
+  if (a <= b && a <= c) return left
+  return b <= c ? up : corner
+}

@@ -1,0 +1,89 @@
+import { ActivationSum } from '../drivers/activation-sum.ts'
+import type { MorphDriver } from '../drivers/morph/definition.ts'
+import type { Face } from './face.ts'
+import type { FaceDrivers } from './face-drivers.ts'
+
+/** Reads the weights of a mesh's blendshapes, in the order of their names. It runs in every frame, and allocates nothing. */
+export type ReadWeights = (weights: Float64Array, instance: number) => void
+
+/**
+ * Drivers that read blendshapes by the very names that the mesh has, as those of most files do: what `DriverRuntime` does for any driver,
+ * without what finds names, orders drivers and filters. Most pages need not fetch that.
+ */
+export class MorphDrivers implements FaceDrivers<unknown> {
+  readonly movedAreas: ReadonlySet<string>
+  readonly #drivers: readonly MorphDriver[]
+  readonly #names: readonly string[]
+  readonly #read: ReadWeights
+  readonly #onMissing: () => void
+  /** Per face. */
+  readonly #weights: Float64Array[] = []
+  readonly #activations: Float32Array[] = []
+  /** Indices of the areas that are driven. */
+  #areas = new Uint16Array()
+  #sum = new ActivationSum([])
+  /** The areas for which these were found. */
+  #slots: Face['slots'] | null = null
+
+  /**
+   * @param names of the mesh's blendshapes, among them all that the drivers read.
+   * @param onMissing is called when an area is no longer there; its drivers rest.
+   */
+  constructor(
+    drivers: readonly MorphDriver[],
+    names: readonly string[],
+    read: ReadWeights,
+    onMissing: () => void,
+  ) {
+    this.movedAreas = new Set(drivers.map(({ area }) => area))
+    this.#drivers = drivers
+    this.#names = names
+    this.#read = read
+    this.#onMissing = onMissing
+  }
+
+  readInputs(faces: readonly Face[]): void {
+    for (let i = 0; i < faces.length; i++) {
+      this.#weights[i] ??= new Float64Array(this.#names.length)
+      this.#read(this.#weights[i], i)
+    }
+  }
+
+  evaluate(faces: readonly Face[]): void {
+    if (faces[0].slots !== this.#slots) this.#bind(faces[0])
+    for (let i = 0; i < faces.length; i++) {
+      const { values } = faces[i].resting
+      this.#activations[i] ??= new Float32Array(values.length)
+      this.#activations[i].set(values)
+      this.#sum.addTo(this.#activations[i], this.#weights[i])
+    }
+  }
+
+  apply(faces: readonly Face[]): void {
+    for (let i = 0; i < faces.length; i++) {
+      const { activations } = faces[i]
+      for (let k = 0; k < this.#areas.length; k++) {
+        activations.setAt(this.#areas[k], this.#activations[i], this.#areas[k])
+      }
+    }
+  }
+
+  /** Finds the areas, which may be added and removed. */
+  #bind({ slots, activations: { names } }: Face): void {
+    this.#slots = slots
+    const drivers = this.#drivers.filter(({ area }) => names.includes(area))
+    const bound = drivers.map(({ area, targets, rule, curve }) => ({
+      area: names.indexOf(area),
+      links: targets.map((link) => ({
+        ...link,
+        indices: Uint16Array.of(this.#names.indexOf(link.name)),
+        isArea: false,
+      })),
+      rule,
+      curve,
+    }))
+    this.#areas = Uint16Array.from(new Set(bound.map(({ area }) => area)))
+    this.#sum = new ActivationSum(bound)
+    if (drivers.length < this.#drivers.length) this.#onMissing()
+  }
+}

@@ -1,0 +1,29 @@
+import type { Mesh } from 'three'
+import { driversOf } from '../../drivers/of-type.ts'
+import { planBy } from '../../drivers/plan.ts'
+import { definitionOf, type WrinkleDriver } from '../../drivers/registry.ts'
+import { bindPlan } from '../sources/bind-plan.ts'
+import type { Drive, FetchedBindings } from '../sources/binding.ts'
+import { bindTargets } from '../sources/target.ts'
+
+/** Plans drivers of any type, and fetches what these read. Copies of the mesh share its geometry, and so its muscles. */
+export async function planDrivers(
+  mesh: Mesh,
+  drivers: readonly WrinkleDriver[],
+  { joint, tension }: FetchedBindings,
+): Promise<Drive> {
+  const muscles = driversOf('muscle', drivers)
+  if (muscles.length > 0) (await import('../sources/muscles.ts')).addMuscles(mesh, muscles)
+  const plan = planBy(definitionOf, drivers)
+  const { inputs } = plan
+  const bindings = {
+    target: bindTargets,
+    ...(inputs.joint.length > 0 && { joint: await joint() }),
+    ...(inputs.tension.length > 0 && { tension: await tension() }),
+  }
+  return (own, expressions) => {
+    const runtime = bindPlan(own, { drivers, plan, bindings }, () => ({ expressions: expressions?.() }))
+    // three-vrm may create a VRM's expressions after this: they are looked up when the face is first drawn.
+    if (!expressions) runtime.bind()
+  }
+}

@@ -1,0 +1,27 @@
+import { ActivationTable } from './activation-table.ts'
+import { packPaperArray } from './paper-array.ts'
+import type { ShaderInputs } from './shader-inputs.ts'
+import type { WrinkleMaterial } from './wrinkle-material.ts'
+
+/**
+ * Packs the paper's array of a material, and again if the layers' maps have changed: into the same texture, since shaders hold that.
+ *
+ * @param smoothMap the material's own normal map; null if it has none.
+ * @throws FurrowError when there are several layers, or maps cannot be read or differ in size.
+ */
+export function updatePaper(
+  inputs: ShaderInputs,
+  material: WrinkleMaterial,
+  smoothMap: WrinkleMaterial['normalMap'],
+): void {
+  const { paper, textures } = inputs
+  if (paper?.version === textures.version) return
+  const packed = packPaperArray(textures, material, smoothMap)
+  if (!paper) {
+    inputs.paper = { ...packed, table: new ActivationTable() }
+    return
+  }
+  paper.texture.image = packed.texture.image
+  paper.texture.needsUpdate = true
+  paper.version = packed.version
+}

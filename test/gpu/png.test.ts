@@ -1,0 +1,41 @@
+import { describe, expect, it } from 'vitest'
+import { decodeBytes } from '../../packages/furrow/src/runtime/file/decode-image.ts'
+import { readImage } from '../../packages/furrow/src/runtime/file/read-image.ts'
+import { seeded } from '../random.ts'
+import { png } from './images.ts'
+
+/** Random pixels, some rows of which are smooth. */
+function pixels(channels: number): Uint8Array {
+  const random = seeded(channels)
+  return Uint8Array.from({ length: 33 * 17 * channels }, (_, i) => (i % 3 === 0 ? random() * 256 : i % 256))
+}
+
+/** The browser's own decoder, and all of what it gives. */
+async function byWebGL(file: Blob) {
+  const options = { colorSpaceConversion: 'none', premultiplyAlpha: 'none' } as const
+  return readImage(await createImageBitmap(file, options))
+}
+
+describe('pixels of a PNG file', () => {
+  it.each([
+    ['gray', 0, 1],
+    ['RGB', 2, 3],
+    ['gray and alpha', 4, 2],
+    ['RGBA', 6, 4],
+  ] as const)('of %s are read as WebGL reads them', async (_, colour, channels) => {
+    for (const filter of [0, 1, 2, 3, 4]) {
+      const file = await png(33, 17, 8, colour, pixels(channels), filter)
+      const bytes = new Uint8Array(await file.arrayBuffer())
+      const [own, expected] = [await decodeBytes(bytes, 'test'), await byWebGL(file)]
+      expect([own.width, own.height]).toEqual([33, 17])
+      expect(own.data.join(), `filter ${filter}`).toBe(expected.data.join())
+    }
+  })
+
+  it('with alpha are refused where there are too few', async () => {
+    const few = await png(33, 17, 8, 6, pixels(4).subarray(0, 33 * 16 * 4))
+    await expect(decodeBytes(new Uint8Array(await few.arrayBuffer()), 'x.png')).rejects.toThrow(
+      /^x.png: not a readable image, got "\d+ bytes"/,
+    )
+  })
+})
