@@ -41,15 +41,20 @@ async function listOne(pattern: string, reads: 'file' | 'folder'): Promise<Named
     if (found.isDirectory() === (reads === 'folder')) return [{ input: pattern, name: nameOf(pattern) }]
     throw nothing(pattern, found.isDirectory() ? 'it is a folder' : 'it is a file')
   }
-  const normal = pattern.split(sep).join('/')
-  const paths = await glob(normal, { onlyDirectories: reads === 'folder', expandDirectories: false })
-  if (paths.length === 0) {
-    throw nothing(pattern, isDynamicPattern(normal) ? 'nothing matches it' : 'it does not exist')
-  }
-  const base = fixedFolder(normal)
-  return paths.map((path) => {
-    const input = path.replace(/\/$/, '')
-    return { input, name: posix.relative(base, input) }
+  const parts = pattern.split(sep).join('/').split('/')
+  const first = parts.findIndex((part) => isDynamicPattern(part))
+  if (first < 0) throw nothing(pattern, 'it does not exist')
+  // The folder that all matches are in.
+  const base = parts.slice(0, first).join('/') || (pattern.startsWith('/') ? '/' : '.')
+  const names = await glob(parts.slice(first).join('/'), {
+    cwd: base,
+    onlyDirectories: reads === 'folder',
+    expandDirectories: false,
+  })
+  if (names.length === 0) throw nothing(pattern, 'nothing matches it')
+  return names.map((found) => {
+    const name = found.replace(/\/$/, '')
+    return { input: posix.join(base, name), name }
   })
 }
 
@@ -62,13 +67,6 @@ export function nameOf(input: string): string {
   } catch {
     return posix.basename(pathname)
   }
-}
-
-/** The folder that all matches of a pattern are in: its parts before the first with a wildcard. */
-function fixedFolder(pattern: string): string {
-  const parts = pattern.split('/')
-  const first = parts.findIndex((part) => isDynamicPattern(part))
-  return parts.slice(0, first).join('/') || (pattern.startsWith('/') ? '/' : '.')
 }
 
 function nothing(pattern: string, problem: string): FurrowError {
