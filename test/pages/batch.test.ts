@@ -9,6 +9,7 @@ import { join } from 'node:path'
 import { setTimeout as sleep } from 'node:timers/promises'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import type { ResultLine } from '../../packages/cli/src/batch/results.ts'
+import { isWhole, makeFaces } from '../batch/faces.ts'
 import { sheet, sheetGlb } from '../unit/cli/sheet.ts'
 import { runFurrow, startFurrow } from './run-furrow.ts'
 
@@ -17,19 +18,16 @@ let face: Uint8Array
 
 beforeAll(async () => {
   root = await mkdtemp(join(tmpdir(), 'furrow-batch-'))
-  face = await sheetGlb(sheet(20))
+  ;[face] = await makeFaces(1)
 })
 afterAll(() => rm(root, { recursive: true }))
 
-/** A folder of inputs that differ by their seeds' bytes: the same sheet, with a name of its own inside. */
+/** A folder with so many faces in `in`. */
 async function inputs(name: string, count: number): Promise<string> {
   const folder = join(root, name)
   await mkdir(join(folder, 'in'), { recursive: true })
-  for (let i = 0; i < count; i++) {
-    const shape = sheet(20)
-    shape.positions[0] -= i * 1e-5
-    await writeFile(join(folder, 'in', `${i}.glb`), await sheetGlb(shape))
-  }
+  const faces = await makeFaces(count)
+  await Promise.all(faces.map((bytes, i) => writeFile(join(folder, 'in', `${i}.glb`), bytes)))
   return folder
 }
 
@@ -44,13 +42,10 @@ const linesOf = (folder: string, file = 'out/results.jsonl'): ResultLine[] =>
     .split('\n')
     .map((line) => JSON.parse(line))
 
-/** The outputs in a folder; a binary glTF says how long it is. */
+/** The outputs in a folder, all of them whole. */
 function outputs(folder: string): string[] {
   const names = readdirSync(join(folder, 'out')).filter((name) => name.endsWith('.glb'))
-  for (const name of names) {
-    const bytes = readFileSync(join(folder, 'out', name))
-    expect([bytes.length, bytes.subarray(0, 4).toString()]).toEqual([bytes.readUInt32LE(8), 'glTF'])
-  }
+  for (const name of names) expect(isWhole(readFileSync(join(folder, 'out', name)))).toBe(true)
   return names.sort()
 }
 
