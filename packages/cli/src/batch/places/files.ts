@@ -1,14 +1,16 @@
 import { createHash, type Hash } from 'node:crypto'
 import { createReadStream } from 'node:fs'
-import { readdir, readFile } from 'node:fs/promises'
+import { readdir } from 'node:fs/promises'
 import { join, relative, sep } from 'node:path'
 import { pipeline } from 'node:stream/promises'
 import { FurrowError } from 'furrow'
 import { cannotRead } from '../../errors.ts'
+import { MAX_JSON_BYTES } from '../../file-size.ts'
 import { writeAll } from '../../files.ts'
 import { resolveInside } from '../../gltf/external-files.ts'
 import { dataOf } from '../../gltf/references.ts'
 import { readBytes } from '../../inputs.ts'
+import { parseJson } from '../../json-file.ts'
 import { fileProblem, statOf } from '../../outputs.ts'
 import type { Place } from './place.ts'
 
@@ -51,24 +53,34 @@ async function addFile(hash: Hash, path: string): Promise<void> {
   await pipeline(createReadStream(path), hash, { end: false })
 }
 
-/** A `.gltf` with the files that it refers to. A reference that is missing is told by the command. */
+/** A `.gltf` with the files of its folder that it refers to. The command tells of those that are missing, or elsewhere. */
 async function addFace(hash: Hash, path: string): Promise<void> {
   const problem = fileProblem(await statOf(path))
   if (problem) throw cannotRead(WHO, path, problem, { remedy: "name files, e.g. 'avatars/**/*.glb'" })
   await addFile(hash, path)
   if (!path.toLowerCase().endsWith('.gltf')) return
   for (const uri of await urisOf(path)) {
-    const file = await resolveInside(path, uri, WHO, { allowOutside: true }).catch(() => undefined)
+    const file = await resolveInside(path, uri, WHO).catch(() => undefined)
     hash.update(`\0${uri}\0`)
     if (file !== undefined) await addFile(hash, file)
   }
 }
 
+/** What is wanted of a file that may hold anything. */
+interface Gltf {
+  buffers?: { uri?: unknown }[]
+  images?: { uri?: unknown }[]
+}
+
 async function urisOf(path: string): Promise<string[]> {
   try {
-    const { buffers = [], images = [] } = JSON.parse(await readFile(path, 'utf8'))
+    const { buffers = [], images = [] } = parseJson(
+      await readBytes(path, WHO, '', { most: MAX_JSON_BYTES }),
+      path,
+      WHO,
+    ) as Gltf
     const uris = [...buffers, ...images].map((one) => one?.uri)
-    return uris.filter((uri) => typeof uri === 'string' && !dataOf(uri))
+    return uris.filter((uri): uri is string => typeof uri === 'string' && !dataOf(uri))
   } catch {
     // What is not glTF is refused by the command.
     return []
