@@ -120,7 +120,7 @@ async function batch(
   const part = shard ? `-${shard.index}-of-${shard.count}` : ''
   const todo: Batch = {
     command: options.command,
-    entries: redis === undefined ? entries : entries.map(absolute),
+    entries: redis === undefined ? entries : entries.map((entry) => absolute(entry, options.command)),
     results: join(results, `results${part}.jsonl`),
     page: join(results, `report${part}.html`),
     thumbnails,
@@ -200,7 +200,17 @@ function wrongInputs(count: number): FurrowError {
   })
 }
 
-function absolute({ input, output, ...rest }: Entry): Entry {
+/** Paths that mean the same wherever a worker was started. */
+function absolute({ input, output, options, ...rest }: Entry, command: JobCommandName): Entry {
   const whole = (address: string) => (isRemote(address) ? address : resolve(address))
-  return { ...rest, input: whole(input), ...(output !== undefined && { output: whole(output) }) }
+  const files: readonly string[] = JOB_COMMANDS[command].files
+  const moved = Object.entries(options).map(([name, value]) => {
+    return [name, files.includes(name) && typeof value === 'string' ? resolve(value) : value] as const
+  })
+  return {
+    ...rest,
+    input: whole(input),
+    ...(output !== undefined && { output: whole(output) }),
+    options: Object.fromEntries(moved),
+  }
 }

@@ -57,7 +57,7 @@ export class ProcessPool {
       const finish = (end: ProcessEnd) => {
         clearTimeout(timer)
         child.stderr!.off('data', listen)
-        child.off('message', onReport).off('close', onEnd)
+        child.off('message', onReport).off('close', onEnd).off('error', onError)
         resolve(end)
       }
       const onReport = (report: CommandReport) => {
@@ -72,8 +72,10 @@ export class ProcessPool {
           finish({ end: 'memory' })
         } else finish({ end: 'crash', reason: signal ?? `exit code ${code}` })
       }
+      // The system may have no room for another process.
+      const onError = ({ message }: Error) => finish({ end: 'crash', reason: message })
       child.stderr!.on('data', listen)
-      child.once('message', onReport).once('close', onEnd)
+      child.once('message', onReport).once('close', onEnd).once('error', onError)
       // What cannot be sent has ended, and is told by `close`.
       child.send(request, () => {})
     })
