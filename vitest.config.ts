@@ -40,6 +40,7 @@ export default defineConfig({
       pagesProject('heavy-pages', HEAVY_PAGES),
       gpuProject('gpu', ['test/gpu/**/*.test.ts'], [HEAVY_GPU]),
       gpuProject('heavy-gpu', [HEAVY_GPU]),
+      pagesProject('batch', 'test/batch/**/*.test.ts'),
       onOldestThree(gpuProject('gpu-oldest', FILES_FOR_OLDEST)),
     ],
   },

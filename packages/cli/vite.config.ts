@@ -4,7 +4,8 @@ const conditions = ['furrow-source', 'module', 'node', 'development|production']
 
 /**
  * Builds the commands into dist/, module by module as in src/, and with them the modules of `furrow` that they use: the
- * package then needs no copy of the library beside it. All other packages stay dependencies.
+ * package then needs no copy of the library beside it. All other packages stay dependencies. The processes of a batch have
+ * an entry of their own.
  */
 export default defineConfig({
   logLevel: 'warn',
@@ -14,7 +15,7 @@ export default defineConfig({
     target: 'node20.19',
     sourcemap: true,
     rolldownOptions: {
-      input: 'src/main.ts',
+      input: ['src/main.ts', 'src/batch/processes/job-process.ts'],
       output: { preserveModules: true, preserveModulesRoot: 'src', entryFileNames: '[name].js' },
     },
   },

@@ -90,6 +90,21 @@ describe('furrow-cli', () => {
     expect(await npx('furrow-cli', '--help')).toMatch(/^Usage: furrow .*\n {2}inspect /s)
   })
 
+  it('runs a batch, whose processes are there too', async () => {
+    const words = [join(ROOT, 'faces/human.glb'), '--command', 'validate', '--results', 'checked']
+    expect(await npx('furrow', 'batch', ...words)).toMatch(/^1 of 1 done\n/)
+  })
+
+  it('names the packages that a batch by way of Redis or S3 needs', async () => {
+    const failure = (...words: string[]) => npx('furrow', ...words).then(() => 'nothing', String)
+    expect(await failure('worker', '--redis', 'redis://127.0.0.1')).toContain(
+      'furrow: --redis needs bullmq ioredis, which is not installed; run npm install bullmq ioredis beside',
+    )
+    expect(await failure('batch', 's3://faces/in/', '-o', 'out')).toContain(
+      'furrow: an s3 address needs @aws-sdk/client-s3, which is not installed',
+    )
+  })
+
   it('inspects a face, as `furrow` too', async () => {
     expect(await npx('furrow', 'inspect', join(ROOT, 'faces/human.glb'))).toContain('foreheadLeft')
   })

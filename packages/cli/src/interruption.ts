@@ -15,7 +15,7 @@ const cleanUps = new Set<() => void>()
  * @param cleanUp synchronous.
  * @returns a function that takes it back.
  */
-function onInterruption(cleanUp: () => void): () => void {
+export function onInterruption(cleanUp: () => void): () => void {
   if (cleanUps.size === 0) for (const signal of SIGNALS) process.on(signal, interrupt)
   cleanUps.add(cleanUp)
   return () => {

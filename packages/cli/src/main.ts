@@ -1,4 +1,3 @@
-import { readFileSync } from 'node:fs'
 import { inspect } from 'node:util'
 import { FurrowError } from 'furrow'
 import { createCommand } from './command.ts'
@@ -6,6 +5,7 @@ import { activationsCommand } from './commands/activations.ts'
 import { arrayCommand } from './commands/array.ts'
 import { autoCommand } from './commands/auto.ts'
 import { bakeCommand } from './commands/bake.ts'
+import { batchCommand } from './commands/batch.ts'
 import { inspectCommand } from './commands/inspect.ts'
 import { normalsCommand } from './commands/normals.ts'
 import { packCommand } from './commands/pack.ts'
@@ -14,10 +14,10 @@ import { strokesCommand } from './commands/strokes.ts'
 import { unpackCommand } from './commands/unpack.ts'
 import { uvCommand } from './commands/uv.ts'
 import { validateCommand } from './commands/validate.ts'
+import { workerCommand } from './commands/worker.ts'
 import { cannotWrite } from './errors.ts'
 import { warn } from './print.ts'
-
-const { version } = JSON.parse(readFileSync(new URL('../package.json', import.meta.url), 'utf8'))
+import { version } from './version.ts'
 
 const program = createCommand('furrow')
   .description('Wrinkles for glTF characters: author, render and inspect them')
@@ -37,6 +37,7 @@ for (const command of [
   arrayCommand,
   autoCommand,
   bakeCommand,
+  batchCommand,
   inspectCommand,
   normalsCommand,
   packCommand,
@@ -45,6 +46,7 @@ for (const command of [
   unpackCommand,
   uvCommand,
   validateCommand,
+  workerCommand,
 ]) {
   program.addCommand(command)
 }

@@ -10,6 +10,7 @@ const PAGES: Readonly<Record<string, string>> = {
   array: 'docs/array.md',
   auto: 'docs/auto.md',
   bake: 'docs/bake.md',
+  batch: 'docs/batch.md',
   inspect: 'docs/pack.md',
   normals: 'docs/normals.md',
   pack: 'docs/pack.md',
@@ -17,6 +18,7 @@ const PAGES: Readonly<Record<string, string>> = {
   unpack: 'docs/pack.md',
   uv: 'docs/pack.md',
   validate: 'docs/pack.md',
+  worker: 'docs/batch.md',
 }
 
 const modules = import.meta.glob<Record<string, Command>>('../../../packages/cli/src/commands/*.ts', {

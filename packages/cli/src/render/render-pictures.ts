@@ -28,23 +28,44 @@ export async function renderPictures(
   requests: readonly PictureRequest[],
   progress: Progress = () => {},
 ): Promise<Picture[]> {
-  const prepared: PreparedPicture[] = []
-  const readFace = faceReader()
-  for (const request of requests) prepared.push(await preparePicture(request, readFace))
+  const prepared = await prepareAll(requests)
   const browser = await launchBrowser()
   try {
-    const server = await startLocalServer()
-    try {
-      return await drawAll(browser, server, prepared, progress)
-    } finally {
-      await server.close()
-    }
+    return await drawAll(browser, prepared, progress)
   } finally {
     await browser.close()
   }
 }
 
+/** Draws pictures like `renderPictures`, in a browser that others are drawn in too. */
+export async function renderPicturesIn(
+  browser: Browser,
+  requests: readonly PictureRequest[],
+): Promise<Picture[]> {
+  return drawAll(browser, await prepareAll(requests), () => {})
+}
+
+async function prepareAll(requests: readonly PictureRequest[]): Promise<PreparedPicture[]> {
+  const prepared: PreparedPicture[] = []
+  const readFace = faceReader()
+  for (const request of requests) prepared.push(await preparePicture(request, readFace))
+  return prepared
+}
+
 async function drawAll(
+  browser: Browser,
+  prepared: PreparedPicture[],
+  progress: Progress,
+): Promise<Picture[]> {
+  const server = await startLocalServer()
+  try {
+    return await drawWith(browser, server, prepared, progress)
+  } finally {
+    await server.close()
+  }
+}
+
+async function drawWith(
   browser: Browser,
   server: LocalServer,
   prepared: PreparedPicture[],
@@ -52,14 +73,18 @@ async function drawAll(
 ): Promise<Picture[]> {
   const pictures: Picture[] = []
   let page: Page | undefined
-  for (const [i, picture] of prepared.entries()) {
-    progress(i, prepared.length)
-    // A page per face, so that a lost device or a leak does not affect the next.
-    if (i === 0 || !haveSameScene(picture, prepared[i - 1])) {
-      await page?.close()
-      page = await newPage(browser)
+  try {
+    for (const [i, picture] of prepared.entries()) {
+      progress(i, prepared.length)
+      // A page per face, so that a lost device or a leak does not affect the next.
+      if (i === 0 || !haveSameScene(picture, prepared[i - 1])) {
+        await page?.close()
+        page = await newPage(browser)
+      }
+      pictures.push(await drawOne(page!, server, picture))
     }
-    pictures.push(await drawOne(page!, server, picture))
+  } finally {
+    await page?.close()
   }
   progress(prepared.length, prepared.length)
   return pictures

@@ -1,0 +1,53 @@
+// Throughput of `furrow batch` by the number of processes, which take turns in every round: node bench/batch/scale.mjs FOLDER
+
+import { spawnSync } from 'node:child_process'
+import { mkdtempSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { fileURLToPath } from 'node:url'
+
+const FURROW = fileURLToPath(new URL('../../packages/cli/bin/furrow.js', import.meta.url))
+const ROUNDS = 3
+const [, , folder, size = '512', most = '2'] = process.argv
+
+/** Seconds for all faces of the folder, from the start of the command to its end. */
+function measure(jobs) {
+  const out = mkdtempSync(join(tmpdir(), 'furrow-scale-'))
+  const start = performance.now()
+  const words = [
+    'batch',
+    `${folder}/*.glb`,
+    '-o',
+    out,
+    '--size',
+    size,
+    '--jobs',
+    String(jobs),
+    '--thumbnails',
+    '0',
+    '--json',
+  ]
+  const { status, stdout, stderr } = spawnSync(process.execPath, [FURROW, ...words], { encoding: 'utf8' })
+  const seconds = (performance.now() - start) / 1000
+  rmSync(out, { recursive: true })
+  if (status !== 0) throw new Error(stderr)
+  return { seconds, faces: JSON.parse(stdout).done }
+}
+
+const median = (numbers) => [...numbers].sort((a, b) => a - b)[Math.floor(numbers.length / 2)]
+
+const counts = Array.from({ length: Number(most) }, (_, i) => i + 1)
+const rates = counts.map(() => [])
+for (let round = 0; round < ROUNDS; round++) {
+  for (const [i, jobs] of counts.entries()) {
+    const { seconds, faces } = measure(jobs)
+    rates[i].push(faces / seconds)
+    console.info(
+      `${jobs} at a time: ${faces} faces in ${seconds.toFixed(1)} s, ${(faces / seconds).toFixed(2)}/s`,
+    )
+  }
+}
+for (const [i, jobs] of counts.entries()) {
+  const growth = median(rates[i].map((rate, round) => rate / rates[0][round]))
+  console.info(`${jobs}: ${median(rates[i]).toFixed(2)} faces/s, ${growth.toFixed(2)} times one`)
+}

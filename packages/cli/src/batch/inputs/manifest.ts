@@ -1,0 +1,63 @@
+import { FurrowError } from 'furrow'
+import { fromUtf8 } from '../../bytes.ts'
+import { firstLine } from '../../errors.ts'
+import { readBytes } from '../../inputs.ts'
+import type { JobCommandName } from '../jobs/job-commands.ts'
+import { type JobOptions, manifestWords, parseJobOptions } from '../jobs/job-options.ts'
+
+const WHO = 'furrow batch'
+
+/** A line of a manifest. */
+export interface ManifestLine {
+  input: string
+  output?: string
+  options: JobOptions
+}
+
+const FIELDS = ['input', 'output', 'options']
+
+/**
+ * Reads a list of jobs, one JSON object per line: `{"input": "a.glb", "output": "out/a.glb", "options": {"age": 40}}`.
+ *
+ * @param shared options of all lines, which a line's own replace.
+ * @throws FurrowError with the number of the first line that is wrong.
+ */
+export async function readManifest(
+  path: string,
+  command: JobCommandName,
+  shared: JobOptions,
+): Promise<ManifestLine[]> {
+  const text = fromUtf8(await readBytes(path, WHO, 'the manifest'))
+  const lines = text.replace(/^\ufeff/, '').split(/\r?\n/)
+  return lines.flatMap((line, i) => {
+    return line.trim() === '' ? [] : [parseLine(line, `${path}, line ${i + 1}`, command, shared)]
+  })
+}
+
+function parseLine(line: string, where: string, command: JobCommandName, shared: JobOptions): ManifestLine {
+  let json: unknown
+  try {
+    json = JSON.parse(line)
+  } catch (error) {
+    throw wrongLine(where, `is not JSON (${firstLine(error)})`)
+  }
+  if (typeof json !== 'object' || json === null || Array.isArray(json)) throw wrongLine(where, 'is no object')
+  const unknown = Object.keys(json).find((name) => !FIELDS.includes(name))
+  if (unknown !== undefined) throw wrongLine(where, `has an unknown field "${unknown}"`)
+  const { input, output, options = {} } = json as Record<string, unknown>
+  if (typeof input !== 'string' || input === '') throw wrongLine(where, 'has no "input"')
+  if (output !== undefined && (typeof output !== 'string' || output === '')) {
+    throw wrongLine(where, 'has an "output" that is no text')
+  }
+  const own = parseJobOptions(command, manifestWords(options, where))
+  return { input, ...(output !== undefined && { output }), options: { ...shared, ...own } }
+}
+
+function wrongLine(where: string, problem: string): FurrowError {
+  return new FurrowError({
+    who: WHO,
+    what: `${where} ${problem}`,
+    limit: '{ "input": "a.glb", "output": "out/a.glb", "options": { "age": 40 } }',
+    remedy: 'correct the line',
+  })
+}

@@ -1,0 +1,19 @@
+import { FurrowError } from 'furrow'
+
+/** Loads a package that not every user of the command needs, and which npm does not install with it. */
+export async function optionalPackage<T>(load: () => Promise<T>, names: string, use: string): Promise<T> {
+  try {
+    return await load()
+  } catch (error) {
+    if ((error as NodeJS.ErrnoException).code !== 'ERR_MODULE_NOT_FOUND') throw error
+    throw new FurrowError(
+      {
+        code: 'unsupported',
+        who: 'furrow',
+        what: `${use} needs ${names}, which is not installed`,
+        remedy: `run npm install ${names} beside furrow-cli, or npx --yes ${['furrow-cli', ...names.split(' ')].map((name) => `-p ${name}`).join(' ')} furrow`,
+      },
+      { cause: error },
+    )
+  }
+}

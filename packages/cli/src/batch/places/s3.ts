@@ -1,0 +1,121 @@
+import type { Readable } from 'node:stream'
+import type { S3Client } from '@aws-sdk/client-s3'
+import { FurrowError } from 'furrow'
+import { cannotRead, cannotWrite, firstLine } from '../../errors.ts'
+import { optionalPackage } from '../optional-package.ts'
+import { download } from './download.ts'
+import { changed } from './files.ts'
+import type { Listed, Place } from './place.ts'
+
+const WHO = 'furrow batch'
+
+/**
+ * S3 and what speaks its protocol. Credentials, region and another endpoint come from where the AWS SDK looks for them
+ * (https://docs.aws.amazon.com/sdkref/latest/guide/environment-variables.html).
+ */
+export const s3: Place = {
+  async identify(address) {
+    const { HeadObjectCommand } = await sdk()
+    return withErrors(cannotRead, address, async (client) => {
+      return identityOf((await client.send(new HeadObjectCommand(objectOf(address)))).ETag)
+    })
+  },
+  async fetch(address, identity, _, scratch) {
+    const { GetObjectCommand } = await sdk()
+    return withErrors(cannotRead, address, async (client) => {
+      const { Body, ETag } = await client.send(new GetObjectCommand(objectOf(address)))
+      if (identityOf(ETag) !== identity) throw changed(address)
+      return (await download(Body as Readable, address, scratch)).path
+    })
+  },
+  async read(address) {
+    const { GetObjectCommand } = await sdk()
+    return withErrors(cannotRead, address, async (client) => {
+      const { Body } = await client.send(new GetObjectCommand(objectOf(address)))
+      return Body!.transformToByteArray()
+    })
+  },
+  async put(address, bytes) {
+    const { PutObjectCommand } = await sdk()
+    // One request: the object is there when it is complete, and as before otherwise.
+    const object = { ...objectOf(address), Body: bytes, ContentType: 'model/gltf-binary' }
+    await withErrors(cannotWrite, address, (client) => client.send(new PutObjectCommand(object)))
+  },
+  async sizeOf(address) {
+    const { HeadObjectCommand } = await sdk()
+    return withErrors(cannotRead, address, async (client) => {
+      try {
+        return (await client.send(new HeadObjectCommand(objectOf(address)))).ContentLength
+      } catch (error) {
+        if (statusOf(error) === 404) return undefined
+        throw error
+      }
+    })
+  },
+}
+
+/** All `.glb` and `.vrm` below an address that ends with a slash. */
+export async function listS3(address: string): Promise<Listed[]> {
+  const { paginateListObjectsV2 } = await sdk()
+  const { Bucket, Key: Prefix } = objectOf(address)
+  return withErrors(cannotRead, address, async (client) => {
+    const found: Listed[] = []
+    for await (const page of paginateListObjectsV2({ client }, { Bucket, Prefix })) {
+      for (const { Key = '', ETag } of page.Contents ?? []) {
+        if (/\.(glb|vrm)$/i.test(Key))
+          found.push({ address: `s3://${Bucket}/${Key}`, identity: identityOf(ETag) })
+      }
+    }
+    return found
+  })
+}
+
+/** Bucket and key of `s3://bucket/key`, in which nothing is escaped. */
+function objectOf(address: string): { Bucket: string; Key: string } {
+  const [, Bucket, Key] = /^s3:\/\/([^/]+)\/(.*)$/.exec(address) ?? []
+  if (Bucket) return { Bucket, Key }
+  throw new FurrowError({
+    code: 'usage',
+    who: WHO,
+    what: 'not an address of S3',
+    value: address,
+    limit: 's3://bucket/key',
+    remedy: 'correct the address',
+  })
+}
+
+/** The store's own hash: MD5 of what was put, or of the MD5s of its parts; with some encryptions a random number per put. */
+const identityOf = (tag: string | undefined) => `s3:${tag}`
+
+const sdk = () => optionalPackage(() => import('@aws-sdk/client-s3'), '@aws-sdk/client-s3', 'an s3 address')
+
+let client: Promise<S3Client> | undefined
+
+/** Servers other than Amazon's have no host name per bucket. */
+function connect(): Promise<S3Client> {
+  client ??= sdk().then(({ S3Client }) => {
+    const { AWS_ENDPOINT_URL, AWS_ENDPOINT_URL_S3, AWS_REGION } = process.env
+    const isOwn = Boolean(AWS_ENDPOINT_URL_S3 ?? AWS_ENDPOINT_URL)
+    return new S3Client(isOwn ? { forcePathStyle: true, region: AWS_REGION ?? 'us-east-1' } : {})
+  })
+  return client
+}
+
+const statusOf = (error: unknown) =>
+  (error as { $metadata?: { httpStatusCode?: number } }).$metadata?.httpStatusCode
+
+async function withErrors<T>(
+  report: typeof cannotRead | typeof cannotWrite,
+  address: string,
+  work: (client: S3Client) => Promise<T>,
+): Promise<T> {
+  try {
+    return await work(await connect())
+  } catch (error) {
+    if (error instanceof FurrowError) throw error
+    const status = statusOf(error)
+    const known = { 403: 'access denied', 404: 'it does not exist' }[status ?? 0]
+    const told = known ?? (firstLine(error) || `the server answers ${status}`)
+    throw report(WHO, address, Object.assign(new Error(told, { cause: error }), status && { status }))
+  }
+}

@@ -1,0 +1,93 @@
+import { html, type Markup } from '../../markup.ts'
+import type { ResultLine } from '../results.ts'
+import { PAGE_SCRIPT, PAGE_STYLE } from './page-style.ts'
+import { type Cell, foundText, MOST_ROWS, rowsOf, sizeCell, timeCell } from './rows.ts'
+import { THUMBNAIL } from './thumbnails.ts'
+
+/** What a page shows. */
+export interface PageSource {
+  command: string
+  lines: readonly ResultLine[]
+  /** One line about all of them. */
+  summary: string
+  /** File name of the results. */
+  results: string
+  /** The pictures of a line without wrinkles and with them, by addresses relative to the page; undefined where it has none. */
+  thumbnails: (line: ResultLine) => readonly [before: string, after: string] | undefined
+  /** Address of an output relative to the page. */
+  linkTo: (output: string) => string
+  /** What should be known about the page itself, e.g. why it has no pictures. */
+  notes: readonly string[]
+}
+
+const COLUMNS = ['File', 'State', 'Found', 'Size', 'Time'] as const
+
+/** The first column of values; before it there is the picture. */
+const FIRST = 1
+
+/** The HTML of a batch: itself one file, with thumbnails beside it. */
+export function batchPage(source: PageSource): string {
+  const rows = rowsOf(source.lines)
+  const isCut = source.lines.length > MOST_ROWS
+  return html`<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="dark light">
+<title>furrow batch: ${source.summary}</title>
+<style>${PAGE_STYLE}</style>
+</head>
+<body>
+<header>
+<h1>furrow batch, ${source.command}</h1>
+<p><b>${source.summary}</b></p>
+${isCut ? html`<p>The first ${MOST_ROWS} are here, failures and warnings before the others; <a href="${source.results}">${source.results}</a> has all.</p>` : undefined}
+${source.notes.map((note) => html`<p>${note}</p>`)}
+</header>
+<main>
+<div class="tools" hidden>
+<label>Show <select id="show"><option value="">all</option><option value="failed">failed</option>
+<option value="warned">with warnings</option><option value="done">without either</option></select></label>
+<label class="sort">Order <select id="order"><option value="">failures first</option>
+${COLUMNS.map((name, i) => html`<option value="${FIRST + i} up">${name}, up</option><option value="${FIRST + i} down">${name}, down</option>`)}</select></label>
+<span id="shown" role="status">${rows.length} shown</span>
+</div>
+<table>
+<thead><tr><th scope="col">Before and after</th>
+${COLUMNS.map((name, i) => html`<th scope="col" data-column="${FIRST + i}"><button type="button">${name}</button></th>`)}
+<th scope="col">Notes</th></tr></thead>
+<tbody>${rows.map((line) => rowOf(line, source))}</tbody>
+</table>
+</main>
+<script type="module">${PAGE_SCRIPT}</script>
+</body>
+</html>
+`.text
+}
+
+function rowOf(line: ResultLine, { thumbnails, linkTo }: PageSource): Markup {
+  const { status, input, output, warnings, reason, sameAs } = line
+  const state = status === 'failed' ? 'failed' : warnings.length > 0 ? 'warned' : 'done'
+  const pictures = thumbnails(line)
+  const isMade = status === 'done' && output !== undefined
+  return html`<tr class="${state}">
+<td class="face">${pictures && pair(pictures, input)}</td>
+<th scope="row" data-value="${input}">${isMade ? html`<a href="${linkTo(output)}">${input}</a>` : input}</th>
+<td class="state" data-value="${state}">${state}</td>
+<td data-value="${foundText(line)}">${foundText(line)}</td>
+${cell('Size', sizeCell(line))}
+${cell('Time', timeCell(line))}
+<td class="notes">${reason}${warnings.length > 0 ? html`<ul>${warnings.map((text) => html`<li>${text}</li>`)}</ul>` : undefined}${sameAs === undefined ? undefined : html`<small>the same as ${sameAs}</small>`}</td>
+</tr>`
+}
+
+function pair([before, after]: readonly [string, string], name: string): Markup {
+  const image = (file: string, how: string) =>
+    html`<img src="${file}" width="${THUMBNAIL.width}" height="${THUMBNAIL.height}" loading="lazy" alt="${name}, ${how} wrinkles">`
+  return html`<a class="pair" href="${after}">${image(before, 'without')}${image(after, 'with')}</a>`
+}
+
+function cell(label: string, { text, value }: Cell): Markup {
+  return html`<td data-label="${label}" data-value="${value}">${text}</td>`
+}

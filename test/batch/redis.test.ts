@@ -1,0 +1,133 @@
+// `furrow batch --redis` and `furrow worker` with a real Redis, while workers, Redis and the batch itself are killed.
+
+import { type ChildProcess, spawn } from 'node:child_process'
+import { readdirSync, readFileSync } from 'node:fs'
+import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises'
+import { createServer } from 'node:net'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { setTimeout as sleep } from 'node:timers/promises'
+import { afterEach, beforeEach, expect, it } from 'vitest'
+import type { ResultLine } from '../../packages/cli/src/batch/results.ts'
+import { runFurrow, startFurrow } from '../pages/run-furrow.ts'
+import { isWhole, makeFaces } from './faces.ts'
+
+const COUNT = 8
+
+let folder: string
+let port: number
+let redis: ChildProcess
+const started = new Set<ChildProcess>()
+
+beforeEach(async () => {
+  folder = await mkdtemp(join(tmpdir(), 'furrow-redis-'))
+  await mkdir(join(folder, 'in'))
+  const faces = await makeFaces(COUNT)
+  await Promise.all(faces.map((bytes, i) => writeFile(join(folder, 'in', `${i}.glb`), bytes)))
+  port = await freePort()
+  redis = startRedis()
+})
+afterEach(async () => {
+  for (const child of started) await end(child)
+  await rm(folder, { recursive: true, maxRetries: 5 })
+})
+
+const url = () => `redis://127.0.0.1:${port}`
+
+function startRedis(): ChildProcess {
+  const words = ['--port', String(port), '--dir', folder, '--appendonly', 'yes', '--save', '']
+  return keep(spawn('redis-server', words, { stdio: 'ignore' }))
+}
+
+const startWorker = () => keep(startFurrow(folder, {}, 'worker', '--redis', url(), '--jobs', '1'))
+
+const WORDS = ['batch', 'in/*.glb', '-o', 'out', '--size', '512', '--thumbnails', '0', '--json']
+
+function keep<T extends ChildProcess>(child: T): T {
+  started.add(child)
+  child.once('close', () => started.delete(child))
+  return child
+}
+
+async function end(child: ChildProcess, signal: NodeJS.Signals = 'SIGKILL'): Promise<number | null> {
+  if (child.exitCode !== null) return child.exitCode
+  const closed = new Promise<number | null>((done) => child.once('close', done))
+  child.kill(signal)
+  return closed
+}
+
+async function freePort(): Promise<number> {
+  const server = createServer()
+  await new Promise<void>((ready) => server.listen(0, '127.0.0.1', ready))
+  const address = server.address()
+  await new Promise((closed) => server.close(closed))
+  return (address as { port: number }).port
+}
+
+function results(): ResultLine[] {
+  try {
+    const lines = readFileSync(join(folder, 'out/results.jsonl'), 'utf8').split('\n').filter(Boolean)
+    return lines.map((line) => JSON.parse(line))
+  } catch {
+    return []
+  }
+}
+
+async function untilDone(count: number): Promise<void> {
+  while (results().length < count) await sleep(50)
+}
+
+function expectAllThere(): void {
+  const names = readdirSync(join(folder, 'out')).filter((name) => name.endsWith('.glb'))
+  expect(names).toHaveLength(COUNT)
+  for (const name of names) expect(isWhole(readFileSync(join(folder, 'out', name)))).toBe(true)
+  expect(results().every(({ status }) => status === 'done')).toBe(true)
+  expect(new Set(results().map(({ input }) => input)).size).toBe(COUNT)
+}
+
+it('every output is there once, though all that can be killed is killed', async () => {
+  const worker = startWorker()
+  startWorker()
+  const batch = keep(startFurrow(folder, {}, ...WORDS, '--redis', url()))
+  await untilDone(1)
+  await end(worker)
+  startWorker()
+  await untilDone(2)
+  await end(redis)
+  await sleep(1000)
+  redis = startRedis()
+  await untilDone(3)
+  await end(batch)
+  const { code, stdout } = await runFurrow(folder, {}, ...WORDS, '--redis', url())
+  expect(code).toBe(0)
+  expect(JSON.parse(stdout)).toMatchObject({ inputs: COUNT, done: COUNT, failed: 0 })
+  expectAllThere()
+})
+
+it('jobs that Redis has lost are added again', async () => {
+  const batch = keep(startFurrow(folder, {}, ...WORDS, '--redis', url()))
+  const ended = new Promise((done) => batch.once('close', done))
+  // It has nobody to do them yet.
+  await sleep(3000)
+  await end(redis)
+  await rm(join(folder, 'appendonlydir'), { recursive: true })
+  redis = startRedis()
+  startWorker()
+  startWorker()
+  expect(await ended).toBe(0)
+  expectAllThere()
+})
+
+it('a worker that is asked to end does first what it has begun', async () => {
+  const worker = startWorker()
+  const batch = keep(startFurrow(folder, {}, ...WORDS, '--redis', url()))
+  const ended = new Promise((done) => batch.once('close', done))
+  await untilDone(1)
+  const stopped = end(worker, 'SIGTERM')
+  expect(await stopped).toBe(0)
+  // Nothing was left behind that another one would have to wait for.
+  startWorker()
+  expect(await ended).toBe(0)
+  expectAllThere()
+  expect(results().every(({ attempts }) => attempts === 1)).toBe(true)
+})

@@ -1,0 +1,229 @@
+// The built `furrow batch`, with its processes.
+
+import { readdirSync, readFileSync } from 'node:fs'
+import { cp, mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises'
+import { createServer } from 'node:http'
+import type { AddressInfo } from 'node:net'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { setTimeout as sleep } from 'node:timers/promises'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import type { ResultLine } from '../../packages/cli/src/batch/results.ts'
+import { isWhole, makeFaces } from '../batch/faces.ts'
+import { sheet, sheetGlb } from '../unit/cli/sheet.ts'
+import { runFurrow, startFurrow } from './run-furrow.ts'
+
+let root: string
+let face: Uint8Array
+
+beforeAll(async () => {
+  root = await mkdtemp(join(tmpdir(), 'furrow-batch-'))
+  ;[face] = await makeFaces(1)
+})
+afterAll(() => rm(root, { recursive: true }))
+
+/** A folder with so many faces in `in`. */
+async function inputs(name: string, count: number): Promise<string> {
+  const folder = join(root, name)
+  await mkdir(join(folder, 'in'), { recursive: true })
+  const faces = await makeFaces(count)
+  await Promise.all(faces.map((bytes, i) => writeFile(join(folder, 'in', `${i}.glb`), bytes)))
+  return folder
+}
+
+const batch = (folder: string, ...words: string[]) =>
+  runFurrow(folder, {}, 'batch', ...words, '--thumbnails', '0', '--json')
+
+const options = ['-o', 'out', '--size', '512']
+
+const linesOf = (folder: string, file = 'out/results.jsonl'): ResultLine[] =>
+  readFileSync(join(folder, file), 'utf8')
+    .trimEnd()
+    .split('\n')
+    .map((line) => JSON.parse(line))
+
+/** The outputs in a folder, all of them whole. */
+function outputs(folder: string): string[] {
+  const names = readdirSync(join(folder, 'out')).filter((name) => name.endsWith('.glb'))
+  for (const name of names) expect(isWhole(readFileSync(join(folder, 'out', name)))).toBe(true)
+  return names.sort()
+}
+
+describe('a batch', () => {
+  it('does every input once, puts aside what fails, and knows all of it the next time', async () => {
+    const folder = await inputs('whole', 3)
+    await cp(join(folder, 'in/0.glb'), join(folder, 'in/copy.glb'))
+    await writeFile(join(folder, 'in/broken.glb'), 'text')
+    const { code, stdout } = await batch(folder, 'in/*.glb', ...options, '--age', '60')
+    expect(code).toBe(1)
+    expect(JSON.parse(stdout)).toMatchObject({ inputs: 5, done: 4, failed: 1, shared: 1, kept: 0 })
+    expect(outputs(folder)).toEqual(['0.glb', '1.glb', '2.glb', 'copy.glb'])
+    const lines = linesOf(folder)
+    expect(lines.find(({ status }) => status === 'failed')).toMatchObject({
+      input: 'in/broken.glb',
+      kind: 'file',
+      reason: expect.stringMatching(/^furrow auto: in\/broken\.glb is not usable: it is text/),
+    })
+    expect(lines.find(({ input }) => input === 'in/copy.glb')!.sameAs).toBe('in/0.glb')
+    expect(readFileSync(join(folder, 'out/0.glb'))).toEqual(readFileSync(join(folder, 'out/copy.glb')))
+    const page = readFileSync(join(folder, 'out/report.html'), 'utf8')
+    expect(page.match(/<tr class="(failed|done|warned)">/g)).toHaveLength(5)
+    expect(page).toContain('it is text')
+
+    const again = await batch(folder, 'in/*.glb', ...options, '--age', '60')
+    expect(again.code).toBe(1)
+    expect(JSON.parse(again.stdout)).toMatchObject({ done: 4, failed: 1, kept: 5 })
+    expect(linesOf(folder)).toHaveLength(5)
+
+    await rm(join(folder, 'out/1.glb'))
+    const mended = await batch(folder, 'in/*.glb', ...options, '--age', '60')
+    expect(JSON.parse(mended.stdout)).toMatchObject({ done: 4, kept: 4 })
+    expect(outputs(folder)).toHaveLength(4)
+  })
+
+  it('that is killed goes on where it was, and leaves nothing half-written', async () => {
+    const folder = await inputs('killed', 6)
+    const words = ['in/*.glb', ...options, '--jobs', '1', '--thumbnails', '0']
+    const child = startFurrow(folder, {}, 'batch', ...words)
+    const ended = new Promise((done) => child.once('close', done))
+    const results = join(folder, 'out/results.jsonl')
+    const done = () => {
+      try {
+        return readFileSync(results, 'utf8').split('\n').length - 1
+      } catch {
+        return 0
+      }
+    }
+    while (done() < 2 && child.exitCode === null) await sleep(20)
+    child.kill('SIGKILL')
+    await ended
+    const before = done()
+    expect(before).toBeLessThan(6)
+    expect(outputs(folder).length).toBeGreaterThanOrEqual(before)
+    const { code, stdout } = await batch(folder, ...words.slice(0, -2))
+    expect(code).toBe(0)
+    expect(JSON.parse(stdout)).toMatchObject({ done: 6, kept: before })
+    expect(linesOf(folder)).toHaveLength(6)
+    expect(outputs(folder)).toHaveLength(6)
+  })
+
+  it('that is interrupted ends its processes', async () => {
+    const folder = await inputs('interrupted', 3)
+    const child = startFurrow(folder, {}, 'batch', 'in/*.glb', ...options, '--jobs', '2', '--thumbnails', '0')
+    const ended = new Promise((done) => child.once('close', (_, signal) => done(signal)))
+    const jobs = () => childrenOf(child.pid!)
+    while (jobs().length < 2) await sleep(20)
+    const pids = jobs()
+    child.kill('SIGINT')
+    expect(await ended).toBe('SIGINT')
+    await sleep(500)
+    expect(pids.filter(isRunning)).toEqual([])
+  })
+
+  it('in two parts does each input in one of them', async () => {
+    const folder = await inputs('parts', 4)
+    const parts = [1, 2].map((part) => batch(folder, 'in/*.glb', ...options, '--shard', `${part}/2`))
+    const counts = (await Promise.all(parts)).map(({ stdout }) => JSON.parse(stdout))
+    expect(counts[0].done + counts[1].done).toBe(4)
+    expect(outputs(folder)).toHaveLength(4)
+  })
+
+  it('takes a manifest, addresses and options of each', async () => {
+    const folder = await inputs('listed', 1)
+    const asked: string[] = []
+    const server = createServer((request, response) => {
+      asked.push(`${request.method} ${request.url}`)
+      if (request.url !== '/face.glb') return void response.writeHead(404).end()
+      response.writeHead(200, { etag: '"1"' }).end(request.method === 'HEAD' ? undefined : face)
+    })
+    await new Promise<void>((ready) => server.listen(0, '127.0.0.1', ready))
+    const origin = `http://127.0.0.1:${(server.address() as AddressInfo).port}`
+    const list = [
+      { input: 'in/0.glb', output: 'out/a.glb', options: { age: 70 } },
+      { input: `${origin}/face.glb`, output: 'out/b.glb' },
+      { input: `${origin}/none.glb`, output: 'out/c.glb' },
+    ]
+    await writeFile(join(folder, 'list.jsonl'), list.map((line) => JSON.stringify(line)).join('\n'))
+    const { code } = await batch(folder, '--manifest', 'list.jsonl', '--results', 'out', '--size', '512')
+    server.close()
+    expect(code).toBe(1)
+    expect(outputs(folder)).toEqual(['a.glb', 'b.glb'])
+    expect(linesOf(folder).find(({ status }) => status === 'failed')!.reason).toMatch(
+      /none\.glb \(the server answers 404\)/,
+    )
+    expect(asked).toEqual(expect.arrayContaining(['HEAD /face.glb', 'GET /face.glb', 'HEAD /none.glb']))
+  })
+})
+
+describe('a job', () => {
+  it('that takes too much memory or time is ended, and the others go on', async () => {
+    const folder = await inputs('limits', 1)
+    await writeFile(join(folder, 'in/large.glb'), await sheetGlb(sheet(400)))
+    const words = ['in/*.glb', ...options, '--jobs', '1']
+    const { code } = await batch(folder, ...words, '--memory', '256')
+    expect(code).toBe(1)
+    expect(linesOf(folder).find(({ input }) => input === 'in/large.glb')).toMatchObject({
+      status: 'failed',
+      kind: 'memory',
+      attempts: 2,
+    })
+    expect(outputs(folder)).toEqual(['0.glb'])
+    await batch(folder, ...words, '--timeout', '1')
+    expect(linesOf(folder).at(-1)).toMatchObject({ input: 'in/large.glb', kind: 'time', attempts: 1 })
+  })
+})
+
+it('validate and inspect tell what they find in the results', async () => {
+  const folder = await inputs('found', 1)
+  for (const command of ['validate', 'inspect']) {
+    const { code } = await batch(folder, 'in/*.glb', '--command', command, '--results', command)
+    expect(code).toBe(0)
+  }
+  expect(linesOf(folder, 'validate/results.jsonl')[0].result).toMatchObject({ errors: 0 })
+  expect(linesOf(folder, 'inspect/results.jsonl')[0].result).toMatchObject({ wrinkles: false })
+})
+
+it('thumbnails show the face before and after', async () => {
+  const folder = await inputs('drawn', 1)
+  const { code } = await runFurrow(folder, {}, 'batch', 'in/*.glb', ...options)
+  expect(code).toBe(0)
+  const names = readdirSync(join(folder, 'out/thumbnails')).sort()
+  expect(names).toEqual([expect.stringMatching(/-after\.webp$/), expect.stringMatching(/-before\.webp$/)])
+  const [after, before] = names.map((name) => readFileSync(join(folder, 'out/thumbnails', name)))
+  expect(after).not.toEqual(before)
+  expect(readFileSync(join(folder, 'out/report.html'), 'utf8')).toContain(`thumbnails/${names[0]}`)
+})
+
+it('without a browser the page says so', async () => {
+  const folder = await inputs('undrawn', 1)
+  const { code, stderr } = await runFurrow(
+    folder,
+    { FURROW_CHROMIUM: '/none' },
+    'batch',
+    'in/*.glb',
+    ...options,
+  )
+  expect(code).toBe(0)
+  expect(stderr).toMatch(
+    /^furrow batch: not all faces are drawn \(furrow: FURROW_CHROMIUM is not a program.*\n$/,
+  )
+  expect(readFileSync(join(folder, 'out/report.html'), 'utf8')).toContain('Not all faces are drawn')
+})
+
+/** Processes whose parent is one. Linux alone tells it by files. */
+function childrenOf(pid: number): number[] {
+  return readFileSync(`/proc/${pid}/task/${pid}/children`, 'utf8')
+    .trim()
+    .split(' ')
+    .filter(Boolean)
+    .map(Number)
+}
+
+function isRunning(pid: number): boolean {
+  try {
+    // One that has ended, but is not waited for, still has a number.
+    return !/\) Z /.test(readFileSync(`/proc/${pid}/stat`, 'utf8'))
+  } catch {
+    return false
+  }
+}
