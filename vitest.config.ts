@@ -37,6 +37,7 @@ export default defineConfig({
       },
       pagesProject('pages', 'test/pages/**/*.test.ts', [HEAVY_PAGES]),
       pagesProject('heavy-pages', HEAVY_PAGES),
+      pagesProject('site', 'test/site/**/*.test.ts'),
       gpuProject('gpu', ['test/gpu/**/*.test.ts']),
       onOldestThree(gpuProject('gpu-oldest', FILES_FOR_OLDEST)),
     ],

@@ -28,7 +28,10 @@ await main(async () => {
   const server = await serveSite()
   const folder = await mkdtemp(join(tmpdir(), 'furrow-site-'))
   try {
-    const faults = [...(await checkLinks(server.address, folder)), ...(await checkPages(server.address, folder))]
+    const faults = [
+      ...(await checkLinks(server.address, folder)),
+      ...(await checkPages(server.address, folder)),
+    ]
     if (faults.length > 0) throw new Failure(`site: ${faults.join('; ')}`)
     say('site: no broken link, all scores high enough')
   } finally {
@@ -64,10 +67,14 @@ async function checkPages(address, folder) {
     const scores = CATEGORIES.map((name) => Math.round(100 * categories[name].score))
     const of = (name) => audits[name].displayValue
     const times = `paint ${of('largest-contentful-paint')}, blocked ${of('total-blocking-time')}, shift ${of('cumulative-layout-shift')}`
-    say(`${(page || 'first page').padEnd(28)} ${CATEGORIES.map((name, k) => `${name} ${scores[k]}`).join(', ')}; ${times}`)
+    say(
+      `${(page || 'first page').padEnd(28)} ${CATEGORIES.map((name, k) => `${name} ${scores[k]}`).join(', ')}; ${times}`,
+    )
     if (scores.some((score) => score < least)) faults.push(`${page || 'first page'} has less than ${least}`)
     for (const name of CATEGORIES) {
-      const lost = categories[name].auditRefs.filter(({ id, weight }) => weight > 0 && (audits[id].score ?? 1) < 0.9)
+      const lost = categories[name].auditRefs.filter(
+        ({ id, weight }) => weight > 0 && (audits[id].score ?? 1) < 0.9,
+      )
       for (const { id } of lost) say(`  ${name}: ${audits[id].title}`)
     }
   }
