@@ -41,6 +41,7 @@ export default defineConfig({
       gpuProject('gpu', ['test/gpu/**/*.test.ts'], [HEAVY_GPU]),
       gpuProject('heavy-gpu', [HEAVY_GPU]),
       pagesProject('batch', 'test/batch/**/*.test.ts'),
+      pagesProject('site', 'test/site/**/*.test.ts'),
       onOldestThree(gpuProject('gpu-oldest', FILES_FOR_OLDEST)),
     ],
   },

@@ -44,6 +44,11 @@ describe.each([
     expect(read(join(content, 'LICENSE'))).toBe(read(join(ROOT, 'LICENSE')))
   })
 
+  it('holds no tests, caches or hidden files', () => {
+    const paths = files.map((file) => file.slice(content.length + 1))
+    expect(paths.filter((path) => /(^|\/)(\.|node_modules\b)|\.test\.|\.tsbuildinfo$/.test(path))).toEqual([])
+  })
+
   it('has no fault that publint finds', async () => {
     const { buffer, byteOffset, length } = tarball
     const { messages, pkg } = await publint({

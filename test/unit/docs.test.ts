@@ -10,6 +10,8 @@ const PAGES = [
   'README.md',
   'CONTRIBUTING.md',
   'SECURITY.md',
+  'CODE_OF_CONDUCT.md',
+  'site/README.md',
   'packages/furrow/README.md',
   'packages/cli/README.md',
   ...readdirSync(join(ROOT, 'docs'))

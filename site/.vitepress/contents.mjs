@@ -1,0 +1,85 @@
+// What the site's menus list, in their order.
+
+import { readCommands } from '../gather/commands.mjs'
+import { exampleNames } from '../places.mjs'
+
+const doc = (text, name) => ({ text, link: `/docs/${name}` })
+const group = (text, items, more) => ({ text, items, ...more })
+
+const GUIDES = [
+  group('Start', [{ text: 'Overview', link: '/overview' }, doc('Guide', 'guide'), doc('Studio', 'studio')]),
+  group('Make wrinkles', [
+    doc('From blendshapes', 'auto'),
+    doc('In the page', 'auto-in-the-page'),
+    doc('Files and rigs', 'auto-formats'),
+    doc('Drawn as strokes', 'strokes'),
+    doc('Baked from a sculpt', 'bake'),
+    doc('Normal maps from heights', 'normals'),
+  ]),
+  group('Drive and show them', [
+    doc('Drivers', 'drivers'),
+    doc('Skin', 'skin'),
+    doc('React Three Fiber', 'react'),
+    doc('Babylon.js', 'babylon'),
+    doc('Blender', 'blender'),
+  ]),
+  group('Ship them', [
+    doc('Pack', 'pack'),
+    doc('Transform', 'transform'),
+    doc('Texture arrays', 'array'),
+    doc('Files of the commands', 'files'),
+    doc('Download', 'download'),
+  ]),
+  group('The format', [
+    doc('FURROW_wrinkle_maps', 'FURROW_wrinkle_maps'),
+    doc('Conformance', 'conformance'),
+    doc('Versions', 'versions'),
+  ]),
+  group('The project', [
+    doc('The paper, point by point', 'paper'),
+    { text: 'Benchmark', link: '/bench/' },
+    { text: 'The faces', link: '/faces/' },
+    { text: 'Contributing', link: '/CONTRIBUTING' },
+    { text: 'Security', link: '/SECURITY' },
+    { text: 'Changelog', link: '/CHANGELOG' },
+  ]),
+]
+
+const API = [
+  'furrow',
+  'furrow.three',
+  'furrow.webgpu',
+  'furrow.react',
+  'furrow.react.webgpu',
+  'furrow.babylon',
+  'furrow.author',
+  'furrow.auto',
+  'furrow.gltf',
+].map((name) => ({ text: name.replaceAll('.', '/'), link: `/docs/api/${name}` }))
+
+export async function sidebar() {
+  const commands = (await readCommands()).map((command) => command.name())
+  const listed = (folder, names) => names.map((name) => ({ text: name, link: `/${folder}/${name}` }))
+  return {
+    '/docs/api/': [group('API reference', [{ text: 'Entries', link: '/docs/api/' }, ...API])],
+    '/commands/': [
+      group('Commands', [{ text: 'All commands', link: '/commands/' }, ...listed('commands', commands)]),
+    ],
+    '/examples/': [
+      group('Examples', [
+        { text: 'All examples', link: '/examples/' },
+        ...listed('examples', exampleNames()),
+      ]),
+    ],
+    '/': GUIDES,
+  }
+}
+
+export const NAVIGATION = [
+  { text: 'Guide', link: '/docs/guide', activeMatch: '^/(docs/(?!api/)|overview|faces/)' },
+  { text: 'Examples', link: '/examples/', activeMatch: '^/examples/' },
+  { text: 'Commands', link: '/commands/', activeMatch: '^/commands/' },
+  { text: 'API', link: '/docs/api/', activeMatch: '^/docs/api/' },
+  { text: 'Benchmark', link: '/bench/', activeMatch: '^/bench/' },
+  { text: 'Studio', link: '/studio/index.html', target: '_self', noIcon: true },
+]

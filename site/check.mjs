@@ -1,0 +1,89 @@
+// Checks the built site: `npm run site:check`. Links by Linkinator; performance, accessibility and best practices by Lighthouse. Both are
+// fetched by npx, since nothing else needs them and they bring 300 packages.
+
+import { execFile } from 'node:child_process'
+import { readFileSync } from 'node:fs'
+import { mkdtemp, rm, writeFile } from 'node:fs/promises'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { ensureBrowser } from '../scripts/lib/browser.mjs'
+import { Failure, main, ROOT, run, say } from '../scripts/lib/run.mjs'
+import { serveSite } from './serve.mjs'
+
+const LINKINATOR = 'linkinator@7.6.1'
+const LIGHTHOUSE = 'lighthouse@12.8.2'
+
+/** Pages and the least that each category must have, of 100. */
+const PAGES = [
+  ['docs/guide.html', 95],
+  ['docs/api/furrow.three.html', 95],
+  ['', 90],
+]
+const CATEGORIES = ['performance', 'accessibility', 'best-practices']
+
+/** What a Chromium without a display and without a sandbox of its own needs. */
+const FLAGS = '--headless=new --no-sandbox --enable-unsafe-swiftshader'
+
+await main(async () => {
+  const server = await serveSite()
+  const folder = await mkdtemp(join(tmpdir(), 'furrow-site-'))
+  try {
+    const faults = [
+      ...(await checkLinks(server.address, folder)),
+      ...(await checkPages(server.address, folder)),
+    ]
+    if (faults.length > 0) throw new Failure(`site: ${faults.join('; ')}`)
+    say('site: no broken link, all scores high enough')
+  } finally {
+    await rm(folder, { recursive: true })
+    await server.close()
+  }
+})
+
+/** Follows every link, and looks for the heading that each names. */
+async function checkLinks(address, folder) {
+  const config = join(folder, 'linkinator.json')
+  const others = `^(?!${address})`
+  await writeFile(config, JSON.stringify({ recurse: true, checkFragments: true, skip: others }))
+  const words = ['npx', '-y', LINKINATOR, address, '--config', config, '--format', 'json']
+  const { links } = JSON.parse(await outputOf(words))
+  const broken = links.filter(({ state }) => state === 'BROKEN')
+  say(`links     ${links.length} checked, ${broken.length} broken`)
+  for (const { url, parent, status } of broken) say(`  ${status} ${url} on ${parent}`)
+  return broken.length > 0 ? [`${broken.length} broken links`] : []
+}
+
+async function checkPages(address, folder) {
+  process.env.CHROME_PATH = await ensureBrowser()
+  const faults = []
+  for (const [i, [page, least]] of PAGES.entries()) {
+    const output = join(folder, `page-${i}.json`)
+    const only = `--only-categories=${CATEGORIES.join(',')}`
+    const words = ['npx', '-y', LIGHTHOUSE, `${address}${page}`, only, `--chrome-flags=${FLAGS}`, '--quiet']
+    if ((await run([...words, '--output=json', `--output-path=${output}`], { quiet: true })) !== 0) {
+      throw new Failure(`Lighthouse failed on ${page || 'the first page'}`)
+    }
+    const { categories, audits } = JSON.parse(readFileSync(output, 'utf8'))
+    const scores = CATEGORIES.map((name) => Math.round(100 * categories[name].score))
+    const of = (name) => audits[name].displayValue
+    const times = `paint ${of('largest-contentful-paint')}, blocked ${of('total-blocking-time')}, shift ${of('cumulative-layout-shift')}`
+    say(
+      `${(page || 'first page').padEnd(28)} ${CATEGORIES.map((name, k) => `${name} ${scores[k]}`).join(', ')}; ${times}`,
+    )
+    if (scores.some((score) => score < least)) faults.push(`${page || 'first page'} has less than ${least}`)
+    for (const name of CATEGORIES) {
+      const lost = categories[name].auditRefs.filter(
+        ({ id, weight }) => weight > 0 && (audits[id].score ?? 1) < 0.9,
+      )
+      for (const { id } of lost) say(`  ${name}: ${audits[id].title}`)
+    }
+  }
+  return faults
+}
+
+/** What a program prints; its exit code says no more than that. */
+function outputOf([program, ...words]) {
+  return new Promise((done) => {
+    execFile(program, words, { cwd: ROOT, maxBuffer: 1 << 28 }, (_, stdout) => done(stdout))
+  })
+}

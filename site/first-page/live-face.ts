@@ -1,0 +1,224 @@
+/** The face of the first page: it is drawn when something has changed, and moves with the pointer. */
+
+import { EXPRESSIONS, type Expression } from 'furrow'
+import { ExpressionPlayer, frameFace, type WrinklesBase, wrinklesOf, wrinklesReady } from 'furrow/three'
+import {
+  ACESFilmicToneMapping,
+  DirectionalLight,
+  HemisphereLight,
+  type Object3D,
+  PerspectiveCamera,
+  PMREMGenerator,
+  Scene,
+  Spherical,
+  Vector3,
+  WebGLRenderer,
+} from 'three'
+import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js'
+import { type AvatarFile, loadAvatar, type Making } from './load-avatar.ts'
+
+/** Seconds in which the face follows, and in which a chosen expression comes. */
+const FOLLOW = 0.12
+const CHANGE = 0.35
+
+/** Radians that the camera moves round the face, and how much of the way in a frame of a sixtieth of a second. */
+const YAW = 0.2
+const PITCH = 0.1
+const EASE = 0.12
+
+/** Milliseconds that it is drawn after the last change. */
+const LINGER = 600
+
+/** Nearer than `frameFace` goes. */
+const ZOOM = 1.28
+
+/** What each direction of the pointer shows, from the middle of the face. */
+const UP = 'surprised'
+const DOWN = 'angry'
+const RIGHT = 'happy'
+const LEFT = 'disgusted'
+
+const NAMES = ['neutral', UP, DOWN, RIGHT, LEFT]
+
+/** Where the eyes look. The person's left is the picture's right. */
+const GAZES: readonly Expression[] = [
+  gaze('gazeUp', { eyeLookUpLeft: 0.6, eyeLookUpRight: 0.6 }),
+  gaze('gazeDown', { eyeLookDownLeft: 0.5, eyeLookDownRight: 0.5 }),
+  gaze('gazeRight', { eyeLookOutLeft: 0.6, eyeLookInRight: 0.6 }),
+  gaze('gazeLeft', { eyeLookInLeft: 0.6, eyeLookOutRight: 0.6 }),
+]
+
+function gaze(name: string, targets: Record<string, number>): Expression {
+  return { name, targets, activations: {} }
+}
+
+/** The file's drivers make the wrinkles from the blendshapes: expressions bring none of their own. */
+const MOVED = [
+  ...EXPRESSIONS.filter(({ name }) => NAMES.includes(name)).map((expression) => ({
+    ...expression,
+    activations: {},
+  })),
+  ...GAZES,
+]
+
+export class LiveFace {
+  readonly #renderer: WebGLRenderer
+  readonly #scene = new Scene()
+  readonly #camera = new PerspectiveCamera()
+  #face: Object3D | undefined
+  #player: ExpressionPlayer | undefined
+  #wrinkles: WrinklesBase | undefined
+  #wrinkled = true
+  readonly #target = new Vector3()
+  /** Of the camera from the target, for a pointer in the middle. */
+  readonly #rest = new Spherical()
+  /** Where the pointer is, -1..1, and where the camera has followed it to. */
+  readonly #aim = { x: 0, y: 0 }
+  readonly #now = { x: 0, y: 0 }
+  /** Milliseconds, by the page's clock. */
+  #drawnUntil = 0
+
+  /** @throws Error if the browser has no WebGL 2. */
+  constructor(canvas: HTMLCanvasElement) {
+    this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true })
+    this.#renderer.toneMapping = ACESFilmicToneMapping
+    this.#light()
+    const observer = new ResizeObserver(() => this.#resize())
+    observer.observe(canvas)
+    canvas.addEventListener('webglcontextrestored', () => this.#draw())
+    this.#renderer.setAnimationLoop(() => this.#frame())
+  }
+
+  /**
+   * Shows an avatar in place of the last one; its wrinkles are made where it has none.
+   *
+   * @returns whether it wrinkles.
+   * @throws Error if it cannot be read.
+   */
+  async show(file: AvatarFile, making?: Making): Promise<boolean> {
+    const avatar = await loadAvatar(file, this.#renderer, making)
+    // A face without blendshapes is shown as it is.
+    const player = hasBlendshapes(avatar.scene)
+      ? new ExpressionPlayer(avatar.scene, wrinklesOf(avatar)[0], MOVED)
+      : undefined
+    if (this.#face) this.#scene.remove(this.#face)
+    this.#face = avatar.scene
+    this.#player = player
+    this.#wrinkles = undefined
+    this.#scene.add(avatar.scene)
+    this.#resize()
+    this.express(UP)
+    const [wrinkles] = await wrinklesReady(avatar)
+    if (this.#face !== avatar.scene) return true
+    this.#wrinkles = wrinkles
+    this.wrinkled = this.#wrinkled
+    return wrinkles !== undefined
+  }
+
+  /** Whether the wrinkles are seen. */
+  get wrinkled(): boolean {
+    return this.#wrinkled
+  }
+
+  set wrinkled(wrinkled: boolean) {
+    this.#wrinkled = wrinkled
+    if (this.#wrinkles) this.#wrinkles.mode = wrinkled ? 'default' : 'off'
+    this.#draw()
+  }
+
+  /** Moves the face by a pointer: -1..1 from the middle of the face, x to the right, y down. */
+  aim(x: number, y: number): void {
+    const far = Math.min(1, Math.hypot(x, y))
+    const part = (along: number) => Math.min(1, Math.max(0, along * (0.4 + 0.6 * far)))
+    Object.assign(this.#aim, { x: clamp(x), y: clamp(y) })
+    this.#player?.play(
+      {
+        [UP]: part(-y),
+        [DOWN]: part(y),
+        [RIGHT]: part(x),
+        [LEFT]: part(-x),
+        gazeUp: part(-y),
+        gazeDown: part(y),
+        gazeRight: part(x),
+        gazeLeft: part(-x),
+      },
+      FOLLOW,
+      'easeOut',
+    )
+    this.#draw()
+  }
+
+  /** Shows an expression by name. */
+  express(name: string): void {
+    Object.assign(this.#aim, { x: 0, y: 0 })
+    this.#player?.play(name, CHANGE, 'easeInOut')
+    this.#draw()
+  }
+
+  #light(): void {
+    const pmrem = new PMREMGenerator(this.#renderer)
+    const room = new RoomEnvironment()
+    this.#scene.environment = pmrem.fromScene(room, 0.04).texture
+    this.#scene.environmentIntensity = 0.3
+    room.dispose()
+    pmrem.dispose()
+    const key = new DirectionalLight('#fff1e4', 3.1)
+    key.position.set(-1, 1.35, 0.95)
+    const rim = new DirectionalLight('#e6eeff', 1.3)
+    rim.position.set(1.2, 1, -1.4)
+    this.#scene.add(key, rim, new HemisphereLight('#dfe8ff', '#4b3a32', 0.35))
+  }
+
+  #resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.#renderer.domElement
+    if (width === 0 || height === 0) return
+    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2))
+    this.#renderer.setSize(width, height, false)
+    this.#camera.aspect = width / height
+    this.#camera.fov = 22
+    if (this.#face) {
+      this.#target.copy(frameFace(this.#camera, this.#face, { zoom: ZOOM }))
+      this.#rest.setFromVector3(this.#camera.position.clone().sub(this.#target))
+    }
+    this.#camera.updateProjectionMatrix()
+    this.#draw()
+  }
+
+  /** Draws for a while: what follows a change comes in later frames, such as wrinkles that fade in. */
+  #draw(): void {
+    this.#drawnUntil = performance.now() + LINGER
+  }
+
+  #frame(): void {
+    if (!this.#face) return
+    const isMoving = this.#follow() || this.#player?.isPlaying
+    if (isMoving) this.#draw()
+    else if (performance.now() > this.#drawnUntil) return
+    this.#player?.update()
+    this.#renderer.render(this.#scene, this.#camera)
+  }
+
+  /** Moves the camera on. Returns whether it has moved. */
+  #follow(): boolean {
+    const { x, y } = this.#aim
+    const [dx, dy] = [x - this.#now.x, y - this.#now.y]
+    this.#now.x += EASE * dx
+    this.#now.y += EASE * dy
+    const { radius, phi, theta } = this.#rest
+    this.#camera.position
+      .setFromSphericalCoords(radius, phi + PITCH * this.#now.y, theta - YAW * this.#now.x)
+      .add(this.#target)
+    this.#camera.lookAt(this.#target)
+    return Math.hypot(dx, dy) > 0.004
+  }
+}
+
+const clamp = (value: number) => Math.min(1, Math.max(-1, value))
+
+function hasBlendshapes(face: Object3D): boolean {
+  let found = false
+  face.traverse((object) => {
+    if ((object as { morphTargetInfluences?: number[] }).morphTargetInfluences?.length) found = true
+  })
+  return found
+}

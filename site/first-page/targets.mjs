@@ -1,0 +1,23 @@
+/** The blendshapes that the first page moves: its face has no others. */
+
+const both = (name) => [`${name}Left`, `${name}Right`]
+
+export const TARGETS = [
+  'browInnerUp',
+  ...both('browOuterUp'),
+  ...both('browDown'),
+  ...both('eyeWide'),
+  ...both('eyeSquint'),
+  ...both('eyeBlink'),
+  ...both('eyeLookUp'),
+  ...both('eyeLookDown'),
+  ...both('eyeLookIn'),
+  ...both('eyeLookOut'),
+  ...both('cheekSquint'),
+  ...both('noseSneer'),
+  ...both('mouthSmile'),
+  ...both('mouthUpperUp'),
+  ...both('mouthLowerDown'),
+  ...both('mouthPress'),
+  'jawOpen',
+]

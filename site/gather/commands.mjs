@@ -1,0 +1,92 @@
+// The command reference, of the definitions that `--help` prints.
+
+import { mkdirSync, readdirSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { pathToFileURL } from 'node:url'
+import { ROOT } from '../../scripts/lib/run.mjs'
+
+const COMMANDS = join(ROOT, 'packages/cli/dist/commands')
+
+/** Writes a page for each command, and one that lists them. */
+export async function gatherCommands(folder) {
+  const commands = await readCommands()
+  mkdirSync(join(folder, 'commands'), { recursive: true })
+  for (const command of commands) {
+    writeFileSync(join(folder, 'commands', `${command.name()}.md`), page(command))
+  }
+  const rows = commands.map((command) => {
+    return `| [\`furrow ${command.name()}\`](${command.name()}.md) | ${text(command.description())} |`
+  })
+  const index = [
+    '# Commands',
+    INTRODUCTION,
+    ['| command | what it does |', '| --- | --- |', ...rows].join('\n'),
+  ]
+  writeFileSync(join(folder, 'commands/index.md'), `${index.join('\n\n')}\n`)
+}
+
+const INTRODUCTION =
+  'What `npx furrow help COMMAND` prints. With `furrow-cli` installed, `npx furrow` runs a command; without it, `npx --yes furrow-cli` does.'
+
+/** Every command that a file of `commands` exports, by name. */
+export async function readCommands() {
+  const files = readdirSync(COMMANDS).filter((name) => name.endsWith('.js'))
+  const modules = await Promise.all(files.map((name) => import(pathToFileURL(join(COMMANDS, name)).href)))
+  return modules
+    .flatMap((module) => Object.values(module))
+    .filter((value) => typeof value?.createHelp === 'function')
+    .sort((a, b) => (a.name() < b.name() ? -1 : 1))
+}
+
+function page(command) {
+  const help = command.createHelp()
+  const options = help.visibleOptions(command)
+  const argumentsOf = command.registeredArguments
+  return `${[
+    `# furrow ${command.name()}`,
+    `${sentence(command.description())}`,
+    fence('sh', `npx furrow ${command.name()} ${command.usage()}`),
+    ...section(
+      'Arguments',
+      ['argument', ''],
+      argumentsOf.map((argument) => [argument.name(), help.argumentDescription(argument)]),
+    ),
+    ...section(
+      'Options',
+      ['option', ''],
+      options.map((option) => [option.flags, help.optionDescription(option)]),
+    ),
+    ...notes(command),
+  ].join('\n\n')}\n`
+}
+
+function section(title, heads, rows) {
+  if (rows.length === 0) return []
+  const lines = rows.map(
+    ([flags, description]) => `| \`${flags.replaceAll('|', '\\|')}\` | ${text(description)} |`,
+  )
+  return [`## ${title}`, [`| ${heads.join(' | ')} |`, '| --- | --- |', ...lines].join('\n')]
+}
+
+/** What the help says below the options: paragraphs, and examples as commands. */
+function notes(command) {
+  let written = ''
+  command.emit('afterHelp', { command, error: false, write: (more) => (written += more) })
+  const blocks = written.trim().split(/\n{2,}/)
+  return blocks.filter(Boolean).flatMap((block) => {
+    const [first, ...lines] = block.split('\n')
+    if (first === 'Examples:') return ['## Examples', fence('sh', lines.map(withoutPrompt).join('\n'))]
+    // Lines of a list or table keep their columns.
+    if (lines.some((line) => line.startsWith('  '))) return [fence('text', block)]
+    return [text(block.replaceAll('\n', ' '))]
+  })
+}
+
+const withoutPrompt = (line) => line.replace(/^ *\$ furrow/, 'npx furrow').trimStart()
+const fence = (language, content) => `\`\`\`${language}\n${content}\n\`\`\``
+const sentence = (description) => `${text(description.charAt(0).toUpperCase() + description.slice(1))}.`
+
+/** Plain text as Markdown. */
+function text(plain) {
+  return plain.replace(/[\\`*_{}[\]<>|#]/g, (character) => `\\${character}`)
+}

@@ -1,0 +1,50 @@
+// The examples as pages that run: bundled from the built packages, since no server maps their modules here.
+
+import { join } from 'node:path'
+import { build } from 'vite'
+import { ROOT } from '../../scripts/lib/run.mjs'
+import { exampleNames } from '../places.mjs'
+
+/** The faces, which the studio brings, seen from a running example. */
+const FACES = '../../studio/faces/'
+
+/** Writes `NAME.html` for every example. */
+export function buildLiveExamples(outDir) {
+  const root = join(ROOT, 'examples')
+  return build({
+    configFile: false,
+    root,
+    base: './',
+    logLevel: 'error',
+    plugins: [forStatic()],
+    worker: { format: 'es' },
+    build: {
+      outDir,
+      emptyOutDir: true,
+      chunkSizeWarningLimit: 2500,
+      rolldownOptions: { input: exampleNames().map((name) => join(root, `${name}.html`)) },
+    },
+  })
+}
+
+/** Import maps have done their work once a page is bundled, and addresses must not begin at the host. */
+function forStatic() {
+  return {
+    name: 'furrow-static-examples',
+    enforce: 'pre',
+    transformIndexHtml: {
+      order: 'pre',
+      handler: (html) => relativeFaces(html.replace(/<script type="importmap">[\s\S]*?<\/script>\n?/, '')),
+    },
+    // An inline script is a virtual module, whose relative imports are resolved against the examples folder.
+    resolveId(source, importer) {
+      if (!source.startsWith('./') || !importer?.includes('html-proxy')) return null
+      return join(ROOT, 'examples', source)
+    },
+    transform: (code) => (code.includes('/faces/') ? relativeFaces(code) : null),
+  }
+}
+
+function relativeFaces(text) {
+  return text.replace(/(['"`])\/faces\//g, `$1${FACES}`)
+}

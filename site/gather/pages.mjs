@@ -1,0 +1,20 @@
+import { cpSync, mkdirSync } from 'node:fs'
+import { dirname, join } from 'node:path'
+import { ROOT } from '../../scripts/lib/run.mjs'
+import { pageFiles, pageOf } from '../places.mjs'
+
+/** What pages show, and what they link to. */
+const FIGURES = ['docs/figures', 'docs/bench']
+const PUBLIC = ['docs/schema']
+
+/** Copies the Markdown files, their figures and the files that they link to. */
+export function gatherPages(folder) {
+  for (const file of pageFiles()) copy(file, join(folder, pageOf(file)))
+  for (const path of FIGURES) copy(path, join(folder, path))
+  for (const path of PUBLIC) copy(path, join(folder, 'public', path))
+}
+
+function copy(path, target) {
+  mkdirSync(dirname(target), { recursive: true })
+  cpSync(join(ROOT, path), target, { recursive: true })
+}

@@ -1,0 +1,224 @@
+// The built site, opened from a folder that it was not built for: `npm run test:site`.
+
+import { spawnSync } from 'node:child_process'
+import { existsSync, readdirSync, readFileSync } from 'node:fs'
+import type { Browser, Page } from 'playwright-core'
+import sharp from 'sharp'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { serveSite } from '../../site/serve.mjs'
+import { BARE_FACES } from '../bare-faces/bare-faces.ts'
+import { openBrowser, openPage } from '../pages/browser.ts'
+import { contrast, largestDifference, type Region, WHOLE } from '../pages/pixels.ts'
+import type { CanvasPixels } from '../pages/read-canvas.ts'
+
+const DIST = new URL('../../site/dist/', import.meta.url)
+
+const PHONE = { width: 390, height: 844 }
+const DESKTOP = { width: 1280, height: 800 }
+
+/** One of each kind. */
+const PAGES = [
+  'index.html',
+  'overview.html',
+  'docs/guide.html',
+  'docs/paper.html',
+  'docs/FURROW_wrinkle_maps.html',
+  'docs/api/furrow.three.html',
+  'commands/auto.html',
+  'examples/index.html',
+  'bench/index.html',
+  'faces/human/index.html',
+]
+
+/** The forehead of the first page's face, as fractions of the picture of its square. */
+const FOREHEAD: Region = { left: 0.35, top: 0.2, right: 0.65, bottom: 0.38 }
+
+let browser: Browser
+let site: Awaited<ReturnType<typeof serveSite>>
+
+beforeAll(async () => {
+  if (!existsSync(DIST)) throw new Error('site: site/dist is missing; run npm run site')
+  browser = await openBrowser()
+  site = await serveSite()
+})
+
+afterAll(async () => {
+  await browser?.close()
+  await site?.close()
+})
+
+/** Opens a page of the site; whatever it asks for must be there, and on the site. */
+async function withPage(path: string, options: object, work: (page: Page) => Promise<void>): Promise<void> {
+  const { page, complaints } = await openPage(browser, options)
+  page.on('request', (request) => {
+    if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(site.address)) {
+      complaints.push(`asks for ${request.url()}`)
+    }
+  })
+  try {
+    await page.goto(new URL(path, site.address).href)
+    await work(page)
+    expect(complaints).toEqual([])
+  } finally {
+    await page.context().close()
+  }
+}
+
+/** Picture of the face's square on the first page. */
+async function faceOf(page: Page): Promise<CanvasPixels> {
+  return pixelsOf(await page.locator('.stage .face').screenshot())
+}
+
+/** Waits until two pictures in a row are the same. */
+async function settled(page: Page): Promise<CanvasPixels> {
+  let last = await faceOf(page)
+  for (;;) {
+    await page.waitForTimeout(500)
+    const next = await faceOf(page)
+    if (Buffer.compare(last.data, next.data) === 0) return next
+    last = next
+  }
+}
+
+describe('the built site, under another path', () => {
+  it.each(PAGES)('%s asks for nothing that is missing or elsewhere, and fits a phone', async (path) => {
+    await withPage(path, { viewport: PHONE }, async (page) => {
+      await page.waitForLoadState('networkidle')
+      expect(await page.locator('h1').first().innerText()).not.toBe('404')
+      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(PHONE.width)
+    })
+  })
+
+  it('has no address in its pages that begins at the host', () => {
+    const pages = readdirSync(DIST, { recursive: true, encoding: 'utf8' }).filter((path) =>
+      path.endsWith('.html'),
+    )
+    expect(pages.length).toBeGreaterThan(50)
+    // A page that is not found may be anywhere: its own addresses cannot be relative.
+    const wrong = pages
+      .filter((path) => path !== '404.html')
+      .flatMap((path) => {
+        const html = readFileSync(new URL(path, DIST), 'utf8')
+        return [...html.matchAll(/<[^>]* (?:href|src)="(\/[^"]*)"/g)].map(
+          ([, address]) => `${path}: ${address}`,
+        )
+      })
+    expect(wrong).toEqual([])
+  })
+
+  it('has a page for every command, with all of its options', () => {
+    const help = (...words: string[]) =>
+      spawnSync(process.execPath, ['packages/cli/bin/furrow.js', ...words], { encoding: 'utf8' }).stdout
+    const commands = [...help('--help').matchAll(/^ {2}(\w+)\b.*/gm)].map(([, name]) => name)
+    const names = commands.filter((name) => name !== 'help')
+    expect(names.length).toBeGreaterThan(10)
+    for (const name of names) {
+      const html = readFileSync(new URL(`commands/${name}.html`, DIST), 'utf8')
+      const options = [...help('help', name).matchAll(/^ {2}(?:-\w, )?(--[\w-]+)/gm)].map(
+        ([, option]) => option,
+      )
+      for (const option of options) expect(html, name).toContain(option)
+    }
+  })
+})
+
+describe('the first page', () => {
+  it('shows a face that wrinkles under the pointer', async () => {
+    await withPage('', { viewport: DESKTOP }, async (page) => {
+      // Until then the poster is seen, and nothing is drawn.
+      expect(await page.locator('canvas.drawn').count()).toBe(0)
+      const { x, y, width, height } = (await page.locator('.stage .face').boundingBox())!
+      await page.mouse.move(x + width / 2, y + height / 2)
+      await page.locator('canvas.drawn').waitFor()
+      await page.mouse.move(x + width / 2, y + 10)
+      const surprised = await settled(page)
+      await page.getByLabel('wrinkles', { exact: true }).uncheck()
+      const smooth = await settled(page)
+      expect(contrast(surprised)).toBeGreaterThan(100)
+      expect(largestDifference(surprised, smooth, FOREHEAD)).toBeGreaterThan(20)
+      await page.getByLabel('wrinkles', { exact: true }).check()
+      // The middle of the face: neutral.
+      await page.mouse.move(x + width / 2, y + height / 2)
+      const neutral = await settled(page)
+      expect(largestDifference(surprised, neutral, FOREHEAD)).toBeGreaterThan(20)
+    })
+  })
+
+  it('makes wrinkles for an avatar of the visitor, with the keyboard alone', async () => {
+    await withPage('', { viewport: DESKTOP }, async (page) => {
+      await page.getByLabel('Open an avatar of your own').setInputFiles(BARE_FACES[0].path)
+      await expect
+        .poll(() => page.locator('.stage .message').innerText(), { timeout: 240_000, interval: 500 })
+        .toMatch(/wrinkles\. Nothing has left this machine/)
+      await page.getByRole('button', { name: 'surprised' }).focus()
+      await page.keyboard.press('Enter')
+      const wrinkled = await settled(page)
+      await page.getByLabel('wrinkles', { exact: true }).focus()
+      await page.keyboard.press('Space')
+      expect(largestDifference(wrinkled, await settled(page), WHOLE)).toBeGreaterThan(20)
+    })
+  })
+
+  it('says what is wrong with a file that is no avatar, and keeps the face', async () => {
+    await withPage('', { viewport: DESKTOP }, async (page) => {
+      const file = { name: 'notes.glb', mimeType: 'model/gltf-binary', buffer: Buffer.from('not a face') }
+      await page.getByLabel('Open an avatar of your own').setInputFiles(file)
+      await page.getByText('notes.glb cannot be opened').waitFor()
+      expect(contrast(await settled(page))).toBeGreaterThan(100)
+    })
+  })
+
+  it('shows its text and the poster without JavaScript', async () => {
+    await withPage('', { viewport: DESKTOP, javaScriptEnabled: false }, async (page) => {
+      expect(await page.locator('h1').innerText()).toContain('Wrinkles')
+      expect(contrast(await faceOf(page))).toBeGreaterThan(100)
+    })
+  })
+})
+
+describe('the pages', () => {
+  it('run an example beside its source', async () => {
+    await withPage('examples/minimal.html', { viewport: DESKTOP }, async (page) => {
+      expect(await page.locator('.language-html').innerText()).toContain('WrinkleLoaderPlugin')
+      const canvas = page.frameLocator('.live iframe').locator('canvas')
+      await canvas.waitFor()
+      await expect
+        .poll(async () => contrast(await pixelsOf(await canvas.screenshot())), { timeout: 120_000 })
+        .toBeGreaterThan(100)
+    })
+  })
+
+  it('find a word', async () => {
+    await withPage('docs/guide.html', { viewport: DESKTOP }, async (page) => {
+      await page.getByRole('button', { name: 'Search' }).click()
+      await page.locator('input[type=search]').fill('haemoglobin')
+      await page.locator('.VPLocalSearchBox .result').first().click()
+      await page.waitForURL((url) => !url.pathname.endsWith('/docs/guide.html'))
+      expect(page.url()).toContain(site.address)
+    })
+  })
+
+  it('start the benchmark', async () => {
+    await withPage('bench/', { viewport: DESKTOP }, async (page) => {
+      await page.getByRole('button', { name: 'Run the benchmark here' }).click()
+      await expect
+        .poll(() => page.locator('.benchmark progress').evaluate((bar: HTMLProgressElement) => bar.value), {
+          timeout: 240_000,
+        })
+        .toBeGreaterThan(0)
+    })
+  })
+
+  it('open the studio', async () => {
+    await withPage('docs/guide.html', { viewport: DESKTOP }, async (page) => {
+      await page.getByRole('link', { name: 'Studio' }).last().click()
+      await page.locator('#viewport canvas').waitFor()
+      expect(page.url()).toBe(`${site.address}studio/index.html`)
+    })
+  })
+})
+
+async function pixelsOf(picture: Buffer): Promise<CanvasPixels> {
+  const { data, info } = await sharp(picture).removeAlpha().raw().toBuffer({ resolveWithObject: true })
+  return { width: info.width, height: info.height, data }
+}
