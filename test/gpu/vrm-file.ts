@@ -13,8 +13,11 @@ const BONES = [
 const OUTLINE = { outlineWidthMode: 'worldCoordinates', outlineWidthFactor: 0.01 }
 
 /** `wrinkledFile` as a VRM 1.0 whose face has MToon, with an outline or without. */
-export function vrmFile(hasOutline: boolean): Promise<Uint8Array<ArrayBuffer>> {
-  return wrinkledFile(undefined, (json) => {
+export function vrmFile(
+  hasOutline: boolean,
+  edit?: Parameters<typeof wrinkledFile>[0],
+): Promise<Uint8Array<ArrayBuffer>> {
+  return wrinkledFile(edit, (json) => {
     const mtoon = {
       specVersion: '1.0',
       shadeColorFactor: [0.7, 0.4, 0.4],

@@ -106,14 +106,13 @@ describe.each(RENDERERS)('the shipped face on %s', (name) => {
     scene.background = new Color(0x00ff00)
     const targets = Object.keys(face.skin.morphTargetDictionary!)
     const size = 400
-    // All 20 on the first path; the others read the same numbers in the same order.
-    const views = name === RENDERERS[0] ? 20 : 4
+    // All 20 on both renderers; the second's other backend runs the same code.
+    const views = name === 'webgpu on webgl2' ? 4 : 20
     for (let i = 0; i < views; i++) {
       pose(Object.fromEntries(targets.map((target) => [target, rng.next() < 0.1 ? rng.next() : 0])))
       const camera = new PerspectiveCamera(22, 1, 0.05, 10)
       frameFace(camera, face.root, { yaw: rng.uniform(-180, 180), pitch: rng.uniform(-20, 40), zoom: 1 })
       face.wrinkles.relief = 'on'
-      await harness.renderBytes(scene, camera, size)
       const shown = await harness.renderBytes(scene, camera, size)
       face.wrinkles.relief = 'off'
       const plain = await harness.renderBytes(scene, camera, size)

@@ -18,6 +18,16 @@ export interface ReliefParts extends CoarseParts {
     inputs: ShaderInputs,
     instances: Instances,
   ): () => void
+  /**
+   * Creates a copy of a material that draws the outline of a mesh, which draws that of a dense geometry, and has the widths and colours of the
+   * other, also when these change; null where there can be none.
+   */
+  outlineMaterial(
+    own: Material,
+    relief: ReliefInputs,
+    inputs: ShaderInputs,
+    instances: Instances,
+  ): Material | null
   /** Runs something that draws elsewhere while a shadow is being drawn. */
   duringShadow(renderer: AnyRenderer, draw: () => void): void
 }

@@ -10,6 +10,7 @@ import type { AnyRenderer } from '../renderer.ts'
 import { CoarsePass } from './coarse-pass.ts'
 import { type Raised, ringTexture, type Split, splitGeometry } from './dense-geometry.ts'
 import { checkReach, createHeightMaps, type HeightMaps } from './height-maps.ts'
+import { outlinesOf } from './outlines-of.ts'
 import type { ReliefInputs } from './relief-inputs.ts'
 import { createReliefMesh } from './relief-mesh.ts'
 import type { ReliefParts } from './relief-parts.ts'
@@ -76,7 +77,7 @@ export class Relief {
         host.refuse(error)
       },
     }
-    this.#standIns = splits.map((split) => this.#standInOf(split))
+    this.#standIns = splits.flatMap((split) => this.#standInsOf(split))
   }
 
   /**
@@ -120,7 +121,8 @@ export class Relief {
 
   /** Draws the dense geometries from now on, or the meshes themselves. Not to be called during a frame. */
   show(isShown: boolean): void {
-    for (const standIn of this.#standIns) standIn.show(isShown)
+    // Those of one mesh hook into each other, and must let go in turn.
+    for (const standIn of isShown ? this.#standIns : this.#standIns.toReversed()) standIn.show(isShown)
   }
 
   /** Takes over how the meshes are drawn, from the next frame on. */
@@ -136,11 +138,28 @@ export class Relief {
     this.#heights.dispose()
   }
 
-  #standInOf({ mesh, geometry }: MeshSplit): StandIn {
+  /** Of its surface, and of the outlines round it. */
+  #standInsOf(split: MeshSplit): StandIn[] {
     const { material, inputs } = this.#host
-    const dense = createReliefMesh(mesh, geometry, material)
-    const undress = this.#parts.dressShadow(dense, mesh, this.#inputs, inputs, instancesOf(mesh))
-    this.#onDispose.push(undress, () => geometry.dispose())
+    const { mesh, geometry } = split
+    this.#onDispose.push(() => geometry.dispose())
+    const outlines = outlinesOf(mesh, material).flatMap((own) => {
+      const copy = this.#parts.outlineMaterial(own, this.#inputs, inputs, instancesOf(mesh))
+      if (!copy) return []
+      this.#onDispose.push(() => copy.dispose())
+      return this.#standInOf(split, own, copy)
+    })
+    return [this.#standInOf(split, material, material), ...outlines]
+  }
+
+  /**
+   * @param material of the mesh.
+   * @param drawn what is drawn with instead.
+   */
+  #standInOf({ mesh, geometry }: MeshSplit, material: Material, drawn: Material): StandIn {
+    const { inputs } = this.#host
+    const dense = createReliefMesh(mesh, geometry, drawn)
+    this.#onDispose.push(this.#parts.dressShadow(dense, mesh, this.#inputs, inputs, instancesOf(mesh)))
     return new StandIn(mesh, dense, {
       material,
       isOn: () => !this.#isRefused && this.#host.isOn(),

@@ -7,7 +7,7 @@ const NOTHING = 1
 
 /** The wrinkles of the mesh, as far as a stand-in needs them. */
 export interface StandInHost {
-  /** The one that shows the wrinkles. */
+  /** The one of the mesh's materials in whose place it is drawn. */
   readonly material: Material
   /** Whether it shows them now. */
   isOn(): boolean
@@ -20,8 +20,8 @@ export interface StandInHost {
 }
 
 /**
- * Draws a dense geometry in place of a mesh. The mesh stays what the page knows: only that nothing of it is drawn with the material that
- * shows the wrinkles while the other is. Both renderers read the range to draw after `onBeforeRender` and `onBeforeShadow`.
+ * Draws a dense geometry in place of a mesh. The mesh stays what the page knows: only that nothing of it is drawn with one of its
+ * materials while the other is. Both renderers read the range to draw after `onBeforeRender` and `onBeforeShadow`.
  */
 export class StandIn {
   readonly #mesh: Mesh
@@ -114,7 +114,7 @@ export class StandIn {
     }
     dense.onBeforeRender = (renderer, _scene, camera, _geometry, material) => {
       host.prepare(renderer as AnyRenderer, camera, this.#mesh)
-      const isDrawn = this.#isDrawnWith(material)
+      const isDrawn = material === dense.material && this.#isInUse
       if (isDrawn) host.deform(renderer as AnyRenderer, false)
       draw(isDrawn)
     }

@@ -153,6 +153,15 @@ const dressShadow: ReliefParts['dressShadow'] = (dense, mesh, relief, inputs, in
   }
 }
 
+/** Several meshes may have an outline's material in common, as copies of an avatar do: each one's relief needs its own. */
+const outlineMaterial: ReliefParts['outlineMaterial'] = (own, relief, inputs, instances) => {
+  const { uniforms } = own as Partial<ShaderMaterial>
+  if (!uniforms) return null
+  const copy = Object.assign(own.clone(), { uniforms })
+  patch(copy, relief, inputs, instances)
+  return copy
+}
+
 const viewport = new Vector4()
 
 /** A light's shadow may have several views in one target, whose viewport three.js sets once for each. */
@@ -169,5 +178,6 @@ export const RELIEF_PARTS: ReliefParts = {
   hasContents: quadMaterials.hasContents,
   patch,
   dressShadow,
+  outlineMaterial,
   duringShadow,
 }

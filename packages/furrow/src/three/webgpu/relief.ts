@@ -62,5 +62,7 @@ export const RELIEF_PARTS: ReliefParts = {
   patch,
   // Shadows are drawn with the material's own `positionNode`.
   dressShadow: () => () => {},
+  // Node materials read widths and colours of themselves: a copy would not follow them.
+  outlineMaterial: () => null,
   duringShadow: (_renderer, draw) => draw(),
 }
