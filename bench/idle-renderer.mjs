@@ -11,7 +11,11 @@ export function idleRenderer() {
     getRenderTarget: () => null,
     getActiveCubeFace: () => 0,
     getActiveMipmapLevel: () => 0,
+    getClearAlpha: () => 0,
+    getClearColor() {},
+    setClearColor() {},
     setRenderTarget() {},
+    clear() {},
     render() {
       this.info.calls++
     },

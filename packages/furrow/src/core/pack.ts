@@ -94,7 +94,8 @@ export function packPairs(
   for (const [slice, pair] of pairs.entries()) {
     for (const [channel, image] of pair.entries()) {
       const start = 2 * texels * slice + channel
-      for (let i = 0; i < texels; i++) data[start + 2 * i] = image ? image.data[i] : neutral[channel]
+      const values = image?.data ?? new Uint8Array(texels).fill(neutral[channel])
+      for (let i = 0; i < texels; i++) data[start + 2 * i] = values[i]
     }
   }
   return { width, height, depth: pairs.length, channels: 2, data }

@@ -31,6 +31,7 @@ export class AtlasCells {
   readonly changed: Cell[] = []
   changes = 0
   readonly #cells: (Cell | null)[] = []
+  #used = 0
 
   constructor(width: number, height: number) {
     this.width = width
@@ -39,6 +40,11 @@ export class AtlasCells {
 
   get isEmpty(): boolean {
     return this.#cells.every((cell) => cell === null)
+  }
+
+  /** Whether all cells that are used are to be redrawn. */
+  get isWhole(): boolean {
+    return this.changes === this.#used
   }
 
   /** The arrays of areas that the faces use. */
@@ -54,6 +60,7 @@ export class AtlasCells {
   add(faces: readonly Face[]): Cell[] {
     const first = this.#findFree(faces.length)
     this.#grow(first + faces.length)
+    this.#used += faces.length
     return faces.map((face, i) => {
       const drawn = new Float32Array(face.activations.values.length).fill(Number.NaN)
       const cell: Cell = { face, index: first + i, drawn, version: 0, stale: true }
@@ -65,6 +72,7 @@ export class AtlasCells {
   /** Frees cells. */
   remove(cells: readonly Cell[]): void {
     for (const { index } of cells) this.#cells[index] = null
+    this.#used -= cells.length
     this.changed.length = 0
     this.changes = 0
     while (this.#cells.length > 0 && this.#cells[this.#cells.length - 1] === null) this.#cells.pop()

@@ -3,7 +3,6 @@ import { MAX_IMAGE_SIDE } from '../../core/limits.ts'
 import { imageDamage, imageTypeOf } from '../../core/maps/image-file.ts'
 import { type PngHeader, pngChunks, pngHeader } from '../../core/maps/png.ts'
 import type { GrayImage, RgbaImage } from '../../core/types.ts'
-import { hasPlainAlpha, inflatePng } from './inflate-png.ts'
 
 /**
  * Decodes an image file in the browser, without colour management, to 8 bits per channel.
@@ -32,7 +31,7 @@ export async function decodeBytes(bytes: Uint8Array<ArrayBuffer>, who: string): 
   // To refuse huge images before they are decoded.
   if (png) await checkSize(png, who)
   try {
-    if (png && hasPlainAlpha(png)) return await inflatePng(bytes, png)
+    if (png && hasPlainAlpha(png)) return await (await import('./inflate-png.ts')).inflatePng(bytes, png)
     const bitmap = await createImageBitmap(new Blob([bytes], { type }), {
       colorSpaceConversion: 'none',
       premultiplyAlpha: 'none',
@@ -61,6 +60,11 @@ const faults = () => import('./image-faults.ts')
 
 async function checkSize(size: { width: number; height: number }, who: string): Promise<void> {
   if (Math.max(size.width, size.height) > MAX_IMAGE_SIDE) throw (await faults()).tooLarge(size, who)
+}
+
+/** Whether `inflatePng` reads a file. */
+function hasPlainAlpha({ depth, colour, isInterlaced }: PngHeader): boolean {
+  return depth === 8 && (colour === 4 || colour === 6) && !isInterlaced
 }
 
 /** Whether a file is gray or RGB, with no colour that stands for transparency. */

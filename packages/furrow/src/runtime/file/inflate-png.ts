@@ -1,13 +1,8 @@
 import { type PngHeader, pngChunks } from '../../core/maps/png.ts'
 import type { RgbaImage } from '../../core/types.ts'
 
-/** Whether `inflatePng` reads such a file: the usual one for four areas in one image. */
-export function hasPlainAlpha({ depth, colour, isInterlaced }: PngHeader): boolean {
-  return depth === 8 && (colour === 4 || colour === 6) && !isInterlaced
-}
-
 /**
- * Reads the pixels of a PNG file with alpha exactly as stored. A 2D canvas multiplies colours by alpha, and loses them where that is small;
+ * Reads the pixels of a PNG file with alpha, 8 bits per channel and rows in order, exactly as stored: four areas in one image. A 2D canvas multiplies colours by alpha, and loses them where that is small;
  * WebGL keeps them, but takes tens of milliseconds to begin, in which the page stands still.
  *
  * @param bytes a whole file.

@@ -4,7 +4,7 @@ import type { AtlasCells, Cell } from '../../runtime/atlas-cells.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import type { AreaArray } from './area-array.ts'
 import { Quads } from './quads.ts'
-import { compileFor, renderPreservingState } from './render-preserving-state.ts'
+import { clearPreservingState, compileFor, renderPreservingState } from './render-preserving-state.ts'
 
 /** What depends on the renderer: the quads' materials, and whether a target still holds what was drawn. */
 export interface QuadMaterials {
@@ -50,17 +50,20 @@ export class InfluencePass {
 
   /** Draws the first `count` of some cells with their faces' activations. */
   draw(renderer: AnyRenderer, cells: readonly Cell[], count: number): void {
+    const { isWhole } = this.#cells
     this.#cleared.begin()
     for (const { sum, max } of this.#batches) {
       sum.begin()
       max.begin()
     }
-    for (let i = 0; i < count; i++) this.#put(cells[i])
+    for (let i = 0; i < count; i++) this.#put(cells[i], isWhole)
     this.#cleared.end()
     for (const { sum, max } of this.#batches) {
       sum.end()
       max.end()
     }
+    // In one stroke, without a quad for each cell and a program for these: a page with one face never takes one.
+    if (isWhole) clearPreservingState(renderer, this.#target)
     renderPreservingState(renderer, this.#target, this.#scene, this.#camera)
   }
 
@@ -87,12 +90,12 @@ export class InfluencePass {
     this.#cleared.dispose()
   }
 
-  #put(cell: Cell): void {
+  #put(cell: Cell, isClear: boolean): void {
     const { face, drawn, index } = cell
     const { grid } = this.#cells
     const column = index % grid.columns
     const row = Math.floor(index / grid.columns)
-    this.#cleared.put(column, row, this.#whole, 0)
+    if (!isClear) this.#cleared.put(column, row, this.#whole, 0)
     const areas = face.slots as AreaArray
     const { sum, max } = this.#batchOf(areas)
     const { slots } = areas

@@ -1,4 +1,4 @@
-import type { Camera, RenderTarget, Scene, WebGLRenderer } from 'three'
+import { type Camera, Color, type RenderTarget, type Scene, type WebGLRenderer } from 'three'
 import type { AnyRenderer } from '../renderer.ts'
 
 /** Renders into a level of a target, without clearing it, during another render call, and restores the renderer's state. */
@@ -28,6 +28,25 @@ export function renderPreservingState(
   renderer.xr.enabled = xr
   renderer.info.autoReset = autoReset
   renderer.autoClear = autoClear
+}
+
+const colour = new Color()
+
+/** Sets all texels of a target to 0, during another render call, and restores the renderer's state. */
+export function clearPreservingState(renderer: AnyRenderer, target: RenderTarget): void {
+  const gl = renderer as WebGLRenderer
+  const before = gl.getRenderTarget()
+  const face = gl.getActiveCubeFace()
+  const level = gl.getActiveMipmapLevel()
+  const alpha = gl.getClearAlpha()
+  gl.getClearColor(colour)
+  gl.setRenderTarget(target as never)
+  // A material that writes depth alone may have been drawn last.
+  gl.state?.buffers.color.setMask(true)
+  gl.setClearColor(0, 0)
+  gl.clear(true, false, false)
+  gl.setClearColor(colour, alpha)
+  gl.setRenderTarget(before, face, level)
 }
 
 /** Compiles what a scene is drawn into a target with, and allocates the target; fulfilled when it is compiled. Outside of frames only. */

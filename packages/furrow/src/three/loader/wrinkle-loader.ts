@@ -182,7 +182,8 @@ export class WrinkleLoader {
     if (copy) for (const mesh of meshes) mesh.material = copy
     const isVrm = expressions !== undefined
     const drive = await prepareDrivers(meshes[0], drivers, this.#parts.bindings, isVrm)
-    await Promise.all([this.#fetchMode(material), this.#fetchChannels(set, material)])
+    // What comes after it packs all maps: a task of its own, after that of the last image.
+    await Promise.all([this.#fetchMode(material), this.#fetchChannels(set, material), nextTask()])
     const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, drive, { expressions })
     if (!bySet.has(set)) bySet.set(set, own)
     if (!copy) byMaterial.set(material, own)
@@ -264,6 +265,10 @@ interface AddedFaces {
   bySet: Map<FileWrinkles['set'], WrinklesBase>
   /** The first of each material. */
   byMaterial: Map<Material, WrinklesBase>
+}
+
+function nextTask(): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve))
 }
 
 /** What is in a file, which may be anything. */
