@@ -1,11 +1,11 @@
 """
-Drivers of a wrinkle group. Each step of the plan is a custom property of one of its nodes with one driver of Blender, and
-the last of them drive the inputs of the other nodes: `nodes["Steps"]["d0l1"]` is the second link of the first driver,
-`nodes["Steps"]["a3"]` the activation of the fourth area, `["rest3"]` of the group itself that at rest.
+Drivers of a wrinkle group. Each step of the plan is a custom property of one of its nodes with one driver of Blender,
+and the last of them drive the inputs of the other nodes: `nodes["Steps"]["d0l1"]` is the second link of the first
+driver, `nodes["Steps"]["a3"]` the activation of the fourth area, `["rest3"]` of the group itself that at rest.
 
 Steps are not properties of the group itself: before the drivers of a data-block's nodes, and of those alone, Blender
-writes back what all driven properties of the data-block hold (`BKE_animsys_eval_driver_unshare`). In another thread that
-undid steps that had just been computed, in about one of fifty changes of a shape key (Blender 4.5 and 5.0).
+writes back what all driven properties of the data-block hold (`BKE_animsys_eval_driver_unshare`). In another thread
+that undid steps that had just been computed, in about one of fifty changes of a shape key (Blender 4.5 and 5.0).
 """
 
 import json
