@@ -14,7 +14,12 @@ export async function serve() {
     resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
     ssr: { resolve: { conditions: ['furrow-source', 'module', 'node', 'development|production'] } },
     optimizeDeps: {
-      entries: ['bench/index.html', 'bench/files/page.html', 'bench/cycles/page.html'],
+      entries: [
+        'bench/index.html',
+        'bench/files/page.html',
+        'bench/cycles/page.html',
+        'bench/cycles/babylon.html',
+      ],
       include: ['three', 'three/webgpu', 'three/tsl', 'three/addons/loaders/GLTFLoader.js'],
     },
     // A file saved while frames are timed must not reload the page.

@@ -1,5 +1,6 @@
-// The picture of docs/blender.md: the shipped face by three.js with Furrow, and by Cycles with the nodes and drivers that the extension
-// for Blender imports: `npm run cycles:blender`, after `npm run test:blender` has installed Blender.
+// The pictures of docs/blender.md and docs/conformance.md: the shipped face by three.js and Babylon.js with Furrow, each on WebGL and on
+// WebGPU, and by Cycles with the nodes and drivers that the extension for Blender imports: `npm run cycles:blender`, after `npm run
+// test:blender` has installed Blender.
 
 import { execFile } from 'node:child_process'
 import { existsSync } from 'node:fs'
@@ -16,8 +17,9 @@ const BACKGROUND = { r: 40, g: 40, b: 40 }
 const LAMP_ANGLE = 4
 const SAMPLES = 48
 const GAP = 8
-/** Width of one picture of the four. */
+/** Width of one of two pictures beside each other, and of one of five. */
 const WIDTH = 560
+const WIDTH_OF_FIVE = 400
 /** The forehead, as fractions of a picture's side. */
 const CROP = { left: 0.22, top: 0.2, width: 0.5, height: 0.26 }
 
@@ -45,13 +47,30 @@ await runServed(server, async () => {
   try {
     const { launchBrowser } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
     const { LAMPS, SIZE, SURROUNDINGS } = await server.ssrLoadModule('/bench/cycles/shots.ts')
+    const write = (name, url) => writeFile(file(`${name}.png`), Buffer.from(url.split(',')[1], 'base64'))
     const browser = await launchBrowser()
     let description
     try {
-      const page = await openPage(server, browser, '/bench/cycles/page.html', 'pose')
-      description = await page.evaluate((shot) => globalThis.pose('/faces/human.glb', shot), SHOT)
-      const url = await page.evaluate(() => globalThis.draw('default'))
-      await writeFile(file('three.png'), Buffer.from(url.split(',')[1], 'base64'))
+      for (const [name, search] of Object.entries({
+        three: '',
+        'three-webgl': '?webgl',
+        'three-webgpu': '?webgpu',
+      })) {
+        const page = await openPage(server, browser, `/bench/cycles/page.html${search}`, 'pose')
+        description = await page.evaluate((shot) => globalThis.pose('/faces/human.glb', shot), SHOT)
+        await write(name, await page.evaluate(() => globalThis.draw('default')))
+        await page.close()
+      }
+      for (const backend of ['webgl', 'webgpu']) {
+        const page = await openPage(server, browser, `/bench/cycles/babylon.html?${backend}`, 'drawByBabylon')
+        const { url, activations } = await page.evaluate(
+          ([shot, camera]) => globalThis.drawByBabylon('/faces/human.glb', shot, camera),
+          [SHOT, description.camera],
+        )
+        await write(`babylon-${backend}`, url)
+        await page.close()
+        console.info(`Babylon.js on ${backend}: ${difference(activations, description.activations)}`)
+      }
     } finally {
       await browser.close()
     }
@@ -78,32 +97,40 @@ await runServed(server, async () => {
         .filter((line) => line.startsWith('furrow:'))
         .join('\n'),
     )
-    const pictures = ['three', 'blender'].map((name) => file(`${name}.png`))
-    await compose(pictures, SIZE, join(ROOT, 'docs/figures/blender.jpg'))
+    const pictures = (...names) => names.map((name) => file(`${name}.png`))
+    const figure = (name) => join(ROOT, `docs/figures/${name}.jpg`)
+    await compose(pictures('three', 'blender'), SIZE, WIDTH, figure('blender'))
+    const five = pictures('three-webgl', 'three-webgpu', 'babylon-webgl', 'babylon-webgpu', 'blender')
+    await compose(five, SIZE, WIDTH_OF_FIVE, figure('engines'))
   } finally {
     await rm(folder, { recursive: true, force: true })
   }
 })
 
-/** From left to right three.js and Blender; below their foreheads. */
-async function compose(pictures, side, path) {
+function difference(some, others) {
+  const worst = Math.max(...Object.keys(others).map((name) => Math.abs(some[name] - others[name])))
+  return `activations differ from those of three.js by ${worst.toExponential(1)} at most`
+}
+
+/** Pictures from left to right; below them their foreheads. */
+async function compose(pictures, side, width, path) {
   const part = Object.fromEntries(
     Object.entries(CROP).map(([name, value]) => [name, Math.round(value * side)]),
   )
-  const cropHeight = Math.round((WIDTH * part.height) / part.width)
+  const cropHeight = Math.round((width * part.height) / part.width)
   const layers = await Promise.all(
     pictures.flatMap((picture, i) => {
-      const left = i * (WIDTH + GAP)
+      const left = i * (width + GAP)
       const flat = () => sharp(picture).flatten({ background: BACKGROUND })
-      const whole = flat().resize(WIDTH, WIDTH).png().toBuffer()
-      const crop = flat().extract(part).resize(WIDTH, cropHeight).png().toBuffer()
+      const whole = flat().resize(width, width).png().toBuffer()
+      const crop = flat().extract(part).resize(width, cropHeight).png().toBuffer()
       return [
         whole.then((input) => ({ input, left, top: 0 })),
-        crop.then((input) => ({ input, left, top: WIDTH + GAP })),
+        crop.then((input) => ({ input, left, top: width + GAP })),
       ]
     }),
   )
-  const size = { width: 2 * WIDTH + GAP, height: WIDTH + GAP + cropHeight }
+  const size = { width: pictures.length * (width + GAP) - GAP, height: width + GAP + cropHeight }
   await sharp({ create: { ...size, channels: 3, background: '#fff' } })
     .composite(layers)
     .jpeg({ quality: 85 })

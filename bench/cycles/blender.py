@@ -20,11 +20,13 @@ def main():
     asked, folder = json.loads(Path(sys.argv[1]).read_text()), Path(sys.argv[2])
     bpy.ops.wm.read_factory_settings(use_empty=True)
     addon_utils.enable('furrow', default_set=True)
+    from furrow.rig import activation_of
+
     load(asked)
     light_and_aim(asked)
     bpy.context.view_layer.update()
     group = next(tree for tree in bpy.data.node_groups if tree.furrow.is_wrinkles)
-    own = {area.name: group[f'a{i}'] for i, area in enumerate(group.furrow.areas)}
+    own = {area.name: activation_of(group, i) for i, area in enumerate(group.furrow.areas)}
     worst = max(abs(own[name] - value) for name, value in asked['activations'].items())
     print(f'furrow: activations of {len(own)} areas differ from those of three.js by {worst:.1e} at most')
     bpy.context.scene.render.filepath = str(folder / 'blender.png')

@@ -1,5 +1,10 @@
-/** Draws a face by three.js and Furrow under the lamps that Cycles has too, and tells what Cycles needs to draw the same. */
-import { addDrivers, frameFace, readWrinkleMaps, type WrinkleMode, Wrinkles } from 'furrow/three'
+/**
+ * Draws a face by three.js and Furrow under the lamps that Cycles has too, and tells what Cycles needs to draw the same. Where the address
+ * ends with `?webgl` or `?webgpu`, on that and without shadows, which each engine draws in a way of its own.
+ */
+import * as webgl from 'furrow/three'
+import { frameFace, readWrinkleMaps, type WrinkleMode, type Wrinkles } from 'furrow/three'
+import * as webgpu from 'furrow/webgpu'
 import {
   Box3,
   Color,
@@ -15,6 +20,7 @@ import {
   WebGLRenderer,
 } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { PMREMGenerator as NodePMREMGenerator, WebGPURenderer } from 'three/webgpu'
 import { LAMPS, type Shot, SIZE, SURROUNDINGS } from './shots.ts'
 
 /** What Cycles draws: metres, +Y up. */
@@ -47,10 +53,13 @@ declare global {
 const FIELD_OF_VIEW = 22
 
 const canvas = document.createElement('canvas')
-const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true })
+const hasShadows = location.search === ''
+const isWebGPU = location.search === '?webgpu'
+const settings = { canvas, antialias: true, alpha: true, preserveDrawingBuffer: true }
+const renderer = isWebGPU ? new WebGPURenderer(settings) : new WebGLRenderer(settings)
 renderer.setSize(SIZE, SIZE)
 renderer.toneMapping = NoToneMapping
-renderer.shadowMap.enabled = true
+renderer.shadowMap.enabled = hasShadows
 renderer.shadowMap.type = PCFSoftShadowMap
 renderer.setClearColor(0, 0)
 
@@ -60,8 +69,10 @@ let wrinkles: Wrinkles
 
 window.pose = async (address, shot) => {
   const gltf = await new GLTFLoader().loadAsync(address)
+  if ('init' in renderer) await renderer.init()
   const [{ meshes, set, drivers }] = await readWrinkleMaps(gltf)
-  wrinkles = new Wrinkles(meshes[0], set, { relief: shot.relief ?? 'on' })
+  const { Wrinkles, addDrivers } = isWebGPU ? webgpu : webgl
+  wrinkles = new Wrinkles(meshes[0], set, { relief: shot.relief ?? 'on' }) as Wrinkles
   for (const mesh of meshes.slice(1)) wrinkles.addMesh(mesh)
   // Without delays: a picture shows what they end in.
   addDrivers(
@@ -103,7 +114,10 @@ function pose(face: Object3D, targets: Record<string, number>): void {
 function light(face: Object3D): void {
   const surroundings = new Scene()
   surroundings.background = new Color(SURROUNDINGS, SURROUNDINGS, SURROUNDINGS)
-  scene.environment = new PMREMGenerator(renderer).fromScene(surroundings).texture
+  const blurred = isWebGPU
+    ? new NodePMREMGenerator(renderer as WebGPURenderer)
+    : new PMREMGenerator(renderer as WebGLRenderer)
+  scene.environment = blurred.fromScene(surroundings).texture
   const bounds = new Box3().setFromObject(face)
   const centre = bounds.getCenter(new Vector3())
   const radius = bounds.getSize(new Vector3()).length() / 2
@@ -119,7 +133,7 @@ function light(face: Object3D): void {
       .setLength(2 * radius)
       .add(centre)
     lamp.target.position.copy(centre)
-    lamp.castShadow = true
+    lamp.castShadow = hasShadows
     Object.assign(lamp.shadow.camera, {
       left: -radius,
       right: radius,

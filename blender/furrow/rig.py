@@ -1,19 +1,22 @@
 """
-Drivers of a wrinkle group. Each step of the plan is a custom property of the node group with one driver of Blender, and
-the last of them drive the inputs of the nodes: `["d0l1"]` is the second link of the first driver, `["a3"]` the
-activation of the fourth area, `["rest3"]` that at rest.
+Drivers of a wrinkle group. Each step of the plan is a custom property of one of its nodes with one driver of Blender,
+and the last of them drive the inputs of the other nodes: `nodes["Steps"]["d0l1"]` is the second link of the first
+driver, `nodes["Steps"]["a3"]` the activation of the fourth area, `["rest3"]` of the group itself that at rest.
+
+Steps are not properties of the group itself: before the drivers of a data-block's nodes, and of those alone, Blender
+writes back what all driven properties of the data-block hold (`BKE_animsys_eval_driver_unshare`). In another thread
+that undid steps that had just been computed, in about one of fifty changes of a shape key (Blender 4.5 and 5.0).
 """
 
 import json
-import re
 
 import bpy
 
 from .format.plan import activation_name, plan_drivers
 from .joints import armature_of, can_measure, read_bone, with_joints_measured
 
-#: Names of custom properties that hold steps.
-_STEP = re.compile(r"[acd]\d")
+#: Name of the node whose custom properties are the steps: a frame, which draws nothing.
+STEPS = "Steps"
 
 #: Key frames of a driver that scales: it goes on beyond both.
 _UNIT = ((0, 0), (1, 1))
@@ -40,18 +43,20 @@ def build_drivers(tree, activations):
         # Drivers can only read what is there.
         area.activation = area.activation
     steps = with_joints_measured(plan.steps, face)
+    node = tree.nodes.new("NodeFrame")
+    node.name = node.label = STEPS
     for step in steps:
-        tree[step.name] = 0.0
+        node[step.name] = 0.0
     for step in steps:
-        curve = tree.driver_add(f'["{step.name}"]')
+        curve = tree.driver_add(_path(step.name))
         _set_up(curve, step.combine, step.expression)
         for source, name in zip(step.sources, "abcdefgh" if step.expression else _names(step), strict=False):
-            _read(curve.driver, name, source, tree, mesh)
+            _read(curve.driver, name, source, tree, keys)
         _shape(curve, step)
-    for area, (node, index) in activations.items():
-        curve = tree.nodes[node].inputs[index].driver_add("default_value")
+    for area, (name, index) in activations.items():
+        curve = tree.nodes[name].inputs[index].driver_add("default_value")
         _set_up(curve, "SUM")
-        _variable(curve.driver, "a", "NODETREE", tree, f'["{activation_name(area)}"]')
+        _variable(curve.driver, "a", "NODETREE", tree, _path(activation_name(area)))
         _key(curve, (), "CONSTANT")
     tree.update_tag()
     return plan
@@ -59,7 +64,8 @@ def build_drivers(tree, activations):
 
 def activation_of(tree, area):
     """The current activation of an area, by index."""
-    return tree.get(activation_name(area), 0.0)
+    steps = tree.nodes.get(STEPS)
+    return steps.get(activation_name(area), 0.0) if steps else 0.0
 
 
 def show_preview(tree):
@@ -67,15 +73,15 @@ def show_preview(tree):
     if tree.animation_data is None:
         return
     wrinkles = tree.furrow
-    chosen = activation_name(wrinkles.active_area)
+    chosen = _path(activation_name(wrinkles.active_area))
     for curve in tree.animation_data.drivers:
-        if not curve.data_path.startswith("nodes["):
+        if not curve.data_path.endswith(".default_value"):
             continue
         curve.mute = wrinkles.preview
         if wrinkles.preview:
             owner = tree.path_resolve(curve.data_path.rsplit(".", 1)[0])
             path = curve.driver.variables[0].targets[0].data_path
-            owner.default_value = 1.0 if path == f'["{chosen}"]' else 0.0
+            owner.default_value = 1.0 if path == chosen else 0.0
     tree.update_tag()
 
 
@@ -83,8 +89,10 @@ def _clear(tree):
     if tree.animation_data:
         for curve in list(tree.animation_data.drivers):
             tree.animation_data.drivers.remove(curve)
-    for name in [name for name in list(tree.keys()) if _STEP.match(name)]:
-        del tree[name]
+
+
+def _path(step):
+    return f'nodes["{STEPS}"]["{step}"]'
 
 
 def _names(step):
@@ -117,14 +125,12 @@ def _key(curve, points, extrapolation):
     curve.update()
 
 
-def _read(driver, name, source, tree, mesh):
+def _read(driver, name, source, tree, keys):
     if source.kind == "target":
         block = bpy.utils.escape_identifier(source.name)
-        # Through the mesh: a driver that reads the shape keys themselves misses the first change after a file is
-        # opened, in one to two of a hundred openings (Blender 4.5 and 5.0).
-        _variable(driver, name, "MESH", mesh, f'shape_keys.key_blocks["{block}"].value')
+        _variable(driver, name, "KEY", keys, f'key_blocks["{block}"].value')
     elif source.kind == "step":
-        _variable(driver, name, "NODETREE", tree, f'["{source.name}"]')
+        _variable(driver, name, "NODETREE", tree, _path(source.name))
     elif source.kind == "rest":
         _variable(driver, name, "NODETREE", tree, f'["rest{source.name}"]')
     elif source.kind == "input":

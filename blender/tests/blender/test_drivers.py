@@ -12,7 +12,7 @@ from mathutils import Matrix, Quaternion, Vector
 from evaluate import curve_at, evaluate_plan
 from furrow.format.container import GltfFile
 from furrow.format.plan import plan_drivers
-from furrow.rig import activation_of
+from furrow.rig import STEPS, activation_of
 from support import FLAT, ROOT, BlenderTest, document, image, set_weights
 
 IMAGES = [image("normal", FLAT), image("areas", (255, 255, 255))]
@@ -75,6 +75,13 @@ class DriversTest(BlenderTest):
                 self.assertTrue(driver.is_simple_expression, driver.expression)
                 self.assertLess(len(driver.expression), 255)
 
+    def test_no_step_is_written_back_by_another_thread(self):
+        """Blender would, if steps were properties of the group itself (see rig.py); rare, so the cause is tested."""
+        group = self.import_face(self.write_face(document(AREAS, drivers=DRIVERS), IMAGES, targets=TARGETS))
+        drivers = group.animation_data.drivers
+        self.assertGreater(len(drivers), 20)
+        self.assertEqual([curve.data_path for curve in drivers if not curve.data_path.startswith("nodes[")], [])
+
     def test_1024_links_and_no_expression_that_blender_would_cut_off(self):
         names = [f"shape {i} of a rig that names its shapes at length" for i in range(1024)]
         drivers = [morph("a", *[{"name": name, "weight": 0.001} for name in names])]
@@ -126,7 +133,7 @@ class DriversTest(BlenderTest):
         for angle in (0, 0.4, 0.9, 1.4):
             bone.rotation_quaternion = Quaternion((1, 2, -0.5), angle)
             bpy.context.view_layer.update()
-            self.assertAlmostEqual(group[step], curve_at(driver["curve"], angle), 4)
+            self.assertAlmostEqual(group.nodes[STEPS][step], curve_at(driver["curve"], angle), 4)
 
     def test_signed_angles_about_an_axis_of_the_joint(self):
         group = self.import_face(ROOT / "faces" / "neck.glb")
@@ -148,7 +155,7 @@ class DriversTest(BlenderTest):
                 own = bone.bone.matrix_local.to_3x3().inverted() @ Vector((x, -z, y))
                 bone.rotation_quaternion = Quaternion(own, angle)
                 bpy.context.view_layer.update()
-                self.assertAlmostEqual(group[f"d{i}"], curve_at(driver["curve"], angle), 4, driver)
+                self.assertAlmostEqual(group.nodes[STEPS][f"d{i}"], curve_at(driver["curve"], angle), 4, driver)
             bone.rotation_quaternion = (1, 0, 0, 0)
 
     def test_preview_shows_one_area_alone(self):
@@ -176,7 +183,7 @@ def _inverse_bind_rotations(file):
 
 
 def _node_inputs(group):
-    paths = [curve.data_path for curve in group.animation_data.drivers if curve.data_path.startswith("nodes[")]
+    paths = [curve.data_path for curve in group.animation_data.drivers if curve.data_path.endswith(".default_value")]
     return {path: group.path_resolve(path) for path in paths}
 
 

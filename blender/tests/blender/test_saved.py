@@ -24,11 +24,11 @@ class SavedTest(BlenderTest):
         bpy.ops.wm.read_factory_settings(use_empty=True)
 
     def check(self):
-        group = next(item for item in bpy.data.node_groups if "a0" in item)
+        group = next(item for item in bpy.data.node_groups if "Steps" in item.nodes)
         keys = bpy.data.shape_keys[0].key_blocks
         keys["brow"].value = 0.8
         bpy.context.view_layer.update()
-        self.assertAlmostEqual(group["a0"], 0.5, 6)
+        self.assertAlmostEqual(group.nodes["Steps"]["a0"], 0.5, 6)
 
     def test_it_is_opened_again_and_exported(self):
         addon_utils.enable("furrow", default_set=True)

@@ -314,7 +314,7 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
         texture.extensions = { KHR_texture_basisu: { source: texture.source } }
         delete texture.source
       },
-      /the maps are KTX 2, which furrow\/babylon does not read/,
+      /the maps are KTX 2, and there is no transcoder.*transcoderPath/,
     ],
   ])('stays plain, with one warning, because of %s', async (_, spoil, warning) => {
     const container = await open(undefined, (json) =>
@@ -327,6 +327,18 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
     expect(String(written.warn.mock.calls[0])).toMatch(warning)
     const pixels = await picture()
     expect(Math.max(...pixels)).toBeGreaterThan(0.1)
+  })
+
+  it.each([
+    ['a transcoder that is not there', '/nowhere', /cannot be decoded/],
+    ['a transcoder that is something else', '/test/gpu/babylon/not-a-transcoder', /cannot be decoded/],
+  ])('stays plain, with one warning, because of %s', async (_, transcoderPath, warning) => {
+    registerWrinkleMaps({ transcoderPath })
+    scene = litScene(harness)
+    const container = await LoadAssetContainerAsync('/conformance/files/ktx2.glb', scene)
+    registerWrinkleMaps()
+    expect(wrinklesOf(container)).toEqual([])
+    expect(written.warn.mock.calls.map(String)).toEqual([expect.stringMatching(warning)])
   })
 
   it('leaves out drivers that are malformed, unknown or without their inputs, with one warning each', async () => {
@@ -353,6 +365,7 @@ describe('what only three.js shows', () => {
     [{ auto: {} }, /an option that Babylon.js does not have, got "auto"/],
     [{ fadeBelow: 100 }, /an option that Babylon.js does not have/],
     [{ areaSize: 1 }, /areaSize/],
+    [{ transcoderPath: 1 }, /transcoderPath/],
   ])('is refused: %j', (options, message) => {
     expect(() => registerWrinkleMaps(options as never)).toThrow(message)
   })

@@ -32,7 +32,7 @@ DracoDecoder.DefaultConfiguration = {
 }
 MeshoptCompression.Configuration = { decoder: { url: '/node_modules/meshoptimizer/meshopt_decoder.cjs' } }
 
-registerWrinkleMaps()
+registerWrinkleMaps({ transcoderPath: '/node_modules/three/examples/jsm/libs/basis' })
 
 /** Loads a sample file into a scene of its own. */
 export async function openSample(harness: BabylonHarness, name: string): Promise<OpenedSample> {

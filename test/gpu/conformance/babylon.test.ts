@@ -11,5 +11,5 @@ describe.each(ENGINES)('conformance of Babylon.js on %s', (name) => {
   afterEach(() => expect(harness.errors).toEqual([]))
   afterAll(() => harness.dispose())
 
-  testSamples((sample) => openSample(harness, sample), ['ktx2'])
+  testSamples((sample) => openSample(harness, sample))
 })

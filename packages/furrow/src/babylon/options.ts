@@ -13,6 +13,15 @@ export interface WrinklesOptions {
   areaSize?: number
 }
 
+/** Options of `registerWrinkleMaps`. */
+export interface LoaderOptions extends WrinklesOptions {
+  /**
+   * Folder of `basis_transcoder.js` and `basis_transcoder.wasm`, which files with KTX 2 need and are fetched with the first of them. None
+   * by default: such a file then stays plain.
+   */
+  transcoderPath?: string
+}
+
 /** The defaults of `WrinklesOptions`. */
 export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = {
   mode: 'default',
@@ -48,4 +57,14 @@ export function checkOptions(options: WrinklesOptions, who: string): Required<Wr
     throw wrongArgument(who, 'areaSize', areaSize, `${MIN_AREA_SIZE} to ${MAX_IMAGE_SIDE} texels`)
   }
   return { mode, areaSize }
+}
+
+/** @throws FurrowError as `checkOptions` does, or when `transcoderPath` is no text. */
+export function checkLoaderOptions(options: LoaderOptions, who: string): void {
+  if (!isObject(options)) throw wrongArgument(who, 'options', options, 'an object')
+  const { transcoderPath, ...others } = options
+  if (transcoderPath !== undefined && typeof transcoderPath !== 'string') {
+    throw wrongArgument(who, 'transcoderPath', transcoderPath, 'the address of a folder')
+  }
+  checkOptions(others, who)
 }

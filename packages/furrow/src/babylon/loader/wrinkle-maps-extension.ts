@@ -13,7 +13,7 @@ import {
   wrinkleReader,
 } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
-import type { WrinklesOptions } from '../options.ts'
+import type { LoaderOptions, WrinklesOptions } from '../options.ts'
 import { bindPlan } from '../sources/bind-plan.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import { planFetched } from './plan-fetched.ts'
@@ -35,11 +35,13 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
   enabled = true
   readonly #loader: GLTFLoader
   readonly #options: WrinklesOptions
+  readonly #transcoderPath: string | undefined
   readonly #warnings = new Warnings('registerWrinkleMaps')
 
-  constructor(loader: GLTFLoader, options: WrinklesOptions) {
+  constructor(loader: GLTFLoader, { transcoderPath, ...options }: LoaderOptions) {
     this.#loader = loader
     this.#options = options
+    this.#transcoderPath = transcoderPath
   }
 
   onLoading(): void {
@@ -50,7 +52,7 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
   async onReady(): Promise<void> {
     const faces = facesOf(this.#loader)
     if (faces.length === 0) return
-    const read = wrinkleReader(fileOf(this.#loader), {
+    const read = wrinkleReader(fileOf(this.#loader, this.#transcoderPath), {
       onFault: (fault) => this.#warnings.add(fault, 'the other drivers work'),
     })
     const first = new Map<FileWrinkles['set'], WrinklesBase>()
@@ -107,36 +109,41 @@ function meshesOf({ _primitiveBabylonMeshes: meshes }: INode): readonly Abstract
   return meshes ?? []
 }
 
-function fileOf(loader: GLTFLoader): WrinkledFile {
+/** Few files have KTX 2 images: what only these need is fetched when one appears. */
+function fileOf(loader: GLTFLoader, transcoderPath: string | undefined): WrinkledFile {
   const { gltf } = loader
-  return {
-    json: gltf,
-    async readBytes(index, who) {
-      const image = gltf.images?.[index as number]
-      if (!image) return undefined
-      try {
-        const bytes = await loader.loadImageAsync(`/images/${index}`, image)
-        return new Uint8Array(bytes.buffer as ArrayBuffer, bytes.byteOffset, bytes.byteLength)
-      } catch {
-        throw new FurrowError({
-          code: 'unreadable',
-          who,
-          what: 'an image that cannot be fetched',
-          value: image.uri ?? `image ${index}`,
-          remedy: 'check that the server serves it at this address',
-        })
-      }
-    },
-    prefersArrays: false,
-    async loadArray() {
+  const readBytes: WrinkledFile['readBytes'] = async (index, who) => {
+    const image = gltf.images?.[index as number]
+    if (!image) return undefined
+    try {
+      const bytes = await loader.loadImageAsync(`/images/${index}`, image)
+      return new Uint8Array(bytes.buffer as ArrayBuffer, bytes.byteOffset, bytes.byteLength)
+    } catch {
       throw new FurrowError({
-        code: 'unsupported',
-        who: WRINKLE_MAPS,
-        what: 'the maps are KTX 2, which furrow/babylon does not read',
-        limit: 'PNG, JPEG, WebP or AVIF',
-        remedy: 'pack the file without --ktx2',
+        code: 'unreadable',
+        who,
+        what: 'an image that cannot be fetched',
+        value: image.uri ?? `image ${index}`,
+        remedy: 'check that the server serves it at this address',
       })
-    },
-    joinArrays: async (set) => set,
+    }
   }
+  return {
+    json: { ...gltf, materials: asWritten(gltf.materials), extensions: asWritten(gltf.extensions) },
+    readBytes,
+    prefersArrays: false,
+    async loadArray(index, _use, check) {
+      const { loadKtx2 } = await import('./ktx2.ts')
+      const who = `${WRINKLE_MAPS} texture ${index}`
+      const source = gltf.textures?.[index].extensions?.KHR_texture_basisu?.source
+      return loadKtx2(await readBytes(source, who), who, check, transcoderPath)
+    },
+    joinArrays: async (set) => (await import('./ktx2.ts')).withImages(set),
+  }
+}
+
+/** JSON without what Babylon.js keeps in it, under names that begin with an underscore: that leads to the whole scene, and in circles. */
+function asWritten(json: unknown): unknown {
+  const text = JSON.stringify(json, (name, value) => (name.startsWith('_') ? undefined : value))
+  return text && JSON.parse(text)
 }

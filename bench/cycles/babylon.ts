@@ -1,0 +1,96 @@
+/**
+ * Draws a face by Babylon.js and Furrow as `page.ts` does by three.js: on WebGL, or on WebGPU where the address ends with `?webgpu`.
+ */
+import { FreeCamera } from '@babylonjs/core/Cameras/freeCamera.js'
+import { Engine } from '@babylonjs/core/Engines/engine.js'
+import { WebGPUEngine } from '@babylonjs/core/Engines/webgpuEngine.js'
+import { DirectionalLight } from '@babylonjs/core/Lights/directionalLight.js'
+import { HemisphericLight } from '@babylonjs/core/Lights/hemisphericLight.js'
+import { LoadAssetContainerAsync } from '@babylonjs/core/Loading/sceneLoader.js'
+import { Color3, Color4 } from '@babylonjs/core/Maths/math.color.js'
+import { Vector3 } from '@babylonjs/core/Maths/math.vector.js'
+import { Scene } from '@babylonjs/core/scene.js'
+import '@babylonjs/loaders/glTF/2.0/Extensions/KHR_materials_ior.js'
+import '@babylonjs/loaders/glTF/2.0/Extensions/KHR_materials_specular.js'
+import '@babylonjs/loaders/glTF/2.0/Extensions/KHR_mesh_quantization.js'
+import '@babylonjs/loaders/glTF/2.0/Extensions/KHR_texture_transform.js'
+import '@babylonjs/loaders/glTF/2.0/glTFLoader.js'
+import { registerWrinkleMaps, wrinklesOf } from 'furrow/babylon'
+import type { Description } from './page.ts'
+import { LAMPS, type Shot, SIZE, SURROUNDINGS } from './shots.ts'
+
+declare global {
+  interface Window {
+    /** @returns the face in the pose of a shot as a data URL of a PNG, and the activations of its areas. */
+    drawByBabylon(
+      address: string,
+      shot: Shot,
+      camera: Description['camera'],
+    ): Promise<{ url: string; activations: Record<string, number> }>
+  }
+}
+
+/** Behind the face: the canvas of WebGPU is opaque. */
+const BACKGROUND = [40 / 255, 40 / 255, 40 / 255, 1] as const
+
+/** Frames until all shaders are there and delays have passed. */
+const FRAMES = 10
+
+registerWrinkleMaps()
+
+window.drawByBabylon = async (address, shot, { position, target, fov }) => {
+  const canvas = document.createElement('canvas')
+  canvas.width = canvas.height = SIZE
+  const engine = await engineOf(canvas)
+  const scene = new Scene(engine)
+  scene.useRightHandedSystem = true
+  scene.clearColor = new Color4(...BACKGROUND)
+  const camera = new FreeCamera('camera', Vector3.FromArray(position), scene)
+  camera.setTarget(Vector3.FromArray(target))
+  Object.assign(camera, { fov: (fov * Math.PI) / 180, minZ: 0.01, maxZ: 100 })
+  const container = await LoadAssetContainerAsync(address, scene)
+  container.addAllToScene()
+  for (const { morphTargetManager } of container.meshes) {
+    for (let i = 0; i < (morphTargetManager?.numTargets ?? 0); i++) {
+      const morph = morphTargetManager!.getTarget(i)
+      morph.influence = shot.targets[morph.name] ?? 0
+    }
+  }
+  light(scene)
+  const [wrinkles] = wrinklesOf(container)
+  let milliseconds = 0
+  wrinkles.clock = { now: () => milliseconds }
+  await scene.whenReadyAsync()
+  for (let i = 0; i < FRAMES; i++) {
+    // Without delays: a picture shows what they end in.
+    milliseconds += 10_000
+    engine.beginFrame()
+    scene.render()
+    engine.endFrame()
+    await new Promise((resolve) => setTimeout(resolve, 20))
+  }
+  engine.beginFrame()
+  scene.render()
+  engine.endFrame()
+  const activations = wrinkles.areaNames.map((name) => [name, wrinkles.getActivation(name)])
+  return { url: canvas.toDataURL(), activations: Object.fromEntries(activations) }
+}
+
+async function engineOf(canvas: HTMLCanvasElement): Promise<Engine | WebGPUEngine> {
+  const settings = { preserveDrawingBuffer: true, antialias: true }
+  if (location.search !== '?webgpu') return new Engine(canvas, true, settings)
+  const engine = new WebGPUEngine(canvas, settings)
+  await engine.initAsync()
+  return engine
+}
+
+/** Without shadows. Surroundings of one colour are a light from above and below, without their highlights. */
+function light(scene: Scene): void {
+  const sky = new HemisphericLight('surroundings', Vector3.Up(), scene)
+  sky.diffuse = sky.groundColor = Color3.White().scale(SURROUNDINGS)
+  sky.specular = Color3.Black()
+  for (const { from, strength } of LAMPS) {
+    const lamp = new DirectionalLight('lamp', Vector3.FromArray(from).scale(-1).normalize(), scene)
+    lamp.intensity = strength
+  }
+}

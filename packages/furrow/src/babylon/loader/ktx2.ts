@@ -1,0 +1,108 @@
+import { channelOf } from '../../core/channels.ts'
+import { isSlice } from '../../core/check-areas.ts'
+import { FurrowError } from '../../core/error.ts'
+import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
+import { readKtx2Header } from '../../core/maps/ktx2-header.ts'
+import type { TextureShape } from '../../core/maps/rules.ts'
+import type { ArraySlice, GrayImage, RgbaImage, WrinkleSet } from '../../core/types.ts'
+import { fileError } from '../../runtime/file/file-error.ts'
+import { type Transcoded, type TranscodeRequest, transcodeInWorker } from './transcode-worker.ts'
+
+/** A KTX 2 image or array of a file, unpacked. */
+interface UnpackedArray {
+  images: readonly RgbaImage[]
+}
+
+/**
+ * Unpacks a KTX 2 image or array into images of 8 bits: a set's maps and areas are resampled and put into arrays from these, as from any
+ * other format.
+ *
+ * @param who names the texture in errors.
+ * @param check throws where it may not be decoded.
+ * @param transcoderPath folder of `basis_transcoder.js` and `basis_transcoder.wasm`.
+ * @throws FurrowError when it is not what KHR_texture_basisu allows, or the transcoder cannot be fetched.
+ */
+export async function loadKtx2(
+  bytes: Uint8Array<ArrayBuffer> | undefined,
+  who: string,
+  check: (shape: TextureShape) => void,
+  transcoderPath: string | undefined,
+): Promise<{ array: UnpackedArray; header: TextureShape }> {
+  if (!bytes) {
+    throw new FurrowError({
+      who,
+      what: 'a slice of an image that is not KTX 2',
+      limit: 'a texture with KHR_texture_basisu',
+      remedy: 'pack the file again',
+    })
+  }
+  if (transcoderPath === undefined) {
+    throw new FurrowError({
+      code: 'unsupported',
+      who: WRINKLE_MAPS,
+      what: 'the maps are KTX 2, and there is no transcoder',
+      limit: 'registerWrinkleMaps with transcoderPath',
+      remedy: 'name the folder of basis_transcoder.js, or pack the file without --ktx2; see docs/babylon.md',
+    })
+  }
+  const header = readKtx2Header(bytes, who)
+  check(header)
+  try {
+    const { width, height, slices } = await transcode({
+      script: new URL('basis_transcoder.js', folderOf(transcoderPath)).href,
+      binary: new URL('basis_transcoder.wasm', folderOf(transcoderPath)).href,
+      bytes,
+    })
+    return { array: { images: slices.map((data) => ({ width, height, data })) }, header }
+  } catch (error) {
+    throw fileError(error, who, 'a KTX 2 image that cannot be decoded')
+  }
+}
+
+/** A set with images in place of the slices that `loadKtx2` has unpacked. */
+export function withImages({ layers, areas }: WrinkleSet<ArraySlice>): WrinkleSet<ArraySlice> {
+  return {
+    layers: layers.map((layer) => {
+      const { normal, baseColor, roughness, occlusion, blood } = layer
+      return {
+        ...layer,
+        normal: imageOf(normal),
+        ...(baseColor && { baseColor: imageOf(baseColor) }),
+        ...(roughness && { roughness: grayOf(roughness) }),
+        ...(occlusion && { occlusion: grayOf(occlusion) }),
+        ...(blood && { blood: grayOf(blood) }),
+      }
+    }),
+    areas: areas.map((area) => ({ ...area, weights: grayOf(area.weights) })),
+  }
+}
+
+function imageOf(map: RgbaImage | ArraySlice): RgbaImage {
+  return isSlice(map) ? (map.array as UnpackedArray).images[map.slice] : map
+}
+
+function grayOf(map: GrayImage | ArraySlice): GrayImage {
+  return isSlice(map) ? channelOf(imageOf(map), map.channel) : map
+}
+
+function folderOf(path: string): URL {
+  return new URL(path.endsWith('/') ? path : `${path}/`, location.href)
+}
+
+/** Transcodes in a worker of its own, which ends with the image. */
+async function transcode(request: TranscodeRequest): Promise<Extract<Transcoded, { slices: unknown }>> {
+  const url = URL.createObjectURL(new Blob([`(${transcodeInWorker})()`], { type: 'text/javascript' }))
+  const worker = new Worker(url)
+  try {
+    const answer = await new Promise<Transcoded>((resolve, reject) => {
+      worker.onmessage = ({ data }) => resolve(data)
+      worker.onerror = ({ message }) => reject(new Error(message))
+      worker.postMessage(request)
+    })
+    if ('fault' in answer) throw new Error(answer.fault)
+    return answer
+  } finally {
+    worker.terminate()
+    URL.revokeObjectURL(url)
+  }
+}
