@@ -20,6 +20,12 @@ export type ProcessEnd =
 /** Processes keep compiled code from one job to the next, and are ended where they also keep more than this of their memory. */
 const MOST_KEPT = 0.5
 
+/**
+ * Megabytes of V8's young generation, 16 by default: vectors of three numbers that live for a moment then rarely make it collect. A
+ * face at 1024 texels takes 1.64 s of the processor in place of 2.0; 128 MB give no more.
+ */
+const YOUNG_SPACE = 64
+
 /** Characters of what a process wrote to stderr that are kept. */
 const LAST_WORDS = 4096
 
@@ -89,7 +95,10 @@ export class ProcessPool {
   #start(): ChildProcess {
     const { memory } = this.#limits
     const child = fork(this.#program, [String(memory)], {
-      execArgv: [`--max-old-space-size=${Math.ceil(memory / 2 ** 20)}`],
+      execArgv: [
+        `--max-old-space-size=${Math.ceil(memory / 2 ** 20)}`,
+        `--max-semi-space-size=${YOUNG_SPACE}`,
+      ],
       stdio: ['ignore', 'ignore', 'pipe', 'ipc'],
       // Ctrl-C in a terminal reaches all processes of its group: jobs are ended by `close`, or finished first.
       detached: true,
