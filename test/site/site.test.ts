@@ -159,7 +159,8 @@ describe('the first page', () => {
       const wrinkled = await settled(page)
       await page.getByLabel('wrinkles', { exact: true }).focus()
       await page.keyboard.press('Space')
-      expect(largestDifference(wrinkled, await settled(page), WHOLE)).toBeGreaterThan(20)
+      // This one is white, and its wrinkles are faint.
+      expect(largestDifference(wrinkled, await settled(page), WHOLE)).toBeGreaterThan(4)
     })
   })
 
