@@ -1,6 +1,7 @@
 import { fileURLToPath } from 'node:url'
 import { repositoryAddress } from '../places.mjs'
 import { NAVIGATION, sidebar } from './contents.mjs'
+import { indentedCode } from './indented-code.mjs'
 import { repositoryLinks } from './links.mjs'
 import { slugOf } from './slug.mjs'
 
@@ -32,7 +33,10 @@ export default {
     headers: { slugify: slugOf },
     // Contrast of 4.5 and more on the grounds of the code.
     theme: { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' },
-    config: (markdown) => repositoryLinks(markdown),
+    config(markdown) {
+      repositoryLinks(markdown)
+      indentedCode(markdown)
+    },
   },
   themeConfig: {
     logo: { src: ICON, alt: '' },

@@ -21,7 +21,7 @@ import { type AvatarFile, loadAvatar, type Making } from './load-avatar.ts'
 const FOLLOW = 0.12
 const CHANGE = 0.35
 
-/** Radians that the camera moves round the face, and how much of the way in a frame of a sixtieth of a second. */
+/** Radians that the camera moves round the face, unless the visitor wants less motion, and how much of the way in each frame. */
 const YAW = 0.2
 const PITCH = 0.1
 const EASE = 0.12
@@ -75,6 +75,7 @@ export class LiveFace {
   /** Where the pointer is, -1..1, and where the camera has followed it to. */
   readonly #aim = { x: 0, y: 0 }
   readonly #now = { x: 0, y: 0 }
+  readonly #isCalm = matchMedia('(prefers-reduced-motion: reduce)')
   /** Milliseconds, by the page's clock. */
   #drawnUntil = 0
 
@@ -205,8 +206,9 @@ export class LiveFace {
     this.#now.x += EASE * dx
     this.#now.y += EASE * dy
     const { radius, phi, theta } = this.#rest
+    const reach = this.#isCalm.matches ? 0 : 1
     this.#camera.position
-      .setFromSphericalCoords(radius, phi + PITCH * this.#now.y, theta - YAW * this.#now.x)
+      .setFromSphericalCoords(radius, phi + reach * PITCH * this.#now.y, theta - reach * YAW * this.#now.x)
       .add(this.#target)
     this.#camera.lookAt(this.#target)
     return Math.hypot(dx, dy) > 0.004
