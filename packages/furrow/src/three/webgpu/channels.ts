@@ -38,21 +38,21 @@ function add(
   const read = texelReader(inputs, layers)
   const mixInto = (kind: ValueKind, own: Node<'vec3'>) => mixValues(kind, own, inputs, layers.influence, read)
   if (baseColor || blood || isToon(material)) {
-    const own = map ? materialProperty('map', 'texture') : vec4(1)
+    const own = map ? materialProperty('map', 'texture', material) : vec4(1)
     const mapped = baseColor ? mixInto('baseColor', own.rgb) : own.rgb
-    const unflushed = materialProperty('color', 'color').mul(mapped)
+    const unflushed = materialProperty('color', 'color', material).mul(mapped)
     const colour = blood ? bloodColour(unflushed, mixInto('blood', vec3(0)).x) : unflushed
     added.colorNode = vec4(isToon(material) ? toonColour(colour, ownNormal, mixed) : colour, own.a)
   }
   if (roughness && 'roughness' in material) {
-    const own = roughnessMap ? vec3(materialProperty('roughnessMap', 'texture').g) : vec3(1)
+    const own = roughnessMap ? vec3(materialProperty('roughnessMap', 'texture', material).g) : vec3(1)
     const value = mixInto('roughness', own).x
-    added.roughnessNode = materialProperty('roughness', 'float').mul(value)
+    added.roughnessNode = materialProperty('roughness', 'float', material).mul(value)
   }
   if (occlusion && 'aoMap' in material) {
-    const own = aoMap ? vec3(materialProperty('aoMap', 'texture').r) : vec3(1)
+    const own = aoMap ? vec3(materialProperty('aoMap', 'texture', material).r) : vec3(1)
     const value = mixInto('occlusion', own).x
-    const intensity = materialProperty('aoMapIntensity', 'float')
+    const intensity = materialProperty('aoMapIntensity', 'float', material)
     added.aoNode = aoMap ? value.sub(1).mul(intensity).add(1) : value
     const visibility = aoMap ? mixInto('occlusion', vec3(1)).x : value
     added.setupLightingModel = function (this: NodeMaterial) {

@@ -13,6 +13,6 @@ export const showInfluence: ShowInfluence = (material, { wrinkled, inputs, insta
     table ? influenceFromAreas(inputs, table, uv) : influenceFromMap(inputs, uv, instances)
   ).toVar()
   const largest = max(max(influence.x, influence.y), max(influence.z, influence.w))
-  const colorNode = materialProperty('color', 'color').mul(vec3(largest))
+  const colorNode = materialProperty('color', 'color', material).mul(vec3(largest))
   Object.assign(material, { color: new Color(1, 1, 1), colorNode, needsUpdate: true })
 }

@@ -1,6 +1,7 @@
 /** TSL nodes whose type three.js's declarations leave open. All casts of nodes are in this file. */
-import { int, materialReference, subBuild, textureSize, uniform, workgroupArray } from 'three/tsl'
-import type { Node, StorageBufferNode, TextureNode } from 'three/webgpu'
+import type { Material } from 'three'
+import { int, subBuild, textureSize, uniform, workgroupArray } from 'three/tsl'
+import { MaterialReferenceNode, type Node, type StorageBufferNode, type TextureNode } from 'three/webgpu'
 
 /** Materials' properties by the type that `materialReference` takes, and what their nodes are. */
 interface PropertyNodes {
@@ -10,12 +11,34 @@ interface PropertyNodes {
   texture: 'vec4'
 }
 
-/** A property of the material being drawn. */
+/**
+ * A property of the material being drawn.
+ *
+ * @param owner material that the node is made for. Shadows are drawn by a material of the renderer's own with nodes of the mesh's: it has not
+ *   all of their properties, and the renderer fails on those.
+ */
 export function materialProperty<T extends keyof PropertyNodes>(
   name: string,
   type: T,
+  owner: Material,
 ): Node<PropertyNodes[T]> {
-  return typed(materialReference(name, type))
+  return typed(new PropertyNode(name, type, owner))
+}
+
+class PropertyNode extends MaterialReferenceNode {
+  readonly #owner: Material
+
+  constructor(name: string, type: string, owner: Material) {
+    super(name, type)
+    this.#owner = owner
+  }
+
+  override updateReference(state: { material: Material | null }) {
+    const { material } = state
+    const isThere = material && material[this.property as keyof Material] != null
+    this.reference = isThere ? material : this.#owner
+    return this.reference
+  }
 }
 
 /** A uniform that takes an input's `value` whenever an object is drawn. */
@@ -54,6 +77,6 @@ export function typedBuffer<T extends string>(node: Node): StorageBufferNode<T> 
 }
 
 /** The scale of the material's normal map. */
-export function normalScale(): Node<'vec2'> {
-  return materialProperty('normalScale', 'vec2')
+export function normalScale(owner: Material): Node<'vec2'> {
+  return materialProperty('normalScale', 'vec2', owner)
 }

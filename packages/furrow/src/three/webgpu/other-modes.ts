@@ -12,7 +12,7 @@ import { mapUv } from './texture-sampling.ts'
 const patchPaper: OtherModes['patchPaper'] = (material, inputs) => {
   const paper = inputs.paper!
   const uv = mapUv(material)
-  return patchNodes(material, paperNodes(paper, uv, influenceFromAreas(inputs, paper.table, uv)))
+  return patchNodes(material, paperNodes(material, paper, uv, influenceFromAreas(inputs, paper.table, uv)))
 }
 
 /** What all modes but the default one take, and what shows influence, on `WebGPURenderer`. */

@@ -1,3 +1,4 @@
+import type { Material } from 'three'
 import {
   cameraViewMatrix,
   int,
@@ -18,17 +19,18 @@ import { repeat } from './texture-sampling.ts'
 
 /** The paper's mode: lit with smooth normals, lit again with wrinkled ones, and the two colours mixed. */
 export function paperNodes(
+  material: Material,
   { texture: colours, diffuseIsSrgb }: PaperArray,
   uv: Node<'vec2'>,
   influence: Node<'vec4'>,
 ): Added {
   const sample = (slice: number) => texture(colours, repeat(uv)).depth(int(slice))
-  const smooth = normalMap(sample(1).xyz, normalScale())
-  const wrinkled = normalMap(sample(2).xyz, normalScale())
+  const smooth = normalMap(sample(1).xyz, normalScale(material))
+  const wrinkled = normalMap(sample(2).xyz, normalScale(material))
   const stored = sample(0).rgb
   const diffuse = diffuseIsSrgb ? typed<'vec3'>(sRGBTransferEOTF(stored)) : stored
   return {
-    colorNode: materialProperty('color', 'color').mul(diffuse),
+    colorNode: materialProperty('color', 'color', material).mul(diffuse),
     normalNode: smooth,
     setupLighting(this: NodeMaterial, builder: NodeBuilder) {
       // One lighting graph, run twice by a loop: built twice, three.js would share the first's variables.

@@ -64,18 +64,20 @@ export const PARTS: RendererParts & { channels: Fetched<NodeChannels> } = {
 /** The default mode: the layers' maps mixed into the material's, lit once. */
 function layerNodes(material: Patched, inputs: ShaderInputs, layers: LayerInfluence): Added {
   const { normalNode } = material
-  const ownNormal = normalNode ? vec3(0.5, 0.5, 1) : materialProperty('normalMap', 'texture').xyz
+  const ownNormal = normalNode ? vec3(0.5, 0.5, 1) : materialProperty('normalMap', 'texture', material).xyz
   const mixed = mixNormals(ownNormal, inputs, layers)
   const added: Added = {
-    normalNode: normalNode ? ontoNormal(typed(normalNode), mixed) : normalMap(mixed, normalScale()),
+    normalNode: normalNode
+      ? ontoNormal(typed(normalNode), mixed, material)
+      : normalMap(mixed, normalScale(material)),
   }
   PARTS.channels.value?.add(added, material, inputs, { layers, ownNormal, mixed })
   return added
 }
 
 /** Lays stored normals onto a material's own, in view space, that are not those of a map. */
-function ontoNormal(own: Node<'vec3'>, stored: Node<'vec3'>): Node<'vec3'> {
+function ontoNormal(own: Node<'vec3'>, stored: Node<'vec3'>, material: Patched): Node<'vec3'> {
   const normal = stored.mul(2).sub(1).toVar()
-  const scaled = vec3(normal.xy.mul(normalScale()), normal.z)
+  const scaled = vec3(normal.xy.mul(normalScale(material)), normal.z)
   return mat3(typed<'vec3'>(tangentView), typed<'vec3'>(bitangentView), own).mul(scaled).normalize()
 }
