@@ -7,6 +7,7 @@ import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
 import { extensionOf, type FileWrinkles } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
+import { nextTask } from '../../runtime/next-task.ts'
 import { needChannels } from '../material/channels.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import { surfaceOf } from '../material/surface.ts'
@@ -265,10 +266,6 @@ interface AddedFaces {
   bySet: Map<FileWrinkles['set'], WrinklesBase>
   /** The first of each material. */
   byMaterial: Map<Material, WrinklesBase>
-}
-
-function nextTask(): Promise<void> {
-  return new Promise((resolve) => setTimeout(resolve))
 }
 
 /** What is in a file, which may be anything. */

@@ -1,3 +1,5 @@
+import { nextTask } from '../../runtime/next-task.ts'
+
 /** Milliseconds of work between pauses: half of a frame. */
 const SLICE = 8
 
@@ -13,7 +15,7 @@ export async function inSlices<T>(steps: Generator<void, T>, isWanted: () => boo
     const { done, value } = steps.next()
     if (done) return value
     if (performance.now() - started < SLICE) continue
-    await new Promise((resolve) => setTimeout(resolve))
+    await nextTask()
     if (!isWanted()) return null
     started = performance.now()
   }
