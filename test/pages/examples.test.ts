@@ -6,7 +6,7 @@ import { afterAll, beforeAll, expect, test } from 'vitest'
 import { editGlb } from '../glb.ts'
 import { openBrowser, openPage } from './browser.ts'
 import {
-  drawRelief,
+  drawSettled,
   firstPicture,
   openPaused,
   playSurprise,
@@ -233,7 +233,7 @@ async function withExample<T>(
       await page.setViewportSize(size)
     }
     await playSurprise(page)
-    if (hasControls) await drawRelief(page)
+    if (hasControls) await drawSettled(page)
     const result = await inspect(page)
     expect(complaints).toEqual([])
     return result

@@ -25,8 +25,11 @@ export async function playSurprise(page: Page): Promise<void> {
   await page.clock.fastForward(SECOND / 2)
 }
 
-/** Waits until all meshes that may be drawn with relief are split, and draws that; the page's import map finds the modules. */
-export async function drawRelief(page: Page): Promise<void> {
+/**
+ * Draws a page as it is in the end: with relief, for which meshes are split first, and with blood that has come after its delay. The
+ * page's import map finds the modules.
+ */
+export async function drawSettled(page: Page): Promise<void> {
   const imports = await page.locator('script[type=importmap]').textContent()
   if (!imports!.includes('furrow/three')) return
   await page.evaluate(`
@@ -39,6 +42,7 @@ export async function drawRelief(page: Page): Promise<void> {
     })`)
   await page.clock.runFor(SECOND / 60)
   await page.evaluate('window.reliefReady')
+  await page.clock.fastForward(60 * SECOND)
   await page.clock.runFor(SECOND / 30)
 }
 
