@@ -4,6 +4,7 @@ import { EXPRESSIONS, findTargets } from 'furrow'
 import { ExpressionPlayer, Wrinkles } from 'furrow/three'
 import { BufferAttribute, Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
 import { expect, it } from 'vitest'
+import { combinableTargets } from '../../../packages/furrow/src/three/sources/combined-targets.ts'
 import { layer, randomNormals } from '../../cases.ts'
 import { seeded } from '../../random.ts'
 
@@ -22,6 +23,26 @@ it('allocates nothing per frame during a transition', () => {
   }
   player.play('surprised', 1)
   expect(bytesPerFrame(frames)).toBeLessThan(4)
+})
+
+it("allocates nothing while it reads a VRM's combined blendshapes", () => {
+  const nodes = [{ mesh: 0 }]
+  const happy = { morphTargetBinds: [0, 1].map((index) => ({ node: 0, index, weight: 0.5 })) }
+  const extensions = { VRMC_vrm: { expressions: { preset: { happy } } } }
+  const meshes = [{ primitives: [{ targets: [{}, {}] }], extras: { targetNames: ['cheek', 'mouth'] } }]
+  const mesh = new Mesh()
+  mesh.morphTargetDictionary = { happy: 0 }
+  mesh.morphTargetInfluences = [0]
+  const { names, read } = combinableTargets({ nodes, meshes, extensions }, 0)(mesh)
+  const values = new Float64Array(names.length)
+  const frames = (count: number) => {
+    for (let i = 0; i < count; i++) {
+      mesh.morphTargetInfluences![0] = (i % 10) / 10
+      read(values, 0)
+    }
+  }
+  expect(bytesPerFrame(frames)).toBeLessThan(4)
+  expect([names, values]).toEqual([['cheek', 'mouth', 'happy'], Float64Array.of(0.45, 0.45, 0.9)])
 })
 
 /** Minimum over some rounds. Reading the heap size allocates a little itself; one number per frame would be 16 bytes. */

@@ -1,23 +1,29 @@
 import type { Mesh } from 'three'
+import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import { driversOf } from '../../drivers/of-type.ts'
 import { planBy } from '../../drivers/plan.ts'
 import { definitionOf, type WrinkleDriver } from '../../drivers/registry.ts'
 import { bindPlan } from '../sources/bind-plan.ts'
-import type { Drive, FetchedBindings } from '../sources/binding.ts'
-import { bindTargets } from '../sources/target.ts'
+import type { BindInputs, Drive, FetchedBindings } from '../sources/binding.ts'
+import { bindTargets, bindTargetsBy } from '../sources/target.ts'
 
-/** Plans drivers of any type, and fetches what these read. Copies of the mesh share its geometry, and so its muscles. */
+/**
+ * Plans drivers of any type, and fetches what these read. Copies of the mesh share its geometry, and so its muscles.
+ *
+ * @param vrm of the file, if it is a VRM.
+ */
 export async function planDrivers(
   mesh: Mesh,
   drivers: readonly WrinkleDriver[],
   { joint, tension }: FetchedBindings,
+  vrm: GLTFParser | undefined,
 ): Promise<Drive> {
   const muscles = driversOf('muscle', drivers)
   if (muscles.length > 0) (await import('../sources/muscles.ts')).addMuscles(mesh, muscles)
   const plan = planBy(definitionOf, drivers)
   const { inputs } = plan
   const bindings = {
-    target: bindTargets,
+    target: vrm ? await targetsOfVrm(mesh, vrm) : bindTargets,
     ...(inputs.joint.length > 0 && { joint: await joint() }),
     ...(inputs.tension.length > 0 && { tension: await tension() }),
   }
@@ -26,4 +32,11 @@ export async function planDrivers(
     // three-vrm may create a VRM's expressions after this: they are looked up when the face is first drawn.
     if (!expressions) runtime.bind()
   }
+}
+
+async function targetsOfVrm(mesh: Mesh, { json, associations }: GLTFParser): Promise<BindInputs<'target'>> {
+  const index = associations.get(mesh)?.meshes
+  if (index === undefined) return bindTargets
+  const { combinableTargets } = await import('../sources/combined-targets.ts')
+  return bindTargetsBy(combinableTargets(json, index))
 }

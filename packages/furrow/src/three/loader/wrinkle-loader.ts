@@ -181,8 +181,8 @@ export class WrinkleLoader {
     const copy = byMaterial.get(material)?.cloneMaterial()
     // Another face with the same material has its own activations, and so needs its own material.
     if (copy) for (const mesh of meshes) mesh.material = copy
-    const isVrm = expressions !== undefined
-    const drive = await prepareDrivers(meshes[0], drivers, this.#parts.bindings, isVrm)
+    const vrm = expressions && this.#parser
+    const drive = await prepareDrivers(meshes[0], drivers, this.#parts.bindings, vrm)
     // What comes after it packs all maps: a task of its own, after that of the last image.
     await Promise.all([this.#fetchMode(material), this.#fetchChannels(set, material), nextTask()])
     const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, drive, { expressions })

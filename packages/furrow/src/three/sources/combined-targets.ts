@@ -1,0 +1,73 @@
+import type { Mesh } from 'three'
+import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
+import { expressionBinds } from '../../drivers/morph/vrm-binds.ts'
+import type { ReadWeights } from '../../runtime/morph-drivers.ts'
+import { targetNames, weightReader } from './morph.ts'
+import type { MeshTargets } from './target.ts'
+
+/**
+ * Blendshapes of the face of a VRM and of its copies, by the names of the file also after `VRMUtils.combineMorphs` of three-vrm. That
+ * replaces all blendshapes of a mesh by one for each expression, with the expression's name; what the weights of the file's blendshapes
+ * would be follows from the file. The names are the file's too, since pages combine before the first frame, and before automatic wrinkles
+ * are done.
+ *
+ * @param json of the file.
+ * @param index of the face's mesh in it.
+ */
+export function combinableTargets(json: GLTFParser['json'], index: number): (mesh: Mesh) => MeshTargets {
+  const written = writtenNames(json.meshes[index])
+  const binds = expressionBinds(json, index)
+  /** What the weights of a mesh whose blendshapes have some names add to those of `names`. */
+  const linksOf = (own: readonly string[], names: readonly string[]): Link[] => {
+    const isAsWritten = own.length === written.length && own.every((name, i) => name === written[i])
+    const isCombined = !isAsWritten && own.every((name) => binds.has(name))
+    return own.flatMap((name, from) => {
+      const to = names.indexOf(name)
+      const moved = (isCombined && binds.get(name)) || []
+      const links = moved.map(({ index, weight }) => ({ from, to: names.indexOf(written[index]), weight }))
+      // An expression may have the name of a blendshape of the file, and move others too.
+      if (!isCombined || !written.includes(name)) links.push({ from, to, weight: 1 })
+      return links.filter(({ to }) => to >= 0)
+    })
+  }
+  return (mesh) => {
+    const names = [...new Set([...written, ...targetNames(mesh)])]
+    let dictionary: Mesh['morphTargetDictionary']
+    let links: Link[]
+    let weights: Float64Array
+    let readOwn: ReadWeights
+    const bind = () => {
+      const own = targetNames(mesh)
+      dictionary = mesh.morphTargetDictionary
+      links = linksOf(own, names)
+      weights = new Float64Array(own.length)
+      readOwn = weightReader(mesh, own)
+    }
+    bind()
+    const read: ReadWeights = (values, instance) => {
+      if (mesh.morphTargetDictionary !== dictionary) bind()
+      readOwn(weights, instance)
+      values.fill(0, 0, names.length)
+      for (let i = 0; i < links.length; i++) {
+        const { from, to, weight } = links[i]
+        values[to] += weight * weights[from]
+      }
+    }
+    return { names, read }
+  }
+}
+
+/** A weight of the mesh that counts as part of another. */
+interface Link {
+  from: number
+  to: number
+  weight: number
+}
+
+/** What GLTFLoader names the blendshapes of a mesh: their indices where the file does not. */
+function writtenNames({ primitives, extras }: GLTFParser['json']): string[] {
+  const count: number = primitives[0].targets?.length ?? 0
+  const names = extras?.targetNames
+  const isNamed = Array.isArray(names) && names.length === count
+  return Array.from({ length: count }, (_, i) => String(isNamed ? names[i] : i))
+}
