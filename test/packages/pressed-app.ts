@@ -15,10 +15,17 @@ export async function expectFaceThatChanges(app: ServedApp, query: string): Prom
     if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(app.origin))
       foreign.push(request.url())
   })
+  // The face comes after the picture without it.
+  let showFace = () => {}
+  const mayShow = new Promise<void>((resolve) => {
+    showFace = resolve
+  })
+  await page.route('**/*.glb', (route) => mayShow.then(() => route.continue()))
   await page.goto(`${app.origin}/?${query}`)
   const canvas = page.locator('canvas')
   await canvas.waitFor()
   const empty = await page.screenshot()
+  showFace()
   const shown = await settled(page, empty)
   await canvas.click()
   await settled(page, shown)

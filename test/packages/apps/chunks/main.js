@@ -6,14 +6,11 @@ const POSITIONS = [0, 0, 0, 1, 0, 0, 0, 1, 0]
 const NORMALS = [0, 0, 1, 0, 0, 1, 0, 0, 1]
 const UVS = [0, 0, 1, 0, 0, 1]
 
-/** An image of one colour. */
-function image(colour) {
-  const canvas = Object.assign(document.createElement('canvas'), { width: 4, height: 4 })
-  const context = canvas.getContext('2d')
-  context.fillStyle = colour
-  context.fillRect(0, 0, 4, 4)
-  return { uri: canvas.toDataURL('image/png') }
-}
+/** Images of 4 x 4 pixels without alpha, which takes more: the normal map of a flat surface, and white. */
+const FLAT =
+  'iVBORw0KGgoAAAANSUhEUgAAAAQAAAAECAIAAAAmkwkpAAAACXBIWXMAAAPoAAAD6AG1e1JrAAAAEElEQVQImWNoaPgPRwzEcQA20R/xBjeDNgAAAABJRU5ErkJggg=='
+const WHITE =
+  'iVBORw0KGgoAAAANSUhEUgAAAAQAAAAECAIAAAAmkwkpAAAACXBIWXMAAAPoAAAD6AG1e1JrAAAAD0lEQVQImWP4jwQYiOMAANuQL9HsugRzAAAAAElFTkSuQmCC'
 
 /** A triangle with one area and one blendshape, `jawOpen`. */
 function file(driver) {
@@ -44,7 +41,7 @@ function file(driver) {
     ],
     materials: [{ extensions: { FURROW_wrinkle_maps: wrinkles } }],
     textures: [{ source: 0 }, { source: 1 }],
-    images: [image('rgb(128, 128, 255)'), image('white')],
+    images: [FLAT, WHITE].map((bytes) => ({ uri: `data:image/png;base64,${bytes}` })),
     buffers: [{ byteLength: data.byteLength, uri }],
     bufferViews: [
       { buffer: 0, byteLength: 36 },
