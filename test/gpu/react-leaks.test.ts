@@ -1,0 +1,136 @@
+import { Clone } from '@react-three/drei/core/Clone'
+import * as forWebGL from 'furrow/react'
+import * as forWebGPU from 'furrow/react/webgpu'
+import { wrinklesOf } from 'furrow/three'
+import { createElement } from 'react'
+import type { Mesh, Object3D } from 'three'
+import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { afterAll, beforeAll, describe, expect, it, type MockInstance, vi } from 'vitest'
+import { cdp } from 'vitest/browser'
+import { Frame } from '../../packages/furrow/src/runtime/frame.ts'
+import type { InfluenceAtlas } from '../../packages/furrow/src/three/atlas/influence-atlas.ts'
+import type { RendererFrame } from '../../packages/furrow/src/three/frame.ts'
+import { randomSet } from '../cases.ts'
+import { seeded } from '../random.ts'
+import { createHarness, type Harness } from './harness.ts'
+import { createReactScene, type ReactScene } from './react-root.ts'
+import { wrinkledFile } from './wrinkled-file.ts'
+
+const SIZE = 16
+const CYCLES = 100
+
+describe.each(['webgl', 'webgpu'] as const)('components that come and go, %s', (name) => {
+  const { extendLoader, useWrinkles, Wrinkles } = name === 'webgl' ? forWebGL : forWebGPU
+  let harness: Harness
+  let react: ReactScene
+  let gltf: GLTF
+  let added: MockInstance
+  let removed: MockInstance
+  let frame: RendererFrame
+  /** Faces that take part in frames, more than before the first cycle. */
+  let members = 0
+  const made: WeakRef<object>[] = []
+  const set = randomSet(seeded(3), 1, 16)
+
+  beforeAll(async () => {
+    harness = await createHarness(name)
+    react = await createReactScene(harness, SIZE)
+    const loader = new GLTFLoader()
+    extendLoader(loader)
+    gltf = await loader.parseAsync((await wrinkledFile()).buffer, '')
+    added = vi.spyOn(Frame.prototype, 'add')
+    removed = vi.spyOn(Frame.prototype, 'remove')
+  })
+  afterAll(async () => {
+    vi.restoreAllMocks()
+    for (const wrinkles of wrinklesOf(gltf)) wrinkles.dispose()
+    await react.dispose()
+    harness.dispose()
+  })
+
+  function Hooked() {
+    useWrinkles(gltf, { activations: { c: 0.5 }, inputs: { age: 50 } })
+    return createElement('primitive', { object: gltf.scene })
+  }
+  const page = () => [
+    createElement(Hooked, { key: 'hook' }),
+    createElement(
+      Wrinkles,
+      { key: 'clone', activations: { d: 0.75 } },
+      createElement(Clone, { object: gltf.scene }),
+    ),
+    createElement(
+      Wrinkles,
+      { key: 'materials', inputs: { age: 70 } },
+      createElement(Clone, { object: gltf.scene, deep: 'materialsOnly' }),
+    ),
+    createElement(
+      'mesh',
+      { key: 'set' },
+      createElement('planeGeometry'),
+      createElement('meshStandardMaterial'),
+      createElement(Wrinkles, { set, activations: { [set.areas[0].name]: 0.5 } }),
+    ),
+  ]
+
+  /** One mount and one unmount, each drawn. */
+  const cycle = async () => {
+    const { scene } = await react.show(page())
+    const meshes: Mesh[] = []
+    scene.traverse((object) => {
+      if ((object as Mesh).isMesh) meshes.push(object as Mesh)
+    })
+    for (const { morphTargetInfluences } of meshes) morphTargetInfluences?.fill(1)
+    // Meshes that the page makes have wrinkles from their second frame on.
+    await react.advance(2)
+    const faces = new Set(meshes.map((mesh) => wrinklesOf(mesh)!))
+    // The file's, which the first copy shares, one for each mesh with a material of its own, and the one of a set.
+    expect([...faces].filter((face) => !face.isDisposed)).toHaveLength(4)
+    made.push(...[...faces, ...meshes].map((object) => new WeakRef<object>(object)))
+    await react.show(null)
+    await react.advance(1)
+    expect([...faces].filter((face) => !face.isDisposed)).toHaveLength(1)
+    frame = added.mock.contexts[0] as RendererFrame
+    members += added.mock.calls.length - removed.mock.calls.length
+    // Spies hold what they were called with.
+    added.mockClear()
+    removed.mockClear()
+  }
+  const counts = async () => ({
+    memory: { ...harness.renderer.info.memory },
+    programs: harness.programs(),
+    members,
+    atlases: (frame.targets as InfluenceAtlas[]).map(({ cells }) => [cells.slots.size, { ...cells.grid }]),
+    listeners: listenersOf(gltf.scene),
+    objects: await alive(made),
+  })
+
+  it(`leave nothing behind in ${CYCLES} times`, async () => {
+    for (let i = 0; i < 2; i++) await cycle()
+    const first = await counts()
+    for (let i = 2; i < CYCLES; i++) await cycle()
+    expect(await counts()).toEqual(first)
+    expect(first.members).toBe(0)
+  })
+})
+
+/** How many of some objects are left when all garbage is collected. */
+async function alive(objects: readonly WeakRef<object>[]): Promise<number> {
+  // A reference that was read, or made, holds its object until the current task ends.
+  await new Promise((resolve) => setTimeout(resolve))
+  await cdp().send('HeapProfiler.collectGarbage')
+  return new Set(objects.flatMap((object) => object.deref() ?? [])).size
+}
+
+/** How many listeners meshes, their geometries and their materials have. */
+function listenersOf(root: Object3D): number {
+  let count = 0
+  root.traverse((object) => {
+    const { geometry, material } = object as Mesh
+    for (const target of [object, geometry, material]) {
+      const { _listeners } = (target ?? {}) as { _listeners?: Record<string, unknown[]> }
+      for (const list of Object.values(_listeners ?? {})) count += list.length
+    }
+  })
+  return count
+}

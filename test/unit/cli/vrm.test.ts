@@ -1,0 +1,81 @@
+import { readFileSync } from 'node:fs'
+import { describe, expect, it } from 'vitest'
+import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
+import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
+import { readGlbFile } from '../../../packages/cli/src/gltf/read-glb-file.ts'
+import { type Anything, joinGlb, setImage, splitGlb } from '../../fuzz/glb-parts.ts'
+import { vrm0Avatar, vrm1Avatar } from './vrm-avatars.ts'
+import { Workshop } from './workshop.ts'
+
+const NAME = 'FURROW_wrinkle_maps'
+const LISTS = ['nodes', 'meshes', 'accessors', 'materials', 'textures', 'images', 'samplers'] as const
+
+const shop = new Workshop()
+
+describe.each([
+  ['VRM 0', vrm0Avatar],
+  ['VRM 1', vrm1Avatar],
+])('furrow auto on an avatar in %s', (version, makeAvatar) => {
+  const at = (name: string) => shop.path(`${version}/${name}`)
+  const write = async (name: string) => shop.write(`${version}/${name}`, await makeAvatar())
+  const make = async (face: string, out: string, ...options: string[]) => {
+    await shop.run(autoCommand, face, '-o', out, '--size', '512', ...options)
+    return out
+  }
+
+  it.each(['vrm', 'glb', 'gltf'])('adds wrinkles and keeps all that it holds, in a .%s', async (format) => {
+    const path = await write('avatar.vrm')
+    const out = await make(path, at(`wrinkled.${format}`))
+    expectKept(await contentsOf(path), await contentsOf(out))
+    await expectWrinkles(out)
+  })
+
+  it('is the same bytes where wrinkles are made again', async () => {
+    const first = await make(await write('plain.vrm'), at('once.vrm'))
+    const second = await make(first, at('twice.vrm'), '--replace')
+    expect(readFileSync(second)).toEqual(readFileSync(first))
+  })
+
+  it('keeps it where wrinkles are replaced, with a picture that was added behind them', async () => {
+    const plain = await write('bare.vrm')
+    const parts = splitGlb(readFileSync(await make(plain, at('first.vrm'))))
+    const { json } = parts
+    const image = json.images.push({ name: 'new thumbnail' }) - 1
+    const picture = Buffer.from('\x89PNG\r\n\x1a\n another', 'latin1')
+    if (version === 'VRM 0') json.extensions.VRM.meta.texture = json.textures.push({ source: image }) - 1
+    else json.extensions.VRMC_vrm.meta.thumbnailImage = image
+    shop.write(`${version}/edited.vrm`, joinGlb(setImage(parts, image, picture, 'image/png')))
+    const out = await contentsOf(await make(at('edited.vrm'), at('second.vrm'), '--replace', '--age', '70'))
+    expect(out.images[image].bufferView).toBe(picture.toString('base64'))
+    if (version === 'VRM 0') expect(out.textures[json.extensions.VRM.meta.texture].source).toBe(image)
+    expectKept({ ...(await contentsOf(plain)), extensions: json.extensions }, out)
+  })
+})
+
+/** The JSON of a file without its wrinkles, with bytes in the place of the views that have them, which may be moved. */
+async function contentsOf(path: string): Promise<Anything> {
+  const { json, bin } = await readGlbFile(path, 'test')
+  const { buffers: _, bufferViews = [], extensionsUsed, ...rest } = json
+  for (const { extensions } of rest.materials ?? []) delete extensions?.[NAME]
+  const text = JSON.stringify(rest, (key, value) => {
+    if (key !== 'bufferView') return value
+    const { byteOffset = 0, byteLength } = bufferViews[value]!
+    return Buffer.from(bin.subarray(byteOffset, byteOffset + byteLength)).toString('base64')
+  })
+  return { ...JSON.parse(text), extensionsUsed: extensionsUsed?.filter((name) => name !== NAME) }
+}
+
+/** Expects everything to be there still, each thing under its index, and textures of wrinkles behind at most. */
+function expectKept(before: Anything, after: Anything): void {
+  const kept = LISTS.map((list) => [list, after[list].slice(0, before[list].length)])
+  expect({ ...after, ...Object.fromEntries(kept) }).toEqual(before)
+}
+
+async function expectWrinkles(path: string): Promise<void> {
+  const { json } = await readGlbFile(path, 'test')
+  const { layers, areas } = json.materials![0]!.extensions![NAME] as Anything
+  expect(Math.min(layers.length, areas.length)).toBeGreaterThan(0)
+  shop.printed = ''
+  await shop.run(validateCommand, path)
+  expect(shop.printed).toMatch(/\(MTOON\).*: 0 errors, /s)
+}
