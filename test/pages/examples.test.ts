@@ -11,6 +11,7 @@ import {
   openPaused,
   playSurprise,
   readNextFrame,
+  resize,
   SECOND,
   switchOff,
 } from './paused-page.ts'
@@ -144,7 +145,7 @@ test('auto.html makes wrinkles while the face is shown, and takes its bar away',
   const { page, complaints } = await openPage(browser, { viewport: PHONE })
   await openPaused(page, `${server.origin}/examples/auto.html`)
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(PHONE.width)
-  await page.setViewportSize(SIZE)
+  await resize(page, SIZE)
   await firstPicture(page)
   await page.locator('progress').waitFor({ state: 'detached', timeout: 0 })
   // They have faded in.
@@ -230,7 +231,7 @@ async function withExample<T>(
     await openPaused(page, `${server.origin}/examples/${name}`)
     if (hasControls) {
       widthsOnPhone.set(name, await page.evaluate(() => document.documentElement.scrollWidth))
-      await page.setViewportSize(size)
+      await resize(page, size)
     }
     await playSurprise(page)
     if (hasControls) await drawSettled(page)

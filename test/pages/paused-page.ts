@@ -17,6 +17,17 @@ export async function openPaused(page: Page, url: string): Promise<void> {
   await page.waitForSelector('canvas')
 }
 
+/** Resizes a page, and waits until it has heard of it: a frame of another size may split meshes for relief, which stay split for a while. */
+export async function resize(page: Page, size: { width: number; height: number }): Promise<void> {
+  await page.evaluate(() => {
+    const heard = new Promise((resolve) => addEventListener('resize', resolve, { once: true }))
+    // Not awaited here.
+    Object.assign(window, { heard: () => heard })
+  })
+  await page.setViewportSize(size)
+  await page.evaluate('window.heard()')
+}
+
 /** Advances a paused example to the moment of surprise. */
 export async function playSurprise(page: Page): Promise<void> {
   await firstPicture(page)
