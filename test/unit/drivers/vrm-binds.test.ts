@@ -62,7 +62,7 @@ describe('expressionBinds', () => {
     for (const file of files) expect(Object.values(of(file)).flat(), JSON.stringify(file)).toEqual([])
   })
 
-  it('leave out weights that are no numbers', () => {
+  it('leave out weights that are not numbers', () => {
     const bind = (weight: unknown) => ({ node: 2, index: 0, weight })
     const happy = { morphTargetBinds: [bind({}), bind('x'), bind([1, 2])] }
     expect(of({ nodes, extensions: { VRMC_vrm: { expressions: { preset: { happy } } } } })).toEqual({

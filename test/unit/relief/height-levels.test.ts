@@ -28,7 +28,7 @@ it('texels are half as wide as edges are long, or as wide as they are in the map
   expect([...coarse]).toEqual(new Array(8).fill(0))
 })
 
-it('vertices at one position have one level, and triangles without area or with no numbers do no harm', () => {
+it('vertices at one position have one level, and triangles without area or with NaN do no harm', () => {
   const mesh = sphere(0.05)
   const firstOf = firstVertices(mesh.positions)
   const levels = heightLevels(mesh, firstOf, 0.0012, { width: 2048, height: 1024 })

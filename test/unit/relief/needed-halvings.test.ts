@@ -157,7 +157,7 @@ it('a valley that nobody sees takes none, unless layers have it together', () =>
   expect(halvings(narrow, 1.4 * TOLERANCES[0], 2)[0]).toBeGreaterThan(0)
 })
 
-it('heights of a single texel, and triangles without area or with coordinates that are no numbers, need none', () => {
+it('heights of a single texel, and triangles without area or with coordinates that are not numbers, need none', () => {
   const texel = {
     width: 1,
     height: 1,

@@ -175,7 +175,7 @@ it('longer edges keep a mesh within its budget of triangles', () => {
   expect(whole.triangles).toEqual(Uint32Array.from(mesh.triangles))
 })
 
-it('triangles without area, or with coordinates that are no numbers, are kept as they are', () => {
+it('triangles without area, or with coordinates that are not numbers, are kept as they are', () => {
   const mesh = {
     positions: [0, 0, 0, 0.01, 0, 0, 0.02, 0, 0, Number.NaN, 0, 0],
     uvs: [0, 0, 0.5, 0, 1, 0, 0, Number.NaN],

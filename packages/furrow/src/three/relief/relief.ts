@@ -187,7 +187,7 @@ function checkPositions(mesh: Mesh): void {
   if (Number.isFinite(radiusOf(mesh))) return
   throw new FurrowError({
     who: `Wrinkles.relief of mesh "${mesh.name}"`,
-    what: 'the mesh has positions that are no numbers',
+    what: 'the mesh has positions that are not numbers',
     remedy: 'export it again; it is shown without relief until then',
   })
 }
