@@ -38,6 +38,8 @@ export default {
       indentedCode(markdown)
     },
   },
+  // By default a page that opens has the styles of all of its elements computed twice more, to keep colours from fading.
+  appearance: { disableTransition: false },
   themeConfig: {
     logo: { src: ICON, alt: '' },
     nav: NAVIGATION,
