@@ -20,6 +20,7 @@ import { MeshStandardNodeMaterial } from 'three/webgpu'
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
 import { PARTS as WEBGL } from '../../packages/furrow/src/three/webgl/webgl-wrinkles.ts'
 import { PARTS as WEBGPU } from '../../packages/furrow/src/three/webgpu/webgpu-wrinkles.ts'
+import type { WrinklesBase } from '../../packages/furrow/src/three/wrinkles-base.ts'
 import { loadFace } from '../../stage/face.ts'
 import { frameView } from '../../stage/views.ts'
 import { randomNormals, randomSet } from '../cases.ts'
@@ -48,7 +49,13 @@ function normalMap(seed: number): DataTexture {
   return map
 }
 
-/** A square with wrinkles, and whether its last draw showed another map than its own. */
+/** Whether shaders would sample the influence map now: they do not where there is nothing to find. */
+function samplesInfluence(wrinkles: WrinklesBase): boolean {
+  const { x, z } = wrinkles.editable('test').inputs.reach.value
+  return x < z
+}
+
+/** A square with wrinkles, and whether its last draw showed another map than its own, and sampled the influence map. */
 function faceOf(
   harness: Harness,
   options: WrinklesOptions = {},
@@ -56,13 +63,14 @@ function faceOf(
   set: WrinkleSet = randomSet(seeded(4), 6, 16, MAP),
 ) {
   const mesh = square(material)
-  const shown = { isComposed: false }
+  const shown = { isComposed: false, isSampled: false }
   const wrinkles = new harness.Wrinkles(mesh, set, { mode: 'auto', areaSize: 16, ...options })
   const lit = material as MeshStandardMaterial
   const { onBeforeRender } = mesh
   mesh.onBeforeRender = (...drawn) => {
     onBeforeRender.apply(mesh, drawn)
     shown.isComposed = lit.normalMap?.isRenderTargetTexture ?? false
+    shown.isSampled = samplesInfluence(wrinkles)
   }
   for (const [i, area] of wrinkles.areaNames.entries()) wrinkles.setActivation(area, 0.3 + 0.1 * i)
   const light = new DirectionalLight(0xffffff, 2)
@@ -169,8 +177,11 @@ describe.each(RENDERERS)('the mode auto on %s', (name) => {
     await composed()
     wrinkles.setActivation('area0', 0.9)
     expect(largestDifference(await picture(), await wanted())).toBe(0)
-    expect(shown.isComposed).toBe(false)
+    expect(shown).toEqual({ isComposed: false, isSampled: true })
     await composed()
+    expect(shown.isSampled).toBe(false)
+    // What else reads it after the draw finds it as it was.
+    expect(samplesInfluence(wrinkles)).toBe(true)
     expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
     wrinkles.setActivation('area0', 0)
     wrinkles.setActivation('area1', 0)
