@@ -38,7 +38,7 @@ it('surfaces that face each other may fill less than half of the gap, and those 
   const lips = roomBetween(0.001, 1)
   expect(lips[CENTRE]).toBeCloseTo(0.0004, 6)
   expect(lips[CENTRE + 441]).toBeCloseTo(0.0004, 6)
-  expect(roomBetween(0.001, -1)[CENTRE]).toBeCloseTo(REACH, 6)
+  expect(roomBetween(0.001, -1)[CENTRE]).toBeGreaterThan(2 * REACH)
 })
 
 it('nothing bulges at the border of a mesh, and the more the farther from it', () => {
@@ -47,13 +47,13 @@ it('nothing bulges at the border of a mesh, and the more the farther from it', (
   const room = finish(outwardRoom(mesh, mesh.normals, firstOf, REACH))
   expect(room[0]).toBe(0)
   expect(room[2 * 21 + 10]).toBeCloseTo(0.0005, 6)
-  expect(room[CENTRE]).toBeCloseTo(REACH, 6)
+  expect(room[CENTRE]).toBeGreaterThan(REACH)
 })
 
 it('a round surface has room everywhere', () => {
   const mesh = sphere(0.05, 32)
   const firstOf = firstVertices(mesh.positions)
-  expect(Math.min(...finish(outwardRoom(mesh, mesh.normals, firstOf, REACH)))).toBeCloseTo(REACH, 6)
+  expect(Math.min(...finish(outwardRoom(mesh, mesh.normals, firstOf, REACH)))).toBeGreaterThan(REACH)
 })
 
 it('the work can be spread over frames', () => {

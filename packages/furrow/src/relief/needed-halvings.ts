@@ -1,6 +1,6 @@
 import { uvToTexels } from '../math/triangle.ts'
 import type { CoarseMesh } from './coarse-mesh.ts'
-import { coveredTriangles } from './covered-triangles.ts'
+import { coverage } from './covered-triangles.ts'
 import { PHONG } from './displaced.ts'
 import { type HeightField, raisedTexels } from './height-fields.ts'
 import { MAX_LEVEL, nextCorner } from './welded-edges.ts'
@@ -35,22 +35,22 @@ export function* neededHalvings(
 ): Generator<void, Float32Array[]> {
   const { uvs, triangles } = mesh
   // A surface misses heights that are half as large by no more than the tolerance.
-  const texels = raisedTexels(fields, TOLERANCES[0] / 2)
-  yield
-  const covered = coveredTriangles(mesh, texels)
-  const needed = TOLERANCES.map(() => new Float32Array(3 * covered.length))
+  const isCovered = coverage(mesh, yield* raisedTexels(fields, TOLERANCES[0] / 2))
+  const count = Math.floor(triangles.length / 3)
+  const needed = TOLERANCES.map(() => new Float32Array(3 * count))
   const corners = new Float64Array(6)
   const [{ width, height }] = fields
   const all = fields.map((field) => new Grid(field))
-  for (let t = 0; t < covered.length; t++) {
+  for (let t = 0; t < count; t++) {
     if (t % SLICE === 0) yield
-    if (!covered[t]) continue
+    if (!isCovered(t)) continue
     const a = triangles[3 * t]
     const b = triangles[3 * t + 1]
     const c = triangles[3 * t + 2]
     uvToTexels(corners, uvs, a, b, c, width, height)
     const mipmap = (levels[a] + levels[b] + levels[c]) / 3
-    const grids = all.filter((grid) => grid.read(corners, mipmap))
+    const steps = 2 ** Math.min(Math.max(Math.ceil(Math.log2(longestSide(corners))), 0), MOST)
+    const grids = all.filter((grid) => grid.read(corners, steps, mipmap))
     for (let k = 0; k < 3; k++) {
       const edge = 3 * t + k
       const bulge = bulgeOf(mesh, normals, edge)
@@ -135,11 +135,10 @@ class Grid {
    * Reads the heights of another triangle.
    *
    * @param corners of the triangle, in texels.
+   * @param steps along each side.
    * @returns false where no height differs from the surface: the layer is none of this skin.
    */
-  read(corners: Float64Array, mipmap: number): boolean {
-    const [ax, ay, bx, by, cx, cy] = corners
-    const steps = 2 ** Math.min(Math.max(Math.ceil(Math.log2(longestSide(corners))), 0), MOST)
+  read([ax, ay, bx, by, cx, cy]: Float64Array, steps: number, mipmap: number): boolean {
     this.#steps = steps
     const column = steps + 1
     // Values are at i * column + j, for i steps towards the first corner and j towards the second.

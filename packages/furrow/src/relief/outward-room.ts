@@ -9,6 +9,9 @@ const OF_GAP = 0.4
 /** Metres outwards per metre from a rim. */
 const FROM_RIM = 0.25
 
+/** Metres outwards at most, where nothing is in the way: more than any skin folds. */
+const AMPLE = 0.01
+
 /** Cosine of the angle between two normals beyond which surfaces face each other, or an edge is a rim. */
 const OPPOSED = -0.2
 
@@ -18,7 +21,7 @@ const OPPOSED = -0.2
  *
  * @param normals unit normals at rest.
  * @param firstOf of each vertex the first one at its position, see `firstVertices`.
- * @param reach metres, the largest displacement: more room than that is never needed.
+ * @param reach metres, the largest displacement: parts that leave more room do not matter.
  * @returns metres outwards, at each vertex: a generator, so that a page may spread the work over frames.
  */
 export function* outwardRoom(
@@ -42,7 +45,7 @@ export function* outwardRoom(
     if (k % SLICE === 0) yield
     const fromRim = rimGrid.nearest(i, isAny) * FROM_RIM
     const ofGap = grid.nearest(i, isFaced) * OF_GAP
-    room[i] = Math.min(fromRim, ofGap, most)
+    room[i] = Math.min(fromRim, ofGap, AMPLE)
   }
   for (let i = 0; i < room.length; i++) room[i] = room[firstOf[i]]
   return room

@@ -41,6 +41,7 @@ export function* splitMesh(
   yield
   const versions = [halvings, ...coarser]
   const levels = versions.map((version) => edges.levelsFor(version, LONGEST * edge))
+  yield
   const splitter = new Splitter(mesh, edges, levels, LONGEST * edge)
   for (let t = 0; 3 * t < halvings.length; t++) {
     splitter.split(t, versions)

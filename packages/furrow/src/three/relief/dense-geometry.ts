@@ -63,12 +63,13 @@ export function* splitGeometry(request: SplitRequest): Generator<void, Split> {
   const coarse = { positions, uvs: wrinkleUvs(mesh, material), triangles: drawnTriangles(mesh, material) }
   const normals = coordinates(geometry.attributes.normal)
   yield
-  const levels = heightLevels(coarse, firstVertices(positions), SPLIT_DEFAULTS.edge, map)
+  const firstOf = firstVertices(positions)
+  yield
+  const levels = heightLevels(coarse, firstOf, SPLIT_DEFAULTS.edge, map)
   yield
   const [halvings, ...coarser] = yield* halvingsFor(coarse, normals, raised, levels)
   yield
   const dense = yield* splitMesh(coarse, halvings, { coarser })
-  const { firstOf } = dense
   yield
   const room = yield* outwardRoom(coarse, normals, firstOf, reach)
   yield
