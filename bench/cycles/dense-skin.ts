@@ -50,7 +50,7 @@ export async function denseSkin({ skin, activations }: Description, folder: stri
     skin.positions,
     normals,
   )
-  const room = outwardRoom(mesh, skin.normals, dense.firstOf, REACH)
+  const room = finish(outwardRoom(mesh, skin.normals, dense.firstOf, REACH))
   const moved = displace(dense, { positions: skin.positions, normals }, heightAt, room)
   const denseUvs = textureCoordinates(dense, uvs)
   const tints = new Float32Array(3 * dense.count)

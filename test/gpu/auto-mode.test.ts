@@ -48,7 +48,7 @@ function normalMap(seed: number): DataTexture {
   return map
 }
 
-/** A square with wrinkles, and whether its last draw showed another map than its own. */
+/** A square with wrinkles, and whether its last draw showed another map than its own, and sampled the influence map. */
 function faceOf(
   harness: Harness,
   options: WrinklesOptions = {},
@@ -56,13 +56,17 @@ function faceOf(
   set: WrinkleSet = randomSet(seeded(4), 6, 16, MAP),
 ) {
   const mesh = square(material)
-  const shown = { isComposed: false }
+  const shown = { isComposed: false, isSampled: false }
   const wrinkles = new harness.Wrinkles(mesh, set, { mode: 'auto', areaSize: 16, ...options })
   const lit = material as MeshStandardMaterial
+  const reach = wrinkles.editable('test').inputs.reach.value
+  // Shaders do not where there is nothing to find.
+  const samplesInfluence = () => reach.x < reach.z
   const { onBeforeRender } = mesh
   mesh.onBeforeRender = (...drawn) => {
     onBeforeRender.apply(mesh, drawn)
     shown.isComposed = lit.normalMap?.isRenderTargetTexture ?? false
+    shown.isSampled = samplesInfluence()
   }
   for (const [i, area] of wrinkles.areaNames.entries()) wrinkles.setActivation(area, 0.3 + 0.1 * i)
   const light = new DirectionalLight(0xffffff, 2)
@@ -79,6 +83,7 @@ function faceOf(
     mesh,
     wrinkles,
     shown,
+    samplesInfluence,
     scene,
     material: lit,
     picture,
@@ -165,12 +170,15 @@ describe.each(RENDERERS)('the mode auto on %s', (name) => {
   )
 
   it('shows the default mode while it moves, and the composed one when it is still again', async () => {
-    const { wrinkles, shown, picture, composed, wanted } = face()
+    const { wrinkles, shown, samplesInfluence, picture, composed, wanted } = face()
     await composed()
     wrinkles.setActivation('area0', 0.9)
     expect(largestDifference(await picture(), await wanted())).toBe(0)
-    expect(shown.isComposed).toBe(false)
+    expect(shown).toEqual({ isComposed: false, isSampled: true })
     await composed()
+    expect(shown.isSampled).toBe(false)
+    // What else reads it after the draw finds it as it was.
+    expect(samplesInfluence()).toBe(true)
     expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
     wrinkles.setActivation('area0', 0)
     wrinkles.setActivation('area1', 0)

@@ -4,6 +4,7 @@ import { displace } from '../../../packages/furrow/src/relief/displaced.ts'
 import { outwardRoom } from '../../../packages/furrow/src/relief/outward-room.ts'
 import { splitMesh } from '../../../packages/furrow/src/relief/split-mesh.ts'
 import { MAX_LEVEL } from '../../../packages/furrow/src/relief/welded-edges.ts'
+import { finish } from '../../unit/relief/coarse.ts'
 import { AMPLITUDE, heightBytes } from './ball.ts'
 
 /** A ball with full relief as the reference in float64 has it, its blendshape included. */
@@ -11,12 +12,9 @@ export function displacedBall({ geometry, morphTargetInfluences }: Mesh) {
   const { attributes, index, morphAttributes } = geometry
   const rest = attributes.position.array as Float32Array
   const coarse = { positions: rest, uvs: attributes.uv.array, triangles: index!.array }
-  const steps = splitMesh(coarse, new Float32Array(index!.count).fill(MAX_LEVEL))
-  let step = steps.next()
-  while (!step.done) step = steps.next()
-  const dense = step.value
+  const dense = finish(splitMesh(coarse, new Float32Array(index!.count).fill(MAX_LEVEL)))
   const normals = attributes.normal.array
-  const room = outwardRoom(coarse, normals, dense.firstOf, AMPLITUDE / 2)
+  const room = finish(outwardRoom(coarse, normals, dense.firstOf, AMPLITUDE / 2))
   const offsets = morphAttributes.position![0].array
   const positions = Float64Array.from(rest, (value, i) => value + morphTargetInfluences![0] * offsets[i])
   const bytes = heightBytes()

@@ -7,6 +7,7 @@ import { displace } from '../../../packages/furrow/src/relief/displaced.ts'
 import { weightedTexels } from '../../../packages/furrow/src/relief/height-fields.ts'
 import { outwardRoom } from '../../../packages/furrow/src/relief/outward-room.ts'
 import { splitMesh } from '../../../packages/furrow/src/relief/split-mesh.ts'
+import { finish } from '../../unit/relief/coarse.ts'
 import type { Harness } from '../harness.ts'
 
 /** Metres from black to white. */
@@ -79,11 +80,8 @@ export function displacedSkin({ skin, heights, areas: activeAreas }: RaisedFace)
   const slices = activeAreas.map((_, slice) => slice)
   // Wherever areas are, and as finely as it gets: more than the shaders' mesh, which is split where heights need it.
   const halvings = mostHalvings(coveredTriangles(coarse, weightedTexels(areas, slices)))
-  const steps = splitMesh(coarse, halvings)
-  let step = steps.next()
-  while (!step.done) step = steps.next()
-  const dense = step.value
-  const room = outwardRoom(coarse, attributes.normal.array, dense.firstOf, heightAmplitude / 2)
+  const dense = finish(splitMesh(coarse, halvings))
+  const room = finish(outwardRoom(coarse, attributes.normal.array, dense.firstOf, heightAmplitude / 2))
   const deformed = (name: 'position' | 'normal') => {
     const out = Float64Array.from(attributes[name].array)
     for (const [target, weight] of skin.morphTargetInfluences!.entries()) {

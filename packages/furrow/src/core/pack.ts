@@ -92,10 +92,13 @@ export function packPairs(
   const texels = width * height
   const data = new Uint8Array(2 * texels * pairs.length)
   for (const [slice, pair] of pairs.entries()) {
-    for (const [channel, image] of pair.entries()) {
-      const start = 2 * texels * slice + channel
-      const values = image?.data ?? new Uint8Array(texels).fill(neutral[channel])
-      for (let i = 0; i < texels; i++) data[start + 2 * i] = values[i]
+    const [first, second] = pair.map(
+      (image, channel) => image?.data ?? new Uint8Array(texels).fill(neutral[channel]),
+    )
+    const start = 2 * texels * slice
+    for (let i = 0; i < texels; i++) {
+      data[start + 2 * i] = first[i]
+      data[start + 2 * i + 1] = second[i]
     }
   }
   return { width, height, depth: pairs.length, channels: 2, data }

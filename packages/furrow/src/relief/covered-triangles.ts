@@ -5,25 +5,32 @@ import type { Mask } from './height-fields.ts'
 import { MAX_LEVEL } from './welded-edges.ts'
 
 /** Finds the triangles on which a mask has any texel: 1 for each of these, 0 for the others. */
-export function coveredTriangles({ uvs, triangles }: CoarseMesh, { width, height, data }: Mask): Uint8Array {
-  const covered = new Uint8Array(Math.floor(triangles.length / 3))
+export function coveredTriangles(mesh: CoarseMesh, mask: Mask): Uint8Array {
+  const isCovered = coverage(mesh, mask)
+  return Uint8Array.from({ length: Math.floor(mesh.triangles.length / 3) }, (_, t) => Number(isCovered(t)))
+}
+
+/** The same of one triangle after the other. */
+export function coverage(
+  { uvs, triangles }: CoarseMesh,
+  { width, height, data }: Mask,
+): (t: number) => boolean {
   const corners = new Float64Array(6)
   let any = 0
   const visit = (column: number, row: number) => {
     any |= data[clampTo(column, width) + clampTo(row, height) * width]
   }
   const box = [0, 0, width - 1, height - 1] as const
-  for (let t = 0; t < covered.length; t++) {
+  return (t) => {
     uvToTexels(corners, uvs, triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2], width, height)
-    if (!corners.every(Number.isFinite)) continue
+    if (!corners.every(Number.isFinite)) return false
     moveIntoTexture(corners, width, height)
     any = 0
     // A triangle smaller than a texel covers no centre: its corners have some.
     for (let k = 0; k < 6; k += 2) visit(Math.round(corners[k]), Math.round(corners[k + 1]))
     if (!any) rasterize(corners, 0, visit, box)
-    covered[t] = any
+    return any > 0
   }
-  return covered
 }
 
 /** Halvings of each edge of the triangles, see `splitMesh`: as many as there may be where they are covered, none elsewhere. */

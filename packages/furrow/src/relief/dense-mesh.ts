@@ -68,16 +68,16 @@ export class DenseBuilder {
 
   /** Adds a vertex, by its corners, its weights and two pairs of texture coordinates, and returns its index. */
   addVertex(
-    [a, b, c]: readonly [number, number, number],
-    [wa, wb, wc]: readonly [number, number, number],
-    [u0, v0, u1, v1]: readonly [number, number, number, number],
+    corners: readonly [number, number, number],
+    weights: readonly [number, number, number],
+    uvs: readonly [number, number, number, number],
   ): number {
-    for (const corner of [a, b, c]) {
-      this.#corners.push(corner)
-      this.#parents.push(this.#firstOf[corner])
+    for (let k = 0; k < 3; k++) {
+      this.#corners.push(corners[k])
+      this.#parents.push(this.#firstOf[corners[k]])
+      this.#weights.push(weights[k])
     }
-    for (const weight of [wa, wb, wc]) this.#weights.push(weight)
-    for (const value of [u0, v0, u1, v1]) this.#uvs.push(value)
+    for (let k = 0; k < 4; k++) this.#uvs.push(uvs[k])
     return this.count++
   }
 

@@ -85,11 +85,12 @@ export function smoothNormals(normals: ArrayLike<number>, firstOf: ArrayLike<num
   for (let i = 0; i < firstOf.length; i++) {
     for (let axis = 0; axis < 3; axis++) sums[3 * firstOf[i] + axis] += normals[3 * i + axis]
   }
-  for (let i = 0; i < firstOf.length; i++) {
-    if (firstOf[i] !== i) continue
-    const sum = [...sums.subarray(3 * i, 3 * i + 3)]
-    const direction = Math.hypot(...sum) > CANCELLED ? sum : [0, 1, 2].map((axis) => normals[3 * i + axis])
-    sums.set(unit(direction), 3 * i)
+  for (let i = 0; i < 3 * firstOf.length; i += 3) {
+    if (3 * firstOf[i / 3] !== i) continue
+    const hasDirection = Math.hypot(sums[i], sums[i + 1], sums[i + 2]) > CANCELLED
+    if (!hasDirection) for (let k = i; k < i + 3; k++) sums[k] = normals[k]
+    const length = Math.hypot(sums[i], sums[i + 1], sums[i + 2]) || 1
+    for (let k = i; k < i + 3; k++) sums[k] /= length
   }
   return sums
 }

@@ -54,11 +54,11 @@ export class HeightField {
     for (let y = 0; y < height; y++) {
       const row = areas ? areas.width * Math.floor(((y + 0.5) / height) * areas.height) : 0
       for (let x = 0; x < width; x++) {
-        const weight = areas ? areas.data[row + Math.floor(((x + 0.5) / width) * areas.width)] / 255 : 1
+        const weight = areas ? areas.data[row + Math.floor(((x + 0.5) / width) * areas.width)] : 255
         // Most of the texture is under no area.
         if (weight === 0) continue
         const i = x + y * width
-        sums[i] += weight * Math.abs(data[i] - NEUTRAL) * this.#metresPerGray
+        sums[i] += (weight / 255) * Math.abs(data[i] - NEUTRAL) * this.#metresPerGray
       }
     }
   }
@@ -69,11 +69,13 @@ export class HeightField {
    * @param level of the mipmaps, between which it is interpolated as a graphics card does.
    */
   between(x: number, y: number, level = 0): number {
+    const weight = this.#weights ? this.#bilinear(x, y, this.#weights) / 255 : 1
+    // Most of the skin is under no area of a layer.
+    if (weight === 0) return 0
     const finer = Math.floor(level)
     const gray = this.#bilinear(x, y, this.#mipmap(finer))
     const coarser = level === finer ? gray : this.#bilinear(x, y, this.#mipmap(finer + 1))
-    const metres = (gray + (level - finer) * (coarser - gray) - NEUTRAL) * this.#metresPerGray
-    return metres && this.#weights ? (metres * this.#bilinear(x, y, this.#weights)) / 255 : metres
+    return weight * (gray + (level - finer) * (coarser - gray) - NEUTRAL) * this.#metresPerGray
   }
 
   /** An image of the same texture coordinates between its texels. */
@@ -123,10 +125,13 @@ function halve({ width, height, data }: Gray): Gray {
 }
 
 /** Finds the texels at which the layers together can move the surface by more than some metres. */
-export function raisedTexels(fields: readonly HeightField[], metres: number): Mask {
+export function* raisedTexels(fields: readonly HeightField[], metres: number): Generator<void, Mask> {
   const [{ width, height }] = fields
   const sums = new Float32Array(width * height)
-  for (const field of fields) field.addReach(sums)
+  for (const field of fields) {
+    field.addReach(sums)
+    yield
+  }
   const mask = new Uint8Array(sums.length)
   for (let i = 0; i < sums.length; i++) if (sums[i] > metres) mask[i] = 1
   return { width, height, data: widen(mask, { width, height }) }

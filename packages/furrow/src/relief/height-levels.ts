@@ -21,18 +21,23 @@ export function heightLevels(
   const inMap = new Float64Array(firstOf.length)
   const normal = new Float64Array(3)
   for (let k = 0; k + 2 < triangles.length; k += 3) {
-    const [a, b, c] = [triangles[k], triangles[k + 1], triangles[k + 2]]
+    const a = triangles[k]
+    const b = triangles[k + 1]
+    const c = triangles[k + 2]
     triangleNormal(normal, positions, a, b, c)
-    const area = Math.hypot(normal[0], normal[1], normal[2]) / 2
+    const area = Math.sqrt(normal[0] ** 2 + normal[1] ** 2 + normal[2] ** 2) / 2
     const texels = uvArea(uvs, a, b, c) * map.width * map.height
     if (!(Number.isFinite(area) && Number.isFinite(texels))) continue
-    for (const vertex of [a, b, c]) {
-      onSkin[firstOf[vertex]] += area
-      inMap[firstOf[vertex]] += texels
+    for (let i = k; i < k + 3; i++) {
+      onSkin[firstOf[triangles[i]]] += area
+      inMap[firstOf[triangles[i]]] += texels
     }
   }
-  return Float32Array.from(firstOf, (first) => {
+  const levels = new Float32Array(firstOf.length)
+  for (let i = 0; i < levels.length; i++) {
+    const first = firstOf[i]
     const texelsPerHalf = (edge / 2) * Math.sqrt(inMap[first] / onSkin[first])
-    return texelsPerHalf > 1 && texelsPerHalf < Infinity ? Math.log2(texelsPerHalf) : 0
-  })
+    if (texelsPerHalf > 1 && texelsPerHalf < Infinity) levels[i] = Math.log2(texelsPerHalf)
+  }
+  return levels
 }

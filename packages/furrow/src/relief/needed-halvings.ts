@@ -1,6 +1,6 @@
 import { uvToTexels } from '../math/triangle.ts'
 import type { CoarseMesh } from './coarse-mesh.ts'
-import { coveredTriangles } from './covered-triangles.ts'
+import { coverage } from './covered-triangles.ts'
 import { PHONG } from './displaced.ts'
 import { type HeightField, raisedTexels } from './height-fields.ts'
 import { MAX_LEVEL, nextCorner } from './welded-edges.ts'
@@ -35,17 +35,22 @@ export function* neededHalvings(
 ): Generator<void, Float32Array[]> {
   const { uvs, triangles } = mesh
   // A surface misses heights that are half as large by no more than the tolerance.
-  const covered = coveredTriangles(mesh, raisedTexels(fields, TOLERANCES[0] / 2))
-  const needed = TOLERANCES.map(() => new Float32Array(3 * covered.length))
+  const isCovered = coverage(mesh, yield* raisedTexels(fields, TOLERANCES[0] / 2))
+  const count = Math.floor(triangles.length / 3)
+  const needed = TOLERANCES.map(() => new Float32Array(3 * count))
   const corners = new Float64Array(6)
   const [{ width, height }] = fields
-  for (const [t, isCovered] of covered.entries()) {
+  const all = fields.map((field) => new Grid(field))
+  for (let t = 0; t < count; t++) {
     if (t % SLICE === 0) yield
-    if (!isCovered) continue
-    const [a, b, c] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]]
+    if (!isCovered(t)) continue
+    const a = triangles[3 * t]
+    const b = triangles[3 * t + 1]
+    const c = triangles[3 * t + 2]
     uvToTexels(corners, uvs, a, b, c, width, height)
     const mipmap = (levels[a] + levels[b] + levels[c]) / 3
-    const grids = fields.map((field) => new Grid(corners, field, mipmap)).filter(({ isFlat }) => !isFlat)
+    const steps = 2 ** Math.min(Math.max(Math.ceil(Math.log2(longestSide(corners))), 0), MOST)
+    const grids = all.filter((grid) => grid.read(corners, steps, mipmap))
     for (let k = 0; k < 3; k++) {
       const edge = 3 * t + k
       const bulge = bulgeOf(mesh, normals, edge)
@@ -114,42 +119,51 @@ function longestSide([ax, ay, bx, by, cx, cy]: Float64Array): number {
 
 /** Heights on a triangle, in equal steps along its sides. */
 class Grid {
-  readonly #steps: number
-  readonly #values: Float64Array
+  readonly #field: HeightField
+  #steps = 1
+  readonly #values = new Float64Array((2 ** MOST + 1) ** 2)
   /** Of each edge, where its row begins, and how far it is to the next value of the row, and to the next row. */
-  readonly #from: readonly number[]
-  readonly #along: readonly number[]
-  readonly #across: readonly number[]
-  /** Whether no height differs from the surface: the layer is none of this skin. */
-  readonly isFlat: boolean
+  readonly #from = new Int32Array(3)
+  readonly #along = new Int32Array(3)
+  readonly #across = new Int32Array(3)
 
-  /** @param corners of the triangle, in texels. */
-  constructor(corners: Float64Array, field: HeightField, mipmap: number) {
-    const [ax, ay, bx, by, cx, cy] = corners
-    const steps = 2 ** Math.min(Math.max(Math.ceil(Math.log2(longestSide(corners))), 0), MOST)
+  constructor(field: HeightField) {
+    this.#field = field
+  }
+
+  /**
+   * Reads the heights of another triangle.
+   *
+   * @param corners of the triangle, in texels.
+   * @param steps along each side.
+   * @returns false where no height differs from the surface: the layer is none of this skin.
+   */
+  read([ax, ay, bx, by, cx, cy]: Float64Array, steps: number, mipmap: number): boolean {
     this.#steps = steps
     const column = steps + 1
     // Values are at i * column + j, for i steps towards the first corner and j towards the second.
-    this.#from = [steps * column, steps, 0]
-    this.#along = [1 - column, -1, column]
-    this.#across = [-column, column - 1, 1]
-    this.#values = new Float64Array((steps + 1) ** 2)
+    this.#from.set([steps * column, steps, 0])
+    this.#along.set([1 - column, -1, column])
+    this.#across.set([-column, column - 1, 1])
+    let isRaised = false
     for (let i = 0; i <= steps; i++) {
       for (let j = 0; i + j <= steps; j++) {
-        const [a, b] = [i / steps, j / steps]
+        const a = i / steps
+        const b = j / steps
         const c = 1 - a - b
-        const [x, y] = [ax * a + bx * b + cx * c, ay * a + by * b + cy * c]
-        this.#values[i * (steps + 1) + j] = field.between(x, y, mipmap)
+        const metres = this.#field.between(ax * a + bx * b + cx * c, ay * a + by * b + cy * c, mipmap)
+        this.#values[i * column + j] = metres
+        if (metres !== 0) isRaised = true
       }
     }
-    this.isFlat = this.#values.every((value) => value === 0)
+    return isRaised
   }
 
   /** The farthest that heights are from straight lines along rows parallel to an edge, after some halvings of these. */
   error(edge: number, halvings: number): number {
     const stride = this.#steps / 2 ** halvings
     if (stride <= 1) return 0
-    const { [edge]: step } = this.#along
+    const step = this.#along[edge]
     let worst = 0
     // The row of the edge itself is the longest; each other one begins a step further from it.
     for (let row = 0, first = this.#from[edge]; row < this.#steps; row++, first += this.#across[edge]) {

@@ -1,5 +1,6 @@
 import type { CoarseMesh } from './coarse-mesh.ts'
-import { smoothNormals } from './displaced.ts'
+import { ROOM_TO_CURVE, smoothNormals } from './displaced.ts'
+import { PairNumbers } from './pair-numbers.ts'
 import { nextCorner } from './welded-edges.ts'
 
 /** Of the gap between two surfaces, how much each may fill. */
@@ -20,39 +21,38 @@ const OPPOSED = -0.2
  *
  * @param normals unit normals at rest.
  * @param firstOf of each vertex the first one at its position, see `firstVertices`.
- * @param reach metres within which other parts matter: the largest displacement.
- * @returns metres outwards, at each vertex.
+ * @param reach metres, the largest displacement: parts that leave more room do not matter.
+ * @returns metres outwards, at each vertex: a generator, so that a page may spread the work over frames.
  */
-export function outwardRoom(
+export function* outwardRoom(
   { positions, triangles }: CoarseMesh,
   normals: ArrayLike<number>,
   firstOf: Uint32Array,
   reach: number,
-): Float32Array {
-  const room = new Float32Array(firstOf.length).fill(AMPLE)
+): Generator<void, Float32Array> {
   const smooth = smoothNormals(normals, firstOf)
   const isRim = rims(triangles, smooth, firstOf)
+  yield
   const points = firstOf.filter((first, vertex) => first === vertex)
-  // No farther than matters: a rim that leaves more than `reach`, a gap of which the part is more than `reach`.
-  const grid = new PointGrid(positions, points, reach / OF_GAP)
-  const rimGrid = new PointGrid(
-    positions,
-    points.filter((i) => isRim[i]),
-    reach / FROM_RIM,
-  )
-  for (const i of points) {
-    let least = AMPLE
-    rimGrid.visit(i, (j) => {
-      least = Math.min(least, distance(positions, i, j) * FROM_RIM)
-    })
-    grid.visit(i, (j) => {
-      if (isFacing(positions, smooth, i, j)) least = Math.min(least, distance(positions, i, j) * OF_GAP)
-    })
-    room[i] = least
+  const rim = points.filter((i) => isRim[i])
+  const most = Math.max(reach, ROOM_TO_CURVE)
+  const room = new Float32Array(firstOf.length)
+  const grid = new PointGrid(positions, points, most / OF_GAP)
+  const rimGrid = new PointGrid(positions, rim, most / FROM_RIM)
+  const isAny = () => true
+  const isFaced = (j: number, i: number) => isFacing(positions, smooth, i, j)
+  for (const [k, i] of grid.points().entries()) {
+    if (k % SLICE === 0) yield
+    const fromRim = rimGrid.nearest(i, isAny) * FROM_RIM
+    const ofGap = grid.nearest(i, isFaced) * OF_GAP
+    room[i] = Math.min(fromRim, ofGap, AMPLE)
   }
   for (let i = 0; i < room.length; i++) room[i] = room[firstOf[i]]
   return room
 }
+
+/** Points in one slice. */
+const SLICE = 512
 
 /** Whether a point is in front of another one, and faces it. */
 function isFacing(positions: ArrayLike<number>, smooth: Float64Array, i: number, j: number): boolean {
@@ -62,25 +62,24 @@ function isFacing(positions: ArrayLike<number>, smooth: Float64Array, i: number,
   return ahead >= 0
 }
 
-function distance(positions: ArrayLike<number>, i: number, j: number): number {
-  const x = positions[3 * j] - positions[3 * i]
-  const y = positions[3 * j + 1] - positions[3 * i + 1]
-  const z = positions[3 * j + 2] - positions[3 * i + 2]
-  return Math.sqrt(x * x + y * y + z * z)
-}
-
 /** 1 for each first vertex on the border of the mesh, or on an edge that turns back. */
 function rims(triangles: ArrayLike<number>, smooth: Float64Array, firstOf: Uint32Array): Uint8Array {
   const isRim = new Uint8Array(firstOf.length)
-  const sides = new Map<number, number>()
-  for (let corner = 0; corner < triangles.length - (triangles.length % 3); corner++) {
-    const [a, b] = [firstOf[triangles[corner]], firstOf[triangles[nextCorner(corner)]]]
-    const key = a < b ? a * firstOf.length + b : b * firstOf.length + a
-    sides.set(key, (sides.get(key) ?? 0) + 1)
+  const corners = triangles.length - (triangles.length % 3)
+  const edges = new PairNumbers(corners)
+  const edgeOf = new Uint32Array(corners)
+  const sides = new Uint32Array(corners)
+  for (let corner = 0; corner < corners; corner++) {
+    const a = firstOf[triangles[corner]]
+    const b = firstOf[triangles[nextCorner(corner)]]
+    edgeOf[corner] = a < b ? edges.numberOf(a, b) : edges.numberOf(b, a)
+    sides[edgeOf[corner]]++
     if (dot(smooth, 3 * a, smooth, 3 * b) < OPPOSED) isRim[a] = isRim[b] = 1
   }
-  for (const [key, count] of sides) {
-    if (count === 1) isRim[key % firstOf.length] = isRim[Math.floor(key / firstOf.length)] = 1
+  for (let corner = 0; corner < corners; corner++) {
+    if (sides[edgeOf[corner]] > 1) continue
+    isRim[firstOf[triangles[corner]]] = 1
+    isRim[firstOf[triangles[nextCorner(corner)]]] = 1
   }
   return isRim
 }
@@ -88,41 +87,95 @@ function rims(triangles: ArrayLike<number>, smooth: Float64Array, firstOf: Uint3
 /** Points in cubes. */
 class PointGrid {
   readonly #positions: ArrayLike<number>
-  readonly #cell: number
-  readonly #cubes = new Map<number, number[]>()
+  readonly #side: number
+  /** The cube of each vertex, three numbers. */
+  readonly #cubes: Int32Array
+  /** By its hash, the last point of each cube, from 1; where that is taken, in the next slot that is free. */
+  readonly #last: Uint32Array
+  /** The point of the same cube before each, from 1. */
+  readonly #before: Uint32Array
+  readonly #count: number
+  /** The cube that was asked for last: many points are in one. */
+  readonly #middle = [NaN, NaN, NaN]
+  /** The last points of those around it that have any, from 1. */
+  readonly #around = new Uint32Array(27)
+  #near = 0
 
-  constructor(positions: ArrayLike<number>, points: Uint32Array, cell: number) {
+  constructor(positions: ArrayLike<number>, points: Uint32Array, side: number) {
     this.#positions = positions
-    this.#cell = cell
-    for (const i of points) {
-      const key = keyOf(this.#at(i, 0), this.#at(i, 1), this.#at(i, 2))
-      const cube = this.#cubes.get(key)
-      if (cube) cube.push(i)
-      else this.#cubes.set(key, [i])
+    this.#side = side
+    this.#count = points.length
+    this.#cubes = Int32Array.from(positions, (coordinate) => Math.floor(coordinate / side))
+    this.#last = new Uint32Array(2 ** Math.ceil(Math.log2(2 * points.length + 2)))
+    this.#before = new Uint32Array(positions.length / 3)
+    for (let k = 0; k < points.length; k++) {
+      const i = points[k]
+      const slot = this.#slotOf(this.#cubes[3 * i], this.#cubes[3 * i + 1], this.#cubes[3 * i + 2])
+      this.#before[i] = this.#last[slot]
+      this.#last[slot] = i + 1
     }
   }
 
-  /** Visits all points within a cube's side of a point, itself and some farther ones included. */
-  visit(i: number, visit: (j: number) => void): void {
-    const [x, y, z] = [this.#at(i, 0), this.#at(i, 1), this.#at(i, 2)]
+  /** All points, cube by cube. */
+  points(): Uint32Array {
+    const all = new Uint32Array(this.#count)
+    let count = 0
+    for (let slot = 0; slot < this.#last.length; slot++) {
+      for (let next = this.#last[slot]; next > 0; next = this.#before[next - 1]) all[count++] = next - 1
+    }
+    return all
+  }
+
+  /** How far the nearest point is of those that fulfil a condition; Infinity where none is within a cube's side. */
+  nearest(i: number, condition: (j: number, i: number) => boolean): number {
+    this.#lookAround(this.#cubes[3 * i], this.#cubes[3 * i + 1], this.#cubes[3 * i + 2])
+    let least = this.#side ** 2
+    let isFound = false
+    for (let k = 0; k < this.#near; k++) {
+      for (let next = this.#around[k]; next > 0; next = this.#before[next - 1]) {
+        const squared = this.#squaredDistance(i, next - 1)
+        if (squared > least || !condition(next - 1, i)) continue
+        least = squared
+        isFound = true
+      }
+    }
+    return isFound ? Math.sqrt(least) : Infinity
+  }
+
+  /** Finds the last points of a cube and of those around it. */
+  #lookAround(x: number, y: number, z: number): void {
+    const middle = this.#middle
+    if (middle[0] === x && middle[1] === y && middle[2] === z) return
+    middle[0] = x
+    middle[1] = y
+    middle[2] = z
+    this.#near = 0
     for (let dx = -1; dx <= 1; dx++) {
       for (let dy = -1; dy <= 1; dy++) {
         for (let dz = -1; dz <= 1; dz++) {
-          const cube = this.#cubes.get(keyOf(x + dx, y + dy, z + dz))
-          if (cube) for (const j of cube) visit(j)
+          const last = this.#last[this.#slotOf(x + dx, y + dy, z + dz)]
+          if (last > 0) this.#around[this.#near++] = last
         }
       }
     }
   }
 
-  #at(i: number, axis: number): number {
-    return Math.floor(this.#positions[3 * i + axis] / this.#cell)
+  #squaredDistance(i: number, j: number): number {
+    const x = this.#positions[3 * j] - this.#positions[3 * i]
+    const y = this.#positions[3 * j + 1] - this.#positions[3 * i + 1]
+    const z = this.#positions[3 * j + 2] - this.#positions[3 * i + 2]
+    return x * x + y * y + z * z
   }
-}
 
-/** One number for a cube. Cubes far apart may have the same: that only costs time. */
-function keyOf(x: number, y: number, z: number): number {
-  return (x & 0xffff) + 0x10000 * (y & 0xffff) + 0x100000000 * (z & 0xffff)
+  /** Of a cube, or the free one where it has no points. */
+  #slotOf(x: number, y: number, z: number): number {
+    const h = Math.imul(x, 0x9e3779b1) ^ Math.imul(y, 0x85ebca6b) ^ Math.imul(z, 0xc2b2ae35)
+    const mask = this.#last.length - 1
+    for (let slot = (h ^ (h >>> 15)) & mask; ; slot = (slot + 1) & mask) {
+      const k = 3 * (this.#last[slot] - 1)
+      if (k < 0 || (this.#cubes[k] === x && this.#cubes[k + 1] === y && this.#cubes[k + 2] === z)) return slot
+    }
+  }
 }
 
 function dot(a: ArrayLike<number>, i: number, b: ArrayLike<number>, j: number): number {

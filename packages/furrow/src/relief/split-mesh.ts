@@ -1,6 +1,7 @@
 import type { CoarseMesh } from './coarse-mesh.ts'
 import { DenseBuilder, type DenseMesh } from './dense-mesh.ts'
 import { MOST_TRIANGLES } from './most-triangles.ts'
+import { PairNumbers } from './pair-numbers.ts'
 import { splitPatch, WHOLE } from './patch.ts'
 import { WeldedEdges } from './welded-edges.ts'
 
@@ -40,6 +41,7 @@ export function* splitMesh(
   yield
   const versions = [halvings, ...coarser]
   const levels = versions.map((version) => edges.levelsFor(version, LONGEST * edge))
+  yield
   const splitter = new Splitter(mesh, edges, levels, LONGEST * edge)
   for (let t = 0; 3 * t < halvings.length; t++) {
     splitter.split(t, versions)
@@ -74,8 +76,9 @@ class Splitter {
   readonly #edges: WeldedEdges
   readonly #levels: readonly Uint8Array[]
   readonly #longest: number
-  /** The first vertex on each edge that is cut, by the edge's two vertices. */
-  readonly #onEdges = new Map<number, number>()
+  /** The edges that are cut, by their two vertices, which are two edges at a seam; and the first vertex on each. */
+  readonly #cut: PairNumbers
+  readonly #onEdges: Uint32Array
 
   /** @param levels of the edges in each version, the finest first. */
   constructor(mesh: CoarseMesh, edges: WeldedEdges, levels: readonly Uint8Array[], longest: number) {
@@ -83,10 +86,13 @@ class Splitter {
     this.#edges = edges
     this.#levels = levels
     this.#longest = longest
+    this.#cut = new PairNumbers(edges.edgeOf.length)
+    this.#onEdges = new Uint32Array(edges.edgeOf.length)
     this.dense = new DenseBuilder(edges.firstOf, levels.length)
     const uvs = uvsOfPoints(mesh, edges.firstOf)
     for (let i = 0; i < edges.firstOf.length; i++) {
-      this.dense.addVertex([i, i, i], [1, 0, 0], uvs[edges.firstOf[i]])
+      const k = 4 * edges.firstOf[i]
+      this.dense.addVertex([i, i, i], [1, 0, 0], [uvs[k], uvs[k + 1], uvs[k + 2], uvs[k + 3]])
     }
   }
 
@@ -143,24 +149,28 @@ class Splitter {
 
   /** The vertex at some part, 0..1, of the edge from `a` to `b`. */
   #onEdge(corner: number, a: number, b: number, part: number): number {
-    const { edgeOf, firstOf } = this.#edges
-    const [from, to, at] = this.#edges.startsAt(a, b) ? [a, b, part] : [b, a, 1 - part]
-    const key = from * firstOf.length + to
-    const known = this.#onEdges.get(key)
-    const edge = edgeOf[corner]
+    const isForward = this.#edges.startsAt(a, b)
+    const from = isForward ? a : b
+    const to = isForward ? b : a
+    const edge = this.#edges.edgeOf[corner]
     // Coarser versions have some of the vertices of the finest.
     const segments = 2 ** this.#levels[0][edge]
-    const first = known ?? this.dense.count
-    if (known === undefined) {
-      this.#onEdges.set(key, first)
+    const { count } = this.#cut
+    const cut = this.#cut.numberOf(from, to)
+    if (cut === count) {
+      this.#onEdges[cut] = this.dense.count
       for (let k = 1; k < segments; k++) this.#addOnEdge(edge, from, to, k / segments)
     }
-    return first + at * segments - 1
+    return this.#onEdges[cut] + (isForward ? part : 1 - part) * segments - 1
   }
 
   #addOnEdge(edge: number, from: number, to: number, at: number): void {
-    const uv = (k: number) => this.#edges.uvAt(edge, at, k)
-    this.dense.addVertex([from, to, from], [1 - at, at, 0], [uv(0), uv(1), uv(2), uv(3)])
+    const edges = this.#edges
+    this.dense.addVertex(
+      [from, to, from],
+      [1 - at, at, 0],
+      [edges.uvAt(edge, at, 0), edges.uvAt(edge, at, 1), edges.uvAt(edge, at, 2), edges.uvAt(edge, at, 3)],
+    )
   }
 }
 
@@ -193,14 +203,23 @@ function squaredLengths(
 }
 
 /** Of each first vertex two of the texture coordinates at its position, the same for all vertices there. */
-function uvsOfPoints({ uvs }: CoarseMesh, firstOf: Uint32Array): [number, number, number, number][] {
-  const found: [number, number, number, number][] = []
-  for (const [vertex, first] of firstOf.entries()) {
-    const [u, v] = [uvs[2 * vertex], uvs[2 * vertex + 1]]
-    const known = found[first]
-    if (!known) found[first] = [u, v, u, v]
-    else if (u < known[0] || (u === known[0] && v < known[1])) [known[0], known[1]] = [u, v]
-    else if (u > known[2] || (u === known[2] && v > known[3])) [known[2], known[3]] = [u, v]
+function uvsOfPoints({ uvs }: CoarseMesh, firstOf: Uint32Array): Float64Array {
+  const found = new Float64Array(4 * firstOf.length)
+  for (let vertex = 0; vertex < firstOf.length; vertex++) {
+    const first = 4 * firstOf[vertex]
+    const last = first + 2
+    const u = uvs[2 * vertex]
+    const v = uvs[2 * vertex + 1]
+    // The first vertex at a position comes first.
+    const isNew = first === 4 * vertex
+    if (isNew || u < found[first] || (u === found[first] && v < found[first + 1])) {
+      found[first] = u
+      found[first + 1] = v
+    }
+    if (isNew || u > found[last] || (u === found[last] && v > found[last + 1])) {
+      found[last] = u
+      found[last + 1] = v
+    }
   }
   return found
 }

@@ -1,5 +1,6 @@
 import { weldVertices } from '../math/weld.ts'
 import type { CoarseMesh } from './coarse-mesh.ts'
+import { PairNumbers } from './pair-numbers.ts'
 
 /** Halvings of an edge at most: 1 m into segments of 1 mm. */
 export const MAX_LEVEL = 10
@@ -20,6 +21,8 @@ export class WeldedEdges {
   readonly count: number
   readonly #lengths: Float64Array
   readonly #uvs: Float64Array
+  /** The texture coordinates at hand. */
+  readonly #own = new Float64Array(4)
 
   constructor({ positions, uvs, triangles }: CoarseMesh) {
     this.firstOf = firstVertices(positions)
@@ -28,21 +31,20 @@ export class WeldedEdges {
     this.edgeOf = new Uint32Array(corners)
     this.#lengths = new Float64Array(corners)
     this.#uvs = new Float64Array(PER_EDGE * corners)
-    const known = new Map<number, number>()
+    const known = new PairNumbers(corners)
     for (let corner = 0; corner < corners; corner++) {
-      const [a, b] = [triangles[corner], triangles[nextCorner(corner)]]
-      const [from, to] = this.startsAt(a, b) ? [a, b] : [b, a]
-      const key = firstOf[from] * firstOf.length + firstOf[to]
-      const edge = known.get(key) ?? known.size
+      const a = triangles[corner]
+      const b = triangles[nextCorner(corner)]
+      const isForward = this.startsAt(a, b)
+      const from = isForward ? a : b
+      const to = isForward ? b : a
+      const { count } = known
+      const edge = known.numberOf(firstOf[from], firstOf[to])
       this.edgeOf[corner] = edge
-      const isNew = edge === known.size
-      if (isNew) {
-        known.set(key, edge)
-        this.#lengths[edge] = distance(positions, a, b)
-      }
-      this.#addUvs(uvs, edge, from, to, isNew)
+      if (edge === count) this.#lengths[edge] = distance(positions, a, b)
+      this.#addUvs(uvs, edge, from, to, edge === count)
     }
-    this.count = known.size
+    this.count = known.count
   }
 
   /** Whether the edge between two vertices begins at `a`. */
@@ -79,19 +81,24 @@ export class WeldedEdges {
 
   /** Of all texture coordinates of an edge, those that come first and last in an order, whichever it is. */
   #addUvs(uvs: ArrayLike<number>, edge: number, from: number, to: number, isNew: boolean): void {
-    const all = this.#uvs
-    const own = (k: number) => uvs[2 * (k < 2 ? from : to) + (k % 2)]
-    const compare = (offset: number) => {
-      for (let k = 0; k < 4; k++) if (own(k) !== all[offset + k]) return own(k) - all[offset + k]
-      return 0
-    }
-    const [first, last] = [PER_EDGE * edge, PER_EDGE * edge + 4]
-    const isFirst = isNew || compare(first) < 0
-    const isLast = isNew || compare(last) > 0
+    const own = this.#own
+    own[0] = uvs[2 * from]
+    own[1] = uvs[2 * from + 1]
+    own[2] = uvs[2 * to]
+    own[3] = uvs[2 * to + 1]
+    const first = PER_EDGE * edge
+    const last = first + 4
+    if (isNew || this.#compare(first) < 0) this.#uvs.set(own, first)
+    if (isNew || this.#compare(last) > 0) this.#uvs.set(own, last)
+  }
+
+  /** Below 0 where the texture coordinates at hand come before those at some offset, above where they come after them. */
+  #compare(offset: number): number {
     for (let k = 0; k < 4; k++) {
-      if (isFirst) all[first + k] = own(k)
-      if (isLast) all[last + k] = own(k)
+      const difference = this.#own[k] - this.#uvs[offset + k]
+      if (difference !== 0) return difference
     }
+    return 0
   }
 }
 
@@ -115,6 +122,8 @@ function levelOf(length: number, longest: number): number {
 }
 
 function distance(positions: ArrayLike<number>, a: number, b: number): number {
-  const [x, y, z] = [0, 1, 2].map((axis) => positions[3 * a + axis] - positions[3 * b + axis])
+  const x = positions[3 * a] - positions[3 * b]
+  const y = positions[3 * a + 1] - positions[3 * b + 1]
+  const z = positions[3 * a + 2] - positions[3 * b + 2]
   return Math.sqrt(x * x + y * y + z * z)
 }

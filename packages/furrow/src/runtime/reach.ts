@@ -44,3 +44,11 @@ export function reachAll(reach: Reach): void {
   reach.z = FAR
   reach.w = FAR
 }
+
+/** Sets an empty rectangle. */
+export function reachNothing(reach: Reach): void {
+  reach.x = 1
+  reach.y = 1
+  reach.z = 0
+  reach.w = 0
+}

@@ -14,7 +14,8 @@ export function wrinkleUvs({ geometry }: Mesh, material: Material): Float64Array
   for (let i = 0; i < attribute.count; i++) {
     uv.fromBufferAttribute(attribute as never, i)
     if (normalMap) uv.applyMatrix3(normalMap.matrix)
-    uvs.set([uv.x, uv.y], 2 * i)
+    uvs[2 * i] = uv.x
+    uvs[2 * i + 1] = uv.y
   }
   return uvs
 }

@@ -32,12 +32,13 @@ export async function decodeBytes(bytes: Uint8Array<ArrayBuffer>, who: string): 
   if (png) await checkSize(png, who)
   try {
     if (png && hasPlainAlpha(png)) return await (await import('./inflate-png.ts')).inflatePng(bytes, png)
+    const isOpaque = type === 'image/jpeg' || (png && hasNoAlpha(png, bytes))
     const bitmap = await createImageBitmap(new Blob([bytes], { type }), {
       colorSpaceConversion: 'none',
-      premultiplyAlpha: 'none',
+      // The same where there is no alpha, and what canvases hold: nothing is converted, which would take a third of the time.
+      premultiplyAlpha: isOpaque ? 'premultiply' : 'none',
     })
     await checkSize(bitmap, who)
-    const isOpaque = type === 'image/jpeg' || (png && hasNoAlpha(png, bytes))
     const image = isOpaque ? readOpaque(bitmap) : (await import('./read-image.ts')).readImage(bitmap)
     bitmap.close()
     return image

@@ -7,9 +7,11 @@ import {
   RepeatWrapping,
   type Texture,
   UnsignedByteType,
+  Vector4,
   type VideoTexture,
 } from 'three'
 import { hasMoved } from '../../runtime/atlas-cells.ts'
+import { reachNothing } from '../../runtime/reach.ts'
 import type { QuadMaterials } from '../atlas/influence-pass.ts'
 import { callAfterRender } from '../before-render.ts'
 import type { AnyRenderer } from '../renderer.ts'
@@ -83,6 +85,8 @@ export class AutoMode {
   #view: View = { pixels: 0, side: 0 }
   /** The material's own map, and how far wrinkles have faded, while another is set. */
   #own: { map: Texture; fade: number } | null = null
+  /** Where there are wrinkles, meanwhile. */
+  readonly #ownReach = new Vector4()
   readonly #watched = new Map<Mesh, () => void>()
   readonly #end = () => this.end()
 
@@ -125,8 +129,11 @@ export class AutoMode {
     if (base.matrixAutoUpdate) base.updateMatrix()
     texture.matrix.copy(base.matrix)
     this.#own = { map: base, fade: inputs.fade.value }
+    this.#ownReach.copy(inputs.reach.value)
     material.normalMap = texture
     inputs.fade.value = 0
+    // By this the shaders know that there is nothing to sample.
+    reachNothing(inputs.reach.value)
   }
 
   /** Called after a mesh is drawn, and before one is prepared: whoever replaces `onAfterRender` costs nothing but what a page sees of the material. */
@@ -135,6 +142,7 @@ export class AutoMode {
     const { material, inputs } = this.#host
     if (material.normalMap === this.#made?.map.target.texture) material.normalMap = this.#own.map
     inputs.fade.value = this.#own.fade
+    inputs.reach.value.copy(this.#ownReach)
     this.#own = null
   }
 

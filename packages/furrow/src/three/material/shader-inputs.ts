@@ -1,6 +1,6 @@
 import { type Texture, Vector2, Vector3, Vector4 } from 'three'
 import type { Cell } from '../../runtime/atlas-cells.ts'
-import { findReach, reachAll } from '../../runtime/reach.ts'
+import { findReach, reachAll, reachNothing } from '../../runtime/reach.ts'
 import type { AreaArray } from '../atlas/area-array.ts'
 import type { InfluenceAtlas } from '../atlas/influence-atlas.ts'
 import type { ActivationTable } from './activation-table.ts'
@@ -86,7 +86,7 @@ export function locateCells(
   const { index, face } = cells[0]
   grid.value.set(columns, rows, index)
   cell.value.set((index % columns) / columns, Math.floor(index / columns) / rows, 1 / columns, 1 / rows)
-  if (fade.value === 0) reach.value.set(1, 1, 0, 0)
+  if (fade.value === 0) reachNothing(reach.value)
   else if (cells.length === 1) findReach(areas, face.activations.values, reach.value)
   else reachAll(reach.value)
 }

@@ -58,22 +58,26 @@ export interface Split {
 export function* splitGeometry(request: SplitRequest): Generator<void, Split> {
   const { mesh, material, raised, first, metresPerUnit, reach, map } = request
   const { geometry } = mesh
-  const positions = coordinates(geometry.attributes.position).map((value) => value * metresPerUnit)
+  const positions = coordinates(geometry.attributes.position)
+  for (let i = 0; i < positions.length; i++) positions[i] *= metresPerUnit
   const coarse = { positions, uvs: wrinkleUvs(mesh, material), triangles: drawnTriangles(mesh, material) }
   const normals = coordinates(geometry.attributes.normal)
-  const levels = heightLevels(coarse, firstVertices(positions), SPLIT_DEFAULTS.edge, map)
+  yield
+  const firstOf = firstVertices(positions)
+  yield
+  const levels = heightLevels(coarse, firstOf, SPLIT_DEFAULTS.edge, map)
+  yield
   const [halvings, ...coarser] = yield* halvingsFor(coarse, normals, raised, levels)
   yield
   const dense = yield* splitMesh(coarse, halvings, { coarser })
-  const { firstOf } = dense
   yield
-  const room = outwardRoom(coarse, normals, firstOf, reach)
+  const room = yield* outwardRoom(coarse, normals, firstOf, reach)
   yield
-  return {
-    geometry: denseGeometry(geometry, dense, first, mixParents(dense, room), mixParents(dense, levels)),
-    edge: dense.edge,
-    next: ringOf(firstOf),
-  }
+  const attributes = { furrowRoom: mixParents(dense, room), furrowLevel: mixParents(dense, levels) }
+  yield
+  const dressed = yield* denseGeometry(geometry, dense, first, attributes)
+  yield
+  return { geometry: dressed, edge: dense.edge, next: ringOf(firstOf) }
 }
 
 function* halvingsFor(
@@ -112,7 +116,8 @@ function drawnTriangles(mesh: Mesh, material: Material): ArrayLike<number> {
 
 function ringOf(firstOf: Uint32Array): Uint32Array {
   const next = Uint32Array.from(firstOf.keys())
-  for (const [vertex, first] of firstOf.entries()) {
+  for (let vertex = 0; vertex < firstOf.length; vertex++) {
+    const first = firstOf[vertex]
     if (vertex === first) continue
     next[vertex] = next[first]
     next[first] = vertex
@@ -123,26 +128,29 @@ function ringOf(firstOf: Uint32Array): Uint32Array {
 /** A number of each vertex, between those of its parents: the same on both sides of a seam. */
 function mixParents({ count, parents, weights }: DenseMesh, values: Float32Array): Float32Array {
   const out = new Float32Array(count)
-  for (let i = 0; i < parents.length; i++) out[Math.floor(i / 3)] += weights[i] * values[parents[i]]
+  for (let i = 0; i < count; i++) {
+    for (let k = 3 * i; k < 3 * i + 3; k++) out[i] += weights[k] * values[parents[k]]
+  }
   return out
 }
 
 /** Attributes that only deform the coarse mesh. */
 const DEFORMING = ['skinIndex', 'skinWeight']
 
-function denseGeometry(
+/** @param perVertex attributes of one number. */
+function* denseGeometry(
   { attributes }: BufferGeometry,
   dense: DenseMesh,
   first: number,
-  room: Float32Array,
-  levels: Float32Array,
-): BufferGeometry {
+  perVertex: Record<string, Float32Array>,
+): Generator<void, BufferGeometry> {
   const geometry = new BufferGeometry()
   for (const [name, attribute] of Object.entries(attributes)) {
     if (DEFORMING.includes(name)) continue
     const { itemSize } = attribute
     const values = interpolate(coordinates(attribute, itemSize), itemSize, dense)
     geometry.setAttribute(name, new BufferAttribute(values, itemSize))
+    yield
   }
   const { parents, corners, weights, uvs } = dense
   addInterleaved(geometry, dense.count, [
@@ -150,9 +158,9 @@ function denseGeometry(
     ['furrowCorners', corners.map((i) => first + i), 3],
     ['furrowWeights', weights, 3],
     ['furrowUvs', uvs, 4],
-    ['furrowRoom', room, 1],
-    ['furrowLevel', levels, 1],
+    ...Object.entries(perVertex).map(([name, values]) => [name, values, 1] as const),
   ])
+  yield
   addVersions(geometry, [dense.triangles, ...dense.coarser])
   return geometry
 }
@@ -173,14 +181,15 @@ function addVersions(geometry: BufferGeometry, versions: readonly Uint32Array[])
 function addInterleaved(
   geometry: BufferGeometry,
   count: number,
-  parts: readonly [name: string, values: ArrayLike<number>, size: number][],
+  parts: readonly (readonly [name: string, values: Float32Array | Uint32Array, size: number])[],
 ): void {
   const stride = parts.reduce((sum, [, , size]) => sum + size, 0)
-  const buffer = new InterleavedBuffer(new Float32Array(stride * count), stride)
+  const all = new Float32Array(stride * count)
+  const buffer = new InterleavedBuffer(all, stride)
   let offset = 0
   for (const [name, values, size] of parts) {
-    for (let i = 0; i < size * count; i++) {
-      buffer.array[stride * Math.floor(i / size) + offset + (i % size)] = values[i]
+    for (let i = 0; i < count; i++) {
+      for (let k = 0; k < size; k++) all[stride * i + offset + k] = values[size * i + k]
     }
     geometry.setAttribute(name, new InterleavedBufferAttribute(buffer, size, offset))
     offset += size
@@ -195,7 +204,8 @@ function interpolate(
   const out = new Float32Array(size * count)
   for (let i = 0; i < count; i++) {
     for (let k = 0; k < 3; k++) {
-      const [corner, weight] = [corners[3 * i + k], weights[3 * i + k]]
+      const corner = corners[3 * i + k]
+      const weight = weights[3 * i + k]
       if (weight === 0) continue
       for (let n = 0; n < size; n++) out[size * i + n] += weight * values[size * corner + n]
     }

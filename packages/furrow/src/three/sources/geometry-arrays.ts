@@ -5,6 +5,9 @@ export function coordinates(
   attribute: { count: number; getComponent(i: number, k: number): number },
   size = 3,
 ): Float32Array {
+  const { isBufferAttribute, array, itemSize, normalized } = attribute as Partial<BufferAttribute>
+  // Reading through the attribute takes several times as long.
+  if (isBufferAttribute && itemSize === size && !normalized) return new Float32Array(array!)
   const out = new Float32Array(size * attribute.count)
   for (let i = 0; i < out.length; i++) out[i] = attribute.getComponent(Math.floor(i / size), i % size)
   return out

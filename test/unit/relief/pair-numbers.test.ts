@@ -1,0 +1,17 @@
+import { expect, it } from 'vitest'
+import { PairNumbers } from '../../../packages/furrow/src/relief/pair-numbers.ts'
+
+it('numbers pairs in the order in which they come, each once, however many there are', () => {
+  const side = 40
+  const numbers = new PairNumbers(side * side)
+  const pairs = Array.from({ length: side * side }, (_, i) => [i % side, Math.floor(i / side)] as const)
+  for (const [i, [a, b]] of pairs.entries()) expect(numbers.numberOf(a, b)).toBe(i)
+  for (const [i, [a, b]] of pairs.entries()) expect(numbers.numberOf(a, b)).toBe(i)
+  expect(numbers.count).toBe(side * side)
+})
+
+it('has pairs of vertices whose numbers take all bits', () => {
+  const numbers = new PairNumbers(3)
+  expect([numbers.numberOf(0xfffffffe, 0), numbers.numberOf(0, 0xfffffffe)]).toEqual([0, 1])
+  expect(numbers.numberOf(0xfffffffe, 0)).toBe(0)
+})
