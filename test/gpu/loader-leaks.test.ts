@@ -2,7 +2,7 @@ import { wrinklesOf } from 'furrow/three'
 import { AmbientLight, type BufferGeometry, Mesh, type MeshStandardMaterial, Scene } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { describe, expect, it } from 'vitest'
-import { cdp } from 'vitest/browser'
+import { alive } from './alive.ts'
 import { createHarness, type Harness, squareCamera } from './harness.ts'
 import { wrinkledFile } from './wrinkled-file.ts'
 
@@ -41,12 +41,4 @@ async function loadAndDispose(harness: Harness, file: Uint8Array<ArrayBuffer>): 
     material.dispose()
   }
   return [face, ...meshes].map((object) => new WeakRef<object>(object))
-}
-
-/** How many of some objects are left when all garbage is collected. */
-async function alive(objects: readonly WeakRef<object>[]): Promise<number> {
-  // A reference that was read, or made, holds its object until the current task ends.
-  await new Promise((resolve) => setTimeout(resolve))
-  await cdp().send('HeapProfiler.collectGarbage')
-  return objects.filter((object) => object.deref() !== undefined).length
 }
