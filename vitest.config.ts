@@ -2,6 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { playwright } from '@vitest/browser-playwright'
 import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config'
 import { CHROMIUM_FLAGS } from './packages/cli/src/chromium-flags.ts'
+import { mtoonNodes } from './test/gpu/mtoon-nodes.ts'
 import { FILES_FOR_OLDEST, onOldestThree } from './test/gpu/oldest-three.ts'
 import { serveFaces } from './test/gpu/serve-faces.ts'
 
@@ -72,7 +73,7 @@ function gpuProject(name: string, files: string[], exclude: string[] = []): Test
   return {
     resolve,
     ssr,
-    plugins: [serveFaces(ssr)],
+    plugins: [serveFaces(ssr), mtoonNodes()],
     optimizeDeps: {
       // What is found late is optimised then, and reloads the page in the middle of a test: what is not listed is served as it is.
       noDiscovery: true,
@@ -108,7 +109,7 @@ function gpuProject(name: string, files: string[], exclude: string[] = []): Test
         'meshoptimizer/decoder',
         ...babylonModules(),
       ],
-      // The first does not link with the newest three.js; the others find their WebAssembly beside their own modules.
+      // The first is changed by `mtoonNodes`; the others find their WebAssembly beside their own modules.
       exclude: ['@pixiv/three-vrm-materials-mtoon/nodes', 'ktx2-encoder', '@bokuweb/zstd-wasm'],
     },
     test: {

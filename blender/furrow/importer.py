@@ -12,7 +12,7 @@ from mathutils import Matrix
 from .format.container import GltfFile
 from .format.document import EXTENSION, read_document
 from .format.reader import FurrowError
-from .joints import armature_of, remember_frames
+from .joints import armature_of, remember_frames, remember_nodes
 from .material import put_in
 from .wrinkle_set import load_document, new_group, rebuild
 
@@ -23,6 +23,7 @@ class ImportHooks:
     def __init__(self):
         self.file = None
         self.loaded = []
+        self.nodes = {}
 
     def gather_import_material_after_hook(self, gltf_material, _vertex_color, material, gltf):
         """The images become Blender's and the set a node group in the material."""
@@ -49,12 +50,18 @@ class ImportHooks:
             _remove(tree)
             _warn(gltf, f"{_text(error)}; the face is imported without wrinkles")
 
+    def gather_import_node_after_hook(self, _vnode, gltf_node, item, _gltf):
+        """Drivers name nodes; Blender may give their objects other names."""
+        if gltf_node is not None and gltf_node.name is not None:
+            self.nodes.setdefault(gltf_node.name, item)
+
     def gather_import_scene_after_nodes_hook(self, _gltf_scene, _scene, gltf):
         """Objects exist now, and drivers can read their shape keys and bones."""
         for material, tree in self.loaded:
             try:
                 tree.furrow.face = _face_of(material)
                 _remember_frames(self.file, tree.furrow.face)
+                remember_nodes(tree.furrow, _joints_of(tree.furrow), self.nodes)
                 rebuild(tree)
             except Exception as error:
                 _warn(gltf, f"{_text(error)}; nothing drives the wrinkles of {material.name}")
@@ -90,6 +97,12 @@ def _face_of(material):
         if item.type == "MESH" and any(slot.material == material for slot in item.material_slots)
     ]
     return next((item for item in meshes if item.data.shape_keys), meshes[0] if meshes else None)
+
+
+def _joints_of(wrinkles):
+    """Names of all nodes that drivers measure, each once."""
+    drivers = [json.loads(driver.json) for driver in wrinkles.drivers]
+    return list(dict.fromkeys(name for driver in drivers if driver["type"] == "bone" for name in driver["joints"]))
 
 
 def _remember_frames(file, face):

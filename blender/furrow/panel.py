@@ -5,6 +5,7 @@ import json
 import bpy
 
 from .format.edit import describe_driver
+from .format.plan import NOT_IN_BLENDER
 from .material import wrinkle_group
 from .rig import activation_of
 
@@ -129,6 +130,8 @@ class FURROW_PT_drivers(_Panel, bpy.types.Panel):
             row = box.row()
             row.label(text=describe_driver(driver))
             row.operator("furrow.driver_remove", icon="X", text="", emboss=False).driver = i
+            if driver["type"] in NOT_IN_BLENDER:
+                box.label(text="Kept for the export; not shown in Blender", icon="INFO")
             for link in driver.get("targets", []) if driver["type"] == "morph" else []:
                 row = box.row()
                 curve = link.get("curve")

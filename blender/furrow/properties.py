@@ -11,6 +11,7 @@ from bpy.props import (
     CollectionProperty,
     EnumProperty,
     FloatProperty,
+    FloatVectorProperty,
     IntProperty,
     PointerProperty,
     StringProperty,
@@ -131,6 +132,22 @@ class FurrowInput(bpy.types.PropertyGroup):
     value: FloatProperty(name="Value", **_stored("input", 0.0))
 
 
+class FurrowJoint(bpy.types.PropertyGroup):
+    """A node of the file that drivers measure, and that is no bone."""
+
+    name: StringProperty()
+    object: PointerProperty(type=bpy.types.Object)
+    rest: FloatVectorProperty(size=4, description="Its rotation at rest in the world, a quaternion w, x, y, z")
+
+
+class FurrowDelay(bpy.types.PropertyGroup):
+    """A driver of type `time`: the constants of an area in seconds."""
+
+    area: IntProperty()
+    attack: FloatProperty()
+    release: FloatProperty()
+
+
 class FurrowWrinkles(bpy.types.PropertyGroup):
     """The wrinkle set of a node group. `layers` is empty in all other groups."""
 
@@ -139,6 +156,8 @@ class FurrowWrinkles(bpy.types.PropertyGroup):
     areas: CollectionProperty(type=FurrowArea)
     drivers: CollectionProperty(type=FurrowDriver)
     inputs: CollectionProperty(type=FurrowInput)
+    joints: CollectionProperty(type=FurrowJoint)
+    delays: CollectionProperty(type=FurrowDelay)
     active_layer: IntProperty()
     active_area: IntProperty(update=_preview)
     preview: BoolProperty(
@@ -151,7 +170,7 @@ class FurrowWrinkles(bpy.types.PropertyGroup):
     other: StringProperty(default="{}")
 
 
-CLASSES = (FurrowLayer, FurrowArea, FurrowDriver, FurrowInput, FurrowWrinkles)
+CLASSES = (FurrowLayer, FurrowArea, FurrowDriver, FurrowInput, FurrowJoint, FurrowDelay, FurrowWrinkles)
 
 
 def register():

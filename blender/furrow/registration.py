@@ -1,9 +1,9 @@
 """What Blender is told about when the extension is enabled."""
 
-from . import operators, panel, preferences, properties
+from . import delays, operators, panel, preferences, properties
 from .exporter import restore_materials
 
-MODULES = (properties, preferences, operators, panel)
+MODULES = (properties, preferences, operators, panel, delays)
 
 
 def register():

@@ -1,7 +1,8 @@
 """
 Drivers of a wrinkle group. Each step of the plan is a custom property of one of its nodes with one driver of Blender,
 and the last of them drive the inputs of the other nodes: `nodes["Steps"]["d0l1"]` is the second link of the first
-driver, `nodes["Steps"]["a3"]` the activation of the fourth area, `["rest3"]` of the group itself that at rest.
+driver, `nodes["Steps"]["a3"]` the activation of the fourth area, `["rest3"]` of the group itself that at rest, and
+`["late3"]` what a delay adds (`delays.py`).
 
 Steps are not properties of the group itself: before the drivers of a data-block's nodes, and of those alone, Blender
 writes back what all driven properties of the data-block hold (`BKE_animsys_eval_driver_unshare`). In another thread
@@ -12,11 +13,14 @@ import json
 
 import bpy
 
-from .format.plan import activation_name, plan_drivers
-from .joints import armature_of, can_measure, read_bone, with_joints_measured
+from .format.plan import plan_drivers, shown_name
+from .joints import can_measure, read_joint, with_joints_measured
 
 #: Name of the node whose custom properties are the steps: a frame, which draws nothing.
 STEPS = "Steps"
+
+#: Custom properties of the group, followed by the index of an area.
+LATE = "late"
 
 #: Key frames of a driver that scales: it goes on beyond both.
 _UNIT = ((0, 0), (1, 1))
@@ -37,12 +41,13 @@ def build_drivers(tree, activations):
     targets = [block.name for block in keys.key_blocks if block != keys.reference_key] if keys else []
     areas = [area.name for area in wrinkles.areas]
     drivers = [json.loads(driver.json) for driver in wrinkles.drivers]
-    plan = plan_drivers(drivers, areas, targets, lambda driver: can_measure(face, driver))
+    plan = plan_drivers(drivers, areas, targets, lambda driver: can_measure(wrinkles, driver))
     _declare_inputs(wrinkles, plan.inputs)
     for area in wrinkles.areas:
         # Drivers can only read what is there.
         area.activation = area.activation
-    steps = with_joints_measured(plan.steps, face)
+    _declare_delays(tree, plan.delays)
+    steps = with_joints_measured(plan.steps, wrinkles)
     node = tree.nodes.new("NodeFrame")
     node.name = node.label = STEPS
     for step in steps:
@@ -56,7 +61,7 @@ def build_drivers(tree, activations):
     for area, (name, index) in activations.items():
         curve = tree.nodes[name].inputs[index].driver_add("default_value")
         _set_up(curve, "SUM")
-        _variable(curve.driver, "a", "NODETREE", tree, _path(activation_name(area)))
+        _variable(curve.driver, "a", "NODETREE", tree, _path(shown_name(area, plan.delays)))
         _key(curve, (), "CONSTANT")
     tree.update_tag()
     return plan
@@ -65,7 +70,7 @@ def build_drivers(tree, activations):
 def activation_of(tree, area):
     """The current activation of an area, by index."""
     steps = tree.nodes.get(STEPS)
-    return steps.get(activation_name(area), 0.0) if steps else 0.0
+    return steps.get(_shown(tree, area), 0.0) if steps else 0.0
 
 
 def show_preview(tree):
@@ -73,7 +78,7 @@ def show_preview(tree):
     if tree.animation_data is None:
         return
     wrinkles = tree.furrow
-    chosen = _path(activation_name(wrinkles.active_area))
+    chosen = _path(_shown(tree, wrinkles.active_area))
     for curve in tree.animation_data.drivers:
         if not curve.data_path.endswith(".default_value"):
             continue
@@ -83,6 +88,10 @@ def show_preview(tree):
             path = curve.driver.variables[0].targets[0].data_path
             owner.default_value = 1.0 if path == chosen else 0.0
     tree.update_tag()
+
+
+def _shown(tree, area):
+    return shown_name(area, {delay.area for delay in tree.furrow.delays})
 
 
 def _clear(tree):
@@ -133,11 +142,13 @@ def _read(driver, name, source, tree, keys):
         _variable(driver, name, "NODETREE", tree, _path(source.name))
     elif source.kind == "rest":
         _variable(driver, name, "NODETREE", tree, f'["rest{source.name}"]')
+    elif source.kind == "late":
+        _variable(driver, name, "NODETREE", tree, f'["{LATE}{source.name}"]')
     elif source.kind == "input":
         index = tree.furrow.inputs.find(source.name)
         _variable(driver, name, "NODETREE", tree, f'["input{index}"]')
     else:
-        read_bone(driver, armature_of(tree.furrow.face), source.name).name = name
+        read_joint(driver, source.name).name = name
 
 
 def _variable(driver, name, id_type, owner, path):
@@ -157,3 +168,12 @@ def _declare_inputs(wrinkles, inputs):
         item = wrinkles.inputs.add()
         item.name = name
         item.value = values.get(name, initial)
+
+
+def _declare_delays(tree, delays):
+    """The areas with a delay. None is late now."""
+    tree.furrow.delays.clear()
+    for area, (attack, release) in delays.items():
+        item = tree.furrow.delays.add()
+        item.area, item.attack, item.release = area, attack, release
+        tree[f"{LATE}{area}"] = 0.0

@@ -125,13 +125,15 @@ def _shares(graph, influences):
 def _unpacked(graph, color, scale):
     """A normal as stored, -1 to 1, with x and y scaled."""
     normal = graph.vector("MULTIPLY_ADD", color, (2, 2, 2), (-1, -1, -1))
-    if isinstance(scale, float) and scale == 1:
-        return normal
+    return normal if scale == 1 else _scaled(graph, normal, scale)
+
+
+def _scaled(graph, normal, scale):
     return graph.vector("MULTIPLY", normal, graph.combine(scale, scale, 1.0))
 
 
 def _mixed_normal(graph, wrinkles, influences, inputs):
-    base = _unpacked(graph, inputs["Normal"], inputs["Normal Scale"])
+    base = _unpacked(graph, inputs["Normal"], 1.0)
     layers = [
         (layer, _unpacked(graph, graph.texture(layer.normal, inputs["UV"], layer.name)[0], layer.normal_scale), own)
         for layer, own in zip(wrinkles.layers, influences, strict=True)
@@ -151,6 +153,7 @@ def _mixed_normal(graph, wrinkles, influences, inputs):
             slope = scaled if slope is None else graph.vector("ADD", slope, scaled)
     if slope is not None:
         mixed = _reoriented(graph, mixed, graph.vector("NORMALIZE", _with_z_1(graph, slope)))
+    mixed = graph.vector("NORMALIZE", _scaled(graph, mixed, inputs["Normal Scale"]))
     return graph.vector("MULTIPLY_ADD", mixed, (0.5, 0.5, 0.5), (0.5, 0.5, 0.5))
 
 

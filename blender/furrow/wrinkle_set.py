@@ -6,6 +6,7 @@ from contextlib import contextmanager
 import bpy
 
 from .format.document import read_document
+from .format.edit import with_joints_renamed
 from .format.reader import FurrowError
 from .images import file_from_image, image_from_file
 from .material import group_node, put_back, take_out
@@ -112,7 +113,9 @@ def document_of(tree):
             "activation": _short(area.activation),
         }
         areas.append({**item, **json.loads(area.other)})
-    drivers = [json.loads(driver.json) for driver in wrinkles.drivers]
+    # Nodes get the names of their objects, which may have others by now.
+    names = {joint.name: joint.object.name for joint in wrinkles.joints if joint.object}
+    drivers = with_joints_renamed([json.loads(driver.json) for driver in wrinkles.drivers], names)
     root = {"layers": layers, "areas": areas, "drivers": drivers, **json.loads(wrinkles.other)}
     return read_document(root, len(files), f'material group "{tree.name}"'), files
 

@@ -20,7 +20,9 @@ export function encodeFile(file: SampleFile): Uint8Array<ArrayBuffer> {
   const material = {
     name: 'skin',
     pbrMetallicRoughness: { metallicFactor: 0 },
-    ...(normalTexture && { normalTexture: { ...normalTexture, ...transformOf(file) } }),
+    ...(normalTexture && {
+      normalTexture: { ...normalTexture, scale: file.baseScale, ...transformOf(file) },
+    }),
     extensions: {
       // No highlights: pictures show the normals' shading, and nothing else.
       KHR_materials_specular: { specularFactor: 0 },

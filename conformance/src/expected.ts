@@ -54,12 +54,15 @@ export function expectedAt(file: SampleFile, pose: Pose, column: number, row: nu
   const baseColor = mixed([1, 1, 1], ({ baseColor: map }) => map && colourAt(map, u, v))
   return {
     influence,
-    normal: reference.mixNormals(
-      file.base ? normalAt(file.base, u, v) : [0, 0, 1],
-      file.layers.map(({ kind = 'replace', normal, normalScale = 1 }, i) => {
-        const [x, y, z] = normalAt(normal, u, v)
-        return { kind, normal: [x * normalScale, y * normalScale, z], influence: influence[i] }
-      }),
+    normal: scaled(
+      reference.mixNormals(
+        file.base ? normalAt(file.base, u, v) : [0, 0, 1],
+        file.layers.map(({ kind = 'replace', normal, normalScale = 1 }, i) => {
+          const [x, y, z] = normalAt(normal, u, v)
+          return { kind, normal: [x * normalScale, y * normalScale, z], influence: influence[i] }
+        }),
+      ),
+      file.baseScale ?? 1,
     ),
     baseColor: reference.bloodColour(baseColor, blood),
     roughness: mixed([1], ({ roughness }) => roughness && [texel(roughness, u, v, 1)])[0],
@@ -128,6 +131,11 @@ function texel({ width, height, data }: MapImage, u: number, v: number, channel:
 
 function normalAt(map: MapImage, u: number, v: number): number[] {
   return reference.unpackNormal([0, 1, 2].map((channel) => texel(map, u, v, channel)))
+}
+
+function scaled([x, y, z]: readonly number[], scale: number): number[] {
+  const length = Math.hypot(x * scale, y * scale, z)
+  return [(x * scale) / length, (y * scale) / length, z / length]
 }
 
 /** Graphics cards decode sRGB before they interpolate. */

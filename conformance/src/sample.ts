@@ -53,6 +53,8 @@ export interface SampleFile {
   drivers?: readonly object[]
   /** The material's own normal map; a flat surface without. */
   base?: MapImage
+  /** The scale of that. */
+  baseScale?: number
   targets?: readonly SampleTarget[]
   /** Other nodes of the scene. */
   nodes?: readonly { name: string; translation?: readonly number[] }[]

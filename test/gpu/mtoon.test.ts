@@ -1,7 +1,7 @@
-import { VRMLoaderPlugin, VRMUtils } from '@pixiv/three-vrm'
+import { MToonMaterialLoaderPlugin, VRMLoaderPlugin, VRMUtils } from '@pixiv/three-vrm'
 import { MToonMaterial } from '@pixiv/three-vrm-materials-mtoon'
-import type { MToonNodeMaterial } from '@pixiv/three-vrm-materials-mtoon/nodes'
-import { WrinkleLoaderPlugin, wrinklesOf } from 'furrow/three'
+import { MToonNodeMaterial } from '@pixiv/three-vrm-materials-mtoon/nodes'
+import { wrinklesOf } from 'furrow/three'
 import {
   AmbientLight,
   BufferAttribute,
@@ -12,7 +12,6 @@ import {
   type Material,
   Mesh,
   type Object3D,
-  REVISION,
   Scene,
 } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
@@ -20,32 +19,24 @@ import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
 import { randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { createHarness, type Harness, RENDERERS, type RendererName, square, squareCamera } from './harness.ts'
 import { vrmFile } from './vrm-file.ts'
 
 const SIZE = 32
-
-/** three-vrm 3.5's nodes use what r187 of three.js has dropped: without wrinkles too, they draw nothing. */
-const hasNodes = Number(REVISION) < 187
-const PATHS = RENDERERS.filter((name) => name === 'webgl' || hasNodes)
 
 const COLOURS = { color: new Color(0.9, 0.7, 0.6), shadeColorFactor: new Color(0.7, 0.4, 0.4) }
 
 afterEach(() => vi.restoreAllMocks())
 
-describe.each(PATHS)('MToon on %s', (name) => {
+describe.each(RENDERERS)('MToon on %s', (name) => {
   let harness: Harness
-  let Nodes: typeof MToonNodeMaterial
   beforeAll(async () => {
     harness = await createHarness(name)
-    if (hasNodes) Nodes = (await import('@pixiv/three-vrm-materials-mtoon/nodes')).MToonNodeMaterial
   })
   afterAll(() => harness.dispose())
 
   const mtoon = (parameters: object = {}) =>
-    name === 'webgl'
-      ? new MToonMaterial({ ...COLOURS, ...parameters } as never)
-      : new Nodes({ ...COLOURS, ...parameters } as never)
+    new (materialTypeFor(name))({ ...COLOURS, ...parameters } as never)
   const picture = (mesh: Mesh) => pictureOf(harness, mesh)
   const ownMap = () => {
     const map = new DataTexture(randomNormals(seeded(1), 16).data, 16, 16)
@@ -96,18 +87,25 @@ describe.each(PATHS)('MToon on %s', (name) => {
   })
 })
 
-describe.each([
-  ['with an outline', true],
-  ['without one', false],
-])('the MToon face of a VRM, %s', (_, hasOutline) => {
+describe.each(
+  RENDERERS.flatMap((name) => [
+    { name, outline: 'with an outline', hasOutline: true },
+    { name, outline: 'without one', hasOutline: false },
+  ]),
+)('the MToon face of a VRM on $name, $outline', ({ name, hasOutline }) => {
   let harness: Harness
   beforeAll(async () => {
-    harness = await createHarness('webgl')
+    harness = await createHarness(name)
   })
   afterAll(() => harness.dispose())
 
-  const vrm = (loader: GLTFLoader) => loader.register((parser) => new VRMLoaderPlugin(parser))
-  const wrinkled = (loader: GLTFLoader) => loader.register((parser) => new WrinkleLoaderPlugin(parser))
+  const vrm = (loader: GLTFLoader) =>
+    loader.register((parser) => {
+      const materialType = materialTypeFor(name)
+      const mtoonMaterialPlugin = new MToonMaterialLoaderPlugin(parser, { materialType })
+      return new VRMLoaderPlugin(parser, { mtoonMaterialPlugin })
+    })
+  const wrinkled = (loader: GLTFLoader) => loader.register((parser) => new harness.Plugin(parser))
   const load = async (...plugins: ((loader: GLTFLoader) => GLTFLoader)[]) => {
     const loader = plugins.reduce((all, register) => register(all), new GLTFLoader())
     return loader.parseAsync((await vrmFile(hasOutline)).buffer, '')
@@ -199,6 +197,10 @@ it('an MToon face with tangents, whose shader takes no normal map, stays plain w
   wrinkles.dispose()
   harness.dispose()
 })
+
+function materialTypeFor(name: RendererName): typeof MToonMaterial {
+  return name === 'webgl' ? MToonMaterial : (MToonNodeMaterial as never)
+}
 
 /** Several frames later, since the first one tells what becomes of the shader. */
 async function pictureOf(harness: Harness, object: Object3D) {

@@ -6,12 +6,12 @@ import { createElement } from 'react'
 import type { Mesh, Object3D } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { afterAll, beforeAll, describe, expect, it, type MockInstance, vi } from 'vitest'
-import { cdp } from 'vitest/browser'
 import { Frame } from '../../packages/furrow/src/runtime/frame.ts'
 import type { InfluenceAtlas } from '../../packages/furrow/src/three/atlas/influence-atlas.ts'
 import type { RendererFrame } from '../../packages/furrow/src/three/frame.ts'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
+import { alive } from './alive.ts'
 import { createHarness, type Harness } from './harness.ts'
 import { createReactScene, type ReactScene } from './react-root.ts'
 import { wrinkledFile } from './wrinkled-file.ts'
@@ -113,14 +113,6 @@ describe.each(['webgl', 'webgpu'] as const)('components that come and go, %s', (
     expect(first.members).toBe(0)
   })
 })
-
-/** How many of some objects are left when all garbage is collected. */
-async function alive(objects: readonly WeakRef<object>[]): Promise<number> {
-  // A reference that was read, or made, holds its object until the current task ends.
-  await new Promise((resolve) => setTimeout(resolve))
-  await cdp().send('HeapProfiler.collectGarbage')
-  return new Set(objects.flatMap((object) => object.deref() ?? [])).size
-}
 
 /** How many listeners meshes, their geometries and their materials have. */
 function listenersOf(root: Object3D): number {

@@ -57,6 +57,16 @@ def with_area_renamed(drivers, old, new):
     return out
 
 
+def with_joints_renamed(drivers, names):
+    """The same with other names of joints, by the old ones."""
+    return [
+        {**driver, "joints": [names.get(name, name) for name in driver["joints"]]}
+        if driver["type"] == "bone"
+        else driver
+        for driver in drivers
+    ]
+
+
 def describe_driver(driver):
     """One line for people."""
     if driver["type"] in ("morph", "area"):

@@ -13,16 +13,14 @@ from .driver_fields import IDENTITY
 from .names import find_targets
 
 #: Types that need what Blender's drivers do not have, and why.
-NOT_IN_BLENDER = {
-    "time": "delays: a driver remembers no earlier frame",
-    "tension": "tension: a driver cannot measure the deformed skin",
-}
+NOT_IN_BLENDER = {"tension": "tension: a driver cannot measure the deformed skin"}
 
 
 @dataclass(frozen=True)
 class Source:
     """
-    A number that a step reads: a `target`'s weight, another `step`, an area at `rest`, an `input`, a `joint` measured.
+    A number that a step reads: a `target`'s weight, another `step`, an area at `rest`, how `late` it is, an `input`, a
+    `joint` measured.
     """
 
     kind: str
@@ -48,6 +46,8 @@ class Plan:
     steps: list = field(default_factory=list)
     inputs: dict = field(default_factory=dict)
     """Initial values by name."""
+    delays: dict = field(default_factory=dict)
+    """Attack and release in seconds, by the index of the area."""
     missing: list = field(default_factory=list)
     """Targets and joints that drivers name and the model lacks."""
     kept: list = field(default_factory=list)
@@ -55,8 +55,13 @@ class Plan:
 
 
 def activation_name(area):
-    """Name of the step that gives the activation of an area, by its index."""
+    """Name of the step that gives the activation of an area, by its index, before any delay."""
     return f"a{area}"
+
+
+def shown_name(area, delays):
+    """Name of the step that gives what is shown of an area, by its index. `delays`: the areas that have one."""
+    return f"s{area}" if area in delays else activation_name(area)
 
 
 def plan_drivers(drivers, areas, targets, can_measure=lambda driver: False):
@@ -77,9 +82,14 @@ def plan_drivers(drivers, areas, targets, can_measure=lambda driver: False):
         links = _links_of(driver, reads, areas, cyclic, can_measure, plan)
         if links is not None:
             contributions[driver["area"]].append(_add_driver(plan, f"d{i}", driver, links))
+        elif driver["type"] == "time":
+            plan.delays[areas.index(driver["area"])] = (driver["attack"], driver["release"])
     for i, area in enumerate(areas):
         sources = [Source("rest", i), *contributions[area]]
         plan.steps.append(Step(activation_name(i), "SUM", sources, curve=IDENTITY))
+        if i in plan.delays:
+            late = [Source("step", activation_name(i)), Source("late", i)]
+            plan.steps.append(Step(shown_name(i, plan.delays), "SUM", late, curve=IDENTITY))
     return plan
 
 
@@ -150,7 +160,7 @@ def _links_of(driver, reads, areas, cyclic, can_measure, plan):
         note = NOT_IN_BLENDER[kind]
         if note not in plan.kept:
             plan.kept.append(note)
-    elif kind not in ("conflict", "expression", "muscle"):
+    elif kind not in ("conflict", "expression", "muscle", "time"):
         plan.kept.append(f'drivers of type "{kind}"')
     return None
 

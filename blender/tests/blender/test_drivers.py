@@ -13,6 +13,7 @@ from evaluate import curve_at, evaluate_plan
 from furrow.format.container import GltfFile
 from furrow.format.plan import plan_drivers
 from furrow.rig import STEPS, activation_of
+from furrow.wrinkle_set import document_of
 from support import FLAT, ROOT, BlenderTest, document, image, set_weights
 
 IMAGES = [image("normal", FLAT), image("areas", (255, 255, 255))]
@@ -60,7 +61,7 @@ class DriversTest(BlenderTest):
             for item in group.furrow.inputs:
                 item.value = inputs[item.name]
             set_weights(group, weights)
-            read = {"target": weights, "rest": {i: 0.1 * i for i in range(4)}, "input": inputs}
+            read = {"target": weights, "rest": {i: 0.1 * i for i in range(4)}, "input": inputs, "late": {0: 0}}
             self.check(group, AREAS, evaluate_plan(plan, lambda source, read=read: read[source.kind][source.name]))
 
     def test_blender_evaluates_expressions_without_running_python(self):
@@ -157,6 +158,26 @@ class DriversTest(BlenderTest):
                 bpy.context.view_layer.update()
                 self.assertAlmostEqual(group.nodes[STEPS][f"d{i}"], curve_at(driver["curve"], angle), 4, driver)
             bone.rotation_quaternion = (1, 0, 0, 0)
+
+    def test_nodes_that_are_no_bones_are_measured_in_each_copy_of_a_face(self):
+        source = ROOT / "conformance" / "files" / "bone-angle.glb"
+        first = self.import_face(source)
+        before = set(bpy.data.node_groups)
+        self.import_face(source)
+        second = next(group for group in bpy.data.node_groups if group not in before and group.furrow.is_wrinkles)
+        joints = [joint.object for joint in second.furrow.joints]
+        self.assertEqual(len({*joints, *(joint.object for joint in first.furrow.joints)}), 2 * len(joints))
+        driver = json.loads(second.furrow.drivers[0].json)
+        self.assertEqual(driver["type"], "bone")
+        joint = second.furrow.joints[driver["joints"][1]].object
+        joint.name = "renamed"
+        joint.rotation_quaternion = Quaternion((1, 0, 0), 0.5)
+        bpy.context.view_layer.update()
+        area = [item.name for item in second.furrow.areas].index(driver["area"])
+        self.assertAlmostEqual(activation_of(second, area), curve_at(driver["curve"], 0.5), 5)
+        self.assertEqual(activation_of(first, area), curve_at(driver["curve"], 0))
+        document, _ = document_of(second)
+        self.assertEqual(document["drivers"][0]["joints"][1], "renamed")
 
     def test_preview_shows_one_area_alone(self):
         group = self.import_face(self.write_face(document(AREAS, drivers=DRIVERS[:4]), IMAGES, targets=TARGETS))

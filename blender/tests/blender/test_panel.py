@@ -62,6 +62,7 @@ class PanelTest(BlenderTest):
             {"type": "morph", "area": "nose", "targets": links},
             {"type": "age", "area": "nose", "curve": [[20, 0], [60, 1]]},
             {"type": "time", "area": "nose", "attack": 1},
+            {"type": "tension", "area": "nose", "curve": [[0, 0], [0.2, 1]]},
         ]
         self.import_face(self.write_face(document(drivers=drivers), IMAGES, targets=["brow"]))
         bpy.context.view_layer.objects.active = bpy.data.objects["face"]
@@ -70,7 +71,8 @@ class PanelTest(BlenderTest):
             self.assertNotIn(line, lines)
         for line in ("Remove Wrinkle Set", "0.5 brow", "age", "rises in 1 s, falls in 0 s", "At Rest"):
             self.assertIn(line, lines)
-        self.assertIn("Not shown: delays: a driver remembers no earlier frame", lines)
+        self.assertIn("Not shown: tension: a driver cannot measure the deformed skin", lines)
+        self.assertEqual(lines.count("Kept for the export; not shown in Blender"), 1)
 
     def test_a_plain_material_offers_a_new_set(self):
         bpy.ops.mesh.primitive_cube_add()

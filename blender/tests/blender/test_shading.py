@@ -101,13 +101,14 @@ def mix(base, values, shares):
 
 def expected_normal(x, y, base_scale):
     i, j, k = influences(x, y)
-    base = unpack(PIXELS["base"](x, y), base_scale)
+    base = unpack(PIXELS["base"](x, y))
     m = normalize(mix(base, [unpack(PIXELS["one"](x, y), 0.7), unpack(PIXELS["two"](x, y))], [i, j]))
     n = unpack(PIXELS["three"](x, y), 0.8)
     d = normalize([n[0] / n[2] * k, n[1] / n[2] * k, 1])
     t, u = [m[0], m[1], m[2] + 1], [-d[0], -d[1], d[2]]
     scale = sum(a * b for a, b in zip(t, u, strict=True)) / t[2]
-    return normalize([a * scale - b for a, b in zip(t, u, strict=True)])
+    x, y, z = (a * scale - b for a, b in zip(t, u, strict=True))
+    return normalize([x * base_scale, y * base_scale, z])
 
 
 def linear(value):

@@ -4,7 +4,7 @@ import unittest
 
 from evaluate import evaluate_plan
 from furrow.format.document import read_document
-from furrow.format.plan import activation_name, plan_drivers
+from furrow.format.plan import activation_name, plan_drivers, shown_name
 
 AREAS = ["forehead", "glabella", "nose"]
 TEXTURE = {"index": 0}
@@ -16,9 +16,14 @@ def document(drivers):
     return read_document({"layers": layers, "areas": areas, "drivers": drivers}, 1)
 
 
-def activations(drivers, weights, rest=(0, 0, 0), inputs=()):
+def activations(drivers, weights, rest=(0, 0, 0), inputs=(), late=()):
     plan = plan_drivers(document(drivers)["drivers"], AREAS, list(weights))
-    values = {"target": weights, "rest": dict(enumerate(rest)), "input": {**plan.inputs, **dict(inputs)}}
+    values = {
+        "target": weights,
+        "rest": dict(enumerate(rest)),
+        "input": {**plan.inputs, **dict(inputs)},
+        "late": dict(late),
+    }
     steps = evaluate_plan(plan, lambda source: values[source.kind][source.name])
     return [steps[activation_name(i)] for i in range(len(AREAS))], plan
 
@@ -98,15 +103,28 @@ class PlanTest(unittest.TestCase):
         self.assertEqual(plan.inputs, {"age": 40, "cold": 0})
         self.check(drivers, {}, [0.5, 0, 1], inputs={"age": 70, "cold": 5})
 
+    def test_of_several_delays_the_last_one_applies_and_areas_read_what_is_not_delayed(self):
+        drivers = [
+            morph("nose", [{"name": "a"}]),
+            {"type": "area", "area": "glabella", "areas": [{"name": "nose"}]},
+            {"type": "time", "area": "nose", "attack": 1},
+            {"type": "time", "area": "nose", "attack": 0.5, "release": 2},
+        ]
+        plan = self.check(drivers, {"a": 0.75}, [0, 0.75, 0.75], late={2: -0.5})
+        self.assertEqual(plan.delays, {2: (0.5, 2)})
+        self.assertEqual(shown_name(2, plan.delays), "s2")
+        self.assertEqual(shown_name(1, plan.delays), activation_name(1))
+        steps = evaluate_plan(plan, lambda source: {"target": 0.75, "rest": 0, "late": -0.5}[source.kind])
+        self.assertEqual(steps["s2"], 0.25)
+
     def test_what_blender_cannot_express_is_kept_and_named(self):
         drivers = [
-            {"type": "time", "area": "nose", "attack": 1},
             {"type": "tension", "area": "nose", "curve": [[0, 0], [0.2, 1]]},
             {"type": "breath", "depth": 3},
             {"type": "bone", "area": "nose", "joints": ["a", "b"], "measure": "angle", "curve": [[0, 0], [1, 1]]},
         ]
         plan = self.check(drivers, {}, [0, 0, 0])
-        self.assertEqual(len(plan.kept), 4)
+        self.assertEqual(len(plan.kept), 3)
 
     def test_no_expression_comes_near_the_limit_of_blender(self):
         many = [{"name": f"a shape with a long name, number {i}"} for i in range(1024)]

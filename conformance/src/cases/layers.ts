@@ -89,6 +89,18 @@ export const LAYER_SAMPLES: readonly Sample[] = [
     poses: [{ activations: { a: 1 } }],
   },
   {
+    name: 'material-normal-scale',
+    rule: "The scale of the material's own normal texture multiplies x and y of the mixed normals.",
+    section: 'Mixing',
+    file: {
+      base,
+      baseScale: 0.4,
+      layers: [skin(), { name: 'age', kind: 'detail', normal: normals(4), normalScale: 0.7 }],
+      areas: [area('a', { activation: 0.8 }), area('b', { layer: 1, channel: 1, activation: 0.6 })],
+    },
+    poses: [{ activations: { a: 0.8, b: 0.6 } }],
+  },
+  {
     name: 'no-normal-map',
     rule: 'A material without a normal map has the normals of its surface; its layers read TEXCOORD_0.',
     section: 'Implementation notes',

@@ -65,8 +65,9 @@ export async function createHarness(name: EngineName): Promise<BabylonHarness> {
       })
       const camera = scene.activeCamera!
       camera.outputRenderTarget = target
-      engine.beginFrame()
       await scene.whenReadyAsync(true)
+      // A frame that waits loses the texture of the canvas, on WebGPU.
+      engine.beginFrame()
       scene.render()
       engine.endFrame()
       const pixels = new Float32Array((await target.readPixels()) as Float32Array)
