@@ -2,6 +2,7 @@ import type { Bounds } from '../../core/bounds.ts'
 import { FurrowError } from '../../core/error.ts'
 import { toByte } from '../../core/normals/normal-byte.ts'
 import type { RgbaImage } from '../../core/types.ts'
+import { length3 } from '../../math/vector.ts'
 import type { Metric } from '../metric.ts'
 import type { HeightMap } from '../strokes/height.ts'
 import { slopeAt } from './slope.ts'
@@ -104,7 +105,7 @@ export function drawNormals(
         slope[1] = (hv - (uv / uu) * hu) * Math.sqrt(uu / det)
       }
       turn?.(i, slope)
-      const z = 1 / Math.hypot(slope[0], slope[1], 1)
+      const z = 1 / length3(slope[0], slope[1], 1)
       data[4 * i] = toByte(slope[0] * z)
       data[4 * i + 1] = toByte(slope[1] * z)
       data[4 * i + 2] = toByte(z)

@@ -69,18 +69,12 @@ export class LineGrid {
 
   /** Whether lines may be within reach of a box, given by its lowest and highest x, y and z. */
   readonly isNear = (low: ArrayLike<number>, high: ArrayLike<number>): boolean => {
-    const [left, right] = [
-      Math.max(this.#cellOf(low[0]), this.#low[0]),
-      Math.min(this.#cellOf(high[0]), this.#high[0]),
-    ]
-    const [bottom, top] = [
-      Math.max(this.#cellOf(low[1]), this.#low[1]),
-      Math.min(this.#cellOf(high[1]), this.#high[1]),
-    ]
-    const [back, front] = [
-      Math.max(this.#cellOf(low[2]), this.#low[2]),
-      Math.min(this.#cellOf(high[2]), this.#high[2]),
-    ]
+    const left = Math.max(this.#cellOf(low[0]), this.#low[0])
+    const right = Math.min(this.#cellOf(high[0]), this.#high[0])
+    const bottom = Math.max(this.#cellOf(low[1]), this.#low[1])
+    const top = Math.min(this.#cellOf(high[1]), this.#high[1])
+    const back = Math.max(this.#cellOf(low[2]), this.#low[2])
+    const front = Math.min(this.#cellOf(high[2]), this.#high[2])
     if (left > right || bottom > top || back > front) return false
     if ((right - left + 1) * (top - bottom + 1) * (front - back + 1) > MOST_CELLS) return true
     for (let x = left; x <= right; x++) {

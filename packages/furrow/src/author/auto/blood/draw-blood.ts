@@ -132,7 +132,7 @@ function drawArea({ chart }: DetectedFace, texels: SkinTexels, flush: Flush, lin
   const { width, height } = texels
   const data = new Uint8Array(width * height)
   texels.visitNear(isNear(flush), (texel, position, normal) => {
-    const [x, y, z] = position
+    const [x, y, z] = [position[0], position[1], position[2]]
     const fade = fadeOf(flush, unroll(x, y, z))
     if (fade === 0) return
     let nearest = Infinity
@@ -147,8 +147,8 @@ function drawArea({ chart }: DetectedFace, texels: SkinTexels, flush: Flush, lin
 }
 
 function addFlush(texels: SkinTexels, flush: Flush, { data }: GrayImage): void {
-  texels.visitNear(isNear(flush), (texel, [x, y, z]) => {
-    const fade = fadeOf(flush, unroll(x, y, z))
+  texels.visitNear(isNear(flush), (texel, position) => {
+    const fade = fadeOf(flush, unroll(position[0], position[1], position[2]))
     if (fade === 0) return
     const own = (data[texel] - BLOOD_AT_REST) / (255 - BLOOD_AT_REST)
     data[texel] = bloodByte(own + flush.amount * Math.sqrt(fade))
