@@ -97,12 +97,12 @@ export class LineSegments {
   /** How many segments further the next one of a line may be that is at a distance at most, by what a segment is from the position. */
   stepsTo(line: number, square: number, distance: number): number {
     const segments = (ROUNDED * Math.sqrt(square) - distance) / this.#longest[line]
-    return segments >= 2 ? Math.floor(segments) : 1
+    return segments > 1 ? Math.ceil(segments) : 1
   }
 
   /** The squared distance from which on `stepsTo` skips segments of a line: cheaper to compare with. */
   farFrom(line: number, distance: number): number {
-    return ((distance + 2 * this.#longest[line]) / ROUNDED) ** 2
+    return ((distance + this.#longest[line]) / ROUNDED) ** 2
   }
 
   #store(segment: number, points: Float64Array, normals: Float64Array): void {

@@ -13,6 +13,14 @@ export function unroll(x: number, y: number, z: number): ChartPoint {
   return [RADIUS * Math.atan2(x, z + RADIUS), y]
 }
 
+/** How far round the head a box in front of its axis reaches, given by its lowest and highest x, y and z: from the least across to the largest. */
+export function acrossOf(low: ArrayLike<number>, high: ArrayLike<number>): readonly [number, number] {
+  if (low[2] <= -RADIUS) return [-Infinity, Infinity]
+  const [left] = unroll(low[0], 0, low[0] < 0 ? low[2] : high[2])
+  const [right] = unroll(high[0], 0, high[0] < 0 ? high[2] : low[2])
+  return [left, right]
+}
+
 /**
  * Lifts a direction of the chart onto the skin.
  *
