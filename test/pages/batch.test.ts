@@ -162,7 +162,7 @@ describe('a batch', () => {
 describe('a job', () => {
   it('that takes too much memory or time is ended, and the others go on', async () => {
     const folder = await inputs('limits', 1)
-    await writeFile(join(folder, 'in/large.glb'), await sheetGlb(sheet(400)))
+    await writeFile(join(folder, 'in/large.glb'), await sheetGlb(sheet(800)))
     const words = ['in/*.glb', ...options, '--jobs', '1']
     const { code } = await batch(folder, ...words, '--memory', '256')
     expect(code).toBe(1)

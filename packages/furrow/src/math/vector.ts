@@ -21,7 +21,9 @@ export function length(v: ArrayLike<number>): number {
 export function length3(x: number, y: number, z: number): number {
   const largest = Math.max(Math.abs(x), Math.abs(y), Math.abs(z))
   if (largest === 0) return 0
-  const [a, b, c] = [x / largest, y / largest, z / largest]
+  const a = x / largest
+  const b = y / largest
+  const c = z / largest
   const two = a * a + b * b
   const rounding = two - a * a - b * b
   return Math.sqrt(two + (c * c - rounding)) * largest
@@ -31,7 +33,8 @@ export function length3(x: number, y: number, z: number): number {
 export function length2(x: number, y: number): number {
   const largest = Math.max(Math.abs(x), Math.abs(y))
   if (largest === 0) return 0
-  const [a, b] = [x / largest, y / largest]
+  const a = x / largest
+  const b = y / largest
   return Math.sqrt(a * a + b * b) * largest
 }
 

@@ -54,7 +54,7 @@ export class LineGrid {
   /** How many numbers the cubes of each level hold together. */
   readonly #held: number[]
   /** The cell that was asked for last: that of the next texel too, mostly. */
-  #around = { i: NaN, j: NaN, k: NaN, cell: NO_RUNS }
+  #around: { i: number; j: number; k: number; cell: Int32Array } = { i: NaN, j: NaN, k: NaN, cell: NO_RUNS }
   /** The first and last cell within reach of any line, along each axis. */
   readonly #low = [Infinity, Infinity, Infinity]
   readonly #high = [-Infinity, -Infinity, -Infinity]
