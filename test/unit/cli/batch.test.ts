@@ -1,4 +1,4 @@
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { afterAll, describe, expect, it, vi } from 'vitest'
@@ -120,13 +120,30 @@ describe('inputs', () => {
     await expect(listInputs([pattern], 'file')).rejects.toThrow(problem)
   })
 
-  it('may not share an output, nor be one', () => {
+  it('may not share an output, nor be one', async () => {
     const entry = (input: string, output: string) => ({ input, output, options: {} })
-    expect(() => checkEntries([entry('a', 'x.glb'), entry('b', './x.glb')])).toThrow(
+    await expect(checkEntries([entry('a', 'x.glb'), entry('b', './x.glb')])).rejects.toThrow(
       'a and b have one output',
     )
-    expect(() => checkEntries([entry('a', './b'), entry('b', 'y')])).toThrow('an output is an input')
-    checkEntries([entry('a', 'x'), entry('b', 'y')])
+    await expect(checkEntries([entry('a', './b'), entry('b', 'y')])).rejects.toThrow('an output is an input')
+    await checkEntries([entry('a', 'x'), entry('b', 'y')])
+  })
+
+  it('may not do so by links either', async () => {
+    const input = write('linked/in/a.glb', 'a')
+    const link = join(root, 'linked/link')
+    symlinkSync(join(root, 'linked/in'), link)
+    symlinkSync(input, join(root, 'linked/a.glb'))
+    const entry = (output: string) => ({ input, output, options: {} })
+    for (const output of [join(link, 'a.glb'), join(root, 'linked/a.glb')])
+      await expect(checkEntries([entry(output)])).rejects.toThrow('an output is an input')
+    const twice = ['in/new/b.glb', 'link/new/b.glb'].map((path) => entry(join(root, 'linked', path)))
+    await expect(checkEntries(twice)).rejects.toThrow('have one output')
+  })
+
+  it('must be addresses where they look like some', async () => {
+    for (const input of ['http://', 'https://[a/b.glb'])
+      await expect(listInputs([input], 'file')).rejects.toThrow(`no input at ${input} (it is no address)`)
   })
 
   it('fall into shards without overlap', () => {
@@ -297,6 +314,13 @@ describe('a plan', () => {
     more.add(line('later'))
     more.close()
     expect([...readResults(join(root, 'results.jsonl')).values()].at(-1)!.input).toBe('later')
+  })
+
+  // A device of Linux that is always full.
+  it.runIf(existsSync('/dev/full'))('ends with one line where the results cannot be written', () => {
+    const results = openResults('/dev/full')
+    expect(() => results.add(line('a'))).toThrow(/^furrow batch: cannot write \/dev\/full \(.*full/)
+    results.close()
   })
 
   it('leaves alone what was refused, and tries again what failed otherwise', async () => {

@@ -6,7 +6,9 @@ import { hash32 } from '../../../packages/furrow/src/math/hash.ts'
 import { isInsidePolygon } from '../../../packages/furrow/src/math/polygon.ts'
 import { quadraticForm } from '../../../packages/furrow/src/math/quadratic-form.ts'
 import { clamp, lerp, smoothstep } from '../../../packages/furrow/src/math/scalar.ts'
+import { length2, length3 } from '../../../packages/furrow/src/math/vector.ts'
 import { weldVertices } from '../../../packages/furrow/src/math/weld.ts'
+import { seeded } from '../../random.ts'
 
 it('bezierAt agrees with three.js', () => {
   const points = [
@@ -23,6 +25,22 @@ it('bezierAt agrees with three.js', () => {
     const [x, y] = bezierAt(a, b, c, d, t)
     expect(x).toBeCloseTo(curve.getPoint(t).x, 12)
     expect(y).toBeCloseTo(curve.getPoint(t).y, 12)
+  }
+})
+
+it('length2 and length3 are right for vectors of any size', () => {
+  expect(length3(3, -4, 12)).toBe(13)
+  expect(length2(-3, 4)).toBe(5)
+  expect([length3(0, 0, 0), length2(0, 0)]).toEqual([0, 0])
+  const next = seeded(1)
+  for (let i = 0; i < 1000; i++) {
+    const scale = 10 ** Math.round(400 * next() - 200)
+    const [x, y, z] = Array.from(
+      { length: 3 },
+      () => scale * (2 * next() - 1) * 10 ** -Math.floor(4 * next()),
+    )
+    expect(Math.abs(length3(x, y, z) / Math.hypot(x, y, z) - 1)).toBeLessThan(3e-16)
+    expect(Math.abs(length2(x, y) / Math.hypot(x, y) - 1)).toBeLessThan(3e-16)
   }
 })
 

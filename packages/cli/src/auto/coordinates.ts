@@ -22,8 +22,8 @@ export function readCoordinates(
   const matrix = transform && matrixOf(transform)
   const uv = new Vector2()
   const element: number[] = []
-  for (const [i, vertex] of vertices.entries()) {
-    uv.fromArray(accessor.getElement(vertex, element))
+  for (let i = 0; i < vertices.length; i++) {
+    uv.fromArray(accessor.getElement(vertices[i], element))
     if (matrix) uv.applyMatrix3(matrix)
     uv.toArray(out, 2 * i)
   }

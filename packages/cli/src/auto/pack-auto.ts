@@ -1,6 +1,6 @@
 import { type AutoWrinkles, autoDrivers, halfSide, strokesOf } from 'furrow/author'
+import { encodePng } from '../images/encode.ts'
 import { encodeAreaImages } from '../wrinkles/area-images.ts'
-import { withBlood } from '../wrinkles/blood-image.ts'
 import type { PackedArea, PackedWrinkles } from '../wrinkles/embed.ts'
 import { encodeLayer, type LayerMaps } from '../wrinkles/encode-layer.ts'
 import { AREAS_PER_SLICE, encodeAreaArray, encodeMapArrays } from '../wrinkles/ktx2-images.ts'
@@ -19,13 +19,15 @@ export async function packAuto(wrinkles: AutoWrinkles, ktx2: boolean, who: strin
     layers.map(async (layer, i): Promise<LayerMaps> => {
       // Fine furrows are too shallow to move the surface.
       const isFlat = layer.name === furrows?.furrows.layer
-      const maps = await encodeLayer({ ...layer, blood: halfSide(blood.maps[i]) }, !isFlat)
-      return { ...(await withBlood(maps, who)), bloodAmplitude: blood.amplitude }
+      const maps = await encodeLayer({ ...layer, blood: halfSide(blood.maps[i]) }, !isFlat, true)
+      return { ...maps, bloodAmplitude: blood.amplitude }
     }),
   )
   const allAreas = [...areas, ...blood.areas, ...(furrows?.areas ?? [])]
   const weights = allAreas.map((area) => area.weights)
-  const images = ktx2 ? await encodeAreaArray(weights, who) : encodeAreaImages(weights, AREAS_PER_IMAGE)
+  const images = await (ktx2
+    ? encodeAreaArray(weights, who)
+    : encodeAreaImages(weights, AREAS_PER_IMAGE, encodePng))
   const perImage = ktx2 ? AREAS_PER_SLICE : AREAS_PER_IMAGE
   const packed = allAreas.map(
     ({ name, layer }, i): PackedArea => ({

@@ -1,5 +1,6 @@
 import { resolve } from 'node:path'
 import { FurrowError } from 'furrow'
+import { realTarget } from '../outputs.ts'
 import type { Entry } from './inputs/entry.ts'
 import { type Job, keyOf } from './jobs/job.ts'
 import { JOB_COMMANDS, type JobCommandName } from './jobs/job-commands.ts'
@@ -41,14 +42,17 @@ export interface PlanSource {
 }
 
 /**
- * Throws FurrowError where two inputs have one output, or an output is an input: the result would depend on which is first.
+ * Throws FurrowError where two inputs have one output, or an output is an input, by links too: the result would depend on which is first, and
+ * inputs would be lost.
  */
-export function checkEntries(entries: readonly Entry[]): void {
-  const inputs = new Set(entries.map(({ input }) => placeKey(input)))
+export async function checkEntries(entries: readonly Entry[]): Promise<void> {
+  const written = entries.filter(({ output }) => output !== undefined)
+  if (written.length === 0) return
+  const inputs = new Set(await placeKeys(entries.map(({ input }) => input)))
+  const keys = await placeKeys(written.map(({ output }) => output!))
   const outputs = new Map<string, string>()
-  for (const { input, output } of entries) {
-    if (output === undefined) continue
-    const key = placeKey(output)
+  for (const [i, { input, output }] of written.entries()) {
+    const key = keys[i]
     const fault = (what: string, remedy: string) => {
       return new FurrowError({ code: 'usage', who: WHO, what, value: output, remedy })
     }
@@ -64,7 +68,15 @@ export function checkEntries(entries: readonly Entry[]): void {
   }
 }
 
-const placeKey = (address: string) => (isRemote(address) ? address : resolve(address))
+/** The same text for the same place. */
+async function placeKeys(addresses: readonly string[]): Promise<string[]> {
+  const keys = [...addresses]
+  await inLanes(addresses, READ_AT_ONCE, async (address, i) => {
+    // What cannot be looked at cannot be written either, which its job tells.
+    if (!isRemote(address)) keys[i] = await realTarget(address).catch(() => resolve(address))
+  })
+  return keys
+}
 
 /** Reads what all inputs are, and finds what is left to do. */
 export async function makePlan(entries: readonly Entry[], source: PlanSource): Promise<Plan> {

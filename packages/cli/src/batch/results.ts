@@ -1,6 +1,14 @@
-import { closeSync, fstatSync, mkdirSync, openSync, readFileSync, readSync, writeSync } from 'node:fs'
+import {
+  appendFileSync,
+  closeSync,
+  fstatSync,
+  mkdirSync,
+  openSync,
+  readFileSync,
+  readSync,
+  writeSync,
+} from 'node:fs'
 import { dirname } from 'node:path'
-import { FurrowError } from 'furrow'
 import { cannotRead, cannotWrite } from '../errors.ts'
 import type { Outcome } from './jobs/job.ts'
 
@@ -51,7 +59,7 @@ function isResult(line: unknown): line is ResultLine {
 
 /** Opens a file of results to add lines. Each is written at once: what it says is done then stays done. */
 export function openResults(path: string): { add(line: ResultLine): void; close(): void } {
-  try {
+  return withWriteErrors(path, () => {
     mkdirSync(dirname(path), { recursive: true })
     const file = openSync(path, 'a+')
     const { size } = fstatSync(file)
@@ -59,11 +67,18 @@ export function openResults(path: string): { add(line: ResultLine): void; close(
     if (size > 0) readSync(file, last, 0, 1, size - 1)
     // The end of a line that was cut off.
     if (size > 0 && last.toString() !== '\n') writeSync(file, '\n')
+    const add = (line: ResultLine) => appendFileSync(file, `${JSON.stringify(line)}\n`)
     return {
-      add: (line) => void writeSync(file, `${JSON.stringify(line)}\n`),
+      add: (line) => withWriteErrors(path, () => add(line)),
       close: () => closeSync(file),
     }
+  })
+}
+
+function withWriteErrors<T>(path: string, write: () => T): T {
+  try {
+    return write()
   } catch (error) {
-    throw error instanceof FurrowError ? error : cannotWrite(WHO, path, error)
+    throw cannotWrite(WHO, path, error)
   }
 }

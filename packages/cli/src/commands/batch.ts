@@ -113,7 +113,7 @@ async function batch(
       ? (await listInputs(inputs, reads)).map((one) => ({ ...one, options: passed }))
       : await readManifest(manifest, options.command, passed)
   const all = listed.map((one) => entryOf(one, writes, output))
-  checkEntries(all)
+  await checkEntries(all)
   const entries = shard ? all.filter(({ input }) => isInShard(input, shard)) : all
   const results = options.results ?? (output === undefined || isRemote(output) ? DEFAULT_RESULTS : output)
   await checkFolder(results, WHO)

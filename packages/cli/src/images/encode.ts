@@ -10,12 +10,20 @@ export const HEIGHT_ZERO = 32768
 export const MAX_HEIGHT = (65535 - HEIGHT_ZERO) / HEIGHT_STEPS_PER_MM
 
 const PNG = { compressionLevel: 9 } as const
+/** For maps of lines. A filter for each row makes their slopes a third smaller; level 9 takes three times as long for 4% less. */
+const MAP_PNG = { compressionLevel: 7, adaptiveFiltering: true } as const
 
 /** Pixels as a PNG file with the same channels. */
-export function encodePng({ width, height, channels, data }: Pixels): Promise<Uint8Array> {
+export function encodePng(pixels: Pixels, options: typeof PNG | typeof MAP_PNG = PNG): Promise<Uint8Array> {
+  const { width, height, channels, data } = pixels
   const image = sharp(data, { raw: { width, height, channels } })
   if (channels === 1) image.toColourspace('b-w')
-  return image.png(PNG).toBuffer()
+  return image.png(options).toBuffer()
+}
+
+/** A map of lines as `encodePng` does, smaller. */
+export function encodeMap(pixels: Pixels): Promise<Uint8Array> {
+  return encodePng(pixels, MAP_PNG)
 }
 
 /** Pixels as a PNG file, without alpha where it is 255 throughout. */
@@ -55,7 +63,7 @@ export function encodeNormalMap({ width, height, data }: NormalMap): Promise<Uin
 export function encodeRgbaNormalMap({ width, height, data }: RgbaImage): Promise<Uint8Array> {
   return sharp(data, { raw: { width, height, channels: 4 } })
     .removeAlpha()
-    .png({ ...PNG, adaptiveFiltering: true })
+    .png(MAP_PNG)
     .toBuffer()
 }
 

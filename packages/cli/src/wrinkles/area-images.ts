@@ -6,14 +6,23 @@ import type { FileImage } from './embed.ts'
 /** How many areas one image holds, one per channel. */
 export type AreasPerImage = 1 | 3 | 4
 
-/** Encodes areas of one size as the channels of PNG images, in their order. */
-export function encodeAreaImages(weights: readonly GrayImage[], areasPerImage: AreasPerImage): FileImage[] {
-  return Array.from({ length: Math.ceil(weights.length / areasPerImage) }, (_, i) => {
+/**
+ * Encodes areas of one size as the channels of PNG images, in their order.
+ *
+ * @param encode by default that whose bytes are the same everywhere.
+ */
+export function encodeAreaImages(
+  weights: readonly GrayImage[],
+  areasPerImage: AreasPerImage,
+  encode: (pixels: Pixels) => Uint8Array | Promise<Uint8Array> = encodePortablePng,
+): Promise<FileImage[]> {
+  const images = Array.from({ length: Math.ceil(weights.length / areasPerImage) }, async (_, i) => {
     const group = weights.slice(i * areasPerImage, (i + 1) * areasPerImage)
     const channels = group.length === 2 ? 3 : (group.length as AreasPerImage)
-    const bytes = encodePortablePng(interleave(group, channels))
+    const bytes = await encode(interleave(group, channels))
     return { name: `areas ${i + 1}`, mimeType: 'image/png', bytes }
   })
+  return Promise.all(images)
 }
 
 /** Areas of one size as the channels of one image; channels without an area are 0. */

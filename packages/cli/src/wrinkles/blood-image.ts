@@ -2,7 +2,7 @@ import { FurrowError, type GrayImage, type WrinkleMapsLayer } from 'furrow'
 import { decodeImage } from '#platform/images'
 import type { Glb } from '../gltf/glb-file.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
-import { channelOf } from '../images/pixels.ts'
+import { channelOf, type Pixels } from '../images/pixels.ts'
 import { encodePortablePng } from '../images/png.ts'
 import { scaleImage } from '../images/scale.ts'
 import type { CheckedImage } from './checked-image.ts'
@@ -35,18 +35,18 @@ export async function withBlood<L extends { name: string } & Partial<Record<MapN
       remedy: 'scale them to one size',
     })
   }
-  const data = new Uint8Array(3 * width * height).fill(255)
-  const fill = async (image: CheckedImage | undefined, channel: number) => {
-    if (!image) return
+  const read = async (image: CheckedImage | undefined, channel: number) => {
+    if (!image) return undefined
     const pixels = await decodeImage(image.bytes, image.name, who)
-    const values = channelOf(image === blood && isScaled ? scaleImage(pixels, width) : pixels, channel).data
-    for (let i = 0; i < values.length; i++) data[3 * i + channel] = values[i]
+    return channelOf(image === blood && isScaled ? scaleImage(pixels, width) : pixels, channel)
   }
   const isShared = roughness !== undefined && roughness === occlusion
-  await fill(occlusion, 0)
-  if (isShared) await fill(roughness, 1)
-  await fill(blood, 2)
-  const bytes = encodePortablePng({ width, height, channels: 3, data })
+  const channels = [
+    await read(occlusion, 0),
+    isShared ? await read(roughness, 1) : undefined,
+    await read(blood, 2),
+  ]
+  const bytes = encodePortablePng(joinChannels(channels, width, height))
   const image = { ...(occlusion ?? blood), mimeType: 'image/png', bytes }
   return {
     ...layer,
@@ -54,6 +54,19 @@ export async function withBlood<L extends { name: string } & Partial<Record<MapN
     ...(occlusion && { occlusion: image }),
     ...(isShared && { roughness: image }),
   }
+}
+
+/** Maps of one size as red, green and blue; white where there is none. */
+export function joinChannels(
+  maps: readonly (GrayImage | undefined)[],
+  width: number,
+  height: number,
+): Pixels {
+  const data = new Uint8Array(3 * width * height).fill(255)
+  for (const [channel, map] of maps.entries()) {
+    if (map) for (let i = 0; i < map.data.length; i++) data[3 * i + channel] = map.data[i]
+  }
+  return { width, height, channels: 3, data }
 }
 
 /**

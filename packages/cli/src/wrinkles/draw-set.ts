@@ -133,7 +133,7 @@ async function drawLayer(
   layer.draw(own)
   const { relief, occlusion } = layer
   const blood = await bloodOf(entry, relief, read, who)
-  return encodeLayer({ name, normal: normalOf(), relief, occlusion, blood }, own.length > 0)
+  return encodeLayer({ name, normal: normalOf(), relief, occlusion, blood }, own.length > 0, false)
 
   /** Fine furrows are too shallow for heights: normals alone show them. */
   function normalOf() {

@@ -76,7 +76,7 @@ export async function packFolder(
   }
   const layers = ktx2 ? await encodeMapArrays(maps, who) : maps
   if (ktx2) step()
-  const images = ktx2 ? await encodeAreaArray(weights, who) : encodeAreaImages(weights, areasPerImage)
+  const images = await (ktx2 ? encodeAreaArray(weights, who) : encodeAreaImages(weights, areasPerImage))
   if (ktx2) step()
   const perImage = ktx2 ? AREAS_PER_SLICE : areasPerImage
   const areas = document.areas.map(

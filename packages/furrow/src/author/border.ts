@@ -9,6 +9,8 @@
  * | `bake`: normal, height, occlusion; `targetArea` | `dilate` | only values of texels are known; means hide the steps between them |
  */
 
+import { length2 } from '../math/vector.ts'
+
 /** Texels beyond an island that filtering without mipmaps reads. */
 export const FILTER_MARGIN = 3
 /** Texels that maps with mipmaps need: at the third level filtering reads 12 texels beyond, and slopes are taken over two more. */
@@ -60,7 +62,7 @@ export function extendPlanes(
       const offY = row - y - t * dy
       // The hypotenuse costs ten times as much.
       if (offX * offX + offY * offY > ROUNDING * nearest[texel] ** 2) return
-      const distance = Math.hypot(offX, offY)
+      const distance = length2(offX, offY)
       if (distance > margin || distance >= nearest[texel]) return
       nearest[texel] = distance
       claim(texel, triangle)
@@ -129,7 +131,8 @@ function distanceBounds(edges: Iterable<BorderEdge>, width: number, height: numb
           const column = (block % blocks) + sign * across
           if (column < 0 || column >= blocks) continue
           // Above the first row and below the last it is NaN, which is never less.
-          const bound = bounds[block + sign * (across + up * blocks)] + Math.hypot(across, up) * BLOCK
+          const step = across !== 0 && up !== 0 ? Math.SQRT2 : 1
+          const bound = bounds[block + sign * (across + up * blocks)] + step * BLOCK
           if (bound < bounds[block]) bounds[block] = bound
         }
       }
@@ -146,26 +149,24 @@ function distanceBounds(edges: Iterable<BorderEdge>, width: number, height: numb
  * @param maps one value per texel; changed.
  */
 export function copyNearest(known: Uint8Array, width: number, maps: readonly Float32Array[]): void {
-  const reached = Uint8Array.from(known)
+  const reached = known.slice()
   const queue = new Uint32Array(known.length)
   let end = 0
-  for (let i = 0; i < reached.length; i++) if (reached[i]) queue[end++] = i
-  for (let head = 0; head < end; head++) {
-    const from = queue[head]
-    const column = from % width
-    const next = [
-      column > 0 ? from - 1 : -1,
-      column < width - 1 ? from + 1 : -1,
-      from - width,
-      from + width < known.length ? from + width : -1,
-    ]
-    for (const to of next) {
-      if (to < 0 || reached[to]) continue
-      reached[to] = 1
-      for (const map of maps) map[to] = map[from]
-      queue[end++] = to
-    }
+  const pass = (from: number, to: number) => {
+    if (reached[to]) return
+    reached[to] = 1
+    for (const map of maps) map[to] = map[from]
+    queue[end++] = to
   }
+  const passOn = (from: number) => {
+    const column = from % width
+    if (column > 0) pass(from, from - 1)
+    if (column < width - 1) pass(from, from + 1)
+    if (from >= width) pass(from, from - width)
+    if (from + width < known.length) pass(from, from + width)
+  }
+  for (let i = 0; i < known.length; i++) if (known[i]) passOn(i)
+  for (let head = 0; head < end; head++) passOn(queue[head])
 }
 
 /**

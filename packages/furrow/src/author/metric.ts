@@ -151,8 +151,8 @@ function vertexForms(mesh: MetricMesh, scale: number): Float64Array {
 
 function rasterizeForms(metric: Metric, mesh: MetricMesh, forms: Float64Array, corner: number): void {
   const vertices = [vertexAt(mesh, corner), vertexAt(mesh, corner + 1), vertexAt(mesh, corner + 2)] as const
-  if (vertices.some((vertex) => Number.isNaN(forms[3 * vertex]))) return
   const [i, j, k] = vertices
+  if (Number.isNaN(forms[3 * i] + forms[3 * j] + forms[3 * k])) return
   const form = new Float64Array(3)
   coverTexels(mesh.uvs, vertices, metric.width, metric.height, (texel, a, b, c) => {
     if (metric.inside[texel]) return

@@ -11,8 +11,10 @@ const VALLEY_DEPTH = 0.7
 
 /** The blood of lines: valleys are a little deeper in tone. */
 export function valleyBlood({ width, height, data }: HeightMap): GrayImage {
-  const tone = (mm: number) => (mm < 0 ? VALLEY * (1 - Math.exp(mm / VALLEY_DEPTH)) : 0)
-  return { width, height, data: Uint8Array.from(data, (mm) => bloodByte(tone(mm))) }
+  const tones = new Uint8Array(data.length).fill(BLOOD_AT_REST)
+  for (let i = 0; i < data.length; i++)
+    if (data[i] < 0) tones[i] = bloodByte(VALLEY * (1 - Math.exp(data[i] / VALLEY_DEPTH)))
+  return { width, height, data: tones }
 }
 
 /** @param amount -1..1. */

@@ -20,15 +20,16 @@ export function rasterize(
   visit: (column: number, row: number, a: number, b: number, c: number) => void,
   [left, top, right, bottom]: PixelBox = UNBOUNDED,
 ): void {
-  const [x0, y0, x1, y1, x2, y2] = [
-    triangle[0],
-    triangle[1],
-    triangle[2],
-    triangle[3],
-    triangle[4],
-    triangle[5],
-  ]
-  const [ux, uy, vx, vy] = [x1 - x0, y1 - y0, x2 - x0, y2 - y0]
+  const x0 = triangle[0]
+  const y0 = triangle[1]
+  const x1 = triangle[2]
+  const y1 = triangle[3]
+  const x2 = triangle[4]
+  const y2 = triangle[5]
+  const ux = x1 - x0
+  const uy = y1 - y0
+  const vx = x2 - x0
+  const vy = y2 - y0
   const det = ux * vy - uy * vx
   if (Math.abs(det) < NO_AREA) return
   const firstRow = Math.max(Math.ceil(Math.min(y0, y1, y2)), top)

@@ -1,4 +1,5 @@
 import { lerp } from './scalar.ts'
+import { length3 } from './vector.ts'
 
 /** Exponent of the distances between points that gives the knots: neither cusps nor loops within a segment (Yuksel et al. 2011). */
 const CENTRIPETAL = 0.5
@@ -11,20 +12,15 @@ const CENTRIPETAL = 0.5
  * @param segment from point `segment` to the next one.
  */
 export function splineAt(out: Float64Array, points: ArrayLike<number>, segment: number, t: number): void {
-  const last = points.length / 3 - 1
-  const at = (i: number, k: number): number => {
-    if (i < 0) return 2 * points[k] - points[3 + k]
-    if (i > last) return 2 * points[3 * last + k] - points[3 * last - 3 + k]
-    return points[3 * i + k]
-  }
-  const knot = (i: number) =>
-    Math.hypot(at(i + 1, 0) - at(i, 0), at(i + 1, 1) - at(i, 1), at(i + 1, 2) - at(i, 2)) ** CENTRIPETAL
-  const t1 = knot(segment - 1)
-  const t2 = t1 + knot(segment)
-  const t3 = t2 + knot(segment + 1)
+  const t1 = knotAt(points, segment - 1)
+  const t2 = t1 + knotAt(points, segment)
+  const t3 = t2 + knotAt(points, segment + 1)
   const x = lerp(t1, t2, t)
   for (let k = 0; k < 3; k++) {
-    const [p0, p1, p2, p3] = [-1, 0, 1, 2].map((i) => at(segment + i, k))
+    const p0 = pointAt(points, segment - 1, k)
+    const p1 = pointAt(points, segment, k)
+    const p2 = pointAt(points, segment + 1, k)
+    const p3 = pointAt(points, segment + 2, k)
     const a1 = lerp(p0, p1, x / t1)
     const a2 = lerp(p1, p2, (x - t1) / (t2 - t1))
     const a3 = lerp(p2, p3, (x - t2) / (t3 - t2))
@@ -32,6 +28,22 @@ export function splineAt(out: Float64Array, points: ArrayLike<number>, segment: 
     const b2 = lerp(a2, a3, (x - t1) / (t3 - t1))
     out[k] = lerp(b1, b2, (x - t1) / (t2 - t1))
   }
+}
+
+/** A coordinate of a point, or of one beyond the ends. */
+function pointAt(points: ArrayLike<number>, i: number, k: number): number {
+  const last = points.length / 3 - 1
+  if (i < 0) return 2 * points[k] - points[3 + k]
+  if (i > last) return 2 * points[3 * last + k] - points[3 * last - 3 + k]
+  return points[3 * i + k]
+}
+
+/** From a point's knot to the next one's. */
+function knotAt(points: ArrayLike<number>, i: number): number {
+  const x = pointAt(points, i + 1, 0) - pointAt(points, i, 0)
+  const y = pointAt(points, i + 1, 1) - pointAt(points, i, 1)
+  const z = pointAt(points, i + 1, 2) - pointAt(points, i, 2)
+  return length3(x, y, z) ** CENTRIPETAL
 }
 
 /**
@@ -70,9 +82,12 @@ export function splineKnots(
 function distanceToLine(points: Float64Array, from: number, to: number, position: Float64Array): number {
   let nearest = Infinity
   for (let i = 3 * from; i < 3 * to; i += 3) {
-    let [along, square, offset] = [0, 0, 0]
+    let along = 0
+    let square = 0
+    let offset = 0
     for (let k = 0; k < 3; k++) {
-      const [step, away] = [points[i + 3 + k] - points[i + k], position[k] - points[i + k]]
+      const step = points[i + 3 + k] - points[i + k]
+      const away = position[k] - points[i + k]
       along += step * away
       square += step * step
       offset += away * away

@@ -1,4 +1,5 @@
 import type { AutoArea, Landmarks, Place } from 'furrow/author'
+import { htmlPage } from '../../html-page.ts'
 import { type Content, html, type Markup } from '../../markup.ts'
 import type { ReportSource } from './make-report.ts'
 import type { BeforeAndAfter, ReportImage } from './pictures.ts'
@@ -22,17 +23,7 @@ export interface PageSource extends Omit<ReportSource, 'path' | 'glb'> {
 export function reportPage(source: PageSource): string {
   const { title, wrinkles, poses } = source
   const { layers, areas, targets, landmarks } = wrinkles
-  return html`<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="color-scheme" content="dark light">
-<title>${title}: wrinkles by furrow auto</title>
-<style>${STYLE}</style>
-</head>
-<body>
-<header>
+  const body = html`<header>
 <h1>${title}</h1>
 <p>${count(areas.length, 'area')} on ${count(layers.length, 'layer')}, made from ${count(targets.length, 'blendshape')} by
 <b>furrow auto</b>. ${landmarks ? 'A face was recognised.' : 'No face was recognised: the lines follow strain alone.'}</p>
@@ -77,9 +68,8 @@ ${landmarks && landmarkFacts(landmarks)}
 </div>
 </section>
 </main>
-</body>
-</html>
-`.text
+`
+  return htmlPage({ title: `${title}: wrinkles by furrow auto`, style: STYLE }, body)
 }
 
 function count(number: number, word: string): string {

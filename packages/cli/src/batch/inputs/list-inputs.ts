@@ -58,9 +58,10 @@ async function listOne(pattern: string, reads: 'file' | 'folder'): Promise<Named
   })
 }
 
-/** The name of an input by itself: the last part of its path. */
+/** The name of an input by itself: the last part of its path. Throws FurrowError where it is no address. */
 export function nameOf(input: string): string {
   if (!isRemote(input)) return basename(resolve(input))
+  if (!URL.canParse(input)) throw nothing(input, 'it is no address')
   const { pathname } = new URL(input)
   try {
     return posix.basename(decodeURIComponent(pathname)) || 'face'

@@ -42,7 +42,7 @@ td ul { margin: 0; padding-left: 18px; font-size: 14px; }
 @media (max-width: 760px) {
   body { padding: 20px 16px 48px; }
   h1 { font-size: 24px; }
-  thead { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+  thead { display: none; }
   table, tbody { display: block; }
   tbody tr { display: grid; grid-template-columns: 1fr 1fr; gap: 4px 16px; padding: 14px 0; border-top: 1px solid var(--line); }
   tbody th, td { display: block; padding: 0; border: 0; font-size: 15px; }
@@ -55,25 +55,26 @@ td ul { margin: 0; padding-left: 18px; font-size: 14px; }
 @media (min-width: 761px) { .sort { display: none; } }
 `)
 
-/** Sorts and filters the rows; without it they are there in their first order. */
+/**
+ * Sorts and filters the rows; without it they are there in their first order. Numbers in texts count as such: the tenth file comes behind the
+ * second.
+ */
 export const PAGE_SCRIPT = new Markup(`
 const body = document.querySelector('tbody')
 const rows = [...body.rows]
+const { compare } = new Intl.Collator('en', { numeric: true })
 const heads = [...document.querySelectorAll('th[data-column]')]
 const order = document.querySelector('#order')
 const show = document.querySelector('#show')
 const told = document.querySelector('#shown')
-const valueOf = (row, i) => {
-  const { value } = row.cells[i].dataset
-  return value === '' || Number.isNaN(Number(value)) ? value : Number(value)
-}
+// Sizes and times are numbers with fractions.
+const difference = (x, y) => (isNaN(x) || isNaN(y) ? compare(x, y) : x - y)
 function sort(column, down) {
-  const sign = down ? -1 : 1
-  rows.sort((a, b) => {
-    const [x, y] = [valueOf(a, column), valueOf(b, column)]
-    return x < y ? -sign : x > y ? sign : 0
-  })
-  body.append(...rows)
+  const sorted = [...rows]
+  const valueOf = (row) => row.cells[column].dataset.value
+  if (column) sorted.sort((a, b) => (down ? -1 : 1) * difference(valueOf(a), valueOf(b)))
+  body.append(...sorted)
+  order.value = column ? column + (down ? ' down' : ' up') : ''
   for (const head of heads) {
     if (Number(head.dataset.column) === column) head.setAttribute('aria-sort', down ? 'descending' : 'ascending')
     else head.removeAttribute('aria-sort')
@@ -85,8 +86,8 @@ for (const head of heads) {
   })
 }
 order.addEventListener('change', () => {
-  const [column, down] = order.value.split(' ')
-  if (column) sort(Number(column), down === 'down')
+  const [column, direction] = order.value.split(' ')
+  sort(Number(column), direction === 'down')
 })
 show.addEventListener('change', () => {
   for (const row of rows) row.hidden = show.value !== '' && !row.classList.contains(show.value)

@@ -1,3 +1,4 @@
+import { htmlPage } from '../../html-page.ts'
 import { html, type Markup } from '../../markup.ts'
 import type { ResultLine } from '../results.ts'
 import { PAGE_SCRIPT, PAGE_STYLE } from './page-style.ts'
@@ -29,17 +30,7 @@ const FIRST = 1
 export function batchPage(source: PageSource): string {
   const rows = rowsOf(source.lines)
   const isCut = source.lines.length > MOST_ROWS
-  return html`<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="color-scheme" content="dark light">
-<title>furrow batch: ${source.summary}</title>
-<style>${PAGE_STYLE}</style>
-</head>
-<body>
-<header>
+  const body = html`<header>
 <h1>furrow batch, ${source.command}</h1>
 <p><b>${source.summary}</b></p>
 ${isCut ? html`<p>The first ${MOST_ROWS} are here, failures and warnings before the others; <a href="${source.results}">${source.results}</a> has all.</p>` : undefined}
@@ -60,10 +51,8 @@ ${COLUMNS.map((name, i) => html`<th scope="col" data-column="${FIRST + i}"><butt
 <tbody>${rows.map((line) => rowOf(line, source))}</tbody>
 </table>
 </main>
-<script type="module">${PAGE_SCRIPT}</script>
-</body>
-</html>
-`.text
+`
+  return htmlPage({ title: `furrow batch: ${source.summary}`, style: PAGE_STYLE }, body, PAGE_SCRIPT)
 }
 
 function rowOf(line: ResultLine, { thumbnails, linkTo }: PageSource): Markup {

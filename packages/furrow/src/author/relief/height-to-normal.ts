@@ -2,9 +2,10 @@ import type { Bounds } from '../../core/bounds.ts'
 import { FurrowError } from '../../core/error.ts'
 import { toByte } from '../../core/normals/normal-byte.ts'
 import type { RgbaImage } from '../../core/types.ts'
+import { length3 } from '../../math/vector.ts'
 import type { Metric } from '../metric.ts'
 import type { HeightMap } from '../strokes/height.ts'
-import { slopeAt } from './slope.ts'
+import { SLOPE_REACH, slopeAt } from './slope.ts'
 
 /**
  * The frame in which a renderer reads a normal map.
@@ -77,18 +78,21 @@ export function drawNormals(
   const flat = toByte(0)
   const slope = new Float64Array(2)
   for (let y = y0; y < y1; y++) {
-    for (let x = x0; x < x1; x++) {
+    for (let i = y * width + x0; i < y * width + x1; i++) {
+      data[4 * i] = flat
+      data[4 * i + 1] = flat
+      data[4 * i + 2] = 255
+      data[4 * i + 3] = 255
+    }
+  }
+  // Most skin has no wrinkle.
+  const sloping = slopingTexels(relief, { x0, y0, x1, y1 })
+  for (let y = y0; y < y1; y++) {
+    for (let x = sloping[2 * (y - y0)]; x < sloping[2 * (y - y0) + 1]; x++) {
       const i = y * width + x
       const hu = slopeAt(relief.data, y * width, x, 1, width, 'clamp') * width
       const hv = slopeAt(relief.data, x, y, width, height, 'clamp') * height
-      // Most skin has no wrinkle.
-      if (hu === 0 && hv === 0) {
-        data[4 * i] = flat
-        data[4 * i + 1] = flat
-        data[4 * i + 2] = 255
-        data[4 * i + 3] = 255
-        continue
-      }
+      if (hu === 0 && hv === 0) continue
       const uu = metric.uu[i]
       const uv = metric.uv[i]
       const vv = metric.vv[i]
@@ -104,11 +108,31 @@ export function drawNormals(
         slope[1] = (hv - (uv / uu) * hu) * Math.sqrt(uu / det)
       }
       turn?.(i, slope)
-      const z = 1 / Math.hypot(slope[0], slope[1], 1)
+      const z = 1 / length3(slope[0], slope[1], 1)
       data[4 * i] = toByte(slope[0] * z)
       data[4 * i + 1] = toByte(slope[1] * z)
       data[4 * i + 2] = toByte(z)
       data[4 * i + 3] = 255
     }
   }
+}
+
+/** Of each row of a rectangle the first texel that may have a slope, and the one behind the last: within reach of heights that are not 0. */
+function slopingTexels({ width, height, data }: HeightMap, { x0, y0, x1, y1 }: Readonly<Bounds>): Int32Array {
+  const sloping = new Int32Array(2 * (y1 - y0))
+  for (let row = 0; row < y1 - y0; row++) sloping[2 * row] = x1
+  const left = Math.max(x0 - SLOPE_REACH, 0)
+  const right = Math.min(x1 + SLOPE_REACH, width)
+  for (let y = Math.max(y0 - SLOPE_REACH, 0); y < Math.min(y1 + SLOPE_REACH, height); y++) {
+    let [first, end] = [left, right]
+    while (first < end && data[y * width + first] === 0) first++
+    while (first < end && data[y * width + end - 1] === 0) end--
+    if (first === end) continue
+    for (let near = Math.max(y - SLOPE_REACH, y0); near < Math.min(y + SLOPE_REACH + 1, y1); near++) {
+      const i = 2 * (near - y0)
+      sloping[i] = Math.min(sloping[i], Math.max(first - SLOPE_REACH, x0))
+      sloping[i + 1] = Math.max(sloping[i + 1], Math.min(end + SLOPE_REACH, x1))
+    }
+  }
+  return sloping
 }

@@ -29,6 +29,18 @@ export function slopeAt(
     const far = data[index + 2 * stride] - data[index - 2 * stride]
     return (8 * near - far) / 12
   }
+  return slopeAtBorder(data, start, i, stride, count, edges)
+}
+
+/** Apart from `slopeAt`, whose every call would otherwise make the function in it. */
+function slopeAtBorder(
+  data: ArrayLike<number>,
+  start: number,
+  i: number,
+  stride: number,
+  count: number,
+  edges: Edges,
+): number {
   const read = (k: number) =>
     edges === 'wrap'
       ? data[start + (((k % count) + count) % count) * stride]

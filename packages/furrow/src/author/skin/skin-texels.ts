@@ -1,3 +1,4 @@
+import type { Bounds } from '../../core/bounds.ts'
 import { barycentrics2, interpolate } from '../../math/barycentrics.ts'
 import { uvToTexels } from '../../math/triangle.ts'
 import { type BorderEdge, extendPlanes, FILTER_MARGIN } from '../border.ts'
@@ -114,9 +115,13 @@ export class SkinTexels {
   ): Generator<number, void> {
     const tiles = this.#tileCount()
     this.#boxes ??= this.#tileBoxes()
+    const [low, high] = [new Float64Array(3), new Float64Array(3)]
     for (let tile = 0; tile < tiles; tile++) {
-      const box = this.#boxes.subarray(6 * tile, 6 * tile + 6)
-      if (!isNear(box.subarray(0, 3), box.subarray(3, 6))) continue
+      for (let k = 0; k < 3; k++) {
+        low[k] = this.#boxes[6 * tile + k]
+        high[k] = this.#boxes[6 * tile + 3 + k]
+      }
+      if (!isNear(low, high)) continue
       this.#visitTile(tile, visit)
       yield (tile + 1) / tiles
     }
@@ -143,24 +148,48 @@ export class SkinTexels {
     for (let first = 0; first < boxes.length; first += 6) {
       boxes.fill(Infinity, first, first + 3)
       boxes.fill(-Infinity, first + 3, first + 6)
-      this.#visitTile(first / 6, (_, position) => {
-        for (let k = 0; k < 3; k++) {
-          boxes[first + k] = Math.min(boxes[first + k], position[k])
-          boxes[first + 3 + k] = Math.max(boxes[first + 3 + k], position[k])
+      const { x0, y0, x1, y1 } = this.#boundsOf(first / 6)
+      for (let row = y0; row < y1; row++) {
+        // Along a row the position on a triangle changes evenly: it is lowest and highest at the ends.
+        const end = row * this.width + x1
+        for (let texel = row * this.width + x0; texel < end; texel++) {
+          const owner = this.owners[texel]
+          if (owner === NONE) continue
+          this.#widen(boxes, first, texel)
+          if (texel + 1 === end || this.owners[texel + 1] !== owner) continue
+          while (texel + 1 < end && this.owners[texel + 1] === owner) texel++
+          this.#widen(boxes, first, texel)
         }
-      })
+      }
     }
     return boxes
   }
 
-  #visitTile(tile: number, visit: TexelVisitor): void {
-    const { surface, width, height } = this
-    const columns = Math.ceil(width / TILE)
-    const [left, top] = [TILE * (tile % columns), TILE * Math.floor(tile / columns)]
-    const [right, bottom] = [Math.min(left + TILE, width), Math.min(top + TILE, height)]
+  /** Widens a box by the position of a texel. */
+  #widen(boxes: Float64Array, first: number, texel: number): void {
     const weights = this.#weights
-    for (let row = top; row < bottom; row++) {
-      for (let texel = row * width + left; texel < row * width + right; texel++) {
+    const [a, b, c] = cornersOf(this.surface, this.locate(texel, weights))
+    const position = this.#position
+    interpolate(position, this.surface.points, 3, a, b, c, weights[0], weights[1], weights[2])
+    for (let k = first; k < first + 3; k++) {
+      boxes[k] = Math.min(boxes[k], position[k - first])
+      boxes[k + 3] = Math.max(boxes[k + 3], position[k - first])
+    }
+  }
+
+  #boundsOf(tile: number): Bounds {
+    const columns = Math.ceil(this.width / TILE)
+    const x0 = TILE * (tile % columns)
+    const y0 = TILE * Math.floor(tile / columns)
+    return { x0, y0, x1: Math.min(x0 + TILE, this.width), y1: Math.min(y0 + TILE, this.height) }
+  }
+
+  #visitTile(tile: number, visit: TexelVisitor): void {
+    const { surface, width } = this
+    const { x0, y0, x1, y1 } = this.#boundsOf(tile)
+    const weights = this.#weights
+    for (let row = y0; row < y1; row++) {
+      for (let texel = row * width + x0; texel < row * width + x1; texel++) {
         const triangle = this.locate(texel, weights)
         if (triangle === NONE) continue
         const [a, b, c] = cornersOf(surface, triangle)

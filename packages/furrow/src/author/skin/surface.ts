@@ -98,8 +98,8 @@ export function pointAreas(points: ArrayLike<number>, corners: Uint32Array): Flo
 /** Offsets of a target by point; those that are NaN count as 0. */
 export function pointOffsets({ points, pointOf }: SkinSurface, { offsets }: SkinTarget): Float64Array {
   const out = new Float64Array(points.length)
-  for (const [vertex, point] of pointOf.entries()) {
-    for (let k = 0; k < 3; k++) out[3 * point + k] = offsets[3 * vertex + k] || 0
+  for (let vertex = 0; vertex < pointOf.length; vertex++) {
+    for (let k = 0; k < 3; k++) out[3 * pointOf[vertex] + k] = offsets[3 * vertex + k] || 0
   }
   return out
 }
@@ -116,7 +116,9 @@ export function triangleBox(
   low: Float64Array,
   high: Float64Array,
 ): void {
-  const [a, b, c] = [3 * corners[3 * triangle], 3 * corners[3 * triangle + 1], 3 * corners[3 * triangle + 2]]
+  const a = 3 * corners[3 * triangle]
+  const b = 3 * corners[3 * triangle + 1]
+  const c = 3 * corners[3 * triangle + 2]
   for (let k = 0; k < 3; k++) {
     low[k] = Math.min(points[a + k], points[b + k], points[c + k])
     high[k] = Math.max(points[a + k], points[b + k], points[c + k])
@@ -157,8 +159,8 @@ export function crossOf(
 function weldPoints(positions: ArrayLike<number>) {
   const { pointOf, count } = weldVertices(positions)
   const points = new Float64Array(3 * count)
-  for (const [vertex, point] of pointOf.entries()) {
-    for (let k = 0; k < 3; k++) points[3 * point + k] = positions[3 * vertex + k]
+  for (let vertex = 0; vertex < pointOf.length; vertex++) {
+    for (let k = 0; k < 3; k++) points[3 * pointOf[vertex] + k] = positions[3 * vertex + k]
   }
   return { pointOf, points }
 }

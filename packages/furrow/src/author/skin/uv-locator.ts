@@ -61,10 +61,13 @@ export class UvLocator {
   }
 
   /** u and v at barycentric coordinates of a triangle. */
-  uvAt(triangle: number, [a, b, c]: Float64Array): Uv {
+  uvAt(triangle: number, weights: Float64Array): Uv {
     this.#readCorners(triangle)
-    const [u0, v0, u1, v1, u2, v2] = this.#corners
-    return [a * u0 + b * u1 + c * u2, a * v0 + b * v1 + c * v2]
+    const c = this.#corners
+    return [
+      weights[0] * c[0] + weights[1] * c[2] + weights[2] * c[4],
+      weights[0] * c[1] + weights[1] * c[3] + weights[2] * c[5],
+    ]
   }
 
   #locate(triangle: number, u: number, v: number, weights: Float64Array): number {
@@ -100,8 +103,13 @@ export function uvGridOf(
   const corners = new Float64Array(6)
   const boxOf = (triangle: number): UvBox => {
     readCorners(corners, skin, surface, triangle)
-    const [u0, v0, u1, v1, u2, v2] = corners
-    return [Math.min(u0, u1, u2), Math.min(v0, v1, v2), Math.max(u0, u1, u2), Math.max(v0, v1, v2)]
+    const c = corners
+    return [
+      Math.min(c[0], c[2], c[4]),
+      Math.min(c[1], c[3], c[5]),
+      Math.max(c[0], c[2], c[4]),
+      Math.max(c[1], c[3], c[5]),
+    ]
   }
   const side = chooseSide(used, boxOf)
   const visitCells = (triangle: number, visit: (cell: number) => void) => {
@@ -152,8 +160,9 @@ function readCorners(
   surface: SkinSurface,
   triangle: number,
 ): void {
-  for (const [k, vertex] of skinVertices(skin, surface, triangle).entries()) {
-    out[2 * k] = skin.uvs[2 * vertex]
-    out[2 * k + 1] = skin.uvs[2 * vertex + 1]
+  const vertices = skinVertices(skin, surface, triangle)
+  for (let k = 0; k < 3; k++) {
+    out[2 * k] = skin.uvs[2 * vertices[k]]
+    out[2 * k + 1] = skin.uvs[2 * vertices[k] + 1]
   }
 }

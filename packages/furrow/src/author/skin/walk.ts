@@ -8,6 +8,9 @@ const INWARDS = 1e-3
 /** Triangles that one step crosses at most. */
 const MOST_CROSSED = 8
 
+/** Where a step is and where it leads to, as barycentric coordinates, and its end: `walk` is called for each half millimetre of a line. */
+const [here, there, target] = [new Float64Array(3), new Float64Array(3), new Float64Array(3)]
+
 /**
  * Moves a position over a surface, along the projections of a direction onto the triangles that it crosses.
  *
@@ -25,20 +28,20 @@ export function walk(
 ): number {
   let triangle = start
   let left = distance
-  const here = new Float64Array(3)
-  const there = new Float64Array(3)
-  const target = new Float64Array(3)
   for (let crossed = 0; crossed < MOST_CROSSED; crossed++) {
     projectOntoTriangle(target, surface, triangle, direction)
     for (let k = 0; k < 3; k++) target[k] = position[k] + left * target[k]
     barycentricsAt(here, surface, triangle, position)
     barycentricsAt(there, surface, triangle, target)
     // The first edge that the step crosses, and at what fraction of it.
-    let [fraction, edge] = [1, -1]
+    let fraction = 1
+    let edge = -1
     for (let k = 0; k < 3; k++) {
       if (there[k] >= 0) continue
       const crossing = Math.max(here[k], 0) / (Math.max(here[k], 0) - there[k])
-      if (crossing < fraction || edge < 0) [fraction, edge] = [crossing, (k + 1) % 3]
+      if (crossing >= fraction && edge >= 0) continue
+      fraction = crossing
+      edge = (k + 1) % 3
     }
     for (let k = 0; k < 3; k++) position[k] += fraction * (target[k] - position[k])
     if (edge < 0) return triangle
@@ -68,10 +71,10 @@ export function positionAt(
   out: Float64Array,
   surface: SkinSurface,
   triangle: number,
-  [wa, wb, wc]: Float64Array,
+  weights: Float64Array,
 ): void {
   const [a, b, c] = cornersOf(surface, triangle)
-  interpolate(out, surface.points, 3, a, b, c, wa, wb, wc)
+  interpolate(out, surface.points, 3, a, b, c, weights[0], weights[1], weights[2])
 }
 
 /** The surface's unit normal at barycentric coordinates of a triangle; beyond its edges it stays that of the edge. */
@@ -79,10 +82,11 @@ export function normalAt(
   out: Float64Array,
   surface: SkinSurface,
   triangle: number,
-  [wa, wb, wc]: Float64Array,
+  weights: Float64Array,
 ): void {
   const [a, b, c] = cornersOf(surface, triangle)
-  interpolate(out, surface.normals, 3, a, b, c, Math.max(wa, 0), Math.max(wb, 0), Math.max(wc, 0))
+  const [wa, wb, wc] = [Math.max(weights[0], 0), Math.max(weights[1], 0), Math.max(weights[2], 0)]
+  interpolate(out, surface.normals, 3, a, b, c, wa, wb, wc)
   normalize(out)
 }
 

@@ -14,6 +14,7 @@ const RADIUS = 1.0005 * Math.sqrt(3)
 const MOST_CELLS = 4096
 /** Index of no segment. */
 const NONE = -1
+const NO_RUNS = new Int32Array(0)
 /**
  * Is given the point of a line that is nearest.
  *
@@ -52,6 +53,8 @@ export class LineGrid {
   readonly #levels: readonly Level[]
   /** How many numbers the cubes of each level hold together. */
   readonly #held: number[]
+  /** The cell that was asked for last: that of the next texel too, mostly. */
+  #around: { i: number; j: number; k: number; cell: Int32Array } = { i: NaN, j: NaN, k: NaN, cell: NO_RUNS }
   /** The first and last cell within reach of any line, along each axis. */
   readonly #low = [Infinity, Infinity, Infinity]
   readonly #high = [-Infinity, -Infinity, -Infinity]
@@ -69,18 +72,12 @@ export class LineGrid {
 
   /** Whether lines may be within reach of a box, given by its lowest and highest x, y and z. */
   readonly isNear = (low: ArrayLike<number>, high: ArrayLike<number>): boolean => {
-    const [left, right] = [
-      Math.max(this.#cellOf(low[0]), this.#low[0]),
-      Math.min(this.#cellOf(high[0]), this.#high[0]),
-    ]
-    const [bottom, top] = [
-      Math.max(this.#cellOf(low[1]), this.#low[1]),
-      Math.min(this.#cellOf(high[1]), this.#high[1]),
-    ]
-    const [back, front] = [
-      Math.max(this.#cellOf(low[2]), this.#low[2]),
-      Math.min(this.#cellOf(high[2]), this.#high[2]),
-    ]
+    const left = Math.max(this.#cellOf(low[0]), this.#low[0])
+    const right = Math.min(this.#cellOf(high[0]), this.#high[0])
+    const bottom = Math.max(this.#cellOf(low[1]), this.#low[1])
+    const top = Math.min(this.#cellOf(high[1]), this.#high[1])
+    const back = Math.max(this.#cellOf(low[2]), this.#low[2])
+    const front = Math.min(this.#cellOf(high[2]), this.#high[2])
     if (left > right || bottom > top || back > front) return false
     if ((right - left + 1) * (top - bottom + 1) * (front - back + 1) > MOST_CELLS) return true
     for (let x = left; x <= right; x++) {
@@ -119,19 +116,23 @@ export class LineGrid {
     const segments = this.#segments
     for (let run = 0; run < cell.length; ) {
       const line = segments.lineOf[cell[run]]
-      /** What is farther need not be looked at: another segment is nearer, or the line is out of reach. */
-      let most = this.#reaches[line]
-      const last = this.#last[line]
-      if (last !== NONE && segments.faces(last, nx, ny, nz))
-        most = Math.min(most, Math.sqrt(segments.squareTo(last, x, y, z)))
-      const far = segments.farFrom(line, most)
       let nearest = NONE
       let least = Infinity
+      const last = this.#last[line]
+      if (last !== NONE && segments.faces(last, nx, ny, nz)) {
+        nearest = last
+        least = segments.squareTo(last, x, y, z)
+      }
+      /** What is farther need not be looked at: another segment is nearer, or the line is out of reach. */
+      const most = Math.min(this.#reaches[line], Math.sqrt(least))
+      const far = segments.farFrom(line, most)
       for (; run < cell.length && segments.lineOf[cell[run]] === line; run += 2) {
         const end = cell[run + 1]
         for (let segment = cell[run]; segment < end; ) {
           const square = segments.squareTo(segment, x, y, z)
-          if (square < least && segments.faces(segment, nx, ny, nz)) {
+          // The first of those that are as near, as without the one that was found last.
+          const isNearer = square < least || (square === least && segment < nearest)
+          if (isNearer && segments.faces(segment, nx, ny, nz)) {
             nearest = segment
             least = square
           }
@@ -157,11 +158,15 @@ export class LineGrid {
 
   /** The runs of the cell that a position is in. */
   #cellAround(x: number, y: number, z: number): Int32Array {
-    const [low, high] = [this.#low, this.#high]
     const [i, j, k] = [this.#cellOf(x), this.#cellOf(y), this.#cellOf(z)]
+    const around = this.#around
+    if (around.i === i && around.j === j && around.k === k) return around.cell
+    const [low, high] = [this.#low, this.#high]
     const isInside = i >= low[0] && i <= high[0] && j >= low[1] && j <= high[1] && k >= low[2] && k <= high[2]
     // A position that is NaN is nowhere.
-    return isInside ? this.#cubeAt(0, i, j, k) : NO_RUNS
+    const cell = isInside ? this.#cubeAt(0, i, j, k) : NO_RUNS
+    this.#around = { i, j, k, cell }
+    return cell
   }
 
   /** The runs of a cube, given by its index along each axis. */
@@ -222,8 +227,6 @@ export class LineGrid {
     return Math.floor(millimetres / this.#cell)
   }
 }
-
-const NO_RUNS = new Int32Array(0)
 
 /** The longest side of the box round some lines. */
 function extentOf(lines: readonly SkinLine[]): number {

@@ -1,3 +1,4 @@
+import { length2 } from '../../math/vector.ts'
 import type { SkinLine } from './curve.ts'
 
 /** What is left of a distance after rounding. */
@@ -90,18 +91,18 @@ export class LineSegments {
       t > 0 ? t === 1 && this.lineOf[segment + 1] !== this.lineOf[segment] : this.pointOf[segment] === 0
     if (!isEnd) return -Math.sign(left)
     const beyond = s[k + 3] * vx + s[k + 4] * vy + s[k + 5] * vz - (t > 0 ? 1 / s[k + 6] : 0)
-    return left === 0 ? 0 : -left / Math.hypot(left, beyond)
+    return left === 0 ? 0 : -left / length2(left, beyond)
   }
 
   /** How many segments further the next one of a line may be that is at a distance at most, by what a segment is from the position. */
   stepsTo(line: number, square: number, distance: number): number {
     const segments = (ROUNDED * Math.sqrt(square) - distance) / this.#longest[line]
-    return segments >= 2 ? Math.floor(segments) : 1
+    return segments > 1 ? Math.ceil(segments) : 1
   }
 
   /** The squared distance from which on `stepsTo` skips segments of a line: cheaper to compare with. */
   farFrom(line: number, distance: number): number {
-    return ((distance + 2 * this.#longest[line]) / ROUNDED) ** 2
+    return ((distance + this.#longest[line]) / ROUNDED) ** 2
   }
 
   #store(segment: number, points: Float64Array, normals: Float64Array): void {

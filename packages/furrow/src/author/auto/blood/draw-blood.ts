@@ -11,7 +11,7 @@ import type { AutoRegion } from '../anatomy/regions.ts'
 import type { CreasedRegion } from '../lines/crease.ts'
 import { visibility } from '../raster/visibility.ts'
 import type { DetectedFace } from '../surface/detect-face.ts'
-import { unroll } from '../surface/head-chart.ts'
+import { acrossOf, unroll } from '../surface/head-chart.ts'
 import { poseOf } from '../surface/pose.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { type Flush, fadeOf, flushesOf } from './flushes.ts'
@@ -132,7 +132,7 @@ function drawArea({ chart }: DetectedFace, texels: SkinTexels, flush: Flush, lin
   const { width, height } = texels
   const data = new Uint8Array(width * height)
   texels.visitNear(isNear(flush), (texel, position, normal) => {
-    const [x, y, z] = position
+    const [x, y, z] = [position[0], position[1], position[2]]
     const fade = fadeOf(flush, unroll(x, y, z))
     if (fade === 0) return
     let nearest = Infinity
@@ -147,8 +147,8 @@ function drawArea({ chart }: DetectedFace, texels: SkinTexels, flush: Flush, lin
 }
 
 function addFlush(texels: SkinTexels, flush: Flush, { data }: GrayImage): void {
-  texels.visitNear(isNear(flush), (texel, [x, y, z]) => {
-    const fade = fadeOf(flush, unroll(x, y, z))
+  texels.visitNear(isNear(flush), (texel, position) => {
+    const fade = fadeOf(flush, unroll(position[0], position[1], position[2]))
     if (fade === 0) return
     const own = (data[texel] - BLOOD_AT_REST) / (255 - BLOOD_AT_REST)
     data[texel] = bloodByte(own + flush.amount * Math.sqrt(fade))
@@ -157,5 +157,10 @@ function addFlush(texels: SkinTexels, flush: Flush, { data }: GrayImage): void {
 
 /** Whether a flush may reach into a box. Heights of the chart are those of space. */
 function isNear({ centre, radii }: Flush): (low: Float64Array, high: Float64Array) => boolean {
-  return (low, high) => high[1] >= centre[1] - radii[1] && low[1] <= centre[1] + radii[1] && high[2] > -60
+  return (low, high) => {
+    const isBeside = high[1] < centre[1] - radii[1] || low[1] > centre[1] + radii[1] || high[2] <= -60
+    if (isBeside) return false
+    const [left, right] = acrossOf(low, high)
+    return right >= centre[0] - radii[0] && left <= centre[0] + radii[0]
+  }
 }

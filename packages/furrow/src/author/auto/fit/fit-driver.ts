@@ -65,9 +65,11 @@ export function fitDriver(
   if (!gauge) return 'the mesh has no skin beside its lines'
   const rest = vectorsAcross(gauge, surface.points)
   const bounds = names.map((name) => boundsOf(name, region))
-  const compressions = offsets.map((offset) =>
-    measureCompression(gauge, rest, [{ vectors: vectorsAcross(gauge, offset), weight: 1 }]),
-  )
+  const one = { vectors: new Float64Array(rest.length), weight: 1 }
+  const compressions = offsets.map((offset) => {
+    vectorsAcross(gauge, offset, one.vectors)
+    return measureCompression(gauge, rest, [one])
+  })
   /** Of the few targets that poses have. */
   const known = new Map<number, Float64Array>()
   const vectorsOf = (target: number) => {

@@ -78,7 +78,9 @@ function trianglesNear(surface: SkinSurface, grid: LineGrid): number[] {
 }
 
 function centroidOf({ points, corners }: SkinSurface, triangle: number, out: Float64Array): void {
-  const [a, b, c] = [3 * corners[3 * triangle], 3 * corners[3 * triangle + 1], 3 * corners[3 * triangle + 2]]
+  const a = 3 * corners[3 * triangle]
+  const b = 3 * corners[3 * triangle + 1]
+  const c = 3 * corners[3 * triangle + 2]
   for (let k = 0; k < 3; k++) out[k] = (points[a + k] + points[b + k] + points[c + k]) / 3
 }
 
@@ -105,13 +107,19 @@ function inEdges(points: ArrayLike<number>, a: number, b: number, c: number, v: 
  * Measures the vectors across the lines in some positions, or how far they move by some offsets.
  *
  * @param values x, y and z by point.
- * @returns x, y and z per triangle of the gauge.
+ * @param out takes x, y and z per triangle of the gauge.
  */
-export function vectorsAcross({ corners, across }: Gauge, values: ArrayLike<number>): Float64Array {
-  const out = new Float64Array(corners.length)
+export function vectorsAcross(
+  { corners, across }: Gauge,
+  values: ArrayLike<number>,
+  out = new Float64Array(corners.length),
+): Float64Array {
   for (let t = 0; t < corners.length; t += 3) {
-    const [a, b, c] = [3 * corners[t], 3 * corners[t + 1], 3 * corners[t + 2]]
-    const [along, aside] = [across[(2 * t) / 3], across[(2 * t) / 3 + 1]]
+    const a = 3 * corners[t]
+    const b = 3 * corners[t + 1]
+    const c = 3 * corners[t + 2]
+    const along = across[(2 * t) / 3]
+    const aside = across[(2 * t) / 3 + 1]
     for (let k = 0; k < 3; k++)
       out[t + k] = along * (values[b + k] - values[a + k]) + aside * (values[c + k] - values[a + k])
   }
@@ -129,12 +137,18 @@ export function measureCompression(
   rest: Float64Array,
   moved: readonly { vectors: Float64Array; weight: number }[],
 ): number {
-  const deformed = rest.slice()
-  for (const { vectors, weight } of moved)
-    for (let i = 0; i < deformed.length; i++) deformed[i] += weight * vectors[i]
-  let [sum, total] = [0, 0]
+  let sum = 0
+  let total = 0
   for (let t = 0; t < weights.length; t++) {
-    const [x, y, z] = [deformed[3 * t], deformed[3 * t + 1], deformed[3 * t + 2]]
+    let x = rest[3 * t]
+    let y = rest[3 * t + 1]
+    let z = rest[3 * t + 2]
+    for (let i = 0; i < moved.length; i++) {
+      const { vectors, weight } = moved[i]
+      x += weight * vectors[3 * t]
+      y += weight * vectors[3 * t + 1]
+      z += weight * vectors[3 * t + 2]
+    }
     sum += weights[t] * (1 - Math.sqrt(x * x + y * y + z * z))
     total += weights[t]
   }

@@ -55,10 +55,9 @@ function countCrossings({ creases }: CreasedRegion, other: CreasedRegion, grid: 
   for (const crease of creases) {
     const { points: p, normals: n } = crease
     for (let i = 0; i + 5 < p.length; i += 3) {
-      const direction = segmentVector(crease, i / 3)
       let crosses = false
       grid.visit(p.subarray(i, i + 3), n.subarray(i, i + 3), (line, _, segment) => {
-        crosses ||= cosineBetween(direction, segmentVector(other.creases[line], segment)) < CROSSING
+        crosses ||= cosineBetween(crease, i / 3, other.creases[line], segment) < CROSSING
       })
       if (crosses) count++
     }
@@ -66,11 +65,15 @@ function countCrossings({ creases }: CreasedRegion, other: CreasedRegion, grid: 
   return count
 }
 
-function segmentVector({ points }: SkinLine, segment: number): number[] {
-  return [0, 1, 2].map((k) => points[3 * segment + 3 + k] - points[3 * segment + k])
+/** Of the angle between segments of two lines, whichever way they run. */
+function cosineBetween(one: SkinLine, i: number, other: SkinLine, k: number): number {
+  readSegment(a, one, i)
+  readSegment(b, other, k)
+  return Math.abs(dot(a, b)) / (length(a) * length(b) || 1)
 }
 
-/** Of the angle between two lines, whichever way they run. */
-function cosineBetween(a: readonly number[], b: readonly number[]): number {
-  return Math.abs(dot(a, b)) / (length(a) * length(b) || 1)
+const [a, b] = [new Float64Array(3), new Float64Array(3)]
+
+function readSegment(out: Float64Array, { points }: SkinLine, segment: number): void {
+  for (let k = 0; k < 3; k++) out[k] = points[3 * segment + 3 + k] - points[3 * segment + k]
 }

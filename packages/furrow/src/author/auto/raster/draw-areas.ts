@@ -41,12 +41,13 @@ export function drawAreas(
       distances[owner] = Math.min(distances[owner], distance)
     })
     if (regions.every((_, i) => distances[owners[i]] >= extents[i])) return
-    const [x, y, z] = position
+    const [x, y, z] = [position[0], position[1], position[2]]
     const point = unroll(x, y, z)
     const visible = chart ? visibility(chart, x, y, z, normal) : 1
-    for (const [i, { region }] of regions.entries()) {
+    for (let i = 0; i < regions.length; i++) {
       const own = distances[owners[i]]
       if (own >= extents[i]) continue
+      const { region } = regions[i]
       let other = Infinity
       for (let k = 0; k < distances.length; k++) if (k !== owners[i]) other = Math.min(other, distances[k])
       const inside = 1 - smoothstep((own - region.reach) / region.feather)

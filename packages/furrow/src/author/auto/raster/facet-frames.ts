@@ -1,5 +1,5 @@
 import { triangleNormal } from '../../../math/triangle.ts'
-import { cross, dot, length, normalize } from '../../../math/vector.ts'
+import { dot, length, normalize } from '../../../math/vector.ts'
 import { skinVertices, triangleBox } from '../../skin/surface.ts'
 import { reachOf } from '../../strokes/lay-out.ts'
 import { LineGrid } from '../../strokes/line-grid.ts'
@@ -170,14 +170,12 @@ class DeformedFrames {
 
   /** Adds a facet's part of the normal equations, at each of its corners. */
   add(t: number, weight: number, out: Float64Array, first: number): void {
-    const facet = this.#ofFacet.subarray(6 * t, 6 * t + 6)
-    if (facet.every((value) => value === 0)) return
+    if (isZero(this.#ofFacet, 6 * t)) return
     const { corners, cornerVertices } = this.#patch
     for (let k = 0; k < 3; k++) {
-      const [point, vertex] = [corners[3 * t + k], cornerVertices[3 * t + k]]
-      const normal = this.#normals.subarray(3 * point, 3 * point + 3)
-      frameOf(facet, normal, dt, db)
-      frameOf(this.#ofVertex.subarray(6 * vertex, 6 * vertex + 6), normal, st, sb)
+      const normal = 3 * corners[3 * t + k]
+      frameOf(this.#ofFacet, 6 * t, this.#normals, normal, dt, db)
+      frameOf(this.#ofVertex, 6 * cornerVertices[3 * t + k], this.#normals, normal, st, sb)
       const i = first + STRIDE * k
       out[i] += weight * dot(dt, dt)
       out[i + 1] += weight * dot(dt, db)
@@ -193,11 +191,12 @@ class DeformedFrames {
     const { surface, offsets } = this.#skin
     const { points } = this.#patch
     for (let i = 0; i < points.length; i++) {
-      for (let k = 0; k < 3; k++) {
-        let value = surface.points[3 * points[i] + k]
-        for (const [target, weight] of pose) value += weight * offsets[target][3 * points[i] + k]
-        this.#points[3 * i + k] = value
-      }
+      for (let k = 0; k < 3; k++) this.#points[3 * i + k] = surface.points[3 * points[i] + k]
+    }
+    for (const [target, weight] of pose) {
+      const offset = offsets[target]
+      for (let i = 0; i < points.length; i++)
+        for (let k = 0; k < 3; k++) this.#points[3 * i + k] += weight * offset[3 * points[i] + k]
     }
   }
 
@@ -223,20 +222,39 @@ class DeformedFrames {
 /** Tangent and bitangent of a facet, and of the smooth surface. */
 const [dt, db, st, sb] = [new Float64Array(3), new Float64Array(3), new Float64Array(3), new Float64Array(3)]
 
-/** The gradients of u and v in the plane at a right angle to a normal, both divided by the longer of the two. */
+function isZero(derivatives: Float64Array, first: number): boolean {
+  for (let i = first; i < first + 6; i++) if (derivatives[i] !== 0) return false
+  return true
+}
+
+/**
+ * The gradients of u and v in the plane at a right angle to a normal, both divided by the longer of the two.
+ *
+ * @param first index of the derivatives: x, y and z by u, then by v.
+ * @param n index of the normal.
+ */
 function frameOf(
   derivatives: Float64Array,
-  normal: Float64Array,
+  first: number,
+  normals: Float64Array,
+  n: number,
   tangent: Float64Array,
   bitangent: Float64Array,
 ): void {
-  cross(tangent, derivatives.subarray(3), normal)
-  cross(bitangent, normal, derivatives)
+  crossAt(tangent, derivatives, first + 3, normals, n)
+  crossAt(bitangent, normals, n, derivatives, first)
   const scale = 1 / (Math.max(length(tangent), length(bitangent)) || 1)
   for (let k = 0; k < 3; k++) {
     tangent[k] *= scale
     bitangent[k] *= scale
   }
+}
+
+/** `cross` of two vectors that begin at indices of arrays. */
+function crossAt(out: Float64Array, a: Float64Array, i: number, b: Float64Array, j: number): void {
+  out[0] = a[i + 1] * b[j + 2] - a[i + 2] * b[j + 1]
+  out[1] = a[i + 2] * b[j] - a[i] * b[j + 2]
+  out[2] = a[i] * b[j + 1] - a[i + 1] * b[j]
 }
 
 /** M at a corner, of the normal equations (D^T D + r 1) M = D^T S + r 1. */

@@ -23,8 +23,7 @@ export function halfSide({
 export function heightLevels(millimetres: Float32Array): { levels: Float32Array; amplitude: number } {
   let largest = 0.001
   for (let i = 0; i < millimetres.length; i++) largest = Math.max(largest, Math.abs(millimetres[i]))
-  return {
-    levels: millimetres.map((height) => 127.5 + (127.5 * height) / largest),
-    amplitude: (2 * largest) / 1000,
-  }
+  const levels = new Float32Array(millimetres.length)
+  for (let i = 0; i < levels.length; i++) levels[i] = 127.5 + (127.5 * millimetres[i]) / largest
+  return { levels, amplitude: (2 * largest) / 1000 }
 }

@@ -39,14 +39,17 @@ export function patchOf(
     if (touches && !isWanted[t]) triangles.push(t)
     if (triangles.length > most) return undefined
   }
-  const points = renumber(
-    triangles.flatMap((t) => [corners[3 * t], corners[3 * t + 1], corners[3 * t + 2]]),
-    areas.length,
-  )
-  const vertices = renumber(
-    triangles.flatMap((t) => skinVertices(skin, surface, t)),
-    skin.uvs.length / 2,
-  )
+  const cornerPoints = new Uint32Array(3 * triangles.length)
+  const cornerVertices = new Uint32Array(3 * triangles.length)
+  for (let i = 0; i < triangles.length; i++) {
+    const own = skinVertices(skin, surface, triangles[i])
+    for (let k = 0; k < 3; k++) {
+      cornerPoints[3 * i + k] = corners[3 * triangles[i] + k]
+      cornerVertices[3 * i + k] = own[k]
+    }
+  }
+  const points = renumber(cornerPoints, areas.length)
+  const vertices = renumber(cornerVertices, skin.uvs.length / 2)
   return {
     triangles: Uint32Array.from(triangles),
     wanted: wanted.length,
@@ -58,12 +61,18 @@ export function patchOf(
 }
 
 /** Numbers what is used from 0, in the order in which it comes. */
-function renumber(list: readonly number[], count: number): { used: Uint32Array; indices: Uint32Array } {
+function renumber(list: Uint32Array, count: number): { used: Uint32Array; indices: Uint32Array } {
   const numbers = new Int32Array(count).fill(-1)
-  const used: number[] = []
-  const indices = Uint32Array.from(list, (index) => {
-    if (numbers[index] < 0) numbers[index] = used.push(index) - 1
-    return numbers[index]
-  })
-  return { used: Uint32Array.from(used), indices }
+  const used = new Uint32Array(Math.min(list.length, count))
+  const indices = new Uint32Array(list.length)
+  let end = 0
+  for (let i = 0; i < list.length; i++) {
+    const index = list[i]
+    if (numbers[index] < 0) {
+      used[end] = index
+      numbers[index] = end++
+    }
+    indices[i] = numbers[index]
+  }
+  return { used: used.slice(0, end), indices }
 }

@@ -1,5 +1,5 @@
 import { triangleNormal } from '../../../math/triangle.ts'
-import { cross, normalize } from '../../../math/vector.ts'
+import { cross, length2, normalize } from '../../../math/vector.ts'
 import { cornersOf, type SkinSurface } from '../../skin/surface.ts'
 import { bilinearForm, compressionAlong, TENSOR_SIZE, tensorAt } from './tensors.ts'
 
@@ -59,7 +59,7 @@ function largestInPlane(
   const xy = bilinearForm(t, x, y)
   const yy = compressionAlong(t, y[0], y[1], y[2])
   return {
-    compression: (xx + yy) / 2 + Math.hypot((xx - yy) / 2, xy),
+    compression: (xx + yy) / 2 + length2((xx - yy) / 2, xy),
     angle: 0.5 * Math.atan2(2 * xy, xx - yy),
   }
 }

@@ -51,7 +51,12 @@ function diffuse(
   after: Float64Array,
 ): void {
   for (let i = 0; i < steps.length; i++) {
-    let [xx, xy, xz, yy, yz, zz] = [0, 0, 0, 0, 0, 0]
+    let xx = 0
+    let xy = 0
+    let xz = 0
+    let yy = 0
+    let yz = 0
+    let zz = 0
     for (let n = starts[i]; n < starts[i + 1]; n++) {
       const k = TENSOR_SIZE * neighbours[n]
       xx += before[k]
@@ -118,7 +123,7 @@ function pointsAround(surface: SkinSurface, tensors: Float64Array, rings: number
     isInside[i] = 1
     ring.push(i)
   }
-  for (let count = 0; count < rings && ring.length > 0; count++) {
+  for (let k = 0; k < rings && ring.length > 0; k++) {
     const next: number[] = []
     for (const point of ring) {
       for (let n = neighbourStarts[point]; n < neighbourStarts[point + 1]; n++) {
@@ -130,12 +135,15 @@ function pointsAround(surface: SkinSurface, tensors: Float64Array, rings: number
     ring = next
   }
   const valenceOf = (point: number) => neighbourStarts[point + 1] - neighbourStarts[point]
-  const points = Uint32Array.from(isInside.keys()).filter((i) => isInside[i] === 1 && valenceOf(i) > 0)
-  const indexOf = new Uint32Array(isInside.length).fill(points.length)
-  const starts = new Uint32Array(points.length + 1)
-  for (const [i, point] of points.entries()) {
-    indexOf[point] = i
-    starts[i + 1] = starts[i] + valenceOf(point)
+  const all = new Uint32Array(isInside.length)
+  let count = 0
+  for (let i = 0; i < isInside.length; i++) if (isInside[i] === 1 && valenceOf(i) > 0) all[count++] = i
+  const points = all.slice(0, count)
+  const indexOf = new Uint32Array(isInside.length).fill(count)
+  const starts = new Uint32Array(count + 1)
+  for (let i = 0; i < count; i++) {
+    indexOf[points[i]] = i
+    starts[i + 1] = starts[i] + valenceOf(points[i])
   }
   const within = new Uint32Array(starts[points.length])
   for (let i = 0, n = 0; i < points.length; i++) {

@@ -1,3 +1,4 @@
+import { length3 } from '../../../math/vector.ts'
 import { cornersOf, type SkinSurface } from '../../skin/surface.ts'
 
 /** Components of a symmetric 3 x 3 tensor: xx, xy, xz, yy, yz, zz. */
@@ -55,23 +56,31 @@ function triangleTensor(
   c: number,
   out: Float64Array,
 ): number {
-  const edge = (from: number, to: number, k: number) => points[3 * to + k] - points[3 * from + k]
-  const deformed = (from: number, to: number, k: number) =>
-    edge(from, to, k) + displacements[3 * to + k] - displacements[3 * from + k]
   // An orthonormal frame (x, y) of the triangle's plane, in which its edges are (base, 0) and (offset, height).
-  const [ux, uy, uz] = [edge(a, b, 0), edge(a, b, 1), edge(a, b, 2)]
-  const [vx, vy, vz] = [edge(a, c, 0), edge(a, c, 1), edge(a, c, 2)]
-  const base = Math.hypot(ux, uy, uz)
-  const [xx, xy, xz] = [ux / base, uy / base, uz / base]
+  const ux = points[3 * b] - points[3 * a]
+  const uy = points[3 * b + 1] - points[3 * a + 1]
+  const uz = points[3 * b + 2] - points[3 * a + 2]
+  const vx = points[3 * c] - points[3 * a]
+  const vy = points[3 * c + 1] - points[3 * a + 1]
+  const vz = points[3 * c + 2] - points[3 * a + 2]
+  const base = length3(ux, uy, uz)
+  const xx = ux / base
+  const xy = uy / base
+  const xz = uz / base
   const offset = vx * xx + vy * xy + vz * xz
-  const [wx, wy, wz] = [vx - offset * xx, vy - offset * xy, vz - offset * xz]
-  const height = Math.hypot(wx, wy, wz)
-  const [yx, yy, yz] = [wx / height, wy / height, wz / height]
+  const height = length3(vx - offset * xx, vy - offset * xy, vz - offset * xz)
+  const yx = (vx - offset * xx) / height
+  const yy = (vy - offset * xy) / height
+  const yz = (vz - offset * xz) / height
   // C = F^T F, where F = [deformed u, deformed v] [base offset; 0 height]^-1.
-  let [c00, c01, c11] = [0, 0, 0]
+  let c00 = 0
+  let c01 = 0
+  let c11 = 0
   for (let k = 0; k < 3; k++) {
-    const first = deformed(a, b, k) / base
-    const second = (deformed(a, c, k) - offset * first) / height
+    const [from, p, q] = [3 * a + k, 3 * b + k, 3 * c + k]
+    const first = (points[p] - points[from] + displacements[p] - displacements[from]) / base
+    const second =
+      (points[q] - points[from] + displacements[q] - displacements[from] - offset * first) / height
     c00 += first * first
     c01 += first * second
     c11 += second * second
@@ -79,8 +88,9 @@ function triangleTensor(
   // The square root of a 2 x 2 matrix: (C + sqrt(det) I) / sqrt(trace + 2 sqrt(det)) (Levinger 1980).
   const root = Math.sqrt(Math.max(0, c00 * c11 - c01 * c01))
   const scale = Math.sqrt(c00 + c11 + 2 * root)
-  const [s00, s01, s11] =
-    scale > 0 ? [1 - (c00 + root) / scale, -c01 / scale, 1 - (c11 + root) / scale] : [1, 0, 1]
+  const s00 = scale > 0 ? 1 - (c00 + root) / scale : 1
+  const s01 = scale > 0 ? -c01 / scale : 0
+  const s11 = scale > 0 ? 1 - (c11 + root) / scale : 1
   out[0] = s00 * xx * xx + 2 * s01 * xx * yx + s11 * yx * yx
   out[1] = s00 * xx * xy + s01 * (xx * yy + xy * yx) + s11 * yx * yy
   out[2] = s00 * xx * xz + s01 * (xx * yz + xz * yx) + s11 * yx * yz

@@ -1,3 +1,4 @@
+import { length3 } from '../../../math/vector.ts'
 import { crossOf, type Skin } from '../../skin/surface.ts'
 import { faceShapeFinder } from './stand-ins.ts'
 
@@ -56,7 +57,7 @@ function movedSurface({ positions, indices, targets }: Skin, chosen: readonly nu
   const distances = new Float64Array(positions.length / 3)
   for (const { offsets } of chosen.map((index) => targets[index])) {
     for (let i = 0; i < distances.length; i++) {
-      distances[i] += Math.hypot(offsets[3 * i], offsets[3 * i + 1], offsets[3 * i + 2])
+      distances[i] += length3(offsets[3 * i], offsets[3 * i + 1], offsets[3 * i + 2])
     }
   }
   const normal = new Float64Array(3)

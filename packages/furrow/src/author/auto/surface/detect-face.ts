@@ -145,7 +145,9 @@ function sumDisplacements(
   for (const target of targets) {
     const offset = offsets[target]
     for (let i = 0; i < count; i++) {
-      const [x, y, z] = [offset[3 * i], offset[3 * i + 1], offset[3 * i + 2]]
+      const x = offset[3 * i]
+      const y = offset[3 * i + 1]
+      const z = offset[3 * i + 2]
       out[i] += Math.sqrt(x * x + y * y + z * z)
     }
   }

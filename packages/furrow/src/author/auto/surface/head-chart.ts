@@ -1,5 +1,5 @@
 import { barycentrics2, interpolate } from '../../../math/barycentrics.ts'
-import { normalize } from '../../../math/vector.ts'
+import { length2, normalize } from '../../../math/vector.ts'
 import { cornersOf, type SkinSurface, type SurfacePoint } from '../../skin/surface.ts'
 
 /** Millimetres from the surface of the face to the axis of the head. */
@@ -11,6 +11,14 @@ export type ChartPoint = readonly [across: number, up: number]
 /** Projects a position in the frame of the face onto the chart, along the ray from the axis of the head. */
 export function unroll(x: number, y: number, z: number): ChartPoint {
   return [RADIUS * Math.atan2(x, z + RADIUS), y]
+}
+
+/** How far round the head a box in front of its axis reaches, given by its lowest and highest x, y and z: from the least across to the largest. */
+export function acrossOf(low: ArrayLike<number>, high: ArrayLike<number>): readonly [number, number] {
+  if (low[2] <= -RADIUS) return [-Infinity, Infinity]
+  const [left] = unroll(low[0], 0, low[0] < 0 ? low[2] : high[2])
+  const [right] = unroll(high[0], 0, high[0] < 0 ? high[2] : low[2])
+  return [left, right]
 }
 
 /**
@@ -27,7 +35,7 @@ export function rollUp(
   [across, up]: ChartPoint,
   out: Float64Array,
 ): void {
-  const rho = Math.hypot(x, z + RADIUS)
+  const rho = length2(x, z + RADIUS)
   const [sine, cosine] = [x / rho, (z + RADIUS) / rho]
   const [nx, ny, nz] = [normal[0], normal[1], normal[2]]
   const [vx, vy, vz] = [across * cosine, up, -across * sine]
@@ -65,7 +73,11 @@ export class HeadChart {
     const { points } = surface
     this.#chartPoints = new Float64Array((points.length / 3) * 2)
     for (let i = 0; i < points.length / 3; i++)
-      this.#chartPoints.set(unroll(points[3 * i], points[3 * i + 1], points[3 * i + 2]), 2 * i)
+      [this.#chartPoints[2 * i], this.#chartPoints[2 * i + 1]] = unroll(
+        points[3 * i],
+        points[3 * i + 1],
+        points[3 * i + 2],
+      )
     const counts = new Uint16Array(ROWS * COLUMNS)
     this.#visitCells((_, cell) => {
       if (counts[cell] < MOST) counts[cell]++
@@ -95,7 +107,7 @@ export class HeadChart {
       if (!(weights[0] >= -TOLERANCE && weights[1] >= -TOLERANCE && weights[2] >= -TOLERANCE)) continue
       const [a, b, c] = cornersOf(this.#surface, triangle)
       interpolate(position, this.#surface.points, 3, a, b, c, weights[0], weights[1], weights[2])
-      const distance = Math.hypot(position[0], position[2] + RADIUS)
+      const distance = length2(position[0], position[2] + RADIUS)
       if (distance <= farthest) continue
       farthest = distance
       found = { triangle, position: [position[0], position[1], position[2]] }
@@ -105,11 +117,11 @@ export class HeadChart {
 
   /** The cosine between a normal and the direction out of the head, and how many millimetres a position is behind the outermost skin. */
   exposure(x: number, y: number, z: number, normal: ArrayLike<number>): { facing: number; depth: number } {
-    const rho = Math.hypot(x, z + RADIUS)
+    const rho = length2(x, z + RADIUS)
     const [outerX, , outerZ] = this.find(unroll(x, y, z))?.position ?? [x, y, z]
     return {
       facing: (normal[0] * x + normal[2] * (z + RADIUS)) / rho,
-      depth: Math.hypot(outerX, outerZ + RADIUS) - rho,
+      depth: length2(outerX, outerZ + RADIUS) - rho,
     }
   }
 
