@@ -86,27 +86,32 @@ export function creaseLines(
   const banks = onSkin.map((line) => reaches[folds.indexOf(line)])
   const strokes = drawn.map((line, i): Stroke => {
     const { style } = line
-    const section = sectionOf({ ...style, bank: banks[i] })
-    const fullDepth = creaseDepth(creasedFraction * compression, spacing, style.width / 2, section)
-    const depth = strength * style.depth * Math.min(maxDepth, fullDepth / UNIFORM)
     const factors = depthFactors(line, compression)
-    const gentle = { ...line, style: gentleBanks(style, depth * Math.max(...factors), banks[i]) }
+    const deepest = Math.max(...factors)
+    const depthOf = (shoulder: LineStyle['shoulder']) => {
+      const section = sectionOf({ ...style, shoulder, bank: banks[i] })
+      const fullDepth = creaseDepth(creasedFraction * compression, spacing, style.width / 2, section)
+      return strength * style.depth * Math.min(maxDepth, fullDepth / UNIFORM)
+    }
+    // With lower banks the valley takes up more.
+    const depth = depthOf(gentleBanks(style, deepest * depthOf(style.shoulder), banks[i]))
+    const shoulder = gentleBanks(style, deepest * depth, banks[i])
+    const gentle = { ...line, style: { ...style, shoulder } }
     return strokeOf(gentle, depth, factors, banks[i], prepared)
   })
   const creases = strokes.flatMap((stroke) => layOutStroke(stroke, prepared))
   return { folds, strokes, creases, compression }
 }
 
-/** A style whose banks are no steeper than STEEPEST: soft tissue takes the skin that they do not hold. */
+/** Heights of a line's banks such that none is steeper than STEEPEST. */
 function gentleBanks(
-  style: LineStyle,
+  { width, shoulder: [left, right] }: LineStyle,
   depth: number,
   reaches: readonly [number, number] | undefined,
-): LineStyle {
-  if (!reaches) return style
-  const most = (reach: number) => STEEPEST / bankSlope(depth, style.width / 2, reach)
-  const [left, right] = style.shoulder
-  return { ...style, shoulder: [Math.min(left, most(reaches[0])), Math.min(right, most(reaches[1]))] }
+): LineStyle['shoulder'] {
+  if (!reaches) return [left, right]
+  const most = reaches.map((reach) => STEEPEST / bankSlope(depth, width / 2, reach))
+  return [Math.min(left, most[0]), Math.min(right, most[1])]
 }
 
 /** Factors on a line's depth: by how far the skin is compressed there, and by chance. */
