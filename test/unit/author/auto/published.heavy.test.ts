@@ -2,6 +2,7 @@ import { type AutoWrinkles, autoWrinkles } from 'furrow/author'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
 import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
+import { bankSlope } from '../../../../packages/furrow/src/author/strokes/profile.ts'
 import { FACES } from './faces.ts'
 import {
   measureProfile,
@@ -15,6 +16,9 @@ const AGES = [30, 40, 50, 60, 70, 80] as const
 
 /** Lemperle et al. 2001: wrinkles of class 1, just perceptible, are less deep, in millimetres. */
 const PERCEPTIBLE = 0.2
+
+/** Ten degrees: a steeper bank catches the light as a white rim. */
+const STEEPEST_BANK = 0.18
 
 /** Lowest and highest, in millimetres. Sources and what they measured are in docs/auto.md; these bounds are estimates. */
 const BOUNDS = {
@@ -62,6 +66,17 @@ describe.each(FACES)('%s, its heights measured', (_, path) => {
       if (between !== undefined) expectWithin(between, spacing)
     }
     expect(profile(region, 70).depth).toBeGreaterThan(profile(region, 30).depth)
+  })
+
+  test.each(AGES)('no bank is steep enough to be a white rim at %s', (age) => {
+    for (const { strokes } of made.get(age)!.layers) {
+      for (const { width, depth, depths = [1], shoulder, bank } of strokes) {
+        for (const side of bank ? [0, 1] : []) {
+          const slope = shoulder[side] * bankSlope(depth * Math.max(...depths), width / 2, bank![side])
+          expect(slope).toBeLessThan(1.02 * STEEPEST_BANK)
+        }
+      }
+    }
   })
 
   test('lines in the corners of the eyes deepen fast from 40 to 60, and less after (Akazaki et al. 2002)', () => {

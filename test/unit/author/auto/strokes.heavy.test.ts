@@ -62,7 +62,8 @@ describe.each([
         if (Math.abs(data[i] - relief.data[i]) > 0.005) off++
         deepest = Math.min(deepest, data[i])
       }
-      expect(deepest, name).toBeLessThan(-0.2)
+      // The fine lines of a lip may have a layer to themselves.
+      expect(deepest, name).toBeLessThan(-0.05)
       expect(off / drawn, name).toBeLessThanOrEqual(exempt)
     }
     const areas = new Set(wrinkles.areas.map((area) => area.name.replace(/(Left|Right)$/, '')))

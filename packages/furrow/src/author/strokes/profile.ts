@@ -48,3 +48,12 @@ export function bankAt(distance: number, reach: number, shoulder: number): numbe
   const x = distance / reach
   return ((27 / 4) * shoulder * x * (1 - x) ** 2) / (BANK_VOLUME * reach)
 }
+
+/**
+ * The steepest slope of a bank with `shoulder` 1 towards its end, at two thirds of its reach.
+ *
+ * @param depth, halfWidth of the valley, and the bank's reach, all in the same unit.
+ */
+export function bankSlope(depth: number, halfWidth: number, reach: number): number {
+  return ((9 / 4) * (depth * halfWidth)) / (BANK_VOLUME * reach ** 2)
+}

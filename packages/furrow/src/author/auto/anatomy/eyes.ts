@@ -26,15 +26,16 @@ function crowsFeet({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: s
     const rise = 27 - 75 * t
     // The outer ends bend further, up above and down below, as the ring of the muscle does.
     const bend = 0.35 * rise + rng.jitter(6)
-    const [amplitude, phase] = [rng.jitter(8), rng.uniform(0, 2 * Math.PI)]
+    const [wave, phase] = [rng.jitter(9), rng.uniform(0, 2 * Math.PI)]
     return walk(side, [corner + start * cos(rise), up + start * sin(rise)], length, (s) => {
-      return rise + bend * s + amplitude * Math.sin(5 * s + phase)
+      const along = s * length
+      return rise + bend * s + wave * Math.sin(along / 7 + phase) + RIPPLE * Math.sin(along / 2.6 - phase)
     })
   }
   const long = Array.from({ length: lines }, (_, i): Guide => {
     const t = (i + rng.jitter(0.14)) / (lines - 1)
     const strength = 1 - 0.45 * Math.abs(2 * t - 0.9) ** 1.6
-    const length = byAge(24, 46) * (0.7 + 0.3 * strength) * rng.uniform(0.85, 1.12)
+    const length = byAge(24, 38) * (0.7 + 0.3 * strength) * rng.uniform(0.85, 1.12)
     return {
       path: ray(t, 6.5 + 2 * Math.abs(2 * t - 1) + rng.jitter(1), length),
       width: byAge(1.4, 1.9) * (0.85 + 0.15 * strength),
@@ -132,6 +133,8 @@ function walk(side: Side, [x, y]: ChartPoint, length: number, rise: (t: number) 
 }
 
 const STEPS = 20
+/** Degrees by which crow's feet turn to and fro within some millimetres. */
+const RIPPLE = 5
 
 const degreesOf = (across: number, up: number) => (Math.atan2(up, across) * 180) / Math.PI
 const cos = (degrees: number) => Math.cos((degrees * Math.PI) / 180)

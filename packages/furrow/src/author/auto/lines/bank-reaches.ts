@@ -10,20 +10,28 @@ const FARTHEST = 1.6
 const ALONG = 0.4
 /** How far a bank reaches where there is none, in spacings. */
 const ALONE = 0.8
+/** Neighbours less deep than this, as a fraction of the line's depth, lie on its bank and do not end it. */
+const SHALLOW = 0.5
 
 /**
  * How far the banks of lines reach, left and right of each in millimetres: to the neighbouring line, so that both have one bulge of skin in
  * common.
  *
+ * @param depths of the lines, to compare them by.
  * @param spacing from line to line, about.
  */
-export function bankReaches(lines: readonly SkinLine[], spacing: number): [left: number, right: number][] {
-  return lines.map((line) => {
+export function bankReaches(
+  lines: readonly SkinLine[],
+  depths: readonly number[],
+  spacing: number,
+): [left: number, right: number][] {
+  return lines.map((line, index) => {
+    const others = lines.filter((_, i) => i !== index && depths[i] >= SHALLOW * depths[index])
     const distances: [number[], number[]] = [[], []]
     let samples = 0
     for (let i = 0; i + 5 < line.points.length; i += 3 * EVERY) {
       samples++
-      const nearest = nearestBeside(line, i, lines, spacing)
+      const nearest = nearestBeside(line, i, others, spacing)
       for (const [side, distance] of nearest.entries()) {
         if (distance <= FARTHEST * spacing) distances[side].push(distance)
       }
@@ -33,11 +41,11 @@ export function bankReaches(lines: readonly SkinLine[], spacing: number): [left:
   })
 }
 
-/** From a point of a line to the nearest other lines on its left and on its right. */
+/** From a point of a line to the nearest of other lines on its left and on its right. */
 function nearestBeside(
   line: SkinLine,
   i: number,
-  lines: readonly SkinLine[],
+  others: readonly SkinLine[],
   spacing: number,
 ): [left: number, right: number] {
   const { points, normals } = line
@@ -45,8 +53,7 @@ function nearestBeside(
   const right = new Float64Array(3)
   cross(right, along, normals.subarray(i, i + 3))
   const nearest: [number, number] = [Infinity, Infinity]
-  for (const other of lines) {
-    if (other === line) continue
+  for (const other of others) {
     const offset = offsetTo(other, points.subarray(i, i + 3))
     const distance = length(offset)
     if (distance < NEAREST * spacing) continue

@@ -4,7 +4,8 @@ import { barycentricsAt, normalAt } from '../../skin/walk.ts'
 import type { SkinLine } from '../../strokes/curve.ts'
 import type { Stroke } from '../../strokes/document.ts'
 import { type LaidStroke, layOutStroke, sectionOf } from '../../strokes/lay-out.ts'
-import type { SkinRegion } from '../anatomy/region.ts'
+import { bankSlope } from '../../strokes/profile.ts'
+import type { LineStyle, SkinRegion } from '../anatomy/region.ts'
 import { bankReaches } from './bank-reaches.ts'
 import { creaseDepth } from './crease-depth.ts'
 import { type LaidLine, MIN_POINTS } from './laid-line.ts'
@@ -45,6 +46,8 @@ const MIN_DEPTH = 0.3
 const VARIATION = 0.4
 const WAVELENGTH = 8
 const UNIFORM = 0.81
+/** Slope of a bank's outer side at most, 10 degrees: a steeper one catches the light as a white rim. */
+const STEEPEST = 0.18
 /** Points to either side over which a line's compression is averaged. */
 const AVERAGED = 6
 /** Fraction of the points of all lines that may be compressed more than the region's compression. */
@@ -78,17 +81,37 @@ export function creaseLines(
   })
   const onSkin = drawn.map((line) => foldOf(line, prepared))
   const folds = onSkin.filter((_, i) => !drawn[i].style.isDimple)
-  const reaches = bankReaches(folds, spacing)
+  const foldDepths = drawn.flatMap(({ style }) => (style.isDimple ? [] : style.depth))
+  const reaches = bankReaches(folds, foldDepths, spacing)
   const banks = onSkin.map((line) => reaches[folds.indexOf(line)])
   const strokes = drawn.map((line, i): Stroke => {
     const { style } = line
-    const section = sectionOf({ ...style, bank: banks[i] })
-    const fullDepth = creaseDepth(creasedFraction * compression, spacing, style.width / 2, section)
-    const depth = strength * style.depth * Math.min(maxDepth, fullDepth / UNIFORM)
-    return strokeOf(line, depth, depthFactors(line, compression), banks[i], prepared)
+    const factors = depthFactors(line, compression)
+    const deepest = Math.max(...factors)
+    const depthOf = (shoulder: LineStyle['shoulder']) => {
+      const section = sectionOf({ ...style, shoulder, bank: banks[i] })
+      const fullDepth = creaseDepth(creasedFraction * compression, spacing, style.width / 2, section)
+      return strength * style.depth * Math.min(maxDepth, fullDepth / UNIFORM)
+    }
+    // With lower banks the valley takes up more.
+    const depth = depthOf(gentleBanks(style, deepest * depthOf(style.shoulder), banks[i]))
+    const shoulder = gentleBanks(style, deepest * depth, banks[i])
+    const gentle = { ...line, style: { ...style, shoulder } }
+    return strokeOf(gentle, depth, factors, banks[i], prepared)
   })
   const creases = strokes.flatMap((stroke) => layOutStroke(stroke, prepared))
   return { folds, strokes, creases, compression }
+}
+
+/** Heights of a line's banks such that none is steeper than STEEPEST. */
+function gentleBanks(
+  { width, shoulder: [left, right] }: LineStyle,
+  depth: number,
+  reaches: readonly [number, number] | undefined,
+): LineStyle['shoulder'] {
+  if (!reaches) return [left, right]
+  const most = reaches.map((reach) => STEEPEST / bankSlope(depth, width / 2, reach))
+  return [Math.min(left, most[0]), Math.min(right, most[1])]
 }
 
 /** Factors on a line's depth: by how far the skin is compressed there, and by chance. */
