@@ -332,7 +332,7 @@ describe.each(RENDERERS)('%s', (name) => {
 
   it.each([
     ['heights of 10 m', () => ball(), 10, 'reach too far'],
-    ['positions that are not numbers', () => brokenBall(), 0.003, 'positions that are no numbers'],
+    ['positions that are not numbers', () => brokenBall(), 0.003, 'positions that are not numbers'],
   ])('%s cost the relief and one warning, also by size', async (_, make, heightAmplitude, message) => {
     for (const relief of ['on', 'auto'] as const) {
       const { layers, areas } = heightSet()
