@@ -1,5 +1,5 @@
 import { GLTF_IMAGES, type ImageHeader } from '../../images/check-image.ts'
-import { encodePng as encodeBySharp } from '../../images/encode.ts'
+import { encodeMap } from '../../images/encode.ts'
 import { withImageErrors } from '../../images/image-errors.ts'
 import { openImage } from '../../images/open-image.ts'
 import type { DecodedImage, Pixels } from '../../images/pixels.ts'
@@ -29,7 +29,7 @@ export async function decodeImage(
 
 /** By libvips, which takes a tenth of the memory; see the function of this name for browsers. */
 export async function encodePng(pixels: Pixels): Promise<Uint8Array> {
-  return encodeBySharp(pixels)
+  return encodeMap(pixels)
 }
 
 /** By libvips, a part of the image at a time; see the function of this name for browsers. */
