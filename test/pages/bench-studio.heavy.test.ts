@@ -22,7 +22,13 @@ it('paints in the built studio, and tells when each dab was seen', async () => {
   const { about, results }: Results = JSON.parse(readFileSync(json, 'utf8'))
   expect(about.adapter).not.toBe('')
   const now = (figure: string) => results.find((result) => result.figure === figure)!.medians.now
-  for (const figure of ['first dab, at once', 'first dab of the next stroke', 'dab', 'undo a brush stroke', 'redo a brush stroke']) {
+  for (const figure of [
+    'first dab, at once',
+    'first dab of the next stroke',
+    'dab',
+    'undo a brush stroke',
+    'redo a brush stroke',
+  ]) {
     const { submitted, seen } = now(figure)
     expect(submitted).toBeGreaterThan(0)
     expect(seen).toBeGreaterThan(submitted)

@@ -102,9 +102,19 @@ async function stroke(inTheMiddle: () => Promise<void> = async () => {}): Promis
   await page.mouse.up()
 }
 
+/** The stage once it stays as it is: relief is split, and blood comes, some time after an expression. */
+async function settled(): Promise<Buffer> {
+  for (let last = await shootAside(page); ; ) {
+    await page.waitForTimeout(500)
+    const next = await shootAside(page)
+    if ((await meanPngDifference(last, next)) <= SAME / 10) return next
+    last = next
+  }
+}
+
 /** Makes a stroke with whole graphics, and the same one while they are lost: both make the same. */
 async function expectSameStroke(label: string): Promise<void> {
-  const before = await shootAside(page)
+  const before = await settled()
   await stroke()
   await undoIs(page, label)
   const whole = await shootAside(page)
@@ -132,7 +142,12 @@ test('a brush stroke during which the graphics are lost is painted whole, and th
 
 test('a line during which the graphics are lost is drawn whole, and the next one too', async () => {
   const pointer = page.getByRole('group', { name: 'Pointer' })
+  const neutral = await shootAside(page)
   await page.getByRole('button', { name: 'Surprised' }).click()
+  // It is drawn in a frame to come.
+  await expect
+    .poll(async () => meanPngDifference(neutral, await shootAside(page)), SOON)
+    .toBeGreaterThan(50 * SAME)
   await pointer.getByText('Draw', { exact: true }).click()
   await expectSameStroke('Draw a line')
   await pointer.getByText('Off', { exact: true }).click()
