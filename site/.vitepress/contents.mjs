@@ -21,9 +21,11 @@ const GUIDES = [
     doc('Skin', 'skin'),
     doc('React Three Fiber', 'react'),
     doc('Babylon.js', 'babylon'),
+    doc('VRM', 'vrm'),
     doc('Blender', 'blender'),
   ]),
   group('Ship them', [
+    doc('Many faces at once', 'batch'),
     doc('Pack', 'pack'),
     doc('Transform', 'transform'),
     doc('Texture arrays', 'array'),
