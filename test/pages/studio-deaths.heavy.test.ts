@@ -1,6 +1,5 @@
 /** What ends under an artist's hands: the graphics in the middle of a stroke, workers in the middle of their work. Nothing is lost. */
 
-import { join } from 'node:path'
 import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
 import { openStudio } from './opened-studio.ts'
@@ -8,7 +7,7 @@ import {
   areaChoice,
   button,
   dismiss,
-  dropPaths,
+  dropPlain,
   expectPicture,
   meanPngDifference,
   shootAside,
@@ -70,8 +69,7 @@ beforeAll(async () => {
   })
   await page.reload()
   await waitUntilReady(page)
-  await dropPaths(page, [join(studio.folder, 'plain.glb')], 'Plain')
-  await areaChoice(page, AREA).waitFor()
+  await dropPlain(page, studio.folder, AREA)
   await page.getByText('Making wrinkles').waitFor({ state: 'detached' })
   await page.getByRole('slider', { name: /^Divider/ }).press('Home')
 })

@@ -4,15 +4,14 @@ import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Page } from 'playwright-core'
 import sharp from 'sharp'
-import { beforeAll, expect, test, vi } from 'vitest'
+import { beforeAll, expect, test } from 'vitest'
 import { readDocument } from '../../studio/src/export/read-document.ts'
 import { openStudio } from './opened-studio.ts'
 import {
-  areaChoice,
   button,
-  DRAWING,
   dismiss,
-  dropPaths,
+  dropPlain,
+  eventually,
   expectPicture,
   shootAside,
   slider,
@@ -25,11 +24,8 @@ let page: Page
 
 beforeAll(async () => {
   ;({ page } = studio)
-  await dropPaths(page, [join(folder, 'plain.glb')], 'Plain')
-  await areaChoice(page, 'foreheadInnerLeft').waitFor()
+  await dropPlain(page, folder, 'foreheadInnerLeft')
 })
-
-const eventually = (check: () => unknown) => vi.waitFor(check, DRAWING)
 
 test('layers are added, renamed, moved and undone; a map is imported, and saved as an image', async () => {
   await page.locator('summary', { hasText: /^Layers$/ }).click()

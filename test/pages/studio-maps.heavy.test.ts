@@ -1,15 +1,14 @@
 /** Maps in the studio: the texture's view, area tools, views of the stage, and what performs under the pointer. */
 
-import { join } from 'node:path'
 import type { Page } from 'playwright-core'
-import { beforeAll, expect, test, vi } from 'vitest'
+import { beforeAll, expect, test } from 'vitest'
 import { openStudio } from './opened-studio.ts'
 import {
   areaChoice,
   blackPng,
   button,
-  DRAWING,
-  dropPaths,
+  dropPlain,
+  eventually,
   expectPicture,
   meanPngDifference,
   shootAside,
@@ -27,11 +26,9 @@ let page: Page
 
 beforeAll(async () => {
   ;({ page } = studio)
-  await dropPaths(page, [join(folder, 'plain.glb')], 'Plain')
-  await areaChoice(page, AREA).waitFor()
+  await dropPlain(page, folder, AREA)
 })
 
-const eventually = (check: () => unknown) => vi.waitFor(check, DRAWING)
 const texture = () => page.getByRole('application', { name: /^Texture/ })
 
 test('the texture is shown beside the face, moved by keys and wheel, and shown whole again', async () => {

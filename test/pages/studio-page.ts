@@ -1,5 +1,6 @@
 /** Actions on the studio's page, and what its tests read from it. */
 
+import { join } from 'node:path'
 import type { Locator, Page } from 'playwright-core'
 import sharp from 'sharp'
 import { expect, vi } from 'vitest'
@@ -33,7 +34,7 @@ export async function undoLabel(page: Page): Promise<string | undefined> {
 
 /** Waits until undo would take back this. */
 export function undoIs(page: Page, label: string): Promise<void> {
-  return vi.waitFor(async () => expect(await undoLabel(page)).toBe(label), DRAWING)
+  return eventually(async () => expect(await undoLabel(page)).toBe(label))
 }
 
 export function expectValue(input: Locator, value: number): Promise<void> {
@@ -72,6 +73,11 @@ export async function shootAside(page: Page): Promise<Buffer> {
 export function expectPicture(page: Page, picture: Buffer, most = 0): Promise<void> {
   const check = async () =>
     expect(await meanPngDifference(picture, await shootAside(page))).toBeLessThanOrEqual(most)
+  return eventually(check)
+}
+
+/** Waits until a check passes, as long as drawing may take. */
+export function eventually<T>(check: () => T | Promise<T>): Promise<T> {
   return vi.waitFor(check, DRAWING)
 }
 
@@ -148,4 +154,10 @@ export async function dropPaths(page: Page, files: string[], name?: string): Pro
   await shown.or(page.locator('#errors p')).first().waitFor({ state: 'attached' })
   expect(await page.textContent('#errors')).toBe('')
   await waitUntilReady(page)
+}
+
+/** Drops the avatar without wrinkles, and waits until it has an area. */
+export async function dropPlain(page: Page, folder: string, area: string): Promise<void> {
+  await dropPaths(page, [join(folder, 'plain.glb')], 'Plain')
+  await areaChoice(page, area).waitFor()
 }

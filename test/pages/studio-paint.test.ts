@@ -1,4 +1,3 @@
-import { join } from 'node:path'
 import type { Page } from 'playwright-core'
 import sharp from 'sharp'
 import { beforeAll, expect, test, vi } from 'vitest'
@@ -6,9 +5,9 @@ import { openStudio } from './opened-studio.ts'
 import {
   areaChoice,
   button,
-  DRAWING,
   dismiss,
-  dropPaths,
+  dropPlain,
+  eventually,
   expectPicture,
   expectValue,
   meanPngDifference,
@@ -31,15 +30,14 @@ let cheek: { x: number; y: number }
 beforeAll(async () => {
   ;({ page } = studio)
   page.on('worker', (worker) => workers.push(worker.url()))
-  await dropPaths(page, [join(folder, 'plain.glb')], 'Plain')
-  await areaChoice(page, AREA).waitFor()
+  await dropPlain(page, folder, AREA)
   const { x, y, width, height } = (await page.locator('#viewport').boundingBox())!
   cheek = { x: x + 0.62 * width, y: y + 0.58 * height }
 })
 
 test('a worker makes the skin ready before it is painted', async () => {
   const ofSkin = () => workers.filter((url) => url.includes('/paint/worker'))
-  await vi.waitFor(() => expect(ofSkin().length).toBe(1), DRAWING)
+  await eventually(() => expect(ofSkin().length).toBe(1))
 })
 
 test('a stroke on the cheek paints the chosen area there; undo takes it back without a trace', async () => {

@@ -163,12 +163,15 @@ async function identityOf(path: string): Promise<string> {
   if (isStdout(path)) return 'stdout'
   const target = await targetOf(path)
   const found = await stat(target, { bigint: true }).catch(ignoreMissing)
-  return found ? `${found.dev}:${found.ino}` : realTarget(path)
+  return found ? `${found.dev}:${found.ino}` : realPathOf(target)
 }
 
 /** The same path for the same file, of which neither it nor its folder need be there: links are followed. */
 export async function realTarget(path: string): Promise<string> {
-  const target = await targetOf(path)
+  return realPathOf(await targetOf(path))
+}
+
+async function realPathOf(target: string): Promise<string> {
   const folder = await nearestFolder(dirname(target))
   return join(await realpath(folder), relative(folder, target))
 }

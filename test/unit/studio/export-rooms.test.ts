@@ -61,8 +61,10 @@ it('each room for a platform has the same doors', () => {
   const doorsOf = (platform: string) => {
     const folder = join(ROOT, 'packages/cli/src/platform', platform)
     return readdirSync(folder).flatMap((name) => {
-      const found = readFileSync(join(folder, name), 'utf8').matchAll(/^export (?:async )?function (\w+)/gm)
-      return [...found].map(([, door]) => `${name} ${door}`)
+      const found = readFileSync(join(folder, name), 'utf8').matchAll(
+        /^export (?:\{ |(?:async )?function )(\w+)/gm,
+      )
+      return [...found].map(([, door]) => `${name} ${door}`).sort()
     })
   }
   expect(doorsOf('browser')).toEqual(doorsOf('node'))

@@ -1,6 +1,6 @@
 import type { GrayImage } from 'furrow'
 import type { HeightMap, NormalMap, RgbaImage } from 'furrow/author'
-import sharp from 'sharp'
+import sharp, { type Sharp } from 'sharp'
 import type { Pixels } from './pixels.ts'
 
 /** Steps of a 16-bit height image per millimetre, and the value of 0 mm. */
@@ -14,16 +14,18 @@ const PNG = { compressionLevel: 9 } as const
 const MAP_PNG = { compressionLevel: 7, adaptiveFiltering: true } as const
 
 /** Pixels as a PNG file with the same channels. */
-export function encodePng(pixels: Pixels, options: typeof PNG | typeof MAP_PNG = PNG): Promise<Uint8Array> {
-  const { width, height, channels, data } = pixels
-  const image = sharp(data, { raw: { width, height, channels } })
-  if (channels === 1) image.toColourspace('b-w')
-  return image.png(options).toBuffer()
+export function encodePng(pixels: Pixels): Promise<Uint8Array> {
+  return rawImage(pixels).png(PNG).toBuffer()
 }
 
 /** A map of lines as `encodePng` does, smaller. */
 export function encodeMap(pixels: Pixels): Promise<Uint8Array> {
-  return encodePng(pixels, MAP_PNG)
+  return rawImage(pixels).png(MAP_PNG).toBuffer()
+}
+
+function rawImage({ width, height, channels, data }: Pixels): Sharp {
+  const image = sharp(data, { raw: { width, height, channels } })
+  return channels === 1 ? image.toColourspace('b-w') : image
 }
 
 /** Pixels as a PNG file, without alpha where it is 255 throughout. */

@@ -1,6 +1,6 @@
 import type { GrayImage, TextureReference, WrinkleSetDocument } from 'furrow'
 import { fileNamesOf } from 'furrow/author'
-import { checkWhole, decodeImage, encodePng } from '#platform/images'
+import { checkWhole, decodeImage, encodeMap } from '#platform/images'
 import { utf8 } from '../bytes.ts'
 import type { OutputFile } from '../files.ts'
 import { namesOfTarget } from '../gltf/target-names.ts'
@@ -51,7 +51,7 @@ export async function unpackWrinkles(
       const part = await partOfImage(file.glb, layer, map, who)
       outputs.push({
         path,
-        bytes: part ? await encodePng({ ...part, channels: 1 }) : await pngOf(file, info, who),
+        bytes: part ? await encodeMap({ ...part, channels: 1 }) : await pngOf(file, info, who),
       })
       entry[map] = addressOf(path)
     }
@@ -108,11 +108,11 @@ async function pngOf({ glb }: WrinkledFile, info: TextureReference, who: string)
   const pixels = isKtx2(image)
     ? await pixelsOf(glb, info, who)
     : await decodeImage(image.bytes, `"${image.name}"`, who)
-  return encodePng(isOpaque(pixels) ? withoutAlpha(pixels) : pixels)
+  return encodeMap(isOpaque(pixels) ? withoutAlpha(pixels) : pixels)
 }
 
 /** The weights of an area as an 8-bit gray PNG file; in the paper's convention white = no wrinkles. */
 function encodeWeights({ width, height, data }: GrayImage, whiteIsVisible: boolean): Promise<Uint8Array> {
   const gray = whiteIsVisible ? data : data.map((weight) => 255 - weight)
-  return encodePng({ width, height, channels: 1, data: gray })
+  return encodeMap({ width, height, channels: 1, data: gray })
 }

@@ -1,8 +1,12 @@
-/** a x b. `out` must be neither of them. */
-export function cross(out: Float64Array, a: ArrayLike<number>, b: ArrayLike<number>): void {
-  out[0] = a[1] * b[2] - a[2] * b[1]
-  out[1] = a[2] * b[0] - a[0] * b[2]
-  out[2] = a[0] * b[1] - a[1] * b[0]
+/**
+ * a x b. `out` must be neither of them.
+ *
+ * @param i, j where they begin, for vectors in arrays of many.
+ */
+export function cross(out: Float64Array, a: ArrayLike<number>, b: ArrayLike<number>, i = 0, j = 0): void {
+  out[0] = a[i + 1] * b[j + 2] - a[i + 2] * b[j + 1]
+  out[1] = a[i + 2] * b[j] - a[i] * b[j + 2]
+  out[2] = a[i] * b[j + 1] - a[i + 1] * b[j]
 }
 
 /** a . b */

@@ -47,8 +47,8 @@ export async function decodeImage(
   }
 }
 
-/** Pixels as a PNG file with the same channels, for what no packed face holds: there, the bytes must be the same everywhere. */
-export async function encodePng(pixels: Pixels): Promise<Uint8Array> {
+/** A map as a PNG file with the same channels, for what no packed face holds: there, the bytes must be the same everywhere. */
+export async function encodeMap(pixels: Pixels): Promise<Uint8Array> {
   return encodePortablePng(pixels)
 }
 

@@ -1,8 +1,10 @@
 import { GLTF_IMAGES, type ImageHeader } from '../../images/check-image.ts'
-import { encodeMap } from '../../images/encode.ts'
 import { withImageErrors } from '../../images/image-errors.ts'
 import { openImage } from '../../images/open-image.ts'
-import type { DecodedImage, Pixels } from '../../images/pixels.ts'
+import type { DecodedImage } from '../../images/pixels.ts'
+
+/** By libvips, which takes a tenth of the memory; see the function of this name for browsers. */
+export { encodeMap } from '../../images/encode.ts'
 
 /** By libvips; see the function of this name for browsers. */
 export async function measureImage(
@@ -25,11 +27,6 @@ export async function decodeImage(
   const raw = image.toColourspace('srgb').raw()
   const { data, info } = await withImageErrors(name, who, () => raw.toBuffer({ resolveWithObject: true }))
   return { type, width: info.width, height: info.height, channels: info.channels, data }
-}
-
-/** By libvips, which takes a tenth of the memory; see the function of this name for browsers. */
-export async function encodePng(pixels: Pixels): Promise<Uint8Array> {
-  return encodeMap(pixels)
 }
 
 /** By libvips, a part of the image at a time; see the function of this name for browsers. */

@@ -7,6 +7,7 @@ import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
 import { extensionOf, type FileWrinkles } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
+import { VALUE_KINDS } from '../../runtime/layer-maps.ts'
 import { nextTask } from '../../runtime/next-task.ts'
 import { needChannels } from '../material/channels.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
@@ -271,7 +272,7 @@ interface AddedFaces {
 /** What is in a file, which may be anything. */
 type WrittenMaps = Record<'layers' | 'drivers', Record<string, unknown>[] | undefined>
 
-const VALUE_SLOTS = ['baseColorTexture', 'roughnessTexture', 'occlusionTexture', 'bloodTexture'] as const
+const VALUE_SLOTS = VALUE_KINDS.map((kind) => `${kind}Texture`)
 
 /** The materials that a file's meshes have, as far as it is sound. */
 function materialsOfMeshes({ meshes, materials }: GLTFParser['json']): Set<number> {

@@ -1,5 +1,5 @@
 import { triangleNormal } from '../../../math/triangle.ts'
-import { dot, length, normalize } from '../../../math/vector.ts'
+import { cross, dot, length, normalize } from '../../../math/vector.ts'
 import { skinVertices, triangleBox } from '../../skin/surface.ts'
 import { reachOf } from '../../strokes/lay-out.ts'
 import { LineGrid } from '../../strokes/line-grid.ts'
@@ -241,20 +241,13 @@ function frameOf(
   tangent: Float64Array,
   bitangent: Float64Array,
 ): void {
-  crossAt(tangent, derivatives, first + 3, normals, n)
-  crossAt(bitangent, normals, n, derivatives, first)
+  cross(tangent, derivatives, normals, first + 3, n)
+  cross(bitangent, normals, derivatives, n, first)
   const scale = 1 / (Math.max(length(tangent), length(bitangent)) || 1)
   for (let k = 0; k < 3; k++) {
     tangent[k] *= scale
     bitangent[k] *= scale
   }
-}
-
-/** `cross` of two vectors that begin at indices of arrays. */
-function crossAt(out: Float64Array, a: Float64Array, i: number, b: Float64Array, j: number): void {
-  out[0] = a[i + 1] * b[j + 2] - a[i + 2] * b[j + 1]
-  out[1] = a[i + 2] * b[j] - a[i] * b[j + 2]
-  out[2] = a[i] * b[j + 1] - a[i + 1] * b[j]
 }
 
 /** M at a corner, of the normal equations (D^T D + r 1) M = D^T S + r 1. */
