@@ -1,6 +1,12 @@
 /** Times a face from its file to the first frame, in a page that has drawn nothing before but an empty scene. */
 import { Box3, DirectionalLight, type Mesh, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three'
-import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import {
+  type GLTF,
+  GLTFLoader,
+  type GLTFLoaderPlugin,
+  type GLTFParser,
+} from 'three/addons/loaders/GLTFLoader.js'
+import { type StrippedPatch, StrippedPlugin } from './stripped.ts'
 
 /** Milliseconds. */
 export interface FirstFrame {
@@ -12,14 +18,17 @@ export interface FirstFrame {
   longest: number
 }
 
+/** How the face is loaded: without wrinkles, with as little as can show them (`stripped.ts`), with Furrow's plugin. */
+type Variant = 'plain' | 'stripped' | 'furrow'
+
 declare global {
   interface Window {
-    firstFrame(renderer: 'webgl' | 'webgpu', hasWrinkles: boolean): Promise<FirstFrame>
+    firstFrame(renderer: 'webgl' | 'webgpu', variant: Variant): Promise<FirstFrame>
   }
 }
 
-window.firstFrame = async (kind, hasWrinkles) => {
-  const { draw, Plugin } = await (kind === 'webgl' ? webgl() : webgpu())
+window.firstFrame = async (kind, variant) => {
+  const { draw, plugins } = await (kind === 'webgl' ? webgl() : webgpu())
   const file = await (await fetch('/human.glb')).arrayBuffer()
   const camera = new PerspectiveCamera(20, 4 / 3, 0.01, 10)
   await draw(new Scene(), camera)
@@ -27,7 +36,7 @@ window.firstFrame = async (kind, hasWrinkles) => {
   await pulse.begin()
   const start = performance.now()
   const loader = new GLTFLoader()
-  if (hasWrinkles) loader.register((parser) => new Plugin(parser))
+  if (variant !== 'plain') loader.register(plugins[variant])
   const gltf = await loader.parseAsync(file, '')
   const parsed = performance.now()
   const scene = litFace(gltf, camera)
@@ -40,7 +49,10 @@ window.firstFrame = async (kind, hasWrinkles) => {
 }
 
 async function webgl() {
-  const { WrinkleLoaderPlugin } = await import('furrow/three')
+  const [{ WrinkleLoaderPlugin }, { strippedPatch }] = await Promise.all([
+    import('furrow/three'),
+    import('./stripped-glsl.ts'),
+  ])
   const renderer = new WebGLRenderer()
   renderer.setSize(800, 600)
   document.body.append(renderer.domElement)
@@ -49,13 +61,14 @@ async function webgl() {
     renderer.render(scene, camera)
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4))
   }
-  return { draw, Plugin: WrinkleLoaderPlugin }
+  return { draw, plugins: pluginsOf(WrinkleLoaderPlugin, strippedPatch) }
 }
 
 async function webgpu() {
-  const [{ WrinkleLoaderPlugin }, { WebGPURenderer }] = await Promise.all([
+  const [{ WrinkleLoaderPlugin }, { WebGPURenderer }, { strippedPatch }] = await Promise.all([
     import('furrow/webgpu'),
     import('three/webgpu'),
+    import('./stripped-tsl.ts'),
   ])
   const renderer = new WebGPURenderer()
   renderer.setSize(800, 600)
@@ -66,7 +79,14 @@ async function webgpu() {
     renderer.render(scene, camera)
     await device.queue.onSubmittedWorkDone()
   }
-  return { draw, Plugin: WrinkleLoaderPlugin }
+  return { draw, plugins: pluginsOf(WrinkleLoaderPlugin, strippedPatch) }
+}
+
+function pluginsOf(Furrow: new (parser: GLTFParser) => GLTFLoaderPlugin, patch: StrippedPatch) {
+  return {
+    stripped: (parser: GLTFParser) => new StrippedPlugin(parser, patch),
+    furrow: (parser: GLTFParser) => new Furrow(parser),
+  }
 }
 
 /** The face in lights, frowning. */

@@ -1,4 +1,5 @@
-// What wrinkles add from a file to the first frame: `node bench/load/run.mjs [--rounds 9] [--renderer webgl] [--json FILE]`.
+// What wrinkles add from a file to the first frame:
+// `node bench/load/run.mjs [--rounds 9] [--renderer webgl] [--json FILE] [--pictures FOLDER]`.
 
 import { copyFileSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { cpus, tmpdir } from 'node:os'
@@ -12,27 +13,31 @@ const { values: options } = parseArgs({
     rounds: { type: 'string', default: '9' },
     renderer: { type: 'string', multiple: true, default: ['webgl', 'webgpu'] },
     json: { type: 'string' },
+    pictures: { type: 'string' },
   },
 })
 const rounds = Number(options.rounds)
+const VARIANTS = ['plain', 'stripped', 'furrow']
 
 const server = await serve()
 await runServed(server, run)
 
 async function run() {
-  const { median } = await server.ssrLoadModule('/bench/statistics.ts')
+  const { median, roundOrder } = await server.ssrLoadModule('/bench/statistics.ts')
   const { launchBrowser, newPage } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
   const folder = mkdtempSync(join(tmpdir(), 'furrow-load-'))
   const site = await serveBuilt(folder)
   const browser = await launchBrowser()
   const rows = []
   try {
-    const first = async (renderer, hasWrinkles) => {
+    const first = async (renderer, variant, picture) => {
       // A page of its own, which has compiled nothing.
       const page = await newPage(browser)
+      await page.setViewportSize({ width: 800, height: 600 })
       await page.goto(new URL('/bench/load/page.html', site.resolvedUrls.local[0]).href)
       await page.waitForFunction(() => 'firstFrame' in window)
-      const times = await page.evaluate(([a, b]) => window.firstFrame(a, b), [renderer, hasWrinkles])
+      const times = await page.evaluate(([a, b]) => window.firstFrame(a, b), [renderer, variant])
+      if (picture) await page.screenshot({ path: picture })
       await page.close()
       return times
     }
@@ -40,16 +45,26 @@ async function run() {
       const times = []
       // The first round starts the GPU process and is not counted.
       for (let i = 0; i <= rounds; i++) {
-        const pair = {}
-        for (const hasWrinkles of i % 2 ? [true, false] : [false, true]) {
-          pair[hasWrinkles ? 'wrinkled' : 'plain'] = await first(renderer, hasWrinkles)
+        const round = {}
+        for (const k of roundOrder(VARIANTS.length, i)) {
+          const variant = VARIANTS[k]
+          const hasPicture = i === 0 && options.pictures
+          const picture = hasPicture && join(options.pictures, `${renderer}-${variant}.png`)
+          round[variant] = await first(renderer, variant, picture)
         }
-        if (i > 0) times.push(pair)
+        if (i > 0) times.push(round)
       }
       for (const what of ['parsed', 'drawn', 'longest']) {
-        const of = (variant) => median(times.map((pair) => pair[variant][what]))
-        const added = median(times.map(({ plain, wrinkled }) => wrinkled[what] - plain[what]))
-        rows.push({ renderer, what, plain: of('plain'), wrinkled: of('wrinkled'), added })
+        const of = (variant) => median(times.map((round) => round[variant][what]))
+        const added = (from, to) => median(times.map((round) => round[to][what] - round[from][what]))
+        rows.push({
+          renderer,
+          what,
+          ...Object.fromEntries(VARIANTS.map((variant) => [variant, of(variant)])),
+          floor: added('plain', 'stripped'),
+          own: added('stripped', 'furrow'),
+          added: added('plain', 'furrow'),
+        })
       }
     }
   } finally {
@@ -60,10 +75,10 @@ async function run() {
   process.stdout.write(
     `${cpus()[0].model}, ${cpus().length} cores, medians of ${rounds} rounds, in milliseconds\n`,
   )
-  process.stdout.write(line(['', '', 'plain', 'with wrinkles', 'added']))
-  for (const { renderer, what, ...times } of rows) {
-    const text = [times.plain, times.wrinkled, times.added].map((ms) => ms.toFixed(0))
-    process.stdout.write(line([renderer, what, ...text]))
+  const columns = [...VARIANTS, 'floor', 'own', 'added']
+  process.stdout.write(line(['', '', ...columns]))
+  for (const row of rows) {
+    process.stdout.write(line([row.renderer, row.what, ...columns.map((name) => row[name].toFixed(0))]))
   }
   if (options.json) writeFileSync(options.json, `${JSON.stringify(rows, null, 2)}\n`)
 }
@@ -88,5 +103,5 @@ async function serveBuilt(outDir) {
 }
 
 function line(cells) {
-  return `${cells.map((cell) => cell.padStart(14)).join('')}\n`
+  return `${cells.map((cell) => cell.padStart(10)).join('')}\n`
 }
