@@ -14,6 +14,8 @@ export const quadMaterials: QuadMaterials = {
     material.blendSrc = OneFactor
     material.blendDst = OneFactor
     material.transparent = true
+    // Else three.js draws what is transparent from the back and from the front, by a pipeline for each.
+    material.forceSinglePass = true
     return material
   },
   // A lost device is not restored; the page makes another renderer.
