@@ -1,0 +1,16 @@
+import { expect, test } from 'vitest'
+import { channelOf } from '../../../packages/furrow/src/core/channels.ts'
+
+test.each([0, 1, 2, 3])(
+  'channel %i is the values of every texel, wherever the pixels lie in their buffer',
+  (channel) => {
+    const [width, height] = [5, 3]
+    // Not aligned to texels, and with others behind it.
+    const data = Uint8Array.from({ length: 3 + 4 * width * height + 4 }, (_, i) => (37 * i) % 256)
+    const pixels = data.subarray(3, 3 + 4 * width * height)
+    const expected = Array.from({ length: width * height }, (_, i) => pixels[4 * i + channel])
+    const { data: values, ...size } = channelOf({ width, height, data: pixels }, channel)
+    expect([...values]).toEqual(expected)
+    expect(size).toEqual({ width, height })
+  },
+)
