@@ -1,4 +1,5 @@
-// CPU cost of one face per frame: 57 blendshapes drive 64 areas, all of which move, alone or with every other type of driver.
+// CPU cost of one face per frame: 57 blendshapes drive 64 areas, all of which move, alone or with every other type of driver; and of
+// the faces of a crowd.
 // Uses the packages' builds, as pages do, and a renderer that draws nothing.
 
 import { setFlagsFromString } from 'node:v8'
@@ -7,6 +8,7 @@ import { addDrivers, Wrinkles } from 'furrow/three'
 import {
   Bone,
   BufferAttribute,
+  InstancedMesh,
   MeshStandardMaterial,
   PerspectiveCamera,
   PlaneGeometry,
@@ -42,36 +44,78 @@ const TENSION_AREAS = 8
  * @param ownClock whether `wrinkles.clock` is the page's own; otherwise it is `performance`.
  */
 export function measureCpu(median, allTypes, ownClock = allTypes) {
-  const frame = movingFace(allTypes, ownClock)
-  for (let i = 0; i < 3 * FRAMES; i++) frame(i)
+  return { targets: TARGETS, areas: AREAS, ...measure(median, movingFace(allTypes, ownClock), FRAMES) }
+}
+
+/** Faces that are timed in a round of a crowd: more of those that stand, which take far less time. */
+const CROWD_TURNS = { moving: 30_000, standing: 600_000 }
+/** Fraction of a crowd's faces that move in its frames of the third kind. */
+const FEW = 0.01
+
+/**
+ * Microseconds per face and frame in a crowd of instances, with the blendshapes and areas of `measureCpu`: when all faces move, when none
+ * does, and of those that stand while a hundredth moves.
+ */
+export function measureCrowdCpu(median, faces) {
+  const { all, none, few } = crowdFrames(faces)
+  const perFace = (frame, turns) => measure(median, frame, turns / faces).microseconds / faces
+  const moving = perFace(all, CROWD_TURNS.moving)
+  const standing = perFace(none, CROWD_TURNS.standing)
+  const mixed = perFace(few, CROWD_TURNS.standing)
+  return { moving, standing, besideMoving: (mixed - FEW * moving) / (1 - FEW) }
+}
+
+/** Medians over rounds of a number of frames. */
+function measure(median, frame, frames) {
+  for (let i = 0; i < 3 * frames; i++) frame(i)
   const rounds = Array.from({ length: ROUNDS }, (_, round) => {
     collectGarbage()
     const used = process.memoryUsage().heapUsed
     const start = performance.now()
-    for (let i = 0; i < FRAMES; i++) frame(round * FRAMES + i)
+    for (let i = 0; i < frames; i++) frame(round * frames + i)
     const milliseconds = performance.now() - start
     return {
-      microseconds: (1000 * milliseconds) / FRAMES,
-      bytes: (process.memoryUsage().heapUsed - used) / FRAMES,
+      microseconds: (1000 * milliseconds) / frames,
+      bytes: (process.memoryUsage().heapUsed - used) / frames,
     }
   })
   return {
-    targets: TARGETS,
-    areas: AREAS,
     microseconds: median(rounds.map(({ microseconds }) => microseconds)),
     bytes: median(rounds.map(({ bytes }) => bytes)),
   }
 }
 
+/** Functions that run a frame of a crowd: in which all faces have other weights of all blendshapes than in the last, none, or few. */
+function crowdFrames(faces) {
+  const geometry = plane()
+  const mesh = new InstancedMesh(geometry, new MeshStandardMaterial(), faces)
+  const wrinkles = new Wrinkles(mesh, createSet(), { areaSize: 16 })
+  addDrivers(
+    wrinkles,
+    wrinkles.areaNames.map((name, i) => morphDriver(name, i)),
+  )
+  const source = { morphTargetInfluences: new Float32Array(TARGETS) }
+  mesh.setMorphAt(0, source)
+  const { morphTexture } = mesh
+  const { data, width } = morphTexture.image
+  const weights = [0, 1].map((frame) => data.map((_, i) => ((frame * 7 + i * 13) % 100) / 100))
+  const draw = drawer(mesh)
+  // The weights are changed as `setMorphAt` does it, but all at once: that is not the library's time.
+  const show = (shown) => {
+    morphTexture.image.data = shown
+    morphTexture.needsUpdate = true
+    draw()
+  }
+  const mixed = weights.map((all) =>
+    weights[0].map((weight, i) => (Math.floor(i / width) % (1 / FEW) < 1 ? all[i] : weight)),
+  )
+  return { all: (i) => show(weights[i % 2]), none: draw, few: (i) => show(mixed[i % 2]) }
+}
+
 /** Returns a function that runs frame number `index`, with other weights of all blendshapes than in the last. */
 function movingFace(allTypes, ownClock) {
-  const geometry = new PlaneGeometry(1, 1, 16, 16)
+  const geometry = plane()
   const { count } = geometry.getAttribute('position')
-  geometry.morphAttributes.position = Array.from({ length: TARGETS }, (_, i) => {
-    const attribute = new BufferAttribute(new Float32Array(3 * count), 3)
-    attribute.name = `target${i}`
-    return attribute
-  })
   geometry.setAttribute('skinIndex', new BufferAttribute(new Uint16Array(4 * count), 4))
   const skinWeights = Float32Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 ? 1 : 0))
   geometry.setAttribute('skinWeight', new BufferAttribute(skinWeights, 4))
@@ -79,11 +123,9 @@ function movingFace(allTypes, ownClock) {
   const bones = ['neck', 'head'].map((name) => Object.assign(new Bone(), { name }))
   mesh.add(bones[0].add(bones[1]))
   mesh.bind(new Skeleton(bones))
-  const side = 16
-  const weights = { width: side, height: side, data: new Uint8Array(side * side).fill(255) }
-  const normal = { width: 1, height: 1, data: Uint8Array.of(128, 128, 255, 255) }
-  const areas = Array.from({ length: AREAS }, (_, i) => ({ name: `area${i}`, weights }))
-  const wrinkles = new Wrinkles(mesh, { layers: [{ name: 'all', kind: 'detail', normal }], areas })
+  const set = createSet()
+  const { areas } = set
+  const wrinkles = new Wrinkles(mesh, set)
   addDrivers(wrinkles, [
     ...areas.map(({ name }, i) => morphDriver(name, i)),
     ...(allTypes ? areas.flatMap(({ name }, i) => otherDrivers(name, i)) : []),
@@ -92,9 +134,7 @@ function movingFace(allTypes, ownClock) {
   // returns.
   let milliseconds = 0
   if (ownClock) wrinkles.clock = { now: () => milliseconds }
-  const renderer = idleRenderer()
-  const scene = new Scene()
-  const camera = new PerspectiveCamera()
+  const draw = drawer(mesh)
   const influences = mesh.morphTargetInfluences
   return (index) => {
     for (let i = 0; i < TARGETS; i++) influences[i] = ((index * 7 + i * 13) % 100) / 100
@@ -103,8 +143,38 @@ function movingFace(allTypes, ownClock) {
       mesh.updateMatrixWorld()
     }
     milliseconds = 16 * index
+    draw()
+  }
+}
+
+/** A surface with blendshapes. */
+function plane() {
+  const geometry = new PlaneGeometry(1, 1, 16, 16)
+  const { count } = geometry.getAttribute('position')
+  geometry.morphAttributes.position = Array.from({ length: TARGETS }, (_, i) => {
+    const attribute = new BufferAttribute(new Float32Array(3 * count), 3)
+    attribute.name = `target${i}`
+    return attribute
+  })
+  return geometry
+}
+
+function createSet() {
+  const side = 16
+  const weights = { width: side, height: side, data: new Uint8Array(side * side).fill(255) }
+  const normal = { width: 1, height: 1, data: Uint8Array.of(128, 128, 255, 255) }
+  const areas = Array.from({ length: AREAS }, (_, i) => ({ name: `area${i}`, weights }))
+  return { layers: [{ name: 'all', kind: 'detail', normal }], areas }
+}
+
+/** A function that draws a mesh's next frame, on a renderer that draws nothing. */
+function drawer(mesh) {
+  const renderer = idleRenderer()
+  const scene = new Scene()
+  const camera = new PerspectiveCamera()
+  return () => {
     renderer.info.calls++
-    mesh.onBeforeRender(renderer, scene, camera, geometry, mesh.material, null)
+    mesh.onBeforeRender(renderer, scene, camera, mesh.geometry, mesh.material, null)
   }
 }
 

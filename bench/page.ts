@@ -1,7 +1,7 @@
 import { loadFace } from '../stage/face.ts'
 import type { RendererKind } from '../stage/stage.ts'
 import type { Case, Plan } from './case.ts'
-import { measureCrowd } from './crowd.ts'
+import { type CrowdKind, measureCrowd } from './crowd.ts'
 import { type Bench, measure } from './measure.ts'
 import type { Measured } from './report.ts'
 import { createScene } from './scene.ts'
@@ -22,8 +22,8 @@ export interface BenchPage {
     url: string,
   ): Promise<Pick<TimedRenderer, 'adapter' | 'timing'>>
   measure(benchCase: Case, plan: Plan): Promise<Measured[]>
-  /** Fraction of a crowd's frame that goes into influence maps, 0..1. */
-  measureCrowd(plan: Plan): Promise<number>
+  /** Fractions of a crowd's frame that go into influence maps, 0..1, by round. */
+  measureCrowd(kind: CrowdKind, plan: Plan): Promise<number[]>
   /** What it takes to show a map that changes. */
   measureUpdates(plan: Plan): Promise<UpdateTimes>
 }
@@ -38,7 +38,7 @@ const page: BenchPage = {
     return { adapter: timedRenderer.adapter, timing: timedRenderer.timing }
   },
   measure: (benchCase, plan) => measure(bench, benchCase, plan),
-  measureCrowd: (plan) => measureCrowd(bench, plan),
+  measureCrowd: (kind, plan) => measureCrowd(bench, kind, plan),
   measureUpdates: (plan) => measureUpdates(bench, plan),
 }
 Object.assign(globalThis, { bench: page })

@@ -3,7 +3,7 @@
 import { mkdir, writeFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import { parseArgs } from 'node:util'
-import { measureCpu } from './cpu.mjs'
+import { measureCpu, measureCrowdCpu } from './cpu.mjs'
 import { chromiumHost, nodeHost } from './hosts.mjs'
 import { runServed, serve } from './serve.mjs'
 import { measureSizes } from './size.mjs'
@@ -29,7 +29,8 @@ async function run() {
   const { listCases, PLANS, RENDERER_KINDS } = await server.ssrLoadModule('/bench/case.ts')
   const { toPlot } = await server.ssrLoadModule('/bench/plot.ts')
   const { toResults, toTable } = await server.ssrLoadModule('/bench/report.ts')
-  const { median } = await server.ssrLoadModule('/bench/statistics.ts')
+  const { CROWD_KINDS, CROWD_PICTURE } = await server.ssrLoadModule('/bench/crowd.ts')
+  const { median, spread } = await server.ssrLoadModule('/bench/statistics.ts')
   const { kilobytes } = await server.ssrLoadModule('/packages/cli/src/wrinkles/sizes.ts')
   const { withBar } = await server.ssrLoadModule('/packages/cli/src/progress.ts')
   const allowed = options.node ? ['webgpu'] : RENDERER_KINDS
@@ -51,9 +52,12 @@ async function run() {
         found.push(...toResults(benchCase, setup, await page.measure(benchCase, plan)))
         progress(i * cases.length + k + 1, renderers.length * cases.length)
       }
-      crowds.push([renderer, await page.measureCrowd(plan)])
       updates.push([renderer, await page.measureUpdates(plan)])
       await page.close()
+      const crowd = await host.open()
+      await crowd.open(renderer, CROWD_PICTURE.width, CROWD_PICTURE.height, face)
+      for (const kind of CROWD_KINDS) crowds.push([renderer, kind, await crowd.measureCrowd(kind, plan)])
+      await crowd.close()
     }
     return found
   }).finally(() => host.close())
@@ -61,9 +65,10 @@ async function run() {
   if (options.plot) await writePlots(options.plot, results, toPlot)
   const adapters = new Set(results.map(({ adapter, timing }) => `${adapter}, timed by ${timing}`))
   process.stdout.write(`${[...adapters].join('\n')}\n${toTable(results)}\n\n`)
-  for (const [renderer, fraction] of crowds) {
+  for (const [renderer, { faces, pixels, areaSize }, fractions] of crowds) {
+    const [percent, range] = [median, spread].map((of) => (100 * of(fractions)).toFixed(2))
     process.stdout.write(
-      `crowd: ${(100 * fraction).toFixed(1)}% of a frame with 1,000 faces on ${renderer} are influence maps\n`,
+      `crowd: ${percent}% (quartiles ${range} apart) of a frame with ${faces} faces of ${pixels} pixels on ${renderer} are influence maps of ${areaSize} x ${areaSize}\n`,
     )
   }
   for (const [renderer, { region, whole }] of updates) {
@@ -75,6 +80,12 @@ async function run() {
     const { targets, areas, microseconds, bytes } = measureCpu(median, allTypes)
     process.stdout.write(
       `processor: ${microseconds.toFixed(1)} microseconds and ${bytes.toFixed(1)} bytes a frame, one face, ${targets} blendshapes that drive ${areas} areas${allTypes ? ', and every other type of driver' : ''}\n`,
+    )
+  }
+  for (const { faces } of CROWD_KINDS) {
+    const { moving, standing, besideMoving } = measureCrowdCpu(median, faces)
+    process.stdout.write(
+      `processor: ${moving.toFixed(1)} microseconds a frame for each of ${faces} faces that move, ${standing.toFixed(2)} where all stand, ${besideMoving.toFixed(2)} for those that stand while one in a hundred moves\n`,
     )
   }
   for (const [what, { gzip, brotli }] of Object.entries(await measureSizes())) {

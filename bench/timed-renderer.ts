@@ -1,3 +1,4 @@
+import type { Wrinkles } from 'furrow/three'
 import { type Camera, RenderTarget, type Scene, WebGLRenderer, WebGLRenderTarget } from 'three'
 import { WebGPURenderer } from 'three/webgpu'
 import type { RendererKind } from '../stage/stage.ts'
@@ -9,6 +10,8 @@ export interface TimedRenderer {
   /** Whether times are the adapter's timestamps, or last until a fence after the frames. */
   timing: 'timestamps' | 'fence'
   draw(scene: Scene, camera: Camera): void
+  /** Draws the influence maps of some wrinkles, and nothing else. */
+  update(wrinkles: Pick<Wrinkles, 'update'>): void
   /** Milliseconds. */
   time: Clock
   /** Pixels of the last frame, RGBA bytes. */
@@ -40,6 +43,7 @@ async function createWebGL(width: number, height: number): Promise<TimedRenderer
       renderer.setRenderTarget(target)
       renderer.render(scene, camera)
     },
+    update: (wrinkles) => wrinkles.update(renderer),
     time: clock ?? fenceClock(fence),
     async read() {
       const pixels = new Uint8Array(width * height * 4)
@@ -65,6 +69,7 @@ async function createWebGPU(width: number, height: number): Promise<TimedRendere
       renderer.setRenderTarget(target)
       renderer.render(scene, camera)
     },
+    update: (wrinkles) => wrinkles.update(renderer),
     time: clock ?? fenceClock(() => device.queue.onSubmittedWorkDone()),
     read: async () => (await renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height)) as Uint8Array,
   }

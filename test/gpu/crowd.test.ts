@@ -114,6 +114,35 @@ describe.each(RENDERERS)('a crowd on %s', (name) => {
     wrinkles.dispose()
   })
 
+  it('draws influence maps of many faces as it does after frames in which few had changed', async () => {
+    const side = 8
+    const crowdOf = () => {
+      const mesh = new InstancedMesh(
+        face([0, 0]).geometry,
+        new MeshStandardMaterial({ roughness: 0.5 }),
+        side ** 2,
+      )
+      for (let i = 0; i < side ** 2; i++) {
+        const [x, y] = [i % side, Math.floor(i / side)].map((at) => (2 * at + 1) / side - 1)
+        mesh.setMatrixAt(i, new Matrix4().makeScale(1 / side, 1 / side, 1).setPosition(x, y, 0))
+      }
+      return { scene: sceneOf(mesh), wrinkles: addWrinkles(mesh) }
+    }
+    const show = async ({ scene, wrinkles }: ReturnType<typeof crowdOf>, count: number, add = 0) => {
+      for (let i = 0; i < count; i++) activate(wrinkles, [(i % 5) / 4, (i % 3) / 2, add + (i % 7) / 14], i)
+      return draw(scene)
+    }
+    const [gradual, flat] = [crowdOf(), crowdOf()]
+    const few = await show(gradual, 2)
+    const all = await show(gradual, side ** 2)
+    await show(gradual, 2, 0.5)
+    // Fewer rectangles than the buffer holds: the others must stay.
+    expect(await show(gradual, 2)).toEqual(all)
+    expect(few).not.toEqual(all)
+    expect(await show(flat, side ** 2)).toEqual(all)
+    for (const { wrinkles } of [gradual, flat]) wrinkles.dispose()
+  })
+
   it('wrinkles each instance of a batch independently, in any drawing order', async () => {
     const expected = await alone()
     const batch = new BatchedMesh(6, 4, 6, new MeshStandardMaterial({ roughness: 0.5 }))

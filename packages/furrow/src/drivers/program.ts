@@ -38,6 +38,8 @@ export interface DriverState {
   readonly seconds: Float64Array
   /** Whether there was a frame before. */
   hasRun: boolean
+  /** Whether the same inputs give the same activations in the next frame too: nothing is delayed any more. */
+  isSettled: boolean
 }
 
 const KINDS = ['target', 'joint', 'tension', 'value'] as const satisfies readonly ExternalInputKind[]
@@ -55,6 +57,8 @@ export class DriverProgram {
   readonly #sum: ActivationSum
   readonly #inputFilters: readonly ((values: Float64Array) => void)[]
   readonly #activationFilters: readonly ReturnType<ActivationFilter['bind']>[]
+  /** Scratch: the result of the frame before the one that is computed. */
+  readonly #before: Float64Array
   readonly #ranges: Readonly<Record<ExternalInputKind, { start: number; end: number }>>
 
   /** @param sources their inputs are those of the plan, in its order. */
@@ -88,6 +92,7 @@ export class DriverProgram {
     this.#activationFilters = plan.activationFilters.map((filter) =>
       filter.bind(plan.areaNames.indexOf(filter.area)),
     )
+    this.#before = new Float64Array(plan.areaNames.length)
     this.missing = listMissing(plan, bound)
   }
 
@@ -110,6 +115,7 @@ export class DriverProgram {
       previous: new Float64Array(areas),
       seconds: new Float64Array(1),
       hasRun: false,
+      isSettled: false,
     }
   }
 
@@ -121,9 +127,12 @@ export class DriverProgram {
     this.#sum.addTo(activations, values)
     if (!state.hasRun) previous.set(activations)
     state.hasRun = true
+    this.#before.set(previous)
     for (let i = 0; i < this.#activationFilters.length; i++) {
       this.#activationFilters[i](activations, previous, seconds)
     }
+    state.isSettled =
+      this.#activationFilters.length === 0 || (seconds[0] > 0 && isSame(previous, this.#before))
   }
 
   /**
@@ -135,6 +144,11 @@ export class DriverProgram {
   explain(index: number, state: DriverState): Contribution {
     return this.#sum.explain(index, state.activations, state.values)
   }
+}
+
+function isSame(a: Float64Array, b: Float64Array): boolean {
+  for (let i = 0; i < a.length; i++) if (a[i] !== b[i]) return false
+  return true
 }
 
 /** A missing target has weight 0; a missing joint or surface cannot be measured. */

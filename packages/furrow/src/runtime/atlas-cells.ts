@@ -10,6 +10,8 @@ export interface Cell {
   readonly drawn: Float32Array
   /** Version of the areas that were drawn last. */
   version: number
+  /** Version of the activations that were last found to be as drawn. */
+  unchanged: number
   /** Whether it must be drawn even if nothing has changed: the face has other areas, or the texture is new. */
   stale: boolean
 }
@@ -63,7 +65,7 @@ export class AtlasCells {
     this.#used += faces.length
     return faces.map((face, i) => {
       const drawn = new Float32Array(face.activations.values.length).fill(Number.NaN)
-      const cell: Cell = { face, index: first + i, drawn, version: 0, stale: true }
+      const cell: Cell = { face, index: first + i, drawn, version: 0, unchanged: -1, stale: true }
       this.#cells[first + i] = cell
       return cell
     })
@@ -120,11 +122,15 @@ export class AtlasCells {
   }
 }
 
-function hasChanged({ face, drawn, version, stale }: Cell): boolean {
+function hasChanged(cell: Cell): boolean {
+  const { face, drawn, version, stale } = cell
   if (stale || version !== face.slots.version) return true
-  const { values } = face.activations
+  const { activations } = face
+  if (cell.unchanged === activations.version) return false
+  const { values } = activations
   const count = face.slots.slots.length
   for (let i = 0; i < count; i++) if (hasMoved(values[i], drawn[i])) return true
+  cell.unchanged = activations.version
   return false
 }
 

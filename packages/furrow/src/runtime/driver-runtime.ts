@@ -6,6 +6,7 @@ import { valueSource } from '../drivers/sources.ts'
 import type { Activations } from './activations.ts'
 import type { Face } from './face.ts'
 import type { FaceDrivers } from './face-drivers.ts'
+import { LastInputs } from './last-inputs.ts'
 import type { NamedInputs } from './named-inputs.ts'
 
 /** Reads the inputs of one kind from an engine's objects. */
@@ -40,6 +41,7 @@ export class DriverRuntime<Engine> implements FaceDrivers<Engine> {
   readonly #named: readonly Float64Array[]
   readonly #label: string
   #bound: Bound<Engine> | null = null
+  /** Per face. */
   readonly #states: DriverState[] = []
   /** Per face: when its inputs were last read, in milliseconds. */
   readonly #times: Float64Array
@@ -86,8 +88,11 @@ export class DriverRuntime<Engine> implements FaceDrivers<Engine> {
     const { plan } = this
     const readers = this.#bind()
     const program = new DriverProgram(plan, { ...readers, value: this.#values })
+    const read = program.createState()
     const bound: Bound<Engine> = {
       program,
+      read,
+      last: new LastInputs(this.#times.length, read.values.length),
       readers: MEASURED.flatMap((kind) => {
         const reader = readers[kind]
         return reader && plan.inputs[kind].length > 0 ? { kind, reader } : []
@@ -103,35 +108,45 @@ export class DriverRuntime<Engine> implements FaceDrivers<Engine> {
   }
 
   readInputs(faces: readonly Face[], clock: { now(): number }, engine: Engine | null): void {
-    const { program, readers } = this.bind()
+    const { program, readers, read, last } = this.bind()
     const named = this.#named
     const needsTime = this.plan.activationFilters.length > 0
     const now = needsTime ? clock.now() : 0
     for (let i = 0; i < faces.length; i++) {
+      for (let k = 0; k < readers.length; k++) readers[k].reader.read(read.inputs[readers[k].kind], i, engine)
+      for (let k = 0; k < named.length; k++) read.inputs.value[k] = named[k][i]
+      last.take(i, read.values)
       this.#states[i] ??= program.createState()
-      const { inputs, seconds } = this.#states[i]
-      for (let k = 0; k < readers.length; k++) readers[k].reader.read(inputs[readers[k].kind], i, engine)
-      for (let k = 0; k < named.length; k++) inputs.value[k] = named[k][i]
-      seconds[0] = (now - this.#times[i]) / 1000
+      if (!needsTime) continue
+      this.#states[i].seconds[0] = (now - this.#times[i]) / 1000
       this.#times[i] = now
     }
   }
 
   evaluate(faces: readonly Face[]): void {
     if (faces[0].slots !== this.#slots) this.#findAreas(faces[0])
-    const { program } = this.bind()
+    const { program, last } = this.bind()
+    const isDelayed = this.plan.activationFilters.length > 0
     for (let i = 0; i < faces.length; i++) {
-      const { resting } = this.#states[i]
+      if (!last.check(i, faces[i]) && !(isDelayed && !this.#states[i].isSettled)) continue
+      last.isDue[i] = 1
+      const state = this.#states[i]
+      last.get(i, state.values)
       const { values } = faces[i].resting
       for (let k = 0; k < this.#indices.length; k++) {
-        resting[k] = this.#indices[k] === NO_AREA ? 0 : values[this.#indices[k]]
+        state.resting[k] = this.#indices[k] === NO_AREA ? 0 : values[this.#indices[k]]
       }
-      program.evaluate(this.#states[i])
+      program.evaluate(state)
     }
   }
 
   apply(faces: readonly Face[]): void {
-    for (let i = 0; i < faces.length; i++) setAll(faces[i].activations, this.#indices, this.#states[i])
+    const { last } = this.bind()
+    for (let i = 0; i < faces.length; i++) {
+      if (!last.isDue[i]) continue
+      setAll(faces[i].activations, this.#indices, this.#states[i])
+      last.settle(i, faces[i])
+    }
   }
 
   /** Resolves the areas, which may be added and removed, and warns of those that are missing. */
@@ -162,6 +177,10 @@ export class DriverRuntime<Engine> implements FaceDrivers<Engine> {
 
 interface Bound<Engine> {
   program: DriverProgram
+  /** Receives the inputs of one face after another. */
+  read: DriverState
+  /** What it received. */
+  last: LastInputs
   readers: readonly { kind: MeasuredKind; reader: InputReader<Engine> }[]
 }
 

@@ -2,6 +2,7 @@ import { ActivationSum } from '../drivers/activation-sum.ts'
 import type { MorphDriver } from '../drivers/morph/definition.ts'
 import type { Face } from './face.ts'
 import type { FaceDrivers } from './face-drivers.ts'
+import { LastInputs } from './last-inputs.ts'
 
 /** Reads the weights of a mesh's blendshapes, in the order of their names. It runs in every frame, and allocates nothing. */
 export type ReadWeights = (weights: Float64Array, instance: number) => void
@@ -16,8 +17,10 @@ export class MorphDrivers implements FaceDrivers<unknown> {
   readonly #names: readonly string[]
   readonly #read: ReadWeights
   readonly #onMissing: () => void
+  /** Of one face after another. */
+  readonly #weights: Float64Array
+  #last: LastInputs | null = null
   /** Per face. */
-  readonly #weights: Float64Array[] = []
   readonly #activations: Float32Array[] = []
   /** Indices of the areas that are driven. */
   #areas = new Uint16Array()
@@ -38,33 +41,39 @@ export class MorphDrivers implements FaceDrivers<unknown> {
     this.movedAreas = new Set(drivers.map(({ area }) => area))
     this.#drivers = drivers
     this.#names = names
+    this.#weights = new Float64Array(names.length)
     this.#read = read
     this.#onMissing = onMissing
   }
 
   readInputs(faces: readonly Face[]): void {
+    this.#last ??= new LastInputs(faces.length, this.#names.length)
     for (let i = 0; i < faces.length; i++) {
-      this.#weights[i] ??= new Float64Array(this.#names.length)
-      this.#read(this.#weights[i], i)
+      this.#read(this.#weights, i)
+      this.#last.take(i, this.#weights)
     }
   }
 
   evaluate(faces: readonly Face[]): void {
     if (faces[0].slots !== this.#slots) this.#bind(faces[0])
     for (let i = 0; i < faces.length; i++) {
+      if (!this.#last!.check(i, faces[i])) continue
       const { values } = faces[i].resting
       this.#activations[i] ??= new Float32Array(values.length)
       this.#activations[i].set(values)
-      this.#sum.addTo(this.#activations[i], this.#weights[i])
+      this.#last!.get(i, this.#weights)
+      this.#sum.addTo(this.#activations[i], this.#weights)
     }
   }
 
   apply(faces: readonly Face[]): void {
     for (let i = 0; i < faces.length; i++) {
+      if (!this.#last!.isDue[i]) continue
       const { activations } = faces[i]
       for (let k = 0; k < this.#areas.length; k++) {
         activations.setAt(this.#areas[k], this.#activations[i], this.#areas[k])
       }
+      this.#last!.settle(i, faces[i])
     }
   }
 

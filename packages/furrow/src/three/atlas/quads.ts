@@ -1,8 +1,8 @@
 import {
   BufferAttribute,
+  BufferGeometry,
   DynamicDrawUsage,
-  InstancedBufferGeometry,
-  InstancedInterleavedBuffer,
+  InterleavedBuffer,
   InterleavedBufferAttribute,
   type Material,
   Mesh,
@@ -10,9 +10,11 @@ import {
 import { MAX_LAYERS } from '../../core/limits.ts'
 import type { AreaSlot } from '../../runtime/area-slots.ts'
 
-/** Four vectors of four numbers for each instance. */
-const ATTRIBUTES = ['furrowTarget', 'furrowTexels', 'furrowSource', 'furrowActivation'] as const
-const STRIDE = 4 * ATTRIBUTES.length
+/** Numbers of each vertex: a vector of four and one of two. */
+const STRIDE = 6
+const CORNERS = 4
+/** Channels of a slice, and layers. */
+const CHANNELS = 4
 
 /** What they are drawn onto: a grid of cells, each `width` x `height` texels of an area. */
 interface CellGrid {
@@ -22,52 +24,57 @@ interface CellGrid {
 }
 
 /**
- * Rectangles drawn as instances of one square, whose corners are 0 or 1. Attributes of an instance:
- * `furrowTarget` the rectangle in 0..1 of the atlas (x0, y0, x1, y1), `furrowTexels` the same in texels of the area,
- * `furrowSource` the area's slice and channel, `furrowActivation` its activation in the channel of its layer.
+ * Rectangles with attributes of their own at each vertex: `furrowPoint` the vertex in 0..1 of the atlas, then in texels of the area;
+ * `furrowSource` its activation, then (slice x 4 + channel) x 4 + layer.
+ *
+ * They are not instances of one square, which would be half the data: an instance of four vertices is slow to begin on graphics
+ * cards, which shade dozens of vertices at once, and a software rasteriser begins each as a draw of its own, 7 microseconds.
  */
 export class Quads {
-  readonly mesh: Mesh<InstancedBufferGeometry, Material>
+  readonly mesh: Mesh<BufferGeometry, Material>
   readonly #cells: CellGrid
-  #data = new Float32Array(16 * STRIDE)
-  #buffer!: InstancedInterleavedBuffer
-  #count = 0
+  #data = new Float32Array(16 * CORNERS * STRIDE)
+  #buffer!: InterleavedBuffer
+  readonly #used = { start: 0, count: 0 }
 
   constructor(cells: CellGrid, material: Material) {
     this.#cells = cells
-    this.mesh = new Mesh(new InstancedBufferGeometry(), material)
+    this.mesh = new Mesh(new BufferGeometry(), material)
     this.mesh.frustumCulled = false
     this.mesh.matrixAutoUpdate = false
     this.#bind()
   }
 
   begin(): void {
-    this.#count = 0
+    this.#used.count = 0
   }
 
   /** Adds the rectangle of one area in the cell at `column` and `row`. */
   put(column: number, row: number, { bounds, slice, channel, layer }: AreaSlot, activation: number): void {
-    if ((this.#count + 1) * STRIDE > this.#data.length) this.#grow()
+    if (this.#used.count === this.#data.length) this.#grow()
     const { width, height, grid } = this.#cells
-    const { x0, y0, x1, y1 } = bounds
     const data = this.#data
-    const at = STRIDE * this.#count++
-    data[at] = (column + x0 / width) / grid.columns
-    data[at + 1] = (row + y0 / height) / grid.rows
-    data[at + 2] = (column + x1 / width) / grid.columns
-    data[at + 3] = (row + y1 / height) / grid.rows
-    data[at + 4] = x0
-    data[at + 5] = y0
-    data[at + 6] = x1
-    data[at + 7] = y1
-    data[at + 8] = slice
-    data[at + 9] = channel
-    for (let i = 0; i < MAX_LAYERS; i++) data[at + 12 + i] = i === layer ? activation : 0
+    const source = (slice * CHANNELS + channel) * MAX_LAYERS + layer
+    for (let corner = 0; corner < CORNERS; corner++) {
+      const x = corner & 1 ? bounds.x1 : bounds.x0
+      const y = corner & 2 ? bounds.y1 : bounds.y0
+      const at = this.#used.count
+      data[at] = (column + x / width) / grid.columns
+      data[at + 1] = (row + y / height) / grid.rows
+      data[at + 2] = x
+      data[at + 3] = y
+      data[at + 4] = activation
+      data[at + 5] = source
+      this.#used.count += STRIDE
+    }
   }
 
   end(): void {
-    this.mesh.visible = this.#count > 0
-    this.mesh.geometry.instanceCount = this.#count
+    const { count } = this.#used
+    this.mesh.visible = count > 0
+    this.mesh.geometry.drawRange.count = (count / (CORNERS * STRIDE)) * 6
+    // The same object, so that this allocates nothing; whatever uploads it empties the list.
+    if (this.#buffer.updateRanges.length === 0) this.#buffer.updateRanges.push(this.#used)
     this.#buffer.needsUpdate = true
   }
 
@@ -86,17 +93,18 @@ export class Quads {
   /** Buffers on the GPU do not grow, so a larger one comes with a geometry of its own. */
   #bind(): void {
     this.mesh.geometry.dispose()
-    const geometry = new InstancedBufferGeometry()
-    geometry.setAttribute(
-      'position',
-      new BufferAttribute(Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0), 3),
-    )
-    geometry.setIndex([0, 1, 2, 2, 1, 3])
-    this.#buffer = new InstancedInterleavedBuffer(this.#data, STRIDE)
+    const geometry = new BufferGeometry()
+    const vertices = this.#data.length / STRIDE
+    const index = new Uint32Array((vertices / CORNERS) * 6)
+    for (let i = 0; i < index.length; i++) index[i] = CORNERS * Math.floor(i / 6) + TRIANGLES[i % 6]
+    geometry.setIndex(new BufferAttribute(index, 1))
+    this.#buffer = new InterleavedBuffer(this.#data, STRIDE)
     this.#buffer.setUsage(DynamicDrawUsage)
-    for (const [i, name] of ATTRIBUTES.entries()) {
-      geometry.setAttribute(name, new InterleavedBufferAttribute(this.#buffer, 4, 4 * i))
-    }
+    geometry.setAttribute('furrowPoint', new InterleavedBufferAttribute(this.#buffer, 4, 0))
+    geometry.setAttribute('furrowSource', new InterleavedBufferAttribute(this.#buffer, 2, 4))
     this.mesh.geometry = geometry
   }
 }
+
+/** Corners of the two triangles of a rectangle. */
+const TRIANGLES = [0, 1, 2, 2, 1, 3]

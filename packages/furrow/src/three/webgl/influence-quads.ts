@@ -14,20 +14,19 @@ import { requireInternal } from '../three-version.ts'
 
 /** Draws `Quads`: `targetUv` is the point of the target, 0..1, `texel` that of the area. */
 const VERTEX = /* glsl */ `
-in vec4 furrowTarget;
-in vec4 furrowTexels;
-in vec4 furrowSource;
-in vec4 furrowActivation;
+in vec4 furrowPoint;
+in vec2 furrowSource;
 out vec2 texel;
 out vec2 targetUv;
 flat out ivec2 source;
 flat out vec4 activation;
 
 void main() {
-  texel = mix(furrowTexels.xy, furrowTexels.zw, position.xy);
-  source = ivec2(furrowSource.xy);
-  activation = furrowActivation;
-  targetUv = mix(furrowTarget.xy, furrowTarget.zw, position.xy);
+  texel = furrowPoint.zw;
+  int packed = int(furrowSource.y);
+  source = ivec2(packed >> 4, (packed >> 2) & 3);
+  activation = furrowSource.x * vec4(equal(ivec4(packed & 3), ivec4(0, 1, 2, 3)));
+  targetUv = furrowPoint.xy;
   gl_Position = vec4(targetUv * 2.0 - 1.0, 0.0, 1.0);
 }
 `

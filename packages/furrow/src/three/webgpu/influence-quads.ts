@@ -1,5 +1,5 @@
 import { AddEquation, CustomBlending, DoubleSide, MaxEquation, NoBlending, OneFactor } from 'three'
-import { attribute, Fn, int, ivec2, mix, positionGeometry, textureLoad, varying, vec2, vec4 } from 'three/tsl'
+import { attribute, Fn, floor, int, ivec2, textureLoad, varying, vec2, vec4 } from 'three/tsl'
 import { type Node, NodeMaterial } from 'three/webgpu'
 import type { AreaArray } from '../atlas/area-array.ts'
 import type { QuadMaterials } from '../atlas/influence-pass.ts'
@@ -40,8 +40,7 @@ export function quadMaterial(name: string, fragment: Node<'vec4'>): NodeMaterial
 
 /** The point of the target, 0..1, that a vertex of `Quads` is drawn to. */
 export function targetUv(): Node<'vec2'> {
-  const rectangle = attribute('furrowTarget', 'vec4')
-  return mix(rectangle.xy, rectangle.zw, positionGeometry.xy)
+  return attribute('furrowPoint', 'vec4').xy
 }
 
 /** Row 0 of the target is at the top: three.js flips render targets accordingly on both backends. */
@@ -52,11 +51,11 @@ function clipPosition(): Node<'vec4'> {
 /** The area's weight at the texel, times its activation in the channel of its layer. */
 function weightedActivation({ texture, channels }: AreaArray): Node<'vec4'> {
   return Fn(() => {
-    const rectangle = attribute('furrowTexels', 'vec4')
-    const texel = varying(mix(rectangle.xy, rectangle.zw, positionGeometry.xy))
-    const source = varying(attribute('furrowSource', 'vec4'))
+    const texel = varying(attribute('furrowPoint', 'vec4').zw)
+    const { x: activation, y: packed } = attribute('furrowSource', 'vec2')
+    const source = varying(floor(vec2(packed.div(16), packed.mod(16).div(4))))
     const stored = textureLoad(texture, ivec2(texel)).depth(int(source.x.add(0.5)))
     const weight = channels === 1 ? stored.x : stored.dot(channelMask(source.y))
-    return varying(attribute('furrowActivation', 'vec4')).mul(weight)
+    return varying(channelMask(packed.mod(4)).mul(activation)).mul(weight)
   })()
 }

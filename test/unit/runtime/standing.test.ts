@@ -1,0 +1,155 @@
+import type { MorphDriver, WrinkleDriver } from 'furrow'
+import { afterEach, beforeEach, describe, expect, it, type MockInstance, vi } from 'vitest'
+import { ActivationSum } from '../../../packages/furrow/src/drivers/activation-sum.ts'
+import { planDrivers } from '../../../packages/furrow/src/drivers/plan-drivers.ts'
+import { targetSource } from '../../../packages/furrow/src/drivers/sources.ts'
+import { AtlasCells } from '../../../packages/furrow/src/runtime/atlas-cells.ts'
+import { DriverRuntime } from '../../../packages/furrow/src/runtime/driver-runtime.ts'
+import { Face } from '../../../packages/furrow/src/runtime/face.ts'
+import type { FaceDrivers } from '../../../packages/furrow/src/runtime/face-drivers.ts'
+import { MorphDrivers } from '../../../packages/furrow/src/runtime/morph-drivers.ts'
+import { NamedInputs } from '../../../packages/furrow/src/runtime/named-inputs.ts'
+
+const NAMES = ['browInnerUp', 'jawOpen']
+const AREAS = [{ name: 'brow' }, { name: 'chin' }]
+const FACES = 3
+
+const morph = (area: string, name: string): MorphDriver => ({
+  type: 'morph',
+  area,
+  targets: [{ name, weight: 1 }],
+  rule: 'sum',
+  curve: [
+    [0, 0],
+    [1, 1],
+  ],
+})
+const DRIVERS = [morph('brow', 'browInnerUp')]
+
+const slotsOf = (count: number) =>
+  ({ slots: Array.from({ length: count }), version: 0 }) as unknown as Face['slots']
+
+let weights: number[][]
+let evaluated: MockInstance
+beforeEach(() => {
+  weights = Array.from({ length: FACES }, (_, i) => [0.25 * i, 0.5])
+  evaluated = vi.spyOn(ActivationSum.prototype, 'addTo')
+})
+afterEach(() => vi.restoreAllMocks())
+
+const read = (values: Float64Array, instance: number) => values.set(weights[instance])
+
+function runtimeOf(drivers: readonly WrinkleDriver[], inputs = new NamedInputs(FACES, () => {})) {
+  const plan = planDrivers(drivers)
+  const target = { ...targetSource(plan.inputs.target, NAMES), read }
+  return new DriverRuntime(plan, () => ({ target }), inputs, FACES, 'face')
+}
+
+function makeFaces() {
+  const slots = slotsOf(AREAS.length)
+  return Array.from({ length: FACES }, () => new Face(slots, AREAS))
+}
+
+/** Runs a frame; returns the activations of the first area, and how many faces were evaluated. */
+function run(drivers: FaceDrivers<unknown>, faces: readonly Face[], clock = { now: () => 0 }) {
+  evaluated.mockClear()
+  drivers.readInputs(faces, clock, null)
+  drivers.evaluate(faces)
+  drivers.apply(faces)
+  return {
+    brows: faces.map(({ activations }) => activations.get('brow')),
+    count: evaluated.mock.calls.length,
+  }
+}
+
+describe.each([
+  ['of blendshapes by their very names', () => new MorphDrivers(DRIVERS, NAMES, read, () => {})],
+  ['of any type', () => runtimeOf(DRIVERS)],
+])('drivers %s', (_, create) => {
+  it('are evaluated for faces whose blendshapes have moved', () => {
+    const [drivers, faces] = [create(), makeFaces()]
+    expect(run(drivers, faces)).toEqual({ brows: [0, 0.25, 0.5], count: FACES })
+    expect(run(drivers, faces)).toEqual({ brows: [0, 0.25, 0.5], count: 0 })
+    weights[1][0] = 1
+    expect(run(drivers, faces)).toEqual({ brows: [0, 1, 0.5], count: 1 })
+    expect(run(drivers, faces).count).toBe(0)
+  })
+
+  it('are evaluated where the application changes activations, or the areas', () => {
+    const [drivers, faces] = [create(), makeFaces()]
+    run(drivers, faces)
+    // Lasts until the next frame.
+    faces[2].activations.set('brow', 0.125)
+    expect(run(drivers, faces)).toEqual({ brows: [0, 0.25, 0.5], count: 1 })
+    faces[0].setResting('brow', 0.125)
+    expect(run(drivers, faces)).toEqual({ brows: [0.125, 0.25, 0.5], count: 1 })
+    const slots = slotsOf(1)
+    for (const face of faces) face.rebind(slots, [{ name: 'brow' }])
+    expect(run(drivers, faces)).toEqual({ brows: [0.125, 0.25, 0.5], count: FACES })
+    expect(run(drivers, faces).count).toBe(0)
+  })
+})
+
+describe('drivers with inputs and delays', () => {
+  it('are evaluated for the faces whose inputs the application changes', () => {
+    const inputs = new NamedInputs(FACES, () => {})
+    const curve: MorphDriver['curve'] = [
+      [0, 0],
+      [1, 1],
+    ]
+    const [drivers, faces] = [
+      runtimeOf([{ type: 'input', name: 'stress', area: 'brow', curve }], inputs),
+      makeFaces(),
+    ]
+    run(drivers, faces)
+    inputs.set('stress', 0.75, 1)
+    expect(run(drivers, faces)).toEqual({ brows: [0, 0.75, 0], count: 1 })
+    expect(run(drivers, faces).count).toBe(0)
+  })
+
+  it('are evaluated until a face has come to rest, however long its clock is stopped', () => {
+    const drivers = runtimeOf([...DRIVERS, { type: 'time', area: 'brow', attack: 0.1, release: 0.1 }])
+    const faces = makeFaces()
+    let milliseconds = 0
+    const frame = (step: number) => {
+      milliseconds += step
+      return run(drivers, faces, { now: () => milliseconds })
+    }
+    frame(16)
+    expect(frame(16).count).toBe(0)
+    weights[0][0] = 1
+    expect(frame(50).brows[0]).toBeCloseTo(1 - Math.exp(-0.5), 5)
+    for (let i = 0; i < 3; i++) expect(frame(0).count).toBe(1)
+    expect(frame(50).brows[0]).toBeCloseTo(1 - Math.exp(-1), 5)
+    for (let i = 0; i < 100; i++) frame(50)
+    expect(frame(50)).toEqual({ brows: [1, 0.25, 0.5], count: 0 })
+  })
+})
+
+describe('cells of faces that stand', () => {
+  it('are drawn once small changes have added up', () => {
+    const [face] = makeFaces()
+    face.activations.set('brow', 0.5)
+    const cells = new AtlasCells(8, 8)
+    const added = cells.add([face])
+    const draw = () => {
+      cells.changes = 0
+      cells.collect(added)
+      if (cells.changes === 0) return false
+      added[0].drawn.set(face.activations.values)
+      Object.assign(added[0], { version: face.slots.version, stale: false })
+      return true
+    }
+    expect([draw(), draw(), draw()]).toEqual([true, false, false])
+    const moved = [0.501, 0.5015, 0.503].map((value) => {
+      face.activations.set('brow', value)
+      return draw()
+    })
+    expect(moved).toEqual([false, false, true])
+    // A frame in which it could not be drawn.
+    face.activations.set('brow', 0.25)
+    cells.changes = 0
+    cells.collect(added)
+    expect([draw(), draw()]).toEqual([true, false])
+  })
+})
