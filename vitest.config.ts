@@ -30,12 +30,8 @@ export default defineConfig({
       },
       { resolve, ssr, test: { name: 'heavy', include: [HEAVY], ...SOON, ...ALL_CORES } },
       {
-        test: {
-          name: 'packages',
-          include: ['test/packages/**/*.test.ts'],
-          ...LATE,
-          fileParallelism: false,
-        },
+        // Beside each other like the unit tests: they mostly wait for npm.
+        test: { name: 'packages', include: ['test/packages/**/*.test.ts'], ...LATE, ...ALL_CORES },
       },
       pagesProject('pages', 'test/pages/**/*.test.ts', [HEAVY_PAGES]),
       pagesProject('heavy-pages', HEAVY_PAGES),
