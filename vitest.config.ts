@@ -28,14 +28,22 @@ export default defineConfig({
         ssr,
         test: { name: 'unit', include: ['test/unit/**/*.test.ts'], exclude: [HEAVY], ...SOON, ...ALL_CORES },
       },
+      {
+        resolve,
+        ssr,
+        // What meets Node itself; arithmetic and damaged input are the same on every release.
+        test: {
+          name: 'lts',
+          include: ['test/unit/{auto,cli,core,gltf,runtime}/**/*.test.ts', 'test/unit/scripts.test.ts'],
+          exclude: [HEAVY, '**/fuzz.test.ts', '**/bad-input.test.ts'],
+          ...SOON,
+          ...ALL_CORES,
+        },
+      },
       { resolve, ssr, test: { name: 'heavy', include: [HEAVY], ...SOON, ...ALL_CORES } },
       {
-        test: {
-          name: 'packages',
-          include: ['test/packages/**/*.test.ts'],
-          ...LATE,
-          fileParallelism: false,
-        },
+        // Beside each other like the unit tests: they mostly wait for npm.
+        test: { name: 'packages', include: ['test/packages/**/*.test.ts'], ...LATE, ...ALL_CORES },
       },
       pagesProject('pages', 'test/pages/**/*.test.ts', [HEAVY_PAGES]),
       pagesProject('heavy-pages', HEAVY_PAGES),

@@ -10,7 +10,7 @@ import { packAuto } from '../../packages/cli/dist/auto/pack-auto.js'
 import { writeAll } from '../../packages/cli/dist/files.js'
 import { encodeGlb, readGlbFile } from '../../packages/cli/dist/gltf/glb-file.js'
 import { readDocument } from '../../packages/cli/dist/gltf/read-document.js'
-import { embedWrinkles } from '../../packages/cli/dist/wrinkles/embed.js'
+import { embedWrinkles } from '../../packages/cli/dist/wrinkles/pack/embed.js'
 
 const [path, size] = process.argv.slice(2)
 const WHO = 'bench'

@@ -1,10 +1,10 @@
 import { join } from 'node:path'
 import sharp from 'sharp'
 import { encodeGlb, readGlbFile } from '../../packages/cli/dist/gltf/glb-file.js'
-import { embedWrinkles } from '../../packages/cli/dist/wrinkles/embed.js'
 import { readFolder, readReferenced } from '../../packages/cli/dist/wrinkles/folder.js'
-import { packFolder } from '../../packages/cli/dist/wrinkles/pack.js'
-import { stripWrinkles } from '../../packages/cli/dist/wrinkles/strip.js'
+import { embedWrinkles } from '../../packages/cli/dist/wrinkles/pack/embed.js'
+import { packFolder } from '../../packages/cli/dist/wrinkles/pack/pack.js'
+import { stripWrinkles } from '../../packages/cli/dist/wrinkles/pack/strip.js'
 
 const WHO = 'bench'
 

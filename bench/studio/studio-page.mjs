@@ -1,4 +1,5 @@
 import { fileURLToPath } from 'node:url'
+import { dropPaths } from '../../scripts/lib/drop-paths.mjs'
 
 const PROBE = fileURLToPath(new URL('probe.js', import.meta.url))
 /** Milliseconds until what should be seen is given up. */
@@ -38,12 +39,7 @@ export class StudioPage {
   /** Drops files or folders, and waits until another face is shown. */
   async drop(...files) {
     const before = await this.page.evaluate(() => window.probe.ready.length)
-    const session = await this.page.context().newCDPSession(this.page)
-    const data = { items: [], files, dragOperationsMask: 1 }
-    for (const type of ['dragEnter', 'dragOver', 'drop']) {
-      await session.send('Input.dispatchDragEvent', { type, x: 100, y: 100, data })
-    }
-    await session.detach()
+    await dropPaths(this.page, files)
     await this.page.waitForFunction((count) => window.probe.ready.length > count, before)
   }
 

@@ -99,7 +99,7 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
   })
 
   // Nothing is drawn: one renderer tells.
-  if (name === 'webgl')
+  if (name === 'webgl') {
     it.each([
       ['quantised', quantise],
       ['in two primitives', splitInTwo],
@@ -118,42 +118,43 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
       expect(difference(own, others) / difference(own, new Uint8Array(own.length))).toBeLessThan(0.05)
     })
 
-  it.each<[string, (document: Document) => void, RegExp]>([
-    ['an unlit material', makeUnlit, /does not support normal maps.*\(the file stays plain\)$/],
-    [
-      'no blendshapes',
-      withoutTargets,
-      /no mesh has blendshapes .* without the option auto \(the file stays plain\)$/,
-    ],
-    [
-      'a blendshape that does nothing',
-      stillTarget,
-      /no blendshape moves the mesh.*\(the file stays plain\)$/,
-    ],
-  ])('stays plain with %s, with one warning', async (_, edit, message) => {
-    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
-    const gltf = await load(await bareSheet(edit))
-    expect(await wrinklesReady(gltf)).toEqual([])
-    expect(warn.mock.calls).toEqual([[expect.stringMatching(message)]])
-  })
-
-  it('is left alone once it was disposed of, or the page says so, in silence', async () => {
-    const warn = vi.spyOn(console, 'warn')
-    const disposed = await load(await bareSheet(), { ...AUTO, seed: 21 })
-    firstMesh(disposed.scene).geometry.dispose()
-    expect(await wrinklesReady(disposed)).toEqual([])
-    const controller = new AbortController()
-    const cancelled = await load(await bareSheet(), {
-      ...AUTO,
-      seed: 22,
-      signal: controller.signal,
-      progress: () => controller.abort(),
+    it.each<[string, (document: Document) => void, RegExp]>([
+      ['an unlit material', makeUnlit, /does not support normal maps.*\(the file stays plain\)$/],
+      [
+        'no blendshapes',
+        withoutTargets,
+        /no mesh has blendshapes .* without the option auto \(the file stays plain\)$/,
+      ],
+      [
+        'a blendshape that does nothing',
+        stillTarget,
+        /no blendshape moves the mesh.*\(the file stays plain\)$/,
+      ],
+    ])('stays plain with %s, with one warning', async (_, edit, message) => {
+      const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+      const gltf = await load(await bareSheet(edit))
+      expect(await wrinklesReady(gltf)).toEqual([])
+      expect(warn.mock.calls).toEqual([[expect.stringMatching(message)]])
     })
-    expect(await wrinklesReady(cancelled)).toEqual([])
-    expect(warn).not.toHaveBeenCalled()
-    // Others go on.
-    expect(await wrinklesReady(await load(await bareSheet()))).toHaveLength(1)
-  })
+
+    it('is left alone once it was disposed of, or the page says so, in silence', async () => {
+      const warn = vi.spyOn(console, 'warn')
+      const disposed = await load(await bareSheet(), { ...AUTO, seed: 21 })
+      firstMesh(disposed.scene).geometry.dispose()
+      expect(await wrinklesReady(disposed)).toEqual([])
+      const controller = new AbortController()
+      const cancelled = await load(await bareSheet(), {
+        ...AUTO,
+        seed: 22,
+        signal: controller.signal,
+        progress: () => controller.abort(),
+      })
+      expect(await wrinklesReady(cancelled)).toEqual([])
+      expect(warn).not.toHaveBeenCalled()
+      // Others go on.
+      expect(await wrinklesReady(await load(await bareSheet()))).toHaveLength(1)
+    })
+  }
 
   it('wrinkles on every node that shows it', async () => {
     const gltf = await load(await bareSheet(showTwice))

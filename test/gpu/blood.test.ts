@@ -4,10 +4,9 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { randomAreas } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { casesOn, createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
 import { type Kind, MAP, randomLayer } from './layer-values.ts'
 
-const CASES = 200
 const PIXELS = 16
 const AREAS = 4
 
@@ -19,6 +18,7 @@ const LAYERS = { both: ['occlusion', 'blood'], blood: ['blood'], neither: [] } a
 const NAMES = Object.keys(LAYERS)
 
 describe.each(RENDERERS)('blood on %s', (name) => {
+  const cases = casesOn(name)
   let harness: Harness
   beforeAll(async () => {
     harness = await createHarness(name)
@@ -43,12 +43,12 @@ describe.each(RENDERERS)('blood on %s', (name) => {
     return { plain, shown, dispose }
   }
 
-  it('absorbs as the reference does, in 200 random cases', async () => {
+  it(`absorbs as the reference does, in ${cases} random cases`, async () => {
     const random = seeded(17)
     // Each case is disposed after the next is drawn, so that the renderer keeps their common program.
     let release = () => {}
     let largestEffect = 0
-    for (let i = 0; i < CASES; i++) {
+    for (let i = 0; i < cases; i++) {
       const layers = Object.entries(LAYERS).map(([layer, kinds]) => ({
         ...randomLayer(random, layer, kinds),
         bloodAmplitude: random() * 2,

@@ -4,7 +4,11 @@ import type { Compression } from '../../packages/cli/src/array/image-array.ts'
 import { writeArray } from '../../packages/cli/src/array/ktx2.ts'
 import { BufferViewWriter } from '../../packages/cli/src/gltf/buffer-view-writer.ts'
 import { decodeGlb, encodeGlb, type Glb } from '../../packages/cli/src/gltf/glb-file.ts'
-import { embedWrinkles, type FileImage, type LayerImages } from '../../packages/cli/src/wrinkles/embed.ts'
+import {
+  embedWrinkles,
+  type FileImage,
+  type LayerImages,
+} from '../../packages/cli/src/wrinkles/pack/embed.ts'
 import { checkWrinkles } from '../../packages/cli/src/wrinkles/rules.ts'
 import { damageBytes } from '../fuzz/damage-bytes.ts'
 import { damageHeader, damageKtx2, flatPng } from '../fuzz/damage-images.ts'

@@ -20,6 +20,9 @@ import { WebGPURenderer } from 'three/webgpu'
 export const RENDERERS = ['webgl', 'webgpu', 'webgpu on webgl2'] as const
 export type RendererName = (typeof RENDERERS)[number]
 
+/** How many random cases are compared with the reference: fewer on the second renderer's other backend, which runs the same nodes. */
+export const casesOn = (name: RendererName) => (name === 'webgpu on webgl2' ? 50 : 200)
+
 export interface Harness {
   name: RendererName
   renderer: WebGLRenderer | WebGPURenderer

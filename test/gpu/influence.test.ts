@@ -3,12 +3,11 @@ import { MeshStandardMaterial } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { createHarness, type Harness, RENDERERS, square } from './harness.ts'
+import { casesOn, createHarness, type Harness, RENDERERS, square } from './harness.ts'
 import { influenceError } from './influence-error.ts'
 
-const CASES = 200
-
 describe.each(RENDERERS)('influence on %s', (name) => {
+  const cases = casesOn(name)
   let harness: Harness
   beforeAll(async () => {
     harness = await createHarness(name)
@@ -16,12 +15,12 @@ describe.each(RENDERERS)('influence on %s', (name) => {
   })
   afterAll(() => harness.dispose())
 
-  it(`is within 1/255 of the reference in ${CASES} random cases`, async () => {
+  it(`is within 1/255 of the reference in ${cases} random cases`, async () => {
     const random = seeded(2008)
     let worst = 0
     // Each case is disposed after the next is drawn, so that the renderer keeps their common program.
     let release = () => {}
-    for (let i = 0; i < CASES; i++) {
+    for (let i = 0; i < cases; i++) {
       const count = 1 + Math.floor(random() * 64)
       const set = randomSet(random, count, 32)
       const scale = 0.2 + random() * 1.2

@@ -6,7 +6,7 @@ import { alive } from './alive.ts'
 import { createHarness, type Harness, squareCamera } from './harness.ts'
 import { wrinkledFile } from './wrinkled-file.ts'
 
-const LOADS = 100
+const LOADS = 40
 
 describe.each(['webgl', 'webgpu'] as const)('files that come and go, %s', (name) => {
   it(`leave nothing behind in ${LOADS} loads and disposes`, async () => {

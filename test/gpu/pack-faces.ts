@@ -2,7 +2,7 @@ import { mkdirSync } from 'node:fs'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import type { Transform } from '@gltf-transform/core'
-import { draco, quantize } from '@gltf-transform/functions'
+import { draco, quantize, textureCompress } from '@gltf-transform/functions'
 import type { Command } from 'commander'
 import { ktx2 } from 'ktx2-encoder/gltf-transform'
 import sharp from 'sharp'
@@ -22,7 +22,12 @@ const TRANSFORMED: Record<string, [from: string, ...transforms: Transform[]]> = 
   draco: ['images', draco()],
   quantized: ['images', quantize()],
   // One image each, as tools write them that know of no arrays.
-  ktx2: ['images', basis(/color/i, true), basis(/.*/, false)],
+  ktx2: [
+    'images',
+    textureCompress({ encoder: sharp, targetFormat: 'png', resize: [512, 512] }),
+    basis(/color/i, true),
+    basis(/.*/, false),
+  ],
   ...Object.fromEntries(
     BARE_FACES.map((_, i) => [`drawn-${i}-transformed`, [`drawn-${i}`, ...shrinking(true)]]),
   ),

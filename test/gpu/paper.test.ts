@@ -14,9 +14,8 @@ import {
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { randomImage, randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { casesOn, createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
 
-const CASES = 200
 const PIXELS = 32
 const MAP = 16
 
@@ -24,18 +23,19 @@ const MAP = 16
 const [DIFFUSE, SMOOTH, WRINKLED] = [0, 1, 2]
 
 describe.each(RENDERERS)("the paper's mode on %s", (name) => {
+  const cases = casesOn(name)
   let harness: Harness
   beforeAll(async () => {
     harness = await createHarness(name)
   })
   afterAll(() => harness.dispose())
 
-  it(`colours are within 2/255 of the reference on 99.9% of the pixels of ${CASES} random cases`, async () => {
+  it(`colours are within 2/255 of the reference on 99.9% of the pixels of ${cases} random cases`, async () => {
     const random = seeded(42)
     const errors: number[] = []
     // Each case is disposed after the next is drawn, so that the renderer keeps their common program.
     let release = () => {}
-    for (let i = 0; i < CASES; i++) {
+    for (let i = 0; i < cases; i++) {
       const result = await colourErrors(harness, random)
       errors.push(...result.errors)
       release()
@@ -43,7 +43,7 @@ describe.each(RENDERERS)("the paper's mode on %s", (name) => {
     }
     release()
     const over = errors.filter((error) => error > 2 / 255).length
-    expect(errors).toHaveLength(CASES * PIXELS * PIXELS)
+    expect(errors).toHaveLength(cases * PIXELS * PIXELS)
     expect(over / errors.length).toBeLessThanOrEqual(0.001)
   })
 

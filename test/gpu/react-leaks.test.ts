@@ -17,7 +17,7 @@ import { createReactScene, type ReactScene } from './react-root.ts'
 import { wrinkledFile } from './wrinkled-file.ts'
 
 const SIZE = 16
-const CYCLES = 100
+const CYCLES = 30
 
 describe.each(['webgl', 'webgpu'] as const)('components that come and go, %s', (name) => {
   const { extendLoader, useWrinkles, Wrinkles } = name === 'webgl' ? forWebGL : forWebGPU

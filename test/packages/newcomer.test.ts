@@ -6,7 +6,13 @@ import type { Browser, Page } from 'playwright-core'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { BARE_FACES } from '../bare-faces/bare-faces.ts'
 import { openBrowser, openPage } from '../pages/browser.ts'
-import { firstPicture, openPaused, playSurprise, readNextFrame, switchOff } from '../pages/paused-page.ts'
+import {
+  firstPicture,
+  openPaused,
+  playSurprise,
+  readNextFrame,
+  switchWrinkles,
+} from '../pages/paused-page.ts'
 import { contrast, largestDifference, WHOLE } from '../pages/pixels.ts'
 import { startStaticServer } from '../pages/static-server.ts'
 import {
@@ -75,7 +81,7 @@ it('the page of the README draws the wrinkles of a character, without a bundler'
   try {
     await withPage(`${server.origin}/page.html`, async (page) => {
       await playSurprise(page)
-      await expectWrinkles(page, () => switchOff(page))
+      await expectWrinkles(page, () => switchWrinkles(page, 'off'))
     })
   } finally {
     server.close()

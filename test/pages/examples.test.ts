@@ -1,9 +1,8 @@
 import { readdirSync } from 'node:fs'
 import { mkdir, readFile } from 'node:fs/promises'
-import type { Browser, Page, Route } from 'playwright-core'
+import type { Browser, Page } from 'playwright-core'
 import sharp from 'sharp'
 import { afterAll, beforeAll, expect, test } from 'vitest'
-import { editGlb } from '../glb.ts'
 import { openBrowser, openPage } from './browser.ts'
 import {
   drawSettled,
@@ -13,7 +12,7 @@ import {
   readNextFrame,
   resize,
   SECOND,
-  switchOff,
+  switchWrinkles,
 } from './paused-page.ts'
 import { contrast, largestDifference, meanDifference, type Region, WHOLE } from './pixels.ts'
 import { type CanvasPixels, readCanvas } from './read-canvas.ts'
@@ -62,82 +61,97 @@ test('the page of the README has at most 25 lines', async () => {
 /** Examples of one face that is repeatedly surprised. */
 const PORTRAITS = ['minimal.html', 'webgpu.html']
 
-/** Examples of drivers: queries with and without wrinkles, and the region where they appear. Left is the person's right. */
-const DRIVERS: readonly (readonly [page: string, driven: string, atRest: string, region: Region])[] = [
-  ['age.html', '?age=75', '?age=20', { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }],
-  ['expressions.html', '?happy=0.7&surprised=0.6', '', { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }],
-  ['inputs.html', '?stress=100', '?stress=0', { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }],
-  ['joints.html', '?fist=1', '?fist=0', { left: 0.4, top: 0.45, right: 0.6, bottom: 0.95 }],
+const BROWS: Region = { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }
+
+/** Values of sliders by their names; `true` presses a button or a choice of that name. */
+type Controls = Record<string, number | true>
+
+/** Examples of drivers: a query with wrinkles, what its controls are set to without, and the region where wrinkles appear. Left is the person's right. */
+const DRIVERS: readonly (readonly [page: string, driven: string, atRest: Controls, region: Region])[] = [
+  ['age.html', '?age=75', { age: 20 }, BROWS],
+  ['expressions.html', '?happy=0.7&surprised=0.6', { happy: 0, surprised: 0 }, BROWS],
+  ['inputs.html', '?stress=100', { stress: 0 }, BROWS],
+  ['joints.html', '?fist=1', { fist: 0 }, { left: 0.4, top: 0.45, right: 0.6, bottom: 0.95 }],
+  ['joints.html', '?model=neck&turn=1', { turn: 0 }, { left: 0.5, top: 0.55, right: 0.65, bottom: 0.75 }],
+  ['key-frames.html', '?time=2.2', { seconds: 0 }, BROWS],
+  ['muscles.html', '?expression=surprise', { neutral: true }, BROWS],
   [
-    'joints.html',
-    '?model=neck&turn=1',
-    '?model=neck&turn=0',
-    { left: 0.5, top: 0.55, right: 0.65, bottom: 0.75 },
+    'vrm.html',
+    '?happy=1&blink=1',
+    { happy: 0, blink: 0 },
+    { left: 0.25, top: 0.3, right: 0.75, bottom: 0.7 },
   ],
-  ['key-frames.html', '?time=2.2', '?time=0', { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }],
-  [
-    'muscles.html',
-    '?expression=surprise',
-    '?expression=neutral',
-    { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 },
-  ],
-  ['vrm.html', '?happy=1&blink=1', '', { left: 0.25, top: 0.3, right: 0.75, bottom: 0.7 }],
-  ['tension.html', '?push=0.3', '?push=0', { left: 0.4, top: 0.3, right: 0.6, bottom: 0.8 }],
 ]
 
 test('every example is opened', () => {
-  const others = ['auto.html', 'crowd.html', 'normals.html']
+  const others = ['auto.html', 'crowd.html', 'normals.html', 'tension.html']
   const opened = new Set([...PORTRAITS, ...DRIVERS.map(([page]) => page), ...others])
   expect([...opened].sort()).toEqual([...EXAMPLES].sort())
 })
 
-test.each(DRIVERS)('%s%s wrinkles', async (name, driven, atRest, region) => {
-  const { wrinkled, still, off } = await shootOnAndOff(`${name}${driven}`)
-  await save(wrinkled, `${name}${driven}`)
-  expect(contrast(wrinkled)).toBeGreaterThan(100)
-  expect(largestDifference(wrinkled, await shoot(`${name}${atRest}`), region)).toBeGreaterThan(20)
-  // The cloth keeps moving.
-  if (name === 'tension.html') return
-  // Only the wrinkles change between frames.
-  expect(largestDifference(wrinkled, still, WHOLE)).toBe(0)
-  expect(largestDifference(wrinkled, off, region)).toBeGreaterThan(20)
+test.each(DRIVERS)('%s%s wrinkles, and its controls smooth it', (name, driven, atRest, region) =>
+  withExample(`${name}${driven}`, async (page) => {
+    const wrinkled = await readCanvas(page)
+    await save(wrinkled, `${name}${driven}`)
+    expect(contrast(wrinkled)).toBeGreaterThan(100)
+    // Only the wrinkles change between frames.
+    expect(largestDifference(wrinkled, await readNextFrame(page), WHOLE)).toBe(0)
+    await switchWrinkles(page, 'off')
+    expect(largestDifference(wrinkled, await readNextFrame(page), region)).toBeGreaterThan(20)
+    await switchWrinkles(page, 'default')
+    expect(largestDifference(wrinkled, await setControls(page, atRest), region)).toBeGreaterThan(20)
+  }),
+)
+
+test('tension.html?push=0.3 wrinkles', async () => {
+  const region = { left: 0.4, top: 0.3, right: 0.6, bottom: 0.8 }
+  const [pushed, hanging] = [await shoot('tension.html?push=0.3'), await shoot('tension.html?push=0')]
+  await save(pushed, 'tension.html?push=0.3')
+  expect(contrast(pushed)).toBeGreaterThan(100)
+  expect(largestDifference(pushed, hanging, region)).toBeGreaterThan(20)
 })
 
-test('an expression that blocks the blink also blocks its wrinkles', async () => {
-  const both = await shoot('vrm.html?happy=1&blink=1')
-  expect(largestDifference(both, await shoot('vrm.html?happy=1'), WHOLE)).toBe(0)
-  expect(largestDifference(both, await shoot('vrm.html?blink=1'), WHOLE)).toBeGreaterThan(20)
-})
+test('an expression that blocks the blink also blocks its wrinkles', () =>
+  withExample('vrm.html?happy=1&blink=1', async (page) => {
+    const both = await readCanvas(page)
+    expect(largestDifference(both, await setControls(page, { blink: 0 }), WHOLE)).toBe(0)
+    expect(largestDifference(both, await setControls(page, { happy: 0, blink: 1 }), WHOLE)).toBeGreaterThan(
+      20,
+    )
+  }))
 
 test('a list of scores moves the face like the same blendshapes', async () => {
   const scored = await shoot('expressions.html?scores')
-  const played = await shoot('expressions.html?surprised=1')
-  const rest = await shoot('expressions.html')
-  const forehead = DRIVERS.find(([page]) => page === 'expressions.html')![3]
-  expect(largestDifference(scored, rest, forehead)).toBeGreaterThan(20)
-  expect(largestDifference(scored, played, forehead)).toBeLessThan(largestDifference(scored, rest, forehead))
+  const [rest, played] = await withExample('expressions.html', async (page) => [
+    await readCanvas(page),
+    await setControls(page, { surprised: 1 }),
+  ])
+  expect(largestDifference(scored, rest, BROWS)).toBeGreaterThan(20)
+  expect(largestDifference(scored, played, BROWS)).toBeLessThan(largestDifference(scored, rest, BROWS))
 })
 
-test('normals.html lights the cheeks with the normals of their blendshapes', async () => {
-  const [none, baked, recomputed] = [
-    await shoot(`normals.html?remedy=none&${CHEEKS_PUFFED}`),
-    await shoot(`normals.html?remedy=baked&${CHEEKS_PUFFED}`),
-    await shoot(`normals.html?remedy=recomputed&${CHEEKS_PUFFED}`),
-  ]
-  await save(recomputed, 'normals.html')
-  const cheeks = { left: 0.38, top: 0.35, right: 0.62, bottom: 0.6 }
-  // The shading is wrong by far more than noise and antialiasing ...
-  expect(largestDifference(none, recomputed, cheeks)).toBeGreaterThan(40)
-  // ... and the remedies differ from each other by less than a sixth of that: baked normals of two targets are summed, and only the
-  // other remedy rotates tangents.
-  expect(meanDifference(baked, recomputed, cheeks)).toBeLessThan(meanDifference(none, recomputed, cheeks) / 6)
-})
+test('normals.html lights the cheeks with the normals of their blendshapes', () =>
+  withExample(`normals.html?remedy=none&${CHEEKS_PUFFED}`, async (page) => {
+    const none = await readCanvas(page)
+    const baked = await setControls(page, { baked: true })
+    const recomputed = await setControls(page, { recomputed: true })
+    await save(recomputed, 'normals.html')
+    const cheeks = { left: 0.38, top: 0.35, right: 0.62, bottom: 0.6 }
+    // The shading is wrong by far more than noise and antialiasing ...
+    expect(largestDifference(none, recomputed, cheeks)).toBeGreaterThan(40)
+    // ... and the remedies differ from each other by less than a sixth of that: baked normals of two targets are summed, and only the
+    // other remedy rotates tangents.
+    expect(meanDifference(baked, recomputed, cheeks)).toBeLessThan(
+      meanDifference(none, recomputed, cheeks) / 6,
+    )
+  }))
 
 test.each([
   ...new Map(DRIVERS.map(([page, driven]) => [page, `${page}${driven}`])).values(),
   `normals.html?remedy=none&${CHEEKS_PUFFED}`,
+  'tension.html?push=0.3',
 ])('%s fits a phone', async (name) => {
-  await shoot(name)
+  if (!widthsOnPhone.has(name)) await shoot(name)
   expect(widthsOnPhone.get(name)).toBeLessThanOrEqual(PHONE.width)
 })
 
@@ -152,26 +166,19 @@ test('auto.html makes wrinkles while the face is shown, and takes its bar away',
   await page.clock.runFor(2 * SECOND)
   const wrinkled = await readNextFrame(page)
   await save(wrinkled, 'auto.html')
-  await switchOff(page)
-  const forehead = DRIVERS.find(([name]) => name === 'expressions.html')![3]
-  expect(largestDifference(wrinkled, await readNextFrame(page), forehead)).toBeGreaterThan(20)
+  await switchWrinkles(page, 'off')
+  expect(largestDifference(wrinkled, await readNextFrame(page), BROWS)).toBeGreaterThan(20)
   expect(complaints).toEqual([])
   await page.close()
 })
 
 test.each(PORTRAITS)('%s shows a face with a creasing forehead', async (name) => {
-  const wrinkled = await shoot(name)
-  const smooth = await shoot(name, 'flat')
-  await save(wrinkled, name)
-  expect(contrast(wrinkled)).toBeGreaterThan(100)
+  const [wrinkled, smooth] = await shootOnAndOff(name)
   expect(largestDifference(wrinkled, smooth, FOREHEAD)).toBeGreaterThan(20)
 })
 
 test('crowd.html shows faces that wrinkle independently', async () => {
-  const wrinkled = await shoot('crowd.html?count=6')
-  const smooth = await shoot('crowd.html?count=6', 'flat')
-  await save(wrinkled, 'crowd.html')
-  expect(contrast(wrinkled)).toBeGreaterThan(100)
+  const [wrinkled, smooth] = await shootOnAndOff('crowd.html?count=6')
   // Four of the six faces wrinkle at any time, in some of the columns.
   const columns = [0, 1, 2, 3].map((i) => ({ left: i / 4, top: 0, right: (i + 1) / 4, bottom: 1 }))
   expect(
@@ -179,45 +186,27 @@ test('crowd.html shows faces that wrinkle independently', async () => {
   ).toBeGreaterThanOrEqual(2)
 })
 
-/** Sets the normal scale of a file's wrinkles to 0. */
-function flatten(json: {
-  materials: { extensions?: Record<string, { layers?: { normalTexture: object }[] }> }[]
-}): void {
-  for (const { extensions } of json.materials) {
-    for (const layer of extensions?.FURROW_wrinkle_maps?.layers ?? [])
-      Object.assign(layer.normalTexture, { scale: 0 })
-  }
-}
-
-/** Pictures drawn so far, and the widths of pages with controls on a phone. */
-const shots = new Map<string, Promise<CanvasPixels>>()
+/** Widths of pages with controls on a phone. */
 const widthsOnPhone = new Map<string, number>()
 
-/** Picture of an example at the moment of surprise, drawn once; `flat`: with wrinkles without slope. */
-function shoot(name: string, form: 'wrinkled' | 'flat' = 'wrinkled'): Promise<CanvasPixels> {
-  const key = `${name} ${form}`
-  const shot = shots.get(key) ?? withExample(name, form, readCanvas)
-  shots.set(key, shot)
-  return shot
+/** Picture of an example at the moment of surprise. */
+function shoot(name: string): Promise<CanvasPixels> {
+  return withExample(name, readCanvas)
 }
 
-/** Pictures of an example with wrinkles, in the next frame, and with wrinkles switched off in the frame after. */
-async function shootOnAndOff(name: string) {
-  return withExample(name, 'wrinkled', async (page) => {
+/** The same, and a picture two frames later with wrinkles switched off. */
+function shootOnAndOff(name: string): Promise<CanvasPixels[]> {
+  return withExample(name, async (page) => {
     const wrinkled = await readCanvas(page)
-    shots.set(`${name} wrinkled`, Promise.resolve(wrinkled))
-    const still = await readNextFrame(page)
-    await switchOff(page)
-    return { wrinkled, still, off: await readNextFrame(page) }
+    await save(wrinkled, name)
+    expect(contrast(wrinkled)).toBeGreaterThan(100)
+    await switchWrinkles(page, 'off')
+    return [wrinkled, await readNextFrame(page)]
   })
 }
 
 /** Opens an example and advances it to the moment of surprise; the page must report no errors or warnings. */
-async function withExample<T>(
-  name: string,
-  form: 'wrinkled' | 'flat',
-  inspect: (page: Page) => Promise<T>,
-): Promise<T> {
+async function withExample<T>(name: string, inspect: (page: Page) => Promise<T>): Promise<T> {
   const hasControls = ![...PORTRAITS, 'crowd.html'].some((page) => name.startsWith(page))
   const size = name.startsWith('crowd.html') ? CROWD_SIZE : SIZE
   const { page, complaints } = await openPage(browser, { viewport: hasControls ? PHONE : size })
@@ -227,7 +216,6 @@ async function withExample<T>(
     if (message.type() === 'warning' && !text.includes('GL Driver Message')) complaints.push(text)
   })
   try {
-    if (form === 'flat') await page.route('**/faces/*.glb', fulfillFlattened)
     await openPaused(page, `${server.origin}/examples/${name}`)
     if (hasControls) {
       widthsOnPhone.set(name, await page.evaluate(() => document.documentElement.scrollWidth))
@@ -243,10 +231,15 @@ async function withExample<T>(
   }
 }
 
-async function fulfillFlattened(route: Route): Promise<void> {
-  const file = new URL(`../..${new URL(route.request().url()).pathname}`, import.meta.url)
-  const body = Buffer.from(editGlb(await readFile(file), flatten))
-  await route.fulfill({ contentType: 'model/gltf-binary', body })
+/** Sets controls of an example; its picture once whatever they start has ended. */
+async function setControls(page: Page, controls: Controls): Promise<CanvasPixels> {
+  for (const [name, value] of Object.entries(controls)) {
+    if (value === true) await page.getByText(name, { exact: true }).dispatchEvent('click')
+    else await page.getByLabel(name).fill(String(value))
+  }
+  await page.clock.runFor(SECOND / 60)
+  await page.clock.fastForward(60 * SECOND)
+  return readNextFrame(page)
 }
 
 async function save({ width, height, data }: CanvasPixels, name: string): Promise<void> {

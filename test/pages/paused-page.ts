@@ -57,14 +57,16 @@ export async function drawSettled(page: Page): Promise<void> {
   await page.clock.runFor(SECOND / 30)
 }
 
-/** Switches off the wrinkles of all meshes from the next frame on. The page's import map finds the modules. */
-export async function switchOff(page: Page): Promise<void> {
+/** Switches the wrinkles of all meshes off, or on again, from the next frame on. The page's import map finds the modules. */
+export async function switchWrinkles(page: Page, mode: 'off' | 'default'): Promise<void> {
+  const imports = await page.locator('script[type=importmap]').textContent()
+  const furrow = imports!.includes('furrow/three') ? 'furrow/three' : 'furrow/webgpu'
   await page.evaluate(`
-    Promise.all([import('three'), import('furrow/three')]).then(([{ Scene }, { wrinklesOf }]) => {
+    Promise.all([import('three'), import('${furrow}')]).then(([{ Scene }, { wrinklesOf }]) => {
       Scene.prototype.onBeforeRender = (_, scene) =>
         scene.traverse((object) => {
           const wrinkles = wrinklesOf(object)
-          if (wrinkles) wrinkles.mode = 'off'
+          if (wrinkles) wrinkles.mode = '${mode}'
         })
     })`)
 }

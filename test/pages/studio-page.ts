@@ -4,6 +4,7 @@ import { join } from 'node:path'
 import type { Locator, Page } from 'playwright-core'
 import sharp from 'sharp'
 import { expect, vi } from 'vitest'
+import { dropPaths as dropOnPage } from '../../scripts/lib/drop-paths.mjs'
 
 /** How long the page may take to compute and draw where no GPU is. */
 export const DRAWING = { timeout: 120_000, interval: 200 }
@@ -143,12 +144,7 @@ export async function transitionValues(page: Page, expression: string, name: str
  * @param name of the face that is then shown; by default the page has done nothing yet when this returns.
  */
 export async function dropPaths(page: Page, files: string[], name?: string): Promise<void> {
-  const session = await page.context().newCDPSession(page)
-  const data = { items: [], files, dragOperationsMask: 1 }
-  for (const type of ['dragEnter', 'dragOver', 'drop'] as const) {
-    await session.send('Input.dispatchDragEvent', { type, x: 100, y: 100, data })
-  }
-  await session.detach()
+  await dropOnPage(page, files)
   if (name === undefined) return
   const shown = page.locator('#face option:checked', { hasText: new RegExp(`^${name}$`) })
   await shown.or(page.locator('#errors p')).first().waitFor({ state: 'attached' })

@@ -1,5 +1,5 @@
 import { encodeGlb } from '../../../packages/cli/src/gltf/glb-file.ts'
-import { stripWrinkles } from '../../../packages/cli/src/wrinkles/strip.ts'
+import { stripWrinkles } from '../../../packages/cli/src/wrinkles/pack/strip.ts'
 import { unpackWrinkles } from '../../../packages/cli/src/wrinkles/unpack.ts'
 import { wrinkledFile, wrinkledMaterials } from '../../../packages/cli/src/wrinkles/wrinkled-file.ts'
 import type { OnProgress } from './export-face.ts'

@@ -1,12 +1,5 @@
-import {
-  type Area,
-  type Contribution,
-  driversOf,
-  type Expression,
-  FurrowError,
-  type WrinkleDriver,
-} from 'furrow'
-import { ExpressionPlayer, Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
+import { type Area, type Contribution, driversOf, FurrowError, type WrinkleDriver } from 'furrow'
+import { Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
 import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import type { Mesh } from 'three'
 import type { Face } from '../../../stage/face.ts'
@@ -17,8 +10,8 @@ import type { CanvasStage } from './canvas-stage.ts'
 import { type Look, Looks } from './looks/looks.ts'
 import { Sides } from './looks/sides.ts'
 import { areaDials, type Dial, targetDials } from './pose/dials.ts'
-import { completeExpressions } from './pose/expressions.ts'
 import { FaceDrivers } from './pose/face-drivers.ts'
+import { FaceExpressions } from './pose/face-expressions.ts'
 import { MuscleTargets } from './pose/muscle-targets.ts'
 import { type Performance, performanceOf } from './pose/performance.ts'
 import { releaseFromGPU } from './release.ts'
@@ -47,10 +40,7 @@ export class Viewer {
   /** Activations at rest by area. */
   readonly #resting = new Map<string, number>()
   readonly #muscles: MuscleTargets
-  /** Null for a face without blendshapes and wrinkles. */
-  #player: ExpressionPlayer | null = null
-  #expressions: readonly Expression[] = []
-  #remaining = 0
+  readonly #expressions: FaceExpressions
   #looks!: Looks
   #mode: WrinkleMode = 'default'
   #look: Look = { name: 'shaded' }
@@ -67,6 +57,7 @@ export class Viewer {
     const face = faceOf(avatar)
     this.#face = face
     this.#plain = cloned(face.skin.material)
+    this.#expressions = new FaceExpressions(avatar.root)
     stage.show(face)
     this.#muscles = new MuscleTargets([face.skin, ...face.parts])
     this.#wear(face.wrinkles)
@@ -234,31 +225,26 @@ export class Viewer {
   /** The pose that shows an area; null where no blendshape does. */
   performanceOf(area: string): Performance | null {
     const names = this.targets.map(({ name }) => name)
-    return performanceOf(area, this.#drivers.list, this.#expressions, names)
+    return performanceOf(area, this.#drivers.list, this.#expressions.list, names)
   }
 
   get expressionNames(): string[] {
-    return this.#expressions.map(({ name }) => name)
+    return this.#expressions.list.map(({ name }) => name)
   }
 
   /** Whether a transition to an expression is under way. */
   get moving(): boolean {
-    return this.#remaining > 0
+    return this.#expressions.moving
   }
 
   /** Starts a transition to an expression from the current state. */
   play(name: string, seconds: number): void {
-    const player = this.#player
-    if (!player) return
-    this.#moveFace(() => player.play(name, seconds))
-    this.#remaining = seconds
+    this.#moveFace(() => this.#expressions.play(name, seconds))
   }
 
   /** @param delta seconds since the last frame; infinity ends the transition. */
   advance(delta: number): void {
-    if (!this.moving) return
-    this.#moveFace(() => this.#player?.update(delta))
-    this.#remaining = Math.max(0, this.#remaining - delta)
+    if (this.moving) this.#moveFace(() => this.#expressions.advance(delta))
   }
 
   /** Moves joints and blendshapes by other means than the dials; areas follow all the same. */
@@ -310,7 +296,7 @@ export class Viewer {
 
   /** Plays an expression: areas that expressions name are played, the others follow the face. */
   #moveFace(play: () => void): void {
-    this.#driveAfter(play, (area) => !this.#isPlayed(area))
+    this.#driveAfter(play, (area) => !this.#expressions.sets(area))
   }
 
   /** Changes what drivers read, and sets the areas whose activation that changes; the others stay as they were set by hand. */
@@ -323,10 +309,6 @@ export class Viewer {
     }
   }
 
-  #isPlayed(area: string): boolean {
-    return this.#expressions.slice(1).some(({ activations }) => area in activations)
-  }
-
   #areasChanged(): void {
     this.#renewAreas()
     this.look = this.#look
@@ -335,16 +317,12 @@ export class Viewer {
   #renewAreas(): void {
     this.areas = this.#wrinkles ? areaDials(this.#wrinkles) : []
     this.#renewExpressions()
-    this.#remaining = 0
+    this.#expressions.stop()
   }
 
   #renewExpressions(): void {
     const names = (dials: readonly Dial[]) => dials.map(({ name }) => name)
-    this.#expressions = completeExpressions(this.#drivers, names(this.targets), names(this.areas))
-    this.#player =
-      this.targets.length === 0
-        ? null
-        : new ExpressionPlayer(this.avatar.root, this.wrinkles ?? undefined, this.#expressions)
+    this.#expressions.renew(this.#drivers, this.wrinkles, names(this.targets), names(this.areas))
   }
 
   #createMirror(mesh: Mesh, wrinkles: Wrinkles): Wrinkles {

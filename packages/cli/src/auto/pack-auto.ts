@@ -1,9 +1,9 @@
 import { type AutoWrinkles, autoDrivers, halfSide, strokesOf } from 'furrow/author'
 import { encodePng } from '../images/encode.ts'
-import { encodeAreaImages } from '../wrinkles/area-images.ts'
-import type { PackedArea, PackedWrinkles } from '../wrinkles/embed.ts'
-import { encodeLayer, type LayerMaps } from '../wrinkles/encode-layer.ts'
-import { AREAS_PER_SLICE, encodeAreaArray, encodeMapArrays } from '../wrinkles/ktx2-images.ts'
+import { encodeAreaImages } from '../wrinkles/pack/area-images.ts'
+import type { PackedArea, PackedWrinkles } from '../wrinkles/pack/embed.ts'
+import { encodeLayer, type LayerMaps } from '../wrinkles/pack/encode-layer.ts'
+import { AREAS_PER_SLICE, encodeAreaArray, encodeMapArrays } from '../wrinkles/pack/ktx2-images.ts'
 
 /** Without alpha, since image tools drop colours where it is 0. */
 const AREAS_PER_IMAGE = 3

@@ -5,8 +5,8 @@ import { pixelsOf } from '../gltf/texture-pixels.ts'
 import { channelOf, type Pixels } from '../images/pixels.ts'
 import { encodePortablePng } from '../images/png.ts'
 import { scaleImage } from '../images/scale.ts'
-import type { CheckedImage } from './checked-image.ts'
 import type { MapName } from './map-slots.ts'
+import type { CheckedImage } from './pack/checked-image.ts'
 
 /** Channels of the maps that share an image, as glTF has them; roughness is the second. */
 const CHANNELS: Partial<Record<MapName, number>> = { occlusion: 0, blood: 2 }

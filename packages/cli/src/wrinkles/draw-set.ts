@@ -17,9 +17,9 @@ import {
 import type { OutputFile } from '../files.ts'
 import { decodeGray } from '../images/pixels.ts'
 import { didYouMean } from '../nearest.ts'
-import { encodeLayer } from './encode-layer.ts'
 import { addressOf } from './folder-document.ts'
-import type { ReadFile } from './pack.ts'
+import { encodeLayer } from './pack/encode-layer.ts'
+import type { ReadFile } from './pack/pack.ts'
 import { layersOf } from './strokes.ts'
 
 type LayerEntry = WrinkleSetDocument['layers'][number]

@@ -1,11 +1,11 @@
 import type { GrayImage } from 'furrow'
 import { type HeightMap, halfSide, heightLevels, type RgbaImage } from 'furrow/author'
-import { encodeMap, encodeRgbaNormalMap } from '../images/encode.ts'
-import type { Pixels } from '../images/pixels.ts'
-import { joinChannels } from './blood-image.ts'
+import { encodeMap, encodeRgbaNormalMap } from '../../images/encode.ts'
+import type { Pixels } from '../../images/pixels.ts'
+import { joinChannels } from '../blood-image.ts'
+import type { MapName } from '../map-slots.ts'
 import type { CheckedImage } from './checked-image.ts'
 import type { LayerImages } from './embed.ts'
-import type { MapName } from './map-slots.ts'
 
 /** A layer of lines that was drawn. */
 export interface DrawnLayer {

@@ -1,8 +1,8 @@
 import { FurrowError } from 'furrow'
 import { decodeImage } from '#platform/images'
-import { isOpaque, transparencyError, withoutAlpha } from '../images/pixels.ts'
-import { encodePortablePng } from '../images/png.ts'
-import { scaleImage } from '../images/scale.ts'
+import { isOpaque, transparencyError, withoutAlpha } from '../../images/pixels.ts'
+import { encodePortablePng } from '../../images/png.ts'
+import { scaleImage } from '../../images/scale.ts'
 import type { FileImage } from './embed.ts'
 
 /** An image that was decoded as a whole and can go into a glTF file. */

@@ -1,8 +1,8 @@
 import { parseWrinkleMaps, WRINKLE_MAPS, type WrinkleDriver, type WrinkleSetDocument } from 'furrow'
-import { BufferViewWriter } from '../gltf/buffer-view-writer.ts'
-import type { Glb } from '../gltf/glb-file.ts'
-import type { GltfJson } from '../gltf/gltf-json.ts'
-import type { StoredStrokes } from './strokes.ts'
+import { BufferViewWriter } from '../../gltf/buffer-view-writer.ts'
+import type { Glb } from '../../gltf/glb-file.ts'
+import type { GltfJson } from '../../gltf/gltf-json.ts'
+import type { StoredStrokes } from '../strokes.ts'
 
 /** An encoded image to embed in a file. */
 export interface FileImage {

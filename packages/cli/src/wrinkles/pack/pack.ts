@@ -7,17 +7,17 @@ import {
   resampleGray,
   type WrinkleSetDocument,
 } from 'furrow'
-import { sameBytes } from '../bytes.ts'
-import { withImageErrors } from '../images/image-errors.ts'
-import { decodeGray } from '../images/pixels.ts'
-import { didYouMean } from '../nearest.ts'
-import type { Progress } from '../progress.ts'
+import { sameBytes } from '../../bytes.ts'
+import { withImageErrors } from '../../images/image-errors.ts'
+import { decodeGray } from '../../images/pixels.ts'
+import { didYouMean } from '../../nearest.ts'
+import type { Progress } from '../../progress.ts'
+import { withBlood } from '../blood-image.ts'
+import { readStrokes } from '../strokes.ts'
 import { type AreasPerImage, encodeAreaImages } from './area-images.ts'
-import { withBlood } from './blood-image.ts'
 import { type CheckedImage, checkMap, checkOneSize, scaleMap } from './checked-image.ts'
 import type { LayerImages, PackedArea, PackedWrinkles } from './embed.ts'
 import { AREAS_PER_SLICE, encodeAreaArray, encodeMapArrays } from './ktx2-images.ts'
-import { readStrokes } from './strokes.ts'
 
 /** How the images go into the file. */
 export interface PackOptions {

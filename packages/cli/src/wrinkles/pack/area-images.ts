@@ -1,6 +1,6 @@
 import type { GrayImage } from 'furrow'
-import type { Pixels } from '../images/pixels.ts'
-import { encodePortablePng } from '../images/png.ts'
+import type { Pixels } from '../../images/pixels.ts'
+import { encodePortablePng } from '../../images/png.ts'
 import type { FileImage } from './embed.ts'
 
 /** How many areas one image holds, one per channel. */

@@ -1,6 +1,6 @@
 import { parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
-import type { Glb } from '../gltf/glb-file.ts'
-import { type BufferView, compressedViews, type GltfJson } from '../gltf/gltf-json.ts'
+import type { Glb } from '../../gltf/glb-file.ts'
+import { type BufferView, compressedViews, type GltfJson } from '../../gltf/gltf-json.ts'
 import { KTX2_EXTENSION, usesKtx2 } from './embed.ts'
 
 /**

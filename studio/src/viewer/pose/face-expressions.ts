@@ -1,0 +1,63 @@
+import type { Expression } from 'furrow'
+import { ExpressionPlayer } from 'furrow/three'
+import type { Object3D } from 'three'
+import type { Wrinkles } from '../../../../stage/stage.ts'
+import { completeExpressions } from './expressions.ts'
+import type { FaceDrivers } from './face-drivers.ts'
+
+/** The expressions of the face that is shown, and the transition to one of them. */
+export class FaceExpressions {
+  readonly #root: Object3D
+  /** Null for a face without blendshapes. */
+  #player: ExpressionPlayer | null = null
+  #list: readonly Expression[] = []
+  /** Seconds of the transition. */
+  #remaining = 0
+
+  constructor(root: Object3D) {
+    this.#root = root
+  }
+
+  /** Takes those of other drivers, blendshapes or areas. A transition that is under way is not continued. */
+  renew(
+    drivers: FaceDrivers,
+    wrinkles: Wrinkles | null,
+    targetNames: readonly string[],
+    areaNames: readonly string[],
+  ): void {
+    this.#list = completeExpressions(drivers, targetNames, areaNames)
+    this.#player =
+      targetNames.length === 0 ? null : new ExpressionPlayer(this.#root, wrinkles ?? undefined, this.#list)
+  }
+
+  get list(): readonly Expression[] {
+    return this.#list
+  }
+
+  /** Whether a transition to an expression is under way. */
+  get moving(): boolean {
+    return this.#remaining > 0
+  }
+
+  /** Whether expressions name an area, which they then set; the others follow the face. */
+  sets(area: string): boolean {
+    return this.#list.slice(1).some(({ activations }) => area in activations)
+  }
+
+  /** Starts a transition to an expression from the current state. */
+  play(name: string, seconds: number): void {
+    if (!this.#player) return
+    this.#player.play(name, seconds)
+    this.#remaining = seconds
+  }
+
+  /** @param delta seconds since the last frame; infinity ends the transition. */
+  advance(delta: number): void {
+    this.#player?.update(delta)
+    this.#remaining = Math.max(0, this.#remaining - delta)
+  }
+
+  stop(): void {
+    this.#remaining = 0
+  }
+}
