@@ -10,6 +10,8 @@ import { type AppliedVariant, VARIANTS } from './variant.ts'
 
 /** Smallest fraction of pixels that wrinkles must change: a variant that shows none would be fast. */
 const MIN_CHANGED = 0.005
+/** Largest difference of channels between variants that must draw the same, of 255. */
+const MAX_DIFFERENCE = 2
 /** Milliseconds to time at once, since clocks may be as coarse as 0.1 ms. */
 const MIN_MS = 20
 /** Frames to time at once: each has up to a dozen passes, and a clock has room for 2048. */
@@ -83,12 +85,29 @@ async function changedFractions(bench: Bench, benchCase: Case, candidates: Candi
   }
   const plain = pictures.get('plain')
   if (!plain) throw new Error('bench: the variant "plain" is missing; all others are compared with it')
+  checkSame(pictures, benchCase)
   return candidates.map(({ name }) => {
     const changed = changedFraction(pictures.get(name)!, plain)
     if (name === 'plain' || changed >= MIN_CHANGED) return changed
     const text = `changes ${(changed * 100).toFixed(2)}% of the pixels, allowed: ${MIN_CHANGED * 100}% or more`
     throw new Error(`bench: variant "${name}" shows no wrinkles, ${text}; ${JSON.stringify(benchCase)}`)
   })
+}
+
+/** @throws Error if a variant does not draw what another one draws that it must equal. */
+function checkSame(pictures: ReadonlyMap<string, Uint8Array>, benchCase: Case): void {
+  for (const [name, picture] of pictures) {
+    const { sameAs } = VARIANTS.get(name)!
+    const other = sameAs && pictures.get(sameAs)
+    const difference = other ? largestDifference(picture, other) : 0
+    if (difference <= MAX_DIFFERENCE) continue
+    const text = `differ by ${difference} of 255, allowed: ${MAX_DIFFERENCE}`
+    throw new Error(`bench: variants "${name}" and "${sameAs}" ${text}; ${JSON.stringify(benchCase)}`)
+  }
+}
+
+function largestDifference(a: Uint8Array, b: Uint8Array): number {
+  return a.reduce((largest, value, i) => Math.max(largest, Math.abs(value - b[i])), 0)
 }
 
 function changedFraction(a: Uint8Array, b: Uint8Array): number {

@@ -10,6 +10,8 @@ export interface Variant {
   canShow(benchCase: Case, renderer: RendererKind): boolean
   /** Frames to draw before it is drawn as it stays, 1 by default. */
   warmUp?: number
+  /** Name of a variant whose first frame it must draw too. */
+  sameAs?: string
   /** Adds the wrinkles to a mesh with a material of its own. */
   apply(mesh: Mesh, set: WrinkleSet, renderer: RendererKind): AppliedVariant
 }
