@@ -26,6 +26,13 @@ export interface BabylonHarness {
   dispose(): void
 }
 
+/**
+ * On WebGPU a busy browser may take the texture of the canvas, 300 x 150 by default, back before a frame that clears it is submitted: nothing of
+ * that frame is drawn then, not even the picture, which is elsewhere.
+ */
+const LOST_CANVAS = /Destroyed texture \[Texture \(unlabeled 300x150 px/
+const ATTEMPTS = 3
+
 /** Creates an engine; fails if it is not available. */
 export async function createHarness(name: EngineName): Promise<BabylonHarness> {
   const canvas = document.createElement('canvas')
@@ -58,24 +65,33 @@ export async function createHarness(name: EngineName): Promise<BabylonHarness> {
       return scene
     },
     async render(scene, width, height = width) {
-      const target = new RenderTargetTexture('picture', { width, height }, scene, {
-        generateMipMaps: false,
-        type: Constants.TEXTURETYPE_FLOAT,
-        format: Constants.TEXTUREFORMAT_RGBA,
-      })
-      const camera = scene.activeCamera!
-      camera.outputRenderTarget = target
-      await scene.whenReadyAsync(true)
-      // A frame that waits loses the texture of the canvas, on WebGPU.
-      engine.beginFrame()
-      scene.render()
-      engine.endFrame()
-      const pixels = new Float32Array((await target.readPixels()) as Float32Array)
-      camera.outputRenderTarget = null
-      target.dispose()
-      return pixels
+      for (let attempt = 1; ; attempt++) {
+        const pixels = await renderOnce(scene, width, height)
+        const lost = errors.findIndex((error) => LOST_CANVAS.test(error))
+        if (lost < 0 || attempt === ATTEMPTS) return pixels
+        errors.splice(lost, 1)
+      }
     },
     dispose: () => engine.dispose(),
+  }
+
+  async function renderOnce(scene: Scene, width: number, height: number): Promise<Float32Array> {
+    const target = new RenderTargetTexture('picture', { width, height }, scene, {
+      generateMipMaps: false,
+      type: Constants.TEXTURETYPE_FLOAT,
+      format: Constants.TEXTUREFORMAT_RGBA,
+    })
+    const camera = scene.activeCamera!
+    camera.outputRenderTarget = target
+    await scene.whenReadyAsync(true)
+    // A frame that waits loses the texture of the canvas, on WebGPU.
+    engine.beginFrame()
+    scene.render()
+    engine.endFrame()
+    const pixels = new Float32Array((await target.readPixels()) as Float32Array)
+    camera.outputRenderTarget = null
+    target.dispose()
+    return pixels
   }
 }
 
