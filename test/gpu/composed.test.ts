@@ -1,7 +1,15 @@
 import type { LayerKind } from 'furrow'
-import { InstancedMesh, MeshLambertMaterial, PlaneGeometry } from 'three'
+import {
+  DataTexture,
+  DirectionalLight,
+  InstancedMesh,
+  LinearFilter,
+  MeshLambertMaterial,
+  PlaneGeometry,
+  Scene,
+} from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
-import { randomSet } from '../cases.ts'
+import { layer, randomAreas, randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
 import { mixingCase } from './mixing.ts'
@@ -46,6 +54,31 @@ describe.each(RENDERERS)('the composed mode on %s', (name) => {
       mixing.dispose()
     },
   )
+
+  it("filters a normal map that is smaller than the layers' maps", async () => {
+    const random = seeded(7)
+    const own = randomNormals(random, MAP / 4)
+    const normalMap = new DataTexture(own.data, own.width, own.height)
+    normalMap.minFilter = normalMap.magFilter = LinearFilter
+    normalMap.needsUpdate = true
+    const mesh = square(new MeshLambertMaterial({ normalMap }))
+    const areas = randomAreas(random, 3, MAP / 4)
+    const layers = [layer('layer0', 'detail', randomNormals(random, MAP))]
+    const wrinkles = new harness.Wrinkles(mesh, { layers, areas })
+    for (const area of wrinkles.areaNames) wrinkles.setActivation(area, random())
+    const scene = new Scene().add(mesh, new DirectionalLight(0xffffff, Math.PI))
+    const [expected, shown] = [[], []] as number[][]
+    for (const [mode, picture] of [
+      ['default', expected],
+      ['composed', shown],
+    ] as const) {
+      wrinkles.mode = mode
+      picture.push(...(await harness.render(scene, squareCamera(), MAP)))
+    }
+    expect(Math.max(...expected)).toBeGreaterThan(0.5)
+    expect(Math.max(...shown.map((value, i) => Math.abs(value - expected[i])))).toBeLessThanOrEqual(TOLERANCE)
+    wrinkles.dispose()
+  })
 
   it("restores the material's own map, and alternates with the other modes", async () => {
     const random = seeded(3)

@@ -33,8 +33,12 @@ export interface Size {
   height: number
 }
 
-/** A material for `Quads` that draws the composed normal map: `base` with the wrinkles mixed in. */
-export type ComposeMaterial = (base: Texture, inputs: ShaderInputs) => Material
+/**
+ * A material for `Quads` that draws the composed normal map: `base` with the wrinkles mixed in.
+ *
+ * @param isTexelwise whether a texel of the target is one of `base` and one of the layers' maps, which then need no filter.
+ */
+export type ComposeMaterial = (base: Texture, inputs: ShaderInputs, isTexelwise: boolean) => Material
 
 export interface ComposedFormat extends Size {
   /** Bytes by default. */
@@ -44,6 +48,12 @@ export interface ComposedFormat extends Size {
    * makes the others, which is cheaper and differs by a step of 8 bits or two.
    */
   levels?: number
+}
+
+/** Whether a face's own normal map is as large as the array of its layers' normals. */
+export function isSameSize(base: Texture, normals: Texture): boolean {
+  const [own, layered] = [base, normals].map(({ image }) => image as Size)
+  return own.width === layered.width && own.height === layered.height
 }
 
 /** The size of the larger of a face's own normal map and the array of its layers' normals. */

@@ -2,7 +2,7 @@ import type { Material } from 'three'
 import type { Area } from '../../core/types.ts'
 import type { Instances } from '../instances.ts'
 import type { ActivationTable } from './activation-table.ts'
-import type { ComposedMap, ComposeMaterial, composedSize } from './composed-map.ts'
+import type { ComposedMap, ComposeMaterial, composedSize, isSameSize } from './composed-map.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import type { updatePaper } from './update-paper.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
@@ -14,6 +14,7 @@ export interface OtherModes {
   patchPaper(material: WrinkleMaterial, inputs: ShaderInputs, refuse: () => void): () => void
   ComposedMap: typeof ComposedMap
   composedSize: typeof composedSize
+  isSameSize: typeof isSameSize
   composeMaterial: ComposeMaterial
   /** Makes an unlit material show influence as gray. */
   showInfluence(material: Material, view: InfluenceView): void

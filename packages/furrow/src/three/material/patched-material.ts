@@ -280,10 +280,11 @@ export class PatchedMaterial {
   /** Replaces the material's own normal map by the composed one. */
   #compose(): () => void {
     const { others, quads } = this.#renderer
-    const { ComposedMap, composeMaterial, composedSize } = others.value!
+    const { ComposedMap, composeMaterial, composedSize, isSameSize } = others.value!
     const base = this.#material.normalMap!
-    const size = composedSize(base, this.#inputs.textures.normals.texture)
-    const composed = new ComposedMap(base, size, composeMaterial(base, this.#inputs), quads.hasContents)
+    const { texture } = this.#inputs.textures.normals
+    const material = composeMaterial(base, this.#inputs, isSameSize(base, texture))
+    const composed = new ComposedMap(base, composedSize(base, texture), material, quads.hasContents)
     this.composed = composed
     this.#material.normalMap = composed.target.texture
     return () => {

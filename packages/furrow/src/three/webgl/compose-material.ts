@@ -6,26 +6,30 @@ import { type NormalLayers, normalMixing } from './mixing-glsl.ts'
 import { layerUniforms, mapUniforms } from './uniforms.ts'
 
 /** Draws the composed normal map on `WebGLRenderer`. */
-export const composeMaterial: ComposeMaterial = (base, inputs) => {
+export const composeMaterial: ComposeMaterial = (base, inputs, isTexelwise) => {
   const { kinds, normals } = inputs.textures
   return new ShaderMaterial({
     ...QUAD_SETTINGS,
     name: 'furrow composed',
-    fragmentShader: composedFragment({ kinds, normals: normals.slices }),
+    fragmentShader: composedFragment({ kinds, normals: normals.slices }, isTexelwise),
     uniforms: { ...mapUniforms(inputs), ...layerUniforms(inputs), furrowBase: { value: base } },
   })
 }
 
 /** Writes the normals that `defaultFragment` would give a material, as its map would store them. */
-function composedFragment(layers: NormalLayers): string {
-  return /* glsl */ `${influenceFromMap(layers.kinds.length, false, false)}${normalMixing(layers)}
+function composedFragment(layers: NormalLayers, isTexelwise: boolean): string {
+  const sampling = isTexelwise ? 'texels' : 'level'
+  const base = isTexelwise
+    ? 'texelFetch(furrowBase, ivec2(gl_FragCoord.xy), 0)'
+    : 'texture(furrowBase, targetUv)'
+  return /* glsl */ `${influenceFromMap(layers.kinds.length, false, sampling)}${normalMixing(layers)}
 uniform sampler2D furrowBase;
 in vec2 targetUv;
 out vec4 composed;
 
 void main() {
   furrowSampleInfluence(targetUv);
-  vec3 base = texture(furrowBase, targetUv).xyz * 2.0 - 1.0;
+  vec3 base = ${base}.xyz * 2.0 - 1.0;
   vec3 mixed = furrowMixNormals(base);
   ${layers.kinds.includes('detail') ? 'if (furrowHasInfluence) mixed = normalize(mixed);' : ''}
   composed = vec4(mixed * 0.5 + 0.5, 1.0);

@@ -39,7 +39,8 @@ export function defaultFragment(
   const isBuiltIn = uv === BUILT_IN_UV
   const values = isBuiltIn ? variant.values : {}
   const added = channels?.add(values, isToon, normal)
-  const declarations = influenceFromMap(kinds.length, instances !== null, anisotropic) + normalMixing(variant)
+  const sampling = anisotropic ? 'gradients' : 'level'
+  const declarations = influenceFromMap(kinds.length, instances !== null, sampling) + normalMixing(variant)
   const sample = `furrowSampleInfluence(${uv});`
   const mixed = [
     isBuiltIn ? '' : sample,

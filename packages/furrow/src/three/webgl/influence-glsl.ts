@@ -2,11 +2,8 @@
  * The influence of each layer: one sample of the atlas of influence maps. `furrowSampleInfluence` is called first in `main`; the other
  * functions read the globals that it sets. The layers' maps are sampled with the gradients taken here, since they are sampled
  * inside branches, where neighbouring pixels may diverge.
- *
- * @param isAnisotropic whether the samplers of the layers' maps are: only then are the gradients themselves needed, which cost more
- *   than the level of detail computed from them.
  */
-export function influenceFromMap(layers: number, isInstanced: boolean, isAnisotropic: boolean): string {
+export function influenceFromMap(layers: number, isInstanced: boolean, sampling: SliceSampling): string {
   const channels = Array.from({ length: 4 }, (_, i) => (i < layers ? `influence[${i}]` : '0.0'))
   return /* glsl */ `${INFLUENCE_LOOKUP}
 ${isInstanced ? 'flat in highp vec2 vFurrowCorner;' : ''}
@@ -26,10 +23,16 @@ void furrowSampleInfluence(vec2 unwrapped) {
 }
 
 vec4 furrowSampleSlice(highp sampler2DArray maps, float slice) {
-  ${isAnisotropic ? GRADIENTS : LEVEL}
+  ${SLICES[sampling]}
 }
 `
 }
+
+/**
+ * How the layers' maps are sampled: with the gradients of the texture coordinates, which samplers with anisotropy need; at the level of detail
+ * computed from them, which costs less; or as they are, where a pixel of the target is a texel.
+ */
+export type SliceSampling = 'gradients' | 'level' | 'texels'
 
 /** Wraps texture coordinates into 0..1, see `repeat` in core; those already within stay exactly as they are. */
 export const REPEAT = /* glsl */ `
@@ -76,10 +79,12 @@ vec2 furrowCornerOf(float instance) {
 #endif
 `
 
-const GRADIENTS = 'return textureGrad(maps, vec3(furrowUv, slice), furrowDx, furrowDy);'
-
-/** The level of detail of OpenGL ES 3.0, equations 3.18 and 3.21. */
-const LEVEL = /* glsl */ `vec2 size = vec2(textureSize(maps, 0).xy);
+const SLICES: Record<SliceSampling, string> = {
+  gradients: 'return textureGrad(maps, vec3(furrowUv, slice), furrowDx, furrowDy);',
+  // The level of detail of OpenGL ES 3.0, equations 3.18 and 3.21.
+  level: /* glsl */ `vec2 size = vec2(textureSize(maps, 0).xy);
   vec2 dx = furrowDx * size;
   vec2 dy = furrowDy * size;
-  return textureLod(maps, vec3(furrowUv, slice), 0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1.0)));`
+  return textureLod(maps, vec3(furrowUv, slice), 0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1.0)));`,
+  texels: 'return texelFetch(maps, ivec3(gl_FragCoord.xy, slice), 0);',
+}

@@ -1,4 +1,4 @@
-import { ComposedMap, composedSize } from '../material/composed-map.ts'
+import { ComposedMap, composedSize, isSameSize } from '../material/composed-map.ts'
 import type { OtherModes } from '../material/other-modes.ts'
 import { showInfluenceBy } from '../material/show-influence.ts'
 import { updatePaper } from '../material/update-paper.ts'
@@ -27,6 +27,7 @@ export const OTHER_MODES: OtherModes = {
   patchPaper,
   ComposedMap,
   composedSize,
+  isSameSize,
   composeMaterial,
   showInfluence: showInfluenceBy(showInfluence),
 }

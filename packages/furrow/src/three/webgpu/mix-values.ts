@@ -15,7 +15,7 @@ import { sliceSampler } from './texture-sampling.ts'
 export type TexelReader = (texture: ArrayTexture, slice: number) => Node<'vec4'>
 
 /** Reads each slice once, whatever number of kinds its channels hold, and however often they are mixed in. */
-export function texelReader(inputs: ShaderInputs, { uv, isTiled }: LayerInfluence): TexelReader {
+export function texelReader(inputs: ShaderInputs, { uv, sampling }: LayerInfluence): TexelReader {
   const known = new Map<string, Node<'vec4'>>()
   return (texture, slice) => {
     const key = `${texture.id} ${slice}`
@@ -26,7 +26,7 @@ export function texelReader(inputs: ShaderInputs, { uv, isTiled }: LayerInfluenc
     function readTexel(): Node<'vec4'> {
       return Fn(() => {
         const read = vec4(0).toVar()
-        const sample = sliceSampler(uv, isTiled)
+        const sample = sliceSampler(uv, sampling)
         If(isShown(inputs), () => {
           read.assign(sample(texture, slice))
         })

@@ -5,7 +5,7 @@ import type { LayerKind } from '../../core/types.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
 import { isShown } from './influence.ts'
 import { inputUniform } from './node.ts'
-import { sliceSampler } from './texture-sampling.ts'
+import { type SliceSampling, sliceSampler } from './texture-sampling.ts'
 
 /** Channels of a `vec4` in the order of the layers. */
 export const CHANNELS = ['x', 'y', 'z', 'w'] as const
@@ -14,8 +14,7 @@ export const CHANNELS = ['x', 'y', 'z', 'w'] as const
 export interface LayerInfluence {
   influence: Node<'vec4'>
   uv: Node<'vec2'>
-  /** Whether these may wrap between neighbouring pixels. */
-  isTiled: boolean
+  sampling: SliceSampling
 }
 
 /** Reoriented normal mapping, see `reorientNormal` in the reference; unit vectors. */
@@ -44,14 +43,14 @@ function alongReoriented(base: Node<'vec3'>, detail: Node<'vec3'>): Node<'vec3'>
 export function mixNormals(
   base: Node<'vec3'>,
   inputs: ShaderInputs,
-  { influence, uv, isTiled }: LayerInfluence,
+  { influence, uv, sampling }: LayerInfluence,
 ): Node<'vec3'> {
   const { kinds, normals } = inputs.textures
   const scales = inputUniform<'vec4'>(inputs.normalScale)
   return Fn(() => {
     const normal = base.toVar()
     const influences = influence.toVar()
-    const sample = sliceSampler(uv, isTiled)
+    const sample = sliceSampler(uv, sampling)
     If(isShown(inputs), () => {
       const own = unpack(normal).toVar()
       const layers = kinds.map((kind, layer) => {

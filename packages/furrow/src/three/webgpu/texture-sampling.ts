@@ -1,7 +1,7 @@
 /** Texture coordinates and how maps are sampled at them, in TSL; the same formulas as the GLSL of `webgl/`. */
 import { Matrix3 } from 'three'
-import { int, max, min, texture, uniform, uv, vec2, vec3 } from 'three/tsl'
-import type { Node } from 'three/webgpu'
+import { int, ivec2, max, min, texture, uniform, uv, vec2, vec3 } from 'three/tsl'
+import type { Node, TextureNode } from 'three/webgpu'
 import type { ArrayTexture } from '../material/array-texture.ts'
 import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
 import { sizeOf } from './node.ts'
@@ -43,17 +43,30 @@ export function sampleSlice(array: ArrayTexture, { uv, dx, dy }: Gradients, slic
 export type SliceSampler = (array: ArrayTexture, slice: number) => Node<'vec4'>
 
 /**
- * How the layers' maps are sampled; call it outside of any branch.
- *
- * @param isTiled whether texture coordinates may wrap between neighbouring pixels; if not, the sampler finds the level of detail.
+ * How the layers' maps are sampled: the sampler finds the level of detail; by gradients, where texture coordinates may wrap between
+ * neighbouring pixels; or as they are, where a pixel of the target is a texel.
  */
-export function sliceSampler(uv: Node<'vec2'>, isTiled: boolean): SliceSampler {
-  if (isTiled) {
+export type SliceSampling = 'sampler' | 'gradients' | 'texels'
+
+/** Call it outside of any branch. */
+export function sliceSampler(uv: Node<'vec2'>, sampling: SliceSampling): SliceSampler {
+  if (sampling === 'gradients') {
     const gradients = gradientsOf(uv)
     return (array, slice) => sampleSlice(array, gradients, slice)
   }
+  if (sampling === 'texels') {
+    return (array, slice) => {
+      const map = texture(array)
+      return map.load(texelAt(map, uv)).depth(int(slice))
+    }
+  }
   const wrapped = repeat(uv).toVar()
   return (array, slice) => texture(array, wrapped).depth(int(slice))
+}
+
+/** The texel of a map's finest level at texture coordinates within 0..1. */
+export function texelAt(map: TextureNode, uv: Node<'vec2'>): Node<'ivec2'> {
+  return ivec2(uv.mul(vec2(sizeOf(map))))
 }
 
 /** Wraps texture coordinates into 0..1, see `repeat` in core; those already within stay exactly as they are. */

@@ -41,7 +41,7 @@ const patch: RendererParts['patch'] = (material, inputs, mesh) => {
     layerNodes(material, inputs, {
       influence: influenceFromMap(inputs, uv, instancesOf(mesh)),
       uv,
-      isTiled: isTiled(mesh, material),
+      sampling: isTiled(mesh, material) ? 'gradients' : 'sampler',
     }),
   )
 }
