@@ -72,7 +72,7 @@ export async function measureCrowd(bench: Bench, kind: CrowdKind, plan: Plan): P
 }
 
 /** Faces side by side, in as many `InstancedMesh`es as they need. */
-export async function createCrowd(
+async function createCrowd(
   { face, scene, timedRenderer, renderer }: Bench,
   { faces, pixels, areaSize }: CrowdKind,
 ) {

@@ -12,6 +12,7 @@ import {
   type Texture,
 } from 'three'
 import type { GLTF, GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
+import { BLOOD_ABSORPTION } from '../../packages/furrow/src/core/blood.ts'
 
 /** What the face's material samples. */
 export interface StrippedMaps {
@@ -25,8 +26,8 @@ export interface StrippedMaps {
 /** Makes the face's material mix the maps in. */
 export type StrippedPatch = (material: MeshPhysicalMaterial, maps: StrippedMaps) => void
 
-/** Amplitude of blood in the file, times the absorption of `core/blood.ts`. */
-export const BLOOD = [0.35, 1, 0.89].map((absorption) => 0.35 * absorption)
+/** Amplitude of blood in the file, times the absorption. */
+export const BLOOD = BLOOD_ABSORPTION.map((absorption) => 0.35 * absorption)
 
 /** Indices of the file's textures. */
 const [NORMALS, SURFACE, ...AREAS] = [7, 8, 10, 11, 12, 13]

@@ -1,4 +1,5 @@
 import type { LayerKind } from 'furrow'
+import type { WrinkleMode } from 'furrow/three'
 import {
   DataTexture,
   DirectionalLight,
@@ -11,6 +12,7 @@ import {
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { layer, randomAreas, randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
+import { largestDifference } from './difference.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
 import { mixingCase } from './mixing.ts'
 
@@ -67,16 +69,13 @@ describe.each(RENDERERS)('the composed mode on %s', (name) => {
     const wrinkles = new harness.Wrinkles(mesh, { layers, areas })
     for (const area of wrinkles.areaNames) wrinkles.setActivation(area, random())
     const scene = new Scene().add(mesh, new DirectionalLight(0xffffff, Math.PI))
-    const [expected, shown] = [[], []] as number[][]
-    for (const [mode, picture] of [
-      ['default', expected],
-      ['composed', shown],
-    ] as const) {
+    const picture = (mode: WrinkleMode) => {
       wrinkles.mode = mode
-      picture.push(...(await harness.render(scene, squareCamera(), MAP)))
+      return harness.render(scene, squareCamera(), MAP)
     }
+    const [expected, shown] = [await picture('default'), await picture('composed')]
     expect(Math.max(...expected)).toBeGreaterThan(0.5)
-    expect(Math.max(...shown.map((value, i) => Math.abs(value - expected[i])))).toBeLessThanOrEqual(TOLERANCE)
+    expect(largestDifference(expected, shown)).toBeLessThanOrEqual(TOLERANCE)
     wrinkles.dispose()
   })
 

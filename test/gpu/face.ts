@@ -1,5 +1,6 @@
 import { packAreas, type RgbaImage, reference, type WrinkleSet } from 'furrow'
 import { combineNormals } from 'furrow/author'
+import { loadWrinkleSet } from 'furrow/three'
 import {
   AmbientLight,
   DataTexture,
@@ -15,12 +16,19 @@ import {
 import { uv, vec3 } from 'three/tsl'
 import { MeshBasicNodeMaterial } from 'three/webgpu'
 import { readTexture } from '../../packages/furrow/src/three/loader/read-texture.ts'
-import type { Face } from '../../stage/face.ts'
+import { type Face, loadFace } from '../../stage/face.ts'
 import { frameView, type ViewName } from '../../stage/views.ts'
 import type { Harness } from './harness.ts'
 
 export const WIDTH = 240
 export const HEIGHT = 320
+
+/** The shipped face, and its wrinkles without the drivers, which would add to what tests set. */
+export async function loadUndriven(): Promise<{ face: Face; set: WrinkleSet }> {
+  const face = await loadFace('/faces/human.glb')
+  const { drivers: _, ...set } = await loadWrinkleSet('/faces/human/wrinkles.json')
+  return { face, set }
+}
 
 /** A scene with one face and two plain lights. */
 export function faceScene({ root, skin }: Pick<Face, 'root' | 'skin'>, view: ViewName) {

@@ -1,11 +1,12 @@
 import { EXPRESSIONS, reference, type WrinkleSet } from 'furrow'
-import { ExpressionPlayer, loadWrinkleSet } from 'furrow/three'
+import { ExpressionPlayer } from 'furrow/three'
 import { type MeshStandardMaterial, NoColorSpace } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
-import { type Face, loadFace } from '../../stage/face.ts'
+import type { Face } from '../../stage/face.ts'
 import {
   faceScene,
   HEIGHT,
+  loadUndriven,
   referenceInfluence,
   renderWith,
   uvMaterial,
@@ -28,13 +29,10 @@ describe.each(RENDERERS)('figures on %s', (name) => {
   let set: WrinkleSet
   beforeAll(async () => {
     harness = await createHarness(name)
-    face = await loadFace('/faces/human.glb')
+    ;({ face, set } = await loadUndriven())
     // Colours as stored, like the paper's: decoding before or after filtering gives other results in fine hair.
     const { map } = face.skin.material as MeshStandardMaterial
     map!.colorSpace = NoColorSpace
-    // Its drivers would add to what the expressions set.
-    const { drivers: _, ...undriven } = await loadWrinkleSet('/faces/human/wrinkles.json')
-    set = undriven
   })
   afterAll(() => harness.dispose())
 

@@ -1,8 +1,7 @@
 import type { WrinkleSet } from 'furrow'
-import { loadWrinkleSet } from 'furrow/three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
-import { type Face, loadFace } from '../../stage/face.ts'
-import { faceScene, HEIGHT, renderWith, uvMaterial, WIDTH } from './face.ts'
+import type { Face } from '../../stage/face.ts'
+import { faceScene, HEIGHT, loadUndriven, renderWith, uvMaterial, WIDTH } from './face.ts'
 import { createHarness, type Harness, RENDERERS } from './harness.ts'
 
 describe.each(RENDERERS)('areas of the shipped face on %s', (name) => {
@@ -11,10 +10,7 @@ describe.each(RENDERERS)('areas of the shipped face on %s', (name) => {
   let set: WrinkleSet
   beforeAll(async () => {
     harness = await createHarness(name)
-    face = await loadFace('/faces/human.glb')
-    // Its drivers would add to what the tests set.
-    const { drivers: _, ...undriven } = await loadWrinkleSet('/faces/human/wrinkles.json')
-    set = undriven
+    ;({ face, set } = await loadUndriven())
   })
   afterAll(() => harness.dispose())
 

@@ -1,6 +1,6 @@
 import { spawn } from 'node:child_process'
 import { once } from 'node:events'
-import { mkdtempSync, readdirSync, rmSync } from 'node:fs'
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join, resolve } from 'node:path'
 import { afterAll, describe, expect, it } from 'vitest'
@@ -27,6 +27,18 @@ describe('the command line', () => {
     expect(await run('--help', 'auto')).toEqual(await run('auto', '--help'))
   })
 
+  it('prints its version', async () => {
+    const { version } = JSON.parse(readFileSync('packages/cli/package.json', 'utf8'))
+    expect(await run('--version')).toEqual({ code: 0, stdout: `${version}\n`, stderr: '' })
+  })
+
+  it('prints help with examples', async () => {
+    const { code, stdout } = await run('--help')
+    expect(code).toBe(0)
+    expect(stdout).toContain('Examples:')
+    expect((await run('render', '--help')).stdout).toContain('--expression surprised')
+  })
+
   it.each([['--help'], ['help'], ['auto', '--help'], ['help', 'auto'], ['--version']])(
     '%s %s ends well',
     async (...args) => {
@@ -36,6 +48,7 @@ describe('the command line', () => {
 
   it.each<[string[], string]>([
     [['atuo'], 'furrow: unknown command \'atuo\'; did you mean "auto"?'],
+    [['wrinkle'], "furrow: unknown command 'wrinkle'.*"],
     [['help', 'atuo'], 'furrow: unknown command \'atuo\'; did you mean "auto"?'],
     [['help', 'bogus'], "furrow: unknown command 'bogus'; see furrow --help"],
     [['bogus', '--help'], "furrow: unknown command 'bogus'; see furrow --help"],

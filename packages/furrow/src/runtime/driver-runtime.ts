@@ -126,11 +126,10 @@ export class DriverRuntime<Engine> implements FaceDrivers<Engine> {
   evaluate(faces: readonly Face[]): void {
     if (faces[0].slots !== this.#slots) this.#findAreas(faces[0])
     const { program, last } = this.bind()
-    const isDelayed = this.plan.activationFilters.length > 0
     for (let i = 0; i < faces.length; i++) {
-      if (!last.check(i, faces[i]) && !(isDelayed && !this.#states[i].isSettled)) continue
-      last.isDue[i] = 1
       const state = this.#states[i]
+      if (!last.check(i, faces[i]) && state.isSettled) continue
+      last.isDue[i] = 1
       last.get(i, state.values)
       const { values } = faces[i].resting
       for (let k = 0; k < this.#indices.length; k++) {

@@ -52,14 +52,18 @@ export interface ComposedFormat extends Size {
 
 /** Whether a face's own normal map is as large as the array of its layers' normals. */
 export function isSameSize(base: Texture, normals: Texture): boolean {
-  const [own, layered] = [base, normals].map(({ image }) => image as Size)
+  const [own, layered] = sizesOf(base, normals)
   return own.width === layered.width && own.height === layered.height
 }
 
-/** The size of the larger of a face's own normal map and the array of its layers' normals. */
+/** The size of the larger of both. */
 export function composedSize(base: Texture, normals: Texture): Size {
-  const [own, layered] = [base, normals].map(({ image }) => image as Size)
+  const [own, layered] = sizesOf(base, normals)
   return { width: Math.max(own.width, layered.width), height: Math.max(own.height, layered.height) }
+}
+
+function sizesOf(...maps: Texture[]): Size[] {
+  return maps.map(({ image }) => image as Size)
 }
 
 /**
