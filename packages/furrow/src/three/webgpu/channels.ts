@@ -35,7 +35,7 @@ function add(
 ): void {
   const { baseColor, roughness, occlusion, blood } = inputs.textures.values
   const { map, roughnessMap, aoMap } = material as Partial<MeshStandardMaterial>
-  const read = texelReader(inputs, layers)
+  const read = texelReader(layers)
   const mixInto = (kind: ValueKind, own: Node<'vec3'>) => mixValues(kind, own, inputs, layers.influence, read)
   if (baseColor || blood || isToon(material)) {
     const own = map ? materialProperty('map', 'texture', material) : vec4(1)

@@ -19,11 +19,12 @@ import { type Node, NodeBuilder } from 'three/webgpu'
 import type { Instances } from '../instances.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
 import { requireInternal } from '../three-version.ts'
-import { inputUniform } from './node.ts'
+import { CHANNELS, inputUniform } from './node.ts'
 import { repeat } from './texture-sampling.ts'
 
 /**
- * From the atlas of influence maps: one sample, however many areas there are.
+ * From the atlas of influence maps: one sample, however many areas there are. No branch between pixels: software rasterisers pay more for
+ * one than for the samples that it saves.
  *
  * @param uv texture coordinates, repeating outside of 0..1.
  * @param instances of the mesh, each of which has a cell of its own.
@@ -44,31 +45,20 @@ export function influenceFromMap(
   return Fn(() => {
     const influence = vec4(0).toVar()
     const wrapped = repeat(uv).toVar()
-    const isInBounds = wrapped.greaterThanEqual(bounds.xy).all().and(wrapped.lessThanEqual(bounds.zw).all())
-    If(isVertex ? isInBounds : isShown(inputs), () => {
+    const sample = () => {
       const corner = instances ? varying(cornerOf(inputs, instanceOf(instances))) : cell.xy
       const inside = wrapped.clamp(inset, inset.oneMinus())
       const atlas = texture(inputs.influence.value, corner.add(inside.mul(cell.zw)))
-      const sampled = isVertex ? atlas.level(int(0)) : atlas
+      const sampled = (isVertex ? atlas.level(int(0)) : atlas).toVar()
       // Channels without a layer hold whatever the format gives them.
-      const [x, y, z, w] = [0, 1, 2, 3].map((i) => (i < layers ? 1 : 0))
-      influence.assign(
-        min(sampled, vec4(1))
-          .mul(fade)
-          .mul(vec4(x, y, z, w)),
-      )
-    })
+      const [x, y, z, w] = CHANNELS.map((channel, i) => (i < layers ? sampled[channel] : float(0)))
+      influence.assign(min(vec4(x, y, z, w), vec4(1)).mul(fade))
+    }
+    const isInBounds = wrapped.greaterThanEqual(bounds.xy).all().and(wrapped.lessThanEqual(bounds.zw).all())
+    if (isVertex) If(isInBounds, sample)
+    else sample()
     return influence
   })()
-}
-
-/**
- * Not at rest: the same for all pixels. All branches between pixels are on this, so that samplers find their levels: software rasterisers
- * pay more for others, and for levels that are given, than for the samples that they save.
- */
-export function isShown({ reach }: ShaderInputs): Node<'bool'> {
-  const bounds = inputUniform<'vec4'>(reach)
-  return bounds.x.lessThan(bounds.z)
 }
 
 /** Corner of an instance's cell, in 0..1 of the atlas; each has a cell, in the order of rows. */

@@ -1,38 +1,27 @@
 /** The layers' other maps mixed into the material's own, in TSL; the same formulas as the GLSL of `webgl/` and the reference. */
-import { Fn, float, If, max, mix, select, vec3, vec4 } from 'three/tsl'
+import { Fn, float, If, max, mix, select, vec3 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
 import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from '../../core/blood.ts'
 import { TOON_LINE } from '../../core/toon-line.ts'
 import type { ArrayTexture } from '../material/array-texture.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
 import type { ValueKind } from '../material/wrinkle-textures.ts'
-import { isShown } from './influence.ts'
-import { CHANNELS, type LayerInfluence, sum, unpack } from './mix.ts'
-import { inputUniform } from './node.ts'
+import { type LayerInfluence, sum, unpack } from './mix.ts'
+import { CHANNELS, inputUniform } from './node.ts'
 import { sliceSampler } from './texture-sampling.ts'
 
-/** Reads texels of a slice of an array; 0 at rest. */
+/** Reads texels of a slice of an array. */
 export type TexelReader = (texture: ArrayTexture, slice: number) => Node<'vec4'>
 
 /** Reads each slice once, whatever number of kinds its channels hold, and however often they are mixed in. */
-export function texelReader(inputs: ShaderInputs, { uv, sampling }: LayerInfluence): TexelReader {
+export function texelReader({ uv, sampling }: LayerInfluence): TexelReader {
+  const sample = sliceSampler(uv, sampling)
   const known = new Map<string, Node<'vec4'>>()
   return (texture, slice) => {
     const key = `${texture.id} ${slice}`
-    const texel = known.get(key) ?? readTexel()
+    const texel = known.get(key) ?? sample(texture, slice).toVar()
     known.set(key, texel)
     return texel
-
-    function readTexel(): Node<'vec4'> {
-      return Fn(() => {
-        const read = vec4(0).toVar()
-        const sample = sliceSampler(uv, sampling)
-        If(isShown(inputs), () => {
-          read.assign(sample(texture, slice))
-        })
-        return read
-      })()
-    }
   }
 }
 

@@ -1,14 +1,10 @@
 /** The layers' normals mixed into the material's own, in TSL; the same formulas as the GLSL of `webgl/` and the reference. */
-import { Fn, float, If, max, mix, vec2, vec3, vec4 } from 'three/tsl'
+import { Fn, float, max, mix, vec2, vec3, vec4 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
 import type { LayerKind } from '../../core/types.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
-import { isShown } from './influence.ts'
-import { inputUniform } from './node.ts'
+import { CHANNELS, inputUniform } from './node.ts'
 import { type SliceSampling, sliceSampler } from './texture-sampling.ts'
-
-/** Channels of a `vec4` in the order of the layers. */
-export const CHANNELS = ['x', 'y', 'z', 'w'] as const
 
 /** The influence of each layer, 0..1 in x, y, z, w, and the texture coordinates to sample the layers' maps at. */
 export interface LayerInfluence {
@@ -51,25 +47,22 @@ export function mixNormals(
     const normal = base.toVar()
     const influences = influence.toVar()
     const sample = sliceSampler(uv, sampling)
-    If(isShown(inputs), () => {
-      const own = unpack(normal).toVar()
-      const layers = kinds.map((kind, layer) => {
-        const scale = scales[CHANNELS[layer]]
-        const stored = unpack(sample(normals.texture, normals.slices[layer]!).xyz)
-        return {
-          kind,
-          influence: influences[CHANNELS[layer]],
-          normal: stored.mul(vec3(scale, scale, 1)).toVar(),
-        }
-      })
-      const replaced = replaceNormal(own, ofKind('replace', layers))
-      const details = ofKind('detail', layers)
-      const mixed = details.length === 0 ? replaced : addDetails(replaced, details)
-      // No select, which TSL makes a branch.
-      const hasInfluence = influences.dot(vec4(1)).sign()
-      normal.assign(mix(normal, mixed.mul(0.5).add(0.5), hasInfluence))
+    const own = unpack(normal).toVar()
+    const layers = kinds.map((kind, layer) => {
+      const scale = scales[CHANNELS[layer]]
+      const stored = unpack(sample(normals.texture, normals.slices[layer]!).xyz)
+      return {
+        kind,
+        influence: influences[CHANNELS[layer]],
+        normal: stored.mul(vec3(scale, scale, 1)).toVar(),
+      }
     })
-    return normal
+    const replaced = replaceNormal(own, ofKind('replace', layers))
+    const details = ofKind('detail', layers)
+    const mixed = details.length === 0 ? replaced : addDetails(replaced, details)
+    // No select, which TSL makes a branch.
+    const hasInfluence = influences.dot(vec4(1)).sign()
+    return mix(normal, mixed.mul(0.5).add(0.5), hasInfluence)
   })()
 }
 

@@ -46,6 +46,9 @@ export function inputUniform<T extends string>(input: { readonly value: unknown 
   return typed(uniform(input.value as never, type as never).onObjectUpdate(() => input.value))
 }
 
+/** Channels of a `vec4` in the order of the layers. */
+export const CHANNELS = ['x', 'y', 'z', 'w'] as const
+
 /** Width and height of a texture's level 0, in texels. */
 export function sizeOf(node: TextureNode): Node<'ivec2'> {
   return typed(textureSize(node, int(0)))

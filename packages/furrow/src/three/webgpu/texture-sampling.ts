@@ -43,8 +43,8 @@ export function sampleSlice(array: ArrayTexture, { uv, dx, dy }: Gradients, slic
 export type SliceSampler = (array: ArrayTexture, slice: number) => Node<'vec4'>
 
 /**
- * How the layers' maps are sampled: the sampler finds the level of detail; by gradients, where texture coordinates may wrap between
- * neighbouring pixels; or as they are, where a pixel of the target is a texel.
+ * How the layers' maps are sampled: the sampler finds the level of detail, which software rasterisers pay less for than for one that is
+ * given; by gradients, where texture coordinates may wrap between neighbouring pixels; or as they are, where a pixel of the target is a texel.
  */
 export type SliceSampling = 'sampler' | 'gradients' | 'texels'
 
