@@ -7,6 +7,7 @@ import {
   LinearFilter,
   LinearMipmapLinearFilter,
   type Material,
+  Mesh,
   MeshPhysicalMaterial,
   type MeshStandardMaterial,
   MeshToonMaterial,
@@ -14,6 +15,7 @@ import {
   PlaneGeometry,
   RepeatWrapping,
   Scene,
+  type WebGLRenderer,
 } from 'three'
 import { vec3 } from 'three/tsl'
 import { MeshStandardNodeMaterial } from 'three/webgpu'
@@ -36,6 +38,11 @@ const FRAMES = 40
 
 /** What nobody sees: two steps of 8 bits. */
 const UNSEEN = 2
+
+/** What three.js keeps of a program. */
+interface WebGLProgramOf {
+  fragmentShader: WebGLShader
+}
 
 /** A normal map as those of glTF are. */
 function normalMap(seed: number): DataTexture {
@@ -300,6 +307,34 @@ describe.each(RENDERERS)('the mode auto on %s', (name) => {
     await picture()
     expect(shown.isComposed).toBe(false)
   })
+})
+
+it('a still face is drawn by the own program of its material on WebGLRenderer, unless other meshes have that', async () => {
+  const harness = await createHarness('webgl')
+  const { renderer } = harness as { renderer: WebGLRenderer }
+  const { wrinkles, material, mesh, scene, picture, composed } = faceOf(harness)
+  const shaderOf = (own: Material) => {
+    const { currentProgram } = renderer.properties.get(own) as { currentProgram: WebGLProgramOf }
+    return renderer.getContext().getShaderSource(currentProgram.fragmentShader)!
+  }
+  // Shaders of pages are kept here, which refer to themselves.
+  material.userData.self = material.userData
+  await picture()
+  const edited = shaderOf(material)
+  expect(edited).toContain('furrow')
+  await composed()
+  const plain = new MeshPhysicalMaterial({ normalMap: material.normalMap, roughness: 0.6 })
+  const other = new Mesh(mesh.geometry, plain)
+  scene.add(other)
+  await picture()
+  expect(shaderOf(material)).toBe(shaderOf(plain))
+  wrinkles.setActivation('area0', 0.9)
+  await picture()
+  expect(shaderOf(material)).toBe(edited)
+  other.material = material as MeshPhysicalMaterial
+  await composed()
+  expect(shaderOf(material)).toBe(edited)
+  for (const own of [wrinkles, plain, harness]) own.dispose()
 })
 
 it('a face in the mode auto that two renderers draw in turns is right in both', async () => {

@@ -1,4 +1,4 @@
-import { type Camera, Color, type RenderTarget, type Scene, type WebGLRenderer } from 'three'
+import { type Camera, Color, type Object3D, type RenderTarget, type Scene, type WebGLRenderer } from 'three'
 import type { AnyRenderer } from '../renderer.ts'
 
 /** Renders into a level of a target, without clearing it, during another render call, and restores the renderer's state. */
@@ -49,17 +49,21 @@ export function clearPreservingState(renderer: AnyRenderer, target: RenderTarget
   gl.setRenderTarget(before, face, level)
 }
 
-/** Compiles what a scene is drawn into a target with, and allocates the target; fulfilled when it is compiled. Outside of frames only. */
+/**
+ * Compiles what a scene, or a part of one, is drawn into a target with, and allocates the target; fulfilled when it is compiled. Outside of
+ * frames only.
+ */
 export async function compileFor(
   renderer: AnyRenderer,
-  target: RenderTarget,
-  scene: Scene,
+  target: RenderTarget | null,
+  scene: Object3D,
   camera: Camera,
+  whole: Object3D = scene,
 ): Promise<void> {
   const gl = renderer as WebGLRenderer
   const before = gl.getRenderTarget()
   gl.setRenderTarget(target as never)
-  const compiled = gl.compileAsync(scene, camera)
+  const compiled = gl.compileAsync(scene, camera, whole as Scene)
   gl.setRenderTarget(before)
   await compiled
 }

@@ -1,14 +1,11 @@
 import {
   type Camera,
   HalfFloatType,
-  LinearFilter,
-  LinearMipmapLinearFilter,
   type Mesh,
-  RepeatWrapping,
+  type RenderTarget,
   type Texture,
   UnsignedByteType,
   Vector4,
-  type VideoTexture,
 } from 'three'
 import { hasMoved } from '../../runtime/atlas-cells.ts'
 import { reachNothing } from '../../runtime/reach.ts'
@@ -23,9 +20,10 @@ import {
   composedSize,
   type Size,
 } from './composed-map.ts'
+import { type DrawnMesh, OwnProgram } from './own-program.ts'
+import { isRepeated, isReplaceable } from './replaceable-map.ts'
 import { pixelsOnScreen, sideOnScreen } from './screen-need.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
-import { uvLayoutOf } from './uv-layout.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
 /** How much finer than the screen needs a map is made, so that a camera that comes a little nearer keeps it. */
@@ -43,6 +41,10 @@ let allocated = 0
 export interface AutoModeHost {
   material: WrinkleMaterial
   inputs: ShaderInputs
+  /** Whether the material's own program is drawn instead of the default mode's. */
+  program: { isOwn: boolean }
+  /** Whether it may be. */
+  hasOwnProgram: boolean
   hasContents: QuadMaterials['hasContents']
   composeMaterial: ComposeMaterial
   /** Bytes that the maps of all faces may take together. */
@@ -58,6 +60,8 @@ interface Made {
   /** How often the sides of the full size were halved. */
   halvings: number
   bytes: number
+  /** What draws the face meanwhile; null where that is always the default mode's. */
+  program: OwnProgram | null
   state: 'new' | 'drawing' | 'drawn'
 }
 
@@ -70,8 +74,8 @@ interface View {
 }
 
 /**
- * Draws a face in the default mode's own program, but with a composed map in place of its normal map while that is cheaper: nothing is
- * compiled, and any draw may be either way. The map is the material's only during the draw.
+ * Draws a face with a composed map in place of its normal map while that is cheaper: in the material's own program where that can be compiled
+ * beforehand, else in the default mode's. Any draw may be either way. The map is the material's only during the draw.
  */
 export class AutoMode {
   readonly #host: AutoModeHost
@@ -88,6 +92,7 @@ export class AutoMode {
   /** Where there are wrinkles, meanwhile. */
   readonly #ownReach = new Vector4()
   readonly #watched = new Map<Mesh, () => void>()
+  readonly #drawn = new Map<Mesh, DrawnMesh>()
   readonly #end = () => this.end()
 
   constructor(host: AutoModeHost) {
@@ -115,15 +120,40 @@ export class AutoMode {
 
   /** Called before a mesh is drawn, after everything else is up to date. */
   begin(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
+    this.#note(renderer, camera, mesh)
+    const isReplaced = this.#replaceMap(renderer, camera, mesh)
+    this.#showProgram(isReplaced && this.#made?.program?.isReady === true)
+  }
+
+  #showProgram(isOwn: boolean): void {
+    const { program, material } = this.#host
+    if (isOwn === program.isOwn) return
+    program.isOwn = isOwn
+    material.needsUpdate = true
+  }
+
+  #note(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
+    const target = renderer.getRenderTarget() as RenderTarget | null
+    const drawn = this.#drawn.get(mesh)
+    if (!drawn) {
+      this.#drawn.set(mesh, { camera, target })
+      return
+    }
+    drawn.camera = camera
+    drawn.target = target
+  }
+
+  /** Sets the composed map for a draw, if it is one that it is right for. */
+  #replaceMap(renderer: AnyRenderer, camera: Camera, mesh: Mesh): boolean {
     const { material, inputs } = this.#host
     const base = material.normalMap
-    if (!base || !isRepeated(base, mesh)) return
+    if (!base || !isRepeated(base, mesh)) return false
     const side = sideOnScreen(mesh, camera, renderer, base.channel)
     this.#addView(side, pixelsOnScreen(mesh, camera, renderer))
     const made = this.#made
-    if (made?.state !== 'drawn' || made.renderer !== renderer || made.base !== base) return
+    if (made?.state !== 'drawn' || made.renderer !== renderer || made.base !== base) return false
     // Another view of this frame may be nearer than those of the last.
-    if (halvingsOf(composedSize(base, inputs.textures.normals.texture), side) < made.halvings) return
+    if (halvingsOf(composedSize(base, inputs.textures.normals.texture), side) < made.halvings) return false
     if (!this.#watched.has(mesh)) this.#watched.set(mesh, callAfterRender(mesh, this.#end))
     const { texture } = made.map.target
     if (base.matrixAutoUpdate) base.updateMatrix()
@@ -134,6 +164,7 @@ export class AutoMode {
     inputs.fade.value = 0
     // By this the shaders know that there is nothing to sample.
     reachNothing(inputs.reach.value)
+    return true
   }
 
   /** Called after a mesh is drawn, and before one is prepared: whoever replaces `onAfterRender` costs nothing but what a page sees of the material. */
@@ -149,6 +180,7 @@ export class AutoMode {
   dispose(): void {
     this.end()
     this.#drop()
+    this.#showProgram(false)
     for (const unwatch of this.#watched.values()) unwatch()
     this.#watched.clear()
   }
@@ -172,7 +204,9 @@ export class AutoMode {
     const material = composeMaterial(base, { ...inputs, fade: { value: 1 } }, false)
     const map = new ComposedMap(base, format, material, hasContents)
     map.target.texture.matrixAutoUpdate = false
-    return { map, renderer, base, baseVersion: base.version, halvings, bytes, state: 'new' }
+    const { material: shown, program: state, hasOwnProgram } = this.#host
+    const program = hasOwnProgram ? new OwnProgram(shown, state, map.target.texture) : null
+    return { map, renderer, base, baseVersion: base.version, halvings, bytes, program, state: 'new' }
   }
 
   /** After this frame, so that it does not wait for it; what cannot be drawn is not shown. */
@@ -187,8 +221,8 @@ export class AutoMode {
     }
     queueMicrotask(() => {
       if (!isCurrent()) return
-      made.map
-        .compile(made.renderer)
+      const { map, program, renderer } = made
+      Promise.all([map.compile(renderer), program?.prepare(renderer, this.#drawn)])
         .then(draw)
         .catch(() => {})
     })
@@ -225,6 +259,7 @@ export class AutoMode {
     this.end()
     allocated -= this.#made.bytes
     this.#made.map.dispose()
+    this.#made.program?.dispose()
     this.#made = null
   }
 }
@@ -244,28 +279,4 @@ function halvingsOf({ width, height }: Size, needed: number): number {
 function isKept(made: Made, renderer: AnyRenderer, base: Texture, halvings: number): boolean {
   if (made.renderer !== renderer || made.base !== base || made.baseVersion !== base.version) return false
   return halvings === made.halvings || halvings === made.halvings + 1
-}
-
-/** Whether a mesh shows a map as if it repeated, which the layers' maps do. */
-function isRepeated(
-  { wrapS, wrapT, channel, offset, repeat, rotation, matrixAutoUpdate }: Texture,
-  mesh: Mesh,
-): boolean {
-  if (wrapS === RepeatWrapping && wrapT === RepeatWrapping) return true
-  const isPlaced =
-    matrixAutoUpdate && offset.x === 0 && offset.y === 0 && repeat.x === 1 && repeat.y === 1 && rotation === 0
-  return isPlaced && wrapS === wrapT && uvLayoutOf(mesh.geometry, channel).isInside
-}
-
-/** Whether a composed map can replace a normal map unseen: it is filtered as those of glTF are by default, or is one texel, and does not change by itself. */
-function isReplaceable(map: Texture): boolean {
-  const { width, height } = (map.image ?? {}) as Partial<Size>
-  if (width === 1 && height === 1) return true
-  return (
-    width! * height! > 0 &&
-    map.minFilter === LinearMipmapLinearFilter &&
-    map.magFilter === LinearFilter &&
-    !map.isRenderTargetTexture &&
-    !(map as Partial<VideoTexture>).isVideoTexture
-  )
 }

@@ -55,6 +55,8 @@ export class PatchedMaterial {
   /** The mode that is shown as soon as what it takes was fetched. */
   #pending: WrinkleMode | null = null
   #auto: AutoMode | null = null
+  /** Whether the material's own program is drawn: now and then in the mode `auto`. */
+  readonly #program = { isOwn: false }
   /** Found before the material is patched. */
   #isComposable = false
   readonly #options: PatchedMaterialOptions
@@ -89,6 +91,9 @@ export class PatchedMaterial {
     this.#auto ??= new autoMode.value({
       material: this.#material,
       inputs: this.#inputs,
+      program: this.#program,
+      // Relief edits it too.
+      hasOwnProgram: this.#patchRelief === null,
       hasContents: this.#renderer.quads.hasContents,
       composeMaterial: others.composeMaterial,
       budget: this.#options.textureBudget,
@@ -243,7 +248,8 @@ export class PatchedMaterial {
       this.#isRefused = true
     }
     const { others, patch } = this.#renderer
-    const events = { refuse, onCompile: this.#options.onCompile }
+    const { onCompile } = this.#options
+    const events = { refuse, onCompile, isEdited: () => !this.#program.isOwn }
     const patchDefault = () => patch(material, this.#inputs, this.#mesh, events)
     const undo = {
       composed: () => this.#compose(),

@@ -8,12 +8,14 @@ import type { OtherModes } from './other-modes.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
-/** What a patched material calls when its shader is compiled. */
+/** What a patched material is called and asked when its shader is compiled. */
 export interface PatchEvents {
   /** The shader cannot be edited after all; it then stays as it was. */
   refuse(): void
   /** On `WebGLRenderer`, which in `compile` does nothing else that is done before a mesh is drawn. */
   onCompile(renderer: AnyRenderer): void
+  /** Asked when the shader is compiled, on `WebGLRenderer`: false for the material's own program, as if it had never been edited. */
+  isEdited(): boolean
 }
 
 /** What depends on the renderer. */

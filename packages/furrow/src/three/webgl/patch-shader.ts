@@ -11,26 +11,30 @@ interface ShaderPatch {
   refuse(): void
   /** Called after it was edited, before it is compiled. */
   onCompile?(renderer: WebGLRenderer): void
+  /** Whether it is edited; always by default. The material must be compiled anew when this changes. */
+  isEdited?(): boolean
 }
 
 /** Edits a material's own GLSL, after the user's `onBeforeCompile`, if any; returns what undoes that. */
 export function patchShader(
   material: Material,
-  { key, uniforms, edit, refuse, onCompile }: ShaderPatch,
+  { key, uniforms, edit, refuse, onCompile, isEdited = () => true }: ShaderPatch,
 ): () => void {
   const { onBeforeCompile, customProgramCacheKey } = material
   const original = { onBeforeCompile, customProgramCacheKey }
   material.onBeforeCompile = (shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer) => {
     onBeforeCompile.call(material, shader, renderer)
     try {
-      edit(shader)
+      if (isEdited()) edit(shader)
     } catch {
       return refuse()
     }
-    // Not into the object itself: a ShaderMaterial's is its own, which its copies copy.
+    // Not into the object itself: a ShaderMaterial's is its own, which its copies copy. Into that of the material's own program too: three.js
+    // gives a program that it takes up again the uniforms of the one that it built last.
     shader.uniforms = { ...shader.uniforms, ...uniforms }
-    onCompile?.(renderer)
+    if (isEdited()) onCompile?.(renderer)
   }
-  material.customProgramCacheKey = () => `${customProgramCacheKey.call(material)} furrow ${key}`
+  material.customProgramCacheKey = () =>
+    `${customProgramCacheKey.call(material)} furrow ${isEdited() ? key : ''}`
   return () => Object.assign(material, original)
 }

@@ -22,7 +22,7 @@ export class WebGLWrinkles extends WrinklesBase {
 }
 
 /** The default mode. */
-const patch: RendererParts['patch'] = (material, inputs, mesh, { refuse, onCompile }) => {
+const patch: RendererParts['patch'] = (material, inputs, mesh, events) => {
   const { textures } = inputs
   const instances = instancesOf(mesh)
   const variant: ShaderVariant = {
@@ -40,8 +40,7 @@ const patch: RendererParts['patch'] = (material, inputs, mesh, { refuse, onCompi
       shader.fragmentShader = defaultFragment(shader.fragmentShader, variant, PARTS.channels.value)
       if (instances) shader.vertexShader = instancedVertex(shader.vertexShader, instances)
     },
-    refuse,
-    onCompile,
+    ...events,
   })
 }
 
