@@ -162,7 +162,7 @@ export class AutoMode {
     this.#ownReach.copy(inputs.reach.value)
     material.normalMap = texture
     inputs.fade.value = 0
-    // By this the shaders know that there is nothing to sample.
+    // Where shaders have branches, they know by this that there is nothing to sample.
     reachNothing(inputs.reach.value)
     return true
   }
