@@ -91,6 +91,23 @@ export async function measurePeers() {
   return sizes
 }
 
+/** The least that shows the shipped face, see `bench/download/floor.ts`. */
+const FLOOR = {
+  'the floor, normals only':
+    "import { floorPlugin } from '/bench/download/floor.ts'; const used = floorPlugin()",
+  'the floor, all maps of the shipped face':
+    "import { floorPlugin } from '/bench/download/floor.ts'; import { surfaceChannels } from '/bench/download/surface.ts'; const used = floorPlugin(surfaceChannels)",
+}
+
+/** The same of the floor. */
+export async function measureFloor() {
+  const sizes = {}
+  for (const [what, code] of Object.entries(FLOOR)) {
+    sizes[what] = compressed(await bundle(`${code}; globalThis.used = used`, ELSEWHERE))
+  }
+  return sizes
+}
+
 const PAGE = 'virtual:page'
 
 /** Builds a page as a bundler would; its first chunk comes first. */
