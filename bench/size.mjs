@@ -23,7 +23,12 @@ const PAGES = {
 
 /** Fetched by pages with the loader alone: the modules that are imported on demand. */
 const FETCHED = {
-  'drivers beyond blendshapes': ['drivers/parse', 'drivers/registry', 'three/loader/any-drivers'],
+  'drivers beyond blendshapes': [
+    'drivers/parse',
+    'drivers/registry',
+    'three/loader/any-drivers',
+    'babylon/loader/any-drivers',
+  ],
   joints: ['three/sources/joint', 'babylon/sources/joint'],
   'tension, on the CPU': ['three/sources/tension', 'babylon/sources/tension'],
   'tension, by the GPU': ['three/webgpu/computed-tension'],
@@ -44,6 +49,7 @@ const FETCHED = {
   'maps of several sizes': ['core/maps/rules'],
   'a damaged file': ['drivers/parse', 'core/maps/rules', 'runtime/file/image-faults'],
   'key frames of areas': ['three/loader/key-frames'],
+  'the option fadeBelow': ['three/size-on-screen'],
   relief: ['three/relief/relief', 'three/webgl/relief', 'three/webgpu/relief', 'three/relief-control'],
   'the option auto': ['three/loader/auto-wrinkles', 'auto/start-worker'],
 }
