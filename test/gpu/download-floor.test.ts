@@ -1,7 +1,7 @@
 import { WrinkleLoaderPlugin } from 'furrow/three'
-import { Box3, DirectionalLight, type Mesh, PerspectiveCamera, Scene, Vector3 } from 'three'
+import { AmbientLight, Box3, DirectionalLight, type Mesh, PerspectiveCamera, Scene, Vector3 } from 'three'
 import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { floorPlugin } from '../../bench/download/floor.ts'
 import { surfaceChannels } from '../../bench/download/surface.ts'
 import { editGlb } from '../glb.ts'
@@ -20,10 +20,13 @@ describe('the floor of the download', () => {
   let harness: Harness
   let file: Uint8Array
   beforeAll(async () => {
-    harness = await createHarness('webgl')
     file = new Uint8Array(await (await fetch('/faces/human.glb')).arrayBuffer())
   })
-  afterAll(() => harness.dispose())
+  // A renderer for each: three.js would take the two floors' programs for the same, which a page with one of them does not care about.
+  beforeEach(async () => {
+    harness = await createHarness('webgl')
+  })
+  afterEach(() => harness.dispose())
 
   /** Pictures of two faces, one after the other, each with all expressions. */
   const pictures = async (face: Uint8Array, plugin?: PluginMaker) => {
@@ -36,7 +39,7 @@ describe('the floor of the download', () => {
       light.position.set(-1, 1.35, 0.95)
       const camera = new PerspectiveCamera(20, 1, 0.01, 10)
       camera.position.copy(new Box3().setFromObject(scene).getCenter(new Vector3())).z += 1
-      const all = new Scene().add(scene, light)
+      const all = new Scene().add(scene, light, new AmbientLight(0xffffff, 0.5))
       const { morphTargetInfluences: weights, morphTargetDictionary: indices } = scene.getObjectByName(
         'skin',
       ) as Mesh
