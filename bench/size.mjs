@@ -23,7 +23,12 @@ const PAGES = {
 
 /** Fetched by pages with the loader alone: the modules that are imported on demand. */
 const FETCHED = {
-  'drivers beyond blendshapes': ['drivers/parse', 'drivers/registry', 'three/loader/any-drivers'],
+  'drivers beyond blendshapes': [
+    'drivers/parse',
+    'drivers/registry',
+    'three/loader/any-drivers',
+    'babylon/loader/any-drivers',
+  ],
   joints: ['three/sources/joint', 'babylon/sources/joint'],
   'tension, on the CPU': ['three/sources/tension', 'babylon/sources/tension'],
   'tension, by the GPU': ['three/webgpu/computed-tension'],
@@ -44,6 +49,7 @@ const FETCHED = {
   'maps of several sizes': ['core/maps/rules'],
   'a damaged file': ['drivers/parse', 'core/maps/rules', 'runtime/file/image-faults'],
   'key frames of areas': ['three/loader/key-frames'],
+  'the option fadeBelow': ['three/size-on-screen'],
   relief: ['three/relief/relief', 'three/webgl/relief', 'three/webgpu/relief', 'three/relief-control'],
   'the option auto': ['three/loader/auto-wrinkles', 'auto/start-worker'],
 }
@@ -87,6 +93,23 @@ export async function measurePeers() {
       const chunks = await bundle(code, ELSEWHERE)
       sizes[`${name}, ${library}`] = compressed(closure([chunks[0]], chunks))
     }
+  }
+  return sizes
+}
+
+/** The least that shows the shipped face, see `bench/download/floor.ts`. */
+const FLOOR = {
+  'the floor, normals only':
+    "import { floorPlugin } from '/bench/download/floor.ts'; const used = floorPlugin()",
+  'the floor, all maps of the shipped face':
+    "import { floorPlugin } from '/bench/download/floor.ts'; import { surfaceChannels } from '/bench/download/surface.ts'; const used = floorPlugin(surfaceChannels)",
+}
+
+/** The same of the floor. */
+export async function measureFloor() {
+  const sizes = {}
+  for (const [what, code] of Object.entries(FLOOR)) {
+    sizes[what] = compressed(await bundle(`${code}; globalThis.used = used`, ELSEWHERE))
   }
   return sizes
 }

@@ -1,5 +1,6 @@
 // What pages download of the library, beside the figures in bench/sizes.json: `npm run size`, and `npm run size -- --write` to keep what
-// is measured as the figures. Growth is a warning and no failure. `--peers` measures other libraries too.
+// is measured as the figures. Growth is a warning and no failure. `--floor` measures the least that shows the shipped face too, `--peers`
+// other libraries.
 
 import { main, say } from './lib/run.mjs'
 import { setUp } from './lib/set-up.mjs'
@@ -8,14 +9,17 @@ await main(async () => {
   await setUp()
   // These need what it installs.
   const { compareDownload, warnings, writeFigures } = await import('./lib/download.mjs')
-  const { measurePeers } = await import('../bench/size.mjs')
+  const { measureFloor, measurePeers } = await import('../bench/size.mjs')
   const rows = await compareDownload()
   for (const { what, size, figure } of rows)
     print(size, `${what} (${figure ? `${figure.gzip} before` : 'new'})`)
   for (const line of warnings(rows)) say(line)
   if (process.argv.includes('--write')) writeFigures(rows)
-  if (!process.argv.includes('--peers')) return
-  for (const [what, size] of Object.entries(await measurePeers())) print(size, what)
+  const more = {
+    ...(process.argv.includes('--floor') && (await measureFloor())),
+    ...(process.argv.includes('--peers') && (await measurePeers())),
+  }
+  for (const [what, size] of Object.entries(more)) print(size, what)
 })
 
 function print({ gzip, brotli }, what) {

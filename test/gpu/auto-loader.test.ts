@@ -4,6 +4,7 @@ import { WrinkleLoaderPlugin as WebGPUPlugin } from 'furrow/webgpu'
 import { DirectionalLight, type Mesh, type Object3D, OrthographicCamera, Scene } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
+import { Appearance } from '../../packages/furrow/src/three/appearance.ts'
 import {
   bareSheet,
   HALF,
@@ -55,7 +56,7 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
     expect(wrinklesOf(mesh)).toBe(wrinkles)
     let now = 0
     wrinkles!.clock = { now: () => now }
-    wrinkles!.appear(0.3)
+    wrinkles!.appear(new Appearance(300, wrinkles!.clock))
     expect(await picture(gltf)).toEqual(plain)
     const differences: number[] = []
     for (let frame = 0; frame < 8; frame++) {
@@ -90,7 +91,7 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
     expect(found!.areaNames).toEqual(made!.areaNames)
     expect(found!.getArea(found!.areaNames[0]!)).toEqual(made!.getArea(made!.areaNames[0]!))
     for (const { scene } of [first, second]) firstMesh(scene).morphTargetInfluences![0] = 1
-    for (const wrinkles of [made!, found!]) wrinkles.appear(0)
+    for (const wrinkles of [made!, found!]) wrinkles.appear(new Appearance(0, wrinkles.clock))
     // Software rasterisers round differently where threads share a picture out.
     expect(largestDifference(await picture(second), await picture(first))).toBeLessThan(1e-5)
     const other = vi.fn()

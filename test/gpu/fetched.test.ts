@@ -2,6 +2,7 @@ import { type WrinkleMode, type WrinklesBase, wrinklesOf } from 'furrow/three'
 import { DirectionalLight, type Mesh, Scene } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { afterAll, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
+import { FADE } from '../../packages/furrow/src/three/fade.ts'
 import { PARTS as WEBGL } from '../../packages/furrow/src/three/webgl/webgl-wrinkles.ts'
 import { PARTS as WEBGPU } from '../../packages/furrow/src/three/webgpu/webgpu-wrinkles.ts'
 import { createHarness, type Harness, RENDERERS, squareCamera } from './harness.ts'
@@ -21,8 +22,8 @@ describe.each(RENDERERS)('modes that are fetched, on %s', (name) => {
     others.value = null
   })
 
-  async function load(mode: WrinkleMode) {
-    const loader = new GLTFLoader().register((parser) => new harness.Plugin(parser, { mode }))
+  async function load(mode: WrinkleMode, fadeBelow = 0) {
+    const loader = new GLTFLoader().register((parser) => new harness.Plugin(parser, { mode, fadeBelow }))
     const gltf = await loader.parseAsync(file.slice().buffer, '')
     const [wrinkles] = wrinklesOf(gltf) as [WrinklesBase]
     expect(wrinkles).toBeInstanceOf(harness.Wrinkles)
@@ -78,6 +79,20 @@ describe.each(RENDERERS)('modes that are fetched, on %s', (name) => {
     }
     mesh.material = shown
     wrinkles.dispose()
+  })
+
+  it('what fades small faces is there in the first frame', async () => {
+    FADE.value = null
+    const hidden = await load('off')
+    const plain = await hidden.picture()
+    const usual = await load('default')
+    expect(await usual.picture()).not.toBe(plain)
+    expect(FADE.value).toBeNull()
+    // The faces fill a picture of 32 pixels.
+    const small = await load('default', 1000)
+    expect(FADE.value).not.toBeNull()
+    expect(await small.picture()).toBe(plain)
+    for (const { wrinkles } of [hidden, usual, small]) wrinkles.dispose()
   })
 
   it('the mode that was set last is shown', async () => {

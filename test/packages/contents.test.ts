@@ -85,6 +85,23 @@ describe.each([
 
   if (name !== 'furrow') return
 
+  // See `scripts/join-modules.mjs`.
+  it('has its checks in one file, and their modules export what their types say', async () => {
+    const core = join(content, 'dist/core')
+    expect(readdirSync(core).filter((file) => file.startsWith('checks.'))).toEqual([
+      'checks.js',
+      'checks.js.map',
+    ])
+    for (const name of ['error', 'argument', 'limits', 'name', 'image', 'check-areas']) {
+      const [, exported] =
+        read(join(core, `${name}.js`)).match(/^export \{ (.+) \} from "\.\/checks\.js";\s*$/) ?? []
+      const declared = read(join(core, `${name}.d.ts`)).matchAll(
+        /^export declare (?:const|class|function) (\w+)/gm,
+      )
+      expect(exported?.split(', '), name).toEqual([...declared].map(([, what]) => what).sort())
+    }
+  })
+
   it('has types that resolve at every entry', async () => {
     const analysis = await checkPackage(createPackageFromTarballData(tarball))
     if (!analysis.types) throw new Error('there are no types')

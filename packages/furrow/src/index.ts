@@ -64,9 +64,9 @@ export type {
   InputOf,
   Rule,
 } from './drivers/activation.ts'
-export type { Contribution } from './drivers/activation-sum.ts'
 export { AGES, type AgeDriver } from './drivers/age/definition.ts'
 export { JointMeasurement } from './drivers/bone/measure.ts'
+export type { Contribution } from './drivers/contribution.ts'
 export { type Curve, type CurvePoint, curveAt } from './drivers/curve.ts'
 export type { ActivationFilter, DriverDefinition, InputFilter } from './drivers/definition.ts'
 export { describeDriver, describeLink } from './drivers/describe.ts'

@@ -85,6 +85,21 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
     expect(wrinkles.getActivation('a')).toBeCloseTo(0.5, 6)
   })
 
+  it('finds blendshapes that the mesh spells in another way, of copies too', async () => {
+    const container = await open(
+      () => {},
+      (json) => {
+        for (const { extras } of json.meshes) extras.targetNames = ['blendShape1.browInnerUp']
+      },
+    )
+    const [, left] = container.meshes as Mesh[]
+    const clone = left.clone('clone')
+    setTarget(container.meshes, 0.6)
+    await picture()
+    for (const mesh of [left, clone]) expect(wrinklesOf(mesh)!.getActivation('a')).toBeCloseTo(0.5, 6)
+    expect(written.warn).not.toHaveBeenCalled()
+  })
+
   it('reads joints, age, inputs and time', async () => {
     const container = await open(
       (maps) => {

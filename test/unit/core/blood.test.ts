@@ -1,7 +1,7 @@
 import { type ImageArray, packAreas, parseWrinkleSetDocument, reference } from 'furrow'
 import { describe, expect, it } from 'vitest'
 import { BLOOD_ABSORPTION } from '../../../packages/furrow/src/core/blood.ts'
-import { packPairs } from '../../../packages/furrow/src/core/pack.ts'
+import { packPairs } from '../../../packages/furrow/src/core/pack-pairs.ts'
 
 /**
  * By wavelength in nm: molar extinction of oxygenated and deoxygenated haemoglobin in 1/cm/M (Prahl 1998), the spectrum of D65, and the

@@ -1,14 +1,8 @@
 import type { Texture } from '@babylonjs/core/Materials/Textures/texture.js'
 import type { Scene } from '@babylonjs/core/scene.js'
 import type { Layer } from '../core/types.ts'
-import {
-  PAIR,
-  type PackedMaps,
-  packMaps,
-  packPair,
-  VALUE_KINDS,
-  type ValueKind,
-} from '../runtime/layer-maps.ts'
+import { type PackedMaps, packMaps, VALUE_KINDS, type ValueKind } from '../runtime/layer-maps.ts'
+import { PAIR, packPair } from '../runtime/paired-maps.ts'
 import type { MixedLayers, ValueLayers } from './shaders/mixing.ts'
 import { colourTexture, mapTexture } from './textures.ts'
 

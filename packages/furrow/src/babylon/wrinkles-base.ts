@@ -3,10 +3,7 @@ import type { InstancedMesh } from '@babylonjs/core/Meshes/instancedMesh.js'
 import type { Mesh } from '@babylonjs/core/Meshes/mesh.js'
 import '@babylonjs/core/Meshes/thinInstanceMesh.js'
 import type { Scene } from '@babylonjs/core/scene.js'
-import { isSlice } from '../core/check-areas.ts'
-import { FurrowError } from '../core/error.ts'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
-import { checkWrinkleSet } from '../core/wrinkle-set.ts'
 import type { Cell } from '../runtime/atlas-cells.ts'
 import { findReach, type Reach, reachAll } from '../runtime/reach.ts'
 import { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
@@ -60,7 +57,7 @@ export class WrinklesBase extends WrinkleFaces<Scene> {
    * @param mesh with UVs whose v points down, as in glTF, normals, and a `PBRMaterial` or `StandardMaterial`.
    * @param source a wrinkle set, copied. Or the wrinkles of another mesh, whose set and textures are used, with activations at rest; or
    *   those of the mesh itself, which are replaced, as after a change of its thin instances.
-   * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then unchanged.
+   * @throws FurrowError when the mesh or its material does not fit; the mesh is then unchanged.
    */
   constructor(
     mesh: AbstractMesh,
@@ -72,7 +69,6 @@ export class WrinklesBase extends WrinkleFaces<Scene> {
     checkMesh(mesh)
     const { material } = checkMaterial(mesh)
     if (isCopy) source.checkInUse('set')
-    else checkSet(source)
     const shared = isCopy
       ? source.shared
       : new SharedSet(
@@ -265,21 +261,4 @@ function shownOn(mesh: AbstractMesh): WrinklesBase | undefined {
 
 function isInstance(mesh: AbstractMesh): mesh is InstancedMesh {
   return mesh.isAnInstance
-}
-
-/** @throws FurrowError when a set is malformed, or its maps are in arrays of an engine. */
-function checkSet(set: WrinkleSet<ArraySlice>): void {
-  checkWrinkleSet(set, 'Wrinkles')
-  const maps = [
-    ...set.layers.flatMap((layer) => Object.values(layer)),
-    ...set.areas.map(({ weights }) => weights),
-  ]
-  if (!maps.some((map) => typeof map === 'object' && isSlice(map))) return
-  throw new FurrowError({
-    code: 'unsupported',
-    who: 'Wrinkles',
-    what: 'maps in a texture array',
-    limit: 'images',
-    remedy: 'pack the file without --ktx2',
-  })
 }

@@ -1,6 +1,7 @@
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import type { WrinkleDriver } from '../drivers/registry.ts'
+import { checkSource } from './check-source.ts'
 import type { WrinklesOptions } from './options.ts'
 import { addDrivers } from './sources/add-drivers.ts'
 import { WrinklesBase } from './wrinkles-base.ts'
@@ -19,7 +20,7 @@ export class Wrinkles extends WrinklesBase {
     source: WrinkleSet<ArraySlice> | WrinklesBase,
     options: WrinklesOptions = {},
   ) {
-    super(mesh, source, options)
+    super(mesh, checkSource(source), options)
     if (source instanceof WrinklesBase) source.copyDrivers?.(this)
     else if (source.drivers) addDrivers(this, source.drivers as readonly WrinkleDriver[])
   }

@@ -58,21 +58,23 @@ function checkSides(width: number, height: number, who: string): void {
  */
 export function resampleGray(image: GrayImage, size: number): GrayImage {
   if (image.width === size && image.height === size) return image
-  const columns = filterTaps(image.width, size)
-  const rows = filterTaps(image.height, size)
-  const stretched = new Float64Array(image.height * size)
-  for (let y = 0; y < image.height; y++) {
-    for (let x = 0; x < size; x++) {
-      stretched[y * size + x] = weightedSum(columns[x], (i) => image.data[y * image.width + i])
-    }
-  }
-  const data = new Uint8Array(size * size)
-  for (let y = 0; y < size; y++) {
-    for (let x = 0; x < size; x++) {
-      data[y * size + x] = Math.round(weightedSum(rows[y], (i) => stretched[i * size + x]))
-    }
-  }
+  const columns = stretched(image.data, image.width, image.height, size)
+  const rows = stretched(columns, image.height, size, size)
+  const data = new Uint8Array(rows.map(Math.round))
   return { width: size, height: size, data }
+}
+
+/** The rows of an image at another width, as columns: twice, they are rows again. */
+function stretched(data: ArrayLike<number>, width: number, height: number, size: number): Float64Array {
+  const columns = new Float64Array(size * height)
+  for (const [x, { first, weights }] of filterTaps(width, size).entries()) {
+    for (let y = 0; y < height; y++) {
+      let sum = 0
+      for (let k = 0; k < weights.length; k++) sum += weights[k] * data[y * width + first + k]
+      columns[x * height + y] = sum
+    }
+  }
+  return columns
 }
 
 /** The consecutive source texels that make up a new one. */
@@ -95,10 +97,4 @@ function filterTaps(from: number, to: number): Taps[] {
     const total = weights.reduce((sum, w) => sum + w, 0)
     return { first, weights: weights.map((w) => w / total) }
   })
-}
-
-function weightedSum(taps: Taps, at: (i: number) => number): number {
-  let sum = 0
-  for (let k = 0; k < taps.weights.length; k++) sum += taps.weights[k] * at(taps.first + k)
-  return sum
 }

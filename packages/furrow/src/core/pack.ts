@@ -1,3 +1,4 @@
+import { checkCount } from './check-areas.ts'
 import { FurrowError } from './error.ts'
 import { checkImage, resampleGray } from './image.ts'
 import { DEFAULT_AREA_SIZE, MAX_AREAS } from './limits.ts'
@@ -56,16 +57,7 @@ export function packAreas(
   size = DEFAULT_AREA_SIZE,
   who = 'packAreas',
 ): ImageArray {
-  if (weights.length < 1 || weights.length > MAX_AREAS) {
-    throw new FurrowError({
-      code: 'out-of-range',
-      who,
-      what: 'number of areas out of range',
-      value: weights.length,
-      limit: `1 to ${MAX_AREAS}`,
-      remedy: 'merge areas that always move together',
-    })
-  }
+  checkCount(weights.length, 'areas', MAX_AREAS, who)
   const images = weights.map((image, index) => {
     checkImage(image, 'gray', `${who} area ${index}`)
     return resampleGray(image, size)
@@ -73,38 +65,12 @@ export function packAreas(
   return concatenate(images, size, size, 1)
 }
 
-/**
- * Packs two single-channel maps of each layer into the channels of one image, as occlusion and blood are.
- *
- * @param pairs of each layer both maps, at least one of which exists; copied.
- * @param neutral what a map that is missing holds, 0..255.
- * @param who names the caller in errors.
- * @throws FurrowError when there is none, one is malformed, or their sizes differ.
- */
-export function packPairs(
-  pairs: readonly (readonly [GrayImage | undefined, GrayImage | undefined])[],
-  neutral: readonly [number, number],
-  who = 'packPairs',
-): ImageArray {
-  const present = pairs.flat().filter((image) => image !== undefined)
-  checkSizes(present, 'gray', who)
-  const { width, height } = present[0]
-  const texels = width * height
-  const data = new Uint8Array(2 * texels * pairs.length)
-  for (const [slice, pair] of pairs.entries()) {
-    const [first, second] = pair.map(
-      (image, channel) => image?.data ?? new Uint8Array(texels).fill(neutral[channel]),
-    )
-    const start = 2 * texels * slice
-    for (let i = 0; i < texels; i++) {
-      data[start + 2 * i] = first[i]
-      data[start + 2 * i + 1] = second[i]
-    }
-  }
-  return { width, height, depth: pairs.length, channels: 2, data }
-}
-
-function checkSizes(images: readonly (GrayImage | RgbaImage)[], layout: 'gray' | 'RGBA', who: string): void {
+/** @throws FurrowError when there is no image, one is malformed, or their sizes differ. */
+export function checkSizes(
+  images: readonly (GrayImage | RgbaImage)[],
+  layout: 'gray' | 'RGBA',
+  who: string,
+): void {
   if (images.length === 0) {
     throw new FurrowError({ who, what: 'no images', value: 0, limit: 'at least 1', remedy: 'give an image' })
   }

@@ -23,25 +23,13 @@ export interface BoundActivation {
   curve: AreaActivation['curve']
 }
 
-/** What one driver adds to its area. */
-export interface Contribution {
-  /** 0..1. */
-  activation: number
-  /** Value of each input, before the link's curve and weight. */
-  inputs: number[]
-  /** Value of each link, before rule and curve. */
-  links: number[]
-  /** The links combined by the rule: what the curve reads. */
-  combined: number
-}
-
 /** Evaluates area activations in order. `addTo` allocates nothing, unless a registered rule does. */
 export class ActivationSum {
   readonly #activations: readonly BoundActivation[]
-  /** Scratch for registered rules: one value per link. */
+  /** Scratch: one value per link. */
   readonly #linkValues: readonly Float64Array[]
   readonly #warned = new Set<string>()
-  /** Result of `#readInput`, `#read` and `#combine`; in an array, since a number that a function returns may be boxed. */
+  /** Result of `#read` and `#combine`; in an array, since a number that a function returns may be boxed. */
   readonly #value = new Float64Array(1)
 
   constructor(activations: readonly BoundActivation[]) {
@@ -64,57 +52,26 @@ export class ActivationSum {
     }
   }
 
-  /** The contribution of one driver, by its index. Allocates. */
-  explain(index: number, areas: Float32Array, inputs: Float64Array): Contribution {
-    const { links, curve } = this.#activations[index]
-    const value = this.#value
-    const inputValues = links.map((link) => {
-      this.#readInput(link, areas, inputs)
-      return value[0]
-    })
-    const linkValues = links.map((link) => {
-      this.#read(link, areas, inputs)
-      return value[0]
-    })
-    this.#combine(index, areas, inputs)
-    const combined = value[0]
-    applyCurve(curve, value)
-    return { activation: value[0], inputs: inputValues, links: linkValues, combined }
-  }
-
   #combine(index: number, areas: Float32Array, inputs: Float64Array): void {
     const { links, rule } = this.#activations[index]
-    const value = this.#value
     const values = this.#linkValues[index]
-    let combined = rule === 'product' ? 1 : 0
     for (let i = 0; i < links.length; i++) {
       this.#read(links[i], areas, inputs)
-      values[i] = value[0]
-      if (rule === 'sum') combined += value[0]
-      else if (rule === 'product') combined *= value[0]
-      else if (i === 0) combined = value[0]
-      else combined = rule === 'min' ? Math.min(combined, value[0]) : Math.max(combined, value[0])
+      values[i] = this.#value[0]
     }
-    value[0] = typeof rule === 'function' ? rule(values) : combined
+    combine(rule, values, this.#value)
   }
 
   #read(link: BoundLink, areas: Float32Array, inputs: Float64Array): void {
-    const { weight, curve } = link
+    const { name, weight, curve } = link
     const value = this.#value
-    this.#readInput(link, areas, inputs)
-    if (curve) applyCurve(curve, value)
-    value[0] *= weight
-  }
-
-  #readInput({ name, indices, isArea }: BoundLink, areas: Float32Array, inputs: Float64Array): void {
-    const value = this.#value
-    const from = isArea ? areas : inputs
-    value[0] = 0
-    for (let k = 0; k < indices.length; k++) value[0] += from[indices[k]] / indices.length
+    readInput(link, areas, inputs, value)
     if (Number.isNaN(value[0])) {
       this.#warn(name)
       value[0] = 0
     }
+    if (curve) applyCurve(curve, value)
+    value[0] *= weight
   }
 
   #warn(name: string): void {
@@ -128,5 +85,32 @@ export class ActivationSum {
         remedy: 'it counts as 0; this warning is not repeated',
       }),
     )
+  }
+}
+
+/** Reads the input of a link, before its curve and weight, into `value`. */
+export function readInput(
+  { indices, isArea }: BoundLink,
+  areas: Float32Array,
+  inputs: Float64Array,
+  value: Float64Array,
+): void {
+  const from = isArea ? areas : inputs
+  value[0] = 0
+  for (let k = 0; k < indices.length; k++) value[0] += from[indices[k]] / indices.length
+}
+
+/** Combines the values of a driver's links by its rule, into `value`. */
+export function combine(rule: AreaActivation['rule'], values: Float64Array, value: Float64Array): void {
+  if (typeof rule === 'function') {
+    value[0] = rule(values)
+    return
+  }
+  value[0] = rule === 'product' ? 1 : 0
+  for (let i = 0; i < values.length; i++) {
+    if (rule === 'sum') value[0] += values[i]
+    else if (rule === 'product') value[0] *= values[i]
+    else if (i === 0) value[0] = values[0]
+    else value[0] = rule === 'min' ? Math.min(value[0], values[i]) : Math.max(value[0], values[i])
   }
 }

@@ -1,5 +1,6 @@
 import { type ExternalInputKind, type Input, inputName } from './activation.ts'
-import { ActivationSum, type BoundActivation, type BoundLink, type Contribution } from './activation-sum.ts'
+import { ActivationSum, type BoundActivation, type BoundLink } from './activation-sum.ts'
+import { type Contribution, contributionOf } from './contribution.ts'
 import type { ActivationFilter } from './definition.ts'
 import type { DriverPlan, PlannedActivation } from './plan.ts'
 
@@ -54,6 +55,7 @@ export class DriverProgram {
   readonly missing: readonly string[]
   /** The plan's activations that can be evaluated, in order. */
   readonly activations: readonly PlannedActivation[]
+  readonly #bound: readonly BoundActivation[]
   readonly #sum: ActivationSum
   readonly #inputFilters: readonly ((values: Float64Array) => void)[]
   readonly #activationFilters: readonly ReturnType<ActivationFilter['bind']>[]
@@ -83,7 +85,8 @@ export class DriverProgram {
     this.activations = plan.activations.filter(({ activation: { links } }) => {
       return links.every(({ input }) => canRead(input, bound.get(input)))
     })
-    this.#sum = new ActivationSum(this.activations.map(({ activation }) => bind(activation, plan, bound)))
+    this.#bound = this.activations.map(({ activation }) => bind(activation, plan, bound))
+    this.#sum = new ActivationSum(this.#bound)
     this.#inputFilters = plan.inputFilters
       .filter(({ filter }) => filter.inputs.every((input) => (bound.get(input)?.indices.length ?? 0) > 0))
       .map(({ filter }) =>
@@ -142,7 +145,7 @@ export class DriverProgram {
    * @param state an evaluated one.
    */
   explain(index: number, state: DriverState): Contribution {
-    return this.#sum.explain(index, state.activations, state.values)
+    return contributionOf(this.#bound[index], state.activations, state.values)
   }
 }
 

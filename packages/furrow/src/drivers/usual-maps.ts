@@ -39,30 +39,30 @@ export function readUsualMaps(json: Json, textureCount: number): WrinkleMaps | u
   }
 }
 
+/** The maps of a layer, and what scales each: the field, its range, and its default if it may be left out. */
+const MAPS: Record<string, readonly [field: string, low: number, high: number, byDefault?: number] | null> = {
+  normalTexture: ['scale', -LARGEST, LARGEST, 1],
+  baseColorTexture: null,
+  roughnessTexture: null,
+  occlusionTexture: ['strength', 0, 1, 1],
+  heightTexture: ['amplitude', 0, LARGEST],
+  bloodTexture: ['amplitude', 0, MAX_BLOOD_AMPLITUDE],
+}
+
 function readLayer(json: Json, textures: number): WrinkleMapsLayer {
-  const texture = (slot: string) => readTexture(json[slot], textures)
-  const has = (slot: string) => json[slot] !== undefined
-  const amplitude = (slot: string, high: number) => ({
-    ...texture(slot),
-    amplitude: number(json[slot].amplitude, 0, high),
-  })
-  const { scale = 1 } = json.normalTexture
-  const layer: WrinkleMapsLayer = {
-    name: nameOf(json),
-    kind: choice(json.kind, ['replace', 'detail']),
-    normalTexture: { ...texture('normalTexture'), scale: number(scale, -LARGEST, LARGEST) },
+  const layer: Json = { name: nameOf(json), kind: choice(json.kind, ['replace', 'detail']) }
+  for (const [slot, scale] of Object.entries(MAPS)) {
+    const map = json[slot]
+    if (map === undefined) continue
+    layer[slot] = readTexture(map, textures)
+    if (!scale) continue
+    const [field, low, high, byDefault] = scale
+    const { [field]: value = byDefault } = map
+    layer[slot][field] = number(value, low, high)
   }
-  if (has('baseColorTexture')) layer.baseColorTexture = texture('baseColorTexture')
-  if (has('roughnessTexture')) layer.roughnessTexture = texture('roughnessTexture')
-  if (has('occlusionTexture')) {
-    const { strength = 1 } = json.occlusionTexture
-    layer.occlusionTexture = { ...texture('occlusionTexture'), strength: number(strength, 0, 1) }
-  }
-  if (has('heightTexture')) layer.heightTexture = amplitude('heightTexture', LARGEST)
-  if (has('bloodTexture')) {
-    layer.bloodTexture = amplitude('bloodTexture', MAX_BLOOD_AMPLITUDE)
-    require((layer.occlusionTexture ?? layer.bloodTexture).index === layer.bloodTexture.index)
-  }
+  const { normalTexture, occlusionTexture, bloodTexture } = layer
+  require(normalTexture)
+  require(!occlusionTexture || !bloodTexture || occlusionTexture.index === bloodTexture.index)
   return layer
 }
 
@@ -107,7 +107,7 @@ function readTexture(json: Json, textures: number): TextureReference {
   return { ...json, index: index(json.index, textures) }
 }
 
-function require(isUsual: boolean): void {
+function require(isUsual: unknown): void {
   if (!isUsual) throw new Error()
 }
 

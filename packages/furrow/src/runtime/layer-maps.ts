@@ -1,6 +1,5 @@
-import { BLOOD_AT_REST } from '../core/blood.ts'
-import { type ImageArray, packColours, packGrays, packPairs } from '../core/pack.ts'
-import type { GrayImage, Layer, RgbaImage } from '../core/types.ts'
+import { type ImageArray, packColours, packGrays } from '../core/pack.ts'
+import type { GrayImage, RgbaImage } from '../core/types.ts'
 
 /** Kinds of maps that a layer may have besides its normals. */
 export const VALUE_KINDS = ['baseColor', 'roughness', 'occlusion', 'blood'] as const
@@ -33,24 +32,4 @@ export function packMaps(
     slices: maps.map((map) => (map ? next++ : null)),
     channel: 0,
   }
-}
-
-/** Images of these are channels of one array: samplers are few. */
-export const PAIR = ['occlusion', 'blood'] as const
-
-/** Packs occlusion and blood of layers that have images of both. */
-export function packPair(layers: readonly Layer[]): Record<(typeof PAIR)[number], PackedMaps> {
-  const owners = layers.filter(({ occlusion, blood }) => occlusion ?? blood)
-  const pairs = owners.map(({ occlusion, blood }): [GrayImage | undefined, GrayImage | undefined] => [
-    occlusion,
-    blood,
-  ])
-  const who = 'Wrinkles occlusion and blood maps of the layers'
-  const images = packPairs(pairs, [255, BLOOD_AT_REST], who)
-  const mapsOf = (kind: (typeof PAIR)[number]): PackedMaps => ({
-    images,
-    slices: layers.map((layer) => (layer[kind] ? owners.indexOf(layer) : null)),
-    channel: PAIR.indexOf(kind),
-  })
-  return { occlusion: mapsOf('occlusion'), blood: mapsOf('blood') }
 }

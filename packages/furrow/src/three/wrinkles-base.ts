@@ -6,11 +6,12 @@ import type { Cell } from '../runtime/atlas-cells.ts'
 import type { FrameEntry } from '../runtime/frame.ts'
 import { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
 import { exposeAreas } from './animated-areas.ts'
-import { Appearance } from './appearance.ts'
+import type { Appearance } from './appearance.ts'
 import { createAreaArray } from './atlas/area-array.ts'
 import type { InfluenceAtlas } from './atlas/influence-atlas.ts'
 import { callBeforeRender } from './before-render.ts'
 import { checkIsMesh, checkMesh } from './check-mesh.ts'
+import { FADE } from './fade.ts'
 import { frameOf, type RendererFrame } from './frame.ts'
 import { countFaces, instancesOf } from './instances.ts'
 import { checkMaterial, PatchedMaterial } from './material/patched-material.ts'
@@ -36,7 +37,6 @@ import {
 import { canRise } from './relief/raised-layer.ts'
 import type { ReliefControl, ReliefOwner } from './relief-control.ts'
 import { type AnyRenderer, checkRenderer, isRefused } from './renderer.ts'
-import { fadeOnScreen } from './size-on-screen.ts'
 
 const wrinklesByMesh = new WeakMap<Mesh, WrinklesBase>()
 
@@ -269,9 +269,9 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     return { areas: this.areas, inputs: this.#inputs }
   }
 
-  /** Lets the wrinkles appear, over some seconds from the next frames on. @internal */
-  appear(seconds: number): void {
-    this.#appearance = new Appearance(1000 * seconds, this.clock)
+  /** Lets the wrinkles appear in the next frames. @internal */
+  appear(appearance: Appearance): void {
+    this.#appearance = appearance
   }
 
   /** Called before a mesh is drawn: runs the phases up to the influence, then sets what the mesh's shader reads. @internal */
@@ -334,7 +334,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   #fadeOf(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
     const { fadeBelow } = this.#options
     if (fadeBelow === 0 || this.#material.composed || instancesOf(this.mesh)) return 1
-    return fadeOnScreen(mesh, camera, renderer, fadeBelow)
+    return FADE.value?.(mesh, camera, renderer, fadeBelow) ?? 1
   }
 
   #largestActivation(): number {

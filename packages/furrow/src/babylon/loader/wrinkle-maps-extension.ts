@@ -13,10 +13,10 @@ import {
   wrinkleReader,
 } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
+import { prepareDrivers } from '../../runtime/prepare-drivers.ts'
 import type { LoaderOptions, WrinklesOptions } from '../options.ts'
-import { bindPlan } from '../sources/bind-plan.ts'
+import { readWeights, targetNames } from '../sources/morph.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
-import { planFetched } from './plan-fetched.ts'
 
 /** A face of a file: meshes of one node that have one material with the extension. */
 interface FileFace {
@@ -73,16 +73,24 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
     { set, drivers }: FileWrinkles,
     first: Map<FileWrinkles['set'], WrinklesBase>,
   ): Promise<void> {
-    const planned = await planFetched(drivers)
     const muscles = driversOf('muscle', drivers)
     if (muscles.length > 0) {
       const { addMuscles } = await import('../sources/muscles.ts')
       for (const part of [mesh, ...others]) addMuscles(part, muscles)
     }
+    const driveOne = await prepareDrivers<WrinklesBase>(targetNames(mesh.morphTargetManager), drivers, {
+      targetNames: (own) => targetNames(own.mesh.morphTargetManager),
+      weightReader: (own) => (values) => readWeights(own.mesh, values),
+      fetchAny: async () => (await import('./any-drivers.ts')).planDrivers(drivers),
+    })
+    const drive = (own: WrinklesBase) => {
+      own.copyDrivers = drive
+      driveOne(own)
+    }
     const own = new WrinklesBase(mesh, first.get(set) ?? set, this.#options)
     try {
       for (const other of others) own.addMesh(other)
-      bindPlan(own, planned)
+      drive(own)
     } catch (error) {
       own.dispose()
       throw error

@@ -4,7 +4,7 @@ import type { Node } from '@babylonjs/core/node.js'
 import { wrongArgument } from '../../core/argument.ts'
 import { targetFinder } from '../../drivers/morph/target-names.ts'
 import { noTargets, type TargetBinding } from '../../runtime/target-binding.ts'
-import { targetNames } from './target.ts'
+import { targetNames } from './morph.ts'
 
 /**
  * Finds the morph targets with some names, in any spelling that `findTargets` knows, on all meshes under a node.

@@ -5,8 +5,8 @@ import { MorphTargetManager } from '@babylonjs/core/Morph/morphTargetManager.js'
 import type { MuscleDriver } from '../../drivers/muscle/definition.ts'
 import { muscleOffsets } from '../../drivers/muscle/offsets.ts'
 import { morphNormalDeltas } from '../../math/deformed-normals.ts'
+import { targetNames } from './morph.ts'
 import { trianglesOf, vertexData } from './surface.ts'
-import { targetNames } from './target.ts'
 
 /**
  * Adds virtual muscles to a mesh: each becomes a morph target of its name, with normals, whose weight is the contraction. Muscles

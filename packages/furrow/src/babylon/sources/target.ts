@@ -1,24 +1,9 @@
-import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
-import type { MorphTargetManager } from '@babylonjs/core/Morph/morphTargetManager.js'
 import { targetSource } from '../../drivers/sources.ts'
 import type { BindInputs } from './bind-plan.ts'
+import { readWeights, targetNames } from './morph.ts'
 
 /** Reads the weights of the mesh's morph targets. */
 export const bindTargets: BindInputs<'target'> = ({ mesh }, inputs) => ({
   ...targetSource(inputs, targetNames(mesh.morphTargetManager)),
-  read(values) {
-    const { morphTargetManager: targets } = mesh
-    if (!targets) return
-    const count = Math.min(values.length, targets.numTargets)
-    for (let i = 0; i < count; i++) values[i] = targets.getTarget(i).influence
-  },
+  read: (values) => readWeights(mesh, values),
 })
-
-/** Names of the targets of a mesh, in the order of their weights. */
-export function targetNames(targets: AbstractMesh['morphTargetManager']): string[] {
-  return Array.from({ length: targets?.numTargets ?? 0 }, (_, i) => nameOf(targets!, i))
-}
-
-function nameOf(targets: MorphTargetManager, i: number): string {
-  return targets.getTarget(i).name
-}

@@ -4,14 +4,22 @@ import { type AutoRunOptions, runWorker } from '../../auto/run-worker.ts'
 import { FurrowError } from '../../core/error.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { FileWrinkles } from '../../runtime/file/read-wrinkles.ts'
+import { Appearance } from '../appearance.ts'
 import { surfaceOf } from '../material/surface.ts'
 import { mapTexture } from '../material/textures.ts'
+import type { WrinklesBase } from '../wrinkles-base.ts'
 import { canCrease, readMeshes } from './read-character.ts'
 
 type Meshes = [Mesh, ...Mesh[]]
 
+/** Adds wrinkles to a face of a file. */
+export type AddFace = (meshes: Meshes, made: FileWrinkles) => Promise<WrinklesBase>
+
+/** Milliseconds over which wrinkles appear that come after loading. */
+const FADE_IN = 300
+
 /** Wrinkles that were made for a file. */
-export interface MadeWrinkles extends FileWrinkles {
+interface MadeWrinkles extends FileWrinkles {
   /** The faces that show the skin. */
   faces: Meshes[]
 }
@@ -20,13 +28,33 @@ export interface MadeWrinkles extends FileWrinkles {
 let previous: Promise<unknown> = Promise.resolve()
 
 /**
+ * Makes wrinkles for the skin of a file, and adds them.
+ *
+ * @param added takes them.
+ * @throws FurrowError as `makeAutoWrinkles` does.
+ */
+export async function addAutoWrinkles(
+  faces: readonly Meshes[],
+  options: AutoRunOptions,
+  addFace: AddFace,
+  added: WrinklesBase[],
+): Promise<void> {
+  const made = await makeAutoWrinkles(faces, options)
+  for (const meshes of made?.faces ?? []) {
+    const own = await addFace(meshes, made!)
+    own.appear(new Appearance(FADE_IN, own.clock))
+    added.push(own)
+  }
+}
+
+/**
  * Makes wrinkles for the skin of a file from its blendshapes, in a worker.
  *
  * @param faces the meshes of each face.
  * @returns undefined when that was cancelled, or everything was disposed of.
  * @throws FurrowError when none of them can wrinkle, or the worker fails.
  */
-export async function makeAutoWrinkles(
+async function makeAutoWrinkles(
   faces: readonly Meshes[],
   options: AutoRunOptions,
 ): Promise<MadeWrinkles | undefined> {

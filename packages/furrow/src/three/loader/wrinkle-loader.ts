@@ -9,6 +9,8 @@ import { extensionOf, type FileWrinkles } from '../../runtime/file/read-wrinkles
 import { Warnings } from '../../runtime/file/warnings.ts'
 import { VALUE_KINDS } from '../../runtime/layer-maps.ts'
 import { nextTask } from '../../runtime/next-task.ts'
+import { prepareDrivers } from '../../runtime/prepare-drivers.ts'
+import { FADE } from '../fade.ts'
 import { needChannels } from '../material/channels.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import { surfaceOf } from '../material/surface.ts'
@@ -20,10 +22,10 @@ import {
   type WrinklesOptions,
 } from '../options.ts'
 import type { Drive, FetchedBindings } from '../sources/binding.ts'
+import { targetNames, weightReader } from '../sources/morph.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { Adoption, type WatchDraws } from './adoption.ts'
-import type { MadeWrinkles } from './auto-wrinkles.ts'
-import { prepareDrivers } from './prepare-drivers.ts'
+import type { AddFace } from './auto-wrinkles.ts'
 import { type FileFace, facesOf, materialReader, wrinkledFaces } from './read-wrinkle-maps.ts'
 
 /** The `Wrinkles` class of a renderer. */
@@ -32,9 +34,6 @@ type WrinklesClass = new (
   source: WrinkleSet<ArraySlice> | WrinklesBase,
   options: WrinklesOptions,
 ) => WrinklesBase
-
-/** Seconds over which wrinkles appear that come after loading. */
-const FADE_IN = 0.3
 
 /** What depends on the renderer. */
 export interface LoaderParts {
@@ -148,20 +147,18 @@ export class WrinkleLoader {
     expressions: (() => VrmExpressions | undefined) | undefined,
   ): Promise<void> {
     const warn = (error: unknown) => this.#warnings.add(error, 'the file stays plain')
+    const added: AddedFaces = { bySet: new Map(), byMaterial: new Map() }
+    const addFace: AddFace = (meshes, made) => this.#addFace(meshes, made, added, expressions)
     try {
-      const { makeAutoWrinkles } = await this.#autoModule!
+      const { addAutoWrinkles } = await this.#autoModule!
       const { areaSize } = this.#options
-      const making = makeAutoWrinkles(facesOf(gltf, this.#parser), { areaSize, ...this.#auto })
-      const add = async (made: MadeWrinkles | undefined) => {
-        if (!made) return
-        const added: AddedFaces = { bySet: new Map(), byMaterial: new Map() }
-        for (const meshes of made.faces) {
-          const own = await this.#addFace(meshes, made, added, expressions)
-          own.appear(FADE_IN)
-          wrinkles.push(own)
-        }
-      }
-      gltf.userData.wrinklesReady = making.then(add).catch(warn)
+      const options = { areaSize, ...this.#auto }
+      gltf.userData.wrinklesReady = addAutoWrinkles(
+        facesOf(gltf, this.#parser),
+        options,
+        addFace,
+        wrinkles,
+      ).catch(warn)
     } catch (error) {
       warn(error)
     }
@@ -182,14 +179,31 @@ export class WrinkleLoader {
     const copy = byMaterial.get(material)?.cloneMaterial()
     // Another face with the same material has its own activations, and so needs its own material.
     if (copy) for (const mesh of meshes) mesh.material = copy
-    const vrm = expressions && this.#parser
-    const drive = await prepareDrivers(meshes[0], drivers, this.#parts.bindings, vrm)
+    const drive = await this.#prepareDrivers(meshes[0], drivers, expressions !== undefined)
     // What comes after it packs all maps: a task of its own, after that of the last image.
-    await Promise.all([this.#fetchMode(material), this.#fetchChannels(set, material), nextTask()])
+    await Promise.all([
+      this.#fetchMode(material),
+      this.#fetchChannels(set, material),
+      this.#fetchFade(),
+      nextTask(),
+    ])
     const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, drive, { expressions })
     if (!bySet.has(set)) bySet.set(set, own)
     if (!copy) byMaterial.set(material, own)
     return own
+  }
+
+  async #prepareDrivers(mesh: Mesh, drivers: FileWrinkles['drivers'], isVrm: boolean): Promise<Drive> {
+    const fetchAny = async () => {
+      const { planDrivers } = await import('./any-drivers.ts')
+      return planDrivers(mesh, drivers, this.#parts.bindings, isVrm ? this.#parser : undefined)
+    }
+    if (isVrm) return fetchAny()
+    return prepareDrivers<WrinklesBase>(targetNames(mesh), drivers, {
+      targetNames: (own) => targetNames(own.mesh),
+      weightReader: (own, names) => weightReader(own.mesh, names),
+      fetchAny,
+    })
   }
 
   /** Fetches the mode that a material will show, so that it does from the first frame on. */
@@ -203,6 +217,11 @@ export class WrinkleLoader {
   /** Fetches what mixes other maps than normals, where there are any. */
   async #fetchChannels({ layers }: FileWrinkles['set'], material: Material): Promise<void> {
     if (needChannels(layers, material as WrinkleMaterial)) await this.#parts.renderer.channels.load()
+  }
+
+  /** Fetches what fades wrinkles of small faces, if the page wants that. They are shown without it too. */
+  async #fetchFade(): Promise<void> {
+    if (this.#options.fadeBelow > 0) await FADE.load().catch(() => {})
   }
 
   /** Adds wrinkles to the meshes of one face, to every copy of them, and to what is drawn with their material. */

@@ -1,6 +1,7 @@
 import { isSlice } from '../../core/check-areas.ts'
 import type { ArraySlice, Layer } from '../../core/types.ts'
-import { PAIR, packPair, VALUE_KINDS, type ValueKind } from '../../runtime/layer-maps.ts'
+import { VALUE_KINDS, type ValueKind } from '../../runtime/layer-maps.ts'
+import { PAIR, packPair } from '../../runtime/paired-maps.ts'
 import { type LayerMaps, layerMaps, onGpu } from './layer-textures.ts'
 import { mapTexture } from './textures.ts'
 

@@ -1,14 +1,17 @@
 import type { Mesh } from 'three'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { checkSource } from '../check-source.ts'
+import { FADE } from '../fade.ts'
 import type { WrinklesOptions } from '../options.ts'
+import { fadeOnScreen } from '../size-on-screen.ts'
 import { type AddDrivers, addDrivers } from '../sources/add-drivers.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import { CHANNELS } from './channels.ts'
 import { OTHER_MODES } from './other-modes.ts'
 import { PARTS, WebGLWrinkles } from './webgl-wrinkles.ts'
 
-// A page that makes wrinkles of its own has all modes and maps at once.
+// A page that makes wrinkles of its own has all modes and maps at once, and what fades.
+FADE.value = fadeOnScreen
 PARTS.others.value = OTHER_MODES
 PARTS.channels.value = CHANNELS
 

@@ -2,14 +2,17 @@ import type { Mesh } from 'three'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 import { checkSource } from '../check-source.ts'
+import { FADE } from '../fade.ts'
 import type { WrinklesOptions } from '../options.ts'
+import { fadeOnScreen } from '../size-on-screen.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import { addDrivers } from './add-drivers.ts'
 import { CHANNELS } from './channels.ts'
 import { OTHER_MODES } from './other-modes.ts'
 import { checkThreeFor, PARTS, WebGPUWrinkles } from './webgpu-wrinkles.ts'
 
-// A page that makes wrinkles of its own has all modes and maps at once.
+// A page that makes wrinkles of its own has all modes and maps at once, and what fades.
+FADE.value = fadeOnScreen
 PARTS.others.value = OTHER_MODES
 PARTS.channels.value = CHANNELS
 

@@ -1,0 +1,27 @@
+import { isSlice } from '../core/check-areas.ts'
+import { FurrowError } from '../core/error.ts'
+import type { ArraySlice, WrinkleSet } from '../core/types.ts'
+import { checkWrinkleSet } from '../core/wrinkle-set.ts'
+import { WrinklesBase } from './wrinkles-base.ts'
+
+/**
+ * Checks a set that a page made; those of files were checked as they were read.
+ *
+ * @throws FurrowError when it is malformed, or its maps are in arrays of an engine.
+ */
+export function checkSource<T extends WrinkleSet<ArraySlice> | WrinklesBase>(source: T): T {
+  if (source instanceof WrinklesBase) return source
+  checkWrinkleSet(source, 'Wrinkles')
+  const maps = [
+    ...source.layers.flatMap((layer) => Object.values(layer)),
+    ...source.areas.map(({ weights }) => weights),
+  ]
+  if (!maps.some((map) => typeof map === 'object' && isSlice(map))) return source
+  throw new FurrowError({
+    code: 'unsupported',
+    who: 'Wrinkles',
+    what: 'maps in a texture array',
+    limit: 'images',
+    remedy: 'pack the file without --ktx2',
+  })
+}

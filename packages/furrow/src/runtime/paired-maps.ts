@@ -1,0 +1,24 @@
+import { BLOOD_AT_REST } from '../core/blood.ts'
+import { packPairs } from '../core/pack-pairs.ts'
+import type { GrayImage, Layer } from '../core/types.ts'
+import type { PackedMaps } from './layer-maps.ts'
+
+/** Images of these are channels of one array: samplers are few. */
+export const PAIR = ['occlusion', 'blood'] as const
+
+/** Packs occlusion and blood of layers that have images of both. */
+export function packPair(layers: readonly Layer[]): Record<(typeof PAIR)[number], PackedMaps> {
+  const owners = layers.filter(({ occlusion, blood }) => occlusion ?? blood)
+  const pairs = owners.map(({ occlusion, blood }): [GrayImage | undefined, GrayImage | undefined] => [
+    occlusion,
+    blood,
+  ])
+  const who = 'Wrinkles occlusion and blood maps of the layers'
+  const images = packPairs(pairs, [255, BLOOD_AT_REST], who)
+  const mapsOf = (kind: (typeof PAIR)[number]): PackedMaps => ({
+    images,
+    slices: layers.map((layer) => (layer[kind] ? owners.indexOf(layer) : null)),
+    channel: PAIR.indexOf(kind),
+  })
+  return { occlusion: mapsOf('occlusion'), blood: mapsOf('blood') }
+}
