@@ -1,6 +1,6 @@
 import { sentence } from '../core/error.ts'
 import type { AreaActivation } from './activation.ts'
-import { applyCurve } from './curve.ts'
+import { type CurvePoints, outputOf } from './curve.ts'
 
 /** A link, its input resolved to values among the inputs or the areas' activations. */
 export interface BoundLink {
@@ -11,7 +11,8 @@ export interface BoundLink {
   /** Whether the values are activations. */
   isArea: boolean
   weight: number
-  curve?: AreaActivation['curve']
+  /** Of its curve, if it has one. */
+  points: CurvePoints | undefined
 }
 
 /** An area activation, its area and inputs resolved to indices. */
@@ -20,7 +21,8 @@ export interface BoundActivation {
   area: number
   links: readonly BoundLink[]
   rule: AreaActivation['rule']
-  curve: AreaActivation['curve']
+  /** Of its curve. */
+  points: CurvePoints
 }
 
 /** What one driver adds to its area. */
@@ -38,14 +40,20 @@ export interface Contribution {
 /** Evaluates area activations in order. `addTo` allocates nothing, unless a registered rule does. */
 export class ActivationSum {
   readonly #activations: readonly BoundActivation[]
-  /** Scratch for registered rules: one value per link. */
+  /** By driver and link: index of its input; -1 if that is an area or not just one value, or has a curve. */
+  readonly #sources: readonly Int32Array[]
+  /** The same: its weight. To read these of the links takes twice as long. */
+  readonly #weights: readonly Float64Array[]
+  /** The same: its value, before the rule. */
   readonly #linkValues: readonly Float64Array[]
   readonly #warned = new Set<string>()
-  /** Result of `#readInput`, `#read` and `#combine`; in an array, since a number that a function returns may be boxed. */
+  /** Result of `#read` and `#combine`; in an array, since a number that a function returns may be boxed. */
   readonly #value = new Float64Array(1)
 
   constructor(activations: readonly BoundActivation[]) {
     this.#activations = activations
+    this.#sources = activations.map(({ links }) => Int32Array.from(links, sourceOf))
+    this.#weights = activations.map(({ links }) => Float64Array.from(links, ({ weight }) => weight))
     this.#linkValues = activations.map(({ links }) => new Float64Array(links.length))
   }
 
@@ -57,56 +65,53 @@ export class ActivationSum {
    */
   addTo(areas: Float32Array, inputs: Float64Array): void {
     for (let i = 0; i < this.#activations.length; i++) {
-      const { area, curve } = this.#activations[i]
+      const { area, points } = this.#activations[i]
       this.#combine(i, areas, inputs)
-      applyCurve(curve, this.#value)
-      areas[area] = Math.min(1, areas[area] + this.#value[0])
+      areas[area] = Math.min(1, areas[area] + outputOf(points, this.#value[0]))
     }
   }
 
   /** The contribution of one driver, by its index. Allocates. */
   explain(index: number, areas: Float32Array, inputs: Float64Array): Contribution {
-    const { links, curve } = this.#activations[index]
-    const value = this.#value
+    const { links, points } = this.#activations[index]
     const inputValues = links.map((link) => {
-      this.#readInput(link, areas, inputs)
-      return value[0]
-    })
-    const linkValues = links.map((link) => {
-      this.#read(link, areas, inputs)
-      return value[0]
+      this.#read({ ...link, points: undefined }, areas, inputs)
+      return this.#value[0]
     })
     this.#combine(index, areas, inputs)
-    const combined = value[0]
-    applyCurve(curve, value)
-    return { activation: value[0], inputs: inputValues, links: linkValues, combined }
+    const [combined] = this.#value
+    return {
+      activation: outputOf(points, combined),
+      inputs: inputValues,
+      links: [...this.#linkValues[index]],
+      combined,
+    }
   }
 
   #combine(index: number, areas: Float32Array, inputs: Float64Array): void {
     const { links, rule } = this.#activations[index]
-    const value = this.#value
+    const sources = this.#sources[index]
+    const weights = this.#weights[index]
     const values = this.#linkValues[index]
     let combined = rule === 'product' ? 1 : 0
-    for (let i = 0; i < links.length; i++) {
-      this.#read(links[i], areas, inputs)
-      values[i] = value[0]
-      if (rule === 'sum') combined += value[0]
-      else if (rule === 'product') combined *= value[0]
-      else if (i === 0) combined = value[0]
-      else combined = rule === 'min' ? Math.min(combined, value[0]) : Math.max(combined, value[0])
+    for (let i = 0; i < values.length; i++) {
+      let value = sources[i] < 0 ? Number.NaN : inputs[sources[i]]
+      if (Number.isNaN(value)) {
+        this.#read(links[i], areas, inputs)
+        value = this.#value[0]
+      }
+      value *= weights[i]
+      values[i] = value
+      if (rule === 'sum') combined += value
+      else if (rule === 'product') combined *= value
+      else if (i === 0) combined = value
+      else combined = rule === 'min' ? Math.min(combined, value) : Math.max(combined, value)
     }
-    value[0] = typeof rule === 'function' ? rule(values) : combined
+    this.#value[0] = typeof rule === 'function' ? rule(values) : combined
   }
 
-  #read(link: BoundLink, areas: Float32Array, inputs: Float64Array): void {
-    const { weight, curve } = link
-    const value = this.#value
-    this.#readInput(link, areas, inputs)
-    if (curve) applyCurve(curve, value)
-    value[0] *= weight
-  }
-
-  #readInput({ name, indices, isArea }: BoundLink, areas: Float32Array, inputs: Float64Array): void {
+  /** Reads the input of a link, and passes it through the link's curve. */
+  #read({ name, indices, isArea, points }: BoundLink, areas: Float32Array, inputs: Float64Array): void {
     const value = this.#value
     const from = isArea ? areas : inputs
     value[0] = 0
@@ -115,6 +120,7 @@ export class ActivationSum {
       this.#warn(name)
       value[0] = 0
     }
+    if (points) value[0] = outputOf(points, value[0])
   }
 
   #warn(name: string): void {
@@ -129,4 +135,8 @@ export class ActivationSum {
       }),
     )
   }
+}
+
+function sourceOf({ isArea, indices, points }: BoundLink): number {
+  return isArea || points || indices.length !== 1 ? -1 : indices[0]
 }

@@ -1,5 +1,6 @@
 import { type ExternalInputKind, type Input, inputName } from './activation.ts'
 import { ActivationSum, type BoundActivation, type BoundLink, type Contribution } from './activation-sum.ts'
+import { pointsOf } from './curve.ts'
 import type { ActivationFilter } from './definition.ts'
 import type { DriverPlan, PlannedActivation } from './plan.ts'
 
@@ -167,10 +168,10 @@ function bind(
       indices: Uint16Array.from(bound.get(input)!.indices),
       isArea: input.kind === 'area',
       weight,
-      ...(curve && { curve }),
+      points: curve && pointsOf(curve),
     }),
   )
-  return { area: areaNames.indexOf(area), links: boundLinks, rule, curve }
+  return { area: areaNames.indexOf(area), links: boundLinks, rule, points: pointsOf(curve) }
 }
 
 function listMissing(plan: DriverPlan, bound: ReadonlyMap<Input, BoundInput>): string[] {
