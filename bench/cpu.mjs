@@ -1,7 +1,9 @@
 // CPU cost of one face per frame: 57 blendshapes drive 64 areas, all of which move, alone or with every other type of driver; and of
 // the faces of a crowd.
-// Uses the packages' builds, as pages do, and a renderer that draws nothing.
+// Uses the packages' builds, as pages do, and a renderer that draws nothing. `node bench/cpu.mjs` prints it, beside the least that computes
+// the same.
 
+import { fileURLToPath } from 'node:url'
 import { setFlagsFromString } from 'node:v8'
 import { runInNewContext } from 'node:vm'
 import { addDrivers, Wrinkles } from 'furrow/three'
@@ -25,6 +27,7 @@ const TARGETS = 57
 const AREAS = 64
 /** Blendshapes that drive an area, as many as in a driver of the shipped face. */
 const LINKS = 4
+const LINK_WEIGHT = 0.4
 const ROUNDS = 15
 const FRAMES = 20_000
 
@@ -63,6 +66,16 @@ export function measureCrowdCpu(median, faces) {
   const standing = perFace(none, CROWD_TURNS.standing)
   const mixed = perFace(few, CROWD_TURNS.standing)
   return { moving, standing, besideMoving: (mixed - FEW * moving) / (1 - FEW) }
+}
+
+/**
+ * Microseconds per face and frame of the least JavaScript that computes the same, of a crowd of faces that move and that stand: it compares
+ * the weights with the last, evaluates the areas, and writes their activations and the rectangles that are drawn.
+ */
+export function measureLeastCpu(median, faces) {
+  const { all, none } = leastFrames(faces)
+  const perFace = (frame, turns) => measure(median, frame, turns / faces).microseconds / faces
+  return { moving: perFace(all, CROWD_TURNS.moving), standing: perFace(none, CROWD_TURNS.standing) }
 }
 
 /** Medians over rounds of a number of frames. */
@@ -110,6 +123,61 @@ function crowdFrames(faces) {
     weights[0].map((weight, i) => (Math.floor(i / width) % (1 / FEW) < 1 ? all[i] : weight)),
   )
   return { all: (i) => show(weights[i % 2]), none: draw, few: (i) => show(mixed[i % 2]) }
+}
+
+/** Numbers of a rectangle: of each of its four corners, where it is drawn, its texel, activation and source. */
+const RECTANGLE = 24
+
+/** The frames of `crowdFrames` in which all faces move and none does, without the library. */
+function leastFrames(faces) {
+  const weights = [0, 1].map((frame) =>
+    Float32Array.from({ length: faces * TARGETS }, (_, i) => ((frame * 7 + i * 13) % 100) / 100),
+  )
+  const last = new Float64Array(faces * TARGETS)
+  const links = Uint16Array.from({ length: AREAS * LINKS }, (_, i) =>
+    linkedTarget(Math.floor(i / LINKS), i % LINKS),
+  )
+  const linkWeights = new Float64Array(AREAS * LINKS).fill(LINK_WEIGHT)
+  const [x0, y0, x1, y1, x2, y2] = CURVE.flat()
+  const activations = new Float32Array(faces * AREAS)
+  const rectangles = new Float32Array(faces * AREAS * RECTANGLE)
+  const columns = Math.ceil(Math.sqrt(faces))
+  const run = (shown) => {
+    let at = 0
+    for (let face = 0; face < faces; face++) {
+      const first = face * TARGETS
+      let hasMoved = false
+      for (let i = first; i < first + TARGETS; i++) {
+        if (shown[i] === last[i]) continue
+        last[i] = shown[i]
+        hasMoved = true
+      }
+      if (!hasMoved) continue
+      const column = face % columns
+      const row = Math.floor(face / columns)
+      for (let area = 0; area < AREAS; area++) {
+        let sum = 0
+        for (let i = area * LINKS; i < (area + 1) * LINKS; i++) sum += linkWeights[i] * last[first + links[i]]
+        let value = y2
+        if (sum <= x0) value = y0
+        else if (sum <= x1) value = y0 + ((sum - x0) / (x1 - x0)) * (y1 - y0)
+        else if (sum <= x2) value = y1 + ((sum - x1) / (x2 - x1)) * (y2 - y1)
+        activations[face * AREAS + area] = value
+        if (value === 0) continue
+        for (let corner = 0; corner < 4; corner++) {
+          const right = corner & 1
+          const bottom = corner >> 1
+          rectangles[at++] = (column + right) / columns
+          rectangles[at++] = (row + bottom) / columns
+          rectangles[at++] = 16 * right
+          rectangles[at++] = 16 * bottom
+          rectangles[at++] = value
+          rectangles[at++] = area
+        }
+      }
+    }
+  }
+  return { all: (i) => run(weights[i % 2]), none: () => run(weights[0]) }
 }
 
 /** Returns a function that runs frame number `index`, with other weights of all blendshapes than in the last. */
@@ -217,8 +285,26 @@ function otherDrivers(area, i) {
 
 function morphDriver(area, i) {
   const targets = Array.from({ length: LINKS }, (_, k) => ({
-    name: `target${(i * 5 + k * 11) % TARGETS}`,
-    weight: 0.4,
+    name: `target${linkedTarget(i, k)}`,
+    weight: LINK_WEIGHT,
   }))
   return { type: 'morph', area, targets, rule: 'sum', curve: CURVE }
+}
+
+/** Index of the blendshape that link number `k` of area number `i` reads. */
+function linkedTarget(i, k) {
+  return (i * 5 + k * 11) % TARGETS
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1]
+  const { microseconds, bytes } = measureCpu(median, false)
+  process.stdout.write(`one face: ${microseconds.toFixed(2)} microseconds, ${bytes.toFixed(1)} bytes\n`)
+  for (const faces of [1, 1000, 10_000]) {
+    const [own, least] = [measureCrowdCpu, measureLeastCpu].map((measured) => measured(median, faces))
+    const line = ({ moving, standing }) => `${moving.toFixed(2)} moving, ${standing.toFixed(2)} standing`
+    process.stdout.write(
+      `each of ${faces} instances: ${line(own)}; the least that computes the same: ${line(least)}\n`,
+    )
+  }
 }

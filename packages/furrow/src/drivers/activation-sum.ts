@@ -1,6 +1,6 @@
 import { sentence } from '../core/error.ts'
 import type { AreaActivation } from './activation.ts'
-import { applyCurve } from './curve.ts'
+import { type CurvePoints, outputOf } from './curve.ts'
 
 /** A link, its input resolved to values among the inputs or the areas' activations. */
 export interface BoundLink {
@@ -11,7 +11,8 @@ export interface BoundLink {
   /** Whether the values are activations. */
   isArea: boolean
   weight: number
-  curve?: AreaActivation['curve']
+  /** Of its curve, if it has one. */
+  points: CurvePoints | undefined
 }
 
 /** An area activation, its area and inputs resolved to indices. */
@@ -20,13 +21,18 @@ export interface BoundActivation {
   area: number
   links: readonly BoundLink[]
   rule: AreaActivation['rule']
-  curve: AreaActivation['curve']
+  /** Of its curve. */
+  points: CurvePoints
 }
 
 /** Evaluates area activations in order. `addTo` allocates nothing, unless a registered rule does. */
 export class ActivationSum {
   readonly #activations: readonly BoundActivation[]
-  /** Scratch: one value per link. */
+  /** By driver and link: index of its input; -1 if that is an area or not just one value, or has a curve. */
+  readonly #sources: readonly Int32Array[]
+  /** The same: its weight. To read these of the links takes twice as long. */
+  readonly #weights: readonly Float64Array[]
+  /** The same: its value, before the rule. */
   readonly #linkValues: readonly Float64Array[]
   readonly #warned = new Set<string>()
   /** Result of `#read` and `#combine`; in an array, since a number that a function returns may be boxed. */
@@ -34,6 +40,8 @@ export class ActivationSum {
 
   constructor(activations: readonly BoundActivation[]) {
     this.#activations = activations
+    this.#sources = activations.map(({ links }) => Int32Array.from(links, sourceOf))
+    this.#weights = activations.map(({ links }) => Float64Array.from(links, ({ weight }) => weight))
     this.#linkValues = activations.map(({ links }) => new Float64Array(links.length))
   }
 
@@ -45,33 +53,50 @@ export class ActivationSum {
    */
   addTo(areas: Float32Array, inputs: Float64Array): void {
     for (let i = 0; i < this.#activations.length; i++) {
-      const { area, curve } = this.#activations[i]
+      const { area, points } = this.#activations[i]
       this.#combine(i, areas, inputs)
-      applyCurve(curve, this.#value)
-      areas[area] = Math.min(1, areas[area] + this.#value[0])
+      areas[area] = Math.min(1, areas[area] + outputOf(points, this.#value[0]))
     }
+  }
+
+  /** The values of a driver's links, by its index, before the rule combines them and after. Allocates. */
+  evaluate(index: number, areas: Float32Array, inputs: Float64Array): { links: number[]; combined: number } {
+    this.#combine(index, areas, inputs)
+    return { links: [...this.#linkValues[index]], combined: this.#value[0] }
   }
 
   #combine(index: number, areas: Float32Array, inputs: Float64Array): void {
     const { links, rule } = this.#activations[index]
+    const sources = this.#sources[index]
+    const weights = this.#weights[index]
     const values = this.#linkValues[index]
-    for (let i = 0; i < links.length; i++) {
-      this.#read(links[i], areas, inputs)
-      values[i] = this.#value[0]
+    let combined = rule === 'product' ? 1 : 0
+    for (let i = 0; i < values.length; i++) {
+      let value = sources[i] < 0 ? Number.NaN : inputs[sources[i]]
+      if (Number.isNaN(value)) {
+        this.#read(links[i], areas, inputs)
+        value = this.#value[0]
+      }
+      value *= weights[i]
+      values[i] = value
+      if (rule === 'sum') combined += value
+      else if (rule === 'product') combined *= value
+      else if (i === 0) combined = value
+      else combined = rule === 'min' ? Math.min(combined, value) : Math.max(combined, value)
     }
-    combine(rule, values, this.#value)
+    this.#value[0] = typeof rule === 'function' ? rule(values) : combined
   }
 
+  /** Reads the input of a link, and passes it through the link's curve. */
   #read(link: BoundLink, areas: Float32Array, inputs: Float64Array): void {
-    const { name, weight, curve } = link
+    const { name, points } = link
     const value = this.#value
     readInput(link, areas, inputs, value)
     if (Number.isNaN(value[0])) {
       this.#warn(name)
       value[0] = 0
     }
-    if (curve) applyCurve(curve, value)
-    value[0] *= weight
+    if (points) value[0] = outputOf(points, value[0])
   }
 
   #warn(name: string): void {
@@ -100,17 +125,6 @@ export function readInput(
   for (let k = 0; k < indices.length; k++) value[0] += from[indices[k]] / indices.length
 }
 
-/** Combines the values of a driver's links by its rule, into `value`. */
-export function combine(rule: AreaActivation['rule'], values: Float64Array, value: Float64Array): void {
-  if (typeof rule === 'function') {
-    value[0] = rule(values)
-    return
-  }
-  value[0] = rule === 'product' ? 1 : 0
-  for (let i = 0; i < values.length; i++) {
-    if (rule === 'sum') value[0] += values[i]
-    else if (rule === 'product') value[0] *= values[i]
-    else if (i === 0) value[0] = values[0]
-    else value[0] = rule === 'min' ? Math.min(value[0], values[i]) : Math.max(value[0], values[i])
-  }
+function sourceOf({ isArea, indices, points }: BoundLink): number {
+  return isArea || points || indices.length !== 1 ? -1 : indices[0]
 }

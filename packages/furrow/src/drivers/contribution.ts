@@ -1,5 +1,5 @@
-import { type BoundActivation, combine, readInput } from './activation-sum.ts'
-import { curveAt } from './curve.ts'
+import { type ActivationSum, type BoundActivation, readInput } from './activation-sum.ts'
+import { outputOf } from './curve.ts'
 
 /** What one driver adds to its area. */
 export interface Contribution {
@@ -13,9 +13,11 @@ export interface Contribution {
   combined: number
 }
 
-/** What a driver adds to its area, as `ActivationSum` computes it. Allocates. */
+/** What a driver adds to its area, by its index among those of `sum`. Allocates. */
 export function contributionOf(
-  { links, rule, curve }: BoundActivation,
+  sum: ActivationSum,
+  index: number,
+  { links, points }: BoundActivation,
   areas: Float32Array,
   inputs: Float64Array,
 ): Contribution {
@@ -25,10 +27,6 @@ export function contributionOf(
     // Those that are not numbers count as 0.
     return value[0] || 0
   })
-  const linkValues = links.map(
-    ({ weight, curve }, i) => weight * (curve ? curveAt(curve, inputValues[i]) : inputValues[i]),
-  )
-  combine(rule, Float64Array.from(linkValues), value)
-  const [combined] = value
-  return { activation: curveAt(curve, combined), inputs: inputValues, links: linkValues, combined }
+  const { links: linkValues, combined } = sum.evaluate(index, areas, inputs)
+  return { activation: outputOf(points, combined), inputs: inputValues, links: linkValues, combined }
 }

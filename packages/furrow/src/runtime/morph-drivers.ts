@@ -1,4 +1,5 @@
 import { ActivationSum } from '../drivers/activation-sum.ts'
+import { pointsOf } from '../drivers/curve.ts'
 import type { MorphDriver } from '../drivers/morph/definition.ts'
 import type { Face } from './face.ts'
 import type { FaceDrivers } from './face-drivers.ts'
@@ -87,9 +88,10 @@ export class MorphDrivers implements FaceDrivers<unknown> {
         ...link,
         indices: Uint16Array.of(this.#names.indexOf(link.name)),
         isArea: false,
+        points: link.curve && pointsOf(link.curve),
       })),
       rule,
-      curve,
+      points: pointsOf(curve),
     }))
     this.#areas = Uint16Array.from(new Set(bound.map(({ area }) => area)))
     this.#sum = new ActivationSum(bound)

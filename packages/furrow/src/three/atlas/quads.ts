@@ -54,19 +54,20 @@ export class Quads {
     if (this.#used.count === this.#data.length) this.#grow()
     const { width, height, grid } = this.#cells
     const data = this.#data
+    let at = this.#used.count
     const source = (slice * CHANNELS + channel) * MAX_LAYERS + layer
     for (let corner = 0; corner < CORNERS; corner++) {
       const x = corner & 1 ? bounds.x1 : bounds.x0
       const y = corner & 2 ? bounds.y1 : bounds.y0
-      const at = this.#used.count
-      data[at] = (column + x / width) / grid.columns
-      data[at + 1] = (row + y / height) / grid.rows
+      data[at] = (column * width + x) / (width * grid.columns)
+      data[at + 1] = (row * height + y) / (height * grid.rows)
       data[at + 2] = x
       data[at + 3] = y
       data[at + 4] = activation
       data[at + 5] = source
-      this.#used.count += STRIDE
+      at += STRIDE
     }
+    this.#used.count = at
   }
 
   end(): void {
