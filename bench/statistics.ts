@@ -17,7 +17,7 @@ export function roundOrder(count: number, round: number): number[] {
 
 /**
  * Quotient of the quickest rounds. What differs from round to round, other processes and what a compiler happens to make of the same
- * shader, only ever slows down: by 0.15 or more in one compilation of six.
+ * shader, only ever slows down, the latter by a tenth to four.
  */
 export function ratio(rounds: readonly number[], base: readonly number[]): number {
   return Math.min(...rounds) / Math.min(...base)
