@@ -1,7 +1,9 @@
+import type { WrinkleSet } from 'furrow'
 import type { Mesh, MeshPhysicalMaterial, PerspectiveCamera, Scene } from 'three'
 import type { Face } from '../stage/face.ts'
 import type { RendererKind } from '../stage/stage.ts'
 import { activationOf, type Case, type Plan } from './case.ts'
+import { giveOwnProgram } from './own-program.ts'
 import type { Measured } from './report.ts'
 import { createSet, createSkin } from './scene.ts'
 import { roundOrder } from './statistics.ts'
@@ -29,58 +31,75 @@ interface Candidate {
   name: string
   mesh: Mesh
   applied: AppliedVariant
-  rounds: number[]
 }
 
 /**
- * Times every variant that can show a case, in rounds of one turn each.
+ * Times every variant that can show a case, in rounds of one turn each. Every round compiles all of them anew: a rasteriser's compiler makes
+ * code of the same shader that is slower by a tenth or two now and then.
  *
  * @throws Error if a variant shows no wrinkles.
  */
 export async function measure(bench: Bench, benchCase: Case, plan: Plan): Promise<Measured[]> {
-  const candidates = createCandidates(bench, benchCase, plan)
-  try {
-    await Promise.all(candidates.map(({ applied }) => applied.ready))
-    const changed = await changedFractions(bench, benchCase, candidates)
-    for (let round = 0; round < plan.rounds; round++) {
-      for (const i of roundOrder(candidates.length, round)) {
-        candidates[i].rounds.push(await time(bench, benchCase, candidates[i]))
+  const set = createSet(bench.face, benchCase.areas, benchCase.layers)
+  const measured: Measured[] = []
+  for (let round = 0; round < plan.rounds; round++) {
+    const candidates = createCandidates(bench, benchCase, set, plan)
+    try {
+      await Promise.all(candidates.map(({ applied }) => applied.ready))
+      for (const candidate of candidates) await warmUp(bench, benchCase, candidate)
+      if (round === 0) {
+        const changed = await changedFractions(bench, benchCase, candidates)
+        measured.push(
+          ...candidates.map(({ name }, i) => ({ variant: name, rounds: [], changed: changed[i] })),
+        )
+      }
+      const order = roundOrder(candidates.length, round)
+      // Whoever comes first also waits for what is left of setting up all of them.
+      await time(bench, benchCase, candidates[order[0]], round)
+      for (const i of order) {
+        measured[i].rounds.push(await time(bench, benchCase, candidates[i], round))
+      }
+    } finally {
+      for (const { mesh, applied } of candidates) {
+        applied.dispose()
+        bench.scene.remove(mesh)
+        ;(mesh.material as MeshPhysicalMaterial).dispose()
       }
     }
-    return candidates.map(({ name, rounds }, i) => ({ variant: name, rounds, changed: changed[i] }))
-  } finally {
-    for (const { mesh, applied } of candidates) {
-      applied.dispose()
-      bench.scene.remove(mesh)
-      ;(mesh.material as MeshPhysicalMaterial).dispose()
-    }
   }
+  return measured
 }
 
 function createCandidates(
   { face, scene, renderer }: Bench,
   benchCase: Case,
+  set: WrinkleSet,
   { variants = [...VARIANTS.keys()] }: Plan,
 ): Candidate[] {
-  const set = createSet(face, benchCase.areas, benchCase.layers)
   return [...VARIANTS]
     .filter(([name, variant]) => variants.includes(name) && variant.canShow(benchCase, renderer))
     .map(([name, variant]) => {
       const mesh = createSkin(face)
       mesh.visible = false
       scene.add(mesh)
-      return { name, mesh, applied: variant.apply(mesh, set, renderer), rounds: [] }
+      giveOwnProgram(mesh.material as MeshPhysicalMaterial, renderer)
+      return { name, mesh, applied: variant.apply(mesh, set, renderer) }
     })
 }
 
-/** Fraction of pixels in which each variant differs from the plain face. Draws each before, which compiles it. */
+/** Draws a variant, which compiles it, until it is drawn as it stays. */
+async function warmUp(bench: Bench, benchCase: Case, candidate: Candidate): Promise<void> {
+  for (let i = VARIANTS.get(candidate.name)!.warmUp ?? 1; i > 0; i--) {
+    drawFrame(bench, benchCase, candidate, 0, bench.timedRenderer.drawPixel)
+    await new Promise((resolve) => setTimeout(resolve))
+  }
+}
+
+/** Fraction of pixels in which each variant differs from the plain face. */
 async function changedFractions(bench: Bench, benchCase: Case, candidates: Candidate[]): Promise<number[]> {
   const pictures = new Map<string, Uint8Array>()
   for (const candidate of candidates) {
-    for (let i = VARIANTS.get(candidate.name)!.warmUp ?? 1; i > 0; i--) {
-      drawFrame(bench, benchCase, candidate, 0)
-      await new Promise((resolve) => setTimeout(resolve))
-    }
+    drawFrame(bench, benchCase, candidate, 0)
     pictures.set(candidate.name, await bench.timedRenderer.read())
   }
   const plain = pictures.get('plain')
@@ -88,7 +107,8 @@ async function changedFractions(bench: Bench, benchCase: Case, candidates: Candi
   checkSame(pictures, benchCase)
   return candidates.map(({ name }) => {
     const changed = changedFraction(pictures.get(name)!, plain)
-    if (name === 'plain' || changed >= MIN_CHANGED) return changed
+    const isPlain = name === 'plain' || VARIANTS.get(name)!.sameAs === 'plain'
+    if (isPlain || changed >= MIN_CHANGED) return changed
     const text = `changes ${(changed * 100).toFixed(2)}% of the pixels, allowed: ${MIN_CHANGED * 100}% or more`
     throw new Error(`bench: variant "${name}" shows no wrinkles, ${text}; ${JSON.stringify(benchCase)}`)
   })
@@ -119,8 +139,8 @@ function changedFraction(a: Uint8Array, b: Uint8Array): number {
 }
 
 /** Milliseconds per frame, the mean of enough frames to be timed well, after one frame that only sets their number. */
-async function time(bench: Bench, benchCase: Case, candidate: Candidate): Promise<number> {
-  let index = candidate.rounds.length
+async function time(bench: Bench, benchCase: Case, candidate: Candidate, start: number): Promise<number> {
+  let index = start
   const frames = (count: number) => () => {
     for (let i = 0; i < count; i++) drawFrame(bench, benchCase, candidate, index++)
   }
@@ -130,11 +150,17 @@ async function time(bench: Bench, benchCase: Case, candidate: Candidate): Promis
 }
 
 /** Draws one frame with one variant only. */
-function drawFrame(bench: Bench, benchCase: Case, { mesh, applied }: Candidate, index: number): void {
+function drawFrame(
+  { scene, camera, timedRenderer }: Bench,
+  benchCase: Case,
+  { mesh, applied }: Candidate,
+  index: number,
+  draw = timedRenderer.draw,
+): void {
   mesh.visible = true
   for (let area = 0; area < benchCase.areas; area++) {
     applied.setActivation(`area${area}`, activationOf(area, index, benchCase))
   }
-  bench.timedRenderer.draw(bench.scene, bench.camera)
+  draw(scene, camera)
   mesh.visible = false
 }

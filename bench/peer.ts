@@ -12,6 +12,7 @@ import {
 import { normalMap, texture, uniform } from 'three/tsl'
 import type { Node } from 'three/webgpu'
 import { mapTexture } from '../packages/furrow/src/three/material/textures.ts'
+import { patchShader } from '../packages/furrow/src/three/webgl/patch-shader.ts'
 import type { RendererKind } from '../stage/stage.ts'
 import type { AppliedVariant } from './variant.ts'
 
@@ -56,14 +57,19 @@ function patchGlsl(material: MeshPhysicalMaterial, { textures, weights, glsl }: 
     'mapN.xy *= normalScale;',
     'mapN = peerNormal(mapN, vNormalMapUv);\nmapN.xy *= normalScale;',
   )
-  material.onBeforeCompile = (shader) => {
-    for (const [name, value] of Object.entries(textures)) shader.uniforms[name] = { value }
-    shader.uniforms.peerWeights = { value: weights }
-    shader.fragmentShader = shader.fragmentShader
-      .replace('void main() {', `${declarations}void main() {`)
-      .replace('#include <normal_fragment_maps>', maps)
-  }
-  material.customProgramCacheKey = () => declarations
+  patchShader(material, {
+    key: declarations,
+    uniforms: {
+      ...Object.fromEntries(Object.entries(textures).map(([name, value]) => [name, { value }])),
+      peerWeights: { value: weights },
+    },
+    edit(shader) {
+      shader.fragmentShader = shader.fragmentShader
+        .replace('void main() {', `${declarations}void main() {`)
+        .replace('#include <normal_fragment_maps>', maps)
+    },
+    refuse() {},
+  })
 }
 
 type MaybeArrayTexture = Texture & { isDataArrayTexture?: true }
@@ -78,7 +84,7 @@ function patchTsl(material: MeshPhysicalMaterial, { textures, weights, tsl }: Pe
   // Not a node material: the renderer copies `normalNode` to the node material that it makes of this one. It would share one program
   // among all such materials of equal properties, nodes not compared: of two techniques, the second would be drawn by the first's.
   Object.assign(material, { normalNode: normalMap(normal.mul(0.5).add(0.5) as Node<'vec3'>, scale) })
-  const name = Object.keys(textures).join(' ')
+  const name = `${material.customProgramCacheKey()} ${Object.keys(textures).join(' ')}`
   material.customProgramCacheKey = () => name
 }
 

@@ -6,7 +6,7 @@ import type { TimedRenderer } from './timed-renderer.ts'
 /** A page's measurements of one variant in one case. */
 export interface Measured {
   variant: string
-  /** Mean milliseconds per frame in each round. */
+  /** Mean milliseconds per frame in each round, which compiles the variant anew. */
   rounds: number[]
   /** Fraction of pixels that differ from the plain face, 0..1. */
   changed: number

@@ -10,6 +10,8 @@ export interface TimedRenderer {
   /** Whether times are the adapter's timestamps, or last until a fence after the frames. */
   timing: 'timestamps' | 'fence'
   draw(scene: Scene, camera: Camera): void
+  /** Draws a frame of which one pixel is shaded: it does all else that a frame does, compiling included. */
+  drawPixel(scene: Scene, camera: Camera): void
   /** Draws the influence maps of some wrinkles, and nothing else. */
   update(wrinkles: Pick<Wrinkles, 'update'>): void
   /** Milliseconds. */
@@ -39,10 +41,7 @@ async function createWebGL(width: number, height: number): Promise<TimedRenderer
   return {
     adapter: String(gl.getParameter(debugInfo ? debugInfo.UNMASKED_RENDERER_WEBGL : gl.RENDERER)),
     timing: clock ? 'timestamps' : 'fence',
-    draw(scene, camera) {
-      renderer.setRenderTarget(target)
-      renderer.render(scene, camera)
-    },
+    ...drawing(renderer, target),
     update: (wrinkles) => wrinkles.update(renderer),
     time: clock ?? fenceClock(fence),
     async read() {
@@ -65,13 +64,26 @@ async function createWebGPU(width: number, height: number): Promise<TimedRendere
   return {
     adapter: `${vendor} ${architecture} ${description}`.trim(),
     timing: clock ? 'timestamps' : 'fence',
-    draw(scene, camera) {
-      renderer.setRenderTarget(target)
-      renderer.render(scene, camera)
-    },
+    ...drawing(renderer, target),
     update: (wrinkles) => wrinkles.update(renderer),
     time: clock ?? fenceClock(() => device.queue.onSubmittedWorkDone()),
     read: async () => (await renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height)) as Uint8Array,
+  }
+}
+
+function drawing(
+  renderer: WebGLRenderer | WebGPURenderer,
+  target: RenderTarget,
+): Pick<TimedRenderer, 'draw' | 'drawPixel'> {
+  target.scissor.set(0, 0, 1, 1)
+  const draw = (scene: Scene, camera: Camera, scissorTest: boolean) => {
+    target.scissorTest = scissorTest
+    renderer.setRenderTarget(target as WebGLRenderTarget)
+    renderer.render(scene, camera)
+  }
+  return {
+    draw: (scene, camera) => draw(scene, camera, false),
+    drawPixel: (scene, camera) => draw(scene, camera, true),
   }
 }
 

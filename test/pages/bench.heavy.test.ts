@@ -36,7 +36,9 @@ it('runs in Node on Dawn, timed by timestamps', async () => {
   const { stdout } = await runBench('--json', json)
   const results: Result[] = JSON.parse(readFileSync(json, 'utf8'))
   const variants = new Set(results.map(({ variant }) => variant))
-  expect([...variants].sort().join(' ')).toBe('auto composed furrow jimenez o3de paper plain relief stripped')
+  expect([...variants].sort().join(' ')).toBe(
+    'auto composed copied furrow jimenez o3de paper plain relief stripped',
+  )
   for (const result of results) {
     expect(result).toMatchObject({ renderer: 'webgpu', timing: 'timestamps', width: 64, height: 48 })
     expect(result.adapter).not.toBe('')

@@ -201,7 +201,7 @@ export class AutoMode {
     if (allocated + bytes > budget) return null
     allocated += bytes
     // The face's own fade is 0 while the map is drawn in its place.
-    const material = composeMaterial(base, { ...inputs, fade: { value: 1 } }, false)
+    const material = composeMaterial(base, { ...inputs, fade: { value: 1 } }, null)
     const map = new ComposedMap(base, format, material, hasContents)
     map.target.texture.matrixAutoUpdate = false
     const { material: shown, program: state, hasOwnProgram } = this.#host

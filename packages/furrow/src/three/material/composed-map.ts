@@ -2,6 +2,7 @@ import {
   LinearFilter,
   LinearMipmapLinearFilter,
   type Material,
+  NearestFilter,
   OrthographicCamera,
   RenderTarget,
   Scene,
@@ -36,24 +37,45 @@ export interface Size {
 /**
  * A material for `Quads` that draws the composed normal map: `base` with the wrinkles mixed in.
  *
- * @param isTexelwise whether a texel of the target is one of `base` and one of the layers' maps, which then need no filter.
+ * @param level which level of the target is drawn, where each of its texels is one of `base` and one of the layers' maps, which then need no
+ *   filter; null where sizes differ.
  */
-export type ComposeMaterial = (base: Texture, inputs: ShaderInputs, isTexelwise: boolean) => Material
+export type ComposeMaterial = (base: Texture, inputs: ShaderInputs, level: Level | null) => Material
+
+/** Set before a level is drawn: 0 is the finest. */
+export interface Level {
+  value: number
+}
 
 export interface ComposedFormat extends Size {
   /** Bytes by default. */
   type?: TextureDataType
+  /** What the material reads. */
+  level?: Level | null
   /**
    * Number of levels that are drawn, each from those of the maps that are as fine: as the default mode mixes them. Of one, the default, the GPU
-   * makes the others, which is cheaper and differs by a step of 8 bits or two.
+   * makes the others, each of them whole, which differ by a step of 8 bits or two.
    */
   levels?: number
 }
 
-/** Whether a face's own normal map is as large as the array of its layers' normals. */
-export function isSameSize(base: Texture, normals: Texture): boolean {
+/**
+ * How a face's own normal map and the array of its layers' normals are composed.
+ *
+ * @param drawsLevels whether all levels are drawn where these maps have as many.
+ */
+export function composedFormat(base: Texture, normals: Texture, drawsLevels: boolean): ComposedFormat {
   const [own, layered] = sizesOf(base, normals)
-  return own.width === layered.width && own.height === layered.height
+  const size = composedSize(base, normals)
+  if (own.width !== layered.width || own.height !== layered.height) return size
+  const levels = 1 + Math.floor(Math.log2(Math.max(size.width, size.height)))
+  const isDrawn = drawsLevels && hasLevels(base, levels) && hasLevels(normals, levels)
+  return { ...size, level: { value: 0 }, levels: isDrawn ? levels : 1 }
+}
+
+function hasLevels({ generateMipmaps, minFilter, mipmaps }: Texture, levels: number): boolean {
+  const isMipmapped = minFilter !== LinearFilter && minFilter !== NearestFilter
+  return isMipmapped && (generateMipmaps || mipmaps!.length === levels)
 }
 
 /** The size of the larger of both. */
@@ -83,6 +105,7 @@ export class ComposedMap {
   #fade = 1
   #version = 0
   readonly #levels: number
+  readonly #level: Level | null
   #slots: AreaSlot[] = []
   readonly #span: AreaSlot = { ...WHOLE, bounds: { ...WHOLE.bounds } }
   #drawn = new Float32Array(0)
@@ -93,12 +116,13 @@ export class ComposedMap {
    */
   constructor(
     base: Texture,
-    { width, height, type = UnsignedByteType, levels = 1 }: ComposedFormat,
+    { width, height, type = UnsignedByteType, levels = 1, level = null }: ComposedFormat,
     material: Material,
     hasContents: QuadMaterials['hasContents'],
   ) {
     this.base = base
     this.#levels = levels
+    this.#level = level
     this.target = new RenderTarget(width, height, {
       type,
       depthBuffer: false,
@@ -142,7 +166,9 @@ export class ComposedMap {
     for (let level = 0; level < this.#levels; level++) {
       // `WebGPURenderer` halves it by itself.
       const halvings = 'isWebGLRenderer' in renderer ? level : 0
-      this.target.viewport.set(0, 0, this.target.width >> halvings, this.target.height >> halvings)
+      const [width, height] = [this.target.width >> halvings, this.target.height >> halvings]
+      this.target.viewport.set(0, 0, Math.max(1, width), Math.max(1, height))
+      if (this.#level) this.#level.value = level
       renderPreservingState(renderer, this.target, this.#scene, this.#camera, level)
     }
   }

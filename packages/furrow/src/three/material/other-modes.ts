@@ -2,7 +2,7 @@ import type { Material } from 'three'
 import type { Area } from '../../core/types.ts'
 import type { Instances } from '../instances.ts'
 import type { ActivationTable } from './activation-table.ts'
-import type { ComposedMap, ComposeMaterial, composedSize, isSameSize } from './composed-map.ts'
+import type { ComposedMap, ComposeMaterial, composedFormat } from './composed-map.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import type { updatePaper } from './update-paper.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
@@ -13,8 +13,12 @@ export interface OtherModes {
   /** As `RendererParts.patch`, for the paper's mode. */
   patchPaper(material: WrinkleMaterial, inputs: ShaderInputs, refuse: () => void): () => void
   ComposedMap: typeof ComposedMap
-  composedSize: typeof composedSize
-  isSameSize: typeof isSameSize
+  composedFormat: typeof composedFormat
+  /**
+   * Whether the composed mode draws all levels of its map, only where areas move: on a software rasteriser that takes half of what
+   * the GPU takes to make them, each of them whole. Where a pass is dear, the GPU makes them.
+   */
+  drawsLevels: boolean
   composeMaterial: ComposeMaterial
   /** Makes an unlit material show influence as gray. */
   showInfluence(material: Material, view: InfluenceView): void

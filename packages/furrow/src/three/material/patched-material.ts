@@ -286,11 +286,12 @@ export class PatchedMaterial {
   /** Replaces the material's own normal map by the composed one. */
   #compose(): () => void {
     const { others, quads } = this.#renderer
-    const { ComposedMap, composeMaterial, composedSize, isSameSize } = others.value!
+    const { ComposedMap, composeMaterial, composedFormat, drawsLevels } = others.value!
     const base = this.#material.normalMap!
     const { texture } = this.#inputs.textures.normals
-    const material = composeMaterial(base, this.#inputs, isSameSize(base, texture))
-    const composed = new ComposedMap(base, composedSize(base, texture), material, quads.hasContents)
+    const format = composedFormat(base, texture, drawsLevels)
+    const material = composeMaterial(base, this.#inputs, format.level ?? null)
+    const composed = new ComposedMap(base, format, material, quads.hasContents)
     this.composed = composed
     this.#material.normalMap = composed.target.texture
     return () => {

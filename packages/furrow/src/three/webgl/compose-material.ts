@@ -6,13 +6,18 @@ import { type NormalLayers, normalMixing } from './mixing-glsl.ts'
 import { layerUniforms, mapUniforms } from './uniforms.ts'
 
 /** Draws the composed normal map on `WebGLRenderer`. */
-export const composeMaterial: ComposeMaterial = (base, inputs, isTexelwise) => {
+export const composeMaterial: ComposeMaterial = (base, inputs, level) => {
   const { kinds, normals } = inputs.textures
   return new ShaderMaterial({
     ...QUAD_SETTINGS,
     name: 'furrow composed',
-    fragmentShader: composedFragment({ kinds, normals: normals.slices }, isTexelwise),
-    uniforms: { ...mapUniforms(inputs), ...layerUniforms(inputs), furrowBase: { value: base } },
+    fragmentShader: composedFragment({ kinds, normals: normals.slices }, level !== null),
+    uniforms: {
+      ...mapUniforms(inputs),
+      ...layerUniforms(inputs),
+      furrowBase: { value: base },
+      furrowLevel: level ?? { value: 0 },
+    },
   })
 }
 
@@ -20,7 +25,7 @@ export const composeMaterial: ComposeMaterial = (base, inputs, isTexelwise) => {
 function composedFragment(layers: NormalLayers, isTexelwise: boolean): string {
   const sampling = isTexelwise ? 'texels' : 'level'
   const base = isTexelwise
-    ? 'texelFetch(furrowBase, ivec2(gl_FragCoord.xy), 0)'
+    ? 'texelFetch(furrowBase, ivec2(gl_FragCoord.xy), furrowLevel)'
     : 'texture(furrowBase, targetUv)'
   return /* glsl */ `${influenceFromMap(layers.kinds.length, false, sampling)}${normalMixing(layers)}
 uniform sampler2D furrowBase;

@@ -22,6 +22,7 @@ void furrowSampleInfluence(vec2 unwrapped) {
   furrowHasInfluence = any(greaterThan(furrowInfluence, vec4(0.0)));
 }
 
+${sampling === 'texels' ? 'uniform int furrowLevel;' : ''}
 vec4 furrowSampleSlice(highp sampler2DArray maps, float slice) {
   ${SLICES[sampling]}
 }
@@ -30,7 +31,8 @@ vec4 furrowSampleSlice(highp sampler2DArray maps, float slice) {
 
 /**
  * How the layers' maps are sampled: with the gradients of the texture coordinates, which samplers with anisotropy need; at the level of detail
- * computed from them, which costs less; or as they are, where a pixel of the target is a texel.
+ * computed from them, which costs less; or as they are, where a pixel of the target is a texel of
+ * the level `furrowLevel`.
  */
 export type SliceSampling = 'gradients' | 'level' | 'texels'
 
@@ -86,5 +88,5 @@ const SLICES: Record<SliceSampling, string> = {
   vec2 dx = furrowDx * size;
   vec2 dy = furrowDy * size;
   return textureLod(maps, vec3(furrowUv, slice), 0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1.0)));`,
-  texels: 'return texelFetch(maps, ivec3(gl_FragCoord.xy, slice), 0);',
+  texels: 'return texelFetch(maps, ivec3(gl_FragCoord.xy, slice), furrowLevel);',
 }

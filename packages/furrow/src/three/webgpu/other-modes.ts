@@ -1,4 +1,4 @@
-import { ComposedMap, composedSize, isSameSize } from '../material/composed-map.ts'
+import { ComposedMap, composedFormat } from '../material/composed-map.ts'
 import type { OtherModes } from '../material/other-modes.ts'
 import { showInfluenceBy } from '../material/show-influence.ts'
 import { updatePaper } from '../material/update-paper.ts'
@@ -20,8 +20,8 @@ export const OTHER_MODES: OtherModes = {
   updatePaper,
   patchPaper,
   ComposedMap,
-  composedSize,
-  isSameSize,
+  composedFormat,
+  drawsLevels: false,
   composeMaterial,
   showInfluence: showInfluenceBy(showInfluence),
 }
