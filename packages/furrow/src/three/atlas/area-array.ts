@@ -33,11 +33,11 @@ export function createAreaArray(
   const { locations, ...array } = weights.some(isSlice)
     ? sliced(weights, who)
     : packed(weights as GrayImage[], size, who)
-  const slots = areas.map((area, i) => ({
-    layer: layerIndex(area, layers),
-    combine: area.combine ?? ('sum' as const),
-    ...locations[i],
-  }))
+  const slots = areas.map((area, i) => {
+    // By name: what a spread makes takes twice as long to read, in every frame.
+    const { slice, channel, bounds } = locations[i]
+    return { layer: layerIndex(area, layers), combine: area.combine ?? 'sum', slice, channel, bounds }
+  })
   return { ...array, slots, version: 0 }
 }
 
