@@ -328,6 +328,14 @@ it('a still face is drawn by the own program of its material on WebGLRenderer, u
   scene.add(other)
   await picture()
   expect(shaderOf(material)).toBe(shaderOf(plain))
+  // As the loader does for meshes that a page makes with the material.
+  other.material = material as MeshPhysicalMaterial
+  other.onBeforeRender = (own, _, camera) => wrinkles.prepare(own, camera, other)
+  await picture()
+  expect(shaderOf(material)).toBe(edited)
+  other.material = plain
+  await composed()
+  expect(shaderOf(material)).toBe(shaderOf(plain))
   wrinkles.setActivation('area0', 0.9)
   await picture()
   expect(shaderOf(material)).toBe(edited)

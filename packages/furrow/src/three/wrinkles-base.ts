@@ -291,6 +291,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.#relief?.prepare(renderer, camera, mesh)
     // What a page draws with the same material is not told when it was drawn, and shows the default mode.
     if (this.#meshes.includes(mesh)) this.#material.auto?.begin(renderer, camera, mesh)
+    else this.#material.auto?.pause()
   }
 
   /** Phase 4 of a frame, see `Frame`: influence maps, or the paper's table. @internal */

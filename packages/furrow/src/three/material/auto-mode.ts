@@ -125,6 +125,11 @@ export class AutoMode {
     this.#showProgram(isReplaced && this.#made?.program?.isReady === true)
   }
 
+  /** Called before another mesh with the material is drawn. */
+  pause(): void {
+    this.#showProgram(false)
+  }
+
   #showProgram(isOwn: boolean): void {
     const { program, material } = this.#host
     if (isOwn === program.isOwn) return
