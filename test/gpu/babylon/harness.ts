@@ -9,6 +9,7 @@ import { Vector3 } from '@babylonjs/core/Maths/math.vector.js'
 import { Mesh } from '@babylonjs/core/Meshes/mesh.js'
 import { VertexData } from '@babylonjs/core/Meshes/mesh.vertexData.js'
 import { Scene } from '@babylonjs/core/scene.js'
+import { WrinklePlugin } from '../../../packages/furrow/src/babylon/wrinkle-plugin.ts'
 
 /** Both are tested; a missing one fails. */
 export const ENGINES = ['webgl', 'webgpu'] as const
@@ -70,6 +71,7 @@ export async function createHarness(name: EngineName): Promise<BabylonHarness> {
         const lost = errors.findIndex((error) => LOST_CANVAS.test(error))
         if (lost < 0 || attempt === ATTEMPTS) return pixels
         errors.splice(lost, 1)
+        redrawInfluence(scene)
       }
     },
     dispose: () => engine.dispose(),
@@ -92,6 +94,14 @@ export async function createHarness(name: EngineName): Promise<BabylonHarness> {
     camera.outputRenderTarget = null
     target.dispose()
     return pixels
+  }
+}
+
+/** Draws the influence maps of a scene once more with its next frame: those of a frame that was lost are lost with it. */
+function redrawInfluence({ materials }: Scene): void {
+  for (const { pluginManager } of materials) {
+    const plugin = pluginManager?.getPlugin<WrinklePlugin>(WrinklePlugin.NAME)
+    plugin?.shared?.atlas.cells.invalidate()
   }
 }
 
