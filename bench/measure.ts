@@ -3,7 +3,7 @@ import type { Mesh, MeshPhysicalMaterial, PerspectiveCamera, Scene } from 'three
 import type { Face } from '../stage/face.ts'
 import type { RendererKind } from '../stage/stage.ts'
 import { activationOf, type Case, type Plan } from './case.ts'
-import { giveOwnProgram } from './own-program.ts'
+import { giveDistinctProgram } from './distinct-program.ts'
 import type { Measured } from './report.ts'
 import { createSet, createSkin } from './scene.ts'
 import { roundOrder } from './statistics.ts'
@@ -82,7 +82,7 @@ function createCandidates(
       const mesh = createSkin(face)
       mesh.visible = false
       scene.add(mesh)
-      giveOwnProgram(mesh.material as MeshPhysicalMaterial, renderer)
+      giveDistinctProgram(mesh.material as MeshPhysicalMaterial, renderer)
       return { name, mesh, applied: variant.apply(mesh, set, renderer) }
     })
 }

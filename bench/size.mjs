@@ -35,7 +35,7 @@ const FETCHED = {
   muscles: ['three/sources/muscles', 'babylon/sources/muscles'],
   'expressions of a VRM': ['three/sources/target'],
   'the modes composed and paper': ['three/webgl/other-modes', 'three/webgpu/other-modes'],
-  'the mode auto': ['three/webgl/other-modes', 'three/webgpu/other-modes', 'three/material/auto-mode'],
+  'the mode auto': ['three/webgl/other-modes', 'three/webgpu/other-modes', 'three/material/auto/auto-mode'],
   'other maps than normals': ['three/webgl/channels', 'three/webgpu/channels'],
   'four areas in one image': ['runtime/file/inflate-png'],
   'WebP and AVIF': ['runtime/file/read-image'],
@@ -49,7 +49,7 @@ const FETCHED = {
   'maps of several sizes': ['core/maps/rules'],
   'a damaged file': ['drivers/parse', 'core/maps/rules', 'runtime/file/image-faults'],
   'key frames of areas': ['three/loader/key-frames'],
-  'the option fadeBelow': ['three/size-on-screen'],
+  'the option fadeBelow': ['three/camera/size-on-screen'],
   relief: ['three/relief/relief', 'three/webgl/relief', 'three/webgpu/relief', 'three/relief-control'],
   'the option auto': ['three/loader/auto-wrinkles', 'auto/start-worker'],
 }

@@ -1,6 +1,6 @@
 import { DirectionalLight, type Material, MeshPhysicalMaterial, Scene } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
-import { giveOwnProgram } from '../../bench/own-program.ts'
+import { giveDistinctProgram } from '../../bench/distinct-program.ts'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { createHarness, type Harness, square, squareCamera } from './harness.ts'
@@ -18,7 +18,7 @@ describe.each(['webgl', 'webgpu'] as const)('programs of the benchmark on %s', (
       const set = randomSet(seeded(7), 1, 8)
       const draw = async (isOwn: boolean) => {
         const mesh = square(new MeshPhysicalMaterial())
-        if (isOwn) giveOwnProgram(mesh.material as Material, name)
+        if (isOwn) giveDistinctProgram(mesh.material as Material, name)
         const wrinkles = new harness.Wrinkles(mesh, set, { mode, areaSize: 8 })
         for (const area of wrinkles.areaNames) wrinkles.setActivation(area, 0.7)
         const scene = new Scene()

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest'
-import { ComposePolicy } from '../../../packages/furrow/src/three/material/compose-policy.ts'
+import { ComposePolicy } from '../../../packages/furrow/src/three/material/auto/compose-policy.ts'
 
 const LARGE = 300 * 300
 const SMALL = 40 * 40

@@ -1,13 +1,13 @@
 import type { BufferGeometry, Camera, Mesh } from 'three'
 import { smoothstep } from '../math/scalar.ts'
 import type { AreaArray } from './atlas/area-array.ts'
+import { pixelsPerUnit } from './camera/size-on-screen.ts'
 import type { ReliefMode } from './options.ts'
 import { limitationOf } from './relief/limitation.ts'
 import { canRise } from './relief/raised-layer.ts'
 import type { Relief, ReliefHost } from './relief/relief.ts'
 import type { ReliefParts } from './relief/relief-parts.ts'
 import type { AnyRenderer } from './renderer.ts'
-import { pixelsPerUnit } from './size-on-screen.ts'
 
 /** Pixels per millimetre at which relief by size begins, and at which it is full: between them it grows, so that nobody sees it come. */
 const SIZES = [1, 1.5] as const

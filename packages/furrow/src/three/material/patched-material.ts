@@ -4,7 +4,7 @@ import { checkNotInstanced } from '../check-mesh.ts'
 import { instancesOf } from '../instances.ts'
 import type { WrinkleMode } from '../options.ts'
 import type { AnyRenderer } from '../renderer.ts'
-import type { AutoMode } from './auto-mode.ts'
+import type { AutoMode } from './auto/auto-mode.ts'
 import type { ComposedMap } from './composed-map.ts'
 import { Fetched } from './fetched.ts'
 import type { InfluenceView } from './other-modes.ts'
@@ -16,7 +16,7 @@ import { isToon, type WrinkleMaterial } from './wrinkle-material.ts'
 
 const patchedMaterials = new WeakSet<Material>()
 
-const autoMode = new Fetched(async () => (await import('./auto-mode.ts')).AutoMode)
+const autoMode = new Fetched(async () => (await import('./auto/auto-mode.ts')).AutoMode)
 
 /**
  * The material of a mesh that shows its wrinkles.

@@ -1,8 +1,8 @@
 import type { Camera, Material, Mesh, Object3D, RenderTarget, Texture } from 'three'
-import { compileFor } from '../atlas/render-preserving-state.ts'
-import type { AnyRenderer } from '../renderer.ts'
-import { withSurface } from './surface.ts'
-import type { WrinkleMaterial } from './wrinkle-material.ts'
+import { compileFor } from '../../atlas/render-preserving-state.ts'
+import type { AnyRenderer } from '../../renderer.ts'
+import { withSurface } from '../surface.ts'
+import type { WrinkleMaterial } from '../wrinkle-material.ts'
 
 /** How a mesh of the face was drawn last. */
 export interface DrawnMesh {

@@ -1,5 +1,5 @@
 import { type Camera, type Mesh, type PerspectiveCamera, Sphere, Vector3 } from 'three'
-import type { AnyRenderer } from './renderer.ts'
+import type { AnyRenderer } from '../renderer.ts'
 
 const sphere = new Sphere()
 const eye = new Vector3()

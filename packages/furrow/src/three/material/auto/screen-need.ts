@@ -1,7 +1,7 @@
 import type { Camera, Mesh, PerspectiveCamera, SkinnedMesh } from 'three'
-import type { AnyRenderer } from '../renderer.ts'
-import { pictureOf, pixelsPerUnit, sizeOnScreen } from '../size-on-screen.ts'
-import { uvLayoutOf } from './uv-layout.ts'
+import { pictureOf, pixelsPerUnit, sizeOnScreen } from '../../camera/size-on-screen.ts'
+import type { AnyRenderer } from '../../renderer.ts'
+import { uvLayoutOf } from '../uv-layout.ts'
 
 /**
  * Texels that a side of a map needs to be as fine as the picture being drawn wherever the mesh may be seen: Infinity where a skeleton may

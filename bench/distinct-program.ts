@@ -14,7 +14,7 @@ let count = 0
  * rasteriser can take what they compiled for another. Call it before wrinkles are added: it is then part of the material's own shader,
  * under whatever edits that, and of each program that the material has from then on.
  */
-export function giveOwnProgram(material: Material, renderer: RendererKind): void {
+export function giveDistinctProgram(material: Material, renderer: RendererKind): void {
   const key = `program ${++count}`
   const constant = (count * STEP).toFixed(8)
   if (renderer === 'webgpu') {

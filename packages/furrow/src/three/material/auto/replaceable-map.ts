@@ -6,8 +6,8 @@ import {
   type Texture,
   type VideoTexture,
 } from 'three'
-import type { Size } from './composed-map.ts'
-import { uvLayoutOf } from './uv-layout.ts'
+import type { Size } from '../composed-map.ts'
+import { uvLayoutOf } from '../uv-layout.ts'
 
 /** Whether a mesh shows a map as if it repeated, which the layers' maps do. */
 export function isRepeated(

@@ -7,24 +7,24 @@ import {
   UnsignedByteType,
   Vector4,
 } from 'three'
-import { hasMoved } from '../../runtime/atlas-cells.ts'
-import { reachNothing } from '../../runtime/reach.ts'
-import type { QuadMaterials } from '../atlas/influence-pass.ts'
-import { callAfterRender } from '../before-render.ts'
-import type { AnyRenderer } from '../renderer.ts'
-import { ComposePolicy } from './compose-policy.ts'
+import { hasMoved } from '../../../runtime/atlas-cells.ts'
+import { reachNothing } from '../../../runtime/reach.ts'
+import type { QuadMaterials } from '../../atlas/influence-pass.ts'
+import { callAfterRender } from '../../before-render.ts'
+import type { AnyRenderer } from '../../renderer.ts'
 import {
   type ComposedFormat,
   ComposedMap,
   type ComposeMaterial,
   composedSize,
   type Size,
-} from './composed-map.ts'
+} from '../composed-map.ts'
+import type { ShaderInputs } from '../shader-inputs.ts'
+import type { WrinkleMaterial } from '../wrinkle-material.ts'
+import { ComposePolicy } from './compose-policy.ts'
 import { type DrawnMesh, OwnProgram } from './own-program.ts'
 import { isRepeated, isReplaceable } from './replaceable-map.ts'
 import { pixelsOnScreen, sideOnScreen } from './screen-need.ts'
-import type { ShaderInputs } from './shader-inputs.ts'
-import type { WrinkleMaterial } from './wrinkle-material.ts'
 
 /** How much finer than the screen needs a map is made, so that a camera that comes a little nearer keeps it. */
 const RESERVE = 1.2
