@@ -19,6 +19,7 @@ import {
   SkinnedMesh,
 } from 'three'
 import { idleRenderer } from './idle-renderer.mjs'
+import { median } from './median.mjs'
 
 setFlagsFromString('--expose-gc')
 const collectGarbage = runInNewContext('gc')
@@ -46,8 +47,8 @@ const TENSION_AREAS = 8
  * @param allTypes whether joints, tension, age, time, other areas and conflicts drive areas too.
  * @param ownClock whether `wrinkles.clock` is the page's own; otherwise it is `performance`.
  */
-export function measureCpu(median, allTypes, ownClock = allTypes) {
-  return { targets: TARGETS, areas: AREAS, ...measure(median, movingFace(allTypes, ownClock), FRAMES) }
+export function measureCpu(allTypes, ownClock = allTypes) {
+  return { targets: TARGETS, areas: AREAS, ...measure(movingFace(allTypes, ownClock), FRAMES) }
 }
 
 /** Faces that are timed in a round of a crowd: more of those that stand, which take far less time. */
@@ -59,9 +60,9 @@ const FEW = 0.01
  * Microseconds per face and frame in a crowd of instances, with the blendshapes and areas of `measureCpu`: when all faces move, when none
  * does, and of those that stand while a hundredth moves.
  */
-export function measureCrowdCpu(median, faces) {
+export function measureCrowdCpu(faces) {
   const { all, none, few } = crowdFrames(faces)
-  const perFace = (frame, turns) => measure(median, frame, turns / faces).microseconds / faces
+  const perFace = (frame, turns) => measure(frame, turns / faces).microseconds / faces
   const moving = perFace(all, CROWD_TURNS.moving)
   const standing = perFace(none, CROWD_TURNS.standing)
   const mixed = perFace(few, CROWD_TURNS.standing)
@@ -72,14 +73,14 @@ export function measureCrowdCpu(median, faces) {
  * Microseconds per face and frame of the least JavaScript that computes the same, of a crowd of faces that move and that stand: it compares
  * the weights with the last, evaluates the areas, and writes their activations and the rectangles that are drawn.
  */
-export function measureLeastCpu(median, faces) {
+export function measureLeastCpu(faces) {
   const { all, none } = leastFrames(faces)
-  const perFace = (frame, turns) => measure(median, frame, turns / faces).microseconds / faces
+  const perFace = (frame, turns) => measure(frame, turns / faces).microseconds / faces
   return { moving: perFace(all, CROWD_TURNS.moving), standing: perFace(none, CROWD_TURNS.standing) }
 }
 
 /** Medians over rounds of a number of frames. */
-function measure(median, frame, frames) {
+function measure(frame, frames) {
   for (let i = 0; i < 3 * frames; i++) frame(i)
   const rounds = Array.from({ length: ROUNDS }, (_, round) => {
     collectGarbage()
@@ -297,11 +298,10 @@ function linkedTarget(i, k) {
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1]
-  const { microseconds, bytes } = measureCpu(median, false)
+  const { microseconds, bytes } = measureCpu(false)
   process.stdout.write(`one face: ${microseconds.toFixed(2)} microseconds, ${bytes.toFixed(1)} bytes\n`)
   for (const faces of [1, 1000, 10_000]) {
-    const [own, least] = [measureCrowdCpu, measureLeastCpu].map((measured) => measured(median, faces))
+    const [own, least] = [measureCrowdCpu, measureLeastCpu].map((measured) => measured(faces))
     const line = ({ moving, standing }) => `${moving.toFixed(2)} moving, ${standing.toFixed(2)} standing`
     process.stdout.write(
       `each of ${faces} instances: ${line(own)}; the least that computes the same: ${line(least)}\n`,

@@ -7,6 +7,7 @@ import { cpus } from 'node:os'
 import { basename } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { parseArgs, promisify } from 'node:util'
+import { median } from '../median.mjs'
 
 const ROUNDS = 5
 const fromHere = (path) => fileURLToPath(new URL(path, import.meta.url))
@@ -67,8 +68,4 @@ function table(rows) {
 
 function seconds(milliseconds) {
   return (milliseconds / 1000).toFixed(2)
-}
-
-function median(values) {
-  return [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)]
 }

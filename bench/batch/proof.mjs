@@ -16,6 +16,7 @@ import {
   paginateListObjectsV2,
   S3Client,
 } from '@aws-sdk/client-s3'
+import { median } from '../median.mjs'
 
 const FURROW = fileURLToPath(new URL('../../packages/cli/bin/furrow.js', import.meta.url))
 
@@ -115,8 +116,6 @@ function readLines() {
     return []
   }
 }
-
-const median = (numbers) => numbers.sort((a, b) => a - b)[Math.floor(numbers.length / 2)]
 
 await rm(folder, { recursive: true, force: true })
 await mkdir(join(folder, 'store'), { recursive: true })

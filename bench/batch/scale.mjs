@@ -5,6 +5,7 @@ import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
+import { median } from '../median.mjs'
 
 const FURROW = fileURLToPath(new URL('../../packages/cli/bin/furrow.js', import.meta.url))
 const ROUNDS = 3
@@ -33,8 +34,6 @@ function measure(jobs) {
   if (status !== 0) throw new Error(stderr)
   return { seconds, faces: JSON.parse(stdout).done }
 }
-
-const median = (numbers) => [...numbers].sort((a, b) => a - b)[Math.floor(numbers.length / 2)]
 
 const counts = Array.from({ length: Number(most) }, (_, i) => i + 1)
 const rates = counts.map(() => [])

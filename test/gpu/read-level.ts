@@ -1,28 +1,33 @@
-import type { DataArrayTexture, WebGLRenderer } from 'three'
+import type { Texture, WebGLRenderer } from 'three'
 import type { WebGPURenderer } from 'three/webgpu'
 import type { Harness } from './harness.ts'
 
-/** Reads one level of one slice of an array texture back from the GPU: bytes, row by row from the top, as they were uploaded. */
+/**
+ * Reads one level of a texture back from the GPU, of an array one slice: bytes, row by row from the top, as they were uploaded.
+ *
+ * @param slice of an array; null for any other texture.
+ */
 export async function readLevel(
   { renderer }: Harness,
-  texture: DataArrayTexture,
-  slice: number,
+  texture: Texture,
+  slice: number | null,
   level: number,
 ): Promise<Uint8Array> {
   const { width, height, data, depth } = texture.image as {
     width: number
     height: number
-    data: Uint8Array
-    depth: number
+    /** Targets have none. */
+    data?: Uint8Array
+    depth?: number
   }
   const size = [Math.max(1, width >> level), Math.max(1, height >> level)] as const
-  const channels = data.length / (width * height * depth)
-  renderer.initTexture(texture)
+  const channels = data ? data.length / (width * height * (depth ?? 1)) : 4
+  if (data) renderer.initTexture(texture)
   const { backend } = renderer as WebGPURenderer & {
     backend?: { device?: GPUDevice; gl?: WebGL2RenderingContext; get(key: object): Textures }
   }
   if (backend?.device)
-    return fromDevice(backend.device, backend.get(texture).texture, size, channels, slice, level)
+    return fromDevice(backend.device, backend.get(texture).texture, size, channels, slice ?? 0, level)
   const gl = backend?.gl ?? ((renderer as WebGLRenderer).getContext() as WebGL2RenderingContext)
   const properties = (renderer as WebGLRenderer).properties?.get(texture) as Textures | undefined
   return fromContext(
@@ -47,13 +52,15 @@ function fromContext(
   texture: WebGLTexture,
   [width, height]: readonly [number, number],
   channels: number,
-  slice: number,
+  slice: number | null,
   level: number,
 ): Uint8Array {
   const framebuffer = gl.createFramebuffer()
   const before = gl.getParameter(gl.READ_FRAMEBUFFER_BINDING)
   gl.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer)
-  gl.framebufferTextureLayer(gl.READ_FRAMEBUFFER, gl.COLOR_ATTACHMENT0, texture, level, slice)
+  const attached = [gl.READ_FRAMEBUFFER, gl.COLOR_ATTACHMENT0] as const
+  if (slice === null) gl.framebufferTexture2D(...attached, gl.TEXTURE_2D, texture, level)
+  else gl.framebufferTextureLayer(...attached, texture, level, slice)
   const rgba = new Uint8Array(4 * width * height)
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, rgba)
   gl.bindFramebuffer(gl.READ_FRAMEBUFFER, before)

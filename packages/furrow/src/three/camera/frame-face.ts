@@ -1,5 +1,6 @@
 import { Box3, type Object3D, type PerspectiveCamera, Quaternion, Vector3 } from 'three'
 import { FurrowError } from '../../core/error.ts'
+import { rootOf } from '../root-of.ts'
 import { wrinklesOf } from '../wrinkles-of.ts'
 import { type DrawnMesh, drawnMeshes } from './drawn-mesh.ts'
 import { type HeadRegion, headOfBlendshapes, headOfJoints } from './head-region.ts'
@@ -73,9 +74,7 @@ export function frameFace(
 
 /** Joints may be outside of the object. */
 function updateWorldMatrices(object: Object3D): void {
-  let root = object
-  while (root.parent) root = root.parent
-  root.updateMatrixWorld()
+  rootOf(object).updateMatrixWorld()
 }
 
 /** The turn round the upright axis from +Z to where a face looks. */

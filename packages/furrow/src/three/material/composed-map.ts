@@ -38,9 +38,9 @@ export interface Size {
  * A material for `Quads` that draws the composed normal map: `base` with the wrinkles mixed in.
  *
  * @param level which level of the target is drawn, where each of its texels is one of `base` and one of the layers' maps, which then need no
- *   filter; null where sizes differ.
+ *   filter; none where sizes differ.
  */
-export type ComposeMaterial = (base: Texture, inputs: ShaderInputs, level: Level | null) => Material
+export type ComposeMaterial = (base: Texture, inputs: ShaderInputs, level?: Level) => Material
 
 /** Set before a level is drawn: 0 is the finest. */
 export interface Level {
@@ -51,7 +51,7 @@ export interface ComposedFormat extends Size {
   /** Bytes by default. */
   type?: TextureDataType
   /** What the material reads. */
-  level?: Level | null
+  level?: Level | undefined
   /**
    * Number of levels that are drawn, each from those of the maps that are as fine: as the default mode mixes them. Of one, the default, the GPU
    * makes the others, each of them whole, which differ by a step of 8 bits or two.
@@ -68,9 +68,14 @@ export function composedFormat(base: Texture, normals: Texture, drawsLevels: boo
   const [own, layered] = sizesOf(base, normals)
   const size = composedSize(base, normals)
   if (own.width !== layered.width || own.height !== layered.height) return size
-  const levels = 1 + Math.floor(Math.log2(Math.max(size.width, size.height)))
+  const levels = levelsOf(size)
   const isDrawn = drawsLevels && hasLevels(base, levels) && hasLevels(normals, levels)
   return { ...size, level: { value: 0 }, levels: isDrawn ? levels : 1 }
+}
+
+/** Number of levels of a map, down to one texel. */
+export function levelsOf({ width, height }: Size): number {
+  return 1 + Math.floor(Math.log2(Math.max(width, height)))
 }
 
 function hasLevels({ generateMipmaps, minFilter, mipmaps }: Texture, levels: number): boolean {
@@ -105,7 +110,7 @@ export class ComposedMap {
   #fade = 1
   #version = 0
   readonly #levels: number
-  readonly #level: Level | null
+  readonly #level: Level | undefined
   #slots: AreaSlot[] = []
   readonly #span: AreaSlot = { ...WHOLE, bounds: { ...WHOLE.bounds } }
   #drawn = new Float32Array(0)
@@ -116,7 +121,7 @@ export class ComposedMap {
    */
   constructor(
     base: Texture,
-    { width, height, type = UnsignedByteType, levels = 1, level = null }: ComposedFormat,
+    { width, height, type = UnsignedByteType, levels = 1, level }: ComposedFormat,
     material: Material,
     hasContents: QuadMaterials['hasContents'],
   ) {

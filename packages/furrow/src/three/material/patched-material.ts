@@ -12,7 +12,7 @@ import type { PatchEvents, RendererParts } from './renderer-parts.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import { readsNormalMap, surfaceOf, withSurface } from './surface.ts'
 import { flatNormalTexture } from './textures.ts'
-import { isToon, type WrinkleMaterial } from './wrinkle-material.ts'
+import { cloneByClass, isToon, type WrinkleMaterial } from './wrinkle-material.ts'
 
 const patchedMaterials = new WeakSet<Material>()
 
@@ -161,8 +161,7 @@ export class PatchedMaterial {
   /** Copies the material without wrinkles. */
   clone(): Material {
     this.#unpatch()
-    // Not the material's own: the loader replaces that, so that copies wrinkle too.
-    const copy: Material = Object.getPrototypeOf(this.#material).clone.call(this.#material)
+    const copy = cloneByClass(this.#material)
     this.#unpatch = this.#patch(this.mode)
     return copy
   }
@@ -290,7 +289,7 @@ export class PatchedMaterial {
     const base = this.#material.normalMap!
     const { texture } = this.#inputs.textures.normals
     const format = composedFormat(base, texture, drawsLevels)
-    const material = composeMaterial(base, this.#inputs, format.level ?? null)
+    const material = composeMaterial(base, this.#inputs, format.level)
     const composed = new ComposedMap(base, format, material, quads.hasContents)
     this.composed = composed
     this.#material.normalMap = composed.target.texture

@@ -12,3 +12,8 @@ export type WrinkleMaterial = Material &
 export function isToon(material: WrinkleMaterial): boolean {
   return 'gradientMap' in material || 'shadingToonyFactor' in material
 }
+
+/** Copies a material as its class does. Not by its own `clone`: the loader replaces that, so that copies wrinkle too. */
+export function cloneByClass(material: WrinkleMaterial): WrinkleMaterial {
+  return Object.getPrototypeOf(material).clone.call(material)
+}

@@ -2,6 +2,7 @@ import { type Bone, Matrix4, type Mesh, type Object3D, PropertyBinding, type Ski
 import type { InputOf } from '../../drivers/activation.ts'
 import { JointMeasurement, MATRIX } from '../../drivers/bone/measure.ts'
 import { measuredSource } from '../../drivers/sources.ts'
+import { rootOf } from '../root-of.ts'
 import type { BindInputs } from './binding.ts'
 
 /** Measures joints relative to the bind pose, or to their pose when the inputs are bound; see `restPoses`. */
@@ -36,10 +37,8 @@ function findJoint(mesh: Mesh, name: string): Object3D | undefined {
     object.name === name || object.name === PropertyBinding.sanitizeNodeName(name)
   const bone = (mesh as SkinnedMesh).skeleton?.bones.find(isNamed)
   if (bone) return bone
-  let root: Object3D = mesh
-  while (root.parent) root = root.parent
   let found: Object3D | undefined
-  root.traverse((object) => {
+  rootOf(mesh).traverse((object) => {
     if (!found && isNamed(object)) found = object
   })
   return found

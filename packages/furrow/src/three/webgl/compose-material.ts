@@ -11,7 +11,7 @@ export const composeMaterial: ComposeMaterial = (base, inputs, level) => {
   return new ShaderMaterial({
     ...QUAD_SETTINGS,
     name: 'furrow composed',
-    fragmentShader: composedFragment({ kinds, normals: normals.slices }, level !== null),
+    fragmentShader: composedFragment({ kinds, normals: normals.slices }, level !== undefined),
     uniforms: {
       ...mapUniforms(inputs),
       ...layerUniforms(inputs),

@@ -7,7 +7,7 @@ import { texelAt } from './texture-sampling.ts'
 
 /** Draws the composed normal map on `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
 export const composeMaterial: ComposeMaterial = (base, inputs, level) => {
-  const isTexelwise = level !== null
+  const isTexelwise = level !== undefined
   const uv = varying(targetUv())
   const own = texture(base, uv)
   const stored = (isTexelwise ? own.load(texelAt(own, uv)) : own).xyz

@@ -39,7 +39,6 @@ export function influenceFromMap(
 ): Node<'vec4'> {
   const cell = inputUniform<'vec4'>(inputs.cell)
   const inset = inputUniform<'vec2'>(inputs.inset)
-  const bounds = inputUniform<'vec4'>(inputs.reach)
   const fade = inputUniform<'float'>(inputs.fade)
   const layers = inputs.textures.layers.length
   return Fn(() => {
@@ -54,11 +53,15 @@ export function influenceFromMap(
       const [x, y, z, w] = CHANNELS.map((channel, i) => (i < layers ? sampled[channel] : float(0)))
       influence.assign(min(vec4(x, y, z, w), vec4(1)).mul(fade))
     }
-    const isInBounds = wrapped.greaterThanEqual(bounds.xy).all().and(wrapped.lessThanEqual(bounds.zw).all())
-    if (isVertex) If(isInBounds, sample)
+    if (isVertex) If(isWithin(wrapped, inputUniform<'vec4'>(inputs.reach)), sample)
     else sample()
     return influence
   })()
+}
+
+/** Whether texture coordinates are within bounds: u0, v0, u1, v1. */
+function isWithin(uv: Node<'vec2'>, bounds: Node<'vec4'>): Node<'bool'> {
+  return uv.greaterThanEqual(bounds.xy).all().and(uv.lessThanEqual(bounds.zw).all())
 }
 
 /** Corner of an instance's cell, in 0..1 of the atlas; each has a cell, in the order of rows. */

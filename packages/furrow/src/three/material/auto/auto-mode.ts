@@ -17,6 +17,7 @@ import {
   ComposedMap,
   type ComposeMaterial,
   composedSize,
+  levelsOf,
   type Size,
 } from '../composed-map.ts'
 import type { ShaderInputs } from '../shader-inputs.ts'
@@ -195,18 +196,18 @@ export class AutoMode {
     const { inputs, hasContents, composeMaterial, budget } = this.#host
     const halvings = halvingsOf({ width, height }, RESERVE * this.#seen.side)
     const isFloat = base.type === HalfFloatType
+    const halved = { width: width >> halvings, height: height >> halvings }
     const format: ComposedFormat = {
-      width: width >> halvings,
-      height: height >> halvings,
+      ...halved,
       type: isFloat ? HalfFloatType : UnsignedByteType,
-      levels: 1 + Math.floor(Math.log2(Math.max(width, height) >> halvings)),
+      levels: levelsOf(halved),
     }
     // With mipmaps, which take a third.
     const bytes = Math.ceil((format.width * format.height * (isFloat ? 8 : 4) * 4) / 3)
     if (allocated + bytes > budget) return null
     allocated += bytes
     // The face's own fade is 0 while the map is drawn in its place.
-    const material = composeMaterial(base, { ...inputs, fade: { value: 1 } }, null)
+    const material = composeMaterial(base, { ...inputs, fade: { value: 1 } })
     const map = new ComposedMap(base, format, material, hasContents)
     map.target.texture.matrixAutoUpdate = false
     const { material: shown, program: state, hasOwnProgram } = this.#host

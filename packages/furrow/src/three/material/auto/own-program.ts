@@ -1,8 +1,9 @@
-import type { Camera, Material, Mesh, Object3D, RenderTarget, Texture } from 'three'
+import type { Camera, Material, Mesh, RenderTarget, Texture } from 'three'
 import { compileFor } from '../../atlas/render-preserving-state.ts'
 import type { AnyRenderer } from '../../renderer.ts'
+import { rootOf } from '../../root-of.ts'
 import { withSurface } from '../surface.ts'
-import type { WrinkleMaterial } from '../wrinkle-material.ts'
+import { cloneByClass, type WrinkleMaterial } from '../wrinkle-material.ts'
 
 /** How a mesh of the face was drawn last. */
 export interface DrawnMesh {
@@ -87,11 +88,7 @@ function copyOf(material: WrinkleMaterial): WrinkleMaterial {
   const { userData, onBeforeCompile, customProgramCacheKey } = material
   // Copies of it are made by way of JSON; pages keep shaders there, with textures.
   material.userData = {}
-  const copy: WrinkleMaterial = Object.getPrototypeOf(material).clone.call(material)
+  const copy = cloneByClass(material)
   material.userData = userData
   return Object.assign(copy, { onBeforeCompile, customProgramCacheKey })
-}
-
-function rootOf(object: Object3D): Object3D {
-  return object.parent ? rootOf(object.parent) : object
 }
