@@ -14,6 +14,8 @@ import { type AppliedVariant, VARIANTS } from './variant.ts'
 const MIN_CHANGED = 0.005
 /** Largest difference of channels between variants that must draw the same, of 255. */
 const MAX_DIFFERENCE = 2
+/** Frames after which a variant must be drawn as it stays. */
+const MAX_WARM_UP = 2000
 /** Milliseconds to time at once, since clocks may be as coarse as 0.1 ms. */
 const MIN_MS = 20
 /** Frames to time at once: each has up to a dozen passes, and a clock has room for 2048. */
@@ -87,12 +89,22 @@ function createCandidates(
     })
 }
 
-/** Draws a variant, which compiles it, until it is drawn as it stays. */
+/**
+ * Draws a variant, which compiles it, until it is drawn as it stays.
+ *
+ * @throws Error if that takes too many frames.
+ */
 async function warmUp(bench: Bench, benchCase: Case, candidate: Candidate): Promise<void> {
-  for (let i = VARIANTS.get(candidate.name)!.warmUp ?? 1; i > 0; i--) {
+  const { isSettled = () => true } = candidate.applied
+  for (let frame = 0; frame < MAX_WARM_UP; frame++) {
     drawFrame(bench, benchCase, candidate, 0, bench.timedRenderer.drawPixel)
-    await new Promise((resolve) => setTimeout(resolve))
+    // Some compile between frames.
+    await new Promise((resolve) => setTimeout(resolve, 5))
+    if (isSettled()) return
   }
+  throw new Error(
+    `bench: variant "${candidate.name}" is not drawn as it stays after ${MAX_WARM_UP} frames; ${JSON.stringify(benchCase)}`,
+  )
 }
 
 /** Fraction of pixels in which each variant differs from the plain face. */

@@ -1,5 +1,12 @@
 import type { Wrinkles } from 'furrow/three'
-import { type Camera, RenderTarget, type Scene, WebGLRenderer, WebGLRenderTarget } from 'three'
+import {
+  type Camera,
+  LinearSRGBColorSpace,
+  RenderTarget,
+  type Scene,
+  WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three'
 import { WebGPURenderer } from 'three/webgpu'
 import type { RendererKind } from '../stage/stage.ts'
 import { type Clock, passClock, queryClock } from './timestamps.ts'
@@ -41,7 +48,7 @@ async function createWebGL(width: number, height: number): Promise<TimedRenderer
   return {
     adapter: String(gl.getParameter(debugInfo ? debugInfo.UNMASKED_RENDERER_WEBGL : gl.RENDERER)),
     timing: clock ? 'timestamps' : 'fence',
-    ...drawing(renderer, target),
+    ...drawing(renderer, target, () => renderer.setRenderTarget(target)),
     update: (wrinkles) => wrinkles.update(renderer),
     time: clock ?? fenceClock(fence),
     async read() {
@@ -59,12 +66,16 @@ async function createWebGPU(width: number, height: number): Promise<TimedRendere
   if (!device || !isWebGPUBackend)
     throw new Error('bench: WebGPU is missing here; measure with --renderer webgl')
   const target = new RenderTarget(width, height)
+  // In the canvas's place, as a page has it, but without a pass of its own that converts colours.
+  renderer.setSize(width, height, false)
+  renderer.outputColorSpace = LinearSRGBColorSpace
+  renderer.setOutputRenderTarget(target)
   const { vendor, architecture, description } = device.adapterInfo
   const clock = passClock(device)
   return {
     adapter: `${vendor} ${architecture} ${description}`.trim(),
     timing: clock ? 'timestamps' : 'fence',
-    ...drawing(renderer, target),
+    ...drawing(renderer, target, () => renderer.setRenderTarget(null)),
     update: (wrinkles) => wrinkles.update(renderer),
     time: clock ?? fenceClock(() => device.queue.onSubmittedWorkDone()),
     read: async () => (await renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height)) as Uint8Array,
@@ -74,11 +85,12 @@ async function createWebGPU(width: number, height: number): Promise<TimedRendere
 function drawing(
   renderer: WebGLRenderer | WebGPURenderer,
   target: RenderTarget,
+  bind: () => void,
 ): Pick<TimedRenderer, 'draw' | 'drawPixel'> {
   target.scissor.set(0, 0, 1, 1)
   const draw = (scene: Scene, camera: Camera, scissorTest: boolean) => {
     target.scissorTest = scissorTest
-    renderer.setRenderTarget(target as WebGLRenderTarget)
+    bind()
     renderer.render(scene, camera)
   }
   return {

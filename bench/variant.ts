@@ -8,8 +8,6 @@ import type { Case } from './case.ts'
 export interface Variant {
   /** Whether it can show a case. */
   canShow(benchCase: Case, renderer: RendererKind): boolean
-  /** Frames to draw before it is drawn as it stays, 1 by default. */
-  warmUp?: number
   /** Name of a variant whose first frame it must draw too. */
   sameAs?: string
   /** Adds the wrinkles to a mesh with a material of its own. */
@@ -19,6 +17,8 @@ export interface Variant {
 export interface AppliedVariant {
   /** Fulfilled when it can be drawn; at once by default. */
   ready?: Promise<void>
+  /** Whether its last frame was drawn as it stays; after the first one by default. */
+  isSettled?(): boolean
   setActivation(area: string, value: number): void
   dispose(): void
 }

@@ -18,7 +18,7 @@ import {
   type WebGLRenderer,
 } from 'three'
 import { vec3 } from 'three/tsl'
-import { MeshStandardNodeMaterial } from 'three/webgpu'
+import { MeshStandardNodeMaterial, type WebGPURenderer } from 'three/webgpu'
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
 import { PARTS as WEBGL } from '../../packages/furrow/src/three/webgl/webgl-wrinkles.ts'
 import { PARTS as WEBGPU } from '../../packages/furrow/src/three/webgpu/webgpu-wrinkles.ts'
@@ -42,6 +42,13 @@ const UNSEEN = 2
 /** What three.js keeps of a program. */
 interface WebGLProgramOf {
   fragmentShader: WebGLShader
+}
+
+/** And what `WebGPURenderer` keeps of a mesh. */
+interface RenderObject {
+  object: Mesh
+  material: Material
+  getNodeBuilderState(): { fragmentShader: string }
 }
 
 /** A normal map as those of glTF are. */
@@ -95,9 +102,13 @@ function faceOf(
     material: lit,
     picture,
     frames,
-    /** Draws frames until the composed map is shown. */
+    /** Draws frames to the canvas until the composed map is shown. */
     async composed() {
-      for (let i = 0; i < 5 * FRAMES && !(shown.isComposed && i > 0); i++) await picture()
+      harness.renderer.setSize(MAP, MAP, false)
+      for (let i = 0; i < 5 * FRAMES && !(shown.isComposed && i > 0); i++) {
+        harness.renderer.render(scene, squareCamera())
+        await drawn(harness)
+      }
       expect(shown.isComposed).toBe(true)
     },
     /** The picture in the default mode, of a face of its own. */
@@ -164,7 +175,7 @@ describe.each(RENDERERS)('the mode auto on %s', (name) => {
         const before = harness.programs()
         harness.renderer.render(scene, camera)
         compiled.push(harness.programs() - before)
-        await new Promise((resolve) => setTimeout(resolve, 5))
+        await drawn(harness)
       }
       expect(isComposed).toBe(true)
       expect(compiled.length).toBeGreaterThan(30)
@@ -309,40 +320,113 @@ describe.each(RENDERERS)('the mode auto on %s', (name) => {
   })
 })
 
-it('a still face is drawn by the own program of its material on WebGLRenderer, unless other meshes have that', async () => {
-  const harness = await createHarness('webgl')
-  const { renderer } = harness as { renderer: WebGLRenderer }
-  const { wrinkles, material, mesh, scene, picture, composed } = faceOf(harness)
-  const shaderOf = (own: Material) => {
-    const { currentProgram } = renderer.properties.get(own) as { currentProgram: WebGLProgramOf }
-    return renderer.getContext().getShaderSource(currentProgram.fragmentShader)!
-  }
-  // Shaders of pages are kept here, which refer to themselves.
-  material.userData.self = material.userData
+it.each(RENDERERS)(
+  'a still face is drawn by the own program of its material on %s, unless other meshes have that',
+  async (name) => {
+    const harness = await createHarness(name)
+    const { wrinkles, material, mesh, scene, picture, composed } = faceOf(harness)
+    const shaderOf = watchShaders(harness)
+    // Shaders of pages are kept here, which refer to themselves.
+    material.userData.self = material.userData
+    await picture()
+    const edited = shaderOf(mesh)
+    expect(edited).not.toBe('')
+    await composed()
+    const plain = new MeshPhysicalMaterial({ normalMap: material.normalMap, roughness: 0.6 })
+    const other = new Mesh(mesh.geometry, plain)
+    scene.add(other)
+    await picture()
+    const own = shaderOf(mesh)
+    expect(own).not.toBe(edited)
+    expect(own).toBe(shaderOf(other))
+    // As the loader does for meshes that a page makes with the material.
+    other.material = material as MeshPhysicalMaterial
+    other.onBeforeRender = (renderer, _, camera) => wrinkles.prepare(renderer, camera, other)
+    await picture()
+    expect(shaderOf(other)).toBe(edited)
+    other.material = plain
+    await composed()
+    await picture()
+    expect(shaderOf(mesh)).toBe(own)
+    wrinkles.setActivation('area0', 0.9)
+    await picture()
+    expect(shaderOf(mesh)).toBe(edited)
+    other.material = material as MeshPhysicalMaterial
+    await composed()
+    await picture()
+    expect(shaderOf(mesh)).toBe(edited)
+    for (const used of [wrinkles, plain, harness]) used.dispose()
+  },
+)
+
+it.each(RENDERERS)(
+  'a face that moves and holds still in turns is compiled once on %s, beside what the page compiles',
+  async (name) => {
+    const harness = await createHarness(name)
+    const { renderer } = harness
+    const { wrinkles, scene, composed, mesh, shown: face } = faceOf(harness)
+    const pages: Promise<unknown>[] = []
+    while (pages.length < 5 * FRAMES && !face.isComposed) {
+      renderer.render(scene, squareCamera())
+      const material = new MeshPhysicalMaterial({ normalMap: normalMap(3) })
+      const key = `page ${pages.length}`
+      material.customProgramCacheKey = () => key
+      pages.push(renderer.compileAsync(square(material), squareCamera(), scene))
+      await drawn(harness)
+    }
+    await Promise.all(pages)
+    expect(face.isComposed).toBe(true)
+    const shaderOf = watchShaders(harness)
+    const shown = () => {
+      renderer.render(scene, squareCamera())
+      return shaderOf(mesh)
+    }
+    const still = shown()
+    const builds = countBuilds(harness)
+    for (let i = 0; i < 3; i++) {
+      wrinkles.setActivation('area0', 0.9 - 0.2 * i)
+      expect(shown()).not.toBe(still)
+      await composed()
+      expect(shown()).toBe(still)
+    }
+    expect(builds()).toBe(0)
+    for (const used of [wrinkles, harness]) used.dispose()
+  },
+)
+
+it.each(RENDERERS)(
+  'a still face that casts shadows keeps its wrinkles on %s, whose maps are drawn during its own draw',
+  async (name) => {
+    const harness = await createHarness(name)
+    const { wrinkles, scene, composed, picture, wanted, mesh } = faceOf(harness)
+    mesh.castShadow = mesh.receiveShadow = true
+    scene.getObjectByProperty('isDirectionalLight', true)!.castShadow = true
+    harness.renderer.shadowMap.enabled = true
+    await composed()
+    expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
+    await composed()
+    const shaderOf = watchShaders(harness)
+    await picture()
+    const still = shaderOf(mesh)
+    wrinkles.setActivation('area0', 0.9)
+    await picture()
+    expect(shaderOf(mesh)).not.toBe(still)
+    for (const used of [wrinkles, harness]) used.dispose()
+  },
+)
+
+it('a page that draws to a target on WebGPURenderer finds that as it left it, and the default mode there', async () => {
+  const harness = await createHarness('webgpu')
+  const { picture, frames, composed, mesh, wrinkles } = faceOf(harness)
+  const shaderOf = watchShaders(harness)
   await picture()
-  const edited = shaderOf(material)
-  expect(edited).toContain('furrow')
+  const edited = shaderOf(mesh)
+  await frames(2 * FRAMES)
+  expect(shaderOf(mesh)).toBe(edited)
+  expect(harness.renderer.getRenderTarget()).toBe(null)
   await composed()
-  const plain = new MeshPhysicalMaterial({ normalMap: material.normalMap, roughness: 0.6 })
-  const other = new Mesh(mesh.geometry, plain)
-  scene.add(other)
-  await picture()
-  expect(shaderOf(material)).toBe(shaderOf(plain))
-  // As the loader does for meshes that a page makes with the material.
-  other.material = material as MeshPhysicalMaterial
-  other.onBeforeRender = (own, _, camera) => wrinkles.prepare(own, camera, other)
-  await picture()
-  expect(shaderOf(material)).toBe(edited)
-  other.material = plain
-  await composed()
-  expect(shaderOf(material)).toBe(shaderOf(plain))
-  wrinkles.setActivation('area0', 0.9)
-  await picture()
-  expect(shaderOf(material)).toBe(edited)
-  other.material = material as MeshPhysicalMaterial
-  await composed()
-  expect(shaderOf(material)).toBe(edited)
-  for (const own of [wrinkles, plain, harness]) own.dispose()
+  expect(harness.renderer.getRenderTarget()).toBe(null)
+  for (const used of [wrinkles, harness]) used.dispose()
 })
 
 it('a face in the mode auto that two renderers draw in turns is right in both', async () => {
@@ -371,3 +455,44 @@ it('the mode auto remains when a WebGL context is restored', async () => {
   wrinkles.dispose()
   harness.dispose()
 })
+
+/** Fulfilled in a later task, when a frame is drawn: compiling beside frames waits for those before. */
+async function drawn({ renderer }: Harness): Promise<void> {
+  const { device } =
+    ((renderer as Partial<WebGPURenderer>).backend as unknown as { device?: GPUDevice }) ?? {}
+  await device?.queue.onSubmittedWorkDone()
+  await new Promise((resolve) => setTimeout(resolve, 5))
+}
+
+/** Returns a function that tells how many shaders were built since. */
+function countBuilds(harness: Harness): () => number {
+  const { renderer } = harness
+  const before = harness.programs()
+  if ('isWebGLRenderer' in renderer) return () => harness.programs() - before
+  const backend = (renderer as WebGPURenderer).backend as unknown as { createNodeBuilder(): void }
+  const build = vi.spyOn(backend, 'createNodeBuilder')
+  return () => Math.max(build.mock.calls.length, harness.programs() - before)
+}
+
+/** Returns a function that tells the fragment shader that a mesh was drawn by last. */
+function watchShaders({ renderer }: Harness): (mesh: Mesh) => string {
+  if ('isWebGLRenderer' in renderer) {
+    const gl = renderer as WebGLRenderer
+    return ({ material }) => {
+      const { currentProgram } = gl.properties.get(material) as { currentProgram: WebGLProgramOf }
+      return gl.getContext().getShaderSource(currentProgram.fragmentShader)!
+    }
+  }
+  const shaders = new Map<Mesh, string>()
+  const backend = (renderer as WebGPURenderer).backend as unknown as {
+    draw(drawn: RenderObject, info: unknown): void
+  }
+  const draw = backend.draw.bind(backend)
+  backend.draw = (drawn, info) => {
+    if (drawn.material === drawn.object.material) {
+      shaders.set(drawn.object, drawn.getNodeBuilderState().fragmentShader)
+    }
+    draw(drawn, info)
+  }
+  return (mesh) => shaders.get(mesh) ?? ''
+}

@@ -1,4 +1,4 @@
-import type { Camera, Material, Mesh } from 'three'
+import type { Camera, Material, Mesh, Scene } from 'three'
 import { wrongArgument } from '../core/argument.ts'
 import { checkArea, checkAreas } from '../core/check-areas.ts'
 import type { Area, ArraySlice, WrinkleSet } from '../core/types.ts'
@@ -240,7 +240,9 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.checkInUse('addMesh')
     checkIsMesh(mesh, 'Wrinkles.addMesh')
     this.#meshes.push(mesh)
-    this.onDispose(callBeforeRender(mesh, (renderer, camera) => this.prepare(renderer, camera, mesh)))
+    const prepare = (renderer: AnyRenderer, camera: Camera, { overrideMaterial }: Scene) =>
+      this.prepare(renderer, camera, mesh, Boolean(overrideMaterial))
+    this.onDispose(callBeforeRender(mesh, prepare))
     if (!wrinklesByMesh.has(mesh)) wrinklesByMesh.set(mesh, this)
     if (mesh === this.mesh) exposeAreas(mesh, this)
     this.onDispose(() => {
@@ -274,22 +276,28 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.#appearance = appearance
   }
 
-  /** Called before a mesh is drawn: runs the phases up to the influence, then sets what the mesh's shader reads. @internal */
-  prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
+  /**
+   * Called before a mesh is drawn: runs the phases up to the influence, then sets what the mesh's shader reads.
+   *
+   * @param isOverridden whether the scene's material draws it, as a shadow's does: on `WebGPURenderer` in the midst of the mesh's own draw.
+   * @internal
+   */
+  prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh, isOverridden = false): void {
     if (this.isDisposed) return
     if (isRefused(renderer, this.#renderer.entry, 'Wrinkles')) {
       if (this.mode !== 'off') this.mode = 'off'
       return
     }
+    if (isOverridden && this.#material.auto?.isComposed) return
     this.#material.auto?.end()
     this.#material.settle(renderer)
-    this.#inputs.fade.value =
-      this.#fadeOf(mesh, camera, renderer) * (this.#appearance?.advance(this.clock) ?? 1)
+    if (!isOverridden) this.#inputs.fade.value = this.#fadeOf(mesh, camera, renderer)
     this.#frame.begin(this.#entry, renderer)
     locateCells(this.#inputs, this.#atlas, this.#cells)
     // After the drivers: relief by size depends on activations.
     this.#relief?.prepare(renderer, camera, mesh)
     // What a page draws with the same material is not told when it was drawn, and shows the default mode.
+    if (isOverridden) return
     if (this.#meshes.includes(mesh)) this.#material.auto?.begin(renderer, camera, mesh)
     else this.#material.auto?.pause()
   }
@@ -331,11 +339,12 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     disposeShaderInputs(this.#inputs)
   }
 
-  /** 1 = not faded, 0 = the mesh is too small on screen to show wrinkles. */
+  /** 1 = not faded, 0 = the mesh is too small on screen to show wrinkles, or they have not appeared yet. */
   #fadeOf(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
+    const appeared = this.#appearance?.advance(this.clock) ?? 1
     const { fadeBelow } = this.#options
-    if (fadeBelow === 0 || this.#material.composed || instancesOf(this.mesh)) return 1
-    return FADE.value?.(mesh, camera, renderer, fadeBelow) ?? 1
+    if (fadeBelow === 0 || this.#material.composed || instancesOf(this.mesh)) return appeared
+    return appeared * (FADE.value?.(mesh, camera, renderer, fadeBelow) ?? 1)
   }
 
   #largestActivation(): number {

@@ -13,6 +13,7 @@ import {
 import { type Bounds, widen } from '../../core/bounds.ts'
 import type { AreaSlot } from '../../runtime/area-slots.ts'
 import { hasMoved } from '../../runtime/atlas-cells.ts'
+import { nextTask } from '../../runtime/next-task.ts'
 import type { AreaArray } from '../atlas/area-array.ts'
 import type { QuadMaterials } from '../atlas/influence-pass.ts'
 import { Quads } from '../atlas/quads.ts'
@@ -180,6 +181,7 @@ export class ComposedMap {
 
   /** Compiles what draws it without waiting, where that is possible outside of frames. */
   async compile(renderer: AnyRenderer): Promise<void> {
+    await nextTask()
     if ('isWebGLRenderer' in renderer) await compileFor(renderer, this.target, this.#scene, this.#camera)
   }
 

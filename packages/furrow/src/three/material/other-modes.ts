@@ -3,6 +3,7 @@ import type { Area } from '../../core/types.ts'
 import type { Instances } from '../instances.ts'
 import type { ActivationTable } from './activation-table.ts'
 import type { ComposedMap, ComposeMaterial, composedFormat } from './composed-map.ts'
+import type { Patch } from './renderer-parts.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import type { updatePaper } from './update-paper.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
@@ -11,7 +12,7 @@ import type { WrinkleMaterial } from './wrinkle-material.ts'
 export interface OtherModes {
   updatePaper: typeof updatePaper
   /** As `RendererParts.patch`, for the paper's mode. */
-  patchPaper(material: WrinkleMaterial, inputs: ShaderInputs, refuse: () => void): () => void
+  patchPaper(material: WrinkleMaterial, inputs: ShaderInputs, refuse: () => void): Patch
   ComposedMap: typeof ComposedMap
   composedFormat: typeof composedFormat
   /**

@@ -8,7 +8,7 @@ import type { AutoMode } from './auto/auto-mode.ts'
 import type { ComposedMap } from './composed-map.ts'
 import { Fetched } from './fetched.ts'
 import type { InfluenceView } from './other-modes.ts'
-import type { PatchEvents, RendererParts } from './renderer-parts.ts'
+import type { Patch, PatchEvents, RendererParts } from './renderer-parts.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import { readsNormalMap, surfaceOf, withSurface } from './surface.ts'
 import { flatNormalTexture } from './textures.ts'
@@ -55,8 +55,8 @@ export class PatchedMaterial {
   /** The mode that is shown as soon as what it takes was fetched. */
   #pending: WrinkleMode | null = null
   #auto: AutoMode | null = null
-  /** Whether the material's own program is drawn: now and then in the mode `auto`. */
-  readonly #program = { isOwn: false }
+  /** What makes the default mode of it, which `auto` leaves out now and then. */
+  #patched: Patch | null = null
   /** Found before the material is patched. */
   #isComposable = false
   readonly #options: PatchedMaterialOptions
@@ -87,11 +87,12 @@ export class PatchedMaterial {
   /** What draws the composed map now and then in the mode `auto`; null where that never happens, or not yet. */
   get auto(): AutoMode | null {
     const others = this.#renderer.others.value
-    if (this.mode !== 'auto' || !others || !autoMode.value || !this.#isComposable) return null
+    if (this.mode !== 'auto' || !others || !autoMode.value || !this.#isComposable || !this.#patched)
+      return null
     this.#auto ??= new autoMode.value({
       material: this.#material,
       inputs: this.#inputs,
-      program: this.#program,
+      patch: this.#patched,
       // Relief edits it too.
       hasOwnProgram: this.#patchRelief === null,
       hasContents: this.#renderer.quads.hasContents,
@@ -248,11 +249,13 @@ export class PatchedMaterial {
     }
     const { others, patch } = this.#renderer
     const { onCompile } = this.#options
-    const events = { refuse, onCompile, isEdited: () => !this.#program.isOwn }
-    const patchDefault = () => patch(material, this.#inputs, this.#mesh, events)
+    const patchDefault = () => {
+      this.#patched = patch(material, this.#inputs, this.#mesh, { refuse, onCompile })
+      return this.#patched.undo
+    }
     const undo = {
       composed: () => this.#compose(),
-      paper: () => others.value!.patchPaper(material, this.#inputs, refuse),
+      paper: () => others.value!.patchPaper(material, this.#inputs, refuse).undo,
       default: patchDefault,
       auto: patchDefault,
     }[mode]()

@@ -14,8 +14,13 @@ export interface PatchEvents {
   refuse(): void
   /** On `WebGLRenderer`, which in `compile` does nothing else that is done before a mesh is drawn. */
   onCompile(renderer: AnyRenderer): void
-  /** Asked when the shader is compiled, on `WebGLRenderer`: false for the material's own program, as if it had never been edited. */
-  isEdited(): boolean
+}
+
+/** An edit of a material's shader. Whoever changes it has the material built anew. */
+export interface Patch {
+  /** Whether it is in effect, as it is at first; else the material's own program is built, as if it had never been edited. */
+  setShown(isShown: boolean): void
+  undo(): void
 }
 
 /** What depends on the renderer. */
@@ -25,11 +30,11 @@ export interface RendererParts {
   /** Whether the material's shader is known to be one that `patch` can edit; if not, the composed mode shows its wrinkles. */
   canPatch(material: WrinkleMaterial): boolean
   /**
-   * Makes a material show wrinkles in the default mode, and returns a function that undoes it; the caller calls `renew` after either.
+   * Makes a material show wrinkles in the default mode; the caller calls `renew` then, and when that is undone.
    *
    * @param events what is known only when the shader is compiled.
    */
-  patch(material: WrinkleMaterial, inputs: ShaderInputs, mesh: Mesh, events: PatchEvents): () => void
+  patch(material: WrinkleMaterial, inputs: ShaderInputs, mesh: Mesh, events: PatchEvents): Patch
   /** Makes the renderer build the material's shader anew, with the uniforms that it has now. */
   renew(material: Material): void
   /**

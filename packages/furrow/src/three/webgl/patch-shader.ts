@@ -1,4 +1,5 @@
 import type { IUniform, Material, WebGLProgramParametersWithUniforms, WebGLRenderer } from 'three'
+import type { Patch } from '../material/renderer-parts.ts'
 
 /** How a material's GLSL is edited. */
 interface ShaderPatch {
@@ -11,30 +12,34 @@ interface ShaderPatch {
   refuse(): void
   /** Called after it was edited, before it is compiled. */
   onCompile?(renderer: WebGLRenderer): void
-  /** Whether it is edited; always by default. The material must be compiled anew when this changes. */
-  isEdited?(): boolean
 }
 
-/** Edits a material's own GLSL, after the user's `onBeforeCompile`, if any; returns what undoes that. */
+/** Edits a material's own GLSL, after the user's `onBeforeCompile`, if any. */
 export function patchShader(
   material: Material,
-  { key, uniforms, edit, refuse, onCompile, isEdited = () => true }: ShaderPatch,
-): () => void {
+  { key, uniforms, edit, refuse, onCompile }: ShaderPatch,
+): Patch {
+  let isShown = true
   const { onBeforeCompile, customProgramCacheKey } = material
   const original = { onBeforeCompile, customProgramCacheKey }
   material.onBeforeCompile = (shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer) => {
     onBeforeCompile.call(material, shader, renderer)
     try {
-      if (isEdited()) edit(shader)
+      if (isShown) edit(shader)
     } catch {
       return refuse()
     }
     // Not into the object itself: a ShaderMaterial's is its own, which its copies copy. Into that of the material's own program too: three.js
     // gives a program that it takes up again the uniforms of the one that it built last.
     shader.uniforms = { ...shader.uniforms, ...uniforms }
-    if (isEdited()) onCompile?.(renderer)
+    if (isShown) onCompile?.(renderer)
   }
   material.customProgramCacheKey = () =>
-    `${customProgramCacheKey.call(material)} furrow ${isEdited() ? key : ''}`
-  return () => Object.assign(material, original)
+    `${customProgramCacheKey.call(material)} furrow ${isShown ? key : ''}`
+  return {
+    setShown(value) {
+      isShown = value
+    },
+    undo: () => Object.assign(material, original),
+  }
 }

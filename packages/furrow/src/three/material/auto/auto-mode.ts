@@ -3,6 +3,7 @@ import {
   HalfFloatType,
   type Mesh,
   type RenderTarget,
+  type Scene,
   type Texture,
   UnsignedByteType,
   Vector4,
@@ -20,6 +21,7 @@ import {
   levelsOf,
   type Size,
 } from '../composed-map.ts'
+import type { Patch } from '../renderer-parts.ts'
 import type { ShaderInputs } from '../shader-inputs.ts'
 import type { WrinkleMaterial } from '../wrinkle-material.ts'
 import { ComposePolicy } from './compose-policy.ts'
@@ -42,9 +44,9 @@ let allocated = 0
 export interface AutoModeHost {
   material: WrinkleMaterial
   inputs: ShaderInputs
-  /** Whether the material's own program is drawn instead of the default mode's. */
-  program: { isOwn: boolean }
-  /** Whether it may be. */
+  /** What makes the default mode of it. */
+  patch: Patch
+  /** Whether the material's own program may be drawn instead. */
   hasOwnProgram: boolean
   hasContents: QuadMaterials['hasContents']
   composeMaterial: ComposeMaterial
@@ -92,12 +94,22 @@ export class AutoMode {
   #own: { map: Texture; fade: number } | null = null
   /** Where there are wrinkles, meanwhile. */
   readonly #ownReach = new Vector4()
+  /** Whether the material's own program is drawn instead of the default mode's. */
+  #isOwn = false
   readonly #watched = new Map<Mesh, () => void>()
   readonly #drawn = new Map<Mesh, DrawnMesh>()
-  readonly #end = () => this.end()
+  /** Shadows are drawn during the mesh's own draw on `WebGPURenderer`. */
+  readonly #end = (_renderer: AnyRenderer, _camera: Camera, { overrideMaterial }: Scene) => {
+    if (!overrideMaterial) this.end()
+  }
 
   constructor(host: AutoModeHost) {
     this.#host = host
+  }
+
+  /** Whether the composed map is the material's now. */
+  get isComposed(): boolean {
+    return this.#own !== null
   }
 
   /** Called once in a frame, when the influence map is up to date. */
@@ -132,14 +144,14 @@ export class AutoMode {
   }
 
   #showProgram(isOwn: boolean): void {
-    const { program, material } = this.#host
-    if (isOwn === program.isOwn) return
-    program.isOwn = isOwn
-    material.needsUpdate = true
+    if (isOwn === this.#isOwn) return
+    this.#isOwn = isOwn
+    this.#host.patch.setShown(!isOwn)
+    this.#host.material.needsUpdate = true
   }
 
   #note(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
-    const target = renderer.getRenderTarget() as RenderTarget | null
+    const target = targetOf(renderer)
     const drawn = this.#drawn.get(mesh)
     if (!drawn) {
       this.#drawn.set(mesh, { camera, target })
@@ -210,8 +222,8 @@ export class AutoMode {
     const material = composeMaterial(base, { ...inputs, fade: { value: 1 } })
     const map = new ComposedMap(base, format, material, hasContents)
     map.target.texture.matrixAutoUpdate = false
-    const { material: shown, program: state, hasOwnProgram } = this.#host
-    const program = hasOwnProgram ? new OwnProgram(shown, state, map.target.texture) : null
+    const { material: shown, patch, hasOwnProgram } = this.#host
+    const program = hasOwnProgram ? new OwnProgram(shown, patch, map.target.texture) : null
     return { map, renderer, base, baseVersion: base.version, halvings, bytes, program, state: 'new' }
   }
 
@@ -225,13 +237,12 @@ export class AutoMode {
       made.map.update(made.renderer, areas, values, 1, areas.version + textures.version)
       made.state = 'drawn'
     }
-    queueMicrotask(() => {
-      if (!isCurrent()) return
+    const compile = async () => {
       const { map, program, renderer } = made
-      Promise.all([map.compile(renderer), program?.prepare(renderer, this.#drawn)])
-        .then(draw)
-        .catch(() => {})
-    })
+      await map.compile(renderer)
+      if (isCurrent()) await program?.prepare(renderer, this.#drawn)
+    }
+    compile().then(draw, () => {})
   }
 
   /** Whether wrinkles have changed since the last call. */
@@ -268,6 +279,13 @@ export class AutoMode {
     this.#made.program?.dispose()
     this.#made = null
   }
+}
+
+/** What the page draws to. */
+function targetOf(renderer: AnyRenderer): RenderTarget | null {
+  const target = renderer.getRenderTarget() as RenderTarget & { isPostProcessingRenderTarget?: boolean }
+  // `WebGPURenderer` maps tones from one of its own to the canvas.
+  return target?.isPostProcessingRenderTarget ? null : target
 }
 
 /** How often a map's sides may be halved for a screen that needs a side of so many texels. */

@@ -1,13 +1,16 @@
 import type { Camera, Material, Mesh, RenderTarget, Texture } from 'three'
+import { nextTask } from '../../../runtime/next-task.ts'
 import { compileFor } from '../../atlas/render-preserving-state.ts'
 import type { AnyRenderer } from '../../renderer.ts'
 import { rootOf } from '../../root-of.ts'
+import type { Patch } from '../renderer-parts.ts'
 import { withSurface } from '../surface.ts'
 import { cloneByClass, type WrinkleMaterial } from '../wrinkle-material.ts'
 
 /** How a mesh of the face was drawn last. */
 export interface DrawnMesh {
   camera: Camera
+  /** Null for the canvas. */
   target: RenderTarget | null
 }
 
@@ -15,24 +18,25 @@ export interface DrawnMesh {
 export type DrawnMeshes = ReadonlyMap<Mesh, DrawnMesh>
 
 /**
- * Compiles the material's own program while the default mode's is drawn, so that the two can change within a frame: `WebGLRenderer` shares a
- * program among materials that are alike, and keeps those that a material has had. `WebGPURenderer` keeps only one of each mesh, and
- * cannot compile another while the page compiles something itself.
+ * Compiles the material's own program while the default mode's is drawn, so that the two can change within a frame. `WebGLRenderer` shares a
+ * program among materials that are alike, and keeps those that a material has had. `WebGPURenderer` shares them too, and keeps one as long as
+ * a mesh with one of the materials: so copies of the material hold both.
  */
 export class OwnProgram {
   readonly #material: WrinkleMaterial
-  readonly #program: { isOwn: boolean }
+  readonly #patch: Patch
   readonly #map: Texture
-  #copy: WrinkleMaterial | null = null
+  #copies: WrinkleMaterial[] = []
   #isReady = false
+  #isDisposed = false
 
   /**
-   * @param program which one of the material is compiled.
-   * @param map the material's normal map while its own is drawn.
+   * @param patch what makes the default mode of the material.
+   * @param map the material's normal map while its own program is drawn.
    */
-  constructor(material: WrinkleMaterial, program: { isOwn: boolean }, map: Texture) {
+  constructor(material: WrinkleMaterial, patch: Patch, map: Texture) {
     this.#material = material
-    this.#program = program
+    this.#patch = patch
     this.#map = map
   }
 
@@ -44,13 +48,14 @@ export class OwnProgram {
   /** Compiles it, if that was not done before, where it may be drawn; fulfilled when it can be. Outside of frames only. */
   async prepare(renderer: AnyRenderer, meshes: DrawnMeshes): Promise<void> {
     this.#isReady = false
-    if (!('isWebGLRenderer' in renderer) || this.#isShared(meshes)) return
-    if (!this.#copy) await this.#compile(renderer, meshes)
+    if (this.#isShared(meshes) || !isCompilable(renderer, meshes)) return
+    if (this.#copies.length === 0) await this.#compile(renderer, meshes)
     this.#isReady = true
   }
 
   dispose(): void {
-    this.#copy?.dispose()
+    this.#isDisposed = true
+    for (const copy of this.#copies) copy.dispose()
   }
 
   /** Whether meshes that are not the face's have its material: they would lose their wrinkles. */
@@ -66,29 +71,49 @@ export class OwnProgram {
   }
 
   async #compile(renderer: AnyRenderer, meshes: DrawnMeshes): Promise<void> {
-    const copy = copyOf(this.#material)
-    copy.normalMap = this.#map
-    this.#copy = copy
-    const { isOwn } = this.#program
-    this.#program.isOwn = true
-    const compiled = [...meshes].map(([mesh, { camera, target }]) => {
-      const { material } = mesh
-      mesh.material = withSurface(mesh, this.#material, copy) as Material
-      const done = compileFor(renderer, target, mesh, camera, rootOf(mesh))
-      mesh.material = material
-      return done
-    })
-    this.#program.isOwn = isOwn
-    await Promise.all(compiled)
+    for (const isShown of 'isWebGLRenderer' in renderer ? [false] : [false, true]) {
+      for (const [mesh, drawn] of meshes) {
+        // `WebGPURenderer` fails when a second compilation begins in the task of a first.
+        await nextTask()
+        if (this.#isDisposed) return
+        this.#patch.setShown(isShown)
+        const copy = copyOf(this.#material)
+        if (!isShown) copy.normalMap = this.#map
+        this.#copies.push(copy)
+        const compiled = this.#compileOn(renderer, mesh, copy, drawn)
+        this.#patch.setShown(true)
+        await compiled
+      }
+    }
   }
+
+  async #compileOn(renderer: AnyRenderer, mesh: Mesh, copy: WrinkleMaterial, { camera, target }: DrawnMesh) {
+    const { material } = mesh
+    mesh.material = withSurface(mesh, this.#material, copy) as Material
+    const compiled = compileFor(renderer, target, mesh, camera, rootOf(mesh))
+    mesh.material = material
+    await compiled
+  }
+}
+
+/**
+ * Whether programs can be compiled for what meshes were drawn to. Between its steps `WebGPURenderer` would leave another target than the canvas set,
+ * and the page's frames would be drawn there.
+ */
+function isCompilable(renderer: AnyRenderer, meshes: DrawnMeshes): boolean {
+  if ('isWebGLRenderer' in renderer) return true
+  const targets = [renderer.getRenderTarget(), ...[...meshes.values()].map(({ target }) => target)]
+  return targets.every((target) => target === null)
 }
 
 /** Copies what a program depends on. */
 function copyOf(material: WrinkleMaterial): WrinkleMaterial {
-  const { userData, onBeforeCompile, customProgramCacheKey } = material
+  const { userData } = material
   // Copies of it are made by way of JSON; pages keep shaders there, with textures.
   material.userData = {}
   const copy = cloneByClass(material)
   material.userData = userData
-  return Object.assign(copy, { onBeforeCompile, customProgramCacheKey })
+  // What patches have added, in its order, by which `WebGPURenderer` knows a program. Listeners are the material's own.
+  const isAdded = ([key]: [string, unknown]) => !key.startsWith('_') && !Object.hasOwn(copy, key)
+  return Object.assign(copy, Object.fromEntries(Object.entries(material).filter(isAdded)))
 }
