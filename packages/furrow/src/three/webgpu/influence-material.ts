@@ -4,13 +4,13 @@ import type { ShowInfluence } from '../material/other-modes.ts'
 import { influenceFromMap } from './influence.ts'
 import { influenceFromAreas } from './influence-from-areas.ts'
 import { materialProperty } from './node.ts'
-import { mapUv } from './texture-sampling.ts'
+import { mapUv, repeat } from './texture-sampling.ts'
 
 /** Shows the influence as gray on the mesh as it moves: black = no wrinkles, white = fully visible. */
 export const showInfluence: ShowInfluence = (material, { wrinkled, inputs, instances }, table) => {
   const uv = mapUv(wrinkled)
   const influence = (
-    table ? influenceFromAreas(inputs, table, uv) : influenceFromMap(inputs, uv, instances)
+    table ? influenceFromAreas(inputs, table, uv) : influenceFromMap(inputs, repeat(uv).toVar(), instances)
   ).toVar()
   const largest = max(max(influence.x, influence.y), max(influence.z, influence.w))
   const colorNode = materialProperty('color', 'color', material).mul(vec3(largest))

@@ -20,13 +20,12 @@ import type { Instances } from '../instances.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
 import { requireInternal } from '../three-version.ts'
 import { CHANNELS, inputUniform } from './node.ts'
-import { repeat } from './texture-sampling.ts'
 
 /**
  * From the atlas of influence maps: one sample, however many areas there are. No branch between pixels: software rasterisers pay more for
  * one than for the samples that it saves.
  *
- * @param uv texture coordinates, repeating outside of 0..1.
+ * @param uv texture coordinates within 0..1, see `repeat`.
  * @param instances of the mesh, each of which has a cell of its own.
  * @param isVertex whether it is read by a vertex, which skips the sample outside of what active areas reach.
  * @returns influence of layers 0..3 in x, y, z, w, each 0..1.
@@ -43,17 +42,16 @@ export function influenceFromMap(
   const layers = inputs.textures.layers.length
   return Fn(() => {
     const influence = vec4(0).toVar()
-    const wrapped = repeat(uv).toVar()
     const sample = () => {
       const corner = instances ? varying(cornerOf(inputs, instanceOf(instances))) : cell.xy
-      const inside = wrapped.clamp(inset, inset.oneMinus())
+      const inside = uv.clamp(inset, inset.oneMinus())
       const atlas = texture(inputs.influence.value, corner.add(inside.mul(cell.zw)))
       const sampled = (isVertex ? atlas.level(int(0)) : atlas).toVar()
       // Channels without a layer hold whatever the format gives them.
       const [x, y, z, w] = CHANNELS.map((channel, i) => (i < layers ? sampled[channel] : float(0)))
       influence.assign(min(vec4(x, y, z, w), vec4(1)).mul(fade))
     }
-    if (isVertex) If(isWithin(wrapped, inputUniform<'vec4'>(inputs.reach)), sample)
+    if (isVertex) If(isWithin(uv, inputUniform<'vec4'>(inputs.reach)), sample)
     else sample()
     return influence
   })()

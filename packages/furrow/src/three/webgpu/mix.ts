@@ -6,7 +6,7 @@ import type { ShaderInputs } from '../material/shader-inputs.ts'
 import { CHANNELS, inputUniform } from './node.ts'
 import { type SliceSampling, sliceSampler } from './texture-sampling.ts'
 
-/** The influence of each layer, 0..1 in x, y, z, w, and the texture coordinates to sample the layers' maps at. */
+/** The influence of each layer, 0..1 in x, y, z, w, and the texture coordinates to sample the layers' maps at, see `sliceSampler`. */
 export interface LayerInfluence {
   influence: Node<'vec4'>
   uv: Node<'vec2'>

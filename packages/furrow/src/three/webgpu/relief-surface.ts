@@ -125,8 +125,8 @@ function surface(
   const amountNow = inputUniform<'float'>(amount)
 
   function displacement(at: Node<'vec2'>): Node<'float'> {
-    const influence = influenceFromMap(inputs, at, instances, true).toVar()
     const uv = repeat(at).toVar()
+    const influence = influenceFromMap(inputs, uv, instances, true).toVar()
     const moved = heights.layers.map(({ layer, slice, amplitude }) => {
       const height = texture(heights.texture, uv).depth(int(slice)).level(level)[CHANNELS[heights.channel]]
       return influence[CHANNELS[layer]].mul(height.sub(0.5)).mul(amplitude)

@@ -48,7 +48,11 @@ export type SliceSampler = (array: ArrayTexture, slice: number) => Node<'vec4'>
  */
 export type SliceSampling = 'sampler' | 'gradients' | 'texels'
 
-/** Call it outside of any branch. */
+/**
+ * Call it outside of any branch.
+ *
+ * @param uv texture coordinates within 0..1, for gradients as they are.
+ */
 export function sliceSampler(uv: Node<'vec2'>, sampling: SliceSampling): SliceSampler {
   if (sampling === 'gradients') {
     const gradients = gradientsOf(uv)
@@ -60,8 +64,7 @@ export function sliceSampler(uv: Node<'vec2'>, sampling: SliceSampling): SliceSa
       return map.load(texelAt(map, uv)).depth(int(slice))
     }
   }
-  const wrapped = repeat(uv).toVar()
-  return (array, slice) => texture(array, wrapped).depth(int(slice))
+  return (array, slice) => texture(array, uv).depth(int(slice))
 }
 
 /** The texel of a map's finest level at texture coordinates within 0..1. */

@@ -1,5 +1,5 @@
 import type { Mesh } from 'three'
-import { bitangentView, mat3, normalMap, tangentView, vec3 } from 'three/tsl'
+import { bitangentView, mat3, normalMap, tangentView, varying, vec3 } from 'three/tsl'
 import { MeshBasicNodeMaterial, type Node } from 'three/webgpu'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { instancesOf } from '../instances.ts'
@@ -17,7 +17,7 @@ import { quadMaterials } from './influence-quads.ts'
 import { type LayerInfluence, mixNormals } from './mix.ts'
 import { materialProperty, normalScale, typed } from './node.ts'
 import { type Added, type Patched, patchNodes } from './patch-nodes.ts'
-import { mapUv } from './texture-sampling.ts'
+import { mapUv, repeat } from './texture-sampling.ts'
 
 /** The wrinkles of a loaded file, whose drivers the loader adds; `Wrinkles` is the same for all else. */
 export class WebGPUWrinkles extends WrinklesBase {
@@ -35,13 +35,14 @@ export function checkThreeFor(mesh: Mesh): Mesh {
 
 /** The default mode. */
 const patch: RendererParts['patch'] = (material, inputs, mesh) => {
-  const uv = mapUv(material)
+  const uv = varying(mapUv(material))
+  // One variable for all samples.
+  const wrapped = repeat(uv).toVar()
   return patchNodes(
     material,
     layerNodes(material, inputs, {
-      influence: influenceFromMap(inputs, uv, instancesOf(mesh)),
-      uv,
-      sampling: isTiled(mesh, material) ? 'gradients' : 'sampler',
+      influence: influenceFromMap(inputs, wrapped, instancesOf(mesh)),
+      ...(isTiled(mesh, material) ? { uv, sampling: 'gradients' } : { uv: wrapped, sampling: 'sampler' }),
     }),
   )
 }
