@@ -9,6 +9,7 @@ export { type AreaConvention, areaWeights } from './core/area.ts'
 export { BLOOD_ABSORPTION, BLOOD_AT_REST, MAX_BLOOD_AMPLITUDE } from './core/blood.ts'
 export { type ErrorCode, type ErrorParts, FurrowError } from './core/error.ts'
 export { resampleGray } from './core/image.ts'
+export type { ImageArray } from './core/image-array.ts'
 export {
   DEFAULT_AREA_SIZE,
   LONGEST_NAME,
@@ -41,7 +42,7 @@ export type {
   WrinkleMapsLayer,
 } from './core/maps/wrinkle-maps.ts'
 export { isName } from './core/name.ts'
-export { type ImageArray, packAreas, packColours, packGrays } from './core/pack.ts'
+export { packAreas, packColours, packGrays } from './core/pack.ts'
 /** The paper's formulas in float64 on the CPU, which every GPU path is compared with. */
 export * as reference from './core/reference.ts'
 export type {

@@ -34,11 +34,4 @@ describe('blood on the GPU', () => {
     expect(Object.keys(values)).toEqual(['occlusion'])
     expect((values.occlusion!.texture.image as { data: Uint8Array }).data).toHaveLength(4)
   })
-
-  it('must have the size of the occlusion', () => {
-    const layers = [layer('both', { occlusion: gray(10), blood: gray(200, 4), bloodAmplitude: 0.25 })]
-    expect(() => createTextures(layers, 1, { valueTextures })).toThrow(
-      'occlusion and blood maps of the layers',
-    )
-  })
 })

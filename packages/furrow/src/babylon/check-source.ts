@@ -1,5 +1,6 @@
 import { isSlice } from '../core/check-areas.ts'
 import { FurrowError } from '../core/error.ts'
+import { checkMapSizes } from '../core/map-sizes.ts'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import { checkWrinkleSet } from '../core/wrinkle-set.ts'
 import { WrinklesBase } from './wrinkles-base.ts'
@@ -7,11 +8,12 @@ import { WrinklesBase } from './wrinkles-base.ts'
 /**
  * Checks a set that a page made; those of files were checked as they were read.
  *
- * @throws FurrowError when it is malformed, or its maps are in arrays of an engine.
+ * @throws FurrowError when it is malformed, maps of one kind differ in size, or its maps are in arrays of an engine.
  */
 export function checkSource<T extends WrinkleSet<ArraySlice> | WrinklesBase>(source: T): T {
   if (source instanceof WrinklesBase) return source
   checkWrinkleSet(source, 'Wrinkles')
+  checkMapSizes(source.layers)
   const maps = [
     ...source.layers.flatMap((layer) => Object.values(layer)),
     ...source.areas.map(({ weights }) => weights),

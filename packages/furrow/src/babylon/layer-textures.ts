@@ -21,8 +21,8 @@ export interface LayerTextures {
 /**
  * Creates the textures of a set's layers.
  *
+ * @param layers whose maps of each kind have one size.
  * @param anisotropy that of the map they are mixed with.
- * @throws FurrowError when maps of one kind differ in size.
  */
 export function createTextures(layers: readonly Layer[], anisotropy: number, scene: Scene): LayerTextures {
   const normals = packMaps(

@@ -4,7 +4,7 @@ import { RawTexture2DArray } from '@babylonjs/core/Materials/Textures/rawTexture
 import type { Texture } from '@babylonjs/core/Materials/Textures/texture.js'
 import { ToHalfFloat } from '@babylonjs/core/Misc/textureTools.js'
 import type { Scene } from '@babylonjs/core/scene.js'
-import type { ImageArray } from '../core/pack.ts'
+import type { ImageArray } from '../core/image-array.ts'
 
 const FORMATS = {
   1: Constants.TEXTUREFORMAT_RED,

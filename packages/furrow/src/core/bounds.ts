@@ -1,4 +1,4 @@
-import type { ImageArray } from './pack.ts'
+import type { ImageArray } from './image-array.ts'
 
 /** A rectangle of texels: columns x0 to x1 and rows y0 to y1, x1 and y1 excluded; empty where x1 <= x0. */
 export interface Bounds {

@@ -39,21 +39,16 @@ export interface ErrorParts {
 /** The one error class of the package: `Module: what, the value, the limit; the remedy`. */
 export class FurrowError extends Error implements ErrorParts {
   override readonly name = 'FurrowError'
-  readonly code: ErrorCode
-  readonly who: string
-  readonly what: string
+  declare readonly code: ErrorCode
+  declare readonly who: string
+  declare readonly what: string
   readonly value: unknown
   readonly limit: string | undefined
-  readonly remedy: string
+  declare readonly remedy: string
 
   constructor(parts: ErrorParts, options?: ErrorOptions) {
     super(sentence(parts), options)
-    this.code = parts.code ?? 'invalid'
-    this.who = parts.who
-    this.what = parts.what
-    this.value = parts.value
-    this.limit = parts.limit
-    this.remedy = parts.remedy
+    Object.assign(this, parts, { code: parts.code ?? 'invalid' })
   }
 
   /** The same error as `who` would report it: callers of a function know nothing of those that it calls. */

@@ -57,44 +57,35 @@ function checkSides(width: number, height: number, who: string): void {
  * @returns the image itself if it has that size already, otherwise a new one.
  */
 export function resampleGray(image: GrayImage, size: number): GrayImage {
-  if (image.width === size && image.height === size) return image
-  const columns = stretched(image.data, image.width, image.height, size)
-  const rows = stretched(columns, image.height, size, size)
-  const data = new Uint8Array(rows.map(Math.round))
-  return { width: size, height: size, data }
+  const { width, height, data } = image
+  if (width === size && height === size) return image
+  const columns = stretched(data, width, height, size)
+  const rows = stretched(columns, height, size, size)
+  return { width: size, height: size, data: Uint8Array.from(rows, Math.round) }
 }
 
-/** The rows of an image at another width, as columns: twice, they are rows again. */
+/**
+ * The rows of an image at another width, as columns: twice, they are rows again. The filter is centred on each new texel, with a radius
+ * of at least one source texel; edges are clamped.
+ */
 function stretched(data: ArrayLike<number>, width: number, height: number, size: number): Float64Array {
   const columns = new Float64Array(size * height)
-  for (const [x, { first, weights }] of filterTaps(width, size).entries()) {
+  const scale = width / size
+  const radius = Math.max(scale, 1)
+  for (let x = 0; x < size; x++) {
+    const centre = (x + 0.5) * scale - 0.5
+    const first = Math.max(0, Math.ceil(centre - radius))
+    const last = Math.min(width - 1, Math.floor(centre + radius))
     for (let y = 0; y < height; y++) {
       let sum = 0
-      for (let k = 0; k < weights.length; k++) sum += weights[k] * data[y * width + first + k]
-      columns[x * height + y] = sum
+      let total = 0
+      for (let k = first; k <= last; k++) {
+        const weight = 1 - Math.abs(k - centre) / radius
+        sum += weight * data[y * width + k]
+        total += weight
+      }
+      columns[x * height + y] = sum / total
     }
   }
   return columns
-}
-
-/** The consecutive source texels that make up a new one. */
-interface Taps {
-  first: number
-  /** Sum to 1. */
-  weights: number[]
-}
-
-/** Triangle filter centred on each new texel, with a radius of at least one source texel; edges are clamped. */
-function filterTaps(from: number, to: number): Taps[] {
-  const scale = from / to
-  const radius = Math.max(scale, 1)
-  return Array.from({ length: to }, (_, i) => {
-    const centre = (i + 0.5) * scale - 0.5
-    const first = Math.max(0, Math.ceil(centre - radius))
-    const last = Math.min(from - 1, Math.floor(centre + radius))
-    const weights: number[] = []
-    for (let k = first; k <= last; k++) weights.push(Math.max(0, 1 - Math.abs(k - centre) / radius))
-    const total = weights.reduce((sum, w) => sum + w, 0)
-    return { first, weights: weights.map((w) => w / total) }
-  })
 }

@@ -1,22 +1,17 @@
-import { checkSizes, type ImageArray } from './pack.ts'
+import type { ImageArray } from './image-array.ts'
 import type { GrayImage } from './types.ts'
 
 /**
  * Packs two single-channel maps of each layer into the channels of one image, as occlusion and blood are.
  *
- * @param pairs of each layer both maps, at least one of which exists; copied.
+ * @param pairs of each layer both maps, at least one of which exists, all of one size, which is not checked; copied.
  * @param neutral what a map that is missing holds, 0..255.
- * @param who names the caller in errors.
- * @throws FurrowError when there is none, one is malformed, or their sizes differ.
  */
 export function packPairs(
   pairs: readonly (readonly [GrayImage | undefined, GrayImage | undefined])[],
   neutral: readonly [number, number],
-  who = 'packPairs',
 ): ImageArray {
-  const present = pairs.flat().filter((image) => image !== undefined)
-  checkSizes(present, 'gray', who)
-  const { width, height } = present[0]
+  const { width, height } = pairs.flat().find((image) => image)!
   const texels = width * height
   const data = new Uint8Array(2 * texels * pairs.length)
   for (const [slice, pair] of pairs.entries()) {

@@ -1,23 +1,9 @@
 import { checkCount } from './check-areas.ts'
 import { FurrowError } from './error.ts'
 import { checkImage, resampleGray } from './image.ts'
+import { type ImageArray, imageArray } from './image-array.ts'
 import { DEFAULT_AREA_SIZE, MAX_AREAS } from './limits.ts'
 import type { GrayImage, RgbaImage } from './types.ts'
-
-/**
- * Images of one size in one buffer: texel (x, y) of slice d starts at `(x + y * width + d * width * height) * channels` (the paper's
- * section on packing).
- */
-export interface ImageArray {
-  /** Size of each image in texels. */
-  width: number
-  height: number
-  /** Number of images. */
-  depth: number
-  channels: 1 | 2 | 4
-  /** width x height x depth x channels bytes. */
-  data: Uint8Array
-}
 
 /**
  * Packs RGBA images into one array: for the paper's shader its diffuse texture, smooth normals and wrinkled normals; for the default
@@ -29,7 +15,7 @@ export interface ImageArray {
  */
 export function packColours(images: readonly RgbaImage[], who = 'packColours'): ImageArray {
   checkSizes(images, 'RGBA', who)
-  return concatenate(images, images[0].width, images[0].height, 4)
+  return imageArray(images, 4)
 }
 
 /**
@@ -41,7 +27,7 @@ export function packColours(images: readonly RgbaImage[], who = 'packColours'): 
  */
 export function packGrays(images: readonly GrayImage[], who = 'packGrays'): ImageArray {
   checkSizes(images, 'gray', who)
-  return concatenate(images, images[0].width, images[0].height, 1)
+  return imageArray(images, 1)
 }
 
 /**
@@ -62,7 +48,7 @@ export function packAreas(
     checkImage(image, 'gray', `${who} area ${index}`)
     return resampleGray(image, size)
   })
-  return concatenate(images, size, size, 1)
+  return imageArray(images, 1)
 }
 
 /** @throws FurrowError when there is no image, one is malformed, or their sizes differ. */
@@ -86,16 +72,4 @@ export function checkSizes(
       remedy: 'scale them to one size',
     })
   }
-}
-
-function concatenate(
-  images: readonly { data: Uint8Array }[],
-  width: number,
-  height: number,
-  channels: 1 | 4,
-): ImageArray {
-  const stride = width * height * channels
-  const data = new Uint8Array(stride * images.length)
-  for (const [index, image] of images.entries()) data.set(image.data, index * stride)
-  return { width, height, depth: images.length, channels, data }
 }

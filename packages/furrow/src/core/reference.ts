@@ -3,7 +3,7 @@
  * WSCG 2008): the reference that tests compare every GPU path with. Colours and values are linear.
  */
 import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from './blood.ts'
-import type { ImageArray } from './pack.ts'
+import type { ImageArray } from './image-array.ts'
 import { repeat } from './repeat.ts'
 import { TOON_LINE } from './toon-line.ts'
 import type { Combine, LayerKind } from './types.ts'

@@ -1,4 +1,4 @@
-import type { ImageArray } from '../core/pack.ts'
+import type { ImageArray } from '../core/image-array.ts'
 
 /** A layer with heights, as far as these are in memory. */
 export interface RaisedLayer {

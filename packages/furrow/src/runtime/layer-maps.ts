@@ -1,4 +1,4 @@
-import { type ImageArray, packColours, packGrays } from '../core/pack.ts'
+import { type ImageArray, imageArray } from '../core/image-array.ts'
 import type { GrayImage, RgbaImage } from '../core/types.ts'
 
 /** Kinds of maps that a layer may have besides its normals. */
@@ -17,18 +17,17 @@ export interface PackedMaps {
 /**
  * Packs the images of one kind.
  *
- * @param maps of each layer; undefined for a layer that has none.
- * @throws FurrowError when their sizes differ.
+ * @param maps of each layer, all of one size; undefined for a layer that has none.
  */
 export function packMaps(
   maps: readonly (RgbaImage | GrayImage | undefined)[],
   kind: 'normal' | ValueKind,
 ): PackedMaps {
   const present = maps.filter((map) => map !== undefined)
-  const pack = kind === 'normal' || kind === 'baseColor' ? packColours : packGrays
+  const channels = kind === 'normal' || kind === 'baseColor' ? 4 : 1
   let next = 0
   return {
-    images: pack(present, `Wrinkles ${kind} maps of the layers`),
+    images: imageArray(present, channels),
     slices: maps.map((map) => (map ? next++ : null)),
     channel: 0,
   }

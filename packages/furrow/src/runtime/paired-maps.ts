@@ -13,8 +13,7 @@ export function packPair(layers: readonly Layer[]): Record<(typeof PAIR)[number]
     occlusion,
     blood,
   ])
-  const who = 'Wrinkles occlusion and blood maps of the layers'
-  const images = packPairs(pairs, [255, BLOOD_AT_REST], who)
+  const images = packPairs(pairs, [255, BLOOD_AT_REST])
   const mapsOf = (kind: (typeof PAIR)[number]): PackedMaps => ({
     images,
     slices: layers.map((layer) => (layer[kind] ? owners.indexOf(layer) : null)),

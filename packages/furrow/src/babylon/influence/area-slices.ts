@@ -1,6 +1,7 @@
 import { boundsOf } from '../../core/bounds.ts'
 import { layerIndex } from '../../core/check-areas.ts'
-import { type ImageArray, packAreas } from '../../core/pack.ts'
+import { resampleGray } from '../../core/image.ts'
+import { type ImageArray, imageArray } from '../../core/image-array.ts'
 import type { Area } from '../../core/types.ts'
 import type { AreaSlots } from '../../runtime/area-slots.ts'
 
@@ -12,18 +13,17 @@ export interface AreaSlices extends AreaSlots {
 /**
  * Resamples a set's areas to a square grid.
  *
+ * @param areas that were checked.
  * @param size side of the grid in texels.
- * @throws FurrowError when an image is malformed.
  */
 export function packSlices(
   areas: readonly Area[],
   layers: readonly { name: string }[],
   size: number,
 ): AreaSlices {
-  const images = packAreas(
-    areas.map(({ weights }) => weights),
-    size,
-    'Wrinkles',
+  const images = imageArray(
+    areas.map(({ weights }) => resampleGray(weights, size)),
+    1,
   )
   const slots = areas.map((area, slice) => ({
     layer: layerIndex(area, layers),

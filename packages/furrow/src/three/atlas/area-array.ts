@@ -1,6 +1,7 @@
 import { boundsOf } from '../../core/bounds.ts'
 import { isSlice, layerIndex } from '../../core/check-areas.ts'
-import { packAreas } from '../../core/pack.ts'
+import { resampleGray } from '../../core/image.ts'
+import { imageArray } from '../../core/image-array.ts'
 import type { Area, ArraySlice, GrayImage } from '../../core/types.ts'
 import type { AreaSlot, AreaSlots } from '../../runtime/area-slots.ts'
 import { type ArrayTexture, arrayOf, type Upload } from '../material/array-texture.ts'
@@ -19,9 +20,10 @@ export interface AreaArray extends AreaSlots {
  * Creates the array of a set's areas. Images are resampled to a square grid and packed one per slice; slices of one array are used
  * unchanged.
  *
+ * @param areas that were checked.
  * @param size side of the grid in texels.
  * @param who names the caller in errors.
- * @throws FurrowError when an image is malformed, or the areas are in several arrays.
+ * @throws FurrowError when the areas are in several arrays.
  */
 export function createAreaArray(
   areas: readonly Area<ArraySlice>[],
@@ -32,7 +34,7 @@ export function createAreaArray(
   const weights = areas.map((area) => area.weights)
   const { locations, ...array } = weights.some(isSlice)
     ? sliced(weights, who)
-    : packed(weights as GrayImage[], size, who)
+    : packed(weights as GrayImage[], size)
   const slots = areas.map((area, i) => {
     // By name: what a spread makes takes twice as long to read, in every frame.
     const { slice, channel, bounds } = locations[i]
@@ -46,8 +48,11 @@ type LocatedAreas = Omit<AreaArray, 'slots' | 'version'> & {
   locations: Pick<AreaSlot, 'slice' | 'channel' | 'bounds'>[]
 }
 
-function packed(weights: readonly GrayImage[], size: number, who: string): LocatedAreas {
-  const array = packAreas(weights, size, who)
+function packed(weights: readonly GrayImage[], size: number): LocatedAreas {
+  const array = imageArray(
+    weights.map((image) => resampleGray(image, size)),
+    1,
+  )
   const locations = weights.map((_, slice) => ({ slice, channel: 0, bounds: boundsOf(array, slice) }))
   return { texture: areaTexture(array), width: size, height: size, channels: 1, locations }
 }

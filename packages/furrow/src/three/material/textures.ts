@@ -13,7 +13,7 @@ import {
   RGBAFormat,
   RGFormat,
 } from 'three'
-import type { ImageArray } from '../../core/pack.ts'
+import type { ImageArray } from '../../core/image-array.ts'
 
 /**
  * A texture of areas: one channel, filtered, without mipmaps (areas are smooth already, and mipmaps would bleed across UV islands).

@@ -26,9 +26,10 @@ export interface WrinkleTextures {
 /**
  * Creates the textures of a set's layers.
  *
+ * @param layers whose images of each kind have one size.
  * @param anisotropy that of the map they are mixed with.
  * @param channels where `needChannels` says so.
- * @throws FurrowError when maps of one kind differ in size, or are in several arrays.
+ * @throws FurrowError when maps of one kind are in several arrays.
  */
 export function createTextures(
   layers: readonly Layer<ArraySlice>[],

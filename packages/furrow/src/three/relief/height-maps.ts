@@ -1,6 +1,7 @@
 import { isSlice } from '../../core/check-areas.ts'
 import { FurrowError } from '../../core/error.ts'
-import { type ImageArray, packGrays } from '../../core/pack.ts'
+import type { ImageArray } from '../../core/image-array.ts'
+import { packGrays } from '../../core/pack.ts'
 import type { GrayImage } from '../../core/types.ts'
 import { type ArrayTexture, arrayOf } from '../material/array-texture.ts'
 import { mapTexture } from '../material/textures.ts'

@@ -1,0 +1,29 @@
+import type { GrayImage, RgbaImage } from './types.ts'
+
+/**
+ * Images of one size in one buffer: texel (x, y) of slice d starts at `(x + y * width + d * width * height) * channels` (the paper's
+ * section on packing).
+ */
+export interface ImageArray {
+  /** Size of each image in texels. */
+  width: number
+  height: number
+  /** Number of images. */
+  depth: number
+  channels: 1 | 2 | 4
+  /** width x height x depth x channels bytes. */
+  data: Uint8Array
+}
+
+/**
+ * Copies images into one array.
+ *
+ * @param images at least one, all of one size, which is not checked.
+ */
+export function imageArray(images: readonly (GrayImage | RgbaImage)[], channels: 1 | 4): ImageArray {
+  const [{ width, height }] = images
+  const stride = width * height * channels
+  const data = new Uint8Array(stride * images.length)
+  for (const [index, image] of images.entries()) data.set(image.data, index * stride)
+  return { width, height, depth: images.length, channels, data }
+}

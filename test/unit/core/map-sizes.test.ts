@@ -1,0 +1,33 @@
+import { describe, expect, it } from 'vitest'
+import { checkMapSizes } from '../../../packages/furrow/src/core/map-sizes.ts'
+import type { ArraySlice, Layer } from '../../../packages/furrow/src/core/types.ts'
+
+const gray = (side: number) => ({ width: side, height: side, data: new Uint8Array(side * side) })
+const rgba = (side: number) => ({ width: side, height: side, data: new Uint8Array(4 * side * side) })
+const layer = (maps: Partial<Layer<ArraySlice>>): Layer<ArraySlice> => ({
+  name: 'skin',
+  kind: 'replace',
+  normal: rgba(4),
+  ...maps,
+})
+
+describe('the sizes of the maps of a set', () => {
+  it.each([
+    ['normal', [{}, { normal: rgba(8) }]],
+    ['baseColor', [{ baseColor: rgba(4) }, {}, { baseColor: rgba(8) }]],
+    ['roughness', [{ roughness: gray(4) }, { roughness: gray(8) }]],
+    ['occlusion', [{ occlusion: gray(4) }, { occlusion: gray(8) }]],
+    ['blood', [{ blood: gray(4) }, { blood: gray(8) }]],
+    ['occlusion and blood', [{ occlusion: gray(4) }, { blood: gray(8) }]],
+  ] satisfies [string, Partial<Layer>[]][])('must be the same for %s', (kinds, maps) => {
+    expect(() => checkMapSizes(maps.map(layer))).toThrow(
+      `Wrinkles ${kinds} maps of the layers: image 1 differs in size from image 0, got "8 x 8", allowed: 4 x 4, as all images of one array; scale them to one size`,
+    )
+  })
+
+  it('may differ between kinds, and are those of the array for slices', () => {
+    const slice = { array: {}, slice: 0, channel: 0 }
+    const other = { roughness: gray(8), occlusion: gray(2), blood: gray(2) }
+    expect(() => checkMapSizes([layer(other), layer({ ...other, baseColor: slice })])).not.toThrow()
+  })
+})
