@@ -4,10 +4,8 @@ import { createAreaArray } from '../../packages/furrow/src/three/atlas/area-arra
 import { callBeforeRender } from '../../packages/furrow/src/three/before-render.ts'
 import { ComposedMap, composedSize } from '../../packages/furrow/src/three/material/composed-map.ts'
 import { WRINKLES_DEFAULTS } from '../../packages/furrow/src/three/options.ts'
-import {
-  quadMaterials as glslQuads,
-  QUAD_SETTINGS,
-} from '../../packages/furrow/src/three/webgl/influence-quads.ts'
+import { quadMaterials as glslQuads } from '../../packages/furrow/src/three/webgl/influence-quads.ts'
+import { QUAD_SETTINGS } from '../../packages/furrow/src/three/webgl/quad-settings.ts'
 import {
   quadMaterial,
   targetUv,

@@ -7,14 +7,14 @@ import {
   type Material,
   Mesh,
 } from 'three'
-import { MAX_LAYERS } from '../../core/limits.ts'
 import type { AreaSlot } from '../../runtime/area-slots.ts'
 
 /** Numbers of each vertex: a vector of four and one of two. */
 const STRIDE = 6
 const CORNERS = 4
-/** Channels of a slice, and layers. */
+/** Most channels of a slice, and most layers. */
 const CHANNELS = 4
+const LAYERS = 4
 
 /** What they are drawn onto: a grid of cells, each `width` x `height` texels of an area. */
 interface CellGrid {
@@ -55,7 +55,7 @@ export class Quads {
     const { width, height, grid } = this.#cells
     const data = this.#data
     let at = this.#used.count
-    const source = (slice * CHANNELS + channel) * MAX_LAYERS + layer
+    const source = (slice * CHANNELS + channel) * LAYERS + layer
     for (let corner = 0; corner < CORNERS; corner++) {
       const x = corner & 1 ? bounds.x1 : bounds.x0
       const y = corner & 2 ? bounds.y1 : bounds.y0

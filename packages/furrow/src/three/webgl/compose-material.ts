@@ -1,8 +1,8 @@
 import { ShaderMaterial } from 'three'
 import type { ComposeMaterial } from '../material/composed-map.ts'
 import { influenceFromMap } from './influence-glsl.ts'
-import { QUAD_SETTINGS } from './influence-quads.ts'
 import { type NormalLayers, normalMixing } from './mixing-glsl.ts'
+import { QUAD_SETTINGS } from './quad-settings.ts'
 import { layerUniforms, mapUniforms } from './uniforms.ts'
 
 /** Draws the composed normal map on `WebGLRenderer`. */

@@ -1,4 +1,4 @@
-import type { Mesh } from 'three'
+import { type Mesh, REVISION } from 'three'
 import { bitangentView, mat3, normalMap, tangentView, vec3 } from 'three/tsl'
 import { MeshBasicNodeMaterial, type Node } from 'three/webgpu'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
@@ -28,7 +28,7 @@ export class WebGPUWrinkles extends WrinklesBase {
 
 /** @throws FurrowError when three.js is too old, or lacks what is needed for the mesh. */
 export function checkThreeFor(mesh: Mesh): Mesh {
-  checkThree('Wrinkles of furrow/webgpu')
+  checkThree('Wrinkles of furrow/webgpu', REVISION)
   if (instancesOf(mesh) === 'batched') checkBatch(mesh)
   return mesh
 }
