@@ -39,7 +39,7 @@ export class Quads {
 
   constructor(cells: CellGrid, material: Material) {
     this.#cells = cells
-    this.mesh = new Mesh(new BufferGeometry(), material)
+    this.mesh = new Mesh<BufferGeometry, Material>(undefined, material)
     this.mesh.frustumCulled = false
     this.mesh.matrixAutoUpdate = false
     this.#bind()
