@@ -1,7 +1,6 @@
 import {
   FloatType,
   HalfFloatType,
-  LinearFilter,
   RedFormat,
   RenderTarget,
   RGBAFormat,
@@ -48,8 +47,6 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     this.target = new RenderTarget(width, height, {
       format: FORMATS[layers - 1],
       type: HalfFloatType,
-      minFilter: LinearFilter,
-      magFilter: LinearFilter,
       depthBuffer: false,
     })
     this.#pass = new InfluencePass(this.cells, this.target, materials)

@@ -16,6 +16,9 @@ import type { ArrayTexture } from '../material/array-texture.ts'
 import { requireInternal } from '../three-version.ts'
 import { readImageBytes } from './image-bytes.ts'
 
+/** Only files with such images need it. */
+export { joinArrays } from './join-arrays.ts'
+
 interface LoaderOptions {
   ktx2Loader?: KTX2Loader | null
 }

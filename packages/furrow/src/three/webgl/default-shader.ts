@@ -1,7 +1,7 @@
 import { REVISION, ShaderChunk } from 'three'
 import type { Instances } from '../instances.ts'
 import { requireInternal } from '../three-version.ts'
-import { CORNER_OF_INSTANCE, influenceFromMap } from './influence-glsl.ts'
+import { CORNER_OF_INSTANCE, influenceFromMap, sliceSampling } from './influence-glsl.ts'
 import { type NormalLayers, normalMixing } from './mixing-glsl.ts'
 import { MAIN, replace, replaceChunk } from './shader-text.ts'
 import type { ShaderChannels, Values } from './value-layers.ts'
@@ -39,8 +39,7 @@ export function defaultFragment(
   const isBuiltIn = uv === BUILT_IN_UV
   const values = isBuiltIn ? variant.values : {}
   const added = channels?.add(values, isToon, normal)
-  const sampling = anisotropic ? 'gradients' : 'level'
-  const declarations = influenceFromMap(kinds.length, instances !== null, sampling) + normalMixing(variant)
+  const influence = influenceFromMap(kinds.length, instances !== null)
   const sample = `furrowSampleInfluence(${uv});`
   const mixed = [
     isBuiltIn ? '' : sample,
@@ -49,7 +48,8 @@ export function defaultFragment(
     added?.tint,
     scaled,
   ].join('\n\t')
-  const started = [declarations, added?.declarations, MAIN, isBuiltIn ? sample : '', added?.begin].join('\n')
+  const declarations = [influence, sliceSampling(anisotropic), normalMixing(variant), added?.declarations]
+  const started = [...declarations, MAIN, isBuiltIn ? sample : '', added?.begin].join('\n')
   const shown = replace(replace(shader, scaled, mixed), MAIN, started)
   return added ? added.mixOthers(shown) : shown
 }
