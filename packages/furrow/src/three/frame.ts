@@ -1,6 +1,6 @@
 import { Frame } from '../runtime/frame.ts'
 import { InfluenceAtlas } from './atlas/influence-atlas.ts'
-import type { QuadMaterials } from './atlas/influence-pass.ts'
+import type { QuadMaterials } from './atlas/quad-materials.ts'
 import type { AnyRenderer } from './renderer.ts'
 
 /** The frames of one kind of renderer, and the atlases of their faces. */

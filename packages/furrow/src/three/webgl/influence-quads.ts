@@ -8,7 +8,7 @@ import {
   ShaderMaterial,
   type WebGLRenderer,
 } from 'three'
-import type { QuadMaterials } from '../atlas/influence-pass.ts'
+import type { QuadMaterials } from '../atlas/quad-materials.ts'
 import { requireInternal } from '../three-version.ts'
 import { QUAD_SETTINGS } from './quad-settings.ts'
 

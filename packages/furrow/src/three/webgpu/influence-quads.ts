@@ -2,7 +2,7 @@ import { AddEquation, CustomBlending, DoubleSide, MaxEquation, NoBlending, OneFa
 import { attribute, Fn, floor, int, ivec2, textureLoad, varying, vec2, vec4 } from 'three/tsl'
 import { type Node, NodeMaterial } from 'three/webgpu'
 import type { AreaArray } from '../atlas/area-array.ts'
-import type { QuadMaterials } from '../atlas/influence-pass.ts'
+import type { QuadMaterials } from '../atlas/quad-materials.ts'
 import { channelMask } from './influence.ts'
 
 /** The materials that draw influence maps on `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
