@@ -1,5 +1,4 @@
 import {
-  BufferAttribute,
   BufferGeometry,
   DynamicDrawUsage,
   InterleavedBuffer,
@@ -95,10 +94,8 @@ export class Quads {
   #bind(): void {
     this.mesh.geometry.dispose()
     const geometry = new BufferGeometry()
-    const vertices = this.#data.length / STRIDE
-    const index = new Uint32Array((vertices / CORNERS) * 6)
-    for (let i = 0; i < index.length; i++) index[i] = CORNERS * Math.floor(i / 6) + TRIANGLES[i % 6]
-    geometry.setIndex(new BufferAttribute(index, 1))
+    const length = (this.#data.length / (CORNERS * STRIDE)) * 6
+    geometry.setIndex(Array.from({ length }, (_, i) => CORNERS * Math.floor(i / 6) + TRIANGLES[i % 6]))
     this.#buffer = new InterleavedBuffer(this.#data, STRIDE)
     this.#buffer.setUsage(DynamicDrawUsage)
     geometry.setAttribute('furrowPoint', new InterleavedBufferAttribute(this.#buffer, 4, 0))

@@ -17,7 +17,7 @@ import { quadMaterials } from './influence-quads.ts'
 import { type LayerInfluence, mixNormals } from './mix.ts'
 import { materialProperty, normalScale, typed } from './node.ts'
 import { type Added, type Patched, patchNodes } from './patch-nodes.ts'
-import { mapUv } from './texture-sampling.ts'
+import { byGradients, bySampler, mapUv } from './texture-sampling.ts'
 
 /** The wrinkles of a loaded file, whose drivers the loader adds; `Wrinkles` is the same for all else. */
 export class WebGPUWrinkles extends WrinklesBase {
@@ -41,7 +41,7 @@ const patch: RendererParts['patch'] = (material, inputs, mesh) => {
     layerNodes(material, inputs, {
       influence: influenceFromMap(inputs, uv, instancesOf(mesh)),
       uv,
-      sampling: isTiled(mesh, material) ? 'gradients' : 'sampler',
+      sampler: isTiled(mesh, material) ? byGradients : bySampler,
     }),
   )
 }
