@@ -87,15 +87,20 @@ describe.each([
 
   // See `scripts/join-modules.mjs`.
   it('has its checks in one file, and their modules export what their types say', async () => {
-    const core = join(content, 'dist/core')
-    expect(readdirSync(core).filter((file) => file.startsWith('checks.'))).toEqual([
+    const dist = join(content, 'dist')
+    expect(readdirSync(join(dist, 'core')).filter((file) => file.startsWith('checks.'))).toEqual([
       'checks.js',
       'checks.js.map',
     ])
-    for (const name of ['error', 'argument', 'limits', 'name', 'image', 'check-areas']) {
+    const core = ['error', 'argument', 'limits', 'name', 'image', 'check-areas', 'pack'].map(
+      (name) => `core/${name}`,
+    )
+    const others = ['runtime/atlas-cells', 'three/material/array-texture', 'three/three-version']
+    for (const name of [...core, ...others]) {
       const [, exported] =
-        read(join(core, `${name}.js`)).match(/^export \{ (.+) \} from "\.\/checks\.js";\s*$/) ?? []
-      const declared = read(join(core, `${name}.d.ts`)).matchAll(
+        read(join(dist, `${name}.js`)).match(/^export \{ (.+) \} from "(?:\.|.*\/core)\/checks\.js";\s*$/) ??
+        []
+      const declared = read(join(dist, `${name}.d.ts`)).matchAll(
         /^export declare (?:const|class|function) (\w+)/gm,
       )
       expect(exported?.split(', '), name).toEqual([...declared].map(([, what]) => what).sort())

@@ -57,20 +57,21 @@ describe('the versions of three.js', () => {
   it('are checked where an older one makes the face vanish', () => {
     revision = String(oldest - 1)
     const message = `Wrinkles of furrow/webgpu: three.js is too old, got "r${oldest - 1}", allowed: ${range}; install a release of three.js in that range`
-    expect(() => checkThree('Wrinkles of furrow/webgpu')).toThrow(message)
+    expect(() => checkThree('Wrinkles of furrow/webgpu', `${oldest - 1}`)).toThrow(message)
     expect(() => new Wrinkles(null as never, null as never)).toThrow(message)
     for (const tested of [`${oldest}`, `${newest}`, `${newest + 1}dev`]) {
       revision = tested
-      expect(() => checkThree('Wrinkles')).not.toThrow()
+      expect(() => checkThree('Wrinkles', tested)).not.toThrow()
     }
   })
 })
 
 describe('internals of three.js', () => {
   it('are passed on where they are there, false and 0 included', () => {
-    for (const value of [0, false, '', {}]) expect(requireInternal(value, 'Wrinkles', 'x')).toBe(value)
+    for (const value of [0, false, '', {}])
+      expect(requireInternal(value, 'Wrinkles', 'x', REVISION)).toBe(value)
     for (const value of [null, undefined])
-      expect(() => requireInternal(value, 'Wrinkles', 'x')).toThrow(found('x'))
+      expect(() => requireInternal(value, 'Wrinkles', 'x', REVISION)).toThrow(found('x'))
   })
 
   it.each([

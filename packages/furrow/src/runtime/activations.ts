@@ -28,12 +28,6 @@ export class Activations {
     return this.#values
   }
 
-  get largest(): number {
-    let largest = 0
-    for (let i = 0; i < this.#areas.length; i++) largest = Math.max(largest, this.#values[i])
-    return largest
-  }
-
   /** Names of the areas, in order. */
   get names(): string[] {
     return this.#areas.map(({ name }) => name)

@@ -41,7 +41,7 @@ export class AtlasCells {
   }
 
   get isEmpty(): boolean {
-    return this.#cells.every((cell) => cell === null)
+    return this.#used === 0
   }
 
   /** Whether all cells that are used are to be redrawn. */

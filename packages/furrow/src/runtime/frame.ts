@@ -38,9 +38,10 @@ export interface FrameEntry<Engine> {
  * frame before, or never ran. A member that comes into view later in a frame runs its phases then.
  *
  * @typeParam Engine what draws, e.g. a renderer.
+ * @typeParam Target what it draws influence maps into.
  */
-export class Frame<Engine> {
-  readonly targets: InfluenceTarget<Engine>[] = []
+export class Frame<Engine, Target extends InfluenceTarget<Engine> = InfluenceTarget<Engine>> {
+  readonly targets: Target[] = []
   readonly #entries: FrameEntry<Engine>[] = []
   readonly #renderCount: (engine: Engine) => number
   /** The members whose phases run are the first `#count` of these: emptying the list would allocate. */

@@ -1,11 +1,10 @@
 import { Frame } from '../runtime/frame.ts'
 import { InfluenceAtlas } from './atlas/influence-atlas.ts'
-import type { QuadMaterials } from './atlas/influence-pass.ts'
+import type { QuadMaterials } from './atlas/quad-materials.ts'
 import type { AnyRenderer } from './renderer.ts'
 
 /** The frames of one kind of renderer, and the atlases of their faces. */
-export class RendererFrame extends Frame<AnyRenderer> {
-  readonly #atlases: InfluenceAtlas[] = []
+export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
   readonly #materials: QuadMaterials
 
   constructor(materials: QuadMaterials) {
@@ -15,12 +14,11 @@ export class RendererFrame extends Frame<AnyRenderer> {
 
   /** The atlas of all faces with this size of areas, in texels, and number of layers. */
   atlasFor(width: number, height: number, layers: number): InfluenceAtlas {
-    const shared = this.#atlases.find(
+    const shared = this.targets.find(
       (atlas) => atlas.cells.width === width && atlas.cells.height === height && atlas.layers === layers,
     )
     if (shared) return shared
     const atlas = new InfluenceAtlas(width, height, layers, this.#materials)
-    this.#atlases.push(atlas)
     this.targets.push(atlas)
     return atlas
   }
@@ -29,7 +27,6 @@ export class RendererFrame extends Frame<AnyRenderer> {
   release(atlas: InfluenceAtlas): void {
     if (!atlas.cells.isEmpty) return
     atlas.dispose()
-    this.#atlases.splice(this.#atlases.indexOf(atlas), 1)
     this.targets.splice(this.targets.indexOf(atlas), 1)
   }
 }

@@ -1,12 +1,16 @@
-import type { BufferGeometry, Camera, Mesh } from 'three'
+import type { BufferGeometry, Camera, Material, Mesh } from 'three'
 import { smoothstep } from '../math/scalar.ts'
+import type { Face } from '../runtime/face.ts'
 import type { AreaArray } from './atlas/area-array.ts'
 import { pixelsPerUnit } from './camera/size-on-screen.ts'
-import type { ReliefMode } from './options.ts'
+import type { RendererParts } from './material/renderer-parts.ts'
+import type { ShaderInputs } from './material/shader-inputs.ts'
+import type { MeshPlace } from './mesh-place.ts'
+import type { ReliefMode, WrinkleMode } from './options.ts'
 import { limitationOf } from './relief/limitation.ts'
+import { type MeshUnits, meshUnits } from './relief/mesh-units.ts'
 import { canRise } from './relief/raised-layer.ts'
 import type { Relief, ReliefHost } from './relief/relief.ts'
-import type { ReliefParts } from './relief/relief-parts.ts'
 import type { AnyRenderer } from './renderer.ts'
 
 /** Pixels per millimetre at which relief by size begins, and at which it is full: between them it grows, so that nobody sees it come. */
@@ -18,19 +22,34 @@ const AWAKE = 0.1
 /** Draws in a row in which nothing of it is seen before the meshes themselves are drawn again: cameras may take turns. */
 const PATIENCE = 60
 
-/** What relief needs of the wrinkles it belongs to. */
-export interface ReliefOwner extends Omit<ReliefHost, 'refuse'> {
-  /** Makes the material draw it, or no longer. */
-  setRelief(relief: Relief | null): void
-  loadParts(): Promise<ReliefParts>
-  /** The largest activation of all areas of all faces. */
-  largestActivation(): number
+/** The wrinkles it belongs to, and what relief needs of them. */
+export interface ReliefOwner {
+  wrinkles: {
+    readonly mode: WrinkleMode
+    readonly mesh: Mesh
+    /** Runs the phases of a frame, as before any mesh is drawn. */
+    prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void
+  }
+  faces: readonly Face[]
+  /** The meshes of the face. */
+  meshes: readonly Mesh[]
+  /** Where the mesh was when the wrinkles were added. */
+  place: MeshPlace
+  material: {
+    /** The one that shows the wrinkles. */
+    readonly material: Material
+    /** Makes the material draw relief too, or no longer. */
+    setRelief(patch: ((own: Material) => () => void) | null): void
+  }
+  inputs: ShaderInputs
+  parts: RendererParts
 }
 
 /** Whether a face is drawn with relief: splits its meshes when that is first wanted, and shows it while it can be seen. */
 export class ReliefControl {
   #mode: ReliefMode
   readonly #owner: ReliefOwner
+  readonly #units: MeshUnits
   #relief: Relief | null = null
   #making: Promise<void> | null = null
   /** The areas that the meshes were split under: they are split again under others. */
@@ -49,6 +68,7 @@ export class ReliefControl {
 
   constructor(owner: ReliefOwner, mode: ReliefMode) {
     this.#owner = owner
+    this.#units = meshUnits(owner.wrinkles.mesh, owner.place)
     this.#isPossible = owner.inputs.textures.layers.some(canRise)
     this.#mode = mode
   }
@@ -73,7 +93,7 @@ export class ReliefControl {
   /** Called before a mesh is drawn. */
   prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
     if (!this.#isPossible || (this.mode === 'off' && !this.#relief)) return
-    const pixelsPerMetre = pixelsPerUnit(mesh, camera, renderer) / this.#owner.units.atRest
+    const pixelsPerMetre = pixelsPerUnit(mesh, camera, renderer) / this.#units.atRest
     const amount = this.#amountAt(pixelsPerMetre)
     if (this.#relief) {
       this.#relief.amount.value = amount
@@ -103,11 +123,11 @@ export class ReliefControl {
   }
 
   #amountAt(pixelsPerMetre: number): number {
-    if (this.mode === 'off' || !this.#owner.isOn()) return 0
+    if (this.mode === 'off' || this.#owner.wrinkles.mode === 'off') return 0
     if (this.mode === 'on') return 1
     const [from, to] = SIZES
     const bySize = smoothstep((pixelsPerMetre / 1000 - from) / (to - from))
-    return bySize && bySize * Math.min(this.#owner.largestActivation() / AWAKE, 1)
+    return bySize && bySize * Math.min(largestActivation(this.#owner.faces) / AWAKE, 1)
   }
 
   /** After this frame: lists of what it draws have been made. */
@@ -129,7 +149,7 @@ export class ReliefControl {
   }
 
   async #split(): Promise<void> {
-    const { meshes, inputs } = this.#owner
+    const { wrinkles, meshes, material, inputs, parts } = this.#owner
     this.#areas = inputs.areas
     this.#version = inputs.areas.version
     this.#geometries = meshes.map(({ geometry }) => geometry)
@@ -139,9 +159,17 @@ export class ReliefControl {
       return
     }
     try {
-      const [{ Relief }, parts] = await Promise.all([import('./relief/relief.ts'), this.#owner.loadParts()])
-      const host = { ...this.#owner, refuse: (error: unknown) => this.#limit(error as Error) }
-      const made = await Relief.create(host, parts, () => !this.#isDisposed)
+      const [{ Relief }, reliefParts] = await Promise.all([import('./relief/relief.ts'), parts.loadRelief()])
+      const host: ReliefHost = {
+        meshes,
+        material: material.material,
+        inputs,
+        units: this.#units,
+        isOn: () => wrinkles.mode !== 'off',
+        prepare: (renderer, camera, mesh) => wrinkles.prepare(renderer, camera, mesh),
+        refuse: (error) => this.#limit(error as Error),
+      }
+      const made = await Relief.create(host, reliefParts, () => !this.#isDisposed)
       if (made) this.#exchange(made)
     } catch (error) {
       this.#end()
@@ -177,7 +205,7 @@ export class ReliefControl {
     queueMicrotask(() => {
       if (this.#isDisposed) return
       this.#show(false)
-      if (this.#relief) this.#owner.setRelief(null)
+      if (this.#relief) this.#owner.material.setRelief(null)
       this.#relief?.dispose()
       this.#relief = null
     })
@@ -189,10 +217,20 @@ export class ReliefControl {
     this.#relief = made
     this.#limitation = made.limitation
     this.#tellLimitation()
-    this.#owner.setRelief(made)
+    this.#owner.material.setRelief((own) => made.patch(own))
     before?.dispose()
     this.#show(this.isShown)
   }
+}
+
+/** Of all areas of all faces. */
+function largestActivation(faces: readonly Face[]): number {
+  let largest = 0
+  for (const { activations, slots } of faces) {
+    const { values } = activations
+    for (let i = 0; i < slots.slots.length; i++) largest = Math.max(largest, values[i])
+  }
+  return largest
 }
 
 const told = new WeakSet<Error>()

@@ -24,7 +24,7 @@ import {
   type ShaderInputs,
 } from './material/shader-inputs.ts'
 import { createTextures } from './material/wrinkle-textures.ts'
-import { meshUnits } from './mesh-units.ts'
+import { type MeshPlace, placeOf } from './mesh-place.ts'
 import {
   checkMode,
   checkOptions,
@@ -35,7 +35,7 @@ import {
   type WrinklesOptions,
 } from './options.ts'
 import { canRise } from './relief/raised-layer.ts'
-import type { ReliefControl, ReliefOwner } from './relief-control.ts'
+import type { ReliefControl } from './relief-control.ts'
 import { type AnyRenderer, checkRenderer, isRefused } from './renderer.ts'
 
 const wrinklesByMesh = new WeakMap<Mesh, WrinklesBase>()
@@ -63,7 +63,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   /** How many materials show the current influence, which needs the map in any mode. */
   #views = 0
   readonly #meshes: Mesh[] = []
-  readonly #reliefOwner: ReliefOwner
+  /** Where the mesh was when the wrinkles were added, for relief. */
+  readonly #place: MeshPlace
   #reliefMode: ReliefMode = 'off'
   /** Null until relief is wanted, and there are heights for it. */
   #relief: ReliefControl | null = null
@@ -82,25 +83,28 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     source: WrinkleSet<ArraySlice> | WrinklesBase,
     options: WrinklesOptions = {},
   ) {
-    const [set, inputs, own] =
-      source instanceof WrinklesBase
-        ? [{ layers: source.#inputs.textures.layers, areas: source.areas }, source.#inputs, source.#options]
-        : [source, null, null]
-    if (source instanceof WrinklesBase) source.checkInUse('set')
+    let inputs: ShaderInputs | undefined
+    let own: WrinklesOptions | undefined
+    if (source instanceof WrinklesBase) {
+      source.checkInUse('set')
+      inputs = source.#inputs
+      own = source.#options
+    }
+    // Both have areas; the layers of other wrinkles are those of their textures.
+    const { areas: given, layers = inputs!.textures.layers } = source as WrinkleSet<ArraySlice>
     const allOptions = { ...WRINKLES_DEFAULTS, ...own, ...options }
     checkOptions(allOptions, 'Wrinkles')
     checkMesh(mesh)
     const material = checkMaterial(mesh)
-    const areas = inputs?.areas ?? createAreaArray(set.areas, set.layers, allOptions.areaSize, 'Wrinkles')
+    const areas = inputs?.areas ?? createAreaArray(given, layers, allOptions.areaSize, 'Wrinkles')
     const textures =
-      inputs?.textures ??
-      createTextures(set.layers, material.normalMap?.anisotropy ?? 1, renderer.channels.value)
-    super(countFaces(mesh), inputs ? set.areas : copyAreas(set.areas), areas)
+      inputs?.textures ?? createTextures(layers, material.normalMap?.anisotropy ?? 1, renderer.channels.value)
+    super(countFaces(mesh), inputs ? given : copyAreas(given), areas)
     this.mesh = mesh
     this.#renderer = renderer
     this.#options = allOptions
     this.#frame = frameOf(renderer.quads)
-    this.#atlas = this.#frame.atlasFor(areas.width, areas.height, set.layers.length)
+    this.#atlas = this.#frame.atlasFor(areas.width, areas.height, layers.length)
     this.#cells = this.#atlas.add(this.faces)
     this.#entry = this.#frame.add(this)
     this.#inputs = createShaderInputs(textures, areas, this.#atlas)
@@ -109,7 +113,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
       // Not within `compile`, whose lights another call of it would take.
       onCompile: (own) => queueMicrotask(() => this.isDisposed || this.#atlas.compile(own)),
     })
-    this.#reliefOwner = this.#ownRelief()
+    this.#place = placeOf(mesh)
     this.addMesh(mesh)
     this.relief = allOptions.relief
     try {
@@ -347,32 +351,23 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     return appeared * (FADE.value?.(mesh, camera, renderer, fadeBelow) ?? 1)
   }
 
-  #largestActivation(): number {
-    let largest = 0
-    for (const { activations } of this.faces) largest = Math.max(largest, activations.largest)
-    return largest
-  }
-
   async #fetchRelief(): Promise<ReliefControl | null> {
     if (!this.#inputs.textures.layers.some(canRise)) return null
     const { ReliefControl } = await import('./relief-control.ts')
-    if (!this.isDisposed) this.#relief ??= new ReliefControl(this.#reliefOwner, this.#reliefMode)
+    if (this.isDisposed) return null
+    this.#relief ??= new ReliefControl(
+      {
+        wrinkles: this,
+        faces: this.faces,
+        meshes: this.#meshes,
+        place: this.#place,
+        material: this.#material,
+        inputs: this.#inputs,
+        parts: this.#renderer,
+      },
+      this.#reliefMode,
+    )
     return this.#relief
-  }
-
-  #ownRelief(): ReliefOwner {
-    const { material } = this.#material
-    return {
-      meshes: this.#meshes,
-      material,
-      inputs: this.#inputs,
-      units: meshUnits(this.mesh),
-      isOn: () => this.mode !== 'off',
-      prepare: (renderer, camera, mesh) => this.prepare(renderer, camera, mesh),
-      setRelief: (relief) => this.#material.setRelief(relief && ((own) => relief.patch(own))),
-      loadParts: () => this.#renderer.loadRelief(),
-      largestActivation: () => this.#largestActivation(),
-    }
   }
 
   #replaceAreas(areas: Area<ArraySlice>[], who: string): void {

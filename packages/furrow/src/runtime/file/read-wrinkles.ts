@@ -1,5 +1,5 @@
 import { CHANNEL, channelOf } from '../../core/channels.ts'
-import { FurrowError } from '../../core/error.ts'
+import type { FurrowError } from '../../core/error.ts'
 import { checkDeclared, WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import { DecodedBytes } from '../../core/maps/decoded-bytes.ts'
 import { pngHeader } from '../../core/maps/png.ts'
@@ -134,7 +134,10 @@ async function readSet(
     ),
   ])
   const set = { layers, areas }
-  if (source.hasSlices || differInSize(layers)) await checkMaps(maps, source, file)
+  if (source.hasSlices || differInSize(layers)) {
+    const { checkMaps } = await import('./check-maps.ts')
+    await checkMaps(maps, source, file.json)
+  }
   let heights: ReturnType<typeof readHeights> | undefined
   for (const [i, { heightTexture }] of maps.layers.entries()) {
     if (!heightTexture) continue
@@ -152,48 +155,34 @@ async function readSet(
 
 /** Whether the images of some kind do; nothing else can be wrong with images that were decoded. */
 function differInSize(layers: readonly Layer<ArraySlice>[]): boolean {
-  const sizesOf = (...kinds: ('normal' | 'baseColor' | 'roughness' | 'occlusion' | 'blood')[]) =>
-    new Set(
-      layers.flatMap((layer) =>
-        kinds.flatMap((kind) => (layer[kind] ? sizeOf(layer[kind] as RgbaImage) : [])),
-      ),
-    )
-  const sizes = [sizesOf('normal'), sizesOf('baseColor'), sizesOf('roughness'), sizesOf('occlusion', 'blood')]
-  return sizes.some(({ size }) => size > 1)
+  return KINDS.some((kinds) => {
+    const maps = layers.flatMap((layer) => kinds.map((kind) => layer[kind] as RgbaImage | undefined))
+    const [first, ...others] = maps.filter((map) => map !== undefined)
+    return others.some(({ width, height }) => width !== first.width || height !== first.height)
+  })
 }
 
-const sizeOf = ({ width, height }: RgbaImage) => `${width} x ${height}`
-
-/** @throws FurrowError when the maps break a rule. */
-async function checkMaps(maps: MapsAndAreas, source: MapSource, { json }: WrinkledFile): Promise<void> {
-  const { mapProblems, texturesOfFace } = await import('../../core/maps/rules.ts')
-  const [problem] = mapProblems(maps, await source.shapes(), texturesOfFace(json), WRINKLE_MAPS)
-  if (problem) throw new FurrowError(problem)
-}
+/** Maps of one kind are in one array, occlusion and blood too. */
+const KINDS = [['normal'], ['baseColor'], ['roughness'], ['occlusion', 'blood']] as const
 
 /** All maps but heights, which only relief needs. */
-async function readLayer(layer: WrinkleMapsLayer, source: MapSource): Promise<Layer<ArraySlice>> {
-  const { name, kind, normalTexture, baseColorTexture, roughnessTexture, occlusionTexture, bloodTexture } =
-    layer
-  const gray = async (info: TextureReference | undefined, channel: number) =>
-    info && source.gray(info, channel, 'maps')
-  const [normal, baseColor, roughness, occlusion, blood] = await Promise.all([
-    source.colours(normalTexture),
-    baseColorTexture && source.colours(baseColorTexture, 'colours'),
-    gray(roughnessTexture, CHANNEL.roughness),
-    gray(occlusionTexture, CHANNEL.occlusion),
-    gray(bloodTexture, CHANNEL.blood),
-  ])
-  return {
-    name,
-    kind,
-    normal,
-    normalScale: normalTexture.scale,
-    ...(baseColor && { baseColor }),
-    ...(roughness && { roughness }),
-    ...(occlusion && { occlusion, occlusionStrength: occlusionTexture!.strength }),
-    ...(blood && { blood, bloodAmplitude: bloodTexture!.amplitude }),
+async function readLayer(maps: WrinkleMapsLayer, source: MapSource): Promise<Layer<ArraySlice>> {
+  const { name, kind, normalTexture, baseColorTexture, occlusionTexture, bloodTexture } = maps
+  const layer = { name, kind, normalScale: normalTexture.scale } as Layer<ArraySlice>
+  const gray = async (value: 'roughness' | 'occlusion' | 'blood') => {
+    const texture = maps[`${value}Texture`]
+    if (texture) layer[value] = await source.gray(texture, CHANNEL[value], 'maps')
   }
+  const colours = async () => {
+    if (baseColorTexture) layer.baseColor = await source.colours(baseColorTexture, 'colours')
+  }
+  const normals = async () => {
+    layer.normal = await source.colours(normalTexture, 'maps')
+  }
+  await Promise.all([normals(), colours(), gray('roughness'), gray('occlusion'), gray('blood')])
+  if (occlusionTexture) layer.occlusionStrength = occlusionTexture.strength
+  if (bloodTexture) layer.bloodAmplitude = bloodTexture.amplitude
+  return layer
 }
 
 /** The heights of layers, if any. As precise as areas are: a surface shows steps sooner than a colour does. */
@@ -211,8 +200,9 @@ async function readHeights(layers: readonly WrinkleMapsLayer[], source: MapSourc
 class MapSource {
   readonly #file: WrinkledFile
   readonly #decoded: DecodedBytes
-  readonly #images = new Map<number, Promise<RgbaImage>>()
-  readonly #arrays = new Map<number, Promise<FileArray>>()
+  /** By their textures. */
+  readonly images = new Map<number, Promise<RgbaImage>>()
+  readonly arrays = new Map<number, Promise<FileArray>>()
   /** Images that do not tell their size before are decoded one after the other. */
   #decoding: Promise<unknown> = Promise.resolve()
 
@@ -223,19 +213,10 @@ class MapSource {
   }
 
   get hasSlices(): boolean {
-    return this.#arrays.size > 0
+    return this.arrays.size > 0
   }
 
-  /** What the images and arrays are that were read. */
-  async shapes(): Promise<(texture: number) => TextureShape> {
-    const images = [...this.#images].map(async ([index, image]) => [index, await image] as const)
-    const arrays = [...this.#arrays].map(async ([index, array]) => [index, (await array).header] as const)
-    const shapes = new Map<number, TextureShape>(await Promise.all([...images, ...arrays]))
-    // All textures that are drawn have been read.
-    return (texture) => shapes.get(texture)!
-  }
-
-  async colours(info: TextureReference, use: ArrayUse = 'maps'): Promise<RgbaImage | ArraySlice> {
+  async colours(info: TextureReference, use: ArrayUse): Promise<RgbaImage | ArraySlice> {
     return this.#isSlice(info) ? this.#slice(info, 0, use) : this.#image(info.index)
   }
 
@@ -250,7 +231,7 @@ class MapSource {
   }
 
   #image(index: number): Promise<RgbaImage> {
-    return once(this.#images, index, async () => {
+    return once(this.images, index, async () => {
       const who = `${WRINKLE_MAPS} texture ${index}`
       const image = imageOf(this.#file.json.textures[index])
       const bytes = await this.#file.readBytes(image, who)
@@ -275,7 +256,7 @@ class MapSource {
 
   async #slice({ index, slice = 0 }: TextureReference, channel: number, use: ArrayUse): Promise<ArraySlice> {
     const check = (shape: TextureShape) => this.#decoded.add(index, shape, WRINKLE_MAPS)
-    const { array } = await once(this.#arrays, index, () => this.#file.loadArray(index, use, check))
+    const { array } = await once(this.arrays, index, () => this.#file.loadArray(index, use, check))
     return { array, slice, channel }
   }
 }

@@ -1,24 +1,34 @@
 import {
   FloatType,
   HalfFloatType,
-  LinearFilter,
+  OrthographicCamera,
   RedFormat,
   RenderTarget,
   RGBAFormat,
   RGFormat,
-  type TextureDataType,
+  Scene,
 } from 'three'
+import type { AreaSlot } from '../../runtime/area-slots.ts'
 import { AtlasCells, type Cell } from '../../runtime/atlas-cells.ts'
 import type { Face } from '../../runtime/face.ts'
 import type { InfluenceTarget } from '../../runtime/frame.ts'
 import { type AnyRenderer, filtersFloats } from '../renderer.ts'
 import type { AreaArray } from './area-array.ts'
-import { InfluencePass, type QuadMaterials } from './influence-pass.ts'
+import { QUAD_RULES, type QuadMaterials, type QuadRule } from './quad-materials.ts'
+import { Quads } from './quads.ts'
+import { compileFor, renderPreservingState } from './render-preserving-state.ts'
 
 const FORMATS = [RedFormat, RGFormat, RGBAFormat, RGBAFormat] as const
 
 /** More channels of whole floats than these take graphics cards several steps to filter. */
 const MOST_WHOLE_FLOATS = 2
+
+/** Quads that clear cells, or those of one array's areas with one rule. */
+interface Batch {
+  rule: QuadRule
+  areas: AreaArray | null
+  quads: Quads
+}
 
 /**
  * The influence maps of all faces of one kind, side by side in one texture: per layer, the sum of a face's areas times their
@@ -34,7 +44,13 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   readonly layers: number
   readonly target: RenderTarget
   readonly cells: AtlasCells
-  readonly #pass: InfluencePass
+  readonly #materials: QuadMaterials
+  readonly #scene = new Scene()
+  readonly #camera = new OrthographicCamera()
+  /** All of a cell. */
+  readonly #whole: AreaSlot
+  /** A list rather than a map: iterating it allocates nothing. */
+  #batches: Batch[] = []
   #renderer: AnyRenderer | null = null
 
   /**
@@ -48,11 +64,12 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     this.target = new RenderTarget(width, height, {
       format: FORMATS[layers - 1],
       type: HalfFloatType,
-      minFilter: LinearFilter,
-      magFilter: LinearFilter,
       depthBuffer: false,
     })
-    this.#pass = new InfluencePass(this.cells, this.target, materials)
+    this.#materials = materials
+    this.#scene.matrixWorldAutoUpdate = false
+    const bounds = { x0: 0, y0: 0, x1: width, y1: height }
+    this.#whole = { layer: 0, combine: 'sum', slice: 0, channel: 0, bounds }
   }
 
   /**
@@ -75,7 +92,15 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
 
   /** Frees the resources of arrays of areas that no face uses any more. */
   prune(): void {
-    this.#pass.prune(this.cells.slots as Set<AreaArray>)
+    const used = this.cells.slots as Set<AreaArray>
+    this.#batches = this.#batches.filter(({ areas, quads }) => {
+      const isKept = !areas || used.has(areas)
+      if (!isKept) {
+        this.#scene.remove(quads.mesh)
+        quads.dispose()
+      }
+      return isKept
+    })
   }
 
   /** Collects those of some cells that have changed, for `draw`. */
@@ -84,35 +109,73 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     this.cells.collect(cells)
   }
 
-  /** Draws the cells that were collected. */
+  /** Draws the cells that were collected, with their faces' activations. */
   draw(renderer: AnyRenderer): void {
-    const { changed, changes } = this.cells
-    if (changes > 0) this.#pass.draw(renderer, changed, changes)
+    const { changed, changes, isWhole } = this.cells
+    if (changes === 0) return
+    for (const { quads } of this.#batches) quads.begin()
+    for (let i = 0; i < changes; i++) this.#put(changed[i], isWhole)
+    for (const { quads } of this.#batches) quads.end()
+    // In one stroke, without a quad for each cell and a program for these: a page with one face never takes one.
+    renderPreservingState(renderer, this.target, this.#scene, this.#camera, 0, isWhole)
     this.cells.changes = 0
   }
 
   /** Compiles what draws it, unless it has drawn already. */
   compile(renderer: AnyRenderer): void {
-    if (renderer !== this.#renderer) this.#pass.compile(renderer, this.cells.slots as Set<AreaArray>)
+    if (renderer === this.#renderer) return
+    this.#quadsOf('clear', null)
+    for (const areas of this.cells.slots as Set<AreaArray>)
+      for (const { combine } of areas.slots) this.#quadsOf(combine, areas)
+    // Whatever is wrong, the first frame tells.
+    compileFor(renderer, this.target, this.#scene, this.#camera).catch(() => {})
   }
 
   dispose(): void {
     this.target.dispose()
-    this.#pass.dispose()
+    for (const { quads } of this.#batches) quads.dispose()
   }
 
   /** What was drawn is missing in another renderer, and after a lost context. */
   #checkContents(renderer: AnyRenderer): void {
-    if (renderer === this.#renderer && this.#pass.hasContents(renderer)) return
+    if (renderer === this.#renderer && this.#materials.hasContents(renderer, this.target)) return
     this.#renderer = renderer
-    this.#setType(this.layers <= MOST_WHOLE_FLOATS && filtersFloats(renderer) ? FloatType : HalfFloatType)
+    const type = this.layers <= MOST_WHOLE_FLOATS && filtersFloats(renderer) ? FloatType : HalfFloatType
+    if (this.target.texture.type !== type) {
+      this.target.texture.type = type
+      this.target.dispose()
+    }
     this.cells.invalidate()
   }
 
-  #setType(type: TextureDataType): void {
-    const { texture } = this.target
-    if (texture.type === type) return
-    texture.type = type
-    this.target.dispose()
+  #put(cell: Cell, isClear: boolean): void {
+    const { face, drawn, index } = cell
+    const { grid } = this.cells
+    const column = index % grid.columns
+    const row = Math.floor(index / grid.columns)
+    if (!isClear) this.#quadsOf('clear', null).put(column, row, this.#whole, 0)
+    const areas = face.slots as AreaArray
+    const sum = this.#quadsOf('sum', areas)
+    const { slots } = areas
+    const { values } = face.activations
+    for (let i = 0; i < slots.length; i++) {
+      const value = values[i]
+      drawn[i] = value
+      const slot = slots[i]
+      if (value === 0 || slot.bounds.x1 <= slot.bounds.x0) continue
+      const quads = slot.combine === 'max' ? this.#quadsOf('max', areas) : sum
+      quads.put(column, row, slot, value)
+    }
+    cell.version = areas.version
+    cell.stale = false
+  }
+
+  #quadsOf(rule: QuadRule, areas: AreaArray | null): Quads {
+    for (const batch of this.#batches) if (batch.rule === rule && batch.areas === areas) return batch.quads
+    const quads = new Quads(this.cells, this.#materials.create(rule, areas))
+    quads.mesh.renderOrder = QUAD_RULES.indexOf(rule)
+    this.#scene.add(quads.mesh)
+    this.#batches.push({ rule, areas, quads })
+    return quads
   }
 }

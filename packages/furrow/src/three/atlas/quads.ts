@@ -1,5 +1,4 @@
 import {
-  BufferAttribute,
   BufferGeometry,
   DynamicDrawUsage,
   InterleavedBuffer,
@@ -7,14 +6,14 @@ import {
   type Material,
   Mesh,
 } from 'three'
-import { MAX_LAYERS } from '../../core/limits.ts'
 import type { AreaSlot } from '../../runtime/area-slots.ts'
 
 /** Numbers of each vertex: a vector of four and one of two. */
 const STRIDE = 6
 const CORNERS = 4
-/** Channels of a slice, and layers. */
+/** Most channels of a slice, and most layers. */
 const CHANNELS = 4
+const LAYERS = 4
 
 /** What they are drawn onto: a grid of cells, each `width` x `height` texels of an area. */
 interface CellGrid {
@@ -39,7 +38,7 @@ export class Quads {
 
   constructor(cells: CellGrid, material: Material) {
     this.#cells = cells
-    this.mesh = new Mesh(new BufferGeometry(), material)
+    this.mesh = new Mesh<BufferGeometry, Material>(undefined, material)
     this.mesh.frustumCulled = false
     this.mesh.matrixAutoUpdate = false
     this.#bind()
@@ -55,7 +54,7 @@ export class Quads {
     const { width, height, grid } = this.#cells
     const data = this.#data
     let at = this.#used.count
-    const source = (slice * CHANNELS + channel) * MAX_LAYERS + layer
+    const source = (slice * CHANNELS + channel) * LAYERS + layer
     for (let corner = 0; corner < CORNERS; corner++) {
       const x = corner & 1 ? bounds.x1 : bounds.x0
       const y = corner & 2 ? bounds.y1 : bounds.y0
@@ -95,10 +94,8 @@ export class Quads {
   #bind(): void {
     this.mesh.geometry.dispose()
     const geometry = new BufferGeometry()
-    const vertices = this.#data.length / STRIDE
-    const index = new Uint32Array((vertices / CORNERS) * 6)
-    for (let i = 0; i < index.length; i++) index[i] = CORNERS * Math.floor(i / 6) + TRIANGLES[i % 6]
-    geometry.setIndex(new BufferAttribute(index, 1))
+    const length = (this.#data.length / (CORNERS * STRIDE)) * 6
+    geometry.setIndex(Array.from({ length }, (_, i) => CORNERS * Math.floor(i / 6) + TRIANGLES[i % 6]))
     this.#buffer = new InterleavedBuffer(this.#data, STRIDE)
     this.#buffer.setUsage(DynamicDrawUsage)
     geometry.setAttribute('furrowPoint', new InterleavedBufferAttribute(this.#buffer, 4, 0))

@@ -1,13 +1,20 @@
 import { type Camera, Color, type Object3D, type RenderTarget, type Scene, type WebGLRenderer } from 'three'
 import type { AnyRenderer } from '../renderer.ts'
 
-/** Renders into a level of a target, without clearing it, during another render call, and restores the renderer's state. */
+const colour = new Color()
+
+/**
+ * Renders into a level of a target during another render call, and restores the renderer's state.
+ *
+ * @param isCleared whether all texels are set to 0 before; else the target keeps what it has.
+ */
 export function renderPreservingState(
   renderer: AnyRenderer,
   target: RenderTarget,
   scene: Scene,
   camera: Camera,
   targetLevel = 0,
+  isCleared = false,
 ): void {
   const gl = renderer as WebGLRenderer
   const before = gl.getRenderTarget()
@@ -22,6 +29,7 @@ export function renderPreservingState(
   renderer.xr.enabled = false
   if (gl.shadowMap) gl.shadowMap.autoUpdate = false
   gl.setRenderTarget(target as never, 0, targetLevel)
+  if (isCleared) clear(gl)
   renderer.render(scene, camera)
   gl.setRenderTarget(before, face, level)
   if (gl.shadowMap) gl.shadowMap.autoUpdate = shadows
@@ -30,23 +38,14 @@ export function renderPreservingState(
   renderer.autoClear = autoClear
 }
 
-const colour = new Color()
-
-/** Sets all texels of a target to 0, during another render call, and restores the renderer's state. */
-export function clearPreservingState(renderer: AnyRenderer, target: RenderTarget): void {
-  const gl = renderer as WebGLRenderer
-  const before = gl.getRenderTarget()
-  const face = gl.getActiveCubeFace()
-  const level = gl.getActiveMipmapLevel()
+function clear(gl: WebGLRenderer): void {
   const alpha = gl.getClearAlpha()
   gl.getClearColor(colour)
-  gl.setRenderTarget(target as never)
   // A material that writes depth alone may have been drawn last.
   gl.state?.buffers.color.setMask(true)
   gl.setClearColor(0, 0)
   gl.clear(true, false, false)
   gl.setClearColor(colour, alpha)
-  gl.setRenderTarget(before, face, level)
 }
 
 /**

@@ -4,7 +4,7 @@ import { driversOf } from '../../drivers/of-type.ts'
 import { planBy } from '../../drivers/plan.ts'
 import { definitionOf, type WrinkleDriver } from '../../drivers/registry.ts'
 import { bindPlan } from '../sources/bind-plan.ts'
-import type { BindInputs, Drive, FetchedBindings } from '../sources/binding.ts'
+import type { BindInputs, Drive, FetchTension } from '../sources/binding.ts'
 import { bindTargets, bindTargetsBy } from '../sources/target.ts'
 
 /**
@@ -15,7 +15,7 @@ import { bindTargets, bindTargetsBy } from '../sources/target.ts'
 export async function planDrivers(
   mesh: Mesh,
   drivers: readonly WrinkleDriver[],
-  { joint, tension }: FetchedBindings,
+  fetchTension: FetchTension,
   vrm: GLTFParser | undefined,
 ): Promise<Drive> {
   const muscles = driversOf('muscle', drivers)
@@ -24,8 +24,8 @@ export async function planDrivers(
   const { inputs } = plan
   const bindings = {
     target: vrm ? await targetsOfVrm(mesh, vrm) : bindTargets,
-    ...(inputs.joint.length > 0 && { joint: await joint() }),
-    ...(inputs.tension.length > 0 && { tension: await tension() }),
+    ...(inputs.joint.length > 0 && { joint: (await import('../sources/joint.ts')).bindJoints }),
+    ...(inputs.tension.length > 0 && { tension: await fetchTension() }),
   }
   return (own, expressions) => {
     const runtime = bindPlan(own, { drivers, plan, bindings }, () => ({ expressions: expressions?.() }))

@@ -1,4 +1,10 @@
-import { ClampToEdgeWrapping, CompressedArrayTexture, type CompressedTexture, LinearFilter } from 'three'
+import {
+  ClampToEdgeWrapping,
+  CompressedArrayTexture,
+  type CompressedTexture,
+  LinearFilter,
+  REVISION,
+} from 'three'
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { FurrowError } from '../../core/error.ts'
@@ -9,6 +15,9 @@ import { fileError } from '../../runtime/file/file-error.ts'
 import type { ArrayTexture } from '../material/array-texture.ts'
 import { requireInternal } from '../three-version.ts'
 import { readImageBytes } from './image-bytes.ts'
+
+/** Only files with such images need it. */
+export { joinArrays } from './join-arrays.ts'
 
 interface LoaderOptions {
   ktx2Loader?: KTX2Loader | null
@@ -86,15 +95,21 @@ async function withFormats(
   loader: Transcoder,
   workerConfig: Transcoder['workerConfig'],
 ): Promise<Transcoder> {
-  await requireInternal(loader.init, WRINKLE_MAPS, 'KTX2Loader.init').call(loader)
-  const binary = requireInternal(loader.transcoderBinary, WRINKLE_MAPS, 'KTX2Loader.transcoderBinary')
-  const source = requireInternal(loader.workerSourceURL, WRINKLE_MAPS, 'KTX2Loader.workerSourceURL')
+  await requireInternal(loader.init, WRINKLE_MAPS, 'KTX2Loader.init', REVISION).call(loader)
+  const binary = requireInternal(
+    loader.transcoderBinary,
+    WRINKLE_MAPS,
+    'KTX2Loader.transcoderBinary',
+    REVISION,
+  )
+  const source = requireInternal(loader.workerSourceURL, WRINKLE_MAPS, 'KTX2Loader.workerSourceURL', REVISION)
   const other = new (loader.constructor as new () => Transcoder)()
   const { workerPool } = other
   const setWorkerCreator = requireInternal(
     workerPool?.setWorkerCreator,
     WRINKLE_MAPS,
     'KTX2Loader.workerPool.setWorkerCreator',
+    REVISION,
   )
   other.transcoderPending = Promise.resolve()
   other.workerConfig = workerConfig

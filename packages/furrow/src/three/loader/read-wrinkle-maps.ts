@@ -75,7 +75,7 @@ function fileOf(parser: Parser): WrinkledFile {
       loaded.array.colorSpace = use === 'colours' ? SRGBColorSpace : NoColorSpace
       return loaded
     },
-    joinArrays: async (set) => (await import('./join-arrays.ts')).joinArrays(set),
+    joinArrays: async (set) => (await import('./ktx2.ts')).joinArrays(set),
   }
 }
 

@@ -21,7 +21,7 @@ import {
   type WrinkleLoaderOptions,
   type WrinklesOptions,
 } from '../options.ts'
-import type { Drive, FetchedBindings } from '../sources/binding.ts'
+import type { Drive, FetchTension } from '../sources/binding.ts'
 import { targetNames, weightReader } from '../sources/morph.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { Adoption, type WatchDraws } from './adoption.ts'
@@ -39,7 +39,7 @@ type WrinklesClass = new (
 export interface LoaderParts {
   Wrinkles: WrinklesClass
   renderer: RendererParts
-  bindings: FetchedBindings
+  fetchTension: FetchTension
   watchDraws: WatchDraws
 }
 
@@ -196,7 +196,7 @@ export class WrinkleLoader {
   async #prepareDrivers(mesh: Mesh, drivers: FileWrinkles['drivers'], isVrm: boolean): Promise<Drive> {
     const fetchAny = async () => {
       const { planDrivers } = await import('./any-drivers.ts')
-      return planDrivers(mesh, drivers, this.#parts.bindings, isVrm ? this.#parser : undefined)
+      return planDrivers(mesh, drivers, this.#parts.fetchTension, isVrm ? this.#parser : undefined)
     }
     if (isVrm) return fetchAny()
     return prepareDrivers<WrinklesBase>(targetNames(mesh), drivers, {

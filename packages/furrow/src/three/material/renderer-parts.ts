@@ -1,5 +1,5 @@
 import type { Material, Mesh } from 'three'
-import type { QuadMaterials } from '../atlas/influence-pass.ts'
+import type { QuadMaterials } from '../atlas/quad-materials.ts'
 import type { ReliefParts } from '../relief/relief-parts.ts'
 import type { AnyRenderer, Entry } from '../renderer.ts'
 import type { Channels } from './channels.ts'

@@ -20,11 +20,8 @@ export type BindInputs<K extends MeasuredKind> = (
 /** How a renderer reads each kind of input. Drivers that read others are left out. */
 export type InputBindings = { readonly [K in MeasuredKind]?: BindInputs<K> }
 
-/** The same, where what most files have no use for is fetched when one does. */
-export interface FetchedBindings {
-  joint(): Promise<BindInputs<'joint'>>
-  tension(): Promise<BindInputs<'tension'>>
-}
+/** How a renderer measures tension: fetched, since most files have no use for it. */
+export type FetchTension = () => Promise<BindInputs<'tension'>>
 
 /**
  * Lets the drivers of a file activate the areas of a face.

@@ -1,8 +1,8 @@
 import { ShaderMaterial } from 'three'
 import type { ComposeMaterial } from '../material/composed-map.ts'
-import { influenceFromMap } from './influence-glsl.ts'
-import { QUAD_SETTINGS } from './influence-quads.ts'
+import { influenceFromMap, sliceSampling } from './influence-glsl.ts'
 import { type NormalLayers, normalMixing } from './mixing-glsl.ts'
+import { QUAD_SETTINGS } from './quad-settings.ts'
 import { layerUniforms, mapUniforms } from './uniforms.ts'
 
 /** Draws the composed normal map on `WebGLRenderer`. */
@@ -23,11 +23,11 @@ export const composeMaterial: ComposeMaterial = (base, inputs, level) => {
 
 /** Writes the normals that `defaultFragment` would give a material, as its map would store them. */
 function composedFragment(layers: NormalLayers, isTexelwise: boolean): string {
-  const sampling = isTexelwise ? 'texels' : 'level'
   const base = isTexelwise
     ? 'texelFetch(furrowBase, ivec2(gl_FragCoord.xy), furrowLevel)'
     : 'texture(furrowBase, targetUv)'
-  return /* glsl */ `${influenceFromMap(layers.kinds.length, false, sampling)}${normalMixing(layers)}
+  return /* glsl */ `${influenceFromMap(layers.kinds.length, false)}
+${isTexelwise ? TEXELS : sliceSampling(false)}${normalMixing(layers)}
 uniform sampler2D furrowBase;
 in vec2 targetUv;
 out vec4 composed;
@@ -41,3 +41,12 @@ void main() {
 }
 `
 }
+
+/** A pixel of the target is a texel of that level. */
+const TEXELS = /* glsl */ `
+uniform int furrowLevel;
+
+vec4 furrowSampleSlice(highp sampler2DArray maps, float slice) {
+  return texelFetch(maps, ivec3(gl_FragCoord.xy, slice), furrowLevel);
+}
+`

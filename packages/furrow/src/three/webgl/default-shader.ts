@@ -1,9 +1,9 @@
-import { ShaderChunk } from 'three'
+import { REVISION, ShaderChunk } from 'three'
 import type { Instances } from '../instances.ts'
 import { requireInternal } from '../three-version.ts'
-import { CORNER_OF_INSTANCE, influenceFromMap } from './influence-glsl.ts'
+import { CORNER_OF_INSTANCE, influenceFromMap, sliceSampling } from './influence-glsl.ts'
 import { type NormalLayers, normalMixing } from './mixing-glsl.ts'
-import { MAIN, replace, replaceChunk, unpatchable } from './shader-text.ts'
+import { MAIN, replace, replaceChunk } from './shader-text.ts'
 import type { ShaderChannels, Values } from './value-layers.ts'
 
 /** What a program depends on: never the number of areas. */
@@ -24,7 +24,7 @@ export interface ShaderVariant extends NormalLayers {
  * have the texture coordinates before its other maps are read.
  *
  * @param channels mix the other maps; null where there are none.
- * @throws FurrowError when it reads its normal map in another way, or not at all.
+ * @throws Error when it reads its normal map in another way, or not at all.
  */
 export function defaultFragment(
   fragment: string,
@@ -34,13 +34,12 @@ export function defaultFragment(
   const shader = replaceChunk(fragment, 'normal_fragment_maps')
   const [, uv] = shader.match(MAP_READ) ?? []
   const [scaled, normal] = shader.match(NORMAL_SCALED) ?? []
-  if (!uv || !scaled) throw unpatchable(uv ? NORMAL_SCALED.source : MAP_READ.source)
+  if (!uv || !scaled) throw new Error((uv ? NORMAL_SCALED : MAP_READ).source)
   const { kinds, instances, anisotropic, isToon } = variant
   const isBuiltIn = uv === BUILT_IN_UV
   const values = isBuiltIn ? variant.values : {}
   const added = channels?.add(values, isToon, normal)
-  const sampling = anisotropic ? 'gradients' : 'level'
-  const declarations = influenceFromMap(kinds.length, instances !== null, sampling) + normalMixing(variant)
+  const influence = influenceFromMap(kinds.length, instances !== null)
   const sample = `furrowSampleInfluence(${uv});`
   const mixed = [
     isBuiltIn ? '' : sample,
@@ -49,7 +48,8 @@ export function defaultFragment(
     added?.tint,
     scaled,
   ].join('\n\t')
-  const started = [declarations, added?.declarations, MAIN, isBuiltIn ? sample : '', added?.begin].join('\n')
+  const declarations = [influence, sliceSampling(anisotropic), normalMixing(variant), added?.declarations]
+  const started = [...declarations, MAIN, isBuiltIn ? sample : '', added?.begin].join('\n')
   const shown = replace(replace(shader, scaled, mixed), MAIN, started)
   return added ? added.mixOthers(shown) : shown
 }
@@ -80,5 +80,5 @@ function instanceIndex(instances: 'instanced' | 'batched'): string {
   if (instances === 'instanced') return 'float(gl_InstanceID)'
   // A batch draws its visible instances in an order of its own.
   const [call] = ShaderChunk.batching_pars_vertex.match(/getIndirectIndex(?=\()/) ?? []
-  return `${requireInternal(call, 'Wrinkles', 'getIndirectIndex in batching_pars_vertex')}(gl_DrawID)`
+  return `${requireInternal(call, 'Wrinkles', 'getIndirectIndex in batching_pars_vertex', REVISION)}(gl_DrawID)`
 }

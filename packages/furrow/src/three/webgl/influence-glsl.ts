@@ -3,7 +3,7 @@
  * functions read the globals that it sets. The layers' maps are sampled with the gradients taken here, since they are sampled
  * inside branches, where neighbouring pixels may diverge.
  */
-export function influenceFromMap(layers: number, isInstanced: boolean, sampling: SliceSampling): string {
+export function influenceFromMap(layers: number, isInstanced: boolean): string {
   const channels = Array.from({ length: 4 }, (_, i) => (i < layers ? `influence[${i}]` : '0.0'))
   return /* glsl */ `${INFLUENCE_LOOKUP}
 ${isInstanced ? 'flat in highp vec2 vFurrowCorner;' : ''}
@@ -21,20 +21,8 @@ void furrowSampleInfluence(vec2 unwrapped) {
   furrowInfluence = vec4(${channels.join(', ')});
   furrowHasInfluence = any(greaterThan(furrowInfluence, vec4(0.0)));
 }
-
-${sampling === 'texels' ? 'uniform int furrowLevel;' : ''}
-vec4 furrowSampleSlice(highp sampler2DArray maps, float slice) {
-  ${SLICES[sampling]}
-}
 `
 }
-
-/**
- * How the layers' maps are sampled: with the gradients of the texture coordinates, which samplers with anisotropy need; at the level of detail
- * computed from them, which costs less; or as they are, where a pixel of the target is a texel of
- * the level `furrowLevel`.
- */
-export type SliceSampling = 'gradients' | 'level' | 'texels'
 
 /** Wraps texture coordinates into 0..1, see `repeat` in core; those already within stay exactly as they are. */
 export const REPEAT = /* glsl */ `
@@ -81,12 +69,22 @@ vec2 furrowCornerOf(float instance) {
 #endif
 `
 
-const SLICES: Record<SliceSampling, string> = {
-  gradients: 'return textureGrad(maps, vec3(furrowUv, slice), furrowDx, furrowDy);',
-  // The level of detail of OpenGL ES 3.0, equations 3.18 and 3.21.
-  level: /* glsl */ `vec2 size = vec2(textureSize(maps, 0).xy);
+/**
+ * Declares `vec4 furrowSampleSlice(highp sampler2DArray maps, float slice)`, which samples the layers' maps: with the gradients of the texture
+ * coordinates, which samplers with anisotropy need, or at the level of detail computed from them, which costs less.
+ */
+export function sliceSampling(anisotropic: boolean): string {
+  return /* glsl */ `
+vec4 furrowSampleSlice(highp sampler2DArray maps, float slice) {
+  ${anisotropic ? BY_GRADIENTS : BY_LEVEL}
+}
+`
+}
+
+const BY_GRADIENTS = 'return textureGrad(maps, vec3(furrowUv, slice), furrowDx, furrowDy);'
+
+/** The level of detail of OpenGL ES 3.0, equations 3.18 and 3.21. */
+const BY_LEVEL = /* glsl */ `vec2 size = vec2(textureSize(maps, 0).xy);
   vec2 dx = furrowDx * size;
   vec2 dy = furrowDy * size;
-  return textureLod(maps, vec3(furrowUv, slice), 0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1.0)));`,
-  texels: 'return texelFetch(maps, ivec3(gl_FragCoord.xy, slice), furrowLevel);',
-}
+  return textureLod(maps, vec3(furrowUv, slice), 0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1.0)));`

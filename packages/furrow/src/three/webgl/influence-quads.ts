@@ -1,35 +1,16 @@
 import {
   AddEquation,
   CustomBlending,
-  DoubleSide,
-  GLSL3,
   MaxEquation,
   NoBlending,
   OneFactor,
+  REVISION,
   ShaderMaterial,
   type WebGLRenderer,
 } from 'three'
-import type { QuadMaterials } from '../atlas/influence-pass.ts'
+import type { QuadMaterials } from '../atlas/quad-materials.ts'
 import { requireInternal } from '../three-version.ts'
-
-/** Draws `Quads`: `targetUv` is the point of the target, 0..1, `texel` that of the area. */
-const VERTEX = /* glsl */ `
-in vec4 furrowPoint;
-in vec2 furrowSource;
-out vec2 texel;
-out vec2 targetUv;
-flat out ivec2 source;
-flat out vec4 activation;
-
-void main() {
-  texel = furrowPoint.zw;
-  int packed = int(furrowSource.y);
-  source = ivec2(packed >> 4, (packed >> 2) & 3);
-  activation = furrowSource.x * vec4(equal(ivec4(packed & 3), ivec4(0, 1, 2, 3)));
-  targetUv = furrowPoint.xy;
-  gl_Position = vec4(targetUv * 2.0 - 1.0, 0.0, 1.0);
-}
-`
+import { QUAD_SETTINGS } from './quad-settings.ts'
 
 /** The area's weight at the texel, times its activation in the channel of its layer. */
 const FRAGMENT = /* glsl */ `
@@ -52,16 +33,6 @@ void main() {
 }
 `
 
-/** What all materials of `Quads` have in common. */
-export const QUAD_SETTINGS = {
-  glslVersion: GLSL3,
-  vertexShader: VERTEX,
-  blending: NoBlending,
-  side: DoubleSide,
-  depthTest: false,
-  depthWrite: false,
-} as const
-
 /** The materials that draw influence maps on `WebGLRenderer`. */
 export const quadMaterials: QuadMaterials = {
   create(rule, areas) {
@@ -79,11 +50,16 @@ export const quadMaterials: QuadMaterials = {
   },
   hasContents(renderer, target) {
     // A context that was lost and restored has none of its textures, nor anything known of them.
-    const properties = requireInternal((renderer as WebGLRenderer).properties, WHO, 'renderer.properties')
+    const properties = requireInternal(
+      (renderer as WebGLRenderer).properties,
+      WHO,
+      'renderer.properties',
+      REVISION,
+    )
     const known = properties.get(target.texture) as { __webglTexture?: unknown }
     if (known.__webglTexture !== undefined) return true
     for (const _ in known)
-      requireInternal(known.__webglTexture, WHO, '__webglTexture of a drawn render target')
+      requireInternal(known.__webglTexture, WHO, '__webglTexture of a drawn render target', REVISION)
     return false
   },
 }

@@ -1,5 +1,5 @@
 import { influenceFromAreas } from './areas-glsl.ts'
-import { includeOf, MAIN, replace, replaceChunk, unpatchable } from './shader-text.ts'
+import { includeOf, MAIN, replace, replaceChunk } from './shader-text.ts'
 
 /**
  * The paper's shader on a built-in material: light with smooth normals, light again with wrinkled ones, mix
@@ -53,6 +53,6 @@ function lightingOf(fragment: string): string {
   const body = fragment.indexOf(MAIN)
   const start = body + fragment.slice(body).search(includeOf('lights_\\w+_fragment'))
   const end = fragment.indexOf(OUTPUT)
-  if (start < body || end < 0) throw unpatchable('#include <lights_..._fragment>')
+  if (start < body || end < 0) throw new Error('#include <lights_..._fragment>')
   return fragment.slice(start, end)
 }

@@ -4,19 +4,22 @@ import {
   MeshDepthMaterial,
   MeshDistanceMaterial,
   NoBlending,
+  REVISION,
   RGBADepthPacking,
   ShaderMaterial,
   Vector4,
   type WebGLProgramParametersWithUniforms,
   type WebGLRenderer,
 } from 'three'
+import { FurrowError } from '../../core/error.ts'
 import type { CoarseParts } from '../relief/coarse-pass.ts'
 import { COARSE_WIDTH } from '../relief/coarse-pass.ts'
 import type { ReliefInputs } from '../relief/relief-inputs.ts'
 import type { ReliefParts } from '../relief/relief-parts.ts'
+import { TESTED_THREE } from '../three-version.ts'
 import { quadMaterials } from './influence-quads.ts'
 import { reliefFunctions } from './relief-glsl.ts'
-import { MAIN, replace, replaceChunk, unpatchable } from './shader-text.ts'
+import { MAIN, replace, replaceChunk } from './shader-text.ts'
 import { mapUniforms } from './uniforms.ts'
 
 /** Writes each vertex into its texel, deformed by three.js's own chunks. */
@@ -92,7 +95,7 @@ const patch: ReliefParts['patch'] = (material, relief, inputs, instances) => {
     try {
       shader.vertexShader = reliefVertex(shader.vertexShader, reliefFunctions(variant))
     } catch (error) {
-      relief.refuse(error)
+      relief.refuse(unpatchable((error as Error).message))
       return
     }
     shader.uniforms = { ...shader.uniforms, ...uniforms }
@@ -100,6 +103,18 @@ const patch: ReliefParts['patch'] = (material, relief, inputs, instances) => {
   const key = JSON.stringify(variant)
   material.customProgramCacheKey = () => `${customProgramCacheKey.call(material)} relief ${key}`
   return () => Object.assign(material, { onBeforeCompile, customProgramCacheKey })
+}
+
+/** The error for a shader without a text that the patch needs. */
+function unpatchable(missing: string): FurrowError {
+  return new FurrowError({
+    code: 'unsupported',
+    who: 'Wrinkles',
+    what: `material whose shader cannot be patched in three.js r${REVISION}, it lacks`,
+    value: missing,
+    limit: `the built-in lit materials of three.js r${TESTED_THREE.oldest} to r${TESTED_THREE.newest}`,
+    remedy: 'use one of them, or the composed mode',
+  })
 }
 
 /** Puts vertices of dense geometries in their places before three.js's chunks deform others. */
@@ -126,7 +141,7 @@ if (furrowIsDense()) {
     'begin_vertex',
     (chunk) => `${chunk}\nif (furrowIsDense()) transformed = furrowSurface();\n`,
   )
-  if (moved === turned) throw unpatchable('begin_vertex')
+  if (moved === turned) throw new Error('begin_vertex')
   return moved
 }
 

@@ -1,14 +1,11 @@
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import { WrinkleLoader } from '../loader/wrinkle-loader.ts'
 import type { WrinkleLoaderOptions } from '../options.ts'
-import type { FetchedBindings } from '../sources/binding.ts'
+import type { FetchTension } from '../sources/binding.ts'
 import { watchDraws } from './watch-draws.ts'
 import { PARTS, WebGPUWrinkles } from './webgpu-wrinkles.ts'
 
-const BINDINGS: FetchedBindings = {
-  joint: async () => (await import('../sources/joint.ts')).bindJoints,
-  tension: async () => (await import('./computed-tension.ts')).bindComputedTension,
-}
+const fetchTension: FetchTension = async () => (await import('./computed-tension.ts')).bindComputedTension
 
 /** For `GLTFLoader` and `WebGPURenderer`: `loader.register((parser) => new WrinkleLoaderPlugin(parser))`. */
 export class WrinkleLoaderPlugin extends WrinkleLoader {
@@ -17,6 +14,6 @@ export class WrinkleLoaderPlugin extends WrinkleLoader {
    * @throws FurrowError when an option is unknown or out of range.
    */
   constructor(parser: GLTFParser, options: WrinkleLoaderOptions = {}) {
-    super(parser, { Wrinkles: WebGPUWrinkles, renderer: PARTS, bindings: BINDINGS, watchDraws }, options)
+    super(parser, { Wrinkles: WebGPUWrinkles, renderer: PARTS, fetchTension, watchDraws }, options)
   }
 }

@@ -4,9 +4,8 @@ import type { ComputeNode, Node, StorageBufferNode, WebGPURenderer } from 'three
 import { sentence } from '../../core/error.ts'
 import { restMatrix } from '../../math/stretch.ts'
 import type { TensionSurface } from '../sources/tension.ts'
-import { Buffers } from './buffers.ts'
+import { Buffers, sharedArray, workgroups } from './buffers.ts'
 import { DeformedPositions } from './deformed-positions.ts'
-import { sharedArray, workgroups } from './node.ts'
 
 /** Invocations in an area's workgroup: a multiple of every subgroup size, and no more than any WebGPU device allows. */
 const LANES = 64

@@ -1,6 +1,6 @@
-/** What the compute passes share. */
+/** What the compute passes share, and casts of their nodes, whose type three.js's declarations leave open. */
 import type { TypedArray } from 'three'
-import { Fn, If, instanceIndex, storage } from 'three/tsl'
+import { Fn, If, instanceIndex, storage, workgroupArray } from 'three/tsl'
 import {
   type ComputeNode,
   type Node,
@@ -53,4 +53,19 @@ export function padToVec4(
 ): Float32Array {
   for (let i = 0; i < values.length; i++) out[4 * Math.floor(i / 3) + (i % 3)] = values[i]
   return out
+}
+
+/** An array that the invocations of a workgroup share. */
+export function sharedArray<T extends string>(type: T, count: number): StorageBufferNode<T> {
+  return typedBuffer(workgroupArray(type, count))
+}
+
+/** A dispatch of one workgroup each for `count` elements; the types know counts of invocations only. */
+export function workgroups(count: number): number {
+  return [count, 1, 1] as unknown as number
+}
+
+/** Declares the type of a buffer's elements. */
+export function typedBuffer<T extends string>(node: Node): StorageBufferNode<T> {
+  return node as StorageBufferNode<T>
 }

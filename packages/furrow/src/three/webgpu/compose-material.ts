@@ -1,9 +1,11 @@
-import { select, texture, varying, vec4 } from 'three/tsl'
+import { int, ivec2, select, texture, varying, vec2, vec4 } from 'three/tsl'
+import type { Node, TextureNode } from 'three/webgpu'
 import type { ComposeMaterial } from '../material/composed-map.ts'
 import { influenceFromMap } from './influence.ts'
 import { quadMaterial, targetUv } from './influence-quads.ts'
 import { mixNormals } from './mix.ts'
-import { texelAt } from './texture-sampling.ts'
+import { sizeOf } from './node.ts'
+import { bySampler, type SliceSampler } from './texture-sampling.ts'
 
 /** Draws the composed normal map on `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
 export const composeMaterial: ComposeMaterial = (base, inputs, level) => {
@@ -15,9 +17,20 @@ export const composeMaterial: ComposeMaterial = (base, inputs, level) => {
   const mixed = mixNormals(stored, inputs, {
     influence,
     uv,
-    sampling: isTexelwise ? 'texels' : 'sampler',
+    sampler: isTexelwise ? byTexel : bySampler,
   }).toVar()
   if (!inputs.textures.kinds.includes('detail')) return quadMaterial('composed', vec4(mixed, 1))
   const unit = mixed.mul(2).sub(1).normalize().mul(0.5).add(0.5)
   return quadMaterial('composed', vec4(select(influence.greaterThan(vec4(0)).any(), unit, mixed), 1))
+}
+
+/** A pixel of the target is a texel. */
+const byTexel: SliceSampler = (uv) => (array, slice) => {
+  const map = texture(array)
+  return map.load(texelAt(map, uv)).depth(int(slice))
+}
+
+/** The texel of a map's finest level at texture coordinates within 0..1. */
+export function texelAt(map: TextureNode, uv: Node<'vec2'>): Node<'ivec2'> {
+  return ivec2(uv.mul(vec2(sizeOf(map))))
 }

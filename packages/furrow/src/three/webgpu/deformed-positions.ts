@@ -9,8 +9,7 @@ import {
 import { Loop, storage, uint, vec3, vec4 } from 'three/tsl'
 import type { ComputeNode, StorageBufferNode } from 'three/webgpu'
 import { coordinates, copyNumbers, targetOffsets } from '../sources/geometry-arrays.ts'
-import { Buffers, computePass, padToVec4 } from './buffers.ts'
-import { typedBuffer } from './node.ts'
+import { Buffers, computePass, padToVec4, typedBuffer } from './buffers.ts'
 
 /**
  * The positions of a mesh's vertices, computed on the graphics card from those in its geometry: deformed by its blendshapes and,

@@ -2,21 +2,21 @@ import { AddEquation, CustomBlending, DoubleSide, MaxEquation, NoBlending, OneFa
 import { attribute, Fn, floor, int, ivec2, textureLoad, varying, vec2, vec4 } from 'three/tsl'
 import { type Node, NodeMaterial } from 'three/webgpu'
 import type { AreaArray } from '../atlas/area-array.ts'
-import type { QuadMaterials } from '../atlas/influence-pass.ts'
+import type { QuadMaterials } from '../atlas/quad-materials.ts'
 import { channelMask } from './influence.ts'
 
 /** The materials that draw influence maps on `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
 export const quadMaterials: QuadMaterials = {
   create(rule, areas) {
-    const material = quadMaterial(rule, areas ? weightedActivation(areas) : vec4(0))
-    material.blending = rule === 'clear' ? NoBlending : CustomBlending
-    material.blendEquation = rule === 'max' ? MaxEquation : AddEquation
-    material.blendSrc = OneFactor
-    material.blendDst = OneFactor
-    material.transparent = true
-    // Else three.js draws what is transparent from the back and from the front, by a pipeline for each.
-    material.forceSinglePass = true
-    return material
+    return Object.assign(quadMaterial(rule, areas ? weightedActivation(areas) : vec4(0)), {
+      blending: rule === 'clear' ? NoBlending : CustomBlending,
+      blendEquation: rule === 'max' ? MaxEquation : AddEquation,
+      blendSrc: OneFactor,
+      blendDst: OneFactor,
+      transparent: true,
+      // Else three.js draws what is transparent from the back and from the front, by a pipeline for each.
+      forceSinglePass: true,
+    })
   },
   // A lost device is not restored; the page makes another renderer.
   hasContents: () => true,
@@ -24,18 +24,18 @@ export const quadMaterials: QuadMaterials = {
 
 /** A material of `Quads` that overwrites the target. */
 export function quadMaterial(name: string, fragment: Node<'vec4'>): NodeMaterial {
-  const material = new NodeMaterial()
-  material.name = `furrow ${name}`
-  material.vertexNode = clipPosition()
-  material.fragmentNode = fragment
-  material.blending = NoBlending
-  material.side = DoubleSide
-  material.depthTest = false
-  material.depthWrite = false
-  material.fog = false
-  material.lights = false
-  material.toneMapped = false
-  return material
+  return Object.assign(new NodeMaterial(), {
+    name: `furrow ${name}`,
+    vertexNode: clipPosition(),
+    fragmentNode: fragment,
+    blending: NoBlending,
+    side: DoubleSide,
+    depthTest: false,
+    depthWrite: false,
+    fog: false,
+    lights: false,
+    toneMapped: false,
+  })
 }
 
 /** The point of the target, 0..1, that a vertex of `Quads` is drawn to. */

@@ -1,5 +1,5 @@
 /** The influence of each layer at a point, in TSL; the same formulas as the GLSL of `webgl/`. */
-import type { Texture } from 'three'
+import { REVISION, type Texture } from 'three'
 import {
   drawIndex,
   Fn,
@@ -95,11 +95,13 @@ export function checkBatch(mesh: object): void {
     (mesh as BatchBuilder['object'])._indirectTexture,
     'Wrinkles',
     'BatchedMesh._indirectTexture',
+    REVISION,
   )
   requireInternal(
     (NodeBuilder.prototype as BatchBuilder).getDrawIndex,
     'Wrinkles',
     'NodeBuilder.getDrawIndex',
+    REVISION,
   )
 }
 

@@ -8,14 +8,13 @@ import type { ShaderInputs } from '../material/shader-inputs.ts'
 import type { ValueKind } from '../material/wrinkle-textures.ts'
 import { type LayerInfluence, sum, unpack } from './mix.ts'
 import { CHANNELS, inputUniform } from './node.ts'
-import { sliceSampler } from './texture-sampling.ts'
 
 /** Reads texels of a slice of an array. */
 export type TexelReader = (texture: ArrayTexture, slice: number) => Node<'vec4'>
 
 /** Reads each slice once, whatever number of kinds its channels hold, and however often they are mixed in. */
-export function texelReader({ uv, sampling }: LayerInfluence): TexelReader {
-  const sample = sliceSampler(uv, sampling)
+export function texelReader({ uv, sampler }: LayerInfluence): TexelReader {
+  const sample = sampler(uv)
   const known = new Map<string, Node<'vec4'>>()
   return (texture, slice) => {
     const key = `${texture.id} ${slice}`

@@ -4,13 +4,13 @@ import type { Node } from 'three/webgpu'
 import type { LayerKind } from '../../core/types.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
 import { CHANNELS, inputUniform } from './node.ts'
-import { type SliceSampling, sliceSampler } from './texture-sampling.ts'
+import type { SliceSampler } from './texture-sampling.ts'
 
-/** The influence of each layer, 0..1 in x, y, z, w, and the texture coordinates to sample the layers' maps at, see `sliceSampler`. */
+/** The influence of each layer, 0..1 in x, y, z, w, and the texture coordinates to sample the layers' maps at, see `SliceSampler`. */
 export interface LayerInfluence {
   influence: Node<'vec4'>
   uv: Node<'vec2'>
-  sampling: SliceSampling
+  sampler: SliceSampler
 }
 
 /** Reoriented normal mapping, see `reorientNormal` in the reference; unit vectors. */
@@ -39,14 +39,14 @@ function alongReoriented(base: Node<'vec3'>, detail: Node<'vec3'>): Node<'vec3'>
 export function mixNormals(
   base: Node<'vec3'>,
   inputs: ShaderInputs,
-  { influence, uv, sampling }: LayerInfluence,
+  { influence, uv, sampler }: LayerInfluence,
 ): Node<'vec3'> {
   const { kinds, normals } = inputs.textures
   const scales = inputUniform<'vec4'>(inputs.normalScale)
   return Fn(() => {
     const normal = base.toVar()
     const influences = influence.toVar()
-    const sample = sliceSampler(uv, sampling)
+    const sample = sampler(uv)
     const own = unpack(normal).toVar()
     const layers = kinds.map((kind, layer) => {
       const scale = scales[CHANNELS[layer]]

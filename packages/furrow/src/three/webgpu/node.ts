@@ -1,7 +1,7 @@
-/** TSL nodes whose type three.js's declarations leave open. All casts of nodes are in this file. */
+/** TSL nodes whose type three.js's declarations leave open. All casts of nodes are in this file, but those of compute passes. */
 import type { Material } from 'three'
-import { int, subBuild, textureSize, uniform, workgroupArray } from 'three/tsl'
-import { MaterialReferenceNode, type Node, type StorageBufferNode, type TextureNode } from 'three/webgpu'
+import { int, subBuild, textureSize, uniform } from 'three/tsl'
+import { MaterialReferenceNode, type Node, type TextureNode } from 'three/webgpu'
 
 /** Materials' properties by the type that `materialReference` takes, and what their nodes are. */
 interface PropertyNodes {
@@ -59,24 +59,9 @@ export function normalInView(normal: Node): Node<'vec3'> {
   return typed(subBuild(normal, 'NORMAL', 'vec3'))
 }
 
-/** An array that the invocations of a workgroup share. */
-export function sharedArray<T extends string>(type: T, count: number): StorageBufferNode<T> {
-  return typedBuffer(workgroupArray(type, count))
-}
-
-/** A dispatch of one workgroup each for `count` elements; the types know counts of invocations only. */
-export function workgroups(count: number): number {
-  return [count, 1, 1] as unknown as number
-}
-
 /** Declares the type of a node. */
 export function typed<T extends string>(node: Node): Node<T> {
   return node as Node<T>
-}
-
-/** Declares the type of a buffer's elements. */
-export function typedBuffer<T extends string>(node: Node): StorageBufferNode<T> {
-  return node as StorageBufferNode<T>
 }
 
 /** The scale of the material's normal map. */

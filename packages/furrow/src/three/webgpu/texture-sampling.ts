@@ -1,7 +1,7 @@
 /** Texture coordinates and how maps are sampled at them, in TSL; the same formulas as the GLSL of `webgl/`. */
 import { Matrix3 } from 'three'
-import { int, ivec2, max, min, texture, uniform, uv, vec2, vec3 } from 'three/tsl'
-import type { Node, TextureNode } from 'three/webgpu'
+import { int, max, min, texture, uniform, uv, vec2, vec3 } from 'three/tsl'
+import type { Node } from 'three/webgpu'
 import type { ArrayTexture } from '../material/array-texture.ts'
 import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
 import { sizeOf } from './node.ts'
@@ -40,36 +40,18 @@ export function sampleSlice(array: ArrayTexture, { uv, dx, dy }: Gradients, slic
 }
 
 /** Samples a slice of an array, counted from 0. */
-export type SliceSampler = (array: ArrayTexture, slice: number) => Node<'vec4'>
+export type SampleSlice = (array: ArrayTexture, slice: number) => Node<'vec4'>
 
-/**
- * How the layers' maps are sampled: the sampler finds the level of detail, which software rasterisers pay less for than for one that is
- * given; by gradients, where texture coordinates may wrap between neighbouring pixels; or as they are, where a pixel of the target is a texel.
- */
-export type SliceSampling = 'sampler' | 'gradients' | 'texels'
+/** How the layers' maps are sampled at texture coordinates within 0..1, by gradients at any. Called outside of any branch. */
+export type SliceSampler = (uv: Node<'vec2'>) => SampleSlice
 
-/**
- * Call it outside of any branch.
- *
- * @param uv texture coordinates within 0..1, for gradients as they are.
- */
-export function sliceSampler(uv: Node<'vec2'>, sampling: SliceSampling): SliceSampler {
-  if (sampling === 'gradients') {
-    const gradients = gradientsOf(uv)
-    return (array, slice) => sampleSlice(array, gradients, slice)
-  }
-  if (sampling === 'texels') {
-    return (array, slice) => {
-      const map = texture(array)
-      return map.load(texelAt(map, uv)).depth(int(slice))
-    }
-  }
-  return (array, slice) => texture(array, uv).depth(int(slice))
-}
+/** The sampler finds the level of detail, which software rasterisers pay less for than for one that is given. */
+export const bySampler: SliceSampler = (uv) => (array, slice) => texture(array, uv).depth(int(slice))
 
-/** The texel of a map's finest level at texture coordinates within 0..1. */
-export function texelAt(map: TextureNode, uv: Node<'vec2'>): Node<'ivec2'> {
-  return ivec2(uv.mul(vec2(sizeOf(map))))
+/** Where texture coordinates may wrap between neighbouring pixels. */
+export const byGradients: SliceSampler = (uv) => {
+  const gradients = gradientsOf(uv)
+  return (array, slice) => sampleSlice(array, gradients, slice)
 }
 
 /** Wraps texture coordinates into 0..1, see `repeat` in core; those already within stay exactly as they are. */

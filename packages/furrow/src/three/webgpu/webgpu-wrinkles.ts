@@ -1,4 +1,4 @@
-import type { Mesh } from 'three'
+import { type Mesh, REVISION } from 'three'
 import { bitangentView, mat3, normalMap, tangentView, varying, vec3 } from 'three/tsl'
 import { MeshBasicNodeMaterial, type Node } from 'three/webgpu'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
@@ -17,7 +17,7 @@ import { quadMaterials } from './influence-quads.ts'
 import { type LayerInfluence, mixNormals } from './mix.ts'
 import { materialProperty, normalScale, typed } from './node.ts'
 import { type Added, type Patched, patchNodes } from './patch-nodes.ts'
-import { mapUv, repeat } from './texture-sampling.ts'
+import { byGradients, bySampler, mapUv, repeat } from './texture-sampling.ts'
 
 /** The wrinkles of a loaded file, whose drivers the loader adds; `Wrinkles` is the same for all else. */
 export class WebGPUWrinkles extends WrinklesBase {
@@ -28,7 +28,7 @@ export class WebGPUWrinkles extends WrinklesBase {
 
 /** @throws FurrowError when three.js is too old, or lacks what is needed for the mesh. */
 export function checkThreeFor(mesh: Mesh): Mesh {
-  checkThree('Wrinkles of furrow/webgpu')
+  checkThree('Wrinkles of furrow/webgpu', REVISION)
   if (instancesOf(mesh) === 'batched') checkBatch(mesh)
   return mesh
 }
@@ -42,7 +42,7 @@ const patch: RendererParts['patch'] = (material, inputs, mesh) => {
     material,
     layerNodes(material, inputs, {
       influence: influenceFromMap(inputs, wrapped, instancesOf(mesh)),
-      ...(isTiled(mesh, material) ? { uv, sampling: 'gradients' } : { uv: wrapped, sampling: 'sampler' }),
+      ...(isTiled(mesh, material) ? { uv, sampler: byGradients } : { uv: wrapped, sampler: bySampler }),
     }),
   )
 }

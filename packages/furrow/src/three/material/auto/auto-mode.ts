@@ -10,7 +10,7 @@ import {
 } from 'three'
 import { hasMoved } from '../../../runtime/atlas-cells.ts'
 import { reachNothing } from '../../../runtime/reach.ts'
-import type { QuadMaterials } from '../../atlas/influence-pass.ts'
+import type { QuadMaterials } from '../../atlas/quad-materials.ts'
 import { callAfterRender } from '../../before-render.ts'
 import type { AnyRenderer } from '../../renderer.ts'
 import {
