@@ -5,6 +5,7 @@ import type { AnyRenderer, Entry } from '../renderer.ts'
 import type { Channels } from './channels.ts'
 import type { Fetched } from './fetched.ts'
 import type { OtherModes } from './other-modes.ts'
+import type { Patch } from './patch.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
@@ -14,13 +15,6 @@ export interface PatchEvents {
   refuse(): void
   /** On `WebGLRenderer`, which in `compile` does nothing else that is done before a mesh is drawn. */
   onCompile(renderer: AnyRenderer): void
-}
-
-/** An edit of a material's shader. Whoever changes it has the material built anew. */
-export interface Patch {
-  /** Whether it is in effect, as it is at first; else the material's own program is built, as if it had never been edited. */
-  setShown(isShown: boolean): void
-  undo(): void
 }
 
 /** What depends on the renderer. */

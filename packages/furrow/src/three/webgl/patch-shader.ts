@@ -1,5 +1,5 @@
 import type { IUniform, Material, WebGLProgramParametersWithUniforms, WebGLRenderer } from 'three'
-import type { Patch } from '../material/renderer-parts.ts'
+import type { Patch } from '../material/patch.ts'
 
 /** How a material's GLSL is edited. */
 interface ShaderPatch {

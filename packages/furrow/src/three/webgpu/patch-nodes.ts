@@ -1,5 +1,5 @@
 import type { MeshStandardNodeMaterial, Node } from 'three/webgpu'
-import type { Patch } from '../material/renderer-parts.ts'
+import type { Patch } from '../material/patch.ts'
 import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
 import { unwatch, watched } from './build-fault.ts'
 

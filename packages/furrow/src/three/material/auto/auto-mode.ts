@@ -21,7 +21,7 @@ import {
   levelsOf,
   type Size,
 } from '../composed-map.ts'
-import type { Patch } from '../renderer-parts.ts'
+import type { Patch } from '../patch.ts'
 import type { ShaderInputs } from '../shader-inputs.ts'
 import type { WrinkleMaterial } from '../wrinkle-material.ts'
 import { ComposePolicy } from './compose-policy.ts'

@@ -3,7 +3,7 @@ import { nextTask } from '../../../runtime/next-task.ts'
 import { compileFor } from '../../atlas/render-preserving-state.ts'
 import type { AnyRenderer } from '../../renderer.ts'
 import { rootOf } from '../../root-of.ts'
-import type { Patch } from '../renderer-parts.ts'
+import type { Patch } from '../patch.ts'
 import { withSurface } from '../surface.ts'
 import { cloneByClass, type WrinkleMaterial } from '../wrinkle-material.ts'
 
