@@ -83,6 +83,8 @@ export class OwnProgram {
         const compiled = this.#compileOn(renderer, mesh, copy, drawn)
         this.#patch.setShown(true)
         await compiled
+        // `WebGPURenderer` may have made its data for the copy since.
+        if (this.#isDisposed) return copy.dispose()
       }
     }
   }
