@@ -103,7 +103,7 @@ async function warmUp(bench: Bench, benchCase: Case, candidate: Candidate): Prom
     if (isSettled()) return
   }
   throw new Error(
-    `bench: variant "${candidate.name}" is not drawn as it stays after ${MAX_WARM_UP} frames; ${JSON.stringify(benchCase)}`,
+    `bench: variant "${candidate.name}" is not drawn as it stays after ${MAX_WARM_UP} frames; use a larger --size if it is below 80x60; ${JSON.stringify(benchCase)}`,
   )
 }
 

@@ -25,7 +25,7 @@ async function dawnEnvironment(): Promise<NodeJS.ProcessEnv> {
 const runBench = async (...args: string[]) =>
   promisify(execFile)(
     process.execPath,
-    ['bench/run.mjs', '--node', '--quick', '--rounds', '1', '--size', '64x48', ...args],
+    ['bench/run.mjs', '--node', '--quick', '--rounds', '1', '--size', '80x60', ...args],
     {
       env: await dawnEnvironment(),
     },
@@ -40,7 +40,7 @@ it('runs in Node on Dawn, timed by timestamps', async () => {
     'auto composed copied furrow jimenez o3de paper plain relief stripped',
   )
   for (const result of results) {
-    expect(result).toMatchObject({ renderer: 'webgpu', timing: 'timestamps', width: 64, height: 48 })
+    expect(result).toMatchObject({ renderer: 'webgpu', timing: 'timestamps', width: 80, height: 60 })
     expect(result.adapter).not.toBe('')
     expect(result.medianMs).toBeGreaterThan(0)
     expect(result.ratioToPlain).toBeGreaterThan(0)
