@@ -13,7 +13,6 @@ import {
 import { type Bounds, widen } from '../../core/bounds.ts'
 import type { AreaSlot } from '../../runtime/area-slots.ts'
 import { hasMoved } from '../../runtime/atlas-cells.ts'
-import { nextTask } from '../../runtime/next-task.ts'
 import type { AreaArray } from '../atlas/area-array.ts'
 import type { QuadMaterials } from '../atlas/quad-materials.ts'
 import { Quads } from '../atlas/quads.ts'
@@ -181,7 +180,6 @@ export class ComposedMap {
 
   /** Compiles what draws it without waiting, where that is possible outside of frames. */
   async compile(renderer: AnyRenderer): Promise<void> {
-    await nextTask()
     if ('isWebGLRenderer' in renderer) await compileFor(renderer, this.target, this.#scene, this.#camera)
   }
 

@@ -9,6 +9,7 @@ import {
   Vector4,
 } from 'three'
 import { hasMoved } from '../../../runtime/atlas-cells.ts'
+import { nextTask } from '../../../runtime/next-task.ts'
 import { reachNothing } from '../../../runtime/reach.ts'
 import type { QuadMaterials } from '../../atlas/quad-materials.ts'
 import { callAfterRender } from '../../before-render.ts'
@@ -27,13 +28,10 @@ import type { WrinkleMaterial } from '../wrinkle-material.ts'
 import { ComposePolicy } from './compose-policy.ts'
 import { type DrawnMesh, OwnProgram } from './own-program.ts'
 import { isRepeated, isReplaceable } from './replaceable-map.ts'
-import { pixelsOnScreen, sideOnScreen } from './screen-need.ts'
+import { halvingsOf, pixelsOnScreen, sideOnScreen } from './screen-need.ts'
 
 /** How much finer than the screen needs a map is made, so that a camera that comes a little nearer keeps it. */
 const RESERVE = 1.2
-
-/** A side is halved while it is longer. */
-const SMALLEST_SIDE = 64
 
 const NO_SIZE: Size = { width: 0, height: 0 }
 
@@ -238,6 +236,8 @@ export class AutoMode {
       made.state = 'drawn'
     }
     const compile = async () => {
+      await nextTask()
+      if (!isCurrent()) return
       const { map, program, renderer } = made
       await map.compile(renderer)
       if (isCurrent()) await program?.prepare(renderer, this.#drawn)
@@ -286,17 +286,6 @@ function targetOf(renderer: AnyRenderer): RenderTarget | null {
   const target = renderer.getRenderTarget() as RenderTarget & { isPostProcessingRenderTarget?: boolean }
   // `WebGPURenderer` maps tones from one of its own to the canvas.
   return target?.isPostProcessingRenderTarget ? null : target
-}
-
-/** How often a map's sides may be halved for a screen that needs a side of so many texels. */
-function halvingsOf({ width, height }: Size, needed: number): number {
-  let side = Math.max(width, height)
-  let halvings = 0
-  while (side >= 2 * needed && Math.min(width, height) >> (halvings + 1) >= SMALLEST_SIDE) {
-    side /= 2
-    halvings++
-  }
-  return halvings
 }
 
 /** Whether a map still serves. */

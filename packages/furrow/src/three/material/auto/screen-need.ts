@@ -1,7 +1,11 @@
 import type { Camera, Mesh, PerspectiveCamera, SkinnedMesh } from 'three'
 import { pictureOf, pixelsPerUnit, sizeOnScreen } from '../../camera/size-on-screen.ts'
 import type { AnyRenderer } from '../../renderer.ts'
+import type { Size } from '../composed-map.ts'
 import { uvLayoutOf } from '../uv-layout.ts'
+
+/** A side is halved while it is longer. */
+const SMALLEST_SIDE = 64
 
 /**
  * Texels that a side of a map needs to be as fine as the picture being drawn wherever the mesh may be seen: Infinity where a skeleton may
@@ -22,4 +26,15 @@ export function sideOnScreen(mesh: Mesh, camera: Camera, renderer: AnyRenderer, 
 export function pixelsOnScreen(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
   const { width, height } = pictureOf(renderer)
   return Math.min(width * height, (Math.PI / 4) * sizeOnScreen(mesh, camera, renderer) ** 2)
+}
+
+/** How often a map's sides may be halved for a screen that needs a side of so many texels. */
+export function halvingsOf({ width, height }: Size, needed: number): number {
+  let side = Math.max(width, height)
+  let halvings = 0
+  while (side >= 2 * needed && Math.min(width, height) >> (halvings + 1) >= SMALLEST_SIDE) {
+    side /= 2
+    halvings++
+  }
+  return halvings
 }
