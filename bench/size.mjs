@@ -6,7 +6,7 @@ import { build } from 'vite'
 import { ROOT } from './serve.mjs'
 
 /** What pages have besides. */
-const ELSEWHERE = /^(three|react|react-dom|@react-three\/fiber|@babylonjs\/(?:core|loaders))(\/|$)/
+export const ELSEWHERE = /^(three|react|react-dom|@react-three\/fiber|@babylonjs\/(?:core|loaders))(\/|$)/
 
 /** What each page imports. */
 const PAGES = {
