@@ -1,6 +1,7 @@
 import {
   AmbientLight,
   DirectionalLight,
+  type Mesh,
   MeshPhysicalMaterial,
   RenderTarget,
   Scene,
@@ -49,4 +50,19 @@ describe.each(RENDERERS)('compileAsync on %s', (name) => {
       target.dispose()
     },
   )
+})
+
+it('what draws influence is compiled after a first frame without wrinkles, on webgl', async () => {
+  const harness = await createHarness('webgl')
+  const scene = new Scene().add(square(new MeshPhysicalMaterial()), new DirectionalLight())
+  const wrinkles = new harness.Wrinkles(scene.children[0] as Mesh, randomSet(seeded(3), 6, 16), {
+    areaSize: 16,
+  })
+  await harness.render(scene, squareCamera(), SIZE)
+  const programs = harness.programs()
+  for (const area of wrinkles.areaNames) wrinkles.setActivation(area, 0.5)
+  await harness.render(scene, squareCamera(), SIZE)
+  expect(harness.programs()).toBe(programs)
+  wrinkles.dispose()
+  harness.dispose()
 })

@@ -110,7 +110,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.#inputs = createShaderInputs(textures, areas, this.#atlas)
     this.#material = new PatchedMaterial(mesh, material, this.#inputs, renderer, {
       textureBudget: allOptions.textureBudget,
-      // Not within `compile`, whose lights another call of it would take.
+      // Also after a first frame without wrinkles, so that the first one with them waits for no program. Not within `compile`, whose lights
+      // another call of it would take.
       onCompile: (own) => queueMicrotask(() => this.isDisposed || this.#atlas.compile(own)),
     })
     this.#place = placeOf(mesh)

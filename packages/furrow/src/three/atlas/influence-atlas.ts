@@ -52,6 +52,8 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   /** A list rather than a map: iterating it allocates nothing. */
   #batches: Batch[] = []
   #renderer: AnyRenderer | null = null
+  /** The renderer that has compiled what draws areas. */
+  #compiled: AnyRenderer | null = null
 
   /**
    * @param width of a cell and of the faces' areas, in texels.
@@ -115,15 +117,19 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     if (changes === 0) return
     for (const { quads } of this.#batches) quads.begin()
     for (let i = 0; i < changes; i++) this.#put(changed[i], isWhole)
-    for (const { quads } of this.#batches) quads.end()
+    for (const { areas, quads } of this.#batches) {
+      quads.end()
+      if (areas && quads.mesh.visible) this.#compiled = renderer
+    }
     // In one stroke, without a quad for each cell and a program for these: a page with one face never takes one.
     renderPreservingState(renderer, this.target, this.#scene, this.#camera, 0, isWhole)
     this.cells.changes = 0
   }
 
-  /** Compiles what draws it, unless it has drawn already. */
+  /** Compiles what draws areas, unless some were drawn already. */
   compile(renderer: AnyRenderer): void {
-    if (renderer === this.#renderer) return
+    if (renderer === this.#compiled) return
+    this.#compiled = renderer
     this.#quadsOf('clear', null)
     for (const areas of this.cells.slots as Set<AreaArray>)
       for (const { combine } of areas.slots) this.#quadsOf(combine, areas)
