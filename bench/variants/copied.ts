@@ -4,14 +4,14 @@ import { createAreaArray } from '../../packages/furrow/src/three/atlas/area-arra
 import { callBeforeRender } from '../../packages/furrow/src/three/before-render.ts'
 import { ComposedMap, composedSize } from '../../packages/furrow/src/three/material/composed-map.ts'
 import { WRINKLES_DEFAULTS } from '../../packages/furrow/src/three/options.ts'
-import { quadMaterials as glslQuads } from '../../packages/furrow/src/three/webgl/influence-quads.ts'
-import { QUAD_SETTINGS } from '../../packages/furrow/src/three/webgl/quad-settings.ts'
-import { texelAt } from '../../packages/furrow/src/three/webgpu/compose-material.ts'
+import { quadMaterials as glslQuads } from '../../packages/furrow/src/three/webgl/influence/influence-quads.ts'
+import { QUAD_SETTINGS } from '../../packages/furrow/src/three/webgl/influence/quad-settings.ts'
 import {
   quadMaterial,
   targetUv,
   quadMaterials as tslQuads,
-} from '../../packages/furrow/src/three/webgpu/influence-quads.ts'
+} from '../../packages/furrow/src/three/webgpu/influence/influence-quads.ts'
+import { texelAt } from '../../packages/furrow/src/three/webgpu/modes/compose-material.ts'
 import type { RendererKind } from '../../stage/stage.ts'
 import type { Variant } from '../variant.ts'
 
