@@ -52,7 +52,7 @@ const FETCHED = {
     'three/relief/relief',
     'three/webgl/relief/relief',
     'three/webgpu/relief/relief',
-    'three/relief-control',
+    'three/relief/relief-control',
   ],
   'the option auto': ['three/loader/auto-wrinkles', 'auto/start-worker'],
 }

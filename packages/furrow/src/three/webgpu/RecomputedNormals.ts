@@ -1,7 +1,7 @@
 import type { Mesh } from 'three'
 import type { WebGPURenderer } from 'three/webgpu'
 import { wrongArgument } from '../../core/argument.ts'
-import { checkNormals } from '../check-mesh.ts'
+import { checkNormals } from '../mesh/check-mesh.ts'
 import { RecomputedNormals as NormalsOnProcessor } from '../RecomputedNormals.ts'
 import { canCompute } from './compute/buffers.ts'
 import { ComputedNormals } from './compute/computed-normals.ts'

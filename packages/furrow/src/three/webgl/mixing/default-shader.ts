@@ -1,5 +1,5 @@
 import { REVISION, ShaderChunk } from 'three'
-import type { Instances } from '../../instances.ts'
+import type { Instances } from '../../mesh/instances.ts'
 import { requireInternal } from '../../three-version.ts'
 import { CORNER_OF_INSTANCE, influenceFromMap, sliceSampling } from '../influence/influence.ts'
 import { MAIN, replace, replaceChunk } from '../patch/shader-text.ts'

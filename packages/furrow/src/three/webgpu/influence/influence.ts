@@ -16,8 +16,8 @@ import {
   vec4,
 } from 'three/tsl'
 import { type Node, NodeBuilder } from 'three/webgpu'
-import type { Instances } from '../../instances.ts'
 import type { ShaderInputs } from '../../material/shader-inputs.ts'
+import type { Instances } from '../../mesh/instances.ts'
 import { requireInternal } from '../../three-version.ts'
 import { CHANNELS, inputUniform } from '../node.ts'
 

@@ -1,17 +1,17 @@
 import type { BufferGeometry, Camera, Material, Mesh } from 'three'
-import { smoothstep } from '../math/scalar.ts'
-import type { Face } from '../runtime/face.ts'
-import type { AreaArray } from './atlas/area-array.ts'
-import { pixelsPerUnit } from './camera/size-on-screen.ts'
-import type { RendererParts } from './material/renderer-parts.ts'
-import type { ShaderInputs } from './material/shader-inputs.ts'
-import type { MeshPlace } from './mesh-place.ts'
-import type { ReliefMode, WrinkleMode } from './options.ts'
-import { limitationOf } from './relief/limitation.ts'
-import { type MeshUnits, meshUnits } from './relief/mesh-units.ts'
-import { canRise } from './relief/raised-layer.ts'
-import type { Relief, ReliefHost } from './relief/relief.ts'
-import type { AnyRenderer } from './renderer.ts'
+import { smoothstep } from '../../math/scalar.ts'
+import type { Face } from '../../runtime/face.ts'
+import type { AreaArray } from '../atlas/area-array.ts'
+import { pixelsPerUnit } from '../camera/size-on-screen.ts'
+import type { RendererParts } from '../material/renderer-parts.ts'
+import type { ShaderInputs } from '../material/shader-inputs.ts'
+import type { MeshPlace } from '../mesh/mesh-place.ts'
+import type { ReliefMode, WrinkleMode } from '../options.ts'
+import type { AnyRenderer } from '../renderer.ts'
+import { limitationOf } from './limitation.ts'
+import { type MeshUnits, meshUnits } from './mesh-units.ts'
+import { canRise } from './raised-layer.ts'
+import type { Relief, ReliefHost } from './relief.ts'
 
 /** Pixels per millimetre at which relief by size begins, and at which it is full: between them it grows, so that nobody sees it come. */
 const SIZES = [1, 1.5] as const
@@ -159,7 +159,7 @@ export class ReliefControl {
       return
     }
     try {
-      const [{ Relief }, reliefParts] = await Promise.all([import('./relief/relief.ts'), parts.loadRelief()])
+      const [{ Relief }, reliefParts] = await Promise.all([import('./relief.ts'), parts.loadRelief()])
       const host: ReliefHost = {
         meshes,
         material: material.material,

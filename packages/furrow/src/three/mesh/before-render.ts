@@ -1,5 +1,5 @@
 import type { Camera, Material, Mesh, Scene } from 'three'
-import type { AnyRenderer } from './renderer.ts'
+import type { AnyRenderer } from '../renderer.ts'
 
 type Call = (renderer: AnyRenderer, camera: Camera, scene: Scene, drawn: object) => void
 

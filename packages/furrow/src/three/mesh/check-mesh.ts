@@ -1,6 +1,6 @@
 import type { Mesh } from 'three'
-import { wrongArgument } from '../core/argument.ts'
-import { FurrowError } from '../core/error.ts'
+import { wrongArgument } from '../../core/argument.ts'
+import { FurrowError } from '../../core/error.ts'
 import { instancesOf } from './instances.ts'
 
 /**
