@@ -1,18 +1,18 @@
 import { type Material, type MeshStandardMaterial, ShaderMaterial, type Texture } from 'three'
 import { texture, varying, vec4 } from 'three/tsl'
-import { createAreaArray } from '../../packages/furrow/src/three/atlas/area-array.ts'
-import { ComposedMap, composedSize } from '../../packages/furrow/src/three/material/composed-map.ts'
-import { callBeforeRender } from '../../packages/furrow/src/three/mesh/before-render.ts'
-import { WRINKLES_DEFAULTS } from '../../packages/furrow/src/three/options.ts'
-import { quadMaterials as glslQuads } from '../../packages/furrow/src/three/webgl/influence/influence-quads.ts'
-import { QUAD_SETTINGS } from '../../packages/furrow/src/three/webgl/influence/quad-settings.ts'
+import { createAreaArray } from '../../../packages/furrow/src/three/atlas/area-array.ts'
+import { ComposedMap, composedSize } from '../../../packages/furrow/src/three/material/composed-map.ts'
+import { callBeforeRender } from '../../../packages/furrow/src/three/mesh/before-render.ts'
+import { WRINKLES_DEFAULTS } from '../../../packages/furrow/src/three/options.ts'
+import { quadMaterials as glslQuads } from '../../../packages/furrow/src/three/webgl/influence/influence-quads.ts'
+import { QUAD_SETTINGS } from '../../../packages/furrow/src/three/webgl/influence/quad-settings.ts'
 import {
   quadMaterial,
   targetUv,
   quadMaterials as tslQuads,
-} from '../../packages/furrow/src/three/webgpu/influence/influence-quads.ts'
-import { texelAt } from '../../packages/furrow/src/three/webgpu/modes/compose-material.ts'
-import type { RendererKind } from '../../stage/stage.ts'
+} from '../../../packages/furrow/src/three/webgpu/influence/influence-quads.ts'
+import { texelAt } from '../../../packages/furrow/src/three/webgpu/modes/compose-material.ts'
+import type { RendererKind } from '../../../stage/stage.ts'
 import type { Variant } from '../variant.ts'
 
 /**

@@ -7,8 +7,8 @@ import {
   Scene,
   type Vector3Tuple,
 } from 'three'
-import type { Face } from '../stage/face.ts'
-import { frameView } from '../stage/views.ts'
+import type { Face } from '../../stage/face.ts'
+import { frameView } from '../../stage/views.ts'
 import { divideAreas } from './areas.ts'
 
 const LIGHTS: readonly Vector3Tuple[] = [

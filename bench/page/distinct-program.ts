@@ -1,8 +1,8 @@
 import type { Material } from 'three'
 import { output, vec4 } from 'three/tsl'
-import { patchShader } from '../packages/furrow/src/three/webgl/patch/patch-shader.ts'
-import { replaceChunk } from '../packages/furrow/src/three/webgl/patch/shader-text.ts'
-import type { RendererKind } from '../stage/stage.ts'
+import { patchShader } from '../../packages/furrow/src/three/webgl/patch/patch-shader.ts'
+import { replaceChunk } from '../../packages/furrow/src/three/webgl/patch/shader-text.ts'
+import type { RendererKind } from '../../stage/stage.ts'
 
 /** What the programs' constants are multiples of: so little that they change no pixel of bytes. */
 const STEP = 1e-8

@@ -10,7 +10,7 @@ import {
   OrthographicCamera,
   Vector3,
 } from 'three'
-import type { Plan } from './case.ts'
+import type { Plan } from '../case.ts'
 import { applyFurrow } from './furrow.ts'
 import type { Bench } from './measure.ts'
 import { createSet, createSkin } from './scene.ts'

@@ -1,11 +1,11 @@
 import type { RgbaImage } from 'furrow'
 import { updateLayer } from 'furrow/three'
 import type { Material } from 'three'
-import type { Plan } from './case.ts'
+import type { Plan } from '../case.ts'
+import { median } from '../statistics.ts'
 import { applyFurrow } from './furrow.ts'
 import type { Bench } from './measure.ts'
 import { createSet, createSkin } from './scene.ts'
-import { median } from './statistics.ts'
 
 /** Width and height of the layer's normal map in texels. */
 export const MAP_SIZE = 1024

@@ -1,5 +1,5 @@
 import type { MeshPhysicalMaterial } from 'three'
-import { callBeforeRender } from '../../packages/furrow/src/three/mesh/before-render.ts'
+import { callBeforeRender } from '../../../packages/furrow/src/three/mesh/before-render.ts'
 import { applyFurrow } from '../furrow.ts'
 import type { Variant } from '../variant.ts'
 

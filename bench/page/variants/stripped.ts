@@ -2,7 +2,7 @@ import type { GrayImage, WrinkleSet } from 'furrow'
 import { DataTexture, FloatType, LinearFilter, RedFormat } from 'three'
 import { int, texture, uv, vec3 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
-import { activationOf } from '../case.ts'
+import { activationOf } from '../../case.ts'
 import { applyPeer, normalArray } from '../peer.ts'
 import type { Variant } from '../variant.ts'
 

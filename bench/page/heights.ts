@@ -1,8 +1,8 @@
 import type { Layer } from 'furrow'
 import { autoWrinkleSet, autoWrinkles } from 'furrow/author'
 import type { Mesh } from 'three'
-import { skinOf } from '../packages/furrow/src/auto/character.ts'
-import { readMeshes } from '../packages/furrow/src/three/loader/read-character.ts'
+import { skinOf } from '../../packages/furrow/src/auto/character.ts'
+import { readMeshes } from '../../packages/furrow/src/three/loader/read-character.ts'
 
 type Heights = Pick<Layer, 'height' | 'heightAmplitude'>
 

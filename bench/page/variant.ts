@@ -1,8 +1,8 @@
 /// <reference types="vite/client" />
 import type { WrinkleSet } from 'furrow'
 import type { Mesh } from 'three'
-import type { RendererKind } from '../stage/stage.ts'
-import type { Case } from './case.ts'
+import type { RendererKind } from '../../stage/stage.ts'
+import type { Case } from '../case.ts'
 
 /** A technique to show wrinkles. */
 export interface Variant {

@@ -8,7 +8,7 @@ import {
   WebGLRenderTarget,
 } from 'three'
 import { WebGPURenderer } from 'three/webgpu'
-import type { RendererKind } from '../stage/stage.ts'
+import type { RendererKind } from '../../stage/stage.ts'
 import { type Clock, passClock, queryClock } from './timestamps.ts'
 
 /** Draws frames and measures how long the adapter takes. */

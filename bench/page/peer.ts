@@ -11,9 +11,9 @@ import {
 } from 'three'
 import { normalMap, texture, uniform } from 'three/tsl'
 import type { Node } from 'three/webgpu'
-import { mapTexture } from '../packages/furrow/src/three/material/textures.ts'
-import { patchShader } from '../packages/furrow/src/three/webgl/patch/patch-shader.ts'
-import type { RendererKind } from '../stage/stage.ts'
+import { mapTexture } from '../../packages/furrow/src/three/material/textures.ts'
+import { patchShader } from '../../packages/furrow/src/three/webgl/patch/patch-shader.ts'
+import type { RendererKind } from '../../stage/stage.ts'
 import type { AppliedVariant } from './variant.ts'
 
 export interface Peer {
