@@ -1,4 +1,4 @@
-// Hosts in which the benchmark's page runs. A host's `open` returns the functions of a page (`BenchPage` in page.ts) for one
+// Hosts in which the benchmark's page runs. A host's `open` returns the functions of a page (`BenchPage` in page/page.ts) for one
 // renderer, callable from this process.
 
 import { emulateBrowser } from './dawn.mjs'
@@ -10,7 +10,7 @@ export async function chromiumHost(server) {
   const browser = await launchBrowser()
   return {
     async open() {
-      const page = await openPage(server, browser, '/bench/index.html', 'bench')
+      const page = await openPage(server, browser, '/bench/page/page.html', 'bench')
       const call =
         (name) =>
         (...args) =>
@@ -24,7 +24,7 @@ export async function chromiumHost(server) {
 /** This process: WebGPU only, without a browser or a display. */
 export async function nodeHost(server) {
   await emulateBrowser()
-  await server.ssrLoadModule('/bench/page.ts')
+  await server.ssrLoadModule('/bench/page/page.ts')
   return {
     async open() {
       const call =

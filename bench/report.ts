@@ -1,7 +1,7 @@
 import type { RendererKind } from '../stage/stage.ts'
 import type { Case } from './case.ts'
+import type { TimedRenderer } from './page/timed-renderer.ts'
 import { median, ratio, spread } from './statistics.ts'
-import type { TimedRenderer } from './timed-renderer.ts'
 
 /** A page's measurements of one variant in one case. */
 export interface Measured {

@@ -29,7 +29,7 @@ async function run() {
   const { listCases, PLANS, RENDERER_KINDS } = await server.ssrLoadModule('/bench/case.ts')
   const { toPlot } = await server.ssrLoadModule('/bench/plot.ts')
   const { toResults, toTable } = await server.ssrLoadModule('/bench/report.ts')
-  const { CROWD_KINDS, CROWD_PICTURE } = await server.ssrLoadModule('/bench/crowd.ts')
+  const { CROWD_KINDS, CROWD_PICTURE } = await server.ssrLoadModule('/bench/page/crowd.ts')
   const { median, spread } = await server.ssrLoadModule('/bench/statistics.ts')
   const { kilobytes } = await server.ssrLoadModule('/packages/cli/src/wrinkles/sizes.ts')
   const { withBar } = await server.ssrLoadModule('/packages/cli/src/progress.ts')

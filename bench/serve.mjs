@@ -15,7 +15,7 @@ export async function serve() {
     ssr: { resolve: { conditions: ['furrow-source', 'module', 'node', 'development|production'] } },
     optimizeDeps: {
       entries: [
-        'bench/index.html',
+        'bench/page/page.html',
         'bench/files/page.html',
         'bench/cycles/page.html',
         'bench/cycles/babylon.html',

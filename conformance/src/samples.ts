@@ -1,6 +1,7 @@
+import { BLENDSHAPE_SAMPLES } from './cases/blendshape-drivers.ts'
 import { COORDINATE_SAMPLES } from './cases/coordinates.ts'
-import { DRIVER_SAMPLES } from './cases/drivers.ts'
 import { LAYER_SAMPLES } from './cases/layers.ts'
+import { OTHER_DRIVER_SAMPLES } from './cases/other-drivers.ts'
 import { REFUSED_SAMPLES } from './cases/refused.ts'
 import type { Sample } from './sample.ts'
 
@@ -8,6 +9,7 @@ import type { Sample } from './sample.ts'
 export const SAMPLES: readonly Sample[] = [
   ...LAYER_SAMPLES,
   ...COORDINATE_SAMPLES,
-  ...DRIVER_SAMPLES,
+  ...BLENDSHAPE_SAMPLES,
+  ...OTHER_DRIVER_SAMPLES,
   ...REFUSED_SAMPLES,
 ]

@@ -1,10 +1,10 @@
 /** The quick benchmark of bench/, on the visitor's own GPU. */
 
 import { listCases, PLANS, RENDERER_KINDS } from '../../bench/case.ts'
-import { measure } from '../../bench/measure.ts'
+import { measure } from '../../bench/page/measure.ts'
+import { createScene } from '../../bench/page/scene.ts'
+import { createTimedRenderer } from '../../bench/page/timed-renderer.ts'
 import { type Result, toResults, toTable } from '../../bench/report.ts'
-import { createScene } from '../../bench/scene.ts'
-import { createTimedRenderer } from '../../bench/timed-renderer.ts'
 import { loadFace } from '../../stage/face.ts'
 import type { RendererKind } from '../../stage/stage.ts'
 

@@ -12,10 +12,10 @@ import { Loading } from './loading.ts'
 import { Loop } from './loop.ts'
 import { Messages } from './messages.ts'
 import { Meter } from './meter.ts'
-import { filesOfInput, filesOfTransfer } from './open/dropped-files.ts'
+import { filesOfTransfer } from './open/dropped-files.ts'
 import { Opening } from './open/opening.ts'
 import type { Page } from './page.ts'
-import type { PanelModel } from './panels/model.ts'
+import { panelModel } from './panel-model.ts'
 import { showPanel } from './panels/show-panel.tsx'
 import { AreaEditor } from './session/area-editor.ts'
 import { FaceAreas } from './session/face-areas.ts'
@@ -48,23 +48,17 @@ export class Studio {
   readonly #opening: Opening
 
   readonly #workspace: Workspace
-  readonly #saving: Saving
   readonly #link: PageLink
-  readonly #isListOpen = signal(false)
-  readonly #areas: AreaEditor
-  readonly #faceAreas: FaceAreas
-  readonly #layers: LayerEditor
-  readonly #tools: ToolHost
   readonly #painting: Painting
   readonly #view = new DocumentView()
   readonly #lines: Lines
-  readonly #downloads: Downloads
   readonly #faces = signal<readonly string[]>([])
 
   constructor(page: Page) {
     this.#page = page
     const messages = new Messages(page.errors, page.notes)
     const loading = new Loading(page)
+    const isListOpen = signal(false)
     this.#messages = messages
     this.#loading = loading
     this.#meter = new Meter(page.frameTime, page.graph)
@@ -102,8 +96,8 @@ export class Studio {
       this.#loop.wake()
     })
     this.#workspace = new Workspace((error) => messages.error(error))
-    this.#saving = new Saving(this.#workspace)
-    this.#downloads = new Downloads(this.#workspace, this.#saving, messages)
+    const saving = new Saving(this.#workspace)
+    const downloads = new Downloads(this.#workspace, saving, messages)
     this.#link = new PageLink({
       host: this.#host,
       workspace: this.#workspace,
@@ -113,28 +107,28 @@ export class Studio {
       set: (write) => this.#face.set(write),
     })
     const { session } = this.#workspace
-    this.#areas = new AreaEditor(session, (task) => void messages.attempt(task))
-    this.#layers = new LayerEditor({
+    const areas = new AreaEditor(session, (task) => void messages.attempt(task))
+    const layers = new LayerEditor({
       session,
       work: () => this.#workspace.drawnWork(),
       avatar: () => this.#viewer?.avatar ?? null,
       attempt,
     })
-    this.#faceAreas = new FaceAreas(this.#face, this.#areas, messages)
+    const faceAreas = new FaceAreas(this.#face, areas, messages)
     this.#opening = new Opening({
       host: this.#host,
       face: this.#face,
       workspace: this.#workspace,
       messages,
       loading,
-      addAreas: (images) => this.#faceAreas.add(images, 'paper'),
+      addAreas: (images) => faceAreas.add(images, 'paper'),
     })
-    this.#tools = new ToolHost(page.viewport, () => this.#viewer?.stage.camera ?? null)
+    const tools = new ToolHost(page.viewport, () => this.#viewer?.stage.camera ?? null)
     this.#painting = new Painting({
       session,
-      areas: this.#areas,
+      areas,
       viewer: this.#face.viewer,
-      host: this.#tools,
+      host: tools,
       stage: page.stage,
       wake,
       attempt,
@@ -143,13 +137,13 @@ export class Studio {
       stage: page.viewport,
       session,
       viewer: this.#face.viewer,
-      tools: this.#tools,
+      tools,
       attempt,
     })
     new TextureToggle(page.textureToggle, {
       element: page.texture,
       session,
-      areas: this.#areas,
+      areas,
       painting: this.#painting,
       viewer: this.#face.viewer,
       attempt,
@@ -162,7 +156,26 @@ export class Studio {
       if (this.#lines.editor.mode.value !== 'off') this.#painting.isOn = false
     })
     effect(() => this.#workspace.prepareEdit(this.#lines.editor.chosen.value))
-    showPanel(page.panel, this.#panelModel())
+    showPanel(
+      page.panel,
+      panelModel({
+        workspace: this.#workspace,
+        saving,
+        face: this.#face,
+        lines: this.#lines,
+        areas,
+        faceAreas,
+        layers,
+        painting: this.#painting,
+        opening: this.#opening,
+        host: this.#host,
+        downloads,
+        link: this.#link,
+        messages,
+        faces: this.#faces,
+        isListOpen,
+      }),
+    )
     keepFocus(document.body)
     effect(() => this.#face.highlight(this.#painting.area.value))
     effect(() => {
@@ -173,7 +186,7 @@ export class Studio {
     effect(() => {
       if (this.#isEdited) this.#face.player.pause()
     })
-    effect(() => this.#arrange(this.#face.viewer.value, this.#areas.hidden.value, this.#isEdited))
+    effect(() => this.#arrange(this.#face.viewer.value, areas.hidden.value, this.#isEdited))
     effect(() => {
       this.#face.revision.value
       this.#label()
@@ -182,15 +195,15 @@ export class Studio {
     addShortcuts({
       undo: () => session.undo(),
       redo: () => session.redo(),
-      save: () => this.#downloads.save(),
+      save: () => downloads.save(),
       list: () => {
-        this.#isListOpen.value = true
+        isListOpen.value = true
       },
     })
     page.screenshot.addEventListener('click', () =>
-      this.#downloads.picture(this.#viewer, this.#face.expression.peek()),
+      downloads.picture(this.#viewer, this.#face.expression.peek()),
     )
-    page.uvLayout.addEventListener('click', () => this.#downloads.uvLayout(this.#viewer))
+    page.uvLayout.addEventListener('click', () => downloads.uvLayout(this.#viewer))
     acceptFiles(page.dropping, (files) => this.#opening.files(() => filesOfTransfer(files)))
   }
 
@@ -208,73 +221,6 @@ export class Studio {
     })
     if (!this.#viewer) this.#loading.done()
     else if (!this.#link.show()) this.#face.play('surprised')
-  }
-
-  #panelModel(): PanelModel {
-    const { session, automatic, exporting, keeping, settings } = this.#workspace
-    const { viewer, frame, revision, expression, hovered, staging, player } = this.#face
-    return {
-      session,
-      lines: this.#lines.editor,
-      areas: this.#areas,
-      layers: this.#layers,
-      painting: this.#painting,
-      auto: settings,
-      autoRun: automatic.run,
-      exporting: exporting.state,
-      projects: keeping.projects,
-      saving: keeping.state,
-      folder: this.#saving.folder,
-      isListOpen: this.#isListOpen,
-      faces: this.#faces,
-      viewer,
-      frame,
-      revision,
-      expression,
-      hovered,
-      staging,
-      player,
-      actions: {
-        attempt: (task) => void this.#messages.attempt(task),
-        openFiles: (files) => this.#opening.files(async () => filesOfInput(files)),
-        openFace: (name) => this.#opening.open(this.#opening.fetch(name)),
-        chooseSkin: (skin) => this.#opening.open(async (shown) => ({ ...shown!, skin })),
-        setRenderer: (kind) => {
-          this.#face.settle()
-          return this.#host.open(kind)
-        },
-        setMode: (mode) =>
-          this.#face.change((shown) => {
-            shown.mode = mode
-          }),
-        setLook: (look) =>
-          this.#face.change((shown) => {
-            shown.look = look
-          }),
-        play: (name) => this.#face.play(name),
-        pose: () => this.#face.pose(),
-        input: (dial, value) => this.#face.input(dial, value),
-        reset: (dials) => this.#face.reset(dials),
-        addAreaImages: (files, convention) => this.#faceAreas.add(files, convention),
-        removeArea: (name) => this.#faceAreas.remove(name),
-        moveLinePoint: (right, down) => void this.#messages.attempt(() => this.#lines.movePoint(right, down)),
-        previewAuto: (next) => void this.#messages.attempt(() => this.#workspace.previewAuto(next)),
-        makeAuto: (next) => void this.#messages.attempt(() => this.#workspace.makeAuto(next)),
-        cancelAuto: () => this.#workspace.cancelAuto(),
-        editWrinkles: () => void this.#messages.attempt(() => this.#workspace.editWrinkles()),
-        openProject: (id) => this.#opening.project(id),
-        keepCopy: () => void this.#messages.attempt(() => keeping.copy()),
-        takeOver: () => this.#opening.takeOver(),
-        deleteProject: (id) => void this.#messages.attempt(() => keeping.delete(id)),
-        exportFace: (options) => void this.#messages.attempt(() => this.#workspace.export(options)),
-        cancelExport: () => exporting.cancel(),
-        saveExport: () => this.#downloads.export(),
-        saveProject: () => void this.#downloads.project(),
-        saveToFolder: (isOther) => void this.#downloads.folder(isOther),
-        copyCode: (text) => void this.#downloads.copyCode(text),
-        copyLink: () => void this.#messages.attempt(() => this.#link.copy()),
-      },
-    }
   }
 
   get #viewer(): Viewer | null {

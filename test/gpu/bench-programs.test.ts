@@ -1,6 +1,6 @@
 import { DirectionalLight, type Material, MeshPhysicalMaterial, Scene } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
-import { giveDistinctProgram } from '../../bench/distinct-program.ts'
+import { giveDistinctProgram } from '../../bench/page/distinct-program.ts'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { createHarness, type Harness, square, squareCamera } from './harness.ts'

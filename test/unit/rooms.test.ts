@@ -46,6 +46,25 @@ function roomOf(path: string): string | undefined {
   return rooms.sort((a, b) => b.length - a.length)[0]
 }
 
+/** Rooms within a room, in the direction of the data: each imports only from those before it, and of the folder itself what is shared. */
+const WITHIN = [
+  {
+    folder: 'author/auto',
+    rooms: ['surface', 'anatomy', 'strain', 'lines', 'fit', 'raster', 'blood', 'furrows'],
+    shared: [],
+  },
+  {
+    folder: 'three/webgl',
+    rooms: ['patch', 'influence', 'mixing', 'modes', 'relief'],
+    shared: ['uniforms.ts'],
+  },
+  {
+    folder: 'three/webgpu',
+    rooms: ['patch', 'influence', 'mixing', 'modes', 'relief', 'compute'],
+    shared: ['node.ts', 'texture-sampling.ts'],
+  },
+]
+
 describe('the rooms of the library', () => {
   it('are all in the table of CONTRIBUTING', () => {
     const folders = readdirSync(SOURCES, { withFileTypes: true }).filter((entry) => entry.isDirectory())
@@ -64,6 +83,22 @@ describe('the rooms of the library', () => {
         .map((name) => `${path} imports ${name}`),
     )
     expect(wrong).toEqual([])
+  })
+
+  it.each(WITHIN)('those of $folder import earlier ones only', ({ folder, rooms, shared }) => {
+    const folders = readdirSync(join(SOURCES, folder), { withFileTypes: true })
+    expect(folders.filter((entry) => entry.isDirectory()).map(({ name }) => name)).toEqual([...rooms].sort())
+    rooms.forEach((room, index) => {
+      const may = [...rooms.slice(0, index + 1).map((name) => `${name}/`), ...shared]
+      const files = sources.filter(({ path }) => path.startsWith(`${folder}/${room}/`))
+      const wrong = files.flatMap(({ path, imports }) =>
+        imports
+          .filter((name) => name.startsWith(`${folder}/`))
+          .filter((name) => !may.some((start) => name.startsWith(`${folder}/${start}`)))
+          .map((name) => `${path} imports ${name}`),
+      )
+      expect(wrong).toEqual([])
+    })
   })
 
   it('have no circle of imports, those of types included', () => {

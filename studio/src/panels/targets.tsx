@@ -17,7 +17,7 @@ export function Targets({ model }: { model: PanelModel }) {
   const matches = ({ name }: Dial) => name.toLowerCase().includes(query)
   const count = (dials ?? []).filter(matches).length
   const area = hovered.value?.kind === 'area' ? hovered.value.name : undefined
-  const linked = area === undefined ? [] : (viewer.value?.driversOf(area) ?? [])
+  const linked = area === undefined ? [] : (viewer.value?.driven.drivers.targetsOf(area) ?? [])
   const aside = (
     <>
       <span class="hint" role="status">

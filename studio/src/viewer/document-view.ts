@@ -107,7 +107,7 @@ function changeAreas(viewer: Viewer, before: StudioDocument, after: StudioDocume
     const known = old.get(area.name)
     if (!known) viewer.addArea(engineArea(area))
     else if (known.weights !== area.weights) updateArea(viewer.wrinkles!, area.name, area.weights)
-    if (known && known.activation !== area.activation) viewer.rest(area.name, area.activation)
+    if (known && known.activation !== area.activation) viewer.driven.rest(area.name, area.activation)
   }
   for (const { name } of before.areas) if (!names.has(name)) viewer.removeArea(name)
 }

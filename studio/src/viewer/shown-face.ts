@@ -177,7 +177,7 @@ export class ShownFace {
     const [viewer, hovered] = [this.viewer.value, this.hovered.value]
     if (!viewer) return
     if (!hovered) viewer.highlight(painted === null ? [] : [painted])
-    else if (hovered.kind === 'target') viewer.highlight(viewer.drivenBy(hovered.name))
+    else if (hovered.kind === 'target') viewer.highlight(viewer.driven.drivenBy(hovered.name))
     // The face performs instead, where it can.
     else if (painted === null && viewer.performanceOf(hovered.name)) viewer.highlight([])
     else viewer.highlight([hovered.name])

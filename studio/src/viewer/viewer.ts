@@ -1,4 +1,4 @@
-import { type Area, type Contribution, driversOf, FurrowError, type WrinkleDriver } from 'furrow'
+import { type Area, driversOf, FurrowError, type WrinkleDriver } from 'furrow'
 import { Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
 import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import type { Mesh } from 'three'
@@ -10,7 +10,7 @@ import type { CanvasStage } from './canvas-stage.ts'
 import { type Look, Looks } from './looks/looks.ts'
 import { Sides } from './looks/sides.ts'
 import { areaDials, type Dial, targetDials } from './pose/dials.ts'
-import { FaceDrivers } from './pose/face-drivers.ts'
+import { DrivenAreas } from './pose/driven-areas.ts'
 import { FaceExpressions } from './pose/face-expressions.ts'
 import { MuscleTargets } from './pose/muscle-targets.ts'
 import { type Performance, performanceOf } from './pose/performance.ts'
@@ -28,17 +28,13 @@ export class Viewer {
   split = 0.5
   /** Areas that are drawn as if they were not active. */
   hidden: readonly string[] = []
-  /** Numbers that an application would set for drivers, by name: age in years, stress. */
-  readonly inputs = new Map<string, number>()
+  readonly driven = new DrivenAreas()
 
   readonly #face: Face
   /** The skin's material as it was before wrinkles were added; cloned for each `Looks`. */
   readonly #plain: Mesh['material']
   #wrinkles: Wrinkles | null = null
   #fault: Error | null = null
-  #drivers!: FaceDrivers
-  /** Activations at rest by area. */
-  readonly #resting = new Map<string, number>()
   readonly #muscles: MuscleTargets
   readonly #expressions: FaceExpressions
   #looks!: Looks
@@ -85,7 +81,7 @@ export class Viewer {
     this.#wrinkles?.dispose()
     this.#wear(wrinkles)
     for (const { name, read, write } of this.areas) write(before.get(name) ?? read())
-    this.#driveAll()
+    this.driven.drive()
     if (this.#fault) throw this.#fault
     this.mode = mode
     this.look = this.#isPossible(look) ? look : { name: 'shaded' }
@@ -93,12 +89,8 @@ export class Viewer {
 
   /** Lets other drivers activate the areas. */
   setDrivers(drivers: readonly WrinkleDriver[]): void {
-    const before = this.#drivers.areaNames
     this.#addMuscles(drivers)
-    this.#drive(drivers)
-    const free = before.filter((area) => !this.#drivers.areaNames.includes(area))
-    for (const area of free) this.#setActivation(area, this.#resting.get(area) ?? 0)
-    this.#driveAll()
+    this.driven.setDrivers(drivers)
     this.#renewExpressions()
   }
 
@@ -113,15 +105,11 @@ export class Viewer {
     } catch (error) {
       this.#fault = error as Error
     }
-    // The viewer runs the drivers, so that the areas' sliders follow at once.
-    if (this.#wrinkles) this.#wrinkles.driven = false
-    this.#resting.clear()
-    for (const { name, activation } of wrinkles?.set.areas ?? []) this.#resting.set(name, activation ?? 0)
-    this.#drive(wrinkles?.drivers ?? [])
+    this.driven.wear(this.#wrinkles, wrinkles?.set.areas ?? [], wrinkles?.drivers ?? [])
     const plain = cloned(this.#plain)
     this.#looks = new Looks(this.#face, this.#wrinkles, plain, (mesh, own) => this.#createMirror(mesh, own))
     this.#renewAreas()
-    this.#driveAll()
+    this.driven.drive()
   }
 
   /** Each muscle is a blendshape more. */
@@ -129,25 +117,8 @@ export class Viewer {
     this.#muscles.update(driversOf('muscle', drivers))
     this.targets = targetDials(this.#face.root).map((dial) => ({
       ...dial,
-      write: (value) => this.#driveAfter(() => dial.write(value)),
+      write: (value) => this.driven.driveAfter(() => dial.write(value)),
     }))
-  }
-
-  #drive(drivers: readonly WrinkleDriver[]): void {
-    this.#drivers = new FaceDrivers(this.#wrinkles, drivers, {
-      inputs: this.inputs,
-      resting: this.#resting,
-    })
-  }
-
-  /** Sets all areas that are driven as the face's pose has them. */
-  #driveAll(): void {
-    const activations = this.#drivers.evaluate()
-    for (const [i, name] of this.#drivers.areaNames.entries()) this.#setActivation(name, activations[i])
-  }
-
-  #setActivation(area: string, activation: number): void {
-    if (this.#wrinkles?.hasArea(area)) this.#wrinkles.setActivation(area, activation)
   }
 
   #isPossible(look: Look): boolean {
@@ -181,41 +152,6 @@ export class Viewer {
     this.#looks.choose(area.length > 0 ? { name: 'marked', area } : look)
   }
 
-  /** Shows another activation at rest. */
-  rest(area: string, activation: number): void {
-    this.#driveAfter(() => this.#resting.set(area, activation))
-    if (!this.#drivers.areaNames.includes(area)) this.#setActivation(area, activation)
-  }
-
-  /** Names of the blendshapes that drive an area, as on their dials. */
-  driversOf(area: string): string[] {
-    return this.#drivers.targetsOf(area)
-  }
-
-  /** Existing areas that a blendshape drives. */
-  drivenBy(target: string): string[] {
-    return this.#drivers.areasOf(target).filter((name) => this.wrinkles?.hasArea(name))
-  }
-
-  /** Lines of text: the present activation of an area by each of its drivers, and the part of each input in it. */
-  explain(area: string): string[] {
-    return this.#drivers.explain(area)
-  }
-
-  /** What each driver gives in the present pose, in the order of `setDrivers`; null for those that activate nothing. */
-  contributions(): (Contribution | null)[] {
-    return this.#drivers.contributions()
-  }
-
-  /** Of a number that an application would set for drivers, in its own unit. */
-  inputDial(name: string): Dial {
-    return {
-      name,
-      read: () => this.#drivers.input(name),
-      write: (value) => this.#driveAfter(() => this.inputs.set(name, value)),
-    }
-  }
-
   /** Shows where areas are on the face, whatever their activations; of an empty list, restores the chosen look. */
   highlight(areas: readonly string[]): void {
     this.#highlighted = areas
@@ -225,7 +161,7 @@ export class Viewer {
   /** The pose that shows an area; null where no blendshape does. */
   performanceOf(area: string): Performance | null {
     const names = this.targets.map(({ name }) => name)
-    return performanceOf(area, this.#drivers.list, this.#expressions.list, names)
+    return performanceOf(area, this.driven.drivers.list, this.#expressions.list, names)
   }
 
   get expressionNames(): string[] {
@@ -249,7 +185,7 @@ export class Viewer {
 
   /** Moves joints and blendshapes by other means than the dials; areas follow all the same. */
   move(change: () => void): void {
-    this.#driveAfter(() => {
+    this.driven.driveAfter(() => {
       change()
       // Joints are read from it.
       this.avatar.root.updateMatrixWorld()
@@ -261,7 +197,7 @@ export class Viewer {
     if (!this.wrinkles) throw withoutLayers(area.name)
     this.wrinkles.addArea(area)
     this.#face.wrinkles?.set.areas.push(area)
-    this.#resting.set(area.name, area.activation ?? 0)
+    this.driven.resting.set(area.name, area.activation ?? 0)
     this.#areasChanged()
   }
 
@@ -296,17 +232,7 @@ export class Viewer {
 
   /** Plays an expression: areas that expressions name are played, the others follow the face. */
   #moveFace(play: () => void): void {
-    this.#driveAfter(play, (area) => !this.#expressions.sets(area))
-  }
-
-  /** Changes what drivers read, and sets the areas whose activation that changes; the others stay as they were set by hand. */
-  #driveAfter(change: () => void, isWanted: (area: string) => boolean = () => true): void {
-    const before = this.#drivers.evaluate().slice()
-    change()
-    const after = this.#drivers.evaluate()
-    for (const [i, name] of this.#drivers.areaNames.entries()) {
-      if (after[i] !== before[i] && isWanted(name)) this.#setActivation(name, after[i])
-    }
+    this.driven.driveAfter(play, (area) => !this.#expressions.sets(area))
   }
 
   #areasChanged(): void {
@@ -322,7 +248,7 @@ export class Viewer {
 
   #renewExpressions(): void {
     const names = (dials: readonly Dial[]) => dials.map(({ name }) => name)
-    this.#expressions.renew(this.#drivers, this.wrinkles, names(this.targets), names(this.areas))
+    this.#expressions.renew(this.driven.drivers, this.wrinkles, names(this.targets), names(this.areas))
   }
 
   #createMirror(mesh: Mesh, wrinkles: Wrinkles): Wrinkles {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
-import { divideAreas } from '../../../bench/areas.ts'
 import { activationOf, listCases } from '../../../bench/case.ts'
+import { divideAreas } from '../../../bench/page/areas.ts'
 
 describe('bench cases', () => {
   it('are 2 to 256 areas, all active and 8 of 256, still and moving, 1 and 4 layers', () => {

@@ -1,145 +1,29 @@
 import { readFileSync, writeFileSync } from 'node:fs'
 import { NodeIO } from '@gltf-transform/core'
-import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { bakeCommand } from '../../../packages/cli/src/commands/bake.ts'
 import { bench } from './command.ts'
+import {
+  COLUMNS,
+  corner,
+  exact,
+  HIGH,
+  LOW,
+  mikkFrame,
+  ownFrame,
+  placeOf,
+  ROWS,
+  readPixels,
+  screenFrame,
+  TILT,
+  unit,
+  worst,
+} from './exact-sphere.ts'
 import { globe, icosphere, quad, writeGlb } from './spheres.ts'
-
-type Vector = [number, number, number]
 
 const at = bench(bakeCommand)
 const { file, run } = at
 const report = () => JSON.parse(at.printed.trim().split('\n').at(-1)!)
-
-const add = (...terms: [number, Vector][]): Vector =>
-  [0, 1, 2].map((k) => terms.reduce((sum, [share, v]) => sum + share * v[k]!, 0)) as Vector
-const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-]
-const unit = (v: Vector) => add([1 / Math.hypot(...v), v])
-const degrees = (a: Vector, b: Vector) => (Math.atan2(Math.hypot(...cross(a, b)), dot(a, b)) * 180) / Math.PI
-
-/** Radii in metres: the sculpt lies 3 mm outside the corners of the mesh. */
-const [LOW, HIGH] = [0.1, 0.103]
-const [COLUMNS, ROWS, TILT] = [24, 12, 0.2]
-
-type Globe = ReturnType<typeof globe>
-type Place = { triangle: Vector; weights: Vector }
-type Frame = (shape: Globe, place: Place) => [Vector, Vector, Vector]
-
-const corner = (values: number[], i: number, size = 3) => values.slice(size * i, size * i + 3) as Vector
-const mix = (values: number[], { triangle, weights }: Place, of = (v: Vector, _: number) => v): Vector =>
-  add(
-    ...([0, 1, 2] as const).map(
-      (k) => [weights[k], of(corner(values, triangle[k]), triangle[k])] as [number, Vector],
-    ),
-  )
-
-/** The frame of tangents made by `tangent` from position and normal of a vertex, as glTF has it. */
-const vertexFrame =
-  (sign: number, tangent: (p: Vector, n: Vector) => Vector): Frame =>
-  (shape, place) => {
-    const tangentAt = (n: Vector, i: number) => add([sign, unit(tangent(corner(shape.positions, i), n))])
-    const t = unit(mix(shape.normals, place, tangentAt))
-    const b = unit(mix(shape.normals, place, (n, i) => add([sign, unit(cross(n, tangentAt(n, i)))])))
-    return [t, b, unit(mix(shape.normals, place))]
-  }
-
-/** The tangents written into own.glb: level, at a right angle to the normal. */
-const ownFrame = (sign: number) => vertexFrame(sign, (_, n) => [n[2], 0, -n[0]])
-
-/** MikkTSpace: the way of u on the surface, here due east, laid into the plane of the normal. */
-const mikkFrame = (sign: number) =>
-  vertexFrame(sign, (p, n) => {
-    const east: Vector = unit([p[2], 0, -p[0]])
-    return add([1, east], [-dot(east, n), n])
-  })
-
-/** What three.js's shader does without tangents, on a screen whose pixels are 0.3 and 0.2 mm steps on the triangle. */
-const screenFrame: Frame = (shape, place) => {
-  const [p0, p1, p2] = place.triangle.map((i) => corner(shape.positions, i)) as [Vector, Vector, Vector]
-  const [s0, s1, s2] = place.triangle.map((i) => shape.uvs.slice(2 * i, 2 * i + 2)) as [
-    number[],
-    number[],
-    number[],
-  ]
-  const [e, f] = [add([1, p1], [-1, p0]), add([1, p2], [-1, p0])]
-  const n = unit(mix(shape.normals, place))
-  // Two steps on the triangle, the second to the left of the first as seen from outside.
-  const steps = [
-    [0.003, 0.001],
-    [-0.0005, 0.002],
-  ] as const
-  const [q0, q1] = steps.map(([a, b]) => add([a, e], [b, f])) as [Vector, Vector]
-  const [st0, st1] = steps.map(([a, b]) => [0, 1].map((k) => a * (s1[k]! - s0[k]!) + b * (s2[k]! - s0[k]!)))
-  const [q1perp, q0perp] = [cross(q1, n), cross(n, q0)]
-  const t = add([st0![0]!, q1perp], [st1![0]!, q0perp])
-  const b = add([st0![1]!, q1perp], [st1![1]!, q0perp])
-  const scale = 1 / Math.sqrt(Math.max(dot(t, t), dot(b, b)))
-  // GLTFLoader turns normalScale.y for such meshes.
-  return [add([scale, t]), add([-scale, b]), n]
-}
-
-/** The triangle of the globe that lies at (u, v) of the texture. */
-function placeOf({ indices, uvs }: Globe, u: number, v: number): Place | undefined {
-  for (let i = 0; i < indices.length; i += 3) {
-    const triangle = indices.slice(i, i + 3) as Vector
-    const [x, y] = [0, 1].map((k) => triangle.map((c) => uvs[2 * c + k]!)) as [Vector, Vector]
-    const det = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0])
-    const b = ((u - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (v - y[0])) / det
-    const c = ((x[1] - x[0]) * (v - y[0]) - (u - x[0]) * (y[1] - y[0])) / det
-    if (b >= 0 && c >= 0 && b + c <= 1) return { triangle, weights: [1 - b - c, b, c] }
-  }
-  return undefined
-}
-
-/** Where the ray of a place meets the sphere: how far above the mesh, and the exact normal there. */
-function exact(shape: Globe, place: Place): { height: number; normal: Vector } {
-  const p = mix(shape.positions, place)
-  const n = unit(mix(shape.normals, place))
-  const half = dot(p, n)
-  const height = -half + Math.sqrt(half * half - dot(p, p) + HIGH * HIGH)
-  return { height, normal: add([1 / HIGH, add([1, p], [height, n])]) }
-}
-
-async function readPixels(path: string) {
-  const image = sharp(path)
-  const { depth, channels } = await image.metadata()
-  const wide = depth === 'ushort'
-  image.toColourspace(channels === 1 ? (wide ? 'grey16' : 'b-w') : wide ? 'rgb16' : 'srgb')
-  const { data, info } = await image
-    .raw({ depth: wide ? 'ushort' : 'uchar' })
-    .toBuffer({ resolveWithObject: true })
-  const values = wide ? new Uint16Array(data.buffer, data.byteOffset, data.length / 2) : new Uint8Array(data)
-  return { ...info, values, full: wide ? 65535 : 255 }
-}
-
-/** Share of the texture left out all round: at the rim MikkTSpace sees triangles on one side only. */
-const RIM = 0.05 + 0.9 / ROWS
-
-/** Largest angle in degrees between a map, decoded in a frame, and the sphere; over every third texel each way. */
-async function worst(path: string, shape: Globe, frame: Frame) {
-  const { values, width, full } = await readPixels(path)
-  let angle = 0
-  let tilted = 0
-  for (let y = 0; y < width; y += 3) {
-    for (let x = 0; x < width; x += 3) {
-      const [u, v] = [(x + 0.5) / width, (y + 0.5) / width]
-      const place = placeOf(shape, u, v)
-      if (!place || Math.min(u, v, 1 - u, 1 - v) < RIM) continue
-      const i = 3 * (y * width + x)
-      const [r, g, b] = [0, 1, 2].map((k) => (2 * values[i + k]!) / full - 1) as Vector
-      const [t, s, n] = frame(shape, place)
-      angle = Math.max(angle, degrees(add([r, t], [g, s], [b, n]), exact(shape, place).normal))
-      tilted = Math.max(tilted, degrees([r, g, b], [0, 0, 1]))
-    }
-  }
-  return { angle, tilted }
-}
 
 const plain = globe(LOW, COLUMNS, ROWS)
 const tilted = globe(LOW, COLUMNS, ROWS, { tilt: TILT })

@@ -1,4 +1,4 @@
-import { FurrowError, parseDrivers, registerDriver } from 'furrow'
+import { parseDrivers, registerDriver } from 'furrow'
 import {
   activationTrack,
   addDrivers,
@@ -12,40 +12,14 @@ import {
   Wrinkles,
 } from 'furrow/three'
 import { RecomputedNormals as RecomputedOnGpu } from 'furrow/webgpu'
-import { AnimationClip, AnimationMixer, Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
 import { describe, expect, it } from 'vitest'
-import { randomSet } from '../../cases.ts'
-import { seeded } from '../../random.ts'
-import { frameOf } from './stub-renderer.ts'
-
-const set = () => randomSet(seeded(1), 2, 8)
-
-/** A face with one blendshape. */
-function face() {
-  const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
-  mesh.name = 'head'
-  mesh.morphTargetDictionary = { jawOpen: 0 }
-  mesh.morphTargetInfluences = [0]
-  return { mesh, wrinkles: new Wrinkles(mesh, set()) }
-}
+import { expectRefused, face, plain, set } from './refused.ts'
 
 /** What plain JavaScript may pass. */
 const any = (value: unknown) => value as never
 
 /** Calls, and what their errors begin with. */
 type Calls = [call: string, start: RegExp, run: () => unknown][]
-
-function expectRefused(run: () => unknown, start: RegExp) {
-  let error: unknown
-  try {
-    run()
-  } catch (caught) {
-    error = caught
-  }
-  expect(error).toBeInstanceOf(FurrowError)
-  expect((error as Error).message).toMatch(start)
-  expect((error as Error).message).not.toMatch(/undefined is not|Cannot read|reading '/)
-}
 
 describe('wrong arguments', () => {
   const { mesh, wrinkles } = face()
@@ -357,83 +331,3 @@ describe('wrong arguments', () => {
     expect([wrinkles.getActivation('area0'), wrinkles.getActivation('area1')]).toEqual([0, 1])
   })
 })
-
-describe('after dispose', () => {
-  const { mesh, wrinkles } = face()
-  wrinkles.dispose()
-  const gone = /the wrinkles were disposed of; create new ones for the mesh$/
-  const calls: [string, () => unknown][] = [
-    ['setActivation', () => wrinkles.setActivation('area0', 1)],
-    ['setActivations', () => wrinkles.setActivations(['area0'], Float32Array.of(1))],
-    ['setRestingActivation', () => wrinkles.setRestingActivation('area0', 1)],
-    [
-      'mode',
-      () => {
-        wrinkles.mode = 'composed'
-      },
-    ],
-    ['addArea', () => wrinkles.addArea({ ...set().areas[0], name: 'b' })],
-    ['removeArea', () => wrinkles.removeArea('area0')],
-    ['inputs.set', () => wrinkles.inputs.set('age', 40)],
-    ['addMesh', () => wrinkles.addMesh(mesh)],
-    ['update', () => wrinkles.update()],
-    ['createInfluenceMaterial', () => wrinkles.createInfluenceMaterial()],
-    ['cloneMaterial', () => wrinkles.cloneMaterial()],
-    ['addDrivers', () => addDrivers(wrinkles, [])],
-    ['updateArea', () => updateArea(wrinkles, 'area0', set().areas[0].weights)],
-    ['updateLayer', () => updateLayer(wrinkles, 'skin', { normal: set().layers[0].normal })],
-    ['wrinkles of another mesh made from them', () => new Wrinkles(plain(), wrinkles)],
-  ]
-
-  it.each(calls)('%s is refused', (_, run) => {
-    expectRefused(run, gone)
-    expect((mesh.material as MeshStandardMaterial).normalMap).toBeNull()
-  })
-
-  it('dispose again does nothing, also to other faces', () => {
-    const other = face()
-    const draw = frameOf(other.mesh)
-    draw()
-    wrinkles.dispose()
-    addDrivers(
-      other.wrinkles,
-      parseDrivers(
-        [
-          {
-            type: 'input',
-            area: 'area0',
-            name: 'snow',
-            curve: [
-              [0, 0],
-              [1, 1],
-            ],
-          },
-        ],
-        ['area0'],
-      ),
-    )
-    other.wrinkles.inputs.set('snow', 1)
-    draw()
-    draw()
-    expect(other.wrinkles.getActivation('area0')).toBe(1)
-  })
-
-  it('expressions and animations still move the face', () => {
-    const { mesh, wrinkles } = face()
-    const shout = { name: 'shout', targets: { jawOpen: 1 }, activations: { area0: 1 } }
-    const player = new ExpressionPlayer(mesh, wrinkles, [shout])
-    const mixer = new AnimationMixer(mesh)
-    mixer.clipAction(new AnimationClip('a', 1, [activationTrack(mesh, 'area0', [0, 1], [0, 1])])).play()
-    mixer.update(0.1)
-    wrinkles.dispose()
-    player.play('shout', 1)
-    player.update(0.5)
-    mixer.update(0.5)
-    expect(mesh.morphTargetInfluences).toEqual([0.5])
-    frameOf(mesh)()
-  })
-})
-
-function plain(): Mesh {
-  return new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
-}

@@ -1,7 +1,7 @@
 import { FloatType, HalfFloatType, type WebGLRenderer } from 'three'
 import { expect, test } from 'vitest'
 import { InfluenceAtlas } from '../../../packages/furrow/src/three/atlas/influence-atlas.ts'
-import { quadMaterials } from '../../../packages/furrow/src/three/webgl/influence-quads.ts'
+import { quadMaterials } from '../../../packages/furrow/src/three/webgl/influence/influence-quads.ts'
 
 const ALL = ['OES_texture_float_linear', 'EXT_float_blend', 'float32-filterable', 'float32-blendable']
 

@@ -16,9 +16,9 @@ import {
   requireInternal,
   TESTED_THREE,
 } from '../../../packages/furrow/src/three/three-version.ts'
-import { instancedVertex } from '../../../packages/furrow/src/three/webgl/default-shader.ts'
-import { quadMaterials } from '../../../packages/furrow/src/three/webgl/influence-quads.ts'
-import { checkBatch } from '../../../packages/furrow/src/three/webgpu/influence.ts'
+import { quadMaterials } from '../../../packages/furrow/src/three/webgl/influence/influence-quads.ts'
+import { instancedVertex } from '../../../packages/furrow/src/three/webgl/mixing/default-shader.ts'
+import { checkBatch } from '../../../packages/furrow/src/three/webgpu/influence/influence.ts'
 import { Wrinkles } from '../../../packages/furrow/src/three/webgpu/Wrinkles.ts'
 
 let revision: string | null = null

@@ -1,6 +1,6 @@
 import { BufferAttribute, type BufferGeometry, DynamicDrawUsage, type Mesh } from 'three'
 import { DeformedNormals } from '../math/deformed-normals.ts'
-import { checkNormals } from './check-mesh.ts'
+import { checkNormals } from './mesh/check-mesh.ts'
 import { coordinates, copyNumbers, targetOffsets, trianglesOf } from './sources/geometry-arrays.ts'
 
 /** The vertices that a blendshape moves. */

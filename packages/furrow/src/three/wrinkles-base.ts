@@ -8,12 +8,9 @@ import { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
 import { exposeAreas } from './animated-areas.ts'
 import { createAreaArray } from './atlas/area-array.ts'
 import type { InfluenceAtlas } from './atlas/influence-atlas.ts'
-import { callBeforeRender } from './before-render.ts'
-import { checkIsMesh, checkMesh } from './check-mesh.ts'
 import type { Appearance } from './fading/appearance.ts'
 import { FADE } from './fading/fade.ts'
 import { frameOf, type RendererFrame } from './frame.ts'
-import { countFaces, instancesOf } from './instances.ts'
 import { checkMaterial, PatchedMaterial } from './material/patched-material.ts'
 import type { RendererParts } from './material/renderer-parts.ts'
 import {
@@ -24,7 +21,10 @@ import {
   type ShaderInputs,
 } from './material/shader-inputs.ts'
 import { createTextures } from './material/wrinkle-textures.ts'
-import { type MeshPlace, placeOf } from './mesh-place.ts'
+import { callBeforeRender } from './mesh/before-render.ts'
+import { checkIsMesh, checkMesh } from './mesh/check-mesh.ts'
+import { countFaces, instancesOf } from './mesh/instances.ts'
+import { type MeshPlace, placeOf } from './mesh/mesh-place.ts'
 import {
   checkMode,
   checkOptions,
@@ -35,7 +35,7 @@ import {
   type WrinklesOptions,
 } from './options.ts'
 import { canRise } from './relief/raised-layer.ts'
-import type { ReliefControl } from './relief-control.ts'
+import type { ReliefControl } from './relief/relief-control.ts'
 import { type AnyRenderer, checkRenderer, isRefused } from './renderer.ts'
 
 const wrinklesByMesh = new WeakMap<Mesh, WrinklesBase>()
@@ -354,7 +354,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
 
   async #fetchRelief(): Promise<ReliefControl | null> {
     if (!this.#inputs.textures.layers.some(canRise)) return null
-    const { ReliefControl } = await import('./relief-control.ts')
+    const { ReliefControl } = await import('./relief/relief-control.ts')
     if (this.isDisposed) return null
     this.#relief ??= new ReliefControl(
       {

@@ -25,7 +25,7 @@ export function Areas({ model }: { model: PanelModel }) {
     removed.current = -1
   }, [dials.length])
   const target = hovered.value?.kind === 'target' ? hovered.value.name : undefined
-  const driven = target === undefined ? [] : (viewer.value?.drivenBy(target) ?? [])
+  const driven = target === undefined ? [] : (viewer.value?.driven.drivenBy(target) ?? [])
   const onHover = (dial: Dial | null) => {
     hovered.value = dial && { kind: 'area', name: dial.name }
   }

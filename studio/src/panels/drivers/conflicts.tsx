@@ -10,7 +10,8 @@ export function Conflicts({ context }: { context: DriverContext }) {
   const { model, editor, area, targets } = context
   const drivers = model.session.document.value?.drivers ?? []
   const own = conflictsOf(drivers, area)
-  const first = model.viewer.value?.driversOf(area).find((name) => targets.includes(name)) ?? targets[0]
+  const first =
+    model.viewer.value?.driven.drivers.targetsOf(area).find((name) => targets.includes(name)) ?? targets[0]
   if (targets.length < 2) return null
   return (
     <details class="conflicts">

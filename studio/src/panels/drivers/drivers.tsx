@@ -22,7 +22,7 @@ export function Drivers({ model, area }: { model: PanelModel; area: string }) {
   const editor = useMemo(() => new DriverEditor(session, actions.attempt), [session, actions])
   const now = useComputed(() => {
     frame.value
-    return viewer.value?.contributions() ?? []
+    return viewer.value?.driven.drivers.contributions() ?? []
   })
   const slow = useSlowed(now)
   const added = useSignal<number | null>(null)

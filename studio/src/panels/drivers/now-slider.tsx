@@ -14,7 +14,7 @@ interface NowSliderProps {
 export function NowSlider({ name, label, axis: { range }, context: { model } }: NowSliderProps) {
   const { viewer, frame, actions } = model
   frame.value
-  const dial = viewer.value?.inputDial(name)
+  const dial = viewer.value?.driven.inputDial(name)
   if (!dial) return null
   const step = (range[1] - range[0]) / 100 >= 0.5 ? 1 : (range[1] - range[0]) / 100
   return (

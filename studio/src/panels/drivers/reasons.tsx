@@ -6,7 +6,7 @@ export function Reasons({ area, model: { viewer, frame } }: { area: string; mode
   useSlowed(frame).value
   return (
     <p class="explanation">
-      {viewer.value?.explain(area).map((line) => (
+      {viewer.value?.driven.drivers.explain(area).map((line) => (
         <>
           {line}
           <br />

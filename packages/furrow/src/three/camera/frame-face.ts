@@ -1,6 +1,6 @@
 import { Box3, type Object3D, type PerspectiveCamera, Quaternion, Vector3 } from 'three'
 import { FurrowError } from '../../core/error.ts'
-import { rootOf } from '../root-of.ts'
+import { rootOf } from '../mesh/root-of.ts'
 import { wrinklesOf } from '../wrinkles-of.ts'
 import { type DrawnMesh, drawnMeshes } from './drawn-mesh.ts'
 import { type HeadRegion, headOfBlendshapes, headOfJoints } from './head-region.ts'

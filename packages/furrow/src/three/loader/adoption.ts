@@ -1,6 +1,6 @@
 import type { Camera, Material, Mesh, SkinnedMesh } from 'three'
-import { instancesOf } from '../instances.ts'
 import { surfaceOf, withSurface } from '../material/surface.ts'
+import { instancesOf } from '../mesh/instances.ts'
 import { isReliefMesh } from '../relief/is-relief-mesh.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'

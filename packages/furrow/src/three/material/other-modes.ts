@@ -1,6 +1,6 @@
 import type { Material } from 'three'
 import type { Area } from '../../core/types.ts'
-import type { Instances } from '../instances.ts'
+import type { Instances } from '../mesh/instances.ts'
 import type { ActivationTable } from './activation-table.ts'
 import type { ComposedMap, ComposeMaterial, composedFormat } from './composed-map.ts'
 import type { Patch } from './patch.ts'

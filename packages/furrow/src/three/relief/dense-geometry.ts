@@ -18,8 +18,8 @@ import { neededHalvings } from '../../relief/needed-halvings.ts'
 import { outwardRoom } from '../../relief/outward-room.ts'
 import { SPLIT_DEFAULTS, splitMesh } from '../../relief/split-mesh.ts'
 import { firstVertices, MAX_LEVEL } from '../../relief/welded-edges.ts'
+import { wrinkleUvs } from '../mesh/wrinkle-uvs.ts'
 import { coordinates, trianglesOf } from '../sources/geometry-arrays.ts'
-import { wrinkleUvs } from '../wrinkle-uvs.ts'
 import { COARSE_WIDTH } from './coarse-pass.ts'
 
 /** How the layers move the surface; where heights are not in memory, only where they do; null for anywhere. */

@@ -1,7 +1,7 @@
 import type { InstancedMesh, Mesh } from 'three'
 import { FurrowError } from '../../core/error.ts'
 import { MOST_TRIANGLES } from '../../relief/most-triangles.ts'
-import { instancesOf } from '../instances.ts'
+import { instancesOf } from '../mesh/instances.ts'
 
 /** Why a mesh with which nothing is wrong has no relief; null if it can have it. */
 export function limitationOf(mesh: Mesh): FurrowError | null {

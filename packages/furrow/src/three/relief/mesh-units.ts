@@ -1,5 +1,5 @@
 import { Matrix4, type Mesh, type SkinnedMesh } from 'three'
-import type { MeshPlace } from '../mesh-place.ts'
+import type { MeshPlace } from '../mesh/mesh-place.ts'
 
 /** Metres per unit of a mesh's positions, by the nodes of the file that it is in. */
 export interface MeshUnits {

@@ -1,6 +1,6 @@
 import type { Material, Mesh } from 'three'
-import type { Instances } from '../instances.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
+import type { Instances } from '../mesh/instances.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import type { CoarseParts } from './coarse-pass.ts'
 import type { ReliefInputs } from './relief-inputs.ts'

@@ -2,7 +2,7 @@ import { type Bone, Matrix4, type Mesh, type Object3D, PropertyBinding, type Ski
 import type { InputOf } from '../../drivers/activation.ts'
 import { JointMeasurement, MATRIX } from '../../drivers/bone/measure.ts'
 import { measuredSource } from '../../drivers/sources.ts'
-import { rootOf } from '../root-of.ts'
+import { rootOf } from '../mesh/root-of.ts'
 import type { BindInputs } from './binding.ts'
 
 /** Measures joints relative to the bind pose, or to their pose when the inputs are bound; see `restPoses`. */

@@ -3,7 +3,7 @@ import { wrongArgument } from '../../core/argument.ts'
 import type { MuscleDriver } from '../../drivers/muscle/definition.ts'
 import { muscleOffsets } from '../../drivers/muscle/offsets.ts'
 import { morphNormalDeltas } from '../../math/deformed-normals.ts'
-import { checkIsMesh } from '../check-mesh.ts'
+import { checkIsMesh } from '../mesh/check-mesh.ts'
 import { coordinates, targetOffsets, trianglesOf } from './geometry-arrays.ts'
 
 /**

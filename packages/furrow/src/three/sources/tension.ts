@@ -7,7 +7,7 @@ import {
   type TensionSurface,
   sampledTension as tensionOf,
 } from '../../runtime/sampled-tension.ts'
-import { wrinkleUvs } from '../wrinkle-uvs.ts'
+import { wrinkleUvs } from '../mesh/wrinkle-uvs.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import type { BindInputs } from './binding.ts'
 import { trianglesOf } from './geometry-arrays.ts'

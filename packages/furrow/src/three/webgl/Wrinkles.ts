@@ -6,8 +6,8 @@ import { FADE } from '../fading/fade.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { type AddDrivers, addDrivers } from '../sources/add-drivers.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
-import { CHANNELS } from './channels.ts'
-import { OTHER_MODES } from './other-modes.ts'
+import { CHANNELS } from './mixing/channels.ts'
+import { OTHER_MODES } from './modes/other-modes.ts'
 import { PARTS, WebGLWrinkles } from './webgl-wrinkles.ts'
 
 // A page that makes wrinkles of its own has all modes and maps at once, and what fades.

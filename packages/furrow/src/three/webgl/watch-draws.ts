@@ -1,6 +1,6 @@
 import type { Mesh } from 'three'
-import { callBeforeRender } from '../before-render.ts'
 import type { WatchDraws } from '../loader/adoption.ts'
+import { callBeforeRender } from '../mesh/before-render.ts'
 
 /** Watches a material as `WebGLRenderer` draws. */
 export const watchDraws: WatchDraws = (material, onDraw) =>

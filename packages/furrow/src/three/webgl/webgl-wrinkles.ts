@@ -1,18 +1,18 @@
 import { type Mesh, MeshBasicMaterial } from 'three'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
-import { instancesOf } from '../instances.ts'
 import { Fetched } from '../material/fetched.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import { isToon } from '../material/wrinkle-material.ts'
 import type { ValueKind, WrinkleTextures } from '../material/wrinkle-textures.ts'
+import { instancesOf } from '../mesh/instances.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
-import { defaultFragment, instancedVertex, isPatchable, type ShaderVariant } from './default-shader.ts'
-import { quadMaterials } from './influence-quads.ts'
-import { patchShader } from './patch-shader.ts'
-import { faultOf } from './program-fault.ts'
+import { quadMaterials } from './influence/influence-quads.ts'
+import { defaultFragment, instancedVertex, isPatchable, type ShaderVariant } from './mixing/default-shader.ts'
+import type { ShaderChannels } from './mixing/value-layers.ts'
+import { patchShader } from './patch/patch-shader.ts'
+import { faultOf } from './patch/program-fault.ts'
 import { layerUniforms, mapUniforms } from './uniforms.ts'
-import type { ShaderChannels } from './value-layers.ts'
 
 /** The wrinkles of a loaded file, whose drivers the loader adds; `Wrinkles` is the same for all else. */
 export class WebGLWrinkles extends WrinklesBase {
@@ -60,11 +60,11 @@ export const PARTS: RendererParts & { channels: Fetched<ShaderChannels> } = {
   patch,
   renew,
   faultOf,
-  others: new Fetched(async () => (await import('./other-modes.ts')).OTHER_MODES),
-  channels: new Fetched(async () => (await import('./channels.ts')).CHANNELS),
+  others: new Fetched(async () => (await import('./modes/other-modes.ts')).OTHER_MODES),
+  channels: new Fetched(async () => (await import('./mixing/channels.ts')).CHANNELS),
   unlitMaterial: () => new MeshBasicMaterial({ color: 0, toneMapped: false }),
   quads: quadMaterials,
-  loadRelief: async () => (await import('./relief.ts')).RELIEF_PARTS,
+  loadRelief: async () => (await import('./relief/relief.ts')).RELIEF_PARTS,
 }
 
 function valueLayers(values: WrinkleTextures['values']): ShaderVariant['values'] {

@@ -1,10 +1,10 @@
 import type { Mesh } from 'three'
 import type { WebGPURenderer } from 'three/webgpu'
 import { wrongArgument } from '../../core/argument.ts'
-import { checkNormals } from '../check-mesh.ts'
+import { checkNormals } from '../mesh/check-mesh.ts'
 import { RecomputedNormals as NormalsOnProcessor } from '../RecomputedNormals.ts'
-import { canCompute } from './buffers.ts'
-import { ComputedNormals } from './computed-normals.ts'
+import { canCompute } from './compute/buffers.ts'
+import { ComputedNormals } from './compute/computed-normals.ts'
 
 /**
  * Recomputes a mesh's normals and tangents as its blendshapes deform it, as `RecomputedNormals` of furrow/three does, in compute

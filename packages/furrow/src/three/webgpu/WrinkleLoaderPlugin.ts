@@ -5,7 +5,8 @@ import type { FetchTension } from '../sources/binding.ts'
 import { watchDraws } from './watch-draws.ts'
 import { PARTS, WebGPUWrinkles } from './webgpu-wrinkles.ts'
 
-const fetchTension: FetchTension = async () => (await import('./computed-tension.ts')).bindComputedTension
+const fetchTension: FetchTension = async () =>
+  (await import('./compute/computed-tension.ts')).bindComputedTension
 
 /** For `GLTFLoader` and `WebGPURenderer`: `loader.register((parser) => new WrinkleLoaderPlugin(parser))`. */
 export class WrinkleLoaderPlugin extends WrinkleLoader {

@@ -7,8 +7,8 @@ import { FADE } from '../fading/fade.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import { addDrivers } from './add-drivers.ts'
-import { CHANNELS } from './channels.ts'
-import { OTHER_MODES } from './other-modes.ts'
+import { CHANNELS } from './mixing/channels.ts'
+import { OTHER_MODES } from './modes/other-modes.ts'
 import { checkThreeFor, PARTS, WebGPUWrinkles } from './webgpu-wrinkles.ts'
 
 // A page that makes wrinkles of its own has all modes and maps at once, and what fades.

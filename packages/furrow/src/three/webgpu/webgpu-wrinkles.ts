@@ -2,21 +2,21 @@ import { type Mesh, REVISION } from 'three'
 import { bitangentView, mat3, normalMap, tangentView, varying, vec3 } from 'three/tsl'
 import { MeshBasicNodeMaterial, type Node } from 'three/webgpu'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
-import { instancesOf } from '../instances.ts'
 import { Fetched } from '../material/fetched.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
+import { instancesOf } from '../mesh/instances.ts'
+import { isTiled } from '../mesh/wrinkle-uvs.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { checkThree } from '../three-version.ts'
-import { isTiled } from '../wrinkle-uvs.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
-import { faultOf } from './build-fault.ts'
-import type { NodeChannels } from './channels.ts'
-import { checkBatch, influenceFromMap } from './influence.ts'
-import { quadMaterials } from './influence-quads.ts'
-import { type LayerInfluence, mixNormals } from './mix.ts'
+import { checkBatch, influenceFromMap } from './influence/influence.ts'
+import { quadMaterials } from './influence/influence-quads.ts'
+import type { NodeChannels } from './mixing/channels.ts'
+import { type LayerInfluence, mixNormals } from './mixing/mix-normals.ts'
 import { materialProperty, normalScale, typed } from './node.ts'
-import { type Added, type Patched, patchNodes } from './patch-nodes.ts'
+import { faultOf } from './patch/build-fault.ts'
+import { type Added, type Patched, patchNodes } from './patch/patch-nodes.ts'
 import { byGradients, bySampler, mapUv, repeat } from './texture-sampling.ts'
 
 /** The wrinkles of a loaded file, whose drivers the loader adds; `Wrinkles` is the same for all else. */
@@ -55,11 +55,11 @@ export const PARTS: RendererParts & { channels: Fetched<NodeChannels> } = {
     material.needsUpdate = true
   },
   faultOf,
-  others: new Fetched(async () => (await import('./other-modes.ts')).OTHER_MODES),
-  channels: new Fetched(async () => (await import('./channels.ts')).CHANNELS),
+  others: new Fetched(async () => (await import('./modes/other-modes.ts')).OTHER_MODES),
+  channels: new Fetched(async () => (await import('./mixing/channels.ts')).CHANNELS),
   unlitMaterial: () => new MeshBasicNodeMaterial({ color: 0, toneMapped: false }),
   quads: quadMaterials,
-  loadRelief: async () => (await import('./relief.ts')).RELIEF_PARTS,
+  loadRelief: async () => (await import('./relief/relief.ts')).RELIEF_PARTS,
 }
 
 /** The default mode: the layers' maps mixed into the material's, lit once. */

@@ -12,7 +12,7 @@ import { hasMoved } from '../../../runtime/atlas-cells.ts'
 import { nextTask } from '../../../runtime/next-task.ts'
 import { reachNothing } from '../../../runtime/reach.ts'
 import type { QuadMaterials } from '../../atlas/quad-materials.ts'
-import { callAfterRender } from '../../before-render.ts'
+import { callAfterRender } from '../../mesh/before-render.ts'
 import type { AnyRenderer } from '../../renderer.ts'
 import {
   type ComposedFormat,

@@ -1,0 +1,178 @@
+import type { WrinkleSet } from 'furrow'
+import type { Mesh, MeshPhysicalMaterial, PerspectiveCamera, Scene } from 'three'
+import type { Face } from '../../stage/face.ts'
+import type { RendererKind } from '../../stage/stage.ts'
+import { activationOf, type Case, type Plan } from '../case.ts'
+import type { Measured } from '../report.ts'
+import { roundOrder } from '../statistics.ts'
+import { giveDistinctProgram } from './distinct-program.ts'
+import { createSet, createSkin } from './scene.ts'
+import type { TimedRenderer } from './timed-renderer.ts'
+import { type AppliedVariant, VARIANTS } from './variant.ts'
+
+/** Smallest fraction of pixels that wrinkles must change: a variant that shows none would be fast. */
+const MIN_CHANGED = 0.005
+/** Largest difference of channels between variants that must draw the same, of 255. */
+const MAX_DIFFERENCE = 2
+/** Frames after which a variant must be drawn as it stays. */
+const MAX_WARM_UP = 2000
+/** Milliseconds to time at once, since clocks may be as coarse as 0.1 ms. */
+const MIN_MS = 20
+/** Frames to time at once: each has up to a dozen passes, and a clock has room for 2048. */
+const MAX_FRAMES = 64
+
+export interface Bench {
+  renderer: RendererKind
+  timedRenderer: TimedRenderer
+  face: Face
+  scene: Scene
+  camera: PerspectiveCamera
+}
+
+interface Candidate {
+  name: string
+  mesh: Mesh
+  applied: AppliedVariant
+}
+
+/**
+ * Times every variant that can show a case, in rounds of one turn each. Every round compiles all of them anew: a rasteriser's compiler makes
+ * code of the same shader that is slower by a tenth or two now and then.
+ *
+ * @throws Error if a variant shows no wrinkles.
+ */
+export async function measure(bench: Bench, benchCase: Case, plan: Plan): Promise<Measured[]> {
+  const set = createSet(bench.face, benchCase.areas, benchCase.layers)
+  const measured: Measured[] = []
+  for (let round = 0; round < plan.rounds; round++) {
+    const candidates = createCandidates(bench, benchCase, set, plan)
+    try {
+      await Promise.all(candidates.map(({ applied }) => applied.ready))
+      for (const candidate of candidates) await warmUp(bench, benchCase, candidate)
+      if (round === 0) {
+        const changed = await changedFractions(bench, benchCase, candidates)
+        measured.push(
+          ...candidates.map(({ name }, i) => ({ variant: name, rounds: [], changed: changed[i] })),
+        )
+      }
+      const order = roundOrder(candidates.length, round)
+      // Whoever comes first also waits for what is left of setting up all of them.
+      await time(bench, benchCase, candidates[order[0]], round)
+      for (const i of order) {
+        measured[i].rounds.push(await time(bench, benchCase, candidates[i], round))
+      }
+    } finally {
+      for (const { mesh, applied } of candidates) {
+        applied.dispose()
+        bench.scene.remove(mesh)
+        ;(mesh.material as MeshPhysicalMaterial).dispose()
+      }
+    }
+  }
+  return measured
+}
+
+function createCandidates(
+  { face, scene, renderer }: Bench,
+  benchCase: Case,
+  set: WrinkleSet,
+  { variants = [...VARIANTS.keys()] }: Plan,
+): Candidate[] {
+  return [...VARIANTS]
+    .filter(([name, variant]) => variants.includes(name) && variant.canShow(benchCase, renderer))
+    .map(([name, variant]) => {
+      const mesh = createSkin(face)
+      mesh.visible = false
+      scene.add(mesh)
+      giveDistinctProgram(mesh.material as MeshPhysicalMaterial, renderer)
+      return { name, mesh, applied: variant.apply(mesh, set, renderer) }
+    })
+}
+
+/**
+ * Draws a variant, which compiles it, until it is drawn as it stays.
+ *
+ * @throws Error if that takes too many frames.
+ */
+async function warmUp(bench: Bench, benchCase: Case, candidate: Candidate): Promise<void> {
+  const { isSettled = () => true } = candidate.applied
+  for (let frame = 0; frame < MAX_WARM_UP; frame++) {
+    drawFrame(bench, benchCase, candidate, 0, bench.timedRenderer.drawPixel)
+    // Some compile between frames.
+    await new Promise((resolve) => setTimeout(resolve, 5))
+    if (isSettled()) return
+  }
+  throw new Error(
+    `bench: variant "${candidate.name}" is not drawn as it stays after ${MAX_WARM_UP} frames; use a larger --size if it is below 80x60; ${JSON.stringify(benchCase)}`,
+  )
+}
+
+/** Fraction of pixels in which each variant differs from the plain face. */
+async function changedFractions(bench: Bench, benchCase: Case, candidates: Candidate[]): Promise<number[]> {
+  const pictures = new Map<string, Uint8Array>()
+  for (const candidate of candidates) {
+    drawFrame(bench, benchCase, candidate, 0)
+    pictures.set(candidate.name, await bench.timedRenderer.read())
+  }
+  const plain = pictures.get('plain')
+  if (!plain) throw new Error('bench: the variant "plain" is missing; all others are compared with it')
+  checkSame(pictures, benchCase)
+  return candidates.map(({ name }) => {
+    const changed = changedFraction(pictures.get(name)!, plain)
+    const isPlain = name === 'plain' || VARIANTS.get(name)!.sameAs === 'plain'
+    if (isPlain || changed >= MIN_CHANGED) return changed
+    const text = `changes ${(changed * 100).toFixed(2)}% of the pixels, allowed: ${MIN_CHANGED * 100}% or more`
+    throw new Error(`bench: variant "${name}" shows no wrinkles, ${text}; ${JSON.stringify(benchCase)}`)
+  })
+}
+
+/** @throws Error if a variant does not draw what another one draws that it must equal. */
+function checkSame(pictures: ReadonlyMap<string, Uint8Array>, benchCase: Case): void {
+  for (const [name, picture] of pictures) {
+    const { sameAs } = VARIANTS.get(name)!
+    const other = sameAs && pictures.get(sameAs)
+    const difference = other ? largestDifference(picture, other) : 0
+    if (difference <= MAX_DIFFERENCE) continue
+    const text = `differ by ${difference} of 255, allowed: ${MAX_DIFFERENCE}`
+    throw new Error(`bench: variants "${name}" and "${sameAs}" ${text}; ${JSON.stringify(benchCase)}`)
+  }
+}
+
+function largestDifference(a: Uint8Array, b: Uint8Array): number {
+  return a.reduce((largest, value, i) => Math.max(largest, Math.abs(value - b[i])), 0)
+}
+
+function changedFraction(a: Uint8Array, b: Uint8Array): number {
+  let changed = 0
+  for (let i = 0; i < a.length; i += 4) {
+    if (a[i] !== b[i] || a[i + 1] !== b[i + 1] || a[i + 2] !== b[i + 2]) changed++
+  }
+  return changed / (a.length / 4)
+}
+
+/** Milliseconds per frame, the mean of enough frames to be timed well, after one frame that only sets their number. */
+async function time(bench: Bench, benchCase: Case, candidate: Candidate, start: number): Promise<number> {
+  let index = start
+  const frames = (count: number) => () => {
+    for (let i = 0; i < count; i++) drawFrame(bench, benchCase, candidate, index++)
+  }
+  const first = await bench.timedRenderer.time(frames(1))
+  const count = Math.min(Math.max(Math.ceil(MIN_MS / first), 1), MAX_FRAMES)
+  return (await bench.timedRenderer.time(frames(count))) / count
+}
+
+/** Draws one frame with one variant only. */
+function drawFrame(
+  { scene, camera, timedRenderer }: Bench,
+  benchCase: Case,
+  { mesh, applied }: Candidate,
+  index: number,
+  draw = timedRenderer.draw,
+): void {
+  mesh.visible = true
+  for (let area = 0; area < benchCase.areas; area++) {
+    applied.setActivation(`area${area}`, activationOf(area, index, benchCase))
+  }
+  draw(scene, camera)
+  mesh.visible = false
+}

@@ -1,0 +1,109 @@
+/** Common code of other techniques: each computes the normal in its own way, in GLSL for WebGL and in TSL for WebGPU. */
+import { type GrayImage, packColours, type WrinkleSet } from 'furrow'
+import {
+  type DataArrayTexture,
+  DataTexture,
+  LinearFilter,
+  type Mesh,
+  type MeshPhysicalMaterial,
+  ShaderChunk,
+  type Texture,
+} from 'three'
+import { normalMap, texture, uniform } from 'three/tsl'
+import type { Node } from 'three/webgpu'
+import { mapTexture } from '../../packages/furrow/src/three/material/textures.ts'
+import { patchShader } from '../../packages/furrow/src/three/webgl/patch/patch-shader.ts'
+import type { RendererKind } from '../../stage/stage.ts'
+import type { AppliedVariant } from './variant.ts'
+
+export interface Peer {
+  /** By their names in the shaders. */
+  textures: Record<string, Texture>
+  /** Activations in the order of the areas. */
+  weights: number[]
+  /** Declares `vec3 peerNormal(vec3 base, vec2 uv)`, normals in -1..1; reads the weights in the array `peerWeights`. */
+  glsl: string
+  /** The same as a node, with a node for each weight. */
+  tsl(
+    base: Node<'vec3'>,
+    textures: Readonly<Record<string, Texture>>,
+    weights: readonly Node<'float'>[],
+  ): Node<'vec3'>
+}
+
+/** Patches the mesh's material with the technique. */
+export function applyPeer(mesh: Mesh, set: WrinkleSet, renderer: RendererKind, peer: Peer): AppliedVariant {
+  const material = mesh.material as MeshPhysicalMaterial
+  if (renderer === 'webgl') patchGlsl(material, peer)
+  else patchTsl(material, peer)
+  const indices = new Map(set.areas.map(({ name }, i) => [name, i]))
+  return {
+    setActivation(area, value) {
+      peer.weights[indices.get(area)!] = value
+    },
+    dispose() {
+      for (const map of Object.values(peer.textures)) map.dispose()
+    },
+  }
+}
+
+function patchGlsl(material: MeshPhysicalMaterial, { textures, weights, glsl }: Peer): void {
+  const samplers = Object.entries(textures).map(
+    ([name, { isDataArrayTexture }]: [string, MaybeArrayTexture]) =>
+      isDataArrayTexture ? `uniform highp sampler2DArray ${name};` : `uniform sampler2D ${name};`,
+  )
+  const declarations = `${samplers.join('\n')}\nuniform float peerWeights[${weights.length}];\n${glsl}\n`
+  const maps = ShaderChunk.normal_fragment_maps.replace(
+    'mapN.xy *= normalScale;',
+    'mapN = peerNormal(mapN, vNormalMapUv);\nmapN.xy *= normalScale;',
+  )
+  patchShader(material, {
+    key: declarations,
+    uniforms: {
+      ...Object.fromEntries(Object.entries(textures).map(([name, value]) => [name, { value }])),
+      peerWeights: { value: weights },
+    },
+    edit(shader) {
+      shader.fragmentShader = shader.fragmentShader
+        .replace('void main() {', `${declarations}void main() {`)
+        .replace('#include <normal_fragment_maps>', maps)
+    },
+    refuse() {},
+  })
+}
+
+type MaybeArrayTexture = Texture & { isDataArrayTexture?: true }
+
+function patchTsl(material: MeshPhysicalMaterial, { textures, weights, tsl }: Peer): void {
+  const weightNodes = weights.map(
+    (_, i) => uniform(0).onObjectUpdate(() => weights[i]) as unknown as Node<'float'>,
+  )
+  const base = texture(material.normalMap!).xyz.mul(2).sub(1) as Node<'vec3'>
+  const normal = tsl(base, textures, weightNodes)
+  const scale = uniform(material.normalScale) as unknown as Node<'vec2'>
+  // Not a node material: the renderer copies `normalNode` to the node material that it makes of this one. It would share one program
+  // among all such materials of equal properties, nodes not compared: of two techniques, the second would be drawn by the first's.
+  Object.assign(material, { normalNode: normalMap(normal.mul(0.5).add(0.5) as Node<'vec3'>, scale) })
+  const name = `${material.customProgramCacheKey()} ${Object.keys(textures).join(' ')}`
+  material.customProgramCacheKey = () => name
+}
+
+/** A mask of up to four gray images, one per channel; unused channels are 0. */
+export function maskTexture(images: readonly (GrayImage | undefined)[]): DataTexture {
+  const { width, height } = images.find((image) => image)!
+  const data = new Uint8Array(4 * width * height)
+  for (const [channel, image] of images.entries()) {
+    image?.data.forEach((weight, i) => {
+      data[4 * i + channel] = weight
+    })
+  }
+  const mask = new DataTexture(data, width, height)
+  mask.magFilter = mask.minFilter = LinearFilter
+  mask.needsUpdate = true
+  return mask
+}
+
+/** The layers' normal maps in one array texture, which takes one sampler. */
+export function normalArray({ layers }: WrinkleSet): DataArrayTexture {
+  return mapTexture(packColours(layers.map(({ normal }) => normal)), 1)
+}

@@ -1,0 +1,71 @@
+import type { GrayImage, WrinkleSet } from 'furrow'
+import {
+  DirectionalLight,
+  Mesh,
+  type MeshPhysicalMaterial,
+  PerspectiveCamera,
+  Scene,
+  type Vector3Tuple,
+} from 'three'
+import type { Face } from '../../stage/face.ts'
+import { frameView } from '../../stage/views.ts'
+import { divideAreas } from './areas.ts'
+
+const LIGHTS: readonly Vector3Tuple[] = [
+  [-1, 1.35, 0.95],
+  [1.3, 0.1, 0.8],
+  [1.2, 1, -1.6],
+]
+
+/** Zoom over the stage's front view: the frame is full from the forehead to the mouth. */
+const ZOOM = 3.1
+/** The face's first areas, as many as the masks of the other techniques hold. */
+const ORIGINAL_AREAS = 8
+/** Metres from the middle of head and neck up to the middle of the face. */
+const CAMERA_RISE = 0.025
+
+/** A scene with lights, and a camera whose frame the face fills. */
+export function createScene(face: Face, aspect: number): { scene: Scene; camera: PerspectiveCamera } {
+  const scene = new Scene()
+  for (const from of LIGHTS) {
+    const light = new DirectionalLight(0xffffff, 1.2)
+    light.position.fromArray(from)
+    scene.add(light)
+  }
+  const camera = new PerspectiveCamera()
+  camera.aspect = aspect
+  frameView(face.skin, camera, 'front')
+  camera.zoom = ZOOM
+  camera.position.y += CAMERA_RISE
+  camera.updateProjectionMatrix()
+  return { scene, camera }
+}
+
+/** A copy of the face's skin with a material of its own; geometry and textures are shared. */
+export function createSkin({ skin }: Face): Mesh {
+  const material = skin.material as MeshPhysicalMaterial
+  if (!material.isMeshPhysicalMaterial)
+    throw new Error('bench: the material of the skin is not physical; use faces/human.glb')
+  const mesh = new Mesh(skin.geometry, material.clone())
+  skin.matrixWorld.decompose(mesh.position, mesh.quaternion, mesh.scale)
+  return mesh
+}
+
+/**
+ * A set with the layers and areas of a case: copies of the file's first layer, and its areas, divided.
+ *
+ * @throws Error if the file has no wrinkles, or has them as a KTX 2 array.
+ */
+export function createSet({ wrinkles }: Face, areas: number, layers: number): WrinkleSet {
+  if (!wrinkles) throw new Error('bench: the face has no wrinkles; use faces/human.glb')
+  const [{ kind, normal }] = wrinkles.set.layers
+  if ('slice' in normal) throw new Error('bench: the wrinkles are a KTX 2 array; use faces/human.glb')
+  const copies = Array.from({ length: layers }, (_, i) => ({
+    name: `layer${i}`,
+    kind,
+    normal: { ...normal, data: normal.data.slice() },
+  }))
+  const originals = wrinkles.set.areas.slice(0, ORIGINAL_AREAS).map(({ weights }) => weights as GrayImage)
+  const names = copies.map(({ name }) => name)
+  return { layers: copies, areas: divideAreas(originals, areas, names) }
+}

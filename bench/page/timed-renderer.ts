@@ -1,0 +1,109 @@
+import type { Wrinkles } from 'furrow/three'
+import {
+  type Camera,
+  LinearSRGBColorSpace,
+  RenderTarget,
+  type Scene,
+  WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three'
+import { WebGPURenderer } from 'three/webgpu'
+import type { RendererKind } from '../../stage/stage.ts'
+import { type Clock, passClock, queryClock } from './timestamps.ts'
+
+/** Draws frames and measures how long the adapter takes. */
+export interface TimedRenderer {
+  adapter: string
+  /** Whether times are the adapter's timestamps, or last until a fence after the frames. */
+  timing: 'timestamps' | 'fence'
+  draw(scene: Scene, camera: Camera): void
+  /** Draws a frame of which one pixel is shaded: it does all else that a frame does, compiling included. */
+  drawPixel(scene: Scene, camera: Camera): void
+  /** Draws the influence maps of some wrinkles, and nothing else. */
+  update(wrinkles: Pick<Wrinkles, 'update'>): void
+  /** Milliseconds. */
+  time: Clock
+  /** Pixels of the last frame, RGBA bytes. */
+  read(): Promise<Uint8Array>
+}
+
+/** @throws Error if WebGPU is missing, so that the fallback to WebGL 2 is not measured under its name. */
+export function createTimedRenderer(
+  kind: RendererKind,
+  width: number,
+  height: number,
+): Promise<TimedRenderer> {
+  return kind === 'webgl' ? createWebGL(width, height) : createWebGPU(width, height)
+}
+
+async function createWebGL(width: number, height: number): Promise<TimedRenderer> {
+  const renderer = new WebGLRenderer()
+  const target = new WebGLRenderTarget(width, height)
+  const gl = renderer.getContext() as WebGL2RenderingContext
+  const debugInfo = gl.getExtension('WEBGL_debug_renderer_info')
+  const pixel = new Uint8Array(4)
+  // Reading one pixel waits for the frame.
+  const fence = async () => renderer.readRenderTargetPixels(target, 0, 0, 1, 1, pixel)
+  const clock = queryClock(gl)
+  return {
+    adapter: String(gl.getParameter(debugInfo ? debugInfo.UNMASKED_RENDERER_WEBGL : gl.RENDERER)),
+    timing: clock ? 'timestamps' : 'fence',
+    ...drawing(renderer, target, () => renderer.setRenderTarget(target)),
+    update: (wrinkles) => wrinkles.update(renderer),
+    time: clock ?? fenceClock(fence),
+    async read() {
+      const pixels = new Uint8Array(width * height * 4)
+      renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels)
+      return pixels
+    },
+  }
+}
+
+async function createWebGPU(width: number, height: number): Promise<TimedRenderer> {
+  const renderer = new WebGPURenderer()
+  await renderer.init()
+  const { device, isWebGPUBackend } = renderer.backend as { device?: GPUDevice; isWebGPUBackend?: boolean }
+  if (!device || !isWebGPUBackend)
+    throw new Error('bench: WebGPU is missing here; measure with --renderer webgl')
+  const target = new RenderTarget(width, height)
+  // In the canvas's place, as a page has it, but without a pass of its own that converts colours.
+  renderer.setSize(width, height, false)
+  renderer.outputColorSpace = LinearSRGBColorSpace
+  renderer.setOutputRenderTarget(target)
+  const { vendor, architecture, description } = device.adapterInfo
+  const clock = passClock(device)
+  return {
+    adapter: `${vendor} ${architecture} ${description}`.trim(),
+    timing: clock ? 'timestamps' : 'fence',
+    ...drawing(renderer, target, () => renderer.setRenderTarget(null)),
+    update: (wrinkles) => wrinkles.update(renderer),
+    time: clock ?? fenceClock(() => device.queue.onSubmittedWorkDone()),
+    read: async () => (await renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height)) as Uint8Array,
+  }
+}
+
+function drawing(
+  renderer: WebGLRenderer | WebGPURenderer,
+  target: RenderTarget,
+  bind: () => void,
+): Pick<TimedRenderer, 'draw' | 'drawPixel'> {
+  target.scissor.set(0, 0, 1, 1)
+  const draw = (scene: Scene, camera: Camera, scissorTest: boolean) => {
+    target.scissorTest = scissorTest
+    bind()
+    renderer.render(scene, camera)
+  }
+  return {
+    draw: (scene, camera) => draw(scene, camera, false),
+    drawPixel: (scene, camera) => draw(scene, camera, true),
+  }
+}
+
+function fenceClock(fence: () => Promise<unknown>): Clock {
+  return async (frames) => {
+    const start = performance.now()
+    frames()
+    await fence()
+    return performance.now() - start
+  }
+}

@@ -1,0 +1,77 @@
+import type { RgbaImage } from 'furrow'
+import { updateLayer } from 'furrow/three'
+import type { Material } from 'three'
+import type { Plan } from '../case.ts'
+import { median } from '../statistics.ts'
+import { applyFurrow } from './furrow.ts'
+import type { Bench } from './measure.ts'
+import { createSet, createSkin } from './scene.ts'
+
+/** Width and height of the layer's normal map in texels. */
+export const MAP_SIZE = 1024
+/** Width and height of the rectangle of it that changes. */
+export const REGION_SIZE = 64
+const AREAS = 8
+/** The face is drawn so much smaller that changes take most of the time. */
+const SHRINKING = 50
+
+/** Milliseconds from the call to the drawn frame, beyond those of a frame without changes. */
+export interface UpdateTimes {
+  region: number
+  whole: number
+}
+
+/** Times frames in which a layer's normal map changes: a rectangle of it, and all. */
+export async function measureUpdates(
+  { face, scene, camera, timedRenderer, renderer }: Bench,
+  plan: Plan,
+): Promise<UpdateTimes> {
+  const skin = createSkin(face)
+  scene.add(skin)
+  const distant = camera.clone()
+  distant.zoom /= SHRINKING
+  distant.updateProjectionMatrix()
+  const set = createSet(face, AREAS, 1)
+  const [layer] = set.layers
+  const normal = enlarged(layer.normal)
+  layer.normal = normal
+  const wrinkles = applyFurrow(skin, set, renderer, {})
+  for (const area of wrinkles.areaNames) wrinkles.setActivation(area, 0.5)
+  const middle = (MAP_SIZE - REGION_SIZE) / 2
+  const region = { x0: middle, y0: middle, x1: middle + REGION_SIZE, y1: middle + REGION_SIZE }
+  const changes = {
+    none: () => {},
+    region: () => updateLayer(wrinkles, layer.name, { normal }, region),
+    whole: () => updateLayer(wrinkles, layer.name, { normal }),
+  }
+  const time = async (change: () => void) => {
+    const start = performance.now()
+    change()
+    timedRenderer.draw(scene, distant)
+    // Waits for the frame.
+    await timedRenderer.read()
+    return performance.now() - start
+  }
+  const times = { none: [] as number[], region: [] as number[], whole: [] as number[] }
+  for (const change of Object.values(changes)) await time(change)
+  for (let round = 0; round < plan.rounds; round++) {
+    for (const [name, change] of Object.entries(changes)) {
+      times[name as keyof typeof times].push(await time(change))
+    }
+  }
+  wrinkles.dispose()
+  scene.remove(skin)
+  ;(skin.material as Material).dispose()
+  const still = median(times.none)
+  return { region: median(times.region) - still, whole: median(times.whole) - still }
+}
+
+/** An image at `MAP_SIZE`, each texel repeated. */
+function enlarged({ width, height, data }: RgbaImage): RgbaImage {
+  const texels = new Uint32Array(data.buffer, data.byteOffset, width * height)
+  const larger = Uint32Array.from({ length: MAP_SIZE * MAP_SIZE }, (_, i) => {
+    const [x, y] = [i % MAP_SIZE, Math.floor(i / MAP_SIZE)]
+    return texels[Math.floor((y * height) / MAP_SIZE) * width + Math.floor((x * width) / MAP_SIZE)]
+  })
+  return { width: MAP_SIZE, height: MAP_SIZE, data: new Uint8Array(larger.buffer) }
+}

@@ -1,0 +1,30 @@
+import type { Camera, Material, Mesh, Scene } from 'three'
+import type { AnyRenderer } from '../renderer.ts'
+
+type Call = (renderer: AnyRenderer, camera: Camera, scene: Scene, drawn: object) => void
+
+/**
+ * Calls a function before a mesh is drawn, or whatever has a material, behind what the mesh or material had for that. Returns what undoes it.
+ */
+export function callBeforeRender(owner: Mesh | Material, prepare: Call): () => void {
+  return callAround('onBeforeRender', owner as Mesh, prepare)
+}
+
+/** The same after a mesh is drawn. */
+export function callAfterRender(mesh: Mesh, restore: Call): () => void {
+  return callAround('onAfterRender', mesh, restore)
+}
+
+/** Materials are called as meshes are, but with the object that is drawn instead of the material. */
+function callAround(event: 'onBeforeRender' | 'onAfterRender', owner: Mesh, call: Call): () => void {
+  const own = owner[event]
+  // All parameters by name: a rest parameter would allocate in every frame.
+  const both: Mesh['onBeforeRender'] = (renderer, scene, camera, geometry, drawn, group) => {
+    own.call(owner, renderer, scene, camera, geometry, drawn, group)
+    call(renderer as AnyRenderer, camera, scene as Scene, drawn)
+  }
+  owner[event] = both
+  return () => {
+    if (owner[event] === both) owner[event] = own
+  }
+}

@@ -1,0 +1,56 @@
+import type { Mesh } from 'three'
+import { wrongArgument } from '../../core/argument.ts'
+import { FurrowError } from '../../core/error.ts'
+import { instancesOf } from './instances.ts'
+
+/**
+ * Checks that a mesh has positions, normals and UVs.
+ *
+ * @throws FurrowError when one is missing, or it is not a mesh.
+ */
+export function checkMesh(mesh: Mesh): void {
+  checkIsMesh(mesh, 'Wrinkles')
+  for (const [attribute, remedy] of [
+    ['position', 'give the mesh its vertices first'],
+    ['uv', 'unwrap the mesh: areas and layers are in its UV layout'],
+    ['normal', 'call geometry.computeVertexNormals() first'],
+  ] as const) {
+    if (mesh.geometry.hasAttribute(attribute)) continue
+    throw new FurrowError({
+      who: 'Wrinkles',
+      what: `mesh without ${attribute}`,
+      value: mesh.name,
+      limit: 'a mesh with positions, normals and UVs',
+      remedy,
+    })
+  }
+}
+
+/** @throws FurrowError when a value is not a mesh of three.js. */
+export function checkIsMesh(mesh: Mesh, who: string): void {
+  if (!mesh?.isMesh || !mesh.geometry) throw wrongArgument(who, 'a mesh', mesh, 'a Mesh of three.js')
+}
+
+/** @throws FurrowError when a value is not a mesh, or has no positions or normals. */
+export function checkNormals(mesh: Mesh, who: string): void {
+  checkIsMesh(mesh, who)
+  const { attributes } = mesh.geometry
+  if (attributes.position && attributes.normal) return
+  throw wrongArgument(who, 'a mesh without positions or normals', mesh.name, 'one with both')
+}
+
+/**
+ * Checks that a mesh is not instanced, for modes in which all instances would show the same wrinkles.
+ *
+ * @throws FurrowError when it is.
+ */
+export function checkNotInstanced(mesh: Mesh, mode: string): void {
+  if (!instancesOf(mesh)) return
+  throw new FurrowError({
+    who: 'Wrinkles.mode',
+    what: 'instances cannot wrinkle independently in this mode',
+    value: mode,
+    limit: 'default or off for an InstancedMesh or BatchedMesh',
+    remedy: 'use the default mode',
+  })
+}

@@ -1,0 +1,68 @@
+import {
+  AddEquation,
+  CustomBlending,
+  MaxEquation,
+  NoBlending,
+  OneFactor,
+  REVISION,
+  ShaderMaterial,
+  type WebGLRenderer,
+} from 'three'
+import type { QuadMaterials } from '../../atlas/quad-materials.ts'
+import { requireInternal } from '../../three-version.ts'
+import { QUAD_SETTINGS } from './quad-settings.ts'
+
+/** The area's weight at the texel, times its activation in the channel of its layer. */
+const FRAGMENT = /* glsl */ `
+uniform highp sampler2DArray areas;
+in vec2 texel;
+flat in ivec2 source;
+flat in vec4 activation;
+out vec4 influence;
+
+void main() {
+  influence = texelFetch(areas, ivec3(ivec2(texel), source.x), 0)[source.y] * activation;
+}
+`
+
+const CLEAR = /* glsl */ `
+out vec4 influence;
+
+void main() {
+  influence = vec4(0.0);
+}
+`
+
+/** The materials that draw influence maps on `WebGLRenderer`. */
+export const quadMaterials: QuadMaterials = {
+  create(rule, areas) {
+    return new ShaderMaterial({
+      ...QUAD_SETTINGS,
+      name: `furrow ${rule}`,
+      fragmentShader: areas ? FRAGMENT : CLEAR,
+      uniforms: areas ? { areas: { value: areas.texture } } : {},
+      blending: rule === 'clear' ? NoBlending : CustomBlending,
+      blendEquation: rule === 'max' ? MaxEquation : AddEquation,
+      blendSrc: OneFactor,
+      blendDst: OneFactor,
+      transparent: true,
+    })
+  },
+  hasContents(renderer, target) {
+    // A context that was lost and restored has none of its textures, nor anything known of them.
+    const properties = requireInternal(
+      (renderer as WebGLRenderer).properties,
+      WHO,
+      'renderer.properties',
+      REVISION,
+    )
+    const known = properties.get(target.texture) as { __webglTexture?: unknown }
+    if (known.__webglTexture !== undefined) return true
+    for (const _ in known)
+      requireInternal(known.__webglTexture, WHO, '__webglTexture of a drawn render target', REVISION)
+    return false
+  },
+}
+
+/** Who an error names. */
+const WHO = 'Wrinkles'

@@ -1,0 +1,130 @@
+/** The layers' other maps, and lines of materials that light in steps, in GLSL. */
+import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from '../../../core/blood.ts'
+import { TOON_LINE } from '../../../core/toon-line.ts'
+import type { ValueKind } from '../../material/wrinkle-textures.ts'
+import type { ValueLayers } from './value-layers.ts'
+
+/** Declares `vec3 furrowToonColour(vec3 colour, vec3 own, vec3 mixed)`, see `toonColour` in the reference. */
+export const TOON_COLOUR = /* glsl */ `
+vec3 furrowToonColour(vec3 colour, vec3 own, vec3 mixed) {
+  float slope = length(mixed.xy / mixed.z - own.xy / own.z);
+  return colour * mix(vec3(1.0), colour * ${TOON_LINE.shade}, smoothstep(${TOON_LINE.slopes.join(', ')}, slope));
+}
+`
+
+/** Declares `float furrowMicroShadow(float cosine)`, see `microShadow` in the reference. */
+export const MICRO_SHADOW = /* glsl */ `
+float furrowVisibility = 1.0;
+float furrowMicroShadow(float cosine) {
+  float cone = 1.0 - furrowVisibility;
+  return cosine * cosine < cone ? cosine * cosine / cone : 1.0;
+}
+`
+
+/** Declares `vec3 furrowBloodColour(vec3 colour)`, see `bloodColour` in the reference; after `furrowMix_blood`. */
+export const BLOOD_COLOUR = /* glsl */ `
+vec3 furrowBloodColour(vec3 colour) {
+  float blood = furrowMix_blood(0.0);
+  return blood == 0.0 ? colour : colour * exp(-blood * vec3(${BLOOD_ABSORPTION.join(', ')}));
+}
+`
+
+/** See `bloodOf` in the reference. */
+const BLOOD_OF = /* glsl */ `
+float furrowBloodOf(float stored) {
+  float steps = stored * 255.0 - ${BLOOD_AT_REST}.0;
+  return abs(steps) < ${BLOOD_THRESHOLD} ? 0.0 : max(steps / ${255 - BLOOD_AT_REST}.0, -1.0);
+}
+`
+
+/** How a kind's values are read in GLSL. */
+interface ValueReading {
+  type: string
+  /** Components of a texel. */
+  swizzle: (channel: number) => string
+  /** What scales them, by layer. */
+  uniform?: string
+  /** The value of what is stored, and the scale of its layer. */
+  decode?: (stored: string, scale: string) => string
+  /** Declared before. */
+  functions?: string
+}
+
+const component = (channel: number) => `[${channel}]`
+
+const VALUES: Record<ValueKind, ValueReading> = {
+  baseColor: { type: 'vec3', swizzle: () => '.rgb' },
+  roughness: { type: 'float', swizzle: component },
+  occlusion: {
+    type: 'float',
+    swizzle: component,
+    uniform: 'furrowOcclusionStrength',
+    decode: (stored, strength) => `mix(1.0, ${stored}, ${strength})`,
+  },
+  blood: {
+    type: 'float',
+    swizzle: component,
+    uniform: 'furrowBloodAmplitude',
+    decode: (stored, amplitude) => `furrowBloodOf(${stored}) * ${amplitude}`,
+    functions: BLOOD_OF,
+  },
+}
+
+/**
+ * Declares the samplers of the layers' other maps, and `void furrowReadValues()`, which reads each slice once, whatever number of kinds its
+ * channels hold, and however often they are mixed in.
+ */
+export function valueReading(values: Readonly<Partial<Record<ValueKind, ValueLayers>>>): string {
+  const all = Object.values(values)
+  const samplers = [...new Set(all.map(({ sampler }) => sampler))]
+  const reads = samplers.flatMap((sampler) => {
+    const sharing = all.filter((other) => other.sampler === sampler).map(({ slices }) => slices)
+    const slices = new Set(sharing.flat().filter((slice) => slice !== null))
+    return [...slices].map((slice) => ({ sampler, slice, layers: layersOf(sharing, slice) }))
+  })
+  const declared = samplers.map((sampler) => `uniform highp sampler2DArray furrow_${sampler};`)
+  const texels = reads.map(({ sampler, slice }) => `vec4 ${texelOf(sampler, slice)} = vec4(0.0);`)
+  const statements = reads.map(({ sampler, slice, layers }) => {
+    const isShown = layers.map((layer) => `furrowInfluence[${layer}]`).join(' + ')
+    return `if (${isShown} > 0.0) ${texelOf(sampler, slice)} = furrowSampleSlice(furrow_${sampler}, ${slice}.0);`
+  })
+  return /* glsl */ `
+${[...declared, ...texels].join('\n')}
+void furrowReadValues() {
+  ${statements.join('\n  ')}
+}
+`
+}
+
+/** Where the texel of a slice is kept. */
+function texelOf(sampler: ValueKind, slice: number): string {
+  return `furrowTexel_${sampler}_${slice}`
+}
+
+/** The layers that have a slice, of any kind. */
+function layersOf(kinds: readonly (readonly (number | null)[])[], slice: number): number[] {
+  return kinds[0].flatMap((_, layer) => (kinds.some((slices) => slices[layer] === slice) ? [layer] : []))
+}
+
+/** Declares `TYPE furrowMix_KIND(TYPE base)`: `mixValues` of the reference; after `furrowReadValues`. */
+export function valueMixing(kind: ValueKind, { slices, channel, sampler }: ValueLayers): string {
+  const { type, swizzle, uniform, decode, functions = '' } = VALUES[kind]
+  const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
+  const total = layers.map(({ layer }) => `furrowInfluence[${layer}]`).join(' + ')
+  const mixed = layers.map(({ slice, layer }) => {
+    const stored = `${texelOf(sampler, slice)}${swizzle(channel)}`
+    const value = decode ? decode(stored, `${uniform}[${layer}]`) : stored
+    return /* glsl */ `
+    value += (${value} - base) * (furrowInfluence[${layer}] / total);`
+  })
+  return /* glsl */ `
+${functions}${uniform ? `uniform vec4 ${uniform};` : ''}
+${type} furrowMix_${kind}(${type} base) {
+  ${type} value = base;
+  if (furrowHasInfluence) {
+    float total = max(1.0, ${total});${mixed.join('')}
+  }
+  return value;
+}
+`
+}

@@ -1,0 +1,31 @@
+import type { Channels } from '../../material/channels.ts'
+import type { ValueKind } from '../../material/wrinkle-textures.ts'
+
+/** One kind of the layers' other maps, as a program depends on it. */
+export interface ValueLayers {
+  /** Slice of each layer's map; null for a layer without. */
+  slices: readonly (number | null)[]
+  channel: number
+  /** The kind whose array holds these maps: its sampler is declared, and read for both. */
+  sampler: ValueKind
+}
+
+/** The same for all kinds. */
+export type Values = Readonly<Partial<Record<ValueKind, ValueLayers>>>
+
+/** What edits a shader for the layers' other maps, and for materials that light in steps. */
+export interface ShaderChannels extends Channels {
+  /** @param normal the variable of the mixed normal. */
+  add(values: Values, isToon: boolean, normal: string): AddedChannels
+}
+
+/** Its parts. */
+export interface AddedChannels {
+  declarations: string
+  /** First in `main`, behind the influence. */
+  begin: string
+  /** Behind the mixed normal, beside `furrowOwn`. */
+  tint: string
+  /** Mixes into the material's own maps where it reads them; without a map its own value is 1. */
+  mixOthers(fragment: string): string
+}

@@ -1,0 +1,52 @@
+import { ShaderMaterial } from 'three'
+import type { ComposeMaterial } from '../../material/composed-map.ts'
+import { influenceFromMap, sliceSampling } from '../influence/influence.ts'
+import { QUAD_SETTINGS } from '../influence/quad-settings.ts'
+import { type NormalLayers, normalMixing } from '../mixing/mix-normals.ts'
+import { layerUniforms, mapUniforms } from '../uniforms.ts'
+
+/** Draws the composed normal map on `WebGLRenderer`. */
+export const composeMaterial: ComposeMaterial = (base, inputs, level) => {
+  const { kinds, normals } = inputs.textures
+  return new ShaderMaterial({
+    ...QUAD_SETTINGS,
+    name: 'furrow composed',
+    fragmentShader: composedFragment({ kinds, normals: normals.slices }, level !== undefined),
+    uniforms: {
+      ...mapUniforms(inputs),
+      ...layerUniforms(inputs),
+      furrowBase: { value: base },
+      furrowLevel: level ?? { value: 0 },
+    },
+  })
+}
+
+/** Writes the normals that `defaultFragment` would give a material, as its map would store them. */
+function composedFragment(layers: NormalLayers, isTexelwise: boolean): string {
+  const base = isTexelwise
+    ? 'texelFetch(furrowBase, ivec2(gl_FragCoord.xy), furrowLevel)'
+    : 'texture(furrowBase, targetUv)'
+  return /* glsl */ `${influenceFromMap(layers.kinds.length, false)}
+${isTexelwise ? TEXELS : sliceSampling(false)}${normalMixing(layers)}
+uniform sampler2D furrowBase;
+in vec2 targetUv;
+out vec4 composed;
+
+void main() {
+  furrowSampleInfluence(targetUv);
+  vec3 base = ${base}.xyz * 2.0 - 1.0;
+  vec3 mixed = furrowMixNormals(base);
+  ${layers.kinds.includes('detail') ? 'if (furrowHasInfluence) mixed = normalize(mixed);' : ''}
+  composed = vec4(mixed * 0.5 + 0.5, 1.0);
+}
+`
+}
+
+/** A pixel of the target is a texel of that level. */
+const TEXELS = /* glsl */ `
+uniform int furrowLevel;
+
+vec4 furrowSampleSlice(highp sampler2DArray maps, float slice) {
+  return texelFetch(maps, ivec3(gl_FragCoord.xy, slice), furrowLevel);
+}
+`

@@ -1,0 +1,45 @@
+import { Color, type IUniform } from 'three'
+import type { ShowInfluence } from '../../material/other-modes.ts'
+import { influenceFromMap } from '../influence/influence.ts'
+import { areaUniforms, influenceFromAreas } from '../influence/influence-from-areas.ts'
+import { instancedVertex } from '../mixing/default-shader.ts'
+import { MAIN, replace, replaceChunk } from '../patch/shader-text.ts'
+import { mapUniforms } from '../uniforms.ts'
+
+/** Shows the influence as gray on the mesh as it moves: black = no wrinkles, white = fully visible. */
+export const showInfluence: ShowInfluence = (
+  material,
+  { wrinkled: { normalMap }, inputs, instances },
+  table,
+) => {
+  const layers = inputs.textures.layers.length
+  const { channels } = inputs.areas
+  const uniforms: Record<string, IUniform> = table ? areaUniforms(inputs, table) : mapUniforms(inputs)
+  // The map provides its texture coordinates, transform included; the shader samples the areas instead.
+  Object.assign(material, { map: normalMap, color: new Color(1, 1, 1), needsUpdate: true })
+  material.onBeforeCompile = (shader) => {
+    Object.assign(shader.uniforms, uniforms)
+    if (!table && instances) shader.vertexShader = instancedVertex(shader.vertexShader, instances)
+    shader.fragmentShader = table
+      ? areasFragment(shader.fragmentShader, channels)
+      : mapFragment(shader.fragmentShader, layers, instances !== null)
+  }
+  const variant = table ? `areas ${channels}` : `map ${layers} ${instances}`
+  material.customProgramCacheKey = () => `furrow influence ${variant}`
+}
+
+const LARGEST = 'diffuseColor.rgb *= vec3(max(max(influence.x, influence.y), max(influence.z, influence.w)));'
+
+/** Makes an unlit material show the largest influence of any layer as gray, from the map. */
+function mapFragment(fragment: string, layers: number, isInstanced: boolean): string {
+  const declarations = influenceFromMap(layers, isInstanced)
+  const started = replace(fragment, MAIN, `${declarations}\n${MAIN}\n\tfurrowSampleInfluence(vMapUv);`)
+  return replaceChunk(started, 'map_fragment', () => `vec4 influence = furrowInfluence;\n\t${LARGEST}`)
+}
+
+/** The same, from the areas themselves. */
+function areasFragment(fragment: string, channels: 1 | 4): string {
+  const declared = replace(fragment, MAIN, `${influenceFromAreas(channels)}\n${MAIN}`)
+  const influence = 'vec4 influence = furrowInfluenceFromAreas(vMapUv);'
+  return replaceChunk(declared, 'map_fragment', () => `${influence}\n\t${LARGEST}`)
+}

@@ -1,0 +1,198 @@
+import {
+  GLSL3,
+  type Material,
+  MeshDepthMaterial,
+  MeshDistanceMaterial,
+  NoBlending,
+  REVISION,
+  RGBADepthPacking,
+  ShaderMaterial,
+  Vector4,
+  type WebGLProgramParametersWithUniforms,
+  type WebGLRenderer,
+} from 'three'
+import { FurrowError } from '../../../core/error.ts'
+import type { CoarseParts } from '../../relief/coarse-pass.ts'
+import { COARSE_WIDTH } from '../../relief/coarse-pass.ts'
+import type { ReliefInputs } from '../../relief/relief-inputs.ts'
+import type { ReliefParts } from '../../relief/relief-parts.ts'
+import { TESTED_THREE } from '../../three-version.ts'
+import { quadMaterials } from '../influence/influence-quads.ts'
+import { MAIN, replace, replaceChunk } from '../patch/shader-text.ts'
+import { mapUniforms } from '../uniforms.ts'
+import { reliefFunctions } from './relief-surface.ts'
+
+/** Writes each vertex into its texel, deformed by three.js's own chunks. */
+const COARSE_VERTEX = /* glsl */ `
+#include <common>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+uniform highp sampler2D furrowRing;
+uniform int furrowFirst;
+uniform int furrowRows;
+out vec4 vFurrowPosition;
+out vec4 vFurrowDirections;
+
+vec2 furrowOctahedral(vec3 direction) {
+  vec3 v = direction / (abs(direction.x) + abs(direction.y) + abs(direction.z));
+  return v.z < 0.0 ? (1.0 - abs(v.yx)) * vec2(v.x < 0.0 ? -1.0 : 1.0, v.y < 0.0 ? -1.0 : 1.0) : v.xy;
+}
+
+void main() {
+  #include <beginnormal_vertex>
+  #include <morphnormal_vertex>
+  #include <skinbase_vertex>
+  #include <skinnormal_vertex>
+  #include <begin_vertex>
+  #include <morphtarget_vertex>
+  #include <skinning_vertex>
+  int i = furrowFirst + gl_VertexID;
+  ivec2 texel = ivec2(i % ${COARSE_WIDTH}, i / ${COARSE_WIDTH});
+  vFurrowPosition = vec4(transformed, texelFetch(furrowRing, texel, 0).r);
+  vFurrowDirections = vec4(furrowOctahedral(objectNormal), 0.0, 0.0);
+  #ifdef USE_TANGENT
+    vFurrowDirections.zw = furrowOctahedral(objectTangent);
+  #endif
+  vec2 centre = (vec2(texel) + 0.5) / vec2(${COARSE_WIDTH}.0, float(furrowRows));
+  gl_Position = vec4(centre * 2.0 - 1.0, 0.0, 1.0);
+  gl_PointSize = 1.0;
+}
+`
+
+const COARSE_FRAGMENT = /* glsl */ `
+in vec4 vFurrowPosition;
+in vec4 vFurrowDirections;
+layout(location = 0) out vec4 position;
+layout(location = 1) out vec4 directions;
+
+void main() {
+  position = vFurrowPosition;
+  directions = vFurrowDirections;
+}
+`
+
+const coarseMaterial: CoarseParts['coarseMaterial'] = (ring, first, rows, hasTangents) =>
+  new ShaderMaterial({
+    name: 'furrow coarse',
+    glslVersion: GLSL3,
+    vertexShader: COARSE_VERTEX,
+    fragmentShader: COARSE_FRAGMENT,
+    uniforms: { furrowRing: { value: ring }, furrowFirst: { value: first }, furrowRows: { value: rows } },
+    defines: hasTangents ? { USE_TANGENT: '' } : {},
+    blending: NoBlending,
+    depthTest: false,
+    depthWrite: false,
+  })
+
+/** Patches the material's own GLSL, after what patched it before. */
+const patch: ReliefParts['patch'] = (material, relief, inputs, instances) => {
+  const { onBeforeCompile, customProgramCacheKey } = material
+  const { layers, channel } = relief.heights
+  const variant = { heights: layers, channel, isInstanced: instances !== null }
+  const uniforms = { ...mapUniforms(inputs), ...reliefUniforms(relief) }
+  material.onBeforeCompile = (shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer) => {
+    onBeforeCompile.call(material, shader, renderer)
+    try {
+      shader.vertexShader = reliefVertex(shader.vertexShader, reliefFunctions(variant))
+    } catch (error) {
+      relief.refuse(unpatchable((error as Error).message))
+      return
+    }
+    shader.uniforms = { ...shader.uniforms, ...uniforms }
+  }
+  const key = JSON.stringify(variant)
+  material.customProgramCacheKey = () => `${customProgramCacheKey.call(material)} relief ${key}`
+  return () => Object.assign(material, { onBeforeCompile, customProgramCacheKey })
+}
+
+/** The error for a shader without a text that the patch needs. */
+function unpatchable(missing: string): FurrowError {
+  return new FurrowError({
+    code: 'unsupported',
+    who: 'Wrinkles',
+    what: `material whose shader cannot be patched in three.js r${REVISION}, it lacks`,
+    value: missing,
+    limit: `the built-in lit materials of three.js r${TESTED_THREE.oldest} to r${TESTED_THREE.newest}`,
+    remedy: 'use one of them, or the composed mode',
+  })
+}
+
+/** Puts vertices of dense geometries in their places before three.js's chunks deform others. */
+function reliefVertex(vertex: string, functions: string): string {
+  const declared = replace(
+    vertex,
+    MAIN,
+    `${functions}\n${MAIN}\nif (furrowIsDense()) furrowReadDirections();`,
+  )
+  const turned = replaceChunk(
+    declared,
+    'beginnormal_vertex',
+    (chunk) => `${chunk}
+if (furrowIsDense()) {
+  objectNormal = furrowShadingNormal();
+  #ifdef USE_TANGENT
+    objectTangent = furrowShadingTangent();
+  #endif
+}
+`,
+  )
+  const moved = replaceChunk(
+    turned,
+    'begin_vertex',
+    (chunk) => `${chunk}\nif (furrowIsDense()) transformed = furrowSurface();\n`,
+  )
+  if (moved === turned) throw new Error('begin_vertex')
+  return moved
+}
+
+function reliefUniforms({ heights, coarse, unitsPerMetre, amount }: ReliefInputs) {
+  return {
+    furrowCoarsePositions: { value: coarse.positions },
+    furrowCoarseDirections: { value: coarse.directions },
+    furrowHeights: { value: heights.texture },
+    furrowUnitsPerMetre: { value: unitsPerMetre },
+    furrowAmount: amount,
+  }
+}
+
+/** Shadows are drawn with materials of three.js's own, which are patched alike. */
+const dressShadow: ReliefParts['dressShadow'] = (dense, mesh, relief, inputs, instances) => {
+  const own: Material[] = [
+    mesh.customDepthMaterial?.clone() ?? new MeshDepthMaterial({ depthPacking: RGBADepthPacking }),
+    mesh.customDistanceMaterial?.clone() ?? new MeshDistanceMaterial(),
+  ]
+  for (const material of own) patch(material, relief, inputs, instances)
+  ;[dense.customDepthMaterial, dense.customDistanceMaterial] = own
+  return () => {
+    for (const material of own) material.dispose()
+  }
+}
+
+/** Several meshes may have an outline's material in common, as copies of an avatar do: each one's relief needs its own. */
+const outlineMaterial: ReliefParts['outlineMaterial'] = (own, relief, inputs, instances) => {
+  const { uniforms } = own as Partial<ShaderMaterial>
+  if (!uniforms) return null
+  const copy = Object.assign(own.clone(), { uniforms })
+  patch(copy, relief, inputs, instances)
+  return copy
+}
+
+const viewport = new Vector4()
+
+/** A light's shadow may have several views in one target, whose viewport three.js sets once for each. */
+const duringShadow: ReliefParts['duringShadow'] = (renderer, draw) => {
+  const { state } = renderer as WebGLRenderer
+  const context = (renderer as WebGLRenderer).getContext()
+  viewport.fromArray(context.getParameter(context.VIEWPORT))
+  draw()
+  state.viewport(viewport)
+}
+
+export const RELIEF_PARTS: ReliefParts = {
+  coarseMaterial,
+  hasContents: quadMaterials.hasContents,
+  patch,
+  dressShadow,
+  outlineMaterial,
+  duringShadow,
+}

@@ -1,0 +1,219 @@
+import type { Mesh } from 'three'
+import { Fn, If, Loop, localId, max, vec2, workgroupBarrier, workgroupId } from 'three/tsl'
+import type { ComputeNode, Node, StorageBufferNode, WebGPURenderer } from 'three/webgpu'
+import { sentence } from '../../../core/error.ts'
+import { restMatrix } from '../../../math/stretch.ts'
+import type { TensionSurface } from '../../sources/tension.ts'
+import { Buffers, sharedArray, workgroups } from './buffers.ts'
+import { DeformedPositions } from './deformed-positions.ts'
+
+/** Invocations in an area's workgroup: a multiple of every subgroup size, and no more than any WebGPU device allows. */
+const LANES = 64
+
+/** Values of each area in `values`. */
+const PER_AREA = 2
+
+/**
+ * Measures on the graphics card how far the skin under each area is compressed and stretched, along its principal directions or a given
+ * one: the mean over all of its triangles, weighted by the area's weight times surface at rest, however the mesh is deformed. Each area has a workgroup: there are few
+ * areas and thousands of triangles under each, too many for a single invocation. The result is read back one or two
+ * frames later; nothing waits for it.
+ */
+export class AreaTension {
+  /** Of each measured area the means of 1 - smaller principal stretch and larger one - 1, or of 1 - stretch and stretch - 1 along its direction. */
+  readonly values: Float32Array
+  /** Whether `values` hold a measurement. */
+  isReady = false
+  readonly #mesh: Mesh
+  readonly #lists: TriangleLists
+  #work: Work | null = null
+  #renderer: WebGPURenderer | null = null
+  #isReading = false
+  #isDisposed = false
+  #hasFailed = false
+
+  /** @param surface the mesh at rest; areas that cover none of it measure 0. */
+  constructor(mesh: Mesh, surface: TensionSurface) {
+    this.#mesh = mesh
+    this.#lists = listTriangles(surface)
+    this.values = new Float32Array(PER_AREA * surface.measured.length)
+  }
+
+  /** Starts measuring the mesh in its current pose, unless a measurement is pending or nothing has changed. Never waits or throws. */
+  update(renderer: WebGPURenderer): void {
+    if (renderer !== this.#renderer) this.#restart(renderer)
+    if (this.#isReading || this.#hasFailed || this.#lists.corners.length === 0) return
+    this.#work ??= createWork(this.#mesh, this.#lists)
+    const { positions, passes, result } = this.#work
+    if (!positions.update() && this.isReady) return
+    renderer.compute(passes)
+    this.#isReading = true
+    renderer
+      .getArrayBufferAsync(result.value)
+      .then((buffer) => this.#store(renderer, new Float32Array(buffer)))
+      .catch((error) => this.#fail(renderer, error))
+      .finally(() => {
+        this.#isReading = false
+        if (this.#isDisposed) this.#free()
+      })
+  }
+
+  /** Copies measurements, by their indices in `values`. */
+  copyTo(out: Float64Array, indices: readonly number[]): void {
+    for (let i = 0; i < indices.length; i++) out[i] = this.values[indices[i]]
+  }
+
+  /** Frees the buffers, once no read is pending. */
+  dispose(): void {
+    this.#isDisposed = true
+    if (!this.#isReading) this.#free()
+  }
+
+  #restart(renderer: WebGPURenderer): void {
+    this.#renderer = renderer
+    this.isReady = false
+    this.#hasFailed = false
+  }
+
+  #store(renderer: WebGPURenderer, values: Float32Array): void {
+    if (renderer !== this.#renderer) return
+    this.values.set(values)
+    this.isReady = true
+  }
+
+  /** Gives up until another renderer draws the mesh; the processor measures instead. */
+  #fail(renderer: WebGPURenderer, error: unknown): void {
+    if (renderer !== this.#renderer || this.#isDisposed) return
+    this.isReady = false
+    this.#hasFailed = true
+    console.warn(
+      sentence({
+        who: 'Wrinkles',
+        what: 'tension could not be read back from the graphics card',
+        value: String(error),
+        remedy: 'the processor measures it on a sample of triangles',
+      }),
+    )
+  }
+
+  #free(): void {
+    this.#work?.dispose()
+    this.#work = null
+  }
+}
+
+/** Triangles by area: three corners padded to four, and the inverse at rest followed by the weight in the mean. */
+interface TriangleLists {
+  starts: Uint32Array
+  corners: Uint32Array
+  weighted: Float32Array
+}
+
+function listTriangles({ sampled: { positions, uvs, triangles }, measured }: TensionSurface): TriangleLists {
+  const [corners, weighted]: number[][] = [[], []]
+  const starts = new Uint32Array(measured.length + 1)
+  for (const [area, { covered, direction }] of measured.entries()) {
+    const found: { k: number; inverse: number[] }[] = []
+    let sum = 0
+    for (const [k, weight] of covered.entries()) {
+      if (!(weight > 0)) continue
+      const [a, b, c] = [3 * k, 3 * k + 1, 3 * k + 2].map((corner) => triangles[corner])
+      const inverse = restMatrix(a, b, c, { positions, uvs, direction })
+      if (!inverse) continue
+      found.push({ k, inverse })
+      sum += weight
+    }
+    for (const { k, inverse } of found) {
+      corners.push(triangles[3 * k], triangles[3 * k + 1], triangles[3 * k + 2], 0)
+      weighted.push(...inverse, covered[k] / sum)
+    }
+    starts[area + 1] = corners.length / 4
+  }
+  return { starts, corners: Uint32Array.from(corners), weighted: Float32Array.from(weighted) }
+}
+
+/** The passes, and what they read and write. */
+interface Work {
+  positions: DeformedPositions
+  passes: ComputeNode[]
+  result: StorageBufferNode<'vec2'>
+  dispose(): void
+}
+
+function createWork(mesh: Mesh, lists: TriangleLists): Work {
+  const positions = new DeformedPositions(mesh, true)
+  const buffers = new Buffers()
+  const areas = lists.starts.length - 1
+  const result = buffers.create('vec2', new Float32Array(PER_AREA * areas))
+  const mean = meanOf(positions.node, lists, result, buffers)
+  return {
+    positions,
+    passes: [...positions.passes, mean],
+    result,
+    dispose() {
+      mean.dispose()
+      positions.dispose()
+      buffers.dispose()
+    },
+  }
+}
+
+/** Sums an area's triangles, every `LANES`th of them in one lane, then the lanes by a tree reduction. */
+function meanOf(
+  positions: StorageBufferNode<'vec4'>,
+  lists: TriangleLists,
+  result: StorageBufferNode<'vec2'>,
+  buffers: Buffers,
+): ComputeNode {
+  const areas = lists.starts.length - 1
+  const [bounds, corners, weighted] = [
+    buffers.create('uint', lists.starts),
+    buffers.create('uvec4', lists.corners),
+    buffers.create('vec4', lists.weighted),
+  ]
+  const sums = sharedArray('vec2', LANES)
+  const lane = localId.x
+  return Fn(() => {
+    const area = workgroupId.x
+    const sum = vec2(0).toVar()
+    const range = {
+      start: bounds.element(area).add(lane),
+      end: bounds.element(area.add(1)),
+      type: 'uint',
+      condition: '<',
+      update: LANES,
+    } as const
+    Loop(range, ({ i: k }) => {
+      const corner = corners.element(k).toVar()
+      const triangle = weighted.element(k).toVar()
+      const [a, b, c] = (['x', 'y', 'z'] as const).map((axis) => positions.element(corner[axis]).xyz)
+      sum.addAssign(changeOf(b.sub(a), c.sub(a), triangle).mul(triangle.w))
+    })
+    sums.element(lane).assign(sum)
+    workgroupBarrier()
+    for (let half = LANES / 2; half >= 1; half /= 2) {
+      If(lane.lessThan(half), () => {
+        sums.element(lane).addAssign(sums.element(lane.add(half)))
+      })
+      workgroupBarrier()
+    }
+    If(lane.equal(0), () => {
+      result.element(area).assign(sums.element(lane))
+    })
+  })().compute(workgroups(areas), [LANES])
+}
+
+/** `principalStretches` of math/stretch: 1 - the smaller one, and the larger one - 1. */
+function changeOf(u: Node<'vec3'>, v: Node<'vec3'>, inverse: Node<'vec4'>): Node<'vec2'> {
+  const [xx, xy, yy] = [inverse.x, inverse.y, inverse.z]
+  // The columns of the deformation gradient; their dot products are the right Cauchy-Green tensor.
+  const first = u.mul(xx).toVar()
+  const second = u.mul(xy).add(v.mul(yy)).toVar()
+  const [c00, c01, c11] = [first.dot(first), first.dot(second), second.dot(second)]
+  const mean = c00.add(c11).mul(0.5).toVar()
+  const spread = vec2(c00.sub(c11).mul(0.5), c01).length().toVar()
+  const larger = mean.add(spread).sqrt().toVar()
+  // Only the matrix of a direction has a 0 here.
+  const smaller = xx.equal(0).select(larger, max(mean.sub(spread), 0).sqrt())
+  return vec2(smaller.oneMinus(), larger.sub(1))
+}

@@ -1,0 +1,71 @@
+/** What the compute passes share, and casts of their nodes, whose type three.js's declarations leave open. */
+import type { TypedArray } from 'three'
+import { Fn, If, instanceIndex, storage, workgroupArray } from 'three/tsl'
+import {
+  type ComputeNode,
+  type Node,
+  StorageBufferAttribute,
+  type StorageBufferNode,
+  type WebGPURenderer,
+} from 'three/webgpu'
+import type { AnyRenderer } from '../../renderer.ts'
+
+const SIZES = { float: 1, uint: 1, vec2: 2, vec4: 4, uvec4: 4, mat4: 16 } as const
+type BufferType = keyof typeof SIZES
+
+/** The storage buffers of one computation, freed together. */
+export class Buffers {
+  readonly #attributes: StorageBufferAttribute[] = []
+
+  /** @param values its initial contents; kept, not copied. */
+  create<T extends BufferType>(type: T, values: TypedArray): StorageBufferNode<T> {
+    const attribute = new StorageBufferAttribute(values, SIZES[type])
+    this.#attributes.push(attribute)
+    return storage(attribute, type, attribute.count)
+  }
+
+  dispose(): void {
+    // r186 frees them with the renderer only.
+    for (const attribute of this.#attributes) attribute.dispose()
+  }
+}
+
+/**
+ * A pass with one invocation for each of `count` elements. The invocations that fill up the last workgroup do nothing: not all versions
+ * of three.js stop them, and their writes would be clamped to the last element.
+ */
+export function computePass(count: number, body: (i: Node<'uint'>) => void): ComputeNode {
+  return Fn(() => {
+    If(instanceIndex.lessThan(count), () => body(instanceIndex))
+  })().compute(count)
+}
+
+/** Whether a renderer has compute passes with storage buffers: `WebGPURenderer` on WebGPU, not on its WebGL 2 backend. */
+export function canCompute(renderer: AnyRenderer): renderer is WebGPURenderer {
+  const { backend } = renderer as WebGPURenderer & { backend?: { isWebGPUBackend?: boolean } }
+  return backend?.isWebGPUBackend === true
+}
+
+/** Copies x, y and z into one `vec4` each: storage buffers align a `vec3` to 16 bytes (WGSL, "Alignment and Size"). */
+export function padToVec4(
+  values: ArrayLike<number>,
+  out = new Float32Array((4 * values.length) / 3),
+): Float32Array {
+  for (let i = 0; i < values.length; i++) out[4 * Math.floor(i / 3) + (i % 3)] = values[i]
+  return out
+}
+
+/** An array that the invocations of a workgroup share. */
+export function sharedArray<T extends string>(type: T, count: number): StorageBufferNode<T> {
+  return typedBuffer(workgroupArray(type, count))
+}
+
+/** A dispatch of one workgroup each for `count` elements; the types know counts of invocations only. */
+export function workgroups(count: number): number {
+  return [count, 1, 1] as unknown as number
+}
+
+/** Declares the type of a buffer's elements. */
+export function typedBuffer<T extends string>(node: Node): StorageBufferNode<T> {
+  return node as StorageBufferNode<T>
+}

@@ -1,0 +1,27 @@
+import type { BindInputs } from '../../sources/binding.ts'
+import { indexIn, sampledTension, tensionSurface } from '../../sources/tension.ts'
+import { AreaTension } from './area-tension.ts'
+import { canCompute } from './buffers.ts'
+
+/**
+ * Measures all triangles under an area in compute passes. Until the first result is there, and where the renderer has no
+ * compute passes, the CPU measures a sample of them.
+ */
+export const bindComputedTension: BindInputs<'tension'> = (wrinkles, inputs) => {
+  const surface = tensionSurface(wrinkles, inputs)
+  const sampled = sampledTension(wrinkles.mesh, surface, inputs)
+  if (inputs.length === 0) return sampled
+  const tension = new AreaTension(wrinkles.mesh, surface)
+  wrinkles.onDispose(() => tension.dispose())
+  const indices = inputs.map(
+    (input) => 2 * indexIn(surface.measured, input) + (input.measure === 'stretch' ? 1 : 0),
+  )
+  return {
+    ...sampled,
+    read(values, instance, renderer) {
+      if (renderer && canCompute(renderer)) tension.update(renderer)
+      if (tension.isReady) tension.copyTo(values, indices)
+      else sampled.read(values, instance, renderer)
+    },
+  }
+}

@@ -1,0 +1,200 @@
+import {
+  type BufferAttribute,
+  type BufferGeometry,
+  type InterleavedBufferAttribute,
+  Matrix4,
+  type Mesh,
+  type SkinnedMesh,
+} from 'three'
+import { Loop, storage, uint, vec3, vec4 } from 'three/tsl'
+import type { ComputeNode, StorageBufferNode } from 'three/webgpu'
+import { coordinates, copyNumbers, targetOffsets } from '../../sources/geometry-arrays.ts'
+import { Buffers, computePass, padToVec4, typedBuffer } from './buffers.ts'
+
+/**
+ * The positions of a mesh's vertices, computed on the graphics card from those in its geometry: deformed by its blendshapes and,
+ * optionally, its skeleton. Each vertex iterates over the targets that move it, so that memory and time grow with what moves.
+ */
+export class DeformedPositions {
+  /** Of all vertices, in the mesh's local space: x, y and z of each element. */
+  readonly node: StorageBufferNode<'vec4'>
+  /** The passes that bring `node` up to date, in order. */
+  readonly passes: readonly ComputeNode[]
+  readonly #buffers = new Buffers()
+  readonly #inputs: readonly { update(): boolean }[]
+
+  /** @param isSkinned whether the skeleton deforms them too. */
+  constructor(mesh: Mesh, isSkinned: boolean) {
+    const { position } = mesh.geometry.attributes
+    const rest = isComputed(position)
+      ? { node: computedPositions(position), update: () => true }
+      : this.#uploadFrom(mesh.geometry)
+    const create = () => this.#buffers.create('vec4', new Float32Array(4 * position.count))
+    const morphed = morphing(mesh, rest.node, this.#buffers, create)
+    const skinned = isSkinned ? skinning(mesh, morphed?.node ?? rest.node, this.#buffers, create) : null
+    const steps = [morphed, skinned].filter((step) => step !== null)
+    this.node = skinned?.node ?? morphed?.node ?? rest.node
+    this.passes = steps.map(({ pass }) => pass)
+    this.#inputs = [rest, ...steps]
+  }
+
+  /**
+   * Reads the current positions, weights and joints.
+   *
+   * @returns whether any may have changed.
+   */
+  update(): boolean {
+    let changed = false
+    for (const input of this.#inputs) if (input.update()) changed = true
+    return changed
+  }
+
+  dispose(): void {
+    for (const pass of this.passes) pass.dispose()
+    this.#buffers.dispose()
+  }
+
+  /** A copy of the positions in the geometry, uploaded again when they change. */
+  #uploadFrom(geometry: BufferGeometry) {
+    const node = this.#buffers.create('vec4', padToVec4(coordinates(geometry.attributes.position)))
+    let version = -1
+    return {
+      node,
+      update() {
+        const { position } = geometry.attributes
+        if (versionOf(position) === version) return false
+        if (version >= 0) padToVec4(coordinates(position), node.value.array as Float32Array<ArrayBuffer>)
+        version = versionOf(position)
+        node.value.needsUpdate = true
+        return true
+      },
+    }
+  }
+}
+
+/** A pass from positions to positions. */
+interface Step {
+  node: StorageBufferNode<'vec4'>
+  pass: ComputeNode
+  /** Reads what the pass depends on; returns whether that changed. */
+  update(): boolean
+}
+
+/** Adds the targets, each times its weight; null when none moves anything. */
+function morphing(
+  mesh: Mesh,
+  from: StorageBufferNode<'vec4'>,
+  buffers: Buffers,
+  create: () => StorageBufferNode<'vec4'>,
+): Step | null {
+  const targets = targetOffsets(mesh.geometry)
+  const { position } = mesh.geometry.attributes
+  const { starts, entries } = offsetsByVertex(targets, position.count)
+  if (entries.length === 0 || !mesh.morphTargetInfluences) return null
+  const values = new Float32Array(targets.length)
+  const [weights, bounds, offsets] = [
+    buffers.create('float', values),
+    buffers.create('uint', starts),
+    buffers.create('vec4', entries),
+  ]
+  const node = create()
+  const pass = computePass(position.count, (i) => {
+    const sum = vec3(from.element(i).xyz).toVar()
+    const range = {
+      start: bounds.element(i),
+      end: bounds.element(i.add(1)),
+      type: 'uint',
+      condition: '<',
+    } as const
+    Loop(range, ({ i: k }) => {
+      const entry = offsets.element(k).toVar()
+      sum.addAssign(entry.xyz.mul(weights.element(uint(entry.w))))
+    })
+    node.element(i).assign(vec4(sum, 1))
+  })
+  const update = () => {
+    const changed = copyNumbers(values, mesh.morphTargetInfluences!)
+    if (changed) weights.value.needsUpdate = true
+    return changed
+  }
+  return { node, pass, update }
+}
+
+/** For each vertex the offsets that move it: x, y, z and the target's index; and where each vertex's list starts. */
+function offsetsByVertex(targets: readonly Float32Array[], count: number) {
+  const starts = new Uint32Array(count + 1)
+  const entries: number[] = []
+  for (let i = 0; i < count; i++) {
+    for (let target = 0; target < targets.length; target++) {
+      const [x, y, z] = [targets[target][3 * i], targets[target][3 * i + 1], targets[target][3 * i + 2]]
+      if (x !== 0 || y !== 0 || z !== 0) entries.push(x, y, z, target)
+    }
+    starts[i + 1] = entries.length / 4
+  }
+  return { starts, entries: Float32Array.from(entries) }
+}
+
+/** Linear blend skinning in the mesh's local space, as three.js does it; null without a skeleton. */
+function skinning(
+  mesh: Mesh,
+  from: StorageBufferNode<'vec4'>,
+  buffers: Buffers,
+  create: () => StorageBufferNode<'vec4'>,
+): Step | null {
+  const { skeleton } = mesh as Partial<SkinnedMesh>
+  const { skinIndex, skinWeight } = mesh.geometry.attributes
+  if (!skeleton || !skinIndex || !skinWeight) return null
+  const values = new Float32Array(16 * skeleton.bones.length)
+  const [matrices, joints, weights] = [
+    buffers.create('mat4', values),
+    buffers.create('uvec4', Uint32Array.from(coordinates(skinIndex, 4))),
+    buffers.create('vec4', coordinates(skinWeight, 4)),
+  ]
+  const node = create()
+  const pass = computePass(skinIndex.count, (i) => {
+    const rest = vec4(from.element(i).xyz, 1).toVar()
+    const joint = joints.element(i).toVar()
+    const weight = weights.element(i).toVar()
+    const moved = (axis: 'x' | 'y' | 'z' | 'w') =>
+      matrices.element(joint[axis]).mul(rest).xyz.mul(weight[axis])
+    node.element(i).assign(vec4(moved('x').add(moved('y'), moved('z'), moved('w')), 1))
+  })
+  const current = values.slice()
+  const update = () => {
+    writeJointMatrices(mesh as SkinnedMesh, current)
+    const changed = copyNumbers(values, current)
+    if (changed) matrices.value.needsUpdate = true
+    return changed
+  }
+  return { node, pass, update }
+}
+
+const matrix = new Matrix4()
+
+/** The matrix of each joint, from the bind pose to the current one, in the mesh's local space. */
+function writeJointMatrices(
+  { skeleton, bindMatrix, bindMatrixInverse }: SkinnedMesh,
+  out: Float32Array,
+): void {
+  for (const [i, { matrixWorld }] of skeleton.bones.entries()) {
+    matrix
+      .multiplyMatrices(bindMatrixInverse, matrixWorld)
+      .multiply(skeleton.boneInverses[i])
+      .multiply(bindMatrix)
+    matrix.toArray(out, 16 * i)
+  }
+}
+
+/** Whether a simulation on the graphics card may write to it. */
+function isComputed(attribute: BufferAttribute | InterleavedBufferAttribute): attribute is BufferAttribute {
+  return (attribute as { isStorageBufferAttribute?: boolean }).isStorageBufferAttribute === true
+}
+
+/** Its `vec3`s are aligned to 16 bytes as well, so that x, y and z of each element are read alike. */
+function computedPositions(attribute: BufferAttribute): StorageBufferNode<'vec4'> {
+  return typedBuffer(storage(attribute, 'vec3', attribute.count))
+}
+
+function versionOf(attribute: BufferAttribute | InterleavedBufferAttribute): number {
+  return 'data' in attribute ? attribute.data.version : attribute.version
+}

@@ -1,0 +1,35 @@
+import { Fn, float, int, ivec2, Loop, max, min, texture, textureLoad, vec4 } from 'three/tsl'
+import type { Node } from 'three/webgpu'
+import type { ActivationTable } from '../../material/activation-table.ts'
+import type { ShaderInputs } from '../../material/shader-inputs.ts'
+import { inputUniform } from '../node.ts'
+import { repeat } from '../texture-sampling.ts'
+import { channelMask } from './influence.ts'
+
+/**
+ * From the areas themselves, as in the paper's step 3: a loop over all of them, for every layer at once.
+ *
+ * @param table maps slices and channels to activations.
+ * @param uv texture coordinates, repeating outside of 0..1.
+ * @returns influence of layers 0..3 in x, y, z, w, each 0..1.
+ */
+export function influenceFromAreas(
+  { areas }: ShaderInputs,
+  table: ActivationTable,
+  uv: Node<'vec2'>,
+): Node<'vec4'> {
+  const count = inputUniform(table.count, 'int')
+  return Fn(() => {
+    const sum = vec4(0).toVar()
+    const largest = vec4(0).toVar()
+    const wrapped = repeat(uv).toVar()
+    Loop({ start: int(0), end: count, type: 'int', condition: '<' }, ({ i }) => {
+      const slice = areas.channels === 1 ? i : i.div(int(4))
+      const texel = texture(areas.texture, wrapped).depth(slice).level(int(0))
+      const weight = (areas.channels === 1 ? texel.x : texel.dot(channelMask(float(i.mod(int(4)))))).toVar()
+      sum.addAssign(textureLoad(table.texture, ivec2(i, int(0))).mul(weight))
+      largest.assign(max(largest, textureLoad(table.texture, ivec2(i, int(1))).mul(weight)))
+    })
+    return max(min(sum, vec4(1)), largest)
+  })()
+}

@@ -1,0 +1,111 @@
+/** The influence of each layer at a point, in TSL; the same formulas as the GLSL of `webgl/`. */
+import { REVISION, type Texture } from 'three'
+import {
+  drawIndex,
+  Fn,
+  float,
+  If,
+  instanceIndex,
+  int,
+  ivec2,
+  min,
+  texture,
+  textureLoad,
+  varying,
+  vec2,
+  vec4,
+} from 'three/tsl'
+import { type Node, NodeBuilder } from 'three/webgpu'
+import type { ShaderInputs } from '../../material/shader-inputs.ts'
+import type { Instances } from '../../mesh/instances.ts'
+import { requireInternal } from '../../three-version.ts'
+import { CHANNELS, inputUniform } from '../node.ts'
+
+/**
+ * From the atlas of influence maps: one sample, however many areas there are. No branch between pixels: software rasterisers pay more for
+ * one than for the samples that it saves.
+ *
+ * @param uv texture coordinates within 0..1, see `repeat`.
+ * @param instances of the mesh, each of which has a cell of its own.
+ * @param isVertex whether it is read by a vertex, which skips the sample outside of what active areas reach.
+ * @returns influence of layers 0..3 in x, y, z, w, each 0..1.
+ */
+export function influenceFromMap(
+  inputs: ShaderInputs,
+  uv: Node<'vec2'>,
+  instances: Instances,
+  isVertex = false,
+): Node<'vec4'> {
+  const cell = inputUniform<'vec4'>(inputs.cell)
+  const inset = inputUniform<'vec2'>(inputs.inset)
+  const fade = inputUniform<'float'>(inputs.fade)
+  const layers = inputs.textures.layers.length
+  return Fn(() => {
+    const influence = vec4(0).toVar()
+    const sample = () => {
+      const corner = instances ? varying(cornerOf(inputs, instanceOf(instances))) : cell.xy
+      const inside = uv.clamp(inset, inset.oneMinus())
+      const atlas = texture(inputs.influence.value, corner.add(inside.mul(cell.zw)))
+      const sampled = (isVertex ? atlas.level(int(0)) : atlas).toVar()
+      // Channels without a layer hold whatever the format gives them.
+      const [x, y, z, w] = CHANNELS.map((channel, i) => (i < layers ? sampled[channel] : float(0)))
+      influence.assign(min(vec4(x, y, z, w), vec4(1)).mul(fade))
+    }
+    if (isVertex) If(isWithin(uv, inputUniform<'vec4'>(inputs.reach)), sample)
+    else sample()
+    return influence
+  })()
+}
+
+/** Whether texture coordinates are within bounds: u0, v0, u1, v1. */
+function isWithin(uv: Node<'vec2'>, bounds: Node<'vec4'>): Node<'bool'> {
+  return uv.greaterThanEqual(bounds.xy).all().and(uv.lessThanEqual(bounds.zw).all())
+}
+
+/** Corner of an instance's cell, in 0..1 of the atlas; each has a cell, in the order of rows. */
+function cornerOf({ grid }: ShaderInputs, instance: Node<'float'>): Node<'vec2'> {
+  const { x: columns, xy: size, z: first } = inputUniform<'vec3'>(grid)
+  const cell = first.add(instance)
+  const row = cell.add(0.5).div(columns).floor()
+  return vec2(cell.sub(row.mul(columns)), row).div(size)
+}
+
+/** Index of the instance that is drawn. A batch draws its visible instances in an order of its own, which is in a texture. */
+function instanceOf(instances: 'instanced' | 'batched'): Node<'float'> {
+  if (instances === 'instanced') return float(instanceIndex)
+  return Fn((_: [], builder: NodeBuilder) => {
+    const { object, getDrawIndex } = builder as BatchBuilder
+    const drawn = int(getDrawIndex.call(builder) === null ? instanceIndex : drawIndex)
+    const order = object._indirectTexture
+    const { width } = order.image as { width: number }
+    const texel = ivec2(drawn.mod(int(width)), drawn.div(int(width)))
+    return float(textureLoad(order, texel).x)
+  })()
+}
+
+/** The builder of a `BatchedMesh`'s shader, with the internals of three.js that `checkBatch` guards. */
+type BatchBuilder = NodeBuilder & {
+  object: { _indirectTexture: Texture }
+  getDrawIndex(): string | null
+}
+
+/** @throws FurrowError when three.js lacks what `influenceFromMap` reads of a `BatchedMesh`. */
+export function checkBatch(mesh: object): void {
+  requireInternal(
+    (mesh as BatchBuilder['object'])._indirectTexture,
+    'Wrinkles',
+    'BatchedMesh._indirectTexture',
+    REVISION,
+  )
+  requireInternal(
+    (NodeBuilder.prototype as BatchBuilder).getDrawIndex,
+    'Wrinkles',
+    'NodeBuilder.getDrawIndex',
+    REVISION,
+  )
+}
+
+/** 1 in the channel of that index, 0 in the others. */
+export function channelMask(channel: Node<'float'>): Node<'vec4'> {
+  return vec4(0, 1, 2, 3).sub(channel).abs().oneMinus().clamp(0, 1)
+}

@@ -1,0 +1,36 @@
+import { int, ivec2, select, texture, varying, vec2, vec4 } from 'three/tsl'
+import type { Node, TextureNode } from 'three/webgpu'
+import type { ComposeMaterial } from '../../material/composed-map.ts'
+import { influenceFromMap } from '../influence/influence.ts'
+import { quadMaterial, targetUv } from '../influence/influence-quads.ts'
+import { mixNormals } from '../mixing/mix-normals.ts'
+import { sizeOf } from '../node.ts'
+import { bySampler, type SliceSampler } from '../texture-sampling.ts'
+
+/** Draws the composed normal map on `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
+export const composeMaterial: ComposeMaterial = (base, inputs, level) => {
+  const isTexelwise = level !== undefined
+  const uv = varying(targetUv())
+  const own = texture(base, uv)
+  const stored = (isTexelwise ? own.load(texelAt(own, uv)) : own).xyz
+  const influence = influenceFromMap(inputs, uv, null)
+  const mixed = mixNormals(stored, inputs, {
+    influence,
+    uv,
+    sampler: isTexelwise ? byTexel : bySampler,
+  }).toVar()
+  if (!inputs.textures.kinds.includes('detail')) return quadMaterial('composed', vec4(mixed, 1))
+  const unit = mixed.mul(2).sub(1).normalize().mul(0.5).add(0.5)
+  return quadMaterial('composed', vec4(select(influence.greaterThan(vec4(0)).any(), unit, mixed), 1))
+}
+
+/** A pixel of the target is a texel. */
+const byTexel: SliceSampler = (uv) => (array, slice) => {
+  const map = texture(array)
+  return map.load(texelAt(map, uv)).depth(int(slice))
+}
+
+/** The texel of a map's finest level at texture coordinates within 0..1. */
+export function texelAt(map: TextureNode, uv: Node<'vec2'>): Node<'ivec2'> {
+  return ivec2(uv.mul(vec2(sizeOf(map))))
+}

@@ -1,0 +1,18 @@
+import { Color } from 'three'
+import { max, vec3 } from 'three/tsl'
+import type { ShowInfluence } from '../../material/other-modes.ts'
+import { influenceFromMap } from '../influence/influence.ts'
+import { influenceFromAreas } from '../influence/influence-from-areas.ts'
+import { materialProperty } from '../node.ts'
+import { mapUv, repeat } from '../texture-sampling.ts'
+
+/** Shows the influence as gray on the mesh as it moves: black = no wrinkles, white = fully visible. */
+export const showInfluence: ShowInfluence = (material, { wrinkled, inputs, instances }, table) => {
+  const uv = mapUv(wrinkled)
+  const influence = (
+    table ? influenceFromAreas(inputs, table, uv) : influenceFromMap(inputs, repeat(uv).toVar(), instances)
+  ).toVar()
+  const largest = max(max(influence.x, influence.y), max(influence.z, influence.w))
+  const colorNode = materialProperty('color', 'color', material).mul(vec3(largest))
+  Object.assign(material, { color: new Color(1, 1, 1), colorNode, needsUpdate: true })
+}

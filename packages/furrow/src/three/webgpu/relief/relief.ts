@@ -1,0 +1,68 @@
+import type { Material } from 'three'
+import {
+  int,
+  ivec2,
+  normalLocal,
+  outputStruct,
+  positionLocal,
+  tangentLocal,
+  textureLoad,
+  varying,
+  vec2,
+  vec4,
+  vertexIndex,
+} from 'three/tsl'
+import type { NodeMaterial } from 'three/webgpu'
+import { COARSE_WIDTH, type CoarseParts } from '../../relief/coarse-pass.ts'
+import type { ReliefParts } from '../../relief/relief-parts.ts'
+import { quadMaterial, quadMaterials } from '../influence/influence-quads.ts'
+import { typed } from '../node.ts'
+import { toOctahedron } from './octahedron.ts'
+import { reliefPosition } from './relief-surface.ts'
+
+/** Writes each vertex into its texel, deformed as three.js deforms any vertex before `vertexNode`. */
+const coarseMaterial: CoarseParts['coarseMaterial'] = (ring, first, rows, hasTangents) => {
+  const i = int(vertexIndex).add(first)
+  const texel = ivec2(i.mod(int(COARSE_WIDTH)), i.div(int(COARSE_WIDTH)))
+  const next = textureLoad(ring, texel).x
+  const material = quadMaterial(
+    'coarse',
+    outputStruct(
+      varying(vec4(positionLocal, next)),
+      varying(vec4(toOctahedron(normalLocal), hasTangents ? toOctahedron(tangentLocal) : vec2(0))),
+    ) as never,
+  )
+  // Row 0 of the target is at the top: three.js flips render targets accordingly on both backends.
+  const centre = vec2(texel).add(0.5).div(vec2(COARSE_WIDTH, rows))
+  material.vertexNode = vec4(centre.mul(vec2(2, -2)).add(vec2(-1, 1)), 0, 1)
+  return material
+}
+
+type Patched = Material & Partial<Pick<NodeMaterial, 'positionNode'>>
+
+let patchCount = 0
+
+/** Sets the material's `positionNode`; plain materials carry it too, the renderer copies it to the nodes it makes. */
+const patch: ReliefParts['patch'] = (material: Patched, relief, inputs, instances) => {
+  const { positionNode, customProgramCacheKey } = material
+  const hadOwn = Object.hasOwn(material, 'positionNode')
+  const variant = `relief ${patchCount++}`
+  material.positionNode = reliefPosition(relief, inputs, instances, positionNode ? typed(positionNode) : null)
+  material.customProgramCacheKey = () => `${customProgramCacheKey.call(material)} ${variant}`
+  return () => {
+    if (hadOwn) material.positionNode = positionNode!
+    else Reflect.deleteProperty(material, 'positionNode')
+    material.customProgramCacheKey = customProgramCacheKey
+  }
+}
+
+export const RELIEF_PARTS: ReliefParts = {
+  coarseMaterial,
+  hasContents: quadMaterials.hasContents,
+  patch,
+  // Shadows are drawn with the material's own `positionNode`.
+  dressShadow: () => () => {},
+  // Node materials read widths and colours of themselves: a copy would not follow them.
+  outlineMaterial: () => null,
+  duringShadow: (_renderer, draw) => draw(),
+}

@@ -1,0 +1,107 @@
+import type { ReadonlySignal, Signal } from '@preact/signals'
+import type { Downloads } from './downloads.ts'
+import type { Lines } from './lines/lines.ts'
+import type { PageLink } from './link/page-link.ts'
+import type { Messages } from './messages.ts'
+import { filesOfInput } from './open/dropped-files.ts'
+import type { Opening } from './open/opening.ts'
+import type { PanelModel } from './panels/model.ts'
+import type { AreaEditor } from './session/area-editor.ts'
+import type { FaceAreas } from './session/face-areas.ts'
+import type { LayerEditor } from './session/layer-editor.ts'
+import type { Saving } from './session/saving.ts'
+import type { Workspace } from './session/workspace.ts'
+import type { Painting } from './tools/painting.ts'
+import type { ShownFace } from './viewer/shown-face.ts'
+import type { ViewerHost } from './viewer/viewer-host.ts'
+
+/** The parts of the application that panels show, and those that do what a user requests there. */
+export interface PanelParts {
+  workspace: Workspace
+  saving: Saving
+  face: ShownFace
+  lines: Lines
+  areas: AreaEditor
+  faceAreas: FaceAreas
+  layers: LayerEditor
+  painting: Painting
+  opening: Opening
+  host: ViewerHost
+  downloads: Downloads
+  link: PageLink
+  messages: Messages
+  /** Names of the shipped faces. */
+  faces: ReadonlySignal<readonly string[]>
+  /** Whether the list of shortcuts is shown. */
+  isListOpen: Signal<boolean>
+}
+
+/** Gives panels what they show, and passes on what they request. */
+export function panelModel(parts: PanelParts): PanelModel {
+  const { workspace, saving, face, lines, areas, faceAreas, layers, painting } = parts
+  const { opening, host, downloads, link, messages, faces, isListOpen } = parts
+  const { session, automatic, exporting, keeping, settings } = workspace
+  const { viewer, frame, revision, expression, hovered, staging, player } = face
+  return {
+    session,
+    lines: lines.editor,
+    areas,
+    layers,
+    painting,
+    auto: settings,
+    autoRun: automatic.run,
+    exporting: exporting.state,
+    projects: keeping.projects,
+    saving: keeping.state,
+    folder: saving.folder,
+    isListOpen,
+    faces,
+    viewer,
+    frame,
+    revision,
+    expression,
+    hovered,
+    staging,
+    player,
+    actions: {
+      attempt: (task) => void messages.attempt(task),
+      openFiles: (files) => opening.files(async () => filesOfInput(files)),
+      openFace: (name) => opening.open(opening.fetch(name)),
+      chooseSkin: (skin) => opening.open(async (shown) => ({ ...shown!, skin })),
+      setRenderer: (kind) => {
+        face.settle()
+        return host.open(kind)
+      },
+      setMode: (mode) =>
+        face.change((shown) => {
+          shown.mode = mode
+        }),
+      setLook: (look) =>
+        face.change((shown) => {
+          shown.look = look
+        }),
+      play: (name) => face.play(name),
+      pose: () => face.pose(),
+      input: (dial, value) => face.input(dial, value),
+      reset: (dials) => face.reset(dials),
+      addAreaImages: (files, convention) => faceAreas.add(files, convention),
+      removeArea: (name) => faceAreas.remove(name),
+      moveLinePoint: (right, down) => void messages.attempt(() => lines.movePoint(right, down)),
+      previewAuto: (next) => void messages.attempt(() => workspace.previewAuto(next)),
+      makeAuto: (next) => void messages.attempt(() => workspace.makeAuto(next)),
+      cancelAuto: () => workspace.cancelAuto(),
+      editWrinkles: () => void messages.attempt(() => workspace.editWrinkles()),
+      openProject: (id) => opening.project(id),
+      keepCopy: () => void messages.attempt(() => keeping.copy()),
+      takeOver: () => opening.takeOver(),
+      deleteProject: (id) => void messages.attempt(() => keeping.delete(id)),
+      exportFace: (options) => void messages.attempt(() => workspace.export(options)),
+      cancelExport: () => exporting.cancel(),
+      saveExport: () => downloads.export(),
+      saveProject: () => void downloads.project(),
+      saveToFolder: (isOther) => void downloads.folder(isOther),
+      copyCode: (text) => void downloads.copyCode(text),
+      copyLink: () => void messages.attempt(() => link.copy()),
+    },
+  }
+}

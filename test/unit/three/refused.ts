@@ -1,0 +1,36 @@
+import { FurrowError } from 'furrow'
+import { Wrinkles } from 'furrow/three'
+import { Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
+import { expect } from 'vitest'
+import { randomSet } from '../../cases.ts'
+import { seeded } from '../../random.ts'
+
+/** Wrinkles, always the same. */
+export const set = () => randomSet(seeded(1), 2, 8)
+
+/** A face with one blendshape, and wrinkles. */
+export function face() {
+  const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
+  mesh.name = 'head'
+  mesh.morphTargetDictionary = { jawOpen: 0 }
+  mesh.morphTargetInfluences = [0]
+  return { mesh, wrinkles: new Wrinkles(mesh, set()) }
+}
+
+/** Expects an error of the library that begins, or reads, as said, and none of JavaScript's own. */
+export function expectRefused(run: () => unknown, start: RegExp) {
+  let error: unknown
+  try {
+    run()
+  } catch (caught) {
+    error = caught
+  }
+  expect(error).toBeInstanceOf(FurrowError)
+  expect((error as Error).message).toMatch(start)
+  expect((error as Error).message).not.toMatch(/undefined is not|Cannot read|reading '/)
+}
+
+/** A mesh without either. */
+export function plain(): Mesh {
+  return new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
+}
