@@ -37,21 +37,23 @@ function recorded(names: string[]) {
   )
   frame.targets.push({ draw: () => log.push('atlas') })
   const engine = { pictures: 0 }
+  const drawOn = (by: Engine, ...seen: string[]): string[] => {
+    log.length = 0
+    by.pictures++
+    for (const name of seen) {
+      frame.begin(entries[name], by)
+      log.push(`draw ${name}`)
+    }
+    return [...log]
+  }
   return {
     frame,
     entries,
     hidden,
     engine,
     /** Draws one picture of some members, and returns what was called. */
-    draw(...seen: string[]): string[] {
-      log.length = 0
-      engine.pictures++
-      for (const name of seen) {
-        frame.begin(entries[name], engine)
-        log.push(`draw ${name}`)
-      }
-      return [...log]
-    },
+    draw: (...seen: string[]) => drawOn(engine, ...seen),
+    drawOn,
     log,
   }
 }
@@ -98,6 +100,21 @@ describe('a frame', () => {
     engine.pictures++
     frame.begin(entries.c, engine)
     expect(log).toEqual(phases('c'))
+  })
+
+  it('is one of each engine, whatever they have counted', () => {
+    for (const lead of [0, 1, 2]) {
+      const { draw, drawOn } = recorded(['a', 'b'])
+      const other = { pictures: lead }
+      draw('a')
+      for (let i = 0; i < 3; i++) {
+        expect(drawOn(other, 'b', 'b')).toEqual([...phases('b'), 'draw b', 'draw b'])
+        expect(draw('a')).toEqual([...phases('a'), 'draw a'])
+      }
+      // A face that both draw.
+      expect(drawOn(other, 'b', 'a')).toEqual([...phases('b'), 'draw b', ...phases('a'), 'draw a'])
+      expect(draw('a')).toEqual([...phases('a'), 'draw a'])
+    }
   })
 
   it('is brought up to date by hand, up to the activations where nothing draws', () => {

@@ -32,23 +32,32 @@ export interface FrameEntry<Engine> {
   collected: number
 }
 
+/** The frame that an engine draws, or drew last. */
+interface Drawn {
+  number: number
+  /** What its images were counted by when a member was last drawn. */
+  renders: number
+}
+
 /**
  * Runs the phases of frames: inputs -> drivers -> activations -> influence -> draw, each for all faces before the next. The engine
  * draws, and calls `begin` before it draws a member: the first one in a frame runs the phases of all members that were drawn in the
- * frame before, or never ran. A member that comes into view later in a frame runs its phases then.
+ * frame before, or never ran. A member that comes into view later in a frame runs its phases then. Where several engines draw on one page,
+ * each has frames of its own: what one draws is not there for another.
  *
  * @typeParam Engine what draws, e.g. a renderer.
  * @typeParam Target what it draws influence maps into.
  */
-export class Frame<Engine, Target extends InfluenceTarget<Engine> = InfluenceTarget<Engine>> {
+export class Frame<Engine extends object, Target extends InfluenceTarget<Engine> = InfluenceTarget<Engine>> {
   readonly targets: Target[] = []
   readonly #entries: FrameEntry<Engine>[] = []
   readonly #renderCount: (engine: Engine) => number
   /** The members whose phases run are the first `#count` of these: emptying the list would allocate. */
   readonly #due: FrameEntry<Engine>[] = []
   #count = 0
+  /** Of the frame that began last, whichever engine draws it. */
   #number = 0
-  #renders = -1
+  readonly #drawn = new WeakMap<Engine, Drawn>()
 
   /** @param renderCount a number that changes with every image that the engine draws. */
   constructor(renderCount: (engine: Engine) => number) {
@@ -71,55 +80,66 @@ export class Frame<Engine, Target extends InfluenceTarget<Engine> = InfluenceTar
   /** To be called before a member is drawn. */
   begin(entry: FrameEntry<Engine>, engine: Engine): void {
     this.#count = 0
-    if (this.#renderCount(engine) !== this.#renders) this.#startNext()
-    if (entry.updated !== this.#number) this.#schedule(entry)
-    entry.seen = this.#number
-    if (this.#count > 0) this.#run(engine)
-    else if (entry.collected !== this.#number) this.#collectLate(entry, engine)
-    this.#renders = this.#renderCount(engine)
+    const drawn = this.#drawnBy(engine)
+    if (this.#renderCount(engine) !== drawn.renders) this.#startNext(drawn)
+    if (entry.updated !== drawn.number) this.#schedule(entry, drawn.number)
+    entry.seen = drawn.number
+    if (this.#count > 0) this.#run(engine, drawn.number)
+    else if (entry.collected !== drawn.number) this.#collectLate(entry, engine, drawn.number)
+    drawn.renders = this.#renderCount(engine)
   }
 
   /** Runs the phases of one member now; influence is drawn only with an engine. */
   update(entry: FrameEntry<Engine>, engine: Engine | null): void {
     this.#count = 0
     this.#due[this.#count++] = entry
-    this.#run(engine)
+    this.#run(engine, engine ? this.#drawnBy(engine).number : this.#number)
+  }
+
+  #drawnBy(engine: Engine): Drawn {
+    let drawn = this.#drawn.get(engine)
+    if (!drawn) {
+      drawn = { number: 0, renders: -1 }
+      this.#drawn.set(engine, drawn)
+    }
+    return drawn
   }
 
   /** The frame, phase by phase. */
-  #run(engine: Engine | null): void {
+  #run(engine: Engine | null, number: number): void {
     const due = this.#due
     const count = this.#count
     for (let i = 0; i < count; i++) due[i].member.readInputs(engine)
     for (let i = 0; i < count; i++) due[i].member.evaluateDrivers()
     for (let i = 0; i < count; i++) due[i].member.applyActivations()
     if (engine === null) return
-    for (let i = 0; i < count; i++) this.#collect(due[i], engine)
+    for (let i = 0; i < count; i++) this.#collect(due[i], engine, number)
     for (let i = 0; i < this.targets.length; i++) this.targets[i].draw(engine)
     for (let i = 0; i < count; i++) due[i].member.composeNormals(engine)
   }
 
-  #startNext(): void {
-    const last = this.#number++
+  #startNext(drawn: Drawn): void {
+    const last = drawn.number
+    drawn.number = ++this.#number
     for (let i = 0; i < this.#entries.length; i++) {
       const entry = this.#entries[i]
-      if (entry.seen === last || entry.updated < 0) this.#schedule(entry)
+      if (entry.seen === last || entry.updated < 0) this.#schedule(entry, drawn.number)
     }
   }
 
-  #schedule(entry: FrameEntry<Engine>): void {
-    entry.updated = this.#number
+  #schedule(entry: FrameEntry<Engine>, number: number): void {
+    entry.updated = number
     this.#due[this.#count++] = entry
   }
 
-  #collect(entry: FrameEntry<Engine>, engine: Engine): void {
-    if (entry.member.collectInfluence(engine)) entry.collected = this.#number
+  #collect(entry: FrameEntry<Engine>, engine: Engine, number: number): void {
+    if (entry.member.collectInfluence(engine)) entry.collected = number
   }
 
   /** For a member whose influence was not used when its phases ran, but is now. */
-  #collectLate(entry: FrameEntry<Engine>, engine: Engine): void {
-    this.#collect(entry, engine)
-    if (entry.collected !== this.#number) return
+  #collectLate(entry: FrameEntry<Engine>, engine: Engine, number: number): void {
+    this.#collect(entry, engine, number)
+    if (entry.collected !== number) return
     for (let i = 0; i < this.targets.length; i++) this.targets[i].draw(engine)
     entry.member.composeNormals(engine)
   }

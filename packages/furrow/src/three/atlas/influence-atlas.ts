@@ -54,6 +54,8 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   #renderer: AnyRenderer | null = null
   /** The renderer that has compiled what draws areas. */
   #compiled: AnyRenderer | null = null
+  /** What drew cells that were collected together: each renderer has a texture of its own, with the cells of the faces that it draws. */
+  readonly #drawnBy = new WeakMap<readonly Cell[], AnyRenderer>()
 
   /**
    * @param width of a cell and of the faces' areas, in texels.
@@ -68,6 +70,8 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
       type: HalfFloatType,
       depthBuffer: false,
     })
+    // `WebGPURenderer` sets it when it makes its own texture of a target, and others would make theirs anew, within what they draw already.
+    Object.defineProperty(this.target.texture, 'needsUpdate', { set: () => {} })
     this.#materials = materials
     this.#scene.matrixWorldAutoUpdate = false
     const bounds = { x0: 0, y0: 0, x1: width, y1: height }
@@ -82,7 +86,10 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   add(faces: readonly Face[]): Cell[] {
     const added = this.cells.add(faces)
     const { width, height, grid } = this.cells
-    this.target.setSize(grid.columns * width, grid.rows * height)
+    const across = grid.columns * width
+    const down = grid.rows * height
+    if (across !== this.target.width || down !== this.target.height) this.target.texture.version++
+    this.target.setSize(across, down)
     return added
   }
 
@@ -108,6 +115,10 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   /** Collects those of some cells that have changed, for `draw`. */
   collect(cells: readonly Cell[], renderer: AnyRenderer): void {
     this.#checkContents(renderer)
+    if (this.#drawnBy.get(cells) !== renderer) {
+      this.#drawnBy.set(cells, renderer)
+      for (const cell of cells) cell.stale = true
+    }
     this.cells.collect(cells)
   }
 
@@ -142,15 +153,19 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     for (const { quads } of this.#batches) quads.dispose()
   }
 
-  /** What was drawn is missing in another renderer, and after a lost context. */
+  /** What was drawn is missing after a lost context. */
   #checkContents(renderer: AnyRenderer): void {
-    if (renderer === this.#renderer && this.#materials.hasContents(renderer, this.target)) return
+    if (renderer !== this.#renderer) this.#checkType(renderer)
     this.#renderer = renderer
+    if (!this.#materials.hasContents(renderer, this.target)) this.cells.invalidate()
+  }
+
+  #checkType(renderer: AnyRenderer): void {
     const type = this.layers <= MOST_WHOLE_FLOATS && filtersFloats(renderer) ? FloatType : HalfFloatType
-    if (this.target.texture.type !== type) {
-      this.target.texture.type = type
-      this.target.dispose()
-    }
+    if (this.target.texture.type === type) return
+    this.target.texture.type = type
+    this.target.texture.version++
+    this.target.dispose()
     this.cells.invalidate()
   }
 

@@ -1,4 +1,5 @@
 import { type Camera, Color, type Object3D, type RenderTarget, type Scene, type WebGLRenderer } from 'three'
+import type { WebGPURenderer } from 'three/webgpu'
 import type { AnyRenderer } from '../renderer.ts'
 
 const colour = new Color()
@@ -30,12 +31,29 @@ export function renderPreservingState(
   if (gl.shadowMap) gl.shadowMap.autoUpdate = false
   gl.setRenderTarget(target as never, 0, targetLevel)
   if (isCleared) clear(gl)
-  renderer.render(scene, camera)
+  if ('isWebGLRenderer' in renderer) renderer.render(scene, camera)
+  else renderAll(renderer as WebGPURenderer, scene, camera)
   gl.setRenderTarget(before, face, level)
   if (gl.shadowMap) gl.shadowMap.autoUpdate = shadows
   renderer.xr.enabled = xr
   renderer.info.autoReset = autoReset
   renderer.autoClear = autoClear
+}
+
+/** Draws all of a scene, whatever is being drawn: shadows are without the meshes that cast none, and passes have several outputs, or leave out what is transparent. */
+function renderAll(renderer: WebGPURenderer, scene: Scene, camera: Camera): void {
+  const { opaque, transparent } = renderer
+  const drawObject = renderer.getRenderObjectFunction()
+  const outputs = renderer.getMRT()
+  renderer.opaque = renderer.transparent = true
+  // Its types leave out that null is allowed.
+  renderer.setRenderObjectFunction(null!)
+  renderer.setMRT(null)
+  renderer.render(scene, camera)
+  renderer.setMRT(outputs)
+  renderer.setRenderObjectFunction(drawObject!)
+  renderer.transparent = transparent
+  renderer.opaque = opaque
 }
 
 function clear(gl: WebGLRenderer): void {
